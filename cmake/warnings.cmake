@@ -1,0 +1,15 @@
+# Warnings and sanitizers shared by every target of this project, and by none of its users.
+add_library(obrys_warnings INTERFACE)
+target_compile_options(obrys_warnings INTERFACE
+  -Wall -Wextra -Wpedantic -Wshadow -Wconversion -Wnon-virtual-dtor -Wold-style-cast
+  -Woverloaded-virtual -Wnull-dereference -Wimplicit-fallthrough
+  $<$<BOOL:${OBRYS_WERROR}>:-Werror>)
+if(CMAKE_CXX_COMPILER_ID STREQUAL "GNU")
+  # GCC 12 reports false positives of these inside the standard library at -O2.
+  target_compile_options(obrys_warnings INTERFACE -Wno-null-dereference -Wno-restrict)
+endif()
+if(OBRYS_SANITIZE)
+  add_compile_options(-fsanitize=address,undefined -fno-sanitize-recover=undefined -fno-omit-frame-pointer)
+  add_link_options(-fsanitize=address,undefined)
+  add_compile_definitions(_GLIBCXX_ASSERTIONS)
+endif()

@@ -1,0 +1,114 @@
+#pragma once
+/// Every code a complaint or a finding can carry: stable, documented in docs/diagnostics.md, each with a test.
+/// `kind` says what the code does to the verdict.
+
+#include <array>
+#include <cstdint>
+#include <string_view>
+
+namespace obrys::base {
+
+enum class CodeKind : std::uint8_t {
+    finding,    ///< something wrong was found: verdict "findings" (exit 1)
+    unchecked,  ///< something was not understood or not run: verdict "not fully checked" (exit 3)
+    input,      ///< the input cannot be read or the call is wrong (exit 2)
+    info,       ///< listed, no effect on the verdict
+};
+
+struct Code {
+    std::string_view name;
+    CodeKind kind;
+    std::string_view meaning;
+};
+
+namespace codes {
+// findings: what the check is for
+inline constexpr std::string_view gouge = "gouge";
+inline constexpr std::string_view allowance_cut = "allowance-cut";
+inline constexpr std::string_view rapid_in_stock = "rapid-in-stock";
+inline constexpr std::string_view rest_material = "rest-material";
+inline constexpr std::string_view axis_limit = "axis-limit";
+inline constexpr std::string_view spindle_limit = "spindle-limit";
+inline constexpr std::string_view feed_limit = "feed-limit";
+inline constexpr std::string_view tool_missing = "tool-missing";
+inline constexpr std::string_view feed_missing = "feed-missing";
+inline constexpr std::string_view spindle_stopped = "spindle-stopped";
+// findings: the control itself would stop with an alarm here
+inline constexpr std::string_view program_alarm = "program-alarm";
+inline constexpr std::string_view arc_radius = "arc-radius";
+inline constexpr std::string_view arithmetic = "arithmetic";
+inline constexpr std::string_view type_mismatch = "type-mismatch";
+inline constexpr std::string_view undefined_name = "undefined-name";
+inline constexpr std::string_view index_range = "index-range";
+inline constexpr std::string_view value_range = "value-range";
+inline constexpr std::string_view duplicate_name = "duplicate-name";
+inline constexpr std::string_view missing_label = "missing-label";
+inline constexpr std::string_view bad_argument = "bad-argument";
+inline constexpr std::string_view compensation = "compensation";
+// not understood, or not run
+inline constexpr std::string_view syntax = "syntax";
+inline constexpr std::string_view unknown_word = "unknown-word";
+inline constexpr std::string_view unsupported = "unsupported";
+inline constexpr std::string_view missing_subprogram = "missing-subprogram";
+inline constexpr std::string_view budget = "budget";
+inline constexpr std::string_view unclosed = "unclosed";
+inline constexpr std::string_view unknown_value = "unknown-value";
+inline constexpr std::string_view not_simulated = "not-simulated";
+// input that cannot be read
+inline constexpr std::string_view file_missing = "file-missing";
+inline constexpr std::string_view file_empty = "file-empty";
+inline constexpr std::string_view file_binary = "file-binary";
+inline constexpr std::string_view job_file = "job-file";
+inline constexpr std::string_view job_value = "job-value";
+// listed only
+inline constexpr std::string_view no_effect = "no-effect";
+inline constexpr std::string_view assumption = "assumption";
+}  // namespace codes
+
+inline constexpr std::array all_codes{
+    Code{codes::gouge, CodeKind::finding, "the tool cuts into the finished part"},
+    Code{codes::allowance_cut, CodeKind::finding, "the tool cuts into the allowance that this program must leave"},
+    Code{codes::rapid_in_stock, CodeKind::finding, "a rapid move removes material"},
+    Code{codes::rest_material, CodeKind::finding, "material is left outside the allowance contour"},
+    Code{codes::axis_limit, CodeKind::finding, "an axis leaves its travel"},
+    Code{codes::spindle_limit, CodeKind::finding, "a spindle speed outside the machine's range"},
+    Code{codes::feed_limit, CodeKind::finding, "a feed above the machine's maximum"},
+    Code{codes::tool_missing, CodeKind::finding, "a tool or edge that the tool list does not hold"},
+    Code{codes::feed_missing, CodeKind::finding, "a feed move without a programmed feed"},
+    Code{codes::spindle_stopped, CodeKind::finding, "a cut while the spindle stands still"},
+    Code{codes::program_alarm, CodeKind::finding, "the program raises an alarm of its own (SETAL) or stops itself"},
+    Code{codes::arc_radius, CodeKind::finding, "the end point does not lie on the circle"},
+    Code{codes::arithmetic, CodeKind::finding, "division by zero, or a function outside its domain"},
+    Code{codes::type_mismatch, CodeKind::finding, "a value of the wrong type"},
+    Code{codes::undefined_name, CodeKind::finding, "a name that is not defined"},
+    Code{codes::index_range, CodeKind::finding, "an array index outside the array"},
+    Code{codes::value_range, CodeKind::finding, "a value outside what its address or parameter allows"},
+    Code{codes::duplicate_name, CodeKind::finding, "a name defined twice"},
+    Code{codes::missing_label, CodeKind::finding, "a jump to a label that does not exist"},
+    Code{codes::bad_argument, CodeKind::finding, "arguments that do not fit the called program"},
+    Code{codes::compensation, CodeKind::finding, "tool radius compensation that the contour does not allow"},
+    Code{codes::syntax, CodeKind::unchecked, "text that does not follow the control's grammar"},
+    Code{codes::unknown_word, CodeKind::unchecked, "a word this control's tables do not know"},
+    Code{codes::unsupported, CodeKind::unchecked, "a known function that obrys does not run"},
+    Code{codes::missing_subprogram, CodeKind::unchecked, "a called program that was not found"},
+    Code{codes::budget, CodeKind::unchecked, "the run was ended by a limit on blocks, passes, depth or time"},
+    Code{codes::unclosed, CodeKind::unchecked, "a loop or branch without its end"},
+    Code{codes::unknown_value, CodeKind::unchecked, "a system variable whose value obrys cannot know"},
+    Code{codes::not_simulated, CodeKind::unchecked, "a move that was run but whose material removal was not computed"},
+    Code{codes::file_missing, CodeKind::input, "a file that does not exist or cannot be read"},
+    Code{codes::file_empty, CodeKind::input, "a file without content"},
+    Code{codes::file_binary, CodeKind::input, "a file that is not text"},
+    Code{codes::job_file, CodeKind::input, "a job, machine or tool file that is not valid TOML or has an unknown key"},
+    Code{codes::job_value, CodeKind::input, "a value in a job, machine or tool file that cannot be used"},
+    Code{codes::no_effect, CodeKind::info, "a known word without effect on motion"},
+    Code{codes::assumption, CodeKind::info, "something assumed because the input does not say it"},
+};
+
+/// The entry of a code; `unsupported`'s kind for a name that is not in the table.
+[[nodiscard]] constexpr CodeKind kind_of(std::string_view name) {
+    for (const Code& c : all_codes)
+        if (c.name == name) return c.kind;
+    return CodeKind::unchecked;
+}
+
+}  // namespace obrys::base

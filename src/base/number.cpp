@@ -1,0 +1,98 @@
+#include "base/number.hpp"
+
+#include <array>
+#include <charconv>
+#include <cmath>
+
+#include "base/text.hpp"
+
+namespace obrys::base {
+
+namespace {
+constexpr std::array<double, 19> power_of_ten{1e0, 1e1, 1e2,  1e3,  1e4,  1e5,  1e6,  1e7,  1e8, 1e9,
+                                              1e10, 1e11, 1e12, 1e13, 1e14, 1e15, 1e16, 1e17, 1e18};
+constexpr std::int64_t exact_in_double = std::int64_t{1} << 53;
+}  // namespace
+
+NumberScan scan_decimal(std::string_view s) {
+    NumberScan scan;
+    std::size_t i = 0;
+    const bool negative = !s.empty() && s[0] == '-';
+    if (!s.empty() && (s[0] == '-' || s[0] == '+')) ++i;
+    const std::size_t first = i;
+    std::int64_t mantissa = 0;
+    std::size_t digits = 0;
+    int decimals = 0;
+    bool point = false, fits = true;
+    for (; i < s.size(); ++i) {
+        if (s[i] == '.' && !point) {
+            point = true;
+            continue;
+        }
+        if (!is_digit(s[i])) break;
+        ++digits;
+        fits = fits && mantissa < 100'000'000'000'000'000;  // one more digit stays below 1e18
+        if (fits) mantissa = mantissa * 10 + (s[i] - '0');
+        if (point) ++decimals;
+    }
+    if (digits == 0) return scan;
+    scan.length = i;
+    scan.integer = !point;
+    if (fits && decimals <= 18) scan.decimal = Decimal{negative ? -mantissa : mantissa, decimals};
+    if (fits && mantissa <= exact_in_double && decimals <= 18) {
+        // Both operands are exact doubles, so one correctly rounded division gives the nearest double.
+        const double magnitude = static_cast<double>(mantissa) / power_of_ten[static_cast<std::size_t>(decimals)];
+        scan.value = negative ? -magnitude : magnitude;
+    } else {
+        double magnitude = 0;
+        std::from_chars(s.data() + first, s.data() + i, magnitude, std::chars_format::fixed);
+        scan.value = negative ? -magnitude : magnitude;
+    }
+    return scan;
+}
+
+std::optional<double> parse_double(std::string_view s) {
+    s = trim(s);
+    if (s.starts_with('+')) s.remove_prefix(1);
+    double value = 0;
+    const auto [end, error] = std::from_chars(s.data(), s.data() + s.size(), value);
+    if (s.empty() || error != std::errc{} || end != s.data() + s.size() || !std::isfinite(value)) return std::nullopt;
+    return value;
+}
+
+std::optional<std::int64_t> parse_integer(std::string_view s) {
+    s = trim(s);
+    if (s.starts_with('+')) s.remove_prefix(1);
+    std::int64_t value = 0;
+    const auto [end, error] = std::from_chars(s.data(), s.data() + s.size(), value);
+    if (s.empty() || error != std::errc{} || end != s.data() + s.size()) return std::nullopt;
+    return value;
+}
+
+void append_fixed(std::string& out, double value, int decimals) {
+    std::array<char, 400> buffer;  // 1e308 with 17 decimals needs 327
+    const auto [end, error] =
+        std::to_chars(buffer.data(), buffer.data() + buffer.size(), value, std::chars_format::fixed, decimals);
+    std::string_view text(buffer.data(), static_cast<std::size_t>(end - buffer.data()));
+    if (error != std::errc{}) text = "nan";
+    if (text.starts_with('-') && text.find_first_not_of("-0.") == std::string_view::npos) text.remove_prefix(1);
+    out += text;
+}
+
+std::string fixed(double value, int decimals) {
+    std::string out;
+    append_fixed(out, value, decimals);
+    return out;
+}
+
+std::string shortest(double value) {
+    if (value == 0) return "0";
+    std::array<char, 400> buffer;
+    const bool plain = std::abs(value) < 1e15 && std::abs(value) > 1e-7;
+    const auto [end, error] = plain ? std::to_chars(buffer.data(), buffer.data() + buffer.size(), value, std::chars_format::fixed)
+                                    : std::to_chars(buffer.data(), buffer.data() + buffer.size(), value);
+    if (error != std::errc{}) return "nan";
+    return {buffer.data(), end};
+}
+
+}  // namespace obrys::base

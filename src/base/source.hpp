@@ -1,0 +1,66 @@
+#pragma once
+/// Source texts and places in them. A place is a span of bytes; line and column are derived on demand.
+
+#include <cstdint>
+#include <deque>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace obrys::base {
+
+/// Half-open range of bytes `[begin, end)` of source text number `file`.
+struct Span {
+    std::uint32_t file = 0, begin = 0, end = 0;
+    bool operator==(const Span&) const = default;
+};
+
+/// Line and column counted from 1; the column counts characters as an editor shows them (UTF-8 or CP1252).
+struct Position {
+    std::uint32_t line = 1, column = 1;
+};
+
+/// How the blocks of a source text carry their number, for messages and reports.
+enum class BlockNumbers : std::uint8_t {
+    none,       ///< text without block numbers (TOML, tool tables)
+    n_word,     ///< `N120 G1 …` (also behind a skip sign `/`)
+    leading,    ///< `12 L X+0 …`
+};
+
+/// One text, as read. `name` is the path as the user wrote it (messages show it).
+struct Source {
+    std::string name;
+    std::string text;
+    BlockNumbers block_numbers = BlockNumbers::none;
+    bool utf8 = true;  ///< false: bytes above 127 are CP1252
+};
+
+/// All texts of a run. References to a source stay valid while others are added.
+class Sources {
+public:
+    /// Takes a text; a UTF-8 byte order mark at its start is dropped. Texts of 4 GiB and more are refused by the caller.
+    std::uint32_t add(std::string name, std::string text, BlockNumbers numbers = BlockNumbers::none);
+
+    [[nodiscard]] const Source& operator[](std::uint32_t file) const { return files_[file]; }
+    [[nodiscard]] std::uint32_t size() const { return static_cast<std::uint32_t>(files_.size()); }
+    void set_block_numbers(std::uint32_t file, BlockNumbers numbers) { files_[file].block_numbers = numbers; }
+
+    [[nodiscard]] Position position(std::uint32_t file, std::uint32_t offset) const;
+    [[nodiscard]] Position position(const Span& span) const { return position(span.file, span.begin); }
+    /// The text of a line (counted from 1) without its line end, raw bytes; empty past the end.
+    [[nodiscard]] std::string_view line(std::uint32_t file, std::uint32_t number) const;
+    /// The text of the span's first line, as UTF-8.
+    [[nodiscard]] std::string line_utf8(const Span& span) const;
+    [[nodiscard]] std::string_view text(const Span& span) const;
+    /// Number of the block in which `offset` lies, where the text numbers its blocks and this one has a number.
+    [[nodiscard]] std::optional<std::uint32_t> block_number(std::uint32_t file, std::uint32_t offset) const;
+
+private:
+    const std::vector<std::uint32_t>& line_starts(std::uint32_t file) const;
+
+    std::deque<Source> files_;
+    mutable std::deque<std::vector<std::uint32_t>> line_starts_;  // filled when first asked for
+};
+
+}  // namespace obrys::base

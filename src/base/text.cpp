@@ -1,0 +1,104 @@
+#include "base/text.hpp"
+
+#include <algorithm>
+#include <array>
+#include <cstddef>
+#include <cstdint>
+
+namespace obrys::base {
+
+std::string to_upper(std::string_view s) {
+    std::string out(s);
+    std::transform(out.begin(), out.end(), out.begin(), upper);
+    return out;
+}
+
+bool equals_ignoring_case(std::string_view a, std::string_view b) {
+    return a.size() == b.size() &&
+           std::equal(a.begin(), a.end(), b.begin(), [](char x, char y) { return upper(x) == upper(y); });
+}
+
+std::string_view trim(std::string_view s) {
+    const auto outside = [](char c) { return is_blank(c) || c == '\r' || c == '\n'; };
+    while (!s.empty() && outside(s.front())) s.remove_prefix(1);
+    while (!s.empty() && outside(s.back())) s.remove_suffix(1);
+    return s;
+}
+
+namespace {
+
+/// Length of the UTF-8 sequence at `s[i]`, 0 where it is not valid.
+std::size_t utf8_length(std::string_view s, std::size_t i) {
+    const auto byte = [&](std::size_t k) { return static_cast<unsigned char>(s[k]); };
+    const unsigned char first = byte(i);
+    if (first < 0x80) return 1;
+    const std::size_t n = first >= 0xC2 && first < 0xE0 ? 2 : first >= 0xE0 && first < 0xF0 ? 3 : first >= 0xF0 && first < 0xF5 ? 4 : 0;
+    if (n == 0 || i + n > s.size()) return 0;
+    for (std::size_t k = 1; k < n; ++k)
+        if ((byte(i + k) & 0xC0) != 0x80) return 0;
+    if (first == 0xE0 && byte(i + 1) < 0xA0) return 0;  // overlong
+    if (first == 0xED && byte(i + 1) > 0x9F) return 0;  // surrogate
+    if (first == 0xF0 && byte(i + 1) < 0x90) return 0;  // overlong
+    if (first == 0xF4 && byte(i + 1) > 0x8F) return 0;  // past U+10FFFF
+    return n;
+}
+
+/// CP1252 bytes 0x80 to 0x9F; 0xFFFD where the code page leaves a hole. Source: Unicode mapping table CP1252.TXT.
+constexpr std::array<char32_t, 32> cp1252_high{
+    0x20AC, 0xFFFD, 0x201A, 0x0192, 0x201E, 0x2026, 0x2020, 0x2021, 0x02C6, 0x2030, 0x0160,
+    0x2039, 0x0152, 0xFFFD, 0x017D, 0xFFFD, 0xFFFD, 0x2018, 0x2019, 0x201C, 0x201D, 0x2022,
+    0x2013, 0x2014, 0x02DC, 0x2122, 0x0161, 0x203A, 0x0153, 0xFFFD, 0x017E, 0x0178};
+
+void append_utf8(std::string& out, char32_t c) {
+    if (c < 0x80) {
+        out += static_cast<char>(c);
+    } else if (c < 0x800) {
+        out += static_cast<char>(0xC0 | (c >> 6));
+        out += static_cast<char>(0x80 | (c & 0x3F));
+    } else {
+        out += static_cast<char>(0xE0 | (c >> 12));
+        out += static_cast<char>(0x80 | ((c >> 6) & 0x3F));
+        out += static_cast<char>(0x80 | (c & 0x3F));
+    }
+}
+
+}  // namespace
+
+bool is_utf8(std::string_view s) {
+    for (std::size_t i = 0; i < s.size();) {
+        const std::size_t n = utf8_length(s, i);
+        if (n == 0) return false;
+        i += n;
+    }
+    return true;
+}
+
+std::string cp1252_to_utf8(std::string_view s) {
+    std::string out;
+    out.reserve(s.size() + s.size() / 8);
+    for (const char c : s) {
+        const auto byte = static_cast<unsigned char>(c);
+        append_utf8(out, byte >= 0x80 && byte < 0xA0 ? cp1252_high[byte - 0x80u] : char32_t{byte});
+    }
+    return out;
+}
+
+std::string as_utf8(std::string_view s) { return is_utf8(s) ? std::string(s) : cp1252_to_utf8(s); }
+
+std::size_t character_count(std::string_view s) {
+    if (!is_utf8(s)) return s.size();
+    return static_cast<std::size_t>(
+        std::count_if(s.begin(), s.end(), [](char c) { return (static_cast<unsigned char>(c) & 0xC0) != 0x80; }));
+}
+
+bool looks_binary(std::string_view s) {
+    const auto odd = [](char c) {
+        const auto byte = static_cast<unsigned char>(c);
+        return byte < 0x20 && c != '\t' && c != '\n' && c != '\r' && c != '\f' && c != '\x1A';
+    };
+    const std::string_view head = s.substr(0, 65536);
+    const auto odds = static_cast<std::size_t>(std::count_if(head.begin(), head.end(), odd));
+    return head.find('\0') != std::string_view::npos || odds * 100 > head.size();
+}
+
+}  // namespace obrys::base

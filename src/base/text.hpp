@@ -1,0 +1,26 @@
+#pragma once
+/// Small text helpers for NC programs: ASCII case, blanks, CP1252 and UTF-8. Nothing here depends on the locale.
+
+#include <string>
+#include <string_view>
+
+namespace obrys::base {
+
+[[nodiscard]] constexpr char upper(char c) { return c >= 'a' && c <= 'z' ? static_cast<char>(c - 'a' + 'A') : c; }
+[[nodiscard]] constexpr bool is_digit(char c) { return c >= '0' && c <= '9'; }
+[[nodiscard]] constexpr bool is_letter(char c) { return (c >= 'A' && c <= 'Z') || (c >= 'a' && c <= 'z'); }
+[[nodiscard]] constexpr bool is_blank(char c) { return c == ' ' || c == '\t'; }
+
+[[nodiscard]] std::string to_upper(std::string_view s);              ///< ASCII letters only
+[[nodiscard]] bool equals_ignoring_case(std::string_view a, std::string_view b);
+[[nodiscard]] std::string_view trim(std::string_view s);             ///< blanks, tabs, CR and LF off both ends
+[[nodiscard]] bool is_utf8(std::string_view s);
+[[nodiscard]] std::string cp1252_to_utf8(std::string_view s);
+/// The text as UTF-8 whatever it was: unchanged where it is valid UTF-8, else taken as CP1252.
+[[nodiscard]] std::string as_utf8(std::string_view s);
+/// Characters in valid UTF-8; bytes otherwise.
+[[nodiscard]] std::size_t character_count(std::string_view s);
+/// True where the text holds bytes no NC program holds (NUL and most control characters).
+[[nodiscard]] bool looks_binary(std::string_view s);
+
+}  // namespace obrys::base

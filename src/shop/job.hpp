@@ -1,0 +1,80 @@
+#pragma once
+/// A job: the program and everything in the shop that its check needs. File format: docs/job-file.md.
+
+#include <map>
+#include <optional>
+#include <string>
+#include <variant>
+#include <vector>
+
+#include "base/diagnostic.hpp"
+#include "base/source.hpp"
+#include "geom/contour.hpp"
+#include "shop/machine.hpp"
+#include "shop/tool.hpp"
+
+namespace obrys::shop {
+
+/// A profile in the (z, x) plane, x a radius, mm. `region` is already closed to the axis where it has to be.
+struct Profile {
+    geom::Region region;
+    geom::Contour drawn;    ///< as given, for pictures
+    base::Span where;
+};
+
+/// A value given for a parameter: replaces every constant assignment of it in the program.
+struct Override {
+    std::string name;       ///< upper case: "R3"
+    double value = 0;
+    base::Span where;       ///< file 0xFFFFFFFF when it came from the command line
+};
+
+/// Where the part's contour comes from when it is not written as points.
+struct ProfileFromProgram {
+    std::string program;    ///< path as written
+    base::Span where;
+};
+
+/// Difference between the finished part and what this program must leave.
+struct Allowance {
+    std::optional<Profile> profile;                  ///< own contour
+    std::optional<ProfileFromProgram> program;
+    double normal = 0;                               ///< mm, normal to the part's contour
+};
+
+/// Thresholds of the check, mm. Amounts at or below them are not findings.
+struct Tolerances {
+    double gouge = 0.001;
+    double rest_material = 0.01;
+    double rapid = 0.001;
+};
+
+/// Limits that end a run that would not end by itself.
+struct Budgets {
+    std::uint64_t blocks = 50'000'000;
+    std::uint64_t loop_passes = 10'000'000;
+    std::uint32_t call_depth = 100;
+    double seconds = 60;
+};
+
+struct Job {
+    std::string program;                             ///< path as written, relative to the job file
+    std::string control;                             ///< empty: found from the content
+    std::string machine_name;                        ///< shipped name or path; empty: generic for what the program is
+    Machine machine;
+    std::vector<Tool> tools;
+    std::vector<std::string> tool_files;             ///< TOA files, paths as written
+    std::optional<Profile> stock;
+    std::optional<Profile> part;
+    std::optional<ProfileFromProgram> part_program;
+    std::optional<Allowance> allowance;
+    std::vector<Override> overrides;
+    std::vector<std::string> search;                 ///< folders for subprograms, paths as written
+    std::vector<int> skip_levels;                    ///< block skip levels that are on
+    std::map<std::string, std::string> variables;    ///< values of global user data (GUD) and the like, upper-case name
+    Tolerances tolerances;
+    Budgets budgets;
+    base::Span program_where;
+};
+
+}  // namespace obrys::shop
