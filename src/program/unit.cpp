@@ -15,8 +15,8 @@ NameId Names::id(std::string_view upper) {
 }
 
 base::Span Unit::span(const Statement& s, const Word& w) const {
-    const std::uint32_t begin = s.begin + w.offset;
-    return {file, begin, begin + w.length};
+    const std::uint32_t from = s.begin + w.offset;
+    return {file, from, from + w.length};
 }
 
 double Unit::literal(const Word& w) const {
