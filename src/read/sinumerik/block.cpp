@@ -99,8 +99,19 @@ void read_item(State& s) {
     read_name(s, name);
 }
 
+/// `%`, `%MPF100`: how programs on tape begin. Nothing to run.
+bool read_tape_header(State& s) {
+    Cursor c = s.cursor;
+    if (!c.take('%')) return false;
+    while (is_name_part(c.peek())) ++c.p;
+    const char* end = c.p;
+    if (!c.at_end()) return false;
+    add_ignored(s, s.cursor.p, end);
+    return true;
+}
+
 void begin_line(State& s) {
-    s.failed = s.failure_kept = s.line_has_statement = s.block_open = false;
+    s.failed = s.failure_kept = s.line_has_statement = s.block_open = s.declares = false;
     s.skip = 0;
     s.items = 0;
 }
@@ -119,15 +130,14 @@ void read_line(State& s) {
         c = Cursor(expanded);
         c.skip_blanks();
     }
+    if (read_tape_header(s)) return;
     read_skip_sign(s);
-    bool numbered = read_block_number(s);
-    if (s.skip == 0 && numbered) read_skip_sign(s);
-    while (read_label(s)) numbered = true;
-    const int before = s.items;
+    if (read_block_number(s) && s.skip == 0) read_skip_sign(s);
+    bool labelled = false;
+    while (read_label(s)) labelled = true;
     while (!s.failed && !c.at_end()) read_item(s);
     if (s.failed) keep_failure(s);
-    const bool ignored_only = s.items != before || numbered;
-    if (!s.line_has_statement && ignored_only && !(s.unit.has_proc && s.unit.statements.empty() && !numbered)) open_block(s, c.p);
+    if (!s.line_has_statement && (labelled || !s.declares)) open_block(s, c.p);
     close_block(s);
     c = Cursor(s.text.data(), s.line_begin, s.line_begin);
 }

@@ -76,8 +76,11 @@ void close_missing(State& s, const Opened& o, const char* from) {
     d.remedy = "add " + std::string(p.close_word) + " where it ends";
     s.diagnostics.add(std::move(d));
     const char* back = s.cursor.p;
+    const bool had_statement = s.line_has_statement;
     s.cursor.p = from;
     tie(s, o, o.kind == StatementKind::repeat_ ? add_boolean(s, true, from) : no_expr, true, from);
+    s.unit.statements.back().flags = 0;  // not in the text: it begins no block
+    s.line_has_statement = had_statement;
     s.cursor.p = back;
 }
 

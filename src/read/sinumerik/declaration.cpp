@@ -195,6 +195,7 @@ void read_def(State& s, const char* from) {
 
 void read_proc(State& s, const char* from) {
     Cursor& c = s.cursor;
+    s.declares = true;
     c.skip_blanks();
     const std::string_view name = c.name();
     if (name.empty()) return fail_here(s, "PROC needs the name of the program, found " + here(s));
@@ -219,11 +220,11 @@ void read_proc(State& s, const char* from) {
         }
         if (!known) return fail_here(s, "expected an attribute of PROC, found " + here(s), "SAVE, SBLOF, DISPLOF, DISPLON, ACTBLOCNO and PREPRO stand there");
     }
-    s.items = 0;
 }
 
 void read_extern(State& s, const char* from) {
     Cursor& c = s.cursor;
+    s.declares = true;
     c.skip_blanks();
     const std::string_view name = c.name();
     if (name.empty()) return fail(s, from, from + 6, "EXTERN needs the name of a program");

@@ -16,9 +16,13 @@ bool read_arguments(State& s, std::vector<program::ExprId>& out, int depth = 0);
 /// A text that stands in the source as [from, to), e.g. a label.
 program::ExprId read_text_literal(State& s, std::string_view text, const char* from, const char* to);
 
-// Parts shared between expression.cpp and operand.cpp
+// Parts shared between expression.cpp, operand.cpp and constant.cpp
 program::ExprId read_operand(State& s, int depth);
 program::ExprId read_level(State& s, Level loosest, int depth);
+program::ExprId read_string(State& s);
+program::ExprId read_quoted_constant(State& s);
+program::ExprId add_number(State& s, double value, bool integer, const char* from);
+program::ExprId add_text(State& s, std::string text, const char* from);
 program::ExprId add_expr(State& s, program::Expr e, const char* from);
 /// An unsigned number at the cursor, with `EX` exponent; length 0 where there is none. The cursor moves behind it.
 struct Number {

@@ -74,6 +74,7 @@ bool is_definition(Cursor c) {
 
 void read_define(State& s, const char* from) {
     Cursor& c = s.cursor;
+    s.declares = true;
     c.skip_blanks();
     const std::string_view name = c.name();
     if (name.empty()) return fail_here(s, "DEFINE needs a name, found " + here(s), "write DEFINE NAME AS …");

@@ -25,7 +25,7 @@ public:
         if ((s.flags & program::skip_mask) != 0) out += "/" + std::to_string((s.flags & program::skip_mask) - 1) + " ";
         out += head(s);
         for (std::uint32_t w = s.first + (s.kind == StatementKind::block ? 0 : 1); w < u_.words_end(i); ++w)
-            out += (out.empty() || out.back() == '+' ? "" : " ") + word(u_.words[w]);
+            out += (out.empty() || out.back() == '+' || out.back() == ' ' ? "" : " ") + word(u_.words[w]);
         return out;
     }
     std::string all() const {
