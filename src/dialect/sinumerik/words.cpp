@@ -18,7 +18,9 @@ constexpr Entry named(std::string_view n) { return {n, Use::named_value, 0, 0, {
 constexpr Entry off(std::string_view n) { return {n, Use::ignored, 0, 0, {}}; }
 constexpr Entry no(std::string_view n, std::string_view reason) { return {n, Use::unsupported, 0, 0, reason}; }
 constexpr Entry block(std::string_view n, std::string_view reason) { return {n, Use::unsupported_block, 0, 0, reason}; }
-constexpr Entry proc(std::string_view n, Procedure p) { return {n, Use::procedure, static_cast<std::uint16_t>(p), 0, {}}; }
+constexpr Entry proc(std::string_view n, Procedure p) {
+    return {n, Use::procedure, static_cast<std::uint16_t>(p), 0, {}};
+}
 constexpr Entry st(std::string_view n, Keyword k) { return {n, Use::statement, static_cast<std::uint16_t>(k), 0, {}}; }
 constexpr Entry frame(std::string_view n, FrameOp op, std::uint16_t additive) {
     return {n, Use::frame, static_cast<std::uint16_t>(op), additive, {}};
@@ -53,6 +55,7 @@ constexpr std::string_view tool_management = "tool management";
 constexpr std::string_view tool_orientation = "tool orientation";
 constexpr std::string_view tool_oriented_frame = "tool-oriented frame";
 
+// clang-format off
 constexpr Entry words[]{
     no("A2", tool_orientation), no("A3", tool_orientation), no("A4", tool_orientation), no("A5", tool_orientation),
     off("ACC"), off("ACCLIM"), off("ACCLIMA"), off("ACTBLOCNO"), off("ADIS"), off("ADISPOS"), off("ALF"),
@@ -248,12 +251,15 @@ constexpr Entry words[]{
     block("WHEN", synchronized_action), block("WHENEVER", synchronized_action), st("WHILE", Keyword::while_),
     off("WORKPIECE"), no("WRITE", file_data_access),
 };
-static_assert(std::is_sorted(std::begin(words), std::end(words), [](const Entry& a, const Entry& b) { return a.name < b.name; }));
+// clang-format on
+static_assert(std::is_sorted(std::begin(words), std::end(words),
+                             [](const Entry& a, const Entry& b) { return a.name < b.name; }));
 
 }  // namespace
 
 const Entry* find_word(std::string_view upper) {
-    const auto found = std::lower_bound(std::begin(words), std::end(words), upper, [](const Entry& e, std::string_view s) { return e.name < s; });
+    const auto found = std::lower_bound(std::begin(words), std::end(words), upper,
+                                        [](const Entry& e, std::string_view s) { return e.name < s; });
     return found != std::end(words) && found->name == upper ? &*found : nullptr;
 }
 

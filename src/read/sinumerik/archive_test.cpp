@@ -27,7 +27,9 @@ TEST(SinumerikArchive, EachProgramIsAUnit) {
     EXPECT_EQ(r.units[0].name, "MAIN");
     EXPECT_EQ(r.units[1].name, "SUB1");
     EXPECT_EQ(r.tree(1), "0 X2\n1 M17\n");
-    EXPECT_EQ(r.messages(), "TEST.MPF:7:1: note: the archive member TO (TOA) is no program [no-effect]\n  %_N_TO_TOA\n  ^~~~~~~~~~\n");
+    EXPECT_EQ(
+        r.messages(),
+        "TEST.MPF:7:1: note: the archive member TO (TOA) is no program [no-effect]\n  %_N_TO_TOA\n  ^~~~~~~~~~\n");
 }
 
 TEST(SinumerikArchive, TextInFrontOfTheFirstHeaderIsAUnitToo) {

@@ -74,12 +74,14 @@ bool complain_about_missing_sign(State& s, std::string_view name) {
     if (digits == std::string_view::npos || digits < 2) return false;
     if (name.find_first_not_of("0123456789", digits) != std::string_view::npos) return false;
     const auto* entry = words::find_word(base::to_upper(name.substr(0, digits)));
-    if (entry == nullptr || entry->use != Use::address || words::find_word(base::to_upper(name)) != nullptr) return false;
+    if (entry == nullptr || entry->use != Use::address || words::find_word(base::to_upper(name)) != nullptr)
+        return false;
     const char* behind = s.cursor.p + name.size();
     while (behind < s.cursor.end && base::is_blank(*behind)) ++behind;
     if (behind < s.cursor.end && (*behind == '=' || *behind == '(' || *behind == '[')) return false;
     const std::string word(entry->name), value(name.substr(digits));
-    fail(s, s.cursor.p, s.cursor.p + name.size(), word + " needs '=' in front of its value", "write " + word + "=" + value);
+    fail(s, s.cursor.p, s.cursor.p + name.size(), word + " needs '=' in front of its value",
+         "write " + word + "=" + value);
     return true;
 }
 

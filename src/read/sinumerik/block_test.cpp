@@ -27,7 +27,8 @@ TEST(SinumerikBlock, WordsWithoutAndWithSign) {
 TEST(SinumerikBlock, CompactBlocks) {
     EXPECT_EQ(one("N10G0G54X-10Y.20Z30.4M3"),
               modal(program::Modal::rapid) + " " + modal(program::Modal::datum, 54) + " X-10 Y0.2 Z30.4 M3");
-    EXPECT_EQ(one("N10 G3 G505_VAR=10"), modal(program::Modal::arc_ccw, 3) + " " + modal(program::Modal::datum, 505) + " _VAR=10");
+    EXPECT_EQ(one("N10 G3 G505_VAR=10"),
+              modal(program::Modal::arc_ccw, 3) + " " + modal(program::Modal::datum, 505) + " _VAR=10");
     EXPECT_EQ(one("X=R1Y=R2"), "X=R1 Y=R2");
 }
 
@@ -51,7 +52,8 @@ TEST(SinumerikBlock, Assignments) {
 TEST(SinumerikBlock, ToolAndTechnology) {
     EXPECT_EQ(one("T=5 D1"), "T5 D1");
     EXPECT_EQ(one("T=\"DRILL 8.5\" M6"), "T=\"DRILL 8.5\" M6");
-    EXPECT_EQ(one("G96 S300 LIMS=3000 M3 M=QU(8)"), modal(program::Modal::surface_speed_on, 96) + " S300 LIMS3000 M3 M8");
+    EXPECT_EQ(one("G96 S300 LIMS=3000 M3 M=QU(8)"),
+              modal(program::Modal::surface_speed_on, 96) + " S300 LIMS3000 M3 M8");
     EXPECT_EQ(one("G=2 X1"), modal(program::Modal::arc_cw, 2) + " X1");
 }
 
@@ -92,13 +94,14 @@ TEST(SinumerikBlock, IgnoredWordsAreCountedOnce) {
 }
 
 TEST(SinumerikBlock, UnsupportedWordsKeepTheRestOfTheBlock) {
-    EXPECT_EQ(one("MEAS=2 G91 G1 Z=5"), "unsupported{MEAS=2|measuring} " + modal(program::Modal::incremental, 91) + " " +
-                                            modal(program::Modal::linear, 1) + " Z5");
+    EXPECT_EQ(one("MEAS=2 G91 G1 Z=5"), "unsupported{MEAS=2|measuring} " + modal(program::Modal::incremental, 91) +
+                                            " " + modal(program::Modal::linear, 1) + " Z5");
     EXPECT_EQ(one("POS[X]=R1+1 X2"), "unsupported{POS[X]=R1+1|positioning or indexing axis} X2");
     EXPECT_EQ(one("CYCLE93(1,2,,\"a)\")"), "unsupported{CYCLE93(1,2,,\"a)\")|machining cycle of the control}");
     // What follows belongs to these words: it must not be taken for a motion.
     EXPECT_EQ(one("G25 X10 Z20"), "unsupported{G25 X10 Z20|working area or spindle limits set by the program}");
-    EXPECT_EQ(one("ID=1 WHENEVER $A_IN[1] DO X10 ; c"), "unsupported{ID=1 WHENEVER $A_IN[1] DO X10|synchronized action}");
+    EXPECT_EQ(one("ID=1 WHENEVER $A_IN[1] DO X10 ; c"),
+              "unsupported{ID=1 WHENEVER $A_IN[1] DO X10|synchronized action}");
 }
 
 TEST(SinumerikBlock, UnknownWords) {

@@ -95,7 +95,8 @@ Number read_number(State& s) {
     c.p = from + i;
     std::string text(rest.substr(0, scan.length));
     text += 'e';
-    text += rest.substr(sign, i - sign).starts_with('+') ? rest.substr(sign + 1, i - sign - 1) : rest.substr(sign, i - sign);
+    text += rest.substr(sign, i - sign).starts_with('+') ? rest.substr(sign + 1, i - sign - 1)
+                                                         : rest.substr(sign, i - sign);
     const auto value = base::parse_double(text);
     n.plain = n.integer = false;
     n.value = value.value_or(0);

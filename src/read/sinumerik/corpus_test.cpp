@@ -32,7 +32,8 @@ std::string content(const fs::path& file) {
 }
 
 bool has_syntax_error(const Reading& r) {
-    return std::ranges::any_of(r.diagnostics.all(), [](const base::Diagnostic& d) { return d.code == "syntax" || d.code == "unclosed"; });
+    return std::ranges::any_of(r.diagnostics.all(),
+                               [](const base::Diagnostic& d) { return d.code == "syntax" || d.code == "unclosed"; });
 }
 
 }  // namespace
@@ -68,11 +69,13 @@ TEST(SinumerikCorpus, ProgramsAreReadWithoutSyntaxErrors) {
         good_programs += !deliberate && !has_syntax_error(r);
         for (const auto& p : r.unit().problems) ++words[p.reason.empty() ? p.text : p.reason];
     }
-    std::cout << files << " files, " << good << " without a syntax error; " << tests << " files are syntax tests with wrong blocks on purpose\n";
+    std::cout << files << " files, " << good << " without a syntax error; " << tests
+              << " files are syntax tests with wrong blocks on purpose\n";
     std::vector<std::pair<int, std::string>> order;
     for (const auto& [word, n] : words) order.emplace_back(n, word);
     std::sort(order.rbegin(), order.rend());
-    for (std::size_t i = 0; i < std::min<std::size_t>(order.size(), 10); ++i) std::cout << order[i].first << " x " << order[i].second << "\n";
+    for (std::size_t i = 0; i < std::min<std::size_t>(order.size(), 10); ++i)
+        std::cout << order[i].first << " x " << order[i].second << "\n";
     EXPECT_GE(good_programs * 100, (files - tests) * 95);
 }
 

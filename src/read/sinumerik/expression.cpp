@@ -21,12 +21,12 @@ struct Binary {
 
 // Longer signs before their beginnings.
 constexpr std::array signs{
-    Binary{"==", Operator::equal, Level::compare},         Binary{"<>", Operator::not_equal, Level::compare},
-    Binary{"<=", Operator::less_equal, Level::compare},    Binary{">=", Operator::greater_equal, Level::compare},
-    Binary{"<<", Operator::concat, Level::concat},         Binary{"<", Operator::less, Level::compare},
-    Binary{">", Operator::greater, Level::compare},        Binary{"+", Operator::add, Level::add},
-    Binary{"-", Operator::subtract, Level::add},           Binary{"*", Operator::multiply, Level::multiply},
-    Binary{"/", Operator::divide, Level::multiply},        Binary{":", Operator::frame_chain, Level::multiply},
+    Binary{"==", Operator::equal, Level::compare},      Binary{"<>", Operator::not_equal, Level::compare},
+    Binary{"<=", Operator::less_equal, Level::compare}, Binary{">=", Operator::greater_equal, Level::compare},
+    Binary{"<<", Operator::concat, Level::concat},      Binary{"<", Operator::less, Level::compare},
+    Binary{">", Operator::greater, Level::compare},     Binary{"+", Operator::add, Level::add},
+    Binary{"-", Operator::subtract, Level::add},        Binary{"*", Operator::multiply, Level::multiply},
+    Binary{"/", Operator::divide, Level::multiply},     Binary{":", Operator::frame_chain, Level::multiply},
 };
 constexpr std::array words{
     Binary{"OR", Operator::logical_or, Level::logical_or},    Binary{"XOR", Operator::logical_xor, Level::logical_xor},

@@ -6,7 +6,19 @@
 namespace obrys::read::sinumerik {
 
 /// Binding strength of operators, loosest first (Job Planning manual, priority of the operations).
-enum class Level : std::uint8_t { compare, concat, logical_or, logical_xor, logical_and, bit_or, bit_xor, bit_and, add, multiply, unary };
+enum class Level : std::uint8_t {
+    compare,
+    concat,
+    logical_or,
+    logical_xor,
+    logical_and,
+    bit_or,
+    bit_xor,
+    bit_and,
+    add,
+    multiply,
+    unary
+};
 
 program::ExprId read_expression(State& s, Level loosest = Level::compare);
 /// A variable, parameter or system variable that can be written to.
@@ -29,13 +41,13 @@ struct Number {
     double value = 0;
     bool integer = false;
     bool found = false;
-    bool plain = false;            ///< mantissa and decimals are set
+    bool plain = false;  ///< mantissa and decimals are set
     std::int64_t mantissa = 0;
     int decimals = 0;
 };
 Number read_number(State& s);
-inline constexpr int deepest = 200;     ///< nesting of parentheses, functions and signs
-inline constexpr int longest = 1000;    ///< operators of one expression side by side
+inline constexpr int deepest = 200;   ///< nesting of parentheses, functions and signs
+inline constexpr int longest = 1000;  ///< operators of one expression side by side
 inline constexpr std::size_t most_arguments = 1000;
 
 }  // namespace obrys::read::sinumerik

@@ -59,8 +59,10 @@ TEST(SinumerikExpression, Variables) {
     EXPECT_EQ(value("$R[5]+$R6"), "($R#1[5] + R6)");
     EXPECT_EQ(value("arr[1,2,R3]"), "ARR[1,2,R3]");
     EXPECT_EQ(value("ARR[1][2]"), "ARR[1,2]");
-    EXPECT_EQ(value("$AA_IM[X]"), "$AA_IM#" + std::to_string(static_cast<int>(program::SystemVariable::machine_position)) + "[X]");
-    EXPECT_EQ(value("$TC_DP12[1,2]"), "$TC_DP12#" + std::to_string(static_cast<int>(program::SystemVariable::tool_parameter)) + "[1,2]");
+    EXPECT_EQ(value("$AA_IM[X]"),
+              "$AA_IM#" + std::to_string(static_cast<int>(program::SystemVariable::machine_position)) + "[X]");
+    EXPECT_EQ(value("$TC_DP12[1,2]"),
+              "$TC_DP12#" + std::to_string(static_cast<int>(program::SystemVariable::tool_parameter)) + "[1,2]");
     EXPECT_EQ(value("$NOT_KNOWN[1]"), "$NOT_KNOWN#0[1]");
     EXPECT_EQ(value("R_BOTTOM"), "R_BOTTOM");
 }

@@ -80,7 +80,8 @@ void read_define(State& s, const char* from) {
     if (name.empty()) return fail_here(s, "DEFINE needs a name, found " + here(s), "write DEFINE NAME AS …");
     c.p += name.size();
     c.skip_blanks();
-    if (!base::equals_ignoring_case(c.name(), "AS")) return fail_here(s, "expected AS in DEFINE, found " + here(s), "write DEFINE NAME AS …");
+    if (!base::equals_ignoring_case(c.name(), "AS"))
+        return fail_here(s, "expected AS in DEFINE, found " + here(s), "write DEFINE NAME AS …");
     c.p += 2;
     if (c.at_end()) return fail(s, from, c.p, "the macro has no text", "write DEFINE NAME AS …");
     const char* text = c.p;

@@ -113,7 +113,8 @@ ExprId read_function(State& s, std::string_view name, const char* from, int dept
         return add_expr(s, e, from);
     }
     if (!read_arguments(s, arguments, depth)) return no_expr;
-    if (upper == "QU" && arguments.size() == 1 && arguments[0] != no_expr) return arguments[0];  // quick output, same value
+    if (upper == "QU" && arguments.size() == 1 && arguments[0] != no_expr)
+        return arguments[0];  // quick output, same value
     if (const auto function = words::find_function(upper)) {
         e.kind = ExprKind::function;
         e.op = static_cast<std::uint8_t>(*function);
@@ -290,7 +291,8 @@ ExprId read_target(State& s) {
     const ExprId target = s.cursor.peek() == '$' ? read_system_variable(s, 0) : read_named(s, 0);
     if (target == no_expr) return no_expr;
     const ExprKind kind = s.unit.exprs[target].kind;
-    if (kind == ExprKind::parameter || kind == ExprKind::parameter_at || kind == ExprKind::variable || kind == ExprKind::system)
+    if (kind == ExprKind::parameter || kind == ExprKind::parameter_at || kind == ExprKind::variable ||
+        kind == ExprKind::system)
         return target;
     fail(s, from, s.cursor.p, "a value cannot be assigned to this");
     return no_expr;

@@ -8,13 +8,16 @@ using testing::one;
 using testing::Reading;
 
 TEST(SinumerikStructure, IfElse) {
-    EXPECT_EQ(Reading("IF R1==1\nX1\nELSE\nX2\nENDIF\nX3\n").tree(), "0 if (R1 == 1) ->3\n1 X1\n2 else ->4\n3 X2\n4 endif\n5 X3\n");
+    EXPECT_EQ(Reading("IF R1==1\nX1\nELSE\nX2\nENDIF\nX3\n").tree(),
+              "0 if (R1 == 1) ->3\n1 X1\n2 else ->4\n3 X2\n4 endif\n5 X3\n");
     EXPECT_EQ(Reading("IF(R1==1)\nX1\nENDIF\n").tree(), "0 if (R1 == 1) ->3\n1 X1\n2 endif\n");
-    EXPECT_EQ(Reading("N170 IF (R1<=2)\nSUB\nELSE\nENDIF").tree(), "0 if (R1 <= 2) ->3\n1 call SUB\n2 else ->3\n3 endif\n");
+    EXPECT_EQ(Reading("N170 IF (R1<=2)\nSUB\nELSE\nENDIF").tree(),
+              "0 if (R1 <= 2) ->3\n1 call SUB\n2 else ->3\n3 endif\n");
 }
 
 TEST(SinumerikStructure, Loops) {
-    EXPECT_EQ(Reading("WHILE(R1<2)AND(R2>3)\nX1\nENDWHILE").tree(), "0 while ((R1 < 2) and (R2 > 3)) ->3\n1 X1\n2 endwhile ->0\n");
+    EXPECT_EQ(Reading("WHILE(R1<2)AND(R2>3)\nX1\nENDWHILE").tree(),
+              "0 while ((R1 < 2) and (R2 > 3)) ->3\n1 X1\n2 endwhile ->0\n");
     EXPECT_EQ(Reading("FOR R1=1 TO R2+1\nX=R1\nENDFOR").tree(), "0 for R1=1..(R2 + 1) ->2\n1 X=R1\n2 endfor ->0\n");
     EXPECT_EQ(Reading("REPEAT\nX1\nUNTIL R1==2").tree(), "0 repeat\n1 X1\n2 until (R1 == 2) ->0\n");
     EXPECT_EQ(Reading("LOOP\nX1\nENDLOOP").tree(), "0 loop\n1 X1\n2 endloop ->0\n");
@@ -27,7 +30,8 @@ TEST(SinumerikStructure, Jumps) {
     EXPECT_EQ(one("GOTOC \"L\"<<R1"), "jump quiet (\"L\" << R1)");
     EXPECT_EQ(one("GOTOS"), "jump start");
     EXPECT_EQ(Reading("DEF STRING[10] S1\nGOTOF S1").tree(), "0 define 4[10] S1\n1 jump forward S1\n");
-    EXPECT_EQ(Reading("N20 IF R1==0 GOTOF A1 IF R1==2 GOTOF A2").tree(), "0 jump forward \"A1\" if (R1 == 0)\n1 +jump forward \"A2\" if (R1 == 2)\n");
+    EXPECT_EQ(Reading("N20 IF R1==0 GOTOF A1 IF R1==2 GOTOF A2").tree(),
+              "0 jump forward \"A1\" if (R1 == 0)\n1 +jump forward \"A2\" if (R1 == 2)\n");
     EXPECT_EQ(Reading("R1=R1+1 GOTOB A1").tree(), "0 R1=(R1 + 1)\n1 +jump backward \"A1\"\n");
 }
 
@@ -79,7 +83,8 @@ TEST(SinumerikStructure, ProceduresAndReturn) {
     EXPECT_EQ(one("SETMS"), "procedure 2()");
     EXPECT_EQ(one("MSG()"), "procedure 0()");
     EXPECT_EQ(one("RET"), "return");
-    EXPECT_EQ(Reading("RET(\"A1\")").tree(), "0 unsupported{RET(\"A1\")|return to another place than the call}\n1 +return\n");
+    EXPECT_EQ(Reading("RET(\"A1\")").tree(),
+              "0 unsupported{RET(\"A1\")|return to another place than the call}\n1 +return\n");
 }
 
 TEST(SinumerikStructure, Frames) {
@@ -96,7 +101,9 @@ TEST(SinumerikStructure, MissingEndsAreClosedWhereTheyMust) {
     EXPECT_EQ(open.codes(), std::vector<std::string>{"unclosed"});
     EXPECT_EQ(open.tree(), "0 if R1 ->5\n1 while R2 ->4\n2 X1\n3 +endwhile ->4\n4 endif\n5 X2\n");
     const Reading end("REPEAT\nX1\n");
-    EXPECT_EQ(end.messages(), "TEST.MPF:1:1: error: REPEAT without UNTIL [unclosed]\n  REPEAT\n  ^~~~~~\n  remedy: add UNTIL where it ends\n");
+    EXPECT_EQ(end.messages(),
+              "TEST.MPF:1:1: error: REPEAT without UNTIL [unclosed]\n  REPEAT\n  ^~~~~~\n  remedy: add UNTIL where it "
+              "ends\n");
     EXPECT_EQ(end.tree(), "0 repeat\n1 X1\n2 +until TRUE ->3\n");
 }
 

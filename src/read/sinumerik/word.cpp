@@ -32,7 +32,8 @@ void add_named(State& s, Code code, std::string_view name, ExprId index, ExprId 
 }
 
 void read_g(State& s, const Number& n, bool negative, const char* from) {
-    if (negative || !n.plain || n.decimals != 0 || n.mantissa > 9999) return add_problem(s, Code::unknown, from, "no such G function");
+    if (negative || !n.plain || n.decimals != 0 || n.mantissa > 9999)
+        return add_problem(s, Code::unknown, from, "no such G function");
     const auto g = words::find_g(static_cast<int>(n.mantissa));
     if (!g) return add_problem(s, Code::unknown, from, "no such G function");
     switch (g->use) {
@@ -124,7 +125,9 @@ void read_literal(State& s, char letter, const char* from) {
     if (letter == 'G') return read_g(s, n, negative, from);
     if (letter == 'L' && n.integer && !is_signed && digits == from + 1) return read_call(s, from, behind);
     const Code code = words::address_code(letter);
-    if (code == Code::unknown) return add_problem(s, Code::unknown, from, letter == 'N' ? "a block number stands only at the begin of a block" : "");
+    if (code == Code::unknown)
+        return add_problem(s, Code::unknown, from,
+                           letter == 'N' ? "a block number stands only at the begin of a block" : "");
     add_literal(s, code, n, negative, from);
 }
 
@@ -225,7 +228,8 @@ void read_table_word(State& s, const words::Entry& entry, std::size_t length) {
     const char* name_end = c.p;
     switch (entry.use) {
         case words::Use::modal:
-            return add_word(s, Code::modal, Form::index, program::modal_word(static_cast<program::Modal>(entry.value)), from);
+            return add_word(s, Code::modal, Form::index, program::modal_word(static_cast<program::Modal>(entry.value)),
+                            from);
         case words::Use::ignored:
             skip_operand(s);
             if (!s.failed) add_ignored(s, from, name_end);
