@@ -85,6 +85,14 @@ bool complain_about_missing_sign(State& s, std::string_view name) {
     return true;
 }
 
+/// A variable called like a word (F1, D1W) that is written to here: `F1=` and `F1[`. F1 alone stays the feed.
+bool is_odd_variable(State& s, std::string_view name) {
+    if (!s.odd_names || name.size() == 1 || !s.is_variable(base::to_upper(name))) return false;
+    Cursor behind = s.cursor;
+    behind.p += name.size();
+    return behind.at_assignment() || behind.take('[');
+}
+
 void read_item(State& s) {
     Cursor& c = s.cursor;
     const char first = *c.p;
@@ -96,7 +104,7 @@ void read_item(State& s) {
         return fail_here(s, "unexpected " + here(s), byte >= 0x80 ? "put comments behind ';'" : "");
     }
     const bool word_like = name.size() == 1 ? first != '_' : base::is_digit(name[1]) && first != '_';
-    if (word_like && (name.size() == 1 || !s.odd_names || !s.is_variable(base::to_upper(name)))) return read_address(s);
+    if (word_like && !is_odd_variable(s, name)) return read_address(s);
     if (complain_about_missing_sign(s, name)) return;
     read_name(s, name);
 }

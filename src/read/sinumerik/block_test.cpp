@@ -98,6 +98,7 @@ TEST(SinumerikBlock, UnsupportedWordsKeepTheRestOfTheBlock) {
                                             " " + modal(program::Modal::linear, 1) + " Z5");
     EXPECT_EQ(one("POS[X]=R1+1 X2"), "unsupported{POS[X]=R1+1|positioning or indexing axis} X2");
     EXPECT_EQ(one("CYCLE93(1,2,,\"a)\")"), "unsupported{CYCLE93(1,2,,\"a)\")|machining cycle of the control}");
+    EXPECT_EQ(one("A3=1 C3=R1 A4"), "unsupported{A3=1|tool orientation} unsupported{C3=R1|tool orientation} A4");
     // What follows belongs to these words: it must not be taken for a motion.
     EXPECT_EQ(one("G25 X10 Z20"), "unsupported{G25 X10 Z20|working area or spindle limits set by the program}");
     EXPECT_EQ(one("ID=1 WHENEVER $A_IN[1] DO X10 ; c"),
@@ -112,8 +113,8 @@ TEST(SinumerikBlock, UnknownWords) {
 }
 
 TEST(SinumerikBlock, NamesLikeWordsAreFoundWhereDefined) {
-    const Reading r("DEF REAL D1W,F1\nD1W=5 X=D1W+F1\nF1=2\nD1\n");
-    EXPECT_EQ(r.tree(), "0 define 3 D1W F1\n1 D1W=5 X=(D1W + F1)\n2 F1=2\n3 D1\n");
+    const Reading r("DEF REAL D1W,F1\nD1W=5 X=D1W+F1\nF1=2\nD1 F1\n");
+    EXPECT_EQ(r.tree(), "0 define 3 D1W F1\n1 D1W=5 X=(D1W + F1)\n2 F1=2\n3 D1 F1\n");
 }
 
 TEST(SinumerikBlock, ALongLineTakesLinearTime) {

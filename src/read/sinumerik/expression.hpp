@@ -47,7 +47,7 @@ struct Number {
 };
 Number read_number(State& s);
 inline constexpr int deepest = 200;   ///< nesting of parentheses, functions and signs
-inline constexpr int longest = 1000;  ///< operators of one expression side by side
+inline constexpr int longest = 1000;  ///< operators of one expression: the tree is walked recursively
 inline constexpr std::size_t most_arguments = 1000;
 
 }  // namespace obrys::read::sinumerik

@@ -88,6 +88,9 @@ TEST(SinumerikExpression, NestingAndLengthAreLimited) {
     std::string sum = "1";
     for (int i = 0; i < 1000; ++i) sum += "+1";
     EXPECT_EQ(value(sum).find("error"), std::string::npos);
+    std::string nested = "1";
+    for (int i = 0; i < 150; ++i) nested = "(" + nested + "+1+1+1+1+1+1+1+1+1+1)";
+    EXPECT_NE(value(nested).find("more than 1000 operators"), std::string::npos);
     EXPECT_NE(value(sum + "+1").find("more than 1000 operators"), std::string::npos);
 }
 

@@ -99,6 +99,7 @@ struct State {
     bool block_open = false;  ///< words go to the last statement
     std::uint8_t skip = 0;    ///< block skip level + 1
     bool declares = false;    ///< this line is PROC, EXTERN or DEFINE: no block of its own
+    int operators = 0;  ///< of the expression at hand
     int items = 0;            ///< words and statements read from this line so far
     base::Span failure{};
     std::string failure_text{};

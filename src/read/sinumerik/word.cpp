@@ -68,6 +68,12 @@ void read_extended(State& s, char letter, const Number& number, const char* from
         c.p = from;
         return read_assignment(s);
     }
+    const auto* entry = words::find_word(base::to_upper(name));  // A3=, B3=, C3=: orientation, no axes
+    if (entry != nullptr && entry->use == words::Use::unsupported) {
+        skip_operand(s);
+        if (!s.failed) add_problem(s, Code::unsupported, from, entry->reason);
+        return;
+    }
     if (number.value == 1 && centre.find(letter) != std::string_view::npos)
         return read_value(s, letter == 'I' ? Code::i1 : letter == 'J' ? Code::j1 : Code::k1, from);
     const bool is_axis = axes.find(letter) != std::string_view::npos;
@@ -112,7 +118,7 @@ void read_literal(State& s, char letter, const char* from) {
     if (s.failed) return;
     if (!n.found) return fail_here(s, std::string("expected a number behind ") + letter + ", found " + here(s));
     const char* behind = c.p;
-    if (n.integer && !is_signed) {
+    if (n.integer && !is_signed && digits == from + 1) {
         if (c.at_assignment()) return read_extended(s, letter, n, from);
         c.skip_blanks();
         if (c.peek() == '[') {
