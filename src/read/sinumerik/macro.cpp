@@ -105,7 +105,11 @@ bool expand(State& s, Expanded& out) {
         Expanded next;
         if (!replace_once(s, in, next)) break;
         changed = true;
-        if (pass == deepest_macro || next.text.size() > longest_line) {
+        if (next.text.size() > longest_line) {
+            fail(s, c.p, c.end, "the block becomes longer than 1 MiB when its macros are replaced");
+            break;
+        }
+        if (pass == deepest_macro) {
             fail(s, c.p, c.end, "a macro of this line contains itself");
             break;
         }
