@@ -49,9 +49,9 @@ double binary_number(Run& run, const Expr& e, double a, double b) {
         }
         case Operator::equal: return nearly_equal(run, a, b);
         case Operator::not_equal: return !nearly_equal(run, a, b);
-        case Operator::less: return a < b;
+        case Operator::less: return a < b && !nearly_equal(run, a, b);
         case Operator::less_equal: return a < b || nearly_equal(run, a, b);
-        case Operator::greater: return a > b;
+        case Operator::greater: return a > b && !nearly_equal(run, a, b);
         case Operator::greater_equal: return a > b || nearly_equal(run, a, b);
         case Operator::logical_and: return a != 0 && b != 0;
         case Operator::logical_or: return a != 0 || b != 0;

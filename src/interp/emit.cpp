@@ -3,7 +3,7 @@
 #include <limits>
 
 #include "base/codes.hpp"
-#include "interp/run.hpp"
+#include "interp/path_stage.hpp"
 
 namespace obrys::interp {
 
@@ -11,10 +11,13 @@ void emit(Run& run, cl::Step step) {
     run.record.step = std::move(step);
     run.record.from = run.here();
     run.record.stack = run.top().stack;
-    run.sink(run.record);
+    if (run.path->active() && !cl::is_move(run.record.step)) run.path->hold(run.record);
+    else run.sink(run.record);
 }
 
-void flush_path(Run&) {}
+void flush_path(Run& run) {
+    if (run.path->active()) run.path->flush(run);
+}
 
 void emit_datum(Run& run) {
     if (run.emitted_datum == run.modal.datum) return;

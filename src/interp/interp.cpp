@@ -4,7 +4,7 @@
 
 #include "base/codes.hpp"
 #include "base/number.hpp"
-#include "interp/run.hpp"
+#include "interp/path_stage.hpp"
 
 namespace obrys::interp {
 
@@ -137,6 +137,7 @@ void step(Run& run) {
 Run::Run(const Environment& e, cl::CallStacks& s, cl::Sink k, base::Diagnostics& d)
     : env(e), stacks(s), sink(k), diagnostics(d), parameters(1000), position(start_position(e.machine)),
       programmed_position(position), started(std::chrono::steady_clock::now()) {
+    path = std::make_unique<PathStage>();
     modal.plane = e.machine.defaults.plane;
     modal.inch_geometry = modal.inch_feed = e.machine.defaults.inch;
     modal.diameter = e.machine.defaults.diameter_programming ? DiameterMode::on : DiameterMode::off;

@@ -4,8 +4,7 @@
 #include <limits>
 
 #include "base/codes.hpp"
-#include "interp/motion.hpp"
-#include "interp/run.hpp"
+#include "interp/path_stage.hpp"
 
 namespace obrys::interp {
 
@@ -288,9 +287,32 @@ bool motion(Run& run) {
     return path_motion(run);
 }
 
+bool needs_path_stage(const Run& run) {
+    constexpr std::uint64_t corners = bit(Code::chamfer_length) | bit(Code::chamfer_leg) | bit(Code::round);
+    return run.path->active() || run.modal.compensation != Modal::compensation_off || (run.block.present & corners) != 0 ||
+           run.modal.round_modal > 0;
+}
+
 void straight_motion(Run& run, const geom::Vec3& to, bool rapid) {
-    finish_move(run, to);
-    emit(run, cl::Linear{run.position, {0, 0, 1}, rapid});
+    const PlaneAxes a = plane_axes(run.modal.plane);
+    const geom::Vec3& at = run.programmed_position;
+    const bool known = std::isfinite(coordinate(to, a.u)) && std::isfinite(coordinate(to, a.v));
+    if (!known) flush_path(run);
+    if (!known || !needs_path_stage(run)) {
+        const geom::Vec2 step{coordinate(to, a.u) - coordinate(at, a.u), coordinate(to, a.v) - coordinate(at, a.v)};
+        if (step.x != 0 || step.y != 0) run.last_direction = step;
+        finish_move(run, to);
+        emit(run, cl::Linear{run.position, {0, 0, 1}, rapid});
+        return;
+    }
+    // A start that is not known yet only matters for the way onto the contour: any point off it will do.
+    const auto start = [&](int k) { return std::isfinite(coordinate(at, k)) ? coordinate(at, k) : coordinate(to, k) + 1000; };
+    path::Element e;
+    e.from = {start(a.u), start(a.v)};
+    e.to = {coordinate(to, a.u), coordinate(to, a.v)};
+    e.w_from = start(a.w);
+    e.w_to = coordinate(to, a.w);
+    plane_element(run, std::move(e), to, rapid);
 }
 
 double programmed_coordinate(const Run& run, const std::string& axis) {

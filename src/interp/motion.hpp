@@ -2,6 +2,7 @@
 /// Motion inside interp: what straight moves and arcs share. Private.
 
 #include "interp/run.hpp"
+#include "path/element.hpp"
 
 namespace obrys::interp {
 
@@ -16,6 +17,9 @@ struct PlaneAxes {
 
 /// Runs the block's arc to `to` (programmed frame); false where it could not be resolved.
 [[nodiscard]] bool arc_motion(Run&, const geom::Vec3& to);
+/// Runs an element of the working plane that ends at `to` (programmed frame), through the path stage where it is at work.
+void plane_element(Run&, path::Element element, const geom::Vec3& to, bool rapid);
+[[nodiscard]] bool needs_path_stage(const Run&);
 /// Straight move to `to` (programmed frame).
 void straight_motion(Run&, const geom::Vec3& to, bool rapid);
 

@@ -5,6 +5,7 @@
 #include <bit>
 #include <chrono>
 #include <cstdint>
+#include <memory>
 #include <set>
 #include <string>
 #include <unordered_map>
@@ -166,6 +167,8 @@ struct Run {
     bool moved = false;
     std::uint32_t emitted_datum = 0xFFFFFFFF;
     std::unordered_map<std::string, double> extra_axes;
+    geom::Vec2 last_direction;                       ///< of the last move in the working plane, for CT
+    std::unique_ptr<PathStage> path;
 
     const program::Statement* statement = nullptr;   ///< being run
     bool stopped = false;                            ///< alarm, budget or program end
