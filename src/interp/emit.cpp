@@ -20,12 +20,13 @@ void flush_path(Run& run) {
 }
 
 void emit_datum(Run& run) {
-    if (run.emitted_datum == run.modal.datum) return;
-    run.emitted_datum = run.modal.datum;
+    if (run.datum_emitted) return;
+    run.datum_emitted = true;
     constexpr double unknown = std::numeric_limits<double>::quiet_NaN();
-    cl::Datum d{run.modal.datum, {unknown, unknown, unknown}};
-    if (const auto known = run.env.machine.datums.find(run.modal.datum); known != run.env.machine.datums.end()) d.origin = known->second;
-    else if (run.modal.datum == 500 && !run.env.machine.datums.empty()) d.origin = {};  // the machine's own zero
+    cl::Datum d{run.reference_datum, {unknown, unknown, unknown}};
+    const auto& known = run.env.machine.datums;
+    if (const auto found = known.find(run.reference_datum); found != known.end()) d.origin = found->second;
+    else if (run.reference_datum == 500 && !known.empty()) d.origin = {};  // the machine's own zero
     emit(run, d);
 }
 

@@ -240,7 +240,7 @@ bool path_motion(Run& run) {
 
 void begin_motion(Run& run) {
     run.moved = true;
-    if (run.emitted_datum != run.modal.datum) emit_datum(run);
+    emit_datum(run);
     if (run.datum_known) return;
     const std::string active = "G" + std::to_string(run.modal.datum), reference = "G" + std::to_string(run.reference_datum);
     unchecked(run, codes::unknown_value, run.here(), "where " + active + " lies against " + reference + " is not known: both are taken as the same zero",

@@ -165,7 +165,7 @@ struct Run {
     std::uint32_t reference_datum = 500;             ///< the datum in which the stream's coordinates are
     bool datum_known = true;                         ///< the active datum's place against it is known
     bool moved = false;
-    std::uint32_t emitted_datum = 0xFFFFFFFF;
+    bool datum_emitted = false;
     std::unordered_map<std::string, double> extra_axes;
     geom::Vec2 last_direction;                       ///< of the last move in the working plane, for CT
     std::unique_ptr<PathStage> path;
@@ -242,6 +242,7 @@ void gather(Run&, const program::Statement&, const program::Word&);
 
 // --- output (emit.cpp)
 void emit(Run&, cl::Step step);
+/// Once, before the first move: the datum in which all coordinates of the stream are.
 void emit_datum(Run&);
 /// Emits what a path stage (compensation, rounding) still holds back.
 void flush_path(Run&);
