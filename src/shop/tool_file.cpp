@@ -1,0 +1,16 @@
+#include "shop/tables.hpp"
+#include "shop/tool.hpp"
+
+namespace obrys::shop {
+
+std::vector<Tool> read_tools(std::uint32_t file, const base::Sources& sources, base::Diagnostics& diagnostics) {
+    std::vector<Tool> tools;
+    const auto root = parse_toml(file, sources, diagnostics);
+    if (!root) return tools;
+    Section s(*root, "the tool file", diagnostics);
+    read_tool_tables(s, tools);
+    s.finish();
+    return tools;
+}
+
+}  // namespace obrys::shop
