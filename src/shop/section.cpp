@@ -60,6 +60,12 @@ std::string_view kind_name(ValueKind kind) {
 
 base::Span head(const Value& table) { return {table.where.file, table.where.begin, std::min(table.where.end, table.where.begin + 1)}; }
 
+void add_in_order(const base::Diagnostics& from, base::Diagnostics& to) {
+    std::vector<base::Diagnostic> all = from.all();
+    std::stable_sort(all.begin(), all.end(), [](const base::Diagnostic& a, const base::Diagnostic& b) { return a.where.begin < b.where.begin; });
+    for (base::Diagnostic& d : all) to.add(std::move(d));
+}
+
 std::string nearest(std::string_view word, const std::vector<std::string>& words) {
     if (word.size() > 64) return {};
     const std::string wanted = base::to_upper(word);
