@@ -1,3 +1,9 @@
+#include <rapidcheck.h>
+#include <rapidcheck/gtest.h>
+
+#include <fstream>
+#include <sstream>
+
 #include "shop/shop_test.hpp"
 
 namespace obrys::shop {
@@ -281,6 +287,49 @@ TEST(JobFile, AnythingGivesAJobAndPlacedComplaints) {
         EXPECT_FALSE(r.complaints().empty());
         EXPECT_EQ(j.program, "");
     }
+}
+
+TEST(JobFile, NumbersBeyondAnyShopAreRefused) {
+    EXPECT_EQ(job_places("program = \"A\"\n[stock]\nbar = {diameter = 1e300, length = 1}\n"), "3:19: 'diameter' is too large: at most 1000000000000\n");
+}
+
+RC_GTEST_PROP(JobFileProperty, ADamagedFileNeverBreaksTheReader, ()) {
+    std::string text = everything;
+    text += "[other]\nprofile = [{z=0,x=1,r=2,direction=\"cw\"},{z=3,x=1,r=-9,large=true},{z=9,x=2}]\n";
+    const int edits = *rc::gen::inRange(1, 6);
+    const std::string letters = "[]{}=\"'#\n\r.,-+019eaz \t\xC5\x9A";
+    for (int i = 0; i < edits; ++i) {
+        const std::size_t at = *rc::gen::inRange<std::size_t>(0, text.size());
+        const std::size_t count = *rc::gen::inRange<std::size_t>(0, 4);
+        text.replace(at, count, std::string(1, letters[*rc::gen::inRange<std::size_t>(0, letters.size())]));
+    }
+    Reading r;
+    (void)read_job(r.add(text), r.sources, r.diagnostics);
+    for (const base::Diagnostic& d : r.diagnostics.all()) {
+        RC_ASSERT(d.where.begin <= d.where.end);
+        RC_ASSERT(d.where.end <= r.sources[0].text.size());
+        RC_ASSERT(!base::render(d, r.sources).empty());
+    }
+}
+
+/// The first TOML example of a page of the documentation.
+std::string documented(const std::string& page) {
+    std::ifstream in(std::string(OBRYS_SOURCE_DIR) + "/docs/" + page);
+    std::stringstream text;
+    text << in.rdbuf();
+    const std::string all = text.str();
+    const std::size_t begin = all.find("```toml\n");
+    return begin == std::string::npos ? "" : all.substr(begin + 8, all.find("```\n", begin + 8) - begin - 8);
+}
+
+TEST(Documentation, ItsExamplesAreRead) {
+    Reading r;
+    const Job j = read_job(r.add(documented("job-file.md")), r.sources, r.diagnostics);
+    const Machine m = read_machine(r.add(documented("machine-file.md"), "m.toml"), r.sources, r.diagnostics);
+    EXPECT_EQ(r.complaints(), "");
+    EXPECT_TRUE(j.stock && j.part && j.allowance);
+    EXPECT_EQ(j.machine.name, "lathe-generic");
+    EXPECT_EQ(m.axes.size(), 2U);
 }
 
 }  // namespace

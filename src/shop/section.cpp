@@ -11,6 +11,8 @@ namespace obrys::shop {
 
 namespace {
 
+constexpr double largest = 1e12;  ///< no length or value of a shop is larger; squares of it stay exact enough
+
 void complain(base::Diagnostics& diagnostics, std::string_view code, base::Span where, std::string text,
               std::string remedy = {}) {
     base::Diagnostic d;
@@ -90,6 +92,10 @@ std::optional<double> finite_number(const Value& v, const std::string& what, Ran
     }
     if (!std::isfinite(v.number)) {
         complain(diagnostics, base::codes::job_value, v.where, what + " must be a finite number");
+        return std::nullopt;
+    }
+    if (std::abs(v.number) > largest) {
+        complain(diagnostics, base::codes::job_value, v.where, what + " is too large: at most " + base::shortest(largest));
         return std::nullopt;
     }
     if (range == Range::positive && v.number <= 0) {
