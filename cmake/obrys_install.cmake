@@ -17,23 +17,25 @@ add_library(obrys_library STATIC ${objects})
 add_library(obrys::obrys ALIAS obrys_library)
 set_target_properties(obrys_library PROPERTIES OUTPUT_NAME obrys EXPORT_NAME obrys LINKER_LANGUAGE CXX)
 target_compile_features(obrys_library INTERFACE cxx_std_20)
-target_link_libraries(obrys_library PRIVATE ${libraries})
 target_include_directories(obrys_library INTERFACE
   $<BUILD_INTERFACE:${PROJECT_SOURCE_DIR}/src>
   $<INSTALL_INTERFACE:${CMAKE_INSTALL_INCLUDEDIR}/obrys>
   $<INSTALL_INTERFACE:${CMAKE_INSTALL_INCLUDEDIR}>)
 
-# CMake: find_package(obrys) gives obrys::obrys. Folders name their libraries as <package>::<target>.
+# CMake: find_package(obrys) gives obrys::obrys. Folders name their libraries as <package>::<target>. Libraries that are
+# headers only are compiled in already and are no concern of our users.
 set(OBRYS_FIND_DEPENDENCIES "")
 set(obrys_pc_libs "")
 foreach(library IN LISTS libraries)
-  string(REGEX REPLACE "::.*" "" package ${library})
-  string(APPEND OBRYS_FIND_DEPENDENCIES "find_dependency(${package})\n")
   get_target_property(type ${library} TYPE)
-  if(NOT type STREQUAL "INTERFACE_LIBRARY")
-    string(REGEX REPLACE ".*::" "" name ${library})
-    string(APPEND obrys_pc_libs " -l${name}")
+  if(type STREQUAL "INTERFACE_LIBRARY")
+    continue()
   endif()
+  string(REGEX REPLACE "::.*" "" package ${library})
+  string(REGEX REPLACE ".*::" "" name ${library})
+  target_link_libraries(obrys_library PRIVATE ${library})
+  string(APPEND OBRYS_FIND_DEPENDENCIES "find_dependency(${package})\n")
+  string(APPEND obrys_pc_libs " -l${name}")
 endforeach()
 set(cmake_dir ${CMAKE_INSTALL_LIBDIR}/cmake/obrys)
 configure_package_config_file(${CMAKE_CURRENT_LIST_DIR}/obrysConfig.cmake.in ${PROJECT_BINARY_DIR}/obrysConfig.cmake
