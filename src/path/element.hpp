@@ -21,7 +21,7 @@ struct Element {
     geom::Vec2 centre;
     double sweep = 0;
     std::uint64_t tag = 0;    ///< the caller's: index of the block or source span; never interpreted here
-    std::vector<int> before;  ///< the caller's events (feed change, M function …) due before this element, in order
+    std::vector<int> before{};  ///< the caller's events (feed change, M function …) due before this element, in order
     bool operator==(const Element&) const = default;
 };
 
