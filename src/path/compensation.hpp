@@ -63,9 +63,11 @@ private:
     void add_approach(Element e, const Setting& s);
     void add_contour(Element e, const Setting& s, OutputSink out);
     void add_retract(Element e, const Setting& s);
-    void drop_selection(OutputSink out);
+    void drop_selection(const Element& next, OutputSink out);
     void advance(bool last, OutputSink out);
     bool step(bool last, OutputSink out);
+    bool settled(const Join& j, bool may_wait);
+    void finish_last(OutputSink out);
     bool bridge();
     void commit(const Join& j, OutputSink out);
     void finish_front(geom::Vec2 end, double place, OutputSink out);
@@ -77,6 +79,7 @@ private:
     std::vector<Item> window_;      ///< front: the element whose start is settled
     std::vector<int> carried_;      ///< events waiting for the next output
     std::optional<geom::Vec2> at_;  ///< where the output stands while active
+    geom::Vec2 tip_;                ///< Setting::tip of the approach; everything inside is about the centre
     std::vector<Fault> faults_;
 };
 

@@ -4,6 +4,7 @@
 
 #include <cmath>
 
+#include "path/nose.hpp"
 #include "path/path_support_test.hpp"
 
 namespace obrys::path::test {
@@ -242,6 +243,25 @@ TEST(compensation, ElementTooShortForTheToolIsLeftOutOrReported) {
     EXPECT_EQ(strict.faults[0].tag, 2u);
     EXPECT_FALSE(strict.faults[0].bridged);
     EXPECT_LE(largest_gap(strict), 1e-9);
+}
+
+TEST(compensation, TurningMovesTheTipOfTheNose) {
+    // Plane (z, x): facing at z = 0 down to x = 10, cylinder to z = -20, outside; nose 0.8, position 3.
+    Setting s = right(0.8);
+    s.tip = *nose_offset(3, 0.8);
+    Setting end;
+    const Result r = run({{line({5, 14}, {2, 10}), s}, {line({2, 10}, {-20, 10}), s}, {line({-20, 10}, {-30, 15}), s},
+                          {line({-30, 15}, {-30, 40}), end}});
+    EXPECT_TRUE(r.faults.empty());
+    ASSERT_EQ(r.out.size(), 4u);
+    expect_point(r.out[0].element.from, {5, 14});
+    expect_point(r.out[0].element.to, {2 - 0.8, 10});
+    // An inner corner of 26.565 degrees: the centre stops r tan(half of it) before z = -20, the tip is 0.8 beside it.
+    const double half = std::tan(0.5 * std::atan2(5, 10));
+    expect_point(r.out[1].element.to, {-20 + 0.8 * half - 0.8, 10});
+    expect_point(r.out[3].element.to, {-30, 40});
+    const Vec2 centre = r.out[2].element.to - s.tip;
+    EXPECT_NEAR(geom::distance(centre, {-30, 15}), 0.8, 1e-12);
 }
 
 TEST(compensation, NoIntersection) {

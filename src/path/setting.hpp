@@ -18,6 +18,9 @@ struct Setting {
     Approach approach = Approach::normal;
     OuterCorner corner = OuterCorner::arc;
     double corner_limit = geom::radians(100);  ///< largest change of direction closed by an intersection
+    /// From the compensated centre to the point that the stream moves (turning: nose_offset); taken at the approach and
+    /// kept until the retract. Programmed points are contour points; output is the moved point.
+    geom::Vec2 tip{};
     bool operator==(const Setting&) const = default;
 };
 
