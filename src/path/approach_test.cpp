@@ -68,7 +68,8 @@ TEST(approach, KontRetractMirrorsTheApproach) {
             const Setting s = kont(corner);
             Setting end = s;
             end.side = Side::off;
-            std::vector<Step> steps{{line({-90, 2}, {-50, 0}), s}, {line({-50, 0}, {0, 0}), s}, {line({0, 0}, off), end}};
+            std::vector<Step> steps{
+                {line({-90, 2}, {-50, 0}), s}, {line({-50, 0}, {0, 0}), s}, {line({0, 0}, off), end}};
             const Result out = run(steps);
             Setting other = s;
             other.side = Side::right;

@@ -110,7 +110,8 @@ RC_GTEST_PROP(arc_input, EveryDefinitionFindsTheSameArc, (std::uint32_t seed)) {
             RC_ASSERT(std::abs(r.sweep - sweep) < 1e-7);
         };
         same(arc_by_centre(from, e.to, centre, sense));
-        if (std::abs(std::abs(sweep) - pi) > 0.1) same(arc_by_radius(from, e.to, std::abs(sweep) > pi ? -radius : radius, sense));
+        if (std::abs(std::abs(sweep) - pi) > 0.1)
+            same(arc_by_radius(from, e.to, std::abs(sweep) > pi ? -radius : radius, sense));
         same(arc_by_angle(from, e.to, std::abs(sweep), sense));
         same(arc_about_centre(from, centre, std::abs(sweep), sense));
         same(arc_by_tangent(from, e.to, start_direction(e)));

@@ -133,7 +133,8 @@ void Compensation::add_retract(Element e, const Setting& s) {
     window_.push_back(std::move(item));
 }
 
-/// Deselected before the first contour element: nothing was ever selected. A first element that was too tight is missing.
+/// Deselected before the first contour element: nothing was ever selected. A first element that was too tight is
+/// missing.
 void Compensation::drop_selection(const Element& next, OutputSink out) {
     Item item = std::move(window_.front());
     window_.clear();

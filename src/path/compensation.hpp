@@ -31,9 +31,9 @@
 namespace obrys::path {
 
 enum class Kind : std::uint8_t {
-    passed,      ///< compensation off: as programmed
-    contour,     ///< on the parallel of its element
-    approach,    ///< the straight move onto it, or a move along w on the way
+    passed,    ///< compensation off: as programmed
+    contour,   ///< on the parallel of its element
+    approach,  ///< the straight move onto it, or a move along w on the way
     retract,
     transition,  ///< inserted arc or line round an outer corner; tag of the following element
     link,        ///< inserted straight piece where parallels do not join (after a fault, or a gap in the contour)

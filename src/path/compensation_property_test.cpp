@@ -53,7 +53,8 @@ Sample chain(Random& random) {
 Sample polygon(Random& random) {
     const int n = 3 + random.upto(5);
     std::vector<Vec2> corner;
-    for (int i = 0; i < n; ++i) corner.push_back(random.in(30, 31) * rotated({1, 0}, 2 * geom::pi * (i + random.in(0, 0.5)) / n));
+    for (int i = 0; i < n; ++i)
+        corner.push_back(random.in(30, 31) * rotated({1, 0}, 2 * geom::pi * (i + random.in(0, 0.5)) / n));
     double half_edge = 1e9, steepest = 0;
     const auto at = [&](int i) { return corner[static_cast<std::size_t>((i + n) % n)]; };
     for (int i = 0; i < n; ++i) {
@@ -177,7 +178,8 @@ RC_GTEST_PROP(compensation_property, RoundedCoordinatesMakeNoFaults, ()) {
             e.from = rounded(e.from);
             e.to = rounded(e.to);
             if (!is_arc(e)) continue;
-            const auto a = arc_by_centre(e.from, e.to, rounded(e.centre), e.sweep > 0 ? Sense::counter_clockwise : Sense::clockwise);
+            const auto a = arc_by_centre(e.from, e.to, rounded(e.centre),
+                                         e.sweep > 0 ? Sense::counter_clockwise : Sense::clockwise);
             RC_ASSERT(a.ok());
             e.centre = a.centre;
             e.sweep = a.sweep;

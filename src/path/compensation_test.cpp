@@ -85,9 +85,8 @@ TEST(compensation, SquareInside) {
 }
 
 TEST(compensation, RoundedRectangleHasNoExtraElements) {
-    const std::vector<Element> shape{line({5, 0}, {17, 0}),  arc({17, 0}, {17, 3}, pi / 2),
-                                     line({20, 3}, {20, 7}), arc({20, 7}, {17, 7}, pi / 2),
-                                     line({17, 10}, {5, 10})};
+    const std::vector<Element> shape{line({5, 0}, {17, 0}), arc({17, 0}, {17, 3}, pi / 2), line({20, 3}, {20, 7}),
+                                     arc({20, 7}, {17, 7}, pi / 2), line({17, 10}, {5, 10})};
     const Result out = run(contour_steps({5, -9}, shape, right(2)));
     expect_path(out, {{{5, -2}, Kind::approach},
                       {{17, -2}, Kind::contour},
@@ -201,6 +200,26 @@ TEST(compensation, HelixKeepsItsRise) {
     EXPECT_EQ(r.out[1].element.w_to, -6);
 }
 
+TEST(compensation, SeveralTurnsAreCutShortAtTheLastOne) {
+    const Element helix = arc({10, 0}, {0, 0}, 4 * pi);
+    const Result r = run(contour_steps({0, 0}, {helix, line({10, 0}, {2, 0})}, left(1)));
+    EXPECT_TRUE(r.faults.empty());
+    ASSERT_EQ(r.out.size(), 3u);
+    EXPECT_NEAR(r.out[1].element.sweep, 4 * pi - std::asin(1.0 / 9), 1e-12);
+    expect_point(r.out[1].element.to, {std::sqrt(80.0), -1});
+}
+
+TEST(compensation, IntersectionFarFromTheCornerIsAnArc) {
+    Setting s = left(1);
+    s.corner = OuterCorner::intersection;
+    // Right turn of 90 degrees into an arc that curves away to the left: its parallel meets y = 1 late.
+    const auto corner = [&](double radius) {
+        return run(contour_steps({-20, 0}, {line({-10, 0}, {0, 0}), arc({0, 0}, {radius, 0}, 1)}, s)).out.size();
+    };
+    EXPECT_EQ(corner(30), 3u);
+    EXPECT_EQ(corner(2.2), 4u);
+}
+
 TEST(compensation, OffPassesEverythingAtOnce) {
     Compensation c;
     int seen = 0;
@@ -237,6 +256,12 @@ TEST(compensation, ElementTooShortForTheToolIsLeftOutOrReported) {
     EXPECT_EQ(bridged.faults[0].reason, Reason::element_vanishes);
     EXPECT_EQ(bridged.faults[0].tag, 2u);
     expect_path(bridged, {{{0, 4}, Kind::approach}, {{17, 4}, Kind::contour}, {{17, 20}, Kind::contour}});
+    // Here the second corner alone takes 2.9 mm of the element's 3.2 mm, both take too much.
+    const auto late = polyline({{0, 0}, {20, 0}, {23, 1}, {23, 20}});
+    const Result seen_late = run(contour_steps({0, 9}, late, left(4)));
+    ASSERT_EQ(seen_late.faults.size(), 1u);
+    EXPECT_TRUE(seen_late.faults[0].bridged);
+    expect_path(seen_late, {{{0, 4}, Kind::approach}, {{19, 4}, Kind::contour}, {{19, 20}, Kind::contour}});
     const Result strict = run(contour_steps({0, 9}, step, left(4)), 1);
     ASSERT_FALSE(strict.faults.empty());
     EXPECT_EQ(strict.faults[0].reason, Reason::element_vanishes);
@@ -250,7 +275,9 @@ TEST(compensation, TurningMovesTheTipOfTheNose) {
     Setting s = right(0.8);
     s.tip = *nose_offset(3, 0.8);
     Setting end;
-    const Result r = run({{line({5, 14}, {2, 10}), s}, {line({2, 10}, {-20, 10}), s}, {line({-20, 10}, {-30, 15}), s},
+    const Result r = run({{line({5, 14}, {2, 10}), s},
+                          {line({2, 10}, {-20, 10}), s},
+                          {line({-20, 10}, {-30, 15}), s},
                           {line({-30, 15}, {-30, 40}), end}});
     EXPECT_TRUE(r.faults.empty());
     ASSERT_EQ(r.out.size(), 4u);

@@ -14,10 +14,10 @@ namespace obrys::path {
 /// What the block that leads to a corner asks for at its end.
 struct CornerRequest {
     CornerKind kind = CornerKind::none;
-    double size = 0;                 ///< mm
-    bool modal = false;              ///< RNDM: corners without a corner (tangential) are no fault
-    bool reduce = false;             ///< take the largest that fits instead of failing
-    bool feed_of_next = true;        ///< the next element's events come before the inserted one (F of the leading-away block)
+    double size = 0;           ///< mm
+    bool modal = false;        ///< RNDM: corners without a corner (tangential) are no fault
+    bool reduce = false;       ///< take the largest that fits instead of failing
+    bool feed_of_next = true;  ///< the next element's events come before the inserted one (F of the leading-away block)
     std::vector<int> before{}, after{};  ///< events round the inserted element alone (FRC=: its feed, and back)
 };
 

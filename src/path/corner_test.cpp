@@ -13,7 +13,9 @@
 namespace obrys::path::test {
 namespace {
 
-void expect_near(Vec2 actual, Vec2 expected) { EXPECT_NEAR(geom::distance(actual, expected), 0, 1e-9) << actual.x << ' ' << actual.y; }
+void expect_near(Vec2 actual, Vec2 expected) {
+    EXPECT_NEAR(geom::distance(actual, expected), 0, 1e-9) << actual.x << ' ' << actual.y;
+}
 
 const Element along = line({0, 0}, {10, 0});
 const Element up = line({10, 0}, {10, 10});
@@ -63,7 +65,8 @@ TEST(corner, RoundingWithArcs) {
     EXPECT_NEAR(r.inserted.centre.y, 7, 1e-9);
     EXPECT_NEAR(geom::distance(r.inserted.centre, {10, 5}), 7, 1e-9);
     // Two arcs of radius 10 that meet at (6, 8).
-    const CornerResult two = rounding(arc({10, 0}, {0, 0}, std::atan2(8, 6)), arc({6, 8}, {12, 0}, std::atan2(8, 6)), 1);
+    const CornerResult two =
+        rounding(arc({10, 0}, {0, 0}, std::atan2(8, 6)), arc({6, 8}, {12, 0}, std::atan2(8, 6)), 1);
     ASSERT_TRUE(two.ok());
     expect_near(two.inserted.centre, {6, std::sqrt(45.0)});
 }
@@ -86,7 +89,8 @@ RC_GTEST_PROP(corner, RoundingIsTangent, (std::uint32_t seed)) {
     for (int i = 0; i < 100; ++i) {
         const auto element = [&](Vec2 p) {
             if (random.upto(1) == 0) return line(p, p + random.in(5, 20) * rotated({1, 0}, random.in(-4, 4)));
-            return arc(p, p + random.in(3, 20) * rotated({1, 0}, random.in(-4, 4)), random.in(0.5, 6) * (random.upto(1) == 0 ? 1 : -1));
+            return arc(p, p + random.in(3, 20) * rotated({1, 0}, random.in(-4, 4)),
+                       random.in(0.5, 6) * (random.upto(1) == 0 ? 1 : -1));
         };
         const Element a = element({1, 2}), b = element(a.to);
         const double radius = random.in(0.01, 4);
