@@ -46,6 +46,9 @@ public:
     std::optional<CornerFault> push(Element e, const CornerRequest& at_end, CornerSink out);
     /// Emits what is held back; a request left open (no element follows) makes no corner and no fault.
     void flush(CornerSink out);
+    [[nodiscard]] bool empty() const { return !held_; }
+    /// Tag of the element held back, if there is one.
+    [[nodiscard]] std::optional<std::uint64_t> oldest_tag() const;
 
 private:
     std::optional<CornerFault> insert(Element& next, CornerSink out);
