@@ -1,5 +1,6 @@
 /// Arcs: from the words of the block to centre and sweep, and out into the stream.
 
+#include <algorithm>
 #include <cmath>
 
 #include "base/codes.hpp"
@@ -54,7 +55,7 @@ void arc_alarm(Run& run, const path::ArcResult& r) {
 path::ArcResult planar_arc(Run& run, Vec2 from, Vec2 to, bool end_given, const PlaneAxes& a) {
     const BlockWords& b = run.block;
     const path::Sense sense = run.modal.motion == Modal::arc_cw ? path::Sense::clockwise : path::Sense::counter_clockwise;
-    const int turns = b.has(Code::turns) ? static_cast<int>(b.get(Code::turns)) : 0;
+    const int turns = b.has(Code::turns) ? static_cast<int>(std::clamp(b.get(Code::turns), 0.0, 999.0)) : 0;
     const bool centre = b.has(centre_words[a.u]) || b.has(centre_words[a.v]);
     if (run.modal.motion == Modal::arc_tangent) return path::arc_by_tangent(from, to, run.last_direction);
     if (b.has(Code::radius)) return path::arc_by_radius(from, to, b.get(Code::radius) * (run.modal.inch_geometry ? 25.4 : 1), sense, turns, tolerance(run));
@@ -67,6 +68,12 @@ path::ArcResult planar_arc(Run& run, Vec2 from, Vec2 to, bool end_given, const P
     none.failure = path::ArcFailure::points_coincide;
     alarm(run, codes::arc_radius, run.here(), "a circle needs its centre (I, J, K), its radius (CR=) or its opening angle (AR=)");
     return none;
+}
+
+bool has_unknown_circle_word(const Run& run) {
+    for (const Code c : {Code::i, Code::j, Code::k, Code::i1, Code::j1, Code::k1, Code::radius, Code::opening_angle, Code::turns})
+        if (run.block.has(c) && std::isnan(run.block.get(c))) return true;
+    return false;
 }
 
 void remember_direction(Run& run, const path::Element& e) {
@@ -125,6 +132,11 @@ bool arc_motion(Run& run, const Vec3& target) {
             straight_motion(run, target, false);
             return true;
         }
+    }
+    if (has_unknown_circle_word(run)) {
+        unchecked(run, codes::unknown_value, run.here(), "the arc depends on a value that is not known: it is run as a straight move");
+        straight_motion(run, target, false);
+        return true;
     }
     if (run.modal.motion == Modal::arc_via) return tilted_arc(run, target);
     const PlaneAxes a = plane_axes(run.modal.plane);

@@ -26,17 +26,30 @@ bool nearly_equal(const Run& run, double a, double b) {
     return a == b || std::abs(a - b) <= tolerance;
 }
 
-std::int32_t bits(double v) { return static_cast<std::int32_t>(static_cast<std::int64_t>(v)); }
+std::int32_t bits(double v) { return static_cast<std::int32_t>(static_cast<std::int64_t>(std::fmod(v, 4294967296.0))); }
 
 double checked(Run& run, const Expr& e, double v) {
-    if (std::isfinite(v) && std::abs(v) <= 1e300) return v;
+    if (std::isnan(v) || std::abs(v) <= 1e300) return v;  // unknown operands give an unknown result
     alarm(run, codes::arithmetic, span_of(run, e), "the result is too large for the control");
     return 0;
 }
 
 }  // namespace
 
+namespace {
+
+/// With an unknown operand: known only where the other one decides alone.
+double with_unknown(Operator op, double a, double b) {
+    if (op == Operator::logical_and && (a == 0 || b == 0)) return 0;
+    const bool decided = (!std::isnan(a) && a != 0) || (!std::isnan(b) && b != 0);
+    if (op == Operator::logical_or && decided) return 1;
+    return std::isnan(a) ? a : b;
+}
+
+}  // namespace
+
 double binary_number(Run& run, const Expr& e, double a, double b) {
+    if (std::isnan(a) || std::isnan(b)) return with_unknown(static_cast<Operator>(e.op), a, b);
     switch (static_cast<Operator>(e.op)) {
         case Operator::add: return a + b;
         case Operator::subtract: return a - b;
@@ -90,6 +103,7 @@ Value binary_value(Run& run, const Expr& e, const Value& a, const Value& b) {
     if (op == Operator::concat) return Value::string(printed(a) + printed(b));
     if (op == Operator::frame_chain && a.type == Type::frame && b.type == Type::frame)
         return Value::of_frame(a.as_frame() * b.as_frame());
+    if (a.is_unknown() || b.is_unknown()) return Value::unknown();
     const bool text = a.is_text() || b.is_text();
     const bool comparable = a.is_text() ? b.is_text() || b.type == Type::character : a.type == Type::character;
     if (compares(op) && text && comparable) return compare_texts(e, as_string(a), as_string(b));

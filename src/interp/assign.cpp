@@ -1,5 +1,8 @@
 /// Assignments and definitions.
 
+#include <algorithm>
+#include <cmath>
+
 #include "base/codes.hpp"
 #include "interp/run.hpp"
 
@@ -24,6 +27,10 @@ bool element_of(Run& run, const Expr& e, const Array& a, std::size_t& index) {
     for (std::size_t k = 0; k < e.count && k < 3; ++k) indices[k] = number(run, run.unit().children[e.b + k]);
     if (run.stopped) return false;
     if (element_index(a, indices, e.count, index)) return true;
+    if (std::isnan(indices[0]) || std::isnan(indices[1]) || std::isnan(indices[2])) {
+        unchecked(run, codes::unknown_value, where, "which element this is depends on a value that is not known");
+        return false;
+    }
     std::string text;
     for (std::size_t k = 0; k < e.count && k < 3; ++k) text += (k > 0 ? "," : "") + printed(Value::real(indices[k]));
     std::string range;
@@ -36,7 +43,7 @@ bool element_of(Run& run, const Expr& e, const Array& a, std::size_t& index) {
 std::size_t undefined_key(Run& run, const Expr& e) {
     std::size_t key = 0;
     for (std::size_t k = 0; k < e.count; ++k)
-        key = key * 65536 + static_cast<std::size_t>(std::max(0.0, number(run, run.unit().children[e.b + k])));
+        key = key * 65536 + static_cast<std::size_t>(std::max(0.0, std::min(65535.0, number(run, run.unit().children[e.b + k]))));
     return key;
 }
 
@@ -85,6 +92,10 @@ bool is_list(const Expr& e) {
 void assign_parameter(Run& run, const Expr& target, const program::Assign& a) {
     const double index = target.kind == ExprKind::parameter ? target.a : number(run, target.a);
     if (run.stopped) return;
+    if (std::isnan(index)) {
+        unchecked(run, codes::unknown_value, run.unit().span(a.target), "which parameter this is depends on a value that is not known");
+        return;
+    }
     if (!(index >= 0) || index >= run.parameters.count()) {
         alarm(run, codes::index_range, run.unit().span(a.target), "there is no parameter " + printed(Value::real(index)));
         return;
@@ -185,6 +196,8 @@ namespace {
 
 constexpr std::size_t largest_array = 10'000'000;
 
+double known_or(double v, double instead) { return std::isnan(v) ? instead : v; }
+
 void initialise(Run& run, Array& array, const program::Variable& v) {
     const Unit& unit = run.unit();
     const bool repeat = v.initialiser == program::Initialiser::repeat;
@@ -209,12 +222,16 @@ void define(Run& run, const program::Define& d, Scope& scope, const Unit& unit) 
         }
         auto array = std::make_shared<Array>();
         array->type = d.type;
-        if (d.string_length != program::no_expr) array->string_length = static_cast<std::size_t>(std::max(0.0, number(run, d.string_length)));
+        if (d.string_length != program::no_expr) array->string_length = static_cast<std::size_t>(std::clamp(known_or(number(run, d.string_length), 200), 0.0, 10000.0));
         double total = 1;
         for (std::size_t k = 0; k < 3 && v.dimensions[k] != program::no_expr; ++k) {
             const double n = number(run, v.dimensions[k]);
             total *= std::max(1.0, n);
             if (run.stopped) return;
+            if (std::isnan(n)) {
+                unchecked(run, codes::unknown_value, unit.span(v.dimensions[k]), "the size of this array depends on a value that is not known");
+                return;
+            }
             if (!(n >= 1) || total > static_cast<double>(largest_array)) {
                 alarm(run, codes::value_range, unit.span(v.dimensions[k]), "an array cannot have " + printed(Value::real(n)) + " elements here");
                 return;

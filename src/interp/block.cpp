@@ -35,6 +35,13 @@ double word_value(Run& run, const Word& w) {
     return 0;
 }
 
+/// Number of an M or H function; out of the control's range: alarm, unknown: reported and left out.
+void function_number(Run& run, const base::Span& where, double v, std::vector<int>& functions) {
+    if (std::isnan(v)) unchecked(run, codes::unknown_value, where, "which function this is depends on a value that is not known");
+    else if (v < -2147483647 || v > 2147483647) alarm(run, codes::value_range, where, "this function number is out of range");
+    else functions.push_back(static_cast<int>(v));
+}
+
 void tool_word(Run& run, const Word& w) {
     BlockWords& b = run.block;
     if (program::form_of(w) == Form::expression) {
@@ -55,10 +62,10 @@ void named_value(Run& run, const program::Named& n) {
     const double value = n.value == program::no_expr ? 0 : number(run, n.value);
     if (run.stopped) return;
     const bool first = extension <= 1;
-    if (letter == "M" && first) run.block.m.push_back(static_cast<int>(value));
-    else if (letter == "M") emit(run, cl::Auxiliary{'M', static_cast<std::int64_t>(value)});
+    if (letter == "M" && first) function_number(run, run.here(), value, run.block.m);
+    else if (letter == "M") assume(run, run.here(), "M" + printed(Value::real(extension)) + "= is for another spindle than the first and is not followed");
     else if (letter == "S" && first) run.block.put(Code::spindle, value);
-    else if (letter == "H") run.block.h.push_back(static_cast<int>(value));
+    else if (letter == "H") function_number(run, run.here(), value, run.block.h);
     else assume(run, run.here(), letter + printed(Value::real(extension)) + "= belongs to another spindle or axis than the first and is not followed");
 }
 
@@ -97,8 +104,8 @@ void gather(Run& run, const program::Statement& s, const Word& w) {
         case Code::assign: assign(run, run.unit().assigns[static_cast<std::size_t>(w.payload)]); return;
         case Code::unsupported:
         case Code::unknown: problem_word(run, w); return;
-        case Code::m: run.block.m.push_back(static_cast<int>(word_value(run, w))); return;
-        case Code::h: run.block.h.push_back(static_cast<int>(word_value(run, w))); return;
+        case Code::m: function_number(run, run.unit().span(s, w), word_value(run, w), run.block.m); return;
+        case Code::h: function_number(run, run.unit().span(s, w), word_value(run, w), run.block.h); return;
         case Code::tool: tool_word(run, w); return;
         case Code::named_axis: named_axis(run, run.unit().named[static_cast<std::size_t>(w.payload)], run.unit().span(s, w)); return;
         case Code::named_value: named_value(run, run.unit().named[static_cast<std::size_t>(w.payload)]); return;

@@ -1,5 +1,8 @@
 /// Calls of programs, their arguments, and the control's own procedures.
 
+#include <algorithm>
+#include <cmath>
+
 #include "base/codes.hpp"
 #include "base/text.hpp"
 #include "base/number.hpp"
@@ -130,8 +133,9 @@ void enter(Run& run, const Unit& unit, const Call* call, const base::Span& where
     if (call != nullptr) bind_arguments(run, unit, *call, callee);
     if (call != nullptr && call->passes != program::no_expr) {
         const double passes = number(run, call->passes);
-        if (passes < 1) return;
-        callee.repeats_left = static_cast<std::uint64_t>(passes) - 1;
+        if (std::isnan(passes)) unchecked(run, codes::unknown_value, where, "how often this call is made depends on a value that is not known");
+        if (!(passes >= 1)) return;
+        callee.repeats_left = static_cast<std::uint64_t>(std::min(passes, 1e15)) - 1;
     }
     if (run.stopped) return;
     run.calls.push_back(std::move(callee));

@@ -17,6 +17,10 @@ namespace {
 
 double parameter_value(Run& run, const Expr& e, double index) {
     const base::Span where{run.unit().file, e.begin, e.end};
+    if (std::isnan(index)) {
+        unchecked(run, codes::unknown_value, where, "which parameter this is depends on a value that is not known");
+        return index;
+    }
     if (!(index >= 0) || index >= run.parameters.count()) {
         alarm(run, codes::index_range, where,
               "parameter number " + printed(Value::real(index)) + " lies outside " + run.unit().traits->parameter_letter + "0 to " +
@@ -82,8 +86,8 @@ double number(Run& run, ExprId id) {
             const double a = number(run, e.a);
             switch (static_cast<Operator>(e.op)) {
                 case Operator::negate: return -a;
-                case Operator::logical_not: return a == 0 ? 1 : 0;
-                case Operator::bit_not: return static_cast<double>(~static_cast<std::int32_t>(a));
+                case Operator::logical_not: return std::isnan(a) ? a : a == 0 ? 1 : 0;
+                case Operator::bit_not: return std::isnan(a) ? a : -1 - std::trunc(a);
                 default: return a;
             }
         }
@@ -98,14 +102,24 @@ double number(Run& run, ExprId id) {
     return 0;
 }
 
-bool truth(Run& run, ExprId id) {
+namespace {
+
+/// Truth as a number: 0, not 0, or NaN where it is unknown. Strings are true when they hold something.
+double condition(Run& run, ExprId id) {
     const Expr& e = run.unit().exprs[id];
-    if (e.kind == ExprKind::variable || e.kind == ExprKind::system) {
-        Value v = evaluate(run, id);
-        if (v.type == Type::string) return !v.as_text().empty();
-        return v.number != 0;
-    }
-    return number(run, id) != 0;
+    if (e.kind != ExprKind::variable && e.kind != ExprKind::system) return number(run, id);
+    const Value v = evaluate(run, id);
+    return v.type == Type::string ? (v.as_text().empty() ? 0.0 : 1.0) : v.number;
+}
+
+}  // namespace
+
+bool truth(Run& run, ExprId id, bool when_unknown) {
+    const double v = condition(run, id);
+    if (!std::isnan(v)) return v != 0;
+    unchecked(run, codes::unknown_value, run.unit().span(id), "this condition depends on a value that is not known",
+              std::string("it is taken as ") + (when_unknown ? "fulfilled" : "not fulfilled") + "; the run may go another way on the machine");
+    return when_unknown;
 }
 
 namespace {
@@ -114,7 +128,7 @@ Value read_variable(Run& run, const Expr& e, ExprId id) {
     const Unit& unit = run.unit();
     if (const Binding* b = find_variable(run, e.a)) {
         std::size_t index = b->offset;
-        if (!b->element && !element_of(run, e, *b->array, index)) return {};
+        if (!b->element && !element_of(run, e, *b->array, index)) return Value::unknown();
         return b->array->get(index);
     }
     const std::string& text = run.env.names.text(e.a);
@@ -123,13 +137,16 @@ Value read_variable(Run& run, const Expr& e, ExprId id) {
     if (e.count == 0 && text.size() == 1 && std::string_view("XYZABCUVW").find(text[0]) != std::string_view::npos)
         return Value::axis(text);
     unchecked(run, codes::undefined_name, unit.span(id), text + " is not defined in this program",
-              "if it is global user data (GUD), put its definition file beside the program or give its value in [variables] of the job; 0 is taken until then");
+              "if it is global user data (GUD), put its definition file beside the program or give its value in [variables] of the job; it is unknown until then");
     return run.undefined.get(e.a, undefined_key(run, e));
 }
 
 Value evaluate_binary(Run& run, const Expr& e) {
     const auto op = static_cast<Operator>(e.op);
-    if (op == Operator::logical_and || op == Operator::logical_or) return Value::boolean(binary_number(run, e, truth(run, e.a), truth(run, e.b)) != 0);
+    if (op == Operator::logical_and || op == Operator::logical_or) {
+        const double left = condition(run, e.a), right = condition(run, e.b);
+        return run.stopped ? Value{} : Value{Type::boolean, binary_number(run, e, left, right), nullptr, nullptr};
+    }
     const Value a = evaluate(run, e.a);
     const Value b = evaluate(run, e.b);
     return run.stopped ? Value{} : binary_value(run, e, a, b);
@@ -137,6 +154,7 @@ Value evaluate_binary(Run& run, const Expr& e) {
 
 Value evaluate_unary(Run& run, const Expr& e, ExprId id) {
     const Value a = evaluate(run, e.a);
+    if (a.is_unknown()) return a;
     if (static_cast<Operator>(e.op) == Operator::logical_not) return Value::boolean(a.number == 0);
     if (a.type == Type::integer) return Value::integer(number(run, id));
     return Value::real(number(run, id));
@@ -163,14 +181,15 @@ Value evaluate(Run& run, ExprId id) {
         case ExprKind::unknown_function: break;
     }
     for (std::size_t k = 0; k < e.count; ++k) static_cast<void>(evaluate(run, unit.children[e.b + k]));
-    unchecked(run, codes::unsupported, unit.span(id), "the function " + run.env.names.text(e.a) + "() is not run", "0 is taken as its result");
-    return Value::real(0);
+    unchecked(run, codes::unsupported, unit.span(id), "the function " + run.env.names.text(e.a) + "() is not run", "its result is unknown");
+    return Value::unknown();
 }
 
 std::string axis_of(Run& run, ExprId id) {
     if (id == program::no_expr) return {};
     const Value v = evaluate(run, id);
     if (v.is_text()) return v.as_text();
+    if (v.is_unknown()) return "?";
     const auto n = static_cast<std::size_t>(v.number);
     const auto& axes = run.env.machine.axes;
     if (v.number >= 1 && n <= axes.size()) return axes[n - 1].name;

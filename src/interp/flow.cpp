@@ -150,7 +150,7 @@ void repeat_section(Run& run, const program::Section& s, std::uint32_t index) {
         return found == unit.labels.end() ? program::no_target : nearest(found->second, index, program::JumpDirection::backward) != program::no_target ? nearest(found->second, index, program::JumpDirection::backward) : nearest(found->second, index, program::JumpDirection::forward);
     };
     const double passes = s.passes == program::no_expr ? 1 : number(run, s.passes);
-    if (run.stopped || passes < 1) return;
+    if (run.stopped || !(passes >= 1)) return;
     ActiveSection active;
     active.first = place(s.first);
     active.last = s.to_here ? index - 1 : s.one_block ? active.first : place(s.last);
@@ -167,7 +167,7 @@ void repeat_section(Run& run, const program::Section& s, std::uint32_t index) {
         return;
     }
     active.back = index + 1;
-    active.left = static_cast<std::uint64_t>(passes);
+    active.left = static_cast<std::uint64_t>(std::min(passes, 1e15));
     run.top().pc = active.first;
     run.top().sections.push_back(active);
 }
@@ -207,7 +207,7 @@ void run_statement(Run& run, const Statement& s, std::uint32_t index) {
             return;
         case StatementKind::until: {
             const program::Branch& b = unit.branches[table];
-            const bool done = truth(run, b.condition);
+            const bool done = truth(run, b.condition, true);  // an unknown UNTIL must not loop for ever
             if (!run.stopped && !done && b.target != program::no_target) go_back(run, b.target);
             return;
         }

@@ -33,7 +33,7 @@ struct Arguments {
     [[nodiscard]] std::string text(std::size_t i) const {
         if (!need(i)) return {};
         const Value v = evaluate(run, id(i));
-        if (!run.stopped && !v.is_text() && v.type != Type::character)
+        if (!run.stopped && !v.is_text() && v.type != Type::character && !v.is_unknown())
             alarm(run, codes::type_mismatch, span(i), "a STRING is needed here, this is a " + std::string(name(v.type)));
         return printed(v);
     }
@@ -121,6 +121,7 @@ Value substring(const Arguments& a) {
     const double from = a[1];
     const double count = a.given(2) ? a[2] : 1e9;
     if (a.run.stopped) return {};
+    if (std::isnan(from) || std::isnan(count)) return Value::string("?");
     if (from < 0 || count < 0 || from > static_cast<double>(text.size())) {
         alarm(a.run, codes::index_range, a.whole(), "SUBSTR starts outside the text");
         return {};
@@ -131,6 +132,7 @@ Value substring(const Arguments& a) {
 Value text_number(const Arguments& a) {
     const std::string text = a.text(0);
     const auto v = base::parse_double(text);
+    if (text == "?") return Value::unknown();
     if (!v && !a.run.stopped) alarm(a.run, codes::type_mismatch, a.span(0), "NUMBER: \"" + text + "\" is not a number");
     return Value::real(v.value_or(0));
 }
@@ -158,8 +160,8 @@ Value string_function(const Arguments& a, Function f) {
         case Function::axis_name: return Value::axis(base::to_upper(a.text(0)));
         default: break;
     }
-    unchecked(a.run, codes::unsupported, a.whole(), "this function is not run", "0 is taken as its result");
-    return Value::real(0);
+    unchecked(a.run, codes::unsupported, a.whole(), "this function is not run", "its result is unknown");
+    return Value::unknown();
 }
 
 int axis_index(const std::string& axis) { return axis == "X" ? 0 : axis == "Y" ? 1 : axis == "Z" ? 2 : -1; }
@@ -192,8 +194,8 @@ Value call_function(Run& run, const Expr& e) {
     double result = 0;
     if (numeric(a, f, result)) {
         const bool whole = f == Function::trunc || f == Function::round || f == Function::round_up;
-        if (!std::isfinite(result) && !run.stopped) alarm(run, codes::arithmetic, a.whole(), "the result is too large for the control");
-        return whole ? Value::integer(result) : Value::real(result);
+        if (std::isinf(result) && !run.stopped) alarm(run, codes::arithmetic, a.whole(), "the result is too large for the control");
+        return whole && !std::isnan(result) ? Value::integer(result) : Value::real(result);
     }
     switch (f) {
         case Function::frame_shift:

@@ -195,7 +195,8 @@ void assume(Run&, const base::Span& where, std::string text, std::string remedy 
 
 // --- expressions (evaluate.cpp, functions.cpp, system_read.cpp)
 [[nodiscard]] double number(Run&, ExprId);          ///< a numeric value; alarm where it is none
-[[nodiscard]] bool truth(Run&, ExprId);
+/// A condition; one that depends on an unknown value is reported and counts as `when_unknown`.
+[[nodiscard]] bool truth(Run&, ExprId, bool when_unknown = false);
 [[nodiscard]] Value evaluate(Run&, ExprId);
 [[nodiscard]] Value call_function(Run&, const program::Expr&);
 [[nodiscard]] Value read_system(Run&, const program::Expr&);

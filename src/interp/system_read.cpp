@@ -1,5 +1,6 @@
 /// System variables. What the run cannot know is reported, never guessed in silence.
 
+#include <algorithm>
 #include <cmath>
 
 #include "base/codes.hpp"
@@ -19,12 +20,16 @@ struct Access {
     [[nodiscard]] base::Span where() const { return {run.unit().file, e.begin, e.end}; }
     [[nodiscard]] const std::string& name() const { return run.env.names.text(e.a); }
     [[nodiscard]] ExprId id(std::size_t i) const { return i < e.count ? run.unit().children[e.b + i] : program::no_expr; }
-    [[nodiscard]] double index(std::size_t i) const { return i < e.count ? number(run, id(i)) : 0; }
+    /// An index in brackets; one that is unknown is -1, which names nothing.
+    [[nodiscard]] double index(std::size_t i) const {
+        const double v = i < e.count ? number(run, id(i)) : 0;
+        return std::isnan(v) ? -1 : std::clamp(v, -1e6, 1e6);
+    }
 };
 
 Value unknown_value(const Access& a, const std::string& why) {
-    unchecked(a.run, codes::unknown_value, a.where(), a.name() + ": " + why, "0 is taken; the run may go another way on the machine");
-    return Value::real(0);
+    unchecked(a.run, codes::unknown_value, a.where(), a.name() + ": " + why, "what is computed from it is unknown too");
+    return Value::unknown();
 }
 
 Value known_or_unknown(const Access& a, double v, const std::string& why) {
@@ -103,6 +108,7 @@ Value machine_data(const Access& a) {
 
 Value datum_frame(const Access& a) {
     const double n = a.e.count > 0 ? a.index(0) : 0;
+    if (n < 0) return unknown_value(a, "there is no such frame");
     const std::uint32_t number = n == 0 ? 500 : n <= 4 ? 53 + static_cast<std::uint32_t>(n) : 500 + static_cast<std::uint32_t>(n);
     const auto found = a.run.env.machine.datums.find(number);
     if (found == a.run.env.machine.datums.end()) return unknown_value(a, "the zero offset G" + std::to_string(number) + " is not known");

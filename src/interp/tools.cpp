@@ -53,7 +53,9 @@ void emit_spindle(Run& run) {
 bool spindle_words(Run& run) {
     BlockWords& b = run.block;
     bool changed = false;
-    if (b.has(Code::spindle) && b.special != Modal::dwell) {
+    if (b.has(Code::spindle) && b.special != Modal::dwell && std::isnan(b.get(Code::spindle))) {
+        unchecked(run, codes::unknown_value, run.here(), "the spindle speed depends on a value that is not known: the last one is kept");
+    } else if (b.has(Code::spindle) && b.special != Modal::dwell) {
         const double s = b.get(Code::spindle);
         run.spindle.speed = std::abs(s);
         changed = true;
@@ -79,6 +81,10 @@ void feed_word(Run& run) {
     if (!run.block.has(Code::feed) || run.block.special == Modal::dwell) return;
     double f = run.block.get(Code::feed);
     if (run.modal.inch_feed && run.modal.feed_mode != cl::FeedMode::inverse_time) f *= 25.4;
+    if (std::isnan(f)) {
+        unchecked(run, codes::unknown_value, run.here(), "the feed depends on a value that is not known: the last one is kept");
+        return;
+    }
     if (f < 0) {
         alarm(run, codes::value_range, run.here(), "the feed F is negative");
         return;
@@ -115,6 +121,10 @@ void select_tool(Run& run) {
     bool changed = false;
     if (b.has(Code::tool)) {
         const double t = b.get(Code::tool);
+        if (!b.tool_named && std::isnan(t)) {
+            unchecked(run, codes::unknown_value, run.here(), "which tool this is depends on a value that is not known");
+            return;
+        }
         if (!b.tool_named && (t < 0 || t > 4294967295.0 || t != std::floor(t))) {
             alarm(run, codes::value_range, run.here(), "T" + printed(Value::real(t)) + " is no tool number");
             return;
@@ -133,6 +143,10 @@ void select_tool(Run& run) {
     }
     if (b.has(Code::edge)) {
         const double d = b.get(Code::edge);
+        if (std::isnan(d)) {
+            unchecked(run, codes::unknown_value, run.here(), "which cutting edge this is depends on a value that is not known");
+            return;
+        }
         if (!(d >= 0 && d <= 32000)) {
             alarm(run, codes::value_range, run.here(), "D" + printed(Value::real(d)) + " is no cutting edge");
             return;

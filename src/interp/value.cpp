@@ -1,6 +1,7 @@
 #include "interp/value.hpp"
 
 #include <cmath>
+#include <limits>
 
 #include "base/number.hpp"
 
@@ -12,6 +13,8 @@ const geom::Frame no_frame;
 constexpr double integer_limit = 2147483648.0;  // 32-bit INT of the control
 }  // namespace
 
+Value Value::unknown() { return {Type::real, std::numeric_limits<double>::quiet_NaN(), nullptr, nullptr}; }
+bool Value::is_unknown() const { return is_number() && std::isnan(number); }
 Value Value::string(std::string s) { return {Type::string, 0, std::make_shared<const std::string>(std::move(s)), nullptr}; }
 Value Value::axis(std::string name) { return {Type::axis, 0, std::make_shared<const std::string>(std::move(name)), nullptr}; }
 Value Value::of_frame(const geom::Frame& f) { return {Type::frame, 0, nullptr, std::make_shared<const geom::Frame>(f)}; }
@@ -32,6 +35,7 @@ std::string_view name(Type t) {
 }
 
 std::string printed(const Value& v) {
+    if (v.is_unknown()) return "?";
     switch (v.type) {
         case Type::boolean:
         case Type::integer: return base::fixed(v.number, 0);
@@ -69,6 +73,11 @@ void Array::set(std::size_t i, const Value& v) {
 }
 
 Conversion convert(Value& v, Type to, std::size_t string_length) {
+    if (v.is_unknown() && to >= Type::string) {
+        v = to == Type::frame ? Value::of_frame({}) : Value::string("?");
+        v.type = to;
+        return Conversion::ok;
+    }
     if (to == Type::string && v.is_text()) {
         v.type = Type::string;
         return v.as_text().size() > string_length ? Conversion::too_long : Conversion::ok;
@@ -88,7 +97,9 @@ Conversion convert(Value& v, Type to, std::size_t string_length) {
         return Conversion::ok;
     }
     if (!v.is_number() || to == Type::string || to == Type::axis || to == Type::frame) return Conversion::wrong_type;
+    const bool unknown = v.is_unknown();
     v.type = to;
+    if (unknown) return Conversion::ok;
     if (to == Type::boolean) v.number = v.number != 0 ? 1 : 0;
     if (to == Type::integer || to == Type::character) v.number = std::floor(v.number + 0.5);
     const double high = to == Type::character ? 256 : integer_limit;

@@ -21,6 +21,10 @@ struct Value {
     std::shared_ptr<const std::string> text;
     std::shared_ptr<const geom::Frame> frame;
 
+    /// A value that the run cannot know: a number that is not a number. It spreads through every computation, so that
+    /// nothing made from it is ever taken for true.
+    [[nodiscard]] static Value unknown();
+    [[nodiscard]] bool is_unknown() const;
     [[nodiscard]] static Value real(double v) { return {Type::real, v, nullptr, nullptr}; }
     [[nodiscard]] static Value integer(double v) { return {Type::integer, v, nullptr, nullptr}; }
     [[nodiscard]] static Value boolean(bool v) { return {Type::boolean, v ? 1.0 : 0.0, nullptr, nullptr}; }
@@ -35,7 +39,7 @@ struct Value {
 };
 
 [[nodiscard]] std::string_view name(Type t);
-/// A number as the control writes it with <<: integers without point, reals with at most seven decimals.
+/// A number as the control writes it with <<: integers without point, reals with at most seven decimals; unknown: "?".
 [[nodiscard]] std::string printed(const Value& v);
 
 /// Elements of one type, up to three dimensions; a single variable has the dimensions 1, 1, 1.

@@ -24,7 +24,7 @@ std::uint64_t key_of(program::NameId name, std::size_t key) { return (std::uint6
 
 Value Undefined::get(program::NameId name, std::size_t key) const {
     const auto found = values_.find(key_of(name, key));
-    return found == values_.end() ? Value::real(0) : found->second;
+    return found == values_.end() ? Value::unknown() : found->second;
 }
 
 void Undefined::set(program::NameId name, std::size_t key, const Value& v) { values_[key_of(name, key)] = v; }

@@ -53,7 +53,7 @@ private:
 [[nodiscard]] bool element_index(const Array& a, const double* indices, std::size_t count, std::size_t& result);
 
 /// Variables nobody defined (global data of a control whose definition files are not at hand): what is written is read
-/// back, what was never written reads as zero.
+/// back, what was never written is unknown.
 class Undefined {
 public:
     [[nodiscard]] Value get(program::NameId name, std::size_t key) const;

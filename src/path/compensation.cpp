@@ -24,6 +24,13 @@ Element still_at(Element e, Vec2 p) {
     return e;
 }
 
+Element moved_by(Element e, Vec2 shift) {
+    e.from = e.from + shift;
+    e.to = e.to + shift;
+    if (is_arc(e)) e.centre = e.centre + shift;
+    return e;
+}
+
 /// What remains of an element that is left out: its events and its motion along w.
 Element without_plane(const Element& e) { return still_at(e, e.to); }
 
@@ -52,7 +59,7 @@ std::vector<Fault> Compensation::flush(OutputSink out) {
     advance(true, out);
     if (!carried_.empty()) {
         Element events;
-        if (at_) events.from = events.to = *at_;
+        if (at_) events.from = events.to = active_ ? *at_ + tip_ : *at_;
         events.before = std::exchange(carried_, {});
         out(Output{std::move(events), active_ ? Kind::contour : Kind::passed});
     }
@@ -62,7 +69,7 @@ std::vector<Fault> Compensation::flush(OutputSink out) {
 void Compensation::take_plane(Element e, const Setting& s, OutputSink out) {
     const bool selected = s.side != Side::off;
     const bool pending = window_.size() == 1 && window_.front().role == Role::approach;
-    if (active_ && !selected && pending) drop_selection(out);
+    if (active_ && !selected && pending) drop_selection(e, out);
     if (!active_ && !selected) return emit(std::move(e), Kind::passed, out);
     if (active_ != selected && is_arc(e)) {
         faults_.push_back({Reason::arc_needs_line_at_start, e.tag, e.tag, e.from, false});
@@ -84,7 +91,8 @@ void Compensation::take_still(Element e, OutputSink out) {
 
 void Compensation::add_approach(Element e, const Setting& s) {
     Item item;
-    item.start = e.from;
+    tip_ = s.tip;
+    item.start = e.from - tip_;
     item.e = std::move(e);
     item.s = s;
     item.role = Role::approach;
@@ -119,18 +127,22 @@ void Compensation::add_retract(Element e, const Setting& s) {
     Item item;
     item.start = at_.value_or(e.from);
     item.e = std::move(e);
+    item.e.to = item.e.to - tip_;
     item.s = s;
     item.role = Role::retract;
     window_.push_back(std::move(item));
 }
 
-/// Deselected before the first contour element: nothing was ever selected.
-void Compensation::drop_selection(OutputSink out) {
+/// Deselected before the first contour element: nothing was ever selected. A first element that was too tight is
+/// missing.
+void Compensation::drop_selection(const Element& next, OutputSink out) {
     Item item = std::move(window_.front());
     window_.clear();
     active_ = false;
+    tip_ = {};
     emit(std::move(item.e), Kind::passed, out);
     for (Element& e : item.after) emit(std::move(e), Kind::passed, out);
+    if (geom::distance(*at_, next.from) > same_point) emit(line(*at_, next.from, next.w_from), Kind::link, out);
 }
 
 void Compensation::advance(bool last, OutputSink out) {
@@ -141,38 +153,45 @@ void Compensation::advance(bool last, OutputSink out) {
 /// Settles the end of the front element if it can be known already. True when something was emitted or left out.
 bool Compensation::step(bool last, OutputSink out) {
     if (window_.empty()) return false;
-    const Item& a = window_.front();
     if (window_.size() == 1) {
-        if (!last) return false;
-        if (a.role == Role::approach) {
-            const double d = offset_ = offset_of(a.s);
-            finish_front(a.e.to + d * geom::left_of(end_direction(a.e)), 0, out);
-        } else {
-            finish_front(a.role == Role::retract ? a.e.to : a.curve.to, extent(a.curve), out);
-        }
-        return true;
+        if (last) finish_last(out);
+        return last;
     }
-    const Join j = join(a, window_[1]);
+    const Item &a = window_[0], &b = window_[1];
+    const Join j = join(a, b);
     const bool may_wait = !last && window_.size() <= look_ahead_;
-    if (j.fault) {
+    if (!settled(j, may_wait)) {
         if (bridge()) return true;
         if (may_wait) return false;
-        const Item& lost = *j.fault == Reason::element_vanishes ? shorter(a, window_[1]) : a;
-        const Item& other = &lost == &a ? window_[1] : a;
-        faults_.push_back({*j.fault, lost.e.tag, other.e.tag, a.e.to, false});
-    } else if (j.trims) {
-        if (window_.size() == 2 && may_wait) return false;
-        if (window_.size() > 2) {
-            Item b = window_[1];
-            b.begin = j.b_place;
-            if (join(b, window_[2]).fault) {
-                if (bridge()) return true;
-                if (may_wait) return false;
-            }
+        if (j.fault) {
+            const bool first = *j.fault == Reason::element_vanishes && &shorter(a, b) == &a;
+            const Item &lost = first ? a : b, &other = first ? b : a;
+            faults_.push_back({*j.fault, lost.e.tag, other.e.tag, a.e.to, false});
         }
     }
     commit(j, out);
     return true;
+}
+
+/// True where the join is sound and leaves something of the second element.
+bool Compensation::settled(const Join& j, bool may_wait) {
+    if (j.fault) return false;
+    if (!j.trims) return true;
+    if (window_.size() == 2) return !may_wait;
+    Item b = window_[1];
+    b.begin = j.b_place;
+    return !join(b, window_[2]).fault;
+}
+
+/// Nothing follows the front element: it ends at its normal.
+void Compensation::finish_last(OutputSink out) {
+    const Item& a = window_.front();
+    if (a.role == Role::approach) {
+        offset_ = offset_of(a.s);
+        finish_front(a.e.to + offset_ * geom::left_of(end_direction(a.e)), 0, out);
+    } else {
+        finish_front(a.role == Role::retract ? a.e.to : a.curve.to, extent(a.curve), out);
+    }
 }
 
 /// Leaves out elements after the front one so that its parallel crosses that of a later one.
@@ -236,10 +255,10 @@ void Compensation::emit(Element e, Kind kind, OutputSink out) {
         Element link = line(*at_, e.from, e.w_from);
         link.tag = e.tag;
         link.before = std::exchange(e.before, {});
-        out(Output{std::move(link), Kind::link});
+        out(Output{moved_by(std::move(link), tip_), Kind::link});
     }
     at_ = e.to;
-    out(Output{std::move(e), kind});
+    out(Output{kind == Kind::passed ? std::move(e) : moved_by(std::move(e), tip_), kind});
 }
 
 }  // namespace obrys::path

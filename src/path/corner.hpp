@@ -12,11 +12,11 @@ namespace obrys::path {
 
 enum class CornerFailure : std::uint8_t {
     none,
-    bad_size,     ///< not a positive number
-    not_joined,   ///< the elements have no common point
-    tangential,   ///< there is no corner: nothing to insert, keep the elements
-    reversal,     ///< the second element runs back along the first
-    too_short,    ///< an element is too short for it
+    bad_size,    ///< not a positive number
+    not_joined,  ///< the elements have no common point
+    tangential,  ///< there is no corner: nothing to insert, keep the elements
+    reversal,    ///< the second element runs back along the first
+    too_short,   ///< an element is too short for it
 };
 
 /// The shortened elements with the new one between; the inputs unchanged where `failure` is set.

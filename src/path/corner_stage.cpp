@@ -24,6 +24,11 @@ std::optional<CornerFault> CornerStage::push(Element e, const CornerRequest& at_
     return fault;
 }
 
+std::optional<std::uint64_t> CornerStage::oldest_tag() const {
+    if (!held_) return std::nullopt;
+    return held_->tag;
+}
+
 std::optional<CornerFault> CornerStage::insert(Element& next, CornerSink out) {
     CornerResult r = insert_corner(*held_, next, request_.kind, request_.size);
     if (r.ok()) {

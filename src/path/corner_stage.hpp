@@ -14,11 +14,11 @@ namespace obrys::path {
 /// What the block that leads to a corner asks for at its end.
 struct CornerRequest {
     CornerKind kind = CornerKind::none;
-    double size = 0;                 ///< mm
-    bool modal = false;              ///< RNDM: corners without a corner (tangential) are no fault
-    bool reduce = false;             ///< take the largest that fits instead of failing
-    bool feed_of_next = true;        ///< the next element's events come before the inserted one (F of the leading-away block)
-    std::vector<int> before, after;  ///< events round the inserted element alone (FRC=: its feed, and back)
+    double size = 0;           ///< mm
+    bool modal = false;        ///< RNDM: corners without a corner (tangential) are no fault
+    bool reduce = false;       ///< take the largest that fits instead of failing
+    bool feed_of_next = true;  ///< the next element's events come before the inserted one (F of the leading-away block)
+    std::vector<int> before{}, after{};  ///< events round the inserted element alone (FRC=: its feed, and back)
 };
 
 struct CornerFault {
@@ -46,6 +46,9 @@ public:
     std::optional<CornerFault> push(Element e, const CornerRequest& at_end, CornerSink out);
     /// Emits what is held back; a request left open (no element follows) makes no corner and no fault.
     void flush(CornerSink out);
+    [[nodiscard]] bool empty() const { return !held_; }
+    /// Tag of the element held back, if there is one.
+    [[nodiscard]] std::optional<std::uint64_t> oldest_tag() const;
 
 private:
     std::optional<CornerFault> insert(Element& next, CornerSink out);

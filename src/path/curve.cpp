@@ -116,9 +116,7 @@ double extent(const Curve& c) { return is_arc(c) ? std::abs(c.sweep) : geom::dis
 
 double scale(const Curve& c) { return is_arc(c) ? std::max(std::abs(c.radius_to), same_point) : 1.0; }
 
-bool exists(const Curve& c) {
-    return !is_arc(c) || (c.radius_from > -same_point && c.radius_to > -same_point);
-}
+bool exists(const Curve& c) { return !is_arc(c) || (c.radius_from > -same_point && c.radius_to > -same_point); }
 
 bool carriers_meet(const Curve& a, const Curve& b) { return carrier_points(a, b).count > 0; }
 

@@ -29,9 +29,7 @@ Vec2 line_direction(const Element& e) { return (1.0 / geom::distance(e.from, e.t
 
 }  // namespace
 
-Vec2 start_direction(const Element& e) {
-    return is_arc(e) ? tangent_at(e.from, e.centre, e.sweep) : line_direction(e);
-}
+Vec2 start_direction(const Element& e) { return is_arc(e) ? tangent_at(e.from, e.centre, e.sweep) : line_direction(e); }
 
 Vec2 end_direction(const Element& e) { return is_arc(e) ? tangent_at(e.to, e.centre, e.sweep) : line_direction(e); }
 

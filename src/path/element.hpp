@@ -20,8 +20,8 @@ struct Element {
     double w_from = 0, w_to = 0;
     geom::Vec2 centre;
     double sweep = 0;
-    std::uint64_t tag = 0;    ///< the caller's: index of the block or source span; never interpreted here
-    std::vector<int> before;  ///< the caller's events (feed change, M function …) due before this element, in order
+    std::uint64_t tag = 0;      ///< the caller's: index of the block or source span; never interpreted here
+    std::vector<int> before{};  ///< the caller's events (feed change, M function …) due before this element, in order
     bool operator==(const Element&) const = default;
 };
 

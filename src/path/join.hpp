@@ -14,7 +14,7 @@ struct Item {
     enum class Role : std::uint8_t { approach, contour, retract };
     Element e;
     Setting s;
-    double d0 = 0, d1 = 0;       ///< offset at start and end, mm, positive left
+    double d0 = 0, d1 = 0;  ///< offset at start and end, mm, positive left
     Role role = Role::contour;
     Curve curve;                 ///< its parallel; meaningless for approach and retract
     geom::Vec2 start;            ///< where the compensated element begins …

@@ -16,8 +16,9 @@ namespace obrys::path {
 ///         |          / | \          In machine axes the numbers are the same in front of and behind the turning
 ///         +---- +z 3   8   4        centre; only the picture on the screen is mirrored.
 ///
-/// Source: Siemens, Function Manual Basic Functions, W1 Tool offset, table to SD42920 WEAR_SIGN_CUTPOS (positions 3, 4, 8
-/// invert the wear of length 1 = x, positions 2, 3, 7 that of length 2 = z); SINUMERIK 810T Operating, 3.1.4 (pictures of P, S).
+/// Source: Siemens, Function Manual Basic Functions, W1 Tool offset, table to SD42920 WEAR_SIGN_CUTPOS (positions 3, 4,
+/// 8 invert the wear of length 1 = x, positions 2, 3, 7 that of length 2 = z); SINUMERIK 810T Operating, 3.1.4
+/// (pictures of P, S).
 [[nodiscard]] std::optional<geom::Vec2> nose_offset(int orientation, double radius);
 
 }  // namespace obrys::path

@@ -8,8 +8,8 @@
 namespace obrys::path {
 
 enum class Side : std::uint8_t { off, left, right };
-enum class Approach : std::uint8_t { normal, around };         ///< NORM, KONT
-enum class OuterCorner : std::uint8_t { arc, intersection };   ///< G450, G451
+enum class Approach : std::uint8_t { normal, around };        ///< NORM, KONT
+enum class OuterCorner : std::uint8_t { arc, intersection };  ///< G450, G451
 
 /// What is in force in an element's block.
 struct Setting {
@@ -18,14 +18,17 @@ struct Setting {
     Approach approach = Approach::normal;
     OuterCorner corner = OuterCorner::arc;
     double corner_limit = geom::radians(100);  ///< largest change of direction closed by an intersection
+    /// From the compensated centre to the point that the stream moves (turning: nose_offset); taken at the approach and
+    /// kept until the retract. Programmed points are contour points; output is the moved point.
+    geom::Vec2 tip{};
     bool operator==(const Setting&) const = default;
 };
 
 enum class Reason : std::uint8_t {
-    tool_radius_too_large,   ///< an arc is tighter than the tool; it is left out
-    arc_needs_line_at_start, ///< compensation switched on, off or changed by an arc; it must be a line
-    no_intersection,         ///< parallels of an inner corner do not meet; a straight link is put in
-    element_vanishes,        ///< the inner corners at both ends leave nothing of it
+    tool_radius_too_large,    ///< an arc is tighter than the tool; it is left out
+    arc_needs_line_at_start,  ///< compensation switched on, off or changed by an arc; it must be a line
+    no_intersection,          ///< parallels of an inner corner do not meet; a straight link is put in
+    element_vanishes,         ///< the inner corners at both ends leave nothing of it
 };
 struct Fault {
     Reason reason = Reason::no_intersection;

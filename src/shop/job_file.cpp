@@ -132,23 +132,10 @@ void read_machine_name(Section& file, Job& job) {
     use_machine(job, machine.value_or(Machine{}));
 }
 
-}  // namespace
-
-void use_machine(Job& job, Machine machine) {
-    apply_defaults(job.defaults, machine.defaults);
-    for (const auto& [number, origin] : job.datums) machine.datums[number] = origin;
-    job.machine = std::move(machine);
-}
-
-Job read_job(std::uint32_t file, const base::Sources& sources, base::Diagnostics& diagnostics) {
-    Job job;
-    job.program_where = {file, 0, 0};
-    const auto root = parse_toml(file, sources, diagnostics);
-    if (!root) return job;
-    Section s(*root, "the job file", diagnostics);
+void read_all(Section& s, Job& job) {
     if (const auto program = s.text("program")) {
         job.program = *program;
-        job.program_where = find(*root, "program")->value.where;
+        job.program_where = find(s.table(), "program")->value.where;
     }
     if (!s.has("program")) s.missing("program");
     job.control = s.text("control").value_or("");
@@ -165,6 +152,25 @@ Job read_job(std::uint32_t file, const base::Sources& sources, base::Diagnostics
     read_limits(s, job);
     read_machine_name(s, job);
     s.finish();
+}
+
+}  // namespace
+
+void use_machine(Job& job, Machine machine) {
+    apply_defaults(job.defaults, machine.defaults);
+    for (const auto& [number, origin] : job.datums) machine.datums[number] = origin;
+    job.machine = std::move(machine);
+}
+
+Job read_job(std::uint32_t file, const base::Sources& sources, base::Diagnostics& diagnostics) {
+    Job job;
+    job.program_where = {file, 0, 0};
+    const auto root = parse_toml(file, sources, diagnostics);
+    if (!root) return job;
+    base::Diagnostics found;
+    Section s(*root, "the job file", found);
+    read_all(s, job);
+    add_in_order(found, diagnostics);
     return job;
 }
 

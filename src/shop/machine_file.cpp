@@ -64,19 +64,21 @@ Machine read_machine(std::uint32_t file, const base::Sources& sources, base::Dia
     Machine machine;
     const auto root = parse_toml(file, sources, diagnostics);
     if (!root) return machine;
-    Section s(*root, "the machine file", diagnostics);
+    base::Diagnostics found;
+    Section s(*root, "the machine file", found);
     machine.name = s.text("name").value_or(machine.name);
     if (const auto kind = s.choice("kind", {"lathe", "mill"})) machine.kind = *kind == 0 ? MachineKind::lathe : MachineKind::mill;
     if (!s.has("kind")) s.missing("kind");
     if (machine.kind == MachineKind::lathe) machine.defaults.plane = 18;
     machine.max_feed = s.number("max_feed", Range::not_negative).value_or(0);
     machine.tool_change_time = s.number("tool_change_time", Range::not_negative).value_or(0);
-    for (const Value* axis : s.tables("axis")) read_axis(*axis, diagnostics, machine);
+    for (const Value* axis : s.tables("axis")) read_axis(*axis, found, machine);
     read_spindle(s, machine);
     apply_defaults(read_defaults(s), machine.defaults);
     machine.datums = read_datums(s);
     read_machine_data(s, machine);
     s.finish();
+    add_in_order(found, diagnostics);
     return machine;
 }
 

@@ -101,16 +101,18 @@ geom::Contour close(const geom::Contour& drawn) {
 }
 
 /// What makes a contour no boundary of a body; true where something was reported.
-bool report_shape(const geom::Contour& contour, const std::vector<Point>& points, base::Span where, const Section& s) {
+bool report_shape(const geom::Contour& contour, const std::vector<Point>& points, bool closed, base::Span where,
+                  const Section& s) {
     const std::size_t n = contour.vertices.size();
-    const auto place = [&](std::size_t edge) {
+    // The point a drawn edge begins at; nothing for an edge that only closes the profile to the axis.
+    const auto place = [&](std::size_t edge) -> std::optional<base::Span> {
         for (const Point& p : points)
-            if (p.p == contour.vertices[edge].p) return p.where;
-        return points.back().where;  // an edge that closes the profile to the axis
+            if (p.p == contour.vertices[edge].p && (closed || &p != &points.back())) return p.where;
+        return std::nullopt;
     };
     for (std::size_t i = 0; i < n; ++i) {
         if (lowest_y(contour.vertices[i], contour.vertices[(i + 1) % n].p) < -chord_slack) {
-            s.error(base::codes::job_value, place(i), "the arc from this point crosses the turning axis");
+            s.error(base::codes::job_value, place(i).value_or(where), "the arc from this point crosses the turning axis");
             return true;
         }
     }
@@ -119,12 +121,13 @@ bool report_shape(const geom::Contour& contour, const std::vector<Point>& points
         return true;
     }
     if (const auto pair = first_crossing(contour)) {
+        const auto first = place(pair->first), second = place(pair->second);
         base::Diagnostic d;
         d.code = base::codes::job_value;
-        d.where = place(pair->second);
-        d.text = "the profile crosses or touches itself: the edge from this point";
-        d.related.push_back({place(pair->first), "meets the edge from this point"});
-        if (d.related.front().where == d.where) d.related.clear(), d.text = "the profile crosses or touches the edge that closes it to the axis";
+        d.where = second ? *second : first.value_or(where);
+        d.text = first && second ? "the profile crosses or touches itself: the edge from this point"
+                                 : "the edge from this point crosses or touches the one that closes the profile to the axis";
+        if (first && second) d.related.push_back({*first, "meets the edge from this point"});
         s.diagnostics().add(std::move(d));
         return true;
     }
@@ -135,7 +138,7 @@ std::optional<Profile> build(const std::vector<Point>& points, bool closed, base
     const auto drawn = join(points, closed, s);
     if (!drawn) return std::nullopt;
     geom::Contour contour = close(*drawn);
-    if (report_shape(contour, points, where, s)) return std::nullopt;
+    if (report_shape(contour, points, closed, where, s)) return std::nullopt;
     if (signed_area(contour) < 0) contour = reversed(contour);
     Profile out;
     out.region.contours.push_back(std::move(contour));

@@ -11,6 +11,8 @@ namespace obrys::shop {
 
 namespace {
 
+constexpr double largest = 1e12;  ///< no length or value of a shop is larger; squares of it stay exact enough
+
 void complain(base::Diagnostics& diagnostics, std::string_view code, base::Span where, std::string text,
               std::string remedy = {}) {
     base::Diagnostic d;
@@ -60,6 +62,12 @@ std::string_view kind_name(ValueKind kind) {
 
 base::Span head(const Value& table) { return {table.where.file, table.where.begin, std::min(table.where.end, table.where.begin + 1)}; }
 
+void add_in_order(const base::Diagnostics& from, base::Diagnostics& to) {
+    std::vector<base::Diagnostic> all = from.all();
+    std::stable_sort(all.begin(), all.end(), [](const base::Diagnostic& a, const base::Diagnostic& b) { return a.where.begin < b.where.begin; });
+    for (base::Diagnostic& d : all) to.add(std::move(d));
+}
+
 std::string nearest(std::string_view word, const std::vector<std::string>& words) {
     if (word.size() > 64) return {};
     const std::string wanted = base::to_upper(word);
@@ -84,6 +92,10 @@ std::optional<double> finite_number(const Value& v, const std::string& what, Ran
     }
     if (!std::isfinite(v.number)) {
         complain(diagnostics, base::codes::job_value, v.where, what + " must be a finite number");
+        return std::nullopt;
+    }
+    if (std::abs(v.number) > largest) {
+        complain(diagnostics, base::codes::job_value, v.where, what + " is too large: at most " + base::shortest(largest));
         return std::nullopt;
     }
     if (range == Range::positive && v.number <= 0) {

@@ -60,6 +60,8 @@ private:
 [[nodiscard]] std::string_view kind_name(ValueKind kind);
 /// The place of a table in messages: its header or brace, not its whole text.
 [[nodiscard]] base::Span head(const Value& table);
+/// Adds complaints in the order of their places, whatever order the reader met them in.
+void add_in_order(const base::Diagnostics& from, base::Diagnostics& to);
 /// A finite number, or a complaint about `what`.
 [[nodiscard]] std::optional<double> finite_number(const Value& v, const std::string& what, Range range,
                                                   base::Diagnostics& diagnostics);

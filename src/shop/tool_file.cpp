@@ -7,9 +7,11 @@ std::vector<Tool> read_tools(std::uint32_t file, const base::Sources& sources, b
     std::vector<Tool> tools;
     const auto root = parse_toml(file, sources, diagnostics);
     if (!root) return tools;
-    Section s(*root, "the tool file", diagnostics);
+    base::Diagnostics found;
+    Section s(*root, "the tool file", found);
     read_tool_tables(s, tools);
     s.finish();
+    add_in_order(found, diagnostics);
     return tools;
 }
 

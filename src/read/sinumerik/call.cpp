@@ -32,7 +32,7 @@ bool read_tail(State& s, Call& call) {
     c.skip_blanks();
     if (base::upper(c.peek()) == 'P' && (!is_name_part(c.peek(1)) || base::is_digit(c.peek(1)))) {
         ++c.p;
-        if (c.at_assignment()) ++c.p;
+        c.take_assignment();
         call.passes = read_expression(s);
         if (call.passes == no_expr) return false;
         end = c.p;

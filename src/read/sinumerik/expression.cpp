@@ -65,8 +65,12 @@ ExprId read_level(State& s, Level loosest, int depth) {
     const char* from = s.cursor.p;
     ExprId left = read_operand(s, depth);
     for (int count = 0; left != no_expr; ++count) {
+        const char* behind = s.cursor.p;
         const auto found = operator_here(s);
-        if (!found || found->level < loosest) break;
+        if (!found || found->level < loosest) {
+            s.cursor.p = behind;  // the blanks in front of what follows are not the expression's
+            break;
+        }
         if (count == longest) {
             fail_here(s, "the expression has more than 1000 operators", "split it over several assignments");
             return no_expr;

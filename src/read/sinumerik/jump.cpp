@@ -118,7 +118,8 @@ bool read_section(State& s, bool one_block, const char* from) {
         const char* label = c.p;
         if (name.empty()) break;
         c.p += name.size();
-        if (c.at_assignment() || c.peek() == '[' || c.peek() == '(') {
+        const bool is_word = c.at_assignment() || c.peek() == '[' || c.peek() == '(';
+        if (is_word) {
             c.p = label;
             break;
         }

@@ -8,58 +8,66 @@ namespace {
 constexpr int deepest_macro = 8;
 constexpr std::size_t longest_line = 1u << 20;
 
+/// Copies bytes [begin, end) of `in`, or `text` in their place.
+void append(Expanded& out, const Expanded& in, std::size_t begin, std::size_t end, const std::string* text) {
+    if (text != nullptr) {
+        out.text += *text;
+        out.from.insert(out.from.end(), text->size(), in.from[begin]);
+        out.to.insert(out.to.end(), text->size(), in.to[end - 1]);
+        return;
+    }
+    const auto first = static_cast<std::ptrdiff_t>(begin), last = static_cast<std::ptrdiff_t>(end);
+    out.text.append(in.text, begin, end - begin);
+    out.from.insert(out.from.end(), in.from.begin() + first, in.from.begin() + last);
+    out.to.insert(out.to.end(), in.to.begin() + first, in.to.begin() + last);
+}
+
+/// The macro whose name begins at `begin`, and where that name ends. A letter with digits is a name of its own too, as
+/// in the compact block G0M6.
+const std::string* find_macro(const State& s, std::string_view text, std::size_t begin, std::size_t& end) {
+    end = begin;
+    while (end < text.size() && is_name_part(text[end])) ++end;
+    const auto find = [&] {
+        const auto found = s.macros.find(base::to_upper(text.substr(begin, end - begin)));
+        return found == s.macros.end() ? nullptr : &found->second;
+    };
+    const std::string* whole = find();
+    if (whole != nullptr || end < begin + 2 || !base::is_digit(text[begin + 1])) return whole;
+    end = begin + 1;
+    while (end < text.size() && base::is_digit(text[end])) ++end;
+    return find();
+}
+
 /// One pass over a line: replaces macros, keeps strings and the comment. True where something was replaced.
 bool replace_once(const State& s, const Expanded& in, Expanded& out) {
     bool changed = false, quoted = false;
     const std::string_view text = in.text;
-    const auto copy = [&](std::size_t begin, std::size_t end) {
-        out.text.append(text, begin, end - begin);
-        out.from.insert(out.from.end(), in.from.begin() + static_cast<std::ptrdiff_t>(begin), in.from.begin() + static_cast<std::ptrdiff_t>(end));
-        out.to.insert(out.to.end(), in.to.begin() + static_cast<std::ptrdiff_t>(begin), in.to.begin() + static_cast<std::ptrdiff_t>(end));
-    };
     for (std::size_t i = 0; i < text.size();) {
+        std::size_t end = i + 1;
+        const std::string* macro = nullptr;
         if (text[i] == '"') quoted = !quoted;
-        if (text[i] == ';' && !quoted) {
-            copy(i, text.size());
-            break;
-        }
-        if (quoted || !is_name_start(text[i]) || (i > 0 && text[i - 1] == '$')) {
-            copy(i, i + 1);
-            ++i;
-            continue;
-        }
-        std::size_t end = i;
-        while (end < text.size() && is_name_part(text[end])) ++end;
-        const auto found = s.macros.find(base::to_upper(text.substr(i, end - i)));
-        if (found == s.macros.end()) {
-            // Letter and digits are a word of their own in a compact block: G0M6
-            if (end > i + 1 && base::is_digit(text[i + 1])) {
-                end = i + 1;
-                while (end < text.size() && base::is_digit(text[end])) ++end;
-                const auto word = s.macros.find(base::to_upper(text.substr(i, end - i)));
-                if (word == s.macros.end()) {
-                    copy(i, end);
-                    i = end;
-                    continue;
-                }
-                out.text += word->second.text;
-                out.from.insert(out.from.end(), word->second.text.size(), in.from[i]);
-                out.to.insert(out.to.end(), word->second.text.size(), in.to[end - 1]);
-                changed = true;
-                i = end;
-                continue;
-            }
-            copy(i, end);
-            i = end;
-            continue;
-        }
-        out.text += found->second.text;
-        out.from.insert(out.from.end(), found->second.text.size(), in.from[i]);
-        out.to.insert(out.to.end(), found->second.text.size(), in.to[end - 1]);
-        changed = true;
+        if (text[i] == ';' && !quoted)
+            end = text.size();
+        else if (!quoted && text[i] == '$')
+            while (end < text.size() && is_name_part(text[end])) ++end;
+        else if (!quoted && is_name_start(text[i]))
+            macro = find_macro(s, text, i, end);
+        append(out, in, i, end, macro);
+        changed = changed || macro != nullptr;
         i = end;
     }
     return changed;
+}
+
+/// DEFINE itself is not expanded, so that a macro can be defined anew.
+bool is_definition(Cursor c) {
+    c.skip_blanks();
+    if (base::upper(c.peek()) == 'N' && base::is_digit(c.peek(1))) {
+        ++c.p;
+        while (base::is_digit(c.peek())) ++c.p;
+        c.skip_blanks();
+    }
+    return base::equals_ignoring_case(c.name(), "DEFINE");
 }
 
 }  // namespace
@@ -77,12 +85,13 @@ void read_define(State& s, const char* from) {
     const char* text = c.p;
     skip_line(s);
     const std::string upper = base::to_upper(name);
-    s.macros[upper] = {std::string(text, c.p)};
+    s.macros[upper] = std::string(text, c.p);
     if (upper.size() > 1 && base::is_digit(upper[1])) s.odd_names = true;
 }
 
 bool expand(State& s, Expanded& out) {
     Cursor& c = s.cursor;
+    if (is_definition(c)) return false;
     Expanded in;
     in.text.assign(c.p, c.end);
     for (const char* q = c.p; q < c.end; ++q) {

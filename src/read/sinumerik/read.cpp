@@ -75,12 +75,40 @@ bool has_text(std::string_view text) {
     return false;
 }
 
+/// Dialogs of the operator panel (//M(…), //S(…)) are kept beside programs and are none.
+bool is_dialog(std::string_view text) {
+    while (!text.empty()) {
+        const std::string_view line = text.substr(0, text.find_first_of("\r\n"));
+        const std::string_view body = base::trim(line);
+        if (!body.empty() && body[0] != ';') return body.starts_with("//");
+        text.remove_prefix(std::min(text.size(), line.size() + 1));
+    }
+    return false;
+}
+
+program::Unit refuse_dialog(std::uint32_t file, const base::Source& source, base::Diagnostics& diagnostics) {
+    base::Diagnostic d;
+    d.code = base::codes::unsupported;
+    d.where = {file, 0, 0};
+    d.text = "this is a dialog of the operator panel, not a program";
+    diagnostics.add(std::move(d));
+    program::Unit unit;
+    unit.name = stem(source.name);
+    unit.file = file;
+    unit.traits = &dialect::sinumerik::traits;
+    return unit;
+}
+
 }  // namespace
 
 std::vector<program::Unit> read(std::uint32_t file, const base::Sources& sources, program::Names& names,
                                 base::Diagnostics& diagnostics) {
     const base::Source& source = sources[file];
     std::vector<program::Unit> units;
+    if (is_dialog(source.text)) {
+        units.push_back(refuse_dialog(file, source, diagnostics));
+        return units;
+    }
     std::vector<ArchiveMember> members = archive_members(source.text);
     const auto size = static_cast<std::uint32_t>(source.text.size());
     const std::uint32_t head = members.empty() ? size : members.front().header;

@@ -76,8 +76,11 @@ void fail_here(State& s, std::string text, std::string remedy) {
 void keep_failure(State& s) {
     if (!s.failed || s.failure_kept) return;
     s.failure_kept = true;
-    const char* at = s.cursor.p;
-    if (s.unit.statements.empty() || !s.block_open) open_block(s, at);
+    if (!s.block_open) {
+        open_block(s, s.cursor.p);
+        Statement& opened = s.unit.statements.back();
+        opened.begin = std::min(opened.begin, s.failure.begin);
+    }
     program::Problem problem;
     problem.where = s.failure;
     problem.text = s.line_text(s.failure);

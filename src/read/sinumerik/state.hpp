@@ -49,18 +49,23 @@ public:
     }
     /// The identifier here, without taking it; empty where none begins.
     [[nodiscard]] std::string_view name() const;
-    /// Skips blanks, then takes `c` if it stands here.
+    /// Takes `c` if it stands here, behind blanks or not; else nothing moves.
     bool take(char c) {
-        skip_blanks();
-        if (p == end || *p != c) return false;
-        ++p;
+        const char* q = p;
+        while (q < end && base::is_blank(*q)) ++q;
+        if (q == end || *q != c) return false;
+        p = q + 1;
         return true;
     }
-    /// True where `=` stands here (behind blanks) and is no `==`.
-    bool at_assignment() {
-        skip_blanks();
-        return peek() == '=' && peek(1) != '=';
+    /// Takes `=` (blanks in front of it too) where it is no `==`.
+    bool take_assignment() {
+        const char* back = p;
+        if (take('=') && peek() != '=') return true;
+        p = back;
+        return false;
     }
+    /// True where `=` stands here (behind blanks) and is no `==`.
+    [[nodiscard]] bool at_assignment() const { return Cursor(*this).take_assignment(); }
 
 private:
     const char* base_ = nullptr;
@@ -78,10 +83,6 @@ struct Opened {
     std::uint32_t else_statement = program::no_target;
     base::Span word;                   ///< for the message where its end is missing
     bool broken = false;               ///< its head could not be read: an IF that is never true stands for it
-};
-
-struct Macro {
-    std::string text;
 };
 
 struct State {
@@ -102,7 +103,7 @@ struct State {
     std::string failure_text{};
 
     std::vector<Opened> opened{};
-    std::unordered_map<std::string, Macro> macros{};
+    std::unordered_map<std::string, std::string> macros{};  ///< text by name
     std::unordered_set<std::string> variables{};  ///< defined here by DEF or PROC
     std::unordered_set<std::string> strings{};    ///< those of type STRING
     std::unordered_map<std::string, std::uint32_t> ignored{};  ///< entry in Unit::ignored

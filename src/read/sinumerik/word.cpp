@@ -47,8 +47,8 @@ void read_g(State& s, const Number& n, bool negative, const char* from) {
 /// `G=expr`, `G[group]=expr`.
 void read_computed_g(State& s, const char* from) {
     Cursor& c = s.cursor;
-    if (c.peek() == '=') {
-        const char* back = c.p++;
+    const char* back = c.p;
+    if (c.take_assignment()) {
         c.skip_blanks();
         const Number n = read_number(s);
         if (n.found && (c.at_end() || is_name_start(c.peek()))) return read_g(s, n, false, from);
@@ -61,9 +61,7 @@ void read_computed_g(State& s, const char* from) {
 /// Axes and addresses with a number behind the letter: X1=, S2=, M2=, R1=.
 void read_extended(State& s, char letter, const Number& number, const char* from) {
     Cursor& c = s.cursor;
-    const char* name_end = c.p;
-    while (base::is_blank(name_end[-1])) --name_end;
-    const std::string_view name(from, static_cast<std::size_t>(name_end - from));
+    const std::string_view name(from, static_cast<std::size_t>(c.p - from));
     constexpr std::string_view centre = "IJK", extended = "SMHTD", axes = "XYZABCUVWEQO";
     if (letter == 'R') {
         c.p = from;
@@ -77,14 +75,14 @@ void read_extended(State& s, char letter, const Number& number, const char* from
         if (!s.failed) add_problem(s, Code::unknown, from, {});
         return;
     }
-    ++c.p;
+    c.take_assignment();
     const ExprId value = read_expression(s);
     if (value == no_expr) return;
     if (is_axis) return add_named(s, Code::named_axis, name, no_expr, value, from);
-    const char* back = c.p;
+    const char* behind = c.p;
     c.p = from + 1;
     const ExprId index = read_expression(s, Level::unary);
-    c.p = back;
+    c.p = behind;
     add_named(s, Code::named_value, name.substr(0, 1), index, value, from);
 }
 
@@ -95,8 +93,7 @@ void read_bracketed(State& s, std::string_view name, Code plain, const char* fro
     const ExprId index = read_expression(s);
     if (index == no_expr) return;
     if (!c.take(']')) return fail_here(s, "expected ']', found " + here(s), "close the index");
-    if (!c.at_assignment()) return fail_here(s, "expected '=' behind the index, found " + here(s));
-    ++c.p;
+    if (!c.take_assignment()) return fail_here(s, "expected '=' behind the index, found " + here(s));
     const ExprId value = read_expression(s);
     if (value == no_expr) return;
     const bool is_axis = plain == Code::named_axis || (plain >= Code::x && plain <= Code::w);
@@ -158,8 +155,7 @@ void skip_operand(State& s) {
         if (!read_arguments(s, dropped)) return;
         end = s.cursor.p;
     }
-    if (s.cursor.at_assignment()) {
-        ++s.cursor.p;
+    if (s.cursor.take_assignment()) {
         if (read_expression(s) == no_expr) return;
         end = s.cursor.p;
     }
@@ -182,11 +178,8 @@ void read_assignment(State& s) {
     const char* from = s.cursor.p;
     const ExprId target = read_target(s);
     if (target == no_expr) return;
-    if (!s.cursor.at_assignment()) {
-        s.cursor.skip_blanks();
+    if (!s.cursor.take_assignment())
         return fail_here(s, "expected '=', found " + here(s), "a block cannot consist of a value alone");
-    }
-    ++s.cursor.p;
     const ExprId value = read_expression(s);
     if (value == no_expr) return;
     s.unit.assigns.push_back({target, value});
@@ -253,7 +246,7 @@ void read_table_word(State& s, const words::Entry& entry, std::size_t length) {
         return fail(s, from, name_end, name + " has no value", "write " + name + "=…");
     }
     if (code != Code::named_value && code != Code::named_axis) return read_value(s, code, from);
-    ++c.p;
+    c.take_assignment();
     const ExprId value = read_expression(s);
     if (value != no_expr) add_named(s, code, entry.name, no_expr, value, from);
 }
