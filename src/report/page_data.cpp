@@ -7,8 +7,8 @@
 
 #include "base/number.hpp"
 #include "base/text.hpp"
-#include "check/rest.hpp"
 #include "report/path.hpp"
+#include "report/svg_window.hpp"
 
 namespace obrys::report {
 
@@ -36,6 +36,7 @@ private:
     Json files();
     Json moves();
     Json findings();
+    Json marks();
     Json notes(const std::vector<check::Note>& list);
     Json tools();
     Json regions();
@@ -134,13 +135,6 @@ Json Data::findings() {
         j["stack"] = stack(f.stack);
         j["move"] = f.move ? Json(*f.move) : Json(nullptr);
         j["region"] = path_of(f.region, millimetres);
-        const check::Box b = check::box_of(f.region);
-        if (f.at)
-            j["at"] = point(*f.at);
-        else if (!b.empty())
-            j["at"] = point({(b.min_z + b.max_z) / 2, (b.min_x + b.max_x) / 2});
-        else if (f.to && std::isfinite(f.to->x + f.to->z))
-            j["at"] = point({f.to->z, f.to->x});
         j["amounts"] = Json::array();
         for (const check::Amount& a : f.amounts) {
             const AmountWords w = amount_words(a.key);
@@ -148,6 +142,14 @@ Json Data::findings() {
         }
         all.push_back(std::move(j));
     }
+    return all;
+}
+
+/// [{label, at, no: the first finding of the mark}]
+Json Data::marks() {
+    Json all = Json::array();
+    for (const Mark& m : marks_of(r_))
+        all.push_back({{"label", m.label}, {"at", point(m.at)}, {"no", m.first}});
     return all;
 }
 
@@ -231,6 +233,7 @@ Json Data::all() {
     j["moves"] = moves();
     j["regions"] = regions();
     j["findings"] = findings();
+    j["marks"] = marks();
     j["unchecked"] = notes(r_.unchecked);
     j["assumptions"] = notes(r_.assumptions);
     j["listed"] = notes(r_.listed);

@@ -53,7 +53,7 @@ std::vector<Mark> marks_of(const check::Result& result) {
         while (all[i].move && last + 1 < all.size() && all[last + 1].move == all[i].move) ++last;
         std::string label = std::to_string(i + 1);
         if (last > i) label += "-" + std::to_string(last + 1);
-        if (const auto at = place_of(all[i])) marks.push_back({std::move(label), *at});
+        if (const auto at = place_of(all[i])) marks.push_back({std::move(label), *at, i + 1});
         i = last + 1;
     }
     return marks;

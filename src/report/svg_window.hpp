@@ -14,6 +14,7 @@ namespace obrys::report {
 struct Mark {
     std::string label;      ///< "3" or "3-5"
     geom::Vec2 at;          ///< (z, x)
+    std::size_t first = 0;  ///< number of its first finding
 };
 [[nodiscard]] std::vector<Mark> marks_of(const check::Result& result);
 

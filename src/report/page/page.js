@@ -55,7 +55,9 @@ function bounds() {
   }
   return b || [0, -50, 100, 0];
 }
+let shown = null;  // what was last zoomed to
 function zoomTo(b) {
+  shown = b;
   const w = $("svg").clientWidth, h = $("svg").clientHeight, left = 58, low = 38, air = 20;
   view.s = Math.min((w - left - air) / Math.max(b[2] - b[0], 1e-6), (h - low - air) / Math.max(b[3] - b[1], 1e-6));
   view.x = left + (w - left - air - view.s * (b[2] - b[0])) / 2 - view.s * b[0];
@@ -90,18 +92,20 @@ for (const f of D.findings) if (f.region) {
   p.addEventListener("click", () => pickFinding(f, false));
   $("bad").append(p); badOf.set(f.no, p);
 }
+const byNumber = new Map(D.findings.map(f => [f.no, f]));
+D.marks.forEach((m, k) => { const next = D.marks[k + 1]; for (const f of D.findings) if (f.no >= m.no && (!next || f.no < next.no)) f.mark = m; });
 let active = null;
 function drawMarks() {
   const taken = [], out = [], w = $("svg").clientWidth, h = $("svg").clientHeight;
-  for (const f of D.findings.slice(0, 60)) {
-    if (!f.at) continue;
-    const x = view.x + view.s * f.at[0], y = view.y + view.s * f.at[1];
+  for (const m of D.marks.slice(0, 60)) {
+    const x = view.x + view.s * m.at[0], y = view.y + view.s * m.at[1], half = m.label.length > 2 ? 6 + 3.3 * m.label.length : 9.5;
     if (x < 0 || y < 0 || x > w || y > h) continue;
-    let cx = x + 20, cy = y - 20;
-    for (let k = 0; k < 200 && taken.some(t => Math.hypot(t[0] - cx, t[1] - cy) < 19); ++k) { const a = -.78 + k * .45, r = 28 + k * 1.6; cx = x + r * Math.cos(a); cy = y + r * Math.sin(a); }
+    let cx = x + 24, cy = y - 20;
+    for (let k = 0; k < 300 && taken.some(t => Math.abs(t[0] - cx) < 34 && Math.abs(t[1] - cy) < 21); ++k) { const a = -.78 + k * .45, r = 30 + k * 1.8; cx = x + r * Math.cos(a); cy = y + r * Math.sin(a); }
     taken.push([cx, cy]);
-    const c = sv("circle", { class: "mark" + (active === f ? " on" : ""), cx, cy, r: 9.5 }), t = sv("text", { class: "no", x: cx, y: cy + 4 });
-    t.textContent = f.no; c.addEventListener("click", () => pickFinding(f, false));
+    const first = byNumber.get(m.no), on = active && active.mark === m;
+    const c = sv("rect", { class: "mark" + (on ? " on" : ""), x: cx - half, y: cy - 9.5, width: 2 * half, height: 19, rx: 9.5 }), t = sv("text", { class: "no", x: cx, y: cy + 4 });
+    t.textContent = m.label; c.addEventListener("click", () => pickFinding(first, false));
     out.push(sv("line", { class: "leader", x1: x, y1: y, x2: cx, y2: cy }), c, t);
   }
   $("marks").replaceChildren(...out);
@@ -290,7 +294,7 @@ for (const f of D.findings) {
   head.append(el("b", "", f.no), el("span", "code", f.code + ": "), f.text);
   card.append(head);
   if (f.where) { const at = el("div", "place"); at.append(lineLink(f.where)); if (f.move !== null) at.append(", move " + f.move); for (const s of f.stack) at.append(" ← ", lineLink(s)); card.append(at, el("pre", "", f.where.t)); }
-  if (f.amounts.length) card.append(el("div", "amounts", f.amounts.map(a => `${a[0]} ${a[1]} ${a[2]}`).join(", ")));
+  if (f.amounts.some(a => a[2] === "mm3")) card.append(el("div", "amounts", f.amounts.filter(a => a[2] === "mm3" || a[0] === "contact length").map(a => `${a[0]} ${a[1]} ${a[2]}`).join(", ")));
   if (f.remedy) card.append(el("div", "amounts", "Remedy: " + f.remedy));
   card.onclick = () => pickFinding(f, true); f.card = card; $("findings").append(card);
 }
@@ -327,5 +331,5 @@ zoomTo(box); show(M.n);
 openFile(D.findings.length && D.findings[0].where ? D.findings[0].where.f : 0);
 if (location.hash.startsWith("#finding-")) { const f = D.findings.find(f => f.no === +location.hash.slice(9)); if (f) pickFinding(f, true); }
 if (location.hash.startsWith("#move-")) pickMove(Math.min(M.n - 1, +location.hash.slice(6)));
-window.addEventListener("resize", () => zoomTo(box));
+window.addEventListener("resize", () => zoomTo(shown));
 window.addEventListener("beforeprint", () => zoomTo(box));
