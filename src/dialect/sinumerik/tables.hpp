@@ -1,0 +1,63 @@
+#pragma once
+/// The SINUMERIK 840D vocabulary as data: which word means what. Shared by its reader and (later) its writer.
+/// Sources are named in docs/dialects/sinumerik.md. All names are upper case; lookups are by binary search.
+
+#include <cstdint>
+#include <optional>
+#include <string_view>
+
+#include "program/traits.hpp"
+#include "program/unit.hpp"
+
+namespace obrys::dialect::sinumerik {
+
+/// What a reader does with a word.
+enum class Use : std::uint8_t {
+    modal,             ///< value = program::Modal, number = its number
+    address,           ///< value = program::Code; written NAME=value
+    named_value,       ///< NAME[index]=value or NAME=value, kept with its name (FA[X]=)
+    ignored,           ///< known, without effect on the path; a value, index or arguments may follow
+    unsupported,       ///< known, not run; a value, index or arguments may follow
+    unsupported_block, ///< as unsupported, and the rest of the block belongs to it
+    procedure,         ///< value = program::Procedure
+    statement,         ///< value = Keyword
+    frame,             ///< value = program::FrameOp, number = 1 where additive
+};
+
+enum class Keyword : std::uint8_t {
+    if_, else_, endif, while_, endwhile, repeat, repeatb, until, loop, endloop, for_, endfor, case_,
+    goto_, gotof, gotob, gotoc, gotos, def, redef, proc, extern_, define, call, mcall, pcall, ret,
+};
+
+struct Entry {
+    std::string_view name;
+    Use use = Use::ignored;
+    std::uint16_t value = 0;
+    std::uint16_t number = 0;
+    std::string_view reason = {};  ///< for unsupported words: what they belong to
+};
+
+struct GCode {
+    std::uint16_t code;
+    Use use;
+    program::Modal modal = program::Modal::rapid;
+    std::string_view reason = {};
+};
+
+/// The entry of a word of two letters or more; nothing for names the control does not know.
+[[nodiscard]] const Entry* find_word(std::string_view upper);
+/// Meaning of G<number>; G505 … G599 included.
+[[nodiscard]] std::optional<GCode> find_g(int number);
+/// Meaning of a one-letter address with a value; Code::unknown where it has none of its own.
+[[nodiscard]] program::Code address_code(char upper_letter);
+[[nodiscard]] std::optional<program::Function> find_function(std::string_view upper);
+/// IC, AC, DC, ACP, ACN.
+[[nodiscard]] std::optional<program::Reference> find_reference(std::string_view upper);
+/// By the whole name with its `$`; `unknown` for names the tables do not hold.
+[[nodiscard]] program::SystemVariable find_system_variable(std::string_view upper);
+[[nodiscard]] std::optional<program::Type> find_type(std::string_view upper);
+
+/// Comparisons of REAL values hold within a relative 1e-12 (Job Planning manual, comparison operations).
+inline constexpr program::Traits traits{.relative_equality = 1e-12};
+
+}  // namespace obrys::dialect::sinumerik

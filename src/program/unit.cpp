@@ -1,0 +1,27 @@
+#include "program/unit.hpp"
+
+namespace obrys::program {
+
+namespace {
+constexpr std::array<double, 10> power_of_ten{1e0, 1e1, 1e2, 1e3, 1e4, 1e5, 1e6, 1e7, 1e8, 1e9};
+}
+
+NameId Names::id(std::string_view upper) {
+    if (const auto found = index_.find(upper); found != index_.end()) return found->second;
+    names_.emplace_back(upper);
+    const auto id = static_cast<NameId>(names_.size() - 1);
+    index_.emplace(names_.back(), id);
+    return id;
+}
+
+base::Span Unit::span(const Statement& s, const Word& w) const {
+    const std::uint32_t from = s.begin + w.offset;
+    return {file, from, from + w.length};
+}
+
+double Unit::literal(const Word& w) const {
+    if (form_of(w) == Form::pooled) return numbers[static_cast<std::size_t>(w.payload)];
+    return static_cast<double>(w.payload) / power_of_ten[w.form];
+}
+
+}  // namespace obrys::program

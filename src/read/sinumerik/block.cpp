@@ -1,0 +1,152 @@
+#include "read/sinumerik/block.hpp"
+
+#include "read/sinumerik/call.hpp"
+#include "read/sinumerik/expression.hpp"
+#include "read/sinumerik/statement.hpp"
+#include "read/sinumerik/word.hpp"
+
+namespace obrys::read::sinumerik {
+
+namespace words = dialect::sinumerik;
+using words::Use;
+
+namespace {
+
+/// `/` and `/0` … `/9`.
+void read_skip_sign(State& s) {
+    Cursor& c = s.cursor;
+    if (!c.take('/')) return;
+    s.skip = 1;
+    if (base::is_digit(c.peek()) && !base::is_digit(c.peek(1))) s.skip = static_cast<std::uint8_t>(*c.p++ - '0' + 1);
+}
+
+/// `N10`, `:10`.
+bool read_block_number(State& s) {
+    Cursor& c = s.cursor;
+    c.skip_blanks();
+    const char first = base::upper(c.peek());
+    if ((first != 'N' && first != ':') || !base::is_digit(c.peek(1))) return false;
+    const char* q = c.p + 1;
+    while (q < c.end && base::is_digit(*q)) ++q;
+    const std::string_view name = c.name();
+    if (first == 'N' && s.odd_names && s.is_variable(base::to_upper(name))) return false;
+    c.p = q;
+    return true;
+}
+
+/// `NAME:`; several may follow each other.
+bool read_label(State& s) {
+    Cursor& c = s.cursor;
+    c.skip_blanks();
+    const std::string_view name = c.name();
+    if (name.empty()) return false;
+    const char* q = c.p + name.size();
+    while (q < c.end && base::is_blank(*q)) ++q;
+    if (q == c.end || *q != ':' || (q + 1 < c.end && q[1] == '=')) return false;
+    s.unit.labels[intern(s, name)].push_back(static_cast<std::uint32_t>(s.unit.statements.size()));
+    c.p = q + 1;
+    return true;
+}
+
+void read_name(State& s, std::string_view name) {
+    const std::string upper = base::to_upper(name);
+    const char* behind = s.cursor.p + name.size();
+    while (behind < s.cursor.end && base::is_blank(*behind)) ++behind;
+    const char next = behind < s.cursor.end ? *behind : '\0';
+    const bool assigns = next == '[' || (next == '=' && (behind + 1 == s.cursor.end || behind[1] != '='));
+    const words::Entry* entry = words::find_word(upper);
+    if (assigns && (entry == nullptr || s.is_variable(upper))) return read_assignment(s);
+    if (entry == nullptr) {
+        if (next == '(' || s.items == 0) return read_call(s, s.cursor.p, s.cursor.p + name.size());
+        return read_unknown(s);
+    }
+    switch (entry->use) {
+        case Use::statement: return read_statement(s, static_cast<words::Keyword>(entry->value), name.size());
+        case Use::procedure: return read_procedure(s, static_cast<program::Procedure>(entry->value), name.size());
+        case Use::frame: return read_frame(s, *entry, name.size());
+        default: return read_table_word(s, *entry, name.size());
+    }
+}
+
+/// `RND2` where `RND=2` is meant: a bare name of the tables with digits behind it.
+bool complain_about_missing_sign(State& s, std::string_view name) {
+    const std::size_t digits = name.find_first_of("0123456789");
+    if (digits == std::string_view::npos || digits < 2) return false;
+    if (name.find_first_not_of("0123456789", digits) != std::string_view::npos) return false;
+    const auto* entry = words::find_word(base::to_upper(name.substr(0, digits)));
+    if (entry == nullptr || entry->use != Use::address || words::find_word(base::to_upper(name)) != nullptr) return false;
+    const char* behind = s.cursor.p + name.size();
+    while (behind < s.cursor.end && base::is_blank(*behind)) ++behind;
+    if (behind < s.cursor.end && (*behind == '=' || *behind == '(' || *behind == '[')) return false;
+    const std::string word(entry->name), value(name.substr(digits));
+    fail(s, s.cursor.p, s.cursor.p + name.size(), word + " needs '=' in front of its value", "write " + word + "=" + value);
+    return true;
+}
+
+void read_item(State& s) {
+    Cursor& c = s.cursor;
+    const char first = *c.p;
+    if (first == '$') return read_assignment(s);
+    const std::string_view name = c.name();
+    if (name.empty()) {
+        const unsigned char byte = static_cast<unsigned char>(first);
+        if (byte < 0x20) return fail_here(s, "a control character stands in the block", "remove it");
+        return fail_here(s, "unexpected " + here(s), byte >= 0x80 ? "put comments behind ';'" : "");
+    }
+    const bool word_like = name.size() == 1 ? first != '_' : base::is_digit(name[1]) && first != '_';
+    if (word_like && (name.size() == 1 || !s.odd_names || !s.is_variable(base::to_upper(name)))) return read_address(s);
+    if (complain_about_missing_sign(s, name)) return;
+    read_name(s, name);
+}
+
+void begin_line(State& s) {
+    s.failed = s.failure_kept = s.line_has_statement = s.block_open = false;
+    s.skip = 0;
+    s.items = 0;
+}
+
+}  // namespace
+
+void read_line(State& s) {
+    begin_line(s);
+    Cursor& c = s.cursor;
+    c.skip_blanks();
+    const bool has_text = !c.at_end();
+    if (!has_text) return;
+    Expanded expanded;
+    s.line_begin = c.from(c.p);
+    if (!s.macros.empty() && expand(s, expanded)) {
+        c = Cursor(expanded);
+        c.skip_blanks();
+    }
+    read_skip_sign(s);
+    bool numbered = read_block_number(s);
+    if (s.skip == 0 && numbered) read_skip_sign(s);
+    while (read_label(s)) numbered = true;
+    const int before = s.items;
+    while (!s.failed && !c.at_end()) read_item(s);
+    if (s.failed) keep_failure(s);
+    const bool ignored_only = s.items != before || numbered;
+    if (!s.line_has_statement && ignored_only && !(s.unit.has_proc && s.unit.statements.empty() && !numbered)) open_block(s, c.p);
+    close_block(s);
+    c = Cursor(s.text.data(), s.line_begin, s.line_begin);
+}
+
+void label_block_numbers(State& s) {
+    for (std::uint32_t i = 0; i < s.unit.statements.size(); ++i) {
+        const program::Statement& statement = s.unit.statements[i];
+        if ((statement.flags & program::line_start) == 0) continue;
+        Cursor c(s.text.data(), statement.begin, s.unit.end);
+        if (c.take('/') && base::is_digit(c.peek())) ++c.p;
+        c.skip_blanks();
+        if (base::upper(c.peek()) != 'N' && c.peek() != ':') continue;
+        const char* q = c.p + 1;
+        while (q < c.end && base::is_digit(*q)) ++q;
+        if (q == c.p + 1) continue;
+        std::string name(c.p, q);
+        name[0] = 'N';
+        s.unit.labels[s.names.id(name)].push_back(i);
+    }
+}
+
+}  // namespace obrys::read::sinumerik

@@ -1,0 +1,120 @@
+#include <array>
+
+#include "dialect/sinumerik/tables.hpp"
+#include "read/sinumerik/block.hpp"
+
+namespace obrys::read::sinumerik {
+
+using program::Code;
+using program::Form;
+using program::Word;
+
+namespace {
+
+/// What a letter with a literal becomes here: its code; `modal` for G; `control` where the full reader is needed.
+constexpr std::array<Code, 256> letters = [] {
+    std::array<Code, 256> t{};
+    t.fill(Code::control);
+    const auto set = [&](char c, Code code) {
+        t[static_cast<unsigned char>(c)] = code;
+        t[static_cast<unsigned char>(c - 'A' + 'a')] = code;
+    };
+    set('X', Code::x), set('Y', Code::y), set('Z', Code::z), set('A', Code::a), set('B', Code::b), set('C', Code::c);
+    set('U', Code::u), set('V', Code::v), set('W', Code::w), set('I', Code::i), set('J', Code::j), set('K', Code::k);
+    set('F', Code::feed), set('S', Code::spindle), set('T', Code::tool), set('D', Code::edge), set('M', Code::m), set('H', Code::h);
+    set('G', Code::modal);
+    return t;
+}();
+
+struct Literal {
+    std::int32_t mantissa = 0;
+    std::uint32_t decimals = 0;
+    const char* end = nullptr;  ///< nothing where the number does not fit a word
+};
+
+/// At most nine digits, so that the mantissa fits 32 bits.
+Literal scan(const char* p) {
+    Literal n;
+    const bool negative = *p == '-';
+    if (negative || *p == '+') ++p;
+    std::uint32_t value = 0;
+    const char* begin = p;
+    for (; base::is_digit(*p); ++p) value = value * 10 + static_cast<std::uint32_t>(*p - '0');
+    auto digits = p - begin;
+    if (*p == '.') {
+        const char* point = p++;
+        for (; base::is_digit(*p); ++p) value = value * 10 + static_cast<std::uint32_t>(*p - '0');
+        n.decimals = static_cast<std::uint32_t>(p - point - 1);
+        digits += p - point - 1;
+    }
+    if (digits == 0 || digits > 9) return n;
+    n.mantissa = negative ? -static_cast<std::int32_t>(value) : static_cast<std::int32_t>(value);
+    n.end = p;
+    return n;
+}
+
+/// True where a G code goes into a word; ignored and refused ones are left to the full reader.
+bool modal_payload(const Literal& n, std::int32_t& payload) {
+    if (n.decimals != 0 || n.mantissa < 0 || n.mantissa > 9999) return false;
+    const auto g = dialect::sinumerik::find_g(n.mantissa);
+    if (!g || g->use != dialect::sinumerik::Use::modal) return false;
+    payload = program::modal_word(g->modal, g->code);
+    return true;
+}
+
+bool read_word(State& s, const char*& p, const char* line) {
+    Word word{};
+    const Code code = letters[static_cast<unsigned char>(*p)];
+    if (code == Code::control) return false;
+    const Literal n = scan(p + 1);
+    if (n.end == nullptr || n.end - line > 4000) return false;
+    const char next = *n.end;
+    if (next == '=' || next == '[' || next == '(' || next == ':' || base::upper(next) == 'E' || next == '_') return false;
+    word.code = static_cast<std::uint32_t>(code) & 0xFF;
+    word.form = n.decimals & 0xF;
+    word.payload = n.mantissa;
+    if (code == Code::modal) {
+        word.form = static_cast<std::uint32_t>(Form::index);
+        if (!modal_payload(n, word.payload)) return false;
+    }
+    word.offset = static_cast<std::uint32_t>(p - line) & 0xFFF;
+    word.length = static_cast<std::uint32_t>(n.end - p) & 0xFF;
+    s.unit.words.push_back(word);
+    p = n.end;
+    return true;
+}
+
+}  // namespace
+
+const char* read_literal_block(State& s, const char* p, const char* end) {
+    const char* line = p;
+    const std::size_t first = s.unit.words.size();
+    if (base::upper(*p) == 'N') {
+        ++p;
+        while (base::is_digit(*p)) ++p;
+        if (p == line + 1) return nullptr;
+    }
+    const char* last = p;
+    while (p < end) {
+        if (base::is_blank(*p)) {
+            ++p;
+            continue;
+        }
+        if (*p == '\n' || *p == '\r') break;
+        if (!read_word(s, p, line)) {
+            s.unit.words.resize(first);
+            return nullptr;
+        }
+        last = p;
+    }
+    if (last == line) return nullptr;
+    program::Statement statement;
+    statement.begin = static_cast<std::uint32_t>(line - s.text.data());
+    statement.first = static_cast<std::uint32_t>(first);
+    statement.length = static_cast<std::uint16_t>(last - line);
+    statement.flags = program::line_start;
+    s.unit.statements.push_back(statement);
+    return p;
+}
+
+}  // namespace obrys::read::sinumerik

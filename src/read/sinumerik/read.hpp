@@ -1,0 +1,23 @@
+#pragma once
+/// SINUMERIK 840D programs: text -> program tree.
+
+#include <cstdint>
+#include <string_view>
+#include <vector>
+
+#include "base/diagnostic.hpp"
+#include "base/source.hpp"
+#include "program/names.hpp"
+#include "program/unit.hpp"
+
+namespace obrys::read::sinumerik {
+
+/// Reads one source text: one unit, or one for each program of an archive (`%_N_NAME_SPF`). Errors go to `diagnostics`
+/// (codes syntax, unclosed) and spoil only their block; words that are not run become problems of their unit.
+[[nodiscard]] std::vector<program::Unit> read(std::uint32_t file, const base::Sources& sources, program::Names& names,
+                                              base::Diagnostics& diagnostics);
+
+/// How likely a text is a SINUMERIK program, 0 … 100; the file name's suffix counts too.
+[[nodiscard]] int likelihood(std::string_view text, std::string_view file_name);
+
+}  // namespace obrys::read::sinumerik
