@@ -85,15 +85,15 @@ std::size_t LastCuts::cell(double z) const {
 
 void LastCuts::add(const Move& move, const Box& removed) {
     if (removed.empty()) return;
-    for (std::size_t i = cell(removed.min_z); i <= cell(removed.max_z); ++i)
-        last_[i] = {true, move.record, move.index, move.from, move.to, removed};
+    const auto entry = std::make_shared<const Entry>(Entry{move.record.from, move.record.stack, move.index, move.from, move.to, removed});
+    for (std::size_t i = cell(removed.min_z); i <= cell(removed.max_z); ++i) last_[i] = entry;
 }
 
 const LastCuts::Entry* LastCuts::beside(const Box& piece) const {
     const Entry* best = nullptr;
     for (std::size_t i = cell(piece.min_z - beside_margin); i <= cell(piece.max_z + beside_margin); ++i) {
-        const Entry& e = last_[i];
-        if (e.set && e.box.meets(piece, beside_margin) && (best == nullptr || e.index > best->index)) best = &e;
+        const Entry* e = last_[i].get();
+        if (e != nullptr && e->box.meets(piece, beside_margin) && (best == nullptr || e->index > best->index)) best = e;
     }
     return best;
 }
@@ -118,7 +118,7 @@ void find_rest(const Setup& setup, const geom::Region& left, const LastCuts& cut
         f.move = last->index;
         f.from = last->from;
         f.to = last->to;
-        out.finding(last->record, std::move(f));
+        out.finding(cl::Record{cl::CycleEnd{}, last->where, last->stack}, std::move(f));
     }
 }
 

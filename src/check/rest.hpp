@@ -2,6 +2,7 @@
 /// Material left outside the contour that a program must reach.
 
 #include <array>
+#include <memory>
 
 #include "check/check.hpp"
 #include "check/collect.hpp"
@@ -16,8 +17,8 @@ namespace obrys::check {
 class LastCuts {
 public:
     struct Entry {
-        bool set = false;
-        cl::Record record;
+        base::Span where;
+        cl::StackId stack = 0;
         std::uint64_t index = 0;
         geom::Vec3 from, to;
         Box box;
@@ -33,7 +34,7 @@ private:
     static constexpr std::size_t cells = 512;
     [[nodiscard]] std::size_t cell(double z) const;
     double min_z_ = 0, max_z_ = 1;
-    std::array<Entry, cells> last_{};
+    std::array<std::shared_ptr<const Entry>, cells> last_;  ///< a long cut fills many cells: they share its entry
 };
 
 /// Adds one `rest-material` finding for every piece of `left` outside the wanted contour.

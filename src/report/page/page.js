@@ -36,6 +36,12 @@ $("head").className = D.head.verdict;
 $("sign").textContent = signs[D.head.verdict];
 $("line").textContent = D.head.line;
 $("about").textContent = [D.head.program, D.head.control && "control " + D.head.control, "machine " + D.head.machine, D.head.date].filter(Boolean).join("  ·  ");
+if (D.unchecked.length) {
+  const list = el("ul"), most = 3;
+  for (const n of D.unchecked.slice(0, most)) list.append(el("li", "", n.text + (n.where ? " (" + n.where.n + ":" + n.where.l + ")" : "")));
+  if (D.unchecked.length > most) list.append(el("li", "", `and ${D.unchecked.length - most} more, listed below`));
+  $("why").append("Not checked:", list);
+}
 $("foot").textContent = "obrys " + D.head.version + ". Lengths in mm, X is a radius; profiles of lines and arcs are exact, nothing is sampled. "
   + "Wheel: zoom. Drag: move. Click a move, a finding or a line: the others follow.";
 
