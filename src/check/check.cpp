@@ -30,6 +30,7 @@ struct Check::State {
     Trace trace;
     Position position;
     cl::Totals totals;
+    cl::Record end{cl::Stop{}, nowhere, 0};  ///< place of the last record
 };
 
 namespace {
@@ -103,6 +104,8 @@ void Check::take(const cl::Record& record) {
     else if (const auto* axis = std::get_if<cl::Axis>(&record.step))
         s.limits.take(record, *axis);
     s.totals(record);
+    s.end.from = record.from;
+    s.end.stack = record.stack;
 }
 
 Result Check::finish() {
@@ -113,7 +116,7 @@ Result Check::finish() {
     stats.feed_moves = s.totals.feed_moves;
     stats.rapid_length_mm = s.totals.rapid_length_mm;
     stats.feed_length_mm = s.totals.feed_length_mm;
-    s.removal.finish();
+    s.removal.finish(s.end);
     s.trace.finish(s.out.result());
     Result result = std::move(s.out.result());
     result.verdict = verdict_of(result);

@@ -194,7 +194,7 @@ void Removal::count_use(const Move& move, const Removed& removed) {
     if (std::isfinite(length)) (move.rapid ? use.rapid_length_mm : use.feed_length_mm) += length;
 }
 
-void Removal::finish() {
+void Removal::finish(const cl::Record& end) {
     Result& result = out_.result();
     if (!work_) {
         if (result.stats.moves == 0) return;
@@ -212,7 +212,7 @@ void Removal::finish() {
     if (!setup_.part && !setup_.allowance)
         out_.unchecked("no part contour: gouges and rest material not checked", "give the finished contour in the job file");
     else if (complete_)
-        find_rest(setup_, result.stock_after, last_cuts_, out_);
+        find_rest(setup_, result.stock_after, last_cuts_, end, out_);
     else
         out_.unchecked("rest material not judged, since not every move was simulated");
 }

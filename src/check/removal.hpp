@@ -22,8 +22,8 @@ public:
 
     void take(const cl::Record& record, const cl::ToolChange& tool);
     Removed take(const Move& move);
-    /// Notes, rest material and the figures of the stock.
-    void finish();
+    /// Notes, rest material and the figures of the stock. `end`: the last record.
+    void finish(const cl::Record& end);
     [[nodiscard]] geom::Region stock() const { return work_ ? work_->region() : geom::Region{}; }
     /// Index in Result::tools + 1 of the tool in use; 0: none.
     [[nodiscard]] std::uint32_t tool_in_use() const { return use_; }

@@ -69,6 +69,14 @@ TEST(Removal, RestMaterialIsPlacedAtTheCutBesideIt) {
     EXPECT_EQ(line(r.findings[0].where), 9);
 }
 
+TEST(Removal, RestMaterialThatNothingCutIsPlacedAtTheEnd) {
+    Script run(setup());
+    const Result r = run.ready().step(cl::Stop{cl::StopKind::end}).finish();
+    ASSERT_EQ(codes(r), Codes{"rest-material"});
+    EXPECT_NEAR(amount(r.findings[0], "area_mm2"), 9 * 4.5, 1e-6);
+    EXPECT_EQ(line(r.findings[0].where), 5);
+}
+
 TEST(Removal, RestMaterialIsJudgedOnlyWhereTheContourIs) {
     check::Setup s = setup();
     s.part = polygon({{20, 0}, {50, 0}, {50, 18}, {20, 18}});

@@ -98,7 +98,7 @@ const LastCuts::Entry* LastCuts::beside(const Box& piece) const {
     return best;
 }
 
-void find_rest(const Setup& setup, const geom::Region& left, const LastCuts& cuts, Collector& out) {
+void find_rest(const Setup& setup, const geom::Region& left, const LastCuts& cuts, const cl::Record& end, Collector& out) {
     const geom::Region& wanted = setup.allowance ? *setup.allowance : *setup.part;
     const Box band = box_of(wanted), all = box_of(left);
     if (band.empty() || all.empty()) return;
@@ -111,7 +111,7 @@ void find_rest(const Setup& setup, const geom::Region& left, const LastCuts& cut
         Finding f = rest_finding(piece, setup.allowance.has_value());
         const LastCuts::Entry* last = cuts.beside(box_of(piece.region));
         if (last == nullptr) {
-            out.finding(cl::Record{cl::CycleEnd{}, nowhere, 0}, std::move(f));
+            out.finding(end, std::move(f));
             continue;
         }
         f.text += "; the last move that cut beside it ends here";

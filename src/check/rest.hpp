@@ -37,7 +37,8 @@ private:
     std::array<std::shared_ptr<const Entry>, cells> last_;  ///< a long cut fills many cells: they share its entry
 };
 
-/// Adds one `rest-material` finding for every piece of `left` outside the wanted contour.
-void find_rest(const Setup& setup, const geom::Region& left, const LastCuts& cuts, Collector& out);
+/// Adds one `rest-material` finding for every piece of `left` outside the wanted contour, placed at the last cut beside
+/// it or, where none is known, at the last record of the program.
+void find_rest(const Setup& setup, const geom::Region& left, const LastCuts& cuts, const cl::Record& end, Collector& out);
 
 }  // namespace obrys::check

@@ -294,7 +294,7 @@ if (badOf.size) legend(sv("rect", { x: 1, y: 1, width: 28, height: 12, fill: "#f
 
 // ---- lists
 $("found").textContent = D.findings.length ? `Findings (${D.findings.length}), the most dangerous first` : "Findings";
-if (!D.findings.length) $("findings").append(el("div", "none", "Nothing was found."));
+if (!D.findings.length) $("findings").append(el("div", "none", D.unchecked.length ? "Nothing was found in what could be checked." : "Nothing was found."));
 for (const f of D.findings) {
   const card = el("div", "finding " + f.severity), head = el("div");
   head.append(el("b", "", f.no), el("span", "code", f.code + ": "), f.text);
