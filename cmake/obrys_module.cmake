@@ -4,6 +4,7 @@
 # already stand), and outside libraries that stay private to it. With no SOURCES it is headers only.
 set_property(GLOBAL PROPERTY obrys_layers "")
 set_property(GLOBAL PROPERTY obrys_modules "")
+set_property(GLOBAL PROPERTY obrys_libraries "")
 
 function(obrys_module folder)
   cmake_parse_arguments(ARG "" "" "SOURCES;USES;LIBRARIES" ${ARGN})
@@ -28,8 +29,34 @@ function(obrys_module folder)
   list(JOIN ARG_USES " " uses)
   set_property(GLOBAL APPEND PROPERTY obrys_layers "${folder}: ${uses}")
   set_property(GLOBAL APPEND PROPERTY obrys_modules ${target})
+  set_property(GLOBAL APPEND PROPERTY obrys_libraries ${ARG_LIBRARIES})
   file(GLOB tests CONFIGURE_DEPENDS ${CMAKE_CURRENT_SOURCE_DIR}/*_test.cpp)
   if(OBRYS_TESTS AND tests)
     obrys_unit_tests(${folder} ${tests})
   endif()
+endfunction()
+
+# obrys_app(<name> SOURCES <file>... USES <folder>... [LIBRARIES <target>...]): a program, at the top of the house.
+# It stands in a folder of its own below src/ and is held to its USES like every other folder.
+function(obrys_app name)
+  cmake_parse_arguments(ARG "" "" "SOURCES;USES;LIBRARIES" ${ARGN})
+  add_executable(${name} ${ARG_SOURCES})
+  target_link_libraries(${name} PRIVATE obrys_warnings ${ARG_LIBRARIES})
+  foreach(used IN LISTS ARG_USES)
+    string(REPLACE / _ below obrys_${used})
+    if(NOT TARGET ${below})
+      message(FATAL_ERROR "${name} uses ${used}, which does not stand below it")
+    endif()
+    target_link_libraries(${name} PRIVATE ${below})
+  endforeach()
+  file(RELATIVE_PATH folder ${PROJECT_SOURCE_DIR}/src ${CMAKE_CURRENT_SOURCE_DIR})
+  list(JOIN ARG_USES " " uses)
+  set_property(GLOBAL APPEND PROPERTY obrys_layers "${folder}: ${uses}")
+endfunction()
+
+# Writes <build>/layers.txt, a line "folder: used used ..." for each folder, bottom to top; the test `layers` reads it.
+function(obrys_write_layers)
+  get_property(layers GLOBAL PROPERTY obrys_layers)
+  list(JOIN layers "\n" text)
+  file(CONFIGURE OUTPUT ${PROJECT_BINARY_DIR}/layers.txt CONTENT "${text}\n")
 endfunction()

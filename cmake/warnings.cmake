@@ -13,3 +13,7 @@ if(OBRYS_SANITIZE)
   add_link_options(-fsanitize=address,undefined)
   add_compile_definitions(_GLIBCXX_ASSERTIONS)
 endif()
+if(OBRYS_FUZZ)
+  # Coverage feedback from every folder; only the fuzz programs themselves link libFuzzer's main.
+  add_compile_options(-fsanitize=fuzzer-no-link)
+endif()

@@ -29,9 +29,12 @@ Frame Frame::scaling(Vec3 k) {
 }
 
 Vec3 apply_direction(const Frame& f, Vec3 v) {
-    const auto& m = f.linear;
-    return {m[0] * v.x + m[1] * v.y + m[2] * v.z, m[3] * v.x + m[4] * v.y + m[5] * v.z,
-            m[6] * v.x + m[7] * v.y + m[8] * v.z};
+    // A coordinate may be unknown (NaN): it spoils only the coordinates it takes part in, so 0 * NaN counts as 0.
+    const auto row = [&](std::size_t r) {
+        const auto part = [](double factor, double x) { return factor == 0 ? 0.0 : factor * x; };
+        return part(f.linear[r], v.x) + part(f.linear[r + 1], v.y) + part(f.linear[r + 2], v.z);
+    };
+    return {row(0), row(3), row(6)};
 }
 
 Vec3 apply(const Frame& f, Vec3 point) { return apply_direction(f, point) + f.origin; }

@@ -54,16 +54,27 @@ struct Budgets {
     std::uint64_t blocks = 50'000'000;
     std::uint64_t loop_passes = 10'000'000;
     std::uint32_t call_depth = 100;
-    double seconds = 60;
+    double seconds = 20;
+};
+
+/// What a job says instead of its machine; empty: as the machine has it.
+struct DefaultsOverride {
+    std::optional<bool> diameter_programming, inch, feed_per_rev;
+    std::optional<int> plane;
+    std::optional<double> circle_tolerance;
 };
 
 struct Job {
     std::string program;                             ///< path as written, relative to the job file
     std::string control;                             ///< empty: found from the content
     std::string machine_name;                        ///< shipped name or path; empty: generic for what the program is
-    Machine machine;
+    bool machine_is_file = false;                    ///< machine_name is a path: the driver reads it, then `use_machine`
+    base::Span machine_where;
+    Machine machine;                                 ///< with `defaults` and `datums` of the job already in it
+    DefaultsOverride defaults;
+    std::map<std::uint32_t, geom::Vec3> datums;      ///< of the job itself; mm, x as a radius
     std::vector<Tool> tools;
-    std::vector<std::string> tool_files;             ///< TOA files, paths as written
+    std::vector<std::string> tool_files;             ///< tool lists (.toml) and TOA files (others), paths as written
     std::optional<Profile> stock;
     std::optional<Profile> part;
     std::optional<ProfileFromProgram> part_program;
@@ -76,5 +87,13 @@ struct Job {
     Budgets budgets;
     base::Span program_where;
 };
+
+/// Reads a job text. Always gives a job: what was wrong is in `diagnostics` (codes job-file, job-value) and left out.
+/// `machine` is the shipped one that is named; without a name the generic lathe where the job has stock, part or turning
+/// tools, else the generic mill. Where `machine_is_file` it is a placeholder until `use_machine`.
+[[nodiscard]] Job read_job(std::uint32_t file, const base::Sources& sources, base::Diagnostics& diagnostics);
+
+/// Puts a machine into the job, with the job's own defaults and datums on top.
+void use_machine(Job& job, Machine machine);
 
 }  // namespace obrys::shop

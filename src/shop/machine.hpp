@@ -7,6 +7,8 @@
 #include <string>
 #include <vector>
 
+#include "base/diagnostic.hpp"
+#include "base/source.hpp"
 #include "geom/vec.hpp"
 
 namespace obrys::shop {
@@ -44,8 +46,11 @@ struct Machine {
     ControlDefaults defaults;
     /// Settable zero offsets (54 … 599): position of the workpiece zero in machine coordinates, mm, x as a radius.
     std::map<std::uint32_t, geom::Vec3> datums;
-    std::map<std::string, double> machine_data;  ///< values of $MC_…, $MN_…, $MA_… by upper-case name
+    std::map<std::string, double> machine_data;  ///< by upper-case name with its $: "$MC_…", "$MN_…"
 };
+
+/// Reads a machine text. Always gives a machine: what was wrong is in `diagnostics` and keeps its default.
+[[nodiscard]] Machine read_machine(std::uint32_t file, const base::Sources& sources, base::Diagnostics& diagnostics);
 
 /// The shipped machines, built in: "lathe-generic", "mill-generic"; nothing for another name.
 [[nodiscard]] std::optional<Machine> shipped_machine(const std::string& name);

@@ -3,9 +3,11 @@
 
 #include <cstdint>
 #include <map>
+#include <optional>
 #include <string>
 #include <vector>
 
+#include "base/diagnostic.hpp"
 #include "base/source.hpp"
 #include "geom/contour.hpp"
 
@@ -16,7 +18,13 @@ enum class ToolKind : std::uint8_t {
     turning,  ///< ISO insert: nose radius, cutting edge orientation 1-9, entering angle, tip angle
     other,    ///< named and numbered only: its removal is not simulated
 };
-enum class ReferenceCorner : std::uint8_t { left, right };  ///< smaller or larger z
+enum class ReferenceCorner : std::uint8_t { left, right };  ///< smaller or larger z (face: nearer to or farther from the axis)
+/// Where a grooving blade goes on from its cutting edge; orientation 9 of a turning insert knows out and in.
+enum class BladeDirection : std::uint8_t {
+    out,   ///< towards +x: cuts from outside
+    in,    ///< towards -x: cuts inside a bore
+    face,  ///< towards +z: cuts the right face; the width lies along x
+};
 
 struct Tool {
     std::uint32_t number = 0;
@@ -28,6 +36,7 @@ struct Tool {
     double corner_radius = 0;           ///< both corners, unless the next two say otherwise
     double corner_radius_left = 0, corner_radius_right = 0;
     ReferenceCorner reference = ReferenceCorner::left;
+    BladeDirection direction = BladeDirection::out;
     double cutting_depth = 0;           ///< length of the blade, 0 = not limited
     // turning insert
     double nose_radius = 0;             ///< mm
@@ -37,13 +46,29 @@ struct Tool {
     double edge_length = 12;            ///< mm
     // any
     double radius = 0;                  ///< mm, milling tools
-    double length = 0;                  ///< mm
+    double length = 0;                  ///< mm, length 1
     std::map<int, double> parameters;   ///< $TC_DPn as read, n = 1 … 25, from TOA files
+    std::string assumed;                ///< what its file does not say and was assumed; empty: nothing
     base::Span where;                   ///< where it is defined
 };
 
 /// Outline of the cutting part in the (z, x) plane relative to the programmed point, mm: counter-clockwise, closed.
-/// x points away from the turning axis. An empty contour where the kind has none.
+/// x points away from the turning axis. An empty contour where the kind has none or the dimensions make no shape.
+/// A blade without cutting depth is 1000 mm long. With corner radii the programmed point is the sharp corner without them.
 [[nodiscard]] geom::Contour outline(const Tool& tool);
+
+/// The tools of a tool list ([[tool]] tables); what is wrong is in `diagnostics` and left out.
+[[nodiscard]] std::vector<Tool> read_tools(std::uint32_t file, const base::Sources& sources,
+                                           base::Diagnostics& diagnostics);
+/// The tools of a SINUMERIK tool data file (TOA): lines `$TC_DPn[T,D]=value` and `$TC_TP2[T]="name"`.
+[[nodiscard]] std::vector<Tool> read_toa(std::uint32_t file, const base::Sources& sources,
+                                         base::Diagnostics& diagnostics);
+
+/// $TC_DPn: as read; else what the dimensions say for n = 2 (orientation), 3 (length 1) and 6 (radius); else nothing.
+[[nodiscard]] std::optional<double> parameter(const Tool& tool, int n);
+
+/// The tools of `first` and those of `second` whose number and edge `first` does not have, in the order of number and
+/// edge. A tool of both keeps what `first` says and takes parameters that only `second` has.
+[[nodiscard]] std::vector<Tool> merge_tools(std::vector<Tool> first, const std::vector<Tool>& second);
 
 }  // namespace obrys::shop

@@ -1,0 +1,115 @@
+#include "arguments.hpp"
+
+#include <CLI/CLI.hpp>
+#include <iostream>
+
+namespace obrys::cli {
+
+namespace {
+
+constexpr const char* main_help =
+    "obrys reads, runs and checks NC programs.\n\n"
+    "Examples:\n"
+    "  obrys check groove.job.toml                 is it clean? where does it gouge, and how deep?\n"
+    "  obrys check groove.job.toml --set R3=150    the same with another value of a parameter\n"
+    "  obrys check PART.MPF --html report.html     a page with picture, findings and program text\n"
+    "  obrys run PART.MPF --format csv             every move with its end point and source line\n"
+    "  obrys plot groove.job.toml -o groove.svg    the tool path over stock and part\n";
+
+constexpr const char* check_help =
+    "Runs a program, removes the stock and says what is wrong with it.\n\n"
+    "Examples:\n"
+    "  obrys check groove.job.toml\n"
+    "  obrys check groove.job.toml --set R3=150 --set R9=4\n"
+    "  obrys check PART.MPF --search subs --format json\n"
+    "  obrys check groove.job.toml --html report.html --svg report.svg\n\n"
+    "A job file (.toml) names program, machine, tools, stock and part; a program alone is run and checked as far as\n"
+    "that goes.\n\n"
+    "Exit codes: 0 clean, 1 findings, 2 usage or unreadable input, 3 not fully checked.";
+
+constexpr const char* run_help =
+    "Interprets a program and prints its moves.\n\n"
+    "Examples:\n"
+    "  obrys run PART.MPF                      the CL stream in its text form\n"
+    "  obrys run PART.MPF --format csv         one row a move: end point, feed, file, line, block\n"
+    "  obrys run PART.MPF --quiet              counts only\n"
+    "  obrys run PART.MPF --parameters         the values of the R parameters at the end\n\n"
+    "Exit codes: 0 run to its end, 1 the control would stop with an alarm, 2 usage or unreadable input,\n"
+    "3 something was not understood or not run.";
+
+constexpr const char* plot_help =
+    "Draws stock, part, allowance and tool path (feed green, rapid red) as SVG.\n\n"
+    "Examples:\n"
+    "  obrys plot groove.job.toml -o groove.svg\n"
+    "  obrys plot groove.job.toml --set R3=150 > wrong.svg\n\n"
+    "Exit codes: 0 the picture was made, 2 usage or unreadable input.";
+
+void add_request(CLI::App& app, Arguments& a) {
+    app.add_option("input", a.request.input, "program (.MPF, .SPF) or job file (.toml)")->required()->type_name("FILE");
+    app.add_option("--control", a.request.control, "control of the program: sinumerik-840d")->type_name("NAME");
+    app.add_option("--machine", a.request.machine, "shipped machine (lathe-generic, mill-generic) or machine file")->type_name("NAME|FILE");
+    app.add_option("--set", a.request.set, "give a parameter another value: replaces its constant assignments")
+        ->type_name("NAME=NUMBER")->allow_extra_args(false)->take_all();
+    app.add_option("--search", a.request.search, "folder in which called programs are looked for too")->type_name("DIR")->allow_extra_args(false)->take_all();
+    app.add_option("--skip", a.request.skip, "block skip level that is on (/ is level 0)")->type_name("0..9")->check(CLI::Range(0, 9))->allow_extra_args(false)->take_all();
+    app.add_flag("--diameter,!--radius", a.request.diameter, "X words are diameters (radii) at the start");
+    app.add_option("-o,--output", a.output, "write to this file instead of standard output")->type_name("FILE");
+}
+
+struct Commands {
+    CLI::App* check;
+    CLI::App* run;
+    CLI::App* plot;
+    CLI::App* version;
+    CLI::App* help;
+};
+
+Commands add_commands(CLI::App& app, Arguments& a) {
+    Commands c{};
+    c.check = app.add_subcommand("check", check_help);
+    add_request(*c.check, a);
+    c.check->add_option("--format", a.format, "text, json or sarif")->check(CLI::IsMember({"text", "json", "sarif"}))->type_name("FORMAT");
+    c.check->add_option("--html", a.html, "also write a page with picture and program text")->type_name("FILE");
+    c.check->add_option("--svg", a.svg, "also write the picture")->type_name("FILE");
+    c.check->add_flag("--no-list", a.no_list, "text: leave out what has no effect on the verdict");
+    c.check->add_flag("!--no-color,!--no-colour", a.colours, "text without colours (also: NO_COLOR)");
+    c.run = app.add_subcommand("run", run_help);
+    add_request(*c.run, a);
+    c.run->add_option("--format", a.format, "text, csv or json")->check(CLI::IsMember({"text", "csv", "json"}))->type_name("FORMAT");
+    c.run->add_flag("--quiet", a.quiet, "print one line of counts instead of the moves");
+    c.run->add_flag("--parameters", a.parameters, "print the numbered parameters at the end instead of the moves");
+    c.plot = app.add_subcommand("plot", plot_help);
+    add_request(*c.plot, a);
+    c.version = app.add_subcommand("version", "prints the version");
+    c.help = app.add_subcommand("help", "prints this text, or that of a command: obrys help check");
+    return c;
+}
+
+}  // namespace
+
+Arguments parse(int argc, char** argv) {
+    Arguments a;
+    CLI::App app(main_help, "obrys");
+    app.set_version_flag("--version", OBRYS_VERSION);
+    app.require_subcommand(1);
+    const Commands c = add_commands(app, a);
+    std::string topic;
+    c.help->add_option("command", topic, "the command to explain");
+    try {
+        app.parse(argc, argv);
+    } catch (const CLI::ParseError& e) {
+        a.exit = app.exit(e) == 0 ? 0 : 2;
+        return a;
+    }
+    if (c.help->parsed()) {
+        const CLI::App* about = &app;
+        for (const CLI::App* command : {c.check, c.run, c.plot, c.version})
+            if (command->get_name() == topic) about = command;
+        std::cout << about->help();
+        a.exit = 0;
+    }
+    a.command = c.check->parsed() ? Command::check : c.run->parsed() ? Command::run : c.plot->parsed() ? Command::plot : Command::version;
+    return a;
+}
+
+}  // namespace obrys::cli

@@ -1,0 +1,27 @@
+#pragma once
+/// The command line: what it asks for. CLI11 stays in arguments.cpp.
+
+#include <string>
+
+#include "driver/session.hpp"
+
+namespace obrys::cli {
+
+enum class Command : int { none, check, run, plot, version };
+
+struct Arguments {
+    Command command = Command::none;
+    driver::Request request;
+    std::string format = "text";
+    std::string output;        ///< empty: standard output
+    std::string html, svg;     ///< of check: also write these
+    bool quiet = false;        ///< of run: counts only
+    bool parameters = false;   ///< of run: numbered parameters at the end
+    bool colours = true;
+    bool no_list = false;      ///< of check: leave out what has no effect on the verdict
+    int exit = -1;             ///< 0 … : the program ends here with this code (help was printed, or the call is wrong)
+};
+
+[[nodiscard]] Arguments parse(int argc, char** argv);
+
+}  // namespace obrys::cli

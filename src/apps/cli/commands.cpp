@@ -1,0 +1,164 @@
+#include "commands.hpp"
+
+#include <cstdio>
+#include <cstdlib>
+
+#ifndef _WIN32
+#include <unistd.h>
+#endif
+
+#include "base/codes.hpp"
+#include "base/number.hpp"
+#include "check/result.hpp"
+#include "cl/text.hpp"
+#include "cl/totals.hpp"
+#include "driver/check_program.hpp"
+#include "driver/stream_table.hpp"
+#include "progress.hpp"
+#include "report/report.hpp"
+
+namespace obrys::cli {
+
+namespace {
+
+constexpr std::size_t moves_on_page = 20'000;
+
+void print_diagnostics(const driver::Session& s, base::Severity from = base::Severity::note) {
+    for (const base::Diagnostic& d : s.diagnostics.all())
+        if (d.severity >= from) std::fputs(base::render(d, s.sources).c_str(), stderr);
+}
+
+bool standard_output_is_terminal() {
+#ifdef _WIN32
+    return false;
+#else
+    return isatty(1) != 0;
+#endif
+}
+
+/// Writes the text where it was asked for. False where that fails (the complaint is printed).
+bool deliver(driver::Session& s, const std::string& path, const std::string& text) {
+    if (path.empty() || path == "-") {
+        std::fwrite(text.data(), 1, text.size(), stdout);
+        return std::fflush(stdout) == 0;
+    }
+    base::Diagnostics written;
+    if (driver::store(path, text, written)) return true;
+    for (const base::Diagnostic& d : written.all()) std::fputs(base::render(d, s.sources).c_str(), stderr);
+    return false;
+}
+
+/// Exit code of a run: what its complaints say about it.
+int exit_code(const driver::Session& s) {
+    bool finding = false, unchecked = false;
+    for (const base::Diagnostic& d : s.diagnostics.all()) {
+        finding = finding || base::kind_of(d.code) == base::CodeKind::finding;
+        unchecked = unchecked || base::kind_of(d.code) == base::CodeKind::unchecked;
+    }
+    return unchecked ? 3 : finding ? 1 : 0;
+}
+
+report::Subject subject_of(const driver::Session& s, const driver::Checked& c) {
+    return {s.sources, c.result, c.setup, s.stacks, s.program, s.control, OBRYS_VERSION, {}};
+}
+
+std::string counts(const interp::Outcome& outcome, const cl::Totals& t) {
+    return std::to_string(outcome.blocks_executed) + " blocks, " + std::to_string(t.moves) + " moves (" + std::to_string(t.rapid_moves) + " rapid, " +
+           std::to_string(t.feed_moves) + " feed), rapid " + base::fixed(t.rapid_length_mm, 3) + " mm, feed " + base::fixed(t.feed_length_mm, 3) + " mm\n";
+}
+
+/// Collects output in pieces of a megabyte, so that long streams never lie in memory as a whole.
+class Output {
+public:
+    explicit Output(const std::string& path) : file_(path.empty() || path == "-" ? stdout : std::fopen(path.c_str(), "wb")) {}
+    ~Output() {
+        if (file_ != nullptr && file_ != stdout) std::fclose(file_);
+    }
+    Output(const Output&) = delete;
+    Output& operator=(const Output&) = delete;
+    [[nodiscard]] bool good() const { return file_ != nullptr; }
+    void write(std::string_view text) { std::fwrite(text.data(), 1, text.size(), file_); }
+
+private:
+    std::FILE* file_;
+};
+
+interp::Outcome print_stream(const Arguments& a, driver::Session& s, Output& out) {
+    const auto write = [&](std::string_view text) { out.write(text); };
+    if (a.format == "csv") {
+        driver::CsvWriter writer(s.sources, write);
+        return driver::interpret(s, writer);
+    }
+    if (a.format == "json") {
+        driver::JsonWriter writer(s.sources, write);
+        const interp::Outcome outcome = driver::interpret(s, writer);
+        writer.finish();
+        return outcome;
+    }
+    cl::TextWriter writer(write);
+    return driver::interpret(s, writer);
+}
+
+void print_parameters(const interp::Outcome& outcome, Output& out) {
+    for (const interp::ParameterValue& p : outcome.parameters) out.write("R" + std::to_string(p.number) + "=" + base::shortest(p.value) + "\n");
+}
+
+}  // namespace
+
+int check(const Arguments& a) {
+    driver::Session s;
+    if (!driver::open(a.request, s)) {
+        print_diagnostics(s, base::Severity::warning);
+        return 2;
+    }
+    const bool pictures = !a.html.empty() || !a.svg.empty();
+    driver::Checked checked;
+    {
+        Progress progress;
+        checked = driver::check_program(s, pictures ? moves_on_page : 0, [&](std::uint64_t moves) { progress.show(moves); });
+    }
+    const report::Subject subject = subject_of(s, checked);
+    bool written = true;
+    if (a.format == "json") written = deliver(s, a.output, report::to_json(subject));
+    else if (a.format == "sarif") written = deliver(s, a.output, report::to_sarif(subject));
+    else written = deliver(s, a.output, report::to_text(subject, {a.colours && a.output.empty() && standard_output_is_terminal() && std::getenv("NO_COLOR") == nullptr, !a.no_list}));
+    if (!a.html.empty()) written = deliver(s, a.html, report::to_html(subject)) && written;
+    if (!a.svg.empty()) written = deliver(s, a.svg, report::to_svg(subject)) && written;
+    return written ? check::exit_code(checked.result.verdict) : 2;
+}
+
+int plot(const Arguments& a) {
+    driver::Session s;
+    if (!driver::open(a.request, s)) {
+        print_diagnostics(s, base::Severity::warning);
+        return 2;
+    }
+    const driver::Checked checked = driver::check_program(s, moves_on_page);
+    std::fputs((report::verdict_line(checked.result) + "\n").c_str(), stderr);
+    return deliver(s, a.output, report::to_svg(subject_of(s, checked))) ? 0 : 2;
+}
+
+int run(const Arguments& a) {
+    driver::Session s;
+    if (!driver::open(a.request, s)) {
+        print_diagnostics(s, base::Severity::warning);
+        return 2;
+    }
+    Output out(a.output);
+    if (!out.good()) {
+        std::fprintf(stderr, "obrys: %s cannot be written\n", a.output.c_str());
+        return 2;
+    }
+    cl::Totals totals;
+    if (a.quiet || a.parameters) {
+        const interp::Outcome outcome = driver::interpret(s, totals);
+        if (a.quiet) out.write(counts(outcome, totals));
+        if (a.parameters) print_parameters(outcome, out);
+    } else {
+        static_cast<void>(print_stream(a, s, out));
+    }
+    print_diagnostics(s);
+    return exit_code(s);
+}
+
+}  // namespace obrys::cli

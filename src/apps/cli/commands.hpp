@@ -1,0 +1,12 @@
+#pragma once
+/// The commands; each returns the exit code.
+
+#include "arguments.hpp"
+
+namespace obrys::cli {
+
+[[nodiscard]] int check(const Arguments& arguments);
+[[nodiscard]] int run(const Arguments& arguments);
+[[nodiscard]] int plot(const Arguments& arguments);
+
+}  // namespace obrys::cli

@@ -1,0 +1,126 @@
+#include "check/check.hpp"
+
+#include <utility>
+
+#include "check/collect.hpp"
+#include "check/limits.hpp"
+#include "check/position.hpp"
+#include "check/removal.hpp"
+#include "check/trace.hpp"
+#include "cl/totals.hpp"
+
+namespace obrys::check {
+
+struct Check::State {
+    State(Setup s, const cl::CallStacks& stacks)
+        : setup(std::move(s)), out(stacks, setup.findings_per_code), limits(setup.machine, out), removal(setup, out),
+          trace(setup.keep_moves) {}
+
+    void move(const cl::Record& record);
+    void take(const cl::Record& record, const cl::Datum& datum) {
+        limits.take(record, datum);
+        position.take(datum);
+    }
+    void keep(const Move& m, Removed removed);
+
+    Setup setup;
+    Collector out;
+    Limits limits;
+    Removal removal;
+    Trace trace;
+    Position position;
+    cl::Totals totals;
+    cl::Record end{cl::Stop{}, nowhere, 0};  ///< place of the last record
+};
+
+namespace {
+
+/// The record with its points moved; almost every program has one zero offset and no shift.
+cl::Record shifted(cl::Record record, geom::Vec3 by) {
+    if (auto* linear = std::get_if<cl::Linear>(&record.step)) linear->to = linear->to + by;
+    if (auto* thread = std::get_if<cl::Thread>(&record.step)) thread->to = thread->to + by;
+    if (auto* arc = std::get_if<cl::Arc>(&record.step)) {
+        arc->to = arc->to + by;
+        arc->centre = arc->centre + by;
+    }
+    return record;
+}
+
+}  // namespace
+
+void Check::State::move(const cl::Record& record) {
+    const geom::Vec3 from = position.here(), to = cl::position_after(from, record.step), by = position.to_stock();
+    totals.position = from;  // not where the last move ended, if the zero offset has changed since
+    const Move programmed{record, totals.moves, from, to, cl::is_rapid(record.step)};
+    const bool moved_frame = !(by == geom::Vec3{});
+    const cl::Record in_stock_frame = moved_frame ? shifted(record, by) : cl::Record{};
+    const Move m{moved_frame ? in_stock_frame : record, totals.moves, from + by, to + by, programmed.rapid};
+    Removed removed = removal.take(m);
+    limits.take(programmed, removed.simulated ? std::optional(removed.cuts) : std::nullopt);
+    if (trace.keeps_more()) keep(m, std::move(removed));
+    position.move_to(to);
+}
+
+void Check::State::keep(const Move& m, Removed removed) {
+    MoveTrace t;
+    t.from = {m.from.z, m.from.x};
+    t.to = {m.to.z, m.to.x};
+    if (const auto* arc = std::get_if<cl::Arc>(&m.record.step)) {
+        t.centre = {arc->centre.z, arc->centre.x};
+        t.sweep = arc->normal.y < 0 ? -arc->sweep : arc->sweep;
+    }
+    t.rapid = m.rapid;
+    t.where = m.record.from;
+    t.stack = m.record.stack;
+    t.tool = removal.tool_in_use();
+    t.area = removed.cut.area;
+    t.volume = removed.cut.volume;
+    t.depth_x = removed.cut.depth_x;
+    t.contact_length = removed.cut.contact_length;
+    t.removed = std::move(removed.cut.removed);
+    trace.add(std::move(t));
+    if (trace.wants_snapshot()) trace.add(removal.stock());
+}
+
+Check::Check(Setup setup, const cl::CallStacks& stacks) : state_(std::make_unique<State>(std::move(setup), stacks)) {}
+Check::~Check() = default;
+Check::Check(Check&&) noexcept = default;
+Check& Check::operator=(Check&&) noexcept = default;
+
+const Setup& Check::setup() const { return state_->setup; }
+
+void Check::take(const cl::Record& record) {
+    State& s = *state_;
+    if (cl::is_move(record.step))
+        s.move(record);
+    else if (const auto* tool = std::get_if<cl::ToolChange>(&record.step))
+        s.removal.take(record, *tool);
+    else if (const auto* feed = std::get_if<cl::Feed>(&record.step))
+        s.limits.take(*feed);
+    else if (const auto* spindle = std::get_if<cl::Spindle>(&record.step))
+        s.limits.take(record, *spindle);
+    else if (const auto* datum = std::get_if<cl::Datum>(&record.step))
+        s.take(record, *datum);
+    else if (const auto* axis = std::get_if<cl::Axis>(&record.step))
+        s.limits.take(record, *axis);
+    s.totals(record);
+    s.end.from = record.from;
+    s.end.stack = record.stack;
+}
+
+Result Check::finish() {
+    State& s = *state_;
+    Stats& stats = s.out.result().stats;
+    stats.moves = s.totals.moves;
+    stats.rapid_moves = s.totals.rapid_moves;
+    stats.feed_moves = s.totals.feed_moves;
+    stats.rapid_length_mm = s.totals.rapid_length_mm;
+    stats.feed_length_mm = s.totals.feed_length_mm;
+    s.removal.finish(s.end);
+    s.trace.finish(s.out.result());
+    Result result = std::move(s.out.result());
+    result.verdict = verdict_of(result);
+    return result;
+}
+
+}  // namespace obrys::check

@@ -1,0 +1,56 @@
+#include "check/collect.hpp"
+
+#include <algorithm>
+
+#include "base/codes.hpp"
+
+namespace obrys::check {
+
+namespace {
+
+void add_once(std::vector<Note>& notes, Note note) {
+    const auto same = std::find_if(notes.begin(), notes.end(), [&](const Note& n) { return n.text == note.text; });
+    if (same != notes.end())
+        ++same->times;
+    else
+        notes.push_back(std::move(note));
+}
+
+}  // namespace
+
+void Collector::finding(const Move& move, Finding f) {
+    if (move.index != last_move_) of_last_move_.clear();
+    last_move_ = move.index;
+    if (!of_last_move_.insert(f.code).second) return;
+    f.move = move.index;
+    f.from = move.from;
+    f.to = move.to;
+    finding(move.record, std::move(f));
+}
+
+void Collector::finding(const cl::Record& record, Finding f) {
+    if (++per_code_[f.code] > limit_) {
+        ++result_.findings_dropped;
+        return;
+    }
+    if (!is_placed(f.where)) {
+        f.where = record.from;
+        f.stack = stacks_.sites(record.stack);
+    }
+    result_.findings.push_back(std::move(f));
+}
+
+void Collector::unchecked(const cl::Record& record, std::string text, std::string remedy) {
+    add_once(result_.unchecked, {base::codes::not_simulated, std::move(text), std::move(remedy), record.from,
+                                 stacks_.sites(record.stack), 1});
+}
+
+void Collector::unchecked(std::string text, std::string remedy) {
+    add_once(result_.unchecked, {base::codes::not_simulated, std::move(text), std::move(remedy), nowhere, {}, 1});
+}
+
+void Collector::assumption(std::string text, base::Span where) {
+    add_once(result_.assumptions, {base::codes::assumption, std::move(text), "", where, {}, 1});
+}
+
+}  // namespace obrys::check

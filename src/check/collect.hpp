@@ -1,0 +1,47 @@
+#pragma once
+/// Gathers findings and notes while a check runs, with the limits on their number.
+
+#include <map>
+#include <set>
+#include <string_view>
+
+#include "check/result.hpp"
+#include "cl/stacks.hpp"
+
+namespace obrys::check {
+
+/// One move on its way through the check.
+struct Move {
+    const cl::Record& record;
+    std::uint64_t index = 0;
+    geom::Vec3 from, to;
+    bool rapid = false;
+};
+
+class Collector {
+public:
+    Collector(const cl::CallStacks& stacks, std::size_t limit_per_code) : stacks_(stacks), limit_(limit_per_code) {}
+
+    /// A finding about a move, placed at its source. At most one for each code and move is kept.
+    void finding(const Move& move, Finding f);
+    /// A finding about a record that is not a move.
+    void finding(const cl::Record& record, Finding f);
+    /// Notes are kept once for each text and counted.
+    void unchecked(const cl::Record& record, std::string text, std::string remedy = {});
+    void unchecked(std::string text, std::string remedy = {});
+    void assumption(std::string text, base::Span where = nowhere);
+
+    [[nodiscard]] bool has_unchecked() const { return !result_.unchecked.empty(); }
+    [[nodiscard]] Result& result() { return result_; }
+    [[nodiscard]] const cl::CallStacks& stacks() const { return stacks_; }
+
+private:
+    const cl::CallStacks& stacks_;
+    std::size_t limit_;
+    std::map<std::string_view, std::size_t> per_code_;
+    std::set<std::string_view> of_last_move_;  ///< codes already said about the last move
+    std::uint64_t last_move_ = 0;
+    Result result_;
+};
+
+}  // namespace obrys::check

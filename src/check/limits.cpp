@@ -1,0 +1,202 @@
+#include "check/limits.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include "base/codes.hpp"
+#include "base/number.hpp"
+#include "check/words.hpp"
+#include "cl/totals.hpp"
+
+namespace obrys::check {
+
+namespace {
+
+constexpr double travel_tolerance = 1e-6;  ///< mm beyond a limit that rounding may make
+constexpr std::array<const char*, 3> names{"X", "Y", "Z"};
+
+double coordinate(geom::Vec3 v, std::size_t i) { return i == 0 ? v.x : i == 1 ? v.y : v.z; }
+
+/// Range of a coordinate along an arc: its ends and, where the sweep passes them, the extremes of the circle.
+std::pair<double, double> arc_range(geom::Vec3 from, const cl::Arc& arc, std::size_t i) {
+    double low = std::min(coordinate(from, i), coordinate(arc.to, i));
+    double high = std::max(coordinate(from, i), coordinate(arc.to, i));
+    const geom::Vec3 u = from - arc.centre;
+    const geom::Vec3 v = geom::cross(arc.normal, u);
+    const double a = coordinate(u, i), b = coordinate(v, i), radius = std::hypot(a, b);
+    const double sense = arc.sweep < 0 ? -1 : 1;
+    const double top = std::atan2(b * sense, a);  // angle in the sense of the sweep at which the coordinate is largest
+    const auto passes = [&](double angle) {
+        const double first = angle < 0 ? angle + 2 * geom::pi : angle;
+        return first <= std::abs(arc.sweep);
+    };
+    if (passes(top)) high = std::max(high, coordinate(arc.centre, i) + radius);
+    if (passes(top > 0 ? top - geom::pi : top + geom::pi)) low = std::min(low, coordinate(arc.centre, i) - radius);
+    return {low, high};
+}
+
+std::pair<double, double> range(const Move& move, std::size_t i) {
+    const auto* arc = std::get_if<cl::Arc>(&move.record.step);
+    if (arc != nullptr && geom::is_finite(move.from) && geom::is_finite(arc->centre)) return arc_range(move.from, *arc, i);
+    const double a = coordinate(move.from, i), b = coordinate(move.to, i);
+    return {std::fmin(a, b), std::fmax(a, b)};  // one unknown end leaves the other
+}
+
+Finding error(std::string_view code, std::string text) {
+    Finding f;
+    f.code = code;
+    f.text = std::move(text);
+    return f;
+}
+
+}  // namespace
+
+Limits::Limits(const shop::Machine& machine, Collector& out) : machine_(machine), out_(out) {
+    for (std::size_t i = 0; i < names.size(); ++i)
+        for (const shop::MachineAxis& axis : machine.axes)
+            if (axis.name == names[i] && (axis.min || axis.max)) travel_[i].axis = &axis;
+}
+
+void Limits::take(const cl::Record&, const cl::Datum& datum) {
+    datum_ = datum;
+    for (Travel& t : travel_) {
+        t.low = INFINITY;
+        t.high = -INFINITY;
+        t.worst = 0;
+    }
+}
+
+void Limits::take(const cl::Record& record, const cl::Axis& axis) {
+    const std::string wanted(axis.name.data(), std::find(axis.name.begin(), axis.name.end(), '\0'));
+    for (const shop::MachineAxis& a : machine_.axes) {
+        if (a.name != wanted || !std::isfinite(axis.to)) continue;
+        const double over = std::max(a.max ? axis.to - *a.max : 0.0, a.min ? *a.min - axis.to : 0.0);
+        double& worst = other_worst_[wanted];
+        if (over > travel_tolerance && over > worst) {
+            const std::string unit = a.rotary ? " degrees" : " mm";
+            Finding f = error(base::codes::axis_limit, "axis " + wanted + " goes to " + plain(axis.to) + unit + ", " +
+                                                           base::fixed(over, 3) + unit + " outside its travel");
+            f.amounts = {{a.rotary ? "excess_deg" : "excess_mm", over}};
+            out_.finding(record, std::move(f));
+        }
+        worst = std::max(over, 0.0);
+    }
+}
+
+/// How far the range lies outside the travel: absolutely where the zero is known, else by the length of the way.
+double Limits::excess(Travel& t, std::size_t i, double low, double high) const {
+    const double zero = coordinate(datum_.origin, i);
+    const shop::MachineAxis& axis = *t.axis;
+    if (std::isfinite(zero))
+        return std::max(axis.max ? high + zero - *axis.max : 0.0, axis.min ? *axis.min - (low + zero) : 0.0);
+    t.low = std::min(t.low, low);
+    t.high = std::max(t.high, high);
+    return axis.min && axis.max ? (t.high - t.low) - (*axis.max - *axis.min) : 0.0;
+}
+
+void Limits::check_travel(const Move& move) {
+    std::string text;
+    double worst = 0;
+    for (std::size_t i = 0; i < travel_.size(); ++i) {
+        Travel& t = travel_[i];
+        if (t.axis == nullptr) continue;
+        const auto [low, high] = range(move, i);
+        if (std::isnan(low)) continue;
+        const double over = std::max(excess(t, i, low, high), 0.0);
+        const bool absolute = std::isfinite(coordinate(datum_.origin, i));
+        if (!travel_noted_) out_.assumption("travel is judged at the programmed point: tool lengths are not in the stream");
+        travel_noted_ = true;
+        if (!absolute && t.axis->min && t.axis->max)
+            out_.assumption("zero offset of axis " + t.axis->name + " is not known: only the length of its way was held to its travel");
+        if (over > travel_tolerance && over > t.worst) {
+            text += (text.empty() ? "" : "; ") + ("axis " + t.axis->name) +
+                    (absolute ? " goes " + mm(over) + " outside its travel"
+                              : " needs " + mm(t.high - t.low) + " of way, " + mm(over) + " more than its travel");
+            worst = std::max(worst, over);
+        }
+        t.worst = absolute ? over : std::max(over, t.worst);
+    }
+    if (text.empty()) return;
+    Finding f = error(base::codes::axis_limit, std::move(text));
+    f.amounts = {{"excess_mm", worst}};
+    out_.finding(move, std::move(f));
+}
+
+void Limits::take(const cl::Record& record, const cl::Spindle& spindle) {
+    stopped_reported_ = stopped_reported_ && spindle.direction == 0;
+    feed_limit_reported_ = feed_limit_reported_ && spindle == spindle_;
+    const bool changed = spindle_.speed != spindle.speed || spindle_.mode != spindle.mode || spindle_.limit != spindle.limit ||
+                         (spindle_.direction == 0) != (spindle.direction == 0);
+    spindle_ = spindle;
+    if (!changed || spindle.direction == 0) return;
+    const bool surface = spindle.mode == cl::SpindleMode::surface;
+    const double speed = surface ? spindle.limit : spindle.speed;
+    const double low = machine_.spindle.min, high = machine_.spindle.max;
+    if (speed <= 0 || (speed <= high && (speed >= low || surface))) return;
+    const bool above = speed > high;
+    Finding f = error(base::codes::spindle_limit,
+                      std::string(surface ? "speed limit " : "spindle speed ") + plain(speed) + " 1/min is " +
+                          (above ? "above the machine's " + plain(high) : "below the machine's " + plain(low)) + " 1/min");
+    f.amounts = {{"speed_rpm", speed}, {"limit_rpm", above ? high : low}};
+    out_.finding(record, std::move(f));
+}
+
+void Limits::take(const cl::Feed& feed) {
+    feed_ = feed;
+    feed_reported_ = feed_limit_reported_ = false;
+}
+
+/// Highest spindle speed along the move, 1/min; with constant cutting speed at its smaller radius.
+double Limits::rpm(const Move& move) const {
+    if (spindle_.mode == cl::SpindleMode::rpm) return spindle_.speed;
+    const double radius = std::fmin(std::abs(move.from.x), std::abs(move.to.x));
+    double cap = machine_.spindle.max;
+    if (spindle_.limit > 0) cap = std::min(cap, spindle_.limit);
+    if (!(radius > 0)) return cap;
+    return std::min(cap, spindle_.speed * 1000 / (2 * geom::pi * radius));
+}
+
+void Limits::check_feed(const Move& move) {
+    if (std::holds_alternative<cl::Thread>(move.record.step)) return;  // the pitch sets the feed
+    if (feed_.value == 0) {
+        if (!feed_reported_) {
+            Finding f = error(base::codes::feed_missing, "feed move, but no feed is programmed");
+            f.remedy = "program F before the first feed move";
+            out_.finding(move, std::move(f));
+        }
+        feed_reported_ = true;
+        return;
+    }
+    if (machine_.max_feed <= 0 || feed_limit_reported_) return;
+    double per_minute = feed_.value;
+    if (feed_.mode == cl::FeedMode::per_rev) per_minute *= rpm(move);
+    if (feed_.mode == cl::FeedMode::inverse_time) per_minute *= cl::move_length(move.from, move.record.step);
+    if (!(per_minute > machine_.max_feed * (1 + 1e-9))) return;
+    feed_limit_reported_ = true;
+    Finding f = error(base::codes::feed_limit, "feed " + plain(per_minute) + " mm/min is above the machine's " +
+                                                   plain(machine_.max_feed) + " mm/min");
+    f.severity = base::Severity::warning;
+    f.amounts = {{"feed_mm_per_min", per_minute}, {"limit_mm_per_min", machine_.max_feed}};
+    out_.finding(move, std::move(f));
+}
+
+void Limits::check_spindle(const Move& move, std::optional<bool> cuts) {
+    const bool stands = spindle_.direction == 0 || spindle_.speed == 0;
+    const bool waits = feed_.mode == cl::FeedMode::per_rev && feed_.value > 0;
+    if (!stands || stopped_reported_ || !(waits || cuts.value_or(true))) return;
+    stopped_reported_ = true;
+    Finding f = error(base::codes::spindle_stopped, waits ? "feed per revolution while the spindle stands: the axes would not move"
+                                                    : cuts ? "the tool cuts while the spindle stands"
+                                                           : "feed move while the spindle stands");
+    f.remedy = "start the spindle with M3 or M4 and a speed S";
+    out_.finding(move, std::move(f));
+}
+
+void Limits::take(const Move& move, std::optional<bool> cuts) {
+    check_travel(move);
+    if (move.rapid) return;
+    check_feed(move);
+    check_spindle(move, cuts);
+}
+
+}  // namespace obrys::check

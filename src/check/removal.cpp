@@ -1,0 +1,220 @@
+#include "check/removal.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include "base/codes.hpp"
+#include "base/number.hpp"
+#include "cl/totals.hpp"
+
+namespace obrys::check {
+
+namespace {
+
+using sim::turning::Cut;
+using sim::turning::Depth;
+
+constexpr double beyond_gouge = 1e-6;     ///< mm2 an allowance cut must have besides the gouge to be told apart
+constexpr double in_plane = 1 - 1e-9;     ///< least |y| of the normal of an arc in the turning plane
+
+bool known(geom::Vec3 p) { return std::isfinite(p.x) && std::isfinite(p.z); }
+
+std::string tool_name(const cl::ToolChange& t) {
+    std::string out = "tool";
+    if (t.number != 0 || t.name.empty()) out += " T" + std::to_string(t.number);
+    if (!t.name.empty()) out += " \"" + t.name + "\"";
+    return out + (t.edge != 0 ? " D" + std::to_string(t.edge) : "");
+}
+
+const shop::Tool* find(const std::vector<shop::Tool>& tools, const cl::ToolChange& wanted) {
+    for (const shop::Tool& t : tools) {
+        const bool same = wanted.number != 0 ? t.number == wanted.number : t.name == wanted.name;
+        if (same && (wanted.edge == 0 || t.edge == wanted.edge)) return &t;
+    }
+    return nullptr;
+}
+
+sim::turning::Move in_turning_plane(const Move& move) {
+    sim::turning::Move m{{move.from.z, move.from.x}, {move.to.z, move.to.x}, {}, 0};
+    if (const auto* arc = std::get_if<cl::Arc>(&move.record.step)) {
+        m.centre = {arc->centre.z, arc->centre.x};
+        m.sweep = arc->normal.y < 0 ? -arc->sweep : arc->sweep;
+    }
+    return m;
+}
+
+Finding into(const Depth& d, bool part) {
+    Finding f;
+    f.code = part ? base::codes::gouge : base::codes::allowance_cut;
+    f.severity = part ? base::Severity::error : base::Severity::warning;
+    f.text = std::string(part ? "cuts into the finished part" : "cuts into the allowance that must stay") + ": " +
+             mm(d.along_x) + " deep along X, " + mm(d.normal) + " normal to the contour, " + mm2(d.area) + ", deepest at " +
+             point(d.deepest);
+    f.amounts = {{"depth_mm", d.normal}, {"depth_x_mm", d.along_x}, {"area_mm2", d.area}, {"volume_mm3", d.volume},
+                 {"z_mm", d.deepest.x}, {"x_mm", d.deepest.y}};
+    f.region = d.region;
+    f.at = d.deepest;
+    return f;
+}
+
+}  // namespace
+
+Removal::Removal(const Setup& setup, Collector& out) : setup_(setup), out_(out) {
+    if (!setup.stock || setup.stock->empty() || setup.machine.kind != shop::MachineKind::lathe) return;
+    work_.emplace(*setup.stock);
+    stock_box_ = box_of(*setup.stock);
+    last_cuts_ = LastCuts(stock_box_.min_z, stock_box_.max_z);
+    out_.result().before = StockFigures{work_->area(), work_->volume()};
+}
+
+void Removal::take(const cl::Record& record, const cl::ToolChange& tool) {
+    selected_ = record;
+    selected_any_ = tool.number != 0 || !tool.name.empty();
+    changed_ = true;
+    tool_ = selected_any_ ? find(setup_.tools, tool) : nullptr;
+    outline_ = tool_ != nullptr ? shop::outline(*tool_) : geom::Contour{};
+    outline_box_ = box_of(outline_);
+}
+
+/// The first move with a tool: enters it into the list of tools, complains where the shop does not have it.
+void Removal::first_use(const Move& move) {
+    changed_ = false;
+    use_ = 0;
+    if (!selected_any_) return;
+    const auto& tool = std::get<cl::ToolChange>(selected_.step);
+    auto& uses = out_.result().tools;
+    for (std::size_t i = 0; i < uses.size() && use_ == 0; ++i)
+        if (uses[i].number == tool.number && uses[i].edge == tool.edge && uses[i].name == tool.name)
+            use_ = static_cast<std::uint32_t>(i + 1);
+    if (use_ != 0) return;
+    std::optional<std::size_t> listed;
+    if (tool_ != nullptr) listed = static_cast<std::size_t>(tool_ - setup_.tools.data());
+    uses.push_back({tool.number, tool.edge, tool.name, listed, move.record.from, move.record.from, 0, 0, 0, 0});
+    use_ = static_cast<std::uint32_t>(uses.size());
+    if (tool_ != nullptr) return;
+    if (!setup_.tools_given) return out_.unchecked(selected_, "no tool list is given: tools are not checked", "name the tools in a job file");
+    Finding f;
+    f.code = base::codes::tool_missing;
+    f.text = tool_name(tool) + " is not in the tool list";
+    f.remedy = "add it to the job file, or give the tool file of the machine";
+    f.where = selected_.from;
+    f.stack = out_.stacks().sites(selected_.stack);
+    if (!(move.record.from == selected_.from)) f.related.push_back({move.record.from, "first move with it"});
+    out_.finding(move, std::move(f));
+}
+
+/// Why the removal of a move cannot be computed.
+std::optional<std::string> Removal::obstacle(const Move& move) const {
+    const std::string tool = selected_any_ ? tool_name(std::get<cl::ToolChange>(selected_.step)) : "";
+    if (!selected_any_) return "no tool is selected: removal not simulated";
+    if (tool_ == nullptr) return tool + " is not known: its removal is not simulated";
+    if (outline_.vertices.empty()) return tool + " has no outline: its removal is not simulated";
+    if (std::holds_alternative<cl::Thread>(move.record.step)) return "thread cutting: removal not simulated";
+    if (!known(move.from) || !known(move.to)) return "position not known: removal not simulated";
+    const auto* arc = std::get_if<cl::Arc>(&move.record.step);
+    if (arc != nullptr && !(std::abs(arc->normal.y) >= in_plane)) return "arc outside the turning plane: removal not simulated";
+    if (std::abs(move.to.y) > 1e-6 || std::abs(move.from.y) > 1e-6) return "Y is not 0: removal not simulated";
+    return std::nullopt;
+}
+
+/// True where the coordinates that are known prove that the tool passes beside the stock.
+bool Removal::misses(const Move& move) const {
+    if (outline_box_.empty() || std::holds_alternative<cl::Arc>(move.record.step)) return false;
+    const auto beside = [](double a, double b, double tool_min, double tool_max, double min, double max) {
+        return (a + tool_min >= max && b + tool_min >= max) || (a + tool_max <= min && b + tool_max <= min);
+    };
+    return beside(move.from.x, move.to.x, outline_box_.min_x, outline_box_.max_x, stock_box_.min_x, stock_box_.max_x) ||
+           beside(move.from.z, move.to.z, outline_box_.min_z, outline_box_.max_z, stock_box_.min_z, stock_box_.max_z);
+}
+
+void Removal::skipped(const Move& move, std::string why) {
+    const bool starting = move.rapid && (!position_was_known_ || (!selected_any_ && use_ == 0));
+    if (starting) {
+        ++start_moves_;
+        return;
+    }
+    complete_ = false;
+    out_.unchecked(move.record, std::move(why));
+}
+
+Removed Removal::take(const Move& move) {
+    Removed r;
+    if (changed_) first_use(move);
+    if (!selected_any_ && !move.rapid && !cut_without_tool_) {
+        cut_without_tool_ = true;
+        Finding f;
+        f.code = base::codes::tool_missing;
+        f.text = "no tool is selected at the first feed move";
+        f.remedy = "select a tool with T and D before it";
+        out_.finding(move, std::move(f));
+    }
+    if (work_) {
+        if (misses(move)) {
+            r.simulated = true;
+        } else if (std::optional<std::string> why = obstacle(move)) {
+            skipped(move, std::move(*why));
+        } else {
+            r.simulated = true;
+            r.cut = work_->cut(outline_, in_turning_plane(move));
+            r.cuts = r.cut.area > setup_.tolerances.rapid;
+            if (!r.cut.removed.empty()) judge(move, r.cut);
+        }
+    }
+    position_was_known_ = position_was_known_ || known(move.to);
+    count_use(move, r);
+    return r;
+}
+
+void Removal::judge(const Move& move, const Cut& cut) {
+    last_cuts_.add(move, box_of(cut.removed));
+    if (move.rapid && cut.area > setup_.tolerances.rapid) {
+        Finding f;
+        f.code = base::codes::rapid_in_stock;
+        f.text = "rapid move goes through the stock: " + mm(cut.depth_x) + " deep along X, " + mm2(cut.area);
+        f.amounts = {{"depth_x_mm", cut.depth_x}, {"area_mm2", cut.area}, {"volume_mm3", cut.volume},
+                     {"contact_length_mm", cut.contact_length}};
+        f.region = cut.removed;
+        out_.finding(move, std::move(f));
+    }
+    std::optional<Depth> gouge;
+    if (setup_.part) gouge = sim::turning::depth_inside(cut.removed, *setup_.part, setup_.tolerances.gouge);
+    if (gouge) out_.finding(move, into(*gouge, true));
+    if (!setup_.allowance) return;
+    const auto allowance = sim::turning::depth_inside(cut.removed, *setup_.allowance, setup_.tolerances.gouge);
+    if (allowance && allowance->area > (gouge ? gouge->area : 0) + beyond_gouge) out_.finding(move, into(*allowance, false));
+}
+
+void Removal::count_use(const Move& move, const Removed& removed) {
+    if (use_ == 0) return;
+    ToolUse& use = out_.result().tools[use_ - 1];
+    ++use.moves;
+    use.last = move.record.from;
+    use.volume_mm3 += removed.cut.volume;
+    const double length = cl::move_length(move.from, move.record.step);
+    if (std::isfinite(length)) (move.rapid ? use.rapid_length_mm : use.feed_length_mm) += length;
+}
+
+void Removal::finish(const cl::Record& end) {
+    Result& result = out_.result();
+    if (!work_) {
+        if (result.stats.moves == 0) return;
+        if (setup_.machine.kind != shop::MachineKind::lathe)
+            out_.unchecked("milling: removal not simulated");
+        else
+            out_.unchecked("no stock: removal not simulated", "describe the stock in a job file");
+        return;
+    }
+    if (start_moves_ > 0)
+        out_.assumption("start position or tool not known: the first " + std::to_string(start_moves_) +
+                        (start_moves_ == 1 ? " rapid move was" : " rapid moves were") + " not simulated");
+    result.after = StockFigures{work_->area(), work_->volume()};
+    result.stock_after = work_->region();
+    if (!setup_.part && !setup_.allowance)
+        out_.unchecked("no part contour: gouges and rest material not checked", "give the finished contour in the job file");
+    else if (complete_)
+        find_rest(setup_, result.stock_after, last_cuts_, end, out_);
+    else
+        out_.unchecked("rest material not judged, since not every move was simulated");
+}
+
+}  // namespace obrys::check

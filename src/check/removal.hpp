@@ -1,0 +1,55 @@
+#pragma once
+/// Removes the stock move by move and holds what was removed to part, allowance and rapids.
+
+#include "check/check.hpp"
+#include "check/collect.hpp"
+#include "check/rest.hpp"
+#include "check/words.hpp"
+#include "sim/turning/turning.hpp"
+
+namespace obrys::check {
+
+/// What the removal made of a move.
+struct Removed {
+    bool simulated = false;          ///< computed, or proved to touch nothing
+    bool cuts = false;               ///< material was removed
+    sim::turning::Cut cut;
+};
+
+class Removal {
+public:
+    Removal(const Setup& setup, Collector& out);
+
+    void take(const cl::Record& record, const cl::ToolChange& tool);
+    Removed take(const Move& move);
+    /// Notes, rest material and the figures of the stock. `end`: the last record.
+    void finish(const cl::Record& end);
+    [[nodiscard]] geom::Region stock() const { return work_ ? work_->region() : geom::Region{}; }
+    /// Index in Result::tools + 1 of the tool in use; 0: none.
+    [[nodiscard]] std::uint32_t tool_in_use() const { return use_; }
+
+private:
+    void first_use(const Move& move);
+    std::optional<std::string> obstacle(const Move& move) const;
+    [[nodiscard]] bool misses(const Move& move) const;
+    void skipped(const Move& move, std::string why);
+    void judge(const Move& move, const sim::turning::Cut& cut);
+    void count_use(const Move& move, const Removed& removed);
+
+    const Setup& setup_;
+    Collector& out_;
+    std::optional<sim::turning::Workpiece> work_;
+    Box stock_box_;
+    const shop::Tool* tool_ = nullptr;
+    geom::Contour outline_;
+    Box outline_box_;
+    cl::Record selected_;            ///< the last tool change
+    bool selected_any_ = false, changed_ = false, cut_without_tool_ = false;
+    std::uint32_t use_ = 0;
+    bool position_was_known_ = false;
+    std::uint64_t start_moves_ = 0;  ///< moves before start position and first tool were known
+    bool complete_ = true;           ///< no removal was left out
+    LastCuts last_cuts_;
+};
+
+}  // namespace obrys::check

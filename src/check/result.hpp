@@ -1,0 +1,116 @@
+#pragma once
+/// What a check found: verdict, findings, what was not checked, what was assumed, figures. Plain values for the reports.
+
+#include <cstdint>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "base/diagnostic.hpp"
+#include "cl/record.hpp"
+#include "geom/contour.hpp"
+
+namespace obrys::check {
+
+enum class Verdict : std::uint8_t {
+    clean,              ///< everything was run and checked, nothing was found
+    findings,           ///< everything was run and checked
+    not_fully_checked,  ///< something was not understood, not run or not simulated; findings may be there as well
+};
+[[nodiscard]] std::string_view name(Verdict v);  ///< "clean", "findings", "not-fully-checked"
+[[nodiscard]] int exit_code(Verdict v);          ///< 0, 1, 3
+
+/// File number of a span that points nowhere.
+inline constexpr std::uint32_t no_file = 0xFFFFFFFF;
+inline constexpr base::Span nowhere{no_file, 0, 0};
+[[nodiscard]] inline bool is_placed(const base::Span& s) { return s.file != no_file; }
+
+/// A figure of a finding; the key ends with the unit: `depth_mm`, `area_mm2`, `speed_rpm`. All keys: docs/report-json.md.
+struct Amount {
+    std::string_view key;  ///< static storage
+    double value = 0;
+};
+
+struct Finding {
+    std::string_view code;                 ///< one of base::codes
+    base::Severity severity = base::Severity::error;
+    std::string text;                      ///< what is wrong, with figures and units
+    std::string remedy;                    ///< may be empty
+    base::Span where = nowhere;
+    std::vector<base::Span> stack;         ///< call sites, innermost first
+    std::vector<base::Related> related;
+    std::optional<std::uint64_t> move;     ///< counts Linear, Arc and Thread from 0
+    std::optional<geom::Vec3> from, to;    ///< of that move; unknown coordinates are NaN
+    std::vector<Amount> amounts;
+    geom::Region region;                   ///< the material concerned, (z, x) plane; empty where there is none
+    std::optional<geom::Vec2> at;          ///< the worst point, (z, x)
+};
+
+/// Something that was not checked, was assumed, or is only listed.
+struct Note {
+    std::string_view code;
+    std::string text;
+    std::string remedy;
+    base::Span where = nowhere;
+    std::vector<base::Span> stack;
+    std::uint64_t times = 1;               ///< how often it came up; the place is the first one
+};
+
+struct Stats {
+    std::uint64_t moves = 0, rapid_moves = 0, feed_moves = 0;
+    double rapid_length_mm = 0, feed_length_mm = 0;  ///< of moves whose both ends are known
+    std::uint64_t blocks_executed = 0;               ///< set by the caller, who ran the program
+};
+
+struct StockFigures {
+    double area_mm2 = 0, volume_mm3 = 0;
+};
+
+/// One tool and edge in the order of first use.
+struct ToolUse {
+    std::uint32_t number = 0, edge = 0;
+    std::string name;
+    std::optional<std::size_t> listed;     ///< index in Setup::tools
+    base::Span first = nowhere, last = nowhere;
+    std::uint64_t moves = 0;
+    double feed_length_mm = 0, rapid_length_mm = 0, volume_mm3 = 0;
+};
+
+/// One move as the pictures need it, in the (z, x) plane.
+struct MoveTrace {
+    geom::Vec2 from, to, centre;           ///< NaN where unknown
+    double sweep = 0;                      ///< radians, counter-clockwise positive; 0: straight
+    bool rapid = false;
+    base::Span where = nowhere;
+    cl::StackId stack = 0;
+    std::uint32_t tool = 0;                ///< index in Result::tools + 1; 0: none
+    double area = 0, volume = 0, depth_x = 0, contact_length = 0;
+    geom::Region removed;
+};
+
+/// The stock after `moves` moves.
+struct Snapshot {
+    std::uint64_t moves = 0;
+    geom::Region stock;
+};
+
+struct Result {
+    Verdict verdict = Verdict::clean;
+    std::vector<Finding> findings;         ///< in the order in which they happen; rest material last
+    std::uint64_t findings_dropped = 0;    ///< past the limit per code: counted only
+    std::vector<Note> unchecked, assumptions, listed;
+    Stats stats;
+    std::optional<StockFigures> before, after;
+    geom::Region stock_after;
+    std::vector<ToolUse> tools;
+    std::vector<MoveTrace> moves;          ///< the first Setup::keep_moves moves
+    std::vector<Snapshot> snapshots;       ///< of the kept moves, increasing
+};
+
+/// The verdict that follows from the lists: not fully checked wins.
+[[nodiscard]] Verdict verdict_of(const Result& r);
+/// Takes over what the reader and the interpreter complained about, by the kind of its code, and updates the verdict.
+void merge(Result& result, const base::Diagnostics& diagnostics);
+
+}  // namespace obrys::check

@@ -1,0 +1,25 @@
+#pragma once
+/// Figures as messages show them.
+
+#include <string>
+
+#include "geom/vec.hpp"
+
+namespace obrys::check {
+
+[[nodiscard]] std::string mm(double value);               ///< "9.475 mm"
+[[nodiscard]] std::string mm2(double value);              ///< "5.328 mm2"
+/// "Z 166.908 X 46.500 (radius)", a point of the (z, x) plane.
+[[nodiscard]] std::string point(geom::Vec2 p);
+/// A whole number where it is one, else three decimals.
+[[nodiscard]] std::string plain(double value);
+
+/// Smallest box around points of the (z, x) plane; empty until a point is added.
+struct Box {
+    double min_z = INFINITY, max_z = -INFINITY, min_x = INFINITY, max_x = -INFINITY;
+    void add(geom::Vec2 p);
+    [[nodiscard]] bool empty() const { return min_z > max_z; }
+    [[nodiscard]] bool meets(const Box& other, double margin) const;
+};
+
+}  // namespace obrys::check

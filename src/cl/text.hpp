@@ -1,0 +1,40 @@
+#pragma once
+/// Text form of the CL stream: one record a line, reads back to exactly the same records. Format: docs/cl-stream.md.
+
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "base/diagnostic.hpp"
+#include "base/function_ref.hpp"
+#include "base/source.hpp"
+#include "cl/record.hpp"
+
+namespace obrys::cl {
+
+/// First line of every text; the number is the format's version.
+inline constexpr std::string_view text_header = "obrys-cl 1";
+
+/// The record as one line without its line end. Numbers are the shortest that read back to the same double.
+void append_text(std::string& out, const Record& record);
+[[nodiscard]] std::string to_text(const Record& record);
+/// Header and all records, each line ended by a newline.
+[[nodiscard]] std::string to_text(const std::vector<Record>& records);
+
+/// A sink that hands on the text line by line (each with its newline); the header goes out at construction.
+class TextWriter {
+public:
+    explicit TextWriter(base::FunctionRef<void(std::string_view)> out);
+    void operator()(const Record& record);
+
+private:
+    base::FunctionRef<void(std::string_view)> out_;
+    std::string line_;
+};
+
+/// Reads a text, record by record. A line that cannot be read is a `syntax` diagnostic at its first wrong word and is left out.
+void read_text(const base::Sources& sources, std::uint32_t file, Sink sink, base::Diagnostics& diagnostics);
+[[nodiscard]] std::vector<Record> read_text(const base::Sources& sources, std::uint32_t file,
+                                            base::Diagnostics& diagnostics);
+
+}  // namespace obrys::cl

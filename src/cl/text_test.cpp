@@ -1,0 +1,169 @@
+#include "cl/text.hpp"
+
+#include <gtest/gtest.h>
+#include <rapidcheck.h>
+#include <rapidcheck/gtest.h>
+
+#include "base/codes.hpp"
+
+namespace obrys::cl {
+namespace {
+
+std::vector<Record> read(std::string text, base::Diagnostics& diagnostics) {
+    base::Sources sources;
+    const std::uint32_t file = sources.add("test.cl", std::move(text));
+    return read_text(sources, file, diagnostics);
+}
+
+/// Any double: small decimals, any bits, NaN, infinities, zero.
+rc::Gen<double> any_number() {
+    return rc::gen::oneOf(rc::gen::map(rc::gen::inRange(-1'000'000, 1'000'000), [](int i) { return i / 1000.0; }),
+                          rc::gen::arbitrary<double>(),
+                          rc::gen::element<double>(NAN, INFINITY, -INFINITY, 0.0, 5e-324, 1.7976931348623157e308, 1e15));
+}
+double number() { return *any_number(); }
+geom::Vec3 vec() {
+    const double x = number(), y = number(), z = number();
+    return {x, y, z};
+}
+std::string text() { return *rc::gen::container<std::string>(rc::gen::arbitrary<char>()); }
+
+Step any_step(std::size_t kind) {
+    switch (kind) {
+        case 0: return Linear{vec(), vec(), *rc::gen::arbitrary<bool>()};
+        case 1: return Arc{vec(), vec(), vec(), number()};
+        case 2: {
+            Axis a{{}, number(), *rc::gen::arbitrary<bool>()};
+            const std::string name = text();
+            for (std::size_t i = 0; i < name.size() && i < a.name.size() && name[i] != 0; ++i) a.name[i] = name[i];
+            return a;
+        }
+        case 3: return Thread{vec(), number(), *rc::gen::arbitrary<bool>()};
+        case 4: return Dwell{number(), number()};
+        case 5: return Feed{number(), *rc::gen::element(FeedMode::per_minute, FeedMode::per_rev, FeedMode::inverse_time)};
+        case 6:
+            return Spindle{number(), *rc::gen::element(SpindleMode::rpm, SpindleMode::surface),
+                           *rc::gen::element<std::int8_t>(-1, 0, 1), number()};
+        case 7: return ToolChange{*rc::gen::arbitrary<std::uint32_t>(), *rc::gen::arbitrary<std::uint32_t>(), text()};
+        case 8: return Coolant{*rc::gen::element(CoolantState::off, CoolantState::flood, CoolantState::mist)};
+        case 9: return Stop{*rc::gen::element(StopKind::program, StopKind::optional, StopKind::end)};
+        case 10: return Comment{text(), *rc::gen::arbitrary<bool>()};
+        case 11: return Datum{*rc::gen::arbitrary<std::uint32_t>(), vec()};
+        case 12: return Auxiliary{*rc::gen::arbitrary<char>(), *rc::gen::arbitrary<std::int64_t>()};
+        case 13: {
+            CycleBegin c{text(), {}};
+            for (int i = *rc::gen::inRange(0, 4); i > 0; --i) c.parameters.push_back({text(), number()});
+            return c;
+        }
+        default: return CycleEnd{};
+    }
+}
+
+Record any_record(std::size_t kind) {
+    Record r;
+    r.step = any_step(kind);
+    r.from = {*rc::gen::arbitrary<std::uint32_t>(), *rc::gen::arbitrary<std::uint32_t>(),
+              *rc::gen::arbitrary<std::uint32_t>()};
+    r.stack = *rc::gen::arbitrary<StackId>();
+    return r;
+}
+
+/// Puts a number in the place of NaN, which equals nothing, not even itself.
+void mark(double& v) { v = std::isnan(v) ? -987654321.125 : v; }
+void mark(geom::Vec3& v) { mark(v.x), mark(v.y), mark(v.z); }
+struct Mark {
+    void operator()(Linear& s) const { mark(s.to), mark(s.axis); }
+    void operator()(Arc& s) const { mark(s.to), mark(s.centre), mark(s.normal), mark(s.sweep); }
+    void operator()(Axis& s) const { mark(s.to); }
+    void operator()(Thread& s) const { mark(s.to), mark(s.pitch); }
+    void operator()(Dwell& s) const { mark(s.seconds), mark(s.revolutions); }
+    void operator()(Feed& s) const { mark(s.value); }
+    void operator()(Spindle& s) const { mark(s.speed), mark(s.limit); }
+    void operator()(Datum& s) const { mark(s.origin); }
+    void operator()(CycleBegin& s) const {
+        for (CycleParameter& p : s.parameters) mark(p.value);
+    }
+    template <class Other>
+    void operator()(Other&) const {}
+};
+
+RC_GTEST_PROP(Text, ReadsBackToTheSameStream, ()) {
+    std::vector<Record> written;
+    for (std::size_t kind = 0; kind < std::variant_size_v<Step>; ++kind) written.push_back(any_record(kind));
+    const std::string text_form = to_text(written);
+    base::Diagnostics diagnostics;
+    std::vector<Record> back = read(text_form, diagnostics);
+    RC_ASSERT(diagnostics.all().empty());
+    RC_ASSERT(back.size() == written.size());
+    for (std::size_t i = 0; i < back.size(); ++i) {
+        std::visit(Mark{}, back[i].step);
+        std::visit(Mark{}, written[i].step);
+        RC_ASSERT(back[i].step == written[i].step);
+        RC_ASSERT(back[i].from == written[i].from);
+        RC_ASSERT(back[i].stack == written[i].stack);
+    }
+}
+
+TEST(Text, LooksAsDocumented) {
+    EXPECT_EQ(to_text({Linear{{30.5, NAN, -1.25}, {0, 0, 1}, true}, {0, 12, 25}, 3}), "rapid 30.5 ? -1.25 @0:12-25 ^3");
+    EXPECT_EQ(to_text({Linear{{1, 2, 3}, {1, 0, 0}, false}, {}, 0}), "linear 1 2 3 axis 1 0 0 @0:0-0");
+    EXPECT_EQ(to_text({Spindle{300, SpindleMode::surface, 1, 3000}, {}, 0}), "spindle 300 m/min cw limit 3000 @0:0-0");
+    EXPECT_EQ(to_text({ToolChange{5, 1, "Stechstahl \"3 mm\" für Nut"}, {}, 0}),
+              "tool 5 edge 1 \"Stechstahl \\\"3 mm\\\" für Nut\" @0:0-0");
+    EXPECT_EQ(to_text({Feed{0.2, FeedMode::per_rev}, {1, 2, 3}, 0}), "feed 0.2 mm/rev @1:2-3");
+}
+
+TEST(Text, TheWriterStreamsTheSameText) {
+    const std::vector<Record> records{{Feed{100, FeedMode::per_minute}, {0, 0, 4}, 0}, {CycleEnd{}, {0, 5, 9}, 2}};
+    std::string out;
+    const auto take = [&out](std::string_view s) { out += s; };
+    TextWriter writer{take};
+    for (const Record& r : records) writer(r);
+    EXPECT_EQ(out, to_text(records));
+}
+
+TEST(Text, BlankLinesAndNotesAreSkipped) {
+    base::Diagnostics diagnostics;
+    const auto records = read("; a note\r\n\r\nobrys-cl 1\r\n; more\r\ncycle-end @0:1-2\r\n", diagnostics);
+    EXPECT_TRUE(diagnostics.all().empty());
+    ASSERT_EQ(records.size(), 1u);
+    EXPECT_EQ(records[0].from, (base::Span{0, 1, 2}));
+}
+
+/// The complaint about the only wrong line, and the text under its caret.
+void expect_wrong(const std::string& line, const std::string& under, const std::string& part_of_message) {
+    const std::string text = "obrys-cl 1\ncycle-end @0:0-0\n" + line + "\ncycle-end @0:0-0\n";
+    base::Diagnostics diagnostics;
+    EXPECT_EQ(read(text, diagnostics).size(), 2u) << line;
+    ASSERT_EQ(diagnostics.all().size(), 1u) << line;
+    const base::Diagnostic& d = diagnostics.all()[0];
+    EXPECT_EQ(d.code, base::codes::syntax);
+    EXPECT_EQ(text.substr(d.where.begin, d.where.end - d.where.begin), under) << line;
+    EXPECT_NE(d.text.find(part_of_message), std::string::npos) << d.text;
+}
+
+TEST(Text, WrongWordsAreMarked) {
+    expect_wrong("linaer 1 2 3 @0:0-0", "linaer", "unknown record kind");
+    expect_wrong("linear 1 2x 3 @0:0-0", "2x", "expected a number");
+    expect_wrong("linear 1 2", "", "expected a number");
+    expect_wrong("arc 1 2 3 center 1 2 3 normal 0 1 0 sweep 1 @0:0-0", "center", "centre");
+    expect_wrong("feed 1 mm/mn @0:0-0", "mm/mn", "mm/min, mm/rev, 1/min");
+    expect_wrong("tool -5 edge 1 \"\" @0:0-0", "-5", "whole number");
+    expect_wrong("comment abc @0:0-0", "abc", "quotes");
+    expect_wrong("comment \"abc @0:0-0", "\"abc @0:0-0", "closing quote");
+    expect_wrong("comment \"a\\qb\" @0:0-0", "\"a\\q", "escape");
+    expect_wrong("axis \"LONGERTHAN8\" 1 mm @0:0-0", "\"LONGERTHAN8\"", "8 characters");
+    expect_wrong("cycle-end 0:0-0", "0:0-0", "@file:begin-end");
+    expect_wrong("cycle-end @0:0-0 ^1 more", "more", "nothing may follow");
+    expect_wrong("cycle-end @0:0-0 7", "7", "call stack");
+}
+
+TEST(Text, WithoutItsHeaderNothingIsRead) {
+    base::Diagnostics diagnostics;
+    EXPECT_TRUE(read("cycle-end @0:0-0\n", diagnostics).empty());
+    ASSERT_EQ(diagnostics.all().size(), 1u);
+    EXPECT_EQ(diagnostics.all()[0].code, base::codes::syntax);
+}
+
+}  // namespace
+}  // namespace obrys::cl

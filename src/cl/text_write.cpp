@@ -1,0 +1,171 @@
+#include <cmath>
+
+#include "base/number.hpp"
+#include "base/text.hpp"
+#include "cl/text.hpp"
+
+namespace obrys::cl {
+
+namespace {
+
+void number(std::string& out, double value) {
+    out += ' ';
+    out += std::isnan(value) ? "?" : base::shortest(value);
+}
+
+void vec(std::string& out, geom::Vec3 v) {
+    number(out, v.x);
+    number(out, v.y);
+    number(out, v.z);
+}
+
+/// A blank and the text in quotes; control characters, quotes and backslashes escaped, all other bytes as they are.
+void quoted(std::string& out, std::string_view text) {
+    constexpr std::string_view hex = "0123456789abcdef";
+    out += " \"";
+    for (const char c : text) {
+        const auto byte = static_cast<unsigned char>(c);
+        if (c == '"' || c == '\\') {
+            out += '\\';
+            out += c;
+        } else if (c == '\n') {
+            out += "\\n";
+        } else if (byte < 0x20 || byte == 0x7F) {
+            out += "\\x";
+            out += hex[byte >> 4];
+            out += hex[byte & 15];
+        } else {
+            out += c;
+        }
+    }
+    out += '"';
+}
+
+struct StepWriter {
+    std::string& out;
+
+    void operator()(const Linear& s) const {
+        out += s.rapid ? "rapid" : "linear";
+        vec(out, s.to);
+        if (s.axis == geom::Vec3{0, 0, 1}) return;
+        out += " axis";
+        vec(out, s.axis);
+    }
+    void operator()(const Arc& s) const {
+        out += "arc";
+        vec(out, s.to);
+        out += " centre";
+        vec(out, s.centre);
+        out += " normal";
+        vec(out, s.normal);
+        out += " sweep";
+        number(out, s.sweep);
+    }
+    void operator()(const Axis& s) const {
+        out += "axis";
+        std::size_t length = 0;
+        while (length < s.name.size() && s.name[length] != 0) ++length;
+        quoted(out, {s.name.data(), length});
+        number(out, s.to);
+        out += s.rotary ? " deg" : " mm";
+    }
+    void operator()(const Thread& s) const {
+        out += "thread";
+        vec(out, s.to);
+        out += " pitch";
+        number(out, s.pitch);
+        if (s.rigid_tap) out += " tap";
+    }
+    void operator()(const Dwell& s) const {
+        out += "dwell";
+        number(out, s.seconds);
+        number(out, s.revolutions);
+    }
+    void operator()(const Feed& s) const {
+        out += "feed";
+        number(out, s.value);
+        out += s.mode == FeedMode::per_minute ? " mm/min" : s.mode == FeedMode::per_rev ? " mm/rev" : " 1/min";
+    }
+    void operator()(const Spindle& s) const {
+        out += "spindle";
+        number(out, s.speed);
+        out += s.mode == SpindleMode::rpm ? " 1/min" : " m/min";
+        out += s.direction > 0 ? " cw" : s.direction < 0 ? " ccw" : " stop";
+        out += " limit";
+        number(out, s.limit);
+    }
+    void operator()(const ToolChange& s) const {
+        out += "tool " + std::to_string(s.number) + " edge " + std::to_string(s.edge);
+        quoted(out, s.name);
+    }
+    void operator()(const Coolant& s) const {
+        out += "coolant";
+        out += s.state == CoolantState::off ? " off" : s.state == CoolantState::flood ? " flood" : " mist";
+    }
+    void operator()(const Stop& s) const {
+        out += "stop";
+        out += s.kind == StopKind::program ? " program" : s.kind == StopKind::optional ? " optional" : " end";
+    }
+    void operator()(const Comment& s) const {
+        out += s.message ? "message" : "comment";
+        quoted(out, s.text);
+    }
+    void operator()(const Datum& s) const {
+        out += "datum " + std::to_string(s.number);
+        vec(out, s.origin);
+    }
+    void operator()(const Auxiliary& s) const {
+        out += "aux";
+        quoted(out, {&s.letter, 1});
+        out += ' ' + std::to_string(s.number);
+    }
+    void operator()(const CycleBegin& s) const {
+        out += "cycle";
+        quoted(out, s.name);
+        for (const CycleParameter& p : s.parameters) {
+            quoted(out, p.name);
+            number(out, p.value);
+        }
+    }
+    void operator()(const CycleEnd&) const { out += "cycle-end"; }
+};
+
+}  // namespace
+
+void append_text(std::string& out, const Record& record) {
+    std::visit(StepWriter{out}, record.step);
+    out += " @" + std::to_string(record.from.file) + ':' + std::to_string(record.from.begin) + '-' +
+           std::to_string(record.from.end);
+    if (record.stack != 0) out += " ^" + std::to_string(record.stack);
+}
+
+std::string to_text(const Record& record) {
+    std::string out;
+    append_text(out, record);
+    return out;
+}
+
+std::string to_text(const std::vector<Record>& records) {
+    std::string out(text_header);
+    out += '\n';
+    for (const Record& record : records) {
+        append_text(out, record);
+        out += '\n';
+    }
+    return out;
+}
+
+TextWriter::TextWriter(base::FunctionRef<void(std::string_view)> out) : out_(out) {
+    line_ = text_header;
+    line_ += '\n';
+    out_(line_);
+}
+
+void TextWriter::operator()(const Record& record) {
+    line_.clear();
+    append_text(line_, record);
+    line_ += '\n';
+    out_(line_);
+}
+
+}  // namespace obrys::cl

@@ -1,0 +1,57 @@
+#include "cl/totals.hpp"
+
+namespace obrys::cl {
+
+namespace {
+
+/// Difference along one coordinate; one that was never given does not move.
+double travel(double from, double to) { return std::isnan(from) && std::isnan(to) ? 0.0 : to - from; }
+
+double straight(geom::Vec3 from, geom::Vec3 to) {
+    return geom::length({travel(from.x, to.x), travel(from.y, to.y), travel(from.z, to.z)});
+}
+
+/// `v` with 0 for the coordinates along which the circle does not lie and that are not known.
+geom::Vec3 known(geom::Vec3 v) {
+    return {std::isnan(v.x) ? 0 : v.x, std::isnan(v.y) ? 0 : v.y, std::isnan(v.z) ? 0 : v.z};
+}
+
+double curved(geom::Vec3 from, const Arc& arc) {
+    const geom::Vec3 spoke = from - arc.centre;
+    const bool lost = (std::isnan(spoke.x) && std::abs(arc.normal.x) < 1) ||
+                      (std::isnan(spoke.y) && std::abs(arc.normal.y) < 1) ||
+                      (std::isnan(spoke.z) && std::abs(arc.normal.z) < 1);
+    if (lost) return NAN;
+    const geom::Vec3 chord{travel(from.x, arc.to.x), travel(from.y, arc.to.y), travel(from.z, arc.to.z)};
+    const double rise = geom::dot(known(chord), arc.normal);
+    const geom::Vec3 s = known(spoke);
+    const double radius = geom::length(s - geom::dot(s, arc.normal) * arc.normal);
+    return std::hypot(radius * arc.sweep, rise);
+}
+
+}  // namespace
+
+geom::Vec3 position_after(geom::Vec3 from, const Step& step) {
+    if (const auto* linear = std::get_if<Linear>(&step)) return linear->to;
+    if (const auto* arc = std::get_if<Arc>(&step)) return arc->to;
+    if (const auto* thread = std::get_if<Thread>(&step)) return thread->to;
+    return from;
+}
+
+double move_length(geom::Vec3 from, const Step& move) {
+    if (const auto* arc = std::get_if<Arc>(&move)) return curved(from, *arc);
+    return straight(from, position_after(from, move));
+}
+
+void Totals::operator()(const Record& record) {
+    ++records;
+    if (!is_move(record.step)) return;
+    ++moves;
+    const bool rapid = is_rapid(record.step);
+    ++(rapid ? rapid_moves : feed_moves);
+    const double length = move_length(position, record.step);
+    if (std::isfinite(length)) (rapid ? rapid_length_mm : feed_length_mm) += length;
+    position = position_after(position, record.step);
+}
+
+}  // namespace obrys::cl

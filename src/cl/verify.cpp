@@ -1,0 +1,104 @@
+#include "cl/verify.hpp"
+
+#include "base/codes.hpp"
+#include "base/number.hpp"
+#include "cl/totals.hpp"
+
+namespace obrys::cl {
+
+namespace {
+
+constexpr double unit_tolerance = 1e-9;   ///< of the length of a unit vector
+constexpr double angle_tolerance = 1e-6;  ///< radians the sweep may differ from the end point's angle
+
+bool is_unit(geom::Vec3 v) { return std::abs(geom::length(v) - 1) <= unit_tolerance; }
+bool infinite(geom::Vec3 v) { return std::isinf(v.x) || std::isinf(v.y) || std::isinf(v.z); }
+geom::Vec3 in_plane(geom::Vec3 v, geom::Vec3 normal) { return v - geom::dot(v, normal) * normal; }
+
+}  // namespace
+
+void Verifier::complain(const Record& record, std::string_view code, std::string text) {
+    base::Diagnostic d{base::Severity::error, code, record.from, std::move(text), "", {}, {}};
+    if (stacks_ != nullptr) d.stack = stacks_->sites(record.stack);
+    diagnostics_.add(std::move(d));
+}
+
+void Verifier::operator()(const Record& record) {
+    std::visit([&](const auto& step) { check(record, step); }, record.step);
+    position_ = position_after(position_, record.step);
+}
+
+void Verifier::finish() {
+    for (const Record& r : open_)
+        complain(r, base::codes::unclosed, "cycle " + std::get<CycleBegin>(r.step).name + " has no end");
+    open_.clear();
+}
+
+void Verifier::check(const Record& r, const Linear& s) {
+    if (infinite(s.to)) complain(r, base::codes::value_range, "end point is not finite");
+    if (!is_unit(s.axis)) complain(r, base::codes::value_range, "tool axis is not a unit vector");
+}
+
+void Verifier::check(const Record& r, const Arc& s) {
+    if (infinite(s.to) || infinite(s.centre) || !std::isfinite(s.sweep))
+        return complain(r, base::codes::value_range, "arc with a value that is not finite");
+    if (!is_unit(s.normal)) return complain(r, base::codes::value_range, "normal of the arc is not a unit vector");
+    if (s.sweep == 0) return complain(r, base::codes::value_range, "arc without sweep");
+    if (!is_finite(position_) || !is_finite(s.to) || !is_finite(s.centre)) return;
+    const geom::Vec3 a = in_plane(position_ - s.centre, s.normal), b = in_plane(s.to - s.centre, s.normal);
+    const double difference = std::abs(geom::length(a) - geom::length(b));
+    if (difference > options_.circle_tolerance)
+        return complain(r, base::codes::arc_radius,
+                        "radius at the start " + base::fixed(geom::length(a), 4) + " mm, at the end " +
+                            base::fixed(geom::length(b), 4) + " mm: they differ by " + base::fixed(difference, 4) + " mm");
+    // The angle from start to end must be the sweep but for whole turns; radii within tolerance allow as much off.
+    const double angle = std::atan2(geom::dot(geom::cross(a, b), s.normal), geom::dot(a, b));
+    const double off = std::remainder(angle - s.sweep, 2 * geom::pi);
+    const double radius = geom::length(a);
+    if (std::abs(off) > angle_tolerance && std::abs(off) * radius > options_.circle_tolerance)
+        complain(r, base::codes::arc_radius,
+                 "the sweep of " + base::fixed(geom::degrees(s.sweep), 4) + " degrees ends " +
+                     base::fixed(std::abs(off) * radius, 4) + " mm off the end point");
+}
+
+void Verifier::check(const Record& r, const Axis& s) {
+    if (s.name[0] == 0) complain(r, base::codes::value_range, "axis without a name");
+    if (std::isinf(s.to)) complain(r, base::codes::value_range, "axis position is not finite");
+}
+
+void Verifier::check(const Record& r, const Thread& s) {
+    if (infinite(s.to)) complain(r, base::codes::value_range, "end point is not finite");
+    if (!std::isfinite(s.pitch) || s.pitch == 0) complain(r, base::codes::value_range, "thread without pitch");
+}
+
+void Verifier::check(const Record& r, const Dwell& s) {
+    if (!(s.seconds >= 0) || !(s.revolutions >= 0) || std::isinf(s.seconds) || std::isinf(s.revolutions))
+        complain(r, base::codes::value_range, "dwell must be a finite time or number of revolutions, not negative");
+}
+
+void Verifier::check(const Record& r, const Feed& s) {
+    if (!(s.value >= 0) || std::isinf(s.value))
+        complain(r, base::codes::value_range, "feed must be finite and not negative");
+}
+
+void Verifier::check(const Record& r, const Spindle& s) {
+    if (!(s.speed >= 0) || std::isinf(s.speed))
+        complain(r, base::codes::value_range, "spindle speed must be finite and not negative; the direction is a field of its own");
+    if (!(s.limit >= 0) || std::isinf(s.limit))
+        complain(r, base::codes::value_range, "spindle speed limit must be finite and not negative");
+    if (s.direction < -1 || s.direction > 1)
+        complain(r, base::codes::value_range, "spindle direction must be -1, 0 or 1");
+}
+
+void Verifier::check(const Record& r, const Datum& s) {
+    if (infinite(s.origin)) complain(r, base::codes::value_range, "zero offset is not finite");
+}
+
+void Verifier::check(const Record& r, const CycleBegin&) { open_.push_back(r); }
+
+void Verifier::check(const Record& r, const CycleEnd&) {
+    if (open_.empty()) return complain(r, base::codes::unclosed, "end of a cycle that was not begun");
+    open_.pop_back();
+}
+
+}  // namespace obrys::cl

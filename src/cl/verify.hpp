@@ -1,0 +1,52 @@
+#pragma once
+/// Holds a CL stream to its own rules (docs/cl-stream.md), record by record.
+
+#include <vector>
+
+#include "base/diagnostic.hpp"
+#include "cl/record.hpp"
+#include "cl/stacks.hpp"
+
+namespace obrys::cl {
+
+struct VerifyOptions {
+    double circle_tolerance = 0.01;  ///< mm the radii at both ends of an arc may differ
+};
+
+/// Adds one diagnostic for every record that breaks a rule: `arc-radius` where the ends do not lie on the circle,
+/// `value-range` for values that no record may hold, `unclosed` for cycle brackets without their partner.
+class Verifier {
+public:
+    explicit Verifier(base::Diagnostics& diagnostics, VerifyOptions options = {}, const CallStacks* stacks = nullptr)
+        : diagnostics_(diagnostics), options_(options), stacks_(stacks) {}
+
+    void operator()(const Record& record);
+    /// To be called after the last record: complains about cycles that are still open.
+    void finish();
+
+private:
+    void complain(const Record& record, std::string_view code, std::string text);
+    void check(const Record& r, const Linear& s);
+    void check(const Record& r, const Arc& s);
+    void check(const Record& r, const Axis& s);
+    void check(const Record& r, const Thread& s);
+    void check(const Record& r, const Dwell& s);
+    void check(const Record& r, const Feed& s);
+    void check(const Record& r, const Spindle& s);
+    void check(const Record& r, const Datum& s);
+    void check(const Record& r, const CycleBegin& s);
+    void check(const Record& r, const CycleEnd& s);
+    void check(const Record&, const ToolChange&) {}
+    void check(const Record&, const Coolant&) {}
+    void check(const Record&, const Stop&) {}
+    void check(const Record&, const Comment&) {}
+    void check(const Record&, const Auxiliary&) {}
+
+    base::Diagnostics& diagnostics_;
+    VerifyOptions options_;
+    const CallStacks* stacks_;
+    geom::Vec3 position_{NAN, NAN, NAN};
+    std::vector<Record> open_;  ///< CycleBegin records without their end
+};
+
+}  // namespace obrys::cl

@@ -1,0 +1,58 @@
+#include "cl/verify.hpp"
+
+#include <gtest/gtest.h>
+
+#include "base/codes.hpp"
+
+namespace obrys::cl {
+namespace {
+
+/// Codes of what the verifier says about the steps, one after the other.
+std::vector<std::string> complaints(const std::vector<Step>& steps) {
+    base::Diagnostics diagnostics;
+    Verifier verify(diagnostics);
+    for (const Step& step : steps) verify({step, {}, 0});
+    verify.finish();
+    std::vector<std::string> out;
+    for (const base::Diagnostic& d : diagnostics.all()) out.emplace_back(d.code);
+    return out;
+}
+using Codes = std::vector<std::string>;
+
+TEST(Verify, AGoodStreamPasses) {
+    EXPECT_EQ(complaints({Linear{{10, 0, NAN}, {0, 0, 1}, true}, Linear{{10, 0, 0}, {0, 0, 1}, true}, Feed{0.2, FeedMode::per_rev},
+                          Spindle{300, SpindleMode::surface, 1, 3000}, CycleBegin{"CYCLE93", {}},
+                          Arc{{0, 10, 0}, {0, 0, 0}, {0, 0, 1}, geom::pi / 2}, CycleEnd{},
+                          Arc{{10, 0, 5}, {0, 0, 0}, {0, 0, 1}, -2.5 * geom::pi}, Thread{{10, 0, 0}, -1.5, false},
+                          Dwell{0, 3}, Datum{54, {NAN, NAN, NAN}}}),
+              Codes{});
+}
+
+TEST(Verify, ArcsMustEndOnTheirCircle) {
+    const Linear start{{10, 0, 0}, {0, 0, 1}, true};
+    EXPECT_EQ(complaints({start, Arc{{0, 10.02, 0}, {0, 0, 0}, {0, 0, 1}, geom::pi / 2}}), Codes{"arc-radius"});
+    EXPECT_EQ(complaints({start, Arc{{0, 10.005, 0}, {0, 0, 0}, {0, 0, 1}, geom::pi / 2}}), Codes{});
+    // The other way round the circle does not end there.
+    EXPECT_EQ(complaints({start, Arc{{0, 10, 0}, {0, 0, 0}, {0, 0, 1}, -geom::pi / 2}}), Codes{"arc-radius"});
+    EXPECT_EQ(complaints({start, Arc{{10, 0, 0}, {0, 0, 0}, {0, 0, 1}, 0}}), Codes{"value-range"});
+    EXPECT_EQ(complaints({start, Arc{{0, 10, 0}, {0, 0, 0}, {0, 0, 2}, 1}}), Codes{"value-range"});
+}
+
+TEST(Verify, NoRecordHoldsTheseValues) {
+    EXPECT_EQ(complaints({Linear{{INFINITY, 0, 0}, {0, 0, 1}, true}}), Codes{"value-range"});
+    EXPECT_EQ(complaints({Linear{{0, 0, 0}, {0, 0, 1.1}, true}}), Codes{"value-range"});
+    EXPECT_EQ(complaints({Spindle{-1, SpindleMode::rpm, 1, 0}}), Codes{"value-range"});
+    EXPECT_EQ(complaints({Spindle{1, SpindleMode::rpm, 3, 0}}), Codes{"value-range"});
+    EXPECT_EQ(complaints({Feed{NAN, FeedMode::per_minute}}), Codes{"value-range"});
+    EXPECT_EQ(complaints({Dwell{-1, 0}}), Codes{"value-range"});
+    EXPECT_EQ(complaints({Thread{{0, 0, 0}, 0, false}}), Codes{"value-range"});
+    EXPECT_EQ(complaints({Axis{{}, 0, true}}), Codes{"value-range"});
+}
+
+TEST(Verify, CycleBracketsPairUp) {
+    EXPECT_EQ(complaints({CycleBegin{"A", {}}, CycleBegin{"B", {}}, CycleEnd{}}), Codes{"unclosed"});
+    EXPECT_EQ(complaints({CycleEnd{}}), Codes{"unclosed"});
+}
+
+}  // namespace
+}  // namespace obrys::cl

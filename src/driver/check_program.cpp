@@ -1,0 +1,33 @@
+#include "driver/check_program.hpp"
+
+namespace obrys::driver {
+
+Checked check_program(Session& session, std::size_t keep_moves, const std::function<void(std::uint64_t)>& progress) {
+    // 1. What the program is held to: machine, tools, stock, part, allowance (shop; resolved when the session was opened).
+    check::Setup setup;
+    setup.machine = session.job.machine;
+    setup.tools = session.job.tools;
+    setup.tools_given = !session.job.tools.empty() || session.has_job;
+    if (session.job.stock) setup.stock = session.job.stock->region;
+    setup.part = session.part;
+    setup.allowance = session.allowance;
+    setup.tolerances = session.job.tolerances;
+    setup.keep_moves = keep_moves;
+
+    // 2. Program tree -> CL stream -> removal and findings, record by record (interp, check, sim/turning).
+    check::Check check(setup, session.stacks);
+    std::uint64_t moves = 0;
+    const auto sink = [&](const cl::Record& record) {
+        check.take(record);
+        if (progress && cl::is_move(record.step) && (++moves & 0xFFF) == 0) progress(moves);
+    };
+    const interp::Outcome outcome = interpret(session, sink);
+
+    // 3. Rest material and figures; what reader and interpreter complained about joins the findings (check).
+    check::Result result = check.finish();
+    result.stats.blocks_executed = outcome.blocks_executed;
+    check::merge(result, session.diagnostics);
+    return {std::move(setup), std::move(result)};
+}
+
+}  // namespace obrys::driver

@@ -1,0 +1,30 @@
+#pragma once
+/// Files in and out: the only place of the core that touches the disk.
+
+#include <filesystem>
+#include <optional>
+#include <string>
+#include <string_view>
+
+#include "base/diagnostic.hpp"
+#include "base/source.hpp"
+
+namespace obrys::driver {
+
+namespace fs = std::filesystem;
+
+/// A place that is no place: complaints about the command line.
+inline constexpr base::Span nowhere{0xFFFFFFFF, 0, 0};
+
+/// Adds the file's text to `sources`. A missing, empty, binary or too large file is a complaint at `where`, naming the
+/// nearest file names of the folder, and nothing is returned.
+std::optional<std::uint32_t> load(const fs::path& path, base::Sources& sources, base::Diagnostics& diagnostics,
+                                  const base::Span& where = nowhere);
+
+/// Writes a whole file or nothing: to a neighbour first, then renamed. False (and a complaint) where that fails.
+bool store(const fs::path& path, std::string_view content, base::Diagnostics& diagnostics);
+
+/// Up to three names of `folder` that look like `name`.
+[[nodiscard]] std::string similar_names(const fs::path& folder, std::string_view name);
+
+}  // namespace obrys::driver

@@ -1,0 +1,63 @@
+#include "driver/programs.hpp"
+
+#include <algorithm>
+
+#include "base/text.hpp"
+#include "read/sinumerik/read.hpp"
+
+namespace obrys::driver {
+
+namespace {
+
+bool has_suffix(const fs::path& path, std::initializer_list<std::string_view> suffixes) {
+    const std::string suffix = base::to_upper(path.extension().string());
+    return std::find(suffixes.begin(), suffixes.end(), suffix) != suffixes.end();
+}
+
+}  // namespace
+
+void Programs::add_folder(const fs::path& folder) {
+    std::error_code error;
+    std::vector<fs::path> found;
+    for (const fs::directory_entry& entry : fs::directory_iterator(folder.empty() ? fs::path(".") : folder, error))
+        found.push_back(entry.path().lexically_normal());
+    std::sort(found.begin(), found.end());  // the same order on every file system
+    for (const fs::path& path : found) {
+        const std::string name = base::to_upper(path.stem().string());
+        if (has_suffix(path, {".SPF"})) files_.emplace(name, path);
+        if (has_suffix(path, {".DEF", ".GUD"})) definition_files_.push_back(path);
+    }
+    for (const fs::path& path : found)
+        if (has_suffix(path, {".MPF"})) files_.emplace(base::to_upper(path.stem().string()), path);
+}
+
+const program::Unit* Programs::read(std::uint32_t file) {
+    sources_.set_block_numbers(file, base::BlockNumbers::n_word);
+    std::vector<program::Unit> units = read::sinumerik::read(file, sources_, names_, diagnostics_);
+    const program::Unit* first = nullptr;
+    for (program::Unit& unit : units) {
+        units_.push_back(std::make_unique<program::Unit>(std::move(unit)));
+        const program::Unit* held = units_.back().get();
+        by_name_.emplace(held->name, held);
+        if (first == nullptr) first = held;
+    }
+    return first;
+}
+
+const program::Unit* Programs::find(std::string_view name) {
+    const std::string key(name);
+    if (const auto known = by_name_.find(key); known != by_name_.end()) return known->second;
+    const program::Unit* unit = nullptr;
+    if (const auto path = files_.find(key); path != files_.end())
+        if (const auto file = load(path->second, sources_, diagnostics_)) unit = read(*file);
+    by_name_[key] = unit;
+    return unit;
+}
+
+void Programs::read_definitions() {
+    for (const fs::path& path : definition_files_)
+        if (const auto file = load(path, sources_, diagnostics_))
+            if (const program::Unit* unit = read(*file)) definitions_.push_back(unit);
+}
+
+}  // namespace obrys::driver

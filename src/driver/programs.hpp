@@ -1,0 +1,42 @@
+#pragma once
+/// The programs of a run: the main one and those it calls, found by name and read when first needed.
+
+#include <memory>
+#include <string>
+#include <unordered_map>
+#include <vector>
+
+#include "base/diagnostic.hpp"
+#include "driver/files.hpp"
+#include "program/unit.hpp"
+
+namespace obrys::driver {
+
+class Programs {
+public:
+    Programs(base::Sources& sources, base::Diagnostics& diagnostics) : sources_(sources), diagnostics_(diagnostics) {}
+
+    /// Folder in which called programs are looked for, in the order of the calls of this function.
+    void add_folder(const fs::path& folder);
+    /// Reads a program that is already among the sources; the first unit of an archive is the main one.
+    const program::Unit* read(std::uint32_t file);
+    /// The program of that name (upper case, without suffix), read from its folder when first asked for; or null.
+    const program::Unit* find(std::string_view name);
+    /// Reads the definition files (.DEF, .GUD) of the folders.
+    void read_definitions();
+
+    [[nodiscard]] const std::vector<const program::Unit*>& definitions() const { return definitions_; }
+    [[nodiscard]] program::Names& names() { return names_; }
+
+private:
+    base::Sources& sources_;
+    base::Diagnostics& diagnostics_;
+    program::Names names_;
+    std::vector<std::unique_ptr<program::Unit>> units_;
+    std::vector<const program::Unit*> definitions_;
+    std::unordered_map<std::string, const program::Unit*> by_name_;
+    std::unordered_map<std::string, fs::path> files_;   ///< program name -> file
+    std::vector<fs::path> definition_files_;
+};
+
+}  // namespace obrys::driver

@@ -1,0 +1,157 @@
+#include "driver/session.hpp"
+
+#include <algorithm>
+
+#include "base/codes.hpp"
+#include "base/number.hpp"
+#include "base/text.hpp"
+#include "driver/contours.hpp"
+#include "read/sinumerik/read.hpp"
+
+namespace obrys::driver {
+
+namespace codes = base::codes;
+
+namespace {
+
+void complain(Session& s, std::string_view code, const base::Span& where, std::string text, std::string remedy = {}) {
+    s.diagnostics.add({base::Severity::error, code, where, std::move(text), std::move(remedy), {}, {}});
+}
+
+void assume(Session& s, std::string text, std::string remedy = {}) {
+    s.diagnostics.add({base::Severity::note, codes::assumption, nowhere, std::move(text), std::move(remedy), {}, {}});
+}
+
+bool is_job(const fs::path& path) { return base::equals_ignoring_case(path.extension().string(), ".toml"); }
+
+/// A path of the job file, which is relative to its folder.
+fs::path beside(const fs::path& job, const std::string& written) {
+    const fs::path path(written);
+    return path.is_absolute() ? path : (job.parent_path() / path).lexically_normal();
+}
+
+bool known_control(Session& s, const std::string& name) {
+    const auto all = controls();
+    if (name.empty() || std::find(all.begin(), all.end(), name) != all.end()) return true;
+    std::string list;
+    for (const std::string& c : all) list += (list.empty() ? "" : ", ") + c;
+    complain(s, codes::job_value, nowhere, "there is no control \"" + name + "\"", "controls that can be read: " + list);
+    return false;
+}
+
+/// R3=150 of the command line.
+bool take_override(Session& s, const std::string& text) {
+    const auto equal = text.find('=');
+    const std::string name = base::to_upper(base::trim(std::string_view(text).substr(0, equal)));
+    const auto value = equal == std::string::npos ? std::nullopt : base::parse_double(std::string_view(text).substr(equal + 1));
+    if (name.empty() || !value) {
+        complain(s, codes::job_value, nowhere, "--set " + text + " is not of the form NAME=NUMBER", "write for example --set R3=150");
+        return false;
+    }
+    auto& all = s.job.overrides;
+    std::erase_if(all, [&](const shop::Override& o) { return o.name == name; });
+    all.push_back({name, *value, nowhere});
+    return true;
+}
+
+bool load_machine(Session& s, const fs::path& base_path, const std::string& name) {
+    if (auto shipped = shop::shipped_machine(name)) {
+        shop::use_machine(s.job, *shipped);
+        return true;
+    }
+    const auto file = load(beside(base_path, name), s.sources, s.diagnostics, s.job.machine_where);
+    if (!file) return false;
+    shop::use_machine(s.job, shop::read_machine(*file, s.sources, s.diagnostics));
+    return true;
+}
+
+void load_tools(Session& s, const fs::path& base_path) {
+    for (const std::string& name : s.job.tool_files) {
+        const fs::path path = beside(base_path, name);
+        const auto file = load(path, s.sources, s.diagnostics, s.job.program_where);
+        if (!file) continue;
+        const auto tools = is_job(path) ? shop::read_tools(*file, s.sources, s.diagnostics) : shop::read_toa(*file, s.sources, s.diagnostics);
+        s.job.tools = shop::merge_tools(std::move(s.job.tools), tools);
+    }
+    for (const shop::Tool& t : s.job.tools)
+        if (!t.assumed.empty()) s.diagnostics.add({base::Severity::note, codes::assumption, t.where, t.assumed, {}, {}, {}});
+}
+
+/// A program alone does not say what machine it is for; turning words tell a lathe.
+bool looks_like_turning(const program::Unit& unit) {
+    for (const program::Word& w : unit.words) {
+        if (program::code_of(w) == program::Code::speed_limit) return true;
+        if (program::code_of(w) != program::Code::modal) continue;
+        const program::Modal m = program::modal_of(w);
+        if (m == program::Modal::plane_zx || m == program::Modal::diameter_on || m == program::Modal::diameter_off) return true;
+    }
+    return false;
+}
+
+bool choose_machine(Session& s, const Request& request, const fs::path& job_path) {
+    const std::string name = !request.machine.empty() ? request.machine : s.job.machine_is_file ? s.job.machine_name : std::string{};
+    if (!name.empty()) return load_machine(s, request.machine.empty() ? job_path : fs::path{}, name);
+    if (s.has_job && !s.job.machine_name.empty()) return true;
+    const bool turning = s.has_job ? s.job.machine.kind == shop::MachineKind::lathe : looks_like_turning(*s.main);
+    const char* generic = turning ? "lathe-generic" : "mill-generic";
+    shop::use_machine(s.job, *shop::shipped_machine(generic));
+    assume(s, std::string("no machine is named: ") + generic + " is taken", "name one with --machine or in the job");
+    return true;
+}
+
+bool read_main(Session& s, const Request& request, const fs::path& path) {
+    const auto file = load(path, s.sources, s.diagnostics, s.job.program_where);
+    if (!file) return false;
+    s.program = s.sources[*file].name;
+    s.control = !request.control.empty() ? request.control : !s.job.control.empty() ? s.job.control : controls().front();
+    s.programs = std::make_unique<Programs>(s.sources, s.diagnostics);
+    s.programs->add_folder(path.parent_path());
+    for (const std::string& folder : request.search) s.programs->add_folder(folder);
+    for (const std::string& folder : s.job.search) s.programs->add_folder(beside(request.input, folder));
+    s.main = s.programs->read(*file);
+    s.programs->read_definitions();
+    if (s.main == nullptr) complain(s, codes::syntax, {*file, 0, 0}, "this file holds no program");
+    return s.main != nullptr;
+}
+
+}  // namespace
+
+std::vector<std::string> controls() { return {"sinumerik-840d"}; }
+
+bool open(const Request& request, Session& s) {
+    const fs::path input(request.input);
+    fs::path program = input;
+    if (is_job(input)) {
+        const auto file = load(input, s.sources, s.diagnostics);
+        if (!file) return false;
+        s.job = shop::read_job(*file, s.sources, s.diagnostics);
+        s.has_job = true;
+        if (s.job.program.empty() || s.diagnostics.has_errors()) return false;
+        program = beside(input, s.job.program);
+    }
+    bool good = known_control(s, request.control) && known_control(s, s.job.control);
+    for (const std::string& text : request.set) good = take_override(s, text) && good;
+    for (const std::string& folder : request.search)
+        if (!fs::is_directory(folder)) {
+            complain(s, codes::file_missing, nowhere, "--search " + folder + " is not a folder");
+            good = false;
+        }
+    if (!good || !read_main(s, request, program) || !choose_machine(s, request, input)) return false;
+    s.job.skip_levels.insert(s.job.skip_levels.end(), request.skip.begin(), request.skip.end());
+    if (request.diameter) s.job.machine.defaults.diameter_programming = *request.diameter;
+    load_tools(s, input);
+    resolve_contours(s, input);
+    return !std::any_of(s.diagnostics.all().begin(), s.diagnostics.all().end(), [](const base::Diagnostic& d) {
+        return d.severity == base::Severity::error && base::kind_of(d.code) == base::CodeKind::input;
+    });
+}
+
+interp::Outcome interpret(Session& s, cl::Sink sink) {
+    const auto find = [&](std::string_view name) { return s.programs->find(name); };
+    const interp::Environment environment{s.sources,        s.programs->names(), s.job.machine, s.job.tools,
+                                          s.job.overrides,  s.job.budgets,       s.job.skip_levels, find,
+                                          s.programs->definitions()};
+    return interp::run(*s.main, environment, s.stacks, sink, s.diagnostics);
+}
+
+}  // namespace obrys::driver

@@ -1,0 +1,50 @@
+#pragma once
+/// What a command works on: the job with everything it names, loaded and resolved.
+
+#include <memory>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "base/diagnostic.hpp"
+#include "cl/stacks.hpp"
+#include "driver/programs.hpp"
+#include "interp/interp.hpp"
+#include "shop/job.hpp"
+
+namespace obrys::driver {
+
+/// The command line, as far as it concerns what is run.
+struct Request {
+    std::string input;                  ///< a program, or a job file (.toml)
+    std::string control, machine;       ///< empty: as the job says, else found from the content
+    std::vector<std::string> set;       ///< "R3=150"
+    std::vector<std::string> search;    ///< folders
+    std::vector<int> skip;              ///< block skip levels that are on
+    std::optional<bool> diameter;       ///< X words are diameters at the start
+};
+
+struct Session {
+    base::Sources sources;
+    base::Diagnostics diagnostics;
+    shop::Job job;
+    std::string program;                ///< path of the main program, as shown
+    std::string control;
+    std::unique_ptr<Programs> programs;
+    const program::Unit* main = nullptr;
+    std::optional<geom::Region> part, allowance;
+    cl::CallStacks stacks;
+    bool has_job = false;
+};
+
+/// Loads job, machine, tools and main program, and resolves the contours. False where the input cannot be used at all
+/// (exit code 2); what is wrong stands in the session's diagnostics.
+bool open(const Request& request, Session& session);
+
+/// Interprets the main program to `sink`.
+interp::Outcome interpret(Session& session, cl::Sink sink);
+
+/// Names of the controls whose programs can be read.
+[[nodiscard]] std::vector<std::string> controls();
+
+}  // namespace obrys::driver

@@ -1,0 +1,108 @@
+#include "driver/stream_table.hpp"
+
+#include <cmath>
+#include <nlohmann/json.hpp>
+
+#include "base/number.hpp"
+#include "base/text.hpp"
+
+namespace obrys::driver {
+
+namespace {
+
+constexpr int decimals = 9;
+
+/// What CSV and JSON rows are made of.
+struct Row {
+    const char* kind = "";
+    geom::Vec3 to;
+    const cl::Arc* arc = nullptr;
+    bool rapid = false;
+};
+
+bool row_of(const cl::Step& step, Row& row) {
+    if (const auto* line = std::get_if<cl::Linear>(&step)) {
+        row = {line->rapid ? "rapid" : "linear", line->to, nullptr, line->rapid};
+        return true;
+    }
+    if (const auto* arc = std::get_if<cl::Arc>(&step)) {
+        row = {"arc", arc->to, arc, false};
+        return true;
+    }
+    if (const auto* thread = std::get_if<cl::Thread>(&step)) {
+        row = {"thread", thread->to, nullptr, false};
+        return true;
+    }
+    return false;
+}
+
+/// Seen against the plane's positive normal, as G2 and G3 are meant.
+const char* sense_of(const cl::Arc& a) {
+    const double up = a.normal.x + a.normal.y + a.normal.z;
+    return (a.sweep > 0) == (up > 0) ? "ccw" : "cw";
+}
+
+void append_number(std::string& out, double v) {
+    out += ',';
+    if (std::isfinite(v)) base::append_fixed(out, v, decimals);
+}
+
+std::string quoted(std::string_view text) {
+    if (text.find_first_of(",\"\n") == std::string_view::npos) return std::string(text);
+    std::string out = "\"";
+    for (const char c : text) out += c == '"' ? std::string("\"\"") : std::string(1, c);
+    return out + "\"";
+}
+
+}  // namespace
+
+CsvWriter::CsvWriter(const base::Sources& sources, TextSink out) : sources_(sources), out_(out) {
+    out_("i,file,line,block,kind,x,y,z,feed,cx,cy,cz,sense\n");
+}
+
+void CsvWriter::operator()(const cl::Record& r) {
+    if (const auto* feed = std::get_if<cl::Feed>(&r.step)) feed_ = feed->value;
+    Row row;
+    if (!row_of(r.step, row)) return;
+    row_.clear();
+    row_ += std::to_string(index_++) + ',' + quoted(sources_[r.from.file].name) + ',' + std::to_string(sources_.position(r.from).line) + ',';
+    if (const auto block = sources_.block_number(r.from.file, r.from.begin)) row_ += std::to_string(*block);
+    row_ += std::string(",") + row.kind;
+    append_number(row_, row.to.x);
+    append_number(row_, row.to.y);
+    append_number(row_, row.to.z);
+    append_number(row_, row.rapid ? NAN : feed_);
+    append_number(row_, row.arc != nullptr ? row.arc->centre.x : NAN);
+    append_number(row_, row.arc != nullptr ? row.arc->centre.y : NAN);
+    append_number(row_, row.arc != nullptr ? row.arc->centre.z : NAN);
+    row_ += std::string(",") + (row.arc != nullptr ? sense_of(*row.arc) : "") + "\n";
+    out_(row_);
+}
+
+void JsonWriter::operator()(const cl::Record& r) {
+    if (const auto* feed = std::get_if<cl::Feed>(&r.step)) feed_ = feed->value;
+    Row row;
+    if (!row_of(r.step, row)) return;
+    const auto number = [](double v) { return std::isfinite(v) ? nlohmann::ordered_json(v) : nlohmann::ordered_json(nullptr); };
+    nlohmann::ordered_json j;
+    j["i"] = index_;
+    j["file"] = base::as_utf8(sources_[r.from.file].name);
+    j["line"] = sources_.position(r.from).line;
+    const auto block = sources_.block_number(r.from.file, r.from.begin);
+    j["block"] = block ? nlohmann::ordered_json(*block) : nlohmann::ordered_json(nullptr);
+    j["kind"] = row.kind;
+    j["x_mm"] = number(row.to.x);
+    j["y_mm"] = number(row.to.y);
+    j["z_mm"] = number(row.to.z);
+    if (!row.rapid) j["feed"] = feed_;
+    if (row.arc != nullptr) {
+        j["centre_mm"] = {number(row.arc->centre.x), number(row.arc->centre.y), number(row.arc->centre.z)};
+        j["sense"] = sense_of(*row.arc);
+        j["sweep_deg"] = geom::degrees(row.arc->sweep);
+    }
+    out_((index_++ == 0 ? "[\n" : ",\n") + j.dump());
+}
+
+void JsonWriter::finish() { out_(index_ == 0 ? "[]\n" : "\n]\n"); }
+
+}  // namespace obrys::driver

@@ -1,0 +1,204 @@
+/// Arcs: from the words of the block to centre and sweep, and out into the stream.
+
+#include <algorithm>
+#include <cmath>
+
+#include "base/codes.hpp"
+#include "base/number.hpp"
+#include "interp/path_stage.hpp"
+#include "path/arc_input.hpp"
+
+namespace obrys::interp {
+
+namespace codes = base::codes;
+using geom::Vec2;
+using geom::Vec3;
+
+namespace {
+
+constexpr Code centre_words[3] = {Code::i, Code::j, Code::k};
+constexpr Code via_words[3] = {Code::i1, Code::j1, Code::k1};
+
+Vec2 in_plane(const Vec3& v, const PlaneAxes& a) { return {coordinate(v, a.u), coordinate(v, a.v)}; }
+
+/// Centre in the plane: incremental from the start (a radius in a lathe's X), or I=AC(…) in workpiece coordinates.
+Vec2 centre_of(const Run& run, const PlaneAxes& a) {
+    const BlockWords& b = run.block;
+    const double unit = run.modal.inch_geometry ? 25.4 : 1;
+    const auto along = [&](int k) {
+        const Code code = centre_words[k];
+        const double start = coordinate(run.programmed_position, k);
+        if (!b.has(code)) return start;
+        const bool absolute = b.ref(code) == 1 + static_cast<std::uint8_t>(program::Reference::absolute);
+        return absolute ? b.get(code) * length_factor(run, k, false) : start + b.get(code) * unit;
+    };
+    return {along(a.u), along(a.v)};
+}
+
+path::ArcTolerance tolerance(const Run& run) { return {run.env.machine.defaults.circle_tolerance, 0.001}; }
+
+void arc_alarm(Run& run, const path::ArcResult& r) {
+    std::string text;
+    switch (r.failure) {
+        case path::ArcFailure::radius_mismatch: text = "the end point lies " + base::fixed(std::abs(r.radius_difference), 3) + " mm " + (r.radius_difference > 0 ? "outside" : "inside") + " the circle through the start point about this centre"; break;
+        case path::ArcFailure::no_radius: text = "the centre lies on the start point"; break;
+        case path::ArcFailure::radius_too_small: text = "the radius is smaller than half the distance from start to end"; break;
+        case path::ArcFailure::points_coincide: text = "start and end are the same point: the arc is not determined"; break;
+        case path::ArcFailure::collinear: text = "the three points lie on a straight line"; break;
+        case path::ArcFailure::bad_angle: text = "the opening angle must lie between 0 and 360 degrees"; break;
+        case path::ArcFailure::no_direction: text = "a tangential arc needs a move before it"; break;
+        case path::ArcFailure::none: return;
+    }
+    alarm(run, codes::arc_radius, run.here(), std::move(text));
+}
+
+path::ArcResult planar_arc(Run& run, Vec2 from, Vec2 to, bool end_given, const PlaneAxes& a) {
+    const BlockWords& b = run.block;
+    const path::Sense sense = run.modal.motion == Modal::arc_cw ? path::Sense::clockwise : path::Sense::counter_clockwise;
+    const int turns = b.has(Code::turns) ? static_cast<int>(std::clamp(b.get(Code::turns), 0.0, 999.0)) : 0;
+    const bool centre = b.has(centre_words[a.u]) || b.has(centre_words[a.v]);
+    if (run.modal.motion == Modal::arc_tangent) return path::arc_by_tangent(from, to, run.last_direction);
+    if (b.has(Code::radius)) return path::arc_by_radius(from, to, b.get(Code::radius) * (run.modal.inch_geometry ? 25.4 : 1), sense, turns, tolerance(run));
+    if (b.has(Code::opening_angle)) {
+        const double angle = geom::radians(b.get(Code::opening_angle));
+        return end_given ? path::arc_by_angle(from, to, angle, sense, turns) : path::arc_about_centre(from, centre_of(run, a), angle, sense, turns);
+    }
+    if (centre) return path::arc_by_centre(from, to, centre_of(run, a), sense, turns, tolerance(run));
+    path::ArcResult none;
+    none.failure = path::ArcFailure::points_coincide;
+    alarm(run, codes::arc_radius, run.here(), "a circle needs its centre (I, J, K), its radius (CR=) or its opening angle (AR=)");
+    return none;
+}
+
+bool has_unknown_circle_word(const Run& run) {
+    for (const Code c : {Code::i, Code::j, Code::k, Code::i1, Code::j1, Code::k1, Code::radius, Code::opening_angle, Code::turns})
+        if (run.block.has(c) && std::isnan(run.block.get(c))) return true;
+    return false;
+}
+
+void remember_direction(Run& run, const path::Element& e) {
+    if (path::moves_in_plane(e)) run.last_direction = path::end_direction(e);
+}
+
+bool tilted_arc(Run& run, const Vec3& to) {
+    Vec3 via = run.programmed_position;
+    for (int k = 0; k < 3; ++k) {
+        if (!run.block.has(via_words[k])) continue;
+        const std::uint8_t ref = run.block.ref(via_words[k]);
+        const bool incremental = ref == 0 ? !run.modal.absolute : ref == 1 + static_cast<std::uint8_t>(program::Reference::incremental);
+        const double v = run.block.get(via_words[k]) * length_factor(run, k, incremental);
+        coordinate(via, k) = incremental ? coordinate(via, k) + v : v;
+    }
+    const PlaneAxes a = plane_axes(run.modal.plane);
+    Vec3 normal;
+    coordinate(normal, a.w) = 1;
+    const path::ArcInSpace arc = path::arc_through(run.programmed_position, via, to, normal);
+    if (!arc.ok()) {
+        path::ArcResult r;
+        r.failure = arc.failure;
+        arc_alarm(run, r);
+        return false;
+    }
+    const double tilt = geom::dot(arc.normal, normal);
+    if (std::abs(std::abs(tilt) - 1) < 1e-9) {
+        path::Element e;
+        e.from = in_plane(run.programmed_position, a);
+        e.to = in_plane(to, a);
+        e.centre = in_plane(arc.centre, a);
+        e.w_from = e.w_to = coordinate(to, a.w);
+        e.sweep = tilt > 0 ? arc.sweep : -arc.sweep;
+        plane_element(run, std::move(e), to, false);
+        return true;
+    }
+    flush_path(run);
+    if (run.modal.compensation != Modal::compensation_off)
+        unchecked(run, codes::unsupported, run.here(), "radius compensation of an arc that is not in the working plane is not run");
+    run.programmed_position = to;
+    run.position = geom::apply(run.frame, to);
+    const Vec3 n = geom::apply_direction(run.frame, arc.normal);
+    const double size = geom::length(n);
+    emit(run, cl::Arc{run.position, geom::apply(run.frame, arc.centre), (geom::determinant(run.frame) < 0 ? -1 / size : 1 / size) * n, arc.sweep});
+    return true;
+}
+
+}  // namespace
+
+bool arc_motion(Run& run, const Vec3& target) {
+    if (!geom::is_finite(run.programmed_position) || !geom::is_finite(target)) {
+        const PlaneAxes a = plane_axes(run.modal.plane);
+        const Vec2 from = in_plane(run.programmed_position, a), to = in_plane(target, a);
+        if (!std::isfinite(from.x) || !std::isfinite(from.y) || !std::isfinite(to.x) || !std::isfinite(to.y)) {
+            unchecked(run, codes::unknown_value, run.here(), "the arc starts at a position that is not known: it is run as a straight move", "position both axes of the plane before the arc");
+            straight_motion(run, target, false);
+            return true;
+        }
+    }
+    if (has_unknown_circle_word(run)) {
+        unchecked(run, codes::unknown_value, run.here(), "the arc depends on a value that is not known: it is run as a straight move");
+        straight_motion(run, target, false);
+        return true;
+    }
+    if (run.modal.motion == Modal::arc_via) return tilted_arc(run, target);
+    const PlaneAxes a = plane_axes(run.modal.plane);
+    const bool end_given = run.block.has(axis_code(a.u)) || run.block.has(axis_code(a.v)) || run.block.has(Code::polar_angle);
+    const path::ArcResult arc = planar_arc(run, in_plane(run.programmed_position, a), in_plane(target, a), end_given, a);
+    if (run.stopped) return false;
+    path::Element e;
+    e.from = in_plane(run.programmed_position, a);
+    e.w_from = coordinate(run.programmed_position, a.w);
+    e.w_to = coordinate(target, a.w);
+    Vec3 to = target;
+    if (run.modal.motion == Modal::arc_tangent && arc.failure == path::ArcFailure::collinear) {
+        e.to = in_plane(target, a);  // straight ahead: the tangential arc is a line
+    } else if (!arc.ok()) {
+        arc_alarm(run, arc);
+        return false;
+    } else {
+        e.to = arc.to;
+        e.centre = arc.centre;
+        e.sweep = arc.sweep;
+        coordinate(to, a.u) = arc.to.x;
+        coordinate(to, a.v) = arc.to.y;
+    }
+    plane_element(run, std::move(e), to, false);
+    return true;
+}
+
+void plane_element(Run& run, path::Element e, const Vec3& to, bool rapid) {
+    remember_direction(run, e);
+    if (needs_path_stage(run)) run.path->push(run, std::move(e), rapid);
+    else {
+        run.record.from = run.here();
+        run.record.stack = run.top().stack;
+        emit_element(run, e, rapid);
+    }
+    run.programmed_position = to;
+    run.position = run.frame_is_identity ? to : geom::apply(run.frame, to);
+}
+
+void emit_element(Run& run, const path::Element& e, bool rapid) {
+    const PlaneAxes a = plane_axes(run.modal.plane);
+    const auto in_space = [&](Vec2 p, double w) {
+        Vec3 v;
+        coordinate(v, a.u) = p.x;
+        coordinate(v, a.v) = p.y;
+        coordinate(v, a.w) = w;
+        return v;
+    };
+    const Vec3 to = geom::apply(run.frame, in_space(e.to, e.w_to));
+    if (!path::is_arc(e)) {
+        run.record.step = cl::Linear{to, {0, 0, 1}, rapid};
+        run.sink(run.record);
+        return;
+    }
+    const Vec3 u = geom::apply_direction(run.frame, in_space({1, 0}, 0)), v = geom::apply_direction(run.frame, in_space({0, 1}, 0));
+    if (std::abs(geom::length(u) - geom::length(v)) > 1e-9) {
+        alarm(run, codes::value_range, run.record.from, "a circle cannot be run with different scale factors in its plane");
+        return;
+    }
+    const Vec3 normal = geom::cross(u, v);
+    run.record.step = cl::Arc{to, geom::apply(run.frame, in_space(e.centre, e.w_from)), (1 / geom::length(normal)) * normal, e.sweep};
+    run.sink(run.record);
+}
+
+}  // namespace obrys::interp

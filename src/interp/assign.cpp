@@ -1,0 +1,249 @@
+/// Assignments and definitions.
+
+#include <algorithm>
+#include <cmath>
+
+#include "base/codes.hpp"
+#include "interp/run.hpp"
+
+namespace obrys::interp {
+
+using program::Expr;
+using program::ExprKind;
+namespace codes = base::codes;
+
+const Binding* find_variable(const Run& run, program::NameId name) {
+    if (const Binding* b = run.calls.back().locals.find(name)) return b;
+    return run.globals.find(name);
+}
+
+bool element_of(Run& run, const Expr& e, const Array& a, std::size_t& index) {
+    if (e.count == 0 && a.rank == 0) {
+        index = 0;
+        return true;
+    }
+    const base::Span where{run.unit().file, e.begin, e.end};
+    double indices[3] = {0, 0, 0};
+    for (std::size_t k = 0; k < e.count && k < 3; ++k) indices[k] = number(run, run.unit().children[e.b + k]);
+    if (run.stopped) return false;
+    if (element_index(a, indices, e.count, index)) return true;
+    if (std::isnan(indices[0]) || std::isnan(indices[1]) || std::isnan(indices[2])) {
+        unchecked(run, codes::unknown_value, where, "which element this is depends on a value that is not known");
+        return false;
+    }
+    std::string text;
+    for (std::size_t k = 0; k < e.count && k < 3; ++k) text += (k > 0 ? "," : "") + printed(Value::real(indices[k]));
+    std::string range;
+    for (int k = 0; k < std::max(a.rank, 1); ++k)
+        range += (k > 0 ? ", " : "") + std::string("0 to ") + std::to_string(a.dimensions[static_cast<std::size_t>(k)] - 1);
+    alarm(run, codes::index_range, where, "index [" + text + "] lies outside the array (" + range + ")");
+    return false;
+}
+
+std::size_t undefined_key(Run& run, const Expr& e) {
+    std::size_t key = 0;
+    for (std::size_t k = 0; k < e.count; ++k)
+        key = key * 65536 + static_cast<std::size_t>(std::max(0.0, std::min(65535.0, number(run, run.unit().children[e.b + k]))));
+    return key;
+}
+
+namespace {
+
+bool is_constant(const Unit& unit, ExprId id) {
+    const Expr& e = unit.exprs[id];
+    if (e.kind == ExprKind::number || e.kind == ExprKind::boolean) return true;
+    return e.kind == ExprKind::unary && is_constant(unit, e.a);
+}
+
+void complain(Run& run, Conversion c, const Value& v, Type to, const base::Span& where) {
+    const std::string target(name(to));
+    if (c == Conversion::wrong_type) alarm(run, codes::type_mismatch, where, "a " + std::string(name(v.type)) + " cannot be assigned to a " + target);
+    if (c == Conversion::out_of_range) alarm(run, codes::value_range, where, "the value does not fit into " + target);
+    if (c == Conversion::too_long) alarm(run, codes::value_range, where, "the text is longer than the variable");
+}
+
+void store(Run& run, Array& array, std::size_t index, Value v, const base::Span& where) {
+    const Type given = v.type;
+    const Conversion c = convert(v, array.type, array.string_length);
+    if (c != Conversion::ok) {
+        v.type = given;
+        complain(run, c, v, array.type, where);
+        return;
+    }
+    array.set(index, v);
+}
+
+/// SET(a,b,…) and REP(v) on an array, from the addressed element on.
+void store_list(Run& run, Array& array, std::size_t first, const Expr& list) {
+    const Unit& unit = run.unit();
+    const bool repeat = static_cast<program::Function>(list.op) == program::Function::repeat_list;
+    const std::size_t n = repeat ? array.size() - first : std::min<std::size_t>(list.count, array.size() - first);
+    for (std::size_t k = 0; k < n && list.count > 0 && !run.stopped; ++k) {
+        const ExprId id = unit.children[list.b + (repeat ? 0 : k)];
+        if (id != program::no_expr) store(run, array, first + k, evaluate(run, id), unit.span(id));
+    }
+}
+
+bool is_list(const Expr& e) {
+    const auto f = static_cast<program::Function>(e.op);
+    return e.kind == ExprKind::function && (f == program::Function::set_list || f == program::Function::repeat_list);
+}
+
+void assign_parameter(Run& run, const Expr& target, const program::Assign& a) {
+    const double index = target.kind == ExprKind::parameter ? target.a : number(run, target.a);
+    if (run.stopped) return;
+    if (std::isnan(index)) {
+        unchecked(run, codes::unknown_value, run.unit().span(a.target), "which parameter this is depends on a value that is not known");
+        return;
+    }
+    if (!(index >= 0) || index >= run.parameters.count()) {
+        alarm(run, codes::index_range, run.unit().span(a.target), "there is no parameter " + printed(Value::real(index)));
+        return;
+    }
+    const auto n = static_cast<std::uint32_t>(index);
+    if (run.parameter_overridden[n] != 0 && is_constant(run.unit(), a.value)) {
+        const std::string name = run.unit().traits->parameter_letter + std::to_string(n);
+        assume(run, run.unit().span(a.target), name + "=" + printed(Value::real(run.parameter_override[n])) + " is set from outside and replaces the program's constant");
+        run.parameters.set(n, run.parameter_override[n]);
+        return;
+    }
+    const double v = number(run, a.value);
+    if (!run.stopped) run.parameters.set(n, v);
+}
+
+void assign_variable(Run& run, const Expr& target, const program::Assign& a) {
+    const Unit& unit = run.unit();
+    const Expr& value = unit.exprs[a.value];
+    const Binding* b = find_variable(run, target.a);
+    if (b == nullptr) {
+        const std::string& name = run.env.names.text(target.a);
+        unchecked(run, codes::undefined_name, unit.span(a.target), name + " is not defined in this program",
+                  "if it is global user data (GUD), put its definition file beside the program or give its value in [variables] of the job");
+        run.undefined.set(target.a, undefined_key(run, target), evaluate(run, a.value));
+        return;
+    }
+    std::size_t index = b->offset;
+    if (!b->element && !element_of(run, target, *b->array, index)) return;
+    const std::shared_ptr<Array> array = b->array;
+    if (is_list(value)) {
+        store_list(run, *array, index, value);
+        return;
+    }
+    const auto replaced = run.overrides_by_name.find(target.a);
+    if (replaced != run.overrides_by_name.end() && is_constant(unit, a.value)) {
+        assume(run, unit.span(a.target), run.env.names.text(target.a) + "=" + printed(Value::real(replaced->second)) + " is set from outside and replaces the program's constant");
+        store(run, *array, index, Value::real(replaced->second), unit.span(a.value));
+        return;
+    }
+    Value v = evaluate(run, a.value);
+    if (!run.stopped) store(run, *array, index, std::move(v), unit.span(a.value));
+}
+
+std::uint64_t system_key(Run& run, const Expr& e) {
+    return (std::uint64_t{e.a} << 32) ^ undefined_key(run, e);
+}
+
+void assign_frame(Run& run, const Expr& target, const program::Assign& a) {
+    const Value v = evaluate(run, a.value);
+    if (run.stopped) return;
+    if (v.type != Type::frame || target.count > 0) {
+        unchecked(run, codes::unsupported, run.unit().span(a.target), "single components of a frame cannot be written", "write the whole frame, e.g. $P_PFRAME=CTRANS(X,10)");
+        return;
+    }
+    run.modal.programmed = v.as_frame();
+    update_frame(run);
+}
+
+void assign_system(Run& run, const Expr& target, const program::Assign& a) {
+    using program::SystemVariable;
+    switch (static_cast<SystemVariable>(target.op)) {
+        case SystemVariable::programmed_frame: assign_frame(run, target, a); return;
+        case SystemVariable::numbered_parameter:
+            if (target.count == 1) {
+                const double n = number(run, run.unit().children[target.b]);
+                if (!run.stopped && n >= 0 && n < run.parameters.count()) run.parameters.set(static_cast<std::uint32_t>(n), number(run, a.value));
+                else if (!run.stopped) alarm(run, codes::index_range, run.unit().span(a.target), "there is no parameter " + printed(Value::real(n)));
+            }
+            return;
+        case SystemVariable::datum_frame:
+        case SystemVariable::settable_frame:
+        case SystemVariable::base_frame:
+        case SystemVariable::active_frame:
+            unchecked(run, codes::unsupported, run.unit().span(a.target), "writing " + run.env.names.text(target.a) + " is not run",
+                      "give the zero offsets in [datum] of the job");
+            return;
+        default: break;
+    }
+    run.system_written[system_key(run, target)] = evaluate(run, a.value);
+    if (static_cast<SystemVariable>(target.op) == SystemVariable::unknown)
+        unchecked(run, codes::unknown_value, run.unit().span(a.target), "the effect of writing " + run.env.names.text(target.a) + " is not known");
+}
+
+}  // namespace
+
+void assign(Run& run, const program::Assign& a) {
+    const Expr& target = run.unit().exprs[a.target];
+    switch (target.kind) {
+        case ExprKind::parameter:
+        case ExprKind::parameter_at: assign_parameter(run, target, a); return;
+        case ExprKind::variable: assign_variable(run, target, a); return;
+        case ExprKind::system: assign_system(run, target, a); return;
+        default: alarm(run, codes::syntax, run.unit().span(a.target), "nothing can be assigned to this");
+    }
+}
+
+namespace {
+
+constexpr std::size_t largest_array = 10'000'000;
+
+double known_or(double v, double instead) { return std::isnan(v) ? instead : v; }
+
+void initialise(Run& run, Array& array, const program::Variable& v) {
+    const Unit& unit = run.unit();
+    const bool repeat = v.initialiser == program::Initialiser::repeat;
+    const std::size_t n = repeat ? array.size() : std::min(array.size(), v.values.size());
+    for (std::size_t k = 0; k < n && !v.values.empty() && !run.stopped; ++k) {
+        const ExprId id = v.values[repeat ? 0 : k];
+        if (id != program::no_expr) store(run, array, k, evaluate(run, id), unit.span(id));
+    }
+    const auto replaced = run.overrides_by_name.find(v.name);
+    if (replaced == run.overrides_by_name.end() || array.size() != 1 || array.type > Type::real) return;
+    assume(run, v.where, run.env.names.text(v.name) + "=" + printed(Value::real(replaced->second)) + " is set from outside and replaces the program's constant");
+    store(run, array, 0, Value::real(replaced->second), v.where);
+}
+
+}  // namespace
+
+void define(Run& run, const program::Define& d, Scope& scope, const Unit& unit) {
+    for (const program::Variable& v : d.variables) {
+        if (scope.find(v.name) != nullptr && &scope == &run.calls.back().locals) {
+            alarm(run, codes::duplicate_name, v.where, run.env.names.text(v.name) + " is defined twice");
+            return;
+        }
+        auto array = std::make_shared<Array>();
+        array->type = d.type;
+        if (d.string_length != program::no_expr) array->string_length = static_cast<std::size_t>(std::clamp(known_or(number(run, d.string_length), 200), 0.0, 10000.0));
+        double total = 1;
+        for (std::size_t k = 0; k < 3 && v.dimensions[k] != program::no_expr; ++k) {
+            const double n = number(run, v.dimensions[k]);
+            total *= std::max(1.0, n);
+            if (run.stopped) return;
+            if (std::isnan(n)) {
+                unchecked(run, codes::unknown_value, unit.span(v.dimensions[k]), "the size of this array depends on a value that is not known");
+                return;
+            }
+            if (!(n >= 1) || total > static_cast<double>(largest_array)) {
+                alarm(run, codes::value_range, unit.span(v.dimensions[k]), "an array cannot have " + printed(Value::real(n)) + " elements here");
+                return;
+            }
+            array->dimensions[k] = static_cast<std::uint32_t>(n);
+            array->rank = static_cast<int>(k) + 1;
+        }
+        array->allocate();
+        initialise(run, *array, v);
+        if (run.stopped) return;
+        scope.bind({v.name, std::move(array), 0, false});
+    }
+}
+
+}  // namespace obrys::interp

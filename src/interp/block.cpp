@@ -1,0 +1,140 @@
+/// Blocks: the words are gathered from left to right, then act together.
+
+#include <cmath>
+
+#include "base/codes.hpp"
+#include "base/text.hpp"
+#include "interp/run.hpp"
+
+namespace obrys::interp {
+
+using program::Form;
+using program::Word;
+namespace codes = base::codes;
+
+void BlockWords::clear() {
+    present = 0;
+    m.clear();
+    h.clear();
+    axes.clear();
+    tool_named = false;
+    special = suppress = Modal::linear;
+    motion_word = false;
+}
+
+namespace {
+
+std::uint8_t reference_of(const program::Expr& e) {
+    return e.kind == program::ExprKind::qualified ? static_cast<std::uint8_t>(e.op + 1) : std::uint8_t{0};
+}
+
+/// Value of a word that needs a number.
+double word_value(Run& run, const Word& w) {
+    if (program::is_literal(w)) return run.unit().literal(w);
+    if (program::form_of(w) == Form::expression) return number(run, static_cast<ExprId>(w.payload));
+    return 0;
+}
+
+/// Number of an M or H function; out of the control's range: alarm, unknown: reported and left out.
+void function_number(Run& run, const base::Span& where, double v, std::vector<int>& functions) {
+    if (std::isnan(v)) unchecked(run, codes::unknown_value, where, "which function this is depends on a value that is not known");
+    else if (v < -2147483647 || v > 2147483647) alarm(run, codes::value_range, where, "this function number is out of range");
+    else functions.push_back(static_cast<int>(v));
+}
+
+void tool_word(Run& run, const Word& w) {
+    BlockWords& b = run.block;
+    if (program::form_of(w) == Form::expression) {
+        const Value v = evaluate(run, static_cast<ExprId>(w.payload));
+        if (run.stopped) return;
+        b.tool_named = v.is_text();
+        if (v.is_text()) b.tool_name = v.as_text();
+        b.put(Code::tool, v.number);
+        return;
+    }
+    b.put(Code::tool, word_value(run, w));
+}
+
+/// S2=, M2=, H1=, F[X]=: extended addresses. Those of the first spindle act as without extension.
+void named_value(Run& run, const program::Named& n) {
+    const std::string& letter = run.env.names.text(n.name);
+    const double extension = n.index == program::no_expr ? 0 : number(run, n.index);
+    const double value = n.value == program::no_expr ? 0 : number(run, n.value);
+    if (run.stopped) return;
+    const bool first = extension <= 1;
+    if (letter == "M" && first) function_number(run, run.here(), value, run.block.m);
+    else if (letter == "M") assume(run, run.here(), "M" + printed(Value::real(extension)) + "= is for another spindle than the first and is not followed");
+    else if (letter == "S" && first) run.block.put(Code::spindle, value);
+    else if (letter == "H") function_number(run, run.here(), value, run.block.h);
+    else assume(run, run.here(), letter + printed(Value::real(extension)) + "= belongs to another spindle or axis than the first and is not followed");
+}
+
+void named_axis(Run& run, const program::Named& n, const base::Span& where) {
+    const std::string& written = run.env.names.text(n.name);
+    std::string axis = written;
+    if (written == "AX" && n.index != program::no_expr) axis = axis_of(run, n.index);
+    if (run.stopped || n.value == program::no_expr) return;
+    const double v = number(run, n.value);
+    const std::uint8_t reference = reference_of(run.unit().exprs[n.value]);
+    if (axis.size() == 2 && axis[1] == '1') axis.resize(1);  // X1, Z1: machine name of the first geometry axis
+    if (axis.size() == 1) {
+        if (const auto k = std::string_view("XYZABCUVW").find(axis[0]); k != std::string_view::npos) {
+            run.block.put(axis_code(static_cast<int>(k)), v, reference);
+            return;
+        }
+    }
+    run.block.axes.push_back({axis, v, reference, where});
+}
+
+void problem_word(Run& run, const Word& w) {
+    const program::Problem& p = run.unit().problems[static_cast<std::size_t>(w.payload)];
+    if (program::code_of(w) == Code::unknown)
+        unchecked(run, codes::unknown_word, p.where, "\"" + p.text + "\" is not a word of this control" + (p.reason.empty() ? "" : ": " + p.reason),
+                  "check the spelling; if a machine builder defined it, its effect is not known here");
+    else
+        unchecked(run, codes::unsupported, p.where, p.text + " is not run" + (p.reason.empty() ? "" : ": " + p.reason));
+}
+
+}  // namespace
+
+void gather(Run& run, const program::Statement& s, const Word& w) {
+    const Code code = program::code_of(w);
+    switch (code) {
+        case Code::modal: modal_word(run, w); return;
+        case Code::assign: assign(run, run.unit().assigns[static_cast<std::size_t>(w.payload)]); return;
+        case Code::unsupported:
+        case Code::unknown: problem_word(run, w); return;
+        case Code::m: function_number(run, run.unit().span(s, w), word_value(run, w), run.block.m); return;
+        case Code::h: function_number(run, run.unit().span(s, w), word_value(run, w), run.block.h); return;
+        case Code::tool: tool_word(run, w); return;
+        case Code::named_axis: named_axis(run, run.unit().named[static_cast<std::size_t>(w.payload)], run.unit().span(s, w)); return;
+        case Code::named_value: named_value(run, run.unit().named[static_cast<std::size_t>(w.payload)]); return;
+        case Code::control: return;
+        default: break;
+    }
+    if (program::is_literal(w)) {
+        run.block.put(code, run.unit().literal(w));
+        return;
+    }
+    const auto id = static_cast<ExprId>(w.payload);
+    const double v = program::form_of(w) == Form::expression ? number(run, id) : 0;
+    run.block.put(code, v, program::form_of(w) == Form::expression ? reference_of(run.unit().exprs[id]) : std::uint8_t{0});
+}
+
+void run_block(Run& run, const program::Statement& s, std::uint32_t index) {
+    const Unit& unit = run.unit();
+    run.block.clear();
+    const std::uint32_t end = unit.words_end(index);
+    for (std::uint32_t i = s.first; i < end; ++i) {
+        gather(run, s, unit.words[i]);
+        if (run.stopped) return;
+    }
+    technology(run);
+    if (run.stopped) return;
+    const bool moved = motion(run);
+    if (run.stopped) return;
+    after_motion(run);
+    if (moved && run.modal_call.unit != nullptr) run_modal_call(run);
+}
+
+}  // namespace obrys::interp

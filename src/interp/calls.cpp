@@ -1,0 +1,241 @@
+/// Calls of programs, their arguments, and the control's own procedures.
+
+#include <algorithm>
+#include <cmath>
+
+#include "base/codes.hpp"
+#include "base/text.hpp"
+#include "base/number.hpp"
+#include "interp/run.hpp"
+
+namespace obrys::interp {
+
+using program::Call;
+using program::ExprKind;
+using program::Parameter;
+namespace codes = base::codes;
+
+namespace {
+
+/// Binds a VAR parameter to the caller's variable. False where the argument is no variable.
+bool bind_reference(const Run& run, const Parameter& p, const Unit& caller, ExprId argument, Run& mutable_run, Scope& locals) {
+    const program::Expr& e = caller.exprs[argument];
+    const Binding* b = e.kind == ExprKind::variable ? find_variable(run, e.a) : nullptr;
+    if (b == nullptr) return false;
+    if (e.count == 0) {
+        locals.bind({p.name, b->array, b->offset, b->element});
+        return true;
+    }
+    std::size_t index = 0;
+    if (!element_of(mutable_run, e, *b->array, index)) return true;  // the alarm has been raised
+    locals.bind({p.name, b->array, index, true});
+    return true;
+}
+
+void bind_value(Run& run, const Parameter& p, Value v, const base::Span& where, Scope& locals) {
+    auto array = std::make_shared<Array>();
+    array->type = p.type;
+    array->allocate();
+    const Type given = v.type;
+    const Conversion c = convert(v, p.type);
+    if (c != Conversion::ok) {
+        alarm(run, codes::type_mismatch, where,
+              "a " + std::string(name(given)) + " does not fit the parameter " + run.env.names.text(p.name) + " of type " + std::string(name(p.type)));
+        return;
+    }
+    array->set(0, v);
+    locals.bind({p.name, std::move(array), 0, false});
+}
+
+Value zero_of(Type t) {
+    if (t == Type::string) return Value::string({});
+    if (t == Type::axis) return Value::axis({});
+    if (t == Type::frame) return Value::of_frame({});
+    return {t, 0, nullptr, nullptr};
+}
+
+/// Evaluates the arguments in the caller and binds them in `callee`.
+void bind_arguments(Run& run, const Unit& unit, const Call& call, Activation& callee) {
+    const Unit& caller = run.unit();
+    if (call.arguments.size() > unit.parameters.size()) {
+        alarm(run, codes::bad_argument, call.where,
+              unit.name + " takes " + std::to_string(unit.parameters.size()) + " arguments, " + std::to_string(call.arguments.size()) + " are given");
+        return;
+    }
+    for (std::size_t i = 0; i < unit.parameters.size() && !run.stopped; ++i) {
+        const Parameter& p = unit.parameters[i];
+        const ExprId argument = i < call.arguments.size() ? call.arguments[i] : program::no_expr;
+        if (argument == program::no_expr) {
+            bind_value(run, p, zero_of(p.type), call.where, callee.locals);
+            continue;
+        }
+        if (i < 32) callee.arguments_given |= 1u << i;
+        const bool reference = p.by_reference || p.is_array;
+        if (reference && bind_reference(run, p, caller, argument, run, callee.locals)) continue;
+        Value v = evaluate(run, argument);
+        if (run.stopped) return;
+        if (v.type == Type::string && p.type == Type::axis) v.type = Type::axis;
+        bind_value(run, p, std::move(v), caller.span(argument), callee.locals);
+    }
+}
+
+/// Default values of parameters are evaluated inside the called program.
+void bind_presets(Run& run, const Unit& unit) {
+    Activation& callee = run.top();
+    for (std::size_t i = 0; i < unit.parameters.size() && i < 32 && !run.stopped; ++i) {
+        const Parameter& p = unit.parameters[i];
+        if (((callee.arguments_given >> i) & 1u) != 0 || p.preset == program::no_expr) continue;
+        Value v = evaluate(run, p.preset);
+        const Binding* b = callee.locals.find(p.name);
+        if (!run.stopped && b != nullptr && convert(v, p.type) == Conversion::ok) b->array->set(0, v);
+    }
+}
+
+/// Complaints and lists that belong to a program as a whole, once when it is first entered.
+void note_unit(Run& run, const Unit& unit) {
+    if (!run.entered.insert(&unit).second) return;
+    for (const program::Ignored& i : unit.ignored)
+        run.diagnostics.add({base::Severity::note, codes::no_effect, i.where, i.text + " has no effect on the path" + (i.count > 1 ? " (" + std::to_string(i.count) + " times)" : ""), {}, {}, {}});
+}
+
+std::string program_name(std::string_view written) {
+    std::string s = base::to_upper(base::trim(written));
+    if (const auto slash = s.find_last_of("/\\"); slash != std::string::npos) s.erase(0, slash + 1);
+    if (s.starts_with("_N_")) s.erase(0, 3);
+    for (const char* suffix : {"_SPF", "_MPF", ".SPF", ".MPF"})
+        if (s.ends_with(suffix)) s.resize(s.size() - 4);
+    return s;
+}
+
+const Unit* find(Run& run, const std::string& name, const base::Span& where) {
+    if (const Unit* unit = run.env.find_program(name)) return unit;
+    unchecked(run, codes::missing_subprogram, where, "the program " + name + " was not found; the call is left out",
+              "put " + name + ".SPF beside the calling program or name its folder with --search");
+    return nullptr;
+}
+
+}  // namespace
+
+void enter(Run& run, const Unit& unit, const Call* call, const base::Span& where) {
+    if (run.calls.size() > run.env.budgets.call_depth) {
+        unchecked(run, codes::budget, where, "programs are called more than " + std::to_string(run.env.budgets.call_depth) + " levels deep",
+                  "a program that calls itself never ends; raise call_depth in [budget] of the job if it really needs more");
+        run.stopped = true;
+        run.ending = Ending::budget;
+        return;
+    }
+    Activation callee;
+    callee.unit = &unit;
+    callee.called_from = where;
+    callee.stack = run.calls.empty() ? 0 : run.stacks.push(run.top().stack, where);
+    callee.saves = unit.save;
+    callee.saved = run.modal;
+    if (call != nullptr) bind_arguments(run, unit, *call, callee);
+    if (call != nullptr && call->passes != program::no_expr) {
+        const double passes = number(run, call->passes);
+        if (std::isnan(passes)) unchecked(run, codes::unknown_value, where, "how often this call is made depends on a value that is not known");
+        if (!(passes >= 1)) return;
+        callee.repeats_left = static_cast<std::uint64_t>(std::min(passes, 1e15)) - 1;
+    }
+    if (run.stopped) return;
+    run.calls.push_back(std::move(callee));
+    bind_presets(run, unit);
+    run.top().own_bindings = run.top().locals.size();
+    note_unit(run, unit);
+}
+
+void leave(Run& run) {
+    Activation& act = run.top();
+    if (act.repeats_left > 0) {
+        --act.repeats_left;
+        act.pc = 0;
+        act.sections.clear();
+        act.locals.truncate(act.own_bindings);
+        return;
+    }
+    if (act.saves) {
+        run.modal = act.saved;
+        update_frame(run);
+    }
+    if (run.calls.size() == 1) {
+        run.stopped = true;
+        return;
+    }
+    run.calls.pop_back();
+    run.statement = &run.unit().statements[run.top().pc - 1];
+}
+
+void call_program(Run& run, const Call& call) {
+    if (call.kind == program::CallKind::modal_end) {
+        run.modal_call = {};
+        return;
+    }
+    std::string name;
+    base::Span where = call.where;
+    if (call.kind == program::CallKind::indirect) {
+        const Value v = evaluate(run, call.target);
+        if (run.stopped) return;
+        if (!v.is_text()) {
+            alarm(run, codes::type_mismatch, run.unit().span(call.target), "CALL needs a text that names a program");
+            return;
+        }
+        name = program_name(v.as_text());
+    } else {
+        name = run.env.names.text(call.name);
+    }
+    const Unit* unit = find(run, name, where);
+    if (unit == nullptr) return;
+    if (call.kind == program::CallKind::modal) {
+        set_modal_call(run, *unit, call);
+        return;
+    }
+    enter(run, *unit, &call, where);
+}
+
+void set_modal_call(Run& run, const Unit& unit, const Call& call) {
+    ModalCall modal{&unit, {}, {}, call.where};
+    for (std::size_t i = 0; i < unit.parameters.size(); ++i) {
+        const ExprId argument = i < call.arguments.size() ? call.arguments[i] : program::no_expr;
+        modal.given.push_back(argument != program::no_expr);
+        modal.arguments.push_back(argument != program::no_expr ? evaluate(run, argument) : zero_of(unit.parameters[i].type));
+    }
+    if (!run.stopped) run.modal_call = std::move(modal);
+}
+
+void run_modal_call(Run& run) {
+    const ModalCall& modal = run.modal_call;
+    if (modal.unit == nullptr || run.stopped) return;
+    for (const Activation& a : run.calls)
+        if (a.from_modal_call) return;
+    const std::size_t depth = run.calls.size();
+    enter(run, *modal.unit, nullptr, run.here());
+    if (run.calls.size() == depth || run.stopped) return;
+    Activation& act = run.top();
+    act.from_modal_call = true;
+    for (std::size_t i = 0; i < modal.arguments.size() && !run.stopped; ++i) {
+        if (modal.given[i] != 0 && i < 32) act.arguments_given |= 1u << i;
+        bind_value(run, modal.unit->parameters[i], modal.arguments[i], modal.where, act.locals);
+    }
+    if (run.stopped) return;
+    bind_presets(run, *modal.unit);
+    act.own_bindings = act.locals.size();
+}
+
+void procedure(Run& run, const program::ProcedureCall& p) {
+    switch (p.procedure) {
+        case program::Procedure::message: {
+            std::string text = p.arguments.empty() || p.arguments[0] == program::no_expr ? std::string{} : printed(evaluate(run, p.arguments[0]));
+            if (!run.stopped) emit(run, cl::Comment{std::move(text), true});
+            return;
+        }
+        case program::Procedure::alarm: {
+            const Value v = p.arguments.empty() ? Value{} : evaluate(run, p.arguments[0]);
+            std::string text = p.arguments.size() > 1 ? ": " + printed(evaluate(run, p.arguments[1])) : std::string{};
+            if (!run.stopped) alarm(run, codes::program_alarm, p.where, "the program stops itself with alarm " + printed(v) + text);
+            return;
+        }
+        case program::Procedure::master_spindle: return;
+    }
+}
+
+}  // namespace obrys::interp

@@ -1,0 +1,200 @@
+/// Expressions: a quick way for numbers, a general one for everything else.
+
+#include <cmath>
+
+#include "base/codes.hpp"
+#include "interp/run.hpp"
+
+namespace obrys::interp {
+
+using program::Expr;
+using program::ExprKind;
+using program::Function;
+using program::Operator;
+namespace codes = base::codes;
+
+namespace {
+
+double parameter_value(Run& run, const Expr& e, double index) {
+    const base::Span where{run.unit().file, e.begin, e.end};
+    if (std::isnan(index)) {
+        unchecked(run, codes::unknown_value, where, "which parameter this is depends on a value that is not known");
+        return index;
+    }
+    if (!(index >= 0) || index >= run.parameters.count()) {
+        alarm(run, codes::index_range, where,
+              "parameter number " + printed(Value::real(index)) + " lies outside " + run.unit().traits->parameter_letter + "0 to " +
+                  run.unit().traits->parameter_letter + std::to_string(run.parameters.count() - 1));
+        return 0;
+    }
+    const auto n = static_cast<std::uint32_t>(index);
+    if (!run.parameters.is_set(n)) {
+        const std::string name = run.unit().traits->parameter_letter + std::to_string(n);
+        assume(run, where, name + " is read before the program sets it: 0 as in a fresh control",
+               "give its value with --set " + name + "=… if the control holds another one");
+        run.parameters.mark_set(n);
+    }
+    return run.parameters.get(n);
+}
+
+bool is_numeric(Operator op) {
+    return op != Operator::concat && op != Operator::frame_chain && op != Operator::equal && op != Operator::not_equal;
+}
+
+double variable_number(Run& run, const Expr& e, ExprId id) {
+    if (const Binding* b = find_variable(run, e.a); b != nullptr && e.count == 0 && b->array->type <= Type::real)
+        return b->array->numbers[b->offset];
+    const Value v = evaluate(run, id);
+    if (run.stopped || v.is_number()) return v.number;
+    alarm(run, codes::type_mismatch, run.unit().span(id), "a number is needed here, this is a " + std::string(name(v.type)));
+    return 0;
+}
+
+double function_number(Run& run, const Expr& e, ExprId id) {
+    const auto f = static_cast<Function>(e.op);
+    if (e.count == 1 && (f == Function::sin || f == Function::cos) && run.unit().children[e.b] != program::no_expr) {
+        const double a = geom::radians(number(run, run.unit().children[e.b]));
+        return f == Function::sin ? std::sin(a) : std::cos(a);
+    }
+    const Value v = call_function(run, e);
+    if (run.stopped || v.is_number()) return v.number;
+    alarm(run, codes::type_mismatch, run.unit().span(id), "a number is needed here, this is a " + std::string(name(v.type)));
+    return 0;
+}
+
+}  // namespace
+
+double number(Run& run, ExprId id) {
+    if (id == program::no_expr || run.stopped) return 0;
+    const Unit& unit = run.unit();
+    const Expr& e = unit.exprs[id];
+    switch (e.kind) {
+        case ExprKind::number: return unit.numbers[e.a];
+        case ExprKind::boolean: return e.a;
+        case ExprKind::parameter:
+            if (e.a < run.parameters.count() && run.parameters.is_set(e.a)) return run.parameters.get(e.a);
+            return parameter_value(run, e, e.a);
+        case ExprKind::parameter_at: return parameter_value(run, e, number(run, e.a));
+        case ExprKind::binary:
+            if (is_numeric(static_cast<Operator>(e.op))) {
+                const double a = number(run, e.a);
+                const double b = number(run, e.b);
+                return run.stopped ? 0 : binary_number(run, e, a, b);
+            }
+            break;
+        case ExprKind::unary: {
+            const double a = number(run, e.a);
+            switch (static_cast<Operator>(e.op)) {
+                case Operator::negate: return -a;
+                case Operator::logical_not: return std::isnan(a) ? a : a == 0 ? 1 : 0;
+                case Operator::bit_not: return std::isnan(a) ? a : -1 - std::trunc(a);
+                default: return a;
+            }
+        }
+        case ExprKind::function: return function_number(run, e, id);
+        case ExprKind::qualified: return number(run, e.a);
+        case ExprKind::variable: return variable_number(run, e, id);
+        default: break;
+    }
+    const Value v = evaluate(run, id);
+    if (run.stopped || v.is_number()) return v.number;
+    alarm(run, codes::type_mismatch, unit.span(id), "a number is needed here, this is a " + std::string(name(v.type)));
+    return 0;
+}
+
+namespace {
+
+/// Truth as a number: 0, not 0, or NaN where it is unknown. Strings are true when they hold something.
+double condition(Run& run, ExprId id) {
+    const Expr& e = run.unit().exprs[id];
+    if (e.kind != ExprKind::variable && e.kind != ExprKind::system) return number(run, id);
+    const Value v = evaluate(run, id);
+    return v.type == Type::string ? (v.as_text().empty() ? 0.0 : 1.0) : v.number;
+}
+
+}  // namespace
+
+bool truth(Run& run, ExprId id, bool when_unknown) {
+    const double v = condition(run, id);
+    if (!std::isnan(v)) return v != 0;
+    unchecked(run, codes::unknown_value, run.unit().span(id), "this condition depends on a value that is not known",
+              std::string("it is taken as ") + (when_unknown ? "fulfilled" : "not fulfilled") + "; the run may go another way on the machine");
+    return when_unknown;
+}
+
+namespace {
+
+Value read_variable(Run& run, const Expr& e, ExprId id) {
+    const Unit& unit = run.unit();
+    if (const Binding* b = find_variable(run, e.a)) {
+        std::size_t index = b->offset;
+        if (!b->element && !element_of(run, e, *b->array, index)) return Value::unknown();
+        return b->array->get(index);
+    }
+    const std::string& text = run.env.names.text(e.a);
+    for (const shop::MachineAxis& axis : run.env.machine.axes)
+        if (axis.name == text && e.count == 0) return Value::axis(text);
+    if (e.count == 0 && text.size() == 1 && std::string_view("XYZABCUVW").find(text[0]) != std::string_view::npos)
+        return Value::axis(text);
+    unchecked(run, codes::undefined_name, unit.span(id), text + " is not defined in this program",
+              "if it is global user data (GUD), put its definition file beside the program or give its value in [variables] of the job; it is unknown until then");
+    return run.undefined.get(e.a, undefined_key(run, e));
+}
+
+Value evaluate_binary(Run& run, const Expr& e) {
+    const auto op = static_cast<Operator>(e.op);
+    if (op == Operator::logical_and || op == Operator::logical_or) {
+        const double left = condition(run, e.a), right = condition(run, e.b);
+        return run.stopped ? Value{} : Value{Type::boolean, binary_number(run, e, left, right), nullptr, nullptr};
+    }
+    const Value a = evaluate(run, e.a);
+    const Value b = evaluate(run, e.b);
+    return run.stopped ? Value{} : binary_value(run, e, a, b);
+}
+
+Value evaluate_unary(Run& run, const Expr& e, ExprId id) {
+    const Value a = evaluate(run, e.a);
+    if (a.is_unknown()) return a;
+    if (static_cast<Operator>(e.op) == Operator::logical_not) return Value::boolean(a.number == 0);
+    if (a.type == Type::integer) return Value::integer(number(run, id));
+    return Value::real(number(run, id));
+}
+
+}  // namespace
+
+Value evaluate(Run& run, ExprId id) {
+    if (id == program::no_expr || run.stopped) return {};
+    const Unit& unit = run.unit();
+    const Expr& e = unit.exprs[id];
+    switch (e.kind) {
+        case ExprKind::number: return e.op == 1 ? Value::integer(unit.numbers[e.a]) : Value::real(unit.numbers[e.a]);
+        case ExprKind::boolean: return Value::boolean(e.a != 0);
+        case ExprKind::text: return Value::string(unit.texts[e.a]);
+        case ExprKind::parameter:
+        case ExprKind::parameter_at: return Value::real(number(run, id));
+        case ExprKind::variable: return read_variable(run, e, id);
+        case ExprKind::system: return read_system(run, e);
+        case ExprKind::unary: return evaluate_unary(run, e, id);
+        case ExprKind::binary: return evaluate_binary(run, e);
+        case ExprKind::function: return call_function(run, e);
+        case ExprKind::qualified: return evaluate(run, e.a);
+        case ExprKind::unknown_function: break;
+    }
+    for (std::size_t k = 0; k < e.count; ++k) static_cast<void>(evaluate(run, unit.children[e.b + k]));
+    unchecked(run, codes::unsupported, unit.span(id), "the function " + run.env.names.text(e.a) + "() is not run", "its result is unknown");
+    return Value::unknown();
+}
+
+std::string axis_of(Run& run, ExprId id) {
+    if (id == program::no_expr) return {};
+    const Value v = evaluate(run, id);
+    if (v.is_text()) return v.as_text();
+    if (v.is_unknown()) return "?";
+    const auto n = static_cast<std::size_t>(v.number);
+    const auto& axes = run.env.machine.axes;
+    if (v.number >= 1 && n <= axes.size()) return axes[n - 1].name;
+    if (!run.stopped) alarm(run, codes::value_range, run.unit().span(id), "there is no axis number " + printed(v) + " on this machine");
+    return {};
+}
+
+}  // namespace obrys::interp

@@ -1,0 +1,226 @@
+/// Branches, loops and jumps.
+
+#include <algorithm>
+
+#include "base/codes.hpp"
+#include "base/text.hpp"
+#include "base/number.hpp"
+#include "interp/run.hpp"
+
+namespace obrys::interp {
+
+using program::Statement;
+using program::StatementKind;
+namespace codes = base::codes;
+
+void count_pass(Run& run) {
+    Activation& act = run.top();
+    const auto index = static_cast<std::uint32_t>(run.statement - act.unit->statements.data());
+    auto it = std::find_if(act.passes.begin(), act.passes.end(), [&](const auto& p) { return p.statement == index; });
+    if (it == act.passes.end()) it = act.passes.insert(act.passes.end(), {index, 0});
+    if (++it->count <= run.env.budgets.loop_passes) return;
+    unchecked(run, codes::budget, run.here(), "this loop ran " + std::to_string(run.env.budgets.loop_passes) + " passes without ending",
+              "check its condition; raise loop_passes in [budget] of the job if it really needs more");
+    run.stopped = true;
+    run.ending = Ending::budget;
+}
+
+namespace {
+
+/// Goes to `target`; a missing end of a structure (reported by the reader) ends the program part.
+void go(Run& run, std::uint32_t target) {
+    Activation& act = run.top();
+    act.pc = target == program::no_target ? static_cast<std::uint32_t>(act.unit->statements.size()) : target;
+}
+
+void go_back(Run& run, std::uint32_t target) {
+    count_pass(run);
+    go(run, target);
+}
+
+double loop_variable(Run& run, const program::For& f) { return number(run, f.variable); }
+
+void set_loop_variable(Run& run, const program::For& f, double v) {
+    const program::Expr& e = run.unit().exprs[f.variable];
+    if (e.kind == program::ExprKind::parameter && e.a < run.parameters.count()) {
+        run.parameters.set(e.a, v);
+        return;
+    }
+    if (const Binding* b = find_variable(run, e.a); b != nullptr && e.kind == program::ExprKind::variable) {
+        std::size_t index = b->offset;
+        if (!b->element && !element_of(run, e, *b->array, index)) return;
+        Value value = Value::real(v);
+        if (convert(value, b->array->type) == Conversion::ok) {
+            b->array->set(index, value);
+            return;
+        }
+    }
+    alarm(run, codes::type_mismatch, run.unit().span(f.variable), "FOR needs a number variable that is defined");
+}
+
+void begin_for(Run& run, const program::For& f) {
+    set_loop_variable(run, f, number(run, f.from));
+    if (run.stopped) return;
+    if (loop_variable(run, f) > number(run, f.to)) go(run, f.target == program::no_target ? f.target : f.target + 1);
+}
+
+void end_for(Run& run, const program::For& f) {
+    if (f.target == program::no_target) return;
+    const Unit& unit = run.unit();
+    const program::For& head = unit.fors[static_cast<std::size_t>(unit.words[unit.statements[f.target].first].payload)];
+    set_loop_variable(run, head, loop_variable(run, head) + 1);
+    if (!run.stopped && loop_variable(run, head) <= number(run, head.to)) go_back(run, f.target + 1);
+}
+
+void run_case(Run& run, const program::Case& c) {
+    const Value selector = evaluate(run, c.selector);
+    for (const program::CaseArm& arm : c.arms) {
+        if (run.stopped) return;
+        if (arm.value != program::no_expr) {
+            const Value v = evaluate(run, arm.value);
+            const bool equal = v.is_text() ? v.as_text() == selector.as_text() : v.number == selector.number;
+            if (!equal) continue;
+        }
+        jump(run, arm.jump);
+        return;
+    }
+}
+
+std::uint32_t nearest(const std::vector<std::uint32_t>& at, std::uint32_t here, program::JumpDirection d) {
+    const auto after = std::upper_bound(at.begin(), at.end(), here);
+    const bool forward = d != program::JumpDirection::backward;
+    if (forward && after != at.end()) return *after;
+    if (d == program::JumpDirection::forward) return program::no_target;
+    if (d == program::JumpDirection::backward) return after == at.begin() ? program::no_target : *std::prev(after);
+    return at.empty() ? program::no_target : at.front();
+}
+
+/// Statements that carry block number `n`; looked for in the text only when a program jumps there.
+std::vector<std::uint32_t> numbered_blocks(const Run& run, std::int64_t n) {
+    std::vector<std::uint32_t> at;
+    const auto& statements = run.unit().statements;
+    for (std::uint32_t i = 0; i < statements.size(); ++i) {
+        if ((statements[i].flags & program::line_start) == 0) continue;
+        const auto number = run.env.sources.block_number(run.unit().file, statements[i].begin);
+        if (number && *number == n) at.push_back(i);
+    }
+    return at;
+}
+
+std::uint32_t find_destination(Run& run, const std::string& name, program::JumpDirection d) {
+    const std::uint32_t here = run.top().pc - 1;
+    const std::string upper = base::to_upper(name);
+    if (const auto found = run.unit().labels.find(run.env.names.id(upper)); found != run.unit().labels.end())
+        return nearest(found->second, here, d);
+    const bool numbered = upper.size() > 1 && (upper[0] == 'N' || upper[0] == ':');
+    const auto n = numbered ? base::parse_integer(std::string_view(upper).substr(1)) : std::nullopt;
+    if (!n || !run.unit().traits->jump_to_block_number) return program::no_target;
+    return nearest(numbered_blocks(run, *n), here, d);
+}
+
+}  // namespace
+
+void jump(Run& run, const program::Jump& j) {
+    if (j.condition != program::no_expr && !truth(run, j.condition)) return;
+    if (run.stopped) return;
+    if (j.direction == program::JumpDirection::start) {
+        go_back(run, 0);
+        return;
+    }
+    const Value v = evaluate(run, j.destination);
+    if (run.stopped) return;
+    const std::string name = v.is_text() ? v.as_text() : "N" + printed(v);
+    const std::uint32_t target = find_destination(run, name, j.direction);
+    if (target == program::no_target) {
+        if (j.direction == program::JumpDirection::either_quiet) return;
+        const char* way = j.direction == program::JumpDirection::forward ? " behind this block" : j.direction == program::JumpDirection::backward ? " before this block" : "";
+        alarm(run, codes::missing_label, run.unit().span(j.destination), "there is no label " + name + way + " in this program");
+        return;
+    }
+    if (target < run.top().pc) go_back(run, target);
+    else go(run, target);
+}
+
+namespace {
+
+void repeat_section(Run& run, const program::Section& s, std::uint32_t index) {
+    const Unit& unit = run.unit();
+    const auto place = [&](program::NameId label) {
+        const auto found = unit.labels.find(label);
+        return found == unit.labels.end() ? program::no_target : nearest(found->second, index, program::JumpDirection::backward) != program::no_target ? nearest(found->second, index, program::JumpDirection::backward) : nearest(found->second, index, program::JumpDirection::forward);
+    };
+    const double passes = s.passes == program::no_expr ? 1 : number(run, s.passes);
+    if (run.stopped || !(passes >= 1)) return;
+    ActiveSection active;
+    active.first = place(s.first);
+    active.last = s.to_here ? index - 1 : s.one_block ? active.first : place(s.last);
+    if (active.first == program::no_target || active.last == program::no_target || active.last < active.first) {
+        alarm(run, codes::missing_label, run.here(), "REPEAT: the label is not in this program, or the last one stands before the first");
+        return;
+    }
+    if (s.one_block)  // the rest of the label's block, which may be several statements
+        while (active.last + 1 < unit.statements.size() && (unit.statements[active.last + 1].flags & program::line_start) == 0) ++active.last;
+    if (run.top().sections.size() >= run.env.budgets.call_depth) {
+        unchecked(run, codes::budget, run.here(), "REPEAT sections are nested too deep");
+        run.stopped = true;
+        run.ending = Ending::budget;
+        return;
+    }
+    active.back = index + 1;
+    active.left = static_cast<std::uint64_t>(std::min(passes, 1e15));
+    run.top().pc = active.first;
+    run.top().sections.push_back(active);
+}
+
+}  // namespace
+
+void run_statement(Run& run, const Statement& s, std::uint32_t index) {
+    const Unit& unit = run.unit();
+    if (s.kind == StatementKind::block) {
+        run_block(run, s, index);
+        return;
+    }
+    if (s.kind == StatementKind::frame) {
+        frame_statement(run, s, index);
+        return;
+    }
+    if (s.kind == StatementKind::return_) {
+        leave(run);
+        return;
+    }
+    const auto table = static_cast<std::size_t>(unit.words[s.first].payload);
+    switch (s.kind) {
+        case StatementKind::if_:
+        case StatementKind::while_: {
+            const program::Branch& b = unit.branches[table];
+            const bool yes = truth(run, b.condition);
+            if (!run.stopped && !yes) go(run, b.target);
+            return;
+        }
+        case StatementKind::else_: go(run, unit.branches[table].target); return;
+        case StatementKind::endif:
+        case StatementKind::repeat_:
+        case StatementKind::loop_: return;
+        case StatementKind::endwhile:
+        case StatementKind::endloop:
+            if (unit.branches[table].target != program::no_target) go_back(run, unit.branches[table].target);
+            return;
+        case StatementKind::until: {
+            const program::Branch& b = unit.branches[table];
+            const bool done = truth(run, b.condition, true);  // an unknown UNTIL must not loop for ever
+            if (!run.stopped && !done && b.target != program::no_target) go_back(run, b.target);
+            return;
+        }
+        case StatementKind::for_: begin_for(run, unit.fors[table]); return;
+        case StatementKind::endfor: end_for(run, unit.fors[table]); return;
+        case StatementKind::case_: run_case(run, unit.cases[table]); return;
+        case StatementKind::jump: jump(run, unit.jumps[table]); return;
+        case StatementKind::repeat_section: repeat_section(run, unit.sections[table], index); return;
+        case StatementKind::call: call_program(run, unit.calls[table]); return;
+        case StatementKind::procedure: procedure(run, unit.procedures[table]); return;
+        case StatementKind::define: define(run, unit.defines[table], run.top().locals, unit); return;
+        default: return;
+    }
+}
+
+}  // namespace obrys::interp

@@ -1,0 +1,85 @@
+/// Programmable frames: TRANS, ROT, SCALE, MIRROR and their additive forms.
+/// Offsets of a transverse axis are radii whatever the diameter mode (SINUMERIK, Function Manual P1 Transverse axes).
+
+#include <optional>
+
+#include "base/codes.hpp"
+#include "interp/motion.hpp"
+#include "interp/run.hpp"
+
+namespace obrys::interp {
+
+namespace codes = base::codes;
+using program::FrameOp;
+
+namespace {
+
+/// Rotations of one block act in the order Z, Y', X'' (RPY, MD10600 as delivered).
+geom::Frame rotation(Run& run) {
+    const BlockWords& b = run.block;
+    if (b.has(Code::plane_rotation)) return geom::Frame::rotation(plane_axes(run.modal.plane).w, geom::radians(b.get(Code::plane_rotation)));
+    geom::Frame f;
+    for (int k = 2; k >= 0; --k)
+        if (b.has(axis_code(k))) f = f * geom::Frame::rotation(k, geom::radians(b.get(axis_code(k))));
+    return f;
+}
+
+geom::Frame part_of(Run& run, FrameOp op) {
+    const BlockWords& b = run.block;
+    if (op == FrameOp::rotate) return rotation(run);
+    const double unit = run.modal.inch_geometry ? 25.4 : 1;
+    geom::Vec3 shift, factors{1, 1, 1};
+    for (int k = 0; k < 3; ++k) {
+        if (!b.has(axis_code(k))) continue;
+        const double v = b.get(axis_code(k));
+        if (op == FrameOp::shift) coordinate(shift, k) = v * unit;
+        if (op == FrameOp::scale) coordinate(factors, k) = v;
+        if (op == FrameOp::mirror) coordinate(factors, k) = -1;
+    }
+    return op == FrameOp::shift ? geom::Frame::shift(shift) : geom::Frame::scaling(factors);
+}
+
+/// Shift between the active datum and the one the stream's coordinates are in; nothing where it is not known.
+std::optional<geom::Frame> datum_shift(const Run& run) {
+    const auto origin = [&](std::uint32_t n) -> std::optional<geom::Vec3> {
+        const auto found = run.env.machine.datums.find(n);
+        if (found != run.env.machine.datums.end()) return found->second;
+        if (n == 500) return geom::Vec3{};  // base frame: the machine's own zero
+        return std::nullopt;
+    };
+    if (run.modal.datum == run.reference_datum) return geom::Frame{};
+    const auto active = origin(run.modal.datum), reference = origin(run.reference_datum);
+    if (!active || !reference) return std::nullopt;
+    return geom::Frame::shift(*active - *reference);
+}
+
+}  // namespace
+
+void update_frame(Run& run) {
+    flush_path(run);
+    const std::optional<geom::Frame> shift = datum_shift(run);
+    run.datum_known = shift.has_value();
+    run.frame = shift.value_or(geom::Frame{}) * run.modal.programmed;
+    run.frame_is_identity = run.frame == geom::Frame{};
+    if (!geom::is_invertible(run.frame)) {
+        alarm(run, codes::value_range, run.here(), "a scale factor of 0 leaves no coordinate system");
+        return;
+    }
+    run.programmed_position = run.frame_is_identity ? run.position : geom::apply(geom::inverse(run.frame), run.position);
+}
+
+void frame_statement(Run& run, const program::Statement& s, std::uint32_t index) {
+    const Unit& unit = run.unit();
+    const program::FrameCall call = unit.frames[static_cast<std::size_t>(unit.words[s.first].payload)];
+    run.block.clear();
+    const std::uint32_t end = unit.words_end(index);
+    for (std::uint32_t i = s.first + 1; i < end && !run.stopped; ++i) gather(run, s, unit.words[i]);
+    if (run.stopped) return;
+    const bool empty = run.block.present == 0;
+    if (empty) run.modal.programmed = {};  // TRANS alone deletes every programmed frame, ATRANS alone too
+    else if (call.additive) run.modal.programmed = run.modal.programmed * part_of(run, call.op);
+    else run.modal.programmed = part_of(run, call.op);
+    update_frame(run);
+}
+
+}  // namespace obrys::interp

@@ -1,0 +1,230 @@
+/// Built-in functions. Angles in degrees. Domains as the SINUMERIK programming manual "Job planning" states them.
+
+#include <algorithm>
+#include <cmath>
+
+#include "base/codes.hpp"
+#include "base/number.hpp"
+#include "base/text.hpp"
+#include "interp/run.hpp"
+
+namespace obrys::interp {
+
+using program::Expr;
+using program::Function;
+namespace codes = base::codes;
+
+namespace {
+
+/// The arguments of a call, evaluated when asked for.
+struct Arguments {
+    Run& run;
+    const Expr& e;
+
+    [[nodiscard]] bool given(std::size_t i) const { return i < e.count && run.unit().children[e.b + i] != program::no_expr; }
+    [[nodiscard]] ExprId id(std::size_t i) const { return run.unit().children[e.b + i]; }
+    [[nodiscard]] base::Span span(std::size_t i) const { return given(i) ? run.unit().span(id(i)) : whole(); }
+    [[nodiscard]] base::Span whole() const { return {run.unit().file, e.begin, e.end}; }
+
+    double operator[](std::size_t i) const {
+        if (!need(i)) return 0;
+        return number(run, id(i));
+    }
+    [[nodiscard]] std::string text(std::size_t i) const {
+        if (!need(i)) return {};
+        const Value v = evaluate(run, id(i));
+        if (!run.stopped && !v.is_text() && v.type != Type::character && !v.is_unknown())
+            alarm(run, codes::type_mismatch, span(i), "a STRING is needed here, this is a " + std::string(name(v.type)));
+        return printed(v);
+    }
+    [[nodiscard]] bool need(std::size_t i) const {
+        if (!given(i) && !run.stopped) alarm(run, codes::bad_argument, whole(), "argument " + std::to_string(i + 1) + " is missing");
+        return !run.stopped;
+    }
+};
+
+double domain(const Arguments& a, const std::string& text) {
+    alarm(a.run, codes::arithmetic, a.span(0), text);
+    return 0;
+}
+
+double tangent(const Arguments& a) {
+    const double angle = a[0];
+    if (std::fmod(std::abs(angle), 180.0) == 90.0) return domain(a, "TAN(" + base::shortest(angle) + ") does not exist");
+    return std::tan(geom::radians(angle));
+}
+
+double arc_function(const Arguments& a, double (*f)(double), const char* name) {
+    const double x = a[0];
+    if (std::abs(x) > 1 + 1e-9) return domain(a, std::string(name) + " needs a value from -1 to 1, this is " + base::shortest(x));
+    return geom::degrees(f(std::clamp(x, -1.0, 1.0)));
+}
+
+double square_root(const Arguments& a) {
+    const double x = a[0];
+    if (x < 0) return domain(a, "SQRT of the negative number " + base::shortest(x));
+    return std::sqrt(x);
+}
+
+double logarithm(const Arguments& a) {
+    const double x = a[0];
+    if (x <= 0) return domain(a, "LN needs a positive number, this is " + base::shortest(x));
+    return std::log(x);
+}
+
+double bounded(const Arguments& a) {
+    const double low = a[0], high = a[1], x = a[2];
+    if (low > high) return domain(a, "BOUND: the lower limit lies above the upper limit");
+    return std::clamp(x, low, high);
+}
+
+/// Numeric functions; nothing where `f` is not one.
+bool numeric(const Arguments& a, Function f, double& result) {
+    switch (f) {
+        case Function::sin: result = std::sin(geom::radians(a[0])); return true;
+        case Function::cos: result = std::cos(geom::radians(a[0])); return true;
+        case Function::tan: result = tangent(a); return true;
+        case Function::asin: result = arc_function(a, [](double x) { return std::asin(x); }, "ASIN"); return true;
+        case Function::acos: result = arc_function(a, [](double x) { return std::acos(x); }, "ACOS"); return true;
+        case Function::atan2: {
+            const double y = a[0], x = a[1];
+            result = geom::degrees(std::atan2(y, x));
+            return true;
+        }
+        case Function::sqrt: result = square_root(a); return true;
+        case Function::abs: result = std::abs(a[0]); return true;
+        case Function::square: {
+            const double x = a[0];
+            result = x * x;
+            return true;
+        }
+        case Function::trunc: result = std::trunc(a[0]); return true;
+        case Function::round: result = std::floor(a[0] + 0.5); return true;
+        case Function::round_up: result = std::ceil(a[0]); return true;
+        case Function::ln: result = logarithm(a); return true;
+        case Function::exp: result = std::exp(a[0]); return true;
+        case Function::min: result = std::min(a[0], a[1]); return true;
+        case Function::max: result = std::max(a[0], a[1]); return true;
+        case Function::bound: result = bounded(a); return true;
+        default: return false;
+    }
+}
+
+Value find_text(const Arguments& a, bool from_right) {
+    const std::string text = a.text(0), what = a.text(1);
+    const std::size_t at = from_right ? text.rfind(what) : text.find(what);
+    return Value::integer(at == std::string::npos ? -1 : static_cast<double>(at));
+}
+
+Value substring(const Arguments& a) {
+    const std::string text = a.text(0);
+    const double from = a[1];
+    const double count = a.given(2) ? a[2] : 1e9;
+    if (a.run.stopped) return {};
+    if (std::isnan(from) || std::isnan(count)) return Value::string("?");
+    if (from < 0 || count < 0 || from > static_cast<double>(text.size())) {
+        alarm(a.run, codes::index_range, a.whole(), "SUBSTR starts outside the text");
+        return {};
+    }
+    return Value::string(text.substr(static_cast<std::size_t>(from), static_cast<std::size_t>(count)));
+}
+
+Value text_number(const Arguments& a) {
+    const std::string text = a.text(0);
+    const auto v = base::parse_double(text);
+    if (text == "?") return Value::unknown();
+    if (!v && !a.run.stopped) alarm(a.run, codes::type_mismatch, a.span(0), "NUMBER: \"" + text + "\" is not a number");
+    return Value::real(v.value_or(0));
+}
+
+Value string_function(const Arguments& a, Function f) {
+    switch (f) {
+        case Function::string_length: return Value::integer(static_cast<double>(a.text(0).size()));
+        case Function::to_upper: return Value::string(base::to_upper(a.text(0)));
+        case Function::to_lower: {
+            std::string s = a.text(0);
+            std::transform(s.begin(), s.end(), s.begin(), [](char c) { return c >= 'A' && c <= 'Z' ? static_cast<char>(c + 32) : c; });
+            return Value::string(std::move(s));
+        }
+        case Function::index: return find_text(a, false);
+        case Function::rindex: return find_text(a, true);
+        case Function::mindex: {
+            const std::string text = a.text(0), any = a.text(1);
+            const std::size_t at = text.find_first_of(any);
+            return Value::integer(at == std::string::npos ? -1 : static_cast<double>(at));
+        }
+        case Function::substring: return substring(a);
+        case Function::number: return text_number(a);
+        case Function::is_number: return Value::boolean(base::parse_double(a.text(0)).has_value());
+        case Function::axis_string: return Value::string(axis_of(a.run, a.given(0) ? a.id(0) : program::no_expr));
+        case Function::axis_name: return Value::axis(base::to_upper(a.text(0)));
+        default: break;
+    }
+    unchecked(a.run, codes::unsupported, a.whole(), "this function is not run", "its result is unknown");
+    return Value::unknown();
+}
+
+int axis_index(const std::string& axis) { return axis == "X" ? 0 : axis == "Y" ? 1 : axis == "Z" ? 2 : -1; }
+
+/// CTRANS(X,v,Y,v…), CROT, CSCALE, CMIRROR(X,Y…): pairs of axis and value.
+Value frame_function(const Arguments& a, Function f) {
+    geom::Frame frame;
+    const std::size_t step = f == Function::frame_mirror ? 1 : 2;
+    for (std::size_t i = 0; i < a.e.count && !a.run.stopped; i += step) {
+        const int k = axis_index(axis_of(a.run, a.given(i) ? a.id(i) : program::no_expr));
+        const double v = step == 2 ? a[i + 1] : -1;
+        if (k < 0) {
+            unchecked(a.run, codes::unsupported, a.span(i), "frames act on X, Y and Z only");
+            continue;
+        }
+        geom::Vec3 part = f == Function::frame_shift || f == Function::frame_fine ? geom::Vec3{} : geom::Vec3{1, 1, 1};
+        coordinate(part, k) = v;
+        if (f == Function::frame_rotation) frame = frame * geom::Frame::rotation(k, geom::radians(v));
+        else if (f == Function::frame_shift || f == Function::frame_fine) frame = frame * geom::Frame::shift(part);
+        else frame = frame * geom::Frame::scaling(part);
+    }
+    return Value::of_frame(frame);
+}
+
+}  // namespace
+
+Value call_function(Run& run, const Expr& e) {
+    const Arguments a{run, e};
+    const auto f = static_cast<Function>(e.op);
+    double result = 0;
+    if (numeric(a, f, result)) {
+        const bool whole = f == Function::trunc || f == Function::round || f == Function::round_up;
+        if (std::isinf(result) && !run.stopped) alarm(run, codes::arithmetic, a.whole(), "the result is too large for the control");
+        return whole && !std::isnan(result) ? Value::integer(result) : Value::real(result);
+    }
+    switch (f) {
+        case Function::frame_shift:
+        case Function::frame_rotation:
+        case Function::frame_scale:
+        case Function::frame_mirror:
+        case Function::frame_fine: return frame_function(a, f);
+        case Function::frame_plane_rotation: {
+            const int axis = run.modal.plane == 17 ? 2 : run.modal.plane == 18 ? 1 : 0;
+            return Value::of_frame(geom::Frame::rotation(axis, geom::radians(a[0])));
+        }
+        case Function::frame_inverse: {
+            const Value v = evaluate(run, a.given(0) ? a.id(0) : program::no_expr);
+            return Value::of_frame(geom::is_invertible(v.as_frame()) ? geom::inverse(v.as_frame()) : geom::Frame{});
+        }
+        case Function::is_variable: {
+            const std::string text = base::to_upper(a.text(0));
+            return Value::boolean(find_variable(run, run.env.names.id(text)) != nullptr);
+        }
+        case Function::is_axis: {
+            const double n = a[0];
+            return Value::boolean(n >= 1 && n <= static_cast<double>(run.env.machine.axes.size()));
+        }
+        case Function::modulo_axis: {
+            const double angle = a[1];
+            return Value::real(angle - 360 * std::floor(angle / 360));
+        }
+        default: return string_function(a, f);
+    }
+}
+
+}  // namespace obrys::interp

@@ -1,0 +1,181 @@
+#include "interp/interp.hpp"
+
+#include <limits>
+
+#include "base/codes.hpp"
+#include "base/number.hpp"
+#include "interp/path_stage.hpp"
+
+namespace obrys::interp {
+
+namespace codes = base::codes;
+
+namespace {
+
+constexpr double unknown = std::numeric_limits<double>::quiet_NaN();
+
+bool first_report(Run& run, std::string_view code, const base::Span& where) {
+    std::uint64_t key = std::hash<std::string_view>{}(code);
+    key ^= (std::uint64_t{where.file} << 40) ^ (std::uint64_t{where.begin} << 8);
+    return run.reported.insert(key).second;
+}
+
+std::vector<base::Span> stack_of(const Run& run) {
+    return run.calls.empty() ? std::vector<base::Span>{} : run.stacks.sites(run.calls.back().stack);
+}
+
+/// The coordinates the machine starts with: unknown, except axes a lathe or mill does not have.
+geom::Vec3 start_position(const shop::Machine& machine) {
+    geom::Vec3 p{unknown, unknown, unknown};
+    if (machine.axes.empty()) {
+        if (machine.kind == shop::MachineKind::lathe) p.y = 0;
+        return p;
+    }
+    for (int k = 0; k < 3; ++k) {
+        const char name = "XYZ"[k];
+        bool exists = false;
+        for (const shop::MachineAxis& a : machine.axes) exists = exists || (a.name.size() == 1 && a.name[0] == name);
+        if (!exists) coordinate(p, k) = 0;
+    }
+    return p;
+}
+
+void take_overrides(Run& run) {
+    const std::uint32_t n = run.parameters.count();
+    run.parameter_overridden.assign(n, 0);
+    run.parameter_override.assign(n, 0);
+    for (const shop::Override& o : run.env.overrides) {
+        const auto number = o.name.size() > 1 && o.name[0] == 'R' ? base::parse_integer(std::string_view(o.name).substr(1)) : std::nullopt;
+        if (number && *number >= 0 && *number < n) {
+            run.parameter_overridden[static_cast<std::size_t>(*number)] = 1;
+            run.parameter_override[static_cast<std::size_t>(*number)] = o.value;
+            run.parameters.set(static_cast<std::uint32_t>(*number), o.value);
+        } else {
+            run.overrides_by_name[run.env.names.id(o.name)] = o.value;
+        }
+    }
+}
+
+void define_globals(Run& run) {
+    for (const Unit* unit : run.env.definitions) {
+        run.calls.push_back({});
+        run.calls.back().unit = unit;
+        for (const program::Statement& s : unit->statements) {
+            run.statement = &s;
+            if (s.kind == program::StatementKind::define && !run.stopped)
+                define(run, unit->defines[static_cast<std::size_t>(unit->words[s.first].payload)], run.globals, *unit);
+        }
+        run.calls.pop_back();
+    }
+}
+
+/// The stream's coordinates are in the first settable datum that the main program selects.
+void choose_reference_datum(Run& run, const Unit& main) {
+    for (const program::Word& w : main.words) {
+        if (program::code_of(w) != Code::modal || program::modal_of(w) != Modal::datum || program::modal_number(w) == 500) continue;
+        run.reference_datum = static_cast<std::uint32_t>(program::modal_number(w));
+        break;
+    }
+    update_frame(run);
+}
+
+bool over_budget(Run& run) {
+    const shop::Budgets& b = run.env.budgets;
+    const bool check_clock = (run.blocks & 0xFFFF) == 0;
+    const double seconds = check_clock ? std::chrono::duration<double>(std::chrono::steady_clock::now() - run.started).count() : 0;
+    if (run.blocks <= b.blocks && seconds <= b.seconds) return false;
+    const std::string limit = run.blocks > b.blocks ? std::to_string(b.blocks) + " blocks" : base::shortest(b.seconds) + " s";
+    unchecked(run, codes::budget, run.here(), "the run was ended here after " + limit, "raise the limit in [budget] of the job if the program really needs more");
+    run.ending = Ending::budget;
+    run.stopped = true;
+    return true;
+}
+
+bool skipped(const Run& run, const program::Statement& s) {
+    const int level = (s.flags & program::skip_mask) - 1;
+    if (level < 0) return false;
+    for (const int on : run.env.skip_levels)
+        if (on == level) return true;
+    return false;
+}
+
+/// Goes back to the start of a repeated section, or behind the REPEAT when it is done.
+void end_of_section(Run& run) {
+    Activation& act = run.top();
+    ActiveSection& section = act.sections.back();
+    if (section.left > 1) {
+        --section.left;
+        act.pc = section.first;
+        return;
+    }
+    act.pc = section.back;
+    act.sections.pop_back();
+}
+
+void step(Run& run) {
+    Activation& act = run.top();
+    while (!act.sections.empty() && act.pc == act.sections.back().last + 1) end_of_section(run);
+    if (act.pc >= act.unit->statements.size()) {
+        leave(run);
+        return;
+    }
+    const std::uint32_t index = act.pc++;
+    const program::Statement& s = act.unit->statements[index];
+    run.statement = &s;
+    if (s.flags != 0) {
+        if ((s.flags & program::line_start) != 0) ++run.blocks;
+        if (skipped(run, s)) return;
+    }
+    if ((run.blocks & 0xFFFF) == 0 || run.blocks > run.env.budgets.blocks) {
+        if (over_budget(run)) return;
+    }
+    run_statement(run, s, index);
+}
+
+}  // namespace
+
+Run::Run(const Environment& e, cl::CallStacks& s, cl::Sink k, base::Diagnostics& d)
+    : env(e), stacks(s), sink(k), diagnostics(d), parameters(1000), position(start_position(e.machine)),
+      programmed_position(position), started(std::chrono::steady_clock::now()) {
+    path = std::make_unique<PathStage>();
+    modal.plane = e.machine.defaults.plane;
+    modal.inch_geometry = modal.inch_feed = e.machine.defaults.inch;
+    modal.diameter = e.machine.defaults.diameter_programming ? DiameterMode::on : DiameterMode::off;
+    modal.feed_mode = e.machine.defaults.feed_per_rev ? cl::FeedMode::per_rev : cl::FeedMode::per_minute;
+}
+
+Run::~Run() = default;
+
+void alarm(Run& run, std::string_view code, const base::Span& where, std::string text, std::string remedy) {
+    if (run.stopped) return;
+    run.diagnostics.add({base::Severity::error, code, where, std::move(text), std::move(remedy), stack_of(run), {}});
+    run.stopped = true;
+    run.ending = Ending::alarm;
+}
+
+void unchecked(Run& run, std::string_view code, const base::Span& where, std::string text, std::string remedy) {
+    if (run.stopped || !first_report(run, code, where)) return;
+    run.diagnostics.add({base::Severity::warning, code, where, std::move(text), std::move(remedy), stack_of(run), {}});
+}
+
+void assume(Run& run, const base::Span& where, std::string text, std::string remedy) {
+    if (!run.assumed.insert(text).second) return;
+    run.diagnostics.add({base::Severity::note, codes::assumption, where, std::move(text), std::move(remedy), stack_of(run), {}});
+}
+
+Outcome run(const program::Unit& main, const Environment& environment, cl::CallStacks& stacks, cl::Sink sink,
+            base::Diagnostics& diagnostics) {
+    Run run(environment, stacks, sink, diagnostics);
+    take_overrides(run);
+    define_globals(run);
+    choose_reference_datum(run, main);
+    enter(run, main, nullptr, {});
+    while (!run.stopped) step(run);
+    flush_path(run);
+    Outcome outcome{run.ending, run.blocks, {}};
+    for (std::uint32_t n = 0; n < run.parameters.count(); ++n)
+        if (run.parameters.is_set(n)) outcome.parameters.push_back({n, run.parameters.get(n)});
+    return outcome;
+}
+
+}  // namespace obrys::interp

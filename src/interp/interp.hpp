@@ -1,0 +1,56 @@
+#pragma once
+/// Runs a program tree: values, flow, frames, modal state and calls become the CL stream.
+/// What the control would stop at ends the run with a diagnostic; what obrys does not know is reported and stepped over.
+
+#include <cstdint>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "base/diagnostic.hpp"
+#include "base/function_ref.hpp"
+#include "cl/record.hpp"
+#include "cl/stacks.hpp"
+#include "program/unit.hpp"
+#include "shop/job.hpp"
+
+namespace obrys::interp {
+
+/// Everything a run needs besides the program. References must outlive the run.
+struct Environment {
+    const base::Sources& sources;
+    program::Names& names;
+    const shop::Machine& machine;
+    const std::vector<shop::Tool>& tools;
+    const std::vector<shop::Override>& overrides;
+    const shop::Budgets& budgets;
+    const std::vector<int>& skip_levels;
+    /// The program of that name (upper case, without suffix), or null.
+    base::FunctionRef<const program::Unit*(std::string_view)> find_program;
+    /// Units whose definitions hold for all programs (global user data).
+    const std::vector<const program::Unit*>& definitions;
+};
+
+enum class Ending : std::uint8_t {
+    regular,   ///< M30, M2, M17 or RET of the main program, or its last block
+    alarm,     ///< the control would stop here
+    budget,    ///< ended by a limit
+};
+
+/// A numbered parameter and its value at the end of the run.
+struct ParameterValue {
+    std::uint32_t number = 0;
+    double value = 0;
+};
+
+struct Outcome {
+    Ending ending = Ending::regular;
+    std::uint64_t blocks_executed = 0;
+    std::vector<ParameterValue> parameters;  ///< those that were assigned
+};
+
+/// Runs `main` and passes every record to `sink`. Complaints, assumptions and ignored words go to `diagnostics`.
+Outcome run(const program::Unit& main, const Environment& environment, cl::CallStacks& stacks, cl::Sink sink,
+            base::Diagnostics& diagnostics);
+
+}  // namespace obrys::interp

@@ -1,0 +1,325 @@
+/// Motion blocks: where the axes go and by which path.
+
+#include <cmath>
+#include <limits>
+
+#include "base/codes.hpp"
+#include "interp/path_stage.hpp"
+
+namespace obrys::interp {
+
+namespace codes = base::codes;
+using program::Reference;
+
+namespace {
+
+constexpr double unknown = std::numeric_limits<double>::quiet_NaN();
+constexpr std::uint64_t bit(Code c) { return std::uint64_t{1} << static_cast<unsigned>(c); }
+constexpr std::uint64_t linear_axes = bit(Code::x) | bit(Code::y) | bit(Code::z);
+constexpr std::uint64_t other_axes = bit(Code::a) | bit(Code::b) | bit(Code::c) | bit(Code::u) | bit(Code::v) | bit(Code::w);
+constexpr std::uint64_t polar = bit(Code::polar_angle) | bit(Code::polar_radius);
+constexpr std::uint64_t circle = bit(Code::i) | bit(Code::j) | bit(Code::k) | bit(Code::radius) | bit(Code::opening_angle) |
+                                 bit(Code::i1) | bit(Code::j1) | bit(Code::k1) | bit(Code::turns);
+
+bool is_incremental(const Run& run, std::uint8_t reference) {
+    if (reference == 0) return !run.modal.absolute;
+    return reference == 1 + static_cast<std::uint8_t>(Reference::incremental);
+}
+
+const shop::MachineAxis* machine_axis(const Run& run, const std::string& name) {
+    for (const shop::MachineAxis& a : run.env.machine.axes)
+        if (a.name == name) return &a;
+    return nullptr;
+}
+
+/// An axis the machine file does not list: moved all the same, but said.
+void require_axis(Run& run, const std::string& name) {
+    if (run.env.machine.axes.empty() || machine_axis(run, name) != nullptr) return;
+    unchecked(run, codes::unknown_word, run.here(), "the machine " + run.env.machine.name + " has no axis " + name,
+              "name the right machine in the job, or add the axis to its file");
+}
+
+void extra_axis(Run& run, const std::string& name, double value, std::uint8_t reference, bool rotary_by_letter) {
+    require_axis(run, name);
+    const shop::MachineAxis* known = machine_axis(run, name);
+    const bool rotary = known != nullptr ? known->rotary : rotary_by_letter;
+    double to = rotary ? value : value * (run.modal.inch_geometry ? 25.4 : 1);
+    const auto at = run.extra_axes.find(name);
+    if (is_incremental(run, reference)) to += at == run.extra_axes.end() ? unknown : at->second;
+    run.extra_axes[name] = to;
+    cl::Axis axis;
+    for (std::size_t i = 0; i < name.size() && i + 1 < axis.name.size(); ++i) axis.name[i] = name[i];
+    axis.to = to;
+    axis.rotary = rotary;
+    emit(run, axis);
+}
+
+void extra_axes(Run& run) {
+    const BlockWords& b = run.block;
+    if ((b.present & other_axes) != 0) {
+        for (int k = 3; k < 9; ++k)
+            if (b.has(axis_code(k))) extra_axis(run, std::string(1, "XYZABCUVW"[k]), b.get(axis_code(k)), b.ref(axis_code(k)), k < 6);
+    }
+    const std::vector<BlockWords::NamedAxis> named = b.axes;
+    for (const auto& axis : named) extra_axis(run, axis.name, axis.value, axis.reference, axis.name[0] >= 'A' && axis.name[0] <= 'C');
+}
+
+/// Target of the linear axes in the programmed frame.
+geom::Vec3 cartesian_target(Run& run) {
+    const BlockWords& b = run.block;
+    geom::Vec3 to = run.programmed_position;
+    for (int k = 0; k < 3; ++k) {
+        const Code code = axis_code(k);
+        if (!b.has(code)) continue;
+        const bool incremental = is_incremental(run, b.ref(code));
+        const double v = b.get(code) * length_factor(run, k, incremental);
+        coordinate(to, k) = incremental ? coordinate(to, k) + v : v;
+    }
+    return to;
+}
+
+geom::Vec3 polar_target(Run& run, geom::Vec3 to) {
+    const BlockWords& b = run.block;
+    const PlaneAxes axes = plane_axes(run.modal.plane);
+    const geom::Vec3& pole = run.modal.pole;
+    const double du = coordinate(run.programmed_position, axes.u) - coordinate(pole, axes.u);
+    const double dv = coordinate(run.programmed_position, axes.v) - coordinate(pole, axes.v);
+    double radius = b.has(Code::polar_radius) ? b.get(Code::polar_radius) * (run.modal.inch_geometry ? 25.4 : 1) : std::hypot(du, dv);
+    const double now = geom::degrees(std::atan2(dv, du));
+    double angle = b.has(Code::polar_angle) ? b.get(Code::polar_angle) : now;
+    if (b.has(Code::polar_angle) && is_incremental(run, b.ref(Code::polar_angle))) angle += now;
+    if (b.has(Code::polar_radius) && b.ref(Code::polar_radius) == 1 + static_cast<std::uint8_t>(Reference::incremental)) radius += std::hypot(du, dv);
+    coordinate(to, axes.u) = coordinate(pole, axes.u) + radius * std::cos(geom::radians(angle));
+    coordinate(to, axes.v) = coordinate(pole, axes.v) + radius * std::sin(geom::radians(angle));
+    return to;
+}
+
+/// G110 last position, G111 workpiece zero, G112 last pole: the axis words of the block are the pole.
+void set_pole(Run& run) {
+    const BlockWords& b = run.block;
+    geom::Vec3 base = run.modal.pole;
+    if (b.special == Modal::pole_from_position) base = run.programmed_position;
+    if (b.special == Modal::pole_from_zero) base = {};
+    geom::Vec3 offset;
+    if ((b.present & polar) != 0) {
+        const PlaneAxes axes = plane_axes(run.modal.plane);
+        const double r = b.has(Code::polar_radius) ? b.get(Code::polar_radius) : 0;
+        const double a = geom::radians(b.has(Code::polar_angle) ? b.get(Code::polar_angle) : 0);
+        coordinate(offset, axes.u) = r * std::cos(a);
+        coordinate(offset, axes.v) = r * std::sin(a);
+    }
+    for (int k = 0; k < 3; ++k)
+        if (b.has(axis_code(k))) coordinate(offset, k) = b.get(axis_code(k)) * length_factor(run, k, b.special != Modal::pole_from_zero);
+    run.modal.pole = base + offset;
+}
+
+void dwell(Run& run) {
+    const BlockWords& b = run.block;
+    cl::Dwell d;
+    if (b.has(Code::feed)) d.seconds = b.get(Code::feed);
+    else if (b.has(Code::spindle)) d.revolutions = b.get(Code::spindle);
+    flush_path(run);
+    emit(run, d);
+}
+
+/// Machine coordinates as stream coordinates; NaN where the datum is not known.
+double from_machine(const Run& run, int k, double machine) {
+    const auto known = run.env.machine.datums.find(run.reference_datum);
+    return known == run.env.machine.datums.end() ? unknown : machine - coordinate(known->second, k);
+}
+
+void unknown_machine_position(Run& run) {
+    if (run.env.machine.datums.contains(run.reference_datum)) return;
+    unchecked(run, codes::unknown_value, run.here(), "this block moves in machine coordinates and the zero offset G" + std::to_string(run.reference_datum) + " is not known: where it ends in the workpiece is not known",
+              "give the offset in [datum] of the job, e.g. G" + std::to_string(run.reference_datum) + " = { x = 0.0, y = 0.0, z = -350.0 }");
+}
+
+void go_to(Run& run, geom::Vec3 target, bool rapid) {
+    run.position = target;
+    run.programmed_position = run.frame_is_identity ? target : geom::apply(geom::inverse(run.frame), target);
+    emit(run, cl::Linear{target, {0, 0, 1}, rapid});
+}
+
+/// G74 and G75: the axes of the block go to their reference point.
+bool reference_point(Run& run) {
+    flush_path(run);
+    geom::Vec3 target = run.position;
+    for (int k = 0; k < 3; ++k) {
+        if (!run.block.has(axis_code(k))) continue;
+        const shop::MachineAxis* axis = machine_axis(run, std::string(1, "XYZ"[k]));
+        coordinate(target, k) = axis != nullptr && axis->home ? from_machine(run, k, *axis->home) : unknown;
+    }
+    if (!geom::is_finite(target)) assume(run, run.here(), "the reference point is not known in the workpiece frame: moves to and from it are not simulated", "give home of the axes in the machine file and the zero offset in [datum] of the job");
+    go_to(run, target, true);
+    return true;
+}
+
+/// SUPA, G53, G153: the words are machine coordinates (G53: without any frame, the same here).
+bool machine_move(Run& run) {
+    flush_path(run);
+    unknown_machine_position(run);
+    geom::Vec3 target = run.position;
+    for (int k = 0; k < 3; ++k) {
+        if (!run.block.has(axis_code(k))) continue;
+        const bool incremental = is_incremental(run, run.block.ref(axis_code(k)));
+        const double v = run.block.get(axis_code(k)) * length_factor(run, k, incremental);
+        coordinate(target, k) = incremental ? coordinate(target, k) + v : from_machine(run, k, v);
+    }
+    go_to(run, target, run.modal.motion == Modal::rapid);
+    return true;
+}
+
+/// ANG=: one coordinate of a straight line follows from its angle to the first axis of the plane.
+bool line_by_angle(Run& run, geom::Vec3& to) {
+    const BlockWords& b = run.block;
+    const PlaneAxes axes = plane_axes(run.modal.plane);
+    const bool has_u = b.has(axis_code(axes.u)), has_v = b.has(axis_code(axes.v));
+    const double angle = geom::radians(b.get(Code::line_angle));
+    if (has_u == has_v) {
+        unchecked(run, codes::unsupported, run.here(), "ANG= with " + std::string(has_u ? "both" : "none") + " of the plane's axes is not run", "a contour of several blocks with an open corner has to be written with its corner points");
+        return false;
+    }
+    const int given = has_u ? axes.u : axes.v, other = has_u ? axes.v : axes.u;
+    const double along = has_u ? std::cos(angle) : std::sin(angle), across = has_u ? std::sin(angle) : std::cos(angle);
+    const double step = coordinate(to, given) - coordinate(run.programmed_position, given);
+    if (std::abs(along) < 1e-12) {
+        alarm(run, codes::value_range, run.here(), "a line at this angle ANG never reaches the given coordinate");
+        return false;
+    }
+    coordinate(to, other) = coordinate(run.programmed_position, other) + step * across / along;
+    return true;
+}
+
+void finish_move(Run& run, const geom::Vec3& target) {
+    run.programmed_position = target;
+    run.position = run.frame_is_identity ? target : geom::apply(run.frame, target);
+}
+
+double thread_pitch(const Run& run, const geom::Vec3& from, const geom::Vec3& to) {
+    const BlockWords& b = run.block;
+    double pitch = 0, longest = -1;
+    const Code pitches[3] = {Code::i, Code::j, Code::k};
+    for (int k = 0; k < 3; ++k) {
+        const double step = std::abs(coordinate(to, k) - coordinate(from, k));
+        if (b.has(pitches[k]) && !(step < longest)) {
+            pitch = b.get(pitches[k]);
+            longest = step;
+        }
+    }
+    return pitch * (run.modal.inch_geometry ? 25.4 : 1);
+}
+
+void require_feed(Run& run) {
+    if (run.feed_valid || !run.feed_dropped) return;
+    run.feed_dropped = false;
+    emit(run, cl::Feed{0, run.modal.feed_mode});
+}
+
+bool path_motion(Run& run) {
+    const BlockWords& b = run.block;
+    const Modal m = run.modal.motion;
+    geom::Vec3 to = cartesian_target(run);
+    if ((b.present & polar) != 0) to = polar_target(run, to);
+    if (b.has(Code::line_angle) && !line_by_angle(run, to)) return false;
+    if (m != Modal::rapid) require_feed(run);
+    if (m == Modal::arc_cw || m == Modal::arc_ccw || m == Modal::arc_via || m == Modal::arc_tangent) return arc_motion(run, to);
+    if (m == Modal::rapid || m == Modal::linear) {
+        straight_motion(run, to, m == Modal::rapid);
+        return true;
+    }
+    flush_path(run);
+    cl::Thread t;
+    t.pitch = thread_pitch(run, run.programmed_position, to);
+    t.rigid_tap = m == Modal::tap || m == Modal::tap_retract;
+    if (m == Modal::thread_rising || m == Modal::thread_falling) unchecked(run, codes::unsupported, run.here(), "the changing pitch of G34 and G35 is not followed: the thread is run with its first pitch");
+    finish_move(run, to);
+    t.to = run.position;
+    emit(run, t);
+    return true;
+}
+
+void begin_motion(Run& run) {
+    run.moved = true;
+    emit_datum(run);
+    if (run.datum_known) return;
+    const std::string active = "G" + std::to_string(run.modal.datum), reference = "G" + std::to_string(run.reference_datum);
+    unchecked(run, codes::unknown_value, run.here(), "where " + active + " lies against " + reference + " is not known: both are taken as the same zero",
+              "give the offsets in [datum] of the job, e.g. " + (run.modal.datum == 500 ? reference : active) + " = { x = 0.0, z = 120.0 }");
+}
+
+}  // namespace
+
+double length_factor(const Run& run, int axis, bool incremental) {
+    double factor = run.modal.inch_geometry ? 25.4 : 1;
+    if (axis != 0 || run.modal.diameter == DiameterMode::off) return factor;
+    if (run.modal.diameter == DiameterMode::absolute_only && incremental) return factor;
+    return factor * 0.5;
+}
+
+PlaneAxes plane_axes(int plane) {
+    if (plane == 18) return {2, 0, 1};
+    if (plane == 19) return {1, 2, 0};
+    return {0, 1, 2};
+}
+
+bool motion(Run& run) {
+    const BlockWords& b = run.block;
+    if (b.special == Modal::dwell) {
+        dwell(run);
+        return false;
+    }
+    const bool moves = (b.present & (linear_axes | polar | bit(Code::line_angle))) != 0;
+    const bool turns = (b.present & circle) != 0 && run.modal.motion != Modal::linear && run.modal.motion != Modal::rapid;
+    const bool others = (b.present & other_axes) != 0 || !b.axes.empty();
+    if (!moves && !turns && !others) return false;
+    if (b.special == Modal::pole_from_position || b.special == Modal::pole_from_zero || b.special == Modal::pole_from_pole) {
+        set_pole(run);
+        return false;
+    }
+    if (!run.env.machine.axes.empty())
+        for (int k = 0; k < 3; ++k)
+            if (b.has(axis_code(k))) require_axis(run, std::string(1, "XYZ"[k]));
+    begin_motion(run);
+    if (others) extra_axes(run);
+    if (run.stopped) return false;
+    if (b.special == Modal::reference_point || b.special == Modal::fixed_point) return reference_point(run);
+    if (b.suppress != Modal::linear && moves) return machine_move(run);
+    return path_motion(run);
+}
+
+bool needs_path_stage(const Run& run) {
+    constexpr std::uint64_t corners = bit(Code::chamfer_length) | bit(Code::chamfer_leg) | bit(Code::round);
+    return run.path->active() || run.modal.compensation != Modal::compensation_off || (run.block.present & corners) != 0 ||
+           run.modal.round_modal > 0;
+}
+
+void straight_motion(Run& run, const geom::Vec3& to, bool rapid) {
+    const PlaneAxes a = plane_axes(run.modal.plane);
+    const geom::Vec3& at = run.programmed_position;
+    const bool known = std::isfinite(coordinate(to, a.u)) && std::isfinite(coordinate(to, a.v));
+    if (!known) flush_path(run);
+    if (!known || !needs_path_stage(run)) {
+        const geom::Vec2 step{coordinate(to, a.u) - coordinate(at, a.u), coordinate(to, a.v) - coordinate(at, a.v)};
+        if (step.x != 0 || step.y != 0) run.last_direction = step;
+        finish_move(run, to);
+        emit(run, cl::Linear{run.position, {0, 0, 1}, rapid});
+        return;
+    }
+    // A start that is not known yet only matters for the way onto the contour: any point off it will do.
+    const auto start = [&](int k) { return std::isfinite(coordinate(at, k)) ? coordinate(at, k) : coordinate(to, k) + 1000; };
+    path::Element e;
+    e.from = {start(a.u), start(a.v)};
+    e.to = {coordinate(to, a.u), coordinate(to, a.v)};
+    e.w_from = start(a.w);
+    e.w_to = coordinate(to, a.w);
+    plane_element(run, std::move(e), to, rapid);
+}
+
+double programmed_coordinate(const Run& run, const std::string& axis) {
+    for (int k = 0; k < 3; ++k)
+        if (axis.size() == 1 && axis[0] == "XYZ"[k]) return coordinate(run.programmed_position, k) / length_factor(run, k, false);
+    const auto found = run.extra_axes.find(axis);
+    return found == run.extra_axes.end() ? unknown : found->second;
+}
+
+}  // namespace obrys::interp

@@ -1,0 +1,56 @@
+#pragma once
+/// Between the programmed contour and the stream: corners (CHF, CHR, RND) and radius compensation (G41, G42).
+/// Blocks pass here only while one of them is at work; straight programs never do. Private to interp.
+
+#include <optional>
+#include <vector>
+
+#include "interp/motion.hpp"
+#include "path/compensation.hpp"
+#include "path/corner_stage.hpp"
+
+namespace obrys::interp {
+
+class PathStage {
+public:
+    /// True while anything is held back or compensation is at work.
+    [[nodiscard]] bool active() const { return active_; }
+    /// Takes one element of the block being run, in plane coordinates of the programmed frame.
+    void push(Run&, path::Element element, bool rapid);
+    /// Keeps a record that must come out before the next element.
+    void hold(const cl::Record& record);
+    /// Emits everything held back.
+    void flush(Run&);
+
+private:
+    /// What an element's tag stands for.
+    struct Origin {
+        base::Span from;
+        cl::StackId stack = 0;
+        bool rapid = false;
+    };
+
+    [[nodiscard]] path::Setting setting(Run&) const;
+    [[nodiscard]] path::CornerRequest corner_request(Run&);
+    [[nodiscard]] int keep(const cl::Record& record);
+    [[nodiscard]] int feed_event(const Run&, double feed);
+    void compensate(Run&, const path::CornerOutput& out);
+    void output(Run&, const path::Output& out);
+    void report(Run&, const std::vector<path::Fault>& faults);
+    void report(Run&, const path::CornerFault& fault);
+
+    path::CornerStage corners_;
+    path::Compensation compensation_;
+    std::vector<Origin> origins_;
+    std::vector<path::Setting> settings_;   ///< by tag
+    std::vector<cl::Record> events_;
+    std::vector<int> waiting_;
+    geom::Vec2 nose_;                       ///< from the nose centre to the programmed tip; zero for mills
+    bool active_ = false;
+    bool flushing_ = false;
+};
+
+/// Emits an element of the working plane as a record of the stream.
+void emit_element(Run&, const path::Element& element, bool rapid);
+
+}  // namespace obrys::interp

@@ -1,0 +1,255 @@
+#pragma once
+/// The state of one run. Private to interp: the functions that work on it lie in files by concern.
+
+#include <array>
+#include <bit>
+#include <chrono>
+#include <cstdint>
+#include <memory>
+#include <set>
+#include <string>
+#include <unordered_map>
+#include <unordered_set>
+#include <vector>
+
+#include "geom/frame.hpp"
+#include "interp/interp.hpp"
+#include "interp/value.hpp"
+#include "interp/variables.hpp"
+
+namespace obrys::interp {
+
+using program::Code;
+using program::ExprId;
+using program::Modal;
+using program::Unit;
+
+enum class DiameterMode : std::uint8_t { off, on, absolute_only };
+
+/// What stays in force from block to block; SAVE brings it back at the end of a subprogram.
+struct ModalState {
+    Modal motion = Modal::linear;
+    int plane = 17;
+    bool absolute = true;
+    bool inch_geometry = false, inch_feed = false;
+    DiameterMode diameter = DiameterMode::off;
+    cl::FeedMode feed_mode = cl::FeedMode::per_minute;
+    bool surface_speed = false;
+    Modal compensation = Modal::compensation_off;
+    Modal approach = Modal::approach_normal;
+    Modal corner = Modal::corner_arc;
+    Modal feed_reference = Modal::feed_at_contour;
+    std::uint32_t datum = 500;
+    geom::Frame programmed;             ///< TRANS, ROT, SCALE, MIRROR
+    double round_modal = 0;             ///< RNDM, mm
+    double corner_feed_modal = 0;       ///< FRCM
+    geom::Vec3 pole;                    ///< workpiece coordinates
+};
+
+/// The words of one block, gathered before they act together.
+struct BlockWords {
+    struct NamedAxis {
+        std::string name;
+        double value = 0;
+        std::uint8_t reference = 0;
+        base::Span where;
+    };
+    std::uint64_t present = 0;                       ///< bit per Code
+    std::array<double, 64> value;                    ///< by Code; valid where the bit is set
+    std::array<std::uint8_t, 64> reference;          ///< 0 = as the modal state says, else 1 + program::Reference
+    std::vector<int> m;
+    std::vector<int> h;
+    std::vector<NamedAxis> axes;                     ///< additional axes by name
+    std::string tool_name;
+    bool tool_named = false;
+    Modal special = Modal::linear;                   ///< dwell, reference point, fixed point, pole; linear: none
+    Modal suppress = Modal::linear;                  ///< suppress_frames, suppress_all; linear: none
+    bool motion_word = false;                        ///< a G code of the motion group stands in the block
+
+    [[nodiscard]] bool has(Code c) const { return (present >> static_cast<unsigned>(c)) & 1u; }
+    [[nodiscard]] double get(Code c) const { return value[static_cast<std::size_t>(c)]; }
+    [[nodiscard]] std::uint8_t ref(Code c) const { return reference[static_cast<std::size_t>(c)]; }
+    void put(Code c, double v, std::uint8_t r = 0) {
+        const auto i = static_cast<std::size_t>(c);
+        present |= std::uint64_t{1} << i;
+        value[i] = v;
+        reference[i] = r;
+    }
+    void clear();
+};
+
+/// A section being repeated (REPEAT label label P=n).
+struct ActiveSection {
+    std::uint32_t first = 0, last = 0, back = 0;
+    std::uint64_t left = 0;
+};
+
+/// One program being run.
+struct Activation {
+    const Unit* unit = nullptr;
+    std::uint32_t pc = 0;
+    cl::StackId stack = 0;
+    base::Span called_from;
+    Scope locals;
+    struct Passes {
+        std::uint32_t statement = 0;
+        std::uint64_t count = 0;
+    };
+    std::vector<Passes> passes;                      ///< of every backward branch taken, by its statement
+    std::vector<ActiveSection> sections;
+    std::uint64_t repeats_left = 0;                  ///< of L123 P3: further runs
+    std::size_t own_bindings = 0;                    ///< bindings that are parameters; the rest goes with each run
+    std::uint32_t arguments_given = 0;               ///< bit per parameter, for $P_SUBPAR
+    bool from_modal_call = false;
+    bool saves = false;
+    ModalState saved;
+};
+
+/// MCALL: the call that follows every block with motion.
+struct ModalCall {
+    const Unit* unit = nullptr;
+    std::vector<Value> arguments;                    ///< as they were when MCALL stood in the program
+    std::vector<std::uint8_t> given;
+    base::Span where;
+};
+
+struct ToolState {
+    std::uint32_t number = 0, edge = 0;
+    std::string name;
+    std::uint32_t prepared = 0;                      ///< T programmed, M6 still to come (mills)
+    std::string prepared_name;
+    bool waiting = false;
+    const shop::Tool* data = nullptr;
+};
+
+struct SpindleState {
+    double speed = 0;                                ///< S as programmed
+    double limit = 0;                                ///< LIMS
+    int direction = 0;
+};
+
+class PathStage;
+
+struct Run {
+    Run(const Environment& e, cl::CallStacks& s, cl::Sink k, base::Diagnostics& d);
+    ~Run();
+
+    const Environment& env;
+    cl::CallStacks& stacks;
+    cl::Sink sink;
+    base::Diagnostics& diagnostics;
+
+    std::vector<Activation> calls;
+    Scope globals;
+    Undefined undefined;
+    Parameters parameters;
+    std::unordered_map<program::NameId, double> overrides_by_name;
+    std::vector<std::uint8_t> parameter_overridden;
+    std::vector<double> parameter_override;
+    std::unordered_map<int, Value> markers, channel_parameters;
+    std::unordered_map<std::uint64_t, Value> system_written;   ///< system variables the program wrote itself
+
+    ModalState modal;
+    BlockWords block;
+    ToolState tool;
+    SpindleState spindle;
+    double feed = 0;                                 ///< mm/min, mm/rev or 1/min by modal.feed_mode
+    bool feed_valid = false;
+    bool feed_dropped = false;                       ///< G94/G95 changed and the stream does not know yet that F is void
+    ModalCall modal_call;
+
+    geom::Vec3 position;                             ///< stream frame, mm; NaN where unknown
+    geom::Vec3 programmed_position;                  ///< in the programmed frame
+    geom::Frame frame;                               ///< programmed frame -> stream frame
+    bool frame_is_identity = true;
+    std::uint32_t reference_datum = 500;             ///< the datum in which the stream's coordinates are
+    bool datum_known = true;                         ///< the active datum's place against it is known
+    bool moved = false;
+    bool datum_emitted = false;
+    std::unordered_map<std::string, double> extra_axes;
+    geom::Vec2 last_direction;                       ///< of the last move in the working plane, for CT
+    std::unique_ptr<PathStage> path;
+
+    const program::Statement* statement = nullptr;   ///< being run
+    bool stopped = false;                            ///< alarm, budget or program end
+    Ending ending = Ending::regular;
+    std::uint64_t blocks = 0;
+    std::chrono::steady_clock::time_point started;
+    std::unordered_set<std::uint64_t> reported;      ///< complaints already made, by place and code
+    std::set<std::string> assumed;
+    std::unordered_set<const Unit*> entered;
+    cl::Record record;
+
+    [[nodiscard]] Activation& top() { return calls.back(); }
+    [[nodiscard]] const Unit& unit() const { return *calls.back().unit; }
+    [[nodiscard]] base::Span here() const { return unit().span(*statement); }
+};
+
+// --- complaints (interp.cpp)
+/// The control would stop here: the run ends.
+void alarm(Run&, std::string_view code, const base::Span& where, std::string text, std::string remedy = {});
+/// Something obrys does not know or run: reported once per place; the run goes on.
+void unchecked(Run&, std::string_view code, const base::Span& where, std::string text, std::string remedy = {});
+/// Something assumed: listed once per text.
+void assume(Run&, const base::Span& where, std::string text, std::string remedy = {});
+
+// --- expressions (evaluate.cpp, functions.cpp, system_read.cpp)
+[[nodiscard]] double number(Run&, ExprId);          ///< a numeric value; alarm where it is none
+/// A condition; one that depends on an unknown value is reported and counts as `when_unknown`.
+[[nodiscard]] bool truth(Run&, ExprId, bool when_unknown = false);
+[[nodiscard]] Value evaluate(Run&, ExprId);
+[[nodiscard]] Value call_function(Run&, const program::Expr&);
+[[nodiscard]] Value read_system(Run&, const program::Expr&);
+/// Name of the axis that an expression in brackets means: an axis identifier, an AXIS variable, or a number (AX[1]).
+[[nodiscard]] std::string axis_of(Run&, ExprId);
+/// Coordinate of an axis in the programmed frame as the program would write it (diameter where it programs diameters).
+[[nodiscard]] double programmed_coordinate(const Run&, const std::string& axis);
+
+// --- arithmetic (arithmetic.cpp)
+[[nodiscard]] double binary_number(Run&, const program::Expr&, double a, double b);
+[[nodiscard]] Value binary_value(Run&, const program::Expr&, const Value& a, const Value& b);
+
+// --- variables (assign.cpp)
+void assign(Run&, const program::Assign&);
+void define(Run&, const program::Define&, Scope& scope, const Unit& unit);
+[[nodiscard]] const Binding* find_variable(const Run&, program::NameId);
+/// Index of the addressed element; false after an alarm.
+[[nodiscard]] bool element_of(Run&, const program::Expr&, const Array&, std::size_t& index);
+[[nodiscard]] std::size_t undefined_key(Run&, const program::Expr&);
+
+// --- flow (flow.cpp, calls.cpp)
+void run_statement(Run&, const program::Statement&, std::uint32_t index);
+void jump(Run&, const program::Jump&);
+/// Counts a backward branch of the statement being run; ends the run past the budget.
+void count_pass(Run&);
+void call_program(Run&, const program::Call&);
+void enter(Run&, const Unit&, const program::Call* call, const base::Span& where);
+void leave(Run&);
+void set_modal_call(Run&, const Unit&, const program::Call&);
+void run_modal_call(Run&);
+void procedure(Run&, const program::ProcedureCall&);
+
+// --- blocks (block.cpp, modal_words.cpp, tools.cpp, motion.cpp, frame_words.cpp)
+void run_block(Run&, const program::Statement&, std::uint32_t index);
+void modal_word(Run&, const program::Word&);
+void frame_statement(Run&, const program::Statement&, std::uint32_t index);
+void update_frame(Run&);
+void select_tool(Run&);
+void technology(Run&);
+void after_motion(Run&);
+[[nodiscard]] bool motion(Run&);                    ///< true where the block moved
+/// Gathers one word into the block; shared by blocks and frame statements.
+void gather(Run&, const program::Statement&, const program::Word&);
+
+// --- output (emit.cpp)
+void emit(Run&, cl::Step step);
+/// Once, before the first move: the datum in which all coordinates of the stream are.
+void emit_datum(Run&);
+/// Emits what a path stage (compensation, rounding) still holds back.
+void flush_path(Run&);
+
+[[nodiscard]] inline Code axis_code(int k) { return static_cast<Code>(static_cast<int>(Code::x) + k); }
+[[nodiscard]] inline double& coordinate(geom::Vec3& v, int k) { return k == 0 ? v.x : k == 1 ? v.y : v.z; }
+[[nodiscard]] inline double coordinate(const geom::Vec3& v, int k) { return k == 0 ? v.x : k == 1 ? v.y : v.z; }
+
+}  // namespace obrys::interp

@@ -1,0 +1,200 @@
+/// System variables. What the run cannot know is reported, never guessed in silence.
+
+#include <algorithm>
+#include <cmath>
+
+#include "base/codes.hpp"
+#include "interp/run.hpp"
+
+namespace obrys::interp {
+
+namespace codes = base::codes;
+using program::Expr;
+using program::SystemVariable;
+
+namespace {
+
+struct Access {
+    Run& run;
+    const Expr& e;
+    [[nodiscard]] base::Span where() const { return {run.unit().file, e.begin, e.end}; }
+    [[nodiscard]] const std::string& name() const { return run.env.names.text(e.a); }
+    [[nodiscard]] ExprId id(std::size_t i) const { return i < e.count ? run.unit().children[e.b + i] : program::no_expr; }
+    /// An index in brackets; one that is unknown is -1, which names nothing.
+    [[nodiscard]] double index(std::size_t i) const {
+        const double v = i < e.count ? number(run, id(i)) : 0;
+        return std::isnan(v) ? -1 : std::clamp(v, -1e6, 1e6);
+    }
+};
+
+Value unknown_value(const Access& a, const std::string& why) {
+    unchecked(a.run, codes::unknown_value, a.where(), a.name() + ": " + why, "what is computed from it is unknown too");
+    return Value::unknown();
+}
+
+Value known_or_unknown(const Access& a, double v, const std::string& why) {
+    return std::isnan(v) ? unknown_value(a, why) : Value::real(v);
+}
+
+Value machine_position(const Access& a) {
+    const std::string axis = axis_of(a.run, a.id(0));
+    const auto datum = a.run.env.machine.datums.find(a.run.reference_datum);
+    for (int k = 0; k < 3; ++k) {
+        if (axis.size() != 1 || axis[0] != "XYZ"[k]) continue;
+        if (datum == a.run.env.machine.datums.end()) return unknown_value(a, "the machine position is not known without the zero offset");
+        return known_or_unknown(a, coordinate(a.run.position, k) + coordinate(datum->second, k), "the axis has not been positioned yet");
+    }
+    return known_or_unknown(a, programmed_coordinate(a.run, axis), "the axis has not been positioned yet");
+}
+
+Value work_position(const Access& a) {
+    return known_or_unknown(a, programmed_coordinate(a.run, axis_of(a.run, a.id(0))), "the axis has not been positioned yet");
+}
+
+Value tool_length(const Access& a) {
+    const shop::Tool* t = a.run.tool.data;
+    const double n = a.e.count == 0 ? 1 : a.index(0);
+    if (t == nullptr) return unknown_value(a, "no tool data");
+    if (const auto p = t->parameters.find(2 + static_cast<int>(n)); p != t->parameters.end()) return Value::real(p->second);
+    return Value::real(n == 1 ? t->length : 0);
+}
+
+double tool_radius(const shop::Tool& t) { return t.kind == shop::ToolKind::turning ? t.nose_radius : t.kind == shop::ToolKind::groove ? t.corner_radius : t.radius; }
+
+const shop::Tool* addressed_tool(const Access& a) {
+    const double number = a.index(0), edge = a.e.count > 1 ? a.index(1) : 1;
+    for (const shop::Tool& t : a.run.env.tools)
+        if (t.number == number && t.edge == edge) return &t;
+    return nullptr;
+}
+
+/// $TC_DPn[T, D]; n is the digits at the end of the name. Meaning of n: Siemens, Function Manual W1 Tool offset.
+Value tool_parameter(const Access& a) {
+    const shop::Tool* t = addressed_tool(a);
+    const std::string& name = a.name();
+    const std::size_t digits = name.find_last_not_of("0123456789") + 1;
+    int n = 0;
+    for (std::size_t i = digits; i < name.size() && n < 1000; ++i) n = n * 10 + (name[i] - '0');
+    const std::uint64_t key = (std::uint64_t{a.e.a} << 32) ^ undefined_key(a.run, a.e);
+    if (const auto written = a.run.system_written.find(key); written != a.run.system_written.end()) return written->second;
+    if (t == nullptr) return unknown_value(a, "this tool is not in the tool list");
+    if (const auto p = t->parameters.find(n); p != t->parameters.end()) return Value::real(p->second);
+    if (n == 6) return Value::real(tool_radius(*t));
+    if (n == 3) return Value::real(t->length);
+    if (n == 2) return Value::real(t->orientation);
+    return unknown_value(a, "the tool list does not say it");
+}
+
+Value active_g(const Access& a) {
+    const ModalState& m = a.run.modal;
+    switch (static_cast<int>(a.index(0))) {
+        case 1: return Value::integer(m.motion == Modal::rapid ? 1 : m.motion == Modal::linear ? 2 : m.motion == Modal::arc_cw ? 3 : 4);
+        case 6: return Value::integer(m.plane - 16);
+        case 7: return Value::integer(m.compensation == Modal::compensation_off ? 1 : m.compensation == Modal::compensation_left ? 2 : 3);
+        case 8: return Value::integer(m.datum == 500 ? 1 : m.datum < 60 ? m.datum - 52 : m.datum - 499);
+        case 13: return Value::integer(m.inch_feed ? 3 : m.inch_geometry ? 1 : 2);
+        case 14: return Value::integer(m.absolute ? 1 : 2);
+        case 15: return Value::integer(m.surface_speed ? 4 : m.feed_mode == cl::FeedMode::inverse_time ? 1 : m.feed_mode == cl::FeedMode::per_minute ? 2 : 3);
+        case 29: return Value::integer(m.diameter == DiameterMode::off ? 1 : m.diameter == DiameterMode::on ? 2 : 3);
+        default: return unknown_value(a, "this G group is not followed");
+    }
+}
+
+Value machine_data(const Access& a) {
+    const auto found = a.run.env.machine.machine_data.find(a.name());
+    if (found != a.run.env.machine.machine_data.end()) return Value::real(found->second);
+    return unknown_value(a, "the machine file does not give this machine datum");
+}
+
+Value datum_frame(const Access& a) {
+    const double n = a.e.count > 0 ? a.index(0) : 0;
+    if (n < 0) return unknown_value(a, "there is no such frame");
+    const std::uint32_t number = n == 0 ? 500 : n <= 4 ? 53 + static_cast<std::uint32_t>(n) : 500 + static_cast<std::uint32_t>(n);
+    const auto found = a.run.env.machine.datums.find(number);
+    if (found == a.run.env.machine.datums.end()) return unknown_value(a, "the zero offset G" + std::to_string(number) + " is not known");
+    return Value::of_frame(geom::Frame::shift(found->second));
+}
+
+Value written_or_zero(const Access& a) {
+    const auto written = a.run.system_written.find((std::uint64_t{a.e.a} << 32) ^ undefined_key(a.run, a.e));
+    return written == a.run.system_written.end() ? Value::real(0) : written->second;
+}
+
+Value tool_exists(const Access& a) {
+    const double n = a.index(0);
+    for (const shop::Tool& t : a.run.env.tools)
+        if (t.number == n) return Value::boolean(true);
+    return Value::boolean(false);
+}
+
+Value tool_name(const Access& a) {
+    const double n = a.index(0);
+    for (const shop::Tool& t : a.run.env.tools)
+        if (t.number == n) return Value::string(t.name);
+    return Value::string({});
+}
+
+Value indexed_parameter(const Access& a) {
+    const double n = a.index(0);
+    if (n >= 0 && n < a.run.parameters.count()) return Value::real(a.run.parameters.get(static_cast<std::uint32_t>(n)));
+    alarm(a.run, codes::index_range, a.where(), "there is no parameter R" + printed(Value::real(n)));
+    return {};
+}
+
+Value run_state(const Access& a, SystemVariable v) {
+    const Run& run = a.run;
+    switch (v) {
+        case SystemVariable::feed: return Value::real(run.feed);
+        case SystemVariable::spindle_speed: return Value::real(run.spindle.speed);
+        case SystemVariable::spindle_direction: return Value::integer(run.spindle.direction > 0 ? 3 : run.spindle.direction < 0 ? 4 : 5);
+        case SystemVariable::tool_number: return Value::integer(run.tool.number);
+        case SystemVariable::tool_edge: return Value::integer(run.tool.edge);
+        case SystemVariable::tool_radius:
+            return run.tool.data == nullptr ? unknown_value(a, "no tool data") : Value::real(tool_radius(*run.tool.data));
+        case SystemVariable::argument_given: {
+            const double n = a.index(0);
+            return Value::boolean(n >= 1 && n <= 32 && ((run.calls.back().arguments_given >> (static_cast<unsigned>(n) - 1)) & 1u) != 0);
+        }
+        case SystemVariable::stack_depth: return Value::integer(static_cast<double>(run.calls.size()) - 1);
+        case SystemVariable::program_name: {
+            const auto level = static_cast<std::size_t>(std::max(0.0, a.index(0)));
+            return Value::string(level < run.calls.size() ? run.calls[level].unit->name : std::string{});
+        }
+        case SystemVariable::channel_axis_name: return Value::axis(std::string(1, a.name().back() == '2' ? 'Y' : a.name().back() == '3' ? 'Z' : 'X'));
+        default: return Value::of_frame(v == SystemVariable::programmed_frame ? run.modal.programmed : run.frame);
+    }
+}
+
+}  // namespace
+
+Value read_system(Run& run, const Expr& e) {
+    const Access a{run, e};
+    const auto v = static_cast<SystemVariable>(e.op);
+    switch (v) {
+        case SystemVariable::numbered_parameter: return indexed_parameter(a);
+        case SystemVariable::machine_position: return machine_position(a);
+        case SystemVariable::work_position:
+        case SystemVariable::programmed_position: return work_position(a);
+        case SystemVariable::tool_length: return tool_length(a);
+        case SystemVariable::tool_parameter: return tool_parameter(a);
+        case SystemVariable::tool_exists: return tool_exists(a);
+        case SystemVariable::tool_name: return tool_name(a);
+        case SystemVariable::active_g: return active_g(a);
+        case SystemVariable::machine_data: return machine_data(a);
+        case SystemVariable::datum_frame:
+        case SystemVariable::settable_frame:
+        case SystemVariable::base_frame: return datum_frame(a);
+        case SystemVariable::marker:
+        case SystemVariable::parameter:
+        case SystemVariable::timer: return written_or_zero(a);
+        case SystemVariable::is_simulation:
+        case SystemVariable::is_search:
+        case SystemVariable::is_test:
+        case SystemVariable::is_dry_run: return Value::boolean(false);
+        case SystemVariable::pi: return Value::real(geom::pi);
+        case SystemVariable::unknown: return unknown_value(a, "obrys does not know this system variable");
+        default: return run_state(a, v);
+    }
+}
+
+}  // namespace obrys::interp

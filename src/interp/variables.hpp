@@ -1,0 +1,66 @@
+#pragma once
+/// Where the values of a run live: numbered parameters, variables of each call, global data.
+
+#include <cstdint>
+#include <memory>
+#include <unordered_map>
+#include <vector>
+
+#include "interp/value.hpp"
+#include "program/names.hpp"
+
+namespace obrys::interp {
+
+/// Numbered parameters (R0 …): a fresh control holds zeros; reading one that nobody set is an assumption.
+class Parameters {
+public:
+    explicit Parameters(std::uint32_t count) : values_(count, 0.0), set_(count, 0) {}
+    [[nodiscard]] std::uint32_t count() const { return static_cast<std::uint32_t>(values_.size()); }
+    [[nodiscard]] double get(std::uint32_t n) const { return values_[n]; }
+    [[nodiscard]] bool is_set(std::uint32_t n) const { return set_[n] != 0; }
+    void set(std::uint32_t n, double v) {
+        values_[n] = v;
+        set_[n] = 1;
+    }
+    void mark_set(std::uint32_t n) { set_[n] = 1; }
+
+private:
+    std::vector<double> values_;
+    std::vector<std::uint8_t> set_;
+};
+
+/// A name bound to an array, or to one element of it (VAR argument).
+struct Binding {
+    program::NameId name = 0;
+    std::shared_ptr<Array> array;
+    std::size_t offset = 0;
+    bool element = false;   ///< only element `offset`
+};
+
+/// Names of one call, or the global ones. Few names a scope: looked through in order.
+class Scope {
+public:
+    [[nodiscard]] const Binding* find(program::NameId name) const;
+    void bind(Binding b) { bindings_.push_back(std::move(b)); }
+    [[nodiscard]] std::size_t size() const { return bindings_.size(); }
+    void truncate(std::size_t n) { bindings_.resize(n); }
+
+private:
+    std::vector<Binding> bindings_;
+};
+
+/// Index of an element in its array; `indices` has `count` entries. False where an index lies outside.
+[[nodiscard]] bool element_index(const Array& a, const double* indices, std::size_t count, std::size_t& result);
+
+/// Variables nobody defined (global data of a control whose definition files are not at hand): what is written is read
+/// back, what was never written is unknown.
+class Undefined {
+public:
+    [[nodiscard]] Value get(program::NameId name, std::size_t key) const;
+    void set(program::NameId name, std::size_t key, const Value& v);
+
+private:
+    std::unordered_map<std::uint64_t, Value> values_;
+};
+
+}  // namespace obrys::interp

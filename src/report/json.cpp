@@ -1,0 +1,109 @@
+#include <nlohmann/json.hpp>
+
+#include "report/report.hpp"
+
+namespace obrys::report {
+
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+/// A number, or null where it is not known.
+Json number(double v) { return std::isfinite(v) ? Json(v) : Json(nullptr); }
+Json point(geom::Vec3 p) { return {{"x", number(p.x)}, {"y", number(p.y)}, {"z", number(p.z)}}; }
+
+Json site(const base::Sources& sources, const base::Span& span) {
+    const Place p = place(sources, span);
+    if (p.file.empty()) return {{"file", nullptr}, {"line", nullptr}, {"column", nullptr}, {"block", nullptr}};
+    Json j{{"file", p.file}, {"line", p.line}, {"column", p.column}, {"end_line", p.end_line}, {"end_column", p.end_column}};
+    j["block"] = p.block ? Json(*p.block) : Json(nullptr);
+    j["text"] = p.text;
+    return j;
+}
+
+Json where(const base::Sources& sources, const base::Span& span, const std::vector<base::Span>& stack) {
+    Json j = site(sources, span);
+    j["stack"] = Json::array();
+    for (const base::Span& s : stack) j["stack"].push_back(site(sources, s));
+    return j;
+}
+
+Json finding(const check::Finding& f, const base::Sources& sources) {
+    Json j{{"code", f.code}, {"severity", base::name(f.severity)}, {"message", f.text}};
+    if (!f.remedy.empty()) j["remedy"] = f.remedy;
+    j["where"] = where(sources, f.where, f.stack);
+    j["move"] = f.move ? Json(*f.move) : Json(nullptr);
+    if (f.from) j["from_mm"] = point(*f.from);
+    if (f.to) j["to_mm"] = point(*f.to);
+    for (const check::Amount& a : f.amounts) j[std::string(a.key)] = number(a.value);
+    if (!f.related.empty()) j["related"] = Json::array();
+    for (const base::Related& r : f.related)
+        j["related"].push_back({{"message", r.text}, {"where", site(sources, r.where)}});
+    return j;
+}
+
+Json notes(const std::vector<check::Note>& list, const base::Sources& sources) {
+    Json all = Json::array();
+    for (const check::Note& n : list) {
+        Json j{{"code", n.code}, {"message", n.text}};
+        if (!n.remedy.empty()) j["remedy"] = n.remedy;
+        j["where"] = where(sources, n.where, n.stack);
+        j["times"] = n.times;
+        all.push_back(std::move(j));
+    }
+    return all;
+}
+
+Json stats(const check::Stats& s) {
+    return {{"moves", s.moves},
+            {"rapid_moves", s.rapid_moves},
+            {"feed_moves", s.feed_moves},
+            {"rapid_length_mm", s.rapid_length_mm},
+            {"feed_length_mm", s.feed_length_mm},
+            {"blocks_executed", s.blocks_executed}};
+}
+
+Json figures(const std::optional<check::StockFigures>& f) {
+    if (!f) return nullptr;
+    return {{"area_mm2", f->area_mm2}, {"volume_mm3", f->volume_mm3}};
+}
+
+Json tools(const Subject& s) {
+    Json all = Json::array();
+    for (const check::ToolUse& t : s.result.tools)
+        all.push_back({{"number", t.number},
+                       {"edge", t.edge},
+                       {"name", t.name},
+                       {"listed", t.listed.has_value()},
+                       {"moves", t.moves},
+                       {"feed_length_mm", t.feed_length_mm},
+                       {"rapid_length_mm", t.rapid_length_mm},
+                       {"volume_mm3", t.volume_mm3},
+                       {"first", site(s.sources, t.first)},
+                       {"last", site(s.sources, t.last)}});
+    return all;
+}
+
+}  // namespace
+
+std::string to_json(const Subject& s) {
+    const check::Result& r = s.result;
+    Json j{{"format", "obrys-check"}, {"version", json_version}, {"tool", {{"name", "obrys"}, {"version", s.version}}}};
+    j["program"] = s.program;
+    j["control"] = s.control;
+    j["machine"] = s.setup.machine.name;
+    if (!s.date.empty()) j["date"] = s.date;
+    j["verdict"] = check::name(r.verdict);
+    j["findings"] = Json::array();
+    for (const check::Finding& f : r.findings) j["findings"].push_back(finding(f, s.sources));
+    j["findings_dropped"] = r.findings_dropped;
+    j["unchecked"] = notes(r.unchecked, s.sources);
+    j["assumptions"] = notes(r.assumptions, s.sources);
+    j["listed"] = notes(r.listed, s.sources);
+    j["stats"] = stats(r.stats);
+    j["stock"] = {{"before", figures(r.before)}, {"after", figures(r.after)}};
+    j["tools"] = tools(s);
+    return j.dump(2, ' ', false, Json::error_handler_t::replace) + "\n";
+}
+
+}  // namespace obrys::report

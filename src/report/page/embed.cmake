@@ -1,0 +1,10 @@
+# Writes OUT: one string_view for each of PARTS, named after the file ("page.js" -> page_js).
+set(text "// Made by src/report/page/embed.cmake.\n#include \"report/page_parts.hpp\"\n\nnamespace obrys::report {\n")
+foreach(part IN LISTS PARTS)
+  get_filename_component(name ${part} NAME)
+  string(REPLACE . _ name ${name})
+  file(READ ${part} content)
+  string(APPEND text "const std::string_view ${name} = R\"obrys(${content})obrys\";\n")
+endforeach()
+string(APPEND text "}  // namespace obrys::report\n")
+file(WRITE ${OUT} "${text}")

@@ -1,0 +1,47 @@
+#pragma once
+/// What every report is made of.
+
+#include <string>
+
+#include "base/source.hpp"
+#include "check/check.hpp"
+#include "check/result.hpp"
+#include "cl/stacks.hpp"
+
+namespace obrys::report {
+
+struct Subject {
+    const base::Sources& sources;
+    const check::Result& result;
+    const check::Setup& setup;
+    const cl::CallStacks& stacks;
+    std::string program;        ///< path as the user wrote it
+    std::string control;        ///< "sinumerik-840d"; empty: not known
+    std::string version;        ///< of obrys
+    std::string date;           ///< as it is to be shown; empty: no date, so that equal runs give equal reports
+};
+
+/// A place in a source text, counted from 1, for people and machines.
+struct Place {
+    std::string file;           ///< UTF-8; empty: nowhere
+    std::uint32_t line = 0, column = 0, end_line = 0, end_column = 0;
+    std::optional<std::uint32_t> block;
+    std::string text;           ///< the line, UTF-8, blanks off both ends
+};
+[[nodiscard]] Place place(const base::Sources& sources, const base::Span& span);
+
+/// "1 finding", "2 findings"
+[[nodiscard]] std::string count_of(std::uint64_t n, const std::string& one);
+/// The verdict in one line of plain words: "6 findings", "not fully checked: 2 things were not checked; 6 findings".
+[[nodiscard]] std::string verdict_line(const check::Result& result);
+
+/// How a key of an amount reads: "depth_x_mm" is "depth along X" in "mm".
+struct AmountWords {
+    std::string label, unit;
+};
+[[nodiscard]] AmountWords amount_words(std::string_view key);
+
+/// Indices of the findings, the most dangerous ones first: by code, then by depth.
+[[nodiscard]] std::vector<std::size_t> by_danger(const std::vector<check::Finding>& findings);
+
+}  // namespace obrys::report

@@ -1,0 +1,161 @@
+#include <algorithm>
+#include <cmath>
+
+#include "check/rest.hpp"
+#include "report/report.hpp"
+#include "report/svg_window.hpp"
+
+namespace obrys::report {
+
+namespace {
+
+constexpr double margin = 62, margin_right = 26, top = 78, axis_room = 46, legend_room = 30;
+constexpr double most_height = 640;        ///< of a drawing
+constexpr double detail_width = 300, detail_gap = 70;
+constexpr std::size_t most_marks = 40;     ///< marks in the picture
+constexpr std::size_t most_entries = 14;   ///< findings listed below it
+constexpr std::size_t widest_entry = 136;  ///< characters
+
+constexpr std::string_view style = R"svg(<style>
+text{font-family:Helvetica,Arial,sans-serif;font-size:12px;fill:#111}
+.title{font-size:19px;font-weight:bold}.small{font-size:11px;fill:#333}.mono{font-family:monospace;font-size:11.5px}
+.frame{fill:#fff;stroke:#444;stroke-width:1}.grid{stroke:#dcdcdc;stroke-width:.6}.tick{stroke:#444;stroke-width:1}
+.before{fill:#f6f1e4;stroke:#8a8a8a;stroke-width:1;stroke-dasharray:1.5 3}.after{fill:#c9d3dc;stroke:#4a5560;stroke-width:.9}
+.part{fill:none;stroke:#000;stroke-width:2}.allowance{fill:none;stroke:#000;stroke-width:1.1;stroke-dasharray:9 4}
+.feed{fill:none;stroke:#0a8f3c;stroke-width:.9}.rapid{fill:none;stroke:#d40000;stroke-width:.8;stroke-dasharray:5 3}
+.bad{fill:url(#hatch);stroke:#a00060;stroke-width:1.2}.centre{stroke:#333;stroke-width:1;stroke-dasharray:18 4 3 4}
+.zoomed{fill:none;stroke:#555;stroke-width:1;stroke-dasharray:3 3}.leader{stroke:#a00060;stroke-width:1}.mark{fill:#fff;stroke:#a00060;stroke-width:1.8}.marktext{font-size:11px;font-weight:bold;text-anchor:middle;fill:#700040}
+</style>
+<defs><pattern id="hatch" width="5" height="5" patternUnits="userSpaceOnUse" patternTransform="rotate(45)"><rect width="5" height="5" fill="#ff9ad2"/><path d="M0 0V5" stroke="#a00060" stroke-width="2"/></pattern></defs>
+)svg";
+
+check::Box grown(const check::Box& b, double by) { return {b.min_z - by, b.max_z + by, b.min_x - by, b.max_x + by}; }
+double size_of(const check::Box& b) { return std::max({b.max_z - b.min_z, b.max_x - b.min_x, 1.0}); }
+
+void add(check::Box& box, const check::Box& other) {
+    if (other.empty()) return;
+    box.add({other.min_z, other.min_x});
+    box.add({other.max_z, other.max_x});
+}
+
+/// Stock and part decide; the tool path only as far as a bit around them.
+check::Box bounds(const Subject& s) {
+    check::Box box, path;
+    if (s.setup.stock) add(box, check::box_of(*s.setup.stock));
+    if (s.setup.part) add(box, check::box_of(*s.setup.part));
+    for (const check::MoveTrace& m : s.result.moves)
+        for (const geom::Vec2 p : {m.from, m.to})
+            if (std::isfinite(p.x + p.y)) path.add(p);
+    if (box.empty()) add(box, path);
+    if (box.empty()) add(box, {0, 100, 0, 50});
+    const double around = 0.12 * size_of(box), air = 0.03 * size_of(box);
+    const check::Box limit = grown(box, around);
+    if (!path.empty())
+        add(box, {std::clamp(path.min_z, limit.min_z, box.min_z + 0.0), std::clamp(path.max_z, box.max_z, limit.max_z),
+                  std::clamp(path.min_x, limit.min_x, box.min_x + 0.0), std::clamp(path.max_x, box.max_x, limit.max_x)});
+    return grown(box, air);
+}
+
+/// Where the findings lie, if that is so small a place in the whole that it is worth a drawing of its own.
+std::optional<check::Box> detail_of(const Subject& s, const check::Box& whole) {
+    check::Box box;
+    for (const check::Finding& f : s.result.findings) add(box, check::box_of(f.region));
+    if (box.empty()) return std::nullopt;
+    box = grown(box, 0.15 * size_of(box));
+    // As tall and wide as the room it gets, so that nothing of it stays empty.
+    const double ratio = detail_width / most_height, z = box.max_z - box.min_z, x = box.max_x - box.min_x;
+    const double missing_z = std::max(0.0, x * ratio - z), missing_x = std::max(0.0, z * 0.6 - x);
+    box = {box.min_z - missing_z / 2, box.max_z + missing_z / 2, box.min_x - missing_x / 2, box.max_x + missing_x / 2};
+    if (size_of(box) > 0.45 * size_of(whole)) return std::nullopt;
+    return box;
+}
+
+std::string legend(const Subject& s, double y) {
+    std::string out;
+    double x = margin;
+    const auto entry = [&](const char* cls, const char* shape, const char* label, double width) {
+        out += std::string("<path class=\"") + cls + "\" d=\"M" + number(x, 1) + " " + number(y, 1) + shape + "\"/>\n" +
+               svg::text("", x + 34, y + 5, label);
+        x += width;
+    };
+    constexpr const char* patch = "m0 -7h26v14h-26z";
+    constexpr const char* stroke = "h28";
+    if (s.setup.stock) {
+        entry("before", patch, "removed stock", 130);
+        entry("after", patch, "stock at the end", 140);
+    }
+    if (s.setup.part) entry("part", stroke, "finished part", 124);
+    if (s.setup.allowance) entry("allowance", stroke, "allowance", 106);
+    if (!s.result.moves.empty()) {
+        entry("feed", stroke, "feed", 72);
+        entry("rapid", stroke, "rapid", 76);
+    }
+    const auto& all = s.result.findings;
+    if (std::any_of(all.begin(), all.end(), [](const check::Finding& f) { return !f.region.empty(); }))
+        entry("bad", patch, "finding, numbered as below", 200);
+    return out;
+}
+
+/// One line of the list below the picture.
+std::string entry_of(const Subject& s, std::size_t i) {
+    const check::Finding& f = s.result.findings[i];
+    const Place p = place(s.sources, f.where);
+    std::string entry = std::to_string(i + 1) + "  ";
+    if (!p.file.empty()) entry += p.file + ":" + std::to_string(p.line) + " ";
+    entry += "[" + std::string(f.code) + "] " + f.text;
+    if (entry.size() <= widest_entry) return entry;
+    return entry.substr(0, entry.rfind(' ', widest_entry - 4)) + " …";
+}
+
+std::string list(const Subject& s, double& y) {
+    std::string out;
+    const auto line = [&](const char* cls, const std::string& text) {
+        out += svg::text(cls, margin, y, text);
+        y += 16;
+    };
+    const check::Result& r = s.result;
+    const std::size_t shown = std::min(r.findings.size(), most_entries);
+    for (std::size_t i = 0; i < shown; ++i) line("mono", entry_of(s, i));
+    if (r.findings.size() > shown) line("mono", "… and " + count_of(r.findings.size() - shown, "more finding"));
+    if (!r.moves.empty() && r.moves.size() < r.stats.moves)
+        line("small", "Tool path: the first " + std::to_string(r.moves.size()) + " of " + count_of(r.stats.moves, "move") + ".");
+    return out;
+}
+
+std::string title(const Subject& s) {
+    std::string below = "machine " + s.setup.machine.name;
+    if (!s.control.empty()) below = "control " + s.control + ", " + below;
+    if (!s.date.empty()) below += ", " + s.date;
+    return svg::text("title", margin, 30, s.program + ": " + verdict_line(s.result)) +
+           svg::text("small", margin, 50, below + ". All figures in mm, X is a radius. Profiles are exact.");
+}
+
+}  // namespace
+
+std::string to_svg(const Subject& s, const SvgOptions& options) {
+    const check::Box whole = bounds(s);
+    const std::optional<check::Box> part = detail_of(s, whole);
+    std::vector<Mark> marks = marks_of(s.result);
+    if (marks.size() > most_marks) marks.resize(most_marks);
+    const double room = options.width - margin - margin_right - (part ? detail_width + detail_gap : 0);
+    const Window main("drawing", whole, margin, top, room, most_height);
+    std::string out = title(s) + main.draw(s, part ? std::vector<Mark>{} : marks);
+    double bottom = main.bottom();
+    if (part) {
+        const Window detail("detail", *part, main.right() + detail_gap, top, options.width - margin_right - main.right() - detail_gap, most_height);
+        const geom::Vec2 a = main.projection()({part->min_z, part->max_x}), b = main.projection()({part->max_z, part->min_x});
+        out += "<rect class=\"zoomed\" x=\"" + number(a.x, 2) + "\" y=\"" + number(a.y, 2) + "\" width=\"" + number(b.x - a.x, 2) +
+               "\" height=\"" + number(b.y - a.y, 2) + "\"/>\n" + svg::line("zoomed", b.x, a.y, detail.left(), top) +
+               svg::line("zoomed", b.x, b.y, detail.left(), detail.bottom()) + detail.draw(s, marks);
+        bottom = std::max(bottom, detail.bottom());
+    }
+    double y = bottom + axis_room + 12;
+    out += legend(s, y);
+    y += legend_room;
+    out += list(s, y);
+    const std::string w = number(options.width, 0), h = number(std::ceil(y + 6), 0);
+    return "<svg xmlns=\"http://www.w3.org/2000/svg\" width=\"" + w + "\" height=\"" + h + "\" viewBox=\"0 0 " + w + " " + h +
+           "\">\n" + std::string(style) + "<rect width=\"100%\" height=\"100%\" fill=\"#fff\"/>\n" + out + "</svg>\n";
+}
+
+}  // namespace obrys::report

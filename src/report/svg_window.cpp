@@ -1,0 +1,146 @@
+#include "report/svg_window.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include "base/number.hpp"
+#include "check/rest.hpp"
+
+namespace obrys::report {
+
+namespace svg {
+
+std::string line(const char* cls, double x1, double y1, double x2, double y2) {
+    return std::string("<line class=\"") + cls + "\" x1=\"" + number(x1, 2) + "\" y1=\"" + number(y1, 2) + "\" x2=\"" +
+           number(x2, 2) + "\" y2=\"" + number(y2, 2) + "\"/>\n";
+}
+
+std::string text(const char* cls, double x, double y, const std::string& content, const char* anchor) {
+    return std::string("<text class=\"") + cls + "\" x=\"" + number(x, 2) + "\" y=\"" + number(y, 2) + "\" text-anchor=\"" +
+           anchor + "\">" + escaped(content) + "</text>\n";
+}
+
+}  // namespace svg
+
+namespace {
+
+constexpr double mark_radius = 9;
+constexpr double tick_distance = 75;   ///< wanted between two scale marks
+
+/// A step of 1, 2 or 5 times a power of ten, not less than `least`.
+double round_step(double least) {
+    const double power = std::pow(10, std::floor(std::log10(least)));
+    for (const double k : {1.0, 2.0, 5.0})
+        if (least <= k * power) return k * power;
+    return 10 * power;
+}
+
+std::optional<geom::Vec2> place_of(const check::Finding& f) {
+    if (f.at) return f.at;
+    const check::Box b = check::box_of(f.region);
+    if (!b.empty()) return geom::Vec2{(b.min_z + b.max_z) / 2, (b.min_x + b.max_x) / 2};
+    if (f.to && std::isfinite(f.to->x + f.to->z)) return geom::Vec2{f.to->z, f.to->x};
+    return std::nullopt;
+}
+
+}  // namespace
+
+std::vector<Mark> marks_of(const check::Result& result) {
+    std::vector<Mark> marks;
+    const auto& all = result.findings;
+    for (std::size_t i = 0; i < all.size();) {
+        std::size_t last = i;
+        while (all[i].move && last + 1 < all.size() && all[last + 1].move == all[i].move) ++last;
+        std::string label = std::to_string(i + 1);
+        if (last > i) label += "-" + std::to_string(last + 1);
+        if (const auto at = place_of(all[i])) marks.push_back({std::move(label), *at, i + 1});
+        i = last + 1;
+    }
+    return marks;
+}
+
+Window::Window(std::string name, const check::Box& box, double left, double top, double width, double height)
+    : name_(std::move(name)), box_(box), left_(left), top_(top) {
+    const double span_z = box.max_z - box.min_z, span_x = box.max_x - box.min_x;
+    to_.scale = std::min(width / span_z, height / span_x);
+    width_ = span_z * to_.scale;
+    height_ = span_x * to_.scale;
+    to_.left = left - box.min_z * to_.scale;
+    to_.base = top + height_ + box.min_x * to_.scale;
+}
+
+void Window::axes(std::string& out) const {
+    const double step = round_step(tick_distance / to_.scale);
+    const int decimals = step < 1 ? static_cast<int>(std::ceil(-std::log10(step) - 1e-9)) : 0;
+    const auto first = [step](double v) { return static_cast<long>(std::ceil(v / step - 1e-9)); };
+    const auto last = [step](double v) { return static_cast<long>(std::floor(v / step + 1e-9)); };
+    for (long i = first(box_.min_z); i <= last(box_.max_z); ++i) {
+        const double z = static_cast<double>(i) * step, x = to_({z, 0}).x;
+        out += svg::line("grid", x, top_, x, bottom()) + svg::line("tick", x, bottom(), x, bottom() + 5);
+        out += svg::text("small", x, bottom() + 18, base::fixed(z, decimals), "middle");
+    }
+    for (long i = first(box_.min_x); i <= last(box_.max_x); ++i) {
+        const double x = static_cast<double>(i) * step, y = to_({0, x}).y;
+        out += svg::line("grid", left_, y, right(), y) + svg::line("tick", left_ - 5, y, left_, y);
+        out += svg::text("small", left_ - 8, y + 4, base::fixed(x, decimals), "end");
+    }
+    out += svg::text("", right(), bottom() + 34, "Z mm →", "end");
+    out += svg::text("", left_ - 8, top_ - 8, "↑ X mm (radius)");
+    if (box_.min_x < 0 && box_.max_x > 0) out += svg::line("centre", left_, to_.base, right(), to_.base);
+}
+
+void Window::regions(std::string& out, const Subject& s) const {
+    const auto path = [&](const char* cls, const geom::Region& region) {
+        if (!region.empty())
+            out += std::string("<path class=\"") + cls + "\" fill-rule=\"evenodd\" d=\"" + path_of(region, to_) + "\"/>\n";
+    };
+    if (s.setup.stock) path("before", *s.setup.stock);
+    path("after", s.result.stock_after);
+    if (s.setup.allowance) path("allowance", *s.setup.allowance);
+    if (s.setup.part) path("part", *s.setup.part);
+    MovePath rapid(to_), feed(to_);
+    for (const check::MoveTrace& m : s.result.moves) (m.rapid ? rapid : feed).add(m);
+    if (!rapid.data().empty()) out += "<path class=\"rapid\" d=\"" + rapid.data() + "\"/>\n";
+    if (!feed.data().empty()) out += "<path class=\"feed\" d=\"" + feed.data() + "\"/>\n";
+    for (const check::Finding& f : s.result.findings) path("bad", f.region);
+}
+
+/// A numbered sign beside each point, moved on round it until it covers no other.
+void Window::marks(std::string& out, const std::vector<Mark>& marks) const {
+    std::vector<geom::Vec2> taken;
+    for (const Mark& m : marks) {
+        const geom::Vec2 at = to_(m.at);
+        if (!box_.meets({m.at.x, m.at.x, m.at.y, m.at.y}, 0)) continue;
+        geom::Vec2 centre{at.x + 24, at.y - 20};
+        const auto bad = [&] {
+            const bool outside = centre.x < left_ + 14 || centre.x > right() - 14 || centre.y < top_ + 10 || centre.y > bottom() - 10;
+            return outside || std::any_of(taken.begin(), taken.end(), [&](geom::Vec2 t) {
+                       return std::abs(t.x - centre.x) < 34 && std::abs(t.y - centre.y) < 2 * mark_radius + 2;
+                   });
+        };
+        for (int ring = 0; bad() && ring < 300; ++ring) {
+            const double angle = -geom::pi / 4 + ring * 0.45, r = 30 + ring * 1.8;
+            centre = {at.x + r * std::cos(angle), at.y + r * std::sin(angle)};
+        }
+        taken.push_back(centre);
+        const double half = m.label.size() > 2 ? 6.0 + 3.2 * static_cast<double>(m.label.size()) : mark_radius;
+        out += svg::line("leader", at.x, at.y, centre.x, centre.y);
+        out += "<rect class=\"mark\" x=\"" + number(centre.x - half, 2) + "\" y=\"" + number(centre.y - mark_radius, 2) +
+               "\" width=\"" + number(2 * half, 2) + "\" height=\"18\" rx=\"9\"/>\n";
+        out += svg::text("marktext", centre.x, centre.y + 4, m.label, "middle");
+    }
+}
+
+std::string Window::draw(const Subject& subject, const std::vector<Mark>& shown) const {
+    const std::string rect = "x=\"" + number(left_, 2) + "\" y=\"" + number(top_, 2) + "\" width=\"" + number(width_, 2) +
+                             "\" height=\"" + number(height_, 2) + "\"";
+    std::string out = "<clipPath id=\"" + name_ + "\"><rect " + rect + "/></clipPath>\n<rect class=\"frame\" " + rect + "/>\n";
+    axes(out);
+    out += "<g clip-path=\"url(#" + name_ + ")\">\n";
+    regions(out, subject);
+    out += "</g>\n";
+    marks(out, shown);
+    return out;
+}
+
+}  // namespace obrys::report

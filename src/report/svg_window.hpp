@@ -1,0 +1,48 @@
+#pragma once
+/// One drawing of a part in a picture: a frame with scales, stock, contours, tool path and numbered findings.
+
+#include <string>
+#include <vector>
+
+#include "check/words.hpp"
+#include "report/path.hpp"
+#include "report/subject.hpp"
+
+namespace obrys::report {
+
+/// Findings that share a mark: those of one move. Numbers count from 1 in the order of the program.
+struct Mark {
+    std::string label;      ///< "3" or "3-5"
+    geom::Vec2 at;          ///< (z, x)
+    std::size_t first = 0;  ///< number of its first finding
+};
+[[nodiscard]] std::vector<Mark> marks_of(const check::Result& result);
+
+class Window {
+public:
+    /// Shows `box` in a frame at (left, top) with equal scale, as large as `width` and `height` allow.
+    Window(std::string name, const check::Box& box, double left, double top, double width, double height);
+
+    [[nodiscard]] std::string draw(const Subject& subject, const std::vector<Mark>& marks) const;
+    [[nodiscard]] const Projection& projection() const { return to_; }
+    [[nodiscard]] double left() const { return left_; }
+    [[nodiscard]] double right() const { return left_ + width_; }
+    [[nodiscard]] double bottom() const { return top_ + height_; }
+
+private:
+    void axes(std::string& out) const;
+    void regions(std::string& out, const Subject& subject) const;
+    void marks(std::string& out, const std::vector<Mark>& marks) const;
+
+    std::string name_;
+    check::Box box_;
+    double left_, top_, width_, height_;
+    Projection to_;
+};
+
+namespace svg {
+[[nodiscard]] std::string line(const char* cls, double x1, double y1, double x2, double y2);
+[[nodiscard]] std::string text(const char* cls, double x, double y, const std::string& content, const char* anchor = "start");
+}  // namespace svg
+
+}  // namespace obrys::report

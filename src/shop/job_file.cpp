@@ -1,0 +1,177 @@
+#include <algorithm>
+
+#include "base/codes.hpp"
+#include "base/number.hpp"
+#include "base/text.hpp"
+#include "shop/job.hpp"
+#include "shop/profile.hpp"
+#include "shop/tables.hpp"
+
+namespace obrys::shop {
+
+namespace {
+
+std::optional<Section> section(Section& file, std::string_view key) {
+    const Entry* e = file.sub_table(key);
+    if (!e) return std::nullopt;
+    return Section(e->value, "[" + std::string(key) + "]", file.diagnostics());
+}
+
+std::optional<ProfileFromProgram> read_program(Section& s) {
+    const auto path = s.text("program");
+    if (!path) return std::nullopt;
+    return ProfileFromProgram{*path, find(s.table(), "program")->value.where};
+}
+
+void read_geometry(Section& file, Job& job) {
+    if (auto s = section(file, "stock")) {
+        s->one_of({"profile", "bar", "tube", "cone"}, true);
+        job.stock = read_profile(*s);
+        if (auto blank = read_blank(*s); blank && !job.stock) job.stock = std::move(blank);
+        s->finish();
+    }
+    if (auto s = section(file, "part")) {
+        s->one_of({"profile", "program"}, true);
+        job.part = read_profile(*s);
+        job.part_program = read_program(*s);
+        s->finish();
+    }
+    if (auto s = section(file, "allowance")) {
+        s->one_of({"profile", "program", "normal"}, true);
+        Allowance a;
+        a.profile = read_profile(*s);
+        a.program = read_program(*s);
+        const auto normal = s->number("normal", Range::not_negative);
+        a.normal = normal.value_or(0);
+        s->finish();
+        if (a.profile || a.program || normal) job.allowance = std::move(a);
+    }
+}
+
+void read_overrides(Section& file, Job& job) {
+    const Entry* table = file.sub_table("set");
+    if (!table) return;
+    for (const Entry& e : table->value.entries) {
+        const auto value = finite_number(e.value, "'" + e.key + "'", Range::any, file.diagnostics());
+        if (!value) continue;
+        const std::string name = base::to_upper(e.key);
+        const auto same = [&](const Override& o) { return o.name == name; };
+        if (std::any_of(job.overrides.begin(), job.overrides.end(), same))
+            file.error(base::codes::job_value, e.where, "'" + e.key + "' is set twice (capitals and small letters are the same)");
+        else job.overrides.push_back({name, *value, e.where});
+    }
+}
+
+void read_variables(Section& file, Job& job) {
+    const Entry* table = file.sub_table("variables");
+    if (!table) return;
+    for (const Entry& e : table->value.entries) {
+        std::string& out = job.variables[base::to_upper(e.key)];
+        if (e.value.kind == ValueKind::text) out = e.value.text;
+        else if (e.value.kind == ValueKind::boolean) out = e.value.boolean ? "TRUE" : "FALSE";
+        else if (e.value.kind == ValueKind::integer) out = std::to_string(e.value.integer);
+        else if (const auto v = finite_number(e.value, "'" + e.key + "'", Range::any, file.diagnostics())) out = base::shortest(*v);
+        else job.variables.erase(base::to_upper(e.key));
+    }
+}
+
+void read_limits(Section& file, Job& job) {
+    if (auto s = section(file, "check")) {
+        Tolerances& t = job.tolerances;
+        t.gouge = s->number("gouge", Range::not_negative).value_or(t.gouge);
+        t.rest_material = s->number("rest_material", Range::not_negative).value_or(t.rest_material);
+        t.rapid = s->number("rapid", Range::not_negative).value_or(t.rapid);
+        s->finish();
+    }
+    if (auto s = section(file, "budget")) {
+        Budgets& b = job.budgets;
+        constexpr std::int64_t most = 1'000'000'000'000'000;
+        if (const auto v = s->integer("blocks", 1, most)) b.blocks = static_cast<std::uint64_t>(*v);
+        if (const auto v = s->integer("loop_passes", 1, most)) b.loop_passes = static_cast<std::uint64_t>(*v);
+        if (const auto v = s->integer("call_depth", 1, 1000)) b.call_depth = static_cast<std::uint32_t>(*v);
+        b.seconds = s->number("seconds", Range::positive).value_or(b.seconds);
+        s->finish();
+    }
+}
+
+void read_skip(Section& file, Job& job) {
+    const Entry* e = file.take("skip");
+    if (!e) return;
+    if (e->value.kind != ValueKind::array) {
+        file.error(base::codes::job_value, e->value.where, "'skip' must be an array of levels 0 … 9, not " + std::string(kind_name(e->value.kind)));
+        return;
+    }
+    for (const Value& v : e->value.items) {
+        if (v.kind != ValueKind::integer || v.integer < 0 || v.integer > 9)
+            file.error(base::codes::job_value, v.where, "a skip level is a whole number from 0 to 9");
+        else if (std::find(job.skip_levels.begin(), job.skip_levels.end(), v.integer) == job.skip_levels.end())
+            job.skip_levels.push_back(static_cast<int>(v.integer));
+    }
+}
+
+void read_machine_name(Section& file, Job& job) {
+    const auto name = file.text("machine");
+    const bool turns = job.stock || job.part || job.part_program ||
+                       std::any_of(job.tools.begin(), job.tools.end(), [](const Tool& t) { return t.kind != ToolKind::other; });
+    const std::string generic = turns ? "lathe-generic" : "mill-generic";
+    if (name) {
+        job.machine_name = *name;
+        job.machine_where = find(file.table(), "machine")->value.where;
+        job.machine_is_file = base::to_upper(*name).ends_with(".TOML") || name->find_first_of("/\\") != std::string::npos;
+    }
+    auto machine = shipped_machine(name && !job.machine_is_file ? *name : generic);
+    if (!machine) {
+        std::string list;
+        const auto names = shipped_machine_names();
+        for (const std::string& n : names) list += (list.empty() ? "" : ", ") + n;
+        const std::string near = nearest(*name, names);
+        file.error(base::codes::job_value, job.machine_where, "there is no shipped machine \"" + *name + "\"",
+                   (near.empty() ? "" : "did you mean \"" + near + "\"? ") + ("shipped: " + list) + "; the name of a machine file ends in .toml");
+        machine = shipped_machine(generic);
+    }
+    use_machine(job, machine.value_or(Machine{}));
+}
+
+void read_all(Section& s, Job& job) {
+    if (const auto program = s.text("program")) {
+        job.program = *program;
+        job.program_where = find(s.table(), "program")->value.where;
+    }
+    if (!s.has("program")) s.missing("program");
+    job.control = s.text("control").value_or("");
+    job.tool_files = s.texts("tool_file");
+    for (std::string& path : s.texts("tool_files")) job.tool_files.push_back(std::move(path));
+    job.search = s.texts("search");
+    read_skip(s, job);
+    read_tool_tables(s, job.tools);
+    job.defaults = read_defaults(s);
+    job.datums = read_datums(s);
+    read_geometry(s, job);
+    read_overrides(s, job);
+    read_variables(s, job);
+    read_limits(s, job);
+    read_machine_name(s, job);
+    s.finish();
+}
+
+}  // namespace
+
+void use_machine(Job& job, Machine machine) {
+    apply_defaults(job.defaults, machine.defaults);
+    for (const auto& [number, origin] : job.datums) machine.datums[number] = origin;
+    job.machine = std::move(machine);
+}
+
+Job read_job(std::uint32_t file, const base::Sources& sources, base::Diagnostics& diagnostics) {
+    Job job;
+    job.program_where = {file, 0, 0};
+    const auto root = parse_toml(file, sources, diagnostics);
+    if (!root) return job;
+    base::Diagnostics found;
+    Section s(*root, "the job file", found);
+    read_all(s, job);
+    add_in_order(found, diagnostics);
+    return job;
+}
+
+}  // namespace obrys::shop

@@ -1,0 +1,194 @@
+#include "shop/tables.hpp"
+
+#include <algorithm>
+#include <array>
+
+#include "base/codes.hpp"
+#include "base/number.hpp"
+#include "base/text.hpp"
+
+namespace obrys::shop {
+
+namespace {
+
+constexpr std::array groove_keys{"width", "corner_radius", "corner_radius_left", "corner_radius_right",
+                                 "reference", "direction", "cutting_depth"};
+constexpr std::array turning_keys{"nose_radius", "orientation", "tip_angle", "entering_angle", "edge_length"};
+constexpr std::array kind_words{"groove", "turning", "mill", "drill", "other"};
+
+template <class Keys>
+void refuse(const Section& s, const Keys& keys, std::string_view kind, std::string_view allowed = {}) {
+    for (const std::string_view key : keys)
+        if (const Entry* e = find(s.table(), key); e && key != allowed)
+            s.error(base::codes::job_value, e->where, "'" + std::string(key) + "' means nothing for a tool of kind \"" + std::string(kind) + "\"");
+}
+
+void set(double& to, std::optional<double> from) { to = from.value_or(to); }
+
+void read_blade(Section& s, Tool& t) {
+    set(t.width, s.number("width", Range::positive));
+    const auto both = s.number("corner_radius", Range::not_negative);
+    set(t.corner_radius, both);
+    t.corner_radius_left = s.number("corner_radius_left", Range::not_negative).value_or(t.corner_radius);
+    t.corner_radius_right = s.number("corner_radius_right", Range::not_negative).value_or(t.corner_radius);
+    if (const auto r = s.choice("reference", {"left", "right"})) t.reference = *r == 0 ? ReferenceCorner::left : ReferenceCorner::right;
+    if (const auto d = s.choice("direction", {"out", "in", "face"})) t.direction = static_cast<BladeDirection>(*d);
+    set(t.cutting_depth, s.number("cutting_depth", Range::not_negative));
+}
+
+void read_insert(Section& s, Tool& t) {
+    set(t.nose_radius, s.number("nose_radius", Range::not_negative));
+    if (const auto o = s.integer("orientation", 1, 9)) t.orientation = static_cast<int>(*o);
+    set(t.tip_angle, s.number("tip_angle", Range::positive));
+    // An insert whose tip lies on the nose axis is symmetrical unless its angle is given.
+    if (t.orientation >= 5) t.entering_angle = 90 - t.tip_angle / 2;
+    set(t.entering_angle, s.number("entering_angle", Range::positive));
+    set(t.edge_length, s.number("edge_length", Range::positive));
+}
+
+base::Span place(const Section& s, std::string_view key) {
+    const Entry* e = find(s.table(), key);
+    return e ? e->value.where : head(s.table());
+}
+
+void check_blade(const Section& s, const Tool& t) {
+    refuse(s, turning_keys, "groove");
+    refuse(s, std::array{"radius"}, "groove");
+    if (!s.has("width")) s.missing("width");
+    const double radii = t.corner_radius_left + t.corner_radius_right;
+    const double widest = std::max(t.corner_radius_left, t.corner_radius_right);
+    if (t.width > 0 && radii > t.width * (1 + 1e-9))
+        s.error(base::codes::job_value, place(s, s.has("corner_radius") ? "corner_radius" : s.has("corner_radius_left") ? "corner_radius_left" : "corner_radius_right"),
+                "the corner radii (" + base::shortest(radii) + " mm together) do not fit on a width of " + base::shortest(t.width) + " mm");
+    else if (t.cutting_depth > 0 && widest > t.cutting_depth)
+        s.error(base::codes::job_value, place(s, "cutting_depth"), "'cutting_depth' is smaller than a corner radius");
+}
+
+void check_insert(const Section& s, const Tool& t) {
+    refuse(s, groove_keys, "turning", t.orientation == 9 ? "direction" : "");
+    refuse(s, std::array{"radius"}, "turning");
+    if (t.orientation == 9 && t.direction == BladeDirection::face)
+        s.error(base::codes::job_value, place(s, "direction"), "a turning insert has the 'direction' \"out\" or \"in\"");
+    if (t.tip_angle >= 180)
+        s.error(base::codes::job_value, place(s, "tip_angle"), "'tip_angle' must be less than 180 degrees");
+    else if (t.tip_angle + t.entering_angle > 180)
+        s.error(base::codes::job_value, place(s, s.has("entering_angle") ? "entering_angle" : "tip_angle"),
+                "'tip_angle' and 'entering_angle' are more than 180 degrees together: the second edge would cut below the tip");
+}
+
+void read_parameters(Section& s, Tool& t) {
+    const Entry* e = s.sub_table("parameters");
+    if (!e) return;
+    for (const Entry& p : e->value.entries) {
+        const std::string name = base::to_upper(p.key);
+        const auto n = name.starts_with("DP") ? base::parse_integer(std::string_view(name).substr(2)) : std::nullopt;
+        if (!n || *n < 1 || *n > 25) {
+            s.error(base::codes::job_file, p.where, "unknown key '" + p.key + "' in 'parameters'", "DP1 … DP25");
+        } else if (const auto v = finite_number(p.value, "'" + p.key + "'", Range::any, s.diagnostics())) {
+            t.parameters[static_cast<int>(*n)] = *v;
+        }
+    }
+}
+
+Tool read_tool(Section& s) {
+    Tool t;
+    t.where = s.table().where;
+    if (const auto n = s.integer("number", 0, 999'999'999)) t.number = static_cast<std::uint32_t>(*n);
+    if (const auto e = s.integer("edge", 1, 99)) t.edge = static_cast<std::uint32_t>(*e);
+    if (const auto name = s.text("name")) t.name = *name;
+    const auto kind = s.choice("kind", {kind_words[0], kind_words[1], kind_words[2], kind_words[3], kind_words[4]});
+    if (kind && *kind < 2) t.kind = *kind == 0 ? ToolKind::groove : ToolKind::turning;
+    read_blade(s, t);
+    read_insert(s, t);
+    set(t.radius, s.number("radius", Range::not_negative));
+    set(t.length, s.number("length"));
+    read_parameters(s, t);
+    s.finish();
+    if (!s.has("number")) s.missing("number");
+    if (!s.has("kind")) s.missing("kind");
+    if (!kind) return t;
+    if (t.kind == ToolKind::groove) check_blade(s, t);
+    if (t.kind == ToolKind::turning) check_insert(s, t);
+    if (t.kind != ToolKind::other) return t;
+    refuse(s, groove_keys, kind_words[*kind]);
+    refuse(s, turning_keys, kind_words[*kind]);
+    return t;
+}
+
+/// Number of "G54" … "G57", "G505" … "G599".
+std::optional<std::uint32_t> datum_number(std::string_view key) {
+    if (key.size() < 2 || base::upper(key[0]) != 'G') return std::nullopt;
+    const auto n = base::parse_integer(key.substr(1));
+    if (!n || !((*n >= 54 && *n <= 57) || (*n >= 505 && *n <= 599))) return std::nullopt;
+    return static_cast<std::uint32_t>(*n);
+}
+
+}  // namespace
+
+void read_tool_tables(Section& file, std::vector<Tool>& tools) {
+    for (const Value* v : file.tables("tool")) {
+        Section s(*v, "[[tool]]", file.diagnostics());
+        if (v->kind != ValueKind::table) continue;
+        Tool t = read_tool(s);
+        if (!s.has("number")) continue;
+        const auto same = std::find_if(tools.begin(), tools.end(), [&](const Tool& o) { return o.number == t.number && o.edge == t.edge; });
+        if (same == tools.end()) {
+            tools.push_back(std::move(t));
+            continue;
+        }
+        base::Diagnostic d;
+        d.code = base::codes::job_value;
+        d.where = place(s, "number");
+        d.text = "tool " + std::to_string(t.number) + " edge " + std::to_string(t.edge) + " is defined twice";
+        d.related.push_back({{same->where.file, same->where.begin, same->where.begin + 1}, "first defined here"});
+        file.diagnostics().add(std::move(d));
+    }
+}
+
+DefaultsOverride read_defaults(Section& file) {
+    DefaultsOverride out;
+    const Entry* e = file.sub_table("defaults");
+    if (!e) return out;
+    Section s(e->value, "[defaults]", file.diagnostics());
+    out.diameter_programming = s.boolean("diameter_programming");
+    out.inch = s.boolean("inch");
+    out.feed_per_rev = s.boolean("feed_per_rev");
+    if (const auto p = s.integer("plane", 17, 19)) out.plane = static_cast<int>(*p);
+    out.circle_tolerance = s.number("circle_tolerance", Range::not_negative);
+    s.finish();
+    return out;
+}
+
+void apply_defaults(const DefaultsOverride& from, ControlDefaults& to) {
+    to.diameter_programming = from.diameter_programming.value_or(to.diameter_programming);
+    to.inch = from.inch.value_or(to.inch);
+    to.feed_per_rev = from.feed_per_rev.value_or(to.feed_per_rev);
+    to.plane = from.plane.value_or(to.plane);
+    to.circle_tolerance = from.circle_tolerance.value_or(to.circle_tolerance);
+}
+
+std::map<std::uint32_t, geom::Vec3> read_datums(Section& file) {
+    std::map<std::uint32_t, geom::Vec3> out;
+    const Entry* e = file.sub_table("datum");
+    if (!e) return out;
+    bool diameter = false;
+    if (const Entry* d = find(e->value, "diameter")) {
+        Section flag(e->value, "[datum]", file.diagnostics());
+        diameter = flag.boolean("diameter").value_or(d->value.boolean);
+    }
+    for (const Entry& datum : e->value.entries) {
+        if (datum.key == "diameter") continue;
+        const auto n = datum_number(datum.key);
+        if (!n) {
+            file.error(base::codes::job_file, datum.where, "unknown key '" + datum.key + "' in [datum]", "G54 … G57, G505 … G599, diameter");
+            continue;
+        }
+        Section s(datum.value, "'" + datum.key + "'", file.diagnostics());
+        const double x = s.number("x").value_or(0), y = s.number("y").value_or(0), z = s.number("z").value_or(0);
+        s.finish();
+        out[*n] = {diameter ? x / 2 : x, y, z};
+    }
+    return out;
+}
+
+}  // namespace obrys::shop

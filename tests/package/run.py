@@ -1,0 +1,79 @@
+#!/usr/bin/env python3
+"""Installs the build into an empty prefix and uses it as a stranger would: CMake, pkg-config, and the .deb.
+
+usage: run.py <build folder> <folder of this test> <C++ compiler>
+"""
+import pathlib
+import shutil
+import subprocess
+import sys
+import tempfile
+
+
+def run(*command, **options):
+    print("$", *command, flush=True)
+    return subprocess.run([str(c) for c in command], check=True, text=True, stdout=subprocess.PIPE,
+                          stderr=subprocess.STDOUT, **options).stdout
+
+
+def expect(condition, what):
+    if not condition:
+        print(f"failed: {what}")
+        sys.exit(1)
+    print(f"ok: {what}")
+
+
+def version_runs(program, what):
+    done = subprocess.run([str(program), "version"], capture_output=True, text=True, check=False)
+    expect(done.returncode == 0 and "obrys" in done.stdout, f"{what}: obrys version says: {done.stdout.strip()!r}")
+
+
+def consume(prefix, test, compiler, scratch):
+    """Builds the ten-line program by find_package and by pkg-config; both must say the same."""
+    build = scratch / "consumer"
+    run("cmake", "-S", test / "consumer", "-B", build, "-G", "Ninja", f"-DCMAKE_PREFIX_PATH={prefix}",
+        f"-DCMAKE_CXX_COMPILER={compiler}")
+    run("cmake", "--build", build)
+    expect(run(build / "consumer").strip() == "2.500", "a program built by find_package(obrys) runs")
+
+    folders = [p.parent for p in prefix.rglob("obrys.pc")]
+    expect(len(folders) == 1, "obrys.pc is installed once")
+    flags = run("pkg-config", "--cflags", "--libs", "obrys", env={"PKG_CONFIG_PATH": str(folders[0]), "PATH": "/usr/bin:/bin"})
+    run(compiler, test / "consumer" / "main.cpp", "-o", scratch / "by_pkg_config", *flags.split())
+    expect(run(scratch / "by_pkg_config").strip() == "2.500", "a program built by pkg-config runs")
+
+
+def package(build, scratch):
+    run("cpack", "-G", "DEB", "-B", scratch / "package", cwd=build)
+    debs = list((scratch / "package").glob("*.deb"))
+    expect(len(debs) == 1, "cpack makes one .deb")
+    fields = run("dpkg-deb", "--field", debs[0])
+    expect("libfmt" in fields and "libc6" in fields, "it names the shared libraries it needs")
+    content = run("dpkg-deb", "--contents", debs[0])
+    for path in ("./usr/bin/obrys", "obrys.1", "libobrys.a", "include/obrys/base/diagnostic.hpp", "obrysConfig.cmake",
+                 "share/obrys/examples/groove/groove.job.toml"):
+        expect(path in content, f"it holds {path}")
+    expect("_test" not in content, "it holds no tests")
+    run("dpkg-deb", "--extract", debs[0], scratch / "extracted")
+    version_runs(scratch / "extracted/usr/bin/obrys", "from the .deb")
+
+
+def main():
+    build, test, compiler = pathlib.Path(sys.argv[1]), pathlib.Path(sys.argv[2]), sys.argv[3]
+    if not shutil.which("dpkg-deb"):
+        sys.exit("dpkg-deb is missing")
+    with tempfile.TemporaryDirectory(prefix="obrys-package") as name:
+        scratch = pathlib.Path(name)
+        prefix = scratch / "prefix"
+        run("cmake", "--install", build, "--prefix", prefix)
+        version_runs(prefix / "bin/obrys", "installed")
+        consume(prefix, test, compiler, scratch)
+        package(build, scratch)
+
+
+if __name__ == "__main__":
+    try:
+        main()
+    except subprocess.CalledProcessError as error:
+        print(error.stdout)
+        sys.exit(f"failed: {error}")
