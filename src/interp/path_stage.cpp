@@ -12,8 +12,6 @@ namespace codes = base::codes;
 
 namespace {
 
-bool is_on(const path::Setting& s) { return s.side != path::Side::off; }
-
 int nose_orientation(const shop::Tool& t) {
     if (t.kind == shop::ToolKind::turning) return t.orientation;
     return t.reference == shop::ReferenceCorner::left ? 3 : 4;
@@ -40,6 +38,8 @@ path::Setting PathStage::setting(Run& run) const {
         unchecked(run, codes::unknown_value, run.here(), "G41/G42 with tool T" + std::to_string(run.tool.number) + " D" + std::to_string(run.tool.edge) + ", whose radius is not known: the contour is run without compensation",
                   "give the tool with its radius in the job");
     s.radius = radius.value_or(0);
+    if (tool != nullptr && run.modal.plane == 18 && run.env.machine.kind == shop::MachineKind::lathe)
+        s.tip = path::nose_offset(nose_orientation(*tool), s.radius).value_or(geom::Vec2{});
     return s;
 }
 
@@ -70,45 +70,24 @@ path::CornerRequest PathStage::corner_request(Run& run) {
 
 void PathStage::push(Run& run, path::Element e, bool rapid) {
     const path::Setting s = setting(run);
-    const bool was_on = !settings_.empty() && is_on(settings_.back());
-    nose_ = {};
-    if (run.modal.plane == 18 && run.env.machine.kind == shop::MachineKind::lathe && run.tool.data != nullptr && (is_on(s) || was_on)) {
-        const double radius = compensation_radius(*run.tool.data).value_or(0);
-        nose_ = path::nose_offset(nose_orientation(*run.tool.data), radius).value_or(geom::Vec2{});
-    }
-    // Off the contour the program moves the tip P, on it the contour is touched by the nose about its centre S = P - nose.
-    if (!was_on) e.from = e.from - nose_;
-    if (!is_on(s)) {
-        e.to = e.to - nose_;
-        e.centre = e.centre - nose_;
-    }
     e.tag = origins_.size();
     e.before = std::move(waiting_);
     waiting_.clear();
-    origins_.push_back({run.here(), run.top().stack, rapid});
-    settings_.push_back(s);
+    origins_.push_back({run.here(), run.top().stack, rapid, s.radius});
     active_ = true;
-    const auto fault = corners_.push(std::move(e), corner_request(run), [&](const path::CornerOutput& o) { compensate(run, o); });
-    if (fault) report(run, *fault);
-    const bool plain = !is_on(s) && run.modal.round_modal == 0 && !run.block.has(Code::round) && !run.block.has(Code::chamfer_length) && !run.block.has(Code::chamfer_leg);
-    if (plain && !run.stopped) flush(run);
-}
-
-void PathStage::compensate(Run& run, const path::CornerOutput& o) {
-    const path::Setting s = settings_[o.element.tag];
-    report(run, compensation_.push(o.element, s, [&](const path::Output& out) { output(run, out); }));
+    const path::CornerRequest corner = corner_request(run);
+    report(run, path_.push(std::move(e), s, corner, [&](const path::Output& out) { output(run, out); }));
+    if (path_.idle()) forget();
+    else if (s.side == path::Side::off && corner.kind == path::CornerKind::none) flush(run);
 }
 
 void PathStage::output(Run& run, const path::Output& out) {
     for (const int event : out.element.before) run.sink(events_[static_cast<std::size_t>(event)]);
+    if (!path::moves(out.element)) return;  // a zero move only brings its events
     const Origin& origin = origins_[out.element.tag];
-    path::Element e = out.element;
-    e.from = e.from + nose_;
-    e.to = e.to + nose_;
-    e.centre = e.centre + nose_;
     run.record.from = origin.from;
     run.record.stack = origin.stack;
-    emit_element(run, e, origin.rapid && !path::is_arc(e));
+    emit_element(run, out.element, origin.rapid && !path::is_arc(out.element));
 }
 
 void PathStage::hold(const cl::Record& record) { waiting_.push_back(keep(record)); }
@@ -116,35 +95,39 @@ void PathStage::hold(const cl::Record& record) { waiting_.push_back(keep(record)
 void PathStage::flush(Run& run) {
     if (!active_ || flushing_) return;
     flushing_ = true;
-    corners_.flush([&](const path::CornerOutput& o) { compensate(run, o); });
-    report(run, compensation_.flush([&](const path::Output& o) { output(run, o); }));
+    report(run, path_.flush([&](const path::Output& o) { output(run, o); }));
     for (const int event : waiting_) run.sink(events_[static_cast<std::size_t>(event)]);
     waiting_.clear();
-    const path::Setting last = settings_.empty() ? path::Setting{} : settings_.back();
-    active_ = is_on(last);
-    if (!active_) {
-        origins_.clear();
-        settings_.clear();
-        events_.clear();
-    }
+    forget();
     flushing_ = false;
 }
 
-void PathStage::report(Run& run, const std::vector<path::Fault>& faults) {
-    for (const path::Fault& f : faults) {
-        const Origin& at = origins_[f.tag];
-        const std::string radius = base::fixed(settings_[f.tag].radius, 3) + " mm";
-        std::string text;
-        switch (f.reason) {
-            case path::Reason::tool_radius_too_large: text = "the tool radius " + radius + " is larger than this arc: the arc is left out"; break;
-            case path::Reason::arc_needs_line_at_start: text = "compensation must be switched on and off by a straight move G0 or G1, this is an arc"; break;
-            case path::Reason::no_intersection: text = "with tool radius " + radius + " this inner corner has no point where both contour elements can be reached"; break;
-            case path::Reason::element_vanishes: text = f.bridged ? "with tool radius " + radius + " the tool does not fit into this contour element: it is left out and material stays" : "with tool radius " + radius + " this contour element cannot be reached"; break;
-        }
-        base::Diagnostic d{base::Severity::error, codes::compensation, at.from, std::move(text), "use a smaller tool or widen the contour", run.stacks.sites(at.stack), {}};
-        if (origins_[f.other].from != at.from) d.related.push_back({origins_[f.other].from, "the neighbouring element"});
-        run.diagnostics.add(std::move(d));
+/// Nothing is held back any more: places and events of what is done are let go.
+void PathStage::forget() {
+    active_ = !path_.idle();
+    if (active_ || !waiting_.empty()) return;
+    origins_.clear();
+    events_.clear();
+}
+
+void PathStage::report(Run& run, const path::PathFaults& faults) {
+    if (faults.corner) report(run, *faults.corner);
+    for (const path::Fault& f : faults.compensation) report(run, f);
+}
+
+void PathStage::report(Run& run, const path::Fault& f) {
+    const Origin& at = origins_[f.tag];
+    const std::string radius = base::fixed(at.radius, 3) + " mm";
+    std::string text;
+    switch (f.reason) {
+        case path::Reason::tool_radius_too_large: text = "the tool radius " + radius + " is larger than this arc: the arc is left out"; break;
+        case path::Reason::arc_needs_line_at_start: text = "compensation must be switched on and off by a straight move G0 or G1, this is an arc"; break;
+        case path::Reason::no_intersection: text = "with tool radius " + radius + " this inner corner has no point where both contour elements can be reached"; break;
+        case path::Reason::element_vanishes: text = f.bridged ? "with tool radius " + radius + " the tool does not fit into this contour element: it is left out and material stays" : "with tool radius " + radius + " this contour element cannot be reached"; break;
     }
+    base::Diagnostic d{base::Severity::error, codes::compensation, at.from, std::move(text), "use a smaller tool or widen the contour", run.stacks.sites(at.stack), {}};
+    if (origins_[f.other].from != at.from) d.related.push_back({origins_[f.other].from, "the neighbouring element"});
+    run.diagnostics.add(std::move(d));
 }
 
 void PathStage::report(Run& run, const path::CornerFault& f) {

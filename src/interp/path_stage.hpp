@@ -6,8 +6,7 @@
 #include <vector>
 
 #include "interp/motion.hpp"
-#include "path/compensation.hpp"
-#include "path/corner_stage.hpp"
+#include "path/contour_path.hpp"
 
 namespace obrys::interp {
 
@@ -28,24 +27,23 @@ private:
         base::Span from;
         cl::StackId stack = 0;
         bool rapid = false;
+        double radius = 0;                  ///< of the tool, mm
     };
 
     [[nodiscard]] path::Setting setting(Run&) const;
     [[nodiscard]] path::CornerRequest corner_request(Run&);
     [[nodiscard]] int keep(const cl::Record& record);
     [[nodiscard]] int feed_event(const Run&, double feed);
-    void compensate(Run&, const path::CornerOutput& out);
     void output(Run&, const path::Output& out);
-    void report(Run&, const std::vector<path::Fault>& faults);
+    void report(Run&, const path::PathFaults& faults);
+    void report(Run&, const path::Fault& fault);
     void report(Run&, const path::CornerFault& fault);
+    void forget();
 
-    path::CornerStage corners_;
-    path::Compensation compensation_;
-    std::vector<Origin> origins_;
-    std::vector<path::Setting> settings_;   ///< by tag
+    path::ContourPath path_;
+    std::vector<Origin> origins_;           ///< by tag
     std::vector<cl::Record> events_;
     std::vector<int> waiting_;
-    geom::Vec2 nose_;                       ///< from the nose centre to the programmed tip; zero for mills
     bool active_ = false;
     bool flushing_ = false;
 };
