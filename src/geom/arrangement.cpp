@@ -46,6 +46,7 @@ void sort_rays(std::vector<Ray>& rays) {
     reference = turn(reference);
     for (Ray& r : rays) r.angle = turn(r.angle - reference);
     const auto before = [](const Ray& a, const Ray& b) {
+        if (std::abs(a.angle - b.angle) > 0.01) return a.angle < b.angle;
         const double d = std::min(a.chord, b.chord);
         return a.at(d) < b.at(d);
     };
@@ -200,7 +201,10 @@ void Arrangement::label_clean(base::FunctionRef<int(Vec2)> winding_a, base::Func
 
 Arrangement::Half Arrangement::following(Half h, Inside inside) const {
     Half g = next_[h];
-    while (g != none && !bounds(g, inside)) g = next_[g ^ 1U];
+    while (g != none && !bounds(g, inside)) {
+        if (g == (h ^ 1U)) return none;  // only where labels contradict each other
+        g = next_[g ^ 1U];
+    }
     return g;
 }
 
