@@ -31,7 +31,7 @@ Ray ray_of(const Edge& e, Arrangement::Half h) {
     return r;
 }
 
-/// Counter-clockwise by direction; halves that start alike are told apart as far out as the shorter of them reaches.
+/// Counter-clockwise by direction; halves that start alike are told apart half as far out as the shorter of them reaches.
 void sort_rays(std::vector<Ray>& rays) {
     const auto turn = [](double a) { return a < 0 ? a + 2 * pi : a >= 2 * pi ? a - 2 * pi : a; };
     for (Ray& r : rays) r.angle = turn(turn(r.angle));
@@ -47,7 +47,7 @@ void sort_rays(std::vector<Ray>& rays) {
     for (Ray& r : rays) r.angle = turn(r.angle - reference);
     const auto before = [](const Ray& a, const Ray& b) {
         if (std::abs(a.angle - b.angle) > 0.01) return a.angle < b.angle;
-        const double d = std::min(a.chord, b.chord);
+        const double d = 0.5 * std::min(a.chord, b.chord);  // both may end in the same vertex
         return a.at(d) < b.at(d);
     };
     for (std::size_t i = 1; i < rays.size(); ++i)  // few, and the comparison need not be a strict order
