@@ -25,13 +25,15 @@ void check_exprs(const program::Unit& u, std::size_t size) {
     for (std::size_t i = 0; i < u.exprs.size(); ++i) {
         const program::Expr& e = u.exprs[i];
         check_span({u.file, e.begin, e.end}, size);
-        const bool has_child = e.kind == ExprKind::parameter_at || e.kind == ExprKind::unary || e.kind == ExprKind::binary || e.kind == ExprKind::qualified;
+        const bool has_child = e.kind == ExprKind::parameter_at || e.kind == ExprKind::unary ||
+                               e.kind == ExprKind::binary || e.kind == ExprKind::qualified;
         if (e.kind == ExprKind::number) require(e.a < u.numbers.size());
         if (e.kind == ExprKind::text) require(e.a < u.texts.size());
         if (has_child) require(e.a < i);
         if (e.kind == ExprKind::binary) require(e.b < i);
         if (e.count > 0) require(std::size_t{e.b} + e.count <= u.children.size());
-        for (std::uint32_t k = 0; k < e.count; ++k) require(u.children[e.b + k] == program::no_expr || u.children[e.b + k] < i);
+        for (std::uint32_t k = 0; k < e.count; ++k)
+            require(u.children[e.b + k] == program::no_expr || u.children[e.b + k] < i);
     }
 }
 
@@ -76,7 +78,8 @@ void check_statements(const program::Unit& u, std::size_t size) {
         require(s.first == words);
         words = u.words_end(i);
         require(words >= s.first && words <= u.words.size());
-        if (s.kind != StatementKind::block) require(words > s.first && program::code_of(u.words[s.first]) == Code::control);
+        if (s.kind != StatementKind::block)
+            require(words > s.first && program::code_of(u.words[s.first]) == Code::control);
         for (std::uint32_t w = s.first; w < words; ++w) {
             check_span(u.span(s, u.words[w]), size);
             check_word(u, u.words[w], s.kind);
@@ -86,7 +89,8 @@ void check_statements(const program::Unit& u, std::size_t size) {
     require(words == u.words.size() || u.statements.empty());
     const auto is_target = [&](std::uint32_t t) { return t == program::no_target || t <= u.statements.size(); };
     for (const auto& b : u.branches) check_expr(u, b.condition), require(is_target(b.target));
-    for (const auto& f : u.fors) check_expr(u, f.variable), check_expr(u, f.from), check_expr(u, f.to), require(is_target(f.target));
+    for (const auto& f : u.fors)
+        check_expr(u, f.variable), check_expr(u, f.from), check_expr(u, f.to), require(is_target(f.target));
     for (const auto& [name, places] : u.labels)
         for (const std::uint32_t place : places) require(place < u.statements.size());
 }

@@ -47,6 +47,8 @@ def check_file(file, src, uses):
         target = quoted or angled
         folder = folder_of(pathlib.PurePosixPath(target), uses)
         where = f"{relative}:{number}:"
+        if quoted and "/" not in target and (file.parent / target).is_file():
+            continue  # a neighbour
         if quoted and not (src / target).is_file():
             complaints.append(f'{where} "{target}" does not exist (includes are written from src)')
         elif angled and folder:

@@ -21,11 +21,13 @@ constexpr bool sorted(const std::array<Row<T>, n>& rows) {
 
 template <class T, std::size_t n>
 std::optional<T> find(const std::array<Row<T>, n>& rows, std::string_view name) {
-    const auto found = std::lower_bound(rows.begin(), rows.end(), name, [](const auto& r, std::string_view s) { return r.first < s; });
+    const auto found = std::lower_bound(rows.begin(), rows.end(), name,
+                                        [](const auto& r, std::string_view s) { return r.first < s; });
     if (found == rows.end() || found->first != name) return std::nullopt;
     return found->second;
 }
 
+// clang-format off
 constexpr std::array<Row<Function>, 40> functions{{
     {"ABS", Function::abs}, {"ACOS", Function::acos}, {"ASIN", Function::asin}, {"ATAN2", Function::atan2},
     {"AXNAME", Function::axis_name}, {"AXSTRING", Function::axis_string}, {"BOUND", Function::bound},
@@ -61,6 +63,7 @@ constexpr std::array<Row<SystemVariable>, 37> variables{{
     {"$R", SystemVariable::numbered_parameter}, {"$TC_TP2", SystemVariable::tool_name},
 }};
 
+// clang-format on
 static_assert(sorted(functions) && sorted(variables));
 
 bool is_tool_parameter(std::string_view name) {

@@ -11,7 +11,9 @@ using program::Modal;
 
 constexpr GCode run(std::uint16_t code, Modal m) { return {code, Use::modal, m, {}}; }
 constexpr GCode accept(std::uint16_t code) { return {code, Use::ignored, Modal::rapid, {}}; }
-constexpr GCode refuse(std::uint16_t code, std::string_view reason) { return {code, Use::unsupported, Modal::rapid, reason}; }
+constexpr GCode refuse(std::uint16_t code, std::string_view reason) {
+    return {code, Use::unsupported, Modal::rapid, reason};
+}
 constexpr GCode refuse_block(std::uint16_t code, std::string_view reason) {
     return {code, Use::unsupported_block, Modal::rapid, reason};
 }
@@ -23,6 +25,10 @@ constexpr std::string_view corner_feed = "automatic corner deceleration";
 constexpr std::string_view oem = "function of the machine builder";
 constexpr std::string_view oblique = "oblique plunge-cutting";
 
+constexpr std::string_view strategy = "approach strategy of the compensation";
+constexpr std::string_view arc_thread = "thread along an arc";
+
+// clang-format off
 constexpr std::array g_codes{
     run(0, Modal::rapid), run(1, Modal::linear), run(2, Modal::arc_cw), run(3, Modal::arc_ccw), run(4, Modal::dwell),
     refuse_block(5, oblique), refuse_block(7, oblique), run(9, Modal::exact_stop_block),
@@ -41,10 +47,10 @@ constexpr std::array g_codes{
     accept(140), refuse(141, approach), refuse(142, approach), refuse(143, approach),
     refuse_block(147, approach), refuse_block(148, approach), run(153, Modal::suppress_all),
     refuse_block(247, approach), refuse_block(248, approach), accept(290), refuse(291, "ISO dialect mode"),
-    run(331, Modal::tap), run(332, Modal::tap_retract), refuse(335, "thread along an arc"), refuse(336, "thread along an arc"),
+    run(331, Modal::tap), run(332, Modal::tap_retract), refuse(335, arc_thread), refuse(336, arc_thread),
     accept(340), refuse(341, approach), refuse_block(347, approach), refuse_block(348, approach),
     run(450, Modal::corner_arc), run(451, Modal::corner_intersection),
-    accept(460), refuse(461, "approach strategy of the compensation"), refuse(462, "approach strategy of the compensation"),
+    accept(460), refuse(461, strategy), refuse(462, strategy),
     run(500, Modal::datum), run(601, Modal::exact_window), run(602, Modal::exact_window), run(603, Modal::exact_window),
     refuse(621, corner_feed), run(641, Modal::continuous), run(642, Modal::continuous), run(643, Modal::continuous),
     run(644, Modal::continuous), run(645, Modal::continuous), run(700, Modal::inch_all), run(710, Modal::metric_all),
@@ -57,7 +63,9 @@ constexpr std::array g_codes{
     run(961, Modal::surface_speed_on), run(962, Modal::surface_speed_on), run(971, Modal::surface_speed_off),
     run(972, Modal::surface_speed_off), run(973, Modal::surface_speed_off),
 };
-static_assert(std::is_sorted(g_codes.begin(), g_codes.end(), [](const GCode& a, const GCode& b) { return a.code < b.code; }));
+// clang-format on
+static_assert(std::is_sorted(g_codes.begin(), g_codes.end(),
+                             [](const GCode& a, const GCode& b) { return a.code < b.code; }));
 
 }  // namespace
 

@@ -51,7 +51,8 @@ std::string plain_name(std::string_view name) {
     if (const std::size_t slash = plain.rfind('/'); slash != std::string::npos) plain.erase(0, slash + 1);
     if (plain.starts_with(prefix) && plain.size() > prefix.size()) plain.erase(0, prefix.size());
     for (const std::string_view suffix : {"_SPF", "_MPF", "_CPF", ".SPF", ".MPF"})
-        if (plain.size() > suffix.size() && plain.ends_with(suffix)) return plain.substr(0, plain.size() - suffix.size());
+        if (plain.size() > suffix.size() && plain.ends_with(suffix))
+            return plain.substr(0, plain.size() - suffix.size());
     return plain;
 }
 

@@ -9,9 +9,9 @@
 namespace obrys::read::sinumerik {
 
 struct ArchiveMember {
-    std::string name;            ///< upper case, without `_N_` and kind
-    std::string kind;            ///< MPF, SPF, TOA, INI, GUD, TEA, COM …; empty where the header names none
-    std::uint32_t header = 0;    ///< byte of its `%`
+    std::string name;                  ///< upper case, without `_N_` and kind
+    std::string kind;                  ///< MPF, SPF, TOA, INI, GUD, TEA, COM …; empty where the header names none
+    std::uint32_t header = 0;          ///< byte of its `%`
     std::uint32_t begin = 0, end = 0;  ///< its text, behind the header line
     [[nodiscard]] bool is_program() const { return kind.empty() || kind == "MPF" || kind == "SPF" || kind == "CPF"; }
 };

@@ -74,13 +74,23 @@ bool complain_about_missing_sign(State& s, std::string_view name) {
     if (digits == std::string_view::npos || digits < 2) return false;
     if (name.find_first_not_of("0123456789", digits) != std::string_view::npos) return false;
     const auto* entry = words::find_word(base::to_upper(name.substr(0, digits)));
-    if (entry == nullptr || entry->use != Use::address || words::find_word(base::to_upper(name)) != nullptr) return false;
+    if (entry == nullptr || entry->use != Use::address || words::find_word(base::to_upper(name)) != nullptr)
+        return false;
     const char* behind = s.cursor.p + name.size();
     while (behind < s.cursor.end && base::is_blank(*behind)) ++behind;
     if (behind < s.cursor.end && (*behind == '=' || *behind == '(' || *behind == '[')) return false;
     const std::string word(entry->name), value(name.substr(digits));
-    fail(s, s.cursor.p, s.cursor.p + name.size(), word + " needs '=' in front of its value", "write " + word + "=" + value);
+    fail(s, s.cursor.p, s.cursor.p + name.size(), word + " needs '=' in front of its value",
+         "write " + word + "=" + value);
     return true;
+}
+
+/// A variable called like a word (F1, D1W) that is written to here: `F1=` and `F1[`. F1 alone stays the feed.
+bool is_odd_variable(State& s, std::string_view name) {
+    if (!s.odd_names || name.size() == 1 || !s.is_variable(base::to_upper(name))) return false;
+    Cursor behind = s.cursor;
+    behind.p += name.size();
+    return behind.at_assignment() || behind.take('[');
 }
 
 void read_item(State& s) {
@@ -94,13 +104,24 @@ void read_item(State& s) {
         return fail_here(s, "unexpected " + here(s), byte >= 0x80 ? "put comments behind ';'" : "");
     }
     const bool word_like = name.size() == 1 ? first != '_' : base::is_digit(name[1]) && first != '_';
-    if (word_like && (name.size() == 1 || !s.odd_names || !s.is_variable(base::to_upper(name)))) return read_address(s);
+    if (word_like && !is_odd_variable(s, name)) return read_address(s);
     if (complain_about_missing_sign(s, name)) return;
     read_name(s, name);
 }
 
+/// `%`, `%MPF100`: how programs on tape begin. Nothing to run.
+bool read_tape_header(State& s) {
+    Cursor c = s.cursor;
+    if (!c.take('%')) return false;
+    while (is_name_part(c.peek())) ++c.p;
+    const char* end = c.p;
+    if (!c.at_end()) return false;
+    add_ignored(s, s.cursor.p, end);
+    return true;
+}
+
 void begin_line(State& s) {
-    s.failed = s.failure_kept = s.line_has_statement = s.block_open = false;
+    s.failed = s.failure_kept = s.line_has_statement = s.block_open = s.declares = false;
     s.skip = 0;
     s.items = 0;
 }
@@ -119,15 +140,14 @@ void read_line(State& s) {
         c = Cursor(expanded);
         c.skip_blanks();
     }
+    if (read_tape_header(s)) return;
     read_skip_sign(s);
-    bool numbered = read_block_number(s);
-    if (s.skip == 0 && numbered) read_skip_sign(s);
-    while (read_label(s)) numbered = true;
-    const int before = s.items;
+    if (read_block_number(s) && s.skip == 0) read_skip_sign(s);
+    bool labelled = false;
+    while (read_label(s)) labelled = true;
     while (!s.failed && !c.at_end()) read_item(s);
     if (s.failed) keep_failure(s);
-    const bool ignored_only = s.items != before || numbered;
-    if (!s.line_has_statement && ignored_only && !(s.unit.has_proc && s.unit.statements.empty() && !numbered)) open_block(s, c.p);
+    if (!s.line_has_statement && (labelled || !s.declares)) open_block(s, c.p);
     close_block(s);
     c = Cursor(s.text.data(), s.line_begin, s.line_begin);
 }

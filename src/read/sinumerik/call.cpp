@@ -68,7 +68,8 @@ void read_mcall(State& s, const char* from) {
     call.where = s.span(c.p, c.p + name.size());
     c.p += name.size();
     if (!read_tail(s, call)) return;
-    if (entry != nullptr && entry->use == dialect::sinumerik::Use::unsupported) return add_problem(s, Code::unsupported, from, entry->reason);
+    if (entry != nullptr && entry->use == dialect::sinumerik::Use::unsupported)
+        return add_problem(s, Code::unsupported, from, entry->reason);
     add_call(s, std::move(call), from);
 }
 

@@ -57,7 +57,11 @@ void tie(State& s, const Opened& o, ExprId condition, bool once, const char* fro
         add_control(s, closer, s.unit.fors.size() - 1, from);
         return set_target(s, o.statement, self);
     }
-    add_branch(s, closer, condition, closer == StatementKind::endif ? program::no_target : once ? self + 1 : o.statement, from);
+    add_branch(s, closer, condition,
+               closer == StatementKind::endif ? program::no_target
+               : once                         ? self + 1
+                                              : o.statement,
+               from);
     if (closer == StatementKind::endif && o.else_statement != program::no_target) {
         set_target(s, o.statement, o.else_statement + 1);
         set_target(s, o.else_statement, self);
@@ -76,8 +80,11 @@ void close_missing(State& s, const Opened& o, const char* from) {
     d.remedy = "add " + std::string(p.close_word) + " where it ends";
     s.diagnostics.add(std::move(d));
     const char* back = s.cursor.p;
+    const bool had_statement = s.line_has_statement;
     s.cursor.p = from;
     tie(s, o, o.kind == StatementKind::repeat_ ? add_boolean(s, true, from) : no_expr, true, from);
+    s.unit.statements.back().flags = 0;  // not in the text: it begins no block
+    s.line_has_statement = had_statement;
     s.cursor.p = back;
 }
 
@@ -128,7 +135,8 @@ void open_broken(State& s, StatementKind kind, const char* from) {
 
 void read_else(State& s, const char* from) {
     if (!unwind_to(s, StatementKind::if_, from)) return fail(s, from, s.cursor.p, "ELSE without IF");
-    if (s.opened.back().else_statement != program::no_target) return fail(s, from, s.cursor.p, "a second ELSE for one IF");
+    if (s.opened.back().else_statement != program::no_target)
+        return fail(s, from, s.cursor.p, "a second ELSE for one IF");
     close_block(s);
     s.opened.back().else_statement = next_statement(s);
     add_branch(s, StatementKind::else_, no_expr, program::no_target, from);
@@ -138,7 +146,8 @@ void close_structure(State& s, StatementKind kind, ExprId condition, const char*
     const Pair& p = pair_of(kind);
     if (!unwind_to(s, p.opener, from)) {
         const std::string open(p.open_word), close(p.close_word);
-        return fail(s, from, from + p.close_word.size(), close + " without " + open, "remove it, or add the " + open + " it belongs to");
+        return fail(s, from, from + p.close_word.size(), close + " without " + open,
+                    "remove it, or add the " + open + " it belongs to");
     }
     const Opened o = s.opened.back();
     s.opened.pop_back();

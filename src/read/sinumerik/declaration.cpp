@@ -101,7 +101,8 @@ bool read_variable(State& s, program::Define& define) {
 
 /// Access rights, limits, units and the like of a definition: taken, without effect on a run here.
 bool skip_attributes(State& s, bool with_value_only) {
-    constexpr std::array<std::string_view, 13> with_number{"APR", "APW", "APX", "APRP", "APWP", "APRB", "APWB", "PHU", "LLI", "ULI", "INIPO", "INIRE", "INICF"};
+    constexpr std::array<std::string_view, 13> with_number{"APR", "APW", "APX", "APRP",  "APWP",  "APRB", "APWB",
+                                                           "PHU", "LLI", "ULI", "INIPO", "INIRE", "INICF"};
     constexpr std::array<std::string_view, 4> bare{"SYNR", "SYNW", "SYNRW", "PRLOC"};
     for (bool again = true; again;) {
         again = false;
@@ -124,7 +125,8 @@ bool read_parameter(State& s, program::Parameter& parameter) {
     parameter.by_reference = take_word(s, "VAR");
     const auto type = take_type(s);
     if (!type) {
-        fail_here(s, "expected the type of a parameter, found " + here(s), "write REAL, INT, BOOL, CHAR, STRING[n], AXIS or FRAME");
+        fail_here(s, "expected the type of a parameter, found " + here(s),
+                  "write REAL, INT, BOOL, CHAR, STRING[n], AXIS or FRAME");
         return false;
     }
     parameter.type = *type;
@@ -178,7 +180,9 @@ void read_def(State& s, const char* from) {
         again = again || c.p != back;
     }
     const auto type = take_type(s);
-    if (!type) return fail_here(s, "DEF needs a type, found " + here(s), "write DEF REAL, INT, BOOL, CHAR, STRING[n], AXIS or FRAME");
+    if (!type)
+        return fail_here(s, "DEF needs a type, found " + here(s),
+                         "write DEF REAL, INT, BOOL, CHAR, STRING[n], AXIS or FRAME");
     define.type = *type;
     if (define.type == Type::string && c.take('[')) {
         define.string_length = read_expression(s);
@@ -195,11 +199,13 @@ void read_def(State& s, const char* from) {
 
 void read_proc(State& s, const char* from) {
     Cursor& c = s.cursor;
+    s.declares = true;
     c.skip_blanks();
     const std::string_view name = c.name();
     if (name.empty()) return fail_here(s, "PROC needs the name of the program, found " + here(s));
     if (s.unit.has_proc || !s.unit.statements.empty())
-        return fail(s, from, from + 4, "PROC stands only in the first block of a program", "split the text into one file a program");
+        return fail(s, from, from + 4, "PROC stands only in the first block of a program",
+                    "split the text into one file a program");
     s.unit.has_proc = true;
     s.unit.name = plain_name(name);
     c.p += name.size();
@@ -217,13 +223,15 @@ void read_proc(State& s, const char* from) {
             known = true;
             add_ignored(s, word, c.p);
         }
-        if (!known) return fail_here(s, "expected an attribute of PROC, found " + here(s), "SAVE, SBLOF, DISPLOF, DISPLON, ACTBLOCNO and PREPRO stand there");
+        if (!known)
+            return fail_here(s, "expected an attribute of PROC, found " + here(s),
+                             "SAVE, SBLOF, DISPLOF, DISPLON, ACTBLOCNO and PREPRO stand there");
     }
-    s.items = 0;
 }
 
 void read_extern(State& s, const char* from) {
     Cursor& c = s.cursor;
+    s.declares = true;
     c.skip_blanks();
     const std::string_view name = c.name();
     if (name.empty()) return fail(s, from, from + 6, "EXTERN needs the name of a program");
@@ -234,7 +242,9 @@ void read_extern(State& s, const char* from) {
         bool ignored_array = false;
         std::array<ExprId, 3> ignored{no_expr, no_expr, no_expr};
         const auto type = take_type(s);
-        if (!type) return fail_here(s, "expected the type of a parameter, found " + here(s), "write REAL, INT, BOOL, CHAR, STRING[n], AXIS or FRAME");
+        if (!type)
+            return fail_here(s, "expected the type of a parameter, found " + here(s),
+                             "write REAL, INT, BOOL, CHAR, STRING[n], AXIS or FRAME");
         if (!read_dimensions(s, ignored, true, ignored_array)) return;
         c.skip_blanks();
         c.p += c.name().size();  // a name may stand there too

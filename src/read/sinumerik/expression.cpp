@@ -21,12 +21,12 @@ struct Binary {
 
 // Longer signs before their beginnings.
 constexpr std::array signs{
-    Binary{"==", Operator::equal, Level::compare},         Binary{"<>", Operator::not_equal, Level::compare},
-    Binary{"<=", Operator::less_equal, Level::compare},    Binary{">=", Operator::greater_equal, Level::compare},
-    Binary{"<<", Operator::concat, Level::concat},         Binary{"<", Operator::less, Level::compare},
-    Binary{">", Operator::greater, Level::compare},        Binary{"+", Operator::add, Level::add},
-    Binary{"-", Operator::subtract, Level::add},           Binary{"*", Operator::multiply, Level::multiply},
-    Binary{"/", Operator::divide, Level::multiply},        Binary{":", Operator::frame_chain, Level::multiply},
+    Binary{"==", Operator::equal, Level::compare},      Binary{"<>", Operator::not_equal, Level::compare},
+    Binary{"<=", Operator::less_equal, Level::compare}, Binary{">=", Operator::greater_equal, Level::compare},
+    Binary{"<<", Operator::concat, Level::concat},      Binary{"<", Operator::less, Level::compare},
+    Binary{">", Operator::greater, Level::compare},     Binary{"+", Operator::add, Level::add},
+    Binary{"-", Operator::subtract, Level::add},        Binary{"*", Operator::multiply, Level::multiply},
+    Binary{"/", Operator::divide, Level::multiply},     Binary{":", Operator::frame_chain, Level::multiply},
 };
 constexpr std::array words{
     Binary{"OR", Operator::logical_or, Level::logical_or},    Binary{"XOR", Operator::logical_xor, Level::logical_xor},
@@ -64,14 +64,14 @@ ExprId read_level(State& s, Level loosest, int depth) {
     s.cursor.skip_blanks();
     const char* from = s.cursor.p;
     ExprId left = read_operand(s, depth);
-    for (int count = 0; left != no_expr; ++count) {
+    while (left != no_expr) {
         const char* behind = s.cursor.p;
         const auto found = operator_here(s);
         if (!found || found->level < loosest) {
             s.cursor.p = behind;  // the blanks in front of what follows are not the expression's
             break;
         }
-        if (count == longest) {
+        if (++s.operators > longest) {
             fail_here(s, "the expression has more than 1000 operators", "split it over several assignments");
             return no_expr;
         }
@@ -88,6 +88,9 @@ ExprId read_level(State& s, Level loosest, int depth) {
     return left;
 }
 
-ExprId read_expression(State& s, Level loosest) { return read_level(s, loosest, 0); }
+ExprId read_expression(State& s, Level loosest) {
+    s.operators = 0;
+    return read_level(s, loosest, 0);
+}
 
 }  // namespace obrys::read::sinumerik

@@ -23,7 +23,8 @@ JumpDirection direction_of(Keyword keyword) {
 }
 
 bool is_block_number(std::string_view name) {
-    return name.size() > 1 && base::upper(name[0]) == 'N' && name.find_first_not_of("0123456789", 1) == std::string_view::npos;
+    return name.size() > 1 && base::upper(name[0]) == 'N' &&
+           name.find_first_not_of("0123456789", 1) == std::string_view::npos;
 }
 
 /// A label, an N number, a string variable or a text expression.
@@ -40,7 +41,8 @@ ExprId read_destination(State& s) {
         const std::string upper = base::to_upper(name);
         c.p += name.size();
         c.skip_blanks();
-        const bool computed = s.strings.contains(upper) || c.peek() == '[' || c.peek() == '(' || (c.peek() == '<' && c.peek(1) == '<');
+        const bool computed =
+            s.strings.contains(upper) || c.peek() == '[' || c.peek() == '(' || (c.peek() == '<' && c.peek(1) == '<');
         c.p = from + name.size();
         if (!computed) {
             s.jumps_to_numbers = s.jumps_to_numbers || is_block_number(name);
@@ -59,7 +61,8 @@ JumpWord jump_word(State& s) {
     const std::string_view name = s.cursor.name();
     if (name.size() < 4 || name.size() > 5) return {Keyword::goto_, 0};
     const auto* entry = dialect::sinumerik::find_word(base::to_upper(name));
-    if (entry == nullptr || entry->use != dialect::sinumerik::Use::statement || !entry->name.starts_with("GOTO")) return {Keyword::goto_, 0};
+    if (entry == nullptr || entry->use != dialect::sinumerik::Use::statement || !entry->name.starts_with("GOTO"))
+        return {Keyword::goto_, 0};
     return {static_cast<Keyword>(entry->value), name.size()};
 }
 
@@ -95,7 +98,8 @@ void read_case(State& s, const char* from) {
         if (jump.length == 0) return fail_here(s, "expected GOTOF, GOTOB or GOTO in CASE, found " + here(s));
         c.p += jump.length;
         arm.jump.direction = direction_of(jump.keyword);
-        if (arm.jump.direction != JumpDirection::start && (arm.jump.destination = read_destination(s)) == no_expr) return;
+        if (arm.jump.direction != JumpDirection::start && (arm.jump.destination = read_destination(s)) == no_expr)
+            return;
         branch.arms.push_back(arm);
         end = c.p;
         if (is_default) break;

@@ -10,14 +10,18 @@ namespace obrys::read::sinumerik {
 namespace {
 
 /// Words hardly any other control has, and signs of others.
-constexpr std::array<std::string_view, 24> own{"GOTOF", "GOTOB", "ENDIF", "ENDWHILE", "ENDLOOP", "ENDFOR", "PROC ", "DEF REAL",
-                                               "DEF INT", "MSG(", "$AA_", "$P_", "$TC_", "$MC_", "DIAMON", "DIAMOF", "ATRANS", "STOPRE",
-                                               "SUPA", "LIMS=", "CR=", "MCALL", "DISPLOF", "SETAL("};
-constexpr std::array<std::string_view, 9> foreign{"BEGIN PGM", "TOOL CALL", "END PGM", "G65 P", "G54.1", "M98 P", "LBL ", "FMAX", "#1"};
+constexpr std::array<std::string_view, 24> own{"GOTOF", "GOTOB",    "ENDIF",   "ENDWHILE", "ENDLOOP", "ENDFOR",
+                                               "PROC ", "DEF REAL", "DEF INT", "MSG(",     "$AA_",    "$P_",
+                                               "$TC_",  "$MC_",     "DIAMON",  "DIAMOF",   "ATRANS",  "STOPRE",
+                                               "SUPA",  "LIMS=",    "CR=",     "MCALL",    "DISPLOF", "SETAL("};
+constexpr std::array<std::string_view, 9> foreign{"BEGIN PGM", "TOOL CALL", "END PGM", "G65 P", "G54.1",
+                                                  "M98 P",     "LBL ",      "FMAX",    "#1"};
 
 int count(std::string_view text, std::string_view what) {
     int n = 0;
-    for (std::size_t at = text.find(what); at != std::string_view::npos && n < 3; at = text.find(what, at + what.size())) ++n;
+    for (std::size_t at = text.find(what); at != std::string_view::npos && n < 3;
+         at = text.find(what, at + what.size()))
+        ++n;
     return n;
 }
 

@@ -21,7 +21,8 @@ constexpr std::array<Code, 256> letters = [] {
     };
     set('X', Code::x), set('Y', Code::y), set('Z', Code::z), set('A', Code::a), set('B', Code::b), set('C', Code::c);
     set('U', Code::u), set('V', Code::v), set('W', Code::w), set('I', Code::i), set('J', Code::j), set('K', Code::k);
-    set('F', Code::feed), set('S', Code::spindle), set('T', Code::tool), set('D', Code::edge), set('M', Code::m), set('H', Code::h);
+    set('F', Code::feed), set('S', Code::spindle), set('T', Code::tool), set('D', Code::edge), set('M', Code::m),
+        set('H', Code::h);
     set('G', Code::modal);
     return t;
 }();
@@ -69,7 +70,8 @@ bool read_word(State& s, const char*& p, const char* line) {
     const Literal n = scan(p + 1);
     if (n.end == nullptr || n.end - line > 4000) return false;
     const char next = *n.end;
-    if (next == '=' || next == '[' || next == '(' || next == ':' || base::upper(next) == 'E' || next == '_') return false;
+    if (next == '=' || next == '[' || next == '(' || next == ':' || base::upper(next) == 'E' || next == '_')
+        return false;
     word.code = static_cast<std::uint32_t>(code) & 0xFF;
     word.form = n.decimals & 0xF;
     word.payload = n.mantissa;
@@ -100,14 +102,16 @@ const char* read_literal_block(State& s, const char* p, const char* end) {
             ++p;
             continue;
         }
-        if (*p == '\n' || *p == '\r') break;
+        if (*p == ';')
+            while (p < end && *p != '\n' && *p != '\r') ++p;
+        if (p == end || *p == '\n' || *p == '\r') break;
         if (!read_word(s, p, line)) {
             s.unit.words.resize(first);
             return nullptr;
         }
         last = p;
     }
-    if (last == line) return nullptr;
+    if (last == line) return p;  // a comment alone
     program::Statement statement;
     statement.begin = static_cast<std::uint32_t>(line - s.text.data());
     statement.first = static_cast<std::uint32_t>(first);

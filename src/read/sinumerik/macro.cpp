@@ -74,12 +74,14 @@ bool is_definition(Cursor c) {
 
 void read_define(State& s, const char* from) {
     Cursor& c = s.cursor;
+    s.declares = true;
     c.skip_blanks();
     const std::string_view name = c.name();
     if (name.empty()) return fail_here(s, "DEFINE needs a name, found " + here(s), "write DEFINE NAME AS …");
     c.p += name.size();
     c.skip_blanks();
-    if (!base::equals_ignoring_case(c.name(), "AS")) return fail_here(s, "expected AS in DEFINE, found " + here(s), "write DEFINE NAME AS …");
+    if (!base::equals_ignoring_case(c.name(), "AS"))
+        return fail_here(s, "expected AS in DEFINE, found " + here(s), "write DEFINE NAME AS …");
     c.p += 2;
     if (c.at_end()) return fail(s, from, c.p, "the macro has no text", "write DEFINE NAME AS …");
     const char* text = c.p;
@@ -103,7 +105,11 @@ bool expand(State& s, Expanded& out) {
         Expanded next;
         if (!replace_once(s, in, next)) break;
         changed = true;
-        if (pass == deepest_macro || next.text.size() > longest_line) {
+        if (next.text.size() > longest_line) {
+            fail(s, c.p, c.end, "the block becomes longer than 1 MiB when its macros are replaced");
+            break;
+        }
+        if (pass == deepest_macro) {
             fail(s, c.p, c.end, "a macro of this line contains itself");
             break;
         }

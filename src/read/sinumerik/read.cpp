@@ -12,7 +12,8 @@ namespace obrys::read::sinumerik {
 namespace {
 
 std::string stem(std::string_view path) {
-    if (const std::size_t slash = path.find_last_of("/\\"); slash != std::string_view::npos) path.remove_prefix(slash + 1);
+    if (const std::size_t slash = path.find_last_of("/\\"); slash != std::string_view::npos)
+        path.remove_prefix(slash + 1);
     if (const std::size_t dot = path.rfind('.'); dot != std::string_view::npos && dot > 0) path = path.substr(0, dot);
     return plain_name(path);
 }
@@ -41,14 +42,15 @@ void read_lines(State& s) {
         while (line_end < end && *line_end != '\n' && *line_end != '\r') ++line_end;
         const char* text_end = line_end;
         while (text_end > p && (text_end[-1] == '\x1A' || text_end[-1] == '\0')) --text_end;
-        s.cursor = Cursor(s.text.data(), static_cast<std::uint32_t>(p - s.text.data()), static_cast<std::uint32_t>(text_end - s.text.data()));
+        s.cursor = Cursor(s.text.data(), static_cast<std::uint32_t>(p - s.text.data()),
+                          static_cast<std::uint32_t>(text_end - s.text.data()));
         read_line(s);
         p = line_end;
     }
 }
 
-program::Unit read_unit(std::uint32_t file, const base::Source& source, const ArchiveMember& part, program::Names& names,
-                        base::Diagnostics& diagnostics) {
+program::Unit read_unit(std::uint32_t file, const base::Source& source, const ArchiveMember& part,
+                        program::Names& names, base::Diagnostics& diagnostics) {
     program::Unit unit;
     unit.name = part.name;
     unit.file = file;

@@ -8,8 +8,8 @@
 #include <unordered_set>
 #include <vector>
 
-#include "base/diagnostic.hpp"
 #include "base/codes.hpp"
+#include "base/diagnostic.hpp"
 #include "base/text.hpp"
 #include "program/names.hpp"
 #include "program/unit.hpp"
@@ -27,7 +27,7 @@ struct Expanded {
 
 /// One line while it is read; `end` lies behind its last byte (line end and ^Z left out).
 class Cursor {
-public:
+  public:
     Cursor() = default;
     Cursor(const char* source, std::uint32_t first, std::uint32_t last)
         : base_(source), p(source + first), end(source + last) {}
@@ -67,11 +67,11 @@ public:
     /// True where `=` stands here (behind blanks) and is no `==`.
     [[nodiscard]] bool at_assignment() const { return Cursor(*this).take_assignment(); }
 
-private:
+  private:
     const char* base_ = nullptr;
     const Expanded* map_ = nullptr;
 
-public:
+  public:
     const char* p = nullptr;
     const char* end = nullptr;
 };
@@ -79,36 +79,38 @@ public:
 /// An opened IF, WHILE, … whose end has not come yet.
 struct Opened {
     program::StatementKind kind;
-    std::uint32_t statement = 0;       ///< the opener
+    std::uint32_t statement = 0;  ///< the opener
     std::uint32_t else_statement = program::no_target;
-    base::Span word;                   ///< for the message where its end is missing
-    bool broken = false;               ///< its head could not be read: an IF that is never true stands for it
+    base::Span word;      ///< for the message where its end is missing
+    bool broken = false;  ///< its head could not be read: an IF that is never true stands for it
 };
 
 struct State {
     program::Unit& unit;
     program::Names& names;
     base::Diagnostics& diagnostics;
-    std::string_view text;             ///< the whole source text
+    std::string_view text;  ///< the whole source text
     Cursor cursor;
 
-    std::uint32_t line_begin = 0;      ///< source byte of the line's first text
-    bool failed = false;               ///< this line has been complained about
-    bool failure_kept = false;         ///< … and has its unknown word in the tree
+    std::uint32_t line_begin = 0;  ///< source byte of the line's first text
+    bool failed = false;           ///< this line has been complained about
+    bool failure_kept = false;     ///< … and has its unknown word in the tree
     bool line_has_statement = false;
-    bool block_open = false;           ///< words go to the last statement
-    std::uint8_t skip = 0;             ///< block skip level + 1
-    int items = 0;                     ///< words and statements read from this line so far
+    bool block_open = false;  ///< words go to the last statement
+    std::uint8_t skip = 0;    ///< block skip level + 1
+    bool declares = false;    ///< this line is PROC, EXTERN or DEFINE: no block of its own
+    int operators = 0;  ///< of the expression at hand
+    int items = 0;            ///< words and statements read from this line so far
     base::Span failure{};
     std::string failure_text{};
 
     std::vector<Opened> opened{};
-    std::unordered_map<std::string, std::string> macros{};  ///< text by name
-    std::unordered_set<std::string> variables{};  ///< defined here by DEF or PROC
-    std::unordered_set<std::string> strings{};    ///< those of type STRING
+    std::unordered_map<std::string, std::string> macros{};     ///< text by name
+    std::unordered_set<std::string> variables{};               ///< defined here by DEF or PROC
+    std::unordered_set<std::string> strings{};                 ///< those of type STRING
     std::unordered_map<std::string, std::uint32_t> ignored{};  ///< entry in Unit::ignored
-    bool odd_names = false;            ///< a variable or macro is called like a word, e.g. D1W or M6
-    bool jumps_to_numbers = false;     ///< a jump names a block number or computes its destination
+    bool odd_names = false;         ///< a variable or macro is called like a word, e.g. D1W or M6
+    bool jumps_to_numbers = false;  ///< a jump names a block number or computes its destination
 
     [[nodiscard]] base::Span span(const char* from, const char* to) const {
         return {unit.file, cursor.from(from), cursor.to(to)};
@@ -116,7 +118,9 @@ struct State {
     [[nodiscard]] std::string line_text(const base::Span& where) const {
         return base::as_utf8(text.substr(where.begin, where.end - where.begin));
     }
-    [[nodiscard]] bool is_variable(const std::string& upper) const { return !variables.empty() && variables.contains(upper); }
+    [[nodiscard]] bool is_variable(const std::string& upper) const {
+        return !variables.empty() && variables.contains(upper);
+    }
 };
 
 /// Complains once a line; the rest of the line is then left out.

@@ -22,8 +22,16 @@ bool line_has_jump(State& s) {
     return false;
 }
 
-void read_if(State& s, const char* from) {
+/// A condition; `=` behind it is the usual slip for `==`.
+ExprId read_condition(State& s) {
     const ExprId condition = read_expression(s);
+    if (condition == no_expr || !s.cursor.at_assignment()) return condition;
+    fail_here(s, "'=' assigns a value and cannot stand in a condition", "compare with '=='");
+    return no_expr;
+}
+
+void read_if(State& s, const char* from) {
+    const ExprId condition = read_condition(s);
     if (condition == no_expr) {
         if (line_has_jump(s)) return;
         keep_failure(s);
@@ -36,14 +44,14 @@ void read_if(State& s, const char* from) {
 }
 
 void read_while(State& s, const char* from) {
-    const ExprId condition = read_expression(s);
+    const ExprId condition = read_condition(s);
     if (condition != no_expr) return open_branch(s, StatementKind::while_, condition, from);
     keep_failure(s);
     open_broken(s, StatementKind::while_, from);
 }
 
 void read_until(State& s, const char* from) {
-    ExprId condition = read_expression(s);
+    ExprId condition = read_condition(s);
     if (condition == no_expr) {
         keep_failure(s);
         condition = add_boolean(s, true, from);

@@ -16,7 +16,7 @@ using program::ExprKind;
 using program::StatementKind;
 
 class TreeText {
-public:
+  public:
     TreeText(const program::Unit& unit, const program::Names& names) : u_(unit), names_(names) {}
 
     std::string statement(std::uint32_t i) const {
@@ -25,7 +25,7 @@ public:
         if ((s.flags & program::skip_mask) != 0) out += "/" + std::to_string((s.flags & program::skip_mask) - 1) + " ";
         out += head(s);
         for (std::uint32_t w = s.first + (s.kind == StatementKind::block ? 0 : 1); w < u_.words_end(i); ++w)
-            out += (out.empty() || out.back() == '+' ? "" : " ") + word(u_.words[w]);
+            out += (out.empty() || out.back() == '+' || out.back() == ' ' ? "" : " ") + word(u_.words[w]);
         return out;
     }
     std::string all() const {
@@ -53,10 +53,11 @@ public:
         return "?";
     }
 
-private:
+  private:
     static std::string op(std::uint8_t o) {
-        static constexpr std::array<const char*, 25> text{"neg", "pos", "not", "bnot", "+", "-", "*", "/", "div", "mod", "<<", "==", "<>",
-                                                          "<", "<=", ">", ">=", "and", "or", "xor", "band", "bor", "bxor", ":"};
+        static constexpr std::array<const char*, 25> text{"neg", "pos", "not", "bnot", "+",    "-",   "*",    "/",
+                                                          "div", "mod", "<<",  "==",   "<>",   "<",   "<=",   ">",
+                                                          ">=",  "and", "or",  "xor",  "band", "bor", "bxor", ":"};
         return text[o];
     }
     std::string list(const program::Expr& e, char open, char close, bool always = false) const {
@@ -95,16 +96,19 @@ private:
             case StatementKind::loop_: return branch("loop", at);
             case StatementKind::endloop: return branch("endloop", at);
             case StatementKind::for_:
-                return "for " + expr(u_.fors[at].variable) + "=" + expr(u_.fors[at].from) + ".." + expr(u_.fors[at].to) + target(u_.fors[at].target);
+                return "for " + expr(u_.fors[at].variable) + "=" + expr(u_.fors[at].from) + ".." +
+                       expr(u_.fors[at].to) + target(u_.fors[at].target);
             case StatementKind::endfor: return "endfor" + target(u_.fors[at].target);
             case StatementKind::case_: return choice(u_.cases[at]);
             case StatementKind::jump: return "jump " + jump(u_.jumps[at]);
             case StatementKind::repeat_section: return section(u_.sections[at]);
             case StatementKind::call: return call(u_.calls[at]);
             case StatementKind::procedure:
-                return "procedure " + std::to_string(static_cast<int>(u_.procedures[at].procedure)) + "(" + list(u_.procedures[at].arguments) + ")";
+                return "procedure " + std::to_string(static_cast<int>(u_.procedures[at].procedure)) + "(" +
+                       list(u_.procedures[at].arguments) + ")";
             case StatementKind::frame:
-                return std::string(u_.frames[at].additive ? "a" : "") + "frame " + std::to_string(static_cast<int>(u_.frames[at].op));
+                return std::string(u_.frames[at].additive ? "a" : "") + "frame " +
+                       std::to_string(static_cast<int>(u_.frames[at].op));
             case StatementKind::define: return define(u_.defines[at]);
             case StatementKind::return_: return "return";
             default: return "?";
@@ -116,7 +120,10 @@ private:
         return out;
     }
     std::string section(const program::Section& s) const {
-        return std::string("section ") + names_.text(s.first) + (s.to_here ? " here" : s.one_block ? " block" : " " + names_.text(s.last)) +
+        return std::string("section ") + names_.text(s.first) +
+               (s.to_here     ? " here"
+                : s.one_block ? " block"
+                              : " " + names_.text(s.last)) +
                (s.passes == program::no_expr ? "" : " x" + expr(s.passes));
     }
     std::string call(const program::Call& c) const {
@@ -128,7 +135,8 @@ private:
         return out + (c.passes == program::no_expr ? "" : " x" + expr(c.passes));
     }
     std::string define(const program::Define& d) const {
-        std::string out = std::string("define ") + (d.global ? "global " : "") + std::to_string(static_cast<int>(d.type));
+        std::string out =
+            std::string("define ") + (d.global ? "global " : "") + std::to_string(static_cast<int>(d.type));
         if (d.string_length != program::no_expr) out += "[" + expr(d.string_length) + "]";
         for (const auto& v : d.variables) {
             out += " " + names_.text(v.name);
@@ -141,12 +149,15 @@ private:
     }
     std::string named(const program::Word& w) const {
         const auto& n = u_.named[static_cast<std::size_t>(w.payload)];
-        return names_.text(n.name) + (n.index == program::no_expr ? "" : "[" + expr(n.index) + "]") + "=" + expr(n.value);
+        return names_.text(n.name) + (n.index == program::no_expr ? "" : "[" + expr(n.index) + "]") + "=" +
+               expr(n.value);
     }
     std::string word(const program::Word& w) const {
         static constexpr std::array<const char*, 48> text{
-            "X", "Y", "Z", "A", "B", "C", "U", "V", "W", "axis", "I", "J", "K", "I1", "J1", "K1", "CR", "AR", "TURN", "AP", "RP", "F", "S", "LIMS", "T", "D",
-            "SPOS", "M", "H", "value", "CHF", "CHR", "RND", "RNDM", "FRC", "FRCM", "ANG", "RPL", "modal", "assign", "unsupported", "unknown", "control"};
+            "X",    "Y",    "Z",    "A",   "B",    "C",     "U",      "V",           "W",       "axis",   "I",
+            "J",    "K",    "I1",   "J1",  "K1",   "CR",    "AR",     "TURN",        "AP",      "RP",     "F",
+            "S",    "LIMS", "T",    "D",   "SPOS", "M",     "H",      "value",       "CHF",     "CHR",    "RND",
+            "RNDM", "FRC",  "FRCM", "ANG", "RPL",  "modal", "assign", "unsupported", "unknown", "control"};
         const auto at = static_cast<std::size_t>(w.payload);
         switch (program::code_of(w)) {
             case Code::modal:
@@ -154,7 +165,8 @@ private:
                        (program::modal_number(w) != 0 ? "." + std::to_string(program::modal_number(w)) : "");
             case Code::assign: return expr(u_.assigns[at].target) + "=" + expr(u_.assigns[at].value);
             case Code::unsupported:
-            case Code::unknown: return std::string(text[w.code]) + "{" + u_.problems[at].text + "|" + u_.problems[at].reason + "}";
+            case Code::unknown:
+                return std::string(text[w.code]) + "{" + u_.problems[at].text + "|" + u_.problems[at].reason + "}";
             case Code::named_axis:
             case Code::named_value: return std::string(text[w.code]) + " " + named(w);
             default: break;

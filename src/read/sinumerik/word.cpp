@@ -32,7 +32,8 @@ void add_named(State& s, Code code, std::string_view name, ExprId index, ExprId 
 }
 
 void read_g(State& s, const Number& n, bool negative, const char* from) {
-    if (negative || !n.plain || n.decimals != 0 || n.mantissa > 9999) return add_problem(s, Code::unknown, from, "no such G function");
+    if (negative || !n.plain || n.decimals != 0 || n.mantissa > 9999)
+        return add_problem(s, Code::unknown, from, "no such G function");
     const auto g = words::find_g(static_cast<int>(n.mantissa));
     if (!g) return add_problem(s, Code::unknown, from, "no such G function");
     switch (g->use) {
@@ -66,6 +67,12 @@ void read_extended(State& s, char letter, const Number& number, const char* from
     if (letter == 'R') {
         c.p = from;
         return read_assignment(s);
+    }
+    const auto* entry = words::find_word(base::to_upper(name));  // A3=, B3=, C3=: orientation, no axes
+    if (entry != nullptr && entry->use == words::Use::unsupported) {
+        skip_operand(s);
+        if (!s.failed) add_problem(s, Code::unsupported, from, entry->reason);
+        return;
     }
     if (number.value == 1 && centre.find(letter) != std::string_view::npos)
         return read_value(s, letter == 'I' ? Code::i1 : letter == 'J' ? Code::j1 : Code::k1, from);
@@ -111,7 +118,7 @@ void read_literal(State& s, char letter, const char* from) {
     if (s.failed) return;
     if (!n.found) return fail_here(s, std::string("expected a number behind ") + letter + ", found " + here(s));
     const char* behind = c.p;
-    if (n.integer && !is_signed) {
+    if (n.integer && !is_signed && digits == from + 1) {
         if (c.at_assignment()) return read_extended(s, letter, n, from);
         c.skip_blanks();
         if (c.peek() == '[') {
@@ -124,7 +131,9 @@ void read_literal(State& s, char letter, const char* from) {
     if (letter == 'G') return read_g(s, n, negative, from);
     if (letter == 'L' && n.integer && !is_signed && digits == from + 1) return read_call(s, from, behind);
     const Code code = words::address_code(letter);
-    if (code == Code::unknown) return add_problem(s, Code::unknown, from, letter == 'N' ? "a block number stands only at the begin of a block" : "");
+    if (code == Code::unknown)
+        return add_problem(s, Code::unknown, from,
+                           letter == 'N' ? "a block number stands only at the begin of a block" : "");
     add_literal(s, code, n, negative, from);
 }
 
@@ -225,7 +234,8 @@ void read_table_word(State& s, const words::Entry& entry, std::size_t length) {
     const char* name_end = c.p;
     switch (entry.use) {
         case words::Use::modal:
-            return add_word(s, Code::modal, Form::index, program::modal_word(static_cast<program::Modal>(entry.value)), from);
+            return add_word(s, Code::modal, Form::index, program::modal_word(static_cast<program::Modal>(entry.value)),
+                            from);
         case words::Use::ignored:
             skip_operand(s);
             if (!s.failed) add_ignored(s, from, name_end);
