@@ -18,9 +18,9 @@ namespace {
 using nlohmann::json;
 
 const std::string expected_folder = OBRYS_SOURCE_DIR "/../shared/programs/groove/expected/";
-constexpr double depth_tolerance = 0.1;   ///< mm, of the sampled model
-constexpr double area_tolerance = 0.01;   ///< of the area
-constexpr double half_cell = 0.005;       ///< mm the edge of a cut may be off in the sampled model, times its depth
+constexpr double depth_tolerance = 0.1;  ///< mm, of the sampled model
+constexpr double area_tolerance = 0.01;  ///< of the area
+constexpr double half_cell = 0.005;      ///< mm the edge of a cut may be off in the sampled model, times its depth
 
 struct Case {
     json expected;
@@ -30,8 +30,10 @@ struct Case {
 std::vector<std::string> split(const std::string& line) {
     std::vector<std::string> out(1);
     for (const char c : line) {
-        if (c == ',') out.emplace_back();
-        else out.back() += c;
+        if (c == ',')
+            out.emplace_back();
+        else
+            out.back() += c;
     }
     return out;
 }
@@ -99,9 +101,11 @@ void expect_events(const Case& c) {
         lines_with_event.insert(e["line"].get<std::uint32_t>());
         const std::string what = "move " + std::to_string(i);
         const double gouge = e["final_area_mm2"], rough = e["rough_area_mm2"], rapid = e["rapid_area_mm2"];
-        if (gouge > 1e-3) expect_amounts(find(c.result, base::codes::gouge, i), e["below_final_contour_mm"], gouge, what + " gouge");
+        if (gouge > 1e-3)
+            expect_amounts(find(c.result, base::codes::gouge, i), e["below_final_contour_mm"], gouge, what + " gouge");
         if (rough > gouge + 0.01)
-            expect_amounts(find(c.result, base::codes::allowance_cut, i), e["below_rough_contour_mm"], rough, what + " allowance");
+            expect_amounts(find(c.result, base::codes::allowance_cut, i), e["below_rough_contour_mm"], rough,
+                           what + " allowance");
         if (rapid > 1e-3)
             expect_amounts(find(c.result, base::codes::rapid_in_stock, i), e["rapid_depth_mm"], rapid, what + " rapid");
     }

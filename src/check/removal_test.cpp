@@ -95,7 +95,8 @@ TEST(Removal, TheStartPositionIsAnAssumption) {
     const Result r = run.ready().whole_groove().finish();
     EXPECT_EQ(r.verdict, Verdict::clean);
     ASSERT_EQ(r.assumptions.size(), 1u);
-    EXPECT_NE(r.assumptions[0].text.find("first 1 rapid move was not simulated"), std::string::npos) << r.assumptions[0].text;
+    EXPECT_NE(r.assumptions[0].text.find("first 1 rapid move was not simulated"), std::string::npos)
+        << r.assumptions[0].text;
 }
 
 TEST(Removal, APositionLostOnTheWayIsNotSimulated) {
