@@ -1,0 +1,110 @@
+#include "sim/turning/turning.hpp"
+
+#include <gtest/gtest.h>
+#include <rapidcheck/gtest.h>
+
+#include <fstream>
+#include <sstream>
+
+#include "geom/boolean.hpp"
+#include "geom/random_contours_testing.hpp"
+
+namespace obrys::sim::turning {
+namespace {
+
+using geom::Contour;
+using geom::Region;
+
+Contour rectangle(double z0, double x0, double z1, double x1) {
+    return {{{{z0, x0}}, {{z1, x0}}, {{z1, x1}}, {{z0, x1}}}, true};
+}
+Move straight(double z0, double x0, double z1, double x1) { return {{z0, x0}, {z1, x1}, {}, 0}; }
+
+TEST(Turning, PlungeTakesTheBladesWidth) {
+    Workpiece w({{rectangle(0, 0, 100, 50)}});
+    const Cut c = w.cut(rectangle(0, 0, 3, 400), straight(20, 60, 20, 40));
+    EXPECT_NEAR(c.area, 30, 1e-9);
+    EXPECT_NEAR(c.volume, geom::pi * (2500 - 1600) * 3, 1e-6);
+    EXPECT_NEAR(c.depth_x, 10, 1e-9);
+    EXPECT_NEAR(c.contact_length, 3, 1e-6);
+    EXPECT_NEAR(w.area(), 4970, 1e-9);
+    EXPECT_EQ(w.cut(rectangle(0, 0, 3, 400), straight(20, 60, 20, 40)).area, 0);
+}
+
+TEST(Turning, PartingOffLeavesTwoPieces) {
+    Workpiece w({{rectangle(0, 0, 100, 50)}});
+    w.cut(rectangle(0, 0, 3, 400), straight(60, 60, 60, -1));
+    EXPECT_EQ(geom::pieces(w.region()).size(), 2U);
+    EXPECT_NEAR(w.area(), 4850, 1e-9);
+}
+
+TEST(Turning, ArcMoveOfASquareToolCutsAnArc) {
+    // The lower left corner runs a quarter circle of radius 10 about (50, 50), from (40, 50) to (50, 40).
+    Workpiece w({{rectangle(0, 0, 50, 50)}});
+    const Cut c = w.cut(rectangle(0, 0, 100, 100), {{40, 50}, {50, 40}, {50, 50}, geom::pi / 2});
+    EXPECT_NEAR(c.area, geom::pi * 25, 1e-9);
+}
+
+TEST(Turning, RoundToolAlongAnArcLeavesConcentricArcs) {
+    const Contour nose{{{{-1, 0}, 1}, {{1, 0}, 1}}, true};
+    Workpiece w({{rectangle(-50, 0, 50, 50)}});
+    const Cut c = w.cut(nose, {{-10, 20}, {10, 20}, {0, 20}, geom::pi});
+    EXPECT_NEAR(c.area, geom::pi * (121 - 81) / 2 + geom::pi, 1e-8);
+}
+
+void replay(const std::string& name) {
+    std::ifstream file(std::string(OBRYS_SOURCE_DIR) + "/../shared/programs/groove/expected/" + name);
+    if (!file) GTEST_SKIP() << "needs ../shared";
+    Workpiece w({{{{{{0, 0}}, {{300, 0}}, {{300, 226}}, {{0, 106}}}, true}}});
+    const Contour blade = rectangle(0, 0, 3, 400);
+    const double start = w.area();
+    double total = 0, expected_total = 0;
+    int coarse = 0;
+    std::string line;
+    std::optional<geom::Vec2> at;
+    while (std::getline(file, line)) {
+        std::vector<std::string> field;
+        std::stringstream s(line);
+        for (std::string f; std::getline(s, f, ',');) field.push_back(f);
+        if (field.size() < 8 || field[5].empty() || field[6].empty() || field[0] == "i") continue;
+        const geom::Vec2 to{std::stod(field[6]), std::stod(field[5])};
+        if (at && !field[7].empty()) {
+            const double expected = std::stod(field[7]);
+            const Cut c = w.cut(blade, {*at, to, {}, 0});
+            const double got = c.area;
+            // The sampled oracle places a wall to one column of its 0.01 mm cells, as high as the cut is deep.
+            const double column = 0.01 * c.depth_x;
+            EXPECT_NEAR(got, expected, std::max({0.02, 0.01 * expected, column})) << name << ' ' << line;
+            if (std::abs(got - expected) > std::max(0.02, 0.01 * expected)) ++coarse;
+            total += got;
+            expected_total += expected;
+        }
+        at = to;
+    }
+    EXPECT_GT(total, 1000);
+    EXPECT_NEAR(total, expected_total, 0.001 * expected_total);
+    EXPECT_NEAR(w.area(), start - total, 1e-6);
+    EXPECT_LE(coarse, 6);
+    ::testing::Test::RecordProperty("area_mm2", std::to_string(total));
+}
+TEST(TurningGroove, ReplaysThePublishedProgram) { replay("kod1_moves.csv"); }
+TEST(TurningGroove, ReplaysTheFaultyVariant) { replay("both_R3_80_moves.csv"); }
+
+RC_GTEST_PROP(TurningProperty, StockBeforeIsStockAfterAndRemoved, ()) {
+    Workpiece w(*geom::testing::lattice_region(12, 10));
+    const Contour tool = *rc::gen::element(rectangle(0, 0, 1, 3), Contour{{{{0, 0}, 1}, {{2, 0}, 1}}, true},
+                                           Contour{{{{0, 0}}, {{2, 1}}, {{1, 3}}}, true});
+    for (int k = 0; k < 20; ++k) {
+        const double jitter = *rc::gen::element(0.0, 0.0, 1e-12, 1e-10, 1e-9, 3e-9, 1e-7);
+        const double before = w.area();
+        const auto lattice = [] { return static_cast<double>(*rc::gen::inRange(0, 12)); };
+        const Move m = straight(lattice() + jitter, lattice(), lattice(), lattice() - jitter);
+        const Cut c = w.cut(tool, m);
+        RC_ASSERT(std::abs(before - w.area() - c.area) < 1e-6);
+        RC_ASSERT(w.area() <= before + 1e-7);
+        RC_ASSERT(w.cut(tool, m).area < 1e-6);
+    }
+}
+
+}  // namespace
+}  // namespace obrys::sim::turning
