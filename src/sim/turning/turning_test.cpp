@@ -52,6 +52,47 @@ TEST(Turning, RoundToolAlongAnArcLeavesConcentricArcs) {
     EXPECT_NEAR(c.area, geom::pi * (121 - 81) / 2 + geom::pi, 1e-8);
 }
 
+TEST(Depth, OfABladeInTheFlankOfAGroove) {
+    // Flank from (0, 10) up to (10, 20); a 3 mm blade stands with its lower right corner at (3, 5) in the body below it.
+    const Region kept{{{{{{0, 0}}, {{10, 0}}, {{10, 20}}, {{0, 10}}}, true}}};
+    const auto d = depth_inside({{rectangle(2, 11, 5, 40)}}, kept, 1e-4);
+    ASSERT_TRUE(d);
+    EXPECT_NEAR(d->area, 0.5 * (1 + 4) * 3, 1e-9);
+    EXPECT_NEAR(d->along_x, 4, 1e-6);
+    EXPECT_NEAR(d->normal, 4 / std::sqrt(2.0), 1e-3);
+    EXPECT_NEAR(d->deepest.x, 5, 1e-9);
+    EXPECT_NEAR(d->deepest.y, 11, 1e-9);
+    EXPECT_FALSE(depth_inside({{rectangle(2, 15, 5, 40)}}, kept, 1e-4));
+    EXPECT_FALSE(depth_inside({{rectangle(2, 14.9999, 5, 40)}}, kept, 1e-3));
+}
+
+TEST(Depth, OfAThroughCutTheAxisIsNoContour) {
+    const Region kept{{rectangle(0, 0, 100, 20)}};
+    const auto d = depth_inside({{rectangle(50, -1, 53, 30)}}, kept, 1e-4);
+    ASSERT_TRUE(d);
+    EXPECT_NEAR(d->normal, 20, 1e-3);
+    EXPECT_NEAR(d->along_x, 20, 1e-6);
+    EXPECT_NEAR(d->volume, geom::pi * 400 * 3, 1e-6);
+}
+
+TEST(Depth, InsideATubeIsHalfItsWall) {
+    const Region kept{{rectangle(0, 10, 100, 20)}};
+    const auto d = depth_inside(kept, kept, 1e-4);
+    ASSERT_TRUE(d);
+    EXPECT_NEAR(d->normal, 5, 1e-3);
+    EXPECT_NEAR(d->along_x, 5, 1e-6);
+}
+
+TEST(Depth, PiecesLeftAboveThePart) {
+    const Region wanted{{rectangle(0, 0, 100, 20)}};
+    const Region left = geom::unite(wanted, geom::unite({{rectangle(10, 20, 20, 22)}}, {{rectangle(50, 20, 60, 20.001)}}));
+    const auto pieces = pieces_outside(left, wanted, 0.01);
+    ASSERT_EQ(pieces.size(), 1U);
+    EXPECT_NEAR(pieces[0].area, 20, 1e-9);
+    EXPECT_NEAR(pieces[0].normal, 2, 1e-3);
+    EXPECT_NEAR(pieces[0].along_x, 2, 1e-6);
+}
+
 void replay(const std::string& name) {
     std::ifstream file(std::string(OBRYS_SOURCE_DIR) + "/../shared/programs/groove/expected/" + name);
     if (!file) GTEST_SKIP() << "needs ../shared";
