@@ -17,8 +17,14 @@ inline geom::Region polygon(std::vector<geom::Vec2> points) {
 
 /// A bar of radius 20 with a groove of this half-width round Z 35, down to `bottom`.
 inline geom::Region grooved(double half_width, double bottom) {
-    return polygon({{0, 0}, {100, 0}, {100, 20}, {35 + half_width, 20}, {35 + half_width, bottom},
-                    {35 - half_width, bottom}, {35 - half_width, 20}, {0, 20}});
+    return polygon({{0, 0},
+                    {100, 0},
+                    {100, 20},
+                    {35 + half_width, 20},
+                    {35 + half_width, bottom},
+                    {35 - half_width, bottom},
+                    {35 - half_width, 20},
+                    {0, 20}});
 }
 
 inline Setup setup() {

@@ -13,7 +13,10 @@ namespace obrys::check {
 
 struct Check::State {
     State(Setup s, const cl::CallStacks& stacks)
-        : setup(std::move(s)), out(stacks, setup.findings_per_code), limits(setup.machine, out), removal(setup, out),
+        : setup(std::move(s)),
+          out(stacks, setup.findings_per_code),
+          limits(setup.machine, out),
+          removal(setup, out),
           trace(setup.keep_moves) {}
 
     void move(const cl::Record& record);

@@ -16,17 +16,17 @@
 
 namespace obrys::check {
 
-/// What the program is held to. Regions lie in the (z, x) plane, x a radius, mm, closed to the axis where they have to be.
+/// What the program is held to. Regions lie in the (z, x) plane, x a radius, mm, and are closed to the axis.
 struct Setup {
     shop::Machine machine;
     std::vector<shop::Tool> tools;
-    bool tools_given = false;                  ///< a tool list was given, even an empty one
+    bool tools_given = false;  ///< a tool list was given, even an empty one
     std::optional<geom::Region> stock;
-    std::optional<geom::Region> part;          ///< finished part
-    std::optional<geom::Region> allowance;     ///< what this program must leave: the part and the allowance on it
+    std::optional<geom::Region> part;       ///< finished part
+    std::optional<geom::Region> allowance;  ///< what this program must leave: the part and the allowance on it
     shop::Tolerances tolerances;
-    std::size_t keep_moves = 0;                ///< how many moves Result::moves keeps, for pictures
-    std::size_t findings_per_code = 1000;      ///< the others are counted only
+    std::size_t keep_moves = 0;            ///< how many moves Result::moves keeps, for pictures
+    std::size_t findings_per_code = 1000;  ///< the others are counted only
 };
 
 class Check {

@@ -37,7 +37,8 @@ std::pair<double, double> arc_range(geom::Vec3 from, const cl::Arc& arc, std::si
 
 std::pair<double, double> range(const Move& move, std::size_t i) {
     const auto* arc = std::get_if<cl::Arc>(&move.record.step);
-    if (arc != nullptr && geom::is_finite(move.from) && geom::is_finite(arc->centre)) return arc_range(move.from, *arc, i);
+    if (arc != nullptr && geom::is_finite(move.from) && geom::is_finite(arc->centre))
+        return arc_range(move.from, *arc, i);
     const double a = coordinate(move.from, i), b = coordinate(move.to, i);
     return {std::fmin(a, b), std::fmax(a, b)};  // one unknown end leaves the other
 }
@@ -104,10 +105,12 @@ void Limits::check_travel(const Move& move) {
         if (std::isnan(low)) continue;
         const double over = std::max(excess(t, i, low, high), 0.0);
         const bool absolute = std::isfinite(coordinate(datum_.origin, i));
-        if (!travel_noted_) out_.assumption("travel is judged at the programmed point: tool lengths are not in the stream");
+        if (!travel_noted_)
+            out_.assumption("travel is judged at the programmed point: tool lengths are not in the stream");
         travel_noted_ = true;
         if (!absolute && t.axis->min && t.axis->max)
-            out_.assumption("zero offset of axis " + t.axis->name + " is not known: only the length of its way was held to its travel");
+            out_.assumption("zero offset of axis " + t.axis->name +
+                            " is not known: only the length of its way was held to its travel");
         if (over > travel_tolerance && over > t.worst) {
             text += (text.empty() ? "" : "; ") + ("axis " + t.axis->name) +
                     (absolute ? " goes " + mm(over) + " outside its travel"
@@ -125,8 +128,8 @@ void Limits::check_travel(const Move& move) {
 void Limits::take(const cl::Record& record, const cl::Spindle& spindle) {
     stopped_reported_ = stopped_reported_ && spindle.direction == 0;
     feed_limit_reported_ = feed_limit_reported_ && spindle == spindle_;
-    const bool changed = spindle_.speed != spindle.speed || spindle_.mode != spindle.mode || spindle_.limit != spindle.limit ||
-                         (spindle_.direction == 0) != (spindle.direction == 0);
+    const bool changed = spindle_.speed != spindle.speed || spindle_.mode != spindle.mode ||
+                         spindle_.limit != spindle.limit || (spindle_.direction == 0) != (spindle.direction == 0);
     spindle_ = spindle;
     if (!changed || spindle.direction == 0) return;
     const bool surface = spindle.mode == cl::SpindleMode::surface;
@@ -134,9 +137,10 @@ void Limits::take(const cl::Record& record, const cl::Spindle& spindle) {
     const double low = machine_.spindle.min, high = machine_.spindle.max;
     if (speed <= 0 || (speed <= high && (speed >= low || surface))) return;
     const bool above = speed > high;
-    Finding f = error(base::codes::spindle_limit,
-                      std::string(surface ? "speed limit " : "spindle speed ") + plain(speed) + " 1/min is " +
-                          (above ? "above the machine's " + plain(high) : "below the machine's " + plain(low)) + " 1/min");
+    Finding f =
+        error(base::codes::spindle_limit,
+              std::string(surface ? "speed limit " : "spindle speed ") + plain(speed) + " 1/min is " +
+                  (above ? "above the machine's " + plain(high) : "below the machine's " + plain(low)) + " 1/min");
     f.amounts = {{"speed_rpm", speed}, {"limit_rpm", above ? high : low}};
     out_.finding(record, std::move(f));
 }
@@ -185,9 +189,10 @@ void Limits::check_spindle(const Move& move, std::optional<bool> cuts) {
     const bool waits = feed_.mode == cl::FeedMode::per_rev && feed_.value > 0;
     if (!stands || stopped_reported_ || !(waits || cuts.value_or(true))) return;
     stopped_reported_ = true;
-    Finding f = error(base::codes::spindle_stopped, waits ? "feed per revolution while the spindle stands: the axes would not move"
-                                                    : cuts ? "the tool cuts while the spindle stands"
-                                                           : "feed move while the spindle stands");
+    Finding f = error(base::codes::spindle_stopped,
+                      waits  ? "feed per revolution while the spindle stands: the axes would not move"
+                      : cuts ? "the tool cuts while the spindle stands"
+                             : "feed move while the spindle stands");
     f.remedy = "start the spindle with M3 or M4 and a speed S";
     out_.finding(move, std::move(f));
 }

@@ -22,9 +22,9 @@ public:
 
 private:
     struct Travel {
-        const shop::MachineAxis* axis = nullptr;   ///< nothing known about it
-        double low = INFINITY, high = -INFINITY;   ///< reached since the zero is what it is, workpiece frame
-        double worst = 0;                          ///< mm outside, reported last; 0 while inside
+        const shop::MachineAxis* axis = nullptr;  ///< nothing known about it
+        double low = INFINITY, high = -INFINITY;  ///< reached since the zero is what it is, workpiece frame
+        double worst = 0;                         ///< mm outside, reported last; 0 while inside
     };
 
     void check_travel(const Move& move);
@@ -36,7 +36,7 @@ private:
     const shop::Machine& machine_;
     Collector& out_;
     std::array<Travel, 3> travel_;
-    std::map<std::string, double> other_worst_;    ///< of additional axes
+    std::map<std::string, double> other_worst_;  ///< of additional axes
     cl::Datum datum_{0, {NAN, NAN, NAN}};
     cl::Feed feed_;
     cl::Spindle spindle_;

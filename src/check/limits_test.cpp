@@ -91,10 +91,10 @@ TEST(Limits, SpindleSpeeds) {
 TEST(Limits, FeedsMissingTooHighAndWithoutSpindle) {
     Script run(machine());
     run.step(cl::ToolChange{5, 1, ""}).step(cl::Spindle{2000, cl::SpindleMode::rpm, 1, 0}).rapid(10, 50);
-    run.feed(20, 50).feed(30, 50);                                       // said once
+    run.feed(20, 50).feed(30, 50);  // said once
     run.step(cl::Feed{4001, cl::FeedMode::per_minute}).feed(20, 50).feed(30, 50);
-    run.step(cl::Feed{2, cl::FeedMode::per_rev}).feed(20, 50);            // 4000 mm/min: at the limit
-    run.step(cl::Feed{2.5, cl::FeedMode::per_rev}).feed(30, 50);          // 5000
+    run.step(cl::Feed{2, cl::FeedMode::per_rev}).feed(20, 50);    // 4000 mm/min: at the limit
+    run.step(cl::Feed{2.5, cl::FeedMode::per_rev}).feed(30, 50);  // 5000
     run.step(cl::Spindle{0, cl::SpindleMode::rpm, 0, 0}).feed(20, 50).feed(30, 50);
     const Result r = run.finish();
     EXPECT_EQ(codes(r), (Codes{"feed-missing@1", "feed-limit@3", "feed-limit@6", "spindle-stopped@7"}));

@@ -25,18 +25,26 @@ void merge(Result& result, const base::Diagnostics& diagnostics) {
     for (const base::Diagnostic& d : diagnostics.all()) {
         switch (base::kind_of(d.code)) {
             case base::CodeKind::finding:
-                findings.push_back({d.code, d.severity, d.text, d.remedy, d.where, d.stack, d.related, {}, {}, {}, {}, {}, {}});
+                findings.push_back(
+                    {d.code, d.severity, d.text, d.remedy, d.where, d.stack, d.related, {}, {}, {}, {}, {}, {}});
                 break;
             case base::CodeKind::unchecked:
-            case base::CodeKind::input: add(result.unchecked, d, true); break;
+            case base::CodeKind::input:
+                add(result.unchecked, d, true);
+                break;
             case base::CodeKind::info:
                 add(d.code == base::codes::assumption ? result.assumptions : result.listed, d, false);
                 break;
         }
     }
     if (diagnostics.dropped() > 0)
-        result.unchecked.push_back({base::codes::budget, std::to_string(diagnostics.dropped()) +
-                                    " further complaints of the kinds listed are not shown one by one", "", nowhere, {}, 1});
+        result.unchecked.push_back(
+            {base::codes::budget,
+             std::to_string(diagnostics.dropped()) + " further complaints of the kinds listed are not shown one by one",
+             "",
+             nowhere,
+             {},
+             1});
     result.findings.insert(result.findings.begin(), findings.begin(), findings.end());
     result.verdict = verdict_of(result);
 }

@@ -18,8 +18,10 @@ geom::Vec3 way(const cl::Datum& from, const cl::Datum& to) {
 }  // namespace
 
 void Position::take(const cl::Datum& datum) {
-    if (datum_set_) here_ = here_ - way(datum_, datum);
-    else here_ = {NAN, NAN, NAN};
+    if (datum_set_)
+        here_ = here_ - way(datum_, datum);
+    else
+        here_ = {NAN, NAN, NAN};
     datum_ = datum;
     // The machine frame is no place for a stock: the frame stays open until an offset is in force.
     if (!fixed_ && datum.number != 0) {

@@ -12,7 +12,7 @@ public:
     /// The tool has moved to a point of the frame in force.
     void move_to(geom::Vec3 to);
 
-    [[nodiscard]] geom::Vec3 here() const { return here_; }                ///< in the frame in force
+    [[nodiscard]] geom::Vec3 here() const { return here_; }  ///< in the frame in force
     /// From the frame in force to the stock's frame; NaN where the offsets are not known.
     [[nodiscard]] geom::Vec3 to_stock() const { return shift_; }
 

@@ -14,8 +14,8 @@ namespace {
 using sim::turning::Cut;
 using sim::turning::Depth;
 
-constexpr double beyond_gouge = 1e-6;     ///< mm2 an allowance cut must have besides the gouge to be told apart
-constexpr double in_plane = 1 - 1e-9;     ///< least |y| of the normal of an arc in the turning plane
+constexpr double beyond_gouge = 1e-6;  ///< mm2 an allowance cut must have besides the gouge to be told apart
+constexpr double in_plane = 1 - 1e-9;  ///< least |y| of the normal of an arc in the turning plane
 
 bool known(geom::Vec3 p) { return std::isfinite(p.x) && std::isfinite(p.z); }
 
@@ -48,10 +48,10 @@ Finding into(const Depth& d, bool part) {
     f.code = part ? base::codes::gouge : base::codes::allowance_cut;
     f.severity = part ? base::Severity::error : base::Severity::warning;
     f.text = std::string(part ? "cuts into the finished part" : "cuts into the allowance that must stay") + ": " +
-             mm(d.along_x) + " deep along X, " + mm(d.normal) + " normal to the contour, " + mm2(d.area) + ", deepest at " +
-             point(d.deepest);
-    f.amounts = {{"depth_mm", d.normal}, {"depth_x_mm", d.along_x}, {"area_mm2", d.area}, {"volume_mm3", d.volume},
-                 {"z_mm", d.deepest.x}, {"x_mm", d.deepest.y}};
+             mm(d.along_x) + " deep along X, " + mm(d.normal) + " normal to the contour, " + mm2(d.area) +
+             ", deepest at " + point(d.deepest);
+    f.amounts = {{"depth_mm", d.normal},   {"depth_x_mm", d.along_x}, {"area_mm2", d.area},
+                 {"volume_mm3", d.volume}, {"z_mm", d.deepest.x},     {"x_mm", d.deepest.y}};
     f.region = d.region;
     f.at = d.deepest;
     return f;
@@ -92,7 +92,9 @@ void Removal::first_use(const Move& move) {
     uses.push_back({tool.number, tool.edge, tool.name, listed, move.record.from, move.record.from, 0, 0, 0, 0});
     use_ = static_cast<std::uint32_t>(uses.size());
     if (tool_ != nullptr) return;
-    if (!setup_.tools_given) return out_.unchecked(selected_, "no tool list is given: tools are not checked", "name the tools in a job file");
+    if (!setup_.tools_given)
+        return out_.unchecked(selected_, "no tool list is given: tools are not checked",
+                              "name the tools in a job file");
     Finding f;
     f.code = base::codes::tool_missing;
     f.text = tool_name(tool) + " is not in the tool list";
@@ -112,7 +114,8 @@ std::optional<std::string> Removal::obstacle(const Move& move) const {
     if (std::holds_alternative<cl::Thread>(move.record.step)) return "thread cutting: removal not simulated";
     if (!known(move.from) || !known(move.to)) return "position not known: removal not simulated";
     const auto* arc = std::get_if<cl::Arc>(&move.record.step);
-    if (arc != nullptr && !(std::abs(arc->normal.y) >= in_plane)) return "arc outside the turning plane: removal not simulated";
+    if (arc != nullptr && !(std::abs(arc->normal.y) >= in_plane))
+        return "arc outside the turning plane: removal not simulated";
     if (std::abs(move.to.y) > 1e-6 || std::abs(move.from.y) > 1e-6) return "Y is not 0: removal not simulated";
     return std::nullopt;
 }
@@ -171,7 +174,9 @@ void Removal::judge(const Move& move, const Cut& cut) {
         Finding f;
         f.code = base::codes::rapid_in_stock;
         f.text = "rapid move goes through the stock: " + mm(cut.depth_x) + " deep along X, " + mm2(cut.area);
-        f.amounts = {{"depth_x_mm", cut.depth_x}, {"area_mm2", cut.area}, {"volume_mm3", cut.volume},
+        f.amounts = {{"depth_x_mm", cut.depth_x},
+                     {"area_mm2", cut.area},
+                     {"volume_mm3", cut.volume},
                      {"contact_length_mm", cut.contact_length}};
         f.region = cut.removed;
         out_.finding(move, std::move(f));
@@ -181,7 +186,8 @@ void Removal::judge(const Move& move, const Cut& cut) {
     if (gouge) out_.finding(move, into(*gouge, true));
     if (!setup_.allowance) return;
     const auto allowance = sim::turning::depth_inside(cut.removed, *setup_.allowance, setup_.tolerances.gouge);
-    if (allowance && allowance->area > (gouge ? gouge->area : 0) + beyond_gouge) out_.finding(move, into(*allowance, false));
+    if (allowance && allowance->area > (gouge ? gouge->area : 0) + beyond_gouge)
+        out_.finding(move, into(*allowance, false));
 }
 
 void Removal::count_use(const Move& move, const Removed& removed) {
@@ -210,7 +216,8 @@ void Removal::finish(const cl::Record& end) {
     result.after = StockFigures{work_->area(), work_->volume()};
     result.stock_after = work_->region();
     if (!setup_.part && !setup_.allowance)
-        out_.unchecked("no part contour: gouges and rest material not checked", "give the finished contour in the job file");
+        out_.unchecked("no part contour: gouges and rest material not checked",
+                       "give the finished contour in the job file");
     else if (complete_)
         find_rest(setup_, result.stock_after, last_cuts_, end, out_);
     else

@@ -11,8 +11,8 @@ namespace obrys::check {
 
 /// What the removal made of a move.
 struct Removed {
-    bool simulated = false;          ///< computed, or proved to touch nothing
-    bool cuts = false;               ///< material was removed
+    bool simulated = false;  ///< computed, or proved to touch nothing
+    bool cuts = false;       ///< material was removed
     sim::turning::Cut cut;
 };
 
@@ -43,7 +43,7 @@ private:
     const shop::Tool* tool_ = nullptr;
     geom::Contour outline_;
     Box outline_box_;
-    cl::Record selected_;            ///< the last tool change
+    cl::Record selected_;  ///< the last tool change
     bool selected_any_ = false, changed_ = false, cut_without_tool_ = false;
     std::uint32_t use_ = 0;
     bool position_was_known_ = false;

@@ -95,7 +95,8 @@ TEST(Removal, TheStartPositionIsAnAssumption) {
     const Result r = run.ready().whole_groove().finish();
     EXPECT_EQ(r.verdict, Verdict::clean);
     ASSERT_EQ(r.assumptions.size(), 1u);
-    EXPECT_NE(r.assumptions[0].text.find("first 1 rapid move was not simulated"), std::string::npos) << r.assumptions[0].text;
+    EXPECT_NE(r.assumptions[0].text.find("first 1 rapid move was not simulated"), std::string::npos)
+        << r.assumptions[0].text;
 }
 
 TEST(Removal, APositionLostOnTheWayIsNotSimulated) {
@@ -171,6 +172,38 @@ TEST(Removal, AnotherZeroOffsetMovesTheTool) {
     Script other(s);
     other.step(cl::Datum{54, {0, 0, 100}}).ready().whole_groove().step(cl::Datum{55, {0, 0, 110}});
     EXPECT_EQ(codes(other.rapid(33.5, 25).feed(33.5, 15.5).rapid(33.5, 25).finish()), Codes{"gouge@11"});
+}
+
+/// Depth of what an arc from Z 40 to Z 60 about Z 50 X 25 removes from the bar.
+double arc_depth(geom::Vec3 normal, double sweep) {
+    check::Setup s = setup();
+    s.part = polygon({{0, 0}, {100, 0}, {100, 1}, {0, 1}});
+    s.allowance.reset();
+    s.keep_moves = 10;
+    Script run(s);
+    run.ready().rapid(40, 25).step(cl::Arc{{25, 0, 60}, {25, 0, 50}, normal, sweep});
+    const Result r = run.finish();
+    EXPECT_TRUE(r.unchecked.empty());
+    EXPECT_NEAR(r.moves.back().sweep, normal.y * sweep, 1e-15);
+    return r.moves.back().depth_x;
+}
+
+TEST(Removal, ArcsTurnTheRightWay) {
+    // Counter-clockwise in the (z, x) plane, about +y, the way from left to right leads below the centre.
+    EXPECT_NEAR(arc_depth({0, 1, 0}, geom::pi), 5, 1e-9);
+    EXPECT_NEAR(arc_depth({0, -1, 0}, -geom::pi), 5, 1e-9);
+    EXPECT_EQ(arc_depth({0, 1, 0}, -geom::pi), 0);
+}
+
+TEST(Removal, ArcsOutsideTheTurningPlaneAndThreadsAreNotSimulated) {
+    Script run(setup());
+    run.ready().rapid(40, 25).step(cl::Arc{{19, 0, 40}, {22, 0, 40}, {0, 0, 1}, geom::pi});
+    const Result r = run.finish();
+    ASSERT_FALSE(r.unchecked.empty());
+    EXPECT_EQ(r.unchecked[0].text, "arc outside the turning plane: removal not simulated");
+    Script thread(setup());
+    const Result t = thread.ready().rapid(40, 19.5).step(cl::Thread{{19.5, 0, 20}, 1.5, false}).finish();
+    EXPECT_EQ(t.unchecked.at(0).text, "thread cutting: removal not simulated");
 }
 
 TEST(Trace, KeepsMovesAndSnapshotsWithinTheBound) {

@@ -33,12 +33,12 @@ Finding rest_finding(const sim::turning::Depth& piece, bool allowance) {
     Finding f;
     f.code = base::codes::rest_material;
     f.severity = base::Severity::warning;
-    f.text = mm(piece.normal) + " of material is left outside the " + (allowance ? "allowance contour" : "part") + " at " +
-             point(piece.deepest) + ": from Z " + base::fixed(box.min_z, 3) + " to Z " + base::fixed(box.max_z, 3) +
-             ", " + mm2(piece.area);
-    f.amounts = {{"depth_mm", piece.normal}, {"depth_x_mm", piece.along_x}, {"area_mm2", piece.area},
-                 {"volume_mm3", piece.volume}, {"z_mm", piece.deepest.x}, {"x_mm", piece.deepest.y},
-                 {"z_from_mm", box.min_z}, {"z_to_mm", box.max_z}};
+    f.text = mm(piece.normal) + " of material is left outside the " + (allowance ? "allowance contour" : "part") +
+             " at " + point(piece.deepest) + ": from Z " + base::fixed(box.min_z, 3) + " to Z " +
+             base::fixed(box.max_z, 3) + ", " + mm2(piece.area);
+    f.amounts = {{"depth_mm", piece.normal},   {"depth_x_mm", piece.along_x}, {"area_mm2", piece.area},
+                 {"volume_mm3", piece.volume}, {"z_mm", piece.deepest.x},     {"x_mm", piece.deepest.y},
+                 {"z_from_mm", box.min_z},     {"z_to_mm", box.max_z}};
     f.region = piece.region;
     f.at = piece.deepest;
     return f;
@@ -85,7 +85,8 @@ std::size_t LastCuts::cell(double z) const {
 
 void LastCuts::add(const Move& move, const Box& removed) {
     if (removed.empty()) return;
-    const auto entry = std::make_shared<const Entry>(Entry{move.record.from, move.record.stack, move.index, move.from, move.to, removed});
+    const auto entry = std::make_shared<const Entry>(
+        Entry{move.record.from, move.record.stack, move.index, move.from, move.to, removed});
     for (std::size_t i = cell(removed.min_z); i <= cell(removed.max_z); ++i) last_[i] = entry;
 }
 
@@ -98,15 +99,15 @@ const LastCuts::Entry* LastCuts::beside(const Box& piece) const {
     return best;
 }
 
-void find_rest(const Setup& setup, const geom::Region& left, const LastCuts& cuts, const cl::Record& end, Collector& out) {
+void find_rest(const Setup& setup, const geom::Region& left, const LastCuts& cuts, const cl::Record& end,
+               Collector& out) {
     const geom::Region& wanted = setup.allowance ? *setup.allowance : *setup.part;
     const Box band = box_of(wanted), all = box_of(left);
     if (band.empty() || all.empty()) return;
     if (all.min_z < band.min_z - beside_margin || all.max_z > band.max_z + beside_margin)
         out.assumption("rest material is judged from Z " + base::fixed(band.min_z, 3) + " to Z " +
                        base::fixed(band.max_z, 3) + " mm, where the contour is given");
-    const auto pieces =
-        sim::turning::pieces_outside(within(left, band), wanted, setup.tolerances.rest_material);
+    const auto pieces = sim::turning::pieces_outside(within(left, band), wanted, setup.tolerances.rest_material);
     for (const sim::turning::Depth& piece : pieces) {
         Finding f = rest_finding(piece, setup.allowance.has_value());
         const LastCuts::Entry* last = cuts.beside(box_of(piece.region));

@@ -39,6 +39,7 @@ private:
 
 /// Adds one `rest-material` finding for every piece of `left` outside the wanted contour, placed at the last cut beside
 /// it or, where none is known, at the last record of the program.
-void find_rest(const Setup& setup, const geom::Region& left, const LastCuts& cuts, const cl::Record& end, Collector& out);
+void find_rest(const Setup& setup, const geom::Region& left, const LastCuts& cuts, const cl::Record& end,
+               Collector& out);
 
 }  // namespace obrys::check

@@ -1,5 +1,6 @@
 #pragma once
-/// What a check found: verdict, findings, what was not checked, what was assumed, figures. Plain values for the reports.
+/// What a check found: verdict, findings, what was not checked, what was assumed, figures. Plain values for the
+/// reports.
 
 #include <cstdint>
 #include <optional>
@@ -26,25 +27,26 @@ inline constexpr std::uint32_t no_file = 0xFFFFFFFF;
 inline constexpr base::Span nowhere{no_file, 0, 0};
 [[nodiscard]] inline bool is_placed(const base::Span& s) { return s.file != no_file; }
 
-/// A figure of a finding; the key ends with the unit: `depth_mm`, `area_mm2`, `speed_rpm`. All keys: docs/report-json.md.
+/// A figure of a finding; the key ends with the unit: `depth_mm`, `area_mm2`, `speed_rpm`. All keys:
+/// docs/report-json.md.
 struct Amount {
     std::string_view key;  ///< static storage
     double value = 0;
 };
 
 struct Finding {
-    std::string_view code;                 ///< one of base::codes
+    std::string_view code;  ///< one of base::codes
     base::Severity severity = base::Severity::error;
-    std::string text;                      ///< what is wrong, with figures and units
-    std::string remedy;                    ///< may be empty
+    std::string text;    ///< what is wrong, with figures and units
+    std::string remedy;  ///< may be empty
     base::Span where = nowhere;
-    std::vector<base::Span> stack;         ///< call sites, innermost first
+    std::vector<base::Span> stack;  ///< call sites, innermost first
     std::vector<base::Related> related;
-    std::optional<std::uint64_t> move;     ///< counts Linear, Arc and Thread from 0
-    std::optional<geom::Vec3> from, to;    ///< of that move; unknown coordinates are NaN
+    std::optional<std::uint64_t> move;   ///< counts Linear, Arc and Thread from 0
+    std::optional<geom::Vec3> from, to;  ///< of that move; unknown coordinates are NaN
     std::vector<Amount> amounts;
-    geom::Region region;                   ///< the material concerned, (z, x) plane; empty where there is none
-    std::optional<geom::Vec2> at;          ///< the worst point, (z, x)
+    geom::Region region;           ///< the material concerned, (z, x) plane; empty where there is none
+    std::optional<geom::Vec2> at;  ///< the worst point, (z, x)
 };
 
 /// Something that was not checked, was assumed, or is only listed.
@@ -54,7 +56,7 @@ struct Note {
     std::string remedy;
     base::Span where = nowhere;
     std::vector<base::Span> stack;
-    std::uint64_t times = 1;               ///< how often it came up; the place is the first one
+    std::uint64_t times = 1;  ///< how often it came up; the place is the first one
 };
 
 struct Stats {
@@ -71,7 +73,7 @@ struct StockFigures {
 struct ToolUse {
     std::uint32_t number = 0, edge = 0;
     std::string name;
-    std::optional<std::size_t> listed;     ///< index in Setup::tools
+    std::optional<std::size_t> listed;  ///< index in Setup::tools
     base::Span first = nowhere, last = nowhere;
     std::uint64_t moves = 0;
     double feed_length_mm = 0, rapid_length_mm = 0, volume_mm3 = 0;
@@ -79,12 +81,12 @@ struct ToolUse {
 
 /// One move as the pictures need it, in the (z, x) plane.
 struct MoveTrace {
-    geom::Vec2 from, to, centre;           ///< NaN where unknown
-    double sweep = 0;                      ///< radians, counter-clockwise positive; 0: straight
+    geom::Vec2 from, to, centre;  ///< NaN where unknown
+    double sweep = 0;             ///< radians, counter-clockwise positive; 0: straight
     bool rapid = false;
     base::Span where = nowhere;
     cl::StackId stack = 0;
-    std::uint32_t tool = 0;                ///< index in Result::tools + 1; 0: none
+    std::uint32_t tool = 0;  ///< index in Result::tools + 1; 0: none
     double area = 0, volume = 0, depth_x = 0, contact_length = 0;
     geom::Region removed;
 };
@@ -97,15 +99,15 @@ struct Snapshot {
 
 struct Result {
     Verdict verdict = Verdict::clean;
-    std::vector<Finding> findings;         ///< in the order in which they happen; rest material last
-    std::uint64_t findings_dropped = 0;    ///< past the limit per code: counted only
+    std::vector<Finding> findings;       ///< in the order in which they happen; rest material last
+    std::uint64_t findings_dropped = 0;  ///< past the limit per code: counted only
     std::vector<Note> unchecked, assumptions, listed;
     Stats stats;
     std::optional<StockFigures> before, after;
     geom::Region stock_after;
     std::vector<ToolUse> tools;
-    std::vector<MoveTrace> moves;          ///< the first Setup::keep_moves moves
-    std::vector<Snapshot> snapshots;       ///< of the kept moves, increasing
+    std::vector<MoveTrace> moves;     ///< the first Setup::keep_moves moves
+    std::vector<Snapshot> snapshots;  ///< of the kept moves, increasing
 };
 
 /// The verdict that follows from the lists: not fully checked wins.

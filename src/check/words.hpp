@@ -7,8 +7,8 @@
 
 namespace obrys::check {
 
-[[nodiscard]] std::string mm(double value);               ///< "9.475 mm"
-[[nodiscard]] std::string mm2(double value);              ///< "5.328 mm2"
+[[nodiscard]] std::string mm(double value);   ///< "9.475 mm"
+[[nodiscard]] std::string mm2(double value);  ///< "5.328 mm2"
 /// "Z 166.908 X 46.500 (radius)", a point of the (z, x) plane.
 [[nodiscard]] std::string point(geom::Vec2 p);
 /// A whole number where it is one, else three decimals.

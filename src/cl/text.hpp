@@ -32,7 +32,8 @@ private:
     std::string line_;
 };
 
-/// Reads a text, record by record. A line that cannot be read is a `syntax` diagnostic at its first wrong word and is left out.
+/// Reads a text, record by record. A line that cannot be read is a `syntax` diagnostic at its first wrong word and is
+/// left out.
 void read_text(const base::Sources& sources, std::uint32_t file, Sink sink, base::Diagnostics& diagnostics);
 [[nodiscard]] std::vector<Record> read_text(const base::Sources& sources, std::uint32_t file,
                                             base::Diagnostics& diagnostics);

@@ -290,7 +290,8 @@ void read_text(const base::Sources& sources, std::uint32_t file, Sink sink, base
         if (line.ends_with('\r')) line.remove_suffix(1);
         const bool empty = base::trim(line).empty() || line.starts_with(';');
         if (!empty && !header) {
-            if (line != text_header) return complain(begin, begin + line.size(), "expected the first line \"obrys-cl 1\"");
+            if (line != text_header)
+                return complain(begin, begin + line.size(), "expected the first line \"obrys-cl 1\"");
             header = true;
         } else if (!empty) {
             Words words(line);

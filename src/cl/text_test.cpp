@@ -17,9 +17,10 @@ std::vector<Record> read(std::string text, base::Diagnostics& diagnostics) {
 
 /// Any double: small decimals, any bits, NaN, infinities, zero.
 rc::Gen<double> any_number() {
-    return rc::gen::oneOf(rc::gen::map(rc::gen::inRange(-1'000'000, 1'000'000), [](int i) { return i / 1000.0; }),
-                          rc::gen::arbitrary<double>(),
-                          rc::gen::element<double>(NAN, INFINITY, -INFINITY, 0.0, 5e-324, 1.7976931348623157e308, 1e15));
+    return rc::gen::oneOf(
+        rc::gen::map(rc::gen::inRange(-1'000'000, 1'000'000), [](int i) { return i / 1000.0; }),
+        rc::gen::arbitrary<double>(),
+        rc::gen::element<double>(NAN, INFINITY, -INFINITY, 0.0, 5e-324, 1.7976931348623157e308, 1e15));
 }
 double number() { return *any_number(); }
 geom::Vec3 vec() {
@@ -30,32 +31,44 @@ std::string text() { return *rc::gen::container<std::string>(rc::gen::arbitrary<
 
 Step any_step(std::size_t kind) {
     switch (kind) {
-        case 0: return Linear{vec(), vec(), *rc::gen::arbitrary<bool>()};
-        case 1: return Arc{vec(), vec(), vec(), number()};
+        case 0:
+            return Linear{vec(), vec(), *rc::gen::arbitrary<bool>()};
+        case 1:
+            return Arc{vec(), vec(), vec(), number()};
         case 2: {
             Axis a{{}, number(), *rc::gen::arbitrary<bool>()};
             const std::string name = text();
             for (std::size_t i = 0; i < name.size() && i < a.name.size() && name[i] != 0; ++i) a.name[i] = name[i];
             return a;
         }
-        case 3: return Thread{vec(), number(), *rc::gen::arbitrary<bool>()};
-        case 4: return Dwell{number(), number()};
-        case 5: return Feed{number(), *rc::gen::element(FeedMode::per_minute, FeedMode::per_rev, FeedMode::inverse_time)};
+        case 3:
+            return Thread{vec(), number(), *rc::gen::arbitrary<bool>()};
+        case 4:
+            return Dwell{number(), number()};
+        case 5:
+            return Feed{number(), *rc::gen::element(FeedMode::per_minute, FeedMode::per_rev, FeedMode::inverse_time)};
         case 6:
             return Spindle{number(), *rc::gen::element(SpindleMode::rpm, SpindleMode::surface),
                            *rc::gen::element<std::int8_t>(-1, 0, 1), number()};
-        case 7: return ToolChange{*rc::gen::arbitrary<std::uint32_t>(), *rc::gen::arbitrary<std::uint32_t>(), text()};
-        case 8: return Coolant{*rc::gen::element(CoolantState::off, CoolantState::flood, CoolantState::mist)};
-        case 9: return Stop{*rc::gen::element(StopKind::program, StopKind::optional, StopKind::end)};
-        case 10: return Comment{text(), *rc::gen::arbitrary<bool>()};
-        case 11: return Datum{*rc::gen::arbitrary<std::uint32_t>(), vec()};
-        case 12: return Auxiliary{*rc::gen::arbitrary<char>(), *rc::gen::arbitrary<std::int64_t>()};
+        case 7:
+            return ToolChange{*rc::gen::arbitrary<std::uint32_t>(), *rc::gen::arbitrary<std::uint32_t>(), text()};
+        case 8:
+            return Coolant{*rc::gen::element(CoolantState::off, CoolantState::flood, CoolantState::mist)};
+        case 9:
+            return Stop{*rc::gen::element(StopKind::program, StopKind::optional, StopKind::end)};
+        case 10:
+            return Comment{text(), *rc::gen::arbitrary<bool>()};
+        case 11:
+            return Datum{*rc::gen::arbitrary<std::uint32_t>(), vec()};
+        case 12:
+            return Auxiliary{*rc::gen::arbitrary<char>(), *rc::gen::arbitrary<std::int64_t>()};
         case 13: {
             CycleBegin c{text(), {}};
             for (int i = *rc::gen::inRange(0, 4); i > 0; --i) c.parameters.push_back({text(), number()});
             return c;
         }
-        default: return CycleEnd{};
+        default:
+            return CycleEnd{};
     }
 }
 

@@ -15,7 +15,7 @@ namespace obrys::cl {
 
 struct Totals {
     std::uint64_t records = 0;
-    std::uint64_t moves = 0;             ///< Linear, Arc and Thread
+    std::uint64_t moves = 0;  ///< Linear, Arc and Thread
     std::uint64_t rapid_moves = 0, feed_moves = 0;
     double rapid_length_mm = 0, feed_length_mm = 0;  ///< of the moves whose both ends are known
     geom::Vec3 position{NAN, NAN, NAN};              ///< after the last move

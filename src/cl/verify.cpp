@@ -50,7 +50,8 @@ void Verifier::check(const Record& r, const Arc& s) {
     if (difference > options_.circle_tolerance)
         return complain(r, base::codes::arc_radius,
                         "radius at the start " + base::fixed(geom::length(a), 4) + " mm, at the end " +
-                            base::fixed(geom::length(b), 4) + " mm: they differ by " + base::fixed(difference, 4) + " mm");
+                            base::fixed(geom::length(b), 4) + " mm: they differ by " + base::fixed(difference, 4) +
+                            " mm");
     // The angle from start to end must be the sweep but for whole turns; radii within tolerance allow as much off.
     const double angle = std::atan2(geom::dot(geom::cross(a, b), s.normal), geom::dot(a, b));
     const double off = std::remainder(angle - s.sweep, 2 * geom::pi);
@@ -83,7 +84,8 @@ void Verifier::check(const Record& r, const Feed& s) {
 
 void Verifier::check(const Record& r, const Spindle& s) {
     if (!(s.speed >= 0) || std::isinf(s.speed))
-        complain(r, base::codes::value_range, "spindle speed must be finite and not negative; the direction is a field of its own");
+        complain(r, base::codes::value_range,
+                 "spindle speed must be finite and not negative; the direction is a field of its own");
     if (!(s.limit >= 0) || std::isinf(s.limit))
         complain(r, base::codes::value_range, "spindle speed limit must be finite and not negative");
     if (s.direction < -1 || s.direction > 1)

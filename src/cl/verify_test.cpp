@@ -20,9 +20,9 @@ std::vector<std::string> complaints(const std::vector<Step>& steps) {
 using Codes = std::vector<std::string>;
 
 TEST(Verify, AGoodStreamPasses) {
-    EXPECT_EQ(complaints({Linear{{10, 0, NAN}, {0, 0, 1}, true}, Linear{{10, 0, 0}, {0, 0, 1}, true}, Feed{0.2, FeedMode::per_rev},
-                          Spindle{300, SpindleMode::surface, 1, 3000}, CycleBegin{"CYCLE93", {}},
-                          Arc{{0, 10, 0}, {0, 0, 0}, {0, 0, 1}, geom::pi / 2}, CycleEnd{},
+    EXPECT_EQ(complaints({Linear{{10, 0, NAN}, {0, 0, 1}, true}, Linear{{10, 0, 0}, {0, 0, 1}, true},
+                          Feed{0.2, FeedMode::per_rev}, Spindle{300, SpindleMode::surface, 1, 3000},
+                          CycleBegin{"CYCLE93", {}}, Arc{{0, 10, 0}, {0, 0, 0}, {0, 0, 1}, geom::pi / 2}, CycleEnd{},
                           Arc{{10, 0, 5}, {0, 0, 0}, {0, 0, 1}, -2.5 * geom::pi}, Thread{{10, 0, 0}, -1.5, false},
                           Dwell{0, 3}, Datum{54, {NAN, NAN, NAN}}}),
               Codes{});

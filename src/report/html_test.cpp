@@ -16,7 +16,8 @@ TEST(Page, NeedsNoNetwork) {
     for (std::size_t at; (at = page.find("http://www.w3.org/2000/svg")) != std::string::npos;) page.erase(at, 26);
     for (const char* word : {"http:", "https:", "src=", "@import", "url(//", "fetch(", "XMLHttpRequest", "import("})
         EXPECT_EQ(page.find(word), std::string::npos) << word;
-    for (const char* mark : {"@TITLE@", "@STYLE@", "@DATA@", "@SCRIPT@"}) EXPECT_EQ(page.find(mark), std::string::npos) << mark;
+    for (const char* mark : {"@TITLE@", "@STYLE@", "@DATA@", "@SCRIPT@"})
+        EXPECT_EQ(page.find(mark), std::string::npos) << mark;
 }
 
 TEST(Page, ProgramTextCannotBecomeMarkup) {

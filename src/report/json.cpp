@@ -15,7 +15,11 @@ Json point(geom::Vec3 p) { return {{"x", number(p.x)}, {"y", number(p.y)}, {"z",
 Json site(const base::Sources& sources, const base::Span& span) {
     const Place p = place(sources, span);
     if (p.file.empty()) return {{"file", nullptr}, {"line", nullptr}, {"column", nullptr}, {"block", nullptr}};
-    Json j{{"file", p.file}, {"line", p.line}, {"column", p.column}, {"end_line", p.end_line}, {"end_column", p.end_column}};
+    Json j{{"file", p.file},
+           {"line", p.line},
+           {"column", p.column},
+           {"end_line", p.end_line},
+           {"end_column", p.end_column}};
     j["block"] = p.block ? Json(*p.block) : Json(nullptr);
     j["text"] = p.text;
     return j;

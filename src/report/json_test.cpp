@@ -39,8 +39,12 @@ TEST(JsonReport, HasTheDocumentedShape) {
     EXPECT_EQ(j["unchecked"].at(0)["where"]["column"], 5);
     EXPECT_EQ(j["assumptions"].at(0)["message"], "R3 = 150 is set from outside");
     EXPECT_TRUE(j["assumptions"].at(0)["where"]["file"].is_null());
-    EXPECT_EQ(j["stats"], (json{{"moves", 2}, {"rapid_moves", 1}, {"feed_moves", 1}, {"rapid_length_mm", 0.0},
-                                {"feed_length_mm", 12.369}, {"blocks_executed", 7}}));
+    EXPECT_EQ(j["stats"], (json{{"moves", 2},
+                                {"rapid_moves", 1},
+                                {"feed_moves", 1},
+                                {"rapid_length_mm", 0.0},
+                                {"feed_length_mm", 12.369},
+                                {"blocks_executed", 7}}));
     EXPECT_EQ(j["stock"]["before"]["volume_mm3"], 50000.0);
 }
 
@@ -49,14 +53,16 @@ TEST(JsonReport, EmptyListsAreThere) {
     s.result = {};
     const json j = json::parse(to_json(s.subject()));
     EXPECT_EQ(j["verdict"], "clean");
-    for (const char* list : {"findings", "unchecked", "assumptions", "listed", "tools"}) EXPECT_TRUE(j[list].is_array()) << list;
+    for (const char* list : {"findings", "unchecked", "assumptions", "listed", "tools"})
+        EXPECT_TRUE(j[list].is_array()) << list;
     EXPECT_TRUE(j["stock"]["after"].is_null());
 }
 
 TEST(JsonReport, SurvivesTextThatIsNotUtf8) {
     sample::Sample s = sample::make();
     s.result.findings[0].text = "word \xF6";
-    EXPECT_EQ(json::parse(to_json(s.subject()))["findings"][0]["message"], "word \xEF\xBF\xBD");  // the replacement character
+    EXPECT_EQ(json::parse(to_json(s.subject()))["findings"][0]["message"],
+              "word \xEF\xBF\xBD");  // the replacement character
 }
 
 TEST(Sarif, HoldsWhatTheStandardRequires) {

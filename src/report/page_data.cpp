@@ -57,7 +57,10 @@ Json Data::site(const base::Span& span) {
     const Place p = place(s_.sources, span);
     if (p.file.empty()) return nullptr;
     const auto shown = shown_.find(span.file);
-    Json j{{"f", shown == shown_.end() ? -1 : static_cast<int>(shown->second)}, {"l", p.line}, {"n", p.file}, {"t", p.text}};
+    Json j{{"f", shown == shown_.end() ? -1 : static_cast<int>(shown->second)},
+           {"l", p.line},
+           {"n", p.file},
+           {"t", p.text}};
     if (p.block) j["b"] = *p.block;
     return j;
 }
@@ -97,8 +100,9 @@ Json Data::files() {
 /// by index where there is one: arc [cz, -cx, sweep], start point of a move that does not begin where the last one
 /// ended, removed region. `stacks` holds the call stacks by their number.
 Json Data::moves() {
-    Json p = Json::array(), f = Json::array(), l = Json::array(), k = Json::array(), t = Json::array(), a = Json::array(),
-         d = Json::array(), arcs = Json::object(), starts = Json::object(), removed = Json::object(), stacks = Json::object();
+    Json p = Json::array(), f = Json::array(), l = Json::array(), k = Json::array(), t = Json::array(),
+         a = Json::array(), d = Json::array(), arcs = Json::object(), starts = Json::object(), removed = Json::object(),
+         stacks = Json::object();
     std::string kinds;
     geom::Vec2 pen{NAN, NAN};
     for (std::size_t i = 0; i < move_count(); ++i) {
@@ -121,8 +125,19 @@ Json Data::moves() {
         if (m.stack != 0 && !stacks.contains(stack_key)) stacks[stack_key] = stack(s_.stacks.sites(m.stack));
         pen = m.to;
     }
-    return {{"n", move_count()}, {"p", p}, {"kind", kinds}, {"f", f}, {"l", l}, {"k", k}, {"t", t}, {"a", a}, {"d", d},
-            {"arc", arcs}, {"start", starts}, {"removed", removed}, {"stacks", stacks}};
+    return {{"n", move_count()},
+            {"p", p},
+            {"kind", kinds},
+            {"f", f},
+            {"l", l},
+            {"k", k},
+            {"t", t},
+            {"a", a},
+            {"d", d},
+            {"arc", arcs},
+            {"start", starts},
+            {"removed", removed},
+            {"stacks", stacks}};
 }
 
 /// Sorted by danger; `no` is the number in the order of the program, as in text and picture.
@@ -130,7 +145,11 @@ Json Data::findings() {
     Json all = Json::array();
     for (const std::size_t i : by_danger(r_.findings)) {
         const check::Finding& f = r_.findings[i];
-        Json j{{"no", i + 1}, {"code", f.code}, {"severity", base::name(f.severity)}, {"text", f.text}, {"remedy", f.remedy}};
+        Json j{{"no", i + 1},
+               {"code", f.code},
+               {"severity", base::name(f.severity)},
+               {"text", f.text},
+               {"remedy", f.remedy}};
         j["where"] = site(f.where);
         j["stack"] = stack(f.stack);
         j["move"] = f.move ? Json(*f.move) : Json(nullptr);
@@ -148,26 +167,26 @@ Json Data::findings() {
 /// [{label, at, no: the first finding of the mark}]
 Json Data::marks() {
     Json all = Json::array();
-    for (const Mark& m : marks_of(r_))
-        all.push_back({{"label", m.label}, {"at", point(m.at)}, {"no", m.first}});
+    for (const Mark& m : marks_of(r_)) all.push_back({{"label", m.label}, {"at", point(m.at)}, {"no", m.first}});
     return all;
 }
 
 Json Data::notes(const std::vector<check::Note>& list) {
     Json all = Json::array();
     for (const check::Note& n : list)
-        all.push_back({{"code", n.code}, {"text", n.text}, {"remedy", n.remedy}, {"where", site(n.where)}, {"times", n.times}});
+        all.push_back(
+            {{"code", n.code}, {"text", n.text}, {"remedy", n.remedy}, {"where", site(n.where)}, {"times", n.times}});
     return all;
 }
 
 std::string describe(const shop::Tool& t) {
     const auto mm = [](double v) { return base::shortest(std::round(v * 1e4) / 1e4); };
     if (t.kind == shop::ToolKind::groove)
-        return "grooving insert, width " + mm(t.width) + " mm, corner radius " + mm(t.corner_radius) + " mm, reference " +
-               (t.reference == shop::ReferenceCorner::left ? "left" : "right") + " corner";
+        return "grooving insert, width " + mm(t.width) + " mm, corner radius " + mm(t.corner_radius) +
+               " mm, reference " + (t.reference == shop::ReferenceCorner::left ? "left" : "right") + " corner";
     if (t.kind == shop::ToolKind::turning)
-        return "turning insert, nose radius " + mm(t.nose_radius) + " mm, orientation " + std::to_string(t.orientation) +
-               ", tip angle " + mm(t.tip_angle) + " degrees";
+        return "turning insert, nose radius " + mm(t.nose_radius) + " mm, orientation " +
+               std::to_string(t.orientation) + ", tip angle " + mm(t.tip_angle) + " degrees";
     return "not simulated";
 }
 
@@ -175,7 +194,8 @@ Json Data::tools() {
     Json all = Json::array();
     for (const check::ToolUse& t : r_.tools) {
         const shop::Tool* tool = t.listed ? &s_.setup.tools[*t.listed] : nullptr;
-        Json j{{"number", t.number}, {"edge", t.edge}, {"name", t.name.empty() && tool != nullptr ? tool->name : t.name}};
+        Json j{
+            {"number", t.number}, {"edge", t.edge}, {"name", t.name.empty() && tool != nullptr ? tool->name : t.name}};
         j["kind"] = tool != nullptr ? describe(*tool) : "not in the tool list";
         j["outline"] = tool != nullptr ? path_of(shop::outline(*tool), millimetres) : "";
         j["first"] = site(t.first);
@@ -202,16 +222,18 @@ Json Data::regions() {
 }
 
 Json Data::head() {
-    return {{"program", s_.program}, {"control", s_.control}, {"machine", s_.setup.machine.name}, {"date", s_.date},
-            {"version", s_.version}, {"verdict", check::name(r_.verdict)}, {"line", verdict_line(r_)},
-            {"moves_all", r_.stats.moves}, {"dropped", r_.findings_dropped}};
+    return {{"program", s_.program},    {"control", s_.control},       {"machine", s_.setup.machine.name},
+            {"date", s_.date},          {"version", s_.version},       {"verdict", check::name(r_.verdict)},
+            {"line", verdict_line(r_)}, {"moves_all", r_.stats.moves}, {"dropped", r_.findings_dropped}};
 }
 
 /// Rows of the table of figures: [label, value, unit].
 Json Data::stats() {
     const check::Stats& t = r_.stats;
     Json rows = Json::array();
-    const auto row = [&rows](const char* label, const std::string& value, const char* unit) { rows.push_back({label, value, unit}); };
+    const auto row = [&rows](const char* label, const std::string& value, const char* unit) {
+        rows.push_back({label, value, unit});
+    };
     row("moves", std::to_string(t.moves), "");
     row("rapid moves", std::to_string(t.rapid_moves), "");
     row("feed moves", std::to_string(t.feed_moves), "");
@@ -250,8 +272,10 @@ std::string page_data(const Subject& subject, const HtmlOptions& options) {
     std::string out;
     out.reserve(json.size());
     for (const char c : json) {
-        if (c == '<') out += "\\u003c";
-        else out += c;
+        if (c == '<')
+            out += "\\u003c";
+        else
+            out += c;
     }
     return out;
 }

@@ -11,7 +11,8 @@ namespace {
 constexpr double largest_arc = 2.0;  ///< radians in one `A`: well below a half turn, where its centre is well defined
 
 /// An arc from the pen to `p` with `sweep` radians about a circle of this radius, split where it is long.
-void append_arc(std::string& out, geom::Vec2 from, geom::Vec2 p, geom::Vec2 centre, double sweep, const Projection& to) {
+void append_arc(std::string& out, geom::Vec2 from, geom::Vec2 p, geom::Vec2 centre, double sweep,
+                const Projection& to) {
     const int parts = std::max(1, static_cast<int>(std::ceil(std::abs(sweep) / largest_arc)));
     const double radius = geom::distance(from, centre);
     for (int i = 1; i <= parts; ++i) {
@@ -86,11 +87,20 @@ std::string escaped(std::string_view text) {
     std::string out;
     for (const char c : text) {
         switch (c) {
-            case '&': out += "&amp;"; break;
-            case '<': out += "&lt;"; break;
-            case '>': out += "&gt;"; break;
-            case '"': out += "&quot;"; break;
-            default: out += c;
+            case '&':
+                out += "&amp;";
+                break;
+            case '<':
+                out += "&lt;";
+                break;
+            case '>':
+                out += "&gt;";
+                break;
+            case '"':
+                out += "&quot;";
+                break;
+            default:
+                out += c;
         }
     }
     return out;

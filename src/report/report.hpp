@@ -8,8 +8,8 @@
 namespace obrys::report {
 
 struct TextOptions {
-    bool colours = false;   ///< ANSI escapes
-    bool listed = true;     ///< also what is listed without effect on the verdict
+    bool colours = false;  ///< ANSI escapes
+    bool listed = true;    ///< also what is listed without effect on the verdict
 };
 /// The verdict line first, then findings as `file:line:col: severity: message [code]` with source line and call stack.
 [[nodiscard]] std::string to_text(const Subject& subject, const TextOptions& options = {});
@@ -22,14 +22,14 @@ inline constexpr int json_version = 1;
 [[nodiscard]] std::string to_sarif(const Subject& subject);
 
 struct SvgOptions {
-    double width = 1040;    ///< picture units (96 to the inch); the height follows from the part
+    double width = 1040;  ///< picture units (96 to the inch); the height follows from the part
 };
 /// Stock, part, allowance, tool path and numbered findings; z to the right, x up, equal scale.
 [[nodiscard]] std::string to_svg(const Subject& subject, const SvgOptions& options = {});
 
 struct HtmlOptions {
-    std::size_t most_moves = 20'000;      ///< the page shows no more
-    std::size_t most_lines = 20'000;      ///< of program text
+    std::size_t most_moves = 20'000;  ///< the page shows no more
+    std::size_t most_lines = 20'000;  ///< of program text
 };
 /// One page that needs no network.
 [[nodiscard]] std::string to_html(const Subject& subject, const HtmlOptions& options = {});

@@ -12,7 +12,9 @@ struct Sample {
     check::Result result;
     check::Setup setup;
     cl::CallStacks stacks;
-    [[nodiscard]] Subject subject() const { return {sources, result, setup, stacks, "MAIN.MPF", "sinumerik-840d", "0.1.0", ""}; }
+    [[nodiscard]] Subject subject() const {
+        return {sources, result, setup, stacks, "MAIN.MPF", "sinumerik-840d", "0.1.0", ""};
+    }
 };
 
 inline const std::string main_text = "N10 G0 X30 Z5\nN20 SUB\nN30 FOO <x> & M30\n";

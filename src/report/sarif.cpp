@@ -77,7 +77,9 @@ Json result(const base::Sources& sources, std::string_view code, const char* lev
 }
 
 Json finding(const check::Finding& f, const base::Sources& sources) {
-    const char* level = f.severity == base::Severity::error ? "error" : f.severity == base::Severity::warning ? "warning" : "note";
+    const char* level = f.severity == base::Severity::error     ? "error"
+                        : f.severity == base::Severity::warning ? "warning"
+                                                                : "note";
     Json j = result(sources, f.code, level, f.remedy.empty() ? f.text : f.text + "\n" + f.remedy, f.where, f.stack);
     int id = 0;
     for (const base::Related& r : f.related) {
@@ -111,7 +113,9 @@ std::string to_sarif(const Subject& s) {
              {"columnKind", "unicodeCodePoints"},
              {"results", std::move(results)},
              {"properties", {{"verdict", check::name(r.verdict)}}}};
-    const Json j{{"$schema", "https://json.schemastore.org/sarif-2.1.0.json"}, {"version", "2.1.0"}, {"runs", Json::array({std::move(run)})}};
+    const Json j{{"$schema", "https://json.schemastore.org/sarif-2.1.0.json"},
+                 {"version", "2.1.0"},
+                 {"runs", Json::array({std::move(run)})}};
     return j.dump(2, ' ', false, Json::error_handler_t::replace) + "\n";
 }
 

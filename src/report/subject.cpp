@@ -36,9 +36,12 @@ std::string count_of(std::uint64_t n, const std::string& one) {
 std::string verdict_line(const check::Result& r) {
     const std::string found = count_of(r.findings.size() + r.findings_dropped, "finding");
     switch (r.verdict) {
-        case check::Verdict::clean: return "clean: nothing found in " + count_of(r.stats.moves, "move");
-        case check::Verdict::findings: return found;
-        case check::Verdict::not_fully_checked: break;
+        case check::Verdict::clean:
+            return "clean: nothing found in " + count_of(r.stats.moves, "move");
+        case check::Verdict::findings:
+            return found;
+        case check::Verdict::not_fully_checked:
+            break;
     }
     const std::size_t n = r.unchecked.size();
     return "not fully checked: " + count_of(n, "thing") + (n == 1 ? " was" : " were") + " not checked; " + found;
@@ -49,13 +52,20 @@ AmountWords amount_words(std::string_view key) {
         std::string_view key, label, unit;
     };
     constexpr std::array entries{
-        Entry{"depth_mm", "depth normal to the contour", "mm"}, Entry{"depth_x_mm", "depth along X", "mm"},
-        Entry{"area_mm2", "area", "mm2"},                       Entry{"volume_mm3", "volume", "mm3"},
-        Entry{"contact_length_mm", "contact length", "mm"},     Entry{"z_mm", "at Z", "mm"},
-        Entry{"x_mm", "at X (radius)", "mm"},                   Entry{"z_from_mm", "from Z", "mm"},
-        Entry{"z_to_mm", "to Z", "mm"},                         Entry{"excess_mm", "outside its travel by", "mm"},
-        Entry{"excess_deg", "outside its travel by", "degrees"}, Entry{"speed_rpm", "speed", "1/min"},
-        Entry{"limit_rpm", "limit", "1/min"},                   Entry{"feed_mm_per_min", "feed", "mm/min"},
+        Entry{"depth_mm", "depth normal to the contour", "mm"},
+        Entry{"depth_x_mm", "depth along X", "mm"},
+        Entry{"area_mm2", "area", "mm2"},
+        Entry{"volume_mm3", "volume", "mm3"},
+        Entry{"contact_length_mm", "contact length", "mm"},
+        Entry{"z_mm", "at Z", "mm"},
+        Entry{"x_mm", "at X (radius)", "mm"},
+        Entry{"z_from_mm", "from Z", "mm"},
+        Entry{"z_to_mm", "to Z", "mm"},
+        Entry{"excess_mm", "outside its travel by", "mm"},
+        Entry{"excess_deg", "outside its travel by", "degrees"},
+        Entry{"speed_rpm", "speed", "1/min"},
+        Entry{"limit_rpm", "limit", "1/min"},
+        Entry{"feed_mm_per_min", "feed", "mm/min"},
         Entry{"limit_mm_per_min", "limit", "mm/min"},
     };
     for (const Entry& e : entries)
@@ -66,9 +76,9 @@ AmountWords amount_words(std::string_view key) {
 std::vector<std::size_t> by_danger(const std::vector<check::Finding>& findings) {
     namespace codes = base::codes;
     // What breaks the machine or the tool first, then what spoils the part, then what only has to be done again.
-    constexpr std::array order{codes::rapid_in_stock, codes::gouge,         codes::axis_limit,   codes::spindle_stopped,
-                               codes::tool_missing,   codes::spindle_limit, codes::feed_missing, codes::feed_limit,
-                               codes::allowance_cut};
+    constexpr std::array order{codes::rapid_in_stock,  codes::gouge,        codes::axis_limit,
+                               codes::spindle_stopped, codes::tool_missing, codes::spindle_limit,
+                               codes::feed_missing,    codes::feed_limit,   codes::allowance_cut};
     const auto rank = [&](const check::Finding& f) {
         if (f.code == codes::rest_material) return order.size() + 1;  // after everything else
         return static_cast<std::size_t>(std::find(order.begin(), order.end(), f.code) - order.begin());

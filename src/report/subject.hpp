@@ -15,18 +15,18 @@ struct Subject {
     const check::Result& result;
     const check::Setup& setup;
     const cl::CallStacks& stacks;
-    std::string program;        ///< path as the user wrote it
-    std::string control;        ///< "sinumerik-840d"; empty: not known
-    std::string version;        ///< of obrys
-    std::string date;           ///< as it is to be shown; empty: no date, so that equal runs give equal reports
+    std::string program;  ///< path as the user wrote it
+    std::string control;  ///< "sinumerik-840d"; empty: not known
+    std::string version;  ///< of obrys
+    std::string date;     ///< as it is to be shown; empty: no date, so that equal runs give equal reports
 };
 
 /// A place in a source text, counted from 1, for people and machines.
 struct Place {
-    std::string file;           ///< UTF-8; empty: nowhere
+    std::string file;  ///< UTF-8; empty: nowhere
     std::uint32_t line = 0, column = 0, end_line = 0, end_column = 0;
     std::optional<std::uint32_t> block;
-    std::string text;           ///< the line, UTF-8, blanks off both ends
+    std::string text;  ///< the line, UTF-8, blanks off both ends
 };
 [[nodiscard]] Place place(const base::Sources& sources, const base::Span& span);
 

@@ -10,7 +10,7 @@ namespace obrys::report {
 namespace {
 
 constexpr double margin = 62, margin_right = 26, top = 78, axis_room = 46, legend_room = 30;
-constexpr double most_height = 640;        ///< of a drawing
+constexpr double most_height = 640;  ///< of a drawing
 constexpr double detail_width = 300, detail_gap = 70;
 constexpr std::size_t most_marks = 40;     ///< marks in the picture
 constexpr std::size_t most_entries = 14;   ///< findings listed below it
@@ -51,8 +51,9 @@ check::Box bounds(const Subject& s) {
     const double around = 0.12 * size_of(box), air = 0.03 * size_of(box);
     const check::Box limit = grown(box, around);
     if (!path.empty())
-        add(box, {std::clamp(path.min_z, limit.min_z, box.min_z + 0.0), std::clamp(path.max_z, box.max_z, limit.max_z),
-                  std::clamp(path.min_x, limit.min_x, box.min_x + 0.0), std::clamp(path.max_x, box.max_x, limit.max_x)});
+        add(box,
+            {std::clamp(path.min_z, limit.min_z, box.min_z + 0.0), std::clamp(path.max_z, box.max_z, limit.max_z),
+             std::clamp(path.min_x, limit.min_x, box.min_x + 0.0), std::clamp(path.max_x, box.max_x, limit.max_x)});
     return grown(box, air);
 }
 
@@ -118,7 +119,8 @@ std::string list(const Subject& s, double& y) {
     for (std::size_t i = 0; i < shown; ++i) line("mono", entry_of(s, i));
     if (r.findings.size() > shown) line("mono", "… and " + count_of(r.findings.size() - shown, "more finding"));
     if (!r.moves.empty() && r.moves.size() < r.stats.moves)
-        line("small", "Tool path: the first " + std::to_string(r.moves.size()) + " of " + count_of(r.stats.moves, "move") + ".");
+        line("small",
+             "Tool path: the first " + std::to_string(r.moves.size()) + " of " + count_of(r.stats.moves, "move") + ".");
     return out;
 }
 
@@ -142,10 +144,13 @@ std::string to_svg(const Subject& s, const SvgOptions& options) {
     std::string out = title(s) + main.draw(s, part ? std::vector<Mark>{} : marks);
     double bottom = main.bottom();
     if (part) {
-        const Window detail("detail", *part, main.right() + detail_gap, top, options.width - margin_right - main.right() - detail_gap, most_height);
-        const geom::Vec2 a = main.projection()({part->min_z, part->max_x}), b = main.projection()({part->max_z, part->min_x});
-        out += "<rect class=\"zoomed\" x=\"" + number(a.x, 2) + "\" y=\"" + number(a.y, 2) + "\" width=\"" + number(b.x - a.x, 2) +
-               "\" height=\"" + number(b.y - a.y, 2) + "\"/>\n" + svg::line("zoomed", b.x, a.y, detail.left(), top) +
+        const Window detail("detail", *part, main.right() + detail_gap, top,
+                            options.width - margin_right - main.right() - detail_gap, most_height);
+        const geom::Vec2 a = main.projection()({part->min_z, part->max_x}),
+                         b = main.projection()({part->max_z, part->min_x});
+        out += "<rect class=\"zoomed\" x=\"" + number(a.x, 2) + "\" y=\"" + number(a.y, 2) + "\" width=\"" +
+               number(b.x - a.x, 2) + "\" height=\"" + number(b.y - a.y, 2) + "\"/>\n" +
+               svg::line("zoomed", b.x, a.y, detail.left(), top) +
                svg::line("zoomed", b.x, b.y, detail.left(), detail.bottom()) + detail.draw(s, marks);
         bottom = std::max(bottom, detail.bottom());
     }
@@ -154,8 +159,9 @@ std::string to_svg(const Subject& s, const SvgOptions& options) {
     y += legend_room;
     out += list(s, y);
     const std::string w = number(options.width, 0), h = number(std::ceil(y + 6), 0);
-    return "<svg xmlns=\"http://www.w3.org/2000/svg\" width=\"" + w + "\" height=\"" + h + "\" viewBox=\"0 0 " + w + " " + h +
-           "\">\n" + std::string(style) + "<rect width=\"100%\" height=\"100%\" fill=\"#fff\"/>\n" + out + "</svg>\n";
+    return "<svg xmlns=\"http://www.w3.org/2000/svg\" width=\"" + w + "\" height=\"" + h + "\" viewBox=\"0 0 " + w +
+           " " + h + "\">\n" + std::string(style) + "<rect width=\"100%\" height=\"100%\" fill=\"#fff\"/>\n" + out +
+           "</svg>\n";
 }
 
 }  // namespace obrys::report

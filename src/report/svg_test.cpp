@@ -21,7 +21,8 @@ TEST(Path, ArcsKeepTheirSenseToTheEye) {
     EXPECT_EQ(path_of(geom::Contour{{{{10, 0}, quarter}, {{0, 10}, 0}}, false}, plain), "M10 0A10 10 0 0 0 0 -10");
     EXPECT_EQ(path_of(geom::Contour{{{{0, 10}, -quarter}, {{10, 0}, 0}}, false}, plain), "M0 -10A10 10 0 0 1 10 0");
     // A half circle is split, so that its centre is never in doubt.
-    EXPECT_EQ(path_of(geom::Contour{{{{10, 0}, 1}, {{-10, 0}, 0}}, false}, plain), "M10 0A10 10 0 0 0 0 -10A10 10 0 0 0 -10 0");
+    EXPECT_EQ(path_of(geom::Contour{{{{10, 0}, 1}, {{-10, 0}, 0}}, false}, plain),
+              "M10 0A10 10 0 0 0 0 -10A10 10 0 0 0 -10 0");
 }
 
 TEST(Path, MovesAreChained) {
@@ -76,8 +77,9 @@ TEST(Svg, ShowsStockPartPathAndFinding) {
     const std::string svg = to_svg(s.subject());
     EXPECT_TRUE(svg.starts_with("<svg xmlns=\"http://www.w3.org/2000/svg\" width=\"1040\""));
     EXPECT_TRUE(svg.ends_with("</svg>\n"));
-    for (const char* part : {"<path class=\"before\"", "<path class=\"after\"", "<path class=\"part\"", "<path class=\"feed\" d=\"M",
-                             "<path class=\"bad\"", ">MAIN.MPF: not fully checked", "finding, numbered as below", ">Z mm →<"})
+    for (const char* part :
+         {"<path class=\"before\"", "<path class=\"after\"", "<path class=\"part\"", "<path class=\"feed\" d=\"M",
+          "<path class=\"bad\"", ">MAIN.MPF: not fully checked", "finding, numbered as below", ">Z mm →<"})
         EXPECT_NE(svg.find(part), std::string::npos) << part;
     EXPECT_EQ(svg.find("<path class=\"allowance\""), std::string::npos);
     EXPECT_EQ(svg.find("<path class=\"rapid\" d=\"M62"), std::string::npos);

@@ -16,8 +16,8 @@ std::string line(const char* cls, double x1, double y1, double x2, double y2) {
 }
 
 std::string text(const char* cls, double x, double y, const std::string& content, const char* anchor) {
-    return std::string("<text class=\"") + cls + "\" x=\"" + number(x, 2) + "\" y=\"" + number(y, 2) + "\" text-anchor=\"" +
-           anchor + "\">" + escaped(content) + "</text>\n";
+    return std::string("<text class=\"") + cls + "\" x=\"" + number(x, 2) + "\" y=\"" + number(y, 2) +
+           "\" text-anchor=\"" + anchor + "\">" + escaped(content) + "</text>\n";
 }
 
 }  // namespace svg
@@ -25,7 +25,7 @@ std::string text(const char* cls, double x, double y, const std::string& content
 namespace {
 
 constexpr double mark_radius = 9;
-constexpr double tick_distance = 75;   ///< wanted between two scale marks
+constexpr double tick_distance = 75;  ///< wanted between two scale marks
 
 /// A step of 1, 2 or 5 times a power of ten, not less than `least`.
 double round_step(double least) {
@@ -92,7 +92,8 @@ void Window::axes(std::string& out) const {
 void Window::regions(std::string& out, const Subject& s) const {
     const auto path = [&](const char* cls, const geom::Region& region) {
         if (!region.empty())
-            out += std::string("<path class=\"") + cls + "\" fill-rule=\"evenodd\" d=\"" + path_of(region, to_) + "\"/>\n";
+            out +=
+                std::string("<path class=\"") + cls + "\" fill-rule=\"evenodd\" d=\"" + path_of(region, to_) + "\"/>\n";
     };
     if (s.setup.stock) path("before", *s.setup.stock);
     path("after", s.result.stock_after);
@@ -113,7 +114,8 @@ void Window::marks(std::string& out, const std::vector<Mark>& marks) const {
         if (!box_.meets({m.at.x, m.at.x, m.at.y, m.at.y}, 0)) continue;
         geom::Vec2 centre{at.x + 24, at.y - 20};
         const auto bad = [&] {
-            const bool outside = centre.x < left_ + 14 || centre.x > right() - 14 || centre.y < top_ + 10 || centre.y > bottom() - 10;
+            const bool outside =
+                centre.x < left_ + 14 || centre.x > right() - 14 || centre.y < top_ + 10 || centre.y > bottom() - 10;
             return outside || std::any_of(taken.begin(), taken.end(), [&](geom::Vec2 t) {
                        return std::abs(t.x - centre.x) < 34 && std::abs(t.y - centre.y) < 2 * mark_radius + 2;
                    });
@@ -125,16 +127,18 @@ void Window::marks(std::string& out, const std::vector<Mark>& marks) const {
         taken.push_back(centre);
         const double half = m.label.size() > 2 ? 6.0 + 3.2 * static_cast<double>(m.label.size()) : mark_radius;
         out += svg::line("leader", at.x, at.y, centre.x, centre.y);
-        out += "<rect class=\"mark\" x=\"" + number(centre.x - half, 2) + "\" y=\"" + number(centre.y - mark_radius, 2) +
-               "\" width=\"" + number(2 * half, 2) + "\" height=\"18\" rx=\"9\"/>\n";
+        out += "<rect class=\"mark\" x=\"" + number(centre.x - half, 2) + "\" y=\"" +
+               number(centre.y - mark_radius, 2) + "\" width=\"" + number(2 * half, 2) +
+               "\" height=\"18\" rx=\"9\"/>\n";
         out += svg::text("marktext", centre.x, centre.y + 4, m.label, "middle");
     }
 }
 
 std::string Window::draw(const Subject& subject, const std::vector<Mark>& shown) const {
-    const std::string rect = "x=\"" + number(left_, 2) + "\" y=\"" + number(top_, 2) + "\" width=\"" + number(width_, 2) +
-                             "\" height=\"" + number(height_, 2) + "\"";
-    std::string out = "<clipPath id=\"" + name_ + "\"><rect " + rect + "/></clipPath>\n<rect class=\"frame\" " + rect + "/>\n";
+    const std::string rect = "x=\"" + number(left_, 2) + "\" y=\"" + number(top_, 2) + "\" width=\"" +
+                             number(width_, 2) + "\" height=\"" + number(height_, 2) + "\"";
+    std::string out =
+        "<clipPath id=\"" + name_ + "\"><rect " + rect + "/></clipPath>\n<rect class=\"frame\" " + rect + "/>\n";
     axes(out);
     out += "<g clip-path=\"url(#" + name_ + ")\">\n";
     regions(out, subject);

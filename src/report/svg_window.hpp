@@ -42,7 +42,8 @@ private:
 
 namespace svg {
 [[nodiscard]] std::string line(const char* cls, double x1, double y1, double x2, double y2);
-[[nodiscard]] std::string text(const char* cls, double x, double y, const std::string& content, const char* anchor = "start");
+[[nodiscard]] std::string text(const char* cls, double x, double y, const std::string& content,
+                               const char* anchor = "start");
 }  // namespace svg
 
 }  // namespace obrys::report

@@ -9,18 +9,24 @@ namespace {
 
 std::string_view colour_of(base::Severity s) {
     switch (s) {
-        case base::Severity::error: return "\x1b[1;31m";
-        case base::Severity::warning: return "\x1b[1;33m";
-        case base::Severity::note: return "\x1b[1;36m";
+        case base::Severity::error:
+            return "\x1b[1;31m";
+        case base::Severity::warning:
+            return "\x1b[1;33m";
+        case base::Severity::note:
+            return "\x1b[1;36m";
     }
     return "";
 }
 
 std::string_view colour_of(check::Verdict v) {
     switch (v) {
-        case check::Verdict::clean: return "\x1b[1;32m";
-        case check::Verdict::findings: return "\x1b[1;31m";
-        case check::Verdict::not_fully_checked: return "\x1b[1;33m";
+        case check::Verdict::clean:
+            return "\x1b[1;32m";
+        case check::Verdict::findings:
+            return "\x1b[1;31m";
+        case check::Verdict::not_fully_checked:
+            return "\x1b[1;33m";
     }
     return "";
 }
@@ -87,11 +93,13 @@ std::string figures(const check::Result& r) {
     const check::Stats& t = r.stats;
     std::string out = "\n" + count_of(t.moves, "move") + ": " + std::to_string(t.rapid_moves) + " rapid (" +
                       base::fixed(t.rapid_length_mm, 3) + " mm), " + std::to_string(t.feed_moves) + " feed (" +
-                      base::fixed(t.feed_length_mm, 3) + " mm); " + count_of(t.blocks_executed, "block") + " executed\n";
+                      base::fixed(t.feed_length_mm, 3) + " mm); " + count_of(t.blocks_executed, "block") +
+                      " executed\n";
     if (r.before && r.after)
         out += "stock: " + base::fixed(r.before->volume_mm3 / 1000, 3) + " cm3 before, " +
-               base::fixed(r.after->volume_mm3 / 1000, 3) + " cm3 after; section " + base::fixed(r.before->area_mm2, 3) +
-               " mm2 before, " + base::fixed(r.after->area_mm2, 3) + " mm2 after (exact)\n";
+               base::fixed(r.after->volume_mm3 / 1000, 3) + " cm3 after; section " +
+               base::fixed(r.before->area_mm2, 3) + " mm2 before, " + base::fixed(r.after->area_mm2, 3) +
+               " mm2 after (exact)\n";
     return out;
 }
 

@@ -42,7 +42,8 @@ TEST(TextReport, ColoursOnlyWhenAsked) {
     const sample::Sample s = sample::make();
     EXPECT_EQ(to_text(s.subject()).find('\x1b'), std::string::npos);
     const std::string coloured = to_text(s.subject(), {.colours = true, .listed = true});
-    EXPECT_NE(coloured.find("\x1b[1;33mnot fully checked: 1 thing was not checked; 1 finding\x1b[0m"), std::string::npos);
+    EXPECT_NE(coloured.find("\x1b[1;33mnot fully checked: 1 thing was not checked; 1 finding\x1b[0m"),
+              std::string::npos);
     EXPECT_NE(coloured.find("SUB.SPF:2:1: \x1b[1;31merror:\x1b[0m cuts"), std::string::npos);
 }
 
