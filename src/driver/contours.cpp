@@ -69,7 +69,8 @@ std::optional<geom::Region> run_contour(Session& s, const shop::ProfileFromProgr
 geom::Region with_allowance(const geom::Region& part, double normal) {
     const geom::Region grown = geom::offset(part, normal);
     const geom::Box box = geom::box(grown);
-    const geom::Contour half{{{{box.min.x - 1, 0}, 0}, {{box.max.x + 1, 0}, 0}, {{box.max.x + 1, box.max.y + 1}, 0}, {{box.min.x - 1, box.max.y + 1}, 0}}, true};
+    const double left = box.lo.x - 1, right = box.hi.x + 1, top = box.hi.y + 1;
+    const geom::Contour half{{{{left, 0}, 0}, {{right, 0}, 0}, {{right, top}, 0}, {{left, top}, 0}}, true};
     return geom::intersect(grown, {{half}});
 }
 
