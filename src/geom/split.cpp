@@ -117,6 +117,20 @@ void meet_all(std::vector<Strand>& strands, const std::vector<SourceEdge>& sourc
     }
 }
 
+/// A crossing of two edges may lie on a third that crosses neither of them there (tangents): it splits that one as well.
+void meet_crossings(std::vector<Strand>& strands, double tolerance) {
+    std::vector<Vec2> points;
+    for (const Strand& s : strands) points.insert(points.end(), s.points.begin(), s.points.end());
+    std::sort(points.begin(), points.end(), [](Vec2 p, Vec2 q) { return p.x != q.x ? p.x < q.x : p.y < q.y; });
+    points.erase(std::unique(points.begin(), points.end()), points.end());
+    for (Strand& s : strands) {
+        auto p = std::lower_bound(points.begin(), points.end(), s.box.lo.x - tolerance,
+                                  [](Vec2 q, double x) { return q.x < x; });
+        for (; p != points.end() && p->x <= s.box.hi.x + tolerance; ++p)
+            if (contains(s.box, *p, tolerance) && distance(s.edge, *p) <= tolerance) s.points.push_back(*p);
+    }
+}
+
 struct Stop {
     double t = 0;
     std::uint32_t vertex = 0;
@@ -188,6 +202,7 @@ void merge_equal(std::vector<Arrangement::Piece>& pieces, double tolerance) {
 SplitEdges split(const std::vector<SourceEdge>& sources, const ArrangeOptions& options) {
     std::vector<Strand> strands = strands_of(sources);
     meet_all(strands, sources, options);
+    meet_crossings(strands, options.tolerance);
     std::size_t expected = 0;
     for (const Strand& s : strands) expected += 1 + s.points.size();
     SplitEdges out;
