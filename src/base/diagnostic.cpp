@@ -8,9 +8,12 @@ namespace obrys::base {
 
 std::string_view name(Severity s) {
     switch (s) {
-        case Severity::note: return "note";
-        case Severity::warning: return "warning";
-        case Severity::error: return "error";
+        case Severity::note:
+            return "note";
+        case Severity::warning:
+            return "warning";
+        case Severity::error:
+            return "error";
     }
     return "error";
 }
@@ -54,7 +57,8 @@ std::string excerpt(const Span& span, const Sources& sources) {
     std::string_view marked = sources.text(span);
     marked = marked.substr(0, marked.find_first_of("\r\n"));
     const std::size_t room = widest_line - std::min(widest_line, column - from);
-    const std::size_t width = std::clamp<std::size_t>(character_count(as_utf8(marked)), 1, std::max<std::size_t>(room, 1));
+    const std::size_t width =
+        std::clamp<std::size_t>(character_count(as_utf8(marked)), 1, std::max<std::size_t>(room, 1));
     std::string out = "  " + std::string(from > 0 ? "..." : "") + characters(line, from, widest_line);
     if (all > from + widest_line) out += "...";
     out += "\n  " + std::string(column - from + (from > 0 ? 3 : 0), ' ') + "^" + std::string(width - 1, '~') + "\n";
@@ -63,6 +67,14 @@ std::string excerpt(const Span& span, const Sources& sources) {
 
 }  // namespace
 
+ShownStack shown(const std::vector<Span>& stack) {
+    constexpr std::ptrdiff_t inner = 8, outer = 4;
+    if (stack.size() <= static_cast<std::size_t>(inner + outer)) return {stack, {}, 0};
+    return {{stack.begin(), stack.begin() + inner},
+            {stack.end() - outer, stack.end()},
+            stack.size() - static_cast<std::size_t>(inner + outer)};
+}
+
 std::string render(const Diagnostic& d, const Sources& sources) {
     std::string out;
     const bool placed = d.where.file < sources.size();
@@ -70,8 +82,15 @@ std::string render(const Diagnostic& d, const Sources& sources) {
     out += std::string(name(d.severity)) + ": " + d.text + " [" + std::string(d.code) + "]\n";
     if (placed && !sources[d.where.file].text.empty()) out += excerpt(d.where, sources);
     if (!d.remedy.empty()) out += "  remedy: " + d.remedy + "\n";
-    for (const Span& site : d.stack) out += "  called from " + place(site, sources) + ": " + std::string(trim(sources.line_utf8(site))) + "\n";
-    for (const Related& r : d.related) out += place(r.where, sources) + ": note: " + r.text + "\n" + excerpt(r.where, sources);
+    const ShownStack stack = shown(d.stack);
+    const auto call = [&](const Span& site) {
+        out += "  called from " + place(site, sources) + ": " + std::string(trim(sources.line_utf8(site))) + "\n";
+    };
+    for (const Span& site : stack.inner) call(site);
+    if (stack.left_out > 0) out += "  … " + std::to_string(stack.left_out) + " more calls\n";
+    for (const Span& site : stack.outer) call(site);
+    for (const Related& r : d.related)
+        out += place(r.where, sources) + ": note: " + r.text + "\n" + excerpt(r.where, sources);
     return out;
 }
 

@@ -24,11 +24,11 @@ struct Related {
 /// One complaint. `code` is one of base/codes.hpp: stable, documented, tested; `text` may be reworded.
 struct Diagnostic {
     Severity severity = Severity::error;
-    std::string_view code;         ///< static storage: take it from codes::
+    std::string_view code;  ///< static storage: take it from codes::
     Span where;
-    std::string text;              ///< what is wrong, in the programmer's words
-    std::string remedy;            ///< what to do about it; may be empty
-    std::vector<Span> stack;       ///< call sites, innermost first; empty in the main program
+    std::string text;         ///< what is wrong, in the programmer's words
+    std::string remedy;       ///< what to do about it; may be empty
+    std::vector<Span> stack;  ///< call sites, innermost first; empty in the main program
     std::vector<Related> related;
 };
 
@@ -47,7 +47,15 @@ private:
     std::size_t errors_ = 0, dropped_ = 0, limit_ = 1000;
 };
 
-/// file:line:column: severity: text [code], the source line, a caret under the span, remedy, call stack, related places.
+/// What is shown of a long call stack: its innermost and its outermost sites, 12 at most.
+struct ShownStack {
+    std::vector<Span> inner, outer;
+    std::size_t left_out = 0;  ///< between them
+};
+[[nodiscard]] ShownStack shown(const std::vector<Span>& stack);
+
+/// file:line:column: severity: text [code], the source line, a caret under the span, remedy, call stack, related
+/// places.
 [[nodiscard]] std::string render(const Diagnostic& d, const Sources& sources);
 
 }  // namespace obrys::base

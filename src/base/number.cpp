@@ -9,7 +9,7 @@
 namespace obrys::base {
 
 namespace {
-constexpr std::array<double, 19> power_of_ten{1e0, 1e1, 1e2,  1e3,  1e4,  1e5,  1e6,  1e7,  1e8, 1e9,
+constexpr std::array<double, 19> power_of_ten{1e0,  1e1,  1e2,  1e3,  1e4,  1e5,  1e6,  1e7,  1e8, 1e9,
                                               1e10, 1e11, 1e12, 1e13, 1e14, 1e15, 1e16, 1e17, 1e18};
 constexpr std::int64_t exact_in_double = std::int64_t{1} << 53;
 }  // namespace
@@ -89,8 +89,9 @@ std::string shortest(double value) {
     if (value == 0) return "0";
     std::array<char, 400> buffer;
     const bool plain = std::abs(value) < 1e15 && std::abs(value) > 1e-7;
-    const auto [end, error] = plain ? std::to_chars(buffer.data(), buffer.data() + buffer.size(), value, std::chars_format::fixed)
-                                    : std::to_chars(buffer.data(), buffer.data() + buffer.size(), value);
+    const auto [end, error] =
+        plain ? std::to_chars(buffer.data(), buffer.data() + buffer.size(), value, std::chars_format::fixed)
+              : std::to_chars(buffer.data(), buffer.data() + buffer.size(), value);
     if (error != std::errc{}) return "nan";
     return {buffer.data(), end};
 }

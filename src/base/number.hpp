@@ -18,8 +18,8 @@ struct Decimal {
 struct NumberScan {
     double value = 0;
     std::size_t length = 0;
-    bool integer = false;                ///< written without point and exponent
-    std::optional<Decimal> decimal;      ///< set where mantissa and decimals fit (at most 18 digits)
+    bool integer = false;            ///< written without point and exponent
+    std::optional<Decimal> decimal;  ///< set where mantissa and decimals fit (at most 18 digits)
 };
 
 /// Reads `[+-] digits [. digits]`, also `.5` and `5.`. The value is the nearest double. No exponent.

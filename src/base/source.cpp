@@ -76,7 +76,8 @@ std::optional<std::uint32_t> Sources::block_number(std::uint32_t file, std::uint
     }
     std::uint32_t number = 0;
     std::size_t digits = 0;
-    while (digits < rest.size() && digits < 9 && is_digit(rest[digits])) number = number * 10 + static_cast<std::uint32_t>(rest[digits++] - '0');
+    while (digits < rest.size() && digits < 9 && is_digit(rest[digits]))
+        number = number * 10 + static_cast<std::uint32_t>(rest[digits++] - '0');
     if (digits == 0) return std::nullopt;
     return number;
 }

@@ -23,9 +23,9 @@ struct Position {
 
 /// How the blocks of a source text carry their number, for messages and reports.
 enum class BlockNumbers : std::uint8_t {
-    none,       ///< text without block numbers (TOML, tool tables)
-    n_word,     ///< `N120 G1 …` (also behind a skip sign `/`)
-    leading,    ///< `12 L X+0 …`
+    none,     ///< text without block numbers (TOML, tool tables)
+    n_word,   ///< `N120 G1 …` (also behind a skip sign `/`)
+    leading,  ///< `12 L X+0 …`
 };
 
 /// One text, as read. `name` is the path as the user wrote it (messages show it).
@@ -39,7 +39,8 @@ struct Source {
 /// All texts of a run. References to a source stay valid while others are added.
 class Sources {
 public:
-    /// Takes a text; a UTF-8 byte order mark at its start is dropped. Texts of 4 GiB and more are refused by the caller.
+    /// Takes a text; a UTF-8 byte order mark at its start is dropped. Texts of 4 GiB and more are refused by the
+    /// caller.
     std::uint32_t add(std::string name, std::string text, BlockNumbers numbers = BlockNumbers::none);
 
     [[nodiscard]] const Source& operator[](std::uint32_t file) const { return files_[file]; }

@@ -11,9 +11,9 @@ namespace obrys::base {
 [[nodiscard]] constexpr bool is_letter(char c) { return (c >= 'A' && c <= 'Z') || (c >= 'a' && c <= 'z'); }
 [[nodiscard]] constexpr bool is_blank(char c) { return c == ' ' || c == '\t'; }
 
-[[nodiscard]] std::string to_upper(std::string_view s);              ///< ASCII letters only
+[[nodiscard]] std::string to_upper(std::string_view s);  ///< ASCII letters only
 [[nodiscard]] bool equals_ignoring_case(std::string_view a, std::string_view b);
-[[nodiscard]] std::string_view trim(std::string_view s);             ///< blanks, tabs, CR and LF off both ends
+[[nodiscard]] std::string_view trim(std::string_view s);  ///< blanks, tabs, CR and LF off both ends
 [[nodiscard]] bool is_utf8(std::string_view s);
 [[nodiscard]] std::string cp1252_to_utf8(std::string_view s);
 /// The text as UTF-8 whatever it was: unchanged where it is valid UTF-8, else taken as CP1252.

@@ -63,16 +63,16 @@ enum class SpindleMode : std::uint8_t {
     surface,  ///< constant cutting speed in m/min (G96)
 };
 struct Spindle {
-    double speed = 0;            ///< never negative
+    double speed = 0;  ///< never negative
     SpindleMode mode = SpindleMode::rpm;
-    std::int8_t direction = 0;   ///< +1 clockwise (M3), -1 counter-clockwise (M4), 0 standing
-    double limit = 0;            ///< highest speed in 1/min while mode is surface; 0 = none
+    std::int8_t direction = 0;  ///< +1 clockwise (M3), -1 counter-clockwise (M4), 0 standing
+    double limit = 0;           ///< highest speed in 1/min while mode is surface; 0 = none
     bool operator==(const Spindle&) const = default;
 };
 
 struct ToolChange {
-    std::uint32_t number = 0;    ///< 0 where the tool is known by name only, or none is in the spindle
-    std::uint32_t edge = 0;      ///< cutting edge (D); 0 = no offsets
+    std::uint32_t number = 0;  ///< 0 where the tool is known by name only, or none is in the spindle
+    std::uint32_t edge = 0;    ///< cutting edge (D); 0 = no offsets
     std::string name;
     bool operator==(const ToolChange&) const = default;
 };
@@ -80,7 +80,7 @@ struct ToolChange {
 /// Synchronised thread pass: moves like Linear, spindle and axis coupled.
 struct Thread {
     geom::Vec3 to;
-    double pitch = 0;            ///< mm per revolution along the move; negative = left hand
+    double pitch = 0;  ///< mm per revolution along the move; negative = left hand
     bool rigid_tap = false;
     bool operator==(const Thread&) const = default;
 };
@@ -106,7 +106,7 @@ struct Comment {
 
 /// Zero of the workpiece frame in machine coordinates, from here on; NaN where it is not known.
 struct Datum {
-    std::uint32_t number = 0;    ///< as the control names it: 54, 505; 0 = machine frame itself
+    std::uint32_t number = 0;  ///< as the control names it: 54, 505; 0 = machine frame itself
     geom::Vec3 origin;
     bool operator==(const Datum&) const = default;
 };
@@ -142,8 +142,8 @@ using StackId = std::uint32_t;
 
 struct Record {
     Step step;
-    base::Span from;   ///< the source text that caused it
-    StackId stack = 0; ///< where it was called from
+    base::Span from;    ///< the source text that caused it
+    StackId stack = 0;  ///< where it was called from
 };
 
 /// Takes records one by one; memory does not grow with the length of the program.

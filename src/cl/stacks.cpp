@@ -3,7 +3,8 @@
 namespace obrys::cl {
 
 StackId CallStacks::push(StackId below, const base::Span& site) {
-    const std::uint64_t key = (std::uint64_t{below} * 0x9E3779B97F4A7C15u) ^ (std::uint64_t{site.file} << 32) ^ site.begin;
+    const std::uint64_t key =
+        (std::uint64_t{below} * 0x9E3779B97F4A7C15u) ^ (std::uint64_t{site.file} << 32) ^ site.begin;
     std::vector<StackId>& candidates = index_[key];
     for (const StackId id : candidates)
         if (entries_[id].below == below && entries_[id].site == site) return id;

@@ -3,7 +3,8 @@
 namespace obrys::driver {
 
 Checked check_program(Session& session, std::size_t keep_moves, const std::function<void(std::uint64_t)>& progress) {
-    // 1. What the program is held to: machine, tools, stock, part, allowance (shop; resolved when the session was opened).
+    // 1. What the program is held to: machine, tools, stock, part, allowance (shop; resolved when the session was
+    // opened).
     check::Setup setup;
     setup.machine = session.job.machine;
     setup.tools = session.job.tools;

@@ -61,7 +61,13 @@ std::optional<geom::Region> run_contour(Session& s, const shop::ProfileFromProgr
     s.main = main;
     const geom::Contour contour = sink.contour();
     if (contour.vertices.size() >= 2) return closed_to_axis(contour);
-    s.diagnostics.add({base::Severity::error, codes::job_value, from.where, from.program + " makes no feed moves from which a contour could be taken", {}, {}, {}});
+    s.diagnostics.add({base::Severity::error,
+                       codes::job_value,
+                       from.where,
+                       from.program + " makes no feed moves from which a contour could be taken",
+                       {},
+                       {},
+                       {}});
     return std::nullopt;
 }
 
@@ -81,9 +87,12 @@ void resolve_contours(Session& s, const fs::path& job_path) {
     if (s.job.part_program) s.part = run_contour(s, *s.job.part_program, job_path);
     if (!s.job.allowance) return;
     const shop::Allowance& a = *s.job.allowance;
-    if (a.profile) s.allowance = a.profile->region;
-    else if (a.program) s.allowance = run_contour(s, *a.program, job_path);
-    else if (s.part && a.normal > 0) s.allowance = with_allowance(*s.part, a.normal);
+    if (a.profile)
+        s.allowance = a.profile->region;
+    else if (a.program)
+        s.allowance = run_contour(s, *a.program, job_path);
+    else if (s.part && a.normal > 0)
+        s.allowance = with_allowance(*s.part, a.normal);
 }
 
 }  // namespace obrys::driver

@@ -15,7 +15,8 @@ namespace {
 
 constexpr std::uintmax_t largest_file = 0xFFFFFFF0u;  // spans count bytes in 32 bits
 
-void complain(base::Diagnostics& d, std::string_view code, const base::Span& where, std::string text, std::string remedy = {}) {
+void complain(base::Diagnostics& d, std::string_view code, const base::Span& where, std::string text,
+              std::string remedy = {}) {
     d.add({base::Severity::error, code, where, std::move(text), std::move(remedy), {}, {}});
 }
 
@@ -59,13 +60,15 @@ std::string similar_names(const fs::path& folder, std::string_view name) {
     return out;
 }
 
-std::optional<std::uint32_t> load(const fs::path& path, base::Sources& sources, base::Diagnostics& diagnostics, const base::Span& where) {
+std::optional<std::uint32_t> load(const fs::path& path, base::Sources& sources, base::Diagnostics& diagnostics,
+                                  const base::Span& where) {
     const std::string shown = path.generic_string();
     std::error_code error;
     const fs::file_status status = fs::status(path, error);
     if (!fs::exists(status)) {
         const std::string near = similar_names(path.parent_path(), path.filename().string());
-        complain(diagnostics, codes::file_missing, where, "there is no file " + shown, near.empty() ? std::string{} : "did you mean " + near + "?");
+        complain(diagnostics, codes::file_missing, where, "there is no file " + shown,
+                 near.empty() ? std::string{} : "did you mean " + near + "?");
         return std::nullopt;
     }
     if (fs::is_directory(status)) {
@@ -79,11 +82,13 @@ std::optional<std::uint32_t> load(const fs::path& path, base::Sources& sources, 
     }
     std::string text;
     if (error || !fs::is_regular_file(status) || !read_text(path, size, text)) {
-        complain(diagnostics, codes::file_missing, where, shown + " cannot be read" + (error ? ": " + error.message() : std::string{}));
+        complain(diagnostics, codes::file_missing, where,
+                 shown + " cannot be read" + (error ? ": " + error.message() : std::string{}));
         return std::nullopt;
     }
     if (base::looks_binary(text)) {
-        complain(diagnostics, codes::file_binary, where, shown + " is not a text file", "name an NC program or a job file");
+        complain(diagnostics, codes::file_binary, where, shown + " is not a text file",
+                 "name an NC program or a job file");
         return std::nullopt;
     }
     if (base::trim(text).empty()) {
@@ -106,7 +111,8 @@ bool store(const fs::path& path, std::string_view content, base::Diagnostics& di
     if (!error) return true;
     std::error_code ignored;
     fs::remove(part, ignored);
-    complain(diagnostics, codes::file_missing, nowhere, path.generic_string() + " cannot be written: " + error.message());
+    complain(diagnostics, codes::file_missing, nowhere,
+             path.generic_string() + " cannot be written: " + error.message());
     return false;
 }
 

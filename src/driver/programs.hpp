@@ -35,7 +35,7 @@ private:
     std::vector<std::unique_ptr<program::Unit>> units_;
     std::vector<const program::Unit*> definitions_;
     std::unordered_map<std::string, const program::Unit*> by_name_;
-    std::unordered_map<std::string, fs::path> files_;   ///< program name -> file
+    std::unordered_map<std::string, fs::path> files_;  ///< program name -> file
     std::vector<fs::path> definition_files_;
 };
 

@@ -35,7 +35,8 @@ bool known_control(Session& s, const std::string& name) {
     if (name.empty() || std::find(all.begin(), all.end(), name) != all.end()) return true;
     std::string list;
     for (const std::string& c : all) list += (list.empty() ? "" : ", ") + c;
-    complain(s, codes::job_value, nowhere, "there is no control \"" + name + "\"", "controls that can be read: " + list);
+    complain(s, codes::job_value, nowhere, "there is no control \"" + name + "\"",
+             "controls that can be read: " + list);
     return false;
 }
 
@@ -43,9 +44,11 @@ bool known_control(Session& s, const std::string& name) {
 bool take_override(Session& s, const std::string& text) {
     const auto equal = text.find('=');
     const std::string name = base::to_upper(base::trim(std::string_view(text).substr(0, equal)));
-    const auto value = equal == std::string::npos ? std::nullopt : base::parse_double(std::string_view(text).substr(equal + 1));
+    const auto value =
+        equal == std::string::npos ? std::nullopt : base::parse_double(std::string_view(text).substr(equal + 1));
     if (name.empty() || !value) {
-        complain(s, codes::job_value, nowhere, "--set " + text + " is not of the form NAME=NUMBER", "write for example --set R3=150");
+        complain(s, codes::job_value, nowhere, "--set " + text + " is not of the form NAME=NUMBER",
+                 "write for example --set R3=150");
         return false;
     }
     auto& all = s.job.overrides;
@@ -70,11 +73,13 @@ void load_tools(Session& s, const fs::path& base_path) {
         const fs::path path = beside(base_path, name);
         const auto file = load(path, s.sources, s.diagnostics, s.job.program_where);
         if (!file) continue;
-        const auto tools = is_job(path) ? shop::read_tools(*file, s.sources, s.diagnostics) : shop::read_toa(*file, s.sources, s.diagnostics);
+        const auto tools = is_job(path) ? shop::read_tools(*file, s.sources, s.diagnostics)
+                                        : shop::read_toa(*file, s.sources, s.diagnostics);
         s.job.tools = shop::merge_tools(std::move(s.job.tools), tools);
     }
     for (const shop::Tool& t : s.job.tools)
-        if (!t.assumed.empty()) s.diagnostics.add({base::Severity::note, codes::assumption, t.where, t.assumed, {}, {}, {}});
+        if (!t.assumed.empty())
+            s.diagnostics.add({base::Severity::note, codes::assumption, t.where, t.assumed, {}, {}, {}});
 }
 
 /// A program alone does not say what machine it is for; turning words tell a lathe.
@@ -83,13 +88,16 @@ bool looks_like_turning(const program::Unit& unit) {
         if (program::code_of(w) == program::Code::speed_limit) return true;
         if (program::code_of(w) != program::Code::modal) continue;
         const program::Modal m = program::modal_of(w);
-        if (m == program::Modal::plane_zx || m == program::Modal::diameter_on || m == program::Modal::diameter_off) return true;
+        if (m == program::Modal::plane_zx || m == program::Modal::diameter_on || m == program::Modal::diameter_off)
+            return true;
     }
     return false;
 }
 
 bool choose_machine(Session& s, const Request& request, const fs::path& job_path) {
-    const std::string name = !request.machine.empty() ? request.machine : s.job.machine_is_file ? s.job.machine_name : std::string{};
+    const std::string name = !request.machine.empty() ? request.machine
+                             : s.job.machine_is_file  ? s.job.machine_name
+                                                      : std::string{};
     if (!name.empty()) return load_machine(s, request.machine.empty() ? job_path : fs::path{}, name);
     if (s.has_job && !s.job.machine_name.empty()) return true;
     const bool turning = s.has_job ? s.job.machine.kind == shop::MachineKind::lathe : looks_like_turning(*s.main);
@@ -103,7 +111,9 @@ bool read_main(Session& s, const Request& request, const fs::path& path) {
     const auto file = load(path, s.sources, s.diagnostics, s.job.program_where);
     if (!file) return false;
     s.program = s.sources[*file].name;
-    s.control = !request.control.empty() ? request.control : !s.job.control.empty() ? s.job.control : controls().front();
+    s.control = !request.control.empty() ? request.control
+                : !s.job.control.empty() ? s.job.control
+                                         : controls().front();
     s.programs = std::make_unique<Programs>(s.sources, s.diagnostics);
     s.programs->add_folder(path.parent_path());
     for (const std::string& folder : request.search) s.programs->add_folder(folder);
@@ -148,8 +158,14 @@ bool open(const Request& request, Session& s) {
 
 interp::Outcome interpret(Session& s, cl::Sink sink) {
     const auto find = [&](std::string_view name) { return s.programs->find(name); };
-    const interp::Environment environment{s.sources,        s.programs->names(), s.job.machine, s.job.tools,
-                                          s.job.overrides,  s.job.budgets,       s.job.skip_levels, find,
+    const interp::Environment environment{s.sources,
+                                          s.programs->names(),
+                                          s.job.machine,
+                                          s.job.tools,
+                                          s.job.overrides,
+                                          s.job.budgets,
+                                          s.job.skip_levels,
+                                          find,
                                           s.programs->definitions()};
     return interp::run(*s.main, environment, s.stacks, sink, s.diagnostics);
 }

@@ -16,19 +16,19 @@ namespace obrys::driver {
 
 /// The command line, as far as it concerns what is run.
 struct Request {
-    std::string input;                  ///< a program, or a job file (.toml)
-    std::string control, machine;       ///< empty: as the job says, else found from the content
-    std::vector<std::string> set;       ///< "R3=150"
-    std::vector<std::string> search;    ///< folders
-    std::vector<int> skip;              ///< block skip levels that are on
-    std::optional<bool> diameter;       ///< X words are diameters at the start
+    std::string input;                ///< a program, or a job file (.toml)
+    std::string control, machine;     ///< empty: as the job says, else found from the content
+    std::vector<std::string> set;     ///< "R3=150"
+    std::vector<std::string> search;  ///< folders
+    std::vector<int> skip;            ///< block skip levels that are on
+    std::optional<bool> diameter;     ///< X words are diameters at the start
 };
 
 struct Session {
     base::Sources sources;
     base::Diagnostics diagnostics;
     shop::Job job;
-    std::string program;                ///< path of the main program, as shown
+    std::string program;  ///< path of the main program, as shown
     std::string control;
     std::unique_ptr<Programs> programs;
     const program::Unit* main = nullptr;

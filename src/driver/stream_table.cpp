@@ -65,7 +65,8 @@ void CsvWriter::operator()(const cl::Record& r) {
     Row row;
     if (!row_of(r.step, row)) return;
     row_.clear();
-    row_ += std::to_string(index_++) + ',' + csv_text(sources_[r.from.file].name) + ',' + std::to_string(sources_.position(r.from).line) + ',';
+    row_ += std::to_string(index_++) + ',' + csv_text(sources_[r.from.file].name) + ',' +
+            std::to_string(sources_.position(r.from).line) + ',';
     if (const auto block = sources_.block_number(r.from.file, r.from.begin)) row_ += std::to_string(*block);
     row_ += std::string(",") + row.kind;
     append_number(row_, row.to.x);
@@ -83,7 +84,9 @@ void JsonWriter::operator()(const cl::Record& r) {
     if (const auto* feed = std::get_if<cl::Feed>(&r.step)) feed_ = feed->value;
     Row row;
     if (!row_of(r.step, row)) return;
-    const auto number = [](double v) { return std::isfinite(v) ? nlohmann::ordered_json(v) : nlohmann::ordered_json(nullptr); };
+    const auto number = [](double v) {
+        return std::isfinite(v) ? nlohmann::ordered_json(v) : nlohmann::ordered_json(nullptr);
+    };
     nlohmann::ordered_json j;
     j["i"] = index_;
     j["file"] = base::as_utf8(sources_[r.from.file].name);

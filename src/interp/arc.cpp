@@ -40,38 +40,61 @@ path::ArcTolerance tolerance(const Run& run) { return {run.env.machine.defaults.
 void arc_alarm(Run& run, const path::ArcResult& r) {
     std::string text;
     switch (r.failure) {
-        case path::ArcFailure::radius_mismatch: text = "the end point lies " + base::fixed(std::abs(r.radius_difference), 3) + " mm " + (r.radius_difference > 0 ? "outside" : "inside") + " the circle through the start point about this centre"; break;
-        case path::ArcFailure::no_radius: text = "the centre lies on the start point"; break;
-        case path::ArcFailure::radius_too_small: text = "the radius is smaller than half the distance from start to end"; break;
-        case path::ArcFailure::points_coincide: text = "start and end are the same point: the arc is not determined"; break;
-        case path::ArcFailure::collinear: text = "the three points lie on a straight line"; break;
-        case path::ArcFailure::bad_angle: text = "the opening angle must lie between 0 and 360 degrees"; break;
-        case path::ArcFailure::no_direction: text = "a tangential arc needs a move before it"; break;
-        case path::ArcFailure::none: return;
+        case path::ArcFailure::radius_mismatch:
+            text = "the end point lies " + base::fixed(std::abs(r.radius_difference), 3) + " mm " +
+                   (r.radius_difference > 0 ? "outside" : "inside") +
+                   " the circle through the start point about this centre";
+            break;
+        case path::ArcFailure::no_radius:
+            text = "the centre lies on the start point";
+            break;
+        case path::ArcFailure::radius_too_small:
+            text = "the radius is smaller than half the distance from start to end";
+            break;
+        case path::ArcFailure::points_coincide:
+            text = "start and end are the same point: the arc is not determined";
+            break;
+        case path::ArcFailure::collinear:
+            text = "the three points lie on a straight line";
+            break;
+        case path::ArcFailure::bad_angle:
+            text = "the opening angle must lie between 0 and 360 degrees";
+            break;
+        case path::ArcFailure::no_direction:
+            text = "a tangential arc needs a move before it";
+            break;
+        case path::ArcFailure::none:
+            return;
     }
     alarm(run, codes::arc_radius, run.here(), std::move(text));
 }
 
 path::ArcResult planar_arc(Run& run, Vec2 from, Vec2 to, bool end_given, const PlaneAxes& a) {
     const BlockWords& b = run.block;
-    const path::Sense sense = run.modal.motion == Modal::arc_cw ? path::Sense::clockwise : path::Sense::counter_clockwise;
+    const path::Sense sense =
+        run.modal.motion == Modal::arc_cw ? path::Sense::clockwise : path::Sense::counter_clockwise;
     const int turns = b.has(Code::turns) ? static_cast<int>(std::clamp(b.get(Code::turns), 0.0, 999.0)) : 0;
     const bool centre = b.has(centre_words[a.u]) || b.has(centre_words[a.v]);
     if (run.modal.motion == Modal::arc_tangent) return path::arc_by_tangent(from, to, run.last_direction);
-    if (b.has(Code::radius)) return path::arc_by_radius(from, to, b.get(Code::radius) * (run.modal.inch_geometry ? 25.4 : 1), sense, turns, tolerance(run));
+    if (b.has(Code::radius))
+        return path::arc_by_radius(from, to, b.get(Code::radius) * (run.modal.inch_geometry ? 25.4 : 1), sense, turns,
+                                   tolerance(run));
     if (b.has(Code::opening_angle)) {
         const double angle = geom::radians(b.get(Code::opening_angle));
-        return end_given ? path::arc_by_angle(from, to, angle, sense, turns) : path::arc_about_centre(from, centre_of(run, a), angle, sense, turns);
+        return end_given ? path::arc_by_angle(from, to, angle, sense, turns)
+                         : path::arc_about_centre(from, centre_of(run, a), angle, sense, turns);
     }
     if (centre) return path::arc_by_centre(from, to, centre_of(run, a), sense, turns, tolerance(run));
     path::ArcResult none;
     none.failure = path::ArcFailure::points_coincide;
-    alarm(run, codes::arc_radius, run.here(), "a circle needs its centre (I, J, K), its radius (CR=) or its opening angle (AR=)");
+    alarm(run, codes::arc_radius, run.here(),
+          "a circle needs its centre (I, J, K), its radius (CR=) or its opening angle (AR=)");
     return none;
 }
 
 bool has_unknown_circle_word(const Run& run) {
-    for (const Code c : {Code::i, Code::j, Code::k, Code::i1, Code::j1, Code::k1, Code::radius, Code::opening_angle, Code::turns})
+    for (const Code c :
+         {Code::i, Code::j, Code::k, Code::i1, Code::j1, Code::k1, Code::radius, Code::opening_angle, Code::turns})
         if (run.block.has(c) && std::isnan(run.block.get(c))) return true;
     return false;
 }
@@ -85,7 +108,8 @@ bool tilted_arc(Run& run, const Vec3& to) {
     for (int k = 0; k < 3; ++k) {
         if (!run.block.has(via_words[k])) continue;
         const std::uint8_t ref = run.block.ref(via_words[k]);
-        const bool incremental = ref == 0 ? !run.modal.absolute : ref == 1 + static_cast<std::uint8_t>(program::Reference::incremental);
+        const bool incremental =
+            ref == 0 ? !run.modal.absolute : ref == 1 + static_cast<std::uint8_t>(program::Reference::incremental);
         const double v = run.block.get(via_words[k]) * length_factor(run, k, incremental);
         coordinate(via, k) = incremental ? coordinate(via, k) + v : v;
     }
@@ -112,12 +136,14 @@ bool tilted_arc(Run& run, const Vec3& to) {
     }
     flush_path(run);
     if (run.modal.compensation != Modal::compensation_off)
-        unchecked(run, codes::unsupported, run.here(), "radius compensation of an arc that is not in the working plane is not run");
+        unchecked(run, codes::unsupported, run.here(),
+                  "radius compensation of an arc that is not in the working plane is not run");
     run.programmed_position = to;
     run.position = geom::apply(run.frame, to);
     const Vec3 n = geom::apply_direction(run.frame, arc.normal);
     const double size = geom::length(n);
-    emit(run, cl::Arc{run.position, geom::apply(run.frame, arc.centre), (geom::determinant(run.frame) < 0 ? -1 / size : 1 / size) * n, arc.sweep});
+    emit(run, cl::Arc{run.position, geom::apply(run.frame, arc.centre),
+                      (geom::determinant(run.frame) < 0 ? -1 / size : 1 / size) * n, arc.sweep});
     return true;
 }
 
@@ -128,20 +154,25 @@ bool arc_motion(Run& run, const Vec3& target) {
         const PlaneAxes a = plane_axes(run.modal.plane);
         const Vec2 from = in_plane(run.programmed_position, a), to = in_plane(target, a);
         if (!std::isfinite(from.x) || !std::isfinite(from.y) || !std::isfinite(to.x) || !std::isfinite(to.y)) {
-            unchecked(run, codes::unknown_value, run.here(), "the arc starts at a position that is not known: it is run as a straight move", "position both axes of the plane before the arc");
+            unchecked(run, codes::unknown_value, run.here(),
+                      "the arc starts at a position that is not known: it is run as a straight move",
+                      "position both axes of the plane before the arc");
             straight_motion(run, target, false);
             return true;
         }
     }
     if (has_unknown_circle_word(run)) {
-        unchecked(run, codes::unknown_value, run.here(), "the arc depends on a value that is not known: it is run as a straight move");
+        unchecked(run, codes::unknown_value, run.here(),
+                  "the arc depends on a value that is not known: it is run as a straight move");
         straight_motion(run, target, false);
         return true;
     }
     if (run.modal.motion == Modal::arc_via) return tilted_arc(run, target);
     const PlaneAxes a = plane_axes(run.modal.plane);
-    const bool end_given = run.block.has(axis_code(a.u)) || run.block.has(axis_code(a.v)) || run.block.has(Code::polar_angle);
-    const path::ArcResult arc = planar_arc(run, in_plane(run.programmed_position, a), in_plane(target, a), end_given, a);
+    const bool end_given =
+        run.block.has(axis_code(a.u)) || run.block.has(axis_code(a.v)) || run.block.has(Code::polar_angle);
+    const path::ArcResult arc =
+        planar_arc(run, in_plane(run.programmed_position, a), in_plane(target, a), end_given, a);
     if (run.stopped) return false;
     path::Element e;
     e.from = in_plane(run.programmed_position, a);
@@ -166,7 +197,8 @@ bool arc_motion(Run& run, const Vec3& target) {
 
 void plane_element(Run& run, path::Element e, const Vec3& to, bool rapid) {
     remember_direction(run, e);
-    if (needs_path_stage(run)) run.path->push(run, std::move(e), rapid);
+    if (needs_path_stage(run))
+        run.path->push(run, std::move(e), rapid);
     else {
         run.record.from = run.here();
         run.record.stack = run.top().stack;
@@ -191,13 +223,16 @@ void emit_element(Run& run, const path::Element& e, bool rapid) {
         run.sink(run.record);
         return;
     }
-    const Vec3 u = geom::apply_direction(run.frame, in_space({1, 0}, 0)), v = geom::apply_direction(run.frame, in_space({0, 1}, 0));
+    const Vec3 u = geom::apply_direction(run.frame, in_space({1, 0}, 0)),
+               v = geom::apply_direction(run.frame, in_space({0, 1}, 0));
     if (std::abs(geom::length(u) - geom::length(v)) > 1e-9) {
-        alarm(run, codes::value_range, run.record.from, "a circle cannot be run with different scale factors in its plane");
+        alarm(run, codes::value_range, run.record.from,
+              "a circle cannot be run with different scale factors in its plane");
         return;
     }
     const Vec3 normal = geom::cross(u, v);
-    run.record.step = cl::Arc{to, geom::apply(run.frame, in_space(e.centre, e.w_from)), (1 / geom::length(normal)) * normal, e.sweep};
+    run.record.step =
+        cl::Arc{to, geom::apply(run.frame, in_space(e.centre, e.w_from)), (1 / geom::length(normal)) * normal, e.sweep};
     run.sink(run.record);
 }
 

@@ -17,7 +17,8 @@ base::Span span_of(const Run& run, const Expr& e) { return {run.unit().file, e.b
 
 double divided(Run& run, const Expr& e, double a, double b) {
     if (b != 0) return a / b;
-    alarm(run, codes::arithmetic, span_of(run, e), "division by zero", "guard the block with IF or correct the divisor");
+    alarm(run, codes::arithmetic, span_of(run, e), "division by zero",
+          "guard the block with IF or correct the divisor");
     return 0;
 }
 
@@ -51,28 +52,46 @@ double with_unknown(Operator op, double a, double b) {
 double binary_number(Run& run, const Expr& e, double a, double b) {
     if (std::isnan(a) || std::isnan(b)) return with_unknown(static_cast<Operator>(e.op), a, b);
     switch (static_cast<Operator>(e.op)) {
-        case Operator::add: return a + b;
-        case Operator::subtract: return a - b;
-        case Operator::multiply: return checked(run, e, a * b);
-        case Operator::divide: return checked(run, e, divided(run, e, a, b));
-        case Operator::integer_divide: return std::trunc(divided(run, e, a, b));
+        case Operator::add:
+            return a + b;
+        case Operator::subtract:
+            return a - b;
+        case Operator::multiply:
+            return checked(run, e, a * b);
+        case Operator::divide:
+            return checked(run, e, divided(run, e, a, b));
+        case Operator::integer_divide:
+            return std::trunc(divided(run, e, a, b));
         case Operator::modulo: {
             const double quotient = std::trunc(divided(run, e, a, b));
             return a - quotient * b;
         }
-        case Operator::equal: return nearly_equal(run, a, b);
-        case Operator::not_equal: return !nearly_equal(run, a, b);
-        case Operator::less: return a < b && !nearly_equal(run, a, b);
-        case Operator::less_equal: return a < b || nearly_equal(run, a, b);
-        case Operator::greater: return a > b && !nearly_equal(run, a, b);
-        case Operator::greater_equal: return a > b || nearly_equal(run, a, b);
-        case Operator::logical_and: return a != 0 && b != 0;
-        case Operator::logical_or: return a != 0 || b != 0;
-        case Operator::logical_xor: return (a != 0) != (b != 0);
-        case Operator::bit_and: return bits(a) & bits(b);
-        case Operator::bit_or: return bits(a) | bits(b);
-        case Operator::bit_xor: return bits(a) ^ bits(b);
-        default: break;
+        case Operator::equal:
+            return nearly_equal(run, a, b);
+        case Operator::not_equal:
+            return !nearly_equal(run, a, b);
+        case Operator::less:
+            return a < b && !nearly_equal(run, a, b);
+        case Operator::less_equal:
+            return a < b || nearly_equal(run, a, b);
+        case Operator::greater:
+            return a > b && !nearly_equal(run, a, b);
+        case Operator::greater_equal:
+            return a > b || nearly_equal(run, a, b);
+        case Operator::logical_and:
+            return a != 0 && b != 0;
+        case Operator::logical_or:
+            return a != 0 || b != 0;
+        case Operator::logical_xor:
+            return (a != 0) != (b != 0);
+        case Operator::bit_and:
+            return bits(a) & bits(b);
+        case Operator::bit_or:
+            return bits(a) | bits(b);
+        case Operator::bit_xor:
+            return bits(a) ^ bits(b);
+        default:
+            break;
     }
     alarm(run, codes::type_mismatch, span_of(run, e), "this operator does not work on numbers");
     return 0;
@@ -85,12 +104,18 @@ bool compares(Operator op) { return op >= Operator::equal && op <= Operator::gre
 Value compare_texts(const Expr& e, const Value& a, const Value& b) {
     const int order = a.as_text().compare(b.as_text());
     switch (static_cast<Operator>(e.op)) {
-        case Operator::equal: return Value::boolean(order == 0);
-        case Operator::not_equal: return Value::boolean(order != 0);
-        case Operator::less: return Value::boolean(order < 0);
-        case Operator::less_equal: return Value::boolean(order <= 0);
-        case Operator::greater: return Value::boolean(order > 0);
-        default: return Value::boolean(order >= 0);
+        case Operator::equal:
+            return Value::boolean(order == 0);
+        case Operator::not_equal:
+            return Value::boolean(order != 0);
+        case Operator::less:
+            return Value::boolean(order < 0);
+        case Operator::less_equal:
+            return Value::boolean(order <= 0);
+        case Operator::greater:
+            return Value::boolean(order > 0);
+        default:
+            return Value::boolean(order >= 0);
     }
 }
 
@@ -109,7 +134,8 @@ Value binary_value(Run& run, const Expr& e, const Value& a, const Value& b) {
     if (compares(op) && text && comparable) return compare_texts(e, as_string(a), as_string(b));
     if (!a.is_number() || !b.is_number()) {
         alarm(run, codes::type_mismatch, span_of(run, e),
-              "a " + std::string(name(a.type)) + " and a " + std::string(name(b.type)) + " cannot be combined by this operator");
+              "a " + std::string(name(a.type)) + " and a " + std::string(name(b.type)) +
+                  " cannot be combined by this operator");
         return {};
     }
     const double result = binary_number(run, e, a.number, b.number);

@@ -35,7 +35,8 @@ bool element_of(Run& run, const Expr& e, const Array& a, std::size_t& index) {
     for (std::size_t k = 0; k < e.count && k < 3; ++k) text += (k > 0 ? "," : "") + printed(Value::real(indices[k]));
     std::string range;
     for (int k = 0; k < std::max(a.rank, 1); ++k)
-        range += (k > 0 ? ", " : "") + std::string("0 to ") + std::to_string(a.dimensions[static_cast<std::size_t>(k)] - 1);
+        range +=
+            (k > 0 ? ", " : "") + std::string("0 to ") + std::to_string(a.dimensions[static_cast<std::size_t>(k)] - 1);
     alarm(run, codes::index_range, where, "index [" + text + "] lies outside the array (" + range + ")");
     return false;
 }
@@ -43,7 +44,8 @@ bool element_of(Run& run, const Expr& e, const Array& a, std::size_t& index) {
 std::size_t undefined_key(Run& run, const Expr& e) {
     std::size_t key = 0;
     for (std::size_t k = 0; k < e.count; ++k)
-        key = key * 65536 + static_cast<std::size_t>(std::max(0.0, std::min(65535.0, number(run, run.unit().children[e.b + k]))));
+        key = key * 65536 +
+              static_cast<std::size_t>(std::max(0.0, std::min(65535.0, number(run, run.unit().children[e.b + k]))));
     return key;
 }
 
@@ -57,7 +59,9 @@ bool is_constant(const Unit& unit, ExprId id) {
 
 void complain(Run& run, Conversion c, const Value& v, Type to, const base::Span& where) {
     const std::string target(name(to));
-    if (c == Conversion::wrong_type) alarm(run, codes::type_mismatch, where, "a " + std::string(name(v.type)) + " cannot be assigned to a " + target);
+    if (c == Conversion::wrong_type)
+        alarm(run, codes::type_mismatch, where,
+              "a " + std::string(name(v.type)) + " cannot be assigned to a " + target);
     if (c == Conversion::out_of_range) alarm(run, codes::value_range, where, "the value does not fit into " + target);
     if (c == Conversion::too_long) alarm(run, codes::value_range, where, "the text is longer than the variable");
 }
@@ -93,17 +97,21 @@ void assign_parameter(Run& run, const Expr& target, const program::Assign& a) {
     const double index = target.kind == ExprKind::parameter ? target.a : number(run, target.a);
     if (run.stopped) return;
     if (std::isnan(index)) {
-        unchecked(run, codes::unknown_value, run.unit().span(a.target), "which parameter this is depends on a value that is not known");
+        unchecked(run, codes::unknown_value, run.unit().span(a.target),
+                  "which parameter this is depends on a value that is not known");
         return;
     }
     if (!(index >= 0) || index >= run.parameters.count()) {
-        alarm(run, codes::index_range, run.unit().span(a.target), "there is no parameter " + printed(Value::real(index)));
+        alarm(run, codes::index_range, run.unit().span(a.target),
+              "there is no parameter " + printed(Value::real(index)));
         return;
     }
     const auto n = static_cast<std::uint32_t>(index);
     if (run.parameter_overridden[n] != 0 && is_constant(run.unit(), a.value)) {
         const std::string name = run.unit().traits->parameter_letter + std::to_string(n);
-        assume(run, run.unit().span(a.target), name + "=" + printed(Value::real(run.parameter_override[n])) + " is set from outside and replaces the program's constant");
+        assume(run, run.unit().span(a.target),
+               name + "=" + printed(Value::real(run.parameter_override[n])) +
+                   " is set from outside and replaces the program's constant");
         run.parameters.set(n, run.parameter_override[n]);
         return;
     }
@@ -118,7 +126,8 @@ void assign_variable(Run& run, const Expr& target, const program::Assign& a) {
     if (b == nullptr) {
         const std::string& name = run.env.names.text(target.a);
         unchecked(run, codes::undefined_name, unit.span(a.target), name + " is not defined in this program",
-                  "if it is global user data (GUD), put its definition file beside the program or give its value in [variables] of the job");
+                  "if it is global user data (GUD), put its definition file beside the program or give its value in "
+                  "[variables] of the job");
         run.undefined.set(target.a, undefined_key(run, target), evaluate(run, a.value));
         return;
     }
@@ -131,7 +140,9 @@ void assign_variable(Run& run, const Expr& target, const program::Assign& a) {
     }
     const auto replaced = run.overrides_by_name.find(target.a);
     if (replaced != run.overrides_by_name.end() && is_constant(unit, a.value)) {
-        assume(run, unit.span(a.target), run.env.names.text(target.a) + "=" + printed(Value::real(replaced->second)) + " is set from outside and replaces the program's constant");
+        assume(run, unit.span(a.target),
+               run.env.names.text(target.a) + "=" + printed(Value::real(replaced->second)) +
+                   " is set from outside and replaces the program's constant");
         store(run, *array, index, Value::real(replaced->second), unit.span(a.value));
         return;
     }
@@ -139,15 +150,14 @@ void assign_variable(Run& run, const Expr& target, const program::Assign& a) {
     if (!run.stopped) store(run, *array, index, std::move(v), unit.span(a.value));
 }
 
-std::uint64_t system_key(Run& run, const Expr& e) {
-    return (std::uint64_t{e.a} << 32) ^ undefined_key(run, e);
-}
+std::uint64_t system_key(Run& run, const Expr& e) { return (std::uint64_t{e.a} << 32) ^ undefined_key(run, e); }
 
 void assign_frame(Run& run, const Expr& target, const program::Assign& a) {
     const Value v = evaluate(run, a.value);
     if (run.stopped) return;
     if (v.type != Type::frame || target.count > 0) {
-        unchecked(run, codes::unsupported, run.unit().span(a.target), "single components of a frame cannot be written", "write the whole frame, e.g. $P_PFRAME=CTRANS(X,10)");
+        unchecked(run, codes::unsupported, run.unit().span(a.target), "single components of a frame cannot be written",
+                  "write the whole frame, e.g. $P_PFRAME=CTRANS(X,10)");
         return;
     }
     run.modal.programmed = v.as_frame();
@@ -157,26 +167,34 @@ void assign_frame(Run& run, const Expr& target, const program::Assign& a) {
 void assign_system(Run& run, const Expr& target, const program::Assign& a) {
     using program::SystemVariable;
     switch (static_cast<SystemVariable>(target.op)) {
-        case SystemVariable::programmed_frame: assign_frame(run, target, a); return;
+        case SystemVariable::programmed_frame:
+            assign_frame(run, target, a);
+            return;
         case SystemVariable::numbered_parameter:
             if (target.count == 1) {
                 const double n = number(run, run.unit().children[target.b]);
-                if (!run.stopped && n >= 0 && n < run.parameters.count()) run.parameters.set(static_cast<std::uint32_t>(n), number(run, a.value));
-                else if (!run.stopped) alarm(run, codes::index_range, run.unit().span(a.target), "there is no parameter " + printed(Value::real(n)));
+                if (!run.stopped && n >= 0 && n < run.parameters.count())
+                    run.parameters.set(static_cast<std::uint32_t>(n), number(run, a.value));
+                else if (!run.stopped)
+                    alarm(run, codes::index_range, run.unit().span(a.target),
+                          "there is no parameter " + printed(Value::real(n)));
             }
             return;
         case SystemVariable::datum_frame:
         case SystemVariable::settable_frame:
         case SystemVariable::base_frame:
         case SystemVariable::active_frame:
-            unchecked(run, codes::unsupported, run.unit().span(a.target), "writing " + run.env.names.text(target.a) + " is not run",
+            unchecked(run, codes::unsupported, run.unit().span(a.target),
+                      "writing " + run.env.names.text(target.a) + " is not run",
                       "give the zero offsets in [datum] of the job");
             return;
-        default: break;
+        default:
+            break;
     }
     run.system_written[system_key(run, target)] = evaluate(run, a.value);
     if (static_cast<SystemVariable>(target.op) == SystemVariable::unknown)
-        unchecked(run, codes::unknown_value, run.unit().span(a.target), "the effect of writing " + run.env.names.text(target.a) + " is not known");
+        unchecked(run, codes::unknown_value, run.unit().span(a.target),
+                  "the effect of writing " + run.env.names.text(target.a) + " is not known");
 }
 
 }  // namespace
@@ -185,10 +203,17 @@ void assign(Run& run, const program::Assign& a) {
     const Expr& target = run.unit().exprs[a.target];
     switch (target.kind) {
         case ExprKind::parameter:
-        case ExprKind::parameter_at: assign_parameter(run, target, a); return;
-        case ExprKind::variable: assign_variable(run, target, a); return;
-        case ExprKind::system: assign_system(run, target, a); return;
-        default: alarm(run, codes::syntax, run.unit().span(a.target), "nothing can be assigned to this");
+        case ExprKind::parameter_at:
+            assign_parameter(run, target, a);
+            return;
+        case ExprKind::variable:
+            assign_variable(run, target, a);
+            return;
+        case ExprKind::system:
+            assign_system(run, target, a);
+            return;
+        default:
+            alarm(run, codes::syntax, run.unit().span(a.target), "nothing can be assigned to this");
     }
 }
 
@@ -208,7 +233,9 @@ void initialise(Run& run, Array& array, const program::Variable& v) {
     }
     const auto replaced = run.overrides_by_name.find(v.name);
     if (replaced == run.overrides_by_name.end() || array.size() != 1 || array.type > Type::real) return;
-    assume(run, v.where, run.env.names.text(v.name) + "=" + printed(Value::real(replaced->second)) + " is set from outside and replaces the program's constant");
+    assume(run, v.where,
+           run.env.names.text(v.name) + "=" + printed(Value::real(replaced->second)) +
+               " is set from outside and replaces the program's constant");
     store(run, array, 0, Value::real(replaced->second), v.where);
 }
 
@@ -222,18 +249,22 @@ void define(Run& run, const program::Define& d, Scope& scope, const Unit& unit) 
         }
         auto array = std::make_shared<Array>();
         array->type = d.type;
-        if (d.string_length != program::no_expr) array->string_length = static_cast<std::size_t>(std::clamp(known_or(number(run, d.string_length), 200), 0.0, 10000.0));
+        if (d.string_length != program::no_expr)
+            array->string_length =
+                static_cast<std::size_t>(std::clamp(known_or(number(run, d.string_length), 200), 0.0, 10000.0));
         double total = 1;
         for (std::size_t k = 0; k < 3 && v.dimensions[k] != program::no_expr; ++k) {
             const double n = number(run, v.dimensions[k]);
             total *= std::max(1.0, n);
             if (run.stopped) return;
             if (std::isnan(n)) {
-                unchecked(run, codes::unknown_value, unit.span(v.dimensions[k]), "the size of this array depends on a value that is not known");
+                unchecked(run, codes::unknown_value, unit.span(v.dimensions[k]),
+                          "the size of this array depends on a value that is not known");
                 return;
             }
             if (!(n >= 1) || total > static_cast<double>(largest_array)) {
-                alarm(run, codes::value_range, unit.span(v.dimensions[k]), "an array cannot have " + printed(Value::real(n)) + " elements here");
+                alarm(run, codes::value_range, unit.span(v.dimensions[k]),
+                      "an array cannot have " + printed(Value::real(n)) + " elements here");
                 return;
             }
             array->dimensions[k] = static_cast<std::uint32_t>(n);

@@ -37,9 +37,12 @@ double word_value(Run& run, const Word& w) {
 
 /// Number of an M or H function; out of the control's range: alarm, unknown: reported and left out.
 void function_number(Run& run, const base::Span& where, double v, std::vector<int>& functions) {
-    if (std::isnan(v)) unchecked(run, codes::unknown_value, where, "which function this is depends on a value that is not known");
-    else if (v < -2147483647 || v > 2147483647) alarm(run, codes::value_range, where, "this function number is out of range");
-    else functions.push_back(static_cast<int>(v));
+    if (std::isnan(v))
+        unchecked(run, codes::unknown_value, where, "which function this is depends on a value that is not known");
+    else if (v < -2147483647 || v > 2147483647)
+        alarm(run, codes::value_range, where, "this function number is out of range");
+    else
+        functions.push_back(static_cast<int>(v));
 }
 
 void tool_word(Run& run, const Word& w) {
@@ -62,11 +65,19 @@ void named_value(Run& run, const program::Named& n) {
     const double value = n.value == program::no_expr ? 0 : number(run, n.value);
     if (run.stopped) return;
     const bool first = extension <= 1;
-    if (letter == "M" && first) function_number(run, run.here(), value, run.block.m);
-    else if (letter == "M") assume(run, run.here(), "M" + printed(Value::real(extension)) + "= is for another spindle than the first and is not followed");
-    else if (letter == "S" && first) run.block.put(Code::spindle, value);
-    else if (letter == "H") function_number(run, run.here(), value, run.block.h);
-    else assume(run, run.here(), letter + printed(Value::real(extension)) + "= belongs to another spindle or axis than the first and is not followed");
+    if (letter == "M" && first)
+        function_number(run, run.here(), value, run.block.m);
+    else if (letter == "M")
+        assume(run, run.here(),
+               "M" + printed(Value::real(extension)) + "= is for another spindle than the first and is not followed");
+    else if (letter == "S" && first)
+        run.block.put(Code::spindle, value);
+    else if (letter == "H")
+        function_number(run, run.here(), value, run.block.h);
+    else
+        assume(run, run.here(),
+               letter + printed(Value::real(extension)) +
+                   "= belongs to another spindle or axis than the first and is not followed");
 }
 
 void named_axis(Run& run, const program::Named& n, const base::Span& where) {
@@ -86,10 +97,18 @@ void named_axis(Run& run, const program::Named& n, const base::Span& where) {
     run.block.axes.push_back({axis, v, reference, where});
 }
 
+bool complained(const Run& run, const base::Span& where) {
+    for (const base::Diagnostic& d : run.diagnostics.all())
+        if (d.code == codes::syntax && d.where.file == where.file && d.where.begin == where.begin) return true;
+    return false;
+}
+
 void problem_word(Run& run, const Word& w) {
     const program::Problem& p = run.unit().problems[static_cast<std::size_t>(w.payload)];
+    if (!p.reason.empty() && complained(run, p.where)) return;  // the reader has said it already
     if (program::code_of(w) == Code::unknown)
-        unchecked(run, codes::unknown_word, p.where, "\"" + p.text + "\" is not a word of this control" + (p.reason.empty() ? "" : ": " + p.reason),
+        unchecked(run, codes::unknown_word, p.where,
+                  "\"" + p.text + "\" is not a word of this control" + (p.reason.empty() ? "" : ": " + p.reason),
                   "check the spelling; if a machine builder defined it, its effect is not known here");
     else
         unchecked(run, codes::unsupported, p.where, p.text + " is not run" + (p.reason.empty() ? "" : ": " + p.reason));
@@ -100,17 +119,35 @@ void problem_word(Run& run, const Word& w) {
 void gather(Run& run, const program::Statement& s, const Word& w) {
     const Code code = program::code_of(w);
     switch (code) {
-        case Code::modal: modal_word(run, w); return;
-        case Code::assign: assign(run, run.unit().assigns[static_cast<std::size_t>(w.payload)]); return;
+        case Code::modal:
+            modal_word(run, w);
+            return;
+        case Code::assign:
+            assign(run, run.unit().assigns[static_cast<std::size_t>(w.payload)]);
+            return;
         case Code::unsupported:
-        case Code::unknown: problem_word(run, w); return;
-        case Code::m: function_number(run, run.unit().span(s, w), word_value(run, w), run.block.m); return;
-        case Code::h: function_number(run, run.unit().span(s, w), word_value(run, w), run.block.h); return;
-        case Code::tool: tool_word(run, w); return;
-        case Code::named_axis: named_axis(run, run.unit().named[static_cast<std::size_t>(w.payload)], run.unit().span(s, w)); return;
-        case Code::named_value: named_value(run, run.unit().named[static_cast<std::size_t>(w.payload)]); return;
-        case Code::control: return;
-        default: break;
+        case Code::unknown:
+            problem_word(run, w);
+            return;
+        case Code::m:
+            function_number(run, run.unit().span(s, w), word_value(run, w), run.block.m);
+            return;
+        case Code::h:
+            function_number(run, run.unit().span(s, w), word_value(run, w), run.block.h);
+            return;
+        case Code::tool:
+            tool_word(run, w);
+            return;
+        case Code::named_axis:
+            named_axis(run, run.unit().named[static_cast<std::size_t>(w.payload)], run.unit().span(s, w));
+            return;
+        case Code::named_value:
+            named_value(run, run.unit().named[static_cast<std::size_t>(w.payload)]);
+            return;
+        case Code::control:
+            return;
+        default:
+            break;
     }
     if (program::is_literal(w)) {
         run.block.put(code, run.unit().literal(w));
@@ -118,7 +155,8 @@ void gather(Run& run, const program::Statement& s, const Word& w) {
     }
     const auto id = static_cast<ExprId>(w.payload);
     const double v = program::form_of(w) == Form::expression ? number(run, id) : 0;
-    run.block.put(code, v, program::form_of(w) == Form::expression ? reference_of(run.unit().exprs[id]) : std::uint8_t{0});
+    run.block.put(code, v,
+                  program::form_of(w) == Form::expression ? reference_of(run.unit().exprs[id]) : std::uint8_t{0});
 }
 
 void run_block(Run& run, const program::Statement& s, std::uint32_t index) {

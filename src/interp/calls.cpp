@@ -4,8 +4,8 @@
 #include <cmath>
 
 #include "base/codes.hpp"
-#include "base/text.hpp"
 #include "base/number.hpp"
+#include "base/text.hpp"
 #include "interp/run.hpp"
 
 namespace obrys::interp {
@@ -18,7 +18,8 @@ namespace codes = base::codes;
 namespace {
 
 /// Binds a VAR parameter to the caller's variable. False where the argument is no variable.
-bool bind_reference(const Run& run, const Parameter& p, const Unit& caller, ExprId argument, Run& mutable_run, Scope& locals) {
+bool bind_reference(const Run& run, const Parameter& p, const Unit& caller, ExprId argument, Run& mutable_run,
+                    Scope& locals) {
     const program::Expr& e = caller.exprs[argument];
     const Binding* b = e.kind == ExprKind::variable ? find_variable(run, e.a) : nullptr;
     if (b == nullptr) return false;
@@ -40,7 +41,8 @@ void bind_value(Run& run, const Parameter& p, Value v, const base::Span& where, 
     const Conversion c = convert(v, p.type);
     if (c != Conversion::ok) {
         alarm(run, codes::type_mismatch, where,
-              "a " + std::string(name(given)) + " does not fit the parameter " + run.env.names.text(p.name) + " of type " + std::string(name(p.type)));
+              "a " + std::string(name(given)) + " does not fit the parameter " + run.env.names.text(p.name) +
+                  " of type " + std::string(name(p.type)));
         return;
     }
     array->set(0, v);
@@ -59,7 +61,8 @@ void bind_arguments(Run& run, const Unit& unit, const Call& call, Activation& ca
     const Unit& caller = run.unit();
     if (call.arguments.size() > unit.parameters.size()) {
         alarm(run, codes::bad_argument, call.where,
-              unit.name + " takes " + std::to_string(unit.parameters.size()) + " arguments, " + std::to_string(call.arguments.size()) + " are given");
+              unit.name + " takes " + std::to_string(unit.parameters.size()) + " arguments, " +
+                  std::to_string(call.arguments.size()) + " are given");
         return;
     }
     for (std::size_t i = 0; i < unit.parameters.size() && !run.stopped; ++i) {
@@ -95,7 +98,14 @@ void bind_presets(Run& run, const Unit& unit) {
 void note_unit(Run& run, const Unit& unit) {
     if (!run.entered.insert(&unit).second) return;
     for (const program::Ignored& i : unit.ignored)
-        run.diagnostics.add({base::Severity::note, codes::no_effect, i.where, i.text + " has no effect on the path" + (i.count > 1 ? " (" + std::to_string(i.count) + " times)" : ""), {}, {}, {}});
+        run.diagnostics.add(
+            {base::Severity::note,
+             codes::no_effect,
+             i.where,
+             i.text + " has no effect on the path" + (i.count > 1 ? " (" + std::to_string(i.count) + " times)" : ""),
+             {},
+             {},
+             {}});
 }
 
 std::string program_name(std::string_view written) {
@@ -117,9 +127,10 @@ const Unit* find(Run& run, const std::string& name, const base::Span& where) {
 }  // namespace
 
 void enter(Run& run, const Unit& unit, const Call* call, const base::Span& where) {
-    if (run.calls.size() > run.env.budgets.call_depth) {
-        unchecked(run, codes::budget, where, "programs are called more than " + std::to_string(run.env.budgets.call_depth) + " levels deep",
-                  "a program that calls itself never ends; raise call_depth in [budget] of the job if it really needs more");
+    if (run.calls.size() >= run.env.budgets.call_depth) {
+        unchecked(run, codes::budget, where,
+                  "programs call each other more than " + std::to_string(run.env.budgets.call_depth) + " levels deep",
+                  "the control allows no more; raise call_depth in [budget] of the job if yours does");
         run.stopped = true;
         run.ending = Ending::budget;
         return;
@@ -133,7 +144,9 @@ void enter(Run& run, const Unit& unit, const Call* call, const base::Span& where
     if (call != nullptr) bind_arguments(run, unit, *call, callee);
     if (call != nullptr && call->passes != program::no_expr) {
         const double passes = number(run, call->passes);
-        if (std::isnan(passes)) unchecked(run, codes::unknown_value, where, "how often this call is made depends on a value that is not known");
+        if (std::isnan(passes))
+            unchecked(run, codes::unknown_value, where,
+                      "how often this call is made depends on a value that is not known");
         if (!(passes >= 1)) return;
         callee.repeats_left = static_cast<std::uint64_t>(std::min(passes, 1e15)) - 1;
     }
@@ -197,7 +210,8 @@ void set_modal_call(Run& run, const Unit& unit, const Call& call) {
     for (std::size_t i = 0; i < unit.parameters.size(); ++i) {
         const ExprId argument = i < call.arguments.size() ? call.arguments[i] : program::no_expr;
         modal.given.push_back(argument != program::no_expr);
-        modal.arguments.push_back(argument != program::no_expr ? evaluate(run, argument) : zero_of(unit.parameters[i].type));
+        modal.arguments.push_back(argument != program::no_expr ? evaluate(run, argument)
+                                                               : zero_of(unit.parameters[i].type));
     }
     if (!run.stopped) run.modal_call = std::move(modal);
 }
@@ -224,17 +238,23 @@ void run_modal_call(Run& run) {
 void procedure(Run& run, const program::ProcedureCall& p) {
     switch (p.procedure) {
         case program::Procedure::message: {
-            std::string text = p.arguments.empty() || p.arguments[0] == program::no_expr ? std::string{} : printed(evaluate(run, p.arguments[0]));
+            std::string text = p.arguments.empty() || p.arguments[0] == program::no_expr
+                                   ? std::string{}
+                                   : printed(evaluate(run, p.arguments[0]));
+            run.last_message = text;
             if (!run.stopped) emit(run, cl::Comment{std::move(text), true});
             return;
         }
         case program::Procedure::alarm: {
             const Value v = p.arguments.empty() ? Value{} : evaluate(run, p.arguments[0]);
             std::string text = p.arguments.size() > 1 ? ": " + printed(evaluate(run, p.arguments[1])) : std::string{};
-            if (!run.stopped) alarm(run, codes::program_alarm, p.where, "the program stops itself with alarm " + printed(v) + text);
+            if (text.empty() && !run.last_message.empty()) text = ": " + run.last_message;
+            if (!run.stopped)
+                alarm(run, codes::program_alarm, p.where, "the program stops itself with alarm " + printed(v) + text);
             return;
         }
-        case program::Procedure::master_spindle: return;
+        case program::Procedure::master_spindle:
+            return;
     }
 }
 

@@ -11,8 +11,10 @@ void emit(Run& run, cl::Step step) {
     run.record.step = std::move(step);
     run.record.from = run.here();
     run.record.stack = run.top().stack;
-    if (run.path->active() && !cl::is_move(run.record.step)) run.path->hold(run.record);
-    else run.sink(run.record);
+    if (run.path->active() && !cl::is_move(run.record.step))
+        run.path->hold(run.record);
+    else
+        run.sink(run.record);
 }
 
 void flush_path(Run& run) {
@@ -25,8 +27,10 @@ void emit_datum(Run& run) {
     constexpr double unknown = std::numeric_limits<double>::quiet_NaN();
     cl::Datum d{run.reference_datum, {unknown, unknown, unknown}};
     const auto& known = run.env.machine.datums;
-    if (const auto found = known.find(run.reference_datum); found != known.end()) d.origin = found->second;
-    else if (run.reference_datum == 500 && !known.empty()) d.origin = {};  // the machine's own zero
+    if (const auto found = known.find(run.reference_datum); found != known.end())
+        d.origin = found->second;
+    else if (run.reference_datum == 500 && !known.empty())
+        d.origin = {};  // the machine's own zero
     emit(run, d);
 }
 

@@ -23,8 +23,9 @@ double parameter_value(Run& run, const Expr& e, double index) {
     }
     if (!(index >= 0) || index >= run.parameters.count()) {
         alarm(run, codes::index_range, where,
-              "parameter number " + printed(Value::real(index)) + " lies outside " + run.unit().traits->parameter_letter + "0 to " +
-                  run.unit().traits->parameter_letter + std::to_string(run.parameters.count() - 1));
+              "parameter number " + printed(Value::real(index)) + " lies outside " +
+                  run.unit().traits->parameter_letter + "0 to " + run.unit().traits->parameter_letter +
+                  std::to_string(run.parameters.count() - 1));
         return 0;
     }
     const auto n = static_cast<std::uint32_t>(index);
@@ -46,7 +47,8 @@ double variable_number(Run& run, const Expr& e, ExprId id) {
         return b->array->numbers[b->offset];
     const Value v = evaluate(run, id);
     if (run.stopped || v.is_number()) return v.number;
-    alarm(run, codes::type_mismatch, run.unit().span(id), "a number is needed here, this is a " + std::string(name(v.type)));
+    alarm(run, codes::type_mismatch, run.unit().span(id),
+          "a number is needed here, this is a " + std::string(name(v.type)));
     return 0;
 }
 
@@ -58,7 +60,8 @@ double function_number(Run& run, const Expr& e, ExprId id) {
     }
     const Value v = call_function(run, e);
     if (run.stopped || v.is_number()) return v.number;
-    alarm(run, codes::type_mismatch, run.unit().span(id), "a number is needed here, this is a " + std::string(name(v.type)));
+    alarm(run, codes::type_mismatch, run.unit().span(id),
+          "a number is needed here, this is a " + std::string(name(v.type)));
     return 0;
 }
 
@@ -69,12 +72,15 @@ double number(Run& run, ExprId id) {
     const Unit& unit = run.unit();
     const Expr& e = unit.exprs[id];
     switch (e.kind) {
-        case ExprKind::number: return unit.numbers[e.a];
-        case ExprKind::boolean: return e.a;
+        case ExprKind::number:
+            return unit.numbers[e.a];
+        case ExprKind::boolean:
+            return e.a;
         case ExprKind::parameter:
             if (e.a < run.parameters.count() && run.parameters.is_set(e.a)) return run.parameters.get(e.a);
             return parameter_value(run, e, e.a);
-        case ExprKind::parameter_at: return parameter_value(run, e, number(run, e.a));
+        case ExprKind::parameter_at:
+            return parameter_value(run, e, number(run, e.a));
         case ExprKind::binary:
             if (is_numeric(static_cast<Operator>(e.op))) {
                 const double a = number(run, e.a);
@@ -85,16 +91,24 @@ double number(Run& run, ExprId id) {
         case ExprKind::unary: {
             const double a = number(run, e.a);
             switch (static_cast<Operator>(e.op)) {
-                case Operator::negate: return -a;
-                case Operator::logical_not: return std::isnan(a) ? a : a == 0 ? 1 : 0;
-                case Operator::bit_not: return std::isnan(a) ? a : -1 - std::trunc(a);
-                default: return a;
+                case Operator::negate:
+                    return -a;
+                case Operator::logical_not:
+                    return std::isnan(a) ? a : a == 0 ? 1 : 0;
+                case Operator::bit_not:
+                    return std::isnan(a) ? a : -1 - std::trunc(a);
+                default:
+                    return a;
             }
         }
-        case ExprKind::function: return function_number(run, e, id);
-        case ExprKind::qualified: return number(run, e.a);
-        case ExprKind::variable: return variable_number(run, e, id);
-        default: break;
+        case ExprKind::function:
+            return function_number(run, e, id);
+        case ExprKind::qualified:
+            return number(run, e.a);
+        case ExprKind::variable:
+            return variable_number(run, e, id);
+        default:
+            break;
     }
     const Value v = evaluate(run, id);
     if (run.stopped || v.is_number()) return v.number;
@@ -118,7 +132,8 @@ bool truth(Run& run, ExprId id, bool when_unknown) {
     const double v = condition(run, id);
     if (!std::isnan(v)) return v != 0;
     unchecked(run, codes::unknown_value, run.unit().span(id), "this condition depends on a value that is not known",
-              std::string("it is taken as ") + (when_unknown ? "fulfilled" : "not fulfilled") + "; the run may go another way on the machine");
+              std::string("it is taken as ") + (when_unknown ? "fulfilled" : "not fulfilled") +
+                  "; the run may go another way on the machine");
     return when_unknown;
 }
 
@@ -137,7 +152,8 @@ Value read_variable(Run& run, const Expr& e, ExprId id) {
     if (e.count == 0 && text.size() == 1 && std::string_view("XYZABCUVW").find(text[0]) != std::string_view::npos)
         return Value::axis(text);
     unchecked(run, codes::undefined_name, unit.span(id), text + " is not defined in this program",
-              "if it is global user data (GUD), put its definition file beside the program or give its value in [variables] of the job; it is unknown until then");
+              "if it is global user data (GUD), put its definition file beside the program or give its value in "
+              "[variables] of the job; it is unknown until then");
     return run.undefined.get(e.a, undefined_key(run, e));
 }
 
@@ -167,21 +183,33 @@ Value evaluate(Run& run, ExprId id) {
     const Unit& unit = run.unit();
     const Expr& e = unit.exprs[id];
     switch (e.kind) {
-        case ExprKind::number: return e.op == 1 ? Value::integer(unit.numbers[e.a]) : Value::real(unit.numbers[e.a]);
-        case ExprKind::boolean: return Value::boolean(e.a != 0);
-        case ExprKind::text: return Value::string(unit.texts[e.a]);
+        case ExprKind::number:
+            return e.op == 1 ? Value::integer(unit.numbers[e.a]) : Value::real(unit.numbers[e.a]);
+        case ExprKind::boolean:
+            return Value::boolean(e.a != 0);
+        case ExprKind::text:
+            return Value::string(unit.texts[e.a]);
         case ExprKind::parameter:
-        case ExprKind::parameter_at: return Value::real(number(run, id));
-        case ExprKind::variable: return read_variable(run, e, id);
-        case ExprKind::system: return read_system(run, e);
-        case ExprKind::unary: return evaluate_unary(run, e, id);
-        case ExprKind::binary: return evaluate_binary(run, e);
-        case ExprKind::function: return call_function(run, e);
-        case ExprKind::qualified: return evaluate(run, e.a);
-        case ExprKind::unknown_function: break;
+        case ExprKind::parameter_at:
+            return Value::real(number(run, id));
+        case ExprKind::variable:
+            return read_variable(run, e, id);
+        case ExprKind::system:
+            return read_system(run, e);
+        case ExprKind::unary:
+            return evaluate_unary(run, e, id);
+        case ExprKind::binary:
+            return evaluate_binary(run, e);
+        case ExprKind::function:
+            return call_function(run, e);
+        case ExprKind::qualified:
+            return evaluate(run, e.a);
+        case ExprKind::unknown_function:
+            break;
     }
     for (std::size_t k = 0; k < e.count; ++k) static_cast<void>(evaluate(run, unit.children[e.b + k]));
-    unchecked(run, codes::unsupported, unit.span(id), "the function " + run.env.names.text(e.a) + "() is not run", "its result is unknown");
+    unchecked(run, codes::unsupported, unit.span(id), "the function " + run.env.names.text(e.a) + "() is not run",
+              "its result is unknown");
     return Value::unknown();
 }
 
@@ -193,7 +221,9 @@ std::string axis_of(Run& run, ExprId id) {
     const auto n = static_cast<std::size_t>(v.number);
     const auto& axes = run.env.machine.axes;
     if (v.number >= 1 && n <= axes.size()) return axes[n - 1].name;
-    if (!run.stopped) alarm(run, codes::value_range, run.unit().span(id), "there is no axis number " + printed(v) + " on this machine");
+    if (!run.stopped)
+        alarm(run, codes::value_range, run.unit().span(id),
+              "there is no axis number " + printed(v) + " on this machine");
     return {};
 }
 

@@ -3,8 +3,8 @@
 #include <algorithm>
 
 #include "base/codes.hpp"
-#include "base/text.hpp"
 #include "base/number.hpp"
+#include "base/text.hpp"
 #include "interp/run.hpp"
 
 namespace obrys::interp {
@@ -19,7 +19,8 @@ void count_pass(Run& run) {
     auto it = std::find_if(act.passes.begin(), act.passes.end(), [&](const auto& p) { return p.statement == index; });
     if (it == act.passes.end()) it = act.passes.insert(act.passes.end(), {index, 0});
     if (++it->count <= run.env.budgets.loop_passes) return;
-    unchecked(run, codes::budget, run.here(), "this loop ran " + std::to_string(run.env.budgets.loop_passes) + " passes without ending",
+    unchecked(run, codes::budget, run.here(),
+              "this loop ran " + std::to_string(run.env.budgets.loop_passes) + " passes without ending",
               "check its condition; raise loop_passes in [budget] of the job if it really needs more");
     run.stopped = true;
     run.ending = Ending::budget;
@@ -133,12 +134,17 @@ void jump(Run& run, const program::Jump& j) {
     const std::uint32_t target = find_destination(run, name, j.direction);
     if (target == program::no_target) {
         if (j.direction == program::JumpDirection::either_quiet) return;
-        const char* way = j.direction == program::JumpDirection::forward ? " behind this block" : j.direction == program::JumpDirection::backward ? " before this block" : "";
-        alarm(run, codes::missing_label, run.unit().span(j.destination), "there is no label " + name + way + " in this program");
+        const char* way = j.direction == program::JumpDirection::forward    ? " behind this block"
+                          : j.direction == program::JumpDirection::backward ? " before this block"
+                                                                            : "";
+        alarm(run, codes::missing_label, run.unit().span(j.destination),
+              "there is no label " + name + way + " in this program");
         return;
     }
-    if (target < run.top().pc) go_back(run, target);
-    else go(run, target);
+    if (target < run.top().pc)
+        go_back(run, target);
+    else
+        go(run, target);
 }
 
 namespace {
@@ -147,7 +153,10 @@ void repeat_section(Run& run, const program::Section& s, std::uint32_t index) {
     const Unit& unit = run.unit();
     const auto place = [&](program::NameId label) {
         const auto found = unit.labels.find(label);
-        return found == unit.labels.end() ? program::no_target : nearest(found->second, index, program::JumpDirection::backward) != program::no_target ? nearest(found->second, index, program::JumpDirection::backward) : nearest(found->second, index, program::JumpDirection::forward);
+        return found == unit.labels.end() ? program::no_target
+               : nearest(found->second, index, program::JumpDirection::backward) != program::no_target
+                   ? nearest(found->second, index, program::JumpDirection::backward)
+                   : nearest(found->second, index, program::JumpDirection::forward);
     };
     const double passes = s.passes == program::no_expr ? 1 : number(run, s.passes);
     if (run.stopped || !(passes >= 1)) return;
@@ -155,11 +164,14 @@ void repeat_section(Run& run, const program::Section& s, std::uint32_t index) {
     active.first = place(s.first);
     active.last = s.to_here ? index - 1 : s.one_block ? active.first : place(s.last);
     if (active.first == program::no_target || active.last == program::no_target || active.last < active.first) {
-        alarm(run, codes::missing_label, run.here(), "REPEAT: the label is not in this program, or the last one stands before the first");
+        alarm(run, codes::missing_label, run.here(),
+              "REPEAT: the label is not in this program, or the last one stands before the first");
         return;
     }
     if (s.one_block)  // the rest of the label's block, which may be several statements
-        while (active.last + 1 < unit.statements.size() && (unit.statements[active.last + 1].flags & program::line_start) == 0) ++active.last;
+        while (active.last + 1 < unit.statements.size() &&
+               (unit.statements[active.last + 1].flags & program::line_start) == 0)
+            ++active.last;
     if (run.top().sections.size() >= run.env.budgets.call_depth) {
         unchecked(run, codes::budget, run.here(), "REPEAT sections are nested too deep");
         run.stopped = true;
@@ -197,10 +209,13 @@ void run_statement(Run& run, const Statement& s, std::uint32_t index) {
             if (!run.stopped && !yes) go(run, b.target);
             return;
         }
-        case StatementKind::else_: go(run, unit.branches[table].target); return;
+        case StatementKind::else_:
+            go(run, unit.branches[table].target);
+            return;
         case StatementKind::endif:
         case StatementKind::repeat_:
-        case StatementKind::loop_: return;
+        case StatementKind::loop_:
+            return;
         case StatementKind::endwhile:
         case StatementKind::endloop:
             if (unit.branches[table].target != program::no_target) go_back(run, unit.branches[table].target);
@@ -211,15 +226,32 @@ void run_statement(Run& run, const Statement& s, std::uint32_t index) {
             if (!run.stopped && !done && b.target != program::no_target) go_back(run, b.target);
             return;
         }
-        case StatementKind::for_: begin_for(run, unit.fors[table]); return;
-        case StatementKind::endfor: end_for(run, unit.fors[table]); return;
-        case StatementKind::case_: run_case(run, unit.cases[table]); return;
-        case StatementKind::jump: jump(run, unit.jumps[table]); return;
-        case StatementKind::repeat_section: repeat_section(run, unit.sections[table], index); return;
-        case StatementKind::call: call_program(run, unit.calls[table]); return;
-        case StatementKind::procedure: procedure(run, unit.procedures[table]); return;
-        case StatementKind::define: define(run, unit.defines[table], run.top().locals, unit); return;
-        default: return;
+        case StatementKind::for_:
+            begin_for(run, unit.fors[table]);
+            return;
+        case StatementKind::endfor:
+            end_for(run, unit.fors[table]);
+            return;
+        case StatementKind::case_:
+            run_case(run, unit.cases[table]);
+            return;
+        case StatementKind::jump:
+            jump(run, unit.jumps[table]);
+            return;
+        case StatementKind::repeat_section:
+            repeat_section(run, unit.sections[table], index);
+            return;
+        case StatementKind::call:
+            call_program(run, unit.calls[table]);
+            return;
+        case StatementKind::procedure:
+            procedure(run, unit.procedures[table]);
+            return;
+        case StatementKind::define:
+            define(run, unit.defines[table], run.top().locals, unit);
+            return;
+        default:
+            return;
     }
 }
 

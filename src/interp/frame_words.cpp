@@ -17,7 +17,8 @@ namespace {
 /// Rotations of one block act in the order Z, Y', X'' (RPY, MD10600 as delivered).
 geom::Frame rotation(Run& run) {
     const BlockWords& b = run.block;
-    if (b.has(Code::plane_rotation)) return geom::Frame::rotation(plane_axes(run.modal.plane).w, geom::radians(b.get(Code::plane_rotation)));
+    if (b.has(Code::plane_rotation))
+        return geom::Frame::rotation(plane_axes(run.modal.plane).w, geom::radians(b.get(Code::plane_rotation)));
     geom::Frame f;
     for (int k = 2; k >= 0; --k)
         if (b.has(axis_code(k))) f = f * geom::Frame::rotation(k, geom::radians(b.get(axis_code(k))));
@@ -65,7 +66,8 @@ void update_frame(Run& run) {
         alarm(run, codes::value_range, run.here(), "a scale factor of 0 leaves no coordinate system");
         return;
     }
-    run.programmed_position = run.frame_is_identity ? run.position : geom::apply(geom::inverse(run.frame), run.position);
+    run.programmed_position =
+        run.frame_is_identity ? run.position : geom::apply(geom::inverse(run.frame), run.position);
 }
 
 void frame_statement(Run& run, const program::Statement& s, std::uint32_t index) {
@@ -76,9 +78,12 @@ void frame_statement(Run& run, const program::Statement& s, std::uint32_t index)
     for (std::uint32_t i = s.first + 1; i < end && !run.stopped; ++i) gather(run, s, unit.words[i]);
     if (run.stopped) return;
     const bool empty = run.block.present == 0;
-    if (empty) run.modal.programmed = {};  // TRANS alone deletes every programmed frame, ATRANS alone too
-    else if (call.additive) run.modal.programmed = run.modal.programmed * part_of(run, call.op);
-    else run.modal.programmed = part_of(run, call.op);
+    if (empty)
+        run.modal.programmed = {};  // TRANS alone deletes every programmed frame, ATRANS alone too
+    else if (call.additive)
+        run.modal.programmed = run.modal.programmed * part_of(run, call.op);
+    else
+        run.modal.programmed = part_of(run, call.op);
     update_frame(run);
 }
 

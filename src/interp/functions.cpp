@@ -21,7 +21,9 @@ struct Arguments {
     Run& run;
     const Expr& e;
 
-    [[nodiscard]] bool given(std::size_t i) const { return i < e.count && run.unit().children[e.b + i] != program::no_expr; }
+    [[nodiscard]] bool given(std::size_t i) const {
+        return i < e.count && run.unit().children[e.b + i] != program::no_expr;
+    }
     [[nodiscard]] ExprId id(std::size_t i) const { return run.unit().children[e.b + i]; }
     [[nodiscard]] base::Span span(std::size_t i) const { return given(i) ? run.unit().span(id(i)) : whole(); }
     [[nodiscard]] base::Span whole() const { return {run.unit().file, e.begin, e.end}; }
@@ -34,11 +36,13 @@ struct Arguments {
         if (!need(i)) return {};
         const Value v = evaluate(run, id(i));
         if (!run.stopped && !v.is_text() && v.type != Type::character && !v.is_unknown())
-            alarm(run, codes::type_mismatch, span(i), "a STRING is needed here, this is a " + std::string(name(v.type)));
+            alarm(run, codes::type_mismatch, span(i),
+                  "a STRING is needed here, this is a " + std::string(name(v.type)));
         return printed(v);
     }
     [[nodiscard]] bool need(std::size_t i) const {
-        if (!given(i) && !run.stopped) alarm(run, codes::bad_argument, whole(), "argument " + std::to_string(i + 1) + " is missing");
+        if (!given(i) && !run.stopped)
+            alarm(run, codes::bad_argument, whole(), "argument " + std::to_string(i + 1) + " is missing");
         return !run.stopped;
     }
 };
@@ -50,13 +54,15 @@ double domain(const Arguments& a, const std::string& text) {
 
 double tangent(const Arguments& a) {
     const double angle = a[0];
-    if (std::fmod(std::abs(angle), 180.0) == 90.0) return domain(a, "TAN(" + base::shortest(angle) + ") does not exist");
+    if (std::fmod(std::abs(angle), 180.0) == 90.0)
+        return domain(a, "TAN(" + base::shortest(angle) + ") does not exist");
     return std::tan(geom::radians(angle));
 }
 
 double arc_function(const Arguments& a, double (*f)(double), const char* name) {
     const double x = a[0];
-    if (std::abs(x) > 1 + 1e-9) return domain(a, std::string(name) + " needs a value from -1 to 1, this is " + base::shortest(x));
+    if (std::abs(x) > 1 + 1e-9)
+        return domain(a, std::string(name) + " needs a value from -1 to 1, this is " + base::shortest(x));
     return geom::degrees(f(std::clamp(x, -1.0, 1.0)));
 }
 
@@ -81,32 +87,65 @@ double bounded(const Arguments& a) {
 /// Numeric functions; nothing where `f` is not one.
 bool numeric(const Arguments& a, Function f, double& result) {
     switch (f) {
-        case Function::sin: result = std::sin(geom::radians(a[0])); return true;
-        case Function::cos: result = std::cos(geom::radians(a[0])); return true;
-        case Function::tan: result = tangent(a); return true;
-        case Function::asin: result = arc_function(a, [](double x) { return std::asin(x); }, "ASIN"); return true;
-        case Function::acos: result = arc_function(a, [](double x) { return std::acos(x); }, "ACOS"); return true;
+        case Function::sin:
+            result = std::sin(geom::radians(a[0]));
+            return true;
+        case Function::cos:
+            result = std::cos(geom::radians(a[0]));
+            return true;
+        case Function::tan:
+            result = tangent(a);
+            return true;
+        case Function::asin:
+            result = arc_function(
+                a, [](double x) { return std::asin(x); }, "ASIN");
+            return true;
+        case Function::acos:
+            result = arc_function(
+                a, [](double x) { return std::acos(x); }, "ACOS");
+            return true;
         case Function::atan2: {
             const double y = a[0], x = a[1];
             result = geom::degrees(std::atan2(y, x));
             return true;
         }
-        case Function::sqrt: result = square_root(a); return true;
-        case Function::abs: result = std::abs(a[0]); return true;
+        case Function::sqrt:
+            result = square_root(a);
+            return true;
+        case Function::abs:
+            result = std::abs(a[0]);
+            return true;
         case Function::square: {
             const double x = a[0];
             result = x * x;
             return true;
         }
-        case Function::trunc: result = std::trunc(a[0]); return true;
-        case Function::round: result = std::floor(a[0] + 0.5); return true;
-        case Function::round_up: result = std::ceil(a[0]); return true;
-        case Function::ln: result = logarithm(a); return true;
-        case Function::exp: result = std::exp(a[0]); return true;
-        case Function::min: result = std::min(a[0], a[1]); return true;
-        case Function::max: result = std::max(a[0], a[1]); return true;
-        case Function::bound: result = bounded(a); return true;
-        default: return false;
+        case Function::trunc:
+            result = std::trunc(a[0]);
+            return true;
+        case Function::round:
+            result = std::floor(a[0] + 0.5);
+            return true;
+        case Function::round_up:
+            result = std::ceil(a[0]);
+            return true;
+        case Function::ln:
+            result = logarithm(a);
+            return true;
+        case Function::exp:
+            result = std::exp(a[0]);
+            return true;
+        case Function::min:
+            result = std::min(a[0], a[1]);
+            return true;
+        case Function::max:
+            result = std::max(a[0], a[1]);
+            return true;
+        case Function::bound:
+            result = bounded(a);
+            return true;
+        default:
+            return false;
     }
 }
 
@@ -139,26 +178,37 @@ Value text_number(const Arguments& a) {
 
 Value string_function(const Arguments& a, Function f) {
     switch (f) {
-        case Function::string_length: return Value::integer(static_cast<double>(a.text(0).size()));
-        case Function::to_upper: return Value::string(base::to_upper(a.text(0)));
+        case Function::string_length:
+            return Value::integer(static_cast<double>(a.text(0).size()));
+        case Function::to_upper:
+            return Value::string(base::to_upper(a.text(0)));
         case Function::to_lower: {
             std::string s = a.text(0);
-            std::transform(s.begin(), s.end(), s.begin(), [](char c) { return c >= 'A' && c <= 'Z' ? static_cast<char>(c + 32) : c; });
+            std::transform(s.begin(), s.end(), s.begin(),
+                           [](char c) { return c >= 'A' && c <= 'Z' ? static_cast<char>(c + 32) : c; });
             return Value::string(std::move(s));
         }
-        case Function::index: return find_text(a, false);
-        case Function::rindex: return find_text(a, true);
+        case Function::index:
+            return find_text(a, false);
+        case Function::rindex:
+            return find_text(a, true);
         case Function::mindex: {
             const std::string text = a.text(0), any = a.text(1);
             const std::size_t at = text.find_first_of(any);
             return Value::integer(at == std::string::npos ? -1 : static_cast<double>(at));
         }
-        case Function::substring: return substring(a);
-        case Function::number: return text_number(a);
-        case Function::is_number: return Value::boolean(base::parse_double(a.text(0)).has_value());
-        case Function::axis_string: return Value::string(axis_of(a.run, a.given(0) ? a.id(0) : program::no_expr));
-        case Function::axis_name: return Value::axis(base::to_upper(a.text(0)));
-        default: break;
+        case Function::substring:
+            return substring(a);
+        case Function::number:
+            return text_number(a);
+        case Function::is_number:
+            return Value::boolean(base::parse_double(a.text(0)).has_value());
+        case Function::axis_string:
+            return Value::string(axis_of(a.run, a.given(0) ? a.id(0) : program::no_expr));
+        case Function::axis_name:
+            return Value::axis(base::to_upper(a.text(0)));
+        default:
+            break;
     }
     unchecked(a.run, codes::unsupported, a.whole(), "this function is not run", "its result is unknown");
     return Value::unknown();
@@ -179,9 +229,12 @@ Value frame_function(const Arguments& a, Function f) {
         }
         geom::Vec3 part = f == Function::frame_shift || f == Function::frame_fine ? geom::Vec3{} : geom::Vec3{1, 1, 1};
         coordinate(part, k) = v;
-        if (f == Function::frame_rotation) frame = frame * geom::Frame::rotation(k, geom::radians(v));
-        else if (f == Function::frame_shift || f == Function::frame_fine) frame = frame * geom::Frame::shift(part);
-        else frame = frame * geom::Frame::scaling(part);
+        if (f == Function::frame_rotation)
+            frame = frame * geom::Frame::rotation(k, geom::radians(v));
+        else if (f == Function::frame_shift || f == Function::frame_fine)
+            frame = frame * geom::Frame::shift(part);
+        else
+            frame = frame * geom::Frame::scaling(part);
     }
     return Value::of_frame(frame);
 }
@@ -194,7 +247,8 @@ Value call_function(Run& run, const Expr& e) {
     double result = 0;
     if (numeric(a, f, result)) {
         const bool whole = f == Function::trunc || f == Function::round || f == Function::round_up;
-        if (std::isinf(result) && !run.stopped) alarm(run, codes::arithmetic, a.whole(), "the result is too large for the control");
+        if (std::isinf(result) && !run.stopped)
+            alarm(run, codes::arithmetic, a.whole(), "the result is too large for the control");
         return whole && !std::isnan(result) ? Value::integer(result) : Value::real(result);
     }
     switch (f) {
@@ -202,7 +256,8 @@ Value call_function(Run& run, const Expr& e) {
         case Function::frame_rotation:
         case Function::frame_scale:
         case Function::frame_mirror:
-        case Function::frame_fine: return frame_function(a, f);
+        case Function::frame_fine:
+            return frame_function(a, f);
         case Function::frame_plane_rotation: {
             const int axis = run.modal.plane == 17 ? 2 : run.modal.plane == 18 ? 1 : 0;
             return Value::of_frame(geom::Frame::rotation(axis, geom::radians(a[0])));
@@ -223,7 +278,8 @@ Value call_function(Run& run, const Expr& e) {
             const double angle = a[1];
             return Value::real(angle - 360 * std::floor(angle / 360));
         }
-        default: return string_function(a, f);
+        default:
+            return string_function(a, f);
     }
 }
 

@@ -45,7 +45,9 @@ void take_overrides(Run& run) {
     run.parameter_overridden.assign(n, 0);
     run.parameter_override.assign(n, 0);
     for (const shop::Override& o : run.env.overrides) {
-        const auto number = o.name.size() > 1 && o.name[0] == 'R' ? base::parse_integer(std::string_view(o.name).substr(1)) : std::nullopt;
+        const auto number = o.name.size() > 1 && o.name[0] == 'R'
+                                ? base::parse_integer(std::string_view(o.name).substr(1))
+                                : std::nullopt;
         if (number && *number >= 0 && *number < n) {
             run.parameter_overridden[static_cast<std::size_t>(*number)] = 1;
             run.parameter_override[static_cast<std::size_t>(*number)] = o.value;
@@ -72,7 +74,9 @@ void define_globals(Run& run) {
 /// The stream's coordinates are in the first settable datum that the main program selects.
 void choose_reference_datum(Run& run, const Unit& main) {
     for (const program::Word& w : main.words) {
-        if (program::code_of(w) != Code::modal || program::modal_of(w) != Modal::datum || program::modal_number(w) == 500) continue;
+        if (program::code_of(w) != Code::modal || program::modal_of(w) != Modal::datum ||
+            program::modal_number(w) == 500)
+            continue;
         run.reference_datum = static_cast<std::uint32_t>(program::modal_number(w));
         break;
     }
@@ -82,10 +86,13 @@ void choose_reference_datum(Run& run, const Unit& main) {
 bool over_budget(Run& run) {
     const shop::Budgets& b = run.env.budgets;
     const bool check_clock = (run.blocks & 0xFFFF) == 0;
-    const double seconds = check_clock ? std::chrono::duration<double>(std::chrono::steady_clock::now() - run.started).count() : 0;
+    const double seconds =
+        check_clock ? std::chrono::duration<double>(std::chrono::steady_clock::now() - run.started).count() : 0;
     if (run.blocks <= b.blocks && seconds <= b.seconds) return false;
-    const std::string limit = run.blocks > b.blocks ? std::to_string(b.blocks) + " blocks" : base::shortest(b.seconds) + " s";
-    unchecked(run, codes::budget, run.here(), "the run was ended here after " + limit, "raise the limit in [budget] of the job if the program really needs more");
+    const std::string limit =
+        run.blocks > b.blocks ? std::to_string(b.blocks) + " blocks" : base::shortest(b.seconds) + " s";
+    unchecked(run, codes::budget, run.here(), "the run was ended here after " + limit,
+              "raise the limit in [budget] of the job if the program really needs more");
     run.ending = Ending::budget;
     run.stopped = true;
     return true;
@@ -135,8 +142,14 @@ void step(Run& run) {
 }  // namespace
 
 Run::Run(const Environment& e, cl::CallStacks& s, cl::Sink k, base::Diagnostics& d)
-    : env(e), stacks(s), sink(k), diagnostics(d), parameters(1000), position(start_position(e.machine)),
-      programmed_position(position), started(std::chrono::steady_clock::now()) {
+    : env(e),
+      stacks(s),
+      sink(k),
+      diagnostics(d),
+      parameters(1000),
+      position(start_position(e.machine)),
+      programmed_position(position),
+      started(std::chrono::steady_clock::now()) {
     path = std::make_unique<PathStage>();
     modal.plane = e.machine.defaults.plane;
     modal.inch_geometry = modal.inch_feed = e.machine.defaults.inch;
@@ -160,7 +173,8 @@ void unchecked(Run& run, std::string_view code, const base::Span& where, std::st
 
 void assume(Run& run, const base::Span& where, std::string text, std::string remedy) {
     if (!run.assumed.insert(text).second) return;
-    run.diagnostics.add({base::Severity::note, codes::assumption, where, std::move(text), std::move(remedy), stack_of(run), {}});
+    run.diagnostics.add(
+        {base::Severity::note, codes::assumption, where, std::move(text), std::move(remedy), stack_of(run), {}});
 }
 
 Outcome run(const program::Unit& main, const Environment& environment, cl::CallStacks& stacks, cl::Sink sink,

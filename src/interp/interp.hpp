@@ -1,6 +1,7 @@
 #pragma once
 /// Runs a program tree: values, flow, frames, modal state and calls become the CL stream.
-/// What the control would stop at ends the run with a diagnostic; what obrys does not know is reported and stepped over.
+/// What the control would stop at ends the run with a diagnostic; what obrys does not know is reported and stepped
+/// over.
 
 #include <cstdint>
 #include <string>
@@ -32,9 +33,9 @@ struct Environment {
 };
 
 enum class Ending : std::uint8_t {
-    regular,   ///< M30, M2, M17 or RET of the main program, or its last block
-    alarm,     ///< the control would stop here
-    budget,    ///< ended by a limit
+    regular,  ///< M30, M2, M17 or RET of the main program, or its last block
+    alarm,    ///< the control would stop here
+    budget,   ///< ended by a limit
 };
 
 /// A numbered parameter and its value at the end of the run.

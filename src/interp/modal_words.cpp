@@ -45,37 +45,108 @@ void modal_word(Run& run, const program::Word& w) {
     const Modal m = program::modal_of(w);
     ModalState& state = run.modal;
     switch (m) {
-        case Modal::rapid: case Modal::linear: case Modal::arc_cw: case Modal::arc_ccw: case Modal::arc_via:
-        case Modal::arc_tangent: case Modal::thread: case Modal::thread_rising: case Modal::thread_falling:
-        case Modal::tap: case Modal::tap_retract: set_motion(run, m); return;
-        case Modal::dwell: case Modal::reference_point: case Modal::fixed_point: case Modal::pole_from_position:
-        case Modal::pole_from_zero: case Modal::pole_from_pole: run.block.special = m; return;
-        case Modal::plane_xy: set_plane(run, 17); return;
-        case Modal::plane_zx: set_plane(run, 18); return;
-        case Modal::plane_yz: set_plane(run, 19); return;
-        case Modal::compensation_off: case Modal::compensation_left: case Modal::compensation_right:
+        case Modal::rapid:
+        case Modal::linear:
+        case Modal::arc_cw:
+        case Modal::arc_ccw:
+        case Modal::arc_via:
+        case Modal::arc_tangent:
+        case Modal::thread:
+        case Modal::thread_rising:
+        case Modal::thread_falling:
+        case Modal::tap:
+        case Modal::tap_retract:
+            set_motion(run, m);
+            return;
+        case Modal::dwell:
+        case Modal::reference_point:
+        case Modal::fixed_point:
+        case Modal::pole_from_position:
+        case Modal::pole_from_zero:
+        case Modal::pole_from_pole:
+            run.block.special = m;
+            return;
+        case Modal::plane_xy:
+            set_plane(run, 17);
+            return;
+        case Modal::plane_zx:
+            set_plane(run, 18);
+            return;
+        case Modal::plane_yz:
+            set_plane(run, 19);
+            return;
+        case Modal::compensation_off:
+        case Modal::compensation_left:
+        case Modal::compensation_right:
             state.compensation = m;
             return;
-        case Modal::datum: set_datum(run, static_cast<std::uint32_t>(program::modal_number(w))); return;
-        case Modal::suppress_frames: case Modal::suppress_all: run.block.suppress = m; return;
-        case Modal::exact_stop: case Modal::exact_stop_block: case Modal::continuous: case Modal::exact_window: return;
-        case Modal::inch_geometry: state.inch_geometry = true; return;
-        case Modal::metric_geometry: state.inch_geometry = false; return;
-        case Modal::inch_all: state.inch_geometry = state.inch_feed = true; return;
-        case Modal::metric_all: state.inch_geometry = state.inch_feed = false; return;
-        case Modal::absolute: state.absolute = true; return;
-        case Modal::incremental: state.absolute = false; return;
-        case Modal::feed_inverse_time: set_feed_mode(run, cl::FeedMode::inverse_time); return;
-        case Modal::feed_per_minute: set_feed_mode(run, cl::FeedMode::per_minute); return;
-        case Modal::feed_per_rev: set_feed_mode(run, cl::FeedMode::per_rev); return;
-        case Modal::surface_speed_on: set_surface_speed(run, true, program::modal_number(w) == 96); return;
-        case Modal::surface_speed_off: set_surface_speed(run, false, program::modal_number(w) == 97); return;
-        case Modal::approach_normal: case Modal::approach_contour: state.approach = m; return;
-        case Modal::corner_arc: case Modal::corner_intersection: state.corner = m; return;
-        case Modal::diameter_on: state.diameter = DiameterMode::on; return;
-        case Modal::diameter_off: state.diameter = DiameterMode::off; return;
-        case Modal::diameter_absolute_only: state.diameter = DiameterMode::absolute_only; return;
-        case Modal::feed_at_contour: case Modal::feed_at_tool: case Modal::feed_at_inside: state.feed_reference = m; return;
+        case Modal::datum:
+            set_datum(run, static_cast<std::uint32_t>(program::modal_number(w)));
+            return;
+        case Modal::suppress_frames:
+        case Modal::suppress_all:
+            run.block.suppress = m;
+            return;
+        case Modal::exact_stop:
+        case Modal::exact_stop_block:
+        case Modal::continuous:
+        case Modal::exact_window:
+            return;
+        case Modal::inch_geometry:
+            state.inch_geometry = true;
+            return;
+        case Modal::metric_geometry:
+            state.inch_geometry = false;
+            return;
+        case Modal::inch_all:
+            state.inch_geometry = state.inch_feed = true;
+            return;
+        case Modal::metric_all:
+            state.inch_geometry = state.inch_feed = false;
+            return;
+        case Modal::absolute:
+            state.absolute = true;
+            return;
+        case Modal::incremental:
+            state.absolute = false;
+            return;
+        case Modal::feed_inverse_time:
+            set_feed_mode(run, cl::FeedMode::inverse_time);
+            return;
+        case Modal::feed_per_minute:
+            set_feed_mode(run, cl::FeedMode::per_minute);
+            return;
+        case Modal::feed_per_rev:
+            set_feed_mode(run, cl::FeedMode::per_rev);
+            return;
+        case Modal::surface_speed_on:
+            set_surface_speed(run, true, program::modal_number(w) == 96);
+            return;
+        case Modal::surface_speed_off:
+            set_surface_speed(run, false, program::modal_number(w) == 97);
+            return;
+        case Modal::approach_normal:
+        case Modal::approach_contour:
+            state.approach = m;
+            return;
+        case Modal::corner_arc:
+        case Modal::corner_intersection:
+            state.corner = m;
+            return;
+        case Modal::diameter_on:
+            state.diameter = DiameterMode::on;
+            return;
+        case Modal::diameter_off:
+            state.diameter = DiameterMode::off;
+            return;
+        case Modal::diameter_absolute_only:
+            state.diameter = DiameterMode::absolute_only;
+            return;
+        case Modal::feed_at_contour:
+        case Modal::feed_at_tool:
+        case Modal::feed_at_inside:
+            state.feed_reference = m;
+            return;
     }
 }
 

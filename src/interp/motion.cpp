@@ -16,10 +16,12 @@ namespace {
 constexpr double unknown = std::numeric_limits<double>::quiet_NaN();
 constexpr std::uint64_t bit(Code c) { return std::uint64_t{1} << static_cast<unsigned>(c); }
 constexpr std::uint64_t linear_axes = bit(Code::x) | bit(Code::y) | bit(Code::z);
-constexpr std::uint64_t other_axes = bit(Code::a) | bit(Code::b) | bit(Code::c) | bit(Code::u) | bit(Code::v) | bit(Code::w);
+constexpr std::uint64_t other_axes =
+    bit(Code::a) | bit(Code::b) | bit(Code::c) | bit(Code::u) | bit(Code::v) | bit(Code::w);
 constexpr std::uint64_t polar = bit(Code::polar_angle) | bit(Code::polar_radius);
-constexpr std::uint64_t circle = bit(Code::i) | bit(Code::j) | bit(Code::k) | bit(Code::radius) | bit(Code::opening_angle) |
-                                 bit(Code::i1) | bit(Code::j1) | bit(Code::k1) | bit(Code::turns);
+constexpr std::uint64_t circle = bit(Code::i) | bit(Code::j) | bit(Code::k) | bit(Code::radius) |
+                                 bit(Code::opening_angle) | bit(Code::i1) | bit(Code::j1) | bit(Code::k1) |
+                                 bit(Code::turns);
 
 bool is_incremental(const Run& run, std::uint8_t reference) {
     if (reference == 0) return !run.modal.absolute;
@@ -58,10 +60,12 @@ void extra_axes(Run& run) {
     const BlockWords& b = run.block;
     if ((b.present & other_axes) != 0) {
         for (int k = 3; k < 9; ++k)
-            if (b.has(axis_code(k))) extra_axis(run, std::string(1, "XYZABCUVW"[k]), b.get(axis_code(k)), b.ref(axis_code(k)), k < 6);
+            if (b.has(axis_code(k)))
+                extra_axis(run, std::string(1, "XYZABCUVW"[k]), b.get(axis_code(k)), b.ref(axis_code(k)), k < 6);
     }
     const std::vector<BlockWords::NamedAxis> named = b.axes;
-    for (const auto& axis : named) extra_axis(run, axis.name, axis.value, axis.reference, axis.name[0] >= 'A' && axis.name[0] <= 'C');
+    for (const auto& axis : named)
+        extra_axis(run, axis.name, axis.value, axis.reference, axis.name[0] >= 'A' && axis.name[0] <= 'C');
 }
 
 /// Target of the linear axes in the programmed frame.
@@ -84,11 +88,13 @@ geom::Vec3 polar_target(Run& run, geom::Vec3 to) {
     const geom::Vec3& pole = run.modal.pole;
     const double du = coordinate(run.programmed_position, axes.u) - coordinate(pole, axes.u);
     const double dv = coordinate(run.programmed_position, axes.v) - coordinate(pole, axes.v);
-    double radius = b.has(Code::polar_radius) ? b.get(Code::polar_radius) * (run.modal.inch_geometry ? 25.4 : 1) : std::hypot(du, dv);
+    double radius = b.has(Code::polar_radius) ? b.get(Code::polar_radius) * (run.modal.inch_geometry ? 25.4 : 1)
+                                              : std::hypot(du, dv);
     const double now = geom::degrees(std::atan2(dv, du));
     double angle = b.has(Code::polar_angle) ? b.get(Code::polar_angle) : now;
     if (b.has(Code::polar_angle) && is_incremental(run, b.ref(Code::polar_angle))) angle += now;
-    if (b.has(Code::polar_radius) && b.ref(Code::polar_radius) == 1 + static_cast<std::uint8_t>(Reference::incremental)) radius += std::hypot(du, dv);
+    if (b.has(Code::polar_radius) && b.ref(Code::polar_radius) == 1 + static_cast<std::uint8_t>(Reference::incremental))
+        radius += std::hypot(du, dv);
     coordinate(to, axes.u) = coordinate(pole, axes.u) + radius * std::cos(geom::radians(angle));
     coordinate(to, axes.v) = coordinate(pole, axes.v) + radius * std::sin(geom::radians(angle));
     return to;
@@ -109,15 +115,18 @@ void set_pole(Run& run) {
         coordinate(offset, axes.v) = r * std::sin(a);
     }
     for (int k = 0; k < 3; ++k)
-        if (b.has(axis_code(k))) coordinate(offset, k) = b.get(axis_code(k)) * length_factor(run, k, b.special != Modal::pole_from_zero);
+        if (b.has(axis_code(k)))
+            coordinate(offset, k) = b.get(axis_code(k)) * length_factor(run, k, b.special != Modal::pole_from_zero);
     run.modal.pole = base + offset;
 }
 
 void dwell(Run& run) {
     const BlockWords& b = run.block;
     cl::Dwell d;
-    if (b.has(Code::feed)) d.seconds = b.get(Code::feed);
-    else if (b.has(Code::spindle)) d.revolutions = b.get(Code::spindle);
+    if (b.has(Code::feed))
+        d.seconds = b.get(Code::feed);
+    else if (b.has(Code::spindle))
+        d.revolutions = b.get(Code::spindle);
     flush_path(run);
     emit(run, d);
 }
@@ -130,8 +139,11 @@ double from_machine(const Run& run, int k, double machine) {
 
 void unknown_machine_position(Run& run) {
     if (run.env.machine.datums.contains(run.reference_datum)) return;
-    unchecked(run, codes::unknown_value, run.here(), "this block moves in machine coordinates and the zero offset G" + std::to_string(run.reference_datum) + " is not known: where it ends in the workpiece is not known",
-              "give the offset in [datum] of the job, e.g. G" + std::to_string(run.reference_datum) + " = { x = 0.0, y = 0.0, z = -350.0 }");
+    unchecked(run, codes::unknown_value, run.here(),
+              "this block moves in machine coordinates and the zero offset G" + std::to_string(run.reference_datum) +
+                  " is not known: where it ends in the workpiece is not known",
+              "give the offset in [datum] of the job, e.g. G" + std::to_string(run.reference_datum) +
+                  " = { x = 0.0, y = 0.0, z = -350.0 }");
 }
 
 void go_to(Run& run, geom::Vec3 target, bool rapid) {
@@ -149,7 +161,10 @@ bool reference_point(Run& run) {
         const shop::MachineAxis* axis = machine_axis(run, std::string(1, "XYZ"[k]));
         coordinate(target, k) = axis != nullptr && axis->home ? from_machine(run, k, *axis->home) : unknown;
     }
-    if (!geom::is_finite(target)) assume(run, run.here(), "the reference point is not known in the workpiece frame: moves to and from it are not simulated", "give home of the axes in the machine file and the zero offset in [datum] of the job");
+    if (!geom::is_finite(target))
+        assume(run, run.here(),
+               "the reference point is not known in the workpiece frame: moves to and from it are not simulated",
+               "give home of the axes in the machine file and the zero offset in [datum] of the job");
     go_to(run, target, true);
     return true;
 }
@@ -176,7 +191,9 @@ bool line_by_angle(Run& run, geom::Vec3& to) {
     const bool has_u = b.has(axis_code(axes.u)), has_v = b.has(axis_code(axes.v));
     const double angle = geom::radians(b.get(Code::line_angle));
     if (has_u == has_v) {
-        unchecked(run, codes::unsupported, run.here(), "ANG= with " + std::string(has_u ? "both" : "none") + " of the plane's axes is not run", "a contour of several blocks with an open corner has to be written with its corner points");
+        unchecked(run, codes::unsupported, run.here(),
+                  "ANG= with " + std::string(has_u ? "both" : "none") + " of the plane's axes is not run",
+                  "a contour of several blocks with an open corner has to be written with its corner points");
         return false;
     }
     const int given = has_u ? axes.u : axes.v, other = has_u ? axes.v : axes.u;
@@ -222,7 +239,8 @@ bool path_motion(Run& run) {
     if ((b.present & polar) != 0) to = polar_target(run, to);
     if (b.has(Code::line_angle) && !line_by_angle(run, to)) return false;
     if (m != Modal::rapid) require_feed(run);
-    if (m == Modal::arc_cw || m == Modal::arc_ccw || m == Modal::arc_via || m == Modal::arc_tangent) return arc_motion(run, to);
+    if (m == Modal::arc_cw || m == Modal::arc_ccw || m == Modal::arc_via || m == Modal::arc_tangent)
+        return arc_motion(run, to);
     if (m == Modal::rapid || m == Modal::linear) {
         straight_motion(run, to, m == Modal::rapid);
         return true;
@@ -231,7 +249,9 @@ bool path_motion(Run& run) {
     cl::Thread t;
     t.pitch = thread_pitch(run, run.programmed_position, to);
     t.rigid_tap = m == Modal::tap || m == Modal::tap_retract;
-    if (m == Modal::thread_rising || m == Modal::thread_falling) unchecked(run, codes::unsupported, run.here(), "the changing pitch of G34 and G35 is not followed: the thread is run with its first pitch");
+    if (m == Modal::thread_rising || m == Modal::thread_falling)
+        unchecked(run, codes::unsupported, run.here(),
+                  "the changing pitch of G34 and G35 is not followed: the thread is run with its first pitch");
     finish_move(run, to);
     t.to = run.position;
     emit(run, t);
@@ -242,9 +262,12 @@ void begin_motion(Run& run) {
     run.moved = true;
     emit_datum(run);
     if (run.datum_known) return;
-    const std::string active = "G" + std::to_string(run.modal.datum), reference = "G" + std::to_string(run.reference_datum);
-    unchecked(run, codes::unknown_value, run.here(), "where " + active + " lies against " + reference + " is not known: both are taken as the same zero",
-              "give the offsets in [datum] of the job, e.g. " + (run.modal.datum == 500 ? reference : active) + " = { x = 0.0, z = 120.0 }");
+    const std::string active = "G" + std::to_string(run.modal.datum),
+                      reference = "G" + std::to_string(run.reference_datum);
+    unchecked(run, codes::unknown_value, run.here(),
+              "where " + active + " lies against " + reference + " is not known: both are taken as the same zero",
+              "give the offsets in [datum] of the job, e.g. " + (run.modal.datum == 500 ? reference : active) +
+                  " = { x = 0.0, z = 120.0 }");
 }
 
 }  // namespace
@@ -269,10 +292,12 @@ bool motion(Run& run) {
         return false;
     }
     const bool moves = (b.present & (linear_axes | polar | bit(Code::line_angle))) != 0;
-    const bool turns = (b.present & circle) != 0 && run.modal.motion != Modal::linear && run.modal.motion != Modal::rapid;
+    const bool turns =
+        (b.present & circle) != 0 && run.modal.motion != Modal::linear && run.modal.motion != Modal::rapid;
     const bool others = (b.present & other_axes) != 0 || !b.axes.empty();
     if (!moves && !turns && !others) return false;
-    if (b.special == Modal::pole_from_position || b.special == Modal::pole_from_zero || b.special == Modal::pole_from_pole) {
+    if (b.special == Modal::pole_from_position || b.special == Modal::pole_from_zero ||
+        b.special == Modal::pole_from_pole) {
         set_pole(run);
         return false;
     }
@@ -289,8 +314,8 @@ bool motion(Run& run) {
 
 bool needs_path_stage(const Run& run) {
     constexpr std::uint64_t corners = bit(Code::chamfer_length) | bit(Code::chamfer_leg) | bit(Code::round);
-    return run.path->active() || run.modal.compensation != Modal::compensation_off || (run.block.present & corners) != 0 ||
-           run.modal.round_modal > 0;
+    return run.path->active() || run.modal.compensation != Modal::compensation_off ||
+           (run.block.present & corners) != 0 || run.modal.round_modal > 0;
 }
 
 void straight_motion(Run& run, const geom::Vec3& to, bool rapid) {
@@ -306,7 +331,9 @@ void straight_motion(Run& run, const geom::Vec3& to, bool rapid) {
         return;
     }
     // A start that is not known yet only matters for the way onto the contour: any point off it will do.
-    const auto start = [&](int k) { return std::isfinite(coordinate(at, k)) ? coordinate(at, k) : coordinate(to, k) + 1000; };
+    const auto start = [&](int k) {
+        return std::isfinite(coordinate(at, k)) ? coordinate(at, k) : coordinate(to, k) + 1000;
+    };
     path::Element e;
     e.from = {start(a.u), start(a.v)};
     e.to = {coordinate(to, a.u), coordinate(to, a.v)};
@@ -317,7 +344,8 @@ void straight_motion(Run& run, const geom::Vec3& to, bool rapid) {
 
 double programmed_coordinate(const Run& run, const std::string& axis) {
     for (int k = 0; k < 3; ++k)
-        if (axis.size() == 1 && axis[0] == "XYZ"[k]) return coordinate(run.programmed_position, k) / length_factor(run, k, false);
+        if (axis.size() == 1 && axis[0] == "XYZ"[k])
+            return coordinate(run.programmed_position, k) / length_factor(run, k, false);
     const auto found = run.extra_axes.find(axis);
     return found == run.extra_axes.end() ? unknown : found->second;
 }

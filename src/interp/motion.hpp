@@ -17,7 +17,8 @@ struct PlaneAxes {
 
 /// Runs the block's arc to `to` (programmed frame); false where it could not be resolved.
 [[nodiscard]] bool arc_motion(Run&, const geom::Vec3& to);
-/// Runs an element of the working plane that ends at `to` (programmed frame), through the path stage where it is at work.
+/// Runs an element of the working plane that ends at `to` (programmed frame), through the path stage where it is at
+/// work.
 void plane_element(Run&, path::Element element, const geom::Vec3& to, bool rapid);
 [[nodiscard]] bool needs_path_stage(const Run&);
 /// Straight move to `to` (programmed frame).

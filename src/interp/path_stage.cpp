@@ -31,11 +31,14 @@ path::Setting PathStage::setting(Run& run) const {
     if (run.modal.compensation == Modal::compensation_off) return s;
     s.side = run.modal.compensation == Modal::compensation_left ? path::Side::left : path::Side::right;
     s.approach = run.modal.approach == Modal::approach_contour ? path::Approach::around : path::Approach::normal;
-    s.corner = run.modal.corner == Modal::corner_intersection ? path::OuterCorner::intersection : path::OuterCorner::arc;
+    s.corner =
+        run.modal.corner == Modal::corner_intersection ? path::OuterCorner::intersection : path::OuterCorner::arc;
     const shop::Tool* tool = run.tool.data;
     const auto radius = tool == nullptr || run.tool.edge == 0 ? std::nullopt : compensation_radius(*tool);
     if (!radius)
-        unchecked(run, codes::unknown_value, run.here(), "G41/G42 with tool T" + std::to_string(run.tool.number) + " D" + std::to_string(run.tool.edge) + ", whose radius is not known: the contour is run without compensation",
+        unchecked(run, codes::unknown_value, run.here(),
+                  "G41/G42 with tool T" + std::to_string(run.tool.number) + " D" + std::to_string(run.tool.edge) +
+                      ", whose radius is not known: the contour is run without compensation",
                   "give the tool with its radius in the job");
     s.radius = radius.value_or(0);
     if (tool != nullptr && run.modal.plane == 18 && run.env.machine.kind == shop::MachineKind::lathe)
@@ -56,10 +59,14 @@ path::CornerRequest PathStage::corner_request(Run& run) {
     const BlockWords& b = run.block;
     const double unit = run.modal.inch_geometry ? 25.4 : 1;
     path::CornerRequest r;
-    if (b.has(Code::chamfer_length)) r = {path::CornerKind::chamfer, b.get(Code::chamfer_length) * unit, false, false, true, {}, {}};
-    else if (b.has(Code::chamfer_leg)) r = {path::CornerKind::chamfer_leg, b.get(Code::chamfer_leg) * unit, false, false, true, {}, {}};
-    else if (b.has(Code::round)) r = {path::CornerKind::rounding, b.get(Code::round) * unit, false, false, true, {}, {}};
-    else if (run.modal.round_modal > 0 && run.modal.motion != Modal::rapid) r = {path::CornerKind::rounding, run.modal.round_modal, true, false, true, {}, {}};
+    if (b.has(Code::chamfer_length))
+        r = {path::CornerKind::chamfer, b.get(Code::chamfer_length) * unit, false, false, true, {}, {}};
+    else if (b.has(Code::chamfer_leg))
+        r = {path::CornerKind::chamfer_leg, b.get(Code::chamfer_leg) * unit, false, false, true, {}, {}};
+    else if (b.has(Code::round))
+        r = {path::CornerKind::rounding, b.get(Code::round) * unit, false, false, true, {}, {}};
+    else if (run.modal.round_modal > 0 && run.modal.motion != Modal::rapid)
+        r = {path::CornerKind::rounding, run.modal.round_modal, true, false, true, {}, {}};
     const double feed = b.has(Code::corner_feed) ? b.get(Code::corner_feed) : run.modal.corner_feed_modal;
     if (r.kind != path::CornerKind::none && feed > 0) {
         r.before.push_back(feed_event(run, feed));
@@ -77,8 +84,10 @@ void PathStage::push(Run& run, path::Element e, bool rapid) {
     active_ = true;
     const path::CornerRequest corner = corner_request(run);
     report(run, path_.push(std::move(e), s, corner, [&](const path::Output& out) { output(run, out); }));
-    if (path_.idle()) forget();
-    else if (s.side == path::Side::off && corner.kind == path::CornerKind::none) flush(run);
+    if (path_.idle())
+        forget();
+    else if (s.side == path::Side::off && corner.kind == path::CornerKind::none)
+        flush(run);
 }
 
 void PathStage::output(Run& run, const path::Output& out) {
@@ -120,12 +129,29 @@ void PathStage::report(Run& run, const path::Fault& f) {
     const std::string radius = base::fixed(at.radius, 3) + " mm";
     std::string text;
     switch (f.reason) {
-        case path::Reason::tool_radius_too_large: text = "the tool radius " + radius + " is larger than this arc: the arc is left out"; break;
-        case path::Reason::arc_needs_line_at_start: text = "compensation must be switched on and off by a straight move G0 or G1, this is an arc"; break;
-        case path::Reason::no_intersection: text = "with tool radius " + radius + " this inner corner has no point where both contour elements can be reached"; break;
-        case path::Reason::element_vanishes: text = f.bridged ? "with tool radius " + radius + " the tool does not fit into this contour element: it is left out and material stays" : "with tool radius " + radius + " this contour element cannot be reached"; break;
+        case path::Reason::tool_radius_too_large:
+            text = "the tool radius " + radius + " is larger than this arc: the arc is left out";
+            break;
+        case path::Reason::arc_needs_line_at_start:
+            text = "compensation must be switched on and off by a straight move G0 or G1, this is an arc";
+            break;
+        case path::Reason::no_intersection:
+            text = "with tool radius " + radius +
+                   " this inner corner has no point where both contour elements can be reached";
+            break;
+        case path::Reason::element_vanishes:
+            text = f.bridged ? "with tool radius " + radius +
+                                   " the tool does not fit into this contour element: it is left out and material stays"
+                             : "with tool radius " + radius + " this contour element cannot be reached";
+            break;
     }
-    base::Diagnostic d{base::Severity::error, codes::compensation, at.from, std::move(text), "use a smaller tool or widen the contour", run.stacks.sites(at.stack), {}};
+    base::Diagnostic d{base::Severity::error,
+                       codes::compensation,
+                       at.from,
+                       std::move(text),
+                       "use a smaller tool or widen the contour",
+                       run.stacks.sites(at.stack),
+                       {}};
     if (origins_[f.other].from != at.from) d.related.push_back({origins_[f.other].from, "the neighbouring element"});
     run.diagnostics.add(std::move(d));
 }
@@ -134,14 +160,26 @@ void PathStage::report(Run& run, const path::CornerFault& f) {
     const Origin& at = origins_[f.tag];
     std::string text;
     switch (f.failure) {
-        case path::CornerFailure::none: return;
-        case path::CornerFailure::bad_size: text = "a chamfer or rounding needs a size above 0"; break;
-        case path::CornerFailure::not_joined: text = "no corner follows: the next element does not start here"; break;
-        case path::CornerFailure::tangential: text = "there is no corner to chamfer or round: the next element goes straight on"; break;
-        case path::CornerFailure::reversal: text = "the next element runs back along this one: there is no corner to chamfer or round"; break;
-        case path::CornerFailure::too_short: text = "a chamfer or rounding of " + base::fixed(f.size, 3) + " mm is too large for the elements beside it"; break;
+        case path::CornerFailure::none:
+            return;
+        case path::CornerFailure::bad_size:
+            text = "a chamfer or rounding needs a size above 0";
+            break;
+        case path::CornerFailure::not_joined:
+            text = "no corner follows: the next element does not start here";
+            break;
+        case path::CornerFailure::tangential:
+            text = "there is no corner to chamfer or round: the next element goes straight on";
+            break;
+        case path::CornerFailure::reversal:
+            text = "the next element runs back along this one: there is no corner to chamfer or round";
+            break;
+        case path::CornerFailure::too_short:
+            text = "a chamfer or rounding of " + base::fixed(f.size, 3) + " mm is too large for the elements beside it";
+            break;
     }
-    run.diagnostics.add({base::Severity::error, codes::value_range, at.from, std::move(text), {}, run.stacks.sites(at.stack), {}});
+    run.diagnostics.add(
+        {base::Severity::error, codes::value_range, at.from, std::move(text), {}, run.stacks.sites(at.stack), {}});
 }
 
 }  // namespace obrys::interp

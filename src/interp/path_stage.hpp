@@ -27,7 +27,7 @@ private:
         base::Span from;
         cl::StackId stack = 0;
         bool rapid = false;
-        double radius = 0;                  ///< of the tool, mm
+        double radius = 0;  ///< of the tool, mm
     };
 
     [[nodiscard]] path::Setting setting(Run&) const;
@@ -41,7 +41,7 @@ private:
     void forget();
 
     path::ContourPath path_;
-    std::vector<Origin> origins_;           ///< by tag
+    std::vector<Origin> origins_;  ///< by tag
     std::vector<cl::Record> events_;
     std::vector<int> waiting_;
     bool active_ = false;

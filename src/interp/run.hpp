@@ -40,10 +40,10 @@ struct ModalState {
     Modal corner = Modal::corner_arc;
     Modal feed_reference = Modal::feed_at_contour;
     std::uint32_t datum = 500;
-    geom::Frame programmed;             ///< TRANS, ROT, SCALE, MIRROR
-    double round_modal = 0;             ///< RNDM, mm
-    double corner_feed_modal = 0;       ///< FRCM
-    geom::Vec3 pole;                    ///< workpiece coordinates
+    geom::Frame programmed;        ///< TRANS, ROT, SCALE, MIRROR
+    double round_modal = 0;        ///< RNDM, mm
+    double corner_feed_modal = 0;  ///< FRCM
+    geom::Vec3 pole;               ///< workpiece coordinates
 };
 
 /// The words of one block, gathered before they act together.
@@ -54,17 +54,17 @@ struct BlockWords {
         std::uint8_t reference = 0;
         base::Span where;
     };
-    std::uint64_t present = 0;                       ///< bit per Code
-    std::array<double, 64> value;                    ///< by Code; valid where the bit is set
-    std::array<std::uint8_t, 64> reference;          ///< 0 = as the modal state says, else 1 + program::Reference
+    std::uint64_t present = 0;               ///< bit per Code
+    std::array<double, 64> value;            ///< by Code; valid where the bit is set
+    std::array<std::uint8_t, 64> reference;  ///< 0 = as the modal state says, else 1 + program::Reference
     std::vector<int> m;
     std::vector<int> h;
-    std::vector<NamedAxis> axes;                     ///< additional axes by name
+    std::vector<NamedAxis> axes;  ///< additional axes by name
     std::string tool_name;
     bool tool_named = false;
-    Modal special = Modal::linear;                   ///< dwell, reference point, fixed point, pole; linear: none
-    Modal suppress = Modal::linear;                  ///< suppress_frames, suppress_all; linear: none
-    bool motion_word = false;                        ///< a G code of the motion group stands in the block
+    Modal special = Modal::linear;   ///< dwell, reference point, fixed point, pole; linear: none
+    Modal suppress = Modal::linear;  ///< suppress_frames, suppress_all; linear: none
+    bool motion_word = false;        ///< a G code of the motion group stands in the block
 
     [[nodiscard]] bool has(Code c) const { return (present >> static_cast<unsigned>(c)) & 1u; }
     [[nodiscard]] double get(Code c) const { return value[static_cast<std::size_t>(c)]; }
@@ -95,11 +95,11 @@ struct Activation {
         std::uint32_t statement = 0;
         std::uint64_t count = 0;
     };
-    std::vector<Passes> passes;                      ///< of every backward branch taken, by its statement
+    std::vector<Passes> passes;  ///< of every backward branch taken, by its statement
     std::vector<ActiveSection> sections;
-    std::uint64_t repeats_left = 0;                  ///< of L123 P3: further runs
-    std::size_t own_bindings = 0;                    ///< bindings that are parameters; the rest goes with each run
-    std::uint32_t arguments_given = 0;               ///< bit per parameter, for $P_SUBPAR
+    std::uint64_t repeats_left = 0;     ///< of L123 P3: further runs
+    std::size_t own_bindings = 0;       ///< bindings that are parameters; the rest goes with each run
+    std::uint32_t arguments_given = 0;  ///< bit per parameter, for $P_SUBPAR
     bool from_modal_call = false;
     bool saves = false;
     ModalState saved;
@@ -108,7 +108,7 @@ struct Activation {
 /// MCALL: the call that follows every block with motion.
 struct ModalCall {
     const Unit* unit = nullptr;
-    std::vector<Value> arguments;                    ///< as they were when MCALL stood in the program
+    std::vector<Value> arguments;  ///< as they were when MCALL stood in the program
     std::vector<std::uint8_t> given;
     base::Span where;
 };
@@ -116,15 +116,15 @@ struct ModalCall {
 struct ToolState {
     std::uint32_t number = 0, edge = 0;
     std::string name;
-    std::uint32_t prepared = 0;                      ///< T programmed, M6 still to come (mills)
+    std::uint32_t prepared = 0;  ///< T programmed, M6 still to come (mills)
     std::string prepared_name;
     bool waiting = false;
     const shop::Tool* data = nullptr;
 };
 
 struct SpindleState {
-    double speed = 0;                                ///< S as programmed
-    double limit = 0;                                ///< LIMS
+    double speed = 0;  ///< S as programmed
+    double limit = 0;  ///< LIMS
     int direction = 0;
 };
 
@@ -147,36 +147,37 @@ struct Run {
     std::vector<std::uint8_t> parameter_overridden;
     std::vector<double> parameter_override;
     std::unordered_map<int, Value> markers, channel_parameters;
-    std::unordered_map<std::uint64_t, Value> system_written;   ///< system variables the program wrote itself
+    std::unordered_map<std::uint64_t, Value> system_written;  ///< system variables the program wrote itself
 
     ModalState modal;
     BlockWords block;
     ToolState tool;
     SpindleState spindle;
-    double feed = 0;                                 ///< mm/min, mm/rev or 1/min by modal.feed_mode
+    double feed = 0;  ///< mm/min, mm/rev or 1/min by modal.feed_mode
     bool feed_valid = false;
-    bool feed_dropped = false;                       ///< G94/G95 changed and the stream does not know yet that F is void
+    bool feed_dropped = false;  ///< G94/G95 changed and the stream does not know yet that F is void
     ModalCall modal_call;
 
-    geom::Vec3 position;                             ///< stream frame, mm; NaN where unknown
-    geom::Vec3 programmed_position;                  ///< in the programmed frame
-    geom::Frame frame;                               ///< programmed frame -> stream frame
+    geom::Vec3 position;             ///< stream frame, mm; NaN where unknown
+    geom::Vec3 programmed_position;  ///< in the programmed frame
+    geom::Frame frame;               ///< programmed frame -> stream frame
     bool frame_is_identity = true;
-    std::uint32_t reference_datum = 500;             ///< the datum in which the stream's coordinates are
-    bool datum_known = true;                         ///< the active datum's place against it is known
+    std::uint32_t reference_datum = 500;  ///< the datum in which the stream's coordinates are
+    bool datum_known = true;              ///< the active datum's place against it is known
     bool moved = false;
     bool datum_emitted = false;
     std::unordered_map<std::string, double> extra_axes;
-    geom::Vec2 last_direction;                       ///< of the last move in the working plane, for CT
+    geom::Vec2 last_direction;  ///< of the last move in the working plane, for CT
     std::unique_ptr<PathStage> path;
 
-    const program::Statement* statement = nullptr;   ///< being run
-    bool stopped = false;                            ///< alarm, budget or program end
+    const program::Statement* statement = nullptr;  ///< being run
+    bool stopped = false;                           ///< alarm, budget or program end
     Ending ending = Ending::regular;
     std::uint64_t blocks = 0;
     std::chrono::steady_clock::time_point started;
-    std::unordered_set<std::uint64_t> reported;      ///< complaints already made, by place and code
+    std::unordered_set<std::uint64_t> reported;  ///< complaints already made, by place and code
     std::set<std::string> assumed;
+    std::string last_message;  ///< of MSG
     std::unordered_set<const Unit*> entered;
     cl::Record record;
 
@@ -194,7 +195,7 @@ void unchecked(Run&, std::string_view code, const base::Span& where, std::string
 void assume(Run&, const base::Span& where, std::string text, std::string remedy = {});
 
 // --- expressions (evaluate.cpp, functions.cpp, system_read.cpp)
-[[nodiscard]] double number(Run&, ExprId);          ///< a numeric value; alarm where it is none
+[[nodiscard]] double number(Run&, ExprId);  ///< a numeric value; alarm where it is none
 /// A condition; one that depends on an unknown value is reported and counts as `when_unknown`.
 [[nodiscard]] bool truth(Run&, ExprId, bool when_unknown = false);
 [[nodiscard]] Value evaluate(Run&, ExprId);
@@ -237,7 +238,7 @@ void update_frame(Run&);
 void select_tool(Run&);
 void technology(Run&);
 void after_motion(Run&);
-[[nodiscard]] bool motion(Run&);                    ///< true where the block moved
+[[nodiscard]] bool motion(Run&);  ///< true where the block moved
 /// Gathers one word into the block; shared by blocks and frame statements.
 void gather(Run&, const program::Statement&, const program::Word&);
 

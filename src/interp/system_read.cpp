@@ -19,7 +19,9 @@ struct Access {
     const Expr& e;
     [[nodiscard]] base::Span where() const { return {run.unit().file, e.begin, e.end}; }
     [[nodiscard]] const std::string& name() const { return run.env.names.text(e.a); }
-    [[nodiscard]] ExprId id(std::size_t i) const { return i < e.count ? run.unit().children[e.b + i] : program::no_expr; }
+    [[nodiscard]] ExprId id(std::size_t i) const {
+        return i < e.count ? run.unit().children[e.b + i] : program::no_expr;
+    }
     /// An index in brackets; one that is unknown is -1, which names nothing.
     [[nodiscard]] double index(std::size_t i) const {
         const double v = i < e.count ? number(run, id(i)) : 0;
@@ -41,25 +43,33 @@ Value machine_position(const Access& a) {
     const auto datum = a.run.env.machine.datums.find(a.run.reference_datum);
     for (int k = 0; k < 3; ++k) {
         if (axis.size() != 1 || axis[0] != "XYZ"[k]) continue;
-        if (datum == a.run.env.machine.datums.end()) return unknown_value(a, "the machine position is not known without the zero offset");
-        return known_or_unknown(a, coordinate(a.run.position, k) + coordinate(datum->second, k), "the axis has not been positioned yet");
+        if (datum == a.run.env.machine.datums.end())
+            return unknown_value(a, "the machine position is not known without the zero offset");
+        return known_or_unknown(a, coordinate(a.run.position, k) + coordinate(datum->second, k),
+                                "the axis has not been positioned yet");
     }
     return known_or_unknown(a, programmed_coordinate(a.run, axis), "the axis has not been positioned yet");
 }
 
 Value work_position(const Access& a) {
-    return known_or_unknown(a, programmed_coordinate(a.run, axis_of(a.run, a.id(0))), "the axis has not been positioned yet");
+    return known_or_unknown(a, programmed_coordinate(a.run, axis_of(a.run, a.id(0))),
+                            "the axis has not been positioned yet");
 }
 
 Value tool_length(const Access& a) {
     const shop::Tool* t = a.run.tool.data;
     const double n = a.e.count == 0 ? 1 : a.index(0);
     if (t == nullptr) return unknown_value(a, "no tool data");
-    if (const auto p = t->parameters.find(2 + static_cast<int>(n)); p != t->parameters.end()) return Value::real(p->second);
+    if (const auto p = t->parameters.find(2 + static_cast<int>(n)); p != t->parameters.end())
+        return Value::real(p->second);
     return Value::real(n == 1 ? t->length : 0);
 }
 
-double tool_radius(const shop::Tool& t) { return t.kind == shop::ToolKind::turning ? t.nose_radius : t.kind == shop::ToolKind::groove ? t.corner_radius : t.radius; }
+double tool_radius(const shop::Tool& t) {
+    return t.kind == shop::ToolKind::turning  ? t.nose_radius
+           : t.kind == shop::ToolKind::groove ? t.corner_radius
+                                              : t.radius;
+}
 
 const shop::Tool* addressed_tool(const Access& a) {
     const double number = a.index(0), edge = a.e.count > 1 ? a.index(1) : 1;
@@ -76,7 +86,8 @@ Value tool_parameter(const Access& a) {
     int n = 0;
     for (std::size_t i = digits; i < name.size() && n < 1000; ++i) n = n * 10 + (name[i] - '0');
     const std::uint64_t key = (std::uint64_t{a.e.a} << 32) ^ undefined_key(a.run, a.e);
-    if (const auto written = a.run.system_written.find(key); written != a.run.system_written.end()) return written->second;
+    if (const auto written = a.run.system_written.find(key); written != a.run.system_written.end())
+        return written->second;
     if (t == nullptr) return unknown_value(a, "this tool is not in the tool list");
     if (const auto p = t->parameters.find(n); p != t->parameters.end()) return Value::real(p->second);
     if (n == 6) return Value::real(tool_radius(*t));
@@ -88,15 +99,32 @@ Value tool_parameter(const Access& a) {
 Value active_g(const Access& a) {
     const ModalState& m = a.run.modal;
     switch (static_cast<int>(a.index(0))) {
-        case 1: return Value::integer(m.motion == Modal::rapid ? 1 : m.motion == Modal::linear ? 2 : m.motion == Modal::arc_cw ? 3 : 4);
-        case 6: return Value::integer(m.plane - 16);
-        case 7: return Value::integer(m.compensation == Modal::compensation_off ? 1 : m.compensation == Modal::compensation_left ? 2 : 3);
-        case 8: return Value::integer(m.datum == 500 ? 1 : m.datum < 60 ? m.datum - 52 : m.datum - 499);
-        case 13: return Value::integer(m.inch_feed ? 3 : m.inch_geometry ? 1 : 2);
-        case 14: return Value::integer(m.absolute ? 1 : 2);
-        case 15: return Value::integer(m.surface_speed ? 4 : m.feed_mode == cl::FeedMode::inverse_time ? 1 : m.feed_mode == cl::FeedMode::per_minute ? 2 : 3);
-        case 29: return Value::integer(m.diameter == DiameterMode::off ? 1 : m.diameter == DiameterMode::on ? 2 : 3);
-        default: return unknown_value(a, "this G group is not followed");
+        case 1:
+            return Value::integer(m.motion == Modal::rapid    ? 1
+                                  : m.motion == Modal::linear ? 2
+                                  : m.motion == Modal::arc_cw ? 3
+                                                              : 4);
+        case 6:
+            return Value::integer(m.plane - 16);
+        case 7:
+            return Value::integer(m.compensation == Modal::compensation_off    ? 1
+                                  : m.compensation == Modal::compensation_left ? 2
+                                                                               : 3);
+        case 8:
+            return Value::integer(m.datum == 500 ? 1 : m.datum < 60 ? m.datum - 52 : m.datum - 499);
+        case 13:
+            return Value::integer(m.inch_feed ? 3 : m.inch_geometry ? 1 : 2);
+        case 14:
+            return Value::integer(m.absolute ? 1 : 2);
+        case 15:
+            return Value::integer(m.surface_speed                             ? 4
+                                  : m.feed_mode == cl::FeedMode::inverse_time ? 1
+                                  : m.feed_mode == cl::FeedMode::per_minute   ? 2
+                                                                              : 3);
+        case 29:
+            return Value::integer(m.diameter == DiameterMode::off ? 1 : m.diameter == DiameterMode::on ? 2 : 3);
+        default:
+            return unknown_value(a, "this G group is not followed");
     }
 }
 
@@ -109,9 +137,12 @@ Value machine_data(const Access& a) {
 Value datum_frame(const Access& a) {
     const double n = a.e.count > 0 ? a.index(0) : 0;
     if (n < 0) return unknown_value(a, "there is no such frame");
-    const std::uint32_t number = n == 0 ? 500 : n <= 4 ? 53 + static_cast<std::uint32_t>(n) : 500 + static_cast<std::uint32_t>(n);
+    const std::uint32_t number = n == 0   ? 500
+                                 : n <= 4 ? 53 + static_cast<std::uint32_t>(n)
+                                          : 500 + static_cast<std::uint32_t>(n);
     const auto found = a.run.env.machine.datums.find(number);
-    if (found == a.run.env.machine.datums.end()) return unknown_value(a, "the zero offset G" + std::to_string(number) + " is not known");
+    if (found == a.run.env.machine.datums.end())
+        return unknown_value(a, "the zero offset G" + std::to_string(number) + " is not known");
     return Value::of_frame(geom::Frame::shift(found->second));
 }
 
@@ -144,24 +175,34 @@ Value indexed_parameter(const Access& a) {
 Value run_state(const Access& a, SystemVariable v) {
     const Run& run = a.run;
     switch (v) {
-        case SystemVariable::feed: return Value::real(run.feed);
-        case SystemVariable::spindle_speed: return Value::real(run.spindle.speed);
-        case SystemVariable::spindle_direction: return Value::integer(run.spindle.direction > 0 ? 3 : run.spindle.direction < 0 ? 4 : 5);
-        case SystemVariable::tool_number: return Value::integer(run.tool.number);
-        case SystemVariable::tool_edge: return Value::integer(run.tool.edge);
+        case SystemVariable::feed:
+            return Value::real(run.feed);
+        case SystemVariable::spindle_speed:
+            return Value::real(run.spindle.speed);
+        case SystemVariable::spindle_direction:
+            return Value::integer(run.spindle.direction > 0 ? 3 : run.spindle.direction < 0 ? 4 : 5);
+        case SystemVariable::tool_number:
+            return Value::integer(run.tool.number);
+        case SystemVariable::tool_edge:
+            return Value::integer(run.tool.edge);
         case SystemVariable::tool_radius:
-            return run.tool.data == nullptr ? unknown_value(a, "no tool data") : Value::real(tool_radius(*run.tool.data));
+            return run.tool.data == nullptr ? unknown_value(a, "no tool data")
+                                            : Value::real(tool_radius(*run.tool.data));
         case SystemVariable::argument_given: {
             const double n = a.index(0);
-            return Value::boolean(n >= 1 && n <= 32 && ((run.calls.back().arguments_given >> (static_cast<unsigned>(n) - 1)) & 1u) != 0);
+            return Value::boolean(n >= 1 && n <= 32 &&
+                                  ((run.calls.back().arguments_given >> (static_cast<unsigned>(n) - 1)) & 1u) != 0);
         }
-        case SystemVariable::stack_depth: return Value::integer(static_cast<double>(run.calls.size()) - 1);
+        case SystemVariable::stack_depth:
+            return Value::integer(static_cast<double>(run.calls.size()) - 1);
         case SystemVariable::program_name: {
             const auto level = static_cast<std::size_t>(std::max(0.0, a.index(0)));
             return Value::string(level < run.calls.size() ? run.calls[level].unit->name : std::string{});
         }
-        case SystemVariable::channel_axis_name: return Value::axis(std::string(1, a.name().back() == '2' ? 'Y' : a.name().back() == '3' ? 'Z' : 'X'));
-        default: return Value::of_frame(v == SystemVariable::programmed_frame ? run.modal.programmed : run.frame);
+        case SystemVariable::channel_axis_name:
+            return Value::axis(std::string(1, a.name().back() == '2' ? 'Y' : a.name().back() == '3' ? 'Z' : 'X'));
+        default:
+            return Value::of_frame(v == SystemVariable::programmed_frame ? run.modal.programmed : run.frame);
     }
 }
 
@@ -171,29 +212,44 @@ Value read_system(Run& run, const Expr& e) {
     const Access a{run, e};
     const auto v = static_cast<SystemVariable>(e.op);
     switch (v) {
-        case SystemVariable::numbered_parameter: return indexed_parameter(a);
-        case SystemVariable::machine_position: return machine_position(a);
+        case SystemVariable::numbered_parameter:
+            return indexed_parameter(a);
+        case SystemVariable::machine_position:
+            return machine_position(a);
         case SystemVariable::work_position:
-        case SystemVariable::programmed_position: return work_position(a);
-        case SystemVariable::tool_length: return tool_length(a);
-        case SystemVariable::tool_parameter: return tool_parameter(a);
-        case SystemVariable::tool_exists: return tool_exists(a);
-        case SystemVariable::tool_name: return tool_name(a);
-        case SystemVariable::active_g: return active_g(a);
-        case SystemVariable::machine_data: return machine_data(a);
+        case SystemVariable::programmed_position:
+            return work_position(a);
+        case SystemVariable::tool_length:
+            return tool_length(a);
+        case SystemVariable::tool_parameter:
+            return tool_parameter(a);
+        case SystemVariable::tool_exists:
+            return tool_exists(a);
+        case SystemVariable::tool_name:
+            return tool_name(a);
+        case SystemVariable::active_g:
+            return active_g(a);
+        case SystemVariable::machine_data:
+            return machine_data(a);
         case SystemVariable::datum_frame:
         case SystemVariable::settable_frame:
-        case SystemVariable::base_frame: return datum_frame(a);
+        case SystemVariable::base_frame:
+            return datum_frame(a);
         case SystemVariable::marker:
         case SystemVariable::parameter:
-        case SystemVariable::timer: return written_or_zero(a);
+        case SystemVariable::timer:
+            return written_or_zero(a);
         case SystemVariable::is_simulation:
         case SystemVariable::is_search:
         case SystemVariable::is_test:
-        case SystemVariable::is_dry_run: return Value::boolean(false);
-        case SystemVariable::pi: return Value::real(geom::pi);
-        case SystemVariable::unknown: return unknown_value(a, "obrys does not know this system variable");
-        default: return run_state(a, v);
+        case SystemVariable::is_dry_run:
+            return Value::boolean(false);
+        case SystemVariable::pi:
+            return Value::real(geom::pi);
+        case SystemVariable::unknown:
+            return unknown_value(a, "obrys does not know this system variable");
+        default:
+            return run_state(a, v);
     }
 }
 

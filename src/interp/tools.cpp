@@ -15,7 +15,8 @@ namespace {
 
 const shop::Tool* find_tool(const Run& run, const ToolState& t) {
     for (const shop::Tool& tool : run.env.tools) {
-        const bool same = t.number != 0 ? tool.number == t.number : !t.name.empty() && base::equals_ignoring_case(tool.name, t.name);
+        const bool same =
+            t.number != 0 ? tool.number == t.number : !t.name.empty() && base::equals_ignoring_case(tool.name, t.name);
         if (same && (tool.edge == t.edge || t.edge == 0)) return &tool;
     }
     return nullptr;
@@ -30,7 +31,7 @@ void tool_into_spindle(Run& run) {
         any.edge = 0;
         if (const shop::Tool* known = find_tool(run, any)) run.tool.number = known->number;
     }
-    run.tool.edge = 1;           // MD20270 CUTTING_EDGE_DEFAULT as delivered
+    run.tool.edge = 1;  // MD20270 CUTTING_EDGE_DEFAULT as delivered
 }
 
 bool changes_on_m6(const Run& run) { return run.env.machine.kind == shop::MachineKind::mill; }
@@ -54,7 +55,8 @@ bool spindle_words(Run& run) {
     BlockWords& b = run.block;
     bool changed = false;
     if (b.has(Code::spindle) && b.special != Modal::dwell && std::isnan(b.get(Code::spindle))) {
-        unchecked(run, codes::unknown_value, run.here(), "the spindle speed depends on a value that is not known: the last one is kept");
+        unchecked(run, codes::unknown_value, run.here(),
+                  "the spindle speed depends on a value that is not known: the last one is kept");
     } else if (b.has(Code::spindle) && b.special != Modal::dwell) {
         const double s = b.get(Code::spindle);
         run.spindle.speed = std::abs(s);
@@ -82,7 +84,8 @@ void feed_word(Run& run) {
     double f = run.block.get(Code::feed);
     if (run.modal.inch_feed && run.modal.feed_mode != cl::FeedMode::inverse_time) f *= 25.4;
     if (std::isnan(f)) {
-        unchecked(run, codes::unknown_value, run.here(), "the feed depends on a value that is not known: the last one is kept");
+        unchecked(run, codes::unknown_value, run.here(),
+                  "the feed depends on a value that is not known: the last one is kept");
         return;
     }
     if (f < 0) {
@@ -102,14 +105,18 @@ void coolant(Run& run, int m) {
 }
 
 /// M functions the control itself knows; others go to the machine and are listed.
-bool is_standard(int m) { return (m >= 0 && m <= 9) || m == 17 || m == 30 || m == 19 || m == 70 || (m >= 40 && m <= 45); }
+bool is_standard(int m) {
+    return (m >= 0 && m <= 9) || m == 17 || m == 30 || m == 19 || m == 70 || (m >= 40 && m <= 45);
+}
 
 void machine_functions(Run& run) {
     for (const int m : run.block.m) {
         if (m == 7 || m == 8) coolant(run, m);
         if (is_standard(m)) continue;
         emit(run, cl::Auxiliary{'M', m});
-        assume(run, run.here(), "M" + std::to_string(m) + " is a function of the machine builder: taken as having no effect on the path");
+        assume(
+            run, run.here(),
+            "M" + std::to_string(m) + " is a function of the machine builder: taken as having no effect on the path");
     }
     for (const int h : run.block.h) emit(run, cl::Auxiliary{'H', h});
 }
@@ -144,7 +151,8 @@ void select_tool(Run& run) {
     if (b.has(Code::edge)) {
         const double d = b.get(Code::edge);
         if (std::isnan(d)) {
-            unchecked(run, codes::unknown_value, run.here(), "which cutting edge this is depends on a value that is not known");
+            unchecked(run, codes::unknown_value, run.here(),
+                      "which cutting edge this is depends on a value that is not known");
             return;
         }
         if (!(d >= 0 && d <= 32000)) {
@@ -162,9 +170,11 @@ void technology(Run& run) {
     BlockWords& b = run.block;
     constexpr auto bit = [](Code c) { return std::uint64_t{1} << static_cast<unsigned>(c); };
     constexpr std::uint64_t words = bit(Code::feed) | bit(Code::spindle) | bit(Code::speed_limit) | bit(Code::tool) |
-                                    bit(Code::edge) | bit(Code::spindle_position) | bit(Code::round_modal) | bit(Code::corner_feed_modal);
+                                    bit(Code::edge) | bit(Code::spindle_position) | bit(Code::round_modal) |
+                                    bit(Code::corner_feed_modal);
     if ((b.present & words) == 0 && b.m.empty() && b.h.empty()) return;
-    if (b.has(Code::round_modal)) run.modal.round_modal = b.get(Code::round_modal) * (run.modal.inch_geometry ? 25.4 : 1);
+    if (b.has(Code::round_modal))
+        run.modal.round_modal = b.get(Code::round_modal) * (run.modal.inch_geometry ? 25.4 : 1);
     if (b.has(Code::corner_feed_modal)) run.modal.corner_feed_modal = b.get(Code::corner_feed_modal);
     select_tool(run);
     if (run.stopped) return;

@@ -15,21 +15,34 @@ constexpr double integer_limit = 2147483648.0;  // 32-bit INT of the control
 
 Value Value::unknown() { return {Type::real, std::numeric_limits<double>::quiet_NaN(), nullptr, nullptr}; }
 bool Value::is_unknown() const { return is_number() && std::isnan(number); }
-Value Value::string(std::string s) { return {Type::string, 0, std::make_shared<const std::string>(std::move(s)), nullptr}; }
-Value Value::axis(std::string name) { return {Type::axis, 0, std::make_shared<const std::string>(std::move(name)), nullptr}; }
-Value Value::of_frame(const geom::Frame& f) { return {Type::frame, 0, nullptr, std::make_shared<const geom::Frame>(f)}; }
+Value Value::string(std::string s) {
+    return {Type::string, 0, std::make_shared<const std::string>(std::move(s)), nullptr};
+}
+Value Value::axis(std::string name) {
+    return {Type::axis, 0, std::make_shared<const std::string>(std::move(name)), nullptr};
+}
+Value Value::of_frame(const geom::Frame& f) {
+    return {Type::frame, 0, nullptr, std::make_shared<const geom::Frame>(f)};
+}
 const std::string& Value::as_text() const { return text ? *text : no_text; }
 const geom::Frame& Value::as_frame() const { return frame ? *frame : no_frame; }
 
 std::string_view name(Type t) {
     switch (t) {
-        case Type::boolean: return "BOOL";
-        case Type::character: return "CHAR";
-        case Type::integer: return "INT";
-        case Type::real: return "REAL";
-        case Type::string: return "STRING";
-        case Type::axis: return "AXIS";
-        case Type::frame: return "FRAME";
+        case Type::boolean:
+            return "BOOL";
+        case Type::character:
+            return "CHAR";
+        case Type::integer:
+            return "INT";
+        case Type::real:
+            return "REAL";
+        case Type::string:
+            return "STRING";
+        case Type::axis:
+            return "AXIS";
+        case Type::frame:
+            return "FRAME";
     }
     return "REAL";
 }
@@ -38,12 +51,17 @@ std::string printed(const Value& v) {
     if (v.is_unknown()) return "?";
     switch (v.type) {
         case Type::boolean:
-        case Type::integer: return base::fixed(v.number, 0);
-        case Type::character: return std::string(1, static_cast<char>(v.number));
+        case Type::integer:
+            return base::fixed(v.number, 0);
+        case Type::character:
+            return std::string(1, static_cast<char>(v.number));
         case Type::string:
-        case Type::axis: return v.as_text();
-        case Type::frame: return "FRAME";
-        case Type::real: break;
+        case Type::axis:
+            return v.as_text();
+        case Type::frame:
+            return "FRAME";
+        case Type::real:
+            break;
     }
     std::string s = base::fixed(v.number, 7);
     s.erase(s.find_last_not_of('0') + 1);
@@ -52,24 +70,34 @@ std::string printed(const Value& v) {
 }
 
 void Array::allocate() {
-    if (type == Type::string || type == Type::axis) texts.resize(size());
-    else if (type == Type::frame) frames.resize(size());
-    else numbers.resize(size());
+    if (type == Type::string || type == Type::axis)
+        texts.resize(size());
+    else if (type == Type::frame)
+        frames.resize(size());
+    else
+        numbers.resize(size());
 }
 
 Value Array::get(std::size_t i) const {
     switch (type) {
-        case Type::string: return Value::string(texts[i]);
-        case Type::axis: return Value::axis(texts[i]);
-        case Type::frame: return Value::of_frame(frames[i]);
-        default: return {type, numbers[i], nullptr, nullptr};
+        case Type::string:
+            return Value::string(texts[i]);
+        case Type::axis:
+            return Value::axis(texts[i]);
+        case Type::frame:
+            return Value::of_frame(frames[i]);
+        default:
+            return {type, numbers[i], nullptr, nullptr};
     }
 }
 
 void Array::set(std::size_t i, const Value& v) {
-    if (type == Type::string || type == Type::axis) texts[i] = v.as_text();
-    else if (type == Type::frame) frames[i] = v.as_frame();
-    else numbers[i] = v.number;
+    if (type == Type::string || type == Type::axis)
+        texts[i] = v.as_text();
+    else if (type == Type::frame)
+        frames[i] = v.as_frame();
+    else
+        numbers[i] = v.number;
 }
 
 Conversion convert(Value& v, Type to, std::size_t string_length) {
@@ -104,7 +132,8 @@ Conversion convert(Value& v, Type to, std::size_t string_length) {
     if (to == Type::integer || to == Type::character) v.number = std::floor(v.number + 0.5);
     const double high = to == Type::character ? 256 : integer_limit;
     const double low = to == Type::character ? 0 : -integer_limit;
-    if ((to == Type::integer || to == Type::character) && (v.number < low || v.number >= high)) return Conversion::out_of_range;
+    if ((to == Type::integer || to == Type::character) && (v.number < low || v.number >= high))
+        return Conversion::out_of_range;
     return Conversion::ok;
 }
 

@@ -46,8 +46,8 @@ struct Value {
 struct Array {
     Type type = Type::real;
     std::array<std::uint32_t, 3> dimensions{1, 1, 1};
-    int rank = 0;                       ///< number of written dimensions
-    std::size_t string_length = 200;    ///< longest text an element may hold
+    int rank = 0;                     ///< number of written dimensions
+    std::size_t string_length = 200;  ///< longest text an element may hold
     std::vector<double> numbers;
     std::vector<std::string> texts;
     std::vector<geom::Frame> frames;
@@ -55,7 +55,7 @@ struct Array {
     [[nodiscard]] std::size_t size() const { return std::size_t{dimensions[0]} * dimensions[1] * dimensions[2]; }
     void allocate();
     [[nodiscard]] Value get(std::size_t i) const;
-    void set(std::size_t i, const Value& v);   ///< `v` must be of the array's type already
+    void set(std::size_t i, const Value& v);  ///< `v` must be of the array's type already
 };
 
 enum class Conversion : std::uint8_t { ok, wrong_type, out_of_range, too_long };

@@ -34,7 +34,7 @@ struct Binding {
     program::NameId name = 0;
     std::shared_ptr<Array> array;
     std::size_t offset = 0;
-    bool element = false;   ///< only element `offset`
+    bool element = false;  ///< only element `offset`
 };
 
 /// Names of one call, or the global ones. Few names a scope: looked through in order.

@@ -15,62 +15,129 @@ enum class ExprKind : std::uint8_t {
     parameter,     ///< numbered parameter (R5, Q5, #5): a = number
     parameter_at,  ///< numbered parameter, number computed: a = child
     variable,      ///< a = NameId; indices in children [b, b + count)
-    system,        ///< system variable ($AA_IM[X]): op = SystemVariable, a = NameId with its `$`; indices as for variable
-    unary,         ///< op = Operator, a = child
-    binary,        ///< op = Operator, a and b = children
-    function,      ///< op = Function, arguments in children [b, b + count); no_expr where left out
+    system,    ///< system variable ($AA_IM[X]): op = SystemVariable, a = NameId with its `$`; indices as for variable
+    unary,     ///< op = Operator, a = child
+    binary,    ///< op = Operator, a and b = children
+    function,  ///< op = Function, arguments in children [b, b + count); no_expr where left out
     unknown_function,  ///< a = NameId, arguments as for function
-    qualified,     ///< position with its own reference: op = Reference, a = child
+    qualified,         ///< position with its own reference: op = Reference, a = child
 };
 
 enum class Operator : std::uint8_t {
-    negate, plus, logical_not, bit_not,
-    add, subtract, multiply, divide, integer_divide, modulo,
-    concat,         ///< text chaining <<
-    equal, not_equal, less, less_equal, greater, greater_equal,
-    logical_and, logical_or, logical_xor, bit_and, bit_or, bit_xor,
-    frame_chain,    ///< chaining of frames (SINUMERIK `:`)
+    negate,
+    plus,
+    logical_not,
+    bit_not,
+    add,
+    subtract,
+    multiply,
+    divide,
+    integer_divide,
+    modulo,
+    concat,  ///< text chaining <<
+    equal,
+    not_equal,
+    less,
+    less_equal,
+    greater,
+    greater_equal,
+    logical_and,
+    logical_or,
+    logical_xor,
+    bit_and,
+    bit_or,
+    bit_xor,
+    frame_chain,  ///< chaining of frames (SINUMERIK `:`)
 };
 
 enum class Reference : std::uint8_t {
-    absolute, incremental,
-    shortest,       ///< rotary axis, shortest way (DC)
-    positive, negative,  ///< rotary axis, given sense (ACP, ACN)
+    absolute,
+    incremental,
+    shortest,  ///< rotary axis, shortest way (DC)
+    positive,
+    negative,  ///< rotary axis, given sense (ACP, ACN)
 };
 
 /// Built-in functions; angles in degrees.
 enum class Function : std::uint8_t {
-    sin, cos, tan, asin, acos, atan2, sqrt, abs, square, trunc, round, round_up, ln, exp, min, max, bound,
-    string_length, to_upper, to_lower, index, rindex, mindex, substring, number, is_number, axis_name, axis_string,
-    is_axis, is_variable, modulo_axis,
-    frame_shift, frame_rotation, frame_plane_rotation, frame_scale, frame_mirror, frame_fine, frame_inverse,
-    set_list, repeat_list,      ///< SET(…) and REP(…): only as the value of an array assignment
+    sin,
+    cos,
+    tan,
+    asin,
+    acos,
+    atan2,
+    sqrt,
+    abs,
+    square,
+    trunc,
+    round,
+    round_up,
+    ln,
+    exp,
+    min,
+    max,
+    bound,
+    string_length,
+    to_upper,
+    to_lower,
+    index,
+    rindex,
+    mindex,
+    substring,
+    number,
+    is_number,
+    axis_name,
+    axis_string,
+    is_axis,
+    is_variable,
+    modulo_axis,
+    frame_shift,
+    frame_rotation,
+    frame_plane_rotation,
+    frame_scale,
+    frame_mirror,
+    frame_fine,
+    frame_inverse,
+    set_list,
+    repeat_list,  ///< SET(…) and REP(…): only as the value of an array assignment
 };
 
 /// What a system variable means. Names the tables do not know are `unknown`: reading them is reported, never guessed.
 enum class SystemVariable : std::uint8_t {
     unknown,
-    numbered_parameter,          ///< $R[n]
-    machine_position,            ///< $AA_IM[axis]: machine coordinates
-    work_position,               ///< $AA_IW[axis]: workpiece coordinates, where the axis is
-    programmed_position,         ///< $P_EP[axis]: last programmed end position
-    tool_radius, tool_length,    ///< $P_TOOLR, $P_TOOLL[1…3]
-    tool_number, tool_edge,      ///< $P_TOOLNO, $P_TOOL
-    tool_parameter,              ///< $TC_DPn[T, D]: n stands at the end of the name
-    tool_name, tool_exists,      ///< $TC_TP2[T], $P_TOOLEXIST[T]
-    feed, spindle_speed,         ///< $P_F, $AC_F; $P_S[n], $AA_S[n]
-    spindle_direction,           ///< $P_SDIR[n], $AC_SDIR[n]: 3, 4, 5
-    active_g,                    ///< $P_GG[group]
-    machine_data,                ///< $MC_…, $MN_…, $MA_…: from the machine file
-    datum_frame,                 ///< $P_UIFR[n]: settable frame number n
-    base_frame, programmed_frame, active_frame, settable_frame,  ///< $P_BFRAME, $P_PFRAME, $P_ACTFRAME, $P_IFRAME
-    marker, parameter,           ///< $AC_MARKER[n], $AC_PARAM[n]: read back what the program wrote
-    timer,                       ///< $AC_TIME, $AC_TIMER[n]
-    is_simulation, is_search, is_test, is_dry_run,   ///< $P_SIM, $P_SEARCH, $P_ISTEST, $P_DRYRUN
-    argument_given,              ///< $P_SUBPAR[n]
-    stack_depth, program_name,   ///< $P_STACK, $P_PROG[n]
-    channel_axis_name,           ///< $P_AXN1 … 3
-    pi,                          ///< $PI
+    numbered_parameter,   ///< $R[n]
+    machine_position,     ///< $AA_IM[axis]: machine coordinates
+    work_position,        ///< $AA_IW[axis]: workpiece coordinates, where the axis is
+    programmed_position,  ///< $P_EP[axis]: last programmed end position
+    tool_radius,
+    tool_length,  ///< $P_TOOLR, $P_TOOLL[1…3]
+    tool_number,
+    tool_edge,       ///< $P_TOOLNO, $P_TOOL
+    tool_parameter,  ///< $TC_DPn[T, D]: n stands at the end of the name
+    tool_name,
+    tool_exists,  ///< $TC_TP2[T], $P_TOOLEXIST[T]
+    feed,
+    spindle_speed,      ///< $P_F, $AC_F; $P_S[n], $AA_S[n]
+    spindle_direction,  ///< $P_SDIR[n], $AC_SDIR[n]: 3, 4, 5
+    active_g,           ///< $P_GG[group]
+    machine_data,       ///< $MC_…, $MN_…, $MA_…: from the machine file
+    datum_frame,        ///< $P_UIFR[n]: settable frame number n
+    base_frame,
+    programmed_frame,
+    active_frame,
+    settable_frame,  ///< $P_BFRAME, $P_PFRAME, $P_ACTFRAME, $P_IFRAME
+    marker,
+    parameter,  ///< $AC_MARKER[n], $AC_PARAM[n]: read back what the program wrote
+    timer,      ///< $AC_TIME, $AC_TIMER[n]
+    is_simulation,
+    is_search,
+    is_test,
+    is_dry_run,      ///< $P_SIM, $P_SEARCH, $P_ISTEST, $P_DRYRUN
+    argument_given,  ///< $P_SUBPAR[n]
+    stack_depth,
+    program_name,       ///< $P_STACK, $P_PROG[n]
+    channel_axis_name,  ///< $P_AXN1 … 3
+    pi,                 ///< $PI
 };
 
 struct Expr {

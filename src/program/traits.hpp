@@ -6,7 +6,8 @@
 namespace obrys::program {
 
 struct Traits {
-    /// Two real numbers count as equal in every comparison when they differ by at most this, relative to the larger one.
+    /// Two real numbers count as equal in every comparison when they differ by at most this, relative to the larger
+    /// one.
     double relative_equality = 0;
     /// Number of numbered parameters (R0 … R999); one past the last.
     std::uint32_t parameter_count = 1000;

@@ -19,51 +19,61 @@ namespace obrys::program {
 inline constexpr std::uint32_t no_target = 0xFFFFFFFF;
 
 enum class StatementKind : std::uint8_t {
-    block,          ///< words
-    if_, else_, endif, while_, endwhile, repeat_, until, loop_, endloop, for_, endfor,  ///< Unit::branches / fors
-    case_,          ///< Unit::cases
-    jump,           ///< Unit::jumps, with or without condition
-    repeat_section, ///< REPEAT label …: Unit::sections
-    call,           ///< Unit::calls
-    procedure,      ///< built-in procedure: Unit::procedures
-    frame,          ///< programmable frame: words are its axes; the first word is `control` into Unit::frames
-    define,         ///< variable definition: Unit::defines
-    return_,        ///< RET
+    block,  ///< words
+    if_,
+    else_,
+    endif,
+    while_,
+    endwhile,
+    repeat_,
+    until,
+    loop_,
+    endloop,
+    for_,
+    endfor,          ///< Unit::branches / fors
+    case_,           ///< Unit::cases
+    jump,            ///< Unit::jumps, with or without condition
+    repeat_section,  ///< REPEAT label …: Unit::sections
+    call,            ///< Unit::calls
+    procedure,       ///< built-in procedure: Unit::procedures
+    frame,           ///< programmable frame: words are its axes; the first word is `control` into Unit::frames
+    define,          ///< variable definition: Unit::defines
+    return_,         ///< RET
 };
 
 struct Statement {
-    std::uint32_t begin = 0;      ///< byte in the source text
-    std::uint32_t first = 0;      ///< its first word; the next statement's `first` ends its words
-    std::uint16_t length = 0;     ///< bytes, at most 65535
+    std::uint32_t begin = 0;   ///< byte in the source text
+    std::uint32_t first = 0;   ///< its first word; the next statement's `first` ends its words
+    std::uint16_t length = 0;  ///< bytes, at most 65535
     StatementKind kind = StatementKind::block;
-    std::uint8_t flags = 0;       ///< see below
+    std::uint8_t flags = 0;  ///< see below
 };
-inline constexpr std::uint8_t skip_mask = 0x0F;    ///< block skip level + 1; 0 = not skippable
-inline constexpr std::uint8_t line_start = 0x10;   ///< first statement of its block (counts as one executed block)
+inline constexpr std::uint8_t skip_mask = 0x0F;   ///< block skip level + 1; 0 = not skippable
+inline constexpr std::uint8_t line_start = 0x10;  ///< first statement of its block (counts as one executed block)
 static_assert(sizeof(Statement) == 12);
 
-/// IF, ELSE, WHILE, UNTIL, LOOP and their ends. `target`: the statement at which the run goes on when the branch is taken:
-/// if_ -> behind its else_ (or its endif) when false; else_ -> its endif; while_ -> behind its endwhile when false;
-/// endwhile -> its while_; until -> its repeat_ when false; endloop -> its loop_; loop_ unused.
+/// IF, ELSE, WHILE, UNTIL, LOOP and their ends. `target`: the statement at which the run goes on when the branch is
+/// taken: if_ -> behind its else_ (or its endif) when false; else_ -> its endif; while_ -> behind its endwhile when
+/// false; endwhile -> its while_; until -> its repeat_ when false; endloop -> its loop_; loop_ unused.
 struct Branch {
     ExprId condition = no_expr;
     std::uint32_t target = no_target;
 };
 
 struct For {
-    ExprId variable = no_expr, from = no_expr, to = no_expr;   ///< no_expr in its endfor
-    std::uint32_t target = no_target;                          ///< for_ -> its endfor; endfor -> its for_
+    ExprId variable = no_expr, from = no_expr, to = no_expr;  ///< no_expr in its endfor
+    std::uint32_t target = no_target;                         ///< for_ -> its endfor; endfor -> its for_
 };
 
 enum class JumpDirection : std::uint8_t { forward, backward, either, either_quiet, start };
 struct Jump {
-    ExprId condition = no_expr;       ///< no_expr: always
+    ExprId condition = no_expr;  ///< no_expr: always
     JumpDirection direction = JumpDirection::forward;
-    ExprId destination = no_expr;     ///< text (a label or N number) or a string variable; unused for start
+    ExprId destination = no_expr;  ///< text (a label or N number) or a string variable; unused for start
 };
 
 struct CaseArm {
-    ExprId value = no_expr;           ///< no_expr: DEFAULT
+    ExprId value = no_expr;  ///< no_expr: DEFAULT
     Jump jump;
 };
 struct Case {
@@ -74,32 +84,32 @@ struct Case {
 /// REPEAT / REPEATB label [label] P=n.
 struct Section {
     NameId first = 0, last = 0;
-    bool to_here = false;             ///< REPEAT label: from the label to the statement before this one
-    bool one_block = false;           ///< REPEATB: only the label's block
+    bool to_here = false;    ///< REPEAT label: from the label to the statement before this one
+    bool one_block = false;  ///< REPEATB: only the label's block
     ExprId passes = no_expr;
 };
 
 enum class CallKind : std::uint8_t {
-    by_name,        ///< NAME, NAME(…), L123 P3
-    indirect,       ///< CALL expression
-    modal,          ///< MCALL NAME(…): from now on after every block with motion
-    modal_end,      ///< MCALL alone
+    by_name,    ///< NAME, NAME(…), L123 P3
+    indirect,   ///< CALL expression
+    modal,      ///< MCALL NAME(…): from now on after every block with motion
+    modal_end,  ///< MCALL alone
 };
 struct Call {
     CallKind kind = CallKind::by_name;
     NameId name = 0;
-    ExprId target = no_expr;          ///< of an indirect call: the text that names the program
-    bool has_arguments = false;       ///< parentheses were written
-    std::vector<ExprId> arguments;    ///< no_expr where left out
-    ExprId passes = no_expr;          ///< P=
-    base::Span where;                 ///< of the name
+    ExprId target = no_expr;        ///< of an indirect call: the text that names the program
+    bool has_arguments = false;     ///< parentheses were written
+    std::vector<ExprId> arguments;  ///< no_expr where left out
+    ExprId passes = no_expr;        ///< P=
+    base::Span where;               ///< of the name
 };
 
 /// Procedures of the control itself.
 enum class Procedure : std::uint8_t {
-    message,        ///< MSG(text): shown to the operator
-    alarm,          ///< SETAL(number): the program stops itself
-    master_spindle, ///< SETMS(n)
+    message,         ///< MSG(text): shown to the operator
+    alarm,           ///< SETAL(number): the program stops itself
+    master_spindle,  ///< SETMS(n)
 };
 struct ProcedureCall {
     Procedure procedure = Procedure::message;
@@ -110,7 +120,7 @@ struct ProcedureCall {
 enum class FrameOp : std::uint8_t { shift, rotate, scale, mirror };
 struct FrameCall {
     FrameOp op = FrameOp::shift;
-    bool additive = false;            ///< ATRANS … : on top of what is programmed already
+    bool additive = false;  ///< ATRANS … : on top of what is programmed already
 };
 
 enum class Type : std::uint8_t { boolean, character, integer, real, string, axis, frame };
@@ -124,20 +134,20 @@ struct Variable {
 };
 struct Define {
     Type type = Type::real;
-    bool global = false;              ///< NCK or CHAN: global user data
+    bool global = false;  ///< NCK or CHAN: global user data
     ExprId string_length = no_expr;
     std::vector<Variable> variables;
 };
 
 struct Assign {
-    ExprId target = no_expr;          ///< parameter, parameter_at, variable or system
+    ExprId target = no_expr;  ///< parameter, parameter_at, variable or system
     ExprId value = no_expr;
 };
 
 /// A word with a computed or extended address: AX[expr]=, X1=, S2=, F[X]=.
 struct Named {
-    NameId name = 0;                  ///< "X1"; the letter for an extended address ("S", "F"); "AX" for AX[…]
-    ExprId index = no_expr;           ///< extension: 2 of S2=, the expression in brackets
+    NameId name = 0;         ///< "X1"; the letter for an extended address ("S", "F"); "AX" for AX[…]
+    ExprId index = no_expr;  ///< extension: 2 of S2=, the expression in brackets
     ExprId value = no_expr;
 };
 
@@ -150,8 +160,8 @@ struct Problem {
 struct Parameter {
     NameId name = 0;
     Type type = Type::real;
-    bool by_reference = false;        ///< VAR
-    ExprId preset = no_expr;          ///< default value
+    bool by_reference = false;                                    ///< VAR
+    ExprId preset = no_expr;                                      ///< default value
     std::array<ExprId, 3> dimensions{no_expr, no_expr, no_expr};  ///< no_expr with is_array: any size
     bool is_array = false;
 };
@@ -164,12 +174,12 @@ struct Ignored {
 };
 
 struct Unit {
-    std::string name;                 ///< upper case, without suffix: "PODPROG_ZL"
+    std::string name;  ///< upper case, without suffix: "PODPROG_ZL"
     std::uint32_t file = 0;
-    std::uint32_t begin = 0, end = 0; ///< its part of the source text (an archive holds several)
+    std::uint32_t begin = 0, end = 0;  ///< its part of the source text (an archive holds several)
     const Traits* traits = nullptr;
     bool has_proc = false;
-    bool save = false;                ///< SAVE: the caller's modal G codes and frames come back at the end
+    bool save = false;  ///< SAVE: the caller's modal G codes and frames come back at the end
     std::vector<Parameter> parameters;
 
     std::vector<Statement> statements;
@@ -194,7 +204,8 @@ struct Unit {
     std::map<NameId, std::vector<std::uint32_t>> labels;  ///< statements, in order
 
     [[nodiscard]] std::uint32_t words_end(std::uint32_t statement) const {
-        return statement + 1 < statements.size() ? statements[statement + 1].first : static_cast<std::uint32_t>(words.size());
+        return statement + 1 < statements.size() ? statements[statement + 1].first
+                                                 : static_cast<std::uint32_t>(words.size());
     }
     [[nodiscard]] base::Span span(const Statement& s) const { return {file, s.begin, s.begin + s.length}; }
     [[nodiscard]] base::Span span(const Statement& s, const Word& w) const;

@@ -7,48 +7,108 @@ namespace obrys::program {
 
 enum class Code : std::uint8_t {
     // positions
-    x, y, z, a, b, c, u, v, w,
-    named_axis,                       ///< AX[…], X1=, EX=…: payload = index into Unit::named
+    x,
+    y,
+    z,
+    a,
+    b,
+    c,
+    u,
+    v,
+    w,
+    named_axis,  ///< AX[…], X1=, EX=…: payload = index into Unit::named
     // circles and polar coordinates
-    i, j, k,                          ///< centre relative to the start; pitch of a thread
-    i1, j1, k1,                       ///< intermediate point (CIP)
-    radius, opening_angle, turns,     ///< CR=, AR=, TURN=
-    polar_angle, polar_radius,        ///< AP=, RP=
+    i,
+    j,
+    k,  ///< centre relative to the start; pitch of a thread
+    i1,
+    j1,
+    k1,  ///< intermediate point (CIP)
+    radius,
+    opening_angle,
+    turns,  ///< CR=, AR=, TURN=
+    polar_angle,
+    polar_radius,  ///< AP=, RP=
     // technology
-    feed, spindle, speed_limit, tool, edge, spindle_position, m, h,
-    named_value,                      ///< S2=, M[2]=, F[X]=, FA[X]=…: payload = index into Unit::named
+    feed,
+    spindle,
+    speed_limit,
+    tool,
+    edge,
+    spindle_position,
+    m,
+    h,
+    named_value,  ///< S2=, M[2]=, F[X]=, FA[X]=…: payload = index into Unit::named
     // contour
-    chamfer_length, chamfer_leg, round, round_modal, corner_feed, corner_feed_modal,
-    line_angle,                       ///< ANG=: angle of a straight line
-    plane_rotation,                   ///< RPL= of ROT/AROT
+    chamfer_length,
+    chamfer_leg,
+    round,
+    round_modal,
+    corner_feed,
+    corner_feed_modal,
+    line_angle,      ///< ANG=: angle of a straight line
+    plane_rotation,  ///< RPL= of ROT/AROT
     // structure
-    modal,                            ///< payload = modal_word(…)
-    assign,                           ///< payload = index into Unit::assigns
-    unsupported,                      ///< known to the control, not run here: payload = index into Unit::problems
-    unknown,                          ///< not in the control's tables: payload = index into Unit::problems
-    control,                          ///< of a statement that is no block: payload = index into the kind's table
+    modal,        ///< payload = modal_word(…)
+    assign,       ///< payload = index into Unit::assigns
+    unsupported,  ///< known to the control, not run here: payload = index into Unit::problems
+    unknown,      ///< not in the control's tables: payload = index into Unit::problems
+    control,      ///< of a statement that is no block: payload = index into the kind's table
 };
 
 /// What G codes and their named relatives mean. `number` goes with some of them.
 enum class Modal : std::uint16_t {
-    rapid, linear, arc_cw, arc_ccw, arc_via, arc_tangent, thread, thread_rising, thread_falling, tap, tap_retract,
-    dwell, reference_point, fixed_point,
-    plane_xy, plane_zx, plane_yz,
-    compensation_off, compensation_left, compensation_right,
-    datum,                            ///< number: 54…57, 505…599; 500 = off
-    suppress_frames,                  ///< this block: no datum and no programmed frame (G53)
-    suppress_all,                     ///< this block: machine coordinates (SUPA, G153)
-    exact_stop, exact_stop_block, continuous,   ///< number of continuous: 64, 641…645
-    exact_window,                     ///< number: 601, 602, 603
-    inch_geometry, metric_geometry, inch_all, metric_all,
-    absolute, incremental,
-    feed_inverse_time, feed_per_minute, feed_per_rev,
-    surface_speed_on, surface_speed_off,
-    pole_from_position, pole_from_zero, pole_from_pole,
-    approach_normal, approach_contour,          ///< NORM, KONT
-    corner_arc, corner_intersection,            ///< G450, G451
-    diameter_on, diameter_off, diameter_absolute_only,
-    feed_at_contour, feed_at_tool, feed_at_inside,  ///< CFC, CFTCP, CFIN
+    rapid,
+    linear,
+    arc_cw,
+    arc_ccw,
+    arc_via,
+    arc_tangent,
+    thread,
+    thread_rising,
+    thread_falling,
+    tap,
+    tap_retract,
+    dwell,
+    reference_point,
+    fixed_point,
+    plane_xy,
+    plane_zx,
+    plane_yz,
+    compensation_off,
+    compensation_left,
+    compensation_right,
+    datum,            ///< number: 54…57, 505…599; 500 = off
+    suppress_frames,  ///< this block: no datum and no programmed frame (G53)
+    suppress_all,     ///< this block: machine coordinates (SUPA, G153)
+    exact_stop,
+    exact_stop_block,
+    continuous,    ///< number of continuous: 64, 641…645
+    exact_window,  ///< number: 601, 602, 603
+    inch_geometry,
+    metric_geometry,
+    inch_all,
+    metric_all,
+    absolute,
+    incremental,
+    feed_inverse_time,
+    feed_per_minute,
+    feed_per_rev,
+    surface_speed_on,
+    surface_speed_off,
+    pole_from_position,
+    pole_from_zero,
+    pole_from_pole,
+    approach_normal,
+    approach_contour,  ///< NORM, KONT
+    corner_arc,
+    corner_intersection,  ///< G450, G451
+    diameter_on,
+    diameter_off,
+    diameter_absolute_only,
+    feed_at_contour,
+    feed_at_tool,
+    feed_at_inside,  ///< CFC, CFTCP, CFIN
 };
 
 /// How the payload is to be read.
@@ -72,8 +132,12 @@ static_assert(sizeof(Word) == 8);
 [[nodiscard]] constexpr std::int32_t modal_word(Modal m, int number = 0) {
     return static_cast<std::int32_t>((static_cast<std::uint32_t>(number) << 16) | static_cast<std::uint32_t>(m));
 }
-[[nodiscard]] constexpr Modal modal_of(const Word& w) { return static_cast<Modal>(static_cast<std::uint32_t>(w.payload) & 0xFFFF); }
-[[nodiscard]] constexpr int modal_number(const Word& w) { return static_cast<int>(static_cast<std::uint32_t>(w.payload) >> 16); }
+[[nodiscard]] constexpr Modal modal_of(const Word& w) {
+    return static_cast<Modal>(static_cast<std::uint32_t>(w.payload) & 0xFFFF);
+}
+[[nodiscard]] constexpr int modal_number(const Word& w) {
+    return static_cast<int>(static_cast<std::uint32_t>(w.payload) >> 16);
+}
 [[nodiscard]] constexpr Code code_of(const Word& w) { return static_cast<Code>(w.code); }
 [[nodiscard]] constexpr Form form_of(const Word& w) { return static_cast<Form>(w.form); }
 [[nodiscard]] constexpr bool is_literal(const Word& w) { return w.form <= 10; }

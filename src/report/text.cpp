@@ -81,10 +81,14 @@ std::string notes(const std::string& heading, const std::vector<check::Note>& li
         out += " [" + std::string(n.code) + "]\n";
         if (!p.text.empty() && p.text.size() <= 160) out += "    " + p.text + "\n";
         if (!n.remedy.empty()) out += "    remedy: " + n.remedy + "\n";
-        for (const base::Span& site : n.stack) {
+        const base::ShownStack stack = base::shown(n.stack);
+        const auto call = [&](const base::Span& site) {
             const Place from = place(s.sources, site);
             out += "    called from " + from.file + ":" + std::to_string(from.line) + ": " + from.text + "\n";
-        }
+        };
+        for (const base::Span& site : stack.inner) call(site);
+        if (stack.left_out > 0) out += "    … " + std::to_string(stack.left_out) + " more calls\n";
+        for (const base::Span& site : stack.outer) call(site);
     }
     return out;
 }

@@ -53,7 +53,7 @@ struct Tolerances {
 struct Budgets {
     std::uint64_t blocks = 50'000'000;
     std::uint64_t loop_passes = 10'000'000;
-    std::uint32_t call_depth = 100;
+    std::uint32_t call_depth = 16;  ///< program levels, the main program's included (SINUMERIK 840D sl: 16)
     double seconds = 20;
 };
 

@@ -47,11 +47,21 @@ constexpr const char* plot_help =
 void add_request(CLI::App& app, Arguments& a) {
     app.add_option("input", a.request.input, "program (.MPF, .SPF) or job file (.toml)")->required()->type_name("FILE");
     app.add_option("--control", a.request.control, "control of the program: sinumerik-840d")->type_name("NAME");
-    app.add_option("--machine", a.request.machine, "shipped machine (lathe-generic, mill-generic) or machine file")->type_name("NAME|FILE");
+    app.add_option("--machine", a.request.machine, "shipped machine (lathe-generic, mill-generic) or machine file")
+        ->type_name("NAME|FILE");
     app.add_option("--set", a.request.set, "give a parameter another value: replaces its constant assignments")
-        ->type_name("NAME=NUMBER")->allow_extra_args(false)->take_all();
-    app.add_option("--search", a.request.search, "folder in which called programs are looked for too")->type_name("DIR")->allow_extra_args(false)->take_all();
-    app.add_option("--skip", a.request.skip, "block skip level that is on (/ is level 0)")->type_name("0..9")->check(CLI::Range(0, 9))->allow_extra_args(false)->take_all();
+        ->type_name("NAME=NUMBER")
+        ->allow_extra_args(false)
+        ->take_all();
+    app.add_option("--search", a.request.search, "folder in which called programs are looked for too")
+        ->type_name("DIR")
+        ->allow_extra_args(false)
+        ->take_all();
+    app.add_option("--skip", a.request.skip, "block skip level that is on (/ is level 0)")
+        ->type_name("0..9")
+        ->check(CLI::Range(0, 9))
+        ->allow_extra_args(false)
+        ->take_all();
     app.add_flag("--diameter,!--radius", a.request.diameter, "X words are diameters (radii) at the start");
     app.add_option("-o,--output", a.output, "write to this file instead of standard output")->type_name("FILE");
 }
@@ -68,14 +78,18 @@ Commands add_commands(CLI::App& app, Arguments& a) {
     Commands c{};
     c.check = app.add_subcommand("check", check_help);
     add_request(*c.check, a);
-    c.check->add_option("--format", a.format, "text, json or sarif")->check(CLI::IsMember({"text", "json", "sarif"}))->type_name("FORMAT");
+    c.check->add_option("--format", a.format, "text, json or sarif")
+        ->check(CLI::IsMember({"text", "json", "sarif"}))
+        ->type_name("FORMAT");
     c.check->add_option("--html", a.html, "also write a page with picture and program text")->type_name("FILE");
     c.check->add_option("--svg", a.svg, "also write the picture")->type_name("FILE");
     c.check->add_flag("--no-list", a.no_list, "text: leave out what has no effect on the verdict");
     c.check->add_flag("!--no-color,!--no-colour", a.colours, "text without colours (also: NO_COLOR)");
     c.run = app.add_subcommand("run", run_help);
     add_request(*c.run, a);
-    c.run->add_option("--format", a.format, "text, csv or json")->check(CLI::IsMember({"text", "csv", "json"}))->type_name("FORMAT");
+    c.run->add_option("--format", a.format, "text, csv or json")
+        ->check(CLI::IsMember({"text", "csv", "json"}))
+        ->type_name("FORMAT");
     c.run->add_flag("--quiet", a.quiet, "print one line of counts instead of the moves");
     c.run->add_flag("--parameters", a.parameters, "print the numbered parameters at the end instead of the moves");
     c.plot = app.add_subcommand("plot", plot_help);
@@ -108,7 +122,10 @@ Arguments parse(int argc, char** argv) {
         std::cout << about->help();
         a.exit = 0;
     }
-    a.command = c.check->parsed() ? Command::check : c.run->parsed() ? Command::run : c.plot->parsed() ? Command::plot : Command::version;
+    a.command = c.check->parsed()  ? Command::check
+                : c.run->parsed()  ? Command::run
+                : c.plot->parsed() ? Command::plot
+                                   : Command::version;
     return a;
 }
 

@@ -13,13 +13,13 @@ struct Arguments {
     Command command = Command::none;
     driver::Request request;
     std::string format = "text";
-    std::string output;        ///< empty: standard output
-    std::string html, svg;     ///< of check: also write these
-    bool quiet = false;        ///< of run: counts only
-    bool parameters = false;   ///< of run: numbered parameters at the end
+    std::string output;       ///< empty: standard output
+    std::string html, svg;    ///< of check: also write these
+    bool quiet = false;       ///< of run: counts only
+    bool parameters = false;  ///< of run: numbered parameters at the end
     bool colours = true;
-    bool no_list = false;      ///< of check: leave out what has no effect on the verdict
-    int exit = -1;             ///< 0 … : the program ends here with this code (help was printed, or the call is wrong)
+    bool no_list = false;  ///< of check: leave out what has no effect on the verdict
+    int exit = -1;         ///< 0 … : the program ends here with this code (help was printed, or the call is wrong)
 };
 
 [[nodiscard]] Arguments parse(int argc, char** argv);

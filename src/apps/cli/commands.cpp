@@ -63,14 +63,16 @@ report::Subject subject_of(const driver::Session& s, const driver::Checked& c) {
 }
 
 std::string counts(const interp::Outcome& outcome, const cl::Totals& t) {
-    return std::to_string(outcome.blocks_executed) + " blocks, " + std::to_string(t.moves) + " moves (" + std::to_string(t.rapid_moves) + " rapid, " +
-           std::to_string(t.feed_moves) + " feed), rapid " + base::fixed(t.rapid_length_mm, 3) + " mm, feed " + base::fixed(t.feed_length_mm, 3) + " mm\n";
+    return std::to_string(outcome.blocks_executed) + " blocks, " + std::to_string(t.moves) + " moves (" +
+           std::to_string(t.rapid_moves) + " rapid, " + std::to_string(t.feed_moves) + " feed), rapid " +
+           base::fixed(t.rapid_length_mm, 3) + " mm, feed " + base::fixed(t.feed_length_mm, 3) + " mm\n";
 }
 
 /// Collects output in pieces of a megabyte, so that long streams never lie in memory as a whole.
 class Output {
 public:
-    explicit Output(const std::string& path) : file_(path.empty() || path == "-" ? stdout : std::fopen(path.c_str(), "wb")) {}
+    explicit Output(const std::string& path)
+        : file_(path.empty() || path == "-" ? stdout : std::fopen(path.c_str(), "wb")) {}
     ~Output() {
         if (file_ != nullptr && file_ != stdout) std::fclose(file_);
     }
@@ -100,7 +102,8 @@ interp::Outcome print_stream(const Arguments& a, driver::Session& s, Output& out
 }
 
 void print_parameters(const interp::Outcome& outcome, Output& out) {
-    for (const interp::ParameterValue& p : outcome.parameters) out.write("R" + std::to_string(p.number) + "=" + base::shortest(p.value) + "\n");
+    for (const interp::ParameterValue& p : outcome.parameters)
+        out.write("R" + std::to_string(p.number) + "=" + base::shortest(p.value) + "\n");
 }
 
 }  // namespace
@@ -115,13 +118,20 @@ int check(const Arguments& a) {
     driver::Checked checked;
     {
         Progress progress;
-        checked = driver::check_program(s, pictures ? moves_on_page : 0, [&](std::uint64_t moves) { progress.show(moves); });
+        checked =
+            driver::check_program(s, pictures ? moves_on_page : 0, [&](std::uint64_t moves) { progress.show(moves); });
     }
     const report::Subject subject = subject_of(s, checked);
     bool written = true;
-    if (a.format == "json") written = deliver(s, a.output, report::to_json(subject));
-    else if (a.format == "sarif") written = deliver(s, a.output, report::to_sarif(subject));
-    else written = deliver(s, a.output, report::to_text(subject, {a.colours && a.output.empty() && standard_output_is_terminal() && std::getenv("NO_COLOR") == nullptr, !a.no_list}));
+    if (a.format == "json")
+        written = deliver(s, a.output, report::to_json(subject));
+    else if (a.format == "sarif")
+        written = deliver(s, a.output, report::to_sarif(subject));
+    else
+        written = deliver(s, a.output,
+                          report::to_text(subject, {a.colours && a.output.empty() && standard_output_is_terminal() &&
+                                                        std::getenv("NO_COLOR") == nullptr,
+                                                    !a.no_list}));
     if (!a.html.empty()) written = deliver(s, a.html, report::to_html(subject)) && written;
     if (!a.svg.empty()) written = deliver(s, a.svg, report::to_svg(subject)) && written;
     return written ? check::exit_code(checked.result.verdict) : 2;
