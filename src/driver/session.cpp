@@ -103,6 +103,7 @@ bool choose_machine(Session& s, const Request& request, const fs::path& job_path
     const bool turning = s.has_job ? s.job.machine.kind == shop::MachineKind::lathe : looks_like_turning(*s.main);
     const char* generic = turning ? "lathe-generic" : "mill-generic";
     shop::use_machine(s.job, *shop::shipped_machine(generic));
+    s.job.machine.more_axes = true;
     assume(s, std::string("no machine is named: ") + generic + " is taken", "name one with --machine or in the job");
     return true;
 }

@@ -36,7 +36,7 @@ const shop::MachineAxis* machine_axis(const Run& run, const std::string& name) {
 
 /// An axis the machine file does not list: moved all the same, but said.
 void require_axis(Run& run, const std::string& name) {
-    if (run.env.machine.axes.empty() || machine_axis(run, name) != nullptr) return;
+    if (run.env.machine.axes.empty() || run.env.machine.more_axes || machine_axis(run, name) != nullptr) return;
     unchecked(run, codes::unknown_word, run.here(), "the machine " + run.env.machine.name + " has no axis " + name,
               "name the right machine in the job, or add the axis to its file");
 }
