@@ -104,7 +104,10 @@ bool choose_machine(Session& s, const Request& request, const fs::path& job_path
     const char* generic = turning ? "lathe-generic" : "mill-generic";
     shop::use_machine(s.job, *shop::shipped_machine(generic));
     s.job.machine.more_axes = true;
-    assume(s, std::string("no machine is named: ") + generic + " is taken", "name one with --machine or in the job");
+    assume(s,
+           std::string("no machine is named: ") + generic + " is taken" +
+               (turning ? ", X words are diameters until DIAMOF" : ""),
+           "name one with --machine or in the job");
     return true;
 }
 
