@@ -123,14 +123,18 @@ std::vector<Arrangement::Half> Arrangement::spread(Half seed, std::vector<char>&
     return part;
 }
 
-Arrangement::Half Arrangement::outer_half(const std::vector<Half>& part) const {
+Arrangement::Half Arrangement::outer_half(const std::vector<Half>& part) {
     // The face outside a connected part is the one that is run around clockwise: its area is the least.
     const Vec2 origin = -vertices_[from(part.front())];
-    std::vector<char> seen(labels_.size(), 0);
+    std::vector<char> seen(labels_.size(), 0), met(vertices_.size(), 0);
     Half outer = part.front();
     double least = std::numeric_limits<double>::infinity();
+    std::size_t faces = 0, corners = 0;
     for (const Half seed : part) {
+        if (!met[from(seed)]) ++corners;
+        met[from(seed)] = 1;
         if (seen[seed]) continue;
+        ++faces;
         double sum = 0;
         for (Half h = seed; h != none && !seen[h]; h = next_[h]) {
             seen[h] = 1;
@@ -141,6 +145,7 @@ Arrangement::Half Arrangement::outer_half(const std::vector<Half>& part) const {
             outer = seed;
         }
     }
+    if (corners + faces != part.size() / 2 + 2) consistent_ = false;  // Euler: halves in an order no drawing has
     return outer;
 }
 
@@ -192,6 +197,11 @@ void Arrangement::label() {
             labels_[h].b += around.b - is.b;
         }
     }
+}
+
+bool Arrangement::windings_within(int lo, int hi) const {
+    return std::all_of(labels_.begin(), labels_.end(),
+                       [&](Windings w) { return w.a >= lo && w.a <= hi && w.b >= lo && w.b <= hi; });
 }
 
 void Arrangement::label_clean(base::FunctionRef<int(Vec2)> winding_a, base::FunctionRef<int(Vec2)> winding_b) {

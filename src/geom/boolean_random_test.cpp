@@ -59,7 +59,7 @@ TEST(BooleanRandom, RigidMotionOfInputIsRigidMotionOfResult) {
 }
 
 TEST(BooleanRandom, NearlyCoincidentRegionsDifferByNearlyNothing) {
-    for (unsigned number = 0; number < many / 6 && !HasFailure(); ++number) {
+    for (unsigned number = 0; number < many / 3 && !HasFailure(); ++number) {
         SCOPED_TRACE(number);
         Random random(number);
         const Region a = lattice_region(random, 6), b = lattice_region(random, 6);
@@ -89,7 +89,7 @@ TEST(BooleanRandom, ArcsThatAreNearlyStraight) {
 
 TEST(BooleanRandom, RepeatedCutsLoseNothing) {
     // As in turning: one region, many cuts each of which shares an edge with what the last one left.
-    for (unsigned number = 0; number < many / 60 && !HasFailure(); ++number) {
+    for (unsigned number = 0; number < many / 40 && !HasFailure(); ++number) {
         SCOPED_TRACE(number);
         Random random(number);
         Region rest{{testing::rectangle(0, 0, 100, 40)}};

@@ -22,7 +22,9 @@ double wrapped(double angle) { return std::remainder(angle, 2 * pi); }
 
 double chord(const Edge& e) { return distance(e.a, e.b); }
 double sagitta(const Edge& e) { return 0.5 * e.bulge * chord(e); }
-bool is_arc(const Edge& e) { return e.bulge != 0 && std::abs(sagitta(e)) > invisible; }
+bool is_arc(const Edge& e) {
+    return e.bulge != 0 && 0.25 * e.bulge * e.bulge * dot(e.b - e.a, e.b - e.a) > invisible * invisible;
+}
 double sweep_angle(const Edge& e) { return 4 * std::atan(e.bulge); }
 
 Circle circle(const Edge& e) {
@@ -107,7 +109,7 @@ Vec2 nearest(const Edge& e, Vec2 p) {
 }
 
 double distance(const Edge& e, Vec2 p) {
-    if (chord(e) == 0) return distance(e.a, p);
+    if (e.a == e.b) return distance(e.a, p);
     if (is_arc(e)) {
         const double t = parameter(e, p);
         if (t >= 0 && t <= 1) return std::abs(outside(e, p));
