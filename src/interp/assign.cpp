@@ -43,9 +43,14 @@ bool element_of(Run& run, const Expr& e, const Array& a, std::size_t& index) {
 
 std::size_t undefined_key(Run& run, const Expr& e) {
     std::size_t key = 0;
-    for (std::size_t k = 0; k < e.count; ++k)
-        key = key * 65536 +
-              static_cast<std::size_t>(std::max(0.0, std::min(65535.0, number(run, run.unit().children[e.b + k]))));
+    for (std::size_t k = 0; k < e.count; ++k) {
+        const Value v = evaluate(run, run.unit().children[e.b + k]);
+        const std::size_t part = v.is_text() ? std::hash<std::string>{}(v.as_text()) % 65521
+                                 : std::isnan(v.number)
+                                     ? 65535
+                                     : static_cast<std::size_t>(std::clamp(v.number, 0.0, 65535.0));
+        key = key * 65536 + part;
+    }
     return key;
 }
 
@@ -191,7 +196,15 @@ void assign_system(Run& run, const Expr& target, const program::Assign& a) {
         default:
             break;
     }
-    run.system_written[system_key(run, target)] = evaluate(run, a.value);
+    const Value v = evaluate(run, a.value);
+    if (run.stopped) return;
+    run.system_written[system_key(run, target)] = v;
+    if (static_cast<SystemVariable>(target.op) == SystemVariable::tool_parameter && target.count >= 1) {
+        const double tool = number(run, run.unit().children[target.b]);
+        const double edge = target.count > 1 ? number(run, run.unit().children[target.b + 1]) : 1;
+        const int n = tool_parameter_number(run.env.names.text(target.a));
+        if (!run.stopped && v.is_number()) write_tool_parameter(run, tool, edge, n, v.number);
+    }
     if (static_cast<SystemVariable>(target.op) == SystemVariable::unknown)
         unchecked(run, codes::unknown_value, run.unit().span(a.target),
                   "the effect of writing " + run.env.names.text(target.a) + " is not known");
@@ -243,7 +256,9 @@ void initialise(Run& run, Array& array, const program::Variable& v) {
 
 void define(Run& run, const program::Define& d, Scope& scope, const Unit& unit) {
     for (const program::Variable& v : d.variables) {
-        if (scope.find(v.name) != nullptr && &scope == &run.calls.back().locals) {
+        const Binding* known = scope.find(v.name);
+        if (known != nullptr && known->definition == &v) continue;  // a jump back led past its DEF again
+        if (known != nullptr && &scope == &run.calls.back().locals) {
             alarm(run, codes::duplicate_name, v.where, run.env.names.text(v.name) + " is defined twice");
             return;
         }
@@ -273,7 +288,7 @@ void define(Run& run, const program::Define& d, Scope& scope, const Unit& unit) 
         array->allocate();
         initialise(run, *array, v);
         if (run.stopped) return;
-        scope.bind({v.name, std::move(array), 0, false});
+        scope.bind({v.name, std::move(array), 0, false, &v});
     }
 }
 
