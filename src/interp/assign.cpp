@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <optional>
 
 #include "base/codes.hpp"
 #include "interp/run.hpp"
@@ -39,6 +40,43 @@ bool element_of(Run& run, const Expr& e, const Array& a, std::size_t& index) {
             (k > 0 ? ", " : "") + std::string("0 to ") + std::to_string(a.dimensions[static_cast<std::size_t>(k)] - 1);
     alarm(run, codes::index_range, where, "index [" + text + "] lies outside the array (" + range + ")");
     return false;
+}
+
+bool is_character_access(const Binding& b, const Expr& e) {
+    return b.array->type == Type::string && e.count == (b.element ? 0 : b.array->rank) + 1;
+}
+
+namespace {
+
+struct CharacterPlace {
+    std::size_t element = 0, character = 0;
+};
+
+/// Nothing where the text is shorter (alarm) or an index is unknown.
+std::optional<CharacterPlace> character_place(Run& run, const Binding& b, const Expr& e) {
+    Expr element = e;
+    --element.count;
+    CharacterPlace place{b.offset, 0};
+    if (!b.element && !element_of(run, element, *b.array, place.element)) return std::nullopt;
+    const double at = number(run, run.unit().children[e.b + element.count]);
+    if (run.stopped || std::isnan(at)) return std::nullopt;
+    const std::string& text = b.array->texts[place.element];
+    if (at >= 0 && at < static_cast<double>(text.size())) {
+        place.character = static_cast<std::size_t>(at);
+        return place;
+    }
+    alarm(run, codes::index_range, {run.unit().file, e.begin, e.end},
+          "character " + printed(Value::real(at)) + " lies outside the text \"" + text + "\"");
+    return std::nullopt;
+}
+
+}  // namespace
+
+Value read_character(Run& run, const Binding& b, const Expr& e) {
+    const auto place = character_place(run, b, e);
+    if (!place) return Value::unknown();
+    const char c = b.array->texts[place->element][place->character];
+    return {Type::character, static_cast<double>(static_cast<unsigned char>(c)), nullptr, nullptr};
 }
 
 std::size_t undefined_key(Run& run, const Expr& e) {
@@ -124,6 +162,20 @@ void assign_parameter(Run& run, const Expr& target, const program::Assign& a) {
     if (!run.stopped) run.parameters.set(n, v);
 }
 
+void write_character(Run& run, const Binding& b, const Expr& e, ExprId value) {
+    const std::shared_ptr<Array> array = b.array;
+    const auto place = character_place(run, b, e);
+    Value v = evaluate(run, value);
+    if (!place || run.stopped) return;
+    const Type given = v.type;
+    if (const Conversion c = convert(v, Type::character); c != Conversion::ok) {
+        v.type = given;
+        complain(run, c, v, Type::character, run.unit().span(value));
+    } else {
+        array->texts[place->element][place->character] = static_cast<char>(static_cast<int>(v.number));
+    }
+}
+
 void assign_variable(Run& run, const Expr& target, const program::Assign& a) {
     const Unit& unit = run.unit();
     const Expr& value = unit.exprs[a.value];
@@ -134,6 +186,10 @@ void assign_variable(Run& run, const Expr& target, const program::Assign& a) {
                   "if it is global user data (GUD), put its definition file beside the program or give its value in "
                   "[variables] of the job");
         run.undefined.set(target.a, undefined_key(run, target), evaluate(run, a.value));
+        return;
+    }
+    if (is_character_access(*b, target)) {
+        write_character(run, *b, target, a.value);
         return;
     }
     std::size_t index = b->offset;

@@ -142,6 +142,7 @@ namespace {
 Value read_variable(Run& run, const Expr& e, ExprId id) {
     const Unit& unit = run.unit();
     if (const Binding* b = find_variable(run, e.a)) {
+        if (is_character_access(*b, e)) return read_character(run, *b, e);
         std::size_t index = b->offset;
         if (!b->element && !element_of(run, e, *b->array, index)) return Value::unknown();
         return b->array->get(index);

@@ -227,6 +227,9 @@ void define(Run&, const program::Define&, Scope& scope, const Unit& unit);
 /// Index of the addressed element; false after an alarm.
 [[nodiscard]] bool element_of(Run&, const program::Expr&, const Array&, std::size_t& index);
 [[nodiscard]] std::size_t undefined_key(Run&, const program::Expr&);
+/// One more index than the STRING has dimensions: a single character of it.
+[[nodiscard]] bool is_character_access(const Binding&, const program::Expr&);
+[[nodiscard]] Value read_character(Run&, const Binding&, const program::Expr&);
 
 // --- flow (flow.cpp, calls.cpp)
 void run_statement(Run&, const program::Statement&, std::uint32_t index);
