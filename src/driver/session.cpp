@@ -170,7 +170,8 @@ interp::Outcome interpret(Session& s, cl::Sink sink) {
                                           s.job.budgets,
                                           s.job.skip_levels,
                                           find,
-                                          s.programs->definitions()};
+                                          s.programs->definitions(),
+                                          s.job.variables};
     return interp::run(*s.main, environment, s.stacks, sink, s.diagnostics);
 }
 

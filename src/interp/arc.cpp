@@ -84,6 +84,8 @@ path::ArcResult planar_arc(Run& run, Vec2 from, Vec2 to, bool end_given, const P
         return end_given ? path::arc_by_angle(from, to, angle, sense, turns)
                          : path::arc_about_centre(from, centre_of(run, a), angle, sense, turns);
     }
+    if (!centre && (b.has(Code::polar_angle) || b.has(Code::polar_radius)))
+        return path::arc_by_centre(from, to, in_plane(run.modal.pole, a), sense, turns, tolerance(run));
     if (centre) return path::arc_by_centre(from, to, centre_of(run, a), sense, turns, tolerance(run));
     path::ArcResult none;
     none.failure = path::ArcFailure::points_coincide;
@@ -170,7 +172,8 @@ bool arc_motion(Run& run, const Vec3& target) {
     if (run.modal.motion == Modal::arc_via) return tilted_arc(run, target);
     const PlaneAxes a = plane_axes(run.modal.plane);
     const bool end_given =
-        run.block.has(axis_code(a.u)) || run.block.has(axis_code(a.v)) || run.block.has(Code::polar_angle);
+        run.block.has(axis_code(a.u)) || run.block.has(axis_code(a.v)) ||
+                           run.block.has(Code::polar_angle) || run.block.has(Code::polar_radius);
     const path::ArcResult arc =
         planar_arc(run, in_plane(run.programmed_position, a), in_plane(target, a), end_given, a);
     if (run.stopped) return false;

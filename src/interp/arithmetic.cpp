@@ -27,7 +27,10 @@ bool nearly_equal(const Run& run, double a, double b) {
     return a == b || std::abs(a - b) <= tolerance;
 }
 
-std::int32_t bits(double v) { return static_cast<std::int32_t>(static_cast<std::int64_t>(std::fmod(v, 4294967296.0))); }
+std::int32_t bits(double v) {
+    if (!std::isfinite(v)) return 0;
+    return static_cast<std::int32_t>(static_cast<std::int64_t>(std::fmod(v, 4294967296.0)));
+}
 
 double checked(Run& run, const Expr& e, double v) {
     if (std::isnan(v) || std::abs(v) <= 1e300) return v;  // unknown operands give an unknown result
@@ -53,17 +56,17 @@ double binary_number(Run& run, const Expr& e, double a, double b) {
     if (std::isnan(a) || std::isnan(b)) return with_unknown(static_cast<Operator>(e.op), a, b);
     switch (static_cast<Operator>(e.op)) {
         case Operator::add:
-            return a + b;
+            return checked(run, e, a + b);
         case Operator::subtract:
-            return a - b;
+            return checked(run, e, a - b);
         case Operator::multiply:
             return checked(run, e, a * b);
         case Operator::divide:
             return checked(run, e, divided(run, e, a, b));
         case Operator::integer_divide:
-            return std::trunc(divided(run, e, a, b));
+            return std::trunc(checked(run, e, divided(run, e, a, b)));
         case Operator::modulo: {
-            const double quotient = std::trunc(divided(run, e, a, b));
+            const double quotient = std::trunc(checked(run, e, divided(run, e, a, b)));
             return a - quotient * b;
         }
         case Operator::equal:

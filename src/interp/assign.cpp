@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <optional>
 
 #include "base/codes.hpp"
 #include "interp/run.hpp"
@@ -41,11 +42,53 @@ bool element_of(Run& run, const Expr& e, const Array& a, std::size_t& index) {
     return false;
 }
 
+bool is_character_access(const Binding& b, const Expr& e) {
+    return b.array->type == Type::string && e.count == (b.element ? 0 : b.array->rank) + 1;
+}
+
+namespace {
+
+struct CharacterPlace {
+    std::size_t element = 0, character = 0;
+};
+
+/// Nothing where the text is shorter (alarm) or an index is unknown.
+std::optional<CharacterPlace> character_place(Run& run, const Binding& b, const Expr& e) {
+    Expr element = e;
+    --element.count;
+    CharacterPlace place{b.offset, 0};
+    if (!b.element && !element_of(run, element, *b.array, place.element)) return std::nullopt;
+    const double at = number(run, run.unit().children[e.b + element.count]);
+    if (run.stopped || std::isnan(at)) return std::nullopt;
+    const std::string& text = b.array->texts[place.element];
+    if (at >= 0 && at < static_cast<double>(text.size())) {
+        place.character = static_cast<std::size_t>(at);
+        return place;
+    }
+    alarm(run, codes::index_range, {run.unit().file, e.begin, e.end},
+          "character " + printed(Value::real(at)) + " lies outside the text \"" + text + "\"");
+    return std::nullopt;
+}
+
+}  // namespace
+
+Value read_character(Run& run, const Binding& b, const Expr& e) {
+    const auto place = character_place(run, b, e);
+    if (!place) return Value::unknown();
+    const char c = b.array->texts[place->element][place->character];
+    return {Type::character, static_cast<double>(static_cast<unsigned char>(c)), nullptr, nullptr};
+}
+
 std::size_t undefined_key(Run& run, const Expr& e) {
     std::size_t key = 0;
-    for (std::size_t k = 0; k < e.count; ++k)
-        key = key * 65536 +
-              static_cast<std::size_t>(std::max(0.0, std::min(65535.0, number(run, run.unit().children[e.b + k]))));
+    for (std::size_t k = 0; k < e.count; ++k) {
+        const Value v = evaluate(run, run.unit().children[e.b + k]);
+        const std::size_t part = v.is_text() ? std::hash<std::string>{}(v.as_text()) % 65521
+                                 : std::isnan(v.number)
+                                     ? 65535
+                                     : static_cast<std::size_t>(std::clamp(v.number, 0.0, 65535.0));
+        key = key * 65536 + part;
+    }
     return key;
 }
 
@@ -119,6 +162,20 @@ void assign_parameter(Run& run, const Expr& target, const program::Assign& a) {
     if (!run.stopped) run.parameters.set(n, v);
 }
 
+void write_character(Run& run, const Binding& b, const Expr& e, ExprId value) {
+    const std::shared_ptr<Array> array = b.array;
+    const auto place = character_place(run, b, e);
+    Value v = evaluate(run, value);
+    if (!place || run.stopped) return;
+    const Type given = v.type;
+    if (const Conversion c = convert(v, Type::character); c != Conversion::ok) {
+        v.type = given;
+        complain(run, c, v, Type::character, run.unit().span(value));
+    } else {
+        array->texts[place->element][place->character] = static_cast<char>(static_cast<int>(v.number));
+    }
+}
+
 void assign_variable(Run& run, const Expr& target, const program::Assign& a) {
     const Unit& unit = run.unit();
     const Expr& value = unit.exprs[a.value];
@@ -129,6 +186,10 @@ void assign_variable(Run& run, const Expr& target, const program::Assign& a) {
                   "if it is global user data (GUD), put its definition file beside the program or give its value in "
                   "[variables] of the job");
         run.undefined.set(target.a, undefined_key(run, target), evaluate(run, a.value));
+        return;
+    }
+    if (is_character_access(*b, target)) {
+        write_character(run, *b, target, a.value);
         return;
     }
     std::size_t index = b->offset;
@@ -191,7 +252,15 @@ void assign_system(Run& run, const Expr& target, const program::Assign& a) {
         default:
             break;
     }
-    run.system_written[system_key(run, target)] = evaluate(run, a.value);
+    const Value v = evaluate(run, a.value);
+    if (run.stopped) return;
+    run.system_written[system_key(run, target)] = v;
+    if (static_cast<SystemVariable>(target.op) == SystemVariable::tool_parameter && target.count >= 1) {
+        const double tool = number(run, run.unit().children[target.b]);
+        const double edge = target.count > 1 ? number(run, run.unit().children[target.b + 1]) : 1;
+        const int n = tool_parameter_number(run.env.names.text(target.a));
+        if (!run.stopped && v.is_number()) write_tool_parameter(run, tool, edge, n, v.number);
+    }
     if (static_cast<SystemVariable>(target.op) == SystemVariable::unknown)
         unchecked(run, codes::unknown_value, run.unit().span(a.target),
                   "the effect of writing " + run.env.names.text(target.a) + " is not known");
@@ -243,7 +312,9 @@ void initialise(Run& run, Array& array, const program::Variable& v) {
 
 void define(Run& run, const program::Define& d, Scope& scope, const Unit& unit) {
     for (const program::Variable& v : d.variables) {
-        if (scope.find(v.name) != nullptr && &scope == &run.calls.back().locals) {
+        const Binding* known = scope.find(v.name);
+        if (known != nullptr && known->definition == &v) continue;  // a jump back led past its DEF again
+        if (known != nullptr && &scope == &run.calls.back().locals) {
             alarm(run, codes::duplicate_name, v.where, run.env.names.text(v.name) + " is defined twice");
             return;
         }
@@ -273,7 +344,7 @@ void define(Run& run, const program::Define& d, Scope& scope, const Unit& unit) 
         array->allocate();
         initialise(run, *array, v);
         if (run.stopped) return;
-        scope.bind({v.name, std::move(array), 0, false});
+        scope.bind({v.name, std::move(array), 0, false, &v});
     }
 }
 

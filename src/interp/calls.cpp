@@ -24,12 +24,12 @@ bool bind_reference(const Run& run, const Parameter& p, const Unit& caller, Expr
     const Binding* b = e.kind == ExprKind::variable ? find_variable(run, e.a) : nullptr;
     if (b == nullptr) return false;
     if (e.count == 0) {
-        locals.bind({p.name, b->array, b->offset, b->element});
+        locals.bind({p.name, b->array, b->offset, b->element, nullptr});
         return true;
     }
     std::size_t index = 0;
     if (!element_of(mutable_run, e, *b->array, index)) return true;  // the alarm has been raised
-    locals.bind({p.name, b->array, index, true});
+    locals.bind({p.name, b->array, index, true, nullptr});
     return true;
 }
 
@@ -46,7 +46,7 @@ void bind_value(Run& run, const Parameter& p, Value v, const base::Span& where, 
         return;
     }
     array->set(0, v);
-    locals.bind({p.name, std::move(array), 0, false});
+    locals.bind({p.name, std::move(array), 0, false, nullptr});
 }
 
 Value zero_of(Type t) {
@@ -157,6 +157,26 @@ void enter(Run& run, const Unit& unit, const Call* call, const base::Span& where
     note_unit(run, unit);
 }
 
+namespace {
+
+/// The modal state SAVE brings back; what the stream has to be told again is told.
+void restore(Run& run, const ModalState& saved) {
+    flush_path(run);
+    if (saved.feed_mode != run.modal.feed_mode) {
+        run.feed_valid = false;
+        run.feed_dropped = true;
+    }
+    const bool mode = saved.surface_speed != run.modal.surface_speed;
+    run.modal = saved;
+    if (mode) {
+        std::swap(run.spindle.speed, run.spindle.surface);
+        run.spindle.mode_changed = true;
+    }
+    update_frame(run);
+}
+
+}  // namespace
+
 void leave(Run& run) {
     Activation& act = run.top();
     if (act.repeats_left > 0) {
@@ -166,10 +186,7 @@ void leave(Run& run) {
         act.locals.truncate(act.own_bindings);
         return;
     }
-    if (act.saves) {
-        run.modal = act.saved;
-        update_frame(run);
-    }
+    if (act.saves) restore(run, act.saved);
     if (run.calls.size() == 1) {
         run.stopped = true;
         return;

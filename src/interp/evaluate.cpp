@@ -142,6 +142,7 @@ namespace {
 Value read_variable(Run& run, const Expr& e, ExprId id) {
     const Unit& unit = run.unit();
     if (const Binding* b = find_variable(run, e.a)) {
+        if (is_character_access(*b, e)) return read_character(run, *b, e);
         std::size_t index = b->offset;
         if (!b->element && !element_of(run, e, *b->array, index)) return Value::unknown();
         return b->array->get(index);
@@ -218,9 +219,9 @@ std::string axis_of(Run& run, ExprId id) {
     const Value v = evaluate(run, id);
     if (v.is_text()) return v.as_text();
     if (v.is_unknown()) return "?";
-    const auto n = static_cast<std::size_t>(v.number);
     const auto& axes = run.env.machine.axes;
-    if (v.number >= 1 && n <= axes.size()) return axes[n - 1].name;
+    if (v.number >= 1 && v.number < static_cast<double>(axes.size() + 1))
+        return axes[static_cast<std::size_t>(v.number) - 1].name;
     if (!run.stopped)
         alarm(run, codes::value_range, run.unit().span(id),
               "there is no axis number " + printed(v) + " on this machine");

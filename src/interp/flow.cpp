@@ -1,6 +1,7 @@
 /// Branches, loops and jumps.
 
 #include <algorithm>
+#include <cmath>
 
 #include "base/codes.hpp"
 #include "base/number.hpp"
@@ -62,7 +63,13 @@ void set_loop_variable(Run& run, const program::For& f, double v) {
 void begin_for(Run& run, const program::For& f) {
     set_loop_variable(run, f, number(run, f.from));
     if (run.stopped) return;
-    if (loop_variable(run, f) > number(run, f.to)) go(run, f.target == program::no_target ? f.target : f.target + 1);
+    const double last = number(run, f.to);
+    if (std::isnan(last) || std::isnan(loop_variable(run, f))) {
+        unchecked(run, codes::unknown_value, run.here(),
+                  "how often this loop runs depends on a value that is not known: it is run once");
+        return;
+    }
+    if (loop_variable(run, f) > last) go(run, f.target == program::no_target ? f.target : f.target + 1);
 }
 
 void end_for(Run& run, const program::For& f) {
@@ -159,6 +166,9 @@ void repeat_section(Run& run, const program::Section& s, std::uint32_t index) {
                    : nearest(found->second, index, program::JumpDirection::forward);
     };
     const double passes = s.passes == program::no_expr ? 1 : number(run, s.passes);
+    if (std::isnan(passes))
+        unchecked(run, codes::unknown_value, run.here(),
+                  "how often this section is repeated depends on a value that is not known: it is not repeated");
     if (run.stopped || !(passes >= 1)) return;
     ActiveSection active;
     active.first = place(s.first);
@@ -168,7 +178,7 @@ void repeat_section(Run& run, const program::Section& s, std::uint32_t index) {
               "REPEAT: the label is not in this program, or the last one stands before the first");
         return;
     }
-    if (s.one_block)  // the rest of the label's block, which may be several statements
+    if (!s.to_here)  // the rest of the label's block, which may be several statements
         while (active.last + 1 < unit.statements.size() &&
                (unit.statements[active.last + 1].flags & program::line_start) == 0)
             ++active.last;

@@ -4,6 +4,7 @@
 
 #include "base/codes.hpp"
 #include "base/number.hpp"
+#include "base/text.hpp"
 #include "interp/path_stage.hpp"
 
 namespace obrys::interp {
@@ -68,6 +69,31 @@ void define_globals(Run& run) {
                 define(run, unit->defines[static_cast<std::size_t>(unit->words[s.first].payload)], run.globals, *unit);
         }
         run.calls.pop_back();
+    }
+}
+
+/// Global variables of the job: a definition file gives the type where there is one, else the value does.
+void take_variables(Run& run) {
+    for (const auto& [name, text] : run.env.variables) {
+        Value v = Value::string(text);
+        const std::string upper = base::to_upper(text);
+        if (const auto number = base::parse_double(text))
+            v = Value::real(*number);
+        else if (upper == "TRUE" || upper == "FALSE")
+            v = Value::boolean(upper == "TRUE");
+        const program::NameId id = run.env.names.id(name);
+        if (const Binding* known = run.globals.find(id)) {
+            if (convert(v, known->array->type, known->array->string_length) == Conversion::ok)
+                known->array->set(0, v);
+            else
+                assume(run, {}, "[variables] " + name + " does not fit its definition and is left out");
+            continue;
+        }
+        auto array = std::make_shared<Array>();
+        array->type = v.type;
+        array->allocate();
+        array->set(0, v);
+        run.globals.bind({id, std::move(array), 0, false, nullptr});
     }
 }
 
@@ -147,6 +173,7 @@ Run::Run(const Environment& e, cl::CallStacks& s, cl::Sink k, base::Diagnostics&
       sink(k),
       diagnostics(d),
       parameters(1000),
+      tools(e.tools),
       position(start_position(e.machine)),
       programmed_position(position),
       started(std::chrono::steady_clock::now()) {
@@ -182,6 +209,7 @@ Outcome run(const program::Unit& main, const Environment& environment, cl::CallS
     Run run(environment, stacks, sink, diagnostics);
     take_overrides(run);
     define_globals(run);
+    take_variables(run);
     choose_reference_datum(run, main);
     enter(run, main, nullptr, {});
     while (!run.stopped) step(run);

@@ -4,6 +4,7 @@
 /// over.
 
 #include <cstdint>
+#include <map>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -30,6 +31,8 @@ struct Environment {
     base::FunctionRef<const program::Unit*(std::string_view)> find_program;
     /// Units whose definitions hold for all programs (global user data).
     const std::vector<const program::Unit*>& definitions;
+    /// Values of global user data by upper-case name: a number, TRUE, FALSE, else a text.
+    const std::map<std::string, std::string>& variables;
 };
 
 enum class Ending : std::uint8_t {

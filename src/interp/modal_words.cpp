@@ -1,5 +1,9 @@
 /// G codes and their named relatives: what they change in the modal state.
 
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
 #include "base/codes.hpp"
 #include "interp/run.hpp"
 
@@ -11,6 +15,7 @@ void set_plane(Run& run, int plane) {
     if (run.modal.plane == plane) return;
     flush_path(run);
     run.modal.plane = plane;
+    forget_polar_angle(run.modal);
 }
 
 void set_feed_mode(Run& run, cl::FeedMode mode) {
@@ -20,10 +25,29 @@ void set_feed_mode(Run& run, cl::FeedMode mode) {
     run.feed_valid = false;  // an F of the old kind means nothing in the new one
 }
 
-void set_surface_speed(Run& run, bool on, bool also_per_rev) {
-    if (on != run.modal.surface_speed) run.spindle.speed = 0;
+/// G97 without S keeps the speed that G96 had reached at this X (Siemens, NC programming 12/2019, p. 99).
+void keep_reached_speed(Run& run) {
+    SpindleState& s = run.spindle;
+    s.surface = s.speed;
+    const double x = std::abs(run.programmed_position.x);
+    s.speed = s.surface * 1000 / (2 * geom::pi * x);
+    if (s.limit > 0) s.speed = std::min(s.speed, s.limit);
+    if (!std::isfinite(s.speed)) s.speed = s.limit > 0 && x == 0 ? s.limit : std::numeric_limits<double>::quiet_NaN();
+}
+
+/// G96 G961 G962 and G97 G971 G972 G973: `number` says which; the last digit pair decides the kind of feed.
+void set_surface_speed(Run& run, bool on, int number) {
+    if (on != run.modal.surface_speed) {
+        if (on)
+            run.spindle.speed = run.spindle.surface;
+        else
+            keep_reached_speed(run);
+        run.spindle.mode_changed = true;
+    }
     run.modal.surface_speed = on;
-    if (also_per_rev) set_feed_mode(run, cl::FeedMode::per_rev);
+    run.modal.speed_word = number;
+    if (number == 96 || number == 97 || number == 973) set_feed_mode(run, cl::FeedMode::per_rev);
+    if (number == 961 || number == 971) set_feed_mode(run, cl::FeedMode::per_minute);
 }
 
 void set_datum(Run& run, std::uint32_t number) {
@@ -96,13 +120,14 @@ void modal_word(Run& run, const program::Word& w) {
             state.inch_geometry = true;
             return;
         case Modal::metric_geometry:
-            state.inch_geometry = false;
+            state.inch_geometry = state.metric_feed = false;
             return;
         case Modal::inch_all:
             state.inch_geometry = state.inch_feed = true;
             return;
         case Modal::metric_all:
             state.inch_geometry = state.inch_feed = false;
+            state.metric_feed = true;
             return;
         case Modal::absolute:
             state.absolute = true;
@@ -114,16 +139,18 @@ void modal_word(Run& run, const program::Word& w) {
             set_feed_mode(run, cl::FeedMode::inverse_time);
             return;
         case Modal::feed_per_minute:
+            set_surface_speed(run, false, 0);
             set_feed_mode(run, cl::FeedMode::per_minute);
             return;
         case Modal::feed_per_rev:
+            set_surface_speed(run, false, 0);
             set_feed_mode(run, cl::FeedMode::per_rev);
             return;
         case Modal::surface_speed_on:
-            set_surface_speed(run, true, program::modal_number(w) == 96);
+            set_surface_speed(run, true, program::modal_number(w));
             return;
         case Modal::surface_speed_off:
-            set_surface_speed(run, false, program::modal_number(w) == 97);
+            set_surface_speed(run, false, program::modal_number(w));
             return;
         case Modal::approach_normal:
         case Modal::approach_contour:

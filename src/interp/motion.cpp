@@ -23,17 +23,6 @@ constexpr std::uint64_t circle = bit(Code::i) | bit(Code::j) | bit(Code::k) | bi
                                  bit(Code::opening_angle) | bit(Code::i1) | bit(Code::j1) | bit(Code::k1) |
                                  bit(Code::turns);
 
-bool is_incremental(const Run& run, std::uint8_t reference) {
-    if (reference == 0) return !run.modal.absolute;
-    return reference == 1 + static_cast<std::uint8_t>(Reference::incremental);
-}
-
-const shop::MachineAxis* machine_axis(const Run& run, const std::string& name) {
-    for (const shop::MachineAxis& a : run.env.machine.axes)
-        if (a.name == name) return &a;
-    return nullptr;
-}
-
 /// An axis the machine file does not list: moved all the same, but said.
 void require_axis(Run& run, const std::string& name) {
     if (run.env.machine.axes.empty() || run.env.machine.more_axes || machine_axis(run, name) != nullptr) return;
@@ -82,44 +71,6 @@ geom::Vec3 cartesian_target(Run& run) {
     return to;
 }
 
-geom::Vec3 polar_target(Run& run, geom::Vec3 to) {
-    const BlockWords& b = run.block;
-    const PlaneAxes axes = plane_axes(run.modal.plane);
-    const geom::Vec3& pole = run.modal.pole;
-    const double du = coordinate(run.programmed_position, axes.u) - coordinate(pole, axes.u);
-    const double dv = coordinate(run.programmed_position, axes.v) - coordinate(pole, axes.v);
-    double radius = b.has(Code::polar_radius) ? b.get(Code::polar_radius) * (run.modal.inch_geometry ? 25.4 : 1)
-                                              : std::hypot(du, dv);
-    const double now = geom::degrees(std::atan2(dv, du));
-    double angle = b.has(Code::polar_angle) ? b.get(Code::polar_angle) : now;
-    if (b.has(Code::polar_angle) && is_incremental(run, b.ref(Code::polar_angle))) angle += now;
-    if (b.has(Code::polar_radius) && b.ref(Code::polar_radius) == 1 + static_cast<std::uint8_t>(Reference::incremental))
-        radius += std::hypot(du, dv);
-    coordinate(to, axes.u) = coordinate(pole, axes.u) + radius * std::cos(geom::radians(angle));
-    coordinate(to, axes.v) = coordinate(pole, axes.v) + radius * std::sin(geom::radians(angle));
-    return to;
-}
-
-/// G110 last position, G111 workpiece zero, G112 last pole: the axis words of the block are the pole.
-void set_pole(Run& run) {
-    const BlockWords& b = run.block;
-    geom::Vec3 base = run.modal.pole;
-    if (b.special == Modal::pole_from_position) base = run.programmed_position;
-    if (b.special == Modal::pole_from_zero) base = {};
-    geom::Vec3 offset;
-    if ((b.present & polar) != 0) {
-        const PlaneAxes axes = plane_axes(run.modal.plane);
-        const double r = b.has(Code::polar_radius) ? b.get(Code::polar_radius) : 0;
-        const double a = geom::radians(b.has(Code::polar_angle) ? b.get(Code::polar_angle) : 0);
-        coordinate(offset, axes.u) = r * std::cos(a);
-        coordinate(offset, axes.v) = r * std::sin(a);
-    }
-    for (int k = 0; k < 3; ++k)
-        if (b.has(axis_code(k)))
-            coordinate(offset, k) = b.get(axis_code(k)) * length_factor(run, k, b.special != Modal::pole_from_zero);
-    run.modal.pole = base + offset;
-}
-
 void dwell(Run& run) {
     const BlockWords& b = run.block;
     cl::Dwell d;
@@ -127,61 +78,7 @@ void dwell(Run& run) {
         d.seconds = b.get(Code::feed);
     else if (b.has(Code::spindle))
         d.revolutions = b.get(Code::spindle);
-    flush_path(run);
     emit(run, d);
-}
-
-/// Machine coordinates as stream coordinates; NaN where the datum is not known.
-double from_machine(const Run& run, int k, double machine) {
-    const auto known = run.env.machine.datums.find(run.reference_datum);
-    return known == run.env.machine.datums.end() ? unknown : machine - coordinate(known->second, k);
-}
-
-void unknown_machine_position(Run& run) {
-    if (run.env.machine.datums.contains(run.reference_datum)) return;
-    unchecked(run, codes::unknown_value, run.here(),
-              "this block moves in machine coordinates and the zero offset G" + std::to_string(run.reference_datum) +
-                  " is not known: where it ends in the workpiece is not known",
-              "give the offset in [datum] of the job, e.g. G" + std::to_string(run.reference_datum) +
-                  " = { x = 0.0, y = 0.0, z = -350.0 }");
-}
-
-void go_to(Run& run, geom::Vec3 target, bool rapid) {
-    run.position = target;
-    run.programmed_position = run.frame_is_identity ? target : geom::apply(geom::inverse(run.frame), target);
-    emit(run, cl::Linear{target, {0, 0, 1}, rapid});
-}
-
-/// G74 and G75: the axes of the block go to their reference point.
-bool reference_point(Run& run) {
-    flush_path(run);
-    geom::Vec3 target = run.position;
-    for (int k = 0; k < 3; ++k) {
-        if (!run.block.has(axis_code(k))) continue;
-        const shop::MachineAxis* axis = machine_axis(run, std::string(1, "XYZ"[k]));
-        coordinate(target, k) = axis != nullptr && axis->home ? from_machine(run, k, *axis->home) : unknown;
-    }
-    if (!geom::is_finite(target))
-        assume(run, run.here(),
-               "the reference point is not known in the workpiece frame: moves to and from it are not simulated",
-               "give home of the axes in the machine file and the zero offset in [datum] of the job");
-    go_to(run, target, true);
-    return true;
-}
-
-/// SUPA, G53, G153: the words are machine coordinates (G53: without any frame, the same here).
-bool machine_move(Run& run) {
-    flush_path(run);
-    unknown_machine_position(run);
-    geom::Vec3 target = run.position;
-    for (int k = 0; k < 3; ++k) {
-        if (!run.block.has(axis_code(k))) continue;
-        const bool incremental = is_incremental(run, run.block.ref(axis_code(k)));
-        const double v = run.block.get(axis_code(k)) * length_factor(run, k, incremental);
-        coordinate(target, k) = incremental ? coordinate(target, k) + v : from_machine(run, k, v);
-    }
-    go_to(run, target, run.modal.motion == Modal::rapid);
-    return true;
 }
 
 /// ANG=: one coordinate of a straight line follows from its angle to the first axis of the plane.
@@ -272,6 +169,17 @@ void begin_motion(Run& run) {
 
 }  // namespace
 
+bool is_incremental(const Run& run, std::uint8_t reference) {
+    if (reference == 0) return !run.modal.absolute;
+    return reference == 1 + static_cast<std::uint8_t>(Reference::incremental);
+}
+
+const shop::MachineAxis* machine_axis(const Run& run, const std::string& name) {
+    for (const shop::MachineAxis& a : run.env.machine.axes)
+        if (a.name == name) return &a;
+    return nullptr;
+}
+
 double length_factor(const Run& run, int axis, bool incremental) {
     double factor = run.modal.inch_geometry ? 25.4 : 1;
     if (axis != 0 || run.modal.diameter == DiameterMode::off) return factor;
@@ -295,12 +203,12 @@ bool motion(Run& run) {
     const bool turns =
         (b.present & circle) != 0 && run.modal.motion != Modal::linear && run.modal.motion != Modal::rapid;
     const bool others = (b.present & other_axes) != 0 || !b.axes.empty();
-    if (!moves && !turns && !others) return false;
     if (b.special == Modal::pole_from_position || b.special == Modal::pole_from_zero ||
         b.special == Modal::pole_from_pole) {
         set_pole(run);
         return false;
     }
+    if (!moves && !turns && !others) return false;
     if (!run.env.machine.axes.empty())
         for (int k = 0; k < 3; ++k)
             if (b.has(axis_code(k))) require_axis(run, std::string(1, "XYZ"[k]));

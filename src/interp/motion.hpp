@@ -15,6 +15,21 @@ struct PlaneAxes {
 /// Millimetres per programmed unit of a linear axis: inches, and diameters of a lathe's X.
 [[nodiscard]] double length_factor(const Run&, int axis, bool incremental);
 
+/// Whether a word with this reference (0 = as the modal state says) is incremental.
+[[nodiscard]] bool is_incremental(const Run&, std::uint8_t reference);
+/// The machine's axis of that name, or null.
+[[nodiscard]] const shop::MachineAxis* machine_axis(const Run&, const std::string& name);
+
+/// `to` with the coordinates that AP= and RP= give (polar.cpp).
+[[nodiscard]] geom::Vec3 polar_target(Run&, geom::Vec3 to);
+/// G110, G111, G112: the words of the block place the pole.
+void set_pole(Run&);
+
+/// G74 and G75: the axes of the block go to their reference point (machine_motion.cpp).
+[[nodiscard]] bool reference_point(Run&);
+/// SUPA, G53, G153.
+[[nodiscard]] bool machine_move(Run&);
+
 /// Runs the block's arc to `to` (programmed frame); false where it could not be resolved.
 [[nodiscard]] bool arc_motion(Run&, const geom::Vec3& to);
 /// Runs an element of the working plane that ends at `to` (programmed frame), through the path stage where it is at

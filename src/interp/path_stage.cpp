@@ -24,6 +24,20 @@ std::optional<double> compensation_radius(const shop::Tool& t) {
     return std::nullopt;
 }
 
+/// The contour is compensated in programmed coordinates: the tool, which no frame turns or scales, is brought there.
+void into_frame(const Run& run, path::Setting& s) {
+    if (run.frame_is_identity || geom::is_shift_only(run.frame)) return;
+    const PlaneAxes a = plane_axes(run.modal.plane);
+    const geom::Frame back = geom::inverse(run.frame);
+    geom::Vec3 tip, unit;
+    coordinate(tip, a.u) = s.tip.x;
+    coordinate(tip, a.v) = s.tip.y;
+    coordinate(unit, a.u) = 1;
+    const geom::Vec3 turned = geom::apply_direction(back, tip);
+    s.tip = {coordinate(turned, a.u), coordinate(turned, a.v)};
+    s.radius *= geom::length(geom::apply_direction(back, unit));
+}
+
 }  // namespace
 
 path::Setting PathStage::setting(Run& run) const {
@@ -43,6 +57,7 @@ path::Setting PathStage::setting(Run& run) const {
     s.radius = radius.value_or(0);
     if (tool != nullptr && run.modal.plane == 18 && run.env.machine.kind == shop::MachineKind::lathe)
         s.tip = path::nose_offset(nose_orientation(*tool), s.radius).value_or(geom::Vec2{});
+    into_frame(run, s);
     return s;
 }
 
@@ -68,8 +83,9 @@ path::CornerRequest PathStage::corner_request(Run& run) {
     else if (run.modal.round_modal > 0 && run.modal.motion != Modal::rapid)
         r = {path::CornerKind::rounding, run.modal.round_modal, true, false, true, {}, {}};
     const double feed = b.has(Code::corner_feed) ? b.get(Code::corner_feed) : run.modal.corner_feed_modal;
-    if (r.kind != path::CornerKind::none && feed > 0) {
-        r.before.push_back(feed_event(run, feed));
+    if (r.kind != path::CornerKind::none && feed > 0 && run.feed_valid) {
+        const bool inches = run.modal.inch_feed && run.modal.feed_mode != cl::FeedMode::inverse_time;
+        r.before.push_back(feed_event(run, feed * (inches ? 25.4 : 1)));
         r.after.push_back(feed_event(run, run.feed));
     }
     return r;

@@ -5,6 +5,7 @@
 #include <bit>
 #include <chrono>
 #include <cstdint>
+#include <limits>
 #include <memory>
 #include <set>
 #include <string>
@@ -35,6 +36,8 @@ struct ModalState {
     DiameterMode diameter = DiameterMode::off;
     cl::FeedMode feed_mode = cl::FeedMode::per_minute;
     bool surface_speed = false;
+    int speed_word = 0;        ///< 96, 97, 961 … where it was the last of its G group
+    bool metric_feed = false;  ///< G710 rather than G71
     Modal compensation = Modal::compensation_off;
     Modal approach = Modal::approach_normal;
     Modal corner = Modal::corner_arc;
@@ -44,7 +47,11 @@ struct ModalState {
     double round_modal = 0;        ///< RNDM, mm
     double corner_feed_modal = 0;  ///< FRCM
     geom::Vec3 pole;               ///< workpiece coordinates
+    /// Last RP (mm) and AP (degrees, NaN after a new pole or plane); NaN: none yet.
+    double polar_radius = std::numeric_limits<double>::quiet_NaN();
+    double polar_angle = std::numeric_limits<double>::quiet_NaN();
 };
+inline void forget_polar_angle(ModalState& m) { m.polar_angle = std::numeric_limits<double>::quiet_NaN(); }
 
 /// The words of one block, gathered before they act together.
 struct BlockWords {
@@ -125,6 +132,8 @@ struct ToolState {
 struct SpindleState {
     double speed = 0;  ///< S as programmed
     double limit = 0;  ///< LIMS
+    double surface = 0;         ///< cutting speed of the last G96, m/min
+    bool mode_changed = false;  ///< by the block being run: G96 or G97
     int direction = 0;
 };
 
@@ -152,6 +161,7 @@ struct Run {
     ModalState modal;
     BlockWords block;
     ToolState tool;
+    std::vector<shop::Tool> tools;  ///< of the job, with what the program writes to $TC_DPn
     SpindleState spindle;
     double feed = 0;  ///< mm/min, mm/rev or 1/min by modal.feed_mode
     bool feed_valid = false;
@@ -217,6 +227,9 @@ void define(Run&, const program::Define&, Scope& scope, const Unit& unit);
 /// Index of the addressed element; false after an alarm.
 [[nodiscard]] bool element_of(Run&, const program::Expr&, const Array&, std::size_t& index);
 [[nodiscard]] std::size_t undefined_key(Run&, const program::Expr&);
+/// One more index than the STRING has dimensions: a single character of it.
+[[nodiscard]] bool is_character_access(const Binding&, const program::Expr&);
+[[nodiscard]] Value read_character(Run&, const Binding&, const program::Expr&);
 
 // --- flow (flow.cpp, calls.cpp)
 void run_statement(Run&, const program::Statement&, std::uint32_t index);
@@ -236,6 +249,10 @@ void modal_word(Run&, const program::Word&);
 void frame_statement(Run&, const program::Statement&, std::uint32_t index);
 void update_frame(Run&);
 void select_tool(Run&);
+/// $TC_DPn[T, D]=value.
+void write_tool_parameter(Run&, double number, double edge, int n, double value);
+/// n of $TC_DPn: the digits at the end of the name.
+[[nodiscard]] int tool_parameter_number(const std::string& name);
 void technology(Run&);
 void after_motion(Run&);
 [[nodiscard]] bool motion(Run&);  ///< true where the block moved

@@ -73,7 +73,7 @@ double tool_radius(const shop::Tool& t) {
 
 const shop::Tool* addressed_tool(const Access& a) {
     const double number = a.index(0), edge = a.e.count > 1 ? a.index(1) : 1;
-    for (const shop::Tool& t : a.run.env.tools)
+    for (const shop::Tool& t : a.run.tools)
         if (t.number == number && t.edge == edge) return &t;
     return nullptr;
 }
@@ -81,10 +81,7 @@ const shop::Tool* addressed_tool(const Access& a) {
 /// $TC_DPn[T, D]; n is the digits at the end of the name. Meaning of n: Siemens, Function Manual W1 Tool offset.
 Value tool_parameter(const Access& a) {
     const shop::Tool* t = addressed_tool(a);
-    const std::string& name = a.name();
-    const std::size_t digits = name.find_last_not_of("0123456789") + 1;
-    int n = 0;
-    for (std::size_t i = digits; i < name.size() && n < 1000; ++i) n = n * 10 + (name[i] - '0');
+    const int n = tool_parameter_number(a.name());
     const std::uint64_t key = (std::uint64_t{a.e.a} << 32) ^ undefined_key(a.run, a.e);
     if (const auto written = a.run.system_written.find(key); written != a.run.system_written.end())
         return written->second;
@@ -96,14 +93,55 @@ Value tool_parameter(const Access& a) {
     return unknown_value(a, "the tool list does not say it");
 }
 
+/// Numbers in the G group 1 (Siemens, lists of G functions).
+int motion_number(Modal m) {
+    switch (m) {
+        case Modal::rapid:
+            return 1;
+        case Modal::linear:
+            return 2;
+        case Modal::arc_cw:
+            return 3;
+        case Modal::arc_ccw:
+            return 4;
+        case Modal::arc_via:
+            return 5;
+        case Modal::thread:
+            return 10;
+        case Modal::tap:
+            return 11;
+        case Modal::tap_retract:
+            return 12;
+        case Modal::arc_tangent:
+            return 15;
+        case Modal::thread_rising:
+            return 16;
+        default:
+            return 17;
+    }
+}
+
+/// Numbers of G96 and its relatives in the G group 15.
+int speed_number(int word) {
+    switch (word) {
+        case 96:
+            return 4;
+        case 97:
+            return 5;
+        case 961:
+            return 7;
+        case 971:
+            return 8;
+        default:
+            return 0;
+    }
+}
+
 Value active_g(const Access& a) {
     const ModalState& m = a.run.modal;
     switch (static_cast<int>(a.index(0))) {
         case 1:
-            return Value::integer(m.motion == Modal::rapid    ? 1
-                                  : m.motion == Modal::linear ? 2
-                                  : m.motion == Modal::arc_cw ? 3
-                                                              : 4);
+            return Value::integer(motion_number(m.motion));
         case 6:
             return Value::integer(m.plane - 16);
         case 7:
@@ -113,14 +151,20 @@ Value active_g(const Access& a) {
         case 8:
             return Value::integer(m.datum == 500 ? 1 : m.datum < 60 ? m.datum - 52 : m.datum - 499);
         case 13:
-            return Value::integer(m.inch_feed ? 3 : m.inch_geometry ? 1 : 2);
+            return Value::integer(m.inch_geometry ? (m.inch_feed ? 3 : 1) : m.metric_feed ? 4 : 2);
         case 14:
             return Value::integer(m.absolute ? 1 : 2);
         case 15:
-            return Value::integer(m.surface_speed                             ? 4
+            return Value::integer(m.speed_word != 0                           ? speed_number(m.speed_word)
                                   : m.feed_mode == cl::FeedMode::inverse_time ? 1
                                   : m.feed_mode == cl::FeedMode::per_minute   ? 2
                                                                               : 3);
+        case 16:
+            return Value::integer(1 + static_cast<int>(m.feed_reference) - static_cast<int>(Modal::feed_at_contour));
+        case 17:
+            return Value::integer(m.approach == Modal::approach_normal ? 1 : 2);
+        case 18:
+            return Value::integer(m.corner == Modal::corner_arc ? 1 : 2);
         case 29:
             return Value::integer(m.diameter == DiameterMode::off ? 1 : m.diameter == DiameterMode::on ? 2 : 3);
         default:
@@ -146,21 +190,23 @@ Value datum_frame(const Access& a) {
     return Value::of_frame(geom::Frame::shift(found->second));
 }
 
+std::uint64_t written_key(const Access& a) { return (std::uint64_t{a.e.a} << 32) ^ undefined_key(a.run, a.e); }
+
 Value written_or_zero(const Access& a) {
-    const auto written = a.run.system_written.find((std::uint64_t{a.e.a} << 32) ^ undefined_key(a.run, a.e));
+    const auto written = a.run.system_written.find(written_key(a));
     return written == a.run.system_written.end() ? Value::real(0) : written->second;
 }
 
 Value tool_exists(const Access& a) {
     const double n = a.index(0);
-    for (const shop::Tool& t : a.run.env.tools)
+    for (const shop::Tool& t : a.run.tools)
         if (t.number == n) return Value::boolean(true);
     return Value::boolean(false);
 }
 
 Value tool_name(const Access& a) {
     const double n = a.index(0);
-    for (const shop::Tool& t : a.run.env.tools)
+    for (const shop::Tool& t : a.run.tools)
         if (t.number == n) return Value::string(t.name);
     return Value::string({});
 }
@@ -208,6 +254,13 @@ Value run_state(const Access& a, SystemVariable v) {
 
 }  // namespace
 
+int tool_parameter_number(const std::string& name) {
+    int n = 0;
+    for (std::size_t i = name.find_last_not_of("0123456789") + 1; i < name.size() && n < 1000; ++i)
+        n = n * 10 + (name[i] - '0');
+    return n;
+}
+
 Value read_system(Run& run, const Expr& e) {
     const Access a{run, e};
     const auto v = static_cast<SystemVariable>(e.op);
@@ -247,6 +300,7 @@ Value read_system(Run& run, const Expr& e) {
         case SystemVariable::pi:
             return Value::real(geom::pi);
         case SystemVariable::unknown:
+            if (const Value written = written_or_zero(a); a.run.system_written.contains(written_key(a))) return written;
             return unknown_value(a, "obrys does not know this system variable");
         default:
             return run_state(a, v);

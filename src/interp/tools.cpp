@@ -13,8 +13,31 @@ namespace codes = base::codes;
 
 namespace {
 
+/// What $TC_DP6 and the like say about the shape; as in a TOA file, geometry and wear add up.
+void take_shape(shop::Tool& t) {
+    const auto sum = [&](std::initializer_list<int> numbers) {
+        double s = 0;
+        for (const int n : numbers)
+            if (const auto p = t.parameters.find(n); p != t.parameters.end()) s += p->second;
+        return s;
+    };
+    const double radius = sum({6, 15}), type = sum({1});
+    t.length = sum({3, 12, 21});
+    if (type >= 500 && type < 600) {
+        if (t.kind == shop::ToolKind::other && !(type >= 520 && type < 540)) t.kind = shop::ToolKind::turning;
+        if (const auto p = t.parameters.find(2); p != t.parameters.end() && p->second >= 1 && p->second <= 9)
+            t.orientation = static_cast<int>(p->second);
+    }
+    if (t.kind == shop::ToolKind::turning)
+        t.nose_radius = std::max(0.0, radius);
+    else if (t.kind == shop::ToolKind::groove)
+        t.corner_radius = std::max(0.0, radius);
+    else
+        t.radius = radius;
+}
+
 const shop::Tool* find_tool(const Run& run, const ToolState& t) {
-    for (const shop::Tool& tool : run.env.tools) {
+    for (const shop::Tool& tool : run.tools) {
         const bool same =
             t.number != 0 ? tool.number == t.number : !t.name.empty() && base::equals_ignoring_case(tool.name, t.name);
         if (same && (tool.edge == t.edge || t.edge == 0)) return &tool;
@@ -37,7 +60,6 @@ void tool_into_spindle(Run& run) {
 bool changes_on_m6(const Run& run) { return run.env.machine.kind == shop::MachineKind::mill; }
 
 void emit_tool(Run& run) {
-    flush_path(run);
     run.tool.data = find_tool(run, run.tool);
     emit(run, cl::ToolChange{run.tool.number, run.tool.edge, run.tool.name});
 }
@@ -54,12 +76,17 @@ void emit_spindle(Run& run) {
 bool spindle_words(Run& run) {
     BlockWords& b = run.block;
     bool changed = false;
+    if (run.spindle.mode_changed) {
+        run.spindle.mode_changed = false;
+        changed = run.spindle.direction != 0 || !b.has(Code::spindle);
+    }
     if (b.has(Code::spindle) && b.special != Modal::dwell && std::isnan(b.get(Code::spindle))) {
         unchecked(run, codes::unknown_value, run.here(),
                   "the spindle speed depends on a value that is not known: the last one is kept");
     } else if (b.has(Code::spindle) && b.special != Modal::dwell) {
         const double s = b.get(Code::spindle);
-        run.spindle.speed = std::abs(s);
+        const bool feet = run.modal.surface_speed && run.modal.inch_geometry;  // cutting speed in ft/min
+        run.spindle.speed = std::abs(s) * (feet ? 0.3048 : 1);
         changed = true;
     }
     if (b.has(Code::speed_limit)) {
@@ -75,6 +102,12 @@ bool spindle_words(Run& run) {
     if (b.has(Code::spindle_position)) {
         run.spindle.direction = 0;
         changed = true;
+    }
+    if (std::isnan(run.spindle.speed)) {
+        unchecked(run, codes::unknown_value, run.here(),
+                  "G97 without S keeps the speed of G96, but where X stands is not known: the speed is not known",
+                  "program S with G97");
+        run.spindle.speed = 0;
     }
     return changed;
 }
@@ -95,7 +128,6 @@ void feed_word(Run& run) {
     if (run.feed_valid && f == run.feed) return;
     run.feed = f;
     run.feed_valid = f > 0;
-    flush_path(run);
     emit(run, cl::Feed{f, run.modal.feed_mode});
 }
 
@@ -122,6 +154,23 @@ void machine_functions(Run& run) {
 }
 
 }  // namespace
+
+void write_tool_parameter(Run& run, double number, double edge, int n, double value) {
+    if (!(number >= 1 && number <= 4294967295.0 && edge >= 1 && edge <= 32000) || !std::isfinite(value)) return;
+    const auto t = static_cast<std::uint32_t>(number), d = static_cast<std::uint32_t>(edge);
+    auto found = std::find_if(run.tools.begin(), run.tools.end(),
+                              [&](const shop::Tool& x) { return x.number == t && x.edge == d; });
+    if (found == run.tools.end()) {
+        found = run.tools.insert(run.tools.end(), shop::Tool{});
+        found->number = t;
+        found->edge = d;
+    }
+    for (const int k : {1, 2, 3, 6})  // what the job said by other words stays beside the written parameter
+        if (const auto v = shop::parameter(*found, k); v && *v != 0) found->parameters.emplace(k, *v);
+    found->parameters[n] = value;
+    take_shape(*found);
+    run.tool.data = find_tool(run, run.tool);
+}
 
 void select_tool(Run& run) {
     BlockWords& b = run.block;
@@ -172,7 +221,7 @@ void technology(Run& run) {
     constexpr std::uint64_t words = bit(Code::feed) | bit(Code::spindle) | bit(Code::speed_limit) | bit(Code::tool) |
                                     bit(Code::edge) | bit(Code::spindle_position) | bit(Code::round_modal) |
                                     bit(Code::corner_feed_modal);
-    if ((b.present & words) == 0 && b.m.empty() && b.h.empty()) return;
+    if ((b.present & words) == 0 && b.m.empty() && b.h.empty() && !run.spindle.mode_changed) return;
     if (b.has(Code::round_modal))
         run.modal.round_modal = b.get(Code::round_modal) * (run.modal.inch_geometry ? 25.4 : 1);
     if (b.has(Code::corner_feed_modal)) run.modal.corner_feed_modal = b.get(Code::corner_feed_modal);
@@ -194,7 +243,6 @@ void after_motion(Run& run) {
         } else if (m == 9) {
             coolant(run, m);
         } else if (m == 0 || m == 1) {
-            flush_path(run);
             emit(run, cl::Stop{m == 0 ? cl::StopKind::program : cl::StopKind::optional});
         } else if (m == 2 || m == 30 || m == 17) {
             flush_path(run);

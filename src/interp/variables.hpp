@@ -35,6 +35,7 @@ struct Binding {
     std::shared_ptr<Array> array;
     std::size_t offset = 0;
     bool element = false;  ///< only element `offset`
+    const program::Variable* definition = nullptr;  ///< the DEF that made it
 };
 
 /// Names of one call, or the global ones. Few names a scope: looked through in order.

@@ -1,0 +1,74 @@
+/// Motion in machine coordinates: G74, G75, SUPA, G53, G153.
+
+#include <limits>
+
+#include "base/codes.hpp"
+#include "interp/motion.hpp"
+
+namespace obrys::interp {
+
+namespace codes = base::codes;
+
+namespace {
+
+constexpr double unknown = std::numeric_limits<double>::quiet_NaN();
+
+/// Machine coordinates as stream coordinates; NaN where the datum is not known.
+double from_machine(const Run& run, int k, double machine) {
+    const auto known = run.env.machine.datums.find(run.reference_datum);
+    return known == run.env.machine.datums.end() ? unknown : machine - coordinate(known->second, k);
+}
+
+void unknown_machine_position(Run& run) {
+    if (run.env.machine.datums.contains(run.reference_datum)) return;
+    unchecked(run, codes::unknown_value, run.here(),
+              "this block moves in machine coordinates and the zero offset G" + std::to_string(run.reference_datum) +
+                  " is not known: where it ends in the workpiece is not known",
+              "give the offset in [datum] of the job, e.g. G" + std::to_string(run.reference_datum) +
+                  " = { x = 0.0, y = 0.0, z = -350.0 }");
+}
+
+void go_to(Run& run, geom::Vec3 target, bool rapid) {
+    run.position = target;
+    run.programmed_position = run.frame_is_identity ? target : geom::apply(geom::inverse(run.frame), target);
+    emit(run, cl::Linear{target, {0, 0, 1}, rapid});
+}
+
+}  // namespace
+
+/// G74 and G75: the axes of the block go to their reference point.
+bool reference_point(Run& run) {
+    flush_path(run);
+    geom::Vec3 target = run.position;
+    for (int k = 0; k < 3; ++k) {
+        if (!run.block.has(axis_code(k))) continue;
+        const shop::MachineAxis* axis = machine_axis(run, std::string(1, "XYZ"[k]));
+        const bool home = run.block.special == Modal::reference_point && axis != nullptr && axis->home;
+        coordinate(target, k) = home ? from_machine(run, k, *axis->home) : unknown;
+    }
+    if (!geom::is_finite(target) && run.block.special == Modal::fixed_point)
+        assume(run, run.here(), "the fixed point of G75 is not known: moves to and from it are not simulated");
+    else if (!geom::is_finite(target))
+        assume(run, run.here(),
+               "the reference point is not known in the workpiece frame: moves to and from it are not simulated",
+               "give home of the axes in the machine file and the zero offset in [datum] of the job");
+    go_to(run, target, true);
+    return true;
+}
+
+/// SUPA, G53, G153: the words are machine coordinates (G53: without any frame, the same here).
+bool machine_move(Run& run) {
+    flush_path(run);
+    unknown_machine_position(run);
+    geom::Vec3 target = run.position;
+    for (int k = 0; k < 3; ++k) {
+        if (!run.block.has(axis_code(k))) continue;
+        const bool incremental = is_incremental(run, run.block.ref(axis_code(k)));
+        const double v = run.block.get(axis_code(k)) * length_factor(run, k, incremental);
+        coordinate(target, k) = incremental ? coordinate(target, k) + v : from_machine(run, k, v);
+    }
+    go_to(run, target, run.modal.motion == Modal::rapid);
+    return true;
+}
+
+}  // namespace obrys::interp

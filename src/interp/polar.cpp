@@ -1,0 +1,64 @@
+/// Polar coordinates: AP=, RP= and the pole they refer to (G110, G111, G112).
+
+#include <cmath>
+
+#include "interp/motion.hpp"
+
+namespace obrys::interp {
+
+namespace {
+
+double length_unit(const Run& run) { return run.modal.inch_geometry ? 25.4 : 1; }
+
+bool is_ic(std::uint8_t reference) {
+    return reference == 1 + static_cast<std::uint8_t>(program::Reference::incremental);
+}
+
+}  // namespace
+
+geom::Vec3 polar_target(Run& run, geom::Vec3 to) {
+    const BlockWords& b = run.block;
+    const PlaneAxes axes = plane_axes(run.modal.plane);
+    const geom::Vec3& pole = run.modal.pole;
+    const double du = coordinate(run.programmed_position, axes.u) - coordinate(pole, axes.u);
+    const double dv = coordinate(run.programmed_position, axes.v) - coordinate(pole, axes.v);
+    // A word left out keeps its last value; before there is one, the position says it.
+    double radius = std::isnan(run.modal.polar_radius) ? std::hypot(du, dv) : run.modal.polar_radius;
+    double angle = std::isnan(run.modal.polar_angle) ? geom::degrees(std::atan2(dv, du)) : run.modal.polar_angle;
+    if (b.has(Code::polar_radius)) {
+        const double v = b.get(Code::polar_radius) * length_unit(run);
+        radius = is_ic(b.ref(Code::polar_radius)) ? radius + v : v;
+    }
+    if (b.has(Code::polar_angle)) {  // G91 does not matter, only AP=IC(…)
+        const double v = b.get(Code::polar_angle);
+        angle = is_ic(b.ref(Code::polar_angle)) ? angle + v : v;
+    }
+    run.modal.polar_radius = radius;
+    run.modal.polar_angle = angle;
+    coordinate(to, axes.u) = coordinate(pole, axes.u) + radius * std::cos(geom::radians(angle));
+    coordinate(to, axes.v) = coordinate(pole, axes.v) + radius * std::sin(geom::radians(angle));
+    return to;
+}
+
+/// G110 last position, G111 workpiece zero, G112 last pole: the words of the block are the pole as seen from there.
+void set_pole(Run& run) {
+    const BlockWords& b = run.block;
+    geom::Vec3 base = run.modal.pole;
+    if (b.special == Modal::pole_from_position) base = run.programmed_position;
+    if (b.special == Modal::pole_from_zero) base = {};
+    geom::Vec3 offset;
+    const PlaneAxes axes = plane_axes(run.modal.plane);
+    if (b.has(Code::polar_angle) || b.has(Code::polar_radius)) {
+        const double r = b.has(Code::polar_radius) ? b.get(Code::polar_radius) * length_unit(run) : 0;
+        const double a = geom::radians(b.has(Code::polar_angle) ? b.get(Code::polar_angle) : 0);
+        coordinate(offset, axes.u) = r * std::cos(a);
+        coordinate(offset, axes.v) = r * std::sin(a);
+    }
+    for (int k = 0; k < 3; ++k)
+        if (b.has(axis_code(k)))
+            coordinate(offset, k) = b.get(axis_code(k)) * length_factor(run, k, b.special != Modal::pole_from_zero);
+    run.modal.pole = base + offset;
+    forget_polar_angle(run.modal);
+}
+
+}  // namespace obrys::interp
