@@ -209,7 +209,7 @@ bool motion(Run& run) {
         return false;
     }
     if (!moves && !turns && !others) return false;
-    if (!run.env.machine.axes.empty())
+    if ((b.present & linear_axes & ~run.known_axes) != 0)
         for (int k = 0; k < 3; ++k)
             if (b.has(axis_code(k))) require_axis(run, std::string(1, "XYZ"[k]));
     begin_motion(run);
