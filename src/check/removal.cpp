@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "base/codes.hpp"
+#include "geom/boolean.hpp"
 #include "base/number.hpp"
 #include "cl/totals.hpp"
 
@@ -212,6 +213,16 @@ void Removal::require_balance(const StockFigures& before, const StockFigures& af
                    "please report this program as a fault of obrys");
 }
 
+/// A stock that the program never meets, or that does not hold the part, is one drawn about another zero point: a check
+/// against it says nothing.
+void Removal::require_contact() {
+    constexpr const char* remedy = "see whether stock, part and program use the same zero point (docs/job-file.md)";
+    if (out_.result().stats.feed_moves > 0 && removed_area_ == 0 && complete_)
+        out_.unchecked("not one move met the stock: nothing was checked against it", remedy);
+    if (setup_.part && geom::intersect(*setup_.part, *setup_.stock).empty())
+        out_.unchecked("the part lies outside the stock", remedy);
+}
+
 void Removal::finish(const cl::Record& end) {
     Result& result = out_.result();
     if (!work_) {
@@ -228,6 +239,7 @@ void Removal::finish(const cl::Record& end) {
     result.after = StockFigures{work_->area(), work_->volume()};
     result.stock_after = work_->region();
     if (result.before) require_balance(*result.before, *result.after);
+    require_contact();
     if (!setup_.part && !setup_.allowance)
         out_.unchecked("no part contour: gouges and rest material not checked",
                        "give the finished contour in the job file");

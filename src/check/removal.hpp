@@ -35,6 +35,7 @@ private:
     void skipped(const Move& move, std::string why);
     void judge(const Move& move, const sim::turning::Cut& cut);
     void count_use(const Move& move, const Removed& removed);
+    void require_contact();
     void require_balance(const StockFigures& before, const StockFigures& after);
 
     const Setup& setup_;
