@@ -11,13 +11,17 @@ namespace obrys::shop {
 
 namespace {
 
-/// Turns the library's lines and columns (characters) into bytes of the source text.
+/// Turns the library's lines and columns (characters) into bytes of the source text. The places of every 64th character
+/// are kept, so that a place far into a long line costs no more than one at its start.
 class Places {
 public:
     Places(std::uint32_t file, const base::Sources& sources) : file_(file), source_(sources[file]) {
-        starts_.push_back(0);
-        for (std::size_t i = 0; i < source_.text.size(); ++i)
-            if (source_.text[i] == '\n') starts_.push_back(i + 1);
+        lines_.push_back(0);
+        std::size_t characters = 0;
+        for (std::size_t at = 0; at < source_.text.size(); at = after(at), ++characters) {
+            if (characters % apart == 0) marks_.push_back(at);
+            if (source_.text[at] == '\n') lines_.push_back(characters + 1);
+        }
     }
 
     [[nodiscard]] base::Span span(const toml::source_region& region) const {
@@ -26,19 +30,29 @@ public:
     }
 
 private:
+    static constexpr std::size_t apart = 64;
+
+    /// Where the character at a byte ends.
+    [[nodiscard]] std::size_t after(std::size_t at) const {
+        const std::string& text = source_.text;
+        ++at;
+        while (source_.utf8 && at < text.size() && (static_cast<unsigned char>(text[at]) & 0xC0) == 0x80) ++at;
+        return at;
+    }
     [[nodiscard]] std::uint32_t offset(const toml::source_position& p) const {
-        if (p.line == 0 || p.line > starts_.size()) return static_cast<std::uint32_t>(source_.text.size());
-        std::size_t at = starts_[p.line - 1];
-        for (std::size_t column = 1; column < p.column && at < source_.text.size(); ++column) {
-            ++at;
-            while (source_.utf8 && at < source_.text.size() && (static_cast<unsigned char>(source_.text[at]) & 0xC0) == 0x80) ++at;
-        }
+        const std::size_t end = source_.text.size();
+        if (p.line == 0 || p.line > lines_.size()) return static_cast<std::uint32_t>(end);
+        const std::size_t character = lines_[p.line - 1] + std::max<std::size_t>(p.column, 1) - 1;
+        if (character / apart >= marks_.size()) return static_cast<std::uint32_t>(end);
+        std::size_t at = marks_[character / apart];
+        for (std::size_t n = character % apart; n > 0 && at < end; --n) at = after(at);
         return static_cast<std::uint32_t>(at);
     }
 
     std::uint32_t file_;
     const base::Source& source_;
-    std::vector<std::size_t> starts_;
+    std::vector<std::size_t> lines_;  ///< number of the first character of each line, counted in the whole text
+    std::vector<std::size_t> marks_;  ///< byte of every `apart`-th character
 };
 
 Value convert(const toml::node& node, const Places& places);

@@ -278,6 +278,19 @@ TEST(JobFile, ColumnsCountCharacters) {
               "2:10: unknown key 'š' in [stock]\n2:25: 'bar' must be a table, not a whole number\n");
 }
 
+TEST(JobFile, ColumnsCountCharactersFarIntoALine) {
+    // Each place stands after a text of so many characters, of one or two bytes; the mistake behind it is found there.
+    for (const std::size_t n : {1U, 40U, 63U, 64U, 65U, 127U, 128U, 500U, 5000U})
+        for (const std::string letter : {"a", "\u017E", "\x9E"}) {
+            std::string name;
+            for (std::size_t i = 0; i < n; ++i) name += letter;
+            const std::string text = "# \n\nprogram = \"A\"\nstock = {\"" + name + "\" = 1, bar = 1}\n";
+            const std::string column = std::to_string(24 + n);
+            const std::string places = job_places(text);
+            EXPECT_NE(places.find("4:" + column + ": 'bar'"), std::string::npos) << places.substr(0, 300);
+        }
+}
+
 TEST(JobFile, AnythingGivesAJobAndPlacedComplaints) {
     for (const char* text : {"", "=", "program", "[", "[[tool]", "program = \"", "[stock]\nprofile = [{z=1", "\r\n\r\nx", "tool = [1, 2]",
                              "[stock]\nprofile = [[1,2],[3,4]]", "[set]\nR1 = 2024-01-01", "datum = 3", "[[stock]]"}) {
