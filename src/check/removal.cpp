@@ -63,6 +63,8 @@ Finding into(const Depth& d, bool part) {
 Removal::Removal(const Setup& setup, Collector& out) : setup_(setup), out_(out) {
     if (!setup.stock || setup.stock->empty() || setup.machine.kind != shop::MachineKind::lathe) return;
     work_.emplace(*setup.stock);
+    if (setup.part) part_.emplace(*setup.part);
+    if (setup.allowance) allowance_.emplace(*setup.allowance);
     stock_box_ = box_of(*setup.stock);
     last_cuts_ = LastCuts(stock_box_.min_z, stock_box_.max_z);
     out_.result().before = StockFigures{work_->area(), work_->volume()};
@@ -184,10 +186,10 @@ void Removal::judge(const Move& move, const Cut& cut) {
         out_.finding(move, std::move(f));
     }
     std::optional<Depth> gouge;
-    if (setup_.part) gouge = sim::turning::depth_inside(cut.removed, *setup_.part, setup_.tolerances.gouge);
+    if (part_) gouge = part_->depth_inside(cut.removed, setup_.tolerances.gouge);
     if (gouge) out_.finding(move, into(*gouge, true));
-    if (!setup_.allowance) return;
-    const auto allowance = sim::turning::depth_inside(cut.removed, *setup_.allowance, setup_.tolerances.gouge);
+    if (!allowance_) return;
+    const auto allowance = allowance_->depth_inside(cut.removed, setup_.tolerances.gouge);
     if (allowance && allowance->area > (gouge ? gouge->area : 0) + beyond_gouge)
         out_.finding(move, into(*allowance, false));
 }

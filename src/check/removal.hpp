@@ -41,6 +41,7 @@ private:
     const Setup& setup_;
     Collector& out_;
     std::optional<sim::turning::Workpiece> work_;
+    std::optional<sim::turning::Kept> part_, allowance_;
     Box stock_box_;
     const shop::Tool* tool_ = nullptr;
     geom::Contour outline_;

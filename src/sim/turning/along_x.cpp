@@ -13,23 +13,15 @@ using geom::Edge;
 
 namespace {
 
-struct Wall {
-    Edge edge;
-    geom::Box box;
-    bool arc = false;
-};
-
 double straight_at(const Edge& e, double z) { return e.a.y + (z - e.a.x) / (e.b.x - e.a.x) * (e.b.y - e.a.y); }
 
 /// Edges in the order in which a column that goes along z meets them.
 class Swept {
 public:
     /// Edges upright or beside [z0, z1] bound no column.
-    Swept(const std::vector<Edge>& edges, double z0, double z1) {
-        for (const Edge& e : edges) {
-            const Wall w{e, geom::box(e), geom::is_arc(e)};
+    Swept(const std::vector<Wall>& edges, double z0, double z1) {
+        for (const Wall& w : edges)
             if (w.box.lo.x < w.box.hi.x && w.box.lo.x <= z1 && w.box.hi.x >= z0) walls_.push_back(w);
-        }
         std::sort(walls_.begin(), walls_.end(), [](const Wall& a, const Wall& b) { return a.box.lo.x < b.box.lo.x; });
     }
     /// Between z0 and z1 no edge begins or ends; z0 does not go back.
@@ -82,8 +74,8 @@ double way_out(double lo, double hi, const std::vector<double>& walls) {
 
 class Columns {
 public:
-    Columns(const geom::Region& piece, const geom::Region& region, const geom::Box& b)
-        : piece_(geom::edges(piece), b.lo.x, b.hi.x), contour_(geom::edges(region), b.lo.x, b.hi.x) {
+    Columns(const geom::Region& piece, const std::vector<Wall>& contour, const geom::Box& b)
+        : piece_(walls_of(piece), b.lo.x, b.hi.x), contour_(contour, b.lo.x, b.hi.x) {
         piece_.add_corners(corners_);
         contour_.add_corners(corners_);
         std::erase_if(corners_, [&](double z) { return z < b.lo.x || z > b.hi.x; });
@@ -109,9 +101,9 @@ private:
     [[nodiscard]] double at(double z) {
         piece_.column(z, own_);
         contour_.column(z, walls_);
-        std::erase_if(walls_, [](double x) { return std::abs(x) <= geom::snap; });
         double best = 0;
-        for (std::size_t i = 0; i + 1 < own_.size(); i += 2) best = std::max(best, way_out(own_[i], own_[i + 1], walls_));
+        for (std::size_t i = 0; i + 1 < own_.size(); i += 2)
+            best = std::max(best, way_out(own_[i], own_[i + 1], walls_));
         return best;
     }
     /// The golden section after a coarse look is exact to 1e-9 of the width for one hump a step.
@@ -141,8 +133,7 @@ private:
             for (const Wall* w : s.active()) order_.emplace_back(straight_at(w->edge, 0.5 * (z0 + z1)), w);
             std::sort(order_.begin(), order_.end(), [](const auto& a, const auto& b) { return a.first < b.first; });
             out.clear();
-            for (const auto& [x, w] : order_)
-                if (&s == &piece_ || std::abs(x) > geom::snap) out.push_back({straight_at(w->edge, z0), straight_at(w->edge, z1)});
+            for (const auto& [x, w] : order_) out.push_back({straight_at(w->edge, z0), straight_at(w->edge, z1)});
         };
         ends(piece_, own_ends_);
         ends(contour_, wall_ends_);
@@ -187,9 +178,15 @@ private:
 
 }  // namespace
 
-double deepest_along_x(const geom::Region& piece, const geom::Region& region) {
+std::vector<Wall> walls_of(const geom::Region& region) {
+    std::vector<Wall> out;
+    for (const Edge& e : geom::edges(region)) out.push_back({e, geom::box(e), geom::is_arc(e)});
+    return out;
+}
+
+double deepest_along_x(const geom::Region& piece, const std::vector<Wall>& contour) {
     const geom::Box b = geom::box(piece);
-    return b.empty() ? 0 : Columns(piece, region, b).largest();
+    return b.empty() ? 0 : Columns(piece, contour, b).largest();
 }
 
 }  // namespace obrys::sim::turning

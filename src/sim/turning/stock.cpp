@@ -147,4 +147,17 @@ void Stock::drop_slivers(const std::vector<Slot>& touched) {
     }
 }
 
+std::vector<geom::SourceEdge> sources_of(const Stock& stock, const std::vector<Slot>& near, const geom::Region& tool) {
+    std::vector<geom::SourceEdge> out;
+    const auto is_near = [&](Slot s) { return std::binary_search(near.begin(), near.end(), s); };
+    for (const Slot s : near)
+        out.push_back({.edge = stock[s].edge,
+                       .of = {1, 0},
+                       .tag = s,
+                       .open_a = !is_near(stock[s].previous),
+                       .open_b = !is_near(stock[s].next)});
+    for (const geom::Edge& e : geom::edges(tool)) out.push_back({.edge = e, .of = {0, 1}});
+    return out;
+}
+
 }  // namespace obrys::sim::turning

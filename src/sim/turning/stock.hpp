@@ -62,4 +62,10 @@ private:
     std::uint32_t query_ = 0;
 };
 
+inline constexpr double near_margin = 1e-6;  ///< mm; far more than anything moves by welding
+
+/// The edges near a tool and those of the tool, for an arrangement of the neighbourhood (sets a and b). `near`: sorted.
+[[nodiscard]] std::vector<geom::SourceEdge> sources_of(const Stock& stock, const std::vector<Slot>& near,
+                                                       const geom::Region& tool);
+
 }  // namespace obrys::sim::turning

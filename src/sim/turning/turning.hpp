@@ -60,6 +60,24 @@ struct Depth {
 
 /// The part of `removed` that lies inside `kept` and how deep; nothing where they do not overlap by more than `tolerance`.
 [[nodiscard]] std::optional<Depth> depth_inside(const geom::Region& removed, const geom::Region& kept, double tolerance);
+/// A clean region (geom/contour.hpp) that many cuts are held against: the cost of each depends on what lies near it, not
+/// on the number of edges of the region. Not for several threads at once.
+class Kept {
+public:
+    explicit Kept(geom::Region region);
+    ~Kept();
+    Kept(Kept&&) noexcept;
+    Kept& operator=(Kept&&) noexcept;
+
+    /// As the function of this name.
+    [[nodiscard]] std::optional<Depth> depth_inside(const geom::Region& removed, double tolerance) const;
+    [[nodiscard]] const geom::Region& region() const;
+
+private:
+    struct State;
+    std::unique_ptr<State> state_;
+};
+
 /// Connected pieces of `left` outside `wanted`, each with its depth above it; pieces thinner than `tolerance` are dropped.
 [[nodiscard]] std::vector<Depth> pieces_outside(const geom::Region& left, const geom::Region& wanted, double tolerance);
 

@@ -122,5 +122,60 @@ RC_GTEST_PROP(DepthProperty, NoPointOfTheOverlapIsDeeper, ()) {
     RC_ASSERT(geom::contains(kept, d->deepest) || geom::distance(kept, d->deepest) < 1e-3);
 }
 
+// The local overlap held against the one with the whole contour.
+RC_GTEST_PROP(DepthProperty, AKeptContourGivesTheDepthsOfTheWhole, ()) {
+    const Region region = *geom::testing::lattice_region(12, 10);
+    Kept kept(region);
+    for (int k = 0; k < 10; ++k) {
+        const Region removed = *geom::testing::lattice_region(*rc::gen::element(3, 12));
+        const auto a = kept.depth_inside(removed, 1e-6), b = depth_inside(removed, region, 1e-6);
+        RC_ASSERT(a.has_value() == b.has_value());
+        if (!a) continue;
+        RC_ASSERT(std::abs(a->area - b->area) < 1e-6);
+        RC_ASSERT(std::abs(a->volume - b->volume) < 1e-4);
+        RC_ASSERT(std::abs(a->normal - b->normal) < 5e-4);
+        RC_ASSERT(std::abs(a->along_x - b->along_x) < 1e-6);
+    }
+}
+
+/// The x at which a line upright at z meets the contour, sampled.
+std::vector<double> met(const Region& r, double z, bool with_axis) {
+    std::vector<double> out;
+    for (const geom::Edge& e : geom::edges(r)) {
+        if (!with_axis && std::abs(e.a.y) < 1e-9 && std::abs(e.b.y) < 1e-9 && e.bulge == 0) continue;
+        constexpr int parts = 120;
+        for (int i = 0; i < parts; ++i) {
+            const Vec2 p = geom::point_at(e, static_cast<double>(i) / parts);
+            const Vec2 q = geom::point_at(e, static_cast<double>(i + 1) / parts);
+            if ((p.x <= z) != (q.x <= z)) out.push_back(p.y + (z - p.x) / (q.x - p.x) * (q.y - p.y));
+        }
+    }
+    std::sort(out.begin(), out.end());
+    return out;
+}
+
+// Along x against columns one by one.
+RC_GTEST_PROP(DepthProperty, AlongXIsTheDeepestColumn, ()) {
+    const Region kept = *geom::testing::lattice_region(8), removed = *geom::testing::lattice_region(8);
+    const auto d = depth_inside(removed, kept, 1e-6);
+    if (!d) return;
+    double deepest = 0;
+    const geom::Box b = geom::box(d->region);
+    constexpr int columns = 60;
+    for (int k = 0; k < columns; ++k) {
+        const double z = b.lo.x + (b.hi.x - b.lo.x) * (k + 0.4142) / columns;
+        const std::vector<double> own = met(d->region, z, true), walls = met(kept, z, false);
+        for (std::size_t i = 0; i + 1 < own.size(); i += 2)
+            for (int j = 0; j <= 20; ++j) {
+                const double x = own[i] + (own[i + 1] - own[i]) * j / 20;
+                double way = 1e9;
+                for (const double w : walls) way = std::min(way, std::abs(w - x));
+                if (way < 1e8) deepest = std::max(deepest, way);
+            }
+    }
+    RC_ASSERT(d->along_x >= deepest - 5e-3);
+    RC_ASSERT(d->along_x <= deepest + 0.6);
+}
+
 }  // namespace
 }  // namespace obrys::sim::turning

@@ -17,8 +17,6 @@ using geom::Vec2;
 
 namespace {
 
-constexpr double margin = 1e-6;  // mm; far more than anything moves by welding
-
 constexpr auto stays = [](geom::Windings w) { return w.a > 0 && w.b <= 0; };
 constexpr auto goes = [](geom::Windings w) { return w.a > 0 && w.b > 0; };
 
@@ -84,7 +82,7 @@ private:
             if (graph_.pieces()[h / 2].tag != s) continue;
             const std::uint32_t v = at_start ? graph_.from(h) : graph_.to(h);
             const Vec2 end = at_start ? stock_[s].edge.a : stock_[s].edge.b;
-            if (graph_.is_open(v) && geom::distance(graph_.vertex(v), end) < margin / 2)
+            if (graph_.is_open(v) && geom::distance(graph_.vertex(v), end) < near_margin / 2)
                 return static_cast<std::int32_t>(i);
         }
         return -1;
@@ -116,19 +114,6 @@ private:
     const Arrangement& graph_;
     std::vector<std::int32_t> index_;
 };
-
-std::vector<geom::SourceEdge> sources_of(const Stock& stock, const std::vector<Slot>& near, const Region& tool) {
-    std::vector<geom::SourceEdge> out;
-    const auto is_near = [&](Slot s) { return std::binary_search(near.begin(), near.end(), s); };
-    for (const Slot s : near)
-        out.push_back({.edge = stock[s].edge,
-                       .of = {1, 0},
-                       .tag = s,
-                       .open_a = !is_near(stock[s].previous),
-                       .open_b = !is_near(stock[s].next)});
-    for (const Edge& e : geom::edges(tool)) out.push_back({.edge = e, .of = {0, 1}});
-    return out;
-}
 
 /// Edges of the patch that follow each other on one line or circle become one.
 void join_corners(Patch& p) {
@@ -184,7 +169,7 @@ struct Workpiece::State {
     Region remove(const Region& tool) {
         const geom::Box where = geom::box(tool);
         if (!geom::overlap(where, stock.box())) return {};
-        const std::vector<Slot> near = stock.near(where, margin);
+        const std::vector<Slot> near = stock.near(where, near_margin);
         if (near.empty() && stock.winding(tool.contours.front().vertices.front().p) <= 0) return {};
         Arrangement graph(sources_of(stock, near, tool), {.sets_are_clean = true});
         const std::vector<Edge> tool_edges = geom::edges(tool);
