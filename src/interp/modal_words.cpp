@@ -63,11 +63,66 @@ void set_motion(Run& run, Modal m) {
     run.block.motion_word = true;
 }
 
+/// Units, kinds of feed, G90/G91, G96/G97, diameters; false for other words.
+bool units_and_feed(Run& run, const program::Word& w) {
+    ModalState& state = run.modal;
+    switch (program::modal_of(w)) {
+        case Modal::inch_geometry:
+            state.inch_geometry = true;
+            return true;
+        case Modal::metric_geometry:
+            state.inch_geometry = state.metric_feed = false;
+            return true;
+        case Modal::inch_all:
+            state.inch_geometry = state.inch_feed = true;
+            return true;
+        case Modal::metric_all:
+            state.inch_geometry = state.inch_feed = false;
+            state.metric_feed = true;
+            return true;
+        case Modal::absolute:
+            state.absolute = true;
+            return true;
+        case Modal::incremental:
+            state.absolute = false;
+            return true;
+        case Modal::feed_inverse_time:
+            set_feed_mode(run, cl::FeedMode::inverse_time);
+            return true;
+        case Modal::feed_per_minute:
+            set_surface_speed(run, false, 0);
+            set_feed_mode(run, cl::FeedMode::per_minute);
+            return true;
+        case Modal::feed_per_rev:
+            set_surface_speed(run, false, 0);
+            set_feed_mode(run, cl::FeedMode::per_rev);
+            return true;
+        case Modal::surface_speed_on:
+            set_surface_speed(run, true, program::modal_number(w));
+            return true;
+        case Modal::surface_speed_off:
+            set_surface_speed(run, false, program::modal_number(w));
+            return true;
+        case Modal::diameter_on:
+            state.diameter = DiameterMode::on;
+            return true;
+        case Modal::diameter_off:
+            state.diameter = DiameterMode::off;
+            return true;
+        case Modal::diameter_absolute_only:
+            state.diameter = DiameterMode::absolute_only;
+            return true;
+        default:
+            return false;
+    }
+}
+
 }  // namespace
 
 void modal_word(Run& run, const program::Word& w) {
     const Modal m = program::modal_of(w);
     ModalState& state = run.modal;
+    if (units_and_feed(run, w)) return;
     switch (m) {
         case Modal::rapid:
         case Modal::linear:
@@ -116,42 +171,6 @@ void modal_word(Run& run, const program::Word& w) {
         case Modal::continuous:
         case Modal::exact_window:
             return;
-        case Modal::inch_geometry:
-            state.inch_geometry = true;
-            return;
-        case Modal::metric_geometry:
-            state.inch_geometry = state.metric_feed = false;
-            return;
-        case Modal::inch_all:
-            state.inch_geometry = state.inch_feed = true;
-            return;
-        case Modal::metric_all:
-            state.inch_geometry = state.inch_feed = false;
-            state.metric_feed = true;
-            return;
-        case Modal::absolute:
-            state.absolute = true;
-            return;
-        case Modal::incremental:
-            state.absolute = false;
-            return;
-        case Modal::feed_inverse_time:
-            set_feed_mode(run, cl::FeedMode::inverse_time);
-            return;
-        case Modal::feed_per_minute:
-            set_surface_speed(run, false, 0);
-            set_feed_mode(run, cl::FeedMode::per_minute);
-            return;
-        case Modal::feed_per_rev:
-            set_surface_speed(run, false, 0);
-            set_feed_mode(run, cl::FeedMode::per_rev);
-            return;
-        case Modal::surface_speed_on:
-            set_surface_speed(run, true, program::modal_number(w));
-            return;
-        case Modal::surface_speed_off:
-            set_surface_speed(run, false, program::modal_number(w));
-            return;
         case Modal::approach_normal:
         case Modal::approach_contour:
             state.approach = m;
@@ -160,19 +179,12 @@ void modal_word(Run& run, const program::Word& w) {
         case Modal::corner_intersection:
             state.corner = m;
             return;
-        case Modal::diameter_on:
-            state.diameter = DiameterMode::on;
-            return;
-        case Modal::diameter_off:
-            state.diameter = DiameterMode::off;
-            return;
-        case Modal::diameter_absolute_only:
-            state.diameter = DiameterMode::absolute_only;
-            return;
         case Modal::feed_at_contour:
         case Modal::feed_at_tool:
         case Modal::feed_at_inside:
             state.feed_reference = m;
+            return;
+        default:
             return;
     }
 }
