@@ -222,7 +222,10 @@ void technology(Run& run) {
                                     bit(Code::edge) | bit(Code::spindle_position) | bit(Code::round_modal) |
                                     bit(Code::corner_feed_modal);
     if ((b.present & words) == 0 && b.m.empty() && b.h.empty() && !run.spindle.mode_changed) return;
-    if (b.has(Code::round_modal))
+    if (b.has(Code::round_modal) && std::isnan(b.get(Code::round_modal)))
+        unchecked(run, codes::unknown_value, run.here(),
+                  "the size of this rounding depends on a value that is not known: the last one is kept");
+    else if (b.has(Code::round_modal))
         run.modal.round_modal = b.get(Code::round_modal) * (run.modal.inch_geometry ? 25.4 : 1);
     if (b.has(Code::corner_feed_modal)) run.modal.corner_feed_modal = b.get(Code::corner_feed_modal);
     select_tool(run);
