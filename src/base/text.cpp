@@ -4,6 +4,7 @@
 #include <array>
 #include <cstddef>
 #include <cstdint>
+#include <cstring>
 
 namespace obrys::base {
 
@@ -69,6 +70,12 @@ void append_utf8(std::string& out, char32_t c) {
 
 bool is_utf8(std::string_view s) {
     for (std::size_t i = 0; i < s.size();) {
+        std::uint64_t eight = 0;  // programs are ASCII but for comments: eight bytes at a time while none is above 127
+        if (i + 8 <= s.size()) std::memcpy(&eight, s.data() + i, 8);
+        if (i + 8 <= s.size() && (eight & 0x8080808080808080u) == 0) {
+            i += 8;
+            continue;
+        }
         const std::size_t n = utf8_length(s, i);
         if (n == 0) return false;
         i += n;

@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "base/codes.hpp"
+#include "geom/boolean.hpp"
 #include "base/number.hpp"
 #include "cl/totals.hpp"
 
@@ -159,6 +160,7 @@ Removed Removal::take(const Move& move) {
         } else {
             r.simulated = true;
             r.cut = work_->cut(outline_, in_turning_plane(move));
+            removed_area_ += r.cut.area;
             r.cuts = r.cut.area > setup_.tolerances.rapid;
             if (!r.cut.removed.empty()) judge(move, r.cut);
         }
@@ -200,6 +202,27 @@ void Removal::count_use(const Move& move, const Removed& removed) {
     if (std::isfinite(length)) (move.rapid ? use.rapid_length_mm : use.feed_length_mm) += length;
 }
 
+/// What was there must be what was removed and what is left. Where it is not, the removal went wrong and nothing it says
+/// can be trusted.
+void Removal::require_balance(const StockFigures& before, const StockFigures& after) {
+    const double difference = before.area_mm2 - after.area_mm2 - removed_area_;
+    const double allowed = 1e-4 + 1e-8 * before.area_mm2;  // mm2; rounding of 60 000 cuts makes 3e-8
+    if (std::abs(difference) <= allowed) return;
+    out_.unchecked("the removed material and the rest do not add up to the stock (" + mm2(difference) +
+                       " differ): the removal cannot be trusted",
+                   "please report this program as a fault of obrys");
+}
+
+/// A stock that the program never meets, or that does not hold the part, is one drawn about another zero point: a check
+/// against it says nothing.
+void Removal::require_contact() {
+    constexpr const char* remedy = "see whether stock, part and program use the same zero point (docs/job-file.md)";
+    if (out_.result().stats.feed_moves > 0 && removed_area_ == 0 && complete_)
+        out_.unchecked("not one move met the stock: nothing was checked against it", remedy);
+    if (setup_.part && geom::intersect(*setup_.part, *setup_.stock).empty())
+        out_.unchecked("the part lies outside the stock", remedy);
+}
+
 void Removal::finish(const cl::Record& end) {
     Result& result = out_.result();
     if (!work_) {
@@ -215,6 +238,8 @@ void Removal::finish(const cl::Record& end) {
                         (start_moves_ == 1 ? " rapid move was" : " rapid moves were") + " not simulated");
     result.after = StockFigures{work_->area(), work_->volume()};
     result.stock_after = work_->region();
+    if (result.before) require_balance(*result.before, *result.after);
+    require_contact();
     if (!setup_.part && !setup_.allowance)
         out_.unchecked("no part contour: gouges and rest material not checked",
                        "give the finished contour in the job file");

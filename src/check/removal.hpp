@@ -35,6 +35,8 @@ private:
     void skipped(const Move& move, std::string why);
     void judge(const Move& move, const sim::turning::Cut& cut);
     void count_use(const Move& move, const Removed& removed);
+    void require_contact();
+    void require_balance(const StockFigures& before, const StockFigures& after);
 
     const Setup& setup_;
     Collector& out_;
@@ -48,6 +50,7 @@ private:
     std::uint32_t use_ = 0;
     bool position_was_known_ = false;
     std::uint64_t start_moves_ = 0;  ///< moves before start position and first tool were known
+    double removed_area_ = 0;        ///< mm2, of all cuts
     bool complete_ = true;           ///< no removal was left out
     LastCuts last_cuts_;
 };

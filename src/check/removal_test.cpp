@@ -183,7 +183,8 @@ double arc_depth(geom::Vec3 normal, double sweep) {
     Script run(s);
     run.ready().rapid(40, 25).step(cl::Arc{{25, 0, 60}, {25, 0, 50}, normal, sweep});
     const Result r = run.finish();
-    EXPECT_TRUE(r.unchecked.empty());
+    for (const Note& n : r.unchecked)
+        EXPECT_EQ(n.text, "not one move met the stock: nothing was checked against it");
     EXPECT_NEAR(r.moves.back().sweep, normal.y * sweep, 1e-15);
     return r.moves.back().depth_x;
 }
@@ -193,6 +194,20 @@ TEST(Removal, ArcsTurnTheRightWay) {
     EXPECT_NEAR(arc_depth({0, 1, 0}, geom::pi), 5, 1e-9);
     EXPECT_NEAR(arc_depth({0, -1, 0}, -geom::pi), 5, 1e-9);
     EXPECT_EQ(arc_depth({0, 1, 0}, -geom::pi), 0);
+}
+
+TEST(Removal, AStockThatIsNeverMetIsNotClean) {
+    Script run(setup());
+    const Result r = run.ready().rapid(40, 25).feed(50, 25).finish();
+    ASSERT_FALSE(r.unchecked.empty());
+    EXPECT_EQ(r.unchecked[0].text, "not one move met the stock: nothing was checked against it");
+    check::Setup apart = setup();
+    for (geom::Vertex& v : apart.stock->contours[0].vertices) v.p.x -= 300;
+    Script other(apart);
+    const Result o = other.ready().whole_groove().finish();
+    ASSERT_EQ(o.unchecked.size(), 2U);
+    EXPECT_EQ(o.unchecked[1].text, "the part lies outside the stock");
+    EXPECT_EQ(o.verdict, Verdict::not_fully_checked);
 }
 
 TEST(Removal, ArcsOutsideTheTurningPlaneAndThreadsAreNotSimulated) {

@@ -103,7 +103,32 @@ bool choose_machine(Session& s, const Request& request, const fs::path& job_path
     const bool turning = s.has_job ? s.job.machine.kind == shop::MachineKind::lathe : looks_like_turning(*s.main);
     const char* generic = turning ? "lathe-generic" : "mill-generic";
     shop::use_machine(s.job, *shop::shipped_machine(generic));
-    assume(s, std::string("no machine is named: ") + generic + " is taken", "name one with --machine or in the job");
+    s.job.machine.more_axes = true;
+    assume(s,
+           std::string("no machine is named: ") + generic + " is taken" +
+               (turning ? ", X words are diameters until DIAMOF" : ""),
+           "name one with --machine or in the job");
+    return true;
+}
+
+/// The control that the call or the job names; else what the text looks like.
+bool choose_control(Session& s, const Request& request, std::uint32_t file) {
+    constexpr int foreign = 3, certain = 30;  // of 100: corpus programs of other controls reach 29, SINUMERIK's 53 and more
+    s.control = !request.control.empty() ? request.control : s.job.control;
+    if (!s.control.empty()) return true;
+    s.control = controls().front();
+    const base::Source& source = s.sources[file];
+    const int likelihood = read::sinumerik::likelihood(source.text, source.name);
+    const base::Span where{file, 0, 0};
+    if (likelihood < foreign) {
+        complain(s, codes::job_value, where, "this looks like a program for another control than " + s.control,
+                 "programs of other controls cannot be read yet; --control " + s.control + " reads it all the same");
+        return false;
+    }
+    if (likelihood < certain)
+        s.diagnostics.add({base::Severity::warning, codes::unknown_value, where,
+                           "nothing in this text says for which control it is: it is read as " + s.control,
+                           "name the control with --control or in the job", {}, {}});
     return true;
 }
 
@@ -111,9 +136,7 @@ bool read_main(Session& s, const Request& request, const fs::path& path) {
     const auto file = load(path, s.sources, s.diagnostics, s.job.program_where);
     if (!file) return false;
     s.program = s.sources[*file].name;
-    s.control = !request.control.empty() ? request.control
-                : !s.job.control.empty() ? s.job.control
-                                         : controls().front();
+    if (!choose_control(s, request, *file)) return false;
     s.programs = std::make_unique<Programs>(s.sources, s.diagnostics);
     s.programs->add_folder(path.parent_path());
     for (const std::string& folder : request.search) s.programs->add_folder(folder);

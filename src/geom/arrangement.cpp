@@ -123,14 +123,18 @@ std::vector<Arrangement::Half> Arrangement::spread(Half seed, std::vector<char>&
     return part;
 }
 
-Arrangement::Half Arrangement::outer_half(const std::vector<Half>& part) const {
+Arrangement::Half Arrangement::outer_half(const std::vector<Half>& part) {
     // The face outside a connected part is the one that is run around clockwise: its area is the least.
     const Vec2 origin = -vertices_[from(part.front())];
-    std::vector<char> seen(labels_.size(), 0);
+    std::vector<char> seen(labels_.size(), 0), met(vertices_.size(), 0);
     Half outer = part.front();
     double least = std::numeric_limits<double>::infinity();
+    std::size_t faces = 0, corners = 0;
     for (const Half seed : part) {
+        if (!met[from(seed)]) ++corners;
+        met[from(seed)] = 1;
         if (seen[seed]) continue;
+        ++faces;
         double sum = 0;
         for (Half h = seed; h != none && !seen[h]; h = next_[h]) {
             seen[h] = 1;
@@ -141,13 +145,36 @@ Arrangement::Half Arrangement::outer_half(const std::vector<Half>& part) const {
             outer = seed;
         }
     }
+    if (corners + faces != part.size() / 2 + 2) consistent_ = false;  // Euler: halves in an order no drawing has
     return outer;
 }
 
-Windings Arrangement::winding_elsewhere(const std::vector<Half>& part, Vec2 p) const {
+Vec2 Arrangement::clear_point(const std::vector<Half>& part, const std::vector<char>& own) const {
+    // Where the part comes near to others without meeting them, inside and outside cannot be told.
+    constexpr double clear = 1e-6;
+    constexpr std::size_t most = 32;
+    Vec2 best = vertices_[from(part.front())];
+    double widest = -1;
+    const std::size_t stride = 1 + part.size() / most;
+    for (std::size_t k = 0; k < part.size() && widest < clear; k += stride) {
+        const Vec2 p = point_at(edge(part[k]), 0.5);
+        double room = clear;
+        for (std::size_t i = 0; i < pieces_.size() && room > widest; ++i)
+            if (!own[i] && contains(box(pieces_[i].edge), p, clear)) room = std::min(room, distance(pieces_[i].edge, p));
+        if (room > widest) {
+            widest = room;
+            best = p;
+        }
+    }
+    return best;
+}
+
+Windings Arrangement::winding_elsewhere(const std::vector<Half>& part) const {
     std::vector<char> own(pieces_.size(), 0);
     for (const Half h : part) own[h / 2] = 1;
     Windings w;
+    if (part.size() == labels_.size()) return w;
+    const Vec2 p = clear_point(part, own);
     for (std::size_t i = 0; i < pieces_.size(); ++i) {
         if (own[i]) continue;
         const int k = winding_term(pieces_[i].edge, p);
@@ -164,12 +191,17 @@ void Arrangement::label() {
         if (seen[seed]) continue;
         const std::vector<Half> part = spread(seed, seen);
         const Half outer = outer_half(part);
-        const Windings around = winding_elsewhere(part, vertices_[from(outer)]), is = labels_[outer];
+        const Windings around = winding_elsewhere(part), is = labels_[outer];
         for (const Half h : part) {
             labels_[h].a += around.a - is.a;
             labels_[h].b += around.b - is.b;
         }
     }
+}
+
+bool Arrangement::windings_within(int lo, int hi) const {
+    return std::all_of(labels_.begin(), labels_.end(),
+                       [&](Windings w) { return w.a >= lo && w.a <= hi && w.b >= lo && w.b <= hi; });
 }
 
 void Arrangement::label_clean(base::FunctionRef<int(Vec2)> winding_a, base::FunctionRef<int(Vec2)> winding_b) {
@@ -188,7 +220,12 @@ void Arrangement::label_clean(base::FunctionRef<int(Vec2)> winding_a, base::Func
             if (!know_b && sign * step.b > 0) shift.b = 1 - labels_[h].b, know_b = true;
             if (know_a && know_b) break;
         }
-        const Vec2 p = vertices_[from(part.front())];
+        Vec2 p;
+        if (!know_a || !know_b) {
+            std::vector<char> own(pieces_.size(), 0);
+            for (const Half h : part) own[h / 2] = 1;
+            p = clear_point(part, own);
+        }
         if (!know_a) shift.a = winding_a(p) - labels_[part.front()].a;
         if (!know_b) shift.b = winding_b(p) - labels_[part.front()].b;
         for (const Half h : part) {

@@ -50,10 +50,12 @@ public:
     /// Labels every side, sources being closed contours of any kind.
     void label();
     /// Labels every side, the sources being boundaries of clean regions (material, winding 1, on the left). Of a part of
-    /// the graph with no edge of a set, the winding of that set is asked for at a vertex.
+    /// the graph with no edge of a set, the winding of that set is asked for at a point of it.
     void label_clean(base::FunctionRef<int(Vec2)> winding_a, base::FunctionRef<int(Vec2)> winding_b);
     /// False where labels contradict each other: the graph is not planar to the tolerance.
     [[nodiscard]] bool consistent() const { return consistent_; }
+    /// Of two clean regions, every winding is 0 or 1.
+    [[nodiscard]] bool windings_within(int lo, int hi) const;
 
     [[nodiscard]] const std::vector<Piece>& pieces() const { return pieces_; }
     [[nodiscard]] Vec2 vertex(std::uint32_t v) const { return vertices_[v]; }
@@ -75,8 +77,9 @@ private:
     void order_around_vertices();
     void link(std::vector<Half>& around);
     std::vector<Half> spread(Half seed, std::vector<char>& seen);
-    [[nodiscard]] Windings winding_elsewhere(const std::vector<Half>& part, Vec2 p) const;
-    [[nodiscard]] Half outer_half(const std::vector<Half>& part) const;
+    [[nodiscard]] Windings winding_elsewhere(const std::vector<Half>& part) const;
+    [[nodiscard]] Vec2 clear_point(const std::vector<Half>& part, const std::vector<char>& own) const;
+    Half outer_half(const std::vector<Half>& part);
 
     std::vector<Vec2> vertices_;
     std::vector<char> open_;

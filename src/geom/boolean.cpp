@@ -1,5 +1,7 @@
 #include "geom/boolean.hpp"
 
+#include <optional>
+
 #include "geom/arrangement.hpp"
 #include "geom/tolerance.hpp"
 
@@ -12,12 +14,17 @@ void add(std::vector<SourceEdge>& out, const std::vector<Contour>& contours, Win
         for (const Edge& e : edges(c)) out.push_back({.edge = e, .of = of});
 }
 
-Region combine(const std::vector<SourceEdge>& sources, Arrangement::Inside inside) {
+/// `clean`: both sets bound clean regions.
+Region combine(const std::vector<SourceEdge>& sources, bool clean, Arrangement::Inside inside) {
     // A graph whose windings contradict each other is made anew with a coarser weld.
-    for (double tolerance = snap;; tolerance *= 10) {
+    std::optional<Region> second_best;
+    for (double tolerance = snap;; tolerance *= 3) {
         Arrangement graph(sources, {.tolerance = tolerance});
         graph.label();
-        if (graph.consistent() || tolerance > 1e-6) return graph.region(inside);
+        const bool good = graph.consistent() && (!clean || graph.windings_within(0, 1)), last = tolerance > 1e-6;
+        if (good || (last && !second_best)) return graph.region(inside);
+        if (last) return *second_best;
+        if (graph.consistent() && !second_best) second_best = graph.region(inside);
     }
 }
 
@@ -25,7 +32,7 @@ Region combine(const Region& a, const Region& b, Arrangement::Inside inside) {
     std::vector<SourceEdge> sources;
     add(sources, a.contours, {1, 0});
     add(sources, b.contours, {0, 1});
-    return combine(sources, inside);
+    return combine(sources, true, inside);
 }
 
 }  // namespace
@@ -44,13 +51,13 @@ Region intersect(const Region& a, const Region& b) {
 Region positive(const std::vector<Contour>& contours) {
     std::vector<SourceEdge> sources;
     add(sources, contours, {1, 0});
-    return combine(sources, [](Windings w) { return w.a > 0; });
+    return combine(sources, false, [](Windings w) { return w.a > 0; });
 }
 
 Region tidied(const std::vector<Contour>& contours) {
     std::vector<SourceEdge> sources;
     add(sources, contours, {1, 0});
-    return combine(sources, [](Windings w) { return w.a % 2 != 0; });
+    return combine(sources, false, [](Windings w) { return w.a % 2 != 0; });
 }
 
 std::vector<Region> pieces(const Region& r) {

@@ -22,13 +22,25 @@ double wrapped(double angle) { return std::remainder(angle, 2 * pi); }
 
 double chord(const Edge& e) { return distance(e.a, e.b); }
 double sagitta(const Edge& e) { return 0.5 * e.bulge * chord(e); }
-bool is_arc(const Edge& e) { return e.bulge != 0 && std::abs(sagitta(e)) > invisible; }
+bool is_arc(const Edge& e) {
+    return e.bulge != 0 && 0.25 * e.bulge * e.bulge * dot(e.b - e.a, e.b - e.a) > invisible * invisible;
+}
 double sweep_angle(const Edge& e) { return 4 * std::atan(e.bulge); }
 
 Circle circle(const Edge& e) {
     const Vec2 d = e.b - e.a;
     const double k = (1 - e.bulge * e.bulge) / (4 * e.bulge);
     return {0.5 * (e.a + e.b) + k * left_of(d), length(d) * (1 + e.bulge * e.bulge) / (4 * std::abs(e.bulge))};
+}
+
+double power(const Edge& e, Vec2 p) {
+    const double k = (1 - e.bulge * e.bulge) / (2 * e.bulge);
+    return dot(p - e.a, p - e.b) - k * cross(e.b - e.a, p - e.a);
+}
+
+double outside(const Edge& e, Vec2 p) {
+    const Circle c = circle(e);
+    return power(e, p) / (distance(c.centre, p) + c.radius);
 }
 
 double length(const Edge& e) { return is_arc(e) ? circle(e).radius * std::abs(sweep_angle(e)) : chord(e); }
@@ -38,8 +50,17 @@ Box box(const Edge& e) {
     b.add(e.a);
     b.add(e.b);
     if (!is_arc(e)) return b;
+    constexpr std::array<Vec2, 4> ways{Vec2{1, 0}, Vec2{0, 1}, Vec2{-1, 0}, Vec2{0, -1}};
+    if (std::abs(e.bulge) < 1e-3) {  // the centre is far and not known well: where does the edge run across the way?
+        const Vec2 d = e.b - e.a;
+        const double sweep = sweep_angle(e);
+        for (const Vec2 way : ways)
+            if (const double turn = std::atan2(cross(d, way), dot(d, way)); std::abs(turn) < 0.5 * std::abs(sweep))
+                b.add(point_at(e, 0.5 + turn / sweep));
+        return b;
+    }
     const Circle c = circle(e);
-    for (const Vec2 dir : {Vec2{1, 0}, Vec2{0, 1}, Vec2{-1, 0}, Vec2{0, -1}}) {
+    for (const Vec2 dir : ways) {
         const Vec2 p = c.centre + c.radius * dir;
         // The arc lies right of its chord when it runs counter-clockwise.
         if (cross(e.b - e.a, p - e.a) * e.bulge < 0) b.add(p);
@@ -71,8 +92,8 @@ double parameter(const Edge& e, Vec2 p) {
     if (!is_arc(e)) return dot(p - e.a, d) / dot(d, d);
     const Circle c = circle(e);
     const Vec2 r = p - c.centre, r0 = e.a - c.centre;
-    // measured from the middle, so that both ends are met alike
-    const double s = sweep_angle(e), from_start = std::atan2(cross(r0, r), dot(r0, r));
+    // p - e.a, not r, for the sake of arcs whose centre is far; from the middle, so that both ends are met alike
+    const double s = sweep_angle(e), from_start = std::atan2(cross(r0, p - e.a), dot(r0, r));
     return 0.5 + wrapped(from_start - 0.5 * s) / s;
 }
 
@@ -82,19 +103,16 @@ Vec2 nearest(const Edge& e, Vec2 p) {
     if (t >= 0 && t <= 1) {
         const Circle c = circle(e);
         const double l = distance(c.centre, p);
-        if (l > 0) return c.centre + (c.radius / l) * (p - c.centre);
+        if (l > 0) return p - (outside(e, p) / l) * (p - c.centre);
     }
     return distance(e.a, p) <= distance(e.b, p) ? e.a : e.b;
 }
 
 double distance(const Edge& e, Vec2 p) {
-    if (chord(e) == 0) return distance(e.a, p);
+    if (e.a == e.b) return distance(e.a, p);
     if (is_arc(e)) {
         const double t = parameter(e, p);
-        if (t >= 0 && t <= 1) {
-            const Circle c = circle(e);
-            return std::abs(distance(c.centre, p) - c.radius);
-        }
+        if (t >= 0 && t <= 1) return std::abs(outside(e, p));
         return std::min(distance(e.a, p), distance(e.b, p));
     }
     return distance(nearest(e, p), p);
@@ -137,10 +155,7 @@ int winding_term(const Edge& e, Vec2 p) {
     if (!is_arc(e)) return w;
     // A point on the chord counts to the side the half-open rule above gives it.
     const bool on_left = side != 0 ? side > 0 : e.a.y != e.b.y ? e.a.y > e.b.y : e.a.x < e.b.x;
-    if (on_left != (e.bulge > 0)) {
-        const Circle c = circle(e);
-        if (distance(c.centre, p) < c.radius) w += e.bulge > 0 ? 1 : -1;
-    }
+    if (on_left != (e.bulge > 0) && power(e, p) < 0) w += e.bulge > 0 ? 1 : -1;
     return w;
 }
 

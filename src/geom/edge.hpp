@@ -26,6 +26,10 @@ struct Circle {
 [[nodiscard]] double sagitta(const Edge& e);    ///< signed: positive for a counter-clockwise arc
 [[nodiscard]] double sweep_angle(const Edge& e);  ///< signed
 [[nodiscard]] Circle circle(const Edge& e);     ///< requires is_arc
+/// Power of the point about the arc's circle (distance to the centre squared less radius squared), and its distance from
+/// the circle, negative inside; both keep their digits where the arc is nearly straight. Require is_arc.
+[[nodiscard]] double power(const Edge& e, Vec2 p);
+[[nodiscard]] double outside(const Edge& e, Vec2 p);
 [[nodiscard]] double length(const Edge& e);
 [[nodiscard]] Box box(const Edge& e);
 [[nodiscard]] Edge reversed(const Edge& e);

@@ -23,39 +23,60 @@ Crossings line_line(const Edge& e, const Edge& f, double tolerance) {
     return c;
 }
 
+/// Where the line through `q` along the unit vector `u` meets the arc's circle: q + t u. No centre is used, as that of a
+/// nearly straight arc is not known well.
+struct Roots {
+    double t[2] = {0, 0};
+    double discriminant = 0;  ///< negative: no meeting, t is the place nearest to the circle
+};
+Roots meet_circle(Vec2 q, Vec2 u, const Edge& arc) {
+    const double k = (1 - arc.bulge * arc.bulge) / (4 * arc.bulge);
+    const double half = dot(q - 0.5 * (arc.a + arc.b), u) - k * cross(arc.b - arc.a, u), constant = power(arc, q);
+    Roots r;
+    r.discriminant = half * half - constant;
+    if (r.discriminant <= 0) {
+        r.t[0] = r.t[1] = -half;
+        return r;
+    }
+    const double far = -(half + std::copysign(std::sqrt(r.discriminant), half));
+    r.t[0] = constant / far;
+    r.t[1] = far;
+    return r;
+}
+
 Crossings line_arc(const Edge& line, const Edge& arc, double tolerance) {
     Crossings c;
-    const Circle k = circle(arc);
     const double l = chord(line);
     if (l == 0) return c;
     const Vec2 u = (1 / l) * (line.b - line.a);
-    const double off = cross(u, k.centre - line.a), h2 = (k.radius - off) * (k.radius + off);
-    const Vec2 foot = line.a + dot(k.centre - line.a, u) * u;
-    if (std::abs(off) >= k.radius) {
-        if (std::abs(off) <= k.radius + tolerance) keep(c, line, arc, foot, tolerance);
-        return c;
-    }
-    const double h = std::sqrt(h2);
-    keep(c, line, arc, foot - h * u, tolerance);
-    keep(c, line, arc, foot + h * u, tolerance);
+    const Vec2 q = line.a + dot(0.5 * (arc.a + arc.b) - line.a, u) * u;
+    const Roots r = meet_circle(q, u, arc);
+    keep(c, line, arc, q + r.t[0] * u, tolerance);
+    if (r.discriminant > 0) keep(c, line, arc, q + r.t[1] * u, tolerance);
     return c;
 }
 
 Crossings arc_arc(const Edge& e, const Edge& f, double tolerance) {
     Crossings c;
     const Circle k = circle(e), m = circle(f);
-    const double d = distance(k.centre, m.centre), dr = std::abs(k.radius - m.radius);
+    if (k.radius > m.radius) return arc_arc(f, e, tolerance);
+    const double d = distance(k.centre, m.centre), dr = m.radius - k.radius;
+    const double slack = tolerance + 1e-15 * (k.radius + m.radius);
     if (d + dr <= tolerance) return c;  // one circle
-    if (d > k.radius + m.radius + tolerance || d < dr - tolerance || d == 0) return c;
-    const Vec2 u = (1 / d) * (m.centre - k.centre);
-    const double a = 0.5 * (d + (k.radius - m.radius) * (k.radius + m.radius) / d);
-    if (std::abs(a) >= k.radius) {
-        keep(c, e, f, k.centre + std::copysign(k.radius, a) * u, tolerance);
+    if (d > k.radius + m.radius + slack || d < dr - slack || d == 0) return c;
+    // the points of equal power lie on a line
+    const Vec2 o = 0.5 * (e.a + e.b), w = m.centre - k.centre, u = (1 / length(w)) * left_of(w);
+    const double at = 0.5 * (0.25 * dot(e.b - e.a, e.b - e.a) + power(f, o));
+    const Vec2 q = o + (at / dot(w, w)) * w;
+    const Roots r = meet_circle(q, u, e);
+    if (r.discriminant <= 0) {
+        const Vec2 p = q + r.t[0] * u, from_centre = p - k.centre;
+        if (from_centre == Vec2{}) return c;
+        keep(c, e, f, p - (outside(e, p) / length(from_centre)) * from_centre, tolerance);
         return c;
     }
-    const double h = std::sqrt((k.radius - a) * (k.radius + a));
-    keep(c, e, f, k.centre + a * u - h * left_of(u), tolerance);
-    keep(c, e, f, k.centre + a * u + h * left_of(u), tolerance);
+    keep(c, e, f, q + r.t[0] * u, tolerance);
+    keep(c, e, f, q + r.t[1] * u, tolerance);
     return c;
 }
 

@@ -1,7 +1,5 @@
 #include "geom/offset.hpp"
 
-#include <cmath>
-
 #include "geom/boolean.hpp"
 #include "geom/tolerance.hpp"
 
@@ -9,40 +7,78 @@ namespace obrys::geom {
 
 namespace {
 
-Vec2 right_of(Vec2 v) { return -left_of(v); }
+// A point outside a region and within d of it lies beside an edge, at most d away on its outer side (in its band), or in
+// the sector about a corner between the normals of its edges. One closed curve goes around the region, all bands and
+// all sectors at once, sides that two of them share left out: it winds about a point once for each of them it lies in.
 
-/// The strip between an edge and its equidistant on the given side (positive: right).
-Contour strip(const Edge& e, double d) {
-    const Vec2 a = e.a + d * right_of(tangent_at(e, 0)), b = e.b + d * right_of(tangent_at(e, 1));
-    // Of an arc bent towards that side only as much as its centre lies away: beyond it, points are nearer elsewhere.
-    if (is_arc(e) && (e.bulge > 0) != (d > 0)) {
-        const Circle c = circle(e);
-        if (c.radius <= std::abs(d)) {
-            const Contour sector{{{e.a, e.bulge}, {e.b, 0}, {c.centre, 0}}, true};
-            return area(sector) < 0 ? reversed(sector) : sector;
-        }
+/// The edge's far side, `d` to its right.
+struct Shifted {
+    std::vector<Edge> far;        ///< runs from the far end of one side of the band to that of the other
+    Vec2 normal_a, normal_b;      ///< d long
+    bool cut = false;             ///< the band ends at the arc's centre, nearer than d
+};
+
+Shifted shifted(const Edge& e, double d) {
+    Shifted out;
+    out.normal_a = -d * left_of(tangent_at(e, 0));
+    out.normal_b = -d * left_of(tangent_at(e, 1));
+    const bool towards_centre = is_arc(e) && e.bulge < 0;
+    if (towards_centre && circle(e).radius <= d + snap) {
+        const Vec2 centre = circle(e).centre;
+        out.cut = true;
+        out.far = {{e.a, centre, 0}, {centre, e.b, 0}};
+    } else {
+        out.far = {{e.a + out.normal_a, e.b + out.normal_b, is_arc(e) ? e.bulge : 0}};
     }
-    const Contour s{{{e.a, e.bulge}, {e.b, 0}, {b, -e.bulge}, {a, 0}}, true};
-    return area(s) < 0 ? reversed(s) : s;
+    return out;
+}
+
+/// From the far end of one edge's band around the corner `v` to the next one's.
+void go_around(Vec2 v, const Shifted& before, const Shifted& after, std::vector<Edge>& curve) {
+    const Vec2 n = before.normal_b, m = after.normal_a;
+    const Vec2 end = after.cut ? v : v + m;
+    const bool alike = distance(n, m) <= snap;
+    const auto line_to = [&](Vec2 p) {
+        if (p != curve.back().b) curve.push_back({curve.back().b, p, 0});
+    };
+    if (alike && !before.cut && !after.cut) return line_to(end);
+    const double turn = std::atan2(cross(n, m), dot(n, m));
+    // A cusp, where the outline turns straight back, is rounded: at an outer one the two normals are opposite.
+    const bool outer = !alike && (turn > 0 || turn < -pi + 1e-9);
+    if (outer) {
+        line_to(v + n);
+        const double sweep = turn > 0 ? turn : turn + 2 * pi;
+        curve.push_back({v + n, v + m, std::tan(0.25 * sweep)});
+    } else {
+        line_to(v);
+    }
+    line_to(end);
+}
+
+Contour grown(const Contour& c, double d) {
+    const std::vector<Edge> around = edges(c);
+    std::vector<Shifted> sides;
+    sides.reserve(around.size());
+    for (const Edge& e : around) sides.push_back(shifted(e, d));
+    std::vector<Edge> curve;
+    for (std::size_t i = 0; i < sides.size(); ++i) {
+        curve.insert(curve.end(), sides[i].far.begin(), sides[i].far.end());
+        go_around(around[i].b, sides[i], sides[(i + 1) % sides.size()], curve);
+    }
+    return contour_of(curve);
 }
 
 }  // namespace
 
-Region offset(const Region& r, double distance) {
-    if (std::abs(distance) <= snap) return r;
-    const double radius = std::abs(distance);
-    std::vector<Contour> bands;
-    for (const Edge& whole : edges(r)) {
-        const int n = is_arc(whole) ? 1 + static_cast<int>(std::abs(sweep_angle(whole)) / 2) : 1;
-        for (int i = 0; i < n; ++i) {
-            const Edge e = part(whole, static_cast<double>(i) / n, static_cast<double>(i + 1) / n);
-            if (e.a == e.b) continue;
-            bands.push_back(strip(e, distance));
-        }
-        bands.push_back({{{whole.a - Vec2{radius, 0}, 1}, {whole.a + Vec2{radius, 0}, 1}}, true});
+Region offset(const Region& r, double by) {
+    if (by == 0) return r;
+    // Inward, what is outside grows: its contours are the region's, reversed.
+    std::vector<Contour> curves;
+    for (const Contour& c : r.contours) {
+        if (edges(c).empty()) continue;
+        curves.push_back(by > 0 ? grown(c, by) : reversed(grown(reversed(c), -by)));
     }
-    const Region band = positive(bands);
-    return distance > 0 ? unite(r, band) : subtract(r, band);
+    return positive(curves);
 }
 
 }  // namespace obrys::geom

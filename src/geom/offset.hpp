@@ -1,12 +1,12 @@
 #pragma once
-/// Equidistant of a region.
+/// Regions grown or shrunk by a distance.
 
 #include "geom/region.hpp"
 
 namespace obrys::geom {
 
-/// Every point nearer than `distance` to the region (positive), or farther than -distance from its outside (negative).
-/// Lines and arcs; outer corners become arcs.
-[[nodiscard]] Region offset(const Region& r, double distance);
+/// Outward (by > 0): the points within `by` of the region. Inward (by < 0): the points of the region at least -by from
+/// everything outside it. Arcs stay arcs, outer corners are rounded; exact up to the weld (geom/tolerance.hpp).
+[[nodiscard]] Region offset(const Region& r, double by);
 
 }  // namespace obrys::geom

@@ -3,7 +3,23 @@
 
 #include <rapidcheck.h>
 
+#include <ostream>
+
 #include "geom/boolean.hpp"
+
+namespace obrys::geom {
+
+/// How rapidcheck prints a counterexample.
+inline void showValue(const Contour& c, std::ostream& os) {
+    os.precision(17);
+    for (const Vertex& v : c.vertices) os << '(' << v.p.x << ", " << v.p.y << "; " << v.bulge << ") ";
+    os << '\n';
+}
+inline void showValue(const Region& r, std::ostream& os) {
+    for (const Contour& c : r.contours) showValue(c, os);
+}
+
+}  // namespace obrys::geom
 
 namespace obrys::geom::testing {
 

@@ -23,13 +23,13 @@ public:
         const int x0 = gx - fx < edge ? -1 : 0, x1 = fx + 1 - gx < edge ? 1 : 0;
         const int y0 = gy - fy < edge ? -1 : 0, y1 = fy + 1 - gy < edge ? 1 : 0;
         std::uint32_t best = none;
-        double best_distance = tolerance_;
+        double best_square = tolerance_ * tolerance_;
         for (int dx = x0; dx <= x1; ++dx)
             for (int dy = y0; dy <= y1; ++dy)
                 for (std::uint32_t v = heads_[slot(fx + dx, fy + dy)]; v != none; v = chain_[v])
-                    if (const double d = distance(vertices_[v], p); d <= best_distance) {
+                    if (const Vec2 d = vertices_[v] - p; dot(d, d) <= best_square) {
                         best = v;
-                        best_distance = d;
+                        best_square = dot(d, d);
                     }
         if (best != none) return best;
         const auto v = static_cast<std::uint32_t>(vertices_.size());
@@ -60,6 +60,7 @@ struct Strand {
     Edge edge;
     Box box;
     std::uint32_t source = 0;
+    std::uint32_t from = 0, to = 0;  ///< vertices
     bool first = true, last = true;
     std::vector<Vec2> points;
 };
@@ -85,20 +86,18 @@ std::vector<Strand> strands_of(const std::vector<SourceEdge>& sources) {
     return out;
 }
 
-void meet(Strand& e, Strand& f, double tolerance) {
+void touch(Strand& s, Vec2 p, double tolerance) {
+    if (p != s.edge.a && p != s.edge.b && contains(s.box, p, tolerance) && distance(s.edge, p) <= tolerance)
+        s.points.push_back(p);
+}
+
+void meet(Strand& e, Strand& f, double tolerance, std::vector<Vec2>& met) {
     const Crossings c = crossings(e.edge, f.edge, tolerance);
-    for (int i = 0; i < c.count; ++i) {
-        e.points.push_back(c.points[static_cast<std::size_t>(i)]);
-        f.points.push_back(c.points[static_cast<std::size_t>(i)]);
-    }
-    const auto touch = [tolerance](Strand& s, Vec2 p) {
-        if (p != s.edge.a && p != s.edge.b && contains(s.box, p, tolerance) && distance(s.edge, p) <= tolerance)
-            s.points.push_back(p);
-    };
-    touch(e, f.edge.a);
-    touch(e, f.edge.b);
-    touch(f, e.edge.a);
-    touch(f, e.edge.b);
+    for (int i = 0; i < c.count; ++i) met.push_back(c.points[static_cast<std::size_t>(i)]);
+    touch(e, f.edge.a, tolerance);
+    touch(e, f.edge.b, tolerance);
+    touch(f, e.edge.a, tolerance);
+    touch(f, e.edge.b, tolerance);
 }
 
 void meet_all(std::vector<Strand>& strands, const std::vector<SourceEdge>& sources, const ArrangeOptions& options) {
@@ -106,28 +105,25 @@ void meet_all(std::vector<Strand>& strands, const std::vector<SourceEdge>& sourc
     for (std::uint32_t i = 0; i < order.size(); ++i) order[i] = i;
     std::sort(order.begin(), order.end(),
               [&](std::uint32_t i, std::uint32_t j) { return strands[i].box.lo.x < strands[j].box.lo.x; });
+    std::vector<Vec2> met;
     for (std::size_t i = 0; i < order.size(); ++i) {
         Strand& e = strands[order[i]];
         for (std::size_t j = i + 1; j < order.size(); ++j) {
             Strand& f = strands[order[j]];
             if (f.box.lo.x > e.box.hi.x + options.tolerance) break;
             if (options.sets_are_clean && sources[e.source].of == sources[f.source].of) continue;
-            if (overlap(e.box, f.box, options.tolerance)) meet(e, f, options.tolerance);
+            if (overlap(e.box, f.box, options.tolerance)) meet(e, f, options.tolerance, met);
         }
     }
-}
-
-/// A crossing of two edges may lie on a third that crosses neither of them there (tangents): it splits that one as well.
-void meet_crossings(std::vector<Strand>& strands, double tolerance) {
-    std::vector<Vec2> points;
-    for (const Strand& s : strands) points.insert(points.end(), s.points.begin(), s.points.end());
-    std::sort(points.begin(), points.end(), [](Vec2 p, Vec2 q) { return p.x != q.x ? p.x < q.x : p.y < q.y; });
-    points.erase(std::unique(points.begin(), points.end()), points.end());
+    // A crossing splits every strand that passes there, not only the two: strands that nearly coincide do not each
+    // cross a third one at the same place when they meet it at a small angle.
+    const auto by_x = [](Vec2 p, Vec2 q) { return p.x < q.x; };
+    std::sort(met.begin(), met.end(), by_x);
     for (Strand& s : strands) {
-        auto p = std::lower_bound(points.begin(), points.end(), s.box.lo.x - tolerance,
-                                  [](Vec2 q, double x) { return q.x < x; });
-        for (; p != points.end() && p->x <= s.box.hi.x + tolerance; ++p)
-            if (contains(s.box, *p, tolerance) && distance(s.edge, *p) <= tolerance) s.points.push_back(*p);
+        const Vec2 lo{s.box.lo.x - options.tolerance, 0};
+        for (auto p = std::lower_bound(met.begin(), met.end(), lo, by_x);
+             p != met.end() && p->x <= s.box.hi.x + options.tolerance; ++p)
+            touch(s, *p, options.tolerance);
     }
 }
 
@@ -139,7 +135,7 @@ struct Stop {
 /// The pieces of one strand between the vertices on it.
 void cut_up(const Strand& s, const SourceEdge& source, Welder& weld, const std::vector<Vec2>& vertices,
             std::vector<Arrangement::Piece>& out) {
-    const std::uint32_t first = weld.add(s.edge.a), last = weld.add(s.edge.b);
+    const std::uint32_t first = s.from, last = s.to;
     std::vector<Stop> stops{{0, first}};
     for (const Vec2 p : s.points) {
         const std::uint32_t v = weld.add(p);
@@ -202,23 +198,22 @@ void merge_equal(std::vector<Arrangement::Piece>& pieces, double tolerance) {
 SplitEdges split(const std::vector<SourceEdge>& sources, const ArrangeOptions& options) {
     std::vector<Strand> strands = strands_of(sources);
     meet_all(strands, sources, options);
-    meet_crossings(strands, options.tolerance);
     std::size_t expected = 0;
     for (const Strand& s : strands) expected += 1 + s.points.size();
     SplitEdges out;
     Welder weld(out.vertices, options.tolerance, expected);
     // Ends first: they keep their place, crossings near them move onto them.
-    for (const Strand& s : strands) {
-        weld.add(s.edge.a);
-        weld.add(s.edge.b);
+    for (Strand& s : strands) {
+        s.from = weld.add(s.edge.a);
+        s.to = weld.add(s.edge.b);
     }
     for (const Strand& s : strands) cut_up(s, sources[s.source], weld, out.vertices, out.pieces);
     merge_equal(out.pieces, options.tolerance);
     out.open.assign(out.vertices.size(), 0);
     for (const Strand& s : strands) {
         const SourceEdge& source = sources[s.source];
-        if (source.open_a && s.first) out.open[weld.add(s.edge.a)] = 1;
-        if (source.open_b && s.last) out.open[weld.add(s.edge.b)] = 1;
+        if (source.open_a && s.first) out.open[s.from] = 1;
+        if (source.open_b && s.last) out.open[s.to] = 1;
     }
     return out;
 }

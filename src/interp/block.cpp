@@ -92,6 +92,10 @@ void named_axis(Run& run, const program::Named& n, const base::Span& where) {
     std::string axis = written;
     if (written == "AX" && n.index != program::no_expr) axis = axis_of(run, n.index);
     if (run.stopped || n.value == program::no_expr) return;
+    if (axis == "?") {
+        unchecked(run, codes::unknown_value, where, "which axis this is depends on a value that is not known");
+        return;
+    }
     const double v = number(run, n.value);
     const std::uint8_t reference = reference_of(run.unit().exprs[n.value]);
     if (axis.size() == 2 && axis[1] == '1') axis.resize(1);  // X1, Z1: machine name of the first geometry axis

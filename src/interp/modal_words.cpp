@@ -58,62 +58,55 @@ void set_datum(Run& run, std::uint32_t number) {
     update_frame(run);
 }
 
-void set_motion(Run& run, Modal m) {
-    run.modal.motion = m;
-    run.block.motion_word = true;
+/// G94 and G95 stand in one group with G96: they end it (SINUMERIK Programming Manual Fundamentals, G96). Easily missed.
+void plain_feed(Run& run, cl::FeedMode mode) {
+    if (run.modal.surface_speed)
+        assume(run, run.here(),
+               "G94 and G95 end the constant cutting speed of G96 (same G group): the spindle keeps the speed it has here",
+               "write G96 behind them if the cutting speed is to stay constant");
+    set_surface_speed(run, false, 0);
+    set_feed_mode(run, mode);
 }
 
-/// Units, kinds of feed, G90/G91, G96/G97, diameters; false for other words.
-bool units_and_feed(Run& run, const program::Word& w) {
-    ModalState& state = run.modal;
-    switch (program::modal_of(w)) {
-        case Modal::inch_geometry:
-            state.inch_geometry = true;
-            return true;
-        case Modal::metric_geometry:
-            state.inch_geometry = state.metric_feed = false;
-            return true;
-        case Modal::inch_all:
-            state.inch_geometry = state.inch_feed = true;
-            return true;
+/// Motion, plane and what acts in this block only. False where `m` is none of them.
+bool motion_word(Run& run, Modal m) {
+    if (m <= Modal::tap_retract) {
+        run.modal.motion = m;
+        run.block.motion_word = true;
+        return true;
+    }
+    switch (m) {
+        case Modal::dwell:
+        case Modal::reference_point:
+        case Modal::fixed_point:
+        case Modal::pole_from_position:
+        case Modal::pole_from_zero:
+        case Modal::pole_from_pole: run.block.special = m; return true;
+        case Modal::suppress_frames:
+        case Modal::suppress_all: run.block.suppress = m; return true;
+        case Modal::plane_xy: set_plane(run, 17); return true;
+        case Modal::plane_zx: set_plane(run, 18); return true;
+        case Modal::plane_yz: set_plane(run, 19); return true;
+        default: return false;
+    }
+}
+
+/// Units, absolute and incremental, diameters. False where `m` is none of them.
+bool dimension_word(ModalState& state, Modal m) {
+    switch (m) {
+        case Modal::inch_geometry: state.inch_geometry = true; return true;
+        case Modal::metric_geometry: state.inch_geometry = state.metric_feed = false; return true;
+        case Modal::inch_all: state.inch_geometry = state.inch_feed = true; return true;
         case Modal::metric_all:
             state.inch_geometry = state.inch_feed = false;
             state.metric_feed = true;
             return true;
-        case Modal::absolute:
-            state.absolute = true;
-            return true;
-        case Modal::incremental:
-            state.absolute = false;
-            return true;
-        case Modal::feed_inverse_time:
-            set_feed_mode(run, cl::FeedMode::inverse_time);
-            return true;
-        case Modal::feed_per_minute:
-            set_surface_speed(run, false, 0);
-            set_feed_mode(run, cl::FeedMode::per_minute);
-            return true;
-        case Modal::feed_per_rev:
-            set_surface_speed(run, false, 0);
-            set_feed_mode(run, cl::FeedMode::per_rev);
-            return true;
-        case Modal::surface_speed_on:
-            set_surface_speed(run, true, program::modal_number(w));
-            return true;
-        case Modal::surface_speed_off:
-            set_surface_speed(run, false, program::modal_number(w));
-            return true;
-        case Modal::diameter_on:
-            state.diameter = DiameterMode::on;
-            return true;
-        case Modal::diameter_off:
-            state.diameter = DiameterMode::off;
-            return true;
-        case Modal::diameter_absolute_only:
-            state.diameter = DiameterMode::absolute_only;
-            return true;
-        default:
-            return false;
+        case Modal::absolute: state.absolute = true; return true;
+        case Modal::incremental: state.absolute = false; return true;
+        case Modal::diameter_on: state.diameter = DiameterMode::on; return true;
+        case Modal::diameter_off: state.diameter = DiameterMode::off; return true;
+        case Modal::diameter_absolute_only: state.diameter = DiameterMode::absolute_only; return true;
+        default: return false;
     }
 }
 
@@ -122,70 +115,25 @@ bool units_and_feed(Run& run, const program::Word& w) {
 void modal_word(Run& run, const program::Word& w) {
     const Modal m = program::modal_of(w);
     ModalState& state = run.modal;
-    if (units_and_feed(run, w)) return;
+    if (motion_word(run, m) || dimension_word(state, m)) return;
     switch (m) {
-        case Modal::rapid:
-        case Modal::linear:
-        case Modal::arc_cw:
-        case Modal::arc_ccw:
-        case Modal::arc_via:
-        case Modal::arc_tangent:
-        case Modal::thread:
-        case Modal::thread_rising:
-        case Modal::thread_falling:
-        case Modal::tap:
-        case Modal::tap_retract:
-            set_motion(run, m);
-            return;
-        case Modal::dwell:
-        case Modal::reference_point:
-        case Modal::fixed_point:
-        case Modal::pole_from_position:
-        case Modal::pole_from_zero:
-        case Modal::pole_from_pole:
-            run.block.special = m;
-            return;
-        case Modal::plane_xy:
-            set_plane(run, 17);
-            return;
-        case Modal::plane_zx:
-            set_plane(run, 18);
-            return;
-        case Modal::plane_yz:
-            set_plane(run, 19);
-            return;
         case Modal::compensation_off:
         case Modal::compensation_left:
-        case Modal::compensation_right:
-            state.compensation = m;
-            return;
-        case Modal::datum:
-            set_datum(run, static_cast<std::uint32_t>(program::modal_number(w)));
-            return;
-        case Modal::suppress_frames:
-        case Modal::suppress_all:
-            run.block.suppress = m;
-            return;
-        case Modal::exact_stop:
-        case Modal::exact_stop_block:
-        case Modal::continuous:
-        case Modal::exact_window:
-            return;
+        case Modal::compensation_right: state.compensation = m; return;
+        case Modal::datum: set_datum(run, static_cast<std::uint32_t>(program::modal_number(w))); return;
+        case Modal::feed_inverse_time: set_feed_mode(run, cl::FeedMode::inverse_time); return;
+        case Modal::feed_per_minute: plain_feed(run, cl::FeedMode::per_minute); return;
+        case Modal::feed_per_rev: plain_feed(run, cl::FeedMode::per_rev); return;
+        case Modal::surface_speed_on: set_surface_speed(run, true, program::modal_number(w)); return;
+        case Modal::surface_speed_off: set_surface_speed(run, false, program::modal_number(w)); return;
         case Modal::approach_normal:
-        case Modal::approach_contour:
-            state.approach = m;
-            return;
+        case Modal::approach_contour: state.approach = m; return;
         case Modal::corner_arc:
-        case Modal::corner_intersection:
-            state.corner = m;
-            return;
+        case Modal::corner_intersection: state.corner = m; return;
         case Modal::feed_at_contour:
         case Modal::feed_at_tool:
-        case Modal::feed_at_inside:
-            state.feed_reference = m;
-            return;
-        default:
-            return;
+        case Modal::feed_at_inside: state.feed_reference = m; return;
+        default: return;  // exact stop and continuous path: no effect on the path itself
     }
 }
 

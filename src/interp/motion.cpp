@@ -25,7 +25,7 @@ constexpr std::uint64_t circle = bit(Code::i) | bit(Code::j) | bit(Code::k) | bi
 
 /// An axis the machine file does not list: moved all the same, but said.
 void require_axis(Run& run, const std::string& name) {
-    if (run.env.machine.axes.empty() || machine_axis(run, name) != nullptr) return;
+    if (run.env.machine.axes.empty() || run.env.machine.more_axes || machine_axis(run, name) != nullptr) return;
     unchecked(run, codes::unknown_word, run.here(), "the machine " + run.env.machine.name + " has no axis " + name,
               "name the right machine in the job, or add the axis to its file");
 }
@@ -213,7 +213,7 @@ bool motion(Run& run) {
         return false;
     }
     if (!moves && !turns && !others) return false;
-    if (!run.env.machine.axes.empty())
+    if ((b.present & linear_axes & ~run.known_axes) != 0)
         for (int k = 0; k < 3; ++k)
             if (b.has(axis_code(k))) require_axis(run, std::string(1, "XYZ"[k]));
     begin_motion(run);

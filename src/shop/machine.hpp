@@ -40,6 +40,7 @@ struct Machine {
     std::string name = "generic";
     MachineKind kind = MachineKind::mill;
     std::vector<MachineAxis> axes;
+    bool more_axes = false;             ///< axes it does not list are taken for granted (the machine was not named)
     MachineSpindle spindle;
     double max_feed = 0;                ///< mm/min; 0 = not limited
     double tool_change_time = 0;        ///< s

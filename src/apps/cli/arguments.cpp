@@ -62,7 +62,12 @@ void add_request(CLI::App& app, Arguments& a) {
         ->check(CLI::Range(0, 9))
         ->allow_extra_args(false)
         ->take_all();
-    app.add_flag("--diameter,!--radius", a.request.diameter, "X words are diameters (radii) at the start");
+    // Not bound to the optional: CLI11 sets a bound flag to false when it is not given.
+    auto* diameter = app.add_flag_callback(
+        "--diameter", [&a] { a.request.diameter = true; }, "X words are diameters at the start");
+    app.add_flag_callback(
+           "--radius", [&a] { a.request.diameter = false; }, "X words are radii at the start")
+        ->excludes(diameter);
     app.add_option("-o,--output", a.output, "write to this file instead of standard output")->type_name("FILE");
 }
 
@@ -101,8 +106,24 @@ Commands add_commands(CLI::App& app, Arguments& a) {
 
 }  // namespace
 
+/// CLI11 only says that a command is required; this says which word is none.
+static bool is_unknown_command(int argc, char** argv) {
+    if (argc < 2 || argv[1][0] == '-') return false;
+    const std::string word = argv[1];
+    constexpr const char* commands[] = {"check", "run", "plot", "version", "help"};
+    for (const char* command : commands)
+        if (word == command) return false;
+    std::cerr << "obrys: there is no command '" << word << "'; the commands are check, run, plot, version, help\n"
+              << "  to check a program: obrys check " << word << "\n";
+    return true;
+}
+
 Arguments parse(int argc, char** argv) {
     Arguments a;
+    if (is_unknown_command(argc, argv)) {
+        a.exit = 2;
+        return a;
+    }
     CLI::App app(main_help, "obrys");
     app.set_version_flag("--version", OBRYS_VERSION);
     app.require_subcommand(1);

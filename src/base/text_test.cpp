@@ -1,0 +1,58 @@
+#include "base/text.hpp"
+
+#include <gtest/gtest.h>
+
+#include "base/number.hpp"
+
+namespace obrys::base {
+namespace {
+
+TEST(Text, Utf8IsToldWhereverTheOddByteStands) {
+    for (std::size_t at = 0; at < 40; ++at) {
+        std::string s(40, 'x');
+        EXPECT_TRUE(is_utf8(s));
+        s[at] = '\xDA';  // CP1252 for U acute; alone it is no UTF-8
+        EXPECT_FALSE(is_utf8(s)) << at;
+        s.insert(at + 1, "\x9A");
+        EXPECT_TRUE(is_utf8(s)) << at;
+    }
+    EXPECT_FALSE(is_utf8("\xC0\x80"));          // overlong
+    EXPECT_FALSE(is_utf8("\xED\xA0\x80"));      // surrogate
+    EXPECT_FALSE(is_utf8("\xF4\x90\x80\x80"));  // past U+10FFFF
+    EXPECT_TRUE(is_utf8("\xF4\x8F\xBF\xBF"));
+}
+
+TEST(Text, Cp1252BecomesUtf8) {
+    EXPECT_EQ(cp1252_to_utf8("\xDAHEL \x80"), "ÚHEL €");
+    EXPECT_EQ(as_utf8("ÚHEL"), "ÚHEL");
+    EXPECT_EQ(character_count("ÚHEL"), 4U);
+}
+
+TEST(Text, BinaryIsToldFromPrograms) {
+    EXPECT_FALSE(looks_binary("N10 G0 X1\r\n\tM30\x1A"));
+    EXPECT_TRUE(looks_binary(std::string_view("N10\0G0", 6)));
+}
+
+TEST(Number, DecimalsAreTheNearestDouble) {
+    for (const char* text :
+         {"0.1", "-12.345", ".5", "5.", "+7", "123456789.123456789", "0.000000001", "99999999999999999999.5"}) {
+        const NumberScan scan = scan_decimal(text);
+        EXPECT_EQ(scan.length, std::string_view(text).size()) << text;
+        EXPECT_EQ(scan.value, *parse_double(text[0] == '.' ? "0.5" : text)) << text;
+    }
+    EXPECT_EQ(scan_decimal("X5").length, 0U);
+    EXPECT_EQ(scan_decimal("-").length, 0U);
+    EXPECT_EQ(scan_decimal("1.2.3").length, 3U);
+}
+
+TEST(Number, PrintsWithoutLocaleAndMinusZero) {
+    EXPECT_EQ(fixed(-0.0004, 3), "0.000");
+    EXPECT_EQ(fixed(2.0005, 3), "2.001");  // the double lies above the tie
+    EXPECT_EQ(fixed(1234567.5, 1), "1234567.5");
+    EXPECT_EQ(shortest(0.1), "0.1");
+    EXPECT_EQ(shortest(-0.0), "0");
+    EXPECT_EQ(*parse_double(shortest(1.0 / 3)), 1.0 / 3);
+}
+
+}  // namespace
+}  // namespace obrys::base

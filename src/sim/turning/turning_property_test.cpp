@@ -1,0 +1,126 @@
+#include <gtest/gtest.h>
+#include <rapidcheck/gtest.h>
+
+#include "geom/boolean.hpp"
+#include "geom/random_contours_testing.hpp"
+#include "geom/sweep.hpp"
+#include "sim/turning/turning.hpp"
+
+namespace obrys::sim::turning {
+namespace {
+
+using geom::Contour;
+using geom::Region;
+using geom::Vec2;
+
+rc::Gen<Contour> tool() {
+    return rc::gen::element(
+        Contour{{{{0, 0}}, {{1, 0}}, {{1, 3}}, {{0, 3}}}, true},                          // blade
+        Contour{{{{-1, 0}, 1}, {{1, 0}, 1}}, true},                                       // round
+        Contour{{{{0, 0}}, {{2, 1}}, {{1, 3}}}, true},                                    // pointed
+        Contour{{{{0, 0}}, {{3, 0}}, {{3, 3}}, {{2, 3}}, {{2, 1}}, {{0, 1}}}, true},      // hooked
+        Contour{{{{0, 0}}, {{2, 0}, 0.41421356237309503}, {{3, 1}}, {{3, 2}, -1}, {{1, 2}}, {{0, 2}}}, true});
+}
+double lattice() { return static_cast<double>(*rc::gen::inRange(0, 12)); }
+
+Move any_move() {
+    const Vec2 a{lattice(), lattice()}, b{lattice(), lattice()};
+    if (*rc::gen::inRange(0, 3) > 0 || a == b) return {a, b, {}, 0};
+    // about b, a quarter or a half turn
+    const double turn = *rc::gen::element(geom::pi / 2, -geom::pi / 2, geom::pi, -geom::pi);
+    const Vec2 r = a - b;
+    const double c = std::cos(turn), s = std::sin(turn);
+    return {a, b + Vec2{c * r.x - s * r.y, s * r.x + c * r.y}, b, turn};
+}
+
+Region swept(const Contour& outline, const Move& m) {
+    if (m.sweep == 0) {
+        Region r = geom::sweep_straight(outline, m.to - m.from);
+        for (Contour& c : r.contours) c = geom::moved(c, m.from);
+        return r;
+    }
+    const Vec2 r = m.from - m.centre;
+    return geom::sweep_round(outline, m.centre, geom::length(r), std::atan2(r.y, r.x), m.sweep);
+}
+
+// The local cut held against the set operations on the whole stock, which keep no links and no grid.
+RC_GTEST_PROP(TurningProperty, LocalCutIsTheSetDifference, ()) {
+    Region whole = *geom::testing::lattice_region(12, 10);
+    Workpiece w(whole);
+    const Contour outline = *tool();
+    for (int k = 0; k < 15; ++k) {
+        const Move m = any_move();
+        const Region s = swept(outline, m);
+        const double removed = geom::area(geom::intersect(whole, s));
+        whole = geom::subtract(whole, s);
+        const Cut c = w.cut(outline, m);
+        RC_ASSERT(std::abs(c.area - removed) < 1e-6);
+        RC_ASSERT(std::abs(w.area() - geom::area(whole)) < 1e-6);
+        RC_ASSERT(std::abs(w.volume() - geom::volume(whole)) < 1e-4);
+        RC_ASSERT(std::abs(geom::area(w.region()) - w.area()) < 1e-6);
+    }
+}
+
+RC_GTEST_PROP(TurningProperty, OrderOfCutsDoesNotMatterForWhatIsLeft, ()) {
+    const Region stock = *geom::testing::lattice_region(12, 10);
+    Workpiece forward(stock), backward(stock);
+    const Contour outline = *tool();
+    std::vector<Move> moves;
+    for (int k = 0; k < 8; ++k) moves.push_back(any_move());
+    for (const Move& m : moves) forward.cut(outline, m);
+    for (auto m = moves.rbegin(); m != moves.rend(); ++m) backward.cut(outline, *m);
+    RC_ASSERT(std::abs(forward.area() - backward.area()) < 1e-6);
+}
+
+RC_GTEST_PROP(TurningProperty, AMoveInTwoPartsTakesWhatTheWholeTakes, ()) {
+    const Region stock = *geom::testing::lattice_region(12, 10);
+    Workpiece once(stock), twice(stock);
+    const Contour outline = *tool();
+    const Vec2 a{lattice(), lattice()}, b{lattice(), lattice()};
+    const double t = *rc::gen::element(0.5, 0.3, 0.0, 1.0, 1e-10, 0.25);
+    const Vec2 mid = a + t * (b - a);
+    const double whole = once.cut(outline, {a, b, {}, 0}).area;
+    const double first = twice.cut(outline, {a, mid, {}, 0}).area, second = twice.cut(outline, {mid, b, {}, 0}).area;
+    RC_ASSERT(std::abs(whole - first - second) < 1e-6);
+}
+
+RC_GTEST_PROP(TurningProperty, ShiftedAlongZItIsTheSame, ()) {
+    Region stock = *geom::testing::lattice_region(12, 10);
+    Workpiece here(stock);
+    const double by = *rc::gen::element(1000.0, -333.33, 0.1);
+    for (Contour& c : stock.contours) c = geom::moved(c, {by, 0});
+    Workpiece there(stock);
+    const Contour outline = *tool();
+    for (int k = 0; k < 8; ++k) {
+        Move m = any_move();
+        const Cut x = here.cut(outline, m);
+        m.from.x += by;
+        m.to.x += by;
+        m.centre.x += by;
+        const Cut y = there.cut(outline, m);
+        RC_ASSERT(std::abs(x.area - y.area) < 1e-6);
+        RC_ASSERT(std::abs(x.volume - y.volume) < 1e-4);
+    }
+}
+
+// Depths against many points of the overlap.
+RC_GTEST_PROP(DepthProperty, NoPointOfTheOverlapIsDeeper, ()) {
+    const Region kept = *geom::testing::lattice_region(8), removed = *geom::testing::lattice_region(8);
+    const auto d = depth_inside(removed, kept, 1e-6);
+    double deepest = 0;
+    for (int k = 0; k < 60; ++k) {
+        const Vec2 p = *geom::testing::free_point(8);
+        if (!geom::contains(kept, p) || !geom::contains(removed, p)) continue;
+        double away = 1e9;
+        for (const geom::Edge& e : geom::edges(kept))
+            if (std::abs(e.a.y) > 1e-9 || std::abs(e.b.y) > 1e-9 || e.bulge != 0) away = std::min(away, geom::distance(e, p));
+        deepest = std::max(deepest, away);
+    }
+    if (deepest < 1e-3 || deepest > 1e8) return;
+    RC_ASSERT(d.has_value());
+    RC_ASSERT(deepest <= d->normal + 1e-3);
+    RC_ASSERT(geom::contains(kept, d->deepest) || geom::distance(kept, d->deepest) < 1e-3);
+}
+
+}  // namespace
+}  // namespace obrys::sim::turning
