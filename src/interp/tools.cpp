@@ -105,8 +105,8 @@ bool spindle_words(Run& run) {
     }
     if (std::isnan(run.spindle.speed)) {
         unchecked(run, codes::unknown_value, run.here(),
-                  "G97 without S keeps the speed of G96, but where X stands is not known: the speed is not known",
-                  "program S with G97");
+                  "the spindle keeps the speed of G96, but where X stands is not known: the speed is not known",
+                  "program S here, or G96 again where it was not meant to end");
         run.spindle.speed = 0;
     }
     return changed;
