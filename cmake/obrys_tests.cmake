@@ -1,9 +1,13 @@
 # obrys_unit_tests(<folder> <file>...): the tests that stand beside a folder's code, one program a folder.
+#
+# Property tests run with one seed here, so that a run says something about the change and not about luck; a test program
+# started by hand takes a new seed each time and prints it (RC_PARAMS="seed=… max_success=…").
 include(GoogleTest)
 function(obrys_unit_tests folder)
   string(REPLACE / _ name ${folder})
   add_executable(test_${name} ${ARGN})
   target_link_libraries(test_${name} PRIVATE obrys_${name} obrys_warnings GTest::gtest_main rapidcheck)
   target_compile_definitions(test_${name} PRIVATE OBRYS_SOURCE_DIR="${PROJECT_SOURCE_DIR}")
-  gtest_discover_tests(test_${name} TEST_PREFIX "${folder}." DISCOVERY_TIMEOUT 60)
+  gtest_discover_tests(test_${name} TEST_PREFIX "${folder}." DISCOVERY_TIMEOUT 60
+    PROPERTIES ENVIRONMENT "RC_PARAMS=seed=20261121")
 endfunction()

@@ -111,13 +111,32 @@ bool choose_machine(Session& s, const Request& request, const fs::path& job_path
     return true;
 }
 
+/// The control that the call or the job names; else what the text looks like.
+bool choose_control(Session& s, const Request& request, std::uint32_t file) {
+    constexpr int foreign = 3, certain = 30;  // of 100: corpus programs of other controls reach 29, SINUMERIK's 53 and more
+    s.control = !request.control.empty() ? request.control : s.job.control;
+    if (!s.control.empty()) return true;
+    s.control = controls().front();
+    const base::Source& source = s.sources[file];
+    const int likelihood = read::sinumerik::likelihood(source.text, source.name);
+    const base::Span where{file, 0, 0};
+    if (likelihood < foreign) {
+        complain(s, codes::job_value, where, "this looks like a program for another control than " + s.control,
+                 "programs of other controls cannot be read yet; --control " + s.control + " reads it all the same");
+        return false;
+    }
+    if (likelihood < certain)
+        s.diagnostics.add({base::Severity::warning, codes::unknown_value, where,
+                           "nothing in this text says for which control it is: it is read as " + s.control,
+                           "name the control with --control or in the job", {}, {}});
+    return true;
+}
+
 bool read_main(Session& s, const Request& request, const fs::path& path) {
     const auto file = load(path, s.sources, s.diagnostics, s.job.program_where);
     if (!file) return false;
     s.program = s.sources[*file].name;
-    s.control = !request.control.empty() ? request.control
-                : !s.job.control.empty() ? s.job.control
-                                         : controls().front();
+    if (!choose_control(s, request, *file)) return false;
     s.programs = std::make_unique<Programs>(s.sources, s.diagnostics);
     s.programs->add_folder(path.parent_path());
     for (const std::string& folder : request.search) s.programs->add_folder(folder);

@@ -109,6 +109,8 @@ void complain(Run& run, Conversion c, const Value& v, Type to, const base::Span&
     if (c == Conversion::too_long) alarm(run, codes::value_range, where, "the text is longer than the variable");
 }
 
+}  // namespace
+
 void store(Run& run, Array& array, std::size_t index, Value v, const base::Span& where) {
     const Type given = v.type;
     const Conversion c = convert(v, array.type, array.string_length);
@@ -119,6 +121,8 @@ void store(Run& run, Array& array, std::size_t index, Value v, const base::Span&
     }
     array.set(index, v);
 }
+
+namespace {
 
 /// SET(a,b,…) and REP(v) on an array, from the addressed element on.
 void store_list(Run& run, Array& array, std::size_t first, const Expr& list) {
@@ -283,68 +287,6 @@ void assign(Run& run, const program::Assign& a) {
             return;
         default:
             alarm(run, codes::syntax, run.unit().span(a.target), "nothing can be assigned to this");
-    }
-}
-
-namespace {
-
-constexpr std::size_t largest_array = 10'000'000;
-
-double known_or(double v, double instead) { return std::isnan(v) ? instead : v; }
-
-void initialise(Run& run, Array& array, const program::Variable& v) {
-    const Unit& unit = run.unit();
-    const bool repeat = v.initialiser == program::Initialiser::repeat;
-    const std::size_t n = repeat ? array.size() : std::min(array.size(), v.values.size());
-    for (std::size_t k = 0; k < n && !v.values.empty() && !run.stopped; ++k) {
-        const ExprId id = v.values[repeat ? 0 : k];
-        if (id != program::no_expr) store(run, array, k, evaluate(run, id), unit.span(id));
-    }
-    const auto replaced = run.overrides_by_name.find(v.name);
-    if (replaced == run.overrides_by_name.end() || array.size() != 1 || array.type > Type::real) return;
-    assume(run, v.where,
-           run.env.names.text(v.name) + "=" + printed(Value::real(replaced->second)) +
-               " is set from outside and replaces the program's constant");
-    store(run, array, 0, Value::real(replaced->second), v.where);
-}
-
-}  // namespace
-
-void define(Run& run, const program::Define& d, Scope& scope, const Unit& unit) {
-    for (const program::Variable& v : d.variables) {
-        const Binding* known = scope.find(v.name);
-        if (known != nullptr && known->definition == &v) continue;  // a jump back led past its DEF again
-        if (known != nullptr && &scope == &run.calls.back().locals) {
-            alarm(run, codes::duplicate_name, v.where, run.env.names.text(v.name) + " is defined twice");
-            return;
-        }
-        auto array = std::make_shared<Array>();
-        array->type = d.type;
-        if (d.string_length != program::no_expr)
-            array->string_length =
-                static_cast<std::size_t>(std::clamp(known_or(number(run, d.string_length), 200), 0.0, 10000.0));
-        double total = 1;
-        for (std::size_t k = 0; k < 3 && v.dimensions[k] != program::no_expr; ++k) {
-            const double n = number(run, v.dimensions[k]);
-            total *= std::max(1.0, n);
-            if (run.stopped) return;
-            if (std::isnan(n)) {
-                unchecked(run, codes::unknown_value, unit.span(v.dimensions[k]),
-                          "the size of this array depends on a value that is not known");
-                return;
-            }
-            if (!(n >= 1) || total > static_cast<double>(largest_array)) {
-                alarm(run, codes::value_range, unit.span(v.dimensions[k]),
-                      "an array cannot have " + printed(Value::real(n)) + " elements here");
-                return;
-            }
-            array->dimensions[k] = static_cast<std::uint32_t>(n);
-            array->rank = static_cast<int>(k) + 1;
-        }
-        array->allocate();
-        initialise(run, *array, v);
-        if (run.stopped) return;
-        scope.bind({v.name, std::move(array), 0, false, &v});
     }
 }
 

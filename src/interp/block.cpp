@@ -61,7 +61,14 @@ void tool_word(Run& run, const Word& w) {
 /// S2=, M2=, H1=, F[X]=: extended addresses. Those of the first spindle act as without extension.
 void named_value(Run& run, const program::Named& n) {
     const std::string& letter = run.env.names.text(n.name);
-    const double extension = n.index == program::no_expr ? 0 : number(run, n.index);
+    const Value index = n.index == program::no_expr ? Value::real(0) : evaluate(run, n.index);
+    if (run.stopped) return;
+    if (index.is_text()) {  // F[X]=, FA[C]=: an axis that is positioned on its own
+        static_cast<void>(n.value == program::no_expr ? 0 : number(run, n.value));
+        assume(run, run.here(), letter + "[" + index.as_text() + "]= is the feed of a single axis and is not followed");
+        return;
+    }
+    const double extension = index.number;
     const double value = n.value == program::no_expr ? 0 : number(run, n.value);
     if (run.stopped) return;
     const bool first = extension <= 1;

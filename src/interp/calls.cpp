@@ -18,8 +18,7 @@ namespace codes = base::codes;
 namespace {
 
 /// Binds a VAR parameter to the caller's variable. False where the argument is no variable.
-bool bind_reference(const Run& run, const Parameter& p, const Unit& caller, ExprId argument, Run& mutable_run,
-                    Scope& locals) {
+bool bind_reference(Run& run, const Parameter& p, const Unit& caller, ExprId argument, Scope& locals) {
     const program::Expr& e = caller.exprs[argument];
     const Binding* b = e.kind == ExprKind::variable ? find_variable(run, e.a) : nullptr;
     if (b == nullptr) return false;
@@ -28,9 +27,21 @@ bool bind_reference(const Run& run, const Parameter& p, const Unit& caller, Expr
         return true;
     }
     std::size_t index = 0;
-    if (!element_of(mutable_run, e, *b->array, index)) return true;  // the alarm has been raised
+    if (!element_of(run, e, *b->array, index)) return true;  // the alarm has been raised
     locals.bind({p.name, b->array, index, true, nullptr});
     return true;
+}
+
+/// What a VAR parameter is given must be a variable; what cannot be written back is said.
+void note_lost_reference(Run& run, const Parameter& p, const Unit& caller, ExprId argument) {
+    const ExprKind kind = caller.exprs[argument].kind;
+    if (kind == ExprKind::variable) return;  // not defined: reported where it is read
+    const std::string& name = run.env.names.text(p.name);
+    if (kind == ExprKind::parameter || kind == ExprKind::parameter_at || kind == ExprKind::system)
+        unchecked(run, codes::unsupported, caller.span(argument),
+                  "VAR " + name + " is given no variable made by DEF: what the program writes to it is not handed back");
+    else
+        alarm(run, codes::bad_argument, caller.span(argument), "VAR " + name + " needs a variable here");
 }
 
 void bind_value(Run& run, const Parameter& p, Value v, const base::Span& where, Scope& locals) {
@@ -74,7 +85,8 @@ void bind_arguments(Run& run, const Unit& unit, const Call& call, Activation& ca
         }
         if (i < 32) callee.arguments_given |= 1u << i;
         const bool reference = p.by_reference || p.is_array;
-        if (reference && bind_reference(run, p, caller, argument, run, callee.locals)) continue;
+        if (reference && bind_reference(run, p, caller, argument, callee.locals)) continue;
+        if (reference) note_lost_reference(run, p, caller, argument);
         Value v = evaluate(run, argument);
         if (run.stopped) return;
         if (v.type == Type::string && p.type == Type::axis) v.type = Type::axis;
@@ -214,6 +226,7 @@ void call_program(Run& run, const Call& call) {
         name = run.env.names.text(call.name);
     }
     const Unit* unit = find(run, name, where);
+    if (unit == nullptr && call.kind == program::CallKind::modal) run.modal_call = {};
     if (unit == nullptr) return;
     if (call.kind == program::CallKind::modal) {
         set_modal_call(run, *unit, call);

@@ -82,6 +82,10 @@ void end_for(Run& run, const program::For& f) {
 
 void run_case(Run& run, const program::Case& c) {
     const Value selector = evaluate(run, c.selector);
+    if (selector.is_unknown())
+        unchecked(run, codes::unknown_value, run.unit().span(c.selector),
+                  "where this CASE goes depends on a value that is not known",
+                  "DEFAULT is taken; the run may go another way on the machine");
     for (const program::CaseArm& arm : c.arms) {
         if (run.stopped) return;
         if (arm.value != program::no_expr) {

@@ -1,6 +1,7 @@
 /// Programmable frames: TRANS, ROT, SCALE, MIRROR and their additive forms.
 /// Offsets of a transverse axis are radii whatever the diameter mode (SINUMERIK, Function Manual P1 Transverse axes).
 
+#include <cmath>
 #include <optional>
 
 #include "base/codes.hpp"
@@ -54,6 +55,12 @@ std::optional<geom::Frame> datum_shift(const Run& run) {
     return geom::Frame::shift(*active - *reference);
 }
 
+bool has_unknown(const BlockWords& b) {
+    bool unknown = b.has(Code::plane_rotation) && std::isnan(b.get(Code::plane_rotation));
+    for (int k = 0; k < 3; ++k) unknown = unknown || (b.has(axis_code(k)) && std::isnan(b.get(axis_code(k))));
+    return unknown;
+}
+
 }  // namespace
 
 void update_frame(Run& run) {
@@ -78,6 +85,11 @@ void frame_statement(Run& run, const program::Statement& s, std::uint32_t index)
     for (std::uint32_t i = s.first + 1; i < end && !run.stopped; ++i) gather(run, s, unit.words[i]);
     if (run.stopped) return;
     const bool empty = run.block.present == 0;
+    if (call.op != FrameOp::shift && has_unknown(run.block)) {
+        unchecked(run, codes::unknown_value, run.here(),
+                  "this frame depends on a value that is not known: it is left out");
+        return;
+    }
     if (empty)
         run.modal.programmed = {};  // TRANS alone deletes every programmed frame, ATRANS alone too
     else if (call.additive)

@@ -78,8 +78,15 @@ double logarithm(const Arguments& a) {
     return std::log(x);
 }
 
+double extreme(const Arguments& a, bool least) {
+    const double x = a[0], y = a[1];
+    if (std::isnan(x) || std::isnan(y)) return x + y;
+    return least ? std::min(x, y) : std::max(x, y);
+}
+
 double bounded(const Arguments& a) {
     const double low = a[0], high = a[1], x = a[2];
+    if (std::isnan(low) || std::isnan(high)) return low + high;
     if (low > high) return domain(a, "BOUND: the lower limit lies above the upper limit");
     return std::clamp(x, low, high);
 }
@@ -136,10 +143,8 @@ bool numeric(const Arguments& a, Function f, double& result) {
             result = std::exp(a[0]);
             return true;
         case Function::min:
-            result = std::min(a[0], a[1]);
-            return true;
         case Function::max:
-            result = std::max(a[0], a[1]);
+            result = extreme(a, f == Function::min);
             return true;
         case Function::bound:
             result = bounded(a);

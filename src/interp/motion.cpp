@@ -78,6 +78,10 @@ void dwell(Run& run) {
         d.seconds = b.get(Code::feed);
     else if (b.has(Code::spindle))
         d.revolutions = b.get(Code::spindle);
+    if (d.seconds < 0 || d.revolutions < 0) {
+        alarm(run, codes::value_range, run.here(), "the dwell of G4 is negative");
+        return;
+    }
     emit(run, d);
 }
 

@@ -82,6 +82,11 @@ path::CornerRequest PathStage::corner_request(Run& run) {
         r = {path::CornerKind::rounding, b.get(Code::round) * unit, false, false, true, {}, {}};
     else if (run.modal.round_modal > 0 && run.modal.motion != Modal::rapid)
         r = {path::CornerKind::rounding, run.modal.round_modal, true, false, true, {}, {}};
+    if (std::isnan(r.size)) {
+        unchecked(run, codes::unknown_value, run.here(),
+                  "the size of this chamfer or rounding depends on a value that is not known: it is left out");
+        return {};
+    }
     const double feed = b.has(Code::corner_feed) ? b.get(Code::corner_feed) : run.modal.corner_feed_modal;
     if (r.kind != path::CornerKind::none && feed > 0 && run.feed_valid) {
         const bool inches = run.modal.inch_feed && run.modal.feed_mode != cl::FeedMode::inverse_time;

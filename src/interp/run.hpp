@@ -221,8 +221,10 @@ void assume(Run&, const base::Span& where, std::string text, std::string remedy 
 [[nodiscard]] double binary_number(Run&, const program::Expr&, double a, double b);
 [[nodiscard]] Value binary_value(Run&, const program::Expr&, const Value& a, const Value& b);
 
-// --- variables (assign.cpp)
+// --- variables (assign.cpp, definitions.cpp)
 void assign(Run&, const program::Assign&);
+/// Converts and stores; alarm where the value does not fit.
+void store(Run&, Array& array, std::size_t index, Value v, const base::Span& where);
 void define(Run&, const program::Define&, Scope& scope, const Unit& unit);
 [[nodiscard]] const Binding* find_variable(const Run&, program::NameId);
 /// Index of the addressed element; false after an alarm.

@@ -66,7 +66,8 @@ void emit_tool(Run& run) {
 
 void emit_spindle(Run& run) {
     cl::Spindle s;
-    s.speed = run.spindle.speed;
+    if (std::isnan(run.spindle.speed) && run.spindle.direction != 0) return;  // the stream keeps the last known one
+    s.speed = run.spindle.direction == 0 && std::isnan(run.spindle.speed) ? 0 : run.spindle.speed;
     s.mode = run.modal.surface_speed ? cl::SpindleMode::surface : cl::SpindleMode::rpm;
     s.direction = static_cast<std::int8_t>(run.spindle.direction);
     s.limit = run.modal.surface_speed ? run.spindle.limit : 0;
@@ -103,12 +104,11 @@ bool spindle_words(Run& run) {
         run.spindle.direction = 0;
         changed = true;
     }
-    if (std::isnan(run.spindle.speed)) {
-        unchecked(run, codes::unknown_value, run.here(),
-                  "G97 without S keeps the speed of G96, but where X stands is not known: the speed is not known",
-                  "program S with G97");
-        run.spindle.speed = 0;
-    }
+    if (std::isnan(run.spindle.speed) && changed)
+        assume(run, run.here(),
+               "the spindle keeps the speed that G96 gave it, and where X stands is not known here: the speed is not "
+               "judged until the next S",
+               "position X before, or program S");
     return changed;
 }
 
@@ -222,7 +222,10 @@ void technology(Run& run) {
                                     bit(Code::edge) | bit(Code::spindle_position) | bit(Code::round_modal) |
                                     bit(Code::corner_feed_modal);
     if ((b.present & words) == 0 && b.m.empty() && b.h.empty() && !run.spindle.mode_changed) return;
-    if (b.has(Code::round_modal))
+    if (b.has(Code::round_modal) && std::isnan(b.get(Code::round_modal)))
+        unchecked(run, codes::unknown_value, run.here(),
+                  "the size of this rounding depends on a value that is not known: the last one is kept");
+    else if (b.has(Code::round_modal))
         run.modal.round_modal = b.get(Code::round_modal) * (run.modal.inch_geometry ? 25.4 : 1);
     if (b.has(Code::corner_feed_modal)) run.modal.corner_feed_modal = b.get(Code::corner_feed_modal);
     select_tool(run);

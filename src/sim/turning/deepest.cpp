@@ -54,6 +54,13 @@ Polygon clipped(const Polygon& in, int axis, double at, double sign) {
     return out;
 }
 
+double doubled_area(const Polygon& p) {
+    double sum = 0;
+    for (std::size_t i = 0; i < p.size(); ++i) sum += geom::cross(p[i] - p[0], p[(i + 1) % p.size()] - p[0]);
+    return sum;
+}
+
+/// A piece that is not convex, clipped: its parts hang together by seams along the cut, which are not of the piece.
 struct Cell {
     Polygon part;
     std::vector<std::uint32_t> walls;  ///< those that may be nearest to a point of the part
@@ -68,6 +75,7 @@ public:
     explicit Deepest(const std::vector<Wall>& walls) : all_(walls) {}
 
     void search(const geom::Contour& piece) {
+        piece_ = {{piece}};
         std::vector<Edge> chords;
         for (const Edge& e : geom::edges(piece)) add_chords(e, chords);
         Cell all;
@@ -83,7 +91,10 @@ public:
             for (const Vec2 p : c.part) b.add(p);
             const int axis = b.hi.x - b.lo.x > b.hi.y - b.lo.y ? 0 : 1;
             const double at = axis == 0 ? 0.5 * (b.lo.x + b.hi.x) : 0.5 * (b.lo.y + b.hi.y);
-            for (const double sign : {-1.0, 1.0}) offer({clipped(c.part, axis, at, sign), c.walls, 0}, open);
+            for (const double sign : {-1.0, 1.0}) {
+                Cell half{clipped(c.part, axis, at, sign), c.walls, 0};
+                if (std::abs(doubled_area(half.part)) > 1e-12) offer(std::move(half), open);  // else seams alone
+            }
         }
     }
 
@@ -112,7 +123,7 @@ private:
             reach.emplace_back(near, w);
         }
         for (std::size_t i = 0; i < c.part.size(); ++i)
-            if (nearest[i] > depth) {
+            if (nearest[i] > depth && in_piece(c.part[i])) {
                 depth = nearest[i];
                 point = c.part[i];
             }
@@ -122,6 +133,9 @@ private:
             if (near <= least_far + size) c.walls.push_back(w);
         c.bound = std::min(bound, between_two(c));
         if (c.bound > depth + depth_error) open.push(std::move(c));
+    }
+    [[nodiscard]] bool in_piece(Vec2 p) const {
+        return geom::contains(piece_, p) || geom::distance(piece_, p) <= 2 * chord_error;
     }
     /// Between two walls no point is farther from the nearer one than half the sum of the distances.
     [[nodiscard]] double between_two(const Cell& c) const {
@@ -160,6 +174,7 @@ private:
 
     const std::vector<Wall>& all_;
     std::vector<Edge> walls_;
+    Region piece_;
 };
 
 bool on_axis(const Edge& e) { return std::abs(e.a.y) <= geom::snap && std::abs(e.b.y) <= geom::snap && e.bulge == 0; }

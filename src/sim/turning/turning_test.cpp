@@ -53,7 +53,8 @@ TEST(Turning, RoundToolAlongAnArcLeavesConcentricArcs) {
 }
 
 TEST(Depth, OfABladeInTheFlankOfAGroove) {
-    // Flank from (0, 10) up to (10, 20); a 3 mm blade stands with its lower right corner at (3, 5) in the body below it.
+    // Flank from (0, 10) up to (10, 20); a 3 mm blade stands with its lower right corner at (3, 5) in the body below
+    // it.
     const Region kept{{{{{{0, 0}}, {{10, 0}}, {{10, 20}}, {{0, 10}}}, true}}};
     const auto d = depth_inside({{rectangle(2, 11, 5, 40)}}, kept, 1e-4);
     ASSERT_TRUE(d);
@@ -75,6 +76,23 @@ TEST(Depth, OfAThroughCutTheAxisIsNoContour) {
     EXPECT_NEAR(d->volume, geom::pi * 400 * 3, 1e-6);
 }
 
+TEST(Depth, OfAPieceThatIsNotConvexIsTakenInThePiece) {
+    // A U-shaped piece of a 10 x 10 part: 1 mm along three sides. Between its legs the part is deeper, but was not cut.
+    const Region part{{{{{{0, 10}, 0}, {{10, 10}, 0}, {{10, 20}, 0}, {{0, 20}, 0}}, true}}};
+    const Region u{{{{{{0, 10}, 0},
+                      {{10, 10}, 0},
+                      {{10, 20}, 0},
+                      {{9, 20}, 0},
+                      {{9, 11}, 0},
+                      {{1, 11}, 0},
+                      {{1, 20}, 0},
+                      {{0, 20}, 0}},
+                     true}}};
+    const auto d = depth_inside(u, part, 1e-6);
+    ASSERT_TRUE(d.has_value());
+    EXPECT_NEAR(d->normal, 1, 1e-3);
+}
+
 TEST(Depth, InsideATubeIsHalfItsWall) {
     const Region kept{{rectangle(0, 10, 100, 20)}};
     const auto d = depth_inside(kept, kept, 1e-4);
@@ -85,7 +103,8 @@ TEST(Depth, InsideATubeIsHalfItsWall) {
 
 TEST(Depth, PiecesLeftAboveThePart) {
     const Region wanted{{rectangle(0, 0, 100, 20)}};
-    const Region left = geom::unite(wanted, geom::unite({{rectangle(10, 20, 20, 22)}}, {{rectangle(50, 20, 60, 20.001)}}));
+    const Region left =
+        geom::unite(wanted, geom::unite({{rectangle(10, 20, 20, 22)}}, {{rectangle(50, 20, 60, 20.001)}}));
     const auto pieces = pieces_outside(left, wanted, 0.01);
     ASSERT_EQ(pieces.size(), 1U);
     EXPECT_NEAR(pieces[0].area, 20, 1e-9);
