@@ -16,8 +16,8 @@ struct Wall {
 };
 [[nodiscard]] std::vector<Wall> walls_of(const geom::Region& region);
 
-/// Largest distance, mm, from a point of `piece` along x (the shorter way) to the contour, given without its edges on the
-/// axis. Columns without contour do not count.
+/// Largest distance, mm, from a point of `piece` along x (the shorter way) to the contour, given without its edges on
+/// the axis. Columns without contour do not count.
 [[nodiscard]] double deepest_along_x(const geom::Region& piece, const std::vector<Wall>& contour);
 
 }  // namespace obrys::sim::turning

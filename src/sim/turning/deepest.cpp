@@ -165,7 +165,8 @@ private:
         };
         for (const Wall& w : all_) far = std::min(far, farthest([&](Vec2 c) { return geom::distance(w.edge.a, c); }));
         for (const Wall& w : all_)
-            if (apart(w.box, b) <= far) far = std::min(far, farthest([&](Vec2 c) { return geom::distance(w.edge, c); }));
+            if (apart(w.box, b) <= far)
+                far = std::min(far, farthest([&](Vec2 c) { return geom::distance(w.edge, c); }));
         std::vector<Edge> out;
         for (const Wall& w : all_)
             if (apart(w.box, b) <= far + geom::snap) out.push_back(w.edge);
