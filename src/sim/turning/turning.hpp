@@ -60,8 +60,8 @@ struct Depth {
 
 /// The part of `removed` that lies inside `kept` and how deep; nothing where they do not overlap by more than `tolerance`.
 [[nodiscard]] std::optional<Depth> depth_inside(const geom::Region& removed, const geom::Region& kept, double tolerance);
-/// A clean region (geom/contour.hpp) that many cuts are held against: the cost of each depends on what lies near it, not
-/// on the number of edges of the region. Not for several threads at once.
+/// A clean region (geom/contour.hpp) that many cuts are held against. Finding the overlap costs what lies near the cut;
+/// measuring the depth of an overlap that was found looks at the box of every edge. Not for several threads at once.
 class Kept {
 public:
     explicit Kept(geom::Region region);
