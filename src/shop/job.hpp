@@ -54,7 +54,7 @@ struct Budgets {
     std::uint64_t blocks = 50'000'000;
     std::uint64_t loop_passes = 10'000'000;
     std::uint32_t call_depth = 16;  ///< program levels, the main program's included (SINUMERIK 840D sl: 16)
-    double seconds = 20;
+    double seconds = 60;
 };
 
 /// What a job says instead of its machine; empty: as the machine has it.
