@@ -19,7 +19,6 @@ void BlockWords::clear() {
     axes.clear();
     tool_named = false;
     special = suppress = Modal::linear;
-    motion_word = false;
 }
 
 namespace {

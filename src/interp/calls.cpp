@@ -149,7 +149,6 @@ void enter(Run& run, const Unit& unit, const Call* call, const base::Span& where
     }
     Activation callee;
     callee.unit = &unit;
-    callee.called_from = where;
     callee.stack = run.calls.empty() ? 0 : run.stacks.push(run.top().stack, where);
     callee.saves = unit.save;
     callee.saved = run.modal;

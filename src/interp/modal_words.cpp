@@ -72,7 +72,6 @@ void plain_feed(Run& run, cl::FeedMode mode) {
 bool motion_word(Run& run, Modal m) {
     if (m <= Modal::tap_retract) {
         run.modal.motion = m;
-        run.block.motion_word = true;
         return true;
     }
     switch (m) {

@@ -71,7 +71,6 @@ struct BlockWords {
     bool tool_named = false;
     Modal special = Modal::linear;   ///< dwell, reference point, fixed point, pole; linear: none
     Modal suppress = Modal::linear;  ///< suppress_frames, suppress_all; linear: none
-    bool motion_word = false;        ///< a G code of the motion group stands in the block
 
     [[nodiscard]] bool has(Code c) const { return (present >> static_cast<unsigned>(c)) & 1u; }
     [[nodiscard]] double get(Code c) const { return value[static_cast<std::size_t>(c)]; }
@@ -96,7 +95,6 @@ struct Activation {
     const Unit* unit = nullptr;
     std::uint32_t pc = 0;
     cl::StackId stack = 0;
-    base::Span called_from;
     Scope locals;
     struct Passes {
         std::uint32_t statement = 0;
@@ -155,7 +153,6 @@ struct Run {
     std::unordered_map<program::NameId, double> overrides_by_name;
     std::vector<std::uint8_t> parameter_overridden;
     std::vector<double> parameter_override;
-    std::unordered_map<int, Value> markers, channel_parameters;
     std::unordered_map<std::uint64_t, Value> system_written;  ///< system variables the program wrote itself
 
     ModalState modal;
