@@ -128,8 +128,8 @@ struct ToolState {
 };
 
 struct SpindleState {
-    double speed = 0;  ///< S as programmed
-    double limit = 0;  ///< LIMS
+    double speed = 0;           ///< S as programmed
+    double limit = 0;           ///< LIMS
     double surface = 0;         ///< cutting speed of the last G96, m/min
     bool mode_changed = false;  ///< by the block being run: G96 or G97
     int direction = 0;
@@ -174,8 +174,8 @@ struct Run {
     bool moved = false;
     bool datum_emitted = false;
     std::unordered_map<std::string, double> extra_axes;
-    std::uint64_t known_axes = 0;                    ///< bit per Code of X, Y, Z: the machine has it
-    geom::Vec2 last_direction;  ///< of the last move in the working plane, for CT
+    std::uint64_t known_axes = 0;  ///< bit per Code of X, Y, Z: the machine has it
+    geom::Vec2 last_direction;     ///< of the last move in the working plane, for CT
     std::unique_ptr<PathStage> path;
 
     const program::Statement* statement = nullptr;  ///< being run
