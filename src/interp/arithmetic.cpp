@@ -70,6 +70,12 @@ double binary_number(Run& run, const Expr& e, double a, double b) {
             const double quotient = std::trunc(checked(run, e, divided(run, e, a, b)));
             return a - quotient * b;
         }
+        case Operator::power: {
+            const double v = std::pow(a, b);
+            if (!std::isnan(v)) return checked(run, e, v);
+            alarm(run, codes::arithmetic, span_of(run, e), "a negative number has no power with a broken exponent");
+            return 0;
+        }
         case Operator::equal:
             return nearly_equal(run, a, b);
         case Operator::not_equal:

@@ -148,6 +148,10 @@ Value read_variable(Run& run, const Expr& e, ExprId id) {
         return b->array->get(index);
     }
     const std::string& text = run.env.names.text(e.a);
+    if (const std::string_view letters = unit.traits->text_letters; !letters.empty() && text.starts_with(letters)) {
+        assume(run, unit.span(id), text + " is read before the program sets it: an empty text");
+        return Value::string({});
+    }
     for (const shop::MachineAxis& axis : run.env.machine.axes)
         if (axis.name == text && e.count == 0) return Value::axis(text);
     if (e.count == 0 && text.size() == 1 && std::string_view("XYZABCUVW").find(text[0]) != std::string_view::npos)

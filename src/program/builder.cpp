@@ -54,7 +54,8 @@ void Builder::literal(Code code, double value, std::uint32_t begin, std::uint32_
 
 void Builder::literal(Code code, const base::NumberScan& n, bool negative, std::uint32_t begin, std::uint32_t end) {
     constexpr std::int64_t most = 999'999'999;
-    const bool fits = n.decimal && n.decimal->decimals <= 9 && n.decimal->mantissa <= most && n.decimal->mantissa >= -most;
+    const bool fits =
+        n.decimal && n.decimal->decimals <= 9 && n.decimal->mantissa <= most && n.decimal->mantissa >= -most;
     if (!fits) return literal(code, negative ? -n.value : n.value, begin, end);
     const auto mantissa = static_cast<std::int32_t>(n.decimal->mantissa);
     word(code, static_cast<Form>(n.decimal->decimals), negative ? -mantissa : mantissa, begin, end);

@@ -32,6 +32,10 @@ struct Traits {
     bool end_stops_all = false;
     /// A unit of length (inch, mm) holds for its program alone and comes back behind a call.
     bool unit_per_program = false;
+    /// Parameters that hold text: these letters and a number ("QS5"); empty: there are none.
+    std::string_view text_letters{};
+    /// How deep calls of labels may be nested within one program.
+    std::uint32_t label_depth = 0;
     /// A polar coordinate that a block leaves out, or gives incrementally, is that of the position; else the one
     /// programmed last.
     bool polar_from_position = false;

@@ -57,7 +57,7 @@ class TreeText {
     static std::string op(std::uint8_t o) {
         static constexpr std::array<const char*, 25> text{"neg", "pos", "not", "bnot", "+",    "-",   "*",    "/",
                                                           "div", "mod", "<<",  "==",   "<>",   "<",   "<=",   ">",
-                                                          ">=",  "and", "or",  "xor",  "band", "bor", "bxor", ":"};
+                                                          ">=",  "and", "or",  "xor",  "band", "bor", "bxor", ":", "^"};
         return text[o];
     }
     std::string list(const program::Expr& e, char open, char close, bool always = false) const {

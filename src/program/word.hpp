@@ -122,6 +122,12 @@ enum class Modal : std::uint16_t {
     diameter_on,
     diameter_off,
     diameter_absolute_only,
+    pole_given,  ///< CC: the pole by its coordinates, or where the tool stands
+    paraxial,    ///< this block: along its axis alone
+    paraxial_longer,
+    paraxial_shorter,  ///< … by the tool's radius (R+, R-)
+    arc_same_sense,    ///< an arc in the sense of the last one
+    cycle_position,    ///< this block: the coordinates are where the cycle is called
     feed_at_contour,
     feed_at_tool,
     feed_at_inside,  ///< CFC, CFTCP, CFIN
