@@ -30,6 +30,16 @@ double distance_to(const Element& e, Vec2 p) {
     return std::min(geom::distance(p, e.from), geom::distance(p, e.to));
 }
 
+/// Positive to the left.
+double curvature(const Element& e) {
+    return is_arc(e) ? std::copysign(1 / geom::distance(e.from, e.centre), e.sweep) : 0;
+}
+
+/// A reversal is no outer corner where the tool stands in the cusp between the two elements.
+bool inside_cusp(const Item& a, const Item& b, double turn) {
+    return std::abs(turn) > geom::pi - 1e-6 && a.d1 * (curvature(a.e) + curvature(b.e)) < 0;
+}
+
 void prolong(Item& a, Item& b, const Crossing& c) {
     if (is_arc(a.e)) a.curve.sweep = std::copysign(c.on_a, a.curve.sweep);
     a.curve.to = c.point;
@@ -85,7 +95,7 @@ std::optional<Item> make_corner(Item& a, Item& b) {
     const Vec2 to = b.e.from + b.d0 * geom::left_of(start_direction(b.e));
     if (geom::distance(from, to) <= same_point) return std::nullopt;
     const auto turn = outer_turn(a, b);
-    if (!turn || *turn == 0) return std::nullopt;
+    if (!turn || *turn == 0 || inside_cusp(a, b, *turn)) return std::nullopt;
     if (a.role == Role::contour && b.role == Role::contour)
         if (const auto c = outer_crossing(a, b, *turn)) {
             prolong(a, b, *c);

@@ -23,7 +23,7 @@ void expect_point(Vec2 actual, Vec2 expected, double tolerance = 1e-9) {
 const OuterEnd start{{40, 10}, 3};
 const ContourEnd contour{{10, 20}, {10, 15}, Side::right, 5, -10};
 const double unit = std::sqrt(325.0);
-const Vec2 along{10 / unit, 15 / unit}, right_of{15 / unit, -10 / unit};
+const Vec2 right_of{15 / unit, -10 / unit};
 const Vec2 centre_at_contour = Vec2{10, 20} + 5 * right_of;
 
 TEST(smooth_approach, ManualExampleLine) {
