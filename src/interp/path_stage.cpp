@@ -168,6 +168,9 @@ void PathStage::report(Run& run, const path::Fault& f) {
                                    " the tool does not fit into this contour element: it is left out and material stays"
                              : "with tool radius " + radius + " this contour element cannot be reached";
             break;
+        case path::Reason::interference:
+            text = "with tool radius " + radius + " the tool cuts into another contour element here";
+            break;
     }
     base::Diagnostic d{base::Severity::error,
                        codes::compensation,
