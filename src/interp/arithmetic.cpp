@@ -23,8 +23,9 @@ double divided(Run& run, const Expr& e, double a, double b) {
 }
 
 bool nearly_equal(const Run& run, double a, double b) {
-    const double tolerance = run.unit().traits->relative_equality * std::max(std::abs(a), std::abs(b));
-    return a == b || std::abs(a - b) <= tolerance;
+    if (a == b) return true;
+    const program::Equality& e = run.unit().traits->equality;
+    return std::abs(a - b) <= std::max(e.relative * std::max(std::abs(a), std::abs(b)), e.absolute);
 }
 
 std::int32_t bits(double v) {

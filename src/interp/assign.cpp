@@ -155,7 +155,7 @@ void assign_parameter(Run& run, const Expr& target, const program::Assign& a) {
     }
     const auto n = static_cast<std::uint32_t>(index);
     if (run.parameter_overridden[n] != 0 && is_constant(run.unit(), a.value)) {
-        const std::string name = run.unit().traits->parameter_letter + std::to_string(n);
+        const std::string name = program::parameter_name(*run.unit().traits, n);
         assume(run, run.unit().span(a.target),
                name + "=" + printed(Value::real(run.parameter_override[n])) +
                    " is set from outside and replaces the program's constant");

@@ -138,7 +138,7 @@ struct SpindleState {
 class PathStage;
 
 struct Run {
-    Run(const Environment& e, cl::CallStacks& s, cl::Sink k, base::Diagnostics& d);
+    Run(const Environment& e, cl::CallStacks& s, cl::Sink k, base::Diagnostics& d, std::uint32_t parameter_count);
     ~Run();
 
     const Environment& env;

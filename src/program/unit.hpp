@@ -39,6 +39,8 @@ enum class StatementKind : std::uint8_t {
     frame,           ///< programmable frame: words are its axes; the first word is `control` into Unit::frames
     define,          ///< variable definition: Unit::defines
     return_,         ///< RET
+    label_call,      ///< CALL LBL: Unit::label_calls
+    label_end,       ///< LBL 0: back to the call, where there is one
 };
 
 struct Statement {
@@ -70,6 +72,7 @@ struct Jump {
     ExprId condition = no_expr;  ///< no_expr: always
     JumpDirection direction = JumpDirection::forward;
     ExprId destination = no_expr;  ///< text (a label or N number) or a string variable; unused for start
+    std::uint32_t target = no_target;  ///< the statement, where the reader knows it already
 };
 
 struct CaseArm {
@@ -87,6 +90,14 @@ struct Section {
     bool to_here = false;    ///< REPEAT label: from the label to the statement before this one
     bool one_block = false;  ///< REPEATB: only the label's block
     ExprId passes = no_expr;
+};
+
+/// CALL LBL label: runs from the label to the next `label_end` and comes back; with REP: from the label to here, that
+/// many times more.
+struct LabelCall {
+    ExprId label = no_expr;            ///< text
+    std::uint32_t target = no_target;  ///< the label's statement, where the reader knows it
+    ExprId repeats = no_expr;          ///< REP
 };
 
 enum class CallKind : std::uint8_t {
@@ -193,6 +204,7 @@ struct Unit {
     std::vector<Case> cases;
     std::vector<Jump> jumps;
     std::vector<Section> sections;
+    std::vector<LabelCall> label_calls;
     std::vector<Call> calls;
     std::vector<ProcedureCall> procedures;
     std::vector<FrameCall> frames;
