@@ -6,6 +6,7 @@
 #include "base/text.hpp"
 #include "shop/heidenhain_cells.hpp"
 #include "shop/heidenhain_views.hpp"
+#include "shop/section.hpp"
 
 namespace obrys::shop {
 
@@ -70,7 +71,10 @@ std::vector<Tool> tools_of(const HeidenhainTable& table, base::Diagnostics& diag
 }
 
 std::vector<Tool> read_tool_t(std::uint32_t file, const base::Sources& sources, base::Diagnostics& diagnostics) {
-    return tools_of(read_heidenhain_table(file, sources, diagnostics), diagnostics);
+    base::Diagnostics found;
+    std::vector<Tool> tools = tools_of(read_heidenhain_table(file, sources, found), found);
+    add_in_order(found, diagnostics);
+    return tools;
 }
 
 std::vector<Pocket> pockets_of(const HeidenhainTable& table, base::Diagnostics& diagnostics) {
