@@ -70,14 +70,20 @@ bool load_machine(Session& s, const fs::path& base_path, const std::string& name
     return true;
 }
 
+/// A tool list (.toml), a HEIDENHAIN tool table (.t) or SINUMERIK tool data (any other ending).
+std::vector<shop::Tool> read_tool_file(const fs::path& path, std::uint32_t file, Session& s) {
+    if (is_job(path)) return shop::read_tools(file, s.sources, s.diagnostics);
+    if (base::equals_ignoring_case(path.extension().string(), ".t"))
+        return shop::read_tool_t(file, s.sources, s.diagnostics);
+    return shop::read_toa(file, s.sources, s.diagnostics);
+}
+
 void load_tools(Session& s, const fs::path& base_path) {
     for (const std::string& name : s.job.tool_files) {
         const fs::path path = beside(base_path, name);
         const auto file = load(path, s.sources, s.diagnostics, s.job.program_where);
         if (!file) continue;
-        const auto tools = is_job(path) ? shop::read_tools(*file, s.sources, s.diagnostics)
-                                        : shop::read_toa(*file, s.sources, s.diagnostics);
-        s.job.tools = shop::merge_tools(std::move(s.job.tools), tools);
+        s.job.tools = shop::merge_tools(std::move(s.job.tools), read_tool_file(path, *file, s));
     }
     for (const shop::Tool& t : s.job.tools)
         if (!t.assumed.empty())
