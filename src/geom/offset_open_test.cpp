@@ -117,13 +117,18 @@ void expect_equidistant(const std::vector<Edge>& source, double by, Count& count
             count.sided += side != 0;
             EXPECT_TRUE(side == 0 || side == (by > 0 ? 1 : -1)) << p.x << ' ' << p.y;
         }
-    // And nothing is missing: a point beside an edge and nowhere nearer lies on a chain (not in a gap just as wide as
-    // the circle, which counts as closed).
+    // And nothing is missing: a point beside an edge and nowhere nearer lies on a chain. Not so single points, and gaps
+    // just as wide as the circle, which count as closed.
+    const auto free_beside = [&](const Edge& e, double t, double away) {
+        const Vec2 n = (by / d) * left_of(tangent_at(e, t));
+        return distance_to(source, point_at(e, t) + (d + away) * n) > d + 0.1 * away - 1e-6;
+    };
     for (const Edge& e : source)
         for (const double t : {0.13, 0.5, 0.83}) {
             if (is_arc(e) && std::abs(circle(e).radius - d) < 1e-3) continue;  // shrinks to a point
-            const Vec2 n = (by / d) * left_of(tangent_at(e, t)), p = point_at(e, t) + d * n;
-            if (distance_to(source, p) < d - 1e-6 || distance_to(source, p + 1e-4 * n) < d + 1e-5) continue;
+            if (!free_beside(e, t, 0) || !free_beside(e, t, 1e-4)) continue;
+            if (!free_beside(e, t - 0.01, 0) || !free_beside(e, t + 0.01, 0)) continue;
+            const Vec2 p = point_at(e, t) + by * left_of(tangent_at(e, t));
             ++count.expected;
             EXPECT_LT(distance_to(all, p), 2e-3) << p.x << ' ' << p.y;
         }
