@@ -8,7 +8,7 @@ namespace {
 
 /// The edge's far side, `d` to its right.
 struct Shifted {
-    std::vector<Edge> far;  ///< runs from the far end of one side of the band to that of the other
+    std::vector<Edge> far;    ///< runs from the far end of one side of the band to that of the other
     Vec2 normal_a, normal_b;  ///< d long
     bool cut = false;         ///< the band ends at the arc's centre, nearer than d
 };

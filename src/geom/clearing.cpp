@@ -27,8 +27,8 @@ Region rounded(const Region& r, double radius) {
     Region out;
     for (const Region& piece : pieces(r)) {
         const Region opened = offset(offset(piece, -radius), radius);
-        const bool alike = opened.contours.size() == piece.contours.size() &&
-                           subtract(piece, offset(opened, 3 * radius)).empty();
+        const bool alike =
+            opened.contours.size() == piece.contours.size() && subtract(piece, offset(opened, 3 * radius)).empty();
         const Region& kept = alike ? opened : piece;
         out.contours.insert(out.contours.end(), kept.contours.begin(), kept.contours.end());
     }
@@ -167,8 +167,8 @@ private:
         return ring;
     }
 
-    /// The shortest ways between rings of a group that are not connected yet, one after another. Such a way crosses no ring
-    /// of the group, as a shorter one would end there; so it stays in the room.
+    /// The shortest ways between rings of a group that are not connected yet, one after another. Such a way crosses no
+    /// ring of the group, as a shorter one would end there; so it stays in the room.
     void link(const std::vector<std::size_t>& group) {
         std::priority_queue<Pair, std::vector<Pair>, std::greater<>> queue;
         std::vector<Gap> gaps;

@@ -121,8 +121,8 @@ void expect_clear_of_the_contour(const Region& r, const std::vector<Contour>& to
             }
 }
 
-void expect_covered(const Region& r, const Clearing& c, const std::vector<Contour>& tours, double radius, Random& random,
-                    Totals& totals) {
+void expect_covered(const Region& r, const Clearing& c, const std::vector<Contour>& tours, double radius,
+                    Random& random, Totals& totals) {
     std::vector<Edge> way, rings;
     for (const Contour& t : tours)
         for (const Edge& e : edges(t)) way.push_back(e);

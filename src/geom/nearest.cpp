@@ -6,7 +6,8 @@ namespace obrys::geom {
 
 namespace {
 
-/// Points at which the edge may come nearest to another edge: its ends, and for arcs those on the line through `towards`.
+/// Points at which the edge may come nearest to another edge: its ends, and for arcs those on the line through
+/// `towards`.
 struct Candidates {
     std::array<Vec2, 5> points;
     std::size_t count = 0;

@@ -28,8 +28,8 @@ Contour contour_along(const std::vector<BandEdge>& curve) {
 
 constexpr auto covered = [](Windings w) { return w.a > 0; };
 
-/// The edges of the band's curve; those that lie beside the chain on its right come first and in its order, so that they
-/// give the tag to pieces that lie on others.
+/// The edges of the band's curve; those that lie beside the chain on its right come first and in its order, so that
+/// they give the tag to pieces that lie on others.
 std::vector<SourceEdge> sources_of(const std::vector<BandEdge>& curve, std::size_t edges_there) {
     std::vector<SourceEdge> out, rest;
     for (const BandEdge& b : curve) {
