@@ -11,7 +11,13 @@ namespace obrys::cycles {
 
 namespace {
 constexpr double no_length = 1e-9;  ///< mm; a shorter move is none
+constexpr double largest = 1e7;     ///< beyond every control's input range
+
+/// Feeds that may be rapid traverse (FMAX).
+bool may_be_rapid(program::CycleRole role) {
+    return role == program::CycleRole::feed_position || role == program::CycleRole::feed_retract;
 }
+}  // namespace
 
 Course::Course(const Demand& demand, const Situation& situation) : demand_(demand), at_(situation.at) {
     known(at_.x + at_.y, "the tool's position in the working plane");
@@ -21,8 +27,8 @@ double Course::checked(Role role, double value) {
     if (std::isnan(value)) {
         not_simulated(std::string(name(role)) + " is not known");
         out_.complaints.back().role = role;
-    } else if (std::isinf(value)) {
-        fault(role, std::string(name(role)) + " is not a number the control can hold");
+    } else if (std::abs(value) > largest) {
+        fault(role, std::string(name(role)) + " is out of range");
         return unknown;
     }
     return value;
@@ -58,7 +64,7 @@ double Course::maybe_at_least(Role role, double least, double otherwise) {
 
 double Course::feed(Role role) {
     const auto value = demand_.find(role);
-    if (value && std::isinf(*value) && *value > 0) return *value;
+    if (value && may_be_rapid(role) && std::isinf(*value) && *value > 0) return *value;
     const double f = need(role);
     if (f <= 0) fault(role, "Feed rate is missing: " + std::string(name(role)) + " must be greater than 0");
     return f;
@@ -69,18 +75,21 @@ double Course::feed_or(Role role, double otherwise) {
     return !value || *value == 0 ? otherwise : feed(role);
 }
 
+double Course::feed_or_programmed(Role role, double programmed) {
+    if (demand_.get(role, 0) != 0) return feed(role);
+    if (known(programmed, "the feed rate") <= 0) fault(role, "Feed rate is missing", "program a feed rate F");
+    return programmed;
+}
+
 double Course::depth(Role role) {
     const double value = need(role);
     if (value > 0) fault(role, "Enter depth as a negative value", "a depth is measured downwards from the surface");
-    if (value == 0) {
-        remark(role, std::string(name(role)) + " is 0: the cycle is not executed");
-        ready_ = false;
-    }
+    if (value == 0) not_executed(role);
     return value;
 }
 
 double Course::known(double value, const std::string& what) {
-    if (std::isnan(value)) not_simulated(what + " is not known");
+    if (!std::isfinite(value)) not_simulated(what + " is not known");
     return value;
 }
 
@@ -91,6 +100,11 @@ void Course::fault(Role role, std::string text, std::string remedy) {
 
 void Course::fault(std::string text, std::string remedy) {
     out_.complaints.push_back({true, std::move(text), std::move(remedy), std::nullopt});
+    ready_ = false;
+}
+
+void Course::not_executed(Role role) {
+    remark(role, std::string(name(role)) + " is 0: the cycle is not executed");
     ready_ = false;
 }
 

@@ -2,6 +2,7 @@
 /// What every family of cycles uses: reads the parameters of a demand, complains, and writes the steps of the tool.
 
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "cycles/cycle.hpp"
@@ -24,10 +25,12 @@ public:
     double at_least(Role role, double least);  ///< need, and not below
     double positive(Role role);                ///< need, and above 0
     double maybe_at_least(Role role, double least, double otherwise);
-    /// Feed in mm/min, above 0; infinity is rapid traverse.
+    /// Feed in mm/min, above 0; infinity is rapid traverse (pre-positioning and retraction only).
     double feed(Role role);
     /// 0 and not written: `otherwise`.
     double feed_or(Role role, double otherwise);
+    /// 0 and not written: the feed programmed last, which must be known.
+    double feed_or_programmed(Role role, double programmed);
     /// `need` for the depth: positive is a complaint; 0 is one that is not fatal and makes `ready` false: the control
     /// does not execute the cycle.
     double depth(Role role = Role::depth);
@@ -36,8 +39,12 @@ public:
 
     void fault(Role role, std::string text, std::string remedy = {});
     void fault(std::string text, std::string remedy = {});
+    /// The control passes over the cycle because this is 0.
+    void not_executed(Role role);
     void remark(Role role, std::string text);
     void not_simulated(std::string text, std::string remedy = {});
+    /// The path is not documented in this point and was chosen: see Expansion::assumption.
+    void assume(std::string_view text) { out_.assumption = text; }
     [[nodiscard]] bool ready() const { return ready_; }
 
     // Steps.
@@ -78,5 +85,9 @@ struct Heights {
 
 // The families: each expands the kinds that `expand` sends it.
 void expand_drill(Course& course, const Demand& demand, const Situation& situation);
+void expand_bore(Course& course, const Demand& demand, const Situation& situation);
+void expand_tap(Course& course, const Demand& demand, const Situation& situation);
+void expand_thread_mill(Course& course, const Demand& demand, const Situation& situation);
+void expand_surface(Course& course, const Demand& demand, const Situation& situation);
 
 }  // namespace obrys::cycles

@@ -8,6 +8,7 @@
 #include <limits>
 #include <optional>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "cl/record.hpp"
@@ -51,7 +52,9 @@ struct Complaint {
 struct Expansion {
     std::vector<cl::Step> steps;  ///< Linear, Arc (normal +w), Dwell, Feed, Spindle, Thread, Coolant
     std::vector<Complaint> complaints;
-    bool simulated = true;  ///< false: the steps are not the cycle's path; it must be reported as not checked
+    /// Where the manuals leave the path in the material open: what was chosen. Empty: the path is as documented.
+    std::string_view assumption;
+    bool simulated = true;  ///< false: the path is not known, `steps` is empty; to be reported as not checked
 
     [[nodiscard]] bool ok() const {
         for (const Complaint& c : complaints)

@@ -6,6 +6,7 @@
 #include <optional>
 
 #include "cycles/course.hpp"
+#include "cycles/levels.hpp"
 
 namespace obrys::cycles {
 
@@ -13,46 +14,6 @@ namespace {
 
 using Role = program::CycleRole;
 using Kind = program::CycleKind;
-
-constexpr double same_depth = 1e-9;  ///< mm
-/// Feed of the small retract of a chip break, mm/min (cycle manual: fixed by the control).
-constexpr double chip_break_feed = 3000;
-
-/// Infeeds that may become smaller with every step, down to a least one.
-struct Infeeds {
-    double first = 0, decrement = 0, least = 0;
-    [[nodiscard]] double of(int step) const {
-        return decrement > 0 ? std::min(first, std::max(first - step * decrement, least)) : first;
-    }
-};
-
-Infeeds read_infeeds(Course& c, bool with_decrement) {
-    Infeeds i;
-    i.first = c.positive(Role::infeed);
-    if (with_decrement) {
-        i.decrement = c.maybe_at_least(Role::decrement, 0, 0);
-        i.least = c.maybe_at_least(Role::min_infeed, 0, 0);
-    }
-    return i;
-}
-
-/// The depths at which the infeeds end, from `top` down to `bottom`, which is the last. Empty after a complaint.
-std::vector<double> levels_of(Course& c, double top, double bottom, const Infeeds& infeeds) {
-    std::vector<double> levels;
-    double level = top;
-    for (int step = 0; level > bottom + same_depth; ++step) {
-        const double infeed = infeeds.of(step);
-        if (infeed <= 0 || levels.size() >= most_steps / 4) {
-            c.fault(Role::infeed, "the infeeds do not reach the depth",
-                    "enter a larger plunging depth or a minimum plunging depth");
-            return {};
-        }
-        level = infeeds.decrement > 0 ? level - infeed : top - (step + 1) * infeed;  // equal steps add up no error
-        if (level < bottom + same_depth) level = bottom;
-        levels.push_back(level);
-    }
-    return levels;
-}
 
 /// How much deeper the point must go so that the full diameter reaches the depth.
 double point_length(Course& c, const Situation& s) {
@@ -70,8 +31,7 @@ void peck(Course& c, const Situation& s) {
     const double depth = c.depth();
     const double infeed = std::abs(c.need(Role::infeed));
     const double dwell = c.maybe_at_least(Role::dwell, 0, 0);
-    const double feed = c.feed_or(Role::feed_plunge, s.feed);
-    c.known(feed, "the feed");
+    const double feed = c.feed_or_programmed(Role::feed_plunge, s.feed);
     if (infeed == 0) c.fault(Role::infeed, "the plunging depth must not be 0");
     if (!c.ready()) return;
     const double stop = std::min(7.0, std::max(0.6, -depth / 50));
@@ -139,16 +99,6 @@ void universal_drill(Course& c, const Situation& s) {
     c.rapid_w(h.end);
 }
 
-/// On from depth `from` to `level`, with a chip break every `every` mm (0: none).
-void down_with_breaks(Course& c, double from, double level, double feed, double every, double distance) {
-    for (int k = 1; every > 0 && from - k * every > level + same_depth && c.room(); ++k) {
-        const double depth = from - k * every;
-        c.move_w(depth, feed);
-        c.move_w(depth + distance, chip_break_feed);
-    }
-    c.move_w(level, feed);
-}
-
 void universal_peck(Course& c, const Situation& s) {
     Heights h = read_heights(c);
     h.bottom -= point_length(c, s);
@@ -156,7 +106,7 @@ void universal_peck(Course& c, const Situation& s) {
     const double feed = c.feed(Role::feed_plunge);
     const double first_stop = c.maybe_at_least(Role::stop_distance_first, 0, 0);
     const double last_stop = c.maybe_at_least(Role::stop_distance_last, 0, first_stop);
-    const double every = c.maybe_at_least(Role::chip_break_depth, 0, 0);
+    const double every = read_break_depth(c, h.surface - h.bottom);
     const double distance = c.maybe_at_least(Role::chip_break_distance, 0, 0);
     const double bottom_dwell = c.maybe_at_least(Role::dwell_bottom, 0, 0);
     const double deepened = c.maybe_at_least(Role::deepened_start, 0, 0);
@@ -170,13 +120,14 @@ void universal_peck(Course& c, const Situation& s) {
     if (!c.ready()) return;
     c.rapid_w(h.clearance);
     if (deepened > 0) c.move_w(top + (h.clearance - h.surface), approach);
-    for (std::size_t i = 0; i < levels.size() && c.room(); ++i) {
-        down_with_breaks(c, i == 0 ? top : levels[i - 1], levels[i], feed, every, distance);
-        if (i + 1 == levels.size()) break;
-        const double part = levels.size() > 2 ? double(i) / double(levels.size() - 2) : 0;
-        c.rapid_w(h.clearance);
-        c.rapid_w(std::min(h.clearance, levels[i] + first_stop + part * (last_stop - first_stop)));
-    }
+    peck_down(c, levels,
+              {.top = top,
+               .retract_to = h.clearance,
+               .first_stop = first_stop,
+               .last_stop = last_stop,
+               .break_every = every,
+               .break_distance = distance,
+               .feed = feed});
     c.dwell(bottom_dwell);
     c.move_w(h.clearance, back);
     c.rapid_w(h.end);
