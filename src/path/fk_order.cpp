@@ -1,5 +1,6 @@
-/// The order of the ways in which a solution parts. The control's order is documented nowhere; this one is fixed by the
-/// geometry, so that moving or turning a contour does not change it: what lies further ahead comes first.
+/// The order of the ways in which a solution parts. The control's order is documented nowhere. This one is fixed by the
+/// geometry, so that moving or turning a contour does not change it, and chosen so that the FSELECT numbers in the
+/// manual's three FK examples and in the TNC 370 manual's give the contours drawn there (fk_examples_test.cpp).
 #include <algorithm>
 #include <cmath>
 
@@ -29,8 +30,8 @@ std::optional<geom::Vec2> along(const FkBranch& b, const FkGuide* g) {
 
 }  // namespace
 
-/// The larger comes first. Lines: towards the auxiliary point. End points and centres: further along the line that ends or
-/// begins there, else to the left of the way from the element's start to its centre. Directions: the left turn.
+/// The larger comes first. Lines: towards the auxiliary point, else the left turn. End points and centres: further along
+/// the line that ends or begins there. End points of arcs: the longer arc. Other centres: left of the way ahead.
 double FkSolver::key(const FkBranch& b, const FkGuide& g, const FkGuide* before, const FkGuide* next, int group) const {
     const auto from = known(b, g.from_x, g.from_y);
     if (group < 0) {
@@ -49,7 +50,11 @@ double FkSolver::key(const FkBranch& b, const FkGuide& g, const FkGuide* before,
         if (const auto u = along(b, &g)) return geom::dot(*u, *p);
         if (const auto u = along(b, next)) return geom::dot(*u, *p);
         const auto centre = g.arc ? point(b, g.carrier) : std::nullopt;
-        if (centre && from) return geom::cross(*centre - *from, *p - *from);
+        const auto radius = g.arc ? b.known(FkPoly::unknown(4 * g.carrier + 4)) : std::nullopt;
+        if (centre && from && radius) {
+            const double turn = std::copysign(1.0, *radius) * turn_between(*from - *centre, *p - *centre);
+            return turn <= 0 ? turn + 2 * geom::pi : turn;
+        }
         return from ? geom::cross(*from, *p - *from) : p->x;
     }
     const auto centre = g.arc ? point(b, g.carrier) : std::nullopt;
