@@ -13,6 +13,39 @@ namespace {
 
 program::CycleDefinition& open_cycle(State& s) { return s.build.unit().cycles[s.open_cycle]; }
 
+}  // namespace
+
+void add_setting(State& s, const dialect::CycleParameter& p, ExprId value, bool incremental, std::uint32_t begin) {
+    program::CycleSetting setting;
+    setting.role = p.role;
+    setting.value = value;
+    setting.incremental = incremental;
+    setting.scales = p.unit != dialect::CycleUnit::plain;
+    setting.where = s.build.span(begin, s.in.at());
+    open_cycle(s).settings.push_back(setting);
+}
+
+void start_cycle(State& s, int number, const dialect::Cycle* cycle, std::uint32_t begin) {
+    program::CycleDefinition c;
+    c.name = "CYCL DEF " + std::to_string(number);
+    c.where = s.build.span(begin, s.in.at());
+    c.use = program::CycleUse::refused;
+    if (cycle != nullptr) {
+        c.kind = cycle->kind;
+        c.call_active = cycle->call_active;
+        c.use = static_cast<program::CycleUse>(cycle->use);
+        c.reason = cycle->text;
+    } else {
+        c.reason = "obrys does not know this cycle";
+        c.kind = program::CycleKind::probe;
+    }
+    s.build.unit().cycles.push_back(std::move(c));
+    s.open_cycle = static_cast<std::uint32_t>(s.build.unit().cycles.size() - 1);
+    s.build.control(StatementKind::cycle_definition, s.open_cycle, s.block, s.in.at());
+}
+
+namespace {
+
 /// Q200=2 of the named form; false where none stands here.
 bool read_parameter_line(State& s) {
     const std::uint32_t begin = s.in.at();
@@ -46,10 +79,14 @@ bool read_parameter_line(State& s) {
     return true;
 }
 
+}  // namespace
+
 void read_named(State& s) {
     while (!s.failed && !s.in.at_end())
         if (!read_parameter_line(s)) s.in.step();  // the cycle's name, in whatever language
 }
+
+namespace {
 
 /// The words in front of a value: `SET UP`, `V.ZEIT`, `HSC-MODE:`.
 std::string read_keyword(State& s) {
@@ -66,16 +103,6 @@ std::string read_keyword(State& s) {
         if (base::is_blank(s.in.peek())) word += ' ';
     }
     return std::string(base::trim(word));
-}
-
-void add_setting(State& s, const dialect::CycleParameter& p, ExprId value, bool incremental, std::uint32_t begin) {
-    program::CycleSetting setting;
-    setting.role = p.role;
-    setting.value = value;
-    setting.incremental = incremental;
-    setting.scales = p.unit != dialect::CycleUnit::plain;
-    setting.where = s.build.span(begin, s.in.at());
-    open_cycle(s).settings.push_back(setting);
 }
 
 /// Axes without values: CYCL DEF 8.1 X Y.
@@ -137,25 +164,6 @@ void read_numbered_line(State& s, const dialect::Cycle& cycle, int line) {
         else
             s.build.problem(Code::unsupported, begin, s.in.at(), "this value does not belong to " + open_cycle(s).name);
     }
-}
-
-void start_cycle(State& s, int number, const dialect::Cycle* cycle, std::uint32_t begin) {
-    program::CycleDefinition c;
-    c.name = "CYCL DEF " + std::to_string(number);
-    c.where = s.build.span(begin, s.in.at());
-    c.use = program::CycleUse::refused;
-    if (cycle != nullptr) {
-        c.kind = cycle->kind;
-        c.call_active = cycle->call_active;
-        c.use = static_cast<program::CycleUse>(cycle->use);
-        c.reason = cycle->text;
-    } else {
-        c.reason = "obrys does not know this cycle";
-        c.kind = program::CycleKind::probe;
-    }
-    s.build.unit().cycles.push_back(std::move(c));
-    s.open_cycle = static_cast<std::uint32_t>(s.build.unit().cycles.size() - 1);
-    s.build.control(StatementKind::cycle_definition, s.open_cycle, s.block, s.in.at());
 }
 
 void read_definition(State& s, std::uint32_t begin) {
