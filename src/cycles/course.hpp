@@ -36,6 +36,8 @@ public:
     double depth(Role role = Role::depth);
     /// Something of the situation; NaN is complained of as `what`.
     double known(double value, const std::string& what);
+    double tool_radius(const Situation& situation);    ///< not negative
+    double spindle_speed(const Situation& situation);  ///< not negative
 
     void fault(Role role, std::string text, std::string remedy = {});
     void fault(std::string text, std::string remedy = {});
