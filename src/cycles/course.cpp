@@ -121,11 +121,9 @@ void Course::fault(std::string text, std::string remedy) {
 }
 
 void Course::not_executed(Role role) {
-    remark(role, std::string(name(role)) + " is 0: the cycle is not executed");
+    skipped_ = Complaint{false, std::string(name(role)) + " is 0: the cycle is not executed", {}, role};
     ready_ = false;
 }
-
-void Course::remark(Role role, std::string text) { out_.complaints.push_back({false, std::move(text), {}, role}); }
 
 void Course::not_simulated(std::string text, std::string remedy) {
     out_.complaints.push_back({false, std::move(text), std::move(remedy), std::nullopt});
@@ -191,9 +189,12 @@ void Course::thread_w(double w, double pitch, bool rigid) {
 }
 
 Expansion Course::finish() {
-    for (const Complaint& c : out_.complaints)
-        if (c.fatal) out_.steps.clear();
-    if (!out_.simulated) out_.steps.clear();
+    if (skipped_) {
+        Expansion nothing;
+        nothing.complaints.push_back(*skipped_);
+        return nothing;
+    }
+    if (!out_.ok()) out_.steps.clear();
     return std::move(out_);
 }
 
