@@ -13,6 +13,7 @@ const Values surface = {{Role::start_u, 10}, {Role::start_v, 12},  {Role::start_
                         {Role::width, 75},   {Role::clearance, 2}, {Role::feed_mill, 500}};
 
 std::vector<Sample> make() {
+    // sizes: table
     const Values drilling = with(hole, {{Role::feed_plunge, 250}, {Role::infeed, 8}, {Role::dwell_bottom, 0.5}});
     const Values old_hole = {{Role::clearance, 2}, {Role::depth, -20}};
     return {

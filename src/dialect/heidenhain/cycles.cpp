@@ -20,6 +20,7 @@ constexpr Cycle probe(int number, std::string_view name) {
 }
 
 std::span<const Cycle> table() {
+    // sizes: table
     using namespace parameters;
     static const Cycle cycles[] = {
         {1, Kind::peck, "PECKING", at_call, c1},
