@@ -34,7 +34,7 @@ PAIRS = [
      "G00 G40 X+10 Y-5 *\nG01 Z-5 F200 *\nX+50 Y+20.5 F300 M8 *\nG91 X-5 Y+2,5 *\n"),
     ("mixed dimensions", "L X+10 Y+10 F200\nL IX+5 Y+30\nL X+40 IY+5\nL X+0 Y+0\n",
      "G01 X+10 Y+10 F200 *\nG91 X+5 G90 Y+30 *\nX+40 G91 Y+5 *\nG90 X+0 Y+0 *\n"),
-    ("dimension behind", "L IX+5 F200 M99\nL Y+7\n", "G01 G91 X+5 F200 G90 *\nY+7 *\n"),
+    ("dimension behind", "L IX+5 F200\nL Y+7\n", "G01 G91 X+5 F200 G90 *\nY+7 *\n"),
     ("compensation", "L X-10 Y-10 F500\nL X+0 Y+0 RL F300\nL Y+50\nL X+50\nL Y+0\nL X+0\nL X-10 Y-10 R0\n",
      "G01 X-10 Y-10 F500 *\nG41 X+0 Y+0 F300 *\nY+50 *\nX+50 *\nY+0 *\nX+0 *\nG40 X-10 Y-10 *\n"),
     ("right compensation", "L X-10 Y-10 F500\nL X+0 Y+0 RR F300\nL X+50\nL Y+50\nL X-10 Y-10 R0\n",

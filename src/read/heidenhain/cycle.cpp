@@ -97,7 +97,8 @@ std::string read_keyword(State& s) {
         const bool number =
             base::is_digit(c) || ((c == '.' || c == ',') && base::is_digit(next)) ||
             (sign && (base::is_digit(next) || next == '.' || base::upper(next) == 'Q' || base::is_blank(next)));
-        if (number || stands_parameter(s) || c == '"') break;
+        const bool sense = sign && base::trim(word) == "DR";
+        if (number || sense || stands_parameter(s) || c == '"') break;
         word += base::upper(c);
         s.in.step();
         if (base::is_blank(s.in.peek())) word += ' ';
@@ -143,6 +144,15 @@ void read_program_name(State& s) {
     if (!path.empty()) open_cycle(s).texts.push_back(s.build.text(program_name(path), begin, s.in.at()));
 }
 
+/// DR+ and DR-: the sign alone.
+ExprId read_sense(State& s) {
+    const std::uint32_t begin = s.in.at();
+    const char sign = s.in.peek();
+    if ((sign != '+' && sign != '-') || base::is_digit(s.in.peek(1))) return value_expr(s);
+    s.in.step();
+    return s.build.number(sign == '+' ? 1 : -1, true, begin, s.in.at());
+}
+
 void read_numbered_line(State& s, const dialect::Cycle& cycle, int line) {
     using program::CycleKind;
     if (line == 0) return s.in.skip_block();  // its name
@@ -157,7 +167,7 @@ void read_numbered_line(State& s, const dialect::Cycle& cycle, int line) {
                                  dialect::find_parameter(cycle, line, word.substr(1)) != nullptr;
         if (incremental) p = dialect::find_parameter(cycle, line, word.substr(1));
         if (p == nullptr) p = dialect::find_parameter_at(cycle, line, n);
-        const ExprId value = value_expr(s);
+        const ExprId value = p != nullptr && p->role == program::CycleRole::direction ? read_sense(s) : value_expr(s);
         if (s.failed) return;
         if (p != nullptr)
             add_setting(s, *p, value, incremental, begin);

@@ -22,21 +22,20 @@ const dialect::GCode* IsoBlock::cycle() const {
 IsoBlock look_over(State& s) {
     const std::uint32_t from = s.in.at();
     IsoBlock b;
-    char before = ' ';
     while (!s.in.at_end()) {
         const char c = base::upper(s.in.peek());
+        const bool begins = s.in.at() == from || !base::is_letter(s.in.peek(-1));
         s.in.step();
         if (c == '"') {  // a name: its letters are no words
             while (!s.in.at_end() && s.in.peek() != '"') s.in.step();
             s.in.take('"');
         }
-        if (base::is_letter(c) && !base::is_letter(before)) {
+        if (base::is_letter(c) && begins) {
             b.letters |= 1U << (c - 'A');
             if (c == 'F' && s.in.take_word("MAX")) b.rapid = true;
             if (c == 'G')
                 if (const int n = s.in.integer(); n >= 0) b.g.push_back(n);
         }
-        before = c;
     }
     s.in.go_to(from);
     return b;

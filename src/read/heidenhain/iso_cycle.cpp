@@ -1,6 +1,7 @@
 /// Cycles of DIN/ISO: `G200 Q200=2 …` as in Klartext, the older ones by letters and P numbers (`G83 P01 2 P02 -20`).
 
-#include "dialect/heidenhain/iso_cycle_words.hpp"
+#include <algorithm>
+
 #include "read/heidenhain/iso.hpp"
 
 namespace obrys::read::heidenhain {
@@ -13,19 +14,13 @@ namespace {
 
 program::CycleDefinition& open_cycle(State& s) { return s.build.unit().cycles[s.open_cycle]; }
 
-const dialect::CycleParameter* parameter_of(const dialect::Cycle& cycle, CycleRole role) {
-    for (const dialect::CycleParameter& p : cycle.parameters)
-        if (p.role == role) return &p;
-    return nullptr;
-}
-
 /// Letter, or P and its two digits; moves behind it.
 std::string word_name(State& s) {
     const char letter = base::upper(s.in.peek());
     s.in.step();
     if (letter != 'P') return std::string(1, letter);
     const int n = s.in.integer();
-    return (n < 10 ? "P0" : "P") + std::to_string(n);
+    return (n < 10 ? "P0" : "P") + std::to_string(std::clamp(n, 0, 99));
 }
 
 void not_of_cycle(State& s, std::uint32_t begin, const std::string& word) {
@@ -48,10 +43,10 @@ void read_axis(State& s, const dialect::Cycle& cycle, char letter, std::uint32_t
 }
 
 /// P05 X+80: a side of a pocket says its axis.
-void read_word(State& s, int g, const dialect::Cycle& cycle, std::uint32_t begin) {
+void read_word(State& s, const dialect::Cycle& cycle, std::uint32_t begin) {
     const std::string name = word_name(s);
-    const dialect::IsoCycleWord* w = dialect::find_iso_word(g, name);
-    if (w == nullptr) {
+    const dialect::CycleParameter* p = dialect::find_iso_parameter(cycle, name);
+    if (p == nullptr) {
         if (axis_of(name[0])) return read_axis(s, cycle, name[0], begin);
         return not_of_cycle(s, begin, name);
     }
@@ -61,11 +56,8 @@ void read_word(State& s, int g, const dialect::Cycle& cycle, std::uint32_t begin
         s.in.step();
         return read_axis(s, cycle, letter, begin);
     }
-    const dialect::CycleParameter* p = parameter_of(cycle, w->role);
     const ExprId value = value_expr(s);
-    if (s.failed) return;
-    if (p == nullptr) return not_of_cycle(s, begin, name);
-    add_setting(s, *p, value, cycle.kind == CycleKind::rotation && s.iso.incremental, begin);
+    if (!s.failed) add_setting(s, *p, value, cycle.kind == CycleKind::rotation && s.iso.incremental, begin);
 }
 
 /// G37 P01 1 P02 "POCKET": the labels of a contour.
@@ -93,7 +85,7 @@ void read_program(State& s) {
     open_cycle(s).texts.push_back(s.build.text(called_name(path, ".I"), begin, s.in.at()));
 }
 
-void read_words(State& s, const dialect::GCode& g, const dialect::Cycle& cycle) {
+void read_words(State& s, const dialect::Cycle& cycle) {
     while (!s.failed && !s.in.at_end()) {
         const std::uint32_t begin = s.in.at();
         const char c = base::upper(s.in.peek());
@@ -110,15 +102,28 @@ void read_words(State& s, const dialect::GCode& g, const dialect::Cycle& cycle) 
         if (cycle.kind == CycleKind::contour_definition)
             read_label_word(s, begin);
         else
-            read_word(s, g.number, cycle, begin);
+            read_word(s, cycle, begin);
     }
 }
 
-void add_direction(State& s, const dialect::GCode& g, const dialect::Cycle& cycle, std::uint32_t begin) {
-    const int direction = dialect::iso_direction(g.number);
-    const dialect::CycleParameter* p = parameter_of(cycle, CycleRole::direction);
-    if (direction == 0 || p == nullptr) return;
-    add_setting(s, *p, s.build.number(direction, true, begin, s.in.at()), false, begin);
+/// G75 … G78, G58, G59 say the sense of rotation, which Klartext asks for among the other values.
+void add_direction(State& s, const dialect::GCode& g, const dialect::Cycle& cycle) {
+    const auto known = dialect::find_iso_cycle(g.number);
+    if (!known || known->direction == 0) return;
+    auto& settings = open_cycle(s).settings;
+    bool behind = false;
+    for (const dialect::CycleParameter& p : cycle.parameters) {
+        if (p.role == CycleRole::direction) {
+            const std::uint32_t at = s.in.at();
+            add_setting(s, p, s.build.number(known->direction, true, s.block, at), false, s.block);
+            behind = true;
+            continue;
+        }
+        const auto place = std::find_if(settings.begin(), settings.end(),
+                                        [&](const program::CycleSetting& c) { return c.role == p.role; });
+        if (behind && place != settings.end())
+            return static_cast<void>(std::rotate(place, settings.end() - 1, settings.end()));
+    }
 }
 
 bool is_named(const dialect::Cycle& cycle) { return !cycle.parameters.empty() && cycle.parameters.front().q >= 0; }
@@ -142,12 +147,12 @@ void read_iso_cycle(State& s, const dialect::GCode& g) {
         s.open_cycle = program::no_target;
         return s.in.skip_block();
     }
-    add_direction(s, g, *cycle, begin);
     if (is_named(*cycle)) return read_named(s);
     if (cycle->kind == CycleKind::program_call)
         read_program(s);
     else
-        read_words(s, g, *cycle);
+        read_words(s, *cycle);
+    if (!s.failed) add_direction(s, g, *cycle);
     s.open_cycle = program::no_target;
 }
 
