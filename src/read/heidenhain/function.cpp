@@ -2,6 +2,7 @@
 
 #include <array>
 
+#include "dialect/heidenhain/functions.hpp"
 #include "read/heidenhain/state.hpp"
 
 namespace obrys::read::heidenhain {
@@ -106,12 +107,18 @@ void system_read(State& s) {
         numbers.push_back(value_expr(s));
         if (s.failed) return;
     }
-    if (!s.failed) assign(s, to, s.build.function(Function::system_read, numbers, begin, s.in.at()));
+    numbers.resize(3, no_expr);
+    assign(s, to, system_datum(s, numbers[0], numbers[1], numbers[2], begin));
 }
 
-void not_run(State& s, std::uint32_t begin, std::string_view what) {
+/// What the table of functions says of one that is not run here.
+void not_run(State& s, int n, std::uint32_t begin) {
     s.in.skip_block();
-    s.build.problem(Code::unsupported, begin, s.in.at(), what);
+    const auto* fn = dialect::heidenhain::find_fn(n);
+    if (fn != nullptr && fn->use == dialect::heidenhain::Use::accepted)
+        return s.build.ignored("FN " + std::to_string(n) + " (" + std::string(fn->text) + ")", begin, s.in.at());
+    s.build.problem(fn == nullptr ? Code::unknown : Code::unsupported, begin, s.in.at(),
+                    fn == nullptr ? std::string_view("there is no such function") : fn->text);
 }
 
 void read_numbered(State& s, int n, std::uint32_t begin) {
@@ -139,7 +146,7 @@ void read_numbered(State& s, int n, std::uint32_t begin) {
         case 18: return system_read(s);
         default: break;
     }
-    not_run(s, begin, "");
+    not_run(s, n, begin);
 }
 
 }  // namespace

@@ -178,28 +178,30 @@ void read_element(State& s, Kind kind) {
 
 }  // namespace
 
-void read_words(State& s, bool arc) {
-    while (!s.failed && !s.in.at_end()) {
-        const char c = base::upper(s.in.peek()), next = base::upper(s.in.peek(1));
-        const std::uint32_t begin = s.in.at();
-        if (const auto axis = axis_of(c)) {
-            s.in.step();
-            value_word(s, *axis, begin);
-        } else if (c == 'I' || (c == 'P' && (next == 'A' || next == 'R'))) {
-            coordinate(s, arc);
-        } else if (c == 'F') {
-            feed(s);
-        } else if (c == 'R') {
-            radius_word(s, arc);
-        } else if (c == 'D' && arc) {
-            if (!sense(s)) fail_here(s, "DR+ or DR- is due here, found " + here(s));
-        } else if (c == 'M') {
-            s.in.step();
-            read_m(s, begin);
-        } else {
-            fail_here(s, "this is no word of a path block: " + here(s));
-        }
+void read_word(State& s, bool arc) {
+    const char c = base::upper(s.in.peek()), next = base::upper(s.in.peek(1));
+    const std::uint32_t begin = s.in.at();
+    if (const auto axis = axis_of(c)) {
+        s.in.step();
+        value_word(s, *axis, begin);
+    } else if (c == 'I' || (c == 'P' && (next == 'A' || next == 'R'))) {
+        coordinate(s, arc);
+    } else if (c == 'F') {
+        feed(s);
+    } else if (c == 'R') {
+        radius_word(s, arc);
+    } else if (c == 'D' && arc) {
+        if (!sense(s)) fail_here(s, "DR+ or DR- is due here, found " + here(s));
+    } else if (c == 'M') {
+        s.in.step();
+        read_m(s, begin);
+    } else {
+        fail_here(s, "this is no word of a path block: " + here(s));
     }
+}
+
+void read_words(State& s, bool arc) {
+    while (!s.failed && !s.in.at_end()) read_word(s, arc);
 }
 
 bool read_path_block(State& s, std::string_view word) {

@@ -19,6 +19,7 @@ struct State {
     program::Builder build;
     Scanner in;
     std::uint32_t block = 0;      ///< where the block at hand begins
+    std::uint32_t number = 0;     ///< of the block at hand, 0 where it has none
     bool numbered = false;        ///< … with a number
     bool first_numbered = false;  ///< the text's first block has a number: a line without one goes on with a cycle
     bool failed = false;          ///< a complaint was made about it
@@ -63,6 +64,8 @@ void value_word(State& s, Code code, std::uint32_t begin, bool incremental = fal
 void read_block(State& s);                              ///< block.cpp
 bool read_path_block(State& s, std::string_view word);  ///< path_block.cpp: L C CC CR CT CP LP CTP CHF RND
 void read_words(State& s, bool arc);                    ///< words of a path block up to its end
+void read_word(State& s, bool arc);                     ///< one of them
+bool read_special_block(State& s, std::string_view word);  ///< special_block.cpp: APPR DEP FL … SPL PLANE
 void read_m(State& s, std::uint32_t begin);             ///< m_word.cpp: the number of an M function
 void read_tool_block(State& s, std::uint32_t begin);    ///< tool_block.cpp
 bool read_function(State& s);                           ///< function.cpp: FN n:
@@ -70,6 +73,8 @@ void read_assignment(State& s);                         ///< function.cpp: Q5 = 
 void read_label_block(State& s);                        ///< label.cpp: LBL
 void read_call_block(State& s);                         ///< label.cpp: CALL LBL, CALL PGM
 void read_cycle_block(State& s);                        ///< cycle.cpp: CYCL DEF, CYCL CALL
+/// FN 18: what ID, NR and IDX mean, as an expression; `index` may be no_expr.
+[[nodiscard]] ExprId system_datum(State& s, ExprId id, ExprId nr, ExprId index, std::uint32_t begin);
 void resolve_labels(State& s);                          ///< label.cpp, at the end
 [[nodiscard]] std::string program_name(std::string_view path);
 /// GOTO LBL behind a condition.
