@@ -1,10 +1,10 @@
 #pragma once
 /// What a controller whose axes move in steps of a basic length unit makes of a path element, and how far that is off.
 ///
-/// Source: bachelor thesis on HEIDENHAIN controls, sections 2.1 and 2.2.4. The interpolator works out the way of each
-/// axis and sends pulses; a pulse moves one axis by one unit, one axis at a time, so that anything not parallel to an
-/// axis becomes a staircase. The thesis gives no arithmetic, only bounds: less than a unit for lines and splines, one
-/// to two units for (small) circles.
+/// Source: M. Hejsek, HEIDENHAIN iTNC 530 tools for NC programming of machines, thesis, Brno 2010, sections 2.1
+/// and 2.2.4. The interpolator works out the way of each axis and sends pulses; a pulse moves one axis by one unit, one
+/// axis at a time, so that anything not parallel to an axis becomes a staircase. The thesis gives no arithmetic, only
+/// bounds: less than a unit for lines and splines, one to two units for (small) circles.
 ///
 /// Here, exactly:
 /// - The grid: whole multiples of the unit in x, y and z. A coordinate belongs to the grid value floor(c / unit + 1/2).
