@@ -12,6 +12,7 @@ namespace obrys::driver {
 namespace {
 
 constexpr double chord = 0.005;    ///< mm a drawn curve may leave the true one
+constexpr double drawable = 1e9;   ///< mm; what lies farther out is no place on a machine
 constexpr int chords = 256;        ///< of one move, at most
 constexpr double near_units = 12;  ///< half the side of the square that the detail shows, in basic length units
 constexpr std::size_t near_points = 2000;
@@ -91,7 +92,8 @@ bool PathPlotter::draw(geom::Vec3 from, const cl::Record& record) {
     const geom::Vec3 by = position_.to_stock(), to = cl::position_after(from, record.step);
     const geom::Vec2 first = report::project(options_.plane, from + by),
                      last = report::project(options_.plane, to + by);
-    if (!std::isfinite(first.x + first.y + last.x + last.y)) {
+    const double far = std::abs(first.x) + std::abs(first.y) + std::abs(last.x) + std::abs(last.y);
+    if (!(far < drawable)) {  // NaN neither
         ++plot_.unplaced_moves;
         return false;
     }

@@ -13,7 +13,7 @@ struct PlotOptions {
     report::PlotPlane plane = report::PlotPlane::zx;
     double unit = 0;                         ///< basic length unit, mm; 0: the path only
     std::size_t keep_moves = 20'000;         ///< in the picture
-    std::uint64_t most_steps = 500'000'000;  ///< of the whole run; moves behind it are not computed
+    std::uint64_t most_steps = 200'000'000;  ///< of the whole run; moves behind it are not computed
 };
 
 class PathPlotter {

@@ -155,27 +155,44 @@ private:
     int direction_ = 0;
 };
 
+/// Of differences within the grid, where the squares cannot overflow; std::hypot would be half of the time.
+double norm(Vec3 v) { return std::sqrt(dot(v, v)); }
+
 /// Nearest points of one element.
 class Nearest {
 public:
-    Nearest(const PathElement& e, const std::array<Coordinate, 3>& c, double unit) : c_(c), close_(1e-7 * unit) {
-        straight_ = std::holds_alternative<Straight>(e);
-    }
+    Nearest(const PathElement& e, const std::array<Coordinate, 3>& c, double unit)
+        : c_(c), line_(std::get_if<Straight>(&e)), close_(1e-7 * unit) {}
 
     /// Sets the step's ideal point and deviation by its grid point and parameter.
     void judge(GridStep& s) const {
+        if (line_ != nullptr)
+            on_line(s);
+        else
+            on_curve(s);
+    }
+
+private:
+    void on_line(GridStep& s) const {
+        const Vec3 d = line_->to - line_->from;
+        const double square = dot(d, d);
+        const double t = square > 0 ? std::clamp(dot(s.at - line_->from, d) / square, 0.0, 1.0) : 0;
+        s.ideal = line_->from + t * d;
+        s.deviation = norm(s.at - s.ideal);
+    }
+
+    void on_curve(GridStep& s) const {
         double u = s.u;
         s.ideal = point(u);
-        s.deviation = distance(s.at, s.ideal);
-        for (int i = 0; i < (straight_ ? 1 : 8); ++i) {
-            const Vec3 way = point(u) - s.at, d{c_[0].slope(u), c_[1].slope(u), c_[2].slope(u)};
+        s.deviation = norm(s.at - s.ideal);
+        for (int i = 0; i < 8; ++i) {
+            const Vec3 way = s.ideal - s.at, d{c_[0].slope(u), c_[1].slope(u), c_[2].slope(u)};
             const double speed = dot(d, d);
             if (!(speed > 0)) return;
-            double curved = speed;
-            if (!straight_) curved += dot(way, {c_[0].bend(u), c_[1].bend(u), c_[2].bend(u)});
+            const double curved = speed + dot(way, {c_[0].bend(u), c_[1].bend(u), c_[2].bend(u)});
             const double to = std::clamp(u - dot(way, d) / std::max(curved, 0.1 * speed), 0.0, 1.0);
             const Vec3 ideal = point(to);
-            const double off = distance(s.at, ideal), moved = std::abs(to - u) * std::sqrt(speed);
+            const double off = norm(s.at - ideal), moved = std::abs(to - u) * std::sqrt(speed);
             if (!(off < s.deviation)) return;
             s.ideal = ideal;
             s.deviation = off;
@@ -184,12 +201,11 @@ public:
         }
     }
 
-private:
     [[nodiscard]] Vec3 point(double u) const { return {c_[0].value(u), c_[1].value(u), c_[2].value(u)}; }
 
     const std::array<Coordinate, 3>& c_;
+    const Straight* line_;
     double close_;
-    bool straight_ = false;
 };
 
 /// Largest magnitude a coordinate can take, or NaN.

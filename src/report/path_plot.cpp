@@ -38,7 +38,8 @@ check::Box bounds(const PathPlot& plot, View view) {
     const check::Box box = extent(plot, view);
     if (box.empty()) return {0, 100, 0, 50};
     const double z = box.max_z - box.min_z, x = box.max_x - box.min_x;
-    const double air = std::max({0.05 * z, 0.05 * x, 1e-3});
+    const double far = std::max({std::abs(box.min_z), std::abs(box.max_z), std::abs(box.min_x), std::abs(box.max_x)});
+    const double air = std::max({0.05 * z, 0.05 * x, 1e-3, 1e-9 * far});
     const double narrow = air + std::max(0.0, 0.15 * x - z) / 2, flat = air + std::max(0.0, 0.15 * z - x) / 2;
     return {box.min_z - narrow, box.max_z + narrow, box.min_x - flat, box.max_x + flat};
 }
@@ -85,7 +86,7 @@ std::string bands_of(const PathPlot& plot, double times, const Projection& to) {
 
 /// How many times larger than the path the deviations are drawn: 1, 2 or 5 times a power of ten.
 double magnification(const PathPlot& plot, double scale) {
-    if (!plot.interpolation || !(plot.interpolation->largest > 0)) return 1;
+    if (!plot.interpolation || !(plot.interpolation->largest > 1e-12)) return 1;
     const double wanted = wanted_band / (scale * plot.interpolation->largest);
     return std::max(1.0, svg::round_step(wanted / 2.5));
 }
