@@ -105,8 +105,7 @@ interp::Outcome print_stream(const Arguments& a, driver::Session& s, Output& out
 
 void print_parameters(const interp::Outcome& outcome, Output& out) {
     for (const interp::ParameterValue& p : outcome.parameters)
-        out.write(p.name + "=" + (std::isnan(p.value) ? std::string("?") : base::shortest(p.value)) + "
-");
+        out.write(p.name + "=" + (std::isnan(p.value) ? std::string("?") : base::shortest(p.value)) + "\n");
 }
 
 /// The path by itself: of programs whose removal is not simulated, and with an interpolator's deviations.
