@@ -8,6 +8,7 @@ namespace obrys::geom {
 namespace {
 
 constexpr double never = std::numeric_limits<double>::infinity();
+constexpr double solved = 1e-6;                       ///< units by which the place of a step may be off
 constexpr double largest_sweep = 1e6;                 ///< radians: more turns would cost time even where no axis steps
 constexpr double largest_count = 1125899906842624.0;  ///< 2^50: doubles still tell quarters of a unit apart
 
@@ -145,7 +146,7 @@ private:
             turn_count_ = grid(c_.value(turn_));
         }
         direction_ = turn_count_ > count_ ? 1 : -1;
-        next_ = now_ = solve(c_, (count_ + 0.5 * direction_) * unit_, now_, turn_, 1e-6 * unit_);
+        next_ = now_ = solve(c_, (count_ + 0.5 * direction_) * unit_, now_, turn_, solved * unit_);
     }
 
     const Coordinate& c_;
@@ -214,6 +215,15 @@ double reach(const Coordinate& c) {
     return span + c.radius + 0 * (c.sweep + c.phase + c.first + c.last);
 }
 
+/// No coordinate changes faster by the parameter.
+double fastest(const std::array<Coordinate, 3>& coordinates) {
+    double most = 0;
+    for (const Coordinate& c : coordinates)
+        most = std::max(most, std::abs(c.poly.k1) + 2 * std::abs(c.poly.k2) + 3 * std::abs(c.poly.k3) +
+                                  c.radius * std::abs(c.sweep));
+    return most;
+}
+
 /// Largest and mean of the deviations.
 struct Figures {
     Staircase& result;
@@ -253,10 +263,11 @@ Staircase staircase(const PathElement& e, double unit, base::FunctionRef<void(co
     r.start = s.at;
     nearest.judge(s);
     figures.add(s);
+    const double together = 2 * solved * unit / fastest(c);
     for (;;) {
         std::size_t first = 0;
         for (std::size_t i = 1; i < 3; ++i)
-            if (axes[i].next() < axes[first].next()) first = i;
+            if (axes[i].next() < axes[first].next() - together) first = i;
         if (axes[first].next() == never) break;
         if (r.steps == most_steps) {
             r.end_reason = StaircaseEnd::too_long;
@@ -264,7 +275,7 @@ Staircase staircase(const PathElement& e, double unit, base::FunctionRef<void(co
         }
         s.axis = static_cast<int>(first);
         s.direction = axes[first].direction();
-        s.u = axes[first].next();
+        s.u = std::max(s.u, axes[first].next());
         axes[first].step();
         coordinate(s.at, first) = axes[first].position();
         nearest.judge(s);

@@ -9,7 +9,8 @@
 /// Here, exactly:
 /// - The grid: whole multiples of the unit in x, y and z. A coordinate belongs to the grid value floor(c / unit + 1/2).
 /// - The steps: the element's parameter u runs from 0 to 1. Whenever the exact coordinate of an axis passes the middle
-///   between two grid values, that axis makes a step; where two axes pass at the same u, x goes before y before z.
+///   between two grid values, that axis makes a step; where two axes pass at the same u (within 2e-6 units of way), x
+///   goes before y before z.
 ///   The staircase begins at the start's grid point and ends at the end's.
 /// - The deviation of a grid point that is visited: its distance from the nearest point of the element in the
 ///   neighbourhood of p(u), which is found by Newton's method from p(u) and is never farther than p(u). Largest and

@@ -106,8 +106,8 @@ std::string detail(const Interpolation& i, const Window& window, const base::Sou
     return window.frame(path("ideal", ideal) + path("stairs", stairs) + "<circle class=\"mark\" cx=\"" +
                         number(at.x, 2) + "\" cy=\"" + number(at.y, 2) + "\" r=\"4\"/>\n") +
            svg::text("small", window.left(), window.bottom() + 52,
-                     "The largest deviation, " + base::fixed(i.largest, 6) + " mm in move " +
-                         std::to_string(i.worst.index) + line + ", true to scale");
+                     "The largest deviation, " + base::fixed(i.largest, 6) + " mm, true to scale:") +
+           svg::text("small", window.left(), window.bottom() + 68, "move " + std::to_string(i.worst.index) + line);
 }
 
 std::string legend(const PathPlot& plot, double times, double y) {
@@ -175,7 +175,7 @@ std::string to_svg(const PathPlot& plot, const base::Sources& sources, double wi
         const geom::Vec2 at = main.projection()(i.place);
         out += svg::line("zoomed", at.x, at.y, near.left(), near.bottom()) +
                svg::line("zoomed", at.x, at.y, near.left(), top) + detail(i, near, sources);
-        bottom = std::max(bottom, near.bottom() + 20);
+        bottom = std::max(bottom, near.bottom() + 36);
     }
     const double y = bottom + axis_room + 12;
     return svg::document(width, y + legend_room, out + legend(plot, times, y));

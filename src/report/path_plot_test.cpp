@@ -78,9 +78,8 @@ TEST(PathPlot, ALatheIsSeenAsInItsChecks) {
 TEST(PathPlot, DeviationsAreDrawnLarger) {
     const Sample s = sample();
     const std::string svg = to_svg(s.plot, s.sources);
-    for (const char* part :
-         {"basic length unit of 0.005 mm", "The largest deviation, 0.002236 mm in move 2 (P.H:2), true to scale",
-          "times as large", "class=\"stairs\""})
+    for (const char* part : {"basic length unit of 0.005 mm", "The largest deviation, 0.002236 mm, true to scale:",
+                             ">move 2 (P.H:2)<", "times as large", "class=\"stairs\""})
         EXPECT_NE(svg.find(part), std::string::npos) << part;
     // The band: start, left, end, right; the left point 10 units of the picture or a bit less off the path.
     const auto at = svg.find("<path class=\"band\" d=\"M");
