@@ -128,8 +128,9 @@ void PathPlotter::interpolate(geom::Vec3 from, const cl::Record& record, report:
             sums_.steps += f.steps;
             sums_.sum += f.mean * static_cast<double>(f.steps + 1);
             sums_.length += row.length;
-            if (sums_.moves == 1 || f.largest > sums_.largest) {
-                sums_.largest = f.largest;
+            sums_.largest = std::max(sums_.largest, f.largest);
+            // Of moves that differ by rounding only, the first one is shown.
+            if (sums_.moves == 1 || f.largest > sums_.worst.figures.largest + 1e-6 * options_.unit) {
                 sums_.worst = row;
                 worst_ = *element;
                 worst_shift_ = position_.to_stock();

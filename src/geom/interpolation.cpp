@@ -224,16 +224,15 @@ double fastest(const std::array<Coordinate, 3>& coordinates) {
     return most;
 }
 
-/// Largest and mean of the deviations.
+/// Largest and mean of the deviations. The place of the largest is the first of those that rounding makes differ.
 struct Figures {
     Staircase& result;
+    double rounding;  ///< mm
     double sum = 0;
     void add(const GridStep& s) {
         sum += s.deviation;
-        if (s.deviation > result.largest || (s.axis < 0 && result.steps == 0)) {
-            result.largest = s.deviation;
-            result.worst = s;
-        }
+        result.largest = std::max(result.largest, s.deviation);
+        if (s.axis < 0 || s.deviation > result.worst.deviation + rounding) result.worst = s;
     }
 };
 
@@ -258,7 +257,7 @@ Staircase staircase(const PathElement& e, double unit, base::FunctionRef<void(co
         if (!(reach(axis) / unit < largest_count) || !(std::abs(axis.sweep) <= largest_sweep)) return r;
     std::array<AxisRun, 3> axes{AxisRun(c[0], unit), AxisRun(c[1], unit), AxisRun(c[2], unit)};
     const Nearest nearest(e, c, unit);
-    Figures figures{r};
+    Figures figures{r, solved * unit};
     GridStep s{-1, 0, 0, {axes[0].position(), axes[1].position(), axes[2].position()}, {}, 0};
     r.start = s.at;
     nearest.judge(s);

@@ -69,7 +69,7 @@ struct Staircase {
     std::uint64_t steps = 0;
     std::array<std::uint64_t, 3> steps_of_axis{};
     double largest = 0, mean = 0;  ///< mm
-    GridStep worst;                ///< where the largest deviation first occurred; axis -1: at the start
+    GridStep worst;  ///< where the largest deviation (but for 1e-6 units) first occurred; axis -1: at the start
 };
 
 /// Runs the element and hands on each step; keeps none.
