@@ -44,7 +44,7 @@ void prolong(Item& a, Item& b, const Crossing& c) {
     if (is_arc(a.e)) a.curve.sweep = std::copysign(c.on_a, a.curve.sweep);
     a.curve.to = c.point;
     if (is_arc(b.e)) b.curve.sweep = std::copysign(extent(b.curve) - c.on_b, b.curve.sweep);
-    b.curve.from = b.start = c.point;
+    b.curve.from = c.point;
     a.box = box_of(a.curve);
     b.box = box_of(b.curve);
 }
@@ -61,30 +61,27 @@ Item transition(const Item& a, Item& b, Vec2 from, Vec2 to, double turn) {
     t.e.before = std::exchange(b.e.before, {});
     t.curve = Curve{from, to, t.e.centre, turn, std::abs(a.d1), std::abs(a.d1)};
     t.start = from;
+    t.zone = zone_of(t);
     t.box = box_of(t.curve);
     return t;
 }
 
 }  // namespace
 
-bool has_zone(const Item& item) {
-    return carries_zone(item.role) && item.s.clearance != Clearance::neighbours && std::abs(item.d1) > same_point &&
-           std::abs(item.d1 - item.d0) <= same_point;
-}
-
-bool same_zone(const Item& a, const Item& b) {
-    return has_zone(a) && has_zone(b) && std::abs(a.d1 - b.d0) <= same_point;
+double zone_of(const Item& item) {
+    if (!carries_zone(item.role) || item.s.clearance == Clearance::neighbours) return 0;
+    if (std::abs(item.d1) <= same_point || std::abs(item.d1 - item.d0) > same_point) return 0;
+    return item.d1;
 }
 
 geom::Box box_of(const Curve& c) {
+    const double r = c.sweep == 0 ? 0 : std::max(std::abs(c.radius_from), std::abs(c.radius_to));
+    const bool flat = std::abs(c.sweep) <= geom::pi;  // then no point is farther than the sagitta from the chord
+    const double rise = flat ? r * (1 - std::cos(0.5 * c.sweep)) + std::abs(c.radius_from - c.radius_to) : r;
     geom::Box box;
-    if (c.sweep == 0) {
-        box.add(c.from);
-        box.add(c.to);
-    } else {
-        const double r = std::max(std::abs(c.radius_from), std::abs(c.radius_to));
-        box.add(c.centre - Vec2{r, r});
-        box.add(c.centre + Vec2{r, r});
+    for (const Vec2 p : {flat ? c.from : c.centre, flat ? c.to : c.centre}) {
+        box.add(p - Vec2{rise, rise});
+        box.add(p + Vec2{rise, rise});
     }
     return box;
 }

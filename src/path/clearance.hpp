@@ -4,6 +4,7 @@
 /// corners; so these arcs become items of their own, and the path is the walk along items that changes over to another
 /// one wherever it would enter that one's zone.
 
+#include <cmath>
 #include <deque>
 #include <optional>
 
@@ -11,10 +12,13 @@
 
 namespace obrys::path {
 
-/// True where zones are asked for and the item has one.
-[[nodiscard]] bool has_zone(const Item& item);
+/// Item::zone of an item whose setting, role and offsets are given.
+[[nodiscard]] double zone_of(const Item& item);
+[[nodiscard]] inline bool has_zone(const Item& item) { return item.zone != 0; }
 /// True where both have zones and the tool stands equally far on the same side.
-[[nodiscard]] bool same_zone(const Item& a, const Item& b);
+[[nodiscard]] inline bool same_zone(const Item& a, const Item& b) {
+    return has_zone(a) && has_zone(b) && std::abs(a.zone - b.zone) <= same_point;
+}
 /// Box round the item's parallel, generous for arcs.
 [[nodiscard]] geom::Box box_of(const Curve& c);
 

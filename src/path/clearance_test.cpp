@@ -214,11 +214,15 @@ TEST(clearance, ClosedContoursAndFullCircles) {
 }
 
 TEST(clearance, StartingInAnInnerCornerCutsIntoTheFirstElement) {
-    auto steps = contour_steps({20, 20}, polyline({{0, 0}, {40, 0}, {40, 40}, {0, 40}, {0, 0}}), reported(5));
-    steps.push_back({line({0, 0}, {20, 20}), {}});
-    const Result r = run(steps);
-    expect_faults(r, Reason::interference, {4}, false);
-    EXPECT_EQ(r.faults[0].other, 1u);
+    for (const Setting& s : {reported(5), avoided(5)}) {
+        auto steps = contour_steps({20, 20}, polyline({{0, 0}, {40, 0}, {40, 40}, {0, 40}, {0, 0}}), s);
+        steps.push_back({line({0, 0}, {20, 20}), {}});
+        const Result r = run(steps);
+        expect_faults(r, Reason::interference, {4}, false);
+        EXPECT_EQ(r.faults[0].other, 1u);
+        EXPECT_NEAR(r.faults[0].at.y, 5, 1e-9);
+        EXPECT_EQ(r.out.size(), 6u) << "it begins in the last element's zone, which is no reason to go over to it";
+    }
     Setting outside = reported(-5);
     EXPECT_TRUE(
         run(contour_steps({-20, 0}, polyline({{0, 0}, {40, 0}, {40, 40}, {0, 40}, {0, 0}}), outside)).faults.empty());

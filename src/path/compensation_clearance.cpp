@@ -121,6 +121,7 @@ void Compensation::watch(double end) {
             if (!look(window_[m]) || leads_to(window_, m)) continue;
             found = before;
             where = at;
+            break;  // nor do they lead any farther
         }
     }
     if (found != nullptr) faults_.push_back({Reason::interference, a.e.tag, found->e.tag, where.point, false});
