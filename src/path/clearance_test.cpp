@@ -109,6 +109,27 @@ TEST(clearance, M98RunsAnInnerCornerOutToBothNormals) {
     expect_path(run(steps), expected);
 }
 
+/// SOUCAST1.H of the article (../shared/programs/heidenhain), RL with radius 5: its compensated contour is 331.312 mm
+/// long.
+TEST(clearance, TheArticlesPart) {
+    const std::vector<Element> part{
+        line({110, 10}, {49.5, 10}),  arc({49.5, 10}, {42, 10}, pi / 2), line({42, 17.5}, {32, 17.5}),
+        line({32, 17.5}, {10, 22.5}), line({10, 22.5}, {10, 55}),        arc({10, 55}, {15, 55}, -pi),
+        arc({20, 55}, {30, 55}, pi),  line({40, 55}, {40, 60}),          line({40, 60}, {50, 70}),
+        line({50, 70}, {60, 70}),     line({60, 70}, {70, 60}),          line({70, 60}, {70, -20})};
+    for (const Setting& s : {reported(5), avoided(5)}) {
+        const Result r = run(contour_steps({110, -30}, part, s));
+        EXPECT_TRUE(r.faults.empty());
+        ASSERT_EQ(r.out.size(), 20u);
+        double length = 0;
+        for (std::size_t i = 1; i < r.out.size(); ++i) length += planar_length(r.out[i].element);
+        EXPECT_NEAR(length, 331.31210674955094, 1e-9);
+        EXPECT_NEAR(planar_length(r.out[0].element), 35, 1e-12);
+        EXPECT_NEAR(r.out[2].element.sweep, -pi / 2, 1e-12);
+        EXPECT_NEAR(r.out.back().element.to.x, 75, 1e-12);
+    }
+}
+
 /// A slot 6 mm wide and a tool of radius 5.
 const std::vector<Element> slot = polyline({{0, 0}, {50, 0}, {50, -30}, {56, -30}, {56, 0}, {100, 0}});
 
