@@ -17,19 +17,6 @@ constexpr std::size_t largest_window = 1000;
 
 bool carries_zone(Role r) { return r == Role::contour || r == Role::transition || r == Role::absent; }
 
-double distance_to(const Element& e, Vec2 p) {
-    if (!is_arc(e)) {
-        const Vec2 d = e.to - e.from;
-        const double t = std::clamp(geom::dot(p - e.from, d) / geom::dot(d, d), 0.0, 1.0);
-        return geom::distance(p, e.from + t * d);
-    }
-    const double turn = std::copysign(1.0, e.sweep);
-    double angle = turn * turn_between(e.from - e.centre, p - e.centre);
-    if (angle < 0) angle += 2 * geom::pi;
-    if (angle <= std::abs(e.sweep)) return std::abs(geom::distance(p, e.centre) - geom::distance(e.from, e.centre));
-    return std::min(geom::distance(p, e.from), geom::distance(p, e.to));
-}
-
 /// Positive to the left.
 double curvature(const Element& e) {
     return is_arc(e) ? std::copysign(1 / geom::distance(e.from, e.centre), e.sweep) : 0;
@@ -135,6 +122,12 @@ Reach reach(const std::deque<Item>& window) {
     return r;
 }
 
+Chain chain_to(const std::deque<Item>& window, std::size_t m) {
+    Chain chain;
+    for (std::size_t i = 0; i <= m; ++i) chain.push_back(&window[i]);
+    return chain;
+}
+
 std::optional<Exit> first_exit(const std::deque<Item>& window, std::size_t reach) {
     const Item& a = window.front();
     std::optional<Exit> best = exit_to_next(a, window[1]);
@@ -142,7 +135,8 @@ std::optional<Exit> first_exit(const std::deque<Item>& window, std::size_t reach
     const double tolerance = same_place / scale(a.curve);
     for (std::size_t m = 2; m < reach; ++m) {
         const auto c = entry(a, window[m]);
-        if (c && (!best || c->on_a < best->at.on_a - tolerance)) best = Exit{m, *c, false};
+        if (!c || (best && c->on_a >= best->at.on_a - tolerance)) continue;
+        if (is_pocket(chain_to(window, m), c->point)) best = Exit{m, *c, false};
     }
     return best;
 }
@@ -162,7 +156,8 @@ bool cuts_into(const Item& zone, const Item& a, double from, double to) {
     constexpr int samples = 16;
     for (int i = 1; i <= samples; ++i) {
         const Vec2 p = point_on(a.curve, from + (to - from) * i / samples);
-        const double d = zone.role == Role::transition ? geom::distance(p, zone.e.centre) : distance_to(zone.e, p);
+        const double d = zone.role == Role::transition ? geom::distance(p, zone.e.centre)
+                                                       : geom::distance(p, nearest_point(zone.e, p));
         if (d < std::abs(zone.d1) - blend) return true;
     }
     return false;

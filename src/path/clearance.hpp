@@ -8,7 +8,7 @@
 #include <deque>
 #include <optional>
 
-#include "path/join.hpp"
+#include "path/contour_loop.hpp"
 
 namespace obrys::path {
 
@@ -43,7 +43,10 @@ struct Reach {
     bool complete = false;
 };
 [[nodiscard]] Reach reach(const std::deque<Item>& window);
-/// The first exit of the front item within reach, `avoided`; of equally early ones the nearest item.
+/// The items from the front one to item m.
+[[nodiscard]] Chain chain_to(const std::deque<Item>& window, std::size_t m);
+/// The first exit of the front item within reach, `avoided`: to the next item or over a pocket; of equally early ones
+/// to the nearest item.
 [[nodiscard]] std::optional<Exit> first_exit(const std::deque<Item>& window, std::size_t reach);
 /// The sound exits from item to item lead from the front one to item m.
 [[nodiscard]] bool leads_to(const std::deque<Item>& window, std::size_t m);

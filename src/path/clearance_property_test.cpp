@@ -37,7 +37,7 @@ Sample jagged(Random& random) {
         p = q;
     };
     to({0, random.in(-1, 1)});
-    for (int i = 1 + random.upto(18); i > 0; --i) {
+    for (int i = 1 + random.upto(14); i > 0; --i) {
         const double step = random.in(0.05, 5);
         const int what = random.upto(5);
         if (what == 0) {
@@ -50,7 +50,7 @@ Sample jagged(Random& random) {
             const Vec2 centre = middle + (step / std::tan(bend)) * Vec2{0, 1};
             s.contour.push_back(arc(p, centre, 2 * bend));
             p = s.contour.back().to = p + Vec2{2 * step, 0};
-        } else if (what == 3 && random.upto(1) == 0) {
+        } else if (what == 3 && random.upto(2) == 0) {
             for (const Vec2 q : bottle(random, p)) to(q);
         } else {
             to({p.x + (what == 2 ? 0.01 : step), random.in(-5, 5)});

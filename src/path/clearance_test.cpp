@@ -249,6 +249,20 @@ TEST(clearance, StartingInAnInnerCornerCutsIntoTheFirstElement) {
         run(contour_steps({-20, 0}, polyline({{0, 0}, {40, 0}, {40, 40}, {0, 40}, {0, 0}}), outside)).faults.empty());
 }
 
+/// Round a ring whose gap is 4 mm wide, its walls included: the tool of radius 5 cuts into the other wall. Passing over
+/// "what does not fit" would leave out the ring.
+TEST(clearance, AGapInARingIsNoPocket) {
+    const auto ring = polyline({{-2, 15}, {-2, 0}, {-20, 0}, {-20, 40}, {20, 40}, {20, 0}, {2, 0}, {2, 15}});
+    for (const Setting& s : {reported(5), avoided(5)}) {
+        const Result r = run(contour_steps({3, 25}, ring, s));
+        ASSERT_FALSE(r.faults.empty());
+        for (const Fault& f : r.faults) EXPECT_EQ(f.reason, Reason::interference);
+        EXPECT_EQ(r.faults.front().tag, 7u);
+        EXPECT_EQ(r.out.size(), 14u);
+    }
+    EXPECT_TRUE(run(contour_steps({3, 25}, ring, reported(2))).faults.empty());
+}
+
 TEST(clearance, SmoothApproachAndDepartureAreLeftAsTheyAre) {
     const ContourEnd begin{{0, 0}, {1, 0}, Side::left, 5, -2}, end{{40, 0}, {1, 0}, Side::left, 5, -2};
     const auto on = smooth_approach({{-20, 30}, 3}, begin, {.kind = SmoothKind::arc_and_line, .radius = 12});

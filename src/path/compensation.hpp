@@ -40,6 +40,7 @@
 #include <vector>
 
 #include "base/function_ref.hpp"
+#include "path/contour_loop.hpp"
 #include "path/element.hpp"
 #include "path/join.hpp"
 #include "path/setting.hpp"
@@ -91,6 +92,7 @@ private:
     void drop(std::size_t index);
     void leave_out(std::size_t index);
     void watch(double end);
+    [[nodiscard]] Chain chain_back(const Item& past) const;
     void keep_behind(const Item& item);
     void commit(const Join& j, OutputSink out);
     void finish_front(geom::Vec2 end, double place, OutputSink out);
@@ -100,6 +102,7 @@ private:
     bool active_ = false;           ///< an approach was taken and no retract yet
     double offset_ = 0;             ///< at the end of the newest contour element, positive left
     std::deque<Item> window_;       ///< front: the element whose start is settled
+    std::uint64_t items_ = 0;       ///< taken so far
     std::deque<Item> past_;         ///< items behind the path whose zones are still looked at
     std::vector<int> carried_;      ///< events waiting for the next output
     std::optional<geom::Vec2> at_;  ///< where the output stands while active

@@ -29,6 +29,7 @@ struct Item {
     std::vector<Element> after;  ///< elements without motion in the plane, due at its end
     double zone = 0;             ///< the offset where clearance is asked for and it is the same at both ends; 0: none
     geom::Box box;               ///< round the parallel
+    std::uint64_t serial = 0;    ///< counts items in contour order
     bool loose = false;          ///< what followed was left out with a fault: a straight link is no second one
 };
 
