@@ -103,7 +103,8 @@ Vec2 nearest(const Edge& e, Vec2 p) {
     if (t >= 0 && t <= 1) {
         const Circle c = circle(e);
         const double l = distance(c.centre, p);
-        if (l > 0) return p - (outside(e, p) / l) * (p - c.centre);
+        if (l > 1e-6 * c.radius) return p - (outside(e, p) / l) * (p - c.centre);
+        return point_at(e, t);  // near the centre the direction from it is noise, and all points are equally far
     }
     return distance(e.a, p) <= distance(e.b, p) ? e.a : e.b;
 }

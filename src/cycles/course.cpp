@@ -1,0 +1,212 @@
+#include "cycles/course.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <utility>
+
+#include "base/number.hpp"
+#include "cycles/names.hpp"
+
+namespace obrys::cycles {
+
+namespace {
+constexpr double no_length = 1e-9;  ///< mm; a shorter move is none
+constexpr double largest = 1e7;     ///< beyond every control's input range
+
+/// False where a coordinate is not known (geom::length may overlook a NaN).
+bool same_place(geom::Vec3 a, geom::Vec3 b) {
+    return std::abs(a.x - b.x) <= no_length && std::abs(a.y - b.y) <= no_length && std::abs(a.z - b.z) <= no_length;
+}
+
+/// Feeds that may be rapid traverse (FMAX).
+bool may_be_rapid(program::CycleRole role) {
+    return role == program::CycleRole::feed_position || role == program::CycleRole::feed_retract;
+}
+}  // namespace
+
+Course::Course(const Demand& demand, const Situation& situation) : demand_(demand), at_(situation.at) {
+    known(at_.x + at_.y, "the tool's position in the working plane");
+}
+
+double Course::checked(Role role, double value) {
+    if (std::isnan(value)) {
+        not_simulated(std::string(name(role)) + " is not known");
+        out_.complaints.back().role = role;
+    } else if (std::abs(value) > largest) {
+        fault(role, std::string(name(role)) + " is out of range");
+        return unknown;
+    }
+    return value;
+}
+
+double Course::need(Role role) {
+    const auto value = demand_.find(role);
+    if (value) return checked(role, *value);
+    fault(role, std::string(name(role)) + " is not given");
+    return unknown;
+}
+
+double Course::maybe(Role role, double otherwise) {
+    const auto value = demand_.find(role);
+    return value ? checked(role, *value) : otherwise;
+}
+
+double Course::at_least(Role role, double least) {
+    const double value = need(role);
+    if (value < least) fault(role, std::string(name(role)) + " must not be below " + base::shortest(least));
+    return value;
+}
+
+double Course::positive(Role role) {
+    const double value = need(role);
+    if (value <= 0) fault(role, std::string(name(role)) + " must be greater than 0");
+    return value;
+}
+
+double Course::maybe_at_least(Role role, double least, double otherwise) {
+    return demand_.find(role) ? at_least(role, least) : otherwise;
+}
+
+double Course::feed(Role role) {
+    const auto value = demand_.find(role);
+    if (value && may_be_rapid(role) && std::isinf(*value) && *value > 0) return *value;
+    const double f = need(role);
+    if (f <= 0) fault(role, "Feed rate is missing: " + std::string(name(role)) + " must be greater than 0");
+    return f;
+}
+
+double Course::feed_or(Role role, double otherwise) {
+    const auto value = demand_.find(role);
+    return !value || *value == 0 ? otherwise : feed(role);
+}
+
+double Course::feed_or_programmed(Role role, double programmed) {
+    if (demand_.get(role, 0) != 0) return feed(role);
+    if (known(programmed, "the feed rate") <= 0) fault(role, "Feed rate is missing", "program a feed rate F");
+    return programmed;
+}
+
+double Course::depth(Role role) {
+    const double value = need(role);
+    if (value > 0) fault(role, "Enter depth as a negative value", "a depth is measured downwards from the surface");
+    if (value == 0) not_executed(role);
+    return value;
+}
+
+double Course::known(double value, const std::string& what) {
+    if (!std::isfinite(value)) not_simulated(what + " is not known");
+    return value;
+}
+
+double Course::tool_radius(const Situation& situation) {
+    const double radius = known(situation.tool_radius, "the tool radius");
+    if (radius < 0 || radius > largest) fault("the tool radius is out of range");
+    return radius;
+}
+
+double Course::spindle_speed(const Situation& situation) {
+    const double speed = known(situation.spindle_speed, "the spindle speed");
+    if (speed < 0 || speed > largest) fault("the spindle speed is out of range");
+    return speed;
+}
+
+void Course::fault(Role role, std::string text, std::string remedy) {
+    out_.complaints.push_back({true, std::move(text), std::move(remedy), role});
+    ready_ = false;
+}
+
+void Course::fault(std::string text, std::string remedy) {
+    out_.complaints.push_back({true, std::move(text), std::move(remedy), std::nullopt});
+    ready_ = false;
+}
+
+void Course::not_executed(Role role) {
+    skipped_ = Complaint{false, std::string(name(role)) + " is 0: the cycle is not executed", {}, role};
+    ready_ = false;
+}
+
+void Course::not_simulated(std::string text, std::string remedy) {
+    out_.complaints.push_back({false, std::move(text), std::move(remedy), std::nullopt});
+    out_.simulated = false;
+    ready_ = false;
+}
+
+bool Course::room() {
+    if (full_) return false;
+    if (out_.steps.size() < most_steps) return true;
+    full_ = true;
+    fault("the cycle takes more than " + base::shortest(double(most_steps)) + " steps", "enter larger infeeds");
+    return false;
+}
+
+void Course::add(cl::Step step) {
+    if (room()) out_.steps.push_back(std::move(step));
+}
+
+void Course::set_feed(double value) {
+    if (value == feed_) return;
+    feed_ = value;
+    add(cl::Feed{value, cl::FeedMode::per_minute});
+}
+
+void Course::rapid(geom::Vec3 to) {
+    if (same_place(at_, to)) return;
+    add(cl::Linear{.to = to, .rapid = true});
+    at_ = to;
+}
+
+void Course::move(geom::Vec3 to, double feed) {
+    if (std::isinf(feed)) return rapid(to);
+    if (same_place(at_, to)) return;
+    set_feed(feed);
+    add(cl::Linear{.to = to, .rapid = false});
+    at_ = to;
+}
+
+void Course::arc(geom::Vec2 centre, double sweep, double w, double feed) {
+    const geom::Vec2 from = geom::Vec2{at_.x, at_.y} - centre;
+    const double c = std::cos(sweep), s = std::sin(sweep);
+    geom::Vec2 to = centre + geom::Vec2{c * from.x - s * from.y, s * from.x + c * from.y};
+    const double turns = sweep / (2 * geom::pi);
+    if (std::abs(turns - std::round(turns)) < 1e-12) to = {at_.x, at_.y};  // a full turn ends where it began
+    set_feed(feed);
+    add(cl::Arc{.to = {to.x, to.y, w}, .centre = {centre.x, centre.y, w}, .normal = {0, 0, 1}, .sweep = sweep});
+    at_ = {to.x, to.y, w};
+}
+
+void Course::dwell(double seconds) {
+    if (seconds > 0) add(cl::Dwell{.seconds = seconds});
+}
+
+void Course::spindle(double speed, int direction) {
+    add(cl::Spindle{.speed = speed, .direction = static_cast<std::int8_t>(direction)});
+}
+
+void Course::thread_w(double w, double pitch, bool rigid) {
+    if (std::abs(w - at_.z) <= no_length) return;
+    at_.z = w;
+    add(cl::Thread{.to = at_, .pitch = pitch, .rigid_tap = rigid});
+}
+
+Expansion Course::finish() {
+    if (skipped_) {
+        Expansion nothing;
+        nothing.complaints.push_back(*skipped_);
+        return nothing;
+    }
+    if (!out_.ok()) out_.steps.clear();
+    return std::move(out_);
+}
+
+Heights read_heights(Course& course) {
+    using Role = program::CycleRole;
+    Heights h;
+    h.surface = course.need(Role::surface);
+    const double clearance = course.at_least(Role::clearance, 0);
+    h.clearance = h.surface + clearance;
+    h.bottom = h.surface + course.depth();
+    h.end = h.surface + std::max(clearance, course.maybe_at_least(Role::second_clearance, 0, 0));
+    return h;
+}
+
+}  // namespace obrys::cycles

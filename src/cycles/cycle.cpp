@@ -1,0 +1,68 @@
+#include "cycles/cycle.hpp"
+
+#include <algorithm>
+
+#include "cycles/course.hpp"
+
+namespace obrys::cycles {
+
+namespace {
+
+using Kind = program::CycleKind;
+using Family = void (*)(Course&, const Demand&, const Situation&);
+
+/// The family that expands a kind; none for kinds that are no machining of their own or not simulated.
+Family family_of(Kind kind) {
+    switch (kind) {
+        case Kind::peck:
+        case Kind::drill:
+        case Kind::universal_drill:
+        case Kind::universal_peck:
+        case Kind::centre:
+        case Kind::single_lip: return expand_drill;
+        case Kind::ream:
+        case Kind::bore:
+        case Kind::back_bore:
+        case Kind::bore_mill: return expand_bore;
+        case Kind::tap_floating_simple:
+        case Kind::tap_floating:
+        case Kind::tap_rigid_simple:
+        case Kind::tap_rigid:
+        case Kind::tap_chip_breaking:
+        case Kind::thread_cut: return expand_tap;
+        case Kind::thread_mill:
+        case Kind::thread_mill_countersink:
+        case Kind::thread_mill_drill:
+        case Kind::thread_mill_helix:
+        case Kind::thread_mill_outside: return expand_thread_mill;
+        case Kind::multipass:
+        case Kind::ruled_surface:
+        case Kind::face_mill: return expand_surface;
+        default: return nullptr;
+    }
+}
+
+}  // namespace
+
+std::optional<double> Demand::find(program::CycleRole role) const {
+    const auto found =
+        std::find_if(values.rbegin(), values.rend(), [role](const program::CycleValue& v) { return v.role == role; });
+    return found == values.rend() ? std::nullopt : std::optional(found->value);
+}
+
+bool is_expanded(Kind kind) { return family_of(kind) != nullptr; }
+
+Expansion expand(const Demand& demand, const Situation& situation) {
+    const Family family = family_of(demand.kind);
+    if (family == nullptr) {
+        Expansion e;
+        e.simulated = false;
+        e.complaints.push_back({false, "this cycle is not simulated", {}, std::nullopt});
+        return e;
+    }
+    Course course(demand, situation);
+    family(course, demand, situation);
+    return course.finish();
+}
+
+}  // namespace obrys::cycles

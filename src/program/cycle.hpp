@@ -1,0 +1,244 @@
+#pragma once
+/// Machining cycles by meaning: what a cycle does and what each of its parameters says, whatever control spells it.
+/// A reader turns numbers and Q parameters into these, cycles/cycle.hpp expands them.
+
+#include <cstdint>
+
+namespace obrys::program {
+
+enum class CycleKind : std::uint8_t {
+    // Holes.
+    peck,             ///< full retract after every infeed, advanced stop from the control's own rule (old form)
+    drill,            ///< infeeds with retract to the clearance
+    ream,             ///< one feed motion down, feed motion up
+    bore,             ///< as ream, oriented spindle stop, sideways disengagement
+    universal_drill,  ///< infeeds with decrement, chip break or retract
+    back_bore,        ///< counterbore from below
+    universal_peck,   ///< infeeds with decrement, chip break, advanced stop distances, deepened start
+    bore_mill,        ///< helix
+    centre,           ///< to a depth or a diameter
+    single_lip,       ///< single-lip deep hole
+    // Threads.
+    tap_floating_simple,  ///< old form: depth, dwell, feed
+    tap_floating,
+    tap_rigid_simple,  ///< old form: depth, pitch
+    tap_rigid,
+    tap_chip_breaking,
+    thread_cut,  ///< one synchronised pass from where the tool stands
+    thread_mill,
+    thread_mill_countersink,
+    thread_mill_drill,
+    thread_mill_helix,
+    thread_mill_outside,
+    // Pockets, slots, studs.
+    slot_simple,
+    rectangular_pocket_simple,
+    circular_pocket_simple,
+    slot_reciprocating,
+    round_slot_reciprocating,
+    rectangular_pocket_finish,
+    rectangular_stud_finish,
+    circular_pocket_finish,
+    circular_stud_finish,
+    rectangular_pocket,
+    circular_pocket,
+    slot,
+    round_slot,
+    rectangular_stud,
+    circular_stud,
+    // Patterns.
+    pattern_circle,
+    pattern_lines,
+    // Contours.
+    contour_definition,  ///< the labels or programs that hold the contours
+    contour_data,
+    pilot_drill,
+    rough_out,
+    floor_finish,
+    side_finish,
+    contour_train,
+    contour_train_data,
+    pilot_drill_simple,  ///< old forms: with their own depths
+    rough_out_simple,
+    contour_mill_simple,
+    cylinder_surface,
+    cylinder_slot,
+    cylinder_ridge,
+    cylinder_contour,
+    // Surfaces.
+    multipass,
+    ruled_surface,
+    face_mill,
+    point_data,  ///< digitised points from a file
+    // Coordinates and the rest.
+    datum_shift,
+    mirror,
+    rotation,
+    scaling,
+    axis_scaling,
+    working_plane,
+    preset,
+    dwell,
+    program_call,
+    orientation,
+    tolerance,
+    probe,
+};
+
+/// Meaning of a parameter. Lengths in mm, angles in degrees as written, feeds in mm/min, times in seconds.
+/// u and v are the axes of the working plane, w is the tool axis, upwards positive.
+enum class CycleRole : std::uint8_t {
+    // Heights.
+    surface,           ///< w of the workpiece surface
+    clearance,         ///< above the surface; positive
+    second_clearance,  ///< above the surface; no collision with clamps
+    clearance_height,  ///< absolute w (contour cycles)
+    depth,             ///< from the surface, downwards negative
+    end_surface,       ///< absolute w to which a face is milled
+    infeed,            ///< per step; positive
+    min_infeed,
+    decrement,  ///< the infeed becomes smaller by this with every step
+    chip_break_distance,
+    chip_break_depth,
+    breaks_before_retract,
+    stop_distance_first,
+    stop_distance_last,
+    deepened_start,  ///< below the surface; positive
+    allowance_side,
+    allowance_floor,
+    allowance_left,  ///< of the side, left by this cycle
+    allowance_u,
+    finish_infeed,
+    hole_depth,  ///< of the whole hole, downwards negative
+    countersink_depth,
+    front_depth,
+    front_offset,
+    countersink_order,
+    dwell_depth,
+    counterbore_depth,  ///< from the underside, upwards positive
+    thickness,
+    off_centre,
+    edge_height,
+    depth_reference,
+    // Feeds, times, speeds.
+    feed_plunge,
+    feed_mill,
+    feed_position,
+    feed_retract,
+    feed_countersink,
+    feed_finish,
+    feed_step,
+    feed_reciprocate,
+    feed_approach,
+    feed_factor,
+    feed_reference,
+    dwell_top,
+    dwell_bottom,
+    dwell,
+    spindle_direction,
+    spindle_speed_position,
+    spindle_speed,
+    rpm_factor,
+    coolant_on,
+    coolant_off,
+    // Sizes.
+    pitch,
+    diameter,
+    radius,
+    predrilled_diameter,
+    blank_diameter,
+    centre_by_diameter,
+    infeed_per_turn,
+    threads_per_step,
+    length,
+    width,
+    blank_length,
+    blank_width,
+    corner_radius,
+    rounding_radius,
+    cylinder_radius,
+    slot_width,
+    side_clearance,
+    tolerance,
+    tolerance_angle,
+    tolerance_mode,
+    // Places in the plane.
+    centre_u,
+    centre_v,
+    start_u,
+    start_v,
+    start_w,
+    second_u,
+    second_v,
+    second_w,
+    third_u,
+    third_v,
+    third_w,
+    fourth_u,
+    fourth_v,
+    fourth_w,
+    end_u,
+    end_v,
+    pitch_circle,
+    start_angle,
+    end_angle,
+    angle_step,
+    angle_length,
+    rotation,
+    spacing_u,
+    spacing_v,
+    columns,
+    rows,
+    count,
+    passes,
+    position,
+    approach_position,
+    // Ways of doing it.
+    direction,          ///< +1 climb, -1 up-cut; old forms: DR+ 1, DR- -1
+    retract_direction,  ///< 0 none, 1 u-, 2 v-, 3 u+, 4 v+
+    spindle_angle,
+    operation,  ///< 0 roughing and finishing, 1 roughing, 2 finishing
+    overlap,
+    plunge,
+    strategy,
+    move_at_clearance,
+    traverse,
+    approach,
+    compensation,
+    approach_radius,
+    approach_angle,
+    auxiliary_distance,
+    coarse_tool,
+    pilot_tool,
+    dimension_kind,
+    plunge_angle,
+    // Transformations.
+    axis_x,
+    axis_y,
+    axis_z,
+    axis_a,
+    axis_b,
+    axis_c,
+    axis_u,
+    axis_v,
+    axis_w,
+    centre_x,
+    centre_y,
+    centre_z,
+    datum_number,
+    preset_number,
+    angle,
+    factor,
+    contour_label,
+    program_name,
+    setup_distance,
+    probe_input,  ///< of a probing cycle: not looked at
+};
+
+struct CycleValue {
+    CycleRole role = CycleRole::depth;
+    double value = 0;  ///< NaN: written, but not known
+    bool operator==(const CycleValue&) const = default;
+};
+
+}  // namespace obrys::program
