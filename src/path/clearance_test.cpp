@@ -4,7 +4,6 @@
 #include <iostream>
 
 #include "path/path_support_test.hpp"
-#include "path/smooth_approach.hpp"
 
 namespace obrys::path::test {
 namespace {
@@ -261,40 +260,6 @@ TEST(clearance, AGapInARingIsNoPocket) {
         EXPECT_EQ(r.out.size(), 14u);
     }
     EXPECT_TRUE(run(contour_steps({3, 25}, ring, reported(2))).faults.empty());
-}
-
-TEST(clearance, SmoothApproachAndDepartureAreLeftAsTheyAre) {
-    const ContourEnd begin{{0, 0}, {1, 0}, Side::left, 5, -2}, end{{40, 0}, {1, 0}, Side::left, 5, -2};
-    const auto on = smooth_approach({{-20, 30}, 3}, begin, {.kind = SmoothKind::arc_and_line, .radius = 12});
-    const auto off = smooth_departure(end, {{60, 30}, 3}, {.kind = SmoothKind::arc_and_line, .radius = 12});
-    std::vector<Step> steps;
-    for (const Element& e : on.path) steps.push_back({e, {}});
-    steps.back().s = reported(5);
-    steps.back().s.approach = Approach::ready;
-    steps.push_back({line({0, 0}, {40, 0}, -2), reported(5)});
-    Setting ready;
-    ready.approach = Approach::ready;
-    for (const Element& e : off.path) steps.push_back({e, ready});
-    const Result r = run(steps);
-    EXPECT_TRUE(r.faults.empty());
-    ASSERT_EQ(r.out.size(), on.path.size() + 1 + off.path.size());
-    EXPECT_EQ(largest_gap(r), 0);
-    for (std::size_t i = 0; i < on.path.size(); ++i) EXPECT_NEAR(r.out[i].element.sweep, on.path[i].sweep, 1e-12);
-    const std::size_t after = on.path.size() + 1;
-    for (std::size_t i = 0; i < off.path.size(); ++i) {
-        EXPECT_NEAR(r.out[after + i].element.sweep, off.path[i].sweep, 1e-12);
-        EXPECT_LE(geom::distance(r.out[after + i].element.to, off.path[i].to), 1e-12);
-    }
-    EXPECT_EQ(r.out[on.path.size()].kind, Kind::contour);
-    EXPECT_NEAR(r.out[on.path.size()].element.to.y, 5, 1e-12);
-}
-
-TEST(clearance, AReadyApproachMayHaveNoLength) {
-    Setting s = reported(5);
-    s.approach = Approach::ready;
-    const Result r = run({{line({-9, 5}, {0, 5}), {}}, {line({0, 5}, {0, 5}), s}, {line({0, 0}, {9, 0}), reported(5)}});
-    EXPECT_TRUE(r.faults.empty());
-    expect_path(r, {{{0, 5}, Kind::passed}, {{9, 5}, Kind::contour}});
 }
 
 }  // namespace
