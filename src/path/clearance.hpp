@@ -1,8 +1,8 @@
 #pragma once
 /// Zones of elements that are not neighbours: what Clearance::reported and avoided need. Inside of compensation.hpp;
 /// not for callers. The boundary of all zones on the tool's side consists of the parallels and of the arcs round outer
-/// corners; so these arcs become items of their own, and the path is the walk along items that changes over to another
-/// one wherever it would enter that one's zone.
+/// corners; so these arcs become items of their own, and the path is the walk along items that changes over to a later
+/// one where it would enter that one's zone, if what lies between is a pocket (contour_loop.hpp).
 
 #include <cmath>
 #include <deque>

@@ -21,14 +21,14 @@
 ///
 /// HEIDENHAIN words (iTNC 530 User's Manual, "Tool radius compensation", "Miscellaneous functions for contouring
 /// behavior"), all of them data in Setting:
-///   RL/RR   arc at outer corners, crossing at inner ones, start and end normal to the contour (Approach::normal), no
-///   arc
-///           at start and end; Clearance::reported. Any fault but `interference` and bridged ones is where the control
-///           stops with "Tool radius too large"; cutting into a contour farther on it does not see without M120.
+///   RL/RR   arc at outer corners, crossing at inner ones, start and end normal to the contour (Approach::normal) and
+///           by lines only; Clearance::reported. Where elements cannot be reached the control stops with "Tool radius
+///           too large"; an `interference` it does not see without M120.
 ///   M97     CornerEnd::crossing in the block that ends at the corner
 ///   M98     CornerEnd::open in the block that ends at the corner
 ///   M120    Clearance::avoided with `window` from LA, from this block on (until R0, M120 without LA or LA0, a called
-///           program). The manual says what it does, not how; ours is the walk of clearance.hpp.
+///           program). The manual says what it does, not how; ours is the walk of clearance.hpp. A block counts
+///           here if it moves in the plane, and inserted chamfers and roundings count too.
 ///   M90     no effect on the path
 ///   not modelled: a spline instead of the arc at outer corners (MP7680)
 /// ISO: arc at outer corners, norm approach.
