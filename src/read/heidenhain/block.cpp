@@ -16,6 +16,8 @@ void read_number(State& s) {
     const std::uint32_t from = s.in.at();
     while (base::is_digit(s.in.peek())) s.in.step();
     s.numbered = s.in.at() > from;
+    s.number = static_cast<std::uint32_t>(
+        base::parse_integer(s.in.between(from, s.in.at())).value_or(0) & 0xFFFFFFFF);
     if (s.in.take('/')) skip = 1;
     s.in.skip_blanks();
     s.build.begin_block(skip);
@@ -78,16 +80,6 @@ struct NotRun {
 };
 constexpr std::array not_run{
     NotRun{"LN", "straight lines with surface normals (3D compensation)"},
-    NotRun{"APPR", "smooth approach"},
-    NotRun{"DEP", "smooth departure"},
-    NotRun{"FPOL", "free contour programming"},
-    NotRun{"FL", "free contour programming"},
-    NotRun{"FLT", "free contour programming"},
-    NotRun{"FC", "free contour programming"},
-    NotRun{"FCT", "free contour programming"},
-    NotRun{"FSELECT", "free contour programming"},
-    NotRun{"SPL", "spline"},
-    NotRun{"PLANE", "tilted working plane"},
     NotRun{"SEL", "selection of a program, table, pattern or contour"},
     NotRun{"DECLARE", "contour of a formula"},
     NotRun{"CONTOUR", "contour of a formula"},
@@ -169,7 +161,7 @@ void read_block(State& s) {
     const std::string_view word = s.in.letters();
     const std::uint32_t begin = s.in.at();
     if (!is(word, "CYCL") && !is(word, "CYCLE")) s.open_cycle = program::no_target;
-    if (word.empty() || (!read_structure(s, word) && !read_path_block(s, word) && !read_not_run(s, word))) {
+    if (word.empty() || (!read_structure(s, word) && !read_special_block(s, word) && !read_path_block(s, word) && !read_not_run(s, word))) {
         s.build.statement(StatementKind::block, s.block);
         s.in.go_to(begin);
         const std::string token = base::as_utf8(s.in.token());
