@@ -169,7 +169,7 @@ void read_tool_definition(State& s, bool next) {
 /// G98 L1, and what may follow it.
 void read_label(State& s, const IsoBlock& b) {
     const std::uint32_t begin = s.in.at();
-    if (read_code(s) != 98) {
+    if (base::upper(s.in.peek()) != 'G' || read_code(s) != 98) {
         s.build.statement(StatementKind::block, s.block);
         return fail(s, begin, "G98 stands first in its block", "write the label in a block of its own");
     }
@@ -182,7 +182,7 @@ void read_label(State& s, const IsoBlock& b) {
 
 void read_corner_code(State& s) {
     const std::uint32_t begin = s.in.at();
-    const int n = read_code(s);
+    const int n = base::upper(s.in.peek()) == 'G' ? read_code(s) : 0;
     if (n != 24 && n != 25) {
         s.build.statement(StatementKind::block, s.block);
         return fail(s, begin, "a chamfer or rounding stands in a block of its own", "G24 R2 or G25 R5");
@@ -195,7 +195,7 @@ void read_corner_code(State& s) {
 /// is tangential to it and to the contour. G27 R5 behind the last contour element: so to the next block's point.
 void read_smooth(State& s, bool departure) {
     const std::uint32_t begin = s.in.at();
-    const int n = read_code(s);
+    const int n = base::upper(s.in.peek()) == 'G' ? read_code(s) : 0;
     const bool joined = s.last_path != program::no_target && s.last_path + 1 == s.build.unit().statements.size();
     const bool straight = s.iso.motion == 0 || s.iso.motion == 1 || s.iso.motion == 10 || s.iso.motion == 11;
     const bool good = n == (departure ? 27 : 26) && (departure || (joined && straight));
