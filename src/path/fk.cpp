@@ -170,25 +170,16 @@ std::optional<FkFault> FkState::extend(const FkElement& e) {
     return {};
 }
 
-/// Branches that found the same in different ways become one.
+/// Branches that found the same in different ways become one; only where nothing is left open in either, since what is
+/// still to be checked may differ.
 void FkState::unite() {
     const auto same = [this](const FkBranch& a, const FkBranch& b) {
-        if (a.open.size() != b.open.size()) return false;
+        for (const FkBranch* x : {&a, &b})
+            if (!x->open.empty() || !x->checks.empty() || !x->limits.empty() || !x->polar.empty()) return false;
         for (std::size_t i = 0; i < a.values.size(); ++i) {
-            const auto &p = a.values[i].terms, &q = b.values[i].terms;
             const double limit = is_direction(a.base + static_cast<int>(i)) ? same_solution / scale : same_solution;
             const FkPoly apart = a.values[i] - b.values[i];
-            const bool shape = a.values[i].is_constant() == b.values[i].is_constant();
-            if (!shape || (a.values[i].is_constant() ? std::abs(apart.constant()) > limit : p.size() != q.size()))
-                return false;
-            for (const FkTerm& t : apart.terms)
-                if (t.b >= 0 && std::abs(t.factor) > 1e-6) return false;
-            if (!a.values[i].is_constant() && std::abs(apart.constant()) > limit) return false;
-        }
-        for (std::size_t i = 0; i < a.open.size(); ++i) {
-            const FkPoly apart = a.open[i].poly - b.open[i].poly;
-            for (const FkTerm& t : apart.terms)
-                if (std::abs(t.factor) > 1e-6 * (1 + a.open[i].size)) return false;
+            if (!apart.is_constant() || std::abs(apart.constant()) > limit) return false;
         }
         return true;
     };
@@ -254,6 +245,8 @@ void FkState::forget_first(const Element& e) {
     };
     for (FkBranch& b : branches) {
         for (FkEquation& q : b.checks) settle(q.poly, b);
+        for (FkEquation& q : b.stated) settle(q.poly, b);
+        std::erase_if(b.stated, [](const FkEquation& q) { return q.poly.is_constant(); });
         for (FkLimit& q : b.limits) settle(q.poly, b);
         for (FkPolar& q : b.polar)
             for (FkPoly* p : {&q.x, &q.y, &q.radius_from[0], &q.radius_from[1], &q.angle_from[0], &q.angle_from[1]})
@@ -276,6 +269,7 @@ void FkState::forget_first(const Element& e) {
 std::vector<Element> FkState::release() {
     std::vector<Element> out;
     Element e;
+    if (branches.size() == 1 && !pending.empty() && agreed(0, e)) polish(branches.front(), scale);
     while (!pending.empty() && agreed(0, e)) {
         forget_first(e);
         out.push_back(e);

@@ -11,6 +11,7 @@ constexpr double noise = 1e-11;        // of an equation's size: a term below it
 constexpr double weak = 1e-7;          // an unknown is not eliminated by a term below it: nearly parallel, nearly concentric
 constexpr double touching = 2e-13;     // of an equation's size: the two roots are one
 constexpr double lenient = 50;         // times the tolerance, where only the check of the original equation is exact
+constexpr double plain_contradiction = 1e-2;  // of a direction, where the element's length is not known yet
 constexpr double farthest = 1e4;       // of the scale: no root beyond
 constexpr std::size_t most_work = 400'000;  // terms touched in one call
 
@@ -91,6 +92,7 @@ void FkSolver::die(std::uint64_t tag, FkDatum datum, double miss) {
 void FkSolver::add(FkBranch& b, const FkEquations& equations) const {
     for (const FkEquation& e : equations.equal) {
         b.checks.push_back(e);
+        b.stated.push_back(e);
         b.open.push_back(e);
         for (const FkTerm& t : e.poly.terms) b.open.back().size = std::max(b.open.back().size, contribution(t));
         b.open.back().poly = b.at(e.poly);
@@ -159,8 +161,8 @@ FkSolver::Progress FkSolver::check(FkBranch& b) {
         double miss = fk_miss(e, b);
         if (e.unit == FkUnit::direction) {
             const double length = reach(b, e.tag);
-            if (length < 0) return false;
-            miss *= length;
+            if (length < 0 && miss <= plain_contradiction) return false;
+            miss *= length < 0 ? scale_ : length;
         }
         if (!(miss <= fk_tolerance)) wrong(e.tag, e.datum, miss);
         return true;

@@ -71,6 +71,7 @@ struct FkBranch {
     std::vector<FkPoly> values;
     std::vector<FkEquation> open;    ///< still to use, in terms of the unknowns left
     std::vector<FkEquation> checks;  ///< as stated, until checked
+    std::vector<FkEquation> stated;  ///< all of them, for polish()
     std::vector<FkLimit> limits;
     std::vector<FkPolar> polar;
 
@@ -129,6 +130,9 @@ private:
 
 /// Miss of an equation at known values, mm (or 1 for directions): value over the steepest point's gradient.
 [[nodiscard]] double fk_miss(const FkEquation& e, const FkBranch& b);
+/// Takes from the known values what rounding has left in them: Gauss-Newton steps on the stated equations, as long as
+/// they are as small as that and the data agree far better than the tolerance asks.
+void polish(FkBranch& b, double scale);
 [[nodiscard]] FkEquations polar_equations(const FkPolar& p, double radius_base, double angle_base);
 
 }  // namespace obrys::path
