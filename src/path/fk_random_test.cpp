@@ -224,7 +224,7 @@ void thin_out(Random& r, const RandomContour& c, Tally& t) {
         if (::testing::Test::HasFailure()) return;
         if (s.contours.size() == 1) continue;
         EXPECT_EQ(s.fault->solutions, s.contours.size());
-        Run again(c.start);
+        FkRun again(c.start);
         for (const FkElement& e : blocks) again.push(e);
         again.select(which + 1).finish();
         ASSERT_FALSE(again.fault);

@@ -151,10 +151,51 @@ FkSolver::Progress FkSolver::linear(FkBranch& b) {
     return Progress::none;
 }
 
+/// Redundant data that disagree leave normals that are no unit vectors and radii that are none. Where an element has all
+/// its values its points and its centre count and the rest follows from them, so that a miss shows at a datum.
+void FkSolver::shape(FkBranch& b) const {
+    for (const FkGuide& g : guides_) {
+        const auto value = [&b](int id) -> FkPoly& { return b.values[static_cast<std::size_t>(id - b.base)]; };
+        const auto pair = [&](int id) -> std::optional<geom::Vec2> {
+            if (!value(id).is_constant() || !value(id + 2).is_constant()) return {};
+            return geom::Vec2{value(id).constant(), value(id + 2).constant()};
+        };
+        const auto put_normal = [&](int id, geom::Vec2 n) {
+            const auto old = pair(id);
+            const double length = geom::length(n);
+            if (!old || !(length > fk_tolerance) || !(geom::dot(n, *old) > 0)) return;
+            value(id) = FkPoly(n.x / length);
+            value(id + 2) = FkPoly(n.y / length);
+        };
+        const auto x = b.known(g.from_x), y = b.known(g.from_y);
+        const auto end = pair(4 * g.end), at = pair(4 * g.end + 1);
+        if (!x || !y || !end || !at) continue;
+        const geom::Vec2 from{*x, *y};
+        if (!g.arc) {
+            put_normal(4 * g.end + 1, geom::left_of(*end - from));
+            if (const auto n = pair(4 * g.end + 1); value(4 * g.carrier).is_constant())
+                value(4 * g.carrier) = FkPoly(geom::dot(*n, from));
+            continue;
+        }
+        const auto centre = pair(4 * g.carrier);
+        FkPoly& radius = value(4 * g.carrier + 4);
+        if (!centre || !radius.is_constant()) continue;
+        const double sense = std::copysign(1.0, radius.constant());
+        if (geom::distance(from, *centre) > fk_tolerance) radius = FkPoly(sense * geom::distance(from, *centre));
+        put_normal(4 * g.carrier + 1, sense * (*centre - from));
+        put_normal(4 * g.end + 1, sense * (*centre - *end));
+    }
+}
+
 FkSolver::Progress FkSolver::check(FkBranch& b) {
+    shape(b);
     std::optional<FkDeath> worst;
     const auto wrong = [&worst](std::uint64_t tag, FkDatum datum, double miss) {
-        if (!worst || miss > worst->miss) worst = FkDeath{tag, datum, miss};
+        // A datum rather than the shape as such is named.
+        const bool better = worst && (worst->datum == FkDatum::element) != (datum == FkDatum::element)
+                                ? worst->datum == FkDatum::element
+                                : !worst || miss > worst->miss;
+        if (better) worst = FkDeath{tag, datum, miss};
     };
     std::erase_if(b.checks, [&](const FkEquation& e) {
         if (!b.known(e.poly)) return false;

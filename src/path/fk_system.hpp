@@ -111,6 +111,7 @@ private:
     void put(FkBranch& b, int id, const FkPoly& by);
     Progress linear(FkBranch& b);
     Progress drop_constant(FkBranch& b);
+    void shape(FkBranch& b) const;
     Progress check(FkBranch& b);
     Progress expand_polar(FkBranch& b) const;
     Progress one_unknown(FkBranch& b);
