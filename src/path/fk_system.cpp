@@ -299,8 +299,10 @@ void FkSolver::solve(FkBranch b) {
     for (;;) {
         if (work_ > most_work || found.size() > fk_most_solutions) exhausted = true;
         if (exhausted) return;
+        // Checks come when the linear equations are used up: shape() wants whole elements.
+        if (linear(b) == Progress::some) continue;
         if (drop_constant(b) == Progress::dead || check(b) == Progress::dead) return;
-        if (linear(b) == Progress::some || expand_polar(b) == Progress::some) continue;
+        if (expand_polar(b) == Progress::some) continue;
         const Progress p = one_unknown(b);
         if (p != Progress::none) return;
         if (cancel(b) == Progress::some) continue;
