@@ -31,9 +31,9 @@ double sweep_of(Vec2 from, Vec2 to, Vec2 centre, double sense) {
 struct FkState {
     Vec2 origin;
     double w = 0, scale = 1;
-    FkHandle start;                   ///< the contour's, or the last element that came out
+    FkHandle start;                                ///< the contour's, or the last element that came out
     std::optional<std::array<FkPoly, 2>> closing;  ///< start of the element with CLSD+
-    std::deque<FkHandle> history;     ///< elements that came out
+    std::deque<FkHandle> history;                  ///< elements that came out
     std::deque<Slot> pending;
     std::vector<FkBranch> branches{1};
     int next_id = 0;

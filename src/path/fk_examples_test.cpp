@@ -50,8 +50,8 @@ TEST(FkExamples, Tnc370ExampleOfSixLines) {
     expect_ends(run.out, {p11, p13, p14, p15, {75, 20}, {0, 0}});
 }
 
-// TNC 320 manual (34055x-06), page 212: data relative to a block. CCA+90 puts the arc's end straight above its centre; as
-// an angle swept it could not be: the line before would have to run backwards.
+// TNC 320 manual (34055x-06), page 212: data relative to a block. CCA+90 puts the arc's end straight above its centre;
+// as an angle swept it could not be: the line before would have to run backwards.
 TEST(FkExamples, EndPointRelativeToABlock) {
     FkRun run({0, 0});
     Block b = fl(13).about(10, 10);
@@ -153,8 +153,11 @@ TEST(FkExamples, DumbBell) {
     ASSERT_FALSE(run.fault);
     const Vec2 c{30, 30}, u{0.5, std::sqrt(0.75)}, left = geom::left_of(u);
     const double big = std::sqrt(30.0 * 30 - 100), small = 55 - std::sqrt(20.0 * 20 - 100);
-    expect_ends(run.out, {c + big * u + 10 * left, c + small * u + 10 * left, c + small * u - 10 * left,
-                          c + big * u - 10 * left, {0, 30}});
+    expect_ends(run.out, {c + big * u + 10 * left,
+                          c + small * u + 10 * left,
+                          c + small * u - 10 * left,
+                          c + big * u - 10 * left,
+                          {0, 30}});
     EXPECT_NEAR(run.out[2].sweep, -geom::radians(300), 1e-9);
 }
 

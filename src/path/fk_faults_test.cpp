@@ -112,7 +112,8 @@ TEST(FkFaults, AmbiguitySettledByTheNextElement) {
     FkRun run({0, 0});
     run.push(fc(2).to(20, 0).r(15).dr(+1));
     EXPECT_TRUE(run.out.empty());
-    const double rise = std::atan2(10, std::sqrt(125));  // the short arc leaves upwards by the angle whose sine is 10/15
+    const double rise =
+        std::atan2(10, std::sqrt(125));  // the short arc leaves upwards by the angle whose sine is 10/15
     run.push(flt(3).len(10).angle(geom::degrees(rise))).finish();
     ASSERT_FALSE(run.fault);
     EXPECT_GT(run.out[0].centre.y, 0);
@@ -139,9 +140,9 @@ TEST(FkFaults, FselectOutOfRange) {
 TEST(FkFaults, ValuesThatAreNotKnown) {
     using Member = std::optional<FkValue> FkElement::*;
     const std::vector<std::pair<FkDatum, Member>> values{
-        {FkDatum::x, &FkElement::x},       {FkDatum::y, &FkElement::y},       {FkDatum::pr, &FkElement::pr},
-        {FkDatum::pa, &FkElement::pa},     {FkDatum::an, &FkElement::an},     {FkDatum::ccx, &FkElement::ccx},
-        {FkDatum::ccy, &FkElement::ccy},   {FkDatum::ccpr, &FkElement::ccpr}, {FkDatum::ccpa, &FkElement::ccpa},
+        {FkDatum::x, &FkElement::x},     {FkDatum::y, &FkElement::y},       {FkDatum::pr, &FkElement::pr},
+        {FkDatum::pa, &FkElement::pa},   {FkDatum::an, &FkElement::an},     {FkDatum::ccx, &FkElement::ccx},
+        {FkDatum::ccy, &FkElement::ccy}, {FkDatum::ccpr, &FkElement::ccpr}, {FkDatum::ccpa, &FkElement::ccpa},
         {FkDatum::cca, &FkElement::cca}};
     const auto expect = [](const FkElement& e, FkDatum d) {
         FkRun run({0, 0}, Vec2{1, 0});

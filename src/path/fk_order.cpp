@@ -30,8 +30,8 @@ std::optional<geom::Vec2> along(const FkBranch& b, const FkGuide* g) {
 
 }  // namespace
 
-/// The larger comes first. Lines: towards the auxiliary point, else the left turn. End points and centres: further along
-/// the line that ends or begins there. End points of arcs: the longer arc. Other centres: left of the way ahead.
+/// The larger comes first. Lines: towards the auxiliary point, else the left turn. End points and centres: further
+/// along the line that ends or begins there. End points of arcs: the longer arc. Other centres: left of the way ahead.
 double FkSolver::key(const FkBranch& b, const FkGuide& g, const FkGuide* before, const FkGuide* next, int group) const {
     const auto from = known(b, g.from_x, g.from_y);
     if (group < 0) {

@@ -79,9 +79,13 @@ private:
         const auto value = b_.known(e.poly);
         if (!value) return;
         Row row(ids.size(), 0.0);
-        const auto at = [&](int id) { return id < 0 ? 1.0 : b_.values[static_cast<std::size_t>(id - b_.base)].constant(); };
+        const auto at = [&](int id) {
+            return id < 0 ? 1.0 : b_.values[static_cast<std::size_t>(id - b_.base)].constant();
+        };
         const auto slope = [&](int id, double by) {
-            if (id >= 0) row[static_cast<std::size_t>(std::lower_bound(ids.begin(), ids.end(), id) - ids.begin())] += by * weight(id);
+            if (id >= 0)
+                row[static_cast<std::size_t>(std::lower_bound(ids.begin(), ids.end(), id) - ids.begin())] +=
+                    by * weight(id);
         };
         for (const FkTerm& t : e.poly.terms) {
             slope(t.a, t.factor * at(t.b));

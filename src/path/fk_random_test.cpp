@@ -1,6 +1,5 @@
 #include <gtest/gtest.h>
 
-#include <cstdlib>
 #include <numeric>
 
 #include "path/fk_support_test.hpp"
@@ -34,7 +33,8 @@ private:
     using Member = std::optional<FkValue> FkElement::*;
     /// `lever`: mm per unit of the value.
     void value(const std::string& name, Member m, FkValue v, double lever = 1) {
-        add(name, [m, v](FkElement& e) { e.*m = v; },
+        add(
+            name, [m, v](FkElement& e) { e.*m = v; },
             [m, lever](FkElement& e, double by) { (e.*m)->value += by / lever; });
     }
     void coordinate(const std::string& name, Member m, double value_of, double own, bool second) {
@@ -74,7 +74,8 @@ void Describer::end_point() {
     coordinate("Y", &FkElement::y, e_.to.y, e_.from.y, true);
     polar("P", &FkElement::pr, &FkElement::pa, e_.to);
     const double chord = geom::distance(e_.from, e_.to);
-    add("LEN", [chord](FkElement& e) { e.length = chord; }, [](FkElement& e, double by) { *e.length += by; });
+    add(
+        "LEN", [chord](FkElement& e) { e.length = chord; }, [](FkElement& e, double by) { *e.length += by; });
 }
 
 void Describer::direction() {
@@ -92,7 +93,8 @@ void Describer::direction() {
 
 void Describer::arc() {
     const double radius = geom::distance(e_.from, e_.centre);
-    add("R", [radius](FkElement& e) { e.radius = radius; }, [](FkElement& e, double by) { *e.radius += by; });
+    add(
+        "R", [radius](FkElement& e) { e.radius = radius; }, [](FkElement& e, double by) { *e.radius += by; });
     coordinate("CCX", &FkElement::ccx, e_.centre.x, e_.from.x, false);
     coordinate("CCY", &FkElement::ccy, e_.centre.y, e_.from.y, true);
     polar("CCP", &FkElement::ccpr, &FkElement::ccpa, e_.centre);
@@ -107,14 +109,24 @@ void Describer::points() {
         return is_arc_element ? e_.centre + rotated(e_.from - e_.centre, r_.in(0, 6)) : point_at(e_, r_.in(0.1, 2));
     };
     const Vec2 on = somewhere();
-    add("P1", [on](FkElement& e) { e.on[0] = {on.x, on.y}; },
-        [](FkElement& e, double by) { *e.on[0].x += by, *e.on[0].y += 0.3 * by; });
+    const Vec2 across =
+        is_arc_element ? (1 / geom::distance(on, e_.centre)) * (on - e_.centre) : geom::left_of(start_direction(e_));
+    add(
+        "P1",
+        [on](FkElement& e) {
+            e.on[0] = {on.x, on.y};
+        },
+        [across](FkElement& e, double by) { *e.on[0].x += by * across.x, *e.on[0].y += by * across.y; });
     // Beside another point than P1: else the two would touch, not cross, and fix the element to half the digits only.
     const Vec2 foot = somewhere();
     const double d = r_.in(1, 20);
     Vec2 off = foot + (r_.upto(1) == 0 ? d : -d) * geom::left_of(start_direction(e_));
     if (is_arc_element) off = e_.centre + (1 + d / geom::distance(foot, e_.centre)) * (foot - e_.centre);
-    add("PD", [off, d](FkElement& e) { e.beside = {off.x, off.y}, e.distance = d; },
+    add(
+        "PD",
+        [off, d](FkElement& e) {
+            e.beside = {off.x, off.y}, e.distance = d;
+        },
         [](FkElement& e, double by) { *e.distance += by; });
 }
 
@@ -180,7 +192,8 @@ bool honest(FkReason r) {
 std::vector<std::size_t> shuffled(Random& r, std::size_t n) {
     std::vector<std::size_t> order(n);
     std::iota(order.begin(), order.end(), std::size_t{0});
-    for (std::size_t i = n; i > 1; --i) std::swap(order[i - 1], order[static_cast<std::size_t>(r.upto(static_cast<int>(i) - 1))]);
+    for (std::size_t i = n; i > 1; --i)
+        std::swap(order[i - 1], order[static_cast<std::size_t>(r.upto(static_cast<int>(i) - 1))]);
     return order;
 }
 
@@ -214,7 +227,8 @@ void thin_out(Random& r, const RandomContour& c, Tally& t) {
         ++t.cases;
         if (s.contours.empty()) {
             ASSERT_TRUE(s.fault && honest(s.fault->reason))
-                << static_cast<int>(s.fault->reason) << " " << word(s.fault->datum) << " " << s.fault->miss << told(c, chosen);
+                << static_cast<int>(s.fault->reason) << " " << word(s.fault->datum) << " " << s.fault->miss
+                << told(c, chosen);
             (s.fault->reason == FkReason::under_determined ? t.under : t.many) += 1;
             chosen[i] = true;
             continue;
@@ -235,16 +249,16 @@ void thin_out(Random& r, const RandomContour& c, Tally& t) {
 }  // namespace
 
 TEST(FkRandom, DataTakenAwayOneByOneKeepTheContourAmongTheSolutions) {
-    const std::uint32_t seed = std::getenv("FK_SEED") ? std::uint32_t(std::atoi(std::getenv("FK_SEED"))) : 530;
+    const std::uint32_t seed = 530;
     std::printf("seed %u\n", seed);
     Random r(seed);
     Tally t;
-    for (int i = 0; i < (std::getenv("FK_N") ? std::atoi(std::getenv("FK_N")) : 150) && !HasFailure(); ++i) {
+    for (int i = 0; i < 600 && !HasFailure(); ++i) {
         SCOPED_TRACE(i);
         thin_out(r, random_contour(r, 4), t);
     }
-    std::printf("%d cases: %d unique, %d ambiguous, %d under-determined, %d too many; worst %.3g mm\n", t.cases, t.unique,
-                t.ambiguous, t.under, t.many, t.worst);
+    std::printf("%d cases: %d unique, %d ambiguous, %d under-determined, %d too many; worst %.3g mm\n", t.cases,
+                t.unique, t.ambiguous, t.under, t.many, t.worst);
 }
 
 }  // namespace obrys::path::test

@@ -1,5 +1,6 @@
 #pragma once
-/// Shared by the FK tests: short names for the words of FK blocks, running a contour, random contours with all their data.
+/// Shared by the FK tests: short names for the words of FK blocks, running a contour, random contours with all their
+/// data.
 
 #include <algorithm>
 #include <cmath>

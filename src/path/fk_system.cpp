@@ -7,13 +7,13 @@ namespace obrys::path {
 
 namespace {
 
-constexpr double noise = 1e-11;        // of an equation's size: a term below it is what rounding left
-constexpr double weak = 1e-7;          // an unknown is not eliminated by a term below it: nearly parallel, nearly concentric
-constexpr double touching = 2e-13;     // of an equation's size: the two roots are one
-constexpr double lenient = 50;         // times the tolerance, where only the check of the original equation is exact
+constexpr double noise = 1e-11;  // of an equation's size: a term below it is what rounding left
+constexpr double weak = 1e-7;    // an unknown is not eliminated by a term below it: nearly parallel, nearly concentric
+constexpr double touching = 2e-13;  // of an equation's size: the two roots are one
+constexpr double lenient = 50;      // times the tolerance, where only the check of the original equation is exact
 constexpr double plain_contradiction = 1e-2;  // of a direction, where the element's length is not known yet
-constexpr double farthest = 1e4;       // of the scale: no root beyond
-constexpr std::size_t most_work = 400'000;  // terms touched in one call
+constexpr double farthest = 1e4;              // of the scale: no root beyond
+constexpr std::size_t most_work = 400'000;    // terms touched in one call
 
 }  // namespace
 
@@ -136,8 +136,8 @@ FkSolver::Progress FkSolver::linear(FkBranch& b) {
     for (std::size_t i = 0; i < b.open.size(); ++i) {
         const FkEquation& e = b.open[i];
         if (!e.poly.is_affine() || e.poly.is_constant()) continue;
-        const auto pivot = std::max_element(
-            e.poly.terms.begin(), e.poly.terms.end(), [this](const FkTerm& s, const FkTerm& t) {
+        const auto pivot =
+            std::max_element(e.poly.terms.begin(), e.poly.terms.end(), [this](const FkTerm& s, const FkTerm& t) {
                 return (s.b < 0 ? 0 : contribution(s)) < (t.b < 0 ? 0 : contribution(t));
             });
         if (contribution(*pivot) <= weak * e.size) continue;
@@ -151,39 +151,53 @@ FkSolver::Progress FkSolver::linear(FkBranch& b) {
     return Progress::none;
 }
 
-/// Redundant data that disagree leave normals that are no unit vectors and radii that are none. Where an element has all
-/// its values its points and its centre count and the rest follows from them, so that a miss shows at a datum.
+bool FkSolver::whole(const FkBranch& b, const FkGuide& g) const {
+    const auto known = [&b](int id) { return b.values[static_cast<std::size_t>(id - b.base)].is_constant(); };
+    for (int i = 0; i < 4; ++i)
+        if (!known(4 * g.end + i)) return false;
+    if (!known(4 * g.carrier) || !b.known(g.from_x) || !b.known(g.from_y)) return false;
+    if (!g.arc) return true;
+    for (int i = 1; i < 5; ++i)
+        if (!known(4 * g.carrier + i)) return false;
+    return true;
+}
+
+/// True where nothing that p speaks of will change any more.
+bool FkSolver::settled(const FkBranch& b, const FkPoly& p) const {
+    return std::all_of(guides_.begin(), guides_.end(), [&](const FkGuide& g) {
+        const int last = g.carrier + (g.arc ? 1 : 0);
+        const bool spoken_of = std::any_of(p.terms.begin(), p.terms.end(), [&](const FkTerm& t) {
+            return (t.a >= 4 * g.end && t.a < 4 * last + 4) || (t.b >= 4 * g.end && t.b < 4 * last + 4);
+        });
+        return !spoken_of || whole(b, g);
+    });
+}
+
+/// Redundant data that disagree leave normals that are no unit vectors and radii that are none. Where an element has
+/// all its values its points and its centre count and the rest follows from them, so that a miss shows at a datum.
 void FkSolver::shape(FkBranch& b) const {
     for (const FkGuide& g : guides_) {
+        if (!whole(b, g)) continue;
         const auto value = [&b](int id) -> FkPoly& { return b.values[static_cast<std::size_t>(id - b.base)]; };
-        const auto pair = [&](int id) -> std::optional<geom::Vec2> {
-            if (!value(id).is_constant() || !value(id + 2).is_constant()) return {};
-            return geom::Vec2{value(id).constant(), value(id + 2).constant()};
-        };
+        const auto pair = [&](int id) { return geom::Vec2{value(id).constant(), value(id + 2).constant()}; };
         const auto put_normal = [&](int id, geom::Vec2 n) {
-            const auto old = pair(id);
             const double length = geom::length(n);
-            if (!old || !(length > fk_tolerance) || !(geom::dot(n, *old) > 0)) return;
+            if (!(length > fk_tolerance) || !(geom::dot(n, pair(id)) > 0)) return;
             value(id) = FkPoly(n.x / length);
             value(id + 2) = FkPoly(n.y / length);
         };
-        const auto x = b.known(g.from_x), y = b.known(g.from_y);
-        const auto end = pair(4 * g.end), at = pair(4 * g.end + 1);
-        if (!x || !y || !end || !at) continue;
-        const geom::Vec2 from{*x, *y};
+        const geom::Vec2 from{*b.known(g.from_x), *b.known(g.from_y)}, end = pair(4 * g.end);
         if (!g.arc) {
-            put_normal(4 * g.end + 1, geom::left_of(*end - from));
-            if (const auto n = pair(4 * g.end + 1); value(4 * g.carrier).is_constant())
-                value(4 * g.carrier) = FkPoly(geom::dot(*n, from));
+            put_normal(4 * g.end + 1, geom::left_of(end - from));
+            value(4 * g.carrier) = FkPoly(geom::dot(pair(4 * g.end + 1), from));
             continue;
         }
-        const auto centre = pair(4 * g.carrier);
+        const geom::Vec2 centre = pair(4 * g.carrier);
         FkPoly& radius = value(4 * g.carrier + 4);
-        if (!centre || !radius.is_constant()) continue;
         const double sense = std::copysign(1.0, radius.constant());
-        if (geom::distance(from, *centre) > fk_tolerance) radius = FkPoly(sense * geom::distance(from, *centre));
-        put_normal(4 * g.carrier + 1, sense * (*centre - from));
-        put_normal(4 * g.end + 1, sense * (*centre - *end));
+        if (geom::distance(from, centre) > fk_tolerance) radius = FkPoly(sense * geom::distance(from, centre));
+        put_normal(4 * g.carrier + 1, sense * (centre - from));
+        put_normal(4 * g.end + 1, sense * (centre - end));
     }
 }
 
@@ -200,13 +214,14 @@ FkSolver::Progress FkSolver::check(FkBranch& b) {
     std::erase_if(b.checks, [&](const FkEquation& e) {
         if (!b.known(e.poly)) return false;
         double miss = fk_miss(e, b);
+        const bool final = settled(b, e.poly);
         if (e.unit == FkUnit::direction) {
             const double length = reach(b, e.tag);
             if (length < 0 && miss <= plain_contradiction) return false;
             miss *= length < 0 ? scale_ : length;
         }
-        if (!(miss <= fk_tolerance)) wrong(e.tag, e.datum, miss);
-        return true;
+        if (!(miss <= (final ? 1 : lenient) * fk_tolerance)) wrong(e.tag, e.datum, miss);
+        return final;
     });
     std::erase_if(b.limits, [&](const FkLimit& l) {
         const auto value = b.known(l.poly);
@@ -282,8 +297,7 @@ FkSolver::Progress FkSolver::one_unknown(FkBranch& b) {
     return Progress::none;
 }
 
-void FkSolver::part(const FkBranch& b, std::size_t used,
-                    const std::vector<std::vector<std::pair<int, double>>>& ways) {
+void FkSolver::part(const FkBranch& b, std::size_t used, const std::vector<std::vector<std::pair<int, double>>>& ways) {
     std::vector<FkBranch> children;
     for (const auto& way : ways) {
         FkBranch child = b;

@@ -1,8 +1,9 @@
 #pragma once
-/// A system of equations of first and second degree, solved by elimination: linear equations remove unknowns, an equation
-/// in a single unknown parts the solution into branches, second-degree terms that several equations share cancel each
-/// other, and two equations in the same two unknowns give a quartic. No step loses a real solution, none is invented:
-/// every equation is checked in its original form when its unknowns have values. Inside of fk.hpp; not for callers.
+/// A system of equations of first and second degree, solved by elimination: linear equations remove unknowns, an
+/// equation in a single unknown parts the solution into branches, second-degree terms that several equations share
+/// cancel each other, and two equations in the same two unknowns give a quartic. No step loses a real solution, none is
+/// invented: every equation is checked in its original form when its unknowns have values. Inside of fk.hpp; not for
+/// callers.
 
 #include <array>
 #include <cstdint>
@@ -60,9 +61,9 @@ struct FkChord {
 struct FkGuide {
     int end = -1, carrier = -1;  ///< numbers of the groups: end point with normal at the end; centre or offset
     bool arc = false;
-    FkPoly from_x, from_y;                  ///< start point
-    FkPoly normal_x, normal_y;              ///< left normal at the end
-    std::optional<geom::Vec2> on;           ///< first auxiliary point on it
+    FkPoly from_x, from_y;         ///< start point
+    FkPoly normal_x, normal_y;     ///< left normal at the end
+    std::optional<geom::Vec2> on;  ///< first auxiliary point on it
 };
 
 /// One way the solution may go: what each unknown is in terms of the unknowns not yet found.
@@ -111,6 +112,8 @@ private:
     void put(FkBranch& b, int id, const FkPoly& by);
     Progress linear(FkBranch& b);
     Progress drop_constant(FkBranch& b);
+    [[nodiscard]] bool whole(const FkBranch& b, const FkGuide& g) const;
+    [[nodiscard]] bool settled(const FkBranch& b, const FkPoly& p) const;
     void shape(FkBranch& b) const;
     Progress check(FkBranch& b);
     Progress expand_polar(FkBranch& b) const;
