@@ -103,6 +103,8 @@ FkSolver FkState::solver() const {
         g.normal_x = h.na_x;
         g.normal_y = h.na_y;
         if (s.e.on[0].x) g.on = Vec2{*s.e.on[0].x, *s.e.on[0].y} - origin;
+        if (s.e.beside.x) g.beside = Vec2{*s.e.beside.x, *s.e.beside.y} - origin;
+        if (s.e.pole && (s.e.pr || s.e.pa || s.e.ccpr || s.e.ccpa)) g.pole = *s.e.pole - origin;
         guides.push_back(std::move(g));
     }
     return {scale, std::move(chords), std::move(guides)};
@@ -114,9 +116,10 @@ bool FkState::branch_out(const std::vector<FkChoice>& choices) {
     for (const FkChoice& c : choices) {
         std::vector<FkBranch> next;
         for (const FkBranch& b : branches)
-            for (const FkEquations& alternative : c) {
+            for (std::size_t i = 0; i < c.size(); ++i) {
                 next.push_back(b);
-                s.add(next.back(), alternative);
+                if (c.size() > 1) next.back().path.push_back(static_cast<int>(i));
+                s.add(next.back(), c[i]);
             }
         if (next.size() > 4 * fk_most_solutions) return false;
         branches = std::move(next);
@@ -152,6 +155,7 @@ std::optional<FkFault> FkState::extend(const FkElement& e) {
     FkSolver s = solver();
     if (fits)
         for (FkBranch& b : branches) s.solve(std::move(b));
+    s.put_in_order();
     branches = std::move(s.found);
     if (!fits || s.exhausted) {
         fault.reason = FkReason::too_many_solutions;
@@ -344,6 +348,7 @@ FkResult FkContour::select(std::size_t n) {
         return s.fail(std::move(f));
     }
     s.branches = {s.branches[n - 1]};
+    s.branches.front().path.clear();
     return {s.release(), {}};
 }
 

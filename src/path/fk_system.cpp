@@ -305,7 +305,6 @@ void FkSolver::part(const FkBranch& b, std::size_t used, const std::vector<std::
         for (const auto& [id, value] : way) put(child, id, FkPoly(value));
         children.push_back(std::move(child));
     }
-    order(children);
     for (FkBranch& child : children) solve(std::move(child));
 }
 

@@ -61,14 +61,15 @@ struct FkChord {
 struct FkGuide {
     int end = -1, carrier = -1;  ///< numbers of the groups: end point with normal at the end; centre or offset
     bool arc = false;
-    FkPoly from_x, from_y;         ///< start point
-    FkPoly normal_x, normal_y;     ///< left normal at the end
-    std::optional<geom::Vec2> on;  ///< first auxiliary point on it
+    FkPoly from_x, from_y;                       ///< start point
+    FkPoly normal_x, normal_y;                   ///< left normal at the end
+    std::optional<geom::Vec2> on, beside, pole;  ///< first auxiliary point, PD, FPOL
 };
 
 /// One way the solution may go: what each unknown is in terms of the unknowns not yet found.
 struct FkBranch {
-    int base = 0;  ///< number of values[0]
+    int base = 0;           ///< number of values[0]
+    std::vector<int> path;  ///< which alternatives were taken
     std::vector<FkPoly> values;
     std::vector<FkEquation> open;    ///< still to use, in terms of the unknowns left
     std::vector<FkEquation> checks;  ///< as stated, until checked
@@ -95,6 +96,8 @@ public:
     /// Adds to the branch; solve() then works on it.
     void add(FkBranch& b, const FkEquations& equations) const;
     void solve(FkBranch b);
+    /// The branches found, in the order that FSELECT counts.
+    void put_in_order();
 
     std::vector<FkBranch> found;
     std::optional<FkDeath> nearest;  ///< of the branches that ended in a contradiction, the one that missed by least
@@ -122,9 +125,7 @@ private:
     Progress cancel(FkBranch& b) const;
     Progress two_unknowns(FkBranch& b);
     void part(const FkBranch& b, std::size_t used, const std::vector<std::vector<std::pair<int, double>>>& ways);
-    void order(std::vector<FkBranch>& ways) const;
-    [[nodiscard]] double key(const FkBranch& b, const FkGuide& g, const FkGuide* before, const FkGuide* next,
-                             int group) const;
+    [[nodiscard]] std::vector<double> keys(const FkBranch& b) const;
 
     double scale_;
     std::vector<FkChord> chords_;
