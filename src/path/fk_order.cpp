@@ -62,7 +62,7 @@ double end_key(const FkBranch& b, const FkGuide& g, const FkGuide* before, const
     return turn <= 0 ? turn + 2 * geom::pi : turn;
 }
 
-/// Where the keys above are equal: length of chord, radius, and the side of a point that the data name.
+/// Where the keys above are equal: length of chord, radius, and where it lies from a point that the data name.
 void tie_keys(const FkBranch& b, const FkGuide& g, std::vector<double>& keys) {
     const auto from = known(b, g.from_x, g.from_y), end = point(b, g.end);
     const auto centre = g.arc ? point(b, g.carrier) : std::nullopt;
@@ -71,7 +71,10 @@ void tie_keys(const FkBranch& b, const FkGuide& g, std::vector<double>& keys) {
     keys.push_back(from && end ? geom::distance(*from, *end) : 0);
     keys.push_back(from && centre ? geom::distance(*from, *centre) : 0);
     for (const auto& mark : {g.on, g.beside, g.pole, std::optional(geom::Vec2{})})
-        for (const auto& p : {end, centre, ahead}) keys.push_back(cross_at(from, mark, p));
+        for (const auto& p : {end, centre, ahead}) {
+            keys.push_back(from && mark && p ? geom::dot(*mark - *from, *p - *from) : 0);
+            keys.push_back(cross_at(from, mark, p));
+        }
     keys.push_back(cross_at(from, end, centre));
 }
 
