@@ -253,7 +253,7 @@ TEST(FkRandom, DataTakenAwayOneByOneKeepTheContourAmongTheSolutions) {
     std::printf("seed %u\n", seed);
     Random r(seed);
     Tally t;
-    for (int i = 0; i < 600 && !HasFailure(); ++i) {
+    for (int i = 0; i < 250 && !HasFailure(); ++i) {
         SCOPED_TRACE(i);
         thin_out(r, random_contour(r, 4), t);
     }
