@@ -5,6 +5,7 @@
 /// Plane coordinates as in element.hpp, millimetres; all angles in radians, counter-clockwise from the first axis: the
 /// caller converts degrees and inches. Source: HEIDENHAIN iTNC 530 User's Manual, conversational, chapter 6.6; TNC 407
 /// (280 580) and TNC 370 manuals, FK chapters, where they say more. What no manual found says is marked "assumed".
+/// RND and CHF between FK elements act on what comes out, as between any others (contour_path.hpp).
 
 #include <array>
 #include <cstdint>
@@ -51,7 +52,8 @@ struct FkElement {
     bool arc = false;         ///< FC, FCT
     bool tangential = false;  ///< FLT, FCT: leaves in the direction in which the element before ends
     /// X, Y, PR, PA: end point, absolute, from the element's start, or from the end point of another element. PR and PA
-    /// are about `pole`; incremental ones add to the polar coordinates of the start or of the other end point.
+    /// are about `pole`; incremental ones add to the polar coordinates of the start (assumed) or of the other end
+    /// point.
     std::optional<FkValue> x, y, pr, pa;
     /// AN: direction of a line or of an arc's entry tangent. Incremental: from the direction in which the element
     /// before ends; block: from the direction in which that element ends (for an arc there: assumed).
@@ -151,8 +153,8 @@ public:
 
     [[nodiscard]] FkResult push(const FkElement& e);
     /// FSELECT n: keeps the n-th, from 1, of the solutions left by the elements pushed so far. Their order is the same
-    /// for the same data, and the same when the contour is moved or turned; the control's own order is documented
-    /// nowhere.
+    /// for the same data, and the same when the contour is moved or turned. No document found tells the
+    /// control's own order; fk_order.cpp says what this one agrees with.
     [[nodiscard]] FkResult select(std::size_t n);
     /// End of the contour: what is left comes out, or the reason why not.
     [[nodiscard]] FkResult finish();

@@ -74,7 +74,8 @@ TEST(FkExamples, EndPointRelativeToABlock) {
     EXPECT_NEAR(run.out[2].sweep, -geom::pi / 4, 1e-12);
 }
 
-// iTNC 530 manual 6.6: centre relative to the end points of two blocks (ICCX+20 ICCY-15 RCCX12 RCCY14), CCA+0.
+// iTNC 530 manual 6.6: centre relative to the end points of two blocks (ICCX+20 ICCY-15 RCCX12 RCCY14), CCA+0, which
+// can be no angle swept.
 TEST(FkExamples, CentreRelativeToTwoBlocks) {
     FkRun run({0, 0});
     run.push(fl(12).to(10, 10)).push(fl(14).to(18, 35)).push(fl(16).to(30, 30));
@@ -88,7 +89,8 @@ TEST(FkExamples, CentreRelativeToTwoBlocks) {
     EXPECT_NEAR(run.out[3].sweep, -geom::pi / 2, 1e-12);
 }
 
-// iTNC 530 manual 6.6, data relative to a block: PAR 17 DP 12.5, IAN+95, IAN+220 RAN 18.
+// iTNC 530 manual 6.6, data relative to a block: PAR 17 DP 12.5, IAN+95, IAN+220 RAN 18 (blocks 19 to 22; 17 and 18
+// from memory).
 TEST(FkExamples, DirectionRelativeToABlock) {
     FkRun run({0, 0});
     run.push(fl(17).len(20).angle(15)).push(fl(18).angle(105).len(12.5));
@@ -111,7 +113,9 @@ TEST(FkExamples, DirectionRelativeToABlock) {
     EXPECT_NEAR(turn_at(run.out[2], run.out[3]), geom::radians(95), 1e-12);
 }
 
-// After the manual's FK example 1: three discs joined by tangents, round about, clockwise.
+// The next three follow FK examples 1 to 3 of the iTNC 530 manual, 6.6, from memory: the pages were not at hand, so the
+// expected geometry is computed here, and that the FSELECT numbers are the manual's is not established.
+// Example 1: three discs joined by tangents, round about, clockwise.
 TEST(FkExamples, ThreeDiscsJoinedByTangents) {
     FkRun run({2, 30}, Vec2{0, 1});
     run.push(fc(9).dr(-1).r(18).clsd(+1).cc(20, 30)).push(flt(10)).push(fct(11).dr(-1).r(15).cc(50, 75)).push(flt(12));
@@ -134,7 +138,7 @@ TEST(FkExamples, ThreeDiscsJoinedByTangents) {
     EXPECT_NEAR(planar_length(run.out[3]), std::hypot(25, 55), 1e-9);
 }
 
-// After the manual's FK example 2: two discs R30 and R20 joined by two lines 10 either side of the line of centres (60
+// Example 2: two discs R30 and R20 joined by two lines 10 either side of the line of centres (60
 // degrees), clockwise from the left end of the large disc: four choices by FSELECT.
 TEST(FkExamples, DumbBell) {
     FkRun run({0, 30});
@@ -161,7 +165,7 @@ TEST(FkExamples, DumbBell) {
     EXPECT_NEAR(run.out[2].sweep, -geom::radians(300), 1e-9);
 }
 
-// After the manual's FK example 3: a chain of arcs that follow from their neighbours only, with five choices.
+// Example 3: a chain of arcs that follow from their neighbours only, with five choices.
 TEST(FkExamples, Spanner) {
     FkRun run({-40, 0});
     run.push(fc(9).dr(-1).r(40).cc(0, 0)).push(flt(10)).push(fct(11).dr(-1).r(10).cc(0, 50)).push(flt(12));

@@ -1,6 +1,7 @@
-/// The order of the ways in which a solution parts. The control's order is documented nowhere. This one is fixed by the
-/// geometry, so that moving or turning a contour does not change it, and chosen so that the FSELECT numbers in the
-/// manual's three FK examples and in the TNC 370 manual's give the contours drawn there (fk_examples_test.cpp).
+/// The order of the ways in which a solution parts. No document found tells the control's. This one is fixed by the
+/// geometry, so that moving or turning a contour does not change it, and chosen so that FSELECT means a sensible
+/// contour in the TNC 370 manual's example 1 and in the three of the iTNC 530 manual, 6.6, as far as these are
+/// remembered: their pages and drawings were not at hand (fk_examples_test.cpp).
 #include <algorithm>
 #include <cmath>
 
