@@ -10,8 +10,6 @@
 #include <cmath>
 
 #include "cycles/milling.hpp"
-#include "cycles/shapes.hpp"
-#include "geom/boolean.hpp"
 #include "geom/offset.hpp"
 
 namespace obrys::cycles {
@@ -20,7 +18,6 @@ namespace {
 
 using geom::Contour;
 using geom::Edge;
-using geom::Region;
 using geom::Vec2;
 using Role = program::CycleRole;
 
@@ -108,16 +105,6 @@ Contour opened_at(const std::vector<Edge>& chain, Vec2 start) {
     return out;
 }
 
-std::vector<Contour> equidistants(const Contour& c, double by) {
-    if (by == 0 || !c.closed) return geom::offset_open(c, by);
-    const bool ccw = geom::area(c) > 0;
-    const Region inside = geom::positive({ccw ? c : geom::reversed(c)});
-    std::vector<Contour> out = geom::offset(inside, (by > 0) == ccw ? -std::abs(by) : std::abs(by)).contours;
-    if (!ccw)
-        for (Contour& k : out) k = geom::reversed(k);
-    return out;
-}
-
 /// The one path along the contour as it is programmed; empty after a complaint.
 Contour path_of(Course& c, const Contour& contour, const Train& t) {
     const std::vector<Edge> source = geom::edges(contour);
@@ -126,7 +113,7 @@ Contour path_of(Course& c, const Contour& contour, const Train& t) {
         c.fault("the contour has no element");
         return {};
     }
-    const std::vector<Contour> found = equidistants(contour, by);
+    const std::vector<Contour> found = geom::equidistants(contour, by);
     const Edge* lost = by != 0 ? lost_element(source, by) : nullptr;
     if (lost != nullptr || found.size() != 1) {
         const Vec2 place = lost != nullptr ? geom::point_at(*lost, 0.5)
