@@ -36,6 +36,7 @@ inline constexpr std::string_view spindle_stopped = "spindle-stopped";
 // findings: the control itself would stop with an alarm here
 inline constexpr std::string_view program_alarm = "program-alarm";
 inline constexpr std::string_view arc_radius = "arc-radius";
+inline constexpr std::string_view spline_start = "spline-start";
 inline constexpr std::string_view arithmetic = "arithmetic";
 inline constexpr std::string_view type_mismatch = "type-mismatch";
 inline constexpr std::string_view undefined_name = "undefined-name";
@@ -78,6 +79,7 @@ inline constexpr std::array all_codes{
     Code{codes::spindle_stopped, CodeKind::finding, "a cut while the spindle stands still"},
     Code{codes::program_alarm, CodeKind::finding, "the program raises an alarm of its own (SETAL) or stops itself"},
     Code{codes::arc_radius, CodeKind::finding, "the end point does not lie on the circle"},
+    Code{codes::spline_start, CodeKind::finding, "a spline that does not start where the last move ended"},
     Code{codes::arithmetic, CodeKind::finding, "division by zero, or a function outside its domain"},
     Code{codes::type_mismatch, CodeKind::finding, "a value of the wrong type"},
     Code{codes::index_range, CodeKind::finding, "an array index outside the array"},

@@ -7,6 +7,7 @@
 #include "check/position.hpp"
 #include "check/removal.hpp"
 #include "check/trace.hpp"
+#include "cl/spline.hpp"
 #include "cl/totals.hpp"
 
 namespace obrys::check {
@@ -38,10 +39,14 @@ struct Check::State {
 
 namespace {
 
+constexpr double drawn_chord = 0.01;  ///< mm the picture of a curve that is no arc in its plane may leave it
+constexpr int drawn_chords = 256;     ///< more are not kept, however long the curve
+
 /// The record with its points moved; almost every program has one zero offset and no shift.
 cl::Record shifted(cl::Record record, geom::Vec3 by) {
     if (auto* linear = std::get_if<cl::Linear>(&record.step)) linear->to = linear->to + by;
     if (auto* thread = std::get_if<cl::Thread>(&record.step)) thread->to = thread->to + by;
+    if (auto* spline = std::get_if<cl::Spline>(&record.step)) spline->to = spline->to + by;
     if (auto* arc = std::get_if<cl::Arc>(&record.step)) {
         arc->to = arc->to + by;
         arc->centre = arc->centre + by;
@@ -68,9 +73,14 @@ void Check::State::keep(const Move& m, Removed removed) {
     MoveTrace t;
     t.from = {m.from.z, m.from.x};
     t.to = {m.to.z, m.to.x};
-    if (const auto* arc = std::get_if<cl::Arc>(&m.record.step)) {
+    const auto* arc = std::get_if<cl::Arc>(&m.record.step);
+    if (arc != nullptr && lies_in_turning_plane(*arc)) {
         t.centre = {arc->centre.z, arc->centre.x};
         t.sweep = arc->normal.y < 0 ? -arc->sweep : arc->sweep;
+    } else {
+        cl::points_between(m.from, m.record.step, drawn_chord, drawn_chords, [&t](geom::Vec3 p) {
+            t.via.push_back({p.z, p.x});
+        });
     }
     t.rapid = m.rapid;
     t.where = m.record.from;
@@ -94,6 +104,7 @@ const Setup& Check::setup() const { return state_->setup; }
 
 void Check::take(const cl::Record& record) {
     State& s = *state_;
+    if (const auto* spline = std::get_if<cl::Spline>(&record.step)) s.limits.take(record, *spline);
     if (cl::is_move(record.step))
         s.move(record);
     else if (const auto* tool = std::get_if<cl::ToolChange>(&record.step))

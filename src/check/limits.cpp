@@ -6,6 +6,7 @@
 #include "base/codes.hpp"
 #include "base/number.hpp"
 #include "check/words.hpp"
+#include "cl/spline.hpp"
 #include "cl/totals.hpp"
 
 namespace obrys::check {
@@ -39,6 +40,11 @@ std::pair<double, double> range(const Move& move, std::size_t i) {
     const auto* arc = std::get_if<cl::Arc>(&move.record.step);
     if (arc != nullptr && geom::is_finite(move.from) && geom::is_finite(arc->centre))
         return arc_range(move.from, *arc, i);
+    if (const auto* spline = std::get_if<cl::Spline>(&move.record.step)) {
+        const auto [low, high] = geom::range(geom::component(cl::curve(*spline), i));
+        const double from = coordinate(move.from, i);  // the machine comes from there, gap or not
+        return {std::fmin(low, from), std::fmax(high, from)};
+    }
     const double a = coordinate(move.from, i), b = coordinate(move.to, i);
     return {std::fmin(a, b), std::fmax(a, b)};  // one unknown end leaves the other
 }
@@ -67,16 +73,27 @@ void Limits::take(const cl::Record&, const cl::Datum& datum) {
     }
 }
 
-void Limits::take(const cl::Record& record, const cl::Axis& axis) {
-    const std::string wanted(axis.name.data(), std::find(axis.name.begin(), axis.name.end(), '\0'));
+void Limits::take(const cl::Record& record, const cl::Axis& axis) { check_axis(record, axis.name, axis.to, axis.to); }
+
+void Limits::take(const cl::Record& record, const cl::Spline& spline) {
+    for (const cl::SplineAxis& axis : spline.axes) {
+        const auto [low, high] = geom::range(cl::curve(axis));
+        check_axis(record, axis.name, low, high);
+    }
+}
+
+void Limits::check_axis(const cl::Record& record, const std::array<char, 8>& name, double low, double high) {
+    const std::string wanted(name.data(), std::find(name.begin(), name.end(), '\0'));
     for (const shop::MachineAxis& a : machine_.axes) {
-        if (a.name != wanted || !std::isfinite(axis.to)) continue;
-        const double over = std::max(a.max ? axis.to - *a.max : 0.0, a.min ? *a.min - axis.to : 0.0);
+        if (a.name != wanted || !std::isfinite(low) || !std::isfinite(high)) continue;
+        const double above = a.max ? high - *a.max : 0.0, below = a.min ? *a.min - low : 0.0;
+        const double over = std::max(above, below);
         double& worst = other_worst_[wanted];
         if (over > travel_tolerance && over > worst) {
             const std::string unit = a.rotary ? " degrees" : " mm";
-            Finding f = error(base::codes::axis_limit, "axis " + wanted + " goes to " + plain(axis.to) + unit + ", " +
-                                                           base::fixed(over, 3) + unit + " outside its travel");
+            Finding f =
+                error(base::codes::axis_limit, "axis " + wanted + " goes to " + plain(above >= below ? high : low) +
+                                                   unit + ", " + base::fixed(over, 3) + unit + " outside its travel");
             f.amounts = {{a.rotary ? "excess_deg" : "excess_mm", over}};
             out_.finding(record, std::move(f));
         }

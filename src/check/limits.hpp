@@ -15,6 +15,8 @@ public:
 
     void take(const cl::Record& record, const cl::Datum& datum);
     void take(const cl::Record& record, const cl::Axis& axis);
+    /// Only its additional axes; the move itself comes as a move.
+    void take(const cl::Record& record, const cl::Spline& spline);
     void take(const cl::Record& record, const cl::Spindle& spindle);
     void take(const cl::Feed& feed);
     /// `cuts`: whether the move removes material; nothing where that was not simulated.
@@ -27,6 +29,7 @@ private:
         double worst = 0;                         ///< mm outside, reported last; 0 while inside
     };
 
+    void check_axis(const cl::Record& record, const std::array<char, 8>& name, double low, double high);
     void check_travel(const Move& move);
     void check_feed(const Move& move);
     void check_spindle(const Move& move, std::optional<bool> cuts);

@@ -52,6 +52,39 @@ TEST(Limits, ArcsBulgePastTheirEnds) {
     EXPECT_EQ(std::count(others.begin(), others.end(), "axis-limit@1"), 0);
 }
 
+/// From X 195 Z 100 to X 195 Z 120; x rises to 195 + rise in the middle.
+cl::Spline hill(double rise) { return {{195, 0, 120}, {4 * rise, 0, -20}, {-4 * rise, 0, 0}, {}, {0, 0, 1}, {}}; }
+
+TEST(Limits, SplinesBulgePastTheirEnds) {
+    for (const double rise : {4.999, 5.5}) {
+        Script run(machine());
+        run.step(cl::Datum{54, {0, 0, 0}}).rapid(100, 195);
+        const Result r = run.step(hill(rise)).finish();
+        const auto found = codes(r);
+        EXPECT_EQ(std::count(found.begin(), found.end(), "axis-limit@1"), rise > 5 ? 1 : 0);
+        for (const Finding& f : r.findings) {
+            if (f.code == base::codes::axis_limit) {
+                EXPECT_NEAR(amount(f, "excess_mm"), 0.5, 1e-9);
+            }
+        }
+    }
+}
+
+TEST(Limits, AdditionalAxesOfASplineToo) {
+    check::Setup s = machine();
+    s.machine.axes.push_back({"C", true, -10.0, 90.0, 1'000, {}});
+    Script run(s);
+    run.step(cl::Datum{54, {0, 0, 0}}).rapid(100, 195);
+    cl::Spline curve = hill(0);
+    curve.axes.push_back({{'C'}, 80, 44, -44, 0, true});  // from 80 over 91 in the middle back to 80
+    const Result r = run.step(curve).finish();
+    const auto is_limit = [](const Finding& f) { return f.code == base::codes::axis_limit; };
+    ASSERT_EQ(std::count_if(r.findings.begin(), r.findings.end(), is_limit), 1);
+    const Finding& f = *std::find_if(r.findings.begin(), r.findings.end(), is_limit);
+    EXPECT_NEAR(amount(f, "excess_deg"), 1, 1e-9);
+    EXPECT_NE(f.text.find("axis C goes to 91 degrees"), std::string::npos) << f.text;
+}
+
 TEST(Limits, WithoutAKnownZeroOnlyTheWayIsCompared) {
     Script run(machine());
     const Result r = run.rapid(1000, 50).rapid(1499, 50).rapid(1501, 50).finish();

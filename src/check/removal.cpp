@@ -4,9 +4,9 @@
 #include <cmath>
 
 #include "base/codes.hpp"
-#include "geom/boolean.hpp"
 #include "base/number.hpp"
 #include "cl/totals.hpp"
+#include "geom/boolean.hpp"
 
 namespace obrys::check {
 
@@ -16,7 +16,6 @@ using sim::turning::Cut;
 using sim::turning::Depth;
 
 constexpr double beyond_gouge = 1e-6;  ///< mm2 an allowance cut must have besides the gouge to be told apart
-constexpr double in_plane = 1 - 1e-9;  ///< least |y| of the normal of an arc in the turning plane
 
 bool known(geom::Vec3 p) { return std::isfinite(p.x) && std::isfinite(p.z); }
 
@@ -115,17 +114,19 @@ std::optional<std::string> Removal::obstacle(const Move& move) const {
     if (tool_ == nullptr) return tool + " is not known: its removal is not simulated";
     if (outline_.vertices.empty()) return tool + " has no outline: its removal is not simulated";
     if (std::holds_alternative<cl::Thread>(move.record.step)) return "thread cutting: removal not simulated";
+    if (std::holds_alternative<cl::Spline>(move.record.step)) return "spline: removal not simulated";
     if (!known(move.from) || !known(move.to)) return "position not known: removal not simulated";
     const auto* arc = std::get_if<cl::Arc>(&move.record.step);
-    if (arc != nullptr && !(std::abs(arc->normal.y) >= in_plane))
-        return "arc outside the turning plane: removal not simulated";
+    if (arc != nullptr && !lies_in_turning_plane(*arc)) return "arc outside the turning plane: removal not simulated";
     if (std::abs(move.to.y) > 1e-6 || std::abs(move.from.y) > 1e-6) return "Y is not 0: removal not simulated";
     return std::nullopt;
 }
 
 /// True where the coordinates that are known prove that the tool passes beside the stock.
 bool Removal::misses(const Move& move) const {
-    if (outline_box_.empty() || std::holds_alternative<cl::Arc>(move.record.step)) return false;
+    const cl::Step& step = move.record.step;  // a curve goes further than its ends
+    if (outline_box_.empty() || std::holds_alternative<cl::Arc>(step) || std::holds_alternative<cl::Spline>(step))
+        return false;
     const auto beside = [](double a, double b, double tool_min, double tool_max, double min, double max) {
         return (a + tool_min >= max && b + tool_min >= max) || (a + tool_max <= min && b + tool_max <= min);
     };
@@ -204,8 +205,8 @@ void Removal::count_use(const Move& move, const Removed& removed) {
     if (std::isfinite(length)) (move.rapid ? use.rapid_length_mm : use.feed_length_mm) += length;
 }
 
-/// What was there must be what was removed and what is left. Where it is not, the removal went wrong and nothing it says
-/// can be trusted.
+/// What was there must be what was removed and what is left. Where it is not, the removal went wrong and nothing it
+/// says can be trusted.
 void Removal::require_balance(const StockFigures& before, const StockFigures& after) {
     const double difference = before.area_mm2 - after.area_mm2 - removed_area_;
     const double allowed = 1e-4 + 1e-8 * before.area_mm2;  // mm2; rounding of 60 000 cuts makes 3e-8

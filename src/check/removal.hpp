@@ -1,6 +1,8 @@
 #pragma once
 /// Removes the stock move by move and holds what was removed to part, allowance and rapids.
 
+#include <cmath>
+
 #include "check/check.hpp"
 #include "check/collect.hpp"
 #include "check/rest.hpp"
@@ -8,6 +10,9 @@
 #include "sim/turning/turning.hpp"
 
 namespace obrys::check {
+
+/// Whether the arc lies in the (z, x) plane, in which the removal works.
+[[nodiscard]] inline bool lies_in_turning_plane(const cl::Arc& arc) { return std::abs(arc.normal.y) >= 1 - 1e-9; }
 
 /// What the removal made of a move.
 struct Removed {

@@ -183,8 +183,7 @@ double arc_depth(geom::Vec3 normal, double sweep) {
     Script run(s);
     run.ready().rapid(40, 25).step(cl::Arc{{25, 0, 60}, {25, 0, 50}, normal, sweep});
     const Result r = run.finish();
-    for (const Note& n : r.unchecked)
-        EXPECT_EQ(n.text, "not one move met the stock: nothing was checked against it");
+    for (const Note& n : r.unchecked) EXPECT_EQ(n.text, "not one move met the stock: nothing was checked against it");
     EXPECT_NEAR(r.moves.back().sweep, normal.y * sweep, 1e-15);
     return r.moves.back().depth_x;
 }
@@ -219,6 +218,39 @@ TEST(Removal, ArcsOutsideTheTurningPlaneAndThreadsAreNotSimulated) {
     Script thread(setup());
     const Result t = thread.ready().rapid(40, 19.5).step(cl::Thread{{19.5, 0, 20}, 1.5, false}).finish();
     EXPECT_EQ(t.unchecked.at(0).text, "thread cutting: removal not simulated");
+}
+
+/// From Z 40 to Z 20 at X 25, down to X 19 in the middle: its ends pass beside the stock.
+cl::Spline dip() { return {{25, 0, 20}, {-24, 0, 20}, {24, 0, 0}, {}, {0, 0, 1}, {}}; }
+
+TEST(Removal, SplinesAreNotSimulated) {
+    Script run(setup());
+    const Result r = run.ready().rapid(40, 25).step(dip()).finish();
+    ASSERT_FALSE(r.unchecked.empty());
+    EXPECT_EQ(r.unchecked[0].text, "spline: removal not simulated");
+    EXPECT_EQ(r.verdict, Verdict::not_fully_checked);
+    EXPECT_EQ(r.after->area_mm2, r.before->area_mm2);
+}
+
+TEST(Trace, KeepsCurvesThatAreNoArcsInThePlaneAsChains) {
+    check::Setup s = setup();
+    s.keep_moves = 9;
+    Script run(s);
+    run.step(cl::Datum{54, {0, 0, 0}}).ready().rapid(40, 25).step(dip()).rapid(40, 25);
+    run.step(cl::Datum{55, {1, 0, 0}}).rapid(40, 25).step(dip());
+    run.rapid(40, 22).step(cl::Arc{{19, 0, 40}, {20.5, 0, 40}, {0, 0, 1}, geom::pi});
+    const Result r = run.finish();
+    ASSERT_EQ(r.moves.size(), 8u);
+    for (const std::size_t i : {std::size_t{2}, std::size_t{5}}) {
+        const auto& via = r.moves[i].via;
+        const double shift = i == 5 ? 1 : 0;
+        ASSERT_GE(via.size(), 20u);
+        for (const geom::Vec2& p : via) EXPECT_NEAR(p.y, 19 + shift + 6 * ((p.x - 30) / 10) * ((p.x - 30) / 10), 1e-9);
+        EXPECT_GT(via.front().x, via.back().x);
+    }
+    // An arc across the plane is seen as a line there and back of the same length along x.
+    EXPECT_EQ(r.moves[7].sweep, 0);
+    EXPECT_GE(r.moves[7].via.size(), 5u);
 }
 
 TEST(Trace, KeepsMovesAndSnapshotsWithinTheBound) {

@@ -42,7 +42,7 @@ struct Finding {
     base::Span where = nowhere;
     std::vector<base::Span> stack;  ///< call sites, innermost first
     std::vector<base::Related> related;
-    std::optional<std::uint64_t> move;   ///< counts Linear, Arc and Thread from 0
+    std::optional<std::uint64_t> move;   ///< counts Linear, Arc, Spline and Thread from 0
     std::optional<geom::Vec3> from, to;  ///< of that move; unknown coordinates are NaN
     std::vector<Amount> amounts;
     geom::Region region;           ///< the material concerned, (z, x) plane; empty where there is none
@@ -82,7 +82,8 @@ struct ToolUse {
 /// One move as the pictures need it, in the (z, x) plane.
 struct MoveTrace {
     geom::Vec2 from, to, centre;  ///< NaN where unknown
-    double sweep = 0;             ///< radians, counter-clockwise positive; 0: straight
+    double sweep = 0;             ///< radians, counter-clockwise positive; 0: straight, or along `via`
+    std::vector<geom::Vec2> via;  ///< points between the ends of a curve that is no arc in this plane, 0.01 mm near it
     bool rapid = false;
     base::Span where = nowhere;
     cl::StackId stack = 0;

@@ -33,6 +33,24 @@ struct Arc {
     bool operator==(const Arc&) const = default;
 };
 
+/// One additional axis on a Spline: ((k3 t + k2) t + k1) t + to, degrees where rotary, else mm.
+struct SplineAxis {
+    std::array<char, 8> name{};  ///< as the control names it ("A", "C2"), zero-padded
+    double to = 0, k1 = 0, k2 = 0, k3 = 0;
+    bool rotary = true;
+    bool operator==(const SplineAxis&) const = default;
+};
+
+/// Cubic move: x, y and z are ((k3 t + k2) t + k1) t + to, the parameter t runs from 1 at the start to 0 at the end.
+/// Where the move starts follows from the record itself; cl/spline.hpp says how far that is from where the tool stands.
+struct Spline {
+    geom::Vec3 to;
+    geom::Vec3 k1, k2, k3;
+    geom::Vec3 axis{0, 0, 1};      ///< as of Linear, at the end
+    std::vector<SplineAxis> axes;  ///< at most two
+    bool operator==(const Spline&) const = default;
+};
+
 /// Position that an additional axis (rotary: degrees; linear: mm) reaches with the next Linear or Arc.
 struct Axis {
     std::array<char, 8> name{};  ///< as the control names it ("C", "C2"), zero-padded
@@ -111,6 +129,15 @@ struct Datum {
     bool operator==(const Datum&) const = default;
 };
 
+enum class Filter : std::uint8_t { none, finishing, semi_finishing, roughing, precision };
+/// How far the control may leave the contour to move smoothly, from here on (HEIDENHAIN cycle 32, SINUMERIK CYCLE832).
+struct Tolerance {
+    double contour = 0;  ///< mm; 0: what the machine is set to
+    double rotary = 0;   ///< degrees; 0: what the machine is set to
+    Filter filter = Filter::none;
+    bool operator==(const Tolerance&) const = default;
+};
+
 /// Auxiliary function passed to the machine: M or H with its number.
 struct Auxiliary {
     char letter = 'M';
@@ -134,8 +161,8 @@ struct CycleEnd {
 };
 
 /// One step of the tool's life. Closed on purpose: a new kind must break every visitor that names all kinds.
-using Step = std::variant<Linear, Arc, Axis, Thread, Dwell, Feed, Spindle, ToolChange, Coolant, Stop, Comment, Datum,
-                          Auxiliary, CycleBegin, CycleEnd>;
+using Step = std::variant<Linear, Arc, Spline, Axis, Thread, Dwell, Feed, Spindle, ToolChange, Coolant, Stop, Comment,
+                          Datum, Tolerance, Auxiliary, CycleBegin, CycleEnd>;
 
 /// Identifies a call stack in `CallStacks`; 0 is the main program.
 using StackId = std::uint32_t;
@@ -150,7 +177,8 @@ struct Record {
 using Sink = base::FunctionRef<void(const Record&)>;
 
 [[nodiscard]] inline bool is_move(const Step& s) {
-    return std::holds_alternative<Linear>(s) || std::holds_alternative<Arc>(s) || std::holds_alternative<Thread>(s);
+    return std::holds_alternative<Linear>(s) || std::holds_alternative<Arc>(s) || std::holds_alternative<Spline>(s) ||
+           std::holds_alternative<Thread>(s);
 }
 [[nodiscard]] inline bool is_rapid(const Step& s) {
     const auto* linear = std::get_if<Linear>(&s);

@@ -157,11 +157,46 @@ Arc arc(Words& w) {
     return s;
 }
 
+std::array<char, 8> axis_name(Words& w) {
+    std::array<char, 8> out{};
+    const std::string name = w.quoted();
+    if (name.size() > out.size()) w.fail("an axis name has at most 8 characters");
+    for (std::size_t i = 0; i < name.size() && i < out.size(); ++i) out[i] = name[i];
+    return out;
+}
+
+Spline spline(Words& w) {
+    Spline s;
+    s.to = w.vec();
+    w.expect("k3");
+    s.k3 = w.vec();
+    w.expect("k2");
+    s.k2 = w.vec();
+    w.expect("k1");
+    s.k1 = w.vec();
+    if (w.accept("axis")) s.axis = w.vec();
+    while (w.ok() && w.peek().starts_with('"')) {
+        SplineAxis a;
+        a.name = axis_name(w);
+        for (double* v : {&a.to, &a.k3, &a.k2, &a.k1}) *v = w.number();
+        a.rotary = w.choice<2>({"mm", "deg"}) == 1;
+        s.axes.push_back(a);
+    }
+    return s;
+}
+
+Tolerance tolerance(Words& w) {
+    Tolerance s;
+    s.contour = w.number();
+    w.expect("rotary");
+    s.rotary = w.number();
+    s.filter = static_cast<Filter>(w.choice<5>({"none", "finishing", "semi-finishing", "roughing", "precision"}));
+    return s;
+}
+
 Axis axis(Words& w) {
     Axis s;
-    const std::string name = w.quoted();
-    if (name.size() > s.name.size()) w.fail("an axis name has at most 8 characters");
-    for (std::size_t i = 0; i < name.size() && i < s.name.size(); ++i) s.name[i] = name[i];
+    s.name = axis_name(w);
     s.to = w.number();
     s.rotary = w.choice<2>({"mm", "deg"}) == 1;
     return s;
@@ -235,6 +270,7 @@ std::optional<Step> step(Words& w) {
     const std::string_view kind = w.word();
     if (kind == "rapid" || kind == "linear") return linear(w, kind == "rapid");
     if (kind == "arc") return arc(w);
+    if (kind == "spline") return spline(w);
     if (kind == "axis") return axis(w);
     if (kind == "thread") return thread(w);
     if (kind == "dwell") {
@@ -248,6 +284,7 @@ std::optional<Step> step(Words& w) {
     if (kind == "stop") return Stop{static_cast<StopKind>(w.choice<3>({"program", "optional", "end"}))};
     if (kind == "comment" || kind == "message") return Comment{w.quoted(), kind == "message"};
     if (kind == "datum") return datum(w);
+    if (kind == "tolerance") return tolerance(w);
     if (kind == "aux") return auxiliary(w);
     if (kind == "cycle") return cycle(w);
     if (kind == "cycle-end") return CycleEnd{};

@@ -4,6 +4,8 @@
 #include <rapidcheck.h>
 #include <rapidcheck/gtest.h>
 
+#include <set>
+
 #include "base/codes.hpp"
 
 namespace obrys::cl {
@@ -29,46 +31,47 @@ geom::Vec3 vec() {
 }
 std::string text() { return *rc::gen::container<std::string>(rc::gen::arbitrary<char>()); }
 
+std::array<char, 8> axis_name() {
+    std::array<char, 8> out{};
+    const std::string name = text();
+    for (std::size_t i = 0; i < name.size() && i < out.size() && name[i] != 0; ++i) out[i] = name[i];
+    return out;
+}
+
 Step any_step(std::size_t kind) {
     switch (kind) {
-        case 0:
-            return Linear{vec(), vec(), *rc::gen::arbitrary<bool>()};
-        case 1:
-            return Arc{vec(), vec(), vec(), number()};
-        case 2: {
-            Axis a{{}, number(), *rc::gen::arbitrary<bool>()};
-            const std::string name = text();
-            for (std::size_t i = 0; i < name.size() && i < a.name.size() && name[i] != 0; ++i) a.name[i] = name[i];
-            return a;
-        }
-        case 3:
-            return Thread{vec(), number(), *rc::gen::arbitrary<bool>()};
-        case 4:
-            return Dwell{number(), number()};
+        case 0: return Linear{vec(), vec(), *rc::gen::arbitrary<bool>()};
+        case 1: return Arc{vec(), vec(), vec(), number()};
+        case 2: return Axis{axis_name(), number(), *rc::gen::arbitrary<bool>()};
+        case 3: return Thread{vec(), number(), *rc::gen::arbitrary<bool>()};
+        case 4: return Dwell{number(), number()};
         case 5:
             return Feed{number(), *rc::gen::element(FeedMode::per_minute, FeedMode::per_rev, FeedMode::inverse_time)};
         case 6:
             return Spindle{number(), *rc::gen::element(SpindleMode::rpm, SpindleMode::surface),
                            *rc::gen::element<std::int8_t>(-1, 0, 1), number()};
-        case 7:
-            return ToolChange{*rc::gen::arbitrary<std::uint32_t>(), *rc::gen::arbitrary<std::uint32_t>(), text()};
-        case 8:
-            return Coolant{*rc::gen::element(CoolantState::off, CoolantState::flood, CoolantState::mist)};
-        case 9:
-            return Stop{*rc::gen::element(StopKind::program, StopKind::optional, StopKind::end)};
-        case 10:
-            return Comment{text(), *rc::gen::arbitrary<bool>()};
-        case 11:
-            return Datum{*rc::gen::arbitrary<std::uint32_t>(), vec()};
-        case 12:
-            return Auxiliary{*rc::gen::arbitrary<char>(), *rc::gen::arbitrary<std::int64_t>()};
+        case 7: return ToolChange{*rc::gen::arbitrary<std::uint32_t>(), *rc::gen::arbitrary<std::uint32_t>(), text()};
+        case 8: return Coolant{*rc::gen::element(CoolantState::off, CoolantState::flood, CoolantState::mist)};
+        case 9: return Stop{*rc::gen::element(StopKind::program, StopKind::optional, StopKind::end)};
+        case 10: return Comment{text(), *rc::gen::arbitrary<bool>()};
+        case 11: return Datum{*rc::gen::arbitrary<std::uint32_t>(), vec()};
+        case 12: return Auxiliary{*rc::gen::arbitrary<char>(), *rc::gen::arbitrary<std::int64_t>()};
         case 13: {
             CycleBegin c{text(), {}};
             for (int i = *rc::gen::inRange(0, 4); i > 0; --i) c.parameters.push_back({text(), number()});
             return c;
         }
-        default:
-            return CycleEnd{};
+        case 14: {
+            Spline s{vec(), vec(), vec(), vec(), vec(), {}};
+            for (int i = *rc::gen::inRange(0, 3); i > 0; --i)
+                s.axes.push_back({axis_name(), number(), number(), number(), number(), *rc::gen::arbitrary<bool>()});
+            return s;
+        }
+        case 15:
+            return Tolerance{number(), number(),
+                             *rc::gen::element(Filter::none, Filter::finishing, Filter::semi_finishing,
+                                               Filter::roughing, Filter::precision)};
+        default: return CycleEnd{};
     }
 }
 
@@ -87,6 +90,11 @@ void mark(geom::Vec3& v) { mark(v.x), mark(v.y), mark(v.z); }
 struct Mark {
     void operator()(Linear& s) const { mark(s.to), mark(s.axis); }
     void operator()(Arc& s) const { mark(s.to), mark(s.centre), mark(s.normal), mark(s.sweep); }
+    void operator()(Spline& s) const {
+        mark(s.to), mark(s.k1), mark(s.k2), mark(s.k3), mark(s.axis);
+        for (SplineAxis& a : s.axes) mark(a.to), mark(a.k1), mark(a.k2), mark(a.k3);
+    }
+    void operator()(Tolerance& s) const { mark(s.contour), mark(s.rotary); }
     void operator()(Axis& s) const { mark(s.to); }
     void operator()(Thread& s) const { mark(s.to), mark(s.pitch); }
     void operator()(Dwell& s) const { mark(s.seconds), mark(s.revolutions); }
@@ -124,6 +132,20 @@ TEST(Text, LooksAsDocumented) {
     EXPECT_EQ(to_text({ToolChange{5, 1, "Stechstahl \"3 mm\" für Nut"}, {}, 0}),
               "tool 5 edge 1 \"Stechstahl \\\"3 mm\\\" für Nut\" @0:0-0");
     EXPECT_EQ(to_text({Feed{0.2, FeedMode::per_rev}, {1, 2, 3}, 0}), "feed 0.2 mm/rev @1:2-3");
+    EXPECT_EQ(to_text({Spline{{1, 2, 3}, {4, 5, 6}, {7, 8, 9}, {10, 11, 12}, {0, 0, 1}, {{{'A'}, 1, 2, 3, 4, true}}},
+                       {1, 2, 3},
+                       0}),
+              "spline 1 2 3 k3 10 11 12 k2 7 8 9 k1 4 5 6 \"A\" 1 4 3 2 deg @1:2-3");
+    EXPECT_EQ(to_text({Tolerance{0.05, 0.5, Filter::semi_finishing}, {}, 0}),
+              "tolerance 0.05 rotary 0.5 semi-finishing @0:0-0");
+}
+
+TEST(Text, EveryKindIsAmongTheRandomOnes) {
+    rc::check("kinds", [] {
+        std::set<std::size_t> kinds;
+        for (std::size_t i = 0; i < std::variant_size_v<Step>; ++i) kinds.insert(any_step(i).index());
+        RC_ASSERT(kinds.size() == std::variant_size_v<Step>);
+    });
 }
 
 TEST(Text, TheWriterStreamsTheSameText) {
@@ -160,6 +182,9 @@ TEST(Text, WrongWordsAreMarked) {
     expect_wrong("linear 1 2x 3 @0:0-0", "2x", "expected a number");
     expect_wrong("linear 1 2", "", "expected a number");
     expect_wrong("arc 1 2 3 center 1 2 3 normal 0 1 0 sweep 1 @0:0-0", "center", "centre");
+    expect_wrong("spline 1 2 3 k3 1 2 3 k1 1 2 3 k2 1 2 3 @0:0-0", "k1", "k2");
+    expect_wrong("spline 1 2 3 k3 1 2 3 k2 1 2 3 k1 1 2 3 \"A\" 1 2 3 deg @0:0-0", "deg", "expected a number");
+    expect_wrong("tolerance 0.1 rotary 0 smooth @0:0-0", "smooth", "none, finishing, semi-finishing, roughing");
     expect_wrong("feed 1 mm/mn @0:0-0", "mm/mn", "mm/min, mm/rev, 1/min");
     expect_wrong("tool -5 edge 1 \"\" @0:0-0", "-5", "whole number");
     expect_wrong("comment abc @0:0-0", "abc", "quotes");

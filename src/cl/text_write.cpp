@@ -41,6 +41,12 @@ void quoted(std::string& out, std::string_view text) {
     out += '"';
 }
 
+void axis_name(std::string& out, const std::array<char, 8>& name) {
+    std::size_t length = 0;
+    while (length < name.size() && name[length] != 0) ++length;
+    quoted(out, {name.data(), length});
+}
+
 struct StepWriter {
     std::string& out;
 
@@ -61,11 +67,28 @@ struct StepWriter {
         out += " sweep";
         number(out, s.sweep);
     }
+    void operator()(const Spline& s) const {
+        out += "spline";
+        vec(out, s.to);
+        out += " k3";
+        vec(out, s.k3);
+        out += " k2";
+        vec(out, s.k2);
+        out += " k1";
+        vec(out, s.k1);
+        if (!(s.axis == geom::Vec3{0, 0, 1})) {
+            out += " axis";
+            vec(out, s.axis);
+        }
+        for (const SplineAxis& a : s.axes) {
+            axis_name(out, a.name);
+            for (const double v : {a.to, a.k3, a.k2, a.k1}) number(out, v);
+            out += a.rotary ? " deg" : " mm";
+        }
+    }
     void operator()(const Axis& s) const {
         out += "axis";
-        std::size_t length = 0;
-        while (length < s.name.size() && s.name[length] != 0) ++length;
-        quoted(out, {s.name.data(), length});
+        axis_name(out, s.name);
         number(out, s.to);
         out += s.rotary ? " deg" : " mm";
     }
@@ -113,6 +136,15 @@ struct StepWriter {
     void operator()(const Datum& s) const {
         out += "datum " + std::to_string(s.number);
         vec(out, s.origin);
+    }
+    void operator()(const Tolerance& s) const {
+        constexpr std::array<const char*, 5> filters{" none", " finishing", " semi-finishing", " roughing",
+                                                     " precision"};
+        out += "tolerance";
+        number(out, s.contour);
+        out += " rotary";
+        number(out, s.rotary);
+        out += filters[static_cast<std::size_t>(s.filter)];
     }
     void operator()(const Auxiliary& s) const {
         out += "aux";

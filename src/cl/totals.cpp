@@ -1,5 +1,7 @@
 #include "cl/totals.hpp"
 
+#include "cl/spline.hpp"
+
 namespace obrys::cl {
 
 namespace {
@@ -34,12 +36,14 @@ double curved(geom::Vec3 from, const Arc& arc) {
 geom::Vec3 position_after(geom::Vec3 from, const Step& step) {
     if (const auto* linear = std::get_if<Linear>(&step)) return linear->to;
     if (const auto* arc = std::get_if<Arc>(&step)) return arc->to;
+    if (const auto* spline = std::get_if<Spline>(&step)) return spline->to;
     if (const auto* thread = std::get_if<Thread>(&step)) return thread->to;
     return from;
 }
 
 double move_length(geom::Vec3 from, const Step& move) {
     if (const auto* arc = std::get_if<Arc>(&move)) return curved(from, *arc);
+    if (const auto* spline = std::get_if<Spline>(&move)) return geom::curve_length(curve(*spline));
     return straight(from, position_after(from, move));
 }
 

@@ -8,14 +8,14 @@
 namespace obrys::cl {
 
 /// Length of a move in mm, arcs with their helix. A coordinate unknown (NaN) at both ends has not moved;
-/// unknown at one end only makes the length unknown: NaN.
+/// unknown at one end only makes the length unknown: NaN. A spline's length is that of its polynomial, whatever `from`.
 [[nodiscard]] double move_length(geom::Vec3 from, const Step& move);
 /// Where the programmed point stands after the move; for other steps the point itself.
 [[nodiscard]] geom::Vec3 position_after(geom::Vec3 from, const Step& step);
 
 struct Totals {
     std::uint64_t records = 0;
-    std::uint64_t moves = 0;  ///< Linear, Arc and Thread
+    std::uint64_t moves = 0;  ///< Linear, Arc, Spline and Thread
     std::uint64_t rapid_moves = 0, feed_moves = 0;
     double rapid_length_mm = 0, feed_length_mm = 0;  ///< of the moves whose both ends are known
     geom::Vec3 position{NAN, NAN, NAN};              ///< after the last move

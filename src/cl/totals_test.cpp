@@ -42,6 +42,15 @@ TEST(Totals, ArcsAndHelices) {
     EXPECT_NEAR(t.feed_length_mm, 5 * geom::pi + std::hypot(40 * geom::pi, 9), 1e-12);
 }
 
+TEST(Totals, SplinesCountAsFeedMoves) {
+    Totals t;
+    t(rapid({5, 0, 0}));
+    t({Spline{{2, 4, 0}, {3, -4, 0}, {}, {}, {0, 0, 1}, {}}, {}, 0});  // straight, from (5, 0) to (2, 4)
+    EXPECT_EQ(t.feed_moves, 1u);
+    EXPECT_NEAR(t.feed_length_mm, 5, 1e-12);
+    EXPECT_EQ(t.position, (geom::Vec3{2, 4, 0}));
+}
+
 TEST(Totals, AnArcOnALatheDoesNotNeedY) {
     const double length = move_length({10, NAN, 0}, Arc{{0, NAN, 10}, {0, NAN, 0}, {0, 1, 0}, -geom::pi / 2});
     EXPECT_DOUBLE_EQ(length, 5 * geom::pi);

@@ -2,6 +2,7 @@
 
 #include "base/codes.hpp"
 #include "base/number.hpp"
+#include "cl/spline.hpp"
 #include "cl/totals.hpp"
 
 namespace obrys::cl {
@@ -62,6 +63,22 @@ void Verifier::check(const Record& r, const Arc& s) {
                      base::fixed(std::abs(off) * radius, 4) + " mm off the end point");
 }
 
+void Verifier::check(const Record& r, const Spline& s) {
+    if (infinite(s.to) || infinite(s.k1) || infinite(s.k2) || infinite(s.k3))
+        return complain(r, base::codes::value_range, "spline with a value that is not finite");
+    if (!is_unit(s.axis)) complain(r, base::codes::value_range, "tool axis is not a unit vector");
+    if (s.axes.size() > 2) complain(r, base::codes::value_range, "spline with more than two additional axes");
+    for (const SplineAxis& a : s.axes) {
+        if (a.name[0] == 0) complain(r, base::codes::value_range, "axis without a name");
+        if (std::isinf(a.to) || std::isinf(a.k1) || std::isinf(a.k2) || std::isinf(a.k3))
+            complain(r, base::codes::value_range, "spline with a value that is not finite");
+    }
+    const double gap = geom::length(start_gap(position_, s));
+    if (gap > options_.spline_tolerance)
+        complain(r, base::codes::spline_start,
+                 "the spline starts " + base::fixed(gap, 4) + " mm beside the end of the last move");
+}
+
 void Verifier::check(const Record& r, const Axis& s) {
     if (s.name[0] == 0) complain(r, base::codes::value_range, "axis without a name");
     if (std::isinf(s.to)) complain(r, base::codes::value_range, "axis position is not finite");
@@ -94,6 +111,11 @@ void Verifier::check(const Record& r, const Spindle& s) {
 
 void Verifier::check(const Record& r, const Datum& s) {
     if (infinite(s.origin)) complain(r, base::codes::value_range, "zero offset is not finite");
+}
+
+void Verifier::check(const Record& r, const Tolerance& s) {
+    if (!(s.contour >= 0) || !(s.rotary >= 0) || std::isinf(s.contour) || std::isinf(s.rotary))
+        complain(r, base::codes::value_range, "tolerance must be finite and not negative");
 }
 
 void Verifier::check(const Record& r, const CycleBegin&) { open_.push_back(r); }

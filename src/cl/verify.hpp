@@ -11,10 +11,12 @@ namespace obrys::cl {
 
 struct VerifyOptions {
     double circle_tolerance = 0.01;  ///< mm the radii at both ends of an arc may differ
+    double spline_tolerance = 0.01;  ///< mm a spline may start beside the position
 };
 
 /// Adds one diagnostic for every record that breaks a rule: `arc-radius` where the ends do not lie on the circle,
-/// `value-range` for values that no record may hold, `unclosed` for cycle brackets without their partner.
+/// `spline-start` where a spline does not start at the position, `value-range` for values that no record may hold,
+/// `unclosed` for cycle brackets without their partner.
 class Verifier {
 public:
     explicit Verifier(base::Diagnostics& diagnostics, VerifyOptions options = {}, const CallStacks* stacks = nullptr)
@@ -28,12 +30,14 @@ private:
     void complain(const Record& record, std::string_view code, std::string text);
     void check(const Record& r, const Linear& s);
     void check(const Record& r, const Arc& s);
+    void check(const Record& r, const Spline& s);
     void check(const Record& r, const Axis& s);
     void check(const Record& r, const Thread& s);
     void check(const Record& r, const Dwell& s);
     void check(const Record& r, const Feed& s);
     void check(const Record& r, const Spindle& s);
     void check(const Record& r, const Datum& s);
+    void check(const Record& r, const Tolerance& s);
     void check(const Record& r, const CycleBegin& s);
     void check(const Record& r, const CycleEnd& s);
     void check(const Record&, const ToolChange&) {}

@@ -49,6 +49,30 @@ TEST(Verify, NoRecordHoldsTheseValues) {
     EXPECT_EQ(complaints({Axis{{}, 0, true}}), Codes{"value-range"});
 }
 
+TEST(Verify, SplinesStartAtThePosition) {
+    const Linear start{{10, 0, NAN}, {0, 0, 1}, true};
+    // From x 10 to 4 straight, from y 0 over a parabola back to 0; z was never given.
+    Spline s{{4, 0, NAN}, {6, -1, 0}, {0, 1, 0}, {0, 0, 0}, {0, 0, 1}, {}};
+    EXPECT_EQ(complaints({start, s}), Codes{});
+    EXPECT_EQ(complaints({start, s, s}), Codes{"spline-start"});
+    s.k3.y = 0.011;
+    EXPECT_EQ(complaints({start, s}), Codes{"spline-start"});
+    s.k3.y = 0.009;
+    EXPECT_EQ(complaints({start, s}), Codes{});
+}
+
+TEST(Verify, SplinesAndTolerancesHoldNoOtherValues) {
+    const SplineAxis a{{'A'}, 1, 2, 3, 4, true};
+    EXPECT_EQ(complaints({Spline{{0, 0, 0}, {1, 0, 0}, {}, {}, {0, 0, 1}, {a, a}}}), Codes{});
+    EXPECT_EQ(complaints({Spline{{0, 0, 0}, {1, 0, 0}, {}, {}, {0, 0, 1}, {a, a, a}}}), Codes{"value-range"});
+    EXPECT_EQ(complaints({Spline{{0, 0, 0}, {1, 0, 0}, {}, {}, {0, 0, 1}, {SplineAxis{}}}}), Codes{"value-range"});
+    EXPECT_EQ(complaints({Spline{{0, 0, 0}, {INFINITY, 0, 0}, {}, {}, {0, 0, 1}, {}}}), Codes{"value-range"});
+    EXPECT_EQ(complaints({Spline{{0, 0, 0}, {1, 0, 0}, {}, {}, {0, 1, 1}, {}}}), Codes{"value-range"});
+    EXPECT_EQ(complaints({Tolerance{0.05, 0.1, Filter::finishing}, Tolerance{}}), Codes{});
+    EXPECT_EQ(complaints({Tolerance{-0.05, 0, Filter::none}}), Codes{"value-range"});
+    EXPECT_EQ(complaints({Tolerance{0, NAN, Filter::none}}), Codes{"value-range"});
+}
+
 TEST(Verify, CycleBracketsPairUp) {
     EXPECT_EQ(complaints({CycleBegin{"A", {}}, CycleBegin{"B", {}}, CycleEnd{}}), Codes{"unclosed"});
     EXPECT_EQ(complaints({CycleEnd{}}), Codes{"unclosed"});

@@ -45,11 +45,10 @@ Data read_data(Course& c, const Situation& s) {
     d.overlap = c.maybe(Role::overlap, 1);
     d.rounding = c.maybe_at_least(Role::rounding_radius, 0, 0);
     d.climb = c.maybe(Role::direction, 1) >= 0;
-    d.radius = c.known(s.tool_radius, "the tool radius");
+    d.radius = milling_radius(c, s);
     c.known(s.at.z, "the tool's height");
     if (d.safe < d.top) c.fault(Role::clearance_height, "the clearance height lies below the workpiece surface");
     if (d.overlap <= 0 || d.overlap >= 2) c.fault(Role::overlap, "the path overlap factor must be above 0 and below 2");
-    if (d.radius <= 0) c.fault("the tool radius must be greater than 0");
     if (d.radius + d.side < 0) c.fault(Role::allowance_side, "the negative allowance is larger than the tool radius");
     if (d.bottom + d.floor > d.top)
         c.fault(Role::allowance_floor, "the finishing allowance for floor is larger than the depth");
@@ -193,6 +192,8 @@ bool is_contour_cycle(Kind kind) {
 
 Expansion expand_contour(const Demand& demand, const Situation& s, const ContourTask& task) {
     Course c(demand, s);
+    check_size(c, task.area);
+    check_size(c, {{task.train.contour}});
     switch (demand.kind) {
         case Kind::pilot_drill: pilot_drill(c, s, task); break;
         case Kind::rough_out: rough_out(c, s, task); break;

@@ -55,8 +55,7 @@ Train read_train(Course& c, const Situation& s, int programmed_side) {
     const int choice =
         read_number(c, Role::compensation, programmed_side < 0 ? 2 : programmed_side, 0, 2, "radius compensation");
     t.side = choice == 2 ? -1 : choice;
-    const double radius = c.known(s.tool_radius, "the tool radius");
-    if (radius <= 0) c.fault("the tool radius must be greater than 0");
+    const double radius = milling_radius(c, s);
     t.away = radius + c.maybe(Role::allowance_side, 0);
     if (t.away < 0) c.fault(Role::allowance_side, "the negative allowance is larger than the tool radius");
     c.known(s.at.z, "the tool's height");

@@ -17,6 +17,22 @@ using geom::Region;
 using geom::Vec2;
 using Role = program::CycleRole;
 
+double milling_radius(Course& c, const Situation& s) {
+    constexpr double largest = 1e4;
+    const double radius = c.tool_radius(s);
+    if (radius == 0) c.fault("the tool radius must be greater than 0");
+    if (radius > largest) c.fault("the tool radius is out of range");
+    return radius;
+}
+
+void check_size(Course& c, const Region& region) {
+    constexpr double farthest = 1e6;  // the 2D kernel's snap needs the digits
+    for (const Contour& k : region.contours)
+        for (const geom::Vertex& v : k.vertices)
+            if (!(std::abs(v.p.x) <= farthest && std::abs(v.p.y) <= farthest && std::isfinite(v.bulge)))
+                return c.fault("the contour lies out of range");
+}
+
 void set_angle(Course& c, const Situation& s, Descent& d) {
     if (d.how == Plunge::straight) return;
     const double degrees = s.tool_plunge_angle;
@@ -65,7 +81,8 @@ void complain_of_room(Course& c, const Region& region, const AreaOptions& o, boo
 
 AreaPaths area_paths(Course& c, const Region& region, const AreaOptions& o) {
     const geom::Clearing clearing = geom::clearing_rings(
-        region, {.radius = o.radius, .allowance = o.side, .stepover = o.stepover, .rounding = o.rounding});
+        region,
+        {.radius = o.radius, .allowance = o.side, .stepover = o.stepover, .rounding = o.rounding, .most = 5000});
     switch (clearing.fault) {
         case geom::ClearingFault::none: break;
         case geom::ClearingFault::no_room: complain_of_room(c, region, o, true); return {};

@@ -21,6 +21,11 @@ struct Descent {
     double length = 0;  ///< of a reciprocation at most; 0: two tool diameters
     double feed = 0;
 };
+/// Of the tool: known, above 0 and of a size that mills.
+[[nodiscard]] double milling_radius(Course& course, const Situation& situation);
+/// Complains of a contour that lies out of any machine's reach or is not known.
+void check_size(Course& course, const geom::Region& region);
+
 /// Adds the tool's plunging angle to a descent. 0 (the tool table says that it cannot) is a complaint; not known, or
 /// 90 degrees: straight down.
 void set_angle(Course& course, const Situation& situation, Descent& descent);

@@ -63,8 +63,7 @@ PocketData read_simple(Course& c, const Situation& s) {
     p.lift = std::abs(c.need(Role::clearance));
     p.h.surface = p.h.clearance - p.lift;
     p.h.bottom = p.h.surface + c.depth();
-    p.radius = c.known(s.tool_radius, "the tool radius");
-    if (p.radius <= 0) c.fault("the tool radius must be greater than 0");
+    p.radius = milling_radius(c, s);
     p.infeed = std::abs(c.need(Role::infeed));
     if (p.infeed == 0) c.fault(Role::infeed, "the plunging depth must not be 0");
     p.plunge = c.feed_or_programmed(Role::feed_plunge, s.feed);

@@ -39,8 +39,7 @@ PocketData read_pocket(Course& c, const Situation& s, bool with_overlap) {
     PocketData p;
     p.h = read_heights(c);
     p.lift = p.h.clearance - p.h.surface;
-    p.radius = c.known(s.tool_radius, "the tool radius");
-    if (p.radius <= 0) c.fault("the tool radius must be greater than 0");
+    p.radius = milling_radius(c, s);
     p.called = {s.at.x, s.at.y};
     c.known(s.at.z, "the tool's height");
     p.operation = read_choice(c, Role::operation, 2, "the machining operation");
@@ -129,6 +128,7 @@ void finish(Course& c, const PocketData& p, const Figure& f) {
 void mill_pocket(Course& c, const PocketData& p, const Figure& f) {
     if (p.h.bottom + p.floor > p.h.surface)
         c.fault(Role::allowance_floor, "the finishing allowance for floor is larger than the depth");
+    check_size(c, f.region);
     if (!c.ready()) return;
     c.rapid_w(std::max(c.at().z, p.h.clearance));
     if (p.operation != 2) rough(c, p, f);

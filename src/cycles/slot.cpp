@@ -113,8 +113,7 @@ struct Reciprocation {
 Reciprocation read_reciprocation(Course& c, const Situation& s, double width) {
     Reciprocation r;
     r.h = read_heights(c);
-    r.radius = c.known(s.tool_radius, "the tool radius");
-    if (r.radius <= 0) c.fault("the tool radius must be greater than 0");
+    r.radius = milling_radius(c, s);
     c.known(s.at.z, "the tool's height");
     r.mill = c.feed(Role::feed_mill);
     r.plunge = c.feed_or(Role::feed_plunge, r.mill);
@@ -145,6 +144,8 @@ Contour half_of(const Contour& chain) {
 
 void reciprocate(Course& c, const Reciprocation& r, const Contour& middle, const geom::Region& slot) {
     c.assume("the reciprocating plunge takes the infeed on the way from one end to the other");
+    check_size(c, slot);
+    if (!c.ready()) return;
     c.rapid_w(std::max(c.at().z, r.h.end));
     if (r.operation != 2) {
         const Vec2 left = middle.vertices.front().p;

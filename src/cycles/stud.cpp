@@ -28,6 +28,7 @@ constexpr std::string_view beside =
 /// Around the stud, from the blank inwards; `farthest`: how far the blank reaches beyond the stud.
 void mill_stud(Course& c, const PocketData& p, const Region& stud, double farthest) {
     const double passes = std::max(1.0, std::ceil((farthest - p.side) / p.stepover - 1e-9));
+    check_size(c, stud);
     if (passes > most_passes) c.fault(Role::overlap, "the stepover is too small for the blank");
     if (!c.ready()) return;
     const std::vector<double> levels = even_levels(c, p.h.surface, p.h.bottom, p.infeed);
@@ -92,8 +93,7 @@ struct Finishing {
 Finishing read_finishing(Course& c, const Situation& s) {
     Finishing f;
     f.h = read_heights(c);
-    f.radius = c.known(s.tool_radius, "the tool radius");
-    if (f.radius <= 0) c.fault("the tool radius must be greater than 0");
+    f.radius = milling_radius(c, s);
     c.known(s.at.z, "the tool's height");
     f.infeed = c.positive(Role::infeed);
     f.mill = c.feed(Role::feed_mill);
@@ -104,6 +104,8 @@ Finishing read_finishing(Course& c, const Situation& s) {
 
 void run_along(Course& c, const Finishing& f, const Contour& figure, bool outside) {
     const Region region{{geom::moved(figure, f.centre)}};
+    check_size(c, region);
+    if (!c.ready()) return;
     const Region path = geom::offset(region, outside ? f.radius : -f.radius);
     if (path.empty())
         c.fault("tool radius too large: the tool does not fit into the pocket at " + place_text(f.centre),

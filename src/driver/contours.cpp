@@ -1,6 +1,7 @@
 #include "driver/contours.hpp"
 
 #include <cmath>
+#include <optional>
 
 #include "base/codes.hpp"
 #include "geom/boolean.hpp"
@@ -24,8 +25,13 @@ public:
             // Counter-clockwise about +y is counter-clockwise in (z, x) drawn with z to the right and x up.
             add(arc->to, std::tan((arc->normal.y < 0 ? -arc->sweep : arc->sweep) / 4));
             at_ = arc->to;
+        } else if (const auto* spline = std::get_if<cl::Spline>(&r.step)) {
+            if (!spline_) spline_ = r.from;
+            at_ = spline->to;
         }
     }
+    /// The first move that no contour of lines and arcs can hold.
+    [[nodiscard]] std::optional<base::Span> spline() const { return spline_; }
     [[nodiscard]] geom::Contour contour() const { return contour_; }
 
 private:
@@ -37,6 +43,7 @@ private:
     }
     geom::Contour contour_{{}, false};
     geom::Vec3 at_{NAN, 0, NAN};
+    std::optional<base::Span> spline_;
 };
 
 geom::Region closed_to_axis(geom::Contour c) {
@@ -59,6 +66,16 @@ std::optional<geom::Region> run_contour(Session& s, const shop::ProfileFromProgr
     s.main = unit;
     interpret(s, [&](const cl::Record& r) { sink(r); });
     s.main = main;
+    if (const auto where = sink.spline()) {
+        s.diagnostics.add({base::Severity::error,
+                           codes::job_value,
+                           *where,
+                           "a contour is made of lines and arcs: " + from.program + " moves along a spline here",
+                           {},
+                           {},
+                           {}});
+        return std::nullopt;
+    }
     const geom::Contour contour = sink.contour();
     if (contour.vertices.size() >= 2) return closed_to_axis(contour);
     s.diagnostics.add({base::Severity::error,

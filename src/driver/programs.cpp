@@ -3,13 +3,12 @@
 #include <algorithm>
 
 #include "base/text.hpp"
-#include "read/sinumerik/read.hpp"
 
 namespace obrys::driver {
 
 namespace {
 
-bool has_suffix(const fs::path& path, std::initializer_list<std::string_view> suffixes) {
+bool has_suffix(const fs::path& path, std::span<const std::string_view> suffixes) {
     const std::string suffix = base::to_upper(path.extension().string());
     return std::find(suffixes.begin(), suffixes.end(), suffix) != suffixes.end();
 }
@@ -22,18 +21,16 @@ void Programs::add_folder(const fs::path& folder) {
     for (const fs::directory_entry& entry : fs::directory_iterator(folder.empty() ? fs::path(".") : folder, error))
         found.push_back(entry.path().lexically_normal());
     std::sort(found.begin(), found.end());  // the same order on every file system
-    for (const fs::path& path : found) {
-        const std::string name = base::to_upper(path.stem().string());
-        if (has_suffix(path, {".SPF"})) files_.emplace(name, path);
-        if (has_suffix(path, {".DEF", ".GUD"})) definition_files_.push_back(path);
-    }
+    for (const std::string_view suffix : control_.program_suffixes)
+        for (const fs::path& path : found)
+            if (has_suffix(path, {&suffix, 1})) files_.emplace(base::to_upper(path.stem().string()), path);
     for (const fs::path& path : found)
-        if (has_suffix(path, {".MPF"})) files_.emplace(base::to_upper(path.stem().string()), path);
+        if (has_suffix(path, control_.definition_suffixes)) definition_files_.push_back(path);
 }
 
 const program::Unit* Programs::read(std::uint32_t file) {
-    sources_.set_block_numbers(file, base::BlockNumbers::n_word);
-    std::vector<program::Unit> units = read::sinumerik::read(file, sources_, names_, diagnostics_);
+    sources_.set_block_numbers(file, control_.numbers);
+    std::vector<program::Unit> units = control_.read(file, sources_, names_, diagnostics_);
     const program::Unit* first = nullptr;
     for (program::Unit& unit : units) {
         units_.push_back(std::make_unique<program::Unit>(std::move(unit)));

@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "base/diagnostic.hpp"
+#include "driver/control.hpp"
 #include "driver/files.hpp"
 #include "program/unit.hpp"
 
@@ -14,7 +15,8 @@ namespace obrys::driver {
 
 class Programs {
 public:
-    Programs(base::Sources& sources, base::Diagnostics& diagnostics) : sources_(sources), diagnostics_(diagnostics) {}
+    Programs(const Control& control, base::Sources& sources, base::Diagnostics& diagnostics)
+        : control_(control), sources_(sources), diagnostics_(diagnostics) {}
 
     /// Folder in which called programs are looked for, in the order of the calls of this function.
     void add_folder(const fs::path& folder);
@@ -22,13 +24,14 @@ public:
     const program::Unit* read(std::uint32_t file);
     /// The program of that name (upper case, without suffix), read from its folder when first asked for; or null.
     const program::Unit* find(std::string_view name);
-    /// Reads the definition files (.DEF, .GUD) of the folders.
+    /// Reads the definition files of the folders, where the control has such.
     void read_definitions();
 
     [[nodiscard]] const std::vector<const program::Unit*>& definitions() const { return definitions_; }
     [[nodiscard]] program::Names& names() { return names_; }
 
 private:
+    const Control& control_;
     base::Sources& sources_;
     base::Diagnostics& diagnostics_;
     program::Names names_;

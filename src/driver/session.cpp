@@ -6,7 +6,6 @@
 #include "base/number.hpp"
 #include "base/text.hpp"
 #include "driver/contours.hpp"
-#include "read/sinumerik/read.hpp"
 
 namespace obrys::driver {
 
@@ -30,13 +29,16 @@ fs::path beside(const fs::path& job, const std::string& written) {
     return path.is_absolute() ? path : (job.parent_path() / path).lexically_normal();
 }
 
-bool known_control(Session& s, const std::string& name) {
-    const auto all = controls();
-    if (name.empty() || std::find(all.begin(), all.end(), name) != all.end()) return true;
+std::string control_names() {
     std::string list;
-    for (const std::string& c : all) list += (list.empty() ? "" : ", ") + c;
+    for (const Control& c : all_controls()) list += (list.empty() ? "" : ", ") + std::string(c.name);
+    return list;
+}
+
+bool known_control(Session& s, const std::string& name) {
+    if (name.empty() || find_control(name) != nullptr) return true;
     complain(s, codes::job_value, nowhere, "there is no control \"" + name + "\"",
-             "controls that can be read: " + list);
+             "controls that can be read: " + control_names());
     return false;
 }
 
@@ -68,14 +70,20 @@ bool load_machine(Session& s, const fs::path& base_path, const std::string& name
     return true;
 }
 
+/// A tool list (.toml), a HEIDENHAIN tool table (.t) or SINUMERIK tool data (any other ending).
+std::vector<shop::Tool> read_tool_file(const fs::path& path, std::uint32_t file, Session& s) {
+    if (is_job(path)) return shop::read_tools(file, s.sources, s.diagnostics);
+    if (base::equals_ignoring_case(path.extension().string(), ".t"))
+        return shop::read_tool_t(file, s.sources, s.diagnostics);
+    return shop::read_toa(file, s.sources, s.diagnostics);
+}
+
 void load_tools(Session& s, const fs::path& base_path) {
     for (const std::string& name : s.job.tool_files) {
         const fs::path path = beside(base_path, name);
         const auto file = load(path, s.sources, s.diagnostics, s.job.program_where);
         if (!file) continue;
-        const auto tools = is_job(path) ? shop::read_tools(*file, s.sources, s.diagnostics)
-                                        : shop::read_toa(*file, s.sources, s.diagnostics);
-        s.job.tools = shop::merge_tools(std::move(s.job.tools), tools);
+        s.job.tools = shop::merge_tools(std::move(s.job.tools), read_tool_file(path, *file, s));
     }
     for (const shop::Tool& t : s.job.tools)
         if (!t.assumed.empty())
@@ -112,32 +120,33 @@ bool choose_machine(Session& s, const Request& request, const fs::path& job_path
 }
 
 /// The control that the call or the job names; else what the text looks like.
-bool choose_control(Session& s, const Request& request, std::uint32_t file) {
-    constexpr int foreign = 3, certain = 30;  // of 100: corpus programs of other controls reach 29, SINUMERIK's 53 and more
+const Control* choose_control(Session& s, const Request& request, std::uint32_t file) {
+    constexpr int foreign = 3, certain = 30;  // of 100: corpus programs of other controls reach 29, own ones 53 and more
     s.control = !request.control.empty() ? request.control : s.job.control;
-    if (!s.control.empty()) return true;
-    s.control = controls().front();
+    if (!s.control.empty()) return find_control(s.control);
     const base::Source& source = s.sources[file];
-    const int likelihood = read::sinumerik::likelihood(source.text, source.name);
+    const Guess guess = guess_control(source.text, source.name);
+    s.control = guess.control->name;
     const base::Span where{file, 0, 0};
-    if (likelihood < foreign) {
-        complain(s, codes::job_value, where, "this looks like a program for another control than " + s.control,
-                 "programs of other controls cannot be read yet; --control " + s.control + " reads it all the same");
-        return false;
+    if (guess.likelihood < foreign) {
+        complain(s, codes::job_value, where, "this looks like a program for another control than can be read",
+                 "controls that can be read: " + control_names() + "; --control NAME reads it all the same");
+        return nullptr;
     }
-    if (likelihood < certain)
+    if (guess.likelihood < certain)
         s.diagnostics.add({base::Severity::warning, codes::unknown_value, where,
                            "nothing in this text says for which control it is: it is read as " + s.control,
                            "name the control with --control or in the job", {}, {}});
-    return true;
+    return guess.control;
 }
 
 bool read_main(Session& s, const Request& request, const fs::path& path) {
     const auto file = load(path, s.sources, s.diagnostics, s.job.program_where);
     if (!file) return false;
     s.program = s.sources[*file].name;
-    if (!choose_control(s, request, *file)) return false;
-    s.programs = std::make_unique<Programs>(s.sources, s.diagnostics);
+    const Control* control = choose_control(s, request, *file);
+    if (control == nullptr) return false;
+    s.programs = std::make_unique<Programs>(*control, s.sources, s.diagnostics);
     s.programs->add_folder(path.parent_path());
     for (const std::string& folder : request.search) s.programs->add_folder(folder);
     for (const std::string& folder : s.job.search) s.programs->add_folder(beside(request.input, folder));
@@ -149,7 +158,11 @@ bool read_main(Session& s, const Request& request, const fs::path& path) {
 
 }  // namespace
 
-std::vector<std::string> controls() { return {"sinumerik-840d"}; }
+std::vector<std::string> controls() {
+    std::vector<std::string> names;
+    for (const Control& c : all_controls()) names.emplace_back(c.name);
+    return names;
+}
 
 bool open(const Request& request, Session& s) {
     const fs::path input(request.input);

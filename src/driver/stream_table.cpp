@@ -1,5 +1,6 @@
 #include "driver/stream_table.hpp"
 
+#include <algorithm>
 #include <cmath>
 #include <nlohmann/json.hpp>
 
@@ -17,20 +18,25 @@ struct Row {
     const char* kind = "";
     geom::Vec3 to;
     const cl::Arc* arc = nullptr;
+    const cl::Spline* spline = nullptr;
     bool rapid = false;
 };
 
 bool row_of(const cl::Step& step, Row& row) {
     if (const auto* line = std::get_if<cl::Linear>(&step)) {
-        row = {line->rapid ? "rapid" : "linear", line->to, nullptr, line->rapid};
+        row = {line->rapid ? "rapid" : "linear", line->to, nullptr, nullptr, line->rapid};
         return true;
     }
     if (const auto* arc = std::get_if<cl::Arc>(&step)) {
-        row = {"arc", arc->to, arc, false};
+        row = {"arc", arc->to, arc, nullptr, false};
+        return true;
+    }
+    if (const auto* spline = std::get_if<cl::Spline>(&step)) {
+        row = {"spline", spline->to, nullptr, spline, false};
         return true;
     }
     if (const auto* thread = std::get_if<cl::Thread>(&step)) {
-        row = {"thread", thread->to, nullptr, false};
+        row = {"thread", thread->to, nullptr, nullptr, false};
         return true;
     }
     return false;
@@ -40,6 +46,26 @@ bool row_of(const cl::Step& step, Row& row) {
 const char* sense_of(const cl::Arc& a) {
     const double up = a.normal.x + a.normal.y + a.normal.z;
     return (a.sweep > 0) == (up > 0) ? "ccw" : "cw";
+}
+
+nlohmann::ordered_json json_number(double v) {
+    return std::isfinite(v) ? nlohmann::ordered_json(v) : nlohmann::ordered_json(nullptr);
+}
+nlohmann::ordered_json json_point(geom::Vec3 p) { return {json_number(p.x), json_number(p.y), json_number(p.z)}; }
+
+void add_coefficients(nlohmann::ordered_json& j, const cl::Spline& s) {
+    j["k3_mm"] = json_point(s.k3);
+    j["k2_mm"] = json_point(s.k2);
+    j["k1_mm"] = json_point(s.k1);
+    for (const cl::SplineAxis& a : s.axes) {
+        const std::string name(a.name.data(), std::find(a.name.begin(), a.name.end(), '\0'));
+        j["axes"].push_back({{"name", base::as_utf8(name)},
+                             {"unit", a.rotary ? "deg" : "mm"},
+                             {"to", json_number(a.to)},
+                             {"k3", json_number(a.k3)},
+                             {"k2", json_number(a.k2)},
+                             {"k1", json_number(a.k1)}});
+    }
 }
 
 void append_number(std::string& out, double v) {
@@ -84,9 +110,6 @@ void JsonWriter::operator()(const cl::Record& r) {
     if (const auto* feed = std::get_if<cl::Feed>(&r.step)) feed_ = feed->value;
     Row row;
     if (!row_of(r.step, row)) return;
-    const auto number = [](double v) {
-        return std::isfinite(v) ? nlohmann::ordered_json(v) : nlohmann::ordered_json(nullptr);
-    };
     nlohmann::ordered_json j;
     j["i"] = index_;
     j["file"] = base::as_utf8(sources_[r.from.file].name);
@@ -94,15 +117,16 @@ void JsonWriter::operator()(const cl::Record& r) {
     const auto block = sources_.block_number(r.from.file, r.from.begin);
     j["block"] = block ? nlohmann::ordered_json(*block) : nlohmann::ordered_json(nullptr);
     j["kind"] = row.kind;
-    j["x_mm"] = number(row.to.x);
-    j["y_mm"] = number(row.to.y);
-    j["z_mm"] = number(row.to.z);
+    j["x_mm"] = json_number(row.to.x);
+    j["y_mm"] = json_number(row.to.y);
+    j["z_mm"] = json_number(row.to.z);
     if (!row.rapid) j["feed"] = feed_;
     if (row.arc != nullptr) {
-        j["centre_mm"] = {number(row.arc->centre.x), number(row.arc->centre.y), number(row.arc->centre.z)};
+        j["centre_mm"] = json_point(row.arc->centre);
         j["sense"] = sense_of(*row.arc);
         j["sweep_deg"] = geom::degrees(row.arc->sweep);
     }
+    if (row.spline != nullptr) add_coefficients(j, *row.spline);
     out_((index_++ == 0 ? "[\n" : ",\n") + j.dump());
 }
 

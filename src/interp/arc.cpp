@@ -69,12 +69,23 @@ void arc_alarm(Run& run, const path::ArcResult& r) {
     alarm(run, codes::arc_radius, run.here(), std::move(text));
 }
 
+/// C and CP: about the pole, to a point or through an angle.
+path::ArcResult about_pole(const Run& run, Vec2 from, Vec2 to, path::Sense sense, const PlaneAxes& a) {
+    const BlockWords& b = run.block;
+    const Vec2 centre = in_plane(run.modal.pole, a);
+    if (!b.has(Code::pole_angle)) return path::arc_by_centre(from, to, centre, sense, 0, tolerance(run));
+    const double turns = std::abs(b.get(Code::pole_angle)) / 360;
+    const double whole = std::max(0.0, std::ceil(turns) - 1);
+    return path::arc_about_centre(from, centre, geom::radians((turns - whole) * 360), sense, static_cast<int>(std::min(whole, 1e6)));
+}
+
 path::ArcResult planar_arc(Run& run, Vec2 from, Vec2 to, bool end_given, const PlaneAxes& a) {
     const BlockWords& b = run.block;
     const path::Sense sense =
         run.modal.motion == Modal::arc_cw ? path::Sense::clockwise : path::Sense::counter_clockwise;
     const int turns = b.has(Code::turns) ? static_cast<int>(std::clamp(b.get(Code::turns), 0.0, 999.0)) : 0;
     const bool centre = b.has(centre_words[a.u]) || b.has(centre_words[a.v]);
+    if (b.has(Code::centre_at_pole)) return about_pole(run, from, to, sense, a);
     if (run.modal.motion == Modal::arc_tangent) return path::arc_by_tangent(from, to, run.last_direction);
     if (b.has(Code::radius))
         return path::arc_by_radius(from, to, b.get(Code::radius) * (run.modal.inch_geometry ? 25.4 : 1), sense, turns,
@@ -96,7 +107,8 @@ path::ArcResult planar_arc(Run& run, Vec2 from, Vec2 to, bool end_given, const P
 
 bool has_unknown_circle_word(const Run& run) {
     for (const Code c :
-         {Code::i, Code::j, Code::k, Code::i1, Code::j1, Code::k1, Code::radius, Code::opening_angle, Code::turns})
+         {Code::i, Code::j, Code::k, Code::i1, Code::j1, Code::k1, Code::radius, Code::opening_angle, Code::turns,
+          Code::pole_angle})
         if (run.block.has(c) && std::isnan(run.block.get(c))) return true;
     return false;
 }
@@ -168,6 +180,10 @@ bool arc_motion(Run& run, const Vec3& target) {
                   "the arc depends on a value that is not known: it is run as a straight move");
         straight_motion(run, target, false);
         return true;
+    }
+    if (run.modal.motion == Modal::linear) {
+        alarm(run, codes::arc_radius, run.here(), "the sense of rotation DR is missing: no arc before this one has any");
+        return false;
     }
     if (run.modal.motion == Modal::arc_via) return tilted_arc(run, target);
     const PlaneAxes a = plane_axes(run.modal.plane);

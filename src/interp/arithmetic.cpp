@@ -23,8 +23,9 @@ double divided(Run& run, const Expr& e, double a, double b) {
 }
 
 bool nearly_equal(const Run& run, double a, double b) {
-    const double tolerance = run.unit().traits->relative_equality * std::max(std::abs(a), std::abs(b));
-    return a == b || std::abs(a - b) <= tolerance;
+    if (a == b) return true;
+    const program::Equality& e = run.unit().traits->equality;
+    return std::abs(a - b) <= std::max(e.relative * std::max(std::abs(a), std::abs(b)), e.absolute);
 }
 
 std::int32_t bits(double v) {
@@ -68,6 +69,12 @@ double binary_number(Run& run, const Expr& e, double a, double b) {
         case Operator::modulo: {
             const double quotient = std::trunc(checked(run, e, divided(run, e, a, b)));
             return a - quotient * b;
+        }
+        case Operator::power: {
+            const double v = std::pow(a, b);
+            if (!std::isnan(v)) return checked(run, e, v);
+            alarm(run, codes::arithmetic, span_of(run, e), "a negative number has no power with a broken exponent");
+            return 0;
         }
         case Operator::equal:
             return nearly_equal(run, a, b);

@@ -111,6 +111,17 @@ void complain(Run& run, Conversion c, const Value& v, Type to, const base::Span&
 
 }  // namespace
 
+void assign_number(Run& run, std::uint32_t n, ExprId value, double v, const base::Span& where) {
+    if (run.parameter_overridden[n] == 0 || !is_constant(run.unit(), value)) {
+        run.parameters.set(n, v);
+        return;
+    }
+    assume(run, where,
+           program::parameter_name(*run.unit().traits, n) + "=" + printed(Value::real(run.parameter_override[n])) +
+               " is set from outside and replaces the program's constant");
+    run.parameters.set(n, run.parameter_override[n]);
+}
+
 void store(Run& run, Array& array, std::size_t index, Value v, const base::Span& where) {
     const Type given = v.type;
     const Conversion c = convert(v, array.type, array.string_length);
@@ -123,6 +134,19 @@ void store(Run& run, Array& array, std::size_t index, Value v, const base::Span&
 }
 
 namespace {
+
+/// A text parameter (QS5) exists from its first use on, for all programs.
+const Binding* text_parameter(Run& run, program::NameId name) {
+    const std::string_view letters = run.unit().traits->text_letters;
+    const std::string& text = run.env.names.text(name);
+    if (letters.empty() || !text.starts_with(letters) || text.size() == letters.size()) return nullptr;
+    auto array = std::make_shared<Array>();
+    array->type = Type::string;
+    array->string_length = 256;
+    array->allocate();
+    run.globals.bind({name, std::move(array), 0, false, nullptr});
+    return run.globals.find(name);
+}
 
 /// SET(a,b,…) and REP(v) on an array, from the addressed element on.
 void store_list(Run& run, Array& array, std::size_t first, const Expr& list) {
@@ -153,17 +177,8 @@ void assign_parameter(Run& run, const Expr& target, const program::Assign& a) {
               "there is no parameter " + printed(Value::real(index)));
         return;
     }
-    const auto n = static_cast<std::uint32_t>(index);
-    if (run.parameter_overridden[n] != 0 && is_constant(run.unit(), a.value)) {
-        const std::string name = run.unit().traits->parameter_letter + std::to_string(n);
-        assume(run, run.unit().span(a.target),
-               name + "=" + printed(Value::real(run.parameter_override[n])) +
-                   " is set from outside and replaces the program's constant");
-        run.parameters.set(n, run.parameter_override[n]);
-        return;
-    }
     const double v = number(run, a.value);
-    if (!run.stopped) run.parameters.set(n, v);
+    if (!run.stopped) assign_number(run, static_cast<std::uint32_t>(index), a.value, v, run.unit().span(a.target));
 }
 
 void write_character(Run& run, const Binding& b, const Expr& e, ExprId value) {
@@ -184,6 +199,7 @@ void assign_variable(Run& run, const Expr& target, const program::Assign& a) {
     const Unit& unit = run.unit();
     const Expr& value = unit.exprs[a.value];
     const Binding* b = find_variable(run, target.a);
+    if (b == nullptr) b = text_parameter(run, target.a);
     if (b == nullptr) {
         const std::string& name = run.env.names.text(target.a);
         unchecked(run, codes::undefined_name, unit.span(a.target), name + " is not defined in this program",

@@ -18,7 +18,7 @@ void BlockWords::clear() {
     h.clear();
     axes.clear();
     tool_named = false;
-    special = suppress = Modal::linear;
+    special = suppress = paraxial = Modal::linear;
 }
 
 namespace {
@@ -181,6 +181,11 @@ void run_block(Run& run, const program::Statement& s, std::uint32_t index) {
     if (run.stopped) return;
     const bool moved = motion(run);
     if (run.stopped) return;
+    if (run.block.has(Code::cycle_call) || run.block.has(Code::cycle_call_modal) || (moved && run.cycle.modal)) {
+        run.cycle.modal = run.block.has(Code::cycle_call_modal) || (run.cycle.modal && !run.block.has(Code::cycle_call));
+        call_cycle(run);
+        if (run.stopped) return;
+    }
     after_motion(run);
     if (moved && run.modal_call.unit != nullptr) run_modal_call(run);
 }

@@ -122,9 +122,9 @@ void note_unit(Run& run, const Unit& unit) {
 
 std::string program_name(std::string_view written) {
     std::string s = base::to_upper(base::trim(written));
-    if (const auto slash = s.find_last_of("/\\"); slash != std::string::npos) s.erase(0, slash + 1);
+    if (const auto slash = s.find_last_of("/\\:"); slash != std::string::npos) s.erase(0, slash + 1);
     if (s.starts_with("_N_")) s.erase(0, 3);
-    for (const char* suffix : {"_SPF", "_MPF", ".SPF", ".MPF"})
+    for (const char* suffix : {"_SPF", "_MPF", ".SPF", ".MPF", ".H", ".I"})
         if (s.ends_with(suffix)) s.resize(s.size() - 4);
     return s;
 }
@@ -134,6 +134,34 @@ const Unit* find(Run& run, const std::string& name, const base::Span& where) {
     unchecked(run, codes::missing_subprogram, where, "the program " + name + " was not found; the call is left out",
               "put " + name + ".SPF beside the calling program or name its folder with --search");
     return nullptr;
+}
+
+}  // namespace
+
+namespace {
+
+/// Local numbered parameters begin unset in every program; the caller's are put aside.
+void hide_locals(Run& run, const Unit& unit, Activation& callee) {
+    std::uint32_t n = 0;
+    for (const program::ParameterBank& bank : unit.traits->banks) {
+        for (std::uint32_t i = 0; bank.local && i < bank.count; ++i, ++n) {
+            if (!run.calls.empty()) callee.outer_locals.emplace_back(run.parameters.get(n), run.parameters.is_set(n));
+            if (run.parameter_overridden.empty() || run.parameter_overridden[n] == 0) run.parameters.forget(n);
+        }
+        if (!bank.local) n += bank.count;
+    }
+}
+
+void show_locals(Run& run, const Activation& callee) {
+    std::uint32_t n = 0;
+    std::size_t at = 0;
+    for (const program::ParameterBank& bank : callee.unit->traits->banks) {
+        for (std::uint32_t i = 0; bank.local && i < bank.count && at < callee.outer_locals.size(); ++i, ++at) {
+            run.parameters.forget(n + i);
+            if (callee.outer_locals[at].second) run.parameters.set(n + i, callee.outer_locals[at].first);
+        }
+        n += bank.count;
+    }
 }
 
 }  // namespace
@@ -162,7 +190,9 @@ void enter(Run& run, const Unit& unit, const Call* call, const base::Span& where
         callee.repeats_left = static_cast<std::uint64_t>(std::min(passes, 1e15)) - 1;
     }
     if (run.stopped) return;
+    hide_locals(run, unit, callee);
     run.calls.push_back(std::move(callee));
+    if (unit.traits->unit_per_program) run.modal.inch_geometry = run.modal.inch_feed = unit.inch;
     bind_presets(run, unit);
     run.top().own_bindings = run.top().locals.size();
     note_unit(run, unit);
@@ -202,7 +232,9 @@ void leave(Run& run) {
         run.stopped = true;
         return;
     }
+    show_locals(run, act);
     run.calls.pop_back();
+    if (run.unit().traits->unit_per_program) run.modal.inch_geometry = run.modal.inch_feed = run.unit().inch;
     run.statement = &run.unit().statements[run.top().pc - 1];
 }
 

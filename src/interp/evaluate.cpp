@@ -24,13 +24,13 @@ double parameter_value(Run& run, const Expr& e, double index) {
     if (!(index >= 0) || index >= run.parameters.count()) {
         alarm(run, codes::index_range, where,
               "parameter number " + printed(Value::real(index)) + " lies outside " +
-                  run.unit().traits->parameter_letter + "0 to " + run.unit().traits->parameter_letter +
-                  std::to_string(run.parameters.count() - 1));
+                  program::parameter_name(*run.unit().traits, 0) + " to " +
+                  program::parameter_name(*run.unit().traits, run.parameters.count() - 1));
         return 0;
     }
     const auto n = static_cast<std::uint32_t>(index);
     if (!run.parameters.is_set(n)) {
-        const std::string name = run.unit().traits->parameter_letter + std::to_string(n);
+        const std::string name = program::parameter_name(*run.unit().traits, n);
         assume(run, where, name + " is read before the program sets it: 0 as in a fresh control",
                "give its value with --set " + name + "=… if the control holds another one");
         run.parameters.mark_set(n);
@@ -148,6 +148,10 @@ Value read_variable(Run& run, const Expr& e, ExprId id) {
         return b->array->get(index);
     }
     const std::string& text = run.env.names.text(e.a);
+    if (const std::string_view letters = unit.traits->text_letters; !letters.empty() && text.starts_with(letters)) {
+        assume(run, unit.span(id), text + " is read before the program sets it: an empty text");
+        return Value::string({});
+    }
     for (const shop::MachineAxis& axis : run.env.machine.axes)
         if (axis.name == text && e.count == 0) return Value::axis(text);
     if (e.count == 0 && text.size() == 1 && std::string_view("XYZABCUVW").find(text[0]) != std::string_view::npos)

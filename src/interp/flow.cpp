@@ -139,6 +139,13 @@ void jump(Run& run, const program::Jump& j) {
         go_back(run, 0);
         return;
     }
+    if (j.target != program::no_target) {
+        if (j.target < run.top().pc)
+            go_back(run, j.target);
+        else
+            go(run, j.target);
+        return;
+    }
     const Value v = evaluate(run, j.destination);
     if (run.stopped) return;
     const std::string name = v.is_text() ? v.as_text() : "N" + printed(v);
@@ -214,6 +221,10 @@ void run_statement(Run& run, const Statement& s, std::uint32_t index) {
         leave(run);
         return;
     }
+    if (s.kind == StatementKind::label_end) {
+        end_label(run);
+        return;
+    }
     const auto table = static_cast<std::size_t>(unit.words[s.first].payload);
     switch (s.kind) {
         case StatementKind::if_:
@@ -254,6 +265,12 @@ void run_statement(Run& run, const Statement& s, std::uint32_t index) {
             return;
         case StatementKind::repeat_section:
             repeat_section(run, unit.sections[table], index);
+            return;
+        case StatementKind::label_call:
+            call_label(run, unit.label_calls[table], index);
+            return;
+        case StatementKind::cycle_definition:
+            define_cycle(run, unit.cycles[table]);
             return;
         case StatementKind::call:
             call_program(run, unit.calls[table]);

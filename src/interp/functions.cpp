@@ -72,9 +72,9 @@ double square_root(const Arguments& a) {
     return std::sqrt(x);
 }
 
-double logarithm(const Arguments& a) {
+double logarithm(const Arguments& a, const std::string& name) {
     const double x = a[0];
-    if (x <= 0) return domain(a, "LN needs a positive number, this is " + base::shortest(x));
+    if (x <= 0) return domain(a, name + " needs a positive number, this is " + base::shortest(x));
     return std::log(x);
 }
 
@@ -91,18 +91,42 @@ double bounded(const Arguments& a) {
     return std::clamp(x, low, high);
 }
 
+/// Functions that calculators have and few controls; false where `f` is none of them.
+bool further_numeric(const Arguments& a, Function f, double& result) {
+    switch (f) {
+        case Function::atan: result = geom::degrees(std::atan(a[0])); return true;
+        case Function::log10: result = logarithm(a, "LOG") / std::log(10.0); return true;
+        case Function::fraction: {
+            const double x = a[0];
+            result = x - std::trunc(x);
+            return true;
+        }
+        case Function::sign: {
+            const double x = a[0];
+            result = std::isnan(x) ? x : x > 0 ? 1 : x < 0 ? -1 : 0;
+            return true;
+        }
+        case Function::root_of_squares: {
+            const double x = a[0], y = a[1];
+            result = std::hypot(x, y);
+            return true;
+        }
+        case Function::angle_of: {
+            const double y = a[0], x = a[1];
+            const double angle = geom::degrees(std::atan2(y, x));
+            result = angle < 0 ? angle + 360 : angle;
+            return true;
+        }
+        default: return false;
+    }
+}
+
 /// Numeric functions; nothing where `f` is not one.
 bool numeric(const Arguments& a, Function f, double& result) {
     switch (f) {
-        case Function::sin:
-            result = std::sin(geom::radians(a[0]));
-            return true;
-        case Function::cos:
-            result = std::cos(geom::radians(a[0]));
-            return true;
-        case Function::tan:
-            result = tangent(a);
-            return true;
+        case Function::sin: result = std::sin(geom::radians(a[0])); return true;
+        case Function::cos: result = std::cos(geom::radians(a[0])); return true;
+        case Function::tan: result = tangent(a); return true;
         case Function::asin:
             result = arc_function(
                 a, [](double x) { return std::asin(x); }, "ASIN");
@@ -116,41 +140,22 @@ bool numeric(const Arguments& a, Function f, double& result) {
             result = geom::degrees(std::atan2(y, x));
             return true;
         }
-        case Function::sqrt:
-            result = square_root(a);
-            return true;
-        case Function::abs:
-            result = std::abs(a[0]);
-            return true;
+        case Function::sqrt: result = square_root(a); return true;
+        case Function::abs: result = std::abs(a[0]); return true;
         case Function::square: {
             const double x = a[0];
             result = x * x;
             return true;
         }
-        case Function::trunc:
-            result = std::trunc(a[0]);
-            return true;
-        case Function::round:
-            result = std::floor(a[0] + 0.5);
-            return true;
-        case Function::round_up:
-            result = std::ceil(a[0]);
-            return true;
-        case Function::ln:
-            result = logarithm(a);
-            return true;
-        case Function::exp:
-            result = std::exp(a[0]);
-            return true;
+        case Function::trunc: result = std::trunc(a[0]); return true;
+        case Function::round: result = std::floor(a[0] + 0.5); return true;
+        case Function::round_up: result = std::ceil(a[0]); return true;
+        case Function::ln: result = logarithm(a, "LN"); return true;
+        case Function::exp: result = std::exp(a[0]); return true;
         case Function::min:
-        case Function::max:
-            result = extreme(a, f == Function::min);
-            return true;
-        case Function::bound:
-            result = bounded(a);
-            return true;
-        default:
-            return false;
+        case Function::max: result = extreme(a, f == Function::min); return true;
+        case Function::bound: result = bounded(a); return true;
+        default: return further_numeric(a, f, result);
     }
 }
 
@@ -183,37 +188,42 @@ Value text_number(const Arguments& a) {
 
 Value string_function(const Arguments& a, Function f) {
     switch (f) {
-        case Function::string_length:
-            return Value::integer(static_cast<double>(a.text(0).size()));
-        case Function::to_upper:
-            return Value::string(base::to_upper(a.text(0)));
+        case Function::string_length: return Value::integer(static_cast<double>(a.text(0).size()));
+        case Function::to_upper: return Value::string(base::to_upper(a.text(0)));
         case Function::to_lower: {
             std::string s = a.text(0);
             std::transform(s.begin(), s.end(), s.begin(),
                            [](char c) { return c >= 'A' && c <= 'Z' ? static_cast<char>(c + 32) : c; });
             return Value::string(std::move(s));
         }
-        case Function::index:
-            return find_text(a, false);
-        case Function::rindex:
-            return find_text(a, true);
+        case Function::index: return find_text(a, false);
+        case Function::rindex: return find_text(a, true);
         case Function::mindex: {
             const std::string text = a.text(0), any = a.text(1);
             const std::size_t at = text.find_first_of(any);
             return Value::integer(at == std::string::npos ? -1 : static_cast<double>(at));
         }
-        case Function::substring:
-            return substring(a);
-        case Function::number:
-            return text_number(a);
-        case Function::is_number:
-            return Value::boolean(base::parse_double(a.text(0)).has_value());
-        case Function::axis_string:
-            return Value::string(axis_of(a.run, a.given(0) ? a.id(0) : program::no_expr));
-        case Function::axis_name:
-            return Value::axis(base::to_upper(a.text(0)));
-        default:
-            break;
+        case Function::find_text: {
+            const std::string text = a.text(0), what = a.text(1);
+            const double from = a.given(2) ? a[2] : 0;
+            const std::size_t at = from >= 0 ? text.find(what, static_cast<std::size_t>(from)) : std::string::npos;
+            return Value::integer(static_cast<double>(at == std::string::npos ? text.size() : at));
+        }
+        case Function::compare_texts: {
+            const int order = a.text(0).compare(a.text(1));
+            return Value::integer(order == 0 ? 0 : order < 0 ? -1 : 1);
+        }
+        case Function::to_text: {
+            const double v = a[0], decimals = a.given(1) ? a[1] : 3;
+            if (std::isnan(v) || std::isnan(decimals)) return Value::string("?");
+            return Value::string(base::fixed(v, static_cast<int>(std::clamp(decimals, 0.0, 9.0))));
+        }
+        case Function::substring: return substring(a);
+        case Function::number: return text_number(a);
+        case Function::is_number: return Value::boolean(base::parse_double(a.text(0)).has_value());
+        case Function::axis_string: return Value::string(axis_of(a.run, a.given(0) ? a.id(0) : program::no_expr));
+        case Function::axis_name: return Value::axis(base::to_upper(a.text(0)));
+        default: break;
     }
     unchecked(a.run, codes::unsupported, a.whole(), "this function is not run", "its result is unknown");
     return Value::unknown();
@@ -262,8 +272,7 @@ Value call_function(Run& run, const Expr& e) {
         case Function::frame_rotation:
         case Function::frame_scale:
         case Function::frame_mirror:
-        case Function::frame_fine:
-            return frame_function(a, f);
+        case Function::frame_fine: return frame_function(a, f);
         case Function::frame_plane_rotation: {
             const int axis = run.modal.plane == 17 ? 2 : run.modal.plane == 18 ? 1 : 0;
             return Value::of_frame(geom::Frame::rotation(axis, geom::radians(a[0])));
@@ -284,8 +293,7 @@ Value call_function(Run& run, const Expr& e) {
             const double angle = a[1];
             return Value::real(angle - 360 * std::floor(angle / 360));
         }
-        default:
-            return string_function(a, f);
+        default: return string_function(a, f);
     }
 }
 

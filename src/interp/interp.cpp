@@ -41,18 +41,16 @@ geom::Vec3 start_position(const shop::Machine& machine) {
     return p;
 }
 
-void take_overrides(Run& run) {
+void take_overrides(Run& run, const program::Traits& main_traits) {
     const std::uint32_t n = run.parameters.count();
     run.parameter_overridden.assign(n, 0);
     run.parameter_override.assign(n, 0);
     for (const shop::Override& o : run.env.overrides) {
-        const auto number = o.name.size() > 1 && o.name[0] == 'R'
-                                ? base::parse_integer(std::string_view(o.name).substr(1))
-                                : std::nullopt;
-        if (number && *number >= 0 && *number < n) {
-            run.parameter_overridden[static_cast<std::size_t>(*number)] = 1;
-            run.parameter_override[static_cast<std::size_t>(*number)] = o.value;
-            run.parameters.set(static_cast<std::uint32_t>(*number), o.value);
+        const std::uint32_t number = program::find_parameter(main_traits, o.name);
+        if (number < n) {
+            run.parameter_overridden[number] = 1;
+            run.parameter_override[number] = o.value;
+            run.parameters.set(number, o.value);
         } else {
             run.overrides_by_name[run.env.names.id(o.name)] = o.value;
         }
@@ -167,12 +165,12 @@ void step(Run& run) {
 
 }  // namespace
 
-Run::Run(const Environment& e, cl::CallStacks& s, cl::Sink k, base::Diagnostics& d)
+Run::Run(const Environment& e, cl::CallStacks& s, cl::Sink k, base::Diagnostics& d, std::uint32_t parameter_count)
     : env(e),
       stacks(s),
       sink(k),
       diagnostics(d),
-      parameters(1000),
+      parameters(parameter_count),
       tools(e.tools),
       position(start_position(e.machine)),
       programmed_position(position),
@@ -210,8 +208,8 @@ void assume(Run& run, const base::Span& where, std::string text, std::string rem
 
 Outcome run(const program::Unit& main, const Environment& environment, cl::CallStacks& stacks, cl::Sink sink,
             base::Diagnostics& diagnostics) {
-    Run run(environment, stacks, sink, diagnostics);
-    take_overrides(run);
+    Run run(environment, stacks, sink, diagnostics, program::parameter_count(*main.traits));
+    take_overrides(run, *main.traits);
     define_globals(run);
     take_variables(run);
     choose_reference_datum(run, main);
@@ -220,7 +218,7 @@ Outcome run(const program::Unit& main, const Environment& environment, cl::CallS
     flush_path(run);
     Outcome outcome{run.ending, run.blocks, {}};
     for (std::uint32_t n = 0; n < run.parameters.count(); ++n)
-        if (run.parameters.is_set(n)) outcome.parameters.push_back({n, run.parameters.get(n)});
+        if (run.parameters.is_set(n)) outcome.parameters.push_back({program::parameter_name(*main.traits, n), run.parameters.get(n)});
     return outcome;
 }
 

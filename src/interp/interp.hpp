@@ -43,7 +43,7 @@ enum class Ending : std::uint8_t {
 
 /// A numbered parameter and its value at the end of the run.
 struct ParameterValue {
-    std::uint32_t number = 0;
+    std::string name;  ///< as the control names it: "R5", "Q12"
     double value = 0;
 };
 

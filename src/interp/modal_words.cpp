@@ -72,6 +72,7 @@ void plain_feed(Run& run, cl::FeedMode mode) {
 bool motion_word(Run& run, Modal m) {
     if (m <= Modal::tap_retract) {
         run.modal.motion = m;
+        if (m == Modal::arc_cw || m == Modal::arc_ccw) run.modal.last_sense = m;
         return true;
     }
     switch (m) {
@@ -80,7 +81,13 @@ bool motion_word(Run& run, Modal m) {
         case Modal::fixed_point:
         case Modal::pole_from_position:
         case Modal::pole_from_zero:
-        case Modal::pole_from_pole: run.block.special = m; return true;
+        case Modal::pole_from_pole:
+        case Modal::pole_given:
+        case Modal::cycle_position: run.block.special = m; return true;
+        case Modal::paraxial:
+        case Modal::paraxial_longer:
+        case Modal::paraxial_shorter: run.block.paraxial = m; return true;
+        case Modal::arc_same_sense: run.modal.motion = run.modal.last_sense; return true;
         case Modal::suppress_frames:
         case Modal::suppress_all: run.block.suppress = m; return true;
         case Modal::plane_xy: set_plane(run, 17); return true;

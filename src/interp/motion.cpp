@@ -21,7 +21,7 @@ constexpr std::uint64_t other_axes =
 constexpr std::uint64_t polar = bit(Code::polar_angle) | bit(Code::polar_radius);
 constexpr std::uint64_t circle = bit(Code::i) | bit(Code::j) | bit(Code::k) | bit(Code::radius) |
                                  bit(Code::opening_angle) | bit(Code::i1) | bit(Code::j1) | bit(Code::k1) |
-                                 bit(Code::turns);
+                                 bit(Code::turns) | bit(Code::pole_angle);
 
 /// An axis the machine file does not list: moved all the same, but said.
 void require_axis(Run& run, const std::string& name) {
@@ -133,15 +133,33 @@ void require_feed(Run& run) {
     emit(run, cl::Feed{0, run.modal.feed_mode});
 }
 
+/// R+ and R-: the path along the axis is longer or shorter by the tool's radius (compensation of paraxial blocks).
+geom::Vec3 lengthened(Run& run, geom::Vec3 to) {
+    const shop::Tool* t = run.tool.data;
+    const double radius = t == nullptr ? unknown : t->radius + run.tool.delta_radius;
+    if (std::isnan(radius))
+        unchecked(run, codes::unknown_value, run.here(),
+                  "R+ and R- need the radius of tool T" + std::to_string(run.tool.number) + ", which is not known",
+                  "give the tool with its radius in the job");
+    const double by = run.block.paraxial == Modal::paraxial_longer ? radius : -radius;
+    for (int k = 0; k < 3; ++k) {
+        if (!run.block.has(axis_code(k))) continue;
+        const double step = coordinate(to, k) - coordinate(run.programmed_position, k);
+        if (step != 0) coordinate(to, k) += step > 0 ? by : -by;
+    }
+    return to;
+}
+
 bool path_motion(Run& run) {
     const BlockWords& b = run.block;
     const Modal m = run.modal.motion;
     geom::Vec3 to = cartesian_target(run);
     if ((b.present & polar) != 0) to = polar_target(run, to);
     if (b.has(Code::line_angle) && !line_by_angle(run, to)) return false;
+    if (b.paraxial == Modal::paraxial_longer || b.paraxial == Modal::paraxial_shorter) to = lengthened(run, to);
     if (m != Modal::rapid) require_feed(run);
-    if (m == Modal::arc_cw || m == Modal::arc_ccw || m == Modal::arc_via || m == Modal::arc_tangent)
-        return arc_motion(run, to);
+    const bool arc = m == Modal::arc_cw || m == Modal::arc_ccw || m == Modal::arc_via || m == Modal::arc_tangent;
+    if (arc || b.has(Code::centre_at_pole) || b.has(Code::radius)) return arc_motion(run, to);
     if (m == Modal::rapid || m == Modal::linear) {
         straight_motion(run, to, m == Modal::rapid);
         return true;
@@ -208,7 +226,7 @@ bool motion(Run& run) {
         (b.present & circle) != 0 && run.modal.motion != Modal::linear && run.modal.motion != Modal::rapid;
     const bool others = (b.present & other_axes) != 0 || !b.axes.empty();
     if (b.special == Modal::pole_from_position || b.special == Modal::pole_from_zero ||
-        b.special == Modal::pole_from_pole) {
+        b.special == Modal::pole_from_pole || b.special == Modal::pole_given) {
         set_pole(run);
         return false;
     }

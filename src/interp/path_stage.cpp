@@ -49,12 +49,15 @@ path::Setting PathStage::setting(Run& run) const {
         run.modal.corner == Modal::corner_intersection ? path::OuterCorner::intersection : path::OuterCorner::arc;
     const shop::Tool* tool = run.tool.data;
     const auto radius = tool == nullptr || run.tool.edge == 0 ? std::nullopt : compensation_radius(*tool);
-    if (!radius)
-        unchecked(run, codes::unknown_value, run.here(),
-                  "G41/G42 with tool T" + std::to_string(run.tool.number) + " D" + std::to_string(run.tool.edge) +
-                      ", whose radius is not known: the contour is run without compensation",
-                  "give the tool with its radius in the job");
-    s.radius = radius.value_or(0);
+    if (!radius) {
+        std::string text = "radius compensation with tool T" + std::to_string(run.tool.number) + " D" +
+                           std::to_string(run.tool.edge) +
+                           ", whose radius is not known: the contour is run without compensation";
+        if (run.assumed.insert(text).second)
+            unchecked(run, codes::unknown_value, run.here(), std::move(text),
+                      "give the tool with its radius in the job");
+    }
+    s.radius = radius.value_or(0) + run.tool.delta_radius;
     if (tool != nullptr && run.modal.plane == 18 && run.env.machine.kind == shop::MachineKind::lathe)
         s.tip = path::nose_offset(nose_orientation(*tool), s.radius).value_or(geom::Vec2{});
     into_frame(run, s);
@@ -165,6 +168,9 @@ void PathStage::report(Run& run, const path::Fault& f) {
                                    " the tool does not fit into this contour element: it is left out and material stays"
                              : "with tool radius " + radius + " this contour element cannot be reached";
             break;
+        case path::Reason::interference:
+            text = "with tool radius " + radius + " the tool cuts into another contour element here";
+            break;
     }
     base::Diagnostic d{base::Severity::error,
                        codes::compensation,
@@ -181,14 +187,9 @@ void PathStage::report(Run& run, const path::CornerFault& f) {
     const Origin& at = origins_[f.tag];
     std::string text;
     switch (f.failure) {
-        case path::CornerFailure::none:
-            return;
-        case path::CornerFailure::bad_size:
-            text = "a chamfer or rounding needs a size above 0";
-            break;
-        case path::CornerFailure::not_joined:
-            text = "no corner follows: the next element does not start here";
-            break;
+        case path::CornerFailure::none: return;
+        case path::CornerFailure::bad_size: text = "a chamfer or rounding needs a size above 0"; break;
+        case path::CornerFailure::not_joined: text = "no corner follows: the next element does not start here"; break;
         case path::CornerFailure::tangential:
             text = "there is no corner to chamfer or round: the next element goes straight on";
             break;

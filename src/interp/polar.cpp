@@ -23,8 +23,10 @@ geom::Vec3 polar_target(Run& run, geom::Vec3 to) {
     const double du = coordinate(run.programmed_position, axes.u) - coordinate(pole, axes.u);
     const double dv = coordinate(run.programmed_position, axes.v) - coordinate(pole, axes.v);
     // A word left out keeps its last value; before there is one, the position says it.
-    double radius = std::isnan(run.modal.polar_radius) ? std::hypot(du, dv) : run.modal.polar_radius;
-    double angle = std::isnan(run.modal.polar_angle) ? geom::degrees(std::atan2(dv, du)) : run.modal.polar_angle;
+    const bool here = run.unit().traits->polar_from_position;
+    double radius = here || std::isnan(run.modal.polar_radius) ? std::hypot(du, dv) : run.modal.polar_radius;
+    double angle =
+        here || std::isnan(run.modal.polar_angle) ? geom::degrees(std::atan2(dv, du)) : run.modal.polar_angle;
     if (b.has(Code::polar_radius)) {
         const double v = b.get(Code::polar_radius) * length_unit(run);
         radius = is_ic(b.ref(Code::polar_radius)) ? radius + v : v;
@@ -40,9 +42,33 @@ geom::Vec3 polar_target(Run& run, geom::Vec3 to) {
     return to;
 }
 
+namespace {
+
+/// CC: absolute, or incremental from where the tool stands; without any coordinate there. A coordinate that is left out
+/// stays as it was.
+void give_pole(Run& run) {
+    const BlockWords& b = run.block;
+    bool any = false;
+    for (int k = 0; k < 3; ++k) any = any || b.has(axis_code(k));
+    if (!any) run.modal.pole = run.programmed_position;
+    for (int k = 0; k < 3; ++k) {
+        if (!b.has(axis_code(k))) continue;
+        const bool incremental = is_incremental(run, b.ref(axis_code(k)));
+        const double v = b.get(axis_code(k)) * length_factor(run, k, incremental);
+        coordinate(run.modal.pole, k) = incremental ? coordinate(run.programmed_position, k) + v : v;
+    }
+    forget_polar_angle(run.modal);
+}
+
+}  // namespace
+
 /// G110 last position, G111 workpiece zero, G112 last pole: the words of the block are the pole as seen from there.
 void set_pole(Run& run) {
     const BlockWords& b = run.block;
+    if (b.special == Modal::pole_given) {
+        give_pole(run);
+        return;
+    }
     geom::Vec3 base = run.modal.pole;
     if (b.special == Modal::pole_from_position) base = run.programmed_position;
     if (b.special == Modal::pole_from_zero) base = {};

@@ -27,6 +27,13 @@ using program::Unit;
 
 enum class DiameterMode : std::uint8_t { off, on, absolute_only };
 
+/// Coordinate transformations that are set one by one; they act in the order in which they were set.
+enum class TransformKind : std::uint8_t { shift, mirror, rotation, scaling, axis_scaling, plane };
+struct Transform {
+    TransformKind kind = TransformKind::shift;
+    geom::Frame frame;
+};
+
 /// What stays in force from block to block; SAVE brings it back at the end of a subprogram.
 struct ModalState {
     Modal motion = Modal::linear;
@@ -43,7 +50,10 @@ struct ModalState {
     Modal corner = Modal::corner_arc;
     Modal feed_reference = Modal::feed_at_contour;
     std::uint32_t datum = 500;
-    geom::Frame programmed;        ///< TRANS, ROT, SCALE, MIRROR
+    geom::Frame programmed;        ///< TRANS, ROT, SCALE, MIRROR; product of `transforms` where there are any
+    std::vector<Transform> transforms;
+    Modal last_sense = Modal::linear;  ///< of the last arc; linear: none yet
+    bool feed_by_word = false;         ///< feed_mode was chosen by a word of its own (FU) until the next F
     double round_modal = 0;        ///< RNDM, mm
     double corner_feed_modal = 0;  ///< FRCM
     geom::Vec3 pole;               ///< workpiece coordinates
@@ -61,7 +71,7 @@ struct BlockWords {
         std::uint8_t reference = 0;
         base::Span where;
     };
-    std::uint64_t present = 0;               ///< bit per Code
+    std::uint64_t present = 0;               ///< bit per Code, of which there are 64 at most
     std::array<double, 64> value;            ///< by Code; valid where the bit is set
     std::array<std::uint8_t, 64> reference;  ///< 0 = as the modal state says, else 1 + program::Reference
     std::vector<int> m;
@@ -71,6 +81,7 @@ struct BlockWords {
     bool tool_named = false;
     Modal special = Modal::linear;   ///< dwell, reference point, fixed point, pole; linear: none
     Modal suppress = Modal::linear;  ///< suppress_frames, suppress_all; linear: none
+    Modal paraxial = Modal::linear;  ///< paraxial, paraxial_longer, paraxial_shorter; linear: none
 
     [[nodiscard]] bool has(Code c) const { return (present >> static_cast<unsigned>(c)) & 1u; }
     [[nodiscard]] double get(Code c) const { return value[static_cast<std::size_t>(c)]; }
@@ -90,6 +101,12 @@ struct ActiveSection {
     std::uint64_t left = 0;
 };
 
+/// CALL LBL being run.
+struct LabelReturn {
+    std::uint32_t pc = 0;      ///< where the run goes on
+    cl::StackId stack = 0;     ///< of the caller
+};
+
 /// One program being run.
 struct Activation {
     const Unit* unit = nullptr;
@@ -102,6 +119,8 @@ struct Activation {
     };
     std::vector<Passes> passes;  ///< of every backward branch taken, by its statement
     std::vector<ActiveSection> sections;
+    std::vector<LabelReturn> labels;
+    std::vector<std::pair<double, bool>> outer_locals;  ///< the caller's local parameters, and whether they are set
     std::uint64_t repeats_left = 0;     ///< of L123 P3: further runs
     std::size_t own_bindings = 0;       ///< bindings that are parameters; the rest goes with each run
     std::uint32_t arguments_given = 0;  ///< bit per parameter, for $P_SUBPAR
@@ -118,6 +137,15 @@ struct ModalCall {
     base::Span where;
 };
 
+/// A cycle as its definition left it.
+struct ActiveCycle {
+    const program::CycleDefinition* definition = nullptr;
+    const Unit* unit = nullptr;
+    std::vector<double> values;      ///< per setting, as it was at the definition
+    std::vector<std::string> texts;  ///< labels, names of programs
+    bool modal = false;              ///< M89: behind every block with motion
+};
+
 struct ToolState {
     std::uint32_t number = 0, edge = 0;
     std::string name;
@@ -125,6 +153,8 @@ struct ToolState {
     std::string prepared_name;
     bool waiting = false;
     const shop::Tool* data = nullptr;
+    double delta_length = 0, delta_radius = 0, delta_corner = 0;  ///< allowances of the call, mm
+    double feed = 0;                                              ///< given with the tool (F AUTO), mm/min; 0: none
 };
 
 struct SpindleState {
@@ -138,7 +168,7 @@ struct SpindleState {
 class PathStage;
 
 struct Run {
-    Run(const Environment& e, cl::CallStacks& s, cl::Sink k, base::Diagnostics& d);
+    Run(const Environment& e, cl::CallStacks& s, cl::Sink k, base::Diagnostics& d, std::uint32_t parameter_count);
     ~Run();
 
     const Environment& env;
@@ -164,6 +194,10 @@ struct Run {
     bool feed_valid = false;
     bool feed_dropped = false;  ///< G94/G95 changed and the stream does not know yet that F is void
     ModalCall modal_call;
+    ActiveCycle cycle;  ///< the last one that is active on call
+    std::vector<std::string> contour_labels;  ///< of the contour that contour cycles work on
+    const Unit* contour_unit = nullptr;       ///< the program whose labels these are
+    ActiveCycle contour_data, contour_train_data;
 
     geom::Vec3 position;             ///< stream frame, mm; NaN where unknown
     geom::Vec3 programmed_position;  ///< in the programmed frame
@@ -220,6 +254,8 @@ void assume(Run&, const base::Span& where, std::string text, std::string remedy 
 
 // --- variables (assign.cpp, definitions.cpp)
 void assign(Run&, const program::Assign&);
+/// Sets a numbered parameter to `v`, the value of `value`; one that the job sets keeps that where `value` is a constant.
+void assign_number(Run&, std::uint32_t parameter, ExprId value, double v, const base::Span& where);
 /// Converts and stores; alarm where the value does not fit.
 void store(Run&, Array& array, std::size_t index, Value v, const base::Span& where);
 void define(Run&, const program::Define&, Scope& scope, const Unit& unit);
@@ -236,6 +272,8 @@ void run_statement(Run&, const program::Statement&, std::uint32_t index);
 void jump(Run&, const program::Jump&);
 /// Counts a backward branch of the statement being run; ends the run past the budget.
 void count_pass(Run&);
+void call_label(Run&, const program::LabelCall&, std::uint32_t index);
+void end_label(Run&);  ///< LBL 0
 void call_program(Run&, const program::Call&);
 void enter(Run&, const Unit&, const program::Call* call, const base::Span& where);
 void leave(Run&);
@@ -258,6 +296,13 @@ void after_motion(Run&);
 [[nodiscard]] bool motion(Run&);  ///< true where the block moved
 /// Gathers one word into the block; shared by blocks and frame statements.
 void gather(Run&, const program::Statement&, const program::Word&);
+
+// --- cycles (cycle.cpp, transform.cpp)
+void define_cycle(Run&, const program::CycleDefinition&);
+/// The cycle defined last, where the tool stands.
+void call_cycle(Run&);
+/// A cycle that acts at its definition; false where obrys does not run it.
+[[nodiscard]] bool act_at_definition(Run&, const ActiveCycle&);
 
 // --- output (emit.cpp)
 void emit(Run&, cl::Step step);

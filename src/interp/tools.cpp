@@ -112,7 +112,30 @@ bool spindle_words(Run& run) {
     return changed;
 }
 
+/// FU, FZ and F AUTO become a plain feed of their mode, which the next F ends.
+void special_feeds(Run& run) {
+    BlockWords& b = run.block;
+    const bool per_rev = b.has(Code::feed_per_rev);
+    if (b.has(Code::feed_per_tooth)) {
+        unchecked(run, codes::unsupported, run.here(), "the feed per tooth FZ needs the number of teeth, which is not known: the last feed is kept");
+        return;
+    }
+    if (b.has(Code::feed_auto)) {
+        if (run.tool.feed > 0)
+            b.put(Code::feed, run.tool.feed / (run.modal.inch_feed ? 25.4 : 1));
+        else
+            unchecked(run, codes::unknown_value, run.here(), "F AUTO: TOOL CALL gives no feed: the last one is kept",
+                      "write F in TOOL CALL, or a feed here");
+    }
+    if (per_rev) b.put(Code::feed, b.get(Code::feed_per_rev));
+    if (!b.has(Code::feed) || per_rev == run.modal.feed_by_word) return;
+    run.modal.feed_by_word = per_rev;
+    run.modal.feed_mode = per_rev ? cl::FeedMode::per_rev : cl::FeedMode::per_minute;
+    run.feed_valid = false;
+}
+
 void feed_word(Run& run) {
+    special_feeds(run);
     if (!run.block.has(Code::feed) || run.block.special == Modal::dwell) return;
     double f = run.block.get(Code::feed);
     if (run.modal.inch_feed && run.modal.feed_mode != cl::FeedMode::inverse_time) f *= 25.4;
@@ -172,9 +195,48 @@ void write_tool_parameter(Run& run, double number, double edge, int n, double va
     run.tool.data = find_tool(run, run.tool);
 }
 
+namespace {
+
+/// TOOL DEF: the program itself says what the tool is.
+void define_tool(Run& run) {
+    const BlockWords& b = run.block;
+    const double n = b.get(Code::tool);
+    if (!b.has(Code::tool) || !(n >= 0 && n <= 4294967295.0)) return;
+    const auto number = static_cast<std::uint32_t>(n);
+    auto found = std::find_if(run.tools.begin(), run.tools.end(), [&](const shop::Tool& t) { return t.number == number; });
+    if (found == run.tools.end()) {
+        found = run.tools.insert(run.tools.end(), shop::Tool{});
+        found->number = number;
+        found->where = run.here();
+    }
+    const double unit = run.modal.inch_geometry ? 25.4 : 1;
+    if (b.has(Code::tool_length)) found->length = b.get(Code::tool_length) * unit;
+    if (b.has(Code::tool_radius)) found->radius = b.get(Code::tool_radius) * unit;
+    run.tool.data = find_tool(run, run.tool);
+}
+
+/// DL, DR, DR2 hold for this call of the tool alone; without them there are none.
+void take_allowances(Run& run) {
+    const BlockWords& b = run.block;
+    const double unit = run.modal.inch_geometry ? 25.4 : 1;
+    const auto value = [&](Code c) { return b.has(c) ? b.get(c) * unit : 0; };
+    if (!b.has(Code::tool) && !b.has(Code::delta_length) && !b.has(Code::delta_radius) && !b.has(Code::delta_corner))
+        return;
+    run.tool.delta_length = value(Code::delta_length);
+    run.tool.delta_radius = value(Code::delta_radius);
+    run.tool.delta_corner = value(Code::delta_corner);
+    run.tool.feed = b.has(Code::feed) ? b.get(Code::feed) * unit : 0;
+}
+
+}  // namespace
+
 void select_tool(Run& run) {
     BlockWords& b = run.block;
     bool changed = false;
+    if (b.has(Code::tool_definition)) {
+        define_tool(run);
+        return;
+    }
     if (b.has(Code::tool)) {
         const double t = b.get(Code::tool);
         if (!b.tool_named && std::isnan(t)) {
@@ -188,10 +250,15 @@ void select_tool(Run& run) {
         run.tool.prepared = b.tool_named ? 0 : static_cast<std::uint32_t>(t);
         run.tool.prepared_name = b.tool_named ? b.tool_name : std::string{};
         run.tool.waiting = true;
-        if (!changes_on_m6(run)) {
+        if (!changes_on_m6(run) && !b.has(Code::tool_change)) {
             tool_into_spindle(run);
             changed = true;
         }
+    }
+    if (b.has(Code::tool_change)) {
+        if (run.tool.waiting) tool_into_spindle(run);
+        changed = b.has(Code::tool);
+        take_allowances(run);
     }
     if (std::find(b.m.begin(), b.m.end(), 6) != b.m.end() && run.tool.waiting) {
         tool_into_spindle(run);
@@ -220,7 +287,8 @@ void technology(Run& run) {
     constexpr auto bit = [](Code c) { return std::uint64_t{1} << static_cast<unsigned>(c); };
     constexpr std::uint64_t words = bit(Code::feed) | bit(Code::spindle) | bit(Code::speed_limit) | bit(Code::tool) |
                                     bit(Code::edge) | bit(Code::spindle_position) | bit(Code::round_modal) |
-                                    bit(Code::corner_feed_modal);
+                                    bit(Code::corner_feed_modal) | bit(Code::tool_change) |
+                                    bit(Code::feed_auto) | bit(Code::feed_per_rev) | bit(Code::feed_per_tooth);
     if ((b.present & words) == 0 && b.m.empty() && b.h.empty() && !run.spindle.mode_changed) return;
     if (b.has(Code::round_modal) && std::isnan(b.get(Code::round_modal)))
         unchecked(run, codes::unknown_value, run.here(),
@@ -234,6 +302,23 @@ void technology(Run& run) {
     feed_word(run);
     if (!run.stopped) machine_functions(run);
 }
+
+namespace {
+
+/// M2 and M30 return from a called program, or end the run where the control says so.
+void end_of_program(Run& run, int m) {
+    const bool called = run.calls.size() > 1;
+    if (called && run.unit().traits->end_stops_all) {
+        alarm(run, codes::program_alarm, run.here(),
+              "the called program " + run.unit().name + " ends the whole run here with M" + std::to_string(m) +
+                  (run.last_message.empty() ? "" : ": " + run.last_message));
+        return;
+    }
+    if (!called) emit(run, cl::Stop{cl::StopKind::end});
+    leave(run);
+}
+
+}  // namespace
 
 void after_motion(Run& run) {
     if (run.block.m.empty()) return;
@@ -249,8 +334,7 @@ void after_motion(Run& run) {
             emit(run, cl::Stop{m == 0 ? cl::StopKind::program : cl::StopKind::optional});
         } else if (m == 2 || m == 30 || m == 17) {
             flush_path(run);
-            if (run.calls.size() == 1) emit(run, cl::Stop{cl::StopKind::end});
-            leave(run);
+            end_of_program(run, m);
             return;
         }
     }

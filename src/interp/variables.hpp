@@ -23,6 +23,10 @@ public:
         set_[n] = 1;
     }
     void mark_set(std::uint32_t n) { set_[n] = 1; }
+    void forget(std::uint32_t n) {
+        values_[n] = 0;
+        set_[n] = 0;
+    }
 
 private:
     std::vector<double> values_;

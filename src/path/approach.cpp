@@ -49,6 +49,10 @@ Join join_approach(const Item& a, const Item& b) {
     Join j;
     const Vec2 corner = b.e.from;
     j.a_end = j.b_start = b.curve.from;
+    if (a.s.approach == Approach::ready) {
+        j.a_end = a.e.to;
+        j.a_place = std::abs(a.e.sweep);
+    }
     if (a.s.approach != Approach::around) return j;
     const auto way = way_round(a.start - corner, start_direction(b.e), b.d0);
     if (!way) return j;

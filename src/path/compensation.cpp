@@ -6,6 +6,8 @@
 #include <iterator>
 #include <utility>
 
+#include "path/clearance.hpp"
+
 namespace obrys::path {
 
 using geom::Vec2;
@@ -31,24 +33,29 @@ Element moved_by(Element e, Vec2 shift) {
     return e;
 }
 
-/// What remains of an element that is left out: its events and its motion along w.
+Kind kind_of(Role r) {
+    switch (r) {
+        case Role::approach: return Kind::approach;
+        case Role::retract: return Kind::retract;
+        case Role::transition: return Kind::transition;
+        case Role::contour:
+        case Role::absent: return Kind::contour;
+    }
+    return Kind::contour;
+}
+
+}  // namespace
+
 Element without_plane(const Element& e) { return still_at(e, e.to); }
 
-/// Shorter of the two elements at a corner: the one that vanishes.
 const Item& shorter(const Item& a, const Item& b) {
     const double rest = (extent(a.curve) - a.begin) * scale(a.curve);
     return rest <= extent(b.curve) * scale(b.curve) ? a : b;
 }
 
-Kind kind_of(Role r) {
-    if (r == Role::contour) return Kind::contour;
-    return r == Role::approach ? Kind::approach : Kind::retract;
-}
-
-}  // namespace
-
 std::vector<Fault> Compensation::push(Element e, const Setting& s, OutputSink out) {
-    if (moves_in_plane(e))
+    const bool starts = !active_ && s.side != Side::off && s.approach == Approach::ready;
+    if (moves_in_plane(e) || starts)
         take_plane(std::move(e), s, out);
     else
         take_still(std::move(e), out);
@@ -71,12 +78,13 @@ void Compensation::take_plane(Element e, const Setting& s, OutputSink out) {
     const bool pending = window_.size() == 1 && window_.front().role == Role::approach;
     if (active_ && !selected && pending) drop_selection(e, out);
     if (!active_ && !selected) return emit(std::move(e), Kind::passed, out);
-    if (active_ != selected && is_arc(e)) {
+    const bool free = s.approach == Approach::ready;
+    if (active_ != selected && is_arc(e) && !free) {
         faults_.push_back({Reason::arc_needs_line_at_start, e.tag, e.tag, e.from, false});
         if (!active_) return emit(std::move(e), Kind::passed, out);
     }
     if (!active_) return add_approach(std::move(e), s);
-    if (selected || is_arc(e))
+    if (selected || (is_arc(e) && !free))
         add_contour(std::move(e), s, out);
     else
         add_retract(std::move(e), s);
@@ -94,9 +102,12 @@ void Compensation::add_approach(Element e, const Setting& s) {
     tip_ = s.tip;
     item.start = e.from - tip_;
     item.e = std::move(e);
+    if (is_arc(item.e)) item.e.centre = item.e.centre - tip_;
+    item.e.to = s.approach == Approach::ready ? item.e.to - tip_ : item.e.to;
     item.s = s;
     item.role = Role::approach;
     window_.push_back(std::move(item));
+    past_.clear();
     active_ = true;
     at_ = window_.front().start;
 }
@@ -112,14 +123,17 @@ void Compensation::add_contour(Element e, const Setting& s, OutputSink out) {
         item.d0 = item.d1;
     }
     item.curve = parallel(e, item.d0, item.d1);
-    if (!exists(item.curve)) {
+    const bool kept = has_zone(item) && !window_.empty() && has_zone(window_.back());
+    if (!exists(item.curve) && kept) {
+        item.role = Role::absent;
+    } else if (!exists(item.curve)) {
         faults_.push_back({Reason::tool_radius_too_large, e.tag, e.tag, e.from, false});
         return take_still(without_plane(e), out);
     }
     item.start = item.curve.from;
     item.e = std::move(e);
     offset_ = item.d1;
-    window_.push_back(std::move(item));
+    append(std::move(item));
 }
 
 void Compensation::add_retract(Element e, const Setting& s) {
@@ -128,6 +142,7 @@ void Compensation::add_retract(Element e, const Setting& s) {
     item.start = at_.value_or(e.from);
     item.e = std::move(e);
     item.e.to = item.e.to - tip_;
+    if (is_arc(item.e)) item.e.centre = item.e.centre - tip_;
     item.s = s;
     item.role = Role::retract;
     window_.push_back(std::move(item));
@@ -158,6 +173,7 @@ bool Compensation::step(bool last, OutputSink out) {
         return last;
     }
     const Item &a = window_[0], &b = window_[1];
+    if (same_zone(a, b)) return step_clear(last, out);
     const Join j = join(a, b);
     const bool may_wait = !last && window_.size() <= look_ahead_;
     if (!settled(j, may_wait)) {
@@ -190,7 +206,11 @@ void Compensation::finish_last(OutputSink out) {
         offset_ = offset_of(a.s);
         finish_front(a.e.to + offset_ * geom::left_of(end_direction(a.e)), 0, out);
     } else {
-        finish_front(a.role == Role::retract ? a.e.to : a.curve.to, extent(a.curve), out);
+        watch(extent(a.curve));
+        if (a.role == Role::retract)
+            finish_front(a.e.to, std::abs(a.e.sweep), out);
+        else
+            finish_front(a.curve.to, extent(a.curve), out);
     }
 }
 
@@ -216,6 +236,7 @@ bool Compensation::bridge() {
 
 void Compensation::commit(const Join& j, OutputSink out) {
     assert(window_.size() >= 2);
+    watch(j.a_place);
     finish_front(j.a_end, j.a_place, out);
     Item& b = window_.front();
     if (j.inserted) {
@@ -229,8 +250,9 @@ void Compensation::commit(const Join& j, OutputSink out) {
 
 /// Emits the front element up to `end` and what follows it there, and drops it from the window.
 void Compensation::finish_front(Vec2 end, double place, OutputSink out) {
+    keep_behind(window_.front());
     Item item = std::move(window_.front());
-    window_.erase(window_.begin());
+    window_.pop_front();
     Element e = std::move(item.e);
     e.from = item.start;
     e.to = end;

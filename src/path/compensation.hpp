@@ -18,10 +18,24 @@
 ///   new D or G41<->G42 while active: the block's start has the old offset, its end the new one (lines only)
 ///   not modelled: G460-G462 (approach cut short where it crosses a parallel), CDON between blocks that are not
 ///            neighbours, KONTC, KONTT, spirals for a new D on an arc
-/// HEIDENHAIN RL/RR and ISO: arc at outer corners, norm approach.
+///
+/// HEIDENHAIN words (iTNC 530 User's Manual, "Tool radius compensation", "Miscellaneous functions for contouring
+/// behavior"), all of them data in Setting:
+///   RL/RR   arc at outer corners, crossing at inner ones, start and end normal to the contour (Approach::normal), no
+///   arc
+///           at start and end; Clearance::reported. Any fault but `interference` and bridged ones is where the control
+///           stops with "Tool radius too large"; cutting into a contour farther on it does not see without M120.
+///   M97     CornerEnd::crossing in the block that ends at the corner
+///   M98     CornerEnd::open in the block that ends at the corner
+///   M120    Clearance::avoided with `window` from LA, from this block on (until R0, M120 without LA or LA0, a called
+///           program). The manual says what it does, not how; ours is the walk of clearance.hpp.
+///   M90     no effect on the path
+///   not modelled: a spline instead of the arc at outer corners (MP7680)
+/// ISO: arc at outer corners, norm approach.
 
 #include <cstddef>
 #include <cstdint>
+#include <deque>
 #include <optional>
 #include <vector>
 
@@ -71,6 +85,13 @@ private:
     bool settled(const Join& j, bool may_wait);
     void finish_last(OutputSink out);
     bool bridge();
+    void append(Item item);
+    bool step_clear(bool last, OutputSink out);
+    void no_exit(OutputSink out);
+    void drop(std::size_t index);
+    void leave_out(std::size_t index);
+    void watch(double end);
+    void keep_behind(const Item& item);
     void commit(const Join& j, OutputSink out);
     void finish_front(geom::Vec2 end, double place, OutputSink out);
     void emit(Element e, Kind kind, OutputSink out);
@@ -78,7 +99,8 @@ private:
     std::size_t look_ahead_;
     bool active_ = false;           ///< an approach was taken and no retract yet
     double offset_ = 0;             ///< at the end of the newest contour element, positive left
-    std::vector<Item> window_;      ///< front: the element whose start is settled
+    std::deque<Item> window_;       ///< front: the element whose start is settled
+    std::deque<Item> past_;         ///< items behind the path whose zones are still looked at
     std::vector<int> carried_;      ///< events waiting for the next output
     std::optional<geom::Vec2> at_;  ///< where the output stands while active
     geom::Vec2 tip_;                ///< Setting::tip of the approach; everything inside is about the centre

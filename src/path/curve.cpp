@@ -89,6 +89,18 @@ double before_start(const Curve& c, Vec2 p) {
     return a <= 0.5 * geom::pi ? a : -1;
 }
 
+Vec2 direction_at(const Curve& c, Vec2 p) {
+    if (!is_arc(c)) return direction(c);
+    const Vec2 radial = p - c.centre;
+    return (std::copysign(1.0, c.sweep) / geom::length(radial)) * geom::left_of(radial);
+}
+
+/// Sine of the angle at which curves cross that overlap by same_point.
+double touching(const Curve& a, const Curve& b) {
+    const double bend = (is_arc(a) ? 1 / a.radius_to : 0) + (is_arc(b) ? 1 / b.radius_from : 0);
+    return std::max(1e-12, std::sqrt(2 * same_point * bend));
+}
+
 double slack(const Curve& c) { return same_point / scale(c); }
 
 }  // namespace
@@ -134,6 +146,27 @@ std::optional<Crossing> crossing_within(const Curve& a, double a_begin, const Cu
         nearest = away;
     }
     return best;
+}
+
+std::optional<Crossing> first_entry(const Curve& a, double a_begin, const Curve& b, double side) {
+    if (is_arc(a) && a.radius_to <= same_point) return std::nullopt;
+    if (is_arc(b) && b.radius_from <= same_point) return std::nullopt;
+    const Points points = carrier_points(a, b);
+    std::optional<Crossing> first;
+    for (std::size_t i = 0; i < points.count; ++i) {
+        const Vec2 p = points.p[i];
+        const Crossing c{p, place_from_end(a, p), place_from_start(b, p)};
+        const bool on_a = c.on_a >= a_begin - slack(a) && c.on_a <= extent(a) + slack(a);
+        const bool on_b = c.on_b >= -slack(b) && c.on_b <= extent(b) + slack(b);
+        if (!on_a || !on_b || (first && c.on_a >= first->on_a)) continue;
+        if (side * geom::cross(direction_at(b, p), direction_at(a, p)) < -touching(a, b)) first = c;
+    }
+    return first;
+}
+
+Vec2 point_on(const Curve& c, double place) {
+    if (!is_arc(c)) return c.from + place * direction(c);
+    return c.centre + rotated(c.from - c.centre, std::copysign(place, c.sweep));
 }
 
 std::optional<Crossing> crossing_beyond(const Curve& a, const Curve& b) {

@@ -38,6 +38,12 @@ struct Crossing {
 /// by a quarter turn at most.
 [[nodiscard]] std::optional<Crossing> crossing_beyond(const Curve& a, const Curve& b);
 
+/// Where a, from place `a_begin` on, first goes across b to the side away from the tool (`side` +1: the tool is left of
+/// the motion), that is comes nearer to b's element than b is. Touching within same_point does not count. Of an arc of
+/// more than a turn only the last turn (b: the first) is looked at.
+[[nodiscard]] std::optional<Crossing> first_entry(const Curve& a, double a_begin, const Curve& b, double side);
+[[nodiscard]] geom::Vec2 point_on(const Curve& c, double place);
+
 /// True where the lines or circles that carry the two curves have a point in common.
 [[nodiscard]] bool carriers_meet(const Curve& a, const Curve& b);
 

@@ -8,11 +8,6 @@ using geom::Vec2;
 
 namespace {
 
-/// Contour points of consecutive elements farther apart than this are a gap, mm.
-constexpr double gap = 1e-6;
-/// Parallels of nearly tangent elements closer than this are linked without complaint, mm: programs are written to
-/// 1e-3 mm, so that their tangents are never exact.
-constexpr double blend = 1e-3;
 /// A change of direction this close to half a turn is a reversal, rad.
 constexpr double reversal = 1e-9;
 
@@ -51,10 +46,7 @@ double farthest(double d, double corner_limit) {
 }
 
 Join join_outer(const Item& a, const Item& b, double turn) {
-    if (b.s.corner == OuterCorner::intersection && std::abs(turn) <= b.s.corner_limit) {
-        const auto c = crossing_beyond(a.curve, b.curve);
-        if (c && geom::distance(c->point, a.e.to) <= farthest(a.d1, b.s.corner_limit)) return at_crossing(*c);
-    }
+    if (const auto c = outer_crossing(a, b, turn)) return at_crossing(*c);
     Join j = ends_at_normals(a, b);
     insert_arc(j, a.e.to, turn, a, b);
     return j;
@@ -72,14 +64,27 @@ Join join_contour(const Item& a, const Item& b) {
         j.b_start = j.a_end;
         return j;
     }
-    double turn = turn_between(end_direction(a.e), start_direction(b.e));
-    const bool back = std::abs(turn) > geom::pi - reversal;
-    if (!back && turn * a.d1 > 0) return join_inner(a, b);
-    if (back) turn = std::copysign(turn, -a.d1);
-    return join_outer(a, b, turn);
+    if (const auto turn = outer_turn(a, b)) return join_outer(a, b, *turn);
+    return a.s.at_end == CornerEnd::open ? join_straight(a, b) : join_inner(a, b);
 }
 
 }  // namespace
+
+std::optional<double> outer_turn(const Item& a, const Item& b) {
+    const double turn = turn_between(end_direction(a.e), start_direction(b.e));
+    if (std::abs(turn) > geom::pi - reversal) return std::copysign(turn, -a.d1);
+    if (turn * a.d1 > 0) return std::nullopt;
+    return turn;
+}
+
+std::optional<Crossing> outer_crossing(const Item& a, const Item& b, double turn) {
+    const bool always = a.s.at_end == CornerEnd::crossing;
+    const bool within = b.s.corner == OuterCorner::intersection && std::abs(turn) <= b.s.corner_limit;
+    if (!always && !within) return std::nullopt;
+    const auto c = crossing_beyond(a.curve, b.curve);
+    if (c && (always || geom::distance(c->point, a.e.to) <= farthest(a.d1, b.s.corner_limit))) return c;
+    return std::nullopt;
+}
 
 void insert_arc(Join& j, Vec2 corner, double sweep, const Item& a, const Item& b) {
     Element e = line(j.a_end, j.b_start);
@@ -101,6 +106,7 @@ Join join_straight(const Item& a, const Item& b) {
 Join join(const Item& a, const Item& b) {
     if (a.role == Item::Role::approach) return join_approach(a, b);
     if (b.role == Item::Role::retract) return join_retract(a, b);
+    if (a.role != Item::Role::contour || b.role != Item::Role::contour) return join_straight(a, b);
     return join_contour(a, b);
 }
 

@@ -48,6 +48,7 @@ enum class Operator : std::uint8_t {
     bit_or,
     bit_xor,
     frame_chain,  ///< chaining of frames (SINUMERIK `:`)
+    power,
 };
 
 enum class Reference : std::uint8_t {
@@ -98,6 +99,16 @@ enum class Function : std::uint8_t {
     frame_mirror,
     frame_fine,
     frame_inverse,
+    atan,
+    log10,
+    fraction,
+    sign,
+    root_of_squares,  ///< FN 8 LEN
+    angle_of,         ///< FN 13 ANG: 0 to 360 degrees, of opposite and adjacent side
+    to_text,
+    find_text,
+    compare_texts,  ///< TOCHAR, INSTR, STRCOMP
+    system_read,    ///< SYSREAD: ID, NR, IDX
     set_list,
     repeat_list,  ///< SET(…) and REP(…): only as the value of an array assignment
 };

@@ -5,10 +5,12 @@
 #include <array>
 #include <cstdint>
 #include <map>
+#include <optional>
 #include <string>
 #include <vector>
 
 #include "base/source.hpp"
+#include "program/cycle.hpp"
 #include "program/expr.hpp"
 #include "program/names.hpp"
 #include "program/traits.hpp"
@@ -39,6 +41,9 @@ enum class StatementKind : std::uint8_t {
     frame,           ///< programmable frame: words are its axes; the first word is `control` into Unit::frames
     define,          ///< variable definition: Unit::defines
     return_,         ///< RET
+    label_call,      ///< CALL LBL: Unit::label_calls
+    label_end,       ///< LBL 0: back to the call, where there is one
+    cycle_definition,  ///< CYCL DEF: Unit::cycles
 };
 
 struct Statement {
@@ -70,6 +75,7 @@ struct Jump {
     ExprId condition = no_expr;  ///< no_expr: always
     JumpDirection direction = JumpDirection::forward;
     ExprId destination = no_expr;  ///< text (a label or N number) or a string variable; unused for start
+    std::uint32_t target = no_target;  ///< the statement, where the reader knows it already
 };
 
 struct CaseArm {
@@ -87,6 +93,46 @@ struct Section {
     bool to_here = false;    ///< REPEAT label: from the label to the statement before this one
     bool one_block = false;  ///< REPEATB: only the label's block
     ExprId passes = no_expr;
+};
+
+/// CALL LBL label: runs from the label to the next `label_end` and comes back; with REP: from the label to here, that
+/// many times more.
+struct LabelCall {
+    ExprId label = no_expr;            ///< text
+    std::uint32_t target = no_target;  ///< the label's statement, where the reader knows it
+    ExprId repeats = no_expr;          ///< REP
+};
+
+/// One value of a cycle definition.
+struct CycleSetting {
+    CycleRole role = CycleRole::depth;
+    /// Numbered parameter that holds it: the definition assigns it, the call reads it. no_target: `value` alone counts,
+    /// as it was at the definition.
+    std::uint32_t parameter = no_target;
+    ExprId value = no_expr;
+    bool incremental = false;
+    bool scales = false;  ///< a length or feed in the program's unit
+    base::Span where;
+};
+
+/// How much of a cycle obrys runs.
+enum class CycleUse : std::uint8_t { run, accepted, refused };
+struct CycleDefinition {
+    CycleKind kind = CycleKind::drill;
+    std::string name;          ///< as the control calls it: "CYCL DEF 25"
+    bool call_active = false;  ///< runs where it is called; else it acts here
+    CycleUse use = CycleUse::run;
+    std::string reason;  ///< why it is refused, or what it does without effect on the path
+    std::vector<CycleSetting> settings;
+    std::vector<ExprId> texts;  ///< labels of contours, names of programs
+    base::Span where;
+};
+
+/// The stock as the program itself states it (BLK FORM): a block in the program's coordinates and unit.
+struct Blank {
+    int tool_axis = 2;  ///< 0 = x …
+    std::array<double, 3> min{}, max{};
+    base::Span where;
 };
 
 enum class CallKind : std::uint8_t {
@@ -179,6 +225,7 @@ struct Unit {
     std::uint32_t begin = 0, end = 0;  ///< its part of the source text (an archive holds several)
     const Traits* traits = nullptr;
     bool has_proc = false;
+    bool inch = false;  ///< lengths are inches from its first block on, whatever the caller uses (with unit_per_program)
     bool save = false;  ///< SAVE: the caller's modal G codes and frames come back at the end
     std::vector<Parameter> parameters;
 
@@ -193,6 +240,9 @@ struct Unit {
     std::vector<Case> cases;
     std::vector<Jump> jumps;
     std::vector<Section> sections;
+    std::vector<LabelCall> label_calls;
+    std::vector<CycleDefinition> cycles;
+    std::optional<Blank> blank;
     std::vector<Call> calls;
     std::vector<ProcedureCall> procedures;
     std::vector<FrameCall> frames;

@@ -54,6 +54,22 @@ enum class Code : std::uint8_t {
     unsupported,  ///< known to the control, not run here: payload = index into Unit::problems
     unknown,      ///< not in the control's tables: payload = index into Unit::problems
     control,      ///< of a statement that is no block: payload = index into the kind's table
+    // bare words: something the block does besides its values
+    centre_at_pole,     ///< the arc is about the pole (C, CP)
+    tool_change,        ///< the block's tool comes into the spindle at once (TOOL CALL)
+    tool_definition,    ///< the block says what the tool is (TOOL DEF)
+    feed_auto,          ///< the feed given with the tool
+    cycle_call,         ///< the cycle defined last, behind the block's motion (CYCL CALL, M99)
+    cycle_call_modal,   ///< … from now on behind every block with motion (M89)
+    // tools and feeds as millers write them
+    tool_length,
+    tool_radius,        ///< of tool_definition
+    delta_length,
+    delta_radius,
+    delta_corner,       ///< allowances of the block's tool (DL, DR, DR2)
+    feed_per_rev,
+    feed_per_tooth,     ///< FU, FZ
+    pole_angle,         ///< angle about the pole that an arc sweeps, any number of turns (CP IPA)
 };
 
 /// What G codes and their named relatives mean. `number` goes with some of them.
@@ -106,6 +122,12 @@ enum class Modal : std::uint16_t {
     diameter_on,
     diameter_off,
     diameter_absolute_only,
+    pole_given,  ///< CC: the pole by its coordinates, or where the tool stands
+    paraxial,    ///< this block: along its axis alone
+    paraxial_longer,
+    paraxial_shorter,  ///< … by the tool's radius (R+, R-)
+    arc_same_sense,    ///< an arc in the sense of the last one
+    cycle_position,    ///< this block: the coordinates are where the cycle is called
     feed_at_contour,
     feed_at_tool,
     feed_at_inside,  ///< CFC, CFTCP, CFIN

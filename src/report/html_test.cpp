@@ -50,6 +50,14 @@ TEST(Page, TheDataLinksMovesAndLines) {
     EXPECT_EQ(j["marks"][0], (json{{"label", "1"}, {"at", {2.0, -18.0}}, {"no", 1}}));
 }
 
+TEST(Page, CurvesAreChainsOfPoints) {
+    sample::Sample s = sample::make();
+    s.result.moves[1].via = {{4, 25}, {3, 20}};
+    const json j = json::parse(page_data(s.subject(), {}));
+    EXPECT_EQ(j["moves"]["via"], (json{{"1", {4.0, -25.0, 3.0, -20.0}}}));
+    EXPECT_EQ(j["moves"]["arc"], json::object());
+}
+
 TEST(Page, LargeProgramsAreCutAndSaySo) {
     const sample::Sample s = sample::make();
     HtmlOptions options;

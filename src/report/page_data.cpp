@@ -97,12 +97,12 @@ Json Data::files() {
 }
 
 /// Arrays by move: end point p (z, -x flat), kind "r"/"f", file f, line l, call stack k, tool t, area a, depth d;
-/// by index where there is one: arc [cz, -cx, sweep], start point of a move that does not begin where the last one
-/// ended, removed region. `stacks` holds the call stacks by their number.
+/// by index where there is one: arc [cz, -cx, sweep], points of a curve between its ends (z, -x flat), start point of a
+/// move that does not begin where the last one ended, removed region. `stacks` holds the call stacks by their number.
 Json Data::moves() {
     Json p = Json::array(), f = Json::array(), l = Json::array(), k = Json::array(), t = Json::array(),
          a = Json::array(), d = Json::array(), arcs = Json::object(), starts = Json::object(), removed = Json::object(),
-         stacks = Json::object();
+         vias = Json::object(), stacks = Json::object();
     std::string kinds;
     geom::Vec2 pen{NAN, NAN};
     for (std::size_t i = 0; i < move_count(); ++i) {
@@ -119,6 +119,10 @@ Json Data::moves() {
         a.push_back(rounded(m.area));
         d.push_back(rounded(m.depth_x));
         if (m.sweep != 0) arcs[key] = {rounded(m.centre.x), rounded(-m.centre.y), m.sweep};
+        for (const geom::Vec2& v : m.via) {
+            vias[key].push_back(rounded(v.x));
+            vias[key].push_back(rounded(-v.y));
+        }
         if (!(pen == m.from) && std::isfinite(m.from.x + m.from.y)) starts[key] = point(m.from);
         if (!m.removed.empty()) removed[key] = path_of(m.removed, millimetres);
         const std::string stack_key = std::to_string(m.stack);
@@ -135,6 +139,7 @@ Json Data::moves() {
             {"a", a},
             {"d", d},
             {"arc", arcs},
+            {"via", vias},
             {"start", starts},
             {"removed", removed},
             {"stacks", stacks}};

@@ -77,6 +77,10 @@ void MovePath::add(const check::MoveTrace& m) {
     if (m.sweep != 0) {
         append_arc(data_, m.from, m.to, m.centre, m.sweep, to_);
     } else {
+        for (const geom::Vec2& p : m.via) {
+            data_ += "L";
+            append_point(data_, to_(p), to_.decimals);
+        }
         data_ += "L";
         append_point(data_, to_(m.to), to_.decimals);
     }
@@ -87,20 +91,11 @@ std::string escaped(std::string_view text) {
     std::string out;
     for (const char c : text) {
         switch (c) {
-            case '&':
-                out += "&amp;";
-                break;
-            case '<':
-                out += "&lt;";
-                break;
-            case '>':
-                out += "&gt;";
-                break;
-            case '"':
-                out += "&quot;";
-                break;
-            default:
-                out += c;
+            case '&': out += "&amp;"; break;
+            case '<': out += "&lt;"; break;
+            case '>': out += "&gt;"; break;
+            case '"': out += "&quot;"; break;
+            default: out += c;
         }
     }
     return out;

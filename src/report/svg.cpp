@@ -43,9 +43,11 @@ check::Box bounds(const Subject& s) {
     check::Box box, path;
     if (s.setup.stock) add(box, check::box_of(*s.setup.stock));
     if (s.setup.part) add(box, check::box_of(*s.setup.part));
-    for (const check::MoveTrace& m : s.result.moves)
+    for (const check::MoveTrace& m : s.result.moves) {
         for (const geom::Vec2 p : {m.from, m.to})
             if (std::isfinite(p.x + p.y)) path.add(p);
+        for (const geom::Vec2 p : m.via) path.add(p);
+    }
     if (box.empty()) add(box, path);
     if (box.empty()) add(box, {0, 100, 0, 50});
     const double around = 0.12 * size_of(box), air = 0.03 * size_of(box);

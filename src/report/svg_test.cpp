@@ -44,6 +44,16 @@ TEST(Path, MovesAreChained) {
     EXPECT_EQ(path.data(), "M0 -5L3 -5L3 -7M9 -9L9 -10");
 }
 
+TEST(Path, CurvesAreChains) {
+    MovePath path(plain);
+    check::MoveTrace a;
+    a.from = {0, 5};
+    a.to = {3, 5};
+    a.via = {{1, 6}, {2, 6.5}};
+    path.add(a);
+    EXPECT_EQ(path.data(), "M0 -5L1 -6L2 -6.5L3 -5");
+}
+
 TEST(Path, NumbersAndMarkup) {
     EXPECT_EQ(number(1.5000, 3), "1.5");
     EXPECT_EQ(number(-0.0001, 3), "0");

@@ -74,7 +74,7 @@ struct Job {
     DefaultsOverride defaults;
     std::map<std::uint32_t, geom::Vec3> datums;      ///< of the job itself; mm, x as a radius
     std::vector<Tool> tools;
-    std::vector<std::string> tool_files;             ///< tool lists (.toml) and TOA files (others), paths as written
+    std::vector<std::string> tool_files;             ///< tool lists (.toml), TOOL.T (.t), TOA (others), paths as written
     std::optional<Profile> stock;
     std::optional<Profile> part;
     std::optional<ProfileFromProgram> part_program;

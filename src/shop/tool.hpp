@@ -33,7 +33,7 @@ struct Tool {
     ToolKind kind = ToolKind::other;
     // grooving insert, mm
     double width = 0;
-    double corner_radius = 0;           ///< both corners, unless the next two say otherwise
+    double corner_radius = 0;           ///< both corners, unless the next two say otherwise; mills: R2, a ball where = radius
     double corner_radius_left = 0, corner_radius_right = 0;
     ReferenceCorner reference = ReferenceCorner::left;
     BladeDirection direction = BladeDirection::out;
@@ -47,6 +47,17 @@ struct Tool {
     // any
     double radius = 0;                  ///< mm, milling tools
     double length = 0;                  ///< mm, length 1
+    // milling and drilling tools as HEIDENHAIN tool tables have them; a delta is added to its dimension
+    double delta_length = 0, delta_radius = 0, delta_corner_radius = 0;  ///< mm: DL, DR, DR2
+    std::uint32_t index = 0;            ///< 5.1 has index 1; its edge is index + 1, so number and edge name it alone
+    std::string type;                   ///< TYP as written: "MILL", "DRILL", "9"; empty: not said
+    std::optional<double> cutting_length, pitch;               ///< mm: LCUTS, PITCH
+    std::optional<double> plunge_angle, point_angle;           ///< degrees: ANGLE (ramp, at most), T-ANGLE
+    std::optional<double> max_speed;    ///< 1/min: NMAX
+    int teeth = 0;                      ///< CUT., 0 = not said
+    bool locked = false;                ///< TL
+    std::optional<std::uint32_t> replacement;                  ///< RT, number of the tool that takes its place
+    std::string cutter_material, cutting_data;                 ///< TMAT; CDT, the name of its cutting data table
     std::map<int, double> parameters;   ///< $TC_DPn as read, n = 1 … 25, from TOA files
     std::string assumed;                ///< what its file does not say and was assumed; empty: nothing
     base::Span where;                   ///< where it is defined
@@ -63,6 +74,10 @@ struct Tool {
 /// The tools of a SINUMERIK tool data file (TOA): lines `$TC_DPn[T,D]=value` and `$TC_TP2[T]="name"`.
 [[nodiscard]] std::vector<Tool> read_toa(std::uint32_t file, const base::Sources& sources,
                                          base::Diagnostics& diagnostics);
+
+/// The tools of a HEIDENHAIN tool table (TOOL.T); shop/heidenhain_views.hpp says how its columns are taken.
+[[nodiscard]] std::vector<Tool> read_tool_t(std::uint32_t file, const base::Sources& sources,
+                                            base::Diagnostics& diagnostics);
 
 /// $TC_DPn: as read; else what the dimensions say for n = 2 (orientation), 3 (length 1) and 6 (radius); else nothing.
 [[nodiscard]] std::optional<double> parameter(const Tool& tool, int n);

@@ -104,7 +104,7 @@ interp::Outcome print_stream(const Arguments& a, driver::Session& s, Output& out
 
 void print_parameters(const interp::Outcome& outcome, Output& out) {
     for (const interp::ParameterValue& p : outcome.parameters)
-        out.write("R" + std::to_string(p.number) + "=" + (std::isnan(p.value) ? std::string("?") : base::shortest(p.value)) + "\n");
+        out.write(p.name + "=" + (std::isnan(p.value) ? std::string("?") : base::shortest(p.value)) + "\n");
 }
 
 }  // namespace

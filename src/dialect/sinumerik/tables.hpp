@@ -58,6 +58,6 @@ struct GCode {
 [[nodiscard]] std::optional<program::Type> find_type(std::string_view upper);
 
 /// Comparisons of REAL values hold within a relative 1e-12 (Job Planning manual, comparison operations).
-inline constexpr program::Traits traits{.relative_equality = 1e-12};
+inline constexpr program::Traits traits{.equality = {1e-12, 0}};
 
 }  // namespace obrys::dialect::sinumerik

@@ -6,7 +6,7 @@
 
 #include "base/diagnostic.hpp"
 #include "read/sinumerik/read.hpp"
-#include "read/sinumerik/tree_text.hpp"
+#include "program/tree_text_testing.hpp"
 
 namespace obrys::read::sinumerik::testing {
 
@@ -16,7 +16,7 @@ struct Reading {
         units = read(file, sources, names, diagnostics);
     }
     [[nodiscard]] const program::Unit& unit() const { return units.front(); }
-    [[nodiscard]] std::string tree(std::size_t i = 0) const { return TreeText(units[i], names).all(); }
+    [[nodiscard]] std::string tree(std::size_t i = 0) const { return program::testing::TreeText(units[i], names).all(); }
     /// All complaints as they are printed.
     [[nodiscard]] std::string messages() const {
         std::string out;
@@ -45,7 +45,7 @@ struct Reading {
 inline std::string one(const std::string& line) {
     const Reading r(line);
     if (!r.diagnostics.all().empty()) return r.messages();
-    return r.unit().statements.size() == 1 ? TreeText(r.unit(), r.names).statement(0) : r.tree();
+    return r.unit().statements.size() == 1 ? program::testing::TreeText(r.unit(), r.names).statement(0) : r.tree();
 }
 
 }  // namespace obrys::read::sinumerik::testing

@@ -22,10 +22,15 @@ function arcPiece(from, to, arc) {
   }
   return d;
 }
+function viaPiece(via) {
+  let d = "";
+  for (let k = 0; via && k < via.length; k += 2) d += "L" + via[k] + " " + via[k + 1];
+  return d;
+}
 for (let i = 0; i < M.n; ++i) {
   const from = M.start[i] || endOf(i - 1), to = endOf(i);
   start.push(from);
-  piece.push(!known(from) || !known(to) ? "" : "M" + from[0] + " " + from[1] + (M.arc[i] ? arcPiece(from, to, M.arc[i]) : "L" + to[0] + " " + to[1]));
+  piece.push(!known(from) || !known(to) ? "" : "M" + from[0] + " " + from[1] + (M.arc[i] ? arcPiece(from, to, M.arc[i]) : viaPiece(M.via[i]) + "L" + to[0] + " " + to[1]));
   const key = lineKey(M.f[i], M.l[i]);
   if (M.f[i] >= 0) ofLine.has(key) ? ofLine.get(key).push(i) : ofLine.set(key, [i]);
 }
@@ -57,6 +62,7 @@ function bounds() {
   for (let i = 0; i < M.n; ++i) {
     const p = endOf(i);
     if (!known(p)) continue;
+    if (!fixed) for (let k = 0, via = M.via[i] || []; k < via.length; k += 2) add(via[k], via[k + 1]);
     fixed ? add(Math.min(Math.max(p[0], fixed[0] - size), fixed[2] + size), Math.min(Math.max(p[1], fixed[1] - size), fixed[3] + size)) : add(p[0], p[1]);
   }
   return b || [0, -50, 100, 0];
@@ -229,7 +235,12 @@ function nearest(px, py) {
     let d;
     if (arc) d = Math.abs(Math.hypot(px - view.x - view.s * arc[0], py - view.y - view.s * arc[1]) - view.s * Math.hypot(a[0] - arc[0], a[1] - arc[1]))
       + Math.max(0, ofSegment(view.x + view.s * a[0], view.y + view.s * a[1], view.x + view.s * b[0], view.y + view.s * b[1]) - view.s * Math.hypot(a[0] - arc[0], a[1] - arc[1]));
-    else d = ofSegment(view.x + view.s * a[0], view.y + view.s * a[1], view.x + view.s * b[0], view.y + view.s * b[1]);
+    else {
+      const chain = [a[0], a[1], ...(M.via[i] || []), b[0], b[1]];
+      d = Infinity;
+      for (let k = 2; k < chain.length; k += 2)
+        d = Math.min(d, ofSegment(view.x + view.s * chain[k - 2], view.y + view.s * chain[k - 1], view.x + view.s * chain[k], view.y + view.s * chain[k + 1]));
+    }
     if (d < least) { least = d; best = i; }
   }
   return best;

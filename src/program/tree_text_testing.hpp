@@ -8,7 +8,7 @@
 #include "program/names.hpp"
 #include "program/unit.hpp"
 
-namespace obrys::read::sinumerik::testing {
+namespace obrys::program::testing {
 
 using program::Code;
 using program::ExprId;
@@ -57,7 +57,7 @@ class TreeText {
     static std::string op(std::uint8_t o) {
         static constexpr std::array<const char*, 25> text{"neg", "pos", "not", "bnot", "+",    "-",   "*",    "/",
                                                           "div", "mod", "<<",  "==",   "<>",   "<",   "<=",   ">",
-                                                          ">=",  "and", "or",  "xor",  "band", "bor", "bxor", ":"};
+                                                          ">=",  "and", "or",  "xor",  "band", "bor", "bxor", ":", "^"};
         return text[o];
     }
     std::string list(const program::Expr& e, char open, char close, bool always = false) const {
@@ -153,11 +153,13 @@ class TreeText {
                expr(n.value);
     }
     std::string word(const program::Word& w) const {
-        static constexpr std::array<const char*, 48> text{
+        static constexpr std::array text{
             "X",    "Y",    "Z",    "A",   "B",    "C",     "U",      "V",           "W",       "axis",   "I",
             "J",    "K",    "I1",   "J1",  "K1",   "CR",    "AR",     "TURN",        "AP",      "RP",     "F",
             "S",    "LIMS", "T",    "D",   "SPOS", "M",     "H",      "value",       "CHF",     "CHR",    "RND",
-            "RNDM", "FRC",  "FRCM", "ANG", "RPL",  "modal", "assign", "unsupported", "unknown", "control"};
+            "RNDM", "FRC",  "FRCM", "ANG", "RPL",  "modal", "assign", "unsupported", "unknown", "control", "about-pole",
+            "tool-change", "tool-definition", "F-auto", "cycle-call", "cycle-call-modal", "length", "radius", "DL",
+            "DR", "DR2", "FU", "FZ", "pole-angle"};
         const auto at = static_cast<std::size_t>(w.payload);
         switch (program::code_of(w)) {
             case Code::modal:
@@ -179,4 +181,4 @@ class TreeText {
     const program::Names& names_;
 };
 
-}  // namespace obrys::read::sinumerik::testing
+}  // namespace obrys::program::testing

@@ -1,0 +1,176 @@
+/// Cycles: what a definition keeps, what a call makes of it, and how the steps come into the stream.
+
+#include <cmath>
+
+#include "base/codes.hpp"
+#include "cycles/cycle.hpp"
+#include "cycles/names.hpp"
+#include "interp/motion.hpp"
+
+namespace obrys::interp {
+
+namespace codes = base::codes;
+using program::CycleDefinition;
+using program::CycleSetting;
+using program::CycleUse;
+
+namespace {
+
+/// The definition's assignments: a named parameter is set for everybody, as the control does it.
+ActiveCycle take(Run& run, const CycleDefinition& d) {
+    ActiveCycle c;
+    c.definition = &d;
+    c.unit = &run.unit();
+    for (const CycleSetting& s : d.settings) {
+        const double v = number(run, s.value);
+        c.values.push_back(v);
+        if (s.parameter != program::no_target && s.parameter < run.parameters.count())
+            assign_number(run, s.parameter, s.value, v, s.where);
+    }
+    for (const ExprId id : d.texts) c.texts.push_back(printed(evaluate(run, id)));
+    return c;
+}
+
+std::string parameter_name(const Run& run, const CycleSetting& s) {
+    if (s.parameter != program::no_target) return program::parameter_name(*run.unit().traits, s.parameter);
+    return std::string(cycles::name(s.role));
+}
+
+double value_at_call(const Run& run, const ActiveCycle& c, std::size_t i) {
+    const CycleSetting& s = c.definition->settings[i];
+    return s.parameter == program::no_target ? c.values[i] : run.parameters.get(s.parameter);
+}
+
+cycles::Demand demand_of(const Run& run, const ActiveCycle& c) {
+    cycles::Demand d;
+    d.kind = c.definition->kind;
+    const double unit = run.modal.inch_geometry ? 25.4 : 1;
+    for (std::size_t i = 0; i < c.values.size(); ++i) {
+        const CycleSetting& s = c.definition->settings[i];
+        d.values.push_back({s.role, value_at_call(run, c, i) * (s.scales ? unit : 1)});
+    }
+    return d;
+}
+
+geom::Vec3 into_plane(const geom::Vec3& p, const PlaneAxes& a) {
+    return {coordinate(p, a.u), coordinate(p, a.v), coordinate(p, a.w)};
+}
+
+geom::Vec3 out_of_plane(const geom::Vec3& p, const PlaneAxes& a) {
+    geom::Vec3 v;
+    coordinate(v, a.u) = p.x;
+    coordinate(v, a.v) = p.y;
+    coordinate(v, a.w) = p.z;
+    return v;
+}
+
+cycles::Situation situation_of(const Run& run) {
+    cycles::Situation s;
+    s.at = into_plane(run.programmed_position, plane_axes(run.modal.plane));
+    if (const shop::Tool* t = run.tool.data; t != nullptr && t->radius > 0) {
+        s.tool_radius = t->radius + run.tool.delta_radius;
+        s.tool_corner_radius = t->corner_radius + run.tool.delta_corner;
+    }
+    s.spindle_speed = run.spindle.speed;
+    s.spindle_direction = run.spindle.direction;
+    if (run.feed_valid && run.modal.feed_mode == cl::FeedMode::per_minute) s.feed = run.feed;
+    return s;
+}
+
+void report(Run& run, const ActiveCycle& c, const cycles::Expansion& e) {
+    for (const cycles::Complaint& k : e.complaints) {
+        base::Span where = run.here();
+        for (const CycleSetting& s : c.definition->settings)
+            if (k.role && s.role == *k.role) where = s.where;
+        base::Diagnostic d{k.fatal ? base::Severity::error : base::Severity::warning,
+                           k.fatal ? codes::value_range : codes::assumption,
+                           where,
+                           c.definition->name + ": " + k.text,
+                           k.remedy,
+                           run.stacks.sites(run.top().stack),
+                           {}};
+        if (!(where == run.here())) d.related.push_back({run.here(), "called here"});
+        run.diagnostics.add(std::move(d));
+    }
+    if (!e.simulated)
+        unchecked(run, codes::unsupported, run.here(), c.definition->name + " is not run: its path is not known here");
+}
+
+/// Steps of the working plane as records of the stream.
+void emit_steps(Run& run, std::vector<cl::Step>& steps) {
+    const PlaneAxes a = plane_axes(run.modal.plane);
+    const auto place = [&](const geom::Vec3& p) {
+        run.programmed_position = out_of_plane(p, a);
+        run.position = geom::apply(run.frame, run.programmed_position);
+        return run.position;
+    };
+    for (cl::Step& step : steps) {
+        if (auto* linear = std::get_if<cl::Linear>(&step)) {
+            linear->to = place(linear->to);
+        } else if (auto* thread = std::get_if<cl::Thread>(&step)) {
+            thread->to = place(thread->to);
+        } else if (auto* arc = std::get_if<cl::Arc>(&step)) {
+            const geom::Vec3 n = geom::apply_direction(run.frame, out_of_plane(arc->normal, a));
+            const double sign = geom::determinant(run.frame) < 0 ? -1 : 1;
+            arc->normal = (1 / geom::length(n)) * n;
+            arc->sweep *= sign;
+            arc->centre = geom::apply(run.frame, out_of_plane(arc->centre, a));
+            arc->to = place(arc->to);
+        }
+        emit(run, std::move(step));
+    }
+}
+
+void call_program_of(Run& run, const ActiveCycle& c) {
+    if (c.texts.empty()) return;
+    program::Call call;
+    call.name = run.env.names.id(c.texts.front());
+    call.where = run.here();
+    call_program(run, call);
+}
+
+}  // namespace
+
+void define_cycle(Run& run, const CycleDefinition& d) {
+    ActiveCycle c = take(run, d);
+    if (run.stopped) return;
+    if (d.use == CycleUse::refused) {
+        unchecked(run, codes::unsupported, d.where, d.name + " is not run" + (d.reason.empty() ? "" : ": " + d.reason));
+        if (d.call_active) run.cycle = std::move(c);
+        return;
+    }
+    if (d.call_active) {
+        run.cycle = std::move(c);
+        return;
+    }
+    if (d.use == CycleUse::run && !act_at_definition(run, c))
+        unchecked(run, codes::unsupported, d.where, d.name + " is not run");
+}
+
+void call_cycle(Run& run) {
+    if (run.cycle.definition == nullptr) {
+        alarm(run, codes::missing_label, run.here(), "no cycle is defined that could be called here",
+              "define one with CYCL DEF before the call");
+        return;
+    }
+    const ActiveCycle c = run.cycle;
+    if (c.definition->kind == program::CycleKind::program_call) return call_program_of(run, c);
+    flush_path(run);
+    cl::CycleBegin begin;
+    begin.name = c.definition->name;
+    for (std::size_t i = 0; i < c.values.size(); ++i)
+        begin.parameters.push_back({parameter_name(run, c.definition->settings[i]), value_at_call(run, c, i)});
+    emit(run, begin);
+    if (c.definition->use == CycleUse::refused || !cycles::is_expanded(c.definition->kind)) {
+        unchecked(run, codes::unsupported, run.here(), c.definition->name + " is called and not run");
+        run.position = run.programmed_position = {NAN, NAN, NAN};
+    } else {
+        cycles::Expansion e = cycles::expand(demand_of(run, c), situation_of(run));
+        report(run, c, e);
+        emit_steps(run, e.steps);
+        if (run.feed_valid) emit(run, cl::Feed{run.feed, run.modal.feed_mode});
+    }
+    emit(run, cl::CycleEnd{});
+}
+
+}  // namespace obrys::interp

@@ -1,0 +1,159 @@
+/// Cycles that act at their definition: datum shift, mirror, rotation, scaling, dwell and the like.
+
+#include <algorithm>
+#include <cmath>
+
+#include "base/codes.hpp"
+#include "interp/motion.hpp"
+
+namespace obrys::interp {
+
+namespace codes = base::codes;
+using program::CycleKind;
+using program::CycleRole;
+
+namespace {
+
+/// Value of a role, scaled to millimetres where it is a length; `set` says whether it was written.
+struct Written {
+    bool set = false, incremental = false;
+    double value = 0;
+};
+
+Written find(const Run& run, const ActiveCycle& c, CycleRole role) {
+    Written w;
+    for (std::size_t i = 0; i < c.values.size(); ++i) {
+        const program::CycleSetting& s = c.definition->settings[i];
+        if (s.role != role) continue;
+        w = {true, s.incremental, c.values[i] * (s.scales && run.modal.inch_geometry ? 25.4 : 1)};
+    }
+    return w;
+}
+
+constexpr CycleRole axis_roles[3] = {CycleRole::axis_x, CycleRole::axis_y, CycleRole::axis_z};
+constexpr CycleRole centre_roles[3] = {CycleRole::centre_x, CycleRole::centre_y, CycleRole::centre_z};
+
+/// Puts a transformation in its place: where it was, else behind those already active; out of it when it does nothing.
+void place(Run& run, TransformKind kind, const geom::Frame& frame) {
+    auto& all = run.modal.transforms;
+    const auto at = std::find_if(all.begin(), all.end(), [&](const auto& t) { return t.kind == kind; });
+    if (frame == geom::Frame{}) {
+        if (at != all.end()) all.erase(at);
+    } else if (at != all.end()) {
+        at->frame = frame;
+    } else {
+        all.push_back({kind, frame});
+    }
+    run.modal.programmed = {};
+    for (const Transform& t : all) run.modal.programmed = run.modal.programmed * t.frame;
+    update_frame(run);
+}
+
+geom::Frame active(const Run& run, TransformKind kind) {
+    for (const Transform& t : run.modal.transforms)
+        if (t.kind == kind) return t.frame;
+    return {};
+}
+
+bool unknown_value(Run& run, const ActiveCycle& c) {
+    if (std::none_of(c.values.begin(), c.values.end(), [](double v) { return std::isnan(v); })) return false;
+    unchecked(run, codes::unknown_value, c.definition->where,
+              c.definition->name + " depends on a value that is not known: it is left out");
+    return true;
+}
+
+bool shift(Run& run, const ActiveCycle& c) {
+    if (const Written n = find(run, c, CycleRole::datum_number); n.set) {
+        if (n.value != 0) return false;
+        place(run, TransformKind::shift, {});
+        return true;
+    }
+    geom::Vec3 by = active(run, TransformKind::shift).origin;
+    for (int k = 0; k < 3; ++k)
+        if (const Written w = find(run, c, axis_roles[k]); w.set)
+            coordinate(by, k) = w.incremental ? coordinate(by, k) + w.value : w.value;
+    for (const CycleRole rotary : {CycleRole::axis_a, CycleRole::axis_b, CycleRole::axis_c})
+        if (const Written w = find(run, c, rotary); w.set && w.value != 0) return false;
+    place(run, TransformKind::shift, geom::Frame::shift(by));
+    return true;
+}
+
+bool mirror(Run& run, const ActiveCycle& c) {
+    geom::Vec3 factors{1, 1, 1};
+    for (int k = 0; k < 3; ++k)
+        if (find(run, c, axis_roles[k]).set) coordinate(factors, k) = -1;
+    place(run, TransformKind::mirror, geom::Frame::scaling(factors));
+    return true;
+}
+
+bool rotate(Run& run, const ActiveCycle& c) {
+    const Written w = find(run, c, CycleRole::rotation);
+    double angle = w.value;
+    if (w.incremental) {
+        const geom::Frame now = active(run, TransformKind::rotation);
+        const PlaneAxes a = plane_axes(run.modal.plane);
+        geom::Vec3 u;
+        coordinate(u, a.u) = 1;
+        const geom::Vec3 turned = geom::apply_direction(now, u);
+        angle += geom::degrees(std::atan2(coordinate(turned, a.v), coordinate(turned, a.u)));
+    }
+    const geom::Frame turned = geom::Frame::rotation(plane_axes(run.modal.plane).w, geom::radians(angle));
+    place(run, TransformKind::rotation, angle == 0 ? geom::Frame{} : turned);
+    return true;
+}
+
+bool scale(Run& run, const ActiveCycle& c) {
+    const double f = find(run, c, CycleRole::factor).value;
+    if (!(f > 0)) {
+        alarm(run, codes::value_range, c.definition->where,
+              c.definition->name + ": the scaling factor must be greater than 0");
+        return true;
+    }
+    place(run, TransformKind::scaling, geom::Frame::scaling({f, f, f}));
+    return true;
+}
+
+bool scale_axes(Run& run, const ActiveCycle& c) {
+    geom::Vec3 factors{1, 1, 1}, centre;
+    for (int k = 0; k < 3; ++k) {
+        if (const Written w = find(run, c, axis_roles[k]); w.set) coordinate(factors, k) = w.value;
+        coordinate(centre, k) = find(run, c, centre_roles[k]).value;
+    }
+    geom::Frame f = geom::Frame::scaling(factors);
+    f.origin = centre - geom::apply_direction(f, centre);
+    place(run, TransformKind::axis_scaling, f);
+    return true;
+}
+
+bool dwell(Run& run, const ActiveCycle& c) {
+    const Written w = find(run, c, CycleRole::dwell);
+    if (!(w.value >= 0)) {
+        alarm(run, codes::value_range, c.definition->where, c.definition->name + ": the dwell time is negative");
+        return true;
+    }
+    emit(run, cl::Dwell{w.value, 0});
+    return true;
+}
+
+}  // namespace
+
+bool act_at_definition(Run& run, const ActiveCycle& c) {
+    if (unknown_value(run, c)) return true;
+    switch (c.definition->kind) {
+        case CycleKind::datum_shift: return shift(run, c);
+        case CycleKind::mirror: return mirror(run, c);
+        case CycleKind::rotation: return rotate(run, c);
+        case CycleKind::scaling: return scale(run, c);
+        case CycleKind::axis_scaling: return scale_axes(run, c);
+        case CycleKind::dwell: return dwell(run, c);
+        case CycleKind::contour_definition:
+            run.contour_labels = c.texts;
+            run.contour_unit = c.unit;
+            return true;
+        case CycleKind::contour_data: run.contour_data = c; return true;
+        case CycleKind::contour_train_data: run.contour_train_data = c; return true;
+        default: return false;
+    }
+}
+
+}  // namespace obrys::interp

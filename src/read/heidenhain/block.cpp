@@ -1,0 +1,186 @@
+/// One block: its number, and what its first word makes of it.
+
+#include <array>
+
+#include "read/heidenhain/state.hpp"
+
+namespace obrys::read::heidenhain {
+
+namespace {
+
+/// `12 `, `/12 ` and `12 /`: the block's number and its skip sign.
+void read_number(State& s) {
+    std::uint8_t skip = 0;
+    if (s.in.take('/')) skip = 1;
+    s.in.skip_blanks();
+    const std::uint32_t from = s.in.at();
+    while (base::is_digit(s.in.peek())) s.in.step();
+    s.numbered = s.in.at() > from;
+    if (s.in.take('/')) skip = 1;
+    s.in.skip_blanks();
+    s.build.begin_block(skip);
+}
+
+void begin_program(State& s) {
+    s.in.take_word("PGM");
+    static_cast<void>(s.in.token());  // its name: that of the file counts
+    if (s.in.take_word("INCH") || s.in.take_word("IN")) s.build.unit().inch = true;
+    s.in.take_word("MM");
+    s.build.statement(StatementKind::block, s.block);
+    const bool inch = s.build.unit().inch;
+    s.build.modal(inch ? Modal::inch_all : Modal::metric_all, s.block, s.in.at());
+    s.in.skip_block();
+}
+
+/// BLK FORM 0.1 Z X+0 Y+0 Z-40 and 0.2 X+100 Y+100 Z+0.
+void read_blank(State& s) {
+    const std::uint32_t begin = s.block;
+    s.build.statement(StatementKind::block, s.block);
+    if (!s.in.take_word("FORM")) return fail_here(s, "FORM is due behind BLK, found " + here(s));
+    s.in.skip_blanks();
+    const base::NumberScan n = s.in.number();
+    const int corner = n.decimal && n.decimal->decimals == 1 ? static_cast<int>(n.decimal->mantissa) : 0;
+    auto& blank = s.build.unit().blank;
+    if (corner != 1 && corner != 2) {
+        s.in.skip_block();
+        return s.build.problem(Code::unsupported, begin, s.in.at(), "a blank of this shape is not read");
+    }
+    if (!blank) blank.emplace();
+    blank->where = s.build.span(begin, s.in.at());
+    while (!s.failed && !s.in.at_end()) {
+        const auto axis = std::string_view("XYZ").find(base::upper(s.in.peek()));
+        if (axis == std::string_view::npos) return fail_here(s, "X, Y or Z is due here, found " + here(s));
+        s.in.step();
+        const Value v = read_value(s);
+        if (!v.found && corner == 1)
+            blank->tool_axis = static_cast<int>(axis);
+        else if (!v.found || !v.is_literal())
+            return fail_here(s, "a number is due here, found " + here(s));
+        else
+            (corner == 1 ? blank->min : blank->max)[axis] = v.number();
+    }
+}
+
+/// STOP, and the comment behind it, which the control shows.
+void read_stop(State& s) {
+    const std::uint32_t begin = s.in.at();
+    s.build.statement(StatementKind::block, s.block);
+    s.in.step(4);
+    const std::size_t words = s.build.unit().words.size();
+    if (!s.in.at_end()) read_words(s, false);
+    bool stops = false;
+    for (std::size_t i = words; i < s.build.unit().words.size(); ++i) {
+        const program::Word& w = s.build.unit().words[i];
+        stops = stops || (program::code_of(w) == Code::m && program::is_literal(w) &&
+                          (w.payload == 0 || w.payload == 2 || w.payload == 30));
+    }
+    if (!stops) s.build.literal(Code::m, 0, begin, begin + 4);
+    s.after_stop = true;
+}
+
+/// A comment behind STOP is shown to the operator; any other is none of the run's business.
+void read_comment(State& s, bool after_stop) {
+    const std::string text = base::as_utf8(s.in.comment());
+    const std::uint32_t begin = s.in.at();
+    s.in.skip_comment();
+    if (!after_stop || text.empty()) return;
+    program::ProcedureCall call;
+    call.arguments = {s.build.text(text, begin, s.in.at())};
+    call.where = s.build.span(begin, s.in.at());
+    s.build.unit().procedures.push_back(std::move(call));
+    s.build.control(StatementKind::procedure, s.build.unit().procedures.size() - 1, s.block, s.in.at());
+}
+
+/// Words that open a block and are known without being run; `what` says what they do.
+struct NotRun {
+    std::string_view word;
+    std::string_view what;
+};
+constexpr std::array not_run{
+    NotRun{"LN", "straight lines with surface normals (3D compensation)"},
+    NotRun{"APPR", "smooth approach"},
+    NotRun{"DEP", "smooth departure"},
+    NotRun{"FPOL", "free contour programming"},
+    NotRun{"FL", "free contour programming"},
+    NotRun{"FLT", "free contour programming"},
+    NotRun{"FC", "free contour programming"},
+    NotRun{"FCT", "free contour programming"},
+    NotRun{"FSELECT", "free contour programming"},
+    NotRun{"SPL", "spline"},
+    NotRun{"PLANE", "tilted working plane"},
+    NotRun{"SEL", "selection of a program, table, pattern or contour"},
+    NotRun{"DECLARE", "contour of a formula"},
+    NotRun{"CONTOUR", "contour of a formula"},
+    NotRun{"PATTERN", "pattern of positions"},
+    NotRun{"TRANS", "datum shift"},
+    NotRun{"TCH", "touch probe"},
+    NotRun{"FUNCTION", "function of a later control"},
+};
+
+bool read_not_run(State& s, std::string_view word) {
+    for (const NotRun& n : not_run) {
+        if (!base::equals_ignoring_case(n.word, word)) continue;
+        const std::uint32_t begin = s.in.at();
+        s.build.statement(StatementKind::block, s.block);
+        s.in.skip_block();
+        s.build.problem(Code::unsupported, begin, s.in.at(), n.what);
+        return true;
+    }
+    return false;
+}
+
+bool is(std::string_view letters, std::string_view word) { return base::equals_ignoring_case(letters, word); }
+
+bool read_structure(State& s, std::string_view word) {
+    const std::size_t n = word.size();
+    if (is(word, "BEGIN")) return s.in.step(n), begin_program(s), true;
+    if (is(word, "END")) return s.in.skip_block(), true;
+    if (is(word, "BLK")) return s.in.step(n), read_blank(s), true;
+    if (is(word, "TOOL")) {
+        const std::uint32_t begin = s.in.at();
+        return s.in.step(n), read_tool_block(s, begin), true;
+    }
+    if (is(word, "LBL")) return s.in.step(n), read_label_block(s), true;
+    if (is(word, "CALL")) return s.in.step(n), read_call_block(s), true;
+    if (is(word, "CYCL") || is(word, "CYCLE")) return s.in.step(n), read_cycle_block(s), true;
+    if (is(word, "STOP")) return read_stop(s), true;
+    if (is(word, "FN")) return read_function(s);
+    if (base::upper(word.front()) == 'Q' && stands_parameter(s)) return read_assignment(s), true;
+    return false;
+}
+
+}  // namespace
+
+bool read_cycle_line(State& s);
+
+void read_block(State& s) {
+    s.block = s.in.at();
+    s.failed = false;
+    const std::size_t statements = s.build.unit().statements.size();
+    const std::uint32_t last_path = s.last_path;
+    const bool after_stop = s.after_stop;
+    read_number(s);
+    s.in.skip_blanks();
+    if (s.in.peek() == ';' || s.in.at_end()) return read_comment(s, after_stop);
+    s.after_stop = false;
+    if (s.in.peek() == '*') return s.in.skip_comment();  // structure block
+    if (!s.numbered && s.first_numbered && read_cycle_line(s)) return;
+    const std::string_view word = s.in.letters();
+    const std::uint32_t begin = s.in.at();
+    if (!is(word, "CYCL") && !is(word, "CYCLE")) s.open_cycle = program::no_target;
+    if (word.empty() || (!read_structure(s, word) && !read_path_block(s, word) && !read_not_run(s, word))) {
+        s.build.statement(StatementKind::block, s.block);
+        s.in.go_to(begin);
+        const std::string token = base::as_utf8(s.in.token());
+        s.in.skip_block();
+        s.build.problem(Code::unknown, begin, s.in.at(), "no block begins with '" + token + "'");
+    }
+    if (s.in.at_end() || s.failed)
+        s.in.skip_block();
+    else
+        fail_here(s, "this is left over at the end of the block: " + here(s)), s.in.skip_block();
+    if (s.last_path == last_path) s.last_path = program::no_target;
+    if (s.build.unit().statements.size() > statements) s.build.end_statement(s.in.at());
+}
+
+}  // namespace obrys::read::heidenhain

@@ -1,0 +1,224 @@
+/// CYCL DEF in its named form (`CYCL DEF 200 DRILLING ~ Q200=2 …`) and its numbered one (`CYCL DEF 1.1 DIST 2`), and
+/// CYCL CALL.
+
+#include "dialect/heidenhain/cycles.hpp"
+#include "read/heidenhain/state.hpp"
+
+namespace obrys::read::heidenhain {
+
+namespace dialect = obrys::dialect::heidenhain;
+using program::no_expr;
+
+namespace {
+
+program::CycleDefinition& open_cycle(State& s) { return s.build.unit().cycles[s.open_cycle]; }
+
+/// Q200=2 of the named form; false where none stands here.
+bool read_parameter_line(State& s) {
+    const std::uint32_t begin = s.in.at();
+    if (!stands_parameter(s)) return false;
+    const ExprId q = read_parameter(s);
+    if (!s.in.take('=')) {
+        s.in.go_to(begin);
+        return false;
+    }
+    const ExprId value = value_expr(s);
+    if (s.failed || q == no_expr) return true;
+    const program::Expr& e = s.build.unit().exprs[q];
+    program::CycleDefinition& c = open_cycle(s);
+    const dialect::Cycle* known = dialect::find_cycle(std::stoi(c.name.substr(c.name.find_last_of(' ') + 1)));
+    const dialect::CycleParameter* p =
+        known == nullptr ? nullptr : dialect::find_parameter(*known, static_cast<int>(e.a));
+    program::CycleSetting setting;
+    setting.parameter = e.a;
+    setting.value = value;
+    setting.where = s.build.span(begin, s.in.at());
+    if (p != nullptr) {
+        setting.role = p->role;
+        setting.scales = p->unit != dialect::CycleUnit::plain;
+        c.settings.push_back(setting);
+        return true;
+    }
+    // The control refuses what does not belong to the cycle; an old or new software version may know it.
+    s.build.problem(Code::unsupported, begin, s.in.at(), "this parameter does not belong to " + c.name);
+    setting.role = program::CycleRole::probe_input;
+    c.settings.push_back(setting);
+    return true;
+}
+
+void read_named(State& s) {
+    while (!s.failed && !s.in.at_end())
+        if (!read_parameter_line(s)) s.in.step();  // the cycle's name, in whatever language
+}
+
+/// The words in front of a value: `SET UP`, `V.ZEIT`, `HSC-MODE:`.
+std::string read_keyword(State& s) {
+    std::string word;
+    while (!s.in.at_end()) {
+        const char c = s.in.peek(), next = s.in.peek(1);
+        const bool sign = c == '+' || c == '-';
+        const bool number =
+            base::is_digit(c) || ((c == '.' || c == ',') && base::is_digit(next)) ||
+            (sign && (base::is_digit(next) || next == '.' || base::upper(next) == 'Q' || base::is_blank(next)));
+        if (number || stands_parameter(s) || c == '"') break;
+        word += base::upper(c);
+        s.in.step();
+        if (base::is_blank(s.in.peek())) word += ' ';
+    }
+    return std::string(base::trim(word));
+}
+
+void add_setting(State& s, const dialect::CycleParameter& p, ExprId value, bool incremental, std::uint32_t begin) {
+    program::CycleSetting setting;
+    setting.role = p.role;
+    setting.value = value;
+    setting.incremental = incremental;
+    setting.scales = p.unit != dialect::CycleUnit::plain;
+    setting.where = s.build.span(begin, s.in.at());
+    open_cycle(s).settings.push_back(setting);
+}
+
+/// Axes without values: CYCL DEF 8.1 X Y.
+void read_axes_alone(State& s, const dialect::Cycle& cycle, int line, const std::string& words, std::uint32_t begin) {
+    for (const char c : words)
+        if (const auto* p = dialect::find_parameter(cycle, line, std::string_view(&c, 1)))
+            add_setting(s, *p, s.build.number(1, true, begin, s.in.at()), false, begin);
+}
+
+/// Labels of contours and names of programs.
+void read_names(State& s) {
+    static_cast<void>(read_keyword(s));
+    while (!s.failed && !s.in.at_end()) {
+        const std::uint32_t begin = s.in.at();
+        if (s.in.peek() == '/') {
+            s.in.step();
+            continue;
+        }
+        if (s.in.peek() == '"' || stands_parameter(s)) {
+            open_cycle(s).texts.push_back(read_text(s));
+            continue;
+        }
+        const base::NumberScan n = s.in.number();
+        if (n.length == 0) {
+            static_cast<void>(s.in.token());
+            continue;
+        }
+        open_cycle(s).texts.push_back(
+            s.build.text(std::to_string(static_cast<std::int64_t>(n.value)), begin, s.in.at()));
+    }
+}
+
+void read_program_name(State& s) {
+    s.in.take_word("PGM");
+    s.in.skip_blanks();
+    const std::uint32_t begin = s.in.at();
+    const std::string_view path = s.in.token();
+    if (!path.empty()) open_cycle(s).texts.push_back(s.build.text(program_name(path), begin, s.in.at()));
+}
+
+void read_numbered_line(State& s, const dialect::Cycle& cycle, int line) {
+    using program::CycleKind;
+    if (line == 0) return s.in.skip_block();  // its name
+    if (cycle.kind == CycleKind::contour_definition) return read_names(s);
+    if (cycle.kind == CycleKind::program_call) return read_program_name(s);
+    for (std::size_t n = 0; !s.failed && !s.in.at_end(); ++n) {
+        const std::uint32_t begin = s.in.at();
+        std::string word = read_keyword(s);
+        if (s.in.at_end()) return read_axes_alone(s, cycle, line, word, begin);
+        const dialect::CycleParameter* p = dialect::find_parameter(cycle, line, word);
+        const bool incremental = p == nullptr && word.size() > 1 && word[0] == 'I' &&
+                                 dialect::find_parameter(cycle, line, word.substr(1)) != nullptr;
+        if (incremental) p = dialect::find_parameter(cycle, line, word.substr(1));
+        if (p == nullptr) p = dialect::find_parameter_at(cycle, line, n);
+        const ExprId value = value_expr(s);
+        if (s.failed) return;
+        if (p != nullptr)
+            add_setting(s, *p, value, incremental, begin);
+        else
+            s.build.problem(Code::unsupported, begin, s.in.at(), "this value does not belong to " + open_cycle(s).name);
+    }
+}
+
+void start_cycle(State& s, int number, const dialect::Cycle* cycle, std::uint32_t begin) {
+    program::CycleDefinition c;
+    c.name = "CYCL DEF " + std::to_string(number);
+    c.where = s.build.span(begin, s.in.at());
+    c.use = program::CycleUse::refused;
+    if (cycle != nullptr) {
+        c.kind = cycle->kind;
+        c.call_active = cycle->call_active;
+        c.use = static_cast<program::CycleUse>(cycle->use);
+        c.reason = cycle->text;
+    } else {
+        c.reason = "obrys does not know this cycle";
+        c.kind = program::CycleKind::probe;
+    }
+    s.build.unit().cycles.push_back(std::move(c));
+    s.open_cycle = static_cast<std::uint32_t>(s.build.unit().cycles.size() - 1);
+    s.build.control(StatementKind::cycle_definition, s.open_cycle, s.block, s.in.at());
+}
+
+void read_definition(State& s, std::uint32_t begin) {
+    s.in.skip_blanks();
+    const base::NumberScan n = s.in.number();
+    if (n.length == 0 || !n.decimal || n.value >= 1000) {
+        s.build.statement(StatementKind::block, s.block);
+        fail_here(s, "the number of a cycle is due behind CYCL DEF, found " + here(s));
+        return;
+    }
+    const int number = static_cast<int>(n.value);
+    const dialect::Cycle* cycle = dialect::find_cycle(number);
+    if (n.integer) {
+        start_cycle(s, number, cycle, begin);
+        return read_named(s);
+    }
+    const int line = static_cast<int>(n.decimal->mantissa % (n.decimal->decimals == 1 ? 10 : 100));
+    const bool goes_on =
+        s.open_cycle != program::no_target && open_cycle(s).name == "CYCL DEF " + std::to_string(number) && line > 0;
+    if (!goes_on)
+        start_cycle(s, number, cycle, begin);
+    else
+        s.build.statement(StatementKind::block, s.block);
+    if (line > 0 && !goes_on) {
+        fail(s, begin,
+             "CYCL DEF " + std::to_string(number) + "." + std::to_string(line) + " stands without its " +
+                 std::to_string(number) + ".0");
+        return;
+    }
+    if (cycle == nullptr) return s.in.skip_block();
+    read_numbered_line(s, *cycle, line);
+}
+
+void read_call(State& s, std::uint32_t begin) {
+    s.build.statement(StatementKind::block, s.block);
+    if (s.in.take_word("PAT")) {
+        s.in.skip_block();
+        s.build.problem(Code::unsupported, begin, s.in.at(), "the pattern is not followed");
+        return;
+    }
+    if (s.in.take_word("POS")) {
+        s.build.modal(Modal::cycle_position, begin, s.in.at());
+        s.build.modal(Modal::rapid, begin, s.in.at());
+    }
+    s.build.bare(Code::cycle_call, begin, s.in.at());
+    read_words(s, false);
+}
+
+}  // namespace
+
+bool read_cycle_line(State& s) {
+    if (s.open_cycle == program::no_target || !stands_parameter(s)) return false;
+    if (!read_parameter_line(s)) return false;
+    read_named(s);
+    return true;
+}
+
+void read_cycle_block(State& s) {
+    const std::uint32_t begin = s.block;
+    if (s.in.take_word("DEF")) return read_definition(s, begin);
+    if (s.in.take_word("CALL")) return read_call(s, s.in.at());
+    s.build.statement(StatementKind::block, s.block);
+    fail_here(s, "DEF or CALL is due behind CYCL, found " + here(s));
+}
+
+}  // namespace obrys::read::heidenhain

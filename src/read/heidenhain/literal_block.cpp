@@ -1,0 +1,120 @@
+#include "read/heidenhain/literal_block.hpp"
+
+#include <array>
+
+namespace obrys::read::heidenhain {
+
+using program::Form;
+using program::Word;
+
+namespace {
+
+constexpr std::array<Code, 256> letters = [] {
+    std::array<Code, 256> t{};
+    t.fill(Code::control);
+    const auto set = [&](char c, Code code) { t[static_cast<unsigned char>(c)] = code; };
+    set('X', Code::x), set('Y', Code::y), set('Z', Code::z), set('A', Code::a), set('B', Code::b), set('C', Code::c);
+    set('F', Code::feed);
+    return t;
+}();
+
+struct Literal {
+    std::int32_t mantissa = 0;
+    std::uint32_t decimals = 0;
+    const char* end = nullptr;  ///< nothing where the number does not fit a word
+};
+
+/// At most nine digits, so that the mantissa fits 32 bits. The text ends with a byte that is no digit.
+Literal scan(const char* p) {
+    Literal n;
+    const bool negative = *p == '-';
+    if (negative || *p == '+') ++p;
+    std::uint32_t value = 0;
+    const char* begin = p;
+    for (; base::is_digit(*p); ++p) value = value * 10 + static_cast<std::uint32_t>(*p - '0');
+    auto digits = p - begin;
+    if (*p == '.' || *p == ',') {
+        const char* point = p++;
+        for (; base::is_digit(*p); ++p) value = value * 10 + static_cast<std::uint32_t>(*p - '0');
+        n.decimals = static_cast<std::uint32_t>(p - point - 1);
+        digits += p - point - 1;
+    }
+    if (digits == 0 || digits > 9) return n;
+    n.mantissa = negative ? -static_cast<std::int32_t>(value) : static_cast<std::int32_t>(value);
+    n.end = p;
+    return n;
+}
+
+bool ends_word(char c) { return base::is_blank(c) || c == '\n' || c == '\r' || c == '\0'; }
+
+Word make(Code code, std::uint32_t form, std::int32_t payload, const char* from, const char* to, const char* line) {
+    Word w;
+    w.code = static_cast<std::uint32_t>(code) & 0xFF;
+    w.form = form & 0xF;
+    w.offset = static_cast<std::uint32_t>(from - line) & 0xFFF;
+    w.length = static_cast<std::uint32_t>(to - from) & 0xFF;
+    w.payload = payload;
+    return w;
+}
+
+/// R0 or FMAX at `p`: the end of the word, else nothing.
+const char* fixed_word(const char* p, const char* text) {
+    for (; *text != '\0'; ++p, ++text)
+        if (*p != *text) return nullptr;
+    return ends_word(*p) ? p : nullptr;
+}
+
+}  // namespace
+
+bool read_literal_block(State& s) {
+    program::Unit& unit = s.build.unit();
+    const char* line = s.in.here();
+    const char* p = line;
+    if (!base::is_digit(*p)) return false;
+    while (base::is_digit(*p)) ++p;
+    while (base::is_blank(*p)) ++p;
+    if (*p != 'L' || !base::is_blank(p[1])) return false;
+    const std::size_t first = unit.words.size();
+    unit.words.push_back(
+        make(Code::modal, static_cast<std::uint32_t>(Form::index), program::modal_word(Modal::linear), p, p + 1, line));
+    const char* last = ++p;
+    const auto give_up = [&] {
+        unit.words.resize(first);
+        return false;
+    };
+    for (;;) {
+        while (base::is_blank(*p)) ++p;
+        if (*p == '\n' || *p == '\r' || *p == '\0') break;
+        if (p - line > 4000) return give_up();
+        if (const char* rapid = fixed_word(p, "FMAX")) {
+            unit.words[first].payload = program::modal_word(Modal::rapid);
+            last = p = rapid;
+            continue;
+        }
+        if (const char* off = fixed_word(p, "R0")) {
+            unit.words.push_back(make(Code::modal, static_cast<std::uint32_t>(Form::index),
+                                      program::modal_word(Modal::compensation_off), p, off, line));
+            last = p = off;
+            continue;
+        }
+        const Code code = letters[static_cast<unsigned char>(*p)];
+        if (code == Code::control) return give_up();
+        const Literal n = scan(p + 1);
+        if (n.end == nullptr || !ends_word(*n.end)) return give_up();
+        unit.words.push_back(make(code, n.decimals, n.mantissa, p, n.end, line));
+        last = p = n.end;
+    }
+    program::Statement statement;
+    statement.begin = s.in.at();
+    statement.first = static_cast<std::uint32_t>(first);
+    statement.length = static_cast<std::uint16_t>(last - line);
+    statement.flags = program::line_start;
+    unit.statements.push_back(statement);
+    s.last_path = static_cast<std::uint32_t>(unit.statements.size() - 1);
+    s.after_stop = false;
+    s.open_cycle = program::no_target;
+    s.in.step(static_cast<std::size_t>(p - line));
+    return true;
+}
+
+}  // namespace obrys::read::heidenhain

@@ -1,0 +1,236 @@
+/// Contour elements: L C CC CR CT LP CP CTP CHF RND, and axes alone (paraxial blocks).
+
+#include <array>
+#include <optional>
+
+#include "read/heidenhain/state.hpp"
+
+namespace obrys::read::heidenhain {
+
+namespace {
+
+std::optional<Code> axis_of(char c) {
+    const auto k = std::string_view("XYZABCUVW").find(base::upper(c));
+    if (k == std::string_view::npos) return std::nullopt;
+    return static_cast<Code>(static_cast<int>(Code::x) + static_cast<int>(k));
+}
+
+void angle_word(State& s, std::uint32_t begin, bool incremental, bool arc) {
+    // An arc's incremental angle says how far it sweeps, whole turns included; a line's where it ends.
+    value_word(s, incremental && arc ? Code::pole_angle : Code::polar_angle, begin, incremental && !arc);
+}
+
+void coordinate(State& s, bool arc) {
+    const std::uint32_t begin = s.in.at();
+    const bool incremental = base::upper(s.in.peek()) == 'I';
+    if (incremental) s.in.step();
+    const char c = base::upper(s.in.peek()), next = base::upper(s.in.peek(1));
+    if (c == 'P' && (next == 'A' || next == 'R')) {
+        s.in.step(2);
+        if (next == 'A') return angle_word(s, begin, incremental, arc);
+        return value_word(s, Code::polar_radius, begin, incremental);
+    }
+    if (const auto axis = axis_of(c)) {
+        s.in.step();
+        return value_word(s, *axis, begin, incremental);
+    }
+    fail_here(s, "an axis (X Y Z A B C U V W, PR, PA) is due behind I, found " + here(s));
+}
+
+void feed(State& s) {
+    const std::uint32_t begin = s.in.at();
+    s.in.step();
+    if (s.in.take_word("MAX")) return;  // the block's motion has it
+    if (s.in.take_word("AUTO")) return s.build.bare(Code::feed_auto, begin, s.in.at());
+    const char kind = base::upper(s.in.peek());
+    if (kind == 'U' || kind == 'Z') {
+        s.in.step();
+        return value_word(s, kind == 'U' ? Code::feed_per_rev : Code::feed_per_tooth, begin);
+    }
+    if (kind == 'T') {
+        s.in.step();
+        const Value v = read_value(s);
+        s.build.problem(Code::unsupported, begin, v.end, "a time instead of a feed");
+        return;
+    }
+    if (s.in.at_end() || base::is_blank(s.in.peek())) {
+        const Value v = read_value(s);
+        if (!v.found) return;  // the key was pressed and nothing entered
+        s.in.go_to(begin + 1);
+    }
+    value_word(s, Code::feed, begin);
+}
+
+/// R0 RL RR, R+ R-, and the radius of CR.
+void radius_word(State& s, bool circle_by_radius) {
+    const std::uint32_t begin = s.in.at();
+    s.in.step();
+    const char c = base::upper(s.in.peek());
+    if (c == 'L' || c == 'R') {
+        s.in.step();
+        return s.build.modal(c == 'L' ? Modal::compensation_left : Modal::compensation_right, begin, s.in.at());
+    }
+    const std::uint32_t behind = s.in.at();
+    const Value v = read_value(s);
+    if (v.found && v.is_literal() && v.literal.value == 0) return s.build.modal(Modal::compensation_off, begin, v.end);
+    s.in.go_to(behind);
+    if (v.found && circle_by_radius) return value_word(s, Code::radius, begin);
+    if (!v.found && (c == '+' || c == '-')) {
+        s.in.step();
+        return s.build.modal(c == '+' ? Modal::paraxial_longer : Modal::paraxial_shorter, begin, s.in.at());
+    }
+    if (!v.found && (base::is_blank(c) || c == '\0' || c == '\n' || c == '\r')) return;  // R alone: nothing is said
+    fail_here(s, "R0, RL, RR, R+ or R- is due here, found " + here(s));
+}
+
+bool sense(State& s) {
+    const std::uint32_t begin = s.in.at();
+    if (!s.in.take_prefix("DR")) return false;
+    const char c = s.in.peek();
+    if (c != '+' && c != '-') {
+        fail(s, begin, "DR needs the sense of rotation", "DR+ is counter-clockwise, DR- clockwise");
+        return true;
+    }
+    s.in.step();
+    s.build.modal(c == '+' ? Modal::arc_ccw : Modal::arc_cw, begin, s.in.at());
+    return true;
+}
+
+/// True where the block holds F MAX: its motion is rapid.
+bool has_rapid(State& s) {
+    const std::uint32_t from = s.in.at();
+    bool found = false;
+    while (!s.in.at_end() && !found) {
+        if (base::upper(s.in.peek()) == 'F') {
+            s.in.step();
+            found = s.in.take_word("MAX");
+        } else {
+            s.in.step();
+        }
+    }
+    s.in.go_to(from);
+    return found;
+}
+
+void straight(State& s) { s.build.modal(has_rapid(s) ? Modal::rapid : Modal::linear, s.block, s.in.at()); }
+
+/// CHF and RND belong to the corner behind the element before them: they become words of that element's block.
+void corner(State& s, bool chamfer, std::uint32_t begin) {
+    const bool joined = s.last_path != program::no_target && s.last_path + 1 == s.build.unit().statements.size();
+    if (!joined) {
+        s.build.statement(StatementKind::block, s.block);
+        fail(s, begin, "a chamfer or rounding needs a contour element directly before it");
+        return;
+    }
+    if (!chamfer) s.in.take('R');
+    value_word(s, chamfer ? Code::chamfer_leg : Code::round, begin);
+    s.in.skip_blanks();
+    const std::uint32_t word = s.in.at();
+    if (!s.failed && base::upper(s.in.peek()) == 'F') {
+        s.in.step();
+        value_word(s, Code::corner_feed, word);
+    }
+    if (!s.in.at_end()) fail_here(s, "only a feed may follow here, found " + here(s));
+    s.build.statement(StatementKind::block, s.block);  // the block itself, which counts as one
+}
+
+void pole(State& s) {
+    s.build.modal(Modal::pole_given, s.block, s.in.at());
+    read_words(s, false);
+}
+
+enum class Kind : std::uint8_t {
+    straight,
+    polar_straight,
+    about_pole,
+    by_radius,
+    tangential,
+    polar_arc,
+    polar_tangential,
+    pole,
+    chamfer,
+    rounding
+};
+struct Opener {
+    std::string_view word;
+    Kind kind;
+};
+constexpr std::array openers{
+    Opener{"L", Kind::straight},           Opener{"LP", Kind::polar_straight}, Opener{"C", Kind::about_pole},
+    Opener{"CR", Kind::by_radius},         Opener{"CT", Kind::tangential},     Opener{"CP", Kind::polar_arc},
+    Opener{"CTP", Kind::polar_tangential}, Opener{"CC", Kind::pole},           Opener{"CHF", Kind::chamfer},
+    Opener{"RND", Kind::rounding},
+};
+
+void read_element(State& s, Kind kind) {
+    const bool arc = kind != Kind::straight && kind != Kind::polar_straight;
+    s.build.statement(StatementKind::block, s.block);
+    if (!arc) straight(s);
+    if (kind == Kind::tangential || kind == Kind::polar_tangential)
+        s.build.modal(Modal::arc_tangent, s.block, s.in.at());
+    if (kind == Kind::about_pole || kind == Kind::polar_arc) {
+        s.build.modal(Modal::arc_same_sense, s.block, s.in.at());
+        s.build.bare(Code::centre_at_pole, s.block, s.in.at());
+    }
+    if (kind == Kind::by_radius) s.build.modal(Modal::arc_same_sense, s.block, s.in.at());
+    read_words(s, arc);
+}
+
+}  // namespace
+
+void read_words(State& s, bool arc) {
+    while (!s.failed && !s.in.at_end()) {
+        const char c = base::upper(s.in.peek()), next = base::upper(s.in.peek(1));
+        const std::uint32_t begin = s.in.at();
+        if (const auto axis = axis_of(c)) {
+            s.in.step();
+            value_word(s, *axis, begin);
+        } else if (c == 'I' || (c == 'P' && (next == 'A' || next == 'R'))) {
+            coordinate(s, arc);
+        } else if (c == 'F') {
+            feed(s);
+        } else if (c == 'R') {
+            radius_word(s, arc);
+        } else if (c == 'D' && arc) {
+            if (!sense(s)) fail_here(s, "DR+ or DR- is due here, found " + here(s));
+        } else if (c == 'M') {
+            s.in.step();
+            read_m(s, begin);
+        } else {
+            fail_here(s, "this is no word of a path block: " + here(s));
+        }
+    }
+}
+
+bool read_path_block(State& s, std::string_view word) {
+    for (const Opener& o : openers) {
+        if (!base::equals_ignoring_case(o.word, word)) continue;
+        const std::uint32_t begin = s.in.at();
+        const char next = s.in.peek(static_cast<std::ptrdiff_t>(word.size()));
+        if (o.kind == Kind::about_pole && (next == '+' || next == '-' || base::is_digit(next))) break;  // axis C alone
+        s.in.step(word.size());
+        if (o.kind == Kind::chamfer || o.kind == Kind::rounding) {
+            corner(s, o.kind == Kind::chamfer, begin);
+            return true;
+        }
+        if (o.kind == Kind::pole) {
+            s.build.statement(StatementKind::block, s.block);
+            pole(s);
+            return true;
+        }
+        read_element(s, o.kind);
+        s.last_path = static_cast<std::uint32_t>(s.build.unit().statements.size() - 1);
+        return true;
+    }
+    const char c = base::upper(s.in.peek());
+    if (word.empty() || (!axis_of(c) && c != 'I' && c != 'M' && c != 'F' && c != 'R')) return false;
+    s.build.statement(StatementKind::block, s.block);
+    if (c != 'M' && c != 'F') {
+        straight(s);
+        s.build.modal(Modal::paraxial, s.block, s.in.at());
+    }
+    read_words(s, false);
+    return true;
+}
+
+}  // namespace obrys::read::heidenhain

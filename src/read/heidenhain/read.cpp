@@ -1,0 +1,57 @@
+#include "read/heidenhain/read.hpp"
+
+#include <algorithm>
+
+#include "base/codes.hpp"
+#include "dialect/heidenhain/traits.hpp"
+#include "read/heidenhain/literal_block.hpp"
+#include "read/heidenhain/state.hpp"
+
+namespace obrys::read::heidenhain {
+
+namespace {
+
+/// Postprocessors and editors write headings in front of the program.
+void skip_preface(State& s, base::Diagnostics& diagnostics) {
+    const std::string_view text(s.in.here());
+    const std::size_t begin = base::to_upper(text.substr(0, 16384)).find("BEGIN PGM");
+    if (begin == std::string::npos) return;
+    std::size_t line = text.find_last_of('\n', begin);
+    line = line == std::string_view::npos ? 0 : line + 1;
+    if (base::trim(text.substr(0, line)).empty()) return;
+    base::Diagnostic d;
+    d.severity = base::Severity::note;
+    d.code = base::codes::no_effect;
+    d.where = s.build.span(0, static_cast<std::uint32_t>(line));
+    d.text = "the text in front of BEGIN PGM is left out";
+    diagnostics.add(std::move(d));
+    s.in.go_to(static_cast<std::uint32_t>(line));
+}
+
+}  // namespace
+
+program::Unit read(std::uint32_t file, const base::Sources& sources, program::Names& names,
+                   base::Diagnostics& diagnostics) {
+    const base::Source& source = sources[file];
+    program::Unit unit;
+    unit.name = program_name(source.name);
+    unit.file = file;
+    unit.end = static_cast<std::uint32_t>(source.text.size());
+    unit.traits = &dialect::heidenhain::traits;
+    const auto lines = static_cast<std::size_t>(std::count(source.text.begin(), source.text.end(), '\n')) + 1;
+    unit.statements.reserve(lines);
+    unit.words.reserve(lines * 4);
+    State s{.build = {unit, names, diagnostics, source.text}, .in = Scanner(source.text)};
+    skip_preface(s, diagnostics);
+    bool first = true;
+    while (s.in.next_line()) {
+        if (read_literal_block(s)) continue;
+        read_block(s);
+        if (first) s.first_numbered = s.numbered;
+        first = false;
+    }
+    resolve_labels(s);
+    return unit;
+}
+
+}  // namespace obrys::read::heidenhain

@@ -1,0 +1,28 @@
+#include "read/heidenhain/state.hpp"
+
+namespace obrys::read::heidenhain {
+
+void fail(State& s, std::uint32_t begin, std::string text, std::string remedy) {
+    if (s.failed) return;
+    s.failed = true;
+    if (s.build.unit().statements.empty()) s.build.statement(StatementKind::block, s.block);
+    s.build.fail(begin, s.in.at(), std::move(text), std::move(remedy));
+}
+
+std::string here(State& s) {
+    if (s.in.at_end()) return "end of block";
+    const std::uint32_t from = s.in.at();
+    const std::string token = base::as_utf8(s.in.token());
+    s.in.go_to(from);
+    return "'" + token + "'";
+}
+
+void fail_here(State& s, std::string text, std::string remedy) {
+    const bool end = s.in.at_end();
+    const std::uint32_t from = s.in.at();
+    if (!end) static_cast<void>(s.in.token());
+    if (!end && s.in.at() == from) s.in.step();  // a sign that ends every token
+    fail(s, from, std::move(text), std::move(remedy));
+}
+
+}  // namespace obrys::read::heidenhain

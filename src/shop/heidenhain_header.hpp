@@ -1,0 +1,34 @@
+#pragma once
+/// What stands above the rows of a HEIDENHAIN table. Private to shop.
+
+#include <string_view>
+
+#include "shop/heidenhain_table.hpp"
+
+namespace obrys::shop {
+
+struct TableLine {
+    std::string_view text;  ///< without its end
+    std::string_view end;
+    std::uint32_t at = 0;
+};
+
+/// The lines of a text, one after the other. A line ends with CR LF, LF or CR.
+class TableLines {
+public:
+    explicit TableLines(std::string_view text) : text_(text) {}
+
+    [[nodiscard]] bool done() const { return at_ >= text_.size(); }
+    [[nodiscard]] std::uint32_t at() const { return static_cast<std::uint32_t>(at_); }
+    [[nodiscard]] TableLine peek() const;
+    TableLine take();
+
+private:
+    std::string_view text_;
+    std::size_t at_ = 0;
+};
+
+/// Takes the lines up to the column names and fills in name, extension, unit and columns.
+void read_table_head(TableLines& lines, HeidenhainTable& table, base::Diagnostics& diagnostics);
+
+}  // namespace obrys::shop
