@@ -72,7 +72,7 @@ void complain_of_room(Course& c, const Region& region, const AreaOptions& o, boo
         if (!geom::offset(part, -o.radius - o.side).empty()) continue;
         const std::string text = "tool radius too large: a tool of radius " + base::shortest(o.radius) +
                                  (o.side != 0 ? " with an allowance of " + base::shortest(o.side) : "") +
-                                 " does not fit at " + place_text(place_of(part));
+                                 " does not fit at " + place_text(placed(place_of(part), o.where));
         if (nowhere) return c.fault(text, "use a smaller tool");
         c.remark(Role::radius, text + ": nothing is machined there");
     }
@@ -94,7 +94,9 @@ AreaPaths area_paths(Course& c, const Region& region, const AreaOptions& o) {
             return {};
     }
     complain_of_room(c, region, o, false);
-    return {geom::clearing_tours(clearing, !o.climb), clearing.room};
+    AreaPaths out{{}, placed(clearing.room, o.where)};
+    for (const Contour& tour : geom::clearing_tours(clearing, !o.climb)) out.tours.push_back(placed(tour, o.where));
+    return out;
 }
 
 void follow(Course& c, const Contour& chain, double w, double feed) {

@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "cycles/course.hpp"
+#include "cycles/shapes.hpp"
 #include "geom/region.hpp"
 
 namespace obrys::cycles {
@@ -51,7 +52,8 @@ struct AreaPaths {
 };
 struct AreaOptions {
     double radius = 0, side = 0, stepover = 0, rounding = 0;
-    bool climb = true;  ///< with the spindle turning clockwise
+    bool climb = true;     ///< with the spindle turning clockwise
+    Placement where = {};  ///< of the region; the paths are placed
 };
 [[nodiscard]] AreaPaths area_paths(Course& course, const geom::Region& region, const AreaOptions& options);
 
@@ -80,6 +82,7 @@ struct WallOptions {
     double arc = 0;           ///< radius at most
     bool semicircle = false;  ///< half circles instead of quarters
     bool climb = true;
+    Placement where = {};  ///< of the room; the walls are placed
 };
 /// One for each contour of the room (which lies left of it).
 [[nodiscard]] std::vector<Wall> walls_of(const geom::Region& room, const WallOptions& options);

@@ -44,7 +44,7 @@ void rectangular(Course& c, const Situation& s) {
     if (!c.ready()) return;
     c.assume(rings);
     const Vec2 centre = centre_from_corner(p.position, length, width);
-    mill_pocket(c, p, {{{figure_at(p, rectangle(length, width, corner), centre)}}, point_at(p, centre), true, {}});
+    mill_pocket(c, p, {{{geom::moved(rectangle(length, width, corner), centre)}}, {p.rotation, p.called}, centre});
 }
 
 void circular(Course& c, const Situation& s) {
@@ -52,7 +52,7 @@ void circular(Course& c, const Situation& s) {
     const double diameter = c.positive(Role::diameter);
     if (!c.ready()) return;
     c.assume(rings);
-    mill_pocket(c, p, {{{figure_at(p, disc(diameter / 2), {})}}, p.called, true, {}});
+    mill_pocket(c, p, {{{disc(diameter / 2)}}, {0, p.called}, {}});
 }
 
 /// Old forms: the tool stands above the centre at the set-up clearance, to which it returns; depths and clearances may
@@ -66,8 +66,8 @@ PocketData read_simple(Course& c, const Situation& s) {
     p.radius = milling_radius(c, s);
     p.infeed = std::abs(c.need(Role::infeed));
     if (p.infeed == 0) c.fault(Role::infeed, "the plunging depth must not be 0");
-    p.plunge = c.feed_or_programmed(Role::feed_plunge, s.feed);
-    p.mill = c.feed_or_programmed(Role::feed_mill, s.feed);
+    p.plunge = c.feed(Role::feed_plunge);
+    p.mill = c.feed(Role::feed_mill);
     p.climb = c.maybe(Role::direction, 1) >= 0;
     p.stepover = p.radius;
     p.operation = 1;
@@ -89,14 +89,14 @@ void rectangular_simple(Course& c, const Demand& d, const Situation& s) {
     if (length == 0 || width == 0) c.fault("the sides of the pocket must not be 0");
     const double corner = read_corner(c, length, width);
     if (!c.ready()) return;
-    mill_pocket(c, p, {{{figure_at(p, rectangle(length, width, corner), {})}}, p.called, true, {}});
+    mill_pocket(c, p, {{{rectangle(length, width, corner)}}, {0, p.called}, {}});
 }
 
 void circular_simple(Course& c, const Situation& s) {
     const PocketData p = read_simple(c, s);
     const double radius = c.positive(Role::radius);
     if (!c.ready()) return;
-    mill_pocket(c, p, {{{figure_at(p, disc(radius), {})}}, p.called, true, {}});
+    mill_pocket(c, p, {{{disc(radius)}}, {0, p.called}, {}});
 }
 
 }  // namespace

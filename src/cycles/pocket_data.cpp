@@ -65,15 +65,6 @@ PocketData read_pocket(Course& c, const Situation& s, bool with_overlap) {
     return p;
 }
 
-Vec2 point_at(const PocketData& p, Vec2 v) {
-    const double cosine = std::cos(p.rotation), sine = std::sin(p.rotation);
-    return p.called + Vec2{cosine * v.x - sine * v.y, sine * v.x + cosine * v.y};
-}
-
-Contour figure_at(const PocketData& p, const Contour& figure, Vec2 centre) {
-    return placed(geom::moved(figure, centre), p.rotation, p.called);
-}
-
 namespace {
 
 Cuts cuts_of(const PocketData& p, bool convex) {
@@ -88,11 +79,12 @@ Cuts cuts_of(const PocketData& p, bool convex) {
 
 AreaPaths paths_of(Course& c, const PocketData& p, const Figure& f, double side) {
     if (!f.middle.vertices.empty() && geom::offset(f.region, -p.radius - side - no_room).empty())
-        return {{f.middle}, {}};
-    AreaPaths paths =
-        area_paths(c, f.region, {.radius = p.radius, .side = side, .stepover = p.stepover, .climb = p.climb});
+        return {{placed(f.middle, f.where)}, {}};
+    AreaPaths paths = area_paths(
+        c, f.region, {.radius = p.radius, .side = side, .stepover = p.stepover, .climb = p.climb, .where = f.where});
     if (f.convex)
-        for (Contour& tour : paths.tours) tour.vertices.insert(tour.vertices.begin(), geom::Vertex{f.start});
+        for (Contour& tour : paths.tours)
+            tour.vertices.insert(tour.vertices.begin(), geom::Vertex{placed(f.start, f.where)});
     return paths;
 }
 
@@ -109,9 +101,9 @@ void finish(Course& c, const PocketData& p, const Figure& f) {
         cuts.levels =
             even_levels(c, p.h.surface, p.h.bottom, p.finish_infeed > 0 ? p.finish_infeed : p.h.surface - p.h.bottom);
         const geom::Region room = geom::offset(f.region, -p.radius);
-        if (room.empty()) complain_of_room(c, f.region, {.radius = p.radius}, true);
+        if (room.empty()) complain_of_room(c, f.region, {.radius = p.radius, .where = f.where}, true);
         if (!c.ready()) return;
-        mill_walls(c, walls_of(room, {.arc = p.radius, .climb = p.climb}), cuts, p.plunge, p.finish);
+        mill_walls(c, walls_of(room, {.arc = p.radius, .climb = p.climb, .where = f.where}), cuts, p.plunge, p.finish);
     }
     if (p.floor > 0) {
         Cuts cuts = cuts_of(p, f.convex);
@@ -128,7 +120,7 @@ void finish(Course& c, const PocketData& p, const Figure& f) {
 void mill_pocket(Course& c, const PocketData& p, const Figure& f) {
     if (p.h.bottom + p.floor > p.h.surface)
         c.fault(Role::allowance_floor, "the finishing allowance for floor is larger than the depth");
-    check_size(c, f.region);
+    check_size(c, placed(f.region, f.where));
     if (!c.ready()) return;
     c.rapid_w(std::max(c.at().z, p.h.clearance));
     if (p.operation != 2) rough(c, p, f);

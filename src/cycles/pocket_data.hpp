@@ -26,16 +26,13 @@ struct PocketData {
 /// `with_overlap`: the cycle has a path overlap factor; without, the stepover is one tool radius.
 [[nodiscard]] PocketData read_pocket(Course& course, const Situation& situation, bool with_overlap);
 
-/// The figure at its place: turned by the rotation about the called position; `centre`: of the figure, before turning
-/// and from there.
-[[nodiscard]] geom::Contour figure_at(const PocketData& p, const geom::Contour& figure, geom::Vec2 centre);
-[[nodiscard]] geom::Vec2 point_at(const PocketData& p, geom::Vec2 from_called);
-
+/// A figure in coordinates of its own.
 struct Figure {
     geom::Region region;
+    Placement where;
     geom::Vec2 start;  ///< where the tool goes down when it roughs; used where `convex`
     bool convex = true;
-    geom::Contour middle;  ///< of a slot: the path of a tool as wide as the slot; empty otherwise
+    geom::Contour middle = {};  ///< of a slot: the path of a tool as wide as the slot; empty otherwise
 };
 /// Roughing from the inside outwards and finishing, walls first, then the floor, as the operation says.
 void mill_pocket(Course& course, const PocketData& p, const Figure& figure);

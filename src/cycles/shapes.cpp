@@ -53,10 +53,20 @@ Region round_slot(double radius, double width, double from, double sweep) {
     return geom::positive({c});  // its ends may overlap
 }
 
-Contour placed(const Contour& c, double angle, Vec2 at) {
-    const double cosine = std::cos(angle), sine = std::sin(angle);
+Vec2 placed(Vec2 p, const Placement& where) {
+    const double c = std::cos(where.angle), s = std::sin(where.angle);
+    return where.at + Vec2{c * p.x - s * p.y, s * p.x + c * p.y};
+}
+
+Contour placed(const Contour& c, const Placement& where) {
     Contour out = c;
-    for (geom::Vertex& v : out.vertices) v.p = at + Vec2{cosine * v.p.x - sine * v.p.y, sine * v.p.x + cosine * v.p.y};
+    for (geom::Vertex& v : out.vertices) v.p = placed(v.p, where);
+    return out;
+}
+
+Region placed(const Region& r, const Placement& where) {
+    Region out;
+    for (const Contour& c : r.contours) out.contours.push_back(placed(c, where));
     return out;
 }
 

@@ -17,8 +17,18 @@ namespace obrys::cycles {
 /// About the origin: all points within width / 2 of an arc of `radius` from the angle `from` over `sweep` radians
 /// (either way round; a full turn and more gives the ring).
 [[nodiscard]] geom::Region round_slot(double radius, double width, double from, double sweep);
-/// Turned about the origin, then shifted.
-[[nodiscard]] geom::Contour placed(const geom::Contour& c, double angle, geom::Vec2 at);
+/// Where a figure stands: turned about its origin, then shifted. Paths are computed about the origin and placed last,
+/// so that the same figure is milled alike everywhere.
+struct Placement {
+    double angle = 0;  ///< radians
+    geom::Vec2 at;
+};
+[[nodiscard]] geom::Vec2 placed(geom::Vec2 p, const Placement& where);
+[[nodiscard]] geom::Contour placed(const geom::Contour& c, const Placement& where);
+[[nodiscard]] geom::Region placed(const geom::Region& r, const Placement& where);
+[[nodiscard]] inline geom::Contour placed(const geom::Contour& c, double angle, geom::Vec2 at) {
+    return placed(c, Placement{angle, at});
+}
 
 enum class Subcontour : std::uint8_t { pocket, island };
 

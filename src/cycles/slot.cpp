@@ -39,29 +39,27 @@ void straight_slot(Course& c, const Situation& s) {
     if (!c.ready()) return;
     c.assume(slot_rings);
     const double u = centre_along(p.position, length, width), half = (length - width) / 2;
-    const Vec2 left = point_at(p, {u - half, 0}), right = point_at(p, {u + half, 0});
-    const Contour middle{{{left}, {right}}, false};
-    mill_pocket(c, p, {{{figure_at(p, long_slot(length, width), {u, 0})}}, left, true, middle});
+    const Vec2 left{u - half, 0}, right{u + half, 0};
+    mill_pocket(c, p,
+                {{{geom::moved(long_slot(length, width), {u, 0})}},
+                 {p.rotation, p.called},
+                 left,
+                 true,
+                 {{{left}, {right}}, false}});
 }
 
-/// A slot along an arc: about `centre`, from one end of its middle line over `sweep`.
+/// A slot along an arc about its origin, from one end of its middle line on the u axis over `sweep`.
 struct RoundSlot {
     Vec2 centre;
     double radius = 0, width = 0, from = 0, sweep = 0;
 
-    [[nodiscard]] Vec2 end(double part) const {
-        const double w = from + part * sweep;
-        return centre + radius * Vec2{std::cos(w), std::sin(w)};
-    }
     [[nodiscard]] Contour middle() const {
+        const auto at = [&](double w) { return Vec2{radius * std::cos(w), radius * std::sin(w)}; };
         const double bulge = std::tan(sweep / 8);
-        return {{{end(0), bulge}, {end(0.5), bulge}, {end(1)}}, false};
+        return {{{at(0), bulge}, {at(sweep / 2), bulge}, {at(sweep)}}, false};
     }
-    [[nodiscard]] geom::Region region() const {
-        geom::Region r = round_slot(radius, width, from, sweep);
-        for (Contour& c : r.contours) c = geom::moved(c, centre);
-        return r;
-    }
+    [[nodiscard]] geom::Region region() const { return round_slot(radius, width, 0, sweep); }
+    [[nodiscard]] Placement where(double more = 0) const { return {from + more, centre}; }
 };
 
 RoundSlot read_round(Course& c) {
@@ -96,11 +94,8 @@ void bent_slot(Course& c, const Situation& s) {
     if (!c.ready()) return;
     c.assume(slot_rings);
     p.position = 1;  // it does not return to the called position
-    const double first = r.from;
-    for (int i = 0; i < static_cast<int>(count) && c.ready() && c.room(); ++i) {
-        r.from = first + i * step;
-        mill_pocket(c, p, {r.region(), r.end(0), false, r.middle()});
-    }
+    for (int i = 0; i < static_cast<int>(count) && c.ready() && c.room(); ++i)
+        mill_pocket(c, p, {r.region(), r.where(i * step), {}, false, r.middle()});
 }
 
 /// Old forms: to and fro along the middle line, deeper with every pass; then the wall.
@@ -142,9 +137,11 @@ Contour half_of(const Contour& chain) {
     return out;
 }
 
-void reciprocate(Course& c, const Reciprocation& r, const Contour& middle, const geom::Region& slot) {
+void reciprocate(Course& c, const Reciprocation& r, const Contour& figure_middle, const geom::Region& slot,
+                 const Placement& where) {
+    const Contour middle = placed(figure_middle, where);
     c.assume("the reciprocating plunge takes the infeed on the way from one end to the other");
-    check_size(c, slot);
+    check_size(c, placed(slot, where));
     if (!c.ready()) return;
     c.rapid_w(std::max(c.at().z, r.h.end));
     if (r.operation != 2) {
@@ -184,7 +181,7 @@ void reciprocate(Course& c, const Reciprocation& r, const Contour& middle, const
         const double whole = r.h.surface - r.h.bottom;
         cuts.levels = even_levels(c, r.h.surface, r.h.bottom, r.finish_infeed > 0 ? r.finish_infeed : whole);
         if (!c.ready()) return;
-        mill_walls(c, walls_of(room, {.arc = r.radius, .semicircle = true}), cuts, r.plunge, r.mill);
+        mill_walls(c, walls_of(room, {.arc = r.radius, .semicircle = true, .where = where}), cuts, r.plunge, r.mill);
     }
     c.rapid_w(r.h.end);
 }
@@ -197,8 +194,7 @@ void slot_reciprocating(Course& c, const Situation& s) {
     if (width > length) c.fault(Role::width, "the slot is wider than long");
     if (!c.ready()) return;
     const double half = (length - width) / 2;
-    const Contour middle = placed({{{{-half, 0}}, {{half, 0}}}, false}, angle, centre);
-    reciprocate(c, r, middle, {{placed(long_slot(length, width), angle, centre)}});
+    reciprocate(c, r, {{{{-half, 0}}, {{half, 0}}}, false}, {{long_slot(length, width)}}, {angle, centre});
 }
 
 void round_slot_reciprocating(Course& c, const Situation& s) {
@@ -206,7 +202,7 @@ void round_slot_reciprocating(Course& c, const Situation& s) {
     slot.centre = {c.need(Role::centre_u), c.need(Role::centre_v)};
     const Reciprocation r = read_reciprocation(c, s, slot.width);
     if (!c.ready()) return;
-    reciprocate(c, r, slot.middle(), slot.region());
+    reciprocate(c, r, slot.middle(), slot.region(), slot.where());
 }
 
 }  // namespace

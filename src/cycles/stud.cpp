@@ -27,8 +27,9 @@ constexpr std::string_view beside =
 
 /// Around the stud, from the blank inwards; `farthest`: how far the blank reaches beyond the stud.
 void mill_stud(Course& c, const PocketData& p, const Region& stud, double farthest) {
+    const Placement where{p.rotation, p.called};
     const double passes = std::max(1.0, std::ceil((farthest - p.side) / p.stepover - 1e-9));
-    check_size(c, stud);
+    check_size(c, placed(stud, where));
     if (passes > most_passes) c.fault(Role::overlap, "the stepover is too small for the blank");
     if (!c.ready()) return;
     const std::vector<double> levels = even_levels(c, p.h.surface, p.h.bottom, p.infeed);
@@ -44,7 +45,8 @@ void mill_stud(Course& c, const PocketData& p, const Region& stud, double farthe
                         .retract = inf};
         for (double i = passes - 1; i >= 0 && c.room(); --i) {
             const Region path = geom::offset(stud, p.radius + p.side + i * p.stepover);
-            mill_walls(c, walls_around(path, {.arc = p.radius, .climb = p.climb}), cuts, p.plunge, p.mill);
+            mill_walls(c, walls_around(path, {.arc = p.radius, .climb = p.climb, .where = where}), cuts, p.plunge,
+                       p.mill);
         }
         above = level;
     }
@@ -71,7 +73,7 @@ void rectangular_stud(Course& c, const Situation& s) {
     c.assume(beside);
     const double u = length / 2, v = width / 2;
     const Vec2 centres[] = {{0, 0}, {u, v}, {-u, v}, {-u, -v}, {u, -v}};
-    const Region stud{{figure_at(p, rectangle(length, width, std::min(corner, std::min(u, v))), centres[p.position])}};
+    const Region stud{{geom::moved(rectangle(length, width, std::min(corner, std::min(u, v))), centres[p.position])}};
     mill_stud(c, p, stud, beyond(length, width, corner, blank_length, blank_width));
 }
 
@@ -80,7 +82,7 @@ void circular_stud(Course& c, const Situation& s) {
     const double diameter = c.positive(Role::diameter), blank = c.at_least(Role::blank_diameter, diameter);
     if (!c.ready()) return;
     c.assume(beside);
-    mill_stud(c, p, {{figure_at(p, disc(diameter / 2), {})}}, (blank - diameter) / 2);
+    mill_stud(c, p, {{disc(diameter / 2)}}, (blank - diameter) / 2);
 }
 
 /// 212 to 215: one run along the wall on every level. The figure stands about the centre that the cycle names.
@@ -103,8 +105,9 @@ Finishing read_finishing(Course& c, const Situation& s) {
 }
 
 void run_along(Course& c, const Finishing& f, const Contour& figure, bool outside) {
-    const Region region{{geom::moved(figure, f.centre)}};
-    check_size(c, region);
+    const Placement where{0, f.centre};
+    const Region region{{figure}};
+    check_size(c, placed(region, where));
     if (!c.ready()) return;
     const Region path = geom::offset(region, outside ? f.radius : -f.radius);
     if (path.empty())
@@ -114,7 +117,7 @@ void run_along(Course& c, const Finishing& f, const Contour& figure, bool outsid
     cuts.levels = even_levels(c, f.h.surface, f.h.bottom, f.infeed);
     if (!c.ready()) return;
     c.assume(beside);
-    const WallOptions o{.arc = f.radius};
+    const WallOptions o{.arc = f.radius, .where = where};
     c.rapid_w(std::max(c.at().z, f.h.end));
     if (!outside) c.rapid({f.centre.x, f.centre.y, c.at().z});
     mill_walls(c, outside ? walls_around(path, o) : walls_of(path, o), cuts, f.plunge, f.mill);

@@ -60,11 +60,23 @@ Wall wall_of(const std::vector<Edge>& chain, const Region& room, double into, co
 
 }  // namespace
 
+namespace {
+
+Wall placed_wall(Wall w, const Placement& where) {
+    w.run = placed(w.run, where);
+    w.from = placed(w.from, where);
+    w.to = placed(w.to, where);
+    w.centre = placed(w.centre, where);
+    return w;
+}
+
+}  // namespace
+
 std::vector<Wall> walls_of(const Region& room, const WallOptions& o) {
     std::vector<Wall> out;
     for (const Contour& c : room.contours) {
         const std::vector<Edge> chain = geom::edges(o.climb ? c : geom::reversed(c));
-        if (!chain.empty()) out.push_back(wall_of(chain, room, o.climb ? 1 : -1, o));
+        if (!chain.empty()) out.push_back(placed_wall(wall_of(chain, room, o.climb ? 1 : -1, o), o.where));
     }
     return out;
 }
@@ -83,7 +95,7 @@ std::vector<Wall> walls_around(const Region& stud, const WallOptions& o) {
     for (std::size_t i = 1; i < outside.contours.size(); ++i) {
         const Contour& c = outside.contours[i];
         const std::vector<Edge> chain = geom::edges(o.climb ? c : geom::reversed(c));
-        if (!chain.empty()) out.push_back(wall_of(chain, outside, o.climb ? 1 : -1, o));
+        if (!chain.empty()) out.push_back(placed_wall(wall_of(chain, outside, o.climb ? 1 : -1, o), o.where));
     }
     return out;
 }

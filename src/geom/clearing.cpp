@@ -93,7 +93,11 @@ private:
     struct Pair {
         double at_least = 0;
         std::size_t a = 0, b = 0, gap = unknown;
-        bool operator>(const Pair& o) const { return at_least > o.at_least; }
+        /// Equal but for rounding: in the order of the rings.
+        bool operator>(const Pair& o) const {
+            const double mine = std::round(at_least * 1e7), other = std::round(o.at_least * 1e7);
+            return mine != other ? mine > other : a != o.a ? a > o.a : b > o.b;
+        }
     };
     /// A connected part of a level, and its rings.
     struct Part {
