@@ -258,5 +258,36 @@ TEST(RoughOutRandom, NoGougeAllCovered) {
     EXPECT_GT(milled, many / 3);
 }
 
+TEST(Contours, NonsenseIsBounded) {
+    constexpr double inf = std::numeric_limits<double>::infinity();
+    const double nasty[] = {0, -1, 1, 1e-12, -1e-12, 1e-3, 5, -20, 360, 1e6, -1e6, 1e300, inf, -inf, unknown, 0.1, 3};
+    const Kind kinds[] = {Kind::rough_out, Kind::pilot_drill, Kind::floor_finish, Kind::side_finish,
+                          Kind::contour_train};
+    const Contour path{{{{0, 0}}, {{40, 0}, 0.3}, {{40, 30}}}, false};
+    for (unsigned number = 0; number < 3000 && !HasFailure(); ++number) {
+        SCOPED_TRACE(number);
+        Random random(number);
+        Demand d = demand(random.one_of(kinds));
+        for (int k = random.below(4); k >= 0; --k) {
+            const auto role = d.values[static_cast<std::size_t>(random.below(static_cast<int>(d.values.size())))].role;
+            d = with(d, role, random.one_of(nasty));
+        }
+        Situation s = mill(random.below(4) ? 5 : random.one_of(nasty));
+        if (random.below(4) == 0) s.tool_plunge_angle = random.one_of(nasty);
+        if (random.below(4) == 0) s.tool_cutting_length = random.one_of(nasty);
+        ContourTask task{.area = plate(), .train = {path, random.below(3) - 1}, .other_radius = 6};
+        if (random.below(4) == 0) task.other_radius = random.one_of(nasty);
+        if (random.below(8) == 0) task.area.contours[0].vertices[0].p.x = random.one_of(nasty);
+        if (random.below(8) == 0) task.train.contour.vertices[1].bulge = random.one_of(nasty);
+        const Expansion e = expand_contour(d, s, task);
+        EXPECT_LE(e.steps.size(), most_steps);
+        EXPECT_TRUE(e.ok() || e.steps.empty());
+        EXPECT_TRUE(e.ok() || !e.complaints.empty());
+        for (const Move& m : moves_of(e, start))
+            for (const Vec2 p : m.samples) EXPECT_TRUE(std::isfinite(p.x + p.y + m.to));
+    }
+    EXPECT_FALSE(expand_contour(demand(Kind::drill), mill(5), {}).simulated);
+}
+
 }  // namespace
 }  // namespace obrys::cycles

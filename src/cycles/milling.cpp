@@ -27,10 +27,16 @@ double milling_radius(Course& c, const Situation& s) {
 
 void check_size(Course& c, const Region& region) {
     constexpr double farthest = 1e6;  // the 2D kernel's snap needs the digits
-    for (const Contour& k : region.contours)
-        for (const geom::Vertex& v : k.vertices)
-            if (!(std::abs(v.p.x) <= farthest && std::abs(v.p.y) <= farthest && std::isfinite(v.bulge)))
-                return c.fault("the contour lies out of range");
+    const auto near = [](Vec2 p) { return std::abs(p.x) <= farthest && std::abs(p.y) <= farthest; };
+    for (const Contour& k : region.contours) {
+        bool good = true;
+        for (const geom::Vertex& v : k.vertices) good = good && near(v.p) && std::abs(v.bulge) <= 1e5;
+        for (const Edge& e : geom::edges(k)) {
+            const geom::Box b = geom::box(e);
+            good = good && near(b.lo) && near(b.hi);
+        }
+        if (!good) return c.fault("the contour lies out of range");
+    }
 }
 
 void set_angle(Course& c, const Situation& s, Descent& d) {
@@ -99,13 +105,17 @@ AreaPaths area_paths(Course& c, const Region& region, const AreaOptions& o) {
     return out;
 }
 
+void run_edge(Course& c, const Edge& e, double w, double feed) {
+    if (std::abs(geom::sagitta(e)) > 1e-7)
+        c.arc(geom::circle(e).centre, geom::sweep_angle(e), w, feed);
+    else
+        c.move({e.b.x, e.b.y, w}, feed);
+}
+
 void follow(Course& c, const Contour& chain, double w, double feed) {
     for (const Edge& e : geom::edges(chain)) {
         if (!c.room()) return;
-        if (geom::is_arc(e))
-            c.arc(geom::circle(e).centre, geom::sweep_angle(e), w, feed);
-        else
-            c.move({e.b.x, e.b.y, w}, feed);
+        run_edge(c, e, w, feed);
     }
 }
 
@@ -147,11 +157,7 @@ void along_down(Course& c, const std::vector<Edge>& stretch, double length, doub
     double done = 0;
     for (const Edge& e : stretch) {
         done += geom::length(e);
-        const double w = &e == &stretch.back() ? to : from + (to - from) * done / length;
-        if (geom::is_arc(e))
-            c.arc(geom::circle(e).centre, geom::sweep_angle(e), w, feed);
-        else
-            c.move({e.b.x, e.b.y, w}, feed);
+        run_edge(c, e, &e == &stretch.back() ? to : from + (to - from) * done / length, feed);
     }
 }
 

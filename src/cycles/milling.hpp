@@ -60,6 +60,9 @@ struct AreaOptions {
 /// Complains of parts of the region in which the tool finds no room; `nowhere`: in none, which is fatal.
 void complain_of_room(Course& course, const geom::Region& region, const AreaOptions& options, bool nowhere);
 
+/// Along an edge that starts where the tool stands, to height `w`; an arc that leaves its chord by less than 1e-7 mm is
+/// run as a line.
+void run_edge(Course& course, const geom::Edge& e, double w, double feed);
 /// Along a chain that starts where the tool stands, at height `w`.
 void follow(Course& course, const geom::Contour& chain, double w, double feed);
 /// Down from where the tool stands, the start of the chain. A helix within the room; where there is none, along the

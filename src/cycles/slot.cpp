@@ -158,10 +158,7 @@ void reciprocate(Course& c, const Reciprocation& r, const Contour& figure_middle
             const double from = c.at().z;
             for (std::size_t i = 0; i < way.size(); ++i) {
                 const double w = from + (level - from) * static_cast<double>(i + 1) / static_cast<double>(way.size());
-                if (geom::is_arc(way[i]))
-                    c.arc(geom::circle(way[i]).centre, geom::sweep_angle(way[i]), w, r.mill);
-                else
-                    c.move({way[i].b.x, way[i].b.y, w}, r.mill);
+                run_edge(c, way[i], w, r.mill);
             }
             there = !there;
         }
