@@ -76,9 +76,8 @@ public:
         out_.room = level;
         std::vector<Part> here = parts(level, 0);
         for (std::uint32_t k = 0; !here.empty(); ++k) {
-            // Rounded levels each from the one before, so that they lie in each other.
-            level = o_.rounding > 0 ? rounded(offset(level, -o_.stepover), o_.rounding)
-                                    : offset(r, -first - (k + 1) * o_.stepover);
+            // Each level from the one before: it has fewer edges than the contour, and levels lie in each other.
+            level = rounded(offset(level, -o_.stepover), o_.rounding);
             std::vector<Part> there = parts(level, k + 1);
             for (const Part& p : here) connect(p, there, k);
             if (out_.rings.size() > o_.most) return failed(ClearingFault::too_many);
