@@ -197,4 +197,30 @@ const CycleParameter* find_iso_parameter(const Cycle& cycle, int p) {
     return nullptr;
 }
 
+const CycleParameter* find_iso_parameter(const Cycle& cycle, std::string_view word) {
+    using Role = program::CycleRole;
+    struct Letter {
+        int cycle;
+        std::string_view word;
+        Role role;
+    };
+    static constexpr Letter letters[] = {{9, "F", Role::dwell},
+                                         {10, "H", Role::angle},
+                                         {11, "F", Role::factor},
+                                         {13, "S", Role::spindle_angle},
+                                         {19, "F", Role::feed_position},
+                                         {19, "S", Role::setup_distance},
+                                         {32, "T", Role::tolerance},
+                                         {32, "P01", Role::tolerance_mode},
+                                         {32, "P02", Role::tolerance_angle}};
+    for (const Letter& l : letters)
+        if (l.cycle == cycle.number && l.word == word)
+            for (const CycleParameter& p : cycle.parameters)
+                if (p.role == l.role) return &p;
+    const bool by_letter =
+        std::any_of(std::begin(letters), std::end(letters), [&](const Letter& l) { return l.cycle == cycle.number; });
+    if (by_letter || word.size() != 3 || word[0] != 'P') return nullptr;
+    return find_iso_parameter(cycle, (word[1] - '0') * 10 + (word[2] - '0'));
+}
+
 }  // namespace obrys::dialect::heidenhain

@@ -64,5 +64,8 @@ struct IsoCycle {
 /// Numbered form in DIN/ISO: parameter P01 is the first value, and so on. Of a side (P05 X+80) the entry of its axis X;
 /// its line and the axis written give the right one. The direction is none of them.
 [[nodiscard]] const CycleParameter* find_iso_parameter(const Cycle& cycle, int p);
+/// As above by the word, a letter or P and two digits: F of G04 and G72, S of G36, H of G73, T of G62, F and S of G80
+/// (iTNC 530 User's Manual DIN/ISO Programming, list of addresses). Axes are in find_parameter.
+[[nodiscard]] const CycleParameter* find_iso_parameter(const Cycle& cycle, std::string_view word);
 
 }  // namespace obrys::dialect::heidenhain

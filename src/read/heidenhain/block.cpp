@@ -70,27 +70,7 @@ void read_stop(State& s) {
     s.in.step(4);
     const std::size_t words = s.build.unit().words.size();
     if (!s.in.at_end()) read_words(s, false);
-    bool stops = false;
-    for (std::size_t i = words; i < s.build.unit().words.size(); ++i) {
-        const program::Word& w = s.build.unit().words[i];
-        stops = stops || (program::code_of(w) == Code::m && program::is_literal(w) &&
-                          (w.payload == 0 || w.payload == 2 || w.payload == 30));
-    }
-    if (!stops) s.build.literal(Code::m, 0, begin, begin + 4);
-    s.after_stop = true;
-}
-
-/// A comment behind STOP is shown to the operator; any other is none of the run's business.
-void read_comment(State& s, bool after_stop) {
-    const std::string text = base::as_utf8(s.in.comment());
-    const std::uint32_t begin = s.in.at();
-    s.in.skip_comment();
-    if (!after_stop || text.empty()) return;
-    program::ProcedureCall call;
-    call.arguments = {s.build.text(text, begin, s.in.at())};
-    call.where = s.build.span(begin, s.in.at());
-    s.build.unit().procedures.push_back(std::move(call));
-    s.build.control(StatementKind::procedure, s.build.unit().procedures.size() - 1, s.block, s.in.at());
+    stop_here(s, words, begin, begin + 4);
 }
 
 /// Words that open a block and are known without being run; `what` says what they do.
@@ -143,7 +123,28 @@ bool read_structure(State& s, std::string_view word) {
 
 }  // namespace
 
-bool read_cycle_line(State& s);
+void stop_here(State& s, std::size_t words, std::uint32_t begin, std::uint32_t end) {
+    bool stops = false;
+    for (std::size_t i = words; i < s.build.unit().words.size(); ++i) {
+        const program::Word& w = s.build.unit().words[i];
+        stops = stops || (program::code_of(w) == Code::m && program::is_literal(w) &&
+                          (w.payload == 0 || w.payload == 2 || w.payload == 30));
+    }
+    if (!stops) s.build.literal(Code::m, 0, begin, end);
+    s.after_stop = true;
+}
+
+void read_comment(State& s, bool after_stop) {
+    const std::string text = base::as_utf8(s.in.comment());
+    const std::uint32_t begin = s.in.at();
+    s.in.skip_comment();
+    if (!after_stop || text.empty()) return;
+    program::ProcedureCall call;
+    call.arguments = {s.build.text(text, begin, s.in.at())};
+    call.where = s.build.span(begin, s.in.at());
+    s.build.unit().procedures.push_back(std::move(call));
+    s.build.control(StatementKind::procedure, s.build.unit().procedures.size() - 1, s.block, s.in.at());
+}
 
 void read_block(State& s) {
     s.block = s.in.at();
