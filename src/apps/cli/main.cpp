@@ -16,6 +16,8 @@ int main(int argc, char** argv) {
                 return obrys::cli::run(arguments);
             case obrys::cli::Command::plot:
                 return obrys::cli::plot(arguments);
+            case obrys::cli::Command::fmt:
+                return obrys::cli::fmt(arguments);
             case obrys::cli::Command::version:
                 std::puts("obrys " OBRYS_VERSION);
                 return 0;
