@@ -37,11 +37,12 @@ Run run(const std::string& text, const fs::path& folder) {
     s.job.budgets.blocks = 200000;
     Run out;
     std::string all;
-    cl::TextWriter writer([&](std::string_view piece) { all += piece; });
+    const auto collect = [&](std::string_view piece) { all += piece; };
+    cl::TextWriter writer(collect);
     interpret(s, [&](const cl::Record& record) {
         cl::Record r = record;
-        r.where = {};
-        r.stack = {};
+        r.from = {};
+        r.stack = 0;
         writer(r);
     });
     out.records = std::move(all);
@@ -150,13 +151,41 @@ std::string formula() {
 }
 
 std::string other_block() {
-    return any_of({"LBL 1", "lbl2", "LBL 0", "LBL \"a B\"", "CALL LBL  3 REP2", "FN9:IF +Q1 EQU  +Q2 goto LBL7",
-                   "FN 0:Q5=-3,5", "FN 1: Q1 = +Q2 + -5", "FN 18: SYSREAD Q5 = ID20 NR1", "TOOL CALL 1 Z  S800 dl0.1",
-                   "TOOL DEF 1 L0 R+5", "CYCL DEF 7.0 DATUM", "CYCL DEF 7.1  X10", "CYCL DEF 200 Drill ~\nQ200 = 2;a ~\n Q201=-5",
-                   "CYCL DEF 200 Drill\nQ200=2\n;x\nQ201=-5", "cycl call  M3", "CYCL DEF 9.1 5", "PLANE RESET  stay",
-                   "BLK FORM 0.1 Z X0 Y0 Z-10", "BLK FORM 0,2 X+10 Y1 Z0", "* structure  x", "CALL PGM  TNC:\\a.h",
-                   "L X+1 ~\n  Y 2", "L M ~\n 99", "Q7 = 1 ~\n + 2", "; c ~\n 12 L X+5", "nonsense x1", "L X+1.2.3",
-                   "X+5 F100", "M3", "FOO", "12.5 L", "L X+1 \r Y+2", "LBL \"open", "FN 16: F-PRINT a.b/C.d"});
+    return any_of({"LBL 1",
+                   "lbl2",
+                   "LBL 0",
+                   "LBL \"a B\"",
+                   "CALL LBL  3 REP2",
+                   "FN9:IF +Q1 EQU  +Q2 goto LBL7",
+                   "FN 0:Q5=-3,5",
+                   "FN 1: Q1 = +Q2 + -5",
+                   "FN 18: SYSREAD Q5 = ID20 NR1",
+                   "TOOL CALL 1 Z  S800 dl0.1",
+                   "TOOL DEF 1 L0 R+5",
+                   "CYCL DEF 7.0 DATUM",
+                   "CYCL DEF 7.1  X10",
+                   "CYCL DEF 200 Drill ~\nQ200 = 2;a ~\n Q201=-5",
+                   "CYCL DEF 200 Drill\nQ200=2\n;x\nQ201=-5",
+                   "cycl call  M3",
+                   "CYCL DEF 9.1 5",
+                   "PLANE RESET  stay",
+                   "BLK FORM 0.1 Z X0 Y0 Z-10",
+                   "BLK FORM 0,2 X+10 Y1 Z0",
+                   "* structure  x",
+                   "CALL PGM  TNC:\\a.h",
+                   "L X+1 ~\n  Y 2",
+                   "L M ~\n 99",
+                   "Q7 = 1 ~\n + 2",
+                   "; c ~\n 12 L X+5",
+                   "nonsense x1",
+                   "L X+1.2.3",
+                   "X+5 F100",
+                   "M3",
+                   "FOO",
+                   "12.5 L",
+                   "L X+1 \r Y+2",
+                   "LBL \"open",
+                   "FN 16: F-PRINT a.b/C.d"});
 }
 
 std::string any_program() {
@@ -168,7 +197,8 @@ std::string any_program() {
             out += any_of({"", "", "", "/", " "}) + std::to_string(i * 3) + any_of({" ", " ", "  ", " /"});
         const int kind = *rc::gen::inRange(0, 8);
         out += kind < 4 ? path_block() : kind < 5 ? formula() : kind < 7 ? other_block() : std::string{};
-        out += any_of({"", "", "", " ", " ;note  x", ";a ~", "  ", " ~"}) + any_of({"\n", "\n", "\r\n", "\n\n", "\n  \n"});
+        out +=
+            any_of({"", "", "", " ", " ;note  x", ";a ~", "  ", " ~"}) + any_of({"\n", "\n", "\r\n", "\n\n", "\n  \n"});
     }
     return out + any_of({"99 END PGM P MM\n", "END PGM P MM", ""});
 }

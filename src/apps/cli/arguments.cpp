@@ -48,7 +48,8 @@ constexpr const char* plot_help =
 
 constexpr const char* fmt_help =
     "Formats HEIDENHAIN programs (Klartext .H, DIN/ISO .I): numbers the blocks, one blank between words, upper case\n"
-    "keywords, signs of coordinates. Comments, texts and paths stay; so does every block it does not understand, which\n"
+    "keywords, signs of coordinates. Comments, texts and paths stay; so does every block it does not understand, "
+    "which\n"
     "it names.\n\n"
     "Examples:\n"
     "  obrys fmt PART.H                        to standard output\n"

@@ -20,12 +20,12 @@ struct Arguments {
     bool quiet = false;       ///< of run: counts only
     bool parameters = false;  ///< of run: numbered parameters at the end
     bool colours = true;
-    bool no_list = false;  ///< of check: leave out what has no effect on the verdict
+    bool no_list = false;            ///< of check: leave out what has no effect on the verdict
     std::vector<std::string> files;  ///< of fmt
     format::heidenhain::Options style;
     bool in_place = false;    ///< of fmt: write the files
     bool only_check = false;  ///< of fmt: say what would change
-    int exit = -1;         ///< 0 … : the program ends here with this code (help was printed, or the call is wrong)
+    int exit = -1;            ///< 0 … : the program ends here with this code (help was printed, or the call is wrong)
 };
 
 [[nodiscard]] Arguments parse(int argc, char** argv);

@@ -99,7 +99,8 @@ TEST(Format, decimal_sign_of_values_only) {
 }
 
 TEST(Format, what_is_not_understood_stays_and_is_named) {
-    const Formatted f = formatted("0 BEGIN PGM P MM\n3 l x 10   +5 ;c\n4 FOO  bar\n5 L X+1 M ~\n  99\n", Language::klartext);
+    const Formatted f =
+        formatted("0 BEGIN PGM P MM\n3 l x 10   +5 ;c\n4 FOO  bar\n5 L X+1 M ~\n  99\n", Language::klartext);
     EXPECT_EQ(f.text, "0 BEGIN PGM P MM\n1 l x 10   +5 ;c\n2 FOO  bar\n3 L X+1 M ~\n  99\n");
     ASSERT_EQ(f.left.size(), 3u);
     EXPECT_EQ(f.left[0].line, 2u);

@@ -25,7 +25,8 @@ int word_number(std::string_view code, char letter) {
 
 /// G codes whose words have names or values alone behind them: cycles, contours, programs.
 bool is_cycle(int g) {
-    const bool words = g <= 35 || (g >= 40 && g <= 51) || g == 54 || g == 70 || g == 71 || g == 90 || g == 91 || g == 98 || g == 99;
+    const bool words =
+        g <= 35 || (g >= 40 && g <= 51) || g == 54 || g == 70 || g == 71 || g == 90 || g == 91 || g == 98 || g == 99;
     return !words;
 }
 

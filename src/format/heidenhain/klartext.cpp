@@ -38,11 +38,15 @@ public:
             const std::string_view line = lines_[at_].text, blank = trim_left(line);
             if (blank.empty() || static_cast<unsigned char>(blank.front()) < ' ') {
                 // Kept: dirt of old editors, and the blanks that end a block in spite of its `~`.
-                const bool kept = !blank.empty() || (at_ > 0 && goes_on(lines_[at_ - 1].text));
+                const bool kept = !blank.empty() || open_;
                 writer_.line(kept ? line : blank, lines_[at_].end);
+                if (!line.empty()) open_ = goes_on(line);
                 ++at_;
             } else {
                 block();
+                std::size_t last = at_ - 1;
+                while (lines_[last].text.empty()) --last;
+                open_ = goes_on(lines_[last].text);
             }
         }
         return std::move(out_);
@@ -81,12 +85,15 @@ private:
     void block() {
         const std::size_t end = block_end();
         const std::string_view line = lines_[at_].text;
-        const Numbered n = split_number(line, false);
+        Numbered n = split_number(line, false);
         if (blocks_++ == 0) first_numbered_ = n.number;
         if (n.body.starts_with(';') || n.body.starts_with('*')) return comment_block(n, end);
         if (!n.number && first_numbered_ && in_cycle_ && is_cycle_line(n.body)) return cycle_lines(end);
-        in_cycle_ = opens_cycle(n.body);
+        if (!n.body.empty() && !n.body.starts_with('~')) in_cycle_ = opens_cycle(n.body);
         if (base::to_upper(n.body.substr(0, 5)) == "BEGIN") count_.restart();
+        // A number in front of these would change what the lines mean.
+        const bool number_follows = !n.number && n.body.starts_with('~');
+        if (number_follows || has_control_characters(split_comment(n.body, true).code)) n.understood = false;
         std::vector<std::string> code;
         if (!n.understood || !code_lines(n.body, end, code)) return raw_block(n, end);
         write(code, count_.next(n), end);
@@ -142,7 +149,8 @@ private:
         std::vector<std::string> out;
         for (std::size_t i = at_; i < end; ++i) {
             const Parts p = split_comment(trim_left(lines_[i].text), false);
-            auto code = p.code.empty() ? std::optional<std::string>(std::string{}) : cycle_line(p.code, options_.decimal);
+            auto code =
+                p.code.empty() ? std::optional<std::string>(std::string{}) : cycle_line(p.code, options_.decimal);
             if (!code || has_control_characters(p.code)) {
                 leave();
                 while (at_ < end) copy_line();
@@ -157,6 +165,9 @@ private:
 
     void raw_block(const Numbered& n, std::size_t end) {
         leave();
+        // Where a reader ends such a block is not certain: one of its lines may define a cycle.
+        for (std::size_t i = at_ + 1; i < end; ++i)
+            in_cycle_ = in_cycle_ || opens_cycle(split_number(lines_[i].text, false).body);
         if (n.understood) {
             writer_.line(count_.next(n).append(n.body), lines_[at_].end);
             ++at_;
@@ -171,6 +182,7 @@ private:
     Counter count_{"", 0, 1};
     std::size_t at_ = 0, blocks_ = 0;
     bool first_numbered_ = false;
+    bool open_ = false;      ///< `~` ends the last line that is not empty
     bool in_cycle_ = false;  ///< a cycle's definition came last, but for comments
 };
 

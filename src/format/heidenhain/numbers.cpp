@@ -23,8 +23,8 @@ Numbered split_number(std::string_view line, bool n_word) {
         n.understood = s.empty() || base::is_blank(s[0]) || base::is_letter(s[0]) ||
                        std::string_view(";*/%~").find(s[0]) != std::string_view::npos;
         s = trim_left(s);
-        if (!n.skip_before) n.skip_behind = skip_sign();
     }
+    n.skip_behind = skip_sign();
     n.body = s;
     return n;
 }

@@ -79,7 +79,8 @@ bool Scan::number(std::string& out) {
         digits();
     }
     std::string text = base::to_upper(code_.substr(at_, n));
-    if (sign != std::string_view::npos && decimal_ != Decimal::keep) text[sign] = decimal_ == Decimal::point ? '.' : ',';
+    if (sign != std::string_view::npos && decimal_ != Decimal::keep)
+        text[sign] = decimal_ == Decimal::point ? '.' : ',';
     out += text;
     at_ += n;
     return true;

@@ -9,7 +9,9 @@ using base::is_digit;
 
 namespace {
 
-bool is_axis(char upper) { return upper != '\0' && std::string_view("XYZABCUVW").find(upper) != std::string_view::npos; }
+bool is_axis(char upper) {
+    return upper != '\0' && std::string_view("XYZABCUVW").find(upper) != std::string_view::npos;
+}
 
 /// X10, IX+5, PA+30, IPR 3: true where such a word stood here and is written.
 bool coordinate(Scan& in, std::string& word) {
