@@ -49,7 +49,8 @@ bool iso_word(Scan& in, std::string& word) {
         return in.value(word, Sign::as_written);
     }
     if (std::string_view("GMTLDP").find(c) == std::string_view::npos) return false;
-    Scan fixed(in.rest(), Decimal::keep);  // L1,5 names a label and how often
+    if ((c == 'G' || c == 'D') && !is_digit(in.peek(1))) return false;  // glued together it could mean another block
+    Scan fixed(in.rest(), Decimal::keep);                               // L1,5 names a label and how often
     fixed.step();
     word = c;
     if (!fixed.text(word) && !fixed.value(word, Sign::as_written)) return false;
