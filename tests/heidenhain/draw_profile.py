@@ -39,11 +39,11 @@ def surface():
 
 def main():
     obrys, folder = sys.argv[1], pathlib.Path(sys.argv[2])
-    px = lambda p: (LEFT + SCALE * (p[0] + 2), TOP - SCALE * p[1])
+    px = lambda p: (LEFT + SCALE * (p[0] + 4), TOP - SCALE * p[1])
     points = [px(p) for p in surface()]
     outline = " ".join(f"{x:.2f},{y:.2f}" for x, y in points)
     bottom, side = points[-1][1], LEFT
-    width, height = LEFT + SCALE * 16, bottom + 20
+    width, height = LEFT + SCALE * 18, bottom + 20
     print(f'<svg xmlns="http://www.w3.org/2000/svg" viewBox="0 0 {width:.0f} {height:.0f}" font-family="sans-serif" font-size="12">')
     print(f'<rect width="{width:.0f}" height="{height:.0f}" fill="#fff"/>')
     print(f'<polygon points="{side:.2f},{points[0][1]:.2f} {outline} {side:.2f},{bottom:.2f}" fill="#d8dde3"/>')
@@ -53,7 +53,7 @@ def main():
     print(f'<polyline points="{outline}" fill="none" stroke="#123" stroke-width="2"/>')
     for x, y in (points[0], points[1], points[21], points[41], points[-1]):
         print(f'<circle cx="{x:.2f}" cy="{y:.2f}" r="4" fill="#c30"/>')
-    print(f'<text x="{side:.0f}" y="{TOP - 10:.0f}">surface Q5</text>')
+    print(f'<text x="{side + 5:.0f}" y="{TOP + 18:.0f}">surface Q5</text>')
     print("</svg>")
 
 
