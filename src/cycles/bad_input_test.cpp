@@ -128,7 +128,9 @@ TEST(bad_input, NamesTheParameterAtFault) {
         int tried = 0;
         for (const Sample& s : samples()) {
             if (!Demand{s.kind, s.values}.find(role)) continue;
-            if (s.kind == Kind::peck && role == Role::infeed && value < 0) continue;  // sign of older programs
+            const bool signs = s.kind == Kind::peck || s.kind == Kind::rectangular_pocket_simple ||
+                               s.kind == Kind::circular_pocket_simple;
+            if (signs && role == Role::infeed && value < 0) continue;  // sign of older programs
             tried++;
             const Expansion e = expand({s.kind, with(s.values, {{role, value}})}, situation());
             EXPECT_FALSE(e.ok()) << label(s, role) << ' ' << value;
@@ -143,8 +145,9 @@ TEST(bad_input, NamesTheParameterAtFault) {
 
 TEST(bad_input, NegativeClearance) {
     for (const Sample& s : samples()) {
-        const bool old_form =
-            s.kind == Kind::peck || s.kind == Kind::tap_floating_simple || s.kind == Kind::tap_rigid_simple;
+        const bool old_form = s.kind == Kind::peck || s.kind == Kind::tap_floating_simple ||
+                              s.kind == Kind::tap_rigid_simple || s.kind == Kind::rectangular_pocket_simple ||
+                              s.kind == Kind::circular_pocket_simple;
         if (old_form || !Demand{s.kind, s.values}.find(Role::clearance)) continue;
         const Expansion e = expand({s.kind, with(s.values, {{Role::clearance, -1}})}, situation());
         EXPECT_FALSE(e.ok()) << int(s.kind);
@@ -186,7 +189,10 @@ TEST(bad_input, PathIsCarriedAlong) {
         b.at.y -= 8;
         const Expansion one = expand({s.kind, s.values}, a);
         const double surface = Demand{s.kind, s.values}.get(Role::surface) + 37;
-        const Expansion two = expand({s.kind, with(s.values, {{Role::surface, surface}})}, b);
+        Values moved = with(s.values, {{Role::surface, surface}});
+        for (const auto& [role, by] : {std::pair{Role::centre_u, 3.0}, std::pair{Role::centre_v, -8.0}})
+            if (const auto centre = Demand{s.kind, s.values}.find(role)) moved.push_back({role, *centre + by});
+        const Expansion two = expand({s.kind, moved}, b);
         ASSERT_EQ(one.steps.size(), two.steps.size()) << int(s.kind);
         for (std::size_t i = 0; i < one.steps.size(); ++i) {
             a.at = cl::position_after(a.at, one.steps[i]);

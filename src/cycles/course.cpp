@@ -125,6 +125,8 @@ void Course::not_executed(Role role) {
     ready_ = false;
 }
 
+void Course::remark(Role role, std::string text) { out_.complaints.push_back({false, std::move(text), {}, role}); }
+
 void Course::not_simulated(std::string text, std::string remedy) {
     out_.complaints.push_back({false, std::move(text), std::move(remedy), std::nullopt});
     out_.simulated = false;
@@ -168,7 +170,8 @@ void Course::arc(geom::Vec2 centre, double sweep, double w, double feed) {
     const double c = std::cos(sweep), s = std::sin(sweep);
     geom::Vec2 to = centre + geom::Vec2{c * from.x - s * from.y, s * from.x + c * from.y};
     const double turns = sweep / (2 * geom::pi);
-    if (std::abs(turns - std::round(turns)) < 1e-12) to = {at_.x, at_.y};  // a full turn ends where it began
+    if (std::round(turns) != 0 && std::abs(turns - std::round(turns)) < 1e-12)
+        to = {at_.x, at_.y};  // a full turn ends where it began
     set_feed(feed);
     add(cl::Arc{.to = {to.x, to.y, w}, .centre = {centre.x, centre.y, w}, .normal = {0, 0, 1}, .sweep = sweep});
     at_ = {to.x, to.y, w};

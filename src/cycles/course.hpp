@@ -44,6 +44,8 @@ public:
     void fault(std::string text, std::string remedy = {});
     /// The control passes over the cycle because this is 0; whatever else is wrong with the call does not matter then.
     void not_executed(Role role);
+    /// Something worth saying that changes nothing.
+    void remark(Role role, std::string text);
     void not_simulated(std::string text, std::string remedy = {});
     /// The path is not documented in this point and was chosen: see Expansion::assumption.
     void assume(std::string_view text) { out_.assumption = text; }

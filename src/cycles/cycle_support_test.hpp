@@ -138,5 +138,7 @@ struct Sample {
     Values values;
 };
 const std::vector<Sample>& samples();
+/// Those of pockets, slots and studs; part of samples().
+std::vector<Sample> milling_samples();
 
 }  // namespace obrys::cycles::test

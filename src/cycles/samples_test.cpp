@@ -116,7 +116,11 @@ std::vector<Sample> make() {
 }  // namespace
 
 const std::vector<Sample>& samples() {
-    static const std::vector<Sample> all = make();
+    static const std::vector<Sample> all = [] {
+        std::vector<Sample> both = make();
+        for (Sample& s : milling_samples()) both.push_back(std::move(s));
+        return both;
+    }();
     return all;
 }
 

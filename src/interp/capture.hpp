@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "interp/motion.hpp"
+#include "path/corner_stage.hpp"
 
 namespace obrys::interp {
 
@@ -14,6 +15,7 @@ struct Captured {
     path::Element element;
     bool rapid = false;
     Modal compensation = Modal::compensation_off;
+    path::CornerRequest corner;  ///< chamfer or rounding at its end
     geom::Frame frame;
     base::Span where;
 };

@@ -280,7 +280,7 @@ path::Element straight_element(const geom::Vec3& at, const geom::Vec3& to, const
 }  // namespace
 
 void capture(Run& run, const path::Element& e, bool rapid) {
-    run.capture->push_back({e, rapid, run.modal.compensation, run.frame, run.here()});
+    run.capture->push_back({e, rapid, run.modal.compensation, corner_of_block(run), run.frame, run.here()});
 }
 
 void straight_motion(Run& run, const geom::Vec3& to, bool rapid) {

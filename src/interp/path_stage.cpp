@@ -83,18 +83,23 @@ int PathStage::feed_event(const Run& run, double feed) {
     return keep({cl::Feed{feed, run.modal.feed_mode}, run.here(), run.calls.back().stack});
 }
 
-path::CornerRequest PathStage::corner_request(Run& run) {
+path::CornerRequest corner_of_block(const Run& run) {
     const BlockWords& b = run.block;
     const double unit = run.modal.inch_geometry ? 25.4 : 1;
-    path::CornerRequest r;
     if (b.has(Code::chamfer_length))
-        r = {path::CornerKind::chamfer, b.get(Code::chamfer_length) * unit, false, false, true, {}, {}};
-    else if (b.has(Code::chamfer_leg))
-        r = {path::CornerKind::chamfer_leg, b.get(Code::chamfer_leg) * unit, false, false, true, {}, {}};
-    else if (b.has(Code::round))
-        r = {path::CornerKind::rounding, b.get(Code::round) * unit, false, false, true, {}, {}};
-    else if (run.modal.round_modal > 0 && run.modal.motion != Modal::rapid)
-        r = {path::CornerKind::rounding, run.modal.round_modal, true, false, true, {}, {}};
+        return {path::CornerKind::chamfer, b.get(Code::chamfer_length) * unit, false, false, true, {}, {}};
+    if (b.has(Code::chamfer_leg))
+        return {path::CornerKind::chamfer_leg, b.get(Code::chamfer_leg) * unit, false, false, true, {}, {}};
+    if (b.has(Code::round))
+        return {path::CornerKind::rounding, b.get(Code::round) * unit, false, false, true, {}, {}};
+    if (run.modal.round_modal > 0 && run.modal.motion != Modal::rapid)
+        return {path::CornerKind::rounding, run.modal.round_modal, true, false, true, {}, {}};
+    return {};
+}
+
+path::CornerRequest PathStage::corner_request(Run& run) {
+    const BlockWords& b = run.block;
+    path::CornerRequest r = corner_of_block(run);
     if (std::isnan(r.size)) {
         unchecked(run, codes::unknown_value, run.here(),
                   "the size of this chamfer or rounding depends on a value that is not known: it is left out");

@@ -51,6 +51,8 @@ private:
 
 /// What the modal state says to radius compensation; a tool whose radius is not known is reported.
 [[nodiscard]] path::Setting compensation_setting(Run&);
+/// The chamfer or rounding that the block asks for at its end, without feeds.
+[[nodiscard]] path::CornerRequest corner_of_block(const Run&);
 /// Emits an element of the working plane as a record of the stream.
 void emit_element(Run&, const path::Element& element, bool rapid);
 

@@ -152,7 +152,7 @@ void check_start(Run& run, const cl::Spline& spline) {
         unchecked(run, codes::unknown_value, run.here(), "where the tool stands before this spline is not known");
         return;
     }
-    run.diagnostics.add({base::Severity::error, codes::contour, run.here(),
+    run.diagnostics.add({base::Severity::error, codes::spline_start, run.here(),
                          "the spline starts " + base::fixed(geom::length(gap), 4) +
                              " mm beside the end of the last contour element, more than 0.001 mm along an axis",
                          "let the coefficients K1, K2, K3 and the end point add up to where the last block ended",

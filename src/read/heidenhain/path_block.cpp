@@ -12,32 +12,6 @@ std::optional<Code> axis_of(char c) {
     return static_cast<Code>(static_cast<int>(Code::x) + static_cast<int>(k));
 }
 
-namespace {
-
-void angle_word(State& s, std::uint32_t begin, bool incremental, bool arc) {
-    // An arc's incremental angle says how far it sweeps, whole turns included; a line's where it ends.
-    value_word(s, incremental && arc ? Code::pole_angle : Code::polar_angle, begin, incremental && !arc);
-}
-
-void coordinate(State& s, bool arc) {
-    const std::uint32_t begin = s.in.at();
-    const bool incremental = base::upper(s.in.peek()) == 'I';
-    if (incremental) s.in.step();
-    const char c = base::upper(s.in.peek()), next = base::upper(s.in.peek(1));
-    if (c == 'P' && (next == 'A' || next == 'R')) {
-        s.in.step(2);
-        if (next == 'A') return angle_word(s, begin, incremental, arc);
-        return value_word(s, Code::polar_radius, begin, incremental);
-    }
-    if (const auto axis = axis_of(c)) {
-        s.in.step();
-        return value_word(s, *axis, begin, incremental);
-    }
-    fail_here(s, "an axis (X Y Z A B C U V W, PR, PA) is due behind I, found " + here(s));
-}
-
-}  // namespace
-
 void read_feed(State& s) {
     const std::uint32_t begin = s.in.at();
     s.in.step();
@@ -62,7 +36,63 @@ void read_feed(State& s) {
     value_word(s, Code::feed, begin);
 }
 
+bool has_rapid(State& s) {
+    const std::uint32_t from = s.in.at();
+    bool found = false;
+    while (!s.in.at_end() && !found) {
+        if (base::upper(s.in.peek()) == 'F') {
+            s.in.step();
+            found = s.in.take_word("MAX");
+        } else {
+            s.in.step();
+        }
+    }
+    s.in.go_to(from);
+    return found;
+}
+
+void read_corner(State& s, bool chamfer, std::uint32_t begin) {
+    const bool joined = s.last_path != program::no_target && s.last_path + 1 == s.build.unit().statements.size();
+    if (!joined) {
+        s.build.statement(StatementKind::block, s.block);
+        fail(s, begin, "a chamfer or rounding needs a contour element directly before it");
+        return;
+    }
+    if (!chamfer) s.in.take('R');
+    value_word(s, chamfer ? Code::chamfer_leg : Code::round, begin);
+    s.in.skip_blanks();
+    const std::uint32_t word = s.in.at();
+    if (!s.failed && base::upper(s.in.peek()) == 'F') {
+        s.in.step();
+        value_word(s, Code::corner_feed, word);
+    }
+    if (!s.in.at_end()) fail_here(s, "only a feed may follow here, found " + here(s));
+    s.build.statement(StatementKind::block, s.block);  // the block itself, which counts as one
+}
+
 namespace {
+
+void angle_word(State& s, std::uint32_t begin, bool incremental, bool arc) {
+    // An arc's incremental angle says how far it sweeps, whole turns included; a line's where it ends.
+    value_word(s, incremental && arc ? Code::pole_angle : Code::polar_angle, begin, incremental && !arc);
+}
+
+void coordinate(State& s, bool arc) {
+    const std::uint32_t begin = s.in.at();
+    const bool incremental = base::upper(s.in.peek()) == 'I';
+    if (incremental) s.in.step();
+    const char c = base::upper(s.in.peek()), next = base::upper(s.in.peek(1));
+    if (c == 'P' && (next == 'A' || next == 'R')) {
+        s.in.step(2);
+        if (next == 'A') return angle_word(s, begin, incremental, arc);
+        return value_word(s, Code::polar_radius, begin, incremental);
+    }
+    if (const auto axis = axis_of(c)) {
+        s.in.step();
+        return value_word(s, *axis, begin, incremental);
+    }
+    fail_here(s, "an axis (X Y Z A B C U V W, PR, PA) is due behind I, found " + here(s));
+}
 
 /// R0 RL RR, R+ R-, and the radius of CR.
 void radius_word(State& s, bool circle_by_radius) {
@@ -99,49 +129,7 @@ bool sense(State& s) {
     return true;
 }
 
-}  // namespace
-
-bool has_rapid(State& s) {
-    const std::uint32_t from = s.in.at();
-    bool found = false;
-    while (!s.in.at_end() && !found) {
-        if (base::upper(s.in.peek()) == 'F') {
-            s.in.step();
-            found = s.in.take_word("MAX");
-        } else {
-            s.in.step();
-        }
-    }
-    s.in.go_to(from);
-    return found;
-}
-
-namespace {
-
 void straight(State& s) { s.build.modal(has_rapid(s) ? Modal::rapid : Modal::linear, s.block, s.in.at()); }
-
-}  // namespace
-
-void read_corner(State& s, bool chamfer, std::uint32_t begin) {
-    const bool joined = s.last_path != program::no_target && s.last_path + 1 == s.build.unit().statements.size();
-    if (!joined) {
-        s.build.statement(StatementKind::block, s.block);
-        fail(s, begin, "a chamfer or rounding needs a contour element directly before it");
-        return;
-    }
-    if (!chamfer) s.in.take('R');
-    value_word(s, chamfer ? Code::chamfer_leg : Code::round, begin);
-    s.in.skip_blanks();
-    const std::uint32_t word = s.in.at();
-    if (!s.failed && base::upper(s.in.peek()) == 'F') {
-        s.in.step();
-        value_word(s, Code::corner_feed, word);
-    }
-    if (!s.in.at_end()) fail_here(s, "only a feed may follow here, found " + here(s));
-    s.build.statement(StatementKind::block, s.block);  // the block itself, which counts as one
-}
-
-namespace {
 
 void pole(State& s) {
     s.build.modal(Modal::pole_given, s.block, s.in.at());
