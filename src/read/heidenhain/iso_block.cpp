@@ -233,6 +233,8 @@ void read_content(State& s, const IsoBlock& b) {
     if (c == 'L') return read_label_call(s);
     if (c == 'D') return read_iso_function(s);
     if (c == 'Q' && stands_parameter(s)) return read_assignment(s);
+    if (base::equals_ignoring_case(s.in.letters(), "PLANE"))  // written as in Klartext
+        return static_cast<void>(read_special_block(s, s.in.letters()));
     if (base::is_letter(c)) return read_by_codes(s, b);
     s.build.statement(StatementKind::block, s.block);
     const std::uint32_t begin = s.in.at();
