@@ -3,6 +3,8 @@
 
 #include <gtest/gtest.h>
 
+#include <filesystem>
+#include <fstream>
 #include <random>
 
 #include "program/tree_text_testing.hpp"
@@ -129,6 +131,29 @@ TEST(Iso, Likelihood) {
     EXPECT_GT(likelihood(klartext, "A.I"), iso_likelihood(klartext, "A.I") + 30) << "the content says it";
     EXPECT_LT(iso_likelihood(sinumerik, "A.MPF"), 3);
     EXPECT_EQ(iso_likelihood("", ""), 0);
+}
+
+TEST(Iso, ProgramsOfOtherControlsDoNotLookLikeIt) {
+    const std::filesystem::path corpus = std::filesystem::path(OBRYS_SOURCE_DIR) / "../shared/corpus";
+    if (!std::filesystem::exists(corpus)) GTEST_SKIP() << "needs ../shared";
+    for (const char* folder : {"sinumerik", "gcode", "fanuc_macro", "rs274", "klartext", "apt"})
+        for (const auto& entry : std::filesystem::recursive_directory_iterator(corpus / folder)) {
+            if (!entry.is_regular_file()) continue;
+            std::ifstream in(entry.path(), std::ios::binary);
+            const std::string text{std::istreambuf_iterator<char>(in), {}};
+            const int score = iso_likelihood(text, entry.path().filename().string());
+            if (entry.path().string().find("Micron WF21D") == std::string::npos) {
+                EXPECT_LT(score, 20) << entry.path();
+                continue;
+            }
+            EXPECT_GT(score, 50) << "postprocessed for a TNC";
+            Result r;
+            read_into(r, text);
+            EXPECT_EQ(r.complaint(), "1:1 the text in front of % is left out | ");
+            EXPECT_EQ(r.diagnostics.all().size(), 1U);
+            EXPECT_TRUE(r.unit.problems.empty());
+            EXPECT_GT(r.unit.statements.size(), 100U);
+        }
 }
 
 /// Pieces of programs thrown together: every place lies in the text, and reading ends.

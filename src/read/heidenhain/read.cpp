@@ -9,13 +9,9 @@
 
 namespace obrys::read::heidenhain {
 
-namespace {
-
-/// Postprocessors and editors write headings in front of the program.
-void skip_preface(State& s, base::Diagnostics& diagnostics) {
+void skip_preface(State& s, std::size_t begin, std::string_view mark, base::Diagnostics& diagnostics) {
     const std::string_view text(s.in.here());
-    const std::size_t begin = base::to_upper(text.substr(0, 16384)).find("BEGIN PGM");
-    if (begin == std::string::npos) return;
+    if (begin == std::string_view::npos) return;
     std::size_t line = text.find_last_of('\n', begin);
     line = line == std::string_view::npos ? 0 : line + 1;
     if (base::trim(text.substr(0, line)).empty()) return;
@@ -23,12 +19,10 @@ void skip_preface(State& s, base::Diagnostics& diagnostics) {
     d.severity = base::Severity::note;
     d.code = base::codes::no_effect;
     d.where = s.build.span(0, static_cast<std::uint32_t>(line));
-    d.text = "the text in front of BEGIN PGM is left out";
+    d.text = "the text in front of " + std::string(mark) + " is left out";
     diagnostics.add(std::move(d));
     s.in.go_to(static_cast<std::uint32_t>(line));
 }
-
-}  // namespace
 
 program::Unit begin_unit(std::uint32_t file, const base::Source& source) {
     program::Unit unit;
@@ -47,7 +41,7 @@ program::Unit read(std::uint32_t file, const base::Sources& sources, program::Na
     const base::Source& source = sources[file];
     program::Unit unit = begin_unit(file, source);
     State s{.build = {unit, names, diagnostics, source.text}, .in = Scanner(source.text), .iso = {}};
-    skip_preface(s, diagnostics);
+    skip_preface(s, base::to_upper(source.text.substr(0, 16384)).find("BEGIN PGM"), "BEGIN PGM", diagnostics);
     bool first = true;
     while (s.in.next_line()) {
         if (read_literal_block(s)) continue;

@@ -78,6 +78,9 @@ void value_word(State& s, Code code, std::uint32_t begin, bool incremental = fal
 // --- blocks
 void read_block(State& s);                                                               ///< block.cpp
 [[nodiscard]] program::Unit begin_unit(std::uint32_t file, const base::Source& source);  ///< read.cpp
+/// Postprocessors and editors write headings in front of the program, which begins in the line of byte `begin` (npos:
+/// there is none).
+void skip_preface(State& s, std::size_t begin, std::string_view mark, base::Diagnostics& diagnostics);
 void read_comment(State& s, bool after_stop);  ///< block.cpp: behind STOP it is a message, else nothing
 /// A stop of the program, unless an M0, M2 or M30 stands among the words from `words` on.
 void stop_here(State& s, std::size_t words, std::uint32_t begin, std::uint32_t end);
