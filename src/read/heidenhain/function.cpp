@@ -2,6 +2,7 @@
 
 #include <array>
 
+#include "dialect/heidenhain/functions.hpp"
 #include "read/heidenhain/state.hpp"
 
 namespace obrys::read::heidenhain {
@@ -109,9 +110,14 @@ void system_read(State& s) {
     if (!s.failed) assign(s, to, s.build.function(Function::system_read, numbers, begin, s.in.at()));
 }
 
-void not_run(State& s, std::uint32_t begin, std::string_view what) {
+/// FN 15 and what else is not run: listed, refused, or not known at all, as the control's table says.
+void not_run(State& s, int n, std::uint32_t begin) {
+    const dialect::heidenhain::FnFunction* known = dialect::heidenhain::find_fn(n);
     s.in.skip_block();
-    s.build.problem(Code::unsupported, begin, s.in.at(), what);
+    if (known != nullptr && known->use == dialect::heidenhain::Use::accepted)
+        return s.build.ignored("FN " + std::to_string(n) + ": " + std::string(known->name), begin, s.in.at());
+    if (known != nullptr) return s.build.problem(Code::unsupported, begin, s.in.at(), "");
+    s.build.problem(Code::unknown, begin, s.in.at(), "the control has no FN " + std::to_string(n));
 }
 
 void read_numbered(State& s, int n, std::uint32_t begin) {
@@ -139,7 +145,7 @@ void read_numbered(State& s, int n, std::uint32_t begin) {
         case 18: return system_read(s);
         default: break;
     }
-    not_run(s, begin, "");
+    not_run(s, n, begin);
 }
 
 }  // namespace
