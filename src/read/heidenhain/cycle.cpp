@@ -82,8 +82,21 @@ bool read_parameter_line(State& s) {
 }  // namespace
 
 void read_named(State& s) {
-    while (!s.failed && !s.in.at_end())
-        if (!read_parameter_line(s)) s.in.step();  // the cycle's name, in whatever language
+    bool named = open_cycle(s).settings.empty();  // in whatever language
+    while (!s.failed && !s.in.at_end()) {
+        const bool parameter = stands_parameter(s);
+        if (read_parameter_line(s)) {
+            named = false;
+        } else if (named) {
+            s.in.step();
+        } else if (parameter) {
+            const std::uint32_t begin = s.in.at();
+            static_cast<void>(read_parameter(s));
+            fail(s, begin, "'=' is due behind " + base::to_upper(s.in.between(begin, s.in.at())));
+        } else {
+            fail_here(s, "this is no parameter of a cycle: " + here(s));
+        }
+    }
 }
 
 namespace {

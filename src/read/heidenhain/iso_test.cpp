@@ -143,7 +143,7 @@ TEST(Iso, AnyTextIsRead) {
     for (unsigned seed = 0; seed < 3000; ++seed) {
         std::mt19937 random(seed);
         std::string text = random() % 2 != 0U ? "%T G71 *\n" : "";
-        for (unsigned n = random() % 40; n > 0; --n) text += pieces[random() % pieces.size()];
+        for (auto n = random() % 40; n > 0; --n) text += pieces[random() % pieces.size()];
         Result r;
         read_into(r, text);
         for (const base::Diagnostic& d : r.diagnostics.all())

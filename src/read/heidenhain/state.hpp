@@ -36,6 +36,8 @@ struct State {
     bool numbered = false;        ///< … with a number
     bool first_numbered = false;  ///< the text's first block has a number: a line without one goes on with a cycle
     bool failed = false;          ///< a complaint was made about it
+    bool begun = false;           ///< BEGIN PGM was read
+    bool ended = false;           ///< … and its END PGM: what follows is no part of the program
     std::uint32_t last_path = program::no_target;   ///< the block before, where it is a contour element
     bool after_stop = false;                        ///< the block before was STOP: a comment is its message
     std::uint32_t open_cycle = program::no_target;  ///< entry in Unit::cycles that further lines belong to
@@ -61,6 +63,8 @@ struct Value {
     [[nodiscard]] double number() const { return negative ? -literal.value : literal.value; }
 };
 [[nodiscard]] Value read_value(State& s);
+/// Complains about a number, begun at `begin`, that is too large for a double; the block is not run then.
+void limit(State& s, base::NumberScan& n, std::uint32_t begin);
 /// As an expression; no_expr where there is no value (a complaint was made).
 [[nodiscard]] ExprId value_expr(State& s);
 [[nodiscard]] ExprId as_expr(State& s, const Value& v);
