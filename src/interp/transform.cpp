@@ -137,6 +137,10 @@ bool dwell(Run& run, const ActiveCycle& c) {
 
 }  // namespace
 
+geom::Frame active_plane(const Run& run) { return active(run, TransformKind::plane); }
+
+void tilt(Run& run, const geom::Frame& plane) { place(run, TransformKind::plane, plane); }
+
 bool act_at_definition(Run& run, const ActiveCycle& c) {
     if (unknown_value(run, c)) return true;
     switch (c.definition->kind) {

@@ -1,8 +1,11 @@
 #include "arguments.hpp"
 
 #include <CLI/CLI.hpp>
+#include <cmath>
 #include <iostream>
 #include <map>
+
+#include "base/number.hpp"
 
 namespace obrys::cli {
 
@@ -40,10 +43,16 @@ constexpr const char* run_help =
     "3 something was not understood or not run.";
 
 constexpr const char* plot_help =
-    "Draws stock, part, allowance and tool path (feed green, rapid red) as SVG.\n\n"
+    "Draws the tool path (feed green, rapid red) as SVG: of a lathe over stock, part and allowance, of a mill from "
+    "above\n"
+    "and from the side. A program without a job will do.\n"
+    "--interpolation prints instead how far a controller that moves its axes in steps of this basic length unit "
+    "leaves\n"
+    "each programmed element, and draws that, enlarged, with --svg.\n\n"
     "Examples:\n"
     "  obrys plot groove.job.toml -o groove.svg\n"
-    "  obrys plot groove.job.toml --set R3=150 > wrong.svg\n\n"
+    "  obrys plot groove.job.toml --set R3=150 > wrong.svg\n"
+    "  obrys plot PART.MPF --interpolation 0.001 --svg steps.svg\n\n"
     "Exit codes: 0 the picture was made, 2 usage or unreadable input.";
 
 constexpr const char* fmt_help =
@@ -132,6 +141,16 @@ Commands add_commands(CLI::App& app, Arguments& a) {
     c.run->add_flag("--parameters", a.parameters, "print the numbered parameters at the end instead of the moves");
     c.plot = app.add_subcommand("plot", plot_help);
     add_request(*c.plot, a);
+    c.plot->add_option("--svg", a.svg, "write the picture to this file")->type_name("FILE");
+    c.plot
+        ->add_option_function<std::string>(
+            "--interpolation", [&a](const std::string& text) { a.interpolation = *base::parse_double(text); },
+            "basic length unit of the controller, mm: print its deviations from the path")
+        ->check([](const std::string& text) {
+            const auto value = base::parse_double(text);
+            return value && *value > 0 && std::isfinite(*value) ? std::string() : "must be a length in mm above 0";
+        })
+        ->type_name("MM");
     c.fmt = app.add_subcommand("fmt", fmt_help);
     add_format(*c.fmt, a);
     c.version = app.add_subcommand("version", "prints the version");
