@@ -57,6 +57,15 @@ TEST(KlartextFunction, Mistakes) {
     EXPECT_EQ(one("FN 45: X"), "unknown{FN 45: X|the control has no FN 45}");
 }
 
+TEST(KlartextFunction, AMistakeStandsInItsOwnBlock) {
+    for (const char* wrong : {"FN 9: IF +Q1", "CALL LBL", "CALL PGM", "FN 14: ERROR = X", "CALL X", "RND", "LBL"}) {
+        const Reading r(std::string("1 FN 9: IF +0 EQU +0 GOTO LBL 5\n2 ") + wrong + "\n3 LBL 5\n");
+        ASSERT_EQ(r.unit.statements.size(), 3u) << wrong;
+        EXPECT_EQ(r.unit.words_end(0), 1u) << wrong << "\n" << r.tree();
+        EXPECT_EQ(r.codes(), std::vector<std::string>{"syntax"}) << wrong;
+    }
+}
+
 TEST(KlartextFunction, AcceptedOnesAreListedOnly) {
     const Reading r("FN 19: PLC=+10/+Q3\nFN 19: PLC=+1/+2\nFN 38: SEND /\"x\"\n");
     EXPECT_EQ(r.messages(), "");

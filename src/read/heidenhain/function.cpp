@@ -32,11 +32,11 @@ ExprId target(State& s) {
         fail_here(s, "a Q parameter is due here, found " + here(s));
         return no_expr;
     }
-    return expect(s, "=") ? q : no_expr;
+    return !s.failed && expect(s, "=") ? q : no_expr;
 }
 
 void assign(State& s, ExprId to, ExprId value) {
-    if (to == no_expr || value == no_expr) return;
+    if (s.failed || to == no_expr || value == no_expr) return;
     s.build.assign(to, value, s.build.unit().exprs[to].begin, s.build.unit().exprs[value].end);
 }
 

@@ -19,6 +19,7 @@ struct State {
     program::Builder build;
     Scanner in;
     std::uint32_t block = 0;      ///< where the block at hand begins
+    std::size_t statements = 0;   ///< how many there were before it
     bool numbered = false;        ///< … with a number
     bool first_numbered = false;  ///< the text's first block has a number: a line without one goes on with a cycle
     bool failed = false;          ///< a complaint was made about it
