@@ -67,7 +67,7 @@ void read_corner(State& s, bool chamfer, std::uint32_t begin) {
         value_word(s, Code::corner_feed, word);
     }
     if (!s.in.at_end()) fail_here(s, "only a feed may follow here, found " + here(s));
-    s.build.statement(StatementKind::block, s.block);  // the block itself, which counts as one
+    if (!s.failed) s.build.statement(StatementKind::block, s.block);  // the block itself, which counts as one
 }
 
 namespace {

@@ -34,6 +34,7 @@ struct State {
     Scanner in;
     std::uint32_t block = 0;      ///< where the block at hand begins
     std::uint32_t number = 0;     ///< of the block at hand, 0 where it has none
+    std::size_t statements = 0;   ///< how many there were before it
     bool numbered = false;        ///< … with a number
     bool first_numbered = false;  ///< the text's first block has a number: a line without one goes on with a cycle
     bool failed = false;          ///< a complaint was made about it

@@ -100,6 +100,7 @@ void value_word(State& s, Code code, std::uint32_t begin, bool incremental) {
                  "' has no value: a number or a Q parameter must follow");
         return;
     }
+    if (s.failed) return;  // a value that cannot be: the word is left out
     if (incremental)
         s.build.expression(code, s.build.with_reference(program::Reference::incremental, as_expr(s, v), v.begin, v.end),
                            begin, v.end);
