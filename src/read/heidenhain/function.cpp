@@ -28,13 +28,13 @@ ExprId target(State& s) {
         fail_here(s, "a Q parameter is due here, found " + here(s));
         return no_expr;
     }
-    return expect(s, "=") ? q : no_expr;
+    return !s.failed && expect(s, "=") ? q : no_expr;
 }
 
 }  // namespace
 
 void read_assigned(State& s, ExprId to, ExprId value) {
-    if (to == no_expr || value == no_expr) return;
+    if (s.failed || to == no_expr || value == no_expr) return;
     s.build.assign(to, value, s.build.unit().exprs[to].begin, s.build.unit().exprs[value].end);
 }
 
@@ -142,8 +142,8 @@ void leave_function(State& s, int n, std::uint32_t begin) {
     const auto* fn = dialect::heidenhain::find_fn(n);
     if (fn != nullptr && fn->use == dialect::heidenhain::Use::accepted)
         return s.build.ignored("FN " + std::to_string(n) + " (" + std::string(fn->text) + ")", begin, s.in.at());
-    s.build.problem(fn == nullptr ? Code::unknown : Code::unsupported, begin, s.in.at(),
-                    fn == nullptr ? std::string_view("there is no such function") : fn->text);
+    if (fn != nullptr) return s.build.problem(Code::unsupported, begin, s.in.at(), fn->text);
+    s.build.problem(Code::unknown, begin, s.in.at(), "the control has no FN " + std::to_string(n));
 }
 
 void read_numbered(State& s, int n, std::uint32_t begin) {

@@ -87,15 +87,15 @@ void read_percent(State& s) {
     const std::uint32_t behind = s.in.at();
     static_cast<void>(s.in.path());
     const IsoBlock b = look_over(s);
-    const bool first = s.build.unit().statements.empty() && !s.iso.has_header;
+    const bool first = s.build.unit().statements.empty() && !s.begun;
     const bool frame = b.has_g(70) || b.has_g(71);
     if (!frame && !(first && !s.numbered)) {
         s.in.go_to(behind);
         return read_call(s);
     }
     s.in.skip_block();
-    if (!first) return;  // the program's end
-    s.iso.has_header = true;
+    if (!first) return static_cast<void>(s.ended = s.begun);
+    s.begun = true;
     s.build.unit().inch = b.has_g(70);
     s.build.statement(StatementKind::block, s.block);
     s.build.modal(b.has_g(70) ? Modal::inch_all : Modal::metric_all, s.block, s.in.at());

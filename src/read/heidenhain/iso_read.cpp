@@ -41,7 +41,8 @@ program::Unit read_iso(std::uint32_t file, const base::Sources& sources, program
     program::Unit unit = begin_unit(file, source);
     State s{.build = {unit, names, diagnostics, source.text}, .in = Scanner(source.text, true), .iso = {}};
     skip_preface(s, beginning(source.text), "%", diagnostics);
-    while (s.in.next_line()) read_iso_block(s);
+    while (!s.ended && s.in.next_line()) read_iso_block(s);
+    check_end(s, "N99999999 %NAME", diagnostics);
     s.block = s.in.at();
     flush_pending(s);
     resolve_labels(s);

@@ -24,6 +24,26 @@ void skip_preface(State& s, std::size_t begin, std::string_view mark, base::Diag
     s.in.go_to(static_cast<std::uint32_t>(line));
 }
 
+void check_end(State& s, std::string_view last, base::Diagnostics& diagnostics) {
+    base::Diagnostic d;
+    if (s.ended && s.in.next_line()) {
+        const std::uint32_t begin = s.in.at();
+        s.in.rest_of_line();
+        d.severity = base::Severity::note;
+        d.code = base::codes::no_effect;
+        d.where = s.build.span(begin, s.in.at());
+        d.text = "the text behind " + std::string(last) + " is left out";
+    } else if (s.begun && !s.ended) {
+        d.severity = base::Severity::warning;
+        d.code = base::codes::unclosed;
+        d.where = s.build.span(s.block, s.in.at());
+        d.text = std::string(last) + " is missing: the program may be cut off here";
+    } else {
+        return;
+    }
+    diagnostics.add(std::move(d));
+}
+
 program::Unit begin_unit(std::uint32_t file, const base::Source& source) {
     program::Unit unit;
     unit.name = program_name(source.name);
@@ -43,12 +63,13 @@ program::Unit read(std::uint32_t file, const base::Sources& sources, program::Na
     State s{.build = {unit, names, diagnostics, source.text}, .in = Scanner(source.text), .iso = {}};
     skip_preface(s, base::to_upper(source.text.substr(0, 16384)).find("BEGIN PGM"), "BEGIN PGM", diagnostics);
     bool first = true;
-    while (s.in.next_line()) {
+    while (!s.ended && s.in.next_line()) {
         if (read_literal_block(s)) continue;
         read_block(s);
         if (first) s.first_numbered = s.numbered;
         first = false;
     }
+    check_end(s, "END PGM", diagnostics);
     resolve_labels(s);
     return unit;
 }

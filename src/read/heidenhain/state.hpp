@@ -25,7 +25,6 @@ struct IsoState {
     Modal paraxial = Modal::paraxial;     ///< G43, G44
     std::optional<Modal> pending;         ///< G90 or G91 behind the coordinates of its block: from the next one on
     ExprId departure = program::no_expr;  ///< G27: radius of the departure that the next block makes
-    bool has_header = false;              ///< `%NAME G71` was read
     bool ended_by_star = false;           ///< the block before
 };
 
@@ -34,9 +33,12 @@ struct State {
     Scanner in;
     std::uint32_t block = 0;      ///< where the block at hand begins
     std::uint32_t number = 0;     ///< of the block at hand, 0 where it has none
+    std::size_t statements = 0;   ///< how many there were before it
     bool numbered = false;        ///< … with a number
     bool first_numbered = false;  ///< the text's first block has a number: a line without one goes on with a cycle
     bool failed = false;          ///< a complaint was made about it
+    bool begun = false;           ///< BEGIN PGM or %NAME G71 was read
+    bool ended = false;           ///< … and its END PGM or last %NAME: what follows is no part of the program
     std::uint32_t last_path = program::no_target;   ///< the block before, where it is a contour element
     bool after_stop = false;                        ///< the block before was STOP: a comment is its message
     std::uint32_t open_cycle = program::no_target;  ///< entry in Unit::cycles that further lines belong to
@@ -62,6 +64,8 @@ struct Value {
     [[nodiscard]] double number() const { return negative ? -literal.value : literal.value; }
 };
 [[nodiscard]] Value read_value(State& s);
+/// Complains about a number, begun at `begin`, that is too large for a double; the block is not run then.
+void limit(State& s, base::NumberScan& n, std::uint32_t begin);
 /// As an expression; no_expr where there is no value (a complaint was made).
 [[nodiscard]] ExprId value_expr(State& s);
 [[nodiscard]] ExprId as_expr(State& s, const Value& v);
@@ -81,6 +85,8 @@ void read_block(State& s);                                                      
 /// Postprocessors and editors write headings in front of the program, which begins in the line of byte `begin` (npos:
 /// there is none).
 void skip_preface(State& s, std::size_t begin, std::string_view mark, base::Diagnostics& diagnostics);
+/// A program that was cut off on its way here has no last block; what an editor has left behind it is not run.
+void check_end(State& s, std::string_view last, base::Diagnostics& diagnostics);
 void read_comment(State& s, bool after_stop);  ///< block.cpp: behind STOP it is a message, else nothing
 /// A stop of the program, unless an M0, M2 or M30 stands among the words from `words` on.
 void stop_here(State& s, std::size_t words, std::uint32_t begin, std::uint32_t end);
