@@ -217,6 +217,14 @@ void read_smooth(State& s, bool departure) {
     s.build.statement(StatementKind::block, s.block);  // the block itself, which counts as one
 }
 
+/// A measuring block: its words are its own.
+void read_refused(State& s, const dialect::GCode& g) {
+    const std::uint32_t begin = s.in.at();
+    s.build.statement(StatementKind::block, s.block);
+    s.in.skip_block();
+    s.build.problem(Code::unsupported, begin, s.in.at(), g.text);
+}
+
 void read_by_codes(State& s, const IsoBlock& b) {
     if (b.has_g(98)) return read_label(s, b);
     if (b.has_g(24) || b.has_g(25)) return read_corner_code(s);
@@ -224,6 +232,10 @@ void read_by_codes(State& s, const IsoBlock& b) {
     if (b.has_g(30) || b.has_g(31)) return read_blank(s, b);
     if (b.has_g(51) || b.has_g(99)) return read_tool_definition(s, b.has_g(51));
     if (const dialect::GCode* g = b.cycle()) return read_iso_cycle(s, *g);
+    for (const int n : b.g)
+        if (const dialect::GCode* g = dialect::find_g(n);
+            g != nullptr && g->use == dialect::Use::refused && g->block_only)
+            return read_refused(s, *g);
     read_iso_words(s, b);
 }
 
