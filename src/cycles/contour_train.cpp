@@ -66,21 +66,32 @@ Train read_train(Course& c, const Situation& s, int programmed_side) {
     return t;
 }
 
-double distance_to(const std::vector<Edge>& chain, Vec2 p) {
-    double d = inf;
-    for (const Edge& e : chain) d = std::min(d, geom::distance(e, p));
-    return d;
-}
+/// The programmed contour, asked many times whether a point is too near to it.
+class Guard {
+public:
+    explicit Guard(const Contour& c) : chain_(geom::edges(c)) {
+        for (const Edge& e : chain_) boxes_.push_back(geom::box(e));
+    }
+    [[nodiscard]] const std::vector<Edge>& chain() const { return chain_; }
+    [[nodiscard]] bool keeps(Vec2 p, double away) const {
+        for (std::size_t i = 0; i < chain_.size(); ++i)
+            if (geom::contains(boxes_[i], p, away) && geom::distance(chain_[i], p) < away - 1e-6) return false;
+        return true;
+    }
+
+private:
+    std::vector<Edge> chain_;
+    std::vector<geom::Box> boxes_;
+};
 
 /// The element that the tool cannot follow anywhere, if there is one.
-const Edge* lost_element(const std::vector<Edge>& source, double by) {
+const Edge* lost_element(const Guard& guard, double by) {
     constexpr int samples = 32;
-    for (const Edge& e : source) {
+    for (const Edge& e : guard.chain()) {
         bool followed = false;
         for (int i = 0; i <= samples && !followed; ++i) {
             const double t = static_cast<double>(i) / samples;
-            const Vec2 p = geom::point_at(e, t) + by * geom::left_of(geom::tangent_at(e, t));
-            followed = distance_to(source, p) >= std::abs(by) - 1e-6;
+            followed = guard.keeps(geom::point_at(e, t) + by * geom::left_of(geom::tangent_at(e, t)), std::abs(by));
         }
         if (!followed) return &e;
     }
@@ -105,15 +116,15 @@ Contour opened_at(const std::vector<Edge>& chain, Vec2 start) {
 }
 
 /// The one path along the contour as it is programmed; empty after a complaint.
-Contour path_of(Course& c, const Contour& contour, const Train& t) {
-    const std::vector<Edge> source = geom::edges(contour);
+Contour path_of(Course& c, const Contour& contour, const Guard& guard, const Train& t) {
+    const std::vector<Edge>& source = guard.chain();
     const double by = t.side * t.away;
     if (source.empty()) {
         c.fault("the contour has no element");
         return {};
     }
     const std::vector<Contour> found = geom::equidistants(contour, by);
-    const Edge* lost = by != 0 ? lost_element(source, by) : nullptr;
+    const Edge* lost = by != 0 ? lost_element(guard, by) : nullptr;
     if (lost != nullptr || found.size() != 1) {
         const Vec2 place = lost != nullptr ? geom::point_at(*lost, 0.5)
                            : found.empty() ? source.front().a
@@ -142,7 +153,7 @@ std::vector<Edge> approach_of(const Train& t, Vec2 start, Vec2 ahead, int side) 
 }
 
 /// Path with its approach and departure, run one way.
-Contour run_of(Course& c, const Contour& path, const Train& t, const std::vector<Edge>& source, bool forward) {
+Contour run_of(Course& c, const Contour& path, const Train& t, const Guard& guard, bool forward) {
     const Contour run = forward ? path : geom::reversed(path);
     const std::vector<Edge> chain = geom::edges(run);
     const int side = forward ? t.side : -t.side;
@@ -152,7 +163,7 @@ Contour run_of(Course& c, const Contour& path, const Train& t, const std::vector
     for (const auto* extra : {&all, &leave})
         for (const Edge& e : *extra)
             for (int i = 0; i <= 16; ++i)
-                if (t.side != 0 && distance_to(source, geom::point_at(e, i / 16.0)) < t.away - 1e-6) {
+                if (t.side != 0 && !guard.keeps(geom::point_at(e, i / 16.0), t.away)) {
                     c.fault(Role::approach, "the approach or departure would cut into the contour at " +
                                                 place_text(geom::point_at(e, i / 16.0)));
                     return run;
@@ -171,15 +182,15 @@ void expand_contour_train(Course& c, const Situation& s, const ContourTrain& tra
     const Train t = read_train(c, s, train.side);
     if (!c.ready()) return;
     const std::vector<double> levels = even_levels(c, t.top, t.bottom, t.infeed);
-    const Contour path = path_of(c, train.contour, t);
+    const Guard guard(train.contour);
+    const Contour path = path_of(c, train.contour, guard, t);
     if (!c.ready()) return;
     if (t.approach == 0) c.assume("the tool goes down on the first point of the compensated contour");
-    const std::vector<Edge> source = geom::edges(train.contour);
     // Climb: the tool on the left of its way; on the contour itself as it is programmed.
     const bool climb_is_forward = t.side >= 0;
     const bool first = t.side == 0 || (t.sense >= 0) == climb_is_forward;
-    const Contour there = run_of(c, path, t, source, first);
-    const Contour back = t.sense == 0 ? run_of(c, path, t, source, !first) : there;
+    const Contour there = run_of(c, path, t, guard, first);
+    const Contour back = t.sense == 0 ? run_of(c, path, t, guard, !first) : there;
     if (!c.ready()) return;
     bool forward = true;
     for (const double level : levels) {

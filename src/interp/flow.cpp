@@ -275,6 +275,8 @@ void run_statement(Run& run, const Statement& s, std::uint32_t index) {
             return;
         case StatementKind::cycle_definition:
             define_cycle(run, unit.cycles[table]);
+            for (std::uint32_t w = s.first + 1; w < unit.words_end(index) && !run.stopped; ++w)
+                gather(run, s, unit.words[w]);  // what does not belong to the cycle
             return;
         case StatementKind::call:
             call_program(run, unit.calls[table]);

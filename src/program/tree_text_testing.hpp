@@ -40,7 +40,7 @@ class TreeText {
             case ExprKind::number: return base::shortest(u_.numbers[e.a]) + (e.op == 1 ? "" : "r");
             case ExprKind::boolean: return e.a != 0 ? "TRUE" : "FALSE";
             case ExprKind::text: return "\"" + u_.texts[e.a] + "\"";
-            case ExprKind::parameter: return "R" + std::to_string(e.a);
+            case ExprKind::parameter: return parameter_name(u_.traits != nullptr ? *u_.traits : Traits{}, e.a);
             case ExprKind::parameter_at: return "R[" + expr(e.a) + "]";
             case ExprKind::variable: return names_.text(e.a) + list(e, '[', ']');
             case ExprKind::system: return names_.text(e.a) + "#" + std::to_string(e.op) + list(e, '[', ']');
@@ -82,8 +82,24 @@ class TreeText {
         const auto& b = u_.branches[at];
         return std::string(name) + (b.condition == program::no_expr ? "" : " " + expr(b.condition)) + target(b.target);
     }
+    std::string label_call(const program::LabelCall& c) const {
+        return "call " + expr(c.label) + target(c.target) +
+               (c.repeats == program::no_expr ? "" : " rep " + expr(c.repeats));
+    }
+    std::string cycle(const program::CycleDefinition& c) const {
+        static constexpr std::array<const char*, 3> use{"run", "accepted", "refused"};
+        std::string out = c.name + " " + use[static_cast<std::size_t>(c.use)];
+        for (const program::CycleSetting& s : c.settings) {
+            out += " " + std::to_string(static_cast<int>(s.role));
+            if (s.parameter != program::no_target && u_.traits != nullptr)
+                out += ":" + parameter_name(*u_.traits, s.parameter);
+            out += (s.incremental ? "+=" : "=") + expr(s.value);
+        }
+        return out + (c.texts.empty() ? "" : " " + list(c.texts));
+    }
     std::string head(const program::Statement& s) const {
         if (s.kind == StatementKind::block) return "";
+        if (s.kind == StatementKind::label_end) return "label-end";
         const auto at = static_cast<std::size_t>(u_.words[s.first].payload);
         switch (s.kind) {
             case StatementKind::if_: return branch("if", at);
@@ -111,6 +127,8 @@ class TreeText {
                        std::to_string(static_cast<int>(u_.frames[at].op));
             case StatementKind::define: return define(u_.defines[at]);
             case StatementKind::return_: return "return";
+            case StatementKind::label_call: return label_call(u_.label_calls[at]);
+            case StatementKind::cycle_definition: return cycle(u_.cycles[at]);
             default: return "?";
         }
     }
@@ -173,6 +191,7 @@ class TreeText {
             case Code::named_value: return std::string(text[w.code]) + " " + named(w);
             default: break;
         }
+        if (program::form_of(w) == program::Form::bare) return text[w.code];
         if (program::is_literal(w)) return text[w.code] + base::shortest(u_.literal(w));
         return std::string(text[w.code]) + "=" + expr(static_cast<ExprId>(w.payload));
     }

@@ -133,6 +133,8 @@ PAIRS = [
     ("without stars", "L X+1 F100\nL Y+2\nL X+3\n", "G01 X+1 F100\nY+2\nG01 X+3 ; comment *\n"),
     ("rotary axes", "L C+45 F100\nL A+10 B-5\nL IC+5\n", "G01 C+45 F100 *\nA+10 B-5 *\nG91 C+5 *\n"),
     ("feeds", "L X+1 FU0.2\nL X+2 FZ0.1\nL X+3 FMAX\nL X+4 F200\n", "G01 X+1 FU0.2 *\nX+2 FZ0.1 *\nX+3 F MAX *\nX+4 F200 *\n"),
+    ("smooth approach and departure", "L X-20 Y-10 R0 F500\nAPPR LCT X+0 Y+20 R5 RL F300\nL Y+50\nL X+50\nDEP LCT X+60 Y+80 R6\nL X+90\n",
+     "G01 G40 X-20 Y-10 F500 *\nG41 X+0 Y+20 F300 *\nG26 R5 *\nY+50 *\nX+50 *\nG27 R6 *\nG40 X+60 Y+80 *\nX+90 *\n"),
     ("probe", "TCH PROBE 410 DATUM INSIDE RECTAN. Q321=+50\nL X+1 F100\n", "G410 DATUM INSIDE RECTAN. Q321=+50 *\nG01 X+1 F100 *\n"),
 ]
 DIFFERENT = ("L X+10 Y+20 F100\n", "G01 X+10 Y+20.001 F100 *\n")

@@ -24,6 +24,7 @@ void read_number(State& s) {
 }
 
 void begin_program(State& s) {
+    s.begun = true;
     s.in.take_word("PGM");
     static_cast<void>(s.in.token());  // its name: that of the file counts
     if (s.in.take_word("INCH") || s.in.take_word("IN")) s.build.unit().inch = true;
@@ -103,10 +104,18 @@ bool read_not_run(State& s, std::string_view word) {
 
 bool is(std::string_view letters, std::string_view word) { return base::equals_ignoring_case(letters, word); }
 
+/// DECLARE STRING QS5 = "text": an assignment follows.
+bool take_declaration(State& s) {
+    const std::uint32_t begin = s.in.at();
+    if (s.in.take_word("DECLARE") && s.in.take_word("STRING")) return true;
+    s.in.go_to(begin);
+    return false;
+}
+
 bool read_structure(State& s, std::string_view word) {
     const std::size_t n = word.size();
     if (is(word, "BEGIN")) return s.in.step(n), begin_program(s), true;
-    if (is(word, "END")) return s.in.skip_block(), true;
+    if (is(word, "END")) return s.in.skip_block(), s.ended = s.begun, true;
     if (is(word, "BLK")) return s.in.step(n), read_blank(s), true;
     if (is(word, "TOOL")) {
         const std::uint32_t begin = s.in.at();
@@ -117,6 +126,7 @@ bool read_structure(State& s, std::string_view word) {
     if (is(word, "CYCL") || is(word, "CYCLE")) return s.in.step(n), read_cycle_block(s), true;
     if (is(word, "STOP")) return read_stop(s), true;
     if (is(word, "FN")) return read_function(s);
+    if (is(word, "DECLARE") && take_declaration(s)) return read_assignment(s), true;
     if (base::upper(word.front()) == 'Q' && stands_parameter(s)) return read_assignment(s), true;
     return false;
 }
@@ -139,6 +149,7 @@ void read_comment(State& s, bool after_stop) {
     const std::uint32_t begin = s.in.at();
     s.in.skip_comment();
     if (!after_stop || text.empty()) return;
+    s.after_stop = false;
     program::ProcedureCall call;
     call.arguments = {s.build.text(text, begin, s.in.at())};
     call.where = s.build.span(begin, s.in.at());
@@ -149,7 +160,7 @@ void read_comment(State& s, bool after_stop) {
 void read_block(State& s) {
     s.block = s.in.at();
     s.failed = false;
-    const std::size_t statements = s.build.unit().statements.size();
+    s.statements = s.build.unit().statements.size();
     const std::uint32_t last_path = s.last_path;
     const bool after_stop = s.after_stop;
     read_number(s);
@@ -173,7 +184,7 @@ void read_block(State& s) {
     else
         fail_here(s, "this is left over at the end of the block: " + here(s)), s.in.skip_block();
     if (s.last_path == last_path) s.last_path = program::no_target;
-    if (s.build.unit().statements.size() > statements) s.build.end_statement(s.in.at());
+    if (s.build.unit().statements.size() > s.statements) s.build.end_statement(s.in.at());
 }
 
 }  // namespace obrys::read::heidenhain

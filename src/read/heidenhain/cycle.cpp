@@ -73,7 +73,8 @@ bool read_parameter_line(State& s) {
         return true;
     }
     // The control refuses what does not belong to the cycle; an old or new software version may know it.
-    s.build.problem(Code::unsupported, begin, s.in.at(), "this parameter does not belong to " + c.name);
+    if (known != nullptr)
+        s.build.problem(Code::unsupported, begin, s.in.at(), "this parameter does not belong to " + c.name);
     setting.role = program::CycleRole::probe_input;
     c.settings.push_back(setting);
     return true;
@@ -82,8 +83,21 @@ bool read_parameter_line(State& s) {
 }  // namespace
 
 void read_named(State& s) {
-    while (!s.failed && !s.in.at_end())
-        if (!read_parameter_line(s)) s.in.step();  // the cycle's name, in whatever language
+    bool named = open_cycle(s).settings.empty();  // in whatever language
+    while (!s.failed && !s.in.at_end()) {
+        const bool parameter = stands_parameter(s);
+        if (read_parameter_line(s)) {
+            named = false;
+        } else if (named) {
+            s.in.step();
+        } else if (parameter) {
+            const std::uint32_t begin = s.in.at();
+            static_cast<void>(read_parameter(s));
+            fail(s, begin, "'=' is due behind " + base::to_upper(s.in.between(begin, s.in.at())));
+        } else {
+            fail_here(s, "this is no parameter of a cycle: " + here(s));
+        }
+    }
 }
 
 namespace {
@@ -123,7 +137,7 @@ void read_names(State& s) {
             continue;
         }
         if (s.in.peek() == '"' || stands_parameter(s)) {
-            open_cycle(s).texts.push_back(read_text(s));
+            if (const ExprId text = read_text(s); text != no_expr) open_cycle(s).texts.push_back(text);
             continue;
         }
         const base::NumberScan n = s.in.number();

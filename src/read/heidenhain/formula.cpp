@@ -1,6 +1,7 @@
 /// Formulas of Q parameters: `Q1 = SQRT ( Q2 ^ 2 + 5 ) * SIN Q3`, and texts of QS parameters.
 /// Order of the control (iTNC 530 pilot, entering formulas directly): parentheses, functions and signs, power, times
-/// and through, plus and minus; equal ones from left to right.
+/// and through, plus and minus; equal ones from left to right, but chained powers from right to left (TNC7 manual,
+/// rules for formulas; those of the iTNC 530 do not speak of them).
 
 #include <array>
 #include <optional>
@@ -51,7 +52,8 @@ public:
                 return no_expr;
             }
             s_.in.step(op->first == Operator::concat ? 2 : 1);
-            const ExprId right = read(op->second + 1, depth);
+            const bool power = op->first == Operator::power;
+            const ExprId right = read(power ? op->second : op->second + 1, power ? depth + 1 : depth);
             if (right == no_expr) return no_expr;
             left = s_.build.binary(op->first, left, right, begin, s_.in.at());
         }
@@ -96,7 +98,9 @@ private:
         if (c == '"') return read_text(s_);
         if (const ExprId parameter = read_parameter(s_); parameter != no_expr) return parameter;
         if (base::is_letter(c)) return named(begin, depth);
-        const base::NumberScan n = s_.in.number();
+        base::NumberScan n = s_.in.number();
+        if (n.length > 0) limit(s_, n, begin);
+        if (s_.failed) return no_expr;
         if (n.length > 0) return s_.build.number(n.value, n.integer, begin, s_.in.at());
         fail_here(s_, "a number, a Q parameter or a function is due here, found " + here(s_));
         return no_expr;
@@ -113,14 +117,22 @@ private:
         return inner;
     }
 
+    /// A function may stand directly before its parameter, not before another letter.
+    bool take_function(std::string_view name) {
+        const std::uint32_t before = s_.in.at();
+        if (s_.in.take_prefix(name) && (!base::is_letter(s_.in.peek()) || stands_parameter(s_))) return true;
+        s_.in.go_to(before);
+        return false;
+    }
+
     ExprId named(std::uint32_t begin, int depth) {
         if (s_.in.take_word("PI")) return s_.build.number(3.14159265358979323846, false, begin, s_.in.at());
-        if (s_.in.take_prefix("NEG")) {
+        if (take_function("NEG")) {
             const ExprId argument = operand(depth + 1);
             return argument == no_expr ? no_expr : s_.build.unary(Operator::negate, argument, begin, s_.in.at());
         }
         for (const Name& f : functions) {
-            if (!s_.in.take_prefix(f.text)) continue;
+            if (!take_function(f.text)) continue;
             const ExprId argument = operand(depth + 1);
             if (argument == no_expr) return no_expr;
             return s_.build.function(f.function, {argument}, begin, s_.in.at());

@@ -8,6 +8,8 @@ using program::no_expr;
 
 namespace {
 
+constexpr double highest_label = 65534;
+
 struct Label {
     ExprId text = no_expr;
     std::string name;  ///< empty where it is computed (QS)
@@ -18,7 +20,13 @@ Label read_label(State& s) {
     s.in.skip_blanks();
     const std::uint32_t begin = s.in.at();
     Label l;
-    if (const int n = s.in.integer(); n >= 0) {
+    if (base::is_digit(s.in.peek())) {
+        const int n = s.in.integer();
+        const char next = base::upper(s.in.peek());
+        if (n < 0 || n > highest_label || next == '.' || next == 'E') {
+            fail(s, begin, "a label is a whole number up to 65534", "a name in quotes is a label, too");
+            return l;
+        }
         l.name = std::to_string(n);
         l.text = s.build.text(l.name, begin, s.in.at());
         return l;
@@ -31,12 +39,14 @@ Label read_label(State& s) {
     if (l.text == no_expr) return l;
     const program::Expr& e = s.build.unit().exprs[l.text];
     if (e.kind == program::ExprKind::text) l.name = s.build.unit().texts[e.a];
+    if (e.kind == program::ExprKind::text && l.name.empty()) fail(s, begin, "a label's name is empty");
     return l;
 }
 
 }  // namespace
 
 void read_label_block(State& s) {
+    s.in.skip_blanks();
     const std::uint32_t begin = s.in.at();
     const Label l = read_label(s);
     if (s.failed) return;

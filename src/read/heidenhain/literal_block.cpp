@@ -84,7 +84,7 @@ bool read_literal_block(State& s) {
     };
     for (;;) {
         while (base::is_blank(*p)) ++p;
-        if (*p == '\n' || *p == '\r' || *p == '\0') break;
+        if (*p == '\n' || (*p == '\r' && p[1] == '\n') || (*p == '\0' && p == s.in.text_end())) break;
         if (p - line > 4000) return give_up();
         if (const char* rapid = fixed_word(p, "FMAX")) {
             unit.words[first].payload = program::modal_word(Modal::rapid);

@@ -28,7 +28,7 @@ void read_feed(State& s) {
         s.build.problem(Code::unsupported, begin, v.end, "a time instead of a feed");
         return;
     }
-    if (s.in.at_end() || base::is_blank(s.in.peek())) {
+    if (base::is_blank(s.in.peek()) || s.in.at_end()) {
         const Value v = read_value(s);
         if (!v.found) return;  // the key was pressed and nothing entered
         s.in.go_to(begin + 1);
@@ -67,7 +67,7 @@ void read_corner(State& s, bool chamfer, std::uint32_t begin) {
         value_word(s, Code::corner_feed, word);
     }
     if (!s.in.at_end()) fail_here(s, "only a feed may follow here, found " + here(s));
-    s.build.statement(StatementKind::block, s.block);  // the block itself, which counts as one
+    if (!s.failed) s.build.statement(StatementKind::block, s.block);  // the block itself, which counts as one
 }
 
 namespace {
@@ -201,6 +201,21 @@ void read_words(State& s, bool arc) {
     while (!s.failed && !s.in.at_end()) read_word(s, arc);
 }
 
+namespace {
+
+/// X, IX, XQ5, IPA, M, FMAX, RL …: the block has no opener, it begins with one of its words.
+bool opens_with_word(std::string_view word) {
+    std::string w = base::to_upper(word);
+    if (w.empty()) return false;
+    for (const std::string_view fixed : {"RL", "RR", "R", "F", "FMAX", "FAUTO", "FU", "FZ", "FT", "M"})
+        if (w == fixed) return true;
+    if (w.front() == 'I') w.erase(0, 1);
+    if (const auto q = w.find('Q'); q != std::string::npos) w.erase(q);  // a parameter is the value
+    return w == "PA" || w == "PR" || w == "F" || w == "M" || (w.size() == 1 && axis_of(w.front()));
+}
+
+}  // namespace
+
 bool read_path_block(State& s, std::string_view word) {
     for (const Opener& o : openers) {
         if (!base::equals_ignoring_case(o.word, word)) continue;
@@ -222,7 +237,7 @@ bool read_path_block(State& s, std::string_view word) {
         return true;
     }
     const char c = base::upper(s.in.peek());
-    if (word.empty() || (!axis_of(c) && c != 'I' && c != 'M' && c != 'F' && c != 'R')) return false;
+    if (!opens_with_word(word)) return false;
     s.build.statement(StatementKind::block, s.block);
     if (c != 'M' && c != 'F') {
         straight(s);

@@ -28,6 +28,27 @@ void skip_preface(State& s, base::Diagnostics& diagnostics) {
     s.in.go_to(static_cast<std::uint32_t>(line));
 }
 
+/// A program that was cut off on its way here has no END PGM; what an editor has left behind it is not run.
+void check_end(State& s, base::Diagnostics& diagnostics) {
+    base::Diagnostic d;
+    if (s.ended && s.in.next_line()) {
+        const std::uint32_t begin = s.in.at();
+        s.in.rest_of_line();
+        d.severity = base::Severity::note;
+        d.code = base::codes::no_effect;
+        d.where = s.build.span(begin, s.in.at());
+        d.text = "the text behind END PGM is left out";
+    } else if (s.begun && !s.ended) {
+        d.severity = base::Severity::warning;
+        d.code = base::codes::unclosed;
+        d.where = s.build.span(s.block, s.in.at());
+        d.text = "END PGM is missing: the program may be cut off here";
+    } else {
+        return;
+    }
+    diagnostics.add(std::move(d));
+}
+
 }  // namespace
 
 program::Unit begin_unit(std::uint32_t file, const base::Source& source) {
@@ -49,12 +70,13 @@ program::Unit read(std::uint32_t file, const base::Sources& sources, program::Na
     State s{.build = {unit, names, diagnostics, source.text}, .in = Scanner(source.text), .iso = {}};
     skip_preface(s, diagnostics);
     bool first = true;
-    while (s.in.next_line()) {
+    while (!s.ended && s.in.next_line()) {
         if (read_literal_block(s)) continue;
         read_block(s);
         if (first) s.first_numbered = s.numbered;
         first = false;
     }
+    check_end(s, diagnostics);
     resolve_labels(s);
     return unit;
 }

@@ -1,6 +1,9 @@
 #include "read/heidenhain/scanner.hpp"
 
-#include <cmath>
+#include <charconv>
+#include <limits>
+#include <string>
+#include <system_error>
 
 namespace obrys::read::heidenhain {
 
@@ -10,6 +13,16 @@ namespace {
 bool is_line_end(const char* p, bool cr_alone) { return *p == '\n' || (*p == '\r' && (cr_alone || p[1] == '\n')); }
 /// Blank, or what editors of old leave at the end of a text.
 bool is_empty(char c) { return base::is_blank(c) || c == '\r' || c == '\x1A' || c == '\0'; }
+
+/// The nearest double; infinite where the number is too large for one.
+double nearest(const std::string& text) {
+    double value = 0;
+    const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), value);
+    if (error == std::errc{}) return value;
+    const auto e = text.find('E');
+    const bool small = e != std::string::npos && e + 1 < text.size() && text[e + 1] == '-';
+    return small || text.find_first_of("123456789") == std::string::npos ? 0 : std::numeric_limits<double>::infinity();
+}
 
 }  // namespace
 
@@ -49,7 +62,7 @@ bool Scanner::at_star() const {
     if (!star_ends_ || peek() != '*') return false;
     const char* q = p_ + 1;
     while (q < end_ && base::is_blank(*q)) ++q;
-    if (q >= end_ || is_line_end(q, cr_alone_) || std::string_view(";*%\x1A").find(*q) != std::string_view::npos)
+    if (q >= end_ || is_line_end(q, cr_alone_) || std::string_view(";%\x1A").find(*q) != std::string_view::npos)
         return true;
     return base::upper(*q) == 'N' && q + 1 < end_ && base::is_digit(q[1]);
 }
@@ -176,6 +189,7 @@ base::NumberScan Scanner::number() {
     const bool exponent = base::upper(peek()) == 'E' &&
                           (base::is_digit(sign) || ((sign == '+' || sign == '-') && base::is_digit(peek(2))));
     if (exponent) {
+        n.integer = false;
         const char* e = p_;
         p_ += 2;
         while (p_ < end_ && base::is_digit(*p_)) ++p_;
@@ -185,8 +199,7 @@ base::NumberScan Scanner::number() {
         n.decimal = d;
     }
     if (text.ends_with('.')) text += '0';
-    n.value = n.decimal && d.decimals == 0 ? static_cast<double>(d.mantissa) : base::parse_double(text).value_or(0);
-    if (!std::isfinite(n.value)) n.value = 0;
+    n.value = n.decimal && d.decimals == 0 ? static_cast<double>(d.mantissa) : nearest(text);
     n.length = static_cast<std::size_t>(p_ - from);
     return n;
 }

@@ -41,9 +41,10 @@ public:
     /// To the end of the line, whatever is in it; the text that was there.
     std::string_view rest_of_line();
 
-    /// What stands here, without moving; '\0' at the text's end.
     /// The text from here on; it ends with a NUL that is not part of it.
     [[nodiscard]] const char* here() const { return p_; }
+    [[nodiscard]] const char* text_end() const { return end_; }
+    /// What stands here, without moving; '\0' at the text's end.
     [[nodiscard]] char peek(std::ptrdiff_t k = 0) const { return end_ - p_ > k ? p_[k] : '\0'; }
     void step(std::size_t n = 1) { p_ += n; }
     /// Takes `c`, behind blanks or not.
@@ -60,7 +61,8 @@ public:
     std::string_view path();
     /// Digits alone, as numbers of labels and words have them; -1 where there are none or too many. Moves behind them.
     int integer();
-    /// Unsigned number with decimal point or comma, exponent allowed; length 0 where there is none. Moves behind it.
+    /// Unsigned number with decimal point or comma, exponent allowed; length 0 where there is none, infinite where it
+    /// is too large for a double. Moves behind it.
     base::NumberScan number();
     /// The comment at the end of the block at hand, where it has one; the scanner stands on its `;`.
     [[nodiscard]] std::string_view comment() const;

@@ -27,6 +27,7 @@ void read_oversize(State& s, std::uint32_t begin) {
     if (c == 'L') return value_word(s, Code::delta_length, begin);
     if (c == 'R' && s.in.peek() == '2') {
         s.in.step();
+        s.in.take(':');
         return value_word(s, Code::delta_corner, begin);
     }
     if (c == 'R') return value_word(s, Code::delta_radius, begin);

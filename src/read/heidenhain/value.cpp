@@ -1,5 +1,7 @@
 /// Values of words: numbers and Q parameters with a sign.
 
+#include <cmath>
+
 #include "dialect/heidenhain/traits.hpp"
 #include "read/heidenhain/state.hpp"
 
@@ -8,6 +10,16 @@ namespace obrys::read::heidenhain {
 using program::Expr;
 using program::ExprKind;
 using program::no_expr;
+
+namespace {
+
+constexpr std::int64_t text_parameters = 2000;
+
+void no_such_parameter(State& s, std::uint32_t begin, const std::string& name) {
+    fail(s, begin, "there is no parameter " + name, "Q0 to Q1999, QL0 to QL499, QR0 to QR499, QS0 to QS1999");
+}
+
+}  // namespace
 
 bool stands_parameter(const State& s) {
     if (base::upper(s.in.peek()) != 'Q') return false;
@@ -25,6 +37,8 @@ ExprId read_parameter(State& s) {
     const std::string name = base::to_upper(s.in.between(begin, end));
     Expr e;
     if (name[1] == 'S') {
+        const auto number = base::parse_integer(std::string_view(name).substr(2));
+        if (!number || *number >= text_parameters) no_such_parameter(s, begin, name);
         e.kind = ExprKind::variable;
         e.a = s.build.name(name);
         return s.build.add(e, begin, end);
@@ -32,9 +46,14 @@ ExprId read_parameter(State& s) {
     const program::Traits& traits = dialect::heidenhain::traits;
     e.kind = ExprKind::parameter;
     e.a = program::find_parameter(traits, name);
-    if (e.a == program::parameter_count(traits))
-        fail(s, begin, "there is no parameter " + name, "Q0 to Q1999, QL0 to QL499, QR0 to QR499, QS0 to QS1999");
+    if (e.a == program::parameter_count(traits)) no_such_parameter(s, begin, name);
     return s.build.add(e, begin, end);
+}
+
+void limit(State& s, base::NumberScan& n, std::uint32_t begin) {
+    if (std::isfinite(n.value)) return;
+    fail(s, begin, "this number is too large");
+    n.value = 0;
 }
 
 Value read_value(State& s) {
@@ -55,6 +74,7 @@ Value read_value(State& s) {
     v.literal = s.in.number();
     v.found = v.literal.length > 0;
     v.end = s.in.at();
+    if (v.found) limit(s, v.literal, v.begin);
     if (!v.found) s.in.go_to(v.begin);
     return v;
 }
@@ -71,13 +91,16 @@ ExprId value_expr(State& s) {
 }
 
 void value_word(State& s, Code code, std::uint32_t begin, bool incremental) {
+    const std::uint32_t behind = s.in.at();
     const Value v = read_value(s);
     if (!v.found) {
+        s.in.go_to(behind);
         fail(s, begin,
-             "the word '" + base::as_utf8(s.in.between(begin, s.in.at())) +
+             "the word '" + base::as_utf8(base::trim(s.in.between(begin, s.in.at()))) +
                  "' has no value: a number or a Q parameter must follow");
         return;
     }
+    if (s.failed) return;  // a value that cannot be: the word is left out
     if (incremental)
         s.build.expression(code, s.build.with_reference(program::Reference::incremental, as_expr(s, v), v.begin, v.end),
                            begin, v.end);
