@@ -131,7 +131,10 @@ private:
                 code = i == at_ ? opening_line(p.code, options_.decimal, block)
                                 : further_line(p.code, options_.decimal, block);
             if (!code || (on && block.shape == Shape::kept)) return false;
-            if (on && block.shape == Shape::words && ends_open(p.code)) return false;
+            const bool glued =
+                line.size() > p.code.size() && line[p.code.size()] == ';';  // `R;text` is no R to readers
+            const bool has_words = block.shape == Shape::words || block.shape == Shape::generic;
+            if ((on || glued) && has_words && ends_open(p.code)) return false;
             out.push_back(joined(std::move(*code), p));
         }
         return true;
