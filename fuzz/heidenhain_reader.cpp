@@ -7,7 +7,7 @@
 
 #include "interp/interp.hpp"
 #include "read/heidenhain/read.hpp"
-#include "tree_checks.hpp"
+#include "check_unit.hpp"
 
 using namespace obrys;
 

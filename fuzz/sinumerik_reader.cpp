@@ -1,10 +1,6 @@
 // Any bytes are read without crash; every span lies inside the text and every number inside its table.
-#include <cstddef>
-#include <cstdint>
-#include <string>
-
+#include "check_unit.hpp"
 #include "read/sinumerik/read.hpp"
-#include "tree_checks.hpp"
 
 using namespace obrys;
 

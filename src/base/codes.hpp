@@ -46,6 +46,7 @@ inline constexpr std::string_view duplicate_name = "duplicate-name";
 inline constexpr std::string_view missing_label = "missing-label";
 inline constexpr std::string_view bad_argument = "bad-argument";
 inline constexpr std::string_view compensation = "compensation";
+inline constexpr std::string_view contour = "contour";
 // not understood, or not run
 inline constexpr std::string_view syntax = "syntax";
 inline constexpr std::string_view unknown_word = "unknown-word";
@@ -88,6 +89,7 @@ inline constexpr std::array all_codes{
     Code{codes::missing_label, CodeKind::finding, "a jump to a label that does not exist"},
     Code{codes::bad_argument, CodeKind::finding, "arguments that do not fit the called program"},
     Code{codes::compensation, CodeKind::finding, "tool radius compensation that the contour does not allow"},
+    Code{codes::contour, CodeKind::finding, "contour elements that are not determined, contradict each other or do not join"},
     Code{codes::syntax, CodeKind::unchecked, "text that does not follow the control's grammar"},
     Code{codes::undefined_name, CodeKind::unchecked,
          "a name that is not defined in the programs and definition files at hand"},

@@ -51,7 +51,7 @@ void bore(Course& c, const Situation& s) {
     const double back = c.feed_or(Role::feed_retract, feed);
     const double dwell = c.maybe_at_least(Role::dwell_bottom, 0, 0);
     const geom::Vec3 away = direction_of(c, 0);
-    c.known(s.spindle_speed, "the spindle speed");
+    c.spindle_speed(s);
     if (!c.ready()) return;
     c.rapid_w(h.clearance);
     const geom::Vec3 axis = c.at();
@@ -73,7 +73,7 @@ void back_bore(Course& c, const Situation& s) {
     const double positioning = c.feed(Role::feed_position), boring = c.feed(Role::feed_countersink);
     const double dwell = c.maybe_at_least(Role::dwell, 0, 0);
     const geom::Vec3 away = direction_of(c, 1);
-    c.known(s.spindle_speed, "the spindle speed");
+    c.spindle_speed(s);
     if (depth < 0) c.fault(Role::counterbore_depth, "enter the depth of counterbore as a positive value");
     if (depth > thickness) c.fault(Role::counterbore_depth, "the counterbore is deeper than the material is thick");
     if (depth == 0) return c.not_executed(Role::counterbore_depth);
@@ -105,7 +105,7 @@ void bore_mill(Course& c, const Situation& s) {
     const double diameter = c.positive(Role::diameter);
     const double predrilled = c.maybe_at_least(Role::predrilled_diameter, 0, 0);
     const double sense = c.maybe(Role::direction, 1) < 0 ? -1 : 1;  // inside a hole climb is counter-clockwise with M3
-    const double radius = diameter / 2 - c.known(s.tool_radius, "the tool radius");
+    const double radius = diameter / 2 - c.tool_radius(s);
     if (radius < -1e-9) c.fault(Role::diameter, "tool radius too large: the hole is smaller than the tool");
     if (predrilled == 0 && radius > s.tool_radius + 1e-9)
         c.fault(Role::diameter, "the hole is larger than twice the tool and not roughed out: a core would stay",

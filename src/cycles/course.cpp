@@ -13,6 +13,11 @@ namespace {
 constexpr double no_length = 1e-9;  ///< mm; a shorter move is none
 constexpr double largest = 1e7;     ///< beyond every control's input range
 
+/// False where a coordinate is not known (geom::length may overlook a NaN).
+bool same_place(geom::Vec3 a, geom::Vec3 b) {
+    return std::abs(a.x - b.x) <= no_length && std::abs(a.y - b.y) <= no_length && std::abs(a.z - b.z) <= no_length;
+}
+
 /// Feeds that may be rapid traverse (FMAX).
 bool may_be_rapid(program::CycleRole role) {
     return role == program::CycleRole::feed_position || role == program::CycleRole::feed_retract;
@@ -93,6 +98,18 @@ double Course::known(double value, const std::string& what) {
     return value;
 }
 
+double Course::tool_radius(const Situation& situation) {
+    const double radius = known(situation.tool_radius, "the tool radius");
+    if (radius < 0 || radius > largest) fault("the tool radius is out of range");
+    return radius;
+}
+
+double Course::spindle_speed(const Situation& situation) {
+    const double speed = known(situation.spindle_speed, "the spindle speed");
+    if (speed < 0 || speed > largest) fault("the spindle speed is out of range");
+    return speed;
+}
+
 void Course::fault(Role role, std::string text, std::string remedy) {
     out_.complaints.push_back({true, std::move(text), std::move(remedy), role});
     ready_ = false;
@@ -104,7 +121,7 @@ void Course::fault(std::string text, std::string remedy) {
 }
 
 void Course::not_executed(Role role) {
-    remark(role, std::string(name(role)) + " is 0: the cycle is not executed");
+    skipped_ = Complaint{false, std::string(name(role)) + " is 0: the cycle is not executed", {}, role};
     ready_ = false;
 }
 
@@ -135,14 +152,14 @@ void Course::set_feed(double value) {
 }
 
 void Course::rapid(geom::Vec3 to) {
-    if (geom::distance(at_, to) <= no_length) return;
+    if (same_place(at_, to)) return;
     add(cl::Linear{.to = to, .rapid = true});
     at_ = to;
 }
 
 void Course::move(geom::Vec3 to, double feed) {
     if (std::isinf(feed)) return rapid(to);
-    if (geom::distance(at_, to) <= no_length) return;
+    if (same_place(at_, to)) return;
     set_feed(feed);
     add(cl::Linear{.to = to, .rapid = false});
     at_ = to;
@@ -153,7 +170,8 @@ void Course::arc(geom::Vec2 centre, double sweep, double w, double feed) {
     const double c = std::cos(sweep), s = std::sin(sweep);
     geom::Vec2 to = centre + geom::Vec2{c * from.x - s * from.y, s * from.x + c * from.y};
     const double turns = sweep / (2 * geom::pi);
-    if (std::abs(turns - std::round(turns)) < 1e-12) to = {at_.x, at_.y};  // a full turn ends where it began
+    if (std::round(turns) != 0 && std::abs(turns - std::round(turns)) < 1e-12)
+        to = {at_.x, at_.y};  // a full turn ends where it began
     set_feed(feed);
     add(cl::Arc{.to = {to.x, to.y, w}, .centre = {centre.x, centre.y, w}, .normal = {0, 0, 1}, .sweep = sweep});
     at_ = {to.x, to.y, w};
@@ -174,9 +192,12 @@ void Course::thread_w(double w, double pitch, bool rigid) {
 }
 
 Expansion Course::finish() {
-    for (const Complaint& c : out_.complaints)
-        if (c.fatal) out_.steps.clear();
-    if (!out_.simulated) out_.steps.clear();
+    if (skipped_) {
+        Expansion nothing;
+        nothing.complaints.push_back(*skipped_);
+        return nothing;
+    }
+    if (!out_.ok()) out_.steps.clear();
     return std::move(out_);
 }
 

@@ -1,6 +1,7 @@
 #pragma once
 /// What every family of cycles uses: reads the parameters of a demand, complains, and writes the steps of the tool.
 
+#include <optional>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -36,11 +37,14 @@ public:
     double depth(Role role = Role::depth);
     /// Something of the situation; NaN is complained of as `what`.
     double known(double value, const std::string& what);
+    double tool_radius(const Situation& situation);    ///< not negative
+    double spindle_speed(const Situation& situation);  ///< not negative
 
     void fault(Role role, std::string text, std::string remedy = {});
     void fault(std::string text, std::string remedy = {});
-    /// The control passes over the cycle because this is 0.
+    /// The control passes over the cycle because this is 0; whatever else is wrong with the call does not matter then.
     void not_executed(Role role);
+    /// Something worth saying that changes nothing.
     void remark(Role role, std::string text);
     void not_simulated(std::string text, std::string remedy = {});
     /// The path is not documented in this point and was chosen: see Expansion::assumption.
@@ -74,6 +78,7 @@ private:
     geom::Vec3 at_;
     double feed_ = unknown;
     bool ready_ = true, full_ = false;
+    std::optional<Complaint> skipped_;  ///< why the control passes over the cycle
 };
 
 /// Heights of a hole, absolute w: what nearly every cycle begins with.

@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "cycles/course.hpp"
+#include "cycles/pocket_data.hpp"
 
 namespace obrys::cycles {
 
@@ -20,6 +21,38 @@ Family family_of(Kind kind) {
         case Kind::universal_peck:
         case Kind::centre:
         case Kind::single_lip: return expand_drill;
+        case Kind::rectangular_pocket:
+        case Kind::circular_pocket:
+        case Kind::rectangular_pocket_simple:
+        case Kind::circular_pocket_simple: return expand_pocket;
+        case Kind::slot:
+        case Kind::round_slot:
+        case Kind::slot_reciprocating:
+        case Kind::round_slot_reciprocating: return expand_slot;
+        case Kind::rectangular_stud:
+        case Kind::circular_stud: return expand_stud;
+        case Kind::rectangular_pocket_finish:
+        case Kind::rectangular_stud_finish:
+        case Kind::circular_pocket_finish:
+        case Kind::circular_stud_finish: return expand_finish;
+        case Kind::ream:
+        case Kind::bore:
+        case Kind::back_bore:
+        case Kind::bore_mill: return expand_bore;
+        case Kind::tap_floating_simple:
+        case Kind::tap_floating:
+        case Kind::tap_rigid_simple:
+        case Kind::tap_rigid:
+        case Kind::tap_chip_breaking:
+        case Kind::thread_cut: return expand_tap;
+        case Kind::thread_mill:
+        case Kind::thread_mill_countersink:
+        case Kind::thread_mill_drill:
+        case Kind::thread_mill_helix:
+        case Kind::thread_mill_outside: return expand_thread_mill;
+        case Kind::multipass:
+        case Kind::ruled_surface:
+        case Kind::face_mill: return expand_surface;
         default: return nullptr;
     }
 }

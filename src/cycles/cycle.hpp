@@ -24,10 +24,12 @@ struct Situation {
     geom::Vec3 at{unknown, unknown, unknown};  ///< the tool; u and v are the called position
     double tool_radius = unknown;
     double tool_corner_radius = unknown;
-    double tool_point_angle = unknown;  ///< full angle of a drill's point, degrees
-    double spindle_speed = unknown;     ///< 1/min
-    int spindle_direction = 0;          ///< +1 M3, -1 M4, 0 standing
-    double feed = unknown;              ///< programmed last
+    double tool_point_angle = unknown;   ///< full angle of a drill's point, degrees
+    double spindle_speed = unknown;      ///< 1/min
+    int spindle_direction = 0;           ///< +1 M3, -1 M4, 0 standing
+    double feed = unknown;               ///< programmed last
+    double tool_plunge_angle = unknown;  ///< largest, degrees (ANGLE of the tool table); 0: it may not plunge obliquely
+    double tool_cutting_length = unknown;  ///< LCUTS of the tool table
 };
 
 struct Demand {

@@ -18,7 +18,7 @@ using Kind = program::CycleKind;
 /// How much deeper the point must go so that the full diameter reaches the depth.
 double point_length(Course& c, const Situation& s) {
     if (c.maybe(Role::depth_reference, 0) == 0) return 0;
-    const double radius = c.known(s.tool_radius, "the tool radius");
+    const double radius = c.tool_radius(s);
     const double angle = c.known(s.tool_point_angle, "the tool's point angle");
     if (angle <= 0 || angle > 180) c.fault("the tool's point angle must be above 0 and up to 180 degrees");
     return radius / std::tan(geom::radians(angle / 2));
@@ -137,7 +137,7 @@ void universal_peck(Course& c, const Situation& s) {
 double centring_depth(Course& c, const Situation& s) {
     const double diameter = std::abs(c.need(Role::diameter));  // the manual writes it negative
     const double angle = c.known(s.tool_point_angle, "the tool's point angle (T-ANGLE)");
-    const double radius = c.known(s.tool_radius, "the tool radius");
+    const double radius = c.tool_radius(s);
     if (angle <= 0 || angle >= 180) c.fault("the tool's point angle must lie between 0 and 180 degrees");
     if (diameter > 2 * radius) c.fault(Role::diameter, "the centring diameter is larger than the tool");
     if (diameter == 0) c.fault(Role::diameter, "the centring diameter must not be 0");
@@ -168,7 +168,7 @@ void machine_function(Course& c, double number) {
         c.add(cl::Auxiliary{'M', static_cast<std::int64_t>(number)});
 }
 
-void single_lip(Course& c, const Situation& s) {
+void single_lip(Course& c, const Demand& d, const Situation& s) {
     const Heights h = read_heights(c);
     const double feed = c.feed(Role::feed_plunge);
     const double back = c.feed_or(Role::feed_retract, feed);
@@ -177,12 +177,11 @@ void single_lip(Course& c, const Situation& s) {
     const double approach = deepened > 0 ? c.feed(Role::feed_position) : 0;
     const double way = c.maybe(Role::spindle_direction, s.spindle_direction < 0 ? 4 : 3);
     const double slow = c.maybe_at_least(Role::spindle_speed_position, 0, 0);
-    const double fast = c.maybe_at_least(Role::spindle_speed, 0, s.spindle_speed);
+    const double fast = d.find(Role::spindle_speed) ? c.at_least(Role::spindle_speed, 0) : c.spindle_speed(s);
     const double on = c.maybe_at_least(Role::coolant_on, 0, 8), off = c.maybe_at_least(Role::coolant_off, 0, 9);
     if (way != 3 && way != 4 && way != 5) c.fault(Role::spindle_direction, "the spindle direction must be 3, 4 or 5");
     if (deepened > h.surface - h.bottom)
         c.fault(Role::deepened_start, "the deepened starting point lies below the depth");
-    c.known(fast, "the spindle speed");
     if (on > 999 || off > 999) c.fault(Role::coolant_on, "an M function has at most three digits");
     if (!c.ready()) return;
     const int turning = way == 4 ? -1 : 1, entering = way == 5 ? 0 : turning;
@@ -207,7 +206,7 @@ void expand_drill(Course& c, const Demand& demand, const Situation& situation) {
         case Kind::universal_drill: return universal_drill(c, situation);
         case Kind::universal_peck: return universal_peck(c, situation);
         case Kind::centre: return centre(c, situation);
-        case Kind::single_lip: return single_lip(c, situation);
+        case Kind::single_lip: return single_lip(c, demand, situation);
         default: return drill(c, situation);
     }
 }

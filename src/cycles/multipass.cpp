@@ -34,7 +34,7 @@ void multipass(Course& c, const Situation& s) {
     const double plunge = c.feed(Role::feed_plunge), mill = c.feed(Role::feed_mill),
                  step_feed = c.feed(Role::feed_step);
     const double clearance = c.at_least(Role::clearance, 0);
-    const double r = c.known(s.tool_radius, "the tool radius");
+    const double r = c.tool_radius(s);
     c.known(s.at.z, "the tool's height");
     const int cuts = read_cuts(c);
     if (!c.ready()) return;
@@ -61,7 +61,7 @@ void ruled_surface(Course& c, const Situation& s) {
     const Vec3 p3{c.need(Role::third_u), c.need(Role::third_v), c.need(Role::third_w)};
     const Vec3 p4{c.need(Role::fourth_u), c.need(Role::fourth_v), c.need(Role::fourth_w)};
     const double mill = c.feed(Role::feed_mill);
-    const double diameter = 2 * c.known(s.tool_radius, "the tool radius");
+    const double diameter = 2 * c.tool_radius(s);
     c.known(s.at.z, "the tool's height");
     const int cuts = read_cuts(c);
     if (!c.ready()) return;
@@ -130,7 +130,7 @@ Face read_face(Course& c, const Situation& s) {
     f.side = c.maybe_at_least(Role::side_clearance, 0, 0);
     const double strategy = c.need(Role::strategy);
     if (strategy != 0 && strategy != 1 && strategy != 2) c.fault(Role::strategy, "the strategy must be 0, 1 or 2");
-    f.radius = c.known(s.tool_radius, "the tool radius");
+    f.radius = c.tool_radius(s);
     c.known(s.at.z, "the tool's height");
     const double corner = c.known(s.tool_corner_radius, "the tool's corner radius");
     if (f.start.z < f.floor) c.fault(Role::end_surface, "the end point lies above the starting point in the tool axis");

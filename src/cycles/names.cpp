@@ -3,6 +3,7 @@
 namespace obrys::cycles {
 
 std::string_view name(program::CycleRole role) {
+    // sizes: table
     switch (role) {
         using enum program::CycleRole;
         case surface: return "surface coordinate";

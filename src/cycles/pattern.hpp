@@ -36,8 +36,8 @@ struct Figure {
         arc,       ///< PITCHCIRC: `angle_step` apart
     };
     Kind kind = Kind::position;
-    geom::Vec2 start;  ///< first position; centre of circle and arc
-    geom::Vec2 spacing;
+    geom::Vec2 start{};  ///< first position; centre of circle and arc
+    geom::Vec2 spacing{};
     double diameter = 0;
     int columns = 1, rows = 1;              ///< `columns` is the number of row, circle and arc
     double rotation = 0;                    ///< of the whole about `start`, degrees

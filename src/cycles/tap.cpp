@@ -16,7 +16,7 @@ using Kind = program::CycleKind;
 
 /// Speed of the spindle; a standing one is a complaint where the program must have started it.
 double turning(Course& c, const Situation& s) {
-    const double speed = c.known(s.spindle_speed, "the spindle speed");
+    const double speed = c.spindle_speed(s);
     if (s.spindle_direction == 0 || speed == 0)
         c.fault("the spindle does not turn", "program M3 or M4 before the call");
     return speed;
@@ -53,7 +53,7 @@ double read_pitch(Course& c) {
 }
 
 double read_speed(Course& c, const Situation& s) {
-    const double speed = c.known(s.spindle_speed, "the spindle speed");
+    const double speed = c.spindle_speed(s);
     if (speed <= 0) c.fault("the spindle speed is 0", "program a speed with the tool");
     return speed;
 }

@@ -66,7 +66,7 @@ Job read_job(Course& c, const Situation& s, bool outside) {
     j.pitch = c.need(Role::pitch);
     if (j.pitch == 0) c.fault(Role::pitch, "the thread pitch must not be 0");
     const double diameter = c.positive(Role::diameter);
-    const double tool = c.known(s.tool_radius, "the tool radius");
+    const double tool = c.tool_radius(s);
     j.radius = diameter / 2 + (outside ? tool : -tool);
     if (j.radius <= 1e-9) c.fault(Role::diameter, "tool radius too large: the thread is smaller than the tool");
     j.sense = sense_of(c, outside);
@@ -84,9 +84,12 @@ Job read_job(Course& c, const Situation& s, bool outside) {
     return j;
 }
 
-/// Semicircle about the middle between the two radii, on the u+ side of the axis.
+/// Semicircle from one radius to another on the ray where the tool stands (u+ from the axis itself).
 void semicircle(Course& c, const Job& j, double from, double to, double turn, double w, double feed) {
-    c.arc(j.axis + geom::Vec2{(from + to) / 2, 0}, turn * pi, w, feed);
+    const geom::Vec2 out = geom::Vec2{c.at().x, c.at().y} - j.axis;
+    const double away = geom::length(out);
+    const geom::Vec2 ray = away > 1e-9 ? (1 / away) * out : geom::Vec2{1, 0};
+    c.arc(j.axis + (from + to) / 2 * ray, turn * pi, w, feed);
 }
 
 /// One engagement: semicircle to the thread, the helix from `from` on, semicircle back. The tool stands at the start.

@@ -1,5 +1,6 @@
 #include "driver/control.hpp"
 
+#include <algorithm>
 #include <array>
 
 #include "read/heidenhain/read.hpp"
@@ -10,24 +11,28 @@ namespace obrys::driver {
 namespace {
 
 constexpr std::array<std::string_view, 2> sinumerik_programs{".SPF", ".MPF"}, sinumerik_definitions{".DEF", ".GUD"};
-constexpr std::array<std::string_view, 1> klartext_programs{".H"};
+constexpr std::array<std::string_view, 2> heidenhain_programs{".H", ".I"};
 
-std::vector<program::Unit> read_klartext(std::uint32_t file, const base::Sources& sources, program::Names& names,
-                                         base::Diagnostics& diagnostics) {
+/// A file that holds one program.
+template <program::Unit (*read)(std::uint32_t, const base::Sources&, program::Names&, base::Diagnostics&)>
+std::vector<program::Unit> alone(std::uint32_t file, const base::Sources& sources, program::Names& names,
+                                 base::Diagnostics& diagnostics) {
     std::vector<program::Unit> units;
-    units.push_back(read::heidenhain::read(file, sources, names, diagnostics));
+    units.push_back(read(file, sources, names, diagnostics));
     return units;
 }
 
+constexpr std::array sinumerik_languages{
+    Language{base::BlockNumbers::n_word, read::sinumerik::read, read::sinumerik::likelihood},
+};
+constexpr std::array heidenhain_languages{
+    Language{base::BlockNumbers::leading, alone<read::heidenhain::read>, read::heidenhain::likelihood},
+    Language{base::BlockNumbers::n_word, alone<read::heidenhain::read_iso>, read::heidenhain::iso_likelihood},
+};
+
 constexpr std::array controls_table{
-    Control{"sinumerik-840d", base::BlockNumbers::n_word, sinumerik_programs, sinumerik_definitions,
-            read::sinumerik::read, read::sinumerik::likelihood},
-    Control{"heidenhain-itnc530",
-            base::BlockNumbers::leading,
-            klartext_programs,
-            {},
-            read_klartext,
-            read::heidenhain::likelihood},
+    Control{"sinumerik-840d", sinumerik_languages, sinumerik_programs, sinumerik_definitions},
+    Control{"heidenhain-itnc530", heidenhain_languages, heidenhain_programs, {}},
 };
 
 }  // namespace
@@ -42,9 +47,18 @@ const Control* find_control(std::string_view name) {
 
 Guess guess_control(std::string_view text, std::string_view file_name) {
     Guess best;
-    for (const Control& c : controls_table)
-        if (const int n = c.likelihood(text, file_name); best.control == nullptr || n > best.likelihood) best = {&c, n};
+    for (const Control& c : controls_table) {
+        const int n = language_of(c, text, file_name).likelihood(text, file_name);
+        if (best.control == nullptr || n > best.likelihood) best = {&c, n};
+    }
     return best;
+}
+
+const Language& language_of(const Control& control, std::string_view text, std::string_view file_name) {
+    return *std::max_element(control.languages.begin(), control.languages.end(),
+                             [&](const Language& a, const Language& b) {
+                                 return a.likelihood(text, file_name) < b.likelihood(text, file_name);
+                             });
 }
 
 }  // namespace obrys::driver

@@ -11,14 +11,22 @@
 
 namespace obrys::driver {
 
-struct Control {
-    std::string_view name;  ///< of --control and of the job's `control`
+/// One way of writing programs for a control.
+struct Language {
     base::BlockNumbers numbers = base::BlockNumbers::none;
-    /// Upper case, with the point. Subprograms are looked for in this order where two files have one name.
-    std::span<const std::string_view> program_suffixes, definition_suffixes;
     std::vector<program::Unit> (*read)(std::uint32_t file, const base::Sources&, program::Names&, base::Diagnostics&);
     int (*likelihood)(std::string_view text, std::string_view file_name);  ///< 0 to 100
 };
+
+struct Control {
+    std::string_view name;  ///< of --control and of the job's `control`
+    std::span<const Language> languages;
+    /// Upper case, with the point. Subprograms are looked for in this order where two files have one name and the call
+    /// does not name the suffix.
+    std::span<const std::string_view> program_suffixes, definition_suffixes;
+};
+/// The language in which the text is most likely written; the first one where nothing says so.
+[[nodiscard]] const Language& language_of(const Control& control, std::string_view text, std::string_view file_name);
 
 [[nodiscard]] std::span<const Control> all_controls();
 [[nodiscard]] const Control* find_control(std::string_view name);

@@ -13,6 +13,8 @@ bool has_suffix(const fs::path& path, std::span<const std::string_view> suffixes
     return std::find(suffixes.begin(), suffixes.end(), suffix) != suffixes.end();
 }
 
+std::string full_name(const fs::path& path) { return base::to_upper(path.filename().string()); }
+
 }  // namespace
 
 void Programs::add_folder(const fs::path& folder) {
@@ -23,19 +25,27 @@ void Programs::add_folder(const fs::path& folder) {
     std::sort(found.begin(), found.end());  // the same order on every file system
     for (const std::string_view suffix : control_.program_suffixes)
         for (const fs::path& path : found)
-            if (has_suffix(path, {&suffix, 1})) files_.emplace(base::to_upper(path.stem().string()), path);
+            if (has_suffix(path, {&suffix, 1})) {
+                files_.emplace(base::to_upper(path.stem().string()), path);
+                files_.emplace(full_name(path), path);
+            }
     for (const fs::path& path : found)
         if (has_suffix(path, control_.definition_suffixes)) definition_files_.push_back(path);
 }
 
 const program::Unit* Programs::read(std::uint32_t file) {
-    sources_.set_block_numbers(file, control_.numbers);
-    std::vector<program::Unit> units = control_.read(file, sources_, names_, diagnostics_);
+    const Language& language = language_of(control_, sources_[file].text, sources_[file].name);
+    sources_.set_block_numbers(file, language.numbers);
+    std::vector<program::Unit> units = language.read(file, sources_, names_, diagnostics_);
     const program::Unit* first = nullptr;
+    const fs::path path(sources_[file].name);
+    const std::string suffix = base::to_upper(path.extension().string());
     for (program::Unit& unit : units) {
         units_.push_back(std::make_unique<program::Unit>(std::move(unit)));
         const program::Unit* held = units_.back().get();
-        by_name_.emplace(held->name, held);
+        const auto plain = files_.find(held->name);  // of PART.H and PART.I one only is called PART
+        if (plain == files_.end() || full_name(plain->second) == full_name(path)) by_name_.emplace(held->name, held);
+        by_name_.emplace(held->name + suffix, held);
         if (first == nullptr) first = held;
     }
     return first;
@@ -45,8 +55,14 @@ const program::Unit* Programs::find(std::string_view name) {
     const std::string key(name);
     if (const auto known = by_name_.find(key); known != by_name_.end()) return known->second;
     const program::Unit* unit = nullptr;
-    if (const auto path = files_.find(key); path != files_.end())
-        if (const auto file = load(path->second, sources_, diagnostics_)) unit = read(*file);
+    if (const auto path = files_.find(key); path == files_.end()) {
+        const fs::path written(key);
+        if (has_suffix(written, control_.program_suffixes)) unit = find(written.stem().string());
+    } else if (const std::string full = full_name(path->second); full != key) {
+        unit = find(full);
+    } else if (const auto file = load(path->second, sources_, diagnostics_)) {
+        unit = read(*file);
+    }
     by_name_[key] = unit;
     return unit;
 }

@@ -22,7 +22,8 @@ public:
     void add_folder(const fs::path& folder);
     /// Reads a program that is already among the sources; the first unit of an archive is the main one.
     const program::Unit* read(std::uint32_t file);
-    /// The program of that name (upper case, without suffix), read from its folder when first asked for; or null.
+    /// The program of that name (upper case; with a suffix, or without), read from its folder when first asked for; or
+    /// null. Where no file has the suffix of the call, one of the same name is taken.
     const program::Unit* find(std::string_view name);
     /// Reads the definition files of the folders, where the control has such.
     void read_definitions();
@@ -38,7 +39,7 @@ private:
     std::vector<std::unique_ptr<program::Unit>> units_;
     std::vector<const program::Unit*> definitions_;
     std::unordered_map<std::string, const program::Unit*> by_name_;
-    std::unordered_map<std::string, fs::path> files_;  ///< program name -> file
+    std::unordered_map<std::string, fs::path> files_;  ///< program name, and the same with its suffix -> file
     std::vector<fs::path> definition_files_;
 };
 

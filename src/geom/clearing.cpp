@@ -76,9 +76,8 @@ public:
         out_.room = level;
         std::vector<Part> here = parts(level, 0);
         for (std::uint32_t k = 0; !here.empty(); ++k) {
-            // Rounded levels each from the one before, so that they lie in each other.
-            level = o_.rounding > 0 ? rounded(offset(level, -o_.stepover), o_.rounding)
-                                    : offset(r, -first - (k + 1) * o_.stepover);
+            // Each level from the one before: it has fewer edges than the contour, and levels lie in each other.
+            level = rounded(offset(level, -o_.stepover), o_.rounding);
             std::vector<Part> there = parts(level, k + 1);
             for (const Part& p : here) connect(p, there, k);
             if (out_.rings.size() > o_.most) return failed(ClearingFault::too_many);
@@ -93,7 +92,11 @@ private:
     struct Pair {
         double at_least = 0;
         std::size_t a = 0, b = 0, gap = unknown;
-        bool operator>(const Pair& o) const { return at_least > o.at_least; }
+        /// Equal but for rounding: in the order of the rings.
+        bool operator>(const Pair& o) const {
+            const double mine = std::round(at_least * 1e7), other = std::round(o.at_least * 1e7);
+            return mine != other ? mine > other : a != o.a ? a > o.a : b > o.b;
+        }
     };
     /// A connected part of a level, and its rings.
     struct Part {

@@ -8,6 +8,7 @@ namespace obrys::geom {
 namespace {
 
 constexpr double never = std::numeric_limits<double>::infinity();
+constexpr double solved = 1e-6;                       ///< units by which the place of a step may be off
 constexpr double largest_sweep = 1e6;                 ///< radians: more turns would cost time even where no axis steps
 constexpr double largest_count = 1125899906842624.0;  ///< 2^50: doubles still tell quarters of a unit apart
 
@@ -145,7 +146,7 @@ private:
             turn_count_ = grid(c_.value(turn_));
         }
         direction_ = turn_count_ > count_ ? 1 : -1;
-        next_ = now_ = solve(c_, (count_ + 0.5 * direction_) * unit_, now_, turn_, 1e-6 * unit_);
+        next_ = now_ = solve(c_, (count_ + 0.5 * direction_) * unit_, now_, turn_, solved * unit_);
     }
 
     const Coordinate& c_;
@@ -155,27 +156,44 @@ private:
     int direction_ = 0;
 };
 
+/// Of differences within the grid, where the squares cannot overflow; std::hypot would be half of the time.
+double norm(Vec3 v) { return std::sqrt(dot(v, v)); }
+
 /// Nearest points of one element.
 class Nearest {
 public:
-    Nearest(const PathElement& e, const std::array<Coordinate, 3>& c, double unit) : c_(c), close_(1e-7 * unit) {
-        straight_ = std::holds_alternative<Straight>(e);
-    }
+    Nearest(const PathElement& e, const std::array<Coordinate, 3>& c, double unit)
+        : c_(c), line_(std::get_if<Straight>(&e)), close_(1e-7 * unit) {}
 
     /// Sets the step's ideal point and deviation by its grid point and parameter.
     void judge(GridStep& s) const {
+        if (line_ != nullptr)
+            on_line(s);
+        else
+            on_curve(s);
+    }
+
+private:
+    void on_line(GridStep& s) const {
+        const Vec3 d = line_->to - line_->from;
+        const double square = dot(d, d);
+        const double t = square > 0 ? std::clamp(dot(s.at - line_->from, d) / square, 0.0, 1.0) : 0;
+        s.ideal = line_->from + t * d;
+        s.deviation = norm(s.at - s.ideal);
+    }
+
+    void on_curve(GridStep& s) const {
         double u = s.u;
         s.ideal = point(u);
-        s.deviation = distance(s.at, s.ideal);
-        for (int i = 0; i < (straight_ ? 1 : 8); ++i) {
-            const Vec3 way = point(u) - s.at, d{c_[0].slope(u), c_[1].slope(u), c_[2].slope(u)};
+        s.deviation = norm(s.at - s.ideal);
+        for (int i = 0; i < 8; ++i) {
+            const Vec3 way = s.ideal - s.at, d{c_[0].slope(u), c_[1].slope(u), c_[2].slope(u)};
             const double speed = dot(d, d);
             if (!(speed > 0)) return;
-            double curved = speed;
-            if (!straight_) curved += dot(way, {c_[0].bend(u), c_[1].bend(u), c_[2].bend(u)});
+            const double curved = speed + dot(way, {c_[0].bend(u), c_[1].bend(u), c_[2].bend(u)});
             const double to = std::clamp(u - dot(way, d) / std::max(curved, 0.1 * speed), 0.0, 1.0);
             const Vec3 ideal = point(to);
-            const double off = distance(s.at, ideal), moved = std::abs(to - u) * std::sqrt(speed);
+            const double off = norm(s.at - ideal), moved = std::abs(to - u) * std::sqrt(speed);
             if (!(off < s.deviation)) return;
             s.ideal = ideal;
             s.deviation = off;
@@ -184,12 +202,11 @@ public:
         }
     }
 
-private:
     [[nodiscard]] Vec3 point(double u) const { return {c_[0].value(u), c_[1].value(u), c_[2].value(u)}; }
 
     const std::array<Coordinate, 3>& c_;
+    const Straight* line_;
     double close_;
-    bool straight_ = false;
 };
 
 /// Largest magnitude a coordinate can take, or NaN.
@@ -198,16 +215,24 @@ double reach(const Coordinate& c) {
     return span + c.radius + 0 * (c.sweep + c.phase + c.first + c.last);
 }
 
-/// Largest and mean of the deviations.
+/// No coordinate changes faster by the parameter.
+double fastest(const std::array<Coordinate, 3>& coordinates) {
+    double most = 0;
+    for (const Coordinate& c : coordinates)
+        most = std::max(most, std::abs(c.poly.k1) + 2 * std::abs(c.poly.k2) + 3 * std::abs(c.poly.k3) +
+                                  c.radius * std::abs(c.sweep));
+    return most;
+}
+
+/// Largest and mean of the deviations. The place of the largest is the first of those that rounding makes differ.
 struct Figures {
     Staircase& result;
+    double rounding;  ///< mm
     double sum = 0;
     void add(const GridStep& s) {
         sum += s.deviation;
-        if (s.deviation > result.largest || (s.axis < 0 && result.steps == 0)) {
-            result.largest = s.deviation;
-            result.worst = s;
-        }
+        result.largest = std::max(result.largest, s.deviation);
+        if (s.axis < 0 || s.deviation > result.worst.deviation + rounding) result.worst = s;
     }
 };
 
@@ -232,15 +257,16 @@ Staircase staircase(const PathElement& e, double unit, base::FunctionRef<void(co
         if (!(reach(axis) / unit < largest_count) || !(std::abs(axis.sweep) <= largest_sweep)) return r;
     std::array<AxisRun, 3> axes{AxisRun(c[0], unit), AxisRun(c[1], unit), AxisRun(c[2], unit)};
     const Nearest nearest(e, c, unit);
-    Figures figures{r};
+    Figures figures{r, solved * unit};
     GridStep s{-1, 0, 0, {axes[0].position(), axes[1].position(), axes[2].position()}, {}, 0};
     r.start = s.at;
     nearest.judge(s);
     figures.add(s);
+    const double together = 2 * solved * unit / fastest(c);
     for (;;) {
         std::size_t first = 0;
         for (std::size_t i = 1; i < 3; ++i)
-            if (axes[i].next() < axes[first].next()) first = i;
+            if (axes[i].next() < axes[first].next() - together) first = i;
         if (axes[first].next() == never) break;
         if (r.steps == most_steps) {
             r.end_reason = StaircaseEnd::too_long;
@@ -248,7 +274,7 @@ Staircase staircase(const PathElement& e, double unit, base::FunctionRef<void(co
         }
         s.axis = static_cast<int>(first);
         s.direction = axes[first].direction();
-        s.u = axes[first].next();
+        s.u = std::max(s.u, axes[first].next());
         axes[first].step();
         coordinate(s.at, first) = axes[first].position();
         nearest.judge(s);

@@ -1,15 +1,16 @@
 #pragma once
 /// What a controller whose axes move in steps of a basic length unit makes of a path element, and how far that is off.
 ///
-/// Source: bachelor thesis on HEIDENHAIN controls, sections 2.1 and 2.2.4. The interpolator works out the way of each
-/// axis and sends pulses; a pulse moves one axis by one unit, one axis at a time, so that anything not parallel to an
-/// axis becomes a staircase. The thesis gives no arithmetic, only bounds: less than a unit for lines and splines, one
-/// to two units for (small) circles.
+/// Source: M. Hejsek, HEIDENHAIN iTNC 530 tools for NC programming of machines, thesis, Brno 2010, sections 2.1
+/// and 2.2.4. The interpolator works out the way of each axis and sends pulses; a pulse moves one axis by one unit, one
+/// axis at a time, so that anything not parallel to an axis becomes a staircase. The thesis gives no arithmetic, only
+/// bounds: less than a unit for lines and splines, one to two units for (small) circles.
 ///
 /// Here, exactly:
 /// - The grid: whole multiples of the unit in x, y and z. A coordinate belongs to the grid value floor(c / unit + 1/2).
 /// - The steps: the element's parameter u runs from 0 to 1. Whenever the exact coordinate of an axis passes the middle
-///   between two grid values, that axis makes a step; where two axes pass at the same u, x goes before y before z.
+///   between two grid values, that axis makes a step; where two axes pass at the same u (within 2e-6 units of way), x
+///   goes before y before z.
 ///   The staircase begins at the start's grid point and ends at the end's.
 /// - The deviation of a grid point that is visited: its distance from the nearest point of the element in the
 ///   neighbourhood of p(u), which is found by Newton's method from p(u) and is never farther than p(u). Largest and
@@ -68,7 +69,7 @@ struct Staircase {
     std::uint64_t steps = 0;
     std::array<std::uint64_t, 3> steps_of_axis{};
     double largest = 0, mean = 0;  ///< mm
-    GridStep worst;                ///< where the largest deviation first occurred; axis -1: at the start
+    GridStep worst;  ///< where the largest deviation (but for 1e-6 units) first occurred; axis -1: at the start
 };
 
 /// Runs the element and hands on each step; keeps none.

@@ -79,6 +79,11 @@ TEST(Staircase, LinesAlongAnAxisAreExactAndDiagonalOnesWorst) {
     EXPECT_EQ(diagonal.steps, 20u);
     EXPECT_NEAR(diagonal.largest, 0.1 * half_diagonal, 1e-9);
     EXPECT_NEAR(diagonal.mean, 10 * 0.1 * half_diagonal / 21, 1e-9);  // every second point lies on the line
+    // Away from the origin, where the halves are no exact doubles, x goes first all the same.
+    double side = 0;
+    static_cast<void>(staircase(Straight{{43, 63, 0}, {50, 70, 0}}, 0.001,
+                                [&side](const GridStep& s) { side = std::max(side, (s.at.y - 63) - (s.at.x - 43)); }));
+    EXPECT_LE(side, 1e-9);
     const Staircase in_space = staircase(Straight{{0, 0, 0}, {1, 1, 1}}, 0.1);
     EXPECT_NEAR(in_space.largest, 0.1 * std::sqrt(2.0 / 3.0), 1e-9);  // after one axis, or two, of three
 }
@@ -94,7 +99,7 @@ TEST(Staircase, SmallCirclesStayWithinTheBoundOfThePlane) {
         });
         EXPECT_EQ(r.end, r.start);
         EXPECT_NEAR(r.largest, std::max(worst, std::abs(r.start.x - radius)), 1e-9);
-        EXPECT_LE(r.largest, half_diagonal + 2e-6);
+        EXPECT_LE(r.largest, half_diagonal + 5e-6);
         EXPECT_GE(r.largest, 0.3);
         EXPECT_EQ(r.steps_of_axis[0], 4 * static_cast<std::uint64_t>(std::floor(radius + 0.5)));
         EXPECT_EQ(r.steps_of_axis[1], r.steps_of_axis[0]);
@@ -112,7 +117,7 @@ TEST(Staircase, AnArcWithoutSweepIsALine) {
 TEST(Staircase, AParabolaThroughThreePointsIsLessThanAUnitOff) {
     const Staircase r = staircase(parabola({0, 0, 0}, {10, 8, 0}, {20, 3, 0}), 0.001);
     EXPECT_EQ(r.end_reason, StaircaseEnd::reached);
-    EXPECT_LE(r.largest, 0.001 * half_diagonal + 2e-9);
+    EXPECT_LE(r.largest, 0.001 * half_diagonal + 5e-9);
     EXPECT_GT(r.largest, 0.0005);
     EXPECT_LE(distance(r.end, {20, 3, 0}), 1e-12);
 }
@@ -140,7 +145,7 @@ RC_GTEST_PROP(Staircase, EndsOnTheGridWithinTheBound, ()) {
         RC_ASSERT(distance(r.start, on_grid(point_at(e, 0), unit)) <= 1e-12);
         RC_ASSERT(distance(r.end, on_grid(point_at(e, 1), unit)) <= 1e-12);
         RC_ASSERT(r.end == (count == 0 ? r.start : at));
-        RC_ASSERT(r.largest <= unit * (std::sqrt(0.75) + 2e-6));
+        RC_ASSERT(r.largest <= unit * (std::sqrt(0.75) + 5e-6));
         RC_ASSERT(r.largest >= largest && r.mean <= r.largest + 1e-15);
         const double of_start = r.mean * static_cast<double>(count + 1) - sum;
         RC_ASSERT(of_start >= -1e-9 && of_start <= unit);

@@ -31,8 +31,11 @@ Candidates candidates(const Edge& e, const Edge& f) {
     return c;
 }
 
+/// Of places equally near the first counts: rounding is not to decide.
+constexpr double alike = 1e-9;
+
 void take(Gap& best, Vec2 a, Vec2 b) {
-    if (const double l = distance(a, b); l < best.length) best = {a, b, l};
+    if (const double l = distance(a, b); l < best.length - alike) best = {a, b, l};
 }
 
 }  // namespace
@@ -65,7 +68,7 @@ Gap nearest_points(const std::vector<Edge>& a, const std::vector<Edge>& b) {
         if (distance(around, all) > best.length) continue;
         for (std::size_t j = 0; j < b.size(); ++j) {
             if (distance(around, boxes[j]) >= best.length) continue;
-            if (const Gap g = nearest_points(e, b[j]); g.length < best.length) best = g;
+            if (const Gap g = nearest_points(e, b[j]); g.length < best.length - alike) best = g;
         }
     }
     return best;

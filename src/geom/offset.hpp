@@ -1,5 +1,5 @@
 #pragma once
-/// Regions grown or shrunk by a distance; equidistants of open contours.
+/// Regions grown or shrunk by a distance; equidistants of contours to one side.
 
 #include <vector>
 
@@ -14,13 +14,13 @@ namespace obrys::geom {
 /// The points within `d` > 0 of an open or closed chain of edges, on both sides, its ends rounded.
 [[nodiscard]] Region band(const Contour& c, double d);
 
-/// The equidistant of an open contour, `by` to its left (> 0) or right (< 0): the part of the boundary of the band
-/// about the contour (all points within |by| of it) that lies beside its edges on that side, or about its outer
-/// corners. So no point of it is nearer than |by| to any part of the contour, and stretches where a circle of that
-/// radius would not fit are left out, and gaps just as wide as the circle. Chains run as the contour does and stand in
-/// its order; there are several where the circle does not get past a place, one may be closed (inside a loop of the
-/// contour), none where nothing is left. The half circles about the two ends do not belong to it. A closed contour is
-/// taken as one that ends where it starts. by = 0 gives the contour.
-[[nodiscard]] std::vector<Contour> offset_open(const Contour& open, double by);
+/// The equidistants of a contour, open or closed, `by` to its left (> 0) or right (< 0): the part of the boundary of
+/// the band about the contour (all points within |by| of it) that lies beside its edges on that side, or about its
+/// outer corners. So no point of them is nearer than |by| to any part of the contour, and stretches where a circle of
+/// that radius would not fit are left out, and gaps just as wide as the circle. Chains run as the contour does and
+/// stand in its order; there are several where the circle does not get past a place, some may be closed (that of a
+/// closed contour, inside of a loop), none where nothing is left. The half circles about the ends of an open contour do
+/// not belong to it. by = 0 gives the contour. The contour may cross itself.
+[[nodiscard]] std::vector<Contour> equidistants(const Contour& c, double by);
 
 }  // namespace obrys::geom

@@ -36,7 +36,8 @@ struct Vec3 {
 [[nodiscard]] constexpr Vec3 cross(Vec3 a, Vec3 b) {
     return {a.y * b.z - a.z * b.y, a.z * b.x - a.x * b.z, a.x * b.y - a.y * b.x};
 }
-[[nodiscard]] inline double length(Vec3 a) { return std::hypot(a.x, a.y, a.z); }
+/// Not the three-argument hypot: that of libstdc++ takes a NaN beside zeros for zero.
+[[nodiscard]] inline double length(Vec3 a) { return std::hypot(std::hypot(a.x, a.y), a.z); }
 [[nodiscard]] inline double distance(Vec3 a, Vec3 b) { return length(b - a); }
 [[nodiscard]] inline bool is_finite(Vec3 a) { return std::isfinite(a.x) && std::isfinite(a.y) && std::isfinite(a.z); }
 

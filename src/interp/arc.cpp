@@ -216,7 +216,10 @@ bool arc_motion(Run& run, const Vec3& target) {
 
 void plane_element(Run& run, path::Element e, const Vec3& to, bool rapid) {
     remember_direction(run, e);
-    if (needs_path_stage(run))
+    run.free_contour.reset();
+    if (run.capture != nullptr)
+        capture(run, e, rapid);
+    else if (needs_path_stage(run))
         run.path->push(run, std::move(e), rapid);
     else {
         run.record.from = run.here();

@@ -18,7 +18,7 @@ void BlockWords::clear() {
     h.clear();
     axes.clear();
     tool_named = false;
-    special = suppress = paraxial = Modal::linear;
+    special = suppress = paraxial = corner_end = Modal::linear;
 }
 
 namespace {

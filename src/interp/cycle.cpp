@@ -5,6 +5,7 @@
 #include "base/codes.hpp"
 #include "cycles/cycle.hpp"
 #include "cycles/names.hpp"
+#include "interp/contour_cycle.hpp"
 #include "interp/motion.hpp"
 
 namespace obrys::interp {
@@ -41,14 +42,24 @@ double value_at_call(const Run& run, const ActiveCycle& c, std::size_t i) {
     return s.parameter == program::no_target ? c.values[i] : run.parameters.get(s.parameter);
 }
 
-cycles::Demand demand_of(const Run& run, const ActiveCycle& c) {
-    cycles::Demand d;
-    d.kind = c.definition->kind;
+void add_values(const Run& run, const ActiveCycle& c, cycles::Demand& d) {
+    if (c.definition == nullptr) return;
     const double unit = run.modal.inch_geometry ? 25.4 : 1;
     for (std::size_t i = 0; i < c.values.size(); ++i) {
         const CycleSetting& s = c.definition->settings[i];
         d.values.push_back({s.role, value_at_call(run, c, i) * (s.scales ? unit : 1)});
     }
+}
+
+/// A contour cycle takes what the cycle of its data says, and then its own values.
+cycles::Demand demand_of(const Run& run, const ActiveCycle& c) {
+    cycles::Demand d;
+    d.kind = c.definition->kind;
+    if (d.kind == program::CycleKind::contour_train)
+        add_values(run, run.contour_train_data, d);
+    else if (cycles::is_contour_cycle(d.kind))
+        add_values(run, run.contour_data, d);
+    add_values(run, c, d);
     return d;
 }
 
@@ -71,10 +82,34 @@ cycles::Situation situation_of(const Run& run) {
         s.tool_radius = t->radius + run.tool.delta_radius;
         s.tool_corner_radius = t->corner_radius + run.tool.delta_corner;
     }
+    if (const shop::Tool* t = run.tool.data; t != nullptr && t->point_angle) s.tool_point_angle = *t->point_angle;
     s.spindle_speed = run.spindle.speed;
     s.spindle_direction = run.spindle.direction;
     if (run.feed_valid && run.modal.feed_mode == cl::FeedMode::per_minute) s.feed = run.feed;
     return s;
+}
+
+geom::Vec2 far_from(const cycles::ContourTask& task) {
+    const bool train = !task.train.contour.vertices.empty();
+    if (!train && (task.area.empty() || task.area.contours.front().vertices.empty())) return {};
+    const geom::Vec2 p = train ? task.train.contour.vertices.front().p : task.area.contours.front().vertices.front().p;
+    return p + geom::Vec2{1000, 1000};
+}
+
+/// The steps of the cycle; nothing after a complaint.
+std::optional<cycles::Expansion> expansion(Run& run, const ActiveCycle& c) {
+    const cycles::Demand demand = demand_of(run, c);
+    if (!cycles::is_contour_cycle(demand.kind)) return cycles::expand(demand, situation_of(run));
+    const auto task = contour_task(run, demand);
+    if (!task) return std::nullopt;
+    cycles::Situation s = situation_of(run);
+    // The cycle goes to its contour by itself: where it comes from does not matter, if only it is somewhere else.
+    if (std::isnan(s.at.x) || std::isnan(s.at.y)) {
+        const geom::Vec2 far = far_from(*task);
+        s.at.x = far.x;
+        s.at.y = far.y;
+    }
+    return cycles::expand_contour(demand, s, *task);
 }
 
 void report(Run& run, const ActiveCycle& c, const cycles::Expansion& e) {
@@ -92,6 +127,7 @@ void report(Run& run, const ActiveCycle& c, const cycles::Expansion& e) {
         if (!(where == run.here())) d.related.push_back({run.here(), "called here"});
         run.diagnostics.add(std::move(d));
     }
+    if (!e.assumption.empty()) assume(run, run.here(), c.definition->name + ": " + std::string(e.assumption));
     if (!e.simulated)
         unchecked(run, codes::unsupported, run.here(), c.definition->name + " is not run: its path is not known here");
 }
@@ -161,13 +197,15 @@ void call_cycle(Run& run) {
     for (std::size_t i = 0; i < c.values.size(); ++i)
         begin.parameters.push_back({parameter_name(run, c.definition->settings[i]), value_at_call(run, c, i)});
     emit(run, begin);
-    if (c.definition->use == CycleUse::refused || !cycles::is_expanded(c.definition->kind)) {
+    const bool known = cycles::is_expanded(c.definition->kind) || cycles::is_contour_cycle(c.definition->kind);
+    if (c.definition->use == CycleUse::refused || !known) {
         unchecked(run, codes::unsupported, run.here(), c.definition->name + " is called and not run");
         run.position = run.programmed_position = {NAN, NAN, NAN};
     } else {
-        cycles::Expansion e = cycles::expand(demand_of(run, c), situation_of(run));
-        report(run, c, e);
-        emit_steps(run, e.steps);
+        std::optional<cycles::Expansion> e = expansion(run, c);
+        if (e) report(run, c, *e);
+        if (e) emit_steps(run, e->steps);
+        if (run.stopped) return;
         if (run.feed_valid) emit(run, cl::Feed{run.feed, run.modal.feed_mode});
     }
     emit(run, cl::CycleEnd{});

@@ -8,6 +8,7 @@
 namespace obrys::interp {
 
 void emit(Run& run, cl::Step step) {
+    if (run.capture != nullptr) return;
     run.record.step = std::move(step);
     run.record.from = run.here();
     run.record.stack = run.top().stack;
@@ -18,7 +19,7 @@ void emit(Run& run, cl::Step step) {
 }
 
 void flush_path(Run& run) {
-    if (run.path->active()) run.path->flush(run);
+    if (run.capture == nullptr && run.path->active()) run.path->flush(run);
 }
 
 void emit_datum(Run& run) {

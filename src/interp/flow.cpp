@@ -217,6 +217,10 @@ void run_statement(Run& run, const Statement& s, std::uint32_t index) {
         frame_statement(run, s, index);
         return;
     }
+    if (s.kind == StatementKind::special) {
+        run_special(run, s, index);
+        return;
+    }
     if (s.kind == StatementKind::return_) {
         leave(run);
         return;

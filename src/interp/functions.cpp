@@ -103,7 +103,7 @@ bool further_numeric(const Arguments& a, Function f, double& result) {
         }
         case Function::sign: {
             const double x = a[0];
-            result = std::isnan(x) ? x : x > 0 ? 1 : x < 0 ? -1 : 0;
+            result = std::isnan(x) ? x : x < 0 ? -1 : 1;  // 0 gives 1: iTNC 530 manual, entering formulas directly
             return true;
         }
         case Function::root_of_squares: {

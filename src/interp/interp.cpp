@@ -143,26 +143,6 @@ void end_of_section(Run& run) {
     act.sections.pop_back();
 }
 
-void step(Run& run) {
-    Activation& act = run.top();
-    while (!act.sections.empty() && act.pc == act.sections.back().last + 1) end_of_section(run);
-    if (act.pc >= act.unit->statements.size()) {
-        leave(run);
-        return;
-    }
-    const std::uint32_t index = act.pc++;
-    const program::Statement& s = act.unit->statements[index];
-    run.statement = &s;
-    if (s.flags != 0) {
-        if ((s.flags & program::line_start) != 0) ++run.blocks;
-        if (skipped(run, s)) return;
-    }
-    if ((run.blocks & 0xFFFF) == 0 || run.blocks > run.env.budgets.blocks) {
-        if (over_budget(run)) return;
-    }
-    run_statement(run, s, index);
-}
-
 }  // namespace
 
 Run::Run(const Environment& e, cl::CallStacks& s, cl::Sink k, base::Diagnostics& d, std::uint32_t parameter_count)
@@ -190,20 +170,41 @@ Run::~Run() = default;
 
 void alarm(Run& run, std::string_view code, const base::Span& where, std::string text, std::string remedy) {
     if (run.stopped) return;
-    run.diagnostics.add({base::Severity::error, code, where, std::move(text), std::move(remedy), stack_of(run), {}});
     run.stopped = true;
     run.ending = Ending::alarm;
+    if (run.capture != nullptr) return;
+    run.diagnostics.add({base::Severity::error, code, where, std::move(text), std::move(remedy), stack_of(run), {}});
 }
 
 void unchecked(Run& run, std::string_view code, const base::Span& where, std::string text, std::string remedy) {
-    if (run.stopped || !first_report(run, code, where)) return;
+    if (run.stopped || run.capture != nullptr || !first_report(run, code, where)) return;
     run.diagnostics.add({base::Severity::warning, code, where, std::move(text), std::move(remedy), stack_of(run), {}});
 }
 
 void assume(Run& run, const base::Span& where, std::string text, std::string remedy) {
-    if (!run.assumed.insert(text).second) return;
+    if (run.capture != nullptr || !run.assumed.insert(text).second) return;
     run.diagnostics.add(
         {base::Severity::note, codes::assumption, where, std::move(text), std::move(remedy), stack_of(run), {}});
+}
+
+void step(Run& run) {
+    Activation& act = run.top();
+    while (!act.sections.empty() && act.pc == act.sections.back().last + 1) end_of_section(run);
+    if (act.pc >= act.unit->statements.size()) {
+        leave(run);
+        return;
+    }
+    const std::uint32_t index = act.pc++;
+    const program::Statement& s = act.unit->statements[index];
+    run.statement = &s;
+    if (s.flags != 0) {
+        if ((s.flags & program::line_start) != 0) ++run.blocks;
+        if (skipped(run, s)) return;
+    }
+    if ((run.blocks & 0xFFFF) == 0 || run.blocks > run.env.budgets.blocks) {
+        if (over_budget(run)) return;
+    }
+    run_statement(run, s, index);
 }
 
 Outcome run(const program::Unit& main, const Environment& environment, cl::CallStacks& stacks, cl::Sink sink,

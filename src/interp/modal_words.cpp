@@ -69,7 +69,7 @@ void plain_feed(Run& run, cl::FeedMode mode) {
 }
 
 /// Motion, plane and what acts in this block only. False where `m` is none of them.
-bool motion_word(Run& run, Modal m) {
+bool motion_word(Run& run, Modal m, const program::Word& w) {
     if (m <= Modal::tap_retract) {
         run.modal.motion = m;
         if (m == Modal::arc_cw || m == Modal::arc_ccw) run.modal.last_sense = m;
@@ -87,6 +87,9 @@ bool motion_word(Run& run, Modal m) {
         case Modal::paraxial:
         case Modal::paraxial_longer:
         case Modal::paraxial_shorter: run.block.paraxial = m; return true;
+        case Modal::corner_crossing:
+        case Modal::corner_open: run.block.corner_end = m; return true;
+        case Modal::look_ahead: run.modal.look_ahead = program::modal_number(w); return true;
         case Modal::arc_same_sense: run.modal.motion = run.modal.last_sense; return true;
         case Modal::suppress_frames:
         case Modal::suppress_all: run.block.suppress = m; return true;
@@ -121,7 +124,7 @@ bool dimension_word(ModalState& state, Modal m) {
 void modal_word(Run& run, const program::Word& w) {
     const Modal m = program::modal_of(w);
     ModalState& state = run.modal;
-    if (motion_word(run, m) || dimension_word(state, m)) return;
+    if (motion_word(run, m, w) || dimension_word(state, m)) return;
     switch (m) {
         case Modal::compensation_off:
         case Modal::compensation_left:

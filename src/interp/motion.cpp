@@ -4,6 +4,7 @@
 #include <limits>
 
 #include "base/codes.hpp"
+#include "interp/capture.hpp"
 #include "interp/path_stage.hpp"
 
 namespace obrys::interp {
@@ -108,10 +109,14 @@ bool line_by_angle(Run& run, geom::Vec3& to) {
     return true;
 }
 
-void finish_move(Run& run, const geom::Vec3& target) {
+}  // namespace
+
+void arrive(Run& run, const geom::Vec3& target) {
     run.programmed_position = target;
     run.position = run.frame_is_identity ? target : geom::apply(run.frame, target);
 }
+
+namespace {
 
 double thread_pitch(const Run& run, const geom::Vec3& from, const geom::Vec3& to) {
     const BlockWords& b = run.block;
@@ -127,11 +132,20 @@ double thread_pitch(const Run& run, const geom::Vec3& from, const geom::Vec3& to
     return pitch * (run.modal.inch_geometry ? 25.4 : 1);
 }
 
+}  // namespace
+
 void require_feed(Run& run) {
     if (run.feed_valid || !run.feed_dropped) return;
     run.feed_dropped = false;
     emit(run, cl::Feed{0, run.modal.feed_mode});
 }
+
+geom::Vec3 programmed_target(Run& run) {
+    const geom::Vec3 to = cartesian_target(run);
+    return (run.block.present & polar) != 0 ? polar_target(run, to) : to;
+}
+
+namespace {
 
 /// R+ and R-: the path along the axis is longer or shorter by the tool's radius (compensation of paraxial blocks).
 geom::Vec3 lengthened(Run& run, geom::Vec3 to) {
@@ -153,8 +167,7 @@ geom::Vec3 lengthened(Run& run, geom::Vec3 to) {
 bool path_motion(Run& run) {
     const BlockWords& b = run.block;
     const Modal m = run.modal.motion;
-    geom::Vec3 to = cartesian_target(run);
-    if ((b.present & polar) != 0) to = polar_target(run, to);
+    geom::Vec3 to = programmed_target(run);
     if (b.has(Code::line_angle) && !line_by_angle(run, to)) return false;
     if (b.paraxial == Modal::paraxial_longer || b.paraxial == Modal::paraxial_shorter) to = lengthened(run, to);
     if (m != Modal::rapid) require_feed(run);
@@ -171,11 +184,13 @@ bool path_motion(Run& run) {
     if (m == Modal::thread_rising || m == Modal::thread_falling)
         unchecked(run, codes::unsupported, run.here(),
                   "the changing pitch of G34 and G35 is not followed: the thread is run with its first pitch");
-    finish_move(run, to);
+    arrive(run, to);
     t.to = run.position;
     emit(run, t);
     return true;
 }
+
+}  // namespace
 
 void begin_motion(Run& run) {
     run.moved = true;
@@ -189,7 +204,6 @@ void begin_motion(Run& run) {
                   " = { x = 0.0, z = 120.0 }");
 }
 
-}  // namespace
 
 bool is_incremental(const Run& run, std::uint8_t reference) {
     if (reference == 0) return !run.modal.absolute;
@@ -248,19 +262,10 @@ bool needs_path_stage(const Run& run) {
            (run.block.present & corners) != 0 || run.modal.round_modal > 0;
 }
 
-void straight_motion(Run& run, const geom::Vec3& to, bool rapid) {
-    const PlaneAxes a = plane_axes(run.modal.plane);
-    const geom::Vec3& at = run.programmed_position;
-    const bool known = std::isfinite(coordinate(to, a.u)) && std::isfinite(coordinate(to, a.v));
-    if (!known) flush_path(run);
-    if (!known || !needs_path_stage(run)) {
-        const geom::Vec2 step{coordinate(to, a.u) - coordinate(at, a.u), coordinate(to, a.v) - coordinate(at, a.v)};
-        if (step.x != 0 || step.y != 0) run.last_direction = step;
-        finish_move(run, to);
-        emit(run, cl::Linear{run.position, {0, 0, 1}, rapid});
-        return;
-    }
-    // A start that is not known yet only matters for the way onto the contour: any point off it will do.
+namespace {
+
+/// A start that is not known yet only matters for the way onto the contour: any point off it will do.
+path::Element straight_element(const geom::Vec3& at, const geom::Vec3& to, const PlaneAxes& a) {
     const auto start = [&](int k) {
         return std::isfinite(coordinate(at, k)) ? coordinate(at, k) : coordinate(to, k) + 1000;
     };
@@ -269,7 +274,30 @@ void straight_motion(Run& run, const geom::Vec3& to, bool rapid) {
     e.to = {coordinate(to, a.u), coordinate(to, a.v)};
     e.w_from = start(a.w);
     e.w_to = coordinate(to, a.w);
-    plane_element(run, std::move(e), to, rapid);
+    return e;
+}
+
+}  // namespace
+
+void capture(Run& run, const path::Element& e, bool rapid) {
+    run.capture->push_back({e, rapid, run.modal.compensation, corner_of_block(run), run.frame, run.here()});
+}
+
+void straight_motion(Run& run, const geom::Vec3& to, bool rapid) {
+    const PlaneAxes a = plane_axes(run.modal.plane);
+    const geom::Vec3& at = run.programmed_position;
+    const bool known = std::isfinite(coordinate(to, a.u)) && std::isfinite(coordinate(to, a.v));
+    if (!known) flush_path(run);
+    if (!known || !needs_path_stage(run)) {
+        const geom::Vec2 step{coordinate(to, a.u) - coordinate(at, a.u), coordinate(to, a.v) - coordinate(at, a.v)};
+        if (step.x != 0 || step.y != 0) run.last_direction = step;
+        run.free_contour.reset();
+        if (run.capture != nullptr) capture(run, straight_element(at, to, a), rapid);
+        arrive(run, to);
+        emit(run, cl::Linear{run.position, {0, 0, 1}, rapid});
+        return;
+    }
+    plane_element(run, straight_element(at, to, a), to, rapid);
 }
 
 double programmed_coordinate(const Run& run, const std::string& axis) {

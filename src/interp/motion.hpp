@@ -32,10 +32,19 @@ void set_pole(Run&);
 
 /// Runs the block's arc to `to` (programmed frame); false where it could not be resolved.
 [[nodiscard]] bool arc_motion(Run&, const geom::Vec3& to);
+/// Keeps an element for whoever rehearses the run (capture.hpp).
+void capture(Run&, const path::Element& element, bool rapid);
 /// Runs an element of the working plane that ends at `to` (programmed frame), through the path stage where it is at
 /// work.
 void plane_element(Run&, path::Element element, const geom::Vec3& to, bool rapid);
 [[nodiscard]] bool needs_path_stage(const Run&);
+/// Where the coordinates of the block lead, programmed frame.
+[[nodiscard]] geom::Vec3 programmed_target(Run&);
+/// The tool stands at `to` (programmed frame) from here on.
+void arrive(Run&, const geom::Vec3& to);
+/// Before a move: datum, feed that was dropped.
+void begin_motion(Run&);
+void require_feed(Run&);
 /// Straight move to `to` (programmed frame).
 void straight_motion(Run&, const geom::Vec3& to, bool rapid);
 

@@ -40,13 +40,23 @@ void into_frame(const Run& run, path::Setting& s) {
 
 }  // namespace
 
-path::Setting PathStage::setting(Run& run) const {
+path::Setting compensation_setting(Run& run) {
     path::Setting s;
     if (run.modal.compensation == Modal::compensation_off) return s;
     s.side = run.modal.compensation == Modal::compensation_left ? path::Side::left : path::Side::right;
     s.approach = run.modal.approach == Modal::approach_contour ? path::Approach::around : path::Approach::normal;
     s.corner =
         run.modal.corner == Modal::corner_intersection ? path::OuterCorner::intersection : path::OuterCorner::arc;
+    if (run.block.corner_end == Modal::corner_crossing) s.at_end = path::CornerEnd::crossing;
+    if (run.block.corner_end == Modal::corner_open) s.at_end = path::CornerEnd::open;
+    const std::uint32_t reported = run.unit().traits->compensation_window;
+    if (run.modal.look_ahead > 0) {
+        s.clearance = path::Clearance::avoided;
+        s.window = static_cast<std::size_t>(run.modal.look_ahead);
+    } else if (reported > 0) {
+        s.clearance = path::Clearance::reported;
+        s.window = reported;
+    }
     const shop::Tool* tool = run.tool.data;
     const auto radius = tool == nullptr || run.tool.edge == 0 ? std::nullopt : compensation_radius(*tool);
     if (!radius) {
@@ -73,18 +83,23 @@ int PathStage::feed_event(const Run& run, double feed) {
     return keep({cl::Feed{feed, run.modal.feed_mode}, run.here(), run.calls.back().stack});
 }
 
-path::CornerRequest PathStage::corner_request(Run& run) {
+path::CornerRequest corner_of_block(const Run& run) {
     const BlockWords& b = run.block;
     const double unit = run.modal.inch_geometry ? 25.4 : 1;
-    path::CornerRequest r;
     if (b.has(Code::chamfer_length))
-        r = {path::CornerKind::chamfer, b.get(Code::chamfer_length) * unit, false, false, true, {}, {}};
-    else if (b.has(Code::chamfer_leg))
-        r = {path::CornerKind::chamfer_leg, b.get(Code::chamfer_leg) * unit, false, false, true, {}, {}};
-    else if (b.has(Code::round))
-        r = {path::CornerKind::rounding, b.get(Code::round) * unit, false, false, true, {}, {}};
-    else if (run.modal.round_modal > 0 && run.modal.motion != Modal::rapid)
-        r = {path::CornerKind::rounding, run.modal.round_modal, true, false, true, {}, {}};
+        return {path::CornerKind::chamfer, b.get(Code::chamfer_length) * unit, false, false, true, {}, {}};
+    if (b.has(Code::chamfer_leg))
+        return {path::CornerKind::chamfer_leg, b.get(Code::chamfer_leg) * unit, false, false, true, {}, {}};
+    if (b.has(Code::round))
+        return {path::CornerKind::rounding, b.get(Code::round) * unit, false, false, true, {}, {}};
+    if (run.modal.round_modal > 0 && run.modal.motion != Modal::rapid)
+        return {path::CornerKind::rounding, run.modal.round_modal, true, false, true, {}, {}};
+    return {};
+}
+
+path::CornerRequest PathStage::corner_request(Run& run) {
+    const BlockWords& b = run.block;
+    path::CornerRequest r = corner_of_block(run);
     if (std::isnan(r.size)) {
         unchecked(run, codes::unknown_value, run.here(),
                   "the size of this chamfer or rounding depends on a value that is not known: it is left out");
@@ -100,7 +115,10 @@ path::CornerRequest PathStage::corner_request(Run& run) {
 }
 
 void PathStage::push(Run& run, path::Element e, bool rapid) {
-    const path::Setting s = setting(run);
+    push(run, std::move(e), compensation_setting(run), rapid);
+}
+
+void PathStage::push(Run& run, path::Element e, const path::Setting& s, bool rapid) {
     e.tag = origins_.size();
     e.before = std::move(waiting_);
     waiting_.clear();
@@ -157,19 +175,19 @@ void PathStage::report(Run& run, const path::Fault& f) {
             text = "the tool radius " + radius + " is larger than this arc: the arc is left out";
             break;
         case path::Reason::arc_needs_line_at_start:
-            text = "compensation must be switched on and off by a straight move G0 or G1, this is an arc";
+            text = "compensation must be switched on and off by a straight move, this is an arc";
             break;
         case path::Reason::no_intersection:
             text = "with tool radius " + radius +
                    " this inner corner has no point where both contour elements can be reached";
             break;
+        case path::Reason::interference:
+            text = "tool radius too large: with " + radius + " the path cuts into another contour element";
+            break;
         case path::Reason::element_vanishes:
             text = f.bridged ? "with tool radius " + radius +
                                    " the tool does not fit into this contour element: it is left out and material stays"
                              : "with tool radius " + radius + " this contour element cannot be reached";
-            break;
-        case path::Reason::interference:
-            text = "with tool radius " + radius + " the tool cuts into another contour element here";
             break;
     }
     base::Diagnostic d{base::Severity::error,

@@ -16,6 +16,8 @@ public:
     [[nodiscard]] bool active() const { return active_; }
     /// Takes one element of the block being run, in plane coordinates of the programmed frame.
     void push(Run&, path::Element element, bool rapid);
+    /// As above with a setting of its own.
+    void push(Run&, path::Element element, const path::Setting& setting, bool rapid = false);
     /// Keeps a record that must come out before the next element.
     void hold(const cl::Record& record);
     /// Emits everything held back.
@@ -30,7 +32,6 @@ private:
         double radius = 0;  ///< of the tool, mm
     };
 
-    [[nodiscard]] path::Setting setting(Run&) const;
     [[nodiscard]] path::CornerRequest corner_request(Run&);
     [[nodiscard]] int keep(const cl::Record& record);
     [[nodiscard]] int feed_event(const Run&, double feed);
@@ -48,6 +49,10 @@ private:
     bool flushing_ = false;
 };
 
+/// What the modal state says to radius compensation; a tool whose radius is not known is reported.
+[[nodiscard]] path::Setting compensation_setting(Run&);
+/// The chamfer or rounding that the block asks for at its end, without feeds.
+[[nodiscard]] path::CornerRequest corner_of_block(const Run&);
 /// Emits an element of the working plane as a record of the stream.
 void emit_element(Run&, const path::Element& element, bool rapid);
 

@@ -7,6 +7,7 @@
 #include <cstdint>
 #include <limits>
 #include <memory>
+#include <optional>
 #include <set>
 #include <string>
 #include <unordered_map>
@@ -48,6 +49,7 @@ struct ModalState {
     Modal compensation = Modal::compensation_off;
     Modal approach = Modal::approach_normal;
     Modal corner = Modal::corner_arc;
+    int look_ahead = 0;  ///< contour elements that compensation looks ahead (M120 LA)
     Modal feed_reference = Modal::feed_at_contour;
     std::uint32_t datum = 500;
     geom::Frame programmed;        ///< TRANS, ROT, SCALE, MIRROR; product of `transforms` where there are any
@@ -81,6 +83,7 @@ struct BlockWords {
     bool tool_named = false;
     Modal special = Modal::linear;   ///< dwell, reference point, fixed point, pole; linear: none
     Modal suppress = Modal::linear;  ///< suppress_frames, suppress_all; linear: none
+    Modal corner_end = Modal::linear;  ///< corner_crossing, corner_open; linear: none
     Modal paraxial = Modal::linear;  ///< paraxial, paraxial_longer, paraxial_shorter; linear: none
 
     [[nodiscard]] bool has(Code c) const { return (present >> static_cast<unsigned>(c)) & 1u; }
@@ -163,9 +166,12 @@ struct SpindleState {
     double surface = 0;         ///< cutting speed of the last G96, m/min
     bool mode_changed = false;  ///< by the block being run: G96 or G97
     int direction = 0;
+    int last = 0;  ///< the last direction in which it turned
 };
 
 class PathStage;
+struct Captured;
+struct FreeContour;
 
 struct Run {
     Run(const Environment& e, cl::CallStacks& s, cl::Sink k, base::Diagnostics& d, std::uint32_t parameter_count);
@@ -190,6 +196,7 @@ struct Run {
     ToolState tool;
     std::vector<shop::Tool> tools;  ///< of the job, with what the program writes to $TC_DPn
     SpindleState spindle;
+    bool coolant_on = false;
     double feed = 0;  ///< mm/min, mm/rev or 1/min by modal.feed_mode
     bool feed_valid = false;
     bool feed_dropped = false;  ///< G94/G95 changed and the stream does not know yet that F is void
@@ -211,6 +218,10 @@ struct Run {
     std::uint64_t known_axes = 0;  ///< bit per Code of X, Y, Z: the machine has it
     geom::Vec2 last_direction;     ///< of the last move in the working plane, for CT
     std::unique_ptr<PathStage> path;
+    /// Where it is set, elements go there and nothing is emitted or complained about (capture.hpp).
+    std::vector<Captured>* capture = nullptr;
+    std::shared_ptr<FreeContour> free_contour;  ///< being solved
+    std::optional<geom::Vec2> free_pole;        ///< FPOL
 
     const program::Statement* statement = nullptr;  ///< being run
     bool stopped = false;                           ///< alarm, budget or program end
@@ -267,7 +278,8 @@ void define(Run&, const program::Define&, Scope& scope, const Unit& unit);
 [[nodiscard]] bool is_character_access(const Binding&, const program::Expr&);
 [[nodiscard]] Value read_character(Run&, const Binding&, const program::Expr&);
 
-// --- flow (flow.cpp, calls.cpp)
+// --- flow (interp.cpp, flow.cpp, calls.cpp)
+void step(Run&);  ///< the next statement of the program
 void run_statement(Run&, const program::Statement&, std::uint32_t index);
 void jump(Run&, const program::Jump&);
 /// Counts a backward branch of the statement being run; ends the run past the budget.
@@ -297,12 +309,18 @@ void after_motion(Run&);
 /// Gathers one word into the block; shared by blocks and frame statements.
 void gather(Run&, const program::Statement&, const program::Word&);
 
+/// A block with data of its own (special.cpp).
+void run_special(Run&, const program::Statement&, std::uint32_t index);
+
 // --- cycles (cycle.cpp, transform.cpp)
 void define_cycle(Run&, const program::CycleDefinition&);
 /// The cycle defined last, where the tool stands.
 void call_cycle(Run&);
 /// A cycle that acts at its definition; false where obrys does not run it.
 [[nodiscard]] bool act_at_definition(Run&, const ActiveCycle&);
+/// The tilted working plane in force, and a new one in its place.
+[[nodiscard]] geom::Frame active_plane(const Run&);
+void tilt(Run&, const geom::Frame&);
 
 // --- output (emit.cpp)
 void emit(Run&, cl::Step step);

@@ -5,6 +5,7 @@
 
 #include "base/codes.hpp"
 #include "interp/run.hpp"
+#include "interp/system_tool.hpp"
 
 namespace obrys::interp {
 
@@ -264,6 +265,10 @@ int tool_parameter_number(const std::string& name) {
 Value read_system(Run& run, const Expr& e) {
     const Access a{run, e};
     const auto v = static_cast<SystemVariable>(e.op);
+    if (v >= SystemVariable::inch_program) {
+        const auto value = tool_or_frame(run, e);
+        return value ? Value::real(*value) : unknown_value(a, "neither the job nor the machine file says it");
+    }
     switch (v) {
         case SystemVariable::numbered_parameter:
             return indexed_parameter(a);

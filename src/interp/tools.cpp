@@ -96,7 +96,7 @@ bool spindle_words(Run& run) {
     }
     for (const int m : b.m) {
         if (m == 3 || m == 4) {
-            run.spindle.direction = m == 3 ? 1 : -1;
+            run.spindle.direction = run.spindle.last = m == 3 ? 1 : -1;
             changed = true;
         }
     }
@@ -156,6 +156,7 @@ void feed_word(Run& run) {
 
 void coolant(Run& run, int m) {
     const auto state = m == 7 ? cl::CoolantState::mist : m == 8 ? cl::CoolantState::flood : cl::CoolantState::off;
+    run.coolant_on = state != cl::CoolantState::off;
     emit(run, cl::Coolant{state});
 }
 

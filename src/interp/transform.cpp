@@ -87,7 +87,7 @@ bool mirror(Run& run, const ActiveCycle& c) {
 }
 
 bool rotate(Run& run, const ActiveCycle& c) {
-    const Written w = find(run, c, CycleRole::rotation);
+    const Written w = find(run, c, CycleRole::angle);
     double angle = w.value;
     if (w.incremental) {
         const geom::Frame now = active(run, TransformKind::rotation);
@@ -136,6 +136,10 @@ bool dwell(Run& run, const ActiveCycle& c) {
 }
 
 }  // namespace
+
+geom::Frame active_plane(const Run& run) { return active(run, TransformKind::plane); }
+
+void tilt(Run& run, const geom::Frame& plane) { place(run, TransformKind::plane, plane); }
 
 bool act_at_definition(Run& run, const ActiveCycle& c) {
     if (unknown_value(run, c)) return true;

@@ -17,19 +17,6 @@ constexpr std::size_t largest_window = 1000;
 
 bool carries_zone(Role r) { return r == Role::contour || r == Role::transition || r == Role::absent; }
 
-double distance_to(const Element& e, Vec2 p) {
-    if (!is_arc(e)) {
-        const Vec2 d = e.to - e.from;
-        const double t = std::clamp(geom::dot(p - e.from, d) / geom::dot(d, d), 0.0, 1.0);
-        return geom::distance(p, e.from + t * d);
-    }
-    const double turn = std::copysign(1.0, e.sweep);
-    double angle = turn * turn_between(e.from - e.centre, p - e.centre);
-    if (angle < 0) angle += 2 * geom::pi;
-    if (angle <= std::abs(e.sweep)) return std::abs(geom::distance(p, e.centre) - geom::distance(e.from, e.centre));
-    return std::min(geom::distance(p, e.from), geom::distance(p, e.to));
-}
-
 /// Positive to the left.
 double curvature(const Element& e) {
     return is_arc(e) ? std::copysign(1 / geom::distance(e.from, e.centre), e.sweep) : 0;
@@ -44,7 +31,7 @@ void prolong(Item& a, Item& b, const Crossing& c) {
     if (is_arc(a.e)) a.curve.sweep = std::copysign(c.on_a, a.curve.sweep);
     a.curve.to = c.point;
     if (is_arc(b.e)) b.curve.sweep = std::copysign(extent(b.curve) - c.on_b, b.curve.sweep);
-    b.curve.from = b.start = c.point;
+    b.curve.from = c.point;
     a.box = box_of(a.curve);
     b.box = box_of(b.curve);
 }
@@ -61,30 +48,27 @@ Item transition(const Item& a, Item& b, Vec2 from, Vec2 to, double turn) {
     t.e.before = std::exchange(b.e.before, {});
     t.curve = Curve{from, to, t.e.centre, turn, std::abs(a.d1), std::abs(a.d1)};
     t.start = from;
+    t.zone = zone_of(t);
     t.box = box_of(t.curve);
     return t;
 }
 
 }  // namespace
 
-bool has_zone(const Item& item) {
-    return carries_zone(item.role) && item.s.clearance != Clearance::neighbours && std::abs(item.d1) > same_point &&
-           std::abs(item.d1 - item.d0) <= same_point;
-}
-
-bool same_zone(const Item& a, const Item& b) {
-    return has_zone(a) && has_zone(b) && std::abs(a.d1 - b.d0) <= same_point;
+double zone_of(const Item& item) {
+    if (!carries_zone(item.role) || item.s.clearance == Clearance::neighbours) return 0;
+    if (std::abs(item.d1) <= same_point || std::abs(item.d1 - item.d0) > same_point) return 0;
+    return item.d1;
 }
 
 geom::Box box_of(const Curve& c) {
+    const double r = c.sweep == 0 ? 0 : std::max(std::abs(c.radius_from), std::abs(c.radius_to));
+    const bool flat = std::abs(c.sweep) <= geom::pi;  // then no point is farther than the sagitta from the chord
+    const double rise = flat ? r * (1 - std::cos(0.5 * c.sweep)) + std::abs(c.radius_from - c.radius_to) : r;
     geom::Box box;
-    if (c.sweep == 0) {
-        box.add(c.from);
-        box.add(c.to);
-    } else {
-        const double r = std::max(std::abs(c.radius_from), std::abs(c.radius_to));
-        box.add(c.centre - Vec2{r, r});
-        box.add(c.centre + Vec2{r, r});
+    for (const Vec2 p : {flat ? c.from : c.centre, flat ? c.to : c.centre}) {
+        box.add(p - Vec2{rise, rise});
+        box.add(p + Vec2{rise, rise});
     }
     return box;
 }
@@ -138,6 +122,12 @@ Reach reach(const std::deque<Item>& window) {
     return r;
 }
 
+Chain chain_to(const std::deque<Item>& window, std::size_t m) {
+    Chain chain;
+    for (std::size_t i = 0; i <= m; ++i) chain.push_back(&window[i]);
+    return chain;
+}
+
 std::optional<Exit> first_exit(const std::deque<Item>& window, std::size_t reach) {
     const Item& a = window.front();
     std::optional<Exit> best = exit_to_next(a, window[1]);
@@ -145,7 +135,8 @@ std::optional<Exit> first_exit(const std::deque<Item>& window, std::size_t reach
     const double tolerance = same_place / scale(a.curve);
     for (std::size_t m = 2; m < reach; ++m) {
         const auto c = entry(a, window[m]);
-        if (c && (!best || c->on_a < best->at.on_a - tolerance)) best = Exit{m, *c, false};
+        if (!c || (best && c->on_a >= best->at.on_a - tolerance)) continue;
+        if (is_pocket(chain_to(window, m), c->point)) best = Exit{m, *c, false};
     }
     return best;
 }
@@ -165,7 +156,8 @@ bool cuts_into(const Item& zone, const Item& a, double from, double to) {
     constexpr int samples = 16;
     for (int i = 1; i <= samples; ++i) {
         const Vec2 p = point_on(a.curve, from + (to - from) * i / samples);
-        const double d = zone.role == Role::transition ? geom::distance(p, zone.e.centre) : distance_to(zone.e, p);
+        const double d = zone.role == Role::transition ? geom::distance(p, zone.e.centre)
+                                                       : geom::distance(p, nearest_point(zone.e, p));
         if (d < std::abs(zone.d1) - blend) return true;
     }
     return false;

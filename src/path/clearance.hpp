@@ -1,20 +1,24 @@
 #pragma once
 /// Zones of elements that are not neighbours: what Clearance::reported and avoided need. Inside of compensation.hpp;
 /// not for callers. The boundary of all zones on the tool's side consists of the parallels and of the arcs round outer
-/// corners; so these arcs become items of their own, and the path is the walk along items that changes over to another
-/// one wherever it would enter that one's zone.
+/// corners; so these arcs become items of their own, and the path is the walk along items that changes over to a later
+/// one where it would enter that one's zone, if what lies between is a pocket (contour_loop.hpp).
 
+#include <cmath>
 #include <deque>
 #include <optional>
 
-#include "path/join.hpp"
+#include "path/contour_loop.hpp"
 
 namespace obrys::path {
 
-/// True where zones are asked for and the item has one.
-[[nodiscard]] bool has_zone(const Item& item);
+/// Item::zone of an item whose setting, role and offsets are given.
+[[nodiscard]] double zone_of(const Item& item);
+[[nodiscard]] inline bool has_zone(const Item& item) { return item.zone != 0; }
 /// True where both have zones and the tool stands equally far on the same side.
-[[nodiscard]] bool same_zone(const Item& a, const Item& b);
+[[nodiscard]] inline bool same_zone(const Item& a, const Item& b) {
+    return has_zone(a) && has_zone(b) && std::abs(a.zone - b.zone) <= same_point;
+}
 /// Box round the item's parallel, generous for arcs.
 [[nodiscard]] geom::Box box_of(const Curve& c);
 
@@ -39,7 +43,10 @@ struct Reach {
     bool complete = false;
 };
 [[nodiscard]] Reach reach(const std::deque<Item>& window);
-/// The first exit of the front item within reach, `avoided`; of equally early ones the nearest item.
+/// The items from the front one to item m.
+[[nodiscard]] Chain chain_to(const std::deque<Item>& window, std::size_t m);
+/// The first exit of the front item within reach, `avoided`: to the next item or over a pocket; of equally early ones
+/// to the nearest item.
 [[nodiscard]] std::optional<Exit> first_exit(const std::deque<Item>& window, std::size_t reach);
 /// The sound exits from item to item lead from the front one to item m.
 [[nodiscard]] bool leads_to(const std::deque<Item>& window, std::size_t m);

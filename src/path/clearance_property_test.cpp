@@ -37,7 +37,7 @@ Sample jagged(Random& random) {
         p = q;
     };
     to({0, random.in(-1, 1)});
-    for (int i = 1 + random.upto(18); i > 0; --i) {
+    for (int i = 1 + random.upto(14); i > 0; --i) {
         const double step = random.in(0.05, 5);
         const int what = random.upto(5);
         if (what == 0) {
@@ -50,7 +50,7 @@ Sample jagged(Random& random) {
             const Vec2 centre = middle + (step / std::tan(bend)) * Vec2{0, 1};
             s.contour.push_back(arc(p, centre, 2 * bend));
             p = s.contour.back().to = p + Vec2{2 * step, 0};
-        } else if (what == 3 && random.upto(1) == 0) {
+        } else if (what == 3 && random.upto(2) == 0) {
             for (const Vec2 q : bottle(random, p)) to(q);
         } else {
             to({p.x + (what == 2 ? 0.01 : step), random.in(-5, 5)});
@@ -151,6 +151,49 @@ TEST(clearance_property, MovesAndMirrorsWithTheContour) {
             ASSERT_EQ(a.faults[k].tag, b.faults[k].tag);
         }
     }
+}
+
+/// A star-shaped closed contour, counter-clockwise, from the middle of an edge on; pocket (left) or island (right).
+Sample star(Random& random) {
+    const int n = 4 + random.upto(20);
+    std::vector<Vec2> corner;
+    for (int i = 0; i < n; ++i)
+        corner.push_back(random.in(8, 40) * rotated({1, 0}, 2 * pi * (i + random.in(0.05, 0.95)) / n));
+    const Vec2 middle = 0.5 * (corner.front() + corner.back());
+    corner.insert(corner.begin(), middle);
+    corner.push_back(middle);
+    return {polyline(corner), random.in(0.2, 8) * (random.upto(1) == 0 ? 1 : -1)};
+}
+
+TEST(clearance_property, LookAheadGoesRoundClosedContours) {
+    const std::uint32_t seed = 20251124;
+    std::cout << "seed " << seed << '\n';
+    Random random(seed);
+    int tried = 0, left_out = 0;
+    for (int i = 0; i < 10000; ++i) {
+        const Sample s = star(random);
+        const double radius = std::abs(s.radius);
+        const Vec2 start = s.contour.front().from + s.radius * geom::left_of(start_direction(s.contour.front()));
+        if (distance_to(s.contour, start) < radius - 1e-9) continue;  // the tool has no room there
+        ++tried;
+        SCOPED_TRACE(i);
+        auto steps = contour_steps(start, s.contour, setting(s, Clearance::avoided));
+        steps.push_back({line(s.contour.front().from, start), {}});
+        const Result r = run(steps);
+        for (const Fault& f : r.faults) ASSERT_TRUE(f.bridged);
+        left_out += r.faults.empty() ? 0 : 1;
+        ASSERT_LE(largest_gap(r), 1e-9);
+        ASSERT_LE(geom::distance(r.out.back().element.to, start), 1e-9);
+        for (const Output& o : r.out)
+            for (int k = 0; k <= 8; ++k) {
+                const double d = distance_to(s.contour, point_at(o.element, k / 8.0));
+                ASSERT_GE(d, radius - 1e-9);
+                ASSERT_LE(d, radius + 1e-9);
+            }
+    }
+    std::cout << left_out << " of " << tried << " contours have elements that the tool does not fit into\n";
+    EXPECT_GT(tried, 5000);
+    EXPECT_GT(left_out, 1000);
 }
 
 /// A window that sees one element only never crosses over; one that sees all gives the same path as any that sees

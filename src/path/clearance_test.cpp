@@ -4,7 +4,6 @@
 #include <iostream>
 
 #include "path/path_support_test.hpp"
-#include "path/smooth_approach.hpp"
 
 namespace obrys::path::test {
 namespace {
@@ -107,6 +106,27 @@ TEST(clearance, M98RunsAnInnerCornerOutToBothNormals) {
     expect_path(open, expected);
     for (Step& s : steps) s.s.clearance = Clearance::neighbours;
     expect_path(run(steps), expected);
+}
+
+/// SOUCAST1.H of the article (../shared/programs/heidenhain), RL with radius 5: its compensated contour is 331.312 mm
+/// long.
+TEST(clearance, TheArticlesPart) {
+    const std::vector<Element> part{
+        line({110, 10}, {49.5, 10}),  arc({49.5, 10}, {42, 10}, pi / 2), line({42, 17.5}, {32, 17.5}),
+        line({32, 17.5}, {10, 22.5}), line({10, 22.5}, {10, 55}),        arc({10, 55}, {15, 55}, -pi),
+        arc({20, 55}, {30, 55}, pi),  line({40, 55}, {40, 60}),          line({40, 60}, {50, 70}),
+        line({50, 70}, {60, 70}),     line({60, 70}, {70, 60}),          line({70, 60}, {70, -20})};
+    for (const Setting& s : {reported(5), avoided(5)}) {
+        const Result r = run(contour_steps({110, -30}, part, s));
+        EXPECT_TRUE(r.faults.empty());
+        ASSERT_EQ(r.out.size(), 20u);
+        double length = 0;
+        for (std::size_t i = 1; i < r.out.size(); ++i) length += planar_length(r.out[i].element);
+        EXPECT_NEAR(length, 331.31210674955094, 1e-9);
+        EXPECT_NEAR(planar_length(r.out[0].element), 35, 1e-12);
+        EXPECT_NEAR(r.out[2].element.sweep, -pi / 2, 1e-12);
+        EXPECT_NEAR(r.out.back().element.to.x, 75, 1e-12);
+    }
 }
 
 /// A slot 6 mm wide and a tool of radius 5.
@@ -214,48 +234,32 @@ TEST(clearance, ClosedContoursAndFullCircles) {
 }
 
 TEST(clearance, StartingInAnInnerCornerCutsIntoTheFirstElement) {
-    auto steps = contour_steps({20, 20}, polyline({{0, 0}, {40, 0}, {40, 40}, {0, 40}, {0, 0}}), reported(5));
-    steps.push_back({line({0, 0}, {20, 20}), {}});
-    const Result r = run(steps);
-    expect_faults(r, Reason::interference, {4}, false);
-    EXPECT_EQ(r.faults[0].other, 1u);
+    for (const Setting& s : {reported(5), avoided(5)}) {
+        auto steps = contour_steps({20, 20}, polyline({{0, 0}, {40, 0}, {40, 40}, {0, 40}, {0, 0}}), s);
+        steps.push_back({line({0, 0}, {20, 20}), {}});
+        const Result r = run(steps);
+        expect_faults(r, Reason::interference, {4}, false);
+        EXPECT_EQ(r.faults[0].other, 1u);
+        EXPECT_NEAR(r.faults[0].at.y, 5, 1e-9);
+        EXPECT_EQ(r.out.size(), 6u) << "it begins in the last element's zone, which is no reason to go over to it";
+    }
     Setting outside = reported(-5);
     EXPECT_TRUE(
         run(contour_steps({-20, 0}, polyline({{0, 0}, {40, 0}, {40, 40}, {0, 40}, {0, 0}}), outside)).faults.empty());
 }
 
-TEST(clearance, SmoothApproachAndDepartureAreLeftAsTheyAre) {
-    const ContourEnd begin{{0, 0}, {1, 0}, Side::left, 5, -2}, end{{40, 0}, {1, 0}, Side::left, 5, -2};
-    const auto on = smooth_approach({{-20, 30}, 3}, begin, {.kind = SmoothKind::arc_and_line, .radius = 12});
-    const auto off = smooth_departure(end, {{60, 30}, 3}, {.kind = SmoothKind::arc_and_line, .radius = 12});
-    std::vector<Step> steps;
-    for (const Element& e : on.path) steps.push_back({e, {}});
-    steps.back().s = reported(5);
-    steps.back().s.approach = Approach::ready;
-    steps.push_back({line({0, 0}, {40, 0}, -2), reported(5)});
-    Setting ready;
-    ready.approach = Approach::ready;
-    for (const Element& e : off.path) steps.push_back({e, ready});
-    const Result r = run(steps);
-    EXPECT_TRUE(r.faults.empty());
-    ASSERT_EQ(r.out.size(), on.path.size() + 1 + off.path.size());
-    EXPECT_EQ(largest_gap(r), 0);
-    for (std::size_t i = 0; i < on.path.size(); ++i) EXPECT_NEAR(r.out[i].element.sweep, on.path[i].sweep, 1e-12);
-    const std::size_t after = on.path.size() + 1;
-    for (std::size_t i = 0; i < off.path.size(); ++i) {
-        EXPECT_NEAR(r.out[after + i].element.sweep, off.path[i].sweep, 1e-12);
-        EXPECT_LE(geom::distance(r.out[after + i].element.to, off.path[i].to), 1e-12);
+/// Round a ring whose gap is 4 mm wide, its walls included: the tool of radius 5 cuts into the other wall. Passing over
+/// "what does not fit" would leave out the ring.
+TEST(clearance, AGapInARingIsNoPocket) {
+    const auto ring = polyline({{-2, 15}, {-2, 0}, {-20, 0}, {-20, 40}, {20, 40}, {20, 0}, {2, 0}, {2, 15}});
+    for (const Setting& s : {reported(5), avoided(5)}) {
+        const Result r = run(contour_steps({3, 25}, ring, s));
+        ASSERT_FALSE(r.faults.empty());
+        for (const Fault& f : r.faults) EXPECT_EQ(f.reason, Reason::interference);
+        EXPECT_EQ(r.faults.front().tag, 7u);
+        EXPECT_EQ(r.out.size(), 14u);
     }
-    EXPECT_EQ(r.out[on.path.size()].kind, Kind::contour);
-    EXPECT_NEAR(r.out[on.path.size()].element.to.y, 5, 1e-12);
-}
-
-TEST(clearance, AReadyApproachMayHaveNoLength) {
-    Setting s = reported(5);
-    s.approach = Approach::ready;
-    const Result r = run({{line({-9, 5}, {0, 5}), {}}, {line({0, 5}, {0, 5}), s}, {line({0, 0}, {9, 0}), reported(5)}});
-    EXPECT_TRUE(r.faults.empty());
-    expect_path(r, {{{0, 5}, Kind::passed}, {{9, 5}, Kind::contour}});
+    EXPECT_TRUE(run(contour_steps({3, 25}, ring, reported(2))).faults.empty());
 }
 
 }  // namespace

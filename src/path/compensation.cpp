@@ -123,6 +123,7 @@ void Compensation::add_contour(Element e, const Setting& s, OutputSink out) {
         item.d0 = item.d1;
     }
     item.curve = parallel(e, item.d0, item.d1);
+    item.zone = zone_of(item);
     const bool kept = has_zone(item) && !window_.empty() && has_zone(window_.back());
     if (!exists(item.curve) && kept) {
         item.role = Role::absent;

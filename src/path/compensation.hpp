@@ -21,14 +21,14 @@
 ///
 /// HEIDENHAIN words (iTNC 530 User's Manual, "Tool radius compensation", "Miscellaneous functions for contouring
 /// behavior"), all of them data in Setting:
-///   RL/RR   arc at outer corners, crossing at inner ones, start and end normal to the contour (Approach::normal), no
-///   arc
-///           at start and end; Clearance::reported. Any fault but `interference` and bridged ones is where the control
-///           stops with "Tool radius too large"; cutting into a contour farther on it does not see without M120.
+///   RL/RR   arc at outer corners, crossing at inner ones, start and end normal to the contour (Approach::normal) and
+///           by lines only; Clearance::reported. Where elements cannot be reached the control stops with "Tool radius
+///           too large"; an `interference` it does not see without M120.
 ///   M97     CornerEnd::crossing in the block that ends at the corner
 ///   M98     CornerEnd::open in the block that ends at the corner
 ///   M120    Clearance::avoided with `window` from LA, from this block on (until R0, M120 without LA or LA0, a called
-///           program). The manual says what it does, not how; ours is the walk of clearance.hpp.
+///           program). The manual says what it does, not how; ours is the walk of clearance.hpp. A block counts
+///           here if it moves in the plane, and inserted chamfers and roundings count too.
 ///   M90     no effect on the path
 ///   not modelled: a spline instead of the arc at outer corners (MP7680)
 /// ISO: arc at outer corners, norm approach.
@@ -40,6 +40,7 @@
 #include <vector>
 
 #include "base/function_ref.hpp"
+#include "path/contour_loop.hpp"
 #include "path/element.hpp"
 #include "path/join.hpp"
 #include "path/setting.hpp"
@@ -91,6 +92,7 @@ private:
     void drop(std::size_t index);
     void leave_out(std::size_t index);
     void watch(double end);
+    [[nodiscard]] Chain chain_back(const Item& past) const;
     void keep_behind(const Item& item);
     void commit(const Join& j, OutputSink out);
     void finish_front(geom::Vec2 end, double place, OutputSink out);
@@ -100,6 +102,7 @@ private:
     bool active_ = false;           ///< an approach was taken and no retract yet
     double offset_ = 0;             ///< at the end of the newest contour element, positive left
     std::deque<Item> window_;       ///< front: the element whose start is settled
+    std::uint64_t items_ = 0;       ///< taken so far
     std::deque<Item> past_;         ///< items behind the path whose zones are still looked at
     std::vector<int> carried_;      ///< events waiting for the next output
     std::optional<geom::Vec2> at_;  ///< where the output stands while active

@@ -29,7 +29,11 @@ Item left_behind(const Item& item) {
 void Compensation::append(Item item) {
     item.box = box_of(item.curve);
     if (!window_.empty() && window_.back().role != Role::approach)
-        if (auto corner = make_corner(window_.back(), item)) window_.push_back(std::move(*corner));
+        if (auto corner = make_corner(window_.back(), item)) {
+            corner->serial = ++items_;
+            window_.push_back(std::move(*corner));
+        }
+    item.serial = ++items_;
     window_.push_back(std::move(item));
 }
 
@@ -96,31 +100,44 @@ void Compensation::leave_out(std::size_t index) {
     }
 }
 
+/// The items from one behind the path to the front one, in contour order.
+Chain Compensation::chain_back(const Item& past) const {
+    Chain chain;
+    for (const Item& item : past_)
+        if (item.serial >= past.serial && item.serial < window_.front().serial) chain.push_back(&item);
+    std::sort(chain.begin(), chain.end(), [](const Item* a, const Item* b) { return a->serial < b->serial; });
+    chain.push_back(&window_.front());
+    return chain;
+}
+
 /// Looks for zones that the front item, run up to `end`, cuts into: earlier ones, and later ones where they are not
-/// avoided and no other fault at a neighbour tells of them.
+/// avoided and no other fault at a neighbour tells of them. A contour that meets itself, as one that runs on past its
+/// own start, is meant so.
 void Compensation::watch(double end) {
     const Item& a = window_.front();
     if (!has_zone(a)) return;
     const Item* found = nullptr;
     Crossing where;
-    const auto look = [&](const Item& zone) {
+    const auto cuts = [&](const Item& zone, const auto& chain) {
         const auto c = entry(a, zone);
         if (!c || c->on_a >= end || (found != nullptr && c->on_a >= where.on_a)) return false;
         if (!cuts_into(zone, a, c->on_a, end)) return false;
-        found = &zone;
+        if (const Chain items = chain(); !is_pocket(items, c->point) && meets_itself(items)) return false;
         where = *c;
         return true;
     };
     for (const Item& zone : past_)
-        if (same_zone(a, zone)) look(zone);
+        if (same_zone(a, zone) && cuts(zone, [&] { return chain_back(zone); })) found = &zone;
     if (a.s.clearance == Clearance::reported && window_.size() > 2) {
         const std::size_t count = reach(window_).count;
         for (std::size_t m = 2; m < count; ++m) {
-            const Item* const before = found;
-            const Crossing at = where;
-            if (!look(window_[m]) || leads_to(window_, m)) continue;
-            found = before;
-            where = at;
+            const Crossing before = where;
+            if (!cuts(window_[m], [&] { return chain_to(window_, m); })) continue;
+            if (!leads_to(window_, m)) {
+                where = before;
+                break;  // nor do they lead any farther
+            }
+            found = &window_[m];
         }
     }
     if (found != nullptr) faults_.push_back({Reason::interference, a.e.tag, found->e.tag, where.point, false});

@@ -146,9 +146,8 @@ RC_GTEST_PROP(compensation_property, MovesAndMirrorsWithTheContour, ()) {
         for (std::size_t k = 0; k < a.out.size(); ++k) {
             const Element want = moved_element(a.out[k].element), &have = b.out[k].element;
             RC_ASSERT(a.out[k].kind == b.out[k].kind);
-            // At a very flat crossing the last bits of the coordinates count a hundredfold.
-            RC_ASSERT(geom::distance(want.from, have.from) < 1e-7);
-            RC_ASSERT(geom::distance(want.to, have.to) < 1e-7);
+            RC_ASSERT(geom::distance(want.from, have.from) < 1e-8);
+            RC_ASSERT(geom::distance(want.to, have.to) < 1e-8);
             RC_ASSERT(std::abs(want.sweep - have.sweep) < 1e-8);
         }
     }

@@ -5,6 +5,7 @@
 /// Plane coordinates as in element.hpp, millimetres; all angles in radians, counter-clockwise from the first axis: the
 /// caller converts degrees and inches. Source: HEIDENHAIN iTNC 530 User's Manual, conversational, chapter 6.6; TNC 407
 /// (280 580) and TNC 370 manuals, FK chapters, where they say more. What no manual found says is marked "assumed".
+/// RND and CHF between FK elements act on what comes out, as between any others (contour_path.hpp).
 
 #include <array>
 #include <cstdint>
@@ -51,18 +52,19 @@ struct FkElement {
     bool arc = false;         ///< FC, FCT
     bool tangential = false;  ///< FLT, FCT: leaves in the direction in which the element before ends
     /// X, Y, PR, PA: end point, absolute, from the element's start, or from the end point of another element. PR and PA
-    /// are about `pole`; incremental ones add to the polar coordinates of the start or of the other end point.
+    /// are about `pole`; incremental ones add to the polar coordinates of the start (assumed) or of the other end
+    /// point.
     std::optional<FkValue> x, y, pr, pa;
-    /// AN: direction of a line or of an arc's entry tangent. Incremental: from the direction in which the element before
-    /// ends; block: from the direction in which that element ends (for an arc there: assumed).
+    /// AN: direction of a line or of an arc's entry tangent. Incremental: from the direction in which the element
+    /// before ends; block: from the direction in which that element ends (for an arc there: assumed).
     std::optional<FkValue> an;
     std::optional<double> length;  ///< LEN: of a line, or of an arc's chord, mm
     std::optional<double> radius;  ///< R, positive
     std::optional<Sense> sense;    ///< DR
     /// CCX, CCY, CCPR, CCPA: centre, absolute, from the arc's start, or from the END point of another element.
     std::optional<FkValue> ccx, ccy, ccpr, ccpa;
-    /// CCA: direction in which the arc's end point lies seen from its centre (TNC 407: angle from the leading axis to the
-    /// arc's end point). Incremental: the angle swept, positive (assumed). Not relative to a block.
+    /// CCA: direction in which the arc's end point lies seen from its centre (TNC 407: angle from the leading axis to
+    /// the arc's end point). Incremental: the angle swept, positive (assumed). Not relative to a block.
     std::optional<FkValue> cca;
     /// P1 to P3: points on the line or its prolongation, on the arc's circle. PD with D: a point beside either.
     std::array<FkPoint, 3> on;
@@ -79,23 +81,45 @@ struct FkElement {
 
 /// A datum of an element, for faults. `element`: its shape as such; `tangent`: the T of FLT, FCT.
 enum class FkDatum : std::uint8_t {
-    element, tangent, x, y, pr, pa, an, len, r, dr, ccx, ccy, ccpr, ccpa, cca, p1, p2, p3, pd, par, dp, clsd, fselect,
+    element,
+    tangent,
+    x,
+    y,
+    pr,
+    pa,
+    an,
+    len,
+    r,
+    dr,
+    ccx,
+    ccy,
+    ccpr,
+    ccpa,
+    cca,
+    p1,
+    p2,
+    p3,
+    pd,
+    par,
+    dp,
+    clsd,
+    fselect,
 };
 /// The control's word: "X", "PR", "CLSD" …; "" for element and tangent.
 [[nodiscard]] std::string_view word(FkDatum d);
 
 enum class FkReason : std::uint8_t {
-    not_known,           ///< `datum` is not a finite number
-    bad_value,           ///< `datum` is out of range, or not for this kind of element
-    incomplete,          ///< `datum` lacks its companion: P1X without P1Y, PD without D, DP without PAR, PR without FPOL
-    unknown_block,       ///< `datum` refers to an element not pushed before, or too long ago; CLSD- without CLSD+
-    no_direction,        ///< tangential, and there is no direction to be tangential to
-    contradictory,       ///< `datum` misses by `miss` mm what the other data say
-    under_determined,    ///< any one of `missing` would say more about the element; also where the data suffice but the
-                         ///< solver knows no way: it never guesses
-    ambiguous,           ///< `solutions` contours agree with the data; they part at this element; FSELECT is missing
-    no_such_solution,    ///< FSELECT names more than `solutions`
-    too_many_pending,    ///< more than fk_most_pending elements wait for data
+    not_known,         ///< `datum` is not a finite number
+    bad_value,         ///< `datum` is out of range, or not for this kind of element
+    incomplete,        ///< `datum` lacks its companion: P1X without P1Y, PD without D, DP without PAR, PR without FPOL
+    unknown_block,     ///< `datum` refers to an element not pushed before, or too long ago; CLSD- without CLSD+
+    no_direction,      ///< tangential, and there is no direction to be tangential to
+    contradictory,     ///< `datum` misses by `miss` mm what the other data say
+    under_determined,  ///< any one of `missing` would say more about the element; also where the data suffice but the
+                       ///< solver knows no way: it never guesses
+    ambiguous,         ///< `solutions` contours agree with the data; they part at this element; FSELECT is missing
+    no_such_solution,  ///< FSELECT names more than `solutions`
+    too_many_pending,  ///< more than fk_most_pending elements wait for data
     too_many_solutions,  ///< more than fk_most_solutions, or more work than is allowed
 };
 struct FkFault {
@@ -129,7 +153,8 @@ public:
 
     [[nodiscard]] FkResult push(const FkElement& e);
     /// FSELECT n: keeps the n-th, from 1, of the solutions left by the elements pushed so far. Their order is the same
-    /// for the same data, and the same when the contour is moved or turned; the control's own order is documented nowhere.
+    /// for the same data, and the same when the contour is moved or turned. No document found tells the
+    /// control's own order; fk_order.cpp says what this one agrees with.
     [[nodiscard]] FkResult select(std::size_t n);
     /// End of the contour: what is left comes out, or the reason why not.
     [[nodiscard]] FkResult finish();

@@ -80,7 +80,10 @@ FkPoly substituted(const FkPoly& p, int id, const FkPoly& by) {
         if (t.a == id && t.b == id)
             s.add_product(by, by, t.factor);
         else if (t.a == id || t.b == id)
-            s.add_product(t.a == id ? FkPoly::unknown(t.b) : t.a < 0 ? FkPoly(1.0) : FkPoly::unknown(t.a), by, t.factor);
+            s.add_product(t.a == id ? FkPoly::unknown(t.b)
+                          : t.a < 0 ? FkPoly(1.0)
+                                    : FkPoly::unknown(t.a),
+                          by, t.factor);
         else
             s.add(t.a, t.b, t.factor);
     }

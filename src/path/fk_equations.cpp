@@ -8,7 +8,7 @@ using geom::Vec2;
 
 namespace {
 
-constexpr double shortest_line = 1e-5;   // mm; what is shorter is a line that runs backwards or not at all
+constexpr double shortest_line = 1e-5;  // mm; what is shorter is a line that runs backwards or not at all
 
 /// Collects equations of one element.
 class Builder {
@@ -49,9 +49,7 @@ private:
                       const FkPoly& fy);
     [[nodiscard]] FkPoly squared(const FkPoly& x, const FkPoly& y) const { return x * x + y * y; }
     /// Left of the line through the start along the entry tangent; of a line: n·x - p.
-    [[nodiscard]] FkPoly beyond(double x, double y) const {
-        return x * self().nb_x + y * self().nb_y - self().offset;
-    }
+    [[nodiscard]] FkPoly beyond(double x, double y) const { return x * self().nb_x + y * self().nb_y - self().offset; }
 
     const FkElement& e_;
     const FkSurroundings& around_;
@@ -119,11 +117,9 @@ void Builder::entry_direction() {
                  squared(h.centre_x - b.centre_x, h.centre_y - b.centre_y) -
                      (h.radius - b.radius) * (h.radius - b.radius));
         else if (h.arc)
-            zero(FkDatum::tangent, FkUnit::length,
-                 b.na_x * h.centre_x + b.na_y * h.centre_y - b.offset - h.radius);
+            zero(FkDatum::tangent, FkUnit::length, b.na_x * h.centre_x + b.na_y * h.centre_y - b.offset - h.radius);
         else if (b.arc)
-            zero(FkDatum::tangent, FkUnit::length,
-                 h.nb_x * b.centre_x + h.nb_y * b.centre_y - h.offset - b.radius);
+            zero(FkDatum::tangent, FkUnit::length, h.nb_x * b.centre_x + h.nb_y * b.centre_y - h.offset - b.radius);
         else
             zero(FkDatum::tangent, FkUnit::length, h.offset - b.offset);
     }

@@ -6,9 +6,9 @@
 namespace obrys::path {
 
 std::string_view word(FkDatum d) {
-    constexpr std::array<std::string_view, 23> words{"",    "",    "X",    "Y",    "PR",  "PA", "AN", "LEN",
-                                                     "R",   "DR",  "CCX",  "CCY",  "CCPR", "CCPA", "CCA", "P1",
-                                                     "P2",  "P3",  "PD",   "PAR",  "DP",  "CLSD", "FSELECT"};
+    constexpr std::array<std::string_view, 23> words{"",   "",   "X",   "Y",   "PR",   "PA",   "AN",     "LEN",
+                                                     "R",  "DR", "CCX", "CCY", "CCPR", "CCPA", "CCA",    "P1",
+                                                     "P2", "P3", "PD",  "PAR", "DP",   "CLSD", "FSELECT"};
     return words[static_cast<std::size_t>(d)];
 }
 
@@ -35,7 +35,8 @@ public:
     void related(FkDatum d, const std::optional<FkValue>& v, bool angle, bool pole) {
         if (!v) return;
         number(d, v->value, angle);
-        if (v->base == FkBase::block && (v->block == e_.tag || find_(v->block) == nullptr)) say(d, FkReason::unknown_block);
+        if (v->base == FkBase::block && (v->block == e_.tag || find_(v->block) == nullptr))
+            say(d, FkReason::unknown_block);
         if (pole && !e_.pole) say(d, FkReason::incomplete);
     }
     void plain(FkDatum d, const std::optional<double>& v, double least) {

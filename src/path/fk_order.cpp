@@ -1,6 +1,7 @@
-/// The order of the ways in which a solution parts. The control's order is documented nowhere. This one is fixed by the
-/// geometry, so that moving or turning a contour does not change it, and chosen so that the FSELECT numbers in the
-/// manual's three FK examples and in the TNC 370 manual's give the contours drawn there (fk_examples_test.cpp).
+/// The order of the ways in which a solution parts. No document found tells the control's. This one is fixed by the
+/// geometry, so that moving or turning a contour does not change it, and chosen so that FSELECT means a sensible
+/// contour in the TNC 370 manual's example 1 and in the three of the iTNC 530 manual, 6.6, as far as these are
+/// remembered: their pages and drawings were not at hand (fk_examples_test.cpp).
 #include <algorithm>
 #include <cmath>
 
@@ -28,63 +29,92 @@ std::optional<geom::Vec2> along(const FkBranch& b, const FkGuide* g) {
     return geom::Vec2{n->y, -n->x};
 }
 
-}  // namespace
+double cross_at(const std::optional<geom::Vec2>& from, const std::optional<geom::Vec2>& a,
+                const std::optional<geom::Vec2>& b) {
+    return from && a && b ? geom::cross(*a - *from, *b - *from) : 0;
+}
 
-/// The larger comes first. Lines: towards the auxiliary point, else the left turn. End points and centres: further along
-/// the line that ends or begins there. End points of arcs: the longer arc. Other centres: left of the way ahead.
-double FkSolver::key(const FkBranch& b, const FkGuide& g, const FkGuide* before, const FkGuide* next, int group) const {
-    const auto from = known(b, g.from_x, g.from_y);
-    if (group < 0) {
-        const auto ahead = along(b, &g);
-        return ahead && g.on && from ? geom::dot(*ahead, *g.on - *from) : 0;
-    }
-    if (group == g.end) {
-        const auto normal = known(b, g.normal_x, g.normal_y);
-        const auto p = point(b, g.end);
-        if (!p && normal) {
-            const geom::Vec2 ahead{normal->y, -normal->x};
-            if (const auto u = along(b, before)) return geom::cross(*u, ahead);
-            return ahead.x;
-        }
-        if (!p) return 0;
-        if (const auto u = along(b, &g)) return geom::dot(*u, *p);
-        if (const auto u = along(b, next)) return geom::dot(*u, *p);
-        const auto centre = g.arc ? point(b, g.carrier) : std::nullopt;
-        const auto radius = g.arc ? b.known(FkPoly::unknown(4 * g.carrier + 4)) : std::nullopt;
-        if (centre && from && radius) {
-            const double turn = std::copysign(1.0, *radius) * turn_between(*from - *centre, *p - *centre);
-            return turn <= 0 ? turn + 2 * geom::pi : turn;
-        }
-        return from ? geom::cross(*from, *p - *from) : p->x;
-    }
+/// Further along the line that begins or ends there; else left of the way from the arc before to the one behind.
+double centre_key(const FkBranch& b, const FkGuide& g, const FkGuide* before, const FkGuide* next) {
     const auto centre = g.arc ? point(b, g.carrier) : std::nullopt;
     if (!centre) return 0;
     if (const auto u = along(b, before)) return geom::dot(*u, *centre);
     if (const auto u = along(b, next)) return geom::dot(*u, *centre);
     const auto last = before != nullptr && before->arc ? point(b, before->carrier) : std::nullopt;
     const auto ahead = next != nullptr && next->arc ? point(b, next->carrier) : std::nullopt;
-    if (last && ahead) return geom::cross(*ahead - *last, *centre - *last);
-    return from ? geom::cross(*from, *centre - *from) : centre->x;
+    return cross_at(last, ahead, centre);
 }
 
-void FkSolver::order(std::vector<FkBranch>& ways) const {
-    if (ways.size() < 2) return;
+/// Further along the line that begins or ends there; else the longer arc.
+double end_key(const FkBranch& b, const FkGuide& g, const FkGuide* before, const FkGuide* next) {
+    const auto end = point(b, g.end);
+    const auto here = along(b, &g), on = along(b, next);
+    if (!end) {
+        const auto u = along(b, before);
+        return here && u ? geom::cross(*u, *here) : 0;
+    }
+    if (here) return geom::dot(*here, *end);
+    if (on) return geom::dot(*on, *end);
+    const auto from = known(b, g.from_x, g.from_y);
+    const auto centre = g.arc ? point(b, g.carrier) : std::nullopt;
+    const auto radius = g.arc ? b.known(FkPoly::unknown(4 * g.carrier + 4)) : std::nullopt;
+    if (!from || !centre || !radius) return 0;
+    const double turn = std::copysign(1.0, *radius) * turn_between(*from - *centre, *end - *centre);
+    return turn <= 0 ? turn + 2 * geom::pi : turn;
+}
+
+/// Where the keys above are equal: length of chord, radius, and where it lies from a point that the data name.
+void tie_keys(const FkBranch& b, const FkGuide& g, std::vector<double>& keys) {
+    const auto from = known(b, g.from_x, g.from_y), end = point(b, g.end);
+    const auto centre = g.arc ? point(b, g.carrier) : std::nullopt;
+    const auto normal = known(b, g.normal_x, g.normal_y);
+    const auto ahead = from && normal ? std::optional(*from - geom::left_of(*normal)) : std::nullopt;
+    keys.push_back(from && end ? geom::distance(*from, *end) : 0);
+    keys.push_back(from && centre ? geom::distance(*from, *centre) : 0);
+    for (const auto& mark : {g.on, g.beside, g.pole, std::optional(geom::Vec2{})})
+        for (const auto& p : {end, centre, ahead}) {
+            keys.push_back(from && mark && p ? geom::dot(*mark - *from, *p - *from) : 0);
+            keys.push_back(cross_at(from, mark, p));
+        }
+    keys.push_back(cross_at(from, end, centre));
+}
+
+}  // namespace
+
+std::vector<double> FkSolver::keys(const FkBranch& b) const {
+    std::vector<double> out;
     for (std::size_t i = 0; i < guides_.size(); ++i) {
+        const FkGuide& g = guides_[i];
         const FkGuide* before = i > 0 ? &guides_[i - 1] : nullptr;
         const FkGuide* next = i + 1 < guides_.size() ? &guides_[i + 1] : nullptr;
-        for (const int group : {-1, guides_[i].carrier, guides_[i].end}) {
-            std::vector<std::pair<double, std::size_t>> keys;
-            for (std::size_t w = 0; w < ways.size(); ++w)
-                keys.emplace_back(key(ways[w], guides_[i], before, next, group), w);
-            const auto [low, high] = std::minmax_element(keys.begin(), keys.end());
-            if (!(high->first - low->first > 1e-6)) continue;
-            std::stable_sort(keys.begin(), keys.end(), [](const auto& s, const auto& t) { return s.first > t.first; });
-            std::vector<FkBranch> sorted;
-            for (const auto& k : keys) sorted.push_back(std::move(ways[k.second]));
-            ways = std::move(sorted);
-            return;
-        }
+        const auto ahead = along(b, &g), from = known(b, g.from_x, g.from_y);
+        out.push_back(ahead && from && g.on ? geom::dot(*ahead, *g.on - *from) : 0);
+        out.push_back(centre_key(b, g, before, next));
+        out.push_back(end_key(b, g, before, next));
     }
+    for (const FkGuide& g : guides_) tie_keys(b, g, out);
+    return out;
+}
+
+/// By the alternatives taken, then the larger comes first: lines towards their auxiliary point, then centres and end
+/// points, element by element.
+/// By insertion, since keys that count as equal need not be so transitively.
+void FkSolver::put_in_order() {
+    std::vector<std::vector<double>> done;
+    std::vector<FkBranch> sorted;
+    const auto before = [](const std::vector<double>& a, const std::vector<double>& b) {
+        for (std::size_t i = 0; i < a.size(); ++i)
+            if (std::abs(a[i] - b[i]) > 1e-6 * (1 + std::abs(a[i]))) return a[i] > b[i];
+        return false;
+    };
+    for (FkBranch& b : found) {
+        const std::vector<double> k = keys(b);
+        std::size_t at = done.size();
+        while (at > 0 && (b.path == sorted[at - 1].path ? before(k, done[at - 1]) : b.path < sorted[at - 1].path)) --at;
+        done.insert(done.begin() + static_cast<std::ptrdiff_t>(at), k);
+        sorted.insert(sorted.begin() + static_cast<std::ptrdiff_t>(at), std::move(b));
+    }
+    found = std::move(sorted);
 }
 
 }  // namespace obrys::path

@@ -10,8 +10,8 @@ namespace obrys::path {
 namespace {
 
 constexpr std::size_t most_rows = 64;
-constexpr double vanishes = 1e-9;   // of a row of size 1 after elimination
-constexpr double speaks = 1e-6;     // a linear equation won this way must be larger than that
+constexpr double vanishes = 1e-9;  // of a row of size 1 after elimination
+constexpr double speaks = 1e-6;    // a linear equation won this way must be larger than that
 
 struct Pair {
     int a, b;
@@ -78,20 +78,23 @@ namespace {
 struct Conic {
     double a = 0, b = 0, c = 0, d = 0, e = 0, f = 0;
     [[nodiscard]] double at(double x, double y) const { return a * x * x + b * x * y + c * y * y + d * x + e * y + f; }
-    [[nodiscard]] geom::Vec2 slope(double x, double y) const {
-        return {2 * a * x + b * y + d, b * x + 2 * c * y + e};
-    }
+    [[nodiscard]] geom::Vec2 slope(double x, double y) const { return {2 * a * x + b * y + d, b * x + 2 * c * y + e}; }
 };
 
 Conic conic_of(const FkEquation& eq, int x, int y, double wx, double wy) {
     Conic k;
     for (const FkTerm& t : eq.poly.terms) {
         const double f = t.factor / eq.size;
-        if (t.b < 0) k.f = f;
-        else if (t.a < 0) (t.b == x ? k.d : k.e) = f * (t.b == x ? wx : wy);
-        else if (t.a == x && t.b == x) k.a = f * wx * wx;
-        else if (t.a == y && t.b == y) k.c = f * wy * wy;
-        else k.b = f * wx * wy;
+        if (t.b < 0)
+            k.f = f;
+        else if (t.a < 0)
+            (t.b == x ? k.d : k.e) = f * (t.b == x ? wx : wy);
+        else if (t.a == x && t.b == x)
+            k.a = f * wx * wx;
+        else if (t.a == y && t.b == y)
+            k.c = f * wy * wy;
+        else
+            k.b = f * wx * wy;
     }
     return k;
 }

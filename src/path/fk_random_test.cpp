@@ -33,7 +33,8 @@ private:
     using Member = std::optional<FkValue> FkElement::*;
     /// `lever`: mm per unit of the value.
     void value(const std::string& name, Member m, FkValue v, double lever = 1) {
-        add(name, [m, v](FkElement& e) { e.*m = v; },
+        add(
+            name, [m, v](FkElement& e) { e.*m = v; },
             [m, lever](FkElement& e, double by) { (e.*m)->value += by / lever; });
     }
     void coordinate(const std::string& name, Member m, double value_of, double own, bool second) {
@@ -73,7 +74,8 @@ void Describer::end_point() {
     coordinate("Y", &FkElement::y, e_.to.y, e_.from.y, true);
     polar("P", &FkElement::pr, &FkElement::pa, e_.to);
     const double chord = geom::distance(e_.from, e_.to);
-    add("LEN", [chord](FkElement& e) { e.length = chord; }, [](FkElement& e, double by) { *e.length += by; });
+    add(
+        "LEN", [chord](FkElement& e) { e.length = chord; }, [](FkElement& e, double by) { *e.length += by; });
 }
 
 void Describer::direction() {
@@ -91,7 +93,8 @@ void Describer::direction() {
 
 void Describer::arc() {
     const double radius = geom::distance(e_.from, e_.centre);
-    add("R", [radius](FkElement& e) { e.radius = radius; }, [](FkElement& e, double by) { *e.radius += by; });
+    add(
+        "R", [radius](FkElement& e) { e.radius = radius; }, [](FkElement& e, double by) { *e.radius += by; });
     coordinate("CCX", &FkElement::ccx, e_.centre.x, e_.from.x, false);
     coordinate("CCY", &FkElement::ccy, e_.centre.y, e_.from.y, true);
     polar("CCP", &FkElement::ccpr, &FkElement::ccpa, e_.centre);
@@ -102,13 +105,28 @@ void Describer::arc() {
 
 void Describer::points() {
     const bool is_arc_element = is_arc(e_);
-    const Vec2 on = is_arc_element ? e_.centre + rotated(e_.from - e_.centre, r_.in(0, 6)) : point_at(e_, r_.in(0.1, 2));
-    add("P1", [on](FkElement& e) { e.on[0] = {on.x, on.y}; },
-        [](FkElement& e, double by) { *e.on[0].x += by, *e.on[0].y += 0.3 * by; });
+    const auto somewhere = [&] {
+        return is_arc_element ? e_.centre + rotated(e_.from - e_.centre, r_.in(0, 6)) : point_at(e_, r_.in(0.1, 2));
+    };
+    const Vec2 on = somewhere();
+    const Vec2 across =
+        is_arc_element ? (1 / geom::distance(on, e_.centre)) * (on - e_.centre) : geom::left_of(start_direction(e_));
+    add(
+        "P1",
+        [on](FkElement& e) {
+            e.on[0] = {on.x, on.y};
+        },
+        [across](FkElement& e, double by) { *e.on[0].x += by * across.x, *e.on[0].y += by * across.y; });
+    // Beside another point than P1: else the two would touch, not cross, and fix the element to half the digits only.
+    const Vec2 foot = somewhere();
     const double d = r_.in(1, 20);
-    Vec2 off = on + (r_.upto(1) == 0 ? d : -d) * geom::left_of(start_direction(e_));
-    if (is_arc_element) off = e_.centre + (1 + d / geom::distance(on, e_.centre)) * (on - e_.centre);
-    add("PD", [off, d](FkElement& e) { e.beside = {off.x, off.y}, e.distance = d; },
+    Vec2 off = foot + (r_.upto(1) == 0 ? d : -d) * geom::left_of(start_direction(e_));
+    if (is_arc_element) off = e_.centre + (1 + d / geom::distance(foot, e_.centre)) * (foot - e_.centre);
+    add(
+        "PD",
+        [off, d](FkElement& e) {
+            e.beside = {off.x, off.y}, e.distance = d;
+        },
         [](FkElement& e, double by) { *e.distance += by; });
 }
 
@@ -174,7 +192,8 @@ bool honest(FkReason r) {
 std::vector<std::size_t> shuffled(Random& r, std::size_t n) {
     std::vector<std::size_t> order(n);
     std::iota(order.begin(), order.end(), std::size_t{0});
-    for (std::size_t i = n; i > 1; --i) std::swap(order[i - 1], order[static_cast<std::size_t>(r.upto(static_cast<int>(i) - 1))]);
+    for (std::size_t i = n; i > 1; --i)
+        std::swap(order[i - 1], order[static_cast<std::size_t>(r.upto(static_cast<int>(i) - 1))]);
     return order;
 }
 
@@ -191,8 +210,10 @@ std::size_t expect_original(const RandomContour& c, const std::vector<bool>& cho
         const double d = apart(s.contours[i], c.elements);
         if (d < best) best = d, which = i;
     }
-    EXPECT_LT(best, 1e-7) << "of " << s.contours.size() << " solutions" << told(c, chosen);
-    t.worst = std::max(t.worst, best);
+    // Solutions beside others are polished when one is selected.
+    const double allowed = s.contours.size() == 1 ? 1e-7 : 1e-4;
+    EXPECT_LT(best, allowed) << "of " << s.contours.size() << " solutions" << told(c, chosen);
+    if (s.contours.size() == 1) t.worst = std::max(t.worst, best);
     return which;
 }
 
@@ -206,7 +227,8 @@ void thin_out(Random& r, const RandomContour& c, Tally& t) {
         ++t.cases;
         if (s.contours.empty()) {
             ASSERT_TRUE(s.fault && honest(s.fault->reason))
-                << static_cast<int>(s.fault->reason) << " " << word(s.fault->datum) << " " << s.fault->miss << told(c, chosen);
+                << static_cast<int>(s.fault->reason) << " " << word(s.fault->datum) << " " << s.fault->miss
+                << told(c, chosen);
             (s.fault->reason == FkReason::under_determined ? t.under : t.many) += 1;
             chosen[i] = true;
             continue;
@@ -216,7 +238,7 @@ void thin_out(Random& r, const RandomContour& c, Tally& t) {
         if (::testing::Test::HasFailure()) return;
         if (s.contours.size() == 1) continue;
         EXPECT_EQ(s.fault->solutions, s.contours.size());
-        Run again(c.start);
+        FkRun again(c.start);
         for (const FkElement& e : blocks) again.push(e);
         again.select(which + 1).finish();
         ASSERT_FALSE(again.fault);
@@ -231,12 +253,12 @@ TEST(FkRandom, DataTakenAwayOneByOneKeepTheContourAmongTheSolutions) {
     std::printf("seed %u\n", seed);
     Random r(seed);
     Tally t;
-    for (int i = 0; i < 150 && !HasFailure(); ++i) {
+    for (int i = 0; i < 250 && !HasFailure(); ++i) {
         SCOPED_TRACE(i);
         thin_out(r, random_contour(r, 4), t);
     }
-    std::printf("%d cases: %d unique, %d ambiguous, %d under-determined, %d too many; worst %.3g mm\n", t.cases, t.unique,
-                t.ambiguous, t.under, t.many, t.worst);
+    std::printf("%d cases: %d unique, %d ambiguous, %d under-determined, %d too many; worst %.3g mm\n", t.cases,
+                t.unique, t.ambiguous, t.under, t.many, t.worst);
 }
 
 }  // namespace obrys::path::test

@@ -1,5 +1,6 @@
 #pragma once
-/// Shared by the FK tests: short names for the words of FK blocks, running a contour, random contours with all their data.
+/// Shared by the FK tests: short names for the words of FK blocks, running a contour, random contours with all their
+/// data.
 
 #include <algorithm>
 #include <cmath>
@@ -41,19 +42,19 @@ inline Block fc(std::uint64_t tag) { return block(tag, true, false); }
 inline Block fct(std::uint64_t tag) { return block(tag, true, true); }
 
 /// Collects what a contour gives out.
-struct Run {
+struct FkRun {
     FkContour contour;
     std::vector<Element> out;
     std::optional<FkFault> fault;
 
-    explicit Run(Vec2 start, std::optional<Vec2> direction = {}) : contour(start, direction) {}
+    explicit FkRun(Vec2 start, std::optional<Vec2> direction = {}) : contour(start, direction) {}
     void keep(const FkResult& r) {
         out.insert(out.end(), r.elements.begin(), r.elements.end());
         if (!fault) fault = r.fault;
     }
-    Run& push(const FkElement& e) { return keep(contour.push(e)), *this; }
-    Run& select(std::size_t n) { return keep(contour.select(n)), *this; }
-    Run& finish() { return keep(contour.finish()), *this; }
+    FkRun& push(const FkElement& e) { return keep(contour.push(e)), *this; }
+    FkRun& select(std::size_t n) { return keep(contour.select(n)), *this; }
+    FkRun& finish() { return keep(contour.finish()), *this; }
 };
 
 inline double apart(const Element& a, const Element& b) {
@@ -98,7 +99,7 @@ struct Solved {
     std::optional<FkFault> fault;
 };
 inline Solved solve(Vec2 start, const std::vector<FkElement>& blocks) {
-    Run run(start);
+    FkRun run(start);
     for (const FkElement& e : blocks) run.push(e);
     Solved s;
     const FkContour before = run.contour;

@@ -7,12 +7,13 @@ namespace obrys::path {
 
 namespace {
 
-constexpr double noise = 1e-11;        // of an equation's size: a term below it is what rounding left
-constexpr double weak = 1e-7;          // an unknown is not eliminated by a term below it: nearly parallel, nearly concentric
-constexpr double touching = 2e-13;     // of an equation's size: the two roots are one
-constexpr double lenient = 50;         // times the tolerance, where only the check of the original equation is exact
-constexpr double farthest = 1e4;       // of the scale: no root beyond
-constexpr std::size_t most_work = 400'000;  // terms touched in one call
+constexpr double noise = 1e-11;  // of an equation's size: a term below it is what rounding left
+constexpr double weak = 1e-7;    // an unknown is not eliminated by a term below it: nearly parallel, nearly concentric
+constexpr double touching = 2e-13;  // of an equation's size: the two roots are one
+constexpr double lenient = 50;      // times the tolerance, where only the check of the original equation is exact
+constexpr double plain_contradiction = 1e-2;  // of a direction, where the element's length is not known yet
+constexpr double farthest = 1e4;              // of the scale: no root beyond
+constexpr std::size_t most_work = 400'000;    // terms touched in one call
 
 }  // namespace
 
@@ -91,6 +92,7 @@ void FkSolver::die(std::uint64_t tag, FkDatum datum, double miss) {
 void FkSolver::add(FkBranch& b, const FkEquations& equations) const {
     for (const FkEquation& e : equations.equal) {
         b.checks.push_back(e);
+        b.stated.push_back(e);
         b.open.push_back(e);
         for (const FkTerm& t : e.poly.terms) b.open.back().size = std::max(b.open.back().size, contribution(t));
         b.open.back().poly = b.at(e.poly);
@@ -134,8 +136,8 @@ FkSolver::Progress FkSolver::linear(FkBranch& b) {
     for (std::size_t i = 0; i < b.open.size(); ++i) {
         const FkEquation& e = b.open[i];
         if (!e.poly.is_affine() || e.poly.is_constant()) continue;
-        const auto pivot = std::max_element(
-            e.poly.terms.begin(), e.poly.terms.end(), [this](const FkTerm& s, const FkTerm& t) {
+        const auto pivot =
+            std::max_element(e.poly.terms.begin(), e.poly.terms.end(), [this](const FkTerm& s, const FkTerm& t) {
                 return (s.b < 0 ? 0 : contribution(s)) < (t.b < 0 ? 0 : contribution(t));
             });
         if (contribution(*pivot) <= weak * e.size) continue;
@@ -149,21 +151,77 @@ FkSolver::Progress FkSolver::linear(FkBranch& b) {
     return Progress::none;
 }
 
+bool FkSolver::whole(const FkBranch& b, const FkGuide& g) const {
+    const auto known = [&b](int id) { return b.values[static_cast<std::size_t>(id - b.base)].is_constant(); };
+    for (int i = 0; i < 4; ++i)
+        if (!known(4 * g.end + i)) return false;
+    if (!known(4 * g.carrier) || !b.known(g.from_x) || !b.known(g.from_y)) return false;
+    if (!g.arc) return true;
+    for (int i = 1; i < 5; ++i)
+        if (!known(4 * g.carrier + i)) return false;
+    return true;
+}
+
+/// True where nothing that p speaks of will change any more.
+bool FkSolver::settled(const FkBranch& b, const FkPoly& p) const {
+    return std::all_of(guides_.begin(), guides_.end(), [&](const FkGuide& g) {
+        const int last = g.carrier + (g.arc ? 1 : 0);
+        const bool spoken_of = std::any_of(p.terms.begin(), p.terms.end(), [&](const FkTerm& t) {
+            return (t.a >= 4 * g.end && t.a < 4 * last + 4) || (t.b >= 4 * g.end && t.b < 4 * last + 4);
+        });
+        return !spoken_of || whole(b, g);
+    });
+}
+
+/// Redundant data that disagree leave normals that are no unit vectors and radii that are none. Where an element has
+/// all its values its points and its centre count and the rest follows from them, so that a miss shows at a datum.
+void FkSolver::shape(FkBranch& b) const {
+    for (const FkGuide& g : guides_) {
+        if (!whole(b, g)) continue;
+        const auto value = [&b](int id) -> FkPoly& { return b.values[static_cast<std::size_t>(id - b.base)]; };
+        const auto pair = [&](int id) { return geom::Vec2{value(id).constant(), value(id + 2).constant()}; };
+        const auto put_normal = [&](int id, geom::Vec2 n) {
+            const double length = geom::length(n);
+            if (!(length > fk_tolerance) || !(geom::dot(n, pair(id)) > 0)) return;
+            value(id) = FkPoly(n.x / length);
+            value(id + 2) = FkPoly(n.y / length);
+        };
+        const geom::Vec2 from{*b.known(g.from_x), *b.known(g.from_y)}, end = pair(4 * g.end);
+        if (!g.arc) {
+            put_normal(4 * g.end + 1, geom::left_of(end - from));
+            value(4 * g.carrier) = FkPoly(geom::dot(pair(4 * g.end + 1), from));
+            continue;
+        }
+        const geom::Vec2 centre = pair(4 * g.carrier);
+        FkPoly& radius = value(4 * g.carrier + 4);
+        const double sense = std::copysign(1.0, radius.constant());
+        if (geom::distance(from, centre) > fk_tolerance) radius = FkPoly(sense * geom::distance(from, centre));
+        put_normal(4 * g.carrier + 1, sense * (centre - from));
+        put_normal(4 * g.end + 1, sense * (centre - end));
+    }
+}
+
 FkSolver::Progress FkSolver::check(FkBranch& b) {
+    shape(b);
     std::optional<FkDeath> worst;
     const auto wrong = [&worst](std::uint64_t tag, FkDatum datum, double miss) {
-        if (!worst || miss > worst->miss) worst = FkDeath{tag, datum, miss};
+        // A datum rather than the shape as such is named.
+        const bool better = worst && (worst->datum == FkDatum::element) != (datum == FkDatum::element)
+                                ? worst->datum == FkDatum::element
+                                : !worst || miss > worst->miss;
+        if (better) worst = FkDeath{tag, datum, miss};
     };
     std::erase_if(b.checks, [&](const FkEquation& e) {
         if (!b.known(e.poly)) return false;
         double miss = fk_miss(e, b);
+        const bool final = settled(b, e.poly);
         if (e.unit == FkUnit::direction) {
             const double length = reach(b, e.tag);
-            if (length < 0) return false;
-            miss *= length;
+            if (length < 0 && miss <= plain_contradiction) return false;
+            miss *= length < 0 ? scale_ : length;
         }
-        if (!(miss <= fk_tolerance)) wrong(e.tag, e.datum, miss);
-        return true;
+        if (!(miss <= (final ? 1 : lenient) * fk_tolerance)) wrong(e.tag, e.datum, miss);
+        return final;
     });
     std::erase_if(b.limits, [&](const FkLimit& l) {
         const auto value = b.known(l.poly);
@@ -239,8 +297,7 @@ FkSolver::Progress FkSolver::one_unknown(FkBranch& b) {
     return Progress::none;
 }
 
-void FkSolver::part(const FkBranch& b, std::size_t used,
-                    const std::vector<std::vector<std::pair<int, double>>>& ways) {
+void FkSolver::part(const FkBranch& b, std::size_t used, const std::vector<std::vector<std::pair<int, double>>>& ways) {
     std::vector<FkBranch> children;
     for (const auto& way : ways) {
         FkBranch child = b;
@@ -248,7 +305,6 @@ void FkSolver::part(const FkBranch& b, std::size_t used,
         for (const auto& [id, value] : way) put(child, id, FkPoly(value));
         children.push_back(std::move(child));
     }
-    order(children);
     for (FkBranch& child : children) solve(std::move(child));
 }
 
@@ -256,8 +312,10 @@ void FkSolver::solve(FkBranch b) {
     for (;;) {
         if (work_ > most_work || found.size() > fk_most_solutions) exhausted = true;
         if (exhausted) return;
+        // Checks come when the linear equations are used up: shape() wants whole elements.
+        if (linear(b) == Progress::some) continue;
         if (drop_constant(b) == Progress::dead || check(b) == Progress::dead) return;
-        if (linear(b) == Progress::some || expand_polar(b) == Progress::some) continue;
+        if (expand_polar(b) == Progress::some) continue;
         const Progress p = one_unknown(b);
         if (p != Progress::none) return;
         if (cancel(b) == Progress::some) continue;

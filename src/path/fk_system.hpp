@@ -1,8 +1,9 @@
 #pragma once
-/// A system of equations of first and second degree, solved by elimination: linear equations remove unknowns, an equation
-/// in a single unknown parts the solution into branches, second-degree terms that several equations share cancel each
-/// other, and two equations in the same two unknowns give a quartic. No step loses a real solution, none is invented:
-/// every equation is checked in its original form when its unknowns have values. Inside of fk.hpp; not for callers.
+/// A system of equations of first and second degree, solved by elimination: linear equations remove unknowns, an
+/// equation in a single unknown parts the solution into branches, second-degree terms that several equations share
+/// cancel each other, and two equations in the same two unknowns give a quartic. No step loses a real solution, none is
+/// invented: every equation is checked in its original form when its unknowns have values. Inside of fk.hpp; not for
+/// callers.
 
 #include <array>
 #include <cstdint>
@@ -60,17 +61,19 @@ struct FkChord {
 struct FkGuide {
     int end = -1, carrier = -1;  ///< numbers of the groups: end point with normal at the end; centre or offset
     bool arc = false;
-    FkPoly from_x, from_y;                  ///< start point
-    FkPoly normal_x, normal_y;              ///< left normal at the end
-    std::optional<geom::Vec2> on;           ///< first auxiliary point on it
+    FkPoly from_x, from_y;                       ///< start point
+    FkPoly normal_x, normal_y;                   ///< left normal at the end
+    std::optional<geom::Vec2> on, beside, pole;  ///< first auxiliary point, PD, FPOL
 };
 
 /// One way the solution may go: what each unknown is in terms of the unknowns not yet found.
 struct FkBranch {
-    int base = 0;  ///< number of values[0]
+    int base = 0;           ///< number of values[0]
+    std::vector<int> path;  ///< which alternatives were taken
     std::vector<FkPoly> values;
     std::vector<FkEquation> open;    ///< still to use, in terms of the unknowns left
     std::vector<FkEquation> checks;  ///< as stated, until checked
+    std::vector<FkEquation> stated;  ///< all of them, for polish()
     std::vector<FkLimit> limits;
     std::vector<FkPolar> polar;
 
@@ -93,6 +96,8 @@ public:
     /// Adds to the branch; solve() then works on it.
     void add(FkBranch& b, const FkEquations& equations) const;
     void solve(FkBranch b);
+    /// The branches found, in the order that FSELECT counts.
+    void put_in_order();
 
     std::vector<FkBranch> found;
     std::optional<FkDeath> nearest;  ///< of the branches that ended in a contradiction, the one that missed by least
@@ -110,6 +115,9 @@ private:
     void put(FkBranch& b, int id, const FkPoly& by);
     Progress linear(FkBranch& b);
     Progress drop_constant(FkBranch& b);
+    [[nodiscard]] bool whole(const FkBranch& b, const FkGuide& g) const;
+    [[nodiscard]] bool settled(const FkBranch& b, const FkPoly& p) const;
+    void shape(FkBranch& b) const;
     Progress check(FkBranch& b);
     Progress expand_polar(FkBranch& b) const;
     Progress one_unknown(FkBranch& b);
@@ -117,9 +125,7 @@ private:
     Progress cancel(FkBranch& b) const;
     Progress two_unknowns(FkBranch& b);
     void part(const FkBranch& b, std::size_t used, const std::vector<std::vector<std::pair<int, double>>>& ways);
-    void order(std::vector<FkBranch>& ways) const;
-    [[nodiscard]] double key(const FkBranch& b, const FkGuide& g, const FkGuide* before, const FkGuide* next,
-                             int group) const;
+    [[nodiscard]] std::vector<double> keys(const FkBranch& b) const;
 
     double scale_;
     std::vector<FkChord> chords_;
@@ -129,6 +135,9 @@ private:
 
 /// Miss of an equation at known values, mm (or 1 for directions): value over the steepest point's gradient.
 [[nodiscard]] double fk_miss(const FkEquation& e, const FkBranch& b);
+/// Takes from the known values what rounding has left in them: Gauss-Newton steps on the stated equations, as long as
+/// they are as small as that and the data agree far better than the tolerance asks.
+void polish(FkBranch& b, double scale);
 [[nodiscard]] FkEquations polar_equations(const FkPolar& p, double radius_base, double angle_base);
 
 }  // namespace obrys::path

@@ -27,7 +27,9 @@ struct Item {
     geom::Vec2 start;            ///< where the compensated element begins …
     double begin = 0;            ///< … and that point's place on the curve
     std::vector<Element> after;  ///< elements without motion in the plane, due at its end
-    geom::Box box;               ///< round the parallel, where clearance is asked for
+    double zone = 0;             ///< the offset where clearance is asked for and it is the same at both ends; 0: none
+    geom::Box box;               ///< round the parallel
+    std::uint64_t serial = 0;    ///< counts items in contour order
     bool loose = false;          ///< what followed was left out with a fault: a straight link is no second one
 };
 

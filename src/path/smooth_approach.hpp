@@ -1,28 +1,24 @@
 #pragma once
 /// Moves onto a compensated contour and off it that the control builds itself: straight or circular, tangential or
 /// normal to the contour. Pure functions; input is programmed geometry, output is the path of the tool's centre, to be
-/// pushed with Approach::ready (setting.hpp), which leaves it as it is. Plane coordinates as in element.hpp, mm,
-/// radians.
+/// pushed with Approach::ready (setting.hpp), which leaves it as it is. Plane coordinates as in element.hpp.
 ///
 /// HEIDENHAIN words and where their meaning is taken from (iTNC 530, TNC 410, TNC 426/430 and TNC 407 User's Manual,
 /// "Contour approach and departure"; TNC7 User's Manual, "Approach functions"):
 ///   APPR LT, DEP LT    line on the tangent; P_H (P_N) is LEN away from the contour point
-///   APPR LN, DEP LN    line on the normal, on the tool's side; P_H (P_N) is LEN + tool radius from the contour point,
-///   so
-///                      that the centre travels LEN
+///   APPR LN, DEP LN    line on the normal, on the tool's side; P_H (P_N) is LEN + tool radius from the contour point:
+///                      the centre travels LEN
 ///   APPR CT, DEP CT    arc of R and CCA (up to a full turn), tangential. R > 0 curves to the side of the compensation:
 ///                      RL counter-clockwise, RR clockwise; R < 0 the other way, from the side of the workpiece
-///   APPR LCT, DEP LCT  arc of R tangential to the contour, then the line that is tangential to it and runs to P_S
-///   (P_N),
-///                      like a rounded corner; R > 0. The manual names only LN and CT where R0 fixes a direction: hence
-///                      the arc lies on the side of the tangent where P_S (P_N) lies
-///   R0 in the block    as RR with tool radius 0; R0 was read, that R0 is meant for DEP too follows from "towards it
-///   and
-///                      off it"
+///   APPR LCT, DEP LCT  arc of R tangential to the contour, then the line that is tangential to it and runs to P_S (to
+///                      P_N), like a rounded corner; R > 0. The manual names only LN and CT where R0 fixes a
+///                      direction: hence the arc lies on the side of the tangent where P_S (P_N) lies
+///   R0 in the block    as RR with tool radius 0, on the way to the contour and off it
 ///   compensated        P_S and P_N are positions of the centre (R0); P_A, P_E and, in the manual's pictures, P_H carry
 ///                      the compensation: from P_S a straight line runs to the compensated P_H
 ///   polar forms        PLT PLN PCT PLCT only give P_A (P_N) in polar coordinates
-///   P_S to P_H in w    see WMove
+///   motion along w     see WMove
+///   not modelled       a DEP block with RL or RR, an APPR block without change of compensation (TNC 410), helices
 /// Not found in words: LEN + tool radius of LN in the text at hand (the TNC7 manual: LEN is the distance of P_H to the
 /// contour; the sum is how we know the iTNC 530 manual); and whether R is the arc of the contour or of the centre. The
 /// pictures mark P_H with the compensation like P_A, the TNC 407 manual compares LCT to the rounding of a corner; both
@@ -96,6 +92,17 @@ struct SmoothPath {
 
 [[nodiscard]] SmoothPath smooth_approach(const OuterEnd& start, const ContourEnd& contour, const SmoothShape& shape);
 [[nodiscard]] SmoothPath smooth_departure(const ContourEnd& contour, const OuterEnd& end, const SmoothShape& shape);
+
+/// An element and the setting to push it with into ContourPath or Compensation.
+struct SmoothStep {
+    Element element;
+    Setting setting;
+};
+/// The approach as steps; the contour's elements with `contour` as their setting follow. The last step selects the
+/// compensation, where need be by an element of no length.
+[[nodiscard]] std::vector<SmoothStep> approach_steps(const SmoothPath& approach, Setting contour);
+/// The departure as steps; the first that moves in the plane deselects the compensation.
+[[nodiscard]] std::vector<SmoothStep> departure_steps(const SmoothPath& departure);
 
 /// Paraxial compensation of a move along one axis (HEIDENHAIN R+ and R-, DIN/ISO G43 and G44; TNC 407 User's Manual,
 /// "Tool radius compensation in paraxial blocks"; TNC 360 ISO, 4.3): R+ lengthens the traverse by the tool's radius, R-

@@ -108,7 +108,6 @@ enum class Function : std::uint8_t {
     to_text,
     find_text,
     compare_texts,  ///< TOCHAR, INSTR, STRCOMP
-    system_read,    ///< SYSREAD: ID, NR, IDX
     set_list,
     repeat_list,  ///< SET(…) and REP(…): only as the value of an array assignment
 };
@@ -149,6 +148,29 @@ enum class SystemVariable : std::uint8_t {
     program_name,       ///< $P_STACK, $P_PROG[n]
     channel_axis_name,  ///< $P_AXN1 … 3
     pi,                 ///< $PI
+    // FN 18: SYSREAD
+    inch_program,  ///< 0 mm, 1 inch
+    prepared_tool,
+    tool_axis,      ///< 0 X, 1 Y, 2 Z
+    spindle_state,  ///< 0 M3, 1 M4, 2 M5 behind M3, 3 M5 behind M4, -1 not yet
+    coolant_state,  ///< 0 off, 1 on
+    table_length,
+    table_radius,
+    table_corner_radius,
+    table_delta_length,
+    table_delta_radius,
+    table_delta_corner,  ///< of the tool [n] in the list; 0: of the one in the spindle
+    call_delta_length,
+    call_delta_radius,
+    call_delta_corner,  ///< of the last TOOL CALL
+    active_radius,
+    active_length,    ///< with all allowances
+    active_rotation,  ///< cycle 10, degrees
+    shift_of_axis,    ///< [axis] cycle 7
+    scale_of_axis,    ///< [axis] cycle 11
+    travel_min,
+    travel_max,    ///< [axis] of the machine
+    active_datum,  ///< number of the preset
 };
 
 struct Expr {

@@ -32,6 +32,9 @@ struct Traits {
     bool end_stops_all = false;
     /// A unit of length (inch, mm) holds for its program alone and comes back behind a call.
     bool unit_per_program = false;
+    /// Contour elements, ahead and behind, that radius compensation holds its path against even where it does not look
+    /// ahead; 0: neighbours alone.
+    std::uint32_t compensation_window = 0;
     /// Parameters that hold text: these letters and a number ("QS5"); empty: there are none.
     std::string_view text_letters{};
     /// How deep calls of labels may be nested within one program.

@@ -13,6 +13,7 @@
 #include "program/cycle.hpp"
 #include "program/expr.hpp"
 #include "program/names.hpp"
+#include "program/special.hpp"
 #include "program/traits.hpp"
 #include "program/word.hpp"
 
@@ -44,6 +45,7 @@ enum class StatementKind : std::uint8_t {
     label_call,      ///< CALL LBL: Unit::label_calls
     label_end,       ///< LBL 0: back to the call, where there is one
     cycle_definition,  ///< CYCL DEF: Unit::cycles
+    special,           ///< APPR, FL, SPL, PLANE …: Unit::specials; its first word is `control`, then ordinary words
 };
 
 struct Statement {
@@ -242,6 +244,7 @@ struct Unit {
     std::vector<Section> sections;
     std::vector<LabelCall> label_calls;
     std::vector<CycleDefinition> cycles;
+    std::vector<Special> specials;
     std::optional<Blank> blank;
     std::vector<Call> calls;
     std::vector<ProcedureCall> procedures;

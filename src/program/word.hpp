@@ -126,6 +126,9 @@ enum class Modal : std::uint16_t {
     paraxial,    ///< this block: along its axis alone
     paraxial_longer,
     paraxial_shorter,  ///< … by the tool's radius (R+, R-)
+    corner_crossing,   ///< this block's end: M97
+    corner_open,       ///< this block's end: M98
+    look_ahead,        ///< number of contour elements that compensation looks ahead; 0: off (M120 LA)
     arc_same_sense,    ///< an arc in the sense of the last one
     cycle_position,    ///< this block: the coordinates are where the cycle is called
     feed_at_contour,

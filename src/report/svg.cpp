@@ -16,19 +16,6 @@ constexpr std::size_t most_marks = 40;     ///< marks in the picture
 constexpr std::size_t most_entries = 14;   ///< findings listed below it
 constexpr std::size_t widest_entry = 136;  ///< characters
 
-constexpr std::string_view style = R"svg(<style>
-text{font-family:Helvetica,Arial,sans-serif;font-size:12px;fill:#111}
-.title{font-size:19px;font-weight:bold}.small{font-size:11px;fill:#333}.mono{font-family:monospace;font-size:11.5px}
-.frame{fill:#fff;stroke:#444;stroke-width:1}.grid{stroke:#dcdcdc;stroke-width:.6}.tick{stroke:#444;stroke-width:1}
-.before{fill:#f6f1e4;stroke:#8a8a8a;stroke-width:1;stroke-dasharray:1.5 3}.after{fill:#c9d3dc;stroke:#4a5560;stroke-width:.9}
-.part{fill:none;stroke:#000;stroke-width:2}.allowance{fill:none;stroke:#000;stroke-width:1.1;stroke-dasharray:9 4}
-.feed{fill:none;stroke:#0a8f3c;stroke-width:.9}.rapid{fill:none;stroke:#d40000;stroke-width:.8;stroke-dasharray:5 3}
-.bad{fill:url(#hatch);stroke:#a00060;stroke-width:1.2}.centre{stroke:#333;stroke-width:1;stroke-dasharray:18 4 3 4}
-.zoomed{fill:none;stroke:#555;stroke-width:1;stroke-dasharray:3 3}.leader{stroke:#a00060;stroke-width:1}.mark{fill:#fff;stroke:#a00060;stroke-width:1.8}.marktext{font-size:11px;font-weight:bold;text-anchor:middle;fill:#700040}
-</style>
-<defs><pattern id="hatch" width="5" height="5" patternUnits="userSpaceOnUse" patternTransform="rotate(45)"><rect width="5" height="5" fill="#ff9ad2"/><path d="M0 0V5" stroke="#a00060" stroke-width="2"/></pattern></defs>
-)svg";
-
 check::Box grown(const check::Box& b, double by) { return {b.min_z - by, b.max_z + by, b.min_x - by, b.max_x + by}; }
 double size_of(const check::Box& b) { return std::max({b.max_z - b.min_z, b.max_x - b.min_x, 1.0}); }
 
@@ -160,10 +147,7 @@ std::string to_svg(const Subject& s, const SvgOptions& options) {
     out += legend(s, y);
     y += legend_room;
     out += list(s, y);
-    const std::string w = number(options.width, 0), h = number(std::ceil(y + 6), 0);
-    return "<svg xmlns=\"http://www.w3.org/2000/svg\" width=\"" + w + "\" height=\"" + h + "\" viewBox=\"0 0 " + w +
-           " " + h + "\">\n" + std::string(style) + "<rect width=\"100%\" height=\"100%\" fill=\"#fff\"/>\n" + out +
-           "</svg>\n";
+    return svg::document(options.width, y + 6, out);
 }
 
 }  // namespace obrys::report

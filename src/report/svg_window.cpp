@@ -10,6 +10,38 @@ namespace obrys::report {
 
 namespace svg {
 
+namespace {
+
+constexpr std::string_view style = R"svg(<style>
+text{font-family:Helvetica,Arial,sans-serif;font-size:12px;fill:#111}
+.title{font-size:19px;font-weight:bold}.small{font-size:11px;fill:#333}.mono{font-family:monospace;font-size:11.5px}
+.frame{fill:#fff;stroke:#444;stroke-width:1}.grid{stroke:#dcdcdc;stroke-width:.6}.tick{stroke:#444;stroke-width:1}
+.before{fill:#f6f1e4;stroke:#8a8a8a;stroke-width:1;stroke-dasharray:1.5 3}.after{fill:#c9d3dc;stroke:#4a5560;stroke-width:.9}
+.part{fill:none;stroke:#000;stroke-width:2}.allowance{fill:none;stroke:#000;stroke-width:1.1;stroke-dasharray:9 4}
+.feed{fill:none;stroke:#0a8f3c;stroke-width:.9}.rapid{fill:none;stroke:#d40000;stroke-width:.8;stroke-dasharray:5 3}
+.bad{fill:url(#hatch);stroke:#a00060;stroke-width:1.2}.centre{stroke:#333;stroke-width:1;stroke-dasharray:18 4 3 4}
+.band{fill:#7b3fb5;fill-opacity:.25;stroke:#5b2a8c;stroke-width:.6}.stairs{fill:none;stroke:#5b2a8c;stroke-width:1.3}.ideal{fill:none;stroke:#0a8f3c;stroke-width:1.3}
+.zoomed{fill:none;stroke:#555;stroke-width:1;stroke-dasharray:3 3}.leader{stroke:#a00060;stroke-width:1}.mark{fill:#fff;stroke:#a00060;stroke-width:1.8}.marktext{font-size:11px;font-weight:bold;text-anchor:middle;fill:#700040}
+</style>
+<defs><pattern id="hatch" width="5" height="5" patternUnits="userSpaceOnUse" patternTransform="rotate(45)"><rect width="5" height="5" fill="#ff9ad2"/><path d="M0 0V5" stroke="#a00060" stroke-width="2"/></pattern></defs>
+)svg";
+
+}  // namespace
+
+double round_step(double least) {
+    const double power = std::pow(10, std::floor(std::log10(least)));
+    for (const double k : {1.0, 2.0, 5.0})
+        if (least <= k * power) return k * power;
+    return 10 * power;
+}
+
+std::string document(double width, double height, const std::string& content) {
+    const std::string w = number(width, 0), h = number(std::ceil(height), 0);
+    return "<svg xmlns=\"http://www.w3.org/2000/svg\" width=\"" + w + "\" height=\"" + h + "\" viewBox=\"0 0 " + w +
+           " " + h + "\">\n" + std::string(style) + "<rect width=\"100%\" height=\"100%\" fill=\"#fff\"/>\n" + content +
+           "</svg>\n";
+}
+
 std::string line(const char* cls, double x1, double y1, double x2, double y2) {
     return std::string("<line class=\"") + cls + "\" x1=\"" + number(x1, 2) + "\" y1=\"" + number(y1, 2) + "\" x2=\"" +
            number(x2, 2) + "\" y2=\"" + number(y2, 2) + "\"/>\n";
@@ -26,14 +58,6 @@ namespace {
 
 constexpr double mark_radius = 9;
 constexpr double tick_distance = 75;  ///< wanted between two scale marks
-
-/// A step of 1, 2 or 5 times a power of ten, not less than `least`.
-double round_step(double least) {
-    const double power = std::pow(10, std::floor(std::log10(least)));
-    for (const double k : {1.0, 2.0, 5.0})
-        if (least <= k * power) return k * power;
-    return 10 * power;
-}
 
 std::optional<geom::Vec2> place_of(const check::Finding& f) {
     if (f.at) return f.at;
@@ -59,8 +83,9 @@ std::vector<Mark> marks_of(const check::Result& result) {
     return marks;
 }
 
-Window::Window(std::string name, const check::Box& box, double left, double top, double width, double height)
-    : name_(std::move(name)), box_(box), left_(left), top_(top) {
+Window::Window(std::string name, const check::Box& box, double left, double top, double width, double height,
+               Scales scales)
+    : name_(std::move(name)), box_(box), left_(left), top_(top), scales_(std::move(scales)) {
     const double span_z = box.max_z - box.min_z, span_x = box.max_x - box.min_x;
     to_.scale = std::min(width / span_z, height / span_x);
     width_ = span_z * to_.scale;
@@ -70,7 +95,7 @@ Window::Window(std::string name, const check::Box& box, double left, double top,
 }
 
 void Window::axes(std::string& out) const {
-    const double step = round_step(tick_distance / to_.scale);
+    const double step = svg::round_step(tick_distance / to_.scale);
     const int decimals = step < 1 ? static_cast<int>(std::ceil(-std::log10(step) - 1e-9)) : 0;
     const auto first = [step](double v) { return static_cast<long>(std::ceil(v / step - 1e-9)); };
     const auto last = [step](double v) { return static_cast<long>(std::floor(v / step + 1e-9)); };
@@ -84,9 +109,10 @@ void Window::axes(std::string& out) const {
         out += svg::line("grid", left_, y, right(), y) + svg::line("tick", left_ - 5, y, left_, y);
         out += svg::text("small", left_ - 8, y + 4, base::fixed(x, decimals), "end");
     }
-    out += svg::text("", right(), bottom() + 34, "Z mm →", "end");
-    out += svg::text("", left_ - 8, top_ - 8, "↑ X mm (radius)");
-    if (box_.min_x < 0 && box_.max_x > 0) out += svg::line("centre", left_, to_.base, right(), to_.base);
+    out += svg::text("", right(), bottom() + 34, scales_.right, "end");
+    out += svg::text("", left_ - 8, top_ - 8, scales_.up);
+    if (scales_.axis && box_.min_x < 0 && box_.max_x > 0)
+        out += svg::line("centre", left_, to_.base, right(), to_.base);
 }
 
 void Window::regions(std::string& out, const Subject& s) const {
@@ -134,15 +160,19 @@ void Window::marks(std::string& out, const std::vector<Mark>& marks) const {
     }
 }
 
-std::string Window::draw(const Subject& subject, const std::vector<Mark>& shown) const {
+std::string Window::frame(const std::string& content) const {
     const std::string rect = "x=\"" + number(left_, 2) + "\" y=\"" + number(top_, 2) + "\" width=\"" +
                              number(width_, 2) + "\" height=\"" + number(height_, 2) + "\"";
     std::string out =
         "<clipPath id=\"" + name_ + "\"><rect " + rect + "/></clipPath>\n<rect class=\"frame\" " + rect + "/>\n";
     axes(out);
-    out += "<g clip-path=\"url(#" + name_ + ")\">\n";
-    regions(out, subject);
-    out += "</g>\n";
+    return out + "<g clip-path=\"url(#" + name_ + ")\">\n" + content + "</g>\n";
+}
+
+std::string Window::draw(const Subject& subject, const std::vector<Mark>& shown) const {
+    std::string content;
+    regions(content, subject);
+    std::string out = frame(content);
     marks(out, shown);
     return out;
 }

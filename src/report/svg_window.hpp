@@ -18,11 +18,21 @@ struct Mark {
 };
 [[nodiscard]] std::vector<Mark> marks_of(const check::Result& result);
 
+/// What stands at the scales; `axis` draws the line where the upward coordinate is 0, the axis of rotation of a lathe.
+struct Scales {
+    std::string right = "Z mm →", up = "↑ X mm (radius)";
+    bool axis = true;
+};
+
 class Window {
 public:
     /// Shows `box` in a frame at (left, top) with equal scale, as large as `width` and `height` allow.
-    Window(std::string name, const check::Box& box, double left, double top, double width, double height);
+    /// The box' z runs to the right and its x upwards, whatever the scales call them.
+    Window(std::string name, const check::Box& box, double left, double top, double width, double height,
+           Scales scales = {});
 
+    /// Frame and scales with this content clipped to the frame.
+    [[nodiscard]] std::string frame(const std::string& content) const;
     [[nodiscard]] std::string draw(const Subject& subject, const std::vector<Mark>& marks) const;
     [[nodiscard]] const Projection& projection() const { return to_; }
     [[nodiscard]] double left() const { return left_; }
@@ -38,9 +48,14 @@ private:
     check::Box box_;
     double left_, top_, width_, height_;
     Projection to_;
+    Scales scales_;
 };
 
 namespace svg {
+/// A step of 1, 2 or 5 times a power of ten, not less than `least`.
+[[nodiscard]] double round_step(double least);
+/// The document round a content drawn with the classes of the house's style, `width` wide.
+[[nodiscard]] std::string document(double width, double height, const std::string& content);
 [[nodiscard]] std::string line(const char* cls, double x1, double y1, double x2, double y2);
 [[nodiscard]] std::string text(const char* cls, double x, double y, const std::string& content,
                                const char* anchor = "start");

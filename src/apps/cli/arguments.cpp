@@ -1,7 +1,11 @@
 #include "arguments.hpp"
 
 #include <CLI/CLI.hpp>
+#include <cmath>
 #include <iostream>
+#include <map>
+
+#include "base/number.hpp"
 
 namespace obrys::cli {
 
@@ -14,7 +18,8 @@ constexpr const char* main_help =
     "  obrys check groove.job.toml --set R3=150    the same with another value of a parameter\n"
     "  obrys check PART.MPF --html report.html     a page with picture, findings and program text\n"
     "  obrys run PART.MPF --format csv             every move with its end point and source line\n"
-    "  obrys plot groove.job.toml -o groove.svg    the tool path over stock and part\n";
+    "  obrys plot groove.job.toml -o groove.svg    the tool path over stock and part\n"
+    "  obrys fmt -i PART.H                         number and write the blocks as the control does\n";
 
 constexpr const char* check_help =
     "Runs a program, removes the stock and says what is wrong with it.\n\n"
@@ -38,11 +43,47 @@ constexpr const char* run_help =
     "3 something was not understood or not run.";
 
 constexpr const char* plot_help =
-    "Draws stock, part, allowance and tool path (feed green, rapid red) as SVG.\n\n"
+    "Draws the tool path (feed green, rapid red) as SVG: of a lathe over stock, part and allowance, of a mill from "
+    "above\n"
+    "and from the side. A program without a job will do.\n"
+    "--interpolation prints instead how far a controller that moves its axes in steps of this basic length unit "
+    "leaves\n"
+    "each programmed element, and draws that, enlarged, with --svg.\n\n"
     "Examples:\n"
     "  obrys plot groove.job.toml -o groove.svg\n"
-    "  obrys plot groove.job.toml --set R3=150 > wrong.svg\n\n"
+    "  obrys plot groove.job.toml --set R3=150 > wrong.svg\n"
+    "  obrys plot PART.MPF --interpolation 0.001 --svg steps.svg\n\n"
     "Exit codes: 0 the picture was made, 2 usage or unreadable input.";
+
+constexpr const char* fmt_help =
+    "Formats HEIDENHAIN programs (Klartext .H, DIN/ISO .I): numbers the blocks, one blank between words, upper case\n"
+    "keywords, signs of coordinates. Comments, texts and paths stay; so does every block it does not understand, "
+    "which\n"
+    "it names.\n\n"
+    "Examples:\n"
+    "  obrys fmt PART.H                        to standard output\n"
+    "  obrys fmt -i PART.H SUB.H               write the files\n"
+    "  obrys fmt --check *.H                   name the files that would change\n"
+    "  obrys fmt --decimal comma PART.H        X+10,5\n\n"
+    "Exit codes: 0 done, 1 --check: a file would change, 2 usage, unreadable input or no HEIDENHAIN program.";
+
+void add_format(CLI::App& app, Arguments& a) {
+    using format::heidenhain::Decimal;
+    using format::heidenhain::LineEnds;
+    const std::map<std::string, Decimal> decimals{
+        {"keep", Decimal::keep}, {"point", Decimal::point}, {"comma", Decimal::comma}};
+    const std::map<std::string, LineEnds> ends{
+        {"keep", LineEnds::keep}, {"lf", LineEnds::lf}, {"crlf", LineEnds::crlf}};
+    app.add_option("files", a.files, "programs (.H, .I)")->required()->type_name("FILE");
+    auto* write = app.add_flag("-i,--in-place", a.in_place, "write the files instead of standard output");
+    app.add_flag("--check", a.only_check, "write nothing; exit code 1 where a file would change")->excludes(write);
+    app.add_option("--decimal", a.style.decimal, "decimal sign: point, comma or keep")
+        ->transform(CLI::CheckedTransformer(decimals))
+        ->type_name("SIGN");
+    app.add_option("--line-ends", a.style.line_ends, "lf, crlf or keep")
+        ->transform(CLI::CheckedTransformer(ends))
+        ->type_name("ENDS");
+}
 
 void add_request(CLI::App& app, Arguments& a) {
     app.add_option("input", a.request.input, "program (.MPF, .SPF) or job file (.toml)")->required()->type_name("FILE");
@@ -75,6 +116,7 @@ struct Commands {
     CLI::App* check;
     CLI::App* run;
     CLI::App* plot;
+    CLI::App* fmt;
     CLI::App* version;
     CLI::App* help;
 };
@@ -99,6 +141,18 @@ Commands add_commands(CLI::App& app, Arguments& a) {
     c.run->add_flag("--parameters", a.parameters, "print the numbered parameters at the end instead of the moves");
     c.plot = app.add_subcommand("plot", plot_help);
     add_request(*c.plot, a);
+    c.plot->add_option("--svg", a.svg, "write the picture to this file")->type_name("FILE");
+    c.plot
+        ->add_option_function<std::string>(
+            "--interpolation", [&a](const std::string& text) { a.interpolation = *base::parse_double(text); },
+            "basic length unit of the controller, mm: print its deviations from the path")
+        ->check([](const std::string& text) {
+            const auto value = base::parse_double(text);
+            return value && *value > 0 && std::isfinite(*value) ? std::string() : "must be a length in mm above 0";
+        })
+        ->type_name("MM");
+    c.fmt = app.add_subcommand("fmt", fmt_help);
+    add_format(*c.fmt, a);
     c.version = app.add_subcommand("version", "prints the version");
     c.help = app.add_subcommand("help", "prints this text, or that of a command: obrys help check");
     return c;
@@ -110,10 +164,10 @@ Commands add_commands(CLI::App& app, Arguments& a) {
 static bool is_unknown_command(int argc, char** argv) {
     if (argc < 2 || argv[1][0] == '-') return false;
     const std::string word = argv[1];
-    constexpr const char* commands[] = {"check", "run", "plot", "version", "help"};
+    constexpr const char* commands[] = {"check", "run", "plot", "fmt", "version", "help"};
     for (const char* command : commands)
         if (word == command) return false;
-    std::cerr << "obrys: there is no command '" << word << "'; the commands are check, run, plot, version, help\n"
+    std::cerr << "obrys: there is no command '" << word << "'; the commands are check, run, plot, fmt, version, help\n"
               << "  to check a program: obrys check " << word << "\n";
     return true;
 }
@@ -138,7 +192,7 @@ Arguments parse(int argc, char** argv) {
     }
     if (c.help->parsed()) {
         const CLI::App* about = &app;
-        for (const CLI::App* command : {c.check, c.run, c.plot, c.version})
+        for (const CLI::App* command : {c.check, c.run, c.plot, c.fmt, c.version})
             if (command->get_name() == topic) about = command;
         std::cout << about->help();
         a.exit = 0;
@@ -146,6 +200,7 @@ Arguments parse(int argc, char** argv) {
     a.command = c.check->parsed()  ? Command::check
                 : c.run->parsed()  ? Command::run
                 : c.plot->parsed() ? Command::plot
+                : c.fmt->parsed()  ? Command::fmt
                                    : Command::version;
     return a;
 }

@@ -2,24 +2,31 @@
 /// The command line: what it asks for. CLI11 stays in arguments.cpp.
 
 #include <string>
+#include <vector>
 
 #include "driver/session.hpp"
+#include "format/heidenhain/format.hpp"
 
 namespace obrys::cli {
 
-enum class Command : int { none, check, run, plot, version };
+enum class Command : int { none, check, run, plot, fmt, version };
 
 struct Arguments {
     Command command = Command::none;
     driver::Request request;
     std::string format = "text";
-    std::string output;       ///< empty: standard output
-    std::string html, svg;    ///< of check: also write these
-    bool quiet = false;       ///< of run: counts only
-    bool parameters = false;  ///< of run: numbered parameters at the end
+    std::string output;        ///< empty: standard output
+    std::string html, svg;     ///< of check: also write these; svg of plot: the picture
+    double interpolation = 0;  ///< of plot: basic length unit, mm; 0: none given
+    bool quiet = false;        ///< of run: counts only
+    bool parameters = false;   ///< of run: numbered parameters at the end
     bool colours = true;
-    bool no_list = false;  ///< of check: leave out what has no effect on the verdict
-    int exit = -1;         ///< 0 … : the program ends here with this code (help was printed, or the call is wrong)
+    bool no_list = false;            ///< of check: leave out what has no effect on the verdict
+    std::vector<std::string> files;  ///< of fmt
+    format::heidenhain::Options style;
+    bool in_place = false;    ///< of fmt: write the files
+    bool only_check = false;  ///< of fmt: say what would change
+    int exit = -1;            ///< 0 … : the program ends here with this code (help was printed, or the call is wrong)
 };
 
 [[nodiscard]] Arguments parse(int argc, char** argv);

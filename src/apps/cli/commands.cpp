@@ -14,6 +14,7 @@
 #include "cl/text.hpp"
 #include "cl/totals.hpp"
 #include "driver/check_program.hpp"
+#include "driver/plot_path.hpp"
 #include "driver/stream_table.hpp"
 #include "progress.hpp"
 #include "report/report.hpp"
@@ -107,6 +108,33 @@ void print_parameters(const interp::Outcome& outcome, Output& out) {
         out.write(p.name + "=" + (std::isnan(p.value) ? std::string("?") : base::shortest(p.value)) + "\n");
 }
 
+/// The path by itself: of programs whose removal is not simulated, and with an interpolator's deviations.
+int plot_path(const Arguments& a, driver::Session& s) {
+    const bool table = a.interpolation > 0;
+    Output out(table ? a.output : "");
+    if (!out.good()) {
+        std::fprintf(stderr, "obrys: %s cannot be written\n", a.output.c_str());
+        return 2;
+    }
+    driver::PlotOptions options;
+    options.plane = s.job.machine.kind == shop::MachineKind::lathe ? report::PlotPlane::zx : report::PlotPlane::xy;
+    options.unit = a.interpolation;
+    const auto row = [&](const report::InterpolatedMove& m) {
+        out.write(report::table_row(m, s.sources, a.interpolation));
+    };
+    driver::PathPlotter plotter(options, row);
+    if (table) out.write(report::table_head(a.interpolation));
+    static_cast<void>(driver::interpret(s, plotter));
+    report::PathPlot plot = plotter.finish();
+    plot.program = s.program;
+    plot.control = s.control;
+    plot.machine = s.job.machine.name;
+    if (table) out.write(report::table_end(*plot.interpolation, s.sources));
+    print_diagnostics(s, base::Severity::warning);
+    if (table && a.svg.empty()) return 0;
+    return deliver(s, a.svg.empty() ? a.output : a.svg, report::to_svg(plot, s.sources)) ? 0 : 2;
+}
+
 }  // namespace
 
 int check(const Arguments& a) {
@@ -144,9 +172,10 @@ int plot(const Arguments& a) {
         print_diagnostics(s, base::Severity::warning);
         return 2;
     }
+    if (a.interpolation > 0 || s.job.machine.kind != shop::MachineKind::lathe) return plot_path(a, s);
     const driver::Checked checked = driver::check_program(s, moves_on_page);
     std::fputs((report::verdict_line(checked.result) + "\n").c_str(), stderr);
-    return deliver(s, a.output, report::to_svg(subject_of(s, checked))) ? 0 : 2;
+    return deliver(s, a.svg.empty() ? a.output : a.svg, report::to_svg(subject_of(s, checked))) ? 0 : 2;
 }
 
 int run(const Arguments& a) {

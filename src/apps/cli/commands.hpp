@@ -8,5 +8,6 @@ namespace obrys::cli {
 [[nodiscard]] int check(const Arguments& arguments);
 [[nodiscard]] int run(const Arguments& arguments);
 [[nodiscard]] int plot(const Arguments& arguments);
+[[nodiscard]] int fmt(const Arguments& arguments);
 
 }  // namespace obrys::cli

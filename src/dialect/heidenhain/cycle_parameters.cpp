@@ -135,7 +135,8 @@ constexpr P p9[] = {old(1, dwell, Role::dwell, no_unit)};
 constexpr P p10[] = {old(1, "ROT", Role::angle, no_unit)};
 constexpr P p11[] = {old(1, "SCL", Role::factor, no_unit)};
 constexpr P p13[] = {old(1, angle, Role::spindle_angle, no_unit)};
-constexpr P p14[] = {old(0, "CONTOUR LABEL|KONTURLABEL|LBL OBRYSU|LABEL CONTOUR", Role::contour_label, no_unit)};
+constexpr P p14[] = {
+    old(0, "CONTOUR LABEL|KONTURLABEL|LBL OBRYSU|LBL OBRYŠU|LABEL CONTOUR", Role::contour_label, no_unit)};
 constexpr P p19[] = {old(1, "A", Role::axis_a, no_unit), old(1, "B", Role::axis_b, no_unit),
                      old(1, "C", Role::axis_c, no_unit), old(0, "F", Role::feed_position, mm_per_minute),
                      old(0, set_up, Role::setup_distance)};

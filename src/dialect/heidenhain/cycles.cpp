@@ -20,6 +20,7 @@ constexpr Cycle probe(int number, std::string_view name) {
 }
 
 std::span<const Cycle> table() {
+    // sizes: table
     using namespace parameters;
     static const Cycle cycles[] = {
         {1, Kind::peck, "PECKING", at_call, c1},
@@ -165,6 +166,61 @@ const CycleParameter* find_parameter_at(const Cycle& cycle, int line, std::size_
     for (const CycleParameter& p : cycle.parameters)
         if (p.q < 0 && p.line == line && n-- == 0) return &p;
     return nullptr;
+}
+
+std::optional<IsoCycle> find_iso_cycle(int g) {
+    struct Pair {
+        int g, cycle;
+        double direction = 0;
+    };
+    static constexpr Pair pairs[] = {{4, 9},   {28, 8}, {36, 13},     {37, 14},    {39, 12},    {53, 7},    {54, 7},
+                                     {56, 15}, {57, 6}, {58, 16, -1}, {59, 16, 1}, {60, 30},    {62, 32},   {72, 11},
+                                     {73, 10}, {74, 3}, {75, 4, -1},  {76, 4, 1},  {77, 5, -1}, {78, 5, 1}, {80, 19},
+                                     {83, 1},  {84, 2}, {85, 17},     {86, 18}};
+    for (const Pair& p : pairs)
+        if (p.g == g) return IsoCycle{p.cycle, p.direction};
+    const bool contour = (g >= 120 && g <= 125) || (g >= 127 && g <= 129) || g == 139;
+    if (contour) return IsoCycle{g - 100, 0};
+    if (g >= 200 && find_cycle(g) != nullptr) return IsoCycle{g, 0};
+    return std::nullopt;
+}
+
+const CycleParameter* find_iso_parameter(const Cycle& cycle, int p) {
+    int number = 0, side_line = 0;
+    for (const CycleParameter& parameter : cycle.parameters) {
+        if (parameter.q >= 0 || parameter.role == program::CycleRole::direction) continue;
+        const bool side = parameter.word == "X" || parameter.word == "Y" || parameter.word == "Z";
+        if (side && parameter.line == side_line) continue;
+        side_line = side ? parameter.line : 0;
+        if (++number == p) return &parameter;
+    }
+    return nullptr;
+}
+
+const CycleParameter* find_iso_parameter(const Cycle& cycle, std::string_view word) {
+    using Role = program::CycleRole;
+    struct Letter {
+        int cycle;
+        std::string_view word;
+        Role role;
+    };
+    static constexpr Letter letters[] = {{9, "F", Role::dwell},
+                                         {10, "H", Role::angle},
+                                         {11, "F", Role::factor},
+                                         {13, "S", Role::spindle_angle},
+                                         {19, "F", Role::feed_position},
+                                         {19, "S", Role::setup_distance},
+                                         {32, "T", Role::tolerance},
+                                         {32, "P01", Role::tolerance_mode},
+                                         {32, "P02", Role::tolerance_angle}};
+    for (const Letter& l : letters)
+        if (l.cycle == cycle.number && l.word == word)
+            for (const CycleParameter& p : cycle.parameters)
+                if (p.role == l.role) return &p;
+    const bool by_letter =
+        std::any_of(std::begin(letters), std::end(letters), [&](const Letter& l) { return l.cycle == cycle.number; });
+    if (by_letter || word.size() != 3 || word[0] != 'P') return nullptr;
+    return find_iso_parameter(cycle, (word[1] - '0') * 10 + (word[2] - '0'));
 }
 
 }  // namespace obrys::dialect::heidenhain

@@ -8,6 +8,7 @@
 ///             is in the control's language, so the order of the values in a line decides where the word is not known
 
 #include <cstdint>
+#include <optional>
 #include <span>
 #include <string_view>
 
@@ -52,5 +53,19 @@ struct Cycle {
 [[nodiscard]] const CycleParameter* find_parameter(const Cycle& cycle, int line, std::string_view word);
 /// Numbered form: the n-th (from 0) value of a line.
 [[nodiscard]] const CycleParameter* find_parameter_at(const Cycle& cycle, int line, std::size_t n);
+
+/// Cycle of a G code of the control's DIN/ISO language. Source: TNC 407 and iTNC 530 ISO programming, tables of G
+/// codes.
+struct IsoCycle {
+    int number = 0;
+    double direction = 0;  ///< where the G code says it (G75 to G78, G58, G59): +1 counter-clockwise, -1 clockwise
+};
+[[nodiscard]] std::optional<IsoCycle> find_iso_cycle(int g);
+/// Numbered form in DIN/ISO: parameter P01 is the first value, and so on. Of a side (P05 X+80) the entry of its axis X;
+/// its line and the axis written give the right one. The direction is none of them.
+[[nodiscard]] const CycleParameter* find_iso_parameter(const Cycle& cycle, int p);
+/// As above by the word, a letter or P and two digits: F of G04 and G72, S of G36, H of G73, T of G62, F and S of G80
+/// (iTNC 530 User's Manual DIN/ISO Programming, list of addresses). Axes are in find_parameter.
+[[nodiscard]] const CycleParameter* find_iso_parameter(const Cycle& cycle, std::string_view word);
 
 }  // namespace obrys::dialect::heidenhain

@@ -13,6 +13,7 @@ inline constexpr program::Traits traits{
     .jump_to_block_number = false,
     .end_stops_all = true,
     .unit_per_program = true,
+    .compensation_window = 99,
     .text_letters = "QS",
     .label_depth = 19,
     .polar_from_position = true,

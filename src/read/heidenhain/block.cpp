@@ -16,6 +16,8 @@ void read_number(State& s) {
     const std::uint32_t from = s.in.at();
     while (base::is_digit(s.in.peek())) s.in.step();
     s.numbered = s.in.at() > from;
+    s.number = static_cast<std::uint32_t>(
+        base::parse_integer(s.in.between(from, s.in.at())).value_or(0) & 0xFFFFFFFF);
     if (s.in.take('/')) skip = 1;
     s.in.skip_blanks();
     s.build.begin_block(skip);
@@ -69,28 +71,7 @@ void read_stop(State& s) {
     s.in.step(4);
     const std::size_t words = s.build.unit().words.size();
     if (!s.in.at_end()) read_words(s, false);
-    bool stops = false;
-    for (std::size_t i = words; i < s.build.unit().words.size(); ++i) {
-        const program::Word& w = s.build.unit().words[i];
-        stops = stops || (program::code_of(w) == Code::m && program::is_literal(w) &&
-                          (w.payload == 0 || w.payload == 2 || w.payload == 30));
-    }
-    if (!stops) s.build.literal(Code::m, 0, begin, begin + 4);
-    s.after_stop = true;
-}
-
-/// A comment behind STOP is shown to the operator; any other is none of the run's business.
-void read_comment(State& s, bool after_stop) {
-    const std::string text = base::as_utf8(s.in.comment());
-    const std::uint32_t begin = s.in.at();
-    s.in.skip_comment();
-    if (!after_stop || text.empty()) return;
-    s.after_stop = false;
-    program::ProcedureCall call;
-    call.arguments = {s.build.text(text, begin, s.in.at())};
-    call.where = s.build.span(begin, s.in.at());
-    s.build.unit().procedures.push_back(std::move(call));
-    s.build.control(StatementKind::procedure, s.build.unit().procedures.size() - 1, s.block, s.in.at());
+    stop_here(s, words, begin, begin + 4);
 }
 
 /// Words that open a block and are known without being run; `what` says what they do.
@@ -100,16 +81,6 @@ struct NotRun {
 };
 constexpr std::array not_run{
     NotRun{"LN", "straight lines with surface normals (3D compensation)"},
-    NotRun{"APPR", "smooth approach"},
-    NotRun{"DEP", "smooth departure"},
-    NotRun{"FPOL", "free contour programming"},
-    NotRun{"FL", "free contour programming"},
-    NotRun{"FLT", "free contour programming"},
-    NotRun{"FC", "free contour programming"},
-    NotRun{"FCT", "free contour programming"},
-    NotRun{"FSELECT", "free contour programming"},
-    NotRun{"SPL", "spline"},
-    NotRun{"PLANE", "tilted working plane"},
     NotRun{"SEL", "selection of a program, table, pattern or contour"},
     NotRun{"DECLARE", "contour of a formula"},
     NotRun{"CONTOUR", "contour of a formula"},
@@ -162,7 +133,29 @@ bool read_structure(State& s, std::string_view word) {
 
 }  // namespace
 
-bool read_cycle_line(State& s);
+void stop_here(State& s, std::size_t words, std::uint32_t begin, std::uint32_t end) {
+    bool stops = false;
+    for (std::size_t i = words; i < s.build.unit().words.size(); ++i) {
+        const program::Word& w = s.build.unit().words[i];
+        stops = stops || (program::code_of(w) == Code::m && program::is_literal(w) &&
+                          (w.payload == 0 || w.payload == 2 || w.payload == 30));
+    }
+    if (!stops) s.build.literal(Code::m, 0, begin, end);
+    s.after_stop = true;
+}
+
+void read_comment(State& s, bool after_stop) {
+    const std::string text = base::as_utf8(s.in.comment());
+    const std::uint32_t begin = s.in.at();
+    s.in.skip_comment();
+    if (!after_stop || text.empty()) return;
+    s.after_stop = false;
+    program::ProcedureCall call;
+    call.arguments = {s.build.text(text, begin, s.in.at())};
+    call.where = s.build.span(begin, s.in.at());
+    s.build.unit().procedures.push_back(std::move(call));
+    s.build.control(StatementKind::procedure, s.build.unit().procedures.size() - 1, s.block, s.in.at());
+}
 
 void read_block(State& s) {
     s.block = s.in.at();
@@ -179,7 +172,7 @@ void read_block(State& s) {
     const std::string_view word = s.in.letters();
     const std::uint32_t begin = s.in.at();
     if (!is(word, "CYCL") && !is(word, "CYCLE")) s.open_cycle = program::no_target;
-    if (word.empty() || (!read_structure(s, word) && !read_path_block(s, word) && !read_not_run(s, word))) {
+    if (word.empty() || (!read_structure(s, word) && !read_special_block(s, word) && !read_path_block(s, word) && !read_not_run(s, word))) {
         s.build.statement(StatementKind::block, s.block);
         s.in.go_to(begin);
         const std::string token = base::as_utf8(s.in.token());

@@ -13,6 +13,39 @@ namespace {
 
 program::CycleDefinition& open_cycle(State& s) { return s.build.unit().cycles[s.open_cycle]; }
 
+}  // namespace
+
+void add_setting(State& s, const dialect::CycleParameter& p, ExprId value, bool incremental, std::uint32_t begin) {
+    program::CycleSetting setting;
+    setting.role = p.role;
+    setting.value = value;
+    setting.incremental = incremental;
+    setting.scales = p.unit != dialect::CycleUnit::plain;
+    setting.where = s.build.span(begin, s.in.at());
+    open_cycle(s).settings.push_back(setting);
+}
+
+void start_cycle(State& s, int number, const dialect::Cycle* cycle, std::uint32_t begin) {
+    program::CycleDefinition c;
+    c.name = "CYCL DEF " + std::to_string(number);
+    c.where = s.build.span(begin, s.in.at());
+    c.use = program::CycleUse::refused;
+    if (cycle != nullptr) {
+        c.kind = cycle->kind;
+        c.call_active = cycle->call_active;
+        c.use = static_cast<program::CycleUse>(cycle->use);
+        c.reason = cycle->text;
+    } else {
+        c.reason = "obrys does not know this cycle";
+        c.kind = program::CycleKind::probe;
+    }
+    s.build.unit().cycles.push_back(std::move(c));
+    s.open_cycle = static_cast<std::uint32_t>(s.build.unit().cycles.size() - 1);
+    s.build.control(StatementKind::cycle_definition, s.open_cycle, s.block, s.in.at());
+}
+
+namespace {
+
 /// Q200=2 of the named form; false where none stands here.
 bool read_parameter_line(State& s) {
     const std::uint32_t begin = s.in.at();
@@ -47,6 +80,8 @@ bool read_parameter_line(State& s) {
     return true;
 }
 
+}  // namespace
+
 void read_named(State& s) {
     bool named = open_cycle(s).settings.empty();  // in whatever language
     while (!s.failed && !s.in.at_end()) {
@@ -65,6 +100,8 @@ void read_named(State& s) {
     }
 }
 
+namespace {
+
 /// The words in front of a value: `SET UP`, `V.ZEIT`, `HSC-MODE:`.
 std::string read_keyword(State& s) {
     std::string word;
@@ -74,22 +111,13 @@ std::string read_keyword(State& s) {
         const bool number =
             base::is_digit(c) || ((c == '.' || c == ',') && base::is_digit(next)) ||
             (sign && (base::is_digit(next) || next == '.' || base::upper(next) == 'Q' || base::is_blank(next)));
-        if (number || stands_parameter(s) || c == '"') break;
+        const bool sense = sign && base::trim(word) == "DR";
+        if (number || sense || stands_parameter(s) || c == '"') break;
         word += base::upper(c);
         s.in.step();
         if (base::is_blank(s.in.peek())) word += ' ';
     }
     return std::string(base::trim(word));
-}
-
-void add_setting(State& s, const dialect::CycleParameter& p, ExprId value, bool incremental, std::uint32_t begin) {
-    program::CycleSetting setting;
-    setting.role = p.role;
-    setting.value = value;
-    setting.incremental = incremental;
-    setting.scales = p.unit != dialect::CycleUnit::plain;
-    setting.where = s.build.span(begin, s.in.at());
-    open_cycle(s).settings.push_back(setting);
 }
 
 /// Axes without values: CYCL DEF 8.1 X Y.
@@ -130,6 +158,15 @@ void read_program_name(State& s) {
     if (!path.empty()) open_cycle(s).texts.push_back(s.build.text(program_name(path), begin, s.in.at()));
 }
 
+/// DR+ and DR-: the sign alone.
+ExprId read_sense(State& s) {
+    const std::uint32_t begin = s.in.at();
+    const char sign = s.in.peek();
+    if ((sign != '+' && sign != '-') || base::is_digit(s.in.peek(1))) return value_expr(s);
+    s.in.step();
+    return s.build.number(sign == '+' ? 1 : -1, true, begin, s.in.at());
+}
+
 void read_numbered_line(State& s, const dialect::Cycle& cycle, int line) {
     using program::CycleKind;
     if (line == 0) return s.in.skip_block();  // its name
@@ -144,32 +181,13 @@ void read_numbered_line(State& s, const dialect::Cycle& cycle, int line) {
                                  dialect::find_parameter(cycle, line, word.substr(1)) != nullptr;
         if (incremental) p = dialect::find_parameter(cycle, line, word.substr(1));
         if (p == nullptr) p = dialect::find_parameter_at(cycle, line, n);
-        const ExprId value = value_expr(s);
+        const ExprId value = p != nullptr && p->role == program::CycleRole::direction ? read_sense(s) : value_expr(s);
         if (s.failed) return;
         if (p != nullptr)
             add_setting(s, *p, value, incremental, begin);
         else
             s.build.problem(Code::unsupported, begin, s.in.at(), "this value does not belong to " + open_cycle(s).name);
     }
-}
-
-void start_cycle(State& s, int number, const dialect::Cycle* cycle, std::uint32_t begin) {
-    program::CycleDefinition c;
-    c.name = "CYCL DEF " + std::to_string(number);
-    c.where = s.build.span(begin, s.in.at());
-    c.use = program::CycleUse::refused;
-    if (cycle != nullptr) {
-        c.kind = cycle->kind;
-        c.call_active = cycle->call_active;
-        c.use = static_cast<program::CycleUse>(cycle->use);
-        c.reason = cycle->text;
-    } else {
-        c.reason = "obrys does not know this cycle";
-        c.kind = program::CycleKind::probe;
-    }
-    s.build.unit().cycles.push_back(std::move(c));
-    s.open_cycle = static_cast<std::uint32_t>(s.build.unit().cycles.size() - 1);
-    s.build.control(StatementKind::cycle_definition, s.open_cycle, s.block, s.in.at());
 }
 
 void read_definition(State& s, std::uint32_t begin) {

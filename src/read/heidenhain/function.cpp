@@ -1,6 +1,7 @@
 /// Q parameter functions: `FN 9: IF +Q1 EQU +Q2 GOTO LBL 5`, and formulas `Q1 = Q2 + 3`.
 
 #include <array>
+#include <optional>
 
 #include "dialect/heidenhain/functions.hpp"
 #include "read/heidenhain/state.hpp"
@@ -12,11 +13,6 @@ using program::no_expr;
 using program::Operator;
 
 namespace {
-
-struct Sign {
-    std::string_view text;
-    Operator op;
-};
 
 bool expect(State& s, std::string_view word) {
     if (s.in.take_prefix(word)) return true;
@@ -35,10 +31,54 @@ ExprId target(State& s) {
     return !s.failed && expect(s, "=") ? q : no_expr;
 }
 
-void assign(State& s, ExprId to, ExprId value) {
+}  // namespace
+
+void read_assigned(State& s, ExprId to, ExprId value) {
     if (s.failed || to == no_expr || value == no_expr) return;
     s.build.assign(to, value, s.build.unit().exprs[to].begin, s.build.unit().exprs[value].end);
 }
+
+void assign_function(State& s, int n, ExprId to, const std::vector<ExprId>& values) {
+    const std::uint32_t begin = s.build.unit().exprs[values.front()].begin, end = s.in.at();
+    const auto result = [&] {
+        switch (n) {
+            case 0: return values[0];
+            case 1: return s.build.binary(Operator::add, values[0], values[1], begin, end);
+            case 2: return s.build.binary(Operator::subtract, values[0], values[1], begin, end);
+            case 3: return s.build.binary(Operator::multiply, values[0], values[1], begin, end);
+            case 4: return s.build.binary(Operator::divide, values[0], values[1], begin, end);
+            case 5: return s.build.function(Function::sqrt, values, begin, end);
+            case 6: return s.build.function(Function::sin, values, begin, end);
+            case 7: return s.build.function(Function::cos, values, begin, end);
+            case 8: return s.build.function(Function::root_of_squares, values, begin, end);
+            default: return s.build.function(Function::angle_of, values, begin, end);
+        }
+    };
+    read_assigned(s, to, result());
+}
+
+std::optional<Operator> comparison_of(int n) {
+    constexpr std::array operators{Operator::equal, Operator::not_equal, Operator::greater, Operator::less};
+    if (n < 9 || n > 12) return std::nullopt;
+    return operators[static_cast<std::size_t>(n - 9)];
+}
+
+ExprId read_compared(State& s) {
+    s.in.skip_blanks();
+    const bool text = s.in.peek() == '"' || (stands_parameter(s) && base::upper(s.in.peek(1)) == 'S');
+    return text ? read_text(s) : value_expr(s);
+}
+
+void stop_with_error(State& s, ExprId number, std::uint32_t begin) {
+    program::ProcedureCall call;
+    call.procedure = program::Procedure::alarm;
+    call.arguments = {number};
+    call.where = s.build.span(begin, s.in.at());
+    s.build.unit().procedures.push_back(std::move(call));
+    s.build.control(StatementKind::procedure, s.build.unit().procedures.size() - 1, s.block, s.in.at());
+}
+
+namespace {
 
 /// FN 1 … FN 4, FN 8, FN 13: two values with a word between.
 void two_values(State& s, std::string_view word, int n) {
@@ -47,36 +87,26 @@ void two_values(State& s, std::string_view word, int n) {
     const ExprId a = value_expr(s);
     if (s.failed || !expect(s, word)) return;
     const ExprId b = value_expr(s);
-    if (s.failed) return;
-    const std::uint32_t begin = s.build.unit().exprs[a].begin, end = s.in.at();
-    switch (n) {
-        case 1: return assign(s, to, s.build.binary(Operator::add, a, b, begin, end));
-        case 2: return assign(s, to, s.build.binary(Operator::subtract, a, b, begin, end));
-        case 3: return assign(s, to, s.build.binary(Operator::multiply, a, b, begin, end));
-        case 4: return assign(s, to, s.build.binary(Operator::divide, a, b, begin, end));
-        case 8: return assign(s, to, s.build.function(Function::root_of_squares, {a, b}, begin, end));
-        default: return assign(s, to, s.build.function(Function::angle_of, {a, b}, begin, end));
-    }
+    if (!s.failed) assign_function(s, n, to, {a, b});
 }
 
-void one_value(State& s, std::string_view word, Function f) {
+/// FN 0, FN 5 … FN 7; `word` is empty where no function's name stands.
+void one_value(State& s, std::string_view word, int n) {
     const ExprId to = target(s);
     if (to == no_expr || !expect(s, word)) return;
-    const std::uint32_t begin = s.in.at();
     const ExprId a = value_expr(s);
-    if (!s.failed) assign(s, to, s.build.function(f, {a}, begin, s.in.at()));
+    if (!s.failed) assign_function(s, n, to, {a});
 }
 
-void condition(State& s, std::string_view word, Operator op) {
+void condition(State& s, std::string_view word, int n) {
     s.in.take_word("IF");
     s.in.skip_blanks();
     const std::uint32_t begin = s.in.at();
-    const bool text = s.in.peek() == '"' || (stands_parameter(s) && base::upper(s.in.peek(1)) == 'S');
-    const ExprId a = text ? read_text(s) : value_expr(s);
+    const ExprId a = read_compared(s);
     if (s.failed || !expect(s, word)) return;
-    const ExprId b = text ? read_text(s) : value_expr(s);
+    const ExprId b = read_compared(s);
     if (s.failed) return;
-    const ExprId test = s.build.binary(op, a, b, begin, s.in.at());
+    const ExprId test = s.build.binary(*comparison_of(n), a, b, begin, s.in.at());
     if (expect(s, "GOTO")) read_goto(s, test);
 }
 
@@ -85,13 +115,7 @@ void error(State& s, std::uint32_t begin) {
     s.in.take_word("ERROR");
     s.in.take('=');
     const ExprId number = value_expr(s);
-    if (s.failed) return;
-    program::ProcedureCall call;
-    call.procedure = program::Procedure::alarm;
-    call.arguments = {number};
-    call.where = s.build.span(begin, s.in.at());
-    s.build.unit().procedures.push_back(std::move(call));
-    s.build.control(StatementKind::procedure, s.build.unit().procedures.size() - 1, s.block, s.in.at());
+    if (!s.failed) stop_with_error(s, number, begin);
 }
 
 /// FN 18: SYSREAD Q5 = ID20 NR1 IDX2.
@@ -107,48 +131,44 @@ void system_read(State& s) {
         numbers.push_back(value_expr(s));
         if (s.failed) return;
     }
-    if (!s.failed) assign(s, to, s.build.function(Function::system_read, numbers, begin, s.in.at()));
+    numbers.resize(3, no_expr);
+    read_assigned(s, to, system_datum(s, numbers[0], numbers[1], numbers[2], begin));
 }
 
-/// FN 15 and what else is not run: listed, refused, or not known at all, as the control's table says.
-void not_run(State& s, int n, std::uint32_t begin) {
-    const dialect::heidenhain::FnFunction* known = dialect::heidenhain::find_fn(n);
+}  // namespace
+
+void leave_function(State& s, int n, std::uint32_t begin) {
     s.in.skip_block();
-    if (known != nullptr && known->use == dialect::heidenhain::Use::accepted)
-        return s.build.ignored("FN " + std::to_string(n) + ": " + std::string(known->name), begin, s.in.at());
-    if (known != nullptr) return s.build.problem(Code::unsupported, begin, s.in.at(), "");
-    s.build.problem(Code::unknown, begin, s.in.at(), "the control has no FN " + std::to_string(n));
+    const auto* fn = dialect::heidenhain::find_fn(n);
+    if (fn != nullptr && fn->use == dialect::heidenhain::Use::accepted)
+        return s.build.ignored("FN " + std::to_string(n) + " (" + std::string(fn->text) + ")", begin, s.in.at());
+    s.build.problem(fn == nullptr ? Code::unknown : Code::unsupported, begin, s.in.at(),
+                    fn == nullptr ? std::string_view("there is no such function") : fn->text);
 }
 
 void read_numbered(State& s, int n, std::uint32_t begin) {
-    if (n == 9) return condition(s, "EQU", Operator::equal);
-    if (n == 10) return condition(s, "NE", Operator::not_equal);
-    if (n == 11) return condition(s, "GT", Operator::greater);
-    if (n == 12) return condition(s, "LT", Operator::less);
+    if (n == 9) return condition(s, "EQU", n);
+    if (n == 10) return condition(s, "NE", n);
+    if (n == 11) return condition(s, "GT", n);
+    if (n == 12) return condition(s, "LT", n);
     if (n == 14) return error(s, begin);
     s.build.statement(StatementKind::block, s.block);
     switch (n) {
-        case 0: {
-            const ExprId to = target(s);
-            if (to == no_expr) return;
-            return assign(s, to, value_expr(s));
-        }
+        case 0: return one_value(s, "", n);
         case 1: return two_values(s, "+", n);
         case 2: return two_values(s, "-", n);
         case 3: return two_values(s, "*", n);
         case 4: return two_values(s, "DIV", n);
-        case 5: return one_value(s, "SQRT", Function::sqrt);
-        case 6: return one_value(s, "SIN", Function::sin);
-        case 7: return one_value(s, "COS", Function::cos);
+        case 5: return one_value(s, "SQRT", n);
+        case 6: return one_value(s, "SIN", n);
+        case 7: return one_value(s, "COS", n);
         case 8: return two_values(s, "LEN", n);
         case 13: return two_values(s, "ANG", n);
         case 18: return system_read(s);
         default: break;
     }
-    not_run(s, n, begin);
+    leave_function(s, n, begin);
 }
-
-}  // namespace
 
 bool read_function(State& s) {
     const std::uint32_t begin = s.in.at();
@@ -169,7 +189,7 @@ void read_assignment(State& s) {
     s.build.statement(StatementKind::block, s.block);
     const ExprId to = target(s);
     if (to == no_expr) return;
-    assign(s, to, read_formula(s));
+    read_assigned(s, to, read_formula(s));
 }
 
 }  // namespace obrys::read::heidenhain

@@ -20,12 +20,12 @@ Label read_label(State& s) {
     s.in.skip_blanks();
     const std::uint32_t begin = s.in.at();
     Label l;
-    if (const base::NumberScan n = s.in.number(); n.length > 0) {
-        if (!n.integer || !(n.value <= highest_label)) {
+    if (const int n = s.in.integer(); n >= 0) {
+        if (n > highest_label || s.in.peek() == '.' ) {
             fail(s, begin, "a label is a whole number up to 65534", "a name in quotes is a label, too");
             return l;
         }
-        l.name = std::to_string(static_cast<std::int64_t>(n.value));
+        l.name = std::to_string(n);
         l.text = s.build.text(l.name, begin, s.in.at());
         return l;
     }
@@ -75,26 +75,36 @@ void read_goto(State& s, ExprId condition) {
     s.build.control(StatementKind::jump, s.build.unit().jumps.size() - 1, s.block, s.in.at());
 }
 
+void call_label(State& s, ExprId label, ExprId repeats) {
+    program::LabelCall call;
+    call.label = label;
+    call.repeats = repeats;
+    s.build.unit().label_calls.push_back(call);
+    s.build.control(StatementKind::label_call, s.build.unit().label_calls.size() - 1, s.block, s.in.at());
+}
+
+ExprId read_label_name(State& s) { return read_label(s).text; }
+
 namespace {
 
-void call_label(State& s) {
+void read_label_call(State& s) {
     const Label l = read_label(s);
     if (s.failed) return;
-    program::LabelCall call;
-    call.label = l.text;
+    ExprId repeats = no_expr;
     if (s.in.take_prefix("REP")) {
         const std::uint32_t behind = s.in.at();
         const Value v = read_value(s);
         // Old programs write "REP 5/5": how many, and how many are left.
         if (v.found && s.in.take('/')) static_cast<void>(read_value(s));
         if (!v.found) s.in.go_to(behind);
-        call.repeats = v.found ? as_expr(s, v) : no_expr;
+        repeats = v.found ? as_expr(s, v) : no_expr;
     }
-    s.build.unit().label_calls.push_back(call);
-    s.build.control(StatementKind::label_call, s.build.unit().label_calls.size() - 1, s.block, s.in.at());
+    call_label(s, l.text, repeats);
 }
 
-void call_program(State& s) {
+}  // namespace
+
+void read_program_call(State& s, std::string_view behind, std::string_view suffix) {
     s.in.skip_blanks();
     const std::uint32_t begin = s.in.at();
     program::Call call;
@@ -103,12 +113,12 @@ void call_program(State& s) {
         call.kind = program::CallKind::indirect;
         call.target = read_text(s);
     } else {
-        const std::string_view path = s.in.token();
+        const std::string_view path = s.in.path();
         if (path.empty()) {
-            fail_here(s, "the name of a program is due behind CALL PGM");
+            fail_here(s, "the name of a program is due behind " + std::string(behind));
             return;
         }
-        call.name = s.build.name(program_name(path));
+        call.name = s.build.name(called_name(path, suffix));
     }
     if (s.failed) return;
     call.where = s.build.span(begin, s.in.at());
@@ -116,11 +126,9 @@ void call_program(State& s) {
     s.build.control(StatementKind::call, s.build.unit().calls.size() - 1, s.block, s.in.at());
 }
 
-}  // namespace
-
 void read_call_block(State& s) {
-    if (s.in.take_word("LBL")) return call_label(s);
-    if (s.in.take_word("PGM")) return call_program(s);
+    if (s.in.take_word("LBL")) return read_label_call(s);
+    if (s.in.take_word("PGM")) return read_program_call(s, "CALL PGM", ".H");
     fail_here(s, "LBL or PGM is due behind CALL, found " + here(s));
 }
 
@@ -128,6 +136,13 @@ std::string program_name(std::string_view path) {
     if (const auto slash = path.find_last_of("\\/:"); slash != std::string_view::npos) path.remove_prefix(slash + 1);
     if (const auto dot = path.rfind('.'); dot != std::string_view::npos && dot > 0) path = path.substr(0, dot);
     return base::to_upper(path);
+}
+
+std::string called_name(std::string_view path, std::string_view suffix) {
+    const std::string upper = base::to_upper(path);
+    if (upper.ends_with(".H")) suffix = ".H";
+    if (upper.ends_with(".I")) suffix = ".I";
+    return program_name(path) + (suffix == ".H" ? "" : std::string(suffix));
 }
 
 namespace {

@@ -1,20 +1,50 @@
 /// M functions: those that change the path become words of the tree, the others stay numbers.
 
+#include <algorithm>
+
+#include "dialect/heidenhain/m_functions.hpp"
 #include "read/heidenhain/state.hpp"
 
 namespace obrys::read::heidenhain {
 
 namespace {
 
-/// Values that belong to an M function: M120 LA10, M140 MB MAX, M103 F20.
-void skip_values(State& s) {
-    for (;;) {
-        const std::uint32_t before = s.in.at();
-        const bool keyword =
-            s.in.take_prefix("LA") || s.in.take_prefix("MB") || s.in.take_prefix("F") || s.in.take_prefix("P");
-        if (!keyword) return;
-        s.in.take_word("MAX");
-        if (!read_value(s).found && s.in.at() == before) return;
+/// Values that belong to an M function: M120 LA10, M140 MB MAX, M103 F20; the last one where there is one.
+Value read_values(State& s, std::string_view letters) {
+    Value last;
+    while (!letters.empty()) {
+        const std::size_t blank = std::min(letters.find(' '), letters.size());
+        const std::string_view word = letters.substr(0, blank);
+        letters.remove_prefix(std::min(blank + 1, letters.size()));
+        if (!s.in.take_prefix(word)) continue;
+        if (!s.in.take_word("MAX")) last = read_value(s);
+    }
+    return last;
+}
+
+/// M functions that say how the path is made; false where `m` is none of them.
+bool path_function(State& s, int m, std::uint32_t begin, const dialect::heidenhain::MFunction& known) {
+    const auto word = [&](Modal modal) {
+        s.build.modal(modal, begin, s.in.at());
+        return true;
+    };
+    switch (m) {
+        case 97: return word(Modal::corner_crossing);
+        case 98: return word(Modal::corner_open);
+        case 136: return word(Modal::feed_per_rev);
+        case 137: return word(Modal::feed_per_minute);
+        case 109: return word(Modal::feed_at_contour);
+        case 110: return word(Modal::feed_at_inside);
+        case 111: return word(Modal::feed_at_tool);
+        case 120: {
+            const Value v = read_values(s, known.parameters);
+            const double n = v.found && v.is_literal() ? v.number() : 0;
+            s.build.modal(Modal::look_ahead, begin, s.in.at(), static_cast<int>(std::clamp(n, 0.0, 99.0)));
+            if (v.found && !v.is_literal())
+                s.build.problem(Code::unsupported, begin, s.in.at(), "LA must be a number here");
+            return true;
+        }
+        default: return false;
     }
 }
 
@@ -37,11 +67,16 @@ void read_m(State& s, std::uint32_t begin) {
         s.build.literal(Code::m, 8, begin, v.end);
         return;
     }
-    s.build.literal(Code::m, v.literal, v.negative, begin, v.end);
-    if (m == 103 || m == 120 || m == 140 || m == 128) {
-        skip_values(s);
-        s.build.problem(Code::unsupported, begin, s.in.at(), "");
-    }
+    const auto* known = dialect::heidenhain::find_m(static_cast<int>(m));
+    using dialect::heidenhain::Use;
+    if (known != nullptr && known->use == Use::run && path_function(s, static_cast<int>(m), begin, *known)) return;
+    if (known == nullptr || known->use == Use::run)
+        return s.build.literal(Code::m, v.literal, v.negative, begin, v.end);
+    static_cast<void>(read_values(s, known->parameters));
+    if (known->use == Use::accepted)
+        return s.build.ignored("M" + std::to_string(static_cast<int>(m)) + " (" + std::string(known->text) + ")", begin,
+                               s.in.at());
+    s.build.problem(Code::unsupported, begin, s.in.at(), known->text);
 }
 
 }  // namespace obrys::read::heidenhain

@@ -1,13 +1,10 @@
 /// Contour elements: L C CC CR CT LP CP CTP CHF RND, and axes alone (paraxial blocks).
 
 #include <array>
-#include <optional>
 
 #include "read/heidenhain/state.hpp"
 
 namespace obrys::read::heidenhain {
-
-namespace {
 
 std::optional<Code> axis_of(char c) {
     const auto k = std::string_view("XYZABCUVW").find(base::upper(c));
@@ -15,29 +12,7 @@ std::optional<Code> axis_of(char c) {
     return static_cast<Code>(static_cast<int>(Code::x) + static_cast<int>(k));
 }
 
-void angle_word(State& s, std::uint32_t begin, bool incremental, bool arc) {
-    // An arc's incremental angle says how far it sweeps, whole turns included; a line's where it ends.
-    value_word(s, incremental && arc ? Code::pole_angle : Code::polar_angle, begin, incremental && !arc);
-}
-
-void coordinate(State& s, bool arc) {
-    const std::uint32_t begin = s.in.at();
-    const bool incremental = base::upper(s.in.peek()) == 'I';
-    if (incremental) s.in.step();
-    const char c = base::upper(s.in.peek()), next = base::upper(s.in.peek(1));
-    if (c == 'P' && (next == 'A' || next == 'R')) {
-        s.in.step(2);
-        if (next == 'A') return angle_word(s, begin, incremental, arc);
-        return value_word(s, Code::polar_radius, begin, incremental);
-    }
-    if (const auto axis = axis_of(c)) {
-        s.in.step();
-        return value_word(s, *axis, begin, incremental);
-    }
-    fail_here(s, "an axis (X Y Z A B C U V W, PR, PA) is due behind I, found " + here(s));
-}
-
-void feed(State& s) {
+void read_feed(State& s) {
     const std::uint32_t begin = s.in.at();
     s.in.step();
     if (s.in.take_word("MAX")) return;  // the block's motion has it
@@ -59,6 +34,64 @@ void feed(State& s) {
         s.in.go_to(begin + 1);
     }
     value_word(s, Code::feed, begin);
+}
+
+bool has_rapid(State& s) {
+    const std::uint32_t from = s.in.at();
+    bool found = false;
+    while (!s.in.at_end() && !found) {
+        if (base::upper(s.in.peek()) == 'F') {
+            s.in.step();
+            found = s.in.take_word("MAX");
+        } else {
+            s.in.step();
+        }
+    }
+    s.in.go_to(from);
+    return found;
+}
+
+void read_corner(State& s, bool chamfer, std::uint32_t begin) {
+    const bool joined = s.last_path != program::no_target && s.last_path + 1 == s.build.unit().statements.size();
+    if (!joined) {
+        s.build.statement(StatementKind::block, s.block);
+        fail(s, begin, "a chamfer or rounding needs a contour element directly before it");
+        return;
+    }
+    if (!chamfer) s.in.take('R');
+    value_word(s, chamfer ? Code::chamfer_leg : Code::round, begin);
+    s.in.skip_blanks();
+    const std::uint32_t word = s.in.at();
+    if (!s.failed && base::upper(s.in.peek()) == 'F') {
+        s.in.step();
+        value_word(s, Code::corner_feed, word);
+    }
+    if (!s.in.at_end()) fail_here(s, "only a feed may follow here, found " + here(s));
+    if (!s.failed) s.build.statement(StatementKind::block, s.block);  // the block itself, which counts as one
+}
+
+namespace {
+
+void angle_word(State& s, std::uint32_t begin, bool incremental, bool arc) {
+    // An arc's incremental angle says how far it sweeps, whole turns included; a line's where it ends.
+    value_word(s, incremental && arc ? Code::pole_angle : Code::polar_angle, begin, incremental && !arc);
+}
+
+void coordinate(State& s, bool arc) {
+    const std::uint32_t begin = s.in.at();
+    const bool incremental = base::upper(s.in.peek()) == 'I';
+    if (incremental) s.in.step();
+    const char c = base::upper(s.in.peek()), next = base::upper(s.in.peek(1));
+    if (c == 'P' && (next == 'A' || next == 'R')) {
+        s.in.step(2);
+        if (next == 'A') return angle_word(s, begin, incremental, arc);
+        return value_word(s, Code::polar_radius, begin, incremental);
+    }
+    if (const auto axis = axis_of(c)) {
+        s.in.step();
+        return value_word(s, *axis, begin, incremental);
+    }
+    fail_here(s, "an axis (X Y Z A B C U V W, PR, PA) is due behind I, found " + here(s));
 }
 
 /// R0 RL RR, R+ R-, and the radius of CR.
@@ -96,43 +129,7 @@ bool sense(State& s) {
     return true;
 }
 
-/// True where the block holds F MAX: its motion is rapid.
-bool has_rapid(State& s) {
-    const std::uint32_t from = s.in.at();
-    bool found = false;
-    while (!s.in.at_end() && !found) {
-        if (base::upper(s.in.peek()) == 'F') {
-            s.in.step();
-            found = s.in.take_word("MAX");
-        } else {
-            s.in.step();
-        }
-    }
-    s.in.go_to(from);
-    return found;
-}
-
 void straight(State& s) { s.build.modal(has_rapid(s) ? Modal::rapid : Modal::linear, s.block, s.in.at()); }
-
-/// CHF and RND belong to the corner behind the element before them: they become words of that element's block.
-void corner(State& s, bool chamfer, std::uint32_t begin) {
-    const bool joined = s.last_path != program::no_target && s.last_path + 1 == s.build.unit().statements.size();
-    if (!joined) {
-        s.build.statement(StatementKind::block, s.block);
-        fail(s, begin, "a chamfer or rounding needs a contour element directly before it");
-        return;
-    }
-    if (!chamfer) s.in.take('R');
-    value_word(s, chamfer ? Code::chamfer_leg : Code::round, begin);
-    s.in.skip_blanks();
-    const std::uint32_t word = s.in.at();
-    if (!s.failed && base::upper(s.in.peek()) == 'F') {
-        s.in.step();
-        value_word(s, Code::corner_feed, word);
-    }
-    if (!s.in.at_end()) fail_here(s, "only a feed may follow here, found " + here(s));
-    if (!s.failed) s.build.statement(StatementKind::block, s.block);  // the block itself, which counts as one
-}
 
 void pole(State& s) {
     s.build.modal(Modal::pole_given, s.block, s.in.at());
@@ -178,28 +175,30 @@ void read_element(State& s, Kind kind) {
 
 }  // namespace
 
-void read_words(State& s, bool arc) {
-    while (!s.failed && !s.in.at_end()) {
-        const char c = base::upper(s.in.peek()), next = base::upper(s.in.peek(1));
-        const std::uint32_t begin = s.in.at();
-        if (const auto axis = axis_of(c)) {
-            s.in.step();
-            value_word(s, *axis, begin);
-        } else if (c == 'I' || (c == 'P' && (next == 'A' || next == 'R'))) {
-            coordinate(s, arc);
-        } else if (c == 'F') {
-            feed(s);
-        } else if (c == 'R') {
-            radius_word(s, arc);
-        } else if (c == 'D' && arc) {
-            if (!sense(s)) fail_here(s, "DR+ or DR- is due here, found " + here(s));
-        } else if (c == 'M') {
-            s.in.step();
-            read_m(s, begin);
-        } else {
-            fail_here(s, "this is no word of a path block: " + here(s));
-        }
+void read_word(State& s, bool arc) {
+    const char c = base::upper(s.in.peek()), next = base::upper(s.in.peek(1));
+    const std::uint32_t begin = s.in.at();
+    if (const auto axis = axis_of(c)) {
+        s.in.step();
+        value_word(s, *axis, begin);
+    } else if (c == 'I' || (c == 'P' && (next == 'A' || next == 'R'))) {
+        coordinate(s, arc);
+    } else if (c == 'F') {
+        read_feed(s);
+    } else if (c == 'R') {
+        radius_word(s, arc);
+    } else if (c == 'D' && arc) {
+        if (!sense(s)) fail_here(s, "DR+ or DR- is due here, found " + here(s));
+    } else if (c == 'M') {
+        s.in.step();
+        read_m(s, begin);
+    } else {
+        fail_here(s, "this is no word of a path block: " + here(s));
     }
+}
+
+void read_words(State& s, bool arc) {
+    while (!s.failed && !s.in.at_end()) read_word(s, arc);
 }
 
 namespace {
@@ -225,7 +224,7 @@ bool read_path_block(State& s, std::string_view word) {
         if (o.kind == Kind::about_pole && (next == '+' || next == '-' || base::is_digit(next))) break;  // axis C alone
         s.in.step(word.size());
         if (o.kind == Kind::chamfer || o.kind == Kind::rounding) {
-            corner(s, o.kind == Kind::chamfer, begin);
+            read_corner(s, o.kind == Kind::chamfer, begin);
             return true;
         }
         if (o.kind == Kind::pole) {

@@ -51,9 +51,7 @@ void check_end(State& s, base::Diagnostics& diagnostics) {
 
 }  // namespace
 
-program::Unit read(std::uint32_t file, const base::Sources& sources, program::Names& names,
-                   base::Diagnostics& diagnostics) {
-    const base::Source& source = sources[file];
+program::Unit begin_unit(std::uint32_t file, const base::Source& source) {
     program::Unit unit;
     unit.name = program_name(source.name);
     unit.file = file;
@@ -62,7 +60,14 @@ program::Unit read(std::uint32_t file, const base::Sources& sources, program::Na
     const auto lines = static_cast<std::size_t>(std::count(source.text.begin(), source.text.end(), '\n')) + 1;
     unit.statements.reserve(lines);
     unit.words.reserve(lines * 4);
-    State s{.build = {unit, names, diagnostics, source.text}, .in = Scanner(source.text)};
+    return unit;
+}
+
+program::Unit read(std::uint32_t file, const base::Sources& sources, program::Names& names,
+                   base::Diagnostics& diagnostics) {
+    const base::Source& source = sources[file];
+    program::Unit unit = begin_unit(file, source);
+    State s{.build = {unit, names, diagnostics, source.text}, .in = Scanner(source.text), .iso = {}};
     skip_preface(s, diagnostics);
     bool first = true;
     while (!s.ended && s.in.next_line()) {

@@ -1,5 +1,5 @@
 #pragma once
-/// HEIDENHAIN Klartext (.H) -> program tree. Semantics and sources: docs/dialects/heidenhain.md.
+/// HEIDENHAIN Klartext (.H) and DIN/ISO (.I) -> program tree. Semantics and sources: docs/dialects/heidenhain.md.
 
 #include <vector>
 
@@ -15,7 +15,12 @@ namespace obrys::read::heidenhain {
 [[nodiscard]] program::Unit read(std::uint32_t file, const base::Sources& sources, program::Names& names,
                                  base::Diagnostics& diagnostics);
 
-/// How much a text looks like Klartext: 0 (not at all) to 100.
+/// As above, for DIN/ISO (`%NAME G71 *` … `N99999999 %NAME G71 *`): the same program gives a tree of the same meaning.
+[[nodiscard]] program::Unit read_iso(std::uint32_t file, const base::Sources& sources, program::Names& names,
+                                     base::Diagnostics& diagnostics);
+
+/// How much a text looks like Klartext, or like DIN/ISO: 0 (not at all) to 100.
 [[nodiscard]] int likelihood(std::string_view text, std::string_view file_name);
+[[nodiscard]] int iso_likelihood(std::string_view text, std::string_view file_name);
 
 }  // namespace obrys::read::heidenhain

@@ -26,11 +26,12 @@ double nearest(const std::string& text) {
 
 }  // namespace
 
-Scanner::Scanner(std::string_view text)
+Scanner::Scanner(std::string_view text, bool star_ends)
     : base_(text.data()),
       p_(text.data()),
       end_(text.data() + text.size()),
-      cr_alone_(text.find('\n') == std::string_view::npos) {}
+      cr_alone_(text.find('\n') == std::string_view::npos),
+      star_ends_(star_ends) {}
 
 const char* Scanner::line_end(const char* from) const {
     while (from < end_ && !is_line_end(from, cr_alone_)) ++from;
@@ -57,10 +58,19 @@ void Scanner::skip_blanks() {
     }
 }
 
+bool Scanner::at_star() const {
+    if (!star_ends_ || peek() != '*') return false;
+    const char* q = p_ + 1;
+    while (q < end_ && base::is_blank(*q)) ++q;
+    if (q >= end_ || is_line_end(q, cr_alone_) || std::string_view(";%\x1A").find(*q) != std::string_view::npos)
+        return true;
+    return base::upper(*q) == 'N' && q + 1 < end_ && base::is_digit(q[1]);
+}
+
 bool Scanner::at_end() {
     for (;;) {
         skip_blanks();
-        if (p_ == end_ || is_line_end(p_, cr_alone_) || *p_ == '\x1A') return true;
+        if (p_ == end_ || is_line_end(p_, cr_alone_) || *p_ == '\x1A' || at_star()) return true;
         if (*p_ != ';') return false;
         const char* end = line_end(p_);
         const char* last = end;
@@ -85,6 +95,15 @@ void Scanner::skip_comment() {
 
 void Scanner::skip_block() {
     while (!at_end()) ++p_;
+    if (!star_ends_) p_ = line_end(p_);
+}
+
+void Scanner::leave_block() {
+    skip_block();
+    if (at_star()) {
+        while (p_ < end_ && (base::is_blank(*p_) || *p_ == '*')) ++p_;
+        if (base::upper(peek()) == 'N' || peek() == '%') return;
+    }
     p_ = line_end(p_);
 }
 
@@ -128,6 +147,21 @@ std::string_view Scanner::token() {
     const char* from = p_;
     while (p_ < end_ && !is_line_end(p_, cr_alone_) && !base::is_blank(*p_) && *p_ != ';') ++p_;
     return {from, static_cast<std::size_t>(p_ - from)};
+}
+
+std::string_view Scanner::path() {
+    std::string_view all = token();
+    all = all.substr(0, all.find('*'));
+    p_ = all.data() + all.size();
+    return all;
+}
+
+int Scanner::integer() {
+    const char* from = p_;
+    int n = 0;
+    for (; p_ < end_ && base::is_digit(*p_); ++p_)
+        if (p_ - from < 9) n = n * 10 + (*p_ - '0');
+    return p_ == from || p_ - from > 9 ? -1 : n;
 }
 
 base::NumberScan Scanner::number() {

@@ -1,5 +1,6 @@
 #pragma once
-/// Moves over Klartext block by block: a block ends with its line, unless `~` stands at the line's end.
+/// Moves over Klartext block by block: a block ends with its line, unless `~` stands at the line's end. In DIN/ISO `*`
+/// ends a block, too.
 
 #include <cstdint>
 #include <string_view>
@@ -12,8 +13,9 @@ namespace obrys::read::heidenhain {
 class Scanner {
 public:
     Scanner() = default;
-    /// A NUL must stand behind the text.
-    explicit Scanner(std::string_view text);
+    /// A NUL must stand behind the text. `star_ends`: DIN/ISO, where `*` ends a block when nothing or the next block's
+    /// number follows in its line; else it multiplies.
+    explicit Scanner(std::string_view text, bool star_ends = false);
 
     /// Byte of the text at which the scanner stands.
     [[nodiscard]] std::uint32_t at() const { return static_cast<std::uint32_t>(p_ - base_); }
@@ -28,10 +30,14 @@ public:
     void skip_blanks();
     /// Skips blanks; true at the end of the block. Comments are taken with it; a comment may end with `~`.
     bool at_end();
-    /// To the end of the block, whatever is in it.
+    /// To the end of the block, whatever is in it; in DIN/ISO the scanner stands on its star or comment then.
     void skip_block();
+    /// DIN/ISO: behind the end of the block, where the next one may stand in the same line.
+    void leave_block();
     /// As above for a block that is a comment from here on: lines behind `~` are comment, too.
     void skip_comment();
+    /// A star stands here that ends the block.
+    [[nodiscard]] bool at_star() const;
     /// To the end of the line, whatever is in it; the text that was there.
     std::string_view rest_of_line();
 
@@ -51,6 +57,10 @@ public:
     [[nodiscard]] std::string_view letters() const;
     /// The text up to the next blank, comment or end of the block.
     std::string_view token();
+    /// As above, up to a star, too: the name of a program.
+    std::string_view path();
+    /// Digits alone, as numbers of labels and words have them; -1 where there are none or too many. Moves behind them.
+    int integer();
     /// Unsigned number with decimal point or comma, exponent allowed; length 0 where there is none, infinite where it
     /// is too large for a double. Moves behind it.
     base::NumberScan number();
@@ -64,6 +74,7 @@ private:
     const char* p_ = nullptr;
     const char* end_ = nullptr;
     bool cr_alone_ = false;
+    bool star_ends_ = false;
 };
 
 }  // namespace obrys::read::heidenhain

@@ -1,10 +1,12 @@
 #pragma once
-/// What the parts of the Klartext reader share. Private to the folder.
+/// What the parts of the readers of Klartext and DIN/ISO share. Private to the folder.
 
 #include <map>
+#include <optional>
 #include <string>
 #include <vector>
 
+#include "dialect/heidenhain/cycles.hpp"
 #include "program/builder.hpp"
 #include "read/heidenhain/scanner.hpp"
 
@@ -15,11 +17,24 @@ using program::ExprId;
 using program::Modal;
 using program::StatementKind;
 
+/// What holds from block to block in DIN/ISO, as the text has it.
+struct IsoState {
+    int motion = -1;                      ///< G00 … G06, G10 … G16; -1: not known here, what the run did last holds
+    bool incremental = false;             ///< G91
+    bool uses_incremental = false;        ///< G91 stood somewhere before
+    Modal paraxial = Modal::paraxial;     ///< G43, G44
+    std::optional<Modal> pending;         ///< G90 or G91 behind the coordinates of its block: from the next one on
+    ExprId departure = program::no_expr;  ///< G27: radius of the departure that the next block makes
+    bool has_header = false;              ///< `%NAME G71` was read
+    bool ended_by_star = false;           ///< the block before
+};
+
 struct State {
     program::Builder build;
     Scanner in;
     std::uint32_t block = 0;      ///< where the block at hand begins
     std::size_t statements = 0;   ///< how many there were before it
+    std::uint32_t number = 0;     ///< of the block at hand, 0 where it has none
     bool numbered = false;        ///< … with a number
     bool first_numbered = false;  ///< the text's first block has a number: a line without one goes on with a cycle
     bool failed = false;          ///< a complaint was made about it
@@ -28,6 +43,7 @@ struct State {
     std::uint32_t last_path = program::no_target;   ///< the block before, where it is a contour element
     bool after_stop = false;                        ///< the block before was STOP: a comment is its message
     std::uint32_t open_cycle = program::no_target;  ///< entry in Unit::cycles that further lines belong to
+    IsoState iso;
 };
 
 /// Complains about the text from `begin` to the scanner, or about what stands there; once a block.
@@ -65,18 +81,57 @@ void value_word(State& s, Code code, std::uint32_t begin, bool incremental = fal
 [[nodiscard]] ExprId read_text(State& s);  ///< "text" or QS parameter
 
 // --- blocks
-void read_block(State& s);                              ///< block.cpp
+void read_block(State& s);                                                               ///< block.cpp
+[[nodiscard]] program::Unit begin_unit(std::uint32_t file, const base::Source& source);  ///< read.cpp
+void read_comment(State& s, bool after_stop);  ///< block.cpp: behind STOP it is a message, else nothing
+/// A stop of the program, unless an M0, M2 or M30 stands among the words from `words` on.
+void stop_here(State& s, std::size_t words, std::uint32_t begin, std::uint32_t end);
 bool read_path_block(State& s, std::string_view word);  ///< path_block.cpp: L C CC CR CT CP LP CTP CHF RND
 void read_words(State& s, bool arc);                    ///< words of a path block up to its end
-void read_m(State& s, std::uint32_t begin);             ///< m_word.cpp: the number of an M function
-void read_tool_block(State& s, std::uint32_t begin);    ///< tool_block.cpp
-bool read_function(State& s);                           ///< function.cpp: FN n:
-void read_assignment(State& s);                         ///< function.cpp: Q5 = formula
-void read_label_block(State& s);                        ///< label.cpp: LBL
-void read_call_block(State& s);                         ///< label.cpp: CALL LBL, CALL PGM
-void read_cycle_block(State& s);                        ///< cycle.cpp: CYCL DEF, CYCL CALL
-void resolve_labels(State& s);                          ///< label.cpp, at the end
+[[nodiscard]] std::optional<Code> axis_of(char c);      ///< X … W
+void read_feed(State& s);                               ///< F and its relatives, the scanner stands on the F
+[[nodiscard]] bool has_rapid(State& s);                 ///< the rest of the block holds F MAX: its motion is rapid
+/// CHF and RND belong to the corner behind the element before them: they become words of that element's block.
+void read_corner(State& s, bool chamfer, std::uint32_t begin);
+void read_word(State& s, bool arc);                        ///< one of them
+bool read_special_block(State& s, std::string_view word);  ///< special_block.cpp: APPR DEP FL … SPL PLANE
+void read_m(State& s, std::uint32_t begin);                ///< m_word.cpp: the number of an M function
+void read_tool_block(State& s, std::uint32_t begin);       ///< tool_block.cpp
+void read_tool(State& s);                                  ///< its number, name or parameter, where one stands
+void read_oversize(State& s, std::uint32_t begin);         ///< DL, DR, DR2
+void preselect_tool(State& s, std::uint32_t begin);        ///< the next tool's number is of no interest
+bool read_function(State& s);                              ///< function.cpp: FN n:
+/// The Klartext form behind FN n:, a statement for it included.
+void read_numbered(State& s, int n, std::uint32_t begin);
+void read_assigned(State& s, ExprId to, ExprId value);
+/// An FN function that is not run, up to the block's end.
+void leave_function(State& s, int n, std::uint32_t begin);
+/// FN 0 … 8 and 13 of their values.
+void assign_function(State& s, int n, ExprId to, const std::vector<ExprId>& values);
+[[nodiscard]] std::optional<program::Operator> comparison_of(int n);  ///< of FN 9 … FN 12
+[[nodiscard]] ExprId read_compared(State& s);                         ///< a value or text
+void stop_with_error(State& s, ExprId number, std::uint32_t begin);   ///< FN 14
+void read_assignment(State& s);                                       ///< function.cpp: Q5 = formula
+void read_label_block(State& s);                                      ///< label.cpp: LBL
+void read_call_block(State& s);                                       ///< label.cpp: CALL LBL, CALL PGM
+[[nodiscard]] ExprId read_label_name(State& s);
+void call_label(State& s, ExprId label, ExprId repeats);
+/// The name of a program, and the call; `suffix` is what the language adds to a name without one.
+void read_program_call(State& s, std::string_view behind, std::string_view suffix);
+void read_cycle_block(State& s);  ///< cycle.cpp: CYCL DEF, CYCL CALL
+bool read_cycle_line(State& s);   ///< a further line of the open cycle; false where it is none
+void read_named(State& s);        ///< Q200=2 … of the open cycle
+void start_cycle(State& s, int number, const dialect::heidenhain::Cycle* cycle, std::uint32_t begin);
+void add_setting(State& s, const dialect::heidenhain::CycleParameter& p, ExprId value, bool incremental,
+                 std::uint32_t begin);
+/// FN 18: what ID, NR and IDX mean, as an expression; `index` may be no_expr.
+[[nodiscard]] ExprId system_datum(State& s, ExprId id, ExprId nr, ExprId index, std::uint32_t begin);
+/// An approach or departure by an arc of that radius and a line; the statement's first word, its others follow.
+void add_smooth(State& s, bool departure, ExprId radius, std::uint32_t begin);
+void resolve_labels(State& s);  ///< label.cpp, at the end
 [[nodiscard]] std::string program_name(std::string_view path);
+/// As above; with the suffix where it is not .H, which a name without one has.
+[[nodiscard]] std::string called_name(std::string_view path, std::string_view suffix);
 /// GOTO LBL behind a condition.
 void read_goto(State& s, ExprId condition);
 

@@ -4,9 +4,6 @@
 
 namespace obrys::read::heidenhain {
 
-namespace {
-
-/// Number, name or parameter of the tool; nothing where the block only changes speed or feed.
 void read_tool(State& s) {
     s.in.skip_blanks();
     const std::uint32_t begin = s.in.at();
@@ -18,13 +15,12 @@ void read_tool(State& s) {
     }
 }
 
-void plane_of(State& s, std::uint32_t begin) {
-    const char axis = base::upper(s.in.peek());
-    s.in.step();
-    s.build.modal(axis == 'Z' ? Modal::plane_xy : axis == 'Y' ? Modal::plane_zx : Modal::plane_yz, begin, s.in.at());
+void preselect_tool(State& s, std::uint32_t begin) {
+    s.build.ignored("TOOL DEF with a number alone (tool preselection)", begin, s.in.at());
+    s.build.unit().words.resize(s.build.unit().statements.back().first);
 }
 
-void delta(State& s, std::uint32_t begin) {
+void read_oversize(State& s, std::uint32_t begin) {
     s.in.step();
     const char c = base::upper(s.in.peek());
     s.in.step();
@@ -37,6 +33,14 @@ void delta(State& s, std::uint32_t begin) {
     if (c == 'R') return value_word(s, Code::delta_radius, begin);
     s.in.go_to(begin);
     fail_here(s, "DL, DR or DR2 is due here, found " + here(s));
+}
+
+namespace {
+
+void plane_of(State& s, std::uint32_t begin) {
+    const char axis = base::upper(s.in.peek());
+    s.in.step();
+    s.build.modal(axis == 'Z' ? Modal::plane_xy : axis == 'Y' ? Modal::plane_zx : Modal::plane_yz, begin, s.in.at());
 }
 
 void feed_of_tool(State& s, std::uint32_t begin) {
@@ -64,7 +68,7 @@ void read_call(State& s, std::uint32_t begin) {
         } else if (c == 'F') {
             feed_of_tool(s, word);
         } else if (c == 'D') {
-            delta(s, word);
+            read_oversize(s, word);
         } else if (c == 'M') {
             s.in.step();
             read_m(s, word);
@@ -76,11 +80,7 @@ void read_call(State& s, std::uint32_t begin) {
 
 void read_definition(State& s, std::uint32_t begin) {
     read_tool(s);
-    if (s.in.at_end()) {  // the number alone prepares the tool changer
-        s.build.ignored("TOOL DEF with a number alone (tool preselection)", begin, s.in.at());
-        s.build.unit().words.resize(s.build.unit().statements.back().first);
-        return;
-    }
+    if (s.in.at_end()) return preselect_tool(s, begin);
     s.build.bare(Code::tool_definition, begin, s.in.at());
     while (!s.failed && !s.in.at_end()) {
         const std::uint32_t word = s.in.at();

@@ -28,17 +28,21 @@ Contour contour_along(const std::vector<BandEdge>& curve) {
 
 constexpr auto covered = [](Windings w) { return w.a > 0; };
 
-/// The edges of the band's curve; those that lie beside the chain on its right come first and in its order, so that
+/// The edges of the band's curves; those that lie beside the contour on its right come first and in its order, so that
 /// they give the tag to pieces that lie on others.
-std::vector<SourceEdge> sources_of(const std::vector<BandEdge>& curve, std::size_t edges_there) {
+std::vector<SourceEdge> sources_of(const Contour& c, const std::vector<Edge>& chain, double d) {
     std::vector<SourceEdge> out, rest;
-    for (const BandEdge& b : curve) {
-        const bool beside = b.far && !b.inner && b.of < (b.corner ? edges_there - 1 : edges_there);
+    for (const BandEdge& b : band_right_of(c.closed ? chain : there_and_back(chain), d)) {
+        const std::size_t most = c.closed ? chain.size() : b.corner ? chain.size() - 1 : chain.size();
+        const bool beside = b.far && !b.inner && b.of < most;
         SourceEdge s{.edge = b.edge};
         if (beside) s.tag = static_cast<std::int32_t>(2 * b.of + (b.corner ? 1 : 0));
         (beside ? out : rest).push_back(s);
     }
     out.insert(out.end(), rest.begin(), rest.end());
+    if (!c.closed) return out;
+    // The left side; the two curves wind about the contour's inside in opposite ways.
+    for (const BandEdge& b : band_right_of(edges(reversed(c)), d)) out.push_back({.edge = b.edge});
     return out;
 }
 
@@ -103,10 +107,10 @@ private:
     std::vector<Run> runs_;
 };
 
-std::vector<Contour> right_of(const Contour& open, double d, bool by_end) {
-    const std::vector<Edge> chain = edges(open);
+std::vector<Contour> right_of(const Contour& c, double d, bool by_end) {
+    const std::vector<Edge> chain = edges(c);
     if (chain.empty()) return {};
-    const std::vector<SourceEdge> sources = sources_of(band_right_of(there_and_back(chain), d), chain.size());
+    const std::vector<SourceEdge> sources = sources_of(c, chain, d);
     // As the set operations do: a graph whose windings contradict each other is made anew with a coarser weld.
     for (double tolerance = snap;; tolerance *= 3) {
         Arrangement graph(sources, {.tolerance = tolerance});
@@ -125,11 +129,8 @@ Region band(const Contour& c, double d) {
     return positive({contour_along(band_right_of(chain, d)), contour_along(band_right_of(edges(reversed(c)), d))});
 }
 
-std::vector<Contour> offset_open(const Contour& open, double by) {
-    if (by == 0) return {open};
-    Contour c = open;
-    c.closed = false;
-    if (open.closed && !open.vertices.empty()) c.vertices.push_back({open.vertices.front().p});
+std::vector<Contour> equidistants(const Contour& c, double by) {
+    if (by == 0) return {c};
     if (by < 0) return right_of(c, -by, false);
     std::vector<Contour> out = right_of(reversed(c), by, true);
     std::reverse(out.begin(), out.end());

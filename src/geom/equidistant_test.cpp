@@ -25,19 +25,19 @@ double distance_to(const std::vector<Edge>& edges, Vec2 p) {
     return d;
 }
 
-TEST(OffsetOpen, OfALine) {
+TEST(Equidistant, OfALine) {
     const Contour line = chain({{{0, 0}}, {{10, 0}}});
-    EXPECT_EQ(offset_open(line, 2), std::vector<Contour>{chain({{{0, 2}}, {{10, 2}}})});
-    EXPECT_EQ(offset_open(line, -2), std::vector<Contour>{chain({{{0, -2}}, {{10, -2}}})});
-    EXPECT_EQ(offset_open(line, 0), std::vector<Contour>{line});
-    EXPECT_TRUE(offset_open(Contour{}, 1).empty());
-    EXPECT_TRUE(offset_open(chain({{{3, 4}}}), 1).empty());
+    EXPECT_EQ(equidistants(line, 2), std::vector<Contour>{chain({{{0, 2}}, {{10, 2}}})});
+    EXPECT_EQ(equidistants(line, -2), std::vector<Contour>{chain({{{0, -2}}, {{10, -2}}})});
+    EXPECT_EQ(equidistants(line, 0), std::vector<Contour>{line});
+    EXPECT_TRUE(equidistants(Contour{}, 1).empty());
+    EXPECT_TRUE(equidistants(chain({{{3, 4}}}), 1).empty());
     EXPECT_NEAR(area(band(line, 2)), 40 + pi * 4, 1e-9);
 }
 
-TEST(OffsetOpen, OuterCornersAreRoundedInnerOnesCut) {
+TEST(Equidistant, OuterCornersAreRoundedInnerOnesCut) {
     const Contour corner = chain({{{0, 0}}, {{10, 0}}, {{10, 8}}});
-    const auto inner = offset_open(corner, 1), outer = offset_open(corner, -1);
+    const auto inner = equidistants(corner, 1), outer = equidistants(corner, -1);
     ASSERT_EQ(inner.size(), 1U);
     EXPECT_EQ(inner[0], chain({{{0, 1}}, {{9, 1}}, {{9, 8}}}));
     ASSERT_EQ(outer.size(), 1U);
@@ -46,20 +46,20 @@ TEST(OffsetOpen, OuterCornersAreRoundedInnerOnesCut) {
     EXPECT_NEAR(outer[0].vertices[1].bulge, std::tan(pi / 8), 1e-12);
 }
 
-TEST(OffsetOpen, AChannelTooNarrowIsLeftOut) {
+TEST(Equidistant, AChannelTooNarrowIsLeftOut) {
     // Down, 3 across, up again: a circle of radius 2 does not get in.
     const Contour c = chain({{{0, 0}}, {{10, 0}}, {{10, -6}}, {{13, -6}}, {{13, 0}}, {{23, 0}}});
-    const auto left = offset_open(c, 2);
+    const auto left = equidistants(c, 2);
     ASSERT_EQ(left.size(), 1U);
     // Around both corners of the mouth, cut where the arcs meet.
     const double angle = std::acos(1.5 / 2);
     EXPECT_NEAR(length(left[0]), 20 + 2 * 2 * (pi / 2 - angle), 1e-9);
 }
 
-TEST(OffsetOpen, ALoopGivesSeveralChains) {
+TEST(Equidistant, ALoopGivesSeveralChains) {
     // Along x, a full turn to the right, on along x: the circle's inside is on the right.
     const Contour c = chain({{{0, 0}}, {{10, 0}, -1}, {{10, -8}, -1}, {{10, 0}}, {{20, 0}}});
-    const auto right = offset_open(c, -1), left = offset_open(c, 1);
+    const auto right = equidistants(c, -1), left = equidistants(c, 1);
     ASSERT_EQ(right.size(), 3U);
     EXPECT_FALSE(right[0].closed);
     EXPECT_TRUE(right[1].closed);
@@ -71,11 +71,26 @@ TEST(OffsetOpen, ALoopGivesSeveralChains) {
     EXPECT_NEAR(length(left[1]), 5 * 2 * (pi - std::acos(3.0 / 5)), 1e-9);
 }
 
-TEST(OffsetOpen, ATipThatTurnsBack) {
+TEST(Equidistant, OfClosedContours) {
+    const Contour box = testing::rectangle(0, 0, 10, 6);
+    const auto left = equidistants(box, 1), right = equidistants(box, -1);
+    ASSERT_EQ(left.size(), 1U);
+    ASSERT_EQ(right.size(), 1U);
+    EXPECT_TRUE(left[0].closed && right[0].closed);
+    EXPECT_NEAR(area(left[0]), 8 * 4, 1e-12);
+    EXPECT_NEAR(area(right[0]), 60 + 32 + pi, 1e-12);
+    EXPECT_NEAR(area(equidistants(reversed(box), 1)[0]), -60 - 32 - pi, 1e-12);
+    EXPECT_TRUE(equidistants(box, 3).empty());
+    // An eight: its left is inside of one half and outside of the other.
+    const Contour eight{{{{0, 0}}, {{6, 6}}, {{12, 0}}, {{12, 6}}, {{6, 0}}, {{0, 6}}}, true};
+    EXPECT_GE(equidistants(eight, 0.5).size(), 2U);
+}
+
+TEST(Equidistant, ATipThatTurnsBack) {
     // A line, then an arc that returns above it: its tip is an outer corner on the right, an inner one on the left.
     const Contour c = chain({{{0, 0}}, {{10, 0}, 0.5}, {{10, 8}, 1}, {{10, 0.0}}});
     for (const double by : {-0.5, 0.5})
-        for (const Contour& k : offset_open(c, by))
+        for (const Contour& k : equidistants(c, by))
             for (const Edge& e : edges(k)) EXPECT_NEAR(distance_to(edges(c), point_at(e, 0.5)), 0.5, 1e-9);
 }
 
@@ -98,15 +113,13 @@ struct Count {
     unsigned points = 0, sided = 0, expected = 0;
 };
 
-void expect_equidistant(const std::vector<Edge>& source, double by, Count& count) {
+void expect_equidistant(const Contour& c, double by, Count& count) {
     const double d = std::abs(by);
-    Contour open = contour_of(source);
-    open.closed = false;
-    open.vertices.push_back({source.back().b});
-    const std::vector<Contour> found = offset_open(open, by);
+    const std::vector<Edge> source = edges(c);
+    const std::vector<Contour> found = equidistants(c, by);
     std::vector<Edge> all;
-    for (const Contour& c : found)
-        for (const Edge& e : edges(c)) all.push_back(e);
+    for (const Contour& k : found)
+        for (const Edge& e : edges(k)) all.push_back(e);
     for (const Edge& e : all)
         for (const double t : {0.0, 0.31, 0.77}) {
             const Vec2 p = point_at(e, t);
@@ -134,7 +147,7 @@ void expect_equidistant(const std::vector<Edge>& source, double by, Count& count
         }
 }
 
-TEST(OffsetOpenRandom, AtTheDistanceOnItsSideAndNothingMissing) {
+TEST(EquidistantRandom, AtTheDistanceOnItsSideAndNothingMissing) {
     constexpr double distances[] = {0.05, 0.4, 0.5, 1, 1.25, 2};
     Count count;
     for (unsigned number = 0; number < many && !HasFailure(); ++number) {
@@ -143,12 +156,12 @@ TEST(OffsetOpenRandom, AtTheDistanceOnItsSideAndNothingMissing) {
         const Contour loop = random.below(2) ? lattice_loop(random, 6) : lattice_loop(random, 12);
         const double angle = random.below(2) ? random.between(0, 6) : 0;
         const double d = random.below(3) ? random.one_of(distances) : random.between(0.001, 2);
-        const Contour placed = testing::turned({{loop}}, angle, {}).contours[0];
-        std::vector<Edge> source = edges(placed);
-        if (source.size() < 2) continue;
-        source.pop_back();
-        expect_equidistant(source, d, count);
-        expect_equidistant(source, -d, count);
+        Contour placed = testing::turned({{loop}}, angle, {}).contours[0];
+        placed.closed = random.below(3) == 0;
+        if (!placed.closed) placed.vertices.back().bulge = 0;
+        if (edges(placed).size() < 2) continue;
+        expect_equidistant(placed, d, count);
+        expect_equidistant(placed, -d, count);
     }
     std::printf("seeds 0..%u: %u points on equidistants, side told of %u, %u expected points found\n", many - 1,
                 count.points, count.sided, count.expected);

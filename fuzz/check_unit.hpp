@@ -1,9 +1,11 @@
 #pragma once
-/// Fuzzing only: every span of a tree lies inside its text and every number inside its table.
+/// What holds of every program tree, whatever text it was read from: spans lie inside the text, numbers inside their
+/// tables. Aborts where it does not, so that a fuzzer sees it.
 
 #include <cstddef>
 #include <cstdint>
 #include <cstdlib>
+#include <string>
 
 #include "program/unit.hpp"
 
@@ -50,10 +52,10 @@ inline std::size_t table_size(const program::Unit& u, StatementKind kind) {
         case StatementKind::procedure: return u.procedures.size();
         case StatementKind::frame: return u.frames.size();
         case StatementKind::define: return u.defines.size();
-        case StatementKind::return_:
-        case StatementKind::label_end: return 1;
+        case StatementKind::return_: return 1;
         case StatementKind::label_call: return u.label_calls.size();
         case StatementKind::cycle_definition: return u.cycles.size();
+        case StatementKind::special: return u.specials.size();
         default: return u.branches.size();
     }
 }
@@ -72,7 +74,7 @@ inline void check_word(const program::Unit& u, const program::Word& w, Statement
     }
     if (program::form_of(w) == program::Form::expression) require(at < u.exprs.size());
     if (program::form_of(w) == program::Form::pooled) require(at < u.numbers.size());
-    require(program::form_of(w) <= program::Form::expression || program::form_of(w) == program::Form::bare);
+    require(program::form_of(w) <= program::Form::bare && program::form_of(w) != program::Form::index);
 }
 
 inline void check_statements(const program::Unit& u, std::size_t size) {
@@ -96,9 +98,6 @@ inline void check_statements(const program::Unit& u, std::size_t size) {
     for (const auto& b : u.branches) check_expr(u, b.condition), require(is_target(b.target));
     for (const auto& f : u.fors)
         check_expr(u, f.variable), check_expr(u, f.from), check_expr(u, f.to), require(is_target(f.target));
-    for (const auto& j : u.jumps) require(is_target(j.target));
-    for (const auto& c : u.label_calls)
-        require(is_target(c.target)), require(c.label < u.exprs.size()), check_expr(u, c.repeats);
     for (const auto& [name, places] : u.labels)
         for (const std::uint32_t place : places) require(place < u.statements.size());
 }
@@ -114,16 +113,20 @@ inline void check_tables(const program::Unit& u, std::size_t size) {
         for (const auto a : c.arguments) check_expr(u, a);
         check_expr(u, c.passes), check_expr(u, c.target);
     }
+    for (const auto& c : u.label_calls) check_expr(u, c.label), check_expr(u, c.repeats);
+    for (const auto& c : u.cycles) {
+        check_span(c.where, size);
+        for (const auto& s : c.settings) check_span(s.where, size), check_expr(u, s.value);
+        for (const auto t : c.texts) check_expr(u, t);
+    }
+    for (const auto& s : u.specials) {
+        check_span(s.where, size);
+        for (const auto& d : s.data) check_span(d.where, size), check_expr(u, d.value);
+    }
     for (const auto& p : u.procedures) {
         check_span(p.where, size);
         for (const auto a : p.arguments) check_expr(u, a);
     }
-    for (const auto& c : u.cycles) {
-        check_span(c.where, size);
-        for (const auto t : c.texts) require(t < u.exprs.size());
-        for (const auto& v : c.settings) check_span(v.where, size), require(v.value < u.exprs.size());
-    }
-    if (u.blank) check_span(u.blank->where, size);
     for (const auto& d : u.defines)
         for (const auto& v : d.variables) {
             check_span(v.where, size);
@@ -131,7 +134,6 @@ inline void check_tables(const program::Unit& u, std::size_t size) {
         }
 }
 
-/// All of it.
 inline void check_unit(const program::Unit& u, std::size_t size) {
     check_exprs(u, size);
     check_statements(u, size);

@@ -1,0 +1,49 @@
+#pragma once
+/// Running a stretch of the program without output, to learn which contour elements it makes. Private to interp.
+
+#include <functional>
+#include <optional>
+#include <vector>
+
+#include "interp/motion.hpp"
+#include "path/corner_stage.hpp"
+
+namespace obrys::interp {
+
+/// An element of the working plane as programmed, in the frame in force at `frame`.
+struct Captured {
+    path::Element element;
+    bool rapid = false;
+    Modal compensation = Modal::compensation_off;
+    path::CornerRequest corner;  ///< chamfer or rounding at its end
+    geom::Frame frame;
+    base::Span where;
+};
+
+/// While it lives, the run emits nothing, complains about nothing and collects its elements; at its end the run stands
+/// where it stood, with every value as it was.
+class Rehearsal {
+public:
+    explicit Rehearsal(Run& run);
+    ~Rehearsal();
+    Rehearsal(const Rehearsal&) = delete;
+    Rehearsal& operator=(const Rehearsal&) = delete;
+
+    [[nodiscard]] const std::vector<Captured>& elements() const { return elements_; }
+
+private:
+    struct Saved;
+    Run& run_;
+    std::vector<Captured> elements_;
+    std::unique_ptr<Saved> saved_;
+};
+
+/// The next element of the working plane that the program makes behind the block being run; nothing where it makes none
+/// within a few hundred statements. `from`: where the tool will stand, programmed frame.
+[[nodiscard]] std::optional<Captured> next_element(Run&, const geom::Vec3& from);
+
+/// The elements that a label of a program makes from the label to its end, in the order of motion; nothing where there
+/// is no such label or it does not end.
+[[nodiscard]] std::optional<std::vector<Captured>> elements_of_label(Run&, const Unit& unit, const std::string& label);
+
+}  // namespace obrys::interp

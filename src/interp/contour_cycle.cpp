@@ -1,0 +1,162 @@
+/// Contour cycles: the labels that CYCL DEF 14 names become areas and trains, and these the tool's path.
+
+#include "interp/contour_cycle.hpp"
+
+#include <cmath>
+
+#include "base/codes.hpp"
+#include "cycles/shapes.hpp"
+#include "geom/edge.hpp"
+#include "interp/capture.hpp"
+#include "path/corner_stage.hpp"
+
+namespace obrys::interp {
+
+namespace codes = base::codes;
+using geom::Vec2;
+
+namespace {
+
+constexpr double joined = 1e-3;  ///< mm; ends nearer than this close a contour
+
+/// The element in the frame of the cycle's call, where the label has one of its own (datum shifts in contours).
+path::Element in_frame(const Captured& c, const geom::Frame& frame, const PlaneAxes& a) {
+    if (c.frame == frame) return c.element;
+    const geom::Frame into = geom::inverse(frame) * c.frame;
+    const auto moved = [&](Vec2 p, double w) {
+        geom::Vec3 v;
+        coordinate(v, a.u) = p.x;
+        coordinate(v, a.v) = p.y;
+        coordinate(v, a.w) = w;
+        v = geom::apply(into, v);
+        return Vec2{coordinate(v, a.u), coordinate(v, a.v)};
+    };
+    path::Element e = c.element;
+    e.from = moved(c.element.from, c.element.w_from);
+    e.to = moved(c.element.to, c.element.w_to);
+    e.centre = moved(c.element.centre, c.element.w_from);
+    if (geom::determinant(into) < 0) e.sweep = -e.sweep;
+    return e;
+}
+
+void add_edge(geom::Contour& c, const path::Element& e) {
+    const double most = geom::pi;
+    const int parts = path::is_arc(e) ? std::max(1, static_cast<int>(std::ceil(std::abs(e.sweep) / most - 1e-9))) : 1;
+    for (int i = 0; i < parts; ++i) {
+        c.vertices.back().bulge = path::is_arc(e) ? std::tan(e.sweep / parts / 4) : 0;
+        const Vec2 p = i + 1 == parts ? e.to : path::point_at(e, static_cast<double>(i + 1) / parts);
+        c.vertices.push_back({p, 0});
+    }
+}
+
+/// The first block of a contour goes to its start; the others are its elements, with their chamfers and roundings.
+geom::Contour contour_of(Run& run, const std::vector<Captured>& all) {
+    const PlaneAxes a = plane_axes(run.modal.plane);
+    geom::Contour contour;
+    contour.closed = false;
+    if (all.empty()) return contour;
+    contour.vertices.push_back({in_frame(all.front(), run.frame, a).to, 0});
+    path::CornerStage corners;
+    const auto take = [&](const path::CornerOutput& out) {
+        if (path::moves_in_plane(out.element)) add_edge(contour, out.element);
+    };
+    for (std::size_t i = 1; i < all.size(); ++i) {
+        const auto fault = corners.push(in_frame(all[i], run.frame, a), all[i].corner, take);
+        if (fault)
+            unchecked(run, codes::value_range, all[i].where,
+                      "this chamfer or rounding of the contour cannot be made: it is left out");
+    }
+    corners.flush(take);
+    if (contour.vertices.size() > 2 && geom::distance(contour.vertices.front().p, contour.vertices.back().p) < joined) {
+        contour.vertices.pop_back();
+        contour.closed = true;
+    }
+    return contour;
+}
+
+int side_of(const std::vector<Captured>& all) {
+    for (const Captured& c : all) {
+        if (c.compensation == Modal::compensation_left) return 1;
+        if (c.compensation == Modal::compensation_right) return -1;
+    }
+    return 0;
+}
+
+double radius_of_tool(const Run& run, const cycles::Demand& d, program::CycleRole role) {
+    const auto number = d.find(role);
+    if (!number || *number == 0) return cycles::unknown;
+    for (const shop::Tool& t : run.tools)
+        if (t.number == *number && t.radius > 0) return t.radius + t.delta_radius;
+    return cycles::unknown;
+}
+
+struct Label {
+    std::string name;
+    geom::Contour contour;
+    int side = 0;
+};
+
+/// False after a complaint.
+bool read_labels(Run& run, std::vector<Label>& labels) {
+    if (run.contour_unit == nullptr || run.contour_labels.empty()) {
+        alarm(run, codes::missing_label, run.here(), "no contour is defined for this cycle",
+              "name its labels with CYCL DEF 14 before the call");
+        return false;
+    }
+    const std::vector<std::string> names = run.contour_labels;
+    for (const std::string& name : names) {
+        const auto all = elements_of_label(run, *run.contour_unit, name);
+        if (!all) {
+            alarm(run, codes::missing_label, run.here(), "the contour label " + name + " of CYCL DEF 14 is missing or does not end");
+            return false;
+        }
+        Label l{name, contour_of(run, *all), side_of(*all)};
+        for (const geom::Vertex& v : l.contour.vertices)
+            if (!std::isfinite(v.p.x) || !std::isfinite(v.p.y) || !std::isfinite(v.bulge)) {
+                unchecked(run, codes::unknown_value, run.here(),
+                          "the contour of label " + name + " depends on a value that is not known: the cycle is not run");
+                return false;
+            }
+        labels.push_back(std::move(l));
+    }
+    return true;
+}
+
+bool combine(Run& run, const std::vector<Label>& labels, geom::Region& area) {
+    std::vector<cycles::ProgrammedContour> parts;
+    for (const Label& l : labels) {
+        const auto is = cycles::classify(l.contour, l.side);
+        if (!is) {
+            alarm(run, codes::contour, run.here(),
+                  "the contour of label " + l.name +
+                      (l.contour.closed ? " has no radius compensation: it is neither pocket nor island"
+                                        : " is not closed"));
+            return false;
+        }
+        parts.push_back({l.contour, *is});
+    }
+    area = cycles::area_of(parts);
+    return true;
+}
+
+}  // namespace
+
+std::optional<cycles::ContourTask> contour_task(Run& run, const cycles::Demand& demand) {
+    std::vector<Label> labels;
+    if (!read_labels(run, labels)) return std::nullopt;
+    cycles::ContourTask task;
+    const bool train = demand.kind == program::CycleKind::contour_train;
+    if (train) {
+        task.train = {labels.front().contour, labels.front().side};
+        if (labels.size() > 1)
+            unchecked(run, codes::unsupported, run.here(), "a contour train has one label: the others are left out");
+    } else if (!combine(run, labels, task.area)) {
+        return std::nullopt;
+    }
+    const auto role = demand.kind == program::CycleKind::pilot_drill ? program::CycleRole::pilot_tool
+                                                                     : program::CycleRole::coarse_tool;
+    task.other_radius = radius_of_tool(run, demand, role);
+    return task;
+}
+
+}  // namespace obrys::interp

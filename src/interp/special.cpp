@@ -1,0 +1,227 @@
+/// Blocks with data of their own: smooth approach and departure, splines. Free contours: free_contour.cpp, tilted
+/// planes: plane.cpp.
+
+#include "interp/special.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include "base/codes.hpp"
+#include "base/number.hpp"
+#include "cl/spline.hpp"
+#include "interp/capture.hpp"
+#include "interp/path_stage.hpp"
+#include "path/smooth_approach.hpp"
+
+namespace obrys::interp {
+
+namespace codes = base::codes;
+using geom::Vec2;
+using geom::Vec3;
+using program::Datum;
+using program::Special;
+using program::SpecialKind;
+
+double datum_of(Run& run, const Special& s, Datum datum, double otherwise) {
+    for (const program::DatumValue& d : s.data)
+        if (d.datum == datum) return number(run, d.value);
+    return otherwise;
+}
+
+bool has_datum(const Special& s, Datum datum) {
+    for (const program::DatumValue& d : s.data)
+        if (d.datum == datum) return true;
+    return false;
+}
+
+namespace {
+
+Vec2 in_plane(const Vec3& v, const PlaneAxes& a) { return {coordinate(v, a.u), coordinate(v, a.v)}; }
+
+path::SmoothKind shape_of(SpecialKind k) {
+    switch (k) {
+        case SpecialKind::approach_tangent:
+        case SpecialKind::departure_tangent: return path::SmoothKind::tangent_line;
+        case SpecialKind::approach_normal:
+        case SpecialKind::departure_normal: return path::SmoothKind::normal_line;
+        case SpecialKind::approach_arc:
+        case SpecialKind::departure_arc: return path::SmoothKind::tangent_arc;
+        default: return path::SmoothKind::arc_and_line;
+    }
+}
+
+std::string failure_text(path::SmoothFailure f) {
+    switch (f) {
+        case path::SmoothFailure::bad_length: return "LEN must be greater than 0";
+        case path::SmoothFailure::bad_radius: return "R must not be 0, and with LCT be greater than 0";
+        case path::SmoothFailure::bad_angle: return "the centre angle CCA must be greater than 0 and at most 360 degrees";
+        case path::SmoothFailure::bad_direction: return "the contour has no direction here: no element follows or precedes";
+        case path::SmoothFailure::tool_too_large: return "tool radius too large: it exceeds R inside the arc";
+        case path::SmoothFailure::inside_of_circle: return "the point off the contour lies inside the circle of radius R";
+        default: return "a position or value is not known";
+    }
+}
+
+void complain(Run& run, path::SmoothFailure f) {
+    if (f == path::SmoothFailure::not_a_number)
+        unchecked(run, codes::unknown_value, run.here(),
+                  "this approach or departure depends on a position or value that is not known: it is left out");
+    else
+        alarm(run, codes::value_range, run.here(), failure_text(f));
+}
+
+path::SmoothShape shape(Run& run, const Special& s) {
+    const double unit = run.modal.inch_geometry ? 25.4 : 1;
+    path::SmoothShape shape;
+    shape.kind = shape_of(s.kind);
+    shape.length = datum_of(run, s, Datum::length) * unit;
+    shape.radius = datum_of(run, s, Datum::radius) * unit;
+    shape.angle = geom::radians(datum_of(run, s, Datum::centre_angle));
+    return shape;
+}
+
+/// The elements go through the path stage as they are; the one beside the contour carries the compensation.
+void push_approach(Run& run, const path::SmoothPath& p, const path::Setting& compensation) {
+    for (std::size_t i = 0; i < p.path.size(); ++i) {
+        path::Setting s;
+        if (i + 1 == p.path.size()) s = compensation;
+        s.approach = path::Approach::ready;
+        run.path->push(run, p.path[i], s);
+    }
+}
+
+void approach(Run& run, const Special& s) {
+    const PlaneAxes a = plane_axes(run.modal.plane);
+    const Vec3 start = run.programmed_position;
+    const Vec3 target = programmed_target(run);
+    const std::optional<Captured> next = next_element(run, target);
+    const path::Setting compensation = compensation_setting(run);
+    path::ContourEnd contour;
+    contour.at = in_plane(target, a);
+    contour.direction = next ? path::start_direction(next->element) : Vec2{};
+    contour.side = compensation.side;
+    contour.tool_radius = compensation.radius;
+    contour.w = coordinate(target, a.w);
+    const path::SmoothPath p =
+        path::smooth_approach({in_plane(start, a), coordinate(start, a.w)}, contour, shape(run, s));
+    if (!p.ok()) complain(run, p.failure);
+    if (run.stopped) return;
+    require_feed(run);
+    if (p.ok() && run.capture == nullptr) push_approach(run, p, compensation);
+    arrive(run, target);
+}
+
+void departure(Run& run, const Special& s) {
+    const PlaneAxes a = plane_axes(run.modal.plane);
+    const Vec3 at = run.programmed_position;
+    const Vec3 target = programmed_target(run);
+    const path::Setting compensation = compensation_setting(run);
+    path::ContourEnd contour;
+    contour.at = in_plane(at, a);
+    contour.direction = run.last_direction;
+    contour.side = compensation.side;
+    contour.tool_radius = compensation.radius;
+    contour.w = coordinate(at, a.w);
+    const path::SmoothPath p =
+        path::smooth_departure(contour, {in_plane(target, a), coordinate(target, a.w)}, shape(run, s));
+    run.modal.compensation = Modal::compensation_off;
+    if (!p.ok()) complain(run, p.failure);
+    if (run.stopped || !p.ok() || p.path.empty()) return;
+    require_feed(run);
+    if (run.capture == nullptr) {
+        path::Setting ready;
+        ready.approach = path::Approach::ready;
+        for (const path::Element& e : p.path) run.path->push(run, e, ready);
+        flush_path(run);
+    }
+    Vec3 end = at;
+    coordinate(end, a.u) = p.path.back().to.x;
+    coordinate(end, a.v) = p.path.back().to.y;
+    coordinate(end, a.w) = p.path.back().w_to;
+    arrive(run, end);
+}
+
+/// The control refuses a spline that starts more than 1 um beside the end of the last contour element (iTNC 530 manual,
+/// spline interpolation); it is held to it axis by axis.
+void check_start(Run& run, const cl::Spline& spline) {
+    const Vec3 gap = cl::start_gap(run.position, spline);
+    const double worst = std::max({std::abs(gap.x), std::abs(gap.y), std::abs(gap.z)});
+    constexpr double allowed = 0.001 + 1e-9;
+    if (worst <= allowed) return;
+    if (std::isnan(geom::length(gap))) {
+        unchecked(run, codes::unknown_value, run.here(), "where the tool stands before this spline is not known");
+        return;
+    }
+    run.diagnostics.add({base::Severity::error, codes::spline_start, run.here(),
+                         "the spline starts " + base::fixed(geom::length(gap), 4) +
+                             " mm beside the end of the last contour element, more than 0.001 mm along an axis",
+                         "let the coefficients K1, K2, K3 and the end point add up to where the last block ended",
+                         run.stacks.sites(run.top().stack), {}});
+}
+
+void spline(Run& run, const Special& s) {
+    flush_path(run);
+    const double unit = run.modal.inch_geometry ? 25.4 : 1;
+    cl::Spline record;
+    const Vec3 to = programmed_target(run);
+    Vec3 k[3];
+    for (const program::DatumValue& d : s.data) {
+        const auto n = static_cast<std::size_t>(d.datum) - static_cast<std::size_t>(Datum::k1);
+        const double v = number(run, d.value);
+        const auto axis = std::string_view("XYZ").find(d.axis);
+        if (axis != std::string_view::npos) {
+            coordinate(k[n], static_cast<int>(axis)) = v * unit;
+            continue;
+        }
+        auto at = std::find_if(record.axes.begin(), record.axes.end(), [&](const auto& x) { return x.name[0] == d.axis; });
+        if (at == record.axes.end()) {
+            at = record.axes.insert(record.axes.end(), cl::SplineAxis{});
+            at->name[0] = d.axis;
+            const Code code = axis_code(static_cast<int>(std::string_view("XYZABC").find(d.axis)));
+            at->to = run.block.has(code) ? run.block.get(code) : programmed_coordinate(run, std::string(1, d.axis));
+            run.extra_axes[std::string(1, d.axis)] = at->to;
+        }
+        (n == 0 ? at->k1 : n == 1 ? at->k2 : at->k3) = v;
+    }
+    record.k1 = geom::apply_direction(run.frame, k[0]);
+    record.k2 = geom::apply_direction(run.frame, k[1]);
+    record.k3 = geom::apply_direction(run.frame, k[2]);
+    record.to = geom::apply(run.frame, to);
+    if (run.modal.compensation != Modal::compensation_off)
+        alarm(run, codes::compensation, run.here(), "a spline cannot be run with radius compensation", "write R0 before it");
+    if (run.stopped || run.capture != nullptr) return arrive(run, to);
+    require_feed(run);
+    begin_motion(run);
+    check_start(run, record);
+    const PlaneAxes a = plane_axes(run.modal.plane);
+    run.last_direction = -1.0 * in_plane(k[0], a);  // at t = 0 the curve runs against its parameter
+    arrive(run, to);
+    emit(run, std::move(record));
+}
+
+void act(Run& run, const Special& s, std::uint32_t index) {
+    if (s.kind <= SpecialKind::approach_arc_line) return approach(run, s);
+    if (s.kind <= SpecialKind::departure_arc_line) return departure(run, s);
+    if (s.kind == SpecialKind::spline) return spline(run, s);
+    if (s.kind <= SpecialKind::free_select) return free_contour(run, s, index);
+    plane(run, s);
+}
+
+}  // namespace
+
+void run_special(Run& run, const program::Statement& statement, std::uint32_t index) {
+    const Unit& unit = run.unit();
+    const Special& s = unit.specials[static_cast<std::size_t>(unit.words[statement.first].payload)];
+    run.block.clear();
+    const std::uint32_t end = unit.words_end(index);
+    for (std::uint32_t i = statement.first + 1; i < end; ++i) {
+        gather(run, statement, unit.words[i]);
+        if (run.stopped) return;
+    }
+    technology(run);
+    if (!run.stopped) act(run, s, index);
+    if (!run.stopped && run.block.has(Code::cycle_call)) call_cycle(run);
+    if (!run.stopped) after_motion(run);
+}
+
+}  // namespace obrys::interp

@@ -1,0 +1,111 @@
+/// System variables about tools, transformations and the machine's travel (SYSREAD).
+
+#include <cmath>
+
+#include "base/codes.hpp"
+#include "interp/motion.hpp"
+#include "interp/system_tool.hpp"
+
+namespace obrys::interp {
+
+using program::Expr;
+using program::SystemVariable;
+
+namespace {
+
+double index_of(Run& run, const Expr& e) { return e.count == 0 ? 0 : number(run, run.unit().children[e.b]); }
+
+/// The tool [n]; 0: the one in the spindle.
+const shop::Tool* tool_of(Run& run, const Expr& e) {
+    const double n = index_of(run, e);
+    if (n == 0) return run.tool.data;
+    for (const shop::Tool& t : run.tools)
+        if (t.number == n) return &t;
+    return nullptr;
+}
+
+std::optional<double> column(const shop::Tool& t, SystemVariable v) {
+    switch (v) {
+        case SystemVariable::table_length: return t.length;
+        case SystemVariable::table_radius: return t.radius;
+        case SystemVariable::table_corner_radius: return t.corner_radius;
+        case SystemVariable::table_delta_length: return t.delta_length;
+        case SystemVariable::table_delta_radius: return t.delta_radius;
+        case SystemVariable::table_delta_corner: return t.delta_corner_radius;
+        default: return std::nullopt;
+    }
+}
+
+std::optional<double> of_tool(const Run& run, SystemVariable v) {
+    const shop::Tool* t = run.tool.data;
+    switch (v) {
+        case SystemVariable::prepared_tool: return run.tool.prepared;
+        case SystemVariable::call_delta_length: return run.tool.delta_length;
+        case SystemVariable::call_delta_radius: return run.tool.delta_radius;
+        case SystemVariable::call_delta_corner: return run.tool.delta_corner;
+        case SystemVariable::active_radius:
+            if (t == nullptr) return std::nullopt;
+            return t->radius + t->delta_radius + run.tool.delta_radius;
+        case SystemVariable::active_length:
+            if (t == nullptr) return std::nullopt;
+            return t->length + t->delta_length + run.tool.delta_length;
+        default: return std::nullopt;
+    }
+}
+
+std::optional<double> of_axis(Run& run, const Expr& e, SystemVariable v) {
+    const std::string axis = axis_of(run, e.count == 0 ? program::no_expr : run.unit().children[e.b]);
+    if (v == SystemVariable::travel_min || v == SystemVariable::travel_max) {
+        const shop::MachineAxis* known = machine_axis(run, axis);
+        if (known == nullptr) return std::nullopt;
+        return v == SystemVariable::travel_min ? known->min : known->max;
+    }
+    const auto k = axis.size() == 1 ? std::string_view("XYZ").find(axis[0]) : std::string_view::npos;
+    if (k == std::string_view::npos) return std::nullopt;
+    for (const Transform& t : run.modal.transforms) {
+        if (v == SystemVariable::shift_of_axis && t.kind == TransformKind::shift)
+            return coordinate(t.frame.origin, static_cast<int>(k));
+        if (v == SystemVariable::scale_of_axis && t.kind == TransformKind::scaling) return t.frame.linear[0];
+    }
+    return v == SystemVariable::shift_of_axis ? 0 : 1;
+}
+
+std::optional<double> of_run(const Run& run, SystemVariable v) {
+    switch (v) {
+        case SystemVariable::inch_program: return run.modal.inch_geometry ? 1 : 0;
+        case SystemVariable::tool_axis: return run.modal.plane == 17 ? 2 : run.modal.plane == 18 ? 1 : 0;
+        case SystemVariable::spindle_state:
+            return run.spindle.direction > 0 ? 0 : run.spindle.direction < 0 ? 1 : run.spindle.last > 0 ? 2
+                   : run.spindle.last < 0 ? 3 : -1;
+        case SystemVariable::coolant_state: return run.coolant_on ? 1 : 0;
+        case SystemVariable::active_rotation:
+            for (const Transform& t : run.modal.transforms)
+                if (t.kind == TransformKind::rotation) {
+                    const PlaneAxes a = plane_axes(run.modal.plane);
+                    geom::Vec3 u;
+                    coordinate(u, a.u) = 1;
+                    const geom::Vec3 turned = geom::apply_direction(t.frame, u);
+                    return geom::degrees(std::atan2(coordinate(turned, a.v), coordinate(turned, a.u)));
+                }
+            return 0;
+        case SystemVariable::active_datum: return run.modal.datum == 500 ? 0 : run.modal.datum;
+        default: return std::nullopt;
+    }
+}
+
+}  // namespace
+
+std::optional<double> tool_or_frame(Run& run, const Expr& e) {
+    const auto v = static_cast<SystemVariable>(e.op);
+    if (v >= SystemVariable::table_length && v <= SystemVariable::table_delta_corner) {
+        const shop::Tool* t = tool_of(run, e);
+        return t == nullptr ? std::nullopt : column(*t, v);
+    }
+    const bool by_axis = v == SystemVariable::shift_of_axis || v == SystemVariable::scale_of_axis ||
+                         v == SystemVariable::travel_min || v == SystemVariable::travel_max;
+    if (by_axis) return of_axis(run, e, v);
+    if (const auto found = of_tool(run, v)) return found;
+    return of_run(run, v);
+}
+
+}  // namespace obrys::interp

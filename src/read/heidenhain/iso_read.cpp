@@ -1,0 +1,58 @@
+#include <algorithm>
+
+#include "read/heidenhain/iso.hpp"
+#include "read/heidenhain/read.hpp"
+
+namespace obrys::read::heidenhain {
+
+program::Unit read_iso(std::uint32_t file, const base::Sources& sources, program::Names& names,
+                       base::Diagnostics& diagnostics) {
+    const base::Source& source = sources[file];
+    program::Unit unit = begin_unit(file, source);
+    State s{.build = {unit, names, diagnostics, source.text}, .in = Scanner(source.text, true), .iso = {}};
+    while (s.in.next_line()) read_iso_block(s);
+    s.block = s.in.at();
+    flush_pending(s);
+    resolve_labels(s);
+    return unit;
+}
+
+namespace {
+
+/// `N10 …`: a block of DIN/ISO.
+bool is_numbered(std::string_view line) {
+    line = base::trim(line);
+    if (line.starts_with('/')) line.remove_prefix(1);
+    return line.size() > 1 && base::upper(line[0]) == 'N' && base::is_digit(line[1]);
+}
+
+/// `%NAME G71 *`; a SINUMERIK archive writes `%_N_NAME_MPF`.
+bool is_frame(std::string_view line) {
+    const auto percent = line.find('%');
+    if (percent == std::string_view::npos || line.find("%_N_") != std::string_view::npos) return false;
+    return line.find(" G71", percent) != std::string_view::npos || line.find(" G70", percent) != std::string_view::npos;
+}
+
+}  // namespace
+
+int iso_likelihood(std::string_view text, std::string_view file_name) {
+    int score = base::to_upper(file_name).ends_with(".I") ? 30 : 0;
+    const std::string upper = base::to_upper(text.substr(0, 65536));
+    int lines = 0, stars = 0, own = 0;
+    for (std::size_t at = 0; at < upper.size();) {
+        const std::size_t end = std::min(upper.find('\n', at), upper.size());
+        const std::string_view line = base::trim(std::string_view(upper).substr(at, end - at));
+        at = end + 1;
+        if (is_frame(line)) score += 30;
+        if (line.find("G98 L") != std::string_view::npos || line.find(" P01 ") != std::string_view::npos) ++own;
+        if (!is_numbered(line)) continue;
+        ++lines;
+        if (line.ends_with('*')) ++stars;
+    }
+    if (lines > 0) score += 50 * stars / lines;
+    score += 6 * std::min(own, 4);
+    if (upper.find("BEGIN PGM") != std::string::npos) score -= 60;
+    return std::clamp(score, 0, 100);
+}
+
+}  // namespace obrys::read::heidenhain

@@ -1,0 +1,310 @@
+/// Words of DIN/ISO blocks that move, change the tool, or set what holds from here on. What R and H mean depends on the
+/// path function: polar coordinates with G10 … G16, the circle's radius with G02, G03, G05.
+
+#include <utility>
+
+#include "read/heidenhain/iso.hpp"
+
+namespace obrys::read::heidenhain {
+
+using program::Reference;
+
+namespace {
+
+enum class Family : std::uint8_t { unknown, straight, arc, tangential, polar_straight, polar_arc, polar_tangential };
+
+Family family_of(int motion) {
+    switch (motion) {
+        case 0:
+        case 1: return Family::straight;
+        case 2:
+        case 3:
+        case 5: return Family::arc;
+        case 6: return Family::tangential;
+        case 10:
+        case 11: return Family::polar_straight;
+        case 12:
+        case 13:
+        case 15: return Family::polar_arc;
+        case 16: return Family::polar_tangential;
+        default: return Family::unknown;
+    }
+}
+
+Modal modal_of(int motion, bool rapid) {
+    switch (motion) {
+        case 0:
+        case 10: return Modal::rapid;
+        case 2:
+        case 12: return Modal::arc_cw;
+        case 3:
+        case 13: return Modal::arc_ccw;
+        case 5:
+        case 15: return Modal::arc_same_sense;
+        case 6:
+        case 16: return Modal::arc_tangent;
+        default: return rapid ? Modal::rapid : Modal::linear;
+    }
+}
+
+constexpr std::string_view axes = "XYZABCUVW", poles = "IJK";
+
+/// G codes that hold for the block's words wherever they stand in it. True where one says how the tool moves.
+bool take_modal_codes(State& s, const IsoBlock& b) {
+    bool moves = false;
+    for (const int g : b.g) {
+        if (family_of(g) != Family::unknown) {
+            s.iso.motion = g;
+            moves = true;
+        }
+        if (g >= 40 && g <= 42) s.iso.paraxial = Modal::paraxial;
+        if (g == 43) s.iso.paraxial = Modal::paraxial_longer;
+        if (g == 44) s.iso.paraxial = Modal::paraxial_shorter;
+    }
+    return moves;
+}
+
+/// I J K and G29: the pole, from before the block's motion.
+void read_pole(State& s) {
+    const std::uint32_t from = s.in.at();
+    s.build.statement(StatementKind::block, s.block);
+    s.build.modal(Modal::pole_given, s.block, from);
+    bool incremental = s.iso.incremental;
+    while (!s.failed && !s.in.at_end()) {
+        const std::uint32_t begin = s.in.at();
+        const char c = base::upper(s.in.peek());
+        const auto k = poles.find(c);
+        s.in.step();
+        if (k != std::string_view::npos) {
+            coordinate_word(s, static_cast<Code>(static_cast<std::size_t>(Code::x) + k), begin,
+                            incremental ? Reference::incremental : Reference::absolute);
+        } else if (c == 'G') {
+            const int n = s.in.integer();
+            if (n == 90 || n == 91) incremental = n == 91;
+        } else if (base::is_letter(c)) {
+            while (base::is_letter(s.in.peek())) s.in.step();
+            if (s.in.peek() == '"')
+                static_cast<void>(read_text(s));
+            else
+                static_cast<void>(read_value(s));
+        }
+    }
+    s.build.end_statement(s.in.at());
+    s.in.go_to(from);
+}
+
+/// The path function of the block; true where it moves.
+bool write_motion(State& s, const IsoBlock& b, bool given) {
+    const Family family = family_of(s.iso.motion);
+    const bool moves = b.has_any(axes) || b.has('H') || (b.has('R') && family > Family::straight);
+    const std::uint32_t end = s.in.at();
+    if (b.has_g(7)) {
+        s.build.modal(b.rapid ? Modal::rapid : Modal::linear, s.block, end);
+        s.build.modal(Modal::paraxial, s.block, end);
+        if (s.iso.paraxial != Modal::paraxial) s.build.modal(s.iso.paraxial, s.block, end);
+        return false;
+    }
+    if (!moves && !given) return false;
+    if (family == Family::unknown) {
+        if (b.rapid) s.build.modal(Modal::rapid, s.block, end);
+        return moves;
+    }
+    s.build.modal(modal_of(s.iso.motion, b.rapid), s.block, end);
+    const bool about_pole = family == Family::polar_arc || (family == Family::arc && !b.has('R'));
+    if (moves && about_pole) s.build.bare(Code::centre_at_pole, s.block, end);
+    return moves;
+}
+
+class Words {
+public:
+    Words(State& s, const IsoBlock& b) : s_(s), b_(b), family_(family_of(s.iso.motion)) {}
+
+    void read() {
+        while (!s_.failed && !s_.in.at_end()) read_word();
+    }
+
+private:
+    void read_word() {
+        const std::uint32_t begin = s_.in.at();
+        const char c = base::upper(s_.in.peek());
+        if (c == 'G') return read_g(begin);
+        if (const auto axis = axis_of(c)) {
+            s_.in.step();
+            coordinates_ = true;
+            return coordinate_word(s_, *axis, begin, behind_);
+        }
+        if (poles.find(c) != std::string_view::npos) {  // read_pole has them
+            s_.in.step();
+            coordinates_ = true;
+            return static_cast<void>(read_value(s_));
+        }
+        switch (c) {
+            case 'F': return read_feed(s_);
+            case 'M': s_.in.step(); return read_m(s_, begin);
+            case 'S': s_.in.step(); return value_word(s_, Code::spindle, begin);
+            case 'H': return read_angle(begin);
+            case 'R': return read_radius(begin);
+            case 'T': return read_tool_call(begin);
+            case 'D':
+                if (b_.has('T')) return read_oversize(s_, begin);
+                break;
+            default: break;
+        }
+        fail_here(s_, "this is no word of a block that moves: " + here(s_),
+                  "G, X Y Z A B C U V W, I J K, R, H, F, S, T, M; Q, D, L and % stand in blocks of their own");
+    }
+
+    [[nodiscard]] std::optional<Reference> polar_reference() const {
+        return s_.iso.incremental ? std::optional(Reference::incremental) : std::nullopt;
+    }
+
+    void read_angle(std::uint32_t begin) {
+        s_.in.step();
+        coordinates_ = true;
+        const bool polar = family_ >= Family::polar_straight || family_ == Family::unknown;
+        if (!polar) {
+            static_cast<void>(read_value(s_));
+            return fail(s_, begin, "the polar angle H needs a polar path function",
+                        "G10 to G16 move in polar coordinates, G00 to G06 do not");
+        }
+        // An arc's incremental angle says how far it sweeps, whole turns included; a line's where it ends.
+        if (family_ == Family::polar_arc && s_.iso.incremental) return value_word(s_, Code::pole_angle, begin);
+        coordinate_word(s_, Code::polar_angle, begin, polar_reference());
+    }
+
+    void read_radius(std::uint32_t begin) {
+        s_.in.step();
+        const bool polar = family_ >= Family::polar_straight || (family_ == Family::unknown && b_.has('H'));
+        if (polar) {
+            coordinates_ = true;
+            return coordinate_word(s_, Code::polar_radius, begin, polar_reference());
+        }
+        if (family_ == Family::arc || family_ == Family::unknown) return value_word(s_, Code::radius, begin);
+        static_cast<void>(read_value(s_));
+        fail(s_, begin, "R has no meaning in this block",
+             "it is the radius of G02, G03, G05, of corners (G25) and of polar coordinates (G10 to G16)");
+    }
+
+    void read_tool_call(std::uint32_t begin) {
+        s_.in.step();
+        read_tool(s_);
+        if (!s_.failed) s_.build.bare(Code::tool_change, begin, s_.in.at());
+    }
+
+    void read_cycle_call(std::uint32_t begin) {
+        s_.in.take(':');
+        if (s_.in.take_word("PAT")) {
+            s_.in.skip_block();
+            return s_.build.problem(Code::unsupported, begin, s_.in.at(), "the pattern is not followed");
+        }
+        if (b_.has_any(axes)) s_.build.modal(Modal::cycle_position, begin, s_.in.at());
+        s_.build.bare(Code::cycle_call, begin, s_.in.at());
+    }
+
+    void read_g(std::uint32_t begin) {
+        const int n = read_code(s_);
+        if (n < 0 || family_of(n) != Family::unknown) return;
+        const std::uint32_t end = s_.in.at();
+        switch (n) {
+            case 7:
+            case 29:
+            case 38:
+            case 43:
+            case 44: return;
+            case 17: return s_.build.modal(Modal::plane_xy, begin, end);
+            case 18: return s_.build.modal(Modal::plane_zx, begin, end);
+            case 19: return s_.build.modal(Modal::plane_yz, begin, end);
+            case 40:
+                if (s_.iso.departure == program::no_expr)  // which ends it itself
+                    s_.build.modal(Modal::compensation_off, begin, end);
+                return;
+            case 41: return s_.build.modal(Modal::compensation_left, begin, end);
+            case 42: return s_.build.modal(Modal::compensation_right, begin, end);
+            case 70: return s_.build.modal(Modal::inch_all, begin, end);
+            case 71: return s_.build.modal(Modal::metric_all, begin, end);
+            case 79: return read_cycle_call(begin);
+            case 90:
+            case 91:
+                dimension(s_, n == 91, begin, coordinates_);
+                if (coordinates_) behind_ = n == 91 ? Reference::incremental : Reference::absolute;
+                return;
+            default: return other_g(n, begin);
+        }
+    }
+
+    void other_g(int n, std::uint32_t begin) {
+        const dialect::heidenhain::GCode* g = dialect::heidenhain::find_g(n);
+        if (g == nullptr)
+            s_.build.problem(Code::unknown, begin, s_.in.at(), "");
+        else if (g->use == dialect::heidenhain::Use::refused)
+            s_.build.problem(Code::unsupported, begin, s_.in.at(), g->text);
+        else
+            fail(s_, begin, "G" + std::to_string(n) + " (" + std::string(g->text) + ") stands first in its block",
+                 "write it in a block of its own");
+    }
+
+    State& s_;
+    const IsoBlock& b_;
+    Family family_;
+    bool coordinates_ = false;         ///< one was read
+    std::optional<Reference> behind_;  ///< G90 or G91 came behind a coordinate: what holds for the ones that follow
+};
+
+/// The block behind G27.
+void depart(State& s) {
+    const ExprId radius = std::exchange(s.iso.departure, program::no_expr);
+    if (radius == program::no_expr || s.failed) return;
+    const Family family = family_of(s.iso.motion);
+    if (family != Family::straight && family != Family::polar_straight)
+        return fail(s, s.block, "a straight block is due behind G27", "G00 or G01 to the point off the contour");
+    add_smooth(s, true, radius, s.block);
+}
+
+/// Nothing but a pole stands in the block.
+bool is_pole_alone(const IsoBlock& b) {
+    constexpr std::uint32_t own =
+        1U << ('G' - 'A') | 1U << ('I' - 'A') | 1U << ('J' - 'A') | 1U << ('K' - 'A') | 1U << ('N' - 'A');
+    for (const int g : b.g)
+        if (g != 29) return false;
+    return (b.letters & ~own) == 0;
+}
+
+}  // namespace
+
+void coordinate_word(State& s, Code code, std::uint32_t begin, std::optional<Reference> reference) {
+    if (!reference || *reference == Reference::incremental) return value_word(s, code, begin, reference.has_value());
+    const std::uint32_t from = s.in.at();
+    const Value v = read_value(s);
+    if (!v.found) {
+        s.in.go_to(from);
+        return value_word(s, code, begin);  // which complains
+    }
+    s.build.expression(code, s.build.with_reference(*reference, as_expr(s, v), v.begin, v.end), begin, v.end);
+}
+
+int read_code(State& s) {
+    const std::uint32_t begin = s.in.at();
+    const std::string letter(1, base::upper(s.in.peek()));
+    s.in.step();
+    const int n = s.in.integer();
+    if (n < 0) fail(s, begin, letter + " needs the whole number of a function");
+    return n;
+}
+
+void read_iso_words(State& s, const IsoBlock& b) {
+    const bool given = take_modal_codes(s, b);
+    if (b.has_any(poles) || b.has_g(29)) {
+        read_pole(s);
+        if (s.failed || is_pole_alone(b)) return s.in.skip_block();
+    }
+    s.build.statement(StatementKind::block, s.block);
+    const bool moves = write_motion(s, b, given);
+    const std::size_t words = s.build.unit().words.size();
+    const std::uint32_t begin = s.in.at();
+    if (moves) s.last_path = static_cast<std::uint32_t>(s.build.unit().statements.size() - 1);
+    Words(s, b).read();
+    if (moves) depart(s);
+    if (!s.failed && b.has_g(38)) stop_here(s, words, begin, s.in.at());
+}
+
+}  // namespace obrys::read::heidenhain

@@ -1,0 +1,270 @@
+/// Blocks whose words only they have: APPR and DEP, FK, SPL, PLANE.
+
+#include <algorithm>
+#include <array>
+#include <span>
+
+#include "read/heidenhain/state.hpp"
+
+namespace obrys::read::heidenhain {
+
+using program::Datum;
+using program::DatumValue;
+using program::Special;
+using program::SpecialKind;
+
+namespace {
+
+struct Word {
+    std::string_view text;
+    Datum datum;
+};
+
+// Longer words before their beginnings.
+constexpr std::array approach_words{Word{"LEN", Datum::length}, Word{"CCA", Datum::centre_angle}};
+constexpr std::array free_words{
+    Word{"RCCPR", Datum::block_of_centre_radius}, Word{"RCCPA", Datum::block_of_centre_angle},
+    Word{"RCCX", Datum::block_of_centre_x},       Word{"RCCY", Datum::block_of_centre_y},
+    Word{"RPR", Datum::block_of_polar_radius},    Word{"RPA", Datum::block_of_polar_angle},
+    Word{"RAN", Datum::block_of_gradient},        Word{"RX", Datum::block_of_x},
+    Word{"RY", Datum::block_of_y},                Word{"CLSD", Datum::closed},
+    Word{"CCPR", Datum::centre_radius},           Word{"CCPA", Datum::centre_polar_angle},
+    Word{"CCX", Datum::centre_x},                 Word{"CCY", Datum::centre_y},
+    Word{"CCA", Datum::centre_angle},             Word{"P1X", Datum::point1_x},
+    Word{"P1Y", Datum::point1_y},                 Word{"P2X", Datum::point2_x},
+    Word{"P2Y", Datum::point2_y},                 Word{"P3X", Datum::point3_x},
+    Word{"P3Y", Datum::point3_y},                 Word{"PDX", Datum::beside_x},
+    Word{"PDY", Datum::beside_y},                 Word{"PAR", Datum::parallel},
+    Word{"PR", Datum::polar_radius},              Word{"PA", Datum::polar_angle},
+    Word{"LEN", Datum::length},                   Word{"AN", Datum::gradient},
+    Word{"DP", Datum::parallel_distance},         Word{"DR", Datum::sense},
+    Word{"X", Datum::x},                          Word{"Y", Datum::y},
+    Word{"D", Datum::beside_distance},
+};
+constexpr std::array plane_words{
+    Word{"PROPR", Datum::angle_a},  Word{"PROMIN", Datum::angle_b}, Word{"EULPR", Datum::angle_a},
+    Word{"EULNU", Datum::angle_b},  Word{"EULROT", Datum::angle_c}, Word{"SPA", Datum::angle_a},
+    Word{"SPB", Datum::angle_b},    Word{"SPC", Datum::angle_c},    Word{"ROT", Datum::angle_c},
+    Word{"P1X", Datum::point1_x},   Word{"P1Y", Datum::point1_y},   Word{"P1Z", Datum::point1_z},
+    Word{"P2X", Datum::point2_x},   Word{"P2Y", Datum::point2_y},   Word{"P2Z", Datum::point2_z},
+    Word{"P3X", Datum::point3_x},   Word{"P3Y", Datum::point3_y},   Word{"P3Z", Datum::point3_z},
+    Word{"BX", Datum::vector_x},    Word{"BY", Datum::vector_y},    Word{"BZ", Datum::vector_z},
+    Word{"NX", Datum::normal_x},    Word{"NY", Datum::normal_y},    Word{"NZ", Datum::normal_z},
+    Word{"DIST", Datum::distance},  Word{"SEQ", Datum::side},       Word{"A", Datum::angle_a},
+    Word{"B", Datum::angle_b},      Word{"C", Datum::angle_c},
+};
+
+void add(State& s, Special& special, Datum datum, ExprId value, bool incremental, std::uint32_t begin, char axis = 0) {
+    if (value != program::no_expr)
+        special.data.push_back({datum, value, incremental, axis, s.build.span(begin, s.in.at())});
+}
+
+/// A sign alone, or in front of nothing: DR+, CLSD-, SEQ-.
+bool read_sign(State& s, Special& special, Datum datum, std::uint32_t begin) {
+    if (datum != Datum::sense && datum != Datum::closed && datum != Datum::side) return false;
+    const char c = s.in.peek();
+    if (c != '+' && c != '-') {
+        fail(s, begin, "'" + base::as_utf8(s.in.between(begin, s.in.at())) + "' needs a sign, + or -");
+        return true;
+    }
+    s.in.step();
+    add(s, special, datum, s.build.number(c == '+' ? 1 : -1, true, begin, s.in.at()), false, begin);
+    return true;
+}
+
+/// One of `words`; false and nothing moved where none stands here.
+bool read_datum(State& s, Special& special, std::span<const Word> words) {
+    const std::uint32_t begin = s.in.at();
+    const bool incremental = base::upper(s.in.peek()) == 'I';
+    if (incremental) s.in.step();
+    for (const Word& w : words) {
+        if (!s.in.take_prefix(w.text)) continue;
+        if (read_sign(s, special, w.datum, begin)) return true;
+        s.in.skip_blanks();
+        s.in.take('[');
+        const Value v = read_value(s);
+        if (!v.found) {
+            fail(s, begin, "the word '" + std::string(w.text) + "' has no value: a number or a Q parameter must follow");
+            return true;
+        }
+        const ExprId value = as_expr(s, v);
+        s.in.take(']');
+        add(s, special, w.datum, value, incremental, begin);
+        return true;
+    }
+    s.in.go_to(begin);
+    return false;
+}
+
+/// R5 is a radius here, R0 and RL are the compensation.
+bool read_radius(State& s, Special& special) {
+    if (base::upper(s.in.peek()) != 'R') return false;
+    const std::uint32_t begin = s.in.at();
+    s.in.step();
+    const Value v = read_value(s);
+    if (!v.found || (v.is_literal() && v.literal.value == 0)) {
+        s.in.go_to(begin);
+        return false;
+    }
+    add(s, special, Datum::radius, as_expr(s, v), false, begin);
+    return true;
+}
+
+/// K3X-4.688E-002.
+bool read_coefficient(State& s, Special& special) {
+    if (base::upper(s.in.peek()) != 'K' || !base::is_digit(s.in.peek(1))) return false;
+    const std::uint32_t begin = s.in.at();
+    const int n = s.in.peek(1) - '0';
+    const char axis = base::upper(s.in.peek(2));
+    s.in.step(3);
+    if (n < 1 || n > 3 || std::string_view("XYZABC").find(axis) == std::string_view::npos) {
+        fail(s, begin, "a coefficient of a spline is K1, K2 or K3 with an axis");
+        return true;
+    }
+    const Datum datum = n == 1 ? Datum::k1 : n == 2 ? Datum::k2 : Datum::k3;
+    add(s, special, datum, value_expr(s), false, begin, axis);
+    return true;
+}
+
+/// MOVE, TURN, STAY, and what says how the rotary axes of the table turn (which no path depends on).
+bool read_positioning(State& s, Special& special) {
+    const std::uint32_t begin = s.in.at();
+    int how = -1;
+    if (s.in.take_word("STAY")) how = 0;
+    if (s.in.take_word("MOVE")) how = 1;
+    if (s.in.take_word("TURN")) how = 2;
+    if (how >= 0) {
+        add(s, special, Datum::positioning, s.build.number(how, true, begin, s.in.at()), false, begin);
+        return true;
+    }
+    for (const std::string_view word : {"ABST", "COORD", "TABLE"})
+        if (s.in.take_word(word)) {
+            s.in.take_word("ROT");
+            if (word == "ABST") static_cast<void>(read_value(s));
+            return true;
+        }
+    return false;
+}
+
+enum class Family : std::uint8_t { approach, free_contour, spline, plane };
+
+bool read_own(State& s, Special& special, Family family) {
+    switch (family) {
+        case Family::approach: return read_datum(s, special, approach_words) || read_radius(s, special);
+        case Family::free_contour:
+            return read_datum(s, special, free_words) ||
+                   ((special.kind == SpecialKind::free_arc || special.kind == SpecialKind::free_arc_tangential) &&
+                    read_radius(s, special));
+        case Family::spline: return read_coefficient(s, special);
+        case Family::plane: return read_positioning(s, special) || read_datum(s, special, plane_words);
+    }
+    return false;
+}
+
+void read_special(State& s, SpecialKind kind, Family family, std::uint32_t begin) {
+    Special special;
+    special.kind = kind;
+    special.block_number = s.number;
+    special.where = s.build.span(begin, s.in.at());
+    program::Unit& unit = s.build.unit();
+    s.build.control(StatementKind::special, unit.specials.size(), s.block, s.in.at());
+    unit.specials.push_back({});
+    if (family == Family::spline) s.build.modal(Modal::linear, s.block, s.in.at());
+    while (!s.failed && !s.in.at_end())
+        if (!read_own(s, special, family)) read_word(s, false);
+    special.where.end = s.in.at();
+    unit.specials.back() = std::move(special);
+}
+
+struct Opener {
+    std::string_view word;
+    SpecialKind kind;
+    Family family;
+};
+constexpr std::array openers{
+    Opener{"FPOL", SpecialKind::free_pole, Family::free_contour},
+    Opener{"FL", SpecialKind::free_line, Family::free_contour},
+    Opener{"FLT", SpecialKind::free_line_tangential, Family::free_contour},
+    Opener{"FC", SpecialKind::free_arc, Family::free_contour},
+    Opener{"FCT", SpecialKind::free_arc_tangential, Family::free_contour},
+    Opener{"SPL", SpecialKind::spline, Family::spline},
+};
+constexpr std::array planes{
+    Opener{"SPATIAL", SpecialKind::plane_spatial, Family::plane},
+    Opener{"PROJECTED", SpecialKind::plane_projected, Family::plane},
+    Opener{"EULER", SpecialKind::plane_euler, Family::plane},
+    Opener{"VECTOR", SpecialKind::plane_vector, Family::plane},
+    Opener{"POINTS", SpecialKind::plane_points, Family::plane},
+    Opener{"RELATIV", SpecialKind::plane_relative, Family::plane},
+    Opener{"AXIAL", SpecialKind::plane_axial, Family::plane},
+    Opener{"RESET", SpecialKind::plane_reset, Family::plane},
+};
+
+void read_plane(State& s, std::uint32_t begin) {
+    for (const Opener& o : planes)
+        if (s.in.take_prefix(o.word)) {
+            static_cast<void>(s.in.take_prefix("E"));  // RELATIVE
+            return read_special(s, o.kind, o.family, begin);
+        }
+    s.build.statement(StatementKind::block, s.block);
+    fail_here(s, "SPATIAL, PROJECTED, EULER, VECTOR, POINTS, RELATIV, AXIAL or RESET is due behind PLANE, found " + here(s));
+}
+
+void read_select(State& s, std::uint32_t begin) {
+    Special special;
+    special.kind = SpecialKind::free_select;
+    const ExprId n = value_expr(s);
+    add(s, special, Datum::number, n, false, begin);
+    special.where = s.build.span(begin, s.in.at());
+    s.build.control(StatementKind::special, s.build.unit().specials.size(), s.block, s.in.at());
+    s.build.unit().specials.push_back(std::move(special));
+}
+
+void read_smooth(State& s, bool departure, std::uint32_t begin) {
+    const bool polar = s.in.take_prefix("P");
+    constexpr std::array<std::string_view, 4> kinds{"LCT", "CT", "LT", "LN"};
+    constexpr std::array<SpecialKind, 4> towards{SpecialKind::approach_arc_line, SpecialKind::approach_arc,
+                                                 SpecialKind::approach_tangent, SpecialKind::approach_normal};
+    constexpr std::array<SpecialKind, 4> away{SpecialKind::departure_arc_line, SpecialKind::departure_arc,
+                                              SpecialKind::departure_tangent, SpecialKind::departure_normal};
+    for (std::size_t i = 0; i < kinds.size(); ++i)
+        if (s.in.take_word(kinds[i])) return read_special(s, departure ? away[i] : towards[i], Family::approach, begin);
+    s.build.statement(StatementKind::block, s.block);
+    fail_here(s, std::string(polar ? "P" : "") + "LT, LN, CT or LCT is due behind " + (departure ? "DEP" : "APPR") +
+                     ", found " + here(s));
+}
+
+}  // namespace
+
+void add_smooth(State& s, bool departure, ExprId radius, std::uint32_t begin) {
+    Special special;
+    special.kind = departure ? SpecialKind::departure_arc_line : SpecialKind::approach_arc_line;
+    add(s, special, Datum::radius, radius, false, begin);
+    special.where = s.build.span(begin, s.in.at());
+    program::Unit& unit = s.build.unit();
+    program::Statement& statement = unit.statements.back();
+    statement.kind = StatementKind::special;
+    s.build.word(Code::control, program::Form::index, static_cast<std::int32_t>(unit.specials.size()), begin,
+                 s.in.at());
+    std::rotate(unit.words.begin() + statement.first, unit.words.end() - 1, unit.words.end());
+    unit.specials.push_back(std::move(special));
+}
+
+bool read_special_block(State& s, std::string_view word) {
+    const std::uint32_t begin = s.in.at();
+    const auto is = [&](std::string_view w) { return base::equals_ignoring_case(word, w); };
+    if (is("APPR") || is("DEP")) return s.in.step(word.size()), read_smooth(s, is("DEP"), begin), true;
+    if (is("PLANE")) return s.in.step(word.size()), read_plane(s, begin), true;
+    if (is("FSELECT")) return s.in.step(word.size()), read_select(s, begin), true;
+    for (const Opener& o : openers)
+        if (is(o.word)) {
+            s.in.step(word.size());
+            read_special(s, o.kind, o.family, begin);
+            const bool element = o.family == Family::free_contour && o.kind != SpecialKind::free_pole;
+            if (element) s.last_path = static_cast<std::uint32_t>(s.build.unit().statements.size() - 1);
+            return true;
+        }
+    return false;
+}
+
+}  // namespace obrys::read::heidenhain
