@@ -207,28 +207,36 @@ void repeat_section(Run& run, const program::Section& s, std::uint32_t index) {
 
 }  // namespace
 
+namespace {
+
+/// Kinds that are run elsewhere and have no entry in a table; false where `s` is none of them.
+bool run_plain(Run& run, const Statement& s, std::uint32_t index) {
+    switch (s.kind) {
+        case StatementKind::block:
+            run_block(run, s, index);
+            return true;
+        case StatementKind::frame:
+            frame_statement(run, s, index);
+            return true;
+        case StatementKind::special:
+            run_special(run, s, index);
+            return true;
+        case StatementKind::return_:
+            leave(run);
+            return true;
+        case StatementKind::label_end:
+            end_label(run);
+            return true;
+        default:
+            return false;
+    }
+}
+
+}  // namespace
+
 void run_statement(Run& run, const Statement& s, std::uint32_t index) {
     const Unit& unit = run.unit();
-    if (s.kind == StatementKind::block) {
-        run_block(run, s, index);
-        return;
-    }
-    if (s.kind == StatementKind::frame) {
-        frame_statement(run, s, index);
-        return;
-    }
-    if (s.kind == StatementKind::special) {
-        run_special(run, s, index);
-        return;
-    }
-    if (s.kind == StatementKind::return_) {
-        leave(run);
-        return;
-    }
-    if (s.kind == StatementKind::label_end) {
-        end_label(run);
-        return;
-    }
+    if (run_plain(run, s, index)) return;
     const auto table = static_cast<std::size_t>(unit.words[s.first].payload);
     switch (s.kind) {
         case StatementKind::if_:

@@ -131,7 +131,8 @@ private:
         if (blocks_++ == 0) first_numbered_ = n.number;
         if (!n.understood || (!n.number && first_numbered_)) return leave(line);
         if (comment || n.body.starts_with('*')) {
-            const Numbered kept{n.skip_before, n.number, n.skip_behind, true, trim_right(n.body)};
+            Numbered kept = n;
+        kept.body = trim_right(n.body);
             return write(count_.next(kept).append(kept.body));
         }
         block(n);

@@ -268,7 +268,7 @@ void read_iso_block(State& s) {
     const IsoBlock b = look_over(s);
     const bool corner = b.has_g(24) || b.has_g(25) || b.has_g(26);
     if (!corner) flush_pending(s);  // a corner belongs to the block before it
-    const std::size_t statements = s.build.unit().statements.size();
+    s.statements = s.build.unit().statements.size();
     const std::uint32_t last_path = s.last_path;
     const bool after_stop = s.after_stop, ended_by_star = s.iso.ended_by_star;
     read_number(s);
@@ -284,7 +284,7 @@ void read_iso_block(State& s) {
     if (!s.failed && !s.in.at_end()) fail_here(s, "this is left over at the end of the block: " + here(s));
     s.in.skip_block();
     if (s.last_path == last_path && !corner) s.last_path = program::no_target;
-    if (s.build.unit().statements.size() > statements) s.build.end_statement(s.in.at());
+    if (s.build.unit().statements.size() > s.statements) s.build.end_statement(s.in.at());
     s.iso.ended_by_star = s.in.at_star();
     s.in.leave_block();
 }

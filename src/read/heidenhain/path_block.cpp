@@ -112,7 +112,7 @@ void radius_word(State& s, bool circle_by_radius) {
         s.in.step();
         return s.build.modal(c == '+' ? Modal::paraxial_longer : Modal::paraxial_shorter, begin, s.in.at());
     }
-    if (!v.found && (base::is_blank(c) || c == '\0' || c == '\n' || c == '\r')) return;  // R alone: nothing is said
+    if (!v.found && (base::is_blank(c) || s.in.at_end())) return;  // R alone: nothing is said
     fail_here(s, "R0, RL, RR, R+ or R- is due here, found " + here(s));
 }
 
