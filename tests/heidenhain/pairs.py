@@ -135,6 +135,18 @@ PAIRS = [
     ("feeds", "L X+1 FU0.2\nL X+2 FZ0.1\nL X+3 FMAX\nL X+4 F200\n", "G01 X+1 FU0.2 *\nX+2 FZ0.1 *\nX+3 F MAX *\nX+4 F200 *\n"),
     ("smooth approach and departure", "L X-20 Y-10 R0 F500\nAPPR LCT X+0 Y+20 R5 RL F300\nL Y+50\nL X+50\nDEP LCT X+60 Y+80 R6\nL X+90\n",
      "G01 G40 X-20 Y-10 F500 *\nG41 X+0 Y+20 F300 *\nG26 R5 *\nY+50 *\nX+50 *\nG27 R6 *\nG40 X+60 Y+80 *\nX+90 *\n"),
+    ("M functions with values", "L X+0 Y+0 RL F300 M120 LA20\nL X+50 M97\nL Y+50 M103 F20\nL X+0 M109\nL X-20 R0 M140 MB10\n",
+     "G01 G41 X+0 Y+0 F300 M120 LA20 *\nX+50 M97 *\nY+50 M103 F20 *\nX+0 M109 *\nG40 X-20 M140 MB10 *\n"),
+    ("tilted plane", "PLANE SPATIAL SPA+30 SPB+0 SPC+0 STAY\nL X+10 Y+0 Z+5 F100\nPLANE RESET STAY\nL X+10\n",
+     "PLANE SPATIAL SPA+30 SPB+0 SPC+0 STAY *\nG01 X+10 Y+0 Z+5 F100 *\nPLANE RESET STAY *\nX+10 *\n"),
+    ("texts", "QS1 = \"SUB\" || \".H\"\nL X+1 F100\nCALL PGM QS1\nFN 9: IF QS1 EQU \"SUB.H\" GOTO LBL \"A\"\nL X+99\nLBL \"A\"\n",
+     "QS1 = \"SUB\" || \".H\" *\nG01 X+1 F100 *\n%QS1 *\nD09 P01 QS1 P02 \"SUB.H\" P03 \"A\" *\nX+99 *\nG98 L\"A\" *\n"),
+    ("local parameters", "QL1 = 5\nQR2 = QL1 * 2\nFN 2: QL3 = +QL1 - +QR2\nL X+QL1 Y-QL3 FQ1\n",
+     "QL1 = 5 *\nQR2 = QL1 * 2 *\nD02 QL3 P01 +QL1 P02 +QR2 *\nG01 X+QL1 Y-QL3 FQ1 *\n"),
+    ("jump out of a subprogram's motion", "L X+0 Y+0 F100\nCALL LBL 1\nL X+5 FMAX\nM2\nLBL 1\nL X+9 FMAX\nLBL 0\n",
+     "G01 X+0 Y+0 F100 *\nL1,0 *\nX+5 *\nM2 *\nG98 L1 *\nG00 X+9 *\nG98 L0 *\n"),
+    ("G91 of a subprogram", "L X+0 Y+0 F100\nCALL LBL 1\nL IX+5\nM2\nLBL 1\nL IX+9\nLBL 0\n",
+     "G01 G90 X+0 Y+0 F100 *\nL1,0 *\nX+5 *\nM2 *\nG98 L1 *\nG91 X+9 *\nG98 L0 *\n"),
     ("probe", "TCH PROBE 410 DATUM INSIDE RECTAN. Q321=+50\nL X+1 F100\n", "G410 DATUM INSIDE RECTAN. Q321=+50 *\nG01 X+1 F100 *\n"),
 ]
 DIFFERENT = ("L X+10 Y+20 F100\n", "G01 X+10 Y+20.001 F100 *\n")

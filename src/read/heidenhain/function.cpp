@@ -142,8 +142,8 @@ void leave_function(State& s, int n, std::uint32_t begin) {
     const auto* fn = dialect::heidenhain::find_fn(n);
     if (fn != nullptr && fn->use == dialect::heidenhain::Use::accepted)
         return s.build.ignored("FN " + std::to_string(n) + " (" + std::string(fn->text) + ")", begin, s.in.at());
-    s.build.problem(fn == nullptr ? Code::unknown : Code::unsupported, begin, s.in.at(),
-                    fn == nullptr ? std::string_view("there is no such function") : fn->text);
+    if (fn != nullptr) return s.build.problem(Code::unsupported, begin, s.in.at(), fn->text);
+    s.build.problem(Code::unknown, begin, s.in.at(), "the control has no FN " + std::to_string(n));
 }
 
 void read_numbered(State& s, int n, std::uint32_t begin) {

@@ -87,15 +87,15 @@ void read_percent(State& s) {
     const std::uint32_t behind = s.in.at();
     static_cast<void>(s.in.path());
     const IsoBlock b = look_over(s);
-    const bool first = s.build.unit().statements.empty() && !s.iso.has_header;
+    const bool first = s.build.unit().statements.empty() && !s.begun;
     const bool frame = b.has_g(70) || b.has_g(71);
     if (!frame && !(first && !s.numbered)) {
         s.in.go_to(behind);
         return read_call(s);
     }
     s.in.skip_block();
-    if (!first) return;  // the program's end
-    s.iso.has_header = true;
+    if (!first) return static_cast<void>(s.ended = s.begun);
+    s.begun = true;
     s.build.unit().inch = b.has_g(70);
     s.build.statement(StatementKind::block, s.block);
     s.build.modal(b.has_g(70) ? Modal::inch_all : Modal::metric_all, s.block, s.in.at());
@@ -217,6 +217,14 @@ void read_smooth(State& s, bool departure) {
     s.build.statement(StatementKind::block, s.block);  // the block itself, which counts as one
 }
 
+/// A measuring block: its words are its own.
+void read_refused(State& s, const dialect::GCode& g) {
+    const std::uint32_t begin = s.in.at();
+    s.build.statement(StatementKind::block, s.block);
+    s.in.skip_block();
+    s.build.problem(Code::unsupported, begin, s.in.at(), g.text);
+}
+
 void read_by_codes(State& s, const IsoBlock& b) {
     if (b.has_g(98)) return read_label(s, b);
     if (b.has_g(24) || b.has_g(25)) return read_corner_code(s);
@@ -224,6 +232,10 @@ void read_by_codes(State& s, const IsoBlock& b) {
     if (b.has_g(30) || b.has_g(31)) return read_blank(s, b);
     if (b.has_g(51) || b.has_g(99)) return read_tool_definition(s, b.has_g(51));
     if (const dialect::GCode* g = b.cycle()) return read_iso_cycle(s, *g);
+    for (const int n : b.g)
+        if (const dialect::GCode* g = dialect::find_g(n);
+            g != nullptr && g->use == dialect::Use::refused && g->block_only)
+            return read_refused(s, *g);
     read_iso_words(s, b);
 }
 
@@ -233,6 +245,8 @@ void read_content(State& s, const IsoBlock& b) {
     if (c == 'L') return read_label_call(s);
     if (c == 'D') return read_iso_function(s);
     if (c == 'Q' && stands_parameter(s)) return read_assignment(s);
+    if (base::equals_ignoring_case(s.in.letters(), "PLANE"))  // written as in Klartext
+        return static_cast<void>(read_special_block(s, s.in.letters()));
     if (base::is_letter(c)) return read_by_codes(s, b);
     s.build.statement(StatementKind::block, s.block);
     const std::uint32_t begin = s.in.at();

@@ -3,6 +3,8 @@
 
 #include <gtest/gtest.h>
 
+#include <filesystem>
+#include <fstream>
 #include <random>
 
 #include "program/tree_text_testing.hpp"
@@ -27,7 +29,8 @@ struct Result {
     }
 };
 
-void read_into(Result& r, const std::string& text) {
+void read_into(Result& r, std::string text) {
+    if (text.starts_with("%T")) text += "\nN9999 %T G71 *\n";
     const auto file = r.sources.add("TEST.I", text, base::BlockNumbers::n_word);
     r.unit = read_iso(file, r.sources, r.names, r.diagnostics);
 }
@@ -36,7 +39,7 @@ std::string complaint_of(const std::string& block) {
     Result r;
     read_into(r, "%T G71 *\nN10 G01 X+0 F100 *\n" + block + "\nN99 X+1 *\n");
     EXPECT_LE(r.diagnostics.all().size(), 1U) << block;
-    EXPECT_EQ(r.unit.statements.back().begin, r.sources[0].text.rfind("N99")) << "the block behind is read: " << block;
+    EXPECT_EQ(r.unit.statements.back().begin, r.sources[0].text.find("N99 X")) << "the block behind is read: " << block;
     return r.complaint();
 }
 
@@ -82,7 +85,8 @@ TEST(Iso, ComplaintsNamePlaceAndRemedy) {
 }
 
 TEST(Iso, WhatIsNotRunStaysInTheTree) {
-    for (const char* block : {"G20 T1", "G33 X+5", "G440", "D17 P01 +1 P02 +2", "D99 Q1", "G79 PAT", "(WAIT)", "&"}) {
+    for (const char* block : {"G20 T1", "G33 X+5", "G440 X", "G55 P01 10 P02 Z- P03 X+5", "D17 P01 +1 P02 +2", "D99 Q1",
+                              "G79 PAT", "(WAIT)", "&"}) {
         Result r;
         read_into(r, "%T G71 *\nN10 " + std::string(block) + " *\n");
         EXPECT_EQ(r.unit.problems.size(), 1U) << block;
@@ -121,6 +125,15 @@ TEST(Iso, Blank) {
     EXPECT_EQ(r.unit.blank->max, (std::array<double, 3>{99, 102, 0}));
 }
 
+TEST(Iso, ProgramCutOffOrFollowedByMore) {
+    Result cut, more;
+    read_into(cut, "%A G71 *\nN10 G01 X+5 F100 *\n");
+    EXPECT_EQ(cut.complaint(), "2:1 N99999999 %NAME is missing: the program may be cut off here | ");
+    read_into(more, "%A G71 *\nN10 G01 X+5 F100 *\nN99999999 %A G71 *\nN10 X+6 *\n");
+    EXPECT_EQ(more.complaint(), "4:1 the text behind N99999999 %NAME is left out | ");
+    EXPECT_EQ(more.unit.statements.size(), 2U);
+}
+
 TEST(Iso, Likelihood) {
     const char* klartext = "0 BEGIN PGM A MM\n1 TOOL CALL 1 Z S100\n2 L X+0 FMAX\n3 END PGM A MM\n";
     const char* iso = "%A G71 *\nN10 G00 G40 X+0 *\nN20 M2 *\nN99999999 %A G71 *\n";
@@ -129,6 +142,29 @@ TEST(Iso, Likelihood) {
     EXPECT_GT(likelihood(klartext, "A.I"), iso_likelihood(klartext, "A.I") + 30) << "the content says it";
     EXPECT_LT(iso_likelihood(sinumerik, "A.MPF"), 3);
     EXPECT_EQ(iso_likelihood("", ""), 0);
+}
+
+TEST(Iso, ProgramsOfOtherControlsDoNotLookLikeIt) {
+    const std::filesystem::path corpus = std::filesystem::path(OBRYS_SOURCE_DIR) / "../shared/corpus";
+    if (!std::filesystem::exists(corpus)) GTEST_SKIP() << "needs ../shared";
+    for (const char* folder : {"sinumerik", "gcode", "fanuc_macro", "rs274", "klartext", "apt"})
+        for (const auto& entry : std::filesystem::recursive_directory_iterator(corpus / folder)) {
+            if (!entry.is_regular_file()) continue;
+            std::ifstream in(entry.path(), std::ios::binary);
+            const std::string text{std::istreambuf_iterator<char>(in), {}};
+            const int score = iso_likelihood(text, entry.path().filename().string());
+            if (entry.path().string().find("Micron WF21D") == std::string::npos) {
+                EXPECT_LT(score, 20) << entry.path();
+                continue;
+            }
+            EXPECT_GT(score, 50) << "postprocessed for a TNC";
+            Result r;
+            read_into(r, text);
+            EXPECT_EQ(r.complaint(), "1:1 the text in front of % is left out | ");
+            EXPECT_EQ(r.diagnostics.all().size(), 1U);
+            EXPECT_TRUE(r.unit.problems.empty());
+            EXPECT_GT(r.unit.statements.size(), 100U);
+        }
 }
 
 /// Pieces of programs thrown together: every place lies in the text, and reading ends.
@@ -146,9 +182,9 @@ TEST(Iso, AnyTextIsRead) {
         Result r;
         read_into(r, text);
         for (const base::Diagnostic& d : r.diagnostics.all())
-            ASSERT_TRUE(d.where.begin <= d.where.end && d.where.end <= text.size()) << "seed " << seed;
+            ASSERT_TRUE(d.where.begin <= d.where.end && d.where.end <= r.sources[0].text.size()) << "seed " << seed;
         for (const program::Statement& s : r.unit.statements)
-            ASSERT_LE(s.begin + s.length, text.size()) << "seed " << seed;
+            ASSERT_LE(s.begin + s.length, r.sources[0].text.size()) << "seed " << seed;
     }
 }
 

@@ -258,6 +258,7 @@ void depart(State& s) {
     if (family != Family::straight && family != Family::polar_straight)
         return fail(s, s.block, "a straight block is due behind G27", "G00 or G01 to the point off the contour");
     add_smooth(s, true, radius, s.block);
+    s.last_path = program::no_target;  // no corner may follow
 }
 
 /// Nothing but a pole stands in the block.

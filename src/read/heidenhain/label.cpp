@@ -8,7 +8,7 @@ using program::no_expr;
 
 namespace {
 
-constexpr int highest_label = 65534;
+constexpr double highest_label = 65534;
 
 struct Label {
     ExprId text = no_expr;
@@ -22,7 +22,8 @@ Label read_label(State& s) {
     Label l;
     if (base::is_digit(s.in.peek())) {
         const int n = s.in.integer();
-        if (n < 0 || n > highest_label || s.in.peek() == '.') {
+        const char next = base::upper(s.in.peek());
+        if (n < 0 || n > highest_label || next == '.' || next == 'E') {
             fail(s, begin, "a label is a whole number up to 65534", "a name in quotes is a label, too");
             return l;
         }

@@ -25,7 +25,6 @@ struct IsoState {
     Modal paraxial = Modal::paraxial;     ///< G43, G44
     std::optional<Modal> pending;         ///< G90 or G91 behind the coordinates of its block: from the next one on
     ExprId departure = program::no_expr;  ///< G27: radius of the departure that the next block makes
-    bool has_header = false;              ///< `%NAME G71` was read
     bool ended_by_star = false;           ///< the block before
 };
 
@@ -33,13 +32,13 @@ struct State {
     program::Builder build;
     Scanner in;
     std::uint32_t block = 0;      ///< where the block at hand begins
-    std::size_t statements = 0;   ///< how many there were before it
     std::uint32_t number = 0;     ///< of the block at hand, 0 where it has none
+    std::size_t statements = 0;   ///< how many there were before it
     bool numbered = false;        ///< … with a number
     bool first_numbered = false;  ///< the text's first block has a number: a line without one goes on with a cycle
     bool failed = false;          ///< a complaint was made about it
-    bool begun = false;           ///< BEGIN PGM was read
-    bool ended = false;           ///< … and its END PGM: what follows is no part of the program
+    bool begun = false;           ///< BEGIN PGM or %NAME G71 was read
+    bool ended = false;           ///< … and its END PGM or last %NAME: what follows is no part of the program
     std::uint32_t last_path = program::no_target;   ///< the block before, where it is a contour element
     bool after_stop = false;                        ///< the block before was STOP: a comment is its message
     std::uint32_t open_cycle = program::no_target;  ///< entry in Unit::cycles that further lines belong to
@@ -83,6 +82,11 @@ void value_word(State& s, Code code, std::uint32_t begin, bool incremental = fal
 // --- blocks
 void read_block(State& s);                                                               ///< block.cpp
 [[nodiscard]] program::Unit begin_unit(std::uint32_t file, const base::Source& source);  ///< read.cpp
+/// Postprocessors and editors write headings in front of the program, which begins in the line of byte `begin` (npos:
+/// there is none).
+void skip_preface(State& s, std::size_t begin, std::string_view mark, base::Diagnostics& diagnostics);
+/// A program that was cut off on its way here has no last block; what an editor has left behind it is not run.
+void check_end(State& s, std::string_view last, base::Diagnostics& diagnostics);
 void read_comment(State& s, bool after_stop);  ///< block.cpp: behind STOP it is a message, else nothing
 /// A stop of the program, unless an M0, M2 or M30 stands among the words from `words` on.
 void stop_here(State& s, std::size_t words, std::uint32_t begin, std::uint32_t end);
