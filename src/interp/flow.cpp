@@ -205,6 +205,13 @@ void repeat_section(Run& run, const program::Section& s, std::uint32_t index) {
     run.top().sections.push_back(active);
 }
 
+/// The cycle, and the words of its block that do not belong to it.
+void cycle_definition(Run& run, const program::Statement& s, std::uint32_t index) {
+    const Unit& unit = run.unit();
+    define_cycle(run, unit.cycles[static_cast<std::size_t>(unit.words[s.first].payload)]);
+    for (std::uint32_t w = s.first + 1; w < unit.words_end(index) && !run.stopped; ++w) gather(run, s, unit.words[w]);
+}
+
 }  // namespace
 
 namespace {
@@ -279,13 +286,9 @@ void run_statement(Run& run, const Statement& s, std::uint32_t index) {
             repeat_section(run, unit.sections[table], index);
             return;
         case StatementKind::label_call:
-            call_label(run, unit.label_calls[table], index);
-            return;
+            return call_label(run, unit.label_calls[table], index);
         case StatementKind::cycle_definition:
-            define_cycle(run, unit.cycles[table]);
-            for (std::uint32_t w = s.first + 1; w < unit.words_end(index) && !run.stopped; ++w)
-                gather(run, s, unit.words[w]);  // what does not belong to the cycle
-            return;
+            return cycle_definition(run, s, index);
         case StatementKind::call:
             call_program(run, unit.calls[table]);
             return;

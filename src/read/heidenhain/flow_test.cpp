@@ -98,7 +98,7 @@ TEST(KlartextLabel, Mistakes) {
     EXPECT_EQ(complaint("LBL QS5"), "a label needs a fixed number or name here");
     EXPECT_EQ(complaint("LBL"), "a label is due here, found end of block");
     EXPECT_EQ(complaint("LBL X"), "a label is due here, found 'X'");
-    for (const char* number : {"5.5", "65535", "99999999999999999999"})
+    for (const char* number : {"5.5", "65535", "99999999999999999999", "1E300"})
         EXPECT_EQ(complaint(std::string("LBL ") + number), "a label is a whole number up to 65534") << number;
     EXPECT_EQ(complaint("LBL \"\""), "a label's name is empty");
     EXPECT_EQ(complaint("LBL \"A"), "this text has no closing quote");

@@ -8,7 +8,7 @@ using program::no_expr;
 
 namespace {
 
-constexpr int highest_label = 65534;
+constexpr double highest_label = 65534;
 
 struct Label {
     ExprId text = no_expr;
