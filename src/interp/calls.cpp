@@ -138,6 +138,10 @@ const Unit* find(Run& run, const std::string& name, const base::Span& where) {
 
 }  // namespace
 
+const Unit* find_named_program(Run& run, const std::string& written, const base::Span& where) {
+    return find(run, program_name(written), where);
+}
+
 namespace {
 
 /// Local numbered parameters begin unset in every program; the caller's are put aside.

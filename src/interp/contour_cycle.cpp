@@ -49,7 +49,8 @@ void add_edge(geom::Contour& c, const path::Element& e) {
     }
 }
 
-/// The first block of a contour goes to its start; the others are its elements, with their chamfers and roundings.
+}  // namespace
+
 geom::Contour contour_of(Run& run, const std::vector<Captured>& all) {
     const PlaneAxes a = plane_axes(run.modal.plane);
     geom::Contour contour;
@@ -73,6 +74,14 @@ geom::Contour contour_of(Run& run, const std::vector<Captured>& all) {
     }
     return contour;
 }
+
+bool is_known(const geom::Contour& c) {
+    for (const geom::Vertex& v : c.vertices)
+        if (!std::isfinite(v.p.x) || !std::isfinite(v.p.y) || !std::isfinite(v.bulge)) return false;
+    return true;
+}
+
+namespace {
 
 int side_of(const std::vector<Captured>& all) {
     for (const Captured& c : all) {
@@ -111,12 +120,11 @@ bool read_labels(Run& run, std::vector<Label>& labels) {
             return false;
         }
         Label l{name, contour_of(run, *all), side_of(*all)};
-        for (const geom::Vertex& v : l.contour.vertices)
-            if (!std::isfinite(v.p.x) || !std::isfinite(v.p.y) || !std::isfinite(v.bulge)) {
-                unchecked(run, codes::unknown_value, run.here(),
-                          "the contour of label " + name + " depends on a value that is not known: the cycle is not run");
-                return false;
-            }
+        if (!is_known(l.contour)) {
+            unchecked(run, codes::unknown_value, run.here(),
+                      "the contour of label " + name + " depends on a value that is not known: the cycle is not run");
+            return false;
+        }
         labels.push_back(std::move(l));
     }
     return true;
@@ -142,11 +150,22 @@ bool combine(Run& run, const std::vector<Label>& labels, geom::Region& area) {
 }  // namespace
 
 std::optional<cycles::ContourTask> contour_task(Run& run, const cycles::Demand& demand) {
-    std::vector<Label> labels;
-    if (!read_labels(run, labels)) return std::nullopt;
     cycles::ContourTask task;
     const bool train = demand.kind == program::CycleKind::contour_train;
-    if (train) {
+    const bool chosen = !run.contour_choices.empty();
+    if (train && chosen) {
+        unchecked(run, codes::unsupported, run.here(),
+                  "a contour train along a contour of CONTOUR DEF or a formula is not run",
+                  "name its label with CYCL DEF 14");
+        return std::nullopt;
+    }
+    std::vector<Label> labels;
+    if (!chosen && !read_labels(run, labels)) return std::nullopt;
+    if (chosen) {
+        auto area = chosen_area(run, demand);
+        if (!area) return std::nullopt;
+        task.area = std::move(*area);
+    } else if (train) {
         task.train = {labels.front().contour, labels.front().side};
         if (labels.size() > 1)
             unchecked(run, codes::unsupported, run.here(), "a contour train has one label: the others are left out");

@@ -276,6 +276,12 @@ void run_statement(Run& run, const Statement& s, std::uint32_t index) {
         case StatementKind::cycle_definition:
             define_cycle(run, unit.cycles[table]);
             return;
+        case StatementKind::pattern:
+            define_pattern(run, unit.patterns[table]);
+            return;
+        case StatementKind::contour:
+            contour_statement(run, unit.contours[table]);
+            return;
         case StatementKind::call:
             call_program(run, unit.calls[table]);
             return;
