@@ -124,8 +124,8 @@ std::string program_name(std::string_view written) {
     std::string s = base::to_upper(base::trim(written));
     if (const auto slash = s.find_last_of("/\\:"); slash != std::string::npos) s.erase(0, slash + 1);
     if (s.starts_with("_N_")) s.erase(0, 3);
-    for (const char* suffix : {"_SPF", "_MPF", ".SPF", ".MPF", ".H", ".I"})
-        if (s.ends_with(suffix)) s.resize(s.size() - 4);
+    for (const std::string_view suffix : {"_SPF", "_MPF", ".SPF", ".MPF", ".H"})
+        if (s.ends_with(suffix)) s.resize(s.size() - suffix.size());
     return s;
 }
 

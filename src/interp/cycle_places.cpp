@@ -43,7 +43,9 @@ public:
 
     [[nodiscard]] Vec3 at() const { return into_plane(run_.programmed_position, axes_); }
     void to(const Vec3& p) {
-        if (geom::length(p - at()) < 1e-9 || run_.stopped) return;
+        const Vec3 now = at();
+        const auto same = [](double a, double b) { return std::abs(a - b) < 1e-9 || (std::isnan(a) && std::isnan(b)); };
+        if (run_.stopped || (same(p.x, now.x) && same(p.y, now.y) && same(p.z, now.z))) return;
         if (!rapid_) require_feed(run_);
         step(cl::Linear{p, {0, 0, 1}, rapid_});
     }

@@ -95,7 +95,8 @@ void add_table(Run& run, const std::string& name, const base::Span& where) {
     }
     const shop::HeidenhainTable* table = run.env.find_table(name);
     if (table == nullptr) {
-        unchecked(run, codes::file_missing, where, "the point table " + name + " was not found: no cycle is called at its points",
+        unchecked(run, codes::unknown_value, where,
+                  "the point table " + name + " was not found: no cycle is called at its points",
                   "put it beside the program or name its folder with --search");
         return;
     }
