@@ -83,7 +83,7 @@ TEST(Iso, ComplaintsNamePlaceAndRemedy) {
 
 TEST(Iso, WhatIsNotRunStaysInTheTree) {
     for (const char* block :
-         {"G20 T1", "G33 X+5", "G26 R5", "G27 R5", "G440", "D19 P01 +1 P02 +2", "D99 Q1", "G79 PAT", "(WAIT)", "&"}) {
+         {"G20 T1", "G33 X+5", "G26 R5", "G27 R5", "G440", "D19 P01 +1 P02 +2", "D99 Q1", "(WAIT)", "&"}) {
         Result r;
         read_into(r, "%T G71 *\nN10 " + std::string(block) + " *\n");
         EXPECT_EQ(r.unit.problems.size(), 1U) << block;
