@@ -87,7 +87,7 @@ bool mirror(Run& run, const ActiveCycle& c) {
 }
 
 bool rotate(Run& run, const ActiveCycle& c) {
-    const Written w = find(run, c, CycleRole::rotation);
+    const Written w = find(run, c, CycleRole::angle);
     double angle = w.value;
     if (w.incremental) {
         const geom::Frame now = active(run, TransformKind::rotation);
