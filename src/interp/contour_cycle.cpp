@@ -149,33 +149,42 @@ bool combine(Run& run, const std::vector<Label>& labels, geom::Region& area) {
 
 }  // namespace
 
-std::optional<cycles::ContourTask> contour_task(Run& run, const cycles::Demand& demand) {
-    cycles::ContourTask task;
-    const bool train = demand.kind == program::CycleKind::contour_train;
-    const bool chosen = !run.contour_choices.empty();
-    if (train && chosen) {
-        unchecked(run, codes::unsupported, run.here(),
-                  "a contour train along a contour of CONTOUR DEF or a formula is not run",
-                  "name its label with CYCL DEF 14");
-        return std::nullopt;
-    }
+namespace {
+
+/// What the labels of CYCL DEF 14 say.
+std::optional<cycles::ContourTask> labelled_task(Run& run, bool train) {
     std::vector<Label> labels;
-    if (!chosen && !read_labels(run, labels)) return std::nullopt;
-    if (chosen) {
-        auto area = chosen_area(run, demand);
-        if (!area) return std::nullopt;
-        task.area = std::move(*area);
-    } else if (train) {
+    if (!read_labels(run, labels)) return std::nullopt;
+    cycles::ContourTask task;
+    if (train) {
         task.train = {labels.front().contour, labels.front().side};
         if (labels.size() > 1)
             unchecked(run, codes::unsupported, run.here(), "a contour train has one label: the others are left out");
     } else if (!combine(run, labels, task.area)) {
         return std::nullopt;
     }
+    return task;
+}
+
+}  // namespace
+
+std::optional<std::vector<ContourLayer>> contour_layers(Run& run, const cycles::Demand& demand) {
+    const bool train = demand.kind == program::CycleKind::contour_train;
+    std::optional<std::vector<ContourLayer>> layers;
+    if (run.contour_choices.empty()) {
+        if (auto task = labelled_task(run, train)) layers = {{std::move(*task), {}}};
+    } else if (train) {
+        unchecked(run, codes::unsupported, run.here(),
+                  "a contour train along a contour of CONTOUR DEF or a formula is not run",
+                  "name its label with CYCL DEF 14");
+    } else {
+        layers = chosen_layers(run, demand);
+    }
     const auto role = demand.kind == program::CycleKind::pilot_drill ? program::CycleRole::pilot_tool
                                                                      : program::CycleRole::coarse_tool;
-    task.other_radius = radius_of_tool(run, demand, role);
-    return task;
+    if (layers)
+        for (ContourLayer& l : *layers) l.task.other_radius = radius_of_tool(run, demand, role);
+    return layers;
 }
 
 }  // namespace obrys::interp

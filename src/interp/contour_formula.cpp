@@ -2,6 +2,7 @@
 /// Source: HEIDENHAIN iTNC 530 cycle programming, "SL cycles with (simple) contour formula", from memory. Which operator
 /// binds more strongly it does not say: they are taken from left to right.
 
+#include <algorithm>
 #include <cmath>
 
 #include "base/codes.hpp"
@@ -37,30 +38,15 @@ ContourChoice choice_of(Run& run, const ContourStatement& s) {
     return c;
 }
 
-/// What a part does to the area.
-enum class Effect : std::uint8_t { whole, none, refused };
-Effect effect_of(const program::ContourPart& p, double depth, double of_cycle) {
-    if (std::isnan(depth) || depth == 0) return Effect::whole;
-    if (!(depth < std::abs(of_cycle) - 1e-9)) return p.island ? Effect::none : Effect::whole;
-    return Effect::refused;
-}
-
 /// Reads contours of parts; a complaint makes it `failed`.
 class Parts {
 public:
-    Parts(Run& run, const cycles::Demand& demand)
-        : run_(run), depth_(demand.get(program::CycleRole::depth)) {}
+    explicit Parts(Run& run) : run_(run) {}
 
     [[nodiscard]] bool failed() const { return failed_; }
     [[nodiscard]] Region area(const ContourChoice& c, std::size_t i) {
         const program::ContourPart& p = c.statement->parts[i];
         const std::string& name = c.parts[i].name;
-        const Effect effect = effect_of(p, c.parts[i].depth, depth_);
-        if (effect == Effect::refused)
-            return unchecked(run_, codes::unsupported, p.where,
-                             "a contour with another depth than the cycle's is not run: the cycle is left out"),
-                   fail();
-        if (effect == Effect::none) return {};
         const bool label = p.label != program::no_expr;
         const Unit* unit = label ? c.unit : find_named_program(run_, name, p.where);
         if (unit == nullptr) return fail();
@@ -86,7 +72,6 @@ private:
     }
 
     Run& run_;
-    double depth_;
     bool failed_ = false;
 };
 
@@ -101,14 +86,63 @@ Region combined(ContourOperator op, const Region& a, const Region& b) {
     return a;
 }
 
-Region of_parts(const ContourChoice& c, Parts& parts) {
-    Region pockets, islands;
-    for (std::size_t i = 0; i < c.parts.size() && !parts.failed(); ++i) {
-        Region& sum = c.statement->parts[i].island ? islands : pockets;
-        const Region area = parts.area(c, i);
-        sum = sum.empty() ? area : geom::unite(sum, area);
+/// Where a part begins and ends below the surface: a pocket goes from it to its depth, an island from its top to the
+/// floor.
+struct Extent {
+    double top = 0, bottom = 0;
+};
+Extent extent_of(const program::ContourPart& p, double depth, double floor) {
+    const double own = std::isnan(depth) ? 0 : std::min(depth, floor);
+    if (p.island) return {own, floor};
+    return {0, own == 0 ? floor : own};
+}
+
+ContourLayer layer_of(Region area, double surface, const Extent& e) {
+    ContourLayer l;
+    l.task.area = std::move(area);
+    l.instead = {{program::CycleRole::surface, surface - e.top}, {program::CycleRole::depth, e.top - e.bottom}};
+    return l;
+}
+
+/// The layers between all tops and bottoms; one of them where no contour has a depth of its own.
+std::optional<std::vector<ContourLayer>> of_parts(Run& run, const ContourChoice& c, const cycles::Demand& d) {
+    Parts parts(run);
+    const double floor = std::abs(d.get(program::CycleRole::depth));
+    std::vector<Region> areas;
+    std::vector<Extent> extents;
+    std::vector<ContourLayer> layers;
+    std::vector<double> levels{0, floor};
+    for (std::size_t i = 0; i < c.parts.size(); ++i) {
+        areas.push_back(parts.area(c, i));
+        if (parts.failed()) return std::nullopt;
+        extents.push_back(extent_of(c.statement->parts[i], c.parts[i].depth, floor));
+        levels.push_back(extents.back().top);
+        levels.push_back(extents.back().bottom);
     }
-    return islands.empty() ? pockets : geom::subtract(pockets, islands);
+    if (!(floor > 0) || !std::isfinite(floor)) {  // the cycle complains of its depth
+        layers.emplace_back().task.area = std::move(areas.front());
+        return layers;
+    }
+    std::sort(levels.begin(), levels.end());
+    levels.erase(std::unique(levels.begin(), levels.end(), [](double a, double b) { return b - a < 1e-9; }),
+                 levels.end());
+    for (std::size_t k = 0; k + 1 < levels.size(); ++k) {
+        const Extent e{levels[k], levels[k + 1]};
+        Region pockets, islands;
+        for (std::size_t i = 0; i < areas.size(); ++i) {
+            if (extents[i].top > e.top + 1e-9 || extents[i].bottom < e.bottom - 1e-9) continue;
+            Region& sum = c.statement->parts[i].island ? islands : pockets;
+            sum = sum.empty() ? areas[i] : geom::unite(sum, areas[i]);
+        }
+        Region area = islands.empty() ? std::move(pockets) : geom::subtract(pockets, islands);
+        if (!area.empty()) layers.push_back(layer_of(std::move(area), d.get(program::CycleRole::surface), e));
+    }
+    const bool one = levels.size() <= 2;
+    if (one && !layers.empty()) layers.front().instead.clear();
+    if (!one) assume(run, run.here(), "contours of different depth are milled in layers, from above down");
+    if (one || d.kind != program::CycleKind::floor_finish) return layers;
+    unchecked(run, codes::unsupported, run.here(), "floor finishing of contours of different depth is not run");
+    return std::nullopt;
 }
 
 using Areas = std::map<std::uint32_t, Region>;
@@ -136,13 +170,19 @@ std::optional<Region> of_formula(Run& run, const ContourStatement& s, const Area
 }
 
 /// The contour is that of the last formula; where there is none, the one declared last.
-std::optional<Region> of_choices(Run& run, Parts& parts) {
+std::optional<Region> of_choices(Run& run, double floor) {
+    Parts parts(run);
     Areas areas;
     std::optional<std::uint32_t> declared, computed;
     const std::vector<ContourChoice> choices = run.contour_choices;
     for (const ContourChoice& c : choices) {
         const ContourStatement& s = *c.statement;
         if (s.kind == Kind::declaration) {
+            if (c.parts[0].depth > 0 && c.parts[0].depth < floor - 1e-9) {
+                unchecked(run, codes::unsupported, s.where,
+                          "a contour of a formula with less depth than the cycle is not run: the cycle is left out");
+                return std::nullopt;
+            }
             areas[s.number] = parts.area(c, 0);
             declared = s.number;
         } else if (s.kind == Kind::formula) {
@@ -173,17 +213,25 @@ void contour_statement(Run& run, const ContourStatement& s) {
     if (const Unit* unit = find_named_program(run, printed(name), s.where)) enter(run, *unit, nullptr, s.where);
 }
 
-std::optional<Region> chosen_area(Run& run, const cycles::Demand& demand) {
-    Parts parts(run, demand);
-    if (run.contour_choices.front().statement->kind != Kind::definition) return of_choices(run, parts);
+std::optional<std::vector<ContourLayer>> chosen_layers(Run& run, const cycles::Demand& demand) {
     const ContourChoice c = run.contour_choices.front();
-    if (c.parts.empty()) {
+    std::optional<std::vector<ContourLayer>> layers;
+    if (c.statement->kind != Kind::definition) {
+        auto area = of_choices(run, std::abs(demand.get(program::CycleRole::depth)));
+        if (!area) return std::nullopt;
+        layers.emplace(1);
+        layers->front().task.area = std::move(*area);
+    } else if (c.parts.empty()) {
         unchecked(run, codes::contour, run.here(), "the contour of this cycle is not known: the cycle is not run");
+    } else {
+        layers = of_parts(run, c, demand);
+    }
+    if (!layers) return std::nullopt;
+    if (layers->empty() || layers->front().task.area.empty()) {
+        unchecked(run, codes::contour, run.here(), "nothing is left of the contour of this cycle: the cycle is not run");
         return std::nullopt;
     }
-    Region area = of_parts(c, parts);
-    if (parts.failed()) return std::nullopt;
-    return area;
+    return layers;
 }
 
 }  // namespace obrys::interp

@@ -1,6 +1,8 @@
 /// Cycles: what a definition keeps, what a call makes of it, and how the steps come into the stream.
 
+#include <algorithm>
 #include <cmath>
+#include <iterator>
 
 #include "base/codes.hpp"
 #include "cycles/cycle.hpp"
@@ -110,20 +112,45 @@ geom::Vec2 far_from(const cycles::ContourTask& task) {
     return p + geom::Vec2{1000, 1000};
 }
 
+void append(cycles::Expansion& all, cycles::Expansion more) {
+    std::move(more.steps.begin(), more.steps.end(), std::back_inserter(all.steps));
+    for (cycles::Complaint& k : more.complaints)
+        if (std::none_of(all.complaints.begin(), all.complaints.end(), [&](const auto& have) { return have.text == k.text; }))
+            all.complaints.push_back(std::move(k));
+    if (!more.assumption.empty()) all.assumption = more.assumption;
+    all.simulated = all.simulated && more.simulated;
+}
+
+geom::Vec3 end_of(const std::vector<cl::Step>& steps, const geom::Vec3& otherwise) {
+    for (auto s = steps.rbegin(); s != steps.rend(); ++s) {
+        if (const auto* line = std::get_if<cl::Linear>(&*s)) return line->to;
+        if (const auto* arc = std::get_if<cl::Arc>(&*s)) return arc->to;
+    }
+    return otherwise;
+}
+
 /// The steps of the cycle; nothing after a complaint.
 std::optional<cycles::Expansion> expansion(Run& run, const ActiveCycle& c, const CycleValues& instead) {
     const cycles::Demand demand = demand_of(run, c, instead);
     if (!cycles::is_contour_cycle(demand.kind)) return cycles::expand(demand, situation_of(run));
-    const auto task = contour_task(run, demand);
-    if (!task) return std::nullopt;
+    const auto layers = contour_layers(run, demand);
+    if (!layers) return std::nullopt;
+    cycles::Expansion all;
     cycles::Situation s = situation_of(run);
-    // The cycle goes to its contour by itself: where it comes from does not matter, if only it is somewhere else.
-    if (std::isnan(s.at.x) || std::isnan(s.at.y)) {
-        const geom::Vec2 far = far_from(*task);
-        s.at.x = far.x;
-        s.at.y = far.y;
+    for (const ContourLayer& layer : *layers) {
+        // The cycle goes to its contour by itself: where it comes from does not matter, if only it is somewhere else.
+        if (std::isnan(s.at.x) || std::isnan(s.at.y)) {
+            const geom::Vec2 far = far_from(layer.task);
+            s.at.x = far.x;
+            s.at.y = far.y;
+        }
+        cycles::Demand own = demand;
+        own.values.insert(own.values.end(), layer.instead.begin(), layer.instead.end());
+        append(all, cycles::expand_contour(own, s, layer.task));
+        if (!all.ok()) break;
+        if (!all.steps.empty()) s.at = end_of(all.steps, s.at);
     }
-    return cycles::expand_contour(demand, s, *task);
+    return all;
 }
 
 }  // namespace
