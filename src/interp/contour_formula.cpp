@@ -1,6 +1,6 @@
 /// Contours made of several: CONTOUR DEF, and DECLARE CONTOUR with formulas in a program that SEL CONTOUR names.
-/// Source: HEIDENHAIN iTNC 530 cycle programming, "SL cycles with (simple) contour formula", from memory. Which operator
-/// binds more strongly it does not say: they are taken from left to right.
+/// Source: HEIDENHAIN iTNC 530 cycle programming, "SL cycles with (simple) contour formula", from memory. Which
+/// operator binds more strongly it does not say: they are taken from left to right.
 
 #include <algorithm>
 #include <cmath>
@@ -32,7 +32,8 @@ ContourChoice choice_of(Run& run, const ContourStatement& s) {
         part.name = printed(evaluate(run, p.label != program::no_expr ? p.label : p.program));
         part.depth = p.depth == program::no_expr ? NAN : std::abs(number(run, p.depth) * unit);
         if (p.depth != program::no_expr && std::isnan(part.depth))
-            unchecked(run, codes::unknown_value, p.where, "the depth of this contour is not known: that of the cycle is taken");
+            unchecked(run, codes::unknown_value, p.where,
+                      "the depth of this contour is not known: that of the cycle is taken");
         c.parts.push_back(std::move(part));
     }
     return c;
@@ -67,7 +68,8 @@ private:
         return {};
     }
     Region alarm(const std::string& what, bool label, const std::string& name, const program::ContourPart& p) {
-        interp::alarm(run_, codes::contour, p.where, "the contour of " + std::string(label ? "label " : "program ") + name + " " + what);
+        interp::alarm(run_, codes::contour, p.where,
+                      "the contour of " + std::string(label ? "label " : "program ") + name + " " + what);
         return fail();
     }
 
@@ -205,7 +207,8 @@ void contour_statement(Run& run, const ContourStatement& s) {
     const bool adds = s.kind == Kind::declaration || s.kind == Kind::formula;
     if (!adds || (!choices.empty() && choices.front().statement->kind == Kind::definition)) choices.clear();
     if (choices.size() >= most_choices)
-        return alarm(run, codes::contour, s.where, "more than " + std::to_string(most_choices) + " contours are declared");
+        return alarm(run, codes::contour, s.where,
+                     "more than " + std::to_string(most_choices) + " contours are declared");
     choices.push_back(choice_of(run, s));
     if (run.stopped || s.kind != Kind::selection) return;
     const Value name = evaluate(run, s.program);
@@ -228,7 +231,8 @@ std::optional<std::vector<ContourLayer>> chosen_layers(Run& run, const cycles::D
     }
     if (!layers) return std::nullopt;
     if (layers->empty() || layers->front().task.area.empty()) {
-        unchecked(run, codes::contour, run.here(), "nothing is left of the contour of this cycle: the cycle is not run");
+        unchecked(run, codes::contour, run.here(),
+                  "nothing is left of the contour of this cycle: the cycle is not run");
         return std::nullopt;
     }
     return layers;

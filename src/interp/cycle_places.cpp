@@ -1,6 +1,6 @@
 /// Where cycles are called besides the place of the tool: CYCL CALL POS, CYCL CALL PAT, cycles 220 and 221.
-/// Source: HEIDENHAIN iTNC 530 cycle programming, "Calling cycles", "Point tables", "Point patterns"; of it the order of
-/// the ways and the clearance height between points are from memory.
+/// Source: HEIDENHAIN iTNC 530 cycle programming, "Calling cycles", "Point tables", "Point patterns"; of it the order
+/// of the ways and the clearance height between points are from memory.
 
 #include <algorithm>
 #include <cmath>
@@ -151,8 +151,10 @@ void run_point_cycle(Run& run, const ActiveCycle& c) {
         way.to_height(i == 0 || p.at_second_clearance ? h.second : h.first);
         if (i > 0 && p.along_circle) {
             way.along_circle(p.centre, place);
-            assume(run, run.here(), "between the points of " + c.definition->name +
-                                        " the tool moves on the circle in rapid traverse: the stream holds the feed of the cycle before");
+            assume(
+                run, run.here(),
+                "between the points of " + c.definition->name +
+                    " the tool moves on the circle in rapid traverse: the stream holds the feed of the cycle before");
         } else {
             way.to_place(place);
         }

@@ -105,9 +105,7 @@ void read_own(State& s, ContourStatement& c) {
             if (s.in.at_end()) return fail_here(s, "CONTOUR DEF needs a contour: P1 = LBL 1, P1 = \"NAME.H\"");
             while (!s.failed && !s.in.at_end()) read_part(s, c);
             return;
-        case Kind::selection:
-            c.program = read_file_name(s, "the name of a program is due behind SEL CONTOUR");
-            return;
+        case Kind::selection: c.program = read_file_name(s, "the name of a program is due behind SEL CONTOUR"); return;
         case Kind::declaration:
         case Kind::formula: break;
     }

@@ -22,9 +22,9 @@ struct Word {
 constexpr std::array position_words{Word{"X", FigureRole::x}, Word{"Y", FigureRole::y}, Word{"Z", FigureRole::z}};
 constexpr std::array row_words{Word{"NUM", FigureRole::count}, Word{"ROT", FigureRole::rotation},
                                Word{"D", FigureRole::spacing}};
-constexpr std::array grid_words{Word{"NUMX", FigureRole::columns},   Word{"NUMY", FigureRole::rows},
+constexpr std::array grid_words{Word{"NUMX", FigureRole::columns},    Word{"NUMY", FigureRole::rows},
                                 Word{"ROTX", FigureRole::rotation_x}, Word{"ROTY", FigureRole::rotation_y},
-                                Word{"ROT", FigureRole::rotation},   Word{"DX", FigureRole::spacing_x},
+                                Word{"ROT", FigureRole::rotation},    Word{"DX", FigureRole::spacing_x},
                                 Word{"DY", FigureRole::spacing_y}};
 constexpr std::array circle_words{Word{"START", FigureRole::start_angle}, Word{"NUM", FigureRole::count},
                                   Word{"D", FigureRole::diameter}};
@@ -56,8 +56,9 @@ bool read_setting(State& s, program::PatternFigure& figure, std::span<const Word
         if (!s.in.take_prefix(w.text)) continue;
         const bool place = w.role == FigureRole::x || w.role == FigureRole::y;
         if (incremental && (!place || first)) {
-            fail(s, begin, first && place ? "the first figure of a pattern has nothing to be incremental to"
-                                          : "only X and Y may be incremental in a pattern");
+            fail(s, begin,
+                 first && place ? "the first figure of a pattern has nothing to be incremental to"
+                                : "only X and Y may be incremental in a pattern");
             return true;
         }
         const ExprId value = value_expr(s);

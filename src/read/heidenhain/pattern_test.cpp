@@ -4,12 +4,12 @@
 
 namespace obrys::read::heidenhain {
 
-using testing::complaint;
-using testing::Reading;
 using program::ContourOperator;
 using program::ContourStatement;
 using program::FigureKind;
 using program::FigureRole;
+using testing::complaint;
+using testing::Reading;
 
 namespace {
 
@@ -39,7 +39,7 @@ TEST(KlartextPattern, EveryFigureHasItsWords) {
         " PAT1 (X+0 Y+0 DX+8 DY+10 NUMX5 NUMY4 ROT+0 ROTX+1 ROTY+2 Z+0) FRAME1 (X+0 Y+0 DX+8 DY+10 NUMX5 NUMY4) ~\n"
         " CIRC1 (X+0 Y+0 D80 START+45 NUM8) PITCHCIRC1 (X+0 Y+0 D80 START+45 STEP30 NUM8 Z+0)\n");
     ASSERT_EQ(p.figures.size(), 7u);
-    const FigureKind kinds[] = {FigureKind::position, FigureKind::position, FigureKind::row,    FigureKind::grid,
+    const FigureKind kinds[] = {FigureKind::position, FigureKind::position, FigureKind::row, FigureKind::grid,
                                 FigureKind::frame,    FigureKind::circle,   FigureKind::arc};
     for (std::size_t i = 0; i < 7; ++i) EXPECT_EQ(p.figures[i].kind, kinds[i]) << i;
     EXPECT_FALSE(p.figures[0].settings[0].incremental);
@@ -66,7 +66,7 @@ TEST(KlartextPattern, Mistakes) {
     EXPECT_EQ(complaint("PATTERN POS1 (X+0 Y+0)"), "DEF is due behind PATTERN, found 'POS1'");
     EXPECT_EQ(complaint("PATTERN DEF POS1 X+0"), "'(' is due here, found 'X+0'");
     EXPECT_EQ(complaint("PATTERN DEF POS1 (X+0)"), "this figure of the pattern needs Y");
-    EXPECT_EQ(complaint("PATTERN DEF POS1 (X+0 Y+0 D+8)"), "this is no word of POS: 'D+8'");
+    EXPECT_EQ(complaint("PATTERN DEF POS1 (X+0 Y+0 D+8)"), "this is no word of POS: 'D+8)'");
     EXPECT_EQ(complaint("PATTERN DEF POS1 (X+0 Y+0 X+1)"), "X is given twice");
     EXPECT_EQ(complaint("PATTERN DEF POS1 (X+0 Y+0) POS2 (X+0 Y+0 IZ+1)"),
               "only X and Y may be incremental in a pattern");
@@ -90,15 +90,16 @@ TEST(KlartextContour, PartsOfADefinition) {
 
 TEST(KlartextContour, FormulasFromLeftToRight) {
     EXPECT_NE(formula("1 QC10 = QC1 | QC2 | QC3\n").find("QC10=((QC1 | QC2) | QC3)\n"), std::string::npos);
-    EXPECT_NE(formula("1 QC10 = ( QC1 | QC2 ) \\ QC3 & QC4 ^ QC5\n")
-                  .find("QC10=((((QC1 | QC2) \\ QC3) & QC4) ^ QC5) mixed"),
-              std::string::npos);
+    EXPECT_NE(
+        formula("1 QC10 = ( QC1 | QC2 ) \\ QC3 & QC4 ^ QC5\n").find("QC10=((((QC1 | QC2) \\ QC3) & QC4) ^ QC5) mixed"),
+        std::string::npos);
     EXPECT_NE(formula("1 QC10 = QC1 \\ (QC2 & (QC3))\n").find("QC10=(QC1 \\ (QC2 & QC3))\n"), std::string::npos);
     EXPECT_NE(formula("1 QC10=QC1\n").find("QC10=QC1\n"), std::string::npos);
 }
 
 TEST(KlartextContour, DeclarationAndSelection) {
-    const Reading r("1 DECLARE CONTOUR QC3 = \"SQUARE.H\" DEPTH10\n2 SEL CONTOUR \"MODEL\"\n3 DECLARE STRING QS1 = \"A\"\n");
+    const Reading r(
+        "1 DECLARE CONTOUR QC3 = \"SQUARE.H\" DEPTH10\n2 SEL CONTOUR \"MODEL\"\n3 DECLARE STRING QS1 = \"A\"\n");
     EXPECT_EQ(r.messages(), "");
     ASSERT_EQ(r.unit.contours.size(), 2u);
     EXPECT_EQ(r.unit.contours[0].kind, ContourStatement::Kind::declaration);
