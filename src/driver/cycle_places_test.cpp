@@ -49,7 +49,8 @@ std::vector<cl::Step> run(const std::vector<Text>& texts, const std::string& abo
         diagnostics);
     for (const base::Diagnostic& d : diagnostics.all())
         EXPECT_TRUE(d.severity != base::Severity::error || d.text.find("too large") != std::string::npos)
-            << about << "\n" << base::render(d, sources);
+            << about << "\n"
+            << base::render(d, sources);
     return steps;
 }
 

@@ -31,8 +31,8 @@ std::vector<cl::Record> run(const std::string& text, const shop::Machine& machin
     const shop::Budgets budgets;
     const auto find = [](std::string_view) -> const program::Unit* { return nullptr; };
     const auto no_table = [](std::string_view) -> const shop::HeidenhainTable* { return nullptr; };
-    const interp::Environment environment{sources, names, machine, tools,       overrides,
-                                          budgets, skip,  find,    definitions, variables, no_table};
+    const interp::Environment environment{sources, names, machine,     tools,     overrides, budgets,
+                                          skip,    find,  definitions, variables, no_table};
     cl::CallStacks stacks;
     std::vector<cl::Record> out;
     const auto outcome = interp::run(
@@ -76,10 +76,10 @@ std::vector<Block> any_contour() {
 
 /// How a contour is written down.
 struct Writing {
-    double unit = 1;   ///< millimetres per programmed unit
+    double unit = 1;  ///< millimetres per programmed unit
     bool incremental = false;
-    bool lathe = false;           ///< contour x -> Z, y -> X in G18
-    double transverse = 1;        ///< X words are this many times the radius
+    bool lathe = false;     ///< contour x -> Z, y -> X in G18
+    double transverse = 1;  ///< X words are this many times the radius
 };
 
 std::string written(const std::vector<Block>& contour, const Writing& w) {
@@ -168,7 +168,8 @@ RC_GTEST_PROP(Run, IncrementalIsAbsolute, ()) {
 RC_GTEST_PROP(Run, InchesAreMillimetres, ()) {
     const auto contour = any_contour();
     const std::string inch = *rc::gen::element<std::string>("G70\n", "G700\n");
-    same(moves(run(start + written(contour, {}))), moves(run(inch + start + written(contour, {25.4, false, false, 1}))));
+    same(moves(run(start + written(contour, {}))),
+         moves(run(inch + start + written(contour, {25.4, false, false, 1}))));
 }
 
 /// Written contour in, end points out, computed here from the numbers alone.

@@ -116,7 +116,8 @@ bool read_labels(Run& run, std::vector<Label>& labels) {
     for (const std::string& name : names) {
         const auto all = elements_of_label(run, *run.contour_unit, name);
         if (!all) {
-            alarm(run, codes::missing_label, run.here(), "the contour label " + name + " of CYCL DEF 14 is missing or does not end");
+            alarm(run, codes::missing_label, run.here(),
+                  "the contour label " + name + " of CYCL DEF 14 is missing or does not end");
             return false;
         }
         Label l{name, contour_of(run, *all), side_of(*all)};

@@ -115,7 +115,8 @@ geom::Vec2 far_from(const cycles::ContourTask& task) {
 void append(cycles::Expansion& all, cycles::Expansion more) {
     std::move(more.steps.begin(), more.steps.end(), std::back_inserter(all.steps));
     for (cycles::Complaint& k : more.complaints)
-        if (std::none_of(all.complaints.begin(), all.complaints.end(), [&](const auto& have) { return have.text == k.text; }))
+        if (std::none_of(all.complaints.begin(), all.complaints.end(),
+                         [&](const auto& have) { return have.text == k.text; }))
             all.complaints.push_back(std::move(k));
     if (!more.assumption.empty()) all.assumption = more.assumption;
     all.simulated = all.simulated && more.simulated;

@@ -204,7 +204,6 @@ void begin_motion(Run& run) {
                   " = { x = 0.0, z = 120.0 }");
 }
 
-
 bool is_incremental(const Run& run, std::uint8_t reference) {
     if (reference == 0) return !run.modal.absolute;
     return reference == 1 + static_cast<std::uint8_t>(Reference::incremental);

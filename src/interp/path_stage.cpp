@@ -90,8 +90,7 @@ path::CornerRequest corner_of_block(const Run& run) {
         return {path::CornerKind::chamfer, b.get(Code::chamfer_length) * unit, false, false, true, {}, {}};
     if (b.has(Code::chamfer_leg))
         return {path::CornerKind::chamfer_leg, b.get(Code::chamfer_leg) * unit, false, false, true, {}, {}};
-    if (b.has(Code::round))
-        return {path::CornerKind::rounding, b.get(Code::round) * unit, false, false, true, {}, {}};
+    if (b.has(Code::round)) return {path::CornerKind::rounding, b.get(Code::round) * unit, false, false, true, {}, {}};
     if (run.modal.round_modal > 0 && run.modal.motion != Modal::rapid)
         return {path::CornerKind::rounding, run.modal.round_modal, true, false, true, {}, {}};
     return {};

@@ -117,7 +117,8 @@ void special_feeds(Run& run) {
     BlockWords& b = run.block;
     const bool per_rev = b.has(Code::feed_per_rev);
     if (b.has(Code::feed_per_tooth)) {
-        unchecked(run, codes::unsupported, run.here(), "the feed per tooth FZ needs the number of teeth, which is not known: the last feed is kept");
+        unchecked(run, codes::unsupported, run.here(),
+                  "the feed per tooth FZ needs the number of teeth, which is not known: the last feed is kept");
         return;
     }
     if (b.has(Code::feed_auto)) {
@@ -204,7 +205,8 @@ void define_tool(Run& run) {
     const double n = b.get(Code::tool);
     if (!b.has(Code::tool) || !(n >= 0 && n <= 4294967295.0)) return;
     const auto number = static_cast<std::uint32_t>(n);
-    auto found = std::find_if(run.tools.begin(), run.tools.end(), [&](const shop::Tool& t) { return t.number == number; });
+    auto found =
+        std::find_if(run.tools.begin(), run.tools.end(), [&](const shop::Tool& t) { return t.number == number; });
     if (found == run.tools.end()) {
         found = run.tools.insert(run.tools.end(), shop::Tool{});
         found->number = number;
@@ -288,8 +290,8 @@ void technology(Run& run) {
     constexpr auto bit = [](Code c) { return std::uint64_t{1} << static_cast<unsigned>(c); };
     constexpr std::uint64_t words = bit(Code::feed) | bit(Code::spindle) | bit(Code::speed_limit) | bit(Code::tool) |
                                     bit(Code::edge) | bit(Code::spindle_position) | bit(Code::round_modal) |
-                                    bit(Code::corner_feed_modal) | bit(Code::tool_change) |
-                                    bit(Code::feed_auto) | bit(Code::feed_per_rev) | bit(Code::feed_per_tooth);
+                                    bit(Code::corner_feed_modal) | bit(Code::tool_change) | bit(Code::feed_auto) |
+                                    bit(Code::feed_per_rev) | bit(Code::feed_per_tooth);
     if ((b.present & words) == 0 && b.m.empty() && b.h.empty() && !run.spindle.mode_changed) return;
     if (b.has(Code::round_modal) && std::isnan(b.get(Code::round_modal)))
         unchecked(run, codes::unknown_value, run.here(),

@@ -35,7 +35,8 @@ TEST(KlartextFunction, ArithmeticOfFn) {
     EXPECT_EQ(one("FN 8: Q10 = +5 LEN +4"), "Q10=" + f(Function::root_of_squares, "5,4"));
     EXPECT_EQ(one("FN 13: Q20 = +10 ANG-Q1"), "Q20=" + f(Function::angle_of, "10,(neg Q1)"));
     EXPECT_EQ(one("FN 14: ERROR = 1005"), "procedure 1(1005)");
-    EXPECT_EQ(one("FN 18: SYSREAD Q99 = ID50 NR3 IDXQ99"), "Q99=" + system("ID50 NR3 IDXQ99", SystemVariable::table_corner_radius, "[Q99]"));
+    EXPECT_EQ(one("FN 18: SYSREAD Q99 = ID50 NR3 IDXQ99"),
+              "Q99=" + system("ID50 NR3 IDXQ99", SystemVariable::table_corner_radius, "[Q99]"));
     EXPECT_EQ(one("FN 18: SYSREAD Q99 = ID20 NR1"), "Q99=" + system("ID20 NR1", SystemVariable::tool_number, ""));
 }
 
@@ -57,7 +58,8 @@ TEST(KlartextFunction, Mistakes) {
     EXPECT_EQ(complaint("FN 0: X = 5"), "a Q parameter is due here, found 'X'");
     EXPECT_EQ(complaint("FN 4: Q1 = +5 / +3"), "'DIV' is due here, found '/'");
     EXPECT_EQ(complaint("FN 1: Q1 = +5 +"), "a number or a Q parameter is missing here, found end of block");
-    EXPECT_EQ(one("FN 26: TABOPEN TNC:\\A.TAB"), "unsupported{FN 26: TABOPEN TNC:\\A.TAB|opens a freely definable table}");
+    EXPECT_EQ(one("FN 26: TABOPEN TNC:\\A.TAB"),
+              "unsupported{FN 26: TABOPEN TNC:\\A.TAB|opens a freely definable table}");
     EXPECT_EQ(one("FN 45: X"), "unknown{FN 45: X|the control has no FN 45}");
 }
 

@@ -195,7 +195,8 @@ private:
         s_.in.take(':');
         if (s_.in.take_word("PAT"))
             s_.build.modal(Modal::cycle_pattern, begin, s_.in.at());
-        else if (b_.has_any(axes)) s_.build.modal(Modal::cycle_position, begin, s_.in.at());
+        else if (b_.has_any(axes))
+            s_.build.modal(Modal::cycle_position, begin, s_.in.at());
         s_.build.bare(Code::cycle_call, begin, s_.in.at());
     }
 
