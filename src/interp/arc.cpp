@@ -172,6 +172,7 @@ bool arc_motion(Run& run, const Vec3& target) {
         straight_motion(run, target, false);
         return true;
     }
+    if (run.block.has(Code::centre_at_pole) && !has_pole(run)) return false;
     if (run.modal.motion == Modal::linear) {
         alarm(run, codes::arc_radius, run.here(),
               "the sense of rotation DR is missing: no arc before this one has any");

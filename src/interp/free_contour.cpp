@@ -173,9 +173,9 @@ std::string fault_text(const path::FkFault& f) {
         case path::FkReason::unknown_block: return word + " refers to a block that is no element of this contour";
         case path::FkReason::no_direction: return "a tangential element needs a contour element before it";
         case path::FkReason::contradictory:
-            return (word.empty() ? std::string("the data of this free contour element") : word) +
-                   (std::isfinite(f.miss) ? " contradict what the other data say, by " + base::fixed(f.miss, 3) + " mm"
-                                          : " contradict what the other data say");
+            return (word.empty() ? std::string("this free contour element") : word) +
+                   (std::isfinite(f.miss) ? " contradicts what the other data say, by " + base::fixed(f.miss, 3) + " mm"
+                                          : " contradicts what the other data say");
         case path::FkReason::ambiguous:
             return "the data allow " + std::to_string(f.solutions) + " contours from here: FSELECT is missing";
         case path::FkReason::no_such_solution:

@@ -60,6 +60,7 @@ struct ModalState {
     double round_modal = 0;            ///< RNDM, mm
     double corner_feed_modal = 0;      ///< FRCM
     geom::Vec3 pole;                   ///< workpiece coordinates
+    bool pole_set = false;             ///< the program has set it
     /// Last RP (mm) and AP (degrees, NaN after a new pole or plane); NaN: none yet.
     double polar_radius = std::numeric_limits<double>::quiet_NaN();
     double polar_angle = std::numeric_limits<double>::quiet_NaN();
@@ -334,6 +335,8 @@ void write_tool_parameter(Run&, double number, double edge, int n, double value)
 /// n of $TC_DPn: the digits at the end of the name.
 [[nodiscard]] int tool_parameter_number(const std::string& name);
 void technology(Run&);
+/// mm/min (mm per revolution, 1/min) of a feed of 1.
+[[nodiscard]] double feed_factor(const Run&);
 void after_motion(Run&);
 [[nodiscard]] bool motion(Run&);  ///< true where the block moved
 /// Gathers one word into the block; shared by blocks and frame statements.

@@ -123,7 +123,7 @@ void special_feeds(Run& run) {
     }
     if (b.has(Code::feed_auto)) {
         if (run.tool.feed > 0)
-            b.put(Code::feed, run.tool.feed / (run.modal.inch_feed ? 25.4 : 1));
+            b.put(Code::feed, run.tool.feed / feed_factor(run));
         else
             unchecked(run, codes::unknown_value, run.here(), "F AUTO: TOOL CALL gives no feed: the last one is kept",
                       "write F in TOOL CALL, or a feed here");
@@ -139,7 +139,7 @@ void feed_word(Run& run) {
     special_feeds(run);
     if (!run.block.has(Code::feed) || run.block.special == Modal::dwell) return;
     double f = run.block.get(Code::feed);
-    if (run.modal.inch_feed && run.modal.feed_mode != cl::FeedMode::inverse_time) f *= 25.4;
+    f *= feed_factor(run);
     if (std::isnan(f)) {
         unchecked(run, codes::unknown_value, run.here(),
                   "the feed depends on a value that is not known: the last one is kept");
@@ -179,6 +179,11 @@ void machine_functions(Run& run) {
 }
 
 }  // namespace
+
+double feed_factor(const Run& run) {
+    if (!run.modal.inch_feed || run.modal.feed_mode == cl::FeedMode::inverse_time) return 1;
+    return run.modal.feed_mode == cl::FeedMode::per_minute ? run.unit().traits->inch_feed : 25.4;
+}
 
 void write_tool_parameter(Run& run, double number, double edge, int n, double value) {
     if (!(number >= 1 && number <= 4294967295.0 && edge >= 1 && edge <= 32000) || !std::isfinite(value)) return;
@@ -228,7 +233,7 @@ void take_allowances(Run& run) {
     run.tool.delta_length = value(Code::delta_length);
     run.tool.delta_radius = value(Code::delta_radius);
     run.tool.delta_corner = value(Code::delta_corner);
-    run.tool.feed = b.has(Code::feed) ? b.get(Code::feed) * unit : 0;
+    run.tool.feed = b.has(Code::feed) ? b.get(Code::feed) * feed_factor(run) : 0;
 }
 
 }  // namespace

@@ -116,7 +116,8 @@ struct CycleSetting {
     std::uint32_t parameter = no_target;
     ExprId value = no_expr;
     bool incremental = false;
-    bool scales = false;  ///< a length or feed in the program's unit
+    bool scales = false;   ///< a length in the program's unit
+    bool is_feed = false;  ///< a feed in the program's unit
     base::Span where;
 };
 
