@@ -36,9 +36,12 @@ std::string count_of(std::uint64_t n, const std::string& one) {
 std::string verdict_line(const check::Result& r) {
     const std::string found = count_of(r.findings.size() + r.findings_dropped, "finding");
     switch (r.verdict) {
-        case check::Verdict::clean: return "clean: nothing found in " + count_of(r.stats.moves, "move");
-        case check::Verdict::findings: return found;
-        case check::Verdict::not_fully_checked: break;
+        case check::Verdict::clean:
+            return "clean: nothing found in " + count_of(r.stats.moves, "move");
+        case check::Verdict::findings:
+            return found;
+        case check::Verdict::not_fully_checked:
+            break;
     }
     const std::size_t n = r.unchecked.size();
     return "not fully checked: " + count_of(n, "thing") + (n == 1 ? " was" : " were") + " not checked; " + found;

@@ -9,18 +9,24 @@ namespace {
 
 std::string_view colour_of(base::Severity s) {
     switch (s) {
-        case base::Severity::error: return "\x1b[1;31m";
-        case base::Severity::warning: return "\x1b[1;33m";
-        case base::Severity::note: return "\x1b[1;36m";
+        case base::Severity::error:
+            return "\x1b[1;31m";
+        case base::Severity::warning:
+            return "\x1b[1;33m";
+        case base::Severity::note:
+            return "\x1b[1;36m";
     }
     return "";
 }
 
 std::string_view colour_of(check::Verdict v) {
     switch (v) {
-        case check::Verdict::clean: return "\x1b[1;32m";
-        case check::Verdict::findings: return "\x1b[1;31m";
-        case check::Verdict::not_fully_checked: return "\x1b[1;33m";
+        case check::Verdict::clean:
+            return "\x1b[1;32m";
+        case check::Verdict::findings:
+            return "\x1b[1;31m";
+        case check::Verdict::not_fully_checked:
+            return "\x1b[1;33m";
     }
     return "";
 }

@@ -18,28 +18,28 @@ namespace obrys::shop {
 /// A profile in the (z, x) plane, x a radius, mm. `region` is already closed to the axis where it has to be.
 struct Profile {
     geom::Region region;
-    geom::Contour drawn;  ///< as given, for pictures
+    geom::Contour drawn;    ///< as given, for pictures
     base::Span where;
 };
 
 /// A value given for a parameter: replaces every constant assignment of it in the program.
 struct Override {
-    std::string name;  ///< upper case: "R3"
+    std::string name;       ///< upper case: "R3"
     double value = 0;
-    base::Span where;  ///< file 0xFFFFFFFF when it came from the command line
+    base::Span where;       ///< file 0xFFFFFFFF when it came from the command line
 };
 
 /// Where the part's contour comes from when it is not written as points.
 struct ProfileFromProgram {
-    std::string program;  ///< path as written
+    std::string program;    ///< path as written
     base::Span where;
 };
 
 /// Difference between the finished part and what this program must leave.
 struct Allowance {
-    std::optional<Profile> profile;  ///< own contour
+    std::optional<Profile> profile;                  ///< own contour
     std::optional<ProfileFromProgram> program;
-    double normal = 0;  ///< mm, normal to the part's contour
+    double normal = 0;                               ///< mm, normal to the part's contour
 };
 
 /// Thresholds of the check, mm. Amounts at or below them are not findings.
@@ -65,32 +65,32 @@ struct DefaultsOverride {
 };
 
 struct Job {
-    std::string program;           ///< path as written, relative to the job file
-    std::string control;           ///< empty: found from the content
-    std::string machine_name;      ///< shipped name or path; empty: generic for what the program is
-    bool machine_is_file = false;  ///< machine_name is a path: the driver reads it, then `use_machine`
+    std::string program;                             ///< path as written, relative to the job file
+    std::string control;                             ///< empty: found from the content
+    std::string machine_name;                        ///< shipped name or path; empty: generic for what the program is
+    bool machine_is_file = false;                    ///< machine_name is a path: the driver reads it, then `use_machine`
     base::Span machine_where;
-    Machine machine;  ///< with `defaults` and `datums` of the job already in it
+    Machine machine;                                 ///< with `defaults` and `datums` of the job already in it
     DefaultsOverride defaults;
-    std::map<std::uint32_t, geom::Vec3> datums;  ///< of the job itself; mm, x as a radius
+    std::map<std::uint32_t, geom::Vec3> datums;      ///< of the job itself; mm, x as a radius
     std::vector<Tool> tools;
-    std::vector<std::string> tool_files;  ///< tool lists (.toml), TOOL.T (.t), TOA (others), paths as written
+    std::vector<std::string> tool_files;             ///< tool lists (.toml), TOOL.T (.t), TOA (others), paths as written
     std::optional<Profile> stock;
     std::optional<Profile> part;
     std::optional<ProfileFromProgram> part_program;
     std::optional<Allowance> allowance;
     std::vector<Override> overrides;
-    std::vector<std::string> search;               ///< folders for subprograms, paths as written
-    std::vector<int> skip_levels;                  ///< block skip levels that are on
-    std::map<std::string, std::string> variables;  ///< values of global user data (GUD) and the like, upper-case name
+    std::vector<std::string> search;                 ///< folders for subprograms, paths as written
+    std::vector<int> skip_levels;                    ///< block skip levels that are on
+    std::map<std::string, std::string> variables;    ///< values of global user data (GUD) and the like, upper-case name
     Tolerances tolerances;
     Budgets budgets;
     base::Span program_where;
 };
 
 /// Reads a job text. Always gives a job: what was wrong is in `diagnostics` (codes job-file, job-value) and left out.
-/// `machine` is the shipped one that is named; without a name the generic lathe where the job has stock, part or
-/// turning tools, else the generic mill. Where `machine_is_file` the generic one, until `use_machine`.
+/// `machine` is the shipped one that is named; without a name the generic lathe where the job has stock, part or turning
+/// tools, else the generic mill. Where `machine_is_file` the generic one, until `use_machine`.
 [[nodiscard]] Job read_job(std::uint32_t file, const base::Sources& sources, base::Diagnostics& diagnostics);
 
 /// Puts a machine into the job, with the job's own defaults and datums on top.

@@ -57,10 +57,8 @@ void read_overrides(Section& file, Job& job) {
         const std::string name = base::to_upper(e.key);
         const auto same = [&](const Override& o) { return o.name == name; };
         if (std::any_of(job.overrides.begin(), job.overrides.end(), same))
-            file.error(base::codes::job_value, e.where,
-                       "'" + e.key + "' is set twice (capitals and small letters are the same)");
-        else
-            job.overrides.push_back({name, *value, e.where});
+            file.error(base::codes::job_value, e.where, "'" + e.key + "' is set twice (capitals and small letters are the same)");
+        else job.overrides.push_back({name, *value, e.where});
     }
 }
 
@@ -69,16 +67,11 @@ void read_variables(Section& file, Job& job) {
     if (!table) return;
     for (const Entry& e : table->value.entries) {
         std::string& out = job.variables[base::to_upper(e.key)];
-        if (e.value.kind == ValueKind::text)
-            out = e.value.text;
-        else if (e.value.kind == ValueKind::boolean)
-            out = e.value.boolean ? "TRUE" : "FALSE";
-        else if (e.value.kind == ValueKind::integer)
-            out = std::to_string(e.value.integer);
-        else if (const auto v = finite_number(e.value, "'" + e.key + "'", Range::any, file.diagnostics()))
-            out = base::shortest(*v);
-        else
-            job.variables.erase(base::to_upper(e.key));
+        if (e.value.kind == ValueKind::text) out = e.value.text;
+        else if (e.value.kind == ValueKind::boolean) out = e.value.boolean ? "TRUE" : "FALSE";
+        else if (e.value.kind == ValueKind::integer) out = std::to_string(e.value.integer);
+        else if (const auto v = finite_number(e.value, "'" + e.key + "'", Range::any, file.diagnostics())) out = base::shortest(*v);
+        else job.variables.erase(base::to_upper(e.key));
     }
 }
 
@@ -105,8 +98,7 @@ void read_skip(Section& file, Job& job) {
     const Entry* e = file.take("skip");
     if (!e) return;
     if (e->value.kind != ValueKind::array) {
-        file.error(base::codes::job_value, e->value.where,
-                   "'skip' must be an array of levels 0 … 9, not " + std::string(kind_name(e->value.kind)));
+        file.error(base::codes::job_value, e->value.where, "'skip' must be an array of levels 0 … 9, not " + std::string(kind_name(e->value.kind)));
         return;
     }
     for (const Value& v : e->value.items) {
@@ -119,15 +111,13 @@ void read_skip(Section& file, Job& job) {
 
 void read_machine_name(Section& file, Job& job) {
     const auto name = file.text("machine");
-    const bool turns =
-        job.stock || job.part || job.part_program ||
-        std::any_of(job.tools.begin(), job.tools.end(), [](const Tool& t) { return t.kind != ToolKind::other; });
+    const bool turns = job.stock || job.part || job.part_program ||
+                       std::any_of(job.tools.begin(), job.tools.end(), [](const Tool& t) { return t.kind != ToolKind::other; });
     const std::string generic = turns ? "lathe-generic" : "mill-generic";
     if (name) {
         job.machine_name = *name;
         job.machine_where = find(file.table(), "machine")->value.where;
-        job.machine_is_file =
-            base::to_upper(*name).ends_with(".TOML") || name->find_first_of("/\\") != std::string::npos;
+        job.machine_is_file = base::to_upper(*name).ends_with(".TOML") || name->find_first_of("/\\") != std::string::npos;
     }
     auto machine = shipped_machine(name && !job.machine_is_file ? *name : generic);
     if (!machine) {
@@ -136,8 +126,7 @@ void read_machine_name(Section& file, Job& job) {
         for (const std::string& n : names) list += (list.empty() ? "" : ", ") + n;
         const std::string near = nearest(*name, names);
         file.error(base::codes::job_value, job.machine_where, "there is no shipped machine \"" + *name + "\"",
-                   (near.empty() ? "" : "did you mean \"" + near + "\"? ") + ("shipped: " + list) +
-                       "; the name of a machine file ends in .toml");
+                   (near.empty() ? "" : "did you mean \"" + near + "\"? ") + ("shipped: " + list) + "; the name of a machine file ends in .toml");
         machine = shipped_machine(generic);
     }
     use_machine(job, machine.value_or(Machine{}));

@@ -16,15 +16,15 @@ namespace obrys::shop {
 enum class MachineKind : std::uint8_t { lathe, mill };
 
 struct MachineAxis {
-    std::string name;                ///< as programmed: "X", "Z", "C2"
-    bool rotary = false;             ///< values below in degrees instead of mm
-    std::optional<double> min, max;  ///< travel in machine coordinates; a lathe's X as a radius
-    double rapid = 10'000;           ///< mm/min or degrees/min
-    std::optional<double> home;      ///< machine coordinate of the reference point (G74) and of the start, if known
+    std::string name;               ///< as programmed: "X", "Z", "C2"
+    bool rotary = false;            ///< values below in degrees instead of mm
+    std::optional<double> min, max; ///< travel in machine coordinates; a lathe's X as a radius
+    double rapid = 10'000;          ///< mm/min or degrees/min
+    std::optional<double> home;     ///< machine coordinate of the reference point (G74) and of the start, if known
 };
 
 struct MachineSpindle {
-    double min = 0, max = 5000;  ///< 1/min
+    double min = 0, max = 5000;     ///< 1/min
 };
 
 /// State of the control at the start of a program.
@@ -32,18 +32,18 @@ struct ControlDefaults {
     bool diameter_programming = false;  ///< X words are diameters (DIAMON)
     bool inch = false;
     bool feed_per_rev = false;
-    int plane = 17;                  ///< 17, 18, 19
-    double circle_tolerance = 0.01;  ///< mm the two radii of an arc may differ (MD CIRCLE_ERROR_CONST)
+    int plane = 17;                     ///< 17, 18, 19
+    double circle_tolerance = 0.01;     ///< mm the two radii of an arc may differ (MD CIRCLE_ERROR_CONST)
 };
 
 struct Machine {
     std::string name = "generic";
     MachineKind kind = MachineKind::mill;
     std::vector<MachineAxis> axes;
-    bool more_axes = false;  ///< axes it does not list are taken for granted (the machine was not named)
+    bool more_axes = false;             ///< axes it does not list are taken for granted (the machine was not named)
     MachineSpindle spindle;
-    double max_feed = 0;          ///< mm/min; 0 = not limited
-    double tool_change_time = 0;  ///< s
+    double max_feed = 0;                ///< mm/min; 0 = not limited
+    double tool_change_time = 0;        ///< s
     ControlDefaults defaults;
     /// Settable zero offsets (54 … 599): position of the workpiece zero in machine coordinates, mm, x as a radius.
     std::map<std::uint32_t, geom::Vec3> datums;

@@ -28,10 +28,8 @@ void read_axis(const Value& v, base::Diagnostics& diagnostics, Machine& machine)
     if (!name) return;
     axis.name = base::to_upper(*name);
     const auto same = [&](const MachineAxis& a) { return a.name == axis.name; };
-    if (std::none_of(machine.axes.begin(), machine.axes.end(), same))
-        machine.axes.push_back(std::move(axis));
-    else
-        s.error(base::codes::job_value, find(v, "name")->value.where, "axis " + axis.name + " is defined twice");
+    if (std::none_of(machine.axes.begin(), machine.axes.end(), same)) machine.axes.push_back(std::move(axis));
+    else s.error(base::codes::job_value, find(v, "name")->value.where, "axis " + axis.name + " is defined twice");
 }
 
 void read_spindle(Section& file, Machine& machine) {
@@ -42,10 +40,8 @@ void read_spindle(Section& file, Machine& machine) {
     spindle.min = s.number("min", Range::not_negative).value_or(spindle.min);
     spindle.max = s.number("max", Range::positive).value_or(spindle.max);
     s.finish();
-    if (spindle.min <= spindle.max)
-        machine.spindle = spindle;
-    else
-        s.error(base::codes::job_value, find(e->value, "min")->value.where, "'min' must not be greater than 'max'");
+    if (spindle.min <= spindle.max) machine.spindle = spindle;
+    else s.error(base::codes::job_value, find(e->value, "min")->value.where, "'min' must not be greater than 'max'");
 }
 
 void read_machine_data(Section& file, Machine& machine) {
@@ -55,8 +51,7 @@ void read_machine_data(Section& file, Machine& machine) {
         std::string name = base::to_upper(datum.key);
         if (!name.starts_with('$')) name.insert(0, 1, '$');
         if (!name.starts_with("$MN_") && !name.starts_with("$MC_") && !name.starts_with("$MA_")) {
-            file.error(base::codes::job_file, datum.where, "'" + datum.key + "' is not the name of a machine datum",
-                       "$MN_…, $MC_… or $MA_…");
+            file.error(base::codes::job_file, datum.where, "'" + datum.key + "' is not the name of a machine datum", "$MN_…, $MC_… or $MA_…");
         } else if (const auto v = finite_number(datum.value, "'" + datum.key + "'", Range::any, file.diagnostics())) {
             machine.machine_data[name] = *v;
         }
@@ -72,8 +67,7 @@ Machine read_machine(std::uint32_t file, const base::Sources& sources, base::Dia
     base::Diagnostics found;
     Section s(*root, "the machine file", found);
     machine.name = s.text("name").value_or(machine.name);
-    if (const auto kind = s.choice("kind", {"lathe", "mill"}))
-        machine.kind = *kind == 0 ? MachineKind::lathe : MachineKind::mill;
+    if (const auto kind = s.choice("kind", {"lathe", "mill"})) machine.kind = *kind == 0 ? MachineKind::lathe : MachineKind::mill;
     if (!s.has("kind")) s.missing("kind");
     if (machine.kind == MachineKind::lathe) machine.defaults.plane = 18;
     machine.max_feed = s.number("max_feed", Range::not_negative).value_or(0);

@@ -29,9 +29,7 @@ G54 = {x = 20, z = 300}
 [machine_data]
 "$MC_DIAMETER_AX_DEF" = 1
 mn_max = 2
-)",
-                                         "m.toml"),
-                                   r.sources, r.diagnostics);
+)", "m.toml"), r.sources, r.diagnostics);
     EXPECT_EQ(r.complaints(), "");
     EXPECT_EQ(m.name, "SUI 80");
     EXPECT_EQ(m.kind, MachineKind::lathe);
@@ -55,20 +53,15 @@ mn_max = 2
 
 TEST(MachineFile, Mistakes) {
     Reading r;
-    (void)read_machine(r.add("kind = \"lath\"\n[spindle]\nmin = 9\nmax = 5\n[[axis]]\nname = \"X\"\nmin = 5\nmax = "
-                             "5\n[[axis]]\nname = \"x\"\n"
-                             "[[axis]]\n[machine_data]\nFOO = 1\n",
-                             "m.toml"),
-                       r.sources, r.diagnostics);
+    (void)read_machine(r.add("kind = \"lath\"\n[spindle]\nmin = 9\nmax = 5\n[[axis]]\nname = \"X\"\nmin = 5\nmax = 5\n[[axis]]\nname = \"x\"\n"
+                             "[[axis]]\n[machine_data]\nFOO = 1\n", "m.toml"), r.sources, r.diagnostics);
     EXPECT_EQ(r.complaints(),
-              "m.toml:1:8: error: 'kind' cannot be \"lath\" [job-value]\n  kind = \"lath\"\n         ^~~~~~\n  remedy: "
-              "one of: lathe, mill\n"
+              "m.toml:1:8: error: 'kind' cannot be \"lath\" [job-value]\n  kind = \"lath\"\n         ^~~~~~\n  remedy: one of: lathe, mill\n"
               "m.toml:3:7: error: 'min' must not be greater than 'max' [job-value]\n  min = 9\n        ^\n"
               "m.toml:8:7: error: 'max' must be greater than 'min' [job-value]\n  max = 5\n        ^\n"
               "m.toml:10:8: error: axis X is defined twice [job-value]\n  name = \"x\"\n         ^~~\n"
               "m.toml:11:1: error: [[axis]] has no 'name' [job-value]\n  [[axis]]\n  ^\n"
-              "m.toml:13:1: error: 'FOO' is not the name of a machine datum [job-file]\n  FOO = 1\n  ^~~\n  remedy: "
-              "$MN_…, $MC_… or $MA_…\n");
+              "m.toml:13:1: error: 'FOO' is not the name of a machine datum [job-file]\n  FOO = 1\n  ^~~\n  remedy: $MN_…, $MC_… or $MA_…\n");
 }
 
 TEST(MachineFile, ShippedMachinesAreBuiltInAndRefuseNothing) {

@@ -11,8 +11,8 @@ namespace obrys::shop {
 
 namespace {
 
-constexpr std::array groove_keys{"width",     "corner_radius", "corner_radius_left", "corner_radius_right",
-                                 "reference", "direction",     "cutting_depth"};
+constexpr std::array groove_keys{"width", "corner_radius", "corner_radius_left", "corner_radius_right",
+                                 "reference", "direction", "cutting_depth"};
 constexpr std::array turning_keys{"nose_radius", "orientation", "tip_angle", "entering_angle", "edge_length"};
 constexpr std::array kind_words{"groove", "turning", "mill", "drill", "other"};
 
@@ -20,8 +20,7 @@ template <class Keys>
 void refuse(const Section& s, const Keys& keys, std::string_view kind, std::string_view allowed = {}) {
     for (const std::string_view key : keys)
         if (const Entry* e = find(s.table(), key); e && key != allowed)
-            s.error(base::codes::job_value, e->where,
-                    "'" + std::string(key) + "' means nothing for a tool of kind \"" + std::string(kind) + "\"");
+            s.error(base::codes::job_value, e->where, "'" + std::string(key) + "' means nothing for a tool of kind \"" + std::string(kind) + "\"");
 }
 
 void set(double& to, std::optional<double> from) { to = from.value_or(to); }
@@ -32,8 +31,7 @@ void read_blade(Section& s, Tool& t) {
     set(t.corner_radius, both);
     t.corner_radius_left = s.number("corner_radius_left", Range::not_negative).value_or(t.corner_radius);
     t.corner_radius_right = s.number("corner_radius_right", Range::not_negative).value_or(t.corner_radius);
-    if (const auto r = s.choice("reference", {"left", "right"}))
-        t.reference = *r == 0 ? ReferenceCorner::left : ReferenceCorner::right;
+    if (const auto r = s.choice("reference", {"left", "right"})) t.reference = *r == 0 ? ReferenceCorner::left : ReferenceCorner::right;
     if (const auto d = s.choice("direction", {"out", "in", "face"})) t.direction = static_cast<BladeDirection>(*d);
     set(t.cutting_depth, s.number("cutting_depth", Range::not_negative));
 }
@@ -60,12 +58,8 @@ void check_blade(const Section& s, const Tool& t) {
     const double radii = t.corner_radius_left + t.corner_radius_right;
     const double widest = std::max(t.corner_radius_left, t.corner_radius_right);
     if (t.width > 0 && radii > t.width * (1 + 1e-9))
-        s.error(base::codes::job_value,
-                place(s, s.has("corner_radius")        ? "corner_radius"
-                         : s.has("corner_radius_left") ? "corner_radius_left"
-                                                       : "corner_radius_right"),
-                "the corner radii (" + base::shortest(radii) + " mm together) do not fit on a width of " +
-                    base::shortest(t.width) + " mm");
+        s.error(base::codes::job_value, place(s, s.has("corner_radius") ? "corner_radius" : s.has("corner_radius_left") ? "corner_radius_left" : "corner_radius_right"),
+                "the corner radii (" + base::shortest(radii) + " mm together) do not fit on a width of " + base::shortest(t.width) + " mm");
     else if (t.cutting_depth > 0 && widest > t.cutting_depth)
         s.error(base::codes::job_value, place(s, "cutting_depth"), "'cutting_depth' is smaller than a corner radius");
 }
@@ -74,14 +68,12 @@ void check_insert(const Section& s, const Tool& t) {
     refuse(s, groove_keys, "turning", t.orientation == 9 ? "direction" : "");
     refuse(s, std::array{"radius"}, "turning");
     if (t.orientation == 9 && t.direction == BladeDirection::face)
-        s.error(base::codes::job_value, place(s, "direction"),
-                "a turning insert has the 'direction' \"out\" or \"in\"");
+        s.error(base::codes::job_value, place(s, "direction"), "a turning insert has the 'direction' \"out\" or \"in\"");
     if (t.tip_angle >= 180)
         s.error(base::codes::job_value, place(s, "tip_angle"), "'tip_angle' must be less than 180 degrees");
     else if (t.tip_angle + t.entering_angle > 180)
         s.error(base::codes::job_value, place(s, s.has("entering_angle") ? "entering_angle" : "tip_angle"),
-                "'tip_angle' and 'entering_angle' are more than 180 degrees together: the second edge would cut below "
-                "the tip");
+                "'tip_angle' and 'entering_angle' are more than 180 degrees together: the second edge would cut below the tip");
 }
 
 void read_parameters(Section& s, Tool& t) {
@@ -139,8 +131,7 @@ void read_tool_tables(Section& file, std::vector<Tool>& tools) {
         if (v->kind != ValueKind::table) continue;
         Tool t = read_tool(s);
         if (!s.has("number")) continue;
-        const auto same = std::find_if(tools.begin(), tools.end(),
-                                       [&](const Tool& o) { return o.number == t.number && o.edge == t.edge; });
+        const auto same = std::find_if(tools.begin(), tools.end(), [&](const Tool& o) { return o.number == t.number && o.edge == t.edge; });
         if (same == tools.end()) {
             tools.push_back(std::move(t));
             continue;
@@ -189,8 +180,7 @@ std::map<std::uint32_t, geom::Vec3> read_datums(Section& file) {
         if (datum.key == "diameter") continue;
         const auto n = datum_number(datum.key);
         if (!n) {
-            file.error(base::codes::job_file, datum.where, "unknown key '" + datum.key + "' in [datum]",
-                       "G54 … G57, G505 … G599, diameter");
+            file.error(base::codes::job_file, datum.where, "unknown key '" + datum.key + "' in [datum]", "G54 … G57, G505 … G599, diameter");
             continue;
         }
         Section s(datum.value, "'" + datum.key + "'", file.diagnostics());

@@ -39,8 +39,7 @@ public:
     [[nodiscard]] std::vector<Tool> tools() const;
 
 private:
-    void complain(std::string_view code, Piece where, std::string text,
-                  base::Severity severity = base::Severity::error) {
+    void complain(std::string_view code, Piece where, std::string text, base::Severity severity = base::Severity::error) {
         base::Diagnostic d;
         d.severity = severity;
         d.code = code;
@@ -72,14 +71,12 @@ std::string_view without_comment(std::string_view line) {
 /// Lines that frame the data of a file or an archive: they carry nothing about a tool.
 bool is_frame(std::string_view line) {
     const std::string s = base::to_upper(line);
-    return s.starts_with('%') || s.starts_with("CHANDATA") || s == "M17" || s == "M2" || s == "M02" || s == "M30" ||
-           s == "RET";
+    return s.starts_with('%') || s.starts_with("CHANDATA") || s == "M17" || s == "M2" || s == "M02" || s == "M30" || s == "RET";
 }
 
 void Reader::line(Piece line) {
     line = Piece{without_comment(line.text), line.at}.part(0);
-    if (!line.text.empty() && base::upper(line.text[0]) == 'N' && line.text.size() > 1 &&
-        base::is_digit(line.text[1])) {
+    if (!line.text.empty() && base::upper(line.text[0]) == 'N' && line.text.size() > 1 && base::is_digit(line.text[1])) {
         std::size_t digits = 1;
         while (digits < line.text.size() && base::is_digit(line.text[digits])) ++digits;
         line = line.part(digits);
@@ -91,8 +88,7 @@ void Reader::line(Piece line) {
         return;
     }
     const bool indexed = open < shut && shut < equals;
-    assignment(line.part(0, indexed ? open : equals), indexed ? line.part(open + 1, shut - open - 1) : Piece{},
-               line.part(equals + 1));
+    assignment(line.part(0, indexed ? open : equals), indexed ? line.part(open + 1, shut - open - 1) : Piece{}, line.part(equals + 1));
 }
 
 void Reader::assignment(Piece name, Piece indices, Piece value) {
@@ -109,8 +105,7 @@ void Reader::assignment(Piece name, Piece indices, Piece value) {
     }
     if (upper.starts_with("$TC_")) {
         if (without_effect_.insert(upper).second)
-            complain(base::codes::no_effect, name, upper + " has no effect on the shape of a tool",
-                     base::Severity::note);
+            complain(base::codes::no_effect, name, upper + " has no effect on the shape of a tool", base::Severity::note);
         return;
     }
     complain(base::codes::job_file, name, "this is not a name of tool data ($TC_DP1 … $TC_DP25, $TC_TP2)");
@@ -125,16 +120,14 @@ std::optional<std::int64_t> Reader::index(Piece text, std::int64_t most, const s
 
 void Reader::tool_parameter(int n, Piece indices, Piece value) {
     const std::size_t comma = indices.text.find(',');
-    if (comma == std::string_view::npos)
-        return complain(base::codes::job_value, indices, "tool data need a tool and an edge: [T,D]");
+    if (comma == std::string_view::npos) return complain(base::codes::job_value, indices, "tool data need a tool and an edge: [T,D]");
     const auto tool = index(indices.part(0, comma), largest_tool, "tool number");
     const auto edge = index(indices.part(comma + 1), largest_edge, "edge number");
     if (!tool || !edge) return;
     const auto v = base::parse_double(value.text);
     if (!v) return complain(base::codes::job_value, value, "the value must be a finite number");
     if (n == 2 && (*v < 0 || *v > 9 || *v != static_cast<double>(static_cast<int>(*v))))
-        return complain(base::codes::job_value, value,
-                        "the cutting edge position ($TC_DP2) is a whole number from 1 to 9");
+        return complain(base::codes::job_value, value, "the cutting edge position ($TC_DP2) is a whole number from 1 to 9");
     const auto t = static_cast<std::uint32_t>(*tool), d = static_cast<std::uint32_t>(*edge);
     auto [found, is_new] = tools_.try_emplace({t, d});
     if (is_new) {
@@ -167,8 +160,8 @@ void shape(Tool& t) {
     t.orientation = position >= 1 ? position : 3;
     if (t.orientation >= 5) t.entering_angle = 90 - t.tip_angle / 2;
     if (position < 1) t.assumed = "cutting edge position 3, ";
-    t.assumed += "tip angle " + base::shortest(t.tip_angle) + " degrees, entering angle " +
-                 base::shortest(t.entering_angle) + " degrees, edge length " + base::shortest(t.edge_length) + " mm";
+    t.assumed += "tip angle " + base::shortest(t.tip_angle) + " degrees, entering angle " + base::shortest(t.entering_angle) +
+                 " degrees, edge length " + base::shortest(t.edge_length) + " mm";
 }
 
 std::vector<Tool> Reader::tools() const {

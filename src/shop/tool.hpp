@@ -18,10 +18,7 @@ enum class ToolKind : std::uint8_t {
     turning,  ///< ISO insert: nose radius, cutting edge orientation 1-9, entering angle, tip angle
     other,    ///< named and numbered only: its removal is not simulated
 };
-enum class ReferenceCorner : std::uint8_t {
-    left,
-    right
-};  ///< smaller or larger z (face: nearer to or farther from the axis)
+enum class ReferenceCorner : std::uint8_t { left, right };  ///< smaller or larger z (face: nearer to or farther from the axis)
 /// Where a grooving blade goes on from its cutting edge; orientation 9 of a turning insert knows out and in.
 enum class BladeDirection : std::uint8_t {
     out,   ///< towards +x: cuts from outside
@@ -32,44 +29,43 @@ enum class BladeDirection : std::uint8_t {
 struct Tool {
     std::uint32_t number = 0;
     std::string name;
-    std::uint32_t edge = 1;  ///< D
+    std::uint32_t edge = 1;             ///< D
     ToolKind kind = ToolKind::other;
     // grooving insert, mm
     double width = 0;
-    double corner_radius = 0;  ///< both corners, unless the next two say otherwise; mills: R2, a ball where = radius
+    double corner_radius = 0;           ///< both corners, unless the next two say otherwise; mills: R2, a ball where = radius
     double corner_radius_left = 0, corner_radius_right = 0;
     ReferenceCorner reference = ReferenceCorner::left;
     BladeDirection direction = BladeDirection::out;
-    double cutting_depth = 0;  ///< length of the blade, 0 = not limited
+    double cutting_depth = 0;           ///< length of the blade, 0 = not limited
     // turning insert
-    double nose_radius = 0;      ///< mm
-    int orientation = 3;         ///< 1-9, position of the imaginary tip P as seen by the nose centre
-    double tip_angle = 80;       ///< degrees
-    double entering_angle = 95;  ///< degrees, main cutting edge to the feed direction
-    double edge_length = 12;     ///< mm
+    double nose_radius = 0;             ///< mm
+    int orientation = 3;                ///< 1-9, position of the imaginary tip P as seen by the nose centre
+    double tip_angle = 80;              ///< degrees
+    double entering_angle = 95;         ///< degrees, main cutting edge to the feed direction
+    double edge_length = 12;            ///< mm
     // any
-    double radius = 0;  ///< mm, milling tools
-    double length = 0;  ///< mm, length 1
+    double radius = 0;                  ///< mm, milling tools
+    double length = 0;                  ///< mm, length 1
     // milling and drilling tools as HEIDENHAIN tool tables have them; a delta is added to its dimension
     double delta_length = 0, delta_radius = 0, delta_corner_radius = 0;  ///< mm: DL, DR, DR2
-    std::uint32_t index = 0;  ///< 5.1 has index 1; its edge is index + 1, so number and edge name it alone
-    std::string type;         ///< TYP as written: "MILL", "DRILL", "9"; empty: not said
-    std::optional<double> cutting_length, pitch;      ///< mm: LCUTS, PITCH
-    std::optional<double> plunge_angle, point_angle;  ///< degrees: ANGLE (ramp, at most), T-ANGLE
-    std::optional<double> max_speed;                  ///< 1/min: NMAX
-    int teeth = 0;                                    ///< CUT., 0 = not said
-    bool locked = false;                              ///< TL
-    std::optional<std::uint32_t> replacement;         ///< RT, number of the tool that takes its place
-    std::string cutter_material, cutting_data;        ///< TMAT; CDT, the name of its cutting data table
-    std::map<int, double> parameters;                 ///< $TC_DPn as read, n = 1 … 25, from TOA files
-    std::string assumed;                              ///< what its file does not say and was assumed; empty: nothing
-    base::Span where;                                 ///< where it is defined
+    std::uint32_t index = 0;            ///< 5.1 has index 1; its edge is index + 1, so number and edge name it alone
+    std::string type;                   ///< TYP as written: "MILL", "DRILL", "9"; empty: not said
+    std::optional<double> cutting_length, pitch;               ///< mm: LCUTS, PITCH
+    std::optional<double> plunge_angle, point_angle;           ///< degrees: ANGLE (ramp, at most), T-ANGLE
+    std::optional<double> max_speed;    ///< 1/min: NMAX
+    int teeth = 0;                      ///< CUT., 0 = not said
+    bool locked = false;                ///< TL
+    std::optional<std::uint32_t> replacement;                  ///< RT, number of the tool that takes its place
+    std::string cutter_material, cutting_data;                 ///< TMAT; CDT, the name of its cutting data table
+    std::map<int, double> parameters;   ///< $TC_DPn as read, n = 1 … 25, from TOA files
+    std::string assumed;                ///< what its file does not say and was assumed; empty: nothing
+    base::Span where;                   ///< where it is defined
 };
 
 /// Outline of the cutting part in the (z, x) plane relative to the programmed point, mm: counter-clockwise, closed.
 /// x points away from the turning axis. An empty contour where the kind has none or the dimensions make no shape.
-/// A blade without cutting depth is 1000 mm long. With corner radii the programmed point is the sharp corner without
-/// them.
+/// A blade without cutting depth is 1000 mm long. With corner radii the programmed point is the sharp corner without them.
 [[nodiscard]] geom::Contour outline(const Tool& tool);
 
 /// The tools of a tool list ([[tool]] tables); what is wrong is in `diagnostics` and left out.

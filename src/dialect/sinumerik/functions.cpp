@@ -21,8 +21,8 @@ constexpr bool sorted(const std::array<Row<T>, n>& rows) {
 
 template <class T, std::size_t n>
 std::optional<T> find(const std::array<Row<T>, n>& rows, std::string_view name) {
-    const auto found =
-        std::lower_bound(rows.begin(), rows.end(), name, [](const auto& r, std::string_view s) { return r.first < s; });
+    const auto found = std::lower_bound(rows.begin(), rows.end(), name,
+                                        [](const auto& r, std::string_view s) { return r.first < s; });
     if (found == rows.end() || found->first != name) return std::nullopt;
     return found->second;
 }
@@ -89,8 +89,7 @@ std::optional<program::Reference> find_reference(std::string_view name) {
 SystemVariable find_system_variable(std::string_view name) {
     if (const auto found = find(variables, name)) return *found;
     if (is_tool_parameter(name)) return SystemVariable::tool_parameter;
-    if (name.starts_with("$MC_") || name.starts_with("$MN_") || name.starts_with("$MA_"))
-        return SystemVariable::machine_data;
+    if (name.starts_with("$MC_") || name.starts_with("$MN_") || name.starts_with("$MA_")) return SystemVariable::machine_data;
     return SystemVariable::unknown;
 }
 

@@ -13,45 +13,20 @@ namespace obrys::dialect::sinumerik {
 
 /// What a reader does with a word.
 enum class Use : std::uint8_t {
-    modal,              ///< value = program::Modal, number = its number
-    address,            ///< value = program::Code; written NAME=value
-    named_value,        ///< NAME[index]=value or NAME=value, kept with its name (FA[X]=)
-    ignored,            ///< known, without effect on the path; a value, index or arguments may follow
-    unsupported,        ///< known, not run; a value, index or arguments may follow
-    unsupported_block,  ///< as unsupported, and the rest of the block belongs to it
-    procedure,          ///< value = program::Procedure
-    statement,          ///< value = Keyword
-    frame,              ///< value = program::FrameOp, number = 1 where additive
+    modal,             ///< value = program::Modal, number = its number
+    address,           ///< value = program::Code; written NAME=value
+    named_value,       ///< NAME[index]=value or NAME=value, kept with its name (FA[X]=)
+    ignored,           ///< known, without effect on the path; a value, index or arguments may follow
+    unsupported,       ///< known, not run; a value, index or arguments may follow
+    unsupported_block, ///< as unsupported, and the rest of the block belongs to it
+    procedure,         ///< value = program::Procedure
+    statement,         ///< value = Keyword
+    frame,             ///< value = program::FrameOp, number = 1 where additive
 };
 
 enum class Keyword : std::uint8_t {
-    if_,
-    else_,
-    endif,
-    while_,
-    endwhile,
-    repeat,
-    repeatb,
-    until,
-    loop,
-    endloop,
-    for_,
-    endfor,
-    case_,
-    goto_,
-    gotof,
-    gotob,
-    gotoc,
-    gotos,
-    def,
-    redef,
-    proc,
-    extern_,
-    define,
-    call,
-    mcall,
-    pcall,
-    ret,
+    if_, else_, endif, while_, endwhile, repeat, repeatb, until, loop, endloop, for_, endfor, case_,
+    goto_, gotof, gotob, gotoc, gotos, def, redef, proc, extern_, define, call, mcall, pcall, ret,
 };
 
 struct Entry {
