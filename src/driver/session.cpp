@@ -199,6 +199,7 @@ bool open(const Request& request, Session& s) {
 
 interp::Outcome interpret(Session& s, cl::Sink sink) {
     const auto find = [&](std::string_view name) { return s.programs->find(name); };
+    const auto find_table = [&](std::string_view name) { return s.programs->find_table(name); };
     const interp::Environment environment{s.sources,
                                           s.programs->names(),
                                           s.job.machine,
@@ -208,7 +209,8 @@ interp::Outcome interpret(Session& s, cl::Sink sink) {
                                           s.job.skip_levels,
                                           find,
                                           s.programs->definitions(),
-                                          s.job.variables};
+                                          s.job.variables,
+                                          find_table};
     return interp::run(*s.main, environment, s.stacks, sink, s.diagnostics);
 }
 

@@ -4,7 +4,7 @@
 #include <cmath>
 
 #include "base/codes.hpp"
-#include "interp/motion.hpp"
+#include "interp/cycle_call.hpp"
 
 namespace obrys::interp {
 
@@ -141,6 +141,10 @@ geom::Frame active_plane(const Run& run) { return active(run, TransformKind::pla
 
 void tilt(Run& run, const geom::Frame& plane) { place(run, TransformKind::plane, plane); }
 
+void shift_for_call(Run& run, const geom::Vec3& by) {
+    place(run, TransformKind::call_place, geom::Frame::shift(active(run, TransformKind::call_place).origin + by));
+}
+
 bool act_at_definition(Run& run, const ActiveCycle& c) {
     if (unknown_value(run, c)) return true;
     switch (c.definition->kind) {
@@ -153,7 +157,10 @@ bool act_at_definition(Run& run, const ActiveCycle& c) {
         case CycleKind::contour_definition:
             run.contour_labels = c.texts;
             run.contour_unit = c.unit;
+            run.contour_choices.clear();
             return true;
+        case CycleKind::pattern_circle:
+        case CycleKind::pattern_lines: return run_point_cycle(run, c), true;
         case CycleKind::contour_data: run.contour_data = c; return true;
         case CycleKind::contour_train_data: run.contour_train_data = c; return true;
         default: return false;
