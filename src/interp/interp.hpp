@@ -13,6 +13,7 @@
 #include "base/function_ref.hpp"
 #include "cl/record.hpp"
 #include "cl/stacks.hpp"
+#include "interp/shop_files.hpp"
 #include "program/unit.hpp"
 #include "shop/job.hpp"
 
@@ -33,6 +34,8 @@ struct Environment {
     const std::vector<const program::Unit*>& definitions;
     /// Values of global user data by upper-case name: a number, TRUE, FALSE, else a text.
     const std::map<std::string, std::string>& variables;
+    /// Tables and forms that the program reads, and what it prints; null: there are none.
+    ShopFiles* files = nullptr;
 };
 
 enum class Ending : std::uint8_t {

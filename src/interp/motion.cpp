@@ -196,14 +196,15 @@ void begin_motion(Run& run) {
     run.moved = true;
     emit_datum(run);
     if (run.datum_known) return;
-    const std::string active = "G" + std::to_string(run.modal.datum),
-                      reference = "G" + std::to_string(run.reference_datum);
+    const program::Traits& t = *run.traits;
+    const std::string active = program::datum_name(t, run.modal.datum),
+                      reference = program::datum_name(t, run.reference_datum),
+                      key = program::datum_key(
+                          t, run.modal.datum == program::no_datum ? run.reference_datum : run.modal.datum);
     unchecked(run, codes::unknown_value, run.here(),
               "where " + active + " lies against " + reference + " is not known: both are taken as the same zero",
-              "give the offsets in [datum] of the job, e.g. " + (run.modal.datum == 500 ? reference : active) +
-                  " = { x = 0.0, z = 120.0 }");
+              "give the offsets in [datum] of the job, e.g. " + key + " = { x = 0.0, z = 120.0 }");
 }
-
 
 bool is_incremental(const Run& run, std::uint8_t reference) {
     if (reference == 0) return !run.modal.absolute;

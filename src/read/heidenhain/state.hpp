@@ -93,6 +93,8 @@ void read_feed(State& s);                               ///< F and its relatives
 void read_corner(State& s, bool chamfer, std::uint32_t begin);
 void read_word(State& s, bool arc);                        ///< one of them
 bool read_special_block(State& s, std::string_view word);  ///< special_block.cpp: APPR DEP FL … SPL PLANE
+bool read_shop_block(State& s, std::string_view word);               ///< shop_block.cpp: SEL TABLE, TRANS DATUM
+bool read_shop_function(State& s, int n, std::uint32_t begin);       ///< shop_block.cpp: FN 15 … 17, 25 … 28
 void read_m(State& s, std::uint32_t begin);           ///< m_word.cpp: the number of an M function
 void read_tool_block(State& s, std::uint32_t begin);  ///< tool_block.cpp
 void read_tool(State& s);                             ///< its number, name or parameter, where one stands
