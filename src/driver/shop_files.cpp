@@ -75,9 +75,13 @@ const interp::DatumTable* ShopFiles::datum_table(std::string_view name) {
     if (key.empty()) {
         path = usual_datum_table();
         if (path)
-            diagnostics_.add({base::Severity::note, codes::assumption, nowhere,
+            diagnostics_.add({base::Severity::note,
+                              codes::assumption,
+                              nowhere,
                               "the program selects no datum table: " + path->filename().string() + " is taken",
-                              "write SEL TABLE before the first datum shift", {}, {}});
+                              "write SEL TABLE before the first datum shift",
+                              {},
+                              {}});
     }
     const auto file = path ? load(*path, sources_, diagnostics_) : std::nullopt;
     if (!file) return nullptr;

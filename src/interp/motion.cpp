@@ -33,6 +33,9 @@ void require_axis(Run& run, const std::string& name) {
 
 void extra_axis(Run& run, const std::string& name, double value, std::uint8_t reference, bool rotary_by_letter) {
     require_axis(run, name);
+    if (std::isnan(value))
+        unchecked(run, codes::unknown_value, run.here(),
+                  "where axis " + name + " goes depends on a value that is not known");
     const shop::MachineAxis* known = machine_axis(run, name);
     const bool rotary = known != nullptr ? known->rotary : rotary_by_letter;
     double to = rotary ? value : value * (run.modal.inch_geometry ? 25.4 : 1);

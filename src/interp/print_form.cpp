@@ -63,7 +63,7 @@ std::string shown(const Format& f, const Value& v) {
     return text.insert(sign, width - text.size(), '0');
 }
 
-constexpr std::array clock_words{"HOUR", "MIN", "SEC", "DAY", "MONTH", "YEAR2", "YEAR4", "STR_MONTH_SHORT",
+constexpr std::array clock_words{"HOUR",          "MIN", "SEC", "DAY", "MONTH", "YEAR2", "YEAR4", "STR_MONTH_SHORT",
                                  "STR_MONTH_LONG"};
 
 class Filler {
@@ -115,7 +115,8 @@ private:
         std::vector<std::string> names;
         while (!rest.empty()) {
             const std::size_t comma = std::min(rest.find(','), rest.size());
-            if (const auto name = base::trim(rest.substr(0, comma)); !name.empty()) names.push_back(base::to_upper(name));
+            if (const auto name = base::trim(rest.substr(0, comma)); !name.empty())
+                names.push_back(base::to_upper(name));
             rest.remove_prefix(std::min(comma + 1, rest.size()));
         }
         put(text.substr(1, end - 1), names);

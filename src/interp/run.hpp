@@ -233,6 +233,7 @@ struct Run {
     bool stopped = false;                           ///< alarm, budget or program end
     Ending ending = Ending::regular;
     std::uint64_t blocks = 0;
+    std::uint64_t unknown_conditions = 0;  ///< that were met
     std::chrono::steady_clock::time_point started;
     std::unordered_set<std::uint64_t> reported;  ///< complaints already made, by place and code
     std::set<std::string> assumed;

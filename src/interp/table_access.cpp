@@ -71,7 +71,8 @@ std::optional<std::uint32_t> parameter_of(Run& run, const program::ProcedureCall
     const std::uint64_t number = std::uint64_t{c.first->a} + n;
     if (c.first->kind == program::ExprKind::parameter && number < run.parameters.count())
         return static_cast<std::uint32_t>(number);
-    alarm(run, codes::index_range, p.where, "there are not as many parameters behind the first one as columns are named");
+    alarm(run, codes::index_range, p.where,
+          "there are not as many parameters behind the first one as columns are named");
     return std::nullopt;
 }
 

@@ -94,7 +94,9 @@ bool shift(Run& run, const ActiveCycle& c) {
         if (const Written w = find(run, c, axis_roles[k]); w.set)
             coordinate(by, k) = w.incremental ? coordinate(by, k) + w.value : w.value;
     for (const CycleRole other : other_axes)
-        if (const Written w = find(run, c, other); w.set && w.value != 0) return false;
+        if (const Written w = find(run, c, other); w.set && w.value != 0)
+            unchecked(run, codes::unsupported, c.definition->where,
+                      c.definition->name + ": the shift of a rotary or secondary axis is not run");
     set_shift(run, by);
     return true;
 }
@@ -108,7 +110,7 @@ bool mirror(Run& run, const ActiveCycle& c) {
 }
 
 bool rotate(Run& run, const ActiveCycle& c) {
-    const Written w = find(run, c, CycleRole::rotation);
+    const Written w = find(run, c, CycleRole::angle);
     double angle = w.value;
     if (w.incremental) {
         const geom::Frame now = active(run, TransformKind::rotation);

@@ -2,6 +2,7 @@
 /// How a HEIDENHAIN iTNC 530 runs a block, as far as it differs from other controls. docs/dialects/heidenhain.md.
 
 #include <array>
+#include <iterator>
 
 #include "dialect/heidenhain/functions.hpp"
 #include "program/traits.hpp"
@@ -11,24 +12,21 @@ namespace obrys::dialect::heidenhain {
 /// Number in the stream of preset 0: the numbers below are those of other controls.
 inline constexpr std::uint32_t first_preset = 1000;
 
-/// Q108 … Q122: iTNC 530 User's Manual, "Preassigned Q parameters".
-inline constexpr std::array control_parameters{
-    program::ControlParameter{108, program::ControlValue::tool_radius},
-    program::ControlParameter{109, program::ControlValue::tool_axis},
-    program::ControlParameter{110, program::ControlValue::spindle_state},
-    program::ControlParameter{111, program::ControlValue::coolant_state},
-    program::ControlParameter{112, program::ControlValue::pocket_overlap},
-    program::ControlParameter{113, program::ControlValue::main_unit},
-    program::ControlParameter{114, program::ControlValue::tool_length},
-    program::ControlParameter{115, program::ControlValue::probed},
-    program::ControlParameter{116, program::ControlValue::probed},
-    program::ControlParameter{117, program::ControlValue::probed},
-    program::ControlParameter{118, program::ControlValue::probed},
-    program::ControlParameter{119, program::ControlValue::probed},
-    program::ControlParameter{120, program::ControlValue::tilted_axis},
-    program::ControlParameter{121, program::ControlValue::tilted_axis},
-    program::ControlParameter{122, program::ControlValue::tilted_axis},
-};
+/// Q108 … Q122, Q150 … Q199: iTNC 530 User's Manual, "Preassigned Q parameters".
+inline constexpr auto control_parameters = [] {
+    using enum program::ControlValue;
+    constexpr program::ControlParameter single[]{
+        {108, tool_radius}, {109, tool_axis},   {110, spindle_state}, {111, coolant_state}, {112, pocket_overlap},
+        {113, main_unit},   {114, tool_length}, {115, probed},        {116, probed},        {117, probed},
+        {118, probed},      {119, probed},      {120, tilted_axis},   {121, tilted_axis},   {122, tilted_axis},
+    };
+    constexpr std::uint32_t first_result = 150, last_result = 199;  // of touch probe cycles
+    std::array<program::ControlParameter, std::size(single) + last_result - first_result + 1> all{};
+    std::size_t n = 0;
+    for (const program::ControlParameter& p : single) all[n++] = p;
+    for (std::uint32_t q = first_result; q <= last_result; ++q) all[n++] = {q, probed};
+    return all;
+}();
 
 /// Parameters: iTNC 530 pilot (NC software 340 49x-07), Q Q0-Q1999, QL0-QL499 local, QR0-QR499. Equality: the control
 /// computes with a limited number of digits; two values that differ by less than 1e-9 count as equal (docs).

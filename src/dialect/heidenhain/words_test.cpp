@@ -118,6 +118,8 @@ TEST(HeidenhainWords, Functions) {
     EXPECT_EQ(error_text(1010), "Feed rate is missing");
     EXPECT_EQ(error_text(1022), "Rounding-off undefined");
     EXPECT_EQ(error_text(999), "");
+    EXPECT_EQ(error_message(1005), "ERROR 1005: Start position incorrect");
+    EXPECT_EQ(error_message(20), "ERROR 20");
     EXPECT_EQ(error_text(1100), "");
 }
 
