@@ -3,8 +3,8 @@
 
 usage: compare_rs274.py OBRYS [--passes 250000] [--blocks 1000000] [--repeat 5]
 
-Both programs of a pair move alike: a zig-zag surface of straight G1 blocks, and a WHILE loop of four statements with SIN
-and COS. obrys interprets to a counting sink (run --quiet), rs274 prints its canonical calls to the null device, which is
+The programs of a row move alike: a zig-zag surface of straight blocks, and a loop of four statements with SIN and COS, as
+SINUMERIK (WHILE), as Klartext (LBL, FN 12, GOTO) and as RS274. obrys interprets to a counting sink (run --quiet), rs274 prints its canonical calls to the null device, which is
 the least it does. Without rs274 only obrys is measured.
 """
 import argparse
@@ -20,33 +20,49 @@ import tempfile
 import time
 
 
-def surface(blocks, head, tail):
+def surface(blocks):
+    """Points of a zig-zag surface."""
     rnd = random.Random(1)
-    yield head
     x, y, step = 0.0, 0.0, 1
     for _ in range(blocks):
         x += step * 0.3 * (0.5 + rnd.random())
         if not 0 <= x <= 150:
             x, y, step = min(max(x, 0.0), 150.0), y + 0.05, -step
-        z = -4.0 + 2.0 * math.sin(x * 0.12) * math.cos(y * 0.09) + 0.7 * math.sin(x * 0.41 + y * 0.23)
-        yield f"G1 X{x:.3f} Y{y:.3f} Z{z:.3f}\n"
-    yield tail
+        yield x, y, -4.0 + 2.0 * math.sin(x * 0.12) * math.cos(y * 0.09) + 0.7 * math.sin(x * 0.41 + y * 0.23)
+
+
+def write_surface(path, blocks, head, block, tail):
+    with open(path, "w", encoding="ascii") as f:
+        f.write(head)
+        f.writelines(block(i, *p) for i, p in enumerate(surface(blocks)))
+        f.write(tail)
+    return path
+
+
+def iso(_, x, y, z):
+    return f"G1 X{x:.3f} Y{y:.3f} Z{z:.3f}\n"
+
+
+def klartext(i, x, y, z):
+    return f"{i + 3} L X{x:+.3f} Y{y:+.3f} Z{z:+.3f}\n"
 
 
 def write_programs(folder, blocks, passes):
-    nc = folder / "surface.ngc"
-    with open(nc, "w", encoding="ascii") as f:
-        f.writelines(surface(blocks, "G21 G17 G90 G94\nS12000 M3\nF2400\n", "M5\nM2\n"))
-    mpf = folder / "SURFACE.MPF"
-    with open(mpf, "w", encoding="ascii") as f:
-        f.writelines(surface(blocks, "G71 G17 G90 G94\nS12000 M3\nF2400\n", "M5\nM30\n"))
+    mpf = write_surface(folder / "SURFACE.MPF", blocks, "G71 G17 G90 G94\nS12000 M3\nF2400\n", iso, "M5\nM30\n")
+    h = write_surface(folder / "SURFACE.H", blocks, "0 BEGIN PGM SURFACE MM\n1 TOOL CALL 1 Z S12000\n2 L F2400 M3\n", klartext,
+                      f"{blocks + 3} L M30\n{blocks + 4} END PGM SURFACE MM\n")
+    nc = write_surface(folder / "surface.ngc", blocks, "G21 G17 G90 G94\nS12000 M3\nF2400\n", iso, "M5\nM2\n")
     loop_nc = folder / "loop.ngc"
     loop_nc.write_text(f"G21 G17 G90 G94\nS8000 M3\nF1000.\n#1=0\n#2=0\nO100 while [#1 LT {passes}]\n#2=[#1*0.36]\n"
                        "G1 X[50*COS[#2]] Y[50*SIN[#2]] Z[-#1/100000]\n#1=[#1+1]\nO100 endwhile\nM5\nM2\n")
     loop_mpf = folder / "LOOP.MPF"
     loop_mpf.write_text(f"G71 G17 G90 G94\nS8000 M3\nF1000.\nR1=0\nR2=0\nWHILE R1<{passes}\nR2=R1*0.36\n"
                         "G1 X=50*COS(R2) Y=50*SIN(R2) Z=-R1/100000\nR1=R1+1\nENDWHILE\nM5\nM30\n")
-    return [(f"{blocks} straight G1 blocks", mpf, nc), (f"{passes} passes x 4 statements", loop_mpf, loop_nc)]
+    loop_h = folder / "LOOP.H"
+    loop_h.write_text("0 BEGIN PGM LOOP MM\n1 TOOL CALL 1 Z S8000\n2 L F1000 M3\n3 Q1 = 0\n4 LBL 1\n5 Q2 = Q1 * 0.36\n"
+                      "6 Q3 = 50 * COS Q2\n7 Q4 = 50 * SIN Q2\n8 Q5 = - Q1 / 100000\n9 L X+Q3 Y+Q4 Z+Q5\n10 Q1 = Q1 + 1\n"
+                      f"11 FN 12: IF +Q1 LT +{passes} GOTO LBL 1\n12 L M30\n13 END PGM LOOP MM\n")
+    return [(f"{blocks} straight blocks", mpf, h, nc), (f"{passes} passes of a loop", loop_mpf, loop_h, loop_nc)]
 
 
 def run(command):
@@ -76,12 +92,12 @@ def main():
     if rs274 is None:
         print("rs274 is not installed (package linuxcnc-uspace): obrys alone is measured")
     with tempfile.TemporaryDirectory() as folder:
-        for name, mpf, ngc in write_programs(pathlib.Path(folder), a.blocks, a.passes):
-            commands = [[a.obrys, "run", "--quiet", str(mpf)]] + ([[rs274, "-g", str(ngc)]] if rs274 else [])
+        for name, mpf, h, ngc in write_programs(pathlib.Path(folder), a.blocks, a.passes):
+            commands = [[a.obrys, "run", "--quiet", str(p)] for p in (mpf, h)] + ([[rs274, "-g", str(ngc)]] if rs274 else [])
             results = measure(commands, a.repeat)
-            line = f"{name}: obrys {results[0][0]:.3f} s, {results[0][1]:.0f} MB"
-            if rs274:
-                line += f"; rs274 {results[1][0]:.3f} s, {results[1][1]:.0f} MB; factor {results[1][0] / results[0][0]:.1f}"
+            line = name + ": " + "; ".join(
+                f"{what} {seconds:.3f} s, {memory:.0f} MB" + (f", factor {results[2][0] / seconds:.1f}" if rs274 and i < 2 else "")
+                for i, (what, (seconds, memory)) in enumerate(zip(("SINUMERIK", "Klartext", "rs274"), results)))
             print(line, flush=True)
 
 

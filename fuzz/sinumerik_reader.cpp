@@ -1,123 +1,8 @@
 // Any bytes are read without crash; every span lies inside the text and every number inside its table.
-#include <cstddef>
-#include <cstdint>
-#include <cstdlib>
-#include <string>
-
+#include "check_unit.hpp"
 #include "read/sinumerik/read.hpp"
 
-namespace {
-
 using namespace obrys;
-using program::Code;
-using program::ExprKind;
-using program::StatementKind;
-
-void require(bool holds) {
-    if (!holds) std::abort();
-}
-
-void check_span(const base::Span& s, std::size_t size) { require(s.begin <= s.end && s.end <= size); }
-
-void check_expr(const program::Unit& u, program::ExprId id) { require(id == program::no_expr || id < u.exprs.size()); }
-
-void check_exprs(const program::Unit& u, std::size_t size) {
-    for (std::size_t i = 0; i < u.exprs.size(); ++i) {
-        const program::Expr& e = u.exprs[i];
-        check_span({u.file, e.begin, e.end}, size);
-        const bool has_child = e.kind == ExprKind::parameter_at || e.kind == ExprKind::unary ||
-                               e.kind == ExprKind::binary || e.kind == ExprKind::qualified;
-        if (e.kind == ExprKind::number) require(e.a < u.numbers.size());
-        if (e.kind == ExprKind::text) require(e.a < u.texts.size());
-        if (has_child) require(e.a < i);
-        if (e.kind == ExprKind::binary) require(e.b < i);
-        if (e.count > 0) require(std::size_t{e.b} + e.count <= u.children.size());
-        for (std::uint32_t k = 0; k < e.count; ++k)
-            require(u.children[e.b + k] == program::no_expr || u.children[e.b + k] < i);
-    }
-}
-
-std::size_t table_size(const program::Unit& u, StatementKind kind) {
-    switch (kind) {
-        case StatementKind::for_:
-        case StatementKind::endfor: return u.fors.size();
-        case StatementKind::case_: return u.cases.size();
-        case StatementKind::jump: return u.jumps.size();
-        case StatementKind::repeat_section: return u.sections.size();
-        case StatementKind::call: return u.calls.size();
-        case StatementKind::procedure: return u.procedures.size();
-        case StatementKind::frame: return u.frames.size();
-        case StatementKind::define: return u.defines.size();
-        case StatementKind::return_: return 1;
-        default: return u.branches.size();
-    }
-}
-
-void check_word(const program::Unit& u, const program::Word& w, StatementKind kind) {
-    const auto at = static_cast<std::size_t>(w.payload);
-    switch (program::code_of(w)) {
-        case Code::control: return require(kind != StatementKind::block && at < table_size(u, kind));
-        case Code::named_axis:
-        case Code::named_value: return require(at < u.named.size());
-        case Code::assign: return require(at < u.assigns.size());
-        case Code::unsupported:
-        case Code::unknown: return require(at < u.problems.size());
-        case Code::modal: return;
-        default: break;
-    }
-    if (program::form_of(w) == program::Form::expression) require(at < u.exprs.size());
-    if (program::form_of(w) == program::Form::pooled) require(at < u.numbers.size());
-    require(program::form_of(w) <= program::Form::expression);
-}
-
-void check_statements(const program::Unit& u, std::size_t size) {
-    std::uint32_t words = 0;
-    for (std::uint32_t i = 0; i < u.statements.size(); ++i) {
-        const program::Statement& s = u.statements[i];
-        check_span(u.span(s), size);
-        require(s.first == words);
-        words = u.words_end(i);
-        require(words >= s.first && words <= u.words.size());
-        if (s.kind != StatementKind::block)
-            require(words > s.first && program::code_of(u.words[s.first]) == Code::control);
-        for (std::uint32_t w = s.first; w < words; ++w) {
-            check_span(u.span(s, u.words[w]), size);
-            check_word(u, u.words[w], s.kind);
-            if (w > s.first) require(program::code_of(u.words[w]) != Code::control);
-        }
-    }
-    require(words == u.words.size() || u.statements.empty());
-    const auto is_target = [&](std::uint32_t t) { return t == program::no_target || t <= u.statements.size(); };
-    for (const auto& b : u.branches) check_expr(u, b.condition), require(is_target(b.target));
-    for (const auto& f : u.fors)
-        check_expr(u, f.variable), check_expr(u, f.from), check_expr(u, f.to), require(is_target(f.target));
-    for (const auto& [name, places] : u.labels)
-        for (const std::uint32_t place : places) require(place < u.statements.size());
-}
-
-void check_tables(const program::Unit& u, std::size_t size) {
-    for (const auto& a : u.assigns) require(a.target < u.exprs.size() && a.value < u.exprs.size());
-    for (const auto& n : u.named) check_expr(u, n.index), require(n.value < u.exprs.size());
-    for (const auto& p : u.problems) check_span(p.where, size);
-    for (const auto& p : u.ignored) check_span(p.where, size);
-    for (const auto& j : u.jumps) check_expr(u, j.condition), check_expr(u, j.destination);
-    for (const auto& c : u.calls) {
-        check_span(c.where, size);
-        for (const auto a : c.arguments) check_expr(u, a);
-        check_expr(u, c.passes), check_expr(u, c.target);
-    }
-    for (const auto& p : u.procedures) {
-        check_span(p.where, size);
-        for (const auto a : p.arguments) check_expr(u, a);
-    }
-    for (const auto& d : u.defines)
-        for (const auto& v : d.variables) {
-            check_span(v.where, size);
-            for (const auto a : v.values) check_expr(u, a);
-        }
-}
-
-}  // namespace
 
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
     base::Sources sources;
@@ -126,13 +11,10 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
     base::Diagnostics diagnostics;
     const auto units = read::sinumerik::read(file, sources, names, diagnostics);
     const std::size_t length = sources[file].text.size();
-    for (const program::Unit& u : units) {
-        check_exprs(u, length);
-        check_statements(u, length);
-        check_tables(u, length);
-    }
-    for (const base::Diagnostic& d : diagnostics.all()) check_span(d.where, length), (void)base::render(d, sources);
+    for (const program::Unit& u : units) fuzz::check_unit(u, length);
+    for (const base::Diagnostic& d : diagnostics.all())
+        fuzz::check_span(d.where, length), (void)base::render(d, sources);
     const int score = read::sinumerik::likelihood(sources[file].text, "FUZZ.MPF");
-    require(score >= 0 && score <= 100);
+    fuzz::require(score >= 0 && score <= 100);
     return 0;
 }

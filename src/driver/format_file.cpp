@@ -30,6 +30,7 @@ std::optional<FormattedFile> format_file(const fs::path& path, const fmt::Option
     if (fs::file_size(path, error) == text.size() + 3 && !error) out.text = "\xEF\xBB\xBF";
     out.text += formatted.text;
     out.left = std::move(formatted.left);
+    out.numbers_kept = formatted.numbers_kept;
     return out;
 }
 

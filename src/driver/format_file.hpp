@@ -14,6 +14,7 @@ struct FormattedFile {
     std::string text;
     bool changed = false;  ///< the text differs from the file
     std::vector<format::heidenhain::Left> left;
+    bool numbers_kept = false;
 };
 
 /// Nothing where the file cannot be read or holds no HEIDENHAIN program; a complaint is made.

@@ -27,9 +27,9 @@ struct Run {
 
 std::ostream& operator<<(std::ostream& out, const Run& run) { return out << run.records << "---\n" << run.codes; }
 
-Run run(const std::string& text, const fs::path& folder) {
+Run run(const std::string& text, const fs::path& folder, const char* name = "PART.H") {
     Session s;
-    const auto file = s.sources.add("PART.H", text, base::BlockNumbers::leading);
+    const auto file = s.sources.add(name, text, base::BlockNumbers::leading);
     const Control* control = find_control("heidenhain-itnc530");
     s.programs = std::make_unique<Programs>(*control, s.sources, s.diagnostics);
     if (!folder.empty()) s.programs->add_folder(folder);
@@ -212,6 +212,54 @@ RC_GTEST_PROP(FormatProperty, untidy_programs_run_the_same, ()) {
     RC_ASSERT(fmt::formatted(once, fmt::Language::klartext, options).text == once);
     RC_ASSERT(comments(once) == comments(text));
     RC_ASSERT(run(once, {}) == run(text, {}));
+}
+
+// --- DIN/ISO
+
+std::string iso_word() {
+    switch (*rc::gen::inRange(0, 6)) {
+        case 0: return any_of({"F500", "F 250", "f100"});
+        case 1: return any_of({"M3", "m8", "M99", "S1000", "T1"});
+        case 2: return any_of({"I", "J", "H", "R"}) + value();
+        default: return any_of({"X", "Y", "Z", "x", "A"}) + maybe_blank() + value();
+    }
+}
+
+std::string iso_block() {
+    const int kind = *rc::gen::inRange(0, 6);
+    if (kind == 0) return formula();
+    if (kind == 1)
+        return any_of({"G98 L1", "g98 L0", "L1,3", "L2,0", "D00 Q1 P01  +10", "D09 P01 +Q1 P02 +0 P03 7", "G54 X10 Y-5",
+                       "%SUB", "G200 Drilling Q200=2 Q201=-5", "G83 P01 +2 P02 -20 P03 5", "* structure", "G53 P01 5",
+                       "foo", "G 01 X5", "G00 X1 ~\n  Y2", "G200 Drilling ~\nQ200 = 2 ;a ~\nQ201=-5",
+                       "G200 Drilling\nQ200=2 ;x\n Q201=-5"});
+    std::string out = any_of({"G00", "g01", "G1", "G02", "G03", "G40 G90", "G91", "G41", "G10", "G11", "G12"});
+    const int n = *rc::gen::inRange(0, 5);
+    for (int i = 0; i < n; ++i) out += any_of({" ", " ", "  ", ""}) + iso_word();
+    return out;
+}
+
+std::string any_iso_program() {
+    std::string out = any_of({"%P G71 *\n", "%P G70*\r\n", "% P G71 *\n"});
+    const int n = *rc::gen::inRange(1, 14);
+    for (int i = 0; i < n; ++i) {
+        out +=
+            any_of({"", "", "", "/", " "}) + "N" + std::to_string(i * 5) + any_of({" ", " ", "  ", ""}) + iso_block();
+        out +=
+            any_of({"*", "*", " *", " * ;note  x", "*;n", "", " "}) + any_of({"\n", "\n", "\r\n", "\n\n", "\n;c  d\n"});
+    }
+    return out + any_of({"N99999999 %P G71 *\n", "N99999 M30 *\nN99999999 %P G71 *", ""});
+}
+
+RC_GTEST_PROP(FormatProperty, untidy_iso_programs_run_the_same, ()) {
+    const std::string text = any_iso_program();
+    const fmt::Options options{*rc::gen::element(fmt::Decimal::keep, fmt::Decimal::point, fmt::Decimal::comma),
+                               fmt::LineEnds::keep};
+    const std::string once = fmt::formatted(text, fmt::Language::iso, options).text;
+    RC_LOG(text + "=== formatted ===\n" + once);
+    RC_ASSERT(fmt::formatted(once, fmt::Language::iso, options).text == once);
+    RC_ASSERT(comments(once) == comments(text));
+    RC_ASSERT(run(once, {}, "PART.I") == run(text, {}, "PART.I"));
 }
 
 }  // namespace

@@ -124,8 +124,8 @@ std::string program_name(std::string_view written) {
     std::string s = base::to_upper(base::trim(written));
     if (const auto slash = s.find_last_of("/\\:"); slash != std::string::npos) s.erase(0, slash + 1);
     if (s.starts_with("_N_")) s.erase(0, 3);
-    for (const char* suffix : {"_SPF", "_MPF", ".SPF", ".MPF", ".H", ".I"})
-        if (s.ends_with(suffix)) s.resize(s.size() - 4);
+    for (const std::string_view suffix : {"_SPF", "_MPF", ".SPF", ".MPF", ".H", ".I"})
+        if (s.ends_with(suffix)) s.resize(s.size() - suffix.size());
     return s;
 }
 
@@ -218,8 +218,29 @@ void restore(Run& run, const ModalState& saved) {
 
 }  // namespace
 
+namespace {
+
+/// The block that called a label behind which there is no LBL 0 at all; a jump out of a label is no mistake.
+std::uint32_t unended_label(const Activation& act) {
+    for (const LabelReturn& r : act.labels) {
+        const std::uint32_t call = r.pc - 1;
+        const auto index = static_cast<std::size_t>(act.unit->words[act.unit->statements[call].first].payload);
+        const std::uint32_t target = act.unit->label_calls[index].target;
+        if (target == program::no_target) continue;
+        const auto from = act.unit->statements.begin() + static_cast<std::ptrdiff_t>(target);
+        const auto is_end = [](const program::Statement& s) { return s.kind == program::StatementKind::label_end; };
+        if (std::none_of(from, act.unit->statements.end(), is_end)) return call;
+    }
+    return program::no_target;
+}
+
+}  // namespace
+
 void leave(Run& run) {
     Activation& act = run.top();
+    if (const std::uint32_t call = unended_label(act); call != program::no_target)
+        return alarm(run, codes::missing_label, act.unit->span(act.unit->statements[call]),
+                     "the program ends before the LBL 0 of the label that is called here");
     if (act.repeats_left > 0) {
         --act.repeats_left;
         act.pc = 0;

@@ -17,6 +17,16 @@ using program::CycleUse;
 
 namespace {
 
+/// A cycle's own value is no setting of the program, even where one parameter serves both (Q10 of CYCL DEF 25).
+void define_parameter(Run& run, const CycleDefinition& d, const CycleSetting& s, double v) {
+    const std::uint32_t n = s.parameter;
+    if (run.parameter_overridden[n] != 0 && v != run.parameter_override[n])
+        assume(run, s.where,
+               program::parameter_name(*run.unit().traits, n) + " is set from outside, and " + d.name +
+                   " sets it to a value of its own here: that of the cycle holds from here on");
+    run.parameters.set(n, v);
+}
+
 /// The definition's assignments: a named parameter is set for everybody, as the control does it.
 ActiveCycle take(Run& run, const CycleDefinition& d) {
     ActiveCycle c;
@@ -25,8 +35,7 @@ ActiveCycle take(Run& run, const CycleDefinition& d) {
     for (const CycleSetting& s : d.settings) {
         const double v = number(run, s.value);
         c.values.push_back(v);
-        if (s.parameter != program::no_target && s.parameter < run.parameters.count())
-            assign_number(run, s.parameter, s.value, v, s.where);
+        if (s.parameter != program::no_target && s.parameter < run.parameters.count()) define_parameter(run, d, s, v);
     }
     for (const ExprId id : d.texts) c.texts.push_back(printed(evaluate(run, id)));
     return c;

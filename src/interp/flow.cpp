@@ -205,30 +205,45 @@ void repeat_section(Run& run, const program::Section& s, std::uint32_t index) {
     run.top().sections.push_back(active);
 }
 
+/// The cycle, and the words of its block that do not belong to it.
+void cycle_definition(Run& run, const program::Statement& s, std::uint32_t index) {
+    const Unit& unit = run.unit();
+    define_cycle(run, unit.cycles[static_cast<std::size_t>(unit.words[s.first].payload)]);
+    for (std::uint32_t w = s.first + 1; w < unit.words_end(index) && !run.stopped; ++w) gather(run, s, unit.words[w]);
+}
+
+}  // namespace
+
+namespace {
+
+/// Kinds that are run elsewhere and have no entry in a table; false where `s` is none of them.
+bool run_plain(Run& run, const Statement& s, std::uint32_t index) {
+    switch (s.kind) {
+        case StatementKind::block:
+            run_block(run, s, index);
+            return true;
+        case StatementKind::frame:
+            frame_statement(run, s, index);
+            return true;
+        case StatementKind::special:
+            run_special(run, s, index);
+            return true;
+        case StatementKind::return_:
+            leave(run);
+            return true;
+        case StatementKind::label_end:
+            end_label(run);
+            return true;
+        default:
+            return false;
+    }
+}
+
 }  // namespace
 
 void run_statement(Run& run, const Statement& s, std::uint32_t index) {
     const Unit& unit = run.unit();
-    if (s.kind == StatementKind::block) {
-        run_block(run, s, index);
-        return;
-    }
-    if (s.kind == StatementKind::frame) {
-        frame_statement(run, s, index);
-        return;
-    }
-    if (s.kind == StatementKind::special) {
-        run_special(run, s, index);
-        return;
-    }
-    if (s.kind == StatementKind::return_) {
-        leave(run);
-        return;
-    }
-    if (s.kind == StatementKind::label_end) {
-        end_label(run);
-        return;
-    }
+    if (run_plain(run, s, index)) return;
     const auto table = static_cast<std::size_t>(unit.words[s.first].payload);
     switch (s.kind) {
         case StatementKind::if_:
@@ -271,11 +286,9 @@ void run_statement(Run& run, const Statement& s, std::uint32_t index) {
             repeat_section(run, unit.sections[table], index);
             return;
         case StatementKind::label_call:
-            call_label(run, unit.label_calls[table], index);
-            return;
+            return call_label(run, unit.label_calls[table], index);
         case StatementKind::cycle_definition:
-            define_cycle(run, unit.cycles[table]);
-            return;
+            return cycle_definition(run, s, index);
         case StatementKind::call:
             call_program(run, unit.calls[table]);
             return;

@@ -95,7 +95,10 @@ double bounded(const Arguments& a) {
 bool further_numeric(const Arguments& a, Function f, double& result) {
     switch (f) {
         case Function::atan: result = geom::degrees(std::atan(a[0])); return true;
-        case Function::log10: result = logarithm(a, "LOG") / std::log(10.0); return true;
+        case Function::log10:
+            result = logarithm(a, "LOG");
+            if (a[0] > 0) result = std::log10(a[0]);
+            return true;
         case Function::fraction: {
             const double x = a[0];
             result = x - std::trunc(x);
@@ -103,7 +106,7 @@ bool further_numeric(const Arguments& a, Function f, double& result) {
         }
         case Function::sign: {
             const double x = a[0];
-            result = std::isnan(x) ? x : x > 0 ? 1 : x < 0 ? -1 : 0;
+            result = std::isnan(x) ? x : x < 0 ? -1 : 1;  // 0 gives 1: iTNC 530 manual, entering formulas directly
             return true;
         }
         case Function::root_of_squares: {

@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "base/codes.hpp"
+#include "base/number.hpp"
 #include "base/text.hpp"
 #include "interp/run.hpp"
 
@@ -12,6 +13,8 @@ namespace obrys::interp {
 namespace codes = base::codes;
 
 namespace {
+
+constexpr double most_repeats = 65534;
 
 std::uint32_t target_of(Run& run, const program::LabelCall& c) {
     if (c.target != program::no_target) return c.target;
@@ -39,6 +42,9 @@ void repeat(Run& run, std::uint32_t target, const program::LabelCall& c, std::ui
     if (std::isnan(passes))
         unchecked(run, codes::unknown_value, run.here(),
                   "how often this section is repeated depends on a value that is not known: it is not repeated");
+    if (passes < 0 || passes > most_repeats)
+        alarm(run, codes::value_range, run.unit().span(c.repeats),
+              "REP needs a number from 0 to 65534, this is " + base::shortest(passes));
     if (run.stopped || !(passes >= 1)) return;
     Activation& act = run.top();
     if (target >= index) {

@@ -43,13 +43,15 @@ class Shop:
     def __init__(self):
         self.kept = tempfile.TemporaryDirectory()
         self.folder = pathlib.Path(self.kept.name)
-        for name in ("RADIUS.H", "BEVEL.H"):
+        for name in ("RADIUS.H", "BEVEL.H", "TOOL.T"):
             (self.folder / name).write_bytes((FOLDER / name).read_bytes())
 
     def obrys(self, lines, *options):
-        main = ["BEGIN PGM MAIN MM", "TOOL CALL 1 Z S1000", "L Z+100 R0 FMAX M3", *lines, "L Z+100 R0 FMAX M30", "END PGM MAIN MM"]
+        main = ["BEGIN PGM MAIN MM", "TOOL CALL 1 Z S1000", "L Z+100 R0 FMAX M3", "CYCL DEF 14.0 CONTOUR", "CYCL DEF 14.1 CONTOUR LABEL 1",
+                *lines, "L Z+100 R0 FMAX M30", "LBL 1", "L X+0 Y+0 RR", "L X+100", "LBL 0", "END PGM MAIN MM"]
         (self.folder / "MAIN.H").write_text("\n".join(f"{i} {line}" for i, line in enumerate(main)) + "\n", encoding="ascii")
-        done = subprocess.run([OBRYS, "run", str(self.folder / "MAIN.H"), *options], capture_output=True, text=True, check=False)
+        (self.folder / "main.job.toml").write_text('program = "MAIN.H"\ntool_files = ["TOOL.T"]\n', encoding="ascii")
+        done = subprocess.run([OBRYS, "run", str(self.folder / "main.job.toml"), *options], capture_output=True, text=True, check=False)
         return done.stdout
 
     def passes(self, lines):

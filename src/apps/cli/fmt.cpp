@@ -18,6 +18,8 @@ void print_notes(const std::string& path, const driver::FormattedFile& file) {
         std::fprintf(stderr, "%s:%u: note: not understood, left as it is: %s\n", path.c_str(), file.left[i].line,
                      text.c_str());
     }
+    if (file.numbers_kept)
+        std::fprintf(stderr, "%s: note: free contours refer to block numbers: they stay as they are\n", path.c_str());
     if (file.left.size() > most_notes)
         std::fprintf(stderr, "%s: note: %zu further blocks not understood, left as they are\n", path.c_str(),
                      file.left.size() - most_notes);

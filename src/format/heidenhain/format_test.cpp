@@ -118,6 +118,13 @@ TEST(Format, iso_blocks) {
               "N50 Q5 = Q1 * 2 *\nN60 L1,5 * ;call\nN70 G54 X10 FOO*\n;c\nN80 %SUB *\nN99999999 %P G71 *\n");
 }
 
+TEST(Format, iso_lines_behind_a_tilde) {
+    EXPECT_EQ(iso("%P G71 *\nN5 G200 Drilling~\nQ200 = 2 ;abc ~\n Q201=-5 *\nN7 G01 X1 ~\n  Y2 *\nN8 ;a ~\n N9 x\nN9 "
+                  "G0 X1*\n"),
+              "%P G71 *\nN10 G200 Drilling ~\n  Q200=2 ;abc ~\n  Q201=-5 *\nN20 G01 X1 ~\n  Y2 *\nN30 ;a ~\n N9 x\n"
+              "N40 G0 X+1 *\n");
+}
+
 TEST(Format, language_by_content_and_suffix) {
     EXPECT_EQ(language_of("0 BEGIN  PGM P MM\n", "P.H"), Language::klartext);
     EXPECT_EQ(language_of("; x\n%P G71 *\nN10 G0 *\n", "P.I"), Language::iso);

@@ -102,7 +102,14 @@ public:
     }
 
     Formatted run() {
-        for (at_ = 0; at_ < lines_.size(); ++at_) line(lines_[at_].text);
+        for (at_ = 0; at_ < lines_.size(); ++at_) {
+            const std::string_view text = lines_[at_].text;
+            if (open_)
+                further_line(text);
+            else
+                line(text);
+            if (!text.empty()) open_ = goes_on(text);
+        }
         return std::move(out_);
     }
 
@@ -124,21 +131,28 @@ private:
         if (blocks_++ == 0) first_numbered_ = n.number;
         if (!n.understood || (!n.number && first_numbered_)) return leave(line);
         if (comment || n.body.starts_with('*')) {
-            const Numbered kept{n.skip_before, n.number, n.skip_behind, true, trim_right(n.body)};
+            Numbered kept = n;
+        kept.body = trim_right(n.body);
             return write(count_.next(kept).append(kept.body));
         }
         block(n);
     }
 
+    /// Behind `~`: parameters of a cycle; anything else stays.
+    void further_line(std::string_view line) {
+        if (!in_cycle_ || !is_cycle_line(line) || !cycle_parameters(line)) write(line);
+    }
+
     bool cycle_parameters(std::string_view line) {
         Parts p = split_comment(trim_left(line), true);
-        if (has_control_characters(p.code) || p.goes_on) return false;
+        if (has_control_characters(p.code)) return false;
         const bool end = p.code.ends_with('*');
         if (end) p.code = trim_right(p.code.substr(0, p.code.size() - 1));
         Text code = cycle_line(p.code, options_.decimal);
         if (!code) return false;
         if (end) append_word(*code, "*");
         if (!p.comment.empty()) append_word(*code, p.comment);
+        if (p.goes_on) append_word(*code, "~");
         write("  " + *code);
         return true;
     }
@@ -149,12 +163,14 @@ private:
         const bool end = p.code.ends_with('*');
         if (end) p.code = trim_right(p.code.substr(0, p.code.size() - 1));
         const bool call = p.code.starts_with('%');
-        Text code = p.goes_on || has_control_characters(p.code) ? std::nullopt
-                    : call                                      ? Text(p.code)
-                                                                : iso_code(p.code, options_.decimal);
+        const bool on = p.goes_on || goes_on(p.comment);
+        Text code = (on && !in_cycle_) || has_control_characters(p.code) ? std::nullopt
+                    : call                                               ? Text(p.code)
+                                                                         : iso_code(p.code, options_.decimal);
         if (!code) return leave(count_.next(n).append(n.body));
         if (end) append_word(*code, "*");
         if (!p.comment.empty()) append_word(*code, p.comment);
+        if (p.goes_on) append_word(*code, "~");
         write(count_.next(n).append(*code));
     }
 
@@ -165,6 +181,7 @@ private:
     Counter count_{"N", 10, 10};
     std::size_t at_ = 0, blocks_ = 0;
     bool first_numbered_ = false, in_cycle_ = false;
+    bool open_ = false;  ///< `~` ends the last line that is not empty
 };
 
 }  // namespace

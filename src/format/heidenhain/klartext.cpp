@@ -34,6 +34,8 @@ public:
     }
 
     Formatted run() {
+        out_.numbers_kept = refers_to_blocks();
+        if (out_.numbers_kept) count_.keep();
         while (at_ < lines_.size()) {
             const std::string_view line = lines_[at_].text, blank = trim_left(line);
             if (blank.empty() || static_cast<unsigned char>(blank.front()) < ' ') {
@@ -53,6 +55,18 @@ public:
     }
 
 private:
+    /// RX 13, RPR 5, PAR 17 … of free contours.
+    [[nodiscard]] bool refers_to_blocks() const {
+        for (const Line& line : lines_) {
+            const std::string code = base::to_upper(split_number(line.text, false).body);
+            if (!code.starts_with('F')) continue;
+            const std::string_view words = std::string_view(code).substr(0, code.find(';'));
+            for (const std::string_view word : {" RX", " RY", " RPR", " RPA", " RAN", " RCC", " PAR"})
+                if (words.find(word) != std::string_view::npos) return true;
+        }
+        return false;
+    }
+
     /// What stands in front of BEGIN PGM is no program.
     void skip_preface(std::string_view text) {
         const std::size_t begin = base::to_upper(text).find("BEGIN PGM");
@@ -101,7 +115,8 @@ private:
 
     void comment_block(const Numbered& n, std::size_t end) {
         if (!n.understood) return raw_block(n, end);
-        const Numbered kept{n.skip_before, n.number, n.skip_behind, true, trim_right(n.body)};
+        Numbered kept = n;
+        kept.body = trim_right(n.body);
         writer_.line(count_.next(kept).append(kept.body), lines_[at_].end);
         for (++at_; at_ < end; ++at_) writer_.line(trim_right(lines_[at_].text), lines_[at_].end);
     }
@@ -131,7 +146,10 @@ private:
                 code = i == at_ ? opening_line(p.code, options_.decimal, block)
                                 : further_line(p.code, options_.decimal, block);
             if (!code || (on && block.shape == Shape::kept)) return false;
-            if (on && block.shape == Shape::words && ends_open(p.code)) return false;
+            const bool glued =
+                line.size() > p.code.size() && line[p.code.size()] == ';';  // `R;text` is no R to readers
+            const bool has_words = block.shape == Shape::words || block.shape == Shape::generic;
+            if ((on || glued) && has_words && ends_open(p.code)) return false;
             out.push_back(joined(std::move(*code), p));
         }
         return true;

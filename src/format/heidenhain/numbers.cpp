@@ -19,6 +19,7 @@ Numbered split_number(std::string_view line, bool n_word) {
     while (digits < s.size() && base::is_digit(s[digits])) ++digits;
     n.number = n_word ? letter && digits > 1 : digits > 0;
     if (n.number) {
+        n.digits = s.substr(letter ? 1 : 0, digits - (letter ? 1 : 0));
         s.remove_prefix(digits);
         n.understood = s.empty() || base::is_blank(s[0]) || base::is_letter(s[0]) ||
                        std::string_view(";*/%~").find(s[0]) != std::string_view::npos;
@@ -31,10 +32,12 @@ Numbered split_number(std::string_view line, bool n_word) {
 
 std::string Counter::next(const Numbered& n) {
     std::string out = n.skip_before ? "/" : "";
-    out += letter_;
-    out += std::to_string(next_);
+    if (!kept_ || n.number) {
+        out += letter_;
+        out += kept_ ? std::string(n.digits) : std::to_string(next_);
+    }
     next_ += step_;
-    if (!n.body.empty() || n.skip_behind) out += ' ';
+    if ((!n.body.empty() || n.skip_behind) && !out.empty() && out != "/") out += ' ';
     if (n.skip_behind) out += '/';
     return out;
 }

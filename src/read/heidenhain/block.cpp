@@ -160,7 +160,7 @@ void read_comment(State& s, bool after_stop) {
 void read_block(State& s) {
     s.block = s.in.at();
     s.failed = false;
-    const std::size_t statements = s.build.unit().statements.size();
+    s.statements = s.build.unit().statements.size();
     const std::uint32_t last_path = s.last_path;
     const bool after_stop = s.after_stop;
     read_number(s);
@@ -185,7 +185,7 @@ void read_block(State& s) {
     else
         fail_here(s, "this is left over at the end of the block: " + here(s)), s.in.skip_block();
     if (s.last_path == last_path) s.last_path = program::no_target;
-    if (s.build.unit().statements.size() > statements) s.build.end_statement(s.in.at());
+    if (s.build.unit().statements.size() > s.statements) s.build.end_statement(s.in.at());
 }
 
 }  // namespace obrys::read::heidenhain

@@ -73,7 +73,8 @@ bool read_parameter_line(State& s) {
         return true;
     }
     // The control refuses what does not belong to the cycle; an old or new software version may know it.
-    s.build.problem(Code::unsupported, begin, s.in.at(), "this parameter does not belong to " + c.name);
+    if (known != nullptr)
+        s.build.problem(Code::unsupported, begin, s.in.at(), "this parameter does not belong to " + c.name);
     setting.role = program::CycleRole::probe_input;
     c.settings.push_back(setting);
     return true;
@@ -136,7 +137,7 @@ void read_names(State& s) {
             continue;
         }
         if (s.in.peek() == '"' || stands_parameter(s)) {
-            open_cycle(s).texts.push_back(read_text(s));
+            if (const ExprId text = read_text(s); text != no_expr) open_cycle(s).texts.push_back(text);
             continue;
         }
         const base::NumberScan n = s.in.number();

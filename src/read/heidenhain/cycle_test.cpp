@@ -68,6 +68,8 @@ TEST(KlartextCycle, LinesWithoutNumberGoOnWithANumberedCycle) {
 }
 
 TEST(KlartextCycle, Mistakes) {
+    EXPECT_TRUE(Reading("CYCL DEF 14.0 X\nCYCL DEF 14.1 L \"A\n").unit.cycles[0].texts.empty());
+    EXPECT_TRUE(Reading("CYCL DEF 999 X ~\n Q200=2\n").unit.problems.empty());
     EXPECT_EQ(complaint("CYCL DEF X"), "the number of a cycle is due behind CYCL DEF, found 'X'");
     EXPECT_EQ(complaint("CYCL DEF 200 BOHREN ~\n Q200=ABC"), "a number or a Q parameter is missing here, found 'ABC'");
     EXPECT_EQ(complaint("CYCL DEF 200 BOHREN ~\n Q200=2 ~\n Q201 -20"), "'=' is due behind Q201");

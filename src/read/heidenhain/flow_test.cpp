@@ -57,8 +57,17 @@ TEST(KlartextFunction, Mistakes) {
     EXPECT_EQ(complaint("FN 0: X = 5"), "a Q parameter is due here, found 'X'");
     EXPECT_EQ(complaint("FN 4: Q1 = +5 / +3"), "'DIV' is due here, found '/'");
     EXPECT_EQ(complaint("FN 1: Q1 = +5 +"), "a number or a Q parameter is missing here, found end of block");
-    EXPECT_EQ(one("FN 26: TABOPEN TNC:\\A.TAB"), "unsupported{FN 26: TABOPEN TNC:\\A.TAB|}");
+    EXPECT_EQ(one("FN 26: TABOPEN TNC:\\A.TAB"), "unsupported{FN 26: TABOPEN TNC:\\A.TAB|opens a freely definable table}");
     EXPECT_EQ(one("FN 45: X"), "unknown{FN 45: X|the control has no FN 45}");
+}
+
+TEST(KlartextFunction, AMistakeStandsInItsOwnBlock) {
+    for (const char* wrong : {"FN 9: IF +Q1", "CALL LBL", "CALL PGM", "FN 14: ERROR = X", "CALL X", "RND", "LBL"}) {
+        const Reading r(std::string("1 FN 9: IF +0 EQU +0 GOTO LBL 5\n2 ") + wrong + "\n3 LBL 5\n");
+        ASSERT_EQ(r.unit.statements.size(), 3u) << wrong;
+        EXPECT_EQ(r.unit.words_end(0), 1u) << wrong << "\n" << r.tree();
+        EXPECT_EQ(r.codes(), std::vector<std::string>{"syntax"}) << wrong;
+    }
 }
 
 TEST(KlartextFunction, AcceptedOnesAreListedOnly) {

@@ -28,13 +28,13 @@ ExprId target(State& s) {
         fail_here(s, "a Q parameter is due here, found " + here(s));
         return no_expr;
     }
-    return expect(s, "=") ? q : no_expr;
+    return !s.failed && expect(s, "=") ? q : no_expr;
 }
 
 }  // namespace
 
 void read_assigned(State& s, ExprId to, ExprId value) {
-    if (to == no_expr || value == no_expr) return;
+    if (s.failed || to == no_expr || value == no_expr) return;
     s.build.assign(to, value, s.build.unit().exprs[to].begin, s.build.unit().exprs[value].end);
 }
 
@@ -51,8 +51,7 @@ void assign_function(State& s, int n, ExprId to, const std::vector<ExprId>& valu
             case 6: return s.build.function(Function::sin, values, begin, end);
             case 7: return s.build.function(Function::cos, values, begin, end);
             case 8: return s.build.function(Function::root_of_squares, values, begin, end);
-            case 13: return s.build.function(Function::angle_of, values, begin, end);
-            default: return system_datum(s, values[0], values[1], values.size() > 2 ? values[2] : no_expr, begin);
+            default: return s.build.function(Function::angle_of, values, begin, end);
         }
     };
     read_assigned(s, to, result());
@@ -124,26 +123,28 @@ void system_read(State& s) {
     s.in.take_word("SYSREAD");
     const ExprId to = target(s);
     if (to == no_expr) return;
+    s.in.skip_blanks();
+    const std::uint32_t begin = s.in.at();
     std::vector<ExprId> numbers;
     for (const std::string_view word : {"ID", "NR", "IDX"}) {
         if (word == "IDX" ? !s.in.take_prefix(word) : !expect(s, word)) break;
         numbers.push_back(value_expr(s));
         if (s.failed) return;
     }
-    if (numbers.size() > 1) assign_function(s, 18, to, numbers);
+    numbers.resize(3, no_expr);
+    read_assigned(s, to, system_datum(s, numbers[0], numbers[1], numbers[2], begin));
 }
 
-/// What the table of functions says of one that is not run here.
-void not_run(State& s, int n, std::uint32_t begin) {
+}  // namespace
+
+void leave_function(State& s, int n, std::uint32_t begin) {
     s.in.skip_block();
     const auto* fn = dialect::heidenhain::find_fn(n);
     if (fn != nullptr && fn->use == dialect::heidenhain::Use::accepted)
         return s.build.ignored("FN " + std::to_string(n) + " (" + std::string(fn->text) + ")", begin, s.in.at());
-    s.build.problem(fn == nullptr ? Code::unknown : Code::unsupported, begin, s.in.at(),
-                    fn == nullptr ? std::string_view("there is no such function") : fn->text);
+    if (fn != nullptr) return s.build.problem(Code::unsupported, begin, s.in.at(), fn->text);
+    s.build.problem(Code::unknown, begin, s.in.at(), "the control has no FN " + std::to_string(n));
 }
-
-}  // namespace
 
 void read_numbered(State& s, int n, std::uint32_t begin) {
     if (n == 9) return condition(s, "EQU", n);
@@ -167,7 +168,7 @@ void read_numbered(State& s, int n, std::uint32_t begin) {
         case 18: return system_read(s);
         default: break;
     }
-    not_run(s, n, begin);
+    leave_function(s, n, begin);
 }
 
 bool read_function(State& s) {

@@ -87,15 +87,15 @@ void read_percent(State& s) {
     const std::uint32_t behind = s.in.at();
     static_cast<void>(s.in.path());
     const IsoBlock b = look_over(s);
-    const bool first = s.build.unit().statements.empty() && !s.iso.has_header;
+    const bool first = s.build.unit().statements.empty() && !s.begun;
     const bool frame = b.has_g(70) || b.has_g(71);
     if (!frame && !(first && !s.numbered)) {
         s.in.go_to(behind);
         return read_call(s);
     }
     s.in.skip_block();
-    if (!first) return;  // the program's end
-    s.iso.has_header = true;
+    if (!first) return static_cast<void>(s.ended = s.begun);
+    s.begun = true;
     s.build.unit().inch = b.has_g(70);
     s.build.statement(StatementKind::block, s.block);
     s.build.modal(b.has_g(70) ? Modal::inch_all : Modal::metric_all, s.block, s.in.at());
@@ -169,7 +169,7 @@ void read_tool_definition(State& s, bool next) {
 /// G98 L1, and what may follow it.
 void read_label(State& s, const IsoBlock& b) {
     const std::uint32_t begin = s.in.at();
-    if (read_code(s) != 98) {
+    if (base::upper(s.in.peek()) != 'G' || read_code(s) != 98) {
         s.build.statement(StatementKind::block, s.block);
         return fail(s, begin, "G98 stands first in its block", "write the label in a block of its own");
     }
@@ -182,7 +182,7 @@ void read_label(State& s, const IsoBlock& b) {
 
 void read_corner_code(State& s) {
     const std::uint32_t begin = s.in.at();
-    const int n = read_code(s);
+    const int n = base::upper(s.in.peek()) == 'G' ? read_code(s) : 0;
     if (n != 24 && n != 25) {
         s.build.statement(StatementKind::block, s.block);
         return fail(s, begin, "a chamfer or rounding stands in a block of its own", "G24 R2 or G25 R5");
@@ -191,21 +191,51 @@ void read_corner_code(State& s) {
     read_corner(s, n == 24, begin);
 }
 
-void not_run(State& s, std::string_view what) {
+/// G26 R5 behind the straight block to the contour's first point: from where the tool stood, by a line and an arc that
+/// is tangential to it and to the contour. G27 R5 behind the last contour element: so to the next block's point.
+void read_smooth(State& s, bool departure) {
+    const std::uint32_t begin = s.in.at();
+    const int n = base::upper(s.in.peek()) == 'G' ? read_code(s) : 0;
+    const bool joined = s.last_path != program::no_target && s.last_path + 1 == s.build.unit().statements.size();
+    const bool straight = s.iso.motion == 0 || s.iso.motion == 1 || s.iso.motion == 10 || s.iso.motion == 11;
+    const bool good = n == (departure ? 27 : 26) && (departure || (joined && straight));
+    if (!good) {
+        s.build.statement(StatementKind::block, s.block);
+        return fail(s, begin,
+                    departure ? "G27 stands in a block of its own"
+                              : "G26 stands behind the straight block to the contour's first point",
+                    departure ? "write it behind the last contour element"
+                              : "write it in a block of its own behind the first one with G41 or G42");
+    }
+    s.in.take('R');
+    const ExprId radius = value_expr(s);
+    if (s.failed) return;
+    if (departure)
+        s.iso.departure = radius;
+    else
+        add_smooth(s, false, radius, begin);
+    s.build.statement(StatementKind::block, s.block);  // the block itself, which counts as one
+}
+
+/// A measuring block: its words are its own.
+void read_refused(State& s, const dialect::GCode& g) {
     const std::uint32_t begin = s.in.at();
     s.build.statement(StatementKind::block, s.block);
     s.in.skip_block();
-    s.build.problem(Code::unsupported, begin, s.in.at(), what);
+    s.build.problem(Code::unsupported, begin, s.in.at(), g.text);
 }
 
 void read_by_codes(State& s, const IsoBlock& b) {
     if (b.has_g(98)) return read_label(s, b);
     if (b.has_g(24) || b.has_g(25)) return read_corner_code(s);
-    if (b.has_g(26)) return not_run(s, "smooth approach");
-    if (b.has_g(27)) return not_run(s, "smooth departure");
+    if (b.has_g(26) || b.has_g(27)) return read_smooth(s, b.has_g(27));
     if (b.has_g(30) || b.has_g(31)) return read_blank(s, b);
     if (b.has_g(51) || b.has_g(99)) return read_tool_definition(s, b.has_g(51));
     if (const dialect::GCode* g = b.cycle()) return read_iso_cycle(s, *g);
+    for (const int n : b.g)
+        if (const dialect::GCode* g = dialect::find_g(n);
+            g != nullptr && g->use == dialect::Use::refused && g->block_only)
+            return read_refused(s, *g);
     read_iso_words(s, b);
 }
 
@@ -215,6 +245,8 @@ void read_content(State& s, const IsoBlock& b) {
     if (c == 'L') return read_label_call(s);
     if (c == 'D') return read_iso_function(s);
     if (c == 'Q' && stands_parameter(s)) return read_assignment(s);
+    if (base::equals_ignoring_case(s.in.letters(), "PLANE"))  // written as in Klartext
+        return static_cast<void>(read_special_block(s, s.in.letters()));
     if (base::is_letter(c)) return read_by_codes(s, b);
     s.build.statement(StatementKind::block, s.block);
     const std::uint32_t begin = s.in.at();
@@ -234,9 +266,9 @@ void read_iso_block(State& s) {
     s.block = s.in.at();
     s.failed = false;
     const IsoBlock b = look_over(s);
-    const bool corner = b.has_g(24) || b.has_g(25) || b.has_g(26) || b.has_g(27);
+    const bool corner = b.has_g(24) || b.has_g(25) || b.has_g(26);
     if (!corner) flush_pending(s);  // a corner belongs to the block before it
-    const std::size_t statements = s.build.unit().statements.size();
+    s.statements = s.build.unit().statements.size();
     const std::uint32_t last_path = s.last_path;
     const bool after_stop = s.after_stop, ended_by_star = s.iso.ended_by_star;
     read_number(s);
@@ -252,7 +284,7 @@ void read_iso_block(State& s) {
     if (!s.failed && !s.in.at_end()) fail_here(s, "this is left over at the end of the block: " + here(s));
     s.in.skip_block();
     if (s.last_path == last_path && !corner) s.last_path = program::no_target;
-    if (s.build.unit().statements.size() > statements) s.build.end_statement(s.in.at());
+    if (s.build.unit().statements.size() > s.statements) s.build.end_statement(s.in.at());
     s.iso.ended_by_star = s.in.at_star();
     s.in.leave_block();
 }

@@ -1,7 +1,6 @@
 /// Q parameter functions of DIN/ISO: `D01 Q1 P01 +Q2 P02 +5`. They are the FN functions of Klartext under another
 /// letter. Source: HEIDENHAIN ISO Programming User's Manuals, chapter "Q parameters" (TNC 360: page 7-5; iTNC 530).
 
-#include "dialect/heidenhain/functions.hpp"
 #include "read/heidenhain/iso.hpp"
 
 namespace obrys::read::heidenhain {
@@ -36,7 +35,6 @@ int values_of(int n) {
         case 4:
         case 8:
         case 13: return 2;
-        case 18: return 3;
         default: return 0;
     }
 }
@@ -48,13 +46,30 @@ void assignment(State& s, int n) {
     if (to == no_expr) return fail_here(s, "a Q parameter is due here, found " + here(s));
     std::vector<ExprId> values;
     for (int k = 1; k <= values_of(n); ++k) {
-        if (n == 18 && k == 3 && s.in.at_end()) break;  // the index may be missing
         if (!take_p(s, k)) return;
         s.in.skip_blanks();
         values.push_back(n == 0 ? read_compared(s) : value_expr(s));
         if (s.failed) return;
     }
     assign_function(s, n, to, values);
+}
+
+/// D18 Q1 P01 210 P02 4 P03 3: ID, NR and, where one is needed, IDX.
+void system_read(State& s) {
+    s.build.statement(StatementKind::block, s.block);
+    s.in.skip_blanks();
+    const ExprId to = read_parameter(s);
+    if (to == no_expr) return fail_here(s, "a Q parameter is due here, found " + here(s));
+    s.in.skip_blanks();
+    const std::uint32_t begin = s.in.at();
+    std::vector<ExprId> numbers;
+    for (int k = 1; k <= 3 && !(k == 3 && s.in.at_end()); ++k) {
+        if (!take_p(s, k)) return;
+        numbers.push_back(value_expr(s));
+        if (s.failed) return;
+    }
+    numbers.resize(3, no_expr);
+    read_assigned(s, to, system_datum(s, numbers[0], numbers[1], numbers[2], begin));
 }
 
 void condition(State& s, int n) {
@@ -95,11 +110,9 @@ void read_iso_function(State& s) {
     if (values_of(n) > 0) return assignment(s, n);
     if (comparison_of(n)) return condition(s, n);
     if (n == 14) return error(s, begin);
+    if (n == 18) return system_read(s);
     s.build.statement(StatementKind::block, s.block);
-    const bool known = dialect::heidenhain::find_fn(n) != nullptr;
-    s.in.skip_block();
-    s.build.problem(known ? Code::unsupported : Code::unknown, begin, s.in.at(),
-                    known ? std::string_view() : "the control has no such Q parameter function");
+    leave_function(s, n, begin);
 }
 
 }  // namespace obrys::read::heidenhain

@@ -5,18 +5,6 @@
 
 namespace obrys::read::heidenhain {
 
-program::Unit read_iso(std::uint32_t file, const base::Sources& sources, program::Names& names,
-                       base::Diagnostics& diagnostics) {
-    const base::Source& source = sources[file];
-    program::Unit unit = begin_unit(file, source);
-    State s{.build = {unit, names, diagnostics, source.text}, .in = Scanner(source.text, true), .iso = {}};
-    while (s.in.next_line()) read_iso_block(s);
-    s.block = s.in.at();
-    flush_pending(s);
-    resolve_labels(s);
-    return unit;
-}
-
 namespace {
 
 /// `N10 …`: a block of DIN/ISO.
@@ -33,7 +21,33 @@ bool is_frame(std::string_view line) {
     return line.find(" G71", percent) != std::string_view::npos || line.find(" G70", percent) != std::string_view::npos;
 }
 
+/// Where `%NAME` stands that begins the program; npos where a block comes first.
+std::size_t beginning(std::string_view text) {
+    for (std::size_t at = 0; at < std::min<std::size_t>(text.size(), 16384);) {
+        const std::size_t end = std::min(text.find('\n', at), text.size());
+        const std::string_view line = base::trim(text.substr(at, end - at));
+        if (line.starts_with('%')) return at;
+        if (is_numbered(line)) return std::string_view::npos;
+        at = end + 1;
+    }
+    return std::string_view::npos;
+}
+
 }  // namespace
+
+program::Unit read_iso(std::uint32_t file, const base::Sources& sources, program::Names& names,
+                       base::Diagnostics& diagnostics) {
+    const base::Source& source = sources[file];
+    program::Unit unit = begin_unit(file, source);
+    State s{.build = {unit, names, diagnostics, source.text}, .in = Scanner(source.text, true), .iso = {}};
+    skip_preface(s, beginning(source.text), "%", diagnostics);
+    while (!s.ended && s.in.next_line()) read_iso_block(s);
+    check_end(s, "N99999999 %NAME", diagnostics);
+    s.block = s.in.at();
+    flush_pending(s);
+    resolve_labels(s);
+    return unit;
+}
 
 int iso_likelihood(std::string_view text, std::string_view file_name) {
     int score = base::to_upper(file_name).ends_with(".I") ? 30 : 0;

@@ -1,6 +1,8 @@
 /// Words of DIN/ISO blocks that move, change the tool, or set what holds from here on. What R and H mean depends on the
 /// path function: polar coordinates with G10 … G16, the circle's radius with G02, G03, G05.
 
+#include <utility>
+
 #include "read/heidenhain/iso.hpp"
 
 namespace obrys::read::heidenhain {
@@ -212,7 +214,10 @@ private:
             case 17: return s_.build.modal(Modal::plane_xy, begin, end);
             case 18: return s_.build.modal(Modal::plane_zx, begin, end);
             case 19: return s_.build.modal(Modal::plane_yz, begin, end);
-            case 40: return s_.build.modal(Modal::compensation_off, begin, end);
+            case 40:
+                if (s_.iso.departure == program::no_expr)  // which ends it itself
+                    s_.build.modal(Modal::compensation_off, begin, end);
+                return;
             case 41: return s_.build.modal(Modal::compensation_left, begin, end);
             case 42: return s_.build.modal(Modal::compensation_right, begin, end);
             case 70: return s_.build.modal(Modal::inch_all, begin, end);
@@ -244,6 +249,17 @@ private:
     bool coordinates_ = false;         ///< one was read
     std::optional<Reference> behind_;  ///< G90 or G91 came behind a coordinate: what holds for the ones that follow
 };
+
+/// The block behind G27.
+void depart(State& s) {
+    const ExprId radius = std::exchange(s.iso.departure, program::no_expr);
+    if (radius == program::no_expr || s.failed) return;
+    const Family family = family_of(s.iso.motion);
+    if (family != Family::straight && family != Family::polar_straight)
+        return fail(s, s.block, "a straight block is due behind G27", "G00 or G01 to the point off the contour");
+    add_smooth(s, true, radius, s.block);
+    s.last_path = program::no_target;  // no corner may follow
+}
 
 /// Nothing but a pole stands in the block.
 bool is_pole_alone(const IsoBlock& b) {
@@ -288,6 +304,7 @@ void read_iso_words(State& s, const IsoBlock& b) {
     const std::uint32_t begin = s.in.at();
     if (moves) s.last_path = static_cast<std::uint32_t>(s.build.unit().statements.size() - 1);
     Words(s, b).read();
+    if (moves) depart(s);
     if (!s.failed && b.has_g(38)) stop_here(s, words, begin, s.in.at());
 }
 

@@ -20,8 +20,10 @@ Label read_label(State& s) {
     s.in.skip_blanks();
     const std::uint32_t begin = s.in.at();
     Label l;
-    if (const int n = s.in.integer(); n >= 0) {
-        if (n > highest_label || s.in.peek() == '.' ) {
+    if (base::is_digit(s.in.peek())) {
+        const int n = s.in.integer();
+        const char next = base::upper(s.in.peek());
+        if (n < 0 || n > highest_label || next == '.' || next == 'E') {
             fail(s, begin, "a label is a whole number up to 65534", "a name in quotes is a label, too");
             return l;
         }

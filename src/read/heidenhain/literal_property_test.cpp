@@ -61,8 +61,8 @@ RC_GTEST_PROP(KlartextLiteral, BothWaysOfReadingAgree, ()) {
     const auto words = *rc::gen::container<std::vector<std::string>>(word_text());
     const auto gap = *rc::gen::element<std::string>(" ", "  ", "\t", " \r ");
     const auto ends = *rc::gen::element<std::string>("\n", "\r\n", " \r\n", "");
-    RC_PRE(words.empty() || words.back() != "~");  // at the line's end it means that the block goes on
-    std::string line = "1 M5\n10 L";  // a text with a line end: a carriage return alone is none then
+    RC_PRE((words.empty() || words.back() != "~"));  // at the line's end it means that the block goes on
+    std::string line = "1 M5\n10 L";                 // a text with a line end: a carriage return alone is none then
     for (const std::string& w : words) line += gap + w;
     const Reading fast(line + ends);
     const Reading full(line + " ;" + ends);

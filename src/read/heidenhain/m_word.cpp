@@ -67,7 +67,7 @@ void read_m(State& s, std::uint32_t begin) {
         s.build.literal(Code::m, 8, begin, v.end);
         return;
     }
-    const auto* known = dialect::heidenhain::find_m(static_cast<int>(m));
+    const auto* known = m >= 0 && m < 1000 ? dialect::heidenhain::find_m(static_cast<int>(m)) : nullptr;
     using dialect::heidenhain::Use;
     if (known != nullptr && known->use == Use::run && path_function(s, static_cast<int>(m), begin, *known)) return;
     if (known == nullptr || known->use == Use::run)

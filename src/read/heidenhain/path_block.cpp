@@ -67,7 +67,7 @@ void read_corner(State& s, bool chamfer, std::uint32_t begin) {
         value_word(s, Code::corner_feed, word);
     }
     if (!s.in.at_end()) fail_here(s, "only a feed may follow here, found " + here(s));
-    s.build.statement(StatementKind::block, s.block);  // the block itself, which counts as one
+    if (!s.failed) s.build.statement(StatementKind::block, s.block);  // the block itself, which counts as one
 }
 
 namespace {
@@ -112,7 +112,7 @@ void radius_word(State& s, bool circle_by_radius) {
         s.in.step();
         return s.build.modal(c == '+' ? Modal::paraxial_longer : Modal::paraxial_shorter, begin, s.in.at());
     }
-    if (!v.found && (base::is_blank(c) || c == '\0' || c == '\n' || c == '\r')) return;  // R alone: nothing is said
+    if (!v.found && (base::is_blank(c) || s.in.at_end())) return;  // R alone: nothing is said
     fail_here(s, "R0, RL, RR, R+ or R- is due here, found " + here(s));
 }
 

@@ -9,13 +9,9 @@
 
 namespace obrys::read::heidenhain {
 
-namespace {
-
-/// Postprocessors and editors write headings in front of the program.
-void skip_preface(State& s, base::Diagnostics& diagnostics) {
+void skip_preface(State& s, std::size_t begin, std::string_view mark, base::Diagnostics& diagnostics) {
     const std::string_view text(s.in.here());
-    const std::size_t begin = base::to_upper(text.substr(0, 16384)).find("BEGIN PGM");
-    if (begin == std::string::npos) return;
+    if (begin == std::string_view::npos) return;
     std::size_t line = text.find_last_of('\n', begin);
     line = line == std::string_view::npos ? 0 : line + 1;
     if (base::trim(text.substr(0, line)).empty()) return;
@@ -23,13 +19,12 @@ void skip_preface(State& s, base::Diagnostics& diagnostics) {
     d.severity = base::Severity::note;
     d.code = base::codes::no_effect;
     d.where = s.build.span(0, static_cast<std::uint32_t>(line));
-    d.text = "the text in front of BEGIN PGM is left out";
+    d.text = "the text in front of " + std::string(mark) + " is left out";
     diagnostics.add(std::move(d));
     s.in.go_to(static_cast<std::uint32_t>(line));
 }
 
-/// A program that was cut off on its way here has no END PGM; what an editor has left behind it is not run.
-void check_end(State& s, base::Diagnostics& diagnostics) {
+void check_end(State& s, std::string_view last, base::Diagnostics& diagnostics) {
     base::Diagnostic d;
     if (s.ended && s.in.next_line()) {
         const std::uint32_t begin = s.in.at();
@@ -37,19 +32,17 @@ void check_end(State& s, base::Diagnostics& diagnostics) {
         d.severity = base::Severity::note;
         d.code = base::codes::no_effect;
         d.where = s.build.span(begin, s.in.at());
-        d.text = "the text behind END PGM is left out";
+        d.text = "the text behind " + std::string(last) + " is left out";
     } else if (s.begun && !s.ended) {
         d.severity = base::Severity::warning;
         d.code = base::codes::unclosed;
         d.where = s.build.span(s.block, s.in.at());
-        d.text = "END PGM is missing: the program may be cut off here";
+        d.text = std::string(last) + " is missing: the program may be cut off here";
     } else {
         return;
     }
     diagnostics.add(std::move(d));
 }
-
-}  // namespace
 
 program::Unit begin_unit(std::uint32_t file, const base::Source& source) {
     program::Unit unit;
@@ -68,7 +61,7 @@ program::Unit read(std::uint32_t file, const base::Sources& sources, program::Na
     const base::Source& source = sources[file];
     program::Unit unit = begin_unit(file, source);
     State s{.build = {unit, names, diagnostics, source.text}, .in = Scanner(source.text), .iso = {}};
-    skip_preface(s, diagnostics);
+    skip_preface(s, base::to_upper(source.text.substr(0, 16384)).find("BEGIN PGM"), "BEGIN PGM", diagnostics);
     bool first = true;
     while (!s.ended && s.in.next_line()) {
         if (read_literal_block(s)) continue;
@@ -76,7 +69,7 @@ program::Unit read(std::uint32_t file, const base::Sources& sources, program::Na
         if (first) s.first_numbered = s.numbered;
         first = false;
     }
-    check_end(s, diagnostics);
+    check_end(s, "END PGM", diagnostics);
     resolve_labels(s);
     return unit;
 }

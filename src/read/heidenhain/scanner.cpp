@@ -62,7 +62,7 @@ bool Scanner::at_star() const {
     if (!star_ends_ || peek() != '*') return false;
     const char* q = p_ + 1;
     while (q < end_ && base::is_blank(*q)) ++q;
-    if (q >= end_ || is_line_end(q, cr_alone_) || std::string_view(";*%\x1A").find(*q) != std::string_view::npos)
+    if (q >= end_ || is_line_end(q, cr_alone_) || std::string_view(";%\x1A").find(*q) != std::string_view::npos)
         return true;
     return base::upper(*q) == 'N' && q + 1 < end_ && base::is_digit(q[1]);
 }

@@ -1,5 +1,6 @@
 /// Blocks whose words only they have: APPR and DEP, FK, SPL, PLANE.
 
+#include <algorithm>
 #include <array>
 #include <span>
 
@@ -234,6 +235,20 @@ void read_smooth(State& s, bool departure, std::uint32_t begin) {
 }
 
 }  // namespace
+
+void add_smooth(State& s, bool departure, ExprId radius, std::uint32_t begin) {
+    Special special;
+    special.kind = departure ? SpecialKind::departure_arc_line : SpecialKind::approach_arc_line;
+    add(s, special, Datum::radius, radius, false, begin);
+    special.where = s.build.span(begin, s.in.at());
+    program::Unit& unit = s.build.unit();
+    program::Statement& statement = unit.statements.back();
+    statement.kind = StatementKind::special;
+    s.build.word(Code::control, program::Form::index, static_cast<std::int32_t>(unit.specials.size()), begin,
+                 s.in.at());
+    std::rotate(unit.words.begin() + statement.first, unit.words.end() - 1, unit.words.end());
+    unit.specials.push_back(std::move(special));
+}
 
 bool read_special_block(State& s, std::string_view word) {
     const std::uint32_t begin = s.in.at();

@@ -5,7 +5,7 @@ namespace obrys::read::heidenhain {
 void fail(State& s, std::uint32_t begin, std::string text, std::string remedy) {
     if (s.failed) return;
     s.failed = true;
-    if (s.build.unit().statements.empty()) s.build.statement(StatementKind::block, s.block);
+    if (s.build.unit().statements.size() == s.statements) s.build.statement(StatementKind::block, s.block);
     s.build.fail(begin, s.in.at(), std::move(text), std::move(remedy));
 }
 

@@ -19,13 +19,13 @@ using program::StatementKind;
 
 /// What holds from block to block in DIN/ISO, as the text has it.
 struct IsoState {
-    int motion = -1;                   ///< G00 … G06, G10 … G16; -1: not known here, what the run did last holds
-    bool incremental = false;          ///< G91
-    bool uses_incremental = false;     ///< G91 stood somewhere before
-    Modal paraxial = Modal::paraxial;  ///< G43, G44
-    std::optional<Modal> pending;      ///< G90 or G91 behind the coordinates of its block: from the next one on
-    bool has_header = false;           ///< `%NAME G71` was read
-    bool ended_by_star = false;        ///< the block before
+    int motion = -1;                      ///< G00 … G06, G10 … G16; -1: not known here, what the run did last holds
+    bool incremental = false;             ///< G91
+    bool uses_incremental = false;        ///< G91 stood somewhere before
+    Modal paraxial = Modal::paraxial;     ///< G43, G44
+    std::optional<Modal> pending;         ///< G90 or G91 behind the coordinates of its block: from the next one on
+    ExprId departure = program::no_expr;  ///< G27: radius of the departure that the next block makes
+    bool ended_by_star = false;           ///< the block before
 };
 
 struct State {
@@ -33,11 +33,12 @@ struct State {
     Scanner in;
     std::uint32_t block = 0;      ///< where the block at hand begins
     std::uint32_t number = 0;     ///< of the block at hand, 0 where it has none
+    std::size_t statements = 0;   ///< how many there were before it
     bool numbered = false;        ///< … with a number
     bool first_numbered = false;  ///< the text's first block has a number: a line without one goes on with a cycle
     bool failed = false;          ///< a complaint was made about it
-    bool begun = false;           ///< BEGIN PGM was read
-    bool ended = false;           ///< … and its END PGM: what follows is no part of the program
+    bool begun = false;           ///< BEGIN PGM or %NAME G71 was read
+    bool ended = false;           ///< … and its END PGM or last %NAME: what follows is no part of the program
     std::uint32_t last_path = program::no_target;   ///< the block before, where it is a contour element
     bool after_stop = false;                        ///< the block before was STOP: a comment is its message
     std::uint32_t open_cycle = program::no_target;  ///< entry in Unit::cycles that further lines belong to
@@ -81,6 +82,11 @@ void value_word(State& s, Code code, std::uint32_t begin, bool incremental = fal
 // --- blocks
 void read_block(State& s);                                                               ///< block.cpp
 [[nodiscard]] program::Unit begin_unit(std::uint32_t file, const base::Source& source);  ///< read.cpp
+/// Postprocessors and editors write headings in front of the program, which begins in the line of byte `begin` (npos:
+/// there is none).
+void skip_preface(State& s, std::size_t begin, std::string_view mark, base::Diagnostics& diagnostics);
+/// A program that was cut off on its way here has no last block; what an editor has left behind it is not run.
+void check_end(State& s, std::string_view last, base::Diagnostics& diagnostics);
 void read_comment(State& s, bool after_stop);  ///< block.cpp: behind STOP it is a message, else nothing
 /// A stop of the program, unless an M0, M2 or M30 stands among the words from `words` on.
 void stop_here(State& s, std::size_t words, std::uint32_t begin, std::uint32_t end);
@@ -93,18 +99,20 @@ void read_feed(State& s);                               ///< F and its relatives
 void read_corner(State& s, bool chamfer, std::uint32_t begin);
 void read_word(State& s, bool arc);                        ///< one of them
 bool read_special_block(State& s, std::string_view word);  ///< special_block.cpp: APPR DEP FL … SPL PLANE
-bool read_shop_block(State& s, std::string_view word);               ///< shop_block.cpp: SEL TABLE, TRANS DATUM
-bool read_shop_function(State& s, int n, std::uint32_t begin);       ///< shop_block.cpp: FN 15 … 17, 25 … 28
-void read_m(State& s, std::uint32_t begin);           ///< m_word.cpp: the number of an M function
-void read_tool_block(State& s, std::uint32_t begin);  ///< tool_block.cpp
-void read_tool(State& s);                             ///< its number, name or parameter, where one stands
-void read_oversize(State& s, std::uint32_t begin);    ///< DL, DR, DR2
-void preselect_tool(State& s, std::uint32_t begin);   ///< the next tool's number is of no interest
-bool read_function(State& s);                         ///< function.cpp: FN n:
+bool read_shop_block(State& s, std::string_view word);     ///< shop_block.cpp: SEL TABLE, TRANS DATUM
+bool read_shop_function(State& s, int n, std::uint32_t begin);  ///< shop_block.cpp: FN 15 … 17, 25 … 28
+void read_m(State& s, std::uint32_t begin);                ///< m_word.cpp: the number of an M function
+void read_tool_block(State& s, std::uint32_t begin);       ///< tool_block.cpp
+void read_tool(State& s);                                  ///< its number, name or parameter, where one stands
+void read_oversize(State& s, std::uint32_t begin);         ///< DL, DR, DR2
+void preselect_tool(State& s, std::uint32_t begin);        ///< the next tool's number is of no interest
+bool read_function(State& s);                              ///< function.cpp: FN n:
 /// The Klartext form behind FN n:, a statement for it included.
 void read_numbered(State& s, int n, std::uint32_t begin);
 void read_assigned(State& s, ExprId to, ExprId value);
-/// FN 0 … 8, 13, 18 of their values.
+/// An FN function that is not run, up to the block's end.
+void leave_function(State& s, int n, std::uint32_t begin);
+/// FN 0 … 8 and 13 of their values.
 void assign_function(State& s, int n, ExprId to, const std::vector<ExprId>& values);
 [[nodiscard]] std::optional<program::Operator> comparison_of(int n);  ///< of FN 9 … FN 12
 [[nodiscard]] ExprId read_compared(State& s);                         ///< a value or text
@@ -124,6 +132,8 @@ void add_setting(State& s, const dialect::heidenhain::CycleParameter& p, ExprId 
                  std::uint32_t begin);
 /// FN 18: what ID, NR and IDX mean, as an expression; `index` may be no_expr.
 [[nodiscard]] ExprId system_datum(State& s, ExprId id, ExprId nr, ExprId index, std::uint32_t begin);
+/// An approach or departure by an arc of that radius and a line; the statement's first word, its others follow.
+void add_smooth(State& s, bool departure, ExprId radius, std::uint32_t begin);
 void resolve_labels(State& s);  ///< label.cpp, at the end
 [[nodiscard]] std::string program_name(std::string_view path);
 /// As above; with the suffix where it is not .H, which a name without one has.

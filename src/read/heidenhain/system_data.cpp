@@ -92,7 +92,11 @@ ExprId system_datum(State& s, ExprId id, ExprId nr, ExprId index, std::uint32_t 
     Expr e;
     e.kind = ExprKind::system;
     e.op = static_cast<std::uint8_t>(v);
-    e.a = s.build.name("SYSREAD " + std::string(s.in.between(begin, end)));
+    const auto shown = [&](std::string_view word, ExprId value) {
+        if (value == no_expr) return std::string();
+        return " " + std::string(word) + std::string(s.in.between(unit.exprs[value].begin, unit.exprs[value].end));
+    };
+    e.a = s.build.name("SYSREAD" + shown("ID", id) + shown("NR", nr) + shown("IDX", index));
     std::vector<ExprId> children;
     if (by_axis(v) && axis >= 1 && axis <= 9)
         children.push_back(s.build.text(std::string(1, "XYZABCUVW"[axis - 1]), begin, end));

@@ -95,8 +95,9 @@ TEST(KlartextText, LongLinesAreRead) {
 }
 
 TEST(KlartextText, NamesOfPrograms) {
-    for (const char* path : {"TNC:\\dir\\Teil.H", "Teil.h", "TNC:/a/teil.h", "teil", "..\\teil.I", "teil.H"})
+    for (const char* path : {"TNC:\\dir\\Teil.H", "Teil.h", "TNC:/a/teil.h", "teil", "teil.H"})
         EXPECT_EQ(Reading(std::string("CALL PGM ") + path).tree(), "0 call TEIL\n") << path;
+    EXPECT_EQ(Reading("CALL PGM ..\\teil.I").tree(), "0 call TEIL.I\n") << "a DIN/ISO program beside TEIL.H";
 }
 
 TEST(KlartextText, Likelihood) {

@@ -96,10 +96,11 @@ void value_word(State& s, Code code, std::uint32_t begin, bool incremental) {
     if (!v.found) {
         s.in.go_to(behind);
         fail(s, begin,
-             "the word '" + base::as_utf8(s.in.between(begin, s.in.at())) +
+             "the word '" + base::as_utf8(base::trim(s.in.between(begin, s.in.at()))) +
                  "' has no value: a number or a Q parameter must follow");
         return;
     }
+    if (s.failed) return;  // a value that cannot be: the word is left out
     if (incremental)
         s.build.expression(code, s.build.with_reference(program::Reference::incremental, as_expr(s, v), v.begin, v.end),
                            begin, v.end);
