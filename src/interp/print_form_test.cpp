@@ -45,7 +45,7 @@ TEST(PrintForm, AnyTextEnds) {
                                            ",",  "Q1", "\n",  "-",  "0", "M_CLOSE", " "};
     for (int run = 0; run < 3000; ++run) {
         std::string form;
-        for (unsigned n = random() % 30; n > 0; --n) form += pieces[random() % std::size(pieces)];
+        for (auto n = random() % 30; n > 0; --n) form += pieces[random() % std::size(pieces)];
         EXPECT_LE(fill(form).text.size(), 20000U) << "seed 7, run " << run << ": " << form;
     }
 }
