@@ -13,7 +13,7 @@ namespace codes = base::codes;
 
 namespace {
 
-constexpr std::size_t longest_print = 64'000'000;
+constexpr std::size_t longest_print = 64'000'000, most_files = 1000;
 
 std::string upper_name(const fs::path& path) { return base::to_upper(path.filename().string()); }
 
@@ -115,13 +115,15 @@ bool ShopFiles::print(std::string_view name, std::string_view text, bool again) 
     if (!prints_) return false;
     const std::string file = safe_name(name);
     const auto known = printed_.find(file);
+    if (known == printed_.end() && printed_.size() >= most_files) return false;
     if (known == printed_.end() && !again) {  // M_APPEND: behind what the file holds
         std::ifstream in(*prints_ / file, std::ios::binary);
         printed_[file] = std::string(std::istreambuf_iterator<char>(in), std::istreambuf_iterator<char>());
     }
     std::string& content = printed_[file];
     if (again) content.clear();
-    if (content.size() + text.size() <= longest_print) content += text;
+    if (content.size() + text.size() > longest_print) return false;
+    content += text;
     return true;
 }
 

@@ -33,6 +33,7 @@ struct Rehearsal::Saved {
     std::string last_message;
     const program::Statement* statement;
     std::shared_ptr<FreeContour> free_contour;
+    std::string datum_table, open_table;
 };
 
 Rehearsal::Rehearsal(Run& r)
@@ -42,7 +43,7 @@ Rehearsal::Rehearsal(Run& r)
                        r.moved,         r.datum_emitted, r.datum_known,   r.frame_is_identity, r.stopped,
                        r.ending,        r.blocks,        r.position,      r.programmed_position, r.frame,
                        r.reference_datum, r.extra_axes,  r.last_direction, r.cycle,          r.contour_labels,
-                       r.last_message,  r.statement,     r.free_contour}) {
+                       r.last_message,  r.statement,     r.free_contour,  r.datum_table, r.open_table}) {
     run_.capture = &elements_;
 }
 
@@ -77,6 +78,8 @@ Rehearsal::~Rehearsal() {
     run_.last_message = std::move(s.last_message);
     run_.statement = s.statement;
     run_.free_contour = std::move(s.free_contour);
+    run_.datum_table = std::move(s.datum_table);
+    run_.open_table = std::move(s.open_table);
 }
 
 std::optional<Captured> next_element(Run& run, const geom::Vec3& from) {

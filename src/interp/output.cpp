@@ -13,7 +13,6 @@ namespace codes = base::codes;
 namespace {
 
 void deliver(Run& run, const program::ProcedureCall& p, const std::string& file, std::string_view text, bool again) {
-    if (run.capture != nullptr) return;
     if (run.env.files != nullptr && run.env.files->print(file, text, again)) return;
     assume(run, p.where, "what the program prints to " + file + " is not written",
            "name a folder for it with --prints DIR or prints in the job");
@@ -33,6 +32,7 @@ Value value_named(Run& run, std::string_view name) {
 }  // namespace
 
 void print_form(Run& run, const program::ProcedureCall& p) {
+    if (run.capture != nullptr) return;
     const std::string name = base::to_upper(printed(evaluate(run, p.arguments[0])));
     const std::string file = printed(evaluate(run, p.arguments[1]));
     if (run.stopped) return;
@@ -56,6 +56,7 @@ void print_form(Run& run, const program::ProcedureCall& p) {
 }
 
 void print_values(Run& run, const program::ProcedureCall& p) {
+    if (run.capture != nullptr) return;
     std::string text;
     for (const ExprId id : p.arguments) {
         text += (text.empty() ? "" : " ") + printed(evaluate(run, id));

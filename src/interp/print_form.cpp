@@ -137,6 +137,8 @@ private:
             if (f.kind == 0) {
                 problem("a format of this kind is not known");
                 result.text += '?';
+                if (i < text.size() && base::is_letter(text[i])) ++i;
+                used = std::min(used + 1, names.size());
             } else if (used == names.size()) {
                 problem("there are more formats than values");
                 result.text += '?';

@@ -1,5 +1,8 @@
 #include <gtest/gtest.h>
 
+#include <iterator>
+#include <random>
+
 #include "read/heidenhain/reading.hpp"
 
 namespace obrys::read::heidenhain {
@@ -68,6 +71,56 @@ TEST(HeidenhainShopBlock, BadInputIsSaid) {
                               "FN 27: TABWRITE 5 = Q1", "FN 28: TABREAD 5", "FN 26: TABOPEN", "TRANS DATUM",
                               "TRANS DATUM AXIS F5", "SEL TABLE", "FN 17: SYSWRITE", "FN 15: PRINT"})
         EXPECT_FALSE(Reading(block).diagnostics.all().empty()) << block;
+}
+
+TEST(HeidenhainShopBlock, AnyTextIsRead) {
+    std::mt19937 random(11);
+    constexpr std::string_view pieces[] = {"FN 15: PRINT ",
+                                           "FN 16: F-PRINT ",
+                                           "FN 17: SYSWRITE ",
+                                           "FN 25: PRESET = ",
+                                           "FN 26: TABOPEN ",
+                                           "FN 27: TABWRITE ",
+                                           "FN 28: TABREAD ",
+                                           "SEL TABLE ",
+                                           "TRANS DATUM ",
+                                           "AXIS ",
+                                           "TABLE ",
+                                           "TABLINE",
+                                           "RESET ",
+                                           "ID",
+                                           "NR",
+                                           "IDX",
+                                           "X",
+                                           "IY",
+                                           "C",
+                                           "Q5",
+                                           "QS1",
+                                           "=",
+                                           "/",
+                                           "\"A,B\"",
+                                           "\"",
+                                           "5",
+                                           "-2,5",
+                                           "TNC:\\A\\B.TAB",
+                                           "SCREEN:",
+                                           ":",
+                                           "~",
+                                           ";",
+                                           " ",
+                                           "\n",
+                                           "1E400"};
+    for (int run = 0; run < 5000; ++run) {
+        std::string text;
+        for (auto n = random() % 12; n > 0; --n) text += pieces[random() % std::size(pieces)];
+        const Reading r(text);
+        for (const program::ProcedureCall& p : r.unit.procedures)
+            for (const program::ExprId e : p.arguments)
+                ASSERT_LT(e, r.unit.exprs.size()) << "seed 11, run " << run << ": " << text;
+        for (const program::CycleDefinition& c : r.unit.cycles)
+            for (const program::CycleSetting& s : c.settings)
+                ASSERT_LT(s.value, r.unit.exprs.size()) << "seed 11, run " << run << ": " << text;
+    }
 }
 
 }  // namespace
