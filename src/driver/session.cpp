@@ -228,7 +228,7 @@ interp::Outcome interpret(Session& s, cl::Sink sink) {
                                           s.job.variables,
                                           s.files.get()};
     interp::Outcome outcome = interp::run(*s.main, environment, s.stacks, sink, s.diagnostics);
-    s.files->write_printed();
+    if (s.files) s.files->write_printed();  // none where a session was put together without files
     return outcome;
 }
 
