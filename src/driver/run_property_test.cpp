@@ -75,10 +75,10 @@ std::vector<Block> any_contour() {
 
 /// How a contour is written down.
 struct Writing {
-    double unit = 1;   ///< millimetres per programmed unit
+    double unit = 1;  ///< millimetres per programmed unit
     bool incremental = false;
-    bool lathe = false;           ///< contour x -> Z, y -> X in G18
-    double transverse = 1;        ///< X words are this many times the radius
+    bool lathe = false;     ///< contour x -> Z, y -> X in G18
+    double transverse = 1;  ///< X words are this many times the radius
 };
 
 std::string written(const std::vector<Block>& contour, const Writing& w) {
@@ -167,7 +167,8 @@ RC_GTEST_PROP(Run, IncrementalIsAbsolute, ()) {
 RC_GTEST_PROP(Run, InchesAreMillimetres, ()) {
     const auto contour = any_contour();
     const std::string inch = *rc::gen::element<std::string>("G70\n", "G700\n");
-    same(moves(run(start + written(contour, {}))), moves(run(inch + start + written(contour, {25.4, false, false, 1}))));
+    same(moves(run(start + written(contour, {}))),
+         moves(run(inch + start + written(contour, {25.4, false, false, 1}))));
 }
 
 /// Written contour in, end points out, computed here from the numbers alone.

@@ -121,7 +121,8 @@ bool choose_machine(Session& s, const Request& request, const fs::path& job_path
 
 /// The control that the call or the job names; else what the text looks like.
 const Control* choose_control(Session& s, const Request& request, std::uint32_t file) {
-    constexpr int foreign = 3, certain = 30;  // of 100: corpus programs of other controls reach 29, own ones 53 and more
+    constexpr int foreign = 3,
+                  certain = 30;  // of 100: corpus programs of other controls reach 29, own ones 53 and more
     s.control = !request.control.empty() ? request.control : s.job.control;
     if (!s.control.empty()) return find_control(s.control);
     const base::Source& source = s.sources[file];
@@ -134,9 +135,13 @@ const Control* choose_control(Session& s, const Request& request, std::uint32_t 
         return nullptr;
     }
     if (guess.likelihood < certain)
-        s.diagnostics.add({base::Severity::warning, codes::unknown_value, where,
+        s.diagnostics.add({base::Severity::warning,
+                           codes::unknown_value,
+                           where,
                            "nothing in this text says for which control it is: it is read as " + s.control,
-                           "name the control with --control or in the job", {}, {}});
+                           "name the control with --control or in the job",
+                           {},
+                           {}});
     return guess.control;
 }
 

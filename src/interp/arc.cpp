@@ -45,26 +45,17 @@ void arc_alarm(Run& run, const path::ArcResult& r) {
                    (r.radius_difference > 0 ? "outside" : "inside") +
                    " the circle through the start point about this centre";
             break;
-        case path::ArcFailure::no_radius:
-            text = "the centre lies on the start point";
-            break;
+        case path::ArcFailure::no_radius: text = "the centre lies on the start point"; break;
         case path::ArcFailure::radius_too_small:
             text = "the radius is smaller than half the distance from start to end";
             break;
         case path::ArcFailure::points_coincide:
             text = "start and end are the same point: the arc is not determined";
             break;
-        case path::ArcFailure::collinear:
-            text = "the three points lie on a straight line";
-            break;
-        case path::ArcFailure::bad_angle:
-            text = "the opening angle must lie between 0 and 360 degrees";
-            break;
-        case path::ArcFailure::no_direction:
-            text = "a tangential arc needs a move before it";
-            break;
-        case path::ArcFailure::none:
-            return;
+        case path::ArcFailure::collinear: text = "the three points lie on a straight line"; break;
+        case path::ArcFailure::bad_angle: text = "the opening angle must lie between 0 and 360 degrees"; break;
+        case path::ArcFailure::no_direction: text = "a tangential arc needs a move before it"; break;
+        case path::ArcFailure::none: return;
     }
     alarm(run, codes::arc_radius, run.here(), std::move(text));
 }
@@ -76,7 +67,8 @@ path::ArcResult about_pole(const Run& run, Vec2 from, Vec2 to, path::Sense sense
     if (!b.has(Code::pole_angle)) return path::arc_by_centre(from, to, centre, sense, 0, tolerance(run));
     const double turns = std::abs(b.get(Code::pole_angle)) / 360;
     const double whole = std::max(0.0, std::ceil(turns) - 1);
-    return path::arc_about_centre(from, centre, geom::radians((turns - whole) * 360), sense, static_cast<int>(std::min(whole, 1e6)));
+    return path::arc_about_centre(from, centre, geom::radians((turns - whole) * 360), sense,
+                                  static_cast<int>(std::min(whole, 1e6)));
 }
 
 path::ArcResult planar_arc(Run& run, Vec2 from, Vec2 to, bool end_given, const PlaneAxes& a) {
@@ -106,9 +98,8 @@ path::ArcResult planar_arc(Run& run, Vec2 from, Vec2 to, bool end_given, const P
 }
 
 bool has_unknown_circle_word(const Run& run) {
-    for (const Code c :
-         {Code::i, Code::j, Code::k, Code::i1, Code::j1, Code::k1, Code::radius, Code::opening_angle, Code::turns,
-          Code::pole_angle})
+    for (const Code c : {Code::i, Code::j, Code::k, Code::i1, Code::j1, Code::k1, Code::radius, Code::opening_angle,
+                         Code::turns, Code::pole_angle})
         if (run.block.has(c) && std::isnan(run.block.get(c))) return true;
     return false;
 }
@@ -181,14 +172,15 @@ bool arc_motion(Run& run, const Vec3& target) {
         straight_motion(run, target, false);
         return true;
     }
+    if (run.block.has(Code::centre_at_pole) && !has_pole(run)) return false;
     if (run.modal.motion == Modal::linear) {
-        alarm(run, codes::arc_radius, run.here(), "the sense of rotation DR is missing: no arc before this one has any");
+        alarm(run, codes::arc_radius, run.here(),
+              "the sense of rotation DR is missing: no arc before this one has any");
         return false;
     }
     if (run.modal.motion == Modal::arc_via) return tilted_arc(run, target);
     const PlaneAxes a = plane_axes(run.modal.plane);
-    const bool end_given =
-        run.block.has(axis_code(a.u)) || run.block.has(axis_code(a.v)) ||
+    const bool end_given = run.block.has(axis_code(a.u)) || run.block.has(axis_code(a.v)) ||
                            run.block.has(Code::polar_angle) || run.block.has(Code::polar_radius);
     const path::ArcResult arc =
         planar_arc(run, in_plane(run.programmed_position, a), in_plane(target, a), end_given, a);

@@ -56,16 +56,11 @@ double with_unknown(Operator op, double a, double b) {
 double binary_number(Run& run, const Expr& e, double a, double b) {
     if (std::isnan(a) || std::isnan(b)) return with_unknown(static_cast<Operator>(e.op), a, b);
     switch (static_cast<Operator>(e.op)) {
-        case Operator::add:
-            return checked(run, e, a + b);
-        case Operator::subtract:
-            return checked(run, e, a - b);
-        case Operator::multiply:
-            return checked(run, e, a * b);
-        case Operator::divide:
-            return checked(run, e, divided(run, e, a, b));
-        case Operator::integer_divide:
-            return std::trunc(checked(run, e, divided(run, e, a, b)));
+        case Operator::add: return checked(run, e, a + b);
+        case Operator::subtract: return checked(run, e, a - b);
+        case Operator::multiply: return checked(run, e, a * b);
+        case Operator::divide: return checked(run, e, divided(run, e, a, b));
+        case Operator::integer_divide: return std::trunc(checked(run, e, divided(run, e, a, b)));
         case Operator::modulo: {
             const double quotient = std::trunc(checked(run, e, divided(run, e, a, b)));
             return a - quotient * b;
@@ -76,32 +71,19 @@ double binary_number(Run& run, const Expr& e, double a, double b) {
             alarm(run, codes::arithmetic, span_of(run, e), "a negative number has no power with a broken exponent");
             return 0;
         }
-        case Operator::equal:
-            return nearly_equal(run, a, b);
-        case Operator::not_equal:
-            return !nearly_equal(run, a, b);
-        case Operator::less:
-            return a < b && !nearly_equal(run, a, b);
-        case Operator::less_equal:
-            return a < b || nearly_equal(run, a, b);
-        case Operator::greater:
-            return a > b && !nearly_equal(run, a, b);
-        case Operator::greater_equal:
-            return a > b || nearly_equal(run, a, b);
-        case Operator::logical_and:
-            return a != 0 && b != 0;
-        case Operator::logical_or:
-            return a != 0 || b != 0;
-        case Operator::logical_xor:
-            return (a != 0) != (b != 0);
-        case Operator::bit_and:
-            return bits(a) & bits(b);
-        case Operator::bit_or:
-            return bits(a) | bits(b);
-        case Operator::bit_xor:
-            return bits(a) ^ bits(b);
-        default:
-            break;
+        case Operator::equal: return nearly_equal(run, a, b);
+        case Operator::not_equal: return !nearly_equal(run, a, b);
+        case Operator::less: return a < b && !nearly_equal(run, a, b);
+        case Operator::less_equal: return a < b || nearly_equal(run, a, b);
+        case Operator::greater: return a > b && !nearly_equal(run, a, b);
+        case Operator::greater_equal: return a > b || nearly_equal(run, a, b);
+        case Operator::logical_and: return a != 0 && b != 0;
+        case Operator::logical_or: return a != 0 || b != 0;
+        case Operator::logical_xor: return (a != 0) != (b != 0);
+        case Operator::bit_and: return bits(a) & bits(b);
+        case Operator::bit_or: return bits(a) | bits(b);
+        case Operator::bit_xor: return bits(a) ^ bits(b);
+        default: break;
     }
     alarm(run, codes::type_mismatch, span_of(run, e), "this operator does not work on numbers");
     return 0;
@@ -114,18 +96,12 @@ bool compares(Operator op) { return op >= Operator::equal && op <= Operator::gre
 Value compare_texts(const Expr& e, const Value& a, const Value& b) {
     const int order = a.as_text().compare(b.as_text());
     switch (static_cast<Operator>(e.op)) {
-        case Operator::equal:
-            return Value::boolean(order == 0);
-        case Operator::not_equal:
-            return Value::boolean(order != 0);
-        case Operator::less:
-            return Value::boolean(order < 0);
-        case Operator::less_equal:
-            return Value::boolean(order <= 0);
-        case Operator::greater:
-            return Value::boolean(order > 0);
-        default:
-            return Value::boolean(order >= 0);
+        case Operator::equal: return Value::boolean(order == 0);
+        case Operator::not_equal: return Value::boolean(order != 0);
+        case Operator::less: return Value::boolean(order < 0);
+        case Operator::less_equal: return Value::boolean(order <= 0);
+        case Operator::greater: return Value::boolean(order > 0);
+        default: return Value::boolean(order >= 0);
     }
 }
 

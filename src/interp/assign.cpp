@@ -83,10 +83,9 @@ std::size_t undefined_key(Run& run, const Expr& e) {
     std::size_t key = 0;
     for (std::size_t k = 0; k < e.count; ++k) {
         const Value v = evaluate(run, run.unit().children[e.b + k]);
-        const std::size_t part = v.is_text() ? std::hash<std::string>{}(v.as_text()) % 65521
-                                 : std::isnan(v.number)
-                                     ? 65535
-                                     : static_cast<std::size_t>(std::clamp(v.number, 0.0, 65535.0));
+        const std::size_t part = v.is_text()            ? std::hash<std::string>{}(v.as_text()) % 65521
+                                 : std::isnan(v.number) ? 65535
+                                                        : static_cast<std::size_t>(std::clamp(v.number, 0.0, 65535.0));
         key = key * 65536 + part;
     }
     return key;
@@ -271,9 +270,7 @@ void write_tool_column(Run& run, const Expr& target, const program::Assign& a, d
 void assign_system(Run& run, const Expr& target, const program::Assign& a) {
     using program::SystemVariable;
     switch (static_cast<SystemVariable>(target.op)) {
-        case SystemVariable::programmed_frame:
-            assign_frame(run, target, a);
-            return;
+        case SystemVariable::programmed_frame: assign_frame(run, target, a); return;
         case SystemVariable::numbered_parameter:
             if (target.count == 1) {
                 const double n = number(run, run.unit().children[target.b]);
@@ -292,8 +289,7 @@ void assign_system(Run& run, const Expr& target, const program::Assign& a) {
                       "writing " + run.env.names.text(target.a) + " is not run",
                       "give the zero offsets in [datum] of the job");
             return;
-        default:
-            break;
+        default: break;
     }
     const Value v = evaluate(run, a.value);
     if (run.stopped) return;
@@ -325,17 +321,10 @@ void assign(Run& run, const program::Assign& a) {
     const Expr& target = run.unit().exprs[a.target];
     switch (target.kind) {
         case ExprKind::parameter:
-        case ExprKind::parameter_at:
-            assign_parameter(run, target, a);
-            return;
-        case ExprKind::variable:
-            assign_variable(run, target, a);
-            return;
-        case ExprKind::system:
-            assign_system(run, target, a);
-            return;
-        default:
-            alarm(run, codes::syntax, run.unit().span(a.target), "nothing can be assigned to this");
+        case ExprKind::parameter_at: assign_parameter(run, target, a); return;
+        case ExprKind::variable: assign_variable(run, target, a); return;
+        case ExprKind::system: assign_system(run, target, a); return;
+        default: alarm(run, codes::syntax, run.unit().span(a.target), "nothing can be assigned to this");
     }
 }
 

@@ -129,35 +129,19 @@ void problem_word(Run& run, const Word& w) {
 void gather(Run& run, const program::Statement& s, const Word& w) {
     const Code code = program::code_of(w);
     switch (code) {
-        case Code::modal:
-            modal_word(run, w);
-            return;
-        case Code::assign:
-            assign(run, run.unit().assigns[static_cast<std::size_t>(w.payload)]);
-            return;
+        case Code::modal: modal_word(run, w); return;
+        case Code::assign: assign(run, run.unit().assigns[static_cast<std::size_t>(w.payload)]); return;
         case Code::unsupported:
-        case Code::unknown:
-            problem_word(run, w);
-            return;
-        case Code::m:
-            function_number(run, run.unit().span(s, w), word_value(run, w), run.block.m);
-            return;
-        case Code::h:
-            function_number(run, run.unit().span(s, w), word_value(run, w), run.block.h);
-            return;
-        case Code::tool:
-            tool_word(run, w);
-            return;
+        case Code::unknown: problem_word(run, w); return;
+        case Code::m: function_number(run, run.unit().span(s, w), word_value(run, w), run.block.m); return;
+        case Code::h: function_number(run, run.unit().span(s, w), word_value(run, w), run.block.h); return;
+        case Code::tool: tool_word(run, w); return;
         case Code::named_axis:
             named_axis(run, run.unit().named[static_cast<std::size_t>(w.payload)], run.unit().span(s, w));
             return;
-        case Code::named_value:
-            named_value(run, run.unit().named[static_cast<std::size_t>(w.payload)]);
-            return;
-        case Code::control:
-            return;
-        default:
-            break;
+        case Code::named_value: named_value(run, run.unit().named[static_cast<std::size_t>(w.payload)]); return;
+        case Code::control: return;
+        default: break;
     }
     if (program::is_literal(w)) {
         run.block.put(code, run.unit().literal(w));
@@ -182,7 +166,8 @@ void run_block(Run& run, const program::Statement& s, std::uint32_t index) {
     const bool moved = motion(run);
     if (run.stopped) return;
     if (run.block.has(Code::cycle_call) || run.block.has(Code::cycle_call_modal) || (moved && run.cycle.modal)) {
-        run.cycle.modal = run.block.has(Code::cycle_call_modal) || (run.cycle.modal && !run.block.has(Code::cycle_call));
+        run.cycle.modal =
+            run.block.has(Code::cycle_call_modal) || (run.cycle.modal && !run.block.has(Code::cycle_call));
         call_cycle(run);
         if (run.stopped) return;
     }

@@ -38,8 +38,9 @@ void note_lost_reference(Run& run, const Parameter& p, const Unit& caller, ExprI
     if (kind == ExprKind::variable) return;  // not defined: reported where it is read
     const std::string& name = run.env.names.text(p.name);
     if (kind == ExprKind::parameter || kind == ExprKind::parameter_at || kind == ExprKind::system)
-        unchecked(run, codes::unsupported, caller.span(argument),
-                  "VAR " + name + " is given no variable made by DEF: what the program writes to it is not handed back");
+        unchecked(
+            run, codes::unsupported, caller.span(argument),
+            "VAR " + name + " is given no variable made by DEF: what the program writes to it is not handed back");
     else
         alarm(run, codes::bad_argument, caller.span(argument), "VAR " + name + " needs a variable here");
 }

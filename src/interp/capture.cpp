@@ -38,12 +38,13 @@ struct Rehearsal::Saved {
 
 Rehearsal::Rehearsal(Run& r)
     : run_(r),
-      saved_(new Saved{r.capture,       r.calls,         r.parameters,    r.modal,           r.block,
-                       r.tool,          r.spindle,       r.feed,          r.coolant_on, r.feed_valid,      r.feed_dropped,
-                       r.moved,         r.datum_emitted, r.datum_known,   r.frame_is_identity, r.stopped,
-                       r.ending,        r.blocks,        r.position,      r.programmed_position, r.frame,
-                       r.reference_datum, r.extra_axes,  r.last_direction, r.cycle,          r.contour_labels,
-                       r.last_message,  r.statement,     r.free_contour,  r.datum_table, r.open_table}) {
+      saved_(new Saved{r.capture,        r.calls,           r.parameters,    r.modal,          r.block,
+                       r.tool,           r.spindle,         r.feed,          r.coolant_on,     r.feed_valid,
+                       r.feed_dropped,   r.moved,           r.datum_emitted, r.datum_known,    r.frame_is_identity,
+                       r.stopped,        r.ending,          r.blocks,        r.position,       r.programmed_position,
+                       r.frame,          r.reference_datum, r.extra_axes,    r.last_direction, r.cycle,
+                       r.contour_labels, r.last_message,    r.statement,     r.free_contour,
+                       r.datum_table,    r.open_table}) {
     run_.capture = &elements_;
 }
 

@@ -107,14 +107,16 @@ bool read_labels(Run& run, std::vector<Label>& labels) {
     for (const std::string& name : names) {
         const auto all = elements_of_label(run, *run.contour_unit, name);
         if (!all) {
-            alarm(run, codes::missing_label, run.here(), "the contour label " + name + " of CYCL DEF 14 is missing or does not end");
+            alarm(run, codes::missing_label, run.here(),
+                  "the contour label " + name + " of CYCL DEF 14 is missing or does not end");
             return false;
         }
         Label l{name, contour_of(run, *all), side_of(*all)};
         for (const geom::Vertex& v : l.contour.vertices)
             if (!std::isfinite(v.p.x) || !std::isfinite(v.p.y) || !std::isfinite(v.bulge)) {
-                unchecked(run, codes::unknown_value, run.here(),
-                          "the contour of label " + name + " depends on a value that is not known: the cycle is not run");
+                unchecked(
+                    run, codes::unknown_value, run.here(),
+                    "the contour of label " + name + " depends on a value that is not known: the cycle is not run");
                 return false;
             }
         labels.push_back(std::move(l));

@@ -56,7 +56,8 @@ void add_values(const Run& run, const ActiveCycle& c, cycles::Demand& d) {
     const double unit = run.modal.inch_geometry ? 25.4 : 1;
     for (std::size_t i = 0; i < c.values.size(); ++i) {
         const CycleSetting& s = c.definition->settings[i];
-        d.values.push_back({s.role, value_at_call(run, c, i) * (s.scales ? unit : 1)});
+        const double factor = s.is_feed ? feed_factor(run) : s.scales ? unit : 1;
+        d.values.push_back({s.role, value_at_call(run, c, i) * factor});
     }
 }
 

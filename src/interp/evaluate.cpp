@@ -72,15 +72,12 @@ double number(Run& run, ExprId id) {
     const Unit& unit = run.unit();
     const Expr& e = unit.exprs[id];
     switch (e.kind) {
-        case ExprKind::number:
-            return unit.numbers[e.a];
-        case ExprKind::boolean:
-            return e.a;
+        case ExprKind::number: return unit.numbers[e.a];
+        case ExprKind::boolean: return e.a;
         case ExprKind::parameter:
             if (e.a < run.parameters.count() && run.parameters.is_set(e.a)) return run.parameters.get(e.a);
             return parameter_value(run, e, e.a);
-        case ExprKind::parameter_at:
-            return parameter_value(run, e, number(run, e.a));
+        case ExprKind::parameter_at: return parameter_value(run, e, number(run, e.a));
         case ExprKind::binary:
             if (is_numeric(static_cast<Operator>(e.op))) {
                 const double a = number(run, e.a);
@@ -91,24 +88,16 @@ double number(Run& run, ExprId id) {
         case ExprKind::unary: {
             const double a = number(run, e.a);
             switch (static_cast<Operator>(e.op)) {
-                case Operator::negate:
-                    return -a;
-                case Operator::logical_not:
-                    return std::isnan(a) ? a : a == 0 ? 1 : 0;
-                case Operator::bit_not:
-                    return std::isnan(a) ? a : -1 - std::trunc(a);
-                default:
-                    return a;
+                case Operator::negate: return -a;
+                case Operator::logical_not: return std::isnan(a) ? a : a == 0 ? 1 : 0;
+                case Operator::bit_not: return std::isnan(a) ? a : -1 - std::trunc(a);
+                default: return a;
             }
         }
-        case ExprKind::function:
-            return function_number(run, e, id);
-        case ExprKind::qualified:
-            return number(run, e.a);
-        case ExprKind::variable:
-            return variable_number(run, e, id);
-        default:
-            break;
+        case ExprKind::function: return function_number(run, e, id);
+        case ExprKind::qualified: return number(run, e.a);
+        case ExprKind::variable: return variable_number(run, e, id);
+        default: break;
     }
     const Value v = evaluate(run, id);
     if (run.stopped || v.is_number()) return v.number;
@@ -201,29 +190,18 @@ Value evaluate(Run& run, ExprId id) {
     const Unit& unit = run.unit();
     const Expr& e = unit.exprs[id];
     switch (e.kind) {
-        case ExprKind::number:
-            return e.op == 1 ? Value::integer(unit.numbers[e.a]) : Value::real(unit.numbers[e.a]);
-        case ExprKind::boolean:
-            return Value::boolean(e.a != 0);
-        case ExprKind::text:
-            return Value::string(unit.texts[e.a]);
+        case ExprKind::number: return e.op == 1 ? Value::integer(unit.numbers[e.a]) : Value::real(unit.numbers[e.a]);
+        case ExprKind::boolean: return Value::boolean(e.a != 0);
+        case ExprKind::text: return Value::string(unit.texts[e.a]);
         case ExprKind::parameter:
-        case ExprKind::parameter_at:
-            return Value::real(number(run, id));
-        case ExprKind::variable:
-            return read_variable(run, e, id);
-        case ExprKind::system:
-            return read_system(run, e);
-        case ExprKind::unary:
-            return evaluate_unary(run, e, id);
-        case ExprKind::binary:
-            return evaluate_binary(run, e);
-        case ExprKind::function:
-            return call_function(run, e);
-        case ExprKind::qualified:
-            return evaluate(run, e.a);
-        case ExprKind::unknown_function:
-            break;
+        case ExprKind::parameter_at: return Value::real(number(run, id));
+        case ExprKind::variable: return read_variable(run, e, id);
+        case ExprKind::system: return read_system(run, e);
+        case ExprKind::unary: return evaluate_unary(run, e, id);
+        case ExprKind::binary: return evaluate_binary(run, e);
+        case ExprKind::function: return call_function(run, e);
+        case ExprKind::qualified: return evaluate(run, e.a);
+        case ExprKind::unknown_function: break;
     }
     for (std::size_t k = 0; k < e.count; ++k) static_cast<void>(evaluate(run, unit.children[e.b + k]));
     unchecked(run, codes::unsupported, unit.span(id), "the function " + run.env.names.text(e.a) + "() is not run",

@@ -219,23 +219,12 @@ namespace {
 /// Kinds that are run elsewhere and have no entry in a table; false where `s` is none of them.
 bool run_plain(Run& run, const Statement& s, std::uint32_t index) {
     switch (s.kind) {
-        case StatementKind::block:
-            run_block(run, s, index);
-            return true;
-        case StatementKind::frame:
-            frame_statement(run, s, index);
-            return true;
-        case StatementKind::special:
-            run_special(run, s, index);
-            return true;
-        case StatementKind::return_:
-            leave(run);
-            return true;
-        case StatementKind::label_end:
-            end_label(run);
-            return true;
-        default:
-            return false;
+        case StatementKind::block: run_block(run, s, index); return true;
+        case StatementKind::frame: frame_statement(run, s, index); return true;
+        case StatementKind::special: run_special(run, s, index); return true;
+        case StatementKind::return_: leave(run); return true;
+        case StatementKind::label_end: end_label(run); return true;
+        default: return false;
     }
 }
 
@@ -253,13 +242,10 @@ void run_statement(Run& run, const Statement& s, std::uint32_t index) {
             if (!run.stopped && !yes) go(run, b.target);
             return;
         }
-        case StatementKind::else_:
-            go(run, unit.branches[table].target);
-            return;
+        case StatementKind::else_: go(run, unit.branches[table].target); return;
         case StatementKind::endif:
         case StatementKind::repeat_:
-        case StatementKind::loop_:
-            return;
+        case StatementKind::loop_: return;
         case StatementKind::endwhile:
         case StatementKind::endloop:
             if (unit.branches[table].target != program::no_target) go_back(run, unit.branches[table].target);
@@ -270,36 +256,17 @@ void run_statement(Run& run, const Statement& s, std::uint32_t index) {
             if (!run.stopped && !done && b.target != program::no_target) go_back(run, b.target);
             return;
         }
-        case StatementKind::for_:
-            begin_for(run, unit.fors[table]);
-            return;
-        case StatementKind::endfor:
-            end_for(run, unit.fors[table]);
-            return;
-        case StatementKind::case_:
-            run_case(run, unit.cases[table]);
-            return;
-        case StatementKind::jump:
-            jump(run, unit.jumps[table]);
-            return;
-        case StatementKind::repeat_section:
-            repeat_section(run, unit.sections[table], index);
-            return;
-        case StatementKind::label_call:
-            return call_label(run, unit.label_calls[table], index);
-        case StatementKind::cycle_definition:
-            return cycle_definition(run, s, index);
-        case StatementKind::call:
-            call_program(run, unit.calls[table]);
-            return;
-        case StatementKind::procedure:
-            procedure(run, unit.procedures[table]);
-            return;
-        case StatementKind::define:
-            define(run, unit.defines[table], run.top().locals, unit);
-            return;
-        default:
-            return;
+        case StatementKind::for_: begin_for(run, unit.fors[table]); return;
+        case StatementKind::endfor: end_for(run, unit.fors[table]); return;
+        case StatementKind::case_: run_case(run, unit.cases[table]); return;
+        case StatementKind::jump: jump(run, unit.jumps[table]); return;
+        case StatementKind::repeat_section: repeat_section(run, unit.sections[table], index); return;
+        case StatementKind::label_call: return call_label(run, unit.label_calls[table], index);
+        case StatementKind::cycle_definition: return cycle_definition(run, s, index);
+        case StatementKind::call: call_program(run, unit.calls[table]); return;
+        case StatementKind::procedure: procedure(run, unit.procedures[table]); return;
+        case StatementKind::define: define(run, unit.defines[table], run.top().locals, unit); return;
+        default: return;
     }
 }
 

@@ -170,13 +170,12 @@ std::string fault_text(const path::FkFault& f) {
     switch (f.reason) {
         case path::FkReason::bad_value: return word + " has a value that this element cannot have";
         case path::FkReason::incomplete: return word + " stands without what belongs to it";
-        case path::FkReason::unknown_block:
-            return word + " refers to a block that is no element of this contour";
+        case path::FkReason::unknown_block: return word + " refers to a block that is no element of this contour";
         case path::FkReason::no_direction: return "a tangential element needs a contour element before it";
         case path::FkReason::contradictory:
-            return (word.empty() ? std::string("the data of this free contour element") : word) +
-                   (std::isfinite(f.miss) ? " contradict what the other data say, by " + base::fixed(f.miss, 3) + " mm"
-                                          : " contradict what the other data say");
+            return (word.empty() ? std::string("this free contour element") : word) +
+                   (std::isfinite(f.miss) ? " contradicts what the other data say, by " + base::fixed(f.miss, 3) + " mm"
+                                          : " contradicts what the other data say");
         case path::FkReason::ambiguous:
             return "the data allow " + std::to_string(f.solutions) + " contours from here: FSELECT is missing";
         case path::FkReason::no_such_solution:
@@ -190,8 +189,7 @@ std::string fault_text(const path::FkFault& f) {
 void complain(Run& run, const FreeContour& c) {
     const path::FkFault& f = *c.fault;
     const auto at = static_cast<std::uint32_t>(f.tag);
-    const base::Span where =
-        at < c.unit->statements.size() ? c.unit->span(c.unit->statements[at]) : run.here();
+    const base::Span where = at < c.unit->statements.size() ? c.unit->span(c.unit->statements[at]) : run.here();
     if (f.reason == path::FkReason::not_known)
         unchecked(run, codes::unknown_value, where, "this free contour depends on a value that is not known");
     else
@@ -206,8 +204,8 @@ FreeContour& contour_at(Run& run, std::uint32_t index) {
     const geom::Vec3& p = run.programmed_position;
     std::optional<Vec2> direction;
     if (geom::length(run.last_direction) > 0) direction = run.last_direction;
-    run.free_contour = std::make_shared<FreeContour>(Vec2{coordinate(p, a.u), coordinate(p, a.v)}, direction,
-                                                     coordinate(p, a.w));
+    run.free_contour =
+        std::make_shared<FreeContour>(Vec2{coordinate(p, a.u), coordinate(p, a.v)}, direction, coordinate(p, a.w));
     run.free_contour->unit = &run.unit();
     run.free_contour->next = index;
     return *run.free_contour;

@@ -50,12 +50,14 @@ void set_surface_speed(Run& run, bool on, int number) {
     if (number == 961 || number == 971) set_feed_mode(run, cl::FeedMode::per_minute);
 }
 
-/// G94 and G95 stand in one group with G96: they end it (SINUMERIK Programming Manual Fundamentals, G96). Easily missed.
+/// G94 and G95 stand in one group with G96: they end it (SINUMERIK Programming Manual Fundamentals, G96). Easily
+/// missed.
 void plain_feed(Run& run, cl::FeedMode mode) {
     if (run.modal.surface_speed)
-        assume(run, run.here(),
-               "G94 and G95 end the constant cutting speed of G96 (same G group): the spindle keeps the speed it has here",
-               "write G96 behind them if the cutting speed is to stay constant");
+        assume(
+            run, run.here(),
+            "G94 and G95 end the constant cutting speed of G96 (same G group): the spindle keeps the speed it has here",
+            "write G96 behind them if the cutting speed is to stay constant");
     set_surface_speed(run, false, 0);
     set_feed_mode(run, mode);
 }

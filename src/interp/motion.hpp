@@ -22,6 +22,8 @@ struct PlaneAxes {
 
 /// `to` with the coordinates that AP= and RP= give (polar.cpp).
 [[nodiscard]] geom::Vec3 polar_target(Run&, geom::Vec3 to);
+/// False (and an alarm) where the control needs a pole and the program has set none.
+[[nodiscard]] bool has_pole(Run&);
 /// G110, G111, G112: the words of the block place the pole.
 void set_pole(Run&);
 

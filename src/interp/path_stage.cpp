@@ -90,8 +90,7 @@ path::CornerRequest corner_of_block(const Run& run) {
         return {path::CornerKind::chamfer, b.get(Code::chamfer_length) * unit, false, false, true, {}, {}};
     if (b.has(Code::chamfer_leg))
         return {path::CornerKind::chamfer_leg, b.get(Code::chamfer_leg) * unit, false, false, true, {}, {}};
-    if (b.has(Code::round))
-        return {path::CornerKind::rounding, b.get(Code::round) * unit, false, false, true, {}, {}};
+    if (b.has(Code::round)) return {path::CornerKind::rounding, b.get(Code::round) * unit, false, false, true, {}, {}};
     if (run.modal.round_modal > 0 && run.modal.motion != Modal::rapid)
         return {path::CornerKind::rounding, run.modal.round_modal, true, false, true, {}, {}};
     return {};
@@ -107,8 +106,7 @@ path::CornerRequest PathStage::corner_request(Run& run) {
     }
     const double feed = b.has(Code::corner_feed) ? b.get(Code::corner_feed) : run.modal.corner_feed_modal;
     if (r.kind != path::CornerKind::none && feed > 0 && run.feed_valid) {
-        const bool inches = run.modal.inch_feed && run.modal.feed_mode != cl::FeedMode::inverse_time;
-        r.before.push_back(feed_event(run, feed * (inches ? 25.4 : 1)));
+        r.before.push_back(feed_event(run, feed * feed_factor(run)));
         r.after.push_back(feed_event(run, run.feed));
     }
     return r;

@@ -102,9 +102,10 @@ void plane(Run& run, const Special& s) {
     }
     tilt(run, f);
     if (datum_of(run, s, Datum::positioning) == 0) return;
-    unchecked(run, codes::unsupported, s.where,
-              "the positions of the rotary axes that PLANE ... MOVE or TURN goes to depend on the machine's kinematics: "
-              "they are not followed");
+    unchecked(
+        run, codes::unsupported, s.where,
+        "the positions of the rotary axes that PLANE ... MOVE or TURN goes to depend on the machine's kinematics: "
+        "they are not followed");
 }
 
 }  // namespace obrys::interp

@@ -2,9 +2,12 @@
 
 #include <cmath>
 
+#include "base/codes.hpp"
 #include "interp/motion.hpp"
 
 namespace obrys::interp {
+
+namespace codes = base::codes;
 
 namespace {
 
@@ -16,7 +19,15 @@ bool is_ic(std::uint8_t reference) {
 
 }  // namespace
 
+bool has_pole(Run& run) {
+    if (run.modal.pole_set || !run.unit().traits->needs_pole) return true;
+    alarm(run, codes::arc_radius, run.here(), "circle center undefined: no pole was set before this block",
+          "write CC with its coordinates before it");
+    return false;
+}
+
 geom::Vec3 polar_target(Run& run, geom::Vec3 to) {
+    if (!has_pole(run)) return to;
     const BlockWords& b = run.block;
     const PlaneAxes axes = plane_axes(run.modal.plane);
     const geom::Vec3& pole = run.modal.pole;
@@ -48,6 +59,7 @@ namespace {
 /// stays as it was.
 void give_pole(Run& run) {
     const BlockWords& b = run.block;
+    run.modal.pole_set = true;
     bool any = false;
     for (int k = 0; k < 3; ++k) any = any || b.has(axis_code(k));
     if (!any) run.modal.pole = run.programmed_position;

@@ -53,14 +53,15 @@ struct ModalState {
     int look_ahead = 0;  ///< contour elements that compensation looks ahead (M120 LA)
     Modal feed_reference = Modal::feed_at_contour;
     std::uint32_t datum = 500;
-    geom::Vec3 datum_offset;       ///< of a datum that the program sets itself (FN 25), in the selected one, mm
-    geom::Frame programmed;        ///< TRANS, ROT, SCALE, MIRROR; product of `transforms` where there are any
+    geom::Vec3 datum_offset;  ///< of a datum that the program sets itself (FN 25), in the selected one, mm
+    geom::Frame programmed;  ///< TRANS, ROT, SCALE, MIRROR; product of `transforms` where there are any
     std::vector<Transform> transforms;
     Modal last_sense = Modal::linear;  ///< of the last arc; linear: none yet
     bool feed_by_word = false;         ///< feed_mode was chosen by a word of its own (FU) until the next F
-    double round_modal = 0;        ///< RNDM, mm
-    double corner_feed_modal = 0;  ///< FRCM
-    geom::Vec3 pole;               ///< workpiece coordinates
+    double round_modal = 0;            ///< RNDM, mm
+    double corner_feed_modal = 0;      ///< FRCM
+    geom::Vec3 pole;                   ///< workpiece coordinates
+    bool pole_set = false;             ///< the program has set it
     /// Last RP (mm) and AP (degrees, NaN after a new pole or plane); NaN: none yet.
     double polar_radius = std::numeric_limits<double>::quiet_NaN();
     double polar_angle = std::numeric_limits<double>::quiet_NaN();
@@ -83,10 +84,10 @@ struct BlockWords {
     std::vector<NamedAxis> axes;  ///< additional axes by name
     std::string tool_name;
     bool tool_named = false;
-    Modal special = Modal::linear;   ///< dwell, reference point, fixed point, pole; linear: none
-    Modal suppress = Modal::linear;  ///< suppress_frames, suppress_all; linear: none
+    Modal special = Modal::linear;     ///< dwell, reference point, fixed point, pole; linear: none
+    Modal suppress = Modal::linear;    ///< suppress_frames, suppress_all; linear: none
     Modal corner_end = Modal::linear;  ///< corner_crossing, corner_open; linear: none
-    Modal paraxial = Modal::linear;  ///< paraxial, paraxial_longer, paraxial_shorter; linear: none
+    Modal paraxial = Modal::linear;    ///< paraxial, paraxial_longer, paraxial_shorter; linear: none
 
     [[nodiscard]] bool has(Code c) const { return (present >> static_cast<unsigned>(c)) & 1u; }
     [[nodiscard]] double get(Code c) const { return value[static_cast<std::size_t>(c)]; }
@@ -108,8 +109,8 @@ struct ActiveSection {
 
 /// CALL LBL being run.
 struct LabelReturn {
-    std::uint32_t pc = 0;      ///< where the run goes on
-    cl::StackId stack = 0;     ///< of the caller
+    std::uint32_t pc = 0;   ///< where the run goes on
+    cl::StackId stack = 0;  ///< of the caller
 };
 
 /// One program being run.
@@ -126,9 +127,9 @@ struct Activation {
     std::vector<ActiveSection> sections;
     std::vector<LabelReturn> labels;
     std::vector<std::pair<double, bool>> outer_locals;  ///< the caller's local parameters, and whether they are set
-    std::uint64_t repeats_left = 0;     ///< of L123 P3: further runs
-    std::size_t own_bindings = 0;       ///< bindings that are parameters; the rest goes with each run
-    std::uint32_t arguments_given = 0;  ///< bit per parameter, for $P_SUBPAR
+    std::uint64_t repeats_left = 0;                     ///< of L123 P3: further runs
+    std::size_t own_bindings = 0;                       ///< bindings that are parameters; the rest goes with each run
+    std::uint32_t arguments_given = 0;                  ///< bit per parameter, for $P_SUBPAR
     bool from_modal_call = false;
     bool saves = false;
     ModalState saved;
@@ -204,7 +205,7 @@ struct Run {
     bool feed_valid = false;
     bool feed_dropped = false;  ///< G94/G95 changed and the stream does not know yet that F is void
     ModalCall modal_call;
-    ActiveCycle cycle;  ///< the last one that is active on call
+    ActiveCycle cycle;                        ///< the last one that is active on call
     std::vector<std::string> contour_labels;  ///< of the contour that contour cycles work on
     const Unit* contour_unit = nullptr;       ///< the program whose labels these are
     std::string datum_table;                  ///< selected by the program; empty: the one that is active on the control
@@ -272,7 +273,8 @@ void assume(Run&, const base::Span& where, std::string text, std::string remedy 
 
 // --- variables (assign.cpp, definitions.cpp)
 void assign(Run&, const program::Assign&);
-/// Sets a numbered parameter to `v`, the value of `value`; one that the job sets keeps that where `value` is a constant.
+/// Sets a numbered parameter to `v`, the value of `value`; one that the job sets keeps that where `value` is a
+/// constant.
 void assign_number(Run&, std::uint32_t parameter, ExprId value, double v, const base::Span& where);
 /// Converts and stores; alarm where the value does not fit.
 /// Sets a parameter that holds text (QS5).
@@ -313,6 +315,8 @@ void write_tool_parameter(Run&, double number, double edge, int n, double value)
 /// n of $TC_DPn: the digits at the end of the name.
 [[nodiscard]] int tool_parameter_number(const std::string& name);
 void technology(Run&);
+/// mm/min (mm per revolution, 1/min) of a feed of 1.
+[[nodiscard]] double feed_factor(const Run&);
 void after_motion(Run&);
 [[nodiscard]] bool motion(Run&);  ///< true where the block moved
 /// Gathers one word into the block; shared by blocks and frame statements.

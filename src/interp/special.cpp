@@ -54,10 +54,13 @@ std::string failure_text(path::SmoothFailure f) {
     switch (f) {
         case path::SmoothFailure::bad_length: return "LEN must be greater than 0";
         case path::SmoothFailure::bad_radius: return "R must not be 0, and with LCT be greater than 0";
-        case path::SmoothFailure::bad_angle: return "the centre angle CCA must be greater than 0 and at most 360 degrees";
-        case path::SmoothFailure::bad_direction: return "the contour has no direction here: no element follows or precedes";
+        case path::SmoothFailure::bad_angle:
+            return "the centre angle CCA must be greater than 0 and at most 360 degrees";
+        case path::SmoothFailure::bad_direction:
+            return "the contour has no direction here: no element follows or precedes";
         case path::SmoothFailure::tool_too_large: return "tool radius too large: it exceeds R inside the arc";
-        case path::SmoothFailure::inside_of_circle: return "the point off the contour lies inside the circle of radius R";
+        case path::SmoothFailure::inside_of_circle:
+            return "the point off the contour lies inside the circle of radius R";
         default: return "a position or value is not known";
     }
 }
@@ -152,11 +155,14 @@ void check_start(Run& run, const cl::Spline& spline) {
         unchecked(run, codes::unknown_value, run.here(), "where the tool stands before this spline is not known");
         return;
     }
-    run.diagnostics.add({base::Severity::error, codes::spline_start, run.here(),
+    run.diagnostics.add({base::Severity::error,
+                         codes::spline_start,
+                         run.here(),
                          "the spline starts " + base::fixed(geom::length(gap), 4) +
                              " mm beside the end of the last contour element, more than 0.001 mm along an axis",
                          "let the coefficients K1, K2, K3 and the end point add up to where the last block ended",
-                         run.stacks.sites(run.top().stack), {}});
+                         run.stacks.sites(run.top().stack),
+                         {}});
 }
 
 void spline(Run& run, const Special& s) {
@@ -173,7 +179,8 @@ void spline(Run& run, const Special& s) {
             coordinate(k[n], static_cast<int>(axis)) = v * unit;
             continue;
         }
-        auto at = std::find_if(record.axes.begin(), record.axes.end(), [&](const auto& x) { return x.name[0] == d.axis; });
+        auto at =
+            std::find_if(record.axes.begin(), record.axes.end(), [&](const auto& x) { return x.name[0] == d.axis; });
         if (at == record.axes.end()) {
             at = record.axes.insert(record.axes.end(), cl::SplineAxis{});
             at->name[0] = d.axis;
@@ -188,7 +195,8 @@ void spline(Run& run, const Special& s) {
     record.k3 = geom::apply_direction(run.frame, k[2]);
     record.to = geom::apply(run.frame, to);
     if (run.modal.compensation != Modal::compensation_off)
-        alarm(run, codes::compensation, run.here(), "a spline cannot be run with radius compensation", "write R0 before it");
+        alarm(run, codes::compensation, run.here(), "a spline cannot be run with radius compensation",
+              "write R0 before it");
     if (run.stopped || run.capture != nullptr) return arrive(run, to);
     require_feed(run);
     begin_motion(run);

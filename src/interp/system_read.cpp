@@ -97,64 +97,43 @@ Value tool_parameter(const Access& a) {
 /// Numbers in the G group 1 (Siemens, lists of G functions).
 int motion_number(Modal m) {
     switch (m) {
-        case Modal::rapid:
-            return 1;
-        case Modal::linear:
-            return 2;
-        case Modal::arc_cw:
-            return 3;
-        case Modal::arc_ccw:
-            return 4;
-        case Modal::arc_via:
-            return 5;
-        case Modal::thread:
-            return 10;
-        case Modal::tap:
-            return 11;
-        case Modal::tap_retract:
-            return 12;
-        case Modal::arc_tangent:
-            return 15;
-        case Modal::thread_rising:
-            return 16;
-        default:
-            return 17;
+        case Modal::rapid: return 1;
+        case Modal::linear: return 2;
+        case Modal::arc_cw: return 3;
+        case Modal::arc_ccw: return 4;
+        case Modal::arc_via: return 5;
+        case Modal::thread: return 10;
+        case Modal::tap: return 11;
+        case Modal::tap_retract: return 12;
+        case Modal::arc_tangent: return 15;
+        case Modal::thread_rising: return 16;
+        default: return 17;
     }
 }
 
 /// Numbers of G96 and its relatives in the G group 15.
 int speed_number(int word) {
     switch (word) {
-        case 96:
-            return 4;
-        case 97:
-            return 5;
-        case 961:
-            return 7;
-        case 971:
-            return 8;
-        default:
-            return 0;
+        case 96: return 4;
+        case 97: return 5;
+        case 961: return 7;
+        case 971: return 8;
+        default: return 0;
     }
 }
 
 Value active_g(const Access& a) {
     const ModalState& m = a.run.modal;
     switch (static_cast<int>(a.index(0))) {
-        case 1:
-            return Value::integer(motion_number(m.motion));
-        case 6:
-            return Value::integer(m.plane - 16);
+        case 1: return Value::integer(motion_number(m.motion));
+        case 6: return Value::integer(m.plane - 16);
         case 7:
             return Value::integer(m.compensation == Modal::compensation_off    ? 1
                                   : m.compensation == Modal::compensation_left ? 2
                                                                                : 3);
-        case 8:
-            return Value::integer(m.datum == 500 ? 1 : m.datum < 60 ? m.datum - 52 : m.datum - 499);
-        case 13:
-            return Value::integer(m.inch_geometry ? (m.inch_feed ? 3 : 1) : m.metric_feed ? 4 : 2);
-        case 14:
-            return Value::integer(m.absolute ? 1 : 2);
+        case 8: return Value::integer(m.datum == 500 ? 1 : m.datum < 60 ? m.datum - 52 : m.datum - 499);
+        case 13: return Value::integer(m.inch_geometry ? (m.inch_feed ? 3 : 1) : m.metric_feed ? 4 : 2);
+        case 14: return Value::integer(m.absolute ? 1 : 2);
         case 15:
             return Value::integer(m.speed_word != 0                           ? speed_number(m.speed_word)
                                   : m.feed_mode == cl::FeedMode::inverse_time ? 1
@@ -162,14 +141,10 @@ Value active_g(const Access& a) {
                                                                               : 3);
         case 16:
             return Value::integer(1 + static_cast<int>(m.feed_reference) - static_cast<int>(Modal::feed_at_contour));
-        case 17:
-            return Value::integer(m.approach == Modal::approach_normal ? 1 : 2);
-        case 18:
-            return Value::integer(m.corner == Modal::corner_arc ? 1 : 2);
-        case 29:
-            return Value::integer(m.diameter == DiameterMode::off ? 1 : m.diameter == DiameterMode::on ? 2 : 3);
-        default:
-            return unknown_value(a, "this G group is not followed");
+        case 17: return Value::integer(m.approach == Modal::approach_normal ? 1 : 2);
+        case 18: return Value::integer(m.corner == Modal::corner_arc ? 1 : 2);
+        case 29: return Value::integer(m.diameter == DiameterMode::off ? 1 : m.diameter == DiameterMode::on ? 2 : 3);
+        default: return unknown_value(a, "this G group is not followed");
     }
 }
 
@@ -222,16 +197,12 @@ Value indexed_parameter(const Access& a) {
 Value run_state(const Access& a, SystemVariable v) {
     const Run& run = a.run;
     switch (v) {
-        case SystemVariable::feed:
-            return Value::real(run.feed);
-        case SystemVariable::spindle_speed:
-            return Value::real(run.spindle.speed);
+        case SystemVariable::feed: return Value::real(run.feed);
+        case SystemVariable::spindle_speed: return Value::real(run.spindle.speed);
         case SystemVariable::spindle_direction:
             return Value::integer(run.spindle.direction > 0 ? 3 : run.spindle.direction < 0 ? 4 : 5);
-        case SystemVariable::tool_number:
-            return Value::integer(run.tool.number);
-        case SystemVariable::tool_edge:
-            return Value::integer(run.tool.edge);
+        case SystemVariable::tool_number: return Value::integer(run.tool.number);
+        case SystemVariable::tool_edge: return Value::integer(run.tool.edge);
         case SystemVariable::tool_radius:
             return run.tool.data == nullptr ? unknown_value(a, "no tool data")
                                             : Value::real(tool_radius(*run.tool.data));
@@ -240,16 +211,14 @@ Value run_state(const Access& a, SystemVariable v) {
             return Value::boolean(n >= 1 && n <= 32 &&
                                   ((run.calls.back().arguments_given >> (static_cast<unsigned>(n) - 1)) & 1u) != 0);
         }
-        case SystemVariable::stack_depth:
-            return Value::integer(static_cast<double>(run.calls.size()) - 1);
+        case SystemVariable::stack_depth: return Value::integer(static_cast<double>(run.calls.size()) - 1);
         case SystemVariable::program_name: {
             const auto level = static_cast<std::size_t>(std::max(0.0, a.index(0)));
             return Value::string(level < run.calls.size() ? run.calls[level].unit->name : std::string{});
         }
         case SystemVariable::channel_axis_name:
             return Value::axis(std::string(1, a.name().back() == '2' ? 'Y' : a.name().back() == '3' ? 'Z' : 'X'));
-        default:
-            return Value::of_frame(v == SystemVariable::programmed_frame ? run.modal.programmed : run.frame);
+        default: return Value::of_frame(v == SystemVariable::programmed_frame ? run.modal.programmed : run.frame);
     }
 }
 
@@ -270,45 +239,31 @@ Value read_system(Run& run, const Expr& e) {
         return value ? Value::real(*value) : unknown_value(a, "neither the job nor the machine file says it");
     }
     switch (v) {
-        case SystemVariable::numbered_parameter:
-            return indexed_parameter(a);
-        case SystemVariable::machine_position:
-            return machine_position(a);
+        case SystemVariable::numbered_parameter: return indexed_parameter(a);
+        case SystemVariable::machine_position: return machine_position(a);
         case SystemVariable::work_position:
-        case SystemVariable::programmed_position:
-            return work_position(a);
-        case SystemVariable::tool_length:
-            return tool_length(a);
-        case SystemVariable::tool_parameter:
-            return tool_parameter(a);
-        case SystemVariable::tool_exists:
-            return tool_exists(a);
-        case SystemVariable::tool_name:
-            return tool_name(a);
-        case SystemVariable::active_g:
-            return active_g(a);
-        case SystemVariable::machine_data:
-            return machine_data(a);
+        case SystemVariable::programmed_position: return work_position(a);
+        case SystemVariable::tool_length: return tool_length(a);
+        case SystemVariable::tool_parameter: return tool_parameter(a);
+        case SystemVariable::tool_exists: return tool_exists(a);
+        case SystemVariable::tool_name: return tool_name(a);
+        case SystemVariable::active_g: return active_g(a);
+        case SystemVariable::machine_data: return machine_data(a);
         case SystemVariable::datum_frame:
         case SystemVariable::settable_frame:
-        case SystemVariable::base_frame:
-            return datum_frame(a);
+        case SystemVariable::base_frame: return datum_frame(a);
         case SystemVariable::marker:
         case SystemVariable::parameter:
-        case SystemVariable::timer:
-            return written_or_zero(a);
+        case SystemVariable::timer: return written_or_zero(a);
         case SystemVariable::is_simulation:
         case SystemVariable::is_search:
         case SystemVariable::is_test:
-        case SystemVariable::is_dry_run:
-            return Value::boolean(false);
-        case SystemVariable::pi:
-            return Value::real(geom::pi);
+        case SystemVariable::is_dry_run: return Value::boolean(false);
+        case SystemVariable::pi: return Value::real(geom::pi);
         case SystemVariable::unknown:
             if (const Value written = written_or_zero(a); a.run.system_written.contains(written_key(a))) return written;
             return unknown_value(a, "obrys does not know this system variable");
-        default:
-            return run_state(a, v);
+        default: return run_state(a, v);
     }
 }
 

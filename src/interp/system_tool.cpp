@@ -75,8 +75,11 @@ std::optional<double> of_run(const Run& run, SystemVariable v) {
         case SystemVariable::inch_program: return run.modal.inch_geometry ? 1 : 0;
         case SystemVariable::tool_axis: return run.modal.plane == 17 ? 2 : run.modal.plane == 18 ? 1 : 0;
         case SystemVariable::spindle_state:
-            return run.spindle.direction > 0 ? 0 : run.spindle.direction < 0 ? 1 : run.spindle.last > 0 ? 2
-                   : run.spindle.last < 0 ? 3 : -1;
+            return run.spindle.direction > 0   ? 0
+                   : run.spindle.direction < 0 ? 1
+                   : run.spindle.last > 0      ? 2
+                   : run.spindle.last < 0      ? 3
+                                               : -1;
         case SystemVariable::coolant_state: return run.coolant_on ? 1 : 0;
         case SystemVariable::active_rotation:
             for (const Transform& t : run.modal.transforms)

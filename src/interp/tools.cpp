@@ -120,12 +120,13 @@ void special_feeds(Run& run) {
     BlockWords& b = run.block;
     const bool per_rev = b.has(Code::feed_per_rev);
     if (b.has(Code::feed_per_tooth)) {
-        unchecked(run, codes::unsupported, run.here(), "the feed per tooth FZ needs the number of teeth, which is not known: the last feed is kept");
+        unchecked(run, codes::unsupported, run.here(),
+                  "the feed per tooth FZ needs the number of teeth, which is not known: the last feed is kept");
         return;
     }
     if (b.has(Code::feed_auto)) {
         if (run.tool.feed > 0)
-            b.put(Code::feed, run.tool.feed / (run.modal.inch_feed ? 25.4 : 1));
+            b.put(Code::feed, run.tool.feed / feed_factor(run));
         else
             unchecked(run, codes::unknown_value, run.here(), "F AUTO: TOOL CALL gives no feed: the last one is kept",
                       "write F in TOOL CALL, or a feed here");
@@ -141,7 +142,7 @@ void feed_word(Run& run) {
     special_feeds(run);
     if (!run.block.has(Code::feed) || run.block.special == Modal::dwell) return;
     double f = run.block.get(Code::feed);
-    if (run.modal.inch_feed && run.modal.feed_mode != cl::FeedMode::inverse_time) f *= 25.4;
+    f *= feed_factor(run);
     if (std::isnan(f)) {
         unchecked(run, codes::unknown_value, run.here(),
                   "the feed depends on a value that is not known: the last one is kept");
@@ -183,6 +184,11 @@ void machine_functions(Run& run) {
 
 }  // namespace
 
+double feed_factor(const Run& run) {
+    if (!run.modal.inch_feed || run.modal.feed_mode == cl::FeedMode::inverse_time) return 1;
+    return run.modal.feed_mode == cl::FeedMode::per_minute ? run.unit().traits->inch_feed : 25.4;
+}
+
 void write_tool_parameter(Run& run, double number, double edge, int n, double value) {
     if (!(number >= 1 && number <= 4294967295.0 && edge >= 1 && edge <= 32000) || !std::isfinite(value)) return;
     const auto t = static_cast<std::uint32_t>(number), d = static_cast<std::uint32_t>(edge);
@@ -208,7 +214,8 @@ void define_tool(Run& run) {
     const double n = b.get(Code::tool);
     if (!b.has(Code::tool) || !(n >= 0 && n <= 4294967295.0)) return;
     const auto number = static_cast<std::uint32_t>(n);
-    auto found = std::find_if(run.tools.begin(), run.tools.end(), [&](const shop::Tool& t) { return t.number == number; });
+    auto found =
+        std::find_if(run.tools.begin(), run.tools.end(), [&](const shop::Tool& t) { return t.number == number; });
     if (found == run.tools.end()) {
         found = run.tools.insert(run.tools.end(), shop::Tool{});
         found->number = number;
@@ -230,7 +237,7 @@ void take_allowances(Run& run) {
     run.tool.delta_length = value(Code::delta_length);
     run.tool.delta_radius = value(Code::delta_radius);
     run.tool.delta_corner = value(Code::delta_corner);
-    run.tool.feed = b.has(Code::feed) ? b.get(Code::feed) * unit : 0;
+    run.tool.feed = b.has(Code::feed) ? b.get(Code::feed) * feed_factor(run) : 0;
 }
 
 }  // namespace
@@ -294,8 +301,8 @@ void technology(Run& run) {
     constexpr auto bit = [](Code c) { return std::uint64_t{1} << static_cast<unsigned>(c); };
     constexpr std::uint64_t words = bit(Code::feed) | bit(Code::spindle) | bit(Code::speed_limit) | bit(Code::tool) |
                                     bit(Code::edge) | bit(Code::spindle_position) | bit(Code::round_modal) |
-                                    bit(Code::corner_feed_modal) | bit(Code::tool_change) |
-                                    bit(Code::feed_auto) | bit(Code::feed_per_rev) | bit(Code::feed_per_tooth);
+                                    bit(Code::corner_feed_modal) | bit(Code::tool_change) | bit(Code::feed_auto) |
+                                    bit(Code::feed_per_rev) | bit(Code::feed_per_tooth);
     if ((b.present & words) == 0 && b.m.empty() && b.h.empty() && !run.spindle.mode_changed) return;
     if (b.has(Code::round_modal) && std::isnan(b.get(Code::round_modal)))
         unchecked(run, codes::unknown_value, run.here(),

@@ -29,20 +29,13 @@ const geom::Frame& Value::as_frame() const { return frame ? *frame : no_frame; }
 
 std::string_view name(Type t) {
     switch (t) {
-        case Type::boolean:
-            return "BOOL";
-        case Type::character:
-            return "CHAR";
-        case Type::integer:
-            return "INT";
-        case Type::real:
-            return "REAL";
-        case Type::string:
-            return "STRING";
-        case Type::axis:
-            return "AXIS";
-        case Type::frame:
-            return "FRAME";
+        case Type::boolean: return "BOOL";
+        case Type::character: return "CHAR";
+        case Type::integer: return "INT";
+        case Type::real: return "REAL";
+        case Type::string: return "STRING";
+        case Type::axis: return "AXIS";
+        case Type::frame: return "FRAME";
     }
     return "REAL";
 }
@@ -51,17 +44,12 @@ std::string printed(const Value& v) {
     if (v.is_unknown()) return "?";
     switch (v.type) {
         case Type::boolean:
-        case Type::integer:
-            return base::fixed(v.number, 0);
-        case Type::character:
-            return std::string(1, static_cast<char>(v.number));
+        case Type::integer: return base::fixed(v.number, 0);
+        case Type::character: return std::string(1, static_cast<char>(v.number));
         case Type::string:
-        case Type::axis:
-            return v.as_text();
-        case Type::frame:
-            return "FRAME";
-        case Type::real:
-            break;
+        case Type::axis: return v.as_text();
+        case Type::frame: return "FRAME";
+        case Type::real: break;
     }
     std::string s = base::fixed(v.number, 7);
     s.erase(s.find_last_not_of('0') + 1);
@@ -80,14 +68,10 @@ void Array::allocate() {
 
 Value Array::get(std::size_t i) const {
     switch (type) {
-        case Type::string:
-            return Value::string(texts[i]);
-        case Type::axis:
-            return Value::axis(texts[i]);
-        case Type::frame:
-            return Value::of_frame(frames[i]);
-        default:
-            return {type, numbers[i], nullptr, nullptr};
+        case Type::string: return Value::string(texts[i]);
+        case Type::axis: return Value::axis(texts[i]);
+        case Type::frame: return Value::of_frame(frames[i]);
+        default: return {type, numbers[i], nullptr, nullptr};
     }
 }
 

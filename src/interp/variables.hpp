@@ -44,7 +44,7 @@ struct Binding {
     program::NameId name = 0;
     std::shared_ptr<Array> array;
     std::size_t offset = 0;
-    bool element = false;  ///< only element `offset`
+    bool element = false;                           ///< only element `offset`
     const program::Variable* definition = nullptr;  ///< the DEF that made it
 };
 

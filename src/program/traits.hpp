@@ -67,6 +67,11 @@ struct Traits {
     std::string_view text_letters{};
     /// How deep calls of labels may be nested within one program.
     std::uint32_t label_depth = 0;
+    /// mm/min of a feed of 1 in a program in inches.
+    double inch_feed = 25.4;
+    /// Polar coordinates and arcs about the pole are an alarm before the program has set one; else it is the zero
+    /// point.
+    bool needs_pole = false;
     /// A polar coordinate that a block leaves out, or gives incrementally, is that of the position; else the one
     /// programmed last.
     bool polar_from_position = false;

@@ -16,7 +16,7 @@ using program::ExprKind;
 using program::StatementKind;
 
 class TreeText {
-  public:
+public:
     TreeText(const program::Unit& unit, const program::Names& names) : u_(unit), names_(names) {}
 
     std::string statement(std::uint32_t i) const {
@@ -53,11 +53,11 @@ class TreeText {
         return "?";
     }
 
-  private:
+private:
     static std::string op(std::uint8_t o) {
-        static constexpr std::array<const char*, 25> text{"neg", "pos", "not", "bnot", "+",    "-",   "*",    "/",
-                                                          "div", "mod", "<<",  "==",   "<>",   "<",   "<=",   ">",
-                                                          ">=",  "and", "or",  "xor",  "band", "bor", "bxor", ":", "^"};
+        static constexpr std::array<const char*, 25> text{"neg", "pos", "not",  "bnot", "+",    "-",  "*", "/",  "div",
+                                                          "mod", "<<",  "==",   "<>",   "<",    "<=", ">", ">=", "and",
+                                                          "or",  "xor", "band", "bor",  "bxor", ":",  "^"};
         return text[o];
     }
     std::string list(const program::Expr& e, char open, char close, bool always = false) const {
@@ -171,13 +171,63 @@ class TreeText {
                expr(n.value);
     }
     std::string word(const program::Word& w) const {
-        static constexpr std::array text{
-            "X",    "Y",    "Z",    "A",   "B",    "C",     "U",      "V",           "W",       "axis",   "I",
-            "J",    "K",    "I1",   "J1",  "K1",   "CR",    "AR",     "TURN",        "AP",      "RP",     "F",
-            "S",    "LIMS", "T",    "D",   "SPOS", "M",     "H",      "value",       "CHF",     "CHR",    "RND",
-            "RNDM", "FRC",  "FRCM", "ANG", "RPL",  "modal", "assign", "unsupported", "unknown", "control", "about-pole",
-            "tool-change", "tool-definition", "F-auto", "cycle-call", "cycle-call-modal", "length", "radius", "DL",
-            "DR", "DR2", "FU", "FZ", "pole-angle"};
+        static constexpr std::array text{"X",
+                                         "Y",
+                                         "Z",
+                                         "A",
+                                         "B",
+                                         "C",
+                                         "U",
+                                         "V",
+                                         "W",
+                                         "axis",
+                                         "I",
+                                         "J",
+                                         "K",
+                                         "I1",
+                                         "J1",
+                                         "K1",
+                                         "CR",
+                                         "AR",
+                                         "TURN",
+                                         "AP",
+                                         "RP",
+                                         "F",
+                                         "S",
+                                         "LIMS",
+                                         "T",
+                                         "D",
+                                         "SPOS",
+                                         "M",
+                                         "H",
+                                         "value",
+                                         "CHF",
+                                         "CHR",
+                                         "RND",
+                                         "RNDM",
+                                         "FRC",
+                                         "FRCM",
+                                         "ANG",
+                                         "RPL",
+                                         "modal",
+                                         "assign",
+                                         "unsupported",
+                                         "unknown",
+                                         "control",
+                                         "about-pole",
+                                         "tool-change",
+                                         "tool-definition",
+                                         "F-auto",
+                                         "cycle-call",
+                                         "cycle-call-modal",
+                                         "length",
+                                         "radius",
+                                         "DL",
+                                         "DR",
+                                         "DR2",
+                                         "FU",
+                                         "FZ",
+                                         "pole-angle"};
         const auto at = static_cast<std::size_t>(w.payload);
         switch (program::code_of(w)) {
             case Code::modal:

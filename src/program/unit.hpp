@@ -33,17 +33,17 @@ enum class StatementKind : std::uint8_t {
     loop_,
     endloop,
     for_,
-    endfor,          ///< Unit::branches / fors
-    case_,           ///< Unit::cases
-    jump,            ///< Unit::jumps, with or without condition
-    repeat_section,  ///< REPEAT label …: Unit::sections
-    call,            ///< Unit::calls
-    procedure,       ///< built-in procedure: Unit::procedures
-    frame,           ///< programmable frame: words are its axes; the first word is `control` into Unit::frames
-    define,          ///< variable definition: Unit::defines
-    return_,         ///< RET
-    label_call,      ///< CALL LBL: Unit::label_calls
-    label_end,       ///< LBL 0: back to the call, where there is one
+    endfor,            ///< Unit::branches / fors
+    case_,             ///< Unit::cases
+    jump,              ///< Unit::jumps, with or without condition
+    repeat_section,    ///< REPEAT label …: Unit::sections
+    call,              ///< Unit::calls
+    procedure,         ///< built-in procedure: Unit::procedures
+    frame,             ///< programmable frame: words are its axes; the first word is `control` into Unit::frames
+    define,            ///< variable definition: Unit::defines
+    return_,           ///< RET
+    label_call,        ///< CALL LBL: Unit::label_calls
+    label_end,         ///< LBL 0: back to the call, where there is one
     cycle_definition,  ///< CYCL DEF: Unit::cycles
     special,           ///< APPR, FL, SPL, PLANE …: Unit::specials; its first word is `control`, then ordinary words
 };
@@ -76,7 +76,7 @@ enum class JumpDirection : std::uint8_t { forward, backward, either, either_quie
 struct Jump {
     ExprId condition = no_expr;  ///< no_expr: always
     JumpDirection direction = JumpDirection::forward;
-    ExprId destination = no_expr;  ///< text (a label or N number) or a string variable; unused for start
+    ExprId destination = no_expr;      ///< text (a label or N number) or a string variable; unused for start
     std::uint32_t target = no_target;  ///< the statement, where the reader knows it already
 };
 
@@ -113,7 +113,8 @@ struct CycleSetting {
     std::uint32_t parameter = no_target;
     ExprId value = no_expr;
     bool incremental = false;
-    bool scales = false;  ///< a length or feed in the program's unit
+    bool scales = false;   ///< a length in the program's unit
+    bool is_feed = false;  ///< a feed in the program's unit
     base::Span where;
 };
 
@@ -234,7 +235,8 @@ struct Unit {
     std::uint32_t begin = 0, end = 0;  ///< its part of the source text (an archive holds several)
     const Traits* traits = nullptr;
     bool has_proc = false;
-    bool inch = false;  ///< lengths are inches from its first block on, whatever the caller uses (with unit_per_program)
+    bool inch =
+        false;  ///< lengths are inches from its first block on, whatever the caller uses (with unit_per_program)
     bool save = false;  ///< SAVE: the caller's modal G codes and frames come back at the end
     std::vector<Parameter> parameters;
 

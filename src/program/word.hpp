@@ -55,21 +55,21 @@ enum class Code : std::uint8_t {
     unknown,      ///< not in the control's tables: payload = index into Unit::problems
     control,      ///< of a statement that is no block: payload = index into the kind's table
     // bare words: something the block does besides its values
-    centre_at_pole,     ///< the arc is about the pole (C, CP)
-    tool_change,        ///< the block's tool comes into the spindle at once (TOOL CALL)
-    tool_definition,    ///< the block says what the tool is (TOOL DEF)
-    feed_auto,          ///< the feed given with the tool
-    cycle_call,         ///< the cycle defined last, behind the block's motion (CYCL CALL, M99)
-    cycle_call_modal,   ///< … from now on behind every block with motion (M89)
+    centre_at_pole,    ///< the arc is about the pole (C, CP)
+    tool_change,       ///< the block's tool comes into the spindle at once (TOOL CALL)
+    tool_definition,   ///< the block says what the tool is (TOOL DEF)
+    feed_auto,         ///< the feed given with the tool
+    cycle_call,        ///< the cycle defined last, behind the block's motion (CYCL CALL, M99)
+    cycle_call_modal,  ///< … from now on behind every block with motion (M89)
     // tools and feeds as millers write them
     tool_length,
-    tool_radius,        ///< of tool_definition
+    tool_radius,  ///< of tool_definition
     delta_length,
     delta_radius,
-    delta_corner,       ///< allowances of the block's tool (DL, DR, DR2)
+    delta_corner,  ///< allowances of the block's tool (DL, DR, DR2)
     feed_per_rev,
-    feed_per_tooth,     ///< FU, FZ
-    pole_angle,         ///< angle about the pole that an arc sweeps, any number of turns (CP IPA)
+    feed_per_tooth,  ///< FU, FZ
+    pole_angle,      ///< angle about the pole that an arc sweeps, any number of turns (CP IPA)
 };
 
 /// What G codes and their named relatives mean. `number` goes with some of them.

@@ -39,6 +39,8 @@ inline constexpr program::Traits traits{
     .compensation_window = 99,
     .text_letters = "QS",
     .label_depth = 19,
+    .inch_feed = 2.54,  // 1/10 inch/min: iTNC 530 manual 60642x-03, page 506 (M116)
+    .needs_pole = true,
     .polar_from_position = true,
     .datum = {.prefix = "preset ",
               .article = "",

@@ -2,9 +2,10 @@
 /// Formatter for HEIDENHAIN programs: Klartext (.H) and DIN/ISO (.I). Text in, text out; the program stays the same.
 ///
 /// Blocks are numbered anew (Klartext 0, 1, 2 …; DIN/ISO N10, N20 …: only free contours refer to block numbers, and a
-/// program in which one does keeps them), one blank stands between words, keywords are upper case, coordinates carry their sign, blanks at line ends
-/// go. Comments, texts, names and paths stay as they are. formatted(formatted(p)) == formatted(p).
-/// Source of the looks: iTNC 530 User's Manual Conversational Programming (606 42x) and DIN/ISO Programming, listings.
+/// program in which one does keeps them), one blank stands between words, keywords are upper case, coordinates carry
+/// their sign, blanks at line ends go. Comments, texts, names and paths stay as they are. formatted(formatted(p)) ==
+/// formatted(p). Source of the looks: iTNC 530 User's Manual Conversational Programming (606 42x) and DIN/ISO
+/// Programming, listings.
 
 #include <cstdint>
 #include <optional>

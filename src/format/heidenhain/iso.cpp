@@ -132,7 +132,7 @@ private:
         if (!n.understood || (!n.number && first_numbered_)) return leave(line);
         if (comment || n.body.starts_with('*')) {
             Numbered kept = n;
-        kept.body = trim_right(n.body);
+            kept.body = trim_right(n.body);
             return write(count_.next(kept).append(kept.body));
         }
         block(n);

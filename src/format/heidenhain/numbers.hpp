@@ -10,7 +10,7 @@ namespace obrys::format::heidenhain {
 /// `12 L …`, `/12 L`, `12 /L`, `N10 G01`, `/N10`, `N10/`.
 struct Numbered {
     bool skip_before = false, number = false, skip_behind = false;
-    bool understood = true;  ///< false: digits that go on as something else (12.5)
+    bool understood = true;   ///< false: digits that go on as something else (12.5)
     std::string_view digits;  ///< of the number
     std::string_view body;    ///< behind it, blanks in front gone
 };

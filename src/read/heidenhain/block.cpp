@@ -16,8 +16,7 @@ void read_number(State& s) {
     const std::uint32_t from = s.in.at();
     while (base::is_digit(s.in.peek())) s.in.step();
     s.numbered = s.in.at() > from;
-    s.number = static_cast<std::uint32_t>(
-        base::parse_integer(s.in.between(from, s.in.at())).value_or(0) & 0xFFFFFFFF);
+    s.number = static_cast<std::uint32_t>(base::parse_integer(s.in.between(from, s.in.at())).value_or(0) & 0xFFFFFFFF);
     if (s.in.take('/')) skip = 1;
     s.in.skip_blanks();
     s.build.begin_block(skip);
@@ -172,8 +171,8 @@ void read_block(State& s) {
     const std::string_view word = s.in.letters();
     const std::uint32_t begin = s.in.at();
     if (!is(word, "CYCL") && !is(word, "CYCLE")) s.open_cycle = program::no_target;
-    if (word.empty() || (!read_structure(s, word) && !read_special_block(s, word) && !read_path_block(s, word) && !read_shop_block(s, word) &&
-                         !read_not_run(s, word))) {
+    if (word.empty() || (!read_structure(s, word) && !read_special_block(s, word) && !read_path_block(s, word) &&
+                         !read_shop_block(s, word) && !read_not_run(s, word))) {
         s.build.statement(StatementKind::block, s.block);
         s.in.go_to(begin);
         const std::string token = base::as_utf8(s.in.token());

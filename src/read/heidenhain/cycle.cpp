@@ -20,7 +20,8 @@ void add_setting(State& s, const dialect::CycleParameter& p, ExprId value, bool 
     setting.role = p.role;
     setting.value = value;
     setting.incremental = incremental;
-    setting.scales = p.unit != dialect::CycleUnit::plain;
+    setting.scales = p.unit == dialect::CycleUnit::length;
+    setting.is_feed = p.unit == dialect::CycleUnit::feed;
     setting.where = s.build.span(begin, s.in.at());
     open_cycle(s).settings.push_back(setting);
 }
@@ -68,7 +69,8 @@ bool read_parameter_line(State& s) {
     setting.where = s.build.span(begin, s.in.at());
     if (p != nullptr) {
         setting.role = p->role;
-        setting.scales = p->unit != dialect::CycleUnit::plain;
+        setting.scales = p->unit == dialect::CycleUnit::length;
+        setting.is_feed = p->unit == dialect::CycleUnit::feed;
         c.settings.push_back(setting);
         return true;
     }

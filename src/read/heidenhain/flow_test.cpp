@@ -35,7 +35,8 @@ TEST(KlartextFunction, ArithmeticOfFn) {
     EXPECT_EQ(one("FN 8: Q10 = +5 LEN +4"), "Q10=" + f(Function::root_of_squares, "5,4"));
     EXPECT_EQ(one("FN 13: Q20 = +10 ANG-Q1"), "Q20=" + f(Function::angle_of, "10,(neg Q1)"));
     EXPECT_EQ(one("FN 14: ERROR = 1005"), "procedure 1(1005)");
-    EXPECT_EQ(one("FN 18: SYSREAD Q99 = ID50 NR3 IDXQ99"), "Q99=" + system("ID50 NR3 IDXQ99", SystemVariable::table_corner_radius, "[Q99]"));
+    EXPECT_EQ(one("FN 18: SYSREAD Q99 = ID50 NR3 IDXQ99"),
+              "Q99=" + system("ID50 NR3 IDXQ99", SystemVariable::table_corner_radius, "[Q99]"));
     EXPECT_EQ(one("FN 18: SYSREAD Q99 = ID20 NR1"), "Q99=" + system("ID20 NR1", SystemVariable::tool_number, ""));
 }
 

@@ -23,35 +23,51 @@ struct Word {
 // Longer words before their beginnings.
 constexpr std::array approach_words{Word{"LEN", Datum::length}, Word{"CCA", Datum::centre_angle}};
 constexpr std::array free_words{
-    Word{"RCCPR", Datum::block_of_centre_radius}, Word{"RCCPA", Datum::block_of_centre_angle},
-    Word{"RCCX", Datum::block_of_centre_x},       Word{"RCCY", Datum::block_of_centre_y},
-    Word{"RPR", Datum::block_of_polar_radius},    Word{"RPA", Datum::block_of_polar_angle},
-    Word{"RAN", Datum::block_of_gradient},        Word{"RX", Datum::block_of_x},
-    Word{"RY", Datum::block_of_y},                Word{"CLSD", Datum::closed},
-    Word{"CCPR", Datum::centre_radius},           Word{"CCPA", Datum::centre_polar_angle},
-    Word{"CCX", Datum::centre_x},                 Word{"CCY", Datum::centre_y},
-    Word{"CCA", Datum::centre_angle},             Word{"P1X", Datum::point1_x},
-    Word{"P1Y", Datum::point1_y},                 Word{"P2X", Datum::point2_x},
-    Word{"P2Y", Datum::point2_y},                 Word{"P3X", Datum::point3_x},
-    Word{"P3Y", Datum::point3_y},                 Word{"PDX", Datum::beside_x},
-    Word{"PDY", Datum::beside_y},                 Word{"PAR", Datum::parallel},
-    Word{"PR", Datum::polar_radius},              Word{"PA", Datum::polar_angle},
-    Word{"LEN", Datum::length},                   Word{"AN", Datum::gradient},
-    Word{"DP", Datum::parallel_distance},         Word{"DR", Datum::sense},
-    Word{"X", Datum::x},                          Word{"Y", Datum::y},
+    Word{"RCCPR", Datum::block_of_centre_radius},
+    Word{"RCCPA", Datum::block_of_centre_angle},
+    Word{"RCCX", Datum::block_of_centre_x},
+    Word{"RCCY", Datum::block_of_centre_y},
+    Word{"RPR", Datum::block_of_polar_radius},
+    Word{"RPA", Datum::block_of_polar_angle},
+    Word{"RAN", Datum::block_of_gradient},
+    Word{"RX", Datum::block_of_x},
+    Word{"RY", Datum::block_of_y},
+    Word{"CLSD", Datum::closed},
+    Word{"CCPR", Datum::centre_radius},
+    Word{"CCPA", Datum::centre_polar_angle},
+    Word{"CCX", Datum::centre_x},
+    Word{"CCY", Datum::centre_y},
+    Word{"CCA", Datum::centre_angle},
+    Word{"P1X", Datum::point1_x},
+    Word{"P1Y", Datum::point1_y},
+    Word{"P2X", Datum::point2_x},
+    Word{"P2Y", Datum::point2_y},
+    Word{"P3X", Datum::point3_x},
+    Word{"P3Y", Datum::point3_y},
+    Word{"PDX", Datum::beside_x},
+    Word{"PDY", Datum::beside_y},
+    Word{"PAR", Datum::parallel},
+    Word{"PR", Datum::polar_radius},
+    Word{"PA", Datum::polar_angle},
+    Word{"LEN", Datum::length},
+    Word{"AN", Datum::gradient},
+    Word{"DP", Datum::parallel_distance},
+    Word{"DR", Datum::sense},
+    Word{"X", Datum::x},
+    Word{"Y", Datum::y},
     Word{"D", Datum::beside_distance},
 };
 constexpr std::array plane_words{
-    Word{"PROPR", Datum::angle_a},  Word{"PROMIN", Datum::angle_b}, Word{"EULPR", Datum::angle_a},
-    Word{"EULNU", Datum::angle_b},  Word{"EULROT", Datum::angle_c}, Word{"SPA", Datum::angle_a},
-    Word{"SPB", Datum::angle_b},    Word{"SPC", Datum::angle_c},    Word{"ROT", Datum::angle_c},
-    Word{"P1X", Datum::point1_x},   Word{"P1Y", Datum::point1_y},   Word{"P1Z", Datum::point1_z},
-    Word{"P2X", Datum::point2_x},   Word{"P2Y", Datum::point2_y},   Word{"P2Z", Datum::point2_z},
-    Word{"P3X", Datum::point3_x},   Word{"P3Y", Datum::point3_y},   Word{"P3Z", Datum::point3_z},
-    Word{"BX", Datum::vector_x},    Word{"BY", Datum::vector_y},    Word{"BZ", Datum::vector_z},
-    Word{"NX", Datum::normal_x},    Word{"NY", Datum::normal_y},    Word{"NZ", Datum::normal_z},
-    Word{"DIST", Datum::distance},  Word{"SEQ", Datum::side},       Word{"A", Datum::angle_a},
-    Word{"B", Datum::angle_b},      Word{"C", Datum::angle_c},
+    Word{"PROPR", Datum::angle_a}, Word{"PROMIN", Datum::angle_b}, Word{"EULPR", Datum::angle_a},
+    Word{"EULNU", Datum::angle_b}, Word{"EULROT", Datum::angle_c}, Word{"SPA", Datum::angle_a},
+    Word{"SPB", Datum::angle_b},   Word{"SPC", Datum::angle_c},    Word{"ROT", Datum::angle_c},
+    Word{"P1X", Datum::point1_x},  Word{"P1Y", Datum::point1_y},   Word{"P1Z", Datum::point1_z},
+    Word{"P2X", Datum::point2_x},  Word{"P2Y", Datum::point2_y},   Word{"P2Z", Datum::point2_z},
+    Word{"P3X", Datum::point3_x},  Word{"P3Y", Datum::point3_y},   Word{"P3Z", Datum::point3_z},
+    Word{"BX", Datum::vector_x},   Word{"BY", Datum::vector_y},    Word{"BZ", Datum::vector_z},
+    Word{"NX", Datum::normal_x},   Word{"NY", Datum::normal_y},    Word{"NZ", Datum::normal_z},
+    Word{"DIST", Datum::distance}, Word{"SEQ", Datum::side},       Word{"A", Datum::angle_a},
+    Word{"B", Datum::angle_b},     Word{"C", Datum::angle_c},
 };
 
 void add(State& s, Special& special, Datum datum, ExprId value, bool incremental, std::uint32_t begin, char axis = 0) {
@@ -84,7 +100,8 @@ bool read_datum(State& s, Special& special, std::span<const Word> words) {
         s.in.take('[');
         const Value v = read_value(s);
         if (!v.found) {
-            fail(s, begin, "the word '" + std::string(w.text) + "' has no value: a number or a Q parameter must follow");
+            fail(s, begin,
+                 "the word '" + std::string(w.text) + "' has no value: a number or a Q parameter must follow");
             return true;
         }
         const ExprId value = as_expr(s, v);
@@ -207,7 +224,8 @@ void read_plane(State& s, std::uint32_t begin) {
             return read_special(s, o.kind, o.family, begin);
         }
     s.build.statement(StatementKind::block, s.block);
-    fail_here(s, "SPATIAL, PROJECTED, EULER, VECTOR, POINTS, RELATIV, AXIAL or RESET is due behind PLANE, found " + here(s));
+    fail_here(
+        s, "SPATIAL, PROJECTED, EULER, VECTOR, POINTS, RELATIV, AXIAL or RESET is due behind PLANE, found " + here(s));
 }
 
 void read_select(State& s, std::uint32_t begin) {
