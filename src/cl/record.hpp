@@ -124,7 +124,7 @@ struct Comment {
 
 /// Zero of the workpiece frame in machine coordinates, from here on; NaN where it is not known.
 struct Datum {
-    std::uint32_t number = 0;  ///< as the control names it: 54, 505; 0 = machine frame itself
+    std::uint32_t number = 0;  ///< 54, 505; 500: none selected; 1000 …: presets 0 …; 0 = machine frame itself
     geom::Vec3 origin;
     bool operator==(const Datum&) const = default;
 };

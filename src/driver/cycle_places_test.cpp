@@ -39,9 +39,8 @@ std::vector<cl::Step> run(const std::vector<Text>& texts, const std::string& abo
         const auto found = units.find(name);
         return found == units.end() ? nullptr : &found->second;
     };
-    const auto no_table = [](std::string_view) -> const shop::HeidenhainTable* { return nullptr; };
     const interp::Environment environment{sources, names, machine,     tools,     overrides, budgets,
-                                          skip,    find,  definitions, variables, no_table};
+                                          skip,    find,  definitions, variables};
     cl::CallStacks stacks;
     std::vector<cl::Step> steps;
     interp::run(

@@ -145,6 +145,19 @@ const Control* choose_control(Session& s, const Request& request, std::uint32_t 
     return guess.control;
 }
 
+/// Tables and forms lie where called programs do, or where the job says.
+void find_shop_files(Session& s, const Request& request, const fs::path& program) {
+    s.files = std::make_unique<ShopFiles>(s.sources, s.diagnostics);
+    s.files->add_folder(program.parent_path());
+    for (const std::string& folder : request.search) s.files->add_folder(folder);
+    for (const std::string& folder : s.job.search) s.files->add_folder(beside(request.input, folder));
+    for (const std::string& name : s.job.datum_tables) s.files->add_file(beside(request.input, name));
+    if (!request.prints.empty())
+        s.files->print_to(request.prints);
+    else if (!s.job.prints.empty())
+        s.files->print_to(beside(request.input, s.job.prints));
+}
+
 bool read_main(Session& s, const Request& request, const fs::path& path) {
     const auto file = load(path, s.sources, s.diagnostics, s.job.program_where);
     if (!file) return false;
@@ -155,6 +168,7 @@ bool read_main(Session& s, const Request& request, const fs::path& path) {
     s.programs->add_folder(path.parent_path());
     for (const std::string& folder : request.search) s.programs->add_folder(folder);
     for (const std::string& folder : s.job.search) s.programs->add_folder(beside(request.input, folder));
+    find_shop_files(s, request, path);
     s.main = s.programs->read(*file);
     s.programs->read_definitions();
     if (s.main == nullptr) complain(s, codes::syntax, {*file, 0, 0}, "this file holds no program");
@@ -187,10 +201,18 @@ bool open(const Request& request, Session& s) {
             complain(s, codes::file_missing, nowhere, "--search " + folder + " is not a folder");
             good = false;
         }
+    const fs::path prints = !request.prints.empty() ? fs::path(request.prints) : beside(input, s.job.prints);
+    if ((!request.prints.empty() || !s.job.prints.empty()) && !fs::is_directory(prints)) {
+        complain(s, codes::file_missing, nowhere,
+                 prints.generic_string() + ", where programs shall print to, is not a folder", "make it before");
+        good = false;
+    }
     if (!good || !read_main(s, request, program) || !choose_machine(s, request, input)) return false;
     s.job.skip_levels.insert(s.job.skip_levels.end(), request.skip.begin(), request.skip.end());
     if (request.diameter) s.job.machine.defaults.diameter_programming = *request.diameter;
     load_tools(s, input);
+    for (const std::string& name : s.job.preset_tables)
+        add_presets(beside(input, name), s.job.program_where, s.sources, s.diagnostics, s.job.machine);
     resolve_contours(s, input);
     return !std::any_of(s.diagnostics.all().begin(), s.diagnostics.all().end(), [](const base::Diagnostic& d) {
         return d.severity == base::Severity::error && base::kind_of(d.code) == base::CodeKind::input;
@@ -199,7 +221,6 @@ bool open(const Request& request, Session& s) {
 
 interp::Outcome interpret(Session& s, cl::Sink sink) {
     const auto find = [&](std::string_view name) { return s.programs->find(name); };
-    const auto find_table = [&](std::string_view name) { return s.programs->find_table(name); };
     const interp::Environment environment{s.sources,
                                           s.programs->names(),
                                           s.job.machine,
@@ -210,8 +231,10 @@ interp::Outcome interpret(Session& s, cl::Sink sink) {
                                           find,
                                           s.programs->definitions(),
                                           s.job.variables,
-                                          find_table};
-    return interp::run(*s.main, environment, s.stacks, sink, s.diagnostics);
+                                          s.files.get()};
+    interp::Outcome outcome = interp::run(*s.main, environment, s.stacks, sink, s.diagnostics);
+    if (s.files) s.files->write_printed();  // none where a session was put together without files
+    return outcome;
 }
 
 }  // namespace obrys::driver

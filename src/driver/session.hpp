@@ -9,6 +9,7 @@
 #include "base/diagnostic.hpp"
 #include "cl/stacks.hpp"
 #include "driver/programs.hpp"
+#include "driver/shop_files.hpp"
 #include "interp/interp.hpp"
 #include "shop/job.hpp"
 
@@ -21,6 +22,7 @@ struct Request {
     std::vector<std::string> set;     ///< "R3=150"
     std::vector<std::string> search;  ///< folders
     std::vector<int> skip;            ///< block skip levels that are on
+    std::string prints;               ///< folder for what programs print; empty: as the job says, else nowhere
     std::optional<bool> diameter;     ///< X words are diameters at the start
 };
 
@@ -31,6 +33,7 @@ struct Session {
     std::string program;  ///< path of the main program, as shown
     std::string control;
     std::unique_ptr<Programs> programs;
+    std::unique_ptr<ShopFiles> files;
     const program::Unit* main = nullptr;
     std::optional<geom::Region> part, allowance;
     cl::CallStacks stacks;

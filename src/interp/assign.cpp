@@ -244,6 +244,29 @@ void assign_frame(Run& run, const Expr& target, const program::Assign& a) {
     update_frame(run);
 }
 
+/// A dimension of tool [n]; 0: of the one in the spindle.
+void write_tool_column(Run& run, const Expr& target, const program::Assign& a, double value) {
+    using program::SystemVariable;
+    const double n = target.count == 0 ? 0 : number(run, run.unit().children[target.b]);
+    const auto found = std::find_if(run.tools.begin(), run.tools.end(),
+                                    [&](const shop::Tool& t) { return t.number == (n == 0 ? run.tool.number : n); });
+    if (run.stopped || run.capture != nullptr) return;
+    if (found == run.tools.end() || std::isnan(value)) {
+        unchecked(run, codes::unknown_value, run.unit().span(a.target),
+                  "this tool, or what its table shall hold, is not known: nothing is written");
+        return;
+    }
+    const double mm = run.modal.inch_geometry ? value * 25.4 : value;
+    switch (static_cast<SystemVariable>(target.op)) {
+        case SystemVariable::table_length: found->length = mm; break;
+        case SystemVariable::table_radius: found->radius = mm; break;
+        case SystemVariable::table_corner_radius: found->corner_radius = mm; break;
+        case SystemVariable::table_delta_length: found->delta_length = mm; break;
+        case SystemVariable::table_delta_radius: found->delta_radius = mm; break;
+        default: found->delta_corner_radius = mm; break;
+    }
+}
+
 void assign_system(Run& run, const Expr& target, const program::Assign& a) {
     using program::SystemVariable;
     switch (static_cast<SystemVariable>(target.op)) {
@@ -270,6 +293,9 @@ void assign_system(Run& run, const Expr& target, const program::Assign& a) {
     }
     const Value v = evaluate(run, a.value);
     if (run.stopped) return;
+    const auto column = static_cast<SystemVariable>(target.op);
+    if (column >= SystemVariable::table_length && column <= SystemVariable::table_delta_corner)
+        return write_tool_column(run, target, a, v.number);
     run.system_written[system_key(run, target)] = v;
     if (static_cast<SystemVariable>(target.op) == SystemVariable::tool_parameter && target.count >= 1) {
         const double tool = number(run, run.unit().children[target.b]);
@@ -283,6 +309,13 @@ void assign_system(Run& run, const Expr& target, const program::Assign& a) {
 }
 
 }  // namespace
+
+void assign_text(Run& run, ExprId target, const std::string& text) {
+    const Expr& e = run.unit().exprs[target];
+    const Binding* b = find_variable(run, e.a);
+    if (b == nullptr) b = text_parameter(run, e.a);
+    if (b != nullptr) store(run, *b->array, b->offset, Value::string(text), run.unit().span(target));
+}
 
 void assign(Run& run, const program::Assign& a) {
     const Expr& target = run.unit().exprs[a.target];

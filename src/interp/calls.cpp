@@ -337,11 +337,22 @@ void procedure(Run& run, const program::ProcedureCall& p) {
             const Value v = p.arguments.empty() ? Value{} : evaluate(run, p.arguments[0]);
             std::string text = p.arguments.size() > 1 ? ": " + printed(evaluate(run, p.arguments[1])) : std::string{};
             if (text.empty() && !run.last_message.empty()) text = ": " + run.last_message;
-            if (!run.stopped)
-                alarm(run, codes::program_alarm, p.where, "the program stops itself with alarm " + printed(v) + text);
+            const auto known = run.traits->alarm_text;
+            const bool plain = v.number >= 0 && v.number < 1e9;
+            const std::string shown = known != nullptr && plain ? known(static_cast<int>(v.number)) : "alarm " + printed(v);
+            if (!run.stopped) alarm(run, codes::program_alarm, p.where, "the program stops itself with " + shown + text);
             return;
         }
         case program::Procedure::master_spindle: return;
+        case program::Procedure::select_datums:
+            run.datum_table = base::to_upper(printed(evaluate(run, p.arguments[0])));
+            return;
+        case program::Procedure::set_datum: return set_own_datum(run, p);
+        case program::Procedure::print_form: return print_form(run, p);
+        case program::Procedure::print_values: return print_values(run, p);
+        case program::Procedure::open_table: return open_table(run, p);
+        case program::Procedure::write_table: return write_table(run, p);
+        case program::Procedure::read_table: return read_table(run, p);
     }
 }
 

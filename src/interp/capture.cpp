@@ -37,6 +37,7 @@ struct Rehearsal::Saved {
     const Unit* contour_unit;
     CallPattern pattern;
     std::vector<ContourChoice> contour_choices;
+    std::string datum_table, open_table;
 };
 
 Rehearsal::Rehearsal(Run& r)
@@ -74,7 +75,9 @@ Rehearsal::Rehearsal(Run& r)
                        r.contour_train_data,
                        r.contour_unit,
                        r.pattern,
-                       r.contour_choices}) {
+                       r.contour_choices,
+                       r.datum_table,
+                       r.open_table}) {
     run_.capture = &elements_;
 }
 
@@ -114,6 +117,8 @@ Rehearsal::~Rehearsal() {
     run_.contour_unit = s.contour_unit;
     run_.pattern = std::move(s.pattern);
     run_.contour_choices = std::move(s.contour_choices);
+    run_.datum_table = std::move(s.datum_table);
+    run_.open_table = std::move(s.open_table);
 }
 
 std::optional<Captured> next_element(Run& run, const geom::Vec3& from) {

@@ -30,8 +30,9 @@ void emit_datum(Run& run) {
     const auto& known = run.env.machine.datums;
     if (const auto found = known.find(run.reference_datum); found != known.end())
         d.origin = found->second;
-    else if (run.reference_datum == 500 && !known.empty())
+    else if (run.reference_datum == program::no_datum && run.traits->datum.none_is_machine_zero && !known.empty())
         d.origin = {};  // the machine's own zero
+    if (run.env.machine.datum_rotations.contains(run.reference_datum)) d.origin.x = d.origin.y = unknown;
     emit(run, d);
 }
 

@@ -117,9 +117,22 @@ double condition(Run& run, ExprId id) {
 
 }  // namespace
 
+namespace {
+constexpr std::uint64_t most_unknown_conditions = 100'000;
+}
+
 bool truth(Run& run, ExprId id, bool when_unknown) {
     const double v = condition(run, id);
     if (!std::isnan(v)) return v != 0;
+    if (++run.unknown_conditions > most_unknown_conditions) {
+        unchecked(run, codes::budget, run.here(),
+                  "the run was ended here: conditions with values that are not known were met " +
+                      std::to_string(most_unknown_conditions) + " times, so that its loops may have no end",
+                  "give what is not known, e.g. the tools in the job");
+        run.stopped = true;
+        run.ending = Ending::budget;
+        return when_unknown;
+    }
     unchecked(run, codes::unknown_value, run.unit().span(id), "this condition depends on a value that is not known",
               std::string("it is taken as ") + (when_unknown ? "fulfilled" : "not fulfilled") +
                   "; the run may go another way on the machine");

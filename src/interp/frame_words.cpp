@@ -41,18 +41,32 @@ geom::Frame part_of(Run& run, FrameOp op) {
     return op == FrameOp::shift ? geom::Frame::shift(shift) : geom::Frame::scaling(factors);
 }
 
-/// Shift between the active datum and the one the stream's coordinates are in; nothing where it is not known.
+/// Where a datum lies in the machine, with its basic rotation about Z.
+struct DatumPlace {
+    geom::Vec3 origin;
+    double rotation = 0;
+};
+std::optional<DatumPlace> datum_place(const Run& run, std::uint32_t n) {
+    const shop::Machine& machine = run.env.machine;
+    if (const auto found = machine.datums.find(n); found != machine.datums.end()) {
+        const auto turned = machine.datum_rotations.find(n);
+        return DatumPlace{found->second, turned == machine.datum_rotations.end() ? 0 : turned->second};
+    }
+    if (n == program::no_datum && run.traits->datum.none_is_machine_zero) return DatumPlace{};
+    return std::nullopt;
+}
+
+/// Way between the active datum and the one the stream's coordinates are in; nothing where it is not known.
 std::optional<geom::Frame> datum_shift(const Run& run) {
-    const auto origin = [&](std::uint32_t n) -> std::optional<geom::Vec3> {
-        const auto found = run.env.machine.datums.find(n);
-        if (found != run.env.machine.datums.end()) return found->second;
-        if (n == 500) return geom::Vec3{};  // base frame: the machine's own zero
-        return std::nullopt;
-    };
     if (run.modal.datum == run.reference_datum) return geom::Frame{};
-    const auto active = origin(run.modal.datum), reference = origin(run.reference_datum);
-    if (!active || !reference) return std::nullopt;
-    return geom::Frame::shift(*active - *reference);
+    const auto active = datum_place(run, run.modal.datum), reference = datum_place(run, run.reference_datum);
+    if (!active || !reference || !geom::is_finite(active->origin - reference->origin)) return std::nullopt;
+    if (active->rotation == 0 && reference->rotation == 0)
+        return geom::Frame::shift(active->origin - reference->origin);
+    const auto frame = [](const DatumPlace& p) {
+        return geom::Frame::shift(p.origin) * geom::Frame::rotation(2, p.rotation);
+    };
+    return geom::inverse(frame(*reference)) * frame(*active);
 }
 
 bool has_unknown(const BlockWords& b) {
@@ -68,6 +82,8 @@ void update_frame(Run& run) {
     const std::optional<geom::Frame> shift = datum_shift(run);
     run.datum_known = shift.has_value();
     run.frame = shift.value_or(geom::Frame{}) * run.modal.programmed;
+    if (run.modal.datum_offset != geom::Vec3{})
+        run.frame = shift.value_or(geom::Frame{}) * geom::Frame::shift(run.modal.datum_offset) * run.modal.programmed;
     run.frame_is_identity = run.frame == geom::Frame{};
     if (!geom::is_invertible(run.frame)) {
         alarm(run, codes::value_range, run.here(), "a scale factor of 0 leaves no coordinate system");

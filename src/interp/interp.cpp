@@ -1,5 +1,6 @@
 #include "interp/interp.hpp"
 
+#include <cmath>
 #include <limits>
 
 #include "base/codes.hpp"
@@ -95,6 +96,18 @@ void take_variables(Run& run) {
     }
 }
 
+/// The first preset that a cycle of the program selects by a plain number.
+std::uint32_t first_preset(const Run& run, const Unit& main) {
+    for (const program::CycleDefinition& c : main.cycles)
+        for (const program::CycleSetting& s : c.settings) {
+            if (s.role != program::CycleRole::preset_number || main.exprs[s.value].kind != program::ExprKind::number)
+                continue;
+            const double n = main.numbers[main.exprs[s.value].a];
+            if (n >= 0 && n <= 99'999 && n == std::floor(n)) return run.traits->datum.first + static_cast<std::uint32_t>(n);
+        }
+    return program::no_datum;
+}
+
 /// The stream's coordinates are in the first settable datum that the main program selects.
 void choose_reference_datum(Run& run, const Unit& main) {
     for (const program::Word& w : main.words) {
@@ -104,6 +117,7 @@ void choose_reference_datum(Run& run, const Unit& main) {
         run.reference_datum = static_cast<std::uint32_t>(program::modal_number(w));
         break;
     }
+    if (run.reference_datum == program::no_datum) run.reference_datum = first_preset(run, main);
     update_frame(run);
 }
 
@@ -213,16 +227,18 @@ void step(Run& run) {
 Outcome run(const program::Unit& main, const Environment& environment, cl::CallStacks& stacks, cl::Sink sink,
             base::Diagnostics& diagnostics) {
     Run run(environment, stacks, sink, diagnostics, program::parameter_count(*main.traits));
+    run.traits = main.traits;
     take_overrides(run, *main.traits);
     define_globals(run);
     take_variables(run);
     choose_reference_datum(run, main);
     enter(run, main, nullptr, {});
+    control_sets_all(run);
     while (!run.stopped) step(run);
     flush_path(run);
     Outcome outcome{run.ending, run.blocks, {}};
     for (std::uint32_t n = 0; n < run.parameters.count(); ++n)
-        if (run.parameters.is_set(n))
+        if (run.parameters.is_assigned(n))
             outcome.parameters.push_back({program::parameter_name(*main.traits, n), run.parameters.get(n)});
     return outcome;
 }

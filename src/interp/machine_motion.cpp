@@ -1,5 +1,6 @@
 /// Motion in machine coordinates: G74, G75, SUPA, G53, G153.
 
+#include <cmath>
 #include <limits>
 
 #include "base/codes.hpp"
@@ -13,18 +14,22 @@ namespace {
 
 constexpr double unknown = std::numeric_limits<double>::quiet_NaN();
 
-/// Machine coordinates as stream coordinates; NaN where the datum is not known.
+/// Machine coordinates as stream coordinates; NaN where the datum is not known, or is turned against the machine.
 double from_machine(const Run& run, int k, double machine) {
-    const auto known = run.env.machine.datums.find(run.reference_datum);
-    return known == run.env.machine.datums.end() ? unknown : machine - coordinate(known->second, k);
+    const shop::Machine& m = run.env.machine;
+    const auto known = m.datums.find(run.reference_datum);
+    if (known == m.datums.end() || (k < 2 && m.datum_rotations.contains(run.reference_datum))) return unknown;
+    return machine - coordinate(known->second, k);
 }
 
 void unknown_machine_position(Run& run) {
-    if (run.env.machine.datums.contains(run.reference_datum)) return;
+    bool known = run.env.machine.datums.contains(run.reference_datum);
+    for (int k = 0; k < 3 && known; ++k) known = !run.block.has(axis_code(k)) || !std::isnan(from_machine(run, k, 0));
+    if (known) return;
     unchecked(run, codes::unknown_value, run.here(),
-              "this block moves in machine coordinates and the zero offset G" + std::to_string(run.reference_datum) +
+              "this block moves in machine coordinates and " + program::datum_phrase(*run.traits, run.reference_datum) +
                   " is not known: where it ends in the workpiece is not known",
-              "give the offset in [datum] of the job, e.g. G" + std::to_string(run.reference_datum) +
+              "give the offset in [datum] of the job, e.g. " + program::datum_key(*run.traits, run.reference_datum) +
                   " = { x = 0.0, y = 0.0, z = -350.0 }");
 }
 

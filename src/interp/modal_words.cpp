@@ -50,14 +50,6 @@ void set_surface_speed(Run& run, bool on, int number) {
     if (number == 961 || number == 971) set_feed_mode(run, cl::FeedMode::per_minute);
 }
 
-void set_datum(Run& run, std::uint32_t number) {
-    if (run.modal.datum == number) return;
-    flush_path(run);
-    run.modal.datum = number;
-    if (!run.moved && run.reference_datum == 500) run.reference_datum = number;
-    update_frame(run);
-}
-
 /// G94 and G95 stand in one group with G96: they end it (SINUMERIK Programming Manual Fundamentals, G96). Easily
 /// missed.
 void plain_feed(Run& run, cl::FeedMode mode) {
@@ -123,6 +115,14 @@ bool dimension_word(ModalState& state, Modal m) {
 }
 
 }  // namespace
+
+void set_datum(Run& run, std::uint32_t number) {
+    if (run.modal.datum == number) return;
+    flush_path(run);
+    run.modal.datum = number;
+    if (!run.moved && run.reference_datum == 500) run.reference_datum = number;
+    update_frame(run);
+}
 
 void modal_word(Run& run, const program::Word& w) {
     const Modal m = program::modal_of(w);

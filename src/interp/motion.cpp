@@ -33,6 +33,9 @@ void require_axis(Run& run, const std::string& name) {
 
 void extra_axis(Run& run, const std::string& name, double value, std::uint8_t reference, bool rotary_by_letter) {
     require_axis(run, name);
+    if (std::isnan(value))
+        unchecked(run, codes::unknown_value, run.here(),
+                  "where axis " + name + " goes depends on a value that is not known");
     const shop::MachineAxis* known = machine_axis(run, name);
     const bool rotary = known != nullptr ? known->rotary : rotary_by_letter;
     double to = rotary ? value : value * (run.modal.inch_geometry ? 25.4 : 1);
@@ -196,12 +199,14 @@ void begin_motion(Run& run) {
     run.moved = true;
     emit_datum(run);
     if (run.datum_known) return;
-    const std::string active = "G" + std::to_string(run.modal.datum),
-                      reference = "G" + std::to_string(run.reference_datum);
+    const program::Traits& t = *run.traits;
+    const std::string active = program::datum_name(t, run.modal.datum),
+                      reference = program::datum_name(t, run.reference_datum),
+                      key = program::datum_key(
+                          t, run.modal.datum == program::no_datum ? run.reference_datum : run.modal.datum);
     unchecked(run, codes::unknown_value, run.here(),
               "where " + active + " lies against " + reference + " is not known: both are taken as the same zero",
-              "give the offsets in [datum] of the job, e.g. " + (run.modal.datum == 500 ? reference : active) +
-                  " = { x = 0.0, z = 120.0 }");
+              "give the offsets in [datum] of the job, e.g. " + key + " = { x = 0.0, z = 120.0 }");
 }
 
 bool is_incremental(const Run& run, std::uint8_t reference) {

@@ -93,7 +93,7 @@ void add_table(Run& run, const std::string& name, const base::Span& where) {
         run.pattern.points = known->second;
         return;
     }
-    const shop::HeidenhainTable* table = run.env.find_table(name);
+    const shop::HeidenhainTable* table = run.env.files == nullptr ? nullptr : run.env.files->table(name);
     if (table == nullptr) {
         unchecked(run, codes::unknown_value, where,
                   "the point table " + name + " was not found: no cycle is called at its points",

@@ -5,6 +5,7 @@
 #include <bit>
 #include <chrono>
 #include <cstdint>
+#include <initializer_list>
 #include <limits>
 #include <map>
 #include <memory>
@@ -53,6 +54,7 @@ struct ModalState {
     int look_ahead = 0;  ///< contour elements that compensation looks ahead (M120 LA)
     Modal feed_reference = Modal::feed_at_contour;
     std::uint32_t datum = 500;
+    geom::Vec3 datum_offset;  ///< of a datum that the program sets itself (FN 25), in the selected one, mm
     geom::Frame programmed;  ///< TRANS, ROT, SCALE, MIRROR; product of `transforms` where there are any
     std::vector<Transform> transforms;
     Modal last_sense = Modal::linear;  ///< of the last arc; linear: none yet
@@ -202,6 +204,7 @@ struct Run {
     ~Run();
 
     const Environment& env;
+    const program::Traits* traits = nullptr;  ///< of the main program
     cl::CallStacks& stacks;
     cl::Sink sink;
     base::Diagnostics& diagnostics;
@@ -228,6 +231,9 @@ struct Run {
     ActiveCycle cycle;                        ///< the last one that is active on call
     std::vector<std::string> contour_labels;  ///< of the contour that contour cycles work on
     const Unit* contour_unit = nullptr;       ///< the program whose labels these are
+    std::string datum_table;                  ///< selected by the program; empty: the one that is active on the control
+    std::set<std::string> printed_files;      ///< that the program has begun to print to
+    std::string open_table;                   ///< freely definable table (FN 26)
     ActiveCycle contour_data, contour_train_data;
     CallPattern pattern;
     std::map<std::string, std::vector<CallPattern::Point>> point_tables;  ///< read so far
@@ -255,6 +261,7 @@ struct Run {
     bool stopped = false;                           ///< alarm, budget or program end
     Ending ending = Ending::regular;
     std::uint64_t blocks = 0;
+    std::uint64_t unknown_conditions = 0;  ///< that were met
     std::chrono::steady_clock::time_point started;
     std::unordered_set<std::uint64_t> reported;  ///< complaints already made, by place and code
     std::set<std::string> assumed;
@@ -297,6 +304,8 @@ void assign(Run&, const program::Assign&);
 /// constant.
 void assign_number(Run&, std::uint32_t parameter, ExprId value, double v, const base::Span& where);
 /// Converts and stores; alarm where the value does not fit.
+/// Sets a parameter that holds text (QS5).
+void assign_text(Run&, ExprId target, const std::string& text);
 void store(Run&, Array& array, std::size_t index, Value v, const base::Span& where);
 void define(Run&, const program::Define&, Scope& scope, const Unit& unit);
 [[nodiscard]] const Binding* find_variable(const Run&, program::NameId);
@@ -351,6 +360,17 @@ void define_cycle(Run&, const program::CycleDefinition&);
 void call_cycle(Run&);
 /// A cycle that acts at its definition; false where obrys does not run it.
 [[nodiscard]] bool act_at_definition(Run&, const ActiveCycle&);
+/// Datum shift by a row of the datum table (datums.cpp).
+void shift_by_table(Run&, const program::CycleDefinition&, double row);
+/// Shift that is in force and can be changed, and a new one in its place (transform.cpp).
+[[nodiscard]] geom::Vec3 active_shift(const Run&);
+void set_shift(Run&, const geom::Vec3&);
+/// Ends shift, mirror, rotation and scaling; a tilted plane stays.
+void keep_plane_alone(Run&);
+/// A datum of the control's own: settable offset or preset (modal_words.cpp).
+void set_datum(Run&, std::uint32_t number);
+/// Cycle 247: a preset by its number, which ends shift, mirror, rotation and scaling (datums.cpp).
+void select_preset(Run&, const program::CycleDefinition&, double number);
 /// The tilted working plane in force, and a new one in its place.
 [[nodiscard]] geom::Frame active_plane(const Run&);
 void tilt(Run&, const geom::Frame&);
@@ -364,6 +384,18 @@ void call_cycle_at_pattern(Run&);
 void contour_statement(Run&, const program::ContourStatement&);
 /// The program that a text names, path and suffix or not; null after a complaint.
 [[nodiscard]] const Unit* find_named_program(Run&, const std::string& written, const base::Span& where);
+
+// --- what the control writes into parameters (control_parameters.cpp)
+void control_sets(Run&, std::initializer_list<program::ControlValue>);
+void control_sets_all(Run&);
+
+// --- procedures of the control (datums.cpp, output.cpp, table_access.cpp)
+void set_own_datum(Run&, const program::ProcedureCall&);
+void print_form(Run&, const program::ProcedureCall&);
+void print_values(Run&, const program::ProcedureCall&);
+void open_table(Run&, const program::ProcedureCall&);
+void write_table(Run&, const program::ProcedureCall&);
+void read_table(Run&, const program::ProcedureCall&);
 
 // --- output (emit.cpp)
 void emit(Run&, cl::Step step);

@@ -91,7 +91,9 @@ std::optional<double> of_run(const Run& run, SystemVariable v) {
                     return geom::degrees(std::atan2(coordinate(turned, a.v), coordinate(turned, a.u)));
                 }
             return 0;
-        case SystemVariable::active_datum: return run.modal.datum == 500 ? 0 : run.modal.datum;
+        case SystemVariable::active_datum:
+            if (run.modal.datum != program::no_datum) return run.modal.datum - run.traits->datum.first;
+            return run.traits->datum.none_is_machine_zero ? std::optional<double>(0) : std::nullopt;
         default: return std::nullopt;
     }
 }

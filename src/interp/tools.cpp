@@ -10,6 +10,7 @@
 namespace obrys::interp {
 
 namespace codes = base::codes;
+using program::ControlValue;
 
 namespace {
 
@@ -62,9 +63,11 @@ bool changes_on_m6(const Run& run) { return run.env.machine.kind == shop::Machin
 void emit_tool(Run& run) {
     run.tool.data = find_tool(run, run.tool);
     emit(run, cl::ToolChange{run.tool.number, run.tool.edge, run.tool.name});
+    control_sets(run, {ControlValue::tool_axis});
 }
 
 void emit_spindle(Run& run) {
+    control_sets(run, {ControlValue::spindle_state});
     cl::Spindle s;
     if (std::isnan(run.spindle.speed) && run.spindle.direction != 0) return;  // the stream keeps the last known one
     s.speed = run.spindle.direction == 0 && std::isnan(run.spindle.speed) ? 0 : run.spindle.speed;
@@ -158,6 +161,7 @@ void feed_word(Run& run) {
 void coolant(Run& run, int m) {
     const auto state = m == 7 ? cl::CoolantState::mist : m == 8 ? cl::CoolantState::flood : cl::CoolantState::off;
     run.coolant_on = state != cl::CoolantState::off;
+    control_sets(run, {ControlValue::coolant_state});
     emit(run, cl::Coolant{state});
 }
 
@@ -243,6 +247,7 @@ void select_tool(Run& run) {
     bool changed = false;
     if (b.has(Code::tool_definition)) {
         define_tool(run);
+        control_sets(run, {ControlValue::tool_radius, ControlValue::tool_length});
         return;
     }
     if (b.has(Code::tool)) {
@@ -288,6 +293,7 @@ void select_tool(Run& run) {
         run.tool.edge = edge;
     }
     if (changed) emit_tool(run);
+    if (changed || b.has(Code::tool_change)) control_sets(run, {ControlValue::tool_radius, ControlValue::tool_length});
 }
 
 void technology(Run& run) {

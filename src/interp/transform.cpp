@@ -33,10 +33,28 @@ Written find(const Run& run, const ActiveCycle& c, CycleRole role) {
 constexpr CycleRole axis_roles[3] = {CycleRole::axis_x, CycleRole::axis_y, CycleRole::axis_z};
 constexpr CycleRole centre_roles[3] = {CycleRole::centre_x, CycleRole::centre_y, CycleRole::centre_z};
 
+/// Transformations act in the order in which they were programmed: what stands behind a tilted plane moves within it,
+/// what stood before it stays as it is. Source: iTNC 530 User's Manual Cycle Programming, "Combining coordinate
+/// transformation cycles" of cycle 19; TNC 620 User's Manual, "Workpiece coordinate system".
+std::vector<Transform>::iterator find(Run& run, TransformKind kind) {
+    auto& all = run.modal.transforms;
+    auto from = all.begin();
+    if (kind != TransformKind::plane)
+        for (auto t = all.begin(); t != all.end(); ++t)
+            if (t->kind == TransformKind::plane) from = t;
+    return std::find_if(from, all.end(), [&](const auto& t) { return t.kind == kind; });
+}
+
+void update_programmed(Run& run) {
+    run.modal.programmed = {};
+    for (const Transform& t : run.modal.transforms) run.modal.programmed = run.modal.programmed * t.frame;
+    update_frame(run);
+}
+
 /// Puts a transformation in its place: where it was, else behind those already active; out of it when it does nothing.
 void place(Run& run, TransformKind kind, const geom::Frame& frame) {
     auto& all = run.modal.transforms;
-    const auto at = std::find_if(all.begin(), all.end(), [&](const auto& t) { return t.kind == kind; });
+    const auto at = find(run, kind);
     if (frame == geom::Frame{}) {
         if (at != all.end()) all.erase(at);
     } else if (at != all.end()) {
@@ -44,15 +62,16 @@ void place(Run& run, TransformKind kind, const geom::Frame& frame) {
     } else {
         all.push_back({kind, frame});
     }
-    run.modal.programmed = {};
-    for (const Transform& t : all) run.modal.programmed = run.modal.programmed * t.frame;
-    update_frame(run);
+    update_programmed(run);
 }
 
 geom::Frame active(const Run& run, TransformKind kind) {
-    for (const Transform& t : run.modal.transforms)
-        if (t.kind == kind) return t.frame;
-    return {};
+    geom::Frame found;
+    for (const Transform& t : run.modal.transforms) {
+        if (t.kind == TransformKind::plane && kind != TransformKind::plane) found = {};
+        if (t.kind == kind) found = t.frame;
+    }
+    return found;
 }
 
 bool unknown_value(Run& run, const ActiveCycle& c) {
@@ -62,19 +81,23 @@ bool unknown_value(Run& run, const ActiveCycle& c) {
     return true;
 }
 
+constexpr CycleRole other_axes[6] = {CycleRole::axis_a, CycleRole::axis_b, CycleRole::axis_c,
+                                     CycleRole::axis_u, CycleRole::axis_v, CycleRole::axis_w};
+
 bool shift(Run& run, const ActiveCycle& c) {
     if (const Written n = find(run, c, CycleRole::datum_number); n.set) {
-        if (n.value != 0) return false;
-        place(run, TransformKind::shift, {});
+        shift_by_table(run, *c.definition, n.value);
         return true;
     }
-    geom::Vec3 by = active(run, TransformKind::shift).origin;
+    geom::Vec3 by = active_shift(run);
     for (int k = 0; k < 3; ++k)
         if (const Written w = find(run, c, axis_roles[k]); w.set)
             coordinate(by, k) = w.incremental ? coordinate(by, k) + w.value : w.value;
-    for (const CycleRole rotary : {CycleRole::axis_a, CycleRole::axis_b, CycleRole::axis_c})
-        if (const Written w = find(run, c, rotary); w.set && w.value != 0) return false;
-    place(run, TransformKind::shift, geom::Frame::shift(by));
+    for (const CycleRole other : other_axes)
+        if (const Written w = find(run, c, other); w.set && w.value != 0)
+            unchecked(run, codes::unsupported, c.definition->where,
+                      c.definition->name + ": the shift of a rotary or secondary axis is not run");
+    set_shift(run, by);
     return true;
 }
 
@@ -125,6 +148,45 @@ bool scale_axes(Run& run, const ActiveCycle& c) {
     return true;
 }
 
+/// Cycle 19: the spatial angles about the fixed axes X, then Y, then Z, as PLANE SPATIAL; none or all 0 end it.
+bool working_plane(Run& run, const ActiveCycle& c) {
+    geom::Frame plane;
+    bool any = false;
+    for (int k = 0; k < 3; ++k)
+        if (const Written w = find(run, c, other_axes[k]); w.set && w.value != 0) {
+            plane = geom::Frame::rotation(k, geom::radians(w.value)) * plane;
+            any = true;
+        }
+    if (any)
+        assume(run, c.definition->where,
+               c.definition->name + ": A, B and C are taken as spatial angles, not as positions of the rotary axes");
+    tilt(run, plane);
+    return true;
+}
+
+/// Cycle 32; without values the machine's own setting holds again.
+bool tolerance(Run& run, const ActiveCycle& c) {
+    cl::Tolerance t;
+    t.contour = find(run, c, CycleRole::tolerance).value;
+    t.rotary = find(run, c, CycleRole::tolerance_angle).value;
+    const Written mode = find(run, c, CycleRole::tolerance_mode);
+    if (mode.set) t.filter = mode.value == 0 ? cl::Filter::finishing : cl::Filter::roughing;
+    if (t.contour < 0 || t.rotary < 0 || (mode.set && mode.value != 0 && mode.value != 1)) {
+        alarm(run, codes::value_range, c.definition->where,
+              c.definition->name + ": T and TA must not be negative, HSC-MODE is 0 or 1");
+        return true;
+    }
+    emit(run, t);
+    return true;
+}
+
+/// Cycle 13 says the angle; the spindle goes there, and stands, with M19.
+bool orientation(Run& run, const ActiveCycle& c) {
+    const double angle = find(run, c, CycleRole::spindle_angle).value;
+    emit(run, cl::Comment{"spindle orientation to " + printed(Value::real(angle)) + " degrees with M19", false});
+    return true;
+}
+
 bool dwell(Run& run, const ActiveCycle& c) {
     const Written w = find(run, c, CycleRole::dwell);
     if (!(w.value >= 0)) {
@@ -139,7 +201,20 @@ bool dwell(Run& run, const ActiveCycle& c) {
 
 geom::Frame active_plane(const Run& run) { return active(run, TransformKind::plane); }
 
-void tilt(Run& run, const geom::Frame& plane) { place(run, TransformKind::plane, plane); }
+void tilt(Run& run, const geom::Frame& plane) {
+    flush_path(run);
+    place(run, TransformKind::plane, plane);
+    control_sets(run, {program::ControlValue::tilted_axis});
+}
+
+geom::Vec3 active_shift(const Run& run) { return active(run, TransformKind::shift).origin; }
+
+void set_shift(Run& run, const geom::Vec3& by) { place(run, TransformKind::shift, geom::Frame::shift(by)); }
+
+void keep_plane_alone(Run& run) {
+    std::erase_if(run.modal.transforms, [](const Transform& t) { return t.kind != TransformKind::plane; });
+    update_programmed(run);
+}
 
 void shift_for_call(Run& run, const geom::Vec3& by) {
     place(run, TransformKind::call_place, geom::Frame::shift(active(run, TransformKind::call_place).origin + by));
@@ -154,6 +229,14 @@ bool act_at_definition(Run& run, const ActiveCycle& c) {
         case CycleKind::scaling: return scale(run, c);
         case CycleKind::axis_scaling: return scale_axes(run, c);
         case CycleKind::dwell: return dwell(run, c);
+        case CycleKind::working_plane: return working_plane(run, c);
+        case CycleKind::tolerance: return tolerance(run, c);
+        case CycleKind::orientation: return orientation(run, c);
+        case CycleKind::preset: {
+            const Written n = find(run, c, CycleRole::preset_number);
+            select_preset(run, *c.definition, n.set ? n.value : -1);
+            return true;
+        }
         case CycleKind::contour_definition:
             run.contour_labels = c.texts;
             run.contour_unit = c.unit;

@@ -23,6 +23,12 @@ public:
         set_[n] = 1;
     }
     void mark_set(std::uint32_t n) { set_[n] = 1; }
+    /// As `set`, by the control itself: the program has not assigned it.
+    void set_by_control(std::uint32_t n, double v) {
+        values_[n] = v;
+        set_[n] = 2;
+    }
+    [[nodiscard]] bool is_assigned(std::uint32_t n) const { return set_[n] == 1; }
     void forget(std::uint32_t n) {
         values_[n] = 0;
         set_[n] = 0;

@@ -24,4 +24,18 @@ std::uint32_t find_parameter(const Traits& t, std::string_view upper) {
     return parameter_count(t);
 }
 
+std::string datum_name(const Traits& t, std::uint32_t number) {
+    if (number == no_datum) return std::string(t.datum.none);
+    return std::string(t.datum.prefix) + std::to_string(number - t.datum.first);
+}
+
+std::string datum_phrase(const Traits& t, std::uint32_t number) {
+    return std::string(t.datum.article) + datum_name(t, number);
+}
+
+std::string datum_key(const Traits& t, std::uint32_t number) {
+    if (number == no_datum) return std::string(t.datum.none_key);
+    return std::string(t.datum.key) + std::to_string(number - t.datum.first);
+}
+
 }  // namespace obrys::program

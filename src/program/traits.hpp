@@ -3,6 +3,7 @@
 
 #include <array>
 #include <cstdint>
+#include <span>
 #include <string>
 #include <string_view>
 
@@ -19,6 +20,33 @@ struct ParameterBank {
 struct Equality {
     double relative = 0;  ///< of the larger of the two
     double absolute = 0;
+};
+
+/// How a control calls its workpiece zeros. Numbers are those of cl::Datum; 500: none was selected.
+struct DatumNames {
+    std::string_view prefix = "G";                  ///< before the number: "G54", "preset 5"
+    std::string_view article = "the zero offset ";  ///< before that in a sentence
+    std::string_view key = "G";                     ///< before the number in [datum] of the job
+    std::uint32_t first = 0;                        ///< number in the stream of the one that the control calls 0
+    std::string_view none = "G500", none_key = "G500";
+    bool none_is_machine_zero = true;  ///< without one coordinates are the machine's; else they are in one not known
+};
+
+/// What the control itself writes into numbered parameters while a program runs.
+enum class ControlValue : std::uint8_t {
+    tool_radius,     ///< with all allowances
+    tool_axis,       ///< -1 none yet, 0 X, 1 Y, 2 Z
+    spindle_state,   ///< -1 none yet, 0 M3, 1 M4, 2 M5 behind M3, 3 M5 behind M4
+    coolant_state,   ///< 0 off, 1 on
+    pocket_overlap,  ///< of the machine's settings
+    main_unit,       ///< of the main program: 0 mm, 1 inch
+    tool_length,     ///< with all allowances
+    probed,          ///< result of a touch probe
+    tilted_axis,     ///< position of a rotary axis for the tilted plane
+};
+struct ControlParameter {
+    std::uint32_t number = 0;
+    ControlValue value = ControlValue::tool_radius;
 };
 
 struct Traits {
@@ -47,6 +75,10 @@ struct Traits {
     /// A polar coordinate that a block leaves out, or gives incrementally, is that of the position; else the one
     /// programmed last.
     bool polar_from_position = false;
+    DatumNames datum{};
+    std::span<const ControlParameter> set_by_control{};
+    /// What the control shows when a program stops itself with this number; null: the number and the program's own text.
+    std::string (*alarm_text)(int) = nullptr;
 };
 
 [[nodiscard]] constexpr std::uint32_t parameter_count(const Traits& t) {
@@ -58,5 +90,15 @@ struct Traits {
 [[nodiscard]] std::string parameter_name(const Traits& t, std::uint32_t number);
 /// Number of the parameter called `upper`; one past the last where there is none.
 [[nodiscard]] std::uint32_t find_parameter(const Traits& t, std::string_view upper);
+
+/// "G54", "preset 5", "the active preset".
+[[nodiscard]] std::string datum_name(const Traits& t, std::uint32_t number);
+/// As part of a sentence: "the zero offset G54", "preset 5".
+[[nodiscard]] std::string datum_phrase(const Traits& t, std::uint32_t number);
+/// Its key in [datum] of the job: "G54", "preset5".
+[[nodiscard]] std::string datum_key(const Traits& t, std::uint32_t number);
+
+/// Number of the datum that stands for "none selected".
+inline constexpr std::uint32_t no_datum = 500;
 
 }  // namespace obrys::program

@@ -162,6 +162,13 @@ enum class Procedure : std::uint8_t {
     message,         ///< MSG(text): shown to the operator
     alarm,           ///< SETAL(number): the program stops itself
     master_spindle,  ///< SETMS(n)
+    select_datums,   ///< the datum table that shifts by number refer to: its name
+    set_datum,       ///< letter of an axis, coordinate, what it shall be from now on (FN 25)
+    print_form,      ///< file with the form, file that the filled form goes to (FN 16)
+    print_values,    ///< values, one a line (FN 15)
+    open_table,      ///< name of a table (FN 26)
+    write_table,     ///< row, names of columns with commas between, first parameter that is written (FN 27)
+    read_table,      ///< first parameter that is set, row, names of columns (FN 28)
 };
 struct ProcedureCall {
     Procedure procedure = Procedure::message;

@@ -81,6 +81,9 @@ struct Job {
     std::optional<Allowance> allowance;
     std::vector<Override> overrides;
     std::vector<std::string> search;                 ///< folders for subprograms, paths as written
+    std::vector<std::string> datum_tables;           ///< .D, paths as written; the first is in use until one is selected
+    std::vector<std::string> preset_tables;          ///< .PR, paths as written; [datum] stands above them
+    std::string prints;                              ///< folder for what programs print; empty: nowhere
     std::vector<int> skip_levels;                    ///< block skip levels that are on
     std::map<std::string, std::string> variables;    ///< values of global user data (GUD) and the like, upper-case name
     Tolerances tolerances;

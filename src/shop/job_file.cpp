@@ -142,6 +142,9 @@ void read_all(Section& s, Job& job) {
     job.tool_files = s.texts("tool_file");
     for (std::string& path : s.texts("tool_files")) job.tool_files.push_back(std::move(path));
     job.search = s.texts("search");
+    job.datum_tables = s.texts("datum_tables");
+    job.preset_tables = s.texts("preset_tables");
+    job.prints = s.text("prints").value_or("");
     read_skip(s, job);
     read_tool_tables(s, job.tools);
     job.defaults = read_defaults(s);

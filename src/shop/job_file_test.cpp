@@ -346,5 +346,22 @@ TEST(Documentation, ItsExamplesAreRead) {
     EXPECT_EQ(m.axes.size(), 2U);
 }
 
+TEST(JobFile, HeidenhainDatumsAndFolders) {
+    Reading r;
+    const Job j = read_job(r.add("program = \"A.H\"\ndatum_tables = [\"A.D\", \"B.D\"]\npreset_tables = \"P.PR\"\n"
+                                 "prints = \"out\"\n[datum]\npreset0 = {x = 1}\nPRESET99999 = {z = 2}\n"
+                                 "active_preset = {y = 3}\n"),
+                           r.sources, r.diagnostics);
+    EXPECT_EQ(r.complaints(), "");
+    EXPECT_EQ(j.datum_tables, (std::vector<std::string>{"A.D", "B.D"}));
+    EXPECT_EQ(j.preset_tables, (std::vector<std::string>{"P.PR"}));
+    EXPECT_EQ(j.prints, "out");
+    EXPECT_EQ(j.machine.datums.at(first_preset), (geom::Vec3{1, 0, 0}));
+    EXPECT_EQ(j.machine.datums.at(first_preset + 99999), (geom::Vec3{0, 0, 2}));
+    EXPECT_EQ(j.machine.datums.at(500), (geom::Vec3{0, 3, 0}));
+    EXPECT_EQ(job_places("program = \"A.H\"\n[datum]\npreset100000 = {}\npreset = {}\n"),
+              "3:1: unknown key 'preset100000' in [datum]\n4:1: unknown key 'preset' in [datum]\n");
+}
+
 }  // namespace
 }  // namespace obrys::shop

@@ -13,6 +13,9 @@
 
 namespace obrys::shop {
 
+/// Number of preset 0 among the datums.
+inline constexpr std::uint32_t first_preset = 1000;
+
 enum class MachineKind : std::uint8_t { lathe, mill };
 
 struct MachineAxis {
@@ -46,7 +49,10 @@ struct Machine {
     double tool_change_time = 0;        ///< s
     ControlDefaults defaults;
     /// Settable zero offsets (54 … 599): position of the workpiece zero in machine coordinates, mm, x as a radius.
+    /// 500: the one in force where a program selects none; from `first_preset` on the presets of HEIDENHAIN controls,
+    /// NaN in axes that a preset leaves as they are.
     std::map<std::uint32_t, geom::Vec3> datums;
+    std::map<std::uint32_t, double> datum_rotations;  ///< about Z, radians; of datums that are turned
     std::map<std::string, double> machine_data;  ///< by upper-case name with its $: "$MC_…", "$MN_…"
 };
 

@@ -115,8 +115,13 @@ Tool read_tool(Section& s) {
     return t;
 }
 
-/// Number of "G54" … "G57", "G505" … "G599".
+/// Number of "G54" … "G57", "G505" … "G599", "preset0" …; "active_preset" is the one a program finds in force.
 std::optional<std::uint32_t> datum_number(std::string_view key) {
+    if (key == "active_preset") return 500;
+    if (base::to_upper(key).starts_with("PRESET")) {
+        const auto n = base::parse_integer(key.substr(6));
+        return n && *n >= 0 && *n <= 99'999 ? std::optional(first_preset + static_cast<std::uint32_t>(*n)) : std::nullopt;
+    }
     if (key.size() < 2 || base::upper(key[0]) != 'G') return std::nullopt;
     const auto n = base::parse_integer(key.substr(1));
     if (!n || !((*n >= 54 && *n <= 57) || (*n >= 505 && *n <= 599))) return std::nullopt;
@@ -180,7 +185,7 @@ std::map<std::uint32_t, geom::Vec3> read_datums(Section& file) {
         if (datum.key == "diameter") continue;
         const auto n = datum_number(datum.key);
         if (!n) {
-            file.error(base::codes::job_file, datum.where, "unknown key '" + datum.key + "' in [datum]", "G54 … G57, G505 … G599, diameter");
+            file.error(base::codes::job_file, datum.where, "unknown key '" + datum.key + "' in [datum]", "G54 … G57, G505 … G599, preset0 … preset99999, active_preset, diameter");
             continue;
         }
         Section s(datum.value, "'" + datum.key + "'", file.diagnostics());

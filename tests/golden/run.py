@@ -13,7 +13,7 @@ import subprocess
 import sys
 import tempfile
 
-HEADER = re.compile(r"^--- (run|in|file|stdin|out|err|exit)\b[ \t]*(.*)$")
+HEADER = re.compile(r"^--- (run|in|file|stdin|out|err|written|exit)\b[ \t]*(.*)$")
 FLAGS = {"crlf", "cp1252", "bom", "repeat", "hex", "no-newline"}
 NO_NEWLINE = "\\ no newline at the end\n"
 TIMEOUT = 60  # seconds
@@ -87,7 +87,7 @@ def shown(data, folder):
 
 
 def execute(obrys, sections):
-    """Runs the command in a fresh folder: (out, err, exit code)."""
+    """Runs the command in a fresh folder: (out, err, written files by name, exit code)."""
     command = shlex.split(next(s[1] for s in sections if s[0] == "run"))
     if not command or command[0] != "obrys":
         raise BadCase("the command begins with obrys")
@@ -101,17 +101,22 @@ def execute(obrys, sections):
                 environment[passed_on] = os.environ[passed_on]
         done = subprocess.run([obrys] + command[1:], cwd=folder, input=stdin, capture_output=True, timeout=TIMEOUT,
                               env=environment, check=False)
-        return shown(done.stdout, folder), shown(done.stderr, folder), done.returncode
+        written = {}
+        for name in [s[1] for s in sections if s[0] == "written"]:
+            path = folder / name
+            written[name] = shown(path.read_bytes(), folder) if path.is_file() else "no such file\n"
+        return shown(done.stdout, folder), shown(done.stderr, folder), written, done.returncode
 
 
-def render(sections, out, err, code):
+def render(sections, out, err, written, code):
     """The case's text with these results in place of the ones it has."""
     text = ""
     for keyword, rest, content in sections:
-        if keyword not in ("out", "err", "exit"):
+        if keyword not in ("out", "err", "written", "exit"):
             text += f"--- {keyword}{'  ' if keyword == 'run' else ' ' if rest else ''}{rest}\n{content}"
     text += f"--- out\n{out}" if out else ""
     text += f"--- err\n{err}" if err else ""
+    text += "".join(f"--- written {name}\n{content}" for name, content in written.items())
     return text + f"--- exit {code}\n"
 
 

@@ -98,6 +98,8 @@ void add_request(CLI::App& app, Arguments& a) {
         ->type_name("DIR")
         ->allow_extra_args(false)
         ->take_all();
+    app.add_option("--prints", a.request.prints, "folder for what the program prints (FN 15, FN 16)")
+        ->type_name("DIR");
     app.add_option("--skip", a.request.skip, "block skip level that is on (/ is level 0)")
         ->type_name("0..9")
         ->check(CLI::Range(0, 9))

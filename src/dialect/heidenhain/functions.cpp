@@ -25,20 +25,20 @@ constexpr std::array functions{
     FnFunction{12, run, "IF LT GOTO LBL", "jump if less"},
     FnFunction{13, run, "ANG", "angle from two sides, 0 to below 360 degrees"},
     FnFunction{14, run, "ERROR", "stops with a message"},
-    FnFunction{15, run, "PRINT", "puts out a text or a value"},
+    FnFunction{15, run, "PRINT", "puts out values, to a folder that is named for it only"},
     FnFunction{16, run, "F-PRINT", "puts out texts and values in a form, to a folder that is named for it only"},
-    FnFunction{17, refused, "SYSWRITE", "changes data of the control"},
+    FnFunction{17, run, "SYSWRITE", "changes data of the control; run for dimensions of tools (ID 50), refused for others"},
     FnFunction{18, run, "SYSREAD", "reads data of the control: see the list"},
     FnFunction{19, accepted, "PLC", "hands two values to the PLC"},
     FnFunction{20, accepted, "WAIT FOR", "waits for the PLC, or until the control has caught up (SYNC)"},
-    FnFunction{23, run, "CDATA", "circle through 3 points"},
-    FnFunction{24, run, "CDATA", "circle through 4 points"},
-    FnFunction{25, refused, "PRESET", "sets a datum in machine coordinates"},
-    FnFunction{26, refused, "TABOPEN", "opens a freely definable table"},
-    FnFunction{27, refused, "TABWRITE", "writes into the open table"},
-    FnFunction{28, refused, "TABREAD", "reads from the open table"},
+    FnFunction{23, refused, "CDATA", "circle through 3 points"},
+    FnFunction{24, refused, "CDATA", "circle through 4 points"},
+    FnFunction{25, run, "PRESET", "gives a coordinate of a linear axis another value: a new datum"},
+    FnFunction{26, run, "TABOPEN", "opens a freely definable table"},
+    FnFunction{27, run, "TABWRITE", "writes into the open table, for the run alone"},
+    FnFunction{28, run, "TABREAD", "reads from the open table"},
     FnFunction{29, accepted, "PLC", "hands up to eight values to the PLC"},
-    FnFunction{37, run, "EXPORT", "hands local parameters of a cycle to its caller"},
+    FnFunction{37, accepted, "EXPORT", "hands local parameters of a machine builder's cycle to its caller"},
     FnFunction{38, accepted, "SEND", "writes a text into the log"},
 };
 
@@ -162,6 +162,12 @@ std::span<const ErrorText> all_errors() { return errors; }
 std::string_view error_text(int number) {
     const ErrorText* found = find_number(errors, number);
     return found == nullptr ? std::string_view{} : found->text;
+}
+
+std::string error_message(int number) {
+    const std::string shown = "ERROR " + std::to_string(number);
+    if (const std::string_view text = error_text(number); !text.empty()) return shown + ": " + std::string(text);
+    return number >= 300 && number < 1000 ? shown + " (a message of the machine builder)" : shown;
 }
 
 }  // namespace obrys::dialect::heidenhain

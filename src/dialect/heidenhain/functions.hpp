@@ -3,6 +3,7 @@
 /// User's Manual Conversational Programming (606 42x), "Programming: Q parameters".
 
 #include <span>
+#include <string>
 
 #include "dialect/heidenhain/use.hpp"
 
@@ -30,5 +31,7 @@ struct ErrorText {
 [[nodiscard]] std::span<const ErrorText> all_errors();
 /// Empty where the control has no text of its own for the number.
 [[nodiscard]] std::string_view error_text(int number);
+/// What FN 14 shows: "ERROR 1005: Start position incorrect".
+[[nodiscard]] std::string error_message(int number);
 
 }  // namespace obrys::dialect::heidenhain

@@ -1,9 +1,32 @@
 #pragma once
 /// How a HEIDENHAIN iTNC 530 runs a block, as far as it differs from other controls. docs/dialects/heidenhain.md.
 
+#include <array>
+#include <iterator>
+
+#include "dialect/heidenhain/functions.hpp"
 #include "program/traits.hpp"
 
 namespace obrys::dialect::heidenhain {
+
+/// Number in the stream of preset 0: the numbers below are those of other controls.
+inline constexpr std::uint32_t first_preset = 1000;
+
+/// Q108 … Q122, Q150 … Q199: iTNC 530 User's Manual, "Preassigned Q parameters".
+inline constexpr auto control_parameters = [] {
+    using enum program::ControlValue;
+    constexpr program::ControlParameter single[]{
+        {108, tool_radius}, {109, tool_axis},   {110, spindle_state}, {111, coolant_state}, {112, pocket_overlap},
+        {113, main_unit},   {114, tool_length}, {115, probed},        {116, probed},        {117, probed},
+        {118, probed},      {119, probed},      {120, tilted_axis},   {121, tilted_axis},   {122, tilted_axis},
+    };
+    constexpr std::uint32_t first_result = 150, last_result = 199;  // of touch probe cycles
+    std::array<program::ControlParameter, std::size(single) + last_result - first_result + 1> all{};
+    std::size_t n = 0;
+    for (const program::ControlParameter& p : single) all[n++] = p;
+    for (std::uint32_t q = first_result; q <= last_result; ++q) all[n++] = {q, probed};
+    return all;
+}();
 
 /// Parameters: iTNC 530 pilot (NC software 340 49x-07), Q Q0-Q1999, QL0-QL499 local, QR0-QR499. Equality: the control
 /// computes with a limited number of digits; two values that differ by less than 1e-9 count as equal (docs).
@@ -19,6 +42,15 @@ inline constexpr program::Traits traits{
     .inch_feed = 2.54,  // 1/10 inch/min: iTNC 530 manual 60642x-03, page 506 (M116)
     .needs_pole = true,
     .polar_from_position = true,
+    .datum = {.prefix = "preset ",
+              .article = "",
+              .key = "preset",
+              .first = first_preset,
+              .none = "the active preset",
+              .none_key = "active_preset",
+              .none_is_machine_zero = false},
+    .set_by_control = control_parameters,
+    .alarm_text = error_message,
 };
 
 }  // namespace obrys::dialect::heidenhain

@@ -112,13 +112,15 @@ TEST(HeidenhainWords, CyclesOfGCodesAreTreatedAlike) {
 TEST(HeidenhainWords, Functions) {
     EXPECT_EQ(find_fn(14)->name, "ERROR");
     EXPECT_EQ(find_fn(18)->use, Use::run);
-    EXPECT_EQ(find_fn(17)->use, Use::refused);
+    EXPECT_EQ(find_fn(23)->use, Use::refused);
     for (const int n : {-1, 21, 22, 30, 36, 39}) EXPECT_EQ(find_fn(n), nullptr) << n;
     EXPECT_EQ(all_errors().size(), 100U);
     EXPECT_EQ(error_text(1000), "Spindle?");
     EXPECT_EQ(error_text(1010), "Feed rate is missing");
     EXPECT_EQ(error_text(1022), "Rounding-off undefined");
     EXPECT_EQ(error_text(999), "");
+    EXPECT_EQ(error_message(1005), "ERROR 1005: Start position incorrect");
+    EXPECT_EQ(error_message(20), "ERROR 20");
     EXPECT_EQ(error_text(1100), "");
 }
 

@@ -80,8 +80,8 @@ struct NotRun {
 };
 constexpr std::array not_run{
     NotRun{"LN", "straight lines with surface normals (3D compensation)"},
-    NotRun{"SEL", "selection of a program or table"},
-    NotRun{"TRANS", "datum shift"},
+    NotRun{"SEL", "selection of a program"},
+    NotRun{"TRANS", "mirror, rotation or scaling of a later control"},
     NotRun{"TCH", "touch probe"},
     NotRun{"FUNCTION", "function of a later control"},
 };
@@ -170,7 +170,8 @@ void read_block(State& s) {
     if (!is(word, "CYCL") && !is(word, "CYCLE")) s.open_cycle = program::no_target;
     const bool known =
         !word.empty() && (read_structure(s, word) || read_special_block(s, word) || read_path_block(s, word) ||
-                          read_pattern_block(s, word) || read_contour_block(s, word) || read_not_run(s, word));
+                          read_pattern_block(s, word) || read_contour_block(s, word) ||
+                          read_shop_block(s, word) || read_not_run(s, word));
     if (!known) {
         s.build.statement(StatementKind::block, s.block);
         s.in.go_to(begin);

@@ -58,8 +58,7 @@ TEST(KlartextFunction, Mistakes) {
     EXPECT_EQ(complaint("FN 0: X = 5"), "a Q parameter is due here, found 'X'");
     EXPECT_EQ(complaint("FN 4: Q1 = +5 / +3"), "'DIV' is due here, found '/'");
     EXPECT_EQ(complaint("FN 1: Q1 = +5 +"), "a number or a Q parameter is missing here, found end of block");
-    EXPECT_EQ(one("FN 26: TABOPEN TNC:\\A.TAB"),
-              "unsupported{FN 26: TABOPEN TNC:\\A.TAB|opens a freely definable table}");
+    EXPECT_EQ(one("FN 23: Q1 = CDATA Q5"), "unsupported{FN 23: Q1 = CDATA Q5|circle through 3 points}");
     EXPECT_EQ(one("FN 45: X"), "unknown{FN 45: X|the control has no FN 45}");
 }
 

@@ -152,6 +152,7 @@ void read_numbered(State& s, int n, std::uint32_t begin) {
     if (n == 11) return condition(s, "GT", n);
     if (n == 12) return condition(s, "LT", n);
     if (n == 14) return error(s, begin);
+    if (read_shop_function(s, n, begin)) return;
     s.build.statement(StatementKind::block, s.block);
     switch (n) {
         case 0: return one_value(s, "", n);

@@ -1,0 +1,149 @@
+#include "driver/shop_files.hpp"
+
+#include <algorithm>
+#include <fstream>
+#include <iterator>
+
+#include "base/codes.hpp"
+#include "base/text.hpp"
+
+namespace obrys::driver {
+
+namespace codes = base::codes;
+
+namespace {
+
+constexpr std::size_t longest_print = 64'000'000, most_files = 1000;
+
+std::string upper_name(const fs::path& path) { return base::to_upper(path.filename().string()); }
+
+bool has_ending(const fs::path& path, std::string_view ending) {
+    return base::equals_ignoring_case(path.extension().string(), ending);
+}
+
+/// The name of a file in the folder: no folders, nothing that leads out of it.
+std::string safe_name(std::string_view name) {
+    std::string safe;
+    for (const char c : name) {
+        const bool plain = base::is_letter(c) || base::is_digit(c) || c == '.' || c == '_' || c == '-';
+        safe += plain ? c : '_';
+    }
+    while (!safe.empty() && safe.front() == '.') safe.erase(0, 1);
+    return safe.empty() ? "PRINT.TXT" : safe.substr(0, 100);
+}
+
+}  // namespace
+
+void ShopFiles::add_folder(const fs::path& folder) {
+    std::error_code error;
+    std::vector<fs::path> found;
+    for (const fs::directory_entry& entry : fs::directory_iterator(folder.empty() ? fs::path(".") : folder, error))
+        for (const std::string_view ending : {".d", ".tab", ".a", ".pnt"})
+            if (has_ending(entry.path(), ending)) found.push_back(entry.path().lexically_normal());
+    std::sort(found.begin(), found.end());  // the same order on every file system
+    files_.insert(files_.end(), found.begin(), found.end());
+}
+
+void ShopFiles::add_file(const fs::path& path) {
+    files_.insert(files_.begin() + static_cast<std::ptrdiff_t>(named_), path);
+    ++named_;
+}
+
+std::optional<fs::path> ShopFiles::path_of(std::string_view name) const {
+    for (const fs::path& path : files_)
+        if (upper_name(path) == name) return path;
+    return std::nullopt;
+}
+
+/// The first that the job names, else the only one that there is.
+std::optional<fs::path> ShopFiles::usual_datum_table() const {
+    std::vector<fs::path> others;
+    for (std::size_t i = 0; i < files_.size(); ++i) {
+        if (!has_ending(files_[i], ".d")) continue;
+        if (i < named_) return files_[i];
+        others.push_back(files_[i]);
+    }
+    return others.size() == 1 ? std::optional(others.front()) : std::nullopt;
+}
+
+const interp::DatumTable* ShopFiles::datum_table(std::string_view name) {
+    std::string key = base::to_upper(name);
+    if (!key.empty() && key.find('.') == std::string::npos) key += ".D";
+    if (const auto known = datums_.find(key); known != datums_.end()) return known->second.get();
+    auto& slot = datums_[key];
+    std::optional<fs::path> path = path_of(key);
+    if (key.empty()) {
+        path = usual_datum_table();
+        if (path)
+            diagnostics_.add({base::Severity::note,
+                              codes::assumption,
+                              nowhere,
+                              "the program selects no datum table: " + path->filename().string() + " is taken",
+                              "write SEL TABLE before the first datum shift",
+                              {},
+                              {}});
+    }
+    const auto file = path ? load(*path, sources_, diagnostics_) : std::nullopt;
+    if (!file) return nullptr;
+    const shop::HeidenhainTable read = shop::read_heidenhain_table(*file, sources_, diagnostics_);
+    slot = std::make_unique<interp::DatumTable>(
+        interp::DatumTable{path->filename().string(), shop::datums_of(read, diagnostics_)});
+    return slot.get();
+}
+
+shop::HeidenhainTable* ShopFiles::table(std::string_view name) {
+    const std::string key = base::to_upper(name);
+    if (const auto known = tables_.find(key); known != tables_.end()) return known->second.get();
+    auto& slot = tables_[key];
+    const auto path = path_of(key);
+    if (const auto file = path ? load(*path, sources_, diagnostics_) : std::nullopt)
+        slot = std::make_unique<shop::HeidenhainTable>(shop::read_heidenhain_table(*file, sources_, diagnostics_));
+    return slot.get();
+}
+
+const std::string* ShopFiles::form(std::string_view name) {
+    const std::string key = base::to_upper(name);
+    if (const auto known = forms_.find(key); known != forms_.end()) return known->second.get();
+    auto& slot = forms_[key];
+    const auto path = path_of(key);
+    if (const auto file = path ? load(*path, sources_, diagnostics_) : std::nullopt)
+        slot = std::make_unique<std::string>(base::as_utf8(sources_[*file].text));
+    return slot.get();
+}
+
+bool ShopFiles::print(std::string_view name, std::string_view text, bool again) {
+    if (!prints_) return false;
+    const std::string file = safe_name(name);
+    const auto known = printed_.find(file);
+    if (known == printed_.end() && printed_.size() >= most_files) return false;
+    if (known == printed_.end() && !again) {  // M_APPEND: behind what the file holds
+        std::ifstream in(*prints_ / file, std::ios::binary);
+        printed_[file] = std::string(std::istreambuf_iterator<char>(in), std::istreambuf_iterator<char>());
+    }
+    std::string& content = printed_[file];
+    if (again) content.clear();
+    if (content.size() + text.size() > longest_print) return false;
+    content += text;
+    return true;
+}
+
+bool ShopFiles::write_printed() {
+    bool good = true;
+    for (const auto& [name, content] : printed_) good = store(*prints_ / name, content, diagnostics_) && good;
+    printed_.clear();
+    return good;
+}
+
+void add_presets(const fs::path& path, const base::Span& where, base::Sources& sources, base::Diagnostics& diagnostics,
+                 shop::Machine& machine) {
+    const auto file = load(path, sources, diagnostics, where);
+    if (!file) return;
+    const auto presets = shop::datums_of(shop::read_heidenhain_table(*file, sources, diagnostics), diagnostics);
+    for (const auto& [number, row] : presets) {
+        const std::uint32_t datum = shop::first_preset + number;
+        if (!machine.datums.emplace(datum, row.position).second) continue;
+        if (row.rotation != 0) machine.datum_rotations[datum] = row.rotation;
+    }
+}
+
+}  // namespace obrys::driver
