@@ -62,7 +62,9 @@ void select_preset(Run& run, const program::CycleDefinition& c, double n) {
     }
     flush_path(run);
     run.modal.datum_offset = {};
-    set_datum(run, run.traits->datum.first + static_cast<std::uint32_t>(n));
+    const std::uint32_t datum = run.traits->datum.first + static_cast<std::uint32_t>(n);
+    if (datum != run.modal.datum) run.modal.datum_before = datum_origin(run);
+    set_datum(run, datum);
     keep_plane_alone(run);
 }
 

@@ -50,7 +50,10 @@ std::optional<DatumPlace> datum_place(const Run& run, std::uint32_t n) {
     const shop::Machine& machine = run.env.machine;
     if (const auto found = machine.datums.find(n); found != machine.datums.end()) {
         const auto turned = machine.datum_rotations.find(n);
-        return DatumPlace{found->second, turned == machine.datum_rotations.end() ? 0 : turned->second};
+        geom::Vec3 origin = found->second;
+        for (int k = 0; k < 3 && n == run.modal.datum; ++k)
+            if (std::isnan(coordinate(origin, k))) coordinate(origin, k) = coordinate(run.modal.datum_before, k);
+        return DatumPlace{origin, turned == machine.datum_rotations.end() ? 0 : turned->second};
     }
     if (n == program::no_datum && run.traits->datum.none_is_machine_zero) return DatumPlace{};
     return std::nullopt;
@@ -76,6 +79,11 @@ bool has_unknown(const BlockWords& b) {
 }
 
 }  // namespace
+
+geom::Vec3 datum_origin(const Run& run) {
+    const auto place = datum_place(run, run.modal.datum);
+    return place ? place->origin : geom::Vec3{NAN, NAN, NAN};
+}
 
 void update_frame(Run& run) {
     flush_path(run);

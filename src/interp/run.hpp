@@ -54,6 +54,9 @@ struct ModalState {
     int look_ahead = 0;  ///< contour elements that compensation looks ahead (M120 LA)
     Modal feed_reference = Modal::feed_at_contour;
     std::uint32_t datum = 500;
+    /// Where the datum before lies in the machine: axes that the selected one leaves as they are; NaN: not known.
+    geom::Vec3 datum_before{std::numeric_limits<double>::quiet_NaN(), std::numeric_limits<double>::quiet_NaN(),
+                            std::numeric_limits<double>::quiet_NaN()};
     geom::Vec3 datum_offset;  ///< of a datum that the program sets itself (FN 25), in the selected one, mm
     geom::Frame programmed;  ///< TRANS, ROT, SCALE, MIRROR; product of `transforms` where there are any
     std::vector<Transform> transforms;
@@ -369,6 +372,8 @@ void set_shift(Run&, const geom::Vec3&);
 void keep_plane_alone(Run&);
 /// A datum of the control's own: settable offset or preset (modal_words.cpp).
 void set_datum(Run&, std::uint32_t number);
+/// Where the selected datum lies in the machine; NaN where that is not known (frame_words.cpp).
+[[nodiscard]] geom::Vec3 datum_origin(const Run&);
 /// Cycle 247: a preset by its number, which ends shift, mirror, rotation and scaling (datums.cpp).
 void select_preset(Run&, const program::CycleDefinition&, double number);
 /// The tilted working plane in force, and a new one in its place.
