@@ -13,7 +13,13 @@ namespace {
 using geom::Vec2;
 using Role = program::CycleRole;
 
+/// Exact for quarter turns.
 Vec2 direction(double degrees) {
+    const double quarters = std::remainder(degrees, 360) / 90;
+    if (quarters == std::round(quarters)) {
+        constexpr Vec2 axes[4] = {{1, 0}, {0, 1}, {-1, 0}, {0, -1}};
+        return axes[(static_cast<int>(quarters) + 4) % 4];
+    }
     const double a = geom::radians(degrees);
     return {std::cos(a), std::sin(a)};
 }

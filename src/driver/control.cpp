@@ -12,6 +12,7 @@ namespace {
 
 constexpr std::array<std::string_view, 2> sinumerik_programs{".SPF", ".MPF"}, sinumerik_definitions{".DEF", ".GUD"};
 constexpr std::array<std::string_view, 2> heidenhain_programs{".H", ".I"};
+constexpr std::array<std::string_view, 1> heidenhain_tables{".PNT"};
 
 /// A file that holds one program.
 template <program::Unit (*read)(std::uint32_t, const base::Sources&, program::Names&, base::Diagnostics&)>
@@ -31,8 +32,8 @@ constexpr std::array heidenhain_languages{
 };
 
 constexpr std::array controls_table{
-    Control{"sinumerik-840d", sinumerik_languages, sinumerik_programs, sinumerik_definitions},
-    Control{"heidenhain-itnc530", heidenhain_languages, heidenhain_programs, {}},
+    Control{"sinumerik-840d", sinumerik_languages, sinumerik_programs, sinumerik_definitions, {}},
+    Control{"heidenhain-itnc530", heidenhain_languages, heidenhain_programs, {}, heidenhain_tables},
 };
 
 }  // namespace

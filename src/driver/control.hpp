@@ -23,7 +23,7 @@ struct Control {
     std::span<const Language> languages;
     /// Upper case, with the point. Subprograms are looked for in this order where two files have one name and the call
     /// does not name the suffix.
-    std::span<const std::string_view> program_suffixes, definition_suffixes;
+    std::span<const std::string_view> program_suffixes, definition_suffixes, table_suffixes;
 };
 /// The language in which the text is most likely written; the first one where nothing says so.
 [[nodiscard]] const Language& language_of(const Control& control, std::string_view text, std::string_view file_name);

@@ -29,8 +29,10 @@ void Programs::add_folder(const fs::path& folder) {
                 files_.emplace(base::to_upper(path.stem().string()), path);
                 files_.emplace(full_name(path), path);
             }
-    for (const fs::path& path : found)
+    for (const fs::path& path : found) {
         if (has_suffix(path, control_.definition_suffixes)) definition_files_.push_back(path);
+        if (has_suffix(path, control_.table_suffixes)) table_files_.emplace(full_name(path), path);
+    }
 }
 
 const program::Unit* Programs::read(std::uint32_t file) {
@@ -65,6 +67,17 @@ const program::Unit* Programs::find(std::string_view name) {
     }
     by_name_[key] = unit;
     return unit;
+}
+
+const shop::HeidenhainTable* Programs::find_table(std::string_view name) {
+    const std::string key(name);
+    if (const auto known = tables_.find(key); known != tables_.end()) return known->second.get();
+    auto& table = tables_[key];
+    const auto path = table_files_.find(key);
+    if (path == table_files_.end()) return nullptr;
+    if (const auto file = load(path->second, sources_, diagnostics_))
+        table = std::make_unique<shop::HeidenhainTable>(shop::read_heidenhain_table(*file, sources_, diagnostics_));
+    return table.get();
 }
 
 void Programs::read_definitions() {

@@ -10,6 +10,7 @@
 #include "driver/control.hpp"
 #include "driver/files.hpp"
 #include "program/unit.hpp"
+#include "shop/heidenhain_table.hpp"
 
 namespace obrys::driver {
 
@@ -25,6 +26,8 @@ public:
     /// The program of that name (upper case; with a suffix, or without), read from its folder when first asked for; or
     /// null. Where no file has the suffix of the call, one of the same name is taken.
     const program::Unit* find(std::string_view name);
+    /// The table of that file name (upper case), read from its folder when first asked for; or null.
+    const shop::HeidenhainTable* find_table(std::string_view name);
     /// Reads the definition files of the folders, where the control has such.
     void read_definitions();
 
@@ -41,6 +44,8 @@ private:
     std::unordered_map<std::string, const program::Unit*> by_name_;
     std::unordered_map<std::string, fs::path> files_;  ///< program name, and the same with its suffix -> file
     std::vector<fs::path> definition_files_;
+    std::unordered_map<std::string, fs::path> table_files_;
+    std::unordered_map<std::string, std::unique_ptr<shop::HeidenhainTable>> tables_;  ///< null: not readable
 };
 
 }  // namespace obrys::driver

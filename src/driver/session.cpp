@@ -221,6 +221,7 @@ bool open(const Request& request, Session& s) {
 
 interp::Outcome interpret(Session& s, cl::Sink sink) {
     const auto find = [&](std::string_view name) { return s.programs->find(name); };
+    const auto find_table = [&](std::string_view name) { return s.programs->find_table(name); };
     const interp::Environment environment{s.sources,
                                           s.programs->names(),
                                           s.job.machine,
@@ -231,6 +232,7 @@ interp::Outcome interpret(Session& s, cl::Sink sink) {
                                           find,
                                           s.programs->definitions(),
                                           s.job.variables,
+                                          find_table,
                                           s.files.get()};
     interp::Outcome outcome = interp::run(*s.main, environment, s.stacks, sink, s.diagnostics);
     if (s.files) s.files->write_printed();  // none where a session was put together without files

@@ -153,6 +153,30 @@ void gather(Run& run, const program::Statement& s, const Word& w) {
                   program::form_of(w) == Form::expression ? reference_of(run.unit().exprs[id]) : std::uint8_t{0});
 }
 
+namespace {
+
+/// CYCL CALL POS and CYCL CALL PAT. Their feed is that of the way to the points and ends with the block.
+void call_at_places(Run& run) {
+    const double feed = run.feed;
+    const bool valid = run.feed_valid;
+    run.cycle.modal = false;
+    technology(run);
+    if (run.stopped) return;
+    if (run.block.special == Modal::cycle_position)
+        call_cycle_at_position(run);
+    else
+        call_cycle_at_pattern(run);
+    if (run.stopped) return;
+    if (valid && (feed != run.feed || !run.feed_valid)) {
+        run.feed = feed;
+        run.feed_valid = true;
+        emit(run, cl::Feed{feed, run.modal.feed_mode});
+    }
+    after_motion(run);
+}
+
+}  // namespace
+
 void run_block(Run& run, const program::Statement& s, std::uint32_t index) {
     const Unit& unit = run.unit();
     run.block.clear();
@@ -161,6 +185,8 @@ void run_block(Run& run, const program::Statement& s, std::uint32_t index) {
         gather(run, s, unit.words[i]);
         if (run.stopped) return;
     }
+    if (run.block.special == Modal::cycle_position || run.block.special == Modal::cycle_pattern)
+        return call_at_places(run);
     technology(run);
     if (run.stopped) return;
     const bool moved = motion(run);

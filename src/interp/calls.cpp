@@ -125,7 +125,7 @@ std::string program_name(std::string_view written) {
     std::string s = base::to_upper(base::trim(written));
     if (const auto slash = s.find_last_of("/\\:"); slash != std::string::npos) s.erase(0, slash + 1);
     if (s.starts_with("_N_")) s.erase(0, 3);
-    for (const std::string_view suffix : {"_SPF", "_MPF", ".SPF", ".MPF", ".H", ".I"})
+    for (const std::string_view suffix : {"_SPF", "_MPF", ".SPF", ".MPF", ".H"})
         if (s.ends_with(suffix)) s.resize(s.size() - suffix.size());
     return s;
 }
@@ -138,6 +138,10 @@ const Unit* find(Run& run, const std::string& name, const base::Span& where) {
 }
 
 }  // namespace
+
+const Unit* find_named_program(Run& run, const std::string& written, const base::Span& where) {
+    return find(run, program_name(written), where);
+}
 
 namespace {
 
@@ -225,6 +229,7 @@ namespace {
 std::uint32_t unended_label(const Activation& act) {
     for (const LabelReturn& r : act.labels) {
         const std::uint32_t call = r.pc - 1;
+        if (act.unit->statements[call].kind != program::StatementKind::label_call) continue;  // a contour's label
         const auto index = static_cast<std::size_t>(act.unit->words[act.unit->statements[call].first].payload);
         const std::uint32_t target = act.unit->label_calls[index].target;
         if (target == program::no_target) continue;

@@ -33,18 +33,51 @@ struct Rehearsal::Saved {
     std::string last_message;
     const program::Statement* statement;
     std::shared_ptr<FreeContour> free_contour;
+    ActiveCycle contour_data, contour_train_data;
+    const Unit* contour_unit;
+    CallPattern pattern;
+    std::vector<ContourChoice> contour_choices;
     std::string datum_table, open_table;
 };
 
 Rehearsal::Rehearsal(Run& r)
     : run_(r),
-      saved_(new Saved{r.capture,        r.calls,           r.parameters,    r.modal,          r.block,
-                       r.tool,           r.spindle,         r.feed,          r.coolant_on,     r.feed_valid,
-                       r.feed_dropped,   r.moved,           r.datum_emitted, r.datum_known,    r.frame_is_identity,
-                       r.stopped,        r.ending,          r.blocks,        r.position,       r.programmed_position,
-                       r.frame,          r.reference_datum, r.extra_axes,    r.last_direction, r.cycle,
-                       r.contour_labels, r.last_message,    r.statement,     r.free_contour,
-                       r.datum_table,    r.open_table}) {
+      saved_(new Saved{r.capture,
+                       r.calls,
+                       r.parameters,
+                       r.modal,
+                       r.block,
+                       r.tool,
+                       r.spindle,
+                       r.feed,
+                       r.coolant_on,
+                       r.feed_valid,
+                       r.feed_dropped,
+                       r.moved,
+                       r.datum_emitted,
+                       r.datum_known,
+                       r.frame_is_identity,
+                       r.stopped,
+                       r.ending,
+                       r.blocks,
+                       r.position,
+                       r.programmed_position,
+                       r.frame,
+                       r.reference_datum,
+                       r.extra_axes,
+                       r.last_direction,
+                       r.cycle,
+                       r.contour_labels,
+                       r.last_message,
+                       r.statement,
+                       r.free_contour,
+                       r.contour_data,
+                       r.contour_train_data,
+                       r.contour_unit,
+                       r.pattern,
+                       r.contour_choices,
+                       r.datum_table,
+                       r.open_table}) {
     run_.capture = &elements_;
 }
 
@@ -79,6 +112,11 @@ Rehearsal::~Rehearsal() {
     run_.last_message = std::move(s.last_message);
     run_.statement = s.statement;
     run_.free_contour = std::move(s.free_contour);
+    run_.contour_data = std::move(s.contour_data);
+    run_.contour_train_data = std::move(s.contour_train_data);
+    run_.contour_unit = s.contour_unit;
+    run_.pattern = std::move(s.pattern);
+    run_.contour_choices = std::move(s.contour_choices);
     run_.datum_table = std::move(s.datum_table);
     run_.open_table = std::move(s.open_table);
 }
@@ -110,6 +148,19 @@ std::optional<std::vector<Captured>> elements_of_label(Run& run, const Unit& uni
         if (run.stopped) return std::nullopt;
         const bool ended = run.calls.size() == depth + 1 && run.top().labels.empty();
         if (ended || run.calls.size() <= depth) return rehearsal.elements();
+        step(run);
+    }
+    return std::nullopt;
+}
+
+std::optional<std::vector<Captured>> elements_of_program(Run& run, const Unit& unit) {
+    const Rehearsal rehearsal(run);
+    const std::size_t depth = run.calls.size();
+    enter(run, unit, nullptr, run.here());
+    if (run.calls.size() == depth) return std::nullopt;
+    for (std::size_t n = 0; n < most_statements; ++n) {
+        if (run.calls.size() <= depth || (run.stopped && run.ending == Ending::regular)) return rehearsal.elements();
+        if (run.stopped) return std::nullopt;
         step(run);
     }
     return std::nullopt;

@@ -46,4 +46,7 @@ private:
 /// is no such label or it does not end.
 [[nodiscard]] std::optional<std::vector<Captured>> elements_of_label(Run&, const Unit& unit, const std::string& label);
 
+/// The same of a whole program; nothing where it does not end.
+[[nodiscard]] std::optional<std::vector<Captured>> elements_of_program(Run&, const Unit& unit);
+
 }  // namespace obrys::interp

@@ -49,7 +49,8 @@ void add_edge(geom::Contour& c, const path::Element& e) {
     }
 }
 
-/// The first block of a contour goes to its start; the others are its elements, with their chamfers and roundings.
+}  // namespace
+
 geom::Contour contour_of(Run& run, const std::vector<Captured>& all) {
     const PlaneAxes a = plane_axes(run.modal.plane);
     geom::Contour contour;
@@ -73,6 +74,14 @@ geom::Contour contour_of(Run& run, const std::vector<Captured>& all) {
     }
     return contour;
 }
+
+bool is_known(const geom::Contour& c) {
+    for (const geom::Vertex& v : c.vertices)
+        if (!std::isfinite(v.p.x) || !std::isfinite(v.p.y) || !std::isfinite(v.bulge)) return false;
+    return true;
+}
+
+namespace {
 
 int side_of(const std::vector<Captured>& all) {
     for (const Captured& c : all) {
@@ -112,13 +121,11 @@ bool read_labels(Run& run, std::vector<Label>& labels) {
             return false;
         }
         Label l{name, contour_of(run, *all), side_of(*all)};
-        for (const geom::Vertex& v : l.contour.vertices)
-            if (!std::isfinite(v.p.x) || !std::isfinite(v.p.y) || !std::isfinite(v.bulge)) {
-                unchecked(
-                    run, codes::unknown_value, run.here(),
-                    "the contour of label " + name + " depends on a value that is not known: the cycle is not run");
-                return false;
-            }
+        if (!is_known(l.contour)) {
+            unchecked(run, codes::unknown_value, run.here(),
+                      "the contour of label " + name + " depends on a value that is not known: the cycle is not run");
+            return false;
+        }
         labels.push_back(std::move(l));
     }
     return true;
@@ -143,11 +150,13 @@ bool combine(Run& run, const std::vector<Label>& labels, geom::Region& area) {
 
 }  // namespace
 
-std::optional<cycles::ContourTask> contour_task(Run& run, const cycles::Demand& demand) {
+namespace {
+
+/// What the labels of CYCL DEF 14 say.
+std::optional<cycles::ContourTask> labelled_task(Run& run, bool train) {
     std::vector<Label> labels;
     if (!read_labels(run, labels)) return std::nullopt;
     cycles::ContourTask task;
-    const bool train = demand.kind == program::CycleKind::contour_train;
     if (train) {
         task.train = {labels.front().contour, labels.front().side};
         if (labels.size() > 1)
@@ -155,10 +164,28 @@ std::optional<cycles::ContourTask> contour_task(Run& run, const cycles::Demand& 
     } else if (!combine(run, labels, task.area)) {
         return std::nullopt;
     }
+    return task;
+}
+
+}  // namespace
+
+std::optional<std::vector<ContourLayer>> contour_layers(Run& run, const cycles::Demand& demand) {
+    const bool train = demand.kind == program::CycleKind::contour_train;
+    std::optional<std::vector<ContourLayer>> layers;
+    if (run.contour_choices.empty()) {
+        if (auto task = labelled_task(run, train)) layers = {{std::move(*task), {}}};
+    } else if (train) {
+        unchecked(run, codes::unsupported, run.here(),
+                  "a contour train along a contour of CONTOUR DEF or a formula is not run",
+                  "name its label with CYCL DEF 14");
+    } else {
+        layers = chosen_layers(run, demand);
+    }
     const auto role = demand.kind == program::CycleKind::pilot_drill ? program::CycleRole::pilot_tool
                                                                      : program::CycleRole::coarse_tool;
-    task.other_radius = radius_of_tool(run, demand, role);
-    return task;
+    if (layers)
+        for (ContourLayer& l : *layers) l.task.other_radius = radius_of_tool(run, demand, role);
+    return layers;
 }
 
 }  // namespace obrys::interp

@@ -1,12 +1,14 @@
 /// Cycles: what a definition keeps, what a call makes of it, and how the steps come into the stream.
 
+#include <algorithm>
 #include <cmath>
+#include <iterator>
 
 #include "base/codes.hpp"
 #include "cycles/cycle.hpp"
 #include "cycles/names.hpp"
 #include "interp/contour_cycle.hpp"
-#include "interp/motion.hpp"
+#include "interp/cycle_call.hpp"
 
 namespace obrys::interp {
 
@@ -61,8 +63,10 @@ void add_values(const Run& run, const ActiveCycle& c, cycles::Demand& d) {
     }
 }
 
+}  // namespace
+
 /// A contour cycle takes what the cycle of its data says, and then its own values.
-cycles::Demand demand_of(const Run& run, const ActiveCycle& c) {
+cycles::Demand demand_of(const Run& run, const ActiveCycle& c, const CycleValues& instead) {
     cycles::Demand d;
     d.kind = c.definition->kind;
     if (d.kind == program::CycleKind::contour_train)
@@ -70,6 +74,7 @@ cycles::Demand demand_of(const Run& run, const ActiveCycle& c) {
     else if (cycles::is_contour_cycle(d.kind))
         add_values(run, run.contour_data, d);
     add_values(run, c, d);
+    d.values.insert(d.values.end(), instead.begin(), instead.end());
     return d;
 }
 
@@ -84,6 +89,8 @@ geom::Vec3 out_of_plane(const geom::Vec3& p, const PlaneAxes& a) {
     coordinate(v, a.w) = p.z;
     return v;
 }
+
+namespace {
 
 cycles::Situation situation_of(const Run& run) {
     cycles::Situation s;
@@ -106,24 +113,53 @@ geom::Vec2 far_from(const cycles::ContourTask& task) {
     return p + geom::Vec2{1000, 1000};
 }
 
-/// The steps of the cycle; nothing after a complaint.
-std::optional<cycles::Expansion> expansion(Run& run, const ActiveCycle& c) {
-    const cycles::Demand demand = demand_of(run, c);
-    if (!cycles::is_contour_cycle(demand.kind)) return cycles::expand(demand, situation_of(run));
-    const auto task = contour_task(run, demand);
-    if (!task) return std::nullopt;
-    cycles::Situation s = situation_of(run);
-    // The cycle goes to its contour by itself: where it comes from does not matter, if only it is somewhere else.
-    if (std::isnan(s.at.x) || std::isnan(s.at.y)) {
-        const geom::Vec2 far = far_from(*task);
-        s.at.x = far.x;
-        s.at.y = far.y;
-    }
-    return cycles::expand_contour(demand, s, *task);
+void append(cycles::Expansion& all, cycles::Expansion more) {
+    std::move(more.steps.begin(), more.steps.end(), std::back_inserter(all.steps));
+    for (cycles::Complaint& k : more.complaints)
+        if (std::none_of(all.complaints.begin(), all.complaints.end(),
+                         [&](const auto& have) { return have.text == k.text; }))
+            all.complaints.push_back(std::move(k));
+    if (!more.assumption.empty()) all.assumption = more.assumption;
+    all.simulated = all.simulated && more.simulated;
 }
 
-void report(Run& run, const ActiveCycle& c, const cycles::Expansion& e) {
-    for (const cycles::Complaint& k : e.complaints) {
+geom::Vec3 end_of(const std::vector<cl::Step>& steps, const geom::Vec3& otherwise) {
+    for (auto s = steps.rbegin(); s != steps.rend(); ++s) {
+        if (const auto* line = std::get_if<cl::Linear>(&*s)) return line->to;
+        if (const auto* arc = std::get_if<cl::Arc>(&*s)) return arc->to;
+    }
+    return otherwise;
+}
+
+/// The steps of the cycle; nothing after a complaint.
+std::optional<cycles::Expansion> expansion(Run& run, const ActiveCycle& c, const CycleValues& instead) {
+    const cycles::Demand demand = demand_of(run, c, instead);
+    if (!cycles::is_contour_cycle(demand.kind)) return cycles::expand(demand, situation_of(run));
+    const auto layers = contour_layers(run, demand);
+    if (!layers) return std::nullopt;
+    cycles::Expansion all;
+    cycles::Situation s = situation_of(run);
+    for (const ContourLayer& layer : *layers) {
+        // The cycle goes to its contour by itself: where it comes from does not matter, if only it is somewhere else.
+        if (std::isnan(s.at.x) || std::isnan(s.at.y)) {
+            const geom::Vec2 far = far_from(layer.task);
+            s.at.x = far.x;
+            s.at.y = far.y;
+        }
+        cycles::Demand own = demand;
+        own.values.insert(own.values.end(), layer.instead.begin(), layer.instead.end());
+        append(all, cycles::expand_contour(own, s, layer.task));
+        if (!all.ok()) break;
+        if (!all.steps.empty()) s.at = end_of(all.steps, s.at);
+    }
+    return all;
+}
+
+}  // namespace
+
+void report(Run& run, const ActiveCycle& c, const std::vector<cycles::Complaint>& complaints) {
+    if (run.capture != nullptr) return;
+    for (const cycles::Complaint& k : complaints) {
         base::Span where = run.here();
         for (const CycleSetting& s : c.definition->settings)
             if (k.role && s.role == *k.role) where = s.where;
@@ -137,12 +173,19 @@ void report(Run& run, const ActiveCycle& c, const cycles::Expansion& e) {
         if (!(where == run.here())) d.related.push_back({run.here(), "called here"});
         run.diagnostics.add(std::move(d));
     }
+}
+
+namespace {
+
+void report(Run& run, const ActiveCycle& c, const cycles::Expansion& e) {
+    report(run, c, e.complaints);
     if (!e.assumption.empty()) assume(run, run.here(), c.definition->name + ": " + std::string(e.assumption));
     if (!e.simulated)
         unchecked(run, codes::unsupported, run.here(), c.definition->name + " is not run: its path is not known here");
 }
 
-/// Steps of the working plane as records of the stream.
+}  // namespace
+
 void emit_steps(Run& run, std::vector<cl::Step>& steps) {
     const PlaneAxes a = plane_axes(run.modal.plane);
     const auto place = [&](const geom::Vec3& p) {
@@ -166,6 +209,8 @@ void emit_steps(Run& run, std::vector<cl::Step>& steps) {
         emit(run, std::move(step));
     }
 }
+
+namespace {
 
 void call_program_of(Run& run, const ActiveCycle& c) {
     if (c.texts.empty()) return;
@@ -193,7 +238,17 @@ void define_cycle(Run& run, const CycleDefinition& d) {
         unchecked(run, codes::unsupported, d.where, d.name + " is not run");
 }
 
-void call_cycle(Run& run) {
+void begin_cycle(Run& run, const ActiveCycle& c) {
+    cl::CycleBegin begin;
+    begin.name = c.definition->name;
+    for (std::size_t i = 0; i < c.values.size(); ++i)
+        begin.parameters.push_back({parameter_name(run, c.definition->settings[i]), value_at_call(run, c, i)});
+    emit(run, begin);
+}
+
+void call_cycle(Run& run) { call_cycle(run, {}); }
+
+void call_cycle(Run& run, const CycleValues& instead) {
     if (run.cycle.definition == nullptr) {
         alarm(run, codes::missing_label, run.here(), "no cycle is defined that could be called here",
               "define one with CYCL DEF before the call");
@@ -202,17 +257,13 @@ void call_cycle(Run& run) {
     const ActiveCycle c = run.cycle;
     if (c.definition->kind == program::CycleKind::program_call) return call_program_of(run, c);
     flush_path(run);
-    cl::CycleBegin begin;
-    begin.name = c.definition->name;
-    for (std::size_t i = 0; i < c.values.size(); ++i)
-        begin.parameters.push_back({parameter_name(run, c.definition->settings[i]), value_at_call(run, c, i)});
-    emit(run, begin);
+    begin_cycle(run, c);
     const bool known = cycles::is_expanded(c.definition->kind) || cycles::is_contour_cycle(c.definition->kind);
     if (c.definition->use == CycleUse::refused || !known) {
         unchecked(run, codes::unsupported, run.here(), c.definition->name + " is called and not run");
         run.position = run.programmed_position = {NAN, NAN, NAN};
     } else {
-        std::optional<cycles::Expansion> e = expansion(run, c);
+        std::optional<cycles::Expansion> e = expansion(run, c, instead);
         if (e) report(run, c, *e);
         if (e) emit_steps(run, e->steps);
         if (run.stopped) return;

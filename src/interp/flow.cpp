@@ -263,6 +263,8 @@ void run_statement(Run& run, const Statement& s, std::uint32_t index) {
         case StatementKind::repeat_section: repeat_section(run, unit.sections[table], index); return;
         case StatementKind::label_call: return call_label(run, unit.label_calls[table], index);
         case StatementKind::cycle_definition: return cycle_definition(run, s, index);
+        case StatementKind::pattern: return define_pattern(run, unit.patterns[table]);
+        case StatementKind::contour: return contour_statement(run, unit.contours[table]);
         case StatementKind::call: call_program(run, unit.calls[table]); return;
         case StatementKind::procedure: procedure(run, unit.procedures[table]); return;
         case StatementKind::define: define(run, unit.defines[table], run.top().locals, unit); return;

@@ -24,6 +24,7 @@ struct FreeContour {
     path::FkContour solver;
     const Unit* unit = nullptr;
     std::uint32_t next = 0;  ///< the statement to hand over next
+    std::uint32_t done = 0;  ///< the statement whose element came out last
     bool finished = false;
     std::map<std::uint64_t, path::Element> known;
     std::map<std::uint32_t, std::uint64_t> by_number;  ///< block number -> tag
@@ -197,8 +198,9 @@ void complain(Run& run, const FreeContour& c) {
 }
 
 FreeContour& contour_at(Run& run, std::uint32_t index) {
-    const bool goes_on = run.free_contour != nullptr && run.free_contour->unit == &run.unit() &&
-                         (run.free_contour->known.contains(index) || run.free_contour->next == index);
+    const FreeContour* at_hand = run.free_contour.get();
+    const bool goes_on = at_hand != nullptr && at_hand->unit == &run.unit() && index > at_hand->done &&
+                         index <= at_hand->next;
     if (goes_on) return *run.free_contour;
     const PlaneAxes a = plane_axes(run.modal.plane);
     const geom::Vec3& p = run.programmed_position;
@@ -208,6 +210,7 @@ FreeContour& contour_at(Run& run, std::uint32_t index) {
         std::make_shared<FreeContour>(Vec2{coordinate(p, a.u), coordinate(p, a.v)}, direction, coordinate(p, a.w));
     run.free_contour->unit = &run.unit();
     run.free_contour->next = index;
+    run.free_contour->done = index == 0 ? 0 : index - 1;
     return *run.free_contour;
 }
 
@@ -231,6 +234,7 @@ void free_contour(Run& run, const Special& s, std::uint32_t index) {
     }
     path::Element e = found->second;
     c.known.erase(found);
+    c.done = index;
     const PlaneAxes a = plane_axes(run.modal.plane);
     geom::Vec3 to = run.programmed_position;
     coordinate(to, a.u) = e.to.x;

@@ -121,9 +121,10 @@ void choose_reference_datum(Run& run, const Unit& main) {
     update_frame(run);
 }
 
-bool over_budget(Run& run) {
+}  // namespace
+
+bool over_budget(Run& run, bool check_clock) {
     const shop::Budgets& b = run.env.budgets;
-    const bool check_clock = (run.blocks & 0xFFFF) == 0;
     const double seconds =
         check_clock ? std::chrono::duration<double>(std::chrono::steady_clock::now() - run.started).count() : 0;
     if (run.blocks <= b.blocks && seconds <= b.seconds) return false;
@@ -135,6 +136,8 @@ bool over_budget(Run& run) {
     run.stopped = true;
     return true;
 }
+
+namespace {
 
 bool skipped(const Run& run, const program::Statement& s) {
     const int level = (s.flags & program::skip_mask) - 1;
@@ -216,7 +219,7 @@ void step(Run& run) {
         if (skipped(run, s)) return;
     }
     if ((run.blocks & 0xFFFF) == 0 || run.blocks > run.env.budgets.blocks) {
-        if (over_budget(run)) return;
+        if (over_budget(run, (run.blocks & 0xFFFF) == 0)) return;
     }
     run_statement(run, s, index);
 }

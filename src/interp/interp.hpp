@@ -15,6 +15,7 @@
 #include "cl/stacks.hpp"
 #include "interp/shop_files.hpp"
 #include "program/unit.hpp"
+#include "shop/heidenhain_table.hpp"
 #include "shop/job.hpp"
 
 namespace obrys::interp {
@@ -34,6 +35,8 @@ struct Environment {
     const std::vector<const program::Unit*>& definitions;
     /// Values of global user data by upper-case name: a number, TRUE, FALSE, else a text.
     const std::map<std::string, std::string>& variables;
+    /// The table of that name (upper case, with suffix, without folders: "POINTS.PNT"), or null.
+    base::FunctionRef<const shop::HeidenhainTable*(std::string_view)> find_table;
     /// Tables and forms that the program reads, and what it prints; null: there are none.
     ShopFiles* files = nullptr;
 };

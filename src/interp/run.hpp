@@ -7,6 +7,7 @@
 #include <cstdint>
 #include <initializer_list>
 #include <limits>
+#include <map>
 #include <memory>
 #include <optional>
 #include <set>
@@ -30,7 +31,7 @@ using program::Unit;
 enum class DiameterMode : std::uint8_t { off, on, absolute_only };
 
 /// Coordinate transformations that are set one by one; they act in the order in which they were set.
-enum class TransformKind : std::uint8_t { shift, mirror, rotation, scaling, axis_scaling, plane };
+enum class TransformKind : std::uint8_t { shift, mirror, rotation, scaling, axis_scaling, plane, call_place };
 struct Transform {
     TransformKind kind = TransformKind::shift;
     geom::Frame frame;
@@ -155,6 +156,28 @@ struct ActiveCycle {
     bool modal = false;              ///< M89: behind every block with motion
 };
 
+/// Points at which CYCL CALL PAT calls the cycle, as PATTERN DEF or SEL PATTERN left them; mm.
+struct CallPattern {
+    struct Point {
+        geom::Vec3 at;         ///< the coordinate of the tool axis is that of the surface
+        double clearance = 0;  ///< coordinate of the tool axis on the way to it; NaN: none
+    };
+    bool defined = false;
+    std::vector<Point> points;
+    base::Span where;
+};
+
+/// A statement about the contour of contour cycles that was run, with its values as they were.
+struct ContourChoice {
+    struct Part {
+        std::string name;  ///< of the label or program
+        double depth = 0;  ///< mm; NaN: none of its own
+    };
+    const program::ContourStatement* statement = nullptr;
+    const Unit* unit = nullptr;
+    std::vector<Part> parts;
+};
+
 struct ToolState {
     std::uint32_t number = 0, edge = 0;
     std::string name;
@@ -215,6 +238,10 @@ struct Run {
     std::set<std::string> printed_files;      ///< that the program has begun to print to
     std::string open_table;                   ///< freely definable table (FN 26)
     ActiveCycle contour_data, contour_train_data;
+    CallPattern pattern;
+    std::map<std::string, std::vector<CallPattern::Point>> point_tables;  ///< read so far
+    /// What CONTOUR DEF, or DECLARE CONTOUR and formulas, say the contour is; empty: `contour_labels` do.
+    std::vector<ContourChoice> contour_choices;
 
     geom::Vec3 position;             ///< stream frame, mm; NaN where unknown
     geom::Vec3 programmed_position;  ///< in the programmed frame
@@ -294,6 +321,8 @@ void define(Run&, const program::Define&, Scope& scope, const Unit& unit);
 
 // --- flow (interp.cpp, flow.cpp, calls.cpp)
 void step(Run&);  ///< the next statement of the program
+/// Ends the run where it has made too many blocks or, if the clock is looked at, taken too long.
+bool over_budget(Run&, bool check_clock);
 void run_statement(Run&, const program::Statement&, std::uint32_t index);
 void jump(Run&, const program::Jump&);
 /// Counts a backward branch of the statement being run; ends the run past the budget.
@@ -350,6 +379,16 @@ void select_preset(Run&, const program::CycleDefinition&, double number);
 /// The tilted working plane in force, and a new one in its place.
 [[nodiscard]] geom::Frame active_plane(const Run&);
 void tilt(Run&, const geom::Frame&);
+
+// --- where cycles are called (pattern.cpp, cycle_places.cpp), contours of several (contour_formula.cpp)
+void define_pattern(Run&, const program::Pattern&);
+/// CYCL CALL POS: goes to the position of the block and calls the cycle there.
+void call_cycle_at_position(Run&);
+/// CYCL CALL PAT: calls the cycle at every point of the pattern.
+void call_cycle_at_pattern(Run&);
+void contour_statement(Run&, const program::ContourStatement&);
+/// The program that a text names, path and suffix or not; null after a complaint.
+[[nodiscard]] const Unit* find_named_program(Run&, const std::string& written, const base::Span& where);
 
 // --- what the control writes into parameters (control_parameters.cpp)
 void control_sets(Run&, std::initializer_list<program::ControlValue>);

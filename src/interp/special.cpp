@@ -228,7 +228,13 @@ void run_special(Run& run, const program::Statement& statement, std::uint32_t in
     }
     technology(run);
     if (!run.stopped) act(run, s, index);
-    if (!run.stopped && run.block.has(Code::cycle_call)) call_cycle(run);
+    const bool called = run.block.has(Code::cycle_call), modal = run.block.has(Code::cycle_call_modal);
+    const bool moves =
+        s.kind <= SpecialKind::spline && s.kind != SpecialKind::free_pole && s.kind != SpecialKind::free_select;
+    if (!run.stopped && (called || modal || (moves && run.cycle.modal))) {
+        run.cycle.modal = modal || (run.cycle.modal && !called);
+        call_cycle(run);
+    }
     if (!run.stopped) after_motion(run);
 }
 

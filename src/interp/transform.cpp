@@ -4,7 +4,7 @@
 #include <cmath>
 
 #include "base/codes.hpp"
-#include "interp/motion.hpp"
+#include "interp/cycle_call.hpp"
 
 namespace obrys::interp {
 
@@ -216,6 +216,10 @@ void keep_plane_alone(Run& run) {
     update_programmed(run);
 }
 
+void shift_for_call(Run& run, const geom::Vec3& by) {
+    place(run, TransformKind::call_place, geom::Frame::shift(active(run, TransformKind::call_place).origin + by));
+}
+
 bool act_at_definition(Run& run, const ActiveCycle& c) {
     if (unknown_value(run, c)) return true;
     switch (c.definition->kind) {
@@ -236,7 +240,10 @@ bool act_at_definition(Run& run, const ActiveCycle& c) {
         case CycleKind::contour_definition:
             run.contour_labels = c.texts;
             run.contour_unit = c.unit;
+            run.contour_choices.clear();
             return true;
+        case CycleKind::pattern_circle:
+        case CycleKind::pattern_lines: return run_point_cycle(run, c), true;
         case CycleKind::contour_data: run.contour_data = c; return true;
         case CycleKind::contour_train_data: run.contour_train_data = c; return true;
         default: return false;

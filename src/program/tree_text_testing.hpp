@@ -97,6 +97,36 @@ private:
         }
         return out + (c.texts.empty() ? "" : " " + list(c.texts));
     }
+    std::string pattern(const program::Pattern& p) const {
+        std::string out = p.table == program::no_expr ? "pattern" : "pattern-table " + expr(p.table);
+        for (const program::PatternFigure& f : p.figures) {
+            out += " " + std::to_string(static_cast<int>(f.kind)) + "(";
+            for (const program::FigureSetting& s : f.settings)
+                out += (out.back() == '(' ? "" : " ") + std::to_string(static_cast<int>(s.role)) +
+                       (s.incremental ? "+=" : "=") + expr(s.value);
+            out += ")";
+        }
+        return out;
+    }
+    static std::string node(const program::ContourStatement& c, std::uint32_t at) {
+        const program::ContourNode& n = c.nodes[at];
+        if (n.op == program::ContourOperator::contour) return "QC" + std::to_string(n.number);
+        return "(" + node(c, n.left) + " " + "?|&\\^"[static_cast<std::size_t>(n.op)] + " " + node(c, n.right) + ")";
+    }
+    std::string contour(const program::ContourStatement& c) const {
+        using Kind = program::ContourStatement::Kind;
+        if (c.kind == Kind::selection) return "contour-program " + expr(c.program);
+        if (c.kind == Kind::formula)
+            return "contour QC" + std::to_string(c.number) + "=" +
+                   node(c, static_cast<std::uint32_t>(c.nodes.size() - 1)) + (c.mixed ? " mixed" : "");
+        std::string out = c.kind == Kind::declaration ? "declare QC" + std::to_string(c.number) : "contour";
+        for (const program::ContourPart& p : c.parts) {
+            out += std::string(" ") + (p.island ? "I" : "P") + std::to_string(p.number);
+            out += p.label != program::no_expr ? "=label " + expr(p.label) : "=program " + expr(p.program);
+            if (p.depth != program::no_expr) out += " depth " + expr(p.depth);
+        }
+        return out;
+    }
     std::string head(const program::Statement& s) const {
         if (s.kind == StatementKind::block) return "";
         if (s.kind == StatementKind::label_end) return "label-end";
@@ -129,6 +159,8 @@ private:
             case StatementKind::return_: return "return";
             case StatementKind::label_call: return label_call(u_.label_calls[at]);
             case StatementKind::cycle_definition: return cycle(u_.cycles[at]);
+            case StatementKind::pattern: return pattern(u_.patterns[at]);
+            case StatementKind::contour: return contour(u_.contours[at]);
             default: return "?";
         }
     }

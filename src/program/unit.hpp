@@ -13,6 +13,7 @@
 #include "program/cycle.hpp"
 #include "program/expr.hpp"
 #include "program/names.hpp"
+#include "program/pattern.hpp"
 #include "program/special.hpp"
 #include "program/traits.hpp"
 #include "program/word.hpp"
@@ -46,6 +47,8 @@ enum class StatementKind : std::uint8_t {
     label_end,         ///< LBL 0: back to the call, where there is one
     cycle_definition,  ///< CYCL DEF: Unit::cycles
     special,           ///< APPR, FL, SPL, PLANE …: Unit::specials; its first word is `control`, then ordinary words
+    pattern,           ///< points for cycle calls: Unit::patterns
+    contour,           ///< contours of contour cycles: Unit::contours
 };
 
 struct Statement {
@@ -254,6 +257,8 @@ struct Unit {
     std::vector<LabelCall> label_calls;
     std::vector<CycleDefinition> cycles;
     std::vector<Special> specials;
+    std::vector<Pattern> patterns;
+    std::vector<ContourStatement> contours;
     std::optional<Blank> blank;
     std::vector<Call> calls;
     std::vector<ProcedureCall> procedures;

@@ -134,6 +134,7 @@ enum class Modal : std::uint16_t {
     feed_at_contour,
     feed_at_tool,
     feed_at_inside,  ///< CFC, CFTCP, CFIN
+    cycle_pattern,   ///< this block: the cycle is called at every point of the pattern
 };
 
 /// How the payload is to be read.

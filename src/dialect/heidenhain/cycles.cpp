@@ -13,6 +13,7 @@ using Kind = program::CycleKind;
 using Use = Cycle::Use;
 
 constexpr bool at_call = true, at_definition = false;
+constexpr std::string_view old_form = "form of older controls, whose path is not simulated";
 constexpr std::string_view no_cylinder = "machining on a cylinder surface is not simulated";
 
 constexpr Cycle probe(int number, std::string_view name) {
@@ -25,10 +26,10 @@ std::span<const Cycle> table() {
     static const Cycle cycles[] = {
         {1, Kind::peck, "PECKING", at_call, c1},
         {2, Kind::tap_floating_simple, "TAPPING", at_call, c2},
-        {3, Kind::slot_simple, "SLOT MILLING", at_call, c3},
+        {3, Kind::slot_simple, "SLOT MILLING", at_call, c3, Use::refused, old_form},
         {4, Kind::rectangular_pocket_simple, "POCKET MILLING", at_call, c4},
         {5, Kind::circular_pocket_simple, "CIRCULAR POCKET", at_call, c5},
-        {6, Kind::rough_out_simple, "ROUGH-OUT", at_call, c6},
+        {6, Kind::rough_out_simple, "ROUGH-OUT", at_call, c6, Use::refused, old_form},
         {7, Kind::datum_shift, "DATUM SHIFT", at_definition, c7, Use::run,
          "rotary and secondary axes are refused"},
         {8, Kind::mirror, "MIRROR IMAGE", at_definition, c8},
@@ -39,8 +40,8 @@ std::span<const Cycle> table() {
         {13, Kind::orientation, "ORIENTATION", at_definition, c13, Use::run,
          "says the angle to which M19 turns the spindle"},
         {14, Kind::contour_definition, "CONTOUR GEOMETRY", at_definition, c14},
-        {15, Kind::pilot_drill_simple, "PILOT DRILLING", at_call, c15},
-        {16, Kind::contour_mill_simple, "CONTOUR MILLING", at_call, c16},
+        {15, Kind::pilot_drill_simple, "PILOT DRILLING", at_call, c15, Use::refused, old_form},
+        {16, Kind::contour_mill_simple, "CONTOUR MILLING", at_call, c16, Use::refused, old_form},
         {17, Kind::tap_rigid_simple, "RIGID TAPPING", at_call, c17},
         {18, Kind::thread_cut, "THREAD CUTTING", at_call, c18},
         {19, Kind::working_plane, "WORKING PLANE", at_definition, c19, Use::run,

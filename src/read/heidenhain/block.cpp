@@ -80,10 +80,7 @@ struct NotRun {
 };
 constexpr std::array not_run{
     NotRun{"LN", "straight lines with surface normals (3D compensation)"},
-    NotRun{"SEL", "selection of a program, pattern or contour"},
-    NotRun{"DECLARE", "contour of a formula"},
-    NotRun{"CONTOUR", "contour of a formula"},
-    NotRun{"PATTERN", "pattern of positions"},
+    NotRun{"SEL", "selection of a program"},
     NotRun{"TRANS", "mirror, rotation or scaling of a later control"},
     NotRun{"TCH", "touch probe"},
     NotRun{"FUNCTION", "function of a later control"},
@@ -171,8 +168,11 @@ void read_block(State& s) {
     const std::string_view word = s.in.letters();
     const std::uint32_t begin = s.in.at();
     if (!is(word, "CYCL") && !is(word, "CYCLE")) s.open_cycle = program::no_target;
-    if (word.empty() || (!read_structure(s, word) && !read_special_block(s, word) && !read_path_block(s, word) &&
-                         !read_shop_block(s, word) && !read_not_run(s, word))) {
+    const bool known =
+        !word.empty() && (read_structure(s, word) || read_special_block(s, word) || read_path_block(s, word) ||
+                          read_pattern_block(s, word) || read_contour_block(s, word) || read_shop_block(s, word) ||
+                          read_not_run(s, word));
+    if (!known) {
         s.build.statement(StatementKind::block, s.block);
         s.in.go_to(begin);
         const std::string token = base::as_utf8(s.in.token());

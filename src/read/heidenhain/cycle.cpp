@@ -225,14 +225,10 @@ void read_definition(State& s, std::uint32_t begin) {
 
 void read_call(State& s, std::uint32_t begin) {
     s.build.statement(StatementKind::block, s.block);
-    if (s.in.take_word("PAT")) {
-        s.in.skip_block();
-        s.build.problem(Code::unsupported, begin, s.in.at(), "the pattern is not followed");
-        return;
-    }
-    if (s.in.take_word("POS")) {
-        s.build.modal(Modal::cycle_position, begin, s.in.at());
-        s.build.modal(Modal::rapid, begin, s.in.at());
+    const bool pattern = s.in.take_word("PAT");
+    if (pattern || s.in.take_word("POS")) {
+        s.build.modal(pattern ? Modal::cycle_pattern : Modal::cycle_position, begin, s.in.at());
+        s.build.modal(has_rapid(s) ? Modal::rapid : Modal::linear, begin, s.in.at());
     }
     s.build.bare(Code::cycle_call, begin, s.in.at());
     read_words(s, false);

@@ -85,8 +85,8 @@ TEST(Iso, ComplaintsNamePlaceAndRemedy) {
 }
 
 TEST(Iso, WhatIsNotRunStaysInTheTree) {
-    for (const char* block : {"G20 T1", "G33 X+5", "G440 X", "G55 P01 10 P02 Z- P03 X+5", "D17 P01 +1 P02 +2", "D99 Q1",
-                              "G79 PAT", "(WAIT)", "&"}) {
+    for (const char* block :
+         {"G20 T1", "G33 X+5", "G440 X", "G55 P01 10 P02 Z- P03 X+5", "D17 P01 +1 P02 +2", "D99 Q1", "(WAIT)", "&"}) {
         Result r;
         read_into(r, "%T G71 *\nN10 " + std::string(block) + " *\n");
         EXPECT_EQ(r.unit.problems.size(), 1U) << block;

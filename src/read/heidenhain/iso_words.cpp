@@ -193,11 +193,10 @@ private:
 
     void read_cycle_call(std::uint32_t begin) {
         s_.in.take(':');
-        if (s_.in.take_word("PAT")) {
-            s_.in.skip_block();
-            return s_.build.problem(Code::unsupported, begin, s_.in.at(), "the pattern is not followed");
-        }
-        if (b_.has_any(axes)) s_.build.modal(Modal::cycle_position, begin, s_.in.at());
+        if (s_.in.take_word("PAT"))
+            s_.build.modal(Modal::cycle_pattern, begin, s_.in.at());
+        else if (b_.has_any(axes))
+            s_.build.modal(Modal::cycle_position, begin, s_.in.at());
         s_.build.bare(Code::cycle_call, begin, s_.in.at());
     }
 

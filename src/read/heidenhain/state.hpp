@@ -101,12 +101,17 @@ void read_word(State& s, bool arc);                        ///< one of them
 bool read_special_block(State& s, std::string_view word);  ///< special_block.cpp: APPR DEP FL … SPL PLANE
 bool read_shop_block(State& s, std::string_view word);     ///< shop_block.cpp: SEL TABLE, TRANS DATUM
 bool read_shop_function(State& s, int n, std::uint32_t begin);  ///< shop_block.cpp: FN 15 … 17, 25 … 28
-void read_m(State& s, std::uint32_t begin);                ///< m_word.cpp: the number of an M function
-void read_tool_block(State& s, std::uint32_t begin);       ///< tool_block.cpp
-void read_tool(State& s);                                  ///< its number, name or parameter, where one stands
-void read_oversize(State& s, std::uint32_t begin);         ///< DL, DR, DR2
-void preselect_tool(State& s, std::uint32_t begin);        ///< the next tool's number is of no interest
-bool read_function(State& s);                              ///< function.cpp: FN n:
+bool read_pattern_block(State& s, std::string_view word);  ///< pattern_block.cpp: PATTERN DEF, SEL PATTERN
+/// contour_block.cpp: CONTOUR DEF, SEL CONTOUR, DECLARE CONTOUR, QC1 = …
+bool read_contour_block(State& s, std::string_view word);
+/// "TNC:\DIR\NAME.H", the same without quotes, or QS5; `due` says what is missing where there is none.
+[[nodiscard]] ExprId read_file_name(State& s, std::string_view due);
+void read_m(State& s, std::uint32_t begin);           ///< m_word.cpp: the number of an M function
+void read_tool_block(State& s, std::uint32_t begin);  ///< tool_block.cpp
+void read_tool(State& s);                             ///< its number, name or parameter, where one stands
+void read_oversize(State& s, std::uint32_t begin);    ///< DL, DR, DR2
+void preselect_tool(State& s, std::uint32_t begin);   ///< the next tool's number is of no interest
+bool read_function(State& s);                         ///< function.cpp: FN n:
 /// The Klartext form behind FN n:, a statement for it included.
 void read_numbered(State& s, int n, std::uint32_t begin);
 void read_assigned(State& s, ExprId to, ExprId value);

@@ -1,0 +1,31 @@
+#pragma once
+/// Calling a cycle: what its definition, the call and the place of the call put together. Private to interp.
+
+#include <vector>
+
+#include "cycles/cycle.hpp"
+#include "interp/motion.hpp"
+
+namespace obrys::interp {
+
+using CycleValues = std::vector<program::CycleValue>;
+
+/// What the cycle's parameters say now; `instead` comes last and wins.
+[[nodiscard]] cycles::Demand demand_of(const Run&, const ActiveCycle&, const CycleValues& instead = {});
+/// The cycle defined last, where the tool stands.
+void call_cycle(Run&, const CycleValues& instead);
+void report(Run&, const ActiveCycle&, const std::vector<cycles::Complaint>&);
+/// Opens the cycle's bracket in the stream.
+void begin_cycle(Run&, const ActiveCycle&);
+/// Steps of the working plane as records of the stream.
+void emit_steps(Run&, std::vector<cl::Step>&);
+/// (u, v, w) of the working plane, as cycles have it.
+[[nodiscard]] geom::Vec3 into_plane(const geom::Vec3& p, const PlaneAxes& a);
+[[nodiscard]] geom::Vec3 out_of_plane(const geom::Vec3& p, const PlaneAxes& a);
+
+/// Cycles 220 and 221: the cycle defined last at every point of theirs (cycle_places.cpp).
+void run_point_cycle(Run&, const ActiveCycle&);
+/// While a cycle is called at a place of its own, the frame's origin lies there: moves it (transform.cpp).
+void shift_for_call(Run&, const geom::Vec3& by);
+
+}  // namespace obrys::interp
