@@ -233,7 +233,7 @@ void emit_element(Run& run, const path::Element& e, bool rapid) {
     };
     const Vec3 to = geom::apply(run.frame, in_space(e.to, e.w_to));
     if (!path::is_arc(e)) {
-        run.record.step = cl::Linear{to, {0, 0, 1}, rapid};
+        run.record.step = cl::Linear{to, run.tool_axis, rapid};
         run.sink(run.record);
         return;
     }

@@ -339,8 +339,10 @@ void procedure(Run& run, const program::ProcedureCall& p) {
             if (text.empty() && !run.last_message.empty()) text = ": " + run.last_message;
             const auto known = run.traits->alarm_text;
             const bool plain = v.number >= 0 && v.number < 1e9;
-            const std::string shown = known != nullptr && plain ? known(static_cast<int>(v.number)) : "alarm " + printed(v);
-            if (!run.stopped) alarm(run, codes::program_alarm, p.where, "the program stops itself with " + shown + text);
+            const std::string shown =
+                known != nullptr && plain ? known(static_cast<int>(v.number)) : "alarm " + printed(v);
+            if (!run.stopped)
+                alarm(run, codes::program_alarm, p.where, "the program stops itself with " + shown + text);
             return;
         }
         case program::Procedure::master_spindle: return;

@@ -25,6 +25,7 @@ struct Rehearsal::Saved {
     std::uint64_t blocks;
     geom::Vec3 position, programmed_position;
     geom::Frame frame;
+    geom::Vec3 tool_axis;
     std::uint32_t reference_datum;
     std::unordered_map<std::string, double> extra_axes;
     geom::Vec2 last_direction;
@@ -41,43 +42,16 @@ struct Rehearsal::Saved {
 };
 
 Rehearsal::Rehearsal(Run& r)
-    : run_(r),
-      saved_(new Saved{r.capture,
-                       r.calls,
-                       r.parameters,
-                       r.modal,
-                       r.block,
-                       r.tool,
-                       r.spindle,
-                       r.feed,
-                       r.coolant_on,
-                       r.feed_valid,
-                       r.feed_dropped,
-                       r.moved,
-                       r.datum_emitted,
-                       r.datum_known,
-                       r.frame_is_identity,
-                       r.stopped,
-                       r.ending,
-                       r.blocks,
-                       r.position,
-                       r.programmed_position,
-                       r.frame,
-                       r.reference_datum,
-                       r.extra_axes,
-                       r.last_direction,
-                       r.cycle,
-                       r.contour_labels,
-                       r.last_message,
-                       r.statement,
-                       r.free_contour,
-                       r.contour_data,
-                       r.contour_train_data,
-                       r.contour_unit,
-                       r.pattern,
-                       r.contour_choices,
-                       r.datum_table,
-                       r.open_table}) {
+    : run_(r), saved_(new Saved{r.capture,        r.calls,        r.parameters,        r.modal,
+                                r.block,          r.tool,         r.spindle,           r.feed,
+                                r.coolant_on,     r.feed_valid,   r.feed_dropped,      r.moved,
+                                r.datum_emitted,  r.datum_known,  r.frame_is_identity, r.stopped,
+                                r.ending,         r.blocks,       r.position,          r.programmed_position,
+                                r.frame,          r.tool_axis,    r.reference_datum,   r.extra_axes,
+                                r.last_direction, r.cycle,        r.contour_labels,    r.last_message,
+                                r.statement,      r.free_contour, r.contour_data,      r.contour_train_data,
+                                r.contour_unit,   r.pattern,      r.contour_choices,   r.datum_table,
+                                r.open_table}) {
     run_.capture = &elements_;
 }
 
@@ -104,6 +78,7 @@ Rehearsal::~Rehearsal() {
     run_.position = s.position;
     run_.programmed_position = s.programmed_position;
     run_.frame = s.frame;
+    run_.tool_axis = s.tool_axis;
     run_.reference_datum = s.reference_datum;
     run_.extra_axes = std::move(s.extra_axes);
     run_.last_direction = s.last_direction;

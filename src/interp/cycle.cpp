@@ -96,10 +96,14 @@ cycles::Situation situation_of(const Run& run) {
     cycles::Situation s;
     s.at = into_plane(run.programmed_position, plane_axes(run.modal.plane));
     if (const shop::Tool* t = run.tool.data; t != nullptr && t->radius > 0) {
-        s.tool_radius = t->radius + run.tool.delta_radius;
-        s.tool_corner_radius = t->corner_radius + run.tool.delta_corner;
+        s.tool_radius = t->radius + t->delta_radius + run.tool.delta_radius;
+        s.tool_corner_radius = t->corner_radius + t->delta_corner_radius + run.tool.delta_corner;
     }
-    if (const shop::Tool* t = run.tool.data; t != nullptr && t->point_angle) s.tool_point_angle = *t->point_angle;
+    if (const shop::Tool* t = run.tool.data; t != nullptr) {
+        s.tool_point_angle = t->point_angle.value_or(cycles::unknown);
+        s.tool_plunge_angle = t->plunge_angle.value_or(cycles::unknown);
+        s.tool_cutting_length = t->cutting_length.value_or(cycles::unknown);
+    }
     s.spindle_speed = run.spindle.speed;
     s.spindle_direction = run.spindle.direction;
     if (run.feed_valid && run.modal.feed_mode == cl::FeedMode::per_minute) s.feed = run.feed;
@@ -196,6 +200,7 @@ void emit_steps(Run& run, std::vector<cl::Step>& steps) {
     for (cl::Step& step : steps) {
         if (auto* linear = std::get_if<cl::Linear>(&step)) {
             linear->to = place(linear->to);
+            linear->axis = run.tool_axis;
         } else if (auto* thread = std::get_if<cl::Thread>(&step)) {
             thread->to = place(thread->to);
         } else if (auto* arc = std::get_if<cl::Arc>(&step)) {

@@ -199,8 +199,8 @@ void complain(Run& run, const FreeContour& c) {
 
 FreeContour& contour_at(Run& run, std::uint32_t index) {
     const FreeContour* at_hand = run.free_contour.get();
-    const bool goes_on = at_hand != nullptr && at_hand->unit == &run.unit() && index > at_hand->done &&
-                         index <= at_hand->next;
+    const bool goes_on =
+        at_hand != nullptr && at_hand->unit == &run.unit() && index > at_hand->done && index <= at_hand->next;
     if (goes_on) return *run.free_contour;
     const PlaneAxes a = plane_axes(run.modal.plane);
     const geom::Vec3& p = run.programmed_position;

@@ -103,7 +103,8 @@ std::uint32_t first_preset(const Run& run, const Unit& main) {
             if (s.role != program::CycleRole::preset_number || main.exprs[s.value].kind != program::ExprKind::number)
                 continue;
             const double n = main.numbers[main.exprs[s.value].a];
-            if (n >= 0 && n <= 99'999 && n == std::floor(n)) return run.traits->datum.first + static_cast<std::uint32_t>(n);
+            if (n >= 0 && n <= 99'999 && n == std::floor(n))
+                return run.traits->datum.first + static_cast<std::uint32_t>(n);
         }
     return program::no_datum;
 }

@@ -153,7 +153,7 @@ namespace {
 /// R+ and R-: the path along the axis is longer or shorter by the tool's radius (compensation of paraxial blocks).
 geom::Vec3 lengthened(Run& run, geom::Vec3 to) {
     const shop::Tool* t = run.tool.data;
-    const double radius = t == nullptr ? unknown : t->radius + run.tool.delta_radius;
+    const double radius = t == nullptr ? unknown : t->radius + t->delta_radius + run.tool.delta_radius;
     if (std::isnan(radius))
         unchecked(run, codes::unknown_value, run.here(),
                   "R+ and R- need the radius of tool T" + std::to_string(run.tool.number) + ", which is not known",
@@ -298,7 +298,7 @@ void straight_motion(Run& run, const geom::Vec3& to, bool rapid) {
         run.free_contour.reset();
         if (run.capture != nullptr) capture(run, straight_element(at, to, a), rapid);
         arrive(run, to);
-        emit(run, cl::Linear{run.position, {0, 0, 1}, rapid});
+        emit(run, cl::Linear{run.position, run.tool_axis, rapid});
         return;
     }
     plane_element(run, straight_element(at, to, a), to, rapid);

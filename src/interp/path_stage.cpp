@@ -20,7 +20,7 @@ int nose_orientation(const shop::Tool& t) {
 std::optional<double> compensation_radius(const shop::Tool& t) {
     if (t.kind == shop::ToolKind::turning) return t.nose_radius;
     if (t.kind == shop::ToolKind::groove) return t.corner_radius;
-    if (t.radius > 0) return t.radius;
+    if (t.radius > 0) return t.radius + t.delta_radius;
     return std::nullopt;
 }
 

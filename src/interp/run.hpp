@@ -58,7 +58,7 @@ struct ModalState {
     geom::Vec3 datum_before{std::numeric_limits<double>::quiet_NaN(), std::numeric_limits<double>::quiet_NaN(),
                             std::numeric_limits<double>::quiet_NaN()};
     geom::Vec3 datum_offset;  ///< of a datum that the program sets itself (FN 25), in the selected one, mm
-    geom::Frame programmed;  ///< TRANS, ROT, SCALE, MIRROR; product of `transforms` where there are any
+    geom::Frame programmed;   ///< TRANS, ROT, SCALE, MIRROR; product of `transforms` where there are any
     std::vector<Transform> transforms;
     Modal last_sense = Modal::linear;  ///< of the last arc; linear: none yet
     bool feed_by_word = false;         ///< feed_mode was chosen by a word of its own (FU) until the next F
@@ -247,6 +247,7 @@ struct Run {
     geom::Vec3 programmed_position;  ///< in the programmed frame
     geom::Frame frame;               ///< programmed frame -> stream frame
     bool frame_is_identity = true;
+    geom::Vec3 tool_axis{0, 0, 1};        ///< in the stream's frame: normal to a tilted working plane
     std::uint32_t reference_datum = 500;  ///< the datum in which the stream's coordinates are
     bool datum_known = true;              ///< the active datum's place against it is known
     bool moved = false;

@@ -194,6 +194,7 @@ void spline(Run& run, const Special& s) {
     record.k2 = geom::apply_direction(run.frame, k[1]);
     record.k3 = geom::apply_direction(run.frame, k[2]);
     record.to = geom::apply(run.frame, to);
+    record.axis = run.tool_axis;
     if (run.modal.compensation != Modal::compensation_off)
         alarm(run, codes::compensation, run.here(), "a spline cannot be run with radius compensation",
               "write R0 before it");

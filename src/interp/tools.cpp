@@ -118,12 +118,18 @@ bool spindle_words(Run& run) {
 /// FU, FZ and F AUTO become a plain feed of their mode, which the next F ends.
 void special_feeds(Run& run) {
     BlockWords& b = run.block;
-    const bool per_rev = b.has(Code::feed_per_rev);
     if (b.has(Code::feed_per_tooth)) {
-        unchecked(run, codes::unsupported, run.here(),
-                  "the feed per tooth FZ needs the number of teeth, which is not known: the last feed is kept");
-        return;
+        const shop::Tool* t = run.tool.data;
+        if (t == nullptr || t->teeth <= 0) {
+            unchecked(run, codes::unknown_value, run.here(),
+                      "the feed per tooth FZ needs the number of teeth of the tool, which is not known: the last feed "
+                      "is kept",
+                      "give the tool in a tool table with its column CUT.");
+            return;
+        }
+        b.put(Code::feed_per_rev, b.get(Code::feed_per_tooth) * t->teeth);
     }
+    const bool per_rev = b.has(Code::feed_per_rev);
     if (b.has(Code::feed_auto)) {
         if (run.tool.feed > 0)
             b.put(Code::feed, run.tool.feed / feed_factor(run));

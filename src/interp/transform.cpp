@@ -46,6 +46,8 @@ std::vector<Transform>::iterator find(Run& run, TransformKind kind) {
 }
 
 void update_programmed(Run& run) {
+    const geom::Vec3 normal = geom::apply_direction(active_plane(run), {0, 0, 1});
+    run.tool_axis = (1 / geom::length(normal)) * normal;
     run.modal.programmed = {};
     for (const Transform& t : run.modal.transforms) run.modal.programmed = run.modal.programmed * t.frame;
     update_frame(run);
