@@ -39,8 +39,8 @@ std::vector<cl::Step> run(const std::vector<Text>& texts, const std::string& abo
         const auto found = units.find(name);
         return found == units.end() ? nullptr : &found->second;
     };
-    const interp::Environment environment{sources, names, machine,     tools,     overrides, budgets,
-                                          skip,    find,  definitions, variables};
+    const interp::Environment environment{sources, names, machine, tools,       overrides,
+                                          budgets, skip,  find,    definitions, variables};
     cl::CallStacks stacks;
     std::vector<cl::Step> steps;
     interp::run(

@@ -84,6 +84,18 @@ void PathPlotter::operator()(const cl::Record& record) {
     position_.move_to(cl::position_after(from, record.step));
 }
 
+void PathPlotter::programmed(geom::Vec3 from, const cl::Record& element) {
+    if (plot_.contour.size() >= options_.keep_moves) return;
+    const geom::Vec3 by = position_.to_stock(), to = cl::position_after(from, element.step);
+    if (!geom::is_finite(from + by) || !geom::is_finite(to + by) || geom::length(from) + geom::length(to) > drawable)
+        return;
+    report::PlotMove m;
+    m.points.push_back(from + by);
+    cl::points_between(from, element.step, chord, chords, [&](geom::Vec3 p) { m.points.push_back(p + by); });
+    m.points.push_back(to + by);
+    plot_.contour.push_back(std::move(m));
+}
+
 /// True where the move is in the picture.
 bool PathPlotter::draw(geom::Vec3 from, const cl::Record& record) {
     if (plot_.moves.size() + plot_.unplaced_moves >= options_.keep_moves) return false;

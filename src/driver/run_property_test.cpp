@@ -30,8 +30,8 @@ std::vector<cl::Record> run(const std::string& text, const shop::Machine& machin
     const std::map<std::string, std::string> variables;
     const shop::Budgets budgets;
     const auto find = [](std::string_view) -> const program::Unit* { return nullptr; };
-    const interp::Environment environment{sources, names, machine,     tools,     overrides, budgets,
-                                          skip,    find,  definitions, variables};
+    const interp::Environment environment{sources, names, machine, tools,       overrides,
+                                          budgets, skip,  find,    definitions, variables};
     cl::CallStacks stacks;
     std::vector<cl::Record> out;
     const auto outcome = interp::run(

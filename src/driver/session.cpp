@@ -219,7 +219,7 @@ bool open(const Request& request, Session& s) {
     });
 }
 
-interp::Outcome interpret(Session& s, cl::Sink sink) {
+interp::Outcome interpret(Session& s, cl::Sink sink, const interp::ContourSink* programmed) {
     const auto find = [&](std::string_view name) { return s.programs->find(name); };
     const interp::Environment environment{s.sources,
                                           s.programs->names(),
@@ -231,7 +231,8 @@ interp::Outcome interpret(Session& s, cl::Sink sink) {
                                           find,
                                           s.programs->definitions(),
                                           s.job.variables,
-                                          s.files.get()};
+                                          s.files.get(),
+                                          programmed};
     interp::Outcome outcome = interp::run(*s.main, environment, s.stacks, sink, s.diagnostics);
     if (s.files) s.files->write_printed();  // none where a session was put together without files
     return outcome;

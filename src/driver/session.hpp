@@ -44,8 +44,9 @@ struct Session {
 /// (exit code 2); what is wrong stands in the session's diagnostics.
 bool open(const Request& request, Session& session);
 
-/// Interprets the main program to `sink`.
-interp::Outcome interpret(Session& session, cl::Sink sink);
+/// Interprets the main program to `sink`; `programmed` is told contours as they are programmed where the tool's path
+/// differs from them.
+interp::Outcome interpret(Session& session, cl::Sink sink, const interp::ContourSink* programmed = nullptr);
 
 /// Names of the controls whose programs can be read.
 [[nodiscard]] std::vector<std::string> controls();

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <optional>
 
 #include "base/codes.hpp"
 #include "base/number.hpp"
@@ -211,9 +212,10 @@ void plane_element(Run& run, path::Element e, const Vec3& to, bool rapid) {
     run.free_contour.reset();
     if (run.capture != nullptr)
         capture(run, e, rapid);
-    else if (needs_path_stage(run))
+    else if (needs_path_stage(run)) {
+        if (!rapid) tell_programmed(run, e);
         run.path->push(run, std::move(e), rapid);
-    else {
+    } else {
         run.record.from = run.here();
         run.record.stack = run.top().stack;
         emit_element(run, e, rapid);
@@ -222,31 +224,46 @@ void plane_element(Run& run, path::Element e, const Vec3& to, bool rapid) {
     run.position = run.frame_is_identity ? to : geom::apply(run.frame, to);
 }
 
-void emit_element(Run& run, const path::Element& e, bool rapid) {
+namespace {
+
+/// A point of the working plane in the stream's frame.
+Vec3 in_stream(const Run& run, Vec2 p, double w) {
     const PlaneAxes a = plane_axes(run.modal.plane);
-    const auto in_space = [&](Vec2 p, double w) {
-        Vec3 v;
-        coordinate(v, a.u) = p.x;
-        coordinate(v, a.v) = p.y;
-        coordinate(v, a.w) = w;
-        return v;
-    };
-    const Vec3 to = geom::apply(run.frame, in_space(e.to, e.w_to));
-    if (!path::is_arc(e)) {
-        run.record.step = cl::Linear{to, run.tool_axis, rapid};
-        run.sink(run.record);
-        return;
-    }
-    const Vec3 u = geom::apply_direction(run.frame, in_space({1, 0}, 0)),
-               v = geom::apply_direction(run.frame, in_space({0, 1}, 0));
-    if (std::abs(geom::length(u) - geom::length(v)) > 1e-9) {
+    Vec3 v;
+    coordinate(v, a.u) = p.x;
+    coordinate(v, a.v) = p.y;
+    coordinate(v, a.w) = w;
+    return geom::apply(run.frame, v);
+}
+
+/// The element as a move of the stream; nothing where no circle is left of an arc.
+std::optional<cl::Step> move_of(const Run& run, const path::Element& e, bool rapid) {
+    const Vec3 to = in_stream(run, e.to, e.w_to);
+    if (!path::is_arc(e)) return cl::Linear{to, run.tool_axis, rapid};
+    const Vec3 zero = in_stream(run, {}, 0);
+    const Vec3 u = in_stream(run, {1, 0}, 0) - zero, v = in_stream(run, {0, 1}, 0) - zero;
+    if (std::abs(geom::length(u) - geom::length(v)) > 1e-9) return std::nullopt;
+    const Vec3 normal = geom::cross(u, v);
+    return cl::Arc{to, in_stream(run, e.centre, e.w_from), (1 / geom::length(normal)) * normal, e.sweep};
+}
+
+}  // namespace
+
+void tell_programmed(Run& run, const path::Element& e) {
+    if (run.env.programmed == nullptr) return;
+    if (auto step = move_of(run, e, false))
+        (*run.env.programmed)(in_stream(run, e.from, e.w_from),
+                              cl::Record{std::move(*step), run.here(), run.top().stack});
+}
+
+void emit_element(Run& run, const path::Element& e, bool rapid) {
+    auto step = move_of(run, e, rapid);
+    if (!step) {
         alarm(run, codes::value_range, run.record.from,
               "a circle cannot be run with different scale factors in its plane");
         return;
     }
-    const Vec3 normal = geom::cross(u, v);
-    run.record.step =
-        cl::Arc{to, geom::apply(run.frame, in_space(e.centre, e.w_from)), (1 / geom::length(normal)) * normal, e.sweep};
+    run.record.step = std::move(*step);
     run.sink(run.record);
 }
 

@@ -19,6 +19,8 @@
 
 namespace obrys::interp {
 
+using ContourSink = base::FunctionRef<void(geom::Vec3 from, const cl::Record& element)>;
+
 /// Everything a run needs besides the program. References must outlive the run.
 struct Environment {
     const base::Sources& sources;
@@ -36,6 +38,9 @@ struct Environment {
     const std::map<std::string, std::string>& variables;
     /// Tables and forms that the program reads, and what it prints; null: there are none.
     ShopFiles* files = nullptr;
+    /// Told the elements of contours that compensation, chamfers or roundings change, as they are programmed: where the
+    /// element starts, and the move; stream frame. Null: nobody wants to know.
+    const ContourSink* programmed = nullptr;
 };
 
 enum class Ending : std::uint8_t {

@@ -53,6 +53,8 @@ private:
 [[nodiscard]] path::Setting compensation_setting(Run&);
 /// The chamfer or rounding that the block asks for at its end, without feeds.
 [[nodiscard]] path::CornerRequest corner_of_block(const Run&);
+/// Hands an element as it is programmed to whoever wants it for a picture.
+void tell_programmed(Run&, const path::Element& element);
 /// Emits an element of the working plane as a record of the stream.
 void emit_element(Run&, const path::Element& element, bool rapid);
 

@@ -65,7 +65,13 @@ std::string moves_of(const PathPlot& plot, View view, const Projection& to) {
         for (const geom::Vec3& p : m.points) points.push_back(view(p));
         append_chain(m.rapid ? rapid : feed, points, to);
     }
-    return path("rapid", rapid) + path("feed", feed);
+    std::string contour;
+    for (const PlotMove& m : plot.contour) {
+        std::vector<geom::Vec2> points;
+        for (const geom::Vec3& p : m.points) points.push_back(view(p));
+        append_chain(contour, points, to);
+    }
+    return path("programmed", contour) + path("rapid", rapid) + path("feed", feed);
 }
 
 /// The room between the farthest steps of either side, `times` as wide as it is.
@@ -120,6 +126,7 @@ std::string legend(const PathPlot& plot, double times, double y) {
     };
     entry("feed", "h28", "feed", 72);
     entry("rapid", "h28", "rapid", 76);
+    if (!plot.contour.empty()) entry("programmed", "h28", "contour as programmed", 170);
     if (!plot.interpolation) return out;
     entry("band", "m0 -7h26v14h-26z",
           times > 1 ? "deviations, drawn " + base::fixed(times, 0) + " times as large" : "deviations, true to scale",

@@ -50,7 +50,8 @@ struct Interpolation {
 struct PathPlot {
     PlotPlane plane = PlotPlane::zx;
     std::string program, control, machine;
-    std::vector<PlotMove> moves;  ///< the first ones; those whose place is not known are left out
+    std::vector<PlotMove> moves;    ///< the first ones; those whose place is not known are left out
+    std::vector<PlotMove> contour;  ///< as programmed, where compensation, chamfers or roundings change it
     std::uint64_t all_moves = 0, unplaced_moves = 0;
     double feed_length = 0, rapid_length = 0;  ///< mm
     std::optional<Interpolation> interpolation;

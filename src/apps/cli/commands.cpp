@@ -124,7 +124,9 @@ int plot_path(const Arguments& a, driver::Session& s) {
     };
     driver::PathPlotter plotter(options, row);
     if (table) out.write(report::table_head(a.interpolation));
-    static_cast<void>(driver::interpret(s, plotter));
+    const auto programmed = [&](geom::Vec3 from, const cl::Record& element) { plotter.programmed(from, element); };
+    const interp::ContourSink contour(programmed);
+    static_cast<void>(driver::interpret(s, plotter, &contour));
     report::PathPlot plot = plotter.finish();
     plot.program = s.program;
     plot.control = s.control;

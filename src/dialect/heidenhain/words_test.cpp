@@ -4,9 +4,11 @@
 #include <filesystem>
 #include <fstream>
 #include <map>
-#include <regex>
 #include <set>
 #include <sstream>
+#include <string>
+#include <utility>
+#include <vector>
 
 #include "dialect/heidenhain/cycles.hpp"
 #include "dialect/heidenhain/functions.hpp"
@@ -43,13 +45,31 @@ TEST(HeidenhainWords, TablesAreSortedAndHaveTexts) {
     expect_sorted(all_errors());
 }
 
+namespace {
+
+/// G17, G28* … in front of a tab, behind one of `before` or at the text's begin.
+std::vector<std::pair<int, bool>> codes(const std::string& text, char letter, const std::string& before) {
+    std::vector<std::pair<int, bool>> found;
+    for (std::size_t i = 0; i < text.size(); ++i) {
+        if (text[i] != letter || (i > 0 && before.find(text[i - 1]) == std::string::npos)) continue;
+        std::size_t end = i + 1;
+        int number = 0;
+        for (; end < text.size() && text[end] >= '0' && text[end] <= '9'; ++end)
+            number = number * 10 + (text[end] - '0');
+        const bool star = end < text.size() && text[end] == '*';
+        const std::size_t tab = end + (star ? 1 : 0);
+        if (end > i + 1 && tab < text.size() && text[tab] == '\t') found.emplace_back(number, star);
+    }
+    return found;
+}
+
+}  // namespace
+
 TEST(HeidenhainWords, GCodesAreThoseOfTheAppendix) {
     const std::string text = appendix(1);
     if (text.empty()) GTEST_SKIP() << "needs ../shared";
     std::map<int, bool> listed;  // number, star
-    const std::regex code("(?:^|\n)G([0-9]+)(\\*?)\t");
-    for (std::sregex_iterator i(text.begin(), text.end(), code), last; i != last; ++i)
-        listed[std::stoi((*i)[1])] = (*i)[2].length() > 0;
+    for (const auto& [number, star] : codes(text, 'G', "\n")) listed[number] = star;
     std::map<int, bool> ours;
     for (const GCode& g : all_g())
         if (g.listed) ours[g.number] = g.block_only;
@@ -61,9 +81,7 @@ TEST(HeidenhainWords, MFunctionsOfTheAppendixAreKnown) {
     const std::string text = appendix(2);
     if (text.empty()) GTEST_SKIP() << "needs ../shared";
     std::set<int> listed;
-    const std::regex code("(?:^|[\n\t])M([0-9]+)\t");
-    for (std::sregex_iterator i(text.begin(), text.end(), code), last; i != last; ++i)
-        listed.insert(std::stoi((*i)[1]));
+    for (const auto& [number, star] : codes(text, 'M', "\n\t")) listed.insert(number);
     EXPECT_EQ(listed.size(), 59U);
     for (const int n : listed) EXPECT_NE(find_m(n), nullptr) << "M" << n;
     // In the manual, not in the appendix.
@@ -82,8 +100,7 @@ TEST(HeidenhainWords, MFunctions) {
     EXPECT_FALSE(find_m(120)->block_only);
     EXPECT_EQ(find_m(120)->parameters, "LA");
     for (const int n : {92, 114, 118, 128, 130, 140, 101, 124, 144, 200}) EXPECT_EQ(find_m(n)->use, Use::refused) << n;
-    for (const int n :
-         {0, 1, 2, 30, 3, 4, 5, 6, 8, 9, 13, 14, 89, 91, 97, 98, 99, 109, 110, 111, 120, 136})
+    for (const int n : {0, 1, 2, 30, 3, 4, 5, 6, 8, 9, 13, 14, 89, 91, 97, 98, 99, 109, 110, 111, 120, 136})
         EXPECT_EQ(find_m(n)->use, Use::run) << n;
     for (const int n : {90, 94, 103, 126, 127}) EXPECT_EQ(find_m(n)->use, Use::accepted) << n;
     for (const int n : {-1, 7, 19, 31, 88, 146, 205}) EXPECT_EQ(find_m(n), nullptr) << n;
