@@ -133,7 +133,7 @@ std::string program_name(std::string_view written) {
 const Unit* find(Run& run, const std::string& name, const base::Span& where) {
     if (const Unit* unit = run.env.find_program(name)) return unit;
     unchecked(run, codes::missing_subprogram, where, "the program " + name + " was not found; the call is left out",
-              "put " + name + ".SPF beside the calling program or name its folder with --search");
+              "put its file beside the calling program or name the folder with --search");
     return nullptr;
 }
 
