@@ -2,6 +2,8 @@
 
 #include <array>
 
+#include "base/short_number.hpp"
+
 namespace obrys::read::heidenhain {
 
 using program::Form;
@@ -18,32 +20,7 @@ constexpr std::array<Code, 256> letters = [] {
     return t;
 }();
 
-struct Literal {
-    std::int32_t mantissa = 0;
-    std::uint32_t decimals = 0;
-    const char* end = nullptr;  ///< nothing where the number does not fit a word
-};
-
-/// At most nine digits, so that the mantissa fits 32 bits. The text ends with a byte that is no digit.
-Literal scan(const char* p) {
-    Literal n;
-    const bool negative = *p == '-';
-    if (negative || *p == '+') ++p;
-    std::uint32_t value = 0;
-    const char* begin = p;
-    for (; base::is_digit(*p); ++p) value = value * 10 + static_cast<std::uint32_t>(*p - '0');
-    auto digits = p - begin;
-    if (*p == '.' || *p == ',') {
-        const char* point = p++;
-        for (; base::is_digit(*p); ++p) value = value * 10 + static_cast<std::uint32_t>(*p - '0');
-        n.decimals = static_cast<std::uint32_t>(p - point - 1);
-        digits += p - point - 1;
-    }
-    if (digits == 0 || digits > 9) return n;
-    n.mantissa = negative ? -static_cast<std::int32_t>(value) : static_cast<std::int32_t>(value);
-    n.end = p;
-    return n;
-}
+using Literal = base::ShortNumber;
 
 bool ends_word(char c) { return base::is_blank(c) || c == '\n' || c == '\r' || c == '\0'; }
 
@@ -99,7 +76,7 @@ bool read_literal_block(State& s) {
         }
         const Code code = letters[static_cast<unsigned char>(*p)];
         if (code == Code::control) return give_up();
-        const Literal n = scan(p + 1);
+        const Literal n = base::scan_short_number(p + 1, true);
         if (n.end == nullptr || !ends_word(*n.end)) return give_up();
         unit.words.push_back(make(code, n.decimals, n.mantissa, p, n.end, line));
         last = p = n.end;

@@ -1,5 +1,6 @@
 #include <array>
 
+#include "base/short_number.hpp"
 #include "dialect/sinumerik/tables.hpp"
 #include "read/sinumerik/block.hpp"
 
@@ -27,32 +28,7 @@ constexpr std::array<Code, 256> letters = [] {
     return t;
 }();
 
-struct Literal {
-    std::int32_t mantissa = 0;
-    std::uint32_t decimals = 0;
-    const char* end = nullptr;  ///< nothing where the number does not fit a word
-};
-
-/// At most nine digits, so that the mantissa fits 32 bits.
-Literal scan(const char* p) {
-    Literal n;
-    const bool negative = *p == '-';
-    if (negative || *p == '+') ++p;
-    std::uint32_t value = 0;
-    const char* begin = p;
-    for (; base::is_digit(*p); ++p) value = value * 10 + static_cast<std::uint32_t>(*p - '0');
-    auto digits = p - begin;
-    if (*p == '.') {
-        const char* point = p++;
-        for (; base::is_digit(*p); ++p) value = value * 10 + static_cast<std::uint32_t>(*p - '0');
-        n.decimals = static_cast<std::uint32_t>(p - point - 1);
-        digits += p - point - 1;
-    }
-    if (digits == 0 || digits > 9) return n;
-    n.mantissa = negative ? -static_cast<std::int32_t>(value) : static_cast<std::int32_t>(value);
-    n.end = p;
-    return n;
-}
+using Literal = base::ShortNumber;
 
 /// True where a G code goes into a word; ignored and refused ones are left to the full reader.
 bool modal_payload(const Literal& n, std::int32_t& payload) {
@@ -67,7 +43,7 @@ bool read_word(State& s, const char*& p, const char* line) {
     Word word{};
     const Code code = letters[static_cast<unsigned char>(*p)];
     if (code == Code::control) return false;
-    const Literal n = scan(p + 1);
+    const Literal n = base::scan_short_number(p + 1, false);
     if (n.end == nullptr || n.end - line > 4000) return false;
     const char next = *n.end;
     if (next == '=' || next == '[' || next == '(' || next == ':' || base::upper(next) == 'E' || next == '_')
