@@ -32,16 +32,6 @@ struct Train {
     double approach_radius = 0, approach_angle = 0, distance = 0;
 };
 
-int read_number(Course& c, Role role, double otherwise, int least, int most, const char* what) {
-    const double value = c.maybe(role, otherwise);
-    if (!std::isnan(value) && value >= least && value <= most && value == std::floor(value))
-        return static_cast<int>(value);
-    if (!std::isnan(value))
-        c.fault(role, std::string(what) + " must be a whole number from " + std::to_string(least) + " to " +
-                          std::to_string(most));
-    return least;
-}
-
 Train read_train(Course& c, const Situation& s, int programmed_side) {
     Train t;
     t.top = c.need(Role::surface);
@@ -51,15 +41,15 @@ Train read_train(Course& c, const Situation& s, int programmed_side) {
     t.infeed = c.positive(Role::infeed);
     t.plunge = c.feed(Role::feed_plunge);
     t.mill = c.feed(Role::feed_mill);
-    t.sense = read_number(c, Role::direction, 1, -1, 1, "the type of milling");
+    t.sense = c.whole(Role::direction, 1, -1, 1, "the type of milling");
     const int choice =
-        read_number(c, Role::compensation, programmed_side < 0 ? 2 : programmed_side, 0, 2, "radius compensation");
+        c.whole(Role::compensation, programmed_side < 0 ? 2 : programmed_side, 0, 2, "radius compensation");
     t.side = choice == 2 ? -1 : choice;
     const double radius = milling_radius(c, s);
     t.away = radius + c.maybe(Role::allowance_side, 0);
     if (t.away < 0) c.fault(Role::allowance_side, "the negative allowance is larger than the tool radius");
     c.known(s.at.z, "the tool's height");
-    t.approach = read_number(c, Role::approach, 0, 0, 3, "the type of approach");
+    t.approach = c.whole(Role::approach, 0, 0, 3, "the type of approach");
     t.approach_radius = c.maybe_at_least(Role::approach_radius, 0, 0);
     t.approach_angle = geom::radians(c.maybe_at_least(Role::approach_angle, 0, 0));
     t.distance = c.maybe_at_least(Role::auxiliary_distance, 0, 0);

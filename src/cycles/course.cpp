@@ -51,6 +51,15 @@ double Course::maybe(Role role, double otherwise) {
     return value ? checked(role, *value) : otherwise;
 }
 
+int Course::whole(Role role, int otherwise, int least, int most, const char* what) {
+    const double value = maybe(role, otherwise);
+    if (value >= least && value <= most && value == std::floor(value)) return static_cast<int>(value);
+    if (!std::isnan(value))
+        fault(role, std::string(what) + " must be a whole number from " + std::to_string(least) + " to " +
+                        std::to_string(most));
+    return least;
+}
+
 double Course::at_least(Role role, double least) {
     const double value = need(role);
     if (value < least) fault(role, std::string(name(role)) + " must not be below " + base::shortest(least));

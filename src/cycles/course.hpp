@@ -23,6 +23,8 @@ public:
     double need(Role role);
     /// Not written: `otherwise`; written, it must be finite and known.
     double maybe(Role role, double otherwise);
+    /// Not written: `otherwise`; written, one of the whole numbers from `least` to `most`. `what` names it in the message.
+    int whole(Role role, int otherwise, int least, int most, const char* what);
     double at_least(Role role, double least);  ///< need, and not below
     double positive(Role role);                ///< need, and above 0
     double maybe_at_least(Role role, double least, double otherwise);

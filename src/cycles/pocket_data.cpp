@@ -22,17 +22,6 @@ constexpr double inf = std::numeric_limits<double>::infinity();
 /// mm: a room narrower than this is a line.
 constexpr double no_room = 1e-6;
 
-/// One of the whole numbers 0 .. most.
-int read_choice(Course& c, Role role, int most, const char* what) {
-    const double value = c.maybe(role, 0);
-    if (std::isnan(value)) return 0;
-    if (value < 0 || value > most || value != std::floor(value)) {
-        c.fault(role, std::string(what) + " must be a whole number from 0 to " + std::to_string(most));
-        return 0;
-    }
-    return static_cast<int>(value);
-}
-
 }  // namespace
 
 PocketData read_pocket(Course& c, const Situation& s, bool with_overlap) {
@@ -42,8 +31,8 @@ PocketData read_pocket(Course& c, const Situation& s, bool with_overlap) {
     p.radius = milling_radius(c, s);
     p.called = {s.at.x, s.at.y};
     c.known(s.at.z, "the tool's height");
-    p.operation = read_choice(c, Role::operation, 2, "the machining operation");
-    p.position = read_choice(c, Role::position, 4, "the position");
+    p.operation = c.whole(Role::operation, 0, 0, 2, "the machining operation");
+    p.position = c.whole(Role::position, 0, 0, 4, "the position");
     p.side = c.maybe_at_least(Role::allowance_side, 0, 0);
     p.floor = c.maybe_at_least(Role::allowance_floor, 0, 0);
     p.infeed = c.positive(Role::infeed);
@@ -57,7 +46,7 @@ PocketData read_pocket(Course& c, const Situation& s, bool with_overlap) {
     if (overlap <= 0 || overlap >= 2) c.fault(Role::overlap, "the path overlap factor must be above 0 and below 2");
     p.stepover = overlap * p.radius;
     p.descent.feed = p.plunge;
-    const int how = read_choice(c, Role::plunge, 2, "the plunging strategy");
+    const int how = c.whole(Role::plunge, 0, 0, 2, "the plunging strategy");
     p.descent.how = how == 1 ? Plunge::helix : how == 2 ? Plunge::reciprocate : Plunge::straight;
     if (p.operation != 2) set_angle(c, s, p.descent);
     if (s.tool_cutting_length > 0 && p.descent.angle > 0)

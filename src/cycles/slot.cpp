@@ -114,7 +114,7 @@ Reciprocation read_reciprocation(Course& c, const Situation& s, double width) {
     r.plunge = c.feed_or(Role::feed_plunge, r.mill);
     r.infeed = c.positive(Role::infeed);
     r.finish_infeed = c.maybe_at_least(Role::finish_infeed, 0, 0);
-    r.operation = static_cast<int>(c.maybe(Role::operation, 0));
+    r.operation = c.whole(Role::operation, 0, 0, 2, "the machining operation");
     if (2 * r.radius > width + 1e-9) c.fault(Role::width, "tool radius too large: the tool is wider than the slot");
     if (2 * r.radius < width / 3 - 1e-9) c.fault(Role::width, "the tool is narrower than a third of the slot's width");
     return r;

@@ -20,8 +20,6 @@ namespace {
 constexpr Code centre_words[3] = {Code::i, Code::j, Code::k};
 constexpr Code via_words[3] = {Code::i1, Code::j1, Code::k1};
 
-Vec2 in_plane(const Vec3& v, const PlaneAxes& a) { return {coordinate(v, a.u), coordinate(v, a.v)}; }
-
 /// Centre in the plane: incremental from the start (a radius in a lathe's X), or I=AC(…) in workpiece coordinates.
 Vec2 centre_of(const Run& run, const PlaneAxes& a) {
     const BlockWords& b = run.block;
@@ -236,8 +234,9 @@ Vec3 in_stream(const Run& run, Vec2 p, double w) {
     return geom::apply(run.frame, v);
 }
 
-/// The element as a move of the stream; nothing where no circle is left of an arc.
-std::optional<cl::Step> move_of(const Run& run, const path::Element& e, bool rapid) {
+}  // namespace
+
+std::optional<cl::Step> plane_move(const Run& run, const path::Element& e, bool rapid) {
     const Vec3 to = in_stream(run, e.to, e.w_to);
     if (!path::is_arc(e)) return cl::Linear{to, run.tool_axis, rapid};
     const Vec3 zero = in_stream(run, {}, 0);
@@ -247,22 +246,20 @@ std::optional<cl::Step> move_of(const Run& run, const path::Element& e, bool rap
     return cl::Arc{to, in_stream(run, e.centre, e.w_from), (1 / geom::length(normal)) * normal, e.sweep};
 }
 
-}  // namespace
+void circle_alarm(Run& run, const base::Span& where) {
+    alarm(run, codes::value_range, where, "a circle cannot be run with different scale factors in its plane");
+}
 
 void tell_programmed(Run& run, const path::Element& e) {
     if (run.env.programmed == nullptr) return;
-    if (auto step = move_of(run, e, false))
+    if (auto step = plane_move(run, e, false))
         (*run.env.programmed)(in_stream(run, e.from, e.w_from),
                               cl::Record{std::move(*step), run.here(), run.top().stack});
 }
 
 void emit_element(Run& run, const path::Element& e, bool rapid) {
-    auto step = move_of(run, e, rapid);
-    if (!step) {
-        alarm(run, codes::value_range, run.record.from,
-              "a circle cannot be run with different scale factors in its plane");
-        return;
-    }
+    auto step = plane_move(run, e, rapid);
+    if (!step) return circle_alarm(run, run.record.from);
     run.record.step = std::move(*step);
     run.sink(run.record);
 }

@@ -53,6 +53,7 @@ Rehearsal::Rehearsal(Run& r)
                                 r.contour_unit,   r.pattern,      r.contour_choices,   r.datum_table,
                                 r.open_table}) {
     run_.capture = &elements_;
+    run_.free_contour.reset();  // its solver would go on with blocks that are only tried
 }
 
 Rehearsal::~Rehearsal() {

@@ -95,7 +95,7 @@ double radius_of_tool(const Run& run, const cycles::Demand& d, program::CycleRol
     const auto number = d.find(role);
     if (!number || *number == 0) return cycles::unknown;
     for (const shop::Tool& t : run.tools)
-        if (t.number == *number && t.radius > 0) return t.radius + t.delta_radius;
+        if (t.number == *number && mill_radius(t)) return *mill_radius(t);
     return cycles::unknown;
 }
 

@@ -13,13 +13,8 @@ namespace {
 
 constexpr double unknown = std::numeric_limits<double>::quiet_NaN();
 
-double tool_size(const Run& run, bool radius) {
-    const shop::Tool* t = run.tool.data;
-    const bool none = run.tool.number == 0 && run.tool.name.empty() && run.tool.edge != 0;  // TOOL CALL 0
-    if (t == nullptr && !none) return unknown;
-    const double own = t == nullptr ? 0 : radius ? t->radius + t->delta_radius : t->length + t->delta_length;
-    const double mm = own + (radius ? run.tool.delta_radius : run.tool.delta_length);
-    return run.modal.inch_geometry ? mm / 25.4 : mm;
+bool no_tool(const Run& run) {  // TOOL CALL 0
+    return run.tool.data == nullptr && run.tool.number == 0 && run.tool.name.empty() && run.tool.edge != 0;
 }
 
 double spindle_state(const SpindleState& s) {
@@ -27,10 +22,32 @@ double spindle_state(const SpindleState& s) {
     return s.last == 0 ? -1 : s.last > 0 ? 2 : 3;
 }
 
-double value_of(const Run& run, ControlValue v) {
+void write(Run& run, const program::ControlParameter& p, double v) {
+    if (p.number < run.parameters.count() && run.parameter_overridden[p.number] == 0)
+        run.parameters.set_by_control(p.number, v);
+}
+
+}  // namespace
+
+std::optional<double> mill_radius(const shop::Tool& t) {
+    return t.radius > 0 ? std::optional(t.radius + t.delta_radius) : std::nullopt;
+}
+
+double active_radius(const Run& run) {
+    const auto own = run.tool.data == nullptr ? std::nullopt : mill_radius(*run.tool.data);
+    return own.value_or(no_tool(run) ? 0 : unknown) + run.tool.delta_radius;
+}
+
+double active_length(const Run& run) {
+    const shop::Tool* t = run.tool.data;
+    const double own = t != nullptr ? t->length + t->delta_length : no_tool(run) ? 0 : unknown;
+    return own + run.tool.delta_length;
+}
+
+double control_value(const Run& run, ControlValue v) {
     switch (v) {
-        case ControlValue::tool_radius: return tool_size(run, true);
-        case ControlValue::tool_length: return tool_size(run, false);
+        case ControlValue::tool_radius: return active_radius(run);
+        case ControlValue::tool_length: return active_length(run);
         case ControlValue::tool_axis: return run.modal.plane == 17 ? 2 : run.modal.plane == 18 ? 1 : 0;
         case ControlValue::spindle_state: return spindle_state(run.spindle);
         case ControlValue::coolant_state: return run.coolant_on ? 1 : 0;
@@ -39,9 +56,12 @@ double value_of(const Run& run, ControlValue v) {
     }
 }
 
-void write(Run& run, const program::ControlParameter& p, double v) {
-    if (p.number < run.parameters.count() && run.parameter_overridden[p.number] == 0)
-        run.parameters.set_by_control(p.number, v);
+namespace {
+
+/// Parameters hold lengths in the program's unit.
+double value_of(const Run& run, ControlValue v) {
+    const bool length = v == ControlValue::tool_radius || v == ControlValue::tool_length;
+    return control_value(run, v) / (length && run.modal.inch_geometry ? 25.4 : 1);
 }
 
 }  // namespace

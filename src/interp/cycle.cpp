@@ -95,11 +95,9 @@ namespace {
 cycles::Situation situation_of(const Run& run) {
     cycles::Situation s;
     s.at = into_plane(run.programmed_position, plane_axes(run.modal.plane));
-    if (const shop::Tool* t = run.tool.data; t != nullptr && t->radius > 0) {
-        s.tool_radius = t->radius + t->delta_radius + run.tool.delta_radius;
-        s.tool_corner_radius = t->corner_radius + t->delta_corner_radius + run.tool.delta_corner;
-    }
+    s.tool_radius = active_radius(run);
     if (const shop::Tool* t = run.tool.data; t != nullptr) {
+        if (mill_radius(*t)) s.tool_corner_radius = t->corner_radius + t->delta_corner_radius + run.tool.delta_corner;
         s.tool_point_angle = t->point_angle.value_or(cycles::unknown);
         s.tool_plunge_angle = t->plunge_angle.value_or(cycles::unknown);
         s.tool_cutting_length = t->cutting_length.value_or(cycles::unknown);
@@ -190,6 +188,21 @@ void report(Run& run, const ActiveCycle& c, const cycles::Expansion& e) {
 
 }  // namespace
 
+namespace {
+
+/// An arc of a cycle, which runs in the plane, as an element of it.
+path::Element plane_arc(const cl::Arc& arc) {
+    path::Element e;
+    e.to = {arc.to.x, arc.to.y};
+    e.w_to = arc.to.z;
+    e.centre = {arc.centre.x, arc.centre.y};
+    e.w_from = arc.centre.z;
+    e.sweep = arc.normal.z < 0 ? -arc.sweep : arc.sweep;
+    return e;
+}
+
+}  // namespace
+
 void emit_steps(Run& run, std::vector<cl::Step>& steps) {
     const PlaneAxes a = plane_axes(run.modal.plane);
     const auto place = [&](const geom::Vec3& p) {
@@ -204,12 +217,10 @@ void emit_steps(Run& run, std::vector<cl::Step>& steps) {
         } else if (auto* thread = std::get_if<cl::Thread>(&step)) {
             thread->to = place(thread->to);
         } else if (auto* arc = std::get_if<cl::Arc>(&step)) {
-            const geom::Vec3 n = geom::apply_direction(run.frame, out_of_plane(arc->normal, a));
-            const double sign = geom::determinant(run.frame) < 0 ? -1 : 1;
-            arc->normal = (1 / geom::length(n)) * n;
-            arc->sweep *= sign;
-            arc->centre = geom::apply(run.frame, out_of_plane(arc->centre, a));
-            arc->to = place(arc->to);
+            const auto placed = plane_move(run, plane_arc(*arc), false);
+            if (!placed) return circle_alarm(run, run.here());
+            place(arc->to);
+            step = *placed;
         }
         emit(run, std::move(step));
     }

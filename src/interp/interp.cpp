@@ -199,6 +199,11 @@ void unchecked(Run& run, std::string_view code, const base::Span& where, std::st
     run.diagnostics.add({base::Severity::warning, code, where, std::move(text), std::move(remedy), stack_of(run), {}});
 }
 
+void unchecked_once(Run& run, std::string_view code, const base::Span& where, std::string text, std::string remedy) {
+    if (run.capture == nullptr && run.assumed.insert(text).second)
+        unchecked(run, code, where, std::move(text), std::move(remedy));
+}
+
 void assume(Run& run, const base::Span& where, std::string text, std::string remedy) {
     if (run.capture != nullptr || !run.assumed.insert(text).second) return;
     run.diagnostics.add(

@@ -152,8 +152,7 @@ namespace {
 
 /// R+ and R-: the path along the axis is longer or shorter by the tool's radius (compensation of paraxial blocks).
 geom::Vec3 lengthened(Run& run, geom::Vec3 to) {
-    const shop::Tool* t = run.tool.data;
-    const double radius = t == nullptr ? unknown : t->radius + t->delta_radius + run.tool.delta_radius;
+    const double radius = active_radius(run);
     if (std::isnan(radius))
         unchecked(run, codes::unknown_value, run.here(),
                   "R+ and R- need the radius of tool T" + std::to_string(run.tool.number) + ", which is not known",

@@ -1,6 +1,8 @@
 #pragma once
 /// Motion inside interp: what straight moves and arcs share. Private.
 
+#include <optional>
+
 #include "interp/run.hpp"
 #include "path/element.hpp"
 
@@ -11,6 +13,9 @@ struct PlaneAxes {
     int u = 0, v = 1, w = 2;
 };
 [[nodiscard]] PlaneAxes plane_axes(int plane);
+[[nodiscard]] inline geom::Vec2 in_plane(const geom::Vec3& v, const PlaneAxes& a) {
+    return {coordinate(v, a.u), coordinate(v, a.v)};
+}
 
 /// Millimetres per programmed unit of a linear axis: inches, and diameters of a lathe's X.
 [[nodiscard]] double length_factor(const Run&, int axis, bool incremental);
@@ -34,6 +39,9 @@ void set_pole(Run&);
 
 /// Runs the block's arc to `to` (programmed frame); false where it could not be resolved.
 [[nodiscard]] bool arc_motion(Run&, const geom::Vec3& to);
+/// An element of the working plane as a move of the stream; nothing where scaling leaves no circle of an arc.
+[[nodiscard]] std::optional<cl::Step> plane_move(const Run&, const path::Element& element, bool rapid);
+void circle_alarm(Run&, const base::Span& where);
 /// Keeps an element for whoever rehearses the run (capture.hpp).
 void capture(Run&, const path::Element& element, bool rapid);
 /// Runs an element of the working plane that ends at `to` (programmed frame), through the path stage where it is at

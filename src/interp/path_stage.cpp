@@ -20,8 +20,7 @@ int nose_orientation(const shop::Tool& t) {
 std::optional<double> compensation_radius(const shop::Tool& t) {
     if (t.kind == shop::ToolKind::turning) return t.nose_radius;
     if (t.kind == shop::ToolKind::groove) return t.corner_radius;
-    if (t.radius > 0) return t.radius + t.delta_radius;
-    return std::nullopt;
+    return mill_radius(t);
 }
 
 /// The contour is compensated in programmed coordinates: the tool, which no frame turns or scales, is brought there.
@@ -59,14 +58,12 @@ path::Setting compensation_setting(Run& run) {
     }
     const shop::Tool* tool = run.tool.data;
     const auto radius = tool == nullptr || run.tool.edge == 0 ? std::nullopt : compensation_radius(*tool);
-    if (!radius) {
-        std::string text = "radius compensation with tool T" + std::to_string(run.tool.number) + " D" +
+    if (!radius)
+        unchecked_once(run, codes::unknown_value, run.here(),
+                       "radius compensation with tool T" + std::to_string(run.tool.number) + " D" +
                            std::to_string(run.tool.edge) +
-                           ", whose radius is not known: the contour is run without compensation";
-        if (run.assumed.insert(text).second)
-            unchecked(run, codes::unknown_value, run.here(), std::move(text),
-                      "give the tool with its radius in the job");
-    }
+                           ", whose radius is not known: the contour is run without compensation",
+                       "give the tool with its radius in the job");
     s.radius = radius.value_or(0) + run.tool.delta_radius;
     if (tool != nullptr && run.modal.plane == 18 && run.env.machine.kind == shop::MachineKind::lathe)
         s.tip = path::nose_offset(nose_orientation(*tool), s.radius).value_or(geom::Vec2{});

@@ -283,6 +283,8 @@ struct Run {
 void alarm(Run&, std::string_view code, const base::Span& where, std::string text, std::string remedy = {});
 /// Something obrys does not know or run: reported once per place; the run goes on.
 void unchecked(Run&, std::string_view code, const base::Span& where, std::string text, std::string remedy = {});
+/// As `unchecked`, once per text wherever it comes up.
+void unchecked_once(Run&, std::string_view code, const base::Span& where, std::string text, std::string remedy = {});
 /// Something assumed: listed once per text.
 void assume(Run&, const base::Span& where, std::string text, std::string remedy = {});
 
@@ -336,6 +338,16 @@ void leave(Run&);
 void set_modal_call(Run&, const Unit&, const program::Call&);
 void run_modal_call(Run&);
 void procedure(Run&, const program::ProcedureCall&);
+
+// --- sizes of the tool (control_parameters.cpp)
+/// Radius of a mill with the allowance of its table, mm; nothing where the list does not say it.
+[[nodiscard]] std::optional<double> mill_radius(const shop::Tool&);
+/// Radius of the mill in the spindle with all allowances, mm; NaN where it is not known.
+[[nodiscard]] double active_radius(const Run&);
+/// Length of the tool in the spindle with all allowances, mm; NaN where no tool data are at hand.
+[[nodiscard]] double active_length(const Run&);
+/// What the control says of itself, lengths in mm; NaN where it is not known here.
+[[nodiscard]] double control_value(const Run&, program::ControlValue);
 
 // --- blocks (block.cpp, modal_words.cpp, tools.cpp, motion.cpp, frame_words.cpp)
 void run_block(Run&, const program::Statement&, std::uint32_t index);

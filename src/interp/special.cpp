@@ -36,8 +36,6 @@ bool has_datum(const Special& s, Datum datum) {
 
 namespace {
 
-Vec2 in_plane(const Vec3& v, const PlaneAxes& a) { return {coordinate(v, a.u), coordinate(v, a.v)}; }
-
 path::SmoothKind shape_of(SpecialKind k) {
     switch (k) {
         case SpecialKind::approach_tangent:

@@ -36,19 +36,16 @@ std::optional<double> column(const shop::Tool& t, SystemVariable v) {
     }
 }
 
+std::optional<double> known(double v) { return std::isnan(v) ? std::nullopt : std::optional(v); }
+
 std::optional<double> of_tool(const Run& run, SystemVariable v) {
-    const shop::Tool* t = run.tool.data;
     switch (v) {
         case SystemVariable::prepared_tool: return run.tool.prepared;
         case SystemVariable::call_delta_length: return run.tool.delta_length;
         case SystemVariable::call_delta_radius: return run.tool.delta_radius;
         case SystemVariable::call_delta_corner: return run.tool.delta_corner;
-        case SystemVariable::active_radius:
-            if (t == nullptr) return std::nullopt;
-            return t->radius + t->delta_radius + run.tool.delta_radius;
-        case SystemVariable::active_length:
-            if (t == nullptr) return std::nullopt;
-            return t->length + t->delta_length + run.tool.delta_length;
+        case SystemVariable::active_radius: return known(active_radius(run));
+        case SystemVariable::active_length: return known(active_length(run));
         default: return std::nullopt;
     }
 }
@@ -73,14 +70,9 @@ std::optional<double> of_axis(Run& run, const Expr& e, SystemVariable v) {
 std::optional<double> of_run(const Run& run, SystemVariable v) {
     switch (v) {
         case SystemVariable::inch_program: return run.modal.inch_geometry ? 1 : 0;
-        case SystemVariable::tool_axis: return run.modal.plane == 17 ? 2 : run.modal.plane == 18 ? 1 : 0;
-        case SystemVariable::spindle_state:
-            return run.spindle.direction > 0   ? 0
-                   : run.spindle.direction < 0 ? 1
-                   : run.spindle.last > 0      ? 2
-                   : run.spindle.last < 0      ? 3
-                                               : -1;
-        case SystemVariable::coolant_state: return run.coolant_on ? 1 : 0;
+        case SystemVariable::tool_axis: return control_value(run, program::ControlValue::tool_axis);
+        case SystemVariable::spindle_state: return control_value(run, program::ControlValue::spindle_state);
+        case SystemVariable::coolant_state: return control_value(run, program::ControlValue::coolant_state);
         case SystemVariable::active_rotation:
             for (const Transform& t : run.modal.transforms)
                 if (t.kind == TransformKind::rotation) {

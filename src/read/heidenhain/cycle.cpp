@@ -1,6 +1,7 @@
 /// CYCL DEF in its named form (`CYCL DEF 200 DRILLING ~ Q200=2 …`) and its numbered one (`CYCL DEF 1.1 DIST 2`), and
 /// CYCL CALL.
 
+#include "base/number.hpp"
 #include "dialect/heidenhain/cycles.hpp"
 #include "read/heidenhain/state.hpp"
 
@@ -147,8 +148,7 @@ void read_names(State& s) {
             static_cast<void>(s.in.token());
             continue;
         }
-        open_cycle(s).texts.push_back(
-            s.build.text(std::to_string(static_cast<std::int64_t>(n.value)), begin, s.in.at()));
+        open_cycle(s).texts.push_back(s.build.text(base::shortest(n.value), begin, s.in.at()));
     }
 }
 
