@@ -25,6 +25,12 @@ PathFaults ContourPath::flush(OutputSink out) {
     return faults;
 }
 
+PathFaults ContourPath::switch_off(OutputSink out) {
+    PathFaults faults;
+    faults.compensation = compensation_.switch_off(out);
+    return faults;
+}
+
 void ContourPath::compensate(Element e, PathFaults& faults, OutputSink out) {
     const Block& block = blocks_[e.tag - first_];
     e.tag = block.tag;

@@ -1,0 +1,183 @@
+/// Radius compensation by one held move against LinuxCNC's interpreter: seeded random contours, and the interpreter's
+/// own test programs.
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <cstdlib>
+#include <map>
+#include <string>
+
+#include "base/number.hpp"
+#include "path/path_support_test.hpp"
+#include "path/rs274_support_test.hpp"
+
+namespace obrys::path::test {
+namespace {
+
+/// Writes contours that make every kind of corner, with arcs whose ends lie on them to 1e-9.
+class Generator {
+public:
+    explicit Generator(std::uint32_t seed) : random_(seed) {}
+
+    std::string contour(int number) {
+        lathe_ = random_.upto(5) == 0;
+        // rs274 goes on behind a refusal: what it still holds may make the first G40 fail, but then nothing is held
+        block("G40");
+        block("G40");
+        text_ += "(MSG,c" + std::to_string(number) + ")\n";
+        block("M9");
+        block(lathe_ ? "G40 G18" : "G40 G17");
+        at_ = {random_.in(-20, 20), random_.in(-20, 20)};
+        w_ = random_.in(-5, 5);
+        if (random_.upto(9) == 0) at_ = {std::round(at_.x), std::round(at_.y)};
+        block("G0" + plane(at_) + axis(w_));
+        select();
+        const int moves = 2 + random_.upto(8);
+        heading_ = random_.in(-geom::pi, geom::pi);
+        for (int i = 0; i < moves; ++i) {
+            move(i == 0);
+            if (random_.upto(19) == 0) block(random_.upto(1) == 0 ? "M8" : "M9");
+            if (random_.upto(39) == 0) block("M0");
+        }
+        leave();
+        return std::exchange(text_, {});
+    }
+
+private:
+    static std::string word(const char* letter, double v) { return std::string(" ") + letter + base::fixed(v, 9); }
+    std::string plane(Vec2 p) const { return word(lathe_ ? "Z" : "X", p.x) + word(lathe_ ? "X" : "Y", p.y); }
+    std::string axis(double w) const { return word(lathe_ ? "Y" : "Z", w); }
+    void block(const std::string& words) { text_ += "N" + std::to_string(number_ += 1) + " " + words + "\n"; }
+
+    void select() {
+        static constexpr double radii[]{0.5, 1, 1, 2, 3, 5, 0.001, 0};
+        radius_ = radii[random_.upto(29) == 0 ? 6 + random_.upto(1) : random_.upto(5)];
+        const double sign = random_.upto(9) == 0 ? -1 : 1;
+        std::string words = random_.upto(1) == 0 ? "G41.1" : "G42.1";
+        words += word("D", 2 * sign * radius_);
+        if (lathe_) words += " L" + std::to_string(random_.upto(9));
+        block(words);
+    }
+
+    void move(bool entry) {
+        const int kind = random_.upto(19);
+        if (kind == 0 && !entry) {
+            w_ = random_.in(-5, 5);
+            return block((random_.upto(2) == 0 ? "G0" : "G1") + axis(w_));
+        }
+        turn_somehow();
+        if (kind <= 9)
+            straight(entry);
+        else
+            bent();
+    }
+
+    void turn_somehow() {
+        switch (random_.upto(5)) {
+            case 0: break;
+            case 1: heading_ += random_.in(-0.1, 0.1); break;
+            case 2: heading_ += geom::radians(90) * (random_.upto(3) - 1); break;
+            case 3: heading_ += geom::pi + random_.in(-0.1, 0.1); break;
+            default: heading_ += random_.in(-geom::pi, geom::pi);
+        }
+    }
+
+    double some_length() {
+        return radius_ * (random_.upto(7) == 0 ? random_.in(0.05, 1) : random_.in(1, 12)) + (radius_ < 0.1 ? 3 : 0);
+    }
+
+    void straight(bool entry) {
+        at_ = at_ + some_length() * Vec2{std::cos(heading_), std::sin(heading_)};
+        std::string words = (random_.upto(entry ? 3 : 11) == 0 ? "G0" : "G1") + plane(at_);
+        if (random_.upto(9) == 0) words += axis(w_ = random_.in(-5, 5));
+        block(words);
+    }
+
+    void bent() {
+        const double turn = random_.upto(1) == 0 ? 1 : -1;
+        const double radius = 0.3 * some_length() + (random_.upto(3) == 0 ? 0 : radius_);
+        const Vec2 out{std::cos(heading_), std::sin(heading_)};
+        const Vec2 centre = at_ + (turn * radius) * geom::left_of(out);
+        double sweep = turn * random_.in(0.05, 2 * geom::pi - 0.05);
+        if (random_.upto(9) == 0) sweep = turn * geom::pi;
+        const bool full = random_.upto(9) == 0;
+        if (full) sweep = turn * 2 * geom::pi;
+        const Vec2 from = at_;
+        if (!full) at_ = centre + rotated(from - centre, sweep);
+        std::string words = turn > 0 ? "G3" : "G2";
+        if (!full || random_.upto(1) == 0) words += plane(at_);
+        const Vec2 c = centre - from;
+        words += word(lathe_ ? "K" : "I", c.x) + word(lathe_ ? "I" : "J", c.y);
+        if (random_.upto(9) == 0) words += axis(w_ = random_.in(-5, 5));
+        if (random_.upto(14) == 0) words += " P" + std::to_string(1 + random_.upto(2));
+        block(words);
+        heading_ += sweep;
+    }
+
+    void leave() {
+        block("G40");
+        if (random_.upto(7) == 0) return again();
+        const int kind = random_.upto(9);
+        if (kind == 0) return bent();
+        if (kind == 1) return block("G1" + axis(w_ = random_.in(-5, 5)));
+        turn_somehow();
+        straight(false);
+    }
+
+    /// Selected anew before the exit move, or behind it.
+    void again() {
+        if (random_.upto(1) == 0) straight(false);
+        select();
+        move(true);
+        move(false);
+        block("G40");
+        straight(false);
+    }
+
+    Random random_;
+    std::string text_;
+    int number_ = 0;
+    bool lathe_ = false;
+    double radius_ = 1, heading_ = 0, w_ = 0;
+    Vec2 at_;
+};
+
+int environment(const char* name, int otherwise) {
+    const char* text = std::getenv(name);
+    return text == nullptr ? otherwise : std::atoi(text);
+}
+
+/// A refusal of rs274 that is none of the compensation's: the programs are written to have none.
+void tell(const std::map<std::string, int>& refusals, int contours, int calls) {
+    std::printf("%d contours, %d calls compared\n", contours, calls);
+    for (const auto& [text, count] : refusals)
+        std::printf("%6d  %s\n", count, text.empty() ? "run to the end" : text.c_str());
+}
+
+TEST(held_move_rs274, RandomContoursAsLinuxCnc) {
+    if (!have_rs274()) GTEST_SKIP() << "needs /usr/bin/rs274";
+    const int contours = environment("OBRYS_CONTOURS", 400);
+    const int seed = environment("OBRYS_SEED", 4);
+    Generator generator(static_cast<std::uint32_t>(seed));
+    std::vector<std::string> texts;
+    std::string program = "G21 G90 G94 F100\n";
+    for (int i = 0; i < contours; ++i) program += texts.emplace_back(generator.contour(i + 1));
+    program += "N999998 G40\nN999999 G40\n(MSG,c0)\nM2\n";  // without its end rs274 goes on for ever
+    const auto here = run_here(program), there = run_rs274(program);
+    ASSERT_EQ(here.size(), there.size());
+    std::map<std::string, int> refusals;
+    int calls = 0, shown = 0;
+    for (std::size_t i = 1; i + 1 < here.size(); ++i) {
+        ++refusals[there[i].refusal.substr(0, there[i].refusal.find(" r1 "))];
+        calls += static_cast<int>(here[i].calls.size());
+        const std::string different = difference(here[i], there[i]);
+        if (different.empty()) continue;
+        ADD_FAILURE() << "seed " << seed << ", contour " << i << ": " << different << "\n" << texts[i - 1];
+        if (++shown == 5) break;
+    }
+    tell(refusals, contours, calls);
+}
+
+}  // namespace
+}  // namespace obrys::path::test
