@@ -7,7 +7,7 @@ namespace obrys::path {
 using geom::Vec2;
 
 Vec2 unit(Vec2 v) {
-    const double l = geom::length(v);
+    const double l = std::sqrt(geom::dot(v, v));  // half the time of hypot, and on every move
     return l == 0 ? Vec2{1, 0} : (1 / l) * v;
 }
 

@@ -35,7 +35,7 @@ double sweep_run(const Element& e, double programmed) {
     constexpr double nothing = 1e-6;
     const double sweep = sweep_between(e.from, e.centre, e.to, programmed);
     const double part = std::abs(sweep) - 2 * geom::pi * turns_more(programmed);
-    return part < nothing ? sweep + std::copysign(2 * geom::pi, programmed) : sweep;
+    return part < nothing ? std::copysign(2 * geom::pi * (turns_more(programmed) + 1), programmed) : sweep;
 }
 
 }  // namespace
@@ -57,21 +57,15 @@ std::vector<Fault> HeldMove::flush(OutputSink out) {
 }
 
 std::vector<Fault> HeldMove::switch_off(OutputSink out) {
-    if (active_ && !stopped_) {
-        exit_ = true;
-        if (move_end(centre_, out)) release(out);
-    }
-    if (stopped_) {
-        emit_events(out);
-        exit_ = false;
-        at_.reset();
-    }
+    if (active_ || stopped_) exit_ = true;
+    if (active_ && !stopped_ && move_end(centre_, out)) release(out);
+    if (stopped_) emit_events(out);
     active_ = stopped_ = false;
     return std::exchange(faults_, {});
 }
 
 /// Compensation is not selected, or by a radius of 0.
-void HeldMove::pass(Element e, OutputSink out) {
+void HeldMove::pass(Element&& e, OutputSink out) {
     if (active_ || stopped_) faults_ = switch_off(out);
     if (exit_ && is_arc(e)) {
         refuse(Refusal::arc_after_off);
@@ -87,7 +81,7 @@ void HeldMove::pass(Element e, OutputSink out) {
     at_.reset();
 }
 
-void HeldMove::take(Element e, const Setting& s, OutputSink out) {
+void HeldMove::take(Element&& e, const Setting& s, OutputSink out) {
     if (stopped_) return;
     if (queue_.empty()) carry(e);
     const double offset = offset_of(s);
@@ -112,7 +106,7 @@ void HeldMove::take(Element e, const Setting& s, OutputSink out) {
     if (stopped_) emit_events(out);
 }
 
-void HeldMove::enter_line(Element e, const Setting& s) {
+void HeldMove::enter_line(Element&& e, const Setting& s) {
     const double radius = std::abs(offset_);
     if (geom::distance(e.from, e.to) <= radius) {
         refuse(Refusal::entry_line_short);
@@ -127,7 +121,7 @@ void HeldMove::enter_line(Element e, const Setting& s) {
     exit_ = false;
 }
 
-void HeldMove::enter_arc(Element e, const Setting& s) {
+void HeldMove::enter_arc(Element&& e, const Setting& s) {
     const double radius = std::abs(offset_), turn = turn_of(e);
     const bool inside = runs_inside(offset_, turn);
     if (geom::distance(e.from, e.to) <= radius) {
@@ -161,7 +155,7 @@ void HeldMove::enter_arc(Element e, const Setting& s) {
     exit_ = false;
 }
 
-void HeldMove::follow_line(Element e, const Setting& s, OutputSink out) {
+void HeldMove::follow_line(Element&& e, const Setting& s, OutputSink out) {
     if (e.from == e.to) return queue(std::move(e), Kind::contour, s.rapid, {});
     const double radius = std::abs(offset_);
     const Vec2 direction = unit(e.to - e.from);
@@ -185,7 +179,7 @@ void HeldMove::follow_line(Element e, const Setting& s, OutputSink out) {
     queue(std::move(e), Kind::contour, s.rapid, way);
 }
 
-void HeldMove::follow_arc(Element e, const Setting& s, OutputSink out) {
+void HeldMove::follow_arc(Element&& e, const Setting& s, OutputSink out) {
     const double tool = std::abs(offset_), turn = turn_of(e);
     const double radius = geom::distance(e.centre, e.to);
     const bool inside = runs_inside(offset_, turn);
@@ -265,19 +259,14 @@ bool HeldMove::move_end(Queued& q, Vec2 to) {
 }
 
 /// Holds a move back; its end is where the tool's centre is to be.
-void HeldMove::queue(Element e, Kind kind, bool rapid, Vec2 direction) {
+void HeldMove::queue(Element&& e, Kind kind, bool rapid, Vec2 direction) {
     e.to = centre_;
     if (queue_.empty()) {
         front_ = {is_arc(e), e.to, e.centre, turn_of(e)};
         carry(e);
     }
-    Queued q;
-    q.programmed = e.sweep;
-    q.e = std::move(e);
-    q.kind = kind;
-    q.rapid = rapid;
-    q.direction = direction;
-    queue_.push_back(std::move(q));
+    const double programmed = e.sweep;
+    queue_.push_back({std::move(e), kind, rapid, direction, programmed});
 }
 
 void HeldMove::release(OutputSink out) {
@@ -286,9 +275,9 @@ void HeldMove::release(OutputSink out) {
     start_known_ = false;
 }
 
-void HeldMove::emit(Queued q, OutputSink out) {
+void HeldMove::emit(Queued&& q, OutputSink out) {
     Element& e = q.e;
-    e.from = *at_;
+    e.from = at_.value_or(e.from);
     const bool own = q.kind == Kind::passed || q.kind == Kind::retract;
     if (!own) {
         e.to = e.to + tip_;

@@ -47,19 +47,19 @@ private:
         double programmed = 0;  ///< sweep of an arc as programmed
     };
 
-    void take(Element e, const Setting& s, OutputSink out);
-    void pass(Element e, OutputSink out);
-    void enter_line(Element e, const Setting& s);
-    void enter_arc(Element e, const Setting& s);
-    void follow_line(Element e, const Setting& s, OutputSink out);
-    void follow_arc(Element e, const Setting& s, OutputSink out);
+    void take(Element&& e, const Setting& s, OutputSink out);
+    void pass(Element&& e, OutputSink out);
+    void enter_line(Element&& e, const Setting& s);
+    void enter_arc(Element&& e, const Setting& s);
+    void follow_line(Element&& e, const Setting& s, OutputSink out);
+    void follow_arc(Element&& e, const Setting& s, OutputSink out);
     bool move_end(geom::Vec2 to, OutputSink out);
     bool move_end(Queued& q, geom::Vec2 to);
     bool meet(const Meeting& m, OutputSink out);
     void round(Element& e, geom::Vec2 to, bool rapid, OutputSink out);
-    void queue(Element e, Kind kind, bool rapid, geom::Vec2 direction);
+    void queue(Element&& e, Kind kind, bool rapid, geom::Vec2 direction);
     void release(OutputSink out);
-    void emit(Queued q, OutputSink out);
+    void emit(Queued&& q, OutputSink out);
     void carry(Element& e);
     void emit_events(OutputSink out);
     bool refuse(Refusal why);

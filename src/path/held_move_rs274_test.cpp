@@ -6,6 +6,7 @@
 #include <cmath>
 #include <cstdlib>
 #include <map>
+#include <sstream>
 #include <string>
 
 #include "base/number.hpp"
@@ -177,6 +178,61 @@ TEST(held_move_rs274, RandomContoursAsLinuxCnc) {
         if (++shown == 5) break;
     }
     tell(refusals, contours, calls);
+}
+
+const std::string corpus = std::string(OBRYS_SOURCE_DIR) + "/../shared/corpus/";
+const std::string tests = "LinuxCNC__linuxcnc/tests/";
+
+/// Blocks that begin with a G word, numbered: rs274 runs on behind a refusal, and the numbers tell what came before.
+std::string numbered(const std::string& program) {
+    std::istringstream in(program);
+    std::string text;
+    int n = 0;
+    for (std::string line; std::getline(in, line);) {
+        const bool plain = !line.empty() && (line.front() == 'g' || line.front() == 'G');
+        text += plain ? "N" + std::to_string(++n) + " " + line + "\n" : line + "\n";
+    }
+    return text;
+}
+
+void compare(const Stretch& here, const Stretch& there) {
+    EXPECT_GT(there.calls.size(), 2u);
+    EXPECT_EQ(difference(here, there), "");
+}
+
+TEST(held_move_rs274, ProgramsWithExpectedCalls) {
+    for (const char* name : {"interp/inside-corners/test.ngc", "interp/inverse-time-with-comp/inverse.ngc"}) {
+        SCOPED_TRACE(name);
+        const std::string file = corpus + "rs274/" + tests + name;
+        const std::string program = whole_file(file);
+        if (program.empty()) GTEST_SKIP() << "needs ../shared";
+        const std::string folder = std::string(name).substr(0, std::string(name).rfind('/'));
+        const auto expected = calls_of(whole_file(corpus + "rs274_expected/" + tests + folder + "/expected"));
+        compare(run_here(program).front(), expected.front());
+    }
+}
+
+/// The tables belong to the tests of the interpreter, too; figures only.
+TEST(held_move_rs274, ProgramsWithTools) {
+    if (!have_rs274()) GTEST_SKIP() << "needs /usr/bin/rs274";
+    const std::vector<TableTool> mills{{2, 0, 0.125}, {3, 0, 0.25}, {4, 0, 1}},
+        lathe{{2, 2, 0.1}, {7, 7, 0.1}, {9, 9, 0.1}};
+    const std::vector<std::pair<std::string, std::vector<TableTool>>> programs{
+        {"ccomp/lathe-comp/test.ngc", lathe},
+        {"ccomp/mill-g90g91g92/test.ngc", mills},
+        {"ccomp/mill-line-arc-entry/test.ngc", mills},
+        {"ccomp/mill-zchanges/test.ngc", mills},
+        {"interp/bad/ccomp-gouging.ngc", mills}};
+    for (const auto& [name, table] : programs) {
+        SCOPED_TRACE(name);
+        std::string program = whole_file(corpus + "rs274/" + tests + name);
+        if (program.empty()) GTEST_SKIP() << "needs ../shared";
+        const std::string root = "[.5*SQRT[2]]";
+        for (std::size_t at = program.find(root); at != std::string::npos; at = program.find(root))
+            program.replace(at, root.size(), base::fixed(std::sqrt(0.5), 12));
+        program = numbered(program + "\nG40\nM2\n");  // some end without; rs274 would go on for ever
+        compare(run_here(program, table).front(), run_rs274(program, table).front());
+    }
 }
 
 }  // namespace

@@ -20,6 +20,7 @@ enum class Kind : std::uint8_t {
 struct Output {
     Element element;
     Kind kind = Kind::passed;
+    bool operator==(const Output&) const = default;
 };
 using OutputSink = base::FunctionRef<void(const Output&)>;
 

@@ -61,6 +61,34 @@ Block read(const std::string& line) {
     return b;
 }
 
+/// The program with its subs put in the place of their calls and #100 replaced by its value.
+std::vector<std::string> flat(const std::string& program) {
+    std::vector<std::string> lines;
+    std::map<std::string, std::vector<std::string>> subs;
+    std::string open, value = "0";
+    const auto add = [&](std::string line) {
+        const std::size_t at = line.find("#100");
+        lines.push_back(at == std::string::npos ? std::move(line) : line.replace(at, 4, value));
+    };
+    std::istringstream in(program);
+    for (std::string line; std::getline(in, line);) {
+        const std::string name = line.substr(0, line.find(' '));
+        if (line.starts_with("#100="))
+            value = line.substr(5);
+        else if (line.ends_with(" endsub"))
+            open.clear();
+        else if (line.ends_with(" sub"))
+            open = name;
+        else if (line.ends_with(" call"))
+            for (const std::string& l : subs[name]) add(l);
+        else if (open.empty())
+            add(line);
+        else
+            subs[open].push_back(line);
+    }
+    return lines;
+}
+
 class Machine {
 public:
     explicit Machine(const std::vector<TableTool>& table) : table_(table) { stretches_.emplace_back(); }
@@ -79,7 +107,8 @@ public:
         if (b.words.contains('T')) selected_ = static_cast<int>(b.words.at('T'));
         for (const int m : b.m) technology(m);
         if (g40_) switch_off();
-        if (stretches_.back().refusal.empty() && moves(b)) move(b);
+        const bool shifts = !b.g.empty() && b.g.front() == 920;
+        if (stretches_.back().refusal.empty() && moves(b) && !shifts) move(b);
         for (const int m : b.m) stop(m);
     }
 
@@ -107,6 +136,8 @@ private:
             case 420:
             case 411:
             case 421: select_side(g, b); break;
+            case 920: preset(b); break;
+            case 921: preset_off(); break;
             case 900: incremental_ = false; break;
             case 910: incremental_ = true; break;
             default: break;
@@ -131,6 +162,19 @@ private:
         if (plane_ == 18) setting_.tip = linuxcnc_nose_offset(orientation, std::abs(setting_.radius)).value_or(Vec2{});
     }
 
+    void preset(const Block& b) {
+        for (std::size_t i = 0; i < 3; ++i) {
+            if (!b.words.contains("XYZ"[i])) continue;
+            const double is = b.words.at("XYZ"[i]) * unit_;
+            preset_[i] += position_[i] - is;
+            position_[i] = is;
+        }
+    }
+
+    void preset_off() {
+        for (std::size_t i = 0; i < 3; ++i) position_[i] += std::exchange(preset_[i], 0);
+    }
+
     void technology(int m) {
         if (m == 6) tool_ = selected_;
         if (m == 8 || m == 9) waiting_.push_back(m == 8 ? 1 : 0);
@@ -140,7 +184,7 @@ private:
     void stop(int m) {
         if (m != 0 && m != 2) return;
         take(path_.flush([this](const Output& o) { output(o); }));
-        give_waiting();
+        if (stretches_.back().refusal.empty()) give_waiting();
     }
 
     void switch_off() {
@@ -173,6 +217,7 @@ private:
         e.before = std::exchange(waiting_, {});
         setting_.rapid = motion_ == 0;
         position_ = to;
+        if (setting_.side == Side::off && path_.idle()) return output({std::move(e), Kind::passed});
         take(path_.push(std::move(e), setting_, {}, [this](const Output& o) { output(o); }));
     }
 
@@ -226,7 +271,7 @@ private:
     ContourPath path_;
     Setting setting_;
     std::string line_;
-    std::array<double, 3> position_{};
+    std::array<double, 3> position_{}, preset_{};
     std::vector<bool> rapid_;
     std::vector<int> waiting_;
     double unit_ = 1;
@@ -303,13 +348,6 @@ void add_refusals(std::vector<Stretch>& stretches, const std::string& complaints
     }
 }
 
-std::string whole(const std::string& path) {
-    std::ifstream in(path);
-    std::stringstream text;
-    text << in.rdbuf();
-    return text.str();
-}
-
 }  // namespace
 
 std::string text_of(const Call& c) {
@@ -328,9 +366,28 @@ bool same(const Call& a, const Call& b, double tolerance) {
 
 std::vector<Stretch> run_here(const std::string& program, const std::vector<TableTool>& table) {
     Machine machine(table);
-    std::istringstream in(program);
-    for (std::string line; std::getline(in, line);) machine.run(line);
+    for (const std::string& line : flat(program)) machine.run(line);
     return std::move(machine.stretches_);
+}
+
+std::string whole_file(const std::string& path) {
+    std::ifstream in(path);
+    std::stringstream text;
+    text << in.rdbuf();
+    return text.str();
+}
+
+std::vector<Stretch> calls_of(const std::string& output) {
+    std::vector<Stretch> stretches(1);
+    std::istringstream lines(output);
+    for (std::string line; std::getline(lines, line);) {
+        auto c = call_of(line);
+        if (!c) continue;
+        c->block = block_number(line);
+        if (c->kind == Call::Kind::marker) stretches.emplace_back();
+        stretches.back().calls.push_back(*c);
+    }
+    return stretches;
 }
 
 bool have_rs274() { return std::filesystem::exists("/usr/bin/rs274"); }
@@ -347,18 +404,10 @@ std::vector<Stretch> run_rs274(const std::string& program, const std::vector<Tab
     const std::string command =
         "timeout 20 /usr/bin/rs274 -g -n 0 -t " + tools + " " + in + " >" + out + " 2>" + err + " </dev/null";
     const int status = std::system(command.c_str());
-    std::vector<Stretch> stretches(1);
-    std::istringstream lines(whole(out));
-    for (std::string line; std::getline(lines, line);) {
-        auto c = call_of(line);
-        if (!c) continue;
-        c->block = block_number(line);
-        if (c->kind == Call::Kind::marker) stretches.emplace_back();
-        stretches.back().calls.push_back(*c);
-    }
-    add_refusals(stretches, whole(err), program);
+    std::vector<Stretch> stretches = calls_of(whole_file(out));
+    add_refusals(stretches, whole_file(err), program);
     for (const std::string& f : {in, out, err, tools}) std::filesystem::remove(f);
-    return status == 0 ? stretches : std::vector<Stretch>{};
+    return status == 0 ? stretches : std::vector<Stretch>(1);
 }
 
 std::string difference(const Stretch& here, const Stretch& there) {

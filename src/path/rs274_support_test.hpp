@@ -27,7 +27,8 @@ struct Stretch {
 };
 
 /// What a program of plain words does here: G0-3 X Y Z I J K R P, G17 G18 G20 G21 G40 G41 G42 G41.1 G42.1 with D and L,
-/// G90 G91, M0 M2 M6 M8 M9, T, (MSG,c…); everything else is passed over. G41 and G42 take the table's tool.
+/// G90 G91 G92 G92.1, M0 M2 M6 M8 M9, T, (MSG,c…), subs without parameters called by `o… call` and the parameter #100;
+/// everything else is passed over. G41 and G42 take the table's tool.
 struct TableTool {
     int number = 0, orientation = 0;
     double diameter = 0;  ///< units of the program
@@ -35,6 +36,9 @@ struct TableTool {
 [[nodiscard]] std::vector<Stretch> run_here(const std::string& program, const std::vector<TableTool>& table = {});
 
 [[nodiscard]] bool have_rs274();
+/// From rs274's output.
+[[nodiscard]] std::vector<Stretch> calls_of(const std::string& output);
+[[nodiscard]] std::string whole_file(const std::string& path);
 [[nodiscard]] std::vector<Stretch> run_rs274(const std::string& program, const std::vector<TableTool>& table = {});
 
 /// Empty where both agree, else a sentence.
