@@ -1,0 +1,184 @@
+#pragma once
+/// What the parts of the RS-274 readers share: the line at hand, the units that grow, how a complaint is made. Private
+/// to the folder.
+
+#include <deque>
+#include <map>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "base/codes.hpp"
+#include "dialect/rs274/tables.hpp"
+#include "program/builder.hpp"
+#include "read/rs274/line.hpp"
+
+namespace obrys::read::rs274 {
+
+using dialect::rs274::Axes;
+using dialect::rs274::Dialect;
+using dialect::rs274::Order;
+using dialect::rs274::Use;
+using program::Code;
+using program::ExprId;
+using program::Modal;
+using program::no_expr;
+using program::StatementKind;
+
+/// A number, parameter or expression with its sign, as words hold it.
+struct Value {
+    bool found = false;
+    bool negative = false;
+    base::NumberScan literal;  ///< where `expr` is no_expr; unsigned
+    ExprId expr = no_expr;     ///< sign included
+    std::uint32_t begin = 0, end = 0;
+    [[nodiscard]] bool is_literal() const { return expr == no_expr; }
+    [[nodiscard]] double number() const { return negative ? -literal.value : literal.value; }
+};
+
+/// A word of the block at hand, until the block is known to be good and its words are put in order.
+struct BlockWord {
+    Order order = Order::value;
+    Code code = Code::modal;
+    program::Form form = program::Form::index;  ///< expression: `value` holds the word's value; index: payload
+    Modal modal = Modal::rapid;
+    std::int32_t payload = 0;
+    Value value;
+    std::string_view reason{};  ///< of unsupported and unknown words
+    std::uint32_t begin = 0, end = 0;
+};
+
+/// What the words of the block at hand have in common, as far as its checks and its order ask.
+struct Facts {
+    std::uint64_t letters = 0;              ///< a bit for each Code with a value
+    std::uint32_t g_groups = 0;             ///< a bit for each modal group that has its code
+    std::uint32_t m_groups = 0;
+    const dialect::rs274::GCode* motion = nullptr;  ///< of group 1
+    const dialect::rs274::GCode* own = nullptr;     ///< one that takes the coordinates for itself
+    std::vector<std::uint16_t> g, m;        ///< all of them, in the order of the text; G numbers times ten
+    bool refused = false;                   ///< a word that is not run: what the coordinates mean is not known
+    [[nodiscard]] bool has(Code c) const { return (letters >> static_cast<unsigned>(c) & 1U) != 0; }
+    [[nodiscard]] bool has_g(std::uint16_t tenths) const;
+    [[nodiscard]] bool has_m(std::uint16_t first, std::uint16_t last) const;
+    void clear();
+};
+
+/// The comment of a block that counts: its last one.
+struct Comment {
+    bool found = false;
+    std::uint32_t begin = 0, end = 0;  ///< with its parentheses
+};
+
+/// An opened if, while, do or repeat whose end has not come yet.
+struct Opened {
+    StatementKind kind = StatementKind::if_;
+    std::string label;
+    std::uint32_t statement = 0;                     ///< the opener
+    std::vector<std::uint32_t> inner;                ///< if_ statements of elseif, outermost first
+    std::vector<std::uint32_t> elses;                ///< else_ statements, outermost first
+    bool has_else = false;
+    std::vector<std::size_t> breaks, continues;      ///< entries in Unit::jumps
+    base::Span word;                                 ///< for the message where its end is missing
+};
+
+/// A unit that grows.
+struct Part {
+    Part(std::uint32_t file, const Dialect& d, program::Names& names, base::Diagnostics& diagnostics,
+         std::string_view text)
+        : build(unit, names, diagnostics, text) {
+        unit.file = file;
+        unit.traits = d.traits;
+    }
+    Part(const Part&) = delete;
+    Part& operator=(const Part&) = delete;
+
+    program::Unit unit;
+    program::Builder build;
+    std::string label;  ///< of its o-word sub: "100", "<FOO>"; empty in the main program
+    bool by_o_word = false;
+    std::vector<Opened> opened;
+    std::map<std::string, std::uint32_t> labels;  ///< of structures -> source byte where first used
+    base::Span word;                              ///< `o100 sub`
+};
+
+struct State {
+    State(std::uint32_t file_number, const Dialect& dialect, program::Names& n, base::Diagnostics& d,
+          std::string_view source)
+        : variant(dialect), names(n), diagnostics(d), text(source), file(file_number) {}
+
+    const Dialect& variant;
+    program::Names& names;
+    base::Diagnostics& diagnostics;
+    std::string_view text;
+    std::uint32_t file = 0;
+    std::deque<Part> parts;  ///< the main program first
+    Part* part = nullptr;    ///< the one at hand
+    Line line;
+
+    std::vector<BlockWord> words;  ///< of the block at hand
+    Facts facts;
+    Comment comment;
+    std::uint8_t skip = 0;                 ///< block skip level + 1
+    bool failed = false;                   ///< a complaint was made about the line
+    int operators = 0;                     ///< of the expression at hand
+
+    [[nodiscard]] program::Builder& build() const { return part->build; }
+    [[nodiscard]] program::Unit& unit() const { return part->unit; }
+};
+
+/// Complains about the source bytes [begin, end); once a line. The block is then one unknown word.
+void fail(State& s, std::uint32_t begin, std::uint32_t end, std::string text, std::string remedy = {});
+/// About the thing that stands here.
+void fail_here(State& s, std::string text, std::string remedy = {});
+/// What stands here as the programmer wrote it; "end of block" at the end.
+[[nodiscard]] std::string here(const State& s);
+
+// --- expressions (expression.cpp, operand.cpp, parameter.cpp). no_expr after a complaint.
+/// A number, `#…`, `[…]` or function with its signs. Where nothing of this kind stands here `found` is false without a
+/// complaint.
+[[nodiscard]] Value read_value(State& s, int depth = 0);
+/// As above; its absence is an error: "X has no value".
+[[nodiscard]] Value read_due_value(State& s, std::string_view word, std::uint32_t begin);
+/// `[…]` with the bracket here.
+[[nodiscard]] ExprId read_bracket(State& s, int depth = 0);
+[[nodiscard]] ExprId as_expr(State& s, const Value& v);
+/// `#…` that stands here. `target`: it is to be written.
+[[nodiscard]] ExprId read_parameter(State& s, bool target, int depth = 0);
+/// An integer that the value is within 0.0001 of; nothing for expressions and other numbers.
+[[nodiscard]] std::optional<std::int32_t> as_integer(const Value& v);
+/// `<name>` with the sign here: the name between; nothing after a complaint.
+[[nodiscard]] std::optional<std::string> read_name(State& s);
+inline constexpr int deepest = 100;    ///< nesting of brackets, functions and signs
+inline constexpr int longest = 1000;  ///< operators of one expression: the tree is walked recursively
+
+// --- blocks
+/// The block skip sign and the block number; the state's `skip` is set.
+void read_block_head(State& s);
+void begin_words(State& s);  ///< forgets the words of the block before
+void read_words(State& s);   ///< block.cpp: all words of a block, to the line's end
+void read_word(State& s);    ///< block.cpp: one of them
+void read_comment(State& s);  ///< block.cpp: `( … )` or `; …` that stands here
+void read_g(State& s, std::uint32_t begin);  ///< g_word.cpp: the number behind G
+void read_m(State& s, std::uint32_t begin);  ///< g_word.cpp: the number behind M
+/// Value of an expression without parameters.
+[[nodiscard]] std::optional<double> constant(const program::Unit& unit, ExprId e);
+void check_block(State& s);  ///< checks.cpp: what a block may not hold together
+/// A plain motion block at `p`, read without allocation; the end of its line, or null where the full reader is needed.
+[[nodiscard]] const char* read_literal_block(State& s, const char* p, const char* end);
+
+// --- words.cpp
+/// Puts the words of the block in order into the tree: one statement, or two where it dwells before it moves.
+void emit_block(State& s);
+void add_modal(State& s, Order order, Modal m, int number, std::uint32_t begin, std::uint32_t end);
+void add_value(State& s, Order order, Code code, const Value& v, std::uint32_t begin, std::uint32_t end);
+void add_problem(State& s, Code code, std::uint32_t begin, std::uint32_t end, std::string_view reason);
+/// The value of a letter of the block at hand, which is taken out of it.
+[[nodiscard]] std::optional<BlockWord> take_letter(State& s, Code code);
+/// As a span of the source, for messages.
+[[nodiscard]] const BlockWord* find_letter(const State& s, Code code);
+
+// --- comments (comment.cpp)
+/// The block's comment as statement or word; `(debug, …)` acts before the block.
+void emit_comment(State& s);
+
+}  // namespace obrys::read::rs274
