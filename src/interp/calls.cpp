@@ -323,39 +323,4 @@ void run_modal_call(Run& run) {
     act.own_bindings = act.locals.size();
 }
 
-void procedure(Run& run, const program::ProcedureCall& p) {
-    switch (p.procedure) {
-        case program::Procedure::message: {
-            std::string text = p.arguments.empty() || p.arguments[0] == program::no_expr
-                                   ? std::string{}
-                                   : printed(evaluate(run, p.arguments[0]));
-            run.last_message = text;
-            if (!run.stopped) emit(run, cl::Comment{std::move(text), true});
-            return;
-        }
-        case program::Procedure::alarm: {
-            const Value v = p.arguments.empty() ? Value{} : evaluate(run, p.arguments[0]);
-            std::string text = p.arguments.size() > 1 ? ": " + printed(evaluate(run, p.arguments[1])) : std::string{};
-            if (text.empty() && !run.last_message.empty()) text = ": " + run.last_message;
-            const auto known = run.traits->alarm_text;
-            const bool plain = v.number >= 0 && v.number < 1e9;
-            const std::string shown =
-                known != nullptr && plain ? known(static_cast<int>(v.number)) : "alarm " + printed(v);
-            if (!run.stopped)
-                alarm(run, codes::program_alarm, p.where, "the program stops itself with " + shown + text);
-            return;
-        }
-        case program::Procedure::master_spindle: return;
-        case program::Procedure::select_datums:
-            run.datum_table = base::to_upper(printed(evaluate(run, p.arguments[0])));
-            return;
-        case program::Procedure::set_datum: return set_own_datum(run, p);
-        case program::Procedure::print_form: return print_form(run, p);
-        case program::Procedure::print_values: return print_values(run, p);
-        case program::Procedure::open_table: return open_table(run, p);
-        case program::Procedure::write_table: return write_table(run, p);
-        case program::Procedure::read_table: return read_table(run, p);
-    }
-}
-
 }  // namespace obrys::interp

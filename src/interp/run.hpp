@@ -270,6 +270,7 @@ struct Run {
     std::unordered_set<std::uint64_t> reported;  ///< complaints already made, by place and code
     std::set<std::string> assumed;
     std::string last_message;  ///< of MSG
+    std::string log_file;      ///< that the program has opened; empty: none
     std::unordered_set<const Unit*> entered;
     cl::Record record;
 
@@ -409,6 +410,8 @@ void control_sets_all(Run&);
 
 // --- procedures of the control (datums.cpp, output.cpp, table_access.cpp)
 void set_own_datum(Run&, const program::ProcedureCall&);
+/// Text at the end of a file that the program prints to; `again`: the file begins anew.
+void print_to(Run&, const program::ProcedureCall&, const std::string& file, std::string_view text, bool again);
 void print_form(Run&, const program::ProcedureCall&);
 void print_values(Run&, const program::ProcedureCall&);
 void open_table(Run&, const program::ProcedureCall&);

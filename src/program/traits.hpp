@@ -7,6 +7,10 @@
 #include <string>
 #include <string_view>
 
+#include "program/cycle.hpp"
+#include "program/expr.hpp"
+#include "program/word.hpp"
+
 namespace obrys::program {
 
 /// Numbered parameters of one kind, in the order of their numbers: R0 …, Q0 …, QL0 ….
@@ -49,6 +53,25 @@ struct ControlParameter {
     ControlValue value = ControlValue::tool_radius;
 };
 
+/// Numbered parameters in which the control shows its own state (#5420 …: where it stands), one an axis or one in all.
+struct LiveParameters {
+    std::uint32_t first = 0, count = 1;
+    SystemVariable value = SystemVariable::unknown;
+};
+
+/// A word of a canned cycle's block and what it says.
+struct CannedWord {
+    Code code = Code::radius;
+    CycleRole role = CycleRole::depth;
+};
+/// A cycle that the words of motion blocks call (G81 X Y Z R).
+struct CannedCycle {
+    int number = 0;  ///< G number * 10
+    CycleKind kind = CycleKind::drill;
+    std::string_view name;              ///< "G81"
+    std::span<const CannedWord> words;  ///< besides the coordinates; they hold until the cycle is cancelled
+};
+
 struct Traits {
     /// Holds in every comparison.
     Equality equality{};
@@ -76,8 +99,21 @@ struct Traits {
     /// programmed last.
     bool polar_from_position = false;
     DatumNames datum{};
+    /// Assignments of a block take effect together, behind the last expression of the block: `#1=2 X#1` has the old #1.
+    bool assigns_together = false;
+    /// Named variables come into being when they are assigned: local ones, and global ones where the name begins with
+    /// `_`. Reading one that nobody has assigned is an alarm.
+    bool variables_by_assignment = false;
+    /// Numbered parameters from 1 to this are every program's own: those of a called one begin with the arguments of
+    /// the call (argument 0 is parameter 1) and 0 where there is none. 0: arguments go to declared parameters.
+    std::uint32_t argument_parameters = 0;
+    /// Parameters hold 0 until they are set, and the control says so itself: reading one is no assumption.
+    bool parameters_begin_at_zero = false;
+    std::span<const LiveParameters> live{};
+    std::span<const CannedCycle> canned{};
     std::span<const ControlParameter> set_by_control{};
-    /// What the control shows when a program stops itself with this number; null: the number and the program's own text.
+    /// What the control shows when a program stops itself with this number; null: the number and the program's own
+    /// text.
     std::string (*alarm_text)(int) = nullptr;
 };
 
