@@ -44,6 +44,11 @@ void check_end(State& s, std::string_view last, base::Diagnostics& diagnostics) 
     diagnostics.add(std::move(d));
 }
 
+std::uint32_t lay_aside(State& s, const base::Sources& sources) {
+    sources.lay_aside(s.build.unit().file, s.in.at());
+    return s.in.at();
+}
+
 program::Unit begin_unit(std::uint32_t file, const base::Source& source) {
     program::Unit unit;
     unit.name = program_name(source.name);
@@ -63,7 +68,9 @@ program::Unit read(std::uint32_t file, const base::Sources& sources, program::Na
     State s{.build = {unit, names, diagnostics, source.text}, .in = Scanner(source.text), .iso = {}};
     skip_preface(s, base::to_upper(source.text.substr(0, 16384)).find("BEGIN PGM"), "BEGIN PGM", diagnostics);
     bool first = true;
+    std::uint32_t aside = 0;
     while (!s.ended && s.in.next_line()) {
+        if (s.in.at() - aside > base::Store::piece) aside = lay_aside(s, sources);
         if (read_literal_block(s)) continue;
         read_block(s);
         if (first) s.first_numbered = s.numbered;
@@ -71,6 +78,7 @@ program::Unit read(std::uint32_t file, const base::Sources& sources, program::Na
     }
     check_end(s, "END PGM", diagnostics);
     resolve_labels(s);
+    lay_aside(s, sources);
     return unit;
 }
 
