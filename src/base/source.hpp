@@ -30,11 +30,11 @@ enum class BlockNumbers : std::uint8_t {
     leading,  ///< `12 L X+0 …`
 };
 
-/// Keeps the bytes of one large text. Pieces of it may be laid aside, so that they take no memory, and are fetched again
-/// when they are wanted. Address and length stay as they are; what is laid aside must not be looked at.
+/// Keeps the bytes of one large text. Pieces of it may be laid aside, so that they take no memory, and are fetched
+/// again when they are wanted. Address and length stay as they are; what is laid aside must not be looked at.
 class Store {
 public:
-    static constexpr std::size_t piece = std::size_t{1} << 20;  ///< bytes that come and go together
+    static constexpr std::size_t piece = std::size_t{1} << 21;  ///< bytes that come and go together
 
     virtual ~Store() = default;
     /// The whole text; a NUL stands behind it.
@@ -66,11 +66,11 @@ public:
     [[nodiscard]] std::uint32_t size() const { return static_cast<std::uint32_t>(files_.size()); }
     void set_block_numbers(std::uint32_t file, BlockNumbers numbers) { files_[file].block_numbers = numbers; }
 
-    /// For readers of large texts, now and then: what stands before `end` will not be looked at any more, except through
-    /// the functions below. Has no effect on small texts.
+    /// For readers of large texts, now and then: what stands before `end` will not be looked at any more, except
+    /// through the functions below. Has no effect on small texts.
     void lay_aside(std::uint32_t file, std::uint32_t end) const;
-    /// Makes the whole text readable again. As all functions below, it throws where a text that was laid aside is not to
-    /// be had any more: its file has changed.
+    /// Makes the whole text readable again. As all functions below, it throws where a text that was laid aside is not
+    /// to be had any more: its file has changed.
     void fetch(std::uint32_t file) const;
 
     [[nodiscard]] Position position(std::uint32_t file, std::uint32_t offset) const;
@@ -90,8 +90,8 @@ private:
     std::string_view part(std::uint32_t file, std::size_t begin, std::size_t end) const;
 
     std::deque<Source> files_;
-    std::deque<std::string> texts_;                // of the texts without a store
-    std::vector<std::unique_ptr<Store>> stores_;  // one a text; null: its bytes are in `texts_`
+    std::deque<std::string> texts_;                               // of the texts without a store
+    std::vector<std::unique_ptr<Store>> stores_;                  // one a text; null: its bytes are in `texts_`
     mutable std::deque<std::vector<std::uint32_t>> line_starts_;  // filled when first asked for
 };
 

@@ -13,6 +13,8 @@
 #include <utility>
 #include <vector>
 
+#include "base/memory.hpp"
+
 namespace obrys::driver {
 
 namespace {
@@ -39,8 +41,15 @@ public:
     /// Takes the open file over.
     LargeText(int file, std::string shown, std::size_t capacity)
         : file_(file), shown_(std::move(shown)), capacity_((capacity / piece + 1) * piece) {
-        void* memory = ::mmap(nullptr, capacity_, PROT_READ | PROT_WRITE, MAP_PRIVATE | MAP_ANONYMOUS, -1, 0);
-        if (memory != MAP_FAILED) memory_ = static_cast<char*>(memory);
+        const std::size_t room = capacity_ + piece;  // for pieces that are large pages
+        void* memory = ::mmap(nullptr, room, PROT_READ | PROT_WRITE, MAP_PRIVATE | MAP_ANONYMOUS, -1, 0);
+        if (memory == MAP_FAILED) return;
+        char* begin = static_cast<char*>(memory);
+        const std::size_t in_front = (piece - reinterpret_cast<std::uintptr_t>(begin) % piece) % piece;
+        memory_ = begin + in_front;
+        if (in_front > 0) ::munmap(begin, in_front);
+        if (in_front < piece) ::munmap(memory_ + capacity_, piece - in_front);
+        base::prefer_large_pages(memory_, capacity_);
     }
     LargeText(const LargeText&) = delete;
     LargeText& operator=(const LargeText&) = delete;

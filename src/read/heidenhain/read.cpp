@@ -1,7 +1,5 @@
 #include "read/heidenhain/read.hpp"
 
-#include <algorithm>
-
 #include "base/codes.hpp"
 #include "dialect/heidenhain/traits.hpp"
 #include "read/heidenhain/literal_block.hpp"
@@ -55,9 +53,7 @@ program::Unit begin_unit(std::uint32_t file, const base::Source& source) {
     unit.file = file;
     unit.end = static_cast<std::uint32_t>(source.text.size());
     unit.traits = &dialect::heidenhain::traits;
-    const auto lines = static_cast<std::size_t>(std::count(source.text.begin(), source.text.end(), '\n')) + 1;
-    unit.statements.reserve(lines);
-    unit.words.reserve(lines * 4);
+    unit.reserve(source.text.size());
     return unit;
 }
 

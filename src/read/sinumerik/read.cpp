@@ -18,12 +18,6 @@ std::string stem(std::string_view path) {
     return plain_name(path);
 }
 
-void reserve(program::Unit& unit, std::string_view text) {
-    const auto lines = static_cast<std::size_t>(std::count(text.begin(), text.end(), '\n')) + 1;
-    unit.statements.reserve(lines + lines / 8);
-    unit.words.reserve(lines * 4);
-}
-
 /// Goes through the lines; the text behind is laid aside.
 void read_lines(State& s, const base::Sources& sources) {
     const char* p = s.text.data() + s.unit.begin;
@@ -64,7 +58,7 @@ program::Unit read_unit(std::uint32_t file, const base::Sources& sources, const 
     unit.begin = part.begin;
     unit.end = part.end;
     unit.traits = &dialect::sinumerik::traits;
-    reserve(unit, std::string_view(source.text).substr(part.begin, part.end - part.begin));
+    unit.reserve(part.end - part.begin);
     State s{.unit = unit, .names = names, .diagnostics = diagnostics, .text = source.text, .cursor = {}};
     read_lines(s, sources);
     s.cursor = Cursor(s.text.data(), part.end, part.end);
