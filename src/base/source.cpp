@@ -1,6 +1,7 @@
 #include "base/source.hpp"
 
 #include <algorithm>
+#include <utility>
 
 #include "base/text.hpp"
 
@@ -60,9 +61,8 @@ void add_line_starts(std::string_view piece, std::size_t at, bool& cr, std::vect
 }  // namespace
 
 const std::vector<std::uint32_t>& Sources::line_starts(std::uint32_t file) const {
-    std::vector<std::uint32_t>& starts = line_starts_[file];
-    if (!starts.empty()) return starts;
-    starts.push_back(0);
+    if (!line_starts_[file].empty()) return line_starts_[file];
+    std::vector<std::uint32_t> starts{0};
     const std::string_view text = files_[file].text;
     Store* store = stores_[file].get();
     const std::size_t mark = store == nullptr ? 0 : store->bytes().size() - text.size();  // bytes of a mark in front
@@ -75,7 +75,7 @@ const std::vector<std::uint32_t>& Sources::line_starts(std::uint32_t file) const
         if (aside) store->lay_aside(begin, end);
     }
     if (cr) starts.push_back(static_cast<std::uint32_t>(text.size()));
-    return starts;
+    return line_starts_[file] = std::move(starts);
 }
 
 Position Sources::position(std::uint32_t file, std::uint32_t offset) const {
