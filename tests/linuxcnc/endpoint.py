@@ -3,7 +3,7 @@ import math
 import pathlib
 import re
 
-CALL = re.compile(r"^ *\d+ N\S* *([A-Z_]+)\((.*)\)$")
+CALL = re.compile(r"^ *\d+ N\S* *([A-Z0-9_]+)\((.*)\)$")
 PLANES = {"XY": (0, 1, 2), "YZ": (1, 2, 0), "XZ": (2, 0, 1)}
 STRAIGHT = ("STRAIGHT_TRAVERSE", "STRAIGHT_FEED", "STRAIGHT_PROBE", "RIGID_TAP")
 
