@@ -104,9 +104,9 @@ struct Traits {
     /// Named variables come into being when they are assigned: local ones, and global ones where the name begins with
     /// `_`. Reading one that nobody has assigned is an alarm.
     bool variables_by_assignment = false;
-    /// Arguments of a call become the numbered parameters 1, 2 … of the called program; the rest of the local ones is
-    /// 0.
-    bool positional_arguments = false;
+    /// Numbered parameters from 1 to this are every program's own: those of a called one begin with the arguments of
+    /// the call (argument 0 is parameter 1) and 0 where there is none. 0: arguments go to declared parameters.
+    std::uint32_t argument_parameters = 0;
     /// Parameters hold 0 until they are set, and the control says so itself: reading one is no assumption.
     bool parameters_begin_at_zero = false;
     std::span<const LiveParameters> live{};

@@ -154,8 +154,10 @@ enum class CallKind : std::uint8_t {
 struct Call {
     CallKind kind = CallKind::by_name;
     NameId name = 0;
-    ExprId target = no_expr;        ///< of an indirect call: the text that names the program
-    bool has_arguments = false;     ///< parentheses were written
+    ExprId target = no_expr;     ///< of an indirect call: the text that names the program
+    bool has_arguments = false;  ///< parentheses were written
+    /// M98: the called program has the caller's own parameters (Traits::argument_parameters).
+    bool shares_parameters = false;
     std::vector<ExprId> arguments;  ///< no_expr where left out
     ExprId passes = no_expr;        ///< P=
     base::Span where;               ///< of the name
