@@ -6,25 +6,18 @@ namespace obrys::path {
 
 using geom::Vec2;
 
-Vec2 unit(Vec2 v) {
-    const double l = std::sqrt(geom::dot(v, v));  // half the time of hypot, and on every move
-    return l == 0 ? Vec2{1, 0} : (1 / l) * v;
-}
-
 Vec2 leaving(Vec2 point, Vec2 centre, double turn) { return (-turn) * geom::left_of(unit(centre - point)); }
 
 HeldTurn turn_at(Vec2 point, Vec2 to, Vec2 direction, double offset) {
     const double side = std::copysign(1.0, offset);
-    HeldTurn t{point, to, (-side) * geom::left_of(unit(to - point)), direction, offset, 0};
-    t.bend = -side * turn_between(t.along, direction);
-    if (t.bend < -0.5 * geom::pi) t.bend += 2 * geom::pi;
-    return t;
+    const Vec2 along = (-side) * geom::left_of(unit(to - point));
+    return {point, to, along, direction, offset, -side * geom::cross(along, direction), geom::dot(along, direction)};
 }
 
 Meeting line_meets_line(const HeldTurn& t) {
-    const double radius = std::abs(t.offset);
-    const double half = 0.5 * (t.bend + geom::pi);  // of the angle between the walls
-    return {t.to - (radius / std::tan(half)) * t.along};
+    const double back =
+        std::abs(t.offset) * t.sine / (1 + t.cosine);  // radius by the tangent of half the angle, inner: < 0
+    return {t.to + back * t.along};
 }
 
 Meeting arc_meets_line(const HeldTurn& t, const HeldEnd& held) {
@@ -44,7 +37,7 @@ Meeting line_meets_arc(const HeldTurn& t, Vec2 centre, double radius, double tur
     const double tool = std::abs(t.offset);
     const bool inside = runs_inside(t.offset, turn);
     const double own = inside ? radius - tool : radius + tool;
-    const double part = (-radius * std::cos(t.bend) + (inside ? tool : -tool)) / own;
+    const double part = (-radius * t.cosine + (inside ? tool : -tool)) / own;
     if (part > 1 || part < -1) return {{}, Refusal::arc_unreachable};
     const double ahead = std::sqrt(1 - part * part);
     return {centre + own * ((inside ? ahead : -ahead) * t.along + turn * part * geom::left_of(t.along))};

@@ -2,6 +2,8 @@
 /// Where an inner corner moves the end of the held move to. Inside of held_move.hpp; not for callers.
 /// All points are of the tool's centre unless said otherwise; `offset` is positive where it runs left of the motion.
 
+#include <cmath>
+
 #include "path/element.hpp"
 #include "path/setting.hpp"
 
@@ -21,8 +23,12 @@ struct HeldTurn {
     geom::Vec2 along;      ///< unit tangent at that end
     geom::Vec2 direction;  ///< unit tangent of the move that follows
     double offset = 0;
-    double bend =
-        0;  ///< change of direction, rad, positive away from the tool: -π/2 … 3π/2; beyond π it is an inner one
+    double sine = 0, cosine = 1;  ///< of the change of direction, positive away from the tool
+
+    /// A change by less than the angle of this tangent, from straight on or from half a turn, is neither.
+    [[nodiscard]] bool inner(double tangent) const { return sine < -tangent * std::abs(cosine); }
+    [[nodiscard]] bool outer(double tangent) const { return sine > tangent * std::abs(cosine); }
+    [[nodiscard]] bool forwards() const { return cosine > 0; }
 };
 
 struct Meeting {
@@ -36,8 +42,13 @@ struct Meeting {
 [[nodiscard]] geom::Vec2 leaving(geom::Vec2 point, geom::Vec2 centre, double turn);
 /// True where a tool with this offset runs on the arc's inner side.
 [[nodiscard]] constexpr bool runs_inside(double offset, double turn) { return offset * turn > 0; }
+/// Length; half the time of hypot, which keeps very long and very short ones: on every move.
+[[nodiscard]] inline double quick_length(geom::Vec2 v) { return std::sqrt(geom::dot(v, v)); }
 /// Unit vector; along the first axis for a vector without length.
-[[nodiscard]] geom::Vec2 unit(geom::Vec2 v);
+[[nodiscard]] inline geom::Vec2 unit(geom::Vec2 v) {
+    const double l = quick_length(v);
+    return l == 0 ? geom::Vec2{1, 0} : (1 / l) * v;
+}
 
 /// Line to line: both parallels cross.
 [[nodiscard]] Meeting line_meets_line(const HeldTurn& t);

@@ -40,7 +40,7 @@ double sweep_run(const Element& e, double programmed) {
 
 }  // namespace
 
-std::vector<Fault> HeldMove::push(Element e, const Setting& s, OutputSink out) {
+std::vector<Fault> HeldMove::push(Element&& e, const Setting& s, OutputSink out) {
     tag_ = e.tag;
     point_ = e.from;
     if (offset_of(s) != 0)
@@ -72,11 +72,10 @@ void HeldMove::pass(Element&& e, OutputSink out) {
         carry(e);
         return emit_events(out);
     }
-    Queued q;
-    q.kind = exit_ ? Kind::retract : Kind::passed;
     if (!exit_) at_ = e.from;
-    q.e = std::move(e);
-    emit(std::move(q), out);
+    Queued q;
+    q.out = {std::move(e), exit_ ? Kind::retract : Kind::passed};
+    emit(q, out);
     exit_ = false;
     at_.reset();
 }
@@ -93,6 +92,7 @@ void HeldMove::take(Element&& e, const Setting& s, OutputSink out) {
         offset_ = offset;
         tip_ = s.tip;
         limits_ = s.limits;
+        bend_ = std::tan(limits_.straight_on);
         if (!at_) at_ = e.from;
         if (is_arc(e))
             enter_arc(std::move(e), s);
@@ -161,12 +161,11 @@ void HeldMove::follow_line(Element&& e, const Setting& s, OutputSink out) {
     const Vec2 direction = unit(e.to - e.from);
     const Vec2 normal = std::copysign(1.0, offset_) * geom::left_of(direction);
     const HeldTurn t = turn_at(e.from, centre_, direction, offset_);
-    const double small = limits_.straight_on;
-    const bool over_arc =
-        t.bend > geom::pi - small && !queue_.empty() && front_.arc && !runs_inside(offset_, front_.turn);
-    if (t.bend < -small || t.bend > geom::pi + small || over_arc) {
+    const bool bent = t.outer(bend_);
+    const bool over_arc = !bent && !t.forwards() && !queue_.empty() && front_.arc && !runs_inside(offset_, front_.turn);
+    if (t.inner(bend_) || over_arc) {
         if (!meet(front_.arc ? arc_meets_line(t, front_) : line_meets_line(t), out)) return;
-    } else if (t.bend > small) {
+    } else if (bent || !t.forwards()) {
         if (!move_end(centre_, out)) return;
         round(e, e.from + radius * normal, s.rapid, out);
     } else {
@@ -181,16 +180,17 @@ void HeldMove::follow_line(Element&& e, const Setting& s, OutputSink out) {
 
 void HeldMove::follow_arc(Element&& e, const Setting& s, OutputSink out) {
     const double tool = std::abs(offset_), turn = turn_of(e);
-    const double radius = geom::distance(e.centre, e.to);
+    const double radius = quick_length(e.to - e.centre);
     const bool inside = runs_inside(offset_, turn);
     if (inside && radius <= tool) {
         refuse(Refusal::arc_too_tight);
         return;
     }
     const HeldTurn t = turn_at(e.from, centre_, leaving(e.from, e.centre, turn), offset_);
-    const double small = limits_.straight_on, reach = inside ? tool : -tool;
-    const bool over_arc = std::abs(t.bend - geom::pi) < small && !inside;
-    if (t.bend < -small || t.bend > geom::pi + small || over_arc) {
+    const double reach = inside ? tool : -tool;
+    const bool bent = t.outer(bend_);
+    const bool over_arc = !bent && !t.forwards() && !inside;
+    if (t.inner(bend_) || over_arc) {
         if (!meet(front_.arc ? arc_meets_arc(offset_, front_, e.centre, radius, turn)
                              : line_meets_arc(t, e.centre, radius, turn),
                   out))
@@ -198,7 +198,7 @@ void HeldMove::follow_arc(Element&& e, const Setting& s, OutputSink out) {
     } else {
         release(out);
         start_ = centre_;
-        if (t.bend > small) round(e, e.from + reach * unit(e.centre - e.from), false, out);
+        if (bent || !t.forwards()) round(e, e.from + reach * unit(e.centre - e.from), false, out);
         start_known_ = true;
     }
     centre_ = e.to + reach * unit(e.centre - e.to);
@@ -213,16 +213,15 @@ bool HeldMove::meet(const Meeting& m, OutputSink out) {
 void HeldMove::round(Element& e, Vec2 to, bool rapid, OutputSink out) {
     release(out);
     Queued q;
-    q.kind = Kind::transition;
-    q.rapid = rapid;
-    q.e = line(e.from, to, e.w_from);
-    q.e.tag = e.tag;
-    q.e.before = std::exchange(e.before, {});
+    q.out = {line(e.from, to, e.w_from), Kind::transition};
+    Element& way = q.out.element;
+    way.tag = e.tag;
+    way.before = std::exchange(e.before, {});
     if (!rapid) {
-        q.e.centre = e.from;
-        q.programmed = q.e.sweep = offset_ > 0 ? -1 : 1;
+        way.centre = e.from;
+        q.programmed = way.sweep = offset_ > 0 ? -1 : 1;
     }
-    emit(std::move(q), out);
+    emit(q, out);
     start_ = to;
     start_known_ = true;
 }
@@ -240,21 +239,22 @@ bool HeldMove::move_end(Vec2 to, OutputSink out) {
 }
 
 bool HeldMove::move_end(Queued& q, Vec2 to) {
-    if (is_arc(q.e)) {
-        const double was = geom::distance(q.e.to, q.e.centre), is = geom::distance(to, q.e.centre);
+    Element& e = q.out.element;
+    if (is_arc(e)) {
+        const double was = geom::distance(e.to, e.centre), is = geom::distance(to, e.centre);
         if (std::abs(was - is) > limits_.radius_change) {
             refuse(Refusal::radii_differ);
             faults_.back().radius_was = was;
             faults_.back().radius_is = is;
             return false;
         }
-        const double sweep = sweep_between(start_, q.e.centre, to, q.programmed);
+        const double sweep = sweep_between(start_, e.centre, to, q.programmed);
         if (start_known_ && std::abs(sweep) > std::abs(q.programmed) + limits_.sweep_growth)
             return refuse(Refusal::arc_unreachable);
     } else if (start_known_ && geom::dot(q.direction, to - start_) < 0) {
         return refuse(q.rapid ? Refusal::rapid_reversed : Refusal::feed_reversed);
     }
-    q.e.to = to;
+    e.to = to;
     return true;
 }
 
@@ -266,30 +266,30 @@ void HeldMove::queue(Element&& e, Kind kind, bool rapid, Vec2 direction) {
         carry(e);
     }
     const double programmed = e.sweep;
-    queue_.push_back({std::move(e), kind, rapid, direction, programmed});
+    queue_.push_back({{std::move(e), kind}, rapid, direction, programmed});
 }
 
 void HeldMove::release(OutputSink out) {
-    for (Queued& q : queue_) emit(std::move(q), out);
+    for (Queued& q : queue_) emit(q, out);
     queue_.clear();
     start_known_ = false;
 }
 
-void HeldMove::emit(Queued&& q, OutputSink out) {
-    Element& e = q.e;
+void HeldMove::emit(Queued& q, OutputSink out) {
+    Element& e = q.out.element;
     e.from = at_.value_or(e.from);
-    const bool own = q.kind == Kind::passed || q.kind == Kind::retract;
+    const bool own = q.out.kind == Kind::passed || q.out.kind == Kind::retract;
     if (!own) {
         e.to = e.to + tip_;
-        if (is_arc(e)) e.centre = e.centre + tip_;
+        e.centre = e.centre + tip_;
+        if (is_arc(e)) e.sweep = sweep_run(e, q.programmed);
     }
-    if (is_arc(e) && q.kind != Kind::passed) e.sweep = sweep_run(e, q.programmed);
     if (!carried_.empty()) {
         e.before.insert(e.before.begin(), carried_.begin(), carried_.end());
         carried_.clear();
     }
     at_ = e.to;
-    out(Output{std::move(e), q.kind});
+    out(q.out);
 }
 
 /// Events behind which nothing is held are as good as out.

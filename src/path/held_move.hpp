@@ -32,7 +32,7 @@ namespace obrys::path {
 class HeldMove {
 public:
     /// A fault is that of the element pushed, and the last one: it ends the program.
-    std::vector<Fault> push(Element e, const Setting& s, OutputSink out);
+    std::vector<Fault> push(Element&& e, const Setting& s, OutputSink out);
     /// Lets the held move go; compensation stays selected.
     std::vector<Fault> flush(OutputSink out);
     std::vector<Fault> switch_off(OutputSink out);
@@ -40,8 +40,7 @@ public:
 
 private:
     struct Queued {
-        Element e;
-        Kind kind = Kind::contour;
+        Output out;
         bool rapid = false;
         geom::Vec2 direction;   ///< of a line, before any end was moved; nothing along w
         double programmed = 0;  ///< sweep of an arc as programmed
@@ -59,7 +58,7 @@ private:
     void round(Element& e, geom::Vec2 to, bool rapid, OutputSink out);
     void queue(Element&& e, Kind kind, bool rapid, geom::Vec2 direction);
     void release(OutputSink out);
-    void emit(Queued&& q, OutputSink out);
+    void emit(Queued& q, OutputSink out);
     void carry(Element& e);
     void emit_events(OutputSink out);
     bool refuse(Refusal why);
@@ -70,6 +69,7 @@ private:
     double offset_ = 0;     ///< positive left
     geom::Vec2 tip_;
     HeldMoveLimits limits_;
+    double bend_ = 0;               ///< tangent of the least change of direction that is a corner
     std::vector<Queued> queue_;     ///< the held move and what waits behind it
     HeldEnd front_;                 ///< of the held move, also after it has gone
     geom::Vec2 centre_;             ///< of the tool at the end of the newest move, no corner regarded
