@@ -110,6 +110,8 @@ enum class Function : std::uint8_t {
     compare_texts,  ///< TOCHAR, INSTR, STRCOMP
     set_list,
     repeat_list,  ///< SET(…) and REP(…): only as the value of an array assignment
+    round_down,   ///< to the next integer below
+    round_away,   ///< to the nearest integer, halves away from zero
 };
 
 /// Questions to the modal state (SystemVariable::state); yes is 1, no is 0.
