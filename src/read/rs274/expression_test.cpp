@@ -58,7 +58,7 @@ TEST(Rs274Expression, ErrorsStandWhereTheyAre) {
     EXPECT_EQ(value("#<a"), "1:3 the name is not closed");
     EXPECT_EQ(value(""), "1:1 X has no value");
     EXPECT_EQ(value("."), "1:2 a point is no number");
-    EXPECT_EQ(one("#1 5"), "1:4 expected = behind the parameter, found '5'");
+    EXPECT_EQ(one("#1 5"), "1:5 expected = behind the parameter, found end of block");
 }
 
 TEST(Rs274Expression, NeitherDepthNorLengthIsUnbounded) {

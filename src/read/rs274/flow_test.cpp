@@ -56,10 +56,10 @@ TEST(Rs274Flow, DoAndRepeat) {
 }
 
 TEST(Rs274Flow, SubprogramsAreUnitsOfTheirOwn) {
-    const Reading r("o<Do It> sub\nX#1\no<doit> endsub [#1+1]\nX1\no<DO IT> call [2] [#<_a>]\nM2\n");
+    const Reading r("o<Do It> sub\nX#1\no<doit> endsub [#1+1]\nX1\no<DO IT> call [2] [#<_mine>]\nM2\n");
     EXPECT_EQ(r.messages(), "");
     EXPECT_EQ(names(r), (std::vector<std::string>{"TEST", "O<DOIT>"}));
-    EXPECT_EQ(r.tree(0), "0 X1\n1 call O<DOIT>(2,_A)\n2 M2\n");
+    EXPECT_EQ(r.tree(0), "0 X1\n1 call O<DOIT>(2,_MINE)\n2 M2\n");
     EXPECT_EQ(r.tree(1), "0 X=#1\n1 _VALUE=(#1 + 1) _VALUE_RETURNED=1\n2 +return\n");
 }
 
@@ -99,7 +99,7 @@ TEST(Rs274Flow, WhatFollowsTheEndIsNotRead) {
     EXPECT_EQ(complaint("X1\n%\n"), "2:1 a % at the end needs one at the begin of the program");
     EXPECT_EQ(Reading("X1\n").first_message(true), "1:1 the program ends without M2 or M30");
     EXPECT_EQ(Reading("%\nX1\n").first_message(true), "2:1 the program ends without M2, M30 or its second %");
-    EXPECT_EQ(Reading("o1 if [#1]\nM2\no1 endif\nX[\nM2").first_message(), "4:2 this bracket is not closed");
+    EXPECT_EQ(Reading("o1 if [#1]\nM2\no1 endif\nX[1\nM2").first_message(), "4:2 this bracket is not closed");
 }
 
 TEST(Rs274Flow, WrongStructureIsRefusedWhereItStands) {
