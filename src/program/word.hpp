@@ -196,7 +196,6 @@ enum class Modal : std::uint16_t {
     restore_modal,        ///< M72
     save_modal_for_call,  ///< M73
     datum_extended,       ///< G54.1: P says which
-    no_motion,            ///< G80: a block with axis words alone is an error
 };
 
 /// How the payload is to be read.
