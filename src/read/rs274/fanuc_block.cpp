@@ -1,3 +1,5 @@
+#include <algorithm>
+
 #include "read/rs274/fanuc_state.hpp"
 
 namespace obrys::read::rs274 {
@@ -65,10 +67,15 @@ Address* find_address(FanucState& s, char letter) {
 std::string take_comment(FanucState& s) {
     if (s.line.peek() != '(') return {};
     const std::string_view rest = s.line.rest();
-    const std::size_t close = std::min(rest.find(')'), rest.size());
-    std::string text(rest.substr(1, close - std::min<std::size_t>(close, 1)));
-    s.line.step(std::min(close + 1, rest.size()));
-    return base::as_utf8(base::trim(text));
+    const bool pairs = std::count(rest.begin(), rest.end(), '(') <= std::count(rest.begin(), rest.end(), ')');
+    std::size_t end = 0;
+    for (int depth = 0; end < rest.size(); ++end) {
+        if (rest[end] == '(' && (pairs || depth == 0)) ++depth;
+        if (rest[end] == ')' && --depth == 0) break;
+    }
+    const std::string text(base::trim(rest.substr(1, end - 1)));
+    s.line.step(std::min(end + 1, rest.size()));
+    return base::as_utf8(text);
 }
 
 void read_addresses(FanucState& s) {
@@ -122,7 +129,9 @@ void read_rest(FanucState& s) {
 
 void read_fanuc_block(FanucState& s, std::uint32_t begin, std::uint32_t end) {
     s.failed = false;
-    s.line.load(s.text, begin, end, false, false);
+    // A comment ends at the bracket that belongs to its own; where there is none, at the first one.
+    s.line.load(s.text, begin, end, true, false);
+    if (s.line.fault() == CommentFault::unclosed) s.line.load(s.text, begin, end, false, false);
     if (s.line.at_end()) return;
     if (s.line.fault() == CommentFault::unclosed)
         return fail(s, s.line.fault_begin(), s.line.end(), "the comment is not closed", "add )");

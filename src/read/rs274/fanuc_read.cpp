@@ -79,7 +79,7 @@ Extent extent_of(std::string_view text) {
         } else if (!line.empty()) {
             if (header == std::string_view::npos && header_length(line) > 0 && !blocks && lines && !e.has_sign)
                 header = at;
-            blocks = blocks || looks_like_block(line) || line[0] == '(';
+            blocks = blocks || looks_like_block(line);
             lines = true;
         }
         at = end + 1;

@@ -160,6 +160,8 @@ Value scaled(FanucState& s, const Value& v, Quantity q) {
     if (!v.is_literal()) return q == Quantity::milliseconds ? divided(s, v) : v;
     if (!v.literal.integer || v.number() == 0) return v;
     if (thousands) return shifted(v, 3);
+    const bool whole_feed = q == Quantity::feed && !s.control.haas && !s.per_rev && s.inch == false;
+    if (whole_feed) return v;  // 1 mm/min either way
     say_whole_numbers(s, v);
     if (s.control.whole_numbers == WholeNumbers::units) return v;
     switch (q) {
