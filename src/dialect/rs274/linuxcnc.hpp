@@ -17,5 +17,6 @@ extern const std::span<const OperatorName> linuxcnc_operators;
 extern const std::span<const FunctionName> linuxcnc_functions;
 extern const std::span<const PredefinedName> linuxcnc_predefined;
 extern const std::span<const NumberRange> linuxcnc_read_only;
+extern const std::span<const LetterUse> linuxcnc_letters;
 
 }  // namespace obrys::dialect::rs274

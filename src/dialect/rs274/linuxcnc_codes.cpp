@@ -39,6 +39,8 @@ constexpr std::array g_codes{
     move(51, Modal::spline_quadratic, Axes::required),
     move(52, Modal::nurbs, Axes::allowed),
     move(53, Modal::nurbs_end, Axes::none),
+    refused(62, 1, motion, "NURBS with knots"),
+    refused(63, 1, motion, "NURBS with knots"),
     plain(70, 15, diameter, Modal::diameter_on),
     plain(80, 15, diameter, Modal::diameter_off),
     group0(100, Modal::set_data, 0, Axes::own),

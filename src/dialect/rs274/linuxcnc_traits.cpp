@@ -43,6 +43,7 @@ const Dialect linuxcnc{
     .functions = linuxcnc_functions,
     .predefined = linuxcnc_predefined,
     .read_only = linuxcnc_read_only,
+    .letters = linuxcnc_letters,
 };
 
 }  // namespace obrys::dialect::rs274

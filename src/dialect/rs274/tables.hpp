@@ -120,6 +120,15 @@ struct NumberRange {
     std::uint32_t first = 0, last = 0;
 };
 
+/// A letter that only some codes use: a block in which none of them stands, and that moves by no code of its own, must
+/// not have it.
+struct LetterUse {
+    char letter = 0;
+    program::Code code = program::Code::p;
+    std::span<const std::uint16_t> g;     ///< numbers times ten
+    std::array<NumberRange, 3> m{};       ///< M numbers; {0, 0}: none
+};
+
 /// Places of G codes in the table by their number * 10; -1 where the control has none.
 using GIndex = std::array<std::int16_t, 10000>;
 
@@ -133,6 +142,7 @@ struct Dialect {
     std::span<const FunctionName> functions;
     std::span<const PredefinedName> predefined;
     std::span<const NumberRange> read_only;
+    std::span<const LetterUse> letters;  ///< empty: every letter may stand in every block
     bool named_parameters = true;    ///< #<name>
     bool null_parameter = false;     ///< #0 can be read: it has no value
     bool semicolon_comment = true;   ///< `;` begins a comment to the line's end; else it ends the block

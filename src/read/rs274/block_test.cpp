@@ -52,7 +52,7 @@ TEST(Rs274Block, ErrorsMarkTheWord) {
     EXPECT_EQ(one("(a"), "1:1 this comment is not closed");
     EXPECT_EQ(one("#0=1"), "1:1 there is no parameter #0");
     EXPECT_EQ(one("#5420=1"), "1:1 the parameter #5420 can only be read");
-    EXPECT_EQ(one("#<_x>=1"), "1:1 a program cannot assign to the control's parameter #<_X>");
+    EXPECT_EQ(one("#<_x>=1"), "1:1 a program cannot assign to the control's parameter #<_x>");
     EXPECT_EQ(one("G0 X1.2.3"), "1:8 the number has two points");
     EXPECT_EQ(one("G0 X1 N5"), "1:7 'N' cannot stand here");
 }

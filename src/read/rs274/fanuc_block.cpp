@@ -44,7 +44,7 @@ void read_address(FanucState& s, bool comma) {
 
 void note_number(FanucState& s) {
     if (!s.number) return;
-    s.numbers[*s.number].push_back(static_cast<std::uint32_t>(s.unit().statements.size()));
+    s.block_numbers[*s.number].push_back(static_cast<std::uint32_t>(s.unit().statements.size()));
 }
 
 void empty_block(FanucState& s) {

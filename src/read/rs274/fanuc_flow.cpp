@@ -199,8 +199,8 @@ void close_program(FanucState& s) {
         unit.statements.back().flags = 0;  // not in the text: it begins no block
     }
     const auto places = [&](std::uint32_t n) -> const std::vector<std::uint32_t>* {
-        const auto found = s.numbers.find(n);
-        return found == s.numbers.end() ? nullptr : &found->second;
+        const auto found = s.block_numbers.find(n);
+        return found == s.block_numbers.end() ? nullptr : &found->second;
     };
     for (const PendingJump& j : s.jumps) {
         const auto* at = places(j.number);
@@ -215,7 +215,7 @@ void close_program(FanucState& s) {
         if (const auto* at = places(l.number)) unit.label_calls[l.entry].target = at->front();
     for (const std::uint32_t n : s.section_labels)
         if (const auto* at = places(n)) unit.labels[s.build().name("N" + std::to_string(n))] = *at;
-    s.jumps.clear(), s.labels.clear(), s.section_labels.clear(), s.numbers.clear();
+    s.jumps.clear(), s.labels.clear(), s.section_labels.clear(), s.block_numbers.clear();
 }
 
 }  // namespace obrys::read::rs274

@@ -82,7 +82,7 @@ struct FanucState : State {
     // The program at hand.
     std::vector<FanucLoop> loops;
     std::vector<FanucIf> ifs;
-    std::map<std::uint32_t, std::vector<std::uint32_t>> numbers;  ///< statements of each block number
+    std::map<std::uint32_t, std::vector<std::uint32_t>> block_numbers;  ///< statements of each block number
     std::vector<PendingJump> jumps;
     std::vector<PendingLabel> labels;
     std::vector<std::uint32_t> section_labels;  ///< block numbers that become labels: first and last ones of G70

@@ -44,7 +44,9 @@ ExprId read_named(State& s, bool target, std::uint32_t begin) {
     const bool returned = *name == "_VALUE" || *name == "_VALUE_RETURNED";
     const bool control_owned = name->starts_with("_INI[") || name->starts_with("_HAL[");
     if (target && (known != s.variant.predefined.end() || returned || control_owned))
-        return refuse(s, begin, "a program cannot assign to the control's parameter #<" + base::as_utf8(*name) + ">");
+        return refuse(s, begin,
+                      "a program cannot assign to the control's parameter " +
+                          base::as_utf8(s.text.substr(begin, s.line.behind() - begin)));
     if (known != s.variant.predefined.end()) {
         const ExprId query =
             s.build().number(static_cast<double>(known->query), true, begin, s.line.behind());

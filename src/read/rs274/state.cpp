@@ -8,6 +8,7 @@ void fail(State& s, std::uint32_t begin, std::uint32_t end, std::string text, st
     if (s.failed) return;
     s.failed = true;
     s.words.clear();
+    if (s.part->ended) return;
     program::Builder& build = s.build();
     build.begin_block(s.skip);
     build.statement(StatementKind::block, std::min(s.line.begin(), begin));

@@ -73,19 +73,24 @@ struct Comment {
 struct Opened {
     StatementKind kind = StatementKind::if_;
     std::string label;
-    std::uint32_t statement = 0;                     ///< the opener
-    std::vector<std::uint32_t> inner;                ///< if_ statements of elseif, outermost first
-    std::vector<std::uint32_t> elses;                ///< else_ statements, outermost first
-    bool has_else = false;
-    std::vector<std::size_t> breaks, continues;      ///< entries in Unit::jumps
-    base::Span word;                                 ///< for the message where its end is missing
+    std::vector<std::uint32_t> openers;          ///< its statement; of an if those of its elseif too
+    std::vector<std::uint32_t> elses;            ///< else_ statements in order
+    bool has_else = false;                       ///< not only elseif
+    std::vector<std::size_t> breaks, continues;  ///< entries in Unit::jumps
+    base::Span word;                             ///< for the message where its end is missing
+};
+
+/// Where a label of a structure was used first.
+struct LabelUse {
+    std::uint32_t begin = 0;
+    std::vector<std::uint64_t> path;  ///< the branches around it
 };
 
 /// A unit that grows.
 struct Part {
-    Part(std::uint32_t file, const Dialect& d, program::Names& names, base::Diagnostics& diagnostics,
+    Part(std::uint32_t file, const Dialect& d, program::Names& names, base::Diagnostics& complaints,
          std::string_view text)
-        : build(unit, names, diagnostics, text) {
+        : build(unit, names, complaints, text), diagnostics(complaints) {
         unit.file = file;
         unit.traits = d.traits;
     }
@@ -94,11 +99,23 @@ struct Part {
 
     program::Unit unit;
     program::Builder build;
-    std::string label;  ///< of its o-word sub: "100", "<FOO>"; empty in the main program
-    bool by_o_word = false;
+    base::Diagnostics& diagnostics;
+    enum class Kind : std::uint8_t { main, o_sub, program_number } kind = Kind::main;
+    Part* outer = nullptr;  ///< in which an `o100 sub` stands
+    std::string label;      ///< of its o-word: "100", "<FOO>"; empty in the main program
+    std::string refused;    ///< label of a definition within it
+    bool dropped = false;   ///< defined a second time: read, but not kept
+    bool ended = false;     ///< what follows is not reached
     std::vector<Opened> opened;
-    std::map<std::string, std::uint32_t> labels;  ///< of structures -> source byte where first used
+    std::map<std::string, LabelUse> labels;  ///< of structures
     base::Span word;                              ///< `o100 sub`
+};
+
+/// `O1234` alone in its block.
+struct ProgramNumber {
+    std::string label;
+    std::uint32_t begin = 0, behind = 0;  ///< source bytes of the line
+    bool after_end = false;               ///< it stands behind the main program's end
 };
 
 struct State {
@@ -109,21 +126,30 @@ struct State {
     const Dialect& variant;
     program::Names& names;
     base::Diagnostics& diagnostics;
+    base::Diagnostics repeated{};  ///< complaints about text that is read a second time
     std::string_view text;
     std::uint32_t file = 0;
-    std::deque<Part> parts;  ///< the main program first
-    Part* part = nullptr;    ///< the one at hand
-    Line line;
+    std::deque<Part> parts{};  ///< the main program first
+    Part* part = nullptr;     ///< the one at hand
+    Line line{};
 
-    std::vector<BlockWord> words;  ///< of the block at hand
-    Facts facts;
-    Comment comment;
+    std::vector<BlockWord> words{};  ///< of the block at hand
+    Facts facts{};
+    Comment comment{};
     std::uint8_t skip = 0;                 ///< block skip level + 1
     bool failed = false;                   ///< a complaint was made about the line
     int operators = 0;                     ///< of the expression at hand
     /// What a numbered parameter that the control owns says; no_expr: it is an ordinary one. Null: all are.
     ExprId (*system)(State&, std::uint32_t number, std::uint32_t begin) = nullptr;
+    bool percent = false;                  ///< the text begins with `%`
+    bool stopped = false;                  ///< its last `%` was read
+    std::vector<ProgramNumber> numbers{};
+    std::map<std::string, bool> called_numbers{};  ///< labels that M98 calls
+    bool calls_any_number = false;                 ///< M98 P with an expression
 
+    Part& add_part(base::Diagnostics& complaints) {
+        return parts.emplace_back(file, variant, names, complaints, text);
+    }
     [[nodiscard]] program::Builder& build() const { return part->build; }
     [[nodiscard]] program::Unit& unit() const { return part->unit; }
 };
@@ -180,6 +206,34 @@ void add_problem(State& s, Code code, std::uint32_t begin, std::uint32_t end, st
 [[nodiscard]] std::optional<BlockWord> take_letter(State& s, Code code);
 /// As a span of the source, for messages.
 [[nodiscard]] const BlockWord* find_letter(const State& s, Code code);
+
+// --- o-words (o_word.cpp, structure.cpp, sub.cpp)
+/// A line that begins with an o-word, which stands here. In text behind the program's end only definitions count.
+void read_o_line(State& s);
+/// `M98 …` or `M99 …` that stands here.
+void read_m98(State& s);
+void read_m99(State& s);
+/// The number behind M at the begin of a block, where it is 98 or 99; else 0. Nothing moves.
+[[nodiscard]] int call_number(const State& s);
+void open_structure(State& s, StatementKind kind, const std::string& label, ExprId condition, std::uint32_t begin);
+[[nodiscard]] bool has_opened(const State& s, StatementKind kind, const std::string& label);
+void read_elseif(State& s, const std::string& label, ExprId condition, std::uint32_t begin);
+void read_else(State& s, const std::string& label, std::uint32_t begin);
+/// `word`: how the end is written: "endif".
+void close_structure(State& s, StatementKind kind, const std::string& label, ExprId condition, std::string_view word,
+                     std::uint32_t begin);
+void leave_structure(State& s, const std::string& label, bool goes_on, std::uint32_t begin);
+/// Complains about what was not closed and closes it.
+void close_all(State& s);
+/// At the end of the text: what was begun and not ended.
+void end_text(State& s);
+void begin_sub(State& s, const std::string& label, std::uint32_t begin);
+/// endsub, return or M99; `value` may be no_expr.
+void read_return(State& s, const std::string& label, ExprId value, bool ends, std::uint32_t begin);
+void read_program_number(State& s, const std::string& label, std::uint32_t begin);
+void call_program(State& s, program::Call call, std::uint32_t begin);
+void note_end(State& s, std::uint16_t m);  ///< M2, M30 and M99 outside of structures: the program goes no further
+void read_lines(State& s, std::uint32_t begin);  ///< read.cpp: until the text or the part ends
 
 // --- comments (comment.cpp)
 /// The block's comment as statement or word; `(debug, …)` acts before the block.
