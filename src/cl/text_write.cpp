@@ -146,6 +146,10 @@ struct StepWriter {
         number(out, s.rotary);
         out += filters[static_cast<std::size_t>(s.filter)];
     }
+    void operator()(const Setting& s) const {
+        out += "setting " + std::to_string(static_cast<int>(s.kind)) + ' ' + std::to_string(s.number);
+        for (const double v : s.values) number(out, v);
+    }
     void operator()(const Auxiliary& s) const {
         out += "aux";
         quoted(out, {&s.letter, 1});

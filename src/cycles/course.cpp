@@ -24,8 +24,11 @@ bool may_be_rapid(program::CycleRole role) {
 }
 }  // namespace
 
-Course::Course(const Demand& demand, const Situation& situation) : demand_(demand), at_(situation.at) {
-    known(at_.x + at_.y, "the tool's position in the working plane");
+Course::Course(const Demand& demand, const Situation& situation) : Course(demand, situation, false) {}
+
+Course::Course(const Demand& demand, const Situation& situation, bool anywhere) : demand_(demand), at_(situation.at) {
+    if (!anywhere) known(at_.x + at_.y, "the tool's position in the working plane");
+    if (anywhere && std::isinf(at_.x + at_.y + at_.z)) not_simulated("the tool's position is not known");
 }
 
 double Course::checked(Role role, double value) {
@@ -171,6 +174,11 @@ void Course::move(geom::Vec3 to, double feed) {
     if (same_place(at_, to)) return;
     set_feed(feed);
     add(cl::Linear{.to = to, .rapid = false});
+    at_ = to;
+}
+
+void Course::straight(geom::Vec3 to, bool rapid) {
+    add(cl::Linear{.to = to, .rapid = rapid});
     at_ = to;
 }
 

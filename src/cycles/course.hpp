@@ -17,6 +17,8 @@ public:
     using Role = program::CycleRole;
 
     Course(const Demand& demand, const Situation& situation);
+    /// `anywhere`: the cycle goes to its place by itself, where it comes from need not be known.
+    Course(const Demand& demand, const Situation& situation, bool anywhere);
 
     // Parameters.
     /// Must be written, finite and known.
@@ -57,6 +59,8 @@ public:
     void rapid(geom::Vec3 to);
     /// At `feed` mm/min; infinity: rapid. A move without length is left out.
     void move(geom::Vec3 to, double feed);
+    /// At the feed in force or at rapid traverse; kept also where it has no length.
+    void straight(geom::Vec3 to, bool rapid);
     void rapid_w(double w) { rapid({at_.x, at_.y, w}); }
     void move_w(double w, double feed) { move({at_.x, at_.y, w}, feed); }
     /// About a centre in the plane; `sweep` in radians, counter-clockwise positive; ends at height `w`.
@@ -96,5 +100,6 @@ void expand_bore(Course& course, const Demand& demand, const Situation& situatio
 void expand_tap(Course& course, const Demand& demand, const Situation& situation);
 void expand_thread_mill(Course& course, const Demand& demand, const Situation& situation);
 void expand_surface(Course& course, const Demand& demand, const Situation& situation);
+void expand_canned(Course& course, const Demand& demand, const Situation& situation);
 
 }  // namespace obrys::cycles

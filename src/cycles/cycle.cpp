@@ -53,6 +53,16 @@ Family family_of(Kind kind) {
         case Kind::multipass:
         case Kind::ruled_surface:
         case Kind::face_mill: return expand_surface;
+        case Kind::canned_drill:
+        case Kind::canned_chip_break:
+        case Kind::canned_peck:
+        case Kind::canned_tap_floating:
+        case Kind::canned_tap_rigid:
+        case Kind::canned_bore_feed:
+        case Kind::canned_bore_stop:
+        case Kind::canned_bore_orient:
+        case Kind::canned_back_bore:
+        case Kind::canned_bore_manual: return expand_canned;
         default: return nullptr;
     }
 }
@@ -75,7 +85,7 @@ Expansion expand(const Demand& demand, const Situation& situation) {
         e.complaints.push_back({false, "this cycle is not simulated", {}, std::nullopt});
         return e;
     }
-    Course course(demand, situation);
+    Course course(demand, situation, family == &expand_canned);
     family(course, demand, situation);
     return course.finish();
 }

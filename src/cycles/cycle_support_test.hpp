@@ -140,5 +140,6 @@ struct Sample {
 const std::vector<Sample>& samples();
 /// Those of pockets, slots and studs; part of samples().
 std::vector<Sample> milling_samples();
+std::vector<Sample> canned_samples();  ///< also part of samples()
 
 }  // namespace obrys::cycles::test

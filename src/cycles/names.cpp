@@ -145,6 +145,21 @@ std::string_view name(program::CycleRole role) {
         case program_name: return "program name";
         case setup_distance: return "setup distance";
         case probe_input: return "probe input";
+        case target_u: return "position in the 1st axis";
+        case target_v: return "position in the 2nd axis";
+        case retract_plane: return "retract plane";
+        case bottom: return "bottom of the hole";
+        case return_level: return "return level";
+        case rise_first: return "rise before positioning";
+        case shift_u: return "shift in the 1st axis";
+        case shift_v: return "shift in the 2nd axis";
+        case counterbore_top: return "top of the counterbore";
+        case feed_out: return "feed on the way out";
+        case length_unit: return "unit of length";
+        case retract_every: return "depth between full retractions";
+        case starts_spindle: return "spindle start by the cycle";
+        case manual_retract: return "retraction by hand";
+        case turned_axes: return "order of the axes";
     }
     return "parameter";
 }

@@ -119,6 +119,7 @@ const std::vector<Sample>& samples() {
     static const std::vector<Sample> all = [] {
         std::vector<Sample> both = make();
         for (Sample& s : milling_samples()) both.push_back(std::move(s));
+        for (Sample& s : canned_samples()) both.push_back(std::move(s));
         return both;
     }();
     return all;

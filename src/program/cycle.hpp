@@ -30,6 +30,17 @@ enum class CycleKind : std::uint8_t {
     thread_mill_drill,
     thread_mill_helix,
     thread_mill_outside,
+    // Canned cycles of one hole (RS-274, Fanuc, Haas): from where the tool stands, with the moves to the hole.
+    canned_drill,         ///< feed down, rapid out; with a dwell also counterboring
+    canned_chip_break,    ///< infeeds, after each a little back
+    canned_peck,          ///< infeeds, after each out to the retract plane
+    canned_tap_floating,  ///< feed in, spindle reversed, feed out
+    canned_tap_rigid,     ///< axis and spindle coupled
+    canned_bore_feed,     ///< feed down, feed out
+    canned_bore_stop,     ///< feed down, spindle stop, rapid out
+    canned_bore_orient,   ///< feed down, oriented stop, sideways, rapid out
+    canned_back_bore,     ///< through the hole beside its axis, counterbore from below
+    canned_bore_manual,   ///< feed down, spindle stop, the operator retracts
     // Pockets, slots, studs.
     slot_simple,
     rectangular_pocket_simple,
@@ -233,6 +244,22 @@ enum class CycleRole : std::uint8_t {
     program_name,
     setup_distance,
     probe_input,  ///< of a probing cycle: not looked at
+    // Canned cycles; w as everywhere: absolute in the working plane's coordinates.
+    target_u,  ///< the hole
+    target_v,
+    retract_plane,  ///< w to which the tool goes at rapid (R)
+    bottom,         ///< w of the hole's end (Z)
+    return_level,   ///< w where the cycle ends; below the retract plane: the retract plane
+    rise_first,     ///< 1: a tool below the retract plane rises to it before it moves in the plane
+    shift_u,        ///< from the axis of the hole, where an oriented tool goes in and out
+    shift_v,
+    counterbore_top,  ///< w where boring from below ends
+    feed_out,         ///< 1: feed over the whole way out; 0: to the retract plane, from there rapid
+    length_unit,      ///< mm per unit in which the control adds up infeeds as binary numbers; none: it adds exactly
+    retract_every,    ///< depth after which chip breaking goes out to the retract plane
+    starts_spindle,   ///< 1: the cycle turns the spindle on by itself
+    manual_retract,   ///< 1: the path holds the operator's move out
+    turned_axes,      ///< fault of a control, tapping: 1 feeds to (v, w, u) of the place it means, 2 to (w, u, v)
 };
 
 struct CycleValue {

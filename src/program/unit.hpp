@@ -291,6 +291,9 @@ struct Unit {
     [[nodiscard]] base::Span span(const Statement& s) const { return {file, s.begin, s.begin + s.length}; }
     [[nodiscard]] base::Span span(const Statement& s, const Word& w) const;
     [[nodiscard]] base::Span span(ExprId e) const { return {file, exprs[e].begin, exprs[e].end}; }
+    /// Room for the tree of so many bytes of text, so that it need not be moved while it grows. It is memory of the
+    /// machine only where the tree comes to fill it.
+    void reserve(std::size_t bytes);
     /// Value of a literal word.
     [[nodiscard]] double literal(const Word& w) const;
 };

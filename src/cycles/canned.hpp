@@ -1,0 +1,52 @@
+#pragma once
+/// What the canned cycles of one hole (RS-274, Fanuc, Haas: G73, G74, G76, G81 … G89) have in common.
+///
+/// They begin where the tool stands (Situation::at, which may be unknown) and make the moves to the hole themselves:
+///   rise_first 1 (LinuxCNC): a tool below the retract plane rises to it;
+///   in the plane to (target_u, target_v), at the height where the tool is; written also where it is there already;
+///   along the tool axis to the retract plane, unless it stands there.
+/// Then what the kind says, at the feed in force: no Feed is written. They end over the hole at
+/// max(return_level, retract_plane); return_level not written (G99): at the retract plane.
+///
+/// Roles of all kinds: target_u, target_v (not written: where the tool stands), retract_plane and bottom (needed; the
+/// first not below the second), return_level, rise_first. A dwell role that is written gives a Dwell, also of 0 s.
+/// Sources: LinuxCNC 2.9, G code chapter and what its stand-alone interpreter prints; Fanuc 0i and 16i/18i operator's
+/// manuals (machining centre), functions to simplify programming; Haas mill operator's manual, canned cycles.
+
+#include "cycles/course.hpp"
+
+namespace obrys::cycles {
+
+struct Hole {
+    geom::Vec2 target;
+    double retract = 0, bottom = 0, end = 0;  ///< w
+    bool rise_first = false;
+};
+[[nodiscard]] Hole read_hole(Course& course, const Situation& situation);
+/// As above without the retract plane's part: back boring, where it may be missing.
+[[nodiscard]] geom::Vec2 read_target(Course& course, const Situation& situation);
+
+/// From where the tool stands to the retract plane above the hole.
+void approach(Course& course, const Hole& hole);
+void feed_w(Course& course, double w);
+void rapid_to_w(Course& course, double w);
+/// The dwell of a role that is written; its value was read with maybe_at_least.
+void dwell_if(Course& course, const Demand& demand, program::CycleRole role);
+
+/// The way out at feed: to the retract plane and on at rapid, or to the end where feed_out is 1.
+void feed_out(Course& course, const Hole& hole, bool whole_way);
+
+/// How the spindle turns when the cycle begins and after it.
+struct Turning {
+    double speed = 0;
+    int direction = 0;  ///< +1 M3, -1 M4
+};
+/// spindle_direction (+1, -1), else the direction in which it turns already; a standing spindle is then a complaint.
+[[nodiscard]] Turning read_turning(Course& course, const Situation& situation);
+void stop_spindle(Course& course, const Turning& turning);
+void start_spindle(Course& course, const Turning& turning);
+
+void canned_tap(Course& course, const Demand& demand, const Situation& situation);
+void canned_bore(Course& course, const Demand& demand, const Situation& situation);
+
+}  // namespace obrys::cycles
