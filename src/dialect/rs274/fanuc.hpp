@@ -51,6 +51,14 @@ enum class FanucSpecial : std::uint8_t {
     finish,         ///< G70 P Q: the contour once
     rough,          ///< G71 … G73 P Q: leaves out the contour that follows
     turning_cycle,  ///< G90, G92, G94 of lathes: modal
+    rotation,
+    rotation_off,
+    scaling,
+    scaling_off,
+    mirror,
+    mirror_off,  ///< transformations about a centre
+    polar,
+    polar_off,
     local_pattern,  ///< Haas G70, G71, G72 of mills: points for the hole cycle
 };
 
@@ -123,6 +131,8 @@ enum class FanucGroup : std::uint8_t { motion, plane, distance, feed_mode, units
 
 [[nodiscard]] FanucVariable system_variable(std::uint32_t number, const FanucControl& control);
 
+[[nodiscard]] std::span<const program::CannedCycle> fanuc_mill_cycles();
+[[nodiscard]] std::span<const program::CannedCycle> haas_mill_cycles();
 [[nodiscard]] const program::Traits& fanuc_traits(const FanucControl& control);
 /// Operators, functions and grammar; its G and M tables are empty: those are above.
 [[nodiscard]] const Dialect& fanuc_dialect(const FanucControl& control);

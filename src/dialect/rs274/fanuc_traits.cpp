@@ -44,6 +44,8 @@ constexpr program::Traits common{
     .argument_parameters = 33,
     .parameters_begin_at_zero = true,
     .live = live,
+    .offsets = {.datum_first = 5221, .datum_step = 20, .datum_count = 6},
+    .feed_mode_ends_surface_speed = false,
 };
 constexpr program::Traits turning = [] {
     program::Traits t = common;
@@ -51,7 +53,14 @@ constexpr program::Traits turning = [] {
     return t;
 }();
 
-const program::Traits mill_traits = common;
+/// With the hole cycles of mills.
+program::Traits with(std::span<const program::CannedCycle> cycles) {
+    program::Traits t = common;
+    t.canned = cycles;
+    return t;
+}
+
+const program::Traits mill_traits = with(fanuc_mill_cycles()), haas_traits = with(haas_mill_cycles());
 const program::Traits lathe_traits = turning;
 
 /// Functions first; then * / AND MOD, then + - OR XOR, then comparisons (series 16i operator's manual B-63684EN, 16.3
@@ -117,12 +126,12 @@ const FanucG* find_fanuc_g(int code, const FanucControl& control) {
 }
 
 const program::Traits& fanuc_traits(const FanucControl& control) {
-    return control.is_lathe() ? lathe_traits : mill_traits;
+    return control.is_lathe() ? lathe_traits : control.haas ? haas_traits : mill_traits;
 }
 
 const Dialect& fanuc_dialect(const FanucControl& control) {
     static const Dialect mill = dialect_of("FANUC", mill_traits), lathe = dialect_of("FANUC", lathe_traits);
-    static const Dialect haas_mill = dialect_of("Haas", mill_traits), haas_lathe = dialect_of("Haas", lathe_traits);
+    static const Dialect haas_mill = dialect_of("Haas", haas_traits), haas_lathe = dialect_of("Haas", lathe_traits);
     if (control.haas) return control.is_lathe() ? haas_lathe : haas_mill;
     return control.is_lathe() ? lathe : mill;
 }

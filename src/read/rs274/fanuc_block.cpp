@@ -101,7 +101,6 @@ void read_addresses(FanucState& s) {
 void emit_addresses(FanucState& s) {
     begin_words(s);
     s.special.clear();
-    s.behind.clear();
     s.own_motion = s.restore_motion = false;
     for (Address& a : s.addresses)
         if (a.letter == 'G' && !a.used) read_g_code(s, a);
@@ -113,10 +112,9 @@ void emit_addresses(FanucState& s) {
         if (!s.failed && !a.used) emit_address(s, a);
     if (s.failed) return;
     emit_block(s);
-    if (s.behind.empty() && !s.restore_motion) return;
+    if (!s.restore_motion) return;
     s.build().statement(StatementKind::block, s.line.begin());
-    for (const Address& a : s.behind) s.build().literal(Code::m, a.value.literal, a.value.negative, a.begin, a.end);
-    if (s.restore_motion) s.build().modal(s.motion, s.line.begin(), s.line.end());
+    s.build().modal(s.motion, s.line.begin(), s.line.end());
     s.build().end_statement(s.line.end());
 }
 

@@ -46,12 +46,17 @@ void follow(FanucState& s, const FanucG& g) {
         case Modal::feed_inverse_time: s.per_rev = false; return;
         case Modal::absolute: s.incremental = false; return;
         case Modal::incremental: s.incremental = true; return;
+        case Modal::plane_xy: s.plane = 17; return;
+        case Modal::plane_zx: s.plane = 18; return;
+        case Modal::plane_yz: s.plane = 19; return;
         case Modal::canned_off: s.hole = 0; return;
         case Modal::canned: s.hole = g.number; return;
         default: break;
     }
     if (!is_motion(g.modal) || g.special == FanucSpecial::finish || g.special == FanucSpecial::rough) return;
-    if (g.use != FanucUse::modal && g.special == FanucSpecial::none) return;
+    const bool moves = g.special == FanucSpecial::none || g.special == FanucSpecial::thread ||
+                       g.special == FanucSpecial::turning_cycle;
+    if (!moves) return;
     s.hole = 0;
     s.turning = 0;
     s.own_motion = true;
@@ -119,8 +124,9 @@ void position(FanucState& s, const FanucG& g, const Address& a) {
 }
 
 void hole_cycle(FanucState& s, const FanucG& g, const Address& a) {
+    const bool counts_up = g.number == 870 && s.incremental && !s.control.haas;  // Z from R, R from the start
     const auto& table = s.variant.traits->canned;
-    for (std::size_t i = 0; i < table.size(); ++i)
+    for (std::size_t i = 0; i < table.size() && !counts_up; ++i)
         if (table[i].number == g.number) return add_modal(s, g.order, g.modal, static_cast<int>(i), a.begin, a.end);
     add_problem(s, Code::unsupported, a.begin, a.end, "a hole cycle: the holes are not made");
     use_letters(s, "ZRQPKLIJ");
@@ -185,31 +191,29 @@ void hole_pattern(FanucState& s, const FanucG& g, const Address& a) {
     }
 }
 
-/// Words whose meaning a G code beside them changes.
-void special_letters(FanucState& s) {
-    for (const BlockWord& w : std::vector<BlockWord>(s.words)) {
-        const bool scales = w.code == Code::modal && w.modal == Modal::scaling_on;
-        const bool turns = w.code == Code::modal && w.modal == Modal::rotation_on;
-        for (const char letter : {'P', 'I', 'J', 'K', 'R'}) {
-            Address* x = (scales && letter != 'R') || (turns && letter == 'R') ? find_address(s, letter) : nullptr;
-            if (x == nullptr) continue;
-            x->used = true;
-            put_value(s, Order::value, dialect::rs274::letter_code(letter),
-                      scaled(s, x->value, turns ? Quantity::angle : Quantity::thousandths), *x);
-        }
+/// G54.1 P3, G54 P3, Haas G154 P3 and G112: datum 5403.
+void extended_datum(FanucState& s, int number, const Address& a) {
+    constexpr int first = 5401, most = 300;
+    if (Address* p = number == 0 ? find_address(s, 'P') : nullptr) {
+        p->used = true;
+        number = as_integer(p->value).value_or(-1);
     }
+    if (number < 1 || number > most)
+        return add_problem(s, Code::unsupported, a.begin, a.end, "a work offset by a number that is not written");
+    add_modal(s, Order::datum, Modal::datum, first + number - 1, a.begin, a.end);
 }
 
 /// G54 P1 is G54.1 P1.
-void extended_datum(FanucState& s) {
-    Address* p = s.hole == 0 ? find_address(s, 'P') : nullptr;
-    if (p == nullptr || s.control.is_lathe()) return;
-    for (BlockWord& w : s.words) {
-        if (w.code != Code::modal || w.modal != Modal::datum || program::modal_number({0, 0, 0, 0, w.payload}) != 54)
-            continue;
-        w.modal = Modal::datum_extended;
-        w.payload = program::modal_word(Modal::datum_extended);
-        return;
+void datum_with_number(FanucState& s) {
+    if (s.hole != 0 || s.control.is_lathe() || find_address(s, 'P') == nullptr || !s.special.empty()) return;
+    for (std::size_t i = 0; i < s.words.size(); ++i) {
+        const BlockWord w = s.words[i];
+        if (w.code != Code::modal || w.payload != program::modal_word(Modal::datum, 54)) continue;
+        s.words.erase(s.words.begin() + static_cast<std::ptrdiff_t>(i));
+        Address a;
+        a.begin = w.begin;
+        a.end = w.end;
+        return extended_datum(s, 0, a);
     }
 }
 
@@ -268,20 +272,18 @@ void read_m_code(FanucState& s, Address& a) {
             if (*n == 19) use_letters(s, "SPR");
             return accept(s, a);
         case FanucMUse::refused: return add_problem(s, Code::unsupported, a.begin, a.end, m.says);
-        case FanucMUse::behind: s.behind.push_back(a); return;
         default: break;
     }
     const Order order = *n == 6               ? Order::m_tool
-                        : *n == 3 || *n == 4  ? Order::m_spindle
-                        : *n == 7 || *n == 8  ? Order::m_coolant
+                        : *n >= 3 && *n <= 5  ? Order::m_spindle
+                        : *n >= 7 && *n <= 9  ? Order::m_coolant
                         : *n <= 2 || *n == 30 ? Order::m_stop
                                               : Order::m_user;
     put_value(s, order, Code::m, *n == 16 && s.control.haas ? whole_value(6, a) : a.value, a);
 }
 
 void run_specials(FanucState& s) {
-    special_letters(s);
-    extended_datum(s);
+    datum_with_number(s);
     for (const Special& x : std::vector<Special>(s.special)) {
         if (s.failed) return;
         switch (x.g->special) {
@@ -290,14 +292,14 @@ void run_specials(FanucState& s) {
             case FanucSpecial::probe: add_modal(s, x.g->order, x.g->modal, 1, x.address.begin, x.address.end); break;
             case FanucSpecial::set_data: set_data(s, *x.g, x.address); break;
             case FanucSpecial::position: position(s, *x.g, x.address); break;
-            case FanucSpecial::datum_number:
-                put_value(s, Order::value, Code::p, whole_value(x.g->number, x.address), x.address);
-                add_modal(s, x.g->order, x.g->modal, 0, x.address.begin, x.address.end);
-                break;
+            case FanucSpecial::datum_number: extended_datum(s, x.g->number, x.address); break;
             case FanucSpecial::canned: hole_cycle(s, *x.g, x.address); break;
             case FanucSpecial::thread: thread(s, *x.g, x.address); break;
             case FanucSpecial::local_pattern: hole_pattern(s, *x.g, x.address); break;
-            default: turning_special(s, *x.g, x.address); break;
+            default:
+                frame_special(s, *x.g, x.address);
+                turning_special(s, *x.g, x.address);
+                break;
         }
     }
     if (!s.failed) machine_position(s);

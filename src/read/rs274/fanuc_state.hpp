@@ -2,6 +2,7 @@
 /// What the parts of the FANUC reader share with each other only. Where a word's meaning depends on what stands earlier
 /// in the program (units, hole cycles, systems), the order of the text is taken for the order of execution.
 
+#include <array>
 #include <map>
 
 #include "dialect/rs274/fanuc.hpp"
@@ -23,6 +24,15 @@ struct Address {
     bool used = false;
     Value value;
     std::uint32_t begin = 0, end = 0;
+};
+
+enum class TransformationKind : std::uint8_t { mirror, scaling, rotation };  ///< in the order in which they act
+/// One that is in force, as expressions of the program where it stands.
+struct Transformation {
+    TransformationKind kind = TransformationKind::rotation;
+    std::array<ExprId, 3> centre{no_expr, no_expr, no_expr};
+    std::array<ExprId, 3> values{no_expr, no_expr, no_expr};  ///< factors; the angle; which axis is mirrored
+    const Part* part = nullptr;
 };
 
 /// A G code that is more than a word, where it stands.
@@ -64,6 +74,9 @@ struct FanucState : State {
     std::optional<bool> inch;
     bool per_rev = false;
     bool incremental = false;
+    bool polar = false;
+    int plane = 17;
+    std::vector<Transformation> frames;
     int hole = 0;     ///< G number * 10 of the hole cycle in force; 0: none
     int turning = 0;  ///< of the turning cycle in force
     Modal motion = Modal::rapid;
@@ -116,6 +129,11 @@ void read_m_code(FanucState& s, Address& a);
 [[nodiscard]] std::optional<int> g_tenths(const Address& a);
 /// The G codes that are more than a word, in the order of the block.
 void run_specials(FanucState& s);
+
+// fanuc_frames.cpp
+void frame_special(FanucState& s, const FanucG& g, const Address& a);
+/// Radius or angle for an axis letter while polar coordinates hold.
+[[nodiscard]] std::optional<Code> polar_code(const FanucState& s, char letter);
 
 // fanuc_turning.cpp
 void turning_special(FanucState& s, const FanucG& g, const Address& a);

@@ -80,7 +80,9 @@ Value divided(FanucState& s, const Value& v) {
 
 /// Words of G10, G68 and hole cycles keep their letters; the rest of the alphabet by machine.
 Code code_of(const FanucState& s, char letter) {
-    if (s.hole != 0 && letter == 'K' && !s.control.is_lathe()) return Code::l;  // repeats; L on Haas
+    if (s.hole != 0 && letter == 'K' && !s.control.is_lathe() && !s.control.haas) return Code::l;  // repeats
+    if (s.hole == 870 && !s.control.haas && letter == 'Z') return Code::e;  // see fanuc_canned.cpp
+    if (s.hole == 870 && !s.control.haas && letter == 'R') return Code::z;
     return dialect::rs274::letter_code(letter);
 }
 
@@ -138,7 +140,7 @@ Quantity quantity_of(const FanucState& s, char letter) {
         case 'C': return Quantity::angle;
         case 'H': return s.control.is_lathe() ? Quantity::angle : Quantity::plain;
         case 'F': return Quantity::feed;
-        case 'K': return s.hole != 0 && !s.control.is_lathe() ? Quantity::plain : Quantity::length;
+        case 'K': return s.hole != 0 && !s.control.is_lathe() && !s.control.haas ? Quantity::plain : Quantity::length;
         case 'P': return s.hole != 0 ? Quantity::milliseconds : Quantity::plain;
         case 'X':
         case 'Y':
@@ -180,6 +182,11 @@ void emit_address(FanucState& s, Address& a) {
     a.used = true;
     if (a.comma) return corner(s, a);
     if (a.letter == 'T' && s.control.is_lathe()) return turret(s, a);
+    if (const auto code = polar_code(s, a.letter)) {
+        if (s.incremental) return add_problem(s, Code::unsupported, a.begin, a.end, "an incremental polar coordinate");
+        const Quantity q = *code == Code::polar_angle ? Quantity::angle : Quantity::length;
+        return put_value(s, Order::value, *code, scaled(s, a.value, q), a);
+    }
     const Value v = scaled(s, a.value, quantity_of(s, a.letter));
     if (const auto code = incremental_code(s, a.letter)) {
         Value by = v;
