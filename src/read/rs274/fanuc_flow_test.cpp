@@ -62,8 +62,9 @@ TEST(FanucMacro, AlarmsAndStops) {
 }
 
 TEST(FanucMacro, SystemVariablesAreWhatTheyMean) {
-    EXPECT_EQ(on_mill("#1=#5042"), "#1=#5042#58[2]");
-    EXPECT_EQ(on_mill("#1=#5023"), "#1=#5023#59[3]");
+    const auto what = [](program::SystemVariable v) { return "#" + std::to_string(static_cast<int>(v)); };
+    EXPECT_EQ(on_mill("#1=#5042"), "#1=#5042" + what(program::SystemVariable::coordinate) + "[2]");
+    EXPECT_EQ(on_mill("#1=#5023"), "#1=#5023" + what(program::SystemVariable::machine_coordinate) + "[3]");
     EXPECT_EQ(on_mill("#1=#4003"), "#1=(91 + (#4003#56[8] * -1))");
     EXPECT_EQ(on_mill("#1=#4001"), "#1=(#4001#56[3] / 10)");
     EXPECT_EQ(on_mill("#1=#1000"), "#1=#1000#0");

@@ -185,7 +185,9 @@ void hole_pattern(FanucState& s, const FanucG& g, const Address& a) {
     double x = 0, y = 0;
     for (int i = 0; i < static_cast<int>(*count); ++i) {
         const double angle = (*start + i * (g.code == 710 ? *step : 360 / *count)) * 3.14159265358979323846 / 180;
-        const double nx = std::abs(*radius) * std::cos(angle), ny = std::abs(*radius) * std::sin(angle);
+        const auto rounded = [](double v) { return std::round(v * 1e9) / 1e9 + 0.0; };
+        const double nx = rounded(std::abs(*radius) * std::cos(angle));
+        const double ny = rounded(std::abs(*radius) * std::sin(angle));
         hole_block(s, nx - x, ny - y, a);
         x = nx, y = ny;
     }

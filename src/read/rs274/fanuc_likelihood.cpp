@@ -34,7 +34,7 @@ Squeezed squeeze(std::string_view text) {
     return out;
 }
 
-/// Occurrences of a pattern, at most `most`: `9` is a digit, `@` the begin of a line, all others stand for themselves.
+/// Occurrences of a pattern, at most `most`: `~` is a digit, `@` the begin of a line, all others stand for themselves.
 int count(std::string_view text, std::string_view pattern, int most = 3) {
     int n = 0;
     for (std::size_t i = 0; i < text.size() && n < most; ++i) {
@@ -46,7 +46,7 @@ int count(std::string_view text, std::string_view pattern, int most = 3) {
                 if (!good) break;
                 continue;
             }
-            good = k < text.size() && (p == '9' ? base::is_digit(text[k]) : text[k] == p);
+            good = k < text.size() && (p == '~' ? base::is_digit(text[k]) : text[k] == p);
             if (!good) break;
             ++k;
         }
@@ -61,24 +61,24 @@ struct Sign {
 };
 
 constexpr std::array own{
-    Sign{"@O9999", 12}, Sign{"@:9999", 12},  Sign{"@%\n", 4},   Sign{"M98P", 5},  Sign{"G65P", 10},
-    Sign{"IF[#", 6},    Sign{"]GOTO", 6},    Sign{"]THEN#", 6}, Sign{"]DO9", 6},  Sign{"#3000=", 10},
+    Sign{"@O~~~~", 12}, Sign{"@:~~~~", 12},  Sign{"@%\n", 4},   Sign{"M98P", 5},  Sign{"G65P", 10},
+    Sign{"IF[#", 6},    Sign{"]GOTO", 6},    Sign{"]THEN#", 6}, Sign{"]DO~", 6},  Sign{"#3000=", 10},
     Sign{"G54.1P", 8},  Sign{"G91G28Z0", 6}, Sign{"G28U0", 8},  Sign{"G28W0", 8}, Sign{"G50S", 8},
-    Sign{"@T0909", 5},  Sign{"G43.4", 4},    Sign{"G43Z", 3},   Sign{"H09", 2},   Sign{"DPRNT[", 10},
+    Sign{"@T0~0~", 5},  Sign{"G43.4", 4},    Sign{"G43Z", 3},   Sign{"H0~", 2},   Sign{"DPRNT[", 10},
     Sign{"G10L2P", 2},  Sign{"M06", 2},      Sign{"G40", 2},    Sign{"G80", 2},   Sign{"G53X0Z0", 6},
-    Sign{"@G28", 2},    Sign{"M998", 0},     Sign{"G66P", 8},   Sign{"#0]", 8},   Sign{"G53.5", 6},
-    Sign{"M13\n", 2},   Sign{"G97S", 3},     Sign{"G96S", 3},
+    Sign{"@G28", 2},    Sign{"G66P", 8},     Sign{"#0]", 8},    Sign{"G53.5", 6}, Sign{"M13\n", 2},
+    Sign{"G97S", 3},    Sign{"G96S", 3},
 };
 constexpr std::array foreign{
     Sign{"#<", 20},      Sign{"O<", 20},       Sign{"SUB\n", 12},    Sign{"ENDSUB", 20},  Sign{"ENDWHILE", 20},
-    Sign{"O9IF", 10},    Sign{"O99IF", 10},    Sign{"O999IF", 10},   Sign{"O99CALL", 10}, Sign{"O999CALL", 10},
+    Sign{"O~IF", 10},    Sign{"O~~IF", 10},    Sign{"O~~~IF", 10},   Sign{"O~~CALL", 10}, Sign{"O~~~CALL", 10},
     Sign{"G38.", 8},     Sign{"G33.1", 10},    Sign{"G64P", 4},      Sign{"G92.1", 4},    Sign{"G5.2", 6},
     Sign{"M66P", 6},     Sign{"BEGINPGM", 30}, Sign{"TOOLCALL", 30}, Sign{"TOOLDEF", 20}, Sign{"FMAX", 20},
-    Sign{"LBL9", 10},    Sign{"GOTOF", 15},    Sign{"GOTOB", 15},    Sign{"MSG(", 15},    Sign{"CR=", 10},
-    Sign{"R9=", 10},     Sign{"R99=", 10},     Sign{"%_N_", 40},     Sign{"$P_", 15},     Sign{"$AA_", 15},
-    Sign{"DEFREAL", 15}, Sign{"DEFINT", 15},   Sign{"ENDIF", 6},     Sign{"*\n", 10},     Sign{"G99T9", 10},
+    Sign{"LBL~", 10},    Sign{"GOTOF", 15},    Sign{"GOTOB", 15},    Sign{"MSG(", 15},    Sign{"CR=", 10},
+    Sign{"R~=", 10},     Sign{"R~~=", 10},     Sign{"%_N_", 40},     Sign{"$P_", 15},     Sign{"$AA_", 15},
+    Sign{"DEFREAL", 15}, Sign{"DEFINT", 15},   Sign{"ENDIF", 6},     Sign{"*\n", 10},     Sign{"G99T~", 10},
     Sign{"D00Q", 10},    Sign{"DIAMOF", 15},   Sign{"DIAMON", 15},   Sign{"STOPRE", 15},  Sign{"MCALL", 10},
-    Sign{"CYCLE8", 10},  Sign{"FN9:", 15},     Sign{"G98L9", 8},
+    Sign{"CYCLE8", 10},  Sign{"FN~:", 15},     Sign{"G98L~", 8},
 };
 constexpr std::array haas_signs{
     Sign{"G187", 10}, Sign{"G150", 8},  Sign{"G154P", 12}, Sign{"M97P", 15}, Sign{"G234", 12},
@@ -139,13 +139,14 @@ int haas_likelihood(std::string_view text, std::string_view file_name) {
 
 dialect::rs274::FanucMachine guess_machine(std::string_view text) {
     constexpr std::array lathe{
-        Sign{"G50S", 6},    Sign{"G92S", 3}, Sign{"G96", 4},  Sign{"G28U", 6}, Sign{"G28W", 4},  Sign{"T0909", 3},
-        Sign{"T9999\n", 2}, Sign{"U-", 2},   Sign{"W-", 1},   Sign{"G70P", 6}, Sign{"G71P", 6},  Sign{"G71U", 6},
+        Sign{"G50S", 6},    Sign{"G92S", 3}, Sign{"G96", 4},  Sign{"G28U", 6}, Sign{"G28W", 4},  Sign{"T0~0~", 3},
+        Sign{"T~~~~\n", 2}, Sign{"U-", 2},   Sign{"W-", 1},   Sign{"G70P", 6}, Sign{"G71P", 6},  Sign{"G71U", 6},
         Sign{"G72W", 6},    Sign{"G76P", 4}, Sign{"G92X", 1}, Sign{"G97S", 2}, Sign{"G99G1", 2}, Sign{"G32Z", 4},
     };
     constexpr std::array mill{
-        Sign{"Y", 4},   Sign{"M06", 5}, Sign{"M6\n", 5}, Sign{"M6T", 5}, Sign{"G43", 5},     Sign{"G81", 2},
-        Sign{"G83", 1}, Sign{"J", 2},   Sign{"D9", 1},   Sign{"H9", 2},  Sign{"G91G28Z", 4},
+        Sign{"Y~", 3},   Sign{"Y-", 3},  Sign{"Y.", 3},  Sign{"Y#", 3},      Sign{"Y[", 3},  Sign{"M06", 5},
+        Sign{"M6\n", 5}, Sign{"M6T", 5}, Sign{"G43", 5}, Sign{"G81", 2},     Sign{"G83", 1}, Sign{"J~", 1},
+        Sign{"J-", 1},   Sign{"D~", 1},  Sign{"H~", 2},  Sign{"G91G28Z", 4},
     };
     const Squeezed t = squeeze(text);
     const bool turning = sum(t.code, lathe) > sum(t.code, mill);

@@ -21,7 +21,7 @@ void check_tree(const Reading& r, const std::string& text) {
             const program::Expr& e = u.exprs[i];
             ASSERT_LE(e.begin, e.end) << text;
             ASSERT_LE(e.end, size) << text;
-            if (e.kind == program::ExprKind::binary) ASSERT_TRUE(e.a < i && e.b < i) << text;
+            ASSERT_TRUE(e.kind != program::ExprKind::binary || (e.a < i && e.b < i)) << text;
         }
         for (const auto& b : u.branches)
             ASSERT_TRUE(b.target == program::no_target || b.target <= u.statements.size()) << text;

@@ -17,7 +17,7 @@ namespace obrys::read::rs274 {
 
 /// What the machine file or the command line says; the rest is taken from the text.
 struct FanucOptions {
-    std::optional<dialect::rs274::FanucMachine> machine;
+    std::optional<dialect::rs274::FanucMachine> machine{};
     dialect::rs274::GSystem system = dialect::rs274::GSystem::a;
     dialect::rs274::WholeNumbers whole_numbers = dialect::rs274::WholeNumbers::increments;
 };

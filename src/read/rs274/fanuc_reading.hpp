@@ -7,10 +7,16 @@
 namespace obrys::read::rs274::testing {
 
 inline Reading fanuc(std::string text, std::string name = "TEST.NC") {
-    return Reading(std::move(text), std::move(name), read_fanuc);
+    return Reading(std::move(text), std::move(name),
+                   [](std::uint32_t file, const base::Sources& s, program::Names& n, base::Diagnostics& d) {
+                       return read_fanuc(file, s, n, d, {.machine = dialect::rs274::FanucMachine::mill});
+                   });
 }
 inline Reading haas(std::string text, std::string name = "TEST.NC") {
-    return Reading(std::move(text), std::move(name), read_haas);
+    return Reading(std::move(text), std::move(name),
+                   [](std::uint32_t file, const base::Sources& s, program::Names& n, base::Diagnostics& d) {
+                       return read_haas(file, s, n, d, {.machine = dialect::rs274::FanucMachine::mill});
+                   });
 }
 inline Reading lathe(std::string text) {
     return Reading(std::move(text), "TEST.NC",

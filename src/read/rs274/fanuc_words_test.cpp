@@ -80,8 +80,8 @@ TEST(FanucWords, WorkOffsets) {
     EXPECT_EQ(on_mill("G54 P48"), m(Modal::datum, 5448));
     EXPECT_EQ(on_haas("G154 P7"), m(Modal::datum, 5407));
     EXPECT_EQ(on_haas("G110"), m(Modal::datum, 5401));
-    EXPECT_EQ(on_mill("G54.1 P#1"), "unsupported{G54.1|a work offset by a number that is not written} P=#1");
-    EXPECT_EQ(on_mill("G10 L2 P1 X1."), "X1 P1 L2 " + m(Modal::set_data));
+    EXPECT_EQ(on_mill("G54.1 P#1"), "unsupported{G54.1|a work offset by a number that is not written}");
+    EXPECT_EQ(on_mill("G10 L2 P1 X1."), "L2 P1 X1 " + m(Modal::set_data));
     EXPECT_EQ(on_mill("G10 L20 P1 X1."), "unsupported{G10 L20 P1 X1.|sets a work offset of G54.1}");
     EXPECT_EQ(on_mill("G10 L12 P1 R5."), "unsupported{G10 L12 P1 R5.|sets a tool offset}");
 }
@@ -113,7 +113,7 @@ TEST(FanucWords, HaasPatternsOfHoles) {
 }
 
 TEST(FanucWords, WhatIsNotRunIsNamed) {
-    EXPECT_EQ(on_mill("G43.4 H1 Z5."), "unsupported{G43.4|tool centre point control} Z5 H-offset1");
+    EXPECT_EQ(on_mill("G43.4 H1 Z5."), "unsupported{G43.4|tool centre point control} H-offset1 Z5");
     EXPECT_EQ(on_haas("G150 X1. Y1."), "unsupported{G150|general purpose pocket milling}");
     EXPECT_EQ(on_haas("G12 I1. D1 F10."), "F10 unsupported{G12|circular pocket}");
     EXPECT_EQ(on_mill("G777 X1."), "unknown{G777|}");
