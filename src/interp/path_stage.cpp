@@ -5,6 +5,7 @@
 #include "base/codes.hpp"
 #include "base/number.hpp"
 #include "path/nose.hpp"
+#include "path/refusal.hpp"
 
 namespace obrys::interp {
 
@@ -180,6 +181,7 @@ void PathStage::report(Run& run, const path::Fault& f) {
         case path::Reason::interference:
             text = "tool radius too large: with " + radius + " the path cuts into another contour element";
             break;
+        case path::Reason::refused: text = path::message(f); break;
         case path::Reason::element_vanishes:
             text = f.bridged ? "with tool radius " + radius +
                                    " the tool does not fit into this contour element: it is left out and material stays"
