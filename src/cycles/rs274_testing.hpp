@@ -44,7 +44,7 @@ inline std::vector<Call> referee(const std::string& program, const std::string& 
     const std::string base = (home / "program").string();
     std::ofstream(base + ".ngc") << program;
     const int code = std::system(
-        ("echo | HOME=" + home.string() + " timeout 20 /usr/bin/rs274 -g " + base + ".ngc > " + base + ".out 2>&1")
+        ("echo | HOME=" + home.string() + " timeout 2 /usr/bin/rs274 -g " + base + ".ngc > " + base + ".out 2>&1")
             .c_str());
     std::vector<Call> calls;
     std::ifstream in(base + ".out");
