@@ -31,10 +31,11 @@
 ///   lathe_box_thread      G92: target_u, target_v, pitch / taper_v R (0), runout (0).
 ///   lathe_box_across      G94: target_u, target_v / taper_u R (0).
 ///
-/// Sources: LinuxCNC 2.9, G code chapter and its interpreter (facts; checked call by call against what its stand-alone
-/// form prints); Fanuc 0i-TD / 16i-T / 21-T operator's manuals, functions to simplify programming; a control of the
-/// same kind (ADTECH 4620, programming manual) for the first peck without relief. What the manuals leave open is named
-/// in Expansion::assumption.
+/// Sources: LinuxCNC 2.9, G code chapter and its interpreter (facts; checked call by call against its expected test
+/// results and what its stand-alone form prints). Robur Line F1, concise guide to its Fanuc control (G71); ADTECH 4620
+/// programming manual (G75: no relief at the first peck); the other sequences of the Fanuc kind are from memory of the
+/// 0i-TD operator's manual, functions to simplify programming, not found again in the sources at hand. What is left open
+/// is named in Expansion::assumption.
 
 #include <optional>
 #include <vector>

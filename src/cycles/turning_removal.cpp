@@ -1,5 +1,5 @@
-/// Stock removal, pattern repeating, finishing (Fanuc G70 … G73). Source: Fanuc 0i-TD operator's manual, multiple
-/// repetitive cycles. The finishing allowances shift the contour, they are no distance normal to it.
+/// Stock removal, pattern repeating, finishing (Fanuc G70 … G73). Sources: cycles/turning.hpp. The finishing allowances
+/// shift the contour, they are no distance normal to it.
 ///
 /// Type I (the contour runs in one direction in both axes): from the start point, shifted by the allowances, down by
 /// one infeed (as the contour's first element is written: G0 or G1), along to the contour, away at 45 degrees by the

@@ -1,6 +1,5 @@
-/// Threads in passes. Sources: LinuxCNC 2.9, G code chapter, G76 (facts and rounding checked against its interpreter);
-/// Fanuc 0i-TD operator's manual, multiple threading cycle and threading cycle. Each pass: to the start at rapid, in at
-/// rapid, the thread, out at rapid.
+/// Threads in passes. Sources: cycles/turning.hpp. Each pass: to the start at rapid, in at rapid, the thread, out at
+/// rapid.
 
 #include <algorithm>
 #include <cmath>
