@@ -34,8 +34,8 @@
 /// Sources: LinuxCNC 2.9, G code chapter and its interpreter (facts; checked call by call against its expected test
 /// results and what its stand-alone form prints). Robur Line F1, concise guide to its Fanuc control (G71); ADTECH 4620
 /// programming manual (G75: no relief at the first peck); the other sequences of the Fanuc kind are from memory of the
-/// 0i-TD operator's manual, functions to simplify programming, not found again in the sources at hand. What is left open
-/// is named in Expansion::assumption.
+/// 0i-TD operator's manual, functions to simplify programming, not found again in the sources at hand. What is left
+/// open is named in Expansion::assumption.
 
 #include <optional>
 #include <vector>
