@@ -1,30 +1,81 @@
 #include "base/source.hpp"
 
 #include <algorithm>
-#include <cstring>
+#include <utility>
 
 #include "base/text.hpp"
 
 namespace obrys::base {
 
-std::uint32_t Sources::add(std::string name, std::string text, BlockNumbers numbers) {
-    if (text.starts_with("\xEF\xBB\xBF")) text.erase(0, 3);
-    const bool utf8 = is_utf8(text);
-    files_.push_back({std::move(name), std::move(text), numbers, utf8});
+std::uint32_t Sources::add(Source source) {
+    if (source.text.starts_with("\xEF\xBB\xBF")) source.text.remove_prefix(3);
+    source.utf8 = is_utf8(source.text);
+    files_.push_back(std::move(source));
     line_starts_.emplace_back();
     return size() - 1;
 }
 
-const std::vector<std::uint32_t>& Sources::line_starts(std::uint32_t file) const {
-    std::vector<std::uint32_t>& starts = line_starts_[file];
-    if (!starts.empty()) return starts;
-    const std::string& text = files_[file].text;
-    starts.push_back(0);
-    for (std::size_t i = 0; i < text.size(); ++i) {
-        if (text[i] == '\n' || (text[i] == '\r' && (i + 1 == text.size() || text[i + 1] != '\n')))
-            starts.push_back(static_cast<std::uint32_t>(i + 1));
+std::uint32_t Sources::add(std::string name, std::string text, BlockNumbers numbers) {
+    texts_.push_back(std::move(text));
+    stores_.push_back(nullptr);
+    return add({std::move(name), texts_.back(), numbers, true});
+}
+
+std::uint32_t Sources::add(std::string name, std::unique_ptr<Store> text, BlockNumbers numbers) {
+    stores_.push_back(std::move(text));
+    return add({std::move(name), stores_.back()->bytes(), numbers, true});
+}
+
+void Sources::lay_aside(std::uint32_t file, std::uint32_t end) const {
+    if (Store* store = stores_[file].get(); store != nullptr)
+        store->lay_aside(0, store->bytes().size() - files_[file].text.size() + end);
+}
+
+void Sources::fetch(std::uint32_t file) const {
+    if (Store* store = stores_[file].get(); store != nullptr) store->fetch(0, store->bytes().size());
+}
+
+std::string_view Sources::part(std::uint32_t file, std::size_t begin, std::size_t end) const {
+    const std::string_view text = files_[file].text;
+    begin = std::min(begin, text.size());
+    end = std::clamp(end, begin, text.size());
+    if (Store* store = stores_[file].get(); store != nullptr && begin < end) {
+        const std::size_t mark = store->bytes().size() - text.size();
+        store->fetch(mark + begin, mark + end);
     }
-    return starts;
+    return text.substr(begin, end - begin);
+}
+
+namespace {
+
+/// Adds where lines begin to `starts`. `at`: place of `piece` in the text; `cr`: the byte before it is a CR.
+void add_line_starts(std::string_view piece, std::size_t at, bool& cr, std::vector<std::uint32_t>& starts) {
+    for (const char c : piece) {
+        if (cr && c != '\n') starts.push_back(static_cast<std::uint32_t>(at));
+        cr = c == '\r';
+        ++at;
+        if (c == '\n') starts.push_back(static_cast<std::uint32_t>(at));
+    }
+}
+
+}  // namespace
+
+const std::vector<std::uint32_t>& Sources::line_starts(std::uint32_t file) const {
+    if (!line_starts_[file].empty()) return line_starts_[file];
+    std::vector<std::uint32_t> starts{0};
+    const std::string_view text = files_[file].text;
+    Store* store = stores_[file].get();
+    const std::size_t mark = store == nullptr ? 0 : store->bytes().size() - text.size();  // bytes of a mark in front
+    bool cr = false;
+    for (std::size_t begin = 0; begin < mark + text.size(); begin += Store::piece) {
+        const std::size_t end = std::min(begin + Store::piece, mark + text.size());
+        const bool aside = store != nullptr && store->fetch(begin, end);
+        const std::size_t from = std::max(begin, mark) - mark;
+        add_line_starts(text.substr(from, end - mark - from), from, cr, starts);
+        if (aside) store->lay_aside(begin, end);
+    }
+    if (cr) starts.push_back(static_cast<std::uint32_t>(text.size()));
+    return line_starts_[file] = std::move(starts);
 }
 
 Position Sources::position(std::uint32_t file, std::uint32_t offset) const {
@@ -32,21 +83,19 @@ Position Sources::position(std::uint32_t file, std::uint32_t offset) const {
     const auto after = std::upper_bound(starts.begin(), starts.end(), offset);
     const auto line = static_cast<std::uint32_t>(after - starts.begin());
     const std::uint32_t begin = starts[line - 1];
-    const std::string& text = files_[file].text;
-    const std::size_t end = std::min<std::size_t>(offset, text.size());
+    const std::size_t end = std::min<std::size_t>(offset, files_[file].text.size());
     std::size_t column = end - std::min<std::size_t>(begin, end);
-    if (files_[file].utf8) column = character_count(std::string_view(text).substr(begin, column));
+    if (files_[file].utf8) column = character_count(part(file, begin, begin + column));
     return {line, static_cast<std::uint32_t>(column + 1)};
 }
 
 std::string_view Sources::line(std::uint32_t file, std::uint32_t number) const {
     const auto& starts = line_starts(file);
     if (number == 0 || number > starts.size()) return {};
-    const std::string_view text = files_[file].text;
-    const std::size_t begin = starts[number - 1];
-    std::size_t end = number < starts.size() ? starts[number] : text.size();
-    while (end > begin && (text[end - 1] == '\n' || text[end - 1] == '\r')) --end;
-    return text.substr(begin, end - begin);
+    std::string_view text =
+        part(file, starts[number - 1], number < starts.size() ? starts[number] : files_[file].text.size());
+    while (text.ends_with('\n') || text.ends_with('\r')) text.remove_suffix(1);
+    return text;
 }
 
 std::string Sources::line_utf8(const Span& span) const {
@@ -54,12 +103,7 @@ std::string Sources::line_utf8(const Span& span) const {
     return files_[span.file].utf8 ? std::string(raw) : cp1252_to_utf8(raw);
 }
 
-std::string_view Sources::text(const Span& span) const {
-    const std::string_view text = files_[span.file].text;
-    const std::size_t begin = std::min<std::size_t>(span.begin, text.size());
-    const std::size_t end = std::clamp<std::size_t>(span.end, begin, text.size());
-    return text.substr(begin, end - begin);
-}
+std::string_view Sources::text(const Span& span) const { return part(span.file, span.begin, span.end); }
 
 std::optional<std::uint32_t> Sources::block_number(std::uint32_t file, std::uint32_t offset) const {
     const BlockNumbers style = files_[file].block_numbers;

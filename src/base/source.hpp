@@ -1,8 +1,10 @@
 #pragma once
 /// Source texts and places in them. A place is a span of bytes; line and column are derived on demand.
 
+#include <cstddef>
 #include <cstdint>
 #include <deque>
+#include <memory>
 #include <optional>
 #include <string>
 #include <string_view>
@@ -28,10 +30,26 @@ enum class BlockNumbers : std::uint8_t {
     leading,  ///< `12 L X+0 …`
 };
 
+/// Keeps the bytes of one large text. Pieces of it may be laid aside, so that they take no memory, and are fetched
+/// again when they are wanted. Address and length stay as they are; what is laid aside must not be looked at.
+class Store {
+public:
+    static constexpr std::size_t piece = std::size_t{1} << 21;  ///< bytes that come and go together
+
+    virtual ~Store() = default;
+    /// The whole text; a NUL stands behind it.
+    [[nodiscard]] virtual std::string_view bytes() const = 0;
+    /// The pieces that lie in `[begin, end)` as a whole will not be looked at before they are fetched.
+    virtual void lay_aside(std::size_t begin, std::size_t end) = 0;
+    /// Makes `[begin, end)` readable; true where some of it was aside. Throws where it is not to be had any more.
+    virtual bool fetch(std::size_t begin, std::size_t end) = 0;
+};
+
 /// One text, as read. `name` is the path as the user wrote it (messages show it).
 struct Source {
     std::string name;
-    std::string text;
+    /// A NUL stands behind it. Where the reader has laid it aside, `Sources` alone gives its parts.
+    std::string_view text;
     BlockNumbers block_numbers = BlockNumbers::none;
     bool utf8 = true;  ///< false: bytes above 127 are CP1252
 };
@@ -42,10 +60,18 @@ public:
     /// Takes a text; a UTF-8 byte order mark at its start is dropped. Texts of 4 GiB and more are refused by the
     /// caller.
     std::uint32_t add(std::string name, std::string text, BlockNumbers numbers = BlockNumbers::none);
+    std::uint32_t add(std::string name, std::unique_ptr<Store> text, BlockNumbers numbers = BlockNumbers::none);
 
     [[nodiscard]] const Source& operator[](std::uint32_t file) const { return files_[file]; }
     [[nodiscard]] std::uint32_t size() const { return static_cast<std::uint32_t>(files_.size()); }
     void set_block_numbers(std::uint32_t file, BlockNumbers numbers) { files_[file].block_numbers = numbers; }
+
+    /// For readers of large texts, now and then: what stands before `end` will not be looked at any more, except
+    /// through the functions below. Has no effect on small texts.
+    void lay_aside(std::uint32_t file, std::uint32_t end) const;
+    /// Makes the whole text readable again. As all functions below, it throws where a text that was laid aside is not
+    /// to be had any more: its file has changed.
+    void fetch(std::uint32_t file) const;
 
     [[nodiscard]] Position position(std::uint32_t file, std::uint32_t offset) const;
     [[nodiscard]] Position position(const Span& span) const { return position(span.file, span.begin); }
@@ -58,9 +84,14 @@ public:
     [[nodiscard]] std::optional<std::uint32_t> block_number(std::uint32_t file, std::uint32_t offset) const;
 
 private:
+    std::uint32_t add(Source source);
     const std::vector<std::uint32_t>& line_starts(std::uint32_t file) const;
+    /// Bytes `[begin, end)` of a text, fetched where they were aside.
+    std::string_view part(std::uint32_t file, std::size_t begin, std::size_t end) const;
 
     std::deque<Source> files_;
+    std::deque<std::string> texts_;                               // of the texts without a store
+    std::vector<std::unique_ptr<Store>> stores_;                  // one a text; null: its bytes are in `texts_`
     mutable std::deque<std::vector<std::uint32_t>> line_starts_;  // filled when first asked for
 };
 

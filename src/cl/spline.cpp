@@ -45,6 +45,20 @@ geom::Vec3 direction_on(geom::Vec3 from, const Arc& arc, double angle) {
 
 geom::Cubic curve(const Spline& s) { return {s.to, s.k1, s.k2, s.k3}; }
 geom::Cubic forward(const Spline& s) { return geom::reversed(curve(s)); }
+Spline spline_of(const geom::Cubic& forward) {
+    const geom::Cubic c = geom::reversed(forward);
+    Spline s;
+    s.to = c.k0;
+    s.k1 = c.k1;
+    s.k2 = c.k2;
+    s.k3 = c.k3;
+    return s;
+}
+Spline spline_of(const geom::Cubic& forward, geom::Vec3 to) {
+    Spline s = spline_of(forward);
+    s.to = to;
+    return s;
+}
 geom::Vec3 start_of(const Spline& s) { return geom::point_at(curve(s), 1); }
 geom::Polynomial3 curve(const SplineAxis& a) { return {a.to, a.k1, a.k2, a.k3}; }
 

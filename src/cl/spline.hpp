@@ -15,6 +15,10 @@ namespace obrys::cl {
 /// The curve with the parameter in the direction of motion: u = 0 is the start, u = 1 the end.
 [[nodiscard]] geom::Cubic forward(const Spline& s);
 [[nodiscard]] geom::Vec3 start_of(const Spline& s);
+/// The record of a curve that is run from its t = 0 to its t = 1, without additional axes. `to` is given where the end
+/// is known better than the coefficients add up to.
+[[nodiscard]] Spline spline_of(const geom::Cubic& forward);
+[[nodiscard]] Spline spline_of(const geom::Cubic& forward, geom::Vec3 to);
 /// An additional axis with the control's parameter.
 [[nodiscard]] geom::Polynomial3 curve(const SplineAxis& a);
 

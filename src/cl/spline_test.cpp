@@ -140,5 +140,19 @@ TEST(Spline, ChordsKeepTheirTolerance) {
     EXPECT_EQ(points, 99);
 }
 
+/// A curve from start to end comes back from its record; its end may be given exactly.
+TEST(Spline, RecordOfACurve) {
+    const geom::Cubic c{{1, 2, 3}, {10, -4, 0.5}, {-3, 7, 0}, {0.1, -0.2, 0.3}};
+    const Spline s = spline_of(c);
+    expect_near(s.to, geom::point_at(c, 1), 1e-15);
+    expect_near(start_of(s), c.k0, 1e-14);
+    for (const double u : {0.0, 0.25, 0.8, 1.0}) {
+        expect_near(geom::point_at(forward(s), u), geom::point_at(c, u), 1e-14);
+        expect_near(geom::point_at(curve(s), 1 - u), geom::point_at(c, u), 1e-14);
+    }
+    EXPECT_TRUE(s.axes.empty());
+    EXPECT_EQ(spline_of(c, {8.1, 4.8, 3.8}).to, (geom::Vec3{8.1, 4.8, 3.8}));
+}
+
 }  // namespace
 }  // namespace obrys::cl

@@ -1,4 +1,5 @@
 #include <charconv>
+#include <cmath>
 #include <limits>
 #include <optional>
 
@@ -194,6 +195,21 @@ Tolerance tolerance(Words& w) {
     return s;
 }
 
+Setting setting(Words& w) {
+    Setting s;
+    const double kind = w.number(), n = w.number(), second = w.number();
+    if (kind >= 0 && kind <= static_cast<double>(SettingKind::pallet_change) && std::abs(n) < 1e9 &&
+        std::abs(second) < 1e9) {
+        s.kind = static_cast<SettingKind>(static_cast<int>(kind));
+        s.number = static_cast<std::int32_t>(n);
+        s.second = static_cast<std::int32_t>(second);
+    } else {
+        w.fail("there is no such setting");
+    }
+    for (double& v : s.values) v = w.number();
+    return s;
+}
+
 Axis axis(Words& w) {
     Axis s;
     s.name = axis_name(w);
@@ -282,9 +298,11 @@ std::optional<Step> step(Words& w) {
     if (kind == "tool") return tool(w);
     if (kind == "coolant") return Coolant{static_cast<CoolantState>(w.choice<3>({"off", "flood", "mist"}))};
     if (kind == "stop") return Stop{static_cast<StopKind>(w.choice<3>({"program", "optional", "end"}))};
-    if (kind == "comment" || kind == "message") return Comment{w.quoted(), kind == "message"};
+    if (kind == "comment" || kind == "message") return Comment{w.quoted(), kind == "message", false};
+    if (kind == "print") return Comment{w.quoted(), true, true};
     if (kind == "datum") return datum(w);
     if (kind == "tolerance") return tolerance(w);
+    if (kind == "setting") return setting(w);
     if (kind == "aux") return auxiliary(w);
     if (kind == "cycle") return cycle(w);
     if (kind == "cycle-end") return CycleEnd{};

@@ -45,6 +45,7 @@ private:
     void check(const Record&, const Stop&) {}
     void check(const Record&, const Comment&) {}
     void check(const Record&, const Auxiliary&) {}
+    void check(const Record&, const Setting&) {}
 
     base::Diagnostics& diagnostics_;
     VerifyOptions options_;

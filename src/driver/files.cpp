@@ -2,10 +2,12 @@
 
 #include <algorithm>
 #include <fstream>
+#include <memory>
 #include <vector>
 
 #include "base/codes.hpp"
 #include "base/text.hpp"
+#include "driver/large_text.hpp"
 
 namespace obrys::driver {
 
@@ -80,12 +82,15 @@ std::optional<std::uint32_t> load(const fs::path& path, base::Sources& sources, 
         complain(diagnostics, codes::file_missing, where, shown + " is larger than 4 GiB");
         return std::nullopt;
     }
-    std::string text;
-    if (error || !fs::is_regular_file(status) || !read_text(path, size, text)) {
+    std::string small;
+    std::unique_ptr<base::Store> large;
+    if (!error && size >= large_text) large = read_large_text(path.string(), shown, size);
+    if (error || !fs::is_regular_file(status) || (large == nullptr && !read_text(path, size, small))) {
         complain(diagnostics, codes::file_missing, where,
                  shown + " cannot be read" + (error ? ": " + error.message() : std::string{}));
         return std::nullopt;
     }
+    const std::string_view text = large == nullptr ? std::string_view(small) : large->bytes();
     if (base::looks_binary(text)) {
         complain(diagnostics, codes::file_binary, where, shown + " is not a text file",
                  "name an NC program or a job file");
@@ -95,7 +100,7 @@ std::optional<std::uint32_t> load(const fs::path& path, base::Sources& sources, 
         complain(diagnostics, codes::file_empty, where, shown + " is empty");
         return std::nullopt;
     }
-    return sources.add(shown, std::move(text));
+    return large == nullptr ? sources.add(shown, std::move(small)) : sources.add(shown, std::move(large));
 }
 
 bool store(const fs::path& path, std::string_view content, base::Diagnostics& diagnostics) {

@@ -10,7 +10,7 @@ std::optional<FormattedFile> format_file(const fs::path& path, const fmt::Option
                                          base::Diagnostics& diagnostics) {
     const auto file = load(path, sources, diagnostics);
     if (!file) return std::nullopt;
-    const std::string& text = sources[*file].text;
+    const std::string_view text = sources[*file].text;
     const auto language = fmt::language_of(text, path.filename().string());
     if (!language) {
         diagnostics.add({base::Severity::error,

@@ -28,7 +28,8 @@ Vec2 centre_of(const Run& run, const PlaneAxes& a) {
         const Code code = centre_words[k];
         const double start = coordinate(run.programmed_position, k);
         if (!b.has(code)) return start;
-        const bool absolute = b.ref(code) == 1 + static_cast<std::uint8_t>(program::Reference::absolute);
+        const bool absolute =
+            run.modal.centre_absolute || b.ref(code) == 1 + static_cast<std::uint8_t>(program::Reference::absolute);
         return absolute ? b.get(code) * length_factor(run, k, false) : start + b.get(code) * unit;
     };
     return {along(a.u), along(a.v)};

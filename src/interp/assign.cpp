@@ -163,21 +163,39 @@ bool is_list(const Expr& e) {
     return e.kind == ExprKind::function && (f == program::Function::set_list || f == program::Function::repeat_list);
 }
 
-void assign_parameter(Run& run, const Expr& target, const program::Assign& a) {
-    const double index = target.kind == ExprKind::parameter ? target.a : number(run, target.a);
-    if (run.stopped) return;
+/// Number of a parameter that can be written; nothing after a complaint.
+std::optional<std::uint32_t> writable(Run& run, double index, const program::Assign& a) {
     if (std::isnan(index)) {
         unchecked(run, codes::unknown_value, run.unit().span(a.target),
                   "which parameter this is depends on a value that is not known");
-        return;
+        return std::nullopt;
     }
-    if (!(index >= 0) || index >= run.parameters.count()) {
+    const double least = run.traits->argument_parameters > 0 ? 1 : 0;  // #0 is always empty
+    if (!(index >= least) || index >= run.parameters.count()) {
         alarm(run, codes::index_range, run.unit().span(a.target),
-              "there is no parameter " + printed(Value::real(index)));
-        return;
+              "there is no parameter " + printed(Value::real(index)) + " that could be assigned");
+        return std::nullopt;
     }
-    const double v = number(run, a.value);
-    if (!run.stopped) assign_number(run, static_cast<std::uint32_t>(index), a.value, v, run.unit().span(a.target));
+    return static_cast<std::uint32_t>(index);
+}
+
+void assign_parameter(Run& run, const Expr& target, const program::Assign& a) {
+    const double index = target.kind == ExprKind::parameter ? target.a : number(run, target.a);
+    if (run.stopped) return;
+    const auto n = writable(run, index, a);
+    const double v = n ? number(run, a.value) : 0;
+    if (n && !run.stopped) assign_number(run, *n, a.value, v, run.unit().span(a.target));
+}
+
+/// A variable that begins to exist by being assigned: `_NAME` for all programs, another name for this one.
+void create(Run& run, program::NameId name, double value) {
+    const Binding* b = find_variable(run, name);
+    if (b != nullptr) return b->array->set(b->offset, Value::real(value));
+    auto array = std::make_shared<Array>();
+    array->allocate();
+    array->set(0, Value::real(value));
+    const bool global = run.env.names.text(name).starts_with('_');
+    (global ? run.globals : run.top().locals).bind({name, std::move(array), 0, false, nullptr});
 }
 
 void write_character(Run& run, const Binding& b, const Expr& e, ExprId value) {
@@ -309,6 +327,19 @@ void assign_system(Run& run, const Expr& target, const program::Assign& a) {
 }
 
 }  // namespace
+
+void assign_value(Run& run, const program::Assign& a, double index, double value) {
+    const Expr& target = run.unit().exprs[a.target];
+    if (target.kind == ExprKind::variable) return create(run, target.a, value);
+    if (target.kind != ExprKind::parameter && target.kind != ExprKind::parameter_at)
+        return alarm(run, codes::syntax, run.unit().span(a.target), "this can only be read");
+    const auto n = writable(run, index, a);
+    if (!n) return;
+    if (is_live(run, *n))
+        return alarm(run, codes::value_range, run.unit().span(a.target),
+                     program::parameter_name(*run.traits, *n) + " can only be read");
+    assign_number(run, *n, a.value, value, run.unit().span(a.target));
+}
 
 void assign_text(Run& run, ExprId target, const std::string& text) {
     const Expr& e = run.unit().exprs[target];

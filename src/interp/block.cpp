@@ -19,6 +19,9 @@ void BlockWords::clear() {
     axes.clear();
     tool_named = false;
     special = suppress = paraxial = corner_end = Modal::linear;
+    special_number = 0;
+    acted = false;
+    pending.clear();
 }
 
 namespace {
@@ -124,13 +127,42 @@ void problem_word(Run& run, const Word& w) {
         unchecked(run, codes::unsupported, p.where, p.text + " is not run" + (p.reason.empty() ? "" : ": " + p.reason));
 }
 
+/// Evaluates an assignment that takes effect behind the block's last expression.
+void assign_later(Run& run, const program::Assign& a) {
+    const program::Expr& target = run.unit().exprs[a.target];
+    PendingAssign p{&a, 0, 0};
+    if (target.kind == program::ExprKind::parameter) p.index = target.a;
+    if (target.kind == program::ExprKind::parameter_at) p.index = number(run, target.a);
+    if (!run.stopped) p.value = number(run, a.value);
+    if (!run.stopped) run.block.pending.push_back(p);
+}
+
+void take_effect(Run& run) {
+    for (const PendingAssign& p : run.block.pending)
+        if (!run.stopped) assign_value(run, *p.assign, p.index, p.value);
+    run.block.pending.clear();
+}
+
+/// F, S, T and M act, before what follows in the block.
+void act(Run& run) {
+    take_effect(run);
+    if (run.stopped) return;
+    technology(run);
+    run.block.acted = true;
+}
+
 }  // namespace
 
 void gather(Run& run, const program::Statement& s, const Word& w) {
     const Code code = program::code_of(w);
     switch (code) {
         case Code::modal: modal_word(run, w); return;
-        case Code::assign: assign(run, run.unit().assigns[static_cast<std::size_t>(w.payload)]); return;
+        case Code::assign: {
+            const program::Assign& a = run.unit().assigns[static_cast<std::size_t>(w.payload)];
+            return run.traits->assigns_together ? assign_later(run, a) : assign(run, a);
+        }
+        case Code::act: return act(run);
+        case Code::comment: return emit(run, cl::Comment{run.unit().texts[static_cast<std::size_t>(w.payload)], false, false});
         case Code::unsupported:
         case Code::unknown: problem_word(run, w); return;
         case Code::m: function_number(run, run.unit().span(s, w), word_value(run, w), run.block.m); return;
@@ -187,7 +219,9 @@ void run_block(Run& run, const program::Statement& s, std::uint32_t index) {
     }
     if (run.block.special == Modal::cycle_position || run.block.special == Modal::cycle_pattern)
         return call_at_places(run);
-    technology(run);
+    if (!run.block.pending.empty()) take_effect(run);
+    if (run.stopped) return;
+    if (!run.block.acted) technology(run);
     if (run.stopped) return;
     const bool moved = motion(run);
     if (run.stopped) return;

@@ -1,6 +1,7 @@
 /// Calls of programs, their arguments, and the control's own procedures.
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 
 #include "base/codes.hpp"
@@ -171,6 +172,35 @@ void show_locals(Run& run, const Activation& callee) {
 
 }  // namespace
 
+namespace {
+
+/// Arguments of a call as the numbered parameters 1, 2 … of the called program, whose others are 0.
+void pass_arguments(Run& run, const Call* call, Activation& callee) {
+    const std::uint32_t count = run.traits->argument_parameters;
+    if (count == 0 || run.calls.empty() || (call != nullptr && call->shares_parameters)) return;
+    std::array<double, 64> values{};
+    std::array<bool, 64> given{};
+    for (std::size_t i = 0; call != nullptr && i < call->arguments.size() && i < count && i < 64; ++i) {
+        if (call->arguments[i] == program::no_expr) continue;
+        values[i] = number(run, call->arguments[i]);
+        given[i] = true;
+    }
+    for (std::uint32_t n = 1; n <= count && n <= 64; ++n) {
+        callee.outer_arguments.emplace_back(run.parameters.get(n), run.parameters.is_set(n));
+        run.parameters.forget(n);
+        if (given[n - 1] || run.traits->parameters_begin_at_zero) run.parameters.set(n, values[n - 1]);
+    }
+}
+
+void return_arguments(Run& run, const Activation& callee) {
+    for (std::uint32_t n = 1; n <= callee.outer_arguments.size(); ++n) {
+        run.parameters.forget(n);
+        if (callee.outer_arguments[n - 1].second) run.parameters.set(n, callee.outer_arguments[n - 1].first);
+    }
+}
+
+}  // namespace
+
 void enter(Run& run, const Unit& unit, const Call* call, const base::Span& where) {
     if (run.calls.size() >= run.env.budgets.call_depth) {
         unchecked(run, codes::budget, where,
@@ -185,7 +215,7 @@ void enter(Run& run, const Unit& unit, const Call* call, const base::Span& where
     callee.stack = run.calls.empty() ? 0 : run.stacks.push(run.top().stack, where);
     callee.saves = unit.save;
     callee.saved = run.modal;
-    if (call != nullptr) bind_arguments(run, unit, *call, callee);
+    if (call != nullptr && run.traits->argument_parameters == 0) bind_arguments(run, unit, *call, callee);
     if (call != nullptr && call->passes != program::no_expr) {
         const double passes = number(run, call->passes);
         if (std::isnan(passes))
@@ -196,6 +226,8 @@ void enter(Run& run, const Unit& unit, const Call* call, const base::Span& where
     }
     if (run.stopped) return;
     hide_locals(run, unit, callee);
+    pass_arguments(run, call, callee);
+    if (run.stopped) return;
     run.calls.push_back(std::move(callee));
     if (unit.traits->unit_per_program) run.modal.inch_geometry = run.modal.inch_feed = unit.inch;
     bind_presets(run, unit);
@@ -260,6 +292,7 @@ void leave(Run& run) {
         return;
     }
     show_locals(run, act);
+    return_arguments(run, act);
     run.calls.pop_back();
     if (run.unit().traits->unit_per_program) run.modal.inch_geometry = run.modal.inch_feed = run.unit().inch;
     run.statement = &run.unit().statements[run.top().pc - 1];
@@ -275,11 +308,10 @@ void call_program(Run& run, const Call& call) {
     if (call.kind == program::CallKind::indirect) {
         const Value v = evaluate(run, call.target);
         if (run.stopped) return;
-        if (!v.is_text()) {
-            alarm(run, codes::type_mismatch, run.unit().span(call.target), "CALL needs a text that names a program");
-            return;
-        }
-        name = program_name(v.as_text());
+        if (!v.is_text() && run.traits->argument_parameters == 0)
+            return alarm(run, codes::type_mismatch, run.unit().span(call.target),
+                         "CALL needs a text that names a program");
+        name = v.is_text() ? program_name(v.as_text()) : "O" + printed(Value::real(std::trunc(v.number)));
     } else {
         name = run.env.names.text(call.name);
     }
@@ -321,41 +353,6 @@ void run_modal_call(Run& run) {
     if (run.stopped) return;
     bind_presets(run, *modal.unit);
     act.own_bindings = act.locals.size();
-}
-
-void procedure(Run& run, const program::ProcedureCall& p) {
-    switch (p.procedure) {
-        case program::Procedure::message: {
-            std::string text = p.arguments.empty() || p.arguments[0] == program::no_expr
-                                   ? std::string{}
-                                   : printed(evaluate(run, p.arguments[0]));
-            run.last_message = text;
-            if (!run.stopped) emit(run, cl::Comment{std::move(text), true});
-            return;
-        }
-        case program::Procedure::alarm: {
-            const Value v = p.arguments.empty() ? Value{} : evaluate(run, p.arguments[0]);
-            std::string text = p.arguments.size() > 1 ? ": " + printed(evaluate(run, p.arguments[1])) : std::string{};
-            if (text.empty() && !run.last_message.empty()) text = ": " + run.last_message;
-            const auto known = run.traits->alarm_text;
-            const bool plain = v.number >= 0 && v.number < 1e9;
-            const std::string shown =
-                known != nullptr && plain ? known(static_cast<int>(v.number)) : "alarm " + printed(v);
-            if (!run.stopped)
-                alarm(run, codes::program_alarm, p.where, "the program stops itself with " + shown + text);
-            return;
-        }
-        case program::Procedure::master_spindle: return;
-        case program::Procedure::select_datums:
-            run.datum_table = base::to_upper(printed(evaluate(run, p.arguments[0])));
-            return;
-        case program::Procedure::set_datum: return set_own_datum(run, p);
-        case program::Procedure::print_form: return print_form(run, p);
-        case program::Procedure::print_values: return print_values(run, p);
-        case program::Procedure::open_table: return open_table(run, p);
-        case program::Procedure::write_table: return write_table(run, p);
-        case program::Procedure::read_table: return read_table(run, p);
-    }
 }
 
 }  // namespace obrys::interp

@@ -90,8 +90,6 @@ geom::Vec3 out_of_plane(const geom::Vec3& p, const PlaneAxes& a) {
     return v;
 }
 
-namespace {
-
 cycles::Situation situation_of(const Run& run) {
     cycles::Situation s;
     s.at = into_plane(run.programmed_position, plane_axes(run.modal.plane));
@@ -107,6 +105,8 @@ cycles::Situation situation_of(const Run& run) {
     if (run.feed_valid && run.modal.feed_mode == cl::FeedMode::per_minute) s.feed = run.feed;
     return s;
 }
+
+namespace {
 
 geom::Vec2 far_from(const cycles::ContourTask& task) {
     const bool train = !task.train.contour.vertices.empty();
@@ -203,27 +203,30 @@ path::Element plane_arc(const cl::Arc& arc) {
 
 }  // namespace
 
-void emit_steps(Run& run, std::vector<cl::Step>& steps) {
+void emit_step(Run& run, cl::Step step) {
     const PlaneAxes a = plane_axes(run.modal.plane);
     const auto place = [&](const geom::Vec3& p) {
         run.programmed_position = out_of_plane(p, a);
         run.position = geom::apply(run.frame, run.programmed_position);
         return run.position;
     };
-    for (cl::Step& step : steps) {
-        if (auto* linear = std::get_if<cl::Linear>(&step)) {
-            linear->to = place(linear->to);
-            linear->axis = run.tool_axis;
-        } else if (auto* thread = std::get_if<cl::Thread>(&step)) {
-            thread->to = place(thread->to);
-        } else if (auto* arc = std::get_if<cl::Arc>(&step)) {
-            const auto placed = plane_move(run, plane_arc(*arc), false);
-            if (!placed) return circle_alarm(run, run.here());
-            place(arc->to);
-            step = *placed;
-        }
-        emit(run, std::move(step));
+    if (auto* linear = std::get_if<cl::Linear>(&step)) {
+        linear->to = place(linear->to);
+        linear->axis = run.tool_axis;
+    } else if (auto* thread = std::get_if<cl::Thread>(&step)) {
+        thread->to = place(thread->to);
+    } else if (auto* arc = std::get_if<cl::Arc>(&step)) {
+        auto placed = plane_move(run, plane_arc(*arc), false);
+        if (!placed) return circle_alarm(run, run.here());
+        place(arc->to);
+        step = std::move(*placed);
     }
+    emit(run, std::move(step));
+}
+
+void emit_steps(Run& run, std::vector<cl::Step>& steps) {
+    for (cl::Step& step : steps)
+        if (!run.stopped) emit_step(run, std::move(step));
 }
 
 namespace {

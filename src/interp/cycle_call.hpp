@@ -17,7 +17,10 @@ void call_cycle(Run&, const CycleValues& instead);
 void report(Run&, const ActiveCycle&, const std::vector<cycles::Complaint>&);
 /// Opens the cycle's bracket in the stream.
 void begin_cycle(Run&, const ActiveCycle&);
-/// Steps of the working plane as records of the stream.
+/// What holds when a cycle is called.
+[[nodiscard]] cycles::Situation situation_of(const Run&);
+/// A step of a cycle, from the working plane's coordinates into the stream.
+void emit_step(Run&, cl::Step step);
 void emit_steps(Run&, std::vector<cl::Step>&);
 /// (u, v, w) of the working plane, as cycles have it.
 [[nodiscard]] geom::Vec3 into_plane(const geom::Vec3& p, const PlaneAxes& a);

@@ -29,6 +29,8 @@ double parameter_value(Run& run, const Expr& e, double index) {
         return 0;
     }
     const auto n = static_cast<std::uint32_t>(index);
+    if (!run.traits->live.empty() && is_live(run, n)) return live_parameter(run, n, where);
+    if (!run.parameters.is_set(n) && run.traits->parameters_begin_at_zero) return run.parameters.get(n);
     if (!run.parameters.is_set(n)) {
         const std::string name = program::parameter_name(*run.unit().traits, n);
         assume(run, where, name + " is read before the program sets it: 0 as in a fresh control",
@@ -158,6 +160,11 @@ Value read_variable(Run& run, const Expr& e, ExprId id) {
         if (axis.name == text && e.count == 0) return Value::axis(text);
     if (e.count == 0 && text.size() == 1 && std::string_view("XYZABCUVW").find(text[0]) != std::string_view::npos)
         return Value::axis(text);
+    if (unit.traits->variables_by_assignment) {
+        alarm(run, codes::undefined_name, unit.span(id), "the named parameter #<" + text + "> is not defined",
+              "assign it before it is read, or ask with EXISTS[#<" + text + ">]");
+        return Value::unknown();
+    }
     unchecked(run, codes::undefined_name, unit.span(id), text + " is not defined in this program",
               "if it is global user data (GUD), put its definition file beside the program or give its value in "
               "[variables] of the job; it is unknown until then");

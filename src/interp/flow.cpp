@@ -205,6 +205,28 @@ void repeat_section(Run& run, const program::Section& s, std::uint32_t index) {
     run.top().sections.push_back(active);
 }
 
+/// The count is taken once, at the start.
+void begin_repeat(Run& run, const program::Branch& b, std::uint32_t index) {
+    const double n = std::round(number(run, b.condition));
+    if (run.stopped) return;
+    if (std::isnan(n))
+        unchecked(run, codes::unknown_value, run.unit().span(b.condition),
+                  "how often this loop runs depends on a value that is not known: it is not run");
+    if (!(n >= 1)) return go(run, b.target);
+    auto& counters = run.top().counters;
+    std::erase_if(counters, [&](const auto& c) { return c.statement == index; });
+    counters.push_back({index, static_cast<std::uint64_t>(std::min(n, 1e15))});
+}
+
+void end_repeat(Run& run, const program::Branch& b) {
+    auto& counters = run.top().counters;
+    const auto c =
+        std::find_if(counters.begin(), counters.end(), [&](const auto& k) { return k.statement == b.target; });
+    if (c == counters.end()) return;
+    if (--c->left > 0) return go_back(run, b.target + 1);
+    counters.erase(c);
+}
+
 /// The cycle, and the words of its block that do not belong to it.
 void cycle_definition(Run& run, const program::Statement& s, std::uint32_t index) {
     const Unit& unit = run.unit();
@@ -256,6 +278,8 @@ void run_statement(Run& run, const Statement& s, std::uint32_t index) {
             if (!run.stopped && !done && b.target != program::no_target) go_back(run, b.target);
             return;
         }
+        case StatementKind::repeat_count: begin_repeat(run, unit.branches[table], index); return;
+        case StatementKind::end_repeat_count: end_repeat(run, unit.branches[table]); return;
         case StatementKind::for_: begin_for(run, unit.fors[table]); return;
         case StatementKind::endfor: end_for(run, unit.fors[table]); return;
         case StatementKind::case_: run_case(run, unit.cases[table]); return;

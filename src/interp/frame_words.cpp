@@ -87,8 +87,8 @@ geom::Vec3 datum_origin(const Run& run) {
 
 void update_frame(Run& run) {
     flush_path(run);
-    const std::optional<geom::Frame> shift = datum_shift(run);
-    run.datum_known = shift.has_value();
+    const std::optional<geom::Frame> shift = keeps_offsets(run) ? std::optional(offset_frame(run)) : datum_shift(run);
+    if (!keeps_offsets(run)) run.datum_known = shift.has_value();
     run.frame = shift.value_or(geom::Frame{}) * run.modal.programmed;
     if (run.modal.datum_offset != geom::Vec3{})
         run.frame = shift.value_or(geom::Frame{}) * geom::Frame::shift(run.modal.datum_offset) * run.modal.programmed;
@@ -99,6 +99,7 @@ void update_frame(Run& run) {
     }
     run.programmed_position =
         run.frame_is_identity ? run.position : geom::apply(geom::inverse(run.frame), run.position);
+    tell_frame(run);
 }
 
 void frame_statement(Run& run, const program::Statement& s, std::uint32_t index) {

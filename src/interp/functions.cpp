@@ -153,6 +153,8 @@ bool numeric(const Arguments& a, Function f, double& result) {
         case Function::trunc: result = std::trunc(a[0]); return true;
         case Function::round: result = std::floor(a[0] + 0.5); return true;
         case Function::round_up: result = std::ceil(a[0]); return true;
+        case Function::round_down: result = std::floor(a[0]); return true;
+        case Function::round_away: result = std::round(a[0]); return true;
         case Function::ln: result = logarithm(a, "LN"); return true;
         case Function::exp: result = std::exp(a[0]); return true;
         case Function::min:

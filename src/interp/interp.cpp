@@ -111,6 +111,14 @@ std::uint32_t first_preset(const Run& run, const Unit& main) {
 
 /// The stream's coordinates are in the first settable datum that the main program selects.
 void choose_reference_datum(Run& run, const Unit& main) {
+    if (keeps_offsets(run)) {
+        run.modal.datum = 54;
+        for (const program::Word& w : main.words)
+            if (program::code_of(w) == Code::modal && program::modal_of(w) >= Modal::tool_length &&
+                program::modal_of(w) <= Modal::tool_length_added)
+                run.offsets.compensates = true;
+        return begin_offsets(run);
+    }
     for (const program::Word& w : main.words) {
         if (program::code_of(w) != Code::modal || program::modal_of(w) != Modal::datum ||
             program::modal_number(w) == 500)
@@ -239,6 +247,8 @@ Outcome run(const program::Unit& main, const Environment& environment, cl::CallS
     take_variables(run);
     choose_reference_datum(run, main);
     enter(run, main, nullptr, {});
+    if (!run.unit().statements.empty()) run.statement = run.unit().statements.data();
+    begin_telling(run);
     control_sets_all(run);
     while (!run.stopped) step(run);
     flush_path(run);

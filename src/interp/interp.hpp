@@ -5,6 +5,7 @@
 
 #include <cstdint>
 #include <map>
+#include <optional>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -41,6 +42,16 @@ struct Environment {
     /// Told the elements of contours that compensation, chamfers or roundings change, as they are programmed: where the
     /// element starts, and the move; stream frame. Null: nobody wants to know.
     const ContourSink* programmed = nullptr;
+    /// cl::Setting records are wanted: what the program sets besides moves, as often as it sets it.
+    bool tell_settings = false;
+    /// Where the machine stands at first, machine coordinates; nothing: not known.
+    std::optional<geom::Vec3> start{};
+    /// What the control's numbered parameters hold before the run; null: not known.
+    const std::map<std::uint32_t, double>* stored = nullptr;
+    /// mm of a length of 1 in those parameters that hold machine coordinates.
+    double machine_unit = 1;
+    /// Settings of the control by section and key, upper case: "RS274NGC/FEATURES".
+    const std::map<std::string, std::string>* settings = nullptr;
 };
 
 enum class Ending : std::uint8_t {

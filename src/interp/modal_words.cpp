@@ -11,7 +11,10 @@ namespace obrys::interp {
 
 namespace {
 
+using cl::SettingKind;
+
 void set_plane(Run& run, int plane) {
+    tell(run, SettingKind::plane, plane);
     if (run.modal.plane == plane) return;
     flush_path(run);
     run.modal.plane = plane;
@@ -48,11 +51,16 @@ void set_surface_speed(Run& run, bool on, int number) {
     run.modal.speed_word = number;
     if (number == 96 || number == 97 || number == 973) set_feed_mode(run, cl::FeedMode::per_rev);
     if (number == 961 || number == 971) set_feed_mode(run, cl::FeedMode::per_minute);
+    tell(run, SettingKind::surface_speed, on ? 96 : 97,
+         {!on                                ? 0
+          : run.block.has(Code::speed_limit) ? run.block.get(Code::speed_limit)
+                                             : 1e30});
 }
 
 /// G94 and G95 stand in one group with G96: they end it (SINUMERIK Programming Manual Fundamentals, G96). Easily
 /// missed.
 void plain_feed(Run& run, cl::FeedMode mode) {
+    if (!run.traits->feed_mode_ends_surface_speed) return set_feed_mode(run, mode);
     if (run.modal.surface_speed)
         assume(
             run, run.here(),
@@ -66,6 +74,7 @@ void plain_feed(Run& run, cl::FeedMode mode) {
 bool motion_word(Run& run, Modal m, const program::Word& w) {
     if (m <= Modal::tap_retract) {
         run.modal.motion = m;
+        run.canned.active = false;
         if (m == Modal::arc_cw || m == Modal::arc_ccw) run.modal.last_sense = m;
         return true;
     }
@@ -95,20 +104,132 @@ bool motion_word(Run& run, Modal m, const program::Word& w) {
     }
 }
 
-/// Units, absolute and incremental, diameters. False where `m` is none of them.
-bool dimension_word(ModalState& state, Modal m) {
+void set_compensation(Run& run, Modal m) {
+    ModalState& state = run.modal;
+    const BlockWords& b = run.block;
+    const double unit = state.inch_geometry ? 25.4 : 1;
+    const bool given = m == Modal::compensation_left_by || m == Modal::compensation_right_by;
+    state.compensation = m == Modal::compensation_left_by    ? Modal::compensation_left
+                         : m == Modal::compensation_right_by ? Modal::compensation_right
+                                                             : m;
+    state.compensation_radius = std::numeric_limits<double>::quiet_NaN();
+    if (given && b.has(Code::offset_d)) state.compensation_radius = b.get(Code::offset_d) * unit / 2;
+    if (!given && m != Modal::compensation_off && b.has(Code::offset_d)) take_offset_radius(run, b.get(Code::offset_d));
+    tell(run, SettingKind::compensation,
+         state.compensation == Modal::compensation_off    ? 0
+         : state.compensation == Modal::compensation_left ? 1
+                                                          : 2);
+}
+
+void set_path_mode(Run& run, Modal m) {
+    ModalState& state = run.modal;
+    const BlockWords& b = run.block;
+    const double unit = state.inch_geometry ? 25.4 : 1;
+    state.path_mode = m;
+    state.blend = m == Modal::path_blend && b.has(Code::p) ? b.get(Code::p) * unit : 0;
+    state.merge = m == Modal::path_blend && b.has(Code::q) ? b.get(Code::q) * unit : state.blend;
+    tell(run, SettingKind::path_mode,
+         m == Modal::path_exact  ? 0
+         : m == Modal::path_stop ? 1
+                                 : 2,
+         {state.blend, state.merge});
+}
+
+/// Offsets and stored positions: they take the axis words of the block. False where `m` is none of them.
+bool offset_word(Run& run, Modal m, int number) {
+    BlockWords& b = run.block;
     switch (m) {
+        case Modal::tool_length_by_axes: b.special = m; [[fallthrough]];
+        case Modal::tool_length:
+        case Modal::tool_length_negative:
+        case Modal::tool_length_added:
+        case Modal::tool_length_off: tool_length_words(run, m); return true;
+        case Modal::set_data:
+            b.special = m;
+            set_data(run);
+            return true;
+        case Modal::position_becomes:
+        case Modal::local_shift: b.special = m; [[fallthrough]];
+        case Modal::position_reset:
+        case Modal::position_suspend:
+        case Modal::position_restore: shift_words(run, m); return true;
+        case Modal::home:
+            b.special = m;
+            b.special_number = number;
+            return true;
+        case Modal::home_store:
+            b.special_number = number;
+            store_home(run);
+            return true;
+        default: return false;
+    }
+}
+
+/// Motion words whose number matters, and what goes with canned cycles. False where `m` is none of them.
+bool numbered_motion_word(Run& run, Modal m, int number) {
+    ModalState& state = run.modal;
+    switch (m) {
+        case Modal::canned:
+        case Modal::probe:
+            state.motion = m;
+            state.motion_number = number;
+            if (m == Modal::probe) run.canned.active = false;
+            return true;
+        case Modal::canned_off:
+            run.canned.active = false;
+            state.motion = run.traits->cancel_leaves_no_motion ? Modal::canned_off : Modal::rapid;
+            tell(run, SettingKind::motion_off);
+            return true;
+        case Modal::retract_initial:
+        case Modal::retract_clearance:
+            state.clear_to_retract_plane = m == Modal::retract_clearance;
+            tell(run, SettingKind::retract_clearance, state.clear_to_retract_plane);
+            return true;
+        case Modal::rigid_tap:
+        case Modal::turning_cycle:
+            run.block.special = m;
+            run.block.special_number = number;
+            return true;
+        default: return false;
+    }
+}
+
+/// Tells a mode that has changed.
+void tell_changed(Run& run, SettingKind kind, bool before, bool now) {
+    if (before != now) tell(run, kind, now);
+}
+
+/// Units, absolute and incremental, diameters. False where `m` is none of them.
+bool dimension_word(Run& run, Modal m) {
+    ModalState& state = run.modal;
+    switch (m) {
+        case Modal::arc_centre_absolute:
+        case Modal::arc_centre_incremental:
+            tell_changed(run, SettingKind::centre_incremental, !state.centre_absolute,
+                         m == Modal::arc_centre_incremental);
+            state.centre_absolute = m == Modal::arc_centre_absolute;
+            return true;
         case Modal::inch_geometry: state.inch_geometry = true; return true;
         case Modal::metric_geometry: state.inch_geometry = state.metric_feed = false; return true;
-        case Modal::inch_all: state.inch_geometry = state.inch_feed = true; return true;
+        case Modal::inch_all:
+            state.inch_geometry = state.inch_feed = true;
+            tell(run, SettingKind::unit, 1);
+            return true;
         case Modal::metric_all:
             state.inch_geometry = state.inch_feed = false;
             state.metric_feed = true;
+            tell(run, SettingKind::unit, 0);
             return true;
-        case Modal::absolute: state.absolute = true; return true;
-        case Modal::incremental: state.absolute = false; return true;
-        case Modal::diameter_on: state.diameter = DiameterMode::on; return true;
-        case Modal::diameter_off: state.diameter = DiameterMode::off; return true;
+        case Modal::absolute:
+        case Modal::incremental:
+            tell_changed(run, SettingKind::incremental, !state.absolute, m == Modal::incremental);
+            state.absolute = m == Modal::absolute;
+            return true;
+        case Modal::diameter_on:
+        case Modal::diameter_off:
+            tell_changed(run, SettingKind::diameter, state.diameter == DiameterMode::on, m == Modal::diameter_on);
+            state.diameter = m == Modal::diameter_on ? DiameterMode::on : DiameterMode::off;
+            return true;
         case Modal::diameter_absolute_only: state.diameter = DiameterMode::absolute_only; return true;
         default: return false;
     }
@@ -116,7 +237,35 @@ bool dimension_word(ModalState& state, Modal m) {
 
 }  // namespace
 
+namespace {
+
+/// A zero offset that is kept in parameters.
+void select_kept_datum(Run& run, std::uint32_t number) {
+    const int place = static_cast<int>(number >= 591 ? number - 584 : number - 53);
+    if (run.modal.datum == number) return tell(run, SettingKind::datum_kept, place);
+    flush_path(run);
+    run.modal.datum = number;
+    load_datum(run);
+    tell(run, SettingKind::datum, place, run.offsets.datum);
+    tell(run, SettingKind::shift, 0, run.offsets.shift);
+    tell(run, SettingKind::datum_rotation, 0, {run.offsets.rotation});
+    update_frame(run);
+}
+
+/// M72: what M70 has saved.
+void restore_modes(Run& run) {
+    if (run.top().saved_modes.empty()) return;
+    const ModalState saved = run.top().saved_modes.back();
+    flush_path(run);
+    if (saved.feed_mode != run.modal.feed_mode) run.feed_valid = false;
+    run.modal = saved;
+    update_frame(run);
+}
+
+}  // namespace
+
 void set_datum(Run& run, std::uint32_t number) {
+    if (keeps_offsets(run)) return select_kept_datum(run, number);
     if (run.modal.datum == number) return;
     flush_path(run);
     run.modal.datum = number;
@@ -127,15 +276,37 @@ void set_datum(Run& run, std::uint32_t number) {
 void modal_word(Run& run, const program::Word& w) {
     const Modal m = program::modal_of(w);
     ModalState& state = run.modal;
-    if (motion_word(run, m, w) || dimension_word(state, m)) return;
+    if (motion_word(run, m, w) || dimension_word(run, m)) return;
+    if (m >= Modal::canned) {
+        if (offset_word(run, m, program::modal_number(w)) || numbered_motion_word(run, m, program::modal_number(w)))
+            return;
+    }
     switch (m) {
         case Modal::compensation_off:
         case Modal::compensation_left:
-        case Modal::compensation_right: state.compensation = m; return;
+        case Modal::compensation_right:
+        case Modal::compensation_left_by:
+        case Modal::compensation_right_by: return set_compensation(run, m);
+        case Modal::path_exact:
+        case Modal::path_stop:
+        case Modal::path_blend: return set_path_mode(run, m);
+        case Modal::save_modal:
+        case Modal::save_modal_for_call: run.top().saved_modes.push_back(state); return;
+        case Modal::forget_saved_modal: run.top().saved_modes.clear(); return;
+        case Modal::restore_modal: return restore_modes(run);
         case Modal::datum: set_datum(run, static_cast<std::uint32_t>(program::modal_number(w))); return;
-        case Modal::feed_inverse_time: set_feed_mode(run, cl::FeedMode::inverse_time); return;
-        case Modal::feed_per_minute: plain_feed(run, cl::FeedMode::per_minute); return;
-        case Modal::feed_per_rev: plain_feed(run, cl::FeedMode::per_rev); return;
+        case Modal::feed_inverse_time:
+            tell(run, SettingKind::feed_mode, 93);
+            set_feed_mode(run, cl::FeedMode::inverse_time);
+            return;
+        case Modal::feed_per_minute:
+            tell(run, SettingKind::feed_mode, 94);
+            plain_feed(run, cl::FeedMode::per_minute);
+            return;
+        case Modal::feed_per_rev:
+            tell(run, SettingKind::feed_mode, 95);
+            plain_feed(run, cl::FeedMode::per_rev);
+            return;
         case Modal::surface_speed_on: set_surface_speed(run, true, program::modal_number(w)); return;
         case Modal::surface_speed_off: set_surface_speed(run, false, program::modal_number(w)); return;
         case Modal::approach_normal:

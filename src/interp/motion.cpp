@@ -40,7 +40,11 @@ void extra_axis(Run& run, const std::string& name, double value, std::uint8_t re
     const bool rotary = known != nullptr ? known->rotary : rotary_by_letter;
     double to = rotary ? value : value * (run.modal.inch_geometry ? 25.4 : 1);
     const auto at = run.extra_axes.find(name);
-    if (is_incremental(run, reference)) to += at == run.extra_axes.end() ? unknown : at->second;
+    const auto k = name.size() == 1 ? std::string_view("XYZABCUVW").find(name[0]) : std::string_view::npos;
+    if (is_incremental(run, reference))
+        to += at == run.extra_axes.end() ? unknown : at->second;
+    else if (k != std::string_view::npos)
+        to += run.offsets.total[k];
     run.extra_axes[name] = to;
     cl::Axis axis;
     for (std::size_t i = 0; i < name.size() && i + 1 < axis.name.size(); ++i) axis.name[i] = name[i];
@@ -78,7 +82,9 @@ geom::Vec3 cartesian_target(Run& run) {
 void dwell(Run& run) {
     const BlockWords& b = run.block;
     cl::Dwell d;
-    if (b.has(Code::feed))
+    if (b.has(Code::p))
+        d.seconds = b.get(Code::p);
+    else if (b.has(Code::feed))
         d.seconds = b.get(Code::feed);
     else if (b.has(Code::spindle))
         d.revolutions = b.get(Code::spindle);
@@ -247,6 +253,13 @@ bool motion(Run& run) {
         set_pole(run);
         return false;
     }
+    if (b.special == Modal::set_data || b.special == Modal::position_becomes || b.special == Modal::local_shift ||
+        b.special == Modal::tool_length_by_axes)
+        return false;
+    if (b.special == Modal::home) {
+        go_home(run);
+        return true;
+    }
     if (!moves && !turns && !others) return false;
     if ((b.present & linear_axes & ~run.known_axes) != 0)
         for (int k = 0; k < 3; ++k)
@@ -254,6 +267,12 @@ bool motion(Run& run) {
     begin_motion(run);
     if (others) extra_axes(run);
     if (run.stopped) return false;
+    if (run.modal.motion == Modal::canned) return canned_motion(run);
+    if (run.modal.motion == Modal::canned_off) {
+        alarm(run, codes::value_range, run.here(), "axis words without a motion: G80 is in force",
+              "write G0 or G1 before them");
+        return false;
+    }
     if (b.special == Modal::reference_point || b.special == Modal::fixed_point) return reference_point(run);
     if (b.suppress != Modal::linear && moves) return machine_move(run);
     return path_motion(run);

@@ -10,13 +10,14 @@ namespace obrys::interp {
 
 namespace codes = base::codes;
 
-namespace {
-
-void deliver(Run& run, const program::ProcedureCall& p, const std::string& file, std::string_view text, bool again) {
+void print_to(Run& run, const program::ProcedureCall& p, const std::string& file, std::string_view text, bool again) {
+    if (run.capture != nullptr) return;
     if (run.env.files != nullptr && run.env.files->print(file, text, again)) return;
     assume(run, p.where, "what the program prints to " + file + " is not written",
            "name a folder for it with --prints DIR or prints in the job");
 }
+
+namespace {
 
 /// A parameter by its name, as it is; one that was never set is 0.
 Value value_named(Run& run, std::string_view name) {
@@ -46,9 +47,9 @@ void print_form(Run& run, const program::ProcedureCall& p) {
     const FilledForm filled = fill_form(*form, value, run.env.sources[run.calls.front().unit->file].name);
     for (const std::string& problem : filled.problems) assume(run, p.where, "the form " + name + ", " + problem);
     if (filled.clock) assume(run, p.where, "the form " + name + " asks for date or time: \"?\" stands there");
-    if (base::to_upper(file) == "SCREEN") return emit(run, cl::Comment{filled.text, true});
+    if (base::to_upper(file) == "SCREEN") return emit(run, cl::Comment{filled.text, true, false});
     const bool begun = run.printed_files.contains(file);
-    deliver(run, p, file, filled.text, !begun && !filled.append);
+    print_to(run, p, file, filled.text, !begun && !filled.append);
     if (filled.close)
         run.printed_files.erase(file);
     else
@@ -63,7 +64,7 @@ void print_values(Run& run, const program::ProcedureCall& p) {
         if (run.stopped) return;
     }
     const std::string file = "FN15RUN.A";
-    deliver(run, p, file, text + "\n", run.printed_files.insert(file).second);
+    print_to(run, p, file, text + "\n", run.printed_files.insert(file).second);
 }
 
 }  // namespace obrys::interp

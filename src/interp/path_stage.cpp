@@ -57,7 +57,8 @@ path::Setting compensation_setting(Run& run) {
         s.window = reported;
     }
     const shop::Tool* tool = run.tool.data;
-    const auto radius = tool == nullptr || run.tool.edge == 0 ? std::nullopt : compensation_radius(*tool);
+    auto radius = tool == nullptr || run.tool.edge == 0 ? std::nullopt : compensation_radius(*tool);
+    if (!std::isnan(run.modal.compensation_radius)) radius = run.modal.compensation_radius;
     if (!radius)
         unchecked_once(run, codes::unknown_value, run.here(),
                        "radius compensation with tool T" + std::to_string(run.tool.number) + " D" +

@@ -60,17 +60,30 @@ struct ModalState {
     geom::Vec3 datum_offset;  ///< of a datum that the program sets itself (FN 25), in the selected one, mm
     geom::Frame programmed;   ///< TRANS, ROT, SCALE, MIRROR; product of `transforms` where there are any
     std::vector<Transform> transforms;
-    Modal last_sense = Modal::linear;  ///< of the last arc; linear: none yet
-    bool feed_by_word = false;         ///< feed_mode was chosen by a word of its own (FU) until the next F
-    double round_modal = 0;            ///< RNDM, mm
-    double corner_feed_modal = 0;      ///< FRCM
-    geom::Vec3 pole;                   ///< workpiece coordinates
-    bool pole_set = false;             ///< the program has set it
+    Modal last_sense = Modal::linear;     ///< of the last arc; linear: none yet
+    int motion_number = 0;                ///< which canned cycle, which kind of probing
+    bool clear_to_retract_plane = false;  ///< G99
+    bool centre_absolute = false;         ///< G90.1
+    double blend = 0, merge = 0;          ///< G64 P Q, mm
+    Modal path_mode = Modal::path_blend;
+    double compensation_radius = std::numeric_limits<double>::quiet_NaN();  ///< G41 D, G41.1; NaN: of the tool, mm
+    bool feed_by_word = false;     ///< feed_mode was chosen by a word of its own (FU) until the next F
+    double round_modal = 0;        ///< RNDM, mm
+    double corner_feed_modal = 0;  ///< FRCM
+    geom::Vec3 pole;               ///< workpiece coordinates
+    bool pole_set = false;         ///< the program has set it
     /// Last RP (mm) and AP (degrees, NaN after a new pole or plane); NaN: none yet.
     double polar_radius = std::numeric_limits<double>::quiet_NaN();
     double polar_angle = std::numeric_limits<double>::quiet_NaN();
 };
 inline void forget_polar_angle(ModalState& m) { m.polar_angle = std::numeric_limits<double>::quiet_NaN(); }
+
+/// An assignment whose value is known and that waits for the block's other expressions (Traits::assigns_together).
+struct PendingAssign {
+    const program::Assign* assign = nullptr;
+    double index = 0;  ///< of a numbered parameter
+    double value = 0;
+};
 
 /// The words of one block, gathered before they act together.
 struct BlockWords {
@@ -88,6 +101,9 @@ struct BlockWords {
     std::vector<NamedAxis> axes;  ///< additional axes by name
     std::string tool_name;
     bool tool_named = false;
+    int special_number = 0;
+    bool acted = false;  ///< F, S, T and M have acted already (Code::act)
+    std::vector<PendingAssign> pending;
     Modal special = Modal::linear;     ///< dwell, reference point, fixed point, pole; linear: none
     Modal suppress = Modal::linear;    ///< suppress_frames, suppress_all; linear: none
     Modal corner_end = Modal::linear;  ///< corner_crossing, corner_open; linear: none
@@ -123,6 +139,11 @@ struct Activation {
     std::uint32_t pc = 0;
     cl::StackId stack = 0;
     Scope locals;
+    struct Counter {
+        std::uint32_t statement = 0;
+        std::uint64_t left = 0;
+    };
+    std::vector<Counter> counters;  ///< of repeat_count loops that are being run
     struct Passes {
         std::uint32_t statement = 0;
         std::uint64_t count = 0;
@@ -130,10 +151,12 @@ struct Activation {
     std::vector<Passes> passes;  ///< of every backward branch taken, by its statement
     std::vector<ActiveSection> sections;
     std::vector<LabelReturn> labels;
-    std::vector<std::pair<double, bool>> outer_locals;  ///< the caller's local parameters, and whether they are set
-    std::uint64_t repeats_left = 0;                     ///< of L123 P3: further runs
-    std::size_t own_bindings = 0;                       ///< bindings that are parameters; the rest goes with each run
-    std::uint32_t arguments_given = 0;                  ///< bit per parameter, for $P_SUBPAR
+    std::vector<std::pair<double, bool>> outer_locals;     ///< the caller's local parameters, and whether they are set
+    std::vector<std::pair<double, bool>> outer_arguments;  ///< the same of Traits::argument_parameters
+    std::vector<ModalState> saved_modes;                   ///< M70, M73
+    std::uint64_t repeats_left = 0;                        ///< of L123 P3: further runs
+    std::size_t own_bindings = 0;       ///< bindings that are parameters; the rest goes with each run
+    std::uint32_t arguments_given = 0;  ///< bit per parameter, for $P_SUBPAR
     bool from_modal_call = false;
     bool saves = false;
     ModalState saved;
@@ -154,6 +177,18 @@ struct ActiveCycle {
     std::vector<double> values;      ///< per setting, as it was at the definition
     std::vector<std::string> texts;  ///< labels, names of programs
     bool modal = false;              ///< M89: behind every block with motion
+};
+
+/// What the words of a canned cycle's blocks have said, until it is cancelled.
+struct CannedState {
+    bool active = false;
+    int cycle = -1;            ///< index in Traits::canned
+    double retract = 0;        ///< R as written, mm
+    double bottom = 0;         ///< coordinate of the tool axis as written, mm
+    double initial_level = 0;  ///< of the tool axis when the series began, mm
+    bool has_retract = false, has_bottom = false;
+    std::array<double, 12> values{};  ///< by word of the cycle; mm, degrees, s
+    std::array<bool, 12> given{};
 };
 
 /// Points at which CYCL CALL PAT calls the cycle, as PATTERN DEF or SEL PATTERN left them; mm.
@@ -198,6 +233,22 @@ struct SpindleState {
     int last = 0;  ///< the last direction in which it turned
 };
 
+/// X Y Z A B C U V W; mm or degrees.
+using Axes = std::array<double, 9>;
+
+/// Offsets that the control keeps in parameters (Traits::offsets) and those laid over them.
+struct Offsets {
+    Axes datum{};         ///< of the active zero offset, in the machine
+    double rotation = 0;  ///< of it about Z, degrees
+    Axes shift{};         ///< G92, G52
+    Axes tool{};          ///< tool length compensation in force
+    Axes tip{};           ///< of the tool that is in the spindle, as far as it is known
+    bool tip_known = false;
+    bool compensates = false;  ///< the program uses tool length compensation at all
+    Axes reference{};          ///< what the stream's coordinates are counted from, in the machine
+    Axes total{};              ///< programmed -> stream, of A … W (3 … 8)
+};
+
 class PathStage;
 struct Captured;
 struct FreeContour;
@@ -222,21 +273,23 @@ struct Run {
     std::unordered_map<std::uint64_t, Value> system_written;  ///< system variables the program wrote itself
 
     ModalState modal;
+    Offsets offsets;
     BlockWords block;
     ToolState tool;
     std::vector<shop::Tool> tools;  ///< of the job, with what the program writes to $TC_DPn
     SpindleState spindle;
-    bool coolant_on = false;
+    bool coolant_on = false, mist = false, flood = false;
     double feed = 0;  ///< mm/min, mm/rev or 1/min by modal.feed_mode
     bool feed_valid = false;
     bool feed_dropped = false;  ///< G94/G95 changed and the stream does not know yet that F is void
     ModalCall modal_call;
     ActiveCycle cycle;                        ///< the last one that is active on call
     std::vector<std::string> contour_labels;  ///< of the contour that contour cycles work on
-    const Unit* contour_unit = nullptr;       ///< the program whose labels these are
-    std::string datum_table;                  ///< selected by the program; empty: the one that is active on the control
-    std::set<std::string> printed_files;      ///< that the program has begun to print to
-    std::string open_table;                   ///< freely definable table (FN 26)
+    CannedState canned;
+    const Unit* contour_unit = nullptr;   ///< the program whose labels these are
+    std::string datum_table;              ///< selected by the program; empty: the one that is active on the control
+    std::set<std::string> printed_files;  ///< that the program has begun to print to
+    std::string open_table;               ///< freely definable table (FN 26)
     ActiveCycle contour_data, contour_train_data;
     CallPattern pattern;
     std::map<std::string, std::vector<CallPattern::Point>> point_tables;  ///< read so far
@@ -270,6 +323,7 @@ struct Run {
     std::unordered_set<std::uint64_t> reported;  ///< complaints already made, by place and code
     std::set<std::string> assumed;
     std::string last_message;  ///< of MSG
+    std::string log_file;      ///< that the program has opened; empty: none
     std::unordered_set<const Unit*> entered;
     cl::Record record;
 
@@ -306,6 +360,8 @@ void assume(Run&, const base::Span& where, std::string text, std::string remedy 
 
 // --- variables (assign.cpp, definitions.cpp)
 void assign(Run&, const program::Assign&);
+/// An assignment whose right side, and the number of whose parameter, are known already.
+void assign_value(Run&, const program::Assign&, double index, double value);
 /// Sets a numbered parameter to `v`, the value of `value`; one that the job sets keeps that where `value` is a
 /// constant.
 void assign_number(Run&, std::uint32_t parameter, ExprId value, double v, const base::Span& where);
@@ -355,6 +411,8 @@ void modal_word(Run&, const program::Word&);
 void frame_statement(Run&, const program::Statement&, std::uint32_t index);
 void update_frame(Run&);
 void select_tool(Run&);
+/// G41 D: the radius is that of the tool or offset with this number.
+void take_offset_radius(Run&, double number);
 /// $TC_DPn[T, D]=value.
 void write_tool_parameter(Run&, double number, double edge, int n, double value);
 /// n of $TC_DPn: the digits at the end of the name.
@@ -409,11 +467,59 @@ void control_sets_all(Run&);
 
 // --- procedures of the control (datums.cpp, output.cpp, table_access.cpp)
 void set_own_datum(Run&, const program::ProcedureCall&);
+/// Text at the end of a file that the program prints to; `again`: the file begins anew.
+void print_to(Run&, const program::ProcedureCall&, const std::string& file, std::string_view text, bool again);
 void print_form(Run&, const program::ProcedureCall&);
 void print_values(Run&, const program::ProcedureCall&);
 void open_table(Run&, const program::ProcedureCall&);
 void write_table(Run&, const program::ProcedureCall&);
 void read_table(Run&, const program::ProcedureCall&);
+
+// --- offsets kept in parameters (offsets.cpp, set_data.cpp, home.cpp)
+[[nodiscard]] inline bool keeps_offsets(const Run& run) { return run.traits->offsets.datum_first != 0; }
+/// Takes what the parameters hold at the start of the run.
+void begin_offsets(Run&);
+/// Programmed frame -> stream; also sets Offsets::total.
+[[nodiscard]] geom::Frame offset_frame(Run&);
+/// The active zero offset anew from its parameters.
+void load_datum(Run&);
+/// G92 … G92.3, G52; G43 … G49: the words of the block.
+void shift_words(Run&, Modal);
+void tool_length_words(Run&, Modal);
+/// The tool in the spindle was changed: where its tip is.
+void take_tip(Run&);
+/// G10.
+void set_data(Run&);
+/// G28, G30, G28.1, G30.1.
+void go_home(Run&);
+void store_home(Run&);
+/// Programmed coordinate of an axis (0 … 8) as the program would write it now; NaN where it is not known.
+[[nodiscard]] double axis_coordinate(const Run&, std::size_t axis);
+/// The same in machine coordinates, mm or degrees.
+[[nodiscard]] double machine_coordinate(const Run&, std::size_t axis);
+/// Values of the block's axis words as absolute lengths in mm (degrees); nothing where an axis has no word.
+[[nodiscard]] std::optional<double> axis_word(const Run&, std::size_t axis);
+
+// --- what the control shows of itself (live_parameters.cpp)
+[[nodiscard]] bool is_live(const Run&, std::uint32_t parameter);
+[[nodiscard]] double live_parameter(Run&, std::uint32_t parameter, const base::Span& where);
+[[nodiscard]] Value live_value(Run&, program::SystemVariable, double index, const base::Span& where);
+
+// --- cycles that motion blocks call (canned.cpp)
+/// False where the block's words call no cycle.
+[[nodiscard]] bool canned_motion(Run&);
+void cancel_canned(Run&);
+
+// --- what is set besides moves (tell.cpp); nothing where nobody wants to know
+void tell(Run&, cl::SettingKind, int number = 0, std::initializer_list<double> values = {});
+void tell(Run&, cl::SettingKind, int number, const Axes& values);
+void tell_tool_entry(Run&, int place, int tool, std::initializer_list<double> values);
+/// What is in force when the run begins.
+void begin_telling(Run&);
+/// How programmed coordinates become those of the stream.
+void tell_frame(Run&);
+/// F, S, T and M of the block, in the order in which they act.
+void tell_technology(Run&);
 
 // --- output (emit.cpp)
 void emit(Run&, cl::Step step);

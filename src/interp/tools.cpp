@@ -58,11 +58,14 @@ void tool_into_spindle(Run& run) {
     run.tool.edge = 1;  // MD20270 CUTTING_EDGE_DEFAULT as delivered
 }
 
-bool changes_on_m6(const Run& run) { return run.env.machine.kind == shop::MachineKind::mill; }
+bool changes_on_m6(const Run& run) {
+    return run.traits->changes_on_m6 || run.env.machine.kind == shop::MachineKind::mill;
+}
 
 void emit_tool(Run& run) {
     run.tool.data = find_tool(run, run.tool);
     emit(run, cl::ToolChange{run.tool.number, run.tool.edge, run.tool.name});
+    take_tip(run);
     control_sets(run, {ControlValue::tool_axis});
 }
 
@@ -167,25 +170,43 @@ void feed_word(Run& run) {
 void coolant(Run& run, int m) {
     const auto state = m == 7 ? cl::CoolantState::mist : m == 8 ? cl::CoolantState::flood : cl::CoolantState::off;
     run.coolant_on = state != cl::CoolantState::off;
+    run.mist = m == 9 ? false : run.mist || m == 7;
+    run.flood = m == 9 ? false : run.flood || m == 8;
     control_sets(run, {ControlValue::coolant_state});
     emit(run, cl::Coolant{state});
 }
 
 /// M functions the control itself knows; others go to the machine and are listed.
-bool is_standard(int m) {
+bool is_standard(const Run& run, int m) {
+    const auto own = run.traits->own_functions;
+    if (std::find(own.begin(), own.end(), m) != own.end()) return true;
     return (m >= 0 && m <= 9) || m == 17 || m == 30 || m == 19 || m == 70 || (m >= 40 && m <= 45);
 }
 
 void machine_functions(Run& run) {
     for (const int m : run.block.m) {
         if (m == 7 || m == 8) coolant(run, m);
-        if (is_standard(m)) continue;
+        if (is_standard(run, m)) continue;
         emit(run, cl::Auxiliary{'M', m});
         assume(
             run, run.here(),
             "M" + std::to_string(m) + " is a function of the machine builder: taken as having no effect on the path");
     }
     for (const int h : run.block.h) emit(run, cl::Auxiliary{'H', h});
+}
+
+}  // namespace
+
+namespace {
+
+/// M5, M19 and M9.
+void stop_function(Run& run, int m) {
+    if (m == 5 || m == 19) {
+        run.spindle.direction = 0;
+        emit_spindle(run);
+    } else if (m == 9) {
+        coolant(run, m);
+    }
 }
 
 }  // namespace
@@ -310,6 +331,7 @@ void technology(Run& run) {
                                     bit(Code::corner_feed_modal) | bit(Code::tool_change) | bit(Code::feed_auto) |
                                     bit(Code::feed_per_rev) | bit(Code::feed_per_tooth);
     if ((b.present & words) == 0 && b.m.empty() && b.h.empty() && !run.spindle.mode_changed) return;
+    tell_technology(run);
     if (b.has(Code::round_modal) && std::isnan(b.get(Code::round_modal)))
         unchecked(run, codes::unknown_value, run.here(),
                   "the size of this rounding depends on a value that is not known: the last one is kept");
@@ -321,6 +343,19 @@ void technology(Run& run) {
     if (spindle_words(run)) emit_spindle(run);
     feed_word(run);
     if (!run.stopped) machine_functions(run);
+    if (run.traits->stops_before_motion)
+        for (const int m : b.m) stop_function(run, m);
+}
+
+void take_offset_radius(Run& run, double number) {
+    const auto known = std::find_if(run.tools.begin(), run.tools.end(),
+                                    [&](const shop::Tool& t) { return t.number == number && number > 0; });
+    if (known != run.tools.end())
+        run.modal.compensation_radius = mill_radius(*known).value_or(0);
+    else if (number == 0)
+        run.modal.compensation_radius = 0;
+    else if (!run.tools.empty())
+        alarm(run, codes::tool_missing, run.here(), "D" + printed(Value::real(number)) + " is not in the tool table");
 }
 
 namespace {
@@ -345,11 +380,8 @@ void after_motion(Run& run) {
     const std::vector<int> functions = run.block.m;
     for (const int m : functions) {
         if (run.stopped) return;
-        if (m == 5 || m == 19) {
-            run.spindle.direction = 0;
-            emit_spindle(run);
-        } else if (m == 9) {
-            coolant(run, m);
+        if (m == 5 || m == 19 || m == 9) {
+            if (!run.traits->stops_before_motion) stop_function(run, m);
         } else if (m == 0 || m == 1) {
             emit(run, cl::Stop{m == 0 ? cl::StopKind::program : cl::StopKind::optional});
         } else if (m == 2 || m == 30 || m == 17) {

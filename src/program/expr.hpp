@@ -110,6 +110,69 @@ enum class Function : std::uint8_t {
     compare_texts,  ///< TOCHAR, INSTR, STRCOMP
     set_list,
     repeat_list,  ///< SET(…) and REP(…): only as the value of an array assignment
+    round_down,   ///< to the next integer below
+    round_away,   ///< to the nearest integer, halves away from zero
+};
+
+/// Questions to the modal state (SystemVariable::state); yes is 1, no is 0.
+enum class StateQuery : std::uint8_t {
+    version_major,
+    version_minor,
+    line,
+    motion_mode,
+    plane,
+    compensation,
+    metric,
+    imperial,
+    absolute,
+    incremental,
+    inverse_time,
+    feed_per_minute,
+    feed_per_rev,
+    coordinate_system,
+    tool_offset,
+    retract_clearance,
+    retract_initial,
+    spindle_rpm_mode,
+    spindle_surface_mode,
+    arc_centre_absolute,
+    diameter_mode,
+    radius_mode,
+    spindle_on,
+    spindle_clockwise,
+    mist,
+    flood,
+    speed_override,
+    feed_override,
+    adaptive_feed,
+    feed_hold,
+    feed,
+    speed,
+    x,
+    y,
+    z,
+    a,
+    b,
+    c,
+    u,
+    v,
+    w,  ///< as SystemVariable::coordinate
+    machine_x,
+    machine_y,
+    machine_z,
+    machine_a,
+    machine_b,
+    machine_c,
+    machine_u,
+    machine_v,
+    machine_w,
+    current_tool,
+    current_pocket,
+    selected_tool,
+    selected_pocket,
+    is_task,
+    call_level,
+    remap_level,
 };
 
 /// What a system variable means. Names the tables do not know are `unknown`: reading them is reported, never guessed.
@@ -171,6 +234,17 @@ enum class SystemVariable : std::uint8_t {
     travel_min,
     travel_max,    ///< [axis] of the machine
     active_datum,  ///< number of the preset
+    // RS-274
+    state,               ///< [StateQuery]: what the control's modal state is
+    coordinate,          ///< [1 … 9] X … W in the active coordinate system, in the program's unit
+    machine_coordinate,  ///< [1 … 9] in machine coordinates, in the machine's unit (mm)
+    probed_coordinate,   ///< [1 … 9] of the last probing move
+    probe_success,       ///< 1 where it touched
+    tool_table_column,   ///< [0 … 13] of the tool in the spindle: number, X … W, diameter, front, back angle,
+                         ///< orientation
+    input_value,         ///< of the last M66
+    ini_value,           ///< [section, key] of the control's settings
+    sub_argument,        ///< [n] of G65
 };
 
 struct Expr {

@@ -7,6 +7,10 @@
 #include <string>
 #include <string_view>
 
+#include "program/cycle.hpp"
+#include "program/expr.hpp"
+#include "program/word.hpp"
+
 namespace obrys::program {
 
 /// Numbered parameters of one kind, in the order of their numbers: R0 …, Q0 …, QL0 ….
@@ -49,6 +53,40 @@ struct ControlParameter {
     ControlValue value = ControlValue::tool_radius;
 };
 
+/// Numbered parameters in which the control shows its own state (#5420 …: where it stands), one an axis or one in all.
+struct LiveParameters {
+    std::uint32_t first = 0, count = 1;
+    SystemVariable value = SystemVariable::unknown;
+};
+
+/// Where the control keeps its offsets among the numbered parameters: an axis each, X Y Z A B C U V W, in the machine's
+/// unit. 0: there are none, and offsets are those of the machine file and the job.
+struct OffsetParameters {
+    std::uint32_t datum_first = 0;  ///< X of the first zero offset (G54); the others follow at `datum_step`
+    std::uint32_t datum_step = 20;
+    std::uint32_t datum_count = 0;
+    std::uint32_t rotation = 0;      ///< of a zero offset about Z, degrees: so far behind its X; 0: it has none
+    std::uint32_t active_datum = 0;  ///< 1 = G54
+    std::uint32_t shift_first = 0, shift_active = 0;  ///< G92; whether it is in force
+    std::uint32_t home_first = 0, home_second = 0;    ///< G28, G30
+};
+
+/// A word of a canned cycle's block and what it says.
+struct CannedWord {
+    Code code = Code::p;
+    CycleRole role = CycleRole::dwell_bottom;
+    bool length = false;  ///< in the program's unit
+    double factor = 1;    ///< dwell in milliseconds: 0.001
+};
+/// A cycle that the words of motion blocks call (G81 X Y Z R).
+struct CannedCycle {
+    int number = 0;  ///< G number * 10
+    CycleKind kind = CycleKind::drill;
+    std::string_view name;              ///< "G81"
+    std::span<const CannedWord> words;  ///< besides X Y Z, R and L; they hold until the cycle is cancelled
+    std::span<const CycleValue> fixed;  ///< what the control itself adds; mm, degrees, s
+};
+
 struct Traits {
     /// Holds in every comparison.
     Equality equality{};
@@ -76,8 +114,34 @@ struct Traits {
     /// programmed last.
     bool polar_from_position = false;
     DatumNames datum{};
+    /// Assignments of a block take effect together, behind the last expression of the block: `#1=2 X#1` has the old #1.
+    bool assigns_together = false;
+    /// Named variables come into being when they are assigned: local ones, and global ones where the name begins with
+    /// `_`. Reading one that nobody has assigned is an alarm.
+    bool variables_by_assignment = false;
+    /// Numbered parameters from 1 to this are every program's own: those of a called one begin with the arguments of
+    /// the call (argument 0 is parameter 1) and 0 where there is none. 0: arguments go to declared parameters.
+    std::uint32_t argument_parameters = 0;
+    /// Parameters hold 0 until they are set, and the control says so itself: reading one is no assumption.
+    bool parameters_begin_at_zero = false;
+    std::span<const LiveParameters> live{};
+    OffsetParameters offsets{};
+    /// M5 and M9 act before the block's motion; else behind it.
+    bool stops_before_motion = false;
+    /// M6 changes the tool on every machine; else on mills alone, and T does so on lathes.
+    bool changes_on_m6 = false;
+    /// G94 and G95 end constant cutting speed (G96), of whose group they are.
+    bool feed_mode_ends_surface_speed = true;
+    /// M functions that the control itself knows and that do nothing to the path.
+    std::span<const std::int16_t> own_functions{};
+    /// A path at feed without a feed programmed before is an alarm; else it is for the check to say.
+    bool needs_feed = false;
+    /// G80 leaves no motion in force, so that axis words alone are an error; else rapid.
+    bool cancel_leaves_no_motion = false;
+    std::span<const CannedCycle> canned{};
     std::span<const ControlParameter> set_by_control{};
-    /// What the control shows when a program stops itself with this number; null: the number and the program's own text.
+    /// What the control shows when a program stops itself with this number; null: the number and the program's own
+    /// text.
     std::string (*alarm_text)(int) = nullptr;
 };
 

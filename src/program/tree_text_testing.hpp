@@ -141,6 +141,8 @@ private:
             case StatementKind::until: return branch("until", at);
             case StatementKind::loop_: return branch("loop", at);
             case StatementKind::endloop: return branch("endloop", at);
+            case StatementKind::repeat_count: return branch("repeat-count", at);
+            case StatementKind::end_repeat_count: return branch("end-repeat-count", at);
             case StatementKind::for_:
                 return "for " + expr(u_.fors[at].variable) + "=" + expr(u_.fors[at].from) + ".." +
                        expr(u_.fors[at].to) + target(u_.fors[at].target);
@@ -259,7 +261,13 @@ private:
                                          "DR2",
                                          "FU",
                                          "FZ",
-                                         "pole-angle"};
+                                         "pole-angle",
+                                         "P",
+                                         "Q",
+                                         "L",
+                                         "E",
+                                         "H-offset",
+                                         "D-offset"};
         const auto at = static_cast<std::size_t>(w.payload);
         switch (program::code_of(w)) {
             case Code::modal:
@@ -269,6 +277,8 @@ private:
             case Code::unsupported:
             case Code::unknown:
                 return std::string(text[w.code]) + "{" + u_.problems[at].text + "|" + u_.problems[at].reason + "}";
+            case Code::act: return "act";
+            case Code::comment: return "comment{" + u_.texts[at] + "}";
             case Code::named_axis:
             case Code::named_value: return std::string(text[w.code]) + " " + named(w);
             default: break;

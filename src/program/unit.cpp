@@ -1,5 +1,7 @@
 #include "program/unit.hpp"
 
+#include "base/memory.hpp"
+
 namespace obrys::program {
 
 namespace {
@@ -17,6 +19,13 @@ NameId Names::id(std::string_view upper) {
 base::Span Unit::span(const Statement& s, const Word& w) const {
     const std::uint32_t from = s.begin + w.offset;
     return {file, from, from + w.length};
+}
+
+void Unit::reserve(std::size_t bytes) {
+    statements.reserve(bytes / 8 + 1);  // lines are seldom shorter on the mean, words never but for a lone M1 or X0
+    words.reserve(bytes / 3 + 1);
+    base::prefer_large_pages(statements.data(), statements.capacity() * sizeof(Statement));
+    base::prefer_large_pages(words.data(), words.capacity() * sizeof(Word));
 }
 
 double Unit::literal(const Word& w) const {

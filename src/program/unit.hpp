@@ -49,6 +49,8 @@ enum class StatementKind : std::uint8_t {
     special,           ///< APPR, FL, SPL, PLANE …: Unit::specials; its first word is `control`, then ordinary words
     pattern,           ///< points for cycle calls: Unit::patterns
     contour,           ///< contours of contour cycles: Unit::contours
+    repeat_count,      ///< o… repeat [n]: Unit::branches; its condition is the count, taken once
+    end_repeat_count,
 };
 
 struct Statement {
@@ -62,9 +64,11 @@ inline constexpr std::uint8_t skip_mask = 0x0F;   ///< block skip level + 1; 0 =
 inline constexpr std::uint8_t line_start = 0x10;  ///< first statement of its block (counts as one executed block)
 static_assert(sizeof(Statement) == 12);
 
-/// IF, ELSE, WHILE, UNTIL, LOOP and their ends. `target`: the statement at which the run goes on when the branch is
-/// taken: if_ -> behind its else_ (or its endif) when false; else_ -> its endif; while_ -> behind its endwhile when
-/// false; endwhile -> its while_; until -> its repeat_ when false; endloop -> its loop_; loop_ unused.
+/// IF, ELSE, WHILE, UNTIL, LOOP, repeat_count and their ends. `target`: the statement at which the run goes on when the
+/// branch is taken: if_ -> behind its else_ (or its endif) when false; else_ -> its endif; while_ -> behind its
+/// endwhile when false; endwhile -> its while_; until -> its repeat_ when false; endloop -> its loop_; loop_ unused;
+/// repeat_count -> behind its end; end_repeat_count -> its repeat_count. Leaving a structure early is a jump with its
+/// target.
 struct Branch {
     ExprId condition = no_expr;
     std::uint32_t target = no_target;
@@ -150,8 +154,10 @@ enum class CallKind : std::uint8_t {
 struct Call {
     CallKind kind = CallKind::by_name;
     NameId name = 0;
-    ExprId target = no_expr;        ///< of an indirect call: the text that names the program
-    bool has_arguments = false;     ///< parentheses were written
+    ExprId target = no_expr;     ///< of an indirect call: the text that names the program
+    bool has_arguments = false;  ///< parentheses were written
+    /// M98: the called program has the caller's own parameters (Traits::argument_parameters).
+    bool shares_parameters = false;
     std::vector<ExprId> arguments;  ///< no_expr where left out
     ExprId passes = no_expr;        ///< P=
     base::Span where;               ///< of the name
@@ -169,6 +175,14 @@ enum class Procedure : std::uint8_t {
     open_table,      ///< name of a table (FN 26)
     write_table,     ///< row, names of columns with commas between, first parameter that is written (FN 27)
     read_table,      ///< first parameter that is set, row, names of columns (FN 28)
+    abort,           ///< text: the program stops itself (LinuxCNC "(abort, …)")
+    print,           ///< text for the operator's terminal ("(print, …)")
+    log_open,        ///< name of a file; begins it anew ("(logopen, …)")
+    log_append,      ///< name of a file; goes on at its end
+    log_close,
+    log,             ///< text, a line of the open log
+    probe_log_open,  ///< name of a file for what probing finds
+    probe_log_close,
 };
 struct ProcedureCall {
     Procedure procedure = Procedure::message;
@@ -277,6 +291,9 @@ struct Unit {
     [[nodiscard]] base::Span span(const Statement& s) const { return {file, s.begin, s.begin + s.length}; }
     [[nodiscard]] base::Span span(const Statement& s, const Word& w) const;
     [[nodiscard]] base::Span span(ExprId e) const { return {file, exprs[e].begin, exprs[e].end}; }
+    /// Room for the tree of so many bytes of text, so that it need not be moved while it grows. It is memory of the
+    /// machine only where the tree comes to fill it.
+    void reserve(std::size_t bytes);
     /// Value of a literal word.
     [[nodiscard]] double literal(const Word& w) const;
 };

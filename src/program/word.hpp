@@ -70,7 +70,20 @@ enum class Code : std::uint8_t {
     feed_per_rev,
     feed_per_tooth,  ///< FU, FZ
     pole_angle,      ///< angle about the pole that an arc sweeps, any number of turns (CP IPA)
+    // letters whose meaning depends on the G code beside them (RS-274)
+    p,
+    q,
+    l,
+    e,
+    offset_h,
+    offset_d,  ///< H and D of tool offsets
+    // No value in the block.
+    act = 64,  ///< F, S, T and M of the block act here, before the words that follow: the control's own order
+    comment,   ///< goes into the stream: payload = index into Unit::texts
 };
+/// Values of a block are kept in as many places.
+inline constexpr unsigned value_codes = 64;
+static_assert(static_cast<unsigned>(Code::offset_d) < value_codes);
 
 /// What G codes and their named relatives mean. `number` goes with some of them.
 enum class Modal : std::uint16_t {
@@ -135,6 +148,55 @@ enum class Modal : std::uint16_t {
     feed_at_tool,
     feed_at_inside,  ///< CFC, CFTCP, CFIN
     cycle_pattern,   ///< this block: the cycle is called at every point of the pattern
+    // RS-274, Fanuc
+    canned,      ///< motion: number = index in Traits::canned; ended by canned_off
+    canned_off,  ///< G80
+    retract_initial,
+    retract_clearance,       ///< canned cycles leave to the level they began at, or to R: G98, G99
+    tool_length,             ///< G43: of tool or offset H, else of the tool in the spindle
+    tool_length_negative,    ///< G44
+    tool_length_by_axes,     ///< G43.1: the block's axis words
+    tool_length_added,       ///< G43.2: a further offset
+    tool_length_off,         ///< G49
+    set_data,                ///< this block: G10 with its words
+    position_becomes,        ///< this block: G92
+    position_reset,          ///< G92.1
+    position_suspend,        ///< G92.2
+    position_restore,        ///< G92.3
+    local_shift,             ///< this block: G52
+    home,                    ///< this block: by way of the axis words to home position `number` (G28: 1, G30: 2 …)
+    home_store,              ///< G28.1, G30.1
+    from_home,               ///< this block: G29
+    arc_centre_absolute,     ///< G90.1
+    arc_centre_incremental,  ///< G91.1
+    compensation_left_by,    ///< G41.1: the diameter stands in the block
+    compensation_right_by,   ///< G42.1
+    probe,                   ///< motion: number 2 … 5 of G38.2 … G38.5; 1 = G31
+    rigid_tap,               ///< this block: G33.1, down and back
+    spline_cubic,            ///< motion: G5
+    spline_quadratic,        ///< motion: G5.1
+    nurbs,                   ///< motion: G5.2, control points until nurbs_end
+    nurbs_end,               ///< G5.3
+    turning_cycle,           ///< this block: number = G number * 10: 700 … 762
+    path_exact,              ///< G61
+    path_stop,               ///< G61.1
+    path_blend,              ///< G64 P Q
+    scaling_on,              ///< this block: G51
+    scaling_off,             ///< G50
+    mirror_on,               ///< this block: G51.1
+    mirror_off,              ///< G50.1
+    rotation_on,             ///< this block: G68
+    rotation_off,            ///< G69
+    polar_on,                ///< G16
+    polar_off,               ///< G15
+    circle_pocket_cw,        ///< this block: G12, G13
+    circle_pocket_ccw,
+    save_modal,           ///< M70
+    forget_saved_modal,   ///< M71
+    restore_modal,        ///< M72
+    save_modal_for_call,  ///< M73
+    datum_extended,       ///< G54.1: P says which
+    no_motion,            ///< G80: a block with axis words alone is an error
 };
 
 /// How the payload is to be read.

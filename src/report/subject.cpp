@@ -15,11 +15,9 @@ Place place(const base::Sources& sources, const base::Span& span) {
     p.file = base::as_utf8(sources[span.file].name);
     const base::Position begin = sources.position(span);
     // A span that ends with its line's end still ends on that line.
-    std::uint32_t last = span.end;
-    const std::string& text = sources[span.file].text;
-    last = std::min(last, static_cast<std::uint32_t>(text.size()));
-    while (last > span.begin && (text[last - 1] == '\n' || text[last - 1] == '\r')) --last;
-    const base::Position end = sources.position(span.file, std::max(last, span.begin));
+    std::string_view text = sources.text(span);
+    while (text.ends_with('\n') || text.ends_with('\r')) text.remove_suffix(1);
+    const base::Position end = sources.position(span.file, span.begin + static_cast<std::uint32_t>(text.size()));
     p.line = begin.line;
     p.column = begin.column;
     p.end_line = end.line;

@@ -34,7 +34,7 @@ private:
 
     /// Where the character at a byte ends.
     [[nodiscard]] std::size_t after(std::size_t at) const {
-        const std::string& text = source_.text;
+        const std::string_view text = source_.text;
         ++at;
         while (source_.utf8 && at < text.size() && (static_cast<unsigned char>(text[at]) & 0xC0) == 0x80) ++at;
         return at;

@@ -1,6 +1,7 @@
 #pragma once
 /// Tools as the shop lists them. File format: docs/job-file.md.
 
+#include <array>
 #include <cstdint>
 #include <map>
 #include <optional>
@@ -24,6 +25,17 @@ enum class BladeDirection : std::uint8_t {
     out,   ///< towards +x: cuts from outside
     in,    ///< towards -x: cuts inside a bore
     face,  ///< towards +z: cuts the right face; the width lies along x
+};
+
+/// What a line of a LinuxCNC tool table says, for #5400 … #5413, G43 and G41 D: lengths in mm, angles in degrees. The
+/// letters are the table's: LinuxCNC documentation, "Tool Table", "Lathe User Information".
+struct LinuxcncTool {
+    std::uint32_t index = 0;         ///< place in the control's list, 1 for the first line; `CHANGE_TOOL` names it
+    std::int32_t pocket = 0;         ///< P
+    std::array<double, 9> offset{};  ///< X Y Z A B C U V W
+    double diameter = 0;             ///< D, as written: of a mill, or of a lathe tool's nose
+    double front_angle = 0, back_angle = 0;  ///< I, J: from +Z towards +X
+    int orientation = 0;             ///< Q, 0-9 in the table's count, which is not that of Tool::orientation
 };
 
 struct Tool {
@@ -58,6 +70,7 @@ struct Tool {
     bool locked = false;                ///< TL
     std::optional<std::uint32_t> replacement;                  ///< RT, number of the tool that takes its place
     std::string cutter_material, cutting_data;                 ///< TMAT; CDT, the name of its cutting data table
+    std::optional<LinuxcncTool> linuxcnc;                      ///< of tools from a LinuxCNC table
     std::map<int, double> parameters;   ///< $TC_DPn as read, n = 1 … 25, from TOA files
     std::string assumed;                ///< what its file does not say and was assumed; empty: nothing
     base::Span where;                   ///< where it is defined

@@ -41,11 +41,16 @@ program::Unit read_iso(std::uint32_t file, const base::Sources& sources, program
     program::Unit unit = begin_unit(file, source);
     State s{.build = {unit, names, diagnostics, source.text}, .in = Scanner(source.text, true), .iso = {}};
     skip_preface(s, beginning(source.text), "%", diagnostics);
-    while (!s.ended && s.in.next_line()) read_iso_block(s);
+    std::uint32_t aside = 0;
+    while (!s.ended && s.in.next_line()) {
+        if (s.in.at() - aside > base::Store::piece) aside = lay_aside(s, sources);
+        read_iso_block(s);
+    }
     check_end(s, "N99999999 %NAME", diagnostics);
     s.block = s.in.at();
     flush_pending(s);
     resolve_labels(s);
+    lay_aside(s, sources);
     return unit;
 }
 

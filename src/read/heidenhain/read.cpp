@@ -1,7 +1,5 @@
 #include "read/heidenhain/read.hpp"
 
-#include <algorithm>
-
 #include "base/codes.hpp"
 #include "dialect/heidenhain/traits.hpp"
 #include "read/heidenhain/literal_block.hpp"
@@ -44,15 +42,18 @@ void check_end(State& s, std::string_view last, base::Diagnostics& diagnostics) 
     diagnostics.add(std::move(d));
 }
 
+std::uint32_t lay_aside(State& s, const base::Sources& sources) {
+    sources.lay_aside(s.build.unit().file, s.in.at());
+    return s.in.at();
+}
+
 program::Unit begin_unit(std::uint32_t file, const base::Source& source) {
     program::Unit unit;
     unit.name = program_name(source.name);
     unit.file = file;
     unit.end = static_cast<std::uint32_t>(source.text.size());
     unit.traits = &dialect::heidenhain::traits;
-    const auto lines = static_cast<std::size_t>(std::count(source.text.begin(), source.text.end(), '\n')) + 1;
-    unit.statements.reserve(lines);
-    unit.words.reserve(lines * 4);
+    unit.reserve(source.text.size());
     return unit;
 }
 
@@ -63,7 +64,9 @@ program::Unit read(std::uint32_t file, const base::Sources& sources, program::Na
     State s{.build = {unit, names, diagnostics, source.text}, .in = Scanner(source.text), .iso = {}};
     skip_preface(s, base::to_upper(source.text.substr(0, 16384)).find("BEGIN PGM"), "BEGIN PGM", diagnostics);
     bool first = true;
+    std::uint32_t aside = 0;
     while (!s.ended && s.in.next_line()) {
+        if (s.in.at() - aside > base::Store::piece) aside = lay_aside(s, sources);
         if (read_literal_block(s)) continue;
         read_block(s);
         if (first) s.first_numbered = s.numbered;
@@ -71,6 +74,7 @@ program::Unit read(std::uint32_t file, const base::Sources& sources, program::Na
     }
     check_end(s, "END PGM", diagnostics);
     resolve_labels(s);
+    lay_aside(s, sources);
     return unit;
 }
 

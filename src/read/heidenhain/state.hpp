@@ -81,6 +81,8 @@ void value_word(State& s, Code code, std::uint32_t begin, bool incremental = fal
 
 // --- blocks
 void read_block(State& s);                                                               ///< block.cpp
+/// The text before the scanner is read; where that is.
+std::uint32_t lay_aside(State& s, const base::Sources& sources);  ///< read.cpp
 [[nodiscard]] program::Unit begin_unit(std::uint32_t file, const base::Source& source);  ///< read.cpp
 /// Postprocessors and editors write headings in front of the program, which begins in the line of byte `begin` (npos:
 /// there is none).

@@ -1,4 +1,5 @@
 #include <array>
+#include <optional>
 
 #include "base/short_number.hpp"
 #include "dialect/sinumerik/tables.hpp"
@@ -30,13 +31,24 @@ constexpr std::array<Code, 256> letters = [] {
 
 using Literal = base::ShortNumber;
 
+std::optional<std::int32_t> payload_of(std::int32_t number) {
+    const auto g = dialect::sinumerik::find_g(number);
+    if (!g || g->use != dialect::sinumerik::Use::modal) return std::nullopt;
+    return program::modal_word(g->modal, g->code);
+}
+
 /// True where a G code goes into a word; ignored and refused ones are left to the full reader.
 bool modal_payload(const Literal& n, std::int32_t& payload) {
+    constexpr std::int32_t none = -1;
+    static const std::array<std::int32_t, 100> frequent = [] {
+        std::array<std::int32_t, 100> t{};
+        for (std::size_t i = 0; i < t.size(); ++i) t[i] = payload_of(static_cast<std::int32_t>(i)).value_or(-1);
+        return t;
+    }();
     if (n.decimals != 0 || n.mantissa < 0 || n.mantissa > 9999) return false;
-    const auto g = dialect::sinumerik::find_g(n.mantissa);
-    if (!g || g->use != dialect::sinumerik::Use::modal) return false;
-    payload = program::modal_word(g->modal, g->code);
-    return true;
+    payload = n.mantissa < static_cast<std::int32_t>(frequent.size()) ? frequent[static_cast<std::size_t>(n.mantissa)]
+                                                                      : payload_of(n.mantissa).value_or(none);
+    return payload != none;
 }
 
 bool read_word(State& s, const char*& p, const char* line) {

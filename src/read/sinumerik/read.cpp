@@ -18,16 +18,16 @@ std::string stem(std::string_view path) {
     return plain_name(path);
 }
 
-void reserve(program::Unit& unit, std::string_view text) {
-    const auto lines = static_cast<std::size_t>(std::count(text.begin(), text.end(), '\n')) + 1;
-    unit.statements.reserve(lines + lines / 8);
-    unit.words.reserve(lines * 4);
-}
-
-void read_lines(State& s) {
+/// Goes through the lines; the text behind is laid aside.
+void read_lines(State& s, const base::Sources& sources) {
     const char* p = s.text.data() + s.unit.begin;
     const char* end = s.text.data() + s.unit.end;
+    const char* aside = p;
     while (p < end) {
+        if (p - aside > static_cast<std::ptrdiff_t>(base::Store::piece)) {
+            sources.lay_aside(s.unit.file, static_cast<std::uint32_t>(p - s.text.data()));
+            aside = p;
+        }
         if (*p == '\n' || *p == '\r' || *p == ' ' || *p == '\t') {
             ++p;
             continue;
@@ -49,20 +49,25 @@ void read_lines(State& s) {
     }
 }
 
-program::Unit read_unit(std::uint32_t file, const base::Source& source, const ArchiveMember& part,
+program::Unit read_unit(std::uint32_t file, const base::Sources& sources, const ArchiveMember& part,
                         program::Names& names, base::Diagnostics& diagnostics) {
+    const base::Source& source = sources[file];
     program::Unit unit;
     unit.name = part.name;
     unit.file = file;
     unit.begin = part.begin;
     unit.end = part.end;
     unit.traits = &dialect::sinumerik::traits;
-    reserve(unit, std::string_view(source.text).substr(part.begin, part.end - part.begin));
+    unit.reserve(part.end - part.begin);
     State s{.unit = unit, .names = names, .diagnostics = diagnostics, .text = source.text, .cursor = {}};
-    read_lines(s);
+    read_lines(s, sources);
     s.cursor = Cursor(s.text.data(), part.end, part.end);
     close_all(s);
-    if (s.jumps_to_numbers) label_block_numbers(s);
+    if (s.jumps_to_numbers) {
+        sources.fetch(file);
+        label_block_numbers(s);
+    }
+    sources.lay_aside(file, part.end);
     return unit;
 }
 
@@ -122,7 +127,7 @@ std::vector<program::Unit> read(std::uint32_t file, const base::Sources& sources
     }
     for (const ArchiveMember& member : members) {
         if (member.is_program()) {
-            units.push_back(read_unit(file, source, member, names, diagnostics));
+            units.push_back(read_unit(file, sources, member, names, diagnostics));
             continue;
         }
         base::Diagnostic d;

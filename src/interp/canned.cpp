@@ -1,0 +1,165 @@
+/// Cycles that the words of motion blocks call (G81 X Y Z R …) until they are cancelled.
+/// Source: LinuxCNC, G-Codes, "Canned cycles"; Fanuc, "Canned cycle for drilling".
+
+#include <algorithm>
+#include <cmath>
+
+#include "base/codes.hpp"
+#include "cycles/cycle.hpp"
+#include "interp/cycle_call.hpp"
+#include "interp/motion.hpp"
+
+namespace obrys::interp {
+
+namespace codes = base::codes;
+using cl::SettingKind;
+using program::CycleRole;
+
+namespace {
+
+constexpr double most_repeats = 100'000;
+
+const program::CannedCycle& cycle_of(const Run& run) {
+    return run.traits->canned[static_cast<std::size_t>(run.modal.motion_number)];
+}
+
+void take_words(Run& run, const program::CannedCycle& c, const PlaneAxes& a) {
+    CannedState& s = run.canned;
+    const double unit = run.modal.inch_geometry ? 25.4 : 1;
+    if (!s.active || s.cycle != run.modal.motion_number) {
+        if (!s.active) s.initial_level = coordinate(run.programmed_position, a.w);
+        const double level = s.initial_level;
+        s = {};
+        s.active = true;
+        s.cycle = run.modal.motion_number;
+        s.initial_level = level;
+    }
+    if (run.block.has(axis_code(a.w))) {
+        s.bottom = run.block.get(axis_code(a.w)) * length_factor(run, a.w, !run.modal.absolute);
+        s.has_bottom = true;
+    }
+    if (run.block.has(Code::radius)) {
+        s.retract = run.block.get(Code::radius) * unit;
+        s.has_retract = true;
+    }
+    for (std::size_t i = 0; i < c.words.size() && i < s.values.size(); ++i) {
+        const program::CannedWord& w = c.words[i];
+        if (!run.block.has(w.code)) continue;
+        s.values[i] = run.block.get(w.code) * (w.length ? unit : 1) * w.factor;
+        s.given[i] = true;
+    }
+}
+
+std::optional<double> repeats(Run& run) {
+    const double n = run.block.has(Code::l) ? run.block.get(Code::l) : 1;
+    if (n >= 0 && n <= most_repeats && n == std::floor(n)) return n;
+    alarm(run, codes::value_range, run.here(), "L must be a whole number of repetitions");
+    return std::nullopt;
+}
+
+cycles::Demand demand_at(const Run& run, const program::CannedCycle& c, const geom::Vec3& target, double initial) {
+    const CannedState& s = run.canned;
+    cycles::Demand d;
+    d.kind = c.kind;
+    d.values.assign(c.fixed.begin(), c.fixed.end());
+    const double from = run.modal.absolute ? 0 : initial;
+    const double retract = s.retract + from;
+    d.values.push_back({CycleRole::target_u, target.x});
+    d.values.push_back({CycleRole::target_v, target.y});
+    if (s.has_retract) d.values.push_back({CycleRole::retract_plane, retract});
+    if (s.has_bottom) d.values.push_back({CycleRole::bottom, run.modal.absolute ? s.bottom : retract + s.bottom});
+    if (!run.modal.clear_to_retract_plane) d.values.push_back({CycleRole::return_level, initial});
+    for (std::size_t i = 0; i < c.words.size() && i < s.values.size(); ++i)
+        if (s.given[i]) d.values.push_back({c.words[i].role, s.values[i]});
+    return d;
+}
+
+/// False after a complaint that ends the run.
+bool complain(Run& run, const program::CannedCycle& c, const cycles::Expansion& e) {
+    for (const cycles::Complaint& k : e.complaints) {
+        if (k.fatal) {
+            alarm(run, codes::value_range, run.here(), std::string(c.name) + ": " + k.text, k.remedy);
+            return false;
+        }
+        assume(run, run.here(), std::string(c.name) + ": " + k.text, k.remedy);
+    }
+    if (!e.assumption.empty()) assume(run, run.here(), std::string(c.name) + ": " + std::string(e.assumption));
+    if (e.simulated) return true;
+    unchecked(run, codes::unsupported, run.here(), std::string(c.name) + " is not run: its path is not known here");
+    run.position = run.programmed_position = {NAN, NAN, NAN};
+    return true;
+}
+
+bool taps(program::CycleKind k) {
+    return k == program::CycleKind::canned_tap_floating || k == program::CycleKind::canned_tap_rigid;
+}
+
+void overrides(Run& run, int allowed) {
+    tell(run, SettingKind::feed_override, allowed);
+    tell(run, SettingKind::speed_override, allowed);
+}
+
+/// The steps of one hole; overrides are off while a tap is in it.
+void emit_hole(Run& run, const program::CannedCycle& c, std::vector<cl::Step>& steps) {
+    bool in_hole = false;
+    for (cl::Step& step : steps) {
+        if (run.stopped) return;
+        const bool feeds = cl::is_move(step) && !cl::is_rapid(step);
+        if (feeds && !in_hole && taps(c.kind)) overrides(run, 0);
+        in_hole = in_hole || feeds;
+        if (const auto* s = std::get_if<cl::Spindle>(&step)) tell(run, SettingKind::spindle_turn, s->direction);
+        const bool out = in_hole && cl::is_rapid(step) && taps(c.kind);
+        if (out) {
+            overrides(run, 1);
+            in_hole = false;
+        }
+        emit_step(run, std::move(step));
+    }
+    if (in_hole && taps(c.kind)) overrides(run, 1);
+}
+
+void run_holes(Run& run, const program::CannedCycle& c, const PlaneAxes& a) {
+    const auto count = repeats(run);
+    if (!count) return;
+    const geom::Vec3 start = run.programmed_position;
+    geom::Vec3 target = programmed_target(run);
+    const geom::Vec3 step = target - start;
+    const double initial = run.modal.absolute ? run.canned.initial_level : coordinate(start, a.w);
+    for (double i = 0; i < *count && !run.stopped; ++i) {
+        const geom::Vec3 at = run.modal.absolute ? target : start + (i + 1) * step;
+        cycles::Expansion e = cycles::expand(demand_at(run, c, into_plane(at, a), initial), situation_of(run));
+        if (!complain(run, c, e)) return;
+        emit_hole(run, c, e.steps);
+        if (over_budget(run, false)) return;
+    }
+}
+
+}  // namespace
+
+void cancel_canned(Run& run) { run.canned.active = false; }
+
+bool canned_motion(Run& run) {
+    const PlaneAxes a = plane_axes(run.modal.plane);
+    const program::CannedCycle& c = cycle_of(run);
+    if (run.modal.compensation != Modal::compensation_off && run.traits->needs_feed) {
+        alarm(run, codes::compensation, run.here(),
+              "Cannot use canned cycles with cutter compensation on: " + std::string(c.name));
+        return false;
+    }
+    flush_path(run);
+    take_words(run, c, a);
+    cl::CycleBegin begin;
+    begin.name = std::string(c.name);
+    emit(run, begin);
+    const bool exact = run.modal.path_mode == Modal::path_exact;
+    if (!exact) tell(run, SettingKind::path_mode, 0);
+    run_holes(run, c, a);
+    if (run.stopped) return false;
+    if (!exact)
+        tell(run, SettingKind::path_mode, run.modal.path_mode == Modal::path_stop ? 1 : 2,
+             {run.modal.blend, run.modal.merge});
+    emit(run, cl::CycleEnd{});
+    return true;
+}
+
+}  // namespace obrys::interp

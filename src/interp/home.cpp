@@ -1,0 +1,90 @@
+/// G28 and G30: by way of a point to a stored position; G28.1 and G30.1 store it.
+/// Source: LinuxCNC, G-Codes, "G28", "G30"; Fanuc, "Reference position".
+
+#include <cmath>
+
+#include "base/codes.hpp"
+#include "interp/motion.hpp"
+
+namespace obrys::interp {
+
+namespace codes = base::codes;
+
+namespace {
+
+constexpr double unknown = std::numeric_limits<double>::quiet_NaN();
+
+bool is_rotary(std::size_t axis) { return axis >= 3 && axis < 6; }
+
+std::uint32_t first_of(const Run& run) {
+    const program::OffsetParameters& p = run.traits->offsets;
+    return run.block.special_number >= 2 ? p.home_second : p.home_first;
+}
+
+/// Machine coordinate to which the axis goes; NaN where it is not known.
+double home_of(const Run& run, std::size_t axis) {
+    if (const std::uint32_t first = first_of(run); first != 0) {
+        const std::uint32_t n = first + static_cast<std::uint32_t>(axis);
+        if (run.parameters.is_set(n) || run.env.stored != nullptr || run.env.tell_settings)
+            return run.parameters.get(n) * (is_rotary(axis) ? 1 : run.env.machine_unit);
+    }
+    const shop::MachineAxis* known = machine_axis(run, std::string(1, "XYZABCUVW"[axis]));
+    return known != nullptr && known->home && run.block.special_number < 2 ? *known->home : unknown;
+}
+
+void emit_other_axis(Run& run, std::size_t k, double to) {
+    const std::string name(1, "XYZABCUVW"[k]);
+    run.extra_axes[name] = to;
+    cl::Axis axis;
+    axis.name[0] = name[0];
+    axis.to = to;
+    axis.rotary = is_rotary(k);
+    emit(run, axis);
+}
+
+/// To the stored position with those axes that are named, or with all.
+void to_home(Run& run, bool all) {
+    const Offsets& o = run.offsets;
+    geom::Vec3 to = run.position;
+    const Axes tip = o.tip_known ? o.tip : o.tool;
+    for (std::size_t k = 0; k < 9; ++k) {
+        if (!all && !run.block.has(axis_code(static_cast<int>(k)))) continue;
+        const double home = home_of(run, k);
+        if (k < 3)
+            coordinate(to, static_cast<int>(k)) = home - o.reference[k] - tip[k];
+        else if (run.extra_axes.contains(std::string(1, "XYZABCUVW"[k])))
+            emit_other_axis(run, k, home - o.reference[k]);
+    }
+    if (!geom::is_finite(to))
+        assume(run, run.here(),
+               "the home position is not known in the workpiece frame: moves to and from it are not simulated",
+               "give home of the axes in the machine file and the zero offset in [datum] of the job, or the parameter "
+               "file of the control");
+    run.position = to;
+    run.programmed_position = geom::apply(geom::inverse(run.frame), to);
+    emit(run, cl::Linear{to, run.tool_axis, true});
+}
+
+}  // namespace
+
+void go_home(Run& run) {
+    flush_path(run);
+    bool any = false;
+    for (int k = 0; k < 9; ++k) any = any || run.block.has(axis_code(k));
+    begin_motion(run);
+    const geom::Vec3 by_way = programmed_target(run);
+    arrive(run, by_way);
+    emit(run, cl::Linear{run.position, run.tool_axis, true});
+    to_home(run, !any);
+}
+
+void store_home(Run& run) {
+    const std::uint32_t first = first_of(run);
+    for (std::size_t k = 0; k < 9 && first != 0; ++k) {
+        const double at = machine_coordinate(run, k);
+        run.parameters.set(first + static_cast<std::uint32_t>(k),
+                           std::isnan(at) ? (k < 3 ? at : 0) : at / (is_rotary(k) ? 1 : run.env.machine_unit));
+    }
+}
+
+}  // namespace obrys::interp

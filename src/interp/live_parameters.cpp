@@ -1,0 +1,156 @@
+/// Numbered parameters and predefined names in which the control shows its own state.
+/// Source: LinuxCNC, "Parameters" (numbered, named, predefined); Fanuc, custom macro, system variables.
+
+#include <algorithm>
+#include <cmath>
+
+#include "base/codes.hpp"
+#include "interp/motion.hpp"
+
+namespace obrys::interp {
+
+using program::StateQuery;
+using program::SystemVariable;
+namespace codes = base::codes;
+
+namespace {
+
+constexpr double unknown = std::numeric_limits<double>::quiet_NaN();
+
+/// mm of a length that the program reads: its own unit, and diameters where it programs these.
+double in_program_unit(const Run& run, std::size_t axis, double v) {
+    if (axis >= 3 && axis < 6) return v;
+    return v / (axis < 3 ? length_factor(run, static_cast<int>(axis), false) : run.modal.inch_geometry ? 25.4 : 1);
+}
+
+double axis_value(const Run& run, std::size_t axis, bool machine) {
+    const double at = machine ? machine_coordinate(run, axis) : axis_coordinate(run, axis);
+    if (std::isnan(at) && axis >= 3 && !run.extra_axes.contains(std::string(1, "XYZABCUVW"[axis]))) return 0;
+    return in_program_unit(run, axis, at);
+}
+
+double table_column(const Run& run, std::size_t column) {
+    const shop::Tool* t = run.tool.data;
+    if (column == 0) return run.tool.number;
+    if (t == nullptr) return run.tools.empty() && run.tool.number != 0 ? unknown : column == 10 ? 0 : 0;
+    if (column == 3) return in_program_unit(run, 2, t->length);
+    if (column == 10) return in_program_unit(run, 1, 2 * t->radius);
+    if (!t->linuxcnc) return 0;
+    if (column <= 9) return in_program_unit(run, column - 1, t->linuxcnc->offset[column - 1]);
+    return column == 11 ? t->linuxcnc->front_angle : column == 12 ? t->linuxcnc->back_angle : t->linuxcnc->orientation;
+}
+
+double motion_mode(const Run& run) {
+    const ModalState& m = run.modal;
+    switch (m.motion) {
+        case Modal::rapid: return 0;
+        case Modal::linear: return 10;
+        case Modal::arc_cw: return 20;
+        case Modal::arc_ccw: return 30;
+        case Modal::thread: return 330;
+        case Modal::probe: return 380 + m.motion_number;
+        case Modal::canned: return run.traits->canned[static_cast<std::size_t>(m.motion_number)].number;
+        case Modal::canned_off: return 800;
+        default: return unknown;
+    }
+}
+
+double work_coordinate_system(const Run& run) {
+    const std::uint32_t n = run.modal.datum;
+    return n >= 591 && n <= 593 ? 590 + static_cast<double>(n - 590) : 10.0 * n;
+}
+
+/// What is asked of modes and switches.
+double mode(const Run& run, StateQuery q) {
+    const ModalState& m = run.modal;
+    switch (q) {
+        case StateQuery::motion_mode: return motion_mode(run);
+        case StateQuery::plane: return 10 * m.plane;
+        case StateQuery::compensation:
+            return m.compensation == Modal::compensation_off    ? 400
+                   : m.compensation == Modal::compensation_left ? 410
+                                                                : 420;
+        case StateQuery::metric: return m.inch_geometry ? 0 : 1;
+        case StateQuery::imperial: return m.inch_geometry ? 1 : 0;
+        case StateQuery::absolute: return m.absolute ? 1 : 0;
+        case StateQuery::incremental: return m.absolute ? 0 : 1;
+        case StateQuery::inverse_time: return m.feed_mode == cl::FeedMode::inverse_time ? 1 : 0;
+        case StateQuery::feed_per_minute: return m.feed_mode == cl::FeedMode::per_minute ? 1 : 0;
+        case StateQuery::feed_per_rev: return m.feed_mode == cl::FeedMode::per_rev ? 1 : 0;
+        case StateQuery::coordinate_system: return work_coordinate_system(run);
+        case StateQuery::retract_clearance: return m.clear_to_retract_plane ? 1 : 0;
+        case StateQuery::retract_initial: return m.clear_to_retract_plane ? 0 : 1;
+        case StateQuery::spindle_rpm_mode: return m.surface_speed ? 0 : 1;
+        case StateQuery::spindle_surface_mode: return m.surface_speed ? 1 : 0;
+        case StateQuery::arc_centre_absolute: return m.centre_absolute ? 1 : 0;
+        case StateQuery::diameter_mode: return m.diameter == DiameterMode::off ? 0 : 1;
+        case StateQuery::radius_mode: return m.diameter == DiameterMode::off ? 1 : 0;
+        default: return unknown;
+    }
+}
+
+double state(const Run& run, StateQuery q) {
+    if (q >= StateQuery::x && q <= StateQuery::w)
+        return axis_value(run, static_cast<std::size_t>(q) - static_cast<std::size_t>(StateQuery::x), false);
+    if (q >= StateQuery::machine_x && q <= StateQuery::machine_w)
+        return axis_value(run, static_cast<std::size_t>(q) - static_cast<std::size_t>(StateQuery::machine_x), true);
+    switch (q) {
+        case StateQuery::version_major: return 2.9;
+        case StateQuery::version_minor: return 0;
+        case StateQuery::tool_offset: return run.offsets.tool == Axes{} ? 0 : 1;
+        case StateQuery::spindle_on: return run.spindle.direction != 0 ? 1 : 0;
+        case StateQuery::spindle_clockwise: return run.spindle.direction > 0 ? 1 : 0;
+        case StateQuery::mist: return run.mist ? 1 : 0;
+        case StateQuery::flood: return run.flood ? 1 : 0;
+        case StateQuery::speed_override:
+        case StateQuery::feed_override: return 1;
+        case StateQuery::adaptive_feed: return 0;
+        case StateQuery::feed_hold: return 1;
+        case StateQuery::feed: return run.feed_valid ? run.feed / feed_factor(run) : 0;
+        case StateQuery::speed: return run.spindle.speed;
+        case StateQuery::current_tool: return run.tool.number;
+        case StateQuery::selected_tool: return run.tool.prepared;
+        case StateQuery::is_task:
+        case StateQuery::remap_level: return 0;
+        case StateQuery::call_level: return static_cast<double>(run.calls.size()) - 1;
+        default: return mode(run, q);
+    }
+}
+
+const program::LiveParameters* live_range(const Run& run, std::uint32_t n) {
+    for (const program::LiveParameters& l : run.traits->live)
+        if (n >= l.first && n < l.first + l.count) return &l;
+    return nullptr;
+}
+
+}  // namespace
+
+bool is_live(const Run& run, std::uint32_t n) { return live_range(run, n) != nullptr; }
+
+double live_parameter(Run& run, std::uint32_t n, const base::Span& where) {
+    const program::LiveParameters* l = live_range(run, n);
+    return live_value(run, l->value,
+                      static_cast<double>(n - l->first) + (l->value == SystemVariable::tool_table_column ? 0 : 1),
+                      where)
+        .number;
+}
+
+Value live_value(Run& run, SystemVariable v, double index, const base::Span& where) {
+    const auto axis = static_cast<std::size_t>(std::clamp(index, 1.0, 9.0)) - 1;
+    double result = unknown;
+    switch (v) {
+        case SystemVariable::state: result = state(run, static_cast<StateQuery>(static_cast<int>(index))); break;
+        case SystemVariable::coordinate: result = axis_value(run, axis, false); break;
+        case SystemVariable::machine_coordinate: result = axis_value(run, axis, true); break;
+        case SystemVariable::tool_table_column:
+            result = table_column(run, static_cast<std::size_t>(std::clamp(index, 0.0, 13.0)));
+            break;
+        default: break;
+    }
+    if (std::isnan(result))
+        unchecked(run, codes::unknown_value, where, "what this parameter of the control holds is not known here",
+                  "what is computed from it is unknown too");
+    return Value::real(result);
+}
+
+}  // namespace obrys::interp

@@ -1,0 +1,243 @@
+/// Zero offsets, shifts and tool lengths as controls keep them that hold them in numbered parameters (Traits::offsets).
+/// machine = zero offset + rotation(programmed + shift) + tool offset (LinuxCNC, Coordinate System; Fanuc, Coordinate
+/// system functions). The stream's coordinates are those of the tool's tip, counted from the zero offset that is active
+/// when the first move is made; what a length compensation that is not that of the tool does to the tip is seen there.
+
+#include <cmath>
+
+#include "base/codes.hpp"
+#include "interp/motion.hpp"
+
+namespace obrys::interp {
+
+namespace codes = base::codes;
+using cl::SettingKind;
+
+namespace {
+
+constexpr double unknown = std::numeric_limits<double>::quiet_NaN();
+
+bool is_rotary(std::size_t axis) { return axis >= 3 && axis < 6; }
+
+/// mm (degrees) of a parameter that holds a coordinate of this axis.
+double stored(const Run& run, std::uint32_t parameter, std::size_t axis) {
+    return run.parameters.get(parameter) * (is_rotary(axis) ? 1 : run.env.machine_unit);
+}
+
+/// G54 … G59 are 54 … 59, G59.1 … G59.3 are 591 … 593, G54.1 P1 … are 5401 ….
+std::uint32_t place_of_datum(std::uint32_t number) {
+    return number >= 5401 ? 0 : number >= 591 ? number - 591 + 6 : number - 54;
+}
+
+Axes tip_in_use(const Offsets& o) { return o.tip_known ? o.tip : o.tool; }
+
+/// Changes tool offset or tip while the machine stands still: the tip's place follows.
+template <class Change>
+void while_standing(Run& run, Change change) {
+    flush_path(run);
+    const Axes before = tip_in_use(run.offsets);
+    change();
+    const Axes after = tip_in_use(run.offsets);
+    for (std::size_t k = 0; k < 3; ++k) coordinate(run.position, static_cast<int>(k)) += before[k] - after[k];
+    update_frame(run);
+}
+
+const shop::Tool* listed_tool(const Run& run, double number) {
+    for (const shop::Tool& t : run.tools)
+        if (t.number == number) return &t;
+    return nullptr;
+}
+
+Axes axes_of(const shop::Tool& t) {
+    Axes a = t.linuxcnc ? t.linuxcnc->offset : Axes{};
+    a[2] = t.length + t.delta_length;
+    return a;
+}
+
+/// What G43 means: the axes of tool H, of the one in the spindle, or nothing where it is not known.
+std::optional<Axes> length_of_block(Run& run) {
+    const BlockWords& b = run.block;
+    if (b.has(Code::offset_h) && b.get(Code::offset_h) == 0) return Axes{};
+    const shop::Tool* t = b.has(Code::offset_h) ? listed_tool(run, b.get(Code::offset_h)) : run.tool.data;
+    if (t != nullptr) return axes_of(*t);
+    if (!b.has(Code::offset_h) && run.tool.number == 0) return Axes{};
+    if (run.tools.empty()) {
+        assume(run, run.here(),
+               "no tools are given: the tool length offset is taken as that of the tool in the spindle",
+               "give the tool table of the control to have offset numbers and lengths checked");
+        return std::nullopt;
+    }
+    const std::string which = b.has(Code::offset_h) ? "H" + printed(Value::real(b.get(Code::offset_h)))
+                                                    : "T" + std::to_string(run.tool.number);
+    alarm(run, codes::tool_missing, run.here(), "tool length offset: " + which + " is not in the tool table");
+    return std::nullopt;
+}
+
+void keep_shift(Run& run) {
+    const program::OffsetParameters& p = run.traits->offsets;
+    if (p.shift_first == 0) return;
+    for (std::size_t k = 0; k < 9; ++k)
+        run.parameters.set(p.shift_first + static_cast<std::uint32_t>(k),
+                           run.offsets.shift[k] / (is_rotary(k) ? 1 : run.env.machine_unit));
+    run.parameters.set(p.shift_active, 1);
+}
+
+void take_shift(Run& run) {
+    const program::OffsetParameters& p = run.traits->offsets;
+    for (std::size_t k = 0; k < 9 && p.shift_first != 0; ++k)
+        run.offsets.shift[k] = stored(run, p.shift_first + static_cast<std::uint32_t>(k), k);
+}
+
+/// G92: where the axis stands is `to` from now on. A machine whose place is not known stands there by definition.
+void becomes(Run& run, std::size_t k, double to) {
+    const double at = axis_coordinate(run, k);
+    if (!std::isnan(at)) {
+        run.offsets.shift[k] += at - to;
+    } else if (k < 3) {
+        coordinate(run.programmed_position, static_cast<int>(k)) = to;
+        run.position = geom::apply(run.frame, run.programmed_position);
+    } else {
+        run.extra_axes[std::string(1, "XYZABCUVW"[k])] = to + run.offsets.total[k];
+    }
+}
+
+}  // namespace
+
+void load_datum(Run& run) {
+    const program::OffsetParameters& p = run.traits->offsets;
+    const std::uint32_t place = place_of_datum(run.modal.datum), first = p.datum_first + place * p.datum_step;
+    Offsets& o = run.offsets;
+    bool known = run.env.stored != nullptr || run.env.tell_settings;
+    for (std::uint32_t k = 0; k < p.datum_step && place < p.datum_count; ++k)
+        known = known || run.parameters.is_assigned(first + k);
+    const auto job = run.env.machine.datums.find(run.modal.datum);
+    if (place < p.datum_count && (known || job == run.env.machine.datums.end())) {
+        for (std::size_t k = 0; k < 9; ++k) o.datum[k] = stored(run, first + static_cast<std::uint32_t>(k), k);
+        o.rotation = p.rotation == 0 ? 0 : run.parameters.get(first + p.rotation);
+        run.datum_known = known || run.modal.datum == run.reference_datum;
+        if (p.active_datum != 0) run.parameters.set(p.active_datum, place + 1);
+        return;
+    }
+    o.datum = {};
+    o.rotation = 0;
+    run.datum_known = job != run.env.machine.datums.end() || run.modal.datum == run.reference_datum;
+    if (job == run.env.machine.datums.end()) return;
+    for (int k = 0; k < 3; ++k)
+        if (const double v = coordinate(job->second, k); !std::isnan(v)) o.datum[static_cast<std::size_t>(k)] = v;
+    if (const auto turned = run.env.machine.datum_rotations.find(run.modal.datum);
+        turned != run.env.machine.datum_rotations.end())
+        o.rotation = geom::degrees(turned->second);
+}
+
+void begin_offsets(Run& run) {
+    const program::OffsetParameters& p = run.traits->offsets;
+    if (run.env.stored != nullptr)
+        for (const auto& [n, v] : *run.env.stored)
+            if (n < run.parameters.count()) run.parameters.set_by_control(n, v);
+    if (p.shift_active != 0 && run.parameters.get(p.shift_active) == 1) take_shift(run);
+    if (const double n = p.active_datum == 0 ? 0 : run.parameters.get(p.active_datum); n >= 1 && n <= p.datum_count)
+        run.modal.datum = static_cast<std::uint32_t>(n <= 6 ? 53 + n : 584 + n);
+    run.reference_datum = run.modal.datum;
+    load_datum(run);
+    run.offsets.reference = run.offsets.datum;
+    if (run.env.start) {
+        for (int k = 0; k < 3; ++k)
+            coordinate(run.position, k) =
+                coordinate(*run.env.start, k) - run.offsets.reference[static_cast<std::size_t>(k)];
+        for (std::size_t k = 3; k < 9; ++k) run.extra_axes[std::string(1, "XYZABCUVW"[k])] = 0;
+    }
+    update_frame(run);
+}
+
+geom::Frame offset_frame(Run& run) {
+    Offsets& o = run.offsets;
+    if (!run.moved) {  // nothing is in the stream yet: it is counted from here
+        for (int k = 0; k < 3; ++k)
+            coordinate(run.position, k) +=
+                o.reference[static_cast<std::size_t>(k)] - o.datum[static_cast<std::size_t>(k)];
+        o.reference = o.datum;
+        run.reference_datum = run.modal.datum;
+    }
+    const Axes tip = tip_in_use(o);
+    for (std::size_t k = 0; k < 9; ++k) o.total[k] = o.datum[k] + o.shift[k] + o.tool[k] - o.reference[k];
+    const geom::Vec3 origin{o.datum[0] - o.reference[0] + o.tool[0] - tip[0],
+                            o.datum[1] - o.reference[1] + o.tool[1] - tip[1],
+                            o.datum[2] - o.reference[2] + o.tool[2] - tip[2]};
+    geom::Frame f = geom::Frame::shift(origin);
+    if (o.rotation != 0) f = f * geom::Frame::rotation(2, geom::radians(o.rotation));
+    return f * geom::Frame::shift({o.shift[0], o.shift[1], o.shift[2]});
+}
+
+void shift_words(Run& run, Modal m) {
+    flush_path(run);
+    Offsets& o = run.offsets;
+    const program::OffsetParameters& p = run.traits->offsets;
+    for (std::size_t k = 0; k < 9; ++k) {
+        const auto v = axis_word(run, k);
+        if (v && m == Modal::position_becomes) becomes(run, k, *v);
+        if (v && m == Modal::local_shift) o.shift[k] = *v;
+    }
+    if (m == Modal::position_becomes || m == Modal::local_shift) keep_shift(run);
+    if (m == Modal::position_reset || m == Modal::position_suspend) o.shift = {};
+    if (m == Modal::position_reset) keep_shift(run);
+    if (m == Modal::position_restore) take_shift(run);
+    if (p.shift_active != 0) {
+        if (m == Modal::position_reset || m == Modal::position_suspend) run.parameters.set(p.shift_active, 0);
+        if (m == Modal::position_restore) run.parameters.set(p.shift_active, 1);
+    }
+    tell(run, SettingKind::shift, 0, o.shift);
+    update_frame(run);
+}
+
+void tool_length_words(Run& run, Modal m) {
+    std::optional<Axes> by;
+    if (m == Modal::tool_length_off) by = Axes{};
+    if (m == Modal::tool_length || m == Modal::tool_length_negative || m == Modal::tool_length_added)
+        by = length_of_block(run);
+    if (run.stopped) return;
+    if (m == Modal::tool_length_by_axes) {
+        by = run.offsets.tool;
+        for (std::size_t k = 0; k < 9; ++k)
+            if (const auto v = axis_word(run, k)) (*by)[k] = *v;
+    }
+    if (by) {
+        if (m == Modal::tool_length_negative)
+            for (double& v : *by) v = -v;
+        if (m == Modal::tool_length_added)
+            for (std::size_t k = 0; k < 9; ++k) (*by)[k] += run.offsets.tool[k];
+        while_standing(run, [&] { run.offsets.tool = *by; });
+    }
+    tell(run, SettingKind::tool_offset, 0, run.offsets.tool);
+}
+
+void take_tip(Run& run) {
+    if (!keeps_offsets(run)) return;
+    const shop::Tool* t = run.tool.data;
+    while_standing(run, [&] {
+        run.offsets.tip_known = run.offsets.compensates && t != nullptr && t->length != 0;
+        run.offsets.tip = t != nullptr ? axes_of(*t) : Axes{};
+    });
+}
+
+std::optional<double> axis_word(const Run& run, std::size_t axis) {
+    const Code code = axis_code(static_cast<int>(axis));
+    if (!run.block.has(code)) return std::nullopt;
+    const double v = run.block.get(code);
+    if (is_rotary(axis)) return v;
+    return v * (axis < 3 ? length_factor(run, static_cast<int>(axis), false) : run.modal.inch_geometry ? 25.4 : 1);
+}
+
+double axis_coordinate(const Run& run, std::size_t axis) {
+    if (axis < 3) return coordinate(run.programmed_position, static_cast<int>(axis));
+    const auto found = run.extra_axes.find(std::string(1, "XYZABCUVW"[axis]));
+    return found == run.extra_axes.end() ? unknown : found->second - run.offsets.total[axis];
+}
+
+double machine_coordinate(const Run& run, std::size_t axis) {
+    const Offsets& o = run.offsets;
+    if (axis < 3) return coordinate(run.position, static_cast<int>(axis)) + o.reference[axis] + tip_in_use(o)[axis];
+    const double at = axis_coordinate(run, axis);
+    return at + o.total[axis] + o.reference[axis];
+}
+
+}  // namespace obrys::interp

@@ -1,0 +1,150 @@
+/// G10: zero offsets and tool data written by the program.
+/// Source: LinuxCNC, G-Codes, "G10 L1", "G10 L2", "G10 L10", "G10 L11", "G10 L20".
+
+#include <algorithm>
+#include <cmath>
+
+#include "base/codes.hpp"
+#include "interp/motion.hpp"
+
+namespace obrys::interp {
+
+namespace codes = base::codes;
+using cl::SettingKind;
+
+namespace {
+
+void refuse(Run& run, std::string text) { alarm(run, codes::value_range, run.here(), "G10: " + std::move(text)); }
+
+std::optional<int> whole(Run& run, Code code, const char* letter, int most) {
+    const double v = run.block.has(code) ? run.block.get(code) : -1;
+    if (v >= 0 && v <= most && v == std::floor(v)) return static_cast<int>(v);
+    refuse(run, std::string(letter) + " must be a whole number from 0 to " + std::to_string(most));
+    return std::nullopt;
+}
+
+bool is_rotary(std::size_t axis) { return axis >= 3 && axis < 6; }
+
+/// Coordinates in a zero offset with this place in the parameters, as they would be programmed there, without G92.
+Axes coordinates_in(const Run& run, std::uint32_t first) {
+    const program::OffsetParameters& p = run.traits->offsets;
+    Axes c{};
+    for (std::size_t k = 0; k < 9; ++k) {
+        const double unit = is_rotary(k) ? 1 : run.env.machine_unit;
+        c[k] = machine_coordinate(run, k) - run.offsets.tool[k] -
+               run.parameters.get(first + static_cast<std::uint32_t>(k)) * unit;
+    }
+    const double turn = p.rotation == 0 ? 0 : geom::radians(run.parameters.get(first + p.rotation));
+    const double x = c[0] * std::cos(turn) + c[1] * std::sin(turn), y = c[1] * std::cos(turn) - c[0] * std::sin(turn);
+    c[0] = x;
+    c[1] = y;
+    return c;
+}
+
+/// How far the offset goes on in the machine so that the axes of the block have the coordinates of their words.
+Axes step_to_words(const Run& run, std::uint32_t first) {
+    const program::OffsetParameters& p = run.traits->offsets;
+    const Axes at = coordinates_in(run, first);
+    Axes step{};
+    for (std::size_t k = 0; k < 9; ++k)
+        if (const auto v = axis_word(run, k)) step[k] = at[k] - run.offsets.shift[k] - *v;
+    const double turn = p.rotation == 0 ? 0 : geom::radians(run.parameters.get(first + p.rotation));
+    const double x = step[0] * std::cos(turn) - step[1] * std::sin(turn),
+                 y = step[0] * std::sin(turn) + step[1] * std::cos(turn);
+    step[0] = x;
+    step[1] = y;
+    return step;
+}
+
+void set_datum_data(Run& run, bool from_position) {
+    const program::OffsetParameters& p = run.traits->offsets;
+    const auto which = whole(run, Code::p, "P", static_cast<int>(p.datum_count));
+    if (!which) return;
+    flush_path(run);
+    const std::uint32_t active = run.modal.datum >= 591 ? run.modal.datum - 584 : run.modal.datum - 53;
+    const std::uint32_t place = *which == 0 ? active : static_cast<std::uint32_t>(*which);
+    const std::uint32_t first = p.datum_first + (place - 1) * p.datum_step;
+    if (run.block.has(Code::radius) && p.rotation != 0)
+        run.parameters.set(first + p.rotation, run.block.get(Code::radius));
+    const Axes step = from_position ? step_to_words(run, first) : Axes{};
+    for (std::size_t k = 0; k < 9; ++k) {
+        const std::uint32_t n = first + static_cast<std::uint32_t>(k);
+        const double unit = is_rotary(k) ? 1 : run.env.machine_unit;
+        const auto v = axis_word(run, k);
+        if (from_position)
+            run.parameters.set(n, run.parameters.get(n) + step[k] / unit);
+        else
+            run.parameters.set(n, v ? *v / unit : run.parameters.get(n));
+    }
+    if (place != active) return tell(run, SettingKind::datum_written, static_cast<int>(place));
+    load_datum(run);
+    tell(run, SettingKind::datum, static_cast<int>(place), run.offsets.datum);
+    tell(run, SettingKind::datum_rotation, 0, {run.offsets.rotation});
+    update_frame(run);
+}
+
+shop::Tool* tool_of_block(Run& run) {
+    const auto number = whole(run, Code::p, "P", 99'999'999);
+    if (!number) return nullptr;
+    const auto found = std::find_if(run.tools.begin(), run.tools.end(), [&](const shop::Tool& t) {
+        return t.number == static_cast<std::uint32_t>(*number);
+    });
+    if (found != run.tools.end()) return &*found;
+    refuse(run, "tool " + std::to_string(*number) + " is not in the tool table");
+    return nullptr;
+}
+
+/// L10: the offset with which the position has the words' coordinates; L11: in the ninth zero offset (G59.3).
+double measured(const Run& run, std::size_t k, double word, bool in_ninth) {
+    const program::OffsetParameters& p = run.traits->offsets;
+    if (!in_ninth) return axis_coordinate(run, k) + run.offsets.tool[k] - word;
+    const Axes at = coordinates_in(run, p.datum_first + 8 * p.datum_step);
+    return at[k] + run.offsets.tool[k] - word;
+}
+
+void set_tool_data(Run& run, int l) {
+    shop::Tool* t = tool_of_block(run);
+    if (t == nullptr) return;
+    const BlockWords& b = run.block;
+    const double unit = run.modal.inch_geometry ? 25.4 : 1;
+    if (!t->linuxcnc) t->linuxcnc.emplace();
+    auto& table = *t->linuxcnc;
+    for (std::size_t k = 0; k < 9; ++k) {
+        const auto word = axis_word(run, k);
+        if (!word) continue;
+        table.offset[k] = l == 1 ? *word : measured(run, k, *word, l == 11);
+        if (k == 2) t->length = table.offset[k];
+    }
+    if (b.has(Code::radius)) table.diameter = 2 * (t->radius = b.get(Code::radius) * unit);
+    if (b.has(Code::i)) table.front_angle = b.get(Code::i);
+    if (b.has(Code::j)) table.back_angle = b.get(Code::j);
+    if (b.has(Code::q)) table.orientation = static_cast<int>(std::clamp(b.get(Code::q), 0.0, 9.0));
+    const auto place = static_cast<int>(t - run.tools.data()) + 1;
+    const bool loaded = run.tool.data == t;
+    for (const int entry : {place, 0}) {
+        if (entry == 0 && !loaded) continue;
+        tell_tool_entry(run, entry, static_cast<int>(t->number),
+             {table.offset[0], table.offset[1], t->length, table.offset[3], table.offset[4], table.offset[5],
+              table.offset[6], table.offset[7], table.offset[8], table.front_angle, table.back_angle,
+              static_cast<double>(table.orientation)});
+    }
+    if (loaded) take_tip(run);
+}
+
+}  // namespace
+
+void set_data(Run& run) {
+    if (!run.block.has(Code::l)) return refuse(run, "L is missing");
+    switch (static_cast<int>(run.block.get(Code::l))) {
+        case 1:
+        case 10:
+        case 11: return set_tool_data(run, static_cast<int>(run.block.get(Code::l)));
+        case 2: return set_datum_data(run, false);
+        case 20: return set_datum_data(run, true);
+        default:
+            unchecked(run, codes::unsupported, run.here(),
+                      "G10 L" + printed(Value::real(run.block.get(Code::l))) + " is not run");
+    }
+}
+
+}  // namespace obrys::interp

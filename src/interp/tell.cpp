@@ -1,0 +1,131 @@
+/// What a program sets besides its moves, for those who want to compare it (cl::Setting).
+
+#include <algorithm>
+
+#include "interp/run.hpp"
+
+namespace obrys::interp {
+
+using cl::SettingKind;
+
+void tell(Run& run, SettingKind kind, int number, std::initializer_list<double> values) {
+    if (!run.env.tell_settings) return;
+    cl::Setting s;
+    s.kind = kind;
+    s.number = number;
+    std::copy(values.begin(), values.end(), s.values.begin());
+    emit(run, s);
+}
+
+void tell_tool_entry(Run& run, int place, int tool, std::initializer_list<double> values) {
+    if (!run.env.tell_settings) return;
+    cl::Setting s;
+    s.kind = SettingKind::tool_entry;
+    s.number = place;
+    s.second = tool;
+    std::copy(values.begin(), values.end(), s.values.begin());
+    emit(run, s);
+}
+
+void tell(Run& run, SettingKind kind, int number, const Axes& values) {
+    if (!run.env.tell_settings) return;
+    cl::Setting s;
+    s.kind = kind;
+    s.number = number;
+    std::copy(values.begin(), values.end(), s.values.begin());
+    emit(run, s);
+}
+
+void tell_frame(Run& run) {
+    if (!run.env.tell_settings || run.capture != nullptr || run.statement == nullptr) return;
+    const geom::Frame& f = run.frame;
+    const geom::Vec3 o = f.origin;
+    const geom::Vec3 x = geom::apply_direction(f, {1, 0, 0}), y = geom::apply_direction(f, {0, 1, 0}),
+                     z = geom::apply_direction(f, {0, 0, 1});
+    tell(run, SettingKind::frame, 0, {x.x, y.x, z.x, o.x, x.y, y.y, z.y, o.y, x.z, y.z, z.z, o.z});
+    tell(run, SettingKind::axis_offsets, 0, run.offsets.total);
+}
+
+void begin_telling(Run& run) {
+    if (!run.env.tell_settings || !keeps_offsets(run) || run.statement == nullptr) return;
+    const auto place = run.modal.datum >= 591 ? run.modal.datum - 584 : run.modal.datum - 53;
+    tell_frame(run);
+    tell(run, SettingKind::datum, static_cast<int>(place), run.offsets.datum);
+    tell(run, SettingKind::shift, 0, run.offsets.shift);
+    tell(run, SettingKind::datum_rotation, 0, {run.offsets.rotation});
+}
+
+namespace {
+
+bool has_m(const Run& run, int m) { return std::find(run.block.m.begin(), run.block.m.end(), m) != run.block.m.end(); }
+
+/// Place in the tool list, 1 the first; 0 where it is not there.
+int place_of(const Run& run, std::uint32_t number) {
+    for (std::size_t i = 0; i < run.tools.size(); ++i)
+        if (run.tools[i].number == number) return static_cast<int>(i) + 1;
+    return 0;
+}
+
+void tell_tool(Run& run) {
+    const BlockWords& b = run.block;
+    const bool changes = has_m(run, 6);
+    if (b.has(Code::tool)) tell(run, SettingKind::tool_selected, static_cast<int>(b.get(Code::tool)));
+    if (changes)
+        tell(run, SettingKind::tool_changed,
+             place_of(run, b.has(Code::tool) ? static_cast<std::uint32_t>(b.get(Code::tool)) : run.tool.prepared));
+}
+
+void tell_outputs(Run& run) {
+    const BlockWords& b = run.block;
+    const int output = b.has(Code::p) ? static_cast<int>(b.get(Code::p)) : 0;
+    for (const int m : b.m) {
+        if (m >= 62 && m <= 65)
+            tell(run, SettingKind::output_bit, output, {(m % 2 == 0 ? 1.0 : 0.0) + (m <= 63 ? 2.0 : 0.0)});
+        if (m == 67 || m == 68)
+            tell(run, SettingKind::output_value, b.has(Code::e) ? static_cast<int>(b.get(Code::e)) : 0,
+                 {b.has(Code::q) ? b.get(Code::q) : 0, m == 67 ? 1.0 : 0.0});
+    }
+}
+
+void tell_spindle(Run& run) {
+    for (const int m : run.block.m) {
+        if (m >= 3 && m <= 5) tell(run, SettingKind::spindle_turn, m == 3 ? 1 : m == 4 ? -1 : 0);
+        if (m == 19)
+            tell(run, SettingKind::spindle_orient,
+                 run.block.has(Code::p) ? static_cast<int>(run.block.get(Code::p)) : 0,
+                 {run.block.has(Code::radius) ? run.block.get(Code::radius) : 0});
+    }
+}
+
+void tell_overrides(Run& run) {
+    const BlockWords& b = run.block;
+    const int on = b.has(Code::p) && b.get(Code::p) == 0 ? 0 : 1;
+    for (const int m : b.m) {
+        if (m == 30 || m == 60) continue;
+        if (m >= 7 && m <= 9) tell(run, SettingKind::coolant, m);
+        if (m == 48 || m == 49) {
+            tell(run, SettingKind::feed_override, m == 48);
+            tell(run, SettingKind::speed_override, m == 48);
+        }
+        if (m == 50) tell(run, SettingKind::feed_override, on);
+        if (m == 51) tell(run, SettingKind::speed_override, on);
+        if (m == 52) tell(run, SettingKind::adaptive_feed, on);
+        if (m == 53) tell(run, SettingKind::feed_hold, on);
+    }
+}
+
+}  // namespace
+
+void tell_technology(Run& run) {
+    if (!run.env.tell_settings) return;
+    const BlockWords& b = run.block;
+    if (b.has(Code::feed) && run.modal.feed_mode != cl::FeedMode::inverse_time)
+        tell(run, SettingKind::feed_rate, 0, {b.get(Code::feed)});
+    if (b.has(Code::spindle)) tell(run, SettingKind::spindle_speed, 0, {b.get(Code::spindle)});
+    tell_outputs(run);
+    tell_tool(run);
+    tell_spindle(run);
+    tell_overrides(run);
+}
+
+}  // namespace obrys::interp

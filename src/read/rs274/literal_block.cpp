@@ -1,0 +1,113 @@
+#include <array>
+
+#include "base/short_number.hpp"
+#include "read/rs274/state.hpp"
+
+namespace obrys::read::rs274 {
+
+namespace {
+
+using program::Form;
+using program::Word;
+
+/// Letters of plain motion blocks; `modal` for G; `control` where the full reader is needed.
+constexpr std::array<Code, 256> letters = [] {
+    std::array<Code, 256> t{};
+    t.fill(Code::control);
+    for (const char c : {'X', 'Y', 'Z', 'A', 'B', 'C', 'U', 'V', 'W', 'I', 'J', 'K', 'R', 'F'}) {
+        const Code code = dialect::rs274::letter_code(c);
+        t[static_cast<unsigned char>(c)] = t[static_cast<unsigned char>(c - 'A' + 'a')] = code;
+    }
+    t['G'] = t['g'] = Code::modal;
+    return t;
+}();
+
+constexpr std::array<Modal, 4> motions{Modal::rapid, Modal::linear, Modal::arc_cw, Modal::arc_ccw};
+constexpr unsigned arc_letters = static_cast<unsigned>(Code::i);
+constexpr std::ptrdiff_t longest_line = 4000;  ///< bytes that a word's offset can count
+
+struct Plain {
+    std::uint64_t seen = 0;
+    int motion = -1;
+    Word g{}, feed{};
+};
+
+constexpr std::uint64_t bit(Code c) { return 1ULL << static_cast<unsigned>(c); }
+constexpr std::uint64_t of_arcs = bit(Code::i) | bit(Code::j) | bit(Code::k) | bit(Code::radius);
+static_assert(arc_letters > static_cast<unsigned>(Code::w));
+
+/// A word at `p`; false where the full reader is needed.
+bool read_plain_word(program::Unit& unit, const char*& p, const char* line, Plain& block) {
+    const Code code = letters[static_cast<unsigned char>(*p)];
+    if (code == Code::control) return false;
+    const char* digits = p + 1;
+    while (base::is_blank(*digits)) ++digits;
+    const base::ShortNumber n = base::scan_short_number(digits, false);
+    if (n.end == nullptr || n.end - line > longest_line || *n.end == '.') return false;
+    Word w{};
+    w.code = static_cast<std::uint32_t>(code) & 0xFF;
+    w.form = n.decimals & 0xF;
+    w.offset = static_cast<std::uint32_t>(p - line) & 0xFFF;
+    w.length = static_cast<std::uint32_t>(n.end - p) & 0xFF;
+    w.payload = n.mantissa;
+    p = n.end;
+    if (code == Code::modal) {
+        if (block.motion >= 0 || n.decimals != 0 || n.mantissa < 0 || n.mantissa > 3) return false;
+        block.motion = n.mantissa;
+        w.form = static_cast<std::uint32_t>(Form::index);
+        w.payload = program::modal_word(motions[static_cast<std::size_t>(n.mantissa)]);
+        block.g = w;
+        return true;
+    }
+    if ((block.seen & bit(code)) != 0) return false;
+    block.seen |= bit(code);
+    if (code == Code::feed) {
+        block.feed = w;
+        return n.mantissa >= 0;
+    }
+    unit.words.push_back(w);
+    return true;
+}
+
+}  // namespace
+
+const char* read_literal_block(State& s, const char* p, const char* end) {
+    const char* line = p;
+    program::Unit& unit = s.unit();
+    const std::size_t first = unit.words.size();
+    Plain block;
+    if (base::upper(*p) == 'N') {
+        ++p;
+        const char* digits = p;
+        while (base::is_digit(*p)) ++p;
+        if (p == digits) return nullptr;
+    }
+    const char* last = p;
+    bool plain = true;
+    while (plain && p < end) {
+        if (base::is_blank(*p) || *p == '\r') {
+            ++p;
+            continue;
+        }
+        if (*p == '\n') break;
+        plain = read_plain_word(unit, p, line, block);
+        last = p;
+    }
+    const bool gap = p > line + 1 && block.motion < 0 && block.seen == 0;  // a block number alone
+    if (!plain || gap || ((block.seen & of_arcs) != 0 && block.motion >= 0 && block.motion < 2)) {
+        unit.words.resize(first);
+        return nullptr;
+    }
+    if ((block.seen & bit(Code::feed)) != 0)
+        unit.words.insert(unit.words.begin() + static_cast<std::ptrdiff_t>(first), block.feed);
+    if (block.motion >= 0) unit.words.push_back(block.g);
+    program::Statement statement;
+    statement.begin = static_cast<std::uint32_t>(line - s.text.data());
+    statement.first = static_cast<std::uint32_t>(first);
+    statement.length = static_cast<std::uint16_t>(last - line);
+    statement.flags = program::line_start;
+    unit.statements.push_back(statement);
+    return p;
+}
+
+}  // namespace obrys::read::rs274

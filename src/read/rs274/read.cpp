@@ -1,0 +1,155 @@
+#include "read/rs274/read.hpp"
+
+#include <algorithm>
+
+#include "dialect/rs274/linuxcnc.hpp"
+#include "read/rs274/state.hpp"
+
+namespace obrys::read::rs274 {
+
+namespace {
+
+std::string stem(std::string_view path) {
+    if (const std::size_t slash = path.find_last_of("/\\"); slash != std::string_view::npos)
+        path.remove_prefix(slash + 1);
+    if (const std::size_t dot = path.rfind('.'); dot != std::string_view::npos && dot > 0) path = path.substr(0, dot);
+    return base::to_upper(path);
+}
+
+bool is_percent(const State& s) { return s.line.rest() == "%"; }
+
+void complain_about_comment(State& s) {
+    const bool nested = s.line.fault() == CommentFault::nested;
+    const std::uint32_t at = s.line.fault_begin();
+    fail(s, at, at + 1, nested ? "a comment stands within a comment" : "this comment is not closed",
+         nested ? "end the first one in front of it" : "add )");
+}
+
+/// The last `%`: the text ends here.
+void read_percent(State& s) {
+    if (s.percent || !s.variant.percent_needs_begin) {
+        s.stopped = true;
+        return;
+    }
+    if (s.part->ended) return;
+    fail(s, s.line.begin(), s.line.end(), "a % at the end needs one at the begin of the program");
+    s.stopped = true;
+}
+
+void read_line(State& s) {
+    s.failed = false;
+    begin_words(s);
+    if (s.line.at_end()) return;
+    if (is_percent(s)) return read_percent(s);
+    if (s.line.fault() != CommentFault::none && !s.part->ended) return complain_about_comment(s);
+    read_block_head(s);
+    if (s.failed) return;
+    if (s.variant.o_words && s.line.peek() == 'O') return read_o_line(s);
+    if (s.part->ended) return;
+    const int call = s.variant.o_words ? call_number(s) : 0;
+    if (call == 98) return read_m98(s);
+    if (call == 99) return read_m99(s);
+    read_words(s);
+    if (!s.failed) check_block(s);
+    emit_block(s);
+    for (const std::uint16_t m : s.facts.m) note_end(s, m);
+}
+
+/// The first line, where it is `%`: byte behind it.
+std::uint32_t skip_percent(State& s) {
+    std::size_t i = 0;
+    while (i < s.text.size() && (base::is_blank(s.text[i]) || s.text[i] == '\n' || s.text[i] == '\r')) ++i;
+    const std::size_t line_end = std::min(s.text.find('\n', i), s.text.size());
+    if (base::trim(s.text.substr(i, line_end - i)) != "%") return 0;
+    s.percent = true;
+    return static_cast<std::uint32_t>(line_end);
+}
+
+/// A program that does something and does not say where it ends was cut off, or LinuxCNC complains at its end.
+void check_end(State& s) {
+    const Part& main = s.parts.front();
+    const bool acts = std::any_of(main.unit.words.begin(), main.unit.words.end(),
+                                  [](const program::Word& w) { return program::code_of(w) != Code::comment; });
+    if (main.ended || s.stopped || !acts || !s.variant.end_is_due) return;
+    const program::Statement& last = main.unit.statements.back();
+    base::Diagnostic d;
+    d.severity = base::Severity::warning;
+    d.code = base::codes::unclosed;
+    d.where = main.unit.span(last);
+    d.text = s.percent ? "the program ends without M2, M30 or its second %" : "the program ends without M2 or M30";
+    d.remedy = "add M2";
+    s.diagnostics.add(std::move(d));
+}
+
+/// `O1234` … `M99` as programs of their own, where something may call them.
+void read_numbered_programs(State& s, const std::string& file_stem) {
+    const std::vector<ProgramNumber> numbers = s.numbers;
+    for (const ProgramNumber& n : numbers) {
+        const bool wanted = n.after_end || s.calls_any_number || s.called_numbers.contains(n.label) ||
+                            file_stem == n.label || file_stem == "O" + n.label;
+        const bool known = std::any_of(s.parts.begin(), s.parts.end(), [&](const Part& p) { return p.label == n.label; });
+        if (!wanted || known) continue;
+        Part& part = s.add_part(n.after_end ? s.diagnostics : s.repeated);
+        part.kind = Part::Kind::program_number;
+        part.label = n.label;
+        part.unit.name = "O" + n.label;
+        part.unit.begin = n.begin;
+        s.part = &part;
+        s.stopped = false;
+        read_lines(s, n.behind);
+        end_text(s);
+        part.unit.end = std::max(n.behind, s.line.end());
+    }
+}
+
+void reserve(program::Unit& unit, std::string_view text) {
+    const auto lines = static_cast<std::size_t>(std::count(text.begin(), text.end(), '\n')) + 1;
+    unit.statements.reserve(lines);
+    unit.words.reserve(lines * 4);
+}
+
+}  // namespace
+
+void read_lines(State& s, std::uint32_t from) {
+    const char* begin = s.text.data();
+    const char* p = begin + from;
+    const char* end = begin + s.text.size();
+    const auto done = [&] { return s.stopped || (s.part->ended && s.part->kind == Part::Kind::program_number); };
+    while (p < end && !done()) {
+        if (*p == '\n' || *p == '\r' || base::is_blank(*p)) {
+            ++p;
+            continue;
+        }
+        if (!s.part->ended) {
+            if (const char* behind = read_literal_block(s, p, end); behind != nullptr) {
+                p = behind;
+                continue;
+            }
+        }
+        const char* line_end = std::find(p, end, '\n');
+        s.line.load(s.text, static_cast<std::uint32_t>(p - begin), static_cast<std::uint32_t>(line_end - begin),
+                    s.variant.nested_comments, s.variant.semicolon_comment);
+        read_line(s);
+        p = line_end;
+    }
+}
+
+std::vector<program::Unit> read_linuxcnc(std::uint32_t file, const base::Sources& sources, program::Names& names,
+                                         base::Diagnostics& diagnostics) {
+    const base::Source& source = sources[file];
+    State s(file, dialect::rs274::linuxcnc, names, diagnostics, source.text);
+    s.part = &s.add_part(diagnostics);
+    s.part->unit.name = stem(source.name);
+    s.part->unit.end = static_cast<std::uint32_t>(source.text.size());
+    reserve(s.part->unit, s.text);
+    read_lines(s, skip_percent(s));
+    end_text(s);
+    check_end(s);
+    read_numbered_programs(s, s.parts.front().unit.name);
+    std::vector<program::Unit> units;
+    for (Part& part : s.parts)
+        if (!part.dropped) units.push_back(std::move(part.unit));
+    return units;
+}
+
+}  // namespace obrys::read::rs274

@@ -1,0 +1,105 @@
+#!/usr/bin/env python3
+"""All RS-274 programs of the corpus end at the same point by obrys and by LinuxCNC's rs274.
+
+usage: end_points.py OBRYS SHARED [-v] [--self] [NAME...]      exit 77 (skipped) where SHARED or rs274 is missing
+
+Both run with the same tool table. The end point is the last commanded machine position, from the printed canonical calls:
+program coordinates, offsets, rotation and tool offset, in mm; it has to agree to 1e-4. What rs274 refuses obrys has to
+refuse at the same line. With --self rs274 stands in for obrys, which tests this comparison.
+"""
+import argparse
+import collections
+import pathlib
+import sys
+
+import endpoint
+import runner
+from end_point_cases import KNOWN_FAILURES, NEWER
+
+SECONDS = 10
+TOLERANCE = 1e-4
+TOOLS = runner.Setting(tools=tuple((n, n, f"Z{n / 100:.2f} D0.02") for n in range(1, 100)))
+
+
+def compared(path, options):
+    """(kind, what to print) of one program."""
+    referee = runner.run_referee(path, TOOLS, SECONDS)
+    if options.self:
+        ours = runner.run_referee(path, TOOLS, SECONDS)
+    else:
+        ours = runner.run_obrys(options.obrys, path, TOOLS, SECONDS)
+    if ours.code is not None and (ours.code < 0 or ours.code > 100):
+        return "crash", f"exit {ours.code}: {ours.err.strip()[-200:]}"
+    if referee.code is None or ours.code is None:
+        return ("endless", "neither ends") if referee.code == ours.code else (
+            "differ", "rs274 does not end" if referee.code is None else "obrys does not end")
+    there, here = endpoint.end_point(referee.out), endpoint.end_point(ours.out)
+    points = "" if endpoint.close(there, here, TOLERANCE) else f"{endpoint.shown(there)} by rs274, {endpoint.shown(here)}"
+    if referee.code != 0:
+        return refusals(referee, ours, points, options)
+    if ours.code != 0 and not options.self:
+        first = endpoint.first_error(ours.err)
+        return ("unsupported" if "unsupported" in first or "unknown-word" in first else "differ"), f"obrys refuses: {first}"
+    if points:
+        return "differ", points
+    return ("same calls" if runner.calls(referee.out) == runner.calls(ours.out) else "same point"), ""
+
+
+def refusals(referee, ours, points, options):
+    message, text = referee.refused or (referee.err.strip()[-100:], "")
+    if ours.code == 0:
+        return "differ", f"rs274 refuses: {message} ({text.strip()}); obrys accepts"
+    if options.self:
+        return "refused", message
+    first = endpoint.first_error(ours.err)
+    where = endpoint.error_line(ours.err)
+    searched = "EOF in file" in message or message.startswith(("File ended", "Failed to find sub"))
+    if not searched and (where is None or where.strip() != text.strip()):
+        return "differ", f"rs274: {message} ({text.strip()}); obrys: {first}"
+    if points and not searched:
+        return "differ", f"before the refusal: {points}"
+    return "refused", f"{message}; obrys: {first}"
+
+
+def programs(options):
+    corpus = options.shared / "corpus"
+    for place in ("rs274", "gcode"):
+        for path in sorted(p for p in (corpus / place).rglob("*") if p.is_file()):
+            name = path.relative_to(corpus).as_posix()
+            if not options.names or any(n in name for n in options.names):
+                yield name, path
+
+
+def arguments():
+    parser = argparse.ArgumentParser()
+    parser.add_argument("obrys")
+    parser.add_argument("shared", type=pathlib.Path)
+    parser.add_argument("names", nargs="*")
+    parser.add_argument("-v", action="store_true", dest="verbose")
+    parser.add_argument("--self", action="store_true")
+    return parser.parse_args()
+
+
+def main():
+    options = arguments()
+    if not (options.shared / "corpus").is_dir() or not runner.REFEREE_HERE:
+        print("skipped: needs ../shared" if runner.REFEREE_HERE else "skipped: needs rs274 of LinuxCNC")
+        return 77
+    kinds, faults = collections.Counter(), []
+    for name, path in programs(options):
+        kind, said = compared(path, options)
+        kinds[kind] += 1
+        short = name.replace("LinuxCNC__linuxcnc", "…")
+        known = "" if options.self else NEWER.get(name) or KNOWN_FAILURES.get(name, "")
+        good = kind in ("same calls", "same point", "refused", "endless")
+        if options.verbose or not good:
+            print(f"{kind:12} {short}  {said}" + (f" (known: {known})" if known else ""))
+        if good == bool(known):
+            faults.append(f"{short}: {said}" if known == "" else f"{short}: agrees, but is listed as a known failure")
+    print(", ".join(f"{kind} {count}" for kind, count in kinds.most_common()) + f" of {sum(kinds.values())} programs")
+    print("\n".join(faults))
+    return 1 if faults else 0
+
+
+if __name__ == "__main__":
+    sys.exit(main())
