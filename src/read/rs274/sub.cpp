@@ -158,6 +158,14 @@ void read_m99(State& s) {
         assign_returned(s, no_expr, begin);
         s.build().control(StatementKind::return_, 0, begin, s.line.behind());
     } else {
+        emit_comment(s);  // it acts before the program begins anew
+        if (!s.words.empty()) {
+            s.build().statement(StatementKind::block, begin);
+            s.build().word(Code::comment, program::Form::index, s.words.front().payload, s.words.front().begin,
+                           s.words.front().end);
+            s.build().end_statement(s.line.behind());
+            s.words.clear();
+        }
         program::Jump jump;
         jump.direction = program::JumpDirection::start;
         s.unit().jumps.push_back(jump);
