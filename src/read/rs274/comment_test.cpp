@@ -58,6 +58,8 @@ TEST(Rs274Comment, ActBeforeTheirBlock) {
 
 TEST(Rs274Comment, ScriptsAreNotRun) {
     EXPECT_EQ(one("(py, x)"), "unsupported{(py, x)|a script in Python}");
+    EXPECT_EQ(one(";py,x=1"), "unsupported{;py,x=1|a script in Python}");
+    EXPECT_EQ(one("X1 ;py,x=1"), "X1");
 }
 
 TEST(Rs274Comment, OLinesShowNone) { EXPECT_EQ(Reading("o1 if [1] (debug, x)\no1 endif (y)\nM2\n").unit().texts.size(), 0U); }

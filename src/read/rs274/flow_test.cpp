@@ -84,6 +84,19 @@ TEST(Rs274Flow, NumberedProgramsBehindTheEnd) {
     EXPECT_EQ(r.tree(2), "0 X2\n1 _VALUE=0 _VALUE_RETURNED=0\n2 +return\n");
 }
 
+TEST(Rs274Flow, AProgramWithoutM99RunsOnIntoTheNext) {
+    const Reading r("M98 P200\nM2\nO200\nX1\nO300\nX2\nM99\n");
+    EXPECT_EQ(r.messages(), "");
+    EXPECT_EQ(r.tree(1), "0 X1\n1 call O300\n2 +return\n");
+    EXPECT_EQ(r.tree(2), "0 X2\n1 _VALUE=0 _VALUE_RETURNED=0\n2 +return\n");
+}
+
+TEST(Rs274Flow, TextBehindTheEndIsReadOnce) {
+    std::string text = "M2\n";
+    for (int i = 0; i < 30000; ++i) text += "O" + std::to_string(i) + "\n";
+    EXPECT_EQ(Reading(text).units.size(), 30001U);  // quadratic reading takes minutes here
+}
+
 TEST(Rs274Flow, ANumberAtTheBeginIsNoProgramOfItsOwn) {
     EXPECT_EQ(names(Reading("O1000 (part)\nX1\nM30\n")), (std::vector<std::string>{"TEST"}));
     EXPECT_EQ(names(Reading("O1000\nX1\nM99\n", "1000.nc")), (std::vector<std::string>{"1000", "O1000"}));

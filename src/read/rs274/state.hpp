@@ -5,6 +5,7 @@
 #include <deque>
 #include <map>
 #include <optional>
+#include <set>
 #include <string>
 #include <vector>
 
@@ -142,8 +143,9 @@ struct State {
     bool percent = false;                  ///< the text begins with `%`
     bool stopped = false;                  ///< its last `%` was read
     std::vector<ProgramNumber> numbers{};
-    std::map<std::string, bool> called_numbers{};  ///< labels that M98 calls
-    bool calls_any_number = false;                 ///< M98 P with an expression
+    std::set<std::string> subs{};            ///< labels of o-word subprograms
+    std::set<std::string> called_numbers{};  ///< labels that M98 calls
+    bool calls_any_number = false;           ///< M98 P with an expression
 
     Part& add_part(base::Diagnostics& complaints) {
         return parts.emplace_back(file, variant, names, complaints, text);

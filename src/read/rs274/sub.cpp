@@ -45,9 +45,7 @@ void begin_sub(State& s, const std::string& label, std::uint32_t begin) {
         return fail(s, begin, end, "a subprogram is defined within another: o" + base::as_utf8(label) + " sub in o" +
                                        base::as_utf8(s.part->label));
     }
-    const bool known = std::any_of(s.parts.begin(), s.parts.end(), [&](const Part& p) {
-        return p.kind == Part::Kind::o_sub && p.label == label;
-    });
+    const bool known = !s.subs.insert(label).second;
     const bool repeated = s.part->kind == Part::Kind::program_number;
     if (known && !s.part->ended && !repeated) fail(s, begin, end, "o" + base::as_utf8(label) + " sub is defined already");
     Part& part = s.add_part(repeated ? s.repeated : s.diagnostics);
@@ -85,8 +83,20 @@ void read_return(State& s, const std::string& label, ExprId value, bool ends, st
 void read_program_number(State& s, const std::string& label, std::uint32_t begin) {
     if (s.part->kind == Part::Kind::o_sub)
         return fail(s, begin, s.line.behind(), "a program begins within o" + base::as_utf8(s.part->label) + " sub");
-    if (s.part->kind == Part::Kind::main)
+    if (s.part->kind == Part::Kind::main) {
         s.numbers.push_back({label, s.line.begin(), s.line.end(), s.part->ended});
+        return;
+    }
+    // One program runs on into the next.
+    close_all(s);
+    s.called_numbers.insert(label);
+    program::Call call;
+    call.shares_parameters = true;
+    call.name = s.build().name("O" + label);
+    s.build().begin_block();
+    call_program(s, std::move(call), begin);
+    s.build().control(StatementKind::return_, 0, begin, s.line.behind());
+    s.part->ended = true;
 }
 
 void call_program(State& s, program::Call call, std::uint32_t begin) {
@@ -116,7 +126,7 @@ void take_target(State& s, const BlockWord& p, program::Call& call) {
     const auto n = as_integer(p.value);
     if (!n || *n < 0) return fail(s, p.begin, p.end, "the number of a program is a whole one");
     call.name = s.build().name("O" + std::to_string(*n));
-    s.called_numbers[std::to_string(*n)] = true;
+    s.called_numbers.insert(std::to_string(*n));
 }
 
 void skip_number(State& s) {
