@@ -102,9 +102,7 @@ TEST(Rs274Flow, ANumberAtTheBeginIsNoProgramOfItsOwn) {
     EXPECT_EQ(names(Reading("O1000\nX1\nM99\n", "1000.nc")), (std::vector<std::string>{"1000", "O1000"}));
 }
 
-TEST(Rs274Flow, M99InTheMainProgramBeginsAnew) {
-    EXPECT_EQ(Reading("X1\nM99\nX2\n").tree(), "0 X1\n1 jump start\n");
-}
+TEST(Rs274Flow, M99InTheMainProgramBeginsAnew) { EXPECT_EQ(Reading("X1\nM99\nX2\n").tree(), "0 X1\n1 jump start\n"); }
 
 TEST(Rs274Flow, WhatFollowsTheEndIsNotRead) {
     EXPECT_EQ(tree("%\nX1\nM2\nnonsense\n%\nmore\n"), "0 X1\n1 M2\n");
@@ -133,6 +131,12 @@ TEST(Rs274Flow, WrongStructureIsRefusedWhereItStands) {
     EXPECT_EQ(complaint("o1 call 5\n"), "1:9 only a comment may stand behind an o-word, found '5'");
     EXPECT_EQ(complaint("o1 foo\n"), "1:4 no o-word begins here: 'foo'");
     EXPECT_EQ(complaint("M98 L2\n"), "1:1 M98 does not say which program");
+}
+
+TEST(Rs274Flow, TheTwoStylesOfSubprogramsDoNotMix) {
+    EXPECT_EQ(complaint("M98 P1\nM2\nO1 sub\nO1 endsub\n"), "1:1 M98 calls o1 sub, which only o1 call can call");
+    EXPECT_EQ(complaint("o1 call\nM2\nO1\nM99\n"), "1:1 o1 call calls the program O1, which only M98 can call");
+    EXPECT_EQ(complaint("M98 P1\nM2\nO1\nO1 endsub\n"), "4:1 o1 endsub stands in no subprogram");
 }
 
 TEST(Rs274Flow, ALabelOfAnotherBranchMayBeUsedAgain) {

@@ -30,7 +30,8 @@ constexpr std::string_view letters = "XYZABCUVWIJKR";
 }  // namespace
 
 RC_GTEST_PROP(Rs274Literal, BlocksReadBackToTheirValues, ()) {
-    const auto numbers = *rc::gen::resize(12, rc::gen::nonEmpty(rc::gen::container<std::vector<std::string>>(number_text())));
+    const auto numbers =
+        *rc::gen::resize(12, rc::gen::nonEmpty(rc::gen::container<std::vector<std::string>>(number_text())));
     std::string line = "N10 ";
     const std::size_t n = std::min(numbers.size(), letters.size());
     for (std::size_t i = 0; i < n; ++i)
@@ -48,7 +49,8 @@ RC_GTEST_PROP(Rs274Literal, BothWaysOfReadingAgree, ()) {
     const int g = *rc::gen::inRange(-1, 4);
     if (g >= 0) line += "G" + std::to_string(g) + " ";
     std::string used;
-    for (const char c : *rc::gen::container<std::string>(rc::gen::elementOf(std::string("XYZABCUVWF") + (g < 2 ? "" : "IJKR")))) {
+    for (const char c :
+         *rc::gen::container<std::string>(rc::gen::elementOf(std::string("XYZABCUVWF") + (g < 2 ? "" : "IJKR")))) {
         if (used.find(c) != std::string::npos) continue;
         used += c;
         const std::string n = *number_text();

@@ -153,6 +153,7 @@ std::vector<program::Unit> read_linuxcnc(std::uint32_t file, const base::Sources
     end_text(s);
     check_end(s);
     read_numbered_programs(s, s.parts.front().unit.name);
+    check_styles(s);
     std::vector<program::Unit> units;
     for (Part& part : s.parts)
         if (!part.dropped) units.push_back(std::move(part.unit));

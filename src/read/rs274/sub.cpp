@@ -42,12 +42,14 @@ void begin_sub(State& s, const std::string& label, std::uint32_t begin) {
     const std::uint32_t end = s.line.behind();
     if (s.part->kind == Part::Kind::o_sub) {
         s.part->refused = label;
-        return fail(s, begin, end, "a subprogram is defined within another: o" + base::as_utf8(label) + " sub in o" +
-                                       base::as_utf8(s.part->label));
+        return fail(s, begin, end,
+                    "a subprogram is defined within another: o" + base::as_utf8(label) + " sub in o" +
+                        base::as_utf8(s.part->label));
     }
     const bool known = !s.subs.insert(label).second;
     const bool repeated = s.part->kind == Part::Kind::program_number;
-    if (known && !s.part->ended && !repeated) fail(s, begin, end, "o" + base::as_utf8(label) + " sub is defined already");
+    if (known && !s.part->ended && !repeated)
+        fail(s, begin, end, "o" + base::as_utf8(label) + " sub is defined already");
     Part& part = s.add_part(repeated ? s.repeated : s.diagnostics);
     part.outer = s.part;
     part.kind = Part::Kind::o_sub;
@@ -101,6 +103,8 @@ void read_program_number(State& s, const std::string& label, std::uint32_t begin
 
 void call_program(State& s, program::Call call, std::uint32_t begin) {
     call.where = s.build().span(begin, s.line.behind());
+    if (call.kind == program::CallKind::by_name)
+        s.number_calls.push_back({s.names.text(call.name).substr(1), call.shares_parameters, call.where});
     s.unit().calls.push_back(std::move(call));
     s.build().control(StatementKind::call, s.unit().calls.size() - 1, begin, s.line.behind());
 }
@@ -174,6 +178,22 @@ void read_m99(State& s) {
         s.build().control(StatementKind::jump, s.unit().jumps.size() - 1, begin, s.line.behind());
     }
     note_end(s, 99);
+}
+
+void check_styles(State& s) {
+    std::set<std::string> numbers;
+    for (const ProgramNumber& n : s.numbers) numbers.insert(n.label);
+    for (const NumberCall& call : s.number_calls) {
+        const bool is_sub = s.subs.contains(call.label), is_number = numbers.contains(call.label);
+        if (is_sub == is_number || is_sub != call.by_m98) continue;
+        base::Diagnostic d;
+        d.code = base::codes::syntax;
+        d.where = call.where;
+        d.text = is_sub ? "M98 calls o" + base::as_utf8(call.label) + " sub, which only o" + base::as_utf8(call.label) +
+                              " call can call"
+                        : "o" + call.label + " call calls the program O" + call.label + ", which only M98 can call";
+        s.diagnostics.add(std::move(d));
+    }
 }
 
 void note_end(State& s, std::uint16_t m) {
