@@ -17,6 +17,16 @@ void tell(Run& run, SettingKind kind, int number, std::initializer_list<double> 
     emit(run, s);
 }
 
+void tell_tool_entry(Run& run, int place, int tool, std::initializer_list<double> values) {
+    if (!run.env.tell_settings) return;
+    cl::Setting s;
+    s.kind = SettingKind::tool_entry;
+    s.number = place;
+    s.second = tool;
+    std::copy(values.begin(), values.end(), s.values.begin());
+    emit(run, s);
+}
+
 void tell(Run& run, SettingKind kind, int number, const Axes& values) {
     if (!run.env.tell_settings) return;
     cl::Setting s;
@@ -34,6 +44,23 @@ void tell_frame(Run& run) {
                      z = geom::apply_direction(f, {0, 0, 1});
     tell(run, SettingKind::frame, 0, {x.x, y.x, z.x, o.x, x.y, y.y, z.y, o.y, x.z, y.z, z.z, o.z});
     tell(run, SettingKind::axis_offsets, 0, run.offsets.total);
+}
+
+void tell_inverse_feed(Run& run, double length) {
+    if (!run.env.tell_settings || run.modal.feed_mode != cl::FeedMode::inverse_time) return;
+    tell(run, SettingKind::feed_rate, 0,
+         {std::max(0.1, length / (run.modal.inch_geometry ? 25.4 : 1) * run.block.get(Code::feed))});
+}
+
+void tell_end(Run& run, int m) {
+    if (!run.env.tell_settings || !keeps_offsets(run)) return;
+    if (run.modal.datum != 54) {
+        run.modal.datum = 54;
+        load_datum(run);
+    }
+    tell(run, SettingKind::datum, 1, run.offsets.datum);
+    tell(run, SettingKind::datum_rotation, 0, {run.offsets.rotation});
+    if (m == 30) tell(run, SettingKind::pallet_change);
 }
 
 void begin_telling(Run& run) {
@@ -91,6 +118,7 @@ void tell_overrides(Run& run) {
     const BlockWords& b = run.block;
     const int on = b.has(Code::p) && b.get(Code::p) == 0 ? 0 : 1;
     for (const int m : b.m) {
+        if (m == 60) tell(run, SettingKind::pallet_change);
         if (m >= 7 && m <= 9) tell(run, SettingKind::coolant, m);
         if (m == 48 || m == 49) {
             tell(run, SettingKind::feed_override, m == 48);

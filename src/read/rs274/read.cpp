@@ -89,6 +89,7 @@ void read_numbered_program(State& s, const ProgramNumber& n) {
     part.unit.begin = n.begin;
     s.part = &part;
     s.stopped = false;
+    s.sources.fetch(s.file);
     read_lines(s, n.behind);
     end_text(s);
     part.unit.end = std::max(n.behind, s.line.end());
@@ -109,20 +110,19 @@ void read_numbered_programs(State& s, const std::string& file_stem) {
     } while (calls != s.called_numbers.size());
 }
 
-void reserve(program::Unit& unit, std::string_view text) {
-    const auto lines = static_cast<std::size_t>(std::count(text.begin(), text.end(), '\n')) + 1;
-    unit.statements.reserve(lines);
-    unit.words.reserve(lines * 4);
-}
-
 }  // namespace
 
 void read_lines(State& s, std::uint32_t from) {
     const char* begin = s.text.data();
     const char* p = begin + from;
     const char* end = begin + s.text.size();
+    const char* aside = p;
     const auto done = [&] { return s.stopped || (s.part->ended && s.part->kind == Part::Kind::program_number); };
     while (p < end && !done()) {
+        if (p - aside > static_cast<std::ptrdiff_t>(base::Store::piece)) {
+            s.sources.lay_aside(s.file, static_cast<std::uint32_t>(p - begin));
+            aside = p;
+        }
         if (*p == '\n' || *p == '\r' || base::is_blank(*p)) {
             ++p;
             continue;
@@ -144,16 +144,17 @@ void read_lines(State& s, std::uint32_t from) {
 std::vector<program::Unit> read_linuxcnc(std::uint32_t file, const base::Sources& sources, program::Names& names,
                                          base::Diagnostics& diagnostics) {
     const base::Source& source = sources[file];
-    State s(file, dialect::rs274::linuxcnc, names, diagnostics, source.text);
+    State s(file, dialect::rs274::linuxcnc, names, diagnostics, sources);
     s.part = &s.add_part(diagnostics);
     s.part->unit.name = stem(source.name);
     s.part->unit.end = static_cast<std::uint32_t>(source.text.size());
-    reserve(s.part->unit, s.text);
+    s.part->unit.reserve(s.text.size());
     read_lines(s, skip_percent(s));
     end_text(s);
     check_end(s);
     read_numbered_programs(s, s.parts.front().unit.name);
     check_styles(s);
+    sources.lay_aside(file, static_cast<std::uint32_t>(s.text.size()));
     std::vector<program::Unit> units;
     for (Part& part : s.parts)
         if (!part.dropped) units.push_back(std::move(part.unit));
