@@ -64,7 +64,7 @@ TEST(Rs274Check, WordsOfCodesWithoutEffectAreLeftOut) {
 }
 
 TEST(Rs274Check, SurfaceSpeedHasItsLimit) {
-    EXPECT_EQ(one("G96 D2500 S200"), "S200 LIMS2500 act " + m(Modal::surface_speed_on, 96));
+    EXPECT_EQ(one("G96 D2500 S200"), m(Modal::surface_speed_on, 96) + " S200 LIMS2500");
 }
 
 TEST(Rs274Check, AMotionThatIsNotRunTakesItsCoordinatesWithIt) {
