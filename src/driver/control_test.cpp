@@ -30,7 +30,7 @@ TEST(Control, IsFoundFromTheTextOfEveryProgramOfTheCorpora) {
         const fs::path corpus = shared / "corpus" / folder;
         if (!fs::exists(corpus)) GTEST_SKIP() << "needs ../shared";
         for (const auto& entry : fs::recursive_directory_iterator(corpus)) {
-            if (!entry.is_regular_file()) continue;
+            if (!entry.is_regular_file() || entry.path().extension() == ".txt") continue;
             const Guess guess = guess_control(content(entry.path()), entry.path().filename().string());
             EXPECT_EQ(guess.control->name, control) << entry.path();
         }
