@@ -500,6 +500,9 @@ void store_home(Run&);
 /// Values of the block's axis words as absolute lengths in mm (degrees); nothing where an axis has no word.
 [[nodiscard]] std::optional<double> axis_word(const Run&, std::size_t axis);
 
+/// A parameter that is empty (Traits::empty_parameters), alone or with a sign.
+[[nodiscard]] bool is_empty(Run&, ExprId);
+
 // --- what the control shows of itself (live_parameters.cpp)
 [[nodiscard]] bool is_live(const Run&, std::uint32_t parameter);
 [[nodiscard]] double live_parameter(Run&, std::uint32_t parameter, const base::Span& where);

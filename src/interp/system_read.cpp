@@ -234,6 +234,8 @@ int tool_parameter_number(const std::string& name) {
 Value read_system(Run& run, const Expr& e) {
     const Access a{run, e};
     const auto v = static_cast<SystemVariable>(e.op);
+    if (v >= SystemVariable::state && v <= SystemVariable::tool_table_column)
+        return live_value(run, v, a.index(0), a.where());
     if (v >= SystemVariable::inch_program) {
         const auto value = tool_or_frame(run, e);
         return value ? Value::real(*value) : unknown_value(a, "neither the job nor the machine file says it");

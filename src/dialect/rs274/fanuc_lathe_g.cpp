@@ -127,8 +127,8 @@ constexpr std::array lathe{
     row(-1, 910, 910, modal, Modal::incremental, Order::distance),
     row(980, 940, 940, modal, Modal::feed_per_minute, Order::feed_mode),
     row(990, 950, 950, modal, Modal::feed_per_rev, Order::feed_mode),
-    word(960, Modal::surface_speed_on, Order::surface_speed, 96),
-    word(970, Modal::surface_speed_off, Order::surface_speed, 97),
+    word(960, Modal::surface_speed_on, Order::feed_mode, 96),
+    word(970, Modal::surface_speed_off, Order::feed_mode, 97),
     row(-1, 980, 980, modal, Modal::retract_initial, Order::retract),
     row(-1, 990, 990, modal, Modal::retract_clearance, Order::retract),
 };

@@ -43,6 +43,7 @@ constexpr program::Traits common{
     .variables_by_assignment = true,
     .argument_parameters = 33,
     .parameters_begin_at_zero = true,
+    .empty_parameters = true,
     .live = live,
     .offsets = {.datum_first = 5221, .datum_step = 20, .datum_count = 6},
     .feed_mode_ends_surface_speed = false,
