@@ -81,7 +81,7 @@ constexpr std::array functions{
     FunctionName{"TAN", Function::tan, Argument::one},      FunctionName{"ASIN", Function::asin, Argument::one},
     FunctionName{"ACOS", Function::acos, Argument::one},    FunctionName{"ATAN", Function::atan2, Argument::either},
     FunctionName{"SQRT", Function::sqrt, Argument::one},    FunctionName{"SQR", Function::sqrt, Argument::one},
-    FunctionName{"ABS", Function::abs, Argument::one},      FunctionName{"ROUND", Function::round, Argument::one},
+    FunctionName{"ABS", Function::abs, Argument::one},      FunctionName{"ROUND", Function::round_away, Argument::one},
     FunctionName{"FIX", Function::trunc, Argument::one},    FunctionName{"FUP", Function::round_up, Argument::one},
     FunctionName{"LN", Function::ln, Argument::one},        FunctionName{"EXP", Function::exp, Argument::one},
     FunctionName{"BIN", Function::sign, Argument::refused}, FunctionName{"BCD", Function::sign, Argument::refused},
