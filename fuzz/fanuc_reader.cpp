@@ -29,7 +29,7 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
     check(sources, file, {.machine = FanucMachine::mill}, true);
     for (const auto system : {dialect::rs274::GSystem::a, dialect::rs274::GSystem::c})
         check(sources, file, {.machine = FanucMachine::lathe, .system = system}, false);
-    const std::string& text = sources[file].text;
+    const std::string_view text = sources[file].text;
     for (const int score :
          {read::rs274::fanuc_likelihood(text, "FUZZ.NC"), read::rs274::haas_likelihood(text, "FUZZ.NC")})
         fuzz::require(score >= 0 && score <= 100);
