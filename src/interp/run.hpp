@@ -102,7 +102,8 @@ struct BlockWords {
     std::string tool_name;
     bool tool_named = false;
     int special_number = 0;
-    bool acted = false;  ///< F, S, T and M have acted already (Code::act)
+    int surface_word = 0;  ///< 96 or 97 where the block says it
+    bool acted = false;    ///< F, S, T and M have acted already (Code::act)
     std::vector<PendingAssign> pending;
     Modal special = Modal::linear;     ///< dwell, reference point, fixed point, pole; linear: none
     Modal suppress = Modal::linear;    ///< suppress_frames, suppress_all; linear: none
@@ -360,6 +361,7 @@ void assume(Run&, const base::Span& where, std::string text, std::string remedy 
 
 // --- variables (assign.cpp, definitions.cpp)
 void assign(Run&, const program::Assign&);
+void create_variable(Run&, program::NameId, double value);
 /// An assignment whose right side, and the number of whose parameter, are known already.
 void assign_value(Run&, const program::Assign&, double index, double value);
 /// Sets a numbered parameter to `v`, the value of `value`; one that the job sets keeps that where `value` is a
@@ -517,6 +519,10 @@ void cancel_canned(Run&);
 void tell(Run&, cl::SettingKind, int number = 0, std::initializer_list<double> values = {});
 void tell(Run&, cl::SettingKind, int number, const Axes& values);
 void tell_tool_entry(Run&, int place, int tool, std::initializer_list<double> values);
+/// In inverse time mode: the feed per minute that follows from the length of the programmed move, mm.
+void tell_inverse_feed(Run&, double length);
+/// What the end of the program sets back.
+void tell_end(Run&, int m);
 /// What is in force when the run begins.
 void begin_telling(Run&);
 /// How programmed coordinates become those of the stream.

@@ -94,12 +94,27 @@ shop::Tool* tool_of_block(Run& run) {
     return nullptr;
 }
 
-/// L10: the offset with which the position has the words' coordinates; L11: in the ninth zero offset (G59.3).
-double measured(const Run& run, std::size_t k, double word, bool in_ninth) {
+void turn_about_z(Axes& a, double by) {
+    const double x = a[0] * std::cos(by) - a[1] * std::sin(by), y = a[0] * std::sin(by) + a[1] * std::cos(by);
+    a[0] = x;
+    a[1] = y;
+}
+
+/// L10: the offset with which the position has the words' coordinates; L11: in the ninth zero offset (G59.3). What the
+/// tool's offset has beyond the active one stays in axes without a word, seen in the turned coordinates.
+Axes measured(const Run& run, const Axes& table, bool in_ninth) {
     const program::OffsetParameters& p = run.traits->offsets;
-    if (!in_ninth) return axis_coordinate(run, k) + run.offsets.tool[k] - word;
-    const Axes at = coordinates_in(run, p.datum_first + 8 * p.datum_step);
-    return at[k] + run.offsets.tool[k] - word;
+    const std::uint32_t ninth = p.datum_first + 8 * p.datum_step;
+    const Axes there = in_ninth ? coordinates_in(run, ninth) : Axes{};
+    const double turn = geom::radians(in_ninth ? run.parameters.get(ninth + p.rotation) : run.offsets.rotation);
+    Axes beyond{};
+    for (std::size_t k = 0; k < 9; ++k) beyond[k] = table[k] - run.offsets.tool[k];
+    turn_about_z(beyond, -turn);
+    for (std::size_t k = 0; k < 9; ++k)
+        if (const auto word = axis_word(run, k)) beyond[k] = (in_ninth ? there[k] : axis_coordinate(run, k)) - *word;
+    turn_about_z(beyond, turn);
+    for (std::size_t k = 0; k < 9; ++k) beyond[k] += run.offsets.tool[k];
+    return beyond;
 }
 
 void set_tool_data(Run& run, int l) {
@@ -109,24 +124,24 @@ void set_tool_data(Run& run, int l) {
     const double unit = run.modal.inch_geometry ? 25.4 : 1;
     if (!t->linuxcnc) t->linuxcnc.emplace();
     auto& table = *t->linuxcnc;
-    for (std::size_t k = 0; k < 9; ++k) {
-        const auto word = axis_word(run, k);
-        if (!word) continue;
-        table.offset[k] = l == 1 ? *word : measured(run, k, *word, l == 11);
-        if (k == 2) t->length = table.offset[k];
-    }
+    table.offset[2] = t->length;
+    if (l != 1) table.offset = measured(run, table.offset, l == 11);
+    for (std::size_t k = 0; k < 9 && l == 1; ++k)
+        if (const auto word = axis_word(run, k)) table.offset[k] = *word;
+    t->length = table.offset[2];
     if (b.has(Code::radius)) table.diameter = 2 * (t->radius = b.get(Code::radius) * unit);
     if (b.has(Code::i)) table.front_angle = b.get(Code::i);
     if (b.has(Code::j)) table.back_angle = b.get(Code::j);
     if (b.has(Code::q)) table.orientation = static_cast<int>(std::clamp(b.get(Code::q), 0.0, 9.0));
     const auto place = static_cast<int>(t - run.tools.data()) + 1;
-    const bool loaded = run.tool.data == t;
+    // The control's list begins with the tool in the spindle; before the first change its first tool stands there.
+    const bool loaded = run.tool.data == t || (run.tool.number == 0 && place == 1);
     for (const int entry : {place, 0}) {
         if (entry == 0 && !loaded) continue;
         tell_tool_entry(run, entry, static_cast<int>(t->number),
-             {table.offset[0], table.offset[1], t->length, table.offset[3], table.offset[4], table.offset[5],
-              table.offset[6], table.offset[7], table.offset[8], table.front_angle, table.back_angle,
-              static_cast<double>(table.orientation)});
+                        {table.offset[0], table.offset[1], t->length, table.offset[3], table.offset[4], table.offset[5],
+                         table.offset[6], table.offset[7], table.offset[8], table.front_angle, table.back_angle,
+                         static_cast<double>(table.orientation)});
     }
     if (loaded) take_tip(run);
 }

@@ -46,6 +46,23 @@ void tell_frame(Run& run) {
     tell(run, SettingKind::axis_offsets, 0, run.offsets.total);
 }
 
+void tell_inverse_feed(Run& run, double length) {
+    if (!run.env.tell_settings || run.modal.feed_mode != cl::FeedMode::inverse_time) return;
+    tell(run, SettingKind::feed_rate, 0,
+         {std::max(0.1, length / (run.modal.inch_geometry ? 25.4 : 1) * run.block.get(Code::feed))});
+}
+
+void tell_end(Run& run, int m) {
+    if (!run.env.tell_settings || !keeps_offsets(run)) return;
+    if (run.modal.datum != 54) {
+        run.modal.datum = 54;
+        load_datum(run);
+    }
+    tell(run, SettingKind::datum, 1, run.offsets.datum);
+    tell(run, SettingKind::datum_rotation, 0, {run.offsets.rotation});
+    if (m == 30) tell(run, SettingKind::pallet_change);
+}
+
 void begin_telling(Run& run) {
     if (!run.env.tell_settings || !keeps_offsets(run) || run.statement == nullptr) return;
     const auto place = run.modal.datum >= 591 ? run.modal.datum - 584 : run.modal.datum - 53;
@@ -101,7 +118,7 @@ void tell_overrides(Run& run) {
     const BlockWords& b = run.block;
     const int on = b.has(Code::p) && b.get(Code::p) == 0 ? 0 : 1;
     for (const int m : b.m) {
-        if (m == 30 || m == 60) continue;
+        if (m == 60) tell(run, SettingKind::pallet_change);
         if (m >= 7 && m <= 9) tell(run, SettingKind::coolant, m);
         if (m == 48 || m == 49) {
             tell(run, SettingKind::feed_override, m == 48);
@@ -121,6 +138,11 @@ void tell_technology(Run& run) {
     const BlockWords& b = run.block;
     if (b.has(Code::feed) && run.modal.feed_mode != cl::FeedMode::inverse_time)
         tell(run, SettingKind::feed_rate, 0, {b.get(Code::feed)});
+    if (b.surface_word != 0)
+        tell(run, SettingKind::surface_speed, b.surface_word,
+             {b.surface_word == 97       ? 0
+              : b.has(Code::speed_limit) ? b.get(Code::speed_limit)
+                                         : 1e30});
     if (b.has(Code::spindle)) tell(run, SettingKind::spindle_speed, 0, {b.get(Code::spindle)});
     tell_outputs(run);
     tell_tool(run);
