@@ -63,7 +63,7 @@ def arguments():
     parser.add_argument("names", nargs="*")
     parser.add_argument("-v", action="store_true", dest="verbose")
     parser.add_argument("--referee", action="store_true")
-    return parser.parse_args()
+    return parser.parse_intermixed_args()
 
 
 def all_programs(options):
