@@ -7,10 +7,10 @@
 ///
 /// RS-274 as LinuxCNC 2.9 runs it (behaviour of its interpreter and of the path it makes of `NURBS_FEED`):
 /// G5 X Y I J P Q is the cubic with the points start, start + (I,J), end + (P,Q), end; G5.1 X Y I J the parabola with
-/// the points start, start + (I,J), end; G5.2 … G5.3 a curve of order L (3 where L is less or missing) through the
-/// control points X Y with weights P, the first one being the start. Its knots are `clamped_knots`: k times 0, then 1,
-/// 2, …, k times n - k + 1. LinuxCNC itself runs all three as two arcs between each two of 4 n + 1 points at equal
-/// steps of u, which is not the curve but lies near it; here the curve is kept.
+/// the points start, start + (I,J), end; G5.2 … G5.3 a curve of order L (3 where L is less or missing) with the
+/// control points X Y of the weights P, the first one being the start. Its knots are `clamped_knots`: k times 0, then
+/// 1, 2, …, k times n - k + 1. LinuxCNC runs all three as two arcs between each two of 4 n + 1 points at equal steps of
+/// u, which lies near the curve (its preview takes 15 n points of the curve itself); here the curve is kept.
 
 #include <optional>
 #include <vector>

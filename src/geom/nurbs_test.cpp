@@ -184,6 +184,27 @@ TEST(Nurbs, CircleByWeights) {
     EXPECT_LE(before, 64U);
 }
 
+/// G5.2 P1 L4, X10 Y20 P1, X30 Y25 P2, X40 Y-5 P1.5, X60 Y10 P1, G5.3 from X0 Y0: points that the preview of LinuxCNC
+/// 2.9 takes of it, at i of 75 equal steps of the parameter.
+TEST(Nurbs, LinuxcncTakesTheSamePoints) {
+    Nurbs c;
+    c.order = 4;
+    c.points = {{{0, 0, 0}, 1}, {{10, 20, 0}, 1}, {{30, 25, 0}, 2}, {{40, -5, 0}, 1.5}, {{60, 10, 0}, 1}};
+    c.knots = clamped_knots(c.points.size(), c.order);
+    const auto pieces = cubic_pieces(c, 1e-6);
+    ASSERT_TRUE(pieces);
+    for (const auto& [i, expected] :
+         {std::pair(10, Vec3{9.7961402555, 13.4058167980, 0}), std::pair(25, Vec3{22.6315789474, 20.1315789474, 0}),
+          std::pair(40, Vec3{30.2953890490, 16.0960014409, 0}), std::pair(70, Vec3{50.5494505495, 4.4717782218, 0})}) {
+        const double u = c.knots.back() * i / 75;
+        EXPECT_LT(distance(point_at(c, u), expected), 1e-9) << i;
+        for (const NurbsPieces::Piece& p : pieces->pieces)
+            if (p.from <= u && u <= p.to) {
+                EXPECT_LT(distance(point_at(p.curve, (u - p.from) / (p.to - p.from)), expected), 1e-6) << i;
+            }
+    }
+}
+
 /// Weights are relative: all of them times two is the same curve.
 RC_GTEST_PROP(Nurbs, WeightsAreRelative, (unsigned seed)) {
     Random r{std::mt19937(seed)};
