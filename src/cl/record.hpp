@@ -119,6 +119,7 @@ struct Stop {
 struct Comment {
     std::string text;
     bool message = false;
+    bool terminal = false;  ///< a line for the operator's terminal ("(print, …)")
     bool operator==(const Comment&) const = default;
 };
 
@@ -192,6 +193,7 @@ enum class SettingKind : std::uint8_t {
 struct Setting {
     SettingKind kind = SettingKind::unit;
     std::int32_t number = 0;
+    std::int32_t second = 0;  ///< tool_entry: number of the tool
     std::array<double, 12> values{};
     bool operator==(const Setting&) const = default;
 };

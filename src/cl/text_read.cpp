@@ -197,10 +197,12 @@ Tolerance tolerance(Words& w) {
 
 Setting setting(Words& w) {
     Setting s;
-    const double kind = w.number(), n = w.number();
-    if (kind >= 0 && kind <= static_cast<double>(SettingKind::pallet_change) && std::abs(n) < 1e9) {
+    const double kind = w.number(), n = w.number(), second = w.number();
+    if (kind >= 0 && kind <= static_cast<double>(SettingKind::pallet_change) && std::abs(n) < 1e9 &&
+        std::abs(second) < 1e9) {
         s.kind = static_cast<SettingKind>(static_cast<int>(kind));
         s.number = static_cast<std::int32_t>(n);
+        s.second = static_cast<std::int32_t>(second);
     } else {
         w.fail("there is no such setting");
     }
@@ -296,7 +298,8 @@ std::optional<Step> step(Words& w) {
     if (kind == "tool") return tool(w);
     if (kind == "coolant") return Coolant{static_cast<CoolantState>(w.choice<3>({"off", "flood", "mist"}))};
     if (kind == "stop") return Stop{static_cast<StopKind>(w.choice<3>({"program", "optional", "end"}))};
-    if (kind == "comment" || kind == "message") return Comment{w.quoted(), kind == "message"};
+    if (kind == "comment" || kind == "message") return Comment{w.quoted(), kind == "message", false};
+    if (kind == "print") return Comment{w.quoted(), true, true};
     if (kind == "datum") return datum(w);
     if (kind == "tolerance") return tolerance(w);
     if (kind == "setting") return setting(w);

@@ -130,7 +130,7 @@ struct StepWriter {
         out += s.kind == StopKind::program ? " program" : s.kind == StopKind::optional ? " optional" : " end";
     }
     void operator()(const Comment& s) const {
-        out += s.message ? "message" : "comment";
+        out += s.terminal ? "print" : s.message ? "message" : "comment";
         quoted(out, s.text);
     }
     void operator()(const Datum& s) const {
@@ -147,7 +147,8 @@ struct StepWriter {
         out += filters[static_cast<std::size_t>(s.filter)];
     }
     void operator()(const Setting& s) const {
-        out += "setting " + std::to_string(static_cast<int>(s.kind)) + ' ' + std::to_string(s.number);
+        out += "setting " + std::to_string(static_cast<int>(s.kind)) + ' ' + std::to_string(s.number) + ' ' +
+               std::to_string(s.second);
         for (const double v : s.values) number(out, v);
     }
     void operator()(const Auxiliary& s) const {

@@ -6,6 +6,9 @@
 #include "base/number.hpp"
 #include "base/text.hpp"
 #include "driver/contours.hpp"
+#include "shop/linuxcnc_ini.hpp"
+#include "shop/linuxcnc_parameters.hpp"
+#include "shop/linuxcnc_table.hpp"
 
 namespace obrys::driver {
 
@@ -70,21 +73,24 @@ bool load_machine(Session& s, const fs::path& base_path, const std::string& name
     return true;
 }
 
-/// A tool list (.toml), a HEIDENHAIN tool table (.t) or SINUMERIK tool data (any other ending).
+/// A tool list (.toml), a HEIDENHAIN (.t) or LinuxCNC (.tbl) tool table, or SINUMERIK tool data (any other ending).
 std::vector<shop::Tool> read_tool_file(const fs::path& path, std::uint32_t file, Session& s) {
     if (is_job(path)) return shop::read_tools(file, s.sources, s.diagnostics);
+    if (base::equals_ignoring_case(path.extension().string(), ".tbl"))
+        return shop::read_tbl(file, s.sources, s.machine_unit, s.diagnostics);
     if (base::equals_ignoring_case(path.extension().string(), ".t"))
         return shop::read_tool_t(file, s.sources, s.diagnostics);
     return shop::read_toa(file, s.sources, s.diagnostics);
 }
 
-void load_tools(Session& s, const fs::path& base_path) {
-    for (const std::string& name : s.job.tool_files) {
-        const fs::path path = beside(base_path, name);
-        const auto file = load(path, s.sources, s.diagnostics, s.job.program_where);
-        if (!file) continue;
-        s.job.tools = shop::merge_tools(std::move(s.job.tools), read_tool_file(path, *file, s));
-    }
+void load_tool_file(Session& s, const fs::path& path) {
+    const auto file = load(path, s.sources, s.diagnostics, s.job.program_where);
+    if (file) s.job.tools = shop::merge_tools(std::move(s.job.tools), read_tool_file(path, *file, s));
+}
+
+void load_tools(Session& s, const Request& request, const fs::path& base_path) {
+    for (const std::string& name : s.job.tool_files) load_tool_file(s, beside(base_path, name));
+    for (const std::string& name : request.tools) load_tool_file(s, name);
     for (const shop::Tool& t : s.job.tools)
         if (!t.assumed.empty())
             s.diagnostics.add({base::Severity::note, codes::assumption, t.where, t.assumed, {}, {}, {}});
@@ -158,6 +164,25 @@ void find_shop_files(Session& s, const Request& request, const fs::path& program
         s.files->print_to(beside(request.input, s.job.prints));
 }
 
+/// Configuration and parameter file of a LinuxCNC machine. Without a configuration its stand-alone interpreter, which
+/// canonical calls are compared with, takes a machine in inches.
+void load_configuration(Session& s, const Request& request) {
+    s.canon = request.canon;
+    if (request.canon) s.machine_unit = 25.4;
+    if (const auto file =
+            request.configuration.empty() ? std::nullopt : load(request.configuration, s.sources, s.diagnostics)) {
+        const shop::LinuxcncIni ini = shop::read_linuxcnc_ini(*file, s.sources, s.diagnostics);
+        s.machine_unit = shop::settings_of(ini, s.diagnostics).mm_per_unit;
+        for (const shop::IniEntry& e : ini.entries)
+            s.settings.emplace(base::to_upper(e.section) + "/" + base::to_upper(e.key), e.value);
+    }
+    if (const auto file = request.stored.empty() ? std::nullopt : load(request.stored, s.sources, s.diagnostics)) {
+        for (const auto& [n, v] : shop::values_of(shop::read_linuxcnc_parameters(*file, s.sources, s.diagnostics)))
+            s.stored.emplace(static_cast<std::uint32_t>(n), v);
+        s.has_stored = true;
+    }
+}
+
 bool read_main(Session& s, const Request& request, const fs::path& path) {
     const auto file = load(path, s.sources, s.diagnostics, s.job.program_where);
     if (!file) return false;
@@ -210,13 +235,28 @@ bool open(const Request& request, Session& s) {
     if (!good || !read_main(s, request, program) || !choose_machine(s, request, input)) return false;
     s.job.skip_levels.insert(s.job.skip_levels.end(), request.skip.begin(), request.skip.end());
     if (request.diameter) s.job.machine.defaults.diameter_programming = *request.diameter;
-    load_tools(s, input);
+    load_configuration(s, request);
+    load_tools(s, request, input);
     for (const std::string& name : s.job.preset_tables)
         add_presets(beside(input, name), s.job.program_where, s.sources, s.diagnostics, s.job.machine);
     resolve_contours(s, input);
     return !std::any_of(s.diagnostics.all().begin(), s.diagnostics.all().end(), [](const base::Diagnostic& d) {
         return d.severity == base::Severity::error && base::kind_of(d.code) == base::CodeKind::input;
     });
+}
+
+bool lacks_second_percent(const Session& s) {
+    std::size_t found = 0;
+    bool first = true;
+    const std::uint32_t lines = s.sources.position(s.main->file, s.main->end).line;
+    for (std::uint32_t n = 1; n <= lines && found < 2; ++n) {
+        const std::string_view line = base::trim(s.sources.line(s.main->file, n));
+        if (line.empty()) continue;
+        if (line == "%") ++found;
+        if (first && found == 0) return false;
+        first = false;
+    }
+    return found == 1;
 }
 
 interp::Outcome interpret(Session& s, cl::Sink sink, const interp::ContourSink* programmed) {
@@ -232,7 +272,12 @@ interp::Outcome interpret(Session& s, cl::Sink sink, const interp::ContourSink* 
                                           s.programs->definitions(),
                                           s.job.variables,
                                           s.files.get(),
-                                          programmed};
+                                          programmed,
+                                          s.canon,
+                                          s.canon ? std::optional(geom::Vec3{}) : std::nullopt,
+                                          s.has_stored ? &s.stored : nullptr,
+                                          s.machine_unit,
+                                          &s.settings};
     interp::Outcome outcome = interp::run(*s.main, environment, s.stacks, sink, s.diagnostics);
     if (s.files) s.files->write_printed();  // none where a session was put together without files
     return outcome;

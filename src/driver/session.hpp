@@ -1,6 +1,7 @@
 #pragma once
 /// What a command works on: the job with everything it names, loaded and resolved.
 
+#include <map>
 #include <memory>
 #include <optional>
 #include <string>
@@ -24,6 +25,10 @@ struct Request {
     std::vector<int> skip;            ///< block skip levels that are on
     std::string prints;               ///< folder for what programs print; empty: as the job says, else nowhere
     std::optional<bool> diameter;     ///< X words are diameters at the start
+    std::vector<std::string> tools;   ///< tool tables, besides those of the job
+    std::string configuration;        ///< of a LinuxCNC machine (.ini)
+    std::string stored;               ///< its parameter file (.var)
+    bool canon = false;               ///< settings are told, and the machine stands at its zero at the start
 };
 
 struct Session {
@@ -37,6 +42,11 @@ struct Session {
     const program::Unit* main = nullptr;
     std::optional<geom::Region> part, allowance;
     cl::CallStacks stacks;
+    std::map<std::uint32_t, double> stored;       ///< numbered parameters that the control holds
+    std::map<std::string, std::string> settings;  ///< of the control, "SECTION/KEY" in capitals
+    double machine_unit = 1;                      ///< mm of a length of 1 in its tables
+    bool has_stored = false;
+    bool canon = false;
     bool has_job = false;
 };
 
@@ -47,6 +57,9 @@ bool open(const Request& request, Session& session);
 /// Interprets the main program to `sink`; `programmed` is told contours as they are programmed where the tool's path
 /// differs from them.
 interp::Outcome interpret(Session& session, cl::Sink sink, const interp::ContourSink* programmed = nullptr);
+
+/// The main program's text begins with a line `%` and has no second one.
+[[nodiscard]] bool lacks_second_percent(const Session& session);
 
 /// Names of the controls whose programs can be read.
 [[nodiscard]] std::vector<std::string> controls();

@@ -47,7 +47,7 @@ void print_form(Run& run, const program::ProcedureCall& p) {
     const FilledForm filled = fill_form(*form, value, run.env.sources[run.calls.front().unit->file].name);
     for (const std::string& problem : filled.problems) assume(run, p.where, "the form " + name + ", " + problem);
     if (filled.clock) assume(run, p.where, "the form " + name + " asks for date or time: \"?\" stands there");
-    if (base::to_upper(file) == "SCREEN") return emit(run, cl::Comment{filled.text, true});
+    if (base::to_upper(file) == "SCREEN") return emit(run, cl::Comment{filled.text, true, false});
     const bool begun = run.printed_files.contains(file);
     print_to(run, p, file, filled.text, !begun && !filled.append);
     if (filled.close)

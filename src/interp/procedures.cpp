@@ -19,7 +19,7 @@ std::string text_of(Run& run, const program::ProcedureCall& p, std::size_t i) {
 void show(Run& run, const program::ProcedureCall& p) {
     std::string text = text_of(run, p, 0);
     run.last_message = text;
-    if (!run.stopped) emit(run, cl::Comment{std::move(text), true});
+    if (!run.stopped) emit(run, cl::Comment{std::move(text), true, p.procedure == Procedure::print});
 }
 
 void stop_itself(Run& run, const program::ProcedureCall& p) {

@@ -513,6 +513,7 @@ void cancel_canned(Run&);
 // --- what is set besides moves (tell.cpp); nothing where nobody wants to know
 void tell(Run&, cl::SettingKind, int number = 0, std::initializer_list<double> values = {});
 void tell(Run&, cl::SettingKind, int number, const Axes& values);
+void tell_tool_entry(Run&, int place, int tool, std::initializer_list<double> values);
 /// What is in force when the run begins.
 void begin_telling(Run&);
 /// How programmed coordinates become those of the stream.

@@ -123,7 +123,7 @@ void set_tool_data(Run& run, int l) {
     const bool loaded = run.tool.data == t;
     for (const int entry : {place, 0}) {
         if (entry == 0 && !loaded) continue;
-        tell(run, SettingKind::tool_entry, entry,
+        tell_tool_entry(run, entry, static_cast<int>(t->number),
              {table.offset[0], table.offset[1], t->length, table.offset[3], table.offset[4], table.offset[5],
               table.offset[6], table.offset[7], table.offset[8], table.front_angle, table.back_angle,
               static_cast<double>(table.orientation)});

@@ -17,6 +17,16 @@ void tell(Run& run, SettingKind kind, int number, std::initializer_list<double> 
     emit(run, s);
 }
 
+void tell_tool_entry(Run& run, int place, int tool, std::initializer_list<double> values) {
+    if (!run.env.tell_settings) return;
+    cl::Setting s;
+    s.kind = SettingKind::tool_entry;
+    s.number = place;
+    s.second = tool;
+    std::copy(values.begin(), values.end(), s.values.begin());
+    emit(run, s);
+}
+
 void tell(Run& run, SettingKind kind, int number, const Axes& values) {
     if (!run.env.tell_settings) return;
     cl::Setting s;
@@ -91,6 +101,7 @@ void tell_overrides(Run& run) {
     const BlockWords& b = run.block;
     const int on = b.has(Code::p) && b.get(Code::p) == 0 ? 0 : 1;
     for (const int m : b.m) {
+        if (m == 30 || m == 60) continue;
         if (m >= 7 && m <= 9) tell(run, SettingKind::coolant, m);
         if (m == 48 || m == 49) {
             tell(run, SettingKind::feed_override, m == 48);

@@ -86,8 +86,12 @@ void add_format(CLI::App& app, Arguments& a) {
 }
 
 void add_request(CLI::App& app, Arguments& a) {
-    app.add_option("input", a.request.input, "program (.MPF, .SPF, .H, .I) or job file (.toml)")->required()->type_name("FILE");
-    app.add_option("--control", a.request.control, "control of the program: sinumerik-840d, heidenhain-itnc530; else found from the text")->type_name("NAME");
+    app.add_option("input", a.request.input, "program (.MPF, .SPF, .H, .I) or job file (.toml)")
+        ->required()
+        ->type_name("FILE");
+    app.add_option("--control", a.request.control,
+                   "control of the program: sinumerik-840d, heidenhain-itnc530; else found from the text")
+        ->type_name("NAME");
     app.add_option("--machine", a.request.machine, "shipped machine (lathe-generic, mill-generic) or machine file")
         ->type_name("NAME|FILE");
     app.add_option("--set", a.request.set, "give a parameter another value: replaces its constant assignments")
@@ -98,8 +102,13 @@ void add_request(CLI::App& app, Arguments& a) {
         ->type_name("DIR")
         ->allow_extra_args(false)
         ->take_all();
-    app.add_option("--prints", a.request.prints, "folder for what the program prints (FN 15, FN 16)")
-        ->type_name("DIR");
+    app.add_option("--tools", a.request.tools, "tool table of the control: TOOL.T, .tbl, TOA, or a list (.toml)")
+        ->type_name("FILE")
+        ->allow_extra_args(false)
+        ->take_all();
+    app.add_option("--ini", a.request.configuration, "configuration of a LinuxCNC machine")->type_name("FILE");
+    app.add_option("--var", a.request.stored, "parameter file of a LinuxCNC machine")->type_name("FILE");
+    app.add_option("--prints", a.request.prints, "folder for what the program prints (FN 15, FN 16)")->type_name("DIR");
     app.add_option("--skip", a.request.skip, "block skip level that is on (/ is level 0)")
         ->type_name("0..9")
         ->check(CLI::Range(0, 9))
@@ -139,6 +148,7 @@ Commands add_commands(CLI::App& app, Arguments& a) {
     c.run->add_option("--format", a.format, "text, csv or json")
         ->check(CLI::IsMember({"text", "csv", "json"}))
         ->type_name("FORMAT");
+    c.run->add_flag("--canon", a.request.canon, "print LinuxCNC's canonical calls instead of the moves");
     c.run->add_flag("--quiet", a.quiet, "print one line of counts instead of the moves");
     c.run->add_flag("--parameters", a.parameters, "print the numbered parameters at the end instead of the moves");
     c.plot = app.add_subcommand("plot", plot_help);

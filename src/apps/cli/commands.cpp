@@ -11,6 +11,7 @@
 #include "base/codes.hpp"
 #include "base/number.hpp"
 #include "check/result.hpp"
+#include "cl/canon.hpp"
 #include "cl/text.hpp"
 #include "cl/totals.hpp"
 #include "driver/check_program.hpp"
@@ -92,6 +93,16 @@ interp::Outcome print_stream(const Arguments& a, driver::Session& s, Output& out
     if (a.format == "csv") {
         driver::CsvWriter writer(s.sources, write);
         return driver::interpret(s, writer);
+    }
+    if (a.request.canon) {
+        const auto number = [&](const base::Span& at) {
+            const auto n = s.sources.block_number(at.file, at.begin);
+            return n ? std::to_string(*n) : std::string{};
+        };
+        cl::CanonWriter writer(write, number);
+        const interp::Outcome outcome = driver::interpret(s, writer);
+        writer.finish(driver::lacks_second_percent(s));
+        return outcome;
     }
     if (a.format == "json") {
         driver::JsonWriter writer(s.sources, write);

@@ -16,6 +16,48 @@ constexpr std::array live{
     LiveParameters{5420, 9, SystemVariable::coordinate},
 };
 
+/// Functions of the control's own that leave the path alone: pallets, outputs, overrides, saved modes.
+constexpr std::array<std::int16_t, 17> own_functions{48, 49, 50, 51, 52, 53, 60, 61, 62,
+                                                     63, 64, 65, 66, 67, 68, 70, 71};
+
+// Canned cycles: LinuxCNC, G-Codes, "Canned cycles"; what the control adds by itself is what its interpreter prints.
+using program::CannedWord;
+using program::Code;
+using program::CycleKind;
+using program::CycleRole;
+using program::CycleValue;
+constexpr double peck_clearance = 0.254;  // mm: 0.010 inch
+
+constexpr std::array dwell_word{CannedWord{Code::p, CycleRole::dwell_bottom, false, 1}};
+constexpr std::array peck_words{CannedWord{Code::q, CycleRole::infeed, true, 1}};
+constexpr std::array bore_stop_words{CannedWord{Code::p, CycleRole::dwell_bottom, false, 1}};
+constexpr std::array back_bore_words{CannedWord{Code::i, CycleRole::shift_u, true, 1},
+                                     CannedWord{Code::j, CycleRole::shift_v, true, 1},
+                                     CannedWord{Code::k, CycleRole::counterbore_top, true, 1}};
+constexpr std::array rise{CycleValue{CycleRole::rise_first, 1}};
+constexpr std::array chip_break{CycleValue{CycleRole::rise_first, 1},
+                                CycleValue{CycleRole::chip_break_distance, peck_clearance}};
+constexpr std::array peck{CycleValue{CycleRole::rise_first, 1},
+                          CycleValue{CycleRole::stop_distance_first, peck_clearance}};
+constexpr std::array tap_right{CycleValue{CycleRole::rise_first, 1}, CycleValue{CycleRole::spindle_direction, 1},
+                               CycleValue{CycleRole::dwell_bottom, 0}};
+constexpr std::array tap_left{CycleValue{CycleRole::rise_first, 1}, CycleValue{CycleRole::spindle_direction, -1},
+                              CycleValue{CycleRole::dwell_bottom, 0}};
+
+constexpr std::array canned{
+    program::CannedCycle{730, CycleKind::canned_chip_break, "G73", peck_words, chip_break},
+    program::CannedCycle{740, CycleKind::canned_tap_floating, "G74", dwell_word, tap_left},
+    program::CannedCycle{810, CycleKind::canned_drill, "G81", {}, rise},
+    program::CannedCycle{820, CycleKind::canned_drill, "G82", dwell_word, rise},
+    program::CannedCycle{830, CycleKind::canned_peck, "G83", peck_words, peck},
+    program::CannedCycle{840, CycleKind::canned_tap_floating, "G84", dwell_word, tap_right},
+    program::CannedCycle{850, CycleKind::canned_bore_feed, "G85", {}, rise},
+    program::CannedCycle{860, CycleKind::canned_bore_stop, "G86", bore_stop_words, rise},
+    program::CannedCycle{870, CycleKind::canned_back_bore, "G87", back_bore_words, rise},
+    program::CannedCycle{880, CycleKind::canned_bore_manual, "G88", dwell_word, rise},
+    program::CannedCycle{890, CycleKind::canned_bore_feed, "G89", dwell_word, rise},
+};
+
 }  // namespace
 
 /// Comparisons hold within 0.0001 (interpreter: TOLERANCE_EQUAL). The last parameter is #5601.
@@ -30,6 +72,22 @@ constexpr program::Traits traits{
     .argument_parameters = 30,
     .parameters_begin_at_zero = true,
     .live = live,
+    .offsets = {.datum_first = 5221,
+                .datum_step = 20,
+                .datum_count = 9,
+                .rotation = 9,
+                .active_datum = 5220,
+                .shift_first = 5211,
+                .shift_active = 5210,
+                .home_first = 5161,
+                .home_second = 5181},
+    .stops_before_motion = true,
+    .cancel_leaves_no_motion = true,
+    .changes_on_m6 = true,
+    .feed_mode_ends_surface_speed = false,
+    .own_functions = own_functions,
+    .needs_feed = true,
+    .canned = canned,
 };
 const program::Traits linuxcnc_traits = traits;
 

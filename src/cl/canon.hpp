@@ -1,0 +1,59 @@
+#pragma once
+/// The stream as the canonical machining calls that LinuxCNC's stand-alone interpreter prints, so that the two can be
+/// compared line by line. The run must tell settings (interp::Environment::tell_settings). Coordinates are those of the
+/// program, in its unit. Source: LinuxCNC 2.9 and 2.10, what `rs274 -g` prints.
+
+#include <array>
+#include <string>
+#include <string_view>
+
+#include "base/function_ref.hpp"
+#include "cl/record.hpp"
+#include "geom/frame.hpp"
+
+namespace obrys::cl {
+
+class CanonWriter {
+public:
+    /// `block_number` gives the N number of the block of a place, or nothing.
+    using BlockNumber = base::FunctionRef<std::string(const base::Span&)>;
+    CanonWriter(base::FunctionRef<void(std::string_view)> out, BlockNumber block_number)
+        : out_(out), block_number_(block_number) {}
+
+    void operator()(const Record& record);
+    /// The end of the run; `percent_missing`: the text began with `%` and has no second one.
+    void finish(bool percent_missing);
+
+private:
+    void call(std::string text);
+    void begin();
+    void setting(const Setting& s);
+    bool offsets(const Setting& s);
+    bool modes(const Setting& s);
+    bool technology(const Setting& s);
+    void move(std::string_view name, const geom::Vec3& to);
+    void feed_for(double length_mm);
+    void line(const Linear& l);
+    void arc(const Arc& a);
+    void thread(const Thread& t);
+    void stop(const Stop& s);
+    void program_end();
+    [[nodiscard]] geom::Vec3 programmed(const geom::Vec3& stream) const;
+    [[nodiscard]] std::string axes(const std::array<double, 12>& values, std::size_t from, std::size_t to,
+                                   std::string_view between) const;
+
+    base::FunctionRef<void(std::string_view)> out_;
+    BlockNumber block_number_;
+    std::uint64_t lines_ = 0;
+    std::string prefix_ = "N..... ";
+    geom::Frame into_program_;
+    std::array<double, 9> offset_{}, stream_{};  ///< of A … W
+    geom::Vec3 at_;                              ///< stream
+    double unit_ = 1;                            ///< mm
+    int plane_ = 17;
+    double feed_ = 0;
+    bool inverse_time_ = false, mist_ = false, flood_ = false, feed_override_ = true, speed_override_ = true;
+    bool begun_ = false, ended_ = false, pallet_ = false, tapped_ = false;
+};
+
+}  // namespace obrys::cl
