@@ -70,6 +70,7 @@ inline void check_word(const program::Unit& u, const program::Word& w, Statement
         case Code::unsupported:
         case Code::unknown: return require(at < u.problems.size());
         case Code::modal: return;
+        case Code::comment: return require(at < u.texts.size());
         default: break;
     }
     if (program::form_of(w) == program::Form::expression) require(at < u.exprs.size());
@@ -107,7 +108,10 @@ inline void check_tables(const program::Unit& u, std::size_t size) {
     for (const auto& n : u.named) check_expr(u, n.index), require(n.value < u.exprs.size());
     for (const auto& p : u.problems) check_span(p.where, size);
     for (const auto& p : u.ignored) check_span(p.where, size);
-    for (const auto& j : u.jumps) check_expr(u, j.condition), check_expr(u, j.destination);
+    for (const auto& j : u.jumps) {
+        check_expr(u, j.condition), check_expr(u, j.destination);
+        require(j.target == program::no_target || j.target <= u.statements.size());
+    }
     for (const auto& c : u.calls) {
         check_span(c.where, size);
         for (const auto a : c.arguments) check_expr(u, a);

@@ -4,6 +4,7 @@
 #include <array>
 
 #include "read/heidenhain/read.hpp"
+#include "read/rs274/read.hpp"
 #include "read/sinumerik/read.hpp"
 
 namespace obrys::driver {
@@ -12,6 +13,13 @@ namespace {
 
 constexpr std::array<std::string_view, 2> sinumerik_programs{".SPF", ".MPF"}, sinumerik_definitions{".DEF", ".GUD"};
 constexpr std::array<std::string_view, 2> heidenhain_programs{".H", ".I"};
+constexpr std::array<std::string_view, 6> rs274_programs{".NGC", ".NC", ".TAP", ".GCODE", ".CNC", ".TXT"};
+
+/// "O<FOO>" lies in FOO, "O100" in 100.
+std::string o_word_file(std::string_view program) {
+    if (program.starts_with("O<") && program.ends_with(">")) return std::string(program.substr(2, program.size() - 3));
+    return std::string(program.substr(program.starts_with("O") ? 1 : 0));
+}
 
 /// A file that holds one program.
 template <program::Unit (*read)(std::uint32_t, const base::Sources&, program::Names&, base::Diagnostics&)>
@@ -30,9 +38,14 @@ constexpr std::array heidenhain_languages{
     Language{base::BlockNumbers::n_word, alone<read::heidenhain::read_iso>, read::heidenhain::iso_likelihood},
 };
 
+constexpr std::array linuxcnc_languages{
+    Language{base::BlockNumbers::n_word, read::rs274::read_linuxcnc, read::rs274::linuxcnc_likelihood},
+};
+
 constexpr std::array controls_table{
     Control{"sinumerik-840d", sinumerik_languages, sinumerik_programs, sinumerik_definitions},
     Control{"heidenhain-itnc530", heidenhain_languages, heidenhain_programs, {}},
+    Control{"linuxcnc", linuxcnc_languages, rs274_programs, {}, o_word_file},
 };
 
 }  // namespace

@@ -2,6 +2,7 @@
 /// The controls whose programs can be read, one entry each: this table is all that ties a reader to the rest.
 
 #include <span>
+#include <string>
 #include <string_view>
 #include <vector>
 
@@ -24,6 +25,9 @@ struct Control {
     /// Upper case, with the point. Subprograms are looked for in this order where two files have one name and the call
     /// does not name the suffix.
     std::span<const std::string_view> program_suffixes, definition_suffixes;
+    /// File that holds the called program, upper case, without suffix, for programs that are not called by the name of
+    /// their file ("O<FOO>": FOO); null: they are. A file of the program's own name counts where there is none such.
+    std::string (*file_stem)(std::string_view program) = nullptr;
 };
 /// The language in which the text is most likely written; the first one where nothing says so.
 [[nodiscard]] const Language& language_of(const Control& control, std::string_view text, std::string_view file_name);

@@ -44,7 +44,9 @@ const program::Unit* Programs::read(std::uint32_t file) {
         units_.push_back(std::make_unique<program::Unit>(std::move(unit)));
         const program::Unit* held = units_.back().get();
         const auto plain = files_.find(held->name);  // of PART.H and PART.I one only is called PART
-        if (plain == files_.end() || full_name(plain->second) == full_name(path)) by_name_.emplace(held->name, held);
+        const bool own = control_.file_stem != nullptr && first != nullptr;  // what a text defines is found there
+        if (own || plain == files_.end() || full_name(plain->second) == full_name(path))
+            by_name_.emplace(held->name, held);
         by_name_.emplace(held->name + suffix, held);
         if (first == nullptr) first = held;
     }
@@ -54,6 +56,7 @@ const program::Unit* Programs::read(std::uint32_t file) {
 const program::Unit* Programs::find(std::string_view name) {
     const std::string key(name);
     if (const auto known = by_name_.find(key); known != by_name_.end()) return known->second;
+    if (control_.file_stem != nullptr) return find_in_file(key);
     const program::Unit* unit = nullptr;
     if (const auto path = files_.find(key); path == files_.end()) {
         const fs::path written(key);
@@ -65,6 +68,20 @@ const program::Unit* Programs::find(std::string_view name) {
     }
     by_name_[key] = unit;
     return unit;
+}
+
+const program::Unit* Programs::find_in_file(const std::string& key) {
+    const program::Unit* found = nullptr;
+    for (const std::string& stem : {control_.file_stem(key), key}) {
+        const auto path = files_.find(stem);
+        if (found != nullptr || path == files_.end() || by_name_.contains(full_name(path->second))) continue;
+        const std::size_t before = units_.size();
+        if (const auto file = load(path->second, sources_, diagnostics_)) read(*file);
+        for (std::size_t i = before; i < units_.size(); ++i)  // the last: the first is the file as a whole
+            if (units_[i]->name == key) found = units_[i].get();
+    }
+    by_name_[key] = found;
+    return found;
 }
 
 void Programs::read_definitions() {

@@ -32,6 +32,9 @@ public:
     [[nodiscard]] program::Names& names() { return names_; }
 
 private:
+    /// The program of that name, from the file that Control::file_stem says, or from one of its own name.
+    const program::Unit* find_in_file(const std::string& key);
+
     const Control& control_;
     base::Sources& sources_;
     base::Diagnostics& diagnostics_;

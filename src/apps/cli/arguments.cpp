@@ -86,11 +86,11 @@ void add_format(CLI::App& app, Arguments& a) {
 }
 
 void add_request(CLI::App& app, Arguments& a) {
-    app.add_option("input", a.request.input, "program (.MPF, .SPF, .H, .I) or job file (.toml)")
+    app.add_option("input", a.request.input, "program (.MPF, .SPF, .H, .I, .ngc) or job file (.toml)")
         ->required()
         ->type_name("FILE");
     app.add_option("--control", a.request.control,
-                   "control of the program: sinumerik-840d, heidenhain-itnc530; else found from the text")
+                   "control of the program: sinumerik-840d, heidenhain-itnc530, linuxcnc; else found from the text")
         ->type_name("NAME");
     app.add_option("--machine", a.request.machine, "shipped machine (lathe-generic, mill-generic) or machine file")
         ->type_name("NAME|FILE");

@@ -7,20 +7,16 @@ namespace {
 using program::Code;
 
 // G numbers times ten; `rs274` refuses a letter that none of the block's codes uses.
-constexpr std::uint16_t for_d[]{410, 411, 420, 421, 710, 711, 712, 960};
-constexpr std::uint16_t for_e[]{700, 760};
+constexpr std::uint16_t for_d[]{410, 411, 420, 421, 700, 710, 711, 712, 720, 721, 722, 960};
+constexpr std::uint16_t for_e[]{330, 331, 700, 760};
 constexpr std::uint16_t for_h[]{430, 432, 760};
-constexpr std::uint16_t for_i[]{20,  30,  50,  51,  100, 331, 700, 710,
-                                              711, 712, 720, 721, 722, 760, 870, 62};
-constexpr std::uint16_t for_j[]{20, 30, 50, 51, 100, 710, 711, 712, 720, 721, 722, 760, 870, 62};
-constexpr std::uint16_t for_k[]{20, 30, 330, 331, 710, 711, 712, 720, 721, 722, 760, 870, 62};
-constexpr std::uint16_t for_l[]{52,  62,  100, 410, 411, 420, 421, 710, 711, 712, 720, 721,
-                                              722, 730, 760, 810, 820, 830, 840, 850, 860, 870, 880, 890};
-constexpr std::uint16_t for_p[]{20,  30,  40,  50,  52,  62,  100, 640, 700, 710, 711,
-                                              712, 720, 721, 722, 740, 760, 820, 840, 860, 880, 890};
-constexpr std::uint16_t for_q[]{50,  62,  100, 640, 700, 710, 711, 712, 720, 721, 722, 730, 760, 830};
-constexpr std::uint16_t for_r[]{20,  30,  62,  100, 411, 421, 710, 711, 712, 720, 721, 722,
-                                              730, 740, 760, 810, 820, 830, 840, 850, 860, 870, 880, 890};
+constexpr std::uint16_t for_i[]{20, 30, 50, 51, 100, 331, 710, 711, 712, 720, 721, 722, 760, 870};
+constexpr std::uint16_t for_j[]{20, 30, 50, 51, 100, 760, 870};
+constexpr std::uint16_t for_k[]{20, 30, 330, 331, 760, 870};
+constexpr std::uint16_t for_l[]{52, 100, 410, 411, 420, 421, 730, 760, 810, 820, 830, 840, 850, 860, 870, 880, 890};
+constexpr std::uint16_t for_p[]{20, 30, 40, 50, 52, 100, 640, 700, 740, 760, 820, 840, 860, 880, 890};
+constexpr std::uint16_t for_q[]{50, 100, 640, 700, 710, 711, 712, 720, 721, 722, 730, 760, 830};
+constexpr std::uint16_t for_r[]{20, 30, 100, 411, 421, 710, 711, 712, 720, 721, 722, 730, 740, 760, 810, 820, 830, 840, 850, 860, 870, 880, 890};
 
 constexpr std::array letters{
     LetterUse{'D', Code::offset_d, for_d, {}},

@@ -82,11 +82,11 @@ constexpr program::Traits traits{
                 .home_first = 5161,
                 .home_second = 5181},
     .stops_before_motion = true,
-    .cancel_leaves_no_motion = true,
     .changes_on_m6 = true,
     .feed_mode_ends_surface_speed = false,
     .own_functions = own_functions,
     .needs_feed = true,
+    .cancel_leaves_no_motion = true,
     .canned = canned,
 };
 const program::Traits linuxcnc_traits = traits;

@@ -1,0 +1,93 @@
+#include <algorithm>
+#include <array>
+
+#include "base/text.hpp"
+#include "read/rs274/read.hpp"
+
+namespace obrys::read::rs274 {
+
+namespace {
+
+constexpr std::size_t looked_at = 65536;
+
+/// The text in upper case without blanks and comments, its begin.
+std::string code_of(std::string_view text) {
+    std::string out;
+    bool to_end = false, comment = false;
+    for (const char c : text.substr(0, looked_at)) {
+        if (c == '\n') to_end = comment = false;
+        to_end = to_end || (c == ';' && !comment);
+        comment = (comment || c == '(') && c != ')';
+        if (!to_end && !comment && c != ')' && !base::is_blank(c) && c != '\r') out += base::upper(c);
+    }
+    return out;
+}
+
+/// Lines that begin with one of `letters` and a digit, sign, point, `[` or `#`; and all that are not empty.
+struct Lines {
+    int words = 0, all = 0, o_words = 0;
+};
+
+bool begins_value(char c) { return base::is_digit(c) || c == '-' || c == '+' || c == '.' || c == '[' || c == '#'; }
+
+bool is_o_word(std::string_view line) {
+    constexpr std::array<std::string_view, 12> words{"SUB",   "ENDSUB", "CALL",   "WHILE", "ENDWHILE",  "IF",
+                                                     "ELSE", "ENDIF",  "REPEAT", "DO",    "ENDREPEAT", "RETURN"};
+    if (line.size() < 3 || line[0] != 'O') return false;
+    std::size_t i = 1;
+    if (line[1] == '<')
+        i = line.find('>') == std::string_view::npos ? line.size() : line.find('>') + 1;
+    else
+        while (i < line.size() && base::is_digit(line[i])) ++i;
+    if (i < 2) return false;
+    return std::any_of(words.begin(), words.end(), [&](std::string_view w) { return line.substr(i).starts_with(w); });
+}
+
+Lines count_lines(std::string_view code) {
+    constexpr std::string_view letters = "GMXYZFNSTABCIJK#";
+    Lines n;
+    while (!code.empty()) {
+        const std::size_t end = std::min(code.find('\n'), code.size());
+        const std::string_view line = code.substr(0, end);
+        code.remove_prefix(std::min(end + 1, code.size()));
+        if (line.empty() || line == "%") continue;
+        ++n.all;
+        n.o_words += is_o_word(line);
+        const bool named = line.starts_with("#<");
+        n.words += named || is_o_word(line) ||
+                   (line.size() > 1 && letters.find(line[0]) != std::string_view::npos && begins_value(line[1])) ||
+                   (line[0] == '#' && line.size() > 1);
+    }
+    return n;
+}
+
+/// What other controls write and LinuxCNC does not.
+int foreign(std::string_view code) {
+    constexpr std::array<std::string_view, 22> words{"BEGINPGM", "ENDPGM", "TOOLCALL", "CYCLDEF", "FMAX",  "LBL",
+                                                     "GOTO",     "G65P",   "G54.1",    "$P_",     "$AA_",  "$TC_",
+                                                     "DEFREAL",  "MSG(\"", "ENDFOR",   "DIAMON",  "CR=",   "X=",
+                                                     "Z=",       "POPEN[", "CYCLE8",   "%_N_"};
+    return static_cast<int>(
+        std::count_if(words.begin(), words.end(), [&](std::string_view w) { return code.find(w) != code.npos; }));
+}
+
+}  // namespace
+
+int linuxcnc_likelihood(std::string_view text, std::string_view file_name) {
+    const std::string name = base::to_upper(file_name);
+    const std::string code = code_of(text);
+    const Lines lines = count_lines(code);
+    int score = 5;
+    if (name.ends_with(".NGC")) score += 60;
+    for (const std::string_view suffix : {".NC", ".TAP", ".GCODE", ".CNC"})
+        if (name.ends_with(suffix)) score += 25;
+    if (lines.all > 0 && lines.words * 10 >= lines.all * 8) score += 15;
+    if (lines.o_words > 0) score += 45;
+    if (code.find("#<") != std::string::npos) score += 20;
+    const std::string upper = base::to_upper(text.substr(0, looked_at));
+    for (const std::string_view active : {"(DEBUG,", "(PRINT,", "(LOGOPEN,", "(ABORT,"})
+        if (upper.find(active) != std::string::npos) score += 10;
+    return std::clamp(score - 20 * foreign(code), 0, 100);
+}
+
+}  // namespace obrys::read::rs274
