@@ -10,6 +10,7 @@ import re
 import sys
 import tempfile
 
+import endpoint
 import runner
 from bad_programs import BAD, CORPUS_BAD, KNOWN_FAILURES, Bad
 
@@ -40,7 +41,7 @@ def obrys_line(obrys, path, _text):
     if run.code == 0:
         return 0
     found = re.search(r":(\d+):\d+: error: ", run.err)
-    return int(found[1]) if found else f"exit {run.code}: {run.err.strip()[:120]}"
+    return int(found[1]) if found else f"exit {run.code}: {endpoint.first_error(run.err)}"
 
 
 def check(bad, path, options):
@@ -53,7 +54,8 @@ def check(bad, path, options):
     if got == wanted:
         return ""
     names = {0: "accepted"}
-    return f"{names.get(got, f'line {got}')}, wanted {names.get(wanted, f'line {wanted}')}"
+    said = f"line {got}" if isinstance(got, int) else got
+    return f"{names.get(got, said)}, wanted {names.get(wanted, f'line {wanted}')}"
 
 
 def arguments():

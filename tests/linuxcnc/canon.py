@@ -14,6 +14,7 @@ import re
 import sys
 import tempfile
 
+import endpoint
 import runner
 from cases import CASES, EXCLUDED, KNOWN_FAILURES, NO_PROGRAM
 
@@ -88,7 +89,7 @@ def run_part(case, part, options, corpus):
         return [], f"{part.program}: exit {run.code}: {run.err[:200]}"
     lines = viewed(run.out, case)
     fault = "" if (run.code != 0) == part.refused else (
-        f"{part.program}: exit {run.code}, to be {'refused' if part.refused else 'accepted'}: {run.err.strip()[:200]}")
+        f"{part.program}: exit {run.code}, to be {'refused' if part.refused else 'accepted'}: {run.refused or endpoint.first_error(run.err)}")
     return as_of_2_10(lines) if options.referee else lines, fault
 
 

@@ -10,6 +10,7 @@ refuse at the same line. With --self rs274 stands in for obrys, which tests this
 import argparse
 import collections
 import pathlib
+import re
 import sys
 
 import endpoint
@@ -45,8 +46,15 @@ def compared(path, options):
     return ("same calls" if runner.calls(referee.out) == runner.calls(ours.out) else "same point"), ""
 
 
+# What the installed rs274 refuses for what it is, not for the program: files of user M codes, HAL pins, axes it was built
+# without, and words of 2.10.
+LACKS = (r"Unknown m code used: M1\d\d", r"Named parameter #<_hal\[", r"Bad character '[uvw]' used", r"Unknown g code used .*G6\.[23]")
+
+
 def refusals(referee, ours, points, options):
     message, text = referee.refused or (referee.err.strip()[-100:], "")
+    if any(re.match(pattern, f"{message} {text}") for pattern in LACKS):
+        return "rs274 lacks", f"{message} ({text.strip()})"
     if ours.code == 0:
         return "differ", f"rs274 refuses: {message} ({text.strip()}); obrys accepts"
     if options.self:
@@ -91,7 +99,7 @@ def main():
         kinds[kind] += 1
         short = name.replace("LinuxCNC__linuxcnc", "…")
         known = "" if options.self else NEWER.get(name) or KNOWN_FAILURES.get(name, "")
-        good = kind in ("same calls", "same point", "refused", "endless")
+        good = kind in ("rs274 lacks", "same calls", "same point", "refused", "endless")
         if options.verbose or not good:
             print(f"{kind:12} {short}  {said}" + (f" (known: {known})" if known else ""))
         if good == bool(known):

@@ -82,12 +82,13 @@ def shown(point):
     return "(" + " ".join(f"{v:.4f}" for v in point) + ")"
 
 
+WARNING = re.compile(r"^(.*?):(\d+):\d+: warning: (.*)$", re.M)
 ERROR = re.compile(r"^(.*?):(\d+):\d+: error: (.*)$", re.M)
 
 
 def first_error(text):
-    found = ERROR.search(text)
-    return f"{pathlib.PurePath(found[1]).name}:{found[2]}: {found[3]}" if found else text.strip()[:160]
+    found = ERROR.search(text) or WARNING.search(text)
+    return f"{pathlib.PurePath(found[1]).name}:{found[2]}: {found[3]}" if found else text.strip()[-160:]
 
 
 def error_line(text):
