@@ -88,8 +88,9 @@ def run_part(case, part, options, corpus):
     if run.code < 0 or run.code > 100:
         return [], f"{part.program}: exit {run.code}: {run.err[:200]}"
     lines = viewed(run.out, case)
+    wanted = "refused" if part.refused else "accepted"
     fault = "" if (run.code != 0) == part.refused else (
-        f"{part.program}: exit {run.code}, to be {'refused' if part.refused else 'accepted'}: {run.refused or endpoint.first_error(run.err)}")
+        f"{part.program}: exit {run.code}, to be {wanted}: {run.refused or endpoint.first_error(run.err)}")
     return as_of_2_10(lines) if options.referee else lines, fault
 
 
