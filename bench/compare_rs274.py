@@ -1,11 +1,12 @@
 #!/usr/bin/env python3
-"""Interpreting, side by side with LinuxCNC's rs274 (package linuxcnc-uspace) in one run: medians of seconds and the ratio.
+"""Interpreting, side by side with LinuxCNC's rs274 (package linuxcnc-uspace) in one run: medians of processor seconds, peaks of memory, ratios.
 
 usage: compare_rs274.py OBRYS [--passes 250000] [--blocks 1000000] [--repeat 5]
 
-The programs of a row move alike: a zig-zag surface of straight blocks, and a loop of four statements with SIN and COS, as
-SINUMERIK (WHILE), as Klartext (LBL, FN 12, GOTO) and as RS274. obrys interprets to a counting sink (run --quiet), rs274 prints its canonical calls to the null device, which is
-the least it does. Without rs274 only obrys is measured.
+Two rows move alike in three languages: a zig-zag surface of straight blocks, and a loop of four statements with SIN and COS, as
+SINUMERIK (WHILE), as Klartext (LBL, FN 12, GOTO) and as RS274. Three more are RS-274 programs that both read: those that
+../shared/bench/gen_rs274.py writes. obrys interprets to a counting sink (run --quiet), rs274 prints its canonical calls to the null
+device, which is the least it does. What is missing is said: without rs274 only obrys is measured.
 """
 import argparse
 import math
@@ -17,7 +18,6 @@ import statistics
 import subprocess
 import sys
 import tempfile
-import time
 
 
 def surface(blocks):
@@ -65,20 +65,48 @@ def write_programs(folder, blocks, passes):
     return [(f"{blocks} straight blocks", mpf, h, nc), (f"{passes} passes of a loop", loop_mpf, loop_h, loop_nc)]
 
 
+def write_rs274_programs(folder):
+    """The generator's programs and what obrys is to be called with; empty where there is no generator."""
+    generator = pathlib.Path(__file__).resolve().parents[2] / "shared" / "bench" / "gen_rs274.py"
+    if not generator.is_file():
+        print("skipped: a_surface_1M.ngc, b_arcs_200k.ngc, c_while_1M.ngc (no ../shared/bench/gen_rs274.py)")
+        return []
+    subprocess.run([sys.executable, str(generator), str(folder)], check=True)
+    names = ("a_surface_1M", "b_arcs_200k", "c_while_1M")
+    return [(name, folder / f"{name}.ngc") for name in names]
+
+
+def knows_linuxcnc(obrys, program):
+    """Exit 2 is what obrys answers to a control it does not know."""
+    command = [obrys, "run", "--quiet", "--control", "linuxcnc", str(program)]
+    return subprocess.run(command, stdout=subprocess.DEVNULL, stderr=subprocess.DEVNULL, check=False).returncode != 2
+
+
 def run(command):
-    """Seconds and peak memory in MB of one run (a forked child starts with what this script holds: some 10 MB)."""
-    start = time.monotonic()
+    """Seconds of the processor and peak memory in MB of one run (a forked child starts with what this script holds: some 10 MB).
+
+    Both programs have one thread and wait for nothing, so these are the seconds of a machine that does nothing else.
+    """
     process = subprocess.Popen(command, stdout=subprocess.DEVNULL, stderr=subprocess.DEVNULL)
     _, status, usage = os.wait4(process.pid, 0)
     if status not in (0, 256):
         sys.exit(f"{command[0]} failed")
-    return time.monotonic() - start, usage.ru_maxrss / 1024
+    return usage.ru_utime + usage.ru_stime, usage.ru_maxrss / 1024
 
 
 def measure(commands, repeat):
     """Runs the commands in turn, so that both meet the same noise."""
     results = [[run(c) for c in commands] for _ in range(repeat)]
     return [(statistics.median(r[i][0] for r in results), max(r[i][1] for r in results)) for i in range(len(commands))]
+
+
+def show(name, columns, results, referee):
+    """One line; `referee`: the last column is rs274, which the others are held against."""
+    parts = []
+    for i, (column, (seconds, memory)) in enumerate(zip(columns, results)):
+        factor = f", factor {results[-1][0] / seconds:.1f}" if referee and i + 1 < len(results) else ""
+        parts.append(f"{column} {seconds:.3f} s, {memory:.0f} MB{factor}")
+    print(f"{name}: " + "; ".join(parts), flush=True)
 
 
 def main():
@@ -91,14 +119,18 @@ def main():
     rs274 = shutil.which("rs274")
     if rs274 is None:
         print("rs274 is not installed (package linuxcnc-uspace): obrys alone is measured")
-    with tempfile.TemporaryDirectory() as folder:
-        for name, mpf, h, ngc in write_programs(pathlib.Path(folder), a.blocks, a.passes):
-            commands = [[a.obrys, "run", "--quiet", str(p)] for p in (mpf, h)] + ([[rs274, "-g", str(ngc)]] if rs274 else [])
-            results = measure(commands, a.repeat)
-            line = name + ": " + "; ".join(
-                f"{what} {seconds:.3f} s, {memory:.0f} MB" + (f", factor {results[2][0] / seconds:.1f}" if rs274 and i < 2 else "")
-                for i, (what, (seconds, memory)) in enumerate(zip(("SINUMERIK", "Klartext", "rs274"), results)))
-            print(line, flush=True)
+    with tempfile.TemporaryDirectory() as name:
+        folder = pathlib.Path(name)
+        run_obrys = [a.obrys, "run", "--quiet"]
+        for row, mpf, h, ngc in write_programs(folder, a.blocks, a.passes):
+            commands = [[*run_obrys, str(p)] for p in (mpf, h)] + ([[rs274, "-g", str(ngc)]] if rs274 else [])
+            show(row, ("SINUMERIK", "Klartext", "rs274"), measure(commands, a.repeat), rs274)
+        for row, ngc in write_rs274_programs(folder):
+            if not knows_linuxcnc(a.obrys, ngc):
+                print(f"{row}: not yet (obrys does not know --control linuxcnc)")
+                continue
+            commands = [[*run_obrys, "--control", "linuxcnc", str(ngc)]] + ([[rs274, "-g", str(ngc)]] if rs274 else [])
+            show(row, ("obrys", "rs274"), measure(commands, a.repeat), rs274)
 
 
 if __name__ == "__main__":

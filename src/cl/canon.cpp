@@ -115,7 +115,6 @@ bool CanonWriter::modes(const Setting& s) {
             call(std::string("SELECT_PLANE(CANON_PLANE_") + (plane_ == 17 ? "XY)" : plane_ == 18 ? "XZ)" : "YZ)"));
             return true;
         case SettingKind::feed_mode:
-            inverse_time_ = s.number == 93;
             comment(std::string("feed mode set to ") + (s.number == 93   ? "inverse time"
                                                         : s.number == 94 ? "units per minute"
                                                                          : "units per revolution"));
@@ -201,21 +200,12 @@ void CanonWriter::setting(const Setting& s) {
 
 void CanonWriter::move(std::string_view name, const geom::Vec3& to) {
     const geom::Vec3 p = programmed(to);
-    at_ = to;
     call(std::string(name) + text("(%.4f, %.4f, %.4f, %.4f, %.4f, %.4f)", p.x, p.y, p.z,
                                   restored(stream_[3] - offset_[3]), restored(stream_[4] - offset_[4]),
                                   restored(stream_[5] - offset_[5])));
 }
 
-/// In inverse time mode the feed follows from the length of the move.
-void CanonWriter::feed_for(double length) {
-    if (inverse_time_) call(text("SET_FEED_RATE(%.4f)", length / unit_ * feed_));
-}
-
-void CanonWriter::line(const Linear& l) {
-    if (!l.rapid) feed_for(geom::length(l.to - at_));
-    move(l.rapid ? "STRAIGHT_TRAVERSE" : "STRAIGHT_FEED", l.to);
-}
+void CanonWriter::line(const Linear& l) { move(l.rapid ? "STRAIGHT_TRAVERSE" : "STRAIGHT_FEED", l.to); }
 
 void CanonWriter::arc(const Arc& a) {
     const geom::Vec3 end = programmed(a.to), centre = programmed(a.centre);
@@ -223,22 +213,18 @@ void CanonWriter::arc(const Arc& a) {
     const double along = plane_ == 17 ? normal.z : plane_ == 18 ? normal.y : normal.x;
     const double turns = std::ceil(std::abs(a.sweep) / (2 * geom::pi) - 1e-9);
     const int sense = (a.sweep > 0) == (along > 0) ? 1 : -1;
-    const double radius = geom::length(a.to - a.centre);
-    feed_for(std::abs(a.sweep) * radius);
     const std::array<double, 5> v = plane_ == 17   ? std::array{end.x, end.y, centre.x, centre.y, end.z}
                                     : plane_ == 18 ? std::array{end.z, end.x, centre.z, centre.x, end.y}
                                                    : std::array{end.y, end.z, centre.y, centre.z, end.x};
     call(text("ARC_FEED(%.4f, %.4f, %.4f, %.4f, %d, %.4f, %.4f, %.4f, %.4f)", v[0], v[1], v[2], v[3],
               sense * static_cast<int>(std::max(1.0, turns)), v[4], restored(stream_[3] - offset_[3]),
               restored(stream_[4] - offset_[4]), restored(stream_[5] - offset_[5])));
-    at_ = a.to;
 }
 
 /// A rigid tap is one call for its way down; the way back is not printed.
 void CanonWriter::thread(const Thread& t) {
     if (t.rigid_tap && tapped_) {
         tapped_ = false;
-        at_ = t.to;
         return;
     }
     call(text("START_SPEED_FEED_SYNC(%f,0)", restored(std::abs(t.pitch) / unit_)));
@@ -246,7 +232,6 @@ void CanonWriter::thread(const Thread& t) {
         const geom::Vec3 p = programmed(t.to);
         call(text("RIGID_TAP(%.4f, %.4f, %.4f)", p.x, p.y, p.z));
         tapped_ = true;
-        at_ = t.to;
     } else {
         move("STRAIGHT_FEED", t.to);
     }
@@ -285,7 +270,6 @@ void CanonWriter::operator()(const Record& r) {
     if (const auto* a = std::get_if<Arc>(&r.step)) return arc(*a);
     if (const auto* t = std::get_if<Thread>(&r.step)) return thread(*t);
     if (const auto* s = std::get_if<Stop>(&r.step)) return stop(*s);
-    if (const auto* f = std::get_if<Feed>(&r.step)) feed_ = f->value;
     if (const auto* d = std::get_if<Dwell>(&r.step)) call(text("DWELL(%.4f)", d->seconds));
     if (const auto* axis = std::get_if<Axis>(&r.step)) {
         const auto k = std::string_view("XYZABCUVW").find(axis->name[0]);
@@ -299,11 +283,12 @@ void CanonWriter::operator()(const Record& r) {
     }
 }
 
-void CanonWriter::finish(bool percent_missing) {
+void CanonWriter::finish(int percents, int resets, bool refused) {
     prefix_ = "N..... ";
-    if (ended_ && percent_missing) call("COMMENT(\"interpreter: percent sign missing from end of file\")");
-    call("ON_RESET()");
-    call("ON_RESET()");
+    if (lines_ > 0 && !begun_) begin();
+    if (ended_ && percents == 1) call("COMMENT(\"interpreter: percent sign missing from end of file\")");
+    if (!ended_ && percents == 2 && !refused) call("FINISH()");
+    for (int i = 0; i < resets; ++i) call("ON_RESET()");
 }
 
 }  // namespace obrys::cl

@@ -21,8 +21,9 @@ public:
         : out_(out), block_number_(block_number) {}
 
     void operator()(const Record& record);
-    /// The end of the run; `percent_missing`: the text began with `%` and has no second one.
-    void finish(bool percent_missing);
+    /// The end of the run. `percents`: lines with `%` alone in the text, two at most; `resets`: how often the control
+    /// is reset (twice without, once with a configuration); `refused`: the run ended with an error.
+    void finish(int percents, int resets, bool refused);
 
 private:
     void call(std::string text);
@@ -32,7 +33,6 @@ private:
     bool modes(const Setting& s);
     bool technology(const Setting& s);
     void move(std::string_view name, const geom::Vec3& to);
-    void feed_for(double length_mm);
     void line(const Linear& l);
     void arc(const Arc& a);
     void thread(const Thread& t);
@@ -48,11 +48,9 @@ private:
     std::string prefix_ = "N..... ";
     geom::Frame into_program_;
     std::array<double, 9> offset_{}, stream_{};  ///< of A … W
-    geom::Vec3 at_;                              ///< stream
     double unit_ = 1;                            ///< mm
     int plane_ = 17;
-    double feed_ = 0;
-    bool inverse_time_ = false, mist_ = false, flood_ = false, feed_override_ = true, speed_override_ = true;
+    bool mist_ = false, flood_ = false, feed_override_ = true, speed_override_ = true;
     bool begun_ = false, ended_ = false, pallet_ = false, tapped_ = false;
 };
 

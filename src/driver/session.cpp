@@ -245,18 +245,18 @@ bool open(const Request& request, Session& s) {
     });
 }
 
-bool lacks_second_percent(const Session& s) {
-    std::size_t found = 0;
+int percent_lines(const Session& s) {
+    int found = 0;
     bool first = true;
     const std::uint32_t lines = s.sources.position(s.main->file, s.main->end).line;
     for (std::uint32_t n = 1; n <= lines && found < 2; ++n) {
         const std::string_view line = base::trim(s.sources.line(s.main->file, n));
         if (line.empty()) continue;
         if (line == "%") ++found;
-        if (first && found == 0) return false;
+        if (first && found == 0) return 0;
         first = false;
     }
-    return found == 1;
+    return found;
 }
 
 interp::Outcome interpret(Session& s, cl::Sink sink, const interp::ContourSink* programmed) {

@@ -58,8 +58,8 @@ bool open(const Request& request, Session& session);
 /// differs from them.
 interp::Outcome interpret(Session& session, cl::Sink sink, const interp::ContourSink* programmed = nullptr);
 
-/// The main program's text begins with a line `%` and has no second one.
-[[nodiscard]] bool lacks_second_percent(const Session& session);
+/// Lines of the main program's text that hold `%` alone, two at most; 0 where it does not begin with one.
+[[nodiscard]] int percent_lines(const Session& session);
 
 /// Names of the controls whose programs can be read.
 [[nodiscard]] std::vector<std::string> controls();

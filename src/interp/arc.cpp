@@ -35,7 +35,11 @@ Vec2 centre_of(const Run& run, const PlaneAxes& a) {
     return {along(a.u), along(a.v)};
 }
 
-path::ArcTolerance tolerance(const Run& run) { return {run.env.machine.defaults.circle_tolerance, 0.001}; }
+path::ArcTolerance tolerance(const Run& run) {
+    const program::Traits& t = *run.traits;
+    const double own = run.modal.inch_geometry ? t.arc_tolerance_inch : t.arc_tolerance;
+    return {own > 0 ? own : run.env.machine.defaults.circle_tolerance, 0.001};
+}
 
 void arc_alarm(Run& run, const path::ArcResult& r) {
     std::string text;
@@ -208,6 +212,8 @@ bool arc_motion(Run& run, const Vec3& target) {
 
 void plane_element(Run& run, path::Element e, const Vec3& to, bool rapid) {
     remember_direction(run, e);
+    if (path::is_arc(e))
+        tell_inverse_feed(run, std::hypot(e.sweep * geom::length(e.from - e.centre), e.w_to - e.w_from));
     run.free_contour.reset();
     if (run.capture != nullptr)
         capture(run, e, rapid);

@@ -189,7 +189,7 @@ void assign_parameter(Run& run, const Expr& target, const program::Assign& a) {
 
 /// A variable that begins to exist by being assigned: `_NAME` for all programs, another name for this one.
 void create(Run& run, program::NameId name, double value) {
-    const Binding* b = find_variable(run, name);
+    const Binding* b = run.calls.empty() ? run.globals.find(name) : find_variable(run, name);
     if (b != nullptr) return b->array->set(b->offset, Value::real(value));
     auto array = std::make_shared<Array>();
     array->allocate();
@@ -327,6 +327,8 @@ void assign_system(Run& run, const Expr& target, const program::Assign& a) {
 }
 
 }  // namespace
+
+void create_variable(Run& run, program::NameId name, double value) { create(run, name, value); }
 
 void assign_value(Run& run, const program::Assign& a, double index, double value) {
     const Expr& target = run.unit().exprs[a.target];

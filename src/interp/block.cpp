@@ -162,7 +162,8 @@ void gather(Run& run, const program::Statement& s, const Word& w) {
             return run.traits->assigns_together ? assign_later(run, a) : assign(run, a);
         }
         case Code::act: return act(run);
-        case Code::comment: return emit(run, cl::Comment{run.unit().texts[static_cast<std::size_t>(w.payload)], false, false});
+        case Code::comment:
+            return emit(run, cl::Comment{run.unit().texts[static_cast<std::size_t>(w.payload)], false, false});
         case Code::unsupported:
         case Code::unknown: problem_word(run, w); return;
         case Code::m: function_number(run, run.unit().span(s, w), word_value(run, w), run.block.m); return;

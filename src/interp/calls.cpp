@@ -135,6 +135,10 @@ const Unit* find(Run& run, const std::string& name, const base::Span& where) {
     if (const Unit* unit = run.env.find_program(name)) return unit;
     unchecked(run, codes::missing_subprogram, where, "the program " + name + " was not found; the call is left out",
               "put its file beside the calling program or name the folder with --search");
+    if (run.traits->missing_program_stops && !run.stopped) {
+        run.stopped = true;
+        run.ending = Ending::alarm;
+    }
     return nullptr;
 }
 

@@ -71,6 +71,8 @@ cycles::Demand demand_at(const Run& run, const program::CannedCycle& c, const ge
     if (!run.modal.clear_to_retract_plane) d.values.push_back({CycleRole::return_level, initial});
     for (std::size_t i = 0; i < c.words.size() && i < s.values.size(); ++i)
         if (s.given[i]) d.values.push_back({c.words[i].role, s.values[i]});
+    if (c.turns_axes && run.modal.plane != 17)
+        d.values.push_back({CycleRole::turned_axes, run.modal.plane == 18 ? 1.0 : 2.0});
     return d;
 }
 
@@ -118,17 +120,36 @@ void emit_hole(Run& run, const program::CannedCycle& c, std::vector<cl::Step>& s
     if (in_hole && taps(c.kind)) overrides(run, 1);
 }
 
+void exact_path(Run& run) {
+    if (run.modal.path_mode != Modal::path_exact) tell(run, SettingKind::path_mode, 0);
+}
+
+/// The first hole's rise to the retract plane comes before the control slows down.
+void rise(Run& run, const cycles::Demand& demand, double from, std::vector<cl::Step>& steps) {
+    if (!steps.empty() && from < demand.get(CycleRole::retract_plane)) {
+        emit_step(run, std::move(steps.front()));
+        steps.erase(steps.begin());
+    }
+    exact_path(run);
+}
+
 void run_holes(Run& run, const program::CannedCycle& c, const PlaneAxes& a) {
     const auto count = repeats(run);
     if (!count) return;
+    if (c.turns_axes && run.modal.plane != 17)
+        assume(run, run.here(),
+               std::string(c.name) + " outside G17: the control feeds to a place whose coordinates belong to other axes "
+               "(LinuxCNC 2.9 and 2.10), and so it is run here");
     const geom::Vec3 start = run.programmed_position;
     geom::Vec3 target = programmed_target(run);
     const geom::Vec3 step = target - start;
     const double initial = run.modal.absolute ? run.canned.initial_level : coordinate(start, a.w);
     for (double i = 0; i < *count && !run.stopped; ++i) {
         const geom::Vec3 at = run.modal.absolute ? target : start + (i + 1) * step;
-        cycles::Expansion e = cycles::expand(demand_at(run, c, into_plane(at, a), initial), situation_of(run));
+        const cycles::Demand demand = demand_at(run, c, into_plane(at, a), initial);
+        cycles::Expansion e = cycles::expand(demand, situation_of(run));
         if (!complain(run, c, e)) return;
+        if (i == 0) rise(run, demand, coordinate(start, a.w), e.steps);
         emit_hole(run, c, e.steps);
         if (over_budget(run, false)) return;
     }
@@ -151,11 +172,9 @@ bool canned_motion(Run& run) {
     cl::CycleBegin begin;
     begin.name = std::string(c.name);
     emit(run, begin);
-    const bool exact = run.modal.path_mode == Modal::path_exact;
-    if (!exact) tell(run, SettingKind::path_mode, 0);
     run_holes(run, c, a);
     if (run.stopped) return false;
-    if (!exact)
+    if (run.modal.path_mode != Modal::path_exact)
         tell(run, SettingKind::path_mode, run.modal.path_mode == Modal::path_stop ? 1 : 2,
              {run.modal.blend, run.modal.merge});
     emit(run, cl::CycleEnd{});

@@ -95,6 +95,7 @@ double state(const Run& run, StateQuery q) {
     if (q >= StateQuery::machine_x && q <= StateQuery::machine_w)
         return axis_value(run, static_cast<std::size_t>(q) - static_cast<std::size_t>(StateQuery::machine_x), true);
     switch (q) {
+        case StateQuery::line: return run.env.sources.position(run.unit().file, run.here().begin).line;
         case StateQuery::version_major: return 2.9;
         case StateQuery::version_minor: return 0;
         case StateQuery::tool_offset: return run.offsets.tool == Axes{} ? 0 : 1;

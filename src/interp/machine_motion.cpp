@@ -17,13 +17,18 @@ constexpr double unknown = std::numeric_limits<double>::quiet_NaN();
 /// Machine coordinates as stream coordinates; NaN where the datum is not known, or is turned against the machine.
 double from_machine(const Run& run, int k, double machine) {
     const shop::Machine& m = run.env.machine;
+    if (keeps_offsets(run)) {
+        const Offsets& o = run.offsets;
+        const auto axis = static_cast<std::size_t>(k);
+        return run.datum_known ? machine - o.reference[axis] - (o.tip_known ? o.tip : o.tool)[axis] : unknown;
+    }
     const auto known = m.datums.find(run.reference_datum);
     if (known == m.datums.end() || (k < 2 && m.datum_rotations.contains(run.reference_datum))) return unknown;
     return machine - coordinate(known->second, k);
 }
 
 void unknown_machine_position(Run& run) {
-    bool known = run.env.machine.datums.contains(run.reference_datum);
+    bool known = run.env.machine.datums.contains(run.reference_datum) || (keeps_offsets(run) && run.datum_known);
     for (int k = 0; k < 3 && known; ++k) known = !run.block.has(axis_code(k)) || !std::isnan(from_machine(run, k, 0));
     if (known) return;
     unchecked(run, codes::unknown_value, run.here(),

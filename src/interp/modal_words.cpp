@@ -5,6 +5,7 @@
 #include <limits>
 
 #include "base/codes.hpp"
+#include "interp/path_stage.hpp"
 #include "interp/run.hpp"
 
 namespace obrys::interp {
@@ -113,12 +114,11 @@ void set_compensation(Run& run, Modal m) {
                          : m == Modal::compensation_right_by ? Modal::compensation_right
                                                              : m;
     state.compensation_radius = std::numeric_limits<double>::quiet_NaN();
+    if (m == Modal::compensation_off && run.traits->compensation_holds_move) run.path->switch_off(run);
     if (given && b.has(Code::offset_d)) state.compensation_radius = b.get(Code::offset_d) * unit / 2;
     if (!given && m != Modal::compensation_off && b.has(Code::offset_d)) take_offset_radius(run, b.get(Code::offset_d));
-    tell(run, SettingKind::compensation,
-         state.compensation == Modal::compensation_off    ? 0
-         : state.compensation == Modal::compensation_left ? 1
-                                                          : 2);
+    const bool left = (state.compensation == Modal::compensation_left) != (state.compensation_radius < 0);
+    tell(run, SettingKind::compensation, state.compensation == Modal::compensation_off ? 0 : left ? 1 : 2);
 }
 
 void set_path_mode(Run& run, Modal m) {

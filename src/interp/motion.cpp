@@ -309,6 +309,7 @@ void straight_motion(Run& run, const geom::Vec3& to, bool rapid) {
     const PlaneAxes a = plane_axes(run.modal.plane);
     const geom::Vec3& at = run.programmed_position;
     const bool known = std::isfinite(coordinate(to, a.u)) && std::isfinite(coordinate(to, a.v));
+    if (!rapid) tell_inverse_feed(run, geom::length(to - at));
     if (!known) flush_path(run);
     if (!known || !needs_path_stage(run)) {
         const geom::Vec2 step{coordinate(to, a.u) - coordinate(at, a.u), coordinate(to, a.v) - coordinate(at, a.v)};

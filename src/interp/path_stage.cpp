@@ -5,6 +5,8 @@
 #include "base/codes.hpp"
 #include "base/number.hpp"
 #include "path/nose.hpp"
+#include "path/preset.hpp"
+#include "path/refusal.hpp"
 
 namespace obrys::interp {
 
@@ -39,9 +41,28 @@ void into_frame(const Run& run, path::Setting& s) {
 
 }  // namespace
 
+namespace {
+
+/// Compensation that holds one move back: the radius may be negative, nothing is looked ahead.
+path::Setting held_move_setting(Run& run, double radius) {
+    path::Setting s = path::linuxcnc_setting(run.modal.inch_geometry ? 25.4 : 1);
+    if (run.modal.compensation == Modal::compensation_off) return s;
+    s.side = run.modal.compensation == Modal::compensation_left ? path::Side::left : path::Side::right;
+    s.radius = radius;
+    s.rapid = run.modal.motion == Modal::rapid;
+    const shop::Tool* tool = run.tool.data;
+    if (run.modal.plane == 18 && tool != nullptr && tool->linuxcnc)
+        s.tip = path::linuxcnc_nose_offset(tool->linuxcnc->orientation, std::abs(radius)).value_or(geom::Vec2{});
+    into_frame(run, s);
+    return s;
+}
+
+}  // namespace
+
 path::Setting compensation_setting(Run& run) {
     path::Setting s;
-    if (run.modal.compensation == Modal::compensation_off) return s;
+    if (run.modal.compensation == Modal::compensation_off)
+        return run.traits->compensation_holds_move ? held_move_setting(run, 0) : s;
     s.side = run.modal.compensation == Modal::compensation_left ? path::Side::left : path::Side::right;
     s.approach = run.modal.approach == Modal::approach_contour ? path::Approach::around : path::Approach::normal;
     s.corner =
@@ -65,6 +86,7 @@ path::Setting compensation_setting(Run& run) {
                            std::to_string(run.tool.edge) +
                            ", whose radius is not known: the contour is run without compensation",
                        "give the tool with its radius in the job");
+    if (run.traits->compensation_holds_move) return held_move_setting(run, radius.value_or(0));
     s.radius = radius.value_or(0) + run.tool.delta_radius;
     if (tool != nullptr && run.modal.plane == 18 && run.env.machine.kind == shop::MachineKind::lathe)
         s.tip = path::nose_offset(nose_orientation(*tool), s.radius).value_or(geom::Vec2{});
@@ -130,7 +152,8 @@ void PathStage::push(Run& run, path::Element e, const path::Setting& s, bool rap
 
 void PathStage::output(Run& run, const path::Output& out) {
     for (const int event : out.element.before) run.sink(events_[static_cast<std::size_t>(event)]);
-    if (!path::moves(out.element)) return;  // a zero move only brings its events
+    // A zero move only brings its events, but for controls that run it.
+    if (!path::moves(out.element) && (!run.traits->compensation_holds_move || out.kind == path::Kind::events)) return;
     const Origin& origin = origins_[out.element.tag];
     run.record.from = origin.from;
     run.record.stack = origin.stack;
@@ -149,6 +172,11 @@ void PathStage::flush(Run& run) {
     flushing_ = false;
 }
 
+void PathStage::switch_off(Run& run) {
+    if (!active_) return;
+    report(run, path_.switch_off([&](const path::Output& o) { output(run, o); }));
+}
+
 /// Nothing is held back any more: places and events of what is done are let go.
 void PathStage::forget() {
     active_ = !path_.idle();
@@ -163,6 +191,8 @@ void PathStage::report(Run& run, const path::PathFaults& faults) {
 }
 
 void PathStage::report(Run& run, const path::Fault& f) {
+    if (f.reason == path::Reason::refused)
+        return alarm(run, codes::compensation, run.here(), path::message(f, run.modal.inch_geometry ? 25.4 : 1));
     const Origin& at = origins_[f.tag];
     const std::string radius = base::fixed(at.radius, 3) + " mm";
     std::string text;
@@ -180,6 +210,7 @@ void PathStage::report(Run& run, const path::Fault& f) {
         case path::Reason::interference:
             text = "tool radius too large: with " + radius + " the path cuts into another contour element";
             break;
+        case path::Reason::refused: break;
         case path::Reason::element_vanishes:
             text = f.bridged ? "with tool radius " + radius +
                                    " the tool does not fit into this contour element: it is left out and material stays"

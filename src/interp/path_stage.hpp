@@ -20,6 +20,8 @@ public:
     void push(Run&, path::Element element, const path::Setting& setting, bool rapid = false);
     /// Keeps a record that must come out before the next element.
     void hold(const cl::Record& record);
+    /// The block that ends compensation has been read.
+    void switch_off(Run&);
     /// Emits everything held back.
     void flush(Run&);
 

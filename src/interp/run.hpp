@@ -360,6 +360,7 @@ void assume(Run&, const base::Span& where, std::string text, std::string remedy 
 
 // --- variables (assign.cpp, definitions.cpp)
 void assign(Run&, const program::Assign&);
+void create_variable(Run&, program::NameId, double value);
 /// An assignment whose right side, and the number of whose parameter, are known already.
 void assign_value(Run&, const program::Assign&, double index, double value);
 /// Sets a numbered parameter to `v`, the value of `value`; one that the job sets keeps that where `value` is a
@@ -514,6 +515,10 @@ void cancel_canned(Run&);
 void tell(Run&, cl::SettingKind, int number = 0, std::initializer_list<double> values = {});
 void tell(Run&, cl::SettingKind, int number, const Axes& values);
 void tell_tool_entry(Run&, int place, int tool, std::initializer_list<double> values);
+/// In inverse time mode: the feed per minute that follows from the length of the programmed move, mm.
+void tell_inverse_feed(Run&, double length);
+/// What the end of the program sets back.
+void tell_end(Run&, int m);
 /// What is in force when the run begins.
 void begin_telling(Run&);
 /// How programmed coordinates become those of the stream.

@@ -95,11 +95,19 @@ shop::Tool* tool_of_block(Run& run) {
 }
 
 /// L10: the offset with which the position has the words' coordinates; L11: in the ninth zero offset (G59.3).
-double measured(const Run& run, std::size_t k, double word, bool in_ninth) {
+Axes measured(const Run& run, bool in_ninth) {
     const program::OffsetParameters& p = run.traits->offsets;
-    if (!in_ninth) return axis_coordinate(run, k) + run.offsets.tool[k] - word;
-    const Axes at = coordinates_in(run, p.datum_first + 8 * p.datum_step);
-    return at[k] + run.offsets.tool[k] - word;
+    const std::uint32_t ninth = p.datum_first + 8 * p.datum_step;
+    const Axes there = in_ninth ? coordinates_in(run, ninth) : Axes{};
+    Axes by{};
+    for (std::size_t k = 0; k < 9; ++k)
+        if (const auto word = axis_word(run, k)) by[k] = (in_ninth ? there[k] : axis_coordinate(run, k)) - *word;
+    const double turn = geom::radians(in_ninth ? run.parameters.get(ninth + p.rotation) : run.offsets.rotation);
+    const double x = by[0] * std::cos(turn) - by[1] * std::sin(turn),
+                 y = by[0] * std::sin(turn) + by[1] * std::cos(turn);
+    by[0] = x;
+    by[1] = y;
+    return by;
 }
 
 void set_tool_data(Run& run, int l) {
@@ -109,24 +117,27 @@ void set_tool_data(Run& run, int l) {
     const double unit = run.modal.inch_geometry ? 25.4 : 1;
     if (!t->linuxcnc) t->linuxcnc.emplace();
     auto& table = *t->linuxcnc;
+    const Axes by = l == 1 ? Axes{} : measured(run, l == 11);
+    table.offset[2] = t->length;
     for (std::size_t k = 0; k < 9; ++k) {
         const auto word = axis_word(run, k);
-        if (!word) continue;
-        table.offset[k] = l == 1 ? *word : measured(run, k, *word, l == 11);
-        if (k == 2) t->length = table.offset[k];
+        const bool turned = l != 1 && k < 2 && run.offsets.rotation != 0;
+        if (word || turned) table.offset[k] = l == 1 ? *word : run.offsets.tool[k] + by[k];
     }
+    t->length = table.offset[2];
     if (b.has(Code::radius)) table.diameter = 2 * (t->radius = b.get(Code::radius) * unit);
     if (b.has(Code::i)) table.front_angle = b.get(Code::i);
     if (b.has(Code::j)) table.back_angle = b.get(Code::j);
     if (b.has(Code::q)) table.orientation = static_cast<int>(std::clamp(b.get(Code::q), 0.0, 9.0));
     const auto place = static_cast<int>(t - run.tools.data()) + 1;
-    const bool loaded = run.tool.data == t;
+    // The control's list begins with the tool in the spindle; before the first change its first tool stands there.
+    const bool loaded = run.tool.data == t || (run.tool.number == 0 && place == 1);
     for (const int entry : {place, 0}) {
         if (entry == 0 && !loaded) continue;
         tell_tool_entry(run, entry, static_cast<int>(t->number),
-             {table.offset[0], table.offset[1], t->length, table.offset[3], table.offset[4], table.offset[5],
-              table.offset[6], table.offset[7], table.offset[8], table.front_angle, table.back_angle,
-              static_cast<double>(table.orientation)});
+                        {table.offset[0], table.offset[1], t->length, table.offset[3], table.offset[4], table.offset[5],
+                         table.offset[6], table.offset[7], table.offset[8], table.front_angle, table.back_angle,
+                         static_cast<double>(table.orientation)});
     }
     if (loaded) take_tip(run);
 }

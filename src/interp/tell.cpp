@@ -46,6 +46,23 @@ void tell_frame(Run& run) {
     tell(run, SettingKind::axis_offsets, 0, run.offsets.total);
 }
 
+void tell_inverse_feed(Run& run, double length) {
+    if (!run.env.tell_settings || run.modal.feed_mode != cl::FeedMode::inverse_time) return;
+    tell(run, SettingKind::feed_rate, 0,
+         {std::max(0.1, length / (run.modal.inch_geometry ? 25.4 : 1) * run.block.get(Code::feed))});
+}
+
+void tell_end(Run& run, int m) {
+    if (!run.env.tell_settings || !keeps_offsets(run)) return;
+    if (run.modal.datum != 54) {
+        run.modal.datum = 54;
+        load_datum(run);
+    }
+    tell(run, SettingKind::datum, 1, run.offsets.datum);
+    tell(run, SettingKind::datum_rotation, 0, {run.offsets.rotation});
+    if (m == 30) tell(run, SettingKind::pallet_change);
+}
+
 void begin_telling(Run& run) {
     if (!run.env.tell_settings || !keeps_offsets(run) || run.statement == nullptr) return;
     const auto place = run.modal.datum >= 591 ? run.modal.datum - 584 : run.modal.datum - 53;
@@ -101,7 +118,7 @@ void tell_overrides(Run& run) {
     const BlockWords& b = run.block;
     const int on = b.has(Code::p) && b.get(Code::p) == 0 ? 0 : 1;
     for (const int m : b.m) {
-        if (m == 30 || m == 60) continue;
+        if (m == 60) tell(run, SettingKind::pallet_change);
         if (m >= 7 && m <= 9) tell(run, SettingKind::coolant, m);
         if (m == 48 || m == 49) {
             tell(run, SettingKind::feed_override, m == 48);

@@ -369,6 +369,7 @@ void end_of_program(Run& run, int m) {
                   (run.last_message.empty() ? "" : ": " + run.last_message));
         return;
     }
+    if (!called) tell_end(run, m);
     if (!called) emit(run, cl::Stop{cl::StopKind::end});
     leave(run);
 }

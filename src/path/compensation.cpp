@@ -54,6 +54,11 @@ const Item& shorter(const Item& a, const Item& b) {
 }
 
 std::vector<Fault> Compensation::push(Element e, const Setting& s, OutputSink out) {
+    if (s.method == Method::held_move || !held_.idle()) {
+        e.before.insert(e.before.begin(), carried_.begin(), carried_.end());
+        carried_.clear();
+        return held_.push(std::move(e), s, out);
+    }
     const bool starts = !active_ && s.side != Side::off && s.approach == Approach::ready;
     if (moves_in_plane(e) || starts)
         take_plane(std::move(e), s, out);
@@ -62,7 +67,10 @@ std::vector<Fault> Compensation::push(Element e, const Setting& s, OutputSink ou
     return std::exchange(faults_, {});
 }
 
+std::vector<Fault> Compensation::switch_off(OutputSink out) { return held_.switch_off(out); }
+
 std::vector<Fault> Compensation::flush(OutputSink out) {
+    if (!held_.idle()) return held_.flush(out);
     advance(true, out);
     if (!carried_.empty()) {
         Element events;

@@ -31,7 +31,7 @@
 ///           here if it moves in the plane, and inserted chamfers and roundings count too.
 ///   M90     no effect on the path
 ///   not modelled: a spline instead of the arc at outer corners (MP7680)
-/// ISO: arc at outer corners, norm approach.
+/// RS-274 (LinuxCNC): Method::held_move, a strategy of its own (held_move.hpp); preset.hpp sets it up.
 
 #include <cstddef>
 #include <cstdint>
@@ -39,27 +39,14 @@
 #include <optional>
 #include <vector>
 
-#include "base/function_ref.hpp"
 #include "path/contour_loop.hpp"
 #include "path/element.hpp"
+#include "path/held_move.hpp"
 #include "path/join.hpp"
+#include "path/output.hpp"
 #include "path/setting.hpp"
 
 namespace obrys::path {
-
-enum class Kind : std::uint8_t {
-    passed,    ///< compensation off: as programmed
-    contour,   ///< on the parallel of its element
-    approach,  ///< the straight move onto it, or a move along w on the way
-    retract,
-    transition,  ///< inserted arc or line round an outer corner; tag of the following element
-    link,        ///< inserted straight piece where parallels do not join (after a fault, or a gap in the contour)
-};
-struct Output {
-    Element element;
-    Kind kind = Kind::passed;
-};
-using OutputSink = base::FunctionRef<void(const Output&)>;
 
 class Compensation {
 public:
@@ -71,8 +58,11 @@ public:
     std::vector<Fault> push(Element e, const Setting& s, OutputSink out);
     /// Emits everything held back; the last element ends at its normal. Compensation stays selected.
     std::vector<Fault> flush(OutputSink out);
+    /// The block that switches off (G40) has been read, its move comes later. Method::held_move settles the held move
+    /// here; a fault arises in that block, its tag is that of the last element. Else nothing happens.
+    std::vector<Fault> switch_off(OutputSink out);
     /// True while push would hand elements through unchanged and nothing is held back.
-    [[nodiscard]] bool idle() const { return window_.empty() && !active_ && carried_.empty(); }
+    [[nodiscard]] bool idle() const { return window_.empty() && !active_ && carried_.empty() && held_.idle(); }
 
 private:
     void take_plane(Element e, const Setting& s, OutputSink out);
@@ -108,6 +98,7 @@ private:
     std::optional<geom::Vec2> at_;  ///< where the output stands while active
     geom::Vec2 tip_;                ///< Setting::tip of the approach; everything inside is about the centre
     std::vector<Fault> faults_;
+    HeldMove held_;  ///< takes all elements whose setting asks for it
 };
 
 }  // namespace obrys::path

@@ -6,6 +6,10 @@ namespace obrys::path {
 
 PathFaults ContourPath::push(Element e, const Setting& setting, const CornerRequest& at_end, OutputSink out) {
     PathFaults faults;
+    if (at_end.kind == CornerKind::none && corners_.empty()) {  // nothing is held back there, nor will be
+        faults.compensation = compensation_.push(std::move(e), setting, out);
+        return faults;
+    }
     blocks_.push_back({std::exchange(e.tag, first_ + blocks_.size()), setting});
     const auto next = [&](const CornerOutput& c) { compensate(c.element, faults, out); };
     faults.corner = corners_.push(std::move(e), at_end, next);
@@ -22,6 +26,12 @@ PathFaults ContourPath::flush(OutputSink out) {
     first_ += blocks_.size();
     blocks_.clear();
     for (const Fault& f : compensation_.flush(out)) faults.compensation.push_back(f);
+    return faults;
+}
+
+PathFaults ContourPath::switch_off(OutputSink out) {
+    PathFaults faults;
+    faults.compensation = compensation_.switch_off(out);
     return faults;
 }
 

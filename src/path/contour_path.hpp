@@ -25,6 +25,8 @@ public:
     PathFaults push(Element e, const Setting& setting, const CornerRequest& at_end, OutputSink out);
     /// Emits everything held back: end of program, change of plane or frame, anything that must not be overtaken.
     PathFaults flush(OutputSink out);
+    /// The block that switches the compensation off has been read (Compensation::switch_off).
+    PathFaults switch_off(OutputSink out);
     /// True while elements go through unchanged and at once: the caller may emit them itself.
     [[nodiscard]] bool idle() const { return corners_.empty() && compensation_.idle(); }
 

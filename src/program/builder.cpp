@@ -34,13 +34,9 @@ void Builder::control(StatementKind kind, std::size_t index, std::uint32_t begin
 
 void Builder::word(Code code, Form form, std::int32_t payload, std::uint32_t begin, std::uint32_t end) {
     const std::uint32_t from = unit_.statements.back().begin;
-    Word w;
-    w.code = static_cast<std::uint32_t>(code) & 0xFF;
-    w.form = static_cast<std::uint32_t>(form) & 0xF;
-    w.offset = std::min(std::max(begin, from) - from, 4095U) & 0xFFF;
-    w.length = std::min(std::max(end, begin) - begin, 255U) & 0xFF;
-    w.payload = payload;
-    unit_.words.push_back(w);
+    unit_.words.push_back(make_word(code, static_cast<std::uint32_t>(form), payload,
+                                    std::min(std::max(begin, from) - from, 4095U),
+                                    std::min(std::max(end, begin) - begin, 255U)));
 }
 
 void Builder::modal(Modal m, std::uint32_t begin, std::uint32_t end, int number) {

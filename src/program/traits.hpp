@@ -85,6 +85,7 @@ struct CannedCycle {
     std::string_view name;              ///< "G81"
     std::span<const CannedWord> words;  ///< besides X Y Z, R and L; they hold until the cycle is cancelled
     std::span<const CycleValue> fixed;  ///< what the control itself adds; mm, degrees, s
+    bool turns_axes = false;            ///< a fault of the control: outside G17 it feeds to another place
 };
 
 struct Traits {
@@ -134,6 +135,15 @@ struct Traits {
     bool feed_mode_ends_surface_speed = true;
     /// M functions that the control itself knows and that do nothing to the path.
     std::span<const std::int16_t> own_functions{};
+    /// Radius compensation holds one move back and refuses what it cannot join (path::Method::held_move).
+    bool compensation_holds_move = false;
+    /// X words are radii at the start whatever the machine; else as its file says.
+    bool radius_at_start = false;
+    /// mm (of a program in inches) by which the radii of an arc's ends may differ, if not more than a thousandth of it;
+    /// 0: what the machine says.
+    double arc_tolerance = 0, arc_tolerance_inch = 0;
+    /// A called program that is not found ends the run; else the call is left out.
+    bool missing_program_stops = false;
     /// A path at feed without a feed programmed before is an alarm; else it is for the check to say.
     bool needs_feed = false;
     /// G80 leaves no motion in force, so that axis words alone are an error; else rapid.

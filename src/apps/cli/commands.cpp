@@ -101,7 +101,8 @@ interp::Outcome print_stream(const Arguments& a, driver::Session& s, Output& out
         };
         cl::CanonWriter writer(write, number);
         const interp::Outcome outcome = driver::interpret(s, writer);
-        writer.finish(driver::lacks_second_percent(s));
+        writer.finish(driver::percent_lines(s), a.request.configuration.empty() ? 2 : 1,
+                      outcome.ending != interp::Ending::regular);
         return outcome;
     }
     if (a.format == "json") {

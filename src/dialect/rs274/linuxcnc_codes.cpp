@@ -95,7 +95,7 @@ constexpr std::array g_codes{
     cycle(730),
     cycle(740),
     turning(760, Axes::required),
-    move(800, Modal::no_motion, Axes::forbidden),
+    move(800, Modal::canned_off, Axes::forbidden),
     cycle(810),
     cycle(820),
     cycle(830),

@@ -9,6 +9,7 @@ using program::SystemVariable;
 
 /// Manual "G-code overview", numbered parameters.
 constexpr std::array live{
+    LiveParameters{5021, 9, SystemVariable::machine_coordinate},
     LiveParameters{5061, 9, SystemVariable::probed_coordinate},
     LiveParameters{5070, 1, SystemVariable::probe_success},
     LiveParameters{5399, 1, SystemVariable::input_value},
@@ -39,30 +40,32 @@ constexpr std::array chip_break{CycleValue{CycleRole::rise_first, 1},
                                 CycleValue{CycleRole::chip_break_distance, peck_clearance}};
 constexpr std::array peck{CycleValue{CycleRole::rise_first, 1},
                           CycleValue{CycleRole::stop_distance_first, peck_clearance}};
+constexpr std::array tap_dwell{CannedWord{Code::p, CycleRole::dwell, false, 1}};
 constexpr std::array tap_right{CycleValue{CycleRole::rise_first, 1}, CycleValue{CycleRole::spindle_direction, 1},
-                               CycleValue{CycleRole::dwell_bottom, 0}};
+                               CycleValue{CycleRole::feed_out, 1}, CycleValue{CycleRole::dwell, 0}};
 constexpr std::array tap_left{CycleValue{CycleRole::rise_first, 1}, CycleValue{CycleRole::spindle_direction, -1},
-                              CycleValue{CycleRole::dwell_bottom, 0}};
+                              CycleValue{CycleRole::feed_out, 1}, CycleValue{CycleRole::dwell, 0}};
+constexpr std::array feed_out{CycleValue{CycleRole::rise_first, 1}, CycleValue{CycleRole::feed_out, 1}};
 
 constexpr std::array canned{
     program::CannedCycle{730, CycleKind::canned_chip_break, "G73", peck_words, chip_break},
-    program::CannedCycle{740, CycleKind::canned_tap_floating, "G74", dwell_word, tap_left},
+    program::CannedCycle{740, CycleKind::canned_tap_floating, "G74", tap_dwell, tap_left, true},
     program::CannedCycle{810, CycleKind::canned_drill, "G81", {}, rise},
     program::CannedCycle{820, CycleKind::canned_drill, "G82", dwell_word, rise},
     program::CannedCycle{830, CycleKind::canned_peck, "G83", peck_words, peck},
-    program::CannedCycle{840, CycleKind::canned_tap_floating, "G84", dwell_word, tap_right},
+    program::CannedCycle{840, CycleKind::canned_tap_floating, "G84", tap_dwell, tap_right, true},
     program::CannedCycle{850, CycleKind::canned_bore_feed, "G85", {}, rise},
     program::CannedCycle{860, CycleKind::canned_bore_stop, "G86", bore_stop_words, rise},
-    program::CannedCycle{870, CycleKind::canned_back_bore, "G87", back_bore_words, rise},
+    program::CannedCycle{870, CycleKind::canned_back_bore, "G87", back_bore_words, feed_out},
     program::CannedCycle{880, CycleKind::canned_bore_manual, "G88", dwell_word, rise},
-    program::CannedCycle{890, CycleKind::canned_bore_feed, "G89", dwell_word, rise},
+    program::CannedCycle{890, CycleKind::canned_bore_feed, "G89", dwell_word, feed_out},
 };
 
 }  // namespace
 
-/// Comparisons hold within 0.0001 (interpreter: TOLERANCE_EQUAL). The last parameter is #5601.
+/// Comparisons hold within 0.000001 (measured). The last parameter is #5601.
 constexpr program::Traits traits{
-    .equality = {0, 1e-4},
+    .equality = {0, 1e-6},
     .banks = {program::ParameterBank{"#", 5602}, {}, {}},
     .jump_to_block_number = false,
     .end_stops_all = true,
@@ -85,6 +88,11 @@ constexpr program::Traits traits{
     .changes_on_m6 = true,
     .feed_mode_ends_surface_speed = false,
     .own_functions = own_functions,
+    .compensation_holds_move = true,
+    .radius_at_start = true,
+    .arc_tolerance = 0.02828427125,
+    .arc_tolerance_inch = 0.002828427125 * 25.4,
+    .missing_program_stops = true,
     .needs_feed = true,
     .cancel_leaves_no_motion = true,
     .canned = canned,

@@ -17,6 +17,7 @@ namespace obrys::dialect::rs274 {
 enum class Order : std::uint8_t {
     comment,
     feed_mode,
+    surface_speed,  ///< G96 D, G97: S behind it is meant in it
     technology,  ///< F S T
     m_output,    ///< M62 … M68
     m_tool,      ///< M6, M61
@@ -40,7 +41,6 @@ enum class Order : std::uint8_t {
     retract,
     arc_centre,
     diameter,
-    surface_speed,
     special,  ///< G10 G28 G30 G52 G92 …
     suppress,
     motion,

@@ -25,13 +25,8 @@ using Literal = base::ShortNumber;
 bool ends_word(char c) { return base::is_blank(c) || c == '\n' || c == '\r' || c == '\0'; }
 
 Word make(Code code, std::uint32_t form, std::int32_t payload, const char* from, const char* to, const char* line) {
-    Word w;
-    w.code = static_cast<std::uint32_t>(code) & 0xFF;
-    w.form = form & 0xF;
-    w.offset = static_cast<std::uint32_t>(from - line) & 0xFFF;
-    w.length = static_cast<std::uint32_t>(to - from) & 0xFF;
-    w.payload = payload;
-    return w;
+    return program::make_word(code, form, payload, static_cast<std::uint32_t>(from - line),
+                              static_cast<std::uint32_t>(to - from));
 }
 
 /// R0 or FMAX at `p`: the end of the word, else nothing.

@@ -44,23 +44,19 @@ bool read_plain_word(program::Unit& unit, const char*& p, const char* line, Plai
     while (base::is_blank(*digits)) ++digits;
     const base::ShortNumber n = base::scan_short_number(digits, false);
     if (n.end == nullptr || n.end - line > longest_line || *n.end == '.') return false;
-    Word w{};
-    w.code = static_cast<std::uint32_t>(code) & 0xFF;
-    w.form = n.decimals & 0xF;
-    w.offset = static_cast<std::uint32_t>(p - line) & 0xFFF;
-    w.length = static_cast<std::uint32_t>(n.end - p) & 0xFF;
-    w.payload = n.mantissa;
+    const auto offset = static_cast<std::uint32_t>(p - line), length = static_cast<std::uint32_t>(n.end - p);
     p = n.end;
     if (code == Code::modal) {
         if (block.motion >= 0 || n.decimals != 0 || n.mantissa < 0 || n.mantissa > 3) return false;
         block.motion = n.mantissa;
-        w.form = static_cast<std::uint32_t>(Form::index);
-        w.payload = program::modal_word(motions[static_cast<std::size_t>(n.mantissa)]);
-        block.g = w;
+        block.g =
+            program::make_word(code, static_cast<std::uint32_t>(Form::index),
+                               program::modal_word(motions[static_cast<std::size_t>(n.mantissa)]), offset, length);
         return true;
     }
     if ((block.seen & bit(code)) != 0) return false;
     block.seen |= bit(code);
+    const Word w = program::make_word(code, n.decimals, n.mantissa, offset, length);
     if (code == Code::feed) {
         block.feed = w;
         return n.mantissa >= 0;

@@ -87,7 +87,8 @@ void read_numbered_programs(State& s, const std::string& file_stem) {
     for (const ProgramNumber& n : numbers) {
         const bool wanted = n.after_end || s.calls_any_number || s.called_numbers.contains(n.label) ||
                             file_stem == n.label || file_stem == "O" + n.label;
-        const bool known = std::any_of(s.parts.begin(), s.parts.end(), [&](const Part& p) { return p.label == n.label; });
+        const bool known =
+            std::any_of(s.parts.begin(), s.parts.end(), [&](const Part& p) { return p.label == n.label; });
         if (!wanted || known) continue;
         Part& part = s.add_part(n.after_end ? s.diagnostics : s.repeated);
         part.kind = Part::Kind::program_number;
@@ -96,16 +97,11 @@ void read_numbered_programs(State& s, const std::string& file_stem) {
         part.unit.begin = n.begin;
         s.part = &part;
         s.stopped = false;
+        s.sources.fetch(s.file);
         read_lines(s, n.behind);
         end_text(s);
         part.unit.end = std::max(n.behind, s.line.end());
     }
-}
-
-void reserve(program::Unit& unit, std::string_view text) {
-    const auto lines = static_cast<std::size_t>(std::count(text.begin(), text.end(), '\n')) + 1;
-    unit.statements.reserve(lines);
-    unit.words.reserve(lines * 4);
 }
 
 }  // namespace
@@ -114,8 +110,13 @@ void read_lines(State& s, std::uint32_t from) {
     const char* begin = s.text.data();
     const char* p = begin + from;
     const char* end = begin + s.text.size();
+    const char* aside = p;
     const auto done = [&] { return s.stopped || (s.part->ended && s.part->kind == Part::Kind::program_number); };
     while (p < end && !done()) {
+        if (p - aside > static_cast<std::ptrdiff_t>(base::Store::piece)) {
+            s.sources.lay_aside(s.file, static_cast<std::uint32_t>(p - begin));
+            aside = p;
+        }
         if (*p == '\n' || *p == '\r' || base::is_blank(*p)) {
             ++p;
             continue;
@@ -137,15 +138,16 @@ void read_lines(State& s, std::uint32_t from) {
 std::vector<program::Unit> read_linuxcnc(std::uint32_t file, const base::Sources& sources, program::Names& names,
                                          base::Diagnostics& diagnostics) {
     const base::Source& source = sources[file];
-    State s(file, dialect::rs274::linuxcnc, names, diagnostics, source.text);
+    State s(file, dialect::rs274::linuxcnc, names, diagnostics, sources);
     s.part = &s.add_part(diagnostics);
     s.part->unit.name = stem(source.name);
     s.part->unit.end = static_cast<std::uint32_t>(source.text.size());
-    reserve(s.part->unit, s.text);
+    s.part->unit.reserve(s.text.size());
     read_lines(s, skip_percent(s));
     end_text(s);
     check_end(s);
     read_numbered_programs(s, s.parts.front().unit.name);
+    sources.lay_aside(file, static_cast<std::uint32_t>(s.text.size()));
     std::vector<program::Unit> units;
     for (Part& part : s.parts)
         if (!part.dropped) units.push_back(std::move(part.unit));

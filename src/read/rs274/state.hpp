@@ -120,14 +120,15 @@ struct ProgramNumber {
 
 struct State {
     State(std::uint32_t file_number, const Dialect& dialect, program::Names& n, base::Diagnostics& d,
-          std::string_view source)
-        : variant(dialect), names(n), diagnostics(d), text(source), file(file_number) {}
+          const base::Sources& all)
+        : variant(dialect), names(n), diagnostics(d), sources(all), text(all[file_number].text), file(file_number) {}
 
     const Dialect& variant;
     program::Names& names;
     base::Diagnostics& diagnostics;
+    const base::Sources& sources;
     base::Diagnostics repeated{};  ///< complaints about text that is read a second time
-    std::string_view text;
+    std::string_view text;  ///< what was read is laid aside: what looks back takes it from `sources`
     std::uint32_t file = 0;
     std::deque<Part> parts{};  ///< the main program first
     Part* part = nullptr;     ///< the one at hand

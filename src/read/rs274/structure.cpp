@@ -126,7 +126,7 @@ bool claim(State& s, const std::string& label, std::uint32_t begin) {
     if (is_new) return true;
     const LabelUse& first = at->second;
     if (first.path.size() > path.size() || !std::equal(first.path.begin(), first.path.end(), path.begin())) return true;
-    const auto line = std::count(s.text.begin(), s.text.begin() + first.begin, '\n') + 1;
+    const std::uint32_t line = s.sources.position(s.file, first.begin).line;
     fail(s, begin, s.line.behind(),
          "the label " + shown(label) + " belongs to the structure of line " + std::to_string(line) + " already",
          "give this one a label of its own");

@@ -9,7 +9,6 @@ namespace obrys::read::sinumerik {
 
 using program::Code;
 using program::Form;
-using program::Word;
 
 namespace {
 
@@ -52,7 +51,6 @@ bool modal_payload(const Literal& n, std::int32_t& payload) {
 }
 
 bool read_word(State& s, const char*& p, const char* line) {
-    Word word{};
     const Code code = letters[static_cast<unsigned char>(*p)];
     if (code == Code::control) return false;
     const Literal n = base::scan_short_number(p + 1, false);
@@ -60,16 +58,14 @@ bool read_word(State& s, const char*& p, const char* line) {
     const char next = *n.end;
     if (next == '=' || next == '[' || next == '(' || next == ':' || base::upper(next) == 'E' || next == '_')
         return false;
-    word.code = static_cast<std::uint32_t>(code) & 0xFF;
-    word.form = n.decimals & 0xF;
-    word.payload = n.mantissa;
+    std::uint32_t form = n.decimals;
+    std::int32_t payload = n.mantissa;
     if (code == Code::modal) {
-        word.form = static_cast<std::uint32_t>(Form::index);
-        if (!modal_payload(n, word.payload)) return false;
+        form = static_cast<std::uint32_t>(Form::index);
+        if (!modal_payload(n, payload)) return false;
     }
-    word.offset = static_cast<std::uint32_t>(p - line) & 0xFFF;
-    word.length = static_cast<std::uint32_t>(n.end - p) & 0xFF;
-    s.unit.words.push_back(word);
+    s.unit.words.push_back(program::make_word(code, form, payload, static_cast<std::uint32_t>(p - line),
+                                              static_cast<std::uint32_t>(n.end - p)));
     p = n.end;
     return true;
 }
