@@ -85,7 +85,7 @@ void drill(Course& c, const Demand& demand, const Situation& s) {
 /// infeed, without length, and the calls shall be the same.
 std::vector<double> binary_levels(Course& c, const Hole& h, double infeed, double unit) {
     std::vector<double> levels;
-    if ((h.retract - h.bottom) / infeed > double(most_steps) / 4) {
+    if ((h.retract - h.bottom) / infeed > double(most_steps) / 8) {
         c.fault(Role::infeed, "the infeed is too small for the depth");
         return levels;
     }

@@ -10,8 +10,10 @@
 ///
 /// Roles of all kinds: target_u, target_v (not written: where the tool stands), retract_plane and bottom (needed; the
 /// first not below the second), return_level, rise_first. A dwell role that is written gives a Dwell, also of 0 s.
-/// Sources: LinuxCNC 2.9, G code chapter and what its stand-alone interpreter prints; Fanuc 0i and 16i/18i operator's
-/// manuals (machining centre), functions to simplify programming; Haas mill operator's manual, canned cycles.
+/// Sources: LinuxCNC 2.9, G code chapter, and what its stand-alone interpreter prints. Fanuc 15i/150i-MA operator's
+/// manual (shift of G76), Rockwell 9/Series mill manual, milling fixed cycles (G87 of the Fanuc kind), Haas VF manual
+/// (G77); the other sequences of Fanuc and Haas are from memory of their operator's manuals, not found again in the
+/// sources at hand.
 
 #include "cycles/course.hpp"
 

@@ -69,6 +69,8 @@ public:
     void spindle(double speed, int direction);
     void thread_w(double w, double pitch, bool rigid);
     void add(cl::Step step);
+    /// After a move that was written with `add`.
+    void moved_to(geom::Vec3 to) { at_ = to; }
     [[nodiscard]] geom::Vec3 at() const { return at_; }
     /// False once the number of steps is over `most_steps`.
     [[nodiscard]] bool room();

@@ -44,9 +44,13 @@ inline std::vector<Call> referee(const std::string& program, const std::string& 
     const std::string base = (home / "program").string();
     std::ofstream(base + ".ngc") << program;
     const int code = std::system(
-        ("echo | HOME=" + home.string() + " timeout 20 /usr/bin/rs274 -g " + base + ".ngc > " + base + ".out 2>&1")
+        ("echo | HOME=" + home.string() + " timeout 1 /usr/bin/rs274 -g " + base + ".ngc > " + base + ".out 2>&1")
             .c_str());
     std::vector<Call> calls;
+    if (code >> 8 >= 124) {  // it ran for ever, or died
+        fs::remove_all(home);
+        return {{"error: exit " + std::to_string(code >> 8), {}}};
+    }
     std::ifstream in(base + ".out");
     for (std::string line; std::getline(in, line);) {
         const std::size_t at = line.find("N..... ");
@@ -57,7 +61,6 @@ inline std::vector<Call> referee(const std::string& program, const std::string& 
     }
     in.close();
     fs::remove_all(home);
-    if (code >> 8 >= 124) calls.push_back({"error: exit " + std::to_string(code), {}});
     return calls;
 }
 

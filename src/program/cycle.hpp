@@ -41,6 +41,21 @@ enum class CycleKind : std::uint8_t {
     canned_bore_orient,   ///< feed down, oriented stop, sideways, rapid out
     canned_back_bore,     ///< through the hole beside its axis, counterbore from below
     canned_bore_manual,   ///< feed down, spindle stop, the operator retracts
+    // Turning (cycles/turning.hpp).
+    lathe_finish_offset,      ///< along a contour in passes at falling distance
+    lathe_rough_along,        ///< cuts parallel to the axis down to a contour at a distance
+    lathe_rough_across,       ///< as above, cuts at right angles to the axis
+    lathe_thread_degressive,  ///< thread in passes whose depth falls by a power
+    lathe_finish,             ///< along a contour once
+    lathe_remove_along,       ///< stock removal parallel to the axis, contour with allowances
+    lathe_remove_across,      ///< as above, at right angles to the axis
+    lathe_repeat_pattern,     ///< a contour several times, each time nearer
+    lathe_peck_along,         ///< pecks along the axis, step by step across
+    lathe_peck_across,        ///< pecks across the axis (grooving), step by step along
+    lathe_thread_passes,      ///< thread in passes of equal area, with finishing passes
+    lathe_box_along,          ///< one cut along the axis: in, cut, out, back
+    lathe_box_thread,         ///< as above, the cut is a thread
+    lathe_box_across,         ///< one cut across the axis
     // Pockets, slots, studs.
     slot_simple,
     rectangular_pocket_simple,
@@ -259,7 +274,32 @@ enum class CycleRole : std::uint8_t {
     retract_every,    ///< depth after which chip breaking goes out to the retract plane
     starts_spindle,   ///< 1: the cycle turns the spindle on by itself
     manual_retract,   ///< 1: the path holds the operator's move out
-    turned_axes,      ///< fault of a control, tapping: 1 feeds to (v, w, u) of the place it means, 2 to (w, u, v)
+    // Turning: u along the axis (Z), v the radius (X); all lengths in X are radii.
+    escape,    ///< how far the tool goes away after a cut or a peck
+    pockets,   ///< 0 all, 1 leaves them, 2 only them; stock removal: 1 allows them
+    offset_u,  ///< shift of the whole contour
+    offset_v,
+    allowance_first,  ///< distance to the contour of the first pass
+    allowance_last,
+    allowance_v,
+    relief_u,  ///< shift of the first pass against the last
+    relief_v,
+    stepover,      ///< from peck to peck
+    relief,        ///< sideways at the bottom of a groove
+    crest_offset,  ///< from where the tool stands to the crest of the thread; negative: outside thread
+    first_depth,   ///< of a thread's first pass
+    thread_depth,
+    degression,        ///< depth of pass n: first depth times n to the power 1 / degression
+    infeed_angle,      ///< degrees between the infeed and the radius
+    spring_passes,     ///< at full depth after the first that reaches it
+    finish_passes,     ///< of a thread, at least 1
+    finish_allowance,  ///< of a thread, left for the finishing passes
+    taper_length,      ///< along the axis, of a thread's entry and exit
+    taper_ends,        ///< 0 none, 1 entry, 2 exit, 3 both
+    taper_u,           ///< start of the cut less its end
+    taper_v,
+    runout,       ///< along the axis, where a thread leaves the material at 45 degrees
+    turned_axes,  ///< fault of a control, tapping: 1 feeds to (v, w, u) of the place it means, 2 to (w, u, v)
 };
 
 struct CycleValue {

@@ -143,6 +143,11 @@ Value read_negated(State& s, std::uint32_t begin, int depth) {
 
 }  // namespace
 
+ExprId read_expression(State& s) {
+    s.operators = 0;
+    return read_level(s, 0, 0);
+}
+
 ExprId read_bracket(State& s, int depth) {
     const std::uint32_t open = s.line.here();
     s.line.step();

@@ -72,6 +72,8 @@ ExprId read_numbered(State& s, const Value& number, bool target, std::uint32_t b
         for (const auto& range : s.variant.read_only)
             if (at >= range.first && at <= range.last)
                 return refuse(s, begin, "the parameter #" + std::to_string(at) + " can only be read");
+    if (!target && s.system != nullptr)
+        if (const ExprId known = s.system(s, at, begin); known != no_expr) return known;
     Expr e;
     e.kind = ExprKind::parameter;
     e.a = at;

@@ -140,6 +140,8 @@ struct State {
     std::uint8_t skip = 0;                 ///< block skip level + 1
     bool failed = false;                   ///< a complaint was made about the line
     int operators = 0;                     ///< of the expression at hand
+    /// What a numbered parameter that the control owns says; no_expr: it is an ordinary one. Null: all are.
+    ExprId (*system)(State&, std::uint32_t number, std::uint32_t begin) = nullptr;
     bool percent = false;                  ///< the text begins with `%`
     bool stopped = false;                  ///< its last `%` was read
     std::vector<ProgramNumber> numbers{};
@@ -166,6 +168,8 @@ void fail_here(State& s, std::string text, std::string remedy = {});
 [[nodiscard]] Value read_value(State& s, int depth = 0);
 /// As above; its absence is an error: "X has no value".
 [[nodiscard]] Value read_due_value(State& s, std::string_view word, std::uint32_t begin);
+/// An expression without brackets around it: what stands behind `#1=` in Macro B.
+[[nodiscard]] ExprId read_expression(State& s);
 /// `[…]` with the bracket here.
 [[nodiscard]] ExprId read_bracket(State& s, int depth = 0);
 [[nodiscard]] ExprId as_expr(State& s, const Value& v);

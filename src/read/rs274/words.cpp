@@ -138,7 +138,7 @@ void emit_block(State& s) {
     s.build().begin_block(s.skip);
     emit_comment(s);
     if (s.facts.refused)
-        std::erase_if(s.words, [](const BlockWord& w) { return w.order > Order::m_stop && w.code != Code::unsupported; });
+        std::erase_if(s.words, [](const BlockWord& w) { return w.order > Order::m_stop && w.code != Code::unsupported && w.code != Code::unknown; });
     if (s.words.empty()) return;
     const bool acts = std::any_of(s.words.begin(), s.words.end(), is_technology) &&
                       std::any_of(s.words.begin(), s.words.end(), is_change);

@@ -1,0 +1,170 @@
+/// Stock removal, pattern repeating, finishing (Fanuc G70 … G73). Sources: cycles/turning.hpp. The finishing allowances
+/// shift the contour, they are no distance normal to it.
+///
+/// Type I (the contour runs in one direction in both axes): from the start point, shifted by the allowances, down by
+/// one infeed (as the contour's first element is written: G0 or G1), along to the contour, away at 45 degrees by the
+/// escape, back at rapid; at last once along the whole contour. Type II (pockets 1): its order of cuts is not
+/// documented in detail; here as LinuxCNC does it: what is removed is the same.
+
+#include <algorithm>
+#include <cmath>
+
+#include "cycles/turning_rough.hpp"
+
+namespace obrys::cycles {
+
+using geom::Vec2;
+using Role = program::CycleRole;
+using Kind = program::CycleKind;
+
+namespace {
+
+constexpr double same = 1e-6;  ///< mm
+
+void along_contour(TurningPath& path, const std::vector<TurningElement>& contour, Vec2 shift, bool finishing) {
+    for (const TurningElement& e : contour) path.element(e, shift, finishing);
+}
+
+Vec2 read_allowance(Course& c) { return {c.maybe(Role::allowance_u, 0), c.maybe(Role::allowance_v, 0)}; }
+
+void repeat(TurningPath& path, const TurningDemand& demand, Vec2 start) {
+    Course& c = path.course();
+    const Vec2 allowance = read_allowance(c), relief{c.need(Role::relief_u), c.need(Role::relief_v)};
+    const int passes = c.whole(Role::passes, 1, 1, 10'000, "the number of passes");
+    c.need(Role::passes);
+    if (!c.ready()) return;
+    if (passes == 1) c.assume("a single pass has no relief");
+    for (int i = 0; i < passes && c.room(); ++i) {
+        const double part = passes > 1 ? double(passes - 1 - i) / (passes - 1) : 0;
+        const Vec2 shift = allowance + part * relief;
+        path.rapid(start + shift);
+        along_contour(path, demand.contour, shift, false);
+    }
+    path.rapid(start);
+}
+
+/// Laid so that the infeed runs towards smaller v and the cuts towards smaller u.
+Profile lay_for_removal(const TurningDemand& demand, Vec2 start, bool across) {
+    Profile p = profile_of(demand.contour, start, 1);
+    if (p.pieces.size() < 2) return p;
+    if (across) p.turn_quarter();
+    const Piece first = p.pieces.front();
+    const double infeed = first.to.y - first.from.y, cut = p.pieces.back().to.x - first.to.x;
+    const bool flip_u = cut > 0, flip_v = infeed > 0;
+    for (Piece& piece : p.pieces) {
+        for (Vec2* q : {&piece.from, &piece.to, &piece.centre}) *q = {flip_u ? -q->x : q->x, flip_v ? -q->y : q->y};
+        if (flip_u != flip_v) piece.turn = -piece.turn;
+    }
+    p.mirrored_u = flip_u;
+    p.mirrored_v = flip_v;
+    return p;
+}
+
+/// The highest and the lowest point of an arc lie at its ends.
+bool arc_rises(const Piece& p) {
+    const double radius = geom::distance(p.from, p.centre);
+    const double low = std::min(p.from.y, p.to.y), high = std::max(p.from.y, p.to.y);
+    const bool over_top = p.centre.y + radius > high + profile::slack &&
+                          (p.from.x - p.centre.x) * (p.to.x - p.centre.x) < 0 && p.turn > 0;
+    const bool through_bottom =
+        p.centre.y - radius < low - profile::slack && (p.from.x - p.centre.x) * (p.to.x - p.centre.x) < 0 && p.turn < 0;
+    return !over_top && !through_bottom;
+}
+
+bool rises(const Piece& p) { return p.to.y >= p.from.y - same && (p.turn == 0 || arc_rises(p)); }
+
+struct Removal {
+    double infeed = 0, escape = 0;
+    bool pockets = false, rapid_infeed = true;
+    Vec2 start, shift;  ///< laid
+};
+
+/// Where a cut at this height ends: at the contour, or at its last point's u.
+double end_of_cut(const Profile& p, double v) {
+    for (std::size_t i = 1; i < p.pieces.size(); ++i) {
+        const auto u = meetings(p.pieces[i], v);
+        if (!u.empty()) return *std::max_element(u.begin(), u.end());
+    }
+    return p.pieces.back().to.x;
+}
+
+void cuts(ProfilePath& out, const Profile& p, const Removal& r) {
+    const double bottom = p.pieces.front().to.y;
+    const auto infeed_to = [&](double v) { r.rapid_infeed ? out.rapid({r.start.x, v}) : out.feed({r.start.x, v}); };
+    for (int k = 1; out.path().course().room(); ++k) {
+        const double v = r.start.y - k * r.infeed;
+        if (v <= bottom + same) return;
+        infeed_to(v);
+        const double u = end_of_cut(p, v);
+        if (u > r.start.x - same) continue;
+        out.feed({u, v});
+        out.rapid({u + r.escape, v + r.escape});
+        out.rapid({r.start.x, v + r.escape});
+    }
+}
+
+void type_one(ProfilePath& out, const Profile& p, const Removal& r) {
+    out.rapid(r.start);
+    cuts(out, p, r);
+    const Piece& first = p.pieces.front();
+    r.rapid_infeed ? out.rapid(first.to) : out.feed(first.to);
+    for (std::size_t i = 1; i < p.pieces.size(); ++i) out.along(p.pieces[i]);
+    out.rapid({p.pieces.back().to.x, std::max(r.start.y, p.pieces.back().to.y)});
+}
+
+void type_two(ProfilePath& out, Profile p, const Removal& r) {
+    Course& c = out.path().course();
+    c.assume("the order of the cuts in pockets");
+    if (const Fault f = check_falling(p)) return c.fault(*f);
+    const Vec2 from = p.pieces.front().from, end = p.pieces.back().to;
+    out.rapid(from);
+    if (end.y < from.y) p.pieces.push_back({end, {end.x, from.y}, {}, 0, Corner::none, 0});
+    if (const Fault f = rough_down(out, p.pieces, r.infeed, r.escape, 0)) return c.fault(*f);
+    out.rapid({out.laid_at().x, from.y});
+}
+
+void remove(TurningPath& path, const TurningDemand& demand, Vec2 start) {
+    Course& c = path.course();
+    Removal r;
+    r.infeed = c.positive(Role::infeed);
+    r.escape = c.at_least(Role::escape, 0);
+    r.pockets = c.whole(Role::pockets, 0, 0, 1, "the type of stock removal") == 1;
+    const Vec2 allowance = read_allowance(c);
+    if (!c.ready()) return;
+    Profile p = lay_for_removal(demand, start, demand.cycle.kind == Kind::lathe_remove_across);
+    if (p.pieces.size() < 2) return c.fault("the contour has no length");
+    r.rapid_infeed = demand.contour.front().rapid;
+    r.shift = p.laid(allowance);
+    for (Piece& piece : p.pieces)
+        for (Vec2* q : {&piece.from, &piece.to, &piece.centre}) *q = *q + r.shift;
+    r.start = p.pieces.front().from;
+    if ((r.start.y - p.pieces.front().to.y) / r.infeed > double(most_steps) / 8)
+        return c.fault(Role::infeed, "the infeed is too small for the contour");
+    const bool one_way =
+        std::all_of(p.pieces.begin() + 1, p.pieces.end(), [](const Piece& q) { return rises(q) && falls(q); });
+    if (!one_way && !r.pockets) return c.fault("the contour does not run in one direction", "allow pockets (type II)");
+    ProfilePath out(path, p, 1);
+    r.pockets ? type_two(out, p, r) : type_one(out, p, r);
+    if (c.ready()) path.rapid(start);
+}
+
+}  // namespace
+
+void lathe_removal(TurningPath& path, const TurningDemand& demand) {
+    Course& c = path.course();
+    const Vec2 start = read_ends(c, demand.situation).start;
+    if (demand.contour.empty()) c.fault("the contour is empty");
+    for (const TurningElement& e : demand.contour)
+        if (e.fillet != 0 || e.chamfer != 0) c.not_simulated("corners of the contour are not made in this cycle");
+    switch (demand.cycle.kind) {
+        case Kind::lathe_remove_along:
+        case Kind::lathe_remove_across: return remove(path, demand, start);
+        case Kind::lathe_repeat_pattern: return repeat(path, demand, start);
+        default: break;
+    }
+    if (!c.ready()) return;
+    along_contour(path, demand.contour, {}, true);
+    path.rapid(start);
+}
+
+}  // namespace obrys::cycles

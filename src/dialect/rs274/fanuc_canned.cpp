@@ -1,0 +1,76 @@
+/// Hole cycles of mills. What the machine's parameters say is taken as follows, since programs do not: chip breaking
+/// goes back by 1 mm (parameter 5114; Haas setting 22), pecking goes down to 1 mm above the last depth (5115; setting
+/// 52), oriented tools are shifted by Q towards X+ (5101; setting 27).
+
+#include <array>
+
+#include "dialect/rs274/fanuc.hpp"
+
+namespace obrys::dialect::rs274 {
+
+namespace {
+
+using program::CannedCycle;
+using program::CannedWord;
+using program::Code;
+using program::CycleKind;
+using program::CycleRole;
+using program::CycleValue;
+
+constexpr CannedWord dwell{Code::p, CycleRole::dwell_bottom, false, 1};
+constexpr CannedWord infeed{Code::q, CycleRole::infeed, true, 1};
+
+constexpr std::array dwells{dwell};
+constexpr std::array pecks{infeed, dwell};
+constexpr std::array shifts{CannedWord{Code::q, CycleRole::shift_u, true, 1}, dwell};
+/// Z and R of back boring change places in the reader: R is the bottom, Z the end of the counterbore.
+constexpr std::array back{CannedWord{Code::q, CycleRole::shift_u, true, 1},
+                          CannedWord{Code::e, CycleRole::counterbore_top, true, 1},
+                          CannedWord{Code::p, CycleRole::dwell, false, 1}};
+constexpr std::array haas_pecks{infeed, dwell, CannedWord{Code::i, CycleRole::infeed, true, 1},
+                                CannedWord{Code::j, CycleRole::decrement, true, 1},
+                                CannedWord{Code::k, CycleRole::min_infeed, true, 1}};
+constexpr std::array haas_shifts{CannedWord{Code::q, CycleRole::shift_u, true, 1}, dwell,
+                                 CannedWord{Code::i, CycleRole::shift_u, true, 1},
+                                 CannedWord{Code::j, CycleRole::shift_v, true, 1}};
+
+constexpr std::array chip_break{CycleValue{CycleRole::chip_break_distance, 1}};
+constexpr std::array stop_above{CycleValue{CycleRole::stop_distance_first, 1}};
+constexpr std::array right{CycleValue{CycleRole::spindle_direction, 1}, CycleValue{CycleRole::starts_spindle, 1}};
+constexpr std::array left{CycleValue{CycleRole::spindle_direction, -1}, CycleValue{CycleRole::starts_spindle, 1}};
+
+constexpr std::array mill{
+    CannedCycle{730, CycleKind::canned_chip_break, "G73", pecks, chip_break},
+    CannedCycle{740, CycleKind::canned_tap_floating, "G74", dwells, left},
+    CannedCycle{760, CycleKind::canned_bore_orient, "G76", shifts, {}},
+    CannedCycle{810, CycleKind::canned_drill, "G81", {}, {}},
+    CannedCycle{820, CycleKind::canned_drill, "G82", dwells, {}},
+    CannedCycle{830, CycleKind::canned_peck, "G83", pecks, stop_above},
+    CannedCycle{840, CycleKind::canned_tap_floating, "G84", dwells, right},
+    CannedCycle{850, CycleKind::canned_bore_feed, "G85", {}, {}},
+    CannedCycle{860, CycleKind::canned_bore_stop, "G86", {}, {}},
+    CannedCycle{870, CycleKind::canned_back_bore, "G87", back, {}},
+    CannedCycle{880, CycleKind::canned_bore_manual, "G88", dwells, {}},
+    CannedCycle{890, CycleKind::canned_bore_feed, "G89", dwells, {}},
+};
+/// Haas G77 is FANUC's G87; its G86, G87 and G88 stop the spindle at the bottom.
+constexpr std::array haas{
+    CannedCycle{730, CycleKind::canned_chip_break, "G73", haas_pecks, chip_break},
+    CannedCycle{740, CycleKind::canned_tap_floating, "G74", dwells, left},
+    CannedCycle{760, CycleKind::canned_bore_orient, "G76", haas_shifts, {}},
+    CannedCycle{810, CycleKind::canned_drill, "G81", {}, {}},
+    CannedCycle{820, CycleKind::canned_drill, "G82", dwells, {}},
+    CannedCycle{830, CycleKind::canned_peck, "G83", haas_pecks, stop_above},
+    CannedCycle{840, CycleKind::canned_tap_floating, "G84", dwells, right},
+    CannedCycle{850, CycleKind::canned_bore_feed, "G85", {}, {}},
+    CannedCycle{860, CycleKind::canned_bore_stop, "G86", {}, {}},
+    CannedCycle{880, CycleKind::canned_bore_manual, "G88", dwells, {}},
+    CannedCycle{890, CycleKind::canned_bore_feed, "G89", dwells, {}},
+};
+
+}  // namespace
+
+std::span<const CannedCycle> fanuc_mill_cycles() { return mill; }
+std::span<const CannedCycle> haas_mill_cycles() { return haas; }
+
+}  // namespace obrys::dialect::rs274

@@ -1,0 +1,140 @@
+/// G codes of lathes in the systems A, B and C. Sources: FANUC series 16i/18i-T and 0i-T operator's manuals, list of G
+/// codes; Haas lathes have those of system A.
+
+#include <array>
+
+#include "dialect/rs274/fanuc.hpp"
+
+namespace obrys::dialect::rs274 {
+
+using enum FanucUse;
+using program::Modal;
+using Special = FanucSpecial;
+
+namespace {
+
+constexpr LatheG row(int a, int b, int c, FanucUse use, Modal m, Order order, int number = 0, Special s = Special::none,
+                     std::string_view says = {}) {
+    return {static_cast<std::int16_t>(a),
+            static_cast<std::int16_t>(b),
+            static_cast<std::int16_t>(c),
+            {0, use, m, static_cast<std::int16_t>(number), order, s, says}};
+}
+constexpr LatheG word(int code, Modal m, Order order, int number = 0) {
+    return row(code, code, code, modal, m, order, number);
+}
+constexpr LatheG more(int code, Special s, Order order, Modal m, int number = 0) {
+    return row(code, code, code, special, m, order, number, s);
+}
+constexpr LatheG hole(int code) {
+    return row(code, code, code, special, Modal::canned, Order::motion, code, Special::canned);
+}
+constexpr LatheG no_effect(int code, std::string_view says) {
+    return row(code, code, code, accepted, Modal::linear, Order::motion, 0, Special::none, says);
+}
+constexpr LatheG not_run(int code, std::string_view says) {
+    return row(code, code, code, refused, Modal::linear, Order::motion, 0, Special::none, says);
+}
+constexpr LatheG cycle(int a, int b, int c, Special s, std::string_view says, int number) {
+    return row(a, b, c, special, Modal::turning_cycle, Order::special, number, s, says);
+}
+
+constexpr std::array lathe{
+    word(0, Modal::rapid, Order::motion),
+    word(10, Modal::linear, Order::motion),
+    word(20, Modal::arc_cw, Order::motion),
+    word(30, Modal::arc_ccw, Order::motion),
+    more(40, Special::dwell, Order::dwell, Modal::dwell),
+    no_effect(50, "high-speed machining"),
+    no_effect(51, "look-ahead control of contours"),
+    not_run(70, "interpolation with a hypothetical axis"),
+    not_run(71, "cylindrical interpolation"),
+    not_run(1070, "cylindrical interpolation"),
+    no_effect(80, "look-ahead control"),
+    word(90, Modal::exact_stop_block, Order::path_control),
+    more(100, Special::set_data, Order::special, Modal::set_data),
+    no_effect(110, "end of data setting"),
+    not_run(121, "polar coordinate interpolation"),
+    not_run(1120, "polar coordinate interpolation"),
+    no_effect(131, "end of polar coordinate interpolation"),
+    no_effect(1130, "end of polar coordinate interpolation"),
+    word(170, Modal::plane_xy, Order::plane),
+    word(180, Modal::plane_zx, Order::plane),
+    word(190, Modal::plane_yz, Order::plane),
+    row(200, 200, 700, modal, Modal::inch_all, Order::units),
+    row(210, 210, 710, modal, Modal::metric_all, Order::units),
+    no_effect(220, "stored stroke check on"),
+    no_effect(230, "stored stroke check off"),
+    no_effect(250, "watching of the spindle speed off"),
+    no_effect(260, "watching of the spindle speed on"),
+    not_run(270, "check of the reference position"),
+    more(280, Special::home, Order::special, Modal::home, 1),
+    not_run(290, "way back from the reference position"),
+    more(300, Special::home, Order::special, Modal::home, 2),
+    not_run(301, "return to the floating reference position"),
+    more(310, Special::probe, Order::motion, Modal::probe, 1),
+    row(320, 330, 330, special, Modal::thread, Order::motion, 0, Special::thread),
+    not_run(340, "thread with a variable lead"),
+    not_run(350, "circular thread"),
+    not_run(360, "automatic measuring of the tool offset along X"),
+    not_run(370, "automatic measuring of the tool offset along Z"),
+    not_run(390, "corner arc of the compensation"),
+    word(400, Modal::compensation_off, Order::compensation),
+    word(410, Modal::compensation_left, Order::compensation),
+    word(420, Modal::compensation_right, Order::compensation),
+    word(490, Modal::tool_length_off, Order::tool_length),
+    row(500, 920, 920, special, Modal::position_becomes, Order::special, 0, Special::position),
+    row(503, 921, 921, modal, Modal::position_reset, Order::special),
+    row(502, 502, 502, accepted, Modal::linear, Order::motion, 0, Special::none, "polygon turning off"),
+    row(2500, 2500, 2500, accepted, Modal::linear, Order::motion, 0, Special::none, "polygon turning off"),
+    not_run(512, "polygon turning"),
+    not_run(2510, "polygon turning"),
+    word(520, Modal::local_shift, Order::special),
+    word(530, Modal::suppress_all, Order::suppress),
+    word(540, Modal::datum, Order::datum, 54),
+    word(550, Modal::datum, Order::datum, 55),
+    word(560, Modal::datum, Order::datum, 56),
+    word(570, Modal::datum, Order::datum, 57),
+    word(580, Modal::datum, Order::datum, 58),
+    word(590, Modal::datum, Order::datum, 59),
+    more(541, Special::datum_number, Order::datum, Modal::datum),
+    word(610, Modal::path_exact, Order::path_control),
+    word(640, Modal::path_blend, Order::path_control),
+    more(650, Special::macro_call, Order::special, Modal::linear),
+    more(660, Special::macro_modal, Order::special, Modal::linear),
+    not_run(661, "a macro called by every block"),
+    more(670, Special::macro_end, Order::special, Modal::linear),
+    not_run(680, "mirror image for double turrets"),
+    no_effect(690, "mirror image for double turrets off"),
+    cycle(700, 700, 720, Special::finish, "finishing cycle", 700),
+    cycle(710, 710, 730, Special::rough, "stock removal along Z", 710),
+    cycle(720, 720, 740, Special::rough, "stock removal along X", 720),
+    cycle(730, 730, 750, Special::rough, "pattern repeating", 730),
+    cycle(740, 740, 760, Special::turning_cycle, "peck drilling in the face", 740),
+    cycle(750, 750, 770, Special::turning_cycle, "grooving with chip breaking", 750),
+    cycle(760, 760, 780, Special::turning_cycle, "thread in several passes", 760),
+    word(800, Modal::canned_off, Order::retract),
+    hole(830),
+    hole(840),
+    hole(850),
+    hole(870),
+    hole(880),
+    hole(890),
+    cycle(900, 770, 200, Special::turning_cycle, "turning cycle", 900),
+    cycle(920, 780, 210, Special::turning_cycle, "threading cycle", 920),
+    cycle(940, 790, 240, Special::turning_cycle, "facing cycle", 940),
+    row(-1, 900, 900, modal, Modal::absolute, Order::distance),
+    row(-1, 910, 910, modal, Modal::incremental, Order::distance),
+    row(980, 940, 940, modal, Modal::feed_per_minute, Order::feed_mode),
+    row(990, 950, 950, modal, Modal::feed_per_rev, Order::feed_mode),
+    word(960, Modal::surface_speed_on, Order::surface_speed, 96),
+    word(970, Modal::surface_speed_off, Order::surface_speed, 97),
+    row(-1, 980, 980, modal, Modal::retract_initial, Order::retract),
+    row(-1, 990, 990, modal, Modal::retract_clearance, Order::retract),
+};
+
+}  // namespace
+
+std::span<const LatheG> lathe_g_table() { return lathe; }
+
+}  // namespace obrys::dialect::rs274

@@ -1,0 +1,139 @@
+#include "dialect/rs274/fanuc.hpp"
+
+#include <array>
+
+namespace obrys::dialect::rs274 {
+
+namespace {
+
+using program::Function;
+using program::LiveParameters;
+using program::Operator;
+using program::SystemVariable;
+
+/// Parameters that computed numbers (#[…]) may reach; those written as #4003 are read as what they mean. Work offsets
+/// are ordinary parameters.
+constexpr std::array live{
+    LiveParameters{1000, 200, SystemVariable::unknown},
+    LiveParameters{2000, 1000, SystemVariable::unknown},
+    LiveParameters{3001, 2, SystemVariable::timer},
+    LiveParameters{3011, 18, SystemVariable::timer},
+    LiveParameters{4000, 1000, SystemVariable::unknown},
+    LiveParameters{5001, 9, SystemVariable::coordinate},
+    LiveParameters{5021, 9, SystemVariable::machine_coordinate},
+    LiveParameters{5041, 9, SystemVariable::coordinate},
+    LiveParameters{5061, 9, SystemVariable::probed_coordinate},
+    LiveParameters{5081, 69, SystemVariable::unknown},
+};
+/// Lathes count X, Z, C: only what is written as a number is known.
+constexpr std::array lathe_live{
+    LiveParameters{1000, 200, SystemVariable::unknown},  LiveParameters{2000, 1000, SystemVariable::unknown},
+    LiveParameters{3001, 2, SystemVariable::timer},      LiveParameters{3011, 18, SystemVariable::timer},
+    LiveParameters{4000, 1150, SystemVariable::unknown},
+};
+
+/// #20000 and up are data of newer series that no program of the manuals uses.
+constexpr program::Traits common{
+    .equality = {0, 1e-7},
+    .banks = {program::ParameterBank{"#", 20000}, {}, {}},
+    .jump_to_block_number = true,
+    .end_stops_all = true,
+    .label_depth = 9,
+    .datum = {.prefix = "G", .key = "G", .none = "G54", .none_key = "G54", .none_is_machine_zero = false},
+    .variables_by_assignment = true,
+    .argument_parameters = 33,
+    .parameters_begin_at_zero = true,
+    .live = live,
+    .offsets = {.datum_first = 5221, .datum_step = 20, .datum_count = 6},
+    .feed_mode_ends_surface_speed = false,
+};
+constexpr program::Traits turning = [] {
+    program::Traits t = common;
+    t.live = lathe_live;
+    return t;
+}();
+
+/// With the hole cycles of mills.
+program::Traits with(std::span<const program::CannedCycle> cycles) {
+    program::Traits t = common;
+    t.canned = cycles;
+    return t;
+}
+
+const program::Traits mill_traits = with(fanuc_mill_cycles()), haas_traits = with(haas_mill_cycles());
+const program::Traits lathe_traits = turning;
+
+/// Functions first; then * / AND MOD, then + - OR XOR, then comparisons (series 16i operator's manual B-63684EN, 16.3
+/// priority of operations). AND, OR and XOR work bit by bit.
+constexpr std::array operators{
+    OperatorName{"EQ", Operator::equal, 1},    OperatorName{"NE", Operator::not_equal, 1},
+    OperatorName{"GT", Operator::greater, 1},  OperatorName{"GE", Operator::greater_equal, 1},
+    OperatorName{"LT", Operator::less, 1},     OperatorName{"LE", Operator::less_equal, 1},
+    OperatorName{"XOR", Operator::bit_xor, 2}, OperatorName{"OR", Operator::bit_or, 2},
+    OperatorName{"+", Operator::add, 2},       OperatorName{"-", Operator::subtract, 2},
+    OperatorName{"AND", Operator::bit_and, 3}, OperatorName{"MOD", Operator::modulo, 3},
+    OperatorName{"*", Operator::multiply, 3},  OperatorName{"/", Operator::divide, 3},
+};
+/// FIX cuts off, FUP goes away from zero (B-63684EN, 16.3).
+constexpr std::array functions{
+    FunctionName{"SIN", Function::sin, Argument::one},      FunctionName{"COS", Function::cos, Argument::one},
+    FunctionName{"TAN", Function::tan, Argument::one},      FunctionName{"ASIN", Function::asin, Argument::one},
+    FunctionName{"ACOS", Function::acos, Argument::one},    FunctionName{"ATAN", Function::atan2, Argument::either},
+    FunctionName{"SQRT", Function::sqrt, Argument::one},    FunctionName{"SQR", Function::sqrt, Argument::one},
+    FunctionName{"ABS", Function::abs, Argument::one},      FunctionName{"ROUND", Function::round, Argument::one},
+    FunctionName{"FIX", Function::trunc, Argument::one},    FunctionName{"FUP", Function::round_up, Argument::one},
+    FunctionName{"LN", Function::ln, Argument::one},        FunctionName{"EXP", Function::exp, Argument::one},
+    FunctionName{"BIN", Function::sign, Argument::refused}, FunctionName{"BCD", Function::sign, Argument::refused},
+    FunctionName{"ADP", Function::sign, Argument::refused}, FunctionName{"POW", Function::sign, Argument::refused},
+};
+
+constexpr GIndex no_g = [] {
+    GIndex index{};
+    index.fill(-1);
+    return index;
+}();
+
+Dialect dialect_of(std::string_view name, const program::Traits& traits) {
+    Dialect d;
+    d.control = name;
+    d.traits = &traits;
+    d.g_index = &no_g;  // fanuc.hpp has G and M codes
+    d.operators = operators;
+    d.functions = functions;
+    d.null_parameter = d.skip_levels = true;
+    d.named_parameters = d.semicolon_comment = d.o_words = d.active_comments = false;
+    d.percent_needs_begin = d.end_is_due = false;
+    return d;
+}
+
+}  // namespace
+
+const FanucG* find_fanuc_g(int code, const FanucControl& control) {
+    const auto find = [code](std::span<const FanucG> table) -> const FanucG* {
+        for (const FanucG& g : table)
+            if (g.code == code) return &g;
+        return nullptr;
+    };
+    if (control.is_lathe()) {
+        for (const LatheG& g : lathe_g_table())
+            if ((control.system == GSystem::a ? g.a : control.system == GSystem::b ? g.b : g.c) == code)
+                return &g.meaning;
+        return nullptr;
+    }
+    if (control.haas)
+        if (const FanucG* g = find(haas_mill_g_table())) return g;
+    return find(mill_g_table());
+}
+
+const program::Traits& fanuc_traits(const FanucControl& control) {
+    return control.is_lathe() ? lathe_traits : control.haas ? haas_traits : mill_traits;
+}
+
+const Dialect& fanuc_dialect(const FanucControl& control) {
+    static const Dialect mill = dialect_of("FANUC", mill_traits), lathe = dialect_of("FANUC", lathe_traits);
+    static const Dialect haas_mill = dialect_of("Haas", haas_traits), haas_lathe = dialect_of("Haas", lathe_traits);
+    if (control.haas) return control.is_lathe() ? haas_lathe : haas_mill;
+    return control.is_lathe() ? lathe : mill;
+}
+
+}  // namespace obrys::dialect::rs274

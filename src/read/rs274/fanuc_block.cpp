@@ -1,0 +1,144 @@
+#include <algorithm>
+
+#include "read/rs274/fanuc_state.hpp"
+
+namespace obrys::read::rs274 {
+
+namespace {
+
+/// `/2 N100`, `N100 /2`.
+void read_head(FanucState& s) {
+    s.number.reset();
+    s.skip = 0;
+    for (int i = 0; i < 3 && !s.failed; ++i) {
+        if (s.line.peek() == '/' && s.skip == 0) {
+            s.line.step();
+            s.skip = 1;
+            if (!base::is_digit(s.line.peek())) continue;
+            const int level = s.line.peek() - '0';  // /1 is the same as /
+            s.skip = static_cast<std::uint8_t>(level > 1 ? level + 1 : 1);
+            s.line.step();
+        } else if (s.line.peek() == 'N' && base::is_digit(s.line.peek(1)) && !s.number) {
+            std::uint32_t n = 0;
+            for (s.line.step(); base::is_digit(s.line.peek()); s.line.step())
+                n = std::min<std::uint32_t>(n * 10 + static_cast<std::uint32_t>(s.line.peek() - '0'), 99'999'999);
+            s.number = n;
+        } else {
+            return;
+        }
+    }
+}
+
+void read_address(FanucState& s, bool comma) {
+    Address a;
+    a.comma = comma;
+    a.begin = s.line.here();
+    a.letter = s.line.peek();
+    s.line.step();
+    if (comma) a.begin -= 1;
+    a.value = read_due_value(s, {&a.letter, 1}, a.begin);
+    if (s.failed) return;
+    a.end = s.line.behind();
+    s.addresses.push_back(a);
+}
+
+void note_number(FanucState& s) {
+    if (!s.number) return;
+    s.block_numbers[*s.number].push_back(static_cast<std::uint32_t>(s.unit().statements.size()));
+}
+
+void empty_block(FanucState& s) {
+    s.build().statement(StatementKind::block, s.line.begin());
+    s.build().end_statement(s.line.end());
+}
+
+}  // namespace
+
+void add_control(FanucState& s, StatementKind kind, std::size_t index) {
+    s.build().control(kind, index, s.line.begin(), s.line.end());
+}
+
+Address* find_address(FanucState& s, char letter) {
+    for (Address& a : s.addresses)
+        if (a.letter == letter && !a.comma && !a.used) return &a;
+    return nullptr;
+}
+
+std::string take_comment(FanucState& s) {
+    if (s.line.peek() != '(') return {};
+    const std::string_view rest = s.line.rest();
+    const bool pairs = std::count(rest.begin(), rest.end(), '(') <= std::count(rest.begin(), rest.end(), ')');
+    std::size_t end = 0;
+    for (int depth = 0; end < rest.size(); ++end) {
+        if (rest[end] == '(' && (pairs || depth == 0)) ++depth;
+        if (rest[end] == ')' && --depth == 0) break;
+    }
+    const std::string text(base::trim(rest.substr(1, end - 1)));
+    s.line.step(std::min(end + 1, rest.size()));
+    return base::as_utf8(text);
+}
+
+void read_addresses(FanucState& s) {
+    s.addresses.clear();
+    while (!s.failed && !s.line.at_end()) {
+        const char c = s.line.peek();
+        if (c == '(') {
+            static_cast<void>(take_comment(s));
+        } else if (c == ',' && base::is_letter(s.line.peek(1))) {
+            s.line.step();
+            read_address(s, true);
+        } else if (base::is_letter(c) && c != 'O' && c != 'N') {
+            read_address(s, false);
+        } else if (c == 'N' && base::is_digit(s.line.peek(1)) && !s.addresses.empty()) {
+            fail_here(s, "a block number stands at the begin of its block",
+                      "begin a new line, or end the block with ;");
+        } else {
+            fail_here(s, here(s) + " cannot stand here");
+        }
+    }
+}
+
+void emit_addresses(FanucState& s) {
+    begin_words(s);
+    s.special.clear();
+    s.own_motion = s.restore_motion = false;
+    for (Address& a : s.addresses)
+        if (a.letter == 'G' && !a.used) read_g_code(s, a);
+    for (Address& a : s.addresses)
+        if (a.letter == 'M' && !a.used) read_m_code(s, a);
+    if (!s.failed) run_specials(s);
+    if (!s.failed && turning_block(s)) return;
+    for (Address& a : s.addresses)
+        if (!s.failed && !a.used) emit_address(s, a);
+    if (s.failed) return;
+    emit_block(s);
+    if (!s.restore_motion) return;
+    s.build().statement(StatementKind::block, s.line.begin());
+    s.build().modal(s.motion, s.line.begin(), s.line.end());
+    s.build().end_statement(s.line.end());
+}
+
+void read_rest(FanucState& s) {
+    if (read_macro_statement(s) || s.failed) return;
+    read_addresses(s);
+    if (s.failed || s.addresses.empty()) return;
+    if (!read_calls(s) && !s.failed) emit_addresses(s);
+}
+
+void read_fanuc_block(FanucState& s, std::uint32_t begin, std::uint32_t end) {
+    s.failed = false;
+    // A comment ends at the bracket that belongs to its own; where there is none, at the first one.
+    s.line.load(s.text, begin, end, true, false);
+    if (s.line.fault() == CommentFault::unclosed) s.line.load(s.text, begin, end, false, false);
+    if (s.line.at_end()) return;
+    if (s.line.fault() == CommentFault::unclosed)
+        return fail(s, s.line.fault_begin(), s.line.end(), "the comment is not closed", "add )");
+    read_head(s);
+    note_number(s);
+    s.build().begin_block(s.skip);
+    const std::size_t before = s.unit().statements.size();
+    read_rest(s);
+    if (s.unit().statements.size() == before && (s.number || s.skip != 0)) empty_block(s);
+}
+
+}  // namespace obrys::read::rs274

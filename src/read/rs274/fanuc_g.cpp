@@ -1,0 +1,310 @@
+/// G and M codes of a block.
+
+#include <algorithm>
+#include <cmath>
+
+#include "read/rs274/fanuc_state.hpp"
+
+namespace obrys::read::rs274 {
+
+namespace {
+
+/// Number * 10 of a G code; nothing where it is computed or has more than one decimal.
+std::optional<int> tenths_of(const Value& v) {
+    if (!v.is_literal() || v.number() < 0 || v.number() > 999) return std::nullopt;
+    const double tenths = v.number() * 10;
+    if (std::abs(tenths - std::round(tenths)) > 1e-6) return std::nullopt;
+    return static_cast<int>(std::round(tenths));
+}
+
+Value whole_value(int n, const Address& a) {
+    Value v;
+    v.found = true;
+    v.literal = base::scan_decimal(std::to_string(n));
+    v.begin = a.begin;
+    v.end = a.end;
+    return v;
+}
+
+void use_letters(FanucState& s, std::string_view letters) {
+    for (Address& a : s.addresses)
+        if (!a.comma && letters.find(a.letter) != std::string_view::npos) a.used = true;
+}
+
+bool is_motion(Modal m) {
+    return m == Modal::rapid || m == Modal::linear || m == Modal::arc_cw || m == Modal::arc_ccw || m == Modal::thread ||
+           m == Modal::turning_cycle;
+}
+
+/// What the reader itself must know of what holds from here on.
+void follow(FanucState& s, const FanucG& g) {
+    switch (g.modal) {
+        case Modal::inch_all: s.inch = true; return;
+        case Modal::metric_all: s.inch = false; return;
+        case Modal::feed_per_rev: s.per_rev = true; return;
+        case Modal::feed_per_minute:
+        case Modal::feed_inverse_time: s.per_rev = false; return;
+        case Modal::absolute: s.incremental = false; return;
+        case Modal::incremental: s.incremental = true; return;
+        case Modal::plane_xy: s.plane = 17; return;
+        case Modal::plane_zx: s.plane = 18; return;
+        case Modal::plane_yz: s.plane = 19; return;
+        case Modal::canned_off: s.hole = 0; return;
+        case Modal::canned: s.hole = g.number; return;
+        default: break;
+    }
+    if (!is_motion(g.modal) || g.special == FanucSpecial::finish || g.special == FanucSpecial::rough) return;
+    const bool moves = g.special == FanucSpecial::none || g.special == FanucSpecial::thread ||
+                       g.special == FanucSpecial::turning_cycle;
+    if (!moves) return;
+    s.hole = 0;
+    s.turning = 0;
+    s.own_motion = true;
+    if (g.modal != Modal::turning_cycle) s.motion = g.modal;
+}
+
+void accept(FanucState& s, const Address& a) {
+    const std::string shown = a.letter + base::shortest(a.value.number());
+    s.build().ignored(shown, a.begin, a.end);
+}
+
+void dwell(FanucState& s, const FanucG& g, const Address& a) {
+    for (const char letter : {'P', 'X', 'U'})
+        if (Address* time = find_address(s, letter)) {
+            time->used = true;
+            // P counts milliseconds, X and U seconds, or thousandths of a second where there is no point.
+            const bool increments = letter == 'P' || s.control.whole_numbers == WholeNumbers::increments;
+            const auto q = letter == 'P' ? Quantity::milliseconds
+                           : increments  ? Quantity::thousandths
+                                         : Quantity::plain;
+            put_value(s, Order::value, Code::p, scaled(s, time->value, q), *time);
+        }
+    add_modal(s, g.order, Modal::dwell, 0, a.begin, a.end);
+}
+
+void home(FanucState& s, const FanucG& g, const Address& a) {
+    int number = g.number;
+    if (Address* p = g.number == 2 ? find_address(s, 'P') : nullptr) {
+        p->used = true;
+        const auto n = as_integer(p->value);
+        if (!n || *n < 2 || *n > 4) return fail(s, p->begin, p->end, "G30 needs P2, P3 or P4");
+        number = *n;
+    }
+    add_modal(s, g.order, g.modal, number, a.begin, a.end);
+}
+
+/// G10. Its data is a block of its own.
+void set_data(FanucState& s, const FanucG& g, const Address& a) {
+    Address *l = find_address(s, 'L'), *p = find_address(s, 'P');
+    const int table = l != nullptr ? as_integer(l->value).value_or(-1) : -1;
+    const int row = p != nullptr ? as_integer(p->value).value_or(-1) : -1;
+    const bool is_zero = table == 2 && row >= 1 && row <= 6;
+    if (is_zero && !s.incremental) return add_modal(s, g.order, g.modal, 0, a.begin, a.end);
+    use_letters(s, "LPRQXYZABCUVWIJKHD");
+    const std::string_view why = is_zero                             ? "G91 adds to the work offset"
+                                 : table == 2 && row == 0            ? "sets the external work offset"
+                                 : table == 20                       ? "sets a work offset of G54.1"
+                                 : table == 50                       ? "sets parameters of the control"
+                                 : table < 0 && s.control.is_lathe() ? "sets a tool offset"
+                                 : table >= 10 && table <= 13        ? "sets a tool offset"
+                                                                     : "sets data of the control";
+    add_problem(s, Code::unsupported, a.begin, s.line.end(), why);
+}
+
+/// G92, G50 of lathes: with S the highest spindle speed; with axis words the position becomes what they say.
+void position(FanucState& s, const FanucG& g, const Address& a) {
+    if (Address* speed = find_address(s, 'S')) {
+        speed->used = true;
+        put_value(s, Order::technology, Code::speed_limit, speed->value, *speed);
+    }
+    const bool axes = std::any_of(s.addresses.begin(), s.addresses.end(), [](const Address& x) {
+        return !x.used && std::string_view("XYZABCUVWH").find(x.letter) != std::string_view::npos;
+    });
+    if (axes) add_modal(s, g.order, g.modal, 0, a.begin, a.end);
+}
+
+void hole_cycle(FanucState& s, const FanucG& g, const Address& a) {
+    const bool counts_up = g.number == 870 && s.incremental && !s.control.haas;  // Z from R, R from the start
+    const auto& table = s.variant.traits->canned;
+    for (std::size_t i = 0; i < table.size() && !counts_up; ++i)
+        if (table[i].number == g.number) return add_modal(s, g.order, g.modal, static_cast<int>(i), a.begin, a.end);
+    add_problem(s, Code::unsupported, a.begin, a.end, "a hole cycle: the holes are not made");
+    use_letters(s, "ZRQPKLIJ");
+}
+
+/// The lead stands in F (E for inches with many digits): along Z, or along X where Z is not programmed.
+void thread(FanucState& s, const FanucG& g, const Address& a) {
+    if (Address* e = find_address(s, 'E')) {
+        e->used = true;
+        return add_problem(s, Code::unsupported, e->begin, e->end, "a thread's lead or number of threads in E");
+    }
+    const bool along_z = find_address(s, 'Z') != nullptr || find_address(s, 'W') != nullptr;
+    Address* f = find_address(s, 'F');
+    if (f == nullptr && !s.lead) return fail(s, a.begin, a.end, "the lead of the thread is missing", "write it as F");
+    Address lead = f != nullptr ? *f : a;
+    const Value v = f != nullptr ? scaled(s, f->value, Quantity::feed) : *s.lead;
+    put_value(s, Order::value, along_z ? Code::k : Code::i, v, lead);
+    if (Address* q = find_address(s, 'Q')) {
+        q->used = true;
+        add_problem(s, Code::unsupported, q->begin, q->end, "the starting angle of a thread");
+    }
+    add_modal(s, g.order, g.modal, 0, a.begin, a.end);
+}
+
+/// A hole at a place given from the last one.
+void hole_block(FanucState& s, double dx, double dy, const Address& a) {
+    program::Builder& b = s.build();
+    b.statement(StatementKind::block, s.line.begin());
+    const auto axis = [&](Code code, double d) {
+        const ExprId by = b.number(d, false, a.begin, a.end);
+        b.expression(code, b.with_reference(program::Reference::incremental, by, a.begin, a.end), a.begin, a.end);
+    };
+    axis(Code::x, dx);
+    axis(Code::y, dy);
+    b.end_statement(s.line.end());
+}
+
+/// Haas G70 and G71: the hole cycle in force at points of a circle about the place where the tool stands.
+void hole_pattern(FanucState& s, const FanucG& g, const Address& a) {
+    constexpr int most = 1000;
+    const auto literal = [&](char letter, double missing) -> std::optional<double> {
+        Address* x = find_address(s, letter);
+        if (x == nullptr) return missing;
+        x->used = true;
+        const Value v =
+            letter == 'L' ? x->value : scaled(s, x->value, letter == 'I' ? Quantity::length : Quantity::angle);
+        return v.is_literal() ? std::optional(v.number()) : std::nullopt;
+    };
+    const auto radius = literal('I', 0), start = literal('J', 0), count = literal('L', 0), step = literal('K', 0);
+    const bool axes = find_address(s, 'X') != nullptr || find_address(s, 'Y') != nullptr;
+    if (!radius || !start || !count || !step || g.code == 720 || axes)
+        return add_problem(s, Code::unsupported, a.begin, s.line.end(),
+                           g.code == 720 ? "holes along a line" : "a hole pattern with computed values or a centre");
+    if (s.hole == 0) return fail(s, a.begin, a.end, "the hole pattern needs a hole cycle before it");
+    if (!(*count >= 1) || *count > most) return fail(s, a.begin, a.end, "L is the number of holes, 1 to 1000");
+    double x = 0, y = 0;
+    for (int i = 0; i < static_cast<int>(*count); ++i) {
+        const double angle = (*start + i * (g.code == 710 ? *step : 360 / *count)) * 3.14159265358979323846 / 180;
+        const auto rounded = [](double v) { return std::round(v * 1e9) / 1e9 + 0.0; };
+        const double nx = rounded(std::abs(*radius) * std::cos(angle));
+        const double ny = rounded(std::abs(*radius) * std::sin(angle));
+        hole_block(s, nx - x, ny - y, a);
+        x = nx, y = ny;
+    }
+}
+
+/// G54.1 P3, G54 P3, Haas G154 P3 and G112: datum 5403.
+void extended_datum(FanucState& s, int number, const Address& a) {
+    constexpr int first = 5401, most = 300;
+    if (Address* p = number == 0 ? find_address(s, 'P') : nullptr) {
+        p->used = true;
+        number = as_integer(p->value).value_or(-1);
+    }
+    if (number < 1 || number > most)
+        return add_problem(s, Code::unsupported, a.begin, a.end, "a work offset by a number that is not written");
+    add_modal(s, Order::datum, Modal::datum, first + number - 1, a.begin, a.end);
+}
+
+/// G54 P1 is G54.1 P1.
+void datum_with_number(FanucState& s) {
+    if (s.hole != 0 || s.control.is_lathe() || find_address(s, 'P') == nullptr || !s.special.empty()) return;
+    for (std::size_t i = 0; i < s.words.size(); ++i) {
+        const BlockWord w = s.words[i];
+        if (w.code != Code::modal || w.payload != program::modal_word(Modal::datum, 54)) continue;
+        s.words.erase(s.words.begin() + static_cast<std::ptrdiff_t>(i));
+        Address a;
+        a.begin = w.begin;
+        a.end = w.end;
+        return extended_datum(s, 0, a);
+    }
+}
+
+/// G53 moves in rapid traverse whatever holds; what held comes back behind it.
+void machine_position(FanucState& s) {
+    const auto found = std::find_if(s.words.begin(), s.words.end(), [](const BlockWord& w) {
+        return w.code == Code::modal && w.modal == Modal::suppress_all;
+    });
+    if (found == s.words.end() || s.own_motion || s.motion == Modal::rapid) return;
+    const std::uint32_t begin = found->begin, end = found->end;
+    add_modal(s, Order::motion, Modal::rapid, 0, begin, end);
+    s.restore_motion = true;
+}
+
+}  // namespace
+
+std::optional<int> g_tenths(const Address& a) {
+    return a.letter == 'G' && !a.comma ? tenths_of(a.value) : std::nullopt;
+}
+
+void read_g_code(FanucState& s, Address& a) {
+    a.used = true;
+    if (!a.value.is_literal()) {
+        s.facts.refused = true;
+        return add_problem(s, Code::unsupported, a.begin, a.end, "a G code that is computed");
+    }
+    const auto code = tenths_of(a.value);
+    const FanucG* g = code ? dialect::rs274::find_fanuc_g(*code, s.control) : nullptr;
+    if (g == nullptr) {
+        s.facts.refused = true;
+        return add_problem(s, Code::unknown, a.begin, a.end, {});
+    }
+    if (g->use == FanucUse::accepted) {
+        use_letters(s, *code == 220 ? "XYZIJK" : "PQRE");
+        return accept(s, a);
+    }
+    if (g->use == FanucUse::refused) {
+        // Codes that change how a way is made, not where it ends, keep their block's coordinates.
+        s.facts.refused = s.facts.refused || g->order == Order::motion;
+        return add_problem(s, Code::unsupported, a.begin, a.end, g->says);
+    }
+    follow(s, *g);
+    if (g->use == FanucUse::modal)
+        add_modal(s, g->order, g->modal, g->number, a.begin, a.end);
+    else
+        s.special.push_back({g, a});
+}
+
+void read_m_code(FanucState& s, Address& a) {
+    a.used = true;
+    const auto n = as_integer(a.value);
+    if (!n) return put_value(s, Order::m_user, Code::m, a.value, a);
+    const dialect::rs274::FanucM m = dialect::rs274::find_fanuc_m(*n, s.control);
+    switch (m.use) {
+        case FanucMUse::accepted:
+            if (*n == 19) use_letters(s, "SPR");
+            return accept(s, a);
+        case FanucMUse::refused: return add_problem(s, Code::unsupported, a.begin, a.end, m.says);
+        default: break;
+    }
+    const Order order = *n == 6               ? Order::m_tool
+                        : *n >= 3 && *n <= 5  ? Order::m_spindle
+                        : *n >= 7 && *n <= 9  ? Order::m_coolant
+                        : *n <= 2 || *n == 30 ? Order::m_stop
+                                              : Order::m_user;
+    put_value(s, order, Code::m, *n == 16 && s.control.haas ? whole_value(6, a) : a.value, a);
+}
+
+void run_specials(FanucState& s) {
+    datum_with_number(s);
+    for (const Special& x : std::vector<Special>(s.special)) {
+        if (s.failed) return;
+        switch (x.g->special) {
+            case FanucSpecial::dwell: dwell(s, *x.g, x.address); break;
+            case FanucSpecial::home: home(s, *x.g, x.address); break;
+            case FanucSpecial::probe: add_modal(s, x.g->order, x.g->modal, 1, x.address.begin, x.address.end); break;
+            case FanucSpecial::set_data: set_data(s, *x.g, x.address); break;
+            case FanucSpecial::position: position(s, *x.g, x.address); break;
+            case FanucSpecial::datum_number: extended_datum(s, x.g->number, x.address); break;
+            case FanucSpecial::canned: hole_cycle(s, *x.g, x.address); break;
+            case FanucSpecial::thread: thread(s, *x.g, x.address); break;
+            case FanucSpecial::local_pattern: hole_pattern(s, *x.g, x.address); break;
+            default:
+                frame_special(s, *x.g, x.address);
+                turning_special(s, *x.g, x.address);
+                break;
+        }
+    }
+    if (!s.failed) machine_position(s);
+}
+
+}  // namespace obrys::read::rs274

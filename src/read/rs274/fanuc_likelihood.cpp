@@ -1,0 +1,156 @@
+/// What speaks for a FANUC or Haas program, and for the kind of machine.
+
+#include <algorithm>
+#include <array>
+
+#include "base/text.hpp"
+#include "read/rs274/fanuc_read.hpp"
+
+namespace obrys::read::rs274 {
+
+namespace {
+
+constexpr std::size_t looked_at = 65536;  ///< bytes of the text
+
+/// The text's words: upper case, without blanks and comments, each line ending with a line feed.
+struct Squeezed {
+    std::string code, comments;
+};
+Squeezed squeeze(std::string_view text) {
+    Squeezed out;
+    bool comment = false;
+    for (const char raw : text.substr(0, looked_at)) {
+        const char c = base::upper(raw);
+        if (c == '\n' || c == '\r') {
+            comment = false;
+            if (!out.code.empty() && out.code.back() != '\n') out.code += '\n';
+        } else if (comment || c == '(') {
+            comment = c != ')';
+            out.comments += c;
+        } else if (!base::is_blank(c)) {
+            out.code += c;
+        }
+    }
+    return out;
+}
+
+/// Occurrences of a pattern, at most `most`: `~` is a digit, `@` the begin of a line, all others stand for themselves.
+int count(std::string_view text, std::string_view pattern, int most = 3) {
+    int n = 0;
+    for (std::size_t i = 0; i < text.size() && n < most; ++i) {
+        std::size_t k = i;
+        bool good = true;
+        for (const char p : pattern) {
+            if (p == '@') {
+                good = k == 0 || text[k - 1] == '\n';
+                if (!good) break;
+                continue;
+            }
+            good = k < text.size() && (p == '~' ? base::is_digit(text[k]) : text[k] == p);
+            if (!good) break;
+            ++k;
+        }
+        n += good ? 1 : 0;
+    }
+    return n;
+}
+
+struct Sign {
+    std::string_view pattern;
+    int weight;
+};
+
+constexpr std::array own{
+    Sign{"@O~~~~", 12}, Sign{"@:~~~~", 12},  Sign{"@%\n", 4},   Sign{"M98P", 5},  Sign{"G65P", 10},
+    Sign{"IF[#", 6},    Sign{"]GOTO", 6},    Sign{"]THEN#", 6}, Sign{"]DO~", 6},  Sign{"#3000=", 10},
+    Sign{"G54.1P", 8},  Sign{"G91G28Z0", 6}, Sign{"G28U0", 8},  Sign{"G28W0", 8}, Sign{"G50S", 8},
+    Sign{"@T0~0~", 5},  Sign{"G43.4", 4},    Sign{"G43Z", 3},   Sign{"H0~", 2},   Sign{"DPRNT[", 10},
+    Sign{"G10L2P", 2},  Sign{"M06", 2},      Sign{"G40", 2},    Sign{"G80", 2},   Sign{"G53X0Z0", 6},
+    Sign{"@G28", 2},    Sign{"G66P", 8},     Sign{"#0]", 8},    Sign{"G53.5", 6}, Sign{"M13\n", 2},
+    Sign{"G97S", 3},    Sign{"G96S", 3},
+};
+constexpr std::array foreign{
+    Sign{"#<", 20},      Sign{"O<", 20},       Sign{"SUB\n", 12},    Sign{"ENDSUB", 20},  Sign{"ENDWHILE", 20},
+    Sign{"O~IF", 10},    Sign{"O~~IF", 10},    Sign{"O~~~IF", 10},   Sign{"O~~CALL", 10}, Sign{"O~~~CALL", 10},
+    Sign{"G38.", 8},     Sign{"G33.1", 10},    Sign{"G64P", 4},      Sign{"G92.1", 4},    Sign{"G5.2", 6},
+    Sign{"M66P", 6},     Sign{"BEGINPGM", 30}, Sign{"TOOLCALL", 30}, Sign{"TOOLDEF", 20}, Sign{"FMAX", 20},
+    Sign{"LBL~", 10},    Sign{"GOTOF", 15},    Sign{"GOTOB", 15},    Sign{"MSG(", 15},    Sign{"CR=", 10},
+    Sign{"R~=", 10},     Sign{"R~~=", 10},     Sign{"%_N_", 40},     Sign{"$P_", 15},     Sign{"$AA_", 15},
+    Sign{"DEFREAL", 15}, Sign{"DEFINT", 15},   Sign{"ENDIF", 6},     Sign{"*\n", 10},     Sign{"G99T~", 10},
+    Sign{"D00Q", 10},    Sign{"DIAMOF", 15},   Sign{"DIAMON", 15},   Sign{"STOPRE", 15},  Sign{"MCALL", 10},
+    Sign{"CYCLE8", 10},  Sign{"FN~:", 15},     Sign{"G98L~", 8},
+};
+constexpr std::array haas_signs{
+    Sign{"G187", 10}, Sign{"G150", 8},  Sign{"G154P", 12}, Sign{"M97P", 15}, Sign{"G234", 12},
+    Sign{"G254", 10}, Sign{"G103P", 8}, Sign{"G12I", 6},   Sign{"G13I", 6},  Sign{"G47P", 8},
+};
+
+template <std::size_t n>
+int sum(std::string_view text, const std::array<Sign, n>& signs) {
+    int total = 0;
+    for (const Sign& s : signs) total += s.weight * count(text, s.pattern);
+    return total;
+}
+
+/// Of words with whole lengths: are points written behind them (X5.)?
+int points(std::string_view code) {
+    int with = 0, without = 0;
+    for (std::size_t i = 0; i + 1 < code.size(); ++i) {
+        if (std::string_view("XYZ").find(code[i]) == std::string_view::npos) continue;
+        std::size_t k = i + 1;
+        while (k < code.size() && (code[k] == '-' || base::is_digit(code[k]))) ++k;
+        if (k == i + 1 || k >= code.size()) continue;
+        if (code[k] == '.')
+            with += k + 1 >= code.size() || !base::is_digit(code[k + 1]) ? 1 : 0;
+        else
+            without += code[k - 1] != '0' || base::is_digit(code[k - 2]) ? 1 : 0;
+    }
+    return with + without == 0 ? 0 : with > without ? 12 : -12;
+}
+
+int suffix_score(std::string_view file_name) {
+    const std::string name = base::to_upper(file_name);
+    for (const std::string_view s : {".MPF", ".SPF", ".H", ".I", ".NGC"})
+        if (name.ends_with(s)) return -25;
+    for (const std::string_view s : {".NC", ".CNC", ".TAP", ".EIA", ".NCF", ".PRG", ".PIM", ".FNC", ".MIN"})
+        if (name.ends_with(s)) return 6;
+    return 0;
+}
+
+int plain_score(const Squeezed& t, std::string_view file_name) {
+    return 8 + sum(t.code, own) - sum(t.code, foreign) + points(t.code) + suffix_score(file_name);
+}
+
+}  // namespace
+
+int fanuc_likelihood(std::string_view text, std::string_view file_name) {
+    const Squeezed t = squeeze(text);
+    return std::clamp(plain_score(t, file_name), 0, 95);
+}
+
+int haas_likelihood(std::string_view text, std::string_view file_name) {
+    const Squeezed t = squeeze(text);
+    const int score = plain_score(t, file_name);
+    if (score <= 0) return 0;
+    const bool named = (t.comments + base::to_upper(file_name)).find("HAAS") != std::string::npos;
+    const int signs = sum(t.code, haas_signs) + (named ? 20 : 0);
+    return std::clamp(signs > 0 ? std::min(score, 85) + signs : std::min(score - 5, 90), 0, 100);
+}
+
+dialect::rs274::FanucMachine guess_machine(std::string_view text) {
+    constexpr std::array lathe{
+        Sign{"G50S", 6},    Sign{"G92S", 3}, Sign{"G96", 4},  Sign{"G28U", 6}, Sign{"G28W", 4},  Sign{"T0~0~", 3},
+        Sign{"T~~~~\n", 2}, Sign{"U-", 2},   Sign{"W-", 1},   Sign{"G70P", 6}, Sign{"G71P", 6},  Sign{"G71U", 6},
+        Sign{"G72W", 6},    Sign{"G76P", 4}, Sign{"G92X", 1}, Sign{"G97S", 2}, Sign{"G99G1", 2}, Sign{"G32Z", 4},
+    };
+    constexpr std::array mill{
+        Sign{"Y~", 3},   Sign{"Y-", 3},  Sign{"Y.", 3},  Sign{"Y#", 3},      Sign{"Y[", 3},  Sign{"M06", 5},
+        Sign{"M6\n", 5}, Sign{"M6T", 5}, Sign{"G43", 5}, Sign{"G81", 2},     Sign{"G83", 1}, Sign{"J~", 1},
+        Sign{"J-", 1},   Sign{"D~", 1},  Sign{"H~", 2},  Sign{"G91G28Z", 4},
+    };
+    const Squeezed t = squeeze(text);
+    const bool turning = sum(t.code, lathe) > sum(t.code, mill);
+    return turning ? dialect::rs274::FanucMachine::lathe : dialect::rs274::FanucMachine::mill;
+}
+
+}  // namespace obrys::read::rs274

@@ -1,0 +1,228 @@
+#include "read/rs274/fanuc_read.hpp"
+
+#include <algorithm>
+
+#include "read/rs274/fanuc_state.hpp"
+
+namespace obrys::read::rs274 {
+
+using dialect::rs274::FanucMachine;
+
+namespace {
+
+std::string stem(std::string_view path) {
+    if (const std::size_t slash = path.find_last_of("/\\"); slash != std::string_view::npos)
+        path.remove_prefix(slash + 1);
+    if (const std::size_t dot = path.rfind('.'); dot != std::string_view::npos && dot > 0) path = path.substr(0, dot);
+    return base::to_upper(path);
+}
+
+std::size_t line_end(std::string_view text, std::size_t at) {
+    const std::size_t end = text.find_first_of("\r\n", at);
+    return end == std::string_view::npos ? text.size() : end;
+}
+
+/// Length of `O1234`, `:1234`, `ONAME` at the begin of a line without blanks in front; 0 where none stands there.
+std::size_t header_length(std::string_view line) {
+    if (line.size() < 2 || (base::upper(line[0]) != 'O' && line[0] != ':')) return 0;
+    std::size_t n = 1;
+    while (n < line.size() &&
+           (base::is_digit(line[n]) || (line[0] != ':' && base::is_letter(line[n])) || (n > 1 && line[n] == '_')))
+        ++n;
+    return n > 1 ? n : 0;
+}
+
+/// "O12" of `O0012` and `:0012`.
+std::string program_name(std::string_view header) {
+    std::string_view rest = header.substr(1);
+    const bool number = rest.find_first_not_of("0123456789") == std::string_view::npos;
+    while (number && rest.size() > 1 && rest[0] == '0') rest.remove_prefix(1);
+    return "O" + base::to_upper(rest);
+}
+
+bool looks_like_block(std::string_view line) {
+    if (!line.empty() && line[0] == '/') line.remove_prefix(1);
+    if (line.size() < 2) return false;
+    return line[0] == '#' ||
+           (base::is_letter(line[0]) &&
+            (base::is_digit(line[1]) || std::string_view("+-.#[").find(line[1]) != std::string_view::npos));
+}
+
+/// The part of a text between its `%` signs, or behind the leader in front of the first program.
+struct Extent {
+    std::size_t begin = 0, end = 0;
+    bool has_sign = false;    ///< `%` at its begin
+    bool has_leader = false;  ///< text stands in front of it
+    bool has_rest = false;    ///< and behind it
+};
+
+Extent extent_of(std::string_view text) {
+    Extent e{0, text.size(), false, false, false};
+    std::size_t header = std::string_view::npos;
+    bool blocks = false, lines = false;
+    for (std::size_t at = 0; at < text.size();) {
+        const std::size_t end = line_end(text, at);
+        const std::string_view line = base::trim(text.substr(at, end - at));
+        if (!line.empty() && line[0] == '%') {
+            const bool more = text.find_first_not_of(" \t\r\n%", end) != std::string_view::npos;
+            if (!e.has_sign && more && !blocks) {
+                e.begin = end;
+                e.has_sign = true;
+                e.has_leader = lines;
+                header = std::string_view::npos;
+                blocks = false;
+            } else {
+                e.end = at;
+                e.has_rest = more;
+                break;
+            }
+        } else if (!line.empty()) {
+            if (header == std::string_view::npos && header_length(line) > 0 && !blocks && lines && !e.has_sign)
+                header = at;
+            blocks = blocks || looks_like_block(line);
+            lines = true;
+        }
+        at = end + 1;
+    }
+    if (!e.has_sign && header != std::string_view::npos) {
+        e.begin = header;
+        e.has_leader = true;
+    }
+    return e;
+}
+
+void note(FanucState& s, std::size_t begin, std::size_t end, std::string_view code, std::string text) {
+    base::Diagnostic d;
+    d.severity = base::Severity::note;
+    d.code = code;
+    d.where = {s.file, static_cast<std::uint32_t>(begin), static_cast<std::uint32_t>(end)};
+    d.text = std::move(text);
+    s.diagnostics.add(std::move(d));
+}
+
+void note_extent(FanucState& s, const Extent& e) {
+    if (!e.has_sign)
+        note(s, e.begin, e.begin, base::codes::assumption, "the program has no % at its begin: it begins here");
+    if (e.has_leader)
+        note(s, 0, std::min<std::size_t>(line_end(s.text, 0), e.begin), base::codes::no_effect,
+             "the text in front of the program is not read");
+    if (e.has_rest)
+        note(s, e.end, line_end(s.text, e.end), base::codes::no_effect, "the text behind the second % is not read");
+}
+
+void begin_program(FanucState& s, std::string name, std::size_t at) {
+    if (s.part != nullptr) {
+        close_program(s);
+        s.unit().end = static_cast<std::uint32_t>(at);
+    }
+    s.part = &s.parts.emplace_back(s.file, s.variant, s.names, s.diagnostics, s.text);
+    s.unit().name = std::move(name);
+    s.unit().begin = s.unit().end = static_cast<std::uint32_t>(at);
+    s.hole = s.turning = 0;
+}
+
+/// What holds on a lathe when it is switched on: diameters, the plane of X and Z, feed per revolution.
+void power_on(FanucState& s) {
+    if (!s.control.is_lathe()) return;
+    s.per_rev = true;
+    const auto ends = [&](std::string_view word) { return base::to_upper(s.text).find(word) != std::string::npos; };
+    if (!ends("M30") && !ends("M02")) return;  // a subprogram: its caller's state holds
+    const std::uint32_t at = s.unit().begin;
+    program::Builder& b = s.build();
+    b.begin_block();
+    b.statement(StatementKind::block, at);
+    b.modal(Modal::feed_per_rev, at, at);
+    b.modal(Modal::plane_zx, at, at);
+    b.modal(Modal::diameter_on, at, at);
+    b.end_statement(at);
+    s.unit().statements.back().flags = 0;
+}
+
+void due_program(FanucState& s, const base::Source& source, std::size_t at) {
+    if (s.part != nullptr) return;
+    begin_program(s, stem(source.name), at);
+    power_on(s);
+}
+
+/// A block without line end and `;`: a program's number, or what the control is to do.
+void read_piece(FanucState& s, const base::Source& source, std::size_t begin, std::size_t end) {
+    while (begin < end && base::is_blank(s.text[begin])) ++begin;
+    const std::string_view piece = s.text.substr(begin, end - begin);
+    if (const std::size_t n = header_length(piece); n > 0) {
+        const bool first = s.part == nullptr;
+        begin_program(s, program_name(piece.substr(0, n)), begin);
+        if (first) power_on(s);
+        begin += n;
+    }
+    if (base::trim(s.text.substr(begin, end - begin)).empty()) return;
+    due_program(s, source, begin);
+    read_fanuc_block(s, static_cast<std::uint32_t>(begin), static_cast<std::uint32_t>(end));
+}
+
+/// `;` ends a block as the line's end does.
+void read_line(FanucState& s, const base::Source& source, std::size_t begin, std::size_t end) {
+    bool comment = false;
+    std::size_t from = begin;
+    for (std::size_t i = begin; i < end; ++i) {
+        const char c = s.text[i];
+        if (c == '(') comment = true;
+        if (c == ')') comment = false;
+        if (c != ';' || comment) continue;
+        read_piece(s, source, from, i);
+        from = i + 1;
+    }
+    read_piece(s, source, from, end);
+}
+
+std::vector<program::Unit> read_text(std::uint32_t file, const base::Sources& sources, program::Names& names,
+                                     base::Diagnostics& diagnostics, const FanucControl& control) {
+    const base::Source& source = sources[file];
+    FanucState s(file, control, names, diagnostics, source.text);
+    s.system = system_parameter;
+    const Extent e = extent_of(s.text);
+    note_extent(s, e);
+    for (std::size_t at = e.begin; at < e.end;) {
+        const std::size_t end = std::min(line_end(s.text, at), e.end);
+        if (at < end) read_line(s, source, at, end);
+        at = end + 1;
+    }
+    due_program(s, source, e.begin);
+    close_program(s);
+    s.unit().end = static_cast<std::uint32_t>(std::max(e.end, std::size_t{s.unit().begin}));
+    std::vector<program::Unit> units;
+    for (Part& part : s.parts) units.push_back(std::move(part.unit));
+    return units;
+}
+
+FanucControl control_of(const base::Source& source, const FanucOptions& options, bool haas) {
+    FanucControl c;
+    c.haas = haas;
+    c.machine = options.machine ? *options.machine : guess_machine(source.text);
+    c.system = options.system;
+    c.whole_numbers = options.whole_numbers;
+    return c;
+}
+
+}  // namespace
+
+std::vector<program::Unit> read_fanuc(std::uint32_t file, const base::Sources& sources, program::Names& names,
+                                      base::Diagnostics& diagnostics, const FanucOptions& options) {
+    return read_text(file, sources, names, diagnostics, control_of(sources[file], options, false));
+}
+
+std::vector<program::Unit> read_haas(std::uint32_t file, const base::Sources& sources, program::Names& names,
+                                     base::Diagnostics& diagnostics, const FanucOptions& options) {
+    return read_text(file, sources, names, diagnostics, control_of(sources[file], options, true));
+}
+
+std::vector<program::Unit> read_fanuc(std::uint32_t file, const base::Sources& sources, program::Names& names,
+                                      base::Diagnostics& diagnostics) {
+    return read_fanuc(file, sources, names, diagnostics, FanucOptions{});
+}
+
+std::vector<program::Unit> read_haas(std::uint32_t file, const base::Sources& sources, program::Names& names,
+                                     base::Diagnostics& diagnostics) {
+    return read_haas(file, sources, names, diagnostics, FanucOptions{});
+}
+
+}  // namespace obrys::read::rs274

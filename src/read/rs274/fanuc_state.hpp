@@ -1,0 +1,172 @@
+#pragma once
+/// What the parts of the FANUC reader share with each other only. Where a word's meaning depends on what stands earlier
+/// in the program (units, hole cycles, systems), the order of the text is taken for the order of execution.
+
+#include <array>
+#include <map>
+
+#include "dialect/rs274/fanuc.hpp"
+#include "read/rs274/state.hpp"
+
+namespace obrys::read::rs274 {
+
+using dialect::rs274::FanucControl;
+using dialect::rs274::FanucG;
+using dialect::rs274::FanucMUse;
+using dialect::rs274::FanucSpecial;
+using dialect::rs274::FanucUse;
+using dialect::rs274::WholeNumbers;
+
+/// A letter and its value as written; what it means is known when the whole block is.
+struct Address {
+    char letter = 0;     ///< upper case
+    bool comma = false;  ///< `,C` `,R`
+    bool used = false;
+    Value value;
+    std::uint32_t begin = 0, end = 0;
+};
+
+enum class TransformationKind : std::uint8_t { mirror, scaling, rotation };  ///< in the order in which they act
+/// One that is in force, as expressions of the program where it stands.
+struct Transformation {
+    TransformationKind kind = TransformationKind::rotation;
+    std::array<ExprId, 3> centre{no_expr, no_expr, no_expr};
+    std::array<ExprId, 3> values{no_expr, no_expr, no_expr};  ///< factors; the angle; which axis is mirrored
+    const Part* part = nullptr;
+};
+
+/// A G code that is more than a word, where it stands.
+struct Special {
+    const FanucG* g = nullptr;
+    Address address;
+};
+
+struct FanucLoop {
+    int number = 0;  ///< m of DO m
+    std::uint32_t statement = 0;
+    bool has_condition = false;
+    base::Span word;
+};
+struct FanucIf {
+    std::uint32_t statement = 0, else_statement = program::no_target;
+    base::Span word;
+};
+/// A jump whose target is looked for when the program has been read.
+struct PendingJump {
+    std::size_t jump = 0;  ///< in Unit::jumps
+    std::uint32_t number = 0;
+    bool behind = false;  ///< to what stands behind that block
+};
+/// A call of a section by the number of its first block (M97).
+struct PendingLabel {
+    std::size_t entry = 0;  ///< in Unit::label_calls
+    std::uint32_t number = 0;
+};
+
+struct FanucState : State {
+    FanucState(std::uint32_t file_number, const FanucControl& c, program::Names& n, base::Diagnostics& d,
+               std::string_view source)
+        : State(file_number, dialect::rs274::fanuc_dialect(c), n, d, source), control(c) {}
+
+    FanucControl control;
+
+    // The text so far.
+    std::optional<bool> inch;
+    bool per_rev = false;
+    bool incremental = false;
+    bool polar = false;
+    int plane = 17;
+    std::vector<Transformation> frames;
+    int hole = 0;     ///< G number * 10 of the hole cycle in force; 0: none
+    int turning = 0;  ///< of the turning cycle in force
+    Modal motion = Modal::rapid;
+    std::optional<Value> lead;  ///< the F last written as a number: the lead of threads without F
+    bool whole_number_said = false;
+    bool units_said = false;
+
+    // The block at hand.
+    std::vector<Address> addresses;
+    std::vector<Special> special;
+    bool own_motion = false;              ///< a G code of the motion group stands in it
+    bool restore_motion = false;          ///< `motion` holds again behind it
+    std::vector<Address> behind;          ///< M functions that act behind the motion
+    std::optional<std::uint32_t> number;  ///< N
+
+    // The program at hand.
+    std::vector<FanucLoop> loops;
+    std::vector<FanucIf> ifs;
+    std::map<std::uint32_t, std::vector<std::uint32_t>> block_numbers;  ///< statements of each block number
+    std::vector<PendingJump> jumps;
+    std::vector<PendingLabel> labels;
+    std::vector<std::uint32_t> section_labels;  ///< block numbers that become labels: first and last ones of G70
+    bool calls_labels = false;                  ///< M97 stands in it: M99 ends a section
+};
+
+// fanuc_block.cpp
+void read_fanuc_block(FanucState& s, std::uint32_t begin, std::uint32_t end);
+/// The addresses from here to the block's end, put into `addresses`.
+void read_addresses(FanucState& s);
+/// The first one of a letter that nobody has used; null where there is none.
+[[nodiscard]] Address* find_address(FanucState& s, char letter);
+/// Puts what `addresses` hold into the tree; the words of the line's statements begin at its begin.
+void emit_addresses(FanucState& s);
+/// A statement whose entry is `index` of its kind's table, covering the line.
+void add_control(FanucState& s, StatementKind kind, std::size_t index);
+
+// fanuc_words.cpp
+/// Lengths, angles, feeds and times written without a point.
+enum class Quantity : std::uint8_t { length, angle, feed, milliseconds, thousandths, plain };
+[[nodiscard]] Quantity quantity_of(const FanucState& s, char letter);
+[[nodiscard]] Value scaled(FanucState& s, const Value& v, Quantity q);
+/// One address of a block with motion or settings.
+void emit_address(FanucState& s, Address& a);
+void put_value(FanucState& s, Order order, Code code, const Value& v, const Address& a);
+
+// fanuc_g.cpp
+void read_g_code(FanucState& s, Address& a);
+void read_m_code(FanucState& s, Address& a);
+/// G number * 10; nothing where it is computed.
+[[nodiscard]] std::optional<int> g_tenths(const Address& a);
+/// The G codes that are more than a word, in the order of the block.
+void run_specials(FanucState& s);
+
+// fanuc_frames.cpp
+void frame_special(FanucState& s, const FanucG& g, const Address& a);
+/// Radius or angle for an axis letter while polar coordinates hold.
+[[nodiscard]] std::optional<Code> polar_code(const FanucState& s, char letter);
+
+// fanuc_turning.cpp
+void turning_special(FanucState& s, const FanucG& g, const Address& a);
+/// A block with coordinates while a turning cycle is in force.
+[[nodiscard]] bool turning_block(FanucState& s);
+
+// fanuc_call.cpp
+/// G65, G66, M97, M98, M99 of the block; false where there is none.
+[[nodiscard]] bool read_calls(FanucState& s);
+
+// fanuc_macro.cpp
+/// A macro statement (assignment, IF, WHILE, GOTO, DPRNT …); false where the block is none.
+[[nodiscard]] bool read_macro_statement(FanucState& s);
+/// What stands from here on: a macro statement or words.
+void read_rest(FanucState& s);
+/// `( … )` that stands here, without its brackets; empty where there is none.
+[[nodiscard]] std::string take_comment(FanucState& s);
+
+// fanuc_system.cpp
+/// What a system variable says, as an expression; no_expr where it is an ordinary parameter.
+[[nodiscard]] ExprId system_parameter(State& s, std::uint32_t number, std::uint32_t begin);
+/// `#3000 = …` and its like, which act; false where `number` is not one of them.
+[[nodiscard]] bool assign_system(FanucState& s, std::uint32_t number);
+
+// fanuc_flow.cpp
+void read_if(FanucState& s);
+void read_while(FanucState& s);
+void read_do(FanucState& s);
+void read_end(FanucState& s);
+void read_goto(FanucState& s, ExprId condition);
+void read_else(FanucState& s);
+void read_endif(FanucState& s);
+/// Closes what is open at the program's end and finds the targets of its jumps.
+void close_program(FanucState& s);
+
+}  // namespace obrys::read::rs274

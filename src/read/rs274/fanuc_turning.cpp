@@ -1,0 +1,198 @@
+/// Turning cycles. The single ones (G90, G92, G94 of system A) become their four ways; the position at which a cycle
+/// begins is kept in global variables. G70 runs the contour's blocks; what G71 … G76 would remove is not made.
+/// Source: FANUC series 16i/18i-T operator's manual, canned cycles and multiple repetitive cycles.
+
+#include "read/rs274/fanuc_state.hpp"
+
+namespace obrys::read::rs274 {
+
+using program::Operator;
+
+namespace {
+
+constexpr std::string_view start_x = "_CYCLE_START_X", start_z = "_CYCLE_START_Z", end_x = "_CYCLE_END_X",
+                           end_z = "_CYCLE_END_Z", taper = "_CYCLE_TAPER";
+
+/// Expressions about the line at hand.
+struct Writer {
+    FanucState& s;
+    std::uint32_t begin = 0, end = 0;
+
+    [[nodiscard]] ExprId variable(std::string_view name) const {
+        program::Expr e;
+        e.kind = program::ExprKind::variable;
+        e.a = s.build().name(name);
+        return s.build().add(e, begin, end);
+    }
+    [[nodiscard]] ExprId number(double x) const { return s.build().number(x, false, begin, end); }
+    [[nodiscard]] ExprId coordinate(int axis) const {
+        program::Expr e;
+        e.kind = program::ExprKind::system;
+        e.op = static_cast<std::uint8_t>(program::SystemVariable::coordinate);
+        e.a = s.build().name("#500" + std::to_string(axis));
+        s.build().adopt(e, {number(axis)});
+        return s.build().add(e, begin, end);
+    }
+    [[nodiscard]] ExprId sum(ExprId a, ExprId b) const { return s.build().binary(Operator::add, a, b, begin, end); }
+    void assign(std::string_view name, ExprId value) const {
+        const ExprId target = variable(name);
+        s.build().assign(target, value, begin, end);
+    }
+    void open() const { s.build().statement(StatementKind::block, s.line.begin()); }
+    void close() const { s.build().end_statement(s.line.end()); }
+    void word(Code code, ExprId value) const { s.build().expression(code, value, begin, end); }
+    void modal(Modal m) const { s.build().modal(m, begin, end); }
+};
+
+void keep_start(const Writer& w) {
+    w.assign(start_x, w.coordinate(1));
+    w.assign(start_z, w.coordinate(3));
+}
+
+/// The end point: X or U and Z or W as written; what a repeated block leaves out stays.
+void keep_end(const Writer& w, char absolute, char incremental, std::string_view start, std::string_view name) {
+    for (const char letter : {absolute, incremental})
+        if (Address* a = find_address(w.s, letter)) {
+            a->used = true;
+            const ExprId v = as_expr(w.s, scaled(w.s, a->value, Quantity::length));
+            w.assign(name, letter == absolute ? v : w.sum(w.variable(start), v));
+        }
+}
+
+void keep_taper(const Writer& w, bool fresh) {
+    if (Address* r = find_address(w.s, 'R')) {
+        r->used = true;
+        w.assign(taper, as_expr(w.s, scaled(w.s, r->value, Quantity::length)));
+    } else if (fresh) {
+        w.assign(taper, w.number(0));
+    }
+}
+
+void way(const Writer& w, Modal m, ExprId x, ExprId z, std::optional<Value> lead = std::nullopt) {
+    w.open();
+    if (x != no_expr) w.word(Code::x, x);
+    if (z != no_expr) w.word(Code::z, z);
+    if (lead) w.word(Code::k, as_expr(w.s, *lead));
+    w.modal(m);
+    w.close();
+}
+
+/// The cycle's four ways. G90: in along X, cut along Z, out, back. G92: the same with a thread. G94: in along Z, cut
+/// along X, out, back. A taper makes the cut begin elsewhere: in radius along X, in length along Z.
+void ways(const Writer& w, int code, std::optional<Value> lead) {
+    const ExprId x = w.variable(end_x), z = w.variable(end_z);
+    program::Builder& b = w.s.build();
+    if (code == 940) {
+        way(w, Modal::rapid, no_expr, w.sum(w.variable(end_z), w.variable(taper)));
+        way(w, Modal::linear, x, z);
+        way(w, Modal::linear, no_expr, w.variable(start_z));
+        return way(w, Modal::rapid, w.variable(start_x), no_expr);
+    }
+    const ExprId twice = b.binary(Operator::multiply, w.number(2), w.variable(taper), w.begin, w.end);
+    way(w, Modal::rapid, w.sum(w.variable(end_x), twice), no_expr);
+    way(w, code == 920 ? Modal::thread : Modal::linear, x, z, code == 920 ? lead : std::nullopt);
+    way(w, code == 920 ? Modal::rapid : Modal::linear, w.variable(start_x), no_expr);
+    way(w, Modal::rapid, no_expr, w.variable(start_z));
+}
+
+void single_cycle(FanucState& s, bool fresh) {
+    const Writer w{s, s.line.begin(), s.line.end()};
+    std::optional<Value> lead = s.lead;
+    if (Address* f = find_address(s, 'F')) {
+        const Value v = scaled(s, f->value, Quantity::feed);
+        if (v.is_literal()) s.lead = v;
+        lead = v;
+        f->used = true;
+        put_value(s, Order::technology, Code::feed, v, *f);
+    }
+    if (s.turning == 920 && !lead) return fail(s, w.begin, w.end, "the lead of the thread is missing", "write it as F");
+    // The words that are no part of the cycle act first.
+    for (Address& a : s.addresses)
+        if (!a.used && (a.letter == 'S' || a.letter == 'T')) emit_address(s, a);
+    emit_block(s);
+    s.words.clear();
+    w.open();
+    keep_start(w);
+    keep_end(w, 'X', 'U', start_x, end_x);
+    keep_end(w, 'Z', 'W', start_z, end_z);
+    keep_taper(w, fresh);
+    w.close();
+    ways(w, s.turning, lead);
+}
+
+std::optional<std::uint32_t> block_number(FanucState& s, char letter) {
+    Address* a = find_address(s, letter);
+    if (a == nullptr) return std::nullopt;
+    a->used = true;
+    const auto n = as_integer(a->value);
+    return n && *n >= 0 ? std::optional(static_cast<std::uint32_t>(*n)) : std::nullopt;
+}
+
+void use_all(FanucState& s) {
+    for (Address& a : s.addresses) a.used = true;
+}
+
+/// G70 P Q: the contour once, then back to where it began.
+void finish(FanucState& s, const Address& a) {
+    const auto first = block_number(s, 'P'), last = block_number(s, 'Q');
+    if (!first || !last) return fail(s, a.begin, a.end, "G70 needs the first and the last block of the contour (P, Q)");
+    for (Address& x : s.addresses)
+        if (!x.used) emit_address(s, x);
+    emit_block(s);
+    s.words.clear();
+    const Writer w{s, s.line.begin(), s.line.end()};
+    w.open();
+    keep_start(w);
+    w.close();
+    program::Section section;
+    section.first = s.build().name("N" + std::to_string(*first));
+    section.last = s.build().name("N" + std::to_string(*last));
+    s.unit().sections.push_back(section);
+    add_control(s, StatementKind::repeat_section, s.unit().sections.size() - 1);
+    s.section_labels.push_back(*first);
+    s.section_labels.push_back(*last);
+    way(w, Modal::rapid, w.variable(start_x), w.variable(start_z));
+}
+
+/// The contour behind G71 … G73 is cut by the cycle, not in passing.
+void rough(FanucState& s, const FanucG& g, const Address& a) {
+    const auto first = block_number(s, 'P'), last = block_number(s, 'Q');
+    use_all(s);
+    add_problem(s, Code::unsupported, a.begin, s.line.end(), g.says);
+    if (!first || !last) return;
+    emit_block(s);
+    s.words.clear();
+    program::Jump jump;
+    jump.direction = program::JumpDirection::either_quiet;
+    jump.destination = s.build().number(static_cast<double>(*last), true, a.begin, a.end);
+    s.unit().jumps.push_back(jump);
+    s.jumps.push_back({s.unit().jumps.size() - 1, *last, true});
+    add_control(s, StatementKind::jump, s.unit().jumps.size() - 1);
+}
+
+}  // namespace
+
+void turning_special(FanucState& s, const FanucG& g, const Address& a) {
+    switch (g.special) {
+        case FanucSpecial::finish: return finish(s, a);
+        case FanucSpecial::rough: return rough(s, g, a);
+        case FanucSpecial::turning_cycle: break;
+        default: return;
+    }
+    if (g.number >= 900) {
+        s.turning = g.number;
+        return single_cycle(s, true);
+    }
+    use_all(s);
+    add_problem(s, Code::unsupported, a.begin, s.line.end(), g.says);
+}
+
+bool turning_block(FanucState& s) {
+    if (s.turning == 0 || s.own_motion) return false;
+    bool axes = false;
+    for (const char letter : {'X', 'U', 'Z', 'W'}) axes = axes || find_address(s, letter) != nullptr;
+    if (axes) single_cycle(s, false);
+    return axes;
+}
+
+}  // namespace obrys::read::rs274
