@@ -14,8 +14,16 @@ import subprocess
 import sys
 import tempfile
 
-# Folder of the corpus -> control; the programs of "gcode" are of many controls: found from their text.
-CONTROLS = {"rs274": "linuxcnc", "fanuc_macro": "fanuc", "gcode": ""}
+PLACES = ("rs274", "fanuc_macro", "gcode")
+
+
+def control_of(name):
+    """The programs of "gcode" are of many controls: found from their text."""
+    if "LinuxCNC" in name or name.startswith("rs274/"):
+        return "linuxcnc"
+    return "fanuc" if name.startswith("fanuc_macro/") else ""
+
+
 NOT_READ = {"syntax", "unknown-word", "unclosed"}
 SECONDS, BUDGET = 60, 5
 
@@ -62,10 +70,11 @@ def main():
     faults, words, ends = [], collections.Counter(), collections.defaultdict(collections.Counter)
     with tempfile.TemporaryDirectory() as folder:
         job = pathlib.Path(folder) / "case.job.toml"
-        for place, control in CONTROLS.items():
+        for place in PLACES:
             for path in sorted(p for p in (corpus / place).rglob("*") if p.is_file()):
-                name = path.relative_to(corpus).as_posix().replace("LinuxCNC__linuxcnc", "…")
-                result, fault = check(obrys, path, control, job)
+                name = path.relative_to(corpus).as_posix()
+                result, fault = check(obrys, path, control_of(name), job)
+                name = name.replace("LinuxCNC__linuxcnc", "…")
                 if fault:
                     faults.append(f"{name}: {fault}")
                     ends[place]["crash or hang"] += 1

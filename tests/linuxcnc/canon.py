@@ -73,7 +73,7 @@ def as_of_2_10(lines):
 
 def run_part(case, part, options, corpus):
     """The lines printed and what was wrong with the exit code."""
-    folder = corpus / "rs274" / PLACE / case.name
+    folder = corpus / part.place / PLACE / case.name
     with tempfile.TemporaryDirectory() as own:
         path, setting = folder / part.program, part.setting
         if part.text:   # our program is elsewhere: the folder of subroutines is named in full

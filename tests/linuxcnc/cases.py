@@ -18,6 +18,7 @@ class Part:
     title: str = ""           # line of the expected file that the part's lines follow
     refused: bool = False     # rs274 stops with an error
     text: str = ""            # our own program, where the corpus has none or the subroutines only; `program` is its name
+    place: str = "rs274"      # folder of the corpus
     nth: int = 0              # the how manieth run of the expected file, from 1; 0: the file holds one
 
 
@@ -129,6 +130,7 @@ SPECIAL = {
 }
 SPECIAL.update({name: {"view": "plain"} for name in OWN if name.startswith("good/")})
 CASES += [own(name, **(SPECIAL.get(name) or {})) for name in OWN if name != "g52/g92-offset-persistence"]
+CASES.append(Case("m98m99/05-M98-loops", (Part("test.ngc", place="fanuc_macro"),), "fields"))
 CASES.append(Case("g52/g92-offset-persistence", THREE_RUNS, "plain", own_words=True,
                   referee="2.9 keeps G92 at M30 where its persistence is off"))
 

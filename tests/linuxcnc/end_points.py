@@ -71,7 +71,7 @@ def refusals(referee, ours, points, options):
 
 def programs(options):
     corpus = options.shared / "corpus"
-    for place in ("rs274", "gcode"):
+    for place in ("rs274", "fanuc_macro/LinuxCNC__linuxcnc", "gcode"):
         for path in sorted(p for p in (corpus / place).rglob("*") if p.is_file()):
             name = path.relative_to(corpus).as_posix()
             if not options.names or any(n in name for n in options.names):

@@ -144,26 +144,6 @@ M30
 }
 OWN["g72-missing-iteration"] = OWN["g72-facing"]
 OWN["g72-facing"] = OWN["g72-facing"].replace("G1 X100\n", "G1 X100 Z-39.999\n")
-OWN["m98m99/05-M98-loops"] = """F40
-G0 Z.25
-#1=0
-M98 P1 L10
-(print,x #1)
-G90 G0 X0 Y0 Z.25
-#1=0
-M98 P1 L0
-(print,x #1)
-G90 G0 X0 Y0 Z.25
-#1=0
-M98 P1 L2
-(print,x #1)
-M30
-O1
-G91 G99 G81 X1 Z-1 R.25
-#1=[#1+1]
-(print,x #1)
-M99
-"""
 ARCS = {"big": (600, 300.14, 6000, 3001.4001), "medium": (200, 99.95, 2000, 999.5), "small": (5, 2.4986, 50, 24.986)}
 for size, (inch_x, inch_i, mm_x, mm_i) in ARCS.items():
     OWN[f"good/good-arc.{size}.imperial.center-format.ngc"] = f"G20\nF1\nG0 X0 Y0\nG2 X{inch_x} I{inch_i}\nM2\n"
