@@ -4,6 +4,7 @@
 #include <array>
 
 #include "read/heidenhain/read.hpp"
+#include "read/rs274/fanuc_read.hpp"
 #include "read/rs274/read.hpp"
 #include "read/sinumerik/read.hpp"
 
@@ -42,10 +43,19 @@ constexpr std::array linuxcnc_languages{
     Language{base::BlockNumbers::n_word, read::rs274::read_linuxcnc, read::rs274::linuxcnc_likelihood},
 };
 
+constexpr std::array fanuc_languages{
+    Language{base::BlockNumbers::n_word, read::rs274::read_fanuc, read::rs274::fanuc_likelihood},
+};
+constexpr std::array haas_languages{
+    Language{base::BlockNumbers::n_word, read::rs274::read_haas, read::rs274::haas_likelihood},
+};
+
 constexpr std::array controls_table{
     Control{"sinumerik-840d", sinumerik_languages, sinumerik_programs, sinumerik_definitions},
     Control{"heidenhain-itnc530", heidenhain_languages, heidenhain_programs, {}},
     Control{"linuxcnc", linuxcnc_languages, rs274_programs, {}, o_word_file},
+    Control{"fanuc", fanuc_languages, rs274_programs, {}, o_word_file},
+    Control{"haas", haas_languages, rs274_programs, {}, o_word_file},
 };
 
 }  // namespace

@@ -38,7 +38,7 @@ Vec2 centre_of(const Run& run, const PlaneAxes& a) {
 path::ArcTolerance tolerance(const Run& run) {
     const program::Traits& t = *run.traits;
     const double own = run.modal.inch_geometry ? t.arc_tolerance_inch : t.arc_tolerance;
-    return {own > 0 ? own : run.env.machine.defaults.circle_tolerance, 0.001};
+    return {own > 0 ? own : run.env.machine.defaults.circle_tolerance, 0.001, own > 0};
 }
 
 void arc_alarm(Run& run, const path::ArcResult& r) {

@@ -138,8 +138,9 @@ void run_holes(Run& run, const program::CannedCycle& c, const PlaneAxes& a) {
     if (!count) return;
     if (c.turns_axes && run.modal.plane != 17)
         assume(run, run.here(),
-               std::string(c.name) + " outside G17: the control feeds to a place whose coordinates belong to other axes "
-               "(LinuxCNC 2.9 and 2.10), and so it is run here");
+               std::string(c.name) +
+                   " outside G17: the control feeds to a place whose coordinates belong to other axes "
+                   "(LinuxCNC 2.9 and 2.10), and so it is run here");
     const geom::Vec3 start = run.programmed_position;
     geom::Vec3 target = programmed_target(run);
     const geom::Vec3 step = target - start;
@@ -151,6 +152,12 @@ void run_holes(Run& run, const program::CannedCycle& c, const PlaneAxes& a) {
         if (!complain(run, c, e)) return;
         if (i == 0) rise(run, demand, coordinate(start, a.w), e.steps);
         emit_hole(run, c, e.steps);
+        if (c.turns_axes && run.modal.plane != 17) {  // the control takes itself to be where it should be
+            const geom::Vec3 there = into_plane(at, a);
+            const double level = std::max(demand.get(CycleRole::retract_plane),
+                                          demand.get(CycleRole::return_level, demand.get(CycleRole::retract_plane)));
+            arrive(run, out_of_plane({there.x, there.y, level}, a));
+        }
         if (over_budget(run, false)) return;
     }
 }

@@ -135,6 +135,14 @@ std::uint32_t find_destination(Run& run, const std::string& name, program::JumpD
 void jump(Run& run, const program::Jump& j) {
     if (j.condition != program::no_expr && !truth(run, j.condition)) return;
     if (run.stopped) return;
+    if (j.direction == program::JumpDirection::start && run.traits->argument_parameters > 0) {  // M99
+        assume(run, run.here(), "M99 repeats the main program without end: one pass is run");
+        flush_path(run);
+        tell_end(run, 2);
+        emit(run, cl::Stop{cl::StopKind::end});
+        run.stopped = true;
+        return;
+    }
     if (j.direction == program::JumpDirection::start) {
         go_back(run, 0);
         return;

@@ -52,10 +52,7 @@ void set_surface_speed(Run& run, bool on, int number) {
     run.modal.speed_word = number;
     if (number == 96 || number == 97 || number == 973) set_feed_mode(run, cl::FeedMode::per_rev);
     if (number == 961 || number == 971) set_feed_mode(run, cl::FeedMode::per_minute);
-    tell(run, SettingKind::surface_speed, on ? 96 : 97,
-         {!on                                ? 0
-          : run.block.has(Code::speed_limit) ? run.block.get(Code::speed_limit)
-                                             : 1e30});
+    run.block.surface_word = on ? 96 : 97;
 }
 
 /// G94 and G95 stand in one group with G96: they end it (SINUMERIK Programming Manual Fundamentals, G96). Easily

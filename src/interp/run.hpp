@@ -102,7 +102,8 @@ struct BlockWords {
     std::string tool_name;
     bool tool_named = false;
     int special_number = 0;
-    bool acted = false;  ///< F, S, T and M have acted already (Code::act)
+    int surface_word = 0;  ///< 96 or 97 where the block says it
+    bool acted = false;    ///< F, S, T and M have acted already (Code::act)
     std::vector<PendingAssign> pending;
     Modal special = Modal::linear;     ///< dwell, reference point, fixed point, pole; linear: none
     Modal suppress = Modal::linear;    ///< suppress_frames, suppress_all; linear: none

@@ -94,20 +94,27 @@ shop::Tool* tool_of_block(Run& run) {
     return nullptr;
 }
 
-/// L10: the offset with which the position has the words' coordinates; L11: in the ninth zero offset (G59.3).
-Axes measured(const Run& run, bool in_ninth) {
+void turn_about_z(Axes& a, double by) {
+    const double x = a[0] * std::cos(by) - a[1] * std::sin(by), y = a[0] * std::sin(by) + a[1] * std::cos(by);
+    a[0] = x;
+    a[1] = y;
+}
+
+/// L10: the offset with which the position has the words' coordinates; L11: in the ninth zero offset (G59.3). What the
+/// tool's offset has beyond the active one stays in axes without a word, seen in the turned coordinates.
+Axes measured(const Run& run, const Axes& table, bool in_ninth) {
     const program::OffsetParameters& p = run.traits->offsets;
     const std::uint32_t ninth = p.datum_first + 8 * p.datum_step;
     const Axes there = in_ninth ? coordinates_in(run, ninth) : Axes{};
-    Axes by{};
-    for (std::size_t k = 0; k < 9; ++k)
-        if (const auto word = axis_word(run, k)) by[k] = (in_ninth ? there[k] : axis_coordinate(run, k)) - *word;
     const double turn = geom::radians(in_ninth ? run.parameters.get(ninth + p.rotation) : run.offsets.rotation);
-    const double x = by[0] * std::cos(turn) - by[1] * std::sin(turn),
-                 y = by[0] * std::sin(turn) + by[1] * std::cos(turn);
-    by[0] = x;
-    by[1] = y;
-    return by;
+    Axes beyond{};
+    for (std::size_t k = 0; k < 9; ++k) beyond[k] = table[k] - run.offsets.tool[k];
+    turn_about_z(beyond, -turn);
+    for (std::size_t k = 0; k < 9; ++k)
+        if (const auto word = axis_word(run, k)) beyond[k] = (in_ninth ? there[k] : axis_coordinate(run, k)) - *word;
+    turn_about_z(beyond, turn);
+    for (std::size_t k = 0; k < 9; ++k) beyond[k] += run.offsets.tool[k];
+    return beyond;
 }
 
 void set_tool_data(Run& run, int l) {
@@ -117,13 +124,10 @@ void set_tool_data(Run& run, int l) {
     const double unit = run.modal.inch_geometry ? 25.4 : 1;
     if (!t->linuxcnc) t->linuxcnc.emplace();
     auto& table = *t->linuxcnc;
-    const Axes by = l == 1 ? Axes{} : measured(run, l == 11);
     table.offset[2] = t->length;
-    for (std::size_t k = 0; k < 9; ++k) {
-        const auto word = axis_word(run, k);
-        const bool turned = l != 1 && k < 2 && run.offsets.rotation != 0;
-        if (word || turned) table.offset[k] = l == 1 ? *word : run.offsets.tool[k] + by[k];
-    }
+    if (l != 1) table.offset = measured(run, table.offset, l == 11);
+    for (std::size_t k = 0; k < 9 && l == 1; ++k)
+        if (const auto word = axis_word(run, k)) table.offset[k] = *word;
     t->length = table.offset[2];
     if (b.has(Code::radius)) table.diameter = 2 * (t->radius = b.get(Code::radius) * unit);
     if (b.has(Code::i)) table.front_angle = b.get(Code::i);

@@ -4,6 +4,8 @@
 #include <cmath>
 
 #include "base/codes.hpp"
+#include "base/number.hpp"
+#include "base/text.hpp"
 #include "interp/run.hpp"
 #include "interp/system_tool.hpp"
 
@@ -194,6 +196,21 @@ Value indexed_parameter(const Access& a) {
     return {};
 }
 
+/// A number of the control's configuration.
+Value setting_value(const Access& a) {
+    const auto text = [&](std::size_t i) { return base::to_upper(printed(evaluate(a.run, a.id(i)))); };
+    const std::string key = text(0) + "/" + text(1);
+    if (a.run.stopped) return Value::unknown();
+    const auto* settings = a.run.env.settings;
+    if (settings == nullptr || settings->empty())
+        return unknown_value(a, "the configuration of the control is not at hand");
+    const auto found = settings->find(key);
+    const auto value = found == settings->end() ? std::nullopt : base::parse_double(found->second);
+    if (value) return Value::real(*value);
+    alarm(a.run, codes::undefined_name, a.where(), "the configuration has no number " + a.name());
+    return Value::unknown();
+}
+
 Value run_state(const Access& a, SystemVariable v) {
     const Run& run = a.run;
     switch (v) {
@@ -234,6 +251,8 @@ int tool_parameter_number(const std::string& name) {
 Value read_system(Run& run, const Expr& e) {
     const Access a{run, e};
     const auto v = static_cast<SystemVariable>(e.op);
+    if (v == SystemVariable::ini_value) return setting_value(a);
+    if (v >= SystemVariable::state) return live_value(run, v, a.index(0), a.where());
     if (v >= SystemVariable::inch_program) {
         const auto value = tool_or_frame(run, e);
         return value ? Value::real(*value) : unknown_value(a, "neither the job nor the machine file says it");

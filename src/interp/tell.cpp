@@ -138,6 +138,11 @@ void tell_technology(Run& run) {
     const BlockWords& b = run.block;
     if (b.has(Code::feed) && run.modal.feed_mode != cl::FeedMode::inverse_time)
         tell(run, SettingKind::feed_rate, 0, {b.get(Code::feed)});
+    if (b.surface_word != 0)
+        tell(run, SettingKind::surface_speed, b.surface_word,
+             {b.surface_word == 97       ? 0
+              : b.has(Code::speed_limit) ? b.get(Code::speed_limit)
+                                         : 1e30});
     if (b.has(Code::spindle)) tell(run, SettingKind::spindle_speed, 0, {b.get(Code::spindle)});
     tell_outputs(run);
     tell_tool(run);

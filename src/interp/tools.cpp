@@ -330,7 +330,8 @@ void technology(Run& run) {
                                     bit(Code::edge) | bit(Code::spindle_position) | bit(Code::round_modal) |
                                     bit(Code::corner_feed_modal) | bit(Code::tool_change) | bit(Code::feed_auto) |
                                     bit(Code::feed_per_rev) | bit(Code::feed_per_tooth);
-    if ((b.present & words) == 0 && b.m.empty() && b.h.empty() && !run.spindle.mode_changed) return;
+    if ((b.present & words) == 0 && b.m.empty() && b.h.empty() && !run.spindle.mode_changed && b.surface_word == 0)
+        return;
     tell_technology(run);
     if (b.has(Code::round_modal) && std::isnan(b.get(Code::round_modal)))
         unchecked(run, codes::unknown_value, run.here(),

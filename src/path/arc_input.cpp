@@ -60,7 +60,7 @@ ArcResult arc_by_centre(Vec2 from, Vec2 to, Vec2 centre, Sense sense, int turns,
         return failed(ArcFailure::radius_mismatch, end - start);
     ArcResult r;
     r.to = to;
-    r.centre = balanced(from, to, centre);
+    r.centre = tolerance.keep_centre ? centre : balanced(from, to, centre);
     r.sweep = with_turns(sweep_between(from, to, r.centre, sense), turns, sense);
     r.radius_difference = end - start;
     return r;

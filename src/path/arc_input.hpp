@@ -24,8 +24,9 @@ enum class ArcFailure : std::uint8_t {
 /// When start and end count as equally far from the centre: the larger of the two
 /// (SINUMERIK MD21000 CIRCLE_ERROR_CONST, MD21010 CIRCLE_ERROR_FACTOR).
 struct ArcTolerance {
-    double absolute = 0.01;   ///< mm
-    double relative = 0.001;  ///< of the radius
+    double absolute = 0.01;    ///< mm
+    double relative = 0.001;   ///< of the radius
+    bool keep_centre = false;  ///< the centre stays as written: the arc is a little no circle, as the control runs it
 };
 
 /// Where the radii differ within the tolerance the centre is moved along the chord so that they are equal, unless the

@@ -90,7 +90,7 @@ void add_request(CLI::App& app, Arguments& a) {
         ->required()
         ->type_name("FILE");
     app.add_option("--control", a.request.control,
-                   "control of the program: sinumerik-840d, heidenhain-itnc530, linuxcnc; else found from the text")
+                   "control of the program: sinumerik-840d, heidenhain-itnc530, linuxcnc, fanuc, haas; else found from the text")
         ->type_name("NAME");
     app.add_option("--machine", a.request.machine, "shipped machine (lathe-generic, mill-generic) or machine file")
         ->type_name("NAME|FILE");

@@ -177,7 +177,7 @@ void read_line(FanucState& s, const base::Source& source, std::size_t begin, std
 std::vector<program::Unit> read_text(std::uint32_t file, const base::Sources& sources, program::Names& names,
                                      base::Diagnostics& diagnostics, const FanucControl& control) {
     const base::Source& source = sources[file];
-    FanucState s(file, control, names, diagnostics, source.text);
+    FanucState s(file, control, names, diagnostics, sources);
     s.system = system_parameter;
     const Extent e = extent_of(s.text);
     note_extent(s, e);

@@ -65,8 +65,8 @@ struct PendingLabel {
 
 struct FanucState : State {
     FanucState(std::uint32_t file_number, const FanucControl& c, program::Names& n, base::Diagnostics& d,
-               std::string_view source)
-        : State(file_number, dialect::rs274::fanuc_dialect(c), n, d, source), control(c) {}
+               const base::Sources& all)
+        : State(file_number, dialect::rs274::fanuc_dialect(c), n, d, all), control(c) {}
 
     FanucControl control;
 
