@@ -6,7 +6,6 @@ its end what LinuxCNC accepts. With --referee rs274 itself is held to the lines:
 """
 import argparse
 import pathlib
-import re
 import sys
 import tempfile
 
@@ -40,8 +39,8 @@ def obrys_line(obrys, path, _text):
         return "no end"
     if run.code == 0:
         return 0
-    found = re.search(r":(\d+):\d+: error: ", run.err)
-    return int(found[1]) if found else f"exit {run.code}: {endpoint.first_error(run.err)}"
+    found = endpoint.refusal(run.err)
+    return int(found[2]) if found else f"exit {run.code}: {endpoint.first_error(run.err)}"
 
 
 def check(bad, path, options):

@@ -119,7 +119,7 @@ def run_part(case, part, options, corpus):
         return [], f"{part.program}: exit {run.code}: {run.err[:200]}"
     lines = viewed(run.out, case)
     # obrys also says "not fully checked" (exit 3) of runs that come to their end.
-    refused = run.code != 0 if options.referee else ": error: " in run.err or "[missing-subprogram]" in run.err
+    refused = run.code != 0 if options.referee else endpoint.refusal(run.err) is not None
     wanted = "refused" if part.refused else "accepted"
     fault = "" if refused == part.refused else (
         f"{part.program}: exit {run.code}, to be {wanted}: {run.refused or endpoint.first_error(run.err)}")
