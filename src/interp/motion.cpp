@@ -76,6 +76,10 @@ geom::Vec3 cartesian_target(Run& run) {
         const double v = b.get(code) * length_factor(run, k, incremental);
         coordinate(to, k) = incremental ? coordinate(to, k) + v : v;
     }
+    if (run.turned_contour) {
+        if (b.has(Code::u)) to.x += b.get(Code::u) * length_factor(run, 0, true);
+        if (b.has(Code::w)) to.z += b.get(Code::w) * length_factor(run, 2, true);
+    }
     return to;
 }
 
@@ -256,6 +260,10 @@ bool motion(Run& run) {
     if (b.special == Modal::set_data || b.special == Modal::position_becomes || b.special == Modal::local_shift ||
         b.special == Modal::tool_length_by_axes)
         return false;
+    if (b.special == Modal::turning_cycle) {
+        begin_motion(run);
+        return turning_cycle(run);
+    }
     if (b.special == Modal::home) {
         go_home(run);
         return true;
@@ -265,7 +273,7 @@ bool motion(Run& run) {
         for (int k = 0; k < 3; ++k)
             if (b.has(axis_code(k))) require_axis(run, std::string(1, "XYZ"[k]));
     begin_motion(run);
-    if (others) extra_axes(run);
+    if (others && !run.turned_contour) extra_axes(run);
     if (run.stopped) return false;
     if (run.modal.motion == Modal::canned) return canned_motion(run);
     if (run.modal.motion == Modal::canned_off) {
@@ -302,7 +310,10 @@ path::Element straight_element(const geom::Vec3& at, const geom::Vec3& to, const
 }  // namespace
 
 void capture(Run& run, const path::Element& e, bool rapid) {
-    run.capture->push_back({e, rapid, run.modal.compensation, corner_of_block(run), run.frame, run.here()});
+    const double unit = run.modal.inch_geometry ? 25.4 : 1;
+    const auto size = [&](Code c) { return run.block.has(c) ? run.block.get(c) * unit : 0; };
+    run.capture->push_back(
+        {e, rapid, run.modal.compensation, corner_of_block(run), run.frame, run.here(), size(Code::a), size(Code::c)});
 }
 
 void straight_motion(Run& run, const geom::Vec3& to, bool rapid) {

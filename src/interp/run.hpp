@@ -314,6 +314,7 @@ struct Run {
     std::vector<Captured>* capture = nullptr;
     std::shared_ptr<FreeContour> free_contour;  ///< being solved
     std::optional<geom::Vec2> free_pole;        ///< FPOL
+    bool turned_contour = false;                ///< the contour of a turning cycle is being collected
 
     const program::Statement* statement = nullptr;  ///< being run
     bool stopped = false;                           ///< alarm, budget or program end
@@ -510,7 +511,8 @@ void store_home(Run&);
 // --- cycles that motion blocks call (canned.cpp)
 /// False where the block's words call no cycle.
 [[nodiscard]] bool canned_motion(Run&);
-void cancel_canned(Run&);
+/// G70 … G72, G76 of lathes (turning.cpp).
+[[nodiscard]] bool turning_cycle(Run&);
 
 // --- what is set besides moves (tell.cpp); nothing where nobody wants to know
 void tell(Run&, cl::SettingKind, int number = 0, std::initializer_list<double> values = {});

@@ -77,6 +77,7 @@ struct CannedWord {
     CycleRole role = CycleRole::dwell_bottom;
     bool length = false;  ///< in the program's unit
     double factor = 1;    ///< dwell in milliseconds: 0.001
+    bool across = false;  ///< a diameter where the program has diameters
 };
 /// A cycle that the words of motion blocks call (G81 X Y Z R).
 struct CannedCycle {
@@ -85,6 +86,7 @@ struct CannedCycle {
     std::string_view name;              ///< "G81"
     std::span<const CannedWord> words;  ///< besides X Y Z, R and L; they hold until the cycle is cancelled
     std::span<const CycleValue> fixed;  ///< what the control itself adds; mm, degrees, s
+    bool adds_in_units = false;         ///< it adds up infeeds as binary numbers of the program's unit
     bool turns_axes = false;            ///< a fault of the control: outside G17 it feeds to another place
 };
 
@@ -149,6 +151,8 @@ struct Traits {
     /// G80 leaves no motion in force, so that axis words alone are an error; else rapid.
     bool cancel_leaves_no_motion = false;
     std::span<const CannedCycle> canned{};
+    /// Turning cycles, by the number of their block's word (Modal::turning_cycle).
+    std::span<const CannedCycle> turning{};
     std::span<const ControlParameter> set_by_control{};
     /// What the control shows when a program stops itself with this number; null: the number and the program's own
     /// text.

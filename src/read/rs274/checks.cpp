@@ -65,7 +65,8 @@ bool uses(const State& s, const dialect::rs274::LetterUse& use) {
 
 /// Letters that no code of the block uses. Where the motion is the modal one it may be that which uses them.
 void check_letters(State& s) {
-    const bool modal_motion = s.facts.motion == nullptr && (has_axes(s) || (s.facts.letters & centre) != 0);
+    const bool modal_motion =
+        s.facts.motion == nullptr && s.facts.own == nullptr && (has_axes(s) || (s.facts.letters & centre) != 0);
     if (modal_motion || s.facts.refused || s.facts.has_m(100, 199)) return;
     for (const auto& use : s.variant.letters)
         if (s.facts.has(use.code) && !uses(s, use))
