@@ -24,6 +24,8 @@ def control_of(name):
     return "fanuc" if name.startswith("fanuc_macro/") else ""
 
 
+ALARMS = {"arithmetic", "value-range", "missing-label", "missing-subprogram", "arc-radius", "compensation", "program-alarm",
+          "type-mismatch", "syntax", "undefined-name"}
 NOT_READ = {"syntax", "unknown-word", "unclosed"}
 SECONDS, BUDGET = 60, 5
 
@@ -44,14 +46,14 @@ def check(obrys, path, control, job):
 
 def line_of(name, result):
     """How it ended, the words not run, and the line of the table."""
-    errors = [f for f in result["findings"] if f.get("severity") == "error"]
+    errors = [f for f in result["findings"] if f["code"] in ALARMS]
     codes = {n["code"] for n in result["unchecked"]}
     words = collections.Counter(n["message"].split(" is ")[0].strip('"')[:24] for n in result["unchecked"]
                                 if n["code"] in ("unsupported", "unknown-word"))
     if "budget" in codes:
         ended = "endless"
     elif errors:
-        ended = "error"
+        ended = "alarm"
     elif codes & NOT_READ:
         ended = "not read fully"
     else:
@@ -82,7 +84,7 @@ def main():
                 ended, not_run, line = line_of(name, result)
                 ends[place][ended] += 1
                 words.update(not_run.keys())
-                if verbose or ended in ("error", "endless", "not read fully"):
+                if verbose or ended in ("alarm", "endless", "not read fully"):
                     print(line)
     for place, counts in ends.items():
         print(f"{place}: {sum(counts.values())} programs: " + ", ".join(f"{e} {n}" for e, n in counts.most_common()))

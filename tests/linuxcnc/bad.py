@@ -14,6 +14,9 @@ import runner
 from bad_programs import BAD, CORPUS_BAD, KNOWN_FAILURES, Bad
 
 SECONDS = 20
+# The machine of rs274 when it is told nothing: its default tool table, in inch, and six axes.
+MACHINE = runner.Setting(tools=((1, 1, "Z0.511 D0.125"), (2, 2, "Z0.1 D0.0625"), (3, 3, "Z1.273 D0.201")),
+                         ini={"TRAJ": {"COORDINATES": "X Y Z A B C", "LINEAR_UNITS": "inch"}})
 PLACE = "corpus/rs274/LinuxCNC__linuxcnc/tests/interp"
 
 
@@ -34,11 +37,13 @@ def referee_line(path, text):
 
 def obrys_line(obrys, path, _text):
     """The line of the first error obrys tells; 0 when it accepts the program."""
-    run = runner.run_obrys(obrys, path, None, SECONDS)
+    run = runner.run_obrys(obrys, path, MACHINE, SECONDS)
     if run.code is None:
         return "no end"
     if run.code == 0:
         return 0
+    if "[file-empty]" in run.err:
+        return 1
     found = endpoint.refusal(run.err)
     return int(found[2]) if found else f"exit {run.code}: {endpoint.first_error(run.err)}"
 
