@@ -337,7 +337,7 @@ void assign_value(Run& run, const program::Assign& a, double index, double value
         return alarm(run, codes::syntax, run.unit().span(a.target), "this can only be read");
     const auto n = writable(run, index, a);
     if (!n) return;
-    if (is_live(run, *n))
+    if (is_live(run, *n) && !may_be_written(run, *n))
         return alarm(run, codes::value_range, run.unit().span(a.target),
                      program::parameter_name(*run.traits, *n) + " can only be read");
     assign_number(run, *n, a.value, value, run.unit().span(a.target));

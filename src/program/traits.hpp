@@ -139,6 +139,8 @@ struct Traits {
     std::span<const std::int16_t> own_functions{};
     /// Radius compensation holds one move back and refuses what it cannot join (path::Method::held_move).
     bool compensation_holds_move = false;
+    /// The remainder of a division is never negative.
+    bool modulo_is_positive = false;
     /// X words are radii at the start whatever the machine; else as its file says.
     bool radius_at_start = false;
     /// mm (of a program in inches) by which the radii of an arc's ends may differ, if not more than a thousandth of it;

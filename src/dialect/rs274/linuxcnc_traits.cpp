@@ -120,6 +120,7 @@ constexpr program::Traits traits{
     .feed_mode_ends_surface_speed = false,
     .own_functions = own_functions,
     .compensation_holds_move = true,
+    .modulo_is_positive = true,
     .radius_at_start = true,
     .arc_tolerance = 0.02828427125,
     .arc_tolerance_inch = 0.002828427125 * 25.4,
