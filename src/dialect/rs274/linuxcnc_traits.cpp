@@ -94,6 +94,7 @@ constexpr program::Traits traits{
     .arc_tolerance_inch = 0.002828427125 * 25.4,
     .missing_program_stops = true,
     .needs_feed = true,
+    .refuses_unready = true,
     .cancel_leaves_no_motion = true,
     .canned = canned,
 };
@@ -110,6 +111,7 @@ const Dialect linuxcnc{
     .predefined = linuxcnc_predefined,
     .read_only = linuxcnc_read_only,
     .letters = linuxcnc_letters,
+    .longest_line = 252,  // measured: 253 are refused
 };
 
 }  // namespace obrys::dialect::rs274

@@ -112,7 +112,26 @@ void check_polar(State& s) {
     if (s.facts.own != nullptr) fail_g(s, s.facts.own->number, "polar coordinates are for motions only");
 }
 
+/// G5 and G5.1 say where their control points lie. I and J of G5 may come from the G5 before.
+void check_splines(State& s) {
+    const Facts& f = s.facts;
+    const bool cubic = f.has_g(50), quadratic = f.has_g(51);
+    if (cubic && !(f.has(Code::p) && f.has(Code::q))) return fail_g(s, 50, "G5 needs both P and Q");
+    if (cubic && f.has(Code::i) != f.has(Code::j)) return fail_g(s, 50, "G5 needs both I and J, or neither");
+    if (quadratic && !(f.has(Code::i) && f.has(Code::j))) fail_g(s, 51, "G5.1 needs both I and J");
+}
+
 void check_m(State& s) {
+    for (const std::uint16_t m : s.facts.m) {
+        const std::string name = "M" + std::to_string(m);
+        const auto p = literal(s, Code::p);
+        if (m >= 62 && m <= 65 && (!s.facts.has(Code::p) || (p && *p < 0)))
+            return fail(s, s.line.begin(), s.line.end(), name + " needs P, the number of the output",
+                        "write " + name + " P0");
+        if ((m == 67 || m == 68) && !s.facts.has(Code::e))
+            return fail(s, s.line.begin(), s.line.end(), name + " needs E, the number of the output",
+                        "write " + name + " E0 Q1");
+    }
     if (s.facts.has_m(66, 66) && !s.facts.has(Code::p) && !s.facts.has(Code::e))
         fail(s, s.line.begin(), s.line.end(), "M66 says neither with P nor with E which input");
 }
@@ -137,9 +156,20 @@ void settle_letters(State& s) {
 
 }  // namespace
 
+bool is_too_long(State& s) {
+    const auto length = s.line.end() - s.line.begin();
+    const auto most = static_cast<std::uint32_t>(s.variant.longest_line);
+    if (most == 0 || length <= most) return false;
+    fail(s, s.line.begin() + most, s.line.end(),
+         "this line is " + std::to_string(length) + " characters long; " + std::string(s.variant.control) + " reads " +
+             std::to_string(most),
+         "shorten it or its comment");
+    return true;
+}
+
 void check_block(State& s) {
     if (!s.variant.letters.empty()) {
-        for (auto* check : {check_axes, check_polar, check_required, check_m, check_letters}) {
+        for (auto* check : {check_axes, check_polar, check_required, check_splines, check_m, check_letters}) {
             check(s);
             if (s.failed) return;
         }

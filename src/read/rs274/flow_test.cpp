@@ -97,8 +97,9 @@ TEST(Rs274Flow, WhatFollowsTheEndIsNotRead) {
     EXPECT_EQ(tree("%\nX1\nM2\nnonsense\n%\nmore\n"), "0 X1\n1 M2\n");
     EXPECT_EQ(Reading("%\nX1\n%\nnonsense\n").messages(), "");
     EXPECT_EQ(complaint("X1\n%\n"), "2:1 a % at the end needs one at the begin of the program");
-    EXPECT_EQ(Reading("X1\n").first_message(true), "1:1 the program ends without M2 or M30");
-    EXPECT_EQ(Reading("%\nX1\n").first_message(true), "2:1 the program ends without M2, M30 or its second %");
+    EXPECT_EQ(Reading("X1\n").unit().unended, "the program ends without M2 or M30");
+    EXPECT_EQ(Reading("%\nX1\n").unit().unended, "the program ends without M2, M30 or its second %");
+    EXPECT_EQ(Reading("X1\nM2\n").unit().unended + Reading("%\nX1\n%\n").unit().unended, "");
     EXPECT_EQ(Reading("o1 if [#1]\nM2\no1 endif\nX[1\nM2").first_message(), "4:2 this bracket is not closed");
 }
 
