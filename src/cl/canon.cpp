@@ -172,7 +172,11 @@ bool CanonWriter::technology(const Setting& s) {
             call(s.number == 1 ? text("START_SPEED_FEED_SYNC(%f,0)", restored(s.values[0] / unit_))
                                : std::string("STOP_SPEED_FEED_SYNCH()"));
             return true;
-        case SettingKind::probing: call(s.number == 1 ? "TURN_PROBE_ON()" : "TURN_PROBE_OFF()"); return true;
+        case SettingKind::probing:
+            probing_ = s.number == 1;
+            call(probing_ ? "TURN_PROBE_ON()" : "TURN_PROBE_OFF()");
+            return true;
+        case SettingKind::curve: call(text("NURBS_FEED(%d, ...)", s.number)); return true;
         case SettingKind::coolant:
             if (s.number == 7) call("MIST_ON()");
             if (s.number == 8) call("FLOOD_ON()");
@@ -205,7 +209,9 @@ void CanonWriter::move(std::string_view name, const geom::Vec3& to) {
                                   restored(stream_[5] - offset_[5])));
 }
 
-void CanonWriter::line(const Linear& l) { move(l.rapid ? "STRAIGHT_TRAVERSE" : "STRAIGHT_FEED", l.to); }
+void CanonWriter::line(const Linear& l) {
+    move(probing_ ? "STRAIGHT_PROBE" : l.rapid ? "STRAIGHT_TRAVERSE" : "STRAIGHT_FEED", l.to);
+}
 
 void CanonWriter::arc(const Arc& a) {
     const geom::Vec3 end = programmed(a.to), centre = programmed(a.centre);

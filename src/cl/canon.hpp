@@ -51,7 +51,7 @@ private:
     double unit_ = 1;                            ///< mm
     int plane_ = 17;
     bool mist_ = false, flood_ = false, feed_override_ = true, speed_override_ = true;
-    bool begun_ = false, ended_ = false, pallet_ = false, tapped_ = false;
+    bool begun_ = false, ended_ = false, pallet_ = false, tapped_ = false, probing_ = false;
 };
 
 }  // namespace obrys::cl

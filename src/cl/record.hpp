@@ -185,6 +185,7 @@ enum class SettingKind : std::uint8_t {
     probing,        ///< number: 1 begins, 0 ends
     coolant,        ///< number: 7, 8, 9
     dwell,          ///< value: seconds as programmed
+    curve,          ///< number: control points of the curve whose pieces follow
     output_bit,     ///< number: output; value: 1 on, 0 off, + 2 with the next motion
     output_value,   ///< number: output; value; value 1: 1 with the next motion
     pallet_change,  ///< M60, M30

@@ -63,7 +63,8 @@ double binary_number(Run& run, const Expr& e, double a, double b) {
         case Operator::integer_divide: return std::trunc(checked(run, e, divided(run, e, a, b)));
         case Operator::modulo: {
             const double quotient = std::trunc(checked(run, e, divided(run, e, a, b)));
-            return a - quotient * b;
+            const double rest = a - quotient * b;
+            return rest < 0 && run.traits->modulo_is_positive ? rest + std::abs(b) : rest;
         }
         case Operator::power: {
             const double v = std::pow(a, b);

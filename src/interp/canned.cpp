@@ -71,25 +71,10 @@ cycles::Demand demand_at(const Run& run, const program::CannedCycle& c, const ge
     if (!run.modal.clear_to_retract_plane) d.values.push_back({CycleRole::return_level, initial});
     for (std::size_t i = 0; i < c.words.size() && i < s.values.size(); ++i)
         if (s.given[i]) d.values.push_back({c.words[i].role, s.values[i]});
+    if (c.adds_in_units) d.values.push_back({CycleRole::length_unit, run.modal.inch_geometry ? 25.4 : 1.0});
     if (c.turns_axes && run.modal.plane != 17)
         d.values.push_back({CycleRole::turned_axes, run.modal.plane == 18 ? 1.0 : 2.0});
     return d;
-}
-
-/// False after a complaint that ends the run.
-bool complain(Run& run, const program::CannedCycle& c, const cycles::Expansion& e) {
-    for (const cycles::Complaint& k : e.complaints) {
-        if (k.fatal) {
-            alarm(run, codes::value_range, run.here(), std::string(c.name) + ": " + k.text, k.remedy);
-            return false;
-        }
-        assume(run, run.here(), std::string(c.name) + ": " + k.text, k.remedy);
-    }
-    if (!e.assumption.empty()) assume(run, run.here(), std::string(c.name) + ": " + std::string(e.assumption));
-    if (e.simulated) return true;
-    unchecked(run, codes::unsupported, run.here(), std::string(c.name) + " is not run: its path is not known here");
-    run.position = run.programmed_position = {NAN, NAN, NAN};
-    return true;
 }
 
 bool taps(program::CycleKind k) {
@@ -149,7 +134,7 @@ void run_holes(Run& run, const program::CannedCycle& c, const PlaneAxes& a) {
         const geom::Vec3 at = run.modal.absolute ? target : start + (i + 1) * step;
         const cycles::Demand demand = demand_at(run, c, into_plane(at, a), initial);
         cycles::Expansion e = cycles::expand(demand, situation_of(run));
-        if (!complain(run, c, e)) return;
+        if (!report_expansion(run, c.name, e)) return;
         if (i == 0) rise(run, demand, coordinate(start, a.w), e.steps);
         emit_hole(run, c, e.steps);
         if (c.turns_axes && run.modal.plane != 17) {  // the control takes itself to be where it should be
@@ -164,7 +149,21 @@ void run_holes(Run& run, const program::CannedCycle& c, const PlaneAxes& a) {
 
 }  // namespace
 
-void cancel_canned(Run& run) { run.canned.active = false; }
+bool report_expansion(Run& run, std::string_view name, const cycles::Expansion& e) {
+    const std::string cycle(name);
+    for (const cycles::Complaint& k : e.complaints) {
+        if (k.fatal) {
+            alarm(run, codes::value_range, run.here(), cycle + ": " + k.text, k.remedy);
+            return false;
+        }
+        assume(run, run.here(), cycle + ": " + k.text, k.remedy);
+    }
+    if (!e.assumption.empty()) assume(run, run.here(), cycle + ": " + std::string(e.assumption));
+    if (e.simulated) return true;
+    unchecked(run, codes::unsupported, run.here(), cycle + " is not run: its path is not known here");
+    run.position = run.programmed_position = {NAN, NAN, NAN};
+    return true;
+}
 
 bool canned_motion(Run& run) {
     const PlaneAxes a = plane_axes(run.modal.plane);

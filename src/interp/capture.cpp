@@ -39,19 +39,54 @@ struct Rehearsal::Saved {
     CallPattern pattern;
     std::vector<ContourChoice> contour_choices;
     std::string datum_table, open_table;
+    Offsets offsets;
+    CannedState canned;
+    bool mist, flood;
 };
 
 Rehearsal::Rehearsal(Run& r)
-    : run_(r), saved_(new Saved{r.capture,        r.calls,        r.parameters,        r.modal,
-                                r.block,          r.tool,         r.spindle,           r.feed,
-                                r.coolant_on,     r.feed_valid,   r.feed_dropped,      r.moved,
-                                r.datum_emitted,  r.datum_known,  r.frame_is_identity, r.stopped,
-                                r.ending,         r.blocks,       r.position,          r.programmed_position,
-                                r.frame,          r.tool_axis,    r.reference_datum,   r.extra_axes,
-                                r.last_direction, r.cycle,        r.contour_labels,    r.last_message,
-                                r.statement,      r.free_contour, r.contour_data,      r.contour_train_data,
-                                r.contour_unit,   r.pattern,      r.contour_choices,   r.datum_table,
-                                r.open_table}) {
+    : run_(r),
+      saved_(new Saved{r.capture,
+                       r.calls,
+                       r.parameters,
+                       r.modal,
+                       r.block,
+                       r.tool,
+                       r.spindle,
+                       r.feed,
+                       r.coolant_on,
+                       r.feed_valid,
+                       r.feed_dropped,
+                       r.moved,
+                       r.datum_emitted,
+                       r.datum_known,
+                       r.frame_is_identity,
+                       r.stopped,
+                       r.ending,
+                       r.blocks,
+                       r.position,
+                       r.programmed_position,
+                       r.frame,
+                       r.tool_axis,
+                       r.reference_datum,
+                       r.extra_axes,
+                       r.last_direction,
+                       r.cycle,
+                       r.contour_labels,
+                       r.last_message,
+                       r.statement,
+                       r.free_contour,
+                       r.contour_data,
+                       r.contour_train_data,
+                       r.contour_unit,
+                       r.pattern,
+                       r.contour_choices,
+                       r.datum_table,
+                       r.open_table,
+                       r.offsets,
+                       r.canned,
+                       r.mist,
+                       r.flood}) {
     run_.capture = &elements_;
     run_.free_contour.reset();  // its solver would go on with blocks that are only tried
 }
@@ -95,6 +130,10 @@ Rehearsal::~Rehearsal() {
     run_.contour_choices = std::move(s.contour_choices);
     run_.datum_table = std::move(s.datum_table);
     run_.open_table = std::move(s.open_table);
+    run_.offsets = s.offsets;
+    run_.canned = s.canned;
+    run_.mist = s.mist;
+    run_.flood = s.flood;
 }
 
 std::optional<Captured> next_element(Run& run, const geom::Vec3& from) {
@@ -129,8 +168,17 @@ std::optional<std::vector<Captured>> elements_of_label(Run& run, const Unit& uni
     return std::nullopt;
 }
 
-std::optional<std::vector<Captured>> elements_of_program(Run& run, const Unit& unit) {
+std::optional<std::vector<Captured>> elements_of_turned_contour(Run& run, const Unit& unit, geom::Vec3 from) {
+    const bool before = run.turned_contour;
+    run.turned_contour = true;
+    auto elements = elements_of_program(run, unit, from);
+    run.turned_contour = before;
+    return elements;
+}
+
+std::optional<std::vector<Captured>> elements_of_program(Run& run, const Unit& unit, std::optional<geom::Vec3> from) {
     const Rehearsal rehearsal(run);
+    if (from) arrive(run, *from);
     const std::size_t depth = run.calls.size();
     enter(run, unit, nullptr, run.here());
     if (run.calls.size() == depth) return std::nullopt;

@@ -18,6 +18,7 @@ struct Captured {
     path::CornerRequest corner;  ///< chamfer or rounding at its end
     geom::Frame frame;
     base::Span where;
+    double fillet = 0, chamfer = 0;  ///< A and C of a turning cycle's contour, mm
 };
 
 /// While it lives, the run emits nothing, complains about nothing and collects its elements; at its end the run stands
@@ -46,7 +47,10 @@ private:
 /// is no such label or it does not end.
 [[nodiscard]] std::optional<std::vector<Captured>> elements_of_label(Run&, const Unit& unit, const std::string& label);
 
-/// The same of a whole program; nothing where it does not end.
-[[nodiscard]] std::optional<std::vector<Captured>> elements_of_program(Run&, const Unit& unit);
+/// The same of a whole program; nothing where it does not end. `from`: where the tool stands, programmed frame.
+[[nodiscard]] std::optional<std::vector<Captured>> elements_of_program(Run&, const Unit& unit,
+                                                                       std::optional<geom::Vec3> from = {});
+/// The same of a turning cycle's contour: U and W are steps along X and Z, A and C belong to the corner.
+[[nodiscard]] std::optional<std::vector<Captured>> elements_of_turned_contour(Run&, const Unit& unit, geom::Vec3 from);
 
 }  // namespace obrys::interp

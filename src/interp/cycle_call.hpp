@@ -19,6 +19,8 @@ void report(Run&, const ActiveCycle&, const std::vector<cycles::Complaint>&);
 void begin_cycle(Run&, const ActiveCycle&);
 /// What holds when a cycle is called.
 [[nodiscard]] cycles::Situation situation_of(const Run&);
+/// Says what is wrong with a cycle's call; false where that ends the run.
+[[nodiscard]] bool report_expansion(Run&, std::string_view name, const cycles::Expansion&);
 /// A step of a cycle, from the working plane's coordinates into the stream.
 void emit_step(Run&, cl::Step step);
 void emit_steps(Run&, std::vector<cl::Step>&);

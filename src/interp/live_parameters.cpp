@@ -126,7 +126,16 @@ const program::LiveParameters* live_range(const Run& run, std::uint32_t n) {
 
 }  // namespace
 
-bool is_live(const Run& run, std::uint32_t n) { return live_range(run, n) != nullptr; }
+bool is_live(const Run& run, std::uint32_t n) {
+    const program::LiveParameters* l = live_range(run, n);
+    return l != nullptr && !run.parameters.is_assigned(n);
+}
+
+bool may_be_written(const Run& run, std::uint32_t n) {
+    const program::LiveParameters* l = live_range(run, n);
+    return l == nullptr || l->value == SystemVariable::probed_coordinate || l->value == SystemVariable::probe_success ||
+           l->value == SystemVariable::input_value || l->value == SystemVariable::unknown;
+}
 
 double live_parameter(Run& run, std::uint32_t n, const base::Span& where) {
     const program::LiveParameters* l = live_range(run, n);

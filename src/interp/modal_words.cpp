@@ -183,6 +183,14 @@ bool numbered_motion_word(Run& run, Modal m, int number) {
             state.clear_to_retract_plane = m == Modal::retract_clearance;
             tell(run, SettingKind::retract_clearance, state.clear_to_retract_plane);
             return true;
+        case Modal::nurbs:
+            if (state.motion != m || state.motion_number != number) run.curve.open = false;
+            state.motion = m;
+            state.motion_number = number;
+            return true;
+        case Modal::spline_cubic:
+        case Modal::spline_quadratic:
+        case Modal::nurbs_end:
         case Modal::rigid_tap:
         case Modal::turning_cycle:
             run.block.special = m;

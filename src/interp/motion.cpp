@@ -76,6 +76,10 @@ geom::Vec3 cartesian_target(Run& run) {
         const double v = b.get(code) * length_factor(run, k, incremental);
         coordinate(to, k) = incremental ? coordinate(to, k) + v : v;
     }
+    if (run.turned_contour) {
+        if (b.has(Code::u)) to.x += b.get(Code::u) * length_factor(run, 0, true);
+        if (b.has(Code::w)) to.z += b.get(Code::w) * length_factor(run, 2, true);
+    }
     return to;
 }
 
@@ -172,6 +176,35 @@ geom::Vec3 lengthened(Run& run, geom::Vec3 to) {
     return to;
 }
 
+/// G38.2 …: the move is run to its end; what it touches is not known here.
+bool probe(Run& run) {
+    flush_path(run);
+    unchecked(run, codes::unsupported, run.here(),
+              "probing is not simulated: the move is run to its end, and what it finds is not known");
+    const geom::Vec3 to = programmed_target(run);
+    require_feed(run);
+    tell(run, cl::SettingKind::probing, 1);
+    arrive(run, to);
+    emit(run, cl::Linear{run.position, run.tool_axis, false});
+    tell(run, cl::SettingKind::probing, 0);
+    return true;
+}
+
+/// G33.1: down with the spindle, and back with it reversed.
+bool rigid_tap(Run& run) {
+    flush_path(run);
+    const geom::Vec3 from = run.programmed_position, to = programmed_target(run);
+    cl::Thread t;
+    t.pitch = run.block.get(Code::k) * (run.modal.inch_geometry ? 25.4 : 1);
+    t.rigid_tap = true;
+    for (const geom::Vec3& p : {to, from}) {
+        arrive(run, p);
+        t.to = run.position;
+        emit(run, t);
+    }
+    return true;
+}
+
 bool path_motion(Run& run) {
     const BlockWords& b = run.block;
     const Modal m = run.modal.motion;
@@ -186,6 +219,10 @@ bool path_motion(Run& run) {
         return true;
     }
     flush_path(run);
+    if (m > Modal::tap_retract) {
+        alarm(run, codes::value_range, run.here(), "coordinates without a motion that could run them");
+        return false;
+    }
     cl::Thread t;
     t.pitch = thread_pitch(run, run.programmed_position, to);
     t.rigid_tap = m == Modal::tap || m == Modal::tap_retract;
@@ -256,6 +293,16 @@ bool motion(Run& run) {
     if (b.special == Modal::set_data || b.special == Modal::position_becomes || b.special == Modal::local_shift ||
         b.special == Modal::tool_length_by_axes)
         return false;
+    if (b.special == Modal::spline_cubic || b.special == Modal::spline_quadratic || b.special == Modal::nurbs_end) {
+        begin_motion(run);
+        return spline_motion(run);
+    }
+    const bool knots = run.modal.motion == Modal::nurbs && (b.has(Code::k) || b.has(Code::p));
+    if (knots && !moves) return spline_motion(run);
+    if (b.special == Modal::turning_cycle) {
+        begin_motion(run);
+        return turning_cycle(run);
+    }
     if (b.special == Modal::home) {
         go_home(run);
         return true;
@@ -265,9 +312,12 @@ bool motion(Run& run) {
         for (int k = 0; k < 3; ++k)
             if (b.has(axis_code(k))) require_axis(run, std::string(1, "XYZ"[k]));
     begin_motion(run);
-    if (others) extra_axes(run);
+    if (others && !run.turned_contour) extra_axes(run);
     if (run.stopped) return false;
     if (run.modal.motion == Modal::canned) return canned_motion(run);
+    if (run.modal.motion == Modal::nurbs) return spline_motion(run);
+    if (run.modal.motion == Modal::probe) return probe(run);
+    if (b.special == Modal::rigid_tap) return rigid_tap(run);
     if (run.modal.motion == Modal::canned_off) {
         alarm(run, codes::value_range, run.here(), "axis words without a motion: G80 is in force",
               "write G0 or G1 before them");
@@ -302,7 +352,10 @@ path::Element straight_element(const geom::Vec3& at, const geom::Vec3& to, const
 }  // namespace
 
 void capture(Run& run, const path::Element& e, bool rapid) {
-    run.capture->push_back({e, rapid, run.modal.compensation, corner_of_block(run), run.frame, run.here()});
+    const double unit = run.modal.inch_geometry ? 25.4 : 1;
+    const auto size = [&](Code c) { return run.block.has(c) ? run.block.get(c) * unit : 0; };
+    run.capture->push_back(
+        {e, rapid, run.modal.compensation, corner_of_block(run), run.frame, run.here(), size(Code::a), size(Code::c)});
 }
 
 void straight_motion(Run& run, const geom::Vec3& to, bool rapid) {

@@ -230,6 +230,7 @@ void refuse_modal(Run& run, const program::Word& w) {
 
 void refuse_block(Run& run) {
     const BlockWords& b = run.block;
+    if (run.capture != nullptr) return;  // a contour is only looked at
     refuse_axes(run);
     if (!run.stopped && (b.has(Code::tool) || has_m(run, 6))) refuse_tool(run);
     if (!run.stopped && b.suppress != Modal::linear) refuse_machine_move(run);

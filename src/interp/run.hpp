@@ -17,6 +17,7 @@
 #include <vector>
 
 #include "geom/frame.hpp"
+#include "geom/nurbs.hpp"
 #include "interp/interp.hpp"
 #include "interp/value.hpp"
 #include "interp/variables.hpp"
@@ -180,6 +181,12 @@ struct ActiveCycle {
     bool modal = false;              ///< M89: behind every block with motion
 };
 
+/// Control points between G5.2 and G5.3, or of G6.2.
+struct ControlCurve {
+    bool open = false, own_knots = false;
+    geom::Nurbs curve;  ///< programmed frame
+};
+
 /// What the words of a canned cycle's blocks have said, until it is cancelled.
 struct CannedState {
     bool active = false;
@@ -288,6 +295,8 @@ struct Run {
     ActiveCycle cycle;                        ///< the last one that is active on call
     std::vector<std::string> contour_labels;  ///< of the contour that contour cycles work on
     CannedState canned;
+    ControlCurve curve;
+    geom::Vec3 last_spline_end;           ///< P and Q of the last G5, mm
     const Unit* contour_unit = nullptr;   ///< the program whose labels these are
     std::string datum_table;              ///< selected by the program; empty: the one that is active on the control
     std::set<std::string> printed_files;  ///< that the program has begun to print to
@@ -315,6 +324,7 @@ struct Run {
     std::vector<Captured>* capture = nullptr;
     std::shared_ptr<FreeContour> free_contour;  ///< being solved
     std::optional<geom::Vec2> free_pole;        ///< FPOL
+    bool turned_contour = false;                ///< the contour of a turning cycle is being collected
 
     const program::Statement* statement = nullptr;  ///< being run
     bool stopped = false;                           ///< alarm, budget or program end
@@ -513,15 +523,25 @@ void store_home(Run&);
 /// Values of the block's axis words as absolute lengths in mm (degrees); nothing where an axis has no word.
 [[nodiscard]] std::optional<double> axis_word(const Run&, std::size_t axis);
 
+/// A parameter that is empty (Traits::empty_parameters), alone or with a sign.
+[[nodiscard]] bool is_empty(Run&, ExprId);
+
 // --- what the control shows of itself (live_parameters.cpp)
 [[nodiscard]] bool is_live(const Run&, std::uint32_t parameter);
+/// What probing and inputs leave there can be overwritten.
+[[nodiscard]] bool may_be_written(const Run&, std::uint32_t parameter);
 [[nodiscard]] double live_parameter(Run&, std::uint32_t parameter, const base::Span& where);
 [[nodiscard]] Value live_value(Run&, program::SystemVariable, double index, const base::Span& where);
 
 // --- cycles that motion blocks call (canned.cpp)
 /// False where the block's words call no cycle.
 [[nodiscard]] bool canned_motion(Run&);
-void cancel_canned(Run&);
+/// G70 … G72, G76 of lathes (turning.cpp).
+[[nodiscard]] bool turning_cycle(Run&);
+
+// --- splines (spline.cpp)
+/// G5, G5.1, G5.2 … G5.3, G6.2.
+[[nodiscard]] bool spline_motion(Run&);
 
 // --- what is set besides moves (tell.cpp); nothing where nobody wants to know
 void tell(Run&, cl::SettingKind, int number = 0, std::initializer_list<double> values = {});

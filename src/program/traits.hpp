@@ -77,6 +77,7 @@ struct CannedWord {
     CycleRole role = CycleRole::dwell_bottom;
     bool length = false;  ///< in the program's unit
     double factor = 1;    ///< dwell in milliseconds: 0.001
+    bool across = false;  ///< a diameter where the program has diameters
 };
 /// A cycle that the words of motion blocks call (G81 X Y Z R).
 struct CannedCycle {
@@ -85,6 +86,7 @@ struct CannedCycle {
     std::string_view name;              ///< "G81"
     std::span<const CannedWord> words;  ///< besides X Y Z, R and L; they hold until the cycle is cancelled
     std::span<const CycleValue> fixed;  ///< what the control itself adds; mm, degrees, s
+    bool adds_in_units = false;         ///< it adds up infeeds as binary numbers of the program's unit
     bool turns_axes = false;            ///< a fault of the control: outside G17 it feeds to another place
 };
 
@@ -125,6 +127,9 @@ struct Traits {
     std::uint32_t argument_parameters = 0;
     /// Parameters hold 0 until they are set, and the control says so itself: reading one is no assumption.
     bool parameters_begin_at_zero = false;
+    /// A parameter that nobody has set is empty, and #0 always is: it counts as 0, but EQ and NE tell it from 0, a word
+    /// with it alone is left out, and assigning it empties the other (Macro B: "vacant").
+    bool empty_parameters = false;
     std::span<const LiveParameters> live{};
     OffsetParameters offsets{};
     /// M5 and M9 act before the block's motion; else behind it.
@@ -137,6 +142,8 @@ struct Traits {
     std::span<const std::int16_t> own_functions{};
     /// Radius compensation holds one move back and refuses what it cannot join (path::Method::held_move).
     bool compensation_holds_move = false;
+    /// The remainder of a division is never negative.
+    bool modulo_is_positive = false;
     /// X words are radii at the start whatever the machine; else as its file says.
     bool radius_at_start = false;
     /// mm (of a program in inches) by which the radii of an arc's ends may differ, if not more than a thousandth of it;
@@ -152,6 +159,8 @@ struct Traits {
     /// G80 leaves no motion in force, so that axis words alone are an error; else rapid.
     bool cancel_leaves_no_motion = false;
     std::span<const CannedCycle> canned{};
+    /// Turning cycles, by the number of their block's word (Modal::turning_cycle).
+    std::span<const CannedCycle> turning{};
     std::span<const ControlParameter> set_by_control{};
     /// What the control shows when a program stops itself with this number; null: the number and the program's own
     /// text.

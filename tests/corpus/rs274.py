@@ -14,8 +14,18 @@ import subprocess
 import sys
 import tempfile
 
-# Folder of the corpus -> control; the programs of "gcode" are of many controls: found from their text.
-CONTROLS = {"rs274": "linuxcnc", "fanuc_macro": "fanuc", "gcode": ""}
+PLACES = ("rs274", "fanuc_macro", "gcode")
+
+
+def control_of(name):
+    """The programs of "gcode" are of many controls: found from their text."""
+    if "LinuxCNC" in name or name.startswith("rs274/"):
+        return "linuxcnc"
+    return "fanuc" if name.startswith("fanuc_macro/") else ""
+
+
+ALARMS = {"arithmetic", "value-range", "missing-label", "missing-subprogram", "arc-radius", "compensation", "program-alarm",
+          "type-mismatch", "syntax", "undefined-name"}
 NOT_READ = {"syntax", "unknown-word", "unclosed"}
 SECONDS, BUDGET = 60, 5
 
@@ -36,14 +46,14 @@ def check(obrys, path, control, job):
 
 def line_of(name, result):
     """How it ended, the words not run, and the line of the table."""
-    errors = [f for f in result["findings"] if f.get("severity") == "error"]
+    errors = [f for f in result["findings"] if f["code"] in ALARMS]
     codes = {n["code"] for n in result["unchecked"]}
     words = collections.Counter(n["message"].split(" is ")[0].strip('"')[:24] for n in result["unchecked"]
                                 if n["code"] in ("unsupported", "unknown-word"))
     if "budget" in codes:
         ended = "endless"
     elif errors:
-        ended = "error"
+        ended = "alarm"
     elif codes & NOT_READ:
         ended = "not read fully"
     else:
@@ -62,10 +72,11 @@ def main():
     faults, words, ends = [], collections.Counter(), collections.defaultdict(collections.Counter)
     with tempfile.TemporaryDirectory() as folder:
         job = pathlib.Path(folder) / "case.job.toml"
-        for place, control in CONTROLS.items():
+        for place in PLACES:
             for path in sorted(p for p in (corpus / place).rglob("*") if p.is_file()):
-                name = path.relative_to(corpus).as_posix().replace("LinuxCNC__linuxcnc", "…")
-                result, fault = check(obrys, path, control, job)
+                name = path.relative_to(corpus).as_posix()
+                result, fault = check(obrys, path, control_of(name), job)
+                name = name.replace("LinuxCNC__linuxcnc", "…")
                 if fault:
                     faults.append(f"{name}: {fault}")
                     ends[place]["crash or hang"] += 1
@@ -73,7 +84,7 @@ def main():
                 ended, not_run, line = line_of(name, result)
                 ends[place][ended] += 1
                 words.update(not_run.keys())
-                if verbose or ended in ("error", "endless", "not read fully"):
+                if verbose or ended in ("alarm", "endless", "not read fully"):
                     print(line)
     for place, counts in ends.items():
         print(f"{place}: {sum(counts.values())} programs: " + ", ".join(f"{e} {n}" for e, n in counts.most_common()))

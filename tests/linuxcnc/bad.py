@@ -6,14 +6,17 @@ its end what LinuxCNC accepts. With --referee rs274 itself is held to the lines:
 """
 import argparse
 import pathlib
-import re
 import sys
 import tempfile
 
+import endpoint
 import runner
 from bad_programs import BAD, CORPUS_BAD, KNOWN_FAILURES, Bad
 
 SECONDS = 20
+# The machine of rs274 when it is told nothing: its default tool table, in inch, and six axes.
+MACHINE = runner.Setting(tools=((1, 1, "Z0.511 D0.125"), (2, 2, "Z0.1 D0.0625"), (3, 3, "Z1.273 D0.201")),
+                         ini={"TRAJ": {"COORDINATES": "X Y Z A B C", "LINEAR_UNITS": "inch"}})
 PLACE = "corpus/rs274/LinuxCNC__linuxcnc/tests/interp"
 
 
@@ -34,13 +37,15 @@ def referee_line(path, text):
 
 def obrys_line(obrys, path, _text):
     """The line of the first error obrys tells; 0 when it accepts the program."""
-    run = runner.run_obrys(obrys, path, None, SECONDS)
+    run = runner.run_obrys(obrys, path, MACHINE, SECONDS)
     if run.code is None:
         return "no end"
     if run.code == 0:
         return 0
-    found = re.search(r":(\d+):\d+: error: ", run.err)
-    return int(found[1]) if found else f"exit {run.code}: {run.err.strip()[:120]}"
+    if "[file-empty]" in run.err:
+        return 1
+    found = endpoint.refusal(run.err)
+    return int(found[2]) if found else f"exit {run.code}: {endpoint.first_error(run.err)}"
 
 
 def check(bad, path, options):
@@ -53,7 +58,8 @@ def check(bad, path, options):
     if got == wanted:
         return ""
     names = {0: "accepted"}
-    return f"{names.get(got, f'line {got}')}, wanted {names.get(wanted, f'line {wanted}')}"
+    said = f"line {got}" if isinstance(got, int) else got
+    return f"{names.get(got, said)}, wanted {names.get(wanted, f'line {wanted}')}"
 
 
 def arguments():
@@ -63,7 +69,7 @@ def arguments():
     parser.add_argument("names", nargs="*")
     parser.add_argument("-v", action="store_true", dest="verbose")
     parser.add_argument("--referee", action="store_true")
-    return parser.parse_args()
+    return parser.parse_intermixed_args()
 
 
 def all_programs(options):

@@ -10,6 +10,7 @@ refuse at the same line. With --self rs274 stands in for obrys, which tests this
 import argparse
 import collections
 import pathlib
+import re
 import sys
 
 import endpoint
@@ -37,16 +38,28 @@ def compared(path, options):
     points = "" if endpoint.close(there, here, TOLERANCE) else f"{endpoint.shown(there)} by rs274, {endpoint.shown(here)}"
     if referee.code != 0:
         return refusals(referee, ours, points, options)
-    if ours.code != 0 and not options.self:
+    if ours.code == 1 or (ours.code != 0 and endpoint.refusal(ours.err) and not options.self):
         first = endpoint.first_error(ours.err)
         return ("unsupported" if "unsupported" in first or "unknown-word" in first else "differ"), f"obrys refuses: {first}"
     if points:
         return "differ", points
+    if ours.code != 0 and not options.self:
+        return "unsupported", endpoint.first_error(ours.err)
     return ("same calls" if runner.calls(referee.out) == runner.calls(ours.out) else "same point"), ""
+
+
+# What the installed rs274 refuses for what it is, not for the program: files of user M codes, HAL pins, axes it was built
+# without, and words of 2.10.
+LACKS = (r"Unknown m code used: M1\d\d", r"Named parameter #<_hal\[", r"Bad character '[uvw]' used", r"Unknown g code used .*G6\.[23]",
+         r"You must specify both X and Y coordinates for Control Points")
 
 
 def refusals(referee, ours, points, options):
     message, text = referee.refused or (referee.err.strip()[-100:], "")
+    if any(re.match(pattern, f"{message} {text}") for pattern in LACKS):
+        return "rs274 lacks", f"{message} ({text.strip()})"
+    if ours.code == 0 and message.startswith("File ended") and not points:
+        return "no end", "a file of subroutines, which rs274 refuses for its missing end"
     if ours.code == 0:
         return "differ", f"rs274 refuses: {message} ({text.strip()}); obrys accepts"
     if options.self:
@@ -63,7 +76,7 @@ def refusals(referee, ours, points, options):
 
 def programs(options):
     corpus = options.shared / "corpus"
-    for place in ("rs274", "gcode"):
+    for place in ("rs274", "fanuc_macro/LinuxCNC__linuxcnc", "gcode"):
         for path in sorted(p for p in (corpus / place).rglob("*") if p.is_file()):
             name = path.relative_to(corpus).as_posix()
             if not options.names or any(n in name for n in options.names):
@@ -77,7 +90,7 @@ def arguments():
     parser.add_argument("names", nargs="*")
     parser.add_argument("-v", action="store_true", dest="verbose")
     parser.add_argument("--self", action="store_true")
-    return parser.parse_args()
+    return parser.parse_intermixed_args()
 
 
 def main():
@@ -91,7 +104,7 @@ def main():
         kinds[kind] += 1
         short = name.replace("LinuxCNC__linuxcnc", "…")
         known = "" if options.self else NEWER.get(name) or KNOWN_FAILURES.get(name, "")
-        good = kind in ("same calls", "same point", "refused", "endless")
+        good = kind in ("rs274 lacks", "no end", "same calls", "same point", "refused", "endless")
         if options.verbose or not good:
             print(f"{kind:12} {short}  {said}" + (f" (known: {known})" if known else ""))
         if good == bool(known):

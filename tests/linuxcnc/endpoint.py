@@ -82,17 +82,27 @@ def shown(point):
     return "(" + " ".join(f"{v:.4f}" for v in point) + ")"
 
 
-ERROR = re.compile(r"^(.*?):(\d+):\d+: error: (.*)$", re.M)
+PLACED = re.compile(r"^(.*?):(\d+):\d+: (error|warning): (.*)$", re.M)
+# obrys goes on behind these and ends "not fully checked" (exit 3), where LinuxCNC refuses the program.
+AS_REFUSED = ("[missing-subprogram]", "[unclosed]")
+
+
+def refusal(text):
+    """What obrys refuses: the first error, or else what it says of a missing subprogram or end. None: nothing."""
+    found = list(PLACED.finditer(text))
+    errors = [f for f in found if f[3] == "error"]
+    others = [f for f in found if f[4].endswith(AS_REFUSED)]
+    return (errors + others)[0] if errors or others else None
 
 
 def first_error(text):
-    found = ERROR.search(text)
-    return f"{pathlib.PurePath(found[1]).name}:{found[2]}: {found[3]}" if found else text.strip()[:160]
+    found = refusal(text) or PLACED.search(text)
+    return f"{pathlib.PurePath(found[1]).name}:{found[2]}: {found[4]}" if found else text.strip()[-160:]
 
 
 def error_line(text):
-    """Text of the line the first error names; obrys prints it below the message."""
-    found = ERROR.search(text)
+    """Text of the line that is refused; obrys prints it below the message."""
+    found = refusal(text)
     if not found:
         return None
     below = text[found.end():].splitlines()[1:2]

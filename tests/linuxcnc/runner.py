@@ -101,7 +101,7 @@ def run_obrys(obrys, program, setting=None, seconds=20, options=()):
     with tempfile.TemporaryDirectory() as folder:
         tools, ini, parameters = write_setting(setting, folder, program)
         command = [str(pathlib.Path(obrys).resolve()), "run", "--canon", "--control", "linuxcnc", *options]
-        for flag, path in (("--tools", tools), ("--ini", ini), ("--parameters", parameters)):
+        for flag, path in (("--tools", tools), ("--ini", ini), ("--var", parameters)):
             command += [flag, str(path)] if path else []
         path = pathlib.Path(program).resolve()
         if setting.search:

@@ -1,5 +1,6 @@
 #include "commands.hpp"
 
+#include <algorithm>
 #include <cmath>
 #include <cstdio>
 #include <cstdlib>
@@ -101,8 +102,13 @@ interp::Outcome print_stream(const Arguments& a, driver::Session& s, Output& out
         };
         cl::CanonWriter writer(write, number);
         const interp::Outcome outcome = driver::interpret(s, writer);
+        // A subprogram that is not there was looked for up to the end of the text.
+        const auto& said = s.diagnostics.all();
+        const bool searched = std::any_of(said.begin(), said.end(), [](const base::Diagnostic& d) {
+            return d.code == base::codes::missing_subprogram;
+        });
         writer.finish(driver::percent_lines(s), a.request.configuration.empty() ? 2 : 1,
-                      outcome.ending != interp::Ending::regular);
+                      outcome.ending != interp::Ending::regular && !searched);
         return outcome;
     }
     if (a.format == "json") {

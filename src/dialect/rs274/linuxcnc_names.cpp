@@ -10,31 +10,24 @@ using program::StateQuery;
 
 /// Levels as in the interpreter: power, multiplication, addition, comparison, logic.
 constexpr std::array operators{
-    OperatorName{"**", Operator::power, 5},       OperatorName{"*", Operator::multiply, 4},
-    OperatorName{"/", Operator::divide, 4},       OperatorName{"MOD", Operator::modulo, 4},
-    OperatorName{"+", Operator::add, 3},          OperatorName{"-", Operator::subtract, 3},
-    OperatorName{"EQ", Operator::equal, 2},       OperatorName{"NE", Operator::not_equal, 2},
-    OperatorName{"GT", Operator::greater, 2},     OperatorName{"GE", Operator::greater_equal, 2},
-    OperatorName{"LT", Operator::less, 2},        OperatorName{"LE", Operator::less_equal, 2},
+    OperatorName{"**", Operator::power, 5},        OperatorName{"*", Operator::multiply, 4},
+    OperatorName{"/", Operator::divide, 4},        OperatorName{"MOD", Operator::modulo, 4},
+    OperatorName{"+", Operator::add, 3},           OperatorName{"-", Operator::subtract, 3},
+    OperatorName{"EQ", Operator::equal, 2},        OperatorName{"NE", Operator::not_equal, 2},
+    OperatorName{"GT", Operator::greater, 2},      OperatorName{"GE", Operator::greater_equal, 2},
+    OperatorName{"LT", Operator::less, 2},         OperatorName{"LE", Operator::less_equal, 2},
     OperatorName{"AND", Operator::logical_and, 1}, OperatorName{"OR", Operator::logical_or, 1},
     OperatorName{"XOR", Operator::logical_xor, 1},
 };
 
 constexpr std::array functions{
-    FunctionName{"ABS", Function::abs},
-    FunctionName{"ACOS", Function::acos},
-    FunctionName{"ASIN", Function::asin},
-    FunctionName{"ATAN", Function::atan2, Argument::ratio},
-    FunctionName{"COS", Function::cos},
-    FunctionName{"EXISTS", Function::is_variable, Argument::parameter},
-    FunctionName{"EXP", Function::exp},
-    FunctionName{"FIX", Function::round_down},
-    FunctionName{"FUP", Function::round_up},
-    FunctionName{"LN", Function::ln},
-    FunctionName{"ROUND", Function::round_away},
-    FunctionName{"SIN", Function::sin},
-    FunctionName{"SQRT", Function::sqrt},
-    FunctionName{"TAN", Function::tan},
+    FunctionName{"ABS", Function::abs},          FunctionName{"ACOS", Function::acos},
+    FunctionName{"ASIN", Function::asin},        FunctionName{"ATAN", Function::atan2, Argument::ratio},
+    FunctionName{"COS", Function::cos},          FunctionName{"EXISTS", Function::is_variable, Argument::parameter},
+    FunctionName{"EXP", Function::exp},          FunctionName{"FIX", Function::round_down},
+    FunctionName{"FUP", Function::round_up},     FunctionName{"LN", Function::ln},
+    FunctionName{"ROUND", Function::round_away}, FunctionName{"SIN", Function::sin},
+    FunctionName{"SQRT", Function::sqrt},        FunctionName{"TAN", Function::tan},
 };
 
 /// Names that LinuxCNC itself keeps up to date: manual "G-code overview", predefined named parameters.

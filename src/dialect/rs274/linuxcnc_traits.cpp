@@ -48,17 +48,48 @@ constexpr std::array tap_left{CycleValue{CycleRole::rise_first, 1}, CycleValue{C
 constexpr std::array feed_out{CycleValue{CycleRole::rise_first, 1}, CycleValue{CycleRole::feed_out, 1}};
 
 constexpr std::array canned{
-    program::CannedCycle{730, CycleKind::canned_chip_break, "G73", peck_words, chip_break},
-    program::CannedCycle{740, CycleKind::canned_tap_floating, "G74", tap_dwell, tap_left, true},
+    program::CannedCycle{730, CycleKind::canned_chip_break, "G73", peck_words, chip_break, true},
+    program::CannedCycle{740, CycleKind::canned_tap_floating, "G74", tap_dwell, tap_left, false, true},
     program::CannedCycle{810, CycleKind::canned_drill, "G81", {}, rise},
     program::CannedCycle{820, CycleKind::canned_drill, "G82", dwell_word, rise},
-    program::CannedCycle{830, CycleKind::canned_peck, "G83", peck_words, peck},
-    program::CannedCycle{840, CycleKind::canned_tap_floating, "G84", tap_dwell, tap_right, true},
+    program::CannedCycle{830, CycleKind::canned_peck, "G83", peck_words, peck, true},
+    program::CannedCycle{840, CycleKind::canned_tap_floating, "G84", tap_dwell, tap_right, false, true},
     program::CannedCycle{850, CycleKind::canned_bore_feed, "G85", {}, rise},
     program::CannedCycle{860, CycleKind::canned_bore_stop, "G86", bore_stop_words, rise},
     program::CannedCycle{870, CycleKind::canned_back_bore, "G87", back_bore_words, feed_out},
     program::CannedCycle{880, CycleKind::canned_bore_manual, "G88", dwell_word, rise},
     program::CannedCycle{890, CycleKind::canned_bore_feed, "G89", dwell_word, feed_out},
+};
+
+constexpr std::array finish_words{CannedWord{Code::offset_d, CycleRole::allowance_first, true, 1},
+                                  CannedWord{Code::e, CycleRole::allowance_last, true, 1},
+                                  CannedWord{Code::p, CycleRole::passes, false, 1}};
+constexpr std::array rough_words{
+    CannedWord{Code::i, CycleRole::infeed, true, 1}, CannedWord{Code::radius, CycleRole::escape, true, 1},
+    CannedWord{Code::offset_d, CycleRole::allowance_side, true, 1}, CannedWord{Code::w, CycleRole::offset_u, true, 1},
+    CannedWord{Code::u, CycleRole::offset_v, true, 1}};
+constexpr std::array thread_words{CannedWord{Code::p, CycleRole::pitch, true, 1},
+                                  CannedWord{Code::i, CycleRole::crest_offset, true, 1, true},
+                                  CannedWord{Code::j, CycleRole::first_depth, true, 1, true},
+                                  CannedWord{Code::k, CycleRole::thread_depth, true, 1, true},
+                                  CannedWord{Code::radius, CycleRole::degression, false, 1},
+                                  CannedWord{Code::q, CycleRole::infeed_angle, false, 1},
+                                  CannedWord{Code::offset_h, CycleRole::spring_passes, false, 1},
+                                  CannedWord{Code::e, CycleRole::taper_length, true, 1},
+                                  CannedWord{Code::l, CycleRole::taper_ends, false, 1}};
+constexpr std::array all_pockets{CycleValue{CycleRole::pockets, 0}};
+constexpr std::array no_pockets{CycleValue{CycleRole::pockets, 1}};
+constexpr std::array only_pockets{CycleValue{CycleRole::pockets, 2}};
+
+constexpr std::array turning{
+    program::CannedCycle{700, CycleKind::lathe_finish_offset, "G70", finish_words, {}},
+    program::CannedCycle{710, CycleKind::lathe_rough_along, "G71", rough_words, all_pockets},
+    program::CannedCycle{711, CycleKind::lathe_rough_along, "G71.1", rough_words, no_pockets},
+    program::CannedCycle{712, CycleKind::lathe_rough_along, "G71.2", rough_words, only_pockets},
+    program::CannedCycle{720, CycleKind::lathe_rough_across, "G72", rough_words, all_pockets},
+    program::CannedCycle{721, CycleKind::lathe_rough_across, "G72.1", rough_words, no_pockets},
+    program::CannedCycle{722, CycleKind::lathe_rough_across, "G72.2", rough_words, only_pockets},
+    program::CannedCycle{760, CycleKind::lathe_thread_degressive, "G76", thread_words, {}},
 };
 
 }  // namespace
@@ -89,6 +120,7 @@ constexpr program::Traits traits{
     .feed_mode_ends_surface_speed = false,
     .own_functions = own_functions,
     .compensation_holds_move = true,
+    .modulo_is_positive = true,
     .radius_at_start = true,
     .arc_tolerance = 0.02828427125,
     .arc_tolerance_inch = 0.002828427125 * 25.4,
@@ -97,6 +129,7 @@ constexpr program::Traits traits{
     .refuses_unready = true,
     .cancel_leaves_no_motion = true,
     .canned = canned,
+    .turning = turning,
 };
 const program::Traits linuxcnc_traits = traits;
 

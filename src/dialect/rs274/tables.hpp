@@ -53,7 +53,7 @@ enum class Use : std::uint8_t {
     ignored,      ///< known, without effect on the path
     unsupported,  ///< known, not run
     call,
-    return_,      ///< M98, M99
+    return_,  ///< M98, M99
 };
 
 /// Groups of which a block may hold one code each.
@@ -125,8 +125,8 @@ struct NumberRange {
 struct LetterUse {
     char letter = 0;
     program::Code code = program::Code::p;
-    std::span<const std::uint16_t> g;     ///< numbers times ten
-    std::array<NumberRange, 3> m{};       ///< M numbers; {0, 0}: none
+    std::span<const std::uint16_t> g;  ///< numbers times ten
+    std::array<NumberRange, 3> m{};    ///< M numbers; {0, 0}: none
 };
 
 /// Places of G codes in the table by their number * 10; -1 where the control has none.
@@ -143,16 +143,16 @@ struct Dialect {
     std::span<const PredefinedName> predefined;
     std::span<const NumberRange> read_only;
     std::span<const LetterUse> letters;  ///< empty: every letter may stand in every block
-    bool named_parameters = true;    ///< #<name>
-    bool null_parameter = false;     ///< #0 can be read: it has no value
-    bool semicolon_comment = true;   ///< `;` begins a comment to the line's end; else it ends the block
-    bool nested_comments = false;    ///< `( … ( … )` is a comment; else an error
-    bool skip_levels = false;        ///< /2
-    bool o_words = true;             ///< o100 sub, o<name> if
-    bool active_comments = true;     ///< (debug, …), (print, …)
-    bool percent_needs_begin = true;  ///< `%` alone is an error where the text does not begin with one
-    int longest_line = 0;            ///< bytes; 0: no limit
-    bool end_is_due = true;          ///< a program without M2, M30 or `%` at its end is an error
+    bool named_parameters = true;        ///< #<name>
+    bool null_parameter = false;         ///< #0 can be read: it has no value
+    bool semicolon_comment = true;       ///< `;` begins a comment to the line's end; else it ends the block
+    bool nested_comments = false;        ///< `( … ( … )` is a comment; else an error
+    bool skip_levels = false;            ///< /2
+    bool o_words = true;                 ///< o100 sub, o<name> if
+    bool active_comments = true;         ///< (debug, …), (print, …)
+    bool percent_needs_begin = true;     ///< `%` alone is an error where the text does not begin with one
+    int longest_line = 0;                ///< bytes; 0: no limit
+    bool end_is_due = true;              ///< a program without M2, M30 or `%` at its end is an error
 };
 
 /// Nothing where the control has no such code; `tenths`: the number times ten.

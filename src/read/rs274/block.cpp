@@ -83,7 +83,11 @@ void read_block_head(State& s) {
 
 void read_comment(State& s) {
     const std::uint32_t begin = s.line.here();
-    if (s.line.peek() == ';') return s.line.step(s.line.rest().size());
+    if (s.line.peek() == ';') {
+        const bool script = s.variant.active_comments && begin == s.line.begin() && s.line.rest().starts_with(";py,");
+        if (script) add_problem(s, Code::unsupported, begin, s.line.end(), "a script in Python");
+        return s.line.step(s.line.rest().size());
+    }
     int depth = 0;
     do {
         depth += s.line.peek() == '(' ? 1 : s.line.peek() == ')' ? -1 : 0;

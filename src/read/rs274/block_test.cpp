@@ -34,8 +34,7 @@ TEST(Rs274Block, BlanksAndCaseMeanNothing) {
 }
 
 TEST(Rs274Block, ADwellInFrontOfAMotionIsItsOwnStatement) {
-    EXPECT_EQ(one("G4 P1.5 F100 G0 X1"),
-              "0 F100 P1.5 " + m(Modal::dwell) + "\n1 +X1 " + m(Modal::rapid) + "\n");
+    EXPECT_EQ(one("G4 P1.5 F100 G0 X1"), "0 F100 P1.5 " + m(Modal::dwell) + "\n1 +X1 " + m(Modal::rapid) + "\n");
     EXPECT_EQ(one("G4 P1.5"), "P1.5 " + m(Modal::dwell));
 }
 

@@ -65,7 +65,8 @@ bool uses(const State& s, const dialect::rs274::LetterUse& use) {
 
 /// Letters that no code of the block uses. Where the motion is the modal one it may be that which uses them.
 void check_letters(State& s) {
-    const bool modal_motion = s.facts.motion == nullptr && (has_axes(s) || (s.facts.letters & centre) != 0);
+    const bool modal_motion =
+        s.facts.motion == nullptr && s.facts.own == nullptr && (has_axes(s) || (s.facts.letters & centre) != 0);
     if (modal_motion || s.facts.refused || s.facts.has_m(100, 199)) return;
     for (const auto& use : s.variant.letters)
         if (s.facts.has(use.code) && !uses(s, use))
@@ -110,15 +111,6 @@ void check_polar(State& s) {
     if (s.facts.has(Code::x)) return fail_letter(s, Code::x, "X and a polar coordinate in one block");
     if (s.facts.has(Code::y)) return fail_letter(s, Code::y, "Y and a polar coordinate in one block");
     if (s.facts.own != nullptr) fail_g(s, s.facts.own->number, "polar coordinates are for motions only");
-}
-
-/// G5 and G5.1 say where their control points lie. I and J of G5 may come from the G5 before.
-void check_splines(State& s) {
-    const Facts& f = s.facts;
-    const bool cubic = f.has_g(50), quadratic = f.has_g(51);
-    if (cubic && !(f.has(Code::p) && f.has(Code::q))) return fail_g(s, 50, "G5 needs both P and Q");
-    if (cubic && f.has(Code::i) != f.has(Code::j)) return fail_g(s, 50, "G5 needs both I and J, or neither");
-    if (quadratic && !(f.has(Code::i) && f.has(Code::j))) fail_g(s, 51, "G5.1 needs both I and J");
 }
 
 void check_m(State& s) {
@@ -169,7 +161,7 @@ bool is_too_long(State& s) {
 
 void check_block(State& s) {
     if (!s.variant.letters.empty()) {
-        for (auto* check : {check_axes, check_polar, check_required, check_splines, check_m, check_letters}) {
+        for (auto* check : {check_axes, check_polar, check_required, check_m, check_letters}) {
             check(s);
             if (s.failed) return;
         }

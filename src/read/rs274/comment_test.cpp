@@ -17,7 +17,8 @@ std::string call(Procedure p, const std::string& arguments) {
     return "procedure " + std::to_string(static_cast<int>(p)) + "(" + arguments + ")";
 }
 std::string shown(const std::string& value, int decimals) {
-    return "f" + std::to_string(static_cast<int>(Function::to_text)) + "(" + value + "," + std::to_string(decimals) + ")";
+    return "f" + std::to_string(static_cast<int>(Function::to_text)) + "(" + value + "," + std::to_string(decimals) +
+           ")";
 }
 
 }  // namespace
@@ -58,8 +59,12 @@ TEST(Rs274Comment, ActBeforeTheirBlock) {
 
 TEST(Rs274Comment, ScriptsAreNotRun) {
     EXPECT_EQ(one("(py, x)"), "unsupported{(py, x)|a script in Python}");
+    EXPECT_EQ(one(";py,x=1"), "unsupported{;py,x=1|a script in Python}");
+    EXPECT_EQ(one("X1 ;py,x=1"), "X1");
 }
 
-TEST(Rs274Comment, OLinesShowNone) { EXPECT_EQ(Reading("o1 if [1] (debug, x)\no1 endif (y)\nM2\n").unit().texts.size(), 0U); }
+TEST(Rs274Comment, OLinesShowNone) {
+    EXPECT_EQ(Reading("o1 if [1] (debug, x)\no1 endif (y)\nM2\n").unit().texts.size(), 0U);
+}
 
 }  // namespace obrys::read::rs274

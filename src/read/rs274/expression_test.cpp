@@ -31,7 +31,8 @@ TEST(Rs274Expression, Functions) {
     EXPECT_EQ(value("sin[30]"), f(Function::sin) + "(30)");
     EXPECT_EQ(value("atan[1]/[-#2]"), f(Function::atan2) + "(1,(neg #2))");
     EXPECT_EQ(value("fix[#1]"), f(Function::round_down) + "(#1)");
-    EXPECT_EQ(value("[fup[1.5]+round[#1]]"), "(" + f(Function::round_up) + "(1.5r) + " + f(Function::round_away) + "(#1))");
+    EXPECT_EQ(value("[fup[1.5]+round[#1]]"),
+              "(" + f(Function::round_up) + "(1.5r) + " + f(Function::round_away) + "(#1))");
     EXPECT_EQ(value("exists[#<a>]"), f(Function::is_variable) + "(\"A\")");
     EXPECT_EQ(value("exists[#5]"), "1");
 }
@@ -42,9 +43,9 @@ TEST(Rs274Expression, Parameters) {
     EXPECT_EQ(value("#[1+#2]"), "R[(1 + #2)]");
     EXPECT_EQ(value("-#<Long Name>"), "(neg LONGNAME)");
     EXPECT_EQ(value("+#1"), "#1");
-    EXPECT_EQ(value("#<_ini[axis_x]max>"),
-              "#<_INI[AXIS_X]MAX>#" + std::to_string(static_cast<int>(SystemVariable::ini_value)) +
-                  "[\"AXIS_X\",\"MAX\"]");
+    EXPECT_EQ(
+        value("#<_ini[axis_x]max>"),
+        "#<_INI[AXIS_X]MAX>#" + std::to_string(static_cast<int>(SystemVariable::ini_value)) + "[\"AXIS_X\",\"MAX\"]");
 }
 
 TEST(Rs274Expression, ErrorsStandWhereTheyAre) {

@@ -84,14 +84,25 @@ TEST(Rs274Flow, NumberedProgramsBehindTheEnd) {
     EXPECT_EQ(r.tree(2), "0 X2\n1 _VALUE=0 _VALUE_RETURNED=0\n2 +return\n");
 }
 
+TEST(Rs274Flow, AProgramWithoutM99RunsOnIntoTheNext) {
+    const Reading r("M98 P200\nM2\nO200\nX1\nO300\nX2\nM99\n");
+    EXPECT_EQ(r.messages(), "");
+    EXPECT_EQ(r.tree(1), "0 X1\n1 call O300\n2 +return\n");
+    EXPECT_EQ(r.tree(2), "0 X2\n1 _VALUE=0 _VALUE_RETURNED=0\n2 +return\n");
+}
+
+TEST(Rs274Flow, TextBehindTheEndIsReadOnce) {
+    std::string text = "M2\n";
+    for (int i = 0; i < 30000; ++i) text += "O" + std::to_string(i) + "\n";
+    EXPECT_EQ(Reading(text).units.size(), 30001U);  // quadratic reading takes minutes here
+}
+
 TEST(Rs274Flow, ANumberAtTheBeginIsNoProgramOfItsOwn) {
     EXPECT_EQ(names(Reading("O1000 (part)\nX1\nM30\n")), (std::vector<std::string>{"TEST"}));
     EXPECT_EQ(names(Reading("O1000\nX1\nM99\n", "1000.nc")), (std::vector<std::string>{"1000", "O1000"}));
 }
 
-TEST(Rs274Flow, M99InTheMainProgramBeginsAnew) {
-    EXPECT_EQ(Reading("X1\nM99\nX2\n").tree(), "0 X1\n1 jump start\n");
-}
+TEST(Rs274Flow, M99InTheMainProgramBeginsAnew) { EXPECT_EQ(Reading("X1\nM99\nX2\n").tree(), "0 X1\n1 jump start\n"); }
 
 TEST(Rs274Flow, WhatFollowsTheEndIsNotRead) {
     EXPECT_EQ(tree("%\nX1\nM2\nnonsense\n%\nmore\n"), "0 X1\n1 M2\n");
@@ -121,6 +132,14 @@ TEST(Rs274Flow, WrongStructureIsRefusedWhereItStands) {
     EXPECT_EQ(complaint("o1 call 5\n"), "1:9 only a comment may stand behind an o-word, found '5'");
     EXPECT_EQ(complaint("o1 foo\n"), "1:4 no o-word begins here: 'foo'");
     EXPECT_EQ(complaint("M98 L2\n"), "1:1 M98 does not say which program");
+}
+
+TEST(Rs274Flow, TheTwoStylesOfSubprogramsDoNotMix) {
+    EXPECT_EQ(complaint("M98 P1\nM2\nO1 sub\nO1 endsub\n"),
+              "3:1 M98 of line 1 calls o1 sub, which only o1 call can call");
+    EXPECT_EQ(complaint("o1 call\nM2\nO1\nM99\n"),
+              "3:1 o1 call of line 1 calls the program O1, which only M98 can call");
+    EXPECT_EQ(complaint("M98 P1\nM2\nO1\nO1 endsub\n"), "4:1 o1 endsub stands in no subprogram");
 }
 
 TEST(Rs274Flow, ALabelOfAnotherBranchMayBeUsedAgain) {

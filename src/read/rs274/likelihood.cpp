@@ -31,7 +31,7 @@ struct Lines {
 bool begins_value(char c) { return base::is_digit(c) || c == '-' || c == '+' || c == '.' || c == '[' || c == '#'; }
 
 bool is_o_word(std::string_view line) {
-    constexpr std::array<std::string_view, 12> words{"SUB",   "ENDSUB", "CALL",   "WHILE", "ENDWHILE",  "IF",
+    constexpr std::array<std::string_view, 12> words{"SUB",  "ENDSUB", "CALL",   "WHILE", "ENDWHILE",  "IF",
                                                      "ELSE", "ENDIF",  "REPEAT", "DO",    "ENDREPEAT", "RETURN"};
     if (line.size() < 3 || line[0] != 'O') return false;
     std::size_t i = 1;
@@ -63,10 +63,9 @@ Lines count_lines(std::string_view code) {
 
 /// What other controls write and LinuxCNC does not.
 int foreign(std::string_view code) {
-    constexpr std::array<std::string_view, 22> words{"BEGINPGM", "ENDPGM", "TOOLCALL", "CYCLDEF", "FMAX",  "LBL",
-                                                     "GOTO",     "G65P",   "G54.1",    "$P_",     "$AA_",  "$TC_",
-                                                     "DEFREAL",  "MSG(\"", "ENDFOR",   "DIAMON",  "CR=",   "X=",
-                                                     "Z=",       "POPEN[", "CYCLE8",   "%_N_"};
+    constexpr std::array<std::string_view, 22> words{
+        "BEGINPGM", "ENDPGM",  "TOOLCALL", "CYCLDEF", "FMAX",   "LBL", "GOTO", "G65P", "G54.1",  "$P_",    "$AA_",
+        "$TC_",     "DEFREAL", "MSG(\"",   "ENDFOR",  "DIAMON", "CR=", "X=",   "Z=",   "POPEN[", "CYCLE8", "%_N_"};
     return static_cast<int>(
         std::count_if(words.begin(), words.end(), [&](std::string_view w) { return code.find(w) != code.npos; }));
 }

@@ -33,19 +33,26 @@ struct KeywordName {
 };
 /// Longer ones before their beginnings.
 constexpr std::array keywords{
-    KeywordName{"SUB", Keyword::sub},           KeywordName{"ENDSUB", Keyword::endsub},
-    KeywordName{"CALL", Keyword::call},         KeywordName{"DO", Keyword::do_},
-    KeywordName{"WHILE", Keyword::while_},      KeywordName{"REPEAT", Keyword::repeat},
-    KeywordName{"IF", Keyword::if_},            KeywordName{"ELSEIF", Keyword::elseif},
-    KeywordName{"ELSE", Keyword::else_},        KeywordName{"ENDIF", Keyword::endif},
-    KeywordName{"BREAK", Keyword::break_},      KeywordName{"CONTINUE", Keyword::continue_},
-    KeywordName{"ENDWHILE", Keyword::endwhile}, KeywordName{"ENDREPEAT", Keyword::endrepeat},
+    KeywordName{"SUB", Keyword::sub},
+    KeywordName{"ENDSUB", Keyword::endsub},
+    KeywordName{"CALL", Keyword::call},
+    KeywordName{"DO", Keyword::do_},
+    KeywordName{"WHILE", Keyword::while_},
+    KeywordName{"REPEAT", Keyword::repeat},
+    KeywordName{"IF", Keyword::if_},
+    KeywordName{"ELSEIF", Keyword::elseif},
+    KeywordName{"ELSE", Keyword::else_},
+    KeywordName{"ENDIF", Keyword::endif},
+    KeywordName{"BREAK", Keyword::break_},
+    KeywordName{"CONTINUE", Keyword::continue_},
+    KeywordName{"ENDWHILE", Keyword::endwhile},
+    KeywordName{"ENDREPEAT", Keyword::endrepeat},
     KeywordName{"RETURN", Keyword::return_},
 };
 
 /// The label of an o-word: a name in `<>`, a number, or an expression.
 struct Label {
-    std::string text;      ///< "100", "<FOO>"; empty where it is computed
+    std::string text;  ///< "100", "<FOO>"; empty where it is computed
     ExprId expr = no_expr;
 };
 
@@ -70,9 +77,7 @@ bool read_label(State& s, Label& label, std::uint32_t begin) {
     return true;
 }
 
-bool at_comment_or_end(const State& s) {
-    return s.line.at_end() || s.line.peek() == '(' || s.line.peek() == ';';
-}
+bool at_comment_or_end(const State& s) { return s.line.at_end() || s.line.peek() == '(' || s.line.peek() == ';'; }
 
 Keyword read_keyword(State& s) {
     for (const KeywordName& k : keywords)
@@ -128,7 +133,8 @@ void read_end(State& s, const Label& label, Keyword keyword, std::uint32_t begin
     switch (keyword) {
         case Keyword::else_: return read_else(s, label.text, begin);
         case Keyword::endif: return close_structure(s, StatementKind::if_, label.text, no_expr, "endif", begin);
-        case Keyword::endwhile: return close_structure(s, StatementKind::while_, label.text, no_expr, "endwhile", begin);
+        case Keyword::endwhile:
+            return close_structure(s, StatementKind::while_, label.text, no_expr, "endwhile", begin);
         case Keyword::endrepeat:
             return close_structure(s, StatementKind::repeat_count, label.text, no_expr, "endrepeat", begin);
         default: return leave_structure(s, label.text, keyword == Keyword::continue_, begin);

@@ -48,8 +48,7 @@ ExprId read_named(State& s, bool target, std::uint32_t begin) {
                       "a program cannot assign to the control's parameter " +
                           base::as_utf8(s.text.substr(begin, s.line.behind() - begin)));
     if (known != s.variant.predefined.end()) {
-        const ExprId query =
-            s.build().number(static_cast<double>(known->query), true, begin, s.line.behind());
+        const ExprId query = s.build().number(static_cast<double>(known->query), true, begin, s.line.behind());
         return add_system(s, SystemVariable::state, "#<" + *name + ">", {query}, begin);
     }
     if (name->starts_with("_INI[")) return read_ini(s, *name, begin);

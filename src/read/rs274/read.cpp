@@ -74,27 +74,33 @@ void note_missing_end(State& s) {
         s.percent ? "the program ends without M2, M30 or its second %" : "the program ends without M2 or M30";
 }
 
+void read_numbered_program(State& s, const ProgramNumber& n) {
+    Part& part = s.add_part(n.after_end ? s.diagnostics : s.repeated);
+    part.kind = Part::Kind::program_number;
+    part.label = n.label;
+    part.unit.name = "O" + n.label;
+    part.unit.begin = n.begin;
+    s.part = &part;
+    s.stopped = false;
+    s.sources.fetch(s.file);
+    read_lines(s, n.behind);
+    end_text(s);
+    part.unit.end = std::max(n.behind, s.line.end());
+}
+
 /// `O1234` … `M99` as programs of their own, where something may call them.
 void read_numbered_programs(State& s, const std::string& file_stem) {
     const std::vector<ProgramNumber> numbers = s.numbers;
-    for (const ProgramNumber& n : numbers) {
-        const bool wanted = n.after_end || s.calls_any_number || s.called_numbers.contains(n.label) ||
-                            file_stem == n.label || file_stem == "O" + n.label;
-        const bool known =
-            std::any_of(s.parts.begin(), s.parts.end(), [&](const Part& p) { return p.label == n.label; });
-        if (!wanted || known) continue;
-        Part& part = s.add_part(n.after_end ? s.diagnostics : s.repeated);
-        part.kind = Part::Kind::program_number;
-        part.label = n.label;
-        part.unit.name = "O" + n.label;
-        part.unit.begin = n.begin;
-        s.part = &part;
-        s.stopped = false;
-        s.sources.fetch(s.file);
-        read_lines(s, n.behind);
-        end_text(s);
-        part.unit.end = std::max(n.behind, s.line.end());
-    }
+    std::set<std::string> known = s.subs;
+    std::size_t calls = 0;
+    do {  // reading one may show calls of others
+        calls = s.called_numbers.size();
+        for (const ProgramNumber& n : numbers) {
+            const bool wanted = n.after_end || s.calls_any_number || s.called_numbers.contains(n.label) ||
+                                file_stem == n.label || file_stem == "O" + n.label;
+            if (wanted && known.insert(n.label).second) read_numbered_program(s, n);
+        }
+    } while (calls != s.called_numbers.size());
 }
 
 }  // namespace
@@ -140,6 +146,7 @@ std::vector<program::Unit> read_linuxcnc(std::uint32_t file, const base::Sources
     end_text(s);
     note_missing_end(s);
     read_numbered_programs(s, s.parts.front().unit.name);
+    check_styles(s);
     sources.lay_aside(file, static_cast<std::uint32_t>(s.text.size()));
     std::vector<program::Unit> units;
     for (Part& part : s.parts)

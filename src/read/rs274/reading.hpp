@@ -10,8 +10,7 @@
 
 namespace obrys::read::rs274::testing {
 
-using Reader = std::vector<program::Unit> (*)(std::uint32_t, const base::Sources&, program::Names&,
-                                              base::Diagnostics&);
+using Reader = std::vector<program::Unit> (*)(std::uint32_t, const base::Sources&, program::Names&, base::Diagnostics&);
 
 struct Reading {
     explicit Reading(std::string text, std::string name = "test.ngc", Reader reader = read_linuxcnc) {
@@ -19,7 +18,9 @@ struct Reading {
         units = reader(file, sources, names, diagnostics);
     }
     [[nodiscard]] const program::Unit& unit(std::size_t i = 0) const { return units[i]; }
-    [[nodiscard]] std::string tree(std::size_t i = 0) const { return program::testing::TreeText(units[i], names).all(); }
+    [[nodiscard]] std::string tree(std::size_t i = 0) const {
+        return program::testing::TreeText(units[i], names).all();
+    }
     /// All complaints as they are printed.
     [[nodiscard]] std::string messages() const {
         std::string out;

@@ -5,6 +5,7 @@
 #include <deque>
 #include <map>
 #include <optional>
+#include <set>
 #include <string>
 #include <vector>
 
@@ -50,13 +51,13 @@ struct BlockWord {
 
 /// What the words of the block at hand have in common, as far as its checks and its order ask.
 struct Facts {
-    std::uint64_t letters = 0;              ///< a bit for each Code with a value
-    std::uint32_t g_groups = 0;             ///< a bit for each modal group that has its code
+    std::uint64_t letters = 0;   ///< a bit for each Code with a value
+    std::uint32_t g_groups = 0;  ///< a bit for each modal group that has its code
     std::uint32_t m_groups = 0;
     const dialect::rs274::GCode* motion = nullptr;  ///< of group 1
     const dialect::rs274::GCode* own = nullptr;     ///< one that takes the coordinates for itself
-    std::vector<std::uint16_t> g, m;        ///< all of them, in the order of the text; G numbers times ten
-    bool refused = false;                   ///< a word that is not run: what the coordinates mean is not known
+    std::vector<std::uint16_t> g, m;                ///< all of them, in the order of the text; G numbers times ten
+    bool refused = false;                           ///< a word that is not run: what the coordinates mean is not known
     [[nodiscard]] bool has(Code c) const { return (letters >> static_cast<unsigned>(c) & 1U) != 0; }
     [[nodiscard]] bool has_g(std::uint16_t tenths) const;
     [[nodiscard]] bool has_m(std::uint16_t first, std::uint16_t last) const;
@@ -108,7 +109,7 @@ struct Part {
     bool ended = false;     ///< what follows is not reached
     std::vector<Opened> opened;
     std::map<std::string, LabelUse> labels;  ///< of structures
-    base::Span word;                              ///< `o100 sub`
+    base::Span word;                         ///< `o100 sub`
 };
 
 /// `O1234` alone in its block.
@@ -116,6 +117,13 @@ struct ProgramNumber {
     std::string label;
     std::uint32_t begin = 0, behind = 0;  ///< source bytes of the line
     bool after_end = false;               ///< it stands behind the main program's end
+};
+
+/// A call by number, until it is known what the number stands for.
+struct NumberCall {
+    std::string label;
+    bool by_m98 = false;
+    base::Span where;
 };
 
 struct State {
@@ -128,29 +136,29 @@ struct State {
     base::Diagnostics& diagnostics;
     const base::Sources& sources;
     base::Diagnostics repeated{};  ///< complaints about text that is read a second time
-    std::string_view text;  ///< what was read is laid aside: what looks back takes it from `sources`
+    std::string_view text;         ///< what was read is laid aside: what looks back takes it from `sources`
     std::uint32_t file = 0;
     std::deque<Part> parts{};  ///< the main program first
-    Part* part = nullptr;     ///< the one at hand
+    Part* part = nullptr;      ///< the one at hand
     Line line{};
 
     std::vector<BlockWord> words{};  ///< of the block at hand
     Facts facts{};
     Comment comment{};
-    std::uint8_t skip = 0;                 ///< block skip level + 1
-    bool failed = false;                   ///< a complaint was made about the line
-    int operators = 0;                     ///< of the expression at hand
+    std::uint8_t skip = 0;  ///< block skip level + 1
+    bool failed = false;    ///< a complaint was made about the line
+    int operators = 0;      ///< of the expression at hand
     /// What a numbered parameter that the control owns says; no_expr: it is an ordinary one. Null: all are.
     ExprId (*system)(State&, std::uint32_t number, std::uint32_t begin) = nullptr;
-    bool percent = false;                  ///< the text begins with `%`
-    bool stopped = false;                  ///< its last `%` was read
+    bool percent = false;  ///< the text begins with `%`
+    bool stopped = false;  ///< its last `%` was read
     std::vector<ProgramNumber> numbers{};
-    std::map<std::string, bool> called_numbers{};  ///< labels that M98 calls
-    bool calls_any_number = false;                 ///< M98 P with an expression
+    std::set<std::string> subs{};            ///< labels of o-word subprograms
+    std::set<std::string> called_numbers{};  ///< labels that M98 calls
+    std::vector<NumberCall> number_calls{};
+    bool calls_any_number = false;  ///< M98 P with an expression
 
-    Part& add_part(base::Diagnostics& complaints) {
-        return parts.emplace_back(file, variant, names, complaints, text);
-    }
+    Part& add_part(base::Diagnostics& complaints) { return parts.emplace_back(file, variant, names, complaints, text); }
     [[nodiscard]] program::Builder& build() const { return part->build; }
     [[nodiscard]] program::Unit& unit() const { return part->unit; }
 };
@@ -179,16 +187,16 @@ void fail_here(State& s, std::string text, std::string remedy = {});
 [[nodiscard]] std::optional<std::int32_t> as_integer(const Value& v);
 /// `<name>` with the sign here: the name between; nothing after a complaint.
 [[nodiscard]] std::optional<std::string> read_name(State& s);
-inline constexpr int deepest = 100;    ///< nesting of brackets, functions and signs
+inline constexpr int deepest = 100;   ///< nesting of brackets, functions and signs
 inline constexpr int longest = 1000;  ///< operators of one expression: the tree is walked recursively
 
 // --- blocks
 /// The block skip sign and the block number; the state's `skip` is set.
 void read_block_head(State& s);
-void begin_words(State& s);  ///< forgets the words of the block before
-void read_words(State& s);   ///< block.cpp: all words of a block, to the line's end
-void read_word(State& s);    ///< block.cpp: one of them
-void read_comment(State& s);  ///< block.cpp: `( … )` or `; …` that stands here
+void begin_words(State& s);                  ///< forgets the words of the block before
+void read_words(State& s);                   ///< block.cpp: all words of a block, to the line's end
+void read_word(State& s);                    ///< block.cpp: one of them
+void read_comment(State& s);                 ///< block.cpp: `( … )` or `; …` that stands here
 void read_g(State& s, std::uint32_t begin);  ///< g_word.cpp: the number behind G
 void read_m(State& s, std::uint32_t begin);  ///< g_word.cpp: the number behind M
 /// Value of an expression without parameters.
@@ -228,6 +236,8 @@ void close_structure(State& s, StatementKind kind, const std::string& label, Exp
 void leave_structure(State& s, const std::string& label, bool goes_on, std::uint32_t begin);
 /// Complains about what was not closed and closes it.
 void close_all(State& s);
+/// M98 calls `O100`, o100 call calls `o100 sub`: LinuxCNC refuses the other way about.
+void check_styles(State& s);
 /// At the end of the text: what was begun and not ended.
 void end_text(State& s);
 void begin_sub(State& s, const std::string& label, std::uint32_t begin);
@@ -235,7 +245,7 @@ void begin_sub(State& s, const std::string& label, std::uint32_t begin);
 void read_return(State& s, const std::string& label, ExprId value, bool ends, std::uint32_t begin);
 void read_program_number(State& s, const std::string& label, std::uint32_t begin);
 void call_program(State& s, program::Call call, std::uint32_t begin);
-void note_end(State& s, std::uint16_t m);  ///< M2, M30 and M99 outside of structures: the program goes no further
+void note_end(State& s, std::uint16_t m);        ///< M2, M30 and M99 outside of structures: the program goes no further
 void read_lines(State& s, std::uint32_t begin);  ///< read.cpp: until the text or the part ends
 
 // --- comments (comment.cpp)

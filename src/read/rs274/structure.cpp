@@ -99,14 +99,14 @@ void close_missing(State& s) {
 Opened* find_for(State& s, const std::string& label, StatementKind kind, std::string_view word, std::uint32_t begin) {
     Opened* o = find_opened(s, label);
     if (o == nullptr) {
-        fail(s, begin, s.line.behind(), shown(label) + " " + std::string(word) + " without " + shown(label) + " " +
-                                            std::string(word_of(kind)));
+        fail(s, begin, s.line.behind(),
+             shown(label) + " " + std::string(word) + " without " + shown(label) + " " + std::string(word_of(kind)));
         return nullptr;
     }
     if (o->kind != kind) {
-        fail(s, begin, s.line.behind(), shown(label) + " " + std::string(word) + " belongs to no " +
-                                            std::string(word_of(kind)) + ": " + shown(label) + " is the label of a " +
-                                            std::string(word_of(o->kind)));
+        fail(s, begin, s.line.behind(),
+             shown(label) + " " + std::string(word) + " belongs to no " + std::string(word_of(kind)) + ": " +
+                 shown(label) + " is the label of a " + std::string(word_of(o->kind)));
         return nullptr;
     }
     while (&s.part->opened.back() != o) close_missing(s);
@@ -184,8 +184,9 @@ void leave_structure(State& s, const std::string& label, bool goes_on, std::uint
     Opened* o = find_opened(s, label);
     const std::string word = shown(label) + (goes_on ? " continue" : " break");
     if (o == nullptr || (o->kind != StatementKind::while_ && o->kind != StatementKind::repeat_))
-        return fail(s, begin, s.line.behind(), word + " belongs to no while or do" +
-                                                   (o == nullptr ? "" : " but to " + std::string(word_of(o->kind))));
+        return fail(
+            s, begin, s.line.behind(),
+            word + " belongs to no while or do" + (o == nullptr ? "" : " but to " + std::string(word_of(o->kind))));
     program::Jump jump;
     jump.direction = program::JumpDirection::either;
     s.unit().jumps.push_back(jump);

@@ -42,14 +42,14 @@ void begin_sub(State& s, const std::string& label, std::uint32_t begin) {
     const std::uint32_t end = s.line.behind();
     if (s.part->kind == Part::Kind::o_sub) {
         s.part->refused = label;
-        return fail(s, begin, end, "a subprogram is defined within another: o" + base::as_utf8(label) + " sub in o" +
-                                       base::as_utf8(s.part->label));
+        return fail(s, begin, end,
+                    "a subprogram is defined within another: o" + base::as_utf8(label) + " sub in o" +
+                        base::as_utf8(s.part->label));
     }
-    const bool known = std::any_of(s.parts.begin(), s.parts.end(), [&](const Part& p) {
-        return p.kind == Part::Kind::o_sub && p.label == label;
-    });
+    const bool known = !s.subs.insert(label).second;
     const bool repeated = s.part->kind == Part::Kind::program_number;
-    if (known && !s.part->ended && !repeated) fail(s, begin, end, "o" + base::as_utf8(label) + " sub is defined already");
+    if (known && !s.part->ended && !repeated)
+        fail(s, begin, end, "o" + base::as_utf8(label) + " sub is defined already");
     Part& part = s.add_part(repeated ? s.repeated : s.diagnostics);
     part.outer = s.part;
     part.kind = Part::Kind::o_sub;
@@ -85,12 +85,26 @@ void read_return(State& s, const std::string& label, ExprId value, bool ends, st
 void read_program_number(State& s, const std::string& label, std::uint32_t begin) {
     if (s.part->kind == Part::Kind::o_sub)
         return fail(s, begin, s.line.behind(), "a program begins within o" + base::as_utf8(s.part->label) + " sub");
-    if (s.part->kind == Part::Kind::main)
+    if (s.part->kind == Part::Kind::main) {
         s.numbers.push_back({label, s.line.begin(), s.line.end(), s.part->ended});
+        return;
+    }
+    // One program runs on into the next.
+    close_all(s);
+    s.called_numbers.insert(label);
+    program::Call call;
+    call.shares_parameters = true;
+    call.name = s.build().name("O" + label);
+    s.build().begin_block();
+    call_program(s, std::move(call), begin);
+    s.build().control(StatementKind::return_, 0, begin, s.line.behind());
+    s.part->ended = true;
 }
 
 void call_program(State& s, program::Call call, std::uint32_t begin) {
     call.where = s.build().span(begin, s.line.behind());
+    if (call.kind == program::CallKind::by_name)
+        s.number_calls.push_back({s.names.text(call.name).substr(1), call.shares_parameters, call.where});
     s.unit().calls.push_back(std::move(call));
     s.build().control(StatementKind::call, s.unit().calls.size() - 1, begin, s.line.behind());
 }
@@ -116,7 +130,7 @@ void take_target(State& s, const BlockWord& p, program::Call& call) {
     const auto n = as_integer(p.value);
     if (!n || *n < 0) return fail(s, p.begin, p.end, "the number of a program is a whole one");
     call.name = s.build().name("O" + std::to_string(*n));
-    s.called_numbers[std::to_string(*n)] = true;
+    s.called_numbers.insert(std::to_string(*n));
 }
 
 void skip_number(State& s) {
@@ -158,12 +172,40 @@ void read_m99(State& s) {
         assign_returned(s, no_expr, begin);
         s.build().control(StatementKind::return_, 0, begin, s.line.behind());
     } else {
+        emit_comment(s);  // it acts before the program begins anew
+        if (!s.words.empty()) {
+            s.build().statement(StatementKind::block, begin);
+            s.build().word(Code::comment, program::Form::index, s.words.front().payload, s.words.front().begin,
+                           s.words.front().end);
+            s.build().end_statement(s.line.behind());
+            s.words.clear();
+        }
         program::Jump jump;
         jump.direction = program::JumpDirection::start;
         s.unit().jumps.push_back(jump);
         s.build().control(StatementKind::jump, s.unit().jumps.size() - 1, begin, s.line.behind());
     }
     note_end(s, 99);
+}
+
+void check_styles(State& s) {
+    std::map<std::string, base::Span> numbers, subs;
+    for (const ProgramNumber& n : s.numbers) numbers.emplace(n.label, base::Span{s.file, n.begin, n.behind});
+    for (const Part& p : s.parts)
+        if (p.kind == Part::Kind::o_sub) subs.emplace(p.label, p.word);
+    for (const NumberCall& call : s.number_calls) {
+        const auto sub = subs.find(call.label), number = numbers.find(call.label);
+        const bool is_sub = sub != subs.end(), is_number = number != numbers.end();
+        if (is_sub == is_number || is_sub != call.by_m98) continue;
+        const std::string label = base::as_utf8(call.label), line = std::to_string(s.sources.position(call.where).line);
+        base::Diagnostic d;
+        d.code = base::codes::syntax;
+        d.where = is_sub ? sub->second : number->second;
+        d.text = is_sub ? "M98 of line " + line + " calls o" + label + " sub, which only o" + label + " call can call"
+                        : "o" + label + " call of line " + line + " calls the program O" + label +
+                              ", which only M98 can call";
+        s.diagnostics.add(std::move(d));
+    }
 }
 
 void note_end(State& s, std::uint16_t m) {

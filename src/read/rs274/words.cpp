@@ -9,8 +9,8 @@ namespace {
 using program::Form;
 
 bool is_technology(const BlockWord& w) {
-    return w.order >= Order::technology && w.order < Order::m_stop && (w.code == Code::m || w.code == Code::feed ||
-                                                                       w.code == Code::spindle || w.code == Code::tool);
+    return w.order >= Order::technology && w.order < Order::m_stop &&
+           (w.code == Code::m || w.code == Code::feed || w.code == Code::spindle || w.code == Code::tool);
 }
 
 /// F S T M act before a word that changes what later words mean.
@@ -47,9 +47,8 @@ void put_in_order(std::vector<BlockWord>& words) {
 
 /// Where a block dwells before it does something else, the dwell is a block of its own with F, S, T and M.
 bool split_dwell(State& s) {
-    const bool more = std::any_of(s.words.begin(), s.words.end(), [](const BlockWord& w) {
-        return w.code == Code::modal && w.order > Order::dwell;
-    });
+    const bool more = std::any_of(s.words.begin(), s.words.end(),
+                                  [](const BlockWord& w) { return w.code == Code::modal && w.order > Order::dwell; });
     const bool dwells = std::any_of(s.words.begin(), s.words.end(), [](const BlockWord& w) {
         return w.code == Code::modal && w.modal == Modal::dwell;
     });
@@ -138,7 +137,9 @@ void emit_block(State& s) {
     s.build().begin_block(s.skip);
     emit_comment(s);
     if (s.facts.refused)
-        std::erase_if(s.words, [](const BlockWord& w) { return w.order > Order::m_stop && w.code != Code::unsupported && w.code != Code::unknown; });
+        std::erase_if(s.words, [](const BlockWord& w) {
+            return w.order > Order::m_stop && w.code != Code::unsupported && w.code != Code::unknown;
+        });
     if (s.words.empty()) return;
     const bool acts = std::any_of(s.words.begin(), s.words.end(), is_technology) &&
                       std::any_of(s.words.begin(), s.words.end(), is_change);

@@ -1,0 +1,172 @@
+/// Splines of RS-274: G5, G5.1, and curves of control points between G5.2 and G5.3 or by G6.2 with knots.
+/// Source: LinuxCNC, G-Codes, "G5 Cubic spline", "G5.1 Quadratic spline", "G5.2 G5.3 NURBS block"; geom/nurbs.hpp.
+
+#include <algorithm>
+#include <cmath>
+
+#include "base/codes.hpp"
+#include "cl/spline.hpp"
+#include "geom/nurbs.hpp"
+#include "interp/motion.hpp"
+
+namespace obrys::interp {
+
+namespace codes = base::codes;
+using cl::SettingKind;
+using geom::Vec3;
+
+namespace {
+
+/// mm that a rational curve may be left by, where the stream has only cubics.
+constexpr double curve_tolerance = 1e-3;
+
+void refuse(Run& run, std::string text) { alarm(run, codes::value_range, run.here(), std::move(text)); }
+
+/// False after a complaint.
+bool allowed(Run& run) {
+    if (run.modal.compensation != Modal::compensation_off)
+        refuse(run, "a spline cannot be run with radius compensation on");
+    else if (!geom::is_finite(run.programmed_position))
+        unchecked(run, codes::unknown_value, run.here(),
+                  "the spline starts at a position that is not known: it is left out", "position all axes before it");
+    else
+        return true;
+    if (!run.stopped) arrive(run, programmed_target(run));
+    return false;
+}
+
+void emit_curve(Run& run, const geom::Cubic& c) { emit(run, cl::spline_of(c)); }
+
+Vec3 offset_of(const Run& run, Code x, Code y) {
+    const double unit = run.modal.inch_geometry ? 25.4 : 1;
+    const BlockWords& b = run.block;
+    return {(b.has(x) ? b.get(x) : 0) * unit, (b.has(y) ? b.get(y) : 0) * unit, 0};
+}
+
+bool cubic(Run& run) {
+    const BlockWords& b = run.block;
+    if (run.modal.plane != 17) {
+        refuse(run, "splines must be in the plane of G17");
+        return false;
+    }
+    if (b.has(Code::i) != b.has(Code::j)) {
+        refuse(run, "G5 needs both I and J, or neither");
+        return false;
+    }
+    if (!b.has(Code::p) || !b.has(Code::q)) {
+        refuse(run, "G5 needs both P and Q");
+        return false;
+    }
+    const Vec3 from = run.programmed_position, to = programmed_target(run);
+    const Vec3 first = b.has(Code::i) ? offset_of(run, Code::i, Code::j) : -1.0 * run.last_spline_end;
+    run.last_spline_end = offset_of(run, Code::p, Code::q);
+    const Vec3 second = to + run.last_spline_end;
+    tell(run, SettingKind::curve, 4);
+    const geom::Frame& f = run.frame;
+    const geom::Cubic c =
+        geom::bezier(geom::apply(f, from), geom::apply(f, from + first), geom::apply(f, second), geom::apply(f, to));
+    arrive(run, to);
+    emit_curve(run, c);
+    return true;
+}
+
+bool quadratic(Run& run) {
+    if (run.modal.plane != 17) {
+        refuse(run, "splines must be in the plane of G17");
+        return false;
+    }
+    if (!run.block.has(Code::i) || !run.block.has(Code::j)) {
+        refuse(run, "G5.1 needs both I and J");
+        return false;
+    }
+    const Vec3 from = run.programmed_position, to = programmed_target(run);
+    tell(run, SettingKind::curve, 3);
+    const geom::Frame& f = run.frame;
+    const geom::Cubic c =
+        geom::bezier(geom::apply(f, from), geom::apply(f, from + offset_of(run, Code::i, Code::j)), geom::apply(f, to));
+    arrive(run, to);
+    emit_curve(run, c);
+    return true;
+}
+
+/// The whole curve into the stream.
+bool finish(Run& run) {
+    ControlCurve& n = run.curve;
+    n.open = false;
+    if (!n.own_knots) n.curve.knots = geom::clamped_knots(n.curve.points.size(), n.curve.order);
+    if (n.curve.points.size() < static_cast<std::size_t>(n.curve.order) || !geom::is_valid(n.curve)) {
+        refuse(run, "this curve of order " + std::to_string(n.curve.order) +
+                        " has too few control points, or weights or knots that make no curve");
+        return false;
+    }
+    geom::Nurbs placed = n.curve;
+    for (geom::NurbsPoint& p : placed.points) p.p = geom::apply(run.frame, p.p);
+    const auto pieces = geom::cubic_pieces(placed, curve_tolerance);
+    if (!pieces || !(pieces->deviation <= 10 * curve_tolerance)) {
+        refuse(run, "this curve cannot be run within " + printed(Value::real(curve_tolerance)) + " mm");
+        return false;
+    }
+    if (pieces->deviation > 0)
+        assume(run, run.here(), "rational curves are run as cubics that leave them by 0.001 mm at most");
+    tell(run, SettingKind::curve, static_cast<int>(n.curve.points.size()));
+    arrive(run, n.curve.points.back().p);
+    for (const auto& piece : pieces->pieces) emit_curve(run, piece.curve);
+    return true;
+}
+
+/// G6.2: the curve is complete when the last `order` knots are equal.
+bool knots_complete(const geom::Nurbs& c) {
+    const auto order = static_cast<std::size_t>(c.order);
+    if (c.knots.size() < c.points.size() + order || c.knots.size() <= order) return false;
+    for (std::size_t i = c.knots.size() - order; i + 1 < c.knots.size(); ++i)
+        if (c.knots[i] != c.knots[i + 1]) return false;
+    return true;
+}
+
+void begin_curve(Run& run, bool own_knots) {
+    run.curve = {};
+    run.curve.open = true;
+    run.curve.own_knots = own_knots;
+    run.curve.curve.order = 3;
+    if (!own_knots) run.curve.curve.points.push_back({run.programmed_position, 1});
+}
+
+bool add_point(Run& run) {
+    const BlockWords& b = run.block;
+    ControlCurve& n = run.curve;
+    const bool point = b.has(Code::x) || b.has(Code::y) || b.has(Code::z);
+    const Code weight = n.own_knots ? Code::radius : Code::p;
+    const double w = b.has(weight) ? b.get(weight) : 1;
+    if (!(w > 0)) {
+        refuse(run, "every control point needs a weight above 0");
+        return false;
+    }
+    if (!n.own_knots && b.has(Code::l)) n.curve.order = std::max(n.curve.order, static_cast<int>(b.get(Code::l)));
+    if (n.own_knots && b.has(Code::p)) n.curve.order = static_cast<int>(std::clamp(b.get(Code::p), 2.0, 24.0));
+    if (n.own_knots && b.has(Code::k)) n.curve.knots.push_back(b.get(Code::k));
+    if (!point && !n.own_knots && n.curve.points.size() == 1 && b.has(Code::p)) n.curve.points.front().weight = w;
+    if (point) n.curve.points.push_back({programmed_target(run), w});
+    if (n.own_knots && point) run.programmed_position = n.curve.points.back().p;
+    return !n.own_knots || !knots_complete(n.curve) || finish(run);
+}
+
+}  // namespace
+
+bool spline_motion(Run& run) {
+    flush_path(run);
+    const bool ends_nothing = run.block.special == Modal::nurbs_end && !geom::is_finite(run.programmed_position);
+    if (ends_nothing || !allowed(run)) return false;
+    require_feed(run);
+    if (run.block.special == Modal::spline_cubic) return cubic(run);
+    if (run.block.special == Modal::spline_quadratic) return quadratic(run);
+    if (run.block.special == Modal::nurbs_end) {
+        run.modal.motion = Modal::canned_off;
+        if (run.curve.open) return finish(run);
+        refuse(run, "G5.3 without G5.2 before it");
+        return false;
+    }
+    if (!run.curve.open) begin_curve(run, run.modal.motion_number == 62);
+    return add_point(run);
+}
+
+}  // namespace obrys::interp
