@@ -20,6 +20,7 @@ std::string full_name(const fs::path& path) { return base::to_upper(path.filenam
 void Programs::add_folder(const fs::path& folder) {
     std::error_code error;
     std::vector<fs::path> found;
+    folders_.push_back(folders_.empty() ? "the folder of the program" : folder.generic_string());
     for (const fs::directory_entry& entry : fs::directory_iterator(folder.empty() ? fs::path(".") : folder, error))
         found.push_back(entry.path().lexically_normal());
     std::sort(found.begin(), found.end());  // the same order on every file system
@@ -31,6 +32,15 @@ void Programs::add_folder(const fs::path& folder) {
             }
     for (const fs::path& path : found)
         if (has_suffix(path, control_.definition_suffixes)) definition_files_.push_back(path);
+}
+
+std::string Programs::searched() const {
+    std::string text;
+    for (std::size_t i = 0; i < folders_.size(); ++i)
+        text += (i == 0 ? "" : i + 1 == folders_.size() ? " or " : ", ") + folders_[i];
+    for (std::size_t i = 0; i < control_.program_suffixes.size(); ++i)
+        text += (i == 0 ? " (" : ", ") + std::string(control_.program_suffixes[i]);
+    return control_.program_suffixes.empty() ? text : text + ")";
 }
 
 const program::Unit* Programs::read(std::uint32_t file) {

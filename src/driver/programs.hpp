@@ -28,6 +28,8 @@ public:
     /// Reads the definition files of the folders, where the control has such.
     void read_definitions();
 
+    /// The folders and the endings of files, as part of a sentence: "the folder of the program or sub (.ngc, .nc)".
+    [[nodiscard]] std::string searched() const;
     [[nodiscard]] const std::vector<const program::Unit*>& definitions() const { return definitions_; }
     [[nodiscard]] program::Names& names() { return names_; }
 
@@ -44,6 +46,7 @@ private:
     std::unordered_map<std::string, const program::Unit*> by_name_;
     std::unordered_map<std::string, fs::path> files_;  ///< program name, and the same with its suffix -> file
     std::vector<fs::path> definition_files_;
+    std::vector<std::string> folders_;
 };
 
 }  // namespace obrys::driver

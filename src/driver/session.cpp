@@ -88,9 +88,17 @@ void load_tool_file(Session& s, const fs::path& path) {
     if (file) s.job.tools = shop::merge_tools(std::move(s.job.tools), read_tool_file(path, *file, s));
 }
 
+/// Tools that LinuxCNC's stand-alone interpreter knows where it is given no table (src/emc/sai, common/tool.tbl),
+/// inches.
+constexpr std::string_view interpreter_tools =
+    "T1 P1 D0.125 Z0.511\nT2 P2 D0.0625 Z0.1\nT3 P3 D0.201 Z1.273\nT99999 P123 Z0.1\n";
+
 void load_tools(Session& s, const Request& request, const fs::path& base_path) {
     for (const std::string& name : s.job.tool_files) load_tool_file(s, beside(base_path, name));
     for (const std::string& name : request.tools) load_tool_file(s, name);
+    if (s.canon && s.job.tools.empty())
+        s.job.tools = shop::read_tbl(s.sources.add("tool.tbl", std::string(interpreter_tools)), s.sources,
+                                     s.machine_unit, s.diagnostics);
     for (const shop::Tool& t : s.job.tools)
         if (!t.assumed.empty())
             s.diagnostics.add({base::Severity::note, codes::assumption, t.where, t.assumed, {}, {}, {}});
@@ -277,7 +285,8 @@ interp::Outcome interpret(Session& s, cl::Sink sink, const interp::ContourSink* 
                                           s.canon ? std::optional(geom::Vec3{}) : std::nullopt,
                                           s.has_stored ? &s.stored : nullptr,
                                           s.machine_unit,
-                                          &s.settings};
+                                          &s.settings,
+                                          s.programs->searched()};
     interp::Outcome outcome = interp::run(*s.main, environment, s.stacks, sink, s.diagnostics);
     if (s.files) s.files->write_printed();  // none where a session was put together without files
     return outcome;

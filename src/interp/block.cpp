@@ -228,6 +228,8 @@ void run_block(Run& run, const program::Statement& s, std::uint32_t index) {
         return call_at_places(run);
     if (!run.block.pending.empty()) take_effect(run);
     if (run.stopped) return;
+    if (run.traits->refuses_unready) refuse_block(run);
+    if (run.stopped) return;
     if (!run.block.acted) technology(run);
     if (run.stopped) return;
     const bool moved = motion(run);

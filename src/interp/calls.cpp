@@ -131,14 +131,14 @@ std::string program_name(std::string_view written) {
     return s;
 }
 
-const Unit* find(Run& run, const std::string& name, const base::Span& where) {
+const Unit* find(Run& run, const std::string& name, const base::Span& where, const Call* call = nullptr) {
     if (const Unit* unit = run.env.find_program(name)) return unit;
+    if (run.traits->missing_program_stops) {
+        refuse_call(run, name, call);
+        return nullptr;
+    }
     unchecked(run, codes::missing_subprogram, where, "the program " + name + " was not found; the call is left out",
               "put its file beside the calling program or name the folder with --search");
-    if (run.traits->missing_program_stops && !run.stopped) {
-        run.stopped = true;
-        run.ending = Ending::alarm;
-    }
     return nullptr;
 }
 
@@ -320,7 +320,7 @@ void call_program(Run& run, const Call& call) {
     } else {
         name = run.env.names.text(call.name);
     }
-    const Unit* unit = find(run, name, where);
+    const Unit* unit = find(run, name, where, &call);
     if (unit == nullptr && call.kind == program::CallKind::modal) run.modal_call = {};
     if (unit == nullptr) return;
     if (call.kind == program::CallKind::modal) {

@@ -222,6 +222,7 @@ void step(Run& run) {
     Activation& act = run.top();
     while (!act.sections.empty() && act.pc == act.sections.back().last + 1) end_of_section(run);
     if (act.pc >= act.unit->statements.size()) {
+        if (run.calls.size() == 1 && !act.unit->unended.empty()) return refuse_end(run);
         leave(run);
         return;
     }

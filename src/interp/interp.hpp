@@ -52,6 +52,8 @@ struct Environment {
     double machine_unit = 1;
     /// Settings of the control by section and key, upper case: "RS274NGC/FEATURES".
     const std::map<std::string, std::string>* settings = nullptr;
+    /// Where called programs are looked for, as part of a sentence: "sub (.ngc, .nc)"; empty: nowhere to speak of.
+    std::string searched{};
 };
 
 enum class Ending : std::uint8_t {

@@ -23,6 +23,7 @@ void set_plane(Run& run, int plane) {
 }
 
 void set_feed_mode(Run& run, cl::FeedMode mode) {
+    if (run.traits->needs_feed) run.feed_valid = false;  // also where the mode stays
     if (run.modal.feed_mode == mode) return;
     run.modal.feed_mode = mode;
     run.feed_dropped = true;
@@ -281,6 +282,8 @@ void set_datum(Run& run, std::uint32_t number) {
 void modal_word(Run& run, const program::Word& w) {
     const Modal m = program::modal_of(w);
     ModalState& state = run.modal;
+    refuse_modal(run, w);
+    if (run.stopped) return;
     if (motion_word(run, m, w) || dimension_word(run, m)) return;
     if (m >= Modal::canned) {
         if (offset_word(run, m, program::modal_number(w)) || numbered_motion_word(run, m, program::modal_number(w)))

@@ -289,6 +289,7 @@ struct Run {
     bool coolant_on = false, mist = false, flood = false;
     double feed = 0;  ///< mm/min, mm/rev or 1/min by modal.feed_mode
     bool feed_valid = false;
+    bool feed_unknown = false;  ///< the last F depends on a value that is not known
     bool feed_dropped = false;  ///< G94/G95 changed and the stream does not know yet that F is void
     ModalCall modal_call;
     ActiveCycle cycle;                        ///< the last one that is active on call
@@ -462,6 +463,16 @@ void select_preset(Run&, const program::CycleDefinition&, double number);
 /// The tilted working plane in force, and a new one in its place.
 [[nodiscard]] geom::Frame active_plane(const Run&);
 void tilt(Run&, const geom::Frame&);
+
+// --- what is refused though each word is good (refusals.cpp); they end the run
+/// Before a modal word acts.
+void refuse_modal(Run&, const program::Word&);
+/// Before the words of a block act together (Traits::refuses_unready).
+void refuse_block(Run&);
+/// A subprogram that is nowhere (Traits::missing_program_stops).
+void refuse_call(Run&, const std::string& name, const program::Call* call);
+/// The main program runs past its last block (Unit::unended).
+void refuse_end(Run&);
 
 // --- where cycles are called (pattern.cpp, cycle_places.cpp), contours of several (contour_formula.cpp)
 void define_pattern(Run&, const program::Pattern&);

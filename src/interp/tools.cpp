@@ -152,6 +152,7 @@ void feed_word(Run& run) {
     if (!run.block.has(Code::feed) || run.block.special == Modal::dwell) return;
     double f = run.block.get(Code::feed);
     f *= feed_factor(run);
+    run.feed_unknown = std::isnan(f);
     if (std::isnan(f)) {
         unchecked(run, codes::unknown_value, run.here(),
                   "the feed depends on a value that is not known: the last one is kept");

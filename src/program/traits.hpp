@@ -155,6 +155,9 @@ struct Traits {
     bool missing_program_stops = false;
     /// A path at feed without a feed programmed before is an alarm; else it is for the check to say.
     bool needs_feed = false;
+    /// What is not ready for its block ends the run: a tool that the table does not hold, a thread with the spindle at
+    /// rest, a cycle without its dwell, a probe that has no way to go, a path without feed.
+    bool refuses_unready = false;
     /// G80 leaves no motion in force, so that axis words alone are an error; else rapid.
     bool cancel_leaves_no_motion = false;
     std::span<const CannedCycle> canned{};

@@ -254,7 +254,8 @@ struct Unit {
     bool has_proc = false;
     bool inch =
         false;  ///< lengths are inches from its first block on, whatever the caller uses (with unit_per_program)
-    bool save = false;  ///< SAVE: the caller's modal G codes and frames come back at the end
+    std::string unended;  ///< not empty: the text has no end that the control wants, and what it says when it comes there
+    bool save = false;    ///< SAVE: the caller's modal G codes and frames come back at the end
     std::vector<Parameter> parameters;
 
     std::vector<Statement> statements;

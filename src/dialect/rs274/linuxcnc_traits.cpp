@@ -127,6 +127,7 @@ constexpr program::Traits traits{
     .bad_block_stops = true,
     .missing_program_stops = true,
     .needs_feed = true,
+    .refuses_unready = true,
     .cancel_leaves_no_motion = true,
     .canned = canned,
     .turning = turning,
@@ -144,6 +145,7 @@ const Dialect linuxcnc{
     .predefined = linuxcnc_predefined,
     .read_only = linuxcnc_read_only,
     .letters = linuxcnc_letters,
+    .longest_line = 252,  // measured: 253 are refused
 };
 
 }  // namespace obrys::dialect::rs274

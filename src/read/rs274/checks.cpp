@@ -114,6 +114,16 @@ void check_polar(State& s) {
 }
 
 void check_m(State& s) {
+    for (const std::uint16_t m : s.facts.m) {
+        const std::string name = "M" + std::to_string(m);
+        const auto p = literal(s, Code::p);
+        if (m >= 62 && m <= 65 && (!s.facts.has(Code::p) || (p && *p < 0)))
+            return fail(s, s.line.begin(), s.line.end(), name + " needs P, the number of the output",
+                        "write " + name + " P0");
+        if ((m == 67 || m == 68) && !s.facts.has(Code::e))
+            return fail(s, s.line.begin(), s.line.end(), name + " needs E, the number of the output",
+                        "write " + name + " E0 Q1");
+    }
     if (s.facts.has_m(66, 66) && !s.facts.has(Code::p) && !s.facts.has(Code::e))
         fail(s, s.line.begin(), s.line.end(), "M66 says neither with P nor with E which input");
 }
@@ -137,6 +147,17 @@ void settle_letters(State& s) {
 }
 
 }  // namespace
+
+bool is_too_long(State& s) {
+    const auto length = s.line.end() - s.line.begin();
+    const auto most = static_cast<std::uint32_t>(s.variant.longest_line);
+    if (most == 0 || length <= most) return false;
+    fail(s, s.line.begin() + most, s.line.end(),
+         "this line is " + std::to_string(length) + " characters long; " + std::string(s.variant.control) + " reads " +
+             std::to_string(most),
+         "shorten it or its comment");
+    return true;
+}
 
 void check_block(State& s) {
     if (!s.variant.letters.empty()) {

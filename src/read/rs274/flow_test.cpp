@@ -108,8 +108,9 @@ TEST(Rs274Flow, WhatFollowsTheEndIsNotRead) {
     EXPECT_EQ(tree("%\nX1\nM2\nnonsense\n%\nmore\n"), "0 X1\n1 M2\n");
     EXPECT_EQ(Reading("%\nX1\n%\nnonsense\n").messages(), "");
     EXPECT_EQ(complaint("X1\n%\n"), "2:1 a % at the end needs one at the begin of the program");
-    EXPECT_EQ(Reading("X1\n").first_message(true), "1:1 the program ends without M2 or M30");
-    EXPECT_EQ(Reading("%\nX1\n").first_message(true), "2:1 the program ends without M2, M30 or its second %");
+    EXPECT_EQ(Reading("X1\n").unit().unended, "the program ends without M2 or M30");
+    EXPECT_EQ(Reading("%\nX1\n").unit().unended, "the program ends without M2, M30 or its second %");
+    EXPECT_EQ(Reading("X1\nM2\n").unit().unended + Reading("%\nX1\n%\n").unit().unended, "");
     EXPECT_EQ(Reading("o1 if [#1]\nM2\no1 endif\nX[1\nM2").first_message(), "4:2 this bracket is not closed");
 }
 
@@ -134,8 +135,10 @@ TEST(Rs274Flow, WrongStructureIsRefusedWhereItStands) {
 }
 
 TEST(Rs274Flow, TheTwoStylesOfSubprogramsDoNotMix) {
-    EXPECT_EQ(complaint("M98 P1\nM2\nO1 sub\nO1 endsub\n"), "1:1 M98 calls o1 sub, which only o1 call can call");
-    EXPECT_EQ(complaint("o1 call\nM2\nO1\nM99\n"), "1:1 o1 call calls the program O1, which only M98 can call");
+    EXPECT_EQ(complaint("M98 P1\nM2\nO1 sub\nO1 endsub\n"),
+              "3:1 M98 of line 1 calls o1 sub, which only o1 call can call");
+    EXPECT_EQ(complaint("o1 call\nM2\nO1\nM99\n"),
+              "3:1 o1 call of line 1 calls the program O1, which only M98 can call");
     EXPECT_EQ(complaint("M98 P1\nM2\nO1\nO1 endsub\n"), "4:1 o1 endsub stands in no subprogram");
 }
 

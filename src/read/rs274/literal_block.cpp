@@ -90,7 +90,8 @@ const char* read_literal_block(State& s, const char* p, const char* end) {
         last = p;
     }
     const bool gap = p > line + 1 && block.motion < 0 && block.seen == 0;  // a block number alone
-    if (!plain || gap || ((block.seen & of_arcs) != 0 && block.motion >= 0 && block.motion < 2)) {
+    const bool too_long = s.variant.longest_line > 0 && p - line > s.variant.longest_line;
+    if (!plain || gap || too_long || ((block.seen & of_arcs) != 0 && block.motion >= 0 && block.motion < 2)) {
         unit.words.resize(first);
         return nullptr;
     }

@@ -41,6 +41,7 @@ void read_line(State& s) {
     begin_words(s);
     if (s.line.at_end()) return;
     if (is_percent(s)) return read_percent(s);
+    if (!s.part->ended && is_too_long(s)) return;
     if (s.line.fault() != CommentFault::none && !s.part->ended) return complain_about_comment(s);
     read_block_head(s);
     if (s.failed) return;
@@ -65,20 +66,12 @@ std::uint32_t skip_percent(State& s) {
     return static_cast<std::uint32_t>(line_end);
 }
 
-/// A program that does something and does not say where it ends was cut off, or LinuxCNC complains at its end.
-void check_end(State& s) {
-    const Part& main = s.parts.front();
-    const bool acts = std::any_of(main.unit.words.begin(), main.unit.words.end(),
-                                  [](const program::Word& w) { return program::code_of(w) != Code::comment; });
-    if (main.ended || s.stopped || !acts || !s.variant.end_is_due) return;
-    const program::Statement& last = main.unit.statements.back();
-    base::Diagnostic d;
-    d.severity = base::Severity::warning;
-    d.code = base::codes::unclosed;
-    d.where = main.unit.span(last);
-    d.text = s.percent ? "the program ends without M2, M30 or its second %" : "the program ends without M2 or M30";
-    d.remedy = "add M2";
-    s.diagnostics.add(std::move(d));
+/// Without M2, M30 or `%` LinuxCNC complains when it comes to the end of the text; M2 may stand in a branch, too.
+void note_missing_end(State& s) {
+    Part& main = s.parts.front();
+    if (main.ended || s.stopped || !s.variant.end_is_due) return;
+    main.unit.unended =
+        s.percent ? "the program ends without M2, M30 or its second %" : "the program ends without M2 or M30";
 }
 
 void read_numbered_program(State& s, const ProgramNumber& n) {
@@ -151,7 +144,7 @@ std::vector<program::Unit> read_linuxcnc(std::uint32_t file, const base::Sources
     s.part->unit.reserve(s.text.size());
     read_lines(s, skip_percent(s));
     end_text(s);
-    check_end(s);
+    note_missing_end(s);
     read_numbered_programs(s, s.parts.front().unit.name);
     check_styles(s);
     sources.lay_aside(file, static_cast<std::uint32_t>(s.text.size()));

@@ -27,10 +27,9 @@ struct Reading {
         for (const base::Diagnostic& d : diagnostics.all()) out += base::render(d, sources);
         return out;
     }
-    /// line:column text of the first complaint; empty where there is none. A missing M2 counts only with `ends`.
-    [[nodiscard]] std::string first_message(bool ends = false) const {
+    /// line:column text of the first complaint; empty where there is none.
+    [[nodiscard]] std::string first_message() const {
         for (const base::Diagnostic& d : diagnostics.all()) {
-            if (!ends && d.text.starts_with("the program ends without")) continue;
             const base::Position at = sources.position(d.where);
             return std::to_string(at.line) + ":" + std::to_string(at.column) + " " + d.text;
         }

@@ -202,6 +202,8 @@ void read_m(State& s, std::uint32_t begin);  ///< g_word.cpp: the number behind 
 /// Value of an expression without parameters.
 [[nodiscard]] std::optional<double> constant(const program::Unit& unit, ExprId e);
 void check_block(State& s);  ///< checks.cpp: what a block may not hold together
+/// checks.cpp: complains about a line with more bytes than the control reads.
+[[nodiscard]] bool is_too_long(State& s);
 /// A plain motion block at `p`, read without allocation; the end of its line, or null where the full reader is needed.
 [[nodiscard]] const char* read_literal_block(State& s, const char* p, const char* end);
 

@@ -81,11 +81,13 @@ void tie(State& s, const Opened& o, ExprId condition, bool once, std::uint32_t b
 void close_missing(State& s) {
     const Opened o = s.part->opened.back();
     s.part->opened.pop_back();
+    const bool runs_on = o.kind == StatementKind::repeat_;  // LinuxCNC looks for no end of a do
     base::Diagnostic d;
-    d.code = base::codes::unclosed;
+    d.severity = runs_on ? base::Severity::note : base::Severity::error;
+    d.code = runs_on ? base::codes::assumption : base::codes::unclosed;
     d.where = o.word;
     d.text = shown(o.label) + " " + std::string(word_of(o.kind)) + " without " + shown(o.label) + " " +
-             std::string(end_word_of(o.kind));
+             std::string(end_word_of(o.kind)) + (runs_on ? ": its blocks are run once" : "");
     d.remedy = "add it where the structure ends";
     s.part->diagnostics.add(std::move(d));
     const std::uint32_t at = s.line.begin();

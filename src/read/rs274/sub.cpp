@@ -189,17 +189,21 @@ void read_m99(State& s) {
 }
 
 void check_styles(State& s) {
-    std::set<std::string> numbers;
-    for (const ProgramNumber& n : s.numbers) numbers.insert(n.label);
+    std::map<std::string, base::Span> numbers, subs;
+    for (const ProgramNumber& n : s.numbers) numbers.emplace(n.label, base::Span{s.file, n.begin, n.behind});
+    for (const Part& p : s.parts)
+        if (p.kind == Part::Kind::o_sub) subs.emplace(p.label, p.word);
     for (const NumberCall& call : s.number_calls) {
-        const bool is_sub = s.subs.contains(call.label), is_number = numbers.contains(call.label);
+        const auto sub = subs.find(call.label), number = numbers.find(call.label);
+        const bool is_sub = sub != subs.end(), is_number = number != numbers.end();
         if (is_sub == is_number || is_sub != call.by_m98) continue;
+        const std::string label = base::as_utf8(call.label), line = std::to_string(s.sources.position(call.where).line);
         base::Diagnostic d;
         d.code = base::codes::syntax;
-        d.where = call.where;
-        d.text = is_sub ? "M98 calls o" + base::as_utf8(call.label) + " sub, which only o" + base::as_utf8(call.label) +
-                              " call can call"
-                        : "o" + call.label + " call calls the program O" + call.label + ", which only M98 can call";
+        d.where = is_sub ? sub->second : number->second;
+        d.text = is_sub ? "M98 of line " + line + " calls o" + label + " sub, which only o" + label + " call can call"
+                        : "o" + label + " call of line " + line + " calls the program O" + label +
+                              ", which only M98 can call";
         s.diagnostics.add(std::move(d));
     }
 }
