@@ -30,7 +30,7 @@ KNOWN_FAILURES = {
     "rs274/LinuxCNC__linuxcnc/nc_files/lathe_g70_71_demo.ngc": "G70 is not compensated",
     "rs274/LinuxCNC__linuxcnc/nc_files/m6remap.ngc": "a line that is never run is refused",
     "rs274/LinuxCNC__linuxcnc/nc_files/polar.ngc": "level of a series of cycles",
-    "rs274/LinuxCNC__linuxcnc/nc_files/smartprobe.ngc": "waits in a loop for a probe contact, which rs274 takes as made",
+    "rs274/LinuxCNC__linuxcnc/nc_files/smartprobe.ngc": "does not end in obrys",
     "rs274/LinuxCNC__linuxcnc/nc_files/tool-length-probe.ngc": "probe results are not known",
     "rs274/LinuxCNC__linuxcnc/tests/interp/m98m99/06-error-mixed-sub-styles/O...-sub-called-with-M98.ngc": "M98 of an o sub is accepted",
     "rs274/LinuxCNC__linuxcnc/tests/interp/m98m99/11-main-program-oword/test-illegal-no-m30-before-osub.ngc": "the place of the refusal",
