@@ -183,6 +183,7 @@ void assign_parameter(Run& run, const Expr& target, const program::Assign& a) {
     const double index = target.kind == ExprKind::parameter ? target.a : number(run, target.a);
     if (run.stopped) return;
     const auto n = writable(run, index, a);
+    if (n && is_empty(run, a.value)) return run.parameters.forget(*n);
     const double v = n ? number(run, a.value) : 0;
     if (n && !run.stopped) assign_number(run, *n, a.value, v, run.unit().span(a.target));
 }
@@ -217,6 +218,11 @@ void assign_variable(Run& run, const Expr& target, const program::Assign& a) {
     const Expr& value = unit.exprs[a.value];
     const Binding* b = find_variable(run, target.a);
     if (b == nullptr) b = text_parameter(run, target.a);
+    if (b == nullptr && run.traits->variables_by_assignment) {
+        const double v = number(run, a.value);
+        if (!run.stopped) create(run, target.a, v);
+        return;
+    }
     if (b == nullptr) {
         const std::string& name = run.env.names.text(target.a);
         unchecked(run, codes::undefined_name, unit.span(a.target), name + " is not defined in this program",

@@ -155,6 +155,7 @@ void act(Run& run) {
 
 void gather(Run& run, const program::Statement& s, const Word& w) {
     const Code code = program::code_of(w);
+    if (program::form_of(w) == Form::expression && is_empty(run, static_cast<ExprId>(w.payload))) return;
     switch (code) {
         case Code::modal: modal_word(run, w); return;
         case Code::assign: {

@@ -185,14 +185,15 @@ void pass_arguments(Run& run, const Call* call, Activation& callee) {
     std::array<double, 64> values{};
     std::array<bool, 64> given{};
     for (std::size_t i = 0; call != nullptr && i < call->arguments.size() && i < count && i < 64; ++i) {
-        if (call->arguments[i] == program::no_expr) continue;
+        if (call->arguments[i] == program::no_expr || is_empty(run, call->arguments[i])) continue;
         values[i] = number(run, call->arguments[i]);
         given[i] = true;
     }
     for (std::uint32_t n = 1; n <= count && n <= 64; ++n) {
         callee.outer_arguments.emplace_back(run.parameters.get(n), run.parameters.is_set(n));
         run.parameters.forget(n);
-        if (given[n - 1] || run.traits->parameters_begin_at_zero) run.parameters.set(n, values[n - 1]);
+        const bool zero = run.traits->parameters_begin_at_zero && !run.traits->empty_parameters;
+        if (given[n - 1] || zero) run.parameters.set(n, values[n - 1]);
     }
 }
 

@@ -40,6 +40,22 @@ double parameter_value(Run& run, const Expr& e, double index) {
     return run.parameters.get(n);
 }
 
+}  // namespace
+
+bool is_empty(Run& run, ExprId id) {
+    if (!run.traits->empty_parameters || id == program::no_expr || run.stopped) return false;
+    const Expr& e = run.unit().exprs[id];
+    if (e.kind == ExprKind::qualified) return is_empty(run, e.a);
+    if (e.kind == ExprKind::unary && static_cast<Operator>(e.op) == Operator::negate) return is_empty(run, e.a);
+    if (e.kind != ExprKind::parameter && e.kind != ExprKind::parameter_at) return false;
+    const double index = e.kind == ExprKind::parameter ? e.a : number(run, e.a);
+    if (run.stopped || !(index >= 0) || index >= run.parameters.count()) return false;
+    const auto n = static_cast<std::uint32_t>(index);
+    return n == 0 || (!run.parameters.is_set(n) && !is_live(run, n));
+}
+
+namespace {
+
 bool is_numeric(Operator op) {
     return op != Operator::concat && op != Operator::frame_chain && op != Operator::equal && op != Operator::not_equal;
 }
@@ -176,6 +192,10 @@ Value evaluate_binary(Run& run, const Expr& e) {
     if (op == Operator::logical_and || op == Operator::logical_or) {
         const double left = condition(run, e.a), right = condition(run, e.b);
         return run.stopped ? Value{} : Value{Type::boolean, binary_number(run, e, left, right), nullptr, nullptr};
+    }
+    if (run.traits->empty_parameters && (op == Operator::equal || op == Operator::not_equal)) {
+        const bool left = is_empty(run, e.a), right = is_empty(run, e.b);
+        if (left || right) return Value::boolean((left && right) == (op == Operator::equal));
     }
     const Value a = evaluate(run, e.a);
     const Value b = evaluate(run, e.b);

@@ -26,7 +26,7 @@ double stored(const Run& run, std::uint32_t parameter, std::size_t axis) {
 
 /// G54 … G59 are 54 … 59, G59.1 … G59.3 are 591 … 593, G54.1 P1 … are 5401 ….
 std::uint32_t place_of_datum(std::uint32_t number) {
-    return number >= 5401 ? 0 : number >= 591 ? number - 591 + 6 : number - 54;
+    return number >= 5401 ? number - 5401 + 1000 : number >= 591 ? number - 591 + 6 : number - 54;
 }
 
 Axes tip_in_use(const Offsets& o) { return o.tip_known ? o.tip : o.tool; }

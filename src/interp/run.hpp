@@ -512,6 +512,9 @@ void store_home(Run&);
 /// Values of the block's axis words as absolute lengths in mm (degrees); nothing where an axis has no word.
 [[nodiscard]] std::optional<double> axis_word(const Run&, std::size_t axis);
 
+/// A parameter that is empty (Traits::empty_parameters), alone or with a sign.
+[[nodiscard]] bool is_empty(Run&, ExprId);
+
 // --- what the control shows of itself (live_parameters.cpp)
 [[nodiscard]] bool is_live(const Run&, std::uint32_t parameter);
 /// What probing and inputs leave there can be overwritten.

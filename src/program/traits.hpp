@@ -127,6 +127,9 @@ struct Traits {
     std::uint32_t argument_parameters = 0;
     /// Parameters hold 0 until they are set, and the control says so itself: reading one is no assumption.
     bool parameters_begin_at_zero = false;
+    /// A parameter that nobody has set is empty, and #0 always is: it counts as 0, but EQ and NE tell it from 0, a word
+    /// with it alone is left out, and assigning it empties the other (Macro B: "vacant").
+    bool empty_parameters = false;
     std::span<const LiveParameters> live{};
     OffsetParameters offsets{};
     /// M5 and M9 act before the block's motion; else behind it.

@@ -34,6 +34,7 @@ constexpr std::array haas_shifts{CannedWord{Code::q, CycleRole::shift_u, true, 1
                                  CannedWord{Code::i, CycleRole::shift_u, true, 1},
                                  CannedWord{Code::j, CycleRole::shift_v, true, 1}};
 
+constexpr std::array unshifted{CycleValue{CycleRole::shift_u, 0}};  ///< where Q is left out
 constexpr std::array chip_break{CycleValue{CycleRole::chip_break_distance, 1}};
 constexpr std::array stop_above{CycleValue{CycleRole::stop_distance_first, 1}};
 constexpr std::array right{CycleValue{CycleRole::spindle_direction, 1}, CycleValue{CycleRole::starts_spindle, 1}};
@@ -42,14 +43,14 @@ constexpr std::array left{CycleValue{CycleRole::spindle_direction, -1}, CycleVal
 constexpr std::array mill{
     CannedCycle{730, CycleKind::canned_chip_break, "G73", pecks, chip_break},
     CannedCycle{740, CycleKind::canned_tap_floating, "G74", dwells, left},
-    CannedCycle{760, CycleKind::canned_bore_orient, "G76", shifts, {}},
+    CannedCycle{760, CycleKind::canned_bore_orient, "G76", shifts, unshifted},
     CannedCycle{810, CycleKind::canned_drill, "G81", {}, {}},
     CannedCycle{820, CycleKind::canned_drill, "G82", dwells, {}},
     CannedCycle{830, CycleKind::canned_peck, "G83", pecks, stop_above},
     CannedCycle{840, CycleKind::canned_tap_floating, "G84", dwells, right},
     CannedCycle{850, CycleKind::canned_bore_feed, "G85", {}, {}},
     CannedCycle{860, CycleKind::canned_bore_stop, "G86", {}, {}},
-    CannedCycle{870, CycleKind::canned_back_bore, "G87", back, {}},
+    CannedCycle{870, CycleKind::canned_back_bore, "G87", back, unshifted},
     CannedCycle{880, CycleKind::canned_bore_manual, "G88", dwells, {}},
     CannedCycle{890, CycleKind::canned_bore_feed, "G89", dwells, {}},
 };
@@ -57,7 +58,7 @@ constexpr std::array mill{
 constexpr std::array haas{
     CannedCycle{730, CycleKind::canned_chip_break, "G73", haas_pecks, chip_break},
     CannedCycle{740, CycleKind::canned_tap_floating, "G74", dwells, left},
-    CannedCycle{760, CycleKind::canned_bore_orient, "G76", haas_shifts, {}},
+    CannedCycle{760, CycleKind::canned_bore_orient, "G76", haas_shifts, unshifted},
     CannedCycle{810, CycleKind::canned_drill, "G81", {}, {}},
     CannedCycle{820, CycleKind::canned_drill, "G82", dwells, {}},
     CannedCycle{830, CycleKind::canned_peck, "G83", haas_pecks, stop_above},

@@ -26,9 +26,6 @@ constexpr LatheG word(int code, Modal m, Order order, int number = 0) {
 constexpr LatheG more(int code, Special s, Order order, Modal m, int number = 0) {
     return row(code, code, code, special, m, order, number, s);
 }
-constexpr LatheG hole(int code) {
-    return row(code, code, code, special, Modal::canned, Order::motion, code, Special::canned);
-}
 constexpr LatheG no_effect(int code, std::string_view says) {
     return row(code, code, code, accepted, Modal::linear, Order::motion, 0, Special::none, says);
 }
@@ -114,12 +111,12 @@ constexpr std::array lathe{
     cycle(750, 750, 770, Special::turning_cycle, "grooving with chip breaking", 750),
     cycle(760, 760, 780, Special::turning_cycle, "thread in several passes", 760),
     word(800, Modal::canned_off, Order::retract),
-    hole(830),
-    hole(840),
-    hole(850),
-    hole(870),
-    hole(880),
-    hole(890),
+    not_run(830, "hole cycle of a lathe"),
+    not_run(840, "hole cycle of a lathe"),
+    not_run(850, "hole cycle of a lathe"),
+    not_run(870, "hole cycle of a lathe"),
+    not_run(880, "hole cycle of a lathe"),
+    not_run(890, "hole cycle of a lathe"),
     cycle(900, 770, 200, Special::turning_cycle, "turning cycle", 900),
     cycle(920, 780, 210, Special::turning_cycle, "threading cycle", 920),
     cycle(940, 790, 240, Special::turning_cycle, "facing cycle", 940),
@@ -127,8 +124,8 @@ constexpr std::array lathe{
     row(-1, 910, 910, modal, Modal::incremental, Order::distance),
     row(980, 940, 940, modal, Modal::feed_per_minute, Order::feed_mode),
     row(990, 950, 950, modal, Modal::feed_per_rev, Order::feed_mode),
-    word(960, Modal::surface_speed_on, Order::surface_speed, 96),
-    word(970, Modal::surface_speed_off, Order::surface_speed, 97),
+    word(960, Modal::surface_speed_on, Order::feed_mode, 96),
+    word(970, Modal::surface_speed_off, Order::feed_mode, 97),
     row(-1, 980, 980, modal, Modal::retract_initial, Order::retract),
     row(-1, 990, 990, modal, Modal::retract_clearance, Order::retract),
 };

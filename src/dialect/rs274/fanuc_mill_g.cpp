@@ -146,8 +146,8 @@ constexpr std::array mill{
     word(930, Modal::feed_inverse_time, Order::feed_mode),
     word(940, Modal::feed_per_minute, Order::feed_mode),
     word(950, Modal::feed_per_rev, Order::feed_mode),
-    word(960, Modal::surface_speed_on, Order::surface_speed, 96),
-    word(970, Modal::surface_speed_off, Order::surface_speed, 97),
+    word(960, Modal::surface_speed_on, Order::feed_mode, 96),
+    word(970, Modal::surface_speed_off, Order::feed_mode, 97),
     word(980, Modal::retract_initial, Order::retract),
     word(990, Modal::retract_clearance, Order::retract),
 };

@@ -119,6 +119,25 @@ TEST(FanucCorpus, ProgramsAreRecognised) {
     EXPECT_EQ(wrong, 0);
 }
 
+/// Against LinuxCNC's reader, whose programs look most like these.
+TEST(FanucCorpus, ProgramsAreToldFromThoseOfLinuxcnc) {
+    if (!fs::exists(corpus)) GTEST_SKIP() << "needs ../shared";
+    int wrong = 0, all = 0;
+    for (const char* folder : {"fanuc_macro", "gcode", "rs274"})
+        for (const fs::path& file : files_below(corpus / folder)) {
+            const std::string text = content(file), name = file.filename().string();
+            if (name == "camaster_sample.tap" || file.generic_string().find("Micron") != std::string::npos) continue;
+            const int fanuc = std::max(fanuc_likelihood(text, name), haas_likelihood(text, name));
+            const int linuxcnc = linuxcnc_likelihood(text, name);
+            ++all;
+            if ((fanuc > linuxcnc) == is_fanuc(file)) continue;
+            ++wrong;
+            std::cout << file.lexically_relative(corpus) << " fanuc " << fanuc << " linuxcnc " << linuxcnc << "\n";
+        }
+    std::cout << wrong << " of " << all << " guessed wrong\n";
+    EXPECT_LE(wrong, 3);
+}
+
 TEST(FanucCorpus, LathesAreRecognised) {
     if (!fs::exists(corpus)) GTEST_SKIP() << "needs ../shared";
     for (const fs::path& file : files_below(corpus / "gcode")) {

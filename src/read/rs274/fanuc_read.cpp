@@ -119,6 +119,7 @@ void begin_program(FanucState& s, std::string name, std::size_t at) {
     s.unit().name = std::move(name);
     s.unit().begin = s.unit().end = static_cast<std::uint32_t>(at);
     s.hole = s.turning = 0;
+    s.lead.reset();  // its expressions belong to the program before
 }
 
 /// What holds on a lathe when it is switched on: diameters, the plane of X and Z, feed per revolution.

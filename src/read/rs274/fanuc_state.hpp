@@ -77,8 +77,9 @@ struct FanucState : State {
     bool polar = false;
     int plane = 17;
     std::vector<Transformation> frames;
-    int hole = 0;     ///< G number * 10 of the hole cycle in force; 0: none
-    int turning = 0;  ///< of the turning cycle in force
+    int hole = 0;            ///< G number * 10 of the hole cycle in force; 0: none
+    int turning = 0;         ///< of the turning cycle in force
+    bool new_cycle = false;  ///< nothing of the turning cycle has been run yet
     Modal motion = Modal::rapid;
     std::optional<Value> lead;  ///< the F last written as a number: the lead of threads without F
     bool whole_number_said = false;

@@ -181,7 +181,9 @@ void turning_special(FanucState& s, const FanucG& g, const Address& a) {
     }
     if (g.number >= 900) {
         s.turning = g.number;
-        return single_cycle(s, true);
+        s.new_cycle = true;
+        s.own_motion = false;  // a block with coordinates runs it, this one or a later one
+        return;
     }
     use_all(s);
     add_problem(s, Code::unsupported, a.begin, s.line.end(), g.says);
@@ -191,8 +193,10 @@ bool turning_block(FanucState& s) {
     if (s.turning == 0 || s.own_motion) return false;
     bool axes = false;
     for (const char letter : {'X', 'U', 'Z', 'W'}) axes = axes || find_address(s, letter) != nullptr;
-    if (axes) single_cycle(s, false);
-    return axes;
+    if (!axes) return false;
+    single_cycle(s, s.new_cycle);
+    s.new_cycle = false;
+    return true;
 }
 
 }  // namespace obrys::read::rs274
