@@ -183,8 +183,8 @@ Run::Run(const Environment& e, cl::CallStacks& s, cl::Sink k, base::Diagnostics&
       started(std::chrono::steady_clock::now()) {
     path = std::make_unique<PathStage>();
     for (const shop::MachineAxis& axis : e.machine.axes)
-        for (int i = 0; i < 3; ++i)
-            if (axis.name == std::string(1, "XYZ"[i]))
+        for (int i = 0; i < 9; ++i)
+            if (axis.name == std::string(1, "XYZABCUVW"[i]))
                 known_axes |= std::uint64_t{1} << static_cast<unsigned>(axis_code(i));
     modal.plane = e.machine.defaults.plane;
     modal.inch_geometry = modal.inch_feed = e.machine.defaults.inch;

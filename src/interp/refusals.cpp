@@ -97,14 +97,14 @@ bool on(Modal m) {
 void refuse_axes(Run& run) {
     const shop::Machine& machine = run.env.machine;
     const bool named = !machine.axes.empty() && !machine.more_axes;
-    for (int k = 0; k < 9 && !run.stopped; ++k) {
-        if (!run.block.has(axis_code(k))) continue;
-        const std::string name(1, "XYZABCUVW"[k]);
-        if (named ? machine_axis(run, name) != nullptr : !run.env.tell_settings || k < 6) continue;
-        alarm(run, codes::unknown_word, word_of(run, axis_code(k)),
-              "the machine " + (named ? machine.name + " " : std::string()) + "has no axis " + name,
-              "name the right machine in the job, or add the axis to its file");
-    }
+    const std::uint64_t all = linear_axes | rotary_axes | parallel_axes;
+    const std::uint64_t known = named ? run.known_axes : run.env.tell_settings ? linear_axes | rotary_axes : all;
+    const std::uint64_t foreign = run.block.present & all & ~known;
+    if (foreign == 0) return;
+    const int k = std::countr_zero(foreign) - std::countr_zero(bit(Code::x));
+    alarm(run, codes::unknown_word, word_of(run, axis_code(k)),
+          "the machine " + (named ? machine.name + " " : std::string()) + "has no axis " + "XYZABCUVW"[k],
+          "name the right machine in the job, or add the axis to its file");
 }
 
 void refuse_tool(Run& run) {

@@ -317,7 +317,7 @@ struct Run {
     bool moved = false;
     bool datum_emitted = false;
     std::unordered_map<std::string, double> extra_axes;
-    std::uint64_t known_axes = 0;  ///< bit per Code of X, Y, Z: the machine has it
+    std::uint64_t known_axes = 0;  ///< bit per Code of X … W: the machine has it
     geom::Vec2 last_direction;     ///< of the last move in the working plane, for CT
     std::unique_ptr<PathStage> path;
     /// Where it is set, elements go there and nothing is emitted or complained about (capture.hpp).
