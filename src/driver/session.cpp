@@ -110,7 +110,9 @@ bool looks_like_turning(const program::Unit& unit) {
         if (program::code_of(w) == program::Code::speed_limit) return true;
         if (program::code_of(w) != program::Code::modal) continue;
         const program::Modal m = program::modal_of(w);
-        if (m == program::Modal::plane_zx || m == program::Modal::diameter_on || m == program::Modal::diameter_off)
+        const bool lathe_words = m == program::Modal::plane_zx || m == program::Modal::diameter_off;
+        if (m == program::Modal::diameter_on || m == program::Modal::turning_cycle ||
+            (lathe_words && !unit.traits->radius_at_start))
             return true;
     }
     return false;
@@ -128,7 +130,7 @@ bool choose_machine(Session& s, const Request& request, const fs::path& job_path
     s.job.machine.more_axes = true;
     assume(s,
            std::string("no machine is named: ") + generic + " is taken" +
-               (turning ? ", X words are diameters until DIAMOF" : ""),
+               (turning && !s.main->traits->radius_at_start ? ", X words are diameters until DIAMOF" : ""),
            "name one with --machine or in the job");
     return true;
 }
@@ -177,16 +179,20 @@ void find_shop_files(Session& s, const Request& request, const fs::path& program
 void load_configuration(Session& s, const Request& request) {
     s.canon = request.canon;
     if (request.canon) s.machine_unit = 25.4;
+    bool keeps_g92 = true;
     if (const auto file =
             request.configuration.empty() ? std::nullopt : load(request.configuration, s.sources, s.diagnostics)) {
         const shop::LinuxcncIni ini = shop::read_linuxcnc_ini(*file, s.sources, s.diagnostics);
-        s.machine_unit = shop::settings_of(ini, s.diagnostics).mm_per_unit;
+        const shop::LinuxcncSettings set = shop::settings_of(ini, s.diagnostics);
+        const double unit = set.mm_per_unit;
+        keeps_g92 = set.g92_stays;
+        if (!request.canon || shop::find(ini, "TRAJ", "LINEAR_UNITS") != nullptr) s.machine_unit = unit;
         for (const shop::IniEntry& e : ini.entries)
             s.settings.emplace(base::to_upper(e.section) + "/" + base::to_upper(e.key), e.value);
     }
     if (const auto file = request.stored.empty() ? std::nullopt : load(request.stored, s.sources, s.diagnostics)) {
         for (const auto& [n, v] : shop::values_of(shop::read_linuxcnc_parameters(*file, s.sources, s.diagnostics)))
-            s.stored.emplace(static_cast<std::uint32_t>(n), v);
+            s.stored.emplace(static_cast<std::uint32_t>(n), keeps_g92 || n < 5210 || n > 5219 ? v : 0);
         s.has_stored = true;
     }
 }

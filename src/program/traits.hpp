@@ -144,7 +144,7 @@ struct Traits {
     bool compensation_holds_move = false;
     /// The remainder of a division is never negative.
     bool modulo_is_positive = false;
-    /// X words are radii at the start whatever the machine; else as its file says.
+    /// At the start X words are radii and the plane is that of X and Y, whatever the machine; else as its file says.
     bool radius_at_start = false;
     /// mm (of a program in inches) by which the radii of an arc's ends may differ, if not more than a thousandth of it;
     /// 0: what the machine says.

@@ -54,10 +54,10 @@ TEST(Rs274Check, WhatACodeNeeds) {
     EXPECT_EQ(one("T-1"), "1:1 T cannot be negative");
 }
 
-TEST(Rs274Check, WordsOfCodesWithoutEffectAreLeftOut) {
-    EXPECT_EQ(one("M66 P0 L3 Q2"), "");
-    EXPECT_EQ(one("M62 P1 G1 X1"), "X1 " + m(Modal::linear));
-    EXPECT_EQ(one("M19 R90 Q1"), "");
+TEST(Rs274Check, WordsOfOutputsAndOrientedStopsAreKept) {
+    EXPECT_EQ(one("M66 P0 L3 Q2"), "M66 P0 L3 Q2");
+    EXPECT_EQ(one("M62 P1 G1 X1"), "M62 P1 X1 " + m(Modal::linear));
+    EXPECT_EQ(one("M19 R90 Q1"), "M19 CR90 Q1");
     EXPECT_EQ(one("M61 Q5"), "M61 Q5");
     EXPECT_EQ(one("S100 $0 M3"), "S100 M3");
     EXPECT_EQ(one("S100 $1 M3"), "S100 M3 unsupported{$1|a second spindle}");

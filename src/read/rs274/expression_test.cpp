@@ -63,12 +63,9 @@ TEST(Rs274Expression, ErrorsStandWhereTheyAre) {
 }
 
 TEST(Rs274Expression, NeitherDepthNorLengthIsUnbounded) {
-    EXPECT_EQ(value(std::string(5000, '[')).substr(0, 6), "1:103 ");
-    EXPECT_EQ(value(std::string(5000, '-') + "1").substr(2, 100), "103 the expression is nested too deep");
-    std::string sum = "[1";
-    for (int i = 0; i < 2000; ++i) sum += "+1";
-    EXPECT_NE(value(sum + "]").find("more than 1000 operators"), std::string::npos);
-    EXPECT_NE(value(std::string(400, '9')).find("too many digits"), std::string::npos);
+    EXPECT_EQ(value(std::string(200, '[')).substr(0, 6), "1:103 ");
+    EXPECT_EQ(value(std::string(200, '-') + "1").substr(2, 100), "103 the expression is nested too deep");
+    EXPECT_NE(value(std::string(300, '1')).find("this line is"), std::string::npos);
 }
 
 }  // namespace obrys::read::rs274

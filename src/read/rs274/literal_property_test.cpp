@@ -56,7 +56,7 @@ RC_GTEST_PROP(Rs274Literal, BothWaysOfReadingAgree, ()) {
         const std::string n = *number_text();
         line += c + (c == 'F' && n[0] == '-' ? n.substr(1) : n) + " ";
     }
-    RC_PRE(!line.empty());
+    RC_PRE(!line.empty() && line.size() < 240);  // longer ones are refused
     const Reading fast(line + "\nM2\n");
     const Reading full(line + ";\nM2\n");  // a comment needs the full reader
     RC_ASSERT(fast.messages() == full.messages());
