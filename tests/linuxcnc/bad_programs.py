@@ -146,32 +146,4 @@ CORPUS_BAD = {
 }
 
 # Programs that obrys accepts, or refuses at another line: name -> reason. One that passes is an error.
-KNOWN_FAILURES = {
-    "arc with R and I": "accepted",
-    "arc with K in the XY plane": "accepted",
-    "arc without feed": "accepted",
-    "line without feed": "accepted",
-    "feed zero": "accepted",
-    "inverse time without F": "accepted",
-    "plane changed under compensation": "accepted",
-    "G53 under compensation": "accepted",
-    "system changed under compensation": "accepted",
-    "compensation switched on twice": "accepted",
-    "tool not in the table": "accepted",
-    "axis the machine has not": "accepted",
-    "do without while": "refused",
-    "M98 of a sub of the other kind": "accepted",
-    "call of a sub of the other kind": "accepted",
-    "G33 without spindle": "accepted",
-    "G82 without P": "accepted",
-    "cycle without feed": "accepted",
-    "cycle repeated zero times": "accepted",
-    "rotary axis in a cycle": "accepted",
-    "G53 incremental": "accepted",
-    "probe to where it is": "accepted",
-    "spline without offsets": "accepted",
-    "line too long": "accepted",
-    "M62 without P": "accepted",
-    "M72 without saved state": "accepted",
-    "m98m99/06-error-mixed-sub-styles/O...-sub-called-with-M98.ngc": "accepted",
-}
+KNOWN_FAILURES = {}
