@@ -163,7 +163,10 @@ bool CanonWriter::technology(const Setting& s) {
                  : s.number == 1 ? "START_SPINDLE_CLOCKWISE(0)"
                                  : "START_SPINDLE_COUNTERCLOCKWISE(0)");
             return true;
-        case SettingKind::spindle_orient: call(text("ORIENT_SPINDLE(0, %.4f, %d)", s.values[0], s.number)); return true;
+        case SettingKind::spindle_orient:
+            call(text("ORIENT_SPINDLE(0, %.4f, %d)", s.values[0], s.number));
+            if (s.values[1] > 0) call(text("SPINDLE.0.WAIT_ORIENT_COMPLETE(%.4f)", s.values[1]));
+            return true;
         case SettingKind::feed_override: allow(feed_override_ = s.number == 1, "FEED_OVERRIDE()"); return true;
         case SettingKind::speed_override: allow(speed_override_ = s.number == 1, "SPEED_OVERRIDE(0)"); return true;
         case SettingKind::adaptive_feed: allow(s.number == 1, "ADAPTIVE_FEED()"); return true;
@@ -233,15 +236,10 @@ void CanonWriter::thread(const Thread& t) {
         tapped_ = false;
         return;
     }
-    call(text("START_SPEED_FEED_SYNC(%f,0)", restored(std::abs(t.pitch) / unit_)));
-    if (t.rigid_tap) {
-        const geom::Vec3 p = programmed(t.to);
-        call(text("RIGID_TAP(%.4f, %.4f, %.4f)", p.x, p.y, p.z));
-        tapped_ = true;
-    } else {
-        move("STRAIGHT_FEED", t.to);
-    }
-    call("STOP_SPEED_FEED_SYNCH()");
+    tapped_ = t.rigid_tap;
+    if (!t.rigid_tap) return move("STRAIGHT_FEED", t.to);
+    const geom::Vec3 p = programmed(t.to);
+    call(text("RIGID_TAP(%.4f, %.4f, %.4f)", p.x, p.y, p.z));
 }
 
 void CanonWriter::program_end() {

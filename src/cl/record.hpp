@@ -175,7 +175,7 @@ enum class SettingKind : std::uint8_t {
     surface_speed,       ///< number: 96, 97; value: highest speed
     spindle_speed,       ///< value: S
     spindle_turn,        ///< number: +1, -1, 0
-    spindle_orient,      ///< number: sense; value: degrees
+    spindle_orient,      ///< number: sense; values: degrees, s that it may take
     feed_override,       ///< number: 1 allowed, 0 not
     speed_override,
     adaptive_feed,

@@ -2,6 +2,8 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
+
 #include "cl/text.hpp"
 #include "interp/interp.hpp"
 #include "read/rs274/fanuc_read.hpp"
@@ -62,7 +64,7 @@ std::string on_mill(const std::string& lines) {
 
 TEST(FanucRun, EmptyParameters) {
     EXPECT_EQ(on_mill("X#1 Y5."), "linear 0 5 0\n") << "a word with an empty parameter is left out";
-    EXPECT_EQ(on_mill("#1=0\nX#1 Y5.\nIF [#1 EQ #0] THEN #1=7\nX#1"), "linear 0 5 0\n");
+    EXPECT_EQ(on_mill("#1=0\nX#1 Y5.\nIF [#1 EQ #0] THEN #1=7\nX#1"), "linear 0 5 0\nlinear 0 5 0\n");
     EXPECT_EQ(on_mill("IF [#1 EQ #0] THEN #1=7\nX#1"), "linear 7 0 0\n");
     EXPECT_EQ(on_mill("IF [#1 EQ 0] THEN #2=7\nX#2 Y1."), "linear 0 1 0\n") << "empty is not 0";
     EXPECT_EQ(on_mill("#1=3\n#1=#0\nX#1 Y1."), "linear 0 1 0\n");

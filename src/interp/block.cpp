@@ -118,7 +118,12 @@ bool complained(const Run& run, const base::Span& where) {
 
 void problem_word(Run& run, const Word& w) {
     const program::Problem& p = run.unit().problems[static_cast<std::size_t>(w.payload)];
-    if (!p.reason.empty() && complained(run, p.where)) return;  // the reader has said it already
+    if (!p.reason.empty() && complained(run, p.where)) {  // the reader has said it already
+        if (!run.traits->bad_block_stops || run.stopped) return;
+        run.stopped = true;
+        run.ending = Ending::alarm;
+        return;
+    }
     if (program::code_of(w) == Code::unknown)
         unchecked(run, codes::unknown_word, p.where,
                   "\"" + p.text + "\" is not a word of this control" + (p.reason.empty() ? "" : ": " + p.reason),

@@ -109,11 +109,16 @@ void exact_path(Run& run) {
     if (run.modal.path_mode != Modal::path_exact) tell(run, SettingKind::path_mode, 0);
 }
 
-/// The first hole's rise to the retract plane comes before the control slows down.
-void rise(Run& run, const cycles::Demand& demand, double from, std::vector<cl::Step>& steps) {
-    if (!steps.empty() && from < demand.get(CycleRole::retract_plane)) {
-        emit_step(run, std::move(steps.front()));
-        steps.erase(steps.begin());
+/// The rise to the retract plane, if the series began below it, comes before the control slows down; it is made again
+/// where the tool is there already.
+void rise(Run& run, const cycles::Demand& demand, double series_began_at, std::vector<cl::Step>& steps) {
+    const double retract = demand.get(CycleRole::retract_plane);
+    const PlaneAxes a = plane_axes(run.modal.plane);
+    geom::Vec3 at = into_plane(run.programmed_position, a);
+    if (demand.get(CycleRole::rise_first, 0) != 0 && (at.z < retract || series_began_at < retract)) {
+        if (at.z < retract && !steps.empty()) steps.erase(steps.begin());
+        at.z = retract;
+        emit_step(run, cl::Linear{at, {0, 0, 1}, true});
     }
     exact_path(run);
 }
@@ -129,13 +134,13 @@ void run_holes(Run& run, const program::CannedCycle& c, const PlaneAxes& a) {
     const geom::Vec3 start = run.programmed_position;
     geom::Vec3 target = programmed_target(run);
     const geom::Vec3 step = target - start;
-    const double initial = run.modal.absolute ? run.canned.initial_level : coordinate(start, a.w);
+    const double initial = run.canned.initial_level;
     for (double i = 0; i < *count && !run.stopped; ++i) {
         const geom::Vec3 at = run.modal.absolute ? target : start + (i + 1) * step;
         const cycles::Demand demand = demand_at(run, c, into_plane(at, a), initial);
         cycles::Expansion e = cycles::expand(demand, situation_of(run));
         if (!report_expansion(run, c.name, e)) return;
-        if (i == 0) rise(run, demand, coordinate(start, a.w), e.steps);
+        if (i == 0) rise(run, demand, initial, e.steps);
         emit_hole(run, c, e.steps);
         if (c.turns_axes && run.modal.plane != 17) {  // the control takes itself to be where it should be
             const geom::Vec3 there = into_plane(at, a);

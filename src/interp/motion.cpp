@@ -197,10 +197,12 @@ bool rigid_tap(Run& run) {
     cl::Thread t;
     t.pitch = run.block.get(Code::k) * (run.modal.inch_geometry ? 25.4 : 1);
     t.rigid_tap = true;
+    tell(run, cl::SettingKind::synchronised, 1, {std::abs(t.pitch)});
     for (const geom::Vec3& p : {to, from}) {
         arrive(run, p);
         t.to = run.position;
         emit(run, t);
+        if (p == to) tell(run, cl::SettingKind::synchronised, 0);
     }
     return true;
 }
@@ -229,9 +231,11 @@ bool path_motion(Run& run) {
     if (m == Modal::thread_rising || m == Modal::thread_falling)
         unchecked(run, codes::unsupported, run.here(),
                   "the changing pitch of G34 and G35 is not followed: the thread is run with its first pitch");
+    tell(run, cl::SettingKind::synchronised, 1, {std::abs(t.pitch)});
     arrive(run, to);
     t.to = run.position;
     emit(run, t);
+    tell(run, cl::SettingKind::synchronised, 0);
     return true;
 }
 

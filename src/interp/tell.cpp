@@ -110,7 +110,8 @@ void tell_spindle(Run& run) {
         if (m == 19)
             tell(run, SettingKind::spindle_orient,
                  run.block.has(Code::p) ? static_cast<int>(run.block.get(Code::p)) : 0,
-                 {run.block.has(Code::radius) ? run.block.get(Code::radius) : 0});
+                 {run.block.has(Code::radius) ? run.block.get(Code::radius) : 0,
+                  run.block.has(Code::q) ? run.block.get(Code::q) : 0});
     }
 }
 

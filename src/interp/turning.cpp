@@ -77,12 +77,16 @@ void take_words(const Run& run, const program::CannedCycle& c, cycles::Demand& d
 }
 
 void run_steps(Run& run, std::vector<cl::Step>& steps) {
+    double pitch = 0;  // of the thread being cut; 0: none
     for (std::size_t i = 0; i < steps.size() && !run.stopped; ++i) {
-        const bool thread = std::holds_alternative<cl::Thread>(steps[i]);
-        if (thread) tell(run, SettingKind::feed_override, 0);
+        const auto* thread = std::get_if<cl::Thread>(&steps[i]);
+        const bool ends = thread == nullptr && pitch != 0;
+        if (thread != nullptr && pitch == 0) tell(run, SettingKind::feed_override, 0);
+        if (thread != nullptr && thread->pitch != pitch) tell(run, SettingKind::synchronised, 1, {thread->pitch});
+        if (ends) tell(run, SettingKind::synchronised, 0);
+        pitch = thread != nullptr ? thread->pitch : 0;
         emit_step(run, std::move(steps[i]));
-        if (thread && i + 1 < steps.size()) emit_step(run, std::move(steps[++i]));
-        if (thread) tell(run, SettingKind::feed_override, 1);
+        if (ends) tell(run, SettingKind::feed_override, 1);
     }
 }
 

@@ -56,7 +56,8 @@ ArcResult over_chord(Vec2 from, Vec2 to, double height, Sense sense, int turns) 
 ArcResult arc_by_centre(Vec2 from, Vec2 to, Vec2 centre, Sense sense, int turns, const ArcTolerance& tolerance) {
     const double start = geom::distance(from, centre), end = geom::distance(to, centre);
     if (start <= same_point) return failed(ArcFailure::no_radius, end - start);
-    if (!(std::abs(end - start) <= std::max(tolerance.absolute, tolerance.relative * start)))
+    const double radius = tolerance.keep_centre ? std::max(start, end) : start;
+    if (!(std::abs(end - start) <= std::max(tolerance.absolute, tolerance.relative * radius)))
         return failed(ArcFailure::radius_mismatch, end - start);
     ArcResult r;
     r.to = to;

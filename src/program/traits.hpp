@@ -149,6 +149,8 @@ struct Traits {
     /// mm (of a program in inches) by which the radii of an arc's ends may differ, if not more than a thousandth of it;
     /// 0: what the machine says.
     double arc_tolerance = 0, arc_tolerance_inch = 0;
+    /// A block that cannot be read ends the run; else it is stepped over.
+    bool bad_block_stops = false;
     /// A called program that is not found ends the run; else the call is left out.
     bool missing_program_stops = false;
     /// A path at feed without a feed programmed before is an alarm; else it is for the check to say.

@@ -15,6 +15,71 @@ using program::ExprId;
 using program::ExprKind;
 using program::StatementKind;
 
+/// By Code.
+inline constexpr std::array word_names{"X",
+                                       "Y",
+                                       "Z",
+                                       "A",
+                                       "B",
+                                       "C",
+                                       "U",
+                                       "V",
+                                       "W",
+                                       "axis",
+                                       "I",
+                                       "J",
+                                       "K",
+                                       "I1",
+                                       "J1",
+                                       "K1",
+                                       "CR",
+                                       "AR",
+                                       "TURN",
+                                       "AP",
+                                       "RP",
+                                       "F",
+                                       "S",
+                                       "LIMS",
+                                       "T",
+                                       "D",
+                                       "SPOS",
+                                       "M",
+                                       "H",
+                                       "value",
+                                       "CHF",
+                                       "CHR",
+                                       "RND",
+                                       "RNDM",
+                                       "FRC",
+                                       "FRCM",
+                                       "ANG",
+                                       "RPL",
+                                       "modal",
+                                       "assign",
+                                       "unsupported",
+                                       "unknown",
+                                       "control",
+                                       "about-pole",
+                                       "tool-change",
+                                       "tool-definition",
+                                       "F-auto",
+                                       "cycle-call",
+                                       "cycle-call-modal",
+                                       "length",
+                                       "radius",
+                                       "DL",
+                                       "DR",
+                                       "DR2",
+                                       "FU",
+                                       "FZ",
+                                       "pole-angle",
+                                       "P",
+                                       "Q",
+                                       "L",
+                                       "E",
+                                       "H-offset",
+                                       "D-offset"};
+
 class TreeText {
 public:
     TreeText(const program::Unit& unit, const program::Names& names) : u_(unit), names_(names) {}
@@ -205,69 +270,6 @@ private:
                expr(n.value);
     }
     std::string word(const program::Word& w) const {
-        static constexpr std::array text{"X",
-                                         "Y",
-                                         "Z",
-                                         "A",
-                                         "B",
-                                         "C",
-                                         "U",
-                                         "V",
-                                         "W",
-                                         "axis",
-                                         "I",
-                                         "J",
-                                         "K",
-                                         "I1",
-                                         "J1",
-                                         "K1",
-                                         "CR",
-                                         "AR",
-                                         "TURN",
-                                         "AP",
-                                         "RP",
-                                         "F",
-                                         "S",
-                                         "LIMS",
-                                         "T",
-                                         "D",
-                                         "SPOS",
-                                         "M",
-                                         "H",
-                                         "value",
-                                         "CHF",
-                                         "CHR",
-                                         "RND",
-                                         "RNDM",
-                                         "FRC",
-                                         "FRCM",
-                                         "ANG",
-                                         "RPL",
-                                         "modal",
-                                         "assign",
-                                         "unsupported",
-                                         "unknown",
-                                         "control",
-                                         "about-pole",
-                                         "tool-change",
-                                         "tool-definition",
-                                         "F-auto",
-                                         "cycle-call",
-                                         "cycle-call-modal",
-                                         "length",
-                                         "radius",
-                                         "DL",
-                                         "DR",
-                                         "DR2",
-                                         "FU",
-                                         "FZ",
-                                         "pole-angle",
-                                         "P",
-                                         "Q",
-                                         "L",
-                                         "E",
-                                         "H-offset",
-                                         "D-offset"};
         const auto at = static_cast<std::size_t>(w.payload);
         switch (program::code_of(w)) {
             case Code::modal:
@@ -276,16 +278,17 @@ private:
             case Code::assign: return expr(u_.assigns[at].target) + "=" + expr(u_.assigns[at].value);
             case Code::unsupported:
             case Code::unknown:
-                return std::string(text[w.code]) + "{" + u_.problems[at].text + "|" + u_.problems[at].reason + "}";
+                return std::string(word_names[w.code]) + "{" + u_.problems[at].text + "|" + u_.problems[at].reason +
+                       "}";
             case Code::act: return "act";
             case Code::comment: return "comment{" + u_.texts[at] + "}";
             case Code::named_axis:
-            case Code::named_value: return std::string(text[w.code]) + " " + named(w);
+            case Code::named_value: return std::string(word_names[w.code]) + " " + named(w);
             default: break;
         }
-        if (program::form_of(w) == program::Form::bare) return text[w.code];
-        if (program::is_literal(w)) return text[w.code] + base::shortest(u_.literal(w));
-        return std::string(text[w.code]) + "=" + expr(static_cast<ExprId>(w.payload));
+        if (program::form_of(w) == program::Form::bare) return word_names[w.code];
+        if (program::is_literal(w)) return word_names[w.code] + base::shortest(u_.literal(w));
+        return std::string(word_names[w.code]) + "=" + expr(static_cast<ExprId>(w.payload));
     }
 
     const program::Unit& u_;

@@ -153,7 +153,6 @@ NO_PROGRAM = {
 KNOWN_FAILURES = {
     "nested-sub-error": "a sub within a sub, or behind one in its file, is run as 2.9 does",
     "nested-sub-in-file-error": "a sub within a sub, or behind one in its file, is run as 2.9 does",
-    "g33.1": "G33.1 is a straight move",
     "g76": "G76 is not run",
     "iniparam-failassign": "a configuration value is assigned",
     "m98m99/03-error-M98-no-P-word": "M98 without P does nothing",

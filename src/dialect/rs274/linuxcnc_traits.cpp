@@ -124,6 +124,7 @@ constexpr program::Traits traits{
     .radius_at_start = true,
     .arc_tolerance = 0.02828427125,
     .arc_tolerance_inch = 0.002828427125 * 25.4,
+    .bad_block_stops = true,
     .missing_program_stops = true,
     .needs_feed = true,
     .refuses_unready = true,

@@ -68,7 +68,7 @@ TEST(Rs274Check, SurfaceSpeedHasItsLimit) {
 }
 
 TEST(Rs274Check, AMotionThatIsNotRunTakesItsCoordinatesWithIt) {
-    EXPECT_EQ(one("G6.2 X1 Y2 K0 F100"), "F100 unsupported{G6.2|NURBS with knots}");
+    EXPECT_EQ(one("G6.3 F100"), "F100 unsupported{G6.3|a word without function}");
     EXPECT_EQ(one("G[#1] X1"), "unsupported{G[#1]|a computed G code}");
     EXPECT_EQ(one("G[1+1] X1 R2"), "X1 CR2 " + m(Modal::arc_cw));
 }
