@@ -8,8 +8,6 @@ NEWER = {
 
 # Programs that obrys does not run as rs274 does yet. One that agrees is an error, so that the list stays true.
 KNOWN_FAILURES = {
-    "rs274/CauldronDevelopmentLLC__CAMotics/examples/compass/mt_kazbegi_2013.ngc": "a missing feed is not refused",
-    "rs274/CauldronDevelopmentLLC__CAMotics/examples/compass/sworn_brothers_llc.ngc": "a missing feed is not refused",
     "rs274/CauldronDevelopmentLLC__CAMotics/tests/varRefTests/GlobalNamedTest/data/stdin": "runs on behind a line that cannot be read",
     "rs274/LinuxCNC__linuxcnc/configs/sim/axis/laser/raster_test.ngc": "runs on behind a line that cannot be read",
     "rs274/LinuxCNC__linuxcnc/configs/sim/axis/rose_engine/rcone_demo.ngc": "GT compares with a tolerance",
@@ -18,7 +16,6 @@ KNOWN_FAILURES = {
     "rs274/LinuxCNC__linuxcnc/configs/sim/axis/vismach/5axis/table-rotary-tilting/demos/xyzac_switchkins_test_2.ngc": "runs on behind a line that cannot be read",
     "rs274/LinuxCNC__linuxcnc/configs/sim/axis/vismach/5axis/table-rotary_spindle-rotary-nutating/demos/incremental_repetition.ngc": "runs on behind a line that cannot be read",
     "rs274/LinuxCNC__linuxcnc/configs/sim/axis/vismach/5axis/table-rotary_spindle-rotary-nutating/demos/incremental_repetition_back_and_forth.ngc": "runs on behind a line that cannot be read",
-    "rs274/LinuxCNC__linuxcnc/configs/sim/axis/vismach/5axis/table-rotary_spindle-rotary-nutating/demos/incremental_repetition_g533.ngc": "runs on behind a line that cannot be read",
     "rs274/LinuxCNC__linuxcnc/configs/sim/axis/vismach/5axis/table-rotary_spindle-rotary-nutating/remap_subs/g531remap.ngc": "a line that is never run is refused",
     "rs274/LinuxCNC__linuxcnc/configs/sim/axis/vismach/5axis/table-rotary_spindle-rotary-nutating/remap_subs/g533remap.ngc": "a line that is never run is refused",
     "rs274/LinuxCNC__linuxcnc/configs/sim/axis/vismach/5axis/table-rotary_spindle-rotary-nutating/remap_subs/g536remap.ngc": "a line that is never run is refused",
@@ -31,8 +28,6 @@ KNOWN_FAILURES = {
     "rs274/LinuxCNC__linuxcnc/nc_files/m6remap.ngc": "a line that is never run is refused",
     "rs274/LinuxCNC__linuxcnc/nc_files/polar.ngc": "level of a series of cycles",
     "rs274/LinuxCNC__linuxcnc/nc_files/smartprobe.ngc": "does not end in obrys",
-    "rs274/LinuxCNC__linuxcnc/nc_files/tool-length-probe.ngc": "probe results are not known",
-    "rs274/LinuxCNC__linuxcnc/tests/interp/m98m99/06-error-mixed-sub-styles/O...-sub-called-with-M98.ngc": "M98 of an o sub is accepted",
     "rs274/LinuxCNC__linuxcnc/tests/interp/m98m99/11-main-program-oword/test-illegal-no-m30-before-osub.ngc": "the place of the refusal",
     "rs274/LinuxCNC__linuxcnc/tests/m70-m73/m73-flood-mist-restore.0/test.ngc": "a line of Python is named as not run",
     "rs274/LinuxCNC__linuxcnc/tests/remap/nested-remaps-oword/rm400.ngc": "a line that is never run is refused",
@@ -42,9 +37,6 @@ KNOWN_FAILURES = {
     "fanuc_macro/LinuxCNC__linuxcnc/tests/interp/m98m99/05-M98-loops/test.ngc": "level of a series of cycles",
     "gcode/Unigraphics__NX.Postprocessor/Haas VF2 4 axis/4axis_test_only.cnc": "another fault of the line above is told first",
     "gcode/Unigraphics__NX.Postprocessor/Haas VF2 5 axis/BandB_mfg.cnc": "runs on behind a line that cannot be read",
-    "gcode/Unigraphics__NX.Postprocessor/Micron WF21D mm/sample_output.txt": "runs on behind a line that cannot be read",
-    "gcode/Unigraphics__NX.Postprocessor/Mori Seiki NL1500Y/NL_1500_output.txt": "runs on behind a line that cannot be read",
-    "gcode/Unigraphics__NX.Postprocessor/Okuma 7000M/Okuma_7000M.txt": "runs on behind a line that cannot be read",
     "gcode/dillonhuff__gpr/gcode_samples/HAAS_sample.NCF": "runs on behind a line that cannot be read",
     "gcode/dillonhuff__gpr/gcode_samples/camaster_sample.tap": "runs on behind a line that cannot be read",
 }
