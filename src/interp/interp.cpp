@@ -243,9 +243,10 @@ Outcome run(const program::Unit& main, const Environment& environment, cl::CallS
             base::Diagnostics& diagnostics) {
     Run run(environment, stacks, sink, diagnostics, program::parameter_count(*main.traits));
     run.traits = main.traits;
-    if (main.traits->radius_at_start) {
-        run.modal.diameter = DiameterMode::off;
+    if (main.traits->radius_at_start) run.modal.diameter = DiameterMode::off;
+    if (main.traits->radius_at_start && environment.machine.more_axes) {  // a machine that is guessed says nothing
         run.modal.plane = 17;
+        run.modal.feed_mode = cl::FeedMode::per_minute;
     }
     if (main.traits->variables_by_assignment)
         for (const char* name : {"_VALUE", "_VALUE_RETURNED"}) create_variable(run, environment.names.id(name), 0);

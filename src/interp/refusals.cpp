@@ -148,12 +148,12 @@ bool has_feed(const Run& run) {
 
 void refuse_missing_feed(Run& run, std::string_view what, Modal m) {
     if (!run.traits->needs_feed || has_feed(run)) return;
-    const bool inverse = run.modal.feed_mode == cl::FeedMode::inverse_time;
-    const Code f = Code::feed;
-    alarm(run, codes::feed_missing, run.block.has(f) ? word_of(run, f) : word_of(run, m),
-          std::string(what) +
-              (inverse ? " in inverse time mode (G93) needs F in its block" : " needs a feed: none is in force"),
-          "write F before it or in its block");
+    const bool inverse = run.modal.feed_mode == cl::FeedMode::inverse_time, zero = run.block.has(Code::feed);
+    alarm(run, codes::feed_missing, zero ? word_of(run, Code::feed) : word_of(run, m),
+          std::string(what) + (zero      ? " cannot be run with F0"
+                               : inverse ? " in inverse time mode (G93) needs F in its block"
+                                         : " needs a feed: none is in force"),
+          zero ? "" : "write F before it or in its block");
 }
 
 void refuse_probe(Run& run) {
@@ -201,16 +201,38 @@ void refuse_canned(Run& run) {
     refuse_missing_feed(run, name, Modal::canned);
 }
 
+/// R beside I, J, K, and the one of them that is normal to the plane.
+void refuse_arc(Run& run, Modal m) {
+    const std::string name = m == Modal::arc_cw ? "G2" : "G3";
+    const int normal = plane_axes(run.modal.plane).w;
+    for (int k = 0; k < 3; ++k) {
+        const Code code = k == 0 ? Code::i : k == 1 ? Code::j : Code::k;
+        if (!run.block.has(code)) continue;
+        const std::string letter(1, "IJK"[k]);
+        if (run.block.has(Code::radius))
+            return alarm(run, codes::arc_radius, word_of(run, code),
+                         name + " has both R and " + letter + ": the radius and the centre", "write one of them");
+        if (k == normal)
+            return alarm(
+                run, codes::arc_radius, word_of(run, code),
+                letter + " is normal to the plane of G" + std::to_string(run.modal.plane) + ": no arc there has it");
+    }
+    refuse_missing_feed(run, name, m);
+}
+
 void refuse_motion(Run& run) {
     const Modal m = run.modal.motion;
     const bool coordinates = (run.block.present & (linear_axes | rotary_axes | parallel_axes)) != 0;
     if (run.block.special == Modal::rigid_tap) return refuse_still_spindle(run, Modal::rigid_tap, "G33.1");
+    constexpr std::uint64_t centre = bit(Code::i) | bit(Code::j) | bit(Code::k) | bit(Code::radius);
+    const bool arc = m == Modal::arc_cw || m == Modal::arc_ccw;
+    if (arc && run.block.special == Modal::linear && (coordinates || (run.block.present & centre) != 0))
+        return refuse_arc(run, m);
     if (!coordinates || run.block.special != Modal::linear) return;
     if (m == Modal::thread) return refuse_still_spindle(run, m, "G33");
     if (m == Modal::probe) return refuse_probe(run);
     if (m == Modal::canned) return refuse_canned(run);
-    if (m == Modal::linear) return refuse_missing_feed(run, "G1", m);
-    if (m == Modal::arc_cw || m == Modal::arc_ccw) refuse_missing_feed(run, m == Modal::arc_cw ? "G2" : "G3", m);
+    if (m == Modal::linear) refuse_missing_feed(run, "G1", m);
 }
 
 }  // namespace

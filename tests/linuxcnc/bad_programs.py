@@ -146,7 +146,4 @@ CORPUS_BAD = {
 }
 
 # Programs that obrys accepts, or refuses at another line: name -> reason. One that passes is an error.
-KNOWN_FAILURES = {
-    "arc with R and I": "accepted",
-    "arc with K in the XY plane": "accepted",
-}
+KNOWN_FAILURES = {}
