@@ -73,7 +73,14 @@ bool CanonWriter::offsets(const Setting& s) {
             if (lines_ == 0) call("USE_LENGTH_UNITS(CANON_UNITS_MM)");
             call("SET_G5X_OFFSET(" + std::to_string(s.number) + ", " + axes(v, 0, 6, ", ") + ")");
             return true;
-        case SettingKind::shift: call("SET_G92_OFFSET(" + axes(v, 0, 6, ", ") + ")"); return true;
+        case SettingKind::shift: {
+            const std::string set = "SET_G92_OFFSET(" + axes(v, 0, 6, ", ") + ")";
+            if (s.number == 1)
+                at_end_ = set;
+            else
+                call(set);
+            return true;
+        }
         case SettingKind::datum_rotation:
             call("SET_XY_ROTATION(" + text("%.4f", v[0]) + ")");
             if (!begun_) begin();
@@ -251,6 +258,7 @@ void CanonWriter::program_end() {
     call("SET_SPINDLE_MODE(0 0.0000)");
     if (mist_) call("MIST_OFF()");
     if (flood_) call("FLOOD_OFF()");
+    if (!at_end_.empty()) call(at_end_);
     if (pallet_) call("PALLET_SHUTTLE()");
     call("PROGRAM_END()");
     ended_ = true;

@@ -45,6 +45,7 @@ private:
     base::FunctionRef<void(std::string_view)> out_;
     BlockNumber block_number_;
     std::uint64_t lines_ = 0;
+    std::string at_end_;  ///< a call that waits for the end of the program
     std::string prefix_ = "N..... ";
     geom::Frame into_program_;
     std::array<double, 9> offset_{}, stream_{};  ///< of A … W

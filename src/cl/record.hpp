@@ -159,7 +159,7 @@ enum class SettingKind : std::uint8_t {
     datum_rotation,  ///< value: degrees about Z
     datum_kept,      ///< number: selected while it was active
     datum_written,   ///< number: offsets set while another one is active
-    shift,           ///< values: G92 and G52
+    shift,           ///< values: G92 and G52; number: 1 as the program ends
     tool_offset,     ///< values
     path_mode,       ///< number: 0 exact path, 1 exact stop, 2 blended; values: tolerance, tolerance of merged lines
     compensation,    ///< number: 0 off, 1 left, 2 right

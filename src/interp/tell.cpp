@@ -60,6 +60,11 @@ void tell_end(Run& run, int m) {
     }
     tell(run, SettingKind::datum, 1, run.offsets.datum);
     tell(run, SettingKind::datum_rotation, 0, {run.offsets.rotation});
+    const auto* settings = run.env.settings;
+    const auto drops = settings == nullptr ? std::map<std::string, std::string>::const_iterator{}
+                                           : settings->find("RS274NGC/DISABLE_G92_PERSISTENCE");
+    if (settings != nullptr && drops != settings->end() && drops->second == "1")
+        tell(run, SettingKind::shift, 1, Axes{});
     if (m == 30) tell(run, SettingKind::pallet_change);
 }
 
