@@ -28,6 +28,11 @@ bool nearly_equal(const Run& run, double a, double b) {
     return std::abs(a - b) <= std::max(e.relative * std::max(std::abs(a), std::abs(b)), e.absolute);
 }
 
+/// As `nearly_equal`, where less and greater ask for it.
+bool counts_as_equal(const Run& run, double a, double b) {
+    return run.unit().traits->equality.orders_exactly ? a == b : nearly_equal(run, a, b);
+}
+
 std::int32_t bits(double v) {
     if (!std::isfinite(v)) return 0;
     return static_cast<std::int32_t>(static_cast<std::int64_t>(std::fmod(v, 4294967296.0)));
@@ -74,10 +79,10 @@ double binary_number(Run& run, const Expr& e, double a, double b) {
         }
         case Operator::equal: return nearly_equal(run, a, b);
         case Operator::not_equal: return !nearly_equal(run, a, b);
-        case Operator::less: return a < b && !nearly_equal(run, a, b);
-        case Operator::less_equal: return a < b || nearly_equal(run, a, b);
-        case Operator::greater: return a > b && !nearly_equal(run, a, b);
-        case Operator::greater_equal: return a > b || nearly_equal(run, a, b);
+        case Operator::less: return a < b && !counts_as_equal(run, a, b);
+        case Operator::less_equal: return a < b || counts_as_equal(run, a, b);
+        case Operator::greater: return a > b && !counts_as_equal(run, a, b);
+        case Operator::greater_equal: return a > b || counts_as_equal(run, a, b);
         case Operator::logical_and: return a != 0 && b != 0;
         case Operator::logical_or: return a != 0 || b != 0;
         case Operator::logical_xor: return (a != 0) != (b != 0);

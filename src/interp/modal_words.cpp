@@ -324,7 +324,10 @@ void modal_word(Run& run, const program::Word& w) {
         case Modal::feed_at_contour:
         case Modal::feed_at_tool:
         case Modal::feed_at_inside: state.feed_reference = m; return;
-        default: return;  // exact stop and continuous path: no effect on the path itself
+        default:
+            if (m >= Modal::canned)  // no reader may make a word that is not run here
+                unchecked(run, base::codes::unsupported, run.unit().span(*run.statement, w), "this word is not run");
+            return;  // exact stop and continuous path: no effect on the path itself
     }
 }
 

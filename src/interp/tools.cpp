@@ -365,6 +365,12 @@ namespace {
 /// M2 and M30 return from a called program, or end the run where the control says so.
 void end_of_program(Run& run, int m) {
     const bool called = run.calls.size() > 1;
+    if (called && run.unit().traits->may_end_anywhere) {
+        tell_end(run, m);
+        emit(run, cl::Stop{cl::StopKind::end});
+        run.stopped = true;
+        return;
+    }
     if (called && run.unit().traits->end_stops_all) {
         alarm(run, codes::program_alarm, run.here(),
               "the called program " + run.unit().name + " ends the whole run here with M" + std::to_string(m) +

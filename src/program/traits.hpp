@@ -24,6 +24,7 @@ struct ParameterBank {
 struct Equality {
     double relative = 0;  ///< of the larger of the two
     double absolute = 0;
+    bool orders_exactly = false;  ///< it is asked by equal and not equal alone, not by less and greater
 };
 
 /// How a control calls its workpiece zeros. Numbers are those of cl::Datum; 500: none was selected.
@@ -99,6 +100,8 @@ struct Traits {
     bool jump_to_block_number = true;
     /// M2 and M30 end the whole run, also in a called program; else they return from it.
     bool end_stops_all = false;
+    /// With end_stops_all: that is how a program may end; else it is said as a fault of the called program.
+    bool may_end_anywhere = false;
     /// A unit of length (inch, mm) holds for its program alone and comes back behind a call.
     bool unit_per_program = false;
     /// Contour elements, ahead and behind, that radius compensation holds its path against even where it does not look

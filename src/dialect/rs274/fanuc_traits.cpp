@@ -38,6 +38,7 @@ constexpr program::Traits common{
     .banks = {program::ParameterBank{"#", 20000}, {}, {}},
     .jump_to_block_number = true,
     .end_stops_all = true,
+    .may_end_anywhere = true,
     .label_depth = 9,
     .datum = {.prefix = "G", .key = "G", .none = "G54", .none_key = "G54", .none_is_machine_zero = false},
     .variables_by_assignment = true,

@@ -96,10 +96,11 @@ constexpr std::array turning{
 
 /// Comparisons hold within 0.000001 (measured). The last parameter is #5601.
 constexpr program::Traits traits{
-    .equality = {0, 1e-6},
+    .equality = {0, 1e-6, true},
     .banks = {program::ParameterBank{"#", 5602}, {}, {}},
     .jump_to_block_number = false,
     .end_stops_all = true,
+    .may_end_anywhere = true,
     .datum = {.prefix = "G", .key = "G", .none = "G54", .none_key = "G54", .none_is_machine_zero = false},
     .assigns_together = true,
     .variables_by_assignment = true,
