@@ -63,6 +63,8 @@ void set_datum_data(Run& run, bool from_position) {
     flush_path(run);
     const std::uint32_t active = run.modal.datum >= 591 ? run.modal.datum - 584 : run.modal.datum - 53;
     const std::uint32_t place = *which == 0 ? active : static_cast<std::uint32_t>(*which);
+    if (place < 1 || place > p.datum_count)
+        return unchecked(run, codes::unsupported, run.here(), "G10 of this zero offset is not run");
     const std::uint32_t first = p.datum_first + (place - 1) * p.datum_step;
     if (run.block.has(Code::radius) && p.rotation != 0)
         run.parameters.set(first + p.rotation, run.block.get(Code::radius));
@@ -132,7 +134,8 @@ void set_tool_data(Run& run, int l) {
     if (b.has(Code::radius)) table.diameter = 2 * (t->radius = b.get(Code::radius) * unit);
     if (b.has(Code::i)) table.front_angle = b.get(Code::i);
     if (b.has(Code::j)) table.back_angle = b.get(Code::j);
-    if (b.has(Code::q)) table.orientation = static_cast<int>(std::clamp(b.get(Code::q), 0.0, 9.0));
+    if (const double q = b.has(Code::q) ? b.get(Code::q) : -1; q >= 0 && q <= 9)
+        table.orientation = static_cast<int>(q);
     const auto place = static_cast<int>(t - run.tools.data()) + 1;
     // The control's list begins with the tool in the spindle; before the first change its first tool stands there.
     const bool loaded = run.tool.data == t || (run.tool.number == 0 && place == 1);
@@ -150,10 +153,11 @@ void set_tool_data(Run& run, int l) {
 
 void set_data(Run& run) {
     if (!run.block.has(Code::l)) return refuse(run, "L is missing");
-    switch (static_cast<int>(run.block.get(Code::l))) {
+    const double l = run.block.get(Code::l);
+    switch (l >= 0 && l <= 99 ? static_cast<int>(l) : -1) {
         case 1:
         case 10:
-        case 11: return set_tool_data(run, static_cast<int>(run.block.get(Code::l)));
+        case 11: return set_tool_data(run, static_cast<int>(l));
         case 2: return set_datum_data(run, false);
         case 20: return set_datum_data(run, true);
         default:

@@ -141,8 +141,9 @@ bool add_point(Run& run) {
         refuse(run, "every control point needs a weight above 0");
         return false;
     }
-    if (!n.own_knots && b.has(Code::l)) n.curve.order = std::max(n.curve.order, static_cast<int>(b.get(Code::l)));
-    if (n.own_knots && b.has(Code::p)) n.curve.order = static_cast<int>(std::clamp(b.get(Code::p), 2.0, 24.0));
+    const Code order_word = n.own_knots ? Code::p : Code::l;
+    if (const double order = b.has(order_word) ? b.get(order_word) : 0; order >= 2 && order <= geom::largest_order)
+        n.curve.order = n.own_knots ? static_cast<int>(order) : std::max(n.curve.order, static_cast<int>(order));
     if (n.own_knots && b.has(Code::k)) n.curve.knots.push_back(b.get(Code::k));
     if (!point && !n.own_knots && n.curve.points.size() == 1 && b.has(Code::p)) n.curve.points.front().weight = w;
     if (point) n.curve.points.push_back({programmed_target(run), w});

@@ -79,6 +79,9 @@ void begin_telling(Run& run) {
 
 namespace {
 
+/// A number as a whole one; 0 where it is none that fits.
+int whole(double v) { return v >= -1e9 && v <= 1e9 ? static_cast<int>(v) : 0; }
+
 bool has_m(const Run& run, int m) { return std::find(run.block.m.begin(), run.block.m.end(), m) != run.block.m.end(); }
 
 /// Place in the tool list, 1 the first; 0 where it is not there.
@@ -91,20 +94,21 @@ int place_of(const Run& run, std::uint32_t number) {
 void tell_tool(Run& run) {
     const BlockWords& b = run.block;
     const bool changes = has_m(run, 6);
-    if (b.has(Code::tool)) tell(run, SettingKind::tool_selected, static_cast<int>(b.get(Code::tool)));
+    if (b.has(Code::tool)) tell(run, SettingKind::tool_selected, whole(b.get(Code::tool)));
     if (changes)
         tell(run, SettingKind::tool_changed,
-             place_of(run, b.has(Code::tool) ? static_cast<std::uint32_t>(b.get(Code::tool)) : run.tool.prepared));
+             place_of(run, b.has(Code::tool) ? static_cast<std::uint32_t>(std::max(0, whole(b.get(Code::tool))))
+                                             : run.tool.prepared));
 }
 
 void tell_outputs(Run& run) {
     const BlockWords& b = run.block;
-    const int output = b.has(Code::p) ? static_cast<int>(b.get(Code::p)) : 0;
+    const int output = b.has(Code::p) ? whole(b.get(Code::p)) : 0;
     for (const int m : b.m) {
         if (m >= 62 && m <= 65)
             tell(run, SettingKind::output_bit, output, {(m % 2 == 0 ? 1.0 : 0.0) + (m <= 63 ? 2.0 : 0.0)});
         if (m == 67 || m == 68)
-            tell(run, SettingKind::output_value, b.has(Code::e) ? static_cast<int>(b.get(Code::e)) : 0,
+            tell(run, SettingKind::output_value, b.has(Code::e) ? whole(b.get(Code::e)) : 0,
                  {b.has(Code::q) ? b.get(Code::q) : 0, m == 67 ? 1.0 : 0.0});
     }
 }
@@ -113,8 +117,7 @@ void tell_spindle(Run& run) {
     for (const int m : run.block.m) {
         if (m >= 3 && m <= 5) tell(run, SettingKind::spindle_turn, m == 3 ? 1 : m == 4 ? -1 : 0);
         if (m == 19)
-            tell(run, SettingKind::spindle_orient,
-                 run.block.has(Code::p) ? static_cast<int>(run.block.get(Code::p)) : 0,
+            tell(run, SettingKind::spindle_orient, run.block.has(Code::p) ? whole(run.block.get(Code::p)) : 0,
                  {run.block.has(Code::radius) ? run.block.get(Code::radius) : 0,
                   run.block.has(Code::q) ? run.block.get(Code::q) : 0});
     }
