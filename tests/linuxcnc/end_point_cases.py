@@ -8,7 +8,6 @@ NEWER = {
 
 # Programs that obrys does not run as rs274 does yet. One that agrees is an error, so that the list stays true.
 KNOWN_FAILURES = {
-    "rs274/LinuxCNC__linuxcnc/configs/sim/axis/rose_engine/rcone_demo.ngc": "GT compares with a tolerance",
     "rs274/LinuxCNC__linuxcnc/configs/sim/axis/vismach/5axis/table-rotary_spindle-rotary-nutating/remap_subs/g531remap.ngc": "a line that is never run is refused",
     "rs274/LinuxCNC__linuxcnc/configs/sim/axis/vismach/5axis/table-rotary_spindle-rotary-nutating/remap_subs/g533remap.ngc": "a line that is never run is refused",
     "rs274/LinuxCNC__linuxcnc/configs/sim/axis/vismach/5axis/table-rotary_spindle-rotary-nutating/remap_subs/g536remap.ngc": "a line that is never run is refused",
