@@ -130,7 +130,7 @@ void run_holes(Run& run, const program::CannedCycle& c, const PlaneAxes& a) {
         assume(run, run.here(),
                std::string(c.name) +
                    " outside G17: the control feeds to a place whose coordinates belong to other axes "
-                   "(LinuxCNC 2.9 and 2.10), and so it is run here");
+                   "(a fault of the control), and so it is run here");
     const geom::Vec3 start = run.programmed_position;
     geom::Vec3 target = programmed_target(run);
     const geom::Vec3 step = target - start;

@@ -42,7 +42,24 @@ struct Rehearsal::Saved {
     Offsets offsets;
     CannedState canned;
     bool mist, flood;
+    Scope globals;
+    /// What the variables hold: calls and scopes share them with what is run ahead.
+    std::vector<std::pair<std::shared_ptr<Array>, Array>> values;
 };
+
+namespace {
+
+std::vector<std::pair<std::shared_ptr<Array>, Array>> values_of(const Run& run) {
+    std::vector<std::pair<std::shared_ptr<Array>, Array>> values;
+    const auto keep = [&](const Scope& scope) {
+        for (const Binding& b : scope.bindings()) values.emplace_back(b.array, *b.array);
+    };
+    keep(run.globals);
+    for (const Activation& a : run.calls) keep(a.locals);
+    return values;
+}
+
+}  // namespace
 
 Rehearsal::Rehearsal(Run& r)
     : run_(r),
@@ -86,7 +103,9 @@ Rehearsal::Rehearsal(Run& r)
                        r.offsets,
                        r.canned,
                        r.mist,
-                       r.flood}) {
+                       r.flood,
+                       r.globals,
+                       values_of(r)}) {
     run_.capture = &elements_;
     run_.free_contour.reset();  // its solver would go on with blocks that are only tried
 }
@@ -134,6 +153,8 @@ Rehearsal::~Rehearsal() {
     run_.canned = s.canned;
     run_.mist = s.mist;
     run_.flood = s.flood;
+    run_.globals = std::move(s.globals);
+    for (auto& [array, value] : s.values) *array = std::move(value);
 }
 
 std::optional<Captured> next_element(Run& run, const geom::Vec3& from) {

@@ -14,8 +14,6 @@ namespace {
 
 constexpr double unknown = std::numeric_limits<double>::quiet_NaN();
 
-bool is_rotary(std::size_t axis) { return axis >= 3 && axis < 6; }
-
 std::uint32_t first_of(const Run& run) {
     const program::OffsetParameters& p = run.traits->offsets;
     return run.block.special_number >= 2 ? p.home_second : p.home_first;
@@ -26,7 +24,7 @@ double home_of(const Run& run, std::size_t axis) {
     if (const std::uint32_t first = first_of(run); first != 0) {
         const std::uint32_t n = first + static_cast<std::uint32_t>(axis);
         if (run.parameters.is_set(n) || run.env.stored != nullptr || run.env.tell_settings)
-            return run.parameters.get(n) * (is_rotary(axis) ? 1 : run.env.machine_unit);
+            return run.parameters.get(n) * stored_unit(run, axis);
     }
     const shop::MachineAxis* known = machine_axis(run, std::string(1, "XYZABCUVW"[axis]));
     return known != nullptr && known->home && run.block.special_number < 2 ? *known->home : unknown;
@@ -46,7 +44,7 @@ void emit_other_axis(Run& run, std::size_t k, double to) {
 void to_home(Run& run, bool all) {
     const Offsets& o = run.offsets;
     geom::Vec3 to = run.position;
-    const Axes tip = o.tip_known ? o.tip : o.tool;
+    const Axes& tip = tip_in_use(o);
     for (std::size_t k = 0; k < 9; ++k) {
         if (!all && !run.block.has(axis_code(static_cast<int>(k)))) continue;
         const double home = home_of(run, k);
@@ -83,7 +81,7 @@ void store_home(Run& run) {
     for (std::size_t k = 0; k < 9 && first != 0; ++k) {
         const double at = machine_coordinate(run, k);
         run.parameters.set(first + static_cast<std::uint32_t>(k),
-                           std::isnan(at) ? (k < 3 ? at : 0) : at / (is_rotary(k) ? 1 : run.env.machine_unit));
+                           std::isnan(at) ? (k < 3 ? at : 0) : at / stored_unit(run, k));
     }
 }
 

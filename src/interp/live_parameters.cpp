@@ -35,9 +35,9 @@ double table_column(const Run& run, std::size_t column) {
     if (t == nullptr) return run.tools.empty() && run.tool.number != 0 ? unknown : column == 10 ? 0 : 0;
     if (column == 3) return in_program_unit(run, 2, t->length);
     if (column == 10) return in_program_unit(run, 1, 2 * t->radius);
-    if (!t->linuxcnc) return 0;
-    if (column <= 9) return in_program_unit(run, column - 1, t->linuxcnc->offset[column - 1]);
-    return column == 11 ? t->linuxcnc->front_angle : column == 12 ? t->linuxcnc->back_angle : t->linuxcnc->orientation;
+    if (!t->table) return 0;
+    if (column <= 9) return in_program_unit(run, column - 1, t->table->offset[column - 1]);
+    return column == 11 ? t->table->front_angle : column == 12 ? t->table->back_angle : t->table->orientation;
 }
 
 double motion_mode(const Run& run) {

@@ -20,7 +20,7 @@ double from_machine(const Run& run, int k, double machine) {
     if (keeps_offsets(run)) {
         const Offsets& o = run.offsets;
         const auto axis = static_cast<std::size_t>(k);
-        return run.datum_known ? machine - o.reference[axis] - (o.tip_known ? o.tip : o.tool)[axis] : unknown;
+        return run.datum_known ? machine - o.reference[axis] - tip_in_use(o)[axis] : unknown;
     }
     const auto known = m.datums.find(run.reference_datum);
     if (known == m.datums.end() || (k < 2 && m.datum_rotations.contains(run.reference_datum))) return unknown;

@@ -247,7 +247,7 @@ namespace {
 
 /// A zero offset that is kept in parameters.
 void select_kept_datum(Run& run, std::uint32_t number) {
-    const int place = static_cast<int>(number >= 591 ? number - 584 : number - 53);
+    const int place = static_cast<int>(place_of_datum(number));
     if (run.modal.datum == number) return tell(run, SettingKind::datum_kept, place);
     flush_path(run);
     run.modal.datum = number;

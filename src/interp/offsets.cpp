@@ -17,19 +17,10 @@ namespace {
 
 constexpr double unknown = std::numeric_limits<double>::quiet_NaN();
 
-bool is_rotary(std::size_t axis) { return axis >= 3 && axis < 6; }
-
 /// mm (degrees) of a parameter that holds a coordinate of this axis.
 double stored(const Run& run, std::uint32_t parameter, std::size_t axis) {
-    return run.parameters.get(parameter) * (is_rotary(axis) ? 1 : run.env.machine_unit);
+    return run.parameters.get(parameter) * stored_unit(run, axis);
 }
-
-/// G54 … G59 are 54 … 59, G59.1 … G59.3 are 591 … 593, G54.1 P1 … are 5401 ….
-std::uint32_t place_of_datum(std::uint32_t number) {
-    return number >= 5401 ? number - 5401 + 1000 : number >= 591 ? number - 591 + 6 : number - 54;
-}
-
-Axes tip_in_use(const Offsets& o) { return o.tip_known ? o.tip : o.tool; }
 
 /// Changes tool offset or tip while the machine stands still: the tip's place follows.
 template <class Change>
@@ -49,7 +40,7 @@ const shop::Tool* listed_tool(const Run& run, double number) {
 }
 
 Axes axes_of(const shop::Tool& t) {
-    Axes a = t.linuxcnc ? t.linuxcnc->offset : Axes{};
+    Axes a = t.table ? t.table->offset : Axes{};
     a[2] = t.length + t.delta_length;
     return a;
 }
@@ -77,8 +68,7 @@ void keep_shift(Run& run) {
     const program::OffsetParameters& p = run.traits->offsets;
     if (p.shift_first == 0) return;
     for (std::size_t k = 0; k < 9; ++k)
-        run.parameters.set(p.shift_first + static_cast<std::uint32_t>(k),
-                           run.offsets.shift[k] / (is_rotary(k) ? 1 : run.env.machine_unit));
+        run.parameters.set(p.shift_first + static_cast<std::uint32_t>(k), run.offsets.shift[k] / stored_unit(run, k));
     run.parameters.set(p.shift_active, 1);
 }
 
@@ -105,7 +95,7 @@ void becomes(Run& run, std::size_t k, double to) {
 
 void load_datum(Run& run) {
     const program::OffsetParameters& p = run.traits->offsets;
-    const std::uint32_t place = place_of_datum(run.modal.datum), first = p.datum_first + place * p.datum_step;
+    const std::uint32_t place = place_of_datum(run.modal.datum) - 1, first = p.datum_first + place * p.datum_step;
     Offsets& o = run.offsets;
     bool known = run.env.stored != nullptr || run.env.tell_settings;
     for (std::uint32_t k = 0; k < p.datum_step && place < p.datum_count; ++k)

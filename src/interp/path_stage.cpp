@@ -45,14 +45,14 @@ namespace {
 
 /// Compensation that holds one move back: the radius may be negative, nothing is looked ahead.
 path::Setting held_move_setting(Run& run, double radius) {
-    path::Setting s = path::linuxcnc_setting(run.modal.inch_geometry ? 25.4 : 1);
+    path::Setting s = path::held_move_preset(run.modal.inch_geometry ? 25.4 : 1);
     if (run.modal.compensation == Modal::compensation_off) return s;
     s.side = run.modal.compensation == Modal::compensation_left ? path::Side::left : path::Side::right;
     s.radius = radius;
     s.rapid = run.modal.motion == Modal::rapid;
     const shop::Tool* tool = run.tool.data;
-    if (run.modal.plane == 18 && tool != nullptr && tool->linuxcnc)
-        s.tip = path::linuxcnc_nose_offset(tool->linuxcnc->orientation, std::abs(radius)).value_or(geom::Vec2{});
+    if (run.modal.plane == 18 && tool != nullptr && tool->table)
+        s.tip = path::table_nose_offset(tool->table->orientation, std::abs(radius)).value_or(geom::Vec2{});
     into_frame(run, s);
     return s;
 }

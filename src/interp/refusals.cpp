@@ -59,7 +59,7 @@ bool changes_plane(const Run& run, Modal m) {
 bool writes_active_datum(const Run& run) {
     const double l = run.block.has(Code::l) ? run.block.get(Code::l) : 0;
     const double p = run.block.has(Code::p) ? run.block.get(Code::p) : 0;
-    const std::uint32_t active = run.modal.datum >= 591 ? run.modal.datum - 584 : run.modal.datum - 53;
+    const std::uint32_t active = place_of_datum(run.modal.datum);
     return (l == 2 || l == 20) && (p == 0 || p == active);
 }
 

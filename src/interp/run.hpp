@@ -499,6 +499,18 @@ void write_table(Run&, const program::ProcedureCall&);
 void read_table(Run&, const program::ProcedureCall&);
 
 // --- offsets kept in parameters (offsets.cpp, set_data.cpp, home.cpp)
+/// A, B and C among the nine axes.
+[[nodiscard]] inline bool is_rotary(std::size_t axis) { return axis >= 3 && axis < 6; }
+/// mm (degrees) of a machine coordinate of 1 in a parameter.
+[[nodiscard]] inline double stored_unit(const Run& run, std::size_t axis) {
+    return is_rotary(axis) ? 1 : run.env.machine_unit;
+}
+/// Where the tip stands against the point that the control moves.
+[[nodiscard]] inline const Axes& tip_in_use(const Offsets& o) { return o.tip_known ? o.tip : o.tool; }
+/// G54 (54) is 1, G59.3 (593) is 9; G54.1 P1 (5401) is 1001.
+[[nodiscard]] inline std::uint32_t place_of_datum(std::uint32_t number) {
+    return number >= 5401 ? number - 5401 + 1001 : number >= 591 ? number - 584 : number - 53;
+}
 [[nodiscard]] inline bool keeps_offsets(const Run& run) { return run.traits->offsets.datum_first != 0; }
 /// Takes what the parameters hold at the start of the run.
 void begin_offsets(Run&);

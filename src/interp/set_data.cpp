@@ -23,14 +23,12 @@ std::optional<int> whole(Run& run, Code code, const char* letter, int most) {
     return std::nullopt;
 }
 
-bool is_rotary(std::size_t axis) { return axis >= 3 && axis < 6; }
-
 /// Coordinates in a zero offset with this place in the parameters, as they would be programmed there, without G92.
 Axes coordinates_in(const Run& run, std::uint32_t first) {
     const program::OffsetParameters& p = run.traits->offsets;
     Axes c{};
     for (std::size_t k = 0; k < 9; ++k) {
-        const double unit = is_rotary(k) ? 1 : run.env.machine_unit;
+        const double unit = stored_unit(run, k);
         c[k] = machine_coordinate(run, k) - run.offsets.tool[k] -
                run.parameters.get(first + static_cast<std::uint32_t>(k)) * unit;
     }
@@ -61,7 +59,7 @@ void set_datum_data(Run& run, bool from_position) {
     const auto which = whole(run, Code::p, "P", static_cast<int>(p.datum_count));
     if (!which) return;
     flush_path(run);
-    const std::uint32_t active = run.modal.datum >= 591 ? run.modal.datum - 584 : run.modal.datum - 53;
+    const std::uint32_t active = place_of_datum(run.modal.datum);
     const std::uint32_t place = *which == 0 ? active : static_cast<std::uint32_t>(*which);
     if (place < 1 || place > p.datum_count)
         return unchecked(run, codes::unsupported, run.here(), "G10 of this zero offset is not run");
@@ -71,7 +69,7 @@ void set_datum_data(Run& run, bool from_position) {
     const Axes step = from_position ? step_to_words(run, first) : Axes{};
     for (std::size_t k = 0; k < 9; ++k) {
         const std::uint32_t n = first + static_cast<std::uint32_t>(k);
-        const double unit = is_rotary(k) ? 1 : run.env.machine_unit;
+        const double unit = stored_unit(run, k);
         const auto v = axis_word(run, k);
         if (from_position)
             run.parameters.set(n, run.parameters.get(n) + step[k] / unit);
@@ -121,11 +119,11 @@ Axes measured(const Run& run, const Axes& table, bool in_ninth) {
 
 void set_tool_data(Run& run, int l) {
     shop::Tool* t = tool_of_block(run);
-    if (t == nullptr) return;
+    if (t == nullptr || run.capture != nullptr) return;
     const BlockWords& b = run.block;
     const double unit = run.modal.inch_geometry ? 25.4 : 1;
-    if (!t->linuxcnc) t->linuxcnc.emplace();
-    auto& table = *t->linuxcnc;
+    if (!t->table) t->table.emplace();
+    auto& table = *t->table;
     table.offset[2] = t->length;
     if (l != 1) table.offset = measured(run, table.offset, l == 11);
     for (std::size_t k = 0; k < 9 && l == 1; ++k)

@@ -70,7 +70,7 @@ void tell_end(Run& run, int m) {
 
 void begin_telling(Run& run) {
     if (!run.env.tell_settings || !keeps_offsets(run) || run.statement == nullptr) return;
-    const auto place = run.modal.datum >= 591 ? run.modal.datum - 584 : run.modal.datum - 53;
+    const auto place = place_of_datum(run.modal.datum);
     tell_frame(run);
     tell(run, SettingKind::datum, static_cast<int>(place), run.offsets.datum);
     tell(run, SettingKind::shift, 0, run.offsets.shift);

@@ -54,6 +54,7 @@ public:
     [[nodiscard]] const Binding* find(program::NameId name) const;
     void bind(Binding b) { bindings_.push_back(std::move(b)); }
     [[nodiscard]] std::size_t size() const { return bindings_.size(); }
+    [[nodiscard]] const std::vector<Binding>& bindings() const { return bindings_; }
     void truncate(std::size_t n) { bindings_.resize(n); }
 
 private:

@@ -17,7 +17,7 @@ namespace {
 constexpr double pi = geom::pi;
 
 Setting with(Side side, double radius) {
-    Setting s = linuxcnc_setting(1);
+    Setting s = held_move_preset(1);
     s.side = side;
     s.radius = radius;
     return s;
@@ -146,7 +146,7 @@ TEST(held_move, FullCirclesStayFull) {
 
 TEST(held_move, LatheNoseIsMovedOnToItsEntryArc) {
     Setting s = held_left(2);
-    s.tip = linuxcnc_nose_offset(2, 2).value();
+    s.tip = table_nose_offset(2, 2).value();
     EXPECT_EQ(s.tip, (Vec2{-2, -2}));
     const Result r =
         run({{arc({0, 0}, {10, 0}, -pi / 2), s}, {line({10, 10}, {20, 10}), s}, {line({20, 10}, {30, 30}), {}}});
@@ -154,11 +154,11 @@ TEST(held_move, LatheNoseIsMovedOnToItsEntryArc) {
 }
 
 TEST(held_move, NoseOffsetsByOrientation) {
-    EXPECT_EQ(linuxcnc_nose_offset(0, 2), (Vec2{0, 0}));
-    EXPECT_EQ(linuxcnc_nose_offset(9, 2), (Vec2{0, 0}));
-    EXPECT_EQ(linuxcnc_nose_offset(6, 2), (Vec2{0, -2}));
-    EXPECT_EQ(linuxcnc_nose_offset(4, 2), (Vec2{2, 2}));
-    EXPECT_EQ(linuxcnc_nose_offset(10, 2), std::nullopt);
+    EXPECT_EQ(table_nose_offset(0, 2), (Vec2{0, 0}));
+    EXPECT_EQ(table_nose_offset(9, 2), (Vec2{0, 0}));
+    EXPECT_EQ(table_nose_offset(6, 2), (Vec2{0, -2}));
+    EXPECT_EQ(table_nose_offset(4, 2), (Vec2{2, 2}));
+    EXPECT_EQ(table_nose_offset(10, 2), std::nullopt);
 }
 
 TEST(held_move, TooShortToEnter) {

@@ -4,7 +4,7 @@
 
 namespace obrys::path {
 
-Setting linuxcnc_setting(double unit) {
+Setting held_move_preset(double unit) {
     Setting s;
     s.method = Method::held_move;
     s.limits.sweep_growth = unit == 25.4 ? 0.001 : 0.0254;
@@ -12,7 +12,7 @@ Setting linuxcnc_setting(double unit) {
     return s;
 }
 
-std::optional<geom::Vec2> linuxcnc_nose_offset(int orientation, double radius) {
+std::optional<geom::Vec2> table_nose_offset(int orientation, double radius) {
     if (orientation == 0) return geom::Vec2{};
     auto tip = nose_offset(orientation, radius);
     if (tip) tip->y = -tip->y;

@@ -142,7 +142,7 @@ private:
             case 910: incremental_ = true; break;
             default: break;
         }
-        setting_.limits = linuxcnc_setting(unit_).limits;
+        setting_.limits = held_move_preset(unit_).limits;
     }
 
     void select_side(int g, const Block& b) {
@@ -156,10 +156,10 @@ private:
             for (const TableTool& t : table_)
                 if (t.number == tool) orientation = t.orientation, diameter = t.diameter;
         }
-        setting_ = linuxcnc_setting(unit_);
+        setting_ = held_move_preset(unit_);
         setting_.side = g / 10 == 41 ? Side::left : Side::right;
         setting_.radius = 0.5 * diameter * unit_;
-        if (plane_ == 18) setting_.tip = linuxcnc_nose_offset(orientation, std::abs(setting_.radius)).value_or(Vec2{});
+        if (plane_ == 18) setting_.tip = table_nose_offset(orientation, std::abs(setting_.radius)).value_or(Vec2{});
     }
 
     void preset(const Block& b) {

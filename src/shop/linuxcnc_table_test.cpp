@@ -35,9 +35,9 @@ TEST(LinuxcncTable, WordsInAnyOrder) {
     EXPECT_EQ(tools[0].radius, 5);
     EXPECT_EQ(tools[0].length, 3.5);
     EXPECT_EQ(tools[0].assumed, "");
-    ASSERT_TRUE(tools[0].linuxcnc);
-    EXPECT_EQ(tools[0].linuxcnc->offset, (std::array<double, 9>{1, 2, 3.5, 4, 5, 6, 7, 8, 9}));
-    EXPECT_EQ(tools[0].linuxcnc->pocket, 7);
+    ASSERT_TRUE(tools[0].table);
+    EXPECT_EQ(tools[0].table->offset, (std::array<double, 9>{1, 2, 3.5, 4, 5, 6, 7, 8, 9}));
+    EXPECT_EQ(tools[0].table->pocket, 7);
     EXPECT_EQ(tools[1].number, 3U);
     EXPECT_EQ(tools[1].name, "drill");
     EXPECT_EQ(tools[1].length, -15);
@@ -54,7 +54,7 @@ TEST(LinuxcncTable, LengthsAreConvertedAnglesNot) {
     ASSERT_EQ(tools.size(), 1U);
     EXPECT_DOUBLE_EQ(tools[0].nose_radius, 6.35);
     EXPECT_DOUBLE_EQ(tools[0].length, 2.54);
-    const LinuxcncTool& row = *tools[0].linuxcnc;
+    const TableTool& row = *tools[0].table;
     EXPECT_DOUBLE_EQ(row.diameter, 12.7);
     EXPECT_DOUBLE_EQ(row.offset[0], 25.4);
     EXPECT_EQ(row.offset[3], 30);
@@ -69,7 +69,7 @@ TEST(LinuxcncTable, IndexCountsEveryPocket) {
     TableOf t("T1 P1\nT2 P2\nT4 P4 Z\nT6 P6 K3\nT8 D1\nT9 P9\nP13 D1\nT14 P14\n");
     std::string seen;
     for (const Tool& tool : t.tools())
-        seen += std::to_string(tool.number) + "@" + std::to_string(tool.linuxcnc->index) + " ";
+        seen += std::to_string(tool.number) + "@" + std::to_string(tool.table->index) + " ";
     EXPECT_EQ(seen, "1@1 2@2 9@5 14@7 ");
 }
 
@@ -145,7 +145,7 @@ TEST(LinuxcncTable, ColumnsOfOldFiles) {
     auto tools = mills.tools(25.4);
     ASSERT_EQ(tools.size(), 2U);
     EXPECT_EQ(tools[0].name, "1/8 end mill");
-    EXPECT_EQ(tools[0].linuxcnc->pocket, 2);
+    EXPECT_EQ(tools[0].table->pocket, 2);
     EXPECT_DOUBLE_EQ(tools[0].length, 0.511 * 25.4);
     EXPECT_DOUBLE_EQ(tools[0].radius, 0.125 * 12.7);
     EXPECT_EQ(tools[1].name, "");
@@ -157,8 +157,8 @@ TEST(LinuxcncTable, ColumnsOfOldFiles) {
     ASSERT_EQ(tools.size(), 1U);
     EXPECT_EQ(tools[0].number, 3U);
     EXPECT_EQ(tools[0].name, "finish");
-    EXPECT_EQ(tools[0].linuxcnc->offset[0], -2);
-    EXPECT_EQ(tools[0].linuxcnc->offset[2], 1.5);
+    EXPECT_EQ(tools[0].table->offset[0], -2);
+    EXPECT_EQ(tools[0].table->offset[2], 1.5);
     EXPECT_EQ(tools[0].nose_radius, 0.4);
     EXPECT_EQ(tools[0].tip_angle, 60);
     EXPECT_EQ(tools[0].entering_angle, 95);

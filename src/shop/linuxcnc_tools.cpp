@@ -37,7 +37,7 @@ double within_turn(double degrees) {
 }
 
 /// Tip and entering angle from the directions of both edges; false where they make no insert.
-bool take_angles(Tool& t, const LinuxcncTool& row) {
+bool take_angles(Tool& t, const TableTool& row) {
     const Turned& way = turned[static_cast<std::size_t>(row.orientation)];
     const double a = within_turn(way.turn + way.sign * row.front_angle),
                  b = within_turn(way.turn + way.sign * row.back_angle);
@@ -48,7 +48,7 @@ bool take_angles(Tool& t, const LinuxcncTool& row) {
     return true;
 }
 
-void shape(Tool& t, const LinuxcncTool& row) {
+void shape(Tool& t, const TableTool& row) {
     t.length = row.offset[2];
     if (row.orientation == 0) {
         t.radius = row.diameter / 2;
@@ -65,8 +65,8 @@ void shape(Tool& t, const LinuxcncTool& row) {
     t.assumed += "edge length " + base::shortest(t.edge_length) + " mm";
 }
 
-LinuxcncTool row_of(const LinuxcncLine& line, double mm_per_unit) {
-    LinuxcncTool row;
+TableTool row_of(const LinuxcncLine& line, double mm_per_unit) {
+    TableTool row;
     row.pocket = static_cast<std::int32_t>(value_of(line, 'P').value_or(0));
     constexpr std::string_view axes = "XYZABCUVW";
     for (std::size_t i = 0; i < axes.size(); ++i) {
@@ -105,7 +105,7 @@ std::vector<Tool> tools_of(const LinuxcncTable& table, double mm_per_unit, base:
             if (f.letter == 'P') ++index;
         const double number = value_of(line, 'T').value_or(0);
         if (line.form == LinuxcncLine::Form::none || number <= 0 || !seen.insert(number).second) continue;
-        LinuxcncTool row = row_of(line, mm_per_unit);
+        TableTool row = row_of(line, mm_per_unit);
         row.index = index;
         row.orientation = orientation_of(line, table.file, diagnostics);
         Tool& t = out.emplace_back();
@@ -116,7 +116,7 @@ std::vector<Tool> tools_of(const LinuxcncTable& table, double mm_per_unit, base:
         else
             t.where = {table.file, line.at, line.at + static_cast<std::uint32_t>(line.text.size())};
         shape(t, row);
-        t.linuxcnc = row;
+        t.table = row;
     }
     return out;
 }

@@ -29,7 +29,7 @@ enum class BladeDirection : std::uint8_t {
 
 /// What a line of a LinuxCNC tool table says, for #5400 … #5413, G43 and G41 D: lengths in mm, angles in degrees. The
 /// letters are the table's: LinuxCNC documentation, "Tool Table", "Lathe User Information".
-struct LinuxcncTool {
+struct TableTool {
     std::uint32_t index = 0;         ///< place in the control's list, 1 for the first line; `CHANGE_TOOL` names it
     std::int32_t pocket = 0;         ///< P
     std::array<double, 9> offset{};  ///< X Y Z A B C U V W
@@ -70,7 +70,7 @@ struct Tool {
     bool locked = false;                ///< TL
     std::optional<std::uint32_t> replacement;                  ///< RT, number of the tool that takes its place
     std::string cutter_material, cutting_data;                 ///< TMAT; CDT, the name of its cutting data table
-    std::optional<LinuxcncTool> linuxcnc;                      ///< of tools from a LinuxCNC table
+    std::optional<TableTool> table;                      ///< of tools from a LinuxCNC table
     std::map<int, double> parameters;   ///< $TC_DPn as read, n = 1 … 25, from TOA files
     std::string assumed;                ///< what its file does not say and was assumed; empty: nothing
     base::Span where;                   ///< where it is defined
