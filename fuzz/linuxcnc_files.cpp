@@ -5,6 +5,7 @@
 #include <cstdint>
 #include <cstdlib>
 #include <string>
+#include <string_view>
 
 #include "shop/linuxcnc_ini.hpp"
 #include "shop/linuxcnc_parameters.hpp"
@@ -25,7 +26,7 @@ struct Input {
     base::Diagnostics diagnostics;
 
     explicit Input(std::string text) { (void)sources.add("FUZZ", std::move(text)); }
-    [[nodiscard]] const std::string& text() const { return sources[0].text; }
+    [[nodiscard]] std::string_view text() const { return sources[0].text; }
     void check() const {
         for (const base::Diagnostic& d : diagnostics.all())
             check_span(d.where, text().size()), (void)base::render(d, sources);
