@@ -91,6 +91,19 @@ void becomes(Run& run, std::size_t k, double to) {
     }
 }
 
+/// The coordinates of an additional axis count from another place of the machine; it stands where it stood.
+void count_from(Run& run, std::size_t k, double datum) {
+    const double by = run.offsets.reference[k] - datum;
+    const auto at = run.extra_axes.find(std::string(1, "XYZABCUVW"[k]));
+    if (by == 0 || at == run.extra_axes.end()) return;
+    at->second += by;
+    cl::Axis axis;
+    axis.name[0] = at->first[0];
+    axis.to = at->second;
+    axis.rotary = is_rotary(k);
+    emit(run, axis);
+}
+
 }  // namespace
 
 void load_datum(Run& run) {
@@ -145,6 +158,7 @@ geom::Frame offset_frame(Run& run) {
         for (int k = 0; k < 3; ++k)
             coordinate(run.position, k) +=
                 o.reference[static_cast<std::size_t>(k)] - o.datum[static_cast<std::size_t>(k)];
+        for (std::size_t k = 3; k < 9; ++k) count_from(run, k, o.datum[k]);
         o.reference = o.datum;
         run.reference_datum = run.modal.datum;
     }
@@ -179,6 +193,11 @@ void shift_words(Run& run, Modal m) {
     update_frame(run);
 }
 
+void set_tool_offset(Run& run, const Axes& to) {
+    while_standing(run, [&] { run.offsets.tool = to; });
+    tell(run, SettingKind::tool_offset, 0, run.offsets.tool);
+}
+
 void tool_length_words(Run& run, Modal m) {
     std::optional<Axes> by;
     if (m == Modal::tool_length_off) by = Axes{};
@@ -195,9 +214,10 @@ void tool_length_words(Run& run, Modal m) {
             for (double& v : *by) v = -v;
         if (m == Modal::tool_length_added)
             for (std::size_t k = 0; k < 9; ++k) (*by)[k] += run.offsets.tool[k];
-        while_standing(run, [&] { run.offsets.tool = *by; });
+        set_tool_offset(run, *by);
+    } else {
+        tell(run, SettingKind::tool_offset, 0, run.offsets.tool);
     }
-    tell(run, SettingKind::tool_offset, 0, run.offsets.tool);
 }
 
 void take_tip(Run& run) {

@@ -158,6 +158,8 @@ void refuse_missing_feed(Run& run, std::string_view what, Modal m) {
 
 void refuse_probe(Run& run) {
     refuse_missing_feed(run, "probing", Modal::probe);
+    // Away from the workpiece the probe may have let go already; behind an earlier probing it stands somewhere else.
+    if (run.modal.motion_number >= 4 || run.probed) return;
     if (run.stopped || (run.block.present & (rotary_axes | parallel_axes)) != 0) return;
     for (int k = 0; k < 3; ++k) {
         const Code code = axis_code(k);
@@ -240,7 +242,7 @@ void refuse_motion(Run& run) {
 void refuse_modal(Run& run, const program::Word& w) {
     const Modal m = program::modal_of(w);
     const auto where = [&] { return run.unit().span(*run.statement, w); };
-    if (m == Modal::restore_modal && run.top().saved_modes.empty())
+    if (m == Modal::restore_modal && !run.top().saved_modes)
         return alarm(run, codes::value_range, where(), "there is no saved state to bring back",
                      "save it with M70 or M73 before");
     if (!run.traits->compensation_holds_move) return;
