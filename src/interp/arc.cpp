@@ -212,7 +212,7 @@ bool arc_motion(Run& run, const Vec3& target) {
 
 void plane_element(Run& run, path::Element e, const Vec3& to, bool rapid) {
     remember_direction(run, e);
-    if (path::is_arc(e))
+    if (path::is_arc(e) && run.modal.feed_mode == cl::FeedMode::inverse_time)
         tell_inverse_feed(run, std::hypot(e.sweep * geom::length(e.from - e.centre), e.w_to - e.w_from));
     run.free_contour.reset();
     if (run.capture != nullptr)
@@ -238,7 +238,7 @@ Vec3 in_stream(const Run& run, Vec2 p, double w) {
     coordinate(v, a.u) = p.x;
     coordinate(v, a.v) = p.y;
     coordinate(v, a.w) = w;
-    return geom::apply(run.frame, v);
+    return run.frame_is_identity ? v : geom::apply(run.frame, v);
 }
 
 }  // namespace
@@ -246,6 +246,11 @@ Vec3 in_stream(const Run& run, Vec2 p, double w) {
 std::optional<cl::Step> plane_move(const Run& run, const path::Element& e, bool rapid) {
     const Vec3 to = in_stream(run, e.to, e.w_to);
     if (!path::is_arc(e)) return cl::Linear{to, run.tool_axis, rapid};
+    if (run.frame_is_identity || geom::is_shift_only(run.frame)) {
+        Vec3 normal;
+        coordinate(normal, plane_axes(run.modal.plane).w) = 1;
+        return cl::Arc{to, in_stream(run, e.centre, e.w_from), normal, e.sweep};
+    }
     const Vec3 zero = in_stream(run, {}, 0);
     const Vec3 u = in_stream(run, {1, 0}, 0) - zero, v = in_stream(run, {0, 1}, 0) - zero;
     if (std::abs(geom::length(u) - geom::length(v)) > 1e-9) return std::nullopt;

@@ -276,12 +276,6 @@ double length_factor(const Run& run, int axis, bool incremental) {
     return factor * 0.5;
 }
 
-PlaneAxes plane_axes(int plane) {
-    if (plane == 18) return {2, 0, 1};
-    if (plane == 19) return {1, 2, 0};
-    return {0, 1, 2};
-}
-
 bool motion(Run& run) {
     const BlockWords& b = run.block;
     if (b.special == Modal::dwell) {
