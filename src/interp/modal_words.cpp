@@ -162,7 +162,7 @@ bool offset_word(Run& run, Modal m, int number) {
         case Modal::tool_length_off: tool_length_words(run, m); return true;
         case Modal::set_data:
             b.special = m;
-            set_data(run);
+            set_data(run, static_cast<program::DataTable>(number));
             return true;
         case Modal::position_becomes:
         case Modal::local_shift: b.special = m; [[fallthrough]];

@@ -464,7 +464,7 @@ void set_tool_offset(Run&, const Axes& to);
 /// The tool in the spindle was changed: where its tip is.
 void take_tip(Run&);
 /// G10.
-void set_data(Run&);
+void set_data(Run&, program::DataTable table);
 /// G28, G30, G28.1, G30.1.
 void go_home(Run&);
 void store_home(Run&);

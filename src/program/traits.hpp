@@ -70,6 +70,9 @@ struct OffsetParameters {
     std::uint32_t active_datum = 0;  ///< 1 = G54
     std::uint32_t shift_first = 0, shift_active = 0;  ///< G92; whether it is in force
     std::uint32_t home_first = 0, home_second = 0;    ///< G28, G30
+    std::uint32_t external_first = 0;                 ///< X of what is added to every zero offset; 0: there is none
+    std::uint32_t extended_first = 0;                 ///< X of G54.1 P1; the others follow at `datum_step`
+    std::uint32_t extended_count = 0;
 };
 
 /// A word of a canned cycle's block and what it says.
