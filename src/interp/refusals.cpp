@@ -78,6 +78,9 @@ std::string change_of(const Run& run, Modal m) {
         case Modal::tool_length_off: return "the tool offset changes";
         case Modal::position_becomes:
         case Modal::local_shift: return "the axes are shifted";
+        case Modal::path_exact:
+        case Modal::path_stop:
+        case Modal::path_blend: return "the path mode changes";
         case Modal::home: return "the axes go to a stored position";
         case Modal::probe: return "the axes probe";
         case Modal::set_data:
