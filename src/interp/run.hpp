@@ -490,6 +490,8 @@ void forget_live(Run&, program::SystemVariable what);
 // --- cycles that motion blocks call (canned.cpp)
 /// False where the block's words call no cycle.
 [[nodiscard]] bool canned_motion(Run&);
+/// G12, G13 (circle_pocket.cpp).
+[[nodiscard]] bool circle_pocket(Run&);
 /// G70 … G72, G76 of lathes (turning.cpp).
 [[nodiscard]] bool turning_cycle(Run&);
 
