@@ -56,8 +56,7 @@ public:
 
 private:
     struct Slot {
-        std::uint32_t first = 0;
-        std::uint16_t count = 0, capacity = 0;
+        std::uint32_t first = 0, count = 0, capacity = 0;
     };
     void reserve(Slot& slot, std::size_t count);
     void compact();
