@@ -21,6 +21,7 @@ Moment moment(const Piece& piece, Vec3 v, Vec3 p, double t) {
     Moment m;
     m.t = t;
     m.foot.outside = outside(piece, p - t * v, m.foot.normal);
+    m.foot.gradient = m.foot.normal;
     m.slope = -dot(m.foot.normal, v);
     return m;
 }
@@ -70,7 +71,10 @@ Foot foot_on(const Piece& piece, Vec3 v, Vec3 p) {
             weight_a /= 2;
         }
     }
-    return a.foot.outside < b.foot.outside ? a.foot : b.foot;
+    Foot best = a.foot.outside < b.foot.outside ? a.foot : b.foot;
+    const double share = b.slope / (b.slope - a.slope);  // of a, for a slope of 0
+    best.gradient = share * a.foot.normal + (1 - share) * b.foot.normal;
+    return best;
 }
 
 Foot foot_on(const Shape& shape, const Track& track, Vec3 p) {

@@ -9,7 +9,10 @@ namespace obrys::sim::milling {
 /// As `outside` (shape.hpp) says, at the moment when that is least; a convex function of the point for straight tracks.
 struct Foot {
     double outside = 0;
-    geom::Vec3 normal;  ///< out of the piece; frame of the tool
+    geom::Vec3 normal;  ///< out of the piece, unit length; frame of the tool
+    /// How `outside` grows with the point: the normal, but where a moving edge is nearest, between those of its two
+    /// faces.
+    geom::Vec3 gradient;
 };
 [[nodiscard]] Foot foot_on(const Piece& piece, geom::Vec3 v, geom::Vec3 p);
 /// Of the piece that the point lies deepest in or is nearest to.

@@ -308,10 +308,12 @@ TEST_F(Rays, QuarterCirclesAgainstChords) {
         };
         for (std::size_t i = 0; i < 8; ++i) {
             for (double s = -12; s < 12; s += 0.0137) {
-                if (covers(exact[i], s, -0.003))
+                if (covers(exact[i], s, -0.003)) {
                     EXPECT_TRUE(covers(chords[i], s, 0.003)) << "seed " << seed << " case " << n << " at " << s;
-                if (covers(chords[i], s, -0.003))
+                }
+                if (covers(chords[i], s, -0.003)) {
                     EXPECT_TRUE(covers(exact[i], s, 0.003)) << "seed " << seed << " case " << n << " at " << s;
+                }
                 if (HasFailure()) return;
             }
         }

@@ -20,7 +20,7 @@ bool approach(const Piece& piece, Vec3 v, Vec3 p, Vec3 d, double sign, double& s
     for (int i = 0; i < 200; ++i) {
         const Foot foot = foot_on(piece, v, p + s * d);
         if (foot.outside <= exact) return true;
-        const double slope = dot(foot.normal, d);
+        const double slope = dot(foot.gradient, d);
         if (sign * slope >= -1e-9) return foot.outside <= 1e-9;
         s -= foot.outside / slope;
     }
