@@ -2,10 +2,12 @@
 // and sums are formed in the order of the tiles, so that the number of threads changes nothing.
 
 #include <tbb/blocked_range.h>
+#include <tbb/global_control.h>
 #include <tbb/parallel_for.h>
 #include <tbb/task_arena.h>
 
 #include <algorithm>
+#include <optional>
 
 #include "sim/milling/job.hpp"
 
@@ -65,6 +67,10 @@ std::vector<Task> tasks_of(const std::array<Bins, 3>& bins) {
 
 void cut_all(Dexels& dexels, std::span<const Job> jobs, std::span<Tally> tallies, int threads) {
     std::array<Bins, 3> bins;
+    // Asked for more threads than there are processors, oneTBB would keep to the latter.
+    std::optional<tbb::global_control> more;
+    if (threads > tbb::this_task_arena::max_concurrency())
+        more.emplace(tbb::global_control::max_allowed_parallelism, static_cast<std::size_t>(threads));
     tbb::task_arena arena(threads > 0 ? threads : tbb::task_arena::automatic);
     arena.execute([&] {
         tbb::parallel_for(0, 3,

@@ -93,6 +93,7 @@ Foot foot_on(const Shape& shape, const Track& track, Vec3 p) {
         } else {
             foot = foot_on(piece, track.v, p);
         }
+        if (level || foot.gradient == Vec3{}) foot.gradient = foot.normal;
         if (foot.outside < best.outside) best = foot;
     }
     return best;

@@ -206,7 +206,9 @@ Vec3 Simulation::normal_at(std::uint32_t cut, Vec3 p) const {
     const Sweep& s = sweeps_[cut - 1];
     const Orientation& frame = orientations_[s.orientation];
     const Foot foot = foot_on(shape_of(s), track_of(s), frame.to_tool(p - s.from));
-    return -1.0 * frame.to_stock(foot.normal);
+    // Where an edge of the tool has swept the surface, the gradient is the surface's normal and no face's.
+    const double size = length(foot.gradient);
+    return (-1 / (size > 0 ? size : 1)) * frame.to_stock(size > 0 ? foot.gradient : foot.normal);
 }
 
 std::size_t Simulation::bytes() const {
