@@ -6,6 +6,7 @@
 #include "base/codes.hpp"
 #include "base/number.hpp"
 #include "base/text.hpp"
+#include "mesh/little_endian.hpp"
 #include "mesh/stl_soup.hpp"
 
 namespace obrys::mesh {
@@ -22,9 +23,7 @@ bool is_ascii(std::string_view bytes) {
     const std::size_t begin = bytes.find_first_not_of(" \t\r\n\v\f");
     if (begin == std::string_view::npos || !base::equals_ignoring_case(bytes.substr(begin, 5), "solid")) return false;
     if (bytes.size() >= 84) {
-        std::size_t count = 0;
-        for (std::size_t i = 4; i-- > 0;) count = count << 8U | static_cast<unsigned char>(bytes[80 + i]);
-        if (bytes.size() == 84 + 50 * count) return false;
+        if (bytes.size() == 84 + 50 * std::size_t{read_u32(bytes, 80)}) return false;
     }
     return bytes.substr(0, 512).find('\0') == std::string_view::npos;
 }

@@ -1,8 +1,7 @@
-#include <bit>
 #include <cmath>
 
 #include "base/codes.hpp"
-#include "base/number.hpp"
+#include "mesh/little_endian.hpp"
 #include "mesh/stl.hpp"
 #include "mesh/stl_soup.hpp"
 
@@ -14,20 +13,8 @@ using geom::Vec3;
 
 constexpr std::size_t header = 84, record = 50;
 
-std::uint32_t u32(std::string_view bytes, std::size_t at) {
-    std::uint32_t value = 0;
-    for (std::size_t i = 4; i-- > 0;) value = value << 8U | static_cast<unsigned char>(bytes[at + i]);
-    return value;
-}
-
-double f32(std::string_view bytes, std::size_t at) { return static_cast<double>(std::bit_cast<float>(u32(bytes, at))); }
-
-void append_u32(std::string& out, std::uint32_t value) {
-    for (unsigned shift = 0; shift < 32; shift += 8) out += static_cast<char>(value >> shift & 0xffU);
-}
-
-void append_f32(std::string& out, Vec3 v) {
-    for (const double c : {v.x, v.y, v.z}) append_u32(out, std::bit_cast<std::uint32_t>(static_cast<float>(c)));
+double f32(std::string_view bytes, std::size_t at) {
+    return static_cast<double>(std::bit_cast<float>(read_u32(bytes, at)));
 }
 
 bool refuse(std::uint32_t file, base::Diagnostics& out, std::string text, std::string remedy) {
@@ -46,7 +33,7 @@ bool check_count(std::uint32_t file, std::string_view bytes, base::Diagnostics& 
     const std::string size = std::to_string(bytes.size()) + " bytes";
     if (bytes.size() < header)
         return refuse(file, out, "binary STL of " + size + ": its header alone takes 84", cut_off);
-    const std::size_t count = u32(bytes, 80), room = (bytes.size() - header) / record;
+    const std::size_t count = read_u32(bytes, 80), room = (bytes.size() - header) / record;
     const std::string says = "binary STL: the header (byte 80) announces " + std::to_string(count) + " triangles, ";
     if (count > room) return refuse(file, out, says + "the file's " + size + " hold " + std::to_string(room), cut_off);
     if (bytes.size() != header + record * count)
@@ -61,7 +48,7 @@ bool check_count(std::uint32_t file, std::string_view bytes, base::Diagnostics& 
 
 bool read_binary_stl(std::uint32_t file, std::string_view bytes, Soup& soup, base::Diagnostics& out) {
     if (!check_count(file, bytes, out)) return false;
-    const std::size_t count = u32(bytes, 80);
+    const std::size_t count = read_u32(bytes, 80);
     soup.triangles.reserve(count);
     for (std::size_t i = 0; i < count; ++i) {
         std::array<Vec3, 3> corners;
@@ -89,8 +76,8 @@ std::string write_stl(const Mesh& m) {
     for (std::size_t i = 0; i < m.triangles.size(); ++i) {
         const Vec3 n = area_vector(m, i);
         const double size = length(n);
-        append_f32(out, size > 0 ? (1 / size) * n : Vec3{});
-        for (const Vec3& c : corners(m, i)) append_f32(out, c);
+        append_vector(out, size > 0 ? (1 / size) * n : Vec3{});
+        for (const Vec3& c : corners(m, i)) append_vector(out, c);
         out.append(2, '\0');
     }
     return out;
