@@ -10,7 +10,8 @@ namespace {
 /// An edge as one triangle sees it.
 struct Side {
     std::uint32_t low, high, triangle;
-    bool forward;  ///< the triangle runs from `low` to `high`
+    std::uint8_t corner;  ///< of the triangle, at which the edge begins
+    bool forward;         ///< the triangle runs from `low` to `high`
 };
 
 std::vector<Side> sides(const Mesh& m) {
@@ -20,7 +21,7 @@ std::vector<Side> sides(const Mesh& m) {
         for (std::uint32_t i = 0; i < m.triangles.size(); ++i)
             for (std::size_t c = 0; c < 3; ++c) {
                 const std::uint32_t a = m.triangles[i][c], b = m.triangles[i][(c + 1) % 3];
-                visit(Side{std::min(a, b), std::max(a, b), i, a < b});
+                visit(Side{std::min(a, b), std::max(a, b), i, static_cast<std::uint8_t>(c), a < b});
             }
     };
     each([&](const Side& s) { ++start[s.low + 1]; });
@@ -54,6 +55,19 @@ Topology topology(const Mesh& m) {
         if (end - i == 2 && all[i].forward == all[i + 1].forward) note(t.turned, m, all[i]);
     }
     return t;
+}
+
+std::vector<std::uint32_t> neighbours(const Mesh& m) {
+    std::vector<std::uint32_t> beside(3 * m.triangles.size());
+    for (std::size_t i = 0; i < beside.size(); ++i) beside[i] = static_cast<std::uint32_t>(i / 3);
+    const std::vector<Side> all = sides(m);
+    for (std::size_t i = 0, end = 0; i < all.size(); i = end) {
+        while (end < all.size() && all[end].low == all[i].low && all[end].high == all[i].high) ++end;
+        if (end - i != 2) continue;
+        beside[3 * std::size_t{all[i].triangle} + all[i].corner] = all[i + 1].triangle;
+        beside[3 * std::size_t{all[i + 1].triangle} + all[i + 1].corner] = all[i].triangle;
+    }
+    return beside;
 }
 
 }  // namespace obrys::mesh

@@ -3,6 +3,7 @@
 
 #include <cstddef>
 #include <cstdint>
+#include <vector>
 
 #include "mesh/mesh.hpp"
 
@@ -25,5 +26,9 @@ struct Topology {
 };
 
 [[nodiscard]] Topology topology(const Mesh& m);
+
+/// At 3 t + c the triangle that shares with triangle t the edge from its corner c on; t itself where there is none or
+/// more than one.
+[[nodiscard]] std::vector<std::uint32_t> neighbours(const Mesh& m);
 
 }  // namespace obrys::mesh
