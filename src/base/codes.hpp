@@ -56,12 +56,14 @@ inline constexpr std::string_view budget = "budget";
 inline constexpr std::string_view unclosed = "unclosed";
 inline constexpr std::string_view unknown_value = "unknown-value";
 inline constexpr std::string_view not_simulated = "not-simulated";
+inline constexpr std::string_view mesh_not_closed = "mesh-not-closed";
 // input that cannot be read
 inline constexpr std::string_view file_missing = "file-missing";
 inline constexpr std::string_view file_empty = "file-empty";
 inline constexpr std::string_view file_binary = "file-binary";
 inline constexpr std::string_view job_file = "job-file";
 inline constexpr std::string_view job_value = "job-value";
+inline constexpr std::string_view mesh_file = "mesh-file";
 // listed only
 inline constexpr std::string_view no_effect = "no-effect";
 inline constexpr std::string_view assumption = "assumption";
@@ -100,11 +102,13 @@ inline constexpr std::array all_codes{
     Code{codes::unclosed, CodeKind::unchecked, "a loop or branch without its end"},
     Code{codes::unknown_value, CodeKind::unchecked, "a system variable whose value obrys cannot know"},
     Code{codes::not_simulated, CodeKind::unchecked, "a move that was run but whose material removal was not computed"},
+    Code{codes::mesh_not_closed, CodeKind::unchecked, "a mesh whose surface does not bound a solid: inside and outside are not known"},
     Code{codes::file_missing, CodeKind::input, "a file that does not exist or cannot be read"},
     Code{codes::file_empty, CodeKind::input, "a file without content"},
     Code{codes::file_binary, CodeKind::input, "a file that is not text"},
     Code{codes::job_file, CodeKind::input, "a job, machine or tool file that is not valid TOML or has an unknown key"},
     Code{codes::job_value, CodeKind::input, "a value in a job, machine or tool file that cannot be used"},
+    Code{codes::mesh_file, CodeKind::input, "a mesh file (STL) that cannot be read: damaged, cut off or without content"},
     Code{codes::no_effect, CodeKind::info, "a known word without effect on motion"},
     Code{codes::assumption, CodeKind::info, "something assumed because the input does not say it"},
 };
