@@ -42,6 +42,7 @@ struct Rehearsal::Saved {
     Offsets offsets;
     CannedState canned;
     bool mist, flood;
+    std::map<std::pair<int, program::CycleRole>, double> cycle_store;
     Scope globals;
     /// What the variables hold: calls and scopes share them with what is run ahead.
     std::vector<std::pair<std::shared_ptr<Array>, Array>> values;
@@ -104,6 +105,7 @@ Rehearsal::Rehearsal(Run& r)
                        r.canned,
                        r.mist,
                        r.flood,
+                       r.cycle_store,
                        r.globals,
                        values_of(r)}) {
     run_.capture = &elements_;
@@ -153,6 +155,7 @@ Rehearsal::~Rehearsal() {
     run_.canned = s.canned;
     run_.mist = s.mist;
     run_.flood = s.flood;
+    run_.cycle_store = std::move(s.cycle_store);
     run_.globals = std::move(s.globals);
     for (auto& [array, value] : s.values) *array = std::move(value);
 }
@@ -195,6 +198,24 @@ std::optional<std::vector<Captured>> elements_of_turned_contour(Run& run, const 
     auto elements = elements_of_program(run, unit, from);
     run.turned_contour = before;
     return elements;
+}
+
+BlockRehearsal elements_of_blocks(Run& run, std::uint32_t first, std::uint32_t last) {
+    BlockRehearsal out;
+    const Rehearsal rehearsal(run);
+    run.silenced = &out.complaints;
+    const std::size_t depth = run.calls.size();
+    run.top().pc = first;
+    run.top().sections.clear();
+    for (std::size_t n = 0; n < most_statements && !run.stopped; ++n) {
+        const bool outside = run.calls.size() != depth || run.top().pc < first || run.top().pc > last;
+        out.ended = run.calls.size() == depth && run.top().pc == last + 1;
+        if (outside) break;
+        step(run);
+    }
+    run.silenced = nullptr;
+    out.elements = rehearsal.elements();
+    return out;
 }
 
 std::optional<std::vector<Captured>> elements_of_program(Run& run, const Unit& unit, std::optional<geom::Vec3> from) {

@@ -24,6 +24,8 @@ void begin_cycle(Run&, const ActiveCycle&);
 /// A step of a cycle, from the working plane's coordinates into the stream.
 void emit_step(Run&, cl::Step step);
 void emit_steps(Run&, std::vector<cl::Step>&);
+/// Those of a turning cycle: threads tell that they follow the spindle (turning.cpp).
+void emit_turning_steps(Run&, std::vector<cl::Step>&);
 /// (u, v, w) of the working plane, as cycles have it.
 [[nodiscard]] geom::Vec3 into_plane(const geom::Vec3& p, const PlaneAxes& a);
 [[nodiscard]] geom::Vec3 out_of_plane(const geom::Vec3& p, const PlaneAxes& a);
