@@ -166,7 +166,7 @@ void remove(TurningPath& path, const TurningDemand& demand, Vec2 start) {
     Course& c = path.course();
     Removal r;
     r.infeed = c.need(Role::infeed);
-    if (r.infeed <= 0) c.fault(Role::infeed, "the depth of cut must be greater than 0");
+    if (r.infeed <= 0) c.fault(Role::infeed, "the depth of cut must be greater than 0", "give the depth of one cut");
     r.escape = c.at_least(Role::escape, 0);
     r.pockets = c.whole(Role::pockets, 0, 0, 1, "the type of stock removal") == 1;
     const Vec2 allowance = read_allowance(c);

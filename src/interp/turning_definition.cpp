@@ -100,7 +100,8 @@ bool report_turning(Run& run, const CycleDefinition& d, const cycles::Expansion&
     for (const cycles::Complaint& k : e.complaints) {
         const base::Span where = place_of(d, k, contour);
         if (k.fatal) {
-            alarm(run, k.element ? codes::contour : codes::value_range, where, d.name + ": " + k.text, k.remedy);
+            alarm(run, k.element ? codes::contour : codes::value_range, where, d.name + ": " + k.text,
+                  k.remedy.empty() && k.role ? "give it in the block of the cycle" : k.remedy);
             return false;
         }
         assume(run, where, d.name + ": " + k.text, k.remedy);
