@@ -201,14 +201,18 @@ void load_configuration(Session& s, const Request& request) {
     }
 }
 
-bool read_main(Session& s, const Request& request, const fs::path& path, const shop::Machine* machine) {
+bool read_main(Session& s, const Request& request, const fs::path& path) {
     const auto file = load(path, s.sources, s.diagnostics, s.job.program_where);
     if (!file) return false;
     s.program = s.sources[*file].name;
     const Control* control = choose_control(s, request, *file);
     if (control == nullptr) return false;
     s.programs = std::make_unique<Programs>(*control, s.sources, s.diagnostics);
-    s.programs->set_machine(machine);
+    bool named = false;
+    if (!load_named_machine(s, request, request.input, named)) return false;
+    // A job with turned stock, part or tools says that it is for a lathe.
+    const bool told = named || (s.has_job && s.job.machine.kind == shop::MachineKind::lathe);
+    s.programs->set_machine(told ? &s.job.machine : nullptr);
     s.programs->add_folder(path.parent_path());
     for (const std::string& folder : request.search) s.programs->add_folder(folder);
     for (const std::string& folder : s.job.search) s.programs->add_folder(beside(request.input, folder));
@@ -216,6 +220,7 @@ bool read_main(Session& s, const Request& request, const fs::path& path, const s
     s.main = s.programs->read(*file);
     s.programs->read_definitions();
     if (s.main == nullptr) complain(s, codes::syntax, {*file, 0, 0}, "this file holds no program");
+    if (s.main != nullptr && !named) choose_machine(s);
     return s.main != nullptr;
 }
 
@@ -251,12 +256,7 @@ bool open(const Request& request, Session& s) {
                  prints.generic_string() + ", where programs shall print to, is not a folder", "make it before");
         good = false;
     }
-    bool named = false;
-    if (!good || !load_named_machine(s, request, input, named)) return false;
-    // A job with turned stock, part or tools says that it is for a lathe.
-    const bool told = named || (s.has_job && s.job.machine.kind == shop::MachineKind::lathe);
-    if (!read_main(s, request, program, told ? &s.job.machine : nullptr)) return false;
-    if (!named) choose_machine(s);
+    if (!good || !read_main(s, request, program)) return false;
     s.job.skip_levels.insert(s.job.skip_levels.end(), request.skip.begin(), request.skip.end());
     if (request.diameter) s.job.machine.defaults.diameter_programming = *request.diameter;
     load_configuration(s, request);

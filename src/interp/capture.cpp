@@ -41,7 +41,8 @@ struct Rehearsal::Saved {
     std::string datum_table, open_table;
     Offsets offsets;
     CannedState canned;
-    bool mist, flood;
+    bool mist, flood, probed;
+    Overrides overrides;
     std::map<std::pair<int, program::CycleRole>, double> cycle_store;
     Scope globals;
     /// What the variables hold: calls and scopes share them with what is run ahead.
@@ -105,6 +106,8 @@ Rehearsal::Rehearsal(Run& r)
                        r.canned,
                        r.mist,
                        r.flood,
+                       r.probed,
+                       r.overrides,
                        r.cycle_store,
                        r.globals,
                        values_of(r)}) {
@@ -155,6 +158,8 @@ Rehearsal::~Rehearsal() {
     run_.canned = s.canned;
     run_.mist = s.mist;
     run_.flood = s.flood;
+    run_.probed = s.probed;
+    run_.overrides = s.overrides;
     run_.cycle_store = std::move(s.cycle_store);
     run_.globals = std::move(s.globals);
     for (auto& [array, value] : s.values) *array = std::move(value);
@@ -221,6 +226,8 @@ BlockRehearsal elements_of_blocks(Run& run, std::uint32_t first, std::uint32_t l
 std::optional<std::vector<Captured>> elements_of_program(Run& run, const Unit& unit, std::optional<geom::Vec3> from) {
     const Rehearsal rehearsal(run);
     if (from) arrive(run, *from);
+    // The contour of a turning cycle begins with lines, whatever is in force where the cycle stands.
+    if (run.turned_contour && run.modal.motion == Modal::canned_off) run.modal.motion = Modal::linear;
     const std::size_t depth = run.calls.size();
     enter(run, unit, nullptr, run.here());
     if (run.calls.size() == depth) return std::nullopt;

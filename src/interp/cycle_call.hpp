@@ -23,6 +23,8 @@ void begin_cycle(Run&, const ActiveCycle&);
 [[nodiscard]] bool report_expansion(Run&, std::string_view name, const cycles::Expansion&);
 /// A step of a cycle, from the working plane's coordinates into the stream.
 void emit_step(Run&, cl::Step step);
+/// As above, but through radius compensation where it is on: cycles whose moves are the contour itself.
+void path_step(Run&, cl::Step step);
 void emit_steps(Run&, std::vector<cl::Step>&);
 /// Those of a turning cycle: threads tell that they follow the spindle (turning.cpp).
 void emit_turning_steps(Run&, std::vector<cl::Step>&);

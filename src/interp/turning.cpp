@@ -87,7 +87,7 @@ void emit_turning_steps(Run& run, std::vector<cl::Step>& steps) {
         if (thread != nullptr && thread->pitch != pitch) tell(run, SettingKind::synchronised, 1, {thread->pitch});
         if (ends) tell(run, SettingKind::synchronised, 0);
         pitch = thread != nullptr ? thread->pitch : 0;
-        emit_step(run, std::move(steps[i]));
+        path_step(run, std::move(steps[i]));
         if (ends) tell(run, SettingKind::feed_override, 1);
     }
 }
@@ -103,7 +103,7 @@ bool turning_cycle(Run& run) {
         alarm(run, codes::value_range, run.here(), std::string(c->name) + " needs the plane of G18");
         return false;
     }
-    flush_path(run);
+    if (run.modal.compensation == Modal::compensation_off) flush_path(run);
     cycles::TurningDemand demand;
     demand.cycle.kind = c->kind;
     take_words(run, *c, demand.cycle);

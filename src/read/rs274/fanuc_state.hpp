@@ -16,6 +16,7 @@ using dialect::rs274::FanucMUse;
 using dialect::rs274::FanucSpecial;
 using dialect::rs274::FanucUse;
 using dialect::rs274::WholeNumbers;
+using program::DataTable;
 
 /// A letter and its value as written; what it means is known when the whole block is.
 struct Address {
