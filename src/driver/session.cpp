@@ -234,6 +234,7 @@ std::vector<std::string> controls() {
 
 bool open(const Request& request, Session& s) {
     const fs::path input(request.input);
+    s.folder = input.parent_path().string();
     fs::path program = input;
     if (is_job(input)) {
         const auto file = load(input, s.sources, s.diagnostics);
