@@ -15,6 +15,7 @@ namespace milling = sim::milling;
 namespace {
 
 constexpr double piece = 0.1;                   ///< mm in which the way in the material is measured
+constexpr double short_way = 1;                 ///< mm; moves up to that count as a whole
 constexpr std::uint32_t most_pieces = 200'000;  ///< in all; the moves behind them count as a whole
 constexpr std::size_t batch = 32'768;           ///< passes that wait for the simulation
 constexpr double fallback_radius = 1;           ///< mm, where no tool of the list has a shape
@@ -189,7 +190,7 @@ void Milling::queue(const geom::PathElement& element, const MilledMove& move, bo
         way = geom::length(geom::Vec2{radius * c->sweep, geom::dot(c->to - c->from, c->normal)});
     }
     std::uint32_t pieces = 1;
-    if (feed && !std::holds_alternative<geom::Cubic>(element) && way > piece && way / piece < pieces_left_) {
+    if (feed && !std::holds_alternative<geom::Cubic>(element) && way > short_way && way / piece < pieces_left_) {
         pieces = static_cast<std::uint32_t>(std::ceil(way / piece));
         pieces_left_ -= pieces;
     }

@@ -54,7 +54,7 @@ void Milling::judge_cut(const QueuedPass& pass, MilledMove& move, const milling:
     stopped_reported_ = !move.turning;
     if (!move.plunging || move.tool == 0) return;
     const auto listed = out_.result().tools[move.tool - 1].listed;
-    if (!listed || may_plunge(setup_.tools[*listed])) return;
+    if (!listed || shop::may_plunge(setup_.tools[*listed])) return;
     Finding f;
     f.code = codes::plunging_cut;
     f.text = "the tool plunges into the material, but it does not cut at its centre";

@@ -11,7 +11,5 @@ namespace obrys::check {
 [[nodiscard]] sim::milling::Cutter cutter_of(const shop::Tool& tool);
 [[nodiscard]] bool has_shank(const shop::Tool& tool);
 [[nodiscard]] bool has_holder(const shop::Tool& tool);
-/// Whether the tool cuts at its centre.
-[[nodiscard]] bool may_plunge(const shop::Tool& tool);
 
 }  // namespace obrys::check

@@ -3,6 +3,7 @@
 #include <unistd.h>
 
 #include "base/codes.hpp"
+#include "base/text.hpp"
 #include "driver/files.hpp"
 #include "mesh/stl.hpp"
 
