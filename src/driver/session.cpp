@@ -32,6 +32,23 @@ fs::path beside(const fs::path& job, const std::string& written) {
     return path.is_absolute() ? path : (job.parent_path() / path).lexically_normal();
 }
 
+/// A job that names no program is about the one beside it that is called like it: ball.ngc of ball.job.toml.
+std::string program_beside(const fs::path& job) {
+    fs::path stem = job.stem();
+    if (base::equals_ignoring_case(stem.extension().string(), ".job")) stem = stem.stem();
+    std::vector<std::string> found;
+    std::error_code error;
+    for (const fs::directory_entry& e : fs::directory_iterator(job.has_parent_path() ? job.parent_path() : ".", error)) {
+        const std::string suffix = base::to_upper(e.path().extension().string());
+        const auto is_program = [&](const Control& c) {
+            return std::find(c.program_suffixes.begin(), c.program_suffixes.end(), suffix) != c.program_suffixes.end();
+        };
+        if (e.path().stem() == stem && std::any_of(all_controls().begin(), all_controls().end(), is_program))
+            found.push_back(e.path().filename().string());
+    }
+    return found.size() == 1 ? found.front() : std::string{};
+}
+
 std::string control_names() {
     std::string list;
     for (const Control& c : all_controls()) list += (list.empty() ? "" : ", ") + std::string(c.name);
@@ -234,12 +251,17 @@ std::vector<std::string> controls() {
 
 bool open(const Request& request, Session& s) {
     const fs::path input(request.input);
+    s.folder = input.parent_path().string();
     fs::path program = input;
     if (is_job(input)) {
         const auto file = load(input, s.sources, s.diagnostics);
         if (!file) return false;
         s.job = shop::read_job(*file, s.sources, s.diagnostics);
         s.has_job = true;
+        if (s.job.program.empty()) s.job.program = program_beside(input);
+        if (s.job.program.empty())
+            complain(s, codes::job_value, s.job.program_where, "the job file has no 'program'",
+                     "name it, or put one program with the job's name beside the job");
         if (s.job.program.empty() || s.diagnostics.has_errors()) return false;
         program = beside(input, s.job.program);
     }
