@@ -62,11 +62,11 @@ void Milling::begin() {
     const double needed = lattice ? milling::bytes_for(*lattice) : INFINITY;
     if (!(needed <= m.memory_bytes)) {
         const double fits = milling::tolerance_that_fits(box, radius, m.memory_bytes);
-        return out_.unchecked("a tolerance of " + mm(m.tolerance) + " needs " +
+        return out_.unchecked("a tolerance of " + base::shortest(m.tolerance) + " mm needs " +
                                   (std::isfinite(needed) ? megabytes(needed) : std::string("more than any memory")) +
                                   " for this stock, of which " + megabytes(m.memory_bytes) +
                                   " may be used: removal not simulated",
-                              "a tolerance of " + mm(fits) + " would fit (--tolerance)");
+                              "a tolerance of " + base::shortest(std::ceil(fits * 1e5) / 1e5) + " mm would fit (--tolerance)");
     }
     simulation_.emplace(m.stock, *lattice, m.tolerance, m.threads);
     if (simulation_->open_rays() > 0)

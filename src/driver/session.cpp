@@ -259,7 +259,7 @@ bool open(const Request& request, Session& s) {
         s.job = shop::read_job(*file, s.sources, s.diagnostics);
         s.has_job = true;
         if (s.job.program.empty()) s.job.program = program_beside(input);
-        if (s.job.program.empty())
+        if (s.job.program.empty() && !s.diagnostics.has_errors())
             complain(s, codes::job_value, s.job.program_where, "the job file has no 'program'",
                      "name it, or put one program with the job's name beside the job");
         if (s.job.program.empty() || s.diagnostics.has_errors()) return false;
