@@ -52,8 +52,8 @@ void Tile::split(int local, std::size_t at, double begin, double end, std::uint3
     ++slot.count;
 }
 
-/// Interval i is the first one that [begin, end] reaches.
-void Tile::subtract_from(int local, std::size_t i, double begin, double end, std::uint32_t cut, Removed& removed) {
+void Tile::subtract(int local, int met, double begin, double end, std::uint32_t cut, Removed& removed) {
+    auto i = static_cast<std::size_t>(met);
     const auto index = static_cast<std::size_t>(local);
     Slot& slot = slots_[index];
     Interval* v = pool_.data() + slot.first;
