@@ -46,6 +46,11 @@ public:
     /// Largest coordinate of material on a ray; -infinity where there is none.
     [[nodiscard]] double upper(int local) const { return upper_[static_cast<std::size_t>(local)]; }
     [[nodiscard]] const double* uppers() const { return upper_.data(); }
+    /// [low, high] lies where this ray is known to be empty: quick, but says nothing where it is false.
+    [[nodiscard]] bool surely_empty(int local, double low, double high) const {
+        const auto at = static_cast<std::size_t>(local);
+        return (low >= gap_low_[at]) & (high <= gap_high_[at]);
+    }
     /// Sets the material of a ray: intervals in ascending order that do not touch.
     void set(int local, std::span<const Interval> intervals);
     /// The first interval of a ray that [begin, end] reaches, from 0; -1: none. Cuts thinner than `thinnest` are none.
@@ -63,7 +68,11 @@ public:
     void measure(int local, double begin, double end, Removed& found) const;
     [[nodiscard]] std::size_t bytes() const { return pool_.capacity() * sizeof(Interval) + sizeof(Tile); }
 
-    Tile() { upper_.fill(-std::numeric_limits<double>::infinity()); }
+    Tile() {
+        upper_.fill(-std::numeric_limits<double>::infinity());
+        gap_low_ = upper_;
+        gap_high_.fill(std::numeric_limits<double>::infinity());
+    }
 
 private:
     struct Slot {
@@ -74,6 +83,8 @@ private:
     void split(int local, std::size_t at, double begin, double end, std::uint32_t cut);
 
     std::array<double, rays> upper_{};
+    std::array<double, rays> gap_low_{},
+        gap_high_{};  ///< the empty stretch that was cut last, less what is too thin to cut
     std::array<Slot, rays> slots_{};
     std::vector<Interval> pool_;
     std::size_t live_ = 0;  ///< intervals of pool_ that a slot holds or has reserved

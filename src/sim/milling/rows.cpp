@@ -165,11 +165,12 @@ bool cut_row_by(const Piece& piece, const Track& track, const Row& row, const Ai
         if (high < piece.z0 || low > piece.z1) return false;
     }
     if (is_ball(piece)) {
-        Row moved = row;
-        const Vec3 centre{0, 0, piece.centre};
-        const double along = dot(centre, row.d);
-        moved.p = row.p - (centre - along * row.d);
-        detail::capsule_row(detail::capsule_of(aims.whole, moved, 0, 1, piece.arc), row.count, spans);
+        // The centre is what moves: seen from it the rays lie lower.
+        const double along = piece.centre * row.d.z;
+        detail::Capsule c = detail::capsule_of(aims.whole, row, 0, 1, piece.arc);
+        c.a -= piece.centre * aims.whole.e.z;
+        c.n -= piece.centre * aims.whole.beside.z;
+        detail::capsule_row(c, row.count, spans);
         if (along != 0)
             for (std::size_t i = 0; i < static_cast<std::size_t>(row.count); ++i)
                 spans.low[i] += along, spans.high[i] += along;

@@ -146,10 +146,18 @@ private:
     }
 
     void apply(const Course& c, const Spans& spans) {
+        std::array<int, Row::most> rays;  // those that may hold something
+        std::size_t count = 0;
         for (int i = 0, local = c.local; i < c.row.count; ++i, local += c.stride) {
             const auto at = static_cast<std::size_t>(i);
             const double low = base_ + spans.low[at], high = base_ + spans.high[at];
-            if (!(spans.low[at] < spans.high[at]) || place_.tile.upper(local) <= low + thinnest) continue;
+            rays[count] = i;
+            count += (low < high) & !place_.tile.surely_empty(local, low, high) ? 1 : 0;
+        }
+        for (std::size_t n = 0; n < count; ++n) {
+            const int i = rays[n], local = c.local + i * c.stride;
+            const auto at = static_cast<std::size_t>(i);
+            const double low = base_ + spans.low[at], high = base_ + spans.high[at];
             const int met = place_.tile.first_met(local, low, high);
             if (met < 0) continue;
             Removed removed;
