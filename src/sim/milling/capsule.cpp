@@ -107,4 +107,24 @@ OBRYS_LANES void capsule_low_row(const Capsule& c, int count, double high, Spans
     for (int i = 0; i < count; ++i) spans.high[static_cast<std::size_t>(i)] = high;
 }
 
+OBRYS_LANES int candidates(const Spans& spans, double base, const double* gap_low, const double* gap_high, int count,
+                           std::array<int, Row::most>& rays) {
+    const double* const low = spans.low.data();
+    const double* const high = spans.high.data();
+    std::array<long long, Row::most> wanted;  // as wide as a double, so that lanes keep their places
+    const int lanes = in_full(count);
+    for (int i = 0; i < lanes; ++i) {
+        const double from = base + low[i], to = base + high[i];
+        wanted[static_cast<std::size_t>(i)] =
+            static_cast<long long>(from < to) &
+            (static_cast<long long>(from < gap_low[i]) | static_cast<long long>(to > gap_high[i]));
+    }
+    std::size_t found = 0;
+    for (int i = 0; i < count; ++i) {
+        rays[found] = i;
+        found += wanted[static_cast<std::size_t>(i)] != 0 ? 1 : 0;
+    }
+    return static_cast<int>(found);
+}
+
 }  // namespace obrys::sim::milling::detail

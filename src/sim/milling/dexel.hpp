@@ -46,11 +46,10 @@ public:
     /// Largest coordinate of material on a ray; -infinity where there is none.
     [[nodiscard]] double upper(int local) const { return upper_[static_cast<std::size_t>(local)]; }
     [[nodiscard]] const double* uppers() const { return upper_.data(); }
-    /// [low, high] lies where this ray is known to be empty: quick, but says nothing where it is false.
-    [[nodiscard]] bool surely_empty(int local, double low, double high) const {
-        const auto at = static_cast<std::size_t>(local);
-        return (low >= gap_low_[at]) & (high <= gap_high_[at]);
-    }
+    /// Where a ray is known to be empty, for a quick look; rays of one b lie one after the other, three more than there
+    /// are rays can be read.
+    [[nodiscard]] const double* gaps_low() const { return gap_low_.data(); }
+    [[nodiscard]] const double* gaps_high() const { return gap_high_.data(); }
     /// Sets the material of a ray: intervals in ascending order that do not touch.
     void set(int local, std::span<const Interval> intervals);
     /// The first interval of a ray that [begin, end] reaches, from 0; -1: none. Cuts thinner than `thinnest` are none.
@@ -70,7 +69,7 @@ public:
 
     Tile() {
         upper_.fill(-std::numeric_limits<double>::infinity());
-        gap_low_ = upper_;
+        gap_low_.fill(-std::numeric_limits<double>::infinity());
         gap_high_.fill(std::numeric_limits<double>::infinity());
     }
 

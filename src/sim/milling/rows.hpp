@@ -72,6 +72,10 @@ struct Capsule {
 };
 void capsule_row(const Capsule& c, int count, Spans& spans);
 void capsule_low_row(const Capsule& c, int count, double high, Spans& spans);
+/// The rays whose span, moved by `base`, is neither empty nor inside their gap; returns how many. Gaps may be read up
+/// to the next multiple of four.
+int candidates(const Spans& spans, double base, const double* gap_low, const double* gap_high, int count,
+               std::array<int, Row::most>& rays);
 /// The circle's way from t0 to t1 of the track.
 [[nodiscard]] Capsule capsule_of(const Aim& aim, const Row& row, double t0, double t1, double radius);
 

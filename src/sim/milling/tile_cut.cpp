@@ -146,16 +146,21 @@ private:
     }
 
     void apply(const Course& c, const Spans& spans) {
-        std::array<int, Row::most> rays;  // those that may hold something
-        std::size_t count = 0;
-        for (int i = 0, local = c.local; i < c.row.count; ++i, local += c.stride) {
-            const auto at = static_cast<std::size_t>(i);
-            const double low = base_ + spans.low[at], high = base_ + spans.high[at];
-            rays[count] = i;
-            count += (low < high) & !place_.tile.surely_empty(local, low, high) ? 1 : 0;
+        std::array<int, Row::most> rays;
+        const double* low_gaps = place_.tile.gaps_low() + c.local;
+        const double* high_gaps = place_.tile.gaps_high() + c.local;
+        std::array<double, Row::most> low_copy, high_copy;
+        if (c.stride != 1) {
+            for (int i = 0; i < c.row.count; ++i) {
+                low_copy[static_cast<std::size_t>(i)] = low_gaps[i * c.stride];
+                high_copy[static_cast<std::size_t>(i)] = high_gaps[i * c.stride];
+            }
+            low_gaps = low_copy.data();
+            high_gaps = high_copy.data();
         }
-        for (std::size_t n = 0; n < count; ++n) {
-            const int i = rays[n], local = c.local + i * c.stride;
+        const int count = detail::candidates(spans, base_, low_gaps, high_gaps, c.row.count, rays);
+        for (int n = 0; n < count; ++n) {
+            const int i = rays[static_cast<std::size_t>(n)], local = c.local + i * c.stride;
             const auto at = static_cast<std::size_t>(i);
             const double low = base_ + spans.low[at], high = base_ + spans.high[at];
             const int met = place_.tile.first_met(local, low, high);
