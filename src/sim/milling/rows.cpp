@@ -9,6 +9,7 @@ namespace {
 using geom::Vec2;
 using geom::Vec3;
 
+constexpr double barely = 1e-9;  ///< mm
 constexpr double never = std::numeric_limits<double>::infinity();
 
 [[nodiscard]] bool is_ball(const Piece& p) { return p.kind == PieceKind::round && p.whole && p.ring == 0; }
@@ -144,16 +145,46 @@ bool across_cylinder(const Piece& piece, const Track& track, const Row& row, con
     return true;
 }
 
-void each_ray(const Piece& piece, const Track& track, const Row& row, Spans& spans) {
+/// A ball with its centre on the axis: seen from it the rays lie lower.
+void ball_row(double centre, double radius, const Row& row, const Aims& aims, Spans& spans) {
+    detail::Capsule c = detail::capsule_of(aims.whole, row, 0, 1, radius);
+    c.a -= centre * aims.whole.e.z;
+    c.n -= centre * aims.whole.beside.z;
+    detail::capsule_row(c, row.count, spans);
+    const double along = centre * row.d.z;
+    if (along == 0) return;
+    for (std::size_t i = 0; i < static_cast<std::size_t>(row.count); ++i) {
+        spans.low[i] += along;
+        spans.high[i] += along;
+    }
+}
+
+/// Ray by ray, for what has no formula for rows: only rays that meet a ball around the piece, or a cylinder as wide as
+/// it is at the row's heights, and are worth it.
+void each_ray(const Piece& piece, const Track& track, const Row& row, const Aims& aims, Worth worth, Spans& spans) {
+    Spans around;
+    if (aims.lie == Lie::across) {
+        const double low = row.p.z - std::max(0.0, track.v.z), high = row.p.z - std::min(0.0, track.v.z);
+        detail::Capsule c = detail::capsule_of(aims.level, row, 0, 1, widest_between(piece, low, high) + barely);
+        c.n = c.n_step = 0;
+        detail::capsule_row(c, row.count, around);
+    } else {
+        const double bottom = piece.whole ? piece.centre - piece.arc : piece.z0;
+        const double top = piece.whole ? piece.centre + piece.arc : piece.z1;
+        const double radius = std::hypot(widest_between(piece, piece.z0, piece.z1), (top - bottom) / 2) + barely;
+        ball_row((bottom + top) / 2, radius, row, aims, around);
+    }
     for (int i = 0; i < row.count; ++i) {
+        const auto at = static_cast<std::size_t>(i);
         double low = 1, high = 0;
-        if (!cut_ray(piece, track.v, row.p + i * row.step, row.d, low, high)) low = 1, high = 0;
+        const bool near = around.low[at] < around.high[at] && worth(i, around.low[at], around.high[at]);
+        if (!near || !cut_ray(piece, track.v, row.p + i * row.step, row.d, low, high)) low = 1, high = 0;
         set(spans, i, low, high);
     }
 }
 
 /// False: nothing of the row is met.
-bool cut_row_by(const Piece& piece, const Track& track, const Row& row, const Aims& aims, Spans& spans) {
+bool cut_row_by(const Piece& piece, const Track& track, const Row& row, const Aims& aims, Worth worth, Spans& spans) {
     const Lie lie = aims.lie;
     if (lie == Lie::along && (track.circular || track.level() || track.upright())) {
         along_by_distance(piece, track, row, spans);
@@ -165,22 +196,14 @@ bool cut_row_by(const Piece& piece, const Track& track, const Row& row, const Ai
         if (high < piece.z0 || low > piece.z1) return false;
     }
     if (is_ball(piece)) {
-        // The centre is what moves: seen from it the rays lie lower.
-        const double along = piece.centre * row.d.z;
-        detail::Capsule c = detail::capsule_of(aims.whole, row, 0, 1, piece.arc);
-        c.a -= piece.centre * aims.whole.e.z;
-        c.n -= piece.centre * aims.whole.beside.z;
-        detail::capsule_row(c, row.count, spans);
-        if (along != 0)
-            for (std::size_t i = 0; i < static_cast<std::size_t>(row.count); ++i)
-                spans.low[i] += along, spans.high[i] += along;
+        ball_row(piece.centre, piece.arc, row, aims, spans);
         return true;
     }
     if (is_cylinder(piece) && lie == Lie::across) return across_cylinder(piece, track, row, aims, spans);
     if (is_cylinder(piece) && lie == Lie::along)
         along_cylinder(piece, track, row, spans);
     else
-        each_ray(piece, track, row, spans);
+        each_ray(piece, track, row, aims, worth, spans);
     return true;
 }
 
@@ -197,7 +220,7 @@ bool cut_ray(const Piece& piece, Vec3 v, Vec3 p, Vec3 d, double& low, double& hi
     return hit;
 }
 
-void cut_row(const Shape& shape, const Track& track, const Row& row, const Aims& aims,
+void cut_row(const Shape& shape, const Track& track, const Row& row, const Aims& aims, Worth worth,
              base::FunctionRef<void(const Spans&)> take) {
     Spans spans;
     if (aims.lie == Lie::across && (track.circular || track.level() || track.upright())) {
@@ -215,7 +238,7 @@ void cut_row(const Shape& shape, const Track& track, const Row& row, const Aims&
         return;
     }
     for (const Piece& piece : shape.pieces)
-        if (cut_row_by(piece, track, row, aims, spans)) take(spans);
+        if (cut_row_by(piece, track, row, aims, worth, spans)) take(spans);
 }
 
 void cut_row_from_above(const Shape& shape, const Track& track, const Row& row, const Aims& aims, Spans& spans) {

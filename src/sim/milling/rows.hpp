@@ -20,7 +20,7 @@ struct Row {
 };
 /// Of each ray the part [low, high] of s; nothing where not low < high.
 struct Spans {
-    std::array<double, Row::most> low, high;
+    std::array<double, Row::most> low{}, high{};
 };
 
 /// How rays lie to the tool's axis.
@@ -46,10 +46,13 @@ struct Aims {
 };
 [[nodiscard]] Aims aims_of(const Track& track, geom::Vec3 d, Lie lie);
 
-/// Calls `take` for one part of the swept solid after another; together they are what is removed from the row's rays.
-/// They may touch or overlap. `aims` are those of the track and of the row's direction. `Lie::skew` and circular
-/// tracks do not go together.
-void cut_row(const Shape& shape, const Track& track, const Row& row, const Aims& aims,
+/// Whether there is anything to cut on ray i of the row in [low, high].
+using Worth = base::FunctionRef<bool(int i, double low, double high)>;
+
+/// Calls `take` for one part of the swept solid after another; together they are what is removed from the row's rays,
+/// but for rays that `worth` says are empty, which may be left out. Parts may touch or overlap. `aims` are those of the
+/// track and of the row's direction. `Lie::skew` and circular tracks do not go together.
+void cut_row(const Shape& shape, const Track& track, const Row& row, const Aims& aims, Worth worth,
              base::FunctionRef<void(const Spans&)> take);
 
 /// For rays upwards along the axis and a shape that rises: the lower side alone; `high` is the top of the shape where

@@ -95,7 +95,10 @@ public:
         for (int i = 0; i < rows; ++i) {
             const Course c =
                 along_b ? course(w.a0 + i, w.b0, w.b1 - w.b0, true) : course(w.a0, w.b0 + i, w.a1 - w.a0, false);
-            cut_row(*job_.shape, job_.track, c.row, aims_, [&](const Spans& spans) { apply(c, spans); });
+            const auto worth = [&](int n, double low, double high) {
+                return place_.tile.first_met(c.local + n * c.stride, base_ + low, base_ + high) >= 0;
+            };
+            cut_row(*job_.shape, job_.track, c.row, aims_, worth, [&](const Spans& spans) { apply(c, spans); });
         }
     }
 
@@ -151,6 +154,8 @@ private:
         const double* high_gaps = place_.tile.gaps_high() + c.local;
         std::array<double, Row::most> low_copy, high_copy;
         if (c.stride != 1) {
+            low_copy.fill(0);
+            high_copy.fill(0);
             for (int i = 0; i < c.row.count; ++i) {
                 low_copy[static_cast<std::size_t>(i)] = low_gaps[i * c.stride];
                 high_copy[static_cast<std::size_t>(i)] = high_gaps[i * c.stride];
