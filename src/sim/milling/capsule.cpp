@@ -36,7 +36,18 @@ Aim aim_of(geom::Vec3 v, geom::Vec3 d) {
 }
 
 Aims aims_of(const Track& track, geom::Vec3 d, Lie lie) {
-    return {lie, aim_of(track.v, d), aim_of({track.v.x, track.v.y, 0}, d)};
+    const geom::Vec3 level{track.v.x, track.v.y, 0};
+    Aims aims;
+    aims.lie = lie;
+    aims.whole = aim_of(track.v, d);
+    aims.level = aim_of(level, d);
+    aims.flat_length = std::sqrt(d.x * d.x + d.y * d.y);
+    if (aims.flat_length < 1e-6) aims.flat_length = 0;
+    if (aims.flat_length > 0) {
+        aims.flat_d = {d.x / aims.flat_length, d.y / aims.flat_length, 0};
+        aims.flat = aim_of(level, aims.flat_d);
+    }
+    return aims;
 }
 
 }  // namespace obrys::sim::milling

@@ -159,21 +159,40 @@ void ball_row(double centre, double radius, const Row& row, const Aims& aims, Sp
     }
 }
 
-/// Ray by ray, for what has no formula for rows: only rays that meet a ball around the piece, or a cylinder as wide as
-/// it is at the row's heights, and are worth it.
+/// Where rays meet the piece's way at most: an upright cylinder around it, between the heights it reaches.
+void bound(const Piece& piece, const Track& track, const Row& row, const Aims& aims, Spans& spans) {
+    const double bottom = (piece.whole ? piece.centre - piece.arc : piece.z0) + std::min(0.0, track.v.z) - barely;
+    const double top = (piece.whole ? piece.centre + piece.arc : piece.z1) + std::max(0.0, track.v.z) + barely;
+    double widest = widest_between(piece, piece.z0, piece.z1);
+    if (aims.lie == Lie::across)
+        widest = widest_between(piece, row.p.z - std::max(0.0, track.v.z), row.p.z - std::min(0.0, track.v.z));
+    if (aims.flat_length > 0) {
+        detail::Capsule c = detail::capsule_of(aims.flat, row, 0, 1, widest + barely);
+        c.n = c.n_step = 0;
+        detail::capsule_row(c, row.count, spans);
+    }
+    for (int i = 0; i < row.count; ++i) {
+        const auto at = static_cast<std::size_t>(i);
+        const Vec3 p = row.p + i * row.step;
+        double low = -never, high = never;
+        if (aims.flat_length > 0) {
+            const double foot = dot(p, aims.flat_d);
+            low = (spans.low[at] - foot) / aims.flat_length;
+            high = (spans.high[at] - foot) / aims.flat_length;
+        }
+        if (std::abs(row.d.z) > 1e-9) {
+            const double one = (bottom - p.z) / row.d.z, other = (top - p.z) / row.d.z;
+            low = std::max(low, std::min(one, other));
+            high = std::min(high, std::max(one, other));
+        }
+        set(spans, i, low, high);
+    }
+}
+
+/// Ray by ray, for what has no formula for rows: only rays that come near the piece and are worth it.
 void each_ray(const Piece& piece, const Track& track, const Row& row, const Aims& aims, Worth worth, Spans& spans) {
     Spans around;
-    if (aims.lie == Lie::across) {
-        const double low = row.p.z - std::max(0.0, track.v.z), high = row.p.z - std::min(0.0, track.v.z);
-        detail::Capsule c = detail::capsule_of(aims.level, row, 0, 1, widest_between(piece, low, high) + barely);
-        c.n = c.n_step = 0;
-        detail::capsule_row(c, row.count, around);
-    } else {
-        const double bottom = piece.whole ? piece.centre - piece.arc : piece.z0;
-        const double top = piece.whole ? piece.centre + piece.arc : piece.z1;
-        const double radius = std::hypot(widest_between(piece, piece.z0, piece.z1), (top - bottom) / 2) + barely;
-        ball_row((bottom + top) / 2, radius, row, aims, around);
-    }
+    bound(piece, track, row, aims, around);
     for (int i = 0; i < row.count; ++i) {
         const auto at = static_cast<std::size_t>(i);
         double low = 1, high = 0;

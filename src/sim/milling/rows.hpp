@@ -42,7 +42,10 @@ struct Aim {
 /// A straight or circular track as rays of direction d see it.
 struct Aims {
     Lie lie = Lie::along;
-    Aim whole, level;  ///< of the translation, and of its part normal to the tool's axis
+    Aim whole, level;        ///< of the translation, and of its part normal to the tool's axis
+    Aim flat;                ///< of the latter, by rays projected along the axis
+    geom::Vec3 flat_d;       ///< their direction, unit length
+    double flat_length = 0;  ///< of a unit of the rays when projected; flat and flat_d stand only where this is not 0
 };
 [[nodiscard]] Aims aims_of(const Track& track, geom::Vec3 d, Lie lie);
 
