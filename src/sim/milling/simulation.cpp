@@ -65,7 +65,6 @@ Simulation::Simulation(const Stock& stock, const Lattice& lattice, double tolera
 }
 
 std::uint32_t Simulation::add_tool(ToolShape shape) {
-    flush();  // queued sweeps point to shapes, which may move
     tools_.push_back(std::move(shape));
     return static_cast<std::uint32_t>(tools_.size() - 1);
 }

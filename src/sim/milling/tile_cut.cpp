@@ -91,10 +91,17 @@ public:
         }
         // Rows of rays across the tool must be of one height.
         const bool along_b = aims_.lie == Lie::across && job_.frame.along == first_across(place_.axis);
-        const int rows = along_b ? w.a1 - w.a0 : w.b1 - w.b0;
+        const int rows = along_b ? w.a1 - w.a0 : w.b1 - w.b0, stride = along_b ? Tile::edge : 1;
         for (int i = 0; i < rows; ++i) {
-            const Course c =
-                along_b ? course(w.a0 + i, w.b0, w.b1 - w.b0, true) : course(w.a0, w.b0 + i, w.a1 - w.a0, false);
+            int a = along_b ? w.a0 + i : w.a0, b = along_b ? w.b0 : w.b0 + i,
+                count = along_b ? w.b1 - w.b0 : w.a1 - w.a0;
+            // Rays at the row's ends that are known to be empty all along the job's box.
+            int local = b * Tile::edge + a, skipped = 0;
+            for (; count > 0 && is_empty(local); local += stride, --count) ++skipped;
+            for (; count > 0 && is_empty(local + (count - 1) * stride);) --count;
+            if (count == 0) continue;
+            (along_b ? b : a) += skipped;
+            const Course c = course(a, b, count, along_b);
             const auto worth = [&](int n, double low, double high) {
                 return place_.tile.first_met(c.local + n * c.stride, base_ + low, base_ + high) >= 0;
             };
@@ -105,6 +112,11 @@ public:
 private:
     /// Normal to the rays also in the tool's frame, where rounding may have moved it.
     [[nodiscard]] Vec3 normal_part(Vec3 p) const { return aims_.lie == Lie::skew ? p - dot(p, d_) * d_ : p; }
+
+    [[nodiscard]] bool is_empty(int local) const {
+        return place_.tile.gaps_low()[local] <= component(job_.box.min, place_.axis) &&
+               component(job_.box.max, place_.axis) <= place_.tile.gaps_high()[local];
+    }
 
     [[nodiscard]] Course course(int a, int b, int count, bool along_b) const {
         Course c;
