@@ -68,12 +68,18 @@ double seconds_since(std::chrono::steady_clock::time_point start) {
     return std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
 }
 
-void run(const std::vector<Vec3>& tips, const milling::Box3& box, int runs, int threads) {
-    const auto lattice = milling::make_lattice(box, milling::step_for(tolerance, ball));
+milling::Cutter cutter_of(milling::CutterKind kind, double corner = 0) {
     milling::Cutter cutter;
-    cutter.kind = milling::CutterKind::ball;
+    cutter.kind = kind;
     cutter.diameter = 2 * ball;
+    cutter.corner_radius = corner;
     cutter.cutting_length = 25;
+    return cutter;
+}
+
+void run(const std::vector<Vec3>& tips, const milling::Box3& box, int runs, int threads,
+         const milling::Cutter& cutter = cutter_of(milling::CutterKind::ball), Vec3 axis = {0, 0, 1}) {
+    const auto lattice = milling::make_lattice(box, milling::step_for(tolerance, ball));
     double best = 1e9, removed = 0;
     std::size_t bytes = 0;
     for (int i = 0; i < runs; ++i) {
@@ -81,7 +87,7 @@ void run(const std::vector<Vec3>& tips, const milling::Box3& box, int runs, int 
         milling::Simulation simulation(box, *lattice, tolerance, threads);
         const std::uint32_t tool = simulation.add_tool(milling::shape_of(cutter).shape);
         for (std::size_t n = 1; n < tips.size(); ++n)
-            simulation.add({obrys::geom::Straight{tips[n - 1], tips[n]}, {0, 0, 1}, tool});
+            simulation.add({obrys::geom::Straight{tips[n - 1], tips[n]}, axis, tool});
         simulation.flush();
         best = std::min(best, seconds_since(start));
         removed = 0;
@@ -111,5 +117,12 @@ int main(int argc, char** argv) {
     run(zigzag(10'000, 100, 0.4, 0.5), plate, runs, threads);
     run(zigzag(50'000, 100, 0.4, 0.5), plate, runs, threads);
     run(zigzag(100'000, 100, 0.4, 0.25), plate, runs, threads);
+    std::puts("end mill; bull nose of corner radius 1 mm; ball leaning by 30 degrees; bull nose leaning likewise");
+    const Vec3 leaning{0.3, 0.4, std::sqrt(0.75)};
+    run(zigzag(10'000, 100, 0.4, 0.5), plate, 1, threads, cutter_of(milling::CutterKind::end_mill));
+    run(zigzag(10'000, 100, 0.4, 0.5), plate, 1, threads, cutter_of(milling::CutterKind::bull_nose, 1));
+    run(zigzag(10'000, 100, 0.4, 0.5), plate, 1, threads, cutter_of(milling::CutterKind::ball), leaning);
+    run(zigzag(2'000, 100, 0.4, 0.5), plate, 1, threads, cutter_of(milling::CutterKind::bull_nose, 1), leaning);
+    std::puts("ball");
     run(zigzag(1'000'000, 150, 0.3, 0.05), {{0, 0, -10}, {150, 100, 0}}, 1, threads);
 }

@@ -36,7 +36,18 @@ Aim aim_of(geom::Vec3 v, geom::Vec3 d) {
 }
 
 Aims aims_of(const Track& track, geom::Vec3 d, Lie lie) {
-    return {lie, aim_of(track.v, d), aim_of({track.v.x, track.v.y, 0}, d)};
+    const geom::Vec3 level{track.v.x, track.v.y, 0};
+    Aims aims;
+    aims.lie = lie;
+    aims.whole = aim_of(track.v, d);
+    aims.level = aim_of(level, d);
+    aims.flat_length = std::sqrt(d.x * d.x + d.y * d.y);
+    if (aims.flat_length < 1e-6) aims.flat_length = 0;
+    if (aims.flat_length > 0) {
+        aims.flat_d = {d.x / aims.flat_length, d.y / aims.flat_length, 0};
+        aims.flat = aim_of(level, aims.flat_d);
+    }
+    return aims;
 }
 
 }  // namespace obrys::sim::milling
@@ -105,6 +116,26 @@ OBRYS_LANES void capsule_low_row(const Capsule& c, int count, double high, Spans
         low[i] = below < 0 ? high : lower;
     }
     for (int i = 0; i < count; ++i) spans.high[static_cast<std::size_t>(i)] = high;
+}
+
+OBRYS_LANES int candidates(const Spans& spans, double base, const double* gap_low, const double* gap_high, int count,
+                           std::array<int, Row::most>& rays) {
+    const double* const low = spans.low.data();
+    const double* const high = spans.high.data();
+    std::array<long long, Row::most> wanted;  // as wide as a double, so that lanes keep their places
+    const int lanes = in_full(count);
+    for (int i = 0; i < lanes; ++i) {
+        const double from = base + low[i], to = base + high[i];
+        wanted[static_cast<std::size_t>(i)] =
+            static_cast<long long>(from < to) &
+            (static_cast<long long>(from < gap_low[i]) | static_cast<long long>(to > gap_high[i]));
+    }
+    std::size_t found = 0;
+    for (int i = 0; i < count; ++i) {
+        rays[found] = i;
+        found += wanted[static_cast<std::size_t>(i)] != 0 ? 1 : 0;
+    }
+    return static_cast<int>(found);
 }
 
 }  // namespace obrys::sim::milling::detail

@@ -37,6 +37,8 @@ void Tile::set(int local, std::span<const Interval> intervals) {
     std::copy(intervals.begin(), intervals.end(), pool_.begin() + slot.first);
     slot.count = static_cast<std::uint32_t>(intervals.size());
     upper_[at] = intervals.empty() ? -std::numeric_limits<double>::infinity() : intervals.back().end;
+    gap_low_[at] = upper_[at] - thinnest;
+    gap_high_[at] = std::numeric_limits<double>::infinity();
 }
 
 /// [begin, end] lies inside interval `at`: it becomes two.
@@ -52,38 +54,42 @@ void Tile::split(int local, std::size_t at, double begin, double end, std::uint3
     ++slot.count;
 }
 
-/// Interval i is the first one that [begin, end] reaches.
-void Tile::subtract_from(int local, std::size_t i, double begin, double end, std::uint32_t cut, Removed& removed) {
+void Tile::subtract(int local, int met, double begin, double end, std::uint32_t cut, Removed& removed) {
     const auto index = static_cast<std::size_t>(local);
     Slot& slot = slots_[index];
     Interval* v = pool_.data() + slot.first;
     const std::size_t count = slot.count;
-    const auto take = [&](double from, double to) {
-        removed.length += to - from;
-        removed.lowest = std::min(removed.lowest, from);
-        removed.highest = std::max(removed.highest, to);
-    };
-    if (v[i].begin < begin - thinnest) {
-        if (v[i].end > end + thinnest) {
-            take(begin, end);
-            split(local, i, begin, end, cut);
-            return;
-        }
-        take(begin, v[i].end);
+    auto i = static_cast<std::size_t>(met);
+    removed.lowest = std::max(begin, v[i].begin);
+    const bool stays_below = v[i].begin < begin - thinnest;
+    if (stays_below && v[i].end > end + thinnest) {
+        removed.highest = end;
+        removed.length = end - begin;
+        split(local, i, begin, end, cut);
+        gap_low_[index] = begin - thinnest;
+        gap_high_[index] = end + thinnest;
+        return;
+    }
+    if (stays_below) {
+        removed.highest = v[i].end;
+        removed.length = v[i].end - begin;
         v[i].end = begin;
         v[i].end_cut = cut;
         ++i;
     }
     std::size_t j = i;
-    while (j < count && v[j].end <= end + thinnest) {
-        take(v[j].begin, v[j].end);
-        ++j;
+    for (; j < count && v[j].end <= end + thinnest; ++j) {
+        removed.highest = v[j].end;
+        removed.length += v[j].end - v[j].begin;
     }
     if (j < count && v[j].begin < end - thinnest) {
-        take(v[j].begin, end);
+        removed.highest = end;
+        removed.length += end - v[j].begin;
         v[j].begin = end;
         v[j].begin_cut = cut;
     }
+    gap_low_[index] = i > 0 ? v[i - 1].end - thinnest : -std::numeric_limits<double>::infinity();
+    gap_high_[index] = j < count ? v[j].begin + thinnest : std::numeric_limits<double>::infinity();
     if (j > i) {
         std::copy(v + j, v + count, v + i);
         slot.count = static_cast<std::uint32_t>(count - (j - i));

@@ -46,21 +46,32 @@ public:
     /// Largest coordinate of material on a ray; -infinity where there is none.
     [[nodiscard]] double upper(int local) const { return upper_[static_cast<std::size_t>(local)]; }
     [[nodiscard]] const double* uppers() const { return upper_.data(); }
+    /// Where a ray is known to be empty, for a quick look; rays of one b lie one after the other, three more than there
+    /// are rays can be read.
+    [[nodiscard]] const double* gaps_low() const { return gap_low_.data(); }
+    [[nodiscard]] const double* gaps_high() const { return gap_high_.data(); }
     /// Sets the material of a ray: intervals in ascending order that do not touch.
     void set(int local, std::span<const Interval> intervals);
-    /// Takes [begin, end] from a ray. Material thinner than `thinnest` does not stay.
-    void subtract(int local, double begin, double end, std::uint32_t cut, Removed& removed) {
+    /// The first interval of a ray that [begin, end] reaches, from 0; -1: none. Cuts thinner than `thinnest` are none.
+    [[nodiscard]] int first_met(int local, double begin, double end) const {
         const Slot& slot = slots_[static_cast<std::size_t>(local)];
         const Interval* v = pool_.data() + slot.first;
-        std::size_t i = 0;
-        while (i < slot.count && v[i].end <= begin + thinnest) ++i;
-        if (i < slot.count && v[i].begin < end - thinnest) subtract_from(local, i, begin, end, cut, removed);
+        const double low = begin + thinnest;
+        std::uint32_t i = 0;
+        while (i < slot.count && v[i].end <= low) ++i;
+        return i < slot.count && v[i].begin < end - thinnest ? static_cast<int>(i) : -1;
     }
+    /// Takes [begin, end] from a ray, `met` as `first_met` says. Material thinner than `thinnest` does not stay.
+    void subtract(int local, int met, double begin, double end, std::uint32_t cut, Removed& removed);
     /// Length of material in [begin, end], where it lies.
     void measure(int local, double begin, double end, Removed& found) const;
     [[nodiscard]] std::size_t bytes() const { return pool_.capacity() * sizeof(Interval) + sizeof(Tile); }
 
-    Tile() { upper_.fill(-std::numeric_limits<double>::infinity()); }
+    Tile() {
+        upper_.fill(-std::numeric_limits<double>::infinity());
+        gap_low_.fill(-std::numeric_limits<double>::infinity());
+        gap_high_.fill(std::numeric_limits<double>::infinity());
+    }
 
 private:
     struct Slot {
@@ -68,10 +79,11 @@ private:
     };
     void reserve(Slot& slot, std::size_t count);
     void compact();
-    void subtract_from(int local, std::size_t i, double begin, double end, std::uint32_t cut, Removed& removed);
     void split(int local, std::size_t at, double begin, double end, std::uint32_t cut);
 
     std::array<double, rays> upper_{};
+    std::array<double, rays> gap_low_{},
+        gap_high_{};  ///< the empty stretch that was cut last, less what is too thin to cut
     std::array<Slot, rays> slots_{};
     std::vector<Interval> pool_;
     std::size_t live_ = 0;  ///< intervals of pool_ that a slot holds or has reserved

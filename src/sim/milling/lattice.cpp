@@ -51,6 +51,8 @@ double bytes_for(const Lattice& lattice, double pieces) {
 
 double tolerance_that_fits(const Box3& box, double smallest_radius, double bytes) {
     const double size = std::max({box.max.x - box.min.x, box.max.y - box.min.y, box.max.z - box.min.z});
+    const auto coarsest = make_lattice(box, size);
+    if (!coarsest || !(bytes_for(*coarsest) <= bytes)) return std::nan("");
     if (!(size > 0) || !(bytes > 0) || !(smallest_radius > 0)) return std::nan("");
     double low = size / most_nodes, high = size;  // of the step
     for (int i = 0; i < 60; ++i) {
@@ -59,6 +61,17 @@ double tolerance_that_fits(const Box3& box, double smallest_radius, double bytes
         (lattice && bytes_for(*lattice) <= bytes ? high : low) = middle;
     }
     return high * high / (2 * smallest_radius);
+}
+
+Resolution resolve(const Box3& box, double tolerance, double smallest_radius, double most_bytes) {
+    Resolution r;
+    r.step = step_for(tolerance, smallest_radius);
+    r.lattice = make_lattice(box, r.step);
+    r.bytes = r.lattice ? bytes_for(*r.lattice) : std::nan("");
+    if (r.lattice && r.bytes <= most_bytes) return r;
+    r.lattice.reset();
+    r.fits = tolerance_that_fits(box, smallest_radius, most_bytes);
+    return r;
 }
 
 }  // namespace obrys::sim::milling

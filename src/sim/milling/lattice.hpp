@@ -51,4 +51,13 @@ constexpr void set_component(geom::Vec3& v, int axis, double value) {
 /// The smallest tolerance whose lattice over the box fits into `bytes`, for a surface of that smallest radius.
 [[nodiscard]] double tolerance_that_fits(const Box3& box, double smallest_radius, double bytes);
 
+/// What a tolerance asks for, and whether it is to be had.
+struct Resolution {
+    double step = 0;                 ///< mm, at most, per axis
+    double bytes = 0;                ///< what the rays will need; NaN where there is no lattice of this step at all
+    std::optional<Lattice> lattice;  ///< nothing: refused
+    double fits = 0;                 ///< where refused: the smallest tolerance that would not be, mm; NaN: none would
+};
+[[nodiscard]] Resolution resolve(const Box3& box, double tolerance, double smallest_radius, double most_bytes);
+
 }  // namespace obrys::sim::milling

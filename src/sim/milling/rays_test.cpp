@@ -75,6 +75,8 @@ Brute brute(const Piece& piece, Vec3 v, Vec3 p, Vec3 d) {
     return b;
 }
 
+const auto always = [](int, double, double) { return true; };
+
 class Rays : public testing::Test {
 protected:
     std::mt19937_64 random{std::random_device{}()};
@@ -202,7 +204,7 @@ TEST_F(Rays, RowsAgainstTheUnionOfTheirPieces) {
         row.p = p - dot(p, row.d) * row.d;
         const Aims aims = aims_of(track, row.d, lie == 0 ? Lie::along : lie == 1 ? Lie::across : Lie::skew);
         std::vector<std::vector<std::pair<double, double>>> parts(static_cast<std::size_t>(row.count));
-        cut_row(shape, track, row, aims, [&](const Spans& s) {
+        cut_row(shape, track, row, aims, always, [&](const Spans& s) {
             for (std::size_t i = 0; i < parts.size(); ++i)
                 if (s.low[i] < s.high[i]) parts[i].push_back({s.low[i], s.high[i]});
         });
@@ -280,7 +282,7 @@ TEST_F(Rays, QuarterCirclesAgainstChords) {
                     if (s.low[i] < s.high[i]) parts[i].push_back({s.low[i], s.high[i]});
             };
         };
-        cut_row(shape, track, row, aims_of(track, row.d, along ? Lie::along : Lie::across), into(exact));
+        cut_row(shape, track, row, aims_of(track, row.d, along ? Lie::along : Lie::across), always, into(exact));
         constexpr int pieces = 1000;
         for (int k = 0; k < pieces; ++k) {
             const auto at = [&](int i) {
@@ -294,10 +296,12 @@ TEST_F(Rays, QuarterCirclesAgainstChords) {
             moved.p = row.p - Vec3{from.x, from.y, 0};
             const double along_ray = dot(moved.p, row.d);
             moved.p = moved.p - along_ray * row.d;
-            cut_row(shape, chord, moved, aims_of(chord, row.d, along ? Lie::along : Lie::across), [&](const Spans& s) {
-                for (std::size_t i = 0; i < 8; ++i)
-                    if (s.low[i] < s.high[i]) chords[i].push_back({s.low[i] - along_ray, s.high[i] - along_ray});
-            });
+            cut_row(shape, chord, moved, aims_of(chord, row.d, along ? Lie::along : Lie::across), always,
+                    [&](const Spans& s) {
+                        for (std::size_t i = 0; i < 8; ++i)
+                            if (s.low[i] < s.high[i])
+                                chords[i].push_back({s.low[i] - along_ray, s.high[i] - along_ray});
+                    });
         }
         const auto covers = [](const auto& parts, double s, double slack) {
             return std::any_of(parts.begin(), parts.end(),

@@ -9,6 +9,7 @@ namespace {
 using geom::Vec2;
 using geom::Vec3;
 
+constexpr double barely = 1e-9;  ///< mm
 constexpr double never = std::numeric_limits<double>::infinity();
 
 [[nodiscard]] bool is_ball(const Piece& p) { return p.kind == PieceKind::round && p.whole && p.ring == 0; }
@@ -144,16 +145,65 @@ bool across_cylinder(const Piece& piece, const Track& track, const Row& row, con
     return true;
 }
 
-void each_ray(const Piece& piece, const Track& track, const Row& row, Spans& spans) {
+/// A ball with its centre on the axis: seen from it the rays lie lower.
+void ball_row(double centre, double radius, const Row& row, const Aims& aims, Spans& spans) {
+    detail::Capsule c = detail::capsule_of(aims.whole, row, 0, 1, radius);
+    c.a -= centre * aims.whole.e.z;
+    c.n -= centre * aims.whole.beside.z;
+    detail::capsule_row(c, row.count, spans);
+    const double along = centre * row.d.z;
+    if (along == 0) return;
+    for (std::size_t i = 0; i < static_cast<std::size_t>(row.count); ++i) {
+        spans.low[i] += along;
+        spans.high[i] += along;
+    }
+}
+
+/// Where rays meet the piece's way at most: an upright cylinder around it, between the heights it reaches.
+void bound(const Piece& piece, const Track& track, const Row& row, const Aims& aims, Spans& spans) {
+    const double bottom = (piece.whole ? piece.centre - piece.arc : piece.z0) + std::min(0.0, track.v.z) - barely;
+    const double top = (piece.whole ? piece.centre + piece.arc : piece.z1) + std::max(0.0, track.v.z) + barely;
+    double widest = widest_between(piece, piece.z0, piece.z1);
+    if (aims.lie == Lie::across)
+        widest = widest_between(piece, row.p.z - std::max(0.0, track.v.z), row.p.z - std::min(0.0, track.v.z));
+    if (aims.flat_length > 0) {
+        detail::Capsule c = detail::capsule_of(aims.flat, row, 0, 1, widest + barely);
+        c.n = c.n_step = 0;
+        detail::capsule_row(c, row.count, spans);
+    }
     for (int i = 0; i < row.count; ++i) {
+        const auto at = static_cast<std::size_t>(i);
+        const Vec3 p = row.p + i * row.step;
+        double low = -never, high = never;
+        if (aims.flat_length > 0) {
+            const double foot = dot(p, aims.flat_d);
+            low = (spans.low[at] - foot) / aims.flat_length;
+            high = (spans.high[at] - foot) / aims.flat_length;
+        }
+        if (std::abs(row.d.z) > 1e-9) {
+            const double one = (bottom - p.z) / row.d.z, other = (top - p.z) / row.d.z;
+            low = std::max(low, std::min(one, other));
+            high = std::min(high, std::max(one, other));
+        }
+        set(spans, i, low, high);
+    }
+}
+
+/// Ray by ray, for what has no formula for rows: only rays that come near the piece and are worth it.
+void each_ray(const Piece& piece, const Track& track, const Row& row, const Aims& aims, Worth worth, Spans& spans) {
+    Spans around;
+    bound(piece, track, row, aims, around);
+    for (int i = 0; i < row.count; ++i) {
+        const auto at = static_cast<std::size_t>(i);
         double low = 1, high = 0;
-        if (!cut_ray(piece, track.v, row.p + i * row.step, row.d, low, high)) low = 1, high = 0;
+        const bool near = around.low[at] < around.high[at] && worth(i, around.low[at], around.high[at]);
+        if (!near || !cut_ray(piece, track.v, row.p + i * row.step, row.d, low, high)) low = 1, high = 0;
         set(spans, i, low, high);
     }
 }
 
 /// False: nothing of the row is met.
-bool cut_row_by(const Piece& piece, const Track& track, const Row& row, const Aims& aims, Spans& spans) {
+bool cut_row_by(const Piece& piece, const Track& track, const Row& row, const Aims& aims, Worth worth, Spans& spans) {
     const Lie lie = aims.lie;
     if (lie == Lie::along && (track.circular || track.level() || track.upright())) {
         along_by_distance(piece, track, row, spans);
@@ -165,21 +215,14 @@ bool cut_row_by(const Piece& piece, const Track& track, const Row& row, const Ai
         if (high < piece.z0 || low > piece.z1) return false;
     }
     if (is_ball(piece)) {
-        Row moved = row;
-        const Vec3 centre{0, 0, piece.centre};
-        const double along = dot(centre, row.d);
-        moved.p = row.p - (centre - along * row.d);
-        detail::capsule_row(detail::capsule_of(aims.whole, moved, 0, 1, piece.arc), row.count, spans);
-        if (along != 0)
-            for (std::size_t i = 0; i < static_cast<std::size_t>(row.count); ++i)
-                spans.low[i] += along, spans.high[i] += along;
+        ball_row(piece.centre, piece.arc, row, aims, spans);
         return true;
     }
     if (is_cylinder(piece) && lie == Lie::across) return across_cylinder(piece, track, row, aims, spans);
     if (is_cylinder(piece) && lie == Lie::along)
         along_cylinder(piece, track, row, spans);
     else
-        each_ray(piece, track, row, spans);
+        each_ray(piece, track, row, aims, worth, spans);
     return true;
 }
 
@@ -196,7 +239,7 @@ bool cut_ray(const Piece& piece, Vec3 v, Vec3 p, Vec3 d, double& low, double& hi
     return hit;
 }
 
-void cut_row(const Shape& shape, const Track& track, const Row& row, const Aims& aims,
+void cut_row(const Shape& shape, const Track& track, const Row& row, const Aims& aims, Worth worth,
              base::FunctionRef<void(const Spans&)> take) {
     Spans spans;
     if (aims.lie == Lie::across && (track.circular || track.level() || track.upright())) {
@@ -214,7 +257,7 @@ void cut_row(const Shape& shape, const Track& track, const Row& row, const Aims&
         return;
     }
     for (const Piece& piece : shape.pieces)
-        if (cut_row_by(piece, track, row, aims, spans)) take(spans);
+        if (cut_row_by(piece, track, row, aims, worth, spans)) take(spans);
 }
 
 void cut_row_from_above(const Shape& shape, const Track& track, const Row& row, const Aims& aims, Spans& spans) {

@@ -20,7 +20,7 @@ struct Row {
 };
 /// Of each ray the part [low, high] of s; nothing where not low < high.
 struct Spans {
-    std::array<double, Row::most> low, high;
+    std::array<double, Row::most> low{}, high{};
 };
 
 /// How rays lie to the tool's axis.
@@ -42,14 +42,20 @@ struct Aim {
 /// A straight or circular track as rays of direction d see it.
 struct Aims {
     Lie lie = Lie::along;
-    Aim whole, level;  ///< of the translation, and of its part normal to the tool's axis
+    Aim whole, level;        ///< of the translation, and of its part normal to the tool's axis
+    Aim flat;                ///< of the latter, by rays projected along the axis
+    geom::Vec3 flat_d;       ///< their direction, unit length
+    double flat_length = 0;  ///< of a unit of the rays when projected; flat and flat_d stand only where this is not 0
 };
 [[nodiscard]] Aims aims_of(const Track& track, geom::Vec3 d, Lie lie);
 
-/// Calls `take` for one part of the swept solid after another; together they are what is removed from the row's rays.
-/// They may touch or overlap. `aims` are those of the track and of the row's direction. `Lie::skew` and circular
-/// tracks do not go together.
-void cut_row(const Shape& shape, const Track& track, const Row& row, const Aims& aims,
+/// Whether there is anything to cut on ray i of the row in [low, high].
+using Worth = base::FunctionRef<bool(int i, double low, double high)>;
+
+/// Calls `take` for one part of the swept solid after another; together they are what is removed from the row's rays,
+/// but for rays that `worth` says are empty, which may be left out. Parts may touch or overlap. `aims` are those of the
+/// track and of the row's direction. `Lie::skew` and circular tracks do not go together.
+void cut_row(const Shape& shape, const Track& track, const Row& row, const Aims& aims, Worth worth,
              base::FunctionRef<void(const Spans&)> take);
 
 /// For rays upwards along the axis and a shape that rises: the lower side alone; `high` is the top of the shape where
@@ -72,6 +78,10 @@ struct Capsule {
 };
 void capsule_row(const Capsule& c, int count, Spans& spans);
 void capsule_low_row(const Capsule& c, int count, double high, Spans& spans);
+/// The rays whose span, moved by `base`, is neither empty nor inside their gap; returns how many. Gaps may be read up
+/// to the next multiple of four.
+int candidates(const Spans& spans, double base, const double* gap_low, const double* gap_high, int count,
+               std::array<int, Row::most>& rays);
 /// The circle's way from t0 to t1 of the track.
 [[nodiscard]] Capsule capsule_of(const Aim& aim, const Row& row, double t0, double t1, double radius);
 

@@ -65,14 +65,14 @@ Simulation::Simulation(const Stock& stock, const Lattice& lattice, double tolera
 }
 
 std::uint32_t Simulation::add_tool(ToolShape shape) {
-    flush();  // queued sweeps point to shapes, which may move
     tools_.push_back(std::move(shape));
     return static_cast<std::uint32_t>(tools_.size() - 1);
 }
 
 std::uint32_t Simulation::orientation_for(Vec3 axis) {
-    // The last ones first: programs stay in an orientation for long.
-    for (std::size_t i = axes_.size(); i > 0; --i)
+    // Programs stay in an orientation for long, or change it with every move: then it is not worth a search.
+    constexpr std::size_t looked_at = 8;
+    for (std::size_t i = axes_.size(); i > 0 && i + looked_at > axes_.size(); --i)
         if (axes_[i - 1] == axis) return static_cast<std::uint32_t>(i - 1);
     axes_.push_back(axis);
     orientations_.push_back(orientation_of(axis));

@@ -319,6 +319,14 @@ TEST(Simulation, LatticeFollowsFromTolerance) {
     const double fits = tolerance_that_fits(plate, 3, bytes / 10);
     EXPECT_GT(fits, 0.01);
     EXPECT_LE(bytes_for(*make_lattice(plate, step_for(fits, 3) * (1 + 1e-9))), bytes / 10);
+    EXPECT_TRUE(resolve(plate, 0.01, 3, 500e6).lattice);
+    const Resolution refused = resolve(plate, 0.01, 3, bytes / 10);
+    EXPECT_FALSE(refused.lattice);
+    EXPECT_EQ(refused.bytes, bytes);
+    EXPECT_TRUE(resolve(plate, refused.fits * 1.001, 3, bytes / 10).lattice);
+    EXPECT_TRUE(std::isnan(resolve(plate, 0.01, 3, 10).fits));
+    EXPECT_FALSE(resolve(plate, std::nan(""), 3, 500e6).lattice);
+    EXPECT_FALSE(resolve({{0, 0, 0}, {1e9, 1, 1}}, 0.01, 3, 500e6).lattice);
     EXPECT_FALSE(make_lattice(plate, 0));
     EXPECT_FALSE(make_lattice(plate, 1e-9));
     EXPECT_FALSE(make_lattice({{0, 0, 0}, {1, 1, 0}}, 0.1));

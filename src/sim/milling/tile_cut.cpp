@@ -59,127 +59,153 @@ Window window_of(const Place& p, const Job& job) {
     return {a0, a1, b0, b1};
 }
 
-/// A row of rays with the places they have in the tile.
+/// A row of rays and where its rays are in the tile.
 struct Course {
     Row row;
     int local = 0, stride = 1;
-    Vec3 node;  ///< of the first ray, own coordinate 0
-    Vec3 step;
-    double base = 0;  ///< coordinate on the rays where s is 0
 };
 
 class Worker {
 public:
-    Worker(Place& place, const Job& job, Tally& tally)
+    Worker(const Place& place, const Job& job, Tally& tally)
         : place_(place),
           job_(job),
           tally_(tally),
           aims_(job.aims[static_cast<std::size_t>(place.axis)]),
-          measured_(place.axis == job.main) {
-        lie_ = aims_.lie;
-        set_component(unit_, place.axis, 1);
-        base_ = component(job.from, place.axis);
-        d_ = job.frame.to_tool(unit_);
+          measured_(place.axis == job.main),
+          base_(component(job.from, place.axis)) {
+        const Orientation& f = job.frame;
+        d_ = {component(f.x, place.axis), component(f.y, place.axis), component(f.z, place.axis)};
+        Vec3 start = place.node - job.from;
+        set_component(start, place.axis, 0);
+        start_ = normal_part(f.to_tool(start));
+        step_a_ = normal_part(f.to_tool(place.step_a));
+        step_b_ = normal_part(f.to_tool(place.step_b));
     }
 
-    void run() {
-        if (component(job_.box.min, place_.axis) >= place_.highest ||
-            component(job_.box.max, place_.axis) <= place_.lowest)
-            return;
-        const Window w = window_of(place_, job_);
-        if (w.a0 >= w.a1 || w.b0 >= w.b1) return;
-        if (lie_ == Lie::along && d_.z > 0 && job_.shape->rising &&
+    void run(const Window& w) {
+        if (aims_.lie == Lie::along && d_.z > 0 && job_.shape->rising &&
             place_.highest <= base_ + job_.shape->top + std::min(0.0, job_.track.v.z)) {
             from_above(w);
             return;
         }
         // Rows of rays across the tool must be of one height.
-        const bool along_b = lie_ == Lie::across && job_.frame.along == first_across(place_.axis);
-        const int rows = along_b ? w.a1 - w.a0 : w.b1 - w.b0;
+        const bool along_b = aims_.lie == Lie::across && job_.frame.along == first_across(place_.axis);
+        const int rows = along_b ? w.a1 - w.a0 : w.b1 - w.b0, stride = along_b ? Tile::edge : 1;
         for (int i = 0; i < rows; ++i) {
-            const Course c =
-                along_b ? course(w.a0 + i, w.b0, w.b1 - w.b0, true) : course(w.a0, w.b0 + i, w.a1 - w.a0, false);
-            cut_row(*job_.shape, job_.track, c.row, aims_, [&](const Spans& spans) { apply(c, spans); });
+            int a = along_b ? w.a0 + i : w.a0, b = along_b ? w.b0 : w.b0 + i,
+                count = along_b ? w.b1 - w.b0 : w.a1 - w.a0;
+            // Rays at the row's ends that are known to be empty all along the job's box.
+            int local = b * Tile::edge + a, skipped = 0;
+            for (; count > 0 && is_empty(local); local += stride, --count) ++skipped;
+            for (; count > 0 && is_empty(local + (count - 1) * stride);) --count;
+            if (count == 0) continue;
+            (along_b ? b : a) += skipped;
+            const Course c = course(a, b, count, along_b);
+            const auto worth = [&](int n, double low, double high) {
+                return place_.tile.first_met(c.local + n * c.stride, base_ + low, base_ + high) >= 0;
+            };
+            cut_row(*job_.shape, job_.track, c.row, aims_, worth, [&](const Spans& spans) { apply(c, spans); });
         }
     }
 
 private:
+    /// Normal to the rays also in the tool's frame, where rounding may have moved it.
+    [[nodiscard]] Vec3 normal_part(Vec3 p) const { return aims_.lie == Lie::skew ? p - dot(p, d_) * d_ : p; }
+
+    [[nodiscard]] bool is_empty(int local) const {
+        return place_.tile.gaps_low()[local] <= component(job_.box.min, place_.axis) &&
+               component(job_.box.max, place_.axis) <= place_.tile.gaps_high()[local];
+    }
+
     [[nodiscard]] Course course(int a, int b, int count, bool along_b) const {
         Course c;
         c.local = b * Tile::edge + a;
         c.stride = along_b ? Tile::edge : 1;
-        c.node = place_.node + a * place_.step_a + b * place_.step_b;
-        c.step = along_b ? place_.step_b : place_.step_a;
-        c.base = base_;
-        Vec3 start = c.node - job_.from;
-        set_component(start, place_.axis, 0);
-        c.row = {job_.frame.to_tool(start), job_.frame.to_tool(c.step), d_, count};
-        if (lie_ == Lie::skew) {
-            // p must be normal to d in the tool's frame as well, where rounding may have moved it.
-            c.row.p = c.row.p - dot(c.row.p, d_) * d_;
-            c.row.step = c.row.step - dot(c.row.step, d_) * d_;
-        }
+        c.row.p = start_ + a * step_a_ + b * step_b_;
+        c.row.step = along_b ? step_b_ : step_a_;
+        c.row.d = d_;
+        c.row.count = count;
         return c;
     }
 
     /// Rays along the axis under a tool that rises: only rows that hold material above the tool's lower side.
     void from_above(const Window& w) {
-        const Vec3 end = job_.from + job_.way;
-        const double down = std::min(0.0, job_.track.v.z),
-                     shift = component(job_.box.max, 0) - std::max(job_.from.x, end.x);
+        const double level = base_ + std::min(0.0, job_.track.v.z);
         Spans spans;
         for (int b = w.b0; b < w.b1; ++b) {
-            const Course c = course(w.a0, b, w.a1 - w.a0, false);
-            const double* upper = place_.tile.uppers() + c.local;
+            const double* upper = place_.tile.uppers() + b * Tile::edge;
             double highest = nothing;
-            for (int i = 0; i < c.row.count; ++i) highest = upper[i] > highest ? upper[i] : highest;
-            if (highest <= base_ + down + job_.shape->bottom + thinnest) continue;
-            const double room = nearest_of_row(c, shift);
-            if (highest <= base_ + down + lower_side(*job_.shape, room) + thinnest) continue;
+            for (int a = w.a0; a < w.a1; ++a) highest = upper[a] > highest ? upper[a] : highest;
+            if (highest <= level + job_.shape->bottom + thinnest) continue;
+            if (highest <= level + lower_side(*job_.shape, least_distance(w, b)) + thinnest) continue;
+            const Course c = course(w.a0, b, w.a1 - w.a0, false);
             cut_row_from_above(*job_.shape, job_.track, c.row, aims_, spans);
             apply(c, spans);
         }
     }
 
-    /// No ray of the row is nearer to the track than this.
-    [[nodiscard]] double nearest_of_row(const Course& c, double) const {
+    /// No ray of the row is nearer to the tip's way than this.
+    [[nodiscard]] double least_distance(const Window& w, int b) const {
         if (job_.track.circular) return 0;
         const int first = first_across(place_.axis), second = second_across(place_.axis);
         const auto gap = [&](int across, double low, double high) {
-            const double a = component(job_.from, across), b = a + component(job_.way, across);
-            return std::max({0.0, low - std::max(a, b), std::min(a, b) - high});
+            const double at = component(job_.from, across), moved = at + component(job_.way, across);
+            return std::max({0.0, low - std::max(at, moved), std::min(at, moved) - high});
         };
-        const double u = component(c.node, first), last = u + (c.row.count - 1) * component(c.step, first);
-        const double v = component(c.node, second);
-        const double du = gap(first, u, last), dv = gap(second, v, v);
+        const double u = component(place_.node, first),
+                     v = component(place_.node, second) + b * component(place_.step_b, second);
+        const double step = component(place_.step_a, first);
+        const double du = gap(first, u + w.a0 * step, u + (w.a1 - 1) * step), dv = gap(second, v, v);
         return std::sqrt(du * du + dv * dv);
     }
 
     void apply(const Course& c, const Spans& spans) {
-        for (int i = 0; i < c.row.count; ++i) {
+        std::array<int, Row::most> rays;
+        const double* low_gaps = place_.tile.gaps_low() + c.local;
+        const double* high_gaps = place_.tile.gaps_high() + c.local;
+        std::array<double, Row::most> low_copy, high_copy;
+        if (c.stride != 1) {
+            low_copy.fill(0);
+            high_copy.fill(0);
+            for (int i = 0; i < c.row.count; ++i) {
+                low_copy[static_cast<std::size_t>(i)] = low_gaps[i * c.stride];
+                high_copy[static_cast<std::size_t>(i)] = high_gaps[i * c.stride];
+            }
+            low_gaps = low_copy.data();
+            high_gaps = high_copy.data();
+        }
+        const int count = detail::candidates(spans, base_, low_gaps, high_gaps, c.row.count, rays);
+        for (int n = 0; n < count; ++n) {
+            const int i = rays[static_cast<std::size_t>(n)], local = c.local + i * c.stride;
             const auto at = static_cast<std::size_t>(i);
-            const double low = c.base + spans.low[at], high = c.base + spans.high[at];
-            const int local = c.local + i * c.stride;
-            if (!(spans.low[at] < spans.high[at]) || place_.tile.upper(local) <= low + thinnest) continue;
+            const double low = base_ + spans.low[at], high = base_ + spans.high[at];
+            const int met = place_.tile.first_met(local, low, high);
+            if (met < 0) continue;
             Removed removed;
             if (job_.cuts)
-                place_.tile.subtract(local, low, high, job_.cut, removed);
+                place_.tile.subtract(local, met, low, high, job_.cut, removed);
             else
                 place_.tile.measure(local, low, high, removed);
-            if (removed.length > 0) note(c, i, removed);
+            tally_.touched = true;
+            if (measured_) note(c.row.p + i * c.row.step, local, removed);
+            if (!job_.cuts) note_depth(local, removed);
         }
     }
 
-    void note(const Course& c, int i, const Removed& removed) {
-        tally_.touched = true;
-        if (!job_.cuts) note_depth(c.node + i * c.step, removed);
-        if (!measured_) return;
+    /// The ray's point whose own coordinate is 0.
+    [[nodiscard]] Vec3 node(int local) const {
+        return place_.node + (local % Tile::edge) * place_.step_a + (local / Tile::edge) * place_.step_b;
+    }
+
+    /// `p`: the ray in the tool's frame.
+    void note(Vec3 p, int local, const Removed& removed) {
         tally_.length += removed.length;
-        const double across = dot(c.node + i * c.step, job_.frame.z), along = component(job_.frame.z, place_.axis);
+        const double along = d_.z, across = along == 1 ? 0 : dot(node(local), job_.frame.z);
         const double one = across + along * removed.lowest, other = across + along * removed.highest;
         tally_.lowest = std::min({tally_.lowest, one, other});
         tally_.highest = std::max({tally_.highest, one, other});
-        const Vec3 p = c.row.p + i * c.row.step + ((removed.lowest + removed.highest) / 2 - c.base) * d_;
+        if (aims_.lie == Lie::skew) p = p + ((removed.lowest + removed.highest) / 2 - base_) * d_;
         const double left = left_of_way({p.x, p.y});
         tally_.rightmost = std::min(tally_.rightmost, left);
         tally_.leftmost = std::max(tally_.leftmost, left);
@@ -191,9 +217,9 @@ private:
         return cross(job_.heading, p);
     }
 
-    void note_depth(Vec3 node, const Removed& found) {
+    void note_depth(int local, const Removed& found) {
         for (const double at : {found.lowest, (found.lowest + found.highest) / 2, found.highest}) {
-            Vec3 p = node;
+            Vec3 p = node(local);
             set_component(p, place_.axis, at);
             const Foot foot = foot_on(*job_.shape, job_.track, job_.frame.to_tool(p - job_.from));
             if (-foot.outside <= tally_.depth) continue;
@@ -202,22 +228,27 @@ private:
         }
     }
 
-    Place& place_;
+    const Place& place_;
     const Job& job_;
     Tally& tally_;
     const Aims& aims_;
     bool measured_ = false;
-    Lie lie_ = Lie::along;
-    Vec3 unit_, d_;
-    double base_ = 0;
+    double base_ = 0;  ///< coordinate on the rays where s is 0
+    Vec3 d_;           ///< the rays' direction and, in the tool's frame, ray (0, 0) and the ways to the next
+    Vec3 start_, step_a_, step_b_;
 };
 
 }  // namespace
 
 void cut_tile(Tile& tile, const Lattice& lattice, int axis, int ta, int tb, std::span<const Job> jobs,
               std::span<const std::uint32_t> order, std::span<Tally> tallies) {
-    Place place = place_of(tile, lattice, axis, ta, tb);
-    for (std::size_t i = 0; i < order.size(); ++i) Worker(place, jobs[order[i]], tallies[i]).run();
+    const Place place = place_of(tile, lattice, axis, ta, tb);
+    for (std::size_t i = 0; i < order.size(); ++i) {
+        const Job& job = jobs[order[i]];
+        if (component(job.box.min, axis) >= place.highest || component(job.box.max, axis) <= place.lowest) continue;
+        const Window w = window_of(place, job);
+        if (w.a0 < w.a1 && w.b0 < w.b1) Worker(place, job, tallies[i]).run(w);
+    }
 }
 
 }  // namespace obrys::sim::milling
