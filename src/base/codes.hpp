@@ -27,6 +27,9 @@ inline constexpr std::string_view gouge = "gouge";
 inline constexpr std::string_view allowance_cut = "allowance-cut";
 inline constexpr std::string_view rapid_in_stock = "rapid-in-stock";
 inline constexpr std::string_view rest_material = "rest-material";
+inline constexpr std::string_view holder_in_stock = "holder-in-stock";
+inline constexpr std::string_view clamp_collision = "clamp-collision";
+inline constexpr std::string_view plunging_cut = "plunging-cut";
 inline constexpr std::string_view axis_limit = "axis-limit";
 inline constexpr std::string_view spindle_limit = "spindle-limit";
 inline constexpr std::string_view feed_limit = "feed-limit";
@@ -74,6 +77,9 @@ inline constexpr std::array all_codes{
     Code{codes::allowance_cut, CodeKind::finding, "the tool cuts into the allowance that this program must leave"},
     Code{codes::rapid_in_stock, CodeKind::finding, "a rapid move removes material"},
     Code{codes::rest_material, CodeKind::finding, "material is left outside the allowance contour"},
+    Code{codes::holder_in_stock, CodeKind::finding, "shank or holder of the tool runs into the stock"},
+    Code{codes::clamp_collision, CodeKind::finding, "tool, shank or holder runs into a clamp"},
+    Code{codes::plunging_cut, CodeKind::finding, "a tool that does not cut at its centre plunges into material"},
     Code{codes::axis_limit, CodeKind::finding, "an axis leaves its travel"},
     Code{codes::spindle_limit, CodeKind::finding, "a spindle speed outside the machine's range"},
     Code{codes::feed_limit, CodeKind::finding, "a feed above the machine's maximum"},

@@ -44,6 +44,15 @@ void read_spindle(Section& file, Machine& machine) {
     else s.error(base::codes::job_value, find(e->value, "min")->value.where, "'min' must not be greater than 'max'");
 }
 
+void read_control(Section& file, Machine& machine) {
+    const Entry* e = file.sub_table("control");
+    if (!e) return;
+    Section s(e->value, "[control]", file.diagnostics());
+    if (const auto system = s.choice("g_code_system", {"A", "B", "C"})) machine.control.g_code_system = "ABC"[*system];
+    if (const auto whole = s.choice("whole_numbers", {"increments", "units"})) machine.control.whole_numbers_count = *whole == 0;
+    s.finish();
+}
+
 void read_machine_data(Section& file, Machine& machine) {
     const Entry* e = file.sub_table("machine_data");
     if (!e) return;
@@ -75,6 +84,7 @@ Machine read_machine(std::uint32_t file, const base::Sources& sources, base::Dia
     for (const Value* axis : s.tables("axis")) read_axis(*axis, found, machine);
     read_spindle(s, machine);
     apply_defaults(read_defaults(s), machine.defaults);
+    read_control(s, machine);
     machine.datums = read_datums(s);
     read_machine_data(s, machine);
     s.finish();

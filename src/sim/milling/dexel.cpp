@@ -52,14 +52,12 @@ void Tile::split(int local, std::size_t at, double begin, double end, std::uint3
     ++slot.count;
 }
 
-void Tile::subtract(int local, double begin, double end, std::uint32_t cut, Removed& removed) {
+/// Interval i is the first one that [begin, end] reaches.
+void Tile::subtract_from(int local, std::size_t i, double begin, double end, std::uint32_t cut, Removed& removed) {
     const auto index = static_cast<std::size_t>(local);
     Slot& slot = slots_[index];
     Interval* v = pool_.data() + slot.first;
     const std::size_t count = slot.count;
-    std::size_t i = 0;
-    while (i < count && v[i].end <= begin + thinnest) ++i;
-    if (i == count || v[i].begin >= end - thinnest) return;
     const auto take = [&](double from, double to) {
         removed.length += to - from;
         removed.lowest = std::min(removed.lowest, from);

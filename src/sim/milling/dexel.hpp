@@ -24,6 +24,8 @@ struct Interval {
     bool operator==(const Interval&) const = default;
 };
 
+inline constexpr double thinnest = 1e-9;  ///< mm; thinner material does not stay, thinner cuts are not made
+
 /// What was taken from a ray.
 struct Removed {
     double length = 0;
@@ -47,7 +49,13 @@ public:
     /// Sets the material of a ray: intervals in ascending order that do not touch.
     void set(int local, std::span<const Interval> intervals);
     /// Takes [begin, end] from a ray. Material thinner than `thinnest` does not stay.
-    void subtract(int local, double begin, double end, std::uint32_t cut, Removed& removed);
+    void subtract(int local, double begin, double end, std::uint32_t cut, Removed& removed) {
+        const Slot& slot = slots_[static_cast<std::size_t>(local)];
+        const Interval* v = pool_.data() + slot.first;
+        std::size_t i = 0;
+        while (i < slot.count && v[i].end <= begin + thinnest) ++i;
+        if (i < slot.count && v[i].begin < end - thinnest) subtract_from(local, i, begin, end, cut, removed);
+    }
     /// Length of material in [begin, end], where it lies.
     void measure(int local, double begin, double end, Removed& found) const;
     [[nodiscard]] std::size_t bytes() const { return pool_.capacity() * sizeof(Interval) + sizeof(Tile); }
@@ -60,6 +68,7 @@ private:
     };
     void reserve(Slot& slot, std::size_t count);
     void compact();
+    void subtract_from(int local, std::size_t i, double begin, double end, std::uint32_t cut, Removed& removed);
     void split(int local, std::size_t at, double begin, double end, std::uint32_t cut);
 
     std::array<double, rays> upper_{};
@@ -67,8 +76,6 @@ private:
     std::vector<Interval> pool_;
     std::size_t live_ = 0;  ///< intervals of pool_ that a slot holds or has reserved
 };
-
-inline constexpr double thinnest = 1e-9;  ///< mm
 
 class Dexels {
 public:

@@ -44,6 +44,10 @@ Job make_job(const Shape& shape, const Orientation& frame, const Track& track, V
     const double bulge =
         track.circular ? track.radius - std::sqrt(std::max(0.0, track.radius * track.radius - way * way / 4)) : 0;
     for (int axis = 0; axis < 3; ++axis) {
+        Vec3 unit;
+        set_component(unit, axis, 1);
+        const Lie lie = frame.along < 0 ? Lie::skew : frame.along == axis ? Lie::along : Lie::across;
+        job.aims[static_cast<std::size_t>(axis)] = aims_of(track, frame.to_tool(unit), lie);
         const Range r = extent(shape, component(frame.z, axis), spread(shape, frame.z, axis));
         const double at = component(from, axis), moved = at + component(job.way, axis);
         const double room = bulge * std::sqrt(std::max(0.0, 1 - component(frame.z, axis) * component(frame.z, axis)));

@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "sim/milling/dexel.hpp"
+#include "sim/milling/rows.hpp"
 #include "sim/milling/shape.hpp"
 #include "sim/milling/track.hpp"
 
@@ -23,8 +24,9 @@ struct Job {
     std::uint32_t cut = 0;  ///< number of the sweep, from 1
     std::uint32_t pass = 0;
     bool cuts = true;
-    int main = 2;        ///< the direction of rays that is measured: most nearly along the tool's axis
-    geom::Vec2 heading;  ///< of straight tracks, seen along the axis: unit vector, or zero
+    int main = 2;              ///< the direction of rays that is measured: most nearly along the tool's axis
+    std::array<Aims, 3> aims;  ///< of the track, by rays of each direction
+    geom::Vec2 heading;        ///< of straight tracks, seen along the axis: unit vector, or zero
 };
 [[nodiscard]] Job make_job(const Shape& shape, const Orientation& frame, const Track& track, geom::Vec3 from);
 

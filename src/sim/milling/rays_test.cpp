@@ -200,18 +200,15 @@ TEST_F(Rays, RowsAgainstTheUnionOfTheirPieces) {
         row.step = (between(0.05, 0.5) / length(step)) * step;
         Vec3 p{between(-5, 5), between(-5, 5), between(-3, 6)};
         row.p = p - dot(p, row.d) * row.d;
+        const Aims aims = aims_of(track, row.d, lie == 0 ? Lie::along : lie == 1 ? Lie::across : Lie::skew);
         std::vector<std::vector<std::pair<double, double>>> parts(static_cast<std::size_t>(row.count));
-        cut_row(shape, track, row,
-                lie == 0   ? Lie::along
-                : lie == 1 ? Lie::across
-                           : Lie::skew,
-                [&](const Spans& s) {
-                    for (std::size_t i = 0; i < parts.size(); ++i)
-                        if (s.low[i] < s.high[i]) parts[i].push_back({s.low[i], s.high[i]});
-                });
+        cut_row(shape, track, row, aims, [&](const Spans& s) {
+            for (std::size_t i = 0; i < parts.size(); ++i)
+                if (s.low[i] < s.high[i]) parts[i].push_back({s.low[i], s.high[i]});
+        });
         Spans above;
         const bool from_above = lie == 0 && row.d.z > 0 && shape.rising;
-        if (from_above) cut_row_from_above(shape, track, row, above);
+        if (from_above) cut_row_from_above(shape, track, row, aims, above);
         for (std::size_t i = 0; i < parts.size(); i += 3) {
             const std::string what = "seed " + std::to_string(seed) + " case " + std::to_string(n) + " tool " +
                                      std::to_string(tool) + " lie " + std::to_string(lie) + " way " +
@@ -283,7 +280,7 @@ TEST_F(Rays, QuarterCirclesAgainstChords) {
                     if (s.low[i] < s.high[i]) parts[i].push_back({s.low[i], s.high[i]});
             };
         };
-        cut_row(shape, track, row, along ? Lie::along : Lie::across, into(exact));
+        cut_row(shape, track, row, aims_of(track, row.d, along ? Lie::along : Lie::across), into(exact));
         constexpr int pieces = 1000;
         for (int k = 0; k < pieces; ++k) {
             const auto at = [&](int i) {
@@ -297,7 +294,7 @@ TEST_F(Rays, QuarterCirclesAgainstChords) {
             moved.p = row.p - Vec3{from.x, from.y, 0};
             const double along_ray = dot(moved.p, row.d);
             moved.p = moved.p - along_ray * row.d;
-            cut_row(shape, chord, moved, along ? Lie::along : Lie::across, [&](const Spans& s) {
+            cut_row(shape, chord, moved, aims_of(chord, row.d, along ? Lie::along : Lie::across), [&](const Spans& s) {
                 for (std::size_t i = 0; i < 8; ++i)
                     if (s.low[i] < s.high[i]) chords[i].push_back({s.low[i] - along_ray, s.high[i] - along_ray});
             });

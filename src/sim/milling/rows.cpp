@@ -134,11 +134,11 @@ double ramp_low(const Piece& piece, const Slope& slope, Vec2 p) {
 }
 
 /// Rays across the axis, a cylinder on a ramp: a disc, while the ray is between its ends.
-bool across_cylinder(const Piece& piece, const Track& track, const Row& row, Spans& spans) {
+bool across_cylinder(const Piece& piece, const Track& track, const Row& row, const Aims& aims, Spans& spans) {
     const double t0 = (row.p.z - piece.z0) / track.v.z, t1 = (row.p.z - piece.z1) / track.v.z;
     const double from = std::max(0.0, std::min(t0, t1)), to = std::min(1.0, std::max(t0, t1));
     if (!(from <= to)) return false;
-    detail::Capsule c = detail::capsule_of({track.v.x, track.v.y, 0}, row, from, to, piece.r0);
+    detail::Capsule c = detail::capsule_of(aims.level, row, from, to, piece.r0);
     c.n = c.n_step = 0;
     detail::capsule_row(c, row.count, spans);
     return true;
@@ -153,7 +153,8 @@ void each_ray(const Piece& piece, const Track& track, const Row& row, Spans& spa
 }
 
 /// False: nothing of the row is met.
-bool cut_row_by(const Piece& piece, const Track& track, const Row& row, Lie lie, Spans& spans) {
+bool cut_row_by(const Piece& piece, const Track& track, const Row& row, const Aims& aims, Spans& spans) {
+    const Lie lie = aims.lie;
     if (lie == Lie::along && (track.circular || track.level() || track.upright())) {
         along_by_distance(piece, track, row, spans);
         return true;
@@ -168,13 +169,13 @@ bool cut_row_by(const Piece& piece, const Track& track, const Row& row, Lie lie,
         const Vec3 centre{0, 0, piece.centre};
         const double along = dot(centre, row.d);
         moved.p = row.p - (centre - along * row.d);
-        detail::capsule_row(detail::capsule_of(track.v, moved, 0, 1, piece.arc), row.count, spans);
+        detail::capsule_row(detail::capsule_of(aims.whole, moved, 0, 1, piece.arc), row.count, spans);
         if (along != 0)
             for (std::size_t i = 0; i < static_cast<std::size_t>(row.count); ++i)
                 spans.low[i] += along, spans.high[i] += along;
         return true;
     }
-    if (is_cylinder(piece) && lie == Lie::across) return across_cylinder(piece, track, row, spans);
+    if (is_cylinder(piece) && lie == Lie::across) return across_cylinder(piece, track, row, aims, spans);
     if (is_cylinder(piece) && lie == Lie::along)
         along_cylinder(piece, track, row, spans);
     else
@@ -195,10 +196,10 @@ bool cut_ray(const Piece& piece, Vec3 v, Vec3 p, Vec3 d, double& low, double& hi
     return hit;
 }
 
-void cut_row(const Shape& shape, const Track& track, const Row& row, Lie lie,
+void cut_row(const Shape& shape, const Track& track, const Row& row, const Aims& aims,
              base::FunctionRef<void(const Spans&)> take) {
     Spans spans;
-    if (lie == Lie::across && (track.circular || track.level() || track.upright())) {
+    if (aims.lie == Lie::across && (track.circular || track.level() || track.upright())) {
         const double rise = track.v.z;
         const double radius = widest_between(shape, row.p.z - std::max(0.0, rise), row.p.z - std::min(0.0, rise));
         if (!(radius > 0)) return;
@@ -206,21 +207,21 @@ void cut_row(const Shape& shape, const Track& track, const Row& row, Lie lie,
             detail::cut_circle_across(track, row, radius, take);
             return;
         }
-        detail::Capsule c = detail::capsule_of({track.v.x, track.v.y, 0}, row, 0, 1, radius);
+        detail::Capsule c = detail::capsule_of(aims.level, row, 0, 1, radius);
         c.n = c.n_step = 0;
         detail::capsule_row(c, row.count, spans);
         take(spans);
         return;
     }
     for (const Piece& piece : shape.pieces)
-        if (cut_row_by(piece, track, row, lie, spans)) take(spans);
+        if (cut_row_by(piece, track, row, aims, spans)) take(spans);
 }
 
-void cut_row_from_above(const Shape& shape, const Track& track, const Row& row, Spans& spans) {
+void cut_row_from_above(const Shape& shape, const Track& track, const Row& row, const Aims& aims, Spans& spans) {
     const double high = shape.top + std::min(0.0, track.v.z);
     const bool ramp = !(track.circular || track.level() || track.upright());
     if (!track.circular && is_ball(shape.pieces.front()) && shape.pieces.size() <= 2) {
-        detail::Capsule c = detail::capsule_of(track.v, row, 0, 1, shape.pieces.front().arc);
+        detail::Capsule c = detail::capsule_of(aims.whole, row, 0, 1, shape.pieces.front().arc);
         c.low_shift += shape.pieces.front().centre;
         detail::capsule_low_row(c, row.count, high, spans);
         return;

@@ -30,14 +30,31 @@ enum class Lie : std::uint8_t {
     skew,
 };
 
+/// A translation as rays of one direction see it: `e` lies along its part normal to the rays, which is `way` long.
+struct Aim {
+    geom::Vec3 e, beside;        ///< unit vectors, normal to each other and to the rays
+    double way = 0;              ///< 0 where the translation runs along the rays but for rounding
+    double along = 0;            ///< its part along the rays
+    double slope = 0, sine = 0;  ///< way along the rays per `way`, and per length of the translation
+};
+[[nodiscard]] Aim aim_of(geom::Vec3 v, geom::Vec3 d);
+
+/// A straight or circular track as rays of direction d see it.
+struct Aims {
+    Lie lie = Lie::along;
+    Aim whole, level;  ///< of the translation, and of its part normal to the tool's axis
+};
+[[nodiscard]] Aims aims_of(const Track& track, geom::Vec3 d, Lie lie);
+
 /// Calls `take` for one part of the swept solid after another; together they are what is removed from the row's rays.
-/// They may touch or overlap. `Lie::skew` and circular tracks do not go together.
-void cut_row(const Shape& shape, const Track& track, const Row& row, Lie lie,
+/// They may touch or overlap. `aims` are those of the track and of the row's direction. `Lie::skew` and circular
+/// tracks do not go together.
+void cut_row(const Shape& shape, const Track& track, const Row& row, const Aims& aims,
              base::FunctionRef<void(const Spans&)> take);
 
 /// For rays upwards along the axis and a shape that rises: the lower side alone; `high` is the top of the shape where
 /// it is lowest on its way. Right for stock that ends below that.
-void cut_row_from_above(const Shape& shape, const Track& track, const Row& row, Spans& spans);
+void cut_row_from_above(const Shape& shape, const Track& track, const Row& row, const Aims& aims, Spans& spans);
 
 /// One ray p + s * d (p need not be normal to d) against one convex piece that moves by v. Any directions.
 [[nodiscard]] bool cut_ray(const Piece& piece, geom::Vec3 v, geom::Vec3 p, geom::Vec3 d, double& low, double& high);
@@ -49,13 +66,14 @@ namespace detail {
 struct Capsule {
     double a = 0, a_step = 0, n = 0, n_step = 0;
     double square = 0;
-    double from = 0, to = 0;  ///< the part of the way that counts, along a
-    double slope = 0;         ///< way along the ray per way along a
+    double from = 0, to = 0;     ///< the part of the way that counts, along a
+    double slope = 0, sine = 0;  ///< way along the ray per way along a, and per way
     double low_shift = 0, high_shift = 0;
 };
 void capsule_row(const Capsule& c, int count, Spans& spans);
 void capsule_low_row(const Capsule& c, int count, double high, Spans& spans);
-[[nodiscard]] Capsule capsule_of(geom::Vec3 v, const Row& row, double t0, double t1, double radius);
+/// The circle's way from t0 to t1 of the track.
+[[nodiscard]] Capsule capsule_of(const Aim& aim, const Row& row, double t0, double t1, double radius);
 
 [[nodiscard]] bool cut_quadric(const Piece& piece, geom::Vec3 v, geom::Vec3 p, geom::Vec3 d, double& low, double& high);
 [[nodiscard]] bool cut_round(const Piece& piece, geom::Vec3 v, geom::Vec3 p, geom::Vec3 d, double& low, double& high);

@@ -71,8 +71,12 @@ struct Course {
 class Worker {
 public:
     Worker(Place& place, const Job& job, Tally& tally)
-        : place_(place), job_(job), tally_(tally), measured_(place.axis == job.main) {
-        lie_ = job.frame.along < 0 ? Lie::skew : job.frame.along == place.axis ? Lie::along : Lie::across;
+        : place_(place),
+          job_(job),
+          tally_(tally),
+          aims_(job.aims[static_cast<std::size_t>(place.axis)]),
+          measured_(place.axis == job.main) {
+        lie_ = aims_.lie;
         set_component(unit_, place.axis, 1);
         base_ = component(job.from, place.axis);
         d_ = job.frame.to_tool(unit_);
@@ -95,7 +99,7 @@ public:
         for (int i = 0; i < rows; ++i) {
             const Course c =
                 along_b ? course(w.a0 + i, w.b0, w.b1 - w.b0, true) : course(w.a0, w.b0 + i, w.a1 - w.a0, false);
-            cut_row(*job_.shape, job_.track, c.row, lie_, [&](const Spans& spans) { apply(c, spans); });
+            cut_row(*job_.shape, job_.track, c.row, aims_, [&](const Spans& spans) { apply(c, spans); });
         }
     }
 
@@ -132,7 +136,7 @@ private:
             if (highest <= base_ + down + job_.shape->bottom + thinnest) continue;
             const double room = nearest_of_row(c, shift);
             if (highest <= base_ + down + lower_side(*job_.shape, room) + thinnest) continue;
-            cut_row_from_above(*job_.shape, job_.track, c.row, spans);
+            cut_row_from_above(*job_.shape, job_.track, c.row, aims_, spans);
             apply(c, spans);
         }
     }
@@ -201,6 +205,7 @@ private:
     Place& place_;
     const Job& job_;
     Tally& tally_;
+    const Aims& aims_;
     bool measured_ = false;
     Lie lie_ = Lie::along;
     Vec3 unit_, d_;
