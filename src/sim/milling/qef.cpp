@@ -14,6 +14,8 @@ using Row = std::array<double, 3>;
 
 /// Directions along which the planes' normals spread by less than the root of this (radians) are hardly determined.
 constexpr double weak = 1e-3;
+/// Normals nearer to each other than this (radians) belong to one plane face: most of a stock's surface.
+constexpr double flat = 1e-6;
 /// Each step takes a direction's error down to weak / (weak + spread^2) of what it was.
 constexpr int steps = 4;
 
@@ -70,6 +72,10 @@ Row System::solve() const {
 
 Row row_of(Vec3 v) { return {v.x, v.y, v.z}; }
 
+bool is_between(Vec3 p, Vec3 lo, Vec3 hi) {
+    return p.x >= lo.x && p.x <= hi.x && p.y >= lo.y && p.y <= hi.y && p.z >= lo.z && p.z <= hi.z;
+}
+
 }  // namespace
 
 void PlaneFit::add(Vec3 p, Vec3 within, Vec3 unit_normal) {
@@ -82,8 +88,17 @@ void PlaneFit::add(Vec3 within) {
     ++crossings_;
 }
 
+bool PlaneFit::is_flat() const {
+    for (std::size_t i = 1; i < count_; ++i) {
+        const Vec3 apart = planes_[i].normal - planes_[0].normal;
+        if (dot(apart, apart) > flat * flat) return false;
+    }
+    return count_ == crossings_;
+}
+
 Vec3 PlaneFit::vertex(Vec3 lo, Vec3 hi) const {
     const Vec3 middle = (1.0 / static_cast<double>(crossings_)) * sum_;
+    if (is_flat() && is_between(middle, lo, hi)) return middle;  // the crossings lie in that plane
     System s;
     s.planes = std::max(1.0, static_cast<double>(count_));
     for (std::size_t i = 0; i < count_; ++i) {

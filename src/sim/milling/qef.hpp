@@ -23,6 +23,7 @@ public:
     [[nodiscard]] double miss(geom::Vec3 p) const;
 
 private:
+    [[nodiscard]] bool is_flat() const;
     struct Plane {
         geom::Vec3 point, normal;
     };

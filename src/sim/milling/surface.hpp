@@ -22,7 +22,7 @@ struct Surface {
 };
 
 /// `rays` and `normal` are called from several threads at once. Empty where the lattice has less than three nodes
-/// along an axis. Memory: six bits and four numbers of 32 bits for 64 nodes, besides what grows with the surface.
+/// along an axis. Memory: three bits a node, besides what grows with the surface.
 [[nodiscard]] Surface extract_surface(const Lattice& lattice, Rays rays, Normal normal);
 [[nodiscard]] Surface extract_surface(const Dexels& dexels, Normal normal);
 

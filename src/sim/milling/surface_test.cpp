@@ -7,6 +7,7 @@
 #include <set>
 
 #include "mesh/topology.hpp"
+#include "sim/milling/simulation.hpp"
 #include "sim/milling/solids_testing.hpp"
 
 namespace obrys::sim::milling {
@@ -235,6 +236,37 @@ TEST(SurfaceOf, rays_that_disagree_by_rounding_are_drawn_to_the_node) {
     const Deviation d = deviation(s.mesh, [&](Vec3 p) { return box_distance(p, {1, 1, 1}); });
     EXPECT_LT(d.vertex, 1e-5);
     EXPECT_NEAR(mesh::volume(s.mesh), 8, 12 * 2 * 0.1 * 0.1 / 2) << "edges may lose half a cell";
+}
+
+TEST(SurfaceOf, a_trench_cut_by_a_ball_is_within_the_tolerance) {
+    const double tolerance = 0.01, r = 3;
+    const Box3 plate{{0, 0, -5}, {20, 12, 0}};
+    const Lattice lattice = make_lattice(plate, step_for(tolerance, r)).value();
+    Simulation simulation(plate, lattice, tolerance, 1);
+    Cutter ball;
+    ball.kind = CutterKind::ball;
+    ball.diameter = 2 * r;
+    ball.cutting_length = 25;
+    const std::uint32_t tool = simulation.add_tool(shape_of(ball).shape);
+    const Vec3 from{6, 5, -1}, to{15, 7, -1.5};
+    ASSERT_EQ(simulation.add({geom::Straight{from, to}, {0, 0, 1}, tool}), Taken::taken);
+    simulation.flush();
+    const Surface s = extract_surface(
+        simulation.dexels(), [&](std::uint32_t cut, Vec3 p, int, double) { return simulation.normal_at(cut, p); });
+    expect_sound(s);
+    const Vec3 up{0, 0, r}, along = to - from;
+    const Deviation d = deviation(s.mesh, [&](Vec3 p) {
+        const double t = std::clamp(dot(p - from - up, along) / dot(along, along), 0.0, 1.0);
+        return std::max(box_distance(p - Vec3{10, 6, -2.5}, {10, 6, 2.5}), r - distance(p, from + up + t * along));
+    });
+    EXPECT_LE(d.vertex, tolerance);
+    EXPECT_LE(d.centre, tolerance);
+    EXPECT_NEAR(mesh::volume(s.mesh), volume(simulation.dexels()), 0.3);
+    for (std::size_t i = 0; i < s.mesh.triangles.size(); ++i) {
+        const Vec3 c = mesh::centre(s.mesh, i);
+        if (c.z > -0.2 || c.z < -4.5 || c.x < 1 || c.x > 19 || c.y < 1 || c.y > 11) continue;
+        EXPECT_EQ(s.mesh.tags[i], 1U) << "the first sweep";
+    }
 }
 
 TEST(SurfaceOf, one_thread_and_four_give_the_same) {
