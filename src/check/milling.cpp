@@ -57,17 +57,17 @@ void Milling::begin() {
     if (const std::string problem = milling::problem_of(m.stock); !problem.empty())
         return out_.unchecked("stock: " + problem + ": removal not simulated");
     const milling::Box3 box = milling::box_of(m.stock);
-    const double radius = smallest_radius(setup_), step = milling::step_for(m.tolerance, radius);
-    const auto lattice = milling::make_lattice(box, step);
-    const double needed = lattice ? milling::bytes_for(*lattice) : INFINITY;
-    if (!(needed <= m.memory_bytes)) {
-        const double fits = milling::tolerance_that_fits(box, radius, m.memory_bytes);
-        return out_.unchecked("a tolerance of " + base::shortest(m.tolerance) + " mm needs " +
-                                  (std::isfinite(needed) ? megabytes(needed) : std::string("more than any memory")) +
-                                  " for this stock, of which " + megabytes(m.memory_bytes) +
-                                  " may be used: removal not simulated",
-                              "a tolerance of " + base::shortest(std::ceil(fits * 1e5) / 1e5) + " mm would fit (--tolerance)");
+    const milling::Resolution fine = milling::resolve(box, m.tolerance, smallest_radius(setup_), m.memory_bytes);
+    if (!fine.lattice) {
+        const std::string needed = std::isfinite(fine.bytes) ? megabytes(fine.bytes) : "more than any memory";
+        return out_.unchecked(
+            "a tolerance of " + base::shortest(m.tolerance) + " mm needs " + needed + " for this stock, of which " +
+                megabytes(m.memory_bytes) + " may be used: removal not simulated",
+            std::isfinite(fine.fits)
+                ? "a tolerance of " + base::shortest(std::ceil(fine.fits * 1e5) / 1e5) + " mm would fit (--tolerance)"
+                : std::string());
     }
+    const auto& lattice = fine.lattice;
     simulation_.emplace(m.stock, *lattice, m.tolerance, m.threads);
     if (simulation_->open_rays() > 0)
         out_.unchecked("the stock's surface is not closed: " + std::to_string(simulation_->open_rays()) +

@@ -207,7 +207,7 @@ TEST(JobFile, AnUnknownMachineListsTheShippedOnes) {
               "job.toml:2:11: error: there is no shipped machine \"lathe-genric\" [job-value]\n"
               "  machine = \"lathe-genric\"\n"
               "            ^~~~~~~~~~~~~~\n"
-              "  remedy: did you mean \"lathe-generic\"? shipped: lathe-generic, mill-generic; the name of a machine file ends in .toml\n");
+              "  remedy: did you mean \"lathe-generic\"? shipped: fv25cnc-a, hermle-u1130, lathe-generic, mill-generic, vmc500; the name of a machine file ends in .toml\n");
 }
 
 TEST(JobFile, ADuplicateToolNamesBothPlaces) {
