@@ -54,7 +54,7 @@ private:
 /// One element; `fill` puts the numbers.
 template <typename Fill>
 void element(std::string& out, std::string_view id, const Fill& fill) {
-    out.append("<script type=\"text/plain\" id=\"").append(id).append("\">");
+    out.append("<script type=\"text/plain\" id=\"array-").append(id).append("\">");
     Base64 base64(out);
     fill(base64);
     base64.finish();

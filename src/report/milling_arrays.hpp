@@ -13,7 +13,7 @@ struct PageCounts {
 };
 [[nodiscard]] PageCounts usable(const MillingPage& page);
 
-/// Script elements of a type no browser runs, one an array: <script type="text/plain" id="points">…</script>.
+/// Script elements of a type no browser runs, one an array: <script type="text/plain" id="array-points">…</script>.
 /// By point: points (f32 x y z), moveOfPoint (u32). By move: kind (u8, 1: rapid), file (u16), line (u32), tool (u16,
 /// index in the page's tools), axes (f32 x y z), seconds and lengths at its end (f64). Of the surface: vertices (f32 x
 /// y z), indices (u32), moveOf (u32 a triangle), deviation (f32 a triangle). 0xFFFF and 0xFFFFFFFF: none.

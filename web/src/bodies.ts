@@ -42,15 +42,15 @@ function lathe(points: Vector2[], material: MeshLambertMaterial): Group {
   return group;
 }
 
-/** Along +z with the tip at the origin. */
+/** Along +z with the tip at the origin; its second child holds shank and holder. */
 function toolGroup(tool: Tool): Group {
-  const group = new Group();
+  const group = new Group(), above = new Group();
   if ((tool.radius ?? 0) > 0 || tool.outline.length > 1) group.add(lathe(profileOf(tool), cutting));
   for (const [from, to, r0, r1, holds] of tool.bodies)
-    group.add(lathe([new Vector2(0, from), new Vector2(r0, from), new Vector2(r1, to), new Vector2(0, to)], holds ? holder : shank));
-  group.rotation.x = Math.PI / 2;  // a lathe turns about y
+    above.add(lathe([new Vector2(0, from), new Vector2(r0, from), new Vector2(r1, to), new Vector2(0, to)], holds ? holder : shank));
+  group.rotation.x = above.rotation.x = Math.PI / 2;  // a lathe turns about y
   const stand = new Group();
-  stand.add(group);
+  stand.add(group, above);
   return stand;
 }
 
@@ -64,7 +64,7 @@ function boxLines(box: Box, material: LineBasicMaterial): { solid: BoxGeometry; 
 
 export class Bodies {
   readonly scene = new Scene();
-  private readonly tools: (Group | null)[];
+  private readonly tools: Group[];
   private readonly clamps = new Group();
   private readonly stock = new Group();
   private readonly lamp = new DirectionalLight(0xffffff, 2.4);
@@ -72,7 +72,7 @@ export class Bodies {
 
   constructor(private readonly run: Run, tools: Tool[], clamps: Box[], stock: Box | null) {
     this.tools = tools.map(toolGroup);
-    for (const tool of this.tools) if (tool) this.scene.add(tool);
+    for (const tool of this.tools) this.scene.add(tool);
     for (const box of clamps) {
       const { solid, lines, middle } = boxLines(box, clampLine), mesh = new Mesh(solid, clamp);
       mesh.position.copy(middle);
@@ -86,7 +86,7 @@ export class Bodies {
   set showStock(on: boolean) { this.stock.visible = on; }
 
   set done(moves: number) {
-    for (const tool of this.tools) if (tool) tool.visible = false;
+    for (const tool of this.tools) tool.visible = false;
     if (!this.showTool || moves >= this.run.count) return;
     const place = placeAt(this.run, moves), tool = place && this.tools[this.run.tool[place.move]];
     if (!tool) return;
@@ -97,9 +97,11 @@ export class Bodies {
       ? new Quaternion().setFromUnitVectors(new Vector3(0, 0, 1), new Vector3(axes[a], axes[a + 1], axes[a + 2]).normalize())
       : new Quaternion());
   }
-  /** The lamp stands where who looks has it over the left shoulder. */
-  lightFrom(camera: OrthographicCamera) {
-    const m = camera.matrixWorld.elements;
+  /** The lamp stands where who looks has it over the left shoulder. Seen along its axis, a tool would hide what it cuts
+      behind its holder: there only the cutting part is drawn. */
+  lookFrom(camera: OrthographicCamera) {
+    const m = camera.matrixWorld.elements, back = new Vector3(m[8], m[9], m[10]);
+    for (const tool of this.tools) tool.children[1].visible = new Vector3(0, 0, 1).applyQuaternion(tool.quaternion).dot(back) < 0.94;
     this.lamp.position.set(-0.4 * m[0] + 0.5 * m[4] + 0.8 * m[8], -0.4 * m[1] + 0.5 * m[5] + 0.8 * m[9], -0.4 * m[2] + 0.5 * m[6] + 0.8 * m[10]);
   }
 }

@@ -1,8 +1,8 @@
 // Colours of the picture, as shader code and for the legend.
 
 export const cut: Rgb = [0.66, 0.74, 0.83];       // machined by now
-export const uncut: Rgb = [0.86, 0.80, 0.66];     // stock that is still to be cut
-export const stockFace: Rgb = [0.80, 0.74, 0.60]; // faces no move touches
+export const uncut: Rgb = [0.92, 0.84, 0.62];     // stock that is still to be cut
+export const stockFace: Rgb = [0.74, 0.70, 0.62]; // faces no move touches
 export type Rgb = [number, number, number];
 
 /** Twelve tools that can be told apart, then again. */

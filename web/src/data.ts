@@ -44,8 +44,10 @@ function textOf(id: string): string {
   return document.getElementById(id)?.textContent ?? "";
 }
 
-function bytes(id: string): ArrayBuffer {
-  const text = textOf(id);
+const has = (name: string): boolean => document.getElementById("array-" + name) !== null;
+
+function bytes(name: string): ArrayBuffer {
+  const text = textOf("array-" + name);
   const direct = (Uint8Array as unknown as { fromBase64?: (s: string) => Uint8Array<ArrayBuffer> }).fromBase64;
   if (direct) return direct.call(Uint8Array, text).buffer;
   const raw = atob(text), out = new Uint8Array(raw.length);
@@ -66,7 +68,7 @@ export function readRun(): Run {
     count, moveOfPoint, firstPoint, kind,
     points: new Float32Array(bytes("points")),
     file: new Uint16Array(bytes("file")), line: new Uint32Array(bytes("line")), tool: new Uint16Array(bytes("tool")),
-    axes: document.getElementById("axes") ? new Float32Array(bytes("axes")) : null,
+    axes: has("axes") ? new Float32Array(bytes("axes")) : null,
     seconds: new Float64Array(bytes("seconds")), lengths: new Float64Array(bytes("lengths")),
   };
 }
@@ -75,7 +77,7 @@ export function readMesh(): Mesh {
   return {
     vertices: new Float32Array(bytes("vertices")), indices: new Uint32Array(bytes("indices")),
     moveOf: new Uint32Array(bytes("moveOf")),
-    deviation: document.getElementById("deviation") ? new Float32Array(bytes("deviation")) : null,
+    deviation: has("deviation") ? new Float32Array(bytes("deviation")) : null,
   };
 }
 

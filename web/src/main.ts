@@ -2,7 +2,7 @@
 
 import { Bodies } from "./bodies";
 import { Controls } from "./controls";
-import { Lines, none16, readDocument, readMesh, readRun, type Document, type Finding, type Mesh, type Run, type Vec } from "./data";
+import { Lines, none16, none32, readDocument, readMesh, readRun, type Document, type Finding, type Mesh, type Run, type Site, type Vec } from "./data";
 import { $, clock, el, mm } from "./dom";
 import { Overlay } from "./overlay";
 import { Findings, head, papers, siteLink } from "./papers";
@@ -25,11 +25,19 @@ function grow(bounds: Bounds, numbers: ArrayLike<number>) {
 const nowhere = (): Bounds => ({ min: [Infinity, Infinity, Infinity], max: [-Infinity, -Infinity, -Infinity] });
 const orUnit = (b: Bounds): Bounds => b.min[0] <= b.max[0] ? b : { min: [0, 0, 0], max: [100, 100, 10] };
 
+/** The depth colours reach from the deepest cut to the top, not to the bottom of the stock. */
+function lowestCut(mesh: Mesh, top: number): number {
+  let low = Number.isFinite(top) ? top : 0;
+  for (let k = 0; k < mesh.indices.length; ++k)
+    if (mesh.moveOf[(k / 3) | 0] !== none32) low = Math.min(low, mesh.vertices[3 * mesh.indices[k] + 2]);
+  return low;
+}
+
 /** `subject`: workpiece and clamps, or the path where there is neither; `scene`: everything that is drawn. */
 function boundsOf(doc: Document, run: Run, mesh: Mesh): { scene: Bounds; subject: Bounds; heights: [number, number] } {
   const work = nowhere(), scene = nowhere();
   grow(work, mesh.vertices);
-  const heights: [number, number] = work.min[2] < work.max[2] ? [work.min[2], work.max[2]] : [0, 1];
+  const heights: [number, number] = [lowestCut(mesh, work.max[2]), Number.isFinite(work.max[2]) ? work.max[2] : 1];
   if (doc.stock) grow(work, [...doc.stock.min, ...doc.stock.max]);
   for (const clamp of doc.clamps) grow(work, [...clamp.min, ...clamp.max]);
   grow(scene, run.points);
@@ -49,24 +57,18 @@ function deviationLimit(doc: Document, mesh: Mesh): number {
 }
 
 class Report {
-  private readonly lines: Lines;
   private readonly slider: Slider;
-  private readonly findings: Findings;
   private turn = 0;
   private lastLine = "";
 
   constructor(
     private readonly doc: Document, private readonly run: Run, private readonly picture: Picture,
-    private readonly overlay: Overlay, private readonly texts: Texts, lines: Lines,
+    private readonly overlay: Overlay, private readonly texts: Texts, private readonly lines: Lines, private readonly findings: Findings,
   ) {
-    this.lines = lines;
     this.slider = new Slider(run);
     this.slider.onMove = done => this.moved(done);
-    const open = (site: { f: number; l: number }) => this.pickLine(site.f, site.l);
-    this.findings = new Findings(doc, open);
-    this.findings.onPick = overlay.onPick = finding => this.pickFinding(finding);
+    findings.onPick = overlay.onPick = finding => this.pickFinding(finding);
     texts.onLine = (file, line, step) => this.pickLine(file, line, step);
-    papers(doc, run.count, open);
     pointer(picture, move => { if (move !== null) this.pickMove(move); });
     document.addEventListener("keydown", event => {
       const target = event.target as Element;
@@ -75,8 +77,6 @@ class Report {
   }
 
   start() {
-    const first = this.doc.findings[0]?.where?.f ?? 0;
-    this.texts.show(first);
     this.slider.set(this.run.count);
     this.show(this.run.count, -1);
     const [, kind, number] = location.hash.match(/^#(finding|move)-(\d+)$/) ?? [];
@@ -186,14 +186,22 @@ function main() {
   const doc = readDocument();
   head(doc);
   const run = readRun(), mesh = readMesh(), lines = new Lines(run);
-  const texts = new Texts(doc, lines, $("tabs"), $("texts")), { picture, heights, limit } = pictureOf(doc, run, mesh);
-  const overlay = new Overlay($("overlay"), picture.views, doc.findings), report = new Report(doc, run, picture, overlay, texts, lines);
+  const texts = new Texts(doc, lines, $("tabs"), $("texts")), open = (site: Site) => texts.onLine(site.f, site.l, 0);
+  texts.onLine = (file, line) => texts.light(file, line);
+  const findings = new Findings(doc, open);
+  findings.onPick = finding => { findings.choose(finding); if (finding.where) open(finding.where); };
+  papers(doc, run.count, open);
+  texts.show(doc.findings[0]?.where?.f ?? 0);
+  // All of the above can be read where no picture can be drawn.
+  const { picture, heights, limit } = pictureOf(doc, run, mesh);
+  const overlay = new Overlay($("overlay"), picture.views, doc.findings), report = new Report(doc, run, picture, overlay, texts, lines, findings);
   const view = $("view"), resize = () => picture.resize(view.clientWidth, view.clientHeight);
   picture.onFrame = viewIsNew => { if (viewIsNew) overlay.draw(); };
   resize();
   new Controls(doc, picture, run, mesh, heights, limit).show("3D");
   report.start();
   new ResizeObserver(resize).observe(view);
+  window.addEventListener("beforeprint", () => { resize(); picture.draw(); });
   // For tests and for who looks into it with the browser's tools.
   (window as unknown as { obrys: unknown }).obrys = { picture, report, run };
   picture.draw();

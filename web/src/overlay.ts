@@ -44,7 +44,7 @@ function scaleBar(view: Viewport, scale: number): SVGElement[] {
 }
 
 function rulers(views: Views, view: Viewport): SVGElement[] {
-  const out: SVGElement[] = [], { scale, target } = views.look, step = niceStep(64 / scale), digits = digitsOf(step);
+  const out: SVGElement[] = [], { scale, target } = views.look, step = niceStep(46 / scale), digits = digitsOf(step);
   const low = view.top + view.high - 24, side = view.left + 48;
   out.push(svg("rect", { class: "band", x: view.left, y: low, width: view.wide, height: 24 }),
     svg("rect", { class: "band", x: view.left, y: view.top, width: 48, height: view.high }));

@@ -12,6 +12,8 @@ export class Picture {
   private waiting = 0;
   private viewIsNew = true;
   private done = 0;
+  private readonly fast: boolean;
+  private size = [0, 0, 0];
   /** Called after each frame; `viewIsNew`: what lies over the canvas has to move. */
   onFrame: (viewIsNew: boolean) => void = () => {};
 
@@ -19,13 +21,18 @@ export class Picture {
     private readonly canvas: HTMLCanvasElement, readonly views: Views,
     readonly surface: Surface, readonly path: Path, readonly bodies: Bodies,
   ) {
-    this.renderer = new WebGLRenderer({ canvas, antialias: true, powerPreference: "high-performance" });
+    this.renderer = new WebGLRenderer({ canvas, antialias: false, powerPreference: "high-performance" });
+    this.fast = !/swiftshader|llvmpipe|software|basic render/i.test(String(rendererName(this.renderer.getContext())));
     this.renderer.autoClear = false;
     canvas.addEventListener("webglcontextrestored", () => this.viewChanged());
   }
 
+  /** Twice as many pixels as the screen has smooth all edges, where there is a graphics processor to draw them. */
   resize(wide: number, high: number) {
-    const ratio = Math.min(2, window.devicePixelRatio || 1), width = Math.max(1, Math.round(wide * ratio)), height = Math.max(1, Math.round(high * ratio));
+    const ratio = this.fast ? 2 : Math.min(2, window.devicePixelRatio || 1);
+    if (this.size[0] === wide && this.size[1] === high && this.size[2] === ratio) return;
+    this.size = [wide, high, ratio];
+    const width = Math.max(1, Math.round(wide * ratio)), height = Math.max(1, Math.round(high * ratio));
     this.renderer.setSize(width, height, false);
     this.picked.setSize(width, height);
     this.surface.resize(width, height);
@@ -72,7 +79,7 @@ export class Picture {
     for (const view of views.all) {
       renderer.setViewport(view.x, view.y, view.width, view.height);
       renderer.setScissor(view.x, view.y, view.width, view.height);
-      this.bodies.lightFrom(view.camera);
+      this.bodies.lookFrom(view.camera);
       renderer.render(this.path.scene, view.camera);
       renderer.render(this.bodies.scene, view.camera);
     }
@@ -108,6 +115,11 @@ export class Picture {
     renderer.setRenderTarget(null);
     return nearestMove(pixels, reach);
   }
+}
+
+function rendererName(gl: WebGLRenderingContext | WebGL2RenderingContext): unknown {
+  const info = gl.getExtension("WEBGL_debug_renderer_info");
+  return gl.getParameter(info ? info.UNMASKED_RENDERER_WEBGL : gl.RENDERER);
 }
 
 function nearestMove(pixels: Uint8Array, reach: number): number | null {

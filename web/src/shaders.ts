@@ -42,7 +42,9 @@ export const screenVertex = `
   in vec3 position;
   void main() { gl_Position = vec4(position.xy, 0.0, 1.0); }`;
 
+// 0xfffffd, the largest number of a move: above it lie faces of the stock.
 const unpack = `
+  const float lastMove = 16777213.0;
   float moveAt(vec4 owner) { return dot(floor(owner.xyz * 255.0 + 0.5), vec3(1.0, 256.0, 65536.0)); }`;
 
 export const shadeFragment = `
@@ -85,10 +87,11 @@ export const shadeFragment = `
     vec3 n = normalAt(at);
     vec4 s = texelFetch(shape, at, 0);
     float height = (s.z * 255.0 + s.w) / 255.0;
-    float light = 0.42 + 0.50 * max(0.0, dot(n, normalize(vec3(-0.45, 0.55, 0.70)))) + 0.22 * max(0.0, dot(n, normalize(vec3(0.7, -0.1, 0.45))));
+    // A strong lamp from the upper left shows low waves, a weak one from the right keeps what it does not reach apart.
+    float light = 0.34 + 0.62 * pow(max(0.0, dot(n, normalize(vec3(-0.65, 0.45, 0.62)))), 1.4) + 0.26 * max(0.0, dot(n, normalize(vec3(0.75, 0.05, 0.45))));
     light *= 1.0 - 0.62 * edge(at, n, d);
-    vec3 base = move > 16777213.5 ? ${vec(stockFace)} : ${vec(cut)};
-    if (colouring == 1 && move < 16777213.5) base = toolColour(move);
+    vec3 base = move > lastMove ? ${vec(stockFace)} : ${vec(cut)};
+    if (colouring == 1 && move <= lastMove) base = toolColour(move);
     if (colouring == 2) base = heightColour(height);
     if (colouring == 3) base = own.w > 0.999 ? vec3(0.75) : deviationColour(own.w * 255.0 / 254.0);
     colour = vec4(base * light, min(1.0, light * 0.8));
@@ -107,7 +110,7 @@ export const composeFragment = `
     if (d >= 1.0) { colour = vec4(1.0); return; }
     float move = moveAt(texelFetch(owner, at, 0));
     vec4 c = texelFetch(shaded, at, 0);
-    colour = vec4(move < done || move > 16777213.5 ? c.rgb : ${vec(uncut)} * c.a / 0.8, 1.0);
+    colour = vec4(move < done || move > lastMove ? c.rgb : ${vec(uncut)} * c.a / 0.8, 1.0);
     if (move == chosen) colour.rgb = mix(colour.rgb, vec3(0.04, 0.34, 0.82), 0.55);
   }`;
 
