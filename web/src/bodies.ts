@@ -1,19 +1,22 @@
 // What stands around the surface: the tool with shank and holder, clamps, the outline of the stock.
 
 import {
-  AmbientLight, BoxGeometry, DirectionalLight, DoubleSide, EdgesGeometry, Group, LatheGeometry, LineBasicMaterial, LineSegments, Mesh,
-  MeshLambertMaterial, Quaternion, Scene, Vector2, Vector3, type OrthographicCamera,
+  BoxGeometry, Color, DoubleSide, EdgesGeometry, GLSL3, Group, LatheGeometry, LineSegments, Mesh, Quaternion, RawShaderMaterial, Scene, Vector2,
+  Vector3, type OrthographicCamera,
 } from "three";
 import type { Box, Run, Tool } from "./data";
 import { placeAt } from "./path";
+import { bodyFragment, bodyVertex, lineFragment, lineVertex } from "./shaders";
 
-const cutting = new MeshLambertMaterial({ color: 0xf2bf2e, transparent: true, opacity: 0.82, side: DoubleSide });
-const shank = new MeshLambertMaterial({ color: 0xa9b2ba, transparent: true, opacity: 0.88, side: DoubleSide });
-const holder = new MeshLambertMaterial({ color: 0x66707a, transparent: true, opacity: 0.88, side: DoubleSide });
-const clamp = new MeshLambertMaterial({ color: 0xc77f8f, transparent: true, opacity: 0.55, side: DoubleSide });
-const outline = new LineBasicMaterial({ color: 0x6b4e00, transparent: true, opacity: 0.8 });
-const stockLine = new LineBasicMaterial({ color: 0x8a7a50, transparent: true, opacity: 0.75 });
-const clampLine = new LineBasicMaterial({ color: 0x7a3040 });
+function paint(colour: number, opacity: number, line = false): RawShaderMaterial {
+  const { r, g, b } = new Color().setHex(colour, "srgb-linear");  // as it is: these shaders write what the screen shows
+  return new RawShaderMaterial({
+    glslVersion: GLSL3, vertexShader: line ? lineVertex : bodyVertex, fragmentShader: line ? lineFragment : bodyFragment,
+    transparent: opacity < 1, side: DoubleSide, uniforms: { paint: { value: [r, g, b, opacity] } },
+  });
+}
+const cutting = paint(0xf2bf2e, 0.82), shank = paint(0xb4bdc5, 0.9), holder = paint(0x76808a, 0.9), clamp = paint(0xcf8a99, 0.6);
+const outline = paint(0x6b4e00, 0.8, true), stockLine = paint(0x8a7a50, 0.75, true), clampLine = paint(0x7a3040, 1, true);
 const round = 48;
 
 /** Half the section of the cutting part: radius and height above the tip. */
@@ -35,7 +38,7 @@ function closed(points: Vector2[]): Vector2[] {
   return points;
 }
 
-function lathe(points: Vector2[], material: MeshLambertMaterial): Group {
+function lathe(points: Vector2[], material: RawShaderMaterial): Group {
   const group = new Group(), geometry = new LatheGeometry(points, round);
   group.add(new Mesh(geometry, material));
   group.add(new LineSegments(new EdgesGeometry(geometry, 28), outline));
@@ -54,7 +57,7 @@ function toolGroup(tool: Tool): Group {
   return stand;
 }
 
-function boxLines(box: Box, material: LineBasicMaterial): { solid: BoxGeometry; lines: LineSegments; middle: Vector3 } {
+function boxLines(box: Box, material: RawShaderMaterial): { solid: BoxGeometry; lines: LineSegments; middle: Vector3 } {
   const low = new Vector3(...box.min), high = new Vector3(...box.max), size = high.clone().sub(low);
   const solid = new BoxGeometry(size.x, size.y, size.z), lines = new LineSegments(new EdgesGeometry(solid), material);
   const middle = low.add(high).multiplyScalar(0.5);
@@ -67,7 +70,6 @@ export class Bodies {
   private readonly tools: Group[];
   private readonly clamps = new Group();
   private readonly stock = new Group();
-  private readonly lamp = new DirectionalLight(0xffffff, 2.4);
   showTool = true;
 
   constructor(private readonly run: Run, tools: Tool[], clamps: Box[], stock: Box | null) {
@@ -79,7 +81,7 @@ export class Bodies {
       this.clamps.add(mesh, lines);
     }
     if (stock) this.stock.add(boxLines(stock, stockLine).lines);
-    this.scene.add(this.clamps, this.stock, new AmbientLight(0xffffff, 1.1), this.lamp, this.lamp.target);
+    this.scene.add(this.clamps, this.stock);
   }
 
   set showClamps(on: boolean) { this.clamps.visible = on; }
@@ -97,11 +99,9 @@ export class Bodies {
       ? new Quaternion().setFromUnitVectors(new Vector3(0, 0, 1), new Vector3(axes[a], axes[a + 1], axes[a + 2]).normalize())
       : new Quaternion());
   }
-  /** The lamp stands where who looks has it over the left shoulder. Seen along its axis, a tool would hide what it cuts
-      behind its holder: there only the cutting part is drawn. */
+  /** Seen along its axis, a tool would hide what it cuts behind its holder: there only the cutting part is drawn. */
   lookFrom(camera: OrthographicCamera) {
     const m = camera.matrixWorld.elements, back = new Vector3(m[8], m[9], m[10]);
     for (const tool of this.tools) tool.children[1].visible = new Vector3(0, 0, 1).applyQuaternion(tool.quaternion).dot(back) < 0.94;
-    this.lamp.position.set(-0.4 * m[0] + 0.5 * m[4] + 0.8 * m[8], -0.4 * m[1] + 0.5 * m[5] + 0.8 * m[9], -0.4 * m[2] + 0.5 * m[6] + 0.8 * m[10]);
   }
 }

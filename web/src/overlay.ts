@@ -112,7 +112,7 @@ export class Overlay {
       taken.push([cx, cy]);
       const on = finding === this.active, half = finding.no > 99 ? 14 : 10;
       const mark = svg("rect", { class: on ? "mark on" : "mark", x: cx - half, y: cy - 9.5, width: 2 * half, height: 19, rx: 9.5 });
-      const no = svg("text", { class: "no", x: cx, y: cy + 4 }, String(finding.no));
+      const no = svg("text", { class: "no", x: cx, y: cy + 4, "data-no": finding.no }, String(finding.no));
       for (const part of [mark, no]) {
         part.append(svg("title", {}, `${finding.no} ${finding.code}: ${finding.text}`));
         part.addEventListener("click", () => this.onPick(finding));

@@ -160,3 +160,36 @@ export const pathFragment = `
     float seen = float(move) < done ? 1.0 : 0.32;
     colour = vec4(c, seen);
   }`;
+
+/** Tool, clamps and lines around the workpiece: one colour, the surface's lamps. Lines have no normals. */
+export const bodyVertex = `
+  in vec3 position, normal;
+  uniform mat4 modelViewMatrix, projectionMatrix;
+  uniform mat3 normalMatrix;
+  out vec3 n;
+  void main() {
+    n = normalMatrix * normal;
+    gl_Position = projectionMatrix * modelViewMatrix * vec4(position, 1.0);
+  }`;
+
+export const bodyFragment = `
+  precision highp float;
+  in vec3 n;
+  uniform vec4 paint;
+  layout(location = 0) out vec4 colour;
+  void main() {
+    vec3 out_ = normalize(gl_FrontFacing ? n : -n);
+    float light = 0.45 + 0.55 * max(0.0, dot(out_, normalize(vec3(-0.45, 0.55, 0.70)))) + 0.15 * max(0.0, dot(out_, normalize(vec3(0.75, 0.05, 0.45))));
+    colour = vec4(paint.rgb * light, paint.a);
+  }`;
+
+export const lineVertex = `
+  in vec3 position;
+  uniform mat4 modelViewMatrix, projectionMatrix;
+  void main() { gl_Position = projectionMatrix * modelViewMatrix * vec4(position, 1.0); }`;
+
+export const lineFragment = `
+  precision highp float;
+  uniform vec4 paint;
+  layout(location = 0) out vec4 colour;
+  void main() { colour = paint; }`;
