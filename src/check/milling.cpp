@@ -7,6 +7,8 @@
 #include "check/milling_tool.hpp"
 #include "check/words.hpp"
 #include "cl/path_element.hpp"
+#include "cl/spline.hpp"
+#include "cl/totals.hpp"
 
 namespace obrys::check {
 
@@ -18,7 +20,9 @@ constexpr double piece = 0.1;                   ///< mm in which the way in the 
 constexpr double short_way = 1;                 ///< mm; moves up to that count as a whole
 constexpr std::uint32_t most_pieces = 200'000;  ///< in all; the moves behind them count as a whole
 constexpr std::size_t batch = 32'768;           ///< passes that wait for the simulation
-constexpr double fallback_radius = 1;           ///< mm, where no tool of the list has a shape
+constexpr double drawn_chord = 0.01;            ///< mm the picture of a curve may leave it
+constexpr int most_chords = 256;
+constexpr double fallback_radius = 1;  ///< mm, where no tool of the list has a shape
 
 /// The smallest radius that a tool of the list can leave: what the lattice must resolve.
 double smallest_radius(const Setup& setup) {
@@ -175,9 +179,41 @@ void Milling::take(const Move& move, std::uint32_t use) {
     const geom::Vec3 way = move.to - move.from;
     const double down = -geom::dot(way, axis);
     m.plunging = down > 1e-9 && geom::length(way + down * axis) < 1e-9 * down;
+    m.seconds = seconds_of(move);
+    keep_points(move, m);
     moves_.push_back(m);
     queue(*element, m, !move.rapid);
     if (queued_.size() >= batch) carry_out();
+}
+
+/// Chained to the move before; a gap between them (moves that were left out) is a point that is not known.
+void Milling::keep_points(const Move& move, MilledMove& m) {
+    if (moves_.size() >= setup_.keep_moves) return;
+    const bool begins = points_.empty() || geom::distance(points_.back(), move.from) > 1e-6;
+    if (begins && !points_.empty()) points_.push_back({NAN, NAN, NAN});
+    if (begins) points_.push_back(move.from);
+    cl::points_between(move.from, move.record.step, drawn_chord, most_chords,
+                       [this](geom::Vec3 p) { points_.push_back(p); });
+    points_.push_back(move.to);
+    m.points_end = static_cast<std::uint32_t>(points_.size());
+    ++moves_with_points_;
+}
+
+/// At the programmed feed; rapids in straight lines at the slowest axis' rapid.
+double Milling::seconds_of(const Move& move) const {
+    const double way = cl::move_length(move.from, move.record.step);
+    if (move.rapid) {
+        double slowest = INFINITY;
+        for (const shop::MachineAxis& a : setup_.machine.axes)
+            if (!a.rotary) slowest = std::min(slowest, a.rapid);
+        return std::isfinite(slowest) && slowest > 0 ? 60 * way / slowest : NAN;
+    }
+    switch (feed_.mode) {
+        case cl::FeedMode::per_minute: return feed_.value > 0 ? 60 * way / feed_.value : NAN;
+        case cl::FeedMode::per_rev: return feed_.value * speed_ > 0 ? 60 * way / (feed_.value * speed_) : NAN;
+        case cl::FeedMode::inverse_time: return feed_.value > 0 ? 60 / feed_.value : NAN;
+    }
+    return NAN;
 }
 
 void Milling::queue(const geom::PathElement& element, const MilledMove& move, bool feed) {
@@ -256,6 +292,8 @@ void Milling::finish(bool complete) {
     if (pieces_left_ < most_pieces && pieces_left_ < 1000) figures_.contact_accuracy_mm = 0;
     milled->figures = figures_;
     milled->moves = std::move(moves_);
+    milled->points = std::move(points_);
+    milled->moves_with_points = moves_with_points_;
     judge_surface(*milled);
     out_.result().milled = std::move(milled);
 }
