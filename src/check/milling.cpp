@@ -1,6 +1,7 @@
 #include "check/milling.hpp"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 
 #include "base/number.hpp"
@@ -142,6 +143,36 @@ std::optional<std::uint32_t> Milling::tool_in_use(const Move& move) {
     return known;
 }
 
+/// Where a rapid comes by when every axis goes at its own speed (dog-leg): the axes stop one after another.
+std::vector<geom::Vec3> Milling::corners_of_rapid(const Move& move) const {
+    std::vector<geom::Vec3> corners;
+    if (setup_.machine.rapid_path == shop::RapidPath::dog_leg) {
+        const geom::Vec3 way = move.to - move.from;
+        std::array<double, 3> needs{};  // minutes
+        for (std::size_t k = 0; k < 3; ++k) {
+            double speed = 0;
+            for (const shop::MachineAxis& a : setup_.machine.axes)
+                if (a.name == std::string(1, "XYZ"[k])) speed = a.rapid;
+            const double part = std::abs(milling::component(way, static_cast<int>(k)));
+            needs[k] = speed > 0 ? part / speed : 0;
+        }
+        for (const double at :
+             {std::min({needs[0], needs[1], needs[2]}),
+              std::max(std::min(needs[0], needs[1]), std::min(std::max(needs[0], needs[1]), needs[2]))}) {
+            geom::Vec3 p = move.to;
+            for (int k = 0; k < 3; ++k) {
+                const double need = needs[static_cast<std::size_t>(k)];
+                if (need > at)
+                    milling::set_component(p, k,
+                                           milling::component(move.from, k) + at / need * milling::component(way, k));
+            }
+            if (at > 0) corners.push_back(p);
+        }
+    }
+    corners.push_back(move.to);
+    return corners;
+}
+
 void Milling::take(const Move& move, std::uint32_t use) {
     const bool known = geom::is_finite(move.from) && geom::is_finite(move.to);
     const bool starting = move.rapid && !known && !position_was_known_;
@@ -182,7 +213,15 @@ void Milling::take(const Move& move, std::uint32_t use) {
     m.seconds = seconds_of(move);
     keep_points(move, m);
     moves_.push_back(m);
-    queue(*element, m, !move.rapid);
+    if (move.rapid) {
+        geom::Vec3 from = move.from;
+        for (const geom::Vec3& to : corners_of_rapid(move)) {
+            queue(geom::Straight{from, to}, m, false);
+            from = to;
+        }
+    } else {
+        queue(*element, m, true);
+    }
     if (queued_.size() >= batch) carry_out();
 }
 

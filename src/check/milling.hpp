@@ -55,6 +55,7 @@ private:
     void queue(const geom::PathElement& element, const MilledMove& move, bool feed);
     void queue_pass(QueuedPass::Kind kind, sim::milling::Part part, bool cut, const geom::PathElement& element);
     void queue_clamps(const geom::PathElement& element);
+    [[nodiscard]] std::vector<geom::Vec3> corners_of_rapid(const Move& move) const;
     [[nodiscard]] double seconds_of(const Move& move) const;
     void keep_points(const Move& move, MilledMove& m);
     void carry_out();
