@@ -56,8 +56,23 @@ inline std::size_t table_size(const program::Unit& u, StatementKind kind) {
         case StatementKind::label_call: return u.label_calls.size();
         case StatementKind::cycle_definition: return u.cycles.size();
         case StatementKind::special: return u.specials.size();
-        default: return u.branches.size();
+        case StatementKind::pattern: return u.patterns.size();
+        case StatementKind::contour: return u.contours.size();
+        case StatementKind::if_:
+        case StatementKind::else_:
+        case StatementKind::endif:
+        case StatementKind::while_:
+        case StatementKind::endwhile:
+        case StatementKind::repeat_:
+        case StatementKind::until:
+        case StatementKind::loop_:
+        case StatementKind::endloop:
+        case StatementKind::repeat_count:
+        case StatementKind::end_repeat_count: return u.branches.size();
+        case StatementKind::block:
+        case StatementKind::label_end: return 0;
     }
+    return 0;
 }
 
 inline void check_word(const program::Unit& u, const program::Word& w, StatementKind kind) {

@@ -28,7 +28,7 @@ double curved(geom::Vec3 from, const Arc& arc) {
     const double rise = geom::dot(known(chord), arc.normal);
     const geom::Vec3 s = known(spoke);
     const double radius = geom::length(s - geom::dot(s, arc.normal) * arc.normal);
-    return std::hypot(radius * arc.sweep, rise);
+    return geom::length(geom::Vec2{radius * arc.sweep, rise});
 }
 
 }  // namespace

@@ -75,11 +75,26 @@ path::ArcResult about_pole(const Run& run, Vec2 from, Vec2 to, path::Sense sense
                                   static_cast<int>(std::min(whole, 1e6)));
 }
 
+/// Full turns beyond the arc to its end: TURN=, or P - 1 where the control counts the arc itself
+/// (Traits::arc_turns_in_p).
+std::optional<int> turns_of(Run& run) {
+    const BlockWords& b = run.block;
+    if (b.has(Code::turns)) return static_cast<int>(std::clamp(b.get(Code::turns), 0.0, 999.0));
+    if (!run.traits->arc_turns_in_p || !b.has(Code::p)) return 0;
+    const double p = b.get(Code::p);
+    if (p >= 1 && p <= 1000 && p == std::floor(p)) return static_cast<int>(p) - 1;
+    alarm(run, codes::value_range, run.here(),
+          "P, the number of turns of an arc, must be a whole number from 1 to 1000");
+    return std::nullopt;
+}
+
 path::ArcResult planar_arc(Run& run, Vec2 from, Vec2 to, bool end_given, const PlaneAxes& a) {
     const BlockWords& b = run.block;
     const path::Sense sense =
         run.modal.motion == Modal::arc_cw ? path::Sense::clockwise : path::Sense::counter_clockwise;
-    const int turns = b.has(Code::turns) ? static_cast<int>(std::clamp(b.get(Code::turns), 0.0, 999.0)) : 0;
+    const auto given = turns_of(run);
+    if (!given) return {};
+    const int turns = *given;
     const bool centre = b.has(centre_words[a.u]) || b.has(centre_words[a.v]);
     if (b.has(Code::centre_at_pole)) return about_pole(run, from, to, sense, a);
     if (run.modal.motion == Modal::arc_tangent) return path::arc_by_tangent(from, to, run.last_direction);
@@ -105,7 +120,7 @@ bool has_unknown_circle_word(const Run& run) {
     for (const Code c : {Code::i, Code::j, Code::k, Code::i1, Code::j1, Code::k1, Code::radius, Code::opening_angle,
                          Code::turns, Code::pole_angle})
         if (run.block.has(c) && std::isnan(run.block.get(c))) return true;
-    return false;
+    return run.traits->arc_turns_in_p && run.block.has(Code::p) && std::isnan(run.block.get(Code::p));
 }
 
 void remember_direction(Run& run, const path::Element& e) {
@@ -212,7 +227,7 @@ bool arc_motion(Run& run, const Vec3& target) {
 
 void plane_element(Run& run, path::Element e, const Vec3& to, bool rapid) {
     remember_direction(run, e);
-    if (path::is_arc(e))
+    if (path::is_arc(e) && run.modal.feed_mode == cl::FeedMode::inverse_time)
         tell_inverse_feed(run, std::hypot(e.sweep * geom::length(e.from - e.centre), e.w_to - e.w_from));
     run.free_contour.reset();
     if (run.capture != nullptr)
@@ -238,7 +253,7 @@ Vec3 in_stream(const Run& run, Vec2 p, double w) {
     coordinate(v, a.u) = p.x;
     coordinate(v, a.v) = p.y;
     coordinate(v, a.w) = w;
-    return geom::apply(run.frame, v);
+    return run.frame_is_identity ? v : geom::apply(run.frame, v);
 }
 
 }  // namespace
@@ -246,6 +261,11 @@ Vec3 in_stream(const Run& run, Vec2 p, double w) {
 std::optional<cl::Step> plane_move(const Run& run, const path::Element& e, bool rapid) {
     const Vec3 to = in_stream(run, e.to, e.w_to);
     if (!path::is_arc(e)) return cl::Linear{to, run.tool_axis, rapid};
+    if (run.frame_is_identity || geom::is_shift_only(run.frame)) {
+        Vec3 normal;
+        coordinate(normal, plane_axes(run.modal.plane).w) = 1;
+        return cl::Arc{to, in_stream(run, e.centre, e.w_from), normal, e.sweep};
+    }
     const Vec3 zero = in_stream(run, {}, 0);
     const Vec3 u = in_stream(run, {1, 0}, 0) - zero, v = in_stream(run, {0, 1}, 0) - zero;
     if (std::abs(geom::length(u) - geom::length(v)) > 1e-9) return std::nullopt;

@@ -292,6 +292,7 @@ void leave(Run& run) {
         return;
     }
     if (act.saves) restore(run, act.saved);
+    if (act.restores_modes && run.calls.size() > 1) restore_modes(run);
     if (run.calls.size() == 1) {
         run.stopped = true;
         return;

@@ -135,8 +135,10 @@ void run_holes(Run& run, const program::CannedCycle& c, const PlaneAxes& a) {
     geom::Vec3 target = programmed_target(run);
     const geom::Vec3 step = target - start;
     const double initial = run.canned.initial_level;
+    const bool polar = run.block.has(Code::polar_radius) || run.block.has(Code::polar_angle);
     for (double i = 0; i < *count && !run.stopped; ++i) {
-        const geom::Vec3 at = run.modal.absolute ? target : start + (i + 1) * step;
+        if (i > 0 && polar) target = programmed_target(run);  // turns and grows from hole to hole
+        const geom::Vec3 at = run.modal.absolute || polar ? target : start + (i + 1) * step;
         const cycles::Demand demand = demand_at(run, c, into_plane(at, a), initial);
         cycles::Expansion e = cycles::expand(demand, situation_of(run));
         if (!report_expansion(run, c.name, e)) return;

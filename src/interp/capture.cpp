@@ -41,7 +41,9 @@ struct Rehearsal::Saved {
     std::string datum_table, open_table;
     Offsets offsets;
     CannedState canned;
-    bool mist, flood;
+    bool mist, flood, probed;
+    Overrides overrides;
+    std::map<std::pair<int, program::CycleRole>, double> cycle_store;
     Scope globals;
     /// What the variables hold: calls and scopes share them with what is run ahead.
     std::vector<std::pair<std::shared_ptr<Array>, Array>> values;
@@ -104,6 +106,9 @@ Rehearsal::Rehearsal(Run& r)
                        r.canned,
                        r.mist,
                        r.flood,
+                       r.probed,
+                       r.overrides,
+                       r.cycle_store,
                        r.globals,
                        values_of(r)}) {
     run_.capture = &elements_;
@@ -153,6 +158,9 @@ Rehearsal::~Rehearsal() {
     run_.canned = s.canned;
     run_.mist = s.mist;
     run_.flood = s.flood;
+    run_.probed = s.probed;
+    run_.overrides = s.overrides;
+    run_.cycle_store = std::move(s.cycle_store);
     run_.globals = std::move(s.globals);
     for (auto& [array, value] : s.values) *array = std::move(value);
 }
@@ -197,9 +205,29 @@ std::optional<std::vector<Captured>> elements_of_turned_contour(Run& run, const 
     return elements;
 }
 
+BlockRehearsal elements_of_blocks(Run& run, std::uint32_t first, std::uint32_t last) {
+    BlockRehearsal out;
+    const Rehearsal rehearsal(run);
+    run.silenced = &out.complaints;
+    const std::size_t depth = run.calls.size();
+    run.top().pc = first;
+    run.top().sections.clear();
+    for (std::size_t n = 0; n < most_statements && !run.stopped; ++n) {
+        const bool outside = run.calls.size() != depth || run.top().pc < first || run.top().pc > last;
+        out.ended = run.calls.size() == depth && run.top().pc == last + 1;
+        if (outside) break;
+        step(run);
+    }
+    run.silenced = nullptr;
+    out.elements = rehearsal.elements();
+    return out;
+}
+
 std::optional<std::vector<Captured>> elements_of_program(Run& run, const Unit& unit, std::optional<geom::Vec3> from) {
     const Rehearsal rehearsal(run);
     if (from) arrive(run, *from);
+    // The contour of a turning cycle begins with lines, whatever is in force where the cycle stands.
+    if (run.turned_contour && run.modal.motion == Modal::canned_off) run.modal.motion = Modal::linear;
     const std::size_t depth = run.calls.size();
     enter(run, unit, nullptr, run.here());
     if (run.calls.size() == depth) return std::nullopt;

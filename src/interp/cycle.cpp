@@ -7,6 +7,7 @@
 #include "base/codes.hpp"
 #include "cycles/cycle.hpp"
 #include "cycles/names.hpp"
+#include "cycles/turning.hpp"
 #include "interp/contour_cycle.hpp"
 #include "interp/cycle_call.hpp"
 
@@ -224,6 +225,20 @@ void emit_step(Run& run, cl::Step step) {
     emit(run, std::move(step));
 }
 
+void path_step(Run& run, cl::Step step) {
+    const PlaneAxes a = plane_axes(run.modal.plane);
+    if (run.modal.compensation == Modal::compensation_off) return emit_step(run, std::move(step));
+    if (const auto* linear = std::get_if<cl::Linear>(&step))
+        return straight_motion(run, out_of_plane(linear->to, a), linear->rapid);
+    const auto* arc = std::get_if<cl::Arc>(&step);
+    if (arc == nullptr) return emit_step(run, std::move(step));
+    path::Element e = plane_arc(*arc);
+    const geom::Vec3 from = into_plane(run.programmed_position, a);
+    e.from = {from.x, from.y};
+    e.w_from = from.z;
+    plane_element(run, e, out_of_plane(arc->to, a), false);
+}
+
 void emit_steps(Run& run, std::vector<cl::Step>& steps) {
     for (cl::Step& step : steps)
         if (!run.stopped) emit_step(run, std::move(step));
@@ -253,6 +268,7 @@ void define_cycle(Run& run, const CycleDefinition& d) {
         run.cycle = std::move(c);
         return;
     }
+    if (cycles::is_turning_cycle(d.kind)) return define_turning_cycle(run, c);
     if (d.use == CycleUse::run && !act_at_definition(run, c))
         unchecked(run, codes::unsupported, d.where, d.name + " is not run");
 }

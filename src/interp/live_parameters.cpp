@@ -103,10 +103,10 @@ double state(const Run& run, StateQuery q) {
         case StateQuery::spindle_clockwise: return run.spindle.direction > 0 ? 1 : 0;
         case StateQuery::mist: return run.mist ? 1 : 0;
         case StateQuery::flood: return run.flood ? 1 : 0;
-        case StateQuery::speed_override:
-        case StateQuery::feed_override: return 1;
+        case StateQuery::speed_override: return run.overrides.speed ? 1 : 0;
+        case StateQuery::feed_override: return run.overrides.feed ? 1 : 0;
         case StateQuery::adaptive_feed: return 0;
-        case StateQuery::feed_hold: return 1;
+        case StateQuery::feed_hold: return run.overrides.hold ? 1 : 0;
         case StateQuery::feed: return run.feed_valid ? run.feed / feed_factor(run) : 0;
         case StateQuery::speed: return run.spindle.speed;
         case StateQuery::current_tool: return run.tool.number;
@@ -135,6 +135,12 @@ bool may_be_written(const Run& run, std::uint32_t n) {
     const program::LiveParameters* l = live_range(run, n);
     return l == nullptr || l->value == SystemVariable::probed_coordinate || l->value == SystemVariable::probe_success ||
            l->value == SystemVariable::input_value || l->value == SystemVariable::unknown;
+}
+
+void forget_live(Run& run, SystemVariable what) {
+    for (const program::LiveParameters& l : run.traits->live)
+        for (std::uint32_t n = l.first; l.value == what && n < std::min(l.first + l.count, run.parameters.count()); ++n)
+            run.parameters.forget(n);
 }
 
 double live_parameter(Run& run, std::uint32_t n, const base::Span& where) {

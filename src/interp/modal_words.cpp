@@ -10,8 +10,6 @@
 
 namespace obrys::interp {
 
-namespace {
-
 using cl::SettingKind;
 
 void set_plane(Run& run, int plane) {
@@ -21,6 +19,8 @@ void set_plane(Run& run, int plane) {
     run.modal.plane = plane;
     forget_polar_angle(run.modal);
 }
+
+namespace {
 
 void set_feed_mode(Run& run, cl::FeedMode mode) {
     if (run.traits->needs_feed) run.feed_valid = false;  // also where the mode stays
@@ -51,9 +51,10 @@ void set_surface_speed(Run& run, bool on, int number) {
     }
     run.modal.surface_speed = on;
     run.modal.speed_word = number;
+    run.block.surface_word = on ? 96 : 97;
+    if (!run.traits->feed_mode_ends_surface_speed) return;
     if (number == 96 || number == 97 || number == 973) set_feed_mode(run, cl::FeedMode::per_rev);
     if (number == 961 || number == 971) set_feed_mode(run, cl::FeedMode::per_minute);
-    run.block.surface_word = on ? 96 : 97;
 }
 
 /// G94 and G95 stand in one group with G96: they end it (SINUMERIK Programming Manual Fundamentals, G96). Easily
@@ -103,6 +104,21 @@ bool motion_word(Run& run, Modal m, const program::Word& w) {
     }
 }
 
+/// L of G41.1 and G42.1; without it the nose has no tip of its own.
+bool take_orientation(Run& run) {
+    const BlockWords& b = run.block;
+    const double l = b.has(Code::l) ? b.get(Code::l) : 0;
+    run.modal.compensation_orientation = l >= 0 && l <= 9 ? static_cast<int>(l) : 0;
+    std::string fault;
+    if (b.has(Code::l) && run.modal.plane != 18)
+        fault = "L (orientation of a lathe tool) beside radius compensation is for the plane of G18";
+    else if (b.has(Code::l) && l != std::floor(l))
+        fault = "L, the orientation of the tool, must be a whole number";
+    if (fault.empty()) return true;
+    alarm(run, base::codes::value_range, run.here(), std::move(fault));
+    return false;
+}
+
 void set_compensation(Run& run, Modal m) {
     ModalState& state = run.modal;
     const BlockWords& b = run.block;
@@ -112,7 +128,9 @@ void set_compensation(Run& run, Modal m) {
                          : m == Modal::compensation_right_by ? Modal::compensation_right
                                                              : m;
     state.compensation_radius = std::numeric_limits<double>::quiet_NaN();
+    state.compensation_orientation = -1;
     if (m == Modal::compensation_off && run.traits->compensation_holds_move) run.path->switch_off(run);
+    if (given && !take_orientation(run)) return;
     if (given && b.has(Code::offset_d)) state.compensation_radius = b.get(Code::offset_d) * unit / 2;
     if (!given && m != Modal::compensation_off && b.has(Code::offset_d)) take_offset_radius(run, b.get(Code::offset_d));
     const bool left = (state.compensation == Modal::compensation_left) != (state.compensation_radius < 0);
@@ -144,7 +162,7 @@ bool offset_word(Run& run, Modal m, int number) {
         case Modal::tool_length_off: tool_length_words(run, m); return true;
         case Modal::set_data:
             b.special = m;
-            set_data(run);
+            set_data(run, static_cast<program::DataTable>(number));
             return true;
         case Modal::position_becomes:
         case Modal::local_shift: b.special = m; [[fallthrough]];
@@ -192,6 +210,7 @@ bool numbered_motion_word(Run& run, Modal m, int number) {
         case Modal::spline_quadratic:
         case Modal::nurbs_end:
         case Modal::rigid_tap:
+        case Modal::circle_pocket:
         case Modal::turning_cycle:
             run.block.special = m;
             run.block.special_number = number;
@@ -258,16 +277,6 @@ void select_kept_datum(Run& run, std::uint32_t number) {
     update_frame(run);
 }
 
-/// M72: what M70 has saved.
-void restore_modes(Run& run) {
-    if (run.top().saved_modes.empty()) return;
-    const ModalState saved = run.top().saved_modes.back();
-    flush_path(run);
-    if (saved.feed_mode != run.modal.feed_mode) run.feed_valid = false;
-    run.modal = saved;
-    update_frame(run);
-}
-
 }  // namespace
 
 void set_datum(Run& run, std::uint32_t number) {
@@ -279,56 +288,56 @@ void set_datum(Run& run, std::uint32_t number) {
     update_frame(run);
 }
 
-void modal_word(Run& run, const program::Word& w) {
-    const Modal m = program::modal_of(w);
+bool apply_mode(Run& run, Modal m, int number) {
     ModalState& state = run.modal;
-    refuse_modal(run, w);
-    if (run.stopped) return;
-    if (motion_word(run, m, w) || dimension_word(run, m)) return;
-    if (m >= Modal::canned) {
-        if (offset_word(run, m, program::modal_number(w)) || numbered_motion_word(run, m, program::modal_number(w)))
-            return;
-    }
+    if (dimension_word(run, m)) return true;
+    if (m >= Modal::canned && (offset_word(run, m, number) || numbered_motion_word(run, m, number))) return true;
     switch (m) {
         case Modal::compensation_off:
         case Modal::compensation_left:
         case Modal::compensation_right:
         case Modal::compensation_left_by:
-        case Modal::compensation_right_by: return set_compensation(run, m);
+        case Modal::compensation_right_by: set_compensation(run, m); return true;
         case Modal::path_exact:
         case Modal::path_stop:
-        case Modal::path_blend: return set_path_mode(run, m);
+        case Modal::path_blend: set_path_mode(run, m); return true;
         case Modal::save_modal:
-        case Modal::save_modal_for_call: run.top().saved_modes.push_back(state); return;
-        case Modal::forget_saved_modal: run.top().saved_modes.clear(); return;
-        case Modal::restore_modal: return restore_modes(run);
-        case Modal::datum: set_datum(run, static_cast<std::uint32_t>(program::modal_number(w))); return;
+        case Modal::save_modal_for_call: save_modes(run, m == Modal::save_modal_for_call); return true;
+        case Modal::forget_saved_modal: forget_modes(run); return true;
+        case Modal::restore_modal: restore_modes(run); return true;
+        case Modal::datum: set_datum(run, static_cast<std::uint32_t>(number)); return true;
         case Modal::feed_inverse_time:
             tell(run, SettingKind::feed_mode, 93);
             set_feed_mode(run, cl::FeedMode::inverse_time);
-            return;
+            return true;
         case Modal::feed_per_minute:
             tell(run, SettingKind::feed_mode, 94);
             plain_feed(run, cl::FeedMode::per_minute);
-            return;
+            return true;
         case Modal::feed_per_rev:
             tell(run, SettingKind::feed_mode, 95);
             plain_feed(run, cl::FeedMode::per_rev);
-            return;
-        case Modal::surface_speed_on: set_surface_speed(run, true, program::modal_number(w)); return;
-        case Modal::surface_speed_off: set_surface_speed(run, false, program::modal_number(w)); return;
+            return true;
+        case Modal::surface_speed_on: set_surface_speed(run, true, number); return true;
+        case Modal::surface_speed_off: set_surface_speed(run, false, number); return true;
         case Modal::approach_normal:
-        case Modal::approach_contour: state.approach = m; return;
+        case Modal::approach_contour: state.approach = m; return true;
         case Modal::corner_arc:
-        case Modal::corner_intersection: state.corner = m; return;
+        case Modal::corner_intersection: state.corner = m; return true;
         case Modal::feed_at_contour:
         case Modal::feed_at_tool:
-        case Modal::feed_at_inside: state.feed_reference = m; return;
-        default:
-            if (m >= Modal::canned)  // no reader may make a word that is not run here
-                unchecked(run, base::codes::unsupported, run.unit().span(*run.statement, w), "this word is not run");
-            return;  // exact stop and continuous path: no effect on the path itself
+        case Modal::feed_at_inside: state.feed_reference = m; return true;
+        default: return false;  // exact stop and continuous path of other controls: no effect on the path itself
     }
+}
+
+void modal_word(Run& run, const program::Word& w) {
+    const Modal m = program::modal_of(w);
+    refuse_modal(run, w);
+    if (run.stopped || motion_word(run, m, w)) return;
+    if (apply_mode(run, m, program::modal_number(w)) || m < Modal::canned) return;
+    // no reader may make a word that is not run here
+    unchecked(run, base::codes::unsupported, run.unit().span(*run.statement, w), "this word is not run");
 }
 
 }  // namespace obrys::interp

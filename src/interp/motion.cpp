@@ -187,6 +187,9 @@ bool probe(Run& run) {
     arrive(run, to);
     emit(run, cl::Linear{run.position, run.tool_axis, false});
     tell(run, cl::SettingKind::probing, 0);
+    run.probed = true;
+    forget_live(run, program::SystemVariable::probed_coordinate);
+    forget_live(run, program::SystemVariable::probe_success);
     return true;
 }
 
@@ -273,12 +276,6 @@ double length_factor(const Run& run, int axis, bool incremental) {
     return factor * 0.5;
 }
 
-PlaneAxes plane_axes(int plane) {
-    if (plane == 18) return {2, 0, 1};
-    if (plane == 19) return {1, 2, 0};
-    return {0, 1, 2};
-}
-
 bool motion(Run& run) {
     const BlockWords& b = run.block;
     if (b.special == Modal::dwell) {
@@ -286,8 +283,8 @@ bool motion(Run& run) {
         return false;
     }
     const bool moves = (b.present & (linear_axes | polar | bit(Code::line_angle))) != 0;
-    const bool turns =
-        (b.present & circle) != 0 && run.modal.motion != Modal::linear && run.modal.motion != Modal::rapid;
+    const bool turns = (b.present & circle) != 0 && run.modal.motion != Modal::linear &&
+                       run.modal.motion != Modal::rapid && run.modal.motion != Modal::canned_off;
     const bool others = (b.present & other_axes) != 0 || !b.axes.empty();
     if (b.special == Modal::pole_from_position || b.special == Modal::pole_from_zero ||
         b.special == Modal::pole_from_pole || b.special == Modal::pole_given) {
@@ -306,6 +303,10 @@ bool motion(Run& run) {
     if (b.special == Modal::turning_cycle) {
         begin_motion(run);
         return turning_cycle(run);
+    }
+    if (b.special == Modal::circle_pocket) {
+        begin_motion(run);
+        return circle_pocket(run);
     }
     if (b.special == Modal::home) {
         go_home(run);

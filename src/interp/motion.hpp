@@ -12,7 +12,11 @@ namespace obrys::interp {
 struct PlaneAxes {
     int u = 0, v = 1, w = 2;
 };
-[[nodiscard]] PlaneAxes plane_axes(int plane);
+[[nodiscard]] inline PlaneAxes plane_axes(int plane) {
+    if (plane == 18) return {2, 0, 1};
+    if (plane == 19) return {1, 2, 0};
+    return {0, 1, 2};
+}
 [[nodiscard]] inline geom::Vec2 in_plane(const geom::Vec3& v, const PlaneAxes& a) {
     return {coordinate(v, a.u), coordinate(v, a.v)};
 }

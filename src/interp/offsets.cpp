@@ -22,6 +22,12 @@ double stored(const Run& run, std::uint32_t parameter, std::size_t axis) {
     return run.parameters.get(parameter) * stored_unit(run, axis);
 }
 
+/// What is added to every zero offset, mm (degrees).
+double external(const Run& run, std::size_t axis) {
+    const std::uint32_t first = run.traits->offsets.external_first;
+    return first == 0 ? 0 : stored(run, first + static_cast<std::uint32_t>(axis), axis);
+}
+
 /// Changes tool offset or tip while the machine stands still: the tip's place follows.
 template <class Change>
 void while_standing(Run& run, Change change) {
@@ -91,18 +97,35 @@ void becomes(Run& run, std::size_t k, double to) {
     }
 }
 
+/// The coordinates of an additional axis count from another place of the machine; it stands where it stood.
+void count_from(Run& run, std::size_t k, double datum) {
+    const double by = run.offsets.reference[k] - datum;
+    const auto at = run.extra_axes.find(std::string(1, "XYZABCUVW"[k]));
+    if (by == 0 || at == run.extra_axes.end()) return;
+    at->second += by;
+    cl::Axis axis;
+    axis.name[0] = at->first[0];
+    axis.to = at->second;
+    axis.rotary = is_rotary(k);
+    emit(run, axis);
+}
+
 }  // namespace
 
 void load_datum(Run& run) {
     const program::OffsetParameters& p = run.traits->offsets;
-    const std::uint32_t place = place_of_datum(run.modal.datum) - 1, first = p.datum_first + place * p.datum_step;
+    const std::uint32_t place = place_of_datum(run.modal.datum) - 1;
+    const bool extended = place >= 1000 && place - 1000 < p.extended_count;
+    const bool kept = place < p.datum_count || extended;
+    const std::uint32_t first =
+        extended ? p.extended_first + (place - 1000) * p.datum_step : p.datum_first + place * p.datum_step;
     Offsets& o = run.offsets;
     bool known = run.env.stored != nullptr || run.env.tell_settings;
-    for (std::uint32_t k = 0; k < p.datum_step && place < p.datum_count; ++k)
-        known = known || run.parameters.is_assigned(first + k);
+    for (std::uint32_t k = 0; k < p.datum_step && kept; ++k) known = known || run.parameters.is_assigned(first + k);
     const auto job = run.env.machine.datums.find(run.modal.datum);
-    if (place < p.datum_count && (known || job == run.env.machine.datums.end())) {
-        for (std::size_t k = 0; k < 9; ++k) o.datum[k] = stored(run, first + static_cast<std::uint32_t>(k), k);
+    if (kept && (known || job == run.env.machine.datums.end())) {
+        for (std::size_t k = 0; k < 9; ++k)
+            o.datum[k] = stored(run, first + static_cast<std::uint32_t>(k), k) + external(run, k);
         o.rotation = p.rotation == 0 ? 0 : run.parameters.get(first + p.rotation);
         run.datum_known = known || run.modal.datum == run.reference_datum;
         if (p.active_datum != 0) run.parameters.set(p.active_datum, place + 1);
@@ -113,7 +136,8 @@ void load_datum(Run& run) {
     run.datum_known = job != run.env.machine.datums.end() || run.modal.datum == run.reference_datum;
     if (job == run.env.machine.datums.end()) return;
     for (int k = 0; k < 3; ++k)
-        if (const double v = coordinate(job->second, k); !std::isnan(v)) o.datum[static_cast<std::size_t>(k)] = v;
+        if (const double v = coordinate(job->second, k); !std::isnan(v))
+            o.datum[static_cast<std::size_t>(k)] = v + external(run, static_cast<std::size_t>(k));
     if (const auto turned = run.env.machine.datum_rotations.find(run.modal.datum);
         turned != run.env.machine.datum_rotations.end())
         o.rotation = geom::degrees(turned->second);
@@ -145,6 +169,7 @@ geom::Frame offset_frame(Run& run) {
         for (int k = 0; k < 3; ++k)
             coordinate(run.position, k) +=
                 o.reference[static_cast<std::size_t>(k)] - o.datum[static_cast<std::size_t>(k)];
+        for (std::size_t k = 3; k < 9; ++k) count_from(run, k, o.datum[k]);
         o.reference = o.datum;
         run.reference_datum = run.modal.datum;
     }
@@ -179,6 +204,11 @@ void shift_words(Run& run, Modal m) {
     update_frame(run);
 }
 
+void set_tool_offset(Run& run, const Axes& to) {
+    while_standing(run, [&] { run.offsets.tool = to; });
+    tell(run, SettingKind::tool_offset, 0, run.offsets.tool);
+}
+
 void tool_length_words(Run& run, Modal m) {
     std::optional<Axes> by;
     if (m == Modal::tool_length_off) by = Axes{};
@@ -195,9 +225,10 @@ void tool_length_words(Run& run, Modal m) {
             for (double& v : *by) v = -v;
         if (m == Modal::tool_length_added)
             for (std::size_t k = 0; k < 9; ++k) (*by)[k] += run.offsets.tool[k];
-        while_standing(run, [&] { run.offsets.tool = *by; });
+        set_tool_offset(run, *by);
+    } else {
+        tell(run, SettingKind::tool_offset, 0, run.offsets.tool);
     }
-    tell(run, SettingKind::tool_offset, 0, run.offsets.tool);
 }
 
 void take_tip(Run& run) {

@@ -51,8 +51,9 @@ path::Setting held_move_setting(Run& run, double radius) {
     s.radius = radius;
     s.rapid = run.modal.motion == Modal::rapid;
     const shop::Tool* tool = run.tool.data;
-    if (run.modal.plane == 18 && tool != nullptr && tool->table)
-        s.tip = path::table_nose_offset(tool->table->orientation, std::abs(radius)).value_or(geom::Vec2{});
+    const int of_tool = tool != nullptr && tool->table ? tool->table->orientation : 0;
+    const int orientation = run.modal.compensation_orientation < 0 ? of_tool : run.modal.compensation_orientation;
+    if (run.modal.plane == 18) s.tip = path::table_nose_offset(orientation, std::abs(radius)).value_or(geom::Vec2{});
     into_frame(run, s);
     return s;
 }

@@ -13,8 +13,24 @@ namespace {
 
 double length_unit(const Run& run) { return run.modal.inch_geometry ? 25.4 : 1; }
 
-bool is_ic(std::uint8_t reference) {
+/// G91 counts where the words are taken from the position; else only AP=IC(…), RP=IC(…) and IPA, IPR do.
+bool adds(const Run& run, std::uint8_t reference) {
+    if (run.unit().traits->polar_from_position) return is_incremental(run, reference);
     return reference == 1 + static_cast<std::uint8_t>(program::Reference::incremental);
+}
+
+/// Source: LinuxCNC 2.9, its stand-alone interpreter asked (tests/linuxcnc/bad_programs.py).
+bool may_be_polar(Run& run, bool grows_from_pole) {
+    if (run.modal.plane != 17) {
+        alarm(run, codes::value_range, run.here(), "polar coordinates are for the plane of G17 only",
+              "write X, Y and Z, or G17 before it");
+        return false;
+    }
+    if (!grows_from_pole) return true;
+    alarm(run, codes::value_range, run.here(),
+          "polar coordinates that add (G91) have no direction where the tool stands: at the origin",
+          "move away from the origin first, or write the place in G90");
+    return false;
 }
 
 }  // namespace
@@ -35,16 +51,19 @@ geom::Vec3 polar_target(Run& run, geom::Vec3 to) {
     const double dv = coordinate(run.programmed_position, axes.v) - coordinate(pole, axes.v);
     // A word left out keeps its last value; before there is one, the position says it.
     const bool here = run.unit().traits->polar_from_position;
+    const bool grows = (b.has(Code::polar_radius) && adds(run, b.ref(Code::polar_radius))) ||
+                       (b.has(Code::polar_angle) && adds(run, b.ref(Code::polar_angle)));
+    if (run.traits->refuses_unready && !may_be_polar(run, grows && du == 0 && dv == 0)) return to;
     double radius = here || std::isnan(run.modal.polar_radius) ? std::hypot(du, dv) : run.modal.polar_radius;
     double angle =
         here || std::isnan(run.modal.polar_angle) ? geom::degrees(std::atan2(dv, du)) : run.modal.polar_angle;
     if (b.has(Code::polar_radius)) {
         const double v = b.get(Code::polar_radius) * length_unit(run);
-        radius = is_ic(b.ref(Code::polar_radius)) ? radius + v : v;
+        radius = adds(run, b.ref(Code::polar_radius)) ? radius + v : v;
     }
-    if (b.has(Code::polar_angle)) {  // G91 does not matter, only AP=IC(…)
+    if (b.has(Code::polar_angle)) {
         const double v = b.get(Code::polar_angle);
-        angle = is_ic(b.ref(Code::polar_angle)) ? angle + v : v;
+        angle = adds(run, b.ref(Code::polar_angle)) ? angle + v : v;
     }
     run.modal.polar_radius = radius;
     run.modal.polar_angle = angle;

@@ -19,6 +19,7 @@
 #include "geom/frame.hpp"
 #include "geom/nurbs.hpp"
 #include "interp/interp.hpp"
+#include "interp/modes.hpp"
 #include "interp/value.hpp"
 #include "interp/variables.hpp"
 
@@ -28,56 +29,6 @@ using program::Code;
 using program::ExprId;
 using program::Modal;
 using program::Unit;
-
-enum class DiameterMode : std::uint8_t { off, on, absolute_only };
-
-/// Coordinate transformations that are set one by one; they act in the order in which they were set.
-enum class TransformKind : std::uint8_t { shift, mirror, rotation, scaling, axis_scaling, plane, call_place };
-struct Transform {
-    TransformKind kind = TransformKind::shift;
-    geom::Frame frame;
-};
-
-/// What stays in force from block to block; SAVE brings it back at the end of a subprogram.
-struct ModalState {
-    Modal motion = Modal::linear;
-    int plane = 17;
-    bool absolute = true;
-    bool inch_geometry = false, inch_feed = false;
-    DiameterMode diameter = DiameterMode::off;
-    cl::FeedMode feed_mode = cl::FeedMode::per_minute;
-    bool surface_speed = false;
-    int speed_word = 0;        ///< 96, 97, 961 … where it was the last of its G group
-    bool metric_feed = false;  ///< G710 rather than G71
-    Modal compensation = Modal::compensation_off;
-    Modal approach = Modal::approach_normal;
-    Modal corner = Modal::corner_arc;
-    int look_ahead = 0;  ///< contour elements that compensation looks ahead (M120 LA)
-    Modal feed_reference = Modal::feed_at_contour;
-    std::uint32_t datum = 500;
-    /// Where the datum before lies in the machine: axes that the selected one leaves as they are; NaN: not known.
-    geom::Vec3 datum_before{std::numeric_limits<double>::quiet_NaN(), std::numeric_limits<double>::quiet_NaN(),
-                            std::numeric_limits<double>::quiet_NaN()};
-    geom::Vec3 datum_offset;  ///< of a datum that the program sets itself (FN 25), in the selected one, mm
-    geom::Frame programmed;   ///< TRANS, ROT, SCALE, MIRROR; product of `transforms` where there are any
-    std::vector<Transform> transforms;
-    Modal last_sense = Modal::linear;     ///< of the last arc; linear: none yet
-    int motion_number = 0;                ///< which canned cycle, which kind of probing
-    bool clear_to_retract_plane = false;  ///< G99
-    bool centre_absolute = false;         ///< G90.1
-    double blend = 0, merge = 0;          ///< G64 P Q, mm
-    Modal path_mode = Modal::path_blend;
-    double compensation_radius = std::numeric_limits<double>::quiet_NaN();  ///< G41 D, G41.1; NaN: of the tool, mm
-    bool feed_by_word = false;     ///< feed_mode was chosen by a word of its own (FU) until the next F
-    double round_modal = 0;        ///< RNDM, mm
-    double corner_feed_modal = 0;  ///< FRCM
-    geom::Vec3 pole;               ///< workpiece coordinates
-    bool pole_set = false;         ///< the program has set it
-    /// Last RP (mm) and AP (degrees, NaN after a new pole or plane); NaN: none yet.
-    double polar_radius = std::numeric_limits<double>::quiet_NaN();
-    double polar_angle = std::numeric_limits<double>::quiet_NaN();
-};
-inline void forget_polar_angle(ModalState& m) { m.polar_angle = std::numeric_limits<double>::quiet_NaN(); }
 
 /// An assignment whose value is known and that waits for the block's other expressions (Traits::assigns_together).
 struct PendingAssign {
@@ -127,6 +78,8 @@ struct BlockWords {
 struct ActiveSection {
     std::uint32_t first = 0, last = 0, back = 0;
     std::uint64_t left = 0;
+    const program::Statement* finishing = nullptr;  ///< the cycle whose contour it is; null: it is repeated only
+    geom::Vec3 start{};                             ///< where that cycle began, programmed frame
 };
 
 /// CALL LBL being run.
@@ -155,7 +108,8 @@ struct Activation {
     std::vector<LabelReturn> labels;
     std::vector<std::pair<double, bool>> outer_locals;     ///< the caller's local parameters, and whether they are set
     std::vector<std::pair<double, bool>> outer_arguments;  ///< the same of Traits::argument_parameters
-    std::vector<ModalState> saved_modes;                   ///< M70, M73
+    std::optional<SavedModes> saved_modes;                 ///< M70, M73
+    bool restores_modes = false;                           ///< M73: they come back with the return
     std::uint64_t repeats_left = 0;                        ///< of L123 P3: further runs
     std::size_t own_bindings = 0;       ///< bindings that are parameters; the rest goes with each run
     std::uint32_t arguments_given = 0;  ///< bit per parameter, for $P_SUBPAR
@@ -232,31 +186,6 @@ struct ToolState {
     double feed = 0;                                              ///< given with the tool (F AUTO), mm/min; 0: none
 };
 
-struct SpindleState {
-    double speed = 0;           ///< S as programmed
-    double limit = 0;           ///< LIMS
-    double surface = 0;         ///< cutting speed of the last G96, m/min
-    bool mode_changed = false;  ///< by the block being run: G96 or G97
-    int direction = 0;
-    int last = 0;  ///< the last direction in which it turned
-};
-
-/// X Y Z A B C U V W; mm or degrees.
-using Axes = std::array<double, 9>;
-
-/// Offsets that the control keeps in parameters (Traits::offsets) and those laid over them.
-struct Offsets {
-    Axes datum{};         ///< of the active zero offset, in the machine
-    double rotation = 0;  ///< of it about Z, degrees
-    Axes shift{};         ///< G92, G52
-    Axes tool{};          ///< tool length compensation in force
-    Axes tip{};           ///< of the tool that is in the spindle, as far as it is known
-    bool tip_known = false;
-    bool compensates = false;  ///< the program uses tool length compensation at all
-    Axes reference{};          ///< what the stream's coordinates are counted from, in the machine
-    Axes total{};              ///< programmed -> stream, of A … W (3 … 8)
-};
-
 class PathStage;
 struct Captured;
 struct FreeContour;
@@ -287,6 +216,7 @@ struct Run {
     std::vector<shop::Tool> tools;  ///< of the job, with what the program writes to $TC_DPn
     SpindleState spindle;
     bool coolant_on = false, mist = false, flood = false;
+    Overrides overrides;
     double feed = 0;  ///< mm/min, mm/rev or 1/min by modal.feed_mode
     bool feed_valid = false;
     bool feed_unknown = false;  ///< the last F depends on a value that is not known
@@ -316,6 +246,7 @@ struct Run {
     bool datum_known = true;              ///< the active datum's place against it is known
     bool moved = false;
     bool datum_emitted = false;
+    bool probed = false;  ///< a probing move was run to its end, where the probe may have stopped before
     std::unordered_map<std::string, double> extra_axes;
     std::uint64_t known_axes = 0;  ///< bit per Code of X … W: the machine has it
     geom::Vec2 last_direction;     ///< of the last move in the working plane, for CT
@@ -325,6 +256,10 @@ struct Run {
     std::shared_ptr<FreeContour> free_contour;  ///< being solved
     std::optional<geom::Vec2> free_pole;        ///< FPOL
     bool turned_contour = false;                ///< the contour of a turning cycle is being collected
+    /// Values of turning cycles that stay with the control (CycleDefinition::store), mm, by store and role.
+    std::map<std::pair<int, program::CycleRole>, double> cycle_store;
+    /// Where it is set, complaints made while `capture` is set go there.
+    std::vector<base::Diagnostic>* silenced = nullptr;
 
     const program::Statement* statement = nullptr;  ///< being run
     bool stopped = false;                           ///< alarm, budget or program end
@@ -421,6 +356,16 @@ void procedure(Run&, const program::ProcedureCall&);
 // --- blocks (block.cpp, modal_words.cpp, tools.cpp, motion.cpp, frame_words.cpp)
 void run_block(Run&, const program::Statement&, std::uint32_t index);
 void modal_word(Run&, const program::Word&);
+/// What a word of the modal state does, without the block it stands in; false where `m` is none.
+[[nodiscard]] bool apply_mode(Run&, Modal m, int number);
+void set_plane(Run&, int plane);
+/// M70 and M73, M71, M72 (saved_modes.cpp).
+void save_modes(Run&, bool for_call);
+void forget_modes(Run&);
+void restore_modes(Run&);
+/// The spindle's state as a record (tools.cpp).
+void emit_spindle(Run&);
+void coolant(Run&, int m);
 void frame_statement(Run&, const program::Statement&, std::uint32_t index);
 void update_frame(Run&);
 void select_tool(Run&);
@@ -521,10 +466,11 @@ void load_datum(Run&);
 /// G92 … G92.3, G52; G43 … G49: the words of the block.
 void shift_words(Run&, Modal);
 void tool_length_words(Run&, Modal);
+void set_tool_offset(Run&, const Axes& to);
 /// The tool in the spindle was changed: where its tip is.
 void take_tip(Run&);
 /// G10.
-void set_data(Run&);
+void set_data(Run&, program::DataTable table);
 /// G28, G30, G28.1, G30.1.
 void go_home(Run&);
 void store_home(Run&);
@@ -542,14 +488,24 @@ void store_home(Run&);
 [[nodiscard]] bool is_live(const Run&, std::uint32_t parameter);
 /// What probing and inputs leave there can be overwritten.
 [[nodiscard]] bool may_be_written(const Run&, std::uint32_t parameter);
+/// What the program wrote over live parameters of this kind no longer holds: the control has written them.
+void forget_live(Run&, program::SystemVariable what);
 [[nodiscard]] double live_parameter(Run&, std::uint32_t parameter, const base::Span& where);
 [[nodiscard]] Value live_value(Run&, program::SystemVariable, double index, const base::Span& where);
 
 // --- cycles that motion blocks call (canned.cpp)
 /// False where the block's words call no cycle.
 [[nodiscard]] bool canned_motion(Run&);
+/// G12, G13 (circle_pocket.cpp).
+[[nodiscard]] bool circle_pocket(Run&);
 /// G70 … G72, G76 of lathes (turning.cpp).
 [[nodiscard]] bool turning_cycle(Run&);
+/// A turning cycle that acts at its definition (turning_definition.cpp).
+void define_turning_cycle(Run&, const ActiveCycle&);
+/// The contour of a finishing cycle has been run: back to where the cycle began.
+void end_finishing(Run&, const ActiveSection&);
+/// Statements of the program at hand with this block number, in order.
+[[nodiscard]] std::vector<std::uint32_t> numbered_statements(const Run&, double n);
 
 // --- splines (spline.cpp)
 /// G5, G5.1, G5.2 … G5.3, G6.2.
@@ -567,6 +523,8 @@ void tell_end(Run&, int m);
 void begin_telling(Run&);
 /// How programmed coordinates become those of the stream.
 void tell_frame(Run&);
+/// M48 … M53: what the operator may change.
+void switch_override(Run&, cl::SettingKind, bool on);
 /// F, S, T and M of the block, in the order in which they act.
 void tell_technology(Run&);
 

@@ -147,9 +147,75 @@ void set_tool_data(Run& run, int l) {
     if (loaded) take_tip(run);
 }
 
+/// The first parameter of a zero offset by its place, P of G10.
+std::optional<std::uint32_t> row_of_datum(Run& run, program::DataTable table) {
+    const program::OffsetParameters& p = run.traits->offsets;
+    if (table == program::DataTable::external_datum) return p.external_first;
+    const bool extended = table == program::DataTable::extended_datum;
+    const std::uint32_t count = extended ? p.extended_count : p.datum_count;
+    const auto row = whole(run, Code::p, "P", static_cast<int>(count));
+    if (!row) return std::nullopt;
+    if (*row == 0) return refuse(run, "P must be the number of a zero offset"), std::nullopt;
+    return (extended ? p.extended_first : p.datum_first) + (static_cast<std::uint32_t>(*row) - 1) * p.datum_step;
+}
+
+void write_datum(Run& run, program::DataTable table) {
+    const auto first = row_of_datum(run, table);
+    if (!first) return;
+    flush_path(run);
+    for (std::size_t k = 0; k < 9; ++k) {
+        const auto v = axis_word(run, k);
+        if (!v) continue;
+        const std::uint32_t n = *first + static_cast<std::uint32_t>(k);
+        run.parameters.set(n, *v / stored_unit(run, k) + (run.modal.absolute ? 0 : run.parameters.get(n)));
+    }
+    load_datum(run);
+    tell(run, SettingKind::datum, static_cast<int>(place_of_datum(run.modal.datum)), run.offsets.datum);
+    update_frame(run);
+}
+
+/// The tool of offset P; one that no list has begins without dimensions.
+shop::Tool* tool_of_offset(Run& run) {
+    const auto number = whole(run, Code::p, "P", 99'999);
+    if (!number) return nullptr;
+    if (*number == 0) return refuse(run, "P must be the number of a tool offset"), nullptr;
+    const auto n = static_cast<std::uint32_t>(*number);
+    for (shop::Tool& t : run.tools)
+        if (t.number == n) return &t;
+    shop::Tool made;
+    made.number = n;
+    made.where = run.here();
+    made.assumed = "written by the program";
+    run.tools.push_back(made);
+    run.tool.data = nullptr;
+    for (const shop::Tool& t : run.tools)
+        if (t.number == run.tool.number && run.tool.number != 0) run.tool.data = &t;
+    return &run.tools.back();
+}
+
+void write_tool_offset(Run& run, program::DataTable table) {
+    using program::DataTable;
+    if (!run.block.has(Code::radius)) return refuse(run, "R, the value, is missing");
+    shop::Tool* t = tool_of_offset(run);
+    if (t == nullptr || run.capture != nullptr) return;
+    flush_path(run);
+    const bool diameter = table == DataTable::tool_diameter || table == DataTable::tool_diameter_wear;
+    double* value = table == DataTable::tool_length                                        ? &t->length
+                    : table == DataTable::tool_length_wear                                 ? &t->delta_length
+                    : table == DataTable::tool_radius || table == DataTable::tool_diameter ? &t->radius
+                                                                                           : &t->delta_radius;
+    const double r = run.block.get(Code::radius) * (run.modal.inch_geometry ? 25.4 : 1) * (diameter ? 0.5 : 1);
+    *value = r + (run.modal.absolute ? 0 : *value);
+    if (run.tool.data == t) take_tip(run);
+}
+
 }  // namespace
 
-void set_data(Run& run) {
+void set_data(Run& run, program::DataTable table) {
+    using program::DataTable;
+    if (table == DataTable::external_datum || table == DataTable::datum || table == DataTable::extended_datum)
+        return write_datum(run, table);
+    if (table != DataTable::by_l) return write_tool_offset(run, table);
     if (!run.block.has(Code::l)) return refuse(run, "L is missing");
     const double l = run.block.get(Code::l);
     switch (l >= 0 && l <= 99 ? static_cast<int>(l) : -1) {

@@ -36,6 +36,13 @@ void tell(Run& run, SettingKind kind, int number, const Axes& values) {
     emit(run, s);
 }
 
+void switch_override(Run& run, SettingKind kind, bool on) {
+    if (kind == SettingKind::feed_override) run.overrides.feed = on;
+    if (kind == SettingKind::speed_override) run.overrides.speed = on;
+    if (kind == SettingKind::feed_hold) run.overrides.hold = on;
+    tell(run, kind, on ? 1 : 0);
+}
+
 void tell_frame(Run& run) {
     if (!run.env.tell_settings || run.capture != nullptr || run.statement == nullptr) return;
     const geom::Frame& f = run.frame;
@@ -105,6 +112,7 @@ void tell_outputs(Run& run) {
     const BlockWords& b = run.block;
     const int output = b.has(Code::p) ? whole(b.get(Code::p)) : 0;
     for (const int m : b.m) {
+        if (m == 66) forget_live(run, program::SystemVariable::input_value);
         if (m >= 62 && m <= 65)
             tell(run, SettingKind::output_bit, output, {(m % 2 == 0 ? 1.0 : 0.0) + (m <= 63 ? 2.0 : 0.0)});
         if (m == 67 || m == 68)
@@ -123,40 +131,37 @@ void tell_spindle(Run& run) {
     }
 }
 
-void tell_overrides(Run& run) {
+void set_overrides(Run& run) {
     const BlockWords& b = run.block;
-    const int on = b.has(Code::p) && b.get(Code::p) == 0 ? 0 : 1;
+    const bool on = !b.has(Code::p) || b.get(Code::p) != 0;
     for (const int m : b.m) {
         if (m == 60) tell(run, SettingKind::pallet_change);
         if (m >= 7 && m <= 9) tell(run, SettingKind::coolant, m);
-        if (m == 48 || m == 49) {
-            tell(run, SettingKind::feed_override, m == 48);
-            tell(run, SettingKind::speed_override, m == 48);
-        }
-        if (m == 50) tell(run, SettingKind::feed_override, on);
-        if (m == 51) tell(run, SettingKind::speed_override, on);
+        if (m == 48 || m == 50 || m == 49) switch_override(run, SettingKind::feed_override, m == 48 || (m == 50 && on));
+        if (m == 48 || m == 51 || m == 49)
+            switch_override(run, SettingKind::speed_override, m == 48 || (m == 51 && on));
         if (m == 52) tell(run, SettingKind::adaptive_feed, on);
-        if (m == 53) tell(run, SettingKind::feed_hold, on);
+        if (m == 53) switch_override(run, SettingKind::feed_hold, on);
     }
 }
 
 }  // namespace
 
 void tell_technology(Run& run) {
-    if (!run.env.tell_settings) return;
     const BlockWords& b = run.block;
-    if (b.has(Code::feed) && run.modal.feed_mode != cl::FeedMode::inverse_time)
-        tell(run, SettingKind::feed_rate, 0, {b.get(Code::feed)});
     if (b.surface_word != 0)
         tell(run, SettingKind::surface_speed, b.surface_word,
              {b.surface_word == 97       ? 0
               : b.has(Code::speed_limit) ? b.get(Code::speed_limit)
                                          : 1e30});
+    if (b.has(Code::feed) && run.modal.feed_mode != cl::FeedMode::inverse_time)
+        tell(run, SettingKind::feed_rate, 0, {b.get(Code::feed)});
     if (b.has(Code::spindle)) tell(run, SettingKind::spindle_speed, 0, {b.get(Code::spindle)});
+    if (b.m.empty() && !b.has(Code::tool)) return;
     tell_outputs(run);
     tell_tool(run);
     tell_spindle(run);
-    tell_overrides(run);
+    set_overrides(run);
 }
 
 }  // namespace obrys::interp

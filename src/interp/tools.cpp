@@ -69,6 +69,8 @@ void emit_tool(Run& run) {
     control_sets(run, {ControlValue::tool_axis});
 }
 
+}  // namespace
+
 void emit_spindle(Run& run) {
     control_sets(run, {ControlValue::spindle_state});
     cl::Spindle s;
@@ -79,6 +81,8 @@ void emit_spindle(Run& run) {
     s.limit = run.modal.surface_speed ? run.spindle.limit : 0;
     emit(run, s);
 }
+
+namespace {
 
 bool spindle_words(Run& run) {
     BlockWords& b = run.block;
@@ -168,6 +172,8 @@ void feed_word(Run& run) {
     emit(run, cl::Feed{f, run.modal.feed_mode});
 }
 
+}  // namespace
+
 void coolant(Run& run, int m) {
     const auto state = m == 7 ? cl::CoolantState::mist : m == 8 ? cl::CoolantState::flood : cl::CoolantState::off;
     run.coolant_on = state != cl::CoolantState::off;
@@ -176,6 +182,8 @@ void coolant(Run& run, int m) {
     control_sets(run, {ControlValue::coolant_state});
     emit(run, cl::Coolant{state});
 }
+
+namespace {
 
 /// M functions the control itself knows; others go to the machine and are listed.
 bool is_standard(const Run& run, int m) {

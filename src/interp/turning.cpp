@@ -76,7 +76,9 @@ void take_words(const Run& run, const program::CannedCycle& c, cycles::Demand& d
                 {w.role, run.block.get(w.code) * (w.length ? unit : 1) * w.factor * (w.across && diameters ? 0.5 : 1)});
 }
 
-void run_steps(Run& run, std::vector<cl::Step>& steps) {
+}  // namespace
+
+void emit_turning_steps(Run& run, std::vector<cl::Step>& steps) {
     double pitch = 0;  // of the thread being cut; 0: none
     for (std::size_t i = 0; i < steps.size() && !run.stopped; ++i) {
         const auto* thread = std::get_if<cl::Thread>(&steps[i]);
@@ -85,12 +87,10 @@ void run_steps(Run& run, std::vector<cl::Step>& steps) {
         if (thread != nullptr && thread->pitch != pitch) tell(run, SettingKind::synchronised, 1, {thread->pitch});
         if (ends) tell(run, SettingKind::synchronised, 0);
         pitch = thread != nullptr ? thread->pitch : 0;
-        emit_step(run, std::move(steps[i]));
+        path_step(run, std::move(steps[i]));
         if (ends) tell(run, SettingKind::feed_override, 1);
     }
 }
-
-}  // namespace
 
 bool turning_cycle(Run& run) {
     const program::CannedCycle* c = find_cycle(run);
@@ -103,7 +103,7 @@ bool turning_cycle(Run& run) {
         alarm(run, codes::value_range, run.here(), std::string(c->name) + " needs the plane of G18");
         return false;
     }
-    flush_path(run);
+    if (run.modal.compensation == Modal::compensation_off) flush_path(run);
     cycles::TurningDemand demand;
     demand.cycle.kind = c->kind;
     take_words(run, *c, demand.cycle);
@@ -122,7 +122,7 @@ bool turning_cycle(Run& run) {
     cl::CycleBegin begin;
     begin.name = std::string(c->name);
     emit(run, begin);
-    run_steps(run, e.steps);
+    emit_turning_steps(run, e.steps);
     if (!run.stopped) emit(run, cl::CycleEnd{});
     return !run.stopped;
 }

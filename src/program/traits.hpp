@@ -70,6 +70,9 @@ struct OffsetParameters {
     std::uint32_t active_datum = 0;  ///< 1 = G54
     std::uint32_t shift_first = 0, shift_active = 0;  ///< G92; whether it is in force
     std::uint32_t home_first = 0, home_second = 0;    ///< G28, G30
+    std::uint32_t external_first = 0;                 ///< X of what is added to every zero offset; 0: there is none
+    std::uint32_t extended_first = 0;                 ///< X of G54.1 P1; the others follow at `datum_step`
+    std::uint32_t extended_count = 0;
 };
 
 /// A word of a canned cycle's block and what it says.
@@ -149,6 +152,10 @@ struct Traits {
     bool modulo_is_positive = false;
     /// At the start X words are radii and the plane is that of X and Y, whatever the machine; else as its file says.
     bool radius_at_start = false;
+    /// P of an arc is the number of its turns, the last one begun counted.
+    bool arc_turns_in_p = false;
+    /// Canned cycles leave to R (G99) before the program has said which.
+    bool clearance_at_start = false;
     /// mm (of a program in inches) by which the radii of an arc's ends may differ, if not more than a thousandth of it;
     /// 0: what the machine says.
     double arc_tolerance = 0, arc_tolerance_inch = 0;

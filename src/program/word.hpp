@@ -86,6 +86,20 @@ enum class Code : std::uint8_t {
 inline constexpr unsigned value_codes = 64;
 static_assert(static_cast<unsigned>(Code::offset_d) < value_codes);
 
+/// What a Modal::set_data writes: P says which row, R or the axis words the value.
+enum class DataTable : std::uint8_t {
+    by_l,               ///< L says which table (LinuxCNC)
+    external_datum,     ///< what is added to every zero offset
+    datum,              ///< a zero offset; in G91 the values are added
+    extended_datum,     ///< G54.1 P
+    tool_length,        ///< R, as all that follow; in G91 it is added
+    tool_length_wear,
+    tool_radius,
+    tool_radius_wear,
+    tool_diameter,
+    tool_diameter_wear,
+};
+
 /// What G codes and their named relatives mean. `number` goes with some of them.
 enum class Modal : std::uint16_t {
     rapid,
@@ -159,7 +173,7 @@ enum class Modal : std::uint16_t {
     tool_length_by_axes,     ///< G43.1: the block's axis words
     tool_length_added,       ///< G43.2: a further offset
     tool_length_off,         ///< G49
-    set_data,                ///< this block: G10 with its words
+    set_data,                ///< this block: G10 with its words; the number is a DataTable
     position_becomes,        ///< this block: G92
     position_reset,          ///< G92.1
     position_suspend,        ///< G92.2
@@ -179,6 +193,7 @@ enum class Modal : std::uint16_t {
     nurbs,                   ///< motion: G5.2, control points until nurbs_end
     nurbs_end,               ///< G5.3
     turning_cycle,           ///< this block: number = G number * 10: 700 … 762
+    circle_pocket,           ///< this block: number 1 counter-clockwise, 0 clockwise (G13, G12)
     path_exact,              ///< G61
     path_stop,               ///< G61.1
     path_blend,              ///< G64 P Q

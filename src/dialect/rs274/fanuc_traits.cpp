@@ -46,7 +46,12 @@ constexpr program::Traits common{
     .parameters_begin_at_zero = true,
     .empty_parameters = true,
     .live = live,
-    .offsets = {.datum_first = 5221, .datum_step = 20, .datum_count = 6},
+    .offsets = {.datum_first = 5221,
+                .datum_step = 20,
+                .datum_count = 6,
+                .external_first = 5201,
+                .extended_first = 7001,
+                .extended_count = 48},
     .feed_mode_ends_surface_speed = false,
 };
 constexpr program::Traits turning = [] {

@@ -115,6 +115,7 @@ void read_word(State& s) {
 
 void read_words(State& s) {
     while (!s.failed && !s.line.at_end()) read_word(s);
+    if (!s.failed) take_cancel(s);
 }
 
 }  // namespace obrys::read::rs274

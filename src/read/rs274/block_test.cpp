@@ -42,6 +42,14 @@ TEST(Rs274Block, AssignmentsStandBehindAllValues) {
     EXPECT_EQ(one("#1=2 G0 X#1 #2=#1"), "X=#1 #1=2 #2=#1 " + m(Modal::rapid));
 }
 
+TEST(Rs274Block, G80BesideAnotherMotionWordHasNoEffect) {
+    EXPECT_EQ(one("G0 G80 X1"), one("G0 X1"));
+    EXPECT_EQ(one("G80 G0 X1"), one("G0 X1"));
+    EXPECT_EQ(one("G80"), one("G80 G80"));
+    EXPECT_NE(one("G80"), one(""));
+    EXPECT_EQ(one("G80 G0 G1 X1"), "1:8 two G codes of one group in the block: G1");
+}
+
 TEST(Rs274Block, ErrorsMarkTheWord) {
     EXPECT_EQ(one("G0 X1 X2"), "1:7 two X words in one block");
     EXPECT_EQ(one("G0 X[1"), "1:5 this bracket is not closed");

@@ -53,7 +53,7 @@ void follow(FanucState& s, const FanucG& g) {
         case Modal::canned: s.hole = g.number; return;
         default: break;
     }
-    if (!is_motion(g.modal) || g.special == FanucSpecial::finish || g.special == FanucSpecial::rough) return;
+    if (!is_motion(g.modal) || g.special == FanucSpecial::repetitive) return;
     const bool moves = g.special == FanucSpecial::none || g.special == FanucSpecial::thread ||
                        g.special == FanucSpecial::turning_cycle;
     if (!moves) return;
@@ -93,22 +93,37 @@ void home(FanucState& s, const FanucG& g, const Address& a) {
     add_modal(s, g.order, g.modal, number, a.begin, a.end);
 }
 
-/// G10. Its data is a block of its own.
+/// G10 L: which table it writes; nothing for those that are not run.
+std::optional<DataTable> data_table(const FanucState& s, int l, int p) {
+    const bool diameters = s.control.haas;  // setting 40 as delivered
+    switch (l) {
+        case 2: return p == 0 ? DataTable::external_datum : DataTable::datum;
+        case 20: return DataTable::extended_datum;
+        case 1:
+        case 11: return DataTable::tool_length_wear;
+        case 10: return DataTable::tool_length;
+        case 12: return diameters ? DataTable::tool_diameter : DataTable::tool_radius;
+        case 13: return diameters ? DataTable::tool_diameter_wear : DataTable::tool_radius_wear;
+        default: return std::nullopt;
+    }
+}
+
 void set_data(FanucState& s, const FanucG& g, const Address& a) {
     Address *l = find_address(s, 'L'), *p = find_address(s, 'P');
-    const int table = l != nullptr ? as_integer(l->value).value_or(-1) : -1;
+    const int number = l != nullptr ? as_integer(l->value).value_or(-1) : -1;
     const int row = p != nullptr ? as_integer(p->value).value_or(-1) : -1;
-    const bool is_zero = table == 2 && row >= 1 && row <= 6;
-    if (is_zero && !s.incremental) return add_modal(s, g.order, g.modal, 0, a.begin, a.end);
+    const auto table = data_table(s, number, row);
+    const bool datum = table && *table <= DataTable::extended_datum;
+    if (table && (datum || !s.control.is_lathe())) {
+        l->used = true;
+        return add_modal(s, g.order, g.modal, static_cast<int>(*table), a.begin, a.end);
+    }
     use_letters(s, "LPRQXYZABCUVWIJKHD");
-    const std::string_view why = is_zero                             ? "G91 adds to the work offset"
-                                 : table == 2 && row == 0            ? "sets the external work offset"
-                                 : table == 20                       ? "sets a work offset of G54.1"
-                                 : table == 50                       ? "sets parameters of the control"
-                                 : table < 0 && s.control.is_lathe() ? "sets a tool offset"
-                                 : table >= 10 && table <= 13        ? "sets a tool offset"
-                                                                     : "sets data of the control";
-    add_problem(s, Code::unsupported, a.begin, s.line.end(), why);
+    const bool offset = s.control.is_lathe() && (number < 0 || (number >= 10 && number <= 13));
+    add_problem(s, Code::unsupported, a.begin, s.line.end(),
+                number == 50 ? "sets parameters of the control"
+                : offset     ? "sets a tool offset"
+                             : "sets data of the control");
 }
 
 /// G92, G50 of lathes: with S the highest spindle speed; with axis words the position becomes what they say.

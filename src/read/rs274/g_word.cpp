@@ -112,7 +112,22 @@ void read_g(State& s, std::uint32_t begin) {
     const GCode* g = tenths ? dialect::rs274::find_g(s.variant, *tenths) : nullptr;
     if (g == nullptr)
         return fail(s, begin, v.end, std::string(s.variant.control) + " has no G code " + source(s, begin, v.end));
+    if (g->use == Use::modal && g->modal == Modal::canned_off) {
+        s.facts.cancel = g;
+        s.facts.cancel_begin = begin;
+        s.facts.cancel_end = v.end;
+        return;
+    }
     if (take_group(s, s.facts.g_groups, g->group, 'G', begin, v.end)) add_g(s, *g, begin, v.end);
+}
+
+void take_cancel(State& s) {
+    const GCode* g = s.facts.cancel;
+    if (g == nullptr) return;
+    const std::uint32_t begin = s.facts.cancel_begin, end = s.facts.cancel_end;
+    if (s.facts.motion != nullptr) return s.build().ignored(source(s, begin, end), begin, end);
+    s.facts.g_groups |= 1U << g->group;
+    add_g(s, *g, begin, end);
 }
 
 void read_m(State& s, std::uint32_t begin) {

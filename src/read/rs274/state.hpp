@@ -58,6 +58,8 @@ struct Facts {
     const dialect::rs274::GCode* own = nullptr;     ///< one that takes the coordinates for itself
     std::vector<std::uint16_t> g, m;                ///< all of them, in the order of the text; G numbers times ten
     bool refused = false;                           ///< a word that is not run: what the coordinates mean is not known
+    const dialect::rs274::GCode* cancel = nullptr;  ///< G80, which counts only where nothing else of group 1 stands
+    std::uint32_t cancel_begin = 0, cancel_end = 0;
     [[nodiscard]] bool has(Code c) const { return (letters >> static_cast<unsigned>(c) & 1U) != 0; }
     [[nodiscard]] bool has_g(std::uint16_t tenths) const;
     [[nodiscard]] bool has_m(std::uint16_t first, std::uint16_t last) const;
@@ -198,6 +200,7 @@ void read_words(State& s);                   ///< block.cpp: all words of a bloc
 void read_word(State& s);                    ///< block.cpp: one of them
 void read_comment(State& s);                 ///< block.cpp: `( … )` or `; …` that stands here
 void read_g(State& s, std::uint32_t begin);  ///< g_word.cpp: the number behind G
+void take_cancel(State& s);                   ///< g_word.cpp: G80 of the block, behind its other words
 void read_m(State& s, std::uint32_t begin);  ///< g_word.cpp: the number behind M
 /// Value of an expression without parameters.
 [[nodiscard]] std::optional<double> constant(const program::Unit& unit, ExprId e);

@@ -16,8 +16,7 @@ bool is_technology(const BlockWord& w) {
 /// F S T M act before a word that changes what later words mean.
 bool is_change(const BlockWord& w) {
     if (w.code != Code::modal) return false;
-    return w.order >= Order::state && w.order < Order::suppress && w.order != Order::dwell &&
-           w.order != Order::path_control && w.order != Order::retract;
+    return w.order >= Order::state && w.order < Order::suppress && w.order != Order::dwell;
 }
 
 void emit_word(State& s, const BlockWord& w) {
@@ -77,7 +76,7 @@ bool Facts::has_m(std::uint16_t first, std::uint16_t last) const {
 void Facts::clear() {
     letters = 0;
     g_groups = m_groups = 0;
-    motion = own = nullptr;
+    motion = own = cancel = nullptr;
     g.clear();
     m.clear();
     refused = false;

@@ -1,0 +1,109 @@
+#pragma once
+/// What stays in force from block to block. Lengths in mm, angles in degrees. Private to interp.
+
+#include <array>
+#include <cstdint>
+#include <limits>
+#include <vector>
+
+#include "cl/record.hpp"
+#include "geom/frame.hpp"
+#include "program/word.hpp"
+
+namespace obrys::interp {
+
+using program::Modal;
+
+enum class DiameterMode : std::uint8_t { off, on, absolute_only };
+
+/// Coordinate transformations that are set one by one; they act in the order in which they were set.
+enum class TransformKind : std::uint8_t { shift, mirror, rotation, scaling, axis_scaling, plane, call_place };
+struct Transform {
+    TransformKind kind = TransformKind::shift;
+    geom::Frame frame;
+};
+
+/// What stays in force from block to block; SAVE brings it back at the end of a subprogram.
+struct ModalState {
+    Modal motion = Modal::linear;
+    int plane = 17;
+    bool absolute = true;
+    bool inch_geometry = false, inch_feed = false;
+    DiameterMode diameter = DiameterMode::off;
+    cl::FeedMode feed_mode = cl::FeedMode::per_minute;
+    bool surface_speed = false;
+    int speed_word = 0;        ///< 96, 97, 961 … where it was the last of its G group
+    bool metric_feed = false;  ///< G710 rather than G71
+    Modal compensation = Modal::compensation_off;
+    Modal approach = Modal::approach_normal;
+    Modal corner = Modal::corner_arc;
+    int look_ahead = 0;  ///< contour elements that compensation looks ahead (M120 LA)
+    Modal feed_reference = Modal::feed_at_contour;
+    std::uint32_t datum = 500;
+    /// Where the datum before lies in the machine: axes that the selected one leaves as they are; NaN: not known.
+    geom::Vec3 datum_before{std::numeric_limits<double>::quiet_NaN(), std::numeric_limits<double>::quiet_NaN(),
+                            std::numeric_limits<double>::quiet_NaN()};
+    geom::Vec3 datum_offset;  ///< of a datum that the program sets itself (FN 25), in the selected one, mm
+    geom::Frame programmed;   ///< TRANS, ROT, SCALE, MIRROR; product of `transforms` where there are any
+    std::vector<Transform> transforms;
+    Modal last_sense = Modal::linear;     ///< of the last arc; linear: none yet
+    int motion_number = 0;                ///< which canned cycle, which kind of probing
+    bool clear_to_retract_plane = false;  ///< G99
+    bool centre_absolute = false;         ///< G90.1
+    double blend = 0, merge = 0;          ///< G64 P Q, mm
+    Modal path_mode = Modal::path_blend;
+    double compensation_radius = std::numeric_limits<double>::quiet_NaN();  ///< G41 D, G41.1; NaN: of the tool, mm
+    int compensation_orientation = -1;  ///< G41.1 L: where the tip lies on the nose; -1: of the tool
+    bool feed_by_word = false;          ///< feed_mode was chosen by a word of its own (FU) until the next F
+    double round_modal = 0;             ///< RNDM, mm
+    double corner_feed_modal = 0;       ///< FRCM
+    geom::Vec3 pole;                    ///< workpiece coordinates
+    bool pole_set = false;              ///< the program has set it
+    /// Last RP (mm) and AP (degrees, NaN after a new pole or plane); NaN: none yet.
+    double polar_radius = std::numeric_limits<double>::quiet_NaN();
+    double polar_angle = std::numeric_limits<double>::quiet_NaN();
+};
+inline void forget_polar_angle(ModalState& m) { m.polar_angle = std::numeric_limits<double>::quiet_NaN(); }
+
+struct SpindleState {
+    double speed = 0;           ///< S as programmed
+    double limit = 0;           ///< LIMS
+    double surface = 0;         ///< cutting speed of the last G96, m/min
+    bool mode_changed = false;  ///< by the block being run: G96 or G97
+    int direction = 0;
+    int last = 0;  ///< the last direction in which it turned
+};
+
+/// X Y Z A B C U V W; mm or degrees.
+using Axes = std::array<double, 9>;
+
+/// Offsets that the control keeps in parameters (Traits::offsets) and those laid over them.
+struct Offsets {
+    Axes datum{};         ///< of the active zero offset, in the machine
+    double rotation = 0;  ///< of it about Z, degrees
+    Axes shift{};         ///< G92, G52
+    Axes tool{};          ///< tool length compensation in force
+    Axes tip{};           ///< of the tool that is in the spindle, as far as it is known
+    bool tip_known = false;
+    bool compensates = false;  ///< the program uses tool length compensation at all
+    Axes reference{};          ///< what the stream's coordinates are counted from, in the machine
+    Axes total{};              ///< programmed -> stream, of A … W (3 … 8)
+};
+
+/// Overrides that the program allows (M48 … M53).
+struct Overrides {
+    bool feed = true, speed = true, hold = true;
+};
+
+/// What M70 and M73 keep (saved_modes.cpp).
+struct SavedModes {
+    ModalState modal;
+    double feed = 0;
+    bool feed_valid = false;
+    SpindleState spindle;
+    bool mist = false, flood = false;
+    Axes tool_offset{};
+    Overrides overrides;
+};
+
+}  // namespace obrys::interp

@@ -1,0 +1,132 @@
+/// M70 … M73: modes, feed, spindle, coolant and overrides are kept and come back later.
+/// Source: LinuxCNC, M-Codes, "M70 Save Modal State" to "M73 Save and Autorestore Modal State"; the order of what comes
+/// back is that of its stand-alone interpreter.
+
+#include "interp/motion.hpp"
+
+namespace obrys::interp {
+
+using cl::SettingKind;
+
+void save_modes(Run& run, bool for_call) {
+    run.top().saved_modes = SavedModes{run.modal, run.feed,  run.feed_valid,   run.spindle,
+                                       run.mist,  run.flood, run.offsets.tool, run.overrides};
+    run.top().restores_modes = for_call;
+}
+
+void forget_modes(Run& run) {
+    run.top().saved_modes.reset();
+    run.top().restores_modes = false;
+}
+
+namespace {
+
+void restore_spindle_mode(Run& run, const ModalState& s) {
+    if (s.surface_speed == run.modal.surface_speed) return;
+    tell(run, SettingKind::surface_speed, s.surface_speed ? 96 : 97, {s.surface_speed ? run.spindle.limit : 0});
+    run.modal.surface_speed = s.surface_speed;
+    run.modal.speed_word = s.speed_word;
+}
+
+/// In another kind of feed the one that was saved is not taken up again.
+void restore_feed(Run& run, const SavedModes& s) {
+    constexpr Modal words[] = {Modal::feed_per_minute, Modal::feed_per_rev, Modal::feed_inverse_time};
+    if (s.modal.feed_mode != run.modal.feed_mode) {
+        static_cast<void>(apply_mode(run, words[static_cast<std::size_t>(s.modal.feed_mode)], 0));
+        return;
+    }
+    if (!s.feed_valid || (run.feed_valid && run.feed == s.feed)) return;
+    run.feed = s.feed;
+    run.feed_valid = true;
+    tell(run, SettingKind::feed_rate, 0, {s.feed / feed_factor(run)});
+    emit(run, cl::Feed{s.feed, run.modal.feed_mode});
+}
+
+void restore_spindle(Run& run, const SpindleState& s) {
+    const bool speed = s.speed != run.spindle.speed, turn = s.direction != run.spindle.direction;
+    run.spindle = s;
+    run.spindle.mode_changed = false;
+    if (speed) tell(run, SettingKind::spindle_speed, 0, {s.speed});
+    if (turn) tell(run, SettingKind::spindle_turn, s.direction);
+    if (speed || turn) emit_spindle(run);
+}
+
+void restore_coolant(Run& run, const SavedModes& s) {
+    if (s.mist == run.mist && s.flood == run.flood) return;
+    for (const int m : {9, 7, 8}) {
+        const bool wanted = m == 9 ? (run.mist && !s.mist) || (run.flood && !s.flood) : m == 7 ? s.mist : s.flood;
+        if (!wanted || (m == 7 && run.mist) || (m == 8 && run.flood)) continue;
+        tell(run, SettingKind::coolant, m);
+        coolant(run, m);
+    }
+}
+
+void restore_lengths(Run& run, const SavedModes& s) {
+    if (run.offsets.tool != s.tool_offset) set_tool_offset(run, s.tool_offset);
+    if (run.modal.datum != s.modal.datum) set_datum(run, s.modal.datum);
+}
+
+void restore_path(Run& run, const ModalState& s) {
+    ModalState& m = run.modal;
+    if (m.path_mode == s.path_mode && m.blend == s.blend && m.merge == s.merge) return;
+    m.path_mode = s.path_mode;
+    m.blend = s.blend;
+    m.merge = s.merge;
+    tell(run, SettingKind::path_mode,
+         s.path_mode == Modal::path_exact  ? 0
+         : s.path_mode == Modal::path_stop ? 1
+                                           : 2,
+         {s.blend, s.merge});
+}
+
+void restore_words(Run& run, const SavedModes& s) {
+    const auto back = [&](bool differs, Modal m) {
+        if (differs) static_cast<void>(apply_mode(run, m, 0));
+    };
+    const ModalState now = run.modal;
+    if (now.plane != s.modal.plane) set_plane(run, s.modal.plane);
+    back(now.diameter != s.modal.diameter,
+         s.modal.diameter == DiameterMode::off ? Modal::diameter_off : Modal::diameter_on);
+    if (now.compensation != s.modal.compensation) {
+        back(true, s.modal.compensation);
+        run.modal.compensation_radius = s.modal.compensation_radius;
+        run.modal.compensation_orientation = s.modal.compensation_orientation;
+    }
+    restore_lengths(run, s);
+    restore_path(run, s.modal);
+    back(now.absolute != s.modal.absolute, s.modal.absolute ? Modal::absolute : Modal::incremental);
+    back(now.centre_absolute != s.modal.centre_absolute,
+         s.modal.centre_absolute ? Modal::arc_centre_absolute : Modal::arc_centre_incremental);
+    back(now.clear_to_retract_plane != s.modal.clear_to_retract_plane,
+         s.modal.clear_to_retract_plane ? Modal::retract_clearance : Modal::retract_initial);
+}
+
+/// As the words M48 (both), M49 (none), M50 (feed) and M51 (speed) leave them.
+void restore_overrides(Run& run, const Overrides& s) {
+    if (run.overrides.feed != s.feed || run.overrides.speed != s.speed) {
+        const bool none = !s.feed && !s.speed;
+        if (s.feed || none) switch_override(run, SettingKind::feed_override, s.feed);
+        if (s.speed || none) switch_override(run, SettingKind::speed_override, s.speed);
+    }
+    if (run.overrides.hold != s.hold) switch_override(run, SettingKind::feed_hold, s.hold);
+}
+
+}  // namespace
+
+void restore_modes(Run& run) {
+    if (!run.top().saved_modes) return;
+    const SavedModes s = *run.top().saved_modes;
+    const BlockWords block = std::move(run.block);  // what comes back stands in no block
+    run.block = {};
+    if (s.modal.inch_geometry != run.modal.inch_geometry)
+        static_cast<void>(apply_mode(run, s.modal.inch_geometry ? Modal::inch_all : Modal::metric_all, 0));
+    restore_spindle_mode(run, s.modal);
+    restore_feed(run, s);
+    restore_spindle(run, s.spindle);
+    restore_words(run, s);
+    restore_coolant(run, s);
+    restore_overrides(run, s.overrides);
+    run.block = block;
+}
+
+}  // namespace obrys::interp
