@@ -139,12 +139,17 @@ bool looks_like_turning(const program::Unit& unit) {
     return false;
 }
 
-bool choose_machine(Session& s, const Request& request, const fs::path& job_path) {
+/// The machine that the call or the job names; false where it cannot be read. `named`: there is one.
+bool load_named_machine(Session& s, const Request& request, const fs::path& job_path, bool& named) {
     const std::string name = !request.machine.empty() ? request.machine
                              : s.job.machine_is_file  ? s.job.machine_name
                                                       : std::string{};
-    if (!name.empty()) return load_machine(s, request.machine.empty() ? job_path : fs::path{}, name);
-    if (s.has_job && !s.job.machine_name.empty()) return true;
+    named = !name.empty() || (s.has_job && !s.job.machine_name.empty());
+    return name.empty() || load_machine(s, request.machine.empty() ? job_path : fs::path{}, name);
+}
+
+/// Where none is named, one for what the program is.
+void choose_machine(Session& s) {
     const bool turning = s.has_job ? s.job.machine.kind == shop::MachineKind::lathe : looks_like_turning(*s.main);
     const char* generic = turning ? "lathe-generic" : "mill-generic";
     shop::use_machine(s.job, *shop::shipped_machine(generic));
@@ -153,7 +158,6 @@ bool choose_machine(Session& s, const Request& request, const fs::path& job_path
            std::string("no machine is named: ") + generic + " is taken" +
                (turning && !s.main->traits->radius_at_start ? ", X words are diameters until DIAMOF" : ""),
            "name one with --machine or in the job");
-    return true;
 }
 
 /// The control that the call or the job names; else what the text looks like.
@@ -225,6 +229,11 @@ bool read_main(Session& s, const Request& request, const fs::path& path) {
     const Control* control = choose_control(s, request, *file);
     if (control == nullptr) return false;
     s.programs = std::make_unique<Programs>(*control, s.sources, s.diagnostics);
+    bool named = false;
+    if (!load_named_machine(s, request, request.input, named)) return false;
+    // A job with turned stock, part or tools says that it is for a lathe.
+    const bool told = named || (s.has_job && s.job.machine.kind == shop::MachineKind::lathe);
+    s.programs->set_machine(told ? &s.job.machine : nullptr);
     s.programs->add_folder(path.parent_path());
     for (const std::string& folder : request.search) s.programs->add_folder(folder);
     for (const std::string& folder : s.job.search) s.programs->add_folder(beside(request.input, folder));
@@ -232,6 +241,7 @@ bool read_main(Session& s, const Request& request, const fs::path& path) {
     s.main = s.programs->read(*file);
     s.programs->read_definitions();
     if (s.main == nullptr) complain(s, codes::syntax, {*file, 0, 0}, "this file holds no program");
+    if (s.main != nullptr && !named) choose_machine(s);
     return s.main != nullptr;
 }
 
@@ -245,6 +255,7 @@ std::vector<std::string> controls() {
 
 bool open(const Request& request, Session& s) {
     const fs::path input(request.input);
+    s.folder = input.parent_path().string();
     fs::path program = input;
     if (is_job(input)) {
         const auto file = load(input, s.sources, s.diagnostics);
@@ -252,7 +263,7 @@ bool open(const Request& request, Session& s) {
         s.job = shop::read_job(*file, s.sources, s.diagnostics);
         s.has_job = true;
         if (s.job.program.empty()) s.job.program = program_beside(input);
-        if (s.job.program.empty())
+        if (s.job.program.empty() && !s.diagnostics.has_errors())
             complain(s, codes::job_value, s.job.program_where, "the job file has no 'program'",
                      "name it, or put one program with the job's name beside the job");
         if (s.job.program.empty() || s.diagnostics.has_errors()) return false;
@@ -271,7 +282,7 @@ bool open(const Request& request, Session& s) {
                  prints.generic_string() + ", where programs shall print to, is not a folder", "make it before");
         good = false;
     }
-    if (!good || !read_main(s, request, program) || !choose_machine(s, request, input)) return false;
+    if (!good || !read_main(s, request, program)) return false;
     s.job.skip_levels.insert(s.job.skip_levels.end(), request.skip.begin(), request.skip.end());
     if (request.diameter) s.job.machine.defaults.diameter_programming = *request.diameter;
     load_configuration(s, request);

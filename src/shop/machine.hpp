@@ -47,6 +47,12 @@ struct ControlDefaults {
     double circle_tolerance = 0.01;     ///< mm the two radii of an arc may differ (MD CIRCLE_ERROR_CONST)
 };
 
+/// What a control leaves to the builder of its machine; nothing: the file does not say it.
+struct ControlSettings {
+    std::optional<char> g_code_system;       ///< of FANUC lathes: 'A', 'B', 'C'
+    std::optional<bool> whole_numbers_count; ///< lengths without a point count increments; false: mm, inches, degrees
+};
+
 struct Machine {
     std::string name = "generic";
     MachineKind kind = MachineKind::mill;
@@ -60,6 +66,7 @@ struct Machine {
     double tool_change_time = 0;        ///< s
     std::map<std::string, double> tool_change_position;  ///< machine coordinate by name of an axis; others stay
     ControlDefaults defaults;
+    ControlSettings control;
     /// Settable zero offsets (54 … 599): position of the workpiece zero in machine coordinates, mm, x as a radius.
     /// 500: the one in force where a program selects none; from `first_preset` on the presets of HEIDENHAIN controls,
     /// NaN in axes that a preset leaves as they are.

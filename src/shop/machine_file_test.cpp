@@ -30,6 +30,9 @@ rotary = true
 [datum]
 diameter = true
 G54 = {x = 20, z = 300}
+[control]
+g_code_system = "B"
+whole_numbers = "units"
 [machine_data]
 "$MC_DIAMETER_AX_DEF" = 1
 mn_max = 2
@@ -52,6 +55,8 @@ mn_max = 2
     EXPECT_TRUE(m.axes[1].rotary);
     EXPECT_FALSE(m.axes[1].min);
     EXPECT_EQ(m.datums.at(54), (geom::Vec3{10, 0, 300}));
+    EXPECT_EQ(m.control.g_code_system, 'B');
+    EXPECT_EQ(m.control.whole_numbers_count, false);
     EXPECT_EQ(m.machine_data, (std::map<std::string, double>{{"$MC_DIAMETER_AX_DEF", 1}, {"$MN_MAX", 2}}));
 }
 

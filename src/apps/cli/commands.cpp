@@ -18,6 +18,7 @@
 #include "driver/check_program.hpp"
 #include "driver/plot_path.hpp"
 #include "driver/stream_table.hpp"
+#include "milled.hpp"
 #include "progress.hpp"
 #include "report/report.hpp"
 
@@ -38,18 +39,6 @@ bool standard_output_is_terminal() {
 #else
     return isatty(1) != 0;
 #endif
-}
-
-/// Writes the text where it was asked for. False where that fails (the complaint is printed).
-bool deliver(driver::Session& s, const std::string& path, const std::string& text) {
-    if (path.empty() || path == "-") {
-        std::fwrite(text.data(), 1, text.size(), stdout);
-        return std::fflush(stdout) == 0;
-    }
-    base::Diagnostics written;
-    if (driver::store(path, text, written)) return true;
-    for (const base::Diagnostic& d : written.all()) std::fputs(base::render(d, s.sources).c_str(), stderr);
-    return false;
 }
 
 /// Exit code of a run: what its complaints say about it.
@@ -164,11 +153,13 @@ int check(const Arguments& a) {
         return 2;
     }
     const bool pictures = !a.html.empty() || !a.svg.empty();
+    driver::MillingRequest milling = a.milling;
+    milling.surface = wants_surface(a);
     driver::Checked checked;
     {
         Progress progress;
-        checked =
-            driver::check_program(s, pictures ? moves_on_page : 0, [&](std::uint64_t moves) { progress.show(moves); });
+        checked = driver::check_program(s, pictures ? moves_on_page : 0, milling,
+                                        [&](std::uint64_t moves) { progress.show(moves); });
     }
     const report::Subject subject = subject_of(s, checked);
     bool written = true;
@@ -183,6 +174,7 @@ int check(const Arguments& a) {
                                                     !a.no_list}));
     if (!a.html.empty()) written = deliver(s, a.html, report::to_html(subject)) && written;
     if (!a.svg.empty()) written = deliver(s, a.svg, report::to_svg(subject)) && written;
+    written = write_surface(a, s, checked) && written;
     return written ? check::exit_code(checked.result.verdict) : 2;
 }
 
