@@ -3,6 +3,8 @@
 // teeth, TP pitch, TA angle of a flank against the axis (45 of a 90 degree chamfer mill). Segments of shaft and holder
 // begin below. The assembly's gauge length is LB and the holder's gauge length. Taken from libraries that users have
 // published.
+#include "shop/fusion_tools.hpp"
+
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -15,7 +17,6 @@
 #include "shop/json_document.hpp"
 #include "shop/section.hpp"
 #include "shop/taper.hpp"
-#include "shop/tool.hpp"
 
 namespace obrys::shop {
 

@@ -4,6 +4,7 @@
 
 #include <cmath>
 
+#include "shop/fusion_tools.hpp"
 #include "shop/json_document.hpp"
 #include "shop/shop_test.hpp"
 

@@ -133,11 +133,7 @@ struct DimensionFault {
 /// The tools of a tool list ([[tool]] tables); what is wrong is in `diagnostics` and left out.
 [[nodiscard]] std::vector<Tool> read_tools(std::uint32_t file, const base::Sources& sources,
                                            base::Diagnostics& diagnostics);
-/// The tools of an Autodesk Fusion tool library exported as JSON; docs/job-file.md says how its fields are taken. A tool
-/// without a number, of a number that is there already or whose dimensions make no tool is left out with a warning.
-[[nodiscard]] std::vector<Tool> read_fusion_tools(std::uint32_t file, const base::Sources& sources,
-                                                  base::Diagnostics& diagnostics);
-/// The tools of a SINUMERIK tool data file (TOA): lines `$TC_DPn[T,D]=value` and `$TC_TP2[T]="name"`; types 100 to 299 become milling kinds.
+/// The tools of a SINUMERIK tool data file (TOA): lines `$TC_DPn[T,D]=value` and `$TC_TP2[T]="name"`.
 [[nodiscard]] std::vector<Tool> read_toa(std::uint32_t file, const base::Sources& sources,
                                          base::Diagnostics& diagnostics);
 
