@@ -5,6 +5,7 @@
 #include "base/codes.hpp"
 #include "base/text.hpp"
 #include "driver/files.hpp"
+#include "driver/program_blank.hpp"
 #include "mesh/stl.hpp"
 
 namespace obrys::driver {
@@ -54,7 +55,9 @@ std::optional<sim::milling::Stock> body_of(Session& s, const shop::Solid& solid)
 
 std::optional<sim::milling::Stock> stock_of(Session& s) {
     if (s.job.solid_stock) return body_of(s, s.job.solid_stock->solid);
-    return std::nullopt;
+    if (s.job.stock || !s.main) return std::nullopt;
+    const auto blank = program_blank(*s.main, s.diagnostics);
+    return blank ? body_of(s, blank->solid) : std::nullopt;
 }
 
 }  // namespace

@@ -6,6 +6,7 @@
 #include "base/number.hpp"
 #include "base/text.hpp"
 #include "driver/contours.hpp"
+#include "shop/fusion_tools.hpp"
 #include "shop/linuxcnc_ini.hpp"
 #include "shop/linuxcnc_parameters.hpp"
 #include "shop/linuxcnc_table.hpp"
@@ -90,13 +91,17 @@ bool load_machine(Session& s, const fs::path& base_path, const std::string& name
     return true;
 }
 
-/// A tool list (.toml), a HEIDENHAIN (.t) or LinuxCNC (.tbl) tool table, or SINUMERIK tool data (any other ending).
+/// A tool list (.toml), a HEIDENHAIN (.t) or LinuxCNC (.tbl) tool table, a Fusion tool library (.json, or what begins like
+/// JSON), or SINUMERIK tool data (any other ending).
 std::vector<shop::Tool> read_tool_file(const fs::path& path, std::uint32_t file, Session& s) {
     if (is_job(path)) return shop::read_tools(file, s.sources, s.diagnostics);
     if (base::equals_ignoring_case(path.extension().string(), ".tbl"))
         return shop::read_tbl(file, s.sources, s.machine_unit, s.diagnostics);
     if (base::equals_ignoring_case(path.extension().string(), ".t"))
         return shop::read_tool_t(file, s.sources, s.diagnostics);
+    const std::string_view text = base::trim(s.sources[file].text);
+    if (base::equals_ignoring_case(path.extension().string(), ".json") || text.starts_with('{'))
+        return shop::read_fusion_tools(file, s.sources, s.diagnostics);
     return shop::read_toa(file, s.sources, s.diagnostics);
 }
 
