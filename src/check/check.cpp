@@ -35,6 +35,10 @@ struct Check::State {
         removal.take(record, tool);
         if (milling) milling->take(record, tool);
     }
+    void take(const cl::Feed& feed) {
+        limits.take(feed);
+        if (milling) milling->take(feed);
+    }
     void take(const cl::Record& record, const cl::Spindle& spindle) {
         limits.take(record, spindle);
         if (milling) milling->take(spindle);
@@ -129,7 +133,7 @@ void Check::take(const cl::Record& record) {
     else if (const auto* tool = std::get_if<cl::ToolChange>(&record.step))
         s.take(record, *tool);
     else if (const auto* feed = std::get_if<cl::Feed>(&record.step))
-        s.limits.take(*feed);
+        s.take(*feed);
     else if (const auto* spindle = std::get_if<cl::Spindle>(&record.step))
         s.take(record, *spindle);
     else if (const auto* datum = std::get_if<cl::Datum>(&record.step))

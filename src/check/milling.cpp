@@ -1,12 +1,15 @@
 #include "check/milling.hpp"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 
 #include "base/number.hpp"
 #include "check/milling_tool.hpp"
 #include "check/words.hpp"
 #include "cl/path_element.hpp"
+#include "cl/spline.hpp"
+#include "cl/totals.hpp"
 
 namespace obrys::check {
 
@@ -18,7 +21,9 @@ constexpr double piece = 0.1;                   ///< mm in which the way in the 
 constexpr double short_way = 1;                 ///< mm; moves up to that count as a whole
 constexpr std::uint32_t most_pieces = 200'000;  ///< in all; the moves behind them count as a whole
 constexpr std::size_t batch = 32'768;           ///< passes that wait for the simulation
-constexpr double fallback_radius = 1;           ///< mm, where no tool of the list has a shape
+constexpr double drawn_chord = 0.01;            ///< mm the picture of a curve may leave it
+constexpr int most_chords = 256;
+constexpr double fallback_radius = 1;  ///< mm, where no tool of the list has a shape
 
 /// The smallest radius that a tool of the list can leave: what the lattice must resolve.
 double smallest_radius(const Setup& setup) {
@@ -138,6 +143,36 @@ std::optional<std::uint32_t> Milling::tool_in_use(const Move& move) {
     return known;
 }
 
+/// Where a rapid comes by when every axis goes at its own speed (dog-leg): the axes stop one after another.
+std::vector<geom::Vec3> Milling::corners_of_rapid(const Move& move) const {
+    std::vector<geom::Vec3> corners;
+    if (setup_.machine.rapid_path == shop::RapidPath::dog_leg) {
+        const geom::Vec3 way = move.to - move.from;
+        std::array<double, 3> needs{};  // minutes
+        for (std::size_t k = 0; k < 3; ++k) {
+            double speed = 0;
+            for (const shop::MachineAxis& a : setup_.machine.axes)
+                if (a.name == std::string(1, "XYZ"[k])) speed = a.rapid;
+            const double part = std::abs(milling::component(way, static_cast<int>(k)));
+            needs[k] = speed > 0 ? part / speed : 0;
+        }
+        for (const double at :
+             {std::min({needs[0], needs[1], needs[2]}),
+              std::max(std::min(needs[0], needs[1]), std::min(std::max(needs[0], needs[1]), needs[2]))}) {
+            geom::Vec3 p = move.to;
+            for (int k = 0; k < 3; ++k) {
+                const double need = needs[static_cast<std::size_t>(k)];
+                if (need > at)
+                    milling::set_component(p, k,
+                                           milling::component(move.from, k) + at / need * milling::component(way, k));
+            }
+            if (at > 0) corners.push_back(p);
+        }
+    }
+    corners.push_back(move.to);
+    return corners;
+}
+
 void Milling::take(const Move& move, std::uint32_t use) {
     const bool known = geom::is_finite(move.from) && geom::is_finite(move.to);
     const bool starting = move.rapid && !known && !position_was_known_;
@@ -175,9 +210,49 @@ void Milling::take(const Move& move, std::uint32_t use) {
     const geom::Vec3 way = move.to - move.from;
     const double down = -geom::dot(way, axis);
     m.plunging = down > 1e-9 && geom::length(way + down * axis) < 1e-9 * down;
+    m.seconds = seconds_of(move);
+    keep_points(move, m);
     moves_.push_back(m);
-    queue(*element, m, !move.rapid);
+    if (move.rapid) {
+        geom::Vec3 from = move.from;
+        for (const geom::Vec3& to : corners_of_rapid(move)) {
+            queue(geom::Straight{from, to}, m, false);
+            from = to;
+        }
+    } else {
+        queue(*element, m, true);
+    }
     if (queued_.size() >= batch) carry_out();
+}
+
+/// Chained to the move before; a gap between them (moves that were left out) is a point that is not known.
+void Milling::keep_points(const Move& move, MilledMove& m) {
+    if (moves_.size() >= setup_.keep_moves) return;
+    const bool begins = points_.empty() || geom::distance(points_.back(), move.from) > 1e-6;
+    if (begins && !points_.empty()) points_.push_back({NAN, NAN, NAN});
+    if (begins) points_.push_back(move.from);
+    cl::points_between(move.from, move.record.step, drawn_chord, most_chords,
+                       [this](geom::Vec3 p) { points_.push_back(p); });
+    points_.push_back(move.to);
+    m.points_end = static_cast<std::uint32_t>(points_.size());
+    ++moves_with_points_;
+}
+
+/// At the programmed feed; rapids in straight lines at the slowest axis' rapid.
+double Milling::seconds_of(const Move& move) const {
+    const double way = cl::move_length(move.from, move.record.step);
+    if (move.rapid) {
+        double slowest = INFINITY;
+        for (const shop::MachineAxis& a : setup_.machine.axes)
+            if (!a.rotary) slowest = std::min(slowest, a.rapid);
+        return std::isfinite(slowest) && slowest > 0 ? 60 * way / slowest : NAN;
+    }
+    switch (feed_.mode) {
+        case cl::FeedMode::per_minute: return feed_.value > 0 ? 60 * way / feed_.value : NAN;
+        case cl::FeedMode::per_rev: return feed_.value * speed_ > 0 ? 60 * way / (feed_.value * speed_) : NAN;
+        case cl::FeedMode::inverse_time: return feed_.value > 0 ? 60 / feed_.value : NAN;
+    }
+    return NAN;
 }
 
 void Milling::queue(const geom::PathElement& element, const MilledMove& move, bool feed) {
@@ -242,6 +317,17 @@ void Milling::carry_out() {
     queued_.clear();
 }
 
+/// What single moves took is known along one direction of rays only, off by parts of a cell at walls; all together is
+/// known better, so their shares are scaled to it.
+void Milling::balance() {
+    double sum = 0;
+    for (const MilledMove& m : moves_) sum += m.volume_mm3;
+    if (!(sum > 0)) return;
+    const double factor = (figures_.before_mm3 - figures_.after_mm3) / sum;
+    for (MilledMove& m : moves_) m.volume_mm3 *= factor;
+    for (ToolUse& t : out_.result().tools) t.volume_mm3 *= factor;
+}
+
 void Milling::finish(bool complete) {
     if (!simulation_) return;
     carry_out();
@@ -252,10 +338,13 @@ void Milling::finish(bool complete) {
     auto milled = std::make_shared<Milled>();
     figures_.after_mm3 = milling::volume(simulation_->dexels());
     figures_.memory_mb = static_cast<double>(simulation_->bytes()) / 1e6;
+    balance();
     for (const MilledMove& m : moves_) figures_.contact_length_mm += m.contact_length_mm;
     if (pieces_left_ < most_pieces && pieces_left_ < 1000) figures_.contact_accuracy_mm = 0;
     milled->figures = figures_;
     milled->moves = std::move(moves_);
+    milled->points = std::move(points_);
+    milled->moves_with_points = moves_with_points_;
     judge_surface(*milled);
     out_.result().milled = std::move(milled);
 }

@@ -2,6 +2,7 @@
 /// Milling: removes the stock move by move on rays (sim/milling) and says what rapid moves, shanks, holders and clamps
 /// meet. Lengths in mm, frame of the stock.
 
+#include <cmath>
 #include <deque>
 #include <memory>
 #include <string>
@@ -32,7 +33,11 @@ public:
     [[nodiscard]] bool ready() const { return simulation_.has_value(); }
 
     void take(const cl::Record& record, const cl::ToolChange& tool);
-    void take(const cl::Spindle& spindle) { turning_ = spindle.direction != 0 && spindle.speed != 0; }
+    void take(const cl::Feed& feed) { feed_ = feed; }
+    void take(const cl::Spindle& spindle) {
+        turning_ = spindle.direction != 0 && spindle.speed != 0;
+        speed_ = spindle.mode == cl::SpindleMode::rpm ? spindle.speed : NAN;
+    }
     /// `use`: index in Result::tools + 1. Queues the move; findings come later, in the order of the moves.
     void take(const Move& move, std::uint32_t use);
     /// Carries out what is queued, judges the surface and fills in Result::milling.
@@ -50,7 +55,11 @@ private:
     void queue(const geom::PathElement& element, const MilledMove& move, bool feed);
     void queue_pass(QueuedPass::Kind kind, sim::milling::Part part, bool cut, const geom::PathElement& element);
     void queue_clamps(const geom::PathElement& element);
+    [[nodiscard]] std::vector<geom::Vec3> corners_of_rapid(const Move& move) const;
+    [[nodiscard]] double seconds_of(const Move& move) const;
+    void keep_points(const Move& move, MilledMove& m);
     void carry_out();
+    void balance();
     void judge(const QueuedPass& pass, const sim::milling::Engagement& met);
     void judge_cut(const QueuedPass& pass, MilledMove& move, const sim::milling::Engagement& met);
     void judge_surface(Milled& milled);
@@ -62,6 +71,8 @@ private:
     std::optional<sim::milling::Simulation> simulation_;
     std::deque<Clamp> clamps_;
     std::vector<MilledMove> moves_;
+    std::vector<geom::Vec3> points_;
+    std::size_t moves_with_points_ = 0;
     std::vector<QueuedPass> queued_;
     std::vector<std::uint32_t> move_of_pass_;  ///< of the stock's simulation
     MillingFigures figures_;
@@ -71,6 +82,8 @@ private:
     std::uint32_t sim_tool_ = 0;
     std::uint32_t passes_ = 0, pieces_left_ = 0;
     geom::Vec3 axis_{0, 0, 1};
+    cl::Feed feed_;
+    double speed_ = NAN;  ///< 1/min
     bool turning_ = false, tool_ready_ = false, complete_ = true, stopped_reported_ = false;
     std::uint64_t start_moves_ = 0;
     bool position_was_known_ = false;

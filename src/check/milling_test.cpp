@@ -130,6 +130,32 @@ TEST(Milling, AProgramBesideTheStockIsNotClean) {
     EXPECT_EQ(r.verdict, Verdict::not_fully_checked);
 }
 
+/// From X -30 Y -40 to X 30 Y 80 beside a block: the straight way misses its corner, the way of axes that go as fast as
+/// they can one by one does not.
+TEST(Milling, ADogLegRapidMeetsWhatTheStraightOneMisses) {
+    for (const bool dog_leg : {false, true}) {
+        check::Setup s = face_setup();
+        s.machine.rapid_path = dog_leg ? shop::RapidPath::dog_leg : shop::RapidPath::straight;
+        for (const char* name : {"X", "Y", "Z"}) {
+            shop::MachineAxis a;
+            a.name = name;
+            a.rapid = 10'000;
+            s.machine.axes.push_back(a);
+        }
+        const cl::CallStacks stacks;
+        Check check(std::move(s), stacks);
+        const auto take = [&](cl::Step step) { check.take({std::move(step), {0, 0, 1}, 0}); };
+        take(cl::ToolChange{1, 1, ""});
+        take(cl::Spindle{3000, cl::SpindleMode::rpm, 1, 0});
+        take(cl::Linear{{-40, -60, -5}, {0, 0, 1}, true});
+        take(cl::Linear{{0, 100, -5}, {0, 0, 1}, true});
+        take(cl::Feed{500, cl::FeedMode::per_minute});
+        take(cl::Linear{{0, 30, -5}, {0, 0, 1}, false});
+        const Result r = check.finish();
+        EXPECT_EQ(of(r, base::codes::rapid_in_stock).empty(), !dog_leg);
+    }
+}
+
 TEST(Milling, TheResultDoesNotDependOnTheNumberOfThreads) {
     check::Setup one = with_part(face_setup(), -5), four = one;
     one.milling->threads = 1;

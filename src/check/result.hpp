@@ -116,6 +116,8 @@ struct MilledMove {
     double contact_length_mm = 0;              ///< way over which it removed material
     double axial_depth_mm = 0;                 ///< along the tool's axis, of what was removed
     double rightmost_mm = 0, leftmost_mm = 0;  ///< beside the way, seen against the axis
+    std::uint32_t points_end = 0;              ///< in Milled::points: one past the last of this move; kept moves only
+    double seconds = 0;                        ///< at the programmed feed, or the machine's rapid; NaN: not known
 };
 
 struct MillingFigures {
@@ -131,6 +133,10 @@ struct MillingFigures {
 struct Milled {
     MillingFigures figures;
     std::vector<MilledMove> moves;
+    /// The way as a chain of points, for pictures; the first one is where the first move began. Only of the moves that
+    /// Setup::keep_moves lets keep.
+    std::vector<geom::Vec3> points;
+    std::size_t moves_with_points = 0;
     mesh::Mesh surface;    ///< empty where nobody asked for it; tags: index in `moves` + 1, 0 the stock's own face
     std::size_t thin = 0;  ///< walls thinner than a step, which the surface leaves out
     std::optional<mesh::Comparison> comparison;  ///< with the part

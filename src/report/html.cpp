@@ -5,15 +5,22 @@
 
 namespace obrys::report {
 
-namespace {
-
-/// Puts `with` in the place of the mark, which stands once in the template.
 void put(std::string& page, std::string_view mark, std::string_view with) {
     const std::size_t at = page.find(mark);
     if (at != std::string::npos) page.replace(at, mark.size(), with);
 }
 
-}  // namespace
+std::string for_script(std::string_view json) {
+    std::string out;
+    out.reserve(json.size());
+    for (const char c : json) {
+        if (c == '<')
+            out += "\\u003c";
+        else
+            out += c;
+    }
+    return out;
+}
 
 std::string to_html(const Subject& subject, const HtmlOptions& options) {
     std::string page(page_html);

@@ -7,6 +7,7 @@
 
 #include "base/number.hpp"
 #include "base/text.hpp"
+#include "report/page_parts.hpp"
 #include "report/path.hpp"
 #include "report/svg_window.hpp"
 
@@ -272,17 +273,7 @@ Json Data::all() {
 }  // namespace
 
 std::string page_data(const Subject& subject, const HtmlOptions& options) {
-    const std::string json = Data(subject, options).all().dump(-1, ' ', false, Json::error_handler_t::replace);
-    // Inside a script element "<" could end it; as an escape it means the same to JSON.
-    std::string out;
-    out.reserve(json.size());
-    for (const char c : json) {
-        if (c == '<')
-            out += "\\u003c";
-        else
-            out += c;
-    }
-    return out;
+    return for_script(Data(subject, options).all().dump(-1, ' ', false, Json::error_handler_t::replace));
 }
 
 }  // namespace obrys::report

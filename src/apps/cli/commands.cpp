@@ -20,13 +20,14 @@
 #include "driver/stream_table.hpp"
 #include "milled.hpp"
 #include "progress.hpp"
+#include "report/milling_report.hpp"
 #include "report/report.hpp"
 
 namespace obrys::cli {
 
 namespace {
 
-constexpr std::size_t moves_on_page = 20'000;
+constexpr std::size_t moves_on_page = 200'000;
 
 void print_diagnostics(const driver::Session& s, base::Severity from = base::Severity::note) {
     for (const base::Diagnostic& d : s.diagnostics.all())
@@ -144,6 +145,13 @@ int plot_path(const Arguments& a, driver::Session& s) {
     return deliver(s, a.svg.empty() ? a.output : a.svg, report::to_svg(plot, s.sources)) ? 0 : 2;
 }
 
+/// Of milling the page with the part in space, where the program was built with it.
+std::string page(const report::Subject& subject) {
+    if (subject.result.milled != nullptr && report::milling_page_available())
+        return report::milling_page(report::milling_page_of(subject));
+    return report::to_html(subject);
+}
+
 }  // namespace
 
 int check(const Arguments& a) {
@@ -154,7 +162,7 @@ int check(const Arguments& a) {
     }
     const bool pictures = !a.html.empty() || !a.svg.empty();
     driver::MillingRequest milling = a.milling;
-    milling.surface = wants_surface(a);
+    milling.surface = wants_surface(a) || !a.html.empty();
     driver::Checked checked;
     {
         Progress progress;
@@ -172,7 +180,7 @@ int check(const Arguments& a) {
                           report::to_text(subject, {a.colours && a.output.empty() && standard_output_is_terminal() &&
                                                         std::getenv("NO_COLOR") == nullptr,
                                                     !a.no_list}));
-    if (!a.html.empty()) written = deliver(s, a.html, report::to_html(subject)) && written;
+    if (!a.html.empty()) written = deliver(s, a.html, page(subject)) && written;
     if (!a.svg.empty()) written = deliver(s, a.svg, report::to_svg(subject)) && written;
     written = write_surface(a, s, checked) && written;
     return written ? check::exit_code(checked.result.verdict) : 2;

@@ -171,17 +171,19 @@ void bound(const Piece& piece, const Track& track, const Row& row, const Aims& a
         c.n = c.n_step = 0;
         detail::capsule_row(c, row.count, spans);
     }
+    const double per_flat = aims.flat_length > 0 ? 1 / aims.flat_length : 0;
+    const double per_height = std::abs(row.d.z) > 1e-9 ? 1 / row.d.z : 0;
     for (int i = 0; i < row.count; ++i) {
         const auto at = static_cast<std::size_t>(i);
         const Vec3 p = row.p + i * row.step;
         double low = -never, high = never;
-        if (aims.flat_length > 0) {
+        if (per_flat > 0) {
             const double foot = dot(p, aims.flat_d);
-            low = (spans.low[at] - foot) / aims.flat_length;
-            high = (spans.high[at] - foot) / aims.flat_length;
+            low = (spans.low[at] - foot) * per_flat;
+            high = (spans.high[at] - foot) * per_flat;
         }
-        if (std::abs(row.d.z) > 1e-9) {
-            const double one = (bottom - p.z) / row.d.z, other = (top - p.z) / row.d.z;
+        if (per_height != 0) {
+            const double one = (bottom - p.z) * per_height, other = (top - p.z) * per_height;
             low = std::max(low, std::min(one, other));
             high = std::min(high, std::max(one, other));
         }

@@ -88,7 +88,7 @@ std::optional<Heights> heights_at(const Piece& piece, double distance) {
 }
 
 double outside(const Piece& piece, geom::Vec3 p, geom::Vec3& normal) {
-    const double distance = std::hypot(p.x, p.y);
+    const double distance = std::sqrt(p.x * p.x + p.y * p.y);  // in the innermost loops; hypot takes five times as long
     const geom::Vec3 out = distance > 0 ? geom::Vec3{p.x / distance, p.y / distance, 0} : geom::Vec3{1, 0, 0};
     double side = 0;
     if (piece.kind == PieceKind::cone) {
@@ -96,7 +96,8 @@ double outside(const Piece& piece, geom::Vec3 p, geom::Vec3& normal) {
         side = ((distance - piece.r0) * rise - (p.z - piece.z0) * growth) / slant;
         normal = (rise / slant) * out + geom::Vec3{0, 0, -growth / slant};
     } else {
-        const double beyond = std::max(0.0, distance - piece.ring), h = p.z - piece.centre, far = std::hypot(beyond, h);
+        const double beyond = std::max(0.0, distance - piece.ring), h = p.z - piece.centre,
+                     far = std::sqrt(beyond * beyond + h * h);
         side = far - piece.arc;
         normal = far > 0 ? (beyond / far) * out + geom::Vec3{0, 0, h / far} : geom::Vec3{0, 0, -1};
         if (piece.whole) return side;

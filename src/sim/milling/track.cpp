@@ -39,14 +39,14 @@ Offset offset_from(const Track& track, geom::Vec2 p) {
     using geom::Vec2;
     if (!track.circular) {
         const Vec2 v{track.v.x, track.v.y};
-        const double way = geom::length(v);
+        const double way = std::sqrt(dot(v, v));
         if (way == 0) return {geom::length(p), geom::length(p)};
         const Vec2 e = (1 / way) * v;
         const double a = dot(p, e), n = cross(e, p), m = a - std::clamp(a, 0.0, way);
-        return {m == 0 ? std::abs(n) : std::hypot(m, n), n};
+        return {m == 0 ? std::abs(n) : std::sqrt(m * m + n * n), n};
     }
     const Vec2 q = p - track.centre;
-    const double far = geom::length(q);
+    const double far = std::sqrt(dot(q, q));
     const double left = track.turn * (track.radius - far);
     if (track.turn * cross(track.first, q) >= 0 && track.turn * cross(q, track.last) >= 0)
         return {std::abs(left), left};

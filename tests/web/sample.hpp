@@ -1,0 +1,15 @@
+#pragma once
+/// A page of made-up data for the browser test: a block with a milled pocket and a wavy floor, finished in lines with a
+/// ball.
+
+#include "report/milling_page.hpp"
+
+namespace obrys::web_test {
+
+/// `rows` lines of `columns` moves finish the floor; the surface has about 2 * cells * cells triangles.
+struct Size {
+    int rows = 200, columns = 250, cells = 500;
+};
+[[nodiscard]] report::MillingPage sample(const Size& size);
+
+}  // namespace obrys::web_test
