@@ -76,10 +76,12 @@ def write_rs274_programs(folder):
     return [(name, folder / f"{name}.ngc") for name in names]
 
 
-def knows_linuxcnc(obrys, program):
-    """Exit 2 is what obrys answers to a control it does not know."""
-    command = [obrys, "run", "--quiet", "--control", "linuxcnc", str(program)]
-    return subprocess.run(command, stdout=subprocess.DEVNULL, stderr=subprocess.DEVNULL, check=False).returncode != 2
+def write_tool_tables(folder):
+    """The same end mill of 6 mm for both: rs274 without configuration is an inch machine, obrys counts in mm."""
+    ours, theirs = folder / "mm.tbl", folder / "inch.tbl"
+    ours.write_text("T1 P1 D6 Z50\n")
+    theirs.write_text("T1 P1 D0.23622 Z1.9685\n")
+    return str(ours), str(theirs)
 
 
 def run(command):
@@ -89,7 +91,7 @@ def run(command):
     """
     process = subprocess.Popen(command, stdout=subprocess.DEVNULL, stderr=subprocess.DEVNULL)
     _, status, usage = os.wait4(process.pid, 0)
-    if status not in (0, 256):
+    if os.waitstatus_to_exitcode(status) not in (0, 1):
         sys.exit(f"{command[0]} failed")
     return usage.ru_utime + usage.ru_stime, usage.ru_maxrss / 1024
 
@@ -126,10 +128,9 @@ def main():
             commands = [[*run_obrys, str(p)] for p in (mpf, h)] + ([[rs274, "-g", str(ngc)]] if rs274 else [])
             show(row, ("SINUMERIK", "Klartext", "rs274"), measure(commands, a.repeat), rs274)
         for row, ngc in write_rs274_programs(folder):
-            if not knows_linuxcnc(a.obrys, ngc):
-                print(f"{row}: not yet (obrys does not know --control linuxcnc)")
-                continue
-            commands = [[*run_obrys, "--control", "linuxcnc", str(ngc)]] + ([[rs274, "-g", str(ngc)]] if rs274 else [])
+            ours, theirs = write_tool_tables(folder)
+            commands = [[*run_obrys, "--control", "linuxcnc", "--tools", ours, str(ngc)]]
+            commands += [[rs274, "-g", "-t", theirs, str(ngc)]] if rs274 else []
             show(row, ("obrys", "rs274"), measure(commands, a.repeat), rs274)
 
 

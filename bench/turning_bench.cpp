@@ -1,5 +1,5 @@
-// Cost of turning removal: grooves of about 575 moves cut one after another into a long bar, so that the stock's contour
-// grows with the moves already made. Prints a table; the cost per move should stay flat.
+// Cost of turning removal: grooves of about 575 moves cut one after another into a long bar, so that the stock's
+// contour grows with the moves already made. Prints a table; the cost per move should stay flat.
 
 #include <chrono>
 #include <cstddef>
@@ -16,8 +16,8 @@ using obrys::sim::turning::Workpiece;
 
 constexpr double pitch = 100, blade_width = 3, bar = 226;  // mm
 
-/// 575 moves: 115 passes of plunge, retract, side step, finishing step along the flank, return; walls slope, so every pass
-/// leaves its own corners.
+/// 575 moves: 115 passes of plunge, retract, side step, finishing step along the flank, return; walls slope, so every
+/// pass leaves its own corners.
 std::size_t cut_groove(Workpiece& w, const Contour& blade, double z0, std::size_t moves, double& removed) {
     std::size_t n = 0;
     Vec2 at{z0, bar + 5};

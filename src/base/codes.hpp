@@ -27,6 +27,9 @@ inline constexpr std::string_view gouge = "gouge";
 inline constexpr std::string_view allowance_cut = "allowance-cut";
 inline constexpr std::string_view rapid_in_stock = "rapid-in-stock";
 inline constexpr std::string_view rest_material = "rest-material";
+inline constexpr std::string_view holder_in_stock = "holder-in-stock";
+inline constexpr std::string_view clamp_collision = "clamp-collision";
+inline constexpr std::string_view plunging_cut = "plunging-cut";
 inline constexpr std::string_view axis_limit = "axis-limit";
 inline constexpr std::string_view spindle_limit = "spindle-limit";
 inline constexpr std::string_view feed_limit = "feed-limit";
@@ -56,12 +59,14 @@ inline constexpr std::string_view budget = "budget";
 inline constexpr std::string_view unclosed = "unclosed";
 inline constexpr std::string_view unknown_value = "unknown-value";
 inline constexpr std::string_view not_simulated = "not-simulated";
+inline constexpr std::string_view mesh_not_closed = "mesh-not-closed";
 // input that cannot be read
 inline constexpr std::string_view file_missing = "file-missing";
 inline constexpr std::string_view file_empty = "file-empty";
 inline constexpr std::string_view file_binary = "file-binary";
 inline constexpr std::string_view job_file = "job-file";
 inline constexpr std::string_view job_value = "job-value";
+inline constexpr std::string_view mesh_file = "mesh-file";
 // listed only
 inline constexpr std::string_view no_effect = "no-effect";
 inline constexpr std::string_view assumption = "assumption";
@@ -72,6 +77,9 @@ inline constexpr std::array all_codes{
     Code{codes::allowance_cut, CodeKind::finding, "the tool cuts into the allowance that this program must leave"},
     Code{codes::rapid_in_stock, CodeKind::finding, "a rapid move removes material"},
     Code{codes::rest_material, CodeKind::finding, "material is left outside the allowance contour"},
+    Code{codes::holder_in_stock, CodeKind::finding, "shank or holder of the tool runs into the stock"},
+    Code{codes::clamp_collision, CodeKind::finding, "tool, shank or holder runs into a clamp"},
+    Code{codes::plunging_cut, CodeKind::finding, "a tool that does not cut at its centre plunges into material"},
     Code{codes::axis_limit, CodeKind::finding, "an axis leaves its travel"},
     Code{codes::spindle_limit, CodeKind::finding, "a spindle speed outside the machine's range"},
     Code{codes::feed_limit, CodeKind::finding, "a feed above the machine's maximum"},
@@ -100,11 +108,13 @@ inline constexpr std::array all_codes{
     Code{codes::unclosed, CodeKind::unchecked, "a loop or branch without its end"},
     Code{codes::unknown_value, CodeKind::unchecked, "a system variable whose value obrys cannot know"},
     Code{codes::not_simulated, CodeKind::unchecked, "a move that was run but whose material removal was not computed"},
+    Code{codes::mesh_not_closed, CodeKind::unchecked, "a mesh whose surface does not bound a solid: inside and outside are not known"},
     Code{codes::file_missing, CodeKind::input, "a file that does not exist or cannot be read"},
     Code{codes::file_empty, CodeKind::input, "a file without content"},
     Code{codes::file_binary, CodeKind::input, "a file that is not text"},
     Code{codes::job_file, CodeKind::input, "a job, machine or tool file that is not valid TOML or has an unknown key"},
     Code{codes::job_value, CodeKind::input, "a value in a job, machine or tool file that cannot be used"},
+    Code{codes::mesh_file, CodeKind::input, "a mesh file (STL) that cannot be read: damaged, cut off or without content"},
     Code{codes::no_effect, CodeKind::info, "a known word without effect on motion"},
     Code{codes::assumption, CodeKind::info, "something assumed because the input does not say it"},
 };

@@ -1,9 +1,11 @@
 #include "check/check.hpp"
 
+#include <algorithm>
 #include <utility>
 
 #include "check/collect.hpp"
 #include "check/limits.hpp"
+#include "check/milling.hpp"
 #include "check/position.hpp"
 #include "check/removal.hpp"
 #include "check/trace.hpp"
@@ -18,12 +20,28 @@ struct Check::State {
           out(stacks, setup.findings_per_code),
           limits(setup.machine, out),
           removal(setup, out),
-          trace(setup.keep_moves) {}
+          trace(setup.keep_moves) {
+        if (!setup.milling) return;
+        milling.emplace(setup, out);
+        if (!milling->ready()) milling.reset();
+    }
 
     void move(const cl::Record& record);
     void take(const cl::Record& record, const cl::Datum& datum) {
         limits.take(record, datum);
         position.take(datum);
+    }
+    void take(const cl::Record& record, const cl::ToolChange& tool) {
+        removal.take(record, tool);
+        if (milling) milling->take(record, tool);
+    }
+    void take(const cl::Feed& feed) {
+        limits.take(feed);
+        if (milling) milling->take(feed);
+    }
+    void take(const cl::Record& record, const cl::Spindle& spindle) {
+        limits.take(record, spindle);
+        if (milling) milling->take(spindle);
     }
     void keep(const Move& m, Removed removed);
 
@@ -31,6 +49,7 @@ struct Check::State {
     Collector out;
     Limits limits;
     Removal removal;
+    std::optional<Milling> milling;
     Trace trace;
     Position position;
     cl::Totals totals;
@@ -64,7 +83,11 @@ void Check::State::move(const cl::Record& record) {
     const cl::Record in_stock_frame = moved_frame ? shifted(record, by) : cl::Record{};
     const Move m{moved_frame ? in_stock_frame : record, totals.moves, from + by, to + by, programmed.rapid};
     Removed removed = removal.take(m);
-    limits.take(programmed, removed.simulated ? std::optional(removed.cuts) : std::nullopt);
+    if (milling) milling->take(m, removal.tool_in_use());
+    // What a milling move cuts is known later: Milling says where it does so with a standing spindle.
+    limits.take(programmed, milling             ? std::optional(false)
+                            : removed.simulated ? std::optional(removed.cuts)
+                                                : std::nullopt);
     if (trace.keeps_more()) keep(m, std::move(removed));
     position.move_to(to);
 }
@@ -108,11 +131,11 @@ void Check::take(const cl::Record& record) {
     if (cl::is_move(record.step))
         s.move(record);
     else if (const auto* tool = std::get_if<cl::ToolChange>(&record.step))
-        s.removal.take(record, *tool);
+        s.take(record, *tool);
     else if (const auto* feed = std::get_if<cl::Feed>(&record.step))
-        s.limits.take(*feed);
+        s.take(*feed);
     else if (const auto* spindle = std::get_if<cl::Spindle>(&record.step))
-        s.limits.take(record, *spindle);
+        s.take(record, *spindle);
     else if (const auto* datum = std::get_if<cl::Datum>(&record.step))
         s.take(record, *datum);
     else if (const auto* axis = std::get_if<cl::Axis>(&record.step))
@@ -130,9 +153,18 @@ Result Check::finish() {
     stats.feed_moves = s.totals.feed_moves;
     stats.rapid_length_mm = s.totals.rapid_length_mm;
     stats.feed_length_mm = s.totals.feed_length_mm;
-    s.removal.finish(s.end);
+    if (s.milling)
+        s.milling->finish(true);
+    else
+        s.removal.finish(s.end);
     s.trace.finish(s.out.result());
     Result result = std::move(s.out.result());
+    // Milling says what moves met after limits have judged later ones.
+    if (s.milling)
+        std::stable_sort(result.findings.begin(), result.findings.end(), [](const Finding& a, const Finding& b) {
+            constexpr std::uint64_t last = UINT64_MAX;
+            return a.move.value_or(last) < b.move.value_or(last);
+        });
     result.verdict = verdict_of(result);
     return result;
 }

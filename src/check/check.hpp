@@ -10,11 +10,30 @@
 #include "cl/record.hpp"
 #include "cl/stacks.hpp"
 #include "geom/contour.hpp"
+#include "mesh/distance.hpp"
 #include "shop/job.hpp"
 #include "shop/machine.hpp"
 #include "shop/tool.hpp"
+#include "sim/milling/stock.hpp"
 
 namespace obrys::check {
+
+/// What stands beside the stock and may not be touched.
+struct Clamp {
+    std::string name;
+    sim::milling::Stock body;
+};
+
+/// What a milling program is held to. Frame of the stock, mm.
+struct MillingSetup {
+    sim::milling::Stock stock;
+    double tolerance = 0.01;    ///< how near the simulated surface must be to the true one
+    double memory_bytes = 2e9;  ///< what the stock may take
+    std::vector<Clamp> clamps;
+    std::shared_ptr<const mesh::Distance> part;  ///< the finished part, closed
+    bool surface = false;                        ///< the surface is asked for without a part, too
+    int threads = 0;                             ///< 0: as many as there are processors; the result is the same
+};
 
 /// What the program is held to. Regions lie in the (z, x) plane, x a radius, mm, and are closed to the axis.
 struct Setup {
@@ -24,6 +43,7 @@ struct Setup {
     std::optional<geom::Region> stock;
     std::optional<geom::Region> part;       ///< finished part
     std::optional<geom::Region> allowance;  ///< what this program must leave: the part and the allowance on it
+    std::optional<MillingSetup> milling;
     shop::Tolerances tolerances;
     std::size_t keep_moves = 0;            ///< how many moves Result::moves keeps, for pictures
     std::size_t findings_per_code = 1000;  ///< the others are counted only

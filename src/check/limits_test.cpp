@@ -9,12 +9,22 @@ namespace {
 using namespace bench_part;
 using Codes = std::vector<std::string>;
 
+shop::MachineAxis axis(const char* name, bool rotary, std::optional<double> min, std::optional<double> max) {
+    shop::MachineAxis a;
+    a.name = name;
+    a.rotary = rotary;
+    a.min = min;
+    a.max = max;
+    return a;
+}
+
 /// A lathe without stock: only the machine is checked.
 Setup machine() {
     check::Setup s = setup();
     s.stock.reset();
-    s.machine.axes = {{"X", false, 0.0, 200.0, 10'000, {}}, {"Z", false, 0.0, 500.0, 10'000, {}}};
-    s.machine.spindle = {50, 3000};
+    s.machine.axes = {axis("X", false, 0.0, 200.0), axis("Z", false, 0.0, 500.0)};
+    s.machine.spindle.min = 50;
+    s.machine.spindle.max = 3000;
     s.machine.max_feed = 4000;
     return s;
 }
@@ -72,7 +82,7 @@ TEST(Limits, SplinesBulgePastTheirEnds) {
 
 TEST(Limits, AdditionalAxesOfASplineToo) {
     check::Setup s = machine();
-    s.machine.axes.push_back({"C", true, -10.0, 90.0, 1'000, {}});
+    s.machine.axes.push_back(axis("C", true, -10.0, 90.0));
     Script run(s);
     run.step(cl::Datum{54, {0, 0, 0}}).rapid(100, 195);
     cl::Spline curve = hill(0);
@@ -97,7 +107,7 @@ TEST(Limits, WithoutAKnownZeroOnlyTheWayIsCompared) {
 
 TEST(Limits, AdditionalAxes) {
     check::Setup s = machine();
-    s.machine.axes.push_back({"C", true, -90.0, 90.0, 1000, {}});
+    s.machine.axes.push_back(axis("C", true, -90.0, 90.0));
     Script run(s);
     run.step(cl::Axis{{'C'}, 95, true});
     const Result r = run.finish();

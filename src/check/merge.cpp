@@ -26,12 +26,10 @@ void merge(Result& result, const base::Diagnostics& diagnostics) {
         switch (base::kind_of(d.code)) {
             case base::CodeKind::finding:
                 findings.push_back(
-                    {d.code, d.severity, d.text, d.remedy, d.where, d.stack, d.related, {}, {}, {}, {}, {}, {}});
+                    {d.code, d.severity, d.text, d.remedy, d.where, d.stack, d.related, {}, {}, {}, {}, {}, {}, {}});
                 break;
             case base::CodeKind::unchecked:
-            case base::CodeKind::input:
-                add(result.unchecked, d, true);
-                break;
+            case base::CodeKind::input: add(result.unchecked, d, true); break;
             case base::CodeKind::info:
                 add(d.code == base::codes::assumption ? result.assumptions : result.listed, d, false);
                 break;

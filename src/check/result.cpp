@@ -4,24 +4,18 @@ namespace obrys::check {
 
 std::string_view name(Verdict v) {
     switch (v) {
-        case Verdict::clean:
-            return "clean";
-        case Verdict::findings:
-            return "findings";
-        case Verdict::not_fully_checked:
-            return "not-fully-checked";
+        case Verdict::clean: return "clean";
+        case Verdict::findings: return "findings";
+        case Verdict::not_fully_checked: return "not-fully-checked";
     }
     return "not-fully-checked";
 }
 
 int exit_code(Verdict v) {
     switch (v) {
-        case Verdict::clean:
-            return 0;
-        case Verdict::findings:
-            return 1;
-        case Verdict::not_fully_checked:
-            return 3;
+        case Verdict::clean: return 0;
+        case Verdict::findings: return 1;
+        case Verdict::not_fully_checked: return 3;
     }
     return 3;
 }

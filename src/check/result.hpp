@@ -3,6 +3,7 @@
 /// reports.
 
 #include <cstdint>
+#include <memory>
 #include <optional>
 #include <string>
 #include <string_view>
@@ -11,6 +12,7 @@
 #include "base/diagnostic.hpp"
 #include "cl/record.hpp"
 #include "geom/contour.hpp"
+#include "mesh/compare.hpp"
 
 namespace obrys::check {
 
@@ -45,8 +47,9 @@ struct Finding {
     std::optional<std::uint64_t> move;   ///< counts Linear, Arc, Spline and Thread from 0
     std::optional<geom::Vec3> from, to;  ///< of that move; unknown coordinates are NaN
     std::vector<Amount> amounts;
-    geom::Region region;           ///< the material concerned, (z, x) plane; empty where there is none
-    std::optional<geom::Vec2> at;  ///< the worst point, (z, x)
+    geom::Region region;              ///< the material concerned, (z, x) plane; empty where there is none
+    std::optional<geom::Vec2> at;     ///< the worst point, (z, x)
+    std::optional<geom::Vec3> place;  ///< the same of milling, frame of the stock
 };
 
 /// Something that was not checked, was assumed, or is only listed.
@@ -98,6 +101,47 @@ struct Snapshot {
     geom::Region stock;
 };
 
+/// A milling move as findings, pages and force models need it. Frame of the stock.
+struct MilledMove {
+    std::uint64_t index = 0;  ///< as Finding::move counts
+    base::Span where = nowhere;
+    cl::StackId stack = 0;
+    geom::Vec3 from, to;
+    std::uint32_t tool = 0;  ///< index in Result::tools + 1; 0: none
+    bool rapid = false;
+    bool turning = false;   ///< the spindle
+    bool plunging = false;  ///< straight along the axis into the material
+    // What it met (sim/milling: Engagement).
+    double volume_mm3 = 0;
+    double contact_length_mm = 0;              ///< way over which it removed material
+    double axial_depth_mm = 0;                 ///< along the tool's axis, of what was removed
+    double rightmost_mm = 0, leftmost_mm = 0;  ///< beside the way, seen against the axis
+    std::uint32_t points_end = 0;              ///< in Milled::points: one past the last of this move; kept moves only
+    double seconds = 0;                        ///< at the programmed feed, or the machine's rapid; NaN: not known
+};
+
+struct MillingFigures {
+    double tolerance_mm = 0;
+    geom::Vec3 step;  ///< of the lattice, mm
+    double memory_mb = 0;
+    double before_mm3 = 0, after_mm3 = 0;
+    double contact_length_mm = 0;    ///< way of feed moves over which material was removed
+    double contact_accuracy_mm = 0;  ///< pieces in which that way was measured
+};
+
+/// What milling left.
+struct Milled {
+    MillingFigures figures;
+    std::vector<MilledMove> moves;
+    /// The way as a chain of points, for pictures; the first one is where the first move began. Only of the moves that
+    /// Setup::keep_moves lets keep.
+    std::vector<geom::Vec3> points;
+    std::size_t moves_with_points = 0;
+    mesh::Mesh surface;    ///< empty where nobody asked for it; tags: index in `moves` + 1, 0 the stock's own face
+    std::size_t thin = 0;  ///< walls thinner than a step, which the surface leaves out
+    std::optional<mesh::Comparison> comparison;  ///< with the part
+};
+
 struct Result {
     Verdict verdict = Verdict::clean;
     std::vector<Finding> findings;       ///< in the order in which they happen; rest material last
@@ -109,6 +153,7 @@ struct Result {
     std::vector<ToolUse> tools;
     std::vector<MoveTrace> moves;     ///< the first Setup::keep_moves moves
     std::vector<Snapshot> snapshots;  ///< of the kept moves, increasing
+    std::shared_ptr<const Milled> milled;
 };
 
 /// The verdict that follows from the lists: not fully checked wins.

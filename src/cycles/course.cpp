@@ -132,12 +132,21 @@ void Course::fault(std::string text, std::string remedy) {
     ready_ = false;
 }
 
+void Course::fault_at(std::size_t element, std::string text, std::string remedy) {
+    out_.complaints.push_back({true, std::move(text), std::move(remedy), std::nullopt, element});
+    ready_ = false;
+}
+
 void Course::not_executed(Role role) {
     skipped_ = Complaint{false, std::string(name(role)) + " is 0: the cycle is not executed", {}, role};
     ready_ = false;
 }
 
 void Course::remark(Role role, std::string text) { out_.complaints.push_back({false, std::move(text), {}, role}); }
+
+void Course::remark(std::string text, std::string remedy) {
+    out_.complaints.push_back({false, std::move(text), std::move(remedy), std::nullopt});
+}
 
 void Course::not_simulated(std::string text, std::string remedy) {
     out_.complaints.push_back({false, std::move(text), std::move(remedy), std::nullopt});

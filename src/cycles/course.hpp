@@ -25,7 +25,8 @@ public:
     double need(Role role);
     /// Not written: `otherwise`; written, it must be finite and known.
     double maybe(Role role, double otherwise);
-    /// Not written: `otherwise`; written, one of the whole numbers from `least` to `most`. `what` names it in the message.
+    /// Not written: `otherwise`; written, one of the whole numbers from `least` to `most`. `what` names it in the
+    /// message.
     int whole(Role role, int otherwise, int least, int most, const char* what);
     double at_least(Role role, double least);  ///< need, and not below
     double positive(Role role);                ///< need, and above 0
@@ -46,10 +47,13 @@ public:
 
     void fault(Role role, std::string text, std::string remedy = {});
     void fault(std::string text, std::string remedy = {});
+    /// Of an element of the contour.
+    void fault_at(std::size_t element, std::string text, std::string remedy = {});
     /// The control passes over the cycle because this is 0; whatever else is wrong with the call does not matter then.
     void not_executed(Role role);
     /// Something worth saying that changes nothing.
     void remark(Role role, std::string text);
+    void remark(std::string text, std::string remedy = {});
     void not_simulated(std::string text, std::string remedy = {});
     /// The path is not documented in this point and was chosen: see Expansion::assumption.
     void assume(std::string_view text) { out_.assumption = text; }

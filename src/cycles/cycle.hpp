@@ -49,6 +49,7 @@ struct Complaint {
     std::string text;
     std::string remedy;                      ///< may be empty
     std::optional<program::CycleRole> role;  ///< the parameter at fault
+    std::optional<std::size_t> element{};    ///< the element of a turning cycle's contour at fault
 };
 
 struct Expansion {

@@ -183,6 +183,8 @@ std::string_view name(program::CycleRole role) {
         case taper_u: return "taper in the 1st axis";
         case taper_v: return "taper in the 2nd axis";
         case runout: return "length of the runout";
+        case runout_leads: return "length of the runout in leads";
+        case infeed_method: return "method of infeed";
         case turned_axes: return "order of the axes";
     }
     return "parameter";

@@ -19,14 +19,15 @@
 ///
 ///   Fanuc. The tool stands at the start point A; the contour's first element leads from there to the contour's start.
 ///   lathe_finish          G70: -
-///   lathe_remove_along    G71: infeed U, escape R / allowance_u W, allowance_v U/2 (signed, 0), pockets 1: type II.
+///   lathe_remove_along    G71: infeed U, escape R / allowance_u W, allowance_v U/2 (signed, 0), pockets 1: type II;
+///                         relief_u, relief_v (0): what the cuts leave for the last pass (Haas K, I).
 ///   lathe_remove_across   G72: infeed W, escape R / as above.
 ///   lathe_repeat_pattern  G73: relief_u W, relief_v U, passes R / allowance_u, allowance_v.
 ///   lathe_peck_along      G74: target_u Z, infeed Q / target_v X, stepover P, escape R(e) (0), relief R(d) (0).
 ///   lathe_peck_across     G75: target_v X, infeed P / target_u Z, stepover Q, escape R(e) (0), relief R(d) (0).
 ///   lathe_thread_passes   G76: target_u Z, target_v X (root), pitch F, thread_depth P, first_depth Q / taper_v R (0),
 ///                         min_infeed Q (0), finish_allowance R (0), finish_passes m (1), infeed_angle a/2 (0), runout
-///                         (0).
+///                         (0) or runout_leads (0), infeed_method (1).
 ///   lathe_box_along       G90: target_u, target_v / taper_v R (0).
 ///   lathe_box_thread      G92: target_u, target_v, pitch / taper_v R (0), runout (0).
 ///   lathe_box_across      G94: target_u, target_v / taper_u R (0).

@@ -56,13 +56,14 @@ Vec2 Profile::laid(Vec2 p) const {
 Profile profile_of(const std::vector<TurningElement>& contour, Vec2 start, double unit) {
     Profile p;
     Vec2 at = (1 / unit) * start;
-    for (const TurningElement& e : contour) {
+    for (std::size_t i = 0; i < contour.size(); ++i) {
+        const TurningElement& e = contour[i];
         const Vec2 to = (1 / unit) * e.to;
         if (to == at) continue;
-        p.pieces.push_back({at, to, (1 / unit) * e.centre, e.turn, Corner::none, 0});
+        p.pieces.push_back({at, to, (1 / unit) * e.centre, e.turn, Corner::none, 0, i});
         at = to;
-        if (e.fillet != 0) p.pieces.push_back({at, at, at, -1, Corner::fillet, e.fillet / unit});
-        if (e.chamfer != 0) p.pieces.push_back({at, at, {}, 0, Corner::chamfer, e.chamfer / unit});
+        if (e.fillet != 0) p.pieces.push_back({at, at, at, -1, Corner::fillet, e.fillet / unit, i});
+        if (e.chamfer != 0) p.pieces.push_back({at, at, {}, 0, Corner::chamfer, e.chamfer / unit, i});
     }
     return p;
 }

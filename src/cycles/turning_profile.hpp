@@ -23,7 +23,8 @@ struct Piece {
     geom::Vec2 from, to, centre;
     int turn = 0;  ///< as of TurningElement
     Corner corner = Corner::none;
-    double corner_size = 0;  ///< of a corner that is still to be made
+    double corner_size = 0;   ///< of a corner that is still to be made
+    std::size_t element = 0;  ///< of the contour, from which it comes
 };
 
 /// What is wrong with a contour; nothing: it is well.

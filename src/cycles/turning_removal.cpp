@@ -76,8 +76,14 @@ bool rises(const Piece& p) { return p.to.y >= p.from.y - same && (p.turn == 0 ||
 struct Removal {
     double infeed = 0, escape = 0;
     bool pockets = false, rapid_infeed = true;
-    Vec2 start, shift;  ///< laid
+    Vec2 start;  ///< laid
+    Vec2 left;   ///< laid: what the cuts leave for the last pass along the contour
 };
+
+void shift_pieces(Profile& p, Vec2 by) {
+    for (Piece& piece : p.pieces)
+        for (Vec2* q : {&piece.from, &piece.to, &piece.centre}) *q = *q + by;
+}
 
 /// Where a cut at this height ends: at the contour, or at its last point's u.
 double end_of_cut(const Profile& p, double v) {
@@ -105,7 +111,9 @@ void cuts(ProfilePath& out, const Profile& p, const Removal& r) {
 
 void type_one(ProfilePath& out, const Profile& p, const Removal& r) {
     out.rapid(r.start);
-    cuts(out, p, r);
+    Profile roughed = p;
+    shift_pieces(roughed, r.left);
+    cuts(out, roughed, r);
     const Piece& first = p.pieces.front();
     r.rapid_infeed ? out.rapid(first.to) : out.feed(first.to);
     for (std::size_t i = 1; i < p.pieces.size(); ++i) out.along(p.pieces[i]);
@@ -115,18 +123,50 @@ void type_one(ProfilePath& out, const Profile& p, const Removal& r) {
 void type_two(ProfilePath& out, Profile p, const Removal& r) {
     Course& c = out.path().course();
     c.assume("the order of the cuts in pockets");
+    if (!(r.left == Vec2{})) c.remark("the allowance of a pass of its own along the contour is not left in pockets");
     if (const Fault f = check_falling(p)) return c.fault(*f);
     const Vec2 from = p.pieces.front().from, end = p.pieces.back().to;
     out.rapid(from);
     if (end.y < from.y) p.pieces.push_back({end, {end.x, from.y}, {}, 0, Corner::none, 0});
+    // The first cut lies one infeed below the start point.
+    Piece& first = p.pieces.front();
+    if (first.turn == 0 && from.y - r.infeed > first.to.y) {
+        first.from = from + r.infeed / (from.y - first.to.y) * (first.to - from);
+        r.rapid_infeed ? out.rapid(first.from) : out.feed(first.from);
+    }
     if (const Fault f = rough_down(out, p.pieces, r.infeed, r.escape, 0)) return c.fault(*f);
     out.rapid({out.laid_at().x, from.y});
+}
+
+/// False after a complaint: a contour without pockets runs in one direction in both axes, one with them along the cuts.
+bool check_direction(Course& c, const Profile& p, bool pockets) {
+    const auto wrong = std::find_if(p.pieces.begin() + 1, p.pieces.end(),
+                                    [&](const Piece& q) { return !falls(q) || (!pockets && !rises(q)); });
+    if (wrong == p.pieces.end()) return true;
+    const bool back = !falls(*wrong);
+    c.fault_at(
+        wrong->element,
+        back ? "the contour turns back here: along the cuts it must run in one direction"
+             : "the contour has a pocket here: without pockets (type I) it must run in one direction in both axes",
+        back ? "" : "name both axes in the contour's first block to allow pockets (type II)");
+    return false;
+}
+
+/// Beyond the start point nothing is removed by the cuts.
+void check_height(Course& c, const Profile& p) {
+    double top = 0;
+    for (const Piece& q : p.pieces) top = std::max(top, q.to.y - p.pieces.front().from.y);
+    if (top > profile::slack)
+        c.remark(
+            "the contour reaches beyond the start point of the cycle: what lies there is cut by the last pass alone",
+            "begin the cycle outside; newer controls stop here");
 }
 
 void remove(TurningPath& path, const TurningDemand& demand, Vec2 start) {
     Course& c = path.course();
     Removal r;
-    r.infeed = c.positive(Role::infeed);
+    r.infeed = c.need(Role::infeed);
+    if (r.infeed <= 0) c.fault(Role::infeed, "the depth of cut must be greater than 0", "give the depth of one cut");
     r.escape = c.at_least(Role::escape, 0);
     r.pockets = c.whole(Role::pockets, 0, 0, 1, "the type of stock removal") == 1;
     const Vec2 allowance = read_allowance(c);
@@ -134,15 +174,13 @@ void remove(TurningPath& path, const TurningDemand& demand, Vec2 start) {
     Profile p = lay_for_removal(demand, start, demand.cycle.kind == Kind::lathe_remove_across);
     if (p.pieces.size() < 2) return c.fault("the contour has no length");
     r.rapid_infeed = demand.contour.front().rapid;
-    r.shift = p.laid(allowance);
-    for (Piece& piece : p.pieces)
-        for (Vec2* q : {&piece.from, &piece.to, &piece.centre}) *q = *q + r.shift;
+    shift_pieces(p, p.laid(allowance));
+    r.left = p.laid({c.maybe(Role::relief_u, 0), c.maybe(Role::relief_v, 0)});
     r.start = p.pieces.front().from;
     if ((r.start.y - p.pieces.front().to.y) / r.infeed > double(most_steps) / 8)
         return c.fault(Role::infeed, "the infeed is too small for the contour");
-    const bool one_way =
-        std::all_of(p.pieces.begin() + 1, p.pieces.end(), [](const Piece& q) { return rises(q) && falls(q); });
-    if (!one_way && !r.pockets) return c.fault("the contour does not run in one direction", "allow pockets (type II)");
+    if (!check_direction(c, p, r.pockets)) return;
+    check_height(c, p);
     ProfilePath out(path, p, 1);
     r.pockets ? type_two(out, p, r) : type_one(out, p, r);
     if (c.ready()) path.rapid(start);

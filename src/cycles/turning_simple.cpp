@@ -46,8 +46,11 @@ Pecks read_pecks(Course& c, const TurningDemand& demand) {
     p.infeed = c.maybe_at_least(Role::infeed, 0, 0);
     p.step = c.maybe_at_least(Role::stepover, 0, 0);
     p.escape = c.maybe_at_least(Role::escape, 0, 0);
-    p.relief = c.maybe_at_least(Role::relief, 0, 0);
     const double across = std::abs(p.target.y - p.start.y), deep = std::abs(p.target.x - p.start.x);
+    // Without steps its sign says the side.
+    p.relief = across == 0 ? 0 : c.maybe_at_least(Role::relief, 0, 0);
+    if (demand.cycle.find(Role::stepover) && p.step == 0 && across > 0)
+        c.fault(Role::stepover, "the step must not be 0 where the other axis moves");
     if (p.step > 0 && across / p.step > double(most_steps)) c.fault(Role::stepover, "the steps are too small");
     if (demand.cycle.find(Role::infeed) && p.infeed == 0) c.fault(Role::infeed, "the infeed must not be 0");
     if (p.infeed > 0 && deep / p.infeed > double(most_steps)) c.fault(Role::infeed, "the infeed is too small");

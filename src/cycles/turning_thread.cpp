@@ -162,20 +162,27 @@ void single(TurningPath& path, const TurningDemand& demand) {
     path.rapid(l.home);
 }
 
-/// Depths of all passes: equal areas, but no step below the least; what the finishing leaves last; then the finishing.
-std::vector<double> depths_of(Course& c, double whole, double first, double least, double left, double finishing) {
+struct Depths {
+    double whole = 0, first = 0, least = 0;
+    double left = 0;       ///< for the finishing
+    double finishing = 1;  ///< passes
+    bool equal = false;    ///< depths; else areas
+};
+
+/// Depths of all passes: no step below the least; what the finishing leaves last; then the finishing.
+std::vector<double> depths_of(Course& c, const Depths& d) {
     std::vector<double> depths;
-    double depth = first;
-    for (int n = 2; depth < whole - left - 1e-9; ++n) {
+    double depth = d.first;
+    for (int n = 2; depth < d.whole - d.left - 1e-9; ++n) {
         if (double(depths.size()) > most_passes) {
             c.fault(Role::first_depth, "the depth of the first cut is too small");
             return {};
         }
         depths.push_back(depth);
-        depth = std::max(first * std::sqrt(double(n)), depth + least);
+        depth = std::max(d.first * (d.equal ? double(n) : std::sqrt(double(n))), depth + d.least);
     }
-    if (left > 0) depths.push_back(whole - left);
-    for (double i = 0; i < finishing; i += 1) depths.push_back(whole);
+    if (d.left > 0) depths.push_back(d.whole - d.left);
+    for (double i = 0; i < d.finishing; i += 1) depths.push_back(d.whole);
     return depths;
 }
 
@@ -188,16 +195,26 @@ void passes(TurningPath& path, const TurningDemand& demand) {
     const double left = c.maybe_at_least(Role::finish_allowance, 0, 0);
     const double finishing = std::max(1.0, whole_passes(c, Role::finish_passes, 1));
     const double angle = c.maybe(Role::infeed_angle, 0);
+    const int method = c.whole(Role::infeed_method, 1, 1, 4, "the method of infeed");
+    const double leads = c.maybe_at_least(Role::runout_leads, 0, 0);
+    if (l.runout == 0) l.runout = leads * l.pitch;
+    if (least > whole) c.fault(Role::min_infeed, "the smallest depth of cut is more than the depth of the thread");
     if (angle < 0 || angle > 60) c.fault(Role::infeed_angle, "the infeed angle must lie between 0 and 60 degrees");
     if (left >= whole) c.fault(Role::finish_allowance, "the finishing allowance is not less than the depth");
     if (!c.ready()) return;
-    const auto depths = depths_of(c, whole, first, least, left, finishing);
+    const auto depths = depths_of(c, {whole, first, least, left, finishing, method >= 3});
     if (!c.ready()) return;
-    if (angle > 0) c.assume("all passes end at the same place; their starts are shifted by the infeed angle");
+    const bool both = method == 2 || method == 4;
+    if (angle > 0)
+        c.assume(both ? "all passes end at the same place; the first one is on the flank behind"
+                      : "all passes end at the same place; their starts are shifted by the infeed angle");
     const double out = ends.start.y >= ends.target.y ? 1 : -1, on = ends.target.x < ends.start.x ? -1 : 1;
-    for (const double depth : depths) {
+    for (std::size_t i = 0; i < depths.size(); ++i) {
         if (!c.room()) return;
-        l.home.x = ends.start.x + on * depth * std::tan(geom::radians(angle));
+        // The flank behind is touched where the start moves ahead by depth * tan; the other one is its mirror image
+        // about the last pass.
+        const double depth = depths[i], ahead = both && i % 2 != 0 ? 2 * whole - depth : depth;
+        l.home.x = ends.start.x + on * ahead * std::tan(geom::radians(angle));
         l.end.y = ends.target.y + out * (whole - depth);
         path.rapid(l.home);
         thread_line(path, l);

@@ -2,7 +2,8 @@
 
 namespace obrys::driver {
 
-Checked check_program(Session& session, std::size_t keep_moves, const std::function<void(std::uint64_t)>& progress) {
+Checked check_program(Session& session, std::size_t keep_moves, const MillingRequest& milling,
+                      const std::function<void(std::uint64_t)>& progress) {
     // 1. What the program is held to: machine, tools, stock, part, allowance (shop; resolved when the session was
     // opened).
     check::Setup setup;
@@ -14,6 +15,7 @@ Checked check_program(Session& session, std::size_t keep_moves, const std::funct
     setup.allowance = session.allowance;
     setup.tolerances = session.job.tolerances;
     setup.keep_moves = keep_moves;
+    setup.milling = milling_setup(session, milling);
 
     // 2. Program tree -> CL stream -> removal and findings, record by record (interp, check, sim/turning).
     check::Check check(setup, session.stacks);

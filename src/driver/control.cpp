@@ -22,17 +22,47 @@ std::string o_word_file(std::string_view program) {
     return std::string(program.substr(program.starts_with("O") ? 1 : 0));
 }
 
-/// A file that holds one program.
+/// A file that holds one program, for any machine.
 template <program::Unit (*read)(std::uint32_t, const base::Sources&, program::Names&, base::Diagnostics&)>
 std::vector<program::Unit> alone(std::uint32_t file, const base::Sources& sources, program::Names& names,
-                                 base::Diagnostics& diagnostics) {
+                                 base::Diagnostics& diagnostics, const shop::Machine*) {
     std::vector<program::Unit> units;
     units.push_back(read(file, sources, names, diagnostics));
     return units;
 }
+/// A file of several programs, for any machine.
+template <std::vector<program::Unit> (*read)(std::uint32_t, const base::Sources&, program::Names&, base::Diagnostics&)>
+std::vector<program::Unit> several(std::uint32_t file, const base::Sources& sources, program::Names& names,
+                                   base::Diagnostics& diagnostics, const shop::Machine*) {
+    return read(file, sources, names, diagnostics);
+}
+
+read::rs274::FanucOptions fanuc_options(const shop::Machine* machine) {
+    using dialect::rs274::FanucMachine;
+    using dialect::rs274::GSystem;
+    using dialect::rs274::WholeNumbers;
+    read::rs274::FanucOptions o;
+    if (machine == nullptr) return o;
+    o.machine = machine->kind == shop::MachineKind::lathe ? FanucMachine::lathe : FanucMachine::mill;
+    const char system = machine->control.g_code_system.value_or('A');
+    o.system = system == 'B' ? GSystem::b : system == 'C' ? GSystem::c : GSystem::a;
+    o.whole_numbers =
+        machine->control.whole_numbers_count.value_or(true) ? WholeNumbers::increments : WholeNumbers::units;
+    o.whole_numbers_known = machine->control.whole_numbers_count.has_value();
+    return o;
+}
+
+std::vector<program::Unit> read_fanuc(std::uint32_t file, const base::Sources& sources, program::Names& names,
+                                      base::Diagnostics& diagnostics, const shop::Machine* machine) {
+    return read::rs274::read_fanuc(file, sources, names, diagnostics, fanuc_options(machine));
+}
+std::vector<program::Unit> read_haas(std::uint32_t file, const base::Sources& sources, program::Names& names,
+                                     base::Diagnostics& diagnostics, const shop::Machine* machine) {
+    return read::rs274::read_haas(file, sources, names, diagnostics, fanuc_options(machine));
+}
 
 constexpr std::array sinumerik_languages{
-    Language{base::BlockNumbers::n_word, read::sinumerik::read, read::sinumerik::likelihood},
+    Language{base::BlockNumbers::n_word, several<read::sinumerik::read>, read::sinumerik::likelihood},
 };
 constexpr std::array heidenhain_languages{
     Language{base::BlockNumbers::leading, alone<read::heidenhain::read>, read::heidenhain::likelihood},
@@ -40,14 +70,14 @@ constexpr std::array heidenhain_languages{
 };
 
 constexpr std::array linuxcnc_languages{
-    Language{base::BlockNumbers::n_word, read::rs274::read_linuxcnc, read::rs274::linuxcnc_likelihood},
+    Language{base::BlockNumbers::n_word, several<read::rs274::read_linuxcnc>, read::rs274::linuxcnc_likelihood},
 };
 
 constexpr std::array fanuc_languages{
-    Language{base::BlockNumbers::n_word, read::rs274::read_fanuc, read::rs274::fanuc_likelihood},
+    Language{base::BlockNumbers::n_word, read_fanuc, read::rs274::fanuc_likelihood},
 };
 constexpr std::array haas_languages{
-    Language{base::BlockNumbers::n_word, read::rs274::read_haas, read::rs274::haas_likelihood},
+    Language{base::BlockNumbers::n_word, read_haas, read::rs274::haas_likelihood},
 };
 
 constexpr std::array controls_table{

@@ -9,13 +9,16 @@
 #include "base/diagnostic.hpp"
 #include "program/names.hpp"
 #include "program/unit.hpp"
+#include "shop/machine.hpp"
 
 namespace obrys::driver {
 
 /// One way of writing programs for a control.
 struct Language {
     base::BlockNumbers numbers = base::BlockNumbers::none;
-    std::vector<program::Unit> (*read)(std::uint32_t file, const base::Sources&, program::Names&, base::Diagnostics&);
+    /// `machine`: the one the program is for, where somebody says it; else null.
+    std::vector<program::Unit> (*read)(std::uint32_t file, const base::Sources&, program::Names&, base::Diagnostics&,
+                                       const shop::Machine* machine);
     int (*likelihood)(std::string_view text, std::string_view file_name);  ///< 0 to 100
 };
 

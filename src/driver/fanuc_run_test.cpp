@@ -4,55 +4,13 @@
 
 #include <algorithm>
 
-#include "cl/text.hpp"
-#include "interp/interp.hpp"
-#include "read/rs274/fanuc_read.hpp"
+#include "driver/fanuc_testing.hpp"
 
 namespace obrys::driver {
 namespace {
 
-struct Ran {
-    std::string moves;  ///< one a line, without places
-    std::string messages;
-    interp::Ending ending = interp::Ending::regular;
-};
-
-Ran run(const std::string& text, const read::rs274::FanucOptions& options = {}, bool haas = false) {
-    base::Sources sources;
-    base::Diagnostics diagnostics;
-    program::Names names;
-    const auto file = sources.add("TEST.NC", text, base::BlockNumbers::n_word);
-    const auto units = haas ? read::rs274::read_haas(file, sources, names, diagnostics, options)
-                            : read::rs274::read_fanuc(file, sources, names, diagnostics, options);
-    shop::Machine machine;
-    if (options.machine == dialect::rs274::FanucMachine::lathe) machine.kind = shop::MachineKind::lathe;
-    const std::vector<shop::Tool> tools;
-    const std::vector<shop::Override> overrides;
-    const std::vector<int> skip;
-    const std::vector<const program::Unit*> definitions;
-    const std::map<std::string, std::string> variables;
-    const shop::Budgets budgets;
-    const auto find = [&](std::string_view name) -> const program::Unit* {
-        for (const program::Unit& u : units)
-            if (u.name == name) return &u;
-        return nullptr;
-    };
-    const interp::Environment environment{sources, names, machine, tools,       overrides,
-                                          budgets, skip,  find,    definitions, variables};
-    cl::CallStacks stacks;
-    Ran out;
-    out.ending = interp::run(
-                     units.at(0), environment, stacks,
-                     [&](const cl::Record& r) {
-                         if (!cl::is_move(r.step)) return;
-                         const std::string line = cl::to_text(r);
-                         out.moves += line.substr(0, line.find(" @")) + "\n";
-                     },
-                     diagnostics)
-                     .ending;
-    for (const base::Diagnostic& d : diagnostics.all()) out.messages += d.text + "\n";
-    return out;
-}
+using testing::Ran;
+using testing::run;
 
 std::string on_mill(const std::string& lines) {
     const Ran r = run("%\nO1\nG21 G90 G17\nG1 X0 Y0 Z0 F100\n" + lines + "\nM30\n%\n",
@@ -109,14 +67,6 @@ TEST(FanucRun, SingleTurningCycles) {
               "rapid 22 0 2\nlinear 22 0 -30\nlinear 26 0 -30\nrapid 26 0 2\n"
               "rapid 26 0 -1\nlinear 10 0 -1\nlinear 10 0 2\nrapid 26 0 2\n"
               "rapid 30 0 2\n");
-}
-
-TEST(FanucRun, FinishingRunsTheContourAndComesBack) {
-    const Ran r =
-        run("%\nO1\nG21\nG0 X52. Z2.\nG71 P10 Q20 U0.4 F0.3\nN10 G0 X20.\nN20 G1 Z-5. F0.1\nG70 P10 Q20\nM30\n%\n",
-            {.machine = dialect::rs274::FanucMachine::lathe});
-    EXPECT_EQ(r.moves, "rapid 26 0 2\nrapid 10 0 2\nlinear 10 0 -5\nrapid 26 0 2\n");
-    EXPECT_NE(r.messages.find("stock removal along Z"), std::string::npos) << r.messages;
 }
 
 TEST(FanucRun, LocalSubprogramsOfHaas) {

@@ -62,8 +62,10 @@ std::string similar_names(const fs::path& folder, std::string_view name) {
     return out;
 }
 
-std::optional<std::uint32_t> load(const fs::path& path, base::Sources& sources, base::Diagnostics& diagnostics,
-                                  const base::Span& where) {
+namespace {
+
+/// The size of a file that can be read; nothing after a complaint.
+std::optional<std::uintmax_t> size_of(const fs::path& path, base::Diagnostics& diagnostics, const base::Span& where) {
     const std::string shown = path.generic_string();
     std::error_code error;
     const fs::file_status status = fs::status(path, error);
@@ -82,12 +84,33 @@ std::optional<std::uint32_t> load(const fs::path& path, base::Sources& sources, 
         complain(diagnostics, codes::file_missing, where, shown + " is larger than 4 GiB");
         return std::nullopt;
     }
+    if (!error && fs::is_regular_file(status)) return size;
+    complain(diagnostics, codes::file_missing, where,
+             shown + " cannot be read" + (error ? ": " + error.message() : std::string{}));
+    return std::nullopt;
+}
+
+}  // namespace
+
+std::optional<std::string> load_bytes(const fs::path& path, base::Diagnostics& diagnostics, const base::Span& where) {
+    const auto size = size_of(path, diagnostics, where);
+    std::string bytes;
+    if (size && read_text(path, *size, bytes)) return bytes;
+    if (size) complain(diagnostics, codes::file_missing, where, path.generic_string() + " cannot be read");
+    return std::nullopt;
+}
+
+std::optional<std::uint32_t> load(const fs::path& path, base::Sources& sources, base::Diagnostics& diagnostics,
+                                  const base::Span& where) {
+    const std::string shown = path.generic_string();
+    const auto known = size_of(path, diagnostics, where);
+    if (!known) return std::nullopt;
+    const std::uintmax_t size = *known;
     std::string small;
     std::unique_ptr<base::Store> large;
-    if (!error && size >= large_text) large = read_large_text(path.string(), shown, size);
-    if (error || !fs::is_regular_file(status) || (large == nullptr && !read_text(path, size, small))) {
-        complain(diagnostics, codes::file_missing, where,
-                 shown + " cannot be read" + (error ? ": " + error.message() : std::string{}));
+    if (size >= large_text) large = read_large_text(path.string(), shown, size);
+    if (large == nullptr && !read_text(path, size, small)) {
+        complain(diagnostics, codes::file_missing, where, shown + " cannot be read");
         return std::nullopt;
     }
     const std::string_view text = large == nullptr ? std::string_view(small) : large->bytes();

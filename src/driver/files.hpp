@@ -21,6 +21,10 @@ inline constexpr base::Span nowhere{0xFFFFFFFF, 0, 0};
 std::optional<std::uint32_t> load(const fs::path& path, base::Sources& sources, base::Diagnostics& diagnostics,
                                   const base::Span& where = nowhere);
 
+/// The bytes of a file that is no text (STL); nothing after a complaint at `where`.
+std::optional<std::string> load_bytes(const fs::path& path, base::Diagnostics& diagnostics,
+                                      const base::Span& where = nowhere);
+
 /// Writes a whole file or nothing: to a neighbour first, then renamed. False (and a complaint) where that fails.
 bool store(const fs::path& path, std::string_view content, base::Diagnostics& diagnostics);
 

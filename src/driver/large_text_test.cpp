@@ -157,7 +157,8 @@ void expect_same_tree(const Language& language, const std::string& text) {
     base::Diagnostics d[2];
     const auto whole = s.add("A.X", text);
     const auto file = s.add("A.X", read_large_text(folder.write("A.X", text).string(), "A.X", text.size()));
-    const std::vector<program::Unit> a = language.read(whole, s, names, d[0]), b = language.read(file, s, names, d[1]);
+    const std::vector<program::Unit> a = language.read(whole, s, names, d[0], nullptr),
+                                     b = language.read(file, s, names, d[1], nullptr);
     ASSERT_EQ(a.size(), b.size());
     for (std::size_t i = 0; i < a.size(); ++i) {
         EXPECT_EQ(a[i].labels, b[i].labels);

@@ -46,7 +46,7 @@ std::string Programs::searched() const {
 const program::Unit* Programs::read(std::uint32_t file) {
     const Language& language = language_of(control_, sources_[file].text, sources_[file].name);
     sources_.set_block_numbers(file, language.numbers);
-    std::vector<program::Unit> units = language.read(file, sources_, names_, diagnostics_);
+    std::vector<program::Unit> units = language.read(file, sources_, names_, diagnostics_, machine_);
     const program::Unit* first = nullptr;
     const fs::path path(sources_[file].name);
     const std::string suffix = base::to_upper(path.extension().string());

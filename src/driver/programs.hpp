@@ -18,6 +18,8 @@ public:
     Programs(const Control& control, base::Sources& sources, base::Diagnostics& diagnostics)
         : control_(control), sources_(sources), diagnostics_(diagnostics) {}
 
+    /// The machine that the programs are for, where somebody has named it; must outlive the reading.
+    void set_machine(const shop::Machine* machine) { machine_ = machine; }
     /// Folder in which called programs are looked for, in the order of the calls of this function.
     void add_folder(const fs::path& folder);
     /// Reads a program that is already among the sources; the first unit of an archive is the main one.
@@ -40,6 +42,7 @@ private:
     const Control& control_;
     base::Sources& sources_;
     base::Diagnostics& diagnostics_;
+    const shop::Machine* machine_ = nullptr;
     program::Names names_;
     std::vector<std::unique_ptr<program::Unit>> units_;
     std::vector<const program::Unit*> definitions_;

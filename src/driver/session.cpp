@@ -6,6 +6,7 @@
 #include "base/number.hpp"
 #include "base/text.hpp"
 #include "driver/contours.hpp"
+#include "shop/fusion_tools.hpp"
 #include "shop/linuxcnc_ini.hpp"
 #include "shop/linuxcnc_parameters.hpp"
 #include "shop/linuxcnc_table.hpp"
@@ -30,6 +31,23 @@ bool is_job(const fs::path& path) { return base::equals_ignoring_case(path.exten
 fs::path beside(const fs::path& job, const std::string& written) {
     const fs::path path(written);
     return path.is_absolute() ? path : (job.parent_path() / path).lexically_normal();
+}
+
+/// A job that names no program is about the one beside it that is called like it: ball.ngc of ball.job.toml.
+std::string program_beside(const fs::path& job) {
+    fs::path stem = job.stem();
+    if (base::equals_ignoring_case(stem.extension().string(), ".job")) stem = stem.stem();
+    std::vector<std::string> found;
+    std::error_code error;
+    for (const fs::directory_entry& e : fs::directory_iterator(job.has_parent_path() ? job.parent_path() : ".", error)) {
+        const std::string suffix = base::to_upper(e.path().extension().string());
+        const auto is_program = [&](const Control& c) {
+            return std::find(c.program_suffixes.begin(), c.program_suffixes.end(), suffix) != c.program_suffixes.end();
+        };
+        if (e.path().stem() == stem && std::any_of(all_controls().begin(), all_controls().end(), is_program))
+            found.push_back(e.path().filename().string());
+    }
+    return found.size() == 1 ? found.front() : std::string{};
 }
 
 std::string control_names() {
@@ -73,13 +91,17 @@ bool load_machine(Session& s, const fs::path& base_path, const std::string& name
     return true;
 }
 
-/// A tool list (.toml), a HEIDENHAIN (.t) or LinuxCNC (.tbl) tool table, or SINUMERIK tool data (any other ending).
+/// A tool list (.toml), a HEIDENHAIN (.t) or LinuxCNC (.tbl) tool table, a Fusion tool library (.json, or what begins like
+/// JSON), or SINUMERIK tool data (any other ending).
 std::vector<shop::Tool> read_tool_file(const fs::path& path, std::uint32_t file, Session& s) {
     if (is_job(path)) return shop::read_tools(file, s.sources, s.diagnostics);
     if (base::equals_ignoring_case(path.extension().string(), ".tbl"))
         return shop::read_tbl(file, s.sources, s.machine_unit, s.diagnostics);
     if (base::equals_ignoring_case(path.extension().string(), ".t"))
         return shop::read_tool_t(file, s.sources, s.diagnostics);
+    const std::string_view text = base::trim(s.sources[file].text);
+    if (base::equals_ignoring_case(path.extension().string(), ".json") || text.starts_with('{'))
+        return shop::read_fusion_tools(file, s.sources, s.diagnostics);
     return shop::read_toa(file, s.sources, s.diagnostics);
 }
 
@@ -118,12 +140,17 @@ bool looks_like_turning(const program::Unit& unit) {
     return false;
 }
 
-bool choose_machine(Session& s, const Request& request, const fs::path& job_path) {
+/// The machine that the call or the job names; false where it cannot be read. `named`: there is one.
+bool load_named_machine(Session& s, const Request& request, const fs::path& job_path, bool& named) {
     const std::string name = !request.machine.empty() ? request.machine
                              : s.job.machine_is_file  ? s.job.machine_name
                                                       : std::string{};
-    if (!name.empty()) return load_machine(s, request.machine.empty() ? job_path : fs::path{}, name);
-    if (s.has_job && !s.job.machine_name.empty()) return true;
+    named = !name.empty() || (s.has_job && !s.job.machine_name.empty());
+    return name.empty() || load_machine(s, request.machine.empty() ? job_path : fs::path{}, name);
+}
+
+/// Where none is named, one for what the program is.
+void choose_machine(Session& s) {
     const bool turning = s.has_job ? s.job.machine.kind == shop::MachineKind::lathe : looks_like_turning(*s.main);
     const char* generic = turning ? "lathe-generic" : "mill-generic";
     shop::use_machine(s.job, *shop::shipped_machine(generic));
@@ -132,7 +159,6 @@ bool choose_machine(Session& s, const Request& request, const fs::path& job_path
            std::string("no machine is named: ") + generic + " is taken" +
                (turning && !s.main->traits->radius_at_start ? ", X words are diameters until DIAMOF" : ""),
            "name one with --machine or in the job");
-    return true;
 }
 
 /// The control that the call or the job names; else what the text looks like.
@@ -204,6 +230,11 @@ bool read_main(Session& s, const Request& request, const fs::path& path) {
     const Control* control = choose_control(s, request, *file);
     if (control == nullptr) return false;
     s.programs = std::make_unique<Programs>(*control, s.sources, s.diagnostics);
+    bool named = false;
+    if (!load_named_machine(s, request, request.input, named)) return false;
+    // A job with turned stock, part or tools says that it is for a lathe.
+    const bool told = named || (s.has_job && s.job.machine.kind == shop::MachineKind::lathe);
+    s.programs->set_machine(told ? &s.job.machine : nullptr);
     s.programs->add_folder(path.parent_path());
     for (const std::string& folder : request.search) s.programs->add_folder(folder);
     for (const std::string& folder : s.job.search) s.programs->add_folder(beside(request.input, folder));
@@ -211,6 +242,7 @@ bool read_main(Session& s, const Request& request, const fs::path& path) {
     s.main = s.programs->read(*file);
     s.programs->read_definitions();
     if (s.main == nullptr) complain(s, codes::syntax, {*file, 0, 0}, "this file holds no program");
+    if (s.main != nullptr && !named) choose_machine(s);
     return s.main != nullptr;
 }
 
@@ -224,12 +256,17 @@ std::vector<std::string> controls() {
 
 bool open(const Request& request, Session& s) {
     const fs::path input(request.input);
+    s.folder = input.parent_path().string();
     fs::path program = input;
     if (is_job(input)) {
         const auto file = load(input, s.sources, s.diagnostics);
         if (!file) return false;
         s.job = shop::read_job(*file, s.sources, s.diagnostics);
         s.has_job = true;
+        if (s.job.program.empty()) s.job.program = program_beside(input);
+        if (s.job.program.empty() && !s.diagnostics.has_errors())
+            complain(s, codes::job_value, s.job.program_where, "the job file has no 'program'",
+                     "name it, or put one program with the job's name beside the job");
         if (s.job.program.empty() || s.diagnostics.has_errors()) return false;
         program = beside(input, s.job.program);
     }
@@ -246,7 +283,7 @@ bool open(const Request& request, Session& s) {
                  prints.generic_string() + ", where programs shall print to, is not a folder", "make it before");
         good = false;
     }
-    if (!good || !read_main(s, request, program) || !choose_machine(s, request, input)) return false;
+    if (!good || !read_main(s, request, program)) return false;
     s.job.skip_levels.insert(s.job.skip_levels.end(), request.skip.begin(), request.skip.end());
     if (request.diameter) s.job.machine.defaults.diameter_programming = *request.diameter;
     load_configuration(s, request);

@@ -75,11 +75,26 @@ path::ArcResult about_pole(const Run& run, Vec2 from, Vec2 to, path::Sense sense
                                   static_cast<int>(std::min(whole, 1e6)));
 }
 
+/// Full turns beyond the arc to its end: TURN=, or P - 1 where the control counts the arc itself
+/// (Traits::arc_turns_in_p).
+std::optional<int> turns_of(Run& run) {
+    const BlockWords& b = run.block;
+    if (b.has(Code::turns)) return static_cast<int>(std::clamp(b.get(Code::turns), 0.0, 999.0));
+    if (!run.traits->arc_turns_in_p || !b.has(Code::p)) return 0;
+    const double p = b.get(Code::p);
+    if (p >= 1 && p <= 1000 && p == std::floor(p)) return static_cast<int>(p) - 1;
+    alarm(run, codes::value_range, run.here(),
+          "P, the number of turns of an arc, must be a whole number from 1 to 1000");
+    return std::nullopt;
+}
+
 path::ArcResult planar_arc(Run& run, Vec2 from, Vec2 to, bool end_given, const PlaneAxes& a) {
     const BlockWords& b = run.block;
     const path::Sense sense =
         run.modal.motion == Modal::arc_cw ? path::Sense::clockwise : path::Sense::counter_clockwise;
-    const int turns = b.has(Code::turns) ? static_cast<int>(std::clamp(b.get(Code::turns), 0.0, 999.0)) : 0;
+    const auto given = turns_of(run);
+    if (!given) return {};
+    const int turns = *given;
     const bool centre = b.has(centre_words[a.u]) || b.has(centre_words[a.v]);
     if (b.has(Code::centre_at_pole)) return about_pole(run, from, to, sense, a);
     if (run.modal.motion == Modal::arc_tangent) return path::arc_by_tangent(from, to, run.last_direction);
@@ -105,7 +120,7 @@ bool has_unknown_circle_word(const Run& run) {
     for (const Code c : {Code::i, Code::j, Code::k, Code::i1, Code::j1, Code::k1, Code::radius, Code::opening_angle,
                          Code::turns, Code::pole_angle})
         if (run.block.has(c) && std::isnan(run.block.get(c))) return true;
-    return false;
+    return run.traits->arc_turns_in_p && run.block.has(Code::p) && std::isnan(run.block.get(Code::p));
 }
 
 void remember_direction(Run& run, const path::Element& e) {

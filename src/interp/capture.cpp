@@ -43,6 +43,7 @@ struct Rehearsal::Saved {
     CannedState canned;
     bool mist, flood, probed;
     Overrides overrides;
+    std::map<std::pair<int, program::CycleRole>, double> cycle_store;
     Scope globals;
     /// What the variables hold: calls and scopes share them with what is run ahead.
     std::vector<std::pair<std::shared_ptr<Array>, Array>> values;
@@ -107,6 +108,7 @@ Rehearsal::Rehearsal(Run& r)
                        r.flood,
                        r.probed,
                        r.overrides,
+                       r.cycle_store,
                        r.globals,
                        values_of(r)}) {
     run_.capture = &elements_;
@@ -158,6 +160,7 @@ Rehearsal::~Rehearsal() {
     run_.flood = s.flood;
     run_.probed = s.probed;
     run_.overrides = s.overrides;
+    run_.cycle_store = std::move(s.cycle_store);
     run_.globals = std::move(s.globals);
     for (auto& [array, value] : s.values) *array = std::move(value);
 }
@@ -200,6 +203,24 @@ std::optional<std::vector<Captured>> elements_of_turned_contour(Run& run, const 
     auto elements = elements_of_program(run, unit, from);
     run.turned_contour = before;
     return elements;
+}
+
+BlockRehearsal elements_of_blocks(Run& run, std::uint32_t first, std::uint32_t last) {
+    BlockRehearsal out;
+    const Rehearsal rehearsal(run);
+    run.silenced = &out.complaints;
+    const std::size_t depth = run.calls.size();
+    run.top().pc = first;
+    run.top().sections.clear();
+    for (std::size_t n = 0; n < most_statements && !run.stopped; ++n) {
+        const bool outside = run.calls.size() != depth || run.top().pc < first || run.top().pc > last;
+        out.ended = run.calls.size() == depth && run.top().pc == last + 1;
+        if (outside) break;
+        step(run);
+    }
+    run.silenced = nullptr;
+    out.elements = rehearsal.elements();
+    return out;
 }
 
 std::optional<std::vector<Captured>> elements_of_program(Run& run, const Unit& unit, std::optional<geom::Vec3> from) {

@@ -53,4 +53,12 @@ private:
 /// The same of a turning cycle's contour: U and W are steps along X and Z, A and C belong to the corner.
 [[nodiscard]] std::optional<std::vector<Captured>> elements_of_turned_contour(Run&, const Unit& unit, geom::Vec3 from);
 
+/// The elements that a stretch of the program's own statements makes, and what it complains about.
+struct BlockRehearsal {
+    std::vector<Captured> elements;
+    std::vector<base::Diagnostic> complaints;  ///< an error is an alarm
+    bool ended = false;                        ///< it ran to the end of the stretch
+};
+[[nodiscard]] BlockRehearsal elements_of_blocks(Run&, std::uint32_t first, std::uint32_t last);
+
 }  // namespace obrys::interp

@@ -7,6 +7,7 @@
 #include "base/codes.hpp"
 #include "cycles/cycle.hpp"
 #include "cycles/names.hpp"
+#include "cycles/turning.hpp"
 #include "interp/contour_cycle.hpp"
 #include "interp/cycle_call.hpp"
 
@@ -267,6 +268,7 @@ void define_cycle(Run& run, const CycleDefinition& d) {
         run.cycle = std::move(c);
         return;
     }
+    if (cycles::is_turning_cycle(d.kind)) return define_turning_cycle(run, c);
     if (d.use == CycleUse::run && !act_at_definition(run, c))
         unchecked(run, codes::unsupported, d.where, d.name + " is not run");
 }

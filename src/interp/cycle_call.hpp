@@ -26,6 +26,8 @@ void emit_step(Run&, cl::Step step);
 /// As above, but through radius compensation where it is on: cycles whose moves are the contour itself.
 void path_step(Run&, cl::Step step);
 void emit_steps(Run&, std::vector<cl::Step>&);
+/// Those of a turning cycle: threads tell that they follow the spindle (turning.cpp).
+void emit_turning_steps(Run&, std::vector<cl::Step>&);
 /// (u, v, w) of the working plane, as cycles have it.
 [[nodiscard]] geom::Vec3 into_plane(const geom::Vec3& p, const PlaneAxes& a);
 [[nodiscard]] geom::Vec3 out_of_plane(const geom::Vec3& p, const PlaneAxes& a);

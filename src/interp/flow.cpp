@@ -119,6 +119,17 @@ std::vector<std::uint32_t> numbered_blocks(const Run& run, std::int64_t n) {
     return at;
 }
 
+}  // namespace
+
+std::vector<std::uint32_t> numbered_statements(const Run& run, double n) {
+    if (!(n >= 0 && n <= 1e9) || n != std::floor(n)) return {};
+    const auto whole = static_cast<std::int64_t>(n);
+    const auto found = run.unit().labels.find(run.env.names.id("N" + std::to_string(whole)));
+    return found != run.unit().labels.end() ? found->second : numbered_blocks(run, whole);
+}
+
+namespace {
+
 std::uint32_t find_destination(Run& run, const std::string& name, program::JumpDirection d) {
     const std::uint32_t here = run.top().pc - 1;
     const std::string upper = base::to_upper(name);

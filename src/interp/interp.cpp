@@ -166,7 +166,9 @@ void end_of_section(Run& run) {
         return;
     }
     act.pc = section.back;
+    const ActiveSection done = section;
     act.sections.pop_back();
+    if (done.finishing != nullptr) end_finishing(run, done);
 }
 
 }  // namespace
@@ -194,16 +196,30 @@ Run::Run(const Environment& e, cl::CallStacks& s, cl::Sink k, base::Diagnostics&
 
 Run::~Run() = default;
 
+namespace {
+
+/// True where nobody is to hear of it now; it is kept for who asked.
+bool silenced(Run& run, base::Severity severity, std::string_view code, const base::Span& where, std::string& text,
+              std::string& remedy) {
+    if (run.capture == nullptr) return false;
+    if (run.silenced != nullptr)
+        run.silenced->push_back({severity, code, where, std::move(text), std::move(remedy), {}, {}});
+    return true;
+}
+
+}  // namespace
+
 void alarm(Run& run, std::string_view code, const base::Span& where, std::string text, std::string remedy) {
     if (run.stopped) return;
     run.stopped = true;
     run.ending = Ending::alarm;
-    if (run.capture != nullptr) return;
+    if (silenced(run, base::Severity::error, code, where, text, remedy)) return;
     run.diagnostics.add({base::Severity::error, code, where, std::move(text), std::move(remedy), stack_of(run), {}});
 }
 
 void unchecked(Run& run, std::string_view code, const base::Span& where, std::string text, std::string remedy) {
-    if (run.stopped || run.capture != nullptr || !first_report(run, code, where)) return;
+    if (run.stopped || silenced(run, base::Severity::warning, code, where, text, remedy)) return;
+    if (!first_report(run, code, where)) return;
     run.diagnostics.add({base::Severity::warning, code, where, std::move(text), std::move(remedy), stack_of(run), {}});
 }
 
@@ -213,14 +229,16 @@ void unchecked_once(Run& run, std::string_view code, const base::Span& where, st
 }
 
 void assume(Run& run, const base::Span& where, std::string text, std::string remedy) {
-    if (run.capture != nullptr || !run.assumed.insert(text).second) return;
+    if (silenced(run, base::Severity::note, codes::assumption, where, text, remedy)) return;
+    if (!run.assumed.insert(text).second) return;
     run.diagnostics.add(
         {base::Severity::note, codes::assumption, where, std::move(text), std::move(remedy), stack_of(run), {}});
 }
 
 void step(Run& run) {
     Activation& act = run.top();
-    while (!act.sections.empty() && act.pc == act.sections.back().last + 1) end_of_section(run);
+    while (!act.sections.empty() && act.pc == act.sections.back().last + 1 && !run.stopped) end_of_section(run);
+    if (run.stopped) return;
     if (act.pc >= act.unit->statements.size()) {
         if (run.calls.size() == 1 && !act.unit->unended.empty()) return refuse_end(run);
         leave(run);

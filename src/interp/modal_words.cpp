@@ -210,6 +210,7 @@ bool numbered_motion_word(Run& run, Modal m, int number) {
         case Modal::spline_quadratic:
         case Modal::nurbs_end:
         case Modal::rigid_tap:
+        case Modal::circle_pocket:
         case Modal::turning_cycle:
             run.block.special = m;
             run.block.special_number = number;

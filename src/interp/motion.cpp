@@ -304,6 +304,10 @@ bool motion(Run& run) {
         begin_motion(run);
         return turning_cycle(run);
     }
+    if (b.special == Modal::circle_pocket) {
+        begin_motion(run);
+        return circle_pocket(run);
+    }
     if (b.special == Modal::home) {
         go_home(run);
         return true;

@@ -78,6 +78,11 @@ std::string change_of(const Run& run, Modal m) {
         case Modal::tool_length_off: return "the tool offset changes";
         case Modal::position_becomes:
         case Modal::local_shift: return "the axes are shifted";
+        case Modal::path_exact:
+        case Modal::path_stop:
+        case Modal::path_blend: return "the path mode changes";
+        case Modal::retract_initial:
+        case Modal::retract_clearance: return "the retract mode of cycles changes";
         case Modal::home: return "the axes go to a stored position";
         case Modal::probe: return "the axes probe";
         case Modal::set_data:
@@ -105,6 +110,13 @@ void refuse_axes(Run& run) {
     alarm(run, codes::unknown_word, word_of(run, axis_code(k)),
           "the machine " + (named ? machine.name + " " : std::string()) + "has no axis " + "XYZABCUVW"[k],
           "name the right machine in the job, or add the axis to its file");
+}
+
+/// Overrides, outputs and waiting stop the control's reading ahead, which compensation needs.
+void refuse_functions(Run& run) {
+    for (const int m : run.block.m)
+        if ((m >= 48 && m <= 53) || (m >= 62 && m <= 68))
+            return refuse_under_compensation(run, word_of(run, Code::m), "M" + std::to_string(m) + " acts");
 }
 
 void refuse_tool(Run& run) {
@@ -257,6 +269,7 @@ void refuse_block(Run& run) {
     if (run.capture != nullptr) return;  // a contour is only looked at
     refuse_axes(run);
     if (!run.stopped && (b.has(Code::tool) || has_m(run, 6))) refuse_tool(run);
+    if (!run.stopped && !b.m.empty() && compensates(run)) refuse_functions(run);
     if (!run.stopped && b.suppress != Modal::linear) refuse_machine_move(run);
     if (!run.stopped) refuse_motion(run);
 }

@@ -78,6 +78,8 @@ struct BlockWords {
 struct ActiveSection {
     std::uint32_t first = 0, last = 0, back = 0;
     std::uint64_t left = 0;
+    const program::Statement* finishing = nullptr;  ///< the cycle whose contour it is; null: it is repeated only
+    geom::Vec3 start{};                             ///< where that cycle began, programmed frame
 };
 
 /// CALL LBL being run.
@@ -254,6 +256,10 @@ struct Run {
     std::shared_ptr<FreeContour> free_contour;  ///< being solved
     std::optional<geom::Vec2> free_pole;        ///< FPOL
     bool turned_contour = false;                ///< the contour of a turning cycle is being collected
+    /// Values of turning cycles that stay with the control (CycleDefinition::store), mm, by store and role.
+    std::map<std::pair<int, program::CycleRole>, double> cycle_store;
+    /// Where it is set, complaints made while `capture` is set go there.
+    std::vector<base::Diagnostic>* silenced = nullptr;
 
     const program::Statement* statement = nullptr;  ///< being run
     bool stopped = false;                           ///< alarm, budget or program end
@@ -490,8 +496,16 @@ void forget_live(Run&, program::SystemVariable what);
 // --- cycles that motion blocks call (canned.cpp)
 /// False where the block's words call no cycle.
 [[nodiscard]] bool canned_motion(Run&);
+/// G12, G13 (circle_pocket.cpp).
+[[nodiscard]] bool circle_pocket(Run&);
 /// G70 … G72, G76 of lathes (turning.cpp).
 [[nodiscard]] bool turning_cycle(Run&);
+/// A turning cycle that acts at its definition (turning_definition.cpp).
+void define_turning_cycle(Run&, const ActiveCycle&);
+/// The contour of a finishing cycle has been run: back to where the cycle began.
+void end_finishing(Run&, const ActiveSection&);
+/// Statements of the program at hand with this block number, in order.
+[[nodiscard]] std::vector<std::uint32_t> numbered_statements(const Run&, double n);
 
 // --- splines (spline.cpp)
 /// G5, G5.1, G5.2 … G5.3, G6.2.

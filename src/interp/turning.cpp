@@ -76,7 +76,9 @@ void take_words(const Run& run, const program::CannedCycle& c, cycles::Demand& d
                 {w.role, run.block.get(w.code) * (w.length ? unit : 1) * w.factor * (w.across && diameters ? 0.5 : 1)});
 }
 
-void run_steps(Run& run, std::vector<cl::Step>& steps) {
+}  // namespace
+
+void emit_turning_steps(Run& run, std::vector<cl::Step>& steps) {
     double pitch = 0;  // of the thread being cut; 0: none
     for (std::size_t i = 0; i < steps.size() && !run.stopped; ++i) {
         const auto* thread = std::get_if<cl::Thread>(&steps[i]);
@@ -89,8 +91,6 @@ void run_steps(Run& run, std::vector<cl::Step>& steps) {
         if (ends) tell(run, SettingKind::feed_override, 1);
     }
 }
-
-}  // namespace
 
 bool turning_cycle(Run& run) {
     const program::CannedCycle* c = find_cycle(run);
@@ -122,7 +122,7 @@ bool turning_cycle(Run& run) {
     cl::CycleBegin begin;
     begin.name = std::string(c->name);
     emit(run, begin);
-    run_steps(run, e.steps);
+    emit_turning_steps(run, e.steps);
     if (!run.stopped) emit(run, cl::CycleEnd{});
     return !run.stopped;
 }

@@ -298,8 +298,10 @@ enum class CycleRole : std::uint8_t {
     taper_ends,        ///< 0 none, 1 entry, 2 exit, 3 both
     taper_u,           ///< start of the cut less its end
     taper_v,
-    runout,       ///< along the axis, where a thread leaves the material at 45 degrees
-    turned_axes,  ///< fault of a control, tapping: 1 feeds to (v, w, u) of the place it means, 2 to (w, u, v)
+    runout,         ///< along the axis, where a thread leaves the material at 45 degrees
+    runout_leads,   ///< as above, in leads of the thread
+    infeed_method,  ///< of a thread: 1 equal areas on one flank, 2 on both; 3 equal depths on one flank, 4 on both
+    turned_axes,    ///< fault of a control, tapping: 1 feeds to (v, w, u) of the place it means, 2 to (w, u, v)
 };
 
 struct CycleValue {

@@ -152,6 +152,8 @@ struct Traits {
     bool modulo_is_positive = false;
     /// At the start X words are radii and the plane is that of X and Y, whatever the machine; else as its file says.
     bool radius_at_start = false;
+    /// P of an arc is the number of its turns, the last one begun counted.
+    bool arc_turns_in_p = false;
     /// Canned cycles leave to R (G99) before the program has said which.
     bool clearance_at_start = false;
     /// mm (of a program in inches) by which the radii of an arc's ends may differ, if not more than a thousandth of it;

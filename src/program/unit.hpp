@@ -6,7 +6,9 @@
 #include <cstdint>
 #include <map>
 #include <optional>
+#include <span>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "base/source.hpp"
@@ -123,6 +125,16 @@ struct CycleSetting {
     bool scales = false;   ///< a length in the program's unit
     bool is_feed = false;  ///< a feed in the program's unit
     base::Span where;
+    bool across = false;  ///< a diameter where the program has diameters
+};
+
+/// What a turning cycle takes where neither it nor an earlier one says it: on the machine the control's own data hold
+/// it, which are not known here.
+struct CycleDefault {
+    CycleRole role = CycleRole::depth;
+    double value = 0;                    ///< mm, degrees
+    CycleRole needs = CycleRole::depth;  ///< matters only where this one is written; the same as `role`: matters always
+    std::string_view text;               ///< what is taken, for whom it concerns
 };
 
 /// How much of a cycle obrys runs.
@@ -136,6 +148,13 @@ struct CycleDefinition {
     std::vector<CycleSetting> settings;
     std::vector<ExprId> texts;  ///< labels of contours, names of programs
     base::Span where;
+    // Turning cycles (cycles/turning.hpp) act at their definition.
+    /// The contour: the blocks of this program from the one with this number to that one, which are not run where they
+    /// stand. One whose first block names both axes of the plane may have pockets.
+    ExprId first_block = no_expr, last_block = no_expr;
+    std::uint8_t store = 0;  ///< values that stay with the control, by group of cycles; 0: there are none
+    bool sets_only = false;  ///< its values go to the store, nothing is cut
+    std::span<const CycleDefault> otherwise{};
 };
 
 /// The stock as the program itself states it (BLK FORM): a block in the program's coordinates and unit.
@@ -254,8 +273,9 @@ struct Unit {
     bool has_proc = false;
     bool inch =
         false;  ///< lengths are inches from its first block on, whatever the caller uses (with unit_per_program)
-    std::string unended;  ///< not empty: the text has no end that the control wants, and what it says when it comes there
-    bool save = false;    ///< SAVE: the caller's modal G codes and frames come back at the end
+    std::string
+        unended;        ///< not empty: the text has no end that the control wants, and what it says when it comes there
+    bool save = false;  ///< SAVE: the caller's modal G codes and frames come back at the end
     std::vector<Parameter> parameters;
 
     std::vector<Statement> statements;

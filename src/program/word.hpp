@@ -193,6 +193,7 @@ enum class Modal : std::uint16_t {
     nurbs,                   ///< motion: G5.2, control points until nurbs_end
     nurbs_end,               ///< G5.3
     turning_cycle,           ///< this block: number = G number * 10: 700 … 762
+    circle_pocket,           ///< this block: number 1 counter-clockwise, 0 clockwise (G13, G12)
     path_exact,              ///< G61
     path_stop,               ///< G61.1
     path_blend,              ///< G64 P Q

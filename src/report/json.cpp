@@ -88,6 +88,22 @@ Json tools(const Subject& s) {
     return all;
 }
 
+Json milling(const check::Milled& m) {
+    const check::MillingFigures& f = m.figures;
+    Json j{{"tolerance_mm", f.tolerance_mm},
+           {"step_mm", {f.step.x, f.step.y, f.step.z}},
+           {"memory_mb", f.memory_mb},
+           {"before_mm3", f.before_mm3},
+           {"after_mm3", f.after_mm3},
+           {"contact_length_mm", f.contact_length_mm},
+           {"contact_accuracy_mm", f.contact_accuracy_mm}};
+    if (m.comparison) {
+        j["largest_gouge_mm"] = m.comparison->largest_gouge;
+        j["largest_excess_mm"] = m.comparison->largest_excess;
+    }
+    return j;
+}
+
 }  // namespace
 
 std::string to_json(const Subject& s) {
@@ -107,6 +123,7 @@ std::string to_json(const Subject& s) {
     j["stats"] = stats(r.stats);
     j["stock"] = {{"before", figures(r.before)}, {"after", figures(r.after)}};
     j["tools"] = tools(s);
+    if (r.milled != nullptr) j["milling"] = milling(*r.milled);
     return j.dump(2, ' ', false, Json::error_handler_t::replace) + "\n";
 }
 

@@ -9,24 +9,18 @@ namespace {
 
 std::string_view colour_of(base::Severity s) {
     switch (s) {
-        case base::Severity::error:
-            return "\x1b[1;31m";
-        case base::Severity::warning:
-            return "\x1b[1;33m";
-        case base::Severity::note:
-            return "\x1b[1;36m";
+        case base::Severity::error: return "\x1b[1;31m";
+        case base::Severity::warning: return "\x1b[1;33m";
+        case base::Severity::note: return "\x1b[1;36m";
     }
     return "";
 }
 
 std::string_view colour_of(check::Verdict v) {
     switch (v) {
-        case check::Verdict::clean:
-            return "\x1b[1;32m";
-        case check::Verdict::findings:
-            return "\x1b[1;31m";
-        case check::Verdict::not_fully_checked:
-            return "\x1b[1;33m";
+        case check::Verdict::clean: return "\x1b[1;32m";
+        case check::Verdict::findings: return "\x1b[1;31m";
+        case check::Verdict::not_fully_checked: return "\x1b[1;33m";
     }
     return "";
 }
@@ -93,6 +87,22 @@ std::string notes(const std::string& heading, const std::vector<check::Note>& li
     return out;
 }
 
+/// Figures of a simulated milling, each with how it was obtained.
+std::string milled(const check::Result& r) {
+    const check::MillingFigures& m = r.milled->figures;
+    std::string out = "stock: " + base::fixed(m.before_mm3 / 1000, 3) + " cm3 before, " +
+                      base::fixed(m.after_mm3 / 1000, 3) + " cm3 after; removed " +
+                      base::fixed(m.before_mm3 - m.after_mm3, 1) + " mm3 over " + base::fixed(m.contact_length_mm, 1) +
+                      " mm of feed\nsimulated to " + base::shortest(m.tolerance_mm) + " mm on rays " +
+                      base::fixed(m.step.x, 3) + " x " + base::fixed(m.step.y, 3) + " x " + base::fixed(m.step.z, 3) +
+                      " mm apart, " + base::fixed(m.memory_mb, 0) + " MB\n";
+    for (const check::ToolUse& t : r.tools)
+        if (t.volume_mm3 > 0)
+            out += "  tool " + (t.name.empty() ? "T" + std::to_string(t.number) : "\"" + t.name + "\"") + ": " +
+                   base::fixed(t.volume_mm3, 1) + " mm3\n";
+    return out;
+}
+
 std::string figures(const check::Result& r) {
     const check::Stats& t = r.stats;
     std::string out = "\n" + count_of(t.moves, "move") + ": " + std::to_string(t.rapid_moves) + " rapid (" +
@@ -104,7 +114,7 @@ std::string figures(const check::Result& r) {
                base::fixed(r.after->volume_mm3 / 1000, 3) + " cm3 after; section " +
                base::fixed(r.before->area_mm2, 3) + " mm2 before, " + base::fixed(r.after->area_mm2, 3) +
                " mm2 after (exact)\n";
-    return out;
+    return out + (r.milled == nullptr ? std::string() : milled(r));
 }
 
 }  // namespace

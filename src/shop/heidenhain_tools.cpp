@@ -1,9 +1,13 @@
 // Columns: iTNC 530 User's Manual Conversational Programming (606 42x), "Entering tool data in the table"; names of
-// newer controls (CUT for CUT., CUR_TIME) beside them.
+// newer controls (CUT for CUT., CUR_TIME) beside them. Names and numbers of TYP: TNC 640 User's Manual, "Available tool
+// types"; the iTNC 530 has the same names.
 #include <algorithm>
+#include <array>
 
 #include "base/codes.hpp"
+#include "base/number.hpp"
 #include "base/text.hpp"
+#include "shop/dropped.hpp"
 #include "shop/heidenhain_cells.hpp"
 #include "shop/heidenhain_views.hpp"
 #include "shop/section.hpp"
@@ -15,11 +19,56 @@ namespace {
 constexpr std::uint32_t largest_tool = 32'767, largest_index = 9;  // T 0 … 32767.9
 constexpr std::uint32_t largest_pocket = 9'999;
 
+/// Columns that a tool is made of.
+constexpr std::array<std::string_view, 20> taken{"T",     "NAME",  "L",     "R",       "R2",   "DL",   "DR",
+                                                 "DR2",   "TL",    "RT",    "LCUTS",   "ANGLE", "PITCH", "T-ANGLE",
+                                                 "CUT.",  "CUT",   "NMAX",  "TYP",     "TMAT", "CDT"};
+
+/// What a TYP stands for. Thread mills, turning tools, probes and back boring tools are not here: `other`.
+struct Type {
+    std::string_view name;
+    int number;
+    ToolKind kind;
+};
+constexpr std::array types{Type{"MILL", 0, ToolKind::end_mill},       Type{"DRILL", 1, ToolKind::drill},
+                           Type{"TAP", 2, ToolKind::tap},             Type{"REAM", 3, ToolKind::reamer},
+                           Type{"CENT", 4, ToolKind::centre_drill},   Type{"CSINK", 5, ToolKind::countersink},
+                           Type{"TSINK", 6, ToolKind::end_mill},      Type{"BOR", 7, ToolKind::reamer},
+                           Type{"MILL_R", 9, ToolKind::end_mill},     Type{"MILL_F", 10, ToolKind::end_mill},
+                           Type{"MILL_RF", 11, ToolKind::end_mill},   Type{"MILL_FD", 12, ToolKind::end_mill},
+                           Type{"MILL_FS", 13, ToolKind::end_mill},   Type{"MILL_FACE", 14, ToolKind::end_mill},
+                           Type{"BALL", -1, ToolKind::ball},          Type{"TORUS", -1, ToolKind::bull_nose},
+                           Type{"MILL_CHAMFER", -1, ToolKind::chamfer}};
+
+ToolKind kind_of(std::string_view type) {
+    const auto number = base::parse_integer(type);
+    for (const Type& t : types)
+        if (number ? t.number == *number : base::equals_ignoring_case(t.name, type)) return t.kind;
+    return ToolKind::other;
+}
+
+/// The kind, and what it needs and the row does not say. A mill is end mill, bull nose or ball by its R2.
+void take_kind(Tool& tool) {
+    tool.kind = kind_of(tool.type);
+    if (!(tool.radius > 0)) tool.kind = ToolKind::other;
+    const bool mill = tool.kind == ToolKind::end_mill || tool.kind == ToolKind::ball || tool.kind == ToolKind::bull_nose;
+    if (tool.kind == ToolKind::ball) tool.corner_radius = tool.radius;
+    if (mill) {
+        tool.kind = ToolKind::other;
+        tool.kind = assumed_kind(tool);
+    }
+    if (tool.cutting_length && !(*tool.cutting_length > 0)) tool.cutting_length.reset();  // 0: nothing was entered
+    if (tool.point_angle && !(*tool.point_angle > 0)) tool.point_angle.reset();
+    const bool flat_angle = tool.kind == ToolKind::centre_drill || tool.kind == ToolKind::countersink || tool.kind == ToolKind::chamfer;
+    if (tool.point_angle || (tool.kind != ToolKind::drill && !flat_angle)) return;
+    tool.point_angle = flat_angle ? 90 : 118;
+    assume(tool.assumed, "point angle " + base::shortest(*tool.point_angle) + " degrees");
+}
+
 void dimensions(Cells& row, Tool& tool) {
     const auto needed = [&](std::string_view column, std::string_view what) {
         const auto v = row.length(column);
-        if (!v && !row.filled(column))
-            tool.assumed += std::string(tool.assumed.empty() ? "" : ", ") + std::string(what) + " 0 mm";
+        if (!v && !row.filled(column)) assume(tool.assumed, std::string(what) + " 0 mm");
         return v.value_or(0);
     };
     tool.length = needed("L", "length");
@@ -45,6 +94,19 @@ void properties(Cells& row, Tool& tool) {
     tool.cutting_data = row.text("CDT");
 }
 
+/// Counts the filled cells of columns that nobody takes.
+Dropped dropped_columns(const HeidenhainTable& table) {
+    Dropped dropped;
+    for (std::size_t column = 0; column < table.columns.size(); ++column) {
+        const std::string& name = table.columns[column].name;
+        const auto same = [&](std::string_view t) { return base::equals_ignoring_case(t, name); };
+        if (std::any_of(taken.begin(), taken.end(), same)) continue;
+        for (std::size_t row = 0; row < table.rows.size(); ++row)
+            if (table.rows[row].data && !cell(table, row, column).empty()) dropped.add(base::as_utf8(name), cell_span(table, row, column));
+    }
+    return dropped;
+}
+
 }  // namespace
 
 std::vector<Tool> tools_of(const HeidenhainTable& table, base::Diagnostics& diagnostics) {
@@ -61,6 +123,7 @@ std::vector<Tool> tools_of(const HeidenhainTable& table, base::Diagnostics& diag
         tool.where = row.where();
         properties(row, tool);
         dimensions(row, tool);
+        take_kind(tool);
         if (!tool.assumed.empty()) tool.assumed = "tool " + std::to_string(tool.number) + ": " + tool.assumed;
         tools.push_back(std::move(tool));
     }
@@ -72,7 +135,9 @@ std::vector<Tool> tools_of(const HeidenhainTable& table, base::Diagnostics& diag
 
 std::vector<Tool> read_tool_t(std::uint32_t file, const base::Sources& sources, base::Diagnostics& diagnostics) {
     base::Diagnostics found;
-    std::vector<Tool> tools = tools_of(read_heidenhain_table(file, sources, found), found);
+    const HeidenhainTable table = read_heidenhain_table(file, sources, found);
+    std::vector<Tool> tools = tools_of(table, found);
+    dropped_columns(table).report(found);
     add_in_order(found, diagnostics);
     return tools;
 }

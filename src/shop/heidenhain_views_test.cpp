@@ -38,7 +38,7 @@ TEST(HeidenhainViews, Tools) {
     const Tool& ball = tools[2];
     EXPECT_EQ(ball.number, 5U);
     EXPECT_EQ(ball.edge, 1U);
-    EXPECT_EQ(ball.kind, ToolKind::other);
+    EXPECT_EQ(ball.kind, ToolKind::ball);
     EXPECT_EQ(ball.length, 100);
     EXPECT_EQ(ball.radius, 6);
     EXPECT_EQ(ball.corner_radius, 6);

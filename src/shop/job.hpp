@@ -11,6 +11,7 @@
 #include "base/source.hpp"
 #include "geom/contour.hpp"
 #include "shop/machine.hpp"
+#include "shop/solid.hpp"
 #include "shop/tool.hpp"
 
 namespace obrys::shop {
@@ -47,6 +48,7 @@ struct Tolerances {
     double gouge = 0.001;
     double rest_material = 0.01;
     double rapid = 0.001;
+    std::optional<double> simulation;                ///< deviation of the simulated milled surface; not said: --tolerance
 };
 
 /// Limits that end a run that would not end by itself.
@@ -65,7 +67,7 @@ struct DefaultsOverride {
 };
 
 struct Job {
-    std::string program;                             ///< path as written, relative to the job file
+    std::string program;                             ///< path as written, relative to the job file; empty: not said
     std::string control;                             ///< empty: found from the content
     std::string machine_name;                        ///< shipped name or path; empty: generic for what the program is
     bool machine_is_file = false;                    ///< machine_name is a path: the driver reads it, then `use_machine`
@@ -74,10 +76,13 @@ struct Job {
     DefaultsOverride defaults;
     std::map<std::uint32_t, geom::Vec3> datums;      ///< of the job itself; mm, x as a radius
     std::vector<Tool> tools;
-    std::vector<std::string> tool_files;             ///< tool lists (.toml), TOOL.T (.t), TOA (others), paths as written
+    std::vector<std::string> tool_files;             ///< paths as written; docs/job-file.md names the kinds
     std::optional<Profile> stock;
     std::optional<Profile> part;
     std::optional<ProfileFromProgram> part_program;
+    std::optional<Stock> solid_stock;                ///< of milling; never beside `stock`
+    std::optional<Part> solid_part;                  ///< of milling; never beside `part` or `part_program`
+    std::vector<Clamp> clamps;
     std::optional<Allowance> allowance;
     std::vector<Override> overrides;
     std::vector<std::string> search;                 ///< folders for subprograms, paths as written
@@ -92,8 +97,8 @@ struct Job {
 };
 
 /// Reads a job text. Always gives a job: what was wrong is in `diagnostics` (codes job-file, job-value) and left out.
-/// `machine` is the shipped one that is named; without a name the generic lathe where the job has stock, part or turning
-/// tools, else the generic mill. Where `machine_is_file` the generic one, until `use_machine`.
+/// `machine` is the shipped one that is named; without a name the generic lathe where the job has a profile as stock or
+/// part or turning tools, else the generic mill. Where `machine_is_file` the generic one, until `use_machine`.
 [[nodiscard]] Job read_job(std::uint32_t file, const base::Sources& sources, base::Diagnostics& diagnostics);
 
 /// Puts a machine into the job, with the job's own defaults and datums on top.

@@ -5,6 +5,7 @@
 #include "base/text.hpp"
 #include "shop/job.hpp"
 #include "shop/profile.hpp"
+#include "shop/solid_file.hpp"
 #include "shop/tables.hpp"
 
 namespace obrys::shop {
@@ -23,19 +24,39 @@ std::optional<ProfileFromProgram> read_program(Section& s) {
     return ProfileFromProgram{*path, find(s.table(), "program")->value.where};
 }
 
+void read_stock(Section& file, Job& job) {
+    auto s = section(file, "stock");
+    if (!s) return;
+    s->one_of({"profile", "bar", "tube", "cone", "box", "cylinder", "file"}, true);
+    job.stock = read_profile(*s);
+    if (auto blank = read_blank(*s); blank && !job.stock) job.stock = std::move(blank);
+    if (auto solid = read_solid(*s); solid && !job.stock) job.solid_stock = Stock{std::move(*solid), s->table().where};
+    if (job.stock && s->has("offset"))
+        s->error(base::codes::job_value, find(s->table(), "offset")->where, "'offset' means nothing for this stock");
+    s->finish();
+}
+
+void read_part(Section& file, Job& job) {
+    auto s = section(file, "part");
+    if (!s) return;
+    s->one_of({"profile", "program", "file"}, true);
+    job.part = read_profile(*s);
+    job.part_program = read_program(*s);
+    if (auto part = read_part_file(*s); part && !job.part && !job.part_program) job.solid_part = std::move(part);
+    s->finish();
+    const bool turned = job.part || job.part_program;
+    if ((turned && job.solid_stock) || (job.solid_part && job.stock))
+        s->error(base::codes::job_value, head(s->table()),
+                 turned ? "this part is turned, and the stock is one of milling" : "this part is milled, and the stock is one of turning",
+                 "a profile goes with profile, bar, tube or cone; a file with box, cylinder or file");
+    if (turned && job.solid_stock) job.part.reset(), job.part_program.reset();
+    if (job.solid_part && job.stock) job.solid_part.reset();
+}
+
 void read_geometry(Section& file, Job& job) {
-    if (auto s = section(file, "stock")) {
-        s->one_of({"profile", "bar", "tube", "cone"}, true);
-        job.stock = read_profile(*s);
-        if (auto blank = read_blank(*s); blank && !job.stock) job.stock = std::move(blank);
-        s->finish();
-    }
-    if (auto s = section(file, "part")) {
-        s->one_of({"profile", "program"}, true);
-        job.part = read_profile(*s);
-        job.part_program = read_program(*s);
-        s->finish();
-    }
+    read_stock(file, job);
+    read_part(file, job);
+    job.clamps = read_clamps(file);
     if (auto s = section(file, "allowance")) {
         s->one_of({"profile", "program", "normal"}, true);
         Allowance a;
@@ -81,6 +102,7 @@ void read_limits(Section& file, Job& job) {
         t.gouge = s->number("gouge", Range::not_negative).value_or(t.gouge);
         t.rest_material = s->number("rest_material", Range::not_negative).value_or(t.rest_material);
         t.rapid = s->number("rapid", Range::not_negative).value_or(t.rapid);
+        t.simulation = s->number("tolerance", Range::positive);
         s->finish();
     }
     if (auto s = section(file, "budget")) {
@@ -112,7 +134,7 @@ void read_skip(Section& file, Job& job) {
 void read_machine_name(Section& file, Job& job) {
     const auto name = file.text("machine");
     const bool turns = job.stock || job.part || job.part_program ||
-                       std::any_of(job.tools.begin(), job.tools.end(), [](const Tool& t) { return t.kind != ToolKind::other; });
+                       std::any_of(job.tools.begin(), job.tools.end(), [](const Tool& t) { return t.kind == ToolKind::groove || t.kind == ToolKind::turning; });
     const std::string generic = turns ? "lathe-generic" : "mill-generic";
     if (name) {
         job.machine_name = *name;
@@ -137,7 +159,6 @@ void read_all(Section& s, Job& job) {
         job.program = *program;
         job.program_where = find(s.table(), "program")->value.where;
     }
-    if (!s.has("program")) s.missing("program");
     job.control = s.text("control").value_or("");
     job.tool_files = s.texts("tool_file");
     for (std::string& path : s.texts("tool_files")) job.tool_files.push_back(std::move(path));

@@ -75,7 +75,8 @@ struct LinuxcncTable {
 /// The tools, lengths converted to mm (`mm_per_unit`: 1 or 25.4). T0 and the second line of one number are left out.
 /// With Q 1 to 9 a tool is a turning insert of nose radius D/2: its orientation is counted as shop/tool.hpp does, tip
 /// and entering angle follow from I and J where they make an insert, else they are assumed (`Tool::assumed`). Other
-/// tools have the radius D/2 and the length Z. The name is the comment. A Q outside 0 to 9 is reported and taken as 0.
+/// tools have the radius D/2, the length Z and the kind that the comment plainly names ("1/4 end mill", "ball nose",
+/// "spot drill"), else `other`; a drill's point angle is assumed. The name is the comment. A Q outside 0 to 9 is reported and taken as 0.
 [[nodiscard]] std::vector<Tool> tools_of(const LinuxcncTable& table, double mm_per_unit,
                                          base::Diagnostics& diagnostics);
 

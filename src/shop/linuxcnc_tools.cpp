@@ -2,13 +2,16 @@
 // point, (X, Z): Q1 (+,-), Q2 (+,+), Q3 (-,+), Q4 (-,-), Q5 (0,-), Q6 (+,0), Q7 (0,+), Q8 (-,0), Q9 none; I and J are
 // the directions of the two edges from +Z towards +X (LinuxCNC documentation, "Lathe User Information", figure "Lathe
 // Tool Orientations"; the tool shapes of its preview; its sample table lathe.tbl, whose nine tools agree with it).
+#include <algorithm>
 #include <array>
 #include <cmath>
 #include <set>
 
 #include "base/codes.hpp"
 #include "base/number.hpp"
+#include "base/text.hpp"
 #include "geom/vec.hpp"
+#include "shop/dropped.hpp"
 #include "shop/linuxcnc_table.hpp"
 
 namespace obrys::shop {
@@ -48,12 +51,50 @@ bool take_angles(Tool& t, const TableTool& row) {
     return true;
 }
 
+/// Whole words of a comment, in capitals.
+std::vector<std::string> words_of(const std::string& comment) {
+    std::vector<std::string> out(1);
+    for (const char c : base::to_upper(comment)) {
+        if (base::is_letter(c)) out.back() += c;
+        else if (!out.back().empty()) out.emplace_back();
+    }
+    return out;
+}
+
+/// What a comment plainly calls a tool; `other` where it says nothing of the kind, or several things.
+ToolKind kind_of(const std::string& comment) {
+    const std::vector<std::string> words = words_of(comment);
+    const auto has = [&](std::initializer_list<std::string_view> any) {
+        return std::any_of(words.begin(), words.end(), [&](const std::string& w) { return std::find(any.begin(), any.end(), w) != any.end(); });
+    };
+    const bool mill = has({"ENDMILL", "EM"}) || (has({"MILL"}) && has({"END", "FLAT", "BALL"}));
+    const bool spot = has({"SPOTDRILL", "CENTERDRILL"}) || (has({"DRILL"}) && has({"SPOT", "CENTER", "CENTRE"}));
+    std::vector<ToolKind> found;
+    if (has({"BALL", "BALLNOSE"}) && (mill || has({"NOSE", "END", "BALLNOSE"}))) found.push_back(ToolKind::ball);
+    else if (mill) found.push_back(ToolKind::end_mill);
+    if (spot) found.push_back(ToolKind::centre_drill);
+    else if (has({"DRILL"})) found.push_back(ToolKind::drill);
+    if (has({"TAP"})) found.push_back(ToolKind::tap);
+    if (has({"REAMER"})) found.push_back(ToolKind::reamer);
+    if (has({"COUNTERSINK"})) found.push_back(ToolKind::countersink);
+    if (has({"CHAMFER"})) found.push_back(ToolKind::chamfer);
+    return found.size() == 1 ? found.front() : ToolKind::other;
+}
+
+/// A tool that turns about its axis: kind by the comment, radius by D.
+void mill_shape(Tool& t, const TableTool& row) {
+    t.radius = row.diameter / 2;
+    if (t.radius > 0) t.kind = kind_of(t.name);
+    if (t.kind == ToolKind::ball) t.corner_radius = t.radius;
+    const bool right_angle = t.kind == ToolKind::centre_drill || t.kind == ToolKind::countersink || t.kind == ToolKind::chamfer;
+    if (!right_angle && t.kind != ToolKind::drill) return;
+    t.point_angle = right_angle ? 90 : 118;
+    assume(t.assumed, "point angle " + base::shortest(*t.point_angle) + " degrees");
+}
+
 void shape(Tool& t, const TableTool& row) {
     t.length = row.offset[2];
-    if (row.orientation == 0) {
-        t.radius = row.diameter / 2;
-        return;
-    }
+    if (row.orientation == 0) return mill_shape(t, row);
     t.kind = ToolKind::turning;
     t.nose_radius = std::abs(row.diameter) / 2;
     t.orientation = turned[static_cast<std::size_t>(row.orientation)].orientation;

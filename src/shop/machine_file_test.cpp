@@ -1,3 +1,7 @@
+#include <array>
+#include <fstream>
+#include <sstream>
+
 #include "shop/shop_test.hpp"
 
 namespace obrys::shop {
@@ -26,6 +30,9 @@ rotary = true
 [datum]
 diameter = true
 G54 = {x = 20, z = 300}
+[control]
+g_code_system = "B"
+whole_numbers = "units"
 [machine_data]
 "$MC_DIAMETER_AX_DEF" = 1
 mn_max = 2
@@ -48,6 +55,8 @@ mn_max = 2
     EXPECT_TRUE(m.axes[1].rotary);
     EXPECT_FALSE(m.axes[1].min);
     EXPECT_EQ(m.datums.at(54), (geom::Vec3{10, 0, 300}));
+    EXPECT_EQ(m.control.g_code_system, 'B');
+    EXPECT_EQ(m.control.whole_numbers_count, false);
     EXPECT_EQ(m.machine_data, (std::map<std::string, double>{{"$MC_DIAMETER_AX_DEF", 1}, {"$MN_MAX", 2}}));
 }
 
@@ -64,10 +73,19 @@ TEST(MachineFile, Mistakes) {
               "m.toml:13:1: error: 'FOO' is not the name of a machine datum [job-file]\n  FOO = 1\n  ^~~\n  remedy: $MN_…, $MC_… or $MA_…\n");
 }
 
-TEST(MachineFile, ShippedMachinesAreBuiltInAndRefuseNothing) {
-    EXPECT_EQ(shipped_machine_names(), (std::vector<std::string>{"lathe-generic", "mill-generic"}));
+TEST(MachineFile, ShippedMachinesAreBuiltInAndTheGenericOnesRefuseNothing) {
+    EXPECT_EQ(shipped_machine_names(), (std::vector<std::string>{"fv25cnc-a", "hermle-u1130", "lathe-generic", "mill-generic", "vmc500"}));
     EXPECT_FALSE(shipped_machine("lathe"));
     for (const std::string& name : shipped_machine_names()) {
+        Reading r;
+        std::ifstream in(std::string(OBRYS_SOURCE_DIR) + "/machines/" + name + ".toml");
+        std::stringstream text;
+        text << in.rdbuf();
+        const Machine read = read_machine(r.add(text.str(), name), r.sources, r.diagnostics);
+        EXPECT_EQ(r.complaints(), "");
+        EXPECT_EQ(read.name, shipped_machine(name)->name);
+    }
+    for (const std::string name : {"lathe-generic", "mill-generic"}) {
         const Machine m = shipped_machine(name).value();
         EXPECT_EQ(m.name, name);
         EXPECT_EQ(m.max_feed, 0);
@@ -80,6 +98,85 @@ TEST(MachineFile, ShippedMachinesAreBuiltInAndRefuseNothing) {
     EXPECT_EQ(lathe.axes.size(), 3U);
     EXPECT_EQ(lathe.axes[0].rapid, 10000);
     EXPECT_EQ(shipped_machine("mill-generic")->defaults.plane, 17);
+}
+
+TEST(MachineFile, TheFv25HasTheFiguresOfItsDataSheet) {
+    const Machine m = shipped_machine("fv25cnc-a").value();
+    EXPECT_EQ(m.min_feed, 2.5);
+    EXPECT_EQ(m.max_feed, 3000);
+    EXPECT_EQ(m.spindle.min, 50);
+    EXPECT_EQ(m.spindle.max, 6000);
+    EXPECT_EQ(m.spindle.power, 5.5);
+    ASSERT_EQ(m.axes.size(), 3U);
+    const std::array travel{760.0, 355.0, 152.0};
+    for (std::size_t i = 0; i < 3; ++i) {
+        EXPECT_EQ(*m.axes[i].max - *m.axes[i].min, travel[i]);
+        EXPECT_EQ(m.axes[i].rapid, 9000);
+    }
+    EXPECT_EQ(m.rapid_path, RapidPath::straight);
+    EXPECT_EQ(m.tool_change_position, (std::map<std::string, double>{{"Z", 0}}));
+}
+
+TEST(MachineFile, KinematicsAreRead) {
+    Reading r;
+    const Machine m = read_machine(r.add(R"(kind = "mill"
+rapid = "dog-leg"
+min_feed = 2
+max_feed = 5000
+chain = ["c", "X", "Y", "Z", "S1"]
+tool_change_position = { z = 1, X = -5 }
+[spindle]
+power = 11
+[[axis]]
+name = "X"
+[[axis]]
+name = "Y"
+direction = [0, 3, 4]
+[[axis]]
+name = "Z"
+[[axis]]
+name = "C"
+rotary = true
+centre = [1, 2, 3]
+direction = [0, 0, -1]
+[[axis]]
+name = "S1"
+rotary = true
+direction = [0, 1, 0]
+)", "m.toml"), r.sources, r.diagnostics);
+    EXPECT_EQ(r.complaints(), "");
+    EXPECT_EQ(m.chain, (std::vector<std::size_t>{3, 0, 1, 2, 4}));
+    EXPECT_EQ(m.rapid_path, RapidPath::dog_leg);
+    EXPECT_EQ(m.spindle.power, 11);
+    EXPECT_EQ(m.axes[0].direction, (geom::Vec3{1, 0, 0}));
+    EXPECT_NEAR(m.axes[1].direction.y, 0.6, 1e-15);
+    EXPECT_EQ(m.axes[3].direction, (geom::Vec3{0, 0, -1}));
+    EXPECT_EQ(m.axes[3].centre, (geom::Vec3{1, 2, 3}));
+    EXPECT_EQ(m.tool_change_position, (std::map<std::string, double>{{"X", -5}, {"Z", 1}}));
+}
+
+TEST(MachineFile, MistakesOfKinematics) {
+    Reading r;
+    const Machine m = read_machine(r.add("kind = \"mill\"\nrapid = \"bent\"\nmin_feed = 9\nmax_feed = 5\nchain = [\"X\", \"Q\", 3, \"x\", \"S1\"]\n"
+                                         "tool_change_position = { q = 1 }\n[spindle]\npower = 0\n[[axis]]\nname = \"X\"\ncentre = [1, 2, 3]\n"
+                                         "direction = [0, 0, 0]\n[[axis]]\nname = \"S1\"\nrotary = true\n", "m.toml"), r.sources, r.diagnostics);
+    std::string places;
+    for (const base::Diagnostic& d : r.diagnostics.all()) {
+        const base::Position p = r.sources.position(d.where);
+        places += std::to_string(p.line) + ":" + std::to_string(p.column) + ": " + d.text + "\n";
+    }
+    EXPECT_EQ(places,
+              "2:9: 'rapid' cannot be \"bent\"\n"
+              "3:12: 'min_feed' must not be greater than 'max_feed'\n"
+              "5:15: 'chain' names an axis that the machine does not have: Q\n"
+              "5:20: an item of 'chain' must be the name of an axis\n"
+              "5:23: 'chain' names axis X twice\n"
+              "5:28: axis S1 has no 'direction', and its name does not say one\n"
+              "6:26: 'tool_change_position' names an axis that the machine does not have: q\n"
+              "8:9: 'power' must be greater than 0, not 0\n"
+              "11:1: 'centre' means nothing for an axis that does not turn\n"
+              "12:13: 'direction' must not be 0\n");
+    EXPECT_TRUE(m.chain.empty());
 }
 
 }  // namespace

@@ -103,9 +103,8 @@ Contour outline(const Tool& tool) {
     switch (tool.kind) {
         case ToolKind::groove: return grooving(tool);
         case ToolKind::turning: return turning(tool);
-        case ToolKind::other: return {};
+        default: return {};
     }
-    return {};
 }
 
 std::optional<double> parameter(const Tool& tool, int n) {
@@ -113,7 +112,7 @@ std::optional<double> parameter(const Tool& tool, int n) {
     if (n == 2 && tool.kind == ToolKind::turning) return tool.orientation;
     if (n == 3) return tool.length;
     if (n == 6 && tool.kind == ToolKind::turning) return tool.nose_radius;
-    if (n == 6 && tool.kind == ToolKind::other) return tool.radius;
+    if (n == 6 && (tool.kind == ToolKind::other || is_milling(tool.kind))) return tool.radius;
     return std::nullopt;
 }
 

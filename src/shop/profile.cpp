@@ -6,63 +6,14 @@
 #include "base/codes.hpp"
 #include "base/number.hpp"
 #include "shop/contour_check.hpp"
+#include "shop/profile_point.hpp"
 
 namespace obrys::shop {
 
 namespace {
 
 using geom::Vec2;
-
-constexpr double same_point = 1e-9;    ///< mm
-constexpr double chord_slack = 1e-6;   ///< mm; a semicircle with rounded coordinates is still a semicircle
-
-struct Point {
-    Vec2 p;                         ///< z, x
-    std::optional<double> radius;   ///< of the arc to the next point, positive counter-clockwise
-    bool large = false;
-    base::Span where, radius_where;
-};
-
-std::optional<Point> read_point(const Value& v, bool diameter, base::Diagnostics& diagnostics) {
-    Section s(v, "a profile point", diagnostics);
-    if (v.kind != ValueKind::table) return std::nullopt;
-    Point out;
-    out.where = v.where;
-    const auto z = s.number("z");
-    const auto x = s.number("x", Range::not_negative);
-    const auto r = s.number("r");
-    const auto turn = s.choice("direction", {"ccw", "cw"});
-    out.large = s.boolean("large").value_or(false);
-    s.finish();
-    if (!s.has("z")) s.missing("z");
-    if (!s.has("x")) s.missing("x");
-    if (r) {
-        out.radius_where = find(v, "r")->value.where;
-        if (*r == 0) s.error(base::codes::job_value, out.radius_where, "'r' must not be 0", "leave it out for a straight edge");
-        if (*r < 0 && turn) s.error(base::codes::job_value, out.radius_where, "'r' is negative and 'direction' is given", "use one of the two");
-        out.radius = turn.value_or(0) == 1 ? -*r : *r;
-    } else if (!s.has("r") && (s.has("direction") || s.has("large"))) {
-        s.error(base::codes::job_value, head(v), "'direction' and 'large' need an 'r'");
-    }
-    if (!z || !x) return std::nullopt;
-    out.p = {*z, diameter ? *x / 2 : *x};
-    return out;
-}
-
-/// The bulge of the edge from a to b; nothing, reported, where the radius does not reach.
-std::optional<double> bulge(const Point& a, Vec2 b, const Section& s) {
-    if (!a.radius || *a.radius == 0) return 0.0;
-    const double r = std::abs(*a.radius), chord = geom::distance(a.p, b);
-    if (chord > 2 * r + chord_slack) {
-        s.error(base::codes::job_value, a.radius_where,
-                "radius " + base::shortest(r) + " mm is too small: the next point is " + base::fixed(chord, 3) + " mm away",
-                "at least " + base::fixed(chord / 2, 3) + " mm");
-        return std::nullopt;
-    }
-    const double half = std::asin(std::min(1.0, chord / (2 * r)));  // half the sweep of the smaller arc
-    const double quarter = (a.large ? geom::pi - half : half) / 2;
-    return std::copysign(std::tan(quarter), *a.radius);
-}
+using Point = ProfilePoint;
 
 /// The points as one contour; nothing where something was reported.
 std::optional<geom::Contour> join(const std::vector<Point>& points, bool closed, const Section& s) {
@@ -78,7 +29,7 @@ std::optional<geom::Contour> join(const std::vector<Point>& points, bool closed,
             s.error(base::codes::job_value, points[last ? 0 : i + 1].where, "this point is the same as the one before it");
             good = false;
         }
-        const auto b = last && !closed ? std::optional(0.0) : bulge(points[i], next, s);
+        const auto b = last && !closed ? std::optional(0.0) : bulge_of(points[i], next, s);
         good = good && b.has_value();
         out.vertices.push_back({points[i].p, b.value_or(0)});
     }
@@ -234,7 +185,7 @@ std::optional<Profile> read_profile(Section& section) {
     }
     std::vector<Point> points;
     for (const Value& v : e->value.items)
-        if (const auto p = read_point(v, diameter, section.diagnostics())) points.push_back(*p);
+        if (const auto p = read_profile_point(v, diameter, section.diagnostics())) points.push_back(*p);
     if (points.size() != e->value.items.size()) return std::nullopt;
     // A closed profile may say its first point again at its end.
     if (closed && points.size() > 2 && geom::distance(points.front().p, points.back().p) < same_point) points.pop_back();

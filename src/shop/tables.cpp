@@ -6,6 +6,7 @@
 #include "base/codes.hpp"
 #include "base/number.hpp"
 #include "base/text.hpp"
+#include "shop/milling_keys.hpp"
 
 namespace obrys::shop {
 
@@ -14,7 +15,12 @@ namespace {
 constexpr std::array groove_keys{"width", "corner_radius", "corner_radius_left", "corner_radius_right",
                                  "reference", "direction", "cutting_depth"};
 constexpr std::array turning_keys{"nose_radius", "orientation", "tip_angle", "entering_angle", "edge_length"};
-constexpr std::array kind_words{"groove", "turning", "mill", "drill", "other"};
+/// Words of `kind`: "groove", "turning", "mill", then those of ToolKind::other and behind it in their order. "mill" is an
+/// end mill, bull nose or ball by its corner radius, and `other` without a radius.
+const std::initializer_list<std::string_view> kind_words{
+    "groove", "turning", "mill", "other", "end-mill", "ball", "bull-nose", "drill",
+    "centre-drill", "countersink", "tap", "reamer", "chamfer", "t-slot", "form"};
+constexpr std::size_t groove_word = 0, turning_word = 1, mill_word = 2;
 
 template <class Keys>
 void refuse(const Section& s, const Keys& keys, std::string_view kind, std::string_view allowed = {}) {
@@ -90,29 +96,56 @@ void read_parameters(Section& s, Tool& t) {
     }
 }
 
-Tool read_tool(Section& s) {
+/// The kind that a word and the dimensions read so far say.
+ToolKind kind_of(std::size_t word, const Tool& t) {
+    if (word == groove_word) return ToolKind::groove;
+    if (word == turning_word) return ToolKind::turning;
+    if (word == mill_word) return assumed_kind(t);
+    return static_cast<ToolKind>(static_cast<std::size_t>(ToolKind::other) + word - mill_word - 1);
+}
+
+/// Holds what was read against the kind.
+void check_kind(const Section& s, std::size_t word, Tool& t) {
+    const std::string_view said = kind_words.begin()[word];
+    t.kind = kind_of(word, t);
+    if (t.kind == ToolKind::groove || t.kind == ToolKind::turning) {
+        refuse_milling_keys(s, said);
+        if (t.kind == ToolKind::groove) check_blade(s, t);
+        else check_insert(s, t);
+        return;
+    }
+    refuse(s, turning_keys, said);
+    if (t.kind == ToolKind::other) {
+        refuse_milling_keys(s, said);
+        refuse(s, groove_keys, said);
+        return;
+    }
+    refuse(s, std::array{"corner_radius_left", "corner_radius_right", "reference", "direction", "cutting_depth"}, said);
+    check_milling_keys(s, t, word == mill_word);
+}
+
+/// Nothing where something of a milling tool was reported.
+std::optional<Tool> read_tool(Section& s) {
     Tool t;
+    const std::size_t before = s.diagnostics().all().size();
     t.where = s.table().where;
     if (const auto n = s.integer("number", 0, 999'999'999)) t.number = static_cast<std::uint32_t>(*n);
     if (const auto e = s.integer("edge", 1, 99)) t.edge = static_cast<std::uint32_t>(*e);
     if (const auto name = s.text("name")) t.name = *name;
-    const auto kind = s.choice("kind", {kind_words[0], kind_words[1], kind_words[2], kind_words[3], kind_words[4]});
-    if (kind && *kind < 2) t.kind = *kind == 0 ? ToolKind::groove : ToolKind::turning;
+    const auto kind = s.choice("kind", kind_words);
     read_blade(s, t);
     read_insert(s, t);
     set(t.radius, s.number("radius", Range::not_negative));
     set(t.length, s.number("length"));
+    read_milling_keys(s, t);
     read_parameters(s, t);
     s.finish();
     if (!s.has("number")) s.missing("number");
     if (!s.has("kind")) s.missing("kind");
-    if (!kind) return t;
-    if (t.kind == ToolKind::groove) check_blade(s, t);
-    if (t.kind == ToolKind::turning) check_insert(s, t);
-    if (t.kind != ToolKind::other) return t;
-    refuse(s, groove_keys, kind_words[*kind]);
-    refuse(s, turning_keys, kind_words[*kind]);
-    return t;
+    if (kind) check_kind(s, *kind, t);
+    const auto sound = [&] { return s.diagnostics().all().size() == before; };
+    if (is_milling(t.kind) && sound()) check_dimensions(s, t);
+    return sound() || !is_milling(t.kind) ? std::optional(t) : std::nullopt;
 }
 
 /// Number of "G54" … "G57", "G505" … "G599", "preset0" …; "active_preset" is the one a program finds in force.
@@ -134,17 +167,17 @@ void read_tool_tables(Section& file, std::vector<Tool>& tools) {
     for (const Value* v : file.tables("tool")) {
         Section s(*v, "[[tool]]", file.diagnostics());
         if (v->kind != ValueKind::table) continue;
-        Tool t = read_tool(s);
-        if (!s.has("number")) continue;
-        const auto same = std::find_if(tools.begin(), tools.end(), [&](const Tool& o) { return o.number == t.number && o.edge == t.edge; });
+        auto t = read_tool(s);
+        if (!t || !s.has("number")) continue;
+        const auto same = std::find_if(tools.begin(), tools.end(), [&](const Tool& o) { return o.number == t->number && o.edge == t->edge; });
         if (same == tools.end()) {
-            tools.push_back(std::move(t));
+            tools.push_back(std::move(*t));
             continue;
         }
         base::Diagnostic d;
         d.code = base::codes::job_value;
         d.where = place(s, "number");
-        d.text = "tool " + std::to_string(t.number) + " edge " + std::to_string(t.edge) + " is defined twice";
+        d.text = "tool " + std::to_string(t->number) + " edge " + std::to_string(t->edge) + " is defined twice";
         d.related.push_back({{same->where.file, same->where.begin, same->where.begin + 1}, "first defined here"});
         file.diagnostics().add(std::move(d));
     }

@@ -1,13 +1,16 @@
 // Meaning of the parameters: SINUMERIK 840D/840Di/810D Programming Guide Advanced (PGA) 04.00, section 8.1, page 8-265
 // (1 type, 2 cutting edge position, 3-5 lengths, 6 radius, 12-14 wear of the lengths, 15 wear of the radius, 21-23 base
-// dimensions; geometry, wear and base are added up), and the Programming Manual Job Planning 07/2010, section 7.1.
+// dimensions; geometry, wear and base are added up), and the Programming Manual Job Planning 07/2010, section 7.1. Mills
+// (Job Planning 03/2006, section 8.5): 7 + 16 the corner radius, of a side mill and a saw its width, 11 + 20 the angle of a
+// cone against the tool's axis. Types: the list of tool types of the same manuals.
 #include <algorithm>
 #include <map>
-#include <set>
 
 #include "base/codes.hpp"
 #include "base/number.hpp"
 #include "base/text.hpp"
+#include "shop/dropped.hpp"
+#include "shop/toa_mills.hpp"
 #include "shop/tool.hpp"
 
 namespace obrys::shop {
@@ -37,11 +40,11 @@ public:
 
     void line(Piece line);
     [[nodiscard]] std::vector<Tool> tools() const;
+    void report_dropped() const { dropped_.report(diagnostics_); }
 
 private:
-    void complain(std::string_view code, Piece where, std::string text, base::Severity severity = base::Severity::error) {
+    void complain(std::string_view code, Piece where, std::string text) {
         base::Diagnostic d;
-        d.severity = severity;
         d.code = code;
         d.where = {file_, where.at, where.at + static_cast<std::uint32_t>(where.text.size())};
         d.text = std::move(text);
@@ -55,7 +58,7 @@ private:
     base::Diagnostics& diagnostics_;
     std::map<std::pair<std::uint32_t, std::uint32_t>, Tool> tools_;
     std::map<std::uint32_t, std::string> names_;
-    std::set<std::string> without_effect_;
+    Dropped dropped_;
 };
 
 /// The line without its comment; a `;` inside quotes is text.
@@ -104,8 +107,7 @@ void Reader::assignment(Piece name, Piece indices, Piece value) {
         return;
     }
     if (upper.starts_with("$TC_")) {
-        if (without_effect_.insert(upper).second)
-            complain(base::codes::no_effect, name, upper + " has no effect on the shape of a tool", base::Severity::note);
+        dropped_.add(upper, {file_, name.at, name.at + static_cast<std::uint32_t>(name.text.size())});
         return;
     }
     complain(base::codes::job_file, name, "this is not a name of tool data ($TC_DP1 … $TC_DP25, $TC_TP2)");
@@ -152,6 +154,7 @@ void shape(Tool& t) {
     const bool turning = type >= 500 && type < 600 && !(type >= 520 && type < 540);
     if (!turning) {
         t.radius = radius;
+        take_mill(t, static_cast<int>(type));
         return;
     }
     t.kind = ToolKind::turning;
@@ -185,6 +188,7 @@ std::vector<Tool> read_toa(std::uint32_t file, const base::Sources& sources, bas
         reader.line({text.substr(begin, end - begin), static_cast<std::uint32_t>(begin)});
         begin = end + 1;
     }
+    reader.report_dropped();
     return reader.tools();
 }
 

@@ -11,7 +11,7 @@ TEST(Toa, ToolsAreRead) {
                                       "$TC_DP6[7,1]=0.8\r\n$TC_DP15[7,1]=.1\r\n"
                                       "$TC_DP1[9,2]=120\r\n$TC_DP6[9,2]=8\r\n$TC_DP1[3,1]=520\r\nM17\r\n", "A.TOA"),
                                 r.sources, r.diagnostics);
-    EXPECT_EQ(r.complaints(), "A.TOA:4:1: note: $TC_TP1 has no effect on the shape of a tool [no-effect]\n  $TC_TP1[7]=1\n  ^~~~~~~\n");
+    EXPECT_EQ(r.complaints(), "A.TOA:4:1: note: not taken from this file: $TC_TP1 (1) [no-effect]\n  $TC_TP1[7]=1\n  ^~~~~~~\n");
     ASSERT_EQ(tools.size(), 3U);
     EXPECT_EQ(tools[0].number, 3U);
     EXPECT_EQ(tools[0].kind, ToolKind::other);  // a grooving tool whose width is not known
@@ -26,7 +26,7 @@ TEST(Toa, ToolsAreRead) {
     EXPECT_EQ(parameter(t, 1), 510);
     EXPECT_EQ(t.assumed, "tip angle 80 degrees, entering angle 95 degrees, edge length 12 mm");
     EXPECT_EQ(tools[2].edge, 2U);
-    EXPECT_EQ(tools[2].kind, ToolKind::other);
+    EXPECT_EQ(tools[2].kind, ToolKind::end_mill);
     EXPECT_EQ(tools[2].radius, 8);
     EXPECT_EQ(tools[2].assumed, "");
 }

@@ -17,8 +17,21 @@ namespace obrys::shop {
 enum class ToolKind : std::uint8_t {
     groove,   ///< grooving or parting insert: width, corner radii, reference corner
     turning,  ///< ISO insert: nose radius, cutting edge orientation 1-9, entering angle, tip angle
-    other,    ///< named and numbered only: its removal is not simulated
+    other,    ///< named and numbered only. With a radius it is a mill whose form its file does not say: `assumed_kind`
+    // Milling and drilling tools turn about their own axis; the programmed point is the lowest point of that axis.
+    end_mill,      ///< radius
+    ball,          ///< radius, round end of that radius
+    bull_nose,     ///< radius, corner_radius at most that
+    drill,         ///< radius, point_angle
+    centre_drill,  ///< as drill
+    countersink,   ///< radius, point_angle between its flanks, tip_diameter of its flat tip
+    tap,           ///< radius, pitch; flat
+    reamer,        ///< radius; flat
+    chamfer,       ///< as countersink
+    t_slot,        ///< radius, width of the disc, corner_radius on both its rims, neck_diameter above it
+    form,          ///< profile
 };
+[[nodiscard]] constexpr bool is_milling(ToolKind kind) { return kind > ToolKind::other; }
 enum class ReferenceCorner : std::uint8_t { left, right };  ///< smaller or larger z (face: nearer to or farther from the axis)
 /// Where a grooving blade goes on from its cutting edge; orientation 9 of a turning insert knows out and in.
 enum class BladeDirection : std::uint8_t {
@@ -38,13 +51,18 @@ struct TableTool {
     int orientation = 0;             ///< Q, 0-9 in the table's count, which is not that of Tool::orientation
 };
 
+/// One of the stacked bodies of a shank or holder, mm: a cylinder where the diameters agree, else a cone.
+struct ToolBody {
+    double lower_diameter = 0, upper_diameter = 0, length = 0;
+};
+
 struct Tool {
     std::uint32_t number = 0;
     std::string name;
     std::uint32_t edge = 1;             ///< D
     ToolKind kind = ToolKind::other;
     // grooving insert, mm
-    double width = 0;
+    double width = 0;                   ///< also of a T-slot cutter's disc
     double corner_radius = 0;           ///< both corners, unless the next two say otherwise; mills: R2, a ball where = radius
     double corner_radius_left = 0, corner_radius_right = 0;
     ReferenceCorner reference = ReferenceCorner::left;
@@ -58,12 +76,19 @@ struct Tool {
     double edge_length = 12;            ///< mm
     // any
     double radius = 0;                  ///< mm, milling tools
-    double length = 0;                  ///< mm, length 1
+    double length = 0;                  ///< mm, length 1: of a mill from the gauge plane (spindle nose) to its tip
+    // milling tools, mm; with cutting_length, point_angle, pitch and teeth below
+    double tip_diameter = 0, neck_diameter = 0;
+    /// Form tools: half section, x the radius, y the height above the tip, which starts at 0 and never decreases.
+    std::vector<geom::Vertex> profile;
+    std::vector<ToolBody> shank;        ///< from the end of the cutting edges upwards
+    std::vector<ToolBody> holder;       ///< from the end of the shank upwards
+    std::optional<bool> plunges;        ///< cuts at its centre too; not said: `may_plunge`
     // milling and drilling tools as HEIDENHAIN tool tables have them; a delta is added to its dimension
     double delta_length = 0, delta_radius = 0, delta_corner_radius = 0;  ///< mm: DL, DR, DR2
     std::uint32_t index = 0;            ///< 5.1 has index 1; its edge is index + 1, so number and edge name it alone
     std::string type;                   ///< TYP as written: "MILL", "DRILL", "9"; empty: not said
-    std::optional<double> cutting_length, pitch;               ///< mm: LCUTS, PITCH
+    std::optional<double> cutting_length, pitch;               ///< mm: LCUTS, PITCH; from the tip, the point included
     std::optional<double> plunge_angle, point_angle;           ///< degrees: ANGLE (ramp, at most), T-ANGLE
     std::optional<double> max_speed;    ///< 1/min: NMAX
     int teeth = 0;                      ///< CUT., 0 = not said
@@ -80,6 +105,30 @@ struct Tool {
 /// x points away from the turning axis. An empty contour where the kind has none or the dimensions make no shape.
 /// A blade without cutting depth is 1000 mm long. With corner radii the programmed point is the sharp corner without them.
 [[nodiscard]] geom::Contour outline(const Tool& tool);
+
+/// Kind by which a tool's removal is computed: its own; of `other` with a radius end mill, bull nose or ball by its
+/// corner radius, which nobody said: who uses it tells the user. `other` where there is no radius.
+[[nodiscard]] ToolKind assumed_kind(const Tool& tool);
+/// As written in job files: "end-mill"; "groove", "turning", "other" too.
+[[nodiscard]] std::string_view kind_word(ToolKind kind);
+
+/// What makes no tool of a milling tool's dimensions: the key of the job file and a text for the user; both empty where
+/// nothing does. Of other kinds nothing is said.
+struct DimensionFault {
+    std::string_view key;
+    std::string text;
+    [[nodiscard]] bool ok() const { return key.empty(); }
+};
+[[nodiscard]] DimensionFault dimension_fault(const Tool& tool);
+
+/// Height of the cone below the full diameter, mm: of drills, countersinks, chamfer mills; 0 of other kinds.
+[[nodiscard]] double point_height(const Tool& tool);
+/// Whether it may go straight down into full material: as `plunges` says; else not with a plunge angle below 90
+/// degrees, not taps, reamers, T-slot cutters, not what has a flat tip or a profile that begins off the axis.
+[[nodiscard]] bool may_plunge(const Tool& tool);
+/// From the tip to the end of the cutting edges, mm: as given; a T-slot cutter's width, a profile's height; else
+/// length less shank and holder; nothing where that is not above 0.
+[[nodiscard]] std::optional<double> cutting_height(const Tool& tool);
 
 /// The tools of a tool list ([[tool]] tables); what is wrong is in `diagnostics` and left out.
 [[nodiscard]] std::vector<Tool> read_tools(std::uint32_t file, const base::Sources& sources,

@@ -90,7 +90,8 @@ void add_request(CLI::App& app, Arguments& a) {
         ->required()
         ->type_name("FILE");
     app.add_option("--control", a.request.control,
-                   "control of the program: sinumerik-840d, heidenhain-itnc530, linuxcnc, fanuc, haas; else found from the text")
+                   "control of the program: sinumerik-840d, heidenhain-itnc530, linuxcnc, fanuc, haas; else found from "
+                   "the text")
         ->type_name("NAME");
     app.add_option("--machine", a.request.machine, "shipped machine (lathe-generic, mill-generic) or machine file")
         ->type_name("NAME|FILE");
@@ -141,6 +142,19 @@ Commands add_commands(CLI::App& app, Arguments& a) {
         ->type_name("FORMAT");
     c.check->add_option("--html", a.html, "also write a page with picture and program text")->type_name("FILE");
     c.check->add_option("--svg", a.svg, "also write the picture")->type_name("FILE");
+    c.check
+        ->add_option_function<double>(
+            "--tolerance", [&a](const double& mm) { a.milling.tolerance = mm; },
+            "milling: how near the simulated surface must be to the true one, mm (0.01)")
+        ->check([](const std::string& text) {
+            const auto value = base::parse_double(text);
+            return value && *value > 0 && std::isfinite(*value) ? std::string() : "must be a length in mm above 0";
+        })
+        ->type_name("MM");
+    c.check->add_option("--stl", a.stl, "milling: also write the machined surface as binary STL")->type_name("FILE");
+    c.check->add_option("--3mf", a.three_mf, "milling: the same as 3MF, coloured by tool or deviation")
+        ->type_name("FILE");
+    c.check->add_option("--gltf", a.gltf, "milling: the same as binary glTF (.glb)")->type_name("FILE");
     c.check->add_flag("--no-list", a.no_list, "text: leave out what has no effect on the verdict");
     c.check->add_flag("!--no-color,!--no-colour", a.colours, "text without colours (also: NO_COLOR)");
     c.run = app.add_subcommand("run", run_help);

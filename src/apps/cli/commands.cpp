@@ -18,14 +18,16 @@
 #include "driver/check_program.hpp"
 #include "driver/plot_path.hpp"
 #include "driver/stream_table.hpp"
+#include "milled.hpp"
 #include "progress.hpp"
+#include "report/milling_report.hpp"
 #include "report/report.hpp"
 
 namespace obrys::cli {
 
 namespace {
 
-constexpr std::size_t moves_on_page = 20'000;
+constexpr std::size_t moves_on_page = 200'000;
 
 void print_diagnostics(const driver::Session& s, base::Severity from = base::Severity::note) {
     for (const base::Diagnostic& d : s.diagnostics.all())
@@ -38,18 +40,6 @@ bool standard_output_is_terminal() {
 #else
     return isatty(1) != 0;
 #endif
-}
-
-/// Writes the text where it was asked for. False where that fails (the complaint is printed).
-bool deliver(driver::Session& s, const std::string& path, const std::string& text) {
-    if (path.empty() || path == "-") {
-        std::fwrite(text.data(), 1, text.size(), stdout);
-        return std::fflush(stdout) == 0;
-    }
-    base::Diagnostics written;
-    if (driver::store(path, text, written)) return true;
-    for (const base::Diagnostic& d : written.all()) std::fputs(base::render(d, s.sources).c_str(), stderr);
-    return false;
 }
 
 /// Exit code of a run: what its complaints say about it.
@@ -155,6 +145,13 @@ int plot_path(const Arguments& a, driver::Session& s) {
     return deliver(s, a.svg.empty() ? a.output : a.svg, report::to_svg(plot, s.sources)) ? 0 : 2;
 }
 
+/// Of milling the page with the part in space, where the program was built with it.
+std::string page(const report::Subject& subject) {
+    if (subject.result.milled != nullptr && report::milling_page_available())
+        return report::milling_page(report::milling_page_of(subject));
+    return report::to_html(subject);
+}
+
 }  // namespace
 
 int check(const Arguments& a) {
@@ -164,11 +161,13 @@ int check(const Arguments& a) {
         return 2;
     }
     const bool pictures = !a.html.empty() || !a.svg.empty();
+    driver::MillingRequest milling = a.milling;
+    milling.surface = wants_surface(a) || !a.html.empty();
     driver::Checked checked;
     {
         Progress progress;
-        checked =
-            driver::check_program(s, pictures ? moves_on_page : 0, [&](std::uint64_t moves) { progress.show(moves); });
+        checked = driver::check_program(s, pictures ? moves_on_page : 0, milling,
+                                        [&](std::uint64_t moves) { progress.show(moves); });
     }
     const report::Subject subject = subject_of(s, checked);
     bool written = true;
@@ -181,8 +180,9 @@ int check(const Arguments& a) {
                           report::to_text(subject, {a.colours && a.output.empty() && standard_output_is_terminal() &&
                                                         std::getenv("NO_COLOR") == nullptr,
                                                     !a.no_list}));
-    if (!a.html.empty()) written = deliver(s, a.html, report::to_html(subject)) && written;
+    if (!a.html.empty()) written = deliver(s, a.html, page(subject)) && written;
     if (!a.svg.empty()) written = deliver(s, a.svg, report::to_svg(subject)) && written;
+    written = write_surface(a, s, checked) && written;
     return written ? check::exit_code(checked.result.verdict) : 2;
 }
 

@@ -10,7 +10,7 @@ using enum Use;
 
 constexpr std::array functions{
     PathFunction{"BEGIN PGM, END PGM", run, "a program's frame and unit"},
-    PathFunction{"BLK FORM", accepted, "stock for the control's graphics: the job file says the stock"},
+    PathFunction{"BLK FORM", accepted, "stock for the control's graphics; taken as the stock where the job says none"},
     PathFunction{"TOOL DEF", run, "tool with length and radius; with a number alone the next tool"},
     PathFunction{"TOOL CALL", run, "tool, tool axis, spindle speed, feed, oversizes"},
     PathFunction{"L", run, "straight line"},

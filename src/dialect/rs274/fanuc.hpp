@@ -7,6 +7,7 @@
 #include <string_view>
 
 #include "dialect/rs274/tables.hpp"
+#include "program/unit.hpp"
 
 namespace obrys::dialect::rs274 {
 
@@ -48,8 +49,7 @@ enum class FanucSpecial : std::uint8_t {
     macro_call,
     macro_modal,
     macro_end,
-    finish,         ///< G70 P Q: the contour once
-    rough,          ///< G71 … G73 P Q: leaves out the contour that follows
+    repetitive,     ///< G70 … G76 of lathes
     turning_cycle,  ///< G90, G92, G94 of lathes: modal
     rotation,
     rotation_off,
@@ -130,6 +130,33 @@ struct FanucVariable {
 enum class FanucGroup : std::uint8_t { motion, plane, distance, feed_mode, units, compensation, surface_speed, datum };
 
 [[nodiscard]] FanucVariable system_variable(std::uint32_t number, const FanucControl& control);
+
+/// How the number of a turning cycle's word is meant where it has no point.
+enum class TurningNumber : std::uint8_t {
+    length,
+    increments,  ///< always, however the control takes other numbers
+    depth,       ///< as `increments`; on Haas as `length`
+    plain,
+    half_angle,  ///< degrees between the flanks; the role is half of it
+    lead,
+};
+struct TurningWord {
+    char letter = 0;
+    program::CycleRole role = program::CycleRole::infeed;
+    TurningNumber number = TurningNumber::length;
+    bool across = false;  ///< a diameter
+};
+/// A multiple repetitive cycle of lathes: G70 … G76 of system A, by its number there * 10.
+struct FanucTurningCycle {
+    int number = 0;
+    program::CycleKind kind = program::CycleKind::lathe_finish;
+    std::uint8_t store = 0;                     ///< cycles with the same one share what their first blocks say
+    std::span<const TurningWord> data, call;    ///< two blocks: the first, the second
+    std::span<const TurningWord> single, haas;  ///< one block
+    std::span<const program::CycleDefault> parameters, settings;  ///< of FANUC, of Haas
+};
+/// Null where there is none of that number.
+[[nodiscard]] const FanucTurningCycle* find_turning_cycle(int number);
 
 [[nodiscard]] std::span<const program::CannedCycle> fanuc_mill_cycles();
 [[nodiscard]] std::span<const program::CannedCycle> haas_mill_cycles();

@@ -17,9 +17,7 @@ std::string code_name(int code) {
 struct Matrix {
     std::string run, rows;
     void add(const std::string& name, const FanucG& g) {
-        const bool named =
-            g.special == FanucSpecial::rough || (g.special == FanucSpecial::turning_cycle && g.number < 900);
-        if (g.use == FanucUse::accepted || g.use == FanucUse::refused || named)
+        if (g.use == FanucUse::accepted || g.use == FanucUse::refused)
             rows += "| " + name + " | " + (g.use == FanucUse::accepted ? "accepted" : "refused") + " | " +
                     std::string(g.says) + " |\n";
         else

@@ -158,8 +158,8 @@ constexpr FanucG zero(int number) {
 }
 
 constexpr std::array haas{
-    not_run(120, "circular pocket"),
-    not_run(130, "circular pocket"),
+    word(120, Modal::circle_pocket, Order::special, 0),
+    word(130, Modal::circle_pocket, Order::special, 1),
     not_run(50, "rigid tapping along the tool axis"),
     not_run(150, "not a G code of this control"),
     not_run(160, "not a G code of this control"),

@@ -70,8 +70,8 @@ TEST(FanucTables, SystemsOfLathes) {
                 EXPECT_EQ(modal_of(n, lathe(s)), r.modal) << n << " " << static_cast<int>(s);
             }
     EXPECT_EQ(find_fanuc_g(910, lathe(GSystem::a)), nullptr);
-    EXPECT_EQ(find_fanuc_g(700, lathe(GSystem::a))->special, FanucSpecial::finish);
-    EXPECT_EQ(find_fanuc_g(720, lathe(GSystem::c))->special, FanucSpecial::finish);
+    EXPECT_EQ(find_fanuc_g(700, lathe(GSystem::a))->special, FanucSpecial::repetitive);
+    EXPECT_EQ(find_fanuc_g(720, lathe(GSystem::c))->special, FanucSpecial::repetitive);
 }
 
 TEST(FanucTables, HaasDiffers) {

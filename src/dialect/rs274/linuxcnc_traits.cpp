@@ -124,6 +124,7 @@ constexpr program::Traits traits{
     .compensation_holds_move = true,
     .modulo_is_positive = true,
     .radius_at_start = true,
+    .arc_turns_in_p = true,
     .clearance_at_start = true,
     .arc_tolerance = 0.02828427125,
     .arc_tolerance_inch = 0.002828427125 * 25.4,

@@ -2,6 +2,7 @@
 
 #include <array>
 
+#include "read/heidenhain/blank.hpp"
 #include "read/heidenhain/state.hpp"
 
 namespace obrys::read::heidenhain {
@@ -34,7 +35,7 @@ void begin_program(State& s) {
     s.in.skip_block();
 }
 
-/// BLK FORM 0.1 Z X+0 Y+0 Z-40 and 0.2 X+100 Y+100 Z+0.
+/// BLK FORM 0.1 Z X+0 Y+0 Z-40 and 0.2 X+100 Y+100 Z+0; in the second IX counts from the least point.
 void read_blank(State& s) {
     const std::uint32_t begin = s.block;
     s.build.statement(StatementKind::block, s.block);
@@ -42,24 +43,25 @@ void read_blank(State& s) {
     s.in.skip_blanks();
     const base::NumberScan n = s.in.number();
     const int corner = n.decimal && n.decimal->decimals == 1 ? static_cast<int>(n.decimal->mantissa) : 0;
-    auto& blank = s.build.unit().blank;
     if (corner != 1 && corner != 2) {
         s.in.skip_block();
         return s.build.problem(Code::unsupported, begin, s.in.at(), "a blank of this shape is not read");
     }
-    if (!blank) blank.emplace();
-    blank->where = s.build.span(begin, s.in.at());
+    program::Blank& blank = blank_of(s.build.unit());
+    blank.where = s.build.span(begin, s.in.at());
     while (!s.failed && !s.in.at_end()) {
+        const bool incremental = corner == 2 && base::upper(s.in.peek()) == 'I';
+        if (incremental) s.in.step();
         const auto axis = std::string_view("XYZ").find(base::upper(s.in.peek()));
         if (axis == std::string_view::npos) return fail_here(s, "X, Y or Z is due here, found " + here(s));
         s.in.step();
         const Value v = read_value(s);
         if (!v.found && corner == 1)
-            blank->tool_axis = static_cast<int>(axis);
+            blank.tool_axis = static_cast<int>(axis);
         else if (!v.found || !v.is_literal())
             return fail_here(s, "a number is due here, found " + here(s));
         else
-            (corner == 1 ? blank->min : blank->max)[axis] = v.number();
+            (corner == 1 ? blank.min : blank.max)[axis] = v.number() + (incremental ? blank.min[axis] : 0);
     }
 }
 
@@ -170,8 +172,8 @@ void read_block(State& s) {
     if (!is(word, "CYCL") && !is(word, "CYCLE")) s.open_cycle = program::no_target;
     const bool known =
         !word.empty() && (read_structure(s, word) || read_special_block(s, word) || read_path_block(s, word) ||
-                          read_pattern_block(s, word) || read_contour_block(s, word) ||
-                          read_shop_block(s, word) || read_not_run(s, word));
+                          read_pattern_block(s, word) || read_contour_block(s, word) || read_shop_block(s, word) ||
+                          read_not_run(s, word));
     if (!known) {
         s.build.statement(StatementKind::block, s.block);
         s.in.go_to(begin);

@@ -1,4 +1,5 @@
 #include <gtest/gtest.h>
+#include <cmath>
 
 #include "read/heidenhain/reading.hpp"
 
@@ -147,6 +148,14 @@ TEST(KlartextBlock, BlankForm) {
     EXPECT_EQ(r.unit.blank->tool_axis, 2);
     EXPECT_EQ(r.unit.blank->min, (std::array<double, 3>{0, -1.5, -40}));
     EXPECT_EQ(r.unit.blank->max, (std::array<double, 3>{100, 50, 0}));
+    const Reading chain(
+        "0 BEGIN PGM T MM\n1 BLK FORM 0.1 Z X-5 Y+0 Z-40\n2 BLK FORM 0.2 IX+100 Y+50 IZ+40\n3 END PGM T MM\n");
+    EXPECT_EQ(chain.messages(), "");
+    ASSERT_TRUE(chain.unit.blank);
+    EXPECT_EQ(chain.unit.blank->max, (std::array<double, 3>{95, 50, 0}));
+    const Reading half("0 BEGIN PGM T MM\n1 BLK FORM 0.1 Z X-5 Y+0 Z-40\n3 END PGM T MM\n");
+    ASSERT_TRUE(half.unit.blank);
+    EXPECT_TRUE(std::isnan(half.unit.blank->max[0]));
     EXPECT_EQ(complaint("BLK FORM 0.1 Z X+0 Q5"), "X, Y or Z is due here, found 'Q5'");
     EXPECT_EQ(complaint("BLK FROM 0.1"), "FORM is due behind BLK, found 'FROM'");
 }

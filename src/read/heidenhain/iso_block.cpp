@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "read/heidenhain/blank.hpp"
 #include "read/heidenhain/iso.hpp"
 
 namespace obrys::read::heidenhain {
@@ -122,15 +123,14 @@ void read_label_call(State& s) {
 void read_blank(State& s, const IsoBlock& b) {
     const bool least = b.has_g(30);
     s.build.statement(StatementKind::block, s.block);
-    auto& blank = s.build.unit().blank;
-    if (!blank) blank.emplace();
+    program::Blank& blank = blank_of(s.build.unit());
     bool incremental = s.iso.incremental;
     while (!s.failed && !s.in.at_end()) {
         const char c = base::upper(s.in.peek());
         const std::uint32_t begin = s.in.at();
         if (c == 'G') {
             const int n = read_code(s);
-            if (n >= 17 && n <= 19) blank->tool_axis = 19 - n;
+            if (n >= 17 && n <= 19) blank.tool_axis = 19 - n;
             if (n == 90 || n == 91) dimension(s, incremental = n == 91, begin, false);
             continue;
         }
@@ -140,11 +140,11 @@ void read_blank(State& s, const IsoBlock& b) {
         const Value v = read_value(s);
         if (!v.found || !v.is_literal()) return fail_here(s, "a number is due here, found " + here(s));
         if (least)
-            blank->min[axis] = v.number();
+            blank.min[axis] = v.number();
         else
-            blank->max[axis] = v.number() + (incremental ? blank->min[axis] : 0);
+            blank.max[axis] = v.number() + (incremental ? blank.min[axis] : 0);
     }
-    blank->where = s.build.span(s.block, s.in.at());
+    blank.where = s.build.span(s.block, s.in.at());
 }
 
 /// G99 T1 L+0 R+5 says what a tool is, G51 T2 which one comes next.

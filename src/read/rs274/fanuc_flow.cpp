@@ -104,7 +104,7 @@ void read_goto(FanucState& s, ExprId condition_of) {
     jump.direction = program::JumpDirection::either;
     jump.destination = as_expr(s, v);
     s.unit().jumps.push_back(jump);
-    if (n) s.jumps.push_back({s.unit().jumps.size() - 1, static_cast<std::uint32_t>(*n), false});
+    if (n) s.jumps.push_back({s.unit().jumps.size() - 1, static_cast<std::uint32_t>(*n)});
     add_control(s, StatementKind::jump, s.unit().jumps.size() - 1);
 }
 
@@ -203,13 +203,8 @@ void close_program(FanucState& s) {
         return found == s.block_numbers.end() ? nullptr : &found->second;
     };
     for (const PendingJump& j : s.jumps) {
-        const auto* at = places(j.number);
-        if (at == nullptr || (at->size() != 1 && !j.behind)) continue;
-        std::uint32_t target = j.behind ? at->back() + 1 : at->front();
-        while (j.behind && target < unit.statements.size() &&
-               (unit.statements[target].flags & program::line_start) == 0)
-            ++target;
-        unit.jumps[j.jump].target = target;
+        if (const auto* at = places(j.number); at != nullptr && at->size() == 1)
+            unit.jumps[j.jump].target = at->front();
     }
     for (const PendingLabel& l : s.labels)
         if (const auto* at = places(l.number)) unit.label_calls[l.entry].target = at->front();

@@ -157,17 +157,18 @@ TEST(FanucTurning, SingleCyclesAreFourWays) {
     EXPECT_NE(tree.find("_CYCLE_END_Z=-20r"), std::string::npos) << tree;
 }
 
-TEST(FanucTurning, FinishingRunsTheContourAndRoughingLeavesItOut) {
+TEST(FanucTurning, RepetitiveCyclesAreDefinitions) {
     const Reading r = testing::lathe(
         "%\nO1\nG21\nG71 U2. R1.\nG71 P10 Q20 U0.4 W0.1 F0.3\nN10 G0 X20.\nN20 G1 Z-5. F0.1\nG70 P10 Q20\nM30\n%\n");
     EXPECT_EQ(r.messages(), "");
-    EXPECT_EQ(r.unit().problems.size(), 2U);
-    const std::string tree = r.tree();
-    EXPECT_NE(tree.find("section N10 N20"), std::string::npos) << tree;
-    ASSERT_EQ(r.unit().jumps.size(), 1U);
-    EXPECT_EQ(program::testing::TreeText(r.unit(), r.names).statement(r.unit().jumps[0].target).find("_CYCLE_START_X="),
-              0U)
-        << tree;
+    EXPECT_EQ(r.unit().problems.size(), 0U);
+    ASSERT_EQ(r.unit().cycles.size(), 3U);
+    EXPECT_TRUE(r.unit().cycles[0].sets_only);
+    EXPECT_EQ(r.unit().cycles[0].first_block, program::no_expr);
+    EXPECT_FALSE(r.unit().cycles[1].sets_only);
+    EXPECT_EQ(r.unit().cycles[1].kind, program::CycleKind::lathe_remove_along);
+    EXPECT_EQ(r.unit().cycles[2].kind, program::CycleKind::lathe_finish);
+    EXPECT_EQ(r.unit().labels.size(), 2U) << "N10 and N20";
 }
 
 }  // namespace obrys::read::rs274

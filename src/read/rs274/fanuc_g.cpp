@@ -53,7 +53,7 @@ void follow(FanucState& s, const FanucG& g) {
         case Modal::canned: s.hole = g.number; return;
         default: break;
     }
-    if (!is_motion(g.modal) || g.special == FanucSpecial::finish || g.special == FanucSpecial::rough) return;
+    if (!is_motion(g.modal) || g.special == FanucSpecial::repetitive) return;
     const bool moves = g.special == FanucSpecial::none || g.special == FanucSpecial::thread ||
                        g.special == FanucSpecial::turning_cycle;
     if (!moves) return;

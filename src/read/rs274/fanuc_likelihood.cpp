@@ -139,9 +139,10 @@ int haas_likelihood(std::string_view text, std::string_view file_name) {
 
 dialect::rs274::FanucMachine guess_machine(std::string_view text) {
     constexpr std::array lathe{
-        Sign{"G50S", 6},    Sign{"G92S", 3}, Sign{"G96", 4},  Sign{"G28U", 6}, Sign{"G28W", 4},  Sign{"T0~0~", 3},
-        Sign{"T~~~~\n", 2}, Sign{"U-", 2},   Sign{"W-", 1},   Sign{"G70P", 6}, Sign{"G71P", 6},  Sign{"G71U", 6},
-        Sign{"G72W", 6},    Sign{"G76P", 4}, Sign{"G92X", 1}, Sign{"G97S", 2}, Sign{"G99G1", 2}, Sign{"G32Z", 4},
+        Sign{"G50S", 6},    Sign{"G92S", 3}, Sign{"G96", 4},   Sign{"G28U", 6}, Sign{"G28W", 4}, Sign{"T0~0~", 3},
+        Sign{"T~~~~\n", 2}, Sign{"U-", 2},   Sign{"W-", 1},    Sign{"G70P", 6}, Sign{"G71P", 6}, Sign{"G71U", 6},
+        Sign{"G72W", 6},    Sign{"G73U", 6}, Sign{"G74R", 6},  Sign{"G75R", 6}, Sign{"G75X", 4}, Sign{"G76P", 4},
+        Sign{"G92X", 1},    Sign{"G97S", 2}, Sign{"G99G1", 2}, Sign{"G32Z", 4},
     };
     constexpr std::array mill{
         Sign{"Y~", 3},   Sign{"Y-", 3},  Sign{"Y.", 3},  Sign{"Y#", 3},      Sign{"Y[", 3},  Sign{"M06", 5},

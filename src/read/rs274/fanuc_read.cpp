@@ -176,10 +176,12 @@ void read_line(FanucState& s, const base::Source& source, std::size_t begin, std
 }
 
 std::vector<program::Unit> read_text(std::uint32_t file, const base::Sources& sources, program::Names& names,
-                                     base::Diagnostics& diagnostics, const FanucControl& control) {
+                                     base::Diagnostics& diagnostics, const FanucControl& control,
+                                     bool whole_numbers_known) {
     const base::Source& source = sources[file];
     FanucState s(file, control, names, diagnostics, sources);
     s.system = system_parameter;
+    s.whole_number_said = whole_numbers_known;
     const Extent e = extent_of(s.text);
     note_extent(s, e);
     for (std::size_t at = e.begin; at < e.end;) {
@@ -208,12 +210,14 @@ FanucControl control_of(const base::Source& source, const FanucOptions& options,
 
 std::vector<program::Unit> read_fanuc(std::uint32_t file, const base::Sources& sources, program::Names& names,
                                       base::Diagnostics& diagnostics, const FanucOptions& options) {
-    return read_text(file, sources, names, diagnostics, control_of(sources[file], options, false));
+    return read_text(file, sources, names, diagnostics, control_of(sources[file], options, false),
+                     options.whole_numbers_known);
 }
 
 std::vector<program::Unit> read_haas(std::uint32_t file, const base::Sources& sources, program::Names& names,
                                      base::Diagnostics& diagnostics, const FanucOptions& options) {
-    return read_text(file, sources, names, diagnostics, control_of(sources[file], options, true));
+    return read_text(file, sources, names, diagnostics, control_of(sources[file], options, true),
+                     options.whole_numbers_known);
 }
 
 std::vector<program::Unit> read_fanuc(std::uint32_t file, const base::Sources& sources, program::Names& names,

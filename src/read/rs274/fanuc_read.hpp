@@ -20,6 +20,7 @@ struct FanucOptions {
     std::optional<dialect::rs274::FanucMachine> machine{};
     dialect::rs274::GSystem system = dialect::rs274::GSystem::a;
     dialect::rs274::WholeNumbers whole_numbers = dialect::rs274::WholeNumbers::increments;
+    bool whole_numbers_known = false;  ///< somebody says so: it is no assumption
 };
 
 /// Reads one source text: a unit for each of its programs (`O1234`), the first one first; a text without program number

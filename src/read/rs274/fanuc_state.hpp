@@ -56,7 +56,6 @@ struct FanucIf {
 struct PendingJump {
     std::size_t jump = 0;  ///< in Unit::jumps
     std::uint32_t number = 0;
-    bool behind = false;  ///< to what stands behind that block
 };
 /// A call of a section by the number of its first block (M97).
 struct PendingLabel {
@@ -100,7 +99,7 @@ struct FanucState : State {
     std::map<std::uint32_t, std::vector<std::uint32_t>> block_numbers;  ///< statements of each block number
     std::vector<PendingJump> jumps;
     std::vector<PendingLabel> labels;
-    std::vector<std::uint32_t> section_labels;  ///< block numbers that become labels: first and last ones of G70
+    std::vector<std::uint32_t> section_labels;  ///< block numbers that become labels: first and last ones of contours
     bool calls_labels = false;                  ///< M97 stands in it: M99 ends a section
 };
 
@@ -136,6 +135,13 @@ void run_specials(FanucState& s);
 void frame_special(FanucState& s, const FanucG& g, const Address& a);
 /// Radius or angle for an axis letter while polar coordinates hold.
 [[nodiscard]] std::optional<Code> polar_code(const FanucState& s, char letter);
+
+/// A number in least input increments: so many decimals in mm and in inches.
+[[nodiscard]] Value in_increments(FanucState& s, const Value& v, int metric, int inch);
+
+// fanuc_repetitive.cpp
+/// G70 … G76 of lathes.
+void repetitive_cycle(FanucState& s, const FanucG& g, const Address& a);
 
 // fanuc_turning.cpp
 void turning_special(FanucState& s, const FanucG& g, const Address& a);

@@ -1,6 +1,5 @@
-/// Turning cycles. The single ones (G90, G92, G94 of system A) become their four ways; the position at which a cycle
-/// begins is kept in global variables. G70 runs the contour's blocks; what G71 … G76 would remove is not made.
-/// Source: FANUC series 16i/18i-T operator's manual, canned cycles and multiple repetitive cycles.
+/// Single turning cycles (G90, G92, G94 of system A) become their four ways; the position at which a cycle begins is
+/// kept in global variables. Source: FANUC series 16i/18i-T operator's manual, canned cycles.
 
 #include "read/rs274/fanuc_state.hpp"
 
@@ -120,73 +119,14 @@ void single_cycle(FanucState& s, bool fresh) {
     ways(w, s.turning, lead);
 }
 
-std::optional<std::uint32_t> block_number(FanucState& s, char letter) {
-    Address* a = find_address(s, letter);
-    if (a == nullptr) return std::nullopt;
-    a->used = true;
-    const auto n = as_integer(a->value);
-    return n && *n >= 0 ? std::optional(static_cast<std::uint32_t>(*n)) : std::nullopt;
-}
-
-void use_all(FanucState& s) {
-    for (Address& a : s.addresses) a.used = true;
-}
-
-/// G70 P Q: the contour once, then back to where it began.
-void finish(FanucState& s, const Address& a) {
-    const auto first = block_number(s, 'P'), last = block_number(s, 'Q');
-    if (!first || !last) return fail(s, a.begin, a.end, "G70 needs the first and the last block of the contour (P, Q)");
-    for (Address& x : s.addresses)
-        if (!x.used) emit_address(s, x);
-    emit_block(s);
-    s.words.clear();
-    const Writer w{s, s.line.begin(), s.line.end()};
-    w.open();
-    keep_start(w);
-    w.close();
-    program::Section section;
-    section.first = s.build().name("N" + std::to_string(*first));
-    section.last = s.build().name("N" + std::to_string(*last));
-    s.unit().sections.push_back(section);
-    add_control(s, StatementKind::repeat_section, s.unit().sections.size() - 1);
-    s.section_labels.push_back(*first);
-    s.section_labels.push_back(*last);
-    way(w, Modal::rapid, w.variable(start_x), w.variable(start_z));
-}
-
-/// The contour behind G71 … G73 is cut by the cycle, not in passing.
-void rough(FanucState& s, const FanucG& g, const Address& a) {
-    const auto first = block_number(s, 'P'), last = block_number(s, 'Q');
-    use_all(s);
-    add_problem(s, Code::unsupported, a.begin, s.line.end(), g.says);
-    if (!first || !last) return;
-    emit_block(s);
-    s.words.clear();
-    program::Jump jump;
-    jump.direction = program::JumpDirection::either_quiet;
-    jump.destination = s.build().number(static_cast<double>(*last), true, a.begin, a.end);
-    s.unit().jumps.push_back(jump);
-    s.jumps.push_back({s.unit().jumps.size() - 1, *last, true});
-    add_control(s, StatementKind::jump, s.unit().jumps.size() - 1);
-}
-
 }  // namespace
 
 void turning_special(FanucState& s, const FanucG& g, const Address& a) {
-    switch (g.special) {
-        case FanucSpecial::finish: return finish(s, a);
-        case FanucSpecial::rough: return rough(s, g, a);
-        case FanucSpecial::turning_cycle: break;
-        default: return;
-    }
-    if (g.number >= 900) {
-        s.turning = g.number;
-        s.new_cycle = true;
-        s.own_motion = false;  // a block with coordinates runs it, this one or a later one
-        return;
-    }
-    use_all(s);
-    add_problem(s, Code::unsupported, a.begin, s.line.end(), g.says);
+    if (g.special == FanucSpecial::repetitive) return repetitive_cycle(s, g, a);
+    if (g.special != FanucSpecial::turning_cycle) return;
+    s.turning = g.number;
+    s.new_cycle = true;
+    s.own_motion = false;  // a block with coordinates runs it, this one or a later one
 }
 
 bool turning_block(FanucState& s) {

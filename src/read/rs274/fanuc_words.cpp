@@ -56,11 +56,15 @@ Value by_unit(FanucState& s, const Value& v, int metric, int inch) {
     return out;
 }
 
+}  // namespace
+
 Value in_increments(FanucState& s, const Value& v, int metric, int inch) {
     if (metric == inch) return shifted(v, metric);
     if (!s.inch) return by_unit(s, v, metric, inch);
     return shifted(v, *s.inch ? inch : metric);
 }
+
+namespace {
 
 /// Decimals of F. Sources: FANUC parameter 1403 MIF = 0 (1 mm/min, 0.01 inch/min); per revolution 0.01 mm, 0.0001 inch
 /// on mills, 0.0001 mm, 0.000001 inch on lathes. Haas: setting 77 at its default.

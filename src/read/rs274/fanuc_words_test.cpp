@@ -81,9 +81,14 @@ TEST(FanucWords, WorkOffsets) {
     EXPECT_EQ(on_haas("G154 P7"), m(Modal::datum, 5407));
     EXPECT_EQ(on_haas("G110"), m(Modal::datum, 5401));
     EXPECT_EQ(on_mill("G54.1 P#1"), "unsupported{G54.1|a work offset by a number that is not written}");
-    EXPECT_EQ(on_mill("G10 L2 P1 X1."), "L2 P1 X1 " + m(Modal::set_data));
-    EXPECT_EQ(on_mill("G10 L20 P1 X1."), "unsupported{G10 L20 P1 X1.|sets a work offset of G54.1}");
-    EXPECT_EQ(on_mill("G10 L12 P1 R5."), "unsupported{G10 L12 P1 R5.|sets a tool offset}");
+    using program::DataTable;
+    const auto writes = [](DataTable t) { return m(Modal::set_data, static_cast<int>(t)); };
+    EXPECT_EQ(on_mill("G10 L2 P1 X1."), "P1 X1 " + writes(DataTable::datum));
+    EXPECT_EQ(on_mill("G10 L2 P0 X1."), "P0 X1 " + writes(DataTable::external_datum));
+    EXPECT_EQ(on_mill("G10 L20 P1 X1."), "P1 X1 " + writes(DataTable::extended_datum));
+    EXPECT_EQ(on_mill("G10 L12 P1 R5."), "P1 CR5 " + writes(DataTable::tool_radius));
+    EXPECT_EQ(on_haas("G10 L12 P1 R5."), "P1 CR5 " + writes(DataTable::tool_diameter));
+    EXPECT_EQ(on_mill("G10 L50"), "unsupported{G10 L50|sets parameters of the control}");
 }
 
 TEST(FanucWords, MachineCoordinatesAreReachedInRapidTraverse) {
@@ -95,7 +100,7 @@ TEST(FanucWords, MachineCoordinatesAreReachedInRapidTraverse) {
 TEST(FanucWords, HoleCycles) {
     // The index of the cycle in the traits; K repeats, P is milliseconds, Q increments.
     EXPECT_EQ(on_mill("G99 G82 X1. Y2. Z-3. R1. P250 K2 F50"),
-              "F50 X1 Y2 Z-3 CR1 P0.25 L2 " + m(Modal::retract_clearance) + " " + m(Modal::canned, 4));
+              "F50 X1 Y2 Z-3 CR1 P0.25 L2 act " + m(Modal::retract_clearance) + " " + m(Modal::canned, 4));
     EXPECT_EQ(on_mill("G87 X1. Z-3. R-10. Q1. F50"), "F50 X1 E-3 Z-10 Q1 " + m(Modal::canned, 9));
     EXPECT_EQ(on_mill("G81 Z-1. R1. F50\nX5. K3\nG80 X6. K3."),
               "F50 Z-1 CR1 " + m(Modal::canned, 3) + "\nX5 L3\nX6 K3 " + m(Modal::canned_off));
@@ -115,7 +120,7 @@ TEST(FanucWords, HaasPatternsOfHoles) {
 TEST(FanucWords, WhatIsNotRunIsNamed) {
     EXPECT_EQ(on_mill("G43.4 H1 Z5."), "unsupported{G43.4|tool centre point control} H-offset1 Z5");
     EXPECT_EQ(on_haas("G150 X1. Y1."), "unsupported{G150|general purpose pocket milling}");
-    EXPECT_EQ(on_haas("G12 I1. D1 F10."), "F10 unsupported{G12|circular pocket}");
+    EXPECT_EQ(on_haas("G12 I1. D1 F10."), "F10 I1 D-offset1 act " + m(Modal::circle_pocket));
     EXPECT_EQ(on_mill("G777 X1."), "unknown{G777|}");
     EXPECT_EQ(on_mill("G#1 X1."), "unsupported{G#1|a G code that is computed}");
     EXPECT_EQ(on_mill("M250"), "M250");

@@ -1,0 +1,18 @@
+#pragma once
+/// Files of a check: where text goes, and the machined surface for other programs.
+
+#include <string>
+
+#include "arguments.hpp"
+#include "driver/check_program.hpp"
+
+namespace obrys::cli {
+
+/// Writes the text where it was asked for. False where that fails (the complaint is printed).
+bool deliver(driver::Session& s, const std::string& path, const std::string& text);
+
+[[nodiscard]] bool wants_surface(const Arguments& a);
+/// The files that were asked for. False where one could not be written; a job without milling stock has no surface.
+bool write_surface(const Arguments& a, driver::Session& s, const driver::Checked& checked);
+
+}  // namespace obrys::cli

@@ -1,0 +1,340 @@
+#include "check/milling.hpp"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+
+#include "base/number.hpp"
+#include "check/milling_tool.hpp"
+#include "check/words.hpp"
+#include "cl/path_element.hpp"
+#include "cl/spline.hpp"
+#include "cl/totals.hpp"
+
+namespace obrys::check {
+
+namespace milling = sim::milling;
+
+namespace {
+
+constexpr double piece = 0.1;                   ///< mm in which the way in the material is measured
+constexpr double short_way = 1;                 ///< mm; moves up to that count as a whole
+constexpr std::uint32_t most_pieces = 200'000;  ///< in all; the moves behind them count as a whole
+constexpr std::size_t batch = 32'768;           ///< passes that wait for the simulation
+constexpr double drawn_chord = 0.01;            ///< mm the picture of a curve may leave it
+constexpr int most_chords = 256;
+constexpr double fallback_radius = 1;  ///< mm, where no tool of the list has a shape
+
+/// The smallest radius that a tool of the list can leave: what the lattice must resolve.
+double smallest_radius(const Setup& setup) {
+    double smallest = 0;
+    for (const shop::Tool& t : setup.tools) {
+        const milling::MadeShape made = milling::shape_of(cutter_of(t));
+        if (!made.ok()) continue;
+        const double r = milling::smallest_radius(made.shape, setup.milling->tolerance);
+        if (r > 0 && (smallest == 0 || r < smallest)) smallest = r;
+    }
+    return smallest > 0 ? smallest : fallback_radius;
+}
+
+std::string megabytes(double bytes) { return base::fixed(bytes / 1e6, 0) + " MB"; }
+
+geom::PathElement part_of(const geom::PathElement& e, double u0, double u1) {
+    if (const auto* s = std::get_if<geom::Straight>(&e))
+        return geom::Straight{s->from + u0 * (s->to - s->from), s->from + u1 * (s->to - s->from)};
+    if (const auto* c = std::get_if<geom::Circular>(&e)) {
+        geom::Circular part = *c;
+        part.from = u0 == 0 ? c->from : geom::point_at(e, u0);
+        part.to = u1 == 1 ? c->to : geom::point_at(e, u1);
+        part.centre = c->centre + u0 * geom::dot(c->to - c->from, c->normal) * c->normal;
+        part.sweep = (u1 - u0) * c->sweep;
+        return part;
+    }
+    return e;
+}
+
+}  // namespace
+
+Milling::Milling(const Setup& setup, Collector& out) : setup_(setup), out_(out), pieces_left_(most_pieces) { begin(); }
+
+void Milling::begin() {
+    const MillingSetup& m = *setup_.milling;
+    if (const std::string problem = milling::problem_of(m.stock); !problem.empty())
+        return out_.unchecked("stock: " + problem + ": removal not simulated");
+    const milling::Box3 box = milling::box_of(m.stock);
+    const milling::Resolution fine = milling::resolve(box, m.tolerance, smallest_radius(setup_), m.memory_bytes);
+    if (!fine.lattice) {
+        const std::string needed = std::isfinite(fine.bytes) ? megabytes(fine.bytes) : "more than any memory";
+        return out_.unchecked(
+            "a tolerance of " + base::shortest(m.tolerance) + " mm needs " + needed + " for this stock, of which " +
+                megabytes(m.memory_bytes) + " may be used: removal not simulated",
+            std::isfinite(fine.fits)
+                ? "a tolerance of " + base::shortest(std::ceil(fine.fits * 1e5) / 1e5) + " mm would fit (--tolerance)"
+                : std::string());
+    }
+    const auto& lattice = fine.lattice;
+    simulation_.emplace(m.stock, *lattice, m.tolerance, m.threads);
+    if (simulation_->open_rays() > 0)
+        out_.unchecked("the stock's surface is not closed: " + std::to_string(simulation_->open_rays()) +
+                       " rays enter it and do not leave");
+    known_tools_.resize(setup_.tools.size());
+    figures_.tolerance_mm = m.tolerance;
+    figures_.step = lattice->step;
+    figures_.before_mm3 = milling::volume(simulation_->dexels());
+    figures_.contact_accuracy_mm = piece;
+    add_clamps();
+}
+
+Milling::~Milling() = default;
+
+void Milling::add_clamps() {
+    for (const check::Clamp& c : setup_.milling->clamps) {
+        if (const std::string problem = milling::problem_of(c.body); !problem.empty()) {
+            out_.unchecked("clamp " + c.name + ": " + problem + ": collisions with it are not checked");
+            continue;
+        }
+        const milling::Box3 box = milling::box_of(c.body);
+        const geom::Vec3 size = box.max - box.min;
+        const double step = std::clamp(std::max({size.x, size.y, size.z}) / 200, 0.1, 1.0);
+        const auto lattice = milling::make_lattice(box, step);
+        if (!lattice) {
+            out_.unchecked("clamp " + c.name + " is too large: collisions with it are not checked");
+            continue;
+        }
+        clamps_.push_back(
+            {c.name, milling::Simulation(c.body, *lattice, setup_.milling->tolerance, setup_.milling->threads), {}});
+    }
+}
+
+void Milling::take(const cl::Record&, const cl::ToolChange& tool) {
+    tool_ = nullptr;
+    tool_name_ = tool.name.empty() ? "T" + std::to_string(tool.number) : "\"" + tool.name + "\"";
+    if (tool.number == 0 && tool.name.empty()) tool_name_.clear();
+    for (const shop::Tool& t : setup_.tools) {
+        const bool same = tool.number != 0 ? t.number == tool.number : !tool.name.empty() && t.name == tool.name;
+        if (!same || (tool.edge != 0 && t.edge != tool.edge)) continue;
+        tool_ = &t;
+        break;
+    }
+    tool_ready_ = false;
+}
+
+/// Why the tool cannot be simulated stands in the notes; each tool is made once.
+std::optional<std::uint32_t> Milling::tool_in_use(const Move& move) {
+    if (tool_ready_) return sim_tool_;
+    if (tool_ == nullptr) {
+        out_.unchecked(move.record, tool_name_.empty()
+                                        ? "no tool is selected: removal not simulated"
+                                        : "tool " + tool_name_ + " is not known: its removal is not simulated");
+        return std::nullopt;
+    }
+    auto& known = known_tools_[static_cast<std::size_t>(tool_ - setup_.tools.data())];
+    if (!known) {
+        milling::MadeShape made = milling::shape_of(cutter_of(*tool_));
+        if (!made.ok()) {
+            out_.unchecked(move.record, "tool " + tool_name_ + ": " + made.problem + ": its removal is not simulated");
+            return std::nullopt;
+        }
+        for (Clamp& c : clamps_) c.tools.push_back(c.simulation.add_tool(made.shape));
+        known = simulation_->add_tool(std::move(made.shape));
+    }
+    sim_tool_ = *known;
+    tool_ready_ = true;
+    return known;
+}
+
+/// Where a rapid comes by when every axis goes at its own speed (dog-leg): the axes stop one after another.
+std::vector<geom::Vec3> Milling::corners_of_rapid(const Move& move) const {
+    std::vector<geom::Vec3> corners;
+    if (setup_.machine.rapid_path == shop::RapidPath::dog_leg) {
+        const geom::Vec3 way = move.to - move.from;
+        std::array<double, 3> needs{};  // minutes
+        for (std::size_t k = 0; k < 3; ++k) {
+            double speed = 0;
+            for (const shop::MachineAxis& a : setup_.machine.axes)
+                if (a.name == std::string(1, "XYZ"[k])) speed = a.rapid;
+            const double part = std::abs(milling::component(way, static_cast<int>(k)));
+            needs[k] = speed > 0 ? part / speed : 0;
+        }
+        for (const double at :
+             {std::min({needs[0], needs[1], needs[2]}),
+              std::max(std::min(needs[0], needs[1]), std::min(std::max(needs[0], needs[1]), needs[2]))}) {
+            geom::Vec3 p = move.to;
+            for (int k = 0; k < 3; ++k) {
+                const double need = needs[static_cast<std::size_t>(k)];
+                if (need > at)
+                    milling::set_component(p, k,
+                                           milling::component(move.from, k) + at / need * milling::component(way, k));
+            }
+            if (at > 0) corners.push_back(p);
+        }
+    }
+    corners.push_back(move.to);
+    return corners;
+}
+
+void Milling::take(const Move& move, std::uint32_t use) {
+    const bool known = geom::is_finite(move.from) && geom::is_finite(move.to);
+    const bool starting = move.rapid && !known && !position_was_known_;
+    position_was_known_ = position_was_known_ || geom::is_finite(move.to);
+    if (starting) {
+        ++start_moves_;
+        return;
+    }
+    const auto leave_out = [&](std::string why) {
+        complete_ = false;
+        out_.unchecked(move.record, std::move(why));
+    };
+    if (!known) return leave_out("position not known: removal not simulated");
+    geom::Vec3 axis = axis_;
+    if (const auto* linear = std::get_if<cl::Linear>(&move.record.step)) axis = linear->axis;
+    if (const auto* spline = std::get_if<cl::Spline>(&move.record.step)) axis = spline->axis;
+    if (!move.rapid && geom::distance(axis, axis_) > 1e-9 && geom::distance(move.from, move.to) > 1e-9 && passes_ > 0)
+        leave_out("the tool's axis turns on the way: the move is simulated with the axis of its end");
+    axis_ = axis;
+    if (!tool_in_use(move)) {
+        complete_ = false;
+        return;
+    }
+    const auto element = cl::element_of(move.from, move.record.step);
+    if (!element) return leave_out("the way of this move is not known: removal not simulated");
+    MilledMove m;
+    m.index = move.index;
+    m.where = move.record.from;
+    m.stack = move.record.stack;
+    m.from = move.from;
+    m.to = move.to;
+    m.tool = use;
+    m.rapid = move.rapid;
+    m.turning = turning_;
+    const geom::Vec3 way = move.to - move.from;
+    const double down = -geom::dot(way, axis);
+    m.plunging = down > 1e-9 && geom::length(way + down * axis) < 1e-9 * down;
+    m.seconds = seconds_of(move);
+    keep_points(move, m);
+    moves_.push_back(m);
+    if (move.rapid) {
+        geom::Vec3 from = move.from;
+        for (const geom::Vec3& to : corners_of_rapid(move)) {
+            queue(geom::Straight{from, to}, m, false);
+            from = to;
+        }
+    } else {
+        queue(*element, m, true);
+    }
+    if (queued_.size() >= batch) carry_out();
+}
+
+/// Chained to the move before; a gap between them (moves that were left out) is a point that is not known.
+void Milling::keep_points(const Move& move, MilledMove& m) {
+    if (moves_.size() >= setup_.keep_moves) return;
+    const bool begins = points_.empty() || geom::distance(points_.back(), move.from) > 1e-6;
+    if (begins && !points_.empty()) points_.push_back({NAN, NAN, NAN});
+    if (begins) points_.push_back(move.from);
+    cl::points_between(move.from, move.record.step, drawn_chord, most_chords,
+                       [this](geom::Vec3 p) { points_.push_back(p); });
+    points_.push_back(move.to);
+    m.points_end = static_cast<std::uint32_t>(points_.size());
+    ++moves_with_points_;
+}
+
+/// At the programmed feed; rapids in straight lines at the slowest axis' rapid.
+double Milling::seconds_of(const Move& move) const {
+    const double way = cl::move_length(move.from, move.record.step);
+    if (move.rapid) {
+        double slowest = INFINITY;
+        for (const shop::MachineAxis& a : setup_.machine.axes)
+            if (!a.rotary) slowest = std::min(slowest, a.rapid);
+        return std::isfinite(slowest) && slowest > 0 ? 60 * way / slowest : NAN;
+    }
+    switch (feed_.mode) {
+        case cl::FeedMode::per_minute: return feed_.value > 0 ? 60 * way / feed_.value : NAN;
+        case cl::FeedMode::per_rev: return feed_.value * speed_ > 0 ? 60 * way / (feed_.value * speed_) : NAN;
+        case cl::FeedMode::inverse_time: return feed_.value > 0 ? 60 / feed_.value : NAN;
+    }
+    return NAN;
+}
+
+void Milling::queue(const geom::PathElement& element, const MilledMove& move, bool feed) {
+    using Kind = QueuedPass::Kind;
+    if (!feed) queue_pass(Kind::rapid_probe, milling::Part::cutting, false, element);
+    double way = geom::distance(move.from, move.to);
+    if (const auto* c = std::get_if<geom::Circular>(&element)) {
+        const geom::Vec3 spoke = c->from - c->centre;
+        const double radius = geom::length(spoke - geom::dot(spoke, c->normal) * c->normal);
+        way = geom::length(geom::Vec2{radius * c->sweep, geom::dot(c->to - c->from, c->normal)});
+    }
+    std::uint32_t pieces = 1;
+    if (feed && !std::holds_alternative<geom::Cubic>(element) && way > short_way && way / piece < pieces_left_) {
+        pieces = static_cast<std::uint32_t>(std::ceil(way / piece));
+        pieces_left_ -= pieces;
+    }
+    for (std::uint32_t i = 0; i < pieces; ++i) {
+        const geom::PathElement part =
+            pieces == 1 ? element : part_of(element, double(i) / pieces, double(i + 1) / pieces);
+        queue_pass(Kind::cut, milling::Part::cutting, true, part);
+        queued_.back().length = static_cast<float>(way / pieces);
+    }
+    if (tool_ != nullptr && has_shank(*tool_)) queue_pass(Kind::shank, milling::Part::shank, false, element);
+    if (tool_ != nullptr && has_holder(*tool_)) queue_pass(Kind::holder, milling::Part::holder, false, element);
+    queue_clamps(element);
+}
+
+void Milling::queue_pass(QueuedPass::Kind kind, milling::Part part, bool cut, const geom::PathElement& element) {
+    static_cast<void>(simulation_->add({element, axis_, sim_tool_, part, cut}));
+    QueuedPass q;
+    q.kind = kind;
+    q.move = static_cast<std::uint32_t>(moves_.size() - 1);
+    q.pass = passes_++;
+    move_of_pass_.push_back(q.move);
+    queued_.push_back(q);
+}
+
+void Milling::queue_clamps(const geom::PathElement& element) {
+    for (std::size_t i = 0; i < clamps_.size(); ++i) {
+        Clamp& c = clamps_[i];
+        for (const auto& [kind, part] : {std::pair{QueuedPass::Kind::cut, milling::Part::cutting},
+                                         std::pair{QueuedPass::Kind::shank, milling::Part::shank},
+                                         std::pair{QueuedPass::Kind::holder, milling::Part::holder}}) {
+            static_cast<void>(c.simulation.add({element, axis_, sim_tool_, part, false}));
+            QueuedPass q;
+            q.kind = kind;
+            q.move = static_cast<std::uint32_t>(moves_.size() - 1);
+            q.clamp = static_cast<std::uint32_t>(i + 1);
+            q.pass = static_cast<std::uint32_t>(c.simulation.engagements().size() - 1);
+            queued_.push_back(q);
+        }
+    }
+}
+
+void Milling::carry_out() {
+    simulation_->flush();
+    for (Clamp& c : clamps_) c.simulation.flush();
+    for (const QueuedPass& q : queued_) {
+        const auto met = q.clamp == 0 ? simulation_->engagements() : clamps_[q.clamp - 1].simulation.engagements();
+        judge(q, met[q.pass]);
+    }
+    queued_.clear();
+}
+
+void Milling::finish(bool complete) {
+    if (!simulation_) return;
+    carry_out();
+    complete_ = complete_ && complete;
+    if (start_moves_ > 0)
+        out_.assumption("start position not known: the first " + std::to_string(start_moves_) +
+                        (start_moves_ == 1 ? " rapid move was" : " rapid moves were") + " not simulated");
+    auto milled = std::make_shared<Milled>();
+    figures_.after_mm3 = milling::volume(simulation_->dexels());
+    figures_.memory_mb = static_cast<double>(simulation_->bytes()) / 1e6;
+    for (const MilledMove& m : moves_) figures_.contact_length_mm += m.contact_length_mm;
+    if (pieces_left_ < most_pieces && pieces_left_ < 1000) figures_.contact_accuracy_mm = 0;
+    milled->figures = figures_;
+    milled->moves = std::move(moves_);
+    milled->points = std::move(points_);
+    milled->moves_with_points = moves_with_points_;
+    judge_surface(*milled);
+    out_.result().milled = std::move(milled);
+}
+
+}  // namespace obrys::check

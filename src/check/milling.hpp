@@ -1,0 +1,91 @@
+#pragma once
+/// Milling: removes the stock move by move on rays (sim/milling) and says what rapid moves, shanks, holders and clamps
+/// meet. Lengths in mm, frame of the stock.
+
+#include <cmath>
+#include <deque>
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "check/check.hpp"
+#include "check/collect.hpp"
+#include "sim/milling/simulation.hpp"
+
+namespace obrys::check {
+
+/// One part of a tool on its way, queued in the simulation; what it met is known when the queue has been carried out.
+struct QueuedPass {
+    enum class Kind : std::uint8_t { cut, rapid_probe, shank, holder };
+    Kind kind = Kind::cut;
+    std::uint32_t move = 0;   ///< index in Milling::moves_
+    std::uint32_t clamp = 0;  ///< of passes against a clamp: its number from 1
+    std::uint32_t pass = 0;   ///< number in its simulation
+    float length = 0;         ///< mm of way
+};
+
+class Milling {
+public:
+    /// The stock must be there; what is wrong with it, or too fine for the memory, is said in `out` and `ready` is
+    /// false.
+    Milling(const Setup& setup, Collector& out);
+    ~Milling();
+    [[nodiscard]] bool ready() const { return simulation_.has_value(); }
+
+    void take(const cl::Record& record, const cl::ToolChange& tool);
+    void take(const cl::Feed& feed) { feed_ = feed; }
+    void take(const cl::Spindle& spindle) {
+        turning_ = spindle.direction != 0 && spindle.speed != 0;
+        speed_ = spindle.mode == cl::SpindleMode::rpm ? spindle.speed : NAN;
+    }
+    /// `use`: index in Result::tools + 1. Queues the move; findings come later, in the order of the moves.
+    void take(const Move& move, std::uint32_t use);
+    /// Carries out what is queued, judges the surface and fills in Result::milling.
+    void finish(bool complete);
+
+private:
+    struct Clamp {
+        std::string name;
+        sim::milling::Simulation simulation;
+        std::vector<std::uint32_t> tools;
+    };
+    void begin();
+    void add_clamps();
+    [[nodiscard]] std::optional<std::uint32_t> tool_in_use(const Move& move);
+    void queue(const geom::PathElement& element, const MilledMove& move, bool feed);
+    void queue_pass(QueuedPass::Kind kind, sim::milling::Part part, bool cut, const geom::PathElement& element);
+    void queue_clamps(const geom::PathElement& element);
+    [[nodiscard]] std::vector<geom::Vec3> corners_of_rapid(const Move& move) const;
+    [[nodiscard]] double seconds_of(const Move& move) const;
+    void keep_points(const Move& move, MilledMove& m);
+    void carry_out();
+    void judge(const QueuedPass& pass, const sim::milling::Engagement& met);
+    void judge_cut(const QueuedPass& pass, MilledMove& move, const sim::milling::Engagement& met);
+    void judge_surface(Milled& milled);
+    void judge_place(const Milled& milled, const mesh::Place& place, bool gouge);
+    void found(const MilledMove& move, Finding f);
+
+    const Setup& setup_;
+    Collector& out_;
+    std::optional<sim::milling::Simulation> simulation_;
+    std::deque<Clamp> clamps_;
+    std::vector<MilledMove> moves_;
+    std::vector<geom::Vec3> points_;
+    std::size_t moves_with_points_ = 0;
+    std::vector<QueuedPass> queued_;
+    std::vector<std::uint32_t> move_of_pass_;  ///< of the stock's simulation
+    MillingFigures figures_;
+    std::string tool_name_;
+    const shop::Tool* tool_ = nullptr;
+    std::vector<std::optional<std::uint32_t>> known_tools_;  ///< number in the simulation, by index in Setup::tools
+    std::uint32_t sim_tool_ = 0;
+    std::uint32_t passes_ = 0, pieces_left_ = 0;
+    geom::Vec3 axis_{0, 0, 1};
+    cl::Feed feed_;
+    double speed_ = NAN;  ///< 1/min
+    bool turning_ = false, tool_ready_ = false, complete_ = true, stopped_reported_ = false;
+    std::uint64_t start_moves_ = 0;
+    bool position_was_known_ = false;
+};
+
+}  // namespace obrys::check

@@ -1,0 +1,132 @@
+/// What passes met becomes findings; the surface is held to the part.
+
+#include <algorithm>
+#include <cmath>
+
+#include "base/codes.hpp"
+#include "base/number.hpp"
+#include "check/milling.hpp"
+#include "check/milling_tool.hpp"
+#include "check/words.hpp"
+#include "sim/milling/surface.hpp"
+
+namespace obrys::check {
+
+namespace codes = base::codes;
+namespace milling = sim::milling;
+
+namespace {
+
+std::string place(geom::Vec3 p) {
+    return "X " + base::fixed(p.x, 3) + " Y " + base::fixed(p.y, 3) + " Z " + base::fixed(p.z, 3);
+}
+
+}  // namespace
+
+/// Places a finding at a move that is over.
+void Milling::found(const MilledMove& move, Finding f) {
+    f.where = move.where;
+    f.stack = out_.stacks().sites(move.stack);
+    const cl::Record record{cl::Linear{move.to, {0, 0, 1}, move.rapid}, move.where, move.stack};
+    out_.finding(Move{record, move.index, move.from, move.to, move.rapid}, std::move(f));
+}
+
+void Milling::judge_cut(const QueuedPass& pass, MilledMove& move, const milling::Engagement& met) {
+    if (!met.touched) return;
+    const bool first = move.volume_mm3 == 0 && move.contact_length_mm == 0;
+    move.volume_mm3 += met.volume;
+    if (move.tool > 0) out_.result().tools[move.tool - 1].volume_mm3 += met.volume;
+    if (met.highest > met.lowest) move.axial_depth_mm = std::max(move.axial_depth_mm, met.highest - met.lowest);
+    if (met.rightmost <= met.leftmost) {
+        move.rightmost_mm = first ? met.rightmost : std::min(move.rightmost_mm, met.rightmost);
+        move.leftmost_mm = first ? met.leftmost : std::max(move.leftmost_mm, met.leftmost);
+    }
+    if (move.rapid) return;
+    move.contact_length_mm += static_cast<double>(pass.length);
+    if (!first) return;
+    if (!move.turning && !stopped_reported_) {
+        Finding f;
+        f.code = codes::spindle_stopped;
+        f.text = "the tool cuts while the spindle stands";
+        f.remedy = "start the spindle with M3 or M4 and a speed S";
+        found(move, std::move(f));
+    }
+    stopped_reported_ = !move.turning;
+    if (!move.plunging || move.tool == 0) return;
+    const auto listed = out_.result().tools[move.tool - 1].listed;
+    if (!listed || shop::may_plunge(setup_.tools[*listed])) return;
+    Finding f;
+    f.code = codes::plunging_cut;
+    f.text = "the tool plunges into the material, but it does not cut at its centre";
+    f.remedy = "enter by a ramp or a helix, or drill before";
+    f.amounts = {{"volume_mm3", met.volume}};
+    found(move, std::move(f));
+}
+
+void Milling::judge(const QueuedPass& pass, const milling::Engagement& met) {
+    using Kind = QueuedPass::Kind;
+    MilledMove& move = moves_[pass.move];
+    if (pass.clamp == 0 && pass.kind == Kind::cut) return judge_cut(pass, move, met);
+    if (!met.touched || !(met.depth > setup_.tolerances.rapid)) return;
+    Finding f;
+    f.amounts = {{"depth_mm", met.depth}, {"x_mm", met.deepest.x}, {"y_mm", met.deepest.y}, {"z_mm", met.deepest.z}};
+    f.place = met.deepest;
+    const std::string deep = mm(met.depth) + " deep at " + place(met.deepest);
+    const std::string part = pass.kind == Kind::shank ? "shank" : pass.kind == Kind::holder ? "holder" : "tool";
+    if (pass.clamp > 0) {
+        f.code = codes::clamp_collision;
+        f.text = "the " + part + " runs into the clamp " + clamps_[pass.clamp - 1].name + ": " + deep;
+    } else if (pass.kind == Kind::rapid_probe) {
+        f.code = codes::rapid_in_stock;
+        f.text = "rapid move goes through the stock: " + deep;
+    } else {
+        f.code = codes::holder_in_stock;
+        f.text = "the " + part + " runs into the stock: " + deep;
+        if (pass.kind == Kind::shank) f.remedy = "take a tool with longer cutting edges, or cut less deep";
+    }
+    found(move, std::move(f));
+}
+
+void Milling::judge_place(const Milled& milled, const mesh::Place& p, bool gouge) {
+    Finding f;
+    f.code = gouge ? codes::gouge : codes::rest_material;
+    f.place = p.at;
+    const double amount = std::abs(p.deviation);
+    f.text = std::string(gouge ? "cuts into the finished part: " : "material is left on the part: ") + mm(amount) +
+             (gouge ? " deep" : " high") + " at " + place(p.at) + ", over " + mm2(p.area);
+    f.amounts = {{gouge ? "depth_mm" : "height_mm", amount},
+                 {"area_mm2", p.area},
+                 {"x_mm", p.at.x},
+                 {"y_mm", p.at.y},
+                 {"z_mm", p.at.z}};
+    if (p.tag > 0 && p.tag <= milled.moves.size()) return found(milled.moves[p.tag - 1], std::move(f));
+    f.text += "; no move has cut there";
+    const cl::Record nothing{cl::Stop{}, nowhere, 0};
+    out_.finding(nothing, std::move(f));
+}
+
+void Milling::judge_surface(Milled& milled) {
+    const MillingSetup& m = *setup_.milling;
+    if (out_.result().stats.feed_moves > 0 && figures_.contact_length_mm == 0 && complete_)
+        out_.unchecked("not one move met the stock: nothing was checked against it",
+                       "see whether stock, part and program use the same zero point (docs/job-file.md)");
+    if (m.part == nullptr)
+        out_.unchecked("no part: gouges and rest material not checked", "give the finished part in the job file");
+    if (m.part == nullptr && !m.surface) return;
+    const auto normal = [&](std::uint32_t cut, geom::Vec3 p, int, double) { return simulation_->normal_at(cut, p); };
+    milling::Surface surface = milling::extract_surface(simulation_->dexels(), normal);
+    for (std::uint32_t& tag : surface.mesh.tags)
+        if (tag != 0) tag = move_of_pass_[simulation_->pass_of(tag)] + 1;
+    milled.surface = std::move(surface.mesh);
+    milled.thin = surface.thin;
+    if (m.part == nullptr) return;
+    mesh::CompareOptions options;
+    options.gouge = std::max(setup_.tolerances.gouge, m.tolerance);
+    options.excess = std::max(setup_.tolerances.rest_material, m.tolerance);
+    milled.comparison = mesh::compare(milled.surface, *m.part, options);
+    for (const mesh::Place& p : milled.comparison->gouges) judge_place(milled, p, true);
+    if (!complete_) return out_.unchecked("rest material not judged, since not every move was simulated");
+    for (const mesh::Place& p : milled.comparison->excesses) judge_place(milled, p, false);
+}
+
+}  // namespace obrys::check

@@ -1,0 +1,170 @@
+/// Milling through the whole check: records in, findings and figures out.
+
+#include <gtest/gtest.h>
+
+#include "base/codes.hpp"
+#include "check/check.hpp"
+#include "mesh/primitives.hpp"
+
+namespace obrys::check {
+
+namespace {
+
+Setup face_setup() {
+    Setup s;
+    s.machine.kind = shop::MachineKind::mill;
+    shop::Tool t;
+    t.number = 1;
+    t.kind = shop::ToolKind::end_mill;
+    t.radius = 10;
+    t.cutting_length = 30;
+    s.tools = {t};
+    s.tools_given = true;
+    s.milling.emplace();
+    s.milling->stock = sim::milling::Box3{{0, 0, -40}, {60, 40, 0}};
+    s.milling->tolerance = 0.02;
+    return s;
+}
+
+/// Mills the strips at Y 5, 20 and 35 at a height; the last one not where `half`.
+Result mill(Setup setup, double z, bool half) {
+    const cl::CallStacks stacks;
+    Check check(std::move(setup), stacks);
+    std::uint32_t at = 0;
+    const auto take = [&](cl::Step step) {
+        check.take({std::move(step), {0, at, at + 1}, 0});
+        ++at;
+    };
+    take(cl::ToolChange{1, 1, ""});
+    take(cl::Spindle{3000, cl::SpindleMode::rpm, 1, 0});
+    take(cl::Linear{{-20, 5, 20}, {0, 0, 1}, true});
+    take(cl::Feed{500, cl::FeedMode::per_minute});
+    for (const double y : {5.0, 20.0, 35.0}) {
+        if (half && y > 20) break;
+        take(cl::Linear{{-20, y, z}, {0, 0, 1}, true});
+        take(cl::Linear{{80, y, z}, {0, 0, 1}, false});
+        take(cl::Linear{{80, y, 20}, {0, 0, 1}, true});
+        take(cl::Linear{{-20, y, 20}, {0, 0, 1}, true});
+    }
+    return check.finish();
+}
+
+Setup with_part(Setup s, double top) {
+    s.milling->part = std::make_shared<const mesh::Distance>(mesh::box({0, 0, -40}, {60, 40, top}));
+    return s;
+}
+
+std::vector<const Finding*> of(const Result& r, std::string_view code) {
+    std::vector<const Finding*> found;
+    for (const Finding& f : r.findings)
+        if (f.code == code) found.push_back(&f);
+    return found;
+}
+
+double amount(const Finding& f, std::string_view key) {
+    for (const Amount& a : f.amounts)
+        if (a.key == key) return a.value;
+    return NAN;
+}
+
+}  // namespace
+
+TEST(Milling, AFinishedFaceIsClean) {
+    const Result r = mill(with_part(face_setup(), -5), -5, false);
+    EXPECT_EQ(r.verdict, Verdict::clean);
+    EXPECT_TRUE(r.findings.empty());
+    ASSERT_NE(r.milled, nullptr);
+    EXPECT_NEAR(r.milled->figures.before_mm3 - r.milled->figures.after_mm3, 60 * 40 * 5, 1e-6 * 96'000);
+    // The rim meets X 0 when the centre is at X -10; the last of a strip goes where the tool is widest, at X 60, of the
+    // third strip, of which 5 mm on both sides of the way are there, at X 60 - sqrt(75). The rays do not quite reach
+    // the widest place.
+    EXPECT_NEAR(r.milled->figures.contact_length_mm, 70 + 70 + 70 - std::sqrt(75), 2);
+}
+
+TEST(Milling, WhatIsLeftIsNamedWithItsHeightAndTheMoveBesideIt) {
+    const Result r = mill(with_part(face_setup(), -5), -5, true);
+    const auto rest = of(r, base::codes::rest_material);
+    ASSERT_EQ(rest.size(), 1U);
+    EXPECT_NEAR(amount(*rest[0], "height_mm"), 5, 0.02);
+    ASSERT_TRUE(rest[0]->place);
+    EXPECT_GT(rest[0]->place->y, 29.9);
+    EXPECT_EQ(r.verdict, Verdict::findings);
+}
+
+TEST(Milling, ACutIntoThePartIsAGougeOfItsMove) {
+    const Result r = mill(with_part(face_setup(), -5), -6, false);
+    const auto gouges = of(r, base::codes::gouge);
+    ASSERT_FALSE(gouges.empty());
+    EXPECT_NEAR(amount(*gouges[0], "depth_mm"), 1, 0.02);
+    EXPECT_TRUE(gouges[0]->move);
+    EXPECT_TRUE(of(r, base::codes::rest_material).empty());
+}
+
+TEST(Milling, WithoutAPartNothingIsCalledClean) {
+    const Result r = mill(face_setup(), -5, false);
+    EXPECT_EQ(r.verdict, Verdict::not_fully_checked);
+}
+
+TEST(Milling, AToleranceThatDoesNotFitTheMemorySaysWhatWould) {
+    check::Setup s = face_setup();
+    s.milling->tolerance = 1e-6;
+    s.milling->memory_bytes = 50e6;
+    const Result r = mill(std::move(s), -5, false);
+    EXPECT_EQ(r.verdict, Verdict::not_fully_checked);
+    EXPECT_EQ(r.milled, nullptr);
+    ASSERT_FALSE(r.unchecked.empty());
+    EXPECT_NE(r.unchecked[0].text.find("of which 50 MB may be used"), std::string::npos) << r.unchecked[0].text;
+    EXPECT_NE(r.unchecked[0].remedy.find("mm would fit"), std::string::npos) << r.unchecked[0].remedy;
+}
+
+TEST(Milling, AToolWithoutRadiusIsNotSimulatedAndSaidSo) {
+    check::Setup s = with_part(face_setup(), -5);
+    s.tools[0].radius = 0;
+    const Result r = mill(std::move(s), -5, false);
+    EXPECT_EQ(r.verdict, Verdict::not_fully_checked);
+    EXPECT_TRUE(of(r, base::codes::rest_material).empty());
+}
+
+TEST(Milling, AProgramBesideTheStockIsNotClean) {
+    const Result r = mill(with_part(face_setup(), 0), 5, false);
+    EXPECT_EQ(r.verdict, Verdict::not_fully_checked);
+}
+
+/// From X -30 Y -40 to X 30 Y 80 beside a block: the straight way misses its corner, the way of axes that go as fast as
+/// they can one by one does not.
+TEST(Milling, ADogLegRapidMeetsWhatTheStraightOneMisses) {
+    for (const bool dog_leg : {false, true}) {
+        check::Setup s = face_setup();
+        s.machine.rapid_path = dog_leg ? shop::RapidPath::dog_leg : shop::RapidPath::straight;
+        for (const char* name : {"X", "Y", "Z"}) {
+            shop::MachineAxis a;
+            a.name = name;
+            a.rapid = 10'000;
+            s.machine.axes.push_back(a);
+        }
+        const cl::CallStacks stacks;
+        Check check(std::move(s), stacks);
+        const auto take = [&](cl::Step step) { check.take({std::move(step), {0, 0, 1}, 0}); };
+        take(cl::ToolChange{1, 1, ""});
+        take(cl::Spindle{3000, cl::SpindleMode::rpm, 1, 0});
+        take(cl::Linear{{-40, -60, -5}, {0, 0, 1}, true});
+        take(cl::Linear{{0, 100, -5}, {0, 0, 1}, true});
+        take(cl::Feed{500, cl::FeedMode::per_minute});
+        take(cl::Linear{{0, 30, -5}, {0, 0, 1}, false});
+        const Result r = check.finish();
+        EXPECT_EQ(of(r, base::codes::rapid_in_stock).empty(), !dog_leg);
+    }
+}
+
+TEST(Milling, TheResultDoesNotDependOnTheNumberOfThreads) {
+    check::Setup one = with_part(face_setup(), -5), four = one;
+    one.milling->threads = 1;
+    four.milling->threads = 4;
+    one.milling->surface = four.milling->surface = true;
+    const Result a = mill(std::move(one), -6, true), b = mill(std::move(four), -6, true);
+    EXPECT_EQ(a.milled->surface.vertices, b.milled->surface.vertices);
+    EXPECT_EQ(a.milled->surface.tags, b.milled->surface.tags);
+    EXPECT_EQ(a.findings.size(), b.findings.size());
+}
+
+}  // namespace obrys::check

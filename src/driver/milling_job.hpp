@@ -1,0 +1,20 @@
+#pragma once
+/// What a milling job is held to, from its files: stock, part and clamps as bodies of the simulation.
+
+#include <optional>
+
+#include "check/check.hpp"
+#include "driver/session.hpp"
+
+namespace obrys::driver {
+
+/// What the command line says of milling.
+struct MillingRequest {
+    std::optional<double> tolerance;  ///< mm; not said: as the job says, else 0.01
+    bool surface = false;             ///< the surface is wanted for a file or picture
+};
+
+/// Nothing where the job has no milling stock, or none that can be used (a complaint says so).
+[[nodiscard]] std::optional<check::MillingSetup> milling_setup(Session& session, const MillingRequest& request);
+
+}  // namespace obrys::driver

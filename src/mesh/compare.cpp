@@ -1,0 +1,160 @@
+#include "mesh/compare.hpp"
+
+#include <tbb/blocked_range.h>
+#include <tbb/parallel_for.h>
+
+#include <algorithm>
+#include <cmath>
+#include <numeric>
+
+namespace obrys::mesh {
+
+using geom::Vec3;
+using Range = tbb::blocked_range<std::size_t>;
+
+namespace {
+
+/// The lowest and the highest of a triangle's deviations: of its corners (0 … 2) and its centre (3).
+struct Extremes {
+    double low = 0, high = 0;
+    std::uint8_t low_at = 3, high_at = 3;
+
+    [[nodiscard]] double largest() const { return std::abs(low) > std::abs(high) ? low : high; }
+};
+
+Vec3 place_of(const Mesh& m, std::size_t triangle, std::uint8_t at) {
+    return at < 3 ? m.vertices[m.triangles[triangle][at]] : centre(m, triangle);
+}
+
+std::vector<double> of_vertices(const Mesh& result, const Distance& part) {
+    std::vector<double> d(result.vertices.size());
+    tbb::parallel_for(Range(0, d.size(), 1024), [&](const Range& some) {
+        for (std::size_t v = some.begin(); v < some.end(); ++v) d[v] = part.signed_distance(result.vertices[v]);
+    });
+    return d;
+}
+
+Extremes extremes_of(const Mesh& result, std::size_t triangle, std::span<const double> vertices, const Distance& part) {
+    const Triangle& t = result.triangles[triangle];
+    const Vec3 middle = centre(result, triangle);
+    // The centre can be no farther than a corner is, and the way to it.
+    const double reach = std::abs(vertices[t[0]]) + distance(result.vertices[t[0]], middle);
+    const double there = part.signed_distance(middle, std::nextafter(reach * (1 + 1e-12), HUGE_VAL));
+    Extremes e{there, there, 3, 3};
+    for (std::uint8_t c = 0; c < 3; ++c) {
+        const double d = vertices[t[c]];
+        if (d < e.low) e.low = d, e.low_at = c;
+        if (d > e.high) e.high = d, e.high_at = c;
+    }
+    return e;
+}
+
+/// Vertices that belong together.
+class Groups {
+public:
+    explicit Groups(std::size_t n) : parent_(n) { std::iota(parent_.begin(), parent_.end(), 0U); }
+    std::uint32_t root(std::uint32_t v) {
+        while (parent_[v] != v) v = parent_[v] = parent_[parent_[v]];
+        return v;
+    }
+    void join(std::uint32_t a, std::uint32_t b) {
+        const std::uint32_t ra = root(a), rb = root(b);
+        parent_[std::max(ra, rb)] = std::min(ra, rb);
+    }
+
+private:
+    std::vector<std::uint32_t> parent_;
+};
+
+struct Places {
+    std::vector<Place> worst;
+    std::size_t count = 0;
+};
+
+/// Triangles that share vertices, one place each. `gouges`: those lower than -allowed, else those higher than allowed.
+Places cluster(const Mesh& m, std::span<const Extremes> extremes, bool gouges, double allowed, std::size_t most) {
+    const auto deviation = [&](std::size_t t) { return gouges ? -extremes[t].low : extremes[t].high; };
+    Groups groups(m.vertices.size());
+    for (std::size_t t = 0; t < extremes.size(); ++t) {
+        if (!(deviation(t) > allowed)) continue;
+        groups.join(m.triangles[t][0], m.triangles[t][1]);
+        groups.join(m.triangles[t][0], m.triangles[t][2]);
+    }
+    Places places;
+    std::vector<std::uint32_t> number(m.vertices.size(), 0xffffffff);
+    for (std::uint32_t t = 0; t < extremes.size(); ++t) {
+        if (!(deviation(t) > allowed)) continue;
+        std::uint32_t& n = number[groups.root(m.triangles[t][0])];
+        if (n == 0xffffffff) {
+            n = static_cast<std::uint32_t>(places.worst.size());
+            places.worst.emplace_back();
+        }
+        Place& p = places.worst[n];
+        if (deviation(t) > std::abs(p.deviation)) {
+            p.deviation = gouges ? extremes[t].low : extremes[t].high;
+            p.at = place_of(m, t, gouges ? extremes[t].low_at : extremes[t].high_at);
+            p.triangle = t;
+            p.tag = m.tag(t);
+        }
+        ++p.triangles;
+        p.area += 0.5 * length(area_vector(m, t));
+        for (const Vec3& c : corners(m, t)) p.extent.add(c);
+    }
+    places.count = places.worst.size();
+    std::stable_sort(places.worst.begin(), places.worst.end(),
+                     [](const Place& a, const Place& b) { return std::abs(a.deviation) > std::abs(b.deviation); });
+    places.worst.resize(std::min(places.worst.size(), most));
+    return places;
+}
+
+Colour mix(Colour a, Colour b, double t) {
+    const auto between = [&](std::uint8_t x, std::uint8_t y) { return static_cast<std::uint8_t>(x + t * (y - x)); };
+    return {between(a.red, b.red), between(a.green, b.green), between(a.blue, b.blue)};
+}
+
+}  // namespace
+
+Comparison compare(const Mesh& result, const Distance& part, const CompareOptions& options) {
+    const std::vector<double> vertices = of_vertices(result, part);
+    std::vector<Extremes> extremes(result.triangles.size());
+    tbb::parallel_for(Range(0, extremes.size(), 512), [&](const Range& some) {
+        for (std::size_t t = some.begin(); t < some.end(); ++t) extremes[t] = extremes_of(result, t, vertices, part);
+    });
+    Comparison c;
+    c.deviation.reserve(extremes.size());
+    for (const Extremes& e : extremes) {
+        c.deviation.push_back(e.largest());
+        c.largest_gouge = std::max(c.largest_gouge, -e.low);
+        c.largest_excess = std::max(c.largest_excess, e.high);
+    }
+    Places gouges = cluster(result, extremes, true, options.gouge, options.places);
+    Places excesses = cluster(result, extremes, false, options.excess, options.places);
+    c.gouges = std::move(gouges.worst), c.gouge_count = gouges.count;
+    c.excesses = std::move(excesses.worst), c.excess_count = excesses.count;
+    return c;
+}
+
+DeviationColours deviation_colours(std::span<const double> deviation, const CompareOptions& allowed, double full,
+                                   std::size_t steps) {
+    DeviationColours out;
+    steps = std::clamp<std::size_t>(steps, 1, 1000);
+    const auto share = [&](std::size_t i) {
+        return steps > 1 ? static_cast<double>(i) / static_cast<double>(steps - 1) : 1;
+    };
+    out.palette.push_back(grey);
+    for (std::size_t i = 0; i < steps; ++i) out.palette.push_back(mix({255, 214, 64}, {176, 0, 24}, share(i)));
+    for (std::size_t i = 0; i < steps; ++i) out.palette.push_back(mix({150, 200, 255}, {16, 40, 140}, share(i)));
+    const auto step = [&](double beyond, double range) {
+        if (!(range > 0)) return steps - 1;
+        return static_cast<std::size_t>(std::clamp(beyond / range, 0.0, 1 - 1e-9) * static_cast<double>(steps));
+    };
+    for (const double d : deviation) {
+        std::size_t tag = 0;
+        if (d < -allowed.gouge) tag = 1 + step(-d - allowed.gouge, full - allowed.gouge);
+        if (d > allowed.excess) tag = 1 + steps + step(d - allowed.excess, full - allowed.excess);
+        out.tags.push_back(static_cast<std::uint32_t>(tag));
+    }
+    return out;
+}
+
+}  // namespace obrys::mesh

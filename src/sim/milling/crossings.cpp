@@ -1,0 +1,174 @@
+#include "sim/milling/crossings.hpp"
+
+#include <tbb/blocked_range.h>
+#include <tbb/parallel_for.h>
+#include <tbb/parallel_reduce.h>
+
+#include <algorithm>
+#include <atomic>
+#include <bit>
+#include <cmath>
+#include <functional>
+#include <limits>
+
+namespace obrys::sim::milling {
+
+namespace {
+
+using geom::Vec3;
+using Range = tbb::blocked_range<std::size_t>;
+
+/// An edge of the lattice: its nodes lie at `low` and `high` on its ray, material begins between them (`rising`) or
+/// ends.
+struct Edge {
+    double low, high;
+    bool rising;
+};
+
+/// The end of material on a ray nearest to an edge; nothing within a step: `found` stays false.
+struct Found {
+    double at = 0;
+    std::uint32_t cut = 0;
+    bool found = false;
+};
+
+Found nearest_end(std::span<const Interval> ray, const Edge& e) {
+    const double reach = e.high - e.low, middle = 0.5 * (e.low + e.high);
+    auto m = std::partition_point(ray.begin(), ray.end(), [&](const Interval& x) { return x.end < e.low - reach; });
+    Found best;
+    double best_distance = 1.5 * reach;
+    for (; m != ray.end() && m->begin <= e.high + reach; ++m) {
+        const double at = e.rising ? m->begin : m->end, d = std::abs(at - middle);
+        if (!(d <= best_distance)) continue;
+        best_distance = d;
+        best = {at, e.rising ? m->begin_cut : m->end_cut, true};
+    }
+    return best;
+}
+
+bool is_material(std::span<const Interval> ray, double at) {
+    return std::any_of(ray.begin(), ray.end(), [&](const Interval& m) { return m.begin <= at && at <= m.end; });
+}
+
+/// Where the ray along an edge has no end though its nodes differ: one of them lies on a face parallel to the ray,
+/// which one ray sees and the other does not, by rounding. The surface goes through that node.
+double doubtful_node(std::span<const Interval> ray, const Edge& e) {
+    const bool low = is_material(ray, e.low), high = is_material(ray, e.high);
+    if (low != high) return 0.5 * (e.low + e.high);
+    return low == e.rising ? e.low : e.high;
+}
+
+Crossing crossing_of(std::span<const Interval> ray, const Edge& e, Vec3 node, int axis, Normal normal, bool& found) {
+    const Found f = nearest_end(ray, e);
+    found = f.found;
+    Crossing c;
+    c.at = f.found ? f.at : doubtful_node(ray, e);
+    c.cut = f.cut;
+    if (!f.found) return c;
+    Vec3 p = node;
+    set_component(p, axis, c.at);
+    const Vec3 n = normal(f.cut, p, axis, e.rising ? -1.0 : 1.0);
+    if (is_finite(n)) c.normal = {static_cast<float>(n.x), static_cast<float>(n.y), static_cast<float>(n.z)};
+    return c;
+}
+
+/// Pairs of ends of one ray between the same two nodes.
+std::size_t thin_on(std::span<const Interval> ray, double origin, double step) {
+    std::size_t pairs = 0, here = 0;
+    double last = std::numeric_limits<double>::quiet_NaN();
+    for (const Interval& m : ray)
+        for (const double end : {m.begin, m.end}) {
+            const double edge = std::floor((end - origin) / step);
+            if (edge != last) pairs += here / 2, here = 0;
+            last = edge;
+            ++here;
+        }
+    return pairs + here / 2;
+}
+
+}  // namespace
+
+std::uint32_t Ranks::at(std::size_t row, std::size_t w, std::uint64_t mask, unsigned bit) const {
+    const std::uint64_t lower = mask & ((std::uint64_t{1} << bit) - 1);
+    return before_[row * words_ + w] + static_cast<std::uint32_t>(std::popcount(lower));
+}
+
+Crossings::Crossings(const Lattice& lattice, const NodeBits& nodes, Rays rays, Normal normal) : nodes_(nodes) {
+    count();
+    fill(lattice, rays, normal);
+}
+
+void Crossings::count() {
+    for (std::size_t a = 0; a < 3; ++a) {
+        ranks_[a].reserve(nodes_.rows(), nodes_.words());
+        row_first_[a].assign(nodes_.rows() + 1, 0);
+    }
+    tbb::parallel_for(Range(0, nodes_.rows(), 64), [&](const Range& some) {
+        for (std::size_t row = some.begin(); row < some.end(); ++row)
+            for (std::size_t a = 0; a < 3; ++a) {
+                std::uint32_t in_row = 0;
+                for (std::size_t w = 0; w < nodes_.words(); ++w) {
+                    ranks_[a].of(row, w) = in_row;
+                    in_row += static_cast<std::uint32_t>(std::popcount(nodes_.crossed(static_cast<int>(a), row, w)));
+                }
+                row_first_[a][row + 1] = in_row;
+            }
+    });
+    for (std::size_t a = 0; a < 3; ++a) {
+        for (std::size_t row = 0; row < nodes_.rows(); ++row) row_first_[a][row + 1] += row_first_[a][row];
+        all_[a].resize(row_first_[a].back());
+    }
+}
+
+void Crossings::fill(const Lattice& lattice, Rays rays, Normal normal) {
+    std::atomic<std::size_t> unmatched = 0;
+    const auto fill_row = [&](std::size_t row, int axis) {
+        const auto a = static_cast<std::size_t>(axis);
+        const int j = nodes_.j(row), k = nodes_.k(row);
+        std::uint32_t number = row_first_[a][row];
+        if (number == row_first_[a][row + 1]) return;
+        const std::array<int, 3> further{axis == 0 ? 1 : 0, axis == 1 ? 1 : 0, axis == 2 ? 1 : 0};
+        for (std::size_t w = 0; w < nodes_.words(); ++w)
+            for (std::uint64_t mask = nodes_.crossed(axis, row, w); mask != 0; mask &= mask - 1) {
+                const int i = static_cast<int>(64 * w) + std::countr_zero(mask);
+                const Vec3 low = lattice.node(i, j, k),
+                           high = lattice.node(i + further[0], j + further[1], k + further[2]);
+                const Edge e{component(low, axis), component(high, axis), !nodes_.material(i, j, k)};
+                const auto ray = rays(axis, axis == 0 ? j : i, axis == 2 ? j : k);
+                bool found = false;
+                all_[a][number++] = crossing_of(ray, e, low, axis, normal, found);
+                if (!found) unmatched.fetch_add(1, std::memory_order_relaxed);
+            }
+    };
+    tbb::parallel_for(Range(0, nodes_.rows(), 16), [&](const Range& some) {
+        for (std::size_t row = some.begin(); row < some.end(); ++row)
+            for (int axis = 0; axis < 3; ++axis) fill_row(row, axis);
+    });
+    unmatched_ = unmatched;
+}
+
+std::uint32_t Crossings::number(int axis, int i, int j, int k) const {
+    const std::size_t row = nodes_.row(j, k), w = static_cast<std::size_t>(i) / 64;
+    const auto a = static_cast<std::size_t>(axis);
+    return row_first_[a][row] + ranks_[a].at(row, w, nodes_.crossed(axis, row, w), static_cast<unsigned>(i) % 64);
+}
+
+std::size_t count_thin(const Lattice& lattice, Rays rays) {
+    std::size_t all = 0;
+    for (int axis = 0; axis < 3; ++axis) {
+        const auto size = [&](int other) { return lattice.count[static_cast<std::size_t>(other)]; };
+        const int across = size(first_across(axis)), down = size(second_across(axis));
+        const double origin = component(lattice.origin, axis), step = component(lattice.step, axis);
+        all += tbb::parallel_reduce(
+            tbb::blocked_range<int>(0, down, 8), std::size_t{0},
+            [&](const tbb::blocked_range<int>& some, std::size_t sum) {
+                for (int b = some.begin(); b < some.end(); ++b)
+                    for (int a = 0; a < across; ++a) sum += thin_on(rays(axis, a, b), origin, step);
+                return sum;
+            },
+            std::plus<>());
+    }
+    return all;
+}
+
+}  // namespace obrys::sim::milling

@@ -1,0 +1,102 @@
+#include "sim/milling/nearest.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+namespace obrys::sim::milling {
+namespace {
+
+using geom::Vec2;
+using geom::Vec3;
+
+constexpr double exact = 1e-12;  ///< mm
+
+struct Moment {
+    double t = 0, slope = 0;
+    Foot foot;
+};
+
+Moment moment(const Piece& piece, Vec3 v, Vec3 p, double t) {
+    Moment m;
+    m.t = t;
+    m.foot.outside = outside(piece, p - t * v, m.foot.normal);
+    m.foot.gradient = m.foot.normal;
+    m.slope = -dot(m.foot.normal, v);
+    return m;
+}
+
+/// The place of a tool that keeps its height at the moment when its axis is nearest to p: that is when every piece is.
+Vec3 place_near(const Track& track, Vec2 p) {
+    if (!track.circular) {
+        const double square = track.v.x * track.v.x + track.v.y * track.v.y;
+        const double t = square > 0 ? std::clamp((p.x * track.v.x + p.y * track.v.y) / square, 0.0, 1.0) : 0;
+        return t * track.v;
+    }
+    const Vec2 q = p - track.centre;
+    const double far = geom::length(q);
+    if (far > 0 && track.turn * cross(track.first, q) >= 0 && track.turn * cross(q, track.last) >= 0) {
+        const Vec2 at = track.centre + (track.radius / far) * q;
+        return {at.x, at.y, 0};
+    }
+    return geom::length(p) <= geom::distance(p, {track.v.x, track.v.y}) ? Vec3{} : track.v;
+}
+
+}  // namespace
+
+/// The least value of a convex function of time, which is piecewise smooth: between two moments the tangents' meeting
+/// is a lower bound; it tells when to stop, and takes turns with the secant of the slopes as the next moment to look
+/// at.
+Foot foot_on(const Piece& piece, Vec3 v, Vec3 p) {
+    Moment a = moment(piece, v, p, 0), b = moment(piece, v, p, 1);
+    if (a.slope >= 0) return a.foot;
+    if (b.slope <= 0) return b.foot;
+    double weight_a = 1, weight_b = 1;
+    for (int i = 0; i < 80; ++i) {
+        const double fa = a.foot.outside, fb = b.foot.outside;
+        const double meet = (fb - fa + a.slope * a.t - b.slope * b.t) / (a.slope - b.slope);
+        if (std::min(fa, fb) - (fa + a.slope * (meet - a.t)) < exact) break;
+        const double sa = weight_a * a.slope, sb = weight_b * b.slope;
+        double t = i % 3 == 2 ? meet : a.t + (b.t - a.t) * (sa / (sa - sb));
+        if (!(t > a.t && t < b.t)) t = (a.t + b.t) / 2;
+        const Moment m = moment(piece, v, p, t);
+        if (m.slope == 0) return m.foot;
+        if (m.slope < 0) {
+            a = m;
+            weight_a = 1;
+            weight_b /= 2;
+        } else {
+            b = m;
+            weight_b = 1;
+            weight_a /= 2;
+        }
+    }
+    Foot best = a.foot.outside < b.foot.outside ? a.foot : b.foot;
+    const double share = b.slope / (b.slope - a.slope);  // of a, for a slope of 0
+    best.gradient = share * a.foot.normal + (1 - share) * b.foot.normal;
+    return best;
+}
+
+Foot foot_on(const Shape& shape, const Track& track, Vec3 p) {
+    Foot best;
+    best.outside = std::numeric_limits<double>::infinity();
+    const bool level = track.circular || track.level();
+    const Vec3 place = level ? place_near(track, {p.x, p.y}) : Vec3{};
+    for (const Piece& piece : shape.pieces) {
+        Foot foot;
+        if (level) {
+            foot.outside = outside(piece, p - place, foot.normal);
+        } else if (piece.kind == PieceKind::round && piece.whole && piece.ring == 0) {
+            const Vec3 q = p - Vec3{0, 0, piece.centre};
+            const double t = std::clamp(dot(q, track.v) / dot(track.v, track.v), 0.0, 1.0);
+            foot.outside = outside(piece, p - t * track.v, foot.normal);
+        } else {
+            foot = foot_on(piece, track.v, p);
+        }
+        if (level || foot.gradient == Vec3{}) foot.gradient = foot.normal;
+        if (foot.outside < best.outside) best = foot;
+    }
+    return best;
+}
+
+}  // namespace obrys::sim::milling

@@ -1,0 +1,290 @@
+#include "sim/milling/rows.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+namespace obrys::sim::milling {
+namespace {
+
+using geom::Vec2;
+using geom::Vec3;
+
+constexpr double barely = 1e-9;  ///< mm
+constexpr double never = std::numeric_limits<double>::infinity();
+
+[[nodiscard]] bool is_ball(const Piece& p) { return p.kind == PieceKind::round && p.whole && p.ring == 0; }
+[[nodiscard]] bool is_cylinder(const Piece& p) { return p.kind == PieceKind::cone && p.r0 == p.r1; }
+
+void set(Spans& spans, int i, double low, double high) {
+    spans.low[static_cast<std::size_t>(i)] = low;
+    spans.high[static_cast<std::size_t>(i)] = high;
+}
+
+/// Rays along the axis, tool that keeps its height, its place or both coordinates' ratio to nothing: a ray is inside
+/// between the heights that belong to its distance from the track.
+void along_by_distance(const Piece& piece, const Track& track, const Row& row, Spans& spans) {
+    const double down = std::min(0.0, track.v.z), up = std::max(0.0, track.v.z);
+    for (int i = 0; i < row.count; ++i) {
+        const Vec3 p = row.p + i * row.step;
+        const auto h = heights_at(piece, offset_from(track, {p.x, p.y}).distance);
+        if (!h)
+            set(spans, i, 1, 0);
+        else if (row.d.z > 0)
+            set(spans, i, h->low + down, h->high + up);
+        else
+            set(spans, i, -h->high - up, -h->low - down);
+    }
+}
+
+struct Slope {
+    Vec2 e;           ///< direction of the way, seen along the axis
+    double way = 0;   ///< its length
+    double rise = 0;  ///< per way
+};
+Slope slope_of(const Track& track) {
+    Slope s;
+    s.way = std::hypot(track.v.x, track.v.y);
+    s.e = {track.v.x / s.way, track.v.y / s.way};
+    s.rise = track.v.z / s.way;
+    return s;
+}
+
+/// While the axis is within `radius` of a ray: from which part of the way to which; not from < to: never.
+struct Stay {
+    double from = 1, to = 0;
+    double a = 0, n = 0;  ///< along the way and beside it
+};
+Stay stay_of(const Slope& slope, Vec2 p, double radius) {
+    Stay s;
+    s.a = dot(p, slope.e);
+    s.n = cross(slope.e, p);
+    const double square = radius * radius - s.n * s.n;
+    if (!(square > 0)) return s;
+    const double half = std::sqrt(square);
+    s.from = std::max(0.0, s.a - half);
+    s.to = std::min(slope.way, s.a + half);
+    return s;
+}
+
+/// Rays along the axis, a cylinder on a ramp.
+void along_cylinder(const Piece& piece, const Track& track, const Row& row, Spans& spans) {
+    const Slope slope = slope_of(track);
+    for (int i = 0; i < row.count; ++i) {
+        const Vec3 p = row.p + i * row.step;
+        const Stay s = stay_of(slope, {p.x, p.y}, piece.r0);
+        if (!(s.from < s.to)) {
+            set(spans, i, 1, 0);
+            continue;
+        }
+        const double z0 = s.from * slope.rise, z1 = s.to * slope.rise;
+        const double low = piece.z0 + std::min(z0, z1), high = piece.z1 + std::max(z0, z1);
+        row.d.z > 0 ? set(spans, i, low, high) : set(spans, i, -high, -low);
+    }
+}
+
+/// Lower side of a piece at a distance from its axis, and how it rises with the distance.
+struct Flank {
+    double height = 0, rise = 0;
+};
+Flank flank_of(const Piece& p, double distance) {
+    if (p.kind == PieceKind::cone) {
+        if (distance <= p.r0 || p.r1 <= p.r0) return {p.z0, 0};
+        const double rise = (p.z1 - p.z0) / (p.r1 - p.r0);
+        return {p.z0 + (distance - p.r0) * rise, rise};
+    }
+    const double beyond = std::max(0.0, distance - p.ring);
+    const double depth = std::sqrt(std::max(0.0, p.arc * p.arc - beyond * beyond));
+    const double height = p.centre - depth;
+    if (height < p.z0) return {p.z0, 0};
+    return {height, depth > 0 ? beyond / depth : never};
+}
+
+/// Lowest point of a piece that gets wider upwards, over a ray, on its way along a ramp: the height is a convex
+/// function of the way, so its derivative has one change of sign.
+double ramp_low(const Piece& piece, const Slope& slope, Vec2 p) {
+    const Stay s = stay_of(slope, p, std::max(piece.r0, piece.r1));
+    if (!(s.from < s.to)) return never;
+    const auto height = [&](double x, double& change) {
+        const double m = s.a - x, distance = std::sqrt(s.n * s.n + m * m);
+        const Flank f = flank_of(piece, distance);
+        change = slope.rise - (f.rise == 0 || m == 0 ? 0 : f.rise * (m / distance));
+        return f.height + x * slope.rise;
+    };
+    double a = s.from, b = s.to, fa = 0, fb = 0;
+    double low = height(a, fa);
+    if (fa >= 0) return low;
+    low = std::min(low, height(b, fb));
+    if (fb <= 0) return low;
+    for (int i = 0; i < 60 && b - a > 1e-13; ++i) {
+        double x = std::isfinite(fa) && std::isfinite(fb) && i % 3 != 2 ? a + (b - a) * (fa / (fa - fb)) : (a + b) / 2;
+        if (!(x > a && x < b)) x = (a + b) / 2;
+        double f = 0;
+        low = std::min(low, height(x, f));
+        if (std::abs(f) < 1e-10) break;
+        if (f < 0) {
+            a = x;
+            fa = f;
+            if (std::isfinite(fb)) fb /= 2;
+        } else {
+            b = x;
+            fb = f;
+            if (std::isfinite(fa)) fa /= 2;
+        }
+    }
+    return low;
+}
+
+/// Rays across the axis, a cylinder on a ramp: a disc, while the ray is between its ends.
+bool across_cylinder(const Piece& piece, const Track& track, const Row& row, const Aims& aims, Spans& spans) {
+    const double t0 = (row.p.z - piece.z0) / track.v.z, t1 = (row.p.z - piece.z1) / track.v.z;
+    const double from = std::max(0.0, std::min(t0, t1)), to = std::min(1.0, std::max(t0, t1));
+    if (!(from <= to)) return false;
+    detail::Capsule c = detail::capsule_of(aims.level, row, from, to, piece.r0);
+    c.n = c.n_step = 0;
+    detail::capsule_row(c, row.count, spans);
+    return true;
+}
+
+/// A ball with its centre on the axis: seen from it the rays lie lower.
+void ball_row(double centre, double radius, const Row& row, const Aims& aims, Spans& spans) {
+    detail::Capsule c = detail::capsule_of(aims.whole, row, 0, 1, radius);
+    c.a -= centre * aims.whole.e.z;
+    c.n -= centre * aims.whole.beside.z;
+    detail::capsule_row(c, row.count, spans);
+    const double along = centre * row.d.z;
+    if (along == 0) return;
+    for (std::size_t i = 0; i < static_cast<std::size_t>(row.count); ++i) {
+        spans.low[i] += along;
+        spans.high[i] += along;
+    }
+}
+
+/// Where rays meet the piece's way at most: an upright cylinder around it, between the heights it reaches.
+void bound(const Piece& piece, const Track& track, const Row& row, const Aims& aims, Spans& spans) {
+    const double bottom = (piece.whole ? piece.centre - piece.arc : piece.z0) + std::min(0.0, track.v.z) - barely;
+    const double top = (piece.whole ? piece.centre + piece.arc : piece.z1) + std::max(0.0, track.v.z) + barely;
+    double widest = widest_between(piece, piece.z0, piece.z1);
+    if (aims.lie == Lie::across)
+        widest = widest_between(piece, row.p.z - std::max(0.0, track.v.z), row.p.z - std::min(0.0, track.v.z));
+    if (aims.flat_length > 0) {
+        detail::Capsule c = detail::capsule_of(aims.flat, row, 0, 1, widest + barely);
+        c.n = c.n_step = 0;
+        detail::capsule_row(c, row.count, spans);
+    }
+    const double per_flat = aims.flat_length > 0 ? 1 / aims.flat_length : 0;
+    const double per_height = std::abs(row.d.z) > 1e-9 ? 1 / row.d.z : 0;
+    for (int i = 0; i < row.count; ++i) {
+        const auto at = static_cast<std::size_t>(i);
+        const Vec3 p = row.p + i * row.step;
+        double low = -never, high = never;
+        if (per_flat > 0) {
+            const double foot = dot(p, aims.flat_d);
+            low = (spans.low[at] - foot) * per_flat;
+            high = (spans.high[at] - foot) * per_flat;
+        }
+        if (per_height != 0) {
+            const double one = (bottom - p.z) * per_height, other = (top - p.z) * per_height;
+            low = std::max(low, std::min(one, other));
+            high = std::min(high, std::max(one, other));
+        }
+        set(spans, i, low, high);
+    }
+}
+
+/// Ray by ray, for what has no formula for rows: only rays that come near the piece and are worth it.
+void each_ray(const Piece& piece, const Track& track, const Row& row, const Aims& aims, Worth worth, Spans& spans) {
+    Spans around;
+    bound(piece, track, row, aims, around);
+    for (int i = 0; i < row.count; ++i) {
+        const auto at = static_cast<std::size_t>(i);
+        double low = 1, high = 0;
+        const bool near = around.low[at] < around.high[at] && worth(i, around.low[at], around.high[at]);
+        if (!near || !cut_ray(piece, track.v, row.p + i * row.step, row.d, low, high)) low = 1, high = 0;
+        set(spans, i, low, high);
+    }
+}
+
+/// False: nothing of the row is met.
+bool cut_row_by(const Piece& piece, const Track& track, const Row& row, const Aims& aims, Worth worth, Spans& spans) {
+    const Lie lie = aims.lie;
+    if (lie == Lie::along && (track.circular || track.level() || track.upright())) {
+        along_by_distance(piece, track, row, spans);
+        return true;
+    }
+    if (lie == Lie::across) {
+        const double low = row.p.z - std::max(0.0, track.v.z), high = row.p.z - std::min(0.0, track.v.z);
+        // The half of a whole ball or disc that lies in the pieces beside it need not be looked at.
+        if (high < piece.z0 || low > piece.z1) return false;
+    }
+    if (is_ball(piece)) {
+        ball_row(piece.centre, piece.arc, row, aims, spans);
+        return true;
+    }
+    if (is_cylinder(piece) && lie == Lie::across) return across_cylinder(piece, track, row, aims, spans);
+    if (is_cylinder(piece) && lie == Lie::along)
+        along_cylinder(piece, track, row, spans);
+    else
+        each_ray(piece, track, row, aims, worth, spans);
+    return true;
+}
+
+}  // namespace
+
+bool cut_ray(const Piece& piece, Vec3 v, Vec3 p, Vec3 d, double& low, double& high) {
+    const bool torus = piece.kind == PieceKind::round && (piece.ring > 0 || piece.whole);
+    // From the point of the ray that is nearest to the tool, so that no large numbers cancel.
+    const double s = dot(p, d);
+    const bool hit = torus ? detail::cut_round(piece, v, p - s * d, d, low, high)
+                           : detail::cut_quadric(piece, v, p - s * d, d, low, high);
+    low -= s;
+    high -= s;
+    return hit;
+}
+
+void cut_row(const Shape& shape, const Track& track, const Row& row, const Aims& aims, Worth worth,
+             base::FunctionRef<void(const Spans&)> take) {
+    Spans spans;
+    if (aims.lie == Lie::across && (track.circular || track.level() || track.upright())) {
+        const double rise = track.v.z;
+        const double radius = widest_between(shape, row.p.z - std::max(0.0, rise), row.p.z - std::min(0.0, rise));
+        if (!(radius > 0)) return;
+        if (track.circular) {
+            detail::cut_circle_across(track, row, radius, take);
+            return;
+        }
+        detail::Capsule c = detail::capsule_of(aims.level, row, 0, 1, radius);
+        c.n = c.n_step = 0;
+        detail::capsule_row(c, row.count, spans);
+        take(spans);
+        return;
+    }
+    for (const Piece& piece : shape.pieces)
+        if (cut_row_by(piece, track, row, aims, worth, spans)) take(spans);
+}
+
+void cut_row_from_above(const Shape& shape, const Track& track, const Row& row, const Aims& aims, Spans& spans) {
+    const double high = shape.top + std::min(0.0, track.v.z);
+    const bool ramp = !(track.circular || track.level() || track.upright());
+    if (!track.circular && is_ball(shape.pieces.front()) && shape.pieces.size() <= 2) {
+        detail::Capsule c = detail::capsule_of(aims.whole, row, 0, 1, shape.pieces.front().arc);
+        c.low_shift += shape.pieces.front().centre;
+        detail::capsule_low_row(c, row.count, high, spans);
+        return;
+    }
+    const double down = std::min(0.0, track.v.z);
+    const Slope slope = ramp ? slope_of(track) : Slope{};
+    for (int i = 0; i < row.count; ++i) {
+        const Vec3 q = row.p + i * row.step;
+        const Vec2 p{q.x, q.y};
+        double low = never;
+        if (!ramp) {
+            low = lower_side(shape, offset_from(track, p).distance) + down;
+        } else {
+            for (const Piece& piece : shape.pieces)
+                if (!piece.covered || piece.r1 > piece.r0) low = std::min(low, ramp_low(piece, slope, p));
+        }
+        set(spans, i, std::min(low, high), high);
+    }
+}
+
+}  // namespace obrys::sim::milling

@@ -1,0 +1,149 @@
+#include "sim/milling/shape.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+namespace obrys::sim::milling {
+namespace {
+
+constexpr double same = 1e-12;  ///< mm
+
+/// The whole ball, or disc with a round rim, stays inside the piece and cylinders above and below it.
+void find_whole(std::vector<Piece>& pieces) {
+    for (std::size_t i = 0; i < pieces.size(); ++i) {
+        Piece& p = pieces[i];
+        if (p.kind != PieceKind::round) continue;
+        const auto hides = [&](std::size_t n, double reach) {
+            const Piece& other = pieces[n];
+            return other.z1 - other.z0 >= reach - same && other.kind == PieceKind::cone &&
+                   std::min(other.r0, other.r1) >= p.ring + p.arc - same;
+        };
+        const double above = p.centre + p.arc - p.z1, below = p.z0 - (p.centre - p.arc);
+        p.whole =
+            (above <= same ||
+             (i + 1 < pieces.size() && p.z1 <= p.centre + same && p.z1 >= p.centre - same && hides(i + 1, above))) &&
+            (below <= same || (i > 0 && p.z0 >= p.centre - same && p.z0 <= p.centre + same && hides(i - 1, below)));
+    }
+}
+
+}  // namespace
+
+Piece cylinder(double z0, double z1, double r) { return cone(z0, z1, r, r); }
+
+Piece cone(double z0, double z1, double r0, double r1) {
+    Piece p;
+    p.z0 = z0;
+    p.z1 = z1;
+    p.r0 = r0;
+    p.r1 = r1;
+    return p;
+}
+
+Piece round(double z0, double z1, double ring, double centre, double arc) {
+    Piece p;
+    p.kind = PieceKind::round;
+    p.z0 = z0;
+    p.z1 = z1;
+    p.ring = ring;
+    p.centre = centre;
+    p.arc = arc;
+    p.r0 = radius_at(p, z0);
+    p.r1 = radius_at(p, z1);
+    return p;
+}
+
+double radius_at(const Piece& piece, double z) {
+    if (piece.kind == PieceKind::cone)
+        return piece.r0 == piece.r1 ? piece.r0
+                                    : piece.r0 + (piece.r1 - piece.r0) * ((z - piece.z0) / (piece.z1 - piece.z0));
+    const double h = z - piece.centre;
+    return piece.ring + std::sqrt(std::max(0.0, piece.arc * piece.arc - h * h));
+}
+
+double widest_between(const Piece& piece, double low, double high) {
+    low = std::max(low, piece.z0);
+    high = std::min(high, piece.z1);
+    if (!(low <= high)) return -1;
+    if (piece.kind == PieceKind::cone) return std::max(radius_at(piece, low), radius_at(piece, high));
+    return radius_at(piece, std::clamp(piece.centre, low, high));
+}
+
+std::optional<Heights> heights_at(const Piece& piece, double distance) {
+    Heights h{piece.z0, piece.z1};
+    if (piece.kind == PieceKind::cone) {
+        if (distance > std::max(piece.r0, piece.r1)) return std::nullopt;
+        if (distance <= std::min(piece.r0, piece.r1)) return h;
+        const double z = piece.z0 + (piece.z1 - piece.z0) * ((distance - piece.r0) / (piece.r1 - piece.r0));
+        (piece.r1 > piece.r0 ? h.low : h.high) = z;
+        return h;
+    }
+    const double beyond = std::max(0.0, distance - piece.ring);
+    if (beyond > piece.arc) return std::nullopt;
+    const double half = std::sqrt(piece.arc * piece.arc - beyond * beyond);
+    h.low = std::max(h.low, piece.centre - half);
+    h.high = std::min(h.high, piece.centre + half);
+    if (h.low > h.high) return std::nullopt;
+    return h;
+}
+
+double outside(const Piece& piece, geom::Vec3 p, geom::Vec3& normal) {
+    const double distance = std::sqrt(p.x * p.x + p.y * p.y);  // in the innermost loops; hypot takes five times as long
+    const geom::Vec3 out = distance > 0 ? geom::Vec3{p.x / distance, p.y / distance, 0} : geom::Vec3{1, 0, 0};
+    double side = 0;
+    if (piece.kind == PieceKind::cone) {
+        const double rise = piece.z1 - piece.z0, growth = piece.r1 - piece.r0, slant = std::hypot(rise, growth);
+        side = ((distance - piece.r0) * rise - (p.z - piece.z0) * growth) / slant;
+        normal = (rise / slant) * out + geom::Vec3{0, 0, -growth / slant};
+    } else {
+        const double beyond = std::max(0.0, distance - piece.ring), h = p.z - piece.centre,
+                     far = std::sqrt(beyond * beyond + h * h);
+        side = far - piece.arc;
+        normal = far > 0 ? (beyond / far) * out + geom::Vec3{0, 0, h / far} : geom::Vec3{0, 0, -1};
+        if (piece.whole) return side;
+    }
+    if (piece.z0 - p.z > side) {
+        side = piece.z0 - p.z;
+        normal = {0, 0, -1};
+    }
+    if (p.z - piece.z1 > side) {
+        side = p.z - piece.z1;
+        normal = {0, 0, 1};
+    }
+    return side;
+}
+
+Shape make_shape(std::vector<Piece> pieces) {
+    Shape shape;
+    find_whole(pieces);
+    shape.rising = !pieces.empty();
+    for (std::size_t i = 0; i < pieces.size(); ++i) {
+        Piece& p = pieces[i];
+        p.covered = i > 0 && pieces[i - 1].r1 >= p.r0 - same && std::abs(pieces[i - 1].z1 - p.z0) <= same;
+        shape.radius = std::max(shape.radius, widest_between(p, p.z0, p.z1));
+        const bool grows = p.r1 >= widest_between(p, p.z0, p.z1) - same;
+        const bool continues = i == 0 || (p.r0 >= pieces[i - 1].r1 - same && std::abs(pieces[i - 1].z1 - p.z0) <= same);
+        shape.rising = shape.rising && grows && continues;
+    }
+    if (!pieces.empty()) {
+        shape.bottom = pieces.front().z0;
+        shape.top = pieces.back().z1;
+    }
+    shape.pieces = std::move(pieces);
+    return shape;
+}
+
+double widest_between(const Shape& shape, double low, double high) {
+    double widest = -1;
+    for (const Piece& p : shape.pieces) widest = std::max(widest, widest_between(p, low, high));
+    return widest;
+}
+
+double lower_side(const Shape& shape, double distance) {
+    double low = std::numeric_limits<double>::infinity();
+    for (const Piece& p : shape.pieces)
+        if (const auto h = heights_at(p, distance)) low = std::min(low, h->low);
+    return low;
+}
+
+}  // namespace obrys::sim::milling

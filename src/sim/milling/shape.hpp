@@ -1,0 +1,59 @@
+#pragma once
+/// A tool as a union of convex solids of revolution. Frame of the tool: the axis is z, the tip (the programmed point)
+/// lies at 0, the holder above. Millimetres.
+
+#include <cstdint>
+#include <optional>
+#include <vector>
+
+#include "geom/vec.hpp"
+
+namespace obrys::sim::milling {
+
+enum class PieceKind : std::uint8_t {
+    cone,   ///< radius r0 at z0 to r1 at z1, straight: cylinder, frustum, cone
+    round,  ///< radius ring + sqrt(arc^2 - (z - centre)^2): zone of a ball (ring 0) or the outer half of a torus
+};
+
+/// One convex solid between the planes z0 and z1, with whatever its ends leave open closed by discs.
+struct Piece {
+    PieceKind kind = PieceKind::cone;
+    double z0 = 0, z1 = 0;
+    double r0 = 0, r1 = 0;  ///< radii at z0 and z1, of both kinds
+    double ring = 0, centre = 0, arc = 0;
+    /// The rest of the ball, or of the disc with a round rim, lies inside other pieces, so that it may be taken whole.
+    bool whole = false;
+    /// The piece below is at least as wide where they meet: no ray from below enters through the lower disc.
+    bool covered = false;
+};
+[[nodiscard]] Piece cylinder(double z0, double z1, double r);
+[[nodiscard]] Piece cone(double z0, double z1, double r0, double r1);
+[[nodiscard]] Piece round(double z0, double z1, double ring, double centre, double arc);
+
+/// Radius at a height between z0 and z1.
+[[nodiscard]] double radius_at(const Piece& piece, double z);
+/// Largest radius between two heights; negative where the piece does not reach there.
+[[nodiscard]] double widest_between(const Piece& piece, double low, double high);
+struct Heights {
+    double low = 0, high = 0;
+};
+/// Where a line parallel to the axis at this distance runs inside.
+[[nodiscard]] std::optional<Heights> heights_at(const Piece& piece, double distance);
+/// Convex, 0 on the surface, the distance from the nearest face with its sign (negative inside) wherever that face is
+/// the nearest part of the solid; `normal`: its gradient, of unit length.
+[[nodiscard]] double outside(const Piece& piece, geom::Vec3 p, geom::Vec3& normal);
+
+/// Pieces from the tip upwards, without gaps or overlaps.
+struct Shape {
+    std::vector<Piece> pieces;
+    double bottom = 0, top = 0, radius = 0;
+    bool rising =
+        false;  ///< the radius never decreases upwards: what lies above the tool's lower side is cut up to its top
+};
+/// Fills in what follows from the pieces.
+[[nodiscard]] Shape make_shape(std::vector<Piece> pieces);
+[[nodiscard]] double widest_between(const Shape& shape, double low, double high);
+/// Lower side at this distance from the axis; infinite beyond the radius.
+[[nodiscard]] double lower_side(const Shape& shape, double distance);
+
+}  // namespace obrys::sim::milling

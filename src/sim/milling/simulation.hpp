@@ -1,0 +1,124 @@
+#pragma once
+/// Milling: tools that move through a stock and take away what they meet. Frame of the stock, millimetres.
+///
+/// Every move becomes one sweep or several (quarter circles; chords of helices, splines and of circles that do not lie
+/// normal to a tool axis along x, y or z: within tolerance / 20 of the curve). A sweep's removal is exact on every ray.
+/// The result does not depend on the number of threads.
+
+#include <cstdint>
+#include <limits>
+#include <span>
+#include <vector>
+
+#include "geom/interpolation.hpp"
+#include "sim/milling/cutter.hpp"
+#include "sim/milling/dexel.hpp"
+#include "sim/milling/stock.hpp"
+#include "sim/milling/track.hpp"
+
+namespace obrys::sim::milling {
+
+enum class Part : std::uint8_t { cutting, shank, holder };
+
+/// A move of a part of a tool.
+struct Pass {
+    geom::PathElement path;    ///< of the tip
+    geom::Vec3 axis{0, 0, 1};  ///< from the tip to the holder, any length; the same all along the move
+    std::uint32_t tool = 0;    ///< as `add_tool` gave it
+    Part part = Part::cutting;
+    bool cut = true;  ///< false: nothing is taken away; the pass's Engagement says what it meets
+};
+
+/// What became of a pass.
+enum class Taken : std::uint8_t {
+    taken,
+    no_motion,  ///< shorter than 1e-9 mm: nothing to do
+    not_known,  ///< a coordinate or the sweep is not finite, or the axis has no direction
+    no_tool,    ///< no tool of this number
+    too_long,   ///< over a million sweeps in one move, or 2^32 in all
+};
+
+/// What a pass met. Lengths and volumes come from the rays that run most nearly along the tool's axis, `volume` as the
+/// length removed times the area of a ray's cell: where a wall along these rays is cut, it is off by up to half a
+/// cell's width along the wall, for walls at all angles much less; sums over passes are as good as `volume(Dexels)` for
+/// slanting faces. A pass that removes less than a ray's cell may have `touched` without a volume.
+struct Engagement {
+    bool touched = false;  ///< met material on a ray of any direction
+    double volume = 0;     ///< mm3
+    double lowest =
+        std::numeric_limits<double>::infinity();  ///< along the axis, of what was met: dot(point, unit axis)
+    double highest = -std::numeric_limits<double>::infinity();
+    /// Of what was met: distance left of the tip's way seen against the axis, negative to the right; of moves along the
+    /// axis the distance from it. Climb milling with M3 has material on the right.
+    double rightmost = std::numeric_limits<double>::infinity();
+    double leftmost = -std::numeric_limits<double>::infinity();
+    /// Passes that do not cut: how far the material reaches into the swept part, at least (from points on rays), and
+    /// where.
+    double depth = 0;
+    geom::Vec3 deepest;
+};
+
+/// Directions that a cutter's edge is engaged in, seen against the axis, counter-clockwise from `from` to `to`; 0 is
+/// the direction of the feed, radians: for moves that do not run along the axis, of the half of the tool that faces the
+/// feed.
+struct Angles {
+    double from = 0, to = 0;
+};
+[[nodiscard]] Angles engaged_angles(const Engagement& e, double radius);
+
+class Simulation {
+public:
+    /// `stock` has no problem. `tolerance`: of chords, a twentieth; `threads` 0: as many as there are processors.
+    Simulation(const Stock& stock, const Lattice& lattice, double tolerance, int threads = 0);
+
+    [[nodiscard]] std::uint32_t add_tool(ToolShape shape);
+    /// Queues a pass; passes take effect in this order. An Engagement belongs to every call, also to those not taken.
+    Taken add(const Pass& pass);
+    /// Carries out what is queued. What the members below say is right after it.
+    void flush();
+
+    [[nodiscard]] const Dexels& dexels() const { return dexels_; }
+    [[nodiscard]] std::uint64_t open_rays() const { return open_rays_; }  ///< of a mesh stock that is not closed
+    /// In the order of `add`.
+    [[nodiscard]] std::span<const Engagement> engagements() const { return engagements_; }
+    /// Number of the pass (from 0) that a cut of an Interval belongs to; `cut` is not 0.
+    [[nodiscard]] std::uint32_t pass_of(std::uint32_t cut) const { return sweeps_[cut - 1].pass; }
+    /// Unit normal out of the material at a point that sweep `cut` made, or of the stock's own face where cut is 0.
+    [[nodiscard]] geom::Vec3 normal_at(std::uint32_t cut, geom::Vec3 p) const;
+    [[nodiscard]] std::size_t bytes() const;
+
+    /// One straight or circular piece of a pass.
+    struct Sweep {
+        geom::Vec3 from, to;
+        std::uint32_t tool = 0, orientation = 0, pass = 0;
+        std::uint32_t circle = 0;  ///< number in `circles`, from 1; 0: straight
+        Part part = Part::cutting;
+        bool cut = true;
+    };
+    struct Circle {
+        geom::Vec3 centre;
+        double turn = 1;  ///< +1 counter-clockwise seen against the tool's axis
+    };
+
+private:
+    void add_straight(const Pass& pass, geom::Vec3 from, geom::Vec3 to);
+    void add_circle(const Pass& pass, const geom::Circular& arc, int pieces);
+    std::uint32_t orientation_for(geom::Vec3 axis);
+    [[nodiscard]] const Shape& shape_of(const Sweep& sweep) const;
+    [[nodiscard]] Track track_of(const Sweep& sweep) const;
+
+    Dexels dexels_;
+    StockFaces faces_;
+    double tolerance_ = 0.01;
+    int threads_ = 0;
+    std::uint64_t open_rays_ = 0;
+    std::vector<ToolShape> tools_;
+    std::vector<Orientation> orientations_;
+    std::vector<geom::Vec3> axes_;  ///< as given, of `orientations_`
+    std::vector<Sweep> sweeps_;
+    std::vector<Circle> circles_;
+    std::vector<Engagement> engagements_;
+    std::size_t done_ = 0;  ///< sweeps carried out
+};
+
+}  // namespace obrys::sim::milling

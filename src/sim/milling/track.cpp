@@ -1,0 +1,56 @@
+#include "sim/milling/track.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+namespace obrys::sim::milling {
+namespace {
+
+constexpr double parallel = 1e-12;  ///< components below this belong to an axis of the stock that was turned there
+
+geom::Vec3 unit(int axis, double sign) {
+    return {axis == 0 ? sign : 0.0, axis == 1 ? sign : 0.0, axis == 2 ? sign : 0.0};
+}
+
+}  // namespace
+
+Orientation orientation_of(geom::Vec3 axis) {
+    Orientation o;
+    o.z = (1 / length(axis)) * axis;
+    const double ax = std::abs(o.z.x), ay = std::abs(o.z.y), az = std::abs(o.z.z);
+    o.along = ay < parallel && az < parallel   ? 0
+              : ax < parallel && az < parallel ? 1
+              : ax < parallel && ay < parallel ? 2
+                                               : -1;
+    if (o.along >= 0) {
+        const double sign = (o.along == 0 ? o.z.x : o.along == 1 ? o.z.y : o.z.z) > 0 ? 1 : -1;
+        o.z = unit(o.along, sign);
+        o.x = unit((o.along + 1) % 3, 1);
+    } else {
+        const int least = ax <= ay && ax <= az ? 0 : ay <= az ? 1 : 2;
+        o.x = cross(unit(least, 1), o.z);
+        o.x = (1 / length(o.x)) * o.x;
+    }
+    o.y = cross(o.z, o.x);
+    return o;
+}
+
+Offset offset_from(const Track& track, geom::Vec2 p) {
+    using geom::Vec2;
+    if (!track.circular) {
+        const Vec2 v{track.v.x, track.v.y};
+        const double way = std::sqrt(dot(v, v));
+        if (way == 0) return {geom::length(p), geom::length(p)};
+        const Vec2 e = (1 / way) * v;
+        const double a = dot(p, e), n = cross(e, p), m = a - std::clamp(a, 0.0, way);
+        return {m == 0 ? std::abs(n) : std::sqrt(m * m + n * n), n};
+    }
+    const Vec2 q = p - track.centre;
+    const double far = std::sqrt(dot(q, q));
+    const double left = track.turn * (track.radius - far);
+    if (track.turn * cross(track.first, q) >= 0 && track.turn * cross(q, track.last) >= 0)
+        return {std::abs(left), left};
+    return {std::min(geom::length(p), geom::distance(p, {track.v.x, track.v.y})), left};
+}
+
+}  // namespace obrys::sim::milling
