@@ -38,7 +38,7 @@ function(obrys_web_packages result)
   message(STATUS "Fetching the packages of the milling page's script")
   file(COPY ${web}/package.json ${web}/package-lock.json DESTINATION ${web_build})
   # No scripts of packages are run: esbuild finds its program in the package of this platform.
-  execute_process(COMMAND ${OBRYS_NPM} ci --ignore-scripts --no-audit --no-fund ${without}
+  execute_process(COMMAND ${OBRYS_NPM} ci --ignore-scripts --no-audit --no-fund --prefer-offline --fetch-retries=1 ${without}
     WORKING_DIRECTORY ${web_build} RESULT_VARIABLE failed OUTPUT_VARIABLE said ERROR_VARIABLE said TIMEOUT 300)
   if(failed)
     message(WARNING "The milling page is left out: npm ci failed (${failed}). Configure again when the packages can be "

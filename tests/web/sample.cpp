@@ -270,4 +270,17 @@ report::MillingPage sample(const Size& size) {
     return page;
 }
 
+report::MillingPage nothing() {
+    MillingPage page;
+    page.title = "EMPTY.NC";
+    page.verdict_line = "not fully checked: 1 thing was not checked; 1 finding";
+    page.texts = {{"EMPTY.NC", "G1 X1"}};
+    page.unchecked = {{"tool 9 is not in the tool list", "add it", {0, 1}}};
+    page.findings.resize(1);
+    page.findings[0].code = "alarm";
+    page.findings[0].text = "no feed";
+    page.findings[0].where = {0, 1};
+    return page;
+}
+
 }  // namespace obrys::web_test

@@ -11,5 +11,7 @@ struct Size {
     int rows = 200, columns = 250, cells = 500;
 };
 [[nodiscard]] report::MillingPage sample(const Size& size);
+/// A run that ended before its first move: no path, no surface, one finding without a place.
+[[nodiscard]] report::MillingPage nothing();
 
 }  // namespace obrys::web_test

@@ -1,7 +1,7 @@
 // What stands around the surface: the tool with shank and holder, clamps, the outline of the stock.
 
 import {
-  BoxGeometry, Color, DoubleSide, EdgesGeometry, GLSL3, Group, LatheGeometry, LineSegments, Mesh, Quaternion, RawShaderMaterial, Scene, Vector2,
+  BoxGeometry, Color, EdgesGeometry, GLSL3, Group, LatheGeometry, LineSegments, Mesh, Quaternion, RawShaderMaterial, Scene, Vector2,
   Vector3, type OrthographicCamera,
 } from "three";
 import type { Box, Run, Tool } from "./data";
@@ -12,7 +12,7 @@ function paint(colour: number, opacity: number, line = false): RawShaderMaterial
   const { r, g, b } = new Color().setHex(colour, "srgb-linear");  // as it is: these shaders write what the screen shows
   return new RawShaderMaterial({
     glslVersion: GLSL3, vertexShader: line ? lineVertex : bodyVertex, fragmentShader: line ? lineFragment : bodyFragment,
-    transparent: opacity < 1, side: DoubleSide, uniforms: { paint: { value: [r, g, b, opacity] } },
+    transparent: opacity < 1, uniforms: { paint: { value: [r, g, b, opacity] } },
   });
 }
 const cutting = paint(0xf2bf2e, 0.82), shank = paint(0xb4bdc5, 0.9), holder = paint(0x76808a, 0.9), clamp = paint(0xcf8a99, 0.6);

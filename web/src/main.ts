@@ -161,11 +161,11 @@ class Report {
     box.append(el("b", "", `move ${move} of ${run.count}: ${run.kind[move] ? "rapid" : "feed"}`),
       ` to X ${mm(place[0])} Y ${mm(place[1])} Z ${mm(place[2])} mm`, tool ? `, T${tool.number} ${tool.name}` : "");
     const seconds = run.seconds[move], length = run.lengths[move];
-    if (Number.isFinite(seconds)) box.append(`, ${clock(seconds)} of ${clock(run.seconds[run.count - 1])}`);
-    if (Number.isFinite(length)) box.append(`, path ${(length / 1000).toFixed(2)} m`);
     box.append(el("br"));
     const file = run.file[move];
     if (file !== none16) box.append(siteLink({ f: file, l: run.line[move], n: doc.texts[file].name }, site => this.pickLine(site.f, site.l)));
+    if (Number.isFinite(seconds)) box.append(`, ${clock(seconds)} of ${clock(run.seconds[run.count - 1])}`);
+    if (Number.isFinite(length)) box.append(`, path ${(length / 1000).toFixed(2)} m`);
   }
 }
 

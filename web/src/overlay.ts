@@ -44,24 +44,24 @@ function scaleBar(view: Viewport, scale: number): SVGElement[] {
 }
 
 function rulers(views: Views, view: Viewport): SVGElement[] {
-  const out: SVGElement[] = [], { scale, target } = views.look, step = niceStep(46 / scale), digits = digitsOf(step);
+  const out: SVGElement[] = [], { scale, target } = views.look, step = niceStep(46 / scale), stepUp = niceStep(26 / scale);
   const low = view.top + view.high - 24, side = view.left + 48;
   out.push(svg("rect", { class: "band", x: view.left, y: low, width: view.wide, height: 24 }),
     svg("rect", { class: "band", x: view.left, y: view.top, width: 48, height: view.high }));
   const h = axisOf(view.basis.right), v = axisOf(view.basis.up);
   const key = (n: "X" | "Y" | "Z") => n.toLowerCase() as "x" | "y" | "z", middleX = view.left + view.wide / 2, middleY = view.top + view.high / 2;
-  const label = (n: number) => (n * step || 0).toFixed(digits);
+  const label = (value: number, of: number) => (value || 0).toFixed(digitsOf(of));
   const half = view.wide / 2 / scale, t = target[key(h.name)];
   for (let n = Math.ceil((t - half) / step); n * step <= t + half; ++n) {
     const x = middleX + h.sense * scale * (n * step - t);
     if (x < side + 8 || x > view.left + view.wide - 34) continue;
-    out.push(svg("line", { class: "tick", x1: x, y1: low, x2: x, y2: low + 5 }), halo(x, low + 17, label(n), "middle", ""));
+    out.push(svg("line", { class: "tick", x1: x, y1: low, x2: x, y2: low + 5 }), halo(x, low + 17, label(n * step, step), "middle", ""));
   }
   const tall = view.high / 2 / scale, tv = target[key(v.name)];
-  for (let n = Math.ceil((tv - tall) / step); n * step <= tv + tall; ++n) {
-    const y = middleY - v.sense * scale * (n * step - tv);
+  for (let n = Math.ceil((tv - tall) / stepUp); n * stepUp <= tv + tall; ++n) {
+    const y = middleY - v.sense * scale * (n * stepUp - tv);
     if (y > low - 8 || y < view.top + 30) continue;
-    out.push(svg("line", { class: "tick", x1: side - 5, y1: y, x2: side, y2: y }), halo(side - 8, y + 4, label(n), "end", ""));
+    out.push(svg("line", { class: "tick", x1: side - 5, y1: y, x2: side, y2: y }), halo(side - 8, y + 4, label(n * stepUp, stepUp), "end", ""));
   }
   out.push(halo(view.left + view.wide - 6, low + 17, h.sense > 0 ? h.name + " →" : "← " + h.name, "end", "name"),
     halo(side - 8, view.top + 18, "↑ " + v.name, "end", "name"),

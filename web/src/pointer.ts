@@ -10,7 +10,7 @@ export function pointer(picture: Picture, onPick: (move: number | null) => void)
     const r = view.getBoundingClientRect();
     return [event.clientX - r.left - view.clientLeft, event.clientY - r.top - view.clientTop];
   };
-  const change = (act: () => void) => { act(); picture.viewChanged(); };
+  const change = (act: () => void) => { act(); picture.viewChanged(true); };
 
   view.addEventListener("pointerdown", event => {
     if ((event.target as Element).closest(".mark,.no")) return;

@@ -14,6 +14,8 @@ export class Picture {
   private done = 0;
   private readonly fast: boolean;
   private size = [0, 0, 0];
+  private resting = 0;
+  private fence: WebGLSync | null = null;
   /** Called after each frame; `viewIsNew`: what lies over the canvas has to move. */
   onFrame: (viewIsNew: boolean) => void = () => {};
 
@@ -39,7 +41,11 @@ export class Picture {
     this.views.resize(wide, high, ratio);
     this.viewChanged();
   }
-  viewChanged() {
+  /** `moving`: by hand, and it may go on; where drawing is slow, details follow when the hand rests. */
+  viewChanged(moving = false) {
+    window.clearTimeout(this.resting);
+    this.surface.roughly = moving && !this.fast;
+    if (moving && !this.fast) this.resting = window.setTimeout(() => this.viewChanged(), 200);
     this.viewIsNew = true;
     this.surface.viewChanged();
     this.invalidate();
@@ -61,7 +67,17 @@ export class Picture {
     this.invalidate();
   }
   invalidate() {
-    if (!this.waiting) this.waiting = requestAnimationFrame(() => this.draw());
+    if (!this.waiting) this.waiting = requestAnimationFrame(() => this.frame());
+  }
+  /** A slow graphics processor is given one frame at a time: else they would queue up and the page would lag behind the hand. */
+  private frame() {
+    const gl = this.renderer.getContext() as WebGL2RenderingContext;
+    this.waiting = 0;
+    if (this.fence && gl.getSyncParameter(this.fence, gl.SYNC_STATUS) !== gl.SIGNALED && !gl.isContextLost()) return this.invalidate();
+    if (this.fence) gl.deleteSync(this.fence);
+    this.draw();
+    this.fence = gl.fenceSync(gl.SYNC_GPU_COMMANDS_COMPLETE, 0);
+    gl.flush();
   }
 
   draw() {

@@ -88,13 +88,14 @@ export const shadeFragment = `
     vec4 s = texelFetch(shape, at, 0);
     float height = (s.z * 255.0 + s.w) / 255.0;
     // A strong lamp from the upper left shows low waves, a weak one from the right keeps what it does not reach apart.
-    float light = 0.34 + 0.62 * pow(max(0.0, dot(n, normalize(vec3(-0.65, 0.45, 0.62)))), 1.4) + 0.26 * max(0.0, dot(n, normalize(vec3(0.75, 0.05, 0.45))));
+    float light = 0.42 + 0.56 * pow(max(0.0, dot(n, normalize(vec3(-0.65, 0.45, 0.62)))), 1.4) + 0.26 * max(0.0, dot(n, normalize(vec3(0.75, 0.05, 0.45))));
     light *= 1.0 - 0.62 * edge(at, n, d);
     vec3 base = move > lastMove ? ${vec(stockFace)} : ${vec(cut)};
     if (colouring == 1 && move <= lastMove) base = toolColour(move);
     if (colouring == 2) base = heightColour(height);
     if (colouring == 3) base = own.w > 0.999 ? vec3(0.75) : deviationColour(own.w * 255.0 / 254.0);
-    colour = vec4(base * light, min(1.0, light * 0.8));
+    // Scales are read off: what faces the viewer has the legend's colour.
+    colour = vec4(base * (colouring >= 2 ? min(1.1, 1.25 * light) : light), min(1.0, light * 0.8));
   }`;
 
 export const composeFragment = `

@@ -6,7 +6,7 @@ import {
 } from "three";
 import type { Mesh, Run } from "./data";
 import { composeFragment, geometryFragment, geometryVertex, pickFragment, screenVertex, shadeFragment } from "./shaders";
-import { triangles } from "./triangles";
+import { coarse, triangles, type Triangles } from "./triangles";
 import type { Viewport } from "./views";
 
 export type Colouring = "surface" | "tool" | "height" | "deviation";
@@ -35,11 +35,11 @@ function toolTexture(run: Run): DataTexture {
   return texture;
 }
 
-function geometryOf(mesh: Mesh, mostDeviation: number): BufferGeometry {
-  const made = triangles(mesh, mostDeviation), geometry = new BufferGeometry();
-  geometry.setAttribute("position", new BufferAttribute(made.positions, 3));
-  geometry.setAttribute("number", new BufferAttribute(made.numbers, 1));
-  geometry.setIndex(new BufferAttribute(made.indices, 1));
+function geometryOf(made: Triangles, indices: Uint32Array, shared?: BufferGeometry): BufferGeometry {
+  const geometry = new BufferGeometry();
+  geometry.setAttribute("position", shared?.getAttribute("position") ?? new BufferAttribute(made.positions, 3));
+  geometry.setAttribute("number", shared?.getAttribute("number") ?? new BufferAttribute(made.numbers, 1));
+  geometry.setIndex(new BufferAttribute(indices, 1));
   return geometry;
 }
 
@@ -50,6 +50,10 @@ export class Surface {
   private readonly shade: Screen;
   private readonly compose: Screen;
   private readonly picking: Screen;
+  private readonly made: Triangles;
+  private readonly fine: BufferGeometry;
+  private readonly mesh: ThreeMesh;
+  private rough: BufferGeometry | null = null;
   private geometryWanted = true;
   private shadeWanted = true;
 
@@ -61,9 +65,11 @@ export class Surface {
     const material = new RawShaderMaterial({
       ...plain, vertexShader: geometryVertex, fragmentShader: geometryFragment, uniforms: { heightRange: { value: heightRange } },
     });
-    const surface = new ThreeMesh(geometryOf(mesh, mostDeviation), material);
-    surface.frustumCulled = false;
-    this.scene.add(surface);
+    this.made = triangles(mesh, mostDeviation);
+    this.fine = geometryOf(this.made, this.made.indices);
+    this.mesh = new ThreeMesh(this.fine, material);
+    this.mesh.frustumCulled = false;
+    this.scene.add(this.mesh);
     const screen = (fragmentShader: string, uniforms: Record<string, { value: unknown }>, depthWrite: boolean) =>
       new Screen(new RawShaderMaterial({ ...plain, vertexShader: screenVertex, fragmentShader, uniforms, depthTest: depthWrite, depthWrite, depthFunc: AlwaysDepth }));
     this.shade = screen(shadeFragment, {
@@ -79,6 +85,12 @@ export class Surface {
     this.target.setSize(width, height);
     this.shaded.setSize(width, height);
     this.viewChanged();
+  }
+  /** Draws fewer triangles, where there are many; for while the view is turned on a slow machine. */
+  set roughly(on: boolean) {
+    const many = this.made.indices.length > 3 * 100_000;
+    if (on && many) this.rough ??= geometryOf(this.made, coarse(this.made, 150), this.fine);
+    this.mesh.geometry = on && this.rough ? this.rough : this.fine;
   }
   viewChanged() { this.geometryWanted = this.shadeWanted = true; }
   colour(by: Colouring) {

@@ -77,3 +77,27 @@ export function triangles(mesh: Mesh, most: number): Triangles {
     positions: corners.positions.subarray(0, 3 * corners.count), numbers: corners.numbers.subarray(0, corners.count), indices,
   };
 }
+
+/** Fewer triangles for while the view is being turned: corners that lie in one cell of a lattice become one. */
+export function coarse({ positions, indices }: Triangles, cells: number): Uint32Array {
+  const count = positions.length / 3, low = [Infinity, Infinity, Infinity], high = [-Infinity, -Infinity, -Infinity];
+  for (let v = 0; v < positions.length; ++v) {
+    low[v % 3] = Math.min(low[v % 3], positions[v]);
+    high[v % 3] = Math.max(high[v % 3], positions[v]);
+  }
+  const size = Math.max(high[0] - low[0], high[1] - low[1], high[2] - low[2], 1e-9) / cells, of = new Uint32Array(count);
+  const first = new Map<number, number>(), cell = (v: number, c: number) => Math.floor((positions[3 * v + c] - low[c]) / size);
+  for (let v = 0; v < count; ++v) {
+    const key = (cell(v, 0) * 1024 + cell(v, 1)) * 1024 + cell(v, 2), known = first.get(key);
+    if (known === undefined) first.set(key, v);
+    of[v] = known ?? v;
+  }
+  const out = new Uint32Array(indices.length);
+  let n = 0;
+  for (let k = 0; k < indices.length; k += 3) {
+    const a = of[indices[k]], b = of[indices[k + 1]], c = of[indices[k + 2]];
+    if (a === b || b === c || c === a) continue;
+    out[n++] = a; out[n++] = b; out[n++] = c;
+  }
+  return out.slice(0, n);
+}
