@@ -42,11 +42,18 @@ HeightScale heights(const Work& work, const Rect& area, double px_per_mm) {
     c.y = area.height / 4;
     const Visible seen = rasterise(work.scene.surface, c);
     HeightScale out{-INFINITY, INFINITY};
-    for (const float z : seen.depth) {
-        if (!std::isfinite(z)) continue;
-        out.top = std::max(out.top, c.centre.z + z);
-        out.bottom = std::min(out.bottom, c.centre.z + z);
+    std::uint32_t deepest = Visible::none;
+    for (std::size_t at = 0; at < seen.depth.size(); ++at) {
+        if (seen.triangle[at] == Visible::none) continue;
+        const double z = c.centre.z + static_cast<double>(seen.depth[at]);
+        out.top = std::max(out.top, z);
+        if (z < out.bottom) deepest = seen.triangle[at];
+        out.bottom = std::min(out.bottom, z);
     }
+    // A drill's tip lies between the middles of pixels.
+    if (deepest != Visible::none)
+        for (const Vec3 corner : mesh::corners(work.scene.surface, deepest))
+            out.bottom = std::min(out.bottom, corner.z);
     if (!(out.bottom <= out.top)) return {work.box.hi.z, work.box.lo.z};
     return out;
 }

@@ -1,6 +1,7 @@
 /// Front view and left side view, both cut open, and the plan below: first angle projection (ISO 5456-2), one scale.
 #include <algorithm>
 #include <cmath>
+#include <functional>
 
 #include "report/picture_parts.hpp"
 
@@ -17,7 +18,7 @@ struct Sheets {
 };
 
 Sheets arrange(const Work& work) {
-    const double em = work.em, gap = 6 * em, left = 5 * em, above = 8.5 * em;
+    const double em = work.em, gap = 6 * em, left = 5 * em, above = 10 * em;
     const Vec3 size = work.box.size();
     const double free_width = work.width - left - gap - 5 * em, free_height = work.height - above - gap - 6 * em;
     Sheets s;
@@ -61,17 +62,19 @@ void title(Work& work, const Rect& view, const std::string& content) {
     work.sheet.text({view.left, view.top - 3.6 * work.em}, content, words);
 }
 
-/// The heights of flat areas beside a view.
-void levels(Work& work, const Rect& view, const std::vector<double>& heights) {
+/// The heights of flat areas beside a view, with room for each.
+void levels(Work& work, const Rect& view, std::vector<double> heights) {
     const double em = work.em, size = work.box.size().z;
-    std::vector<double> taken;
+    std::sort(heights.begin(), heights.end(), std::greater<>());
+    double free_from = -INFINITY;
     for (const double z : heights) {
         const double at = view.bottom() - view.height * (z - work.box.lo.z) / size;
-        if (std::any_of(taken.begin(), taken.end(), [&](double other) { return std::abs(other - at) < 1.1 * em; }))
-            continue;
-        taken.push_back(at);
-        work.sheet.line({{view.right() + 0.3 * em, at}, {view.right() + 1.1 * em, at}}, {blue, 0.08 * em});
-        work.sheet.text({view.right() + 1.4 * em, at + 0.33 * em}, millimetres(z), {0.9 * em, blue});
+        const double words_at = std::max(at, free_from);
+        free_from = words_at + 1.15 * em;
+        const double x = view.right() + 0.3 * em;
+        work.sheet.line({{x, at}, {x + 0.5 * em, at}, {x + 1.2 * em, words_at}, {x + 1.6 * em, words_at}},
+                        {blue, 0.08 * em});
+        work.sheet.text({x + 1.9 * em, words_at + 0.33 * em}, millimetres(z), {0.9 * em, blue});
     }
 }
 

@@ -80,7 +80,6 @@ void solid(Work& work) {
     marks(work, shot);
     legend(work, {work.width - 14 * em, 7 * em});
     axes(work, look, {3 * em, work.height - 2.6 * em});
-    scale_bar(work, scale, {9 * em, work.height - 1.6 * em});
     const Vec3 size = work.box.size();
     heading(work,
             "3D; stock " + millimetres(size.x) + " x " + millimetres(size.y) + " x " + millimetres(size.z) + " mm");

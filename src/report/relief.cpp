@@ -16,7 +16,7 @@ const double drawn = std::cos(geom::radians(22));  ///< normals of neighbouring 
 constexpr double step = 2.5;                       ///< px: a jump of the depth that makes a line
 constexpr double line_share = 0.3;                 ///< what a line leaves of the colour
 constexpr Colour cut_light{236, 214, 170}, cut_dark{196, 150, 80};
-constexpr int hatch_pitch = 9;  ///< px of the image between the hatch's lines
+constexpr int hatch_pitch = 12;  ///< px of the image between the hatch's lines
 
 using Normal = std::array<float, 3>;
 
@@ -34,8 +34,9 @@ public:
         for (int j = 0; j < visible.height; ++j)
             for (int i = 0; i < visible.width; ++i)
                 if (seen(visible.at(i, j))) set_normal(i, j);
-        key_ = unit(0.9 * camera.toward + 0.8 * camera.up + -0.55 * camera.right);
-        fill_ = unit(0.7 * camera.toward + -0.1 * camera.up + 0.9 * camera.right);
+        key_ = unit(camera.toward + 0.6 * camera.up + -0.5 * camera.right);
+        fill_ = unit(0.7 * camera.toward + -0.3 * camera.up + 0.6 * camera.right);
+        full_ = light(camera.toward);
     }
 
     [[nodiscard]] bool seen(std::size_t at) const { return visible_.triangle[at] != Visible::none; }
@@ -80,11 +81,15 @@ private:
         return back ? -1.0 * n : n;
     }
 
+    [[nodiscard]] double light(Vec3 n) const {
+        return 0.8 * std::max(0.0, dot(n, key_)) + 0.3 * std::max(0.0, dot(n, fill_));
+    }
+
+    /// What faces the eye has its full colour.
     [[nodiscard]] Pixel lit(std::size_t at) const {
         const Colour c = style_.colour({visible_.triangle[at], static_cast<double>(visible_.depth[at])});
         const Vec3 n{normal_[at][0], normal_[at][1], normal_[at][2]};
-        const double light = 0.8 * std::max(0.0, dot(n, key_)) + 0.35 * std::max(0.0, dot(n, fill_));
-        const double k = std::min(1.0, style_.ambient + (1 - style_.ambient) * light);
+        const double k = style_.ambient + (1 - style_.ambient) * std::min(1.0, light(n) / full_);
         return {k * c.red, k * c.green, k * c.blue};
     }
 
@@ -133,6 +138,7 @@ private:
     std::vector<Normal> normal_;
     std::vector<std::uint8_t> cut_;
     Vec3 key_, fill_;
+    double full_ = 1;  ///< light of a face that looks at the eye
 };
 
 /// `finer` x `finer` pixels of the relief to one of the image.
