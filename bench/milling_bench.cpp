@@ -1,6 +1,6 @@
 // Cost of milling simulation: zig-zag finishing with a ball of radius 3 mm at a tolerance of 0.01 mm, by the formula of
 // ../shared/bench/gen_rs274.py (with random numbers of our own); or the G0 and G1 moves of a program named as argument.
-// Prints a table; the time per move should stay flat. usage: bench_milling [PROGRAM.ngc [RUNS]]
+// Prints a table; the time per move should stay flat. usage: bench_milling [PROGRAM.ngc [RUNS [THREADS]]]
 
 #include <sys/resource.h>
 

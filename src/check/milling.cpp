@@ -317,6 +317,17 @@ void Milling::carry_out() {
     queued_.clear();
 }
 
+/// What single moves took is known along one direction of rays only, off by parts of a cell at walls; all together is
+/// known better, so their shares are scaled to it.
+void Milling::balance() {
+    double sum = 0;
+    for (const MilledMove& m : moves_) sum += m.volume_mm3;
+    if (!(sum > 0)) return;
+    const double factor = (figures_.before_mm3 - figures_.after_mm3) / sum;
+    for (MilledMove& m : moves_) m.volume_mm3 *= factor;
+    for (ToolUse& t : out_.result().tools) t.volume_mm3 *= factor;
+}
+
 void Milling::finish(bool complete) {
     if (!simulation_) return;
     carry_out();
@@ -327,6 +338,7 @@ void Milling::finish(bool complete) {
     auto milled = std::make_shared<Milled>();
     figures_.after_mm3 = milling::volume(simulation_->dexels());
     figures_.memory_mb = static_cast<double>(simulation_->bytes()) / 1e6;
+    balance();
     for (const MilledMove& m : moves_) figures_.contact_length_mm += m.contact_length_mm;
     if (pieces_left_ < most_pieces && pieces_left_ < 1000) figures_.contact_accuracy_mm = 0;
     milled->figures = figures_;

@@ -59,6 +59,7 @@ private:
     [[nodiscard]] double seconds_of(const Move& move) const;
     void keep_points(const Move& move, MilledMove& m);
     void carry_out();
+    void balance();
     void judge(const QueuedPass& pass, const sim::milling::Engagement& met);
     void judge_cut(const QueuedPass& pass, MilledMove& move, const sim::milling::Engagement& met);
     void judge_surface(Milled& milled);

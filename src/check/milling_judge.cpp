@@ -90,6 +90,7 @@ void Milling::judge(const QueuedPass& pass, const milling::Engagement& met) {
 void Milling::judge_place(const Milled& milled, const mesh::Place& p, bool gouge) {
     Finding f;
     f.code = gouge ? codes::gouge : codes::rest_material;
+    f.severity = gouge ? base::Severity::error : base::Severity::warning;
     f.place = p.at;
     const double amount = std::abs(p.deviation);
     f.text = std::string(gouge ? "cuts into the finished part: " : "material is left on the part: ") + mm(amount) +

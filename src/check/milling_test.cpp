@@ -86,6 +86,7 @@ TEST(Milling, WhatIsLeftIsNamedWithItsHeightAndTheMoveBesideIt) {
     const auto rest = of(r, base::codes::rest_material);
     ASSERT_EQ(rest.size(), 1U);
     EXPECT_NEAR(amount(*rest[0], "height_mm"), 5, 0.02);
+    EXPECT_EQ(rest[0]->severity, base::Severity::warning);
     ASSERT_TRUE(rest[0]->place);
     EXPECT_GT(rest[0]->place->y, 29.9);
     EXPECT_EQ(r.verdict, Verdict::findings);

@@ -13,19 +13,20 @@ namespace {
 
 using base::codes::job_value;
 
-/// Keys that belong to some of the kinds, and to which.
+using enum ToolKind;
+
+/// Keys that belong to some of the kinds, and to which; `other` fills up.
 struct Key {
     std::string_view name;
-    std::initializer_list<ToolKind> kinds;
+    std::array<ToolKind, 4> kinds{other, other, other, other};
 };
-using enum ToolKind;
-const std::array some_kinds{Key{"corner_radius", {bull_nose, t_slot}},
-                            Key{"point_angle", {drill, centre_drill, countersink, chamfer}},
-                            Key{"tip_diameter", {countersink, chamfer}},
-                            Key{"width", {t_slot}},
-                            Key{"neck_diameter", {t_slot}},
-                            Key{"pitch", {tap, form}},
-                            Key{"profile", {form}}};
+constexpr std::array some_kinds{Key{"corner_radius", {bull_nose, t_slot, other, other}},
+                                Key{"point_angle", {drill, centre_drill, countersink, chamfer}},
+                                Key{"tip_diameter", {countersink, chamfer, other, other}},
+                                Key{"width", {t_slot, other, other, other}},
+                                Key{"neck_diameter", {t_slot, other, other, other}},
+                                Key{"pitch", {tap, form, other, other}},
+                                Key{"profile", {form, other, other, other}}};
 constexpr std::array all_kinds{"diameter", "cutting_length", "teeth", "plunges", "shank", "holder"};
 
 base::Span place(const Section& s, std::string_view key) {

@@ -155,6 +155,16 @@ Commands add_commands(CLI::App& app, Arguments& a) {
     c.check->add_option("--3mf", a.three_mf, "milling: the same as 3MF, coloured by tool or deviation")
         ->type_name("FILE");
     c.check->add_option("--gltf", a.gltf, "milling: the same as binary glTF (.glb)")->type_name("FILE");
+    const auto picture = [&](const char* name, std::string& file, const char* what) {
+        c.check->add_option(name, file, what)
+            ->check([](const std::string& path) {
+                return path.ends_with(".png") || path.ends_with(".svg") ? "" : "must end with .png or .svg";
+            })
+            ->type_name("FILE");
+    };
+    picture("--plan", a.plan_view, "milling: also draw the part from above, the deeper the darker (.png, .svg)");
+    picture("--projections", a.projections, "milling: the same from front, left and above, cut open");
+    picture("--picture", a.picture, "milling: the same in 3D");
     c.check->add_flag("--no-list", a.no_list, "text: leave out what has no effect on the verdict");
     c.check->add_flag("!--no-color,!--no-colour", a.colours, "text without colours (also: NO_COLOR)");
     c.run = app.add_subcommand("run", run_help);

@@ -16,13 +16,14 @@ struct Arguments {
     Command command = Command::none;
     driver::Request request;
     std::string format = "text";
-    std::string output;               ///< empty: standard output
-    std::string html, svg;            ///< of check: also write these; svg of plot: the picture
-    std::string stl, three_mf, gltf;  ///< of check: the milled surface
-    driver::MillingRequest milling;   ///< of check
-    double interpolation = 0;         ///< of plot: basic length unit, mm; 0: none given
-    bool quiet = false;               ///< of run: counts only
-    bool parameters = false;          ///< of run: numbered parameters at the end
+    std::string output;                           ///< empty: standard output
+    std::string html, svg;                        ///< of check: also write these; svg of plot: the picture
+    std::string stl, three_mf, gltf;              ///< of check: the milled surface
+    std::string plan_view, projections, picture;  ///< of check: its pictures, .svg or .png
+    driver::MillingRequest milling;               ///< of check
+    double interpolation = 0;                     ///< of plot: basic length unit, mm; 0: none given
+    bool quiet = false;                           ///< of run: counts only
+    bool parameters = false;                      ///< of run: numbered parameters at the end
     bool colours = true;
     bool no_list = false;            ///< of check: leave out what has no effect on the verdict
     std::vector<std::string> files;  ///< of fmt

@@ -3,9 +3,12 @@
 #include <cmath>
 #include <cstdio>
 
+#include "base/number.hpp"
 #include "driver/files.hpp"
 #include "mesh/export.hpp"
 #include "mesh/stl.hpp"
+#include "report/milling_picture.hpp"
+#include "sim/milling/stock.hpp"
 
 namespace obrys::cli {
 
@@ -21,7 +24,13 @@ bool deliver(driver::Session& s, const std::string& path, const std::string& tex
     return false;
 }
 
-bool wants_surface(const Arguments& a) { return !a.stl.empty() || !a.three_mf.empty() || !a.gltf.empty(); }
+static bool wants_pictures(const Arguments& a) {
+    return !a.plan_view.empty() || !a.projections.empty() || !a.picture.empty();
+}
+
+bool wants_surface(const Arguments& a) {
+    return !a.stl.empty() || !a.three_mf.empty() || !a.gltf.empty() || wants_pictures(a);
+}
 
 namespace {
 
@@ -50,6 +59,67 @@ mesh::DeviationColours colour(const check::Milled& milled, mesh::Mesh& surface, 
     return c;
 }
 
+/// What the colours mean.
+std::vector<report::PictureLegend> legend_of(const check::Result& result, const mesh::DeviationColours& colours) {
+    std::vector<report::PictureLegend> out;
+    if (result.milled->comparison) {
+        const double allowed = result.milled->figures.tolerance_mm, full = full_deviation * allowed;
+        const std::size_t steps = (colours.palette.size() - 1) / 2;
+        out.push_back({colours.palette[0], "within " + base::shortest(allowed) + " mm"});
+        for (const bool gouge : {true, false})
+            for (std::size_t i = 0; i < steps; i += i == 0 ? steps / 2 : steps - 1 - steps / 2) {
+                const double from = allowed + static_cast<double>(i) / static_cast<double>(steps) * (full - allowed);
+                out.push_back({colours.palette[1 + i + (gouge ? 0 : steps)],
+                               std::string(gouge ? "too deep" : "too high") + " by " + base::fixed(from, 3) + " mm"});
+            }
+        return out;
+    }
+    out.push_back({tool_colours[0], "not cut"});
+    for (std::size_t k = 0; k < result.tools.size(); ++k) {
+        const check::ToolUse& tool = result.tools[k];
+        const std::string text = "T" + std::to_string(tool.number) + (tool.name.empty() ? "" : " " + tool.name);
+        const std::size_t index = 1 + k % (tool_colour_count - 1);
+        if (index < out.size())
+            out[index].text += ", " + text;
+        else
+            out.push_back({tool_colours[index], text});
+    }
+    return out;
+}
+
+/// `surface` has indices of `colours.palette` as its tags.
+bool write_pictures(const Arguments& a, driver::Session& s, const driver::Checked& checked, const mesh::Mesh& surface,
+                    const mesh::DeviationColours& colours) {
+    const std::vector<report::PictureLegend> legend = legend_of(checked.result, colours);
+    std::vector<report::PictureMark> marks;
+    for (std::size_t k = 0; k < checked.result.findings.size(); ++k)
+        if (const auto& place = checked.result.findings[k].place) marks.push_back({std::to_string(k + 1), *place});
+    report::MillingScene scene{surface};
+    if (checked.setup.milling) {
+        const auto box = sim::milling::box_of(checked.setup.milling->stock);
+        scene.stock.add(box.min);
+        scene.stock.add(box.max);
+    }
+    scene.palette = colours.palette;
+    scene.legend = legend;
+    scene.marks = marks;
+    scene.title = s.program;
+    const struct {
+        const std::string& file;
+        report::MillingView view;
+    } pictures[] = {{a.plan_view, report::MillingView::plan},
+                    {a.projections, report::MillingView::projections},
+                    {a.picture, report::MillingView::solid}};
+    bool written = true;
+    for (const auto& [file, view] : pictures)
+        if (!file.empty())
+            written =
+                deliver(s, file,
+                        file.ends_with(".svg") ? report::milling_svg(view, scene) : report::milling_png(view, scene)) &&
+                written;
+    return written;
+}
+
 }  // namespace
 
 bool write_surface(const Arguments& a, driver::Session& s, const driver::Checked& checked) {
@@ -61,9 +131,10 @@ bool write_surface(const Arguments& a, driver::Session& s, const driver::Checked
         return false;
     }
     bool written = a.stl.empty() || deliver(s, a.stl, mesh::write_stl(milled->surface));
-    if (a.three_mf.empty() && a.gltf.empty()) return written;
+    if (a.three_mf.empty() && a.gltf.empty() && !wants_pictures(a)) return written;
     mesh::Mesh surface = milled->surface;
     const mesh::DeviationColours colours = colour(*milled, surface, milled->figures.tolerance_mm);
+    if (wants_pictures(a)) written = write_pictures(a, s, checked, surface, colours) && written;
     if (!a.three_mf.empty()) written = deliver(s, a.three_mf, mesh::write_3mf(surface, colours.palette)) && written;
     if (a.gltf.empty()) return written;
     const auto glb = mesh::write_glb(surface, colours.palette);

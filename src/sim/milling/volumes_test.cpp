@@ -3,6 +3,7 @@
 #include <cmath>
 
 #include "sim/milling/milling_testing.hpp"
+#include "sim/milling/surface.hpp"
 
 namespace obrys::sim::milling {
 namespace {
@@ -159,6 +160,49 @@ TEST(Volumes, FormToolByProfile) {
     const double arc = 9 - pi * 9 / 4;
     const double concave = 2 * 4 + 2 * 3 + arc + 5 * 2;
     EXPECT_NEAR(w.removed() / (60 * 2 * concave), 1, 1e-3);
+}
+
+double enclosed(const Simulation& s) {
+    const auto normal = [&](std::uint32_t cut, Vec3 p, int, double) { return s.normal_at(cut, p); };
+    const Surface surface = extract_surface(s.dexels(), normal);
+    double six_times = 0;
+    for (const auto& t : surface.mesh.triangles) {
+        const auto& v = surface.mesh.vertices;
+        six_times += dot(v[t[0]], cross(v[t[1]], v[t[2]]));
+    }
+    return six_times / 6;
+}
+
+/// In the lattice that a tolerance of 0.01 mm asks for, what the closed surface holds is nearer than what the rays say.
+TEST(Volumes, OfTheSurfaceInAnOrdinaryLattice) {
+    {
+        Work w(plate, step_for(0.01, 4), tool_of(CutterKind::drill, 8));
+        for (int i = 0; i < 4; ++i) {
+            for (int j = 0; j < 3; ++j) {
+                w.start({8.3 + 14 * i, 7.1 + 12.7 * j, 3});
+                w.to({8.3 + 14 * i, 7.1 + 12.7 * j, -14});
+            }
+        }
+        w.simulation.flush();
+        const double point = 4 / std::tan(geom::radians(59));
+        EXPECT_NEAR((48000 - enclosed(w.simulation)) / (12 * pi * 16 * (14 - point + point / 3)), 1, 1e-3);
+    }
+    {
+        Work w(plate, step_for(0.01, 4), tool_of(CutterKind::ball, 8));
+        w.start({-10, 20.03, -3});
+        w.to({70, 20.03, -3});
+        w.simulation.flush();
+        const double half = std::acos(1 - 3.0 / 4), area = 16 * (half - std::sin(half) * std::cos(half));
+        EXPECT_NEAR((48000 - enclosed(w.simulation)) / (60 * area), 1, 1e-3);
+    }
+    {
+        Work w(plate, step_for(0.01, 3), tool_of(CutterKind::end_mill, 6), 0.01);
+        w.start({32.6, 20.2, 0.5});
+        w.arc({32.6, 20.2, -8}, {30.1, 20.2, 0}, 2 * pi * 6);
+        w.arc({32.6, 20.2, -8}, {30.1, 20.2, 0}, 2 * pi);
+        w.simulation.flush();
+        EXPECT_NEAR((48000 - enclosed(w.simulation)) / (pi * 5.5 * 5.5 * 8), 1, 1e-3);
+    }
 }
 
 TEST(Volumes, EngagementOfASideCut) {

@@ -1,0 +1,15 @@
+# cairo::cairo by pkg-config's hint; Debian's libcairo2-dev has no CMake file.
+find_package(PkgConfig QUIET)
+if(PKG_CONFIG_FOUND)
+  pkg_check_modules(PC_CAIRO QUIET cairo)
+endif()
+find_path(CAIRO_INCLUDE_DIR cairo.h HINTS ${PC_CAIRO_INCLUDE_DIRS} PATH_SUFFIXES cairo)
+find_library(CAIRO_LIBRARY cairo HINTS ${PC_CAIRO_LIBRARY_DIRS})
+mark_as_advanced(CAIRO_INCLUDE_DIR CAIRO_LIBRARY)
+include(FindPackageHandleStandardArgs)
+find_package_handle_standard_args(cairo REQUIRED_VARS CAIRO_LIBRARY CAIRO_INCLUDE_DIR VERSION_VAR PC_CAIRO_VERSION)
+if(cairo_FOUND AND NOT TARGET cairo::cairo)
+  add_library(cairo::cairo UNKNOWN IMPORTED)
+  set_target_properties(cairo::cairo PROPERTIES IMPORTED_LOCATION "${CAIRO_LIBRARY}"
+    INTERFACE_INCLUDE_DIRECTORIES "${CAIRO_INCLUDE_DIR}")
+endif()

@@ -1,0 +1,167 @@
+/// The surface on the sheet, and what is drawn over it: path, marks.
+#include <algorithm>
+#include <cmath>
+#include <map>
+
+#include "report/picture_parts.hpp"
+
+namespace obrys::report::picture {
+
+using geom::Vec2;
+using geom::Vec3;
+
+Vec2 Shot::place(Vec3 p) const {
+    const Vec3 seen = camera.project(p);
+    return {corner.x + seen.x, corner.y + seen.y};
+}
+
+Rect Shot::frame() const {
+    return {corner.x, corner.y, static_cast<double>(camera.width), static_cast<double>(camera.height)};
+}
+
+mesh::Colour palette_colour(const MillingScene& scene, std::uint32_t triangle) {
+    if (scene.palette.empty()) return mesh::grey;
+    const std::size_t index = triangle < scene.colours.size() ? scene.colours[triangle]
+                              : scene.colours.empty()         ? scene.surface.tag(triangle)
+                                                              : 0;
+    return scene.palette[std::min(index, scene.palette.size() - 1)];
+}
+
+Shot shoot(Work& work, const Look& look, const Rect& area, double px_per_mm, const ColourOf& colour, double ambient,
+           const Vec3* cut) {
+    Shot shot;
+    const double margin = std::ceil(0.5 * work.em);
+    shot.corner = {std::floor(area.left - margin), std::floor(area.top - margin)};
+    Camera& c = shot.camera;
+    c.right = look.right;
+    c.up = look.up;
+    c.toward = look.toward;
+    c.centre = work.box.centre();
+    c.px_per_mm = px_per_mm;
+    c.x = area.centre().x - shot.corner.x;
+    c.y = area.centre().y - shot.corner.y;
+    c.width = static_cast<int>(std::ceil(area.right() + margin - shot.corner.x));
+    c.height = static_cast<int>(std::ceil(area.bottom() + margin - shot.corner.y));
+    if (cut != nullptr) c.nearest = dot(*cut - c.centre, look.toward);
+    ReliefStyle style;
+    style.colour = colour;
+    style.ambient = ambient;
+    style.hatch_cuts = cut != nullptr;
+    shot.finer = c.width * double(c.height) > 4e6 ? 1 : 2;
+    style.finer = shot.finer;
+    Relief seen = relief(work.scene.surface, work.normals, c, style);
+    work.sheet.image(shot.corner, seen.image);
+    work.complete = work.complete && seen.visible.complete;
+    shot.visible = std::move(seen.visible);
+    return shot;
+}
+
+std::vector<double> flat_heights(const Visible& seen, double base) {
+    constexpr double bin = 0.01, flat = 1e-3;  // mm
+    struct Sum {
+        std::size_t count = 0;
+        double height = 0;
+    };
+    std::map<long, Sum> bins;
+    std::size_t pixels = 0;
+    for (int j = 0; j + 1 < seen.height; ++j)
+        for (int i = 0; i + 1 < seen.width; ++i) {
+            const double z = seen.depth[seen.at(i, j)];
+            if (!std::isfinite(z)) continue;
+            ++pixels;
+            if (!(std::abs(seen.depth[seen.at(i + 1, j)] - z) < flat &&
+                  std::abs(seen.depth[seen.at(i, j + 1)] - z) < flat))
+                continue;
+            Sum& sum = bins[std::lround((base + z) / bin)];
+            ++sum.count;
+            sum.height += base + z;
+        }
+    std::vector<std::pair<std::size_t, double>> found;
+    for (const auto& [key, sum] : bins)
+        if (static_cast<double>(sum.count) > 0.003 * static_cast<double>(pixels))
+            found.emplace_back(sum.count, std::round(sum.height / static_cast<double>(sum.count) / bin) * bin);
+    std::stable_sort(found.begin(), found.end(), [](const auto& a, const auto& b) { return a.first > b.first; });
+    std::vector<double> heights;
+    for (const auto& [count, z] : found) {
+        const auto near = [z = z](double other) { return std::abs(other - z) < 1.5 * bin; };
+        if (heights.size() < 8 && std::none_of(heights.begin(), heights.end(), near)) heights.push_back(z);
+    }
+    return heights;
+}
+
+void path(Work& work, const Shot& shot) {
+    const Rect r = shot.frame();
+    work.sheet.clip({r.left, r.top}, {r.width, r.height});
+    const double width = 0.08 * work.em;
+    for (const PicturePath& piece : work.scene.path) {
+        std::vector<Vec2> points;
+        for (const Vec3 p : piece.points) points.push_back(shot.place(p));
+        const Pen feed{{20, 110, 50}, width}, rapid{red, width, {0.4 * work.em, 0.3 * work.em}};
+        work.sheet.line(points, piece.rapid ? rapid : feed);
+    }
+    work.sheet.unclip();
+}
+
+namespace {
+
+struct Pin {
+    Vec2 at;
+    std::string label;
+    int count = 0;
+    bool hidden = false;
+};
+
+bool is_hidden(const Shot& shot, const Work& work, Vec3 p) {
+    const Vec3 seen = shot.camera.project(p);
+    const double i = std::floor(seen.x * shot.finer), j = std::floor(seen.y * shot.finer);
+    if (!(i >= 0 && j >= 0 && i < shot.visible.width && j < shot.visible.height)) return false;
+    const double nearest = shot.visible.depth[shot.visible.at(static_cast<int>(i), static_cast<int>(j))];
+    return nearest > seen.z + 0.01 * length(work.box.size());
+}
+
+/// Those that lie close together share a pin.
+std::vector<Pin> pins(const Work& work, const Shot& shot) {
+    constexpr int named = 3;
+    std::vector<Pin> all;
+    for (const PictureMark& mark : work.scene.marks) {
+        if (!is_finite(mark.at)) continue;
+        const Vec2 at = shot.place(mark.at);
+        const auto near =
+            std::find_if(all.begin(), all.end(), [&](const Pin& p) { return distance(p.at, at) < 1.6 * work.em; });
+        if (near == all.end()) {
+            if (all.size() < 1000) all.push_back({at, mark.label, 1, is_hidden(shot, work, mark.at)});
+            continue;
+        }
+        ++near->count;
+        if (near->count <= named) near->label += "," + mark.label;
+        if (near->count == named + 1) near->label += ",...";
+    }
+    return all;
+}
+
+}  // namespace
+
+void marks(Work& work, const Shot& shot) {
+    const Rect r = shot.frame();
+    work.sheet.clip({r.left - 3 * work.em, r.top - 3 * work.em}, {r.width + 6 * work.em, r.height + 6 * work.em});
+    const std::vector<Pin> all = pins(work, shot);
+    const mesh::Colour white{255, 255, 255};
+    for (const Pin& pin : all) {
+        const Vec2 head = pin.at + Vec2{1.3 * work.em, -1.3 * work.em};
+        work.sheet.line({pin.at, head}, {red, 0.1 * work.em});
+        work.sheet.disc(pin.at, 0.25 * work.em, red);
+        work.sheet.disc(head, 0.85 * work.em, pin.hidden ? white : red);
+        work.sheet.circle(head, 0.85 * work.em, {red, 0.1 * work.em});
+    }
+    work.sheet.unclip();
+    for (const Pin& pin : all) {
+        Words words{0.9 * work.em, pin.hidden ? red : white};
+        words.share = 0.5;
+        words.bold = true;
+        if (pin.count > 1) words = {0.9 * work.em, red, 0, false, true, true};
+        const Vec2 shift = pin.count > 1 ? Vec2{2.3 * work.em, -work.em} : Vec2{1.3 * work.em, -work.em};
+        work.sheet.text(pin.at + shift, pin.label, words);
+    }
+}
+
+}  // namespace obrys::report::picture
