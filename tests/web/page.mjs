@@ -23,6 +23,7 @@ const address = name => pathToFileURL(path.resolve(name)).href;
 
 async function open(name, hash = "") {
   const context = await browser.newContext({ viewport: { width: 1500, height: 1000 }, offline: true });
+  context.setDefaultTimeout(30_000 * busy);
   const page = await context.newPage();
   ++opened;
   page.on("console", m => { if (["error", "warning"].includes(m.type())) complaints.push(m.text()); });
@@ -31,7 +32,7 @@ async function open(name, hash = "") {
   await page.goto(address(name) + hash, { waitUntil: "commit" });
   const frame = () => page.evaluate(() => performance.getEntriesByName("obrys-first-frame")[0]?.startTime ?? 0);
   let time = 0;
-  for (const start = Date.now(); !(time = await frame()) && Date.now() - start < 60_000;) await new Promise(r => setTimeout(r, 50));
+  for (const start = Date.now(); !(time = await frame()) && Date.now() - start < 6 * openLimit;) await new Promise(r => setTimeout(r, 50));
   assert(time > 0, "no frame was drawn: " + complaints.join("; "));
   return { page, time };
 }
@@ -234,6 +235,7 @@ const others = {
     const blind = await launch("--disable-3d-apis");
     try {
       const page = await (await blind.newContext({ offline: true })).newPage();
+      page.setDefaultTimeout(30_000 * busy);
       await page.goto(address(file));
       assert.match(await page.textContent("#failed"), /cannot be drawn here/);
       assert.equal(await page.locator(".finding").count(), 3);

@@ -35,7 +35,7 @@ def main():
         if made.returncode != 0:
             return made.returncode
     script = pathlib.Path(__file__).with_name("page.mjs")
-    run = subprocess.run([args.node, str(script), str(page), str(empty), args.chromium, args.packages, args.out], check=False, timeout=280)
+    run = subprocess.run([args.node, str(script), str(page), str(empty), args.chromium, args.packages, args.out], check=False, timeout=850)
     return 0 if run.returncode == 0 else 1
 
 

@@ -85,18 +85,28 @@ export function readDocument(): Document {
   return JSON.parse(textOf("data"));
 }
 
-/** Which moves a program line makes. */
-export class Lines {
-  private readonly moves = new Map<number, number[]>();
+const mostLines = 20_000_000;
 
-  constructor(run: Run) {
-    for (let i = 0; i < run.count; ++i) {
-      if (run.file[i] === none16 || run.line[i] === 0) continue;
-      const key = this.key(run.file[i], run.line[i]), list = this.moves.get(key);
-      if (list) list.push(i); else this.moves.set(key, [i]);
+/** Which moves a program line makes: for each text, the moves in the order of their lines, and where each line begins in them. */
+export class Lines {
+  private readonly first: Uint32Array[] = [];
+  private readonly moves: Uint32Array[] = [];
+
+  constructor(run: Run, texts: number) {
+    const has = (i: number) => run.file[i] < texts && run.line[i] > 0 && run.line[i] < mostLines, last = new Uint32Array(texts);
+    for (let i = 0; i < run.count; ++i) if (has(i)) last[run.file[i]] = Math.max(last[run.file[i]], run.line[i]);
+    for (const line of last) this.first.push(new Uint32Array(line + 2));
+    for (let i = 0; i < run.count; ++i) if (has(i)) ++this.first[run.file[i]][run.line[i] + 1];
+    for (const first of this.first) {
+      for (let k = 1; k < first.length; ++k) first[k] += first[k - 1];
+      this.moves.push(new Uint32Array(first[first.length - 1]));
     }
+    const next = this.first.map(first => first.slice());
+    for (let i = 0; i < run.count; ++i) if (has(i)) this.moves[run.file[i]][next[run.file[i]][run.line[i]]++] = i;
   }
 
-  private key(file: number, line: number): number { return file * 0x1_0000_0000 + line; }
-  of(file: number, line: number): number[] { return this.moves.get(this.key(file, line)) ?? []; }
+  of(file: number, line: number): Uint32Array {
+    const first = this.first[file];
+    return first && line > 0 && line + 1 < first.length ? this.moves[file].subarray(first[line], first[line + 1]) : new Uint32Array(0);
+  }
 }

@@ -185,7 +185,7 @@ function pictureOf(doc: Document, run: Run, mesh: Mesh): { picture: Picture; hei
 function main() {
   const doc = readDocument();
   head(doc);
-  const run = readRun(), mesh = readMesh(), lines = new Lines(run);
+  const run = readRun(), mesh = readMesh(), lines = new Lines(run, doc.texts.length);
   const texts = new Texts(doc, lines, $("tabs"), $("texts")), open = (site: Site) => texts.onLine(site.f, site.l, 0);
   texts.onLine = (file, line) => texts.light(file, line);
   const findings = new Findings(doc, open);

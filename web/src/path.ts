@@ -82,10 +82,10 @@ export class Path {
   private litWas = false;
 
   /** Lights moves as thick lines. */
-  light(moves: number[]) {
+  light(moves: ArrayLike<number>) {
     const { run } = this, out: number[] = [];
-    for (const m of moves.slice(0, mostLit))
-      for (let k = Math.max(1, run.firstPoint[m]); k < run.firstPoint[m + 1]; ++k) {
+    for (let i = 0; i < moves.length && i < mostLit; ++i)
+      for (let k = Math.max(1, run.firstPoint[moves[i]]); k < run.firstPoint[moves[i] + 1]; ++k) {
         const piece = run.points.subarray(3 * k - 3, 3 * k + 3);
         if (piece.every(Number.isFinite)) out.push(...piece);
       }

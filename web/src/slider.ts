@@ -5,7 +5,7 @@ import { $, el } from "./dom";
 
 /** Real time where the run has times; else, and for overviews, moves a second. */
 const speeds: [text: string, machine: number, moves: number][] = [
-  ["1 \u00d7 machine time", 1, 0], ["10 \u00d7", 10, 0], ["60 \u00d7", 60, 0], ["600 \u00d7", 600, 0],
+  ["1 \u00d7 machine time", 1, 0], ["10 \u00d7 machine time", 10, 0], ["60 \u00d7 machine time", 60, 0], ["600 \u00d7 machine time", 600, 0],
   ["5 moves/s", 0, 5], ["50 moves/s", 0, 50], ["500 moves/s", 0, 500], ["5000 moves/s", 0, 5000],
 ];
 
