@@ -81,7 +81,6 @@ void Milling::begin() {
     figures_.tolerance_mm = m.tolerance;
     figures_.step = lattice->step;
     figures_.before_mm3 = milling::volume(simulation_->dexels());
-    figures_.contact_accuracy_mm = piece;
     add_clamps();
 }
 
@@ -102,7 +101,7 @@ void Milling::add_clamps() {
             continue;
         }
         clamps_.push_back(
-            {c.name, milling::Simulation(c.body, *lattice, setup_.milling->tolerance, setup_.milling->threads), {}});
+            {c.name, milling::Simulation(c.body, *lattice, setup_.milling->tolerance, setup_.milling->threads)});
     }
 }
 
@@ -135,7 +134,7 @@ std::optional<std::uint32_t> Milling::tool_in_use(const Move& move) {
             out_.unchecked(move.record, "tool " + tool_name_ + ": " + made.problem + ": its removal is not simulated");
             return std::nullopt;
         }
-        for (Clamp& c : clamps_) c.tools.push_back(c.simulation.add_tool(made.shape));
+        for (Clamp& c : clamps_) static_cast<void>(c.simulation.add_tool(made.shape));  // the same number in each
         known = simulation_->add_tool(std::move(made.shape));
     }
     sim_tool_ = *known;
@@ -143,33 +142,35 @@ std::optional<std::uint32_t> Milling::tool_in_use(const Move& move) {
     return known;
 }
 
+/// Minutes that each of X, Y and Z needs for its part of a rapid; nothing where the machine does not say its speed.
+std::optional<std::array<double, 3>> Milling::needs_of_rapid(geom::Vec3 way) const {
+    std::array<double, 3> needs{};
+    for (std::size_t k = 0; k < needs.size(); ++k) {
+        const double part = std::abs(milling::component(way, static_cast<int>(k)));
+        if (part == 0) continue;
+        const auto axis = std::find_if(setup_.machine.axes.begin(), setup_.machine.axes.end(),
+                                       [k](const shop::MachineAxis& a) { return a.name == std::string(1, "XYZ"[k]); });
+        if (axis == setup_.machine.axes.end() || !(axis->rapid > 0)) return std::nullopt;
+        needs[k] = part / axis->rapid;
+    }
+    return needs;
+}
+
 /// Where a rapid comes by when every axis goes at its own speed (dog-leg): the axes stop one after another.
 std::vector<geom::Vec3> Milling::corners_of_rapid(const Move& move) const {
+    const geom::Vec3 way = move.to - move.from;
+    const auto needs = setup_.machine.rapid_path == shop::RapidPath::dog_leg ? needs_of_rapid(way) : std::nullopt;
+    if (!needs) return {move.to};
     std::vector<geom::Vec3> corners;
-    if (setup_.machine.rapid_path == shop::RapidPath::dog_leg) {
-        const geom::Vec3 way = move.to - move.from;
-        std::array<double, 3> needs{};  // minutes
-        for (std::size_t k = 0; k < 3; ++k) {
-            double speed = 0;
-            for (const shop::MachineAxis& a : setup_.machine.axes)
-                if (a.name == std::string(1, "XYZ"[k])) speed = a.rapid;
-            const double part = std::abs(milling::component(way, static_cast<int>(k)));
-            needs[k] = speed > 0 ? part / speed : 0;
-        }
-        for (const double at :
-             {std::min({needs[0], needs[1], needs[2]}),
-              std::max(std::min(needs[0], needs[1]), std::min(std::max(needs[0], needs[1]), needs[2]))}) {
-            geom::Vec3 p = move.to;
-            for (int k = 0; k < 3; ++k) {
-                const double need = needs[static_cast<std::size_t>(k)];
-                if (need > at)
-                    milling::set_component(p, k,
-                                           milling::component(move.from, k) + at / need * milling::component(way, k));
-            }
-            if (at > 0) corners.push_back(p);
-        }
+    std::array<double, 3> stops = *needs;
+    std::sort(stops.begin(), stops.end());
+    for (const double at : stops) {
+        geom::Vec3 p = move.to;
+        for (int k = 0; k < 3; ++k)
+            if (const double need = (*needs)[static_cast<std::size_t>(k)]; need > at)
+                milling::set_component(p, k, milling::component(move.from, k) + at / need * milling::component(way, k));
+        if (at > 0 || at == stops[2]) corners.push_back(p);
     }
-    corners.push_back(move.to);
     return corners;
 }
 
@@ -189,8 +190,11 @@ void Milling::take(const Move& move, std::uint32_t use) {
     geom::Vec3 axis = axis_;
     if (const auto* linear = std::get_if<cl::Linear>(&move.record.step)) axis = linear->axis;
     if (const auto* spline = std::get_if<cl::Spline>(&move.record.step)) axis = spline->axis;
-    if (!move.rapid && geom::distance(axis, axis_) > 1e-9 && geom::distance(move.from, move.to) > 1e-9 && passes_ > 0)
+    const bool turns = passes_ > 0 && geom::distance(axis, axis_) > 1e-9;
+    if (turns && !move.rapid)
         leave_out("the tool's axis turns on the way: the move is simulated with the axis of its end");
+    else if (turns)
+        out_.assumption("a rapid that turns the tool's axis is simulated with the axis of its end", move.record.from);
     axis_ = axis;
     if (!tool_in_use(move)) {
         complete_ = false;
@@ -274,14 +278,26 @@ void Milling::queue(const geom::PathElement& element, const MilledMove& move, bo
             pieces == 1 ? element : part_of(element, double(i) / pieces, double(i + 1) / pieces);
         queue_pass(Kind::cut, milling::Part::cutting, true, part);
         queued_.back().length = static_cast<float>(way / pieces);
+        if (feed) figures_.contact_accuracy_mm = std::max(figures_.contact_accuracy_mm, way / pieces);
     }
     if (tool_ != nullptr && has_shank(*tool_)) queue_pass(Kind::shank, milling::Part::shank, false, element);
     if (tool_ != nullptr && has_holder(*tool_)) queue_pass(Kind::holder, milling::Part::holder, false, element);
     queue_clamps(element);
 }
 
+/// What the simulation does not take is not simulated: said, once each reason.
+void Milling::require(milling::Taken taken) {
+    if (taken == milling::Taken::taken || taken == milling::Taken::no_motion) return;
+    complete_ = false;
+    const MilledMove& m = moves_.back();
+    const cl::Record record{cl::Linear{m.to, axis_, m.rapid}, m.where, m.stack};
+    out_.unchecked(record, taken == milling::Taken::too_long
+                               ? "this move is too long for the tolerance asked for: it is not simulated"
+                               : "the way or the tool of this move is not known: it is not simulated");
+}
+
 void Milling::queue_pass(QueuedPass::Kind kind, milling::Part part, bool cut, const geom::PathElement& element) {
-    static_cast<void>(simulation_->add({element, axis_, sim_tool_, part, cut}));
+    require(simulation_->add({element, axis_, sim_tool_, part, cut}));
     QueuedPass q;
     q.kind = kind;
     q.move = static_cast<std::uint32_t>(moves_.size() - 1);
@@ -296,7 +312,7 @@ void Milling::queue_clamps(const geom::PathElement& element) {
         for (const auto& [kind, part] : {std::pair{QueuedPass::Kind::cut, milling::Part::cutting},
                                          std::pair{QueuedPass::Kind::shank, milling::Part::shank},
                                          std::pair{QueuedPass::Kind::holder, milling::Part::holder}}) {
-            static_cast<void>(c.simulation.add({element, axis_, sim_tool_, part, false}));
+            require(c.simulation.add({element, axis_, sim_tool_, part, false}));
             QueuedPass q;
             q.kind = kind;
             q.move = static_cast<std::uint32_t>(moves_.size() - 1);
@@ -340,7 +356,6 @@ void Milling::finish(bool complete) {
     figures_.memory_mb = static_cast<double>(simulation_->bytes()) / 1e6;
     balance();
     for (const MilledMove& m : moves_) figures_.contact_length_mm += m.contact_length_mm;
-    if (pieces_left_ < most_pieces && pieces_left_ < 1000) figures_.contact_accuracy_mm = 0;
     milled->figures = figures_;
     milled->moves = std::move(moves_);
     milled->points = std::move(points_);

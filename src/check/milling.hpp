@@ -2,6 +2,7 @@
 /// Milling: removes the stock move by move on rays (sim/milling) and says what rapid moves, shanks, holders and clamps
 /// meet. Lengths in mm, frame of the stock.
 
+#include <array>
 #include <cmath>
 #include <deque>
 #include <memory>
@@ -47,14 +48,15 @@ private:
     struct Clamp {
         std::string name;
         sim::milling::Simulation simulation;
-        std::vector<std::uint32_t> tools;
     };
     void begin();
     void add_clamps();
     [[nodiscard]] std::optional<std::uint32_t> tool_in_use(const Move& move);
     void queue(const geom::PathElement& element, const MilledMove& move, bool feed);
     void queue_pass(QueuedPass::Kind kind, sim::milling::Part part, bool cut, const geom::PathElement& element);
+    void require(sim::milling::Taken taken);
     void queue_clamps(const geom::PathElement& element);
+    [[nodiscard]] std::optional<std::array<double, 3>> needs_of_rapid(geom::Vec3 way) const;
     [[nodiscard]] std::vector<geom::Vec3> corners_of_rapid(const Move& move) const;
     [[nodiscard]] double seconds_of(const Move& move) const;
     void keep_points(const Move& move, MilledMove& m);

@@ -157,6 +157,43 @@ TEST(Milling, ADogLegRapidMeetsWhatTheStraightOneMisses) {
     }
 }
 
+TEST(Milling, AMoveThatIsTooLongForTheToleranceIsNotCalledClean) {
+    check::Setup s = with_part(face_setup(), 0);
+    const cl::CallStacks stacks;
+    Check check(std::move(s), stacks);
+    const auto take = [&](cl::Step step) { check.take({std::move(step), {0, 0, 1}, 0}); };
+    take(cl::ToolChange{1, 1, ""});
+    take(cl::Spindle{3000, cl::SpindleMode::rpm, 1, 0});
+    take(cl::Linear{{-20, 20, -5}, {0, 0, 1}, true});
+    take(cl::Feed{500, cl::FeedMode::per_minute});
+    take(cl::Arc{{-20, 20, 5}, {1e9, 20, -5}, {0, 0, 1}, 1e5 * geom::pi});
+    const Result r = check.finish();
+    EXPECT_EQ(r.verdict, Verdict::not_fully_checked);
+    EXPECT_TRUE(std::any_of(r.unchecked.begin(), r.unchecked.end(),
+                            [](const Note& n) { return n.text.find("not simulated") != std::string::npos; }));
+}
+
+TEST(Milling, ATurningAxisIsNotCalledClean) {
+    for (const bool rapid : {false, true}) {
+        const cl::CallStacks stacks;
+        Check check(with_part(face_setup(), 0), stacks);
+        const auto take = [&](cl::Step step) { check.take({std::move(step), {0, 0, 1}, 0}); };
+        take(cl::ToolChange{1, 1, ""});
+        take(cl::Spindle{3000, cl::SpindleMode::rpm, 1, 0});
+        take(cl::Linear{{-50, 20, 50}, {0, 0, 1}, true});
+        take(cl::Linear{{-40, 20, 50}, {0, 0, 1}, true});
+        take(cl::Feed{500, cl::FeedMode::per_minute});
+        take(cl::Linear{{-40, 20, 50}, {1, 0, 0}, rapid});  // on the spot
+        const Result r = check.finish();
+        const auto says = [](const std::vector<Note>& notes) {
+            return std::any_of(notes.begin(), notes.end(),
+                               [](const Note& n) { return n.text.find("axis") != std::string::npos; });
+        };
+        EXPECT_EQ(says(r.unchecked), !rapid);
+        EXPECT_EQ(says(r.assumptions), rapid);
+    }
+}
+
 TEST(Milling, TheResultDoesNotDependOnTheNumberOfThreads) {
     check::Setup one = with_part(face_setup(), -5), four = one;
     one.milling->threads = 1;

@@ -1,6 +1,8 @@
 #include "driver/milling_job.hpp"
 
+#ifndef _WIN32
 #include <unistd.h>
+#endif
 
 #include "base/codes.hpp"
 #include "base/text.hpp"
@@ -18,8 +20,12 @@ constexpr double unknown_memory = 2e9;        ///< bytes, where the system does 
 constexpr std::size_t shown_text = 64 << 20;  ///< bytes of an ASCII file that messages may quote
 
 double memory_of_machine() {
+#ifdef _WIN32
+    return unknown_memory;
+#else
     const long pages = sysconf(_SC_PHYS_PAGES), size = sysconf(_SC_PAGE_SIZE);
     return pages > 0 && size > 0 ? static_cast<double>(pages) * static_cast<double>(size) : unknown_memory;
+#endif
 }
 
 /// The mesh of an STL file in the workpiece frame; nothing after a complaint. `closed`: its surface is.
@@ -63,6 +69,7 @@ std::optional<sim::milling::Stock> stock_of(Session& s) {
 }  // namespace
 
 std::optional<check::MillingSetup> milling_setup(Session& s, const MillingRequest& request) {
+    if (s.job.machine.kind != shop::MachineKind::mill) return std::nullopt;  // a lathe's stock is a section
     auto stock = stock_of(s);
     if (!stock) return std::nullopt;
     check::MillingSetup m;
