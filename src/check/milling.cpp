@@ -231,7 +231,7 @@ void Milling::take(const Move& move, std::uint32_t use) {
 
 /// Chained to the move before; a gap between them (moves that were left out) is a point that is not known.
 void Milling::keep_points(const Move& move, MilledMove& m) {
-    if (moves_.size() >= setup_.keep_moves) return;
+    if (moves_.size() >= setup_.milling->keep_moves) return;
     const bool begins = points_.empty() || geom::distance(points_.back(), move.from) > 1e-6;
     if (begins && !points_.empty()) points_.push_back({NAN, NAN, NAN});
     if (begins) points_.push_back(move.from);

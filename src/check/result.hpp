@@ -134,7 +134,7 @@ struct Milled {
     MillingFigures figures;
     std::vector<MilledMove> moves;
     /// The way as a chain of points, for pictures; the first one is where the first move began. Only of the moves that
-    /// Setup::keep_moves lets keep.
+    /// MillingSetup::keep_moves lets keep.
     std::vector<geom::Vec3> points;
     std::size_t moves_with_points = 0;
     mesh::Mesh surface;    ///< empty where nobody asked for it; tags: index in `moves` + 1, 0 the stock's own face

@@ -126,6 +126,11 @@ std::optional<std::uint32_t> load(const fs::path& path, base::Sources& sources, 
     return large == nullptr ? sources.add(shown, std::move(small)) : sources.add(shown, std::move(large));
 }
 
+fs::path beside(const fs::path& job, const std::string& written) {
+    const fs::path path(written);
+    return path.is_absolute() ? path : (job.parent_path() / path).lexically_normal();
+}
+
 bool store(const fs::path& path, std::string_view content, base::Diagnostics& diagnostics) {
     const fs::path part = fs::path(path).concat(".part");
     std::error_code error;

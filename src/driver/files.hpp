@@ -25,6 +25,9 @@ std::optional<std::uint32_t> load(const fs::path& path, base::Sources& sources, 
 std::optional<std::string> load_bytes(const fs::path& path, base::Diagnostics& diagnostics,
                                       const base::Span& where = nowhere);
 
+/// A path as a job file writes it: relative to the folder of the job.
+[[nodiscard]] fs::path beside(const fs::path& job, const std::string& written);
+
 /// Writes a whole file or nothing: to a neighbour first, then renamed. False (and a complaint) where that fails.
 bool store(const fs::path& path, std::string_view content, base::Diagnostics& diagnostics);
 

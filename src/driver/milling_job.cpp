@@ -30,7 +30,7 @@ double memory_of_machine() {
 
 /// The mesh of an STL file in the workpiece frame; nothing after a complaint. `closed`: its surface is.
 std::optional<mesh::Mesh> load_mesh(Session& s, const shop::SolidFile& file, bool& closed) {
-    const fs::path path = fs::path(s.folder) / file.path;
+    const fs::path path = beside(s.input, file.path);
     const auto bytes = load_bytes(path, s.diagnostics, file.where);
     if (!bytes) return std::nullopt;
     const bool quoted = bytes->size() <= shown_text && !base::looks_binary(*bytes);
@@ -77,6 +77,7 @@ std::optional<check::MillingSetup> milling_setup(Session& s, const MillingReques
     m.tolerance = request.tolerance.value_or(s.job.tolerances.simulation.value_or(usual_tolerance));
     m.memory_bytes = share_of_memory * memory_of_machine();
     m.surface = request.surface;
+    m.keep_moves = request.keep_moves;
     for (const shop::Clamp& c : s.job.clamps)
         if (auto body = body_of(s, c.solid)) m.clamps.push_back({c.name, std::move(*body)});
     if (!s.job.solid_part) return m;

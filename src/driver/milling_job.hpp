@@ -12,6 +12,7 @@ namespace obrys::driver {
 struct MillingRequest {
     std::optional<double> tolerance;  ///< mm; not said: as the job says, else 0.01
     bool surface = false;             ///< the surface is wanted for a file or picture
+    std::size_t keep_moves = 0;       ///< whose way is kept for the page
 };
 
 /// Nothing where the job has no milling stock, or none that can be used (a complaint says so).

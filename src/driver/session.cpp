@@ -27,19 +27,14 @@ void assume(Session& s, std::string text, std::string remedy = {}) {
 
 bool is_job(const fs::path& path) { return base::equals_ignoring_case(path.extension().string(), ".toml"); }
 
-/// A path of the job file, which is relative to its folder.
-fs::path beside(const fs::path& job, const std::string& written) {
-    const fs::path path(written);
-    return path.is_absolute() ? path : (job.parent_path() / path).lexically_normal();
-}
-
 /// A job that names no program is about the one beside it that is called like it: ball.ngc of ball.job.toml.
 std::string program_beside(const fs::path& job) {
     fs::path stem = job.stem();
     if (base::equals_ignoring_case(stem.extension().string(), ".job")) stem = stem.stem();
     std::vector<std::string> found;
     std::error_code error;
-    for (const fs::directory_entry& e : fs::directory_iterator(job.has_parent_path() ? job.parent_path() : ".", error)) {
+    for (const fs::directory_entry& e :
+         fs::directory_iterator(job.has_parent_path() ? job.parent_path() : ".", error)) {
         const std::string suffix = base::to_upper(e.path().extension().string());
         const auto is_program = [&](const Control& c) {
             return std::find(c.program_suffixes.begin(), c.program_suffixes.end(), suffix) != c.program_suffixes.end();
@@ -91,8 +86,8 @@ bool load_machine(Session& s, const fs::path& base_path, const std::string& name
     return true;
 }
 
-/// A tool list (.toml), a HEIDENHAIN (.t) or LinuxCNC (.tbl) tool table, a Fusion tool library (.json, or what begins like
-/// JSON), or SINUMERIK tool data (any other ending).
+/// A tool list (.toml), a HEIDENHAIN (.t) or LinuxCNC (.tbl) tool table, a Fusion tool library (.json, or what begins
+/// like JSON), or SINUMERIK tool data (any other ending).
 std::vector<shop::Tool> read_tool_file(const fs::path& path, std::uint32_t file, Session& s) {
     if (is_job(path)) return shop::read_tools(file, s.sources, s.diagnostics);
     if (base::equals_ignoring_case(path.extension().string(), ".tbl"))
@@ -256,7 +251,7 @@ std::vector<std::string> controls() {
 
 bool open(const Request& request, Session& s) {
     const fs::path input(request.input);
-    s.folder = input.parent_path().string();
+    s.input = request.input;
     fs::path program = input;
     if (is_job(input)) {
         const auto file = load(input, s.sources, s.diagnostics);

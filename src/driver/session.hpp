@@ -36,7 +36,7 @@ struct Session {
     base::Diagnostics diagnostics;
     shop::Job job;
     std::string program;  ///< path of the main program, as shown
-    std::string folder;   ///< of the job file or program: where the names in it count from
+    std::string input;    ///< job file or program: names in the job count from its folder
     std::string control;
     std::unique_ptr<Programs> programs;
     std::unique_ptr<ShopFiles> files;

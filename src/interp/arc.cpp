@@ -23,7 +23,7 @@ constexpr Code via_words[3] = {Code::i1, Code::j1, Code::k1};
 /// Centre in the plane: incremental from the start (a radius in a lathe's X), or I=AC(…) in workpiece coordinates.
 Vec2 centre_of(const Run& run, const PlaneAxes& a) {
     const BlockWords& b = run.block;
-    const double unit = run.modal.inch_geometry ? 25.4 : 1;
+    const double unit = length_unit(run.modal);
     const auto along = [&](int k) {
         const Code code = centre_words[k];
         const double start = coordinate(run.programmed_position, k);
@@ -99,7 +99,7 @@ path::ArcResult planar_arc(Run& run, Vec2 from, Vec2 to, bool end_given, const P
     if (b.has(Code::centre_at_pole)) return about_pole(run, from, to, sense, a);
     if (run.modal.motion == Modal::arc_tangent) return path::arc_by_tangent(from, to, run.last_direction);
     if (b.has(Code::radius))
-        return path::arc_by_radius(from, to, b.get(Code::radius) * (run.modal.inch_geometry ? 25.4 : 1), sense, turns,
+        return path::arc_by_radius(from, to, b.get(Code::radius) * length_unit(run.modal), sense, turns,
                                    tolerance(run));
     if (b.has(Code::opening_angle)) {
         const double angle = geom::radians(b.get(Code::opening_angle));

@@ -25,7 +25,7 @@ const program::CannedCycle& cycle_of(const Run& run) {
 
 void take_words(Run& run, const program::CannedCycle& c, const PlaneAxes& a) {
     CannedState& s = run.canned;
-    const double unit = run.modal.inch_geometry ? 25.4 : 1;
+    const double unit = length_unit(run.modal);
     if (!s.active || s.cycle != run.modal.motion_number) {
         if (!s.active) s.initial_level = coordinate(run.programmed_position, a.w);
         const double level = s.initial_level;
@@ -71,7 +71,7 @@ cycles::Demand demand_at(const Run& run, const program::CannedCycle& c, const ge
     if (!run.modal.clear_to_retract_plane) d.values.push_back({CycleRole::return_level, initial});
     for (std::size_t i = 0; i < c.words.size() && i < s.values.size(); ++i)
         if (s.given[i]) d.values.push_back({c.words[i].role, s.values[i]});
-    if (c.adds_in_units) d.values.push_back({CycleRole::length_unit, run.modal.inch_geometry ? 25.4 : 1.0});
+    if (c.adds_in_units) d.values.push_back({CycleRole::length_unit, length_unit(run.modal)});
     if (c.turns_axes && run.modal.plane != 17)
         d.values.push_back({CycleRole::turned_axes, run.modal.plane == 18 ? 1.0 : 2.0});
     return d;
@@ -187,9 +187,7 @@ bool canned_motion(Run& run) {
     emit(run, begin);
     run_holes(run, c, a);
     if (run.stopped) return false;
-    if (run.modal.path_mode != Modal::path_exact)
-        tell(run, SettingKind::path_mode, run.modal.path_mode == Modal::path_stop ? 1 : 2,
-             {run.modal.blend, run.modal.merge});
+    if (run.modal.path_mode != Modal::path_exact) tell_path_mode(run);
     emit(run, cl::CycleEnd{});
     return true;
 }

@@ -34,8 +34,7 @@ std::optional<double> tool_radius(Run& run) {
     if (run.block.has(Code::offset_d)) take_offset_radius(run, run.block.get(Code::offset_d));
     if (run.stopped) return std::nullopt;
     if (!std::isnan(run.modal.compensation_radius)) return std::abs(run.modal.compensation_radius);
-    const shop::Tool* t = run.tool.data;
-    if (t != nullptr && t->radius > 0) return t->radius + t->delta_radius;
+    if (const auto r = run.tool.data == nullptr ? std::nullopt : mill_radius(*run.tool.data)) return r;
     unchecked(run, codes::unknown_value, run.here(),
               "the pocket is milled without compensation: the radius of its tool is not known",
               "give the tool with its radius in the job, or D0 where the tool's centre is programmed");
@@ -45,7 +44,7 @@ std::optional<double> tool_radius(Run& run) {
 /// I alone is the finished circle; with K the circles grow from I by Q up to K.
 bool take_circles(Run& run, double tool, Pocket& pocket) {
     const BlockWords& b = run.block;
-    const double unit = run.modal.inch_geometry ? 25.4 : 1;
+    const double unit = length_unit(run.modal);
     const double first = b.has(Code::i) ? std::abs(b.get(Code::i)) * unit : 0;
     if (!(first > tool))
         return refuse(run, "I, the radius of the first circle, must be greater than the tool's radius");

@@ -26,7 +26,7 @@ ContourChoice choice_of(Run& run, const ContourStatement& s) {
     ContourChoice c;
     c.statement = &s;
     c.unit = &run.unit();
-    const double unit = run.modal.inch_geometry ? 25.4 : 1;
+    const double unit = length_unit(run.modal);
     for (const program::ContourPart& p : s.parts) {
         ContourChoice::Part part;
         part.name = printed(evaluate(run, p.label != program::no_expr ? p.label : p.program));

@@ -61,7 +61,7 @@ namespace {
 /// Parameters hold lengths in the program's unit.
 double value_of(const Run& run, ControlValue v) {
     const bool length = v == ControlValue::tool_radius || v == ControlValue::tool_length;
-    return control_value(run, v) / (length && run.modal.inch_geometry ? 25.4 : 1);
+    return control_value(run, v) / (length ? length_unit(run.modal) : 1);
 }
 
 }  // namespace

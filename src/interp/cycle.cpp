@@ -56,7 +56,7 @@ double value_at_call(const Run& run, const ActiveCycle& c, std::size_t i) {
 
 void add_values(const Run& run, const ActiveCycle& c, cycles::Demand& d) {
     if (c.definition == nullptr) return;
-    const double unit = run.modal.inch_geometry ? 25.4 : 1;
+    const double unit = length_unit(run.modal);
     for (std::size_t i = 0; i < c.values.size(); ++i) {
         const CycleSetting& s = c.definition->settings[i];
         const double factor = s.is_feed ? feed_factor(run) : s.scales ? unit : 1;

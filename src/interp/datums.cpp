@@ -70,7 +70,7 @@ void select_preset(Run& run, const program::CycleDefinition& c, double n) {
 
 void set_own_datum(Run& run, const program::ProcedureCall& p) {
     const std::string axis = printed(evaluate(run, p.arguments[0]));
-    const double unit = run.modal.inch_geometry ? 25.4 : 1;
+    const double unit = length_unit(run.modal);
     const double at = number(run, p.arguments[1]) * unit, becomes = number(run, p.arguments[2]) * unit;
     if (run.stopped) return;
     const auto k = axis.size() == 1 ? std::string_view("XYZ").find(axis[0]) : std::string_view::npos;

@@ -29,7 +29,7 @@ geom::Frame rotation(Run& run) {
 geom::Frame part_of(Run& run, FrameOp op) {
     const BlockWords& b = run.block;
     if (op == FrameOp::rotate) return rotation(run);
-    const double unit = run.modal.inch_geometry ? 25.4 : 1;
+    const double unit = length_unit(run.modal);
     geom::Vec3 shift, factors{1, 1, 1};
     for (int k = 0; k < 3; ++k) {
         if (!b.has(axis_code(k))) continue;

@@ -64,7 +64,7 @@ constexpr Field fields[] = {
 class Reader {
 public:
     Reader(Run& run, const FreeContour& contour, const Special& s)
-        : run_(run), contour_(contour), s_(s), unit_(run.modal.inch_geometry ? 25.4 : 1) {}
+        : run_(run), contour_(contour), s_(s), unit_(length_unit(run.modal)) {}
 
     path::FkElement element(std::uint64_t tag) {
         path::FkElement e;
@@ -126,7 +126,7 @@ private:
 };
 
 void set_pole(Run& run, const Special& s) {
-    const double unit = run.modal.inch_geometry ? 25.4 : 1;
+    const double unit = length_unit(run.modal);
     Vec2 pole = run.free_pole.value_or(Vec2{});
     if (has_datum(s, Datum::x)) pole.x = datum_of(run, s, Datum::x) * unit;
     if (has_datum(s, Datum::y)) pole.y = datum_of(run, s, Datum::y) * unit;

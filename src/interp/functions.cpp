@@ -243,7 +243,7 @@ Value frame_function(const Arguments& a, Function f) {
     for (std::size_t i = 0; i < a.e.count && !a.run.stopped; i += step) {
         const int k = axis_index(axis_of(a.run, a.given(i) ? a.id(i) : program::no_expr));
         const bool shift = f == Function::frame_shift || f == Function::frame_fine;
-        const double v = step == 2 ? a[i + 1] * (shift && a.run.modal.inch_geometry ? 25.4 : 1) : -1;
+        const double v = step == 2 ? a[i + 1] * (shift ? length_unit(a.run.modal) : 1) : -1;
         if (k < 0) {
             unchecked(a.run, codes::unsupported, a.span(i), "frames act on X, Y and Z only");
             continue;

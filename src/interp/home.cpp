@@ -26,12 +26,12 @@ double home_of(const Run& run, std::size_t axis) {
         if (run.parameters.is_set(n) || run.env.stored != nullptr || run.env.tell_settings)
             return run.parameters.get(n) * stored_unit(run, axis);
     }
-    const shop::MachineAxis* known = machine_axis(run, std::string(1, "XYZABCUVW"[axis]));
+    const shop::MachineAxis* known = machine_axis(run, axis_name(axis));
     return known != nullptr && known->home && run.block.special_number < 2 ? *known->home : unknown;
 }
 
 void emit_other_axis(Run& run, std::size_t k, double to) {
-    const std::string name(1, "XYZABCUVW"[k]);
+    const std::string name = axis_name(k);
     run.extra_axes[name] = to;
     cl::Axis axis;
     axis.name[0] = name[0];
@@ -50,7 +50,7 @@ void to_home(Run& run, bool all) {
         const double home = home_of(run, k);
         if (k < 3)
             coordinate(to, static_cast<int>(k)) = home - o.reference[k] - tip[k];
-        else if (run.extra_axes.contains(std::string(1, "XYZABCUVW"[k])))
+        else if (run.extra_axes.contains(axis_name(k)))
             emit_other_axis(run, k, home - o.reference[k]);
     }
     if (!geom::is_finite(to))

@@ -186,8 +186,7 @@ Run::Run(const Environment& e, cl::CallStacks& s, cl::Sink k, base::Diagnostics&
     path = std::make_unique<PathStage>();
     for (const shop::MachineAxis& axis : e.machine.axes)
         for (int i = 0; i < 9; ++i)
-            if (axis.name == std::string(1, "XYZABCUVW"[i]))
-                known_axes |= std::uint64_t{1} << static_cast<unsigned>(axis_code(i));
+            if (axis.name == axis_name(i)) known_axes |= std::uint64_t{1} << static_cast<unsigned>(axis_code(i));
     modal.plane = e.machine.defaults.plane;
     modal.inch_geometry = modal.inch_feed = e.machine.defaults.inch;
     modal.diameter = e.machine.defaults.diameter_programming ? DiameterMode::on : DiameterMode::off;

@@ -20,12 +20,12 @@ constexpr double unknown = std::numeric_limits<double>::quiet_NaN();
 /// mm of a length that the program reads: its own unit, and diameters where it programs these.
 double in_program_unit(const Run& run, std::size_t axis, double v) {
     if (axis >= 3 && axis < 6) return v;
-    return v / (axis < 3 ? length_factor(run, static_cast<int>(axis), false) : run.modal.inch_geometry ? 25.4 : 1);
+    return v / (axis < 3 ? length_factor(run, static_cast<int>(axis), false) : length_unit(run.modal));
 }
 
 double axis_value(const Run& run, std::size_t axis, bool machine) {
     const double at = machine ? machine_coordinate(run, axis) : axis_coordinate(run, axis);
-    if (std::isnan(at) && axis >= 3 && !run.extra_axes.contains(std::string(1, "XYZABCUVW"[axis]))) return 0;
+    if (std::isnan(at) && axis >= 3 && !run.extra_axes.contains(axis_name(axis))) return 0;
     return in_program_unit(run, axis, at);
 }
 

@@ -122,7 +122,7 @@ bool take_orientation(Run& run) {
 void set_compensation(Run& run, Modal m) {
     ModalState& state = run.modal;
     const BlockWords& b = run.block;
-    const double unit = state.inch_geometry ? 25.4 : 1;
+    const double unit = length_unit(state);
     const bool given = m == Modal::compensation_left_by || m == Modal::compensation_right_by;
     state.compensation = m == Modal::compensation_left_by    ? Modal::compensation_left
                          : m == Modal::compensation_right_by ? Modal::compensation_right
@@ -140,15 +140,11 @@ void set_compensation(Run& run, Modal m) {
 void set_path_mode(Run& run, Modal m) {
     ModalState& state = run.modal;
     const BlockWords& b = run.block;
-    const double unit = state.inch_geometry ? 25.4 : 1;
+    const double unit = length_unit(state);
     state.path_mode = m;
     state.blend = m == Modal::path_blend && b.has(Code::p) ? b.get(Code::p) * unit : 0;
     state.merge = m == Modal::path_blend && b.has(Code::q) ? b.get(Code::q) * unit : state.blend;
-    tell(run, SettingKind::path_mode,
-         m == Modal::path_exact  ? 0
-         : m == Modal::path_stop ? 1
-                                 : 2,
-         {state.blend, state.merge});
+    tell_path_mode(run);
 }
 
 /// Offsets and stored positions: they take the axis words of the block. False where `m` is none of them.

@@ -4,6 +4,7 @@
 #include <array>
 #include <cstdint>
 #include <limits>
+#include <string>
 #include <vector>
 
 #include "cl/record.hpp"
@@ -63,6 +64,8 @@ struct ModalState {
     double polar_radius = std::numeric_limits<double>::quiet_NaN();
     double polar_angle = std::numeric_limits<double>::quiet_NaN();
 };
+/// mm of a length of 1 in the program.
+[[nodiscard]] inline double length_unit(const ModalState& m) { return m.inch_geometry ? 25.4 : 1; }
 inline void forget_polar_angle(ModalState& m) { m.polar_angle = std::numeric_limits<double>::quiet_NaN(); }
 
 struct SpindleState {
@@ -76,6 +79,7 @@ struct SpindleState {
 
 /// X Y Z A B C U V W; mm or degrees.
 using Axes = std::array<double, 9>;
+[[nodiscard]] inline std::string axis_name(std::size_t axis) { return std::string(1, "XYZABCUVW"[axis]); }
 
 /// Offsets that the control keeps in parameters (Traits::offsets) and those laid over them.
 struct Offsets {

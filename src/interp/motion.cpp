@@ -38,7 +38,7 @@ void extra_axis(Run& run, const std::string& name, double value, std::uint8_t re
                   "where axis " + name + " goes depends on a value that is not known");
     const shop::MachineAxis* known = machine_axis(run, name);
     const bool rotary = known != nullptr ? known->rotary : rotary_by_letter;
-    double to = rotary ? value : value * (run.modal.inch_geometry ? 25.4 : 1);
+    double to = rotary ? value : value * length_unit(run.modal);
     const auto at = run.extra_axes.find(name);
     const auto k = name.size() == 1 ? std::string_view("XYZABCUVW").find(name[0]) : std::string_view::npos;
     if (is_incremental(run, reference))
@@ -57,8 +57,7 @@ void extra_axes(Run& run) {
     const BlockWords& b = run.block;
     if ((b.present & other_axes) != 0) {
         for (int k = 3; k < 9; ++k)
-            if (b.has(axis_code(k)))
-                extra_axis(run, std::string(1, "XYZABCUVW"[k]), b.get(axis_code(k)), b.ref(axis_code(k)), k < 6);
+            if (b.has(axis_code(k))) extra_axis(run, axis_name(k), b.get(axis_code(k)), b.ref(axis_code(k)), k < 6);
     }
     const std::vector<BlockWords::NamedAxis> named = b.axes;
     for (const auto& axis : named)
@@ -142,7 +141,7 @@ double thread_pitch(const Run& run, const geom::Vec3& from, const geom::Vec3& to
             longest = step;
         }
     }
-    return pitch * (run.modal.inch_geometry ? 25.4 : 1);
+    return pitch * length_unit(run.modal);
 }
 
 }  // namespace
@@ -198,7 +197,7 @@ bool rigid_tap(Run& run) {
     flush_path(run);
     const geom::Vec3 from = run.programmed_position, to = programmed_target(run);
     cl::Thread t;
-    t.pitch = run.block.get(Code::k) * (run.modal.inch_geometry ? 25.4 : 1);
+    t.pitch = run.block.get(Code::k) * length_unit(run.modal);
     t.rigid_tap = true;
     tell(run, cl::SettingKind::synchronised, 1, {std::abs(t.pitch)});
     for (const geom::Vec3& p : {to, from}) {
@@ -270,7 +269,7 @@ const shop::MachineAxis* machine_axis(const Run& run, const std::string& name) {
 }
 
 double length_factor(const Run& run, int axis, bool incremental) {
-    double factor = run.modal.inch_geometry ? 25.4 : 1;
+    double factor = length_unit(run.modal);
     if (axis != 0 || run.modal.diameter == DiameterMode::off) return factor;
     if (run.modal.diameter == DiameterMode::absolute_only && incremental) return factor;
     return factor * 0.5;
@@ -357,7 +356,7 @@ path::Element straight_element(const geom::Vec3& at, const geom::Vec3& to, const
 }  // namespace
 
 void capture(Run& run, const path::Element& e, bool rapid) {
-    const double unit = run.modal.inch_geometry ? 25.4 : 1;
+    const double unit = length_unit(run.modal);
     const auto size = [&](Code c) { return run.block.has(c) ? run.block.get(c) * unit : 0; };
     run.capture->push_back(
         {e, rapid, run.modal.compensation, corner_of_block(run), run.frame, run.here(), size(Code::a), size(Code::c)});
@@ -367,7 +366,7 @@ void straight_motion(Run& run, const geom::Vec3& to, bool rapid) {
     const PlaneAxes a = plane_axes(run.modal.plane);
     const geom::Vec3& at = run.programmed_position;
     const bool known = std::isfinite(coordinate(to, a.u)) && std::isfinite(coordinate(to, a.v));
-    if (!rapid) tell_inverse_feed(run, geom::length(to - at));
+    if (!rapid && run.modal.feed_mode == cl::FeedMode::inverse_time) tell_inverse_feed(run, geom::length(to - at));
     if (!known) flush_path(run);
     if (!known || !needs_path_stage(run)) {
         const geom::Vec2 step{coordinate(to, a.u) - coordinate(at, a.u), coordinate(to, a.v) - coordinate(at, a.v)};

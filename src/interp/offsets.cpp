@@ -93,14 +93,14 @@ void becomes(Run& run, std::size_t k, double to) {
         coordinate(run.programmed_position, static_cast<int>(k)) = to;
         run.position = geom::apply(run.frame, run.programmed_position);
     } else {
-        run.extra_axes[std::string(1, "XYZABCUVW"[k])] = to + run.offsets.total[k];
+        run.extra_axes[axis_name(k)] = to + run.offsets.total[k];
     }
 }
 
 /// The coordinates of an additional axis count from another place of the machine; it stands where it stood.
 void count_from(Run& run, std::size_t k, double datum) {
     const double by = run.offsets.reference[k] - datum;
-    const auto at = run.extra_axes.find(std::string(1, "XYZABCUVW"[k]));
+    const auto at = run.extra_axes.find(axis_name(k));
     if (by == 0 || at == run.extra_axes.end()) return;
     at->second += by;
     cl::Axis axis;
@@ -158,7 +158,7 @@ void begin_offsets(Run& run) {
         for (int k = 0; k < 3; ++k)
             coordinate(run.position, k) =
                 coordinate(*run.env.start, k) - run.offsets.reference[static_cast<std::size_t>(k)];
-        for (std::size_t k = 3; k < 9; ++k) run.extra_axes[std::string(1, "XYZABCUVW"[k])] = 0;
+        for (std::size_t k = 3; k < 9; ++k) run.extra_axes[axis_name(k)] = 0;
     }
     update_frame(run);
 }
@@ -245,12 +245,12 @@ std::optional<double> axis_word(const Run& run, std::size_t axis) {
     if (!run.block.has(code)) return std::nullopt;
     const double v = run.block.get(code);
     if (is_rotary(axis)) return v;
-    return v * (axis < 3 ? length_factor(run, static_cast<int>(axis), false) : run.modal.inch_geometry ? 25.4 : 1);
+    return v * (axis < 3 ? length_factor(run, static_cast<int>(axis), false) : length_unit(run.modal));
 }
 
 double axis_coordinate(const Run& run, std::size_t axis) {
     if (axis < 3) return coordinate(run.programmed_position, static_cast<int>(axis));
-    const auto found = run.extra_axes.find(std::string(1, "XYZABCUVW"[axis]));
+    const auto found = run.extra_axes.find(axis_name(axis));
     return found == run.extra_axes.end() ? unknown : found->second - run.offsets.total[axis];
 }
 

@@ -45,7 +45,7 @@ namespace {
 
 /// Compensation that holds one move back: the radius may be negative, nothing is looked ahead.
 path::Setting held_move_setting(Run& run, double radius) {
-    path::Setting s = path::held_move_preset(run.modal.inch_geometry ? 25.4 : 1);
+    path::Setting s = path::held_move_preset(length_unit(run.modal));
     if (run.modal.compensation == Modal::compensation_off) return s;
     s.side = run.modal.compensation == Modal::compensation_left ? path::Side::left : path::Side::right;
     s.radius = radius;
@@ -106,7 +106,7 @@ int PathStage::feed_event(const Run& run, double feed) {
 
 path::CornerRequest corner_of_block(const Run& run) {
     const BlockWords& b = run.block;
-    const double unit = run.modal.inch_geometry ? 25.4 : 1;
+    const double unit = length_unit(run.modal);
     if (b.has(Code::chamfer_length))
         return {path::CornerKind::chamfer, b.get(Code::chamfer_length) * unit, false, false, true, {}, {}};
     if (b.has(Code::chamfer_leg))
@@ -193,7 +193,7 @@ void PathStage::report(Run& run, const path::PathFaults& faults) {
 
 void PathStage::report(Run& run, const path::Fault& f) {
     if (f.reason == path::Reason::refused)
-        return alarm(run, codes::compensation, run.here(), path::message(f, run.modal.inch_geometry ? 25.4 : 1));
+        return alarm(run, codes::compensation, run.here(), path::message(f, length_unit(run.modal)));
     const Origin& at = origins_[f.tag];
     const std::string radius = base::fixed(at.radius, 3) + " mm";
     std::string text;

@@ -38,7 +38,7 @@ struct Read {
 };
 
 Read read(Run& run, const program::PatternFigure& f, geom::Vec2 before) {
-    const double unit = run.modal.inch_geometry ? 25.4 : 1;
+    const double unit = length_unit(run.modal);
     Read r;
     Figure& out = r.figure;
     out.kind = kind_of(f.kind);

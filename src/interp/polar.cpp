@@ -11,8 +11,6 @@ namespace codes = base::codes;
 
 namespace {
 
-double length_unit(const Run& run) { return run.modal.inch_geometry ? 25.4 : 1; }
-
 /// G91 counts where the words are taken from the position; else only AP=IC(…), RP=IC(…) and IPA, IPR do.
 bool adds(const Run& run, std::uint8_t reference) {
     if (run.unit().traits->polar_from_position) return is_incremental(run, reference);
@@ -58,7 +56,7 @@ geom::Vec3 polar_target(Run& run, geom::Vec3 to) {
     double angle =
         here || std::isnan(run.modal.polar_angle) ? geom::degrees(std::atan2(dv, du)) : run.modal.polar_angle;
     if (b.has(Code::polar_radius)) {
-        const double v = b.get(Code::polar_radius) * length_unit(run);
+        const double v = b.get(Code::polar_radius) * length_unit(run.modal);
         radius = adds(run, b.ref(Code::polar_radius)) ? radius + v : v;
     }
     if (b.has(Code::polar_angle)) {
@@ -106,7 +104,7 @@ void set_pole(Run& run) {
     geom::Vec3 offset;
     const PlaneAxes axes = plane_axes(run.modal.plane);
     if (b.has(Code::polar_angle) || b.has(Code::polar_radius)) {
-        const double r = b.has(Code::polar_radius) ? b.get(Code::polar_radius) * length_unit(run) : 0;
+        const double r = b.has(Code::polar_radius) ? b.get(Code::polar_radius) * length_unit(run.modal) : 0;
         const double a = geom::radians(b.has(Code::polar_angle) ? b.get(Code::polar_angle) : 0);
         coordinate(offset, axes.u) = r * std::cos(a);
         coordinate(offset, axes.v) = r * std::sin(a);

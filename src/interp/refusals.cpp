@@ -203,7 +203,7 @@ void refuse_canned(Run& run) {
     for (int k = 3; k < 9; ++k)
         if (run.block.has(axis_code(k)))
             return alarm(run, codes::value_range, word_of(run, axis_code(k)),
-                         std::string(1, "XYZABCUVW"[k]) + " cannot stand in " + name + ": a cycle moves X, Y and Z",
+                         axis_name(k) + " cannot stand in " + name + ": a cycle moves X, Y and Z",
                          "position it in a block before");
     if (run.block.has(Code::l) && run.block.get(Code::l) == 0)
         return alarm(run, codes::value_range, word_of(run, Code::l), name + " cannot be repeated zero times");

@@ -72,11 +72,7 @@ void restore_path(Run& run, const ModalState& s) {
     m.path_mode = s.path_mode;
     m.blend = s.blend;
     m.merge = s.merge;
-    tell(run, SettingKind::path_mode,
-         s.path_mode == Modal::path_exact  ? 0
-         : s.path_mode == Modal::path_stop ? 1
-                                           : 2,
-         {s.blend, s.merge});
+    tell_path_mode(run);
 }
 
 void restore_words(Run& run, const SavedModes& s) {

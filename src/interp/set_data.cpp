@@ -121,7 +121,7 @@ void set_tool_data(Run& run, int l) {
     shop::Tool* t = tool_of_block(run);
     if (t == nullptr || run.capture != nullptr) return;
     const BlockWords& b = run.block;
-    const double unit = run.modal.inch_geometry ? 25.4 : 1;
+    const double unit = length_unit(run.modal);
     if (!t->table) t->table.emplace();
     auto& table = *t->table;
     table.offset[2] = t->length;
@@ -182,15 +182,9 @@ shop::Tool* tool_of_offset(Run& run) {
     const auto n = static_cast<std::uint32_t>(*number);
     for (shop::Tool& t : run.tools)
         if (t.number == n) return &t;
-    shop::Tool made;
-    made.number = n;
-    made.where = run.here();
-    made.assumed = "written by the program";
-    run.tools.push_back(made);
-    run.tool.data = nullptr;
-    for (const shop::Tool& t : run.tools)
-        if (t.number == run.tool.number && run.tool.number != 0) run.tool.data = &t;
-    return &run.tools.back();
+    const auto made = add_tool(run, n);
+    made->assumed = "written by the program";
+    return &*made;
 }
 
 void write_tool_offset(Run& run, program::DataTable table) {
@@ -204,7 +198,7 @@ void write_tool_offset(Run& run, program::DataTable table) {
                     : table == DataTable::tool_length_wear                                 ? &t->delta_length
                     : table == DataTable::tool_radius || table == DataTable::tool_diameter ? &t->radius
                                                                                            : &t->delta_radius;
-    const double r = run.block.get(Code::radius) * (run.modal.inch_geometry ? 25.4 : 1) * (diameter ? 0.5 : 1);
+    const double r = run.block.get(Code::radius) * length_unit(run.modal) * (diameter ? 0.5 : 1);
     *value = r + (run.modal.absolute ? 0 : *value);
     if (run.tool.data == t) take_tip(run);
 }

@@ -72,7 +72,7 @@ void complain(Run& run, path::SmoothFailure f) {
 }
 
 path::SmoothShape shape(Run& run, const Special& s) {
-    const double unit = run.modal.inch_geometry ? 25.4 : 1;
+    const double unit = length_unit(run.modal);
     path::SmoothShape shape;
     shape.kind = shape_of(s.kind);
     shape.length = datum_of(run, s, Datum::length) * unit;
@@ -165,7 +165,7 @@ void check_start(Run& run, const cl::Spline& spline) {
 
 void spline(Run& run, const Special& s) {
     flush_path(run);
-    const double unit = run.modal.inch_geometry ? 25.4 : 1;
+    const double unit = length_unit(run.modal);
     cl::Spline record;
     const Vec3 to = programmed_target(run);
     Vec3 k[3];

@@ -38,7 +38,7 @@ bool allowed(Run& run) {
 void emit_curve(Run& run, const geom::Cubic& c) { emit(run, cl::spline_of(c)); }
 
 Vec3 offset_of(const Run& run, Code x, Code y) {
-    const double unit = run.modal.inch_geometry ? 25.4 : 1;
+    const double unit = length_unit(run.modal);
     const BlockWords& b = run.block;
     return {(b.has(x) ? b.get(x) : 0) * unit, (b.has(y) ? b.get(y) : 0) * unit, 0};
 }

@@ -36,6 +36,12 @@ void tell(Run& run, SettingKind kind, int number, const Axes& values) {
     emit(run, s);
 }
 
+void tell_path_mode(Run& run) {
+    const ModalState& m = run.modal;
+    const int number = m.path_mode == Modal::path_exact ? 0 : m.path_mode == Modal::path_stop ? 1 : 2;
+    tell(run, SettingKind::path_mode, number, {m.blend, m.merge});
+}
+
 void switch_override(Run& run, SettingKind kind, bool on) {
     if (kind == SettingKind::feed_override) run.overrides.feed = on;
     if (kind == SettingKind::speed_override) run.overrides.speed = on;
@@ -55,8 +61,7 @@ void tell_frame(Run& run) {
 
 void tell_inverse_feed(Run& run, double length) {
     if (!run.env.tell_settings || run.modal.feed_mode != cl::FeedMode::inverse_time) return;
-    tell(run, SettingKind::feed_rate, 0,
-         {std::max(0.1, length / (run.modal.inch_geometry ? 25.4 : 1) * run.block.get(Code::feed))});
+    tell(run, SettingKind::feed_rate, 0, {std::max(0.1, length / length_unit(run.modal) * run.block.get(Code::feed))});
 }
 
 void tell_end(Run& run, int m) {

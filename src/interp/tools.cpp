@@ -225,14 +225,21 @@ double feed_factor(const Run& run) {
     return run.modal.feed_mode == cl::FeedMode::per_minute ? run.unit().traits->inch_feed : 25.4;
 }
 
+std::vector<shop::Tool>::iterator add_tool(Run& run, std::uint32_t number) {
+    const auto added = run.tools.insert(run.tools.end(), shop::Tool{});
+    added->number = number;
+    added->where = run.here();
+    run.tool.data = find_tool(run, run.tool);  // the list may have moved
+    return added;
+}
+
 void write_tool_parameter(Run& run, double number, double edge, int n, double value) {
     if (!(number >= 1 && number <= 4294967295.0 && edge >= 1 && edge <= 32000) || !std::isfinite(value)) return;
     const auto t = static_cast<std::uint32_t>(number), d = static_cast<std::uint32_t>(edge);
     auto found = std::find_if(run.tools.begin(), run.tools.end(),
                               [&](const shop::Tool& x) { return x.number == t && x.edge == d; });
     if (found == run.tools.end()) {
-        found = run.tools.insert(run.tools.end(), shop::Tool{});
-        found->number = t;
+        found = add_tool(run, t);
         found->edge = d;
     }
     for (const int k : {1, 2, 3, 6})  // what the job said by other words stays beside the written parameter
@@ -252,12 +259,8 @@ void define_tool(Run& run) {
     const auto number = static_cast<std::uint32_t>(n);
     auto found =
         std::find_if(run.tools.begin(), run.tools.end(), [&](const shop::Tool& t) { return t.number == number; });
-    if (found == run.tools.end()) {
-        found = run.tools.insert(run.tools.end(), shop::Tool{});
-        found->number = number;
-        found->where = run.here();
-    }
-    const double unit = run.modal.inch_geometry ? 25.4 : 1;
+    if (found == run.tools.end()) found = add_tool(run, number);
+    const double unit = length_unit(run.modal);
     if (b.has(Code::tool_length)) found->length = b.get(Code::tool_length) * unit;
     if (b.has(Code::tool_radius)) found->radius = b.get(Code::tool_radius) * unit;
     run.tool.data = find_tool(run, run.tool);
@@ -266,7 +269,7 @@ void define_tool(Run& run) {
 /// DL, DR, DR2 hold for this call of the tool alone; without them there are none.
 void take_allowances(Run& run) {
     const BlockWords& b = run.block;
-    const double unit = run.modal.inch_geometry ? 25.4 : 1;
+    const double unit = length_unit(run.modal);
     const auto value = [&](Code c) { return b.has(c) ? b.get(c) * unit : 0; };
     if (!b.has(Code::tool) && !b.has(Code::delta_length) && !b.has(Code::delta_radius) && !b.has(Code::delta_corner))
         return;
@@ -346,7 +349,7 @@ void technology(Run& run) {
         unchecked(run, codes::unknown_value, run.here(),
                   "the size of this rounding depends on a value that is not known: the last one is kept");
     else if (b.has(Code::round_modal))
-        run.modal.round_modal = b.get(Code::round_modal) * (run.modal.inch_geometry ? 25.4 : 1);
+        run.modal.round_modal = b.get(Code::round_modal) * length_unit(run.modal);
     if (b.has(Code::corner_feed_modal)) run.modal.corner_feed_modal = b.get(Code::corner_feed_modal);
     select_tool(run);
     if (run.stopped) return;

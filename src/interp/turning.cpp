@@ -66,7 +66,7 @@ std::optional<std::vector<TurningElement>> contour(Run& run, const program::Cann
 }
 
 void take_words(const Run& run, const program::CannedCycle& c, cycles::Demand& d) {
-    const double unit = run.modal.inch_geometry ? 25.4 : 1;
+    const double unit = length_unit(run.modal);
     const bool diameters = run.modal.diameter != DiameterMode::off;
     d.values.assign(c.fixed.begin(), c.fixed.end());
     d.values.push_back({CycleRole::length_unit, unit});

@@ -50,6 +50,7 @@ void add_findings(MillingPage& page, const Subject& s, Texts& texts,
             if (const auto at = moves.find(*f.move); at != moves.end()) p.move = at->second;
         p.place = f.place;
         for (const check::Amount& a : f.amounts) {
+            if (a.key == "x_mm" || a.key == "y_mm" || a.key == "z_mm") continue;  // the place says it
             const AmountWords w = amount_words(a.key);
             p.amounts.push_back({w.label, base::fixed(a.value, 3), w.unit});
         }

@@ -34,12 +34,9 @@ std::string count_of(std::uint64_t n, const std::string& one) {
 std::string verdict_line(const check::Result& r) {
     const std::string found = count_of(r.findings.size() + r.findings_dropped, "finding");
     switch (r.verdict) {
-        case check::Verdict::clean:
-            return "clean: nothing found in " + count_of(r.stats.moves, "move");
-        case check::Verdict::findings:
-            return found;
-        case check::Verdict::not_fully_checked:
-            break;
+        case check::Verdict::clean: return "clean: nothing found in " + count_of(r.stats.moves, "move");
+        case check::Verdict::findings: return found;
+        case check::Verdict::not_fully_checked: break;
     }
     const std::size_t n = r.unchecked.size();
     return "not fully checked: " + count_of(n, "thing") + (n == 1 ? " was" : " were") + " not checked; " + found;
@@ -57,6 +54,8 @@ AmountWords amount_words(std::string_view key) {
         Entry{"contact_length_mm", "contact length", "mm"},
         Entry{"z_mm", "at Z", "mm"},
         Entry{"x_mm", "at X (radius)", "mm"},
+        Entry{"y_mm", "at Y", "mm"},
+        Entry{"height_mm", "height", "mm"},
         Entry{"z_from_mm", "from Z", "mm"},
         Entry{"z_to_mm", "to Z", "mm"},
         Entry{"excess_mm", "outside its travel by", "mm"},

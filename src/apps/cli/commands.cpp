@@ -27,7 +27,8 @@ namespace obrys::cli {
 
 namespace {
 
-constexpr std::size_t moves_on_page = 200'000;
+constexpr std::size_t moves_on_page = 20'000;
+constexpr std::size_t milled_moves_on_page = 200'000;
 
 void print_diagnostics(const driver::Session& s, base::Severity from = base::Severity::note) {
     for (const base::Diagnostic& d : s.diagnostics.all())
@@ -163,6 +164,7 @@ int check(const Arguments& a) {
     const bool pictures = !a.html.empty() || !a.svg.empty();
     driver::MillingRequest milling = a.milling;
     milling.surface = wants_surface(a) || !a.html.empty();
+    milling.keep_moves = a.html.empty() ? 0 : milled_moves_on_page;
     driver::Checked checked;
     {
         Progress progress;

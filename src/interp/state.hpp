@@ -1,0 +1,282 @@
+#pragma once
+/// The state of one run: values only. Private to interp; what works on it is declared in run.hpp.
+
+#include <array>
+#include <bit>
+#include <chrono>
+#include <cstdint>
+#include <initializer_list>
+#include <limits>
+#include <map>
+#include <memory>
+#include <optional>
+#include <set>
+#include <string>
+#include <unordered_map>
+#include <unordered_set>
+#include <vector>
+
+#include "geom/frame.hpp"
+#include "geom/nurbs.hpp"
+#include "interp/interp.hpp"
+#include "interp/modes.hpp"
+#include "interp/value.hpp"
+#include "interp/variables.hpp"
+
+namespace obrys::interp {
+
+using program::Code;
+using program::ExprId;
+using program::Modal;
+using program::Unit;
+
+/// An assignment whose value is known and that waits for the block's other expressions (Traits::assigns_together).
+struct PendingAssign {
+    const program::Assign* assign = nullptr;
+    double index = 0;  ///< of a numbered parameter
+    double value = 0;
+};
+
+/// The words of one block, gathered before they act together.
+struct BlockWords {
+    struct NamedAxis {
+        std::string name;
+        double value = 0;
+        std::uint8_t reference = 0;
+        base::Span where;
+    };
+    std::uint64_t present = 0;               ///< bit per Code, of which there are 64 at most
+    std::array<double, 64> value;            ///< by Code; valid where the bit is set
+    std::array<std::uint8_t, 64> reference;  ///< 0 = as the modal state says, else 1 + program::Reference
+    std::vector<int> m;
+    std::vector<int> h;
+    std::vector<NamedAxis> axes;  ///< additional axes by name
+    std::string tool_name;
+    bool tool_named = false;
+    int special_number = 0;
+    int surface_word = 0;  ///< 96 or 97 where the block says it
+    bool acted = false;    ///< F, S, T and M have acted already (Code::act)
+    std::vector<PendingAssign> pending;
+    Modal special = Modal::linear;     ///< dwell, reference point, fixed point, pole; linear: none
+    Modal suppress = Modal::linear;    ///< suppress_frames, suppress_all; linear: none
+    Modal corner_end = Modal::linear;  ///< corner_crossing, corner_open; linear: none
+    Modal paraxial = Modal::linear;    ///< paraxial, paraxial_longer, paraxial_shorter; linear: none
+
+    [[nodiscard]] bool has(Code c) const { return (present >> static_cast<unsigned>(c)) & 1u; }
+    [[nodiscard]] double get(Code c) const { return value[static_cast<std::size_t>(c)]; }
+    [[nodiscard]] std::uint8_t ref(Code c) const { return reference[static_cast<std::size_t>(c)]; }
+    void put(Code c, double v, std::uint8_t r = 0) {
+        const auto i = static_cast<std::size_t>(c);
+        present |= std::uint64_t{1} << i;
+        value[i] = v;
+        reference[i] = r;
+    }
+    void clear();
+};
+
+/// A section being repeated (REPEAT label label P=n).
+struct ActiveSection {
+    std::uint32_t first = 0, last = 0, back = 0;
+    std::uint64_t left = 0;
+    const program::Statement* finishing = nullptr;  ///< the cycle whose contour it is; null: it is repeated only
+    geom::Vec3 start{};                             ///< where that cycle began, programmed frame
+};
+
+/// CALL LBL being run.
+struct LabelReturn {
+    std::uint32_t pc = 0;   ///< where the run goes on
+    cl::StackId stack = 0;  ///< of the caller
+};
+
+/// One program being run.
+struct Activation {
+    const Unit* unit = nullptr;
+    std::uint32_t pc = 0;
+    cl::StackId stack = 0;
+    Scope locals;
+    struct Counter {
+        std::uint32_t statement = 0;
+        std::uint64_t left = 0;
+    };
+    std::vector<Counter> counters;  ///< of repeat_count loops that are being run
+    struct Passes {
+        std::uint32_t statement = 0;
+        std::uint64_t count = 0;
+    };
+    std::vector<Passes> passes;  ///< of every backward branch taken, by its statement
+    std::vector<ActiveSection> sections;
+    std::vector<LabelReturn> labels;
+    std::vector<std::pair<double, bool>> outer_locals;     ///< the caller's local parameters, and whether they are set
+    std::vector<std::pair<double, bool>> outer_arguments;  ///< the same of Traits::argument_parameters
+    std::optional<SavedModes> saved_modes;                 ///< M70, M73
+    bool restores_modes = false;                           ///< M73: they come back with the return
+    std::uint64_t repeats_left = 0;                        ///< of L123 P3: further runs
+    std::size_t own_bindings = 0;       ///< bindings that are parameters; the rest goes with each run
+    std::uint32_t arguments_given = 0;  ///< bit per parameter, for $P_SUBPAR
+    bool from_modal_call = false;
+    bool saves = false;
+    ModalState saved;
+};
+
+/// MCALL: the call that follows every block with motion.
+struct ModalCall {
+    const Unit* unit = nullptr;
+    std::vector<Value> arguments;  ///< as they were when MCALL stood in the program
+    std::vector<std::uint8_t> given;
+    base::Span where;
+};
+
+/// A cycle as its definition left it.
+struct ActiveCycle {
+    const program::CycleDefinition* definition = nullptr;
+    const Unit* unit = nullptr;
+    std::vector<double> values;      ///< per setting, as it was at the definition
+    std::vector<std::string> texts;  ///< labels, names of programs
+    bool modal = false;              ///< M89: behind every block with motion
+};
+
+/// Control points between G5.2 and G5.3, or of G6.2.
+struct ControlCurve {
+    bool open = false, own_knots = false;
+    geom::Nurbs curve;  ///< programmed frame
+};
+
+/// What the words of a canned cycle's blocks have said, until it is cancelled.
+struct CannedState {
+    bool active = false;
+    int cycle = -1;            ///< index in Traits::canned
+    double retract = 0;        ///< R as written, mm
+    double bottom = 0;         ///< coordinate of the tool axis as written, mm
+    double initial_level = 0;  ///< of the tool axis when the series began, mm
+    bool has_retract = false, has_bottom = false;
+    std::array<double, 12> values{};  ///< by word of the cycle; mm, degrees, s
+    std::array<bool, 12> given{};
+};
+
+/// Points at which CYCL CALL PAT calls the cycle, as PATTERN DEF or SEL PATTERN left them; mm.
+struct CallPattern {
+    struct Point {
+        geom::Vec3 at;         ///< the coordinate of the tool axis is that of the surface
+        double clearance = 0;  ///< coordinate of the tool axis on the way to it; NaN: none
+    };
+    bool defined = false;
+    std::vector<Point> points;
+    base::Span where;
+};
+
+/// A statement about the contour of contour cycles that was run, with its values as they were.
+struct ContourChoice {
+    struct Part {
+        std::string name;  ///< of the label or program
+        double depth = 0;  ///< mm; NaN: none of its own
+    };
+    const program::ContourStatement* statement = nullptr;
+    const Unit* unit = nullptr;
+    std::vector<Part> parts;
+};
+
+struct ToolState {
+    std::uint32_t number = 0, edge = 0;
+    std::string name;
+    std::uint32_t prepared = 0;  ///< T programmed, M6 still to come (mills)
+    std::string prepared_name;
+    bool waiting = false;
+    const shop::Tool* data = nullptr;
+    double delta_length = 0, delta_radius = 0, delta_corner = 0;  ///< allowances of the call, mm
+    double feed = 0;                                              ///< given with the tool (F AUTO), mm/min; 0: none
+};
+
+class PathStage;
+struct Captured;
+struct FreeContour;
+
+struct Run {
+    Run(const Environment& e, cl::CallStacks& s, cl::Sink k, base::Diagnostics& d, std::uint32_t parameter_count);
+    ~Run();
+
+    const Environment& env;
+    const program::Traits* traits = nullptr;  ///< of the main program
+    cl::CallStacks& stacks;
+    cl::Sink sink;
+    base::Diagnostics& diagnostics;
+
+    std::vector<Activation> calls;
+    Scope globals;
+    Undefined undefined;
+    Parameters parameters;
+    std::unordered_map<program::NameId, double> overrides_by_name;
+    std::vector<std::uint8_t> parameter_overridden;
+    std::vector<double> parameter_override;
+    std::unordered_map<std::uint64_t, Value> system_written;  ///< system variables the program wrote itself
+
+    ModalState modal;
+    Offsets offsets;
+    BlockWords block;
+    ToolState tool;
+    std::vector<shop::Tool> tools;  ///< of the job, with what the program writes to $TC_DPn
+    SpindleState spindle;
+    bool coolant_on = false, mist = false, flood = false;
+    Overrides overrides;
+    double feed = 0;  ///< mm/min, mm/rev or 1/min by modal.feed_mode
+    bool feed_valid = false;
+    bool feed_unknown = false;  ///< the last F depends on a value that is not known
+    bool feed_dropped = false;  ///< G94/G95 changed and the stream does not know yet that F is void
+    ModalCall modal_call;
+    ActiveCycle cycle;                        ///< the last one that is active on call
+    std::vector<std::string> contour_labels;  ///< of the contour that contour cycles work on
+    CannedState canned;
+    ControlCurve curve;
+    geom::Vec3 last_spline_end;           ///< P and Q of the last G5, mm
+    const Unit* contour_unit = nullptr;   ///< the program whose labels these are
+    std::string datum_table;              ///< selected by the program; empty: the one that is active on the control
+    std::set<std::string> printed_files;  ///< that the program has begun to print to
+    std::string open_table;               ///< freely definable table (FN 26)
+    ActiveCycle contour_data, contour_train_data;
+    CallPattern pattern;
+    std::map<std::string, std::vector<CallPattern::Point>> point_tables;  ///< read so far
+    /// What CONTOUR DEF, or DECLARE CONTOUR and formulas, say the contour is; empty: `contour_labels` do.
+    std::vector<ContourChoice> contour_choices;
+
+    geom::Vec3 position;             ///< stream frame, mm; NaN where unknown
+    geom::Vec3 programmed_position;  ///< in the programmed frame
+    geom::Frame frame;               ///< programmed frame -> stream frame
+    bool frame_is_identity = true;
+    geom::Vec3 tool_axis{0, 0, 1};        ///< in the stream's frame: normal to a tilted working plane
+    std::uint32_t reference_datum = 500;  ///< the datum in which the stream's coordinates are
+    bool datum_known = true;              ///< the active datum's place against it is known
+    bool moved = false;
+    bool datum_emitted = false;
+    bool probed = false;  ///< a probing move was run to its end, where the probe may have stopped before
+    std::unordered_map<std::string, double> extra_axes;
+    std::uint64_t known_axes = 0;  ///< bit per Code of X … W: the machine has it
+    geom::Vec2 last_direction;     ///< of the last move in the working plane, for CT
+    std::unique_ptr<PathStage> path;
+    /// Where it is set, elements go there and nothing is emitted or complained about (capture.hpp).
+    std::vector<Captured>* capture = nullptr;
+    std::shared_ptr<FreeContour> free_contour;  ///< being solved
+    std::optional<geom::Vec2> free_pole;        ///< FPOL
+    bool turned_contour = false;                ///< the contour of a turning cycle is being collected
+    /// Values of turning cycles that stay with the control (CycleDefinition::store), mm, by store and role.
+    std::map<std::pair<int, program::CycleRole>, double> cycle_store;
+    /// Where it is set, complaints made while `capture` is set go there.
+    std::vector<base::Diagnostic>* silenced = nullptr;
+
+    const program::Statement* statement = nullptr;  ///< being run
+    bool stopped = false;                           ///< alarm, budget or program end
+    Ending ending = Ending::regular;
+    std::uint64_t blocks = 0;
+    std::uint64_t unknown_conditions = 0;  ///< that were met
+    std::chrono::steady_clock::time_point started;
+    std::unordered_set<std::uint64_t> reported;  ///< complaints already made, by place and code
+    std::set<std::string> assumed;
+    std::string last_message;  ///< of MSG
+    std::string log_file;      ///< that the program has opened; empty: none
+    std::unordered_set<const Unit*> entered;
+    cl::Record record;
+
+    [[nodiscard]] Activation& top() { return calls.back(); }
+    [[nodiscard]] const Unit& unit() const { return *calls.back().unit; }
+    [[nodiscard]] base::Span here() const { return unit().span(*statement); }
+};
+
+}  // namespace obrys::interp
