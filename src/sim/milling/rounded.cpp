@@ -1,6 +1,9 @@
-// A torus' outer half (with the disc it surrounds) on a straight way against a ray in any direction: two nested
-// searches over convex functions. Outside: where along the ray is the distance from the swept piece 0 (Newton's method
-// from outside never passes the root of a convex function). Inside: when on its way is the piece nearest to a point.
+// A torus' outer half (with the disc it surrounds) on a straight way against a ray in any direction. F(s, t), how far
+// the ray's point s lies outside the piece at the moment t, is convex; the ray enters the swept piece at the least s
+// with F = 0. There the moment is the nearest one: F_t = 0, or t is 0 or 1 and F grows from there on. For a convex F
+// this is not only necessary: a place that fulfils it is the end. So Newton's method may look for it from any guess, as
+// that of the ray before, and what it finds needs no further proof. Where it finds nothing (rays that graze, pieces cut
+// off by planes) two nested searches that cannot fail take its place.
 
 #include <algorithm>
 #include <cmath>
@@ -13,9 +16,87 @@ namespace {
 
 using geom::Vec3;
 
-constexpr double exact = 1e-12;  ///< mm
+constexpr double exact = 1e-12;      ///< mm
+constexpr double grazing = 1e-3;     ///< a ray's slope to the surface below which Newton's method is left
+constexpr int most_steps = 24;       ///< of Newton's method; four are usual
 
-/// From s outside, in the direction `sign`, to the surface.
+/// The distance from a whole piece and its derivatives along the ray and in time.
+struct Slopes {
+    double f = 0, s = 0, t = 0, st = 0, tt = 0;
+};
+
+/// q: the point, from the piece's centre.
+Slopes slopes_at(const Piece& piece, Vec3 q, Vec3 d, Vec3 v) {
+    Slopes r;
+    const double square = q.x * q.x + q.y * q.y;
+    if (square <= piece.ring * piece.ring) {  // above or below the disc
+        const double side = q.z < 0 ? -1 : 1;
+        r.f = side * q.z - piece.arc;
+        r.s = side * d.z;
+        r.t = -side * v.z;
+        return r;
+    }
+    const double distance = std::sqrt(square), beyond = distance - piece.ring;
+    const double far = std::sqrt(beyond * beyond + q.z * q.z), per_distance = 1 / distance, per_far = 1 / far;
+    const double ox = q.x * per_distance, oy = q.y * per_distance, no = beyond * per_far, nz = q.z * per_far;
+    const double d_out = d.x * ox + d.y * oy, d_round = d.y * ox - d.x * oy;
+    const double v_out = v.x * ox + v.y * oy, v_round = v.y * ox - v.x * oy;
+    // Curved by 1 / far in the half plane through the axis, and by no / distance around it.
+    const double d_up = no * d.z - nz * d_out, v_up = no * v.z - nz * v_out, around = no * per_distance;
+    r.f = far - piece.arc;
+    r.s = no * d_out + nz * d.z;
+    r.t = -(no * v_out + nz * v.z);
+    r.st = -(v_up * d_up * per_far + v_round * d_round * around);
+    r.tt = v_up * v_up * per_far + v_round * v_round * around;
+    return r;
+}
+
+enum class Met : std::uint8_t { yes, no, unsure };
+
+/// A line below what is left of F when the nearest moment is taken, through a point outside.
+struct Below {
+    double s = 0, value = 0, slope = 0;
+};
+Below below(const Slopes& f, double s, double t) {
+    return {s, f.f + std::min(-t * f.t, (1 - t) * f.t), f.s};
+}
+/// Lines that fall and rise, and meet above 0: F is nowhere 0.
+bool above_zero(const Below& falls, const Below& rises) {
+    if (!(falls.value > 0 && rises.value > 0 && falls.slope < 0 && rises.slope > 0)) return false;
+    const double meet = (rises.value - falls.value + falls.slope * falls.s - rises.slope * rises.s) /
+                        (falls.slope - rises.slope);
+    return falls.value + falls.slope * (meet - falls.s) > exact;
+}
+
+/// Whether no other moment is nearer, but for what does not count.
+bool nearest(const Slopes& f, double t) {
+    if (t <= 0 && f.t >= 0) return true;
+    if (t >= 1 && f.t <= 0) return true;
+    return f.tt > 0 ? f.t * f.t <= 0.1 * exact * f.tt : std::abs(f.t) <= exact;
+}
+
+/// Newton's method for the least s, from s and t; the ray is outside up to `start`. p from the piece's centre.
+Met enter(const Piece& piece, Vec3 v, Vec3 p, Vec3 d, double start, double& s, double& t) {
+    Below falls, rises;
+    for (int i = 0; i < most_steps; ++i) {
+        const Slopes f = slopes_at(piece, p + s * d - t * v, d, v);
+        if (std::abs(f.f) <= exact && nearest(f, t)) return f.s < -grazing ? Met::yes : Met::unsure;
+        if (f.f > 0) {
+            (f.s < 0 ? falls : rises) = below(f, s, t);
+            if (above_zero(falls, rises)) return Met::no;
+        }
+        double next = f.t > 0 ? 0 : f.t < 0 ? 1 : t;
+        if (const double det = f.s * f.tt - f.t * f.st; f.tt > 0 && det < 0)
+            next = std::clamp(t + (f.f * f.st - f.s * f.t) / det, 0.0, 1.0);
+        const double step = f.s < -grazing ? -(f.f + f.t * (next - t)) / f.s : 0.5 * (start - s);
+        s = std::max(start, s + step);
+        t = next;
+    }
+    return Met::unsure;
+}
+
+/// From s outside, in the direction `sign`, to the surface: Newton's method from outside never passes the root of a
+/// convex function of s, and a search finds the nearest moment for each.
 bool approach(const Piece& piece, Vec3 v, Vec3 p, Vec3 d, double sign, double& s) {
     for (int i = 0; i < 200; ++i) {
         const Foot foot = foot_on(piece, v, p + s * d);
@@ -29,19 +110,35 @@ bool approach(const Piece& piece, Vec3 v, Vec3 p, Vec3 d, double sign, double& s
 
 }  // namespace
 
-bool cut_round(const Piece& piece, Vec3 v, Vec3 p, Vec3 d, double& low, double& high) {
+bool cut_round(const Piece& piece, Vec3 v, Vec3 p, Vec3 d, Ends& ends) {
     const double bottom = piece.whole ? piece.centre - piece.arc : piece.z0;
     const double top = piece.whole ? piece.centre + piece.arc : piece.z1;
-    const double widest = piece.ring + piece.arc,
-                 reach = std::hypot(widest, (top - bottom) / 2) + length(v) / 2 + exact;
+    const double widest = piece.ring + piece.arc, half = (top - bottom) / 2;
+    const double reach = std::sqrt(widest * widest + half * half) + length(v) / 2 + exact;
     const Vec3 middle = Vec3{0, 0, (bottom + top) / 2} + 0.5 * v;
     const double s = dot(middle - p, d);
     const Vec3 beside = p + s * d - middle;
     const double square = reach * reach - dot(beside, beside);
     if (!(square > 0)) return false;
-    low = s - std::sqrt(square);
-    high = s + std::sqrt(square);
-    return approach(piece, v, p, d, 1, low) && approach(piece, v, p, d, -1, high) && low < high;
+    const double first = s - std::sqrt(square), last = s + std::sqrt(square);
+    if (piece.whole) {
+        const Vec3 q = p - Vec3{0, 0, piece.centre};
+        if (!ends.known) {
+            const double vv = dot(v, v);
+            ends = {first, last, vv > 0 ? std::clamp(0.5 + dot(beside, v) / vv, 0.0, 1.0) : 0, 0, true};
+            ends.t_high = ends.t_low;
+        }
+        double back = -ends.high;
+        const Met low = enter(piece, v, q, d, first, ends.low, ends.t_low);
+        const Met high = low == Met::yes ? enter(piece, v, q, -1.0 * d, -last, back, ends.t_high) : low;
+        ends.high = -back;
+        if (high == Met::yes) return ends.low < ends.high;
+        ends.known = false;
+        if (high == Met::no) return false;
+    }
+    ends.low = first;
+    ends.high = last;
+    return approach(piece, v, p, d, 1, ends.low) && approach(piece, v, p, d, -1, ends.high) && ends.low < ends.high;
 }
 
 }  // namespace obrys::sim::milling::detail

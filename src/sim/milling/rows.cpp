@@ -13,6 +13,7 @@ constexpr double barely = 1e-9;  ///< mm
 constexpr double never = std::numeric_limits<double>::infinity();
 
 [[nodiscard]] bool is_ball(const Piece& p) { return p.kind == PieceKind::round && p.whole && p.ring == 0; }
+[[nodiscard]] bool is_round(const Piece& p) { return p.kind == PieceKind::round && (p.ring > 0 || p.whole); }
 [[nodiscard]] bool is_cylinder(const Piece& p) { return p.kind == PieceKind::cone && p.r0 == p.r1; }
 
 void set(Spans& spans, int i, double low, double high) {
@@ -195,12 +196,18 @@ void bound(const Piece& piece, const Track& track, const Row& row, const Aims& a
 void each_ray(const Piece& piece, const Track& track, const Row& row, const Aims& aims, Worth worth, Spans& spans) {
     Spans around;
     bound(piece, track, row, aims, around);
+    detail::Ends ends;
     for (int i = 0; i < row.count; ++i) {
         const auto at = static_cast<std::size_t>(i);
+        set(spans, i, 1, 0);
+        if (!(around.low[at] < around.high[at]) || !worth(i, around.low[at], around.high[at])) continue;
+        const Vec3 p = row.p + i * row.step;
         double low = 1, high = 0;
-        const bool near = around.low[at] < around.high[at] && worth(i, around.low[at], around.high[at]);
-        if (!near || !cut_ray(piece, track.v, row.p + i * row.step, row.d, low, high)) low = 1, high = 0;
-        set(spans, i, low, high);
+        if (is_round(piece)) {
+            if (detail::cut_round(piece, track.v, p, row.d, ends)) set(spans, i, ends.low, ends.high);
+        } else if (cut_ray(piece, track.v, p, row.d, low, high)) {
+            set(spans, i, low, high);
+        }
     }
 }
 
@@ -231,11 +238,17 @@ bool cut_row_by(const Piece& piece, const Track& track, const Row& row, const Ai
 }  // namespace
 
 bool cut_ray(const Piece& piece, Vec3 v, Vec3 p, Vec3 d, double& low, double& high) {
-    const bool torus = piece.kind == PieceKind::round && (piece.ring > 0 || piece.whole);
     // From the point of the ray that is nearest to the tool, so that no large numbers cancel.
     const double s = dot(p, d);
-    const bool hit = torus ? detail::cut_round(piece, v, p - s * d, d, low, high)
-                           : detail::cut_quadric(piece, v, p - s * d, d, low, high);
+    bool hit = false;
+    if (is_round(piece)) {
+        detail::Ends ends;
+        hit = detail::cut_round(piece, v, p - s * d, d, ends);
+        low = ends.low;
+        high = ends.high;
+    } else {
+        hit = detail::cut_quadric(piece, v, p - s * d, d, low, high);
+    }
     low -= s;
     high -= s;
     return hit;

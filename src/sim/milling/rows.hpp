@@ -86,7 +86,12 @@ int candidates(const Spans& spans, double base, const double* gap_low, const dou
 [[nodiscard]] Capsule capsule_of(const Aim& aim, const Row& row, double t0, double t1, double radius);
 
 [[nodiscard]] bool cut_quadric(const Piece& piece, geom::Vec3 v, geom::Vec3 p, geom::Vec3 d, double& low, double& high);
-[[nodiscard]] bool cut_round(const Piece& piece, geom::Vec3 v, geom::Vec3 p, geom::Vec3 d, double& low, double& high);
+/// Where a ray meets a moving piece, and when; `known`: of a ray beside the next one, as a guess.
+struct Ends {
+    double low = 0, high = 0, t_low = 0, t_high = 0;
+    bool known = false;
+};
+[[nodiscard]] bool cut_round(const Piece& piece, geom::Vec3 v, geom::Vec3 p, geom::Vec3 d, Ends& ends);
 /// Circular track, rays across, a disc of this radius.
 void cut_circle_across(const Track& track, const Row& row, double radius, base::FunctionRef<void(const Spans&)> take);
 
