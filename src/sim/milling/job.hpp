@@ -20,7 +20,7 @@ struct Job {
     Track track;
     geom::Vec3 from;        ///< of the tip, frame of the stock
     geom::Vec3 way;         ///< translation, frame of the stock
-    Box3 box;               ///< around what is swept
+    Box3 box;               ///< around what is swept, as far as it can lie in the stock
     std::uint32_t cut = 0;  ///< number of the sweep, from 1
     std::uint32_t pass = 0;
     bool cuts = true;
@@ -28,7 +28,8 @@ struct Job {
     std::array<Aims, 3> aims;  ///< of the track, by rays of each direction
     geom::Vec2 heading;        ///< of straight tracks, seen along the axis: unit vector, or zero
 };
-[[nodiscard]] Job make_job(const Shape& shape, const Orientation& frame, const Track& track, geom::Vec3 from);
+[[nodiscard]] Job make_job(const Shape& shape, const Orientation& frame, const Track& track, geom::Vec3 from,
+                           const Box3& stock);
 
 /// What a job met in one tile. All but `touched` only for rays of the job's main direction; the depth for all.
 struct Tally {

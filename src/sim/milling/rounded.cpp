@@ -75,10 +75,21 @@ bool nearest(const Slopes& f, double t) {
     return f.tt > 0 ? f.t * f.t <= 0.1 * exact * f.tt : std::abs(f.t) <= exact;
 }
 
-/// Newton's method for the least s, from s and t; the ray is outside up to `start`. p from the piece's centre.
-Met enter(const Piece& piece, Vec3 v, Vec3 p, Vec3 d, double start, double& s, double& t) {
+/// Where a ray across the axis enters the piece where that stands at the move's beginning or end; else `s` as it is.
+double at_rest(const Piece& piece, Vec3 v, Vec3 p, Vec3 d, Spot spot) {
+    if (d.z != 0 || (spot.t != 0 && spot.t != 1)) return spot.s;
+    const Vec3 q = p - spot.t * v;
+    const double beside = d.x * q.y - d.y * q.x, widest = piece.ring + std::sqrt(piece.arc * piece.arc - q.z * q.z);
+    const double s = -(q.x * d.x + q.y * d.y) - std::sqrt(widest * widest - beside * beside);
+    return std::isfinite(s) ? s : spot.s;
+}
+
+/// Newton's method for the least s, from a guess; the ray is outside up to `start`. p from the piece's centre.
+Met enter(const Piece& piece, Vec3 v, Vec3 p, Vec3 d, double start, Spot& spot) {
+    auto& [s, t] = spot;
     Below falls, rises;
     for (int i = 0; i < most_steps; ++i) {
+        s = at_rest(piece, v, p, d, spot);
         const Slopes f = slopes_at(piece, p + s * d - t * v, d, v);
         if (std::abs(f.f) <= exact && nearest(f, t)) return f.s < -grazing ? Met::yes : Met::unsure;
         if (f.f > 0) {
@@ -93,6 +104,17 @@ Met enter(const Piece& piece, Vec3 v, Vec3 p, Vec3 d, double start, double& s, d
         t = next;
     }
     return Met::unsure;
+}
+
+/// A straight line through the ends of the last two rays, or what is known without them.
+Spot guess(const std::array<Spot, 2>& spots, int known, Spot unknown) {
+    if (known == 0) return unknown;
+    if (known == 1) return spots[0];
+    return {2 * spots[0].s - spots[1].s, std::clamp(2 * spots[0].t - spots[1].t, 0.0, 1.0)};
+}
+void keep(std::array<Spot, 2>& spots, Spot spot) {
+    spots[1] = spots[0];
+    spots[0] = spot;
 }
 
 /// From s outside, in the direction `sign`, to the surface: Newton's method from outside never passes the root of a
@@ -110,35 +132,43 @@ bool approach(const Piece& piece, Vec3 v, Vec3 p, Vec3 d, double sign, double& s
 
 }  // namespace
 
-bool cut_round(const Piece& piece, Vec3 v, Vec3 p, Vec3 d, Ends& ends) {
+bool cut_round(const Piece& piece, Vec3 v, Vec3 p, Vec3 d, Ends& ends, double& low, double& high) {
+    const double first = low, last = high;
+    if (piece.whole) {
+        const Vec3 q = p - Vec3{0, 0, piece.centre}, back = -1.0 * d;
+        const double vd = dot(v, d);
+        // Moves are short as a rule: a ray ends where the move does, on the side it comes from.
+        Spot one = guess(ends.before, ends.known, {first, vd > 0 ? 0.0 : 1.0});
+        Spot other = guess(ends.behind, ends.known, {-last, vd > 0 ? 1.0 : 0.0});
+        const Met in = enter(piece, v, q, d, first, one);
+        const Met out = in == Met::yes ? enter(piece, v, q, back, -last, other) : in;
+        if (out == Met::yes) {
+            keep(ends.before, one);
+            keep(ends.behind, other);
+            ++ends.known;
+            low = one.s;
+            high = -other.s;
+            return low < high;
+        }
+        ends.known = 0;
+        if (out == Met::no) return false;
+    }
+    return approach(piece, v, p, d, 1, low) && approach(piece, v, p, d, -1, high) && low < high;
+}
+
+bool cut_round(const Piece& piece, Vec3 v, Vec3 p, Vec3 d, double& low, double& high) {
     const double bottom = piece.whole ? piece.centre - piece.arc : piece.z0;
     const double top = piece.whole ? piece.centre + piece.arc : piece.z1;
-    const double widest = piece.ring + piece.arc, half = (top - bottom) / 2;
-    const double reach = std::sqrt(widest * widest + half * half) + length(v) / 2 + exact;
+    const double reach = std::hypot(piece.ring + piece.arc, (top - bottom) / 2) + length(v) / 2 + exact;
     const Vec3 middle = Vec3{0, 0, (bottom + top) / 2} + 0.5 * v;
     const double s = dot(middle - p, d);
     const Vec3 beside = p + s * d - middle;
     const double square = reach * reach - dot(beside, beside);
     if (!(square > 0)) return false;
-    const double first = s - std::sqrt(square), last = s + std::sqrt(square);
-    if (piece.whole) {
-        const Vec3 q = p - Vec3{0, 0, piece.centre};
-        if (!ends.known) {
-            const double vv = dot(v, v);
-            ends = {first, last, vv > 0 ? std::clamp(0.5 + dot(beside, v) / vv, 0.0, 1.0) : 0, 0, true};
-            ends.t_high = ends.t_low;
-        }
-        double back = -ends.high;
-        const Met low = enter(piece, v, q, d, first, ends.low, ends.t_low);
-        const Met high = low == Met::yes ? enter(piece, v, q, -1.0 * d, -last, back, ends.t_high) : low;
-        ends.high = -back;
-        if (high == Met::yes) return ends.low < ends.high;
-        ends.known = false;
-        if (high == Met::no) return false;
-    }
-    ends.low = first;
-    ends.high = last;
-    return approach(piece, v, p, d, 1, ends.low) && approach(piece, v, p, d, -1, ends.high) && ends.low < ends.high;
+    low = s - std::sqrt(square);
+    high = s + std::sqrt(square);
+    Ends ends;
+    return cut_round(piece, v, p, d, ends, low, high);
 }
 
 }  // namespace obrys::sim::milling::detail

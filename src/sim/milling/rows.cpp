@@ -192,22 +192,76 @@ void bound(const Piece& piece, const Track& track, const Row& row, const Aims& a
     }
 }
 
+/// A cylinder met by skew rays: seen along the axis a disc on its way; where it meets a ray beyond an end of the
+/// cylinder, that end's disc counts instead. False: no formula, for rays or ways next to level or upright.
+class SkewCylinder {
+public:
+    SkewCylinder(const Piece& piece, const Track& track, const Row& row, const Aims& aims)
+        : piece_(piece), v_(track.v), d_(row.d), aim_(aims.flat), flat_(aims.flat_length), flat_d_(aims.flat_d) {
+        known_ = flat_ > 0.01 && std::abs(d_.z) > 0.01 && aim_.way > 1e-6 * length(v_);
+        if (!known_) return;
+        per_rise_ = 1 / d_.z;
+        back_ = Vec2{v_.z * per_rise_ * d_.x - v_.x, v_.z * per_rise_ * d_.y - v_.y};
+        back_square_ = dot(back_, back_);
+        known_ = back_square_ > 1e-6 * dot(v_, v_);
+    }
+    [[nodiscard]] bool known() const { return known_; }
+
+    [[nodiscard]] bool cut(Vec3 p, double& low, double& high) const {
+        const double a = dot(p, aim_.e), lean = aim_.sine * piece_.r0;
+        return end(p, a, std::clamp(a - lean, 0.0, aim_.way), -1, low) &&
+               end(p, a, std::clamp(a + lean, 0.0, aim_.way), 1, high) && low < high;
+    }
+
+private:
+    /// The least s (sign -1) or the largest; `way`: how far the disc has come.
+    bool end(Vec3 p, double a, double way, double sign, double& s) const {
+        const double half = piece_.r0 * piece_.r0 - (a - way) * (a - way);
+        if (!(half > 0)) return false;
+        s = (way * aim_.slope + sign * std::sqrt(half) - dot(p, flat_d_)) / flat_;
+        const double z = p.z + s * d_.z - way / aim_.way * v_.z;
+        if (z >= piece_.z0 && z <= piece_.z1) return true;
+        // While the ray meets this end's plane it passes there at s0 + t v.z / d.z.
+        const double s0 = ((z < piece_.z0 ? piece_.z0 : piece_.z1) - p.z) * per_rise_, s1 = v_.z * per_rise_;
+        const Vec2 at{p.x + s0 * d_.x, p.y + s0 * d_.y};
+        const double middle = -dot(at, back_) / back_square_;
+        const Vec2 nearest = at + middle * back_;
+        const double room = piece_.r0 * piece_.r0 - dot(nearest, nearest);
+        if (!(room > 0)) return false;
+        const double stay = std::sqrt(room / back_square_);
+        const double from = std::max(0.0, middle - stay), to = std::min(1.0, middle + stay);
+        if (!(from <= to)) return false;
+        s = s0 + (sign * s1 > 0 ? to : from) * s1;
+        return true;
+    }
+
+    const Piece& piece_;
+    Vec3 v_, d_;
+    const Aim& aim_;
+    double flat_ = 0;
+    Vec3 flat_d_;
+    bool known_ = false;
+    double per_rise_ = 0, back_square_ = 0;
+    Vec2 back_;  ///< how the place where the ray meets a plane normal to the axis moves in time, seen by the tool
+};
+
 /// Ray by ray, for what has no formula for rows: only rays that come near the piece and are worth it.
 void each_ray(const Piece& piece, const Track& track, const Row& row, const Aims& aims, Worth worth, Spans& spans) {
     Spans around;
     bound(piece, track, row, aims, around);
     detail::Ends ends;
+    const SkewCylinder skew(piece, track, row, aims);
+    const bool by_formula = is_cylinder(piece) && skew.known();
     for (int i = 0; i < row.count; ++i) {
         const auto at = static_cast<std::size_t>(i);
+        double low = around.low[at], high = around.high[at];
         set(spans, i, 1, 0);
-        if (!(around.low[at] < around.high[at]) || !worth(i, around.low[at], around.high[at])) continue;
+        if (!(low < high) || !worth(i, low, high)) continue;
         const Vec3 p = row.p + i * row.step;
-        double low = 1, high = 0;
-        if (is_round(piece)) {
-            if (detail::cut_round(piece, track.v, p, row.d, ends)) set(spans, i, ends.low, ends.high);
-        } else if (cut_ray(piece, track.v, p, row.d, low, high)) {
+        if (by_formula         ? skew.cut(p, low, high)
+            : is_round(piece) ? detail::cut_round(piece, track.v, p, row.d, ends, low, high)
+                              : detail::cut_quadric(piece, track.v, p, row.d, low, high))
             set(spans, i, low, high);
-        }
     }
 }
 
@@ -240,15 +294,8 @@ bool cut_row_by(const Piece& piece, const Track& track, const Row& row, const Ai
 bool cut_ray(const Piece& piece, Vec3 v, Vec3 p, Vec3 d, double& low, double& high) {
     // From the point of the ray that is nearest to the tool, so that no large numbers cancel.
     const double s = dot(p, d);
-    bool hit = false;
-    if (is_round(piece)) {
-        detail::Ends ends;
-        hit = detail::cut_round(piece, v, p - s * d, d, ends);
-        low = ends.low;
-        high = ends.high;
-    } else {
-        hit = detail::cut_quadric(piece, v, p - s * d, d, low, high);
-    }
+    const bool hit = is_round(piece) ? detail::cut_round(piece, v, p - s * d, d, low, high)
+                                     : detail::cut_quadric(piece, v, p - s * d, d, low, high);
     low -= s;
     high -= s;
     return hit;

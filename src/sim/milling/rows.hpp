@@ -86,12 +86,19 @@ int candidates(const Spans& spans, double base, const double* gap_low, const dou
 [[nodiscard]] Capsule capsule_of(const Aim& aim, const Row& row, double t0, double t1, double radius);
 
 [[nodiscard]] bool cut_quadric(const Piece& piece, geom::Vec3 v, geom::Vec3 p, geom::Vec3 d, double& low, double& high);
-/// Where a ray meets a moving piece, and when; `known`: of a ray beside the next one, as a guess.
-struct Ends {
-    double low = 0, high = 0, t_low = 0, t_high = 0;
-    bool known = false;
+/// Where on a ray and when it meets a moving piece.
+struct Spot {
+    double s = 0, t = 0;
 };
-[[nodiscard]] bool cut_round(const Piece& piece, geom::Vec3 v, geom::Vec3 p, geom::Vec3 d, Ends& ends);
+/// Of the last two rays of a row, the last one first: a guess for the next one. Behind, s is counted backwards.
+struct Ends {
+    std::array<Spot, 2> before, behind;
+    int known = 0;
+};
+/// Between `low` and `high`, which it narrows down.
+[[nodiscard]] bool cut_round(const Piece& piece, geom::Vec3 v, geom::Vec3 p, geom::Vec3 d, Ends& ends, double& low,
+                             double& high);
+[[nodiscard]] bool cut_round(const Piece& piece, geom::Vec3 v, geom::Vec3 p, geom::Vec3 d, double& low, double& high);
 /// Circular track, rays across, a disc of this radius.
 void cut_circle_across(const Track& track, const Row& row, double radius, base::FunctionRef<void(const Spans&)> take);
 

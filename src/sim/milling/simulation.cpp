@@ -166,6 +166,8 @@ Track Simulation::track_of(const Sweep& sweep) const {
 }
 
 void Simulation::flush() {
+    const Lattice& l = dexels_.lattice();
+    const Box3 box{l.origin, l.node(l.count[0] - 1, l.count[1] - 1, l.count[2] - 1)};
     while (done_ < sweeps_.size()) {
         const std::size_t end = std::min(sweeps_.size(), done_ + batch);
         std::vector<Job> jobs;
@@ -173,7 +175,7 @@ void Simulation::flush() {
         for (std::size_t i = done_; i < end; ++i) {
             const Sweep& s = sweeps_[i];
             if (shape_of(s).pieces.empty()) continue;
-            jobs.push_back(make_job(shape_of(s), orientations_[s.orientation], track_of(s), s.from));
+            jobs.push_back(make_job(shape_of(s), orientations_[s.orientation], track_of(s), s.from, box));
             jobs.back().cut = static_cast<std::uint32_t>(i + 1);
             jobs.back().pass = s.pass;
             jobs.back().cuts = s.cut;
