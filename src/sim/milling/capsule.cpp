@@ -3,15 +3,8 @@
 
 #include <cmath>
 
+#include "sim/milling/lanes.hpp"
 #include "sim/milling/rows.hpp"
-
-// With AVX2 four rays go at a time instead of two; without FMA, so the results are the same to the last bit. Functions
-// that are chosen at load time and the sanitizers do not go together.
-#if defined(__x86_64__) && defined(__GNUC__) && !defined(__clang__) && !defined(__SANITIZE_ADDRESS__)
-#define OBRYS_LANES __attribute__((target_clones("avx2", "default")))
-#else
-#define OBRYS_LANES
-#endif
 
 namespace obrys::sim::milling {
 
@@ -53,12 +46,6 @@ Aims aims_of(const Track& track, geom::Vec3 d, Lie lie) {
 }  // namespace obrys::sim::milling
 
 namespace obrys::sim::milling::detail {
-namespace {
-
-/// Spans have room for a multiple of four.
-int in_full(int count) { return (count + 3) & ~3; }
-
-}  // namespace
 
 Capsule capsule_of(const Aim& aim, const Row& row, double t0, double t1, double radius) {
     Capsule c;
@@ -98,6 +85,27 @@ OBRYS_LANES void capsule_row(const Capsule& c, int count, Spans& spans) {
         // Both radicands are negative, or neither is, but for rounding where the ray just touches.
         low[i] = below < 0 ? 1.0 : lower;
         high[i] = below < 0 ? 0.0 : upper;
+    }
+}
+
+OBRYS_LANES void stretch_row(const Steps& foot, double scale, int count, Spans& spans) {
+    const int lanes = in_full(count);
+    double* const low = spans.low.data();
+    double* const high = spans.high.data();
+    for (int i = 0; i < lanes; ++i) {
+        low[i] = (low[i] - (foot.at + i * foot.step)) * scale;
+        high[i] = (high[i] - (foot.at + i * foot.step)) * scale;
+    }
+}
+
+OBRYS_LANES void clip_row(const Steps& one, const Steps& other, int count, Spans& spans) {
+    const int lanes = in_full(count);
+    double* const low = spans.low.data();
+    double* const high = spans.high.data();
+    for (int i = 0; i < lanes; ++i) {
+        const double a = one.at + i * one.step, b = other.at + i * other.step;
+        low[i] = low[i] > a ? low[i] : a;
+        high[i] = high[i] < b ? high[i] : b;
     }
 }
 

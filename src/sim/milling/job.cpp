@@ -72,7 +72,8 @@ Job make_job(const Shape& shape, const Orientation& frame, const Track& track, V
         const double room = bulge * std::sqrt(std::max(0.0, 1 - component(frame.z, axis) * component(frame.z, axis)));
         set_component(job.box.min, axis, std::min(at, moved) + r.low - room);
         set_component(job.box.max, axis, std::max(at, moved) + r.high + room);
-        if (heights.low > heights.high) set_component(job.box.max, axis, -never), set_component(job.box.min, axis, never);
+        if (heights.low > heights.high)
+            set_component(job.box.max, axis, -never), set_component(job.box.min, axis, never);
     }
     return job;
 }

@@ -16,9 +16,9 @@ namespace {
 
 using geom::Vec3;
 
-constexpr double exact = 1e-12;      ///< mm
-constexpr double grazing = 1e-3;     ///< a ray's slope to the surface below which Newton's method is left
-constexpr int most_steps = 24;       ///< of Newton's method; four are usual
+constexpr double exact = 1e-12;   ///< mm
+constexpr double grazing = 1e-3;  ///< a ray's slope to the surface below which Newton's method is left
+constexpr int most_steps = 24;    ///< of Newton's method; four are usual
 
 /// The distance from a whole piece and its derivatives along the ray and in time.
 struct Slopes {
@@ -57,22 +57,15 @@ enum class Met : std::uint8_t { yes, no, unsure };
 struct Below {
     double s = 0, value = 0, slope = 0;
 };
-Below below(const Slopes& f, double s, double t) {
-    return {s, f.f + std::min(-t * f.t, (1 - t) * f.t), f.s};
-}
-/// Lines that fall and rise, and meet above 0: F is nowhere 0.
-bool above_zero(const Below& falls, const Below& rises) {
-    if (!(falls.value > 0 && rises.value > 0 && falls.slope < 0 && rises.slope > 0)) return false;
-    const double meet = (rises.value - falls.value + falls.slope * falls.s - rises.slope * rises.s) /
-                        (falls.slope - rises.slope);
+Below below(const Slopes& f, double s, double t) { return {s, f.f + std::min(-t * f.t, (1 - t) * f.t), f.s}; }
+/// F is nowhere 0: lines that fall and rise meet above 0, or one rises from above 0 where the search begins.
+bool above_zero(const Below& falls, const Below& rises, double start) {
+    if (!(rises.value > 0)) return false;
+    if (rises.value + rises.slope * (start - rises.s) > exact) return true;
+    if (!(falls.value > 0)) return false;
+    const double meet =
+        (rises.value - falls.value + falls.slope * falls.s - rises.slope * rises.s) / (falls.slope - rises.slope);
     return falls.value + falls.slope * (meet - falls.s) > exact;
-}
-
-/// Whether no other moment is nearer, but for what does not count.
-bool nearest(const Slopes& f, double t) {
-    if (t <= 0 && f.t >= 0) return true;
-    if (t >= 1 && f.t <= 0) return true;
-    return f.tt > 0 ? f.t * f.t <= 0.1 * exact * f.tt : std::abs(f.t) <= exact;
 }
 
 /// Where a ray across the axis enters the piece where that stands at the move's beginning or end; else `s` as it is.
@@ -87,21 +80,24 @@ double at_rest(const Piece& piece, Vec3 v, Vec3 p, Vec3 d, Spot spot) {
 /// Newton's method for the least s, from a guess; the ray is outside up to `start`. p from the piece's centre.
 Met enter(const Piece& piece, Vec3 v, Vec3 p, Vec3 d, double start, Spot& spot) {
     auto& [s, t] = spot;
+    const double way = std::sqrt(dot(v, v));
     Below falls, rises;
     for (int i = 0; i < most_steps; ++i) {
         s = at_rest(piece, v, p, d, spot);
         const Slopes f = slopes_at(piece, p + s * d - t * v, d, v);
-        if (std::abs(f.f) <= exact && nearest(f, t)) return f.s < -grazing ? Met::yes : Met::unsure;
         if (f.f > 0) {
             (f.s < 0 ? falls : rises) = below(f, s, t);
-            if (above_zero(falls, rises)) return Met::no;
+            if (above_zero(falls, rises, start)) return Met::no;
         }
         double next = f.t > 0 ? 0 : f.t < 0 ? 1 : t;
         if (const double det = f.s * f.tt - f.t * f.st; f.tt > 0 && det < 0)
             next = std::clamp(t + (f.f * f.st - f.s * f.t) / det, 0.0, 1.0);
         const double step = f.s < -grazing ? -(f.f + f.t * (next - t)) / f.s : 0.5 * (start - s);
+        // No direction is curved more than 1 / arc: so far off, in F, is the place the step leads to.
+        const double moved = std::abs(step) + std::abs(next - t) * way;
         s = std::max(start, s + step);
         t = next;
+        if (f.s < -grazing && moved * moved <= exact * piece.arc * -f.s) return Met::yes;
     }
     return Met::unsure;
 }

@@ -37,104 +37,6 @@ void along_by_distance(const Piece& piece, const Track& track, const Row& row, S
     }
 }
 
-struct Slope {
-    Vec2 e;           ///< direction of the way, seen along the axis
-    double way = 0;   ///< its length
-    double rise = 0;  ///< per way
-};
-Slope slope_of(const Track& track) {
-    Slope s;
-    s.way = std::hypot(track.v.x, track.v.y);
-    s.e = {track.v.x / s.way, track.v.y / s.way};
-    s.rise = track.v.z / s.way;
-    return s;
-}
-
-/// While the axis is within `radius` of a ray: from which part of the way to which; not from < to: never.
-struct Stay {
-    double from = 1, to = 0;
-    double a = 0, n = 0;  ///< along the way and beside it
-};
-Stay stay_of(const Slope& slope, Vec2 p, double radius) {
-    Stay s;
-    s.a = dot(p, slope.e);
-    s.n = cross(slope.e, p);
-    const double square = radius * radius - s.n * s.n;
-    if (!(square > 0)) return s;
-    const double half = std::sqrt(square);
-    s.from = std::max(0.0, s.a - half);
-    s.to = std::min(slope.way, s.a + half);
-    return s;
-}
-
-/// Rays along the axis, a cylinder on a ramp.
-void along_cylinder(const Piece& piece, const Track& track, const Row& row, Spans& spans) {
-    const Slope slope = slope_of(track);
-    for (int i = 0; i < row.count; ++i) {
-        const Vec3 p = row.p + i * row.step;
-        const Stay s = stay_of(slope, {p.x, p.y}, piece.r0);
-        if (!(s.from < s.to)) {
-            set(spans, i, 1, 0);
-            continue;
-        }
-        const double z0 = s.from * slope.rise, z1 = s.to * slope.rise;
-        const double low = piece.z0 + std::min(z0, z1), high = piece.z1 + std::max(z0, z1);
-        row.d.z > 0 ? set(spans, i, low, high) : set(spans, i, -high, -low);
-    }
-}
-
-/// Lower side of a piece at a distance from its axis, and how it rises with the distance.
-struct Flank {
-    double height = 0, rise = 0;
-};
-Flank flank_of(const Piece& p, double distance) {
-    if (p.kind == PieceKind::cone) {
-        if (distance <= p.r0 || p.r1 <= p.r0) return {p.z0, 0};
-        const double rise = (p.z1 - p.z0) / (p.r1 - p.r0);
-        return {p.z0 + (distance - p.r0) * rise, rise};
-    }
-    const double beyond = std::max(0.0, distance - p.ring);
-    const double depth = std::sqrt(std::max(0.0, p.arc * p.arc - beyond * beyond));
-    const double height = p.centre - depth;
-    if (height < p.z0) return {p.z0, 0};
-    return {height, depth > 0 ? beyond / depth : never};
-}
-
-/// Lowest point of a piece that gets wider upwards, over a ray, on its way along a ramp: the height is a convex
-/// function of the way, so its derivative has one change of sign.
-double ramp_low(const Piece& piece, const Slope& slope, Vec2 p) {
-    const Stay s = stay_of(slope, p, std::max(piece.r0, piece.r1));
-    if (!(s.from < s.to)) return never;
-    const auto height = [&](double x, double& change) {
-        const double m = s.a - x, distance = std::sqrt(s.n * s.n + m * m);
-        const Flank f = flank_of(piece, distance);
-        change = slope.rise - (f.rise == 0 || m == 0 ? 0 : f.rise * (m / distance));
-        return f.height + x * slope.rise;
-    };
-    double a = s.from, b = s.to, fa = 0, fb = 0;
-    double low = height(a, fa);
-    if (fa >= 0) return low;
-    low = std::min(low, height(b, fb));
-    if (fb <= 0) return low;
-    for (int i = 0; i < 60 && b - a > 1e-13; ++i) {
-        double x = std::isfinite(fa) && std::isfinite(fb) && i % 3 != 2 ? a + (b - a) * (fa / (fa - fb)) : (a + b) / 2;
-        if (!(x > a && x < b)) x = (a + b) / 2;
-        double f = 0;
-        low = std::min(low, height(x, f));
-        if (std::abs(f) < 1e-10) break;
-        if (f < 0) {
-            a = x;
-            fa = f;
-            if (std::isfinite(fb)) fb /= 2;
-        } else {
-            b = x;
-            fb = f;
-            if (std::isfinite(fa)) fa /= 2;
-        }
-    }
-    return low;
-}
-
 /// Rays across the axis, a cylinder on a ramp: a disc, while the ray is between its ends.
 bool across_cylinder(const Piece& piece, const Track& track, const Row& row, const Aims& aims, Spans& spans) {
     const double t0 = (row.p.z - piece.z0) / track.v.z, t1 = (row.p.z - piece.z1) / track.v.z;
@@ -171,25 +73,16 @@ void bound(const Piece& piece, const Track& track, const Row& row, const Aims& a
         detail::Capsule c = detail::capsule_of(aims.flat, row, 0, 1, widest + barely);
         c.n = c.n_step = 0;
         detail::capsule_row(c, row.count, spans);
+        detail::stretch_row({dot(row.p, aims.flat_d), dot(row.step, aims.flat_d)}, 1 / aims.flat_length, row.count,
+                            spans);
+    } else {
+        spans.low.fill(-never);
+        spans.high.fill(never);
     }
-    const double per_flat = aims.flat_length > 0 ? 1 / aims.flat_length : 0;
-    const double per_height = std::abs(row.d.z) > 1e-9 ? 1 / row.d.z : 0;
-    for (int i = 0; i < row.count; ++i) {
-        const auto at = static_cast<std::size_t>(i);
-        const Vec3 p = row.p + i * row.step;
-        double low = -never, high = never;
-        if (per_flat > 0) {
-            const double foot = dot(p, aims.flat_d);
-            low = (spans.low[at] - foot) * per_flat;
-            high = (spans.high[at] - foot) * per_flat;
-        }
-        if (per_height != 0) {
-            const double one = (bottom - p.z) * per_height, other = (top - p.z) * per_height;
-            low = std::max(low, std::min(one, other));
-            high = std::min(high, std::max(one, other));
-        }
-        set(spans, i, low, high);
-    }
+    if (std::abs(row.d.z) <= 1e-9) return;
+    const double per_height = 1 / row.d.z, step = -row.step.z * per_height;
+    const double one = (bottom - row.p.z) * per_height, other = (top - row.p.z) * per_height;
+    detail::clip_row({std::min(one, other), step}, {std::max(one, other), step}, row.count, spans);
 }
 
 /// A cylinder met by skew rays: seen along the axis a disc on its way; where it meets a ray beyond an end of the
@@ -258,7 +151,7 @@ void each_ray(const Piece& piece, const Track& track, const Row& row, const Aims
         set(spans, i, 1, 0);
         if (!(low < high) || !worth(i, low, high)) continue;
         const Vec3 p = row.p + i * row.step;
-        if (by_formula         ? skew.cut(p, low, high)
+        if (by_formula        ? skew.cut(p, low, high)
             : is_round(piece) ? detail::cut_round(piece, track.v, p, row.d, ends, low, high)
                               : detail::cut_quadric(piece, track.v, p, row.d, low, high))
             set(spans, i, low, high);
@@ -283,7 +176,7 @@ bool cut_row_by(const Piece& piece, const Track& track, const Row& row, const Ai
     }
     if (is_cylinder(piece) && lie == Lie::across) return across_cylinder(piece, track, row, aims, spans);
     if (is_cylinder(piece) && lie == Lie::along)
-        along_cylinder(piece, track, row, spans);
+        detail::ramp_cylinder_row(piece, track, row, spans);
     else
         each_ray(piece, track, row, aims, worth, spans);
     return true;
@@ -332,17 +225,13 @@ void cut_row_from_above(const Shape& shape, const Track& track, const Row& row, 
         return;
     }
     const double down = std::min(0.0, track.v.z);
-    const Slope slope = ramp ? slope_of(track) : Slope{};
+    if (ramp) {
+        detail::ramp_low_row(shape, track, row, high, spans);
+        return;
+    }
     for (int i = 0; i < row.count; ++i) {
         const Vec3 q = row.p + i * row.step;
-        const Vec2 p{q.x, q.y};
-        double low = never;
-        if (!ramp) {
-            low = lower_side(shape, offset_from(track, p).distance) + down;
-        } else {
-            for (const Piece& piece : shape.pieces)
-                if (!piece.covered || piece.r1 > piece.r0) low = std::min(low, ramp_low(piece, slope, p));
-        }
+        const double low = lower_side(shape, offset_from(track, {q.x, q.y}).distance) + down;
         set(spans, i, std::min(low, high), high);
     }
 }

@@ -77,7 +77,18 @@ struct Capsule {
     double low_shift = 0, high_shift = 0;
 };
 void capsule_row(const Capsule& c, int count, Spans& spans);
+/// A number that grows from ray to ray.
+struct Steps {
+    double at = 0, step = 0;
+};
+/// Spans counted from `foot` and multiplied by `scale`, which is positive.
+void stretch_row(const Steps& foot, double scale, int count, Spans& spans);
+/// What of spans lies between `one` and `other`.
+void clip_row(const Steps& one, const Steps& other, int count, Spans& spans);
 void capsule_low_row(const Capsule& c, int count, double high, Spans& spans);
+/// Rays along the axis, on a ramp: a cylinder; the lower side of a shape that rises, or `high` where that is lower.
+void ramp_cylinder_row(const Piece& piece, const Track& track, const Row& row, Spans& spans);
+void ramp_low_row(const Shape& shape, const Track& track, const Row& row, double high, Spans& spans);
 /// The rays whose span, moved by `base`, is neither empty nor inside their gap; returns how many. Gaps may be read up
 /// to the next multiple of four.
 int candidates(const Spans& spans, double base, const double* gap_low, const double* gap_high, int count,
