@@ -17,7 +17,9 @@ public:
     explicit CornerTable(const Mesh& m);
 
     [[nodiscard]] static std::uint32_t next(std::uint32_t corner) { return corner % 3 == 2 ? corner - 2 : corner + 1; }
-    [[nodiscard]] static std::uint32_t before(std::uint32_t corner) { return corner % 3 == 0 ? corner + 2 : corner - 1; }
+    [[nodiscard]] static std::uint32_t before(std::uint32_t corner) {
+        return corner % 3 == 0 ? corner + 2 : corner - 1;
+    }
     [[nodiscard]] std::uint32_t vertex(std::uint32_t corner) const { return vertex_[corner]; }
     /// The corner of the neighbouring triangle beyond the edge that faces this corner; none where the edge does not
     /// belong to two triangles of opposite direction.
@@ -27,16 +29,17 @@ public:
     [[nodiscard]] bool alive(std::uint32_t triangle) const { return vertex_[3 * std::size_t{triangle}] != none; }
 
     /// The corners at a vertex, counter-clockwise; empty where they are no single closed ring (open, or several sheets
-    /// that touch).
-    void ring(std::uint32_t vertex, std::vector<std::uint32_t>& corners) const;
+    /// that touch) or more than `most`.
+    void ring(std::uint32_t vertex, std::vector<std::uint32_t>& corners, std::size_t most = none) const;
     /// Draws the vertex of a ring to the one that follows its corner `k`: the two triangles at that edge vanish.
     void draw(const std::vector<std::uint32_t>& ring, std::size_t k);
 
 private:
+    void join();
     void glue(std::uint32_t one, std::uint32_t other);
 
     std::vector<std::uint32_t> vertex_, opposite_, at_;
-    std::vector<std::uint8_t> whole_;  ///< of each vertex: its triangles are one closed ring
+    std::vector<std::uint32_t> count_;  ///< of each vertex: its triangles
 };
 
 }  // namespace obrys::mesh

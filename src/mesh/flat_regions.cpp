@@ -9,8 +9,8 @@ namespace {
 
 using geom::Vec3;
 
-constexpr double same_way = 0.9;    ///< cosine between a region's normal and a triangle's
-constexpr double exactly = 1e-3;    ///< of what is allowed: how flat it is where regions are begun first
+constexpr double same_way = 0.9;  ///< cosine between a region's normal and a triangle's
+constexpr double exactly = 1e-3;  ///< of what is allowed: how flat it is where regions are begun first
 
 struct Plane {
     Vec3 normal;
@@ -70,7 +70,8 @@ private:
                 if (found_.of[t] != no_region || m_.tag(t) != m_.tag(seed)) continue;
                 if (!(plane.off(m_.vertices[corners_.vertex(beyond)]) <= off_)) continue;
                 const Vec3 area = area_vector(m_, t);
-                if (!(dot(area, plane.normal) > same_way * length(area))) continue;
+                const double facing = dot(area, plane.normal);
+                if (!(facing > 0 && facing * facing > same_way * same_way * dot(area, area))) continue;
                 found_.of[t] = number;
                 grown_.push_back(t);
             }
@@ -84,7 +85,7 @@ private:
     std::vector<std::uint32_t> grown_;
 };
 
-/// The two borders at a vertex of two regions: the vertices they lead to.
+/// The borders at a vertex of two regions: the vertices they lead to.
 struct Borders {
     std::uint32_t one = CornerTable::none, other = CornerTable::none;
 };
@@ -145,18 +146,20 @@ std::vector<Role> roles_of(const Mesh& m, const CornerTable& corners, const Flat
     std::vector<Role> roles(m.vertices.size(), Role::fixed);
     std::vector<Borders> borders(m.vertices.size());
     std::vector<std::uint32_t> ring;
+    std::vector<bool> curved(m.vertices.size(), false);
+    for (std::size_t t = 0; t < m.triangles.size(); ++t)
+        if (regions.of[t] == no_region)
+            for (const std::uint32_t v : m.triangles[t]) curved[v] = true;
     for (std::uint32_t v = 0; v < m.vertices.size(); ++v) {
+        if (curved[v]) continue;
         corners.ring(v, ring);
         std::size_t changes = 0;
-        bool curved = ring.empty();
-        for (std::size_t i = 0; i < ring.size() && !curved; ++i) {
-            const std::uint32_t here = regions.of[ring[i] / 3];
-            const std::uint32_t last = regions.of[ring[i == 0 ? ring.size() - 1 : i - 1] / 3];
-            curved = here == no_region;
-            if (here == last) continue;
+        for (std::size_t i = 0; i < ring.size(); ++i) {
+            const std::uint32_t last = ring[i == 0 ? ring.size() - 1 : i - 1];
+            if (regions.of[ring[i] / 3] == regions.of[last / 3]) continue;
             (changes++ == 0 ? borders[v].one : borders[v].other) = corners.vertex(CornerTable::next(ring[i]));
         }
-        if (curved || (changes != 0 && changes != 2)) continue;
+        if (ring.empty() || (changes != 0 && changes != 2)) continue;
         roles[v] = changes == 0 ? Role::inside : Role::border;
     }
     const Straightener straightener(m, off);

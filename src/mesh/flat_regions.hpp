@@ -12,8 +12,8 @@ namespace obrys::mesh {
 inline constexpr std::uint32_t no_region = 0xffffffff;
 
 struct FlatRegions {
-    std::vector<std::uint32_t> of;     ///< of each triangle; `no_region`: curved there
-    std::vector<geom::Vec3> normal;    ///< of each region, unit length
+    std::vector<std::uint32_t> of;   ///< of each triangle; `no_region`: curved there
+    std::vector<geom::Vec3> normal;  ///< of each region, unit length
 };
 /// Connected triangles of one tag whose corners all lie within `off` mm of one plane and that face the same way. Only
 /// regions of `fewest` triangles count. Linear in the number of triangles.

@@ -1,7 +1,8 @@
-// A vertex inside a plane, or on a straight border, is drawn along an edge to one of its neighbours, where all triangles
-// that hang on it keep their side. All vertices of a region lie within a third of what is allowed of its plane, those of
-// a straight border within a third of a line; since vertices only vanish, errors do not add up: new and old surface both
-// lie that near to the plane, and their borders to the line, so that they are at most 2 / 3 sqrt 2 apart.
+// A vertex inside a plane, or on a straight border, is drawn along an edge to one of its neighbours, where all
+// triangles that hang on it keep their side. All vertices of a region lie within a third of what is allowed of its
+// plane, those of a straight border within a third of a line; since vertices only vanish, errors do not add up: new and
+// old surface both lie that near to the plane, and their borders to the line, so that they are at most 2 / 3 sqrt 2
+// apart.
 
 #include "mesh/merge_flat.hpp"
 
@@ -15,6 +16,10 @@ namespace {
 
 using geom::Vec3;
 using Corner = std::uint32_t;
+
+constexpr double good_shape =
+    0.2;  ///< height to longest side (of an equilateral triangle 0.87): nothing better is looked for
+constexpr std::size_t most_around = 64, most_around_target = 512;  ///< triangles at a vertex: so that time stays linear
 
 class Merger {
 public:
@@ -31,14 +36,12 @@ public:
             if (roles_[v] != Role::fixed) waiting.push_back(v);
         // In rounds in which no two neighbours vanish, so that triangles grow evenly.
         queued_.assign(roles_.size(), 0);
+        marks_.assign(roles_.size(), 0);
         for (std::uint32_t round = 1; !waiting.empty(); ++round) {
             later.clear();
             for (const std::uint32_t v : waiting) {
-                if (roles_[v] == Role::fixed || corners_.at(v) == CornerTable::none) continue;
-                if (queued_[v] == round)
-                    later.push_back(v);
-                else if (vanish(v))
-                    wake(round, later);
+                if (corners_.at(v) == CornerTable::none || queued_[v] == round) continue;
+                if (vanish(v)) wake(round, later);
             }
             std::swap(waiting, later);
         }
@@ -46,16 +49,16 @@ public:
     }
 
 private:
-    /// Draws a vertex to the neighbour that leaves the best triangles; false where there is none.
+    /// Draws a vertex to the neighbour that leaves the best triangles, or good ones; false where there is none.
     bool vanish(std::uint32_t v) {
-        corners_.ring(v, ring_);
+        corners_.ring(v, ring_, most_around);
         const std::size_t n = ring_.size();
         if (n < 3) return false;
         around_.clear();
         for (const Corner c : ring_) around_.push_back(corners_.vertex(CornerTable::next(c)));
         std::size_t best = n;
         double most = 0;
-        for (std::size_t k = 0; k < n; ++k) {
+        for (std::size_t k = 0; k < n && most < good_shape; ++k) {
             if (roles_[v] == Role::border && region(k) == region(k == 0 ? n - 1 : k - 1)) continue;
             if (const double shape = worst_shape(k, most); shape > most) {
                 // A bad link is rare: looked for last.
@@ -93,12 +96,12 @@ private:
     /// The neighbours that v and neighbour k share are the two of their common triangles: nothing folds up.
     bool linked_once(std::size_t k) {
         const std::size_t n = ring_.size();
-        corners_.ring(around_[k], far_);
+        corners_.ring(around_[k], far_, most_around_target);
         if (far_.size() < 3) return false;
+        ++looks_;
+        for (const std::uint32_t w : around_) marks_[w] = looks_;
         std::size_t shared = 0;
-        for (const Corner c : far_)
-            shared += static_cast<std::size_t>(
-                std::count(around_.begin(), around_.end(), corners_.vertex(CornerTable::next(c))));
+        for (const Corner c : far_) shared += marks_[corners_.vertex(CornerTable::next(c))] == looks_ ? 1 : 0;
         return shared == 2 && n + far_.size() > 6;
     }
 
@@ -137,6 +140,8 @@ private:
     FlatRegions regions_;
     std::vector<Role> roles_;
     std::vector<std::uint32_t> queued_;  ///< the round in which a vertex was put off
+    std::vector<std::uint32_t> marks_;   ///< neighbours of the vertex looked at
+    std::uint32_t looks_ = 0;
     std::vector<Corner> ring_, far_;
     std::vector<std::uint32_t> around_;
 };

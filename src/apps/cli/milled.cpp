@@ -6,6 +6,7 @@
 #include "base/number.hpp"
 #include "driver/files.hpp"
 #include "mesh/export.hpp"
+#include "mesh/merge_flat.hpp"
 #include "mesh/stl.hpp"
 #include "report/milling_picture.hpp"
 #include "sim/milling/stock.hpp"
@@ -34,6 +35,7 @@ bool wants_surface(const Arguments& a) {
 
 namespace {
 
+constexpr double flat_share = 0.05;    ///< of the tolerance: how far merged flat faces may lie off
 constexpr double full_deviation = 20;  ///< tolerances at which a deviation has its deepest colour
 
 /// The first colour is that of faces that no tool has cut.
@@ -130,11 +132,18 @@ bool write_surface(const Arguments& a, driver::Session& s, const driver::Checked
                    stderr);
         return false;
     }
-    bool written = a.stl.empty() || deliver(s, a.stl, mesh::write_stl(milled->surface));
+    const double flat = flat_share * milled->figures.tolerance_mm;
+    bool written = true;
+    if (!a.stl.empty()) {
+        const mesh::Mesh plain{milled->surface.vertices, milled->surface.triangles, {}};
+        written = deliver(s, a.stl, mesh::write_stl(mesh::merge_flat(plain, flat)));
+    }
     if (a.three_mf.empty() && a.gltf.empty() && !wants_pictures(a)) return written;
     mesh::Mesh surface = milled->surface;
     const mesh::DeviationColours colours = colour(*milled, surface, milled->figures.tolerance_mm);
     if (wants_pictures(a)) written = write_pictures(a, s, checked, surface, colours) && written;
+    if (a.three_mf.empty() && a.gltf.empty()) return written;
+    surface = mesh::merge_flat(surface, flat);
     if (!a.three_mf.empty()) written = deliver(s, a.three_mf, mesh::write_3mf(surface, colours.palette)) && written;
     if (a.gltf.empty()) return written;
     const auto glb = mesh::write_glb(surface, colours.palette);
