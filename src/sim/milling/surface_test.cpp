@@ -3,11 +3,14 @@
 #include <gtest/gtest.h>
 #include <tbb/task_arena.h>
 
+#include <map>
 #include <random>
 #include <set>
 
+#include "mesh/distance.hpp"
+#include "mesh/merge_flat.hpp"
 #include "mesh/topology.hpp"
-#include "sim/milling/simulation.hpp"
+#include "sim/milling/milling_testing.hpp"
 #include "sim/milling/solids_testing.hpp"
 
 namespace obrys::sim::milling {
@@ -281,6 +284,67 @@ TEST(SurfaceOf, one_thread_and_four_give_the_same) {
     EXPECT_EQ(a.mesh.vertices, b.mesh.vertices);
     EXPECT_EQ(a.mesh.triangles, b.mesh.triangles);
     EXPECT_EQ(a.mesh.tags, b.mesh.tags);
+}
+
+std::map<std::uint32_t, double> areas_by_tag(const mesh::Mesh& m) {
+    std::map<std::uint32_t, double> sum;
+    for (std::size_t t = 0; t < m.triangles.size(); ++t) sum[m.tag(t)] += 0.5 * length(mesh::area_vector(m, t));
+    return sum;
+}
+
+/// Slots with square ends that run out of the block: nothing but planes.
+TEST(SurfaceOf, planes_merges_to_a_few_triangles) {
+    for (const Vec3 axis : {Vec3{0, 0, 1}, Vec3{0, 0.28, 0.96}}) {
+        Work w(Box3{{0, 0, -10}, {60, 40, 0}}, 0.25, tool_of(CutterKind::end_mill, 8));
+        w.axis = axis;
+        w.start({-10, 13.03, -4.1});
+        w.to({70, 13.03, -4.1});
+        w.start({-10, 28.07, -3.2});
+        w.to({70, 28.07, -3.2});
+        w.simulation.flush();
+        const auto normal = [&](std::uint32_t cut, Vec3 p, int, double) { return w.simulation.normal_at(cut, p); };
+        mesh::Mesh fine = extract_surface(w.simulation.dexels(), normal).mesh;
+        const mesh::Mesh tagged = mesh::merge_flat(fine, 0.0005);
+        const auto before = areas_by_tag(fine), after = areas_by_tag(tagged);
+        ASSERT_EQ(before.size(), 3U);
+        for (const auto& [tag, area] : before) EXPECT_NEAR(after.at(tag) / area, 1, 1e-9) << tag;
+        fine.tags.clear();
+        const mesh::Mesh plain = mesh::merge_flat(fine, 0.0005);
+        for (const mesh::Mesh& m : {tagged, plain}) {
+            EXPECT_GT(fine.triangles.size(), 150'000U);
+            // Two lids of 10 corners, six planes of the slots, top in three strips, three sides.
+            EXPECT_LT(m.triangles.size(), 80U);
+            EXPECT_TRUE(mesh::topology(m).closed());
+            EXPECT_NEAR(mesh::volume(m) / mesh::volume(fine), 1, 1e-9);
+        }
+    }
+}
+
+/// A pocket with round corners: its walls keep their corners along the outline, the planes nothing within.
+TEST(SurfaceOf, a_pocket_merges_within_the_deviation) {
+    Work w(Box3{{0, 0, -10}, {60, 40, 0}}, 0.25, tool_of(CutterKind::end_mill, 8));
+    w.start({12.03, 12.07, 5});
+    for (const Vec3 p : {Vec3{12.03, 12.07, -4.1},
+                         {45.3, 12.07, -4.1},
+                         {45.3, 28.3, -4.1},
+                         {12.03, 28.3, -4.1},
+                         {12.03, 18.3, -4.1},
+                         {45.3, 18.3, -4.1},
+                         {45.3, 22.3, -4.1},
+                         {12.03, 22.3, -4.1}})
+        w.to(p);
+    w.simulation.flush();
+    const auto normal = [&](std::uint32_t cut, Vec3 p, int, double) { return w.simulation.normal_at(cut, p); };
+    mesh::Mesh fine = extract_surface(w.simulation.dexels(), normal).mesh;
+    fine.tags.clear();
+    const mesh::Mesh m = mesh::merge_flat(fine, 0.0005);
+    EXPECT_TRUE(mesh::topology(m).closed());
+    EXPECT_LT(m.triangles.size(), 2000U);
+    EXPECT_NEAR(mesh::volume(m) / mesh::volume(fine), 1, 1e-6);
+    const mesh::Distance to_new{mesh::Mesh(m)};
+    double far = 0;
+    for (const Vec3& p : fine.vertices) far = std::max(far, std::abs(to_new.signed_distance(p)));
+    EXPECT_LE(far, 0.0005);
 }
 
 }  // namespace
