@@ -80,7 +80,7 @@ void Milling::begin() {
     known_tools_.resize(setup_.tools.size());
     figures_.tolerance_mm = m.tolerance;
     figures_.step = lattice->step;
-    figures_.before_mm3 = milling::volume(simulation_->dexels());
+    figures_.before_mm3 = milling::volume(*simulation_);
     add_clamps();
 }
 
@@ -352,7 +352,7 @@ void Milling::finish(bool complete) {
         out_.assumption("start position not known: the first " + std::to_string(start_moves_) +
                         (start_moves_ == 1 ? " rapid move was" : " rapid moves were") + " not simulated");
     auto milled = std::make_shared<Milled>();
-    figures_.after_mm3 = milling::volume(simulation_->dexels());
+    figures_.after_mm3 = milling::volume(*simulation_);
     figures_.memory_mb = static_cast<double>(simulation_->bytes()) / 1e6;
     balance();
     for (const MilledMove& m : moves_) figures_.contact_length_mm += m.contact_length_mm;

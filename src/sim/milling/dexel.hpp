@@ -125,11 +125,4 @@ private:
     std::array<Tiles, 3> tiles_;
 };
 
-/// Volume of the material, mm3. Around each node lies a cell of one step; the parts of its three axes (through the
-/// node) that are material make its share: their product where the node is material, else one less the product of their
-/// complements. Exact for faces normal to an axis; slanting faces add up to some tenths of a per cent of what a groove
-/// a dozen steps wide holds, less the more ways they face; of a bore or bar of radius r the volume comes out too large
-/// by about (step / r)^2. The closed surface (surface.hpp) is nearer, within 0.1 % there, and costs more.
-[[nodiscard]] double volume(const Dexels& dexels);
-
 }  // namespace obrys::sim::milling

@@ -28,7 +28,7 @@ struct Work {
 
     Work(const Stock& stock, double step, ToolShape shape, double tolerance = 0.01, int threads = 0)
         : simulation(stock, *make_lattice(box_of(stock), step), tolerance, threads),
-          before(volume(simulation.dexels())),
+          before(volume(simulation)),
           tool(simulation.add_tool(std::move(shape))) {}
     void start(geom::Vec3 p) { at = p; }
     Taken to(geom::Vec3 p) {
@@ -43,7 +43,7 @@ struct Work {
     }
     [[nodiscard]] double removed() {
         simulation.flush();
-        return before - volume(simulation.dexels());
+        return before - volume(simulation);
     }
     [[nodiscard]] double summed() {
         simulation.flush();

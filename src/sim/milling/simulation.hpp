@@ -40,8 +40,8 @@ enum class Taken : std::uint8_t {
 
 /// What a pass met. Lengths and volumes come from the rays that run most nearly along the tool's axis, `volume` as the
 /// length removed times the area of a ray's cell: where a wall along these rays is cut, it is off by up to half a
-/// cell's width along the wall, for walls at all angles much less; sums over passes are as good as `volume(Dexels)` for
-/// slanting faces. A pass that removes less than a ray's cell may have `touched` without a volume.
+/// cell's width along the wall, for walls at all angles much less; sums over passes are for slanting faces not as good
+/// as `volume`. A pass that removes less than a ray's cell may have `touched` without a volume.
 struct Engagement {
     bool touched = false;  ///< met material on a ray of any direction
     double volume = 0;     ///< mm3
@@ -120,5 +120,12 @@ private:
     std::vector<Engagement> engagements_;
     std::size_t done_ = 0;  ///< sweeps carried out
 };
+
+/// Volume of the material, mm3. Around each node of the lattice lies a cell of one step; what rays of the three axes
+/// say of it counts the more, the nearer the axis lies to the face's normal. Exact for faces normal to an axis and
+/// their edges. Of what a slot or bore a dozen steps wide holds it was seen to be off by 0.02 % as a rule and 0.1 % at
+/// most (edges between faces that slant are not known better than to part of a cell); the closed surface (surface.hpp)
+/// is as near and costs more.
+[[nodiscard]] double volume(const Simulation& simulation);
 
 }  // namespace obrys::sim::milling

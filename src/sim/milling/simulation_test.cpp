@@ -165,7 +165,7 @@ TEST(Simulation, ThirtyDegreesAboutZWithLeaningToolsChangesNothing) {
         Simulation a(bar, lattice, 0.01), b(bar, lattice, 0.01);
         machine(a, {}, seed, 0.6, 6);
         machine(b, turn, seed, 0.6, 6);
-        EXPECT_NEAR(volume(a.dexels()) / volume(b.dexels()), 1, 2e-3);
+        EXPECT_NEAR(volume(a) / volume(b), 1, 2e-3);
         const auto holds = [&](int axis, Vec3 p) {
             const int first = first_across(axis), second = second_across(axis);
             const double u = (component(p, first) - component(lattice.origin, first)) / component(lattice.step, first);
@@ -296,7 +296,7 @@ TEST(Simulation, MeshStock) {
     EXPECT_EQ(s.dexels().ray(0, 40, 32).size(), 1U);  // through two edges
     const Simulation beside(mesh, *make_lattice(box_of(mesh), 0.25), 0.01);
     EXPECT_EQ(beside.open_rays(), 0U);
-    EXPECT_NEAR(volume(beside.dexels()) / (4.0 / 3 * 216), 1, 2e-3);
+    EXPECT_NEAR(volume(beside) / (4.0 / 3 * 216), 1, 2e-3);
     const Vec3 n = s.normal_at(0, {2, 2, 2});
     EXPECT_NEAR(dot(n, {1, 1, 1}), std::sqrt(3.0), 1e-9);
     MeshStock open = mesh;
