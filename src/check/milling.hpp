@@ -11,6 +11,7 @@
 
 #include "check/check.hpp"
 #include "check/collect.hpp"
+#include "check/stand.hpp"
 #include "sim/milling/simulation.hpp"
 
 namespace obrys::check {
@@ -40,7 +41,7 @@ public:
         speed_ = spindle.mode == cl::SpindleMode::rpm ? spindle.speed : NAN;
     }
     /// `use`: index in Result::tools + 1. Queues the move; findings come later, in the order of the moves.
-    void take(const Move& move, std::uint32_t use);
+    void take(const Move& move, std::uint32_t use, const Stand::View& view);
     /// Carries out what is queued, judges the surface and fills in Result::milling.
     void finish(bool complete);
 
