@@ -8,17 +8,11 @@
 
 namespace obrys::driver {
 
-namespace {
-
-constexpr std::size_t shown_text = 64 << 20;  ///< bytes of a text file that messages may quote
-
-}  // namespace
-
 std::optional<BodyFile> load_bodies(Session& s, const shop::SolidFile& file, double tolerance, const Guard& guard) {
     const fs::path path = beside(s.input, file.path);
     const auto bytes = load_bytes(path, s.diagnostics, file.where);
     if (!bytes) return std::nullopt;
-    const bool quoted = bytes->size() <= shown_text && !base::looks_binary(*bytes);
+    const bool quoted = bytes->size() <= largest_quoted && !base::looks_binary(*bytes);
     BodyFile out;
     out.source = s.sources.add(path.generic_string(), quoted ? *bytes : std::string{});
     if (shop::is_step_name(file.path)) {

@@ -108,7 +108,7 @@ std::optional<StepAnswer> answer_of(const Guarded& run, const Guard& guard, Comp
             "obrys" +
                 std::string(or_stl));
     if (answer->result.outcome != mesh::obrys_step_ok)
-        return complaints.refuse(answer->problem, remedy_of(answer->result.outcome));
+        return complaints.refuse_line(answer->result.line, answer->problem, remedy_of(answer->result.outcome));
     return answer;
 }
 
@@ -118,6 +118,12 @@ void remark_rest(const mesh::ObrysStepResult& result, Complaints& complaints) {
         complaints.warn(codes::mesh_not_closed, base::Severity::warning,
                         faces(result.faces_unmeshed) + " could not be made into triangles: there are holes",
                         "export it again" + std::string(or_stl));
+    if (result.complaints > 0)
+        complaints.warn(codes::assumption, base::Severity::note,
+                        "of the STEP file " + std::to_string(result.complaints) +
+                            (result.complaints == 1 ? " entry is" : " entries are") +
+                            " not as Open CASCADE expects: taken as the file without them",
+                        {});
     if (result.loose_faces > 0)
         complaints.warn(codes::assumption, base::Severity::note,
                         faces(result.loose_faces) + " that bound no solid left out", {});

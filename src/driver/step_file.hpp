@@ -2,6 +2,7 @@
 /// STEP files (ISO 10303-21): read by the module libobrys-step.so, in a process of its own. The only place that knows
 /// the module.
 
+#include <cstddef>
 #include <cstdint>
 #include <optional>
 #include <string_view>
@@ -13,6 +14,9 @@
 
 namespace obrys::driver {
 
+/// Bytes of a body's file that messages may quote, where it is text; of a larger one the source stays empty.
+inline constexpr std::size_t largest_quoted = 64 << 20;
+
 struct StepFile {
     std::vector<mesh::Mesh> solids;  ///< one a body, mm (whatever the unit of the file); joined and looked at
     bool closed = true;              ///< every one of them bounds a solid
@@ -23,8 +27,8 @@ struct StepFile {
 [[nodiscard]] double step_deflection(double tolerance);
 
 /// Nothing where the file cannot be read: no STEP file, cut off, no solid in it, no module, or the module fails, takes
-/// too long or too much memory. The complaint is `mesh-file`, at the file's beginning (or at `where`, the name in the
-/// job, where the module is missing). `file` is the source of these bytes.
+/// too long or too much memory. The complaint is `mesh-file`, at the damaged line or the file's beginning (or at
+/// `where`, the name in the job, where the module is missing). `file` is the source of these bytes.
 [[nodiscard]] std::optional<StepFile> read_step(std::uint32_t file, std::string_view bytes, double tolerance,
                                                 const Guard& guard, base::Diagnostics& out, const base::Span& where);
 

@@ -39,6 +39,8 @@ enum ObrysStepOutcome {
 
 struct ObrysStepResult {
     int outcome;                   ///< ObrysStepOutcome
+    std::uint64_t line;            ///< where the file is damaged, from 1; 0 where that is not known
+    std::uint64_t complaints;      ///< entries that were not understood as they are; what they say may be missing
     std::uint64_t loose_faces;     ///< outside of solids; left out
     std::uint64_t faces_unmeshed;  ///< of solids, where no triangles could be made: these have holes
 };

@@ -1,89 +1,25 @@
 #include <BRepMesh_IncrementalMesh.hxx>
 #include <BRep_Tool.hxx>
 #include <IMeshTools_Parameters.hxx>
-#include <Interface_Static.hxx>
-#include <Message.hxx>
-#include <Message_Messenger.hxx>
-#include <Message_Printer.hxx>
-#include <STEPControl_Reader.hxx>
 #include <Standard_Failure.hxx>
-#include <TCollection_AsciiString.hxx>
 #include <TopExp_Explorer.hxx>
 #include <TopoDS.hxx>
 #include <TopoDS_Face.hxx>
-#include <TopoDS_Shape.hxx>
-#include <algorithm>
 #include <exception>
 #include <new>
-#include <sstream>
-#include <streambuf>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "mesh/step_module.hpp"
+#include "modules/step/read_shape.hpp"
 
 namespace obrys::modules::step {
 
 namespace {
 
-/// The outcome of reading that is not "ok", on its way out of Open CASCADE's calls; caught below, never let out.
-struct Refusal {
-    mesh::ObrysStepOutcome outcome;
-    std::string text;
-};
-
-/// Bytes in memory as a stream, without a copy.
-class Bytes : public std::streambuf {
-public:
-    Bytes(const char* begin, std::size_t size) {
-        char* from = const_cast<char*>(begin);  // a streambuf that is only read does not write there
-        setg(from, from, from + size);
-    }
-};
-
-/// What Open CASCADE would print is kept instead, as far as it is a complaint.
-class Listener : public Message_Printer {
-public:
-    Listener() { SetTraceLevel(Message_Fail); }
-
-    /// The first complaint as one line, without Open CASCADE's ornaments; empty where there was none.
-    std::string first() const {
-        std::string line;
-        std::istringstream in(said_);
-        while (line.empty() && std::getline(in, line)) {
-            line.erase(0, std::min(line.find_first_not_of(" *\t"), line.size()));
-            while (!line.empty() && (line.back() == ' ' || line.back() == '\r' || line.back() == '*')) line.pop_back();
-        }
-        return line.substr(0, longest_line);
-    }
-
-protected:
-    void send(const TCollection_AsciiString& text, const Message_Gravity gravity) const override {
-        if (gravity >= Message_Fail && said_.size() < most) said_.append(text.ToCString()).push_back('\n');
-    }
-
-private:
-    static constexpr std::size_t longest_line = 200, most = 10'000;
-    mutable std::string said_;
-};
-
 std::string with(std::string text, const std::string& detail) {
     return detail.empty() ? text : std::move(text) + ": " + detail;
-}
-
-TopoDS_Shape shape_of(const char* bytes, std::size_t size, const Listener& listener) {
-    STEPControl_Reader reader;
-    Interface_Static::SetCVal("xstep.cascade.unit", "MM");
-    Bytes buffer(bytes, size);
-    std::istream in(&buffer);
-    if (reader.ReadStream("STEP", in) != IFSelect_RetDone)
-        throw Refusal{mesh::obrys_step_syntax, with("the STEP file cannot be read", listener.first())};
-    reader.TransferRoots();
-    const TopoDS_Shape shape = reader.OneShape();
-    if (shape.IsNull())
-        throw Refusal{mesh::obrys_step_no_solid,
-                      with("the STEP file holds no shape that can be read", listener.first())};
-    return shape;
 }
 
 std::uint64_t count(const TopoDS_Shape& shape, TopAbs_ShapeEnum what, TopAbs_ShapeEnum outside = TopAbs_SHAPE) {
@@ -137,10 +73,9 @@ IMeshTools_Parameters parameters_of(const mesh::ObrysStepFineness& fineness) {
 
 void read(const char* bytes, std::size_t size, const mesh::ObrysStepFineness& fineness, const mesh::ObrysStepSink& sink,
           mesh::ObrysStepResult& result) {
-    const Handle(Listener) listener = new Listener;
-    Message::DefaultMessenger()->ChangePrinters().Clear();
-    Message::DefaultMessenger()->AddPrinter(listener);
-    const TopoDS_Shape shape = shape_of(bytes, size, *listener);
+    const ReadShape from = read_shape(bytes, size);
+    const TopoDS_Shape& shape = from.shape;
+    result.complaints = from.complaints;
     result.loose_faces = count(shape, TopAbs_FACE, TopAbs_SOLID);
     if (count(shape, TopAbs_SOLID) == 0)
         throw Refusal{mesh::obrys_step_no_solid, "the STEP file holds no solid, only " +
@@ -182,6 +117,7 @@ __attribute__((visibility("default"))) void obrys_step_read(const char* bytes, s
     try {
         modules::step::read(bytes, size, *fineness, *sink, *result);
     } catch (const modules::step::Refusal& r) {
+        result->line = r.line;
         modules::step::refuse(r.outcome, r.text, *sink, *result);
     } catch (const std::bad_alloc&) {
         modules::step::refuse(mesh::obrys_step_memory, "the memory did not suffice for the STEP file", *sink, *result);
