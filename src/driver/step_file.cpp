@@ -36,6 +36,20 @@ public:
         out_.add({base::Severity::error, code, where, std::move(text), std::move(remedy), {}, {}});
         return std::nullopt;
     }
+    /// `line` counts from 1; 0: the file as a whole.
+    std::nullopt_t refuse_line(std::string_view bytes, std::uint64_t line, std::string text, std::string remedy) {
+        std::size_t begin = 0;
+        for (std::uint64_t n = 1; n < line && begin < bytes.size(); ++n) {
+            const std::size_t end = bytes.find('\n', begin);
+            begin = end == std::string_view::npos ? bytes.size() : end + 1;
+        }
+        if (line == 0 || begin >= bytes.size() || bytes.size() > largest_quoted)
+            return refuse(std::move(text) + (line == 0 ? "" : " (line " + std::to_string(line) + ")"),
+                          std::move(remedy));
+        const std::size_t end = std::min(bytes.find_first_of("\r\n", begin), bytes.size());
+        return refuse_at({file_, static_cast<std::uint32_t>(begin), static_cast<std::uint32_t>(end)}, std::move(text),
+                         std::move(remedy));
+    }
     void warn(std::string_view code, base::Severity severity, std::string text, std::string remedy) {
         out_.add({severity, code, {file_, 0, 0}, std::move(text), std::move(remedy), {}, {}});
     }
@@ -81,9 +95,16 @@ std::string remedy_of(int outcome) {
     }
 }
 
+struct Work {
+    std::uint32_t file;
+    std::string_view bytes;
+    std::string module;
+    const Guard& guard;
+    const base::Span& where;
+};
+
 /// Nothing, after a complaint, where the module could not be used, did not come to an end, or refuses the file.
-std::optional<StepAnswer> answer_of(const Guarded& run, const Guard& guard, Complaints& complaints,
-                                    const base::Span& where) {
+std::optional<StepAnswer> answer_of(const Guarded& run, const Work& work, Complaints& complaints) {
     const std::string again = "export it again, as AP203, AP214 or AP242" + std::string(or_stl);
     switch (run.end) {
         case Guarded::End::crashed:
@@ -92,7 +113,7 @@ std::optional<StepAnswer> answer_of(const Guarded& run, const Guard& guard, Comp
                                      again);
         case Guarded::End::late:
             return complaints.refuse(
-                "reading the STEP file was given up after " + base::shortest(guard.seconds) + " s",
+                "reading the STEP file was given up after " + base::shortest(work.guard.seconds) + " s",
                 "ask for a coarser tolerance (--tolerance), or export it again" + std::string(or_stl));
         case Guarded::End::too_much:
             return complaints.refuse("the STEP file makes more triangles than there is memory for",
@@ -103,12 +124,13 @@ std::optional<StepAnswer> answer_of(const Guarded& run, const Guard& guard, Comp
     if (!answer) return complaints.refuse("what Open CASCADE makes of the STEP file is no mesh", again);
     if (!answer->loading.empty())
         return complaints.refuse_at(
-            where, "the module that reads STEP files cannot be used: " + answer->loading,
+            work.where, "the module that reads STEP files cannot be used: " + answer->loading,
             "install Open CASCADE (Debian: libocct-data-exchange-7.6) and the obrys-step of this "
             "obrys" +
                 std::string(or_stl));
     if (answer->result.outcome != mesh::obrys_step_ok)
-        return complaints.refuse_line(answer->result.line, answer->problem, remedy_of(answer->result.outcome));
+        return complaints.refuse_line(work.bytes, answer->result.line, answer->problem,
+                                      remedy_of(answer->result.outcome));
     return answer;
 }
 
@@ -122,7 +144,7 @@ void remark_rest(const mesh::ObrysStepResult& result, Complaints& complaints) {
         complaints.warn(codes::assumption, base::Severity::note,
                         "of the STEP file " + std::to_string(result.complaints) +
                             (result.complaints == 1 ? " entry is" : " entries are") +
-                            " not as Open CASCADE expects: taken as the file without them",
+                            " not as Open CASCADE expects: what they say may be missing",
                         {});
     if (result.loose_faces > 0)
         complaints.warn(codes::assumption, base::Severity::note,
@@ -142,14 +164,6 @@ std::optional<StepFile> solids_of(std::uint32_t file, const StepAnswer& answer, 
     return step;
 }
 
-struct Work {
-    std::uint32_t file;
-    std::string_view bytes;
-    std::string module;
-    const Guard& guard;
-    const base::Span& where;
-};
-
 struct Attempt {
     std::optional<StepFile> step;
     base::Diagnostics said;
@@ -161,7 +175,7 @@ Attempt try_once(const Work& work, const mesh::ObrysStepFineness& fineness) {
         guarded(work.guard, [&](const Answer& answer) { ask_module(work.module, work.bytes, fineness, answer); });
     Attempt out;
     Complaints complaints(work.file, out.said);
-    const auto answer = answer_of(run, work.guard, complaints, work.where);
+    const auto answer = answer_of(run, work, complaints);
     if (answer) out.step = solids_of(work.file, *answer, out.said);
     out.worth_another = run.end == Guarded::End::crashed || (out.step && !out.step->closed);
     return out;

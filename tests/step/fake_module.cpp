@@ -54,6 +54,7 @@ void act(std::string_view what, const ObrysStepFineness& fineness, const ObrysSt
     while (is("endless")) box(sink, 0, 10);
     if (is("memory")) std::vector<char> much(std::size_t{1} << 40, 'x');
     if (is("two")) box(sink, 20, 30);
+    if (is("line")) result.line = 2;
     if (is("refuse")) {
         constexpr std::string_view why = "it does not please";
         result.outcome = obrys_step_syntax;
@@ -61,6 +62,7 @@ void act(std::string_view what, const ObrysStepFineness& fineness, const ObrysSt
     }
     box(sink, is("fineness") ? fineness.deflection * 1000 : 0, 10, is("hole") && fineness.other_way == 0,
         is("beyond") ? 1 : 0);
+    if (is("odd")) result.complaints = 2;
     if (is("loose")) result.loose_faces = 3;
     if (is("open")) result.faces_unmeshed = 1;
 }

@@ -14,6 +14,7 @@ namespace {
 struct Read {
     std::optional<StepFile> file;
     std::string said;
+    base::Span where;    ///< of the last complaint
     std::string remedy;  ///< of the last complaint
 };
 
@@ -27,6 +28,7 @@ Read read_bytes(const std::string& bytes, double tolerance = 0.01) {
     for (const base::Diagnostic& d : out.all()) {
         r.said += std::string(d.code) + (d.where.file == 7 ? " in the job: " : ": ") + d.text + "\n";
         r.remedy = d.remedy;
+        r.where = d.where;
     }
     return r;
 }
@@ -49,6 +51,8 @@ TEST_F(Loader, BodiesAreJoinedAndMeasured) {
     EXPECT_DOUBLE_EQ(mesh::volume(r.file->solids[0]), 1000);
     EXPECT_TRUE(r.file->closed);
     EXPECT_EQ(read("two boxes").file->solids.size(), 2U);
+    EXPECT_EQ(read("odd entries").said,
+              "assumption: of the STEP file 2 entries are not as Open CASCADE expects: what they say may be missing\n");
     EXPECT_EQ(read("loose faces").said, "assumption: 3 faces that bound no solid left out\n");
 }
 
@@ -87,6 +91,13 @@ TEST_F(Loader, WhatAModuleMustNotDo) {
     EXPECT_EQ(read("refuse").said, "mesh-file: it does not please\n");
     for (const std::string what : {"crash", "throw", "memory", "leave", "beyond", "refuse"})
         EXPECT_FALSE(read(what).file) << what;
+}
+
+TEST_F(Loader, ADamagedLineIsShown) {
+    const base::Span where = read("refuse a line").where;  // the second one
+    EXPECT_EQ(where.begin, 14U);
+    EXPECT_EQ(where.end, 14U + 18U);
+    EXPECT_EQ(read("refuse").where.end, 0U);
 }
 
 TEST_F(Loader, TimeAndMemoryAreLimited) {

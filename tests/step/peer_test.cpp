@@ -131,7 +131,7 @@ TEST_F(Peer, SurfacesAreNoSolid) {
 /// Whatever is done to a file, there is an answer: a mesh, or a complaint.
 TEST_F(Peer, DamagedFiles) {
     const std::string whole = step_text("block", "MM");
-    unsigned seed = 20261121, refused = 0, crashed = 0, read_anyway = 0;
+    unsigned seed = 20261121, refused = 0, crashed = 0, seen = 0, read_anyway = 0;
     const auto random = [&](std::size_t n) {
         return static_cast<std::size_t>((seed = seed * 1664525 + 1013904223) >> 8) % n;
     };
@@ -147,6 +147,7 @@ TEST_F(Peer, DamagedFiles) {
             if (kind == 3) text.insert(at, text.substr(600 + random(text.size() - 700), 1 + random(60)));
         }
         const Read r = read(text, 0.1, guard);
+        if (r.text().find("the STEP file is damaged") != std::string::npos) ++seen;
         if (r.file) {
             ++read_anyway;
         } else {
@@ -156,8 +157,9 @@ TEST_F(Peer, DamagedFiles) {
             if (r.text().find("crashed") != std::string::npos) ++crashed;
         }
     }
-    std::printf("%u refused (in %u of them Open CASCADE crashed), %u read\n", refused, crashed, read_anyway);
-    EXPECT_GT(refused, 0U);
+    std::printf("%u refused (%u by grammar, in %u Open CASCADE crashed), %u read\n", refused, seen, crashed,
+                read_anyway);
+    EXPECT_GT(seen, refused / 2);
 }
 
 }  // namespace
