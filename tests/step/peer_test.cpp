@@ -125,7 +125,16 @@ TEST_F(Peer, BodiesThatTouchAreNotTakenForOnePart) {
 TEST_F(Peer, SurfacesAreNoSolid) {
     const Read r = read(step_text("shell", "MM"));
     EXPECT_FALSE(r.file);
-    EXPECT_EQ(r.text(), "mesh-file: the STEP file holds no solid, only 1 faces that are not part of one\n");
+    EXPECT_EQ(r.text(), "mesh-file: the STEP file holds no solid; faces that bound none: 1\n");
+}
+
+TEST_F(Peer, AFileWithoutItsUnitIsRefused) {
+    std::string text = step_text("block", "MM");
+    const std::size_t unit = text.find("LENGTH_UNIT()"), from = text.rfind('\n', unit);
+    text.erase(from, text.find('\n', unit) - from);
+    const Read r = read(text);
+    EXPECT_FALSE(r.file);
+    EXPECT_EQ(r.text(), "mesh-file: the STEP file does not say its unit of length\n");
 }
 
 /// Whatever is done to a file, there is an answer: a mesh, or a complaint.

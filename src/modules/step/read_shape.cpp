@@ -89,10 +89,13 @@ std::uint64_t complaints_of(const STEPControl_Reader& reader) {
     return count;
 }
 
+/// Without it Open CASCADE would take millimetres.
 bool says_its_unit(STEPControl_Reader& reader) {
     TColStd_SequenceOfAsciiString lengths, angles, solid_angles;
     reader.FileUnits(lengths, angles, solid_angles);
-    return !lengths.IsEmpty();
+    bool said = !lengths.IsEmpty();
+    for (const TCollection_AsciiString& name : lengths) said = said && !name.IsEmpty();
+    return said;
 }
 
 std::string with(std::string text, const std::string& detail) {

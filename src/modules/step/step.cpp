@@ -78,9 +78,8 @@ void read(const char* bytes, std::size_t size, const mesh::ObrysStepFineness& fi
     result.complaints = from.complaints;
     result.loose_faces = count(shape, TopAbs_FACE, TopAbs_SOLID);
     if (count(shape, TopAbs_SOLID) == 0)
-        throw Refusal{mesh::obrys_step_no_solid, "the STEP file holds no solid, only " +
-                                                     std::to_string(result.loose_faces) +
-                                                     " faces that are not part of one"};
+        throw Refusal{mesh::obrys_step_no_solid,
+                      "the STEP file holds no solid; faces that bound none: " + std::to_string(result.loose_faces)};
     const IMeshTools_Parameters parameters = parameters_of(fineness);
     for (TopExp_Explorer solid(shape, TopAbs_SOLID); solid.More(); solid.Next()) {
         const BRepMesh_IncrementalMesh mesher(solid.Current(), parameters);
