@@ -14,8 +14,8 @@ struct Shape {
     std::size_t bodies = 1;
 };
 
-/// By name: block, ball, cone, ring, hollow, plate, apart, touching, turned (an assembly whose two parts are one box in
-/// two places), shell (faces only), mixed (a block and a face beside it).
+/// By name: block, ball, cone, ring, hollow, soft (all edges rounded), plate, apart, touching, turned (an assembly
+/// whose two parts are one box in two places), shell (faces only), mixed (a block and a face beside it).
 [[nodiscard]] const std::map<std::string, Shape>& shapes();
 
 /// The STEP file of a shape, its numbers in "MM", "INCH" or "M". It is made by a program of its own: what is tested

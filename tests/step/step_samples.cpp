@@ -57,6 +57,13 @@ TopoDS_Shape rounded(const TopoDS_Shape& shape, double radius, Wanted&& wanted) 
     return fillet.Shape();
 }
 
+TopoDS_Shape soft() {
+    const TopoDS_Shape sharp = box(0, 0, 0, 30, 20, 10);
+    BRepFilletAPI_MakeFillet fillet(sharp);
+    for (TopExp_Explorer e(sharp, TopAbs_EDGE); e.More(); e.Next()) fillet.Add(3, TopoDS::Edge(e.Current()));
+    return fillet.Shape();
+}
+
 TopoDS_Shape block() {
     const TopoDS_Shape round =
         rounded(box(0, 0, -20, 60, 40, 0), 5, [](double x, double y) { return x > 59 && y > 39; });
@@ -96,6 +103,7 @@ TopoDS_Shape made(const std::string& name) {
     if (name == "hollow")
         return BRepAlgoAPI_Cut(box(-10, -10, -10, 10, 10, 10), BRepPrimAPI_MakeSphere(gp_Pnt(0, 0, 0), 8).Shape())
             .Shape();
+    if (name == "soft") return soft();
     if (name == "plate") return plate();
     if (name == "apart") return together({box(0, 0, 0, 10, 10, 10), box(20, 0, 0, 30, 10, 10)});
     if (name == "touching") return together({box(0, 0, 0, 10, 10, 10), box(10, 0, 0, 30, 10, 10)});
