@@ -1,5 +1,6 @@
 # What `cmake --install` and the .deb hold: the program, one library libobrys.a made of all folders, its headers,
-# CMake and pkg-config files, the shipped machines and examples, the manual page.
+# CMake and pkg-config files, the shipped machines and examples, the manual page. Each loadable module is a component and
+# a .deb of its own, obrys-<name>, so that the libraries it needs are asked of those who want it only.
 include(CMakePackageConfigHelpers)
 
 get_property(modules GLOBAL PROPERTY obrys_modules)
@@ -54,6 +55,10 @@ install(FILES ${PROJECT_BINARY_DIR}/obrys.pc DESTINATION ${CMAKE_INSTALL_LIBDIR}
 install(DIRECTORY ${PROJECT_SOURCE_DIR}/src/ DESTINATION ${CMAKE_INSTALL_INCLUDEDIR}/obrys
   FILES_MATCHING PATTERN "*.hpp" PATTERN "apps" EXCLUDE PATTERN "*_test*" EXCLUDE PATTERN "bench_*" EXCLUDE)
 install(TARGETS obrys RUNTIME DESTINATION ${CMAKE_INSTALL_BINDIR})
+get_property(loadables GLOBAL PROPERTY obrys_loadables)
+foreach(loadable IN LISTS loadables)
+  install(TARGETS ${loadable} LIBRARY DESTINATION ${OBRYS_LOADABLE_DIR} COMPONENT ${loadable})
+endforeach()
 foreach(folder IN ITEMS machines examples)
   if(EXISTS ${PROJECT_SOURCE_DIR}/${folder})
     install(DIRECTORY ${PROJECT_SOURCE_DIR}/${folder} DESTINATION ${CMAKE_INSTALL_DATADIR}/obrys)
@@ -77,4 +82,18 @@ set(CPACK_DEBIAN_FILE_NAME DEB-DEFAULT)
 set(CPACK_DEBIAN_PACKAGE_SECTION science)
 set(CPACK_DEBIAN_PACKAGE_SHLIBDEPS ON)
 set(CPACK_DEBIAN_PACKAGE_SUGGESTS "libfmt-dev, libtomlplusplus-dev, libtbb-dev, libzip-dev, libcairo2-dev")
+if(loadables)
+  set(CPACK_DEB_COMPONENT_INSTALL ON)
+  set(CPACK_COMPONENTS_GROUPING IGNORE)
+  set(CPACK_COMPONENTS_ALL Unspecified ${loadables})
+  set(CPACK_DEBIAN_UNSPECIFIED_PACKAGE_NAME obrys)
+  list(JOIN loadables ", " CPACK_DEBIAN_UNSPECIFIED_PACKAGE_RECOMMENDS)
+  foreach(loadable IN LISTS loadables)
+    string(TOUPPER ${loadable} component)
+    set(CPACK_DEBIAN_${component}_PACKAGE_NAME ${loadable})
+    set(CPACK_DEBIAN_${component}_PACKAGE_DEPENDS "obrys (= ${PROJECT_VERSION})")
+    set(CPACK_DEBIAN_${component}_PACKAGE_SUGGESTS "")
+    set(CPACK_COMPONENT_${component}_DESCRIPTION "Module of obrys, loaded when it is wanted")
+  endforeach()
+endif()
 include(CPack)

@@ -5,6 +5,7 @@
 set_property(GLOBAL PROPERTY obrys_layers "")
 set_property(GLOBAL PROPERTY obrys_modules "")
 set_property(GLOBAL PROPERTY obrys_libraries "")
+set_property(GLOBAL PROPERTY obrys_loadables "")
 
 function(obrys_module folder)
   cmake_parse_arguments(ARG "" "" "SOURCES;USES;LIBRARIES" ${ARGN})
@@ -59,4 +60,24 @@ function(obrys_write_layers)
   get_property(layers GLOBAL PROPERTY obrys_layers)
   list(JOIN layers "\n" text)
   file(CONFIGURE OUTPUT ${PROJECT_BINARY_DIR}/layers.txt CONTENT "${text}\n")
+endfunction()
+
+# obrys_loadable(<name> WHEN <bool> SOURCES <file>... USES <folder>... LIBRARIES <target>...): a library libobrys-<name>
+# that the driver loads when it is wanted. It stands in a folder of its own below src/ and is held to its USES, of which
+# it takes headers only; where WHEN is false the folder is held to them as well, but nothing is built.
+set(OBRYS_LOADABLE_DIR lib/obrys)  # from the prefix, of the build tree as of the installed one
+function(obrys_loadable name)
+  cmake_parse_arguments(ARG "" "WHEN" "SOURCES;USES;LIBRARIES" ${ARGN})
+  file(RELATIVE_PATH folder ${PROJECT_SOURCE_DIR}/src ${CMAKE_CURRENT_SOURCE_DIR})
+  list(JOIN ARG_USES " " uses)
+  set_property(GLOBAL APPEND PROPERTY obrys_layers "${folder}: ${uses}")
+  if(NOT ARG_WHEN)
+    return()
+  endif()
+  add_library(obrys-${name} MODULE ${ARG_SOURCES})
+  set_target_properties(obrys-${name} PROPERTIES CXX_VISIBILITY_PRESET hidden VISIBILITY_INLINES_HIDDEN ON
+    LIBRARY_OUTPUT_DIRECTORY ${PROJECT_BINARY_DIR}/${OBRYS_LOADABLE_DIR})
+  target_include_directories(obrys-${name} PRIVATE ${PROJECT_SOURCE_DIR}/src)
+  target_link_libraries(obrys-${name} PRIVATE obrys_warnings ${ARG_LIBRARIES})
+  set_property(GLOBAL APPEND PROPERTY obrys_loadables obrys-${name})
 endfunction()

@@ -119,7 +119,7 @@ inline constexpr std::array all_codes{
     Code{codes::job_file, CodeKind::input, "a job, machine or tool file that is not valid TOML or has an unknown key"},
     Code{codes::job_value, CodeKind::input, "a value in a job, machine or tool file that cannot be used"},
     Code{codes::mesh_file, CodeKind::input,
-         "a mesh file (STL) that cannot be read: damaged, cut off or without content"},
+         "a file of a body (STL, STEP) that cannot be read: damaged, cut off, without content or without its module"},
     Code{codes::no_effect, CodeKind::info, "a known word without effect on motion"},
     Code{codes::assumption, CodeKind::info, "something assumed because the input does not say it"},
 };

@@ -5,19 +5,16 @@
 #endif
 
 #include "base/codes.hpp"
-#include "base/text.hpp"
-#include "driver/files.hpp"
+#include "driver/mesh_file.hpp"
 #include "driver/program_blank.hpp"
-#include "mesh/stl.hpp"
 
 namespace obrys::driver {
 
 namespace {
 
-constexpr double usual_tolerance = 0.01;      ///< mm
-constexpr double share_of_memory = 0.5;       ///< of what the machine has, for the stock
-constexpr double unknown_memory = 2e9;        ///< bytes, where the system does not say
-constexpr std::size_t shown_text = 64 << 20;  ///< bytes of an ASCII file that messages may quote
+constexpr double usual_tolerance = 0.01;  ///< mm
+constexpr double share_of_memory = 0.5;   ///< of what the machine has, for the stock
+constexpr double unknown_memory = 2e9;    ///< bytes, where the system does not say
 
 double memory_of_machine() {
 #ifdef _WIN32
@@ -28,21 +25,17 @@ double memory_of_machine() {
 #endif
 }
 
-/// The mesh of an STL file in the workpiece frame; nothing after a complaint. `closed`: its surface is.
-std::optional<mesh::Mesh> load_mesh(Session& s, const shop::SolidFile& file, bool& closed) {
-    const fs::path path = beside(s.input, file.path);
-    const auto bytes = load_bytes(path, s.diagnostics, file.where);
-    if (!bytes) return std::nullopt;
-    const bool quoted = bytes->size() <= shown_text && !base::looks_binary(*bytes);
-    const std::uint32_t id = s.sources.add(path.generic_string(), quoted ? *bytes : std::string{});
-    auto read = mesh::read_stl(id, *bytes, s.diagnostics);
-    if (!read) return std::nullopt;
-    closed = read->topology.closed();
-    for (geom::Vec3& v : read->mesh.vertices) v = file.unit * v + file.offset;
-    return std::move(read->mesh);
+/// How finely and at what cost files of bodies are read.
+struct Reading {
+    double tolerance = usual_tolerance;
+    Guard guard;
+};
+
+sim::milling::Stock stock_of_mesh(mesh::Mesh mesh) {
+    return sim::milling::MeshStock{std::move(mesh.vertices), std::move(mesh.triangles)};
 }
 
-std::optional<sim::milling::Stock> body_of(Session& s, const shop::Solid& solid) {
+std::optional<sim::milling::Stock> body_of(Session& s, const shop::Solid& solid, const Reading& reading) {
     if (const auto* box = std::get_if<shop::SolidBox>(&solid)) return sim::milling::Box3{box->min, box->max};
     if (const auto* bar = std::get_if<shop::SolidCylinder>(&solid)) {
         sim::milling::CylinderStock c;
@@ -53,37 +46,50 @@ std::optional<sim::milling::Stock> body_of(Session& s, const shop::Solid& solid)
         c.length = bar->max - bar->min;
         return c;
     }
-    bool closed = false;
-    auto mesh = load_mesh(s, std::get<shop::SolidFile>(solid), closed);
-    if (!mesh) return std::nullopt;
-    return sim::milling::MeshStock{std::move(mesh->vertices), std::move(mesh->triangles)};
+    auto file = load_bodies(s, std::get<shop::SolidFile>(solid), reading.tolerance, reading.guard);
+    if (!file) return std::nullopt;
+    return stock_of_mesh(one_body(s, *file));
 }
 
-std::optional<sim::milling::Stock> stock_of(Session& s) {
-    if (s.job.solid_stock) return body_of(s, s.job.solid_stock->solid);
+std::optional<sim::milling::Stock> stock_of(Session& s, const Reading& reading) {
+    if (s.job.solid_stock) return body_of(s, s.job.solid_stock->solid, reading);
     if (s.job.stock || !s.main) return std::nullopt;
     const auto blank = program_blank(*s.main, s.diagnostics);
-    return blank ? body_of(s, blank->solid) : std::nullopt;
+    return blank ? body_of(s, blank->solid, reading) : std::nullopt;
+}
+
+/// The bodies of a clamp's file stay apart: they may touch, and each is met by itself.
+void add_clamp(Session& s, const shop::Clamp& clamp, const Reading& reading, check::MillingSetup& to) {
+    if (const auto* named = std::get_if<shop::SolidFile>(&clamp.solid)) {
+        auto file = load_bodies(s, *named, reading.tolerance, reading.guard);
+        if (!file) return;
+        for (mesh::Mesh& body : file->bodies) to.clamps.push_back({clamp.name, stock_of_mesh(std::move(body))});
+    } else if (auto body = body_of(s, clamp.solid, reading)) {
+        to.clamps.push_back({clamp.name, std::move(*body)});
+    }
 }
 
 }  // namespace
 
 std::optional<check::MillingSetup> milling_setup(Session& s, const MillingRequest& request) {
     if (s.job.machine.kind != shop::MachineKind::mill) return std::nullopt;  // a lathe's stock is a section
-    auto stock = stock_of(s);
-    if (!stock) return std::nullopt;
     check::MillingSetup m;
-    m.stock = std::move(*stock);
     m.tolerance = request.tolerance.value_or(s.job.tolerances.simulation.value_or(usual_tolerance));
     m.memory_bytes = share_of_memory * memory_of_machine();
+    Reading reading;
+    reading.tolerance = m.tolerance;
+    reading.guard.memory_bytes = m.memory_bytes;
+    auto stock = stock_of(s, reading);
+    if (!stock) return std::nullopt;
+    m.stock = std::move(*stock);
     m.surface = request.surface;
     m.keep_moves = request.keep_moves;
-    for (const shop::Clamp& c : s.job.clamps)
-        if (auto body = body_of(s, c.solid)) m.clamps.push_back({c.name, std::move(*body)});
+    for (const shop::Clamp& c : s.job.clamps) add_clamp(s, c, reading, m);
     if (!s.job.solid_part) return m;
-    bool closed = false;
-    if (auto part = load_mesh(s, s.job.solid_part->file, closed); part && closed)
-        m.part = std::make_shared<const mesh::Distance>(std::move(*part));
+    auto file = load_bodies(s, s.job.solid_part->file, reading.tolerance, reading.guard);
+    if (!file) return m;
+    mesh::Mesh part = one_body(s, *file);
+    if (file->closed) m.part = std::make_shared<const mesh::Distance>(std::move(part));
     return m;
 }
 

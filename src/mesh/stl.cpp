@@ -8,6 +8,7 @@
 #include "base/text.hpp"
 #include "mesh/little_endian.hpp"
 #include "mesh/stl_soup.hpp"
+#include "mesh/surface_remarks.hpp"
 
 namespace obrys::mesh {
 
@@ -28,52 +29,6 @@ bool is_ascii(std::string_view bytes) {
     return bytes.substr(0, 512).find('\0') == std::string_view::npos;
 }
 
-std::string place(Vec3 p) {
-    return "X " + base::fixed(p.x, 3) + " Y " + base::fixed(p.y, 3) + " Z " + base::fixed(p.z, 3);
-}
-
-std::string counted(std::size_t n, const std::string& one, const std::string& many) {
-    return std::to_string(n) + " " + (n == 1 ? one : many);
-}
-
-class Remarks {
-public:
-    Remarks(std::uint32_t file, base::Diagnostics& out) : file_(file), out_(out) {}
-
-    void say(base::Severity severity, std::string_view code, std::string text, std::string remedy = "") {
-        base::Diagnostic d;
-        d.severity = severity;
-        d.code = code;
-        d.where = {file_, 0, 0};
-        d.text = std::move(text);
-        d.remedy = std::move(remedy);
-        out_.add(std::move(d));
-    }
-
-    void edges(const EdgeFault& fault, const std::string& what, std::string remedy) {
-        if (fault.count == 0) return;
-        say(base::Severity::warning, base::codes::mesh_not_closed,
-            "the surface does not bound a solid: " + counted(fault.count, "edge", "edges") + " " + what +
-                ", the first from " + place(fault.from) + " to " + place(fault.to),
-            std::move(remedy));
-    }
-
-    void note(std::string text, std::string remedy = "") {
-        say(base::Severity::note, base::codes::assumption, std::move(text), std::move(remedy));
-    }
-
-private:
-    std::uint32_t file_;
-    base::Diagnostics& out_;
-};
-
-void remark_surface(const StlFile& stl, Remarks& remarks) {
-    remarks.edges(stl.topology.open, "with one triangle only (holes, or corners that do not meet)",
-                  "close it in the CAD system; corners that were rounded apart can be joined by a tolerance");
-    remarks.edges(stl.topology.crowded, "with more than two triangles (bodies that touch)", "export one body");
-    remarks.edges(stl.topology.turned, "between triangles of opposite orientation", "make its normals point outwards");
-}
-
 void remark_rest(const StlFile& stl, Remarks& remarks) {
     if (stl.degenerate > 0)
         remarks.note(counted(stl.degenerate, "triangle", "triangles") + " of " + std::to_string(stl.triangles) +
@@ -84,12 +39,6 @@ void remark_rest(const StlFile& stl, Remarks& remarks) {
         remarks.note("STL files have no unit: taken for millimetres, the part measures " + base::fixed(size.x, 3) +
                          " x " + base::fixed(size.y, 3) + " x " + base::fixed(size.z, 3) + " mm",
                      "if it was drawn in inch, scale it by 25.4");
-}
-
-/// A volume that can be told from rounding, and is negative.
-bool is_inside_out(const Mesh& m) {
-    const Vec3 size = bounds(m).size();
-    return volume(m) < -1e-12 * size.x * size.y * size.z;
 }
 
 }  // namespace
@@ -122,7 +71,8 @@ std::optional<StlFile> read_stl(std::uint32_t file, std::string_view bytes, base
     if (stl.turned_over) turn_over(stl.mesh);
     const Vec3 size = bounds(stl.mesh).size();
     stl.maybe_inch = std::max({size.x, size.y, size.z}) < small_part;
-    remark_surface(stl, remarks);
+    remarks.surface(stl.topology,
+                    "close it in the CAD system; corners that were rounded apart can be joined by a tolerance");
     remark_rest(stl, remarks);
     return stl;
 }

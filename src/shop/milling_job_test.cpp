@@ -292,6 +292,11 @@ cylinder = { radius = 4, min = 0, max = 9 }
     EXPECT_EQ(std::get<SolidCylinder>(j.clamps[2].solid).axis, 2);
 }
 
+TEST(MillingJob, NamesOfStepFiles) {
+    for (const char* name : {"a.step", "a.stp", "b/A.STEP", "a.stl.Stp"}) EXPECT_TRUE(is_step_name(name)) << name;
+    for (const char* name : {"a.stl", "step", "a.step.stl", "a.stepx", "stp.", ""}) EXPECT_FALSE(is_step_name(name));
+}
+
 TEST(MillingJob, MistakesOfBodies) {
     EXPECT_EQ(job_places("[stock]\nbox = { min = [0, 0, 5], max = [1, 1, 5] }\n"),
               "2:39: 'max' must be greater than 'min' in z: 5 is not greater than 5\n");
@@ -311,6 +316,8 @@ TEST(MillingJob, MistakesOfBodies) {
     EXPECT_EQ(job_places("[stock]\nbox = { min = [0, 0, 0], max = [1, 1, 5] }\nfile = \"a.stl\"\n"),
               "3:1: [stock] has both 'box' and 'file'\n");
     EXPECT_EQ(job_places("[stock]\nfile = \"a.stl\"\nunit = \"cm\"\n"), "3:8: 'unit' cannot be \"cm\"\n");
+    EXPECT_EQ(job_places("[stock]\nfile = \"a.Stp\"\nunit = \"mm\"\n"),
+              "3:8: 'unit' does not go with a STEP file, which says its unit itself\n");
     EXPECT_EQ(job_places("[stock]\nbox = { min = [0, 0, 0], max = [1, 1, 5] }\nunit = \"mm\"\n"),
               "3:8: 'unit' means nothing without a 'file'\n");
     EXPECT_EQ(job_places("[stock]\nbar = { diameter = 5, length = 5 }\noffset = [0, 0, 0]\n"),

@@ -23,13 +23,16 @@ struct SolidCylinder {
     double min = 0, max = 0;  ///< along the axis
 };
 
-/// A body in a file of its own (STL); who reads it multiplies by `unit`, then adds `offset`.
+/// A body in a file of its own (STL or STEP); who reads it multiplies by `unit`, then adds `offset`.
 struct SolidFile {
     std::string path;   ///< as written, relative to the job file
-    double unit = 1;    ///< mm a unit of the file: 1 or 25.4
+    double unit = 1;    ///< mm a unit of the file: 1 or 25.4; of a STEP file 1, it is read in mm
     geom::Vec3 offset;  ///< mm
     base::Span where;   ///< of the path
 };
+
+/// Whether a file's name says that it is a STEP file: it ends in .step or .stp, in letters of any case.
+[[nodiscard]] bool is_step_name(std::string_view path);
 
 using Solid = std::variant<SolidBox, SolidCylinder, SolidFile>;
 

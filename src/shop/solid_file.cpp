@@ -4,6 +4,7 @@
 
 #include "base/codes.hpp"
 #include "base/number.hpp"
+#include "base/text.hpp"
 
 namespace obrys::shop {
 
@@ -101,6 +102,11 @@ std::optional<SolidFile> read_file(Section& s, const geom::Vec3& offset) {
         return std::nullopt;
     }
     if (!path || (s.has("unit") && !unit)) return std::nullopt;
+    if (unit && is_step_name(*path)) {
+        s.error(base::codes::job_value, place(s, "unit"),
+                "'unit' does not go with a STEP file, which says its unit itself");
+        return std::nullopt;
+    }
     SolidFile out;
     out.path = *path;
     out.unit = unit.value_or(0) == 1 ? 25.4 : 1;
@@ -117,6 +123,13 @@ std::optional<geom::Vec3> read_offset(Section& s) {
 }
 
 }  // namespace
+
+bool is_step_name(std::string_view path) {
+    const std::size_t dot = path.rfind('.');
+    if (dot == std::string_view::npos) return false;
+    const std::string_view end = path.substr(dot + 1);
+    return base::equals_ignoring_case(end, "step") || base::equals_ignoring_case(end, "stp");
+}
 
 std::optional<geom::Vec3> read_vector(Section& section, std::string_view key) {
     const auto numbers = read_numbers(section, key, 3, "an array of three numbers: x, y, z");

@@ -13,7 +13,7 @@ import subprocess
 import sys
 import tempfile
 
-HEADER = re.compile(r"^--- (run|in|file|stdin|out|err|written|exit)\b[ \t]*(.*)$")
+HEADER = re.compile(r"^--- (run|env|in|file|stdin|out|err|written|exit)\b[ \t]*(.*)$")
 FLAGS = {"crlf", "cp1252", "bom", "repeat", "hex", "no-newline"}
 NO_NEWLINE = "\\ no newline at the end\n"
 TIMEOUT = 60  # seconds
@@ -96,6 +96,11 @@ def execute(obrys, sections):
         folder.mkdir()
         stdin = lay_out(sections, folder)
         environment = {"PATH": os.environ.get("PATH", ""), "HOME": str(folder), "LC_ALL": "C", "COLUMNS": "100"}
+        for setting in [s[1] for s in sections if s[0] == "env"]:
+            name, equals, value = setting.partition("=")
+            if not name or not equals:
+                raise BadCase("env says NAME=value")
+            environment[name] = value
         for passed_on in ("ASAN_OPTIONS", "UBSAN_OPTIONS", "LLVM_PROFILE_FILE"):
             if passed_on in os.environ:
                 environment[passed_on] = os.environ[passed_on]

@@ -130,6 +130,11 @@ class Golden(InFolder):
         text = "--- run  obrys\n--- out\nat <case>\n--- exit 3\n"
         self.assertEqual(self.case(text, "#!/bin/sh\necho at $PWD; exit 3\n")[0], 0)
 
+    def test_environment(self):
+        text = "--- run  obrys\n--- env OBRYS_MODULES=here\n--- out\nhere\n--- exit 0\n"
+        self.assertEqual(self.case(text, '#!/bin/sh\necho "$OBRYS_MODULES"\n')[0], 0)
+        self.assertIn("NAME=value", self.case("--- run  obrys\n--- env x\n--- exit 0\n")[1])
+
     def test_bad_case(self):
         self.assertIn("exactly one", self.case("--- in\nx\n")[1])
         self.assertIn("unknown flag lf", self.case("--- run  obrys in\n--- in lf\nx\n")[1])

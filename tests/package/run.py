@@ -46,16 +46,63 @@ def consume(prefix, test, compiler, scratch):
 def package(build, scratch):
     run("cpack", "-G", "DEB", "-B", scratch / "package", cwd=build)
     debs = list((scratch / "package").glob("*.deb"))
-    expect(len(debs) == 1, "cpack makes one .deb")
+    module = [d for d in debs if d.name.startswith("obrys-step_")]
+    debs = [d for d in debs if d not in module]
+    expect(len(debs) == 1 and debs[0].name.startswith("obrys_"), "cpack makes one .deb of obrys itself")
     fields = run("dpkg-deb", "--field", debs[0])
     expect("libfmt" in fields and "libc6" in fields, "it names the shared libraries it needs")
+    expect("libocct" not in fields, "it does not ask for Open CASCADE")
     content = run("dpkg-deb", "--contents", debs[0])
     for path in ("./usr/bin/obrys", "obrys.1", "libobrys.a", "include/obrys/base/diagnostic.hpp", "obrysConfig.cmake",
                  "share/obrys/examples/groove/groove.job.toml"):
         expect(path in content, f"it holds {path}")
     expect("_test" not in content, "it holds no tests")
+    expect("libobrys-step" not in content, "it does not hold the module that reads STEP files")
     run("dpkg-deb", "--extract", debs[0], scratch / "extracted")
     version_runs(scratch / "extracted/usr/bin/obrys", "from the .deb")
+    if module:
+        expect("Recommends: obrys-step" in fields, "it recommends the module's package")
+        step_module(module, scratch)
+
+
+STEP = """ISO-10303-21;
+HEADER;
+FILE_DESCRIPTION((''),'2;1');
+FILE_NAME('part','2026-11-21T12:00:00',(''),(''),'','','');
+FILE_SCHEMA(('AUTOMOTIVE_DESIGN { 1 0 10303 214 1 1 1 1 }'));
+ENDSEC;
+DATA;
+#1=CARTESIAN_POINT('',(0.,0.,0.));
+ENDSEC;
+END-ISO-10303-21;
+"""
+JOB = """program = "P.H"
+machine = "mill-generic"
+[stock]
+file = "part.step"
+"""
+
+
+def reads_step(program, scratch, expected, what):
+    """A STEP file without a solid: whether it is the module that says so, or the want of one."""
+    folder = scratch / "job"
+    folder.mkdir(exist_ok=True)
+    for name, text in (("part.step", STEP), ("job.toml", JOB), ("P.H", "0 BEGIN PGM P MM\n1 L X+1 R0 FMAX M30\n2 END PGM P MM\n")):
+        (folder / name).write_text(text, encoding="utf-8")
+    said = subprocess.run([str(program), "check", str(folder / "job.toml")], capture_output=True, text=True, check=False)
+    expect(expected in said.stdout + said.stderr, f"{what}: {expected}")
+
+
+def step_module(debs, scratch):
+    expect(len(debs) == 1, "cpack makes one .deb of the module")
+    fields = run("dpkg-deb", "--field", debs[0])
+    expect("libocct-data-exchange" in fields and "obrys (=" in fields, "it asks for Open CASCADE and the same obrys")
+    content = [line.split()[-1] for line in run("dpkg-deb", "--contents", debs[0]).splitlines() if not line.endswith("/")]
+    expect(content == ["./usr/lib/obrys/libobrys-step.so"], "it holds the module alone")
+    program = scratch / "extracted/usr/bin/obrys"
+    reads_step(program, scratch, "need a module that is not installed", "without obrys-step")
+    run("dpkg-deb", "--extract", debs[0], scratch / "extracted")
+    reads_step(program, scratch, "holds no shape", "with obrys-step")
 
 
 def main():
@@ -67,6 +114,8 @@ def main():
         prefix = scratch / "prefix"
         run("cmake", "--install", build, "--prefix", prefix)
         version_runs(prefix / "bin/obrys", "installed")
+        if (prefix / "lib/obrys/libobrys-step.so").exists():
+            reads_step(prefix / "bin/obrys", scratch, "holds no shape", "installed")
         consume(prefix, test, compiler, scratch)
         package(build, scratch)
 

@@ -1,0 +1,31 @@
+# Open CASCADE for the STEP module, as the target obrys_occt; OBRYS_OCCT_FOUND says whether it is there (Debian:
+# libocct-data-exchange-dev). Not by its package file, which asks for the libraries of all its modules, drawing included.
+find_path(OBRYS_OCCT_INCLUDE_DIR STEPControl_Reader.hxx PATH_SUFFIXES opencascade)
+find_path(OBRYS_OCCT_MESH_INCLUDE_DIR BRepMesh_IncrementalMesh.hxx PATH_SUFFIXES opencascade)
+set(OBRYS_OCCT_FOUND TRUE)
+set(occt)
+foreach(name IN ITEMS TKSTEP TKXSBase TKMesh TKBRep TKMath TKernel)
+  find_library(OBRYS_OCCT_${name} ${name})
+  mark_as_advanced(OBRYS_OCCT_${name})
+  list(APPEND occt ${OBRYS_OCCT_${name}})
+endforeach()
+mark_as_advanced(OBRYS_OCCT_INCLUDE_DIR OBRYS_OCCT_MESH_INCLUDE_DIR)
+if(NOT OBRYS_OCCT_INCLUDE_DIR OR NOT OBRYS_OCCT_MESH_INCLUDE_DIR OR "${occt}" MATCHES "NOTFOUND")
+  set(OBRYS_OCCT_FOUND FALSE)
+endif()
+
+# Foreign code under our sanitizers says nothing about ours; the loader is tested there with a module of its own.
+set(step_default ${OBRYS_OCCT_FOUND})
+if(OBRYS_SANITIZE)
+  set(step_default OFF)
+endif()
+option(OBRYS_STEP "Build the module that reads STEP files (Open CASCADE)" ${step_default})
+if(OBRYS_STEP AND NOT OBRYS_OCCT_FOUND)
+  message(FATAL_ERROR "OBRYS_STEP needs Open CASCADE (Debian: libocct-data-exchange-dev); -DOBRYS_STEP=OFF builds "
+    "without the module that reads STEP files")
+endif()
+if(OBRYS_OCCT_FOUND)
+  add_library(obrys_occt INTERFACE)
+  target_include_directories(obrys_occt SYSTEM INTERFACE ${OBRYS_OCCT_INCLUDE_DIR} ${OBRYS_OCCT_MESH_INCLUDE_DIR})
+  target_link_libraries(obrys_occt INTERFACE ${occt})
+endif()

@@ -1,0 +1,28 @@
+#pragma once
+/// STEP text -> Open CASCADE's shape, in mm. Private to the module.
+
+#include <TopoDS_Shape.hxx>
+#include <cstddef>
+#include <cstdint>
+#include <string>
+
+#include "mesh/step_module.hpp"
+
+namespace obrys::modules::step {
+
+/// The outcome of reading that is not "ok"; thrown, and caught before it would leave the module.
+struct Refusal {
+    mesh::ObrysStepOutcome outcome;
+    std::string text;
+    std::uint64_t line = 0;  ///< of the file, from 1; 0: none
+};
+
+struct ReadShape {
+    TopoDS_Shape shape;
+    std::uint64_t complaints = 0;  ///< entries of the file that Open CASCADE did not take as they are
+};
+
+/// Throws Refusal, and whatever Open CASCADE throws.
+[[nodiscard]] ReadShape read_shape(const char* bytes, std::size_t size);
+
+}  // namespace obrys::modules::step
