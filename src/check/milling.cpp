@@ -211,6 +211,7 @@ void Milling::take(const Move& move, std::uint32_t use) {
     m.tool = use;
     m.rapid = move.rapid;
     m.turning = turning_;
+    m.along = is_placed(cycle_) && !(m.where == cycle_);
     const geom::Vec3 way = move.to - move.from;
     const double down = -geom::dot(way, axis);
     m.plunging = down > 1e-9 && geom::length(way + down * axis) < 1e-9 * down;

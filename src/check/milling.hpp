@@ -39,6 +39,9 @@ public:
         turning_ = spindle.direction != 0 && spindle.speed != 0;
         speed_ = spindle.mode == cl::SpindleMode::rpm ? spindle.speed : NAN;
     }
+    /// The brackets of a cycle; moves inside that come from elsewhere run along an element of its contour.
+    void begin_cycle(const base::Span& call) { cycle_ = call; }
+    void end_cycle() { cycle_ = nowhere; }
     /// `use`: index in Result::tools + 1. Queues the move; findings come later, in the order of the moves.
     void take(const Move& move, std::uint32_t use);
     /// Carries out what is queued, judges the surface and fills in Result::milling.
@@ -67,6 +70,7 @@ private:
     void judge_surface(Milled& milled);
     void judge_place(const Milled& milled, const mesh::Place& place, bool gouge);
     void found(const MilledMove& move, Finding f);
+    void found(const Milled& milled, const mesh::Place& place, Finding f);
 
     const Setup& setup_;
     Collector& out_;
@@ -84,6 +88,7 @@ private:
     std::uint32_t sim_tool_ = 0;
     std::uint32_t passes_ = 0, pieces_left_ = 0;
     geom::Vec3 axis_{0, 0, 1};
+    base::Span cycle_ = nowhere;  ///< call of the cycle being run
     cl::Feed feed_;
     double speed_ = NAN;  ///< 1/min
     bool turning_ = false, tool_ready_ = false, complete_ = true, stopped_reported_ = false;

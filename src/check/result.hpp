@@ -111,6 +111,7 @@ struct MilledMove {
     bool rapid = false;
     bool turning = false;   ///< the spindle
     bool plunging = false;  ///< straight along the axis into the material
+    bool along = false;     ///< a contour cycle's, along the contour element at `where`
     // What it met (sim/milling: Engagement).
     double volume_mm3 = 0;
     double contact_length_mm = 0;              ///< way over which it removed material

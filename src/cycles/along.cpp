@@ -9,10 +9,10 @@ namespace obrys::cycles {
 
 namespace {
 
-constexpr double same = 1e-4;       ///< mm that a stretch along an element may come nearer or go farther
-constexpr double alike = 1e-9;      ///< mm; rounding is not to decide between elements that meet
-constexpr std::size_t few = 4;      ///< elements of a leaf
-constexpr double shortest = 1e-9;   ///< mm; below that it is a point
+constexpr double same = 1e-4;      ///< mm that a stretch along an element may come nearer or go farther
+constexpr double alike = 1e-9;     ///< mm; rounding is not to decide between elements that meet
+constexpr std::size_t few = 4;     ///< elements of a leaf
+constexpr double shortest = 1e-9;  ///< mm; below that it is a point
 
 }  // namespace
 

@@ -53,9 +53,9 @@ TEST(Along, WaysToAndFromTheContourHaveNone) {
     EXPECT_EQ(along.find({{2, -3}, {8, -3}}), std::optional<std::size_t>(0));
     EXPECT_EQ(along.find({{13, 1}, {13, 9}}), std::optional<std::size_t>(1));
     EXPECT_EQ(along.find({{10, -3}, {13, 0}, std::tan(geom::pi / 8)}), std::optional<std::size_t>(0));  // the corner
-    EXPECT_FALSE(along.find({{2, -3}, {8, -4}}));                // not parallel
-    EXPECT_FALSE(along.find({{-9, -3}, {1, -3}}));               // begins before the contour does
-    EXPECT_FALSE(along.find({{2, -3}, {2, -3}}));                // straight down
+    EXPECT_FALSE(along.find({{2, -3}, {8, -4}}));                                                       // not parallel
+    EXPECT_FALSE(along.find({{-9, -3}, {1, -3}}));  // begins before the contour does
+    EXPECT_FALSE(along.find({{2, -3}, {2, -3}}));   // straight down
     EXPECT_FALSE(along.find({{NAN, -3}, {2, -3}}));
     EXPECT_FALSE(Along({}).find({{2, -3}, {8, -3}}));
 }
