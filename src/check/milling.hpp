@@ -23,6 +23,7 @@ struct QueuedPass {
     std::uint32_t clamp = 0;  ///< of passes against a clamp: its number from 1
     std::uint32_t pass = 0;   ///< number in its simulation
     float length = 0;         ///< mm of way
+    double low = 0;           ///< height of the tip along the axis, the lower end of the way
 };
 
 class Milling {
@@ -38,6 +39,7 @@ public:
     void take(const cl::Spindle& spindle) {
         turning_ = spindle.direction != 0 && spindle.speed != 0;
         speed_ = spindle.mode == cl::SpindleMode::rpm ? spindle.speed : NAN;
+        spindle_ = turning_ ? spindle.direction : std::int8_t{0};
     }
     /// The brackets of a cycle; moves inside that come from elsewhere run along an element of its contour.
     void begin_cycle(const base::Span& call) { cycle_ = call; }
@@ -62,6 +64,7 @@ private:
     [[nodiscard]] std::optional<std::array<double, 3>> needs_of_rapid(geom::Vec3 way) const;
     [[nodiscard]] std::vector<geom::Vec3> corners_of_rapid(const Move& move) const;
     [[nodiscard]] double seconds_of(const Move& move) const;
+    void keep_technology(const Move& move, MilledMove& m) const;
     void keep_points(const Move& move, MilledMove& m);
     void carry_out();
     void balance();
@@ -91,6 +94,7 @@ private:
     base::Span cycle_ = nowhere;  ///< call of the cycle being run
     cl::Feed feed_;
     double speed_ = NAN;  ///< 1/min
+    std::int8_t spindle_ = 0;
     bool turning_ = false, tool_ready_ = false, complete_ = true, stopped_reported_ = false;
     std::uint64_t start_moves_ = 0;
     bool position_was_known_ = false;

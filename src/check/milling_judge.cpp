@@ -56,9 +56,10 @@ void Milling::judge_cut(const QueuedPass& pass, MilledMove& move, const milling:
     move.volume_mm3 += met.volume;
     if (move.tool > 0) out_.result().tools[move.tool - 1].volume_mm3 += met.volume;
     if (met.highest > met.lowest) move.axial_depth_mm = std::max(move.axial_depth_mm, met.highest - met.lowest);
+    if (met.highest > met.lowest) move.reach_mm = std::max(move.reach_mm, met.highest - pass.low);
     if (met.rightmost <= met.leftmost) {
-        move.rightmost_mm = first ? met.rightmost : std::min(move.rightmost_mm, met.rightmost);
-        move.leftmost_mm = first ? met.leftmost : std::max(move.leftmost_mm, met.leftmost);
+        move.rightmost_mm = std::min(move.rightmost_mm, met.rightmost);
+        move.leftmost_mm = std::max(move.leftmost_mm, met.leftmost);
     }
     if (move.rapid) return;
     move.contact_length_mm += static_cast<double>(pass.length);
