@@ -8,6 +8,7 @@
 #include "check/milling.hpp"
 #include "check/position.hpp"
 #include "check/removal.hpp"
+#include "check/stand.hpp"
 #include "check/trace.hpp"
 #include "cl/spline.hpp"
 #include "cl/totals.hpp"
@@ -18,7 +19,8 @@ struct Check::State {
     State(Setup s, const cl::CallStacks& stacks)
         : setup(std::move(s)),
           out(stacks, setup.findings_per_code),
-          limits(setup.machine, out),
+          stand(setup.machine),
+          limits(setup.machine, stand, out),
           removal(setup, out),
           trace(setup.keep_moves) {
         if (!setup.milling) return;
@@ -27,13 +29,21 @@ struct Check::State {
     }
 
     void move(const cl::Record& record);
-    void take(const cl::Record& record, const cl::Datum& datum) {
-        limits.take(record, datum);
+    void take(const cl::Datum& datum) {
+        stand.take(datum);
+        limits.stand_changed();
         position.take(datum);
     }
     void take(const cl::Record& record, const cl::ToolChange& tool) {
         removal.take(record, tool);
         if (milling) milling->take(record, tool);
+        if (setup.machine.kind == shop::MachineKind::mill) stand.take_tool(removal.tool(), tool.edge != 0);
+        limits.stand_changed();
+    }
+    void take(const cl::Record& record, const cl::Axis& to) {
+        limits.take(record, to);
+        if (setup.machine.kind == shop::MachineKind::mill) stand.take(to);
+        limits.stand_changed();
     }
     void take(const cl::Feed& feed) {
         limits.take(feed);
@@ -47,6 +57,7 @@ struct Check::State {
 
     Setup setup;
     Collector out;
+    Stand stand;
     Limits limits;
     Removal removal;
     std::optional<Milling> milling;
@@ -54,6 +65,9 @@ struct Check::State {
     Position position;
     cl::Totals totals;
     cl::Record end{cl::Stop{}, nowhere, 0};  ///< place of the last record
+    geom::Vec3 tip{NAN, NAN, NAN};           ///< of the tool, frame of the stock
+    geom::Vec3 axis{0, 0, 1};                ///< of the tool, as programmed last
+    bool tip_swivelled = false;              ///< that is not where the program's last point is
 };
 
 namespace {
@@ -61,35 +75,81 @@ namespace {
 constexpr double drawn_chord = 0.01;  ///< mm the picture of a curve that is no arc in its plane may leave it
 constexpr int drawn_chords = 256;     ///< more are not kept, however long the curve
 
-/// The record with its points moved; almost every program has one zero offset and no shift.
-cl::Record shifted(cl::Record record, geom::Vec3 by) {
-    if (auto* linear = std::get_if<cl::Linear>(&record.step)) linear->to = linear->to + by;
-    if (auto* thread = std::get_if<cl::Thread>(&record.step)) thread->to = thread->to + by;
-    if (auto* spline = std::get_if<cl::Spline>(&record.step)) spline->to = spline->to + by;
+/// From the programmed frame into the stock's: as the tool stands, then by the way between their zeros.
+struct Placing {
+    const geom::Frame* frame = nullptr;  ///< none: as programmed
+    geom::Vec3 axis{0, 0, 1};
+    geom::Vec3 by;
+    [[nodiscard]] bool moves() const { return frame != nullptr || !(by == geom::Vec3{}); }
+    // Points that are shifted alone keep the coordinates that are known.
+    [[nodiscard]] geom::Vec3 point(geom::Vec3 p) const { return (frame != nullptr ? geom::apply(*frame, p) : p) + by; }
+    [[nodiscard]] geom::Vec3 way(geom::Vec3 v) const { return frame != nullptr ? geom::apply_direction(*frame, v) : v; }
+};
+
+cl::Record placed(cl::Record record, const Placing& at) {
+    if (auto* linear = std::get_if<cl::Linear>(&record.step)) {
+        linear->to = at.point(linear->to);
+        if (at.frame != nullptr) linear->axis = at.axis;
+    }
+    if (auto* thread = std::get_if<cl::Thread>(&record.step)) thread->to = at.point(thread->to);
+    if (auto* spline = std::get_if<cl::Spline>(&record.step)) {
+        spline->to = at.point(spline->to);
+        for (geom::Vec3* k : {&spline->k1, &spline->k2, &spline->k3}) *k = at.way(*k);
+        if (at.frame != nullptr) spline->axis = at.axis;
+    }
     if (auto* arc = std::get_if<cl::Arc>(&record.step)) {
-        arc->to = arc->to + by;
-        arc->centre = arc->centre + by;
+        arc->to = at.point(arc->to);
+        arc->centre = at.point(arc->centre);
+        arc->normal = at.way(arc->normal);
     }
     return record;
 }
+
+geom::Vec3 axis_of(const cl::Step& step, const geom::Vec3& otherwise) {
+    if (const auto* linear = std::get_if<cl::Linear>(&step)) return linear->axis;
+    if (const auto* spline = std::get_if<cl::Spline>(&step)) return spline->axis;
+    return otherwise;
+}
+
+bool turns_rotary(const cl::Step& step) {
+    const auto* spline = std::get_if<cl::Spline>(&step);
+    return spline != nullptr &&
+           std::any_of(spline->axes.begin(), spline->axes.end(), [](const cl::SplineAxis& a) { return a.rotary; });
+}
+
+constexpr geom::Vec3 upright{0, 0, 1};
 
 }  // namespace
 
 void Check::State::move(const cl::Record& record) {
     const geom::Vec3 from = position.here(), to = cl::position_after(from, record.step), by = position.to_stock();
     totals.position = from;  // not where the last move ended, if the zero offset has changed since
-    const Move programmed{record, totals.moves, from, to, cl::is_rapid(record.step)};
-    const bool moved_frame = !(by == geom::Vec3{});
-    const cl::Record in_stock_frame = moved_frame ? shifted(record, by) : cl::Record{};
-    const Move m{moved_frame ? in_stock_frame : record, totals.moves, from + by, to + by, programmed.rapid};
+    const bool turning = stand.turning() || turns_rotary(record.step);
+    const Move programmed{record, totals.moves, from, to, cl::is_rapid(record.step), turning};
+    axis = axis_of(record.step, axis);
+    static const Stand::View as_programmed;
+    const bool swivelled = !stand.plain() || !(axis == upright);
+    const Stand::View& view = swivelled ? stand.view(axis) : as_programmed;
+    const Placing at{view.frame == geom::Frame{} ? nullptr : &view.frame, view.axis, by};
+    // An arc does not say how the tool stands: where that changed, a straight move must come before it.
+    const cl::Record in_stock_frame = at.moves() ? placed(record, at) : cl::Record{};
+    const Move m{at.moves() ? in_stock_frame : record,
+                 totals.moves,
+                 swivelled || tip_swivelled || turning ? tip : from + by,
+                 at.point(to),
+                 programmed.rapid,
+                 turning};
     Removed removed = removal.take(m);
-    if (milling) milling->take(m, removal.tool_in_use());
+    if (milling) milling->take(m, removal.tool_in_use(), view);
     // What a milling move cuts is known later: Milling says where it does so with a standing spindle.
     limits.take(programmed, milling             ? std::optional(false)
                             : removed.simulated ? std::optional(removed.cuts)
                                                 : std::nullopt);
     if (trace.keeps_more()) keep(m, std::move(removed));
     position.move_to(to);
+    tip = view.problem.empty() ? m.to : geom::Vec3{NAN, NAN, NAN};
+    tip_swivelled = swivelled;
+    stand.moved();
 }
 
 void Check::State::keep(const Move& m, Removed removed) {
@@ -137,9 +197,9 @@ void Check::take(const cl::Record& record) {
     else if (const auto* spindle = std::get_if<cl::Spindle>(&record.step))
         s.take(record, *spindle);
     else if (const auto* datum = std::get_if<cl::Datum>(&record.step))
-        s.take(record, *datum);
+        s.take(*datum);
     else if (const auto* axis = std::get_if<cl::Axis>(&record.step))
-        s.limits.take(record, *axis);
+        s.take(record, *axis);
     else if (std::holds_alternative<cl::CycleBegin>(record.step) && s.milling)
         s.milling->begin_cycle(record.from);
     else if (std::holds_alternative<cl::CycleEnd>(record.step) && s.milling)

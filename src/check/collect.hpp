@@ -16,6 +16,7 @@ struct Move {
     std::uint64_t index = 0;
     geom::Vec3 from, to;
     bool rapid = false;
+    bool turning = false;  ///< rotary axes turn on the way
 };
 
 class Collector {

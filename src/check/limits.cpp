@@ -14,38 +14,42 @@ namespace obrys::check {
 namespace {
 
 constexpr double travel_tolerance = 1e-6;  ///< mm beyond a limit that rounding may make
-constexpr std::array<const char*, 3> names{"X", "Y", "Z"};
 
-double coordinate(geom::Vec3 v, std::size_t i) { return i == 0 ? v.x : i == 1 ? v.y : v.z; }
+double part(geom::Vec3 along, geom::Vec3 p) {  // a coordinate that does not count need not be known
+    return (along.x == 0 ? 0 : along.x * p.x) + (along.y == 0 ? 0 : along.y * p.y) + (along.z == 0 ? 0 : along.z * p.z);
+}
 
-/// Range of a coordinate along an arc: its ends and, where the sweep passes them, the extremes of the circle.
-std::pair<double, double> arc_range(geom::Vec3 from, const cl::Arc& arc, std::size_t i) {
-    double low = std::min(coordinate(from, i), coordinate(arc.to, i));
-    double high = std::max(coordinate(from, i), coordinate(arc.to, i));
+/// Range of dot(along, point) on an arc: its ends and, where the sweep passes them, the extremes of the circle.
+std::pair<double, double> arc_range(geom::Vec3 from, const cl::Arc& arc, geom::Vec3 along) {
+    double low = std::min(part(along, from), part(along, arc.to));
+    double high = std::max(part(along, from), part(along, arc.to));
     const geom::Vec3 u = from - arc.centre;
     const geom::Vec3 v = geom::cross(arc.normal, u);
-    const double a = coordinate(u, i), b = coordinate(v, i), radius = std::hypot(a, b);
+    const double a = part(along, u), b = part(along, v), radius = std::hypot(a, b);
     const double sense = arc.sweep < 0 ? -1 : 1;
     const double top = std::atan2(b * sense, a);  // angle in the sense of the sweep at which the coordinate is largest
     const auto passes = [&](double angle) {
         const double first = angle < 0 ? angle + 2 * geom::pi : angle;
         return first <= std::abs(arc.sweep);
     };
-    if (passes(top)) high = std::max(high, coordinate(arc.centre, i) + radius);
-    if (passes(top > 0 ? top - geom::pi : top + geom::pi)) low = std::min(low, coordinate(arc.centre, i) - radius);
+    if (passes(top)) high = std::max(high, part(along, arc.centre) + radius);
+    if (passes(top > 0 ? top - geom::pi : top + geom::pi)) low = std::min(low, part(along, arc.centre) - radius);
     return {low, high};
 }
 
-std::pair<double, double> range(const Move& move, std::size_t i) {
+std::pair<double, double> range(const Move& move, geom::Vec3 along) {
     const auto* arc = std::get_if<cl::Arc>(&move.record.step);
     if (arc != nullptr && geom::is_finite(move.from) && geom::is_finite(arc->centre))
-        return arc_range(move.from, *arc, i);
+        return arc_range(move.from, *arc, along);
+    // Where the rotary axes have turned before, the last point was reached otherwise, and has been judged.
+    const double a = move.turning ? NAN : part(along, move.from);
     if (const auto* spline = std::get_if<cl::Spline>(&move.record.step)) {
-        const auto [low, high] = geom::range(geom::component(cl::curve(*spline), i));
-        const double from = coordinate(move.from, i);  // the machine comes from there, gap or not
-        return {std::fmin(low, from), std::fmax(high, from)};
+        const geom::Cubic c = cl::curve(*spline);
+        const auto [low, high] =
+            geom::range(geom::Polynomial3{part(along, c.k0), part(along, c.k1), part(along, c.k2), part(along, c.k3)});
+        return {std::fmin(low, a), std::fmax(high, a)};  // the machine comes from there, gap or not
     }
-    const double a = coordinate(move.from, i), b = coordinate(move.to, i);
+    const double b = part(along, move.to);
     return {std::fmin(a, b), std::fmax(a, b)};  // one unknown end leaves the other
 }
 
@@ -58,18 +62,30 @@ Finding error(std::string_view code, std::string text) {
 
 }  // namespace
 
-Limits::Limits(const shop::Machine& machine, Collector& out) : machine_(machine), out_(out) {
-    for (std::size_t i = 0; i < names.size(); ++i)
-        for (const shop::MachineAxis& axis : machine.axes)
-            if (axis.name == names[i] && (axis.min || axis.max)) travel_[i].axis = &axis;
-}
+Limits::Limits(const shop::Machine& machine, const Stand& stand, Collector& out)
+    : machine_(machine), out_(out), stand_(stand) {}
 
-void Limits::take(const cl::Record&, const cl::Datum& datum) {
-    datum_ = datum;
-    for (Travel& t : travel_) {
-        t.low = INFINITY;
-        t.high = -INFINITY;
-        t.worst = 0;
+/// What was reached before counts on only where the axis follows the points as it did.
+void Limits::follow_stand() {
+    changed_ = false;
+    std::vector<Travel> before = std::move(travel_);
+    travel_.clear();
+    for (const Stand::Way& way : stand_.ways()) {
+        const auto axis = std::find_if(machine_.axes.begin(), machine_.axes.end(), [&](const shop::MachineAxis& a) {
+            return a.name == way.name && (a.min || a.max);
+        });
+        if (axis == machine_.axes.end()) continue;
+        Travel t{&*axis, way.along, way.known, way.from_zero};
+        const auto old = std::find_if(before.begin(), before.end(), [&](const Travel& o) { return o.axis == t.axis; });
+        const bool same = old != before.end() && old->along == t.along &&
+                          (old->from_zero == t.from_zero || (std::isnan(old->from_zero) && std::isnan(t.from_zero)));
+        if (same) {
+            t.low = old->low;
+            t.high = old->high;
+        }
+        if (same || (old != before.end() && std::isfinite(old->from_zero) && std::isfinite(t.from_zero)))
+            t.worst = old->worst;
+        travel_.push_back(t);
     }
 }
 
@@ -102,29 +118,30 @@ void Limits::check_axis(const cl::Record& record, const std::array<char, 8>& nam
 }
 
 /// How far the range lies outside the travel: absolutely where the zero is known, else by the length of the way.
-double Limits::excess(Travel& t, std::size_t i, double low, double high) const {
-    const double zero = coordinate(datum_.origin, i);
+double Limits::excess(Travel& t, double low, double high) {
     const shop::MachineAxis& axis = *t.axis;
-    if (std::isfinite(zero))
-        return std::max(axis.max ? high + zero - *axis.max : 0.0, axis.min ? *axis.min - (low + zero) : 0.0);
+    low += t.known;
+    high += t.known;
+    if (std::isfinite(t.from_zero))
+        return std::max(axis.max ? high + t.from_zero - *axis.max : 0.0,
+                        axis.min ? *axis.min - (low + t.from_zero) : 0.0);
     t.low = std::min(t.low, low);
     t.high = std::max(t.high, high);
     return axis.min && axis.max ? (t.high - t.low) - (*axis.max - *axis.min) : 0.0;
 }
 
 void Limits::check_travel(const Move& move) {
+    if (changed_) follow_stand();
     std::string text;
     double worst = 0;
-    for (std::size_t i = 0; i < travel_.size(); ++i) {
-        Travel& t = travel_[i];
-        if (t.axis == nullptr) continue;
-        const auto [low, high] = range(move, i);
+    for (Travel& t : travel_) {
+        const auto [low, high] = range(move, t.along);
         if (std::isnan(low)) continue;
-        const double over = std::max(excess(t, i, low, high), 0.0);
-        const bool absolute = std::isfinite(coordinate(datum_.origin, i));
-        if (!travel_noted_)
-            out_.assumption("travel is judged at the programmed point: tool lengths are not in the stream");
-        travel_noted_ = true;
+        const double over = std::max(excess(t, low, high), 0.0);
+        const bool absolute = std::isfinite(t.from_zero);
+        if (!travel_noted_ && !stand_.tool_length_known())
+            out_.assumption("travel is judged at the programmed point, without the tool's length");
+        travel_noted_ = travel_noted_ || !stand_.tool_length_known();
         if (!absolute && t.axis->min && t.axis->max)
             out_.assumption("zero offset of axis " + t.axis->name +
                             " is not known: only the length of its way was held to its travel");

@@ -3,17 +3,20 @@
 
 #include <array>
 #include <map>
+#include <vector>
 
 #include "check/collect.hpp"
+#include "check/stand.hpp"
 #include "shop/machine.hpp"
 
 namespace obrys::check {
 
 class Limits {
 public:
-    Limits(const shop::Machine& machine, Collector& out);
+    Limits(const shop::Machine& machine, const Stand& stand, Collector& out);
 
-    void take(const cl::Record& record, const cl::Datum& datum);
+    /// Zero, tool or rotary axes have changed.
+    void stand_changed() { changed_ = true; }
     void take(const cl::Record& record, const cl::Axis& axis);
     /// Only its additional axes; the move itself comes as a move.
     void take(const cl::Record& record, const cl::Spline& spline);
@@ -23,9 +26,12 @@ public:
     void take(const Move& move, std::optional<bool> cuts);
 
 private:
+    /// A linear axis of the machine, as it follows the programmed points.
     struct Travel {
-        const shop::MachineAxis* axis = nullptr;  ///< nothing known about it
-        double low = INFINITY, high = -INFINITY;  ///< reached since the zero is what it is, workpiece frame
+        const shop::MachineAxis* axis = nullptr;
+        geom::Vec3 along;
+        double known = 0, from_zero = NAN;        ///< as in Stand::Way
+        double low = INFINITY, high = -INFINITY;  ///< reached since the zero is what it is, counted from it
         double worst = 0;                         ///< mm outside, reported last; 0 while inside
     };
 
@@ -33,14 +39,16 @@ private:
     void check_travel(const Move& move);
     void check_feed(const Move& move);
     void check_spindle(const Move& move, std::optional<bool> cuts);
-    double excess(Travel& travel, std::size_t i, double low, double high) const;
+    void follow_stand();
+    static double excess(Travel& travel, double low, double high);
     double rpm(const Move& move) const;
 
     const shop::Machine& machine_;
     Collector& out_;
-    std::array<Travel, 3> travel_;
+    const Stand& stand_;
+    std::vector<Travel> travel_;
     std::map<std::string, double> other_worst_;  ///< of additional axes
-    cl::Datum datum_{0, {NAN, NAN, NAN}};
+    bool changed_ = true;
     cl::Feed feed_;
     cl::Spindle spindle_;
     bool feed_reported_ = false, feed_limit_reported_ = false, stopped_reported_ = false, travel_noted_ = false;

@@ -174,7 +174,7 @@ std::vector<geom::Vec3> Milling::corners_of_rapid(const Move& move) const {
     return corners;
 }
 
-void Milling::take(const Move& move, std::uint32_t use) {
+void Milling::take(const Move& move, std::uint32_t use, const Stand::View& view) {
     const bool known = geom::is_finite(move.from) && geom::is_finite(move.to);
     const bool starting = move.rapid && !known && !position_was_known_;
     position_was_known_ = position_was_known_ || geom::is_finite(move.to);
@@ -182,19 +182,18 @@ void Milling::take(const Move& move, std::uint32_t use) {
         ++start_moves_;
         return;
     }
-    const auto leave_out = [&](std::string why) {
+    const auto leave_out = [&](std::string why, std::string remedy = {}) {
         complete_ = false;
-        out_.unchecked(move.record, std::move(why));
+        out_.unchecked(move.record, std::move(why), std::move(remedy));
     };
+    if (!view.problem.empty()) return leave_out(view.problem, view.remedy);
     if (!known) return leave_out("position not known: removal not simulated");
-    geom::Vec3 axis = axis_;
-    if (const auto* linear = std::get_if<cl::Linear>(&move.record.step)) axis = linear->axis;
-    if (const auto* spline = std::get_if<cl::Spline>(&move.record.step)) axis = spline->axis;
-    const bool turns = passes_ > 0 && geom::distance(axis, axis_) > 1e-9;
+    const geom::Vec3 axis = view.axis;
+    const bool turns = move.turning || (passes_ > 0 && geom::distance(axis, axis_) > 1e-9);
     if (turns && !move.rapid)
-        leave_out("the tool's axis turns on the way: the move is simulated with the axis of its end");
+        leave_out("rotary axes turn on the way: the move is simulated as they stand at its end");
     else if (turns)
-        out_.assumption("a rapid that turns the tool's axis is simulated with the axis of its end", move.record.from);
+        out_.assumption("a rapid with which rotary axes turn is simulated as they stand at its end", move.record.from);
     axis_ = axis;
     if (!tool_in_use(move)) {
         complete_ = false;

@@ -11,6 +11,7 @@
 
 #include "check/check.hpp"
 #include "check/collect.hpp"
+#include "check/stand.hpp"
 #include "sim/milling/simulation.hpp"
 
 namespace obrys::check {
@@ -45,7 +46,7 @@ public:
     void begin_cycle(const base::Span& call) { cycle_ = call; }
     void end_cycle() { cycle_ = nowhere; }
     /// `use`: index in Result::tools + 1. Queues the move; findings come later, in the order of the moves.
-    void take(const Move& move, std::uint32_t use);
+    void take(const Move& move, std::uint32_t use, const Stand::View& view);
     /// Carries out what is queued, judges the surface and fills in Result::milling.
     void finish(bool complete);
 

@@ -223,7 +223,7 @@ TEST(Milling, ATurningAxisIsNotCalledClean) {
         const Result r = check.finish();
         const auto says = [](const std::vector<Note>& notes) {
             return std::any_of(notes.begin(), notes.end(),
-                               [](const Note& n) { return n.text.find("axis") != std::string::npos; });
+                               [](const Note& n) { return n.text.find("rotary axes") != std::string::npos; });
         };
         EXPECT_EQ(says(r.unchecked), !rapid);
         EXPECT_EQ(says(r.assumptions), rapid);

@@ -230,10 +230,8 @@ void Removal::finish(const cl::Record& end) {
     Result& result = out_.result();
     if (!work_) {
         if (result.stats.moves == 0) return;
-        if (setup_.machine.kind != shop::MachineKind::lathe)
-            out_.unchecked("milling: removal not simulated");
-        else
-            out_.unchecked("no stock: removal not simulated", "describe the stock in a job file");
+        if (setup_.milling) return;  // what is wrong with its stock has been said
+        out_.unchecked("no stock: removal not simulated", "describe the stock in a job file");
         return;
     }
     if (start_moves_ > 0)

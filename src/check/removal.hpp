@@ -32,6 +32,7 @@ public:
     [[nodiscard]] geom::Region stock() const { return work_ ? work_->region() : geom::Region{}; }
     /// Index in Result::tools + 1 of the tool in use; 0: none.
     [[nodiscard]] std::uint32_t tool_in_use() const { return use_; }
+    [[nodiscard]] const shop::Tool* tool() const { return tool_; }  ///< the one selected; null: not listed
 
 private:
     void first_use(const Move& move);

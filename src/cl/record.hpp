@@ -56,6 +56,9 @@ struct Axis {
     std::array<char, 8> name{};  ///< as the control names it ("C", "C2"), zero-padded
     double to = 0;
     bool rotary = false;
+    /// The control counts where this rotary axis stands (tilted working plane): points stay in the workpiece frame.
+    /// Else points are in the machine's directions, as though the axis stood at 0.
+    bool counted = false;
     bool operator==(const Axis&) const = default;
 };
 

@@ -215,6 +215,7 @@ Axis axis(Words& w) {
     s.name = axis_name(w);
     s.to = w.number();
     s.rotary = w.choice<2>({"mm", "deg"}) == 1;
+    s.counted = w.accept("counted");
     return s;
 }
 

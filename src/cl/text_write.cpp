@@ -91,6 +91,7 @@ struct StepWriter {
         axis_name(out, s.name);
         number(out, s.to);
         out += s.rotary ? " deg" : " mm";
+        if (s.counted) out += " counted";
     }
     void operator()(const Thread& s) const {
         out += "thread";

@@ -51,6 +51,9 @@ double control_value(const Run& run, ControlValue v) {
         case ControlValue::tool_axis: return run.modal.plane == 17 ? 2 : run.modal.plane == 18 ? 1 : 0;
         case ControlValue::spindle_state: return spindle_state(run.spindle);
         case ControlValue::coolant_state: return run.coolant_on ? 1 : 0;
+        case ControlValue::tilted_a: return run.tilted_axes[0];
+        case ControlValue::tilted_b: return run.tilted_axes[1];
+        case ControlValue::tilted_c: return run.tilted_axes[2];
         case ControlValue::main_unit: return run.calls.front().unit->inch ? 1 : 0;
         default: return unknown;  // of the machine's settings, its kinematics, or measured
     }

@@ -33,11 +33,7 @@ double home_of(const Run& run, std::size_t axis) {
 void emit_other_axis(Run& run, std::size_t k, double to) {
     const std::string name = axis_name(k);
     run.extra_axes[name] = to;
-    cl::Axis axis;
-    axis.name[0] = name[0];
-    axis.to = to;
-    axis.rotary = is_rotary(k);
-    emit(run, axis);
+    emit(run, axis_record(name, to, is_rotary(k), false));
 }
 
 /// To the stored position with those axes that are named, or with all.

@@ -5,6 +5,7 @@
 
 #include "base/codes.hpp"
 #include "interp/motion.hpp"
+#include "interp/swivel.hpp"
 
 namespace obrys::interp {
 
@@ -14,22 +15,29 @@ namespace {
 
 constexpr double unknown = std::numeric_limits<double>::quiet_NaN();
 
-/// Machine coordinates as stream coordinates; NaN where the datum is not known, or is turned against the machine.
-double from_machine(const Run& run, int k, double machine) {
+/// What machine coordinates lie ahead of stream coordinates; NaN where the datum is not known, or is turned against the
+/// machine.
+double ahead(const Run& run, int k) {
     const shop::Machine& m = run.env.machine;
     if (keeps_offsets(run)) {
         const Offsets& o = run.offsets;
         const auto axis = static_cast<std::size_t>(k);
-        return run.datum_known ? machine - o.reference[axis] - tip_in_use(o)[axis] : unknown;
+        return run.datum_known ? o.reference[axis] + tip_in_use(o)[axis] : unknown;
     }
     const auto known = m.datums.find(run.reference_datum);
     if (known == m.datums.end() || (k < 2 && m.datum_rotations.contains(run.reference_datum))) return unknown;
-    return machine - coordinate(known->second, k);
+    return coordinate(known->second, k);
+}
+
+double from_machine(const Run& run, int k, double machine) {
+    const bool along_tool = k == plane_axes(run.modal.plane).w;
+    const double tool = along_tool && run.traits->machine_words_are_gauge_point ? active_length(run) : 0;
+    return machine - ahead(run, k) - tool;
 }
 
 void unknown_machine_position(Run& run) {
     bool known = run.env.machine.datums.contains(run.reference_datum) || (keeps_offsets(run) && run.datum_known);
-    for (int k = 0; k < 3 && known; ++k) known = !run.block.has(axis_code(k)) || !std::isnan(from_machine(run, k, 0));
+    for (int k = 0; k < 3 && known; ++k) known = !run.block.has(axis_code(k)) || !std::isnan(ahead(run, k));
     if (known) return;
     unchecked(run, codes::unknown_value, run.here(),
               "this block moves in machine coordinates and " + program::datum_phrase(*run.traits, run.reference_datum) +
@@ -41,7 +49,7 @@ void unknown_machine_position(Run& run) {
 void go_to(Run& run, geom::Vec3 target, bool rapid) {
     run.position = target;
     run.programmed_position = run.frame_is_identity ? target : geom::apply(geom::inverse(run.frame), target);
-    emit(run, cl::Linear{target, {0, 0, 1}, rapid});
+    emit(run, cl::Linear{target, run.tool_axis, rapid});
 }
 
 }  // namespace
@@ -70,14 +78,14 @@ bool reference_point(Run& run) {
 bool machine_move(Run& run) {
     flush_path(run);
     unknown_machine_position(run);
-    geom::Vec3 target = run.position;
+    geom::Vec3 target = along_machine(run);
     for (int k = 0; k < 3; ++k) {
         if (!run.block.has(axis_code(k))) continue;
         const bool incremental = is_incremental(run, run.block.ref(axis_code(k)));
         const double v = run.block.get(axis_code(k)) * length_factor(run, k, incremental);
         coordinate(target, k) = incremental ? coordinate(target, k) + v : from_machine(run, k, v);
     }
-    go_to(run, target, run.modal.motion == Modal::rapid);
+    go_to(run, from_along_machine(run, target), run.modal.motion == Modal::rapid);
     return true;
 }
 

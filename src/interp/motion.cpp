@@ -6,6 +6,7 @@
 #include "base/codes.hpp"
 #include "interp/capture.hpp"
 #include "interp/path_stage.hpp"
+#include "interp/swivel.hpp"
 
 namespace obrys::interp {
 
@@ -46,15 +47,12 @@ void extra_axis(Run& run, const std::string& name, double value, std::uint8_t re
     else if (k != std::string_view::npos)
         to += run.offsets.total[k];
     run.extra_axes[name] = to;
-    cl::Axis axis;
-    for (std::size_t i = 0; i < name.size() && i + 1 < axis.name.size(); ++i) axis.name[i] = name[i];
-    axis.to = to;
-    axis.rotary = rotary;
-    emit(run, axis);
+    emit(run, axis_record(name, to, rotary, rotary && tilted(run)));
 }
 
 void extra_axes(Run& run) {
     const BlockWords& b = run.block;
+    const std::optional<Rotary> before = tilted(run) ? std::optional(rotary(run)) : std::nullopt;
     if ((b.present & other_axes) != 0) {
         for (int k = 3; k < 9; ++k)
             if (b.has(axis_code(k))) extra_axis(run, axis_name(k), b.get(axis_code(k)), b.ref(axis_code(k)), k < 6);
@@ -62,6 +60,7 @@ void extra_axes(Run& run) {
     const std::vector<BlockWords::NamedAxis> named = b.axes;
     for (const auto& axis : named)
         extra_axis(run, axis.name, axis.value, axis.reference, axis.name[0] >= 'A' && axis.name[0] <= 'C');
+    if (before) recount(run, *before);
 }
 
 /// Target of the linear axes in the programmed frame.

@@ -103,11 +103,7 @@ void count_from(Run& run, std::size_t k, double datum) {
     const auto at = run.extra_axes.find(axis_name(k));
     if (by == 0 || at == run.extra_axes.end()) return;
     at->second += by;
-    cl::Axis axis;
-    axis.name[0] = at->first[0];
-    axis.to = at->second;
-    axis.rotary = is_rotary(k);
-    emit(run, axis);
+    emit(run, axis_record(at->first, at->second, is_rotary(k), false));
 }
 
 }  // namespace

@@ -4,7 +4,7 @@
 #include <cmath>
 
 #include "base/codes.hpp"
-#include "interp/special.hpp"
+#include "interp/swivel.hpp"
 
 namespace obrys::interp {
 
@@ -100,12 +100,15 @@ void plane(Run& run, const Special& s) {
                   "this tilted plane is not determined: a value is not known, or its vectors are parallel");
         return;
     }
-    tilt(run, f);
-    if (datum_of(run, s, Datum::positioning) == 0) return;
-    unchecked(
-        run, codes::unsupported, s.where,
-        "the positions of the rotary axes that PLANE ... MOVE or TURN goes to depend on the machine's kinematics: "
-        "they are not followed");
+    const Vec3 tip = on_workpiece(run);
+    tilt(run, f, {datum_of(run, s, Datum::side), datum_of(run, s, Datum::table_turns) == 1}, s.where);
+    constexpr double stay = 0, move = 1;
+    const double how = datum_of(run, s, Datum::positioning);
+    if (run.stopped) return;
+    if (how == stay)
+        tell_rotary(run);
+    else
+        swivel(run, how == move, tip, s.where);
 }
 
 }  // namespace obrys::interp

@@ -133,9 +133,8 @@ void set_datum(Run&, std::uint32_t number);
 [[nodiscard]] geom::Vec3 datum_origin(const Run&);
 /// Cycle 247: a preset by its number, which ends shift, mirror, rotation and scaling (datums.cpp).
 void select_preset(Run&, const program::CycleDefinition&, double number);
-/// The tilted working plane in force, and a new one in its place.
+/// The tilted working plane in force.
 [[nodiscard]] geom::Frame active_plane(const Run&);
-void tilt(Run&, const geom::Frame&);
 
 // --- what is refused though each word is good (refusals.cpp); they end the run
 /// Before a modal word acts.
@@ -262,6 +261,9 @@ void tell_technology(Run&);
 void emit(Run&, cl::Step step);
 /// Once, before the first move: the datum in which all coordinates of the stream are.
 void emit_datum(Run&);
+/// Zero of the stream's coordinates in the machine's; NaN where it is not known.
+[[nodiscard]] geom::Vec3 stream_origin(const Run&);
+[[nodiscard]] cl::Axis axis_record(std::string_view name, double to, bool is_rotary, bool counted);
 /// Emits what a path stage (compensation, rounding) still holds back.
 void flush_path(Run&);
 

@@ -249,6 +249,11 @@ struct Run {
     bool datum_emitted = false;
     bool probed = false;  ///< a probing move was run to its end, where the probe may have stopped before
     std::unordered_map<std::string, double> extra_axes;
+    std::vector<double>
+        aimed_at;  ///< radians by joint of the machine's chain, for the plane in force; empty: not known
+    std::array<double, 3> tilted_axes{std::numeric_limits<double>::quiet_NaN(),
+                                      std::numeric_limits<double>::quiet_NaN(),
+                                      std::numeric_limits<double>::quiet_NaN()};  ///< of A, B, C in degrees
     std::uint64_t known_axes = 0;  ///< bit per Code of X … W: the machine has it
     geom::Vec2 last_direction;     ///< of the last move in the working plane, for CT
     std::unique_ptr<PathStage> path;

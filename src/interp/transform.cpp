@@ -5,6 +5,7 @@
 
 #include "base/codes.hpp"
 #include "interp/cycle_call.hpp"
+#include "interp/swivel.hpp"
 
 namespace obrys::interp {
 
@@ -162,7 +163,8 @@ bool working_plane(Run& run, const ActiveCycle& c) {
     if (any)
         assume(run, c.definition->where,
                c.definition->name + ": A, B and C are taken as spatial angles, not as positions of the rotary axes");
-    tilt(run, plane);
+    tilt(run, plane, {}, c.definition->where);
+    tell_rotary(run);
     return true;
 }
 
@@ -203,10 +205,12 @@ bool dwell(Run& run, const ActiveCycle& c) {
 
 geom::Frame active_plane(const Run& run) { return active(run, TransformKind::plane); }
 
-void tilt(Run& run, const geom::Frame& plane) {
+void tilt(Run& run, const geom::Frame& plane, const TiltChoice& choice, const base::Span& where) {
     flush_path(run);
+    const Rotary before = rotary(run);
     place(run, TransformKind::plane, plane);
-    control_sets(run, {program::ControlValue::tilted_axis});
+    aim(run, choice, where);
+    recount(run, before);
 }
 
 geom::Vec3 active_shift(const Run& run) { return active(run, TransformKind::shift).origin; }

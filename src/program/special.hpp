@@ -95,6 +95,7 @@ enum class Datum : std::uint8_t {
     positioning,  ///< 0 STAY, 1 MOVE, 2 TURN
     side,         ///< SEQ +1, -1
     distance,     ///< DIST of MOVE
+    table_turns,  ///< 1: TABLE ROT, 0: COORD ROT
 };
 
 struct DatumValue {

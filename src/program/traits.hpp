@@ -47,7 +47,10 @@ enum class ControlValue : std::uint8_t {
     main_unit,       ///< of the main program: 0 mm, 1 inch
     tool_length,     ///< with all allowances
     probed,          ///< result of a touch probe
-    tilted_axis,     ///< position of a rotary axis for the tilted plane
+    // Positions of rotary axes for the tilted plane.
+    tilted_a,
+    tilted_b,
+    tilted_c,
 };
 struct ControlParameter {
     std::uint32_t number = 0;
@@ -123,6 +126,8 @@ struct Traits {
     /// programmed last.
     bool polar_from_position = false;
     DatumNames datum{};
+    /// Machine coordinates in a program are those of the spindle's gauge point; else of the tip.
+    bool machine_words_are_gauge_point = false;
     /// Assignments of a block take effect together, behind the last expression of the block: `#1=2 X#1` has the old #1.
     bool assigns_together = false;
     /// Named variables come into being when they are assigned: local ones, and global ones where the name begins with

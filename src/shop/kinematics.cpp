@@ -13,9 +13,10 @@ namespace {
 
 using geom::Vec3;
 
-constexpr double parallel = 1e-7;  ///< sine below which two directions are the same line; its square is rounding already
-constexpr double beside = 1e-9;    ///< how far a unit vector may miss a cone and still lie on it
-constexpr double slack = 1e-9;     ///< mm, radians: a limit that is met exactly is kept
+constexpr double parallel =
+    1e-7;                        ///< sine below which two directions are the same line; its square is rounding already
+constexpr double beside = 1e-9;  ///< how far a unit vector may miss a cone and still lie on it
+constexpr double slack = 1e-9;   ///< mm, radians: a limit that is met exactly is kept
 constexpr Vec3 spindle_axis{0, 0, 1};
 
 /// Rotation about a unit vector through the origin (Rodrigues).
@@ -87,7 +88,8 @@ std::vector<Angles> inclinations(const Chain& chain, const std::vector<std::size
     return one_joint(u1, axis);
 }
 
-/// The turn of an angle that lies in the limits, and of these the nearest one; the nearest to the limits where none does.
+/// The turn of an angle that lies in the limits, and of these the nearest one; the nearest to the limits where none
+/// does.
 double nearest_turn(double angle, const Joint& j, double near) {
     const double turn = 2 * geom::pi;
     const double within = j.min <= j.max ? std::clamp(near, j.min, j.max) : near;
@@ -103,21 +105,10 @@ double nearest_turn(double angle, const Joint& j, double near) {
 
 /// Values of the linear joints that bring the tip to its place; the rotary ones stand already. False where the three
 /// do not span space.
-bool place_tip(const Chain& chain, const std::vector<std::size_t>& linear, Vec3 tip, double tool_length,
-               std::vector<double>& values) {
-    std::array<Vec3, 3> way;
-    for (std::size_t i = 0; i < 3; ++i) {
-        const auto before = static_cast<std::ptrdiff_t>(linear[i]);
-        const Chain inner{{chain.joints.begin(), chain.joints.begin() + before}};
-        way[i] = geom::apply_direction(spindle_frame(inner, values), chain.joints[linear[i]].direction);
-    }
-    const double volume = dot(way[0], cross(way[1], way[2]));
-    if (std::abs(volume) < 1e-9) return false;
-    const Vec3 d = tip - pose_of(chain, values, tool_length).tip;
-    values[linear[0]] = dot(d, cross(way[1], way[2])) / volume;
-    values[linear[1]] = dot(d, cross(way[2], way[0])) / volume;
-    values[linear[2]] = dot(d, cross(way[0], way[1])) / volume;
-    return true;
+bool place_tip(const Chain& chain, Vec3 tip, double tool_length, std::vector<double>& values) {
+    const std::vector<Follower> all = followers(chain, values, tool_length);
+    for (const Follower& f : all) values[f.joint] = dot(f.along, tip) + f.at;
+    return !all.empty();
 }
 
 double turning(const AxisPosition& p, const Chain& chain, std::span<const double> near) {
@@ -160,6 +151,28 @@ ToolPose pose_of(const Chain& chain, std::span<const double> values, double tool
     return {geom::apply(f, -tool_length * spindle_axis), geom::apply_direction(f, spindle_axis)};
 }
 
+std::vector<Follower> followers(const Chain& chain, std::span<const double> values, double tool_length) {
+    std::vector<double> standing(values.begin(), values.end());
+    standing.resize(chain.joints.size(), 0);
+    std::vector<Follower> out;
+    std::vector<Vec3> way;  // of the tip where the joint's value grows by 1
+    for (std::size_t i = 0; i < chain.joints.size(); ++i) {
+        if (chain.joints[i].rotary) continue;
+        standing[i] = 0;
+        const Chain inner{{chain.joints.begin(), chain.joints.begin() + static_cast<std::ptrdiff_t>(i)}};
+        way.push_back(geom::apply_direction(spindle_frame(inner, standing), chain.joints[i].direction));
+        out.push_back({i, {}, 0});
+    }
+    const double volume = way.size() == 3 ? dot(way[0], cross(way[1], way[2])) : 0;
+    if (!(std::abs(volume) > 1e-9)) return {};
+    const Vec3 start = pose_of(chain, standing, tool_length).tip;
+    for (std::size_t k = 0; k < 3; ++k) {
+        out[k].along = (1 / volume) * cross(way[(k + 1) % 3], way[(k + 2) % 3]);
+        out[k].at = -dot(out[k].along, start);
+    }
+    return out;
+}
+
 AxisPositions positions_for(const Chain& chain, const ToolPose& pose, double tool_length,
                             std::span<const double> near) {
     AxisPositions out;
@@ -177,7 +190,7 @@ AxisPositions positions_for(const Chain& chain, const ToolPose& pose, double too
             p.values[rotary[i]] =
                 angles.free[i] ? wanted : nearest_turn(angles.value[i], chain.joints[rotary[i]], wanted);
         }
-        if (!place_tip(chain, linear, pose.tip, tool_length, p.values)) return out;
+        if (!place_tip(chain, pose.tip, tool_length, p.values)) return out;
         p.outside = first_outside(chain, p.values);
         out.positions.push_back(std::move(p));
     }

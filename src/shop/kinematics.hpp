@@ -43,6 +43,16 @@ struct ToolPose {
 /// table frame as `f` says, apply its inverse.
 [[nodiscard]] ToolPose pose_of(const Chain& chain, std::span<const double> values, double tool_length);
 
+/// How the machine must stand along one linear joint while the rotary ones stand: value = dot(along, tip) + at.
+struct Follower {
+    std::size_t joint = 0;  ///< index in the chain
+    geom::Vec3 along;
+    double at = 0;
+};
+/// The three linear joints as they follow a tip in the table frame; `values` are read for the rotary joints alone.
+/// None where the chain has not three independent linear joints.
+[[nodiscard]] std::vector<Follower> followers(const Chain& chain, std::span<const double> values, double tool_length);
+
 struct AxisPosition {
     std::vector<double> values;  ///< one a joint
     std::string outside;         ///< first axis that leaves its travel; empty: none

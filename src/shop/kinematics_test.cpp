@@ -152,5 +152,24 @@ TEST(Kinematics, ShippedMachinesReachWhatTheyShould) {
     EXPECT_EQ(chain_of(shipped_machine("lathe-generic").value()).joints.size(), 0U);
 }
 
+// The linear joints as they follow a tip: put back into the chain they must give that tip.
+TEST(Kinematics, FollowersBringTheTipThere) {
+    std::mt19937 random(7);
+    std::uniform_real_distribution<double> any(-300, 300), angle(-3, 3);
+    for (const Chain& c : {table_ac(), head_b(), table_c_head_b(), Chain{{x, y, z}}}) {
+        for (int n = 0; n < 50; ++n) {
+            std::vector<double> values;
+            for (const Joint& j : c.joints) values.push_back(j.rotary ? angle(random) : any(random));
+            const Vec3 tip{any(random), any(random), any(random)};
+            const std::vector<Follower> all = followers(c, values, 55);
+            ASSERT_EQ(all.size(), 3U);
+            for (const Follower& f : all) values[f.joint] = dot(f.along, tip) + f.at;
+            expect_near(pose_of(c, values, 55).tip, tip, "tip of case " + std::to_string(n));
+        }
+    }
+    EXPECT_TRUE(followers(Chain{{x, y}}, {}, 0).empty());
+    EXPECT_TRUE(followers(Chain{{x, y, {"W", false, {1, 0, 0}, {}}}}, {}, 0).empty()) << "two in one direction";
+}
+
 }  // namespace
 }  // namespace obrys::shop

@@ -3,8 +3,7 @@
 
 usage: gltf_validator_test.py <mesh_samples>
 
-Skipped (77) without node or its package gltf-validator (`npm install gltf-validator` beside this file or above it, or a
-folder named in NODE_PATH).
+Skipped (77) without node or its package gltf-validator (in a folder named in NODE_PATH: the build fetches it).
 """
 import json
 import pathlib

@@ -45,7 +45,7 @@ std::span<const Cycle> table() {
         {17, Kind::tap_rigid_simple, "RIGID TAPPING", at_call, c17},
         {18, Kind::thread_cut, "THREAD CUTTING", at_call, c18},
         {19, Kind::working_plane, "WORKING PLANE", at_definition, c19, Use::run,
-         "spatial angles; where the rotary axes go is not followed"},
+         "spatial angles; Q120 to Q122 follow from the machine's chain"},
         {20, Kind::contour_data, "CONTOUR DATA", at_definition, c20},
         {21, Kind::pilot_drill, "PILOT DRILLING", at_call, c21},
         {22, Kind::rough_out, "ROUGH-OUT", at_call, c22},

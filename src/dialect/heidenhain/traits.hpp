@@ -18,7 +18,7 @@ inline constexpr auto control_parameters = [] {
     constexpr program::ControlParameter single[]{
         {108, tool_radius}, {109, tool_axis},   {110, spindle_state}, {111, coolant_state}, {112, pocket_overlap},
         {113, main_unit},   {114, tool_length}, {115, probed},        {116, probed},        {117, probed},
-        {118, probed},      {119, probed},      {120, tilted_axis},   {121, tilted_axis},   {122, tilted_axis},
+        {118, probed},      {119, probed},      {120, tilted_a},      {121, tilted_b},      {122, tilted_c},
     };
     constexpr std::uint32_t first_result = 150, last_result = 199;  // of touch probe cycles
     std::array<program::ControlParameter, std::size(single) + last_result - first_result + 1> all{};
@@ -49,6 +49,7 @@ inline constexpr program::Traits traits{
               .none = "the active preset",
               .none_key = "active_preset",
               .none_is_machine_zero = false},
+    .machine_words_are_gauge_point = true,
     .set_by_control = control_parameters,
     .alarm_text = error_message,
 };

@@ -143,7 +143,7 @@ bool read_coefficient(State& s, Special& special) {
     return true;
 }
 
-/// MOVE, TURN, STAY, and what says how the rotary axes of the table turn (which no path depends on).
+/// MOVE, TURN, STAY, and whether a rotary table turns where turning the coordinates alone would do.
 bool read_positioning(State& s, Special& special) {
     const std::uint32_t begin = s.in.at();
     int how = -1;
@@ -157,7 +157,11 @@ bool read_positioning(State& s, Special& special) {
     for (const std::string_view word : {"ABST", "COORD", "TABLE"})
         if (s.in.take_word(word)) {
             s.in.take_word("ROT");
-            if (word == "ABST") static_cast<void>(read_value(s));
+            if (word == "ABST")
+                static_cast<void>(read_value(s));
+            else
+                add(s, special, Datum::table_turns, s.build.number(word == "TABLE" ? 1 : 0, true, begin, s.in.at()),
+                    false, begin);
             return true;
         }
     return false;

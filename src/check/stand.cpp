@@ -1,0 +1,138 @@
+#include "check/stand.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+namespace obrys::check {
+
+using geom::Vec3;
+
+namespace {
+
+constexpr double still = 1e-12;      ///< radians
+constexpr double along_axis = 1e-6;  ///< sine of the angle by which the tool's axis may miss the programmed one
+
+double dot_known(const Vec3& along, const Vec3& p) {  // a coordinate that does not count need not be known
+    return (along.x == 0 ? 0 : along.x * p.x) + (along.y == 0 ? 0 : along.y * p.y) + (along.z == 0 ? 0 : along.z * p.z);
+}
+
+}  // namespace
+
+Stand::Stand(const shop::Machine& machine) : machine_(machine), chain_(shop::chain_of(machine)) {
+    values_.assign(chain_.joints.size(), 0);
+    has_rotary_ =
+        std::any_of(chain_.joints.begin(), chain_.joints.end(), [](const shop::Joint& j) { return j.rotary; });
+}
+
+void Stand::take(const cl::Datum& datum) {
+    datum_ = datum;
+    viewed_ = false;
+}
+
+void Stand::take_tool(const shop::Tool* tool, bool offsets) {
+    tool_ = tool;
+    offsets_ = offsets;
+    update();
+}
+
+void Stand::take(const cl::Axis& axis) {
+    if (!axis.rotary) return;
+    counted_ = axis.counted;
+    const std::string name(axis.name.data(), std::find(axis.name.begin(), axis.name.end(), '\0'));
+    const auto joint = std::find_if(chain_.joints.begin(), chain_.joints.end(),
+                                    [&](const shop::Joint& j) { return j.rotary && j.name == name; });
+    if (joint == chain_.joints.end()) {
+        double& at = strange_.try_emplace(name, 0).first->second;
+        turning_ = turning_ || !(at == axis.to);
+        at = axis.to;
+        if (axis.to == 0) strange_.erase(name);
+    } else {
+        double& at = values_[static_cast<std::size_t>(joint - chain_.joints.begin())];
+        turning_ = turning_ || !(std::abs(at - geom::radians(axis.to)) < still);
+        at = geom::radians(axis.to);
+    }
+    update();
+}
+
+void Stand::update() {
+    const bool upright = std::all_of(values_.begin(), values_.end(), [](double v) { return std::abs(v) < still; });
+    const bool tip = offsets_ || tool_ == nullptr;
+    plain_ = tip && upright && strange_.empty();
+    viewed_ = false;
+}
+
+std::vector<double> Stand::counted_values() const {
+    return counted_ ? values_ : std::vector<double>(values_.size(), 0);
+}
+
+double Stand::counted_length() const { return tool_ != nullptr && offsets_ ? tool_->length : 0; }
+
+const Stand::View& Stand::view(const Vec3& axis) {
+    if (!viewed_ || !(viewed_axis_ == axis)) view_ = made_view(axis);
+    viewed_ = true;
+    viewed_axis_ = axis;
+    return view_;
+}
+
+Stand::View Stand::made_view(const Vec3& axis) const {
+    View v;
+    v.axis = axis;
+    if (!strange_.empty() && !counted_) {
+        v.problem =
+            "the rotary axis " + strange_.begin()->first +
+            " turns workpiece or tool, and the machine file does not say about which line: removal not simulated";
+        v.remedy = "name a machine whose chain holds it (docs/machine-file.md)";
+        return v;
+    }
+    const bool upright = std::all_of(values_.begin(), values_.end(), [](double d) { return std::abs(d) < still; });
+    if (!counted_ && !upright) return swivelled_view();
+    // A zero offset that is turned against the machine hides its X and Y: then there is nothing to compare with.
+    if (has_rotary_ && !std::isnan(datum_.origin.x)) {
+        const Vec3 real = geom::apply_direction(shop::spindle_frame(chain_, values_), {0, 0, 1});
+        if (!(geom::length(real - axis) < along_axis)) {
+            v.problem = "the rotary axes do not stand as the tilted plane asks: removal not simulated";
+            v.remedy = "let PLANE position them (TURN, MOVE), or do so before the first move in the plane";
+        }
+    }
+    if (!offsets_ && tool_ != nullptr) v.frame = geom::Frame::shift(-tool_->length * axis);
+    return v;
+}
+
+/// The control takes the linear axes for where they would be with the rotary ones at 0; the tip is where the chain has
+/// it.
+Stand::View Stand::swivelled_view() const {
+    View v;
+    const auto follow = shop::followers(chain_, counted_values(), counted_length());
+    const double length = tool_ != nullptr ? tool_->length : NAN;
+    const auto placed = [&](const Vec3& p) {
+        std::vector<double> stands = values_;
+        for (const shop::Follower& f : follow) stands[f.joint] = geom::dot(f.along, datum_.origin + p) + f.at;
+        return shop::pose_of(chain_, stands, length).tip - datum_.origin;
+    };
+    const Vec3 o = placed({}), x = placed({1, 0, 0}) - o, y = placed({0, 1, 0}) - o, z = placed({0, 0, 1}) - o;
+    v.axis = geom::apply_direction(shop::spindle_frame(chain_, values_), {0, 0, 1});
+    v.frame.linear = {x.x, y.x, z.x, x.y, y.y, z.y, x.z, y.z, z.z};
+    v.frame.origin = o;
+    if (geom::is_finite(o) && !follow.empty() && tool_length_known()) return v;
+    const bool zero = tool_length_known();
+    v.problem = std::string(
+                    "the rotary axes are not at 0 and no tilted plane counts them: where the tool is on the "
+                    "workpiece depends on ") +
+                (zero ? "the zero offset" : "the tool's length") + ", which is not known: removal not simulated";
+    v.remedy = zero ? "give the zero offset in [datum] of the job" : "give the tool with its length in the job";
+    return v;
+}
+
+std::vector<Stand::Way> Stand::ways() const {
+    const auto follow = shop::followers(chain_, counted_values(), counted_length());
+    if (follow.empty())
+        return {{"X", {1, 0, 0}, 0, datum_.origin.x},
+                {"Y", {0, 1, 0}, 0, datum_.origin.y},
+                {"Z", {0, 0, 1}, 0, datum_.origin.z}};
+    std::vector<Way> out;
+    for (const shop::Follower& f : follow)
+        out.push_back({chain_.joints[f.joint].name, f.along, f.at, dot_known(f.along, datum_.origin)});
+    return out;
+}
+
+}  // namespace obrys::check

@@ -1,0 +1,72 @@
+#pragma once
+/// How a milling machine stands: its rotary axes, tool and zero, and what follows for a programmed point: where it is
+/// on the workpiece, and where the linear axes must be for it.
+
+#include <map>
+#include <string>
+#include <vector>
+
+#include "cl/record.hpp"
+#include "geom/frame.hpp"
+#include "shop/kinematics.hpp"
+#include "shop/tool.hpp"
+
+namespace obrys::check {
+
+class Stand {
+public:
+    explicit Stand(const shop::Machine& machine);
+
+    void take(const cl::Datum& datum);
+    void take(const cl::Axis& axis);
+    /// `tool`: null where it is not known. `offsets`: the control counts its length (an edge is selected).
+    void take_tool(const shop::Tool* tool, bool offsets);
+    void moved() { turning_ = false; }
+
+    /// Rotary axes move together with the next move.
+    [[nodiscard]] bool turning() const { return turning_; }
+    /// Points of moves with an upright tool are places of the tip on the workpiece as they are programmed.
+    [[nodiscard]] bool plain() const { return plain_; }
+
+    /// A programmed point as a place on the workpiece, both in the workpiece frame.
+    struct View {
+        std::string problem;  ///< not empty: why it is not known
+        std::string remedy;
+        geom::Frame frame;
+        geom::Vec3 axis{0, 0, 1};
+    };
+    /// `axis`: of the move, as programmed. Holds until the next call.
+    [[nodiscard]] const View& view(const geom::Vec3& axis);
+
+    /// A linear axis of the machine as it follows programmed points: `known` + dot(along, point), and `from_zero` more
+    /// where the zero is known, else NaN.
+    struct Way {
+        std::string name;
+        geom::Vec3 along;
+        double known = 0, from_zero = 0;
+    };
+    /// The three linear axes; X, Y and Z where the machine has no chain.
+    [[nodiscard]] std::vector<Way> ways() const;
+    [[nodiscard]] bool tool_length_known() const { return tool_ != nullptr && tool_->length > 0; }
+
+private:
+    [[nodiscard]] std::vector<double> counted_values() const;
+    [[nodiscard]] double counted_length() const;
+    void update();
+    [[nodiscard]] View made_view(const geom::Vec3& axis) const;
+    [[nodiscard]] View swivelled_view() const;
+
+    const shop::Machine& machine_;
+    shop::Chain chain_;
+    std::vector<double> values_;             ///< radians, by joint; linear ones 0
+    std::map<std::string, double> strange_;  ///< rotary axes outside the chain that are not at 0, degrees
+    bool counted_ = false, has_rotary_ = false;
+    cl::Datum datum_{0, {NAN, NAN, NAN}};
+    const shop::Tool* tool_ = nullptr;
+    bool offsets_ = true, turning_ = false, plain_ = true;
+    View view_;
+    geom::Vec3 viewed_axis_;
+    bool viewed_ = false;
+};
+
+}  // namespace obrys::check
