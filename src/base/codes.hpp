@@ -28,6 +28,7 @@ inline constexpr std::string_view allowance_cut = "allowance-cut";
 inline constexpr std::string_view rapid_in_stock = "rapid-in-stock";
 inline constexpr std::string_view rest_material = "rest-material";
 inline constexpr std::string_view holder_in_stock = "holder-in-stock";
+inline constexpr std::string_view edges_too_short = "edges-too-short";
 inline constexpr std::string_view clamp_collision = "clamp-collision";
 inline constexpr std::string_view plunging_cut = "plunging-cut";
 inline constexpr std::string_view axis_limit = "axis-limit";
@@ -78,6 +79,7 @@ inline constexpr std::array all_codes{
     Code{codes::rapid_in_stock, CodeKind::finding, "a rapid move removes material"},
     Code{codes::rest_material, CodeKind::finding, "material is left outside the allowance contour"},
     Code{codes::holder_in_stock, CodeKind::finding, "shank or holder of the tool runs into the stock"},
+    Code{codes::edges_too_short, CodeKind::finding, "cut deeper than the cutting edges are long"},
     Code{codes::clamp_collision, CodeKind::finding, "tool, shank or holder runs into a clamp"},
     Code{codes::plunging_cut, CodeKind::finding, "a tool that does not cut at its centre plunges into material"},
     Code{codes::axis_limit, CodeKind::finding, "an axis leaves its travel"},
@@ -97,7 +99,8 @@ inline constexpr std::array all_codes{
     Code{codes::missing_label, CodeKind::finding, "a jump to a label that does not exist"},
     Code{codes::bad_argument, CodeKind::finding, "arguments that do not fit the called program"},
     Code{codes::compensation, CodeKind::finding, "tool radius compensation that the contour does not allow"},
-    Code{codes::contour, CodeKind::finding, "contour elements that are not determined, contradict each other or do not join"},
+    Code{codes::contour, CodeKind::finding,
+         "contour elements that are not determined, contradict each other or do not join"},
     Code{codes::syntax, CodeKind::unchecked, "text that does not follow the control's grammar"},
     Code{codes::undefined_name, CodeKind::unchecked,
          "a name that is not defined in the programs and definition files at hand"},
@@ -108,13 +111,15 @@ inline constexpr std::array all_codes{
     Code{codes::unclosed, CodeKind::unchecked, "a loop or branch without its end"},
     Code{codes::unknown_value, CodeKind::unchecked, "a system variable whose value obrys cannot know"},
     Code{codes::not_simulated, CodeKind::unchecked, "a move that was run but whose material removal was not computed"},
-    Code{codes::mesh_not_closed, CodeKind::unchecked, "a mesh whose surface does not bound a solid: inside and outside are not known"},
+    Code{codes::mesh_not_closed, CodeKind::unchecked,
+         "a mesh whose surface does not bound a solid: inside and outside are not known"},
     Code{codes::file_missing, CodeKind::input, "a file that does not exist or cannot be read"},
     Code{codes::file_empty, CodeKind::input, "a file without content"},
     Code{codes::file_binary, CodeKind::input, "a file that is not text"},
     Code{codes::job_file, CodeKind::input, "a job, machine or tool file that is not valid TOML or has an unknown key"},
     Code{codes::job_value, CodeKind::input, "a value in a job, machine or tool file that cannot be used"},
-    Code{codes::mesh_file, CodeKind::input, "a mesh file (STL) that cannot be read: damaged, cut off or without content"},
+    Code{codes::mesh_file, CodeKind::input,
+         "a mesh file (STL) that cannot be read: damaged, cut off or without content"},
     Code{codes::no_effect, CodeKind::info, "a known word without effect on motion"},
     Code{codes::assumption, CodeKind::info, "something assumed because the input does not say it"},
 };

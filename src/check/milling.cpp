@@ -23,6 +23,7 @@ constexpr std::uint32_t most_pieces = 200'000;  ///< in all; the moves behind th
 constexpr std::size_t batch = 32'768;           ///< passes that wait for the simulation
 constexpr double drawn_chord = 0.01;            ///< mm the picture of a curve may leave it
 constexpr int most_chords = 256;
+constexpr double rub = 0.02;           ///< mm by which the assumed body of a drill stands out of its hole
 constexpr double fallback_radius = 1;  ///< mm, where no tool of the list has a shape
 
 /// The smallest radius that a tool of the list can leave: what the lattice must resolve.
@@ -119,27 +120,30 @@ void Milling::take(const cl::Record&, const cl::ToolChange& tool) {
 }
 
 /// Why the tool cannot be simulated stands in the notes; each tool is made once.
-std::optional<std::uint32_t> Milling::tool_in_use(const Move& move) {
-    if (tool_ready_) return sim_tool_;
+bool Milling::tool_in_use(const Move& move) {
+    if (tool_ready_) return true;
     if (tool_ == nullptr) {
         out_.unchecked(move.record, tool_name_.empty()
                                         ? "no tool is selected: removal not simulated"
                                         : "tool " + tool_name_ + " is not known: its removal is not simulated");
-        return std::nullopt;
+        return false;
     }
     auto& known = known_tools_[static_cast<std::size_t>(tool_ - setup_.tools.data())];
     if (!known) {
-        milling::MadeShape made = milling::shape_of(cutter_of(*tool_));
+        const milling::Cutter cutter = cutter_of(*tool_, rub + 2 * setup_.tolerances.rapid);
+        milling::MadeShape made = milling::shape_of(cutter);
         if (!made.ok()) {
             out_.unchecked(move.record, "tool " + tool_name_ + ": " + made.problem + ": its removal is not simulated");
-            return std::nullopt;
+            return false;
         }
         for (Clamp& c : clamps_) static_cast<void>(c.simulation.add_tool(made.shape));  // the same number in each
-        known = simulation_->add_tool(std::move(made.shape));
+        const bool shank = !cutter.shank.empty() || tool_->kind == shop::ToolKind::t_slot;
+        known = KnownTool{simulation_->add_tool(std::move(made.shape)), shank, !cutter.holder.empty()};
     }
-    sim_tool_ = *known;
+    sim_tool_ = known->number;
+    tool_parts_ = *known;
     tool_ready_ = true;
-    return known;
+    return true;
 }
 
 /// Minutes that each of X, Y and Z needs for its part of a rapid; nothing where the machine does not say its speed.
@@ -300,8 +304,8 @@ void Milling::queue(const geom::PathElement& element, const MilledMove& move, bo
         queued_.back().length = static_cast<float>(way / pieces);
         if (feed) figures_.contact_accuracy_mm = std::max(figures_.contact_accuracy_mm, way / pieces);
     }
-    if (tool_ != nullptr && has_shank(*tool_)) queue_pass(Kind::shank, milling::Part::shank, false, element);
-    if (tool_ != nullptr && has_holder(*tool_)) queue_pass(Kind::holder, milling::Part::holder, false, element);
+    if (tool_parts_.shank) queue_pass(Kind::shank, milling::Part::shank, false, element);
+    if (tool_parts_.holder) queue_pass(Kind::holder, milling::Part::holder, false, element);
     queue_clamps(element);
 }
 

@@ -57,7 +57,7 @@ private:
     };
     void begin();
     void add_clamps();
-    [[nodiscard]] std::optional<std::uint32_t> tool_in_use(const Move& move);
+    [[nodiscard]] bool tool_in_use(const Move& move);
     void queue(const geom::PathElement& element, const MilledMove& move, bool feed);
     void queue_pass(QueuedPass::Kind kind, sim::milling::Part part, bool cut, const geom::PathElement& element);
     void require(sim::milling::Taken taken);
@@ -69,6 +69,7 @@ private:
     void keep_points(const Move& move, MilledMove& m);
     void carry_out();
     void balance();
+    [[nodiscard]] bool assumed_body(const MilledMove& move) const;
     void judge(const QueuedPass& pass, const sim::milling::Engagement& met);
     void judge_cut(const QueuedPass& pass, MilledMove& move, const sim::milling::Engagement& met);
     void judge_surface(Milled& milled);
@@ -88,7 +89,12 @@ private:
     MillingFigures figures_;
     std::string tool_name_;
     const shop::Tool* tool_ = nullptr;
-    std::vector<std::optional<std::uint32_t>> known_tools_;  ///< number in the simulation, by index in Setup::tools
+    struct KnownTool {
+        std::uint32_t number = 0;  ///< in the simulation
+        bool shank = false, holder = false;
+    };
+    std::vector<std::optional<KnownTool>> known_tools_;  ///< by index in Setup::tools
+    KnownTool tool_parts_;
     std::uint32_t sim_tool_ = 0;
     std::uint32_t passes_ = 0, pieces_left_ = 0;
     geom::Vec3 axis_{0, 0, 1};

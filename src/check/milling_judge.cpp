@@ -83,6 +83,11 @@ void Milling::judge_cut(const QueuedPass& pass, MilledMove& move, const milling:
     found(move, std::move(f));
 }
 
+bool Milling::assumed_body(const MilledMove& move) const {
+    const auto listed = out_.result().tools[move.tool - 1].listed;
+    return listed && has_assumed_body(setup_.tools[*listed]);
+}
+
 void Milling::judge(const QueuedPass& pass, const milling::Engagement& met) {
     using Kind = QueuedPass::Kind;
     MilledMove& move = moves_[pass.move];
@@ -99,6 +104,13 @@ void Milling::judge(const QueuedPass& pass, const milling::Engagement& met) {
     } else if (pass.kind == Kind::rapid_probe) {
         f.code = codes::rapid_in_stock;
         f.text = "rapid move goes through the stock: " + deep;
+    } else if (pass.kind == Kind::shank && move.tool > 0 && assumed_body(move)) {
+        if (move.rapid) return;  // what cut there has said it
+        const shop::Tool& tool = setup_.tools[*out_.result().tools[move.tool - 1].listed];
+        f.code = codes::edges_too_short;
+        f.text = "the cutting edges are " + mm(*tool.cutting_length) + " long, the cut reaches above them, at " +
+                 place(met.deepest);
+        f.remedy = "take a tool with longer cutting edges, or cut less deep; give the tool's shank if it is thinner";
     } else {
         f.code = codes::holder_in_stock;
         f.text = "the " + part + " runs into the stock: " + deep;

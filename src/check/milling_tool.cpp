@@ -25,6 +25,11 @@ milling::CutterKind cutter_kind(shop::ToolKind kind) {
     }
 }
 
+bool drills(shop::ToolKind kind) {
+    using shop::ToolKind;
+    return kind == ToolKind::drill || kind == ToolKind::tap || kind == ToolKind::reamer;
+}
+
 std::vector<milling::Body> bodies(const std::vector<shop::ToolBody>& of) {
     std::vector<milling::Body> all;
     for (const shop::ToolBody& b : of) all.push_back({b.lower_diameter, b.upper_diameter, b.length});
@@ -33,7 +38,13 @@ std::vector<milling::Body> bodies(const std::vector<shop::ToolBody>& of) {
 
 }  // namespace
 
-milling::Cutter cutter_of(const shop::Tool& tool) {
+bool has_assumed_body(const shop::Tool& tool) {
+    const shop::ToolKind kind = shop::assumed_kind(tool);
+    return tool.cutting_length && *tool.cutting_length > 0 && tool.shank.empty() && kind != shop::ToolKind::t_slot &&
+           kind != shop::ToolKind::form;
+}
+
+milling::Cutter cutter_of(const shop::Tool& tool, double rub) {
     milling::Cutter c;
     const shop::ToolKind kind = shop::assumed_kind(tool);
     if (kind == shop::ToolKind::other) return c;  // without a radius: no tool
@@ -48,10 +59,14 @@ milling::Cutter cutter_of(const shop::Tool& tool) {
     c.cutting_length = shop::cutting_height(tool).value_or(unknown_height);
     c.shank = bodies(tool.shank);
     c.holder = bodies(tool.holder);
+    if (has_assumed_body(tool)) {
+        // A mill's body may rub along a wall that was cut before; in a hole it leaves the chips no way.
+        const double diameter = c.diameter + (drills(kind) ? 2 * rub : 0);
+        double left = tool.length > 0 ? tool.length - c.cutting_length : unknown_height;
+        for (const milling::Body& b : c.holder) left -= b.length;
+        if (left > 0) c.shank.push_back({diameter, diameter, left});
+    }
     return c;
 }
-
-bool has_shank(const shop::Tool& tool) { return !tool.shank.empty() || tool.kind == shop::ToolKind::t_slot; }
-bool has_holder(const shop::Tool& tool) { return !tool.holder.empty(); }
 
 }  // namespace obrys::check

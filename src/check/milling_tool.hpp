@@ -7,9 +7,9 @@
 namespace obrys::check {
 
 /// What cuts, the shank above it and the holder; dimensions that are not known are what ordinary tools have
-/// (docs/job-file.md).
-[[nodiscard]] sim::milling::Cutter cutter_of(const shop::Tool& tool);
-[[nodiscard]] bool has_shank(const shop::Tool& tool);
-[[nodiscard]] bool has_holder(const shop::Tool& tool);
+/// (docs/job-file.md). `rub`: mm by which a body that is assumed stands out of the hole that its edges drill.
+[[nodiscard]] sim::milling::Cutter cutter_of(const shop::Tool& tool, double rub = 0);
+/// The length of the edges is known and no shank is: what stands above them is taken to be as thick as they are.
+[[nodiscard]] bool has_assumed_body(const shop::Tool& tool);
 
 }  // namespace obrys::check
