@@ -20,6 +20,8 @@ namespace obrys::base {
 [[nodiscard]] std::string as_utf8(std::string_view s);
 /// Characters in valid UTF-8; bytes otherwise.
 [[nodiscard]] std::size_t character_count(std::string_view s);
+/// A field of a CSV row: in quotes where it needs them (RFC 4180).
+[[nodiscard]] std::string csv_field(std::string_view s);
 /// True where the text holds bytes no NC program holds (NUL and most control characters).
 [[nodiscard]] bool looks_binary(std::string_view s);
 

@@ -200,6 +200,10 @@ void Check::take(const cl::Record& record) {
         s.take(*datum);
     else if (const auto* axis = std::get_if<cl::Axis>(&record.step))
         s.take(record, *axis);
+    else if (std::holds_alternative<cl::CycleBegin>(record.step) && s.milling)
+        s.milling->begin_cycle(record.from);
+    else if (std::holds_alternative<cl::CycleEnd>(record.step) && s.milling)
+        s.milling->end_cycle();
     s.totals(record);
     s.end.from = record.from;
     s.end.stack = record.stack;

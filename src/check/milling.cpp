@@ -214,10 +214,12 @@ void Milling::take(const Move& move, std::uint32_t use, const Stand::View& view)
     m.tool = use;
     m.rapid = move.rapid;
     m.turning = turning_;
+    m.along = is_placed(cycle_) && !(m.where == cycle_);
     const geom::Vec3 way = move.to - move.from;
     const double down = -geom::dot(way, axis);
     m.plunging = down > 1e-9 && geom::length(way + down * axis) < 1e-9 * down;
     m.seconds = seconds_of(move);
+    keep_technology(move, m);
     keep_points(move, m);
     moves_.push_back(m);
     if (move.rapid) {
@@ -260,6 +262,25 @@ double Milling::seconds_of(const Move& move) const {
         case cl::FeedMode::inverse_time: return feed_.value > 0 ? 60 / feed_.value : NAN;
     }
     return NAN;
+}
+
+/// What chip thickness follows from.
+void Milling::keep_technology(const Move& move, MilledMove& m) const {
+    const double way = cl::move_length(move.from, move.record.step);
+    m.sinking = way > 0 ? std::clamp(-geom::dot(move.to - move.from, axis_) / way, -1.0, 1.0) : 0;
+    m.spindle = spindle_;
+    m.speed_rpm = spindle_ == 0 ? 0 : speed_;
+    if (move.rapid) return;
+    if (const auto* thread = std::get_if<cl::Thread>(&move.record.step))
+        m.feed_per_rev_mm = std::abs(thread->pitch);
+    else if (feed_.mode == cl::FeedMode::per_rev)
+        m.feed_per_rev_mm = feed_.value > 0 ? feed_.value : NAN;
+    else if (way > 0)
+        m.feed_mm_per_min = 60 * way / m.seconds;
+    if (std::isnan(m.feed_mm_per_min))
+        m.feed_mm_per_min = m.feed_per_rev_mm * m.speed_rpm;
+    else if (m.speed_rpm > 0)
+        m.feed_per_rev_mm = m.feed_mm_per_min / m.speed_rpm;
 }
 
 void Milling::queue(const geom::PathElement& element, const MilledMove& move, bool feed) {
@@ -305,6 +326,7 @@ void Milling::queue_pass(QueuedPass::Kind kind, milling::Part part, bool cut, co
     q.kind = kind;
     q.move = static_cast<std::uint32_t>(moves_.size() - 1);
     q.pass = passes_++;
+    q.low = std::min(geom::dot(geom::point_at(element, 0), axis_), geom::dot(geom::point_at(element, 1), axis_));
     move_of_pass_.push_back(q.move);
     queued_.push_back(q);
 }

@@ -24,6 +24,7 @@ struct QueuedPass {
     std::uint32_t clamp = 0;  ///< of passes against a clamp: its number from 1
     std::uint32_t pass = 0;   ///< number in its simulation
     float length = 0;         ///< mm of way
+    double low = 0;           ///< height of the tip along the axis, the lower end of the way
 };
 
 class Milling {
@@ -39,7 +40,11 @@ public:
     void take(const cl::Spindle& spindle) {
         turning_ = spindle.direction != 0 && spindle.speed != 0;
         speed_ = spindle.mode == cl::SpindleMode::rpm ? spindle.speed : NAN;
+        spindle_ = turning_ ? spindle.direction : std::int8_t{0};
     }
+    /// The brackets of a cycle; moves inside that come from elsewhere run along an element of its contour.
+    void begin_cycle(const base::Span& call) { cycle_ = call; }
+    void end_cycle() { cycle_ = nowhere; }
     /// `use`: index in Result::tools + 1. Queues the move; findings come later, in the order of the moves.
     void take(const Move& move, std::uint32_t use, const Stand::View& view);
     /// Carries out what is queued, judges the surface and fills in Result::milling.
@@ -60,6 +65,7 @@ private:
     [[nodiscard]] std::optional<std::array<double, 3>> needs_of_rapid(geom::Vec3 way) const;
     [[nodiscard]] std::vector<geom::Vec3> corners_of_rapid(const Move& move) const;
     [[nodiscard]] double seconds_of(const Move& move) const;
+    void keep_technology(const Move& move, MilledMove& m) const;
     void keep_points(const Move& move, MilledMove& m);
     void carry_out();
     void balance();
@@ -69,6 +75,7 @@ private:
     void judge_surface(Milled& milled);
     void judge_place(const Milled& milled, const mesh::Place& place, bool gouge);
     void found(const MilledMove& move, Finding f);
+    void found(const Milled& milled, const mesh::Place& place, Finding f);
 
     const Setup& setup_;
     Collector& out_;
@@ -91,8 +98,10 @@ private:
     std::uint32_t sim_tool_ = 0;
     std::uint32_t passes_ = 0, pieces_left_ = 0;
     geom::Vec3 axis_{0, 0, 1};
+    base::Span cycle_ = nowhere;  ///< call of the cycle being run
     cl::Feed feed_;
     double speed_ = NAN;  ///< 1/min
+    std::int8_t spindle_ = 0;
     bool turning_ = false, tool_ready_ = false, complete_ = true, stopped_reported_ = false;
     std::uint64_t start_moves_ = 0;
     bool position_was_known_ = false;

@@ -2,6 +2,8 @@
 
 #include <algorithm>
 #include <cmath>
+#include <map>
+#include <utility>
 
 #include "base/codes.hpp"
 #include "base/number.hpp"
@@ -21,6 +23,23 @@ std::string place(geom::Vec3 p) {
     return "X " + base::fixed(p.x, 3) + " Y " + base::fixed(p.y, 3) + " Z " + base::fixed(p.z, 3);
 }
 
+constexpr std::size_t most_blocks = 8;  ///< that a finding names beside its own
+
+/// What a block cut of a place.
+struct BlockShare {
+    const MilledMove* move = nullptr;
+    double area = 0;  ///< mm2
+};
+
+/// Where the material lies, for the block at which the finding stands and so many others.
+std::string extent_text(const MilledMove& at, bool cut_there, std::size_t others) {
+    const std::string more =
+        others == 0 ? "" : " and " + std::to_string(others) + (others == 1 ? " more block" : " more blocks");
+    const std::string here = at.along ? "this contour element" : "this block";
+    if (!cut_there) return "; no move has cut at that point, " + here + more + " beside it";
+    return at.along || others > 0 ? (at.along ? ", along " : ", in the cuts of ") + here + more : "";
+}
+
 }  // namespace
 
 /// Places a finding at a move that is over.
@@ -37,9 +56,10 @@ void Milling::judge_cut(const QueuedPass& pass, MilledMove& move, const milling:
     move.volume_mm3 += met.volume;
     if (move.tool > 0) out_.result().tools[move.tool - 1].volume_mm3 += met.volume;
     if (met.highest > met.lowest) move.axial_depth_mm = std::max(move.axial_depth_mm, met.highest - met.lowest);
+    if (met.highest > met.lowest) move.reach_mm = std::max(move.reach_mm, met.highest - pass.low);
     if (met.rightmost <= met.leftmost) {
-        move.rightmost_mm = first ? met.rightmost : std::min(move.rightmost_mm, met.rightmost);
-        move.leftmost_mm = first ? met.leftmost : std::max(move.leftmost_mm, met.leftmost);
+        move.rightmost_mm = std::min(move.rightmost_mm, met.rightmost);
+        move.leftmost_mm = std::max(move.leftmost_mm, met.leftmost);
     }
     if (move.rapid) return;
     move.contact_length_mm += static_cast<double>(pass.length);
@@ -112,10 +132,40 @@ void Milling::judge_place(const Milled& milled, const mesh::Place& p, bool gouge
                  {"x_mm", p.at.x},
                  {"y_mm", p.at.y},
                  {"z_mm", p.at.z}};
-    if (p.tag > 0 && p.tag <= milled.moves.size()) return found(milled.moves[p.tag - 1], std::move(f));
-    f.text += "; no move has cut there";
-    const cl::Record nothing{cl::Stop{}, nowhere, 0};
-    out_.finding(nothing, std::move(f));
+    found(milled, p, std::move(f));
+}
+
+/// Places a finding at the cut where it is worst, or beside that, and names the other blocks of it, those with most of
+/// its area first.
+void Milling::found(const Milled& milled, const mesh::Place& p, Finding f) {
+    const auto move_of = [&](std::uint32_t tag) {
+        return tag > 0 && tag <= milled.moves.size() ? &milled.moves[tag - 1] : nullptr;
+    };
+    std::vector<BlockShare> blocks;
+    std::map<std::pair<std::uint32_t, std::uint32_t>, std::size_t> known;
+    for (const mesh::TagShare& s : p.shares) {
+        const MilledMove* m = move_of(s.tag);
+        if (m == nullptr) continue;
+        const auto [at, added] = known.try_emplace({m->where.file, m->where.begin}, blocks.size());
+        if (added) blocks.push_back({m, 0});
+        blocks[at->second].area += s.area;
+    }
+    if (blocks.empty()) {
+        f.text += "; no move has cut there";
+        const cl::Record nothing{cl::Stop{}, nowhere, 0};
+        return out_.finding(nothing, std::move(f));
+    }
+    std::stable_sort(blocks.begin(), blocks.end(),
+                     [](const BlockShare& a, const BlockShare& b) { return a.area > b.area; });
+    const MilledMove* worst = move_of(p.tag);
+    const MilledMove& at = worst != nullptr ? *worst : *blocks.front().move;
+    std::erase_if(blocks, [&](const BlockShare& b) { return b.move->where == at.where; });
+    f.text += extent_text(at, worst != nullptr, blocks.size());
+    for (std::size_t i = 0; i < blocks.size() && i < most_blocks; ++i)
+        f.related.push_back({blocks[i].move->where, (blocks[i].move->along ? "along this contour element, too: "
+                                                                           : "in the cut of this block, too: ") +
+                                                        mm2(blocks[i].area)});
+    found(at, std::move(f));
 }
 
 void Milling::judge_surface(Milled& milled) {

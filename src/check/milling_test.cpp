@@ -2,6 +2,8 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
+
 #include "base/codes.hpp"
 #include "check/check.hpp"
 #include "mesh/primitives.hpp"
@@ -90,6 +92,40 @@ TEST(Milling, WhatIsLeftIsNamedWithItsHeightAndTheMoveBesideIt) {
     ASSERT_TRUE(rest[0]->place);
     EXPECT_GT(rest[0]->place->y, 29.9);
     EXPECT_EQ(r.verdict, Verdict::findings);
+}
+
+/// A strip as the part is, then two 1 mm too high; as moves of their own and as a contour cycle's.
+TEST(Milling, WhatLiesAlongSeveralBlocksNamesThemAndTheContourElements) {
+    for (const bool cycle : {false, true}) {
+        const cl::CallStacks stacks;
+        Check check(with_part(face_setup(), -5), stacks);
+        const auto take = [&](cl::Step step, std::uint32_t at) { check.take({std::move(step), {0, at, at + 1}, 0}); };
+        take(cl::ToolChange{1, 1, ""}, 0);
+        take(cl::Spindle{3000, cl::SpindleMode::rpm, 1, 0}, 0);
+        take(cl::Linear{{-20, 5, 20}, {0, 0, 1}, true}, 0);
+        take(cl::Feed{500, cl::FeedMode::per_minute}, 0);
+        if (cycle) take(cl::CycleBegin{"CYCL DEF 25", {}}, 0);
+        std::uint32_t at = 10;
+        for (const auto& [y, z] : {std::pair{35.0, -5.0}, std::pair{20.0, -4.0}, std::pair{5.0, -4.0}}) {
+            take(cl::Linear{{-20, y, z}, {0, 0, 1}, true}, 0);
+            take(cl::Linear{{80, y, z}, {0, 0, 1}, false}, at++);
+            take(cl::Linear{{80, y, 20}, {0, 0, 1}, true}, 0);
+            take(cl::Linear{{-20, y, 20}, {0, 0, 1}, true}, 0);
+        }
+        if (cycle) take(cl::CycleEnd{}, 0);
+        const Result r = check.finish();
+        const auto rest = of(r, base::codes::rest_material);
+        ASSERT_EQ(rest.size(), 1U);
+        EXPECT_NEAR(amount(*rest[0], "height_mm"), 1, 0.02);
+        std::vector<std::uint32_t> blocks{rest[0]->where.begin};
+        for (const base::Related& other : rest[0]->related) blocks.push_back(other.where.begin);
+        std::sort(blocks.begin(), blocks.end());
+        EXPECT_EQ(blocks, (std::vector<std::uint32_t>{10, 11, 12}));
+        EXPECT_EQ(rest[0]->related.back().where.begin, 10U) << "it made the wall between the heights only";
+        const std::string where =
+            cycle ? ", along this contour element and 2 more blocks" : ", in the cuts of this block and 2 more blocks";
+        EXPECT_NE(rest[0]->text.find(where), std::string::npos) << rest[0]->text;
+    }
 }
 
 TEST(Milling, ACutIntoThePartIsAGougeOfItsMove) {

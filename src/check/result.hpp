@@ -2,6 +2,7 @@
 /// What a check found: verdict, findings, what was not checked, what was assumed, figures. Plain values for the
 /// reports.
 
+#include <cmath>
 #include <cstdint>
 #include <memory>
 #include <optional>
@@ -111,13 +112,22 @@ struct MilledMove {
     bool rapid = false;
     bool turning = false;   ///< the spindle
     bool plunging = false;  ///< straight along the axis into the material
+    bool along = false;     ///< a contour cycle's, along the contour element at `where`
     // What it met (sim/milling: Engagement).
     double volume_mm3 = 0;
-    double contact_length_mm = 0;              ///< way over which it removed material
-    double axial_depth_mm = 0;                 ///< along the tool's axis, of what was removed
-    double rightmost_mm = 0, leftmost_mm = 0;  ///< beside the way, seen against the axis
-    std::uint32_t points_end = 0;              ///< in Milled::points: one past the last of this move; kept moves only
-    double seconds = 0;                        ///< at the programmed feed, or the machine's rapid; NaN: not known
+    double contact_length_mm = 0;  ///< way over which it removed material
+    double axial_depth_mm = 0;     ///< along the tool's axis, of what was removed
+    /// Beside the way, seen against the axis, left positive; rightmost above leftmost: nothing was measured.
+    double rightmost_mm = INFINITY, leftmost_mm = -INFINITY;
+    double reach_mm = 0;  ///< how high above the tip the edge met material, at most
+    // How it was made; check/engagement.hpp makes chip thickness of it.
+    double sinking = 0;            ///< part of the way that leads down along the axis: 1 straight down, -1 up
+    double feed_per_rev_mm = NAN;  ///< not of rapids; NaN: not known
+    double feed_mm_per_min = NAN;  ///< the same
+    double speed_rpm = NAN;        ///< 0 while the spindle stands; NaN: not known
+    std::int8_t spindle = 0;       ///< +1 clockwise (M3), -1 counter-clockwise, 0 standing
+    std::uint32_t points_end = 0;  ///< in Milled::points: one past the last of this move; kept moves only
+    double seconds = 0;            ///< at the programmed feed, or the machine's rapid; NaN: not known
 };
 
 struct MillingFigures {

@@ -226,7 +226,7 @@ using StackId = std::uint32_t;
 
 struct Record {
     Step step;
-    base::Span from;    ///< the source text that caused it
+    base::Span from;    ///< the source text that caused it; along a contour cycle's contour: the block of that element
     StackId stack = 0;  ///< where it was called from
 };
 

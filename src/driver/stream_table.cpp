@@ -73,13 +73,6 @@ void append_number(std::string& out, double v) {
     if (std::isfinite(v)) base::append_fixed(out, v, decimals);
 }
 
-std::string csv_text(std::string_view text) {
-    if (text.find_first_of(",\"\n") == std::string_view::npos) return std::string(text);
-    std::string out = "\"";
-    for (const char c : text) out += c == '"' ? std::string("\"\"") : std::string(1, c);
-    return out + "\"";
-}
-
 }  // namespace
 
 CsvWriter::CsvWriter(const base::Sources& sources, TextSink out) : sources_(sources), out_(out) {
@@ -91,7 +84,7 @@ void CsvWriter::operator()(const cl::Record& r) {
     Row row;
     if (!row_of(r.step, row)) return;
     row_.clear();
-    row_ += std::to_string(index_++) + ',' + csv_text(sources_[r.from.file].name) + ',' +
+    row_ += std::to_string(index_++) + ',' + base::csv_field(sources_[r.from.file].name) + ',' +
             std::to_string(sources_.position(r.from).line) + ',';
     if (const auto block = sources_.block_number(r.from.file, r.from.begin)) row_ += std::to_string(*block);
     row_ += std::string(",") + row.kind;

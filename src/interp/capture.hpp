@@ -18,6 +18,7 @@ struct Captured {
     path::CornerRequest corner;  ///< chamfer or rounding at its end
     geom::Frame frame;
     base::Span where;
+    cl::StackId stack = 0;
     double fillet = 0, chamfer = 0;  ///< A and C of a turning cycle's contour, mm
 };
 

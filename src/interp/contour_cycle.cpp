@@ -39,19 +39,20 @@ path::Element in_frame(const Captured& c, const geom::Frame& frame, const PlaneA
     return e;
 }
 
-void add_edge(geom::Contour& c, const path::Element& e) {
+void add_edge(geom::Contour& c, const path::Element& e, const Captured& from, ContourElements& elements) {
     const double most = geom::pi;
     const int parts = path::is_arc(e) ? std::max(1, static_cast<int>(std::ceil(std::abs(e.sweep) / most - 1e-9))) : 1;
     for (int i = 0; i < parts; ++i) {
         c.vertices.back().bulge = path::is_arc(e) ? std::tan(e.sweep / parts / 4) : 0;
         const Vec2 p = i + 1 == parts ? e.to : path::point_at(e, static_cast<double>(i + 1) / parts);
+        elements.push_back({{c.vertices.back().p, p, c.vertices.back().bulge}, from.where, from.stack});
         c.vertices.push_back({p, 0});
     }
 }
 
 }  // namespace
 
-geom::Contour contour_of(Run& run, const std::vector<Captured>& all) {
+geom::Contour contour_of(Run& run, const std::vector<Captured>& all, ContourElements& elements) {
     const PlaneAxes a = plane_axes(run.modal.plane);
     geom::Contour contour;
     contour.closed = false;
@@ -59,10 +60,12 @@ geom::Contour contour_of(Run& run, const std::vector<Captured>& all) {
     contour.vertices.push_back({in_frame(all.front(), run.frame, a).to, 0});
     path::CornerStage corners;
     const auto take = [&](const path::CornerOutput& out) {
-        if (path::moves_in_plane(out.element)) add_edge(contour, out.element);
+        if (path::moves_in_plane(out.element)) add_edge(contour, out.element, all[out.element.tag], elements);
     };
     for (std::size_t i = 1; i < all.size(); ++i) {
-        const auto fault = corners.push(in_frame(all[i], run.frame, a), all[i].corner, take);
+        path::Element e = in_frame(all[i], run.frame, a);
+        e.tag = i;
+        const auto fault = corners.push(std::move(e), all[i].corner, take);
         if (fault)
             unchecked(run, codes::value_range, all[i].where,
                       "this chamfer or rounding of the contour cannot be made: it is left out");
@@ -106,7 +109,7 @@ struct Label {
 };
 
 /// False after a complaint.
-bool read_labels(Run& run, std::vector<Label>& labels) {
+bool read_labels(Run& run, std::vector<Label>& labels, ContourElements& elements) {
     if (run.contour_unit == nullptr || run.contour_labels.empty()) {
         alarm(run, codes::missing_label, run.here(), "no contour is defined for this cycle",
               "name its labels with CYCL DEF 14 before the call");
@@ -120,7 +123,7 @@ bool read_labels(Run& run, std::vector<Label>& labels) {
                   "the contour label " + name + " of CYCL DEF 14 is missing or does not end");
             return false;
         }
-        Label l{name, contour_of(run, *all), side_of(*all)};
+        Label l{name, contour_of(run, *all, elements), side_of(*all)};
         if (!is_known(l.contour)) {
             unchecked(run, codes::unknown_value, run.here(),
                       "the contour of label " + name + " depends on a value that is not known: the cycle is not run");
@@ -153,9 +156,9 @@ bool combine(Run& run, const std::vector<Label>& labels, geom::Region& area) {
 namespace {
 
 /// What the labels of CYCL DEF 14 say.
-std::optional<cycles::ContourTask> labelled_task(Run& run, bool train) {
+std::optional<cycles::ContourTask> labelled_task(Run& run, bool train, ContourElements& elements) {
     std::vector<Label> labels;
-    if (!read_labels(run, labels)) return std::nullopt;
+    if (!read_labels(run, labels, elements)) return std::nullopt;
     cycles::ContourTask task;
     if (train) {
         task.train = {labels.front().contour, labels.front().side};
@@ -169,17 +172,18 @@ std::optional<cycles::ContourTask> labelled_task(Run& run, bool train) {
 
 }  // namespace
 
-std::optional<std::vector<ContourLayer>> contour_layers(Run& run, const cycles::Demand& demand) {
+std::optional<std::vector<ContourLayer>> contour_layers(Run& run, const cycles::Demand& demand,
+                                                        ContourElements& elements) {
     const bool train = demand.kind == program::CycleKind::contour_train;
     std::optional<std::vector<ContourLayer>> layers;
     if (run.contour_choices.empty()) {
-        if (auto task = labelled_task(run, train)) layers = {{std::move(*task), {}}};
+        if (auto task = labelled_task(run, train, elements)) layers = {{std::move(*task), {}}};
     } else if (train) {
         unchecked(run, codes::unsupported, run.here(),
                   "a contour train along a contour of CONTOUR DEF or a formula is not run",
                   "name its label with CYCL DEF 14");
     } else {
-        layers = chosen_layers(run, demand);
+        layers = chosen_layers(run, demand, elements);
     }
     const auto role = demand.kind == program::CycleKind::pilot_drill ? program::CycleRole::pilot_tool
                                                                      : program::CycleRole::coarse_tool;

@@ -42,7 +42,7 @@ ContourChoice choice_of(Run& run, const ContourStatement& s) {
 /// Reads contours of parts; a complaint makes it `failed`.
 class Parts {
 public:
-    explicit Parts(Run& run) : run_(run) {}
+    Parts(Run& run, ContourElements& elements) : run_(run), elements_(elements) {}
 
     [[nodiscard]] bool failed() const { return failed_; }
     [[nodiscard]] Region area(const ContourChoice& c, std::size_t i) {
@@ -53,7 +53,7 @@ public:
         if (unit == nullptr) return fail();
         const auto elements = label ? elements_of_label(run_, *unit, name) : elements_of_program(run_, *unit);
         if (!elements) return alarm("is missing or does not end", label, name, p);
-        const geom::Contour contour = contour_of(run_, *elements);
+        const geom::Contour contour = contour_of(run_, *elements, elements_);
         if (!is_known(contour))
             return unchecked(run_, codes::unknown_value, p.where,
                              "the contour " + name + " depends on a value that is not known: the cycle is not run"),
@@ -74,6 +74,7 @@ private:
     }
 
     Run& run_;
+    ContourElements& elements_;
     bool failed_ = false;
 };
 
@@ -107,8 +108,9 @@ ContourLayer layer_of(Region area, double surface, const Extent& e) {
 }
 
 /// The layers between all tops and bottoms; one of them where no contour has a depth of its own.
-std::optional<std::vector<ContourLayer>> of_parts(Run& run, const ContourChoice& c, const cycles::Demand& d) {
-    Parts parts(run);
+std::optional<std::vector<ContourLayer>> of_parts(Run& run, const ContourChoice& c, const cycles::Demand& d,
+                                                  ContourElements& elements) {
+    Parts parts(run, elements);
     const double floor = std::abs(d.get(program::CycleRole::depth));
     std::vector<Region> areas;
     std::vector<Extent> extents;
@@ -172,8 +174,8 @@ std::optional<Region> of_formula(Run& run, const ContourStatement& s, const Area
 }
 
 /// The contour is that of the last formula; where there is none, the one declared last.
-std::optional<Region> of_choices(Run& run, double floor) {
-    Parts parts(run);
+std::optional<Region> of_choices(Run& run, double floor, ContourElements& elements) {
+    Parts parts(run, elements);
     Areas areas;
     std::optional<std::uint32_t> declared, computed;
     const std::vector<ContourChoice> choices = run.contour_choices;
@@ -216,18 +218,19 @@ void contour_statement(Run& run, const ContourStatement& s) {
     if (const Unit* unit = find_named_program(run, printed(name), s.where)) enter(run, *unit, nullptr, s.where);
 }
 
-std::optional<std::vector<ContourLayer>> chosen_layers(Run& run, const cycles::Demand& demand) {
+std::optional<std::vector<ContourLayer>> chosen_layers(Run& run, const cycles::Demand& demand,
+                                                       ContourElements& elements) {
     const ContourChoice c = run.contour_choices.front();
     std::optional<std::vector<ContourLayer>> layers;
     if (c.statement->kind != Kind::definition) {
-        auto area = of_choices(run, std::abs(demand.get(program::CycleRole::depth)));
+        auto area = of_choices(run, std::abs(demand.get(program::CycleRole::depth)), elements);
         if (!area) return std::nullopt;
         layers.emplace(1);
         layers->front().task.area = std::move(*area);
     } else if (c.parts.empty()) {
         unchecked(run, codes::contour, run.here(), "the contour of this cycle is not known: the cycle is not run");
     } else {
-        layers = of_parts(run, c, demand);
+        layers = of_parts(run, c, demand, elements);
     }
     if (!layers) return std::nullopt;
     if (layers->empty() || layers->front().task.area.empty()) {

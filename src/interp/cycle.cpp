@@ -135,10 +135,11 @@ geom::Vec3 end_of(const std::vector<cl::Step>& steps, const geom::Vec3& otherwis
 }
 
 /// The steps of the cycle; nothing after a complaint.
-std::optional<cycles::Expansion> expansion(Run& run, const ActiveCycle& c, const CycleValues& instead) {
+std::optional<cycles::Expansion> expansion(Run& run, const ActiveCycle& c, const CycleValues& instead,
+                                           ContourElements& elements) {
     const cycles::Demand demand = demand_of(run, c, instead);
     if (!cycles::is_contour_cycle(demand.kind)) return cycles::expand(demand, situation_of(run));
-    const auto layers = contour_layers(run, demand);
+    const auto layers = contour_layers(run, demand, elements);
     if (!layers) return std::nullopt;
     cycles::Expansion all;
     cycles::Situation s = situation_of(run);
@@ -298,9 +299,10 @@ void call_cycle(Run& run, const CycleValues& instead) {
         unchecked(run, codes::unsupported, run.here(), c.definition->name + " is called and not run");
         run.position = run.programmed_position = {NAN, NAN, NAN};
     } else {
-        std::optional<cycles::Expansion> e = expansion(run, c, instead);
+        ContourElements elements;
+        std::optional<cycles::Expansion> e = expansion(run, c, instead, elements);
         if (e) report(run, c, *e);
-        if (e) emit_steps(run, e->steps);
+        if (e) emit_along(run, e->steps, elements, situation_of(run).at);
         if (run.stopped) return;
         if (run.feed_valid) emit(run, cl::Feed{run.feed, run.modal.feed_mode});
     }

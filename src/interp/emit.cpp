@@ -3,6 +3,7 @@
 #include <limits>
 
 #include "base/codes.hpp"
+#include "interp/contour_cycle.hpp"
 #include "interp/path_stage.hpp"
 
 namespace obrys::interp {
@@ -10,8 +11,8 @@ namespace obrys::interp {
 void emit(Run& run, cl::Step step) {
     if (run.capture != nullptr) return;
     run.record.step = std::move(step);
-    run.record.from = run.here();
-    run.record.stack = run.top().stack;
+    run.record.from = run.along != nullptr ? run.along->where : run.here();
+    run.record.stack = run.along != nullptr ? run.along->stack : run.top().stack;
     if (run.path->active() && !cl::is_move(run.record.step))
         run.path->hold(run.record);
     else

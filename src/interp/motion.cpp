@@ -357,8 +357,8 @@ path::Element straight_element(const geom::Vec3& at, const geom::Vec3& to, const
 void capture(Run& run, const path::Element& e, bool rapid) {
     const double unit = length_unit(run.modal);
     const auto size = [&](Code c) { return run.block.has(c) ? run.block.get(c) * unit : 0; };
-    run.capture->push_back(
-        {e, rapid, run.modal.compensation, corner_of_block(run), run.frame, run.here(), size(Code::a), size(Code::c)});
+    run.capture->push_back({e, rapid, run.modal.compensation, corner_of_block(run), run.frame, run.here(),
+                            run.top().stack, size(Code::a), size(Code::c)});
 }
 
 void straight_motion(Run& run, const geom::Vec3& to, bool rapid) {

@@ -188,6 +188,7 @@ struct ToolState {
 
 class PathStage;
 struct Captured;
+struct ContourElement;
 struct FreeContour;
 
 struct Run {
@@ -258,6 +259,8 @@ struct Run {
     std::unique_ptr<PathStage> path;
     /// Where it is set, elements go there and nothing is emitted or complained about (capture.hpp).
     std::vector<Captured>* capture = nullptr;
+    /// Where it is set, records come from there instead of the block being run (contour_cycle.hpp).
+    const ContourElement* along = nullptr;
     std::shared_ptr<FreeContour> free_contour;  ///< being solved
     std::optional<geom::Vec2> free_pole;        ///< FPOL
     bool turned_contour = false;                ///< the contour of a turning cycle is being collected

@@ -71,6 +71,35 @@ struct Places {
     std::size_t count = 0;
 };
 
+/// The tags of all places. `place_of_root`: index in `places` by the root of a triangle's group, `none` where it is not
+/// listed.
+constexpr std::uint32_t none = 0xffffffff;
+template <class TooFar>
+void share_out(const Mesh& m, Groups& groups, std::span<const std::uint32_t> place_of_root, TooFar too_far,
+               std::vector<Place>& places) {
+    struct Piece {
+        std::uint32_t place, tag;
+        double area;
+    };
+    std::vector<Piece> pieces;
+    for (std::uint32_t t = 0; t < m.triangles.size(); ++t) {
+        if (!too_far(t)) continue;
+        const std::uint32_t place = place_of_root[groups.root(m.triangles[t][0])];
+        if (place != none) pieces.push_back({place, m.tag(t), 0.5 * length(area_vector(m, t))});
+    }
+    std::stable_sort(pieces.begin(), pieces.end(), [](const Piece& a, const Piece& b) {
+        return a.place != b.place ? a.place < b.place : a.tag < b.tag;
+    });
+    for (const Piece& p : pieces) {
+        std::vector<TagShare>& shares = places[p.place].shares;
+        if (shares.empty() || shares.back().tag != p.tag) shares.push_back({p.tag, 0});
+        shares.back().area += p.area;
+    }
+    for (Place& p : places)
+        std::stable_sort(p.shares.begin(), p.shares.end(),
+                         [](const TagShare& a, const TagShare& b) { return a.area > b.area; });
+}
+
 /// Triangles that share vertices, one place each. `gouges`: those lower than -allowed, else those higher than allowed.
 Places cluster(const Mesh& m, std::span<const Extremes> extremes, bool gouges, double allowed, std::size_t most) {
     const auto deviation = [&](std::size_t t) { return gouges ? -extremes[t].low : extremes[t].high; };
@@ -81,16 +110,18 @@ Places cluster(const Mesh& m, std::span<const Extremes> extremes, bool gouges, d
         groups.join(m.triangles[t][0], m.triangles[t][2]);
     }
     Places places;
-    std::vector<std::uint32_t> number(m.vertices.size(), 0xffffffff);
+    std::vector<std::uint32_t> number(m.vertices.size(), none);
     for (std::uint32_t t = 0; t < extremes.size(); ++t) {
         if (!(deviation(t) > allowed)) continue;
         std::uint32_t& n = number[groups.root(m.triangles[t][0])];
-        if (n == 0xffffffff) {
+        if (n == none) {
             n = static_cast<std::uint32_t>(places.worst.size());
             places.worst.emplace_back();
         }
         Place& p = places.worst[n];
-        if (deviation(t) > std::abs(p.deviation)) {
+        // Of triangles that meet in the worst point, one that a cut made rather than the stock's own.
+        if (deviation(t) > std::abs(p.deviation) ||
+            (deviation(t) == std::abs(p.deviation) && p.tag == 0 && m.tag(t) != 0)) {
             p.deviation = gouges ? extremes[t].low : extremes[t].high;
             p.at = place_of(m, t, gouges ? extremes[t].low_at : extremes[t].high_at);
             p.triangle = t;
@@ -101,9 +132,22 @@ Places cluster(const Mesh& m, std::span<const Extremes> extremes, bool gouges, d
         for (const Vec3& c : corners(m, t)) p.extent.add(c);
     }
     places.count = places.worst.size();
-    std::stable_sort(places.worst.begin(), places.worst.end(),
-                     [](const Place& a, const Place& b) { return std::abs(a.deviation) > std::abs(b.deviation); });
-    places.worst.resize(std::min(places.worst.size(), most));
+    std::vector<std::uint32_t> order(places.worst.size()), rank(places.worst.size(), none);
+    std::iota(order.begin(), order.end(), 0U);
+    std::stable_sort(order.begin(), order.end(), [&](std::uint32_t a, std::uint32_t b) {
+        return std::abs(places.worst[a].deviation) > std::abs(places.worst[b].deviation);
+    });
+    order.resize(std::min(order.size(), most));
+    std::vector<Place> worst;
+    for (const std::uint32_t n : order) {
+        rank[n] = static_cast<std::uint32_t>(worst.size());
+        worst.push_back(std::move(places.worst[n]));
+    }
+    places.worst = std::move(worst);
+    for (std::uint32_t& n : number)
+        if (n != none) n = rank[n];
+    share_out(
+        m, groups, number, [&](std::size_t t) { return deviation(t) > allowed; }, places.worst);
     return places;
 }
 

@@ -18,6 +18,12 @@ struct CompareOptions {
     std::size_t places = 100;  ///< at most so many of each kind are listed
 };
 
+/// How much of a place has one tag.
+struct TagShare {
+    std::uint32_t tag = 0;
+    double area = 0;  ///< mm2
+};
+
 /// Triangles that touch each other and all lie too deep, or all too high.
 struct Place {
     geom::Vec3 at;               ///< where the deviation is largest
@@ -27,6 +33,7 @@ struct Place {
     std::size_t triangles = 0;
     double area = 0;  ///< of all its triangles, mm2
     Box extent;
+    std::vector<TagShare> shares;  ///< all its tags, the largest area first
 };
 
 struct Comparison {

@@ -68,6 +68,22 @@ TEST(Compare, allows_what_is_allowed_and_lists_no_more_than_asked) {
     EXPECT_EQ(one.gouge_count, 2U);
 }
 
+TEST(Compare, tells_whose_triangles_a_place_is_made_of) {
+    const Distance part(box({-10, -10, -5}, {50, 50, 0}));
+    Mesh result = plate(40, {{{10, 10, -0.3}, 1.2}, {{30, 30, -0.2}, 0.5}});
+    for (std::uint32_t t = 0; t < result.triangles.size(); ++t) result.tags[t] = centre(result, t).x < 9.2 ? 7 : 8;
+    const Comparison c = compare(result, part);
+    ASSERT_EQ(c.gouges.size(), 2U);
+    ASSERT_EQ(c.gouges[0].shares.size(), 2U);
+    EXPECT_EQ(c.gouges[0].shares[0].tag, 8U) << "the larger part";
+    EXPECT_EQ(c.gouges[0].shares[1].tag, 7U);
+    EXPECT_GT(c.gouges[0].shares[0].area, c.gouges[0].shares[1].area);
+    EXPECT_NEAR(c.gouges[0].shares[0].area + c.gouges[0].shares[1].area, c.gouges[0].area, 1e-9);
+    ASSERT_EQ(c.gouges[1].shares.size(), 1U);
+    EXPECT_NEAR(c.gouges[1].shares[0].area, c.gouges[1].area, 1e-9);
+    EXPECT_TRUE(compare(result, part, {.gouge = 0.01, .excess = 0.01, .places = 0}).gouges.empty());
+}
+
 TEST(Compare, one_triangle_may_lie_too_deep_and_too_high) {
     const Distance part(ball({0, 0, 0}, 1, 64));
     Mesh result;

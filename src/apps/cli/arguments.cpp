@@ -165,6 +165,11 @@ Commands add_commands(CLI::App& app, Arguments& a) {
     picture("--plan", a.plan_view, "milling: also draw the part from above, the deeper the darker (.png, .svg)");
     picture("--projections", a.projections, "milling: the same from front, left and above, cut open");
     picture("--picture", a.picture, "milling: the same in 3D");
+    c.check->add_option("--engagement", a.engagement, "milling: also write how every move was engaged (.csv, .json)")
+        ->check([](const std::string& path) {
+            return path.ends_with(".csv") || path.ends_with(".json") ? "" : "must end with .csv or .json";
+        })
+        ->type_name("FILE");
     c.check->add_flag("--no-list", a.no_list, "text: leave out what has no effect on the verdict");
     c.check->add_flag("!--no-color,!--no-colour", a.colours, "text without colours (also: NO_COLOR)");
     c.run = app.add_subcommand("run", run_help);

@@ -20,6 +20,7 @@ struct Arguments {
     std::string html, svg;                        ///< of check: also write these; svg of plot: the picture
     std::string stl, three_mf, gltf;              ///< of check: the milled surface
     std::string plan_view, projections, picture;  ///< of check: its pictures, .svg or .png
+    std::string engagement;                       ///< of check: table of the milling moves, .csv or .json
     driver::MillingRequest milling;               ///< of check
     double interpolation = 0;                     ///< of plot: basic length unit, mm; 0: none given
     bool quiet = false;                           ///< of run: counts only

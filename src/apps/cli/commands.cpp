@@ -19,6 +19,7 @@
 #include "driver/plot_path.hpp"
 #include "driver/stream_table.hpp"
 #include "milled.hpp"
+#include "output.hpp"
 #include "progress.hpp"
 #include "report/milling_report.hpp"
 #include "report/report.hpp"
@@ -62,23 +63,6 @@ std::string counts(const interp::Outcome& outcome, const cl::Totals& t) {
            std::to_string(t.rapid_moves) + " rapid, " + std::to_string(t.feed_moves) + " feed), rapid " +
            base::fixed(t.rapid_length_mm, 3) + " mm, feed " + base::fixed(t.feed_length_mm, 3) + " mm\n";
 }
-
-/// Collects output in pieces of a megabyte, so that long streams never lie in memory as a whole.
-class Output {
-public:
-    explicit Output(const std::string& path)
-        : file_(path.empty() || path == "-" ? stdout : std::fopen(path.c_str(), "wb")) {}
-    ~Output() {
-        if (file_ != nullptr && file_ != stdout) std::fclose(file_);
-    }
-    Output(const Output&) = delete;
-    Output& operator=(const Output&) = delete;
-    [[nodiscard]] bool good() const { return file_ != nullptr; }
-    void write(std::string_view text) { std::fwrite(text.data(), 1, text.size(), file_); }
-
-private:
-    std::FILE* file_;
-};
 
 interp::Outcome print_stream(const Arguments& a, driver::Session& s, Output& out) {
     const auto write = [&](std::string_view text) { out.write(text); };
@@ -185,6 +169,7 @@ int check(const Arguments& a) {
     if (!a.html.empty()) written = deliver(s, a.html, page(subject)) && written;
     if (!a.svg.empty()) written = deliver(s, a.svg, report::to_svg(subject)) && written;
     written = write_surface(a, s, checked) && written;
+    written = write_engagement(a, subject) && written;
     return written ? check::exit_code(checked.result.verdict) : 2;
 }
 

@@ -8,6 +8,8 @@
 #include "mesh/export.hpp"
 #include "mesh/merge_flat.hpp"
 #include "mesh/stl.hpp"
+#include "output.hpp"
+#include "report/engagement_table.hpp"
 #include "report/milling_picture.hpp"
 #include "sim/milling/stock.hpp"
 
@@ -149,6 +151,25 @@ bool write_surface(const Arguments& a, driver::Session& s, const driver::Checked
     const auto glb = mesh::write_glb(surface, colours.palette);
     if (glb) return deliver(s, a.gltf, *glb) && written;
     std::fputs("obrys: the surface is too large for a glTF file; take a coarser --tolerance\n", stderr);
+    return false;
+}
+
+bool write_engagement(const Arguments& a, const report::Subject& subject) {
+    if (a.engagement.empty()) return true;
+    if (subject.result.milled == nullptr) {
+        std::fputs("obrys: there is no engagement to write: the job has no milling stock that was simulated\n", stderr);
+        return false;
+    }
+    Output file(a.engagement);
+    if (file.good()) {
+        const auto write = [&](std::string_view text) { file.write(text); };
+        if (a.engagement.ends_with(".json"))
+            report::engagement_json(subject, write);
+        else
+            report::engagement_csv(subject, write);
+    }
+    if (file.good() && file.finish()) return true;
+    std::fprintf(stderr, "obrys: %s cannot be written\n", a.engagement.c_str());
     return false;
 }
 

@@ -5,6 +5,7 @@
 
 #include "arguments.hpp"
 #include "driver/check_program.hpp"
+#include "report/subject.hpp"
 
 namespace obrys::cli {
 
@@ -14,5 +15,7 @@ bool deliver(driver::Session& s, const std::string& path, const std::string& tex
 [[nodiscard]] bool wants_surface(const Arguments& a);
 /// The files that were asked for. False where one could not be written; a job without milling stock has no surface.
 bool write_surface(const Arguments& a, driver::Session& s, const driver::Checked& checked);
+/// How every move was engaged, where that was asked for; as above.
+bool write_engagement(const Arguments& a, const report::Subject& subject);
 
 }  // namespace obrys::cli
