@@ -89,4 +89,6 @@ def write(path, d, accuracy=0.001):
 
 
 if __name__ == "__main__":
+    if len(sys.argv) not in (2, 3) or sys.argv[1].startswith("-"):
+        sys.exit("usage: fillet_part.py FILE.stl [ACCURACY in mm, 0.001]")
     write(sys.argv[1], Drawing(), float(sys.argv[2]) if len(sys.argv) > 2 else 0.001)

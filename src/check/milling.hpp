@@ -7,6 +7,7 @@
 #include <deque>
 #include <memory>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "check/check.hpp"
@@ -70,6 +71,7 @@ private:
     void carry_out();
     void balance();
     [[nodiscard]] bool assumed_body(const MilledMove& move) const;
+    [[nodiscard]] bool said_already(const QueuedPass& pass);
     void judge(const QueuedPass& pass, const sim::milling::Engagement& met);
     void judge_cut(const QueuedPass& pass, MilledMove& move, const sim::milling::Engagement& met);
     void judge_surface(Milled& milled);
@@ -85,6 +87,8 @@ private:
     std::vector<geom::Vec3> points_;
     std::size_t moves_with_points_ = 0;
     std::vector<QueuedPass> queued_;
+    std::vector<std::pair<QueuedPass::Kind, std::uint32_t>> said_;  ///< kinds and clamps found, of move `said_of_`
+    std::uint32_t said_of_ = 0;
     std::vector<std::uint32_t> move_of_pass_;  ///< of the stock's simulation
     MillingFigures figures_;
     std::string tool_name_;

@@ -47,7 +47,20 @@ void Milling::found(const MilledMove& move, Finding f) {
     f.where = move.where;
     f.stack = out_.stacks().sites(move.stack);
     const cl::Record record{cl::Linear{move.to, {0, 0, 1}, move.rapid}, move.where, move.stack};
-    out_.finding(Move{record, move.index, move.from, move.to, move.rapid}, std::move(f));
+    f.move = move.index;
+    f.from = move.from;
+    f.to = move.to;
+    out_.finding(record, std::move(f));
+}
+
+/// A move's way may be judged in several parts; what a part of the tool meets is said once.
+bool Milling::said_already(const QueuedPass& pass) {
+    if (pass.move != said_of_) said_.clear();
+    said_of_ = pass.move;
+    const std::pair what{pass.kind, pass.clamp};
+    if (std::find(said_.begin(), said_.end(), what) != said_.end()) return true;
+    said_.push_back(what);
+    return false;
 }
 
 void Milling::judge_cut(const QueuedPass& pass, MilledMove& move, const milling::Engagement& met) {
@@ -92,7 +105,7 @@ void Milling::judge(const QueuedPass& pass, const milling::Engagement& met) {
     using Kind = QueuedPass::Kind;
     MilledMove& move = moves_[pass.move];
     if (pass.clamp == 0 && pass.kind == Kind::cut) return judge_cut(pass, move, met);
-    if (!met.touched || !(met.depth > setup_.tolerances.rapid)) return;
+    if (!met.touched || !(met.depth > setup_.tolerances.rapid) || said_already(pass)) return;
     Finding f;
     f.amounts = {{"depth_mm", met.depth}, {"x_mm", met.deepest.x}, {"y_mm", met.deepest.y}, {"z_mm", met.deepest.z}};
     f.place = met.deepest;

@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <map>
 
 #include "base/codes.hpp"
 #include "check/check.hpp"
@@ -126,6 +127,37 @@ TEST(Milling, WhatLiesAlongSeveralBlocksNamesThemAndTheContourElements) {
             cycle ? ", along this contour element and 2 more blocks" : ", in the cuts of this block and 2 more blocks";
         EXPECT_NE(rest[0]->text.find(where), std::string::npos) << rest[0]->text;
     }
+}
+
+TEST(Milling, EveryPlaceAndEveryClampOfOneMoveIsFound) {
+    check::Setup s = with_part(face_setup(), -5);
+    s.milling->clamps = {{"left", sim::milling::Box3{{-30, 0, -20}, {-20, 40, 0}}},
+                         {"right", sim::milling::Box3{{80, 0, -20}, {90, 40, 0}}}};
+    const cl::CallStacks stacks;
+    Check check(std::move(s), stacks);
+    std::uint32_t at = 0;
+    const auto take = [&](cl::Step step) {
+        check.take({std::move(step), {0, at, at + 1}, 0});
+        ++at;
+    };
+    take(cl::ToolChange{1, 1, ""});
+    take(cl::Spindle{3000, cl::SpindleMode::rpm, 1, 0});
+    take(cl::Linear{{-40, 5, 20}, {0, 0, 1}, true});
+    take(cl::Feed{500, cl::FeedMode::per_minute});
+    for (const auto& [y, z] : {std::pair{5.0, -5.0}, std::pair{35.0, -5.0}, std::pair{20.0, -4.0}}) {
+        take(cl::Linear{{-8, y, z}, {0, 0, 1}, false});
+        take(cl::Linear{{y == 20 ? 90.0 : 68.0, y, z}, {0, 0, 1}, false});
+        if (y == 20) take(cl::Linear{{-30, y, z}, {0, 0, 1}, false});  // through both clamps
+    }
+    take(cl::Linear{{-30, 20, 20}, {0, 0, 1}, true});
+    take(cl::Linear{{30, -20, 20}, {0, 0, 1}, true});
+    take(cl::Linear{{30, -20, -5}, {0, 0, 1}, true});
+    take(cl::Linear{{30, 60, -5}, {0, 0, 1}, false});  // cuts what the third strip left in two
+    const Result r = check.finish();
+    std::map<std::uint64_t, std::size_t> met;
+    for (const Finding* f : of(r, base::codes::clamp_collision)) ++met[f->move.value_or(0)];
+    EXPECT_TRUE(std::any_of(met.begin(), met.end(), [](const auto& m) { return m.second == 2; }));
+    EXPECT_EQ(of(r, base::codes::rest_material).size(), 2U);
 }
 
 TEST(Milling, ACutIntoThePartIsAGougeOfItsMove) {

@@ -21,7 +21,7 @@ std::optional<BodyFile> load_bodies(Session& s, const shop::SolidFile& file, dou
         out.bodies = std::move(step->solids);
         out.closed = step->closed;
     } else {
-        auto stl = mesh::read_stl(out.source, *bytes, s.diagnostics);
+        auto stl = mesh::read_stl(out.source, *bytes, s.diagnostics, {0, file.unit_known});
         if (!stl) return std::nullopt;
         out.closed = stl->topology.closed();
         out.bodies.push_back(std::move(stl->mesh));

@@ -69,6 +69,24 @@ void add_clamp(Session& s, const shop::Clamp& clamp, const Reading& reading, che
     }
 }
 
+/// A part that would fit the stock if its numbers were inches, and is lost in it as it is.
+void doubt_unit(Session& s, const shop::SolidFile& file, const mesh::Mesh& part, const sim::milling::Stock& stock) {
+    constexpr double inch = 25.4, slack = 1.02, lost = 0.08;
+    const geom::Vec3 size = mesh::bounds(part).size();
+    const sim::milling::Box3 box = sim::milling::box_of(stock);
+    const geom::Vec3 room = box.max - box.min;
+    const bool fits =
+        inch * size.x <= slack * room.x && inch * size.y <= slack * room.y && inch * size.z <= slack * room.z;
+    if (file.unit_known || !fits || size.x > lost * room.x || size.y > lost * room.y) return;
+    s.diagnostics.add({base::Severity::warning,
+                       base::codes::assumption,
+                       file.where,
+                       "the part is much smaller than the stock and would fit it in inch: it is taken for millimetres",
+                       "say unit = \"inch\", or unit = \"mm\", beside its file",
+                       {},
+                       {}});
+}
+
 }  // namespace
 
 std::optional<check::MillingSetup> milling_setup(Session& s, const MillingRequest& request) {
@@ -89,6 +107,7 @@ std::optional<check::MillingSetup> milling_setup(Session& s, const MillingReques
     auto file = load_bodies(s, s.job.solid_part->file, reading.tolerance, reading.guard);
     if (!file) return m;
     mesh::Mesh part = one_body(s, *file);
+    doubt_unit(s, s.job.solid_part->file, part, m.stock);
     if (file->closed) m.part = std::make_shared<const mesh::Distance>(std::move(part));
     return m;
 }

@@ -29,16 +29,16 @@ bool is_ascii(std::string_view bytes) {
     return bytes.substr(0, 512).find('\0') == std::string_view::npos;
 }
 
-void remark_rest(const StlFile& stl, Remarks& remarks) {
+void remark_rest(const StlFile& stl, bool unit_known, Remarks& remarks) {
     if (stl.degenerate > 0)
         remarks.note(counted(stl.degenerate, "triangle", "triangles") + " of " + std::to_string(stl.triangles) +
                      " left out: two corners in one place");
     if (stl.turned_over) remarks.note("the surface was inside out; it was turned over");
     const Vec3 size = bounds(stl.mesh).size();
-    if (stl.maybe_inch)
+    if (stl.maybe_inch && !unit_known)
         remarks.note("STL files have no unit: taken for millimetres, the part measures " + base::fixed(size.x, 3) +
                          " x " + base::fixed(size.y, 3) + " x " + base::fixed(size.z, 3) + " mm",
-                     "if it was drawn in inch, scale it by 25.4");
+                     "if it was drawn in inch, scale it by 25.4 (in a job: unit = \"inch\")");
 }
 
 }  // namespace
@@ -73,7 +73,7 @@ std::optional<StlFile> read_stl(std::uint32_t file, std::string_view bytes, base
     stl.maybe_inch = std::max({size.x, size.y, size.z}) < small_part;
     remarks.surface(stl.topology,
                     "close it in the CAD system; corners that were rounded apart can be joined by a tolerance");
-    remark_rest(stl, remarks);
+    remark_rest(stl, options.unit_known, remarks);
     return stl;
 }
 

@@ -19,6 +19,7 @@ struct StlOptions {
     /// Corners nearer than this become one vertex, mm; 0: only equal ones. Where a file was written with rounded
     /// corners that do not meet, something like 1e-4 closes it.
     double weld = 0;
+    bool unit_known = false;  ///< somebody has said what the numbers are: nothing is remarked about their size
 };
 
 struct StlFile {

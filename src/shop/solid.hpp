@@ -25,10 +25,11 @@ struct SolidCylinder {
 
 /// A body in a file of its own (STL or STEP); who reads it multiplies by `unit`, then adds `offset`.
 struct SolidFile {
-    std::string path;   ///< as written, relative to the job file
-    double unit = 1;    ///< mm a unit of the file: 1 or 25.4; of a STEP file 1, it is read in mm
-    geom::Vec3 offset;  ///< mm
-    base::Span where;   ///< of the path
+    std::string path;         ///< as written, relative to the job file
+    double unit = 1;          ///< mm a unit of the file: 1 or 25.4; of a STEP file 1, it is read in mm
+    bool unit_known = false;  ///< the job or the file says it; else it is taken for millimetres
+    geom::Vec3 offset;        ///< mm
+    base::Span where;         ///< of the path
 };
 
 /// Whether a file's name says that it is a STEP file: it ends in .step or .stp, in letters of any case.

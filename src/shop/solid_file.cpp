@@ -110,6 +110,7 @@ std::optional<SolidFile> read_file(Section& s, const geom::Vec3& offset) {
     SolidFile out;
     out.path = *path;
     out.unit = unit.value_or(0) == 1 ? 25.4 : 1;
+    out.unit_known = unit || is_step_name(*path);
     out.offset = offset;
     out.where = place(s, "file");
     return out;
