@@ -139,6 +139,9 @@ struct MillingFigures {
     double contact_accuracy_mm = 0;  ///< pieces in which that way was measured
 };
 
+/// How far merged flat faces may leave the simulated surface, of the simulation's tolerance.
+inline constexpr double flat_share = 0.05;
+
 /// What milling left.
 struct Milled {
     MillingFigures figures;

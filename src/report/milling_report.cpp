@@ -5,6 +5,7 @@
 
 #include "base/number.hpp"
 #include "check/milling_tool.hpp"
+#include "mesh/merge_flat.hpp"
 
 namespace obrys::report {
 
@@ -112,12 +113,16 @@ void add_tools(MillingPage& page, const Subject& s) {
     }
 }
 
+/// Deviations stand at the vertices, so that a compared surface keeps all of them.
 void add_surface(MillingPage& page, const check::Milled& m) {
-    for (const geom::Vec3& v : m.surface.vertices)
+    const mesh::Mesh merged =
+        m.comparison ? mesh::Mesh{} : mesh::merge_flat(m.surface, check::flat_share * m.figures.tolerance_mm);
+    const mesh::Mesh& surface = m.comparison ? m.surface : merged;
+    for (const geom::Vec3& v : surface.vertices)
         for (const double c : {v.x, v.y, v.z}) page.surface.vertices.push_back(static_cast<float>(c));
-    for (std::size_t t = 0; t < m.surface.triangles.size(); ++t) {
-        for (const std::uint32_t corner : m.surface.triangles[t]) page.surface.indices.push_back(corner);
-        const std::uint32_t tag = m.surface.tag(t);
+    for (std::size_t t = 0; t < surface.triangles.size(); ++t) {
+        for (const std::uint32_t corner : surface.triangles[t]) page.surface.indices.push_back(corner);
+        const std::uint32_t tag = surface.tag(t);
         page.surface.move_of.push_back(tag == 0 || tag > m.moves_with_points ? page_none : tag - 1);
     }
     if (!m.comparison) return;

@@ -37,7 +37,6 @@ bool wants_surface(const Arguments& a) {
 
 namespace {
 
-constexpr double flat_share = 0.05;    ///< of the tolerance: how far merged flat faces may lie off
 constexpr double full_deviation = 20;  ///< tolerances at which a deviation has its deepest colour
 
 /// The first colour is that of faces that no tool has cut.
@@ -134,7 +133,7 @@ bool write_surface(const Arguments& a, driver::Session& s, const driver::Checked
                    stderr);
         return false;
     }
-    const double flat = flat_share * milled->figures.tolerance_mm;
+    const double flat = check::flat_share * milled->figures.tolerance_mm;
     bool written = true;
     if (!a.stl.empty()) {
         const mesh::Mesh plain{milled->surface.vertices, milled->surface.triangles, {}};
