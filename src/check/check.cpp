@@ -140,7 +140,12 @@ void Check::State::move(const cl::Record& record) {
                  programmed.rapid,
                  turning};
     Removed removed = removal.take(m);
-    if (milling) milling->take(m, removal.tool_in_use(), view);
+    if (milling) {
+        std::vector<shop::ToolPose> swing;
+        if (turning && programmed.rapid) swing = stand.swing(from, to);
+        for (shop::ToolPose& pose : swing) pose.tip = pose.tip + by;
+        milling->take(m, removal.tool_in_use(), view, swing);
+    }
     // What a milling move cuts is known later: Milling says where it does so with a standing spindle.
     limits.take(programmed, milling             ? std::optional(false)
                             : removed.simulated ? std::optional(removed.cuts)
@@ -150,6 +155,8 @@ void Check::State::move(const cl::Record& record) {
     tip = view.problem.empty() ? m.to : geom::Vec3{NAN, NAN, NAN};
     tip_swivelled = swivelled;
     stand.moved();
+    if (const auto* spline = std::get_if<cl::Spline>(&record.step); spline != nullptr && milling)
+        for (const cl::SplineAxis& a : spline->axes) stand.take(cl::Axis{a.name, a.to, a.rotary, false});
 }
 
 void Check::State::keep(const Move& m, Removed removed) {

@@ -37,12 +37,12 @@ std::pair<double, double> arc_range(geom::Vec3 from, const cl::Arc& arc, geom::V
     return {low, high};
 }
 
-std::pair<double, double> range(const Move& move, geom::Vec3 along) {
+std::pair<double, double> range(const Move& move, geom::Vec3 along, bool fresh) {
     const auto* arc = std::get_if<cl::Arc>(&move.record.step);
     if (arc != nullptr && geom::is_finite(move.from) && geom::is_finite(arc->centre))
         return arc_range(move.from, *arc, along);
-    // Where the rotary axes have turned before, the last point was reached otherwise, and has been judged.
-    const double a = move.turning ? NAN : part(along, move.from);
+    // Where tool, zero or rotary axes have changed, the last point was reached otherwise, and has been judged.
+    const double a = fresh || move.turning ? NAN : part(along, move.from);
     if (const auto* spline = std::get_if<cl::Spline>(&move.record.step)) {
         const geom::Cubic c = cl::curve(*spline);
         const auto [low, high] =
@@ -131,11 +131,12 @@ double Limits::excess(Travel& t, double low, double high) {
 }
 
 void Limits::check_travel(const Move& move) {
+    const bool fresh = changed_;
     if (changed_) follow_stand();
     std::string text;
     double worst = 0;
     for (Travel& t : travel_) {
-        const auto [low, high] = range(move, t.along);
+        const auto [low, high] = range(move, t.along, fresh);
         if (std::isnan(low)) continue;
         const double over = std::max(excess(t, low, high), 0.0);
         const bool absolute = std::isfinite(t.from_zero);

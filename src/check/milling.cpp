@@ -137,6 +137,9 @@ bool Milling::tool_in_use(const Move& move) {
             return false;
         }
         for (Clamp& c : clamps_) static_cast<void>(c.simulation.add_tool(made.shape));  // the same number in each
+        if (!cutter.holder.empty() && !(tool_->length > 0) && cutter.cutting_length >= unknown_height)
+            out_.unchecked(move.record, "tool " + tool_name_ + ": where its holder is is not known: it is not checked",
+                           "give the tool's length");
         const bool shank = !cutter.shank.empty() || tool_->kind == shop::ToolKind::t_slot;
         known = KnownTool{simulation_->add_tool(std::move(made.shape)), shank, !cutter.holder.empty()};
     }
@@ -178,7 +181,22 @@ std::vector<geom::Vec3> Milling::corners_of_rapid(const Move& move) const {
     return corners;
 }
 
-void Milling::take(const Move& move, std::uint32_t use, const Stand::View& view) {
+namespace {
+
+/// The tool stays where it is, as far as that is known: such a record tells its axis alone.
+bool on_the_spot(geom::Vec3 a, geom::Vec3 b) {
+    const auto same = [](double x, double y) { return x == y || (std::isnan(x) && std::isnan(y)); };
+    return same(a.x, b.x) && same(a.y, b.y) && same(a.z, b.z);
+}
+
+}  // namespace
+
+void Milling::take(const Move& move, std::uint32_t use, const Stand::View& view,
+                   const std::vector<shop::ToolPose>& swing) {
+    if (move.rapid && !move.turning && !(view.axis == axis_) && on_the_spot(move.from, move.to)) {
+        axis_ = view.axis;
+        return;
+    }
     const bool known = geom::is_finite(move.from) && geom::is_finite(move.to);
     const bool starting = move.rapid && !known && !position_was_known_;
     position_was_known_ = position_was_known_ || geom::is_finite(move.to);
@@ -191,13 +209,18 @@ void Milling::take(const Move& move, std::uint32_t use, const Stand::View& view)
         out_.unchecked(move.record, std::move(why), std::move(remedy));
     };
     if (!view.problem.empty()) return leave_out(view.problem, view.remedy);
+    if (!view.doubt.empty()) out_.unchecked(move.record, view.doubt, view.remedy);
     if (!known) return leave_out("position not known: removal not simulated");
     const geom::Vec3 axis = view.axis;
     const bool turns = move.turning || (passes_ > 0 && geom::distance(axis, axis_) > 1e-9);
-    if (turns && !move.rapid)
-        leave_out("rotary axes turn on the way: the move is simulated as they stand at its end");
+    if (turns && (!move.rapid || swing.empty()))
+        leave_out("rotary axes turn on the way: the move is simulated as they stand at its end",
+                  move.rapid
+                      ? "give the zero offset in [datum] of the job, the tool's length, and a machine with a chain"
+                      : "");
     else if (turns)
-        out_.assumption("a rapid with which rotary axes turn is simulated as they stand at its end", move.record.from);
+        out_.assumption("a rapid with which rotary axes turn is simulated in steps of a degree, all axes evenly",
+                        move.record.from);
     axis_ = axis;
     if (!tool_in_use(move)) {
         complete_ = false;
@@ -223,15 +246,31 @@ void Milling::take(const Move& move, std::uint32_t use, const Stand::View& view)
     keep_points(move, m);
     moves_.push_back(m);
     if (move.rapid) {
-        geom::Vec3 from = move.from;
-        for (const geom::Vec3& to : corners_of_rapid(move)) {
-            queue(geom::Straight{from, to}, m, false);
-            from = to;
-        }
+        queue_rapid(move, m, view, swing);
     } else {
         queue(*element, m, true);
     }
     if (queued_.size() >= batch) carry_out();
+}
+
+void Milling::queue_rapid(const Move& move, const MilledMove& m, const Stand::View& view,
+                          const std::vector<shop::ToolPose>& swing) {
+    const geom::Vec3 axis = axis_;
+    for (std::size_t i = 1; i < swing.size(); ++i) {
+        axis_ = swing[i].axis;
+        queue(geom::Straight{swing[i - 1].tip, swing[i].tip}, m, false);
+    }
+    axis_ = axis;
+    if (!swing.empty()) return;
+    // The corners are those of the machine's axes.
+    const bool swivelled = !(view.frame == geom::Frame{}) || geom::distance(view.axis, {0, 0, 1}) > 1e-9;
+    if (setup_.machine.rapid_path == shop::RapidPath::dog_leg && swivelled)
+        out_.unchecked(move.record, "rapids that bend are simulated straight while the rotary axes are swivelled");
+    geom::Vec3 from = move.from;
+    for (const geom::Vec3& to : swivelled ? std::vector{move.to} : corners_of_rapid(move)) {
+        queue(geom::Straight{from, to}, m, false);
+        from = to;
+    }
 }
 
 /// Chained to the move before; a gap between them (moves that were left out) is a point that is not known.

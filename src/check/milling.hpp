@@ -47,7 +47,7 @@ public:
     void begin_cycle(const base::Span& call) { cycle_ = call; }
     void end_cycle() { cycle_ = nowhere; }
     /// `use`: index in Result::tools + 1. Queues the move; findings come later, in the order of the moves.
-    void take(const Move& move, std::uint32_t use, const Stand::View& view);
+    void take(const Move& move, std::uint32_t use, const Stand::View& view, const std::vector<shop::ToolPose>& swing);
     /// Carries out what is queued, judges the surface and fills in Result::milling.
     void finish(bool complete);
 
@@ -65,6 +65,8 @@ private:
     void queue_clamps(const geom::PathElement& element);
     [[nodiscard]] std::optional<std::array<double, 3>> needs_of_rapid(geom::Vec3 way) const;
     [[nodiscard]] std::vector<geom::Vec3> corners_of_rapid(const Move& move) const;
+    void queue_rapid(const Move& move, const MilledMove& m, const Stand::View& view,
+                     const std::vector<shop::ToolPose>& swing);
     [[nodiscard]] double seconds_of(const Move& move) const;
     void keep_technology(const Move& move, MilledMove& m) const;
     void keep_points(const Move& move, MilledMove& m);

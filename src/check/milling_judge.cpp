@@ -118,7 +118,8 @@ void Milling::judge(const QueuedPass& pass, const milling::Engagement& met) {
         f.code = codes::rapid_in_stock;
         f.text = "rapid move goes through the stock: " + deep;
     } else if (pass.kind == Kind::shank && move.tool > 0 && assumed_body(move)) {
-        if (move.rapid) return;  // what cut there has said it
+        constexpr double up = -1 + 1e-9;
+        if (move.rapid && move.sinking <= up) return;  // out of the cut that has said it
         const shop::Tool& tool = setup_.tools[*out_.result().tools[move.tool - 1].listed];
         f.code = codes::edges_too_short;
         f.text = "the cutting edges are " + mm(*tool.cutting_length) + " long, the cut reaches above them, at " +

@@ -8,8 +8,6 @@ namespace milling = sim::milling;
 
 namespace {
 
-constexpr double unknown_height = 1000;  ///< mm: cutting edges as long as any cut, where nothing is said
-
 milling::CutterKind cutter_kind(shop::ToolKind kind) {
     using shop::ToolKind;
     switch (kind) {
@@ -27,7 +25,8 @@ milling::CutterKind cutter_kind(shop::ToolKind kind) {
 
 bool drills(shop::ToolKind kind) {
     using shop::ToolKind;
-    return kind == ToolKind::drill || kind == ToolKind::tap || kind == ToolKind::reamer;
+    return kind == ToolKind::drill || kind == ToolKind::centre_drill || kind == ToolKind::tap ||
+           kind == ToolKind::reamer;
 }
 
 std::vector<milling::Body> bodies(const std::vector<shop::ToolBody>& of) {

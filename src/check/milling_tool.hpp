@@ -6,6 +6,9 @@
 
 namespace obrys::check {
 
+/// mm: cutting edges, or a body, as long as any cut, where nothing is said.
+inline constexpr double unknown_height = 1000;
+
 /// What cuts, the shank above it and the holder; dimensions that are not known are what ordinary tools have
 /// (docs/job-file.md). `rub`: mm by which a body that is assumed stands out of the hole that its edges drill.
 [[nodiscard]] sim::milling::Cutter cutter_of(const shop::Tool& tool, double rub = 0);

@@ -36,9 +36,16 @@ void Stand::take_tool(const shop::Tool* tool, bool offsets) {
 }
 
 void Stand::take(const cl::Axis& axis) {
-    if (!axis.rotary) return;
-    counted_ = axis.counted;
     const std::string name(axis.name.data(), std::find(axis.name.begin(), axis.name.end(), '\0'));
+    if (!axis.rotary) {
+        const auto [at, first] = parallel_.try_emplace(name, axis.to);
+        parallel_moved_ = parallel_moved_ || first || !(at->second == axis.to);
+        at->second = axis.to;
+        return update();
+    }
+    const bool swivelled = std::any_of(values_.begin(), values_.end(), [](double v) { return !(std::abs(v) < still); });
+    turning_ = turning_ || (swivelled && counted_ != axis.counted);
+    counted_ = axis.counted;
     const auto joint = std::find_if(chain_.joints.begin(), chain_.joints.end(),
                                     [&](const shop::Joint& j) { return j.rotary && j.name == name; });
     if (joint == chain_.joints.end()) {
@@ -56,8 +63,8 @@ void Stand::take(const cl::Axis& axis) {
 
 void Stand::update() {
     const bool upright = std::all_of(values_.begin(), values_.end(), [](double v) { return std::abs(v) < still; });
-    const bool tip = offsets_ || tool_ == nullptr;
-    plain_ = tip && upright && strange_.empty();
+    const bool tip = offsets_;
+    plain_ = tip && upright && strange_.empty() && !parallel_moved_;
     viewed_ = false;
 }
 
@@ -65,7 +72,42 @@ std::vector<double> Stand::counted_values() const {
     return counted_ ? values_ : std::vector<double>(values_.size(), 0);
 }
 
-double Stand::counted_length() const { return tool_ != nullptr && offsets_ ? tool_->length : 0; }
+double Stand::counted_length() const { return tool_ != nullptr && offsets_ ? tool_length() : 0; }
+
+void Stand::moved() {
+    turning_ = false;
+    last_values_ = values_;
+    last_counted_ = counted_;
+}
+
+std::vector<double> Stand::joints_at(const std::vector<double>& values, bool counted, const Vec3& point) const {
+    const std::vector<double> read = counted ? values : std::vector<double>(values.size(), 0);
+    std::vector<double> out = values;
+    for (const shop::Follower& f : shop::followers(chain_, read, counted_length()))
+        out[f.joint] = geom::dot(f.along, datum_.origin + point) + f.at;
+    return out;
+}
+
+std::vector<shop::ToolPose> Stand::swing(const Vec3& from, const Vec3& to) const {
+    constexpr double step = geom::pi / 180, most = 3600;
+    if (!has_rotary_ || !tool_length_known() || last_values_.size() != values_.size() || !strange_.empty()) return {};
+    const std::vector<double> begin = joints_at(last_values_, last_counted_, from),
+                              end = joints_at(values_, counted_, to);
+    double turn = 0;
+    for (std::size_t i = 0; i < begin.size(); ++i) {
+        if (!std::isfinite(begin[i]) || !std::isfinite(end[i])) return {};
+        if (chain_.joints[i].rotary) turn = std::max(turn, std::abs(end[i] - begin[i]));
+    }
+    const int steps = static_cast<int>(std::clamp(std::ceil(turn / step), 1.0, most));
+    std::vector<shop::ToolPose> out;
+    std::vector<double> at(begin.size());
+    for (int n = 0; n <= steps; ++n) {
+        for (std::size_t i = 0; i < at.size(); ++i) at[i] = begin[i] + (end[i] - begin[i]) * n / steps;
+        out.push_back(shop::pose_of(chain_, at, tool_length()));
+        out.back().tip = out.back().tip - datum_.origin;
+    }
+    return out;
+}
 
 const Stand::View& Stand::view(const Vec3& axis) {
     if (!viewed_ || !(viewed_axis_ == axis)) view_ = made_view(axis);
@@ -84,17 +126,28 @@ Stand::View Stand::made_view(const Vec3& axis) const {
         v.remedy = "name a machine whose chain holds it (docs/machine-file.md)";
         return v;
     }
+    if (parallel_moved_)
+        v.doubt = "the axis " + parallel_.begin()->first + " moves tool or workpiece, too, which is not simulated";
     const bool upright = std::all_of(values_.begin(), values_.end(), [](double d) { return std::abs(d) < still; });
     if (!counted_ && !upright) return swivelled_view();
-    // A zero offset that is turned against the machine hides its X and Y: then there is nothing to compare with.
-    if (has_rotary_ && !std::isnan(datum_.origin.x)) {
-        const Vec3 real = geom::apply_direction(shop::spindle_frame(chain_, values_), {0, 0, 1});
-        if (!(geom::length(real - axis) < along_axis)) {
-            v.problem = "the rotary axes do not stand as the tilted plane asks: removal not simulated";
-            v.remedy = "let PLANE position them (TURN, MOVE), or do so before the first move in the plane";
-        }
+    const Vec3 real = geom::apply_direction(shop::spindle_frame(chain_, values_), {0, 0, 1});
+    // A zero offset that is turned about Z against the machine: heights are what can be compared.
+    const bool turned_zero = machine_.datum_rotations.contains(datum_.number);
+    const double off = turned_zero ? std::abs(real.z - axis.z) : geom::distance(real, axis);
+    if (has_rotary_ && !(off < along_axis)) {
+        v.problem = "the rotary axes do not stand as the tilted plane asks: removal not simulated";
+        v.remedy = "let PLANE position them (TURN, MOVE), or do so before the first move in the plane";
     }
-    if (!offsets_ && tool_ != nullptr) v.frame = geom::Frame::shift(-tool_->length * axis);
+    if ((!has_rotary_ && geom::distance(axis, {0, 0, 1}) > along_axis) || !strange_.empty()) {
+        v.doubt = "the rotary axes of the machine are not known: the tool is taken to stand as the tilted plane asks";
+        v.remedy = "name a machine whose chain holds them (docs/machine-file.md)";
+    }
+    if (offsets_) return v;
+    if (!tool_length_known()) {
+        v.problem = "no offset is selected and the tool's length is not known: removal not simulated";
+        v.remedy = "give the tool with its length in the job";
+    }
+    v.frame = geom::Frame::shift(-tool_length() * axis);
     return v;
 }
 
@@ -103,7 +156,7 @@ Stand::View Stand::made_view(const Vec3& axis) const {
 Stand::View Stand::swivelled_view() const {
     View v;
     const auto follow = shop::followers(chain_, counted_values(), counted_length());
-    const double length = tool_ != nullptr ? tool_->length : NAN;
+    const double length = tool_length();
     const auto placed = [&](const Vec3& p) {
         std::vector<double> stands = values_;
         for (const shop::Follower& f : follow) stands[f.joint] = geom::dot(f.along, datum_.origin + p) + f.at;
@@ -128,7 +181,7 @@ std::vector<Stand::Way> Stand::ways() const {
     if (follow.empty())
         return {{"X", {1, 0, 0}, 0, datum_.origin.x},
                 {"Y", {0, 1, 0}, 0, datum_.origin.y},
-                {"Z", {0, 0, 1}, 0, datum_.origin.z}};
+                {"Z", {0, 0, 1}, counted_length(), datum_.origin.z}};
     std::vector<Way> out;
     for (const shop::Follower& f : follow)
         out.push_back({chain_.joints[f.joint].name, f.along, f.at, dot_known(f.along, datum_.origin)});

@@ -21,7 +21,7 @@ public:
     void take(const cl::Axis& axis);
     /// `tool`: null where it is not known. `offsets`: the control counts its length (an edge is selected).
     void take_tool(const shop::Tool* tool, bool offsets);
-    void moved() { turning_ = false; }
+    void moved();
 
     /// Rotary axes move together with the next move.
     [[nodiscard]] bool turning() const { return turning_; }
@@ -32,11 +32,16 @@ public:
     struct View {
         std::string problem;  ///< not empty: why it is not known
         std::string remedy;
+        std::string doubt;  ///< not empty: what is taken for granted and cannot be checked
         geom::Frame frame;
         geom::Vec3 axis{0, 0, 1};
     };
     /// `axis`: of the move, as programmed. Holds until the next call.
     [[nodiscard]] const View& view(const geom::Vec3& axis);
+
+    /// How the tool goes on the workpiece (workpiece frame) while rotary axes turn, from the last point of the last
+    /// move to a point, both as programmed, all axes evenly: poses at most a degree apart. None where it is not known.
+    [[nodiscard]] std::vector<shop::ToolPose> swing(const geom::Vec3& from, const geom::Vec3& to) const;
 
     /// A linear axis of the machine as it follows programmed points: `known` + dot(along, point), and `from_zero` more
     /// where the zero is known, else NaN.
@@ -52,14 +57,21 @@ public:
 private:
     [[nodiscard]] std::vector<double> counted_values() const;
     [[nodiscard]] double counted_length() const;
+    [[nodiscard]] double tool_length() const { return tool_ != nullptr ? tool_->length + tool_->delta_length : NAN; }
+    [[nodiscard]] std::vector<double> joints_at(const std::vector<double>& values, bool counted,
+                                                const geom::Vec3& point) const;
     void update();
     [[nodiscard]] View made_view(const geom::Vec3& axis) const;
     [[nodiscard]] View swivelled_view() const;
 
     const shop::Machine& machine_;
     shop::Chain chain_;
-    std::vector<double> values_;             ///< radians, by joint; linear ones 0
-    std::map<std::string, double> strange_;  ///< rotary axes outside the chain that are not at 0, degrees
+    std::vector<double> values_;              ///< radians, by joint; linear ones 0
+    std::map<std::string, double> strange_;   ///< rotary axes outside the chain that are not at 0, degrees
+    std::map<std::string, double> parallel_;  ///< additional linear axes, mm
+    bool parallel_moved_ = false;
+    std::vector<double> last_values_;  ///< of the last move
+    bool last_counted_ = false;
     bool counted_ = false, has_rotary_ = false;
     cl::Datum datum_{0, {NAN, NAN, NAN}};
     const shop::Tool* tool_ = nullptr;

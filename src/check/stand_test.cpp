@@ -229,4 +229,51 @@ TEST(Stand, WithoutOffsetsTheGaugePointGoesWhereTheProgramSays) {
     EXPECT_EQ(r.milled->figures.after_mm3, q.milled->figures.after_mm3);
 }
 
+TEST(Stand, ARapidSwingIsFollowed) {
+    // The stock's corners pass where the tool stands: 36 mm from the pivot line, corners up to 36.1 mm from it; beside
+    // the stock before and after the turn.
+    for (const bool low : {true, false}) {
+        Script run(setup());
+        run.take(cl::Datum{54, zero});
+        const Vec3 at{30, 20 + 28, low ? -10.0 : 30.0};  // the workpiece's y ends at 40, the tool's radius is 4
+        run.turn('A', 0, false).turn('C', 0, false).go(at + Vec3{0, 0, 50}, {0, 0, 1}, true).go(at, {0, 0, 1}, true);
+        run.turn('C', 180, false).go(at, {0, 0, 1}, true);
+        const Result r = run.check.finish();
+        std::size_t met = 0;
+        for (const Finding& f : r.findings) met += f.code == base::codes::rapid_in_stock ? 1 : 0;
+        EXPECT_EQ(met, low ? 1U : 0U) << (r.unchecked.empty() ? "" : r.unchecked[0].text);
+        EXPECT_EQ(r.unchecked.size(), 1U) << "no part";
+    }
+}
+
+TEST(Stand, ATurnThatIsNotKnownAnArcInAPlaneAndAParallelAxisAreNotCalledClean) {
+    const Vec3 over{30, 20, 30};
+    {
+        Script run(setup());  // no zero
+        run.go(over, {0, 0, 1}, true).turn('C', 90, true).go(over, {0, 0, 1}, true);
+        EXPECT_TRUE(says(run.check.finish(), "rotary axes turn on the way"));
+    }
+    {
+        Script run(setup());  // the plane is told on the spot, then only an arc runs in it
+        run.take(cl::Datum{54, zero}).go(over, {0, 0, 1}, true).go(over, tool_axis(25, 0), true);
+        run.take(cl::Arc{{30, 30, 30}, {30, 25, 30}, tool_axis(25, 0), geom::pi});
+        EXPECT_TRUE(says(run.check.finish(), "do not stand as the tilted plane asks"));
+    }
+    {
+        Script run(setup());
+        cl::Axis w;
+        w.name[0] = 'W';
+        run.take(cl::Datum{54, zero}).go(over, {0, 0, 1}, true).take(w).go({30, 20, -2});
+        EXPECT_TRUE(says(run.check.finish(), "the axis W moves tool or workpiece, too"));
+    }
+    {
+        Script run(setup());  // gauge point where the program says, and no length
+        check::Setup s = setup();
+        s.tools[0].length = 0;
+        Script unknown(s);
+        unknown.take(cl::ToolChange{1, 0, ""}).take(cl::Datum{54, zero}).go(over, {0, 0, 1}, true).go({30, 20, -2});
+        EXPECT_TRUE(says(unknown.check.finish(), "no offset is selected and the tool's length is not known"));
+    }
+}
+
 }  // namespace obrys::check

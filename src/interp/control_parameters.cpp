@@ -44,6 +44,11 @@ double active_length(const Run& run) {
     return own + run.tool.delta_length;
 }
 
+double gauge_length(const Run& run) {
+    const shop::Tool* t = run.tool.data;
+    return t != nullptr && t->length == 0 ? unknown : active_length(run);
+}
+
 double control_value(const Run& run, ControlValue v) {
     switch (v) {
         case ControlValue::tool_radius: return active_radius(run);

@@ -109,6 +109,10 @@ void frame_statement(Run& run, const program::Statement& s, std::uint32_t index)
     const std::uint32_t end = unit.words_end(index);
     for (std::uint32_t i = s.first + 1; i < end && !run.stopped; ++i) gather(run, s, unit.words[i]);
     if (run.stopped) return;
+    for (int k = 3; k < 9; ++k)
+        if (run.block.has(axis_code(k)))
+            unchecked(run, codes::unsupported, run.here(),
+                      "the frame of axis " + axis_name(static_cast<std::size_t>(k)) + " is not followed");
     const bool empty = run.block.present == 0;
     if (call.op != FrameOp::shift && has_unknown(run.block)) {
         unchecked(run, codes::unknown_value, run.here(),

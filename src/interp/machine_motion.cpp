@@ -31,7 +31,7 @@ double ahead(const Run& run, int k) {
 
 double from_machine(const Run& run, int k, double machine) {
     const bool along_tool = k == plane_axes(run.modal.plane).w;
-    const double tool = along_tool && run.traits->machine_words_are_gauge_point ? active_length(run) : 0;
+    const double tool = along_tool && run.traits->machine_words_are_gauge_point ? gauge_length(run) : 0;
     return machine - ahead(run, k) - tool;
 }
 
@@ -77,6 +77,9 @@ bool reference_point(Run& run) {
 /// SUPA, G53, G153: the words are machine coordinates (G53: without any frame, the same here).
 bool machine_move(Run& run) {
     flush_path(run);
+    if (run.modal.motion != Modal::rapid && run.modal.motion != Modal::linear)
+        unchecked(run, codes::unsupported, run.here(),
+                  "only straight moves are run in machine coordinates: this one is run straight to its end");
     unknown_machine_position(run);
     geom::Vec3 target = along_machine(run);
     for (int k = 0; k < 3; ++k) {

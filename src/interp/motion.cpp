@@ -34,9 +34,6 @@ void require_axis(Run& run, const std::string& name) {
 
 void extra_axis(Run& run, const std::string& name, double value, std::uint8_t reference, bool rotary_by_letter) {
     require_axis(run, name);
-    if (std::isnan(value))
-        unchecked(run, codes::unknown_value, run.here(),
-                  "where axis " + name + " goes depends on a value that is not known");
     const shop::MachineAxis* known = machine_axis(run, name);
     const bool rotary = known != nullptr ? known->rotary : rotary_by_letter;
     double to = rotary ? value : value * length_unit(run.modal);
@@ -46,6 +43,14 @@ void extra_axis(Run& run, const std::string& name, double value, std::uint8_t re
         to += at == run.extra_axes.end() ? unknown : at->second;
     else if (k != std::string_view::npos)
         to += run.offsets.total[k];
+    if (std::isnan(to))
+        unchecked(run, codes::unknown_value, run.here(),
+                  "where axis " + name + " goes depends on a value that is not known");
+    if (rotary && k != std::string_view::npos && !run.env.tell_settings && run.offsets.reference[k] != 0)
+        unchecked_once(run, codes::unsupported, run.here(),
+                       "the zero offset of the rotary axis " + name +
+                           " is not followed: it is taken to stand where the "
+                           "program says");
     run.extra_axes[name] = to;
     emit(run, axis_record(name, to, rotary, rotary && tilted(run)));
 }

@@ -100,13 +100,13 @@ void plane(Run& run, const Special& s) {
                   "this tilted plane is not determined: a value is not known, or its vectors are parallel");
         return;
     }
-    const Vec3 tip = on_workpiece(run);
+    const Vec3 tip = on_workpiece(run), axis_before = run.tool_axis;
     tilt(run, f, {datum_of(run, s, Datum::side), datum_of(run, s, Datum::table_turns) == 1}, s.where);
     constexpr double stay = 0, move = 1;
     const double how = datum_of(run, s, Datum::positioning);
     if (run.stopped) return;
     if (how == stay)
-        tell_rotary(run);
+        tell_rotary(run, axis_before);
     else
         swivel(run, how == move, tip, s.where);
 }

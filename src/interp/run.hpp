@@ -76,6 +76,8 @@ void procedure(Run&, const program::ProcedureCall&);
 [[nodiscard]] double active_radius(const Run&);
 /// Length of the tool in the spindle with all allowances, mm; NaN where no tool data are at hand.
 [[nodiscard]] double active_length(const Run&);
+/// The same; not known where the tool is listed without a length.
+[[nodiscard]] double gauge_length(const Run&);
 /// What the control says of itself, lengths in mm; NaN where it is not known here.
 [[nodiscard]] double control_value(const Run&, program::ControlValue);
 

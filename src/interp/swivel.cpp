@@ -53,7 +53,7 @@ Vec3 converted(const Run& run, const Vec3& position, const Rotary& from, const R
     if (same_coordinates(from, to)) return position;
     const shop::Chain chain = shop::chain_of(run.env.machine);
     const Vec3 origin = stream_origin(run);
-    const double tool = active_length(run);
+    const double tool = gauge_length(run);
     std::vector<double> at = counted_values(from);
     std::vector<double> then = counted_values(to);
     for (const shop::Follower& f : shop::followers(chain, at, tool))
@@ -202,13 +202,16 @@ geom::Vec3 from_along_machine(const Run& run, const geom::Vec3& position) {
     return converted(run, position, {now.values, false}, now);
 }
 
-void tell_rotary(Run& run) {
+void tell_rotary(Run& run, const Vec3& axis_before) {
     const shop::Machine& m = run.env.machine;
     for (const std::size_t i : m.chain) {
         const auto at = run.extra_axes.find(m.axes[i].name);
         if (m.axes[i].rotary && at != run.extra_axes.end())
             emit(run, axis_record(at->first, at->second, true, tilted(run)));
     }
+    if (run.tool_axis == axis_before) return;
+    emit_datum(run);
+    emit(run, cl::Linear{run.position, run.tool_axis, true});
 }
 
 void swivel(Run& run, bool keeps_tip, const Vec3& tip, const base::Span& where) {
@@ -233,7 +236,7 @@ void swivel(Run& run, bool keeps_tip, const Vec3& tip, const base::Span& where) 
         stand_at(run, tip);
     else
         recount(run, before);
-    emit(run, cl::Linear{run.position, run.tool_axis, run.modal.motion == Modal::rapid});
+    emit(run, cl::Linear{run.position, run.tool_axis, !run.block.has(Code::feed)});
 }
 
 }  // namespace obrys::interp

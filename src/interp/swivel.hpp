@@ -28,8 +28,9 @@ void aim(Run&, const TiltChoice& choice, const base::Span& where);
 /// the tip is in the workpiece frame; NaN where zero, tool length or chain do not say it.
 void recount(Run&, const Rotary& before);
 
-/// Tells the stream where the rotary axes stand that the program has moved, and whether that counts.
-void tell_rotary(Run&);
+/// Tells the stream where the rotary axes stand that the program has moved, whether that counts, and the tool's axis
+/// where it is another than before: by a rapid on the spot, since arcs do not say it.
+void tell_rotary(Run&, const geom::Vec3& axis_before);
 
 /// MOVE, TURN: the rotary axes go where `aim` said. `on_workpiece`: where the tip stood before the plane changed.
 void swivel(Run&, bool keeps_tip, const geom::Vec3& on_workpiece, const base::Span& where);

@@ -274,6 +274,12 @@ void take_allowances(Run& run) {
     if (!b.has(Code::tool) && !b.has(Code::delta_length) && !b.has(Code::delta_radius) && !b.has(Code::delta_corner))
         return;
     run.tool.delta_length = value(Code::delta_length);
+    const bool mill = run.env.machine.kind == shop::MachineKind::mill;
+    if (mill && run.tool.delta_length != 0)
+        unchecked(run, codes::unsupported, run.here(),
+                  "DL of TOOL CALL is not followed: the tool goes that much higher than it is told and simulated here");
+    if (mill && run.modal.plane != 17)
+        unchecked(run, codes::unsupported, run.here(), "a tool axis other than Z is not followed: it is taken along Z");
     run.tool.delta_radius = value(Code::delta_radius);
     run.tool.delta_corner = value(Code::delta_corner);
     run.tool.feed = b.has(Code::feed) ? b.get(Code::feed) * feed_factor(run) : 0;

@@ -32,6 +32,8 @@ Written find(const Run& run, const ActiveCycle& c, CycleRole role) {
 }
 
 constexpr CycleRole axis_roles[3] = {CycleRole::axis_x, CycleRole::axis_y, CycleRole::axis_z};
+constexpr CycleRole other_axes[6] = {CycleRole::axis_a, CycleRole::axis_b, CycleRole::axis_c,
+                                     CycleRole::axis_u, CycleRole::axis_v, CycleRole::axis_w};
 constexpr CycleRole centre_roles[3] = {CycleRole::centre_x, CycleRole::centre_y, CycleRole::centre_z};
 
 /// Transformations act in the order in which they were programmed: what stands behind a tilted plane moves within it,
@@ -84,9 +86,6 @@ bool unknown_value(Run& run, const ActiveCycle& c) {
     return true;
 }
 
-constexpr CycleRole other_axes[6] = {CycleRole::axis_a, CycleRole::axis_b, CycleRole::axis_c,
-                                     CycleRole::axis_u, CycleRole::axis_v, CycleRole::axis_w};
-
 bool shift(Run& run, const ActiveCycle& c) {
     if (const Written n = find(run, c, CycleRole::datum_number); n.set) {
         shift_by_table(run, *c.definition, n.value);
@@ -108,6 +107,10 @@ bool mirror(Run& run, const ActiveCycle& c) {
     geom::Vec3 factors{1, 1, 1};
     for (int k = 0; k < 3; ++k)
         if (find(run, c, axis_roles[k]).set) coordinate(factors, k) = -1;
+    for (const CycleRole other : other_axes)
+        if (find(run, c, other).set)
+            unchecked(run, codes::unsupported, c.definition->where,
+                      c.definition->name + ": the mirror image of a rotary or secondary axis is not run");
     place(run, TransformKind::mirror, geom::Frame::scaling(factors));
     return true;
 }
@@ -163,8 +166,9 @@ bool working_plane(Run& run, const ActiveCycle& c) {
     if (any)
         assume(run, c.definition->where,
                c.definition->name + ": A, B and C are taken as spatial angles, not as positions of the rotary axes");
+    const geom::Vec3 axis_before = run.tool_axis;
     tilt(run, plane, {}, c.definition->where);
-    tell_rotary(run);
+    tell_rotary(run, axis_before);
     return true;
 }
 
@@ -211,6 +215,12 @@ void tilt(Run& run, const geom::Frame& plane, const TiltChoice& choice, const ba
     place(run, TransformKind::plane, plane);
     aim(run, choice, where);
     recount(run, before);
+    const geom::Vec3 normal = geom::apply_direction(run.modal.programmed, {0, 0, 1});
+    if (!tilted(run) || geom::distance((1 / geom::length(normal)) * normal, run.tool_axis) < 1e-9) return;
+    unchecked(run, codes::unsupported, where,
+              "a rotation or mirror image stands before this tilted plane and turns its normal: the tool's axis is not "
+              "followed",
+              "let the plane come first, or give its angles as they are turned");
 }
 
 geom::Vec3 active_shift(const Run& run) { return active(run, TransformKind::shift).origin; }
