@@ -106,7 +106,8 @@ void Milling::add_clamps() {
     }
 }
 
-void Milling::take(const cl::Record&, const cl::ToolChange& tool) {
+void Milling::take(const cl::Record& record, const cl::ToolChange& tool) {
+    const shop::Tool* before = tool_;
     tool_ = nullptr;
     tool_name_ = tool.name.empty() ? "T" + std::to_string(tool.number) : "\"" + tool.name + "\"";
     if (tool.number == 0 && tool.name.empty()) tool_name_.clear();
@@ -117,6 +118,9 @@ void Milling::take(const cl::Record&, const cl::ToolChange& tool) {
         break;
     }
     tool_ready_ = false;
+    if (before != nullptr && tool_ != nullptr && before->length != tool_->length)
+        out_.assumption("a new tool's tip is taken to be where the last one's was, until the program moves it",
+                        record.from);
 }
 
 /// Why the tool cannot be simulated stands in the notes; each tool is made once.
