@@ -1,6 +1,7 @@
 #include "driver/shop_files.hpp"
 
 #include <algorithm>
+#include <cmath>
 #include <fstream>
 #include <iterator>
 
@@ -141,6 +142,20 @@ void add_presets(const fs::path& path, const base::Span& where, base::Sources& s
     const auto presets = shop::datums_of(shop::read_heidenhain_table(*file, sources, diagnostics), diagnostics);
     for (const auto& [number, row] : presets) {
         const std::uint32_t datum = shop::first_preset + number;
+        // Points could not be placed by it: better not known than known in part.
+        const bool turned =
+            std::any_of(row.rotary.begin(), row.rotary.end(), [](double v) { return v != 0 && !std::isnan(v); });
+        if (turned && !machine.datums.contains(datum)) {
+            diagnostics.add({base::Severity::note,
+                             base::codes::assumption,
+                             row.where,
+                             "preset " + std::to_string(number) +
+                                 " moves the zero of rotary axes, which is not followed: it counts as not known",
+                             "",
+                             {},
+                             {}});
+            continue;
+        }
         if (!machine.datums.emplace(datum, row.position).second) continue;
         if (row.rotation != 0) machine.datum_rotations[datum] = row.rotation;
     }

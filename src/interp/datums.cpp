@@ -63,6 +63,11 @@ void select_preset(Run& run, const program::CycleDefinition& c, double n) {
     flush_path(run);
     run.modal.datum_offset = {};
     const std::uint32_t datum = run.traits->datum.first + static_cast<std::uint32_t>(n);
+    const auto& known = run.env.machine.datums;
+    if (known.lower_bound(run.traits->datum.first) != known.end() && !known.contains(datum))
+        unchecked(run, codes::unknown_value, c.where,
+                  "preset " + printed(Value::real(n)) + " is not known, though others are: where it lies is not known",
+                  "add it to the preset table, or give it in [datum] of the job");
     if (datum != run.modal.datum) run.modal.datum_before = datum_origin(run);
     set_datum(run, datum);
     keep_plane_alone(run);
