@@ -93,6 +93,30 @@ def compare_compensated(obrys, program, expected, folder, faults):
     return total
 
 
+JOB = """program = "{program}"
+machine = "mill-generic"
+[[tool]]
+number = 1
+kind = "end-mill"
+diameter = 10.0
+length = 60.0
+"""
+CUT_LENGTH, CUT_AREA, DEPTH = (279.3, 0.3), (2741.3, 2.0), 2.5  # mm, mm2, mm: of the study, with their tolerances
+
+
+def compare_milled(obrys, program, work, faults):
+    """Way over which new material is removed, and its area at full depth, on the program's own block."""
+    job = work / "soucast.job.toml"
+    job.write_text(JOB.format(program=program.resolve().as_posix()))
+    ran = subprocess.run([obrys, "check", str(job), "--format", "json"], capture_output=True, text=True, check=False, timeout=300)
+    m = json.loads(ran.stdout)["milling"]
+    length, area = m["contact_length_mm"], (m["before_mm3"] - m["after_mm3"]) / DEPTH
+    for got, (wanted, within), what in ((length, CUT_LENGTH, "way in the material"), (area, CUT_AREA, "removed area")):
+        if not abs(got - wanted) <= within:
+            faults.append(f"{what}: {got:.3f}, expected {wanted} within {within}")
+    return length, area
+
+
 def main():
     obrys, folder = sys.argv[1], pathlib.Path(sys.argv[2]) / "programs/heidenhain"
     if not (folder / "expected").is_dir():
@@ -103,6 +127,8 @@ def main():
     programmed = compare_programmed(obrys, folder / "SOUCAST1.H", expected, faults)
     with tempfile.TemporaryDirectory() as work:
         compensated = compare_compensated(obrys, folder / "SOUCAST1.H", expected, pathlib.Path(work), faults)
+        length, area = compare_milled(obrys, folder / "SOUCAST1.H", pathlib.Path(work), faults)
+    print(f"milled: {length:.3f} mm in the material, {area:.1f} mm2 at full depth")
     print(f"contour {programmed:.3f} mm, compensated with radius 5 {compensated:.3f} mm, {len(faults)} faults")
     print("\n".join(faults[:40]))
     return 1 if faults else 0
