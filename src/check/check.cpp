@@ -37,12 +37,14 @@ struct Check::State {
     void take(const cl::Record& record, const cl::ToolChange& tool) {
         removal.take(record, tool);
         if (milling) milling->take(record, tool);
-        if (setup.machine.kind == shop::MachineKind::mill) stand.take_tool(removal.tool(), tool.edge != 0);
+        if (setup.machine.kind != shop::MachineKind::mill) return;
+        stand.take_tool(removal.tool(), tool.edge != 0);
         limits.stand_changed();
     }
     void take(const cl::Record& record, const cl::Axis& to) {
         limits.take(record, to);
-        if (setup.machine.kind == shop::MachineKind::mill) stand.take(to);
+        if (setup.machine.kind != shop::MachineKind::mill) return;
+        stand.take(to);
         limits.stand_changed();
     }
     void take(const cl::Feed& feed) {
@@ -127,11 +129,10 @@ void Check::State::move(const cl::Record& record) {
     const bool turning = stand.turning() || turns_rotary(record.step);
     const Move programmed{record, totals.moves, from, to, cl::is_rapid(record.step), turning};
     axis = axis_of(record.step, axis);
-    static const Stand::View as_programmed;
     const bool swivelled = !stand.plain() || !(axis == upright);
-    const Stand::View& view = swivelled ? stand.view(axis) : as_programmed;
+    const Stand::View& view = stand.view(axis);
     const Placing at{view.frame == geom::Frame{} ? nullptr : &view.frame, view.axis, by};
-    // An arc does not say how the tool stands: where that changed, a straight move must come before it.
+    // An arc does not say how the tool stands: as the last move that did.
     const cl::Record in_stock_frame = at.moves() ? placed(record, at) : cl::Record{};
     const Move m{at.moves() ? in_stock_frame : record,
                  totals.moves,

@@ -15,25 +15,21 @@ namespace {
 
 constexpr double travel_tolerance = 1e-6;  ///< mm beyond a limit that rounding may make
 
-double part(geom::Vec3 along, geom::Vec3 p) {  // a coordinate that does not count need not be known
-    return (along.x == 0 ? 0 : along.x * p.x) + (along.y == 0 ? 0 : along.y * p.y) + (along.z == 0 ? 0 : along.z * p.z);
-}
-
 /// Range of dot(along, point) on an arc: its ends and, where the sweep passes them, the extremes of the circle.
 std::pair<double, double> arc_range(geom::Vec3 from, const cl::Arc& arc, geom::Vec3 along) {
-    double low = std::min(part(along, from), part(along, arc.to));
-    double high = std::max(part(along, from), part(along, arc.to));
+    double low = std::min(part_along(along, from), part_along(along, arc.to));
+    double high = std::max(part_along(along, from), part_along(along, arc.to));
     const geom::Vec3 u = from - arc.centre;
     const geom::Vec3 v = geom::cross(arc.normal, u);
-    const double a = part(along, u), b = part(along, v), radius = std::hypot(a, b);
+    const double a = part_along(along, u), b = part_along(along, v), radius = std::hypot(a, b);
     const double sense = arc.sweep < 0 ? -1 : 1;
     const double top = std::atan2(b * sense, a);  // angle in the sense of the sweep at which the coordinate is largest
     const auto passes = [&](double angle) {
         const double first = angle < 0 ? angle + 2 * geom::pi : angle;
         return first <= std::abs(arc.sweep);
     };
-    if (passes(top)) high = std::max(high, part(along, arc.centre) + radius);
-    if (passes(top > 0 ? top - geom::pi : top + geom::pi)) low = std::min(low, part(along, arc.centre) - radius);
+    if (passes(top)) high = std::max(high, part_along(along, arc.centre) + radius);
+    if (passes(top > 0 ? top - geom::pi : top + geom::pi)) low = std::min(low, part_along(along, arc.centre) - radius);
     return {low, high};
 }
 
@@ -42,14 +38,14 @@ std::pair<double, double> range(const Move& move, geom::Vec3 along, bool fresh) 
     if (arc != nullptr && geom::is_finite(move.from) && geom::is_finite(arc->centre))
         return arc_range(move.from, *arc, along);
     // Where tool, zero or rotary axes have changed, the last point was reached otherwise, and has been judged.
-    const double a = fresh || move.turning ? NAN : part(along, move.from);
+    const double a = fresh || move.turning ? NAN : part_along(along, move.from);
     if (const auto* spline = std::get_if<cl::Spline>(&move.record.step)) {
         const geom::Cubic c = cl::curve(*spline);
-        const auto [low, high] =
-            geom::range(geom::Polynomial3{part(along, c.k0), part(along, c.k1), part(along, c.k2), part(along, c.k3)});
+        const auto [low, high] = geom::range(geom::Polynomial3{part_along(along, c.k0), part_along(along, c.k1),
+                                                               part_along(along, c.k2), part_along(along, c.k3)});
         return {std::fmin(low, a), std::fmax(high, a)};  // the machine comes from there, gap or not
     }
-    const double b = part(along, move.to);
+    const double b = part_along(along, move.to);
     return {std::fmin(a, b), std::fmax(a, b)};  // one unknown end leaves the other
 }
 

@@ -40,6 +40,12 @@ double smallest_radius(const Setup& setup) {
 
 std::string megabytes(double bytes) { return base::fixed(bytes / 1e6, 0) + " MB"; }
 
+/// The tool stays where it is, as far as that is known: such a record tells its axis alone.
+bool on_the_spot(geom::Vec3 a, geom::Vec3 b) {
+    const auto same = [](double x, double y) { return x == y || (std::isnan(x) && std::isnan(y)); };
+    return same(a.x, b.x) && same(a.y, b.y) && same(a.z, b.z);
+}
+
 geom::PathElement part_of(const geom::PathElement& e, double u0, double u1) {
     if (const auto* s = std::get_if<geom::Straight>(&e))
         return geom::Straight{s->from + u0 * (s->to - s->from), s->from + u1 * (s->to - s->from)};
@@ -185,16 +191,6 @@ std::vector<geom::Vec3> Milling::corners_of_rapid(const Move& move) const {
     return corners;
 }
 
-namespace {
-
-/// The tool stays where it is, as far as that is known: such a record tells its axis alone.
-bool on_the_spot(geom::Vec3 a, geom::Vec3 b) {
-    const auto same = [](double x, double y) { return x == y || (std::isnan(x) && std::isnan(y)); };
-    return same(a.x, b.x) && same(a.y, b.y) && same(a.z, b.z);
-}
-
-}  // namespace
-
 void Milling::take(const Move& move, std::uint32_t use, const Stand::View& view,
                    const std::vector<shop::ToolPose>& swing) {
     if (move.rapid && !move.turning && !(view.axis == axis_) && on_the_spot(move.from, move.to)) {
@@ -240,13 +236,13 @@ void Milling::take(const Move& move, std::uint32_t use, const Stand::View& view,
     m.to = move.to;
     m.tool = use;
     m.rapid = move.rapid;
-    m.turning = turning_;
     m.along = is_placed(cycle_) && !(m.where == cycle_);
     const geom::Vec3 way = move.to - move.from;
     const double down = -geom::dot(way, axis);
     m.plunging = down > 1e-9 && geom::length(way + down * axis) < 1e-9 * down;
-    m.seconds = seconds_of(move);
-    keep_technology(move, m);
+    const double length = cl::move_length(move.from, move.record.step);
+    m.seconds = seconds_of(move, length);
+    keep_technology(move, length, m);
     keep_points(move, m);
     moves_.push_back(m);
     if (move.rapid) {
@@ -291,8 +287,7 @@ void Milling::keep_points(const Move& move, MilledMove& m) {
 }
 
 /// At the programmed feed; rapids in straight lines at the slowest axis' rapid.
-double Milling::seconds_of(const Move& move) const {
-    const double way = cl::move_length(move.from, move.record.step);
+double Milling::seconds_of(const Move& move, double way) const {
     if (move.rapid) {
         double slowest = INFINITY;
         for (const shop::MachineAxis& a : setup_.machine.axes)
@@ -308,8 +303,7 @@ double Milling::seconds_of(const Move& move) const {
 }
 
 /// What chip thickness follows from.
-void Milling::keep_technology(const Move& move, MilledMove& m) const {
-    const double way = cl::move_length(move.from, move.record.step);
+void Milling::keep_technology(const Move& move, double way, MilledMove& m) const {
     m.sinking = way > 0 ? std::clamp(-geom::dot(move.to - move.from, axis_) / way, -1.0, 1.0) : 0;
     m.spindle = spindle_;
     m.speed_rpm = spindle_ == 0 ? 0 : speed_;
@@ -369,7 +363,8 @@ void Milling::queue_pass(QueuedPass::Kind kind, milling::Part part, bool cut, co
     q.kind = kind;
     q.move = static_cast<std::uint32_t>(moves_.size() - 1);
     q.pass = passes_++;
-    q.low = std::min(geom::dot(geom::point_at(element, 0), axis_), geom::dot(geom::point_at(element, 1), axis_));
+    if (kind == QueuedPass::Kind::cut)
+        q.low = std::min(geom::dot(geom::point_at(element, 0), axis_), geom::dot(geom::point_at(element, 1), axis_));
     move_of_pass_.push_back(q.move);
     queued_.push_back(q);
 }

@@ -25,7 +25,7 @@ struct QueuedPass {
     std::uint32_t clamp = 0;  ///< of passes against a clamp: its number from 1
     std::uint32_t pass = 0;   ///< number in its simulation
     float length = 0;         ///< mm of way
-    double low = 0;           ///< height of the tip along the axis, the lower end of the way
+    double low = 0;           ///< of cuts: height of the tip along the axis, the lower end of the way
 };
 
 class Milling {
@@ -39,9 +39,8 @@ public:
     void take(const cl::Record& record, const cl::ToolChange& tool);
     void take(const cl::Feed& feed) { feed_ = feed; }
     void take(const cl::Spindle& spindle) {
-        turning_ = spindle.direction != 0 && spindle.speed != 0;
         speed_ = spindle.mode == cl::SpindleMode::rpm ? spindle.speed : NAN;
-        spindle_ = turning_ ? spindle.direction : std::int8_t{0};
+        spindle_ = spindle.speed != 0 ? spindle.direction : std::int8_t{0};
     }
     /// The brackets of a cycle; moves inside that come from elsewhere run along an element of its contour.
     void begin_cycle(const base::Span& call) { cycle_ = call; }
@@ -67,8 +66,8 @@ private:
     [[nodiscard]] std::vector<geom::Vec3> corners_of_rapid(const Move& move) const;
     void queue_rapid(const Move& move, const MilledMove& m, const Stand::View& view,
                      const std::vector<shop::ToolPose>& swing);
-    [[nodiscard]] double seconds_of(const Move& move) const;
-    void keep_technology(const Move& move, MilledMove& m) const;
+    [[nodiscard]] double seconds_of(const Move& move, double way) const;
+    void keep_technology(const Move& move, double way, MilledMove& m) const;
     void keep_points(const Move& move, MilledMove& m);
     void carry_out();
     void balance();
@@ -108,7 +107,7 @@ private:
     cl::Feed feed_;
     double speed_ = NAN;  ///< 1/min
     std::int8_t spindle_ = 0;
-    bool turning_ = false, tool_ready_ = false, complete_ = true, stopped_reported_ = false;
+    bool tool_ready_ = false, complete_ = true, stopped_reported_ = false;
     std::uint64_t start_moves_ = 0;
     bool position_was_known_ = false;
 };

@@ -77,14 +77,14 @@ void Milling::judge_cut(const QueuedPass& pass, MilledMove& move, const milling:
     if (move.rapid) return;
     move.contact_length_mm += static_cast<double>(pass.length);
     if (!first) return;
-    if (!move.turning && !stopped_reported_) {
+    if (move.spindle == 0 && !stopped_reported_) {
         Finding f;
         f.code = codes::spindle_stopped;
         f.text = "the tool cuts while the spindle stands";
         f.remedy = "start the spindle with M3 or M4 and a speed S";
         found(move, std::move(f));
     }
-    stopped_reported_ = !move.turning;
+    stopped_reported_ = move.spindle == 0;
     if (!move.plunging || move.tool == 0) return;
     const auto listed = out_.result().tools[move.tool - 1].listed;
     if (!listed || shop::may_plunge(setup_.tools[*listed])) return;

@@ -110,7 +110,6 @@ struct MilledMove {
     geom::Vec3 from, to;
     std::uint32_t tool = 0;  ///< index in Result::tools + 1; 0: none
     bool rapid = false;
-    bool turning = false;   ///< the spindle
     bool plunging = false;  ///< straight along the axis into the material
     bool along = false;     ///< a contour cycle's, along the contour element at `where`
     // What it met (sim/milling: Engagement).

@@ -12,16 +12,19 @@ namespace {
 constexpr double still = 1e-12;      ///< radians
 constexpr double along_axis = 1e-6;  ///< sine of the angle by which the tool's axis may miss the programmed one
 
-double dot_known(const Vec3& along, const Vec3& p) {  // a coordinate that does not count need not be known
+}  // namespace
+
+double part_along(const Vec3& along, const Vec3& p) {
     return (along.x == 0 ? 0 : along.x * p.x) + (along.y == 0 ? 0 : along.y * p.y) + (along.z == 0 ? 0 : along.z * p.z);
 }
 
-}  // namespace
-
-Stand::Stand(const shop::Machine& machine) : machine_(machine), chain_(shop::chain_of(machine)) {
+Stand::Stand(const shop::Machine& machine)
+    : machine_(machine), chain_(shop::chain_of(machine)), has_rotary_(shop::has_rotary(chain_)) {
     values_.assign(chain_.joints.size(), 0);
-    has_rotary_ =
-        std::any_of(chain_.joints.begin(), chain_.joints.end(), [](const shop::Joint& j) { return j.rotary; });
+}
+
+bool Stand::upright() const {
+    return std::all_of(values_.begin(), values_.end(), [](double v) { return std::abs(v) < still; });
 }
 
 void Stand::take(const cl::Datum& datum) {
@@ -38,13 +41,10 @@ void Stand::take_tool(const shop::Tool* tool, bool offsets) {
 void Stand::take(const cl::Axis& axis) {
     const std::string name(axis.name.data(), std::find(axis.name.begin(), axis.name.end(), '\0'));
     if (!axis.rotary) {
-        const auto [at, first] = parallel_.try_emplace(name, axis.to);
-        parallel_moved_ = parallel_moved_ || first || !(at->second == axis.to);
-        at->second = axis.to;
+        if (parallel_.empty()) parallel_ = name;
         return update();
     }
-    const bool swivelled = std::any_of(values_.begin(), values_.end(), [](double v) { return !(std::abs(v) < still); });
-    turning_ = turning_ || (swivelled && counted_ != axis.counted);
+    turning_ = turning_ || (!upright() && counted_ != axis.counted);
     counted_ = axis.counted;
     const auto joint = std::find_if(chain_.joints.begin(), chain_.joints.end(),
                                     [&](const shop::Joint& j) { return j.rotary && j.name == name; });
@@ -62,9 +62,7 @@ void Stand::take(const cl::Axis& axis) {
 }
 
 void Stand::update() {
-    const bool upright = std::all_of(values_.begin(), values_.end(), [](double v) { return std::abs(v) < still; });
-    const bool tip = offsets_;
-    plain_ = tip && upright && strange_.empty() && !parallel_moved_;
+    plain_ = offsets_ && upright() && strange_.empty() && parallel_.empty();
     viewed_ = false;
 }
 
@@ -80,19 +78,13 @@ void Stand::moved() {
     last_counted_ = counted_;
 }
 
-std::vector<double> Stand::joints_at(const std::vector<double>& values, bool counted, const Vec3& point) const {
-    const std::vector<double> read = counted ? values : std::vector<double>(values.size(), 0);
-    std::vector<double> out = values;
-    for (const shop::Follower& f : shop::followers(chain_, read, counted_length()))
-        out[f.joint] = geom::dot(f.along, datum_.origin + point) + f.at;
-    return out;
-}
-
 std::vector<shop::ToolPose> Stand::swing(const Vec3& from, const Vec3& to) const {
     constexpr double step = geom::pi / 180, most = 3600;
     if (!has_rotary_ || !tool_length_known() || last_values_.size() != values_.size() || !strange_.empty()) return {};
-    const std::vector<double> begin = joints_at(last_values_, last_counted_, from),
-                              end = joints_at(values_, counted_, to);
+    const auto joints = [&](const std::vector<double>& values, bool counted, const Vec3& p) {
+        return shop::joints_at(chain_, values, counted, datum_.origin + p, counted_length());
+    };
+    const std::vector<double> begin = joints(last_values_, last_counted_, from), end = joints(values_, counted_, to);
     double turn = 0;
     for (std::size_t i = 0; i < begin.size(); ++i) {
         if (!std::isfinite(begin[i]) || !std::isfinite(end[i])) return {};
@@ -126,10 +118,8 @@ Stand::View Stand::made_view(const Vec3& axis) const {
         v.remedy = "name a machine whose chain holds it (docs/machine-file.md)";
         return v;
     }
-    if (parallel_moved_)
-        v.doubt = "the axis " + parallel_.begin()->first + " moves tool or workpiece, too, which is not simulated";
-    const bool upright = std::all_of(values_.begin(), values_.end(), [](double d) { return std::abs(d) < still; });
-    if (!counted_ && !upright) return swivelled_view();
+    if (!parallel_.empty()) v.doubt = "the axis " + parallel_ + " moves tool or workpiece, too, which is not simulated";
+    if (!counted_ && !upright()) return swivelled_view();
     const Vec3 real = geom::apply_direction(shop::spindle_frame(chain_, values_), {0, 0, 1});
     // A zero offset that is turned about Z against the machine: heights are what can be compared.
     const bool turned_zero = machine_.datum_rotations.contains(datum_.number);
@@ -155,18 +145,15 @@ Stand::View Stand::made_view(const Vec3& axis) const {
 /// it.
 Stand::View Stand::swivelled_view() const {
     View v;
-    const auto follow = shop::followers(chain_, counted_values(), counted_length());
-    const double length = tool_length();
     const auto placed = [&](const Vec3& p) {
-        std::vector<double> stands = values_;
-        for (const shop::Follower& f : follow) stands[f.joint] = geom::dot(f.along, datum_.origin + p) + f.at;
-        return shop::pose_of(chain_, stands, length).tip - datum_.origin;
+        const auto stands = shop::joints_at(chain_, values_, counted_, datum_.origin + p, counted_length());
+        return shop::pose_of(chain_, stands, tool_length()).tip - datum_.origin;
     };
     const Vec3 o = placed({}), x = placed({1, 0, 0}) - o, y = placed({0, 1, 0}) - o, z = placed({0, 0, 1}) - o;
     v.axis = geom::apply_direction(shop::spindle_frame(chain_, values_), {0, 0, 1});
     v.frame.linear = {x.x, y.x, z.x, x.y, y.y, z.y, x.z, y.z, z.z};
     v.frame.origin = o;
-    if (geom::is_finite(o) && !follow.empty() && tool_length_known()) return v;
+    if (geom::is_finite(o) && tool_length_known()) return v;
     const bool zero = tool_length_known();
     v.problem = std::string(
                     "the rotary axes are not at 0 and no tilted plane counts them: where the tool is on the "
@@ -184,7 +171,7 @@ std::vector<Stand::Way> Stand::ways() const {
                 {"Z", {0, 0, 1}, counted_length(), datum_.origin.z}};
     std::vector<Way> out;
     for (const shop::Follower& f : follow)
-        out.push_back({chain_.joints[f.joint].name, f.along, f.at, dot_known(f.along, datum_.origin)});
+        out.push_back({chain_.joints[f.joint].name, f.along, f.at, part_along(f.along, datum_.origin)});
     return out;
 }
 

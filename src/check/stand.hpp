@@ -13,6 +13,9 @@
 
 namespace obrys::check {
 
+/// dot(along, p); a coordinate of p that does not count need not be known.
+[[nodiscard]] double part_along(const geom::Vec3& along, const geom::Vec3& p);
+
 class Stand {
 public:
     explicit Stand(const shop::Machine& machine);
@@ -58,19 +61,17 @@ private:
     [[nodiscard]] std::vector<double> counted_values() const;
     [[nodiscard]] double counted_length() const;
     [[nodiscard]] double tool_length() const { return tool_ != nullptr ? tool_->length + tool_->delta_length : NAN; }
-    [[nodiscard]] std::vector<double> joints_at(const std::vector<double>& values, bool counted,
-                                                const geom::Vec3& point) const;
+    [[nodiscard]] bool upright() const;  ///< every rotary axis of the chain stands at 0
     void update();
     [[nodiscard]] View made_view(const geom::Vec3& axis) const;
     [[nodiscard]] View swivelled_view() const;
 
     const shop::Machine& machine_;
     shop::Chain chain_;
-    std::vector<double> values_;              ///< radians, by joint; linear ones 0
-    std::map<std::string, double> strange_;   ///< rotary axes outside the chain that are not at 0, degrees
-    std::map<std::string, double> parallel_;  ///< additional linear axes, mm
-    bool parallel_moved_ = false;
-    std::vector<double> last_values_;  ///< of the last move
+    std::vector<double> values_;             ///< radians, by joint; linear ones 0
+    std::map<std::string, double> strange_;  ///< rotary axes outside the chain that are not at 0, degrees
+    std::string parallel_;                   ///< an additional linear axis that has moved; empty: none
+    std::vector<double> last_values_;        ///< of the last move
     bool last_counted_ = false;
     bool counted_ = false, has_rotary_ = false;
     cl::Datum datum_{0, {NAN, NAN, NAN}};

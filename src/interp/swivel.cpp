@@ -32,10 +32,6 @@ std::size_t master_axis(const shop::Chain& chain) {
     return master;
 }
 
-bool can_swivel(const shop::Chain& chain) {
-    return std::any_of(chain.joints.begin(), chain.joints.end(), [](const shop::Joint& j) { return j.rotary; });
-}
-
 /// What the control takes for the rotary axes' values in its coordinates.
 std::vector<double> counted_values(const Rotary& r) {
     return r.counted ? r.values : std::vector<double>(r.values.size(), 0);
@@ -54,10 +50,10 @@ Vec3 converted(const Run& run, const Vec3& position, const Rotary& from, const R
     const shop::Chain chain = shop::chain_of(run.env.machine);
     const Vec3 origin = stream_origin(run);
     const double tool = gauge_length(run);
-    std::vector<double> at = counted_values(from);
-    std::vector<double> then = counted_values(to);
-    for (const shop::Follower& f : shop::followers(chain, at, tool))
-        then[f.joint] = geom::dot(f.along, origin + position) + f.at;
+    std::vector<double> then = shop::joints_at(chain, from.values, from.counted, origin + position, tool);
+    const std::vector<double> turned = counted_values(to);
+    for (std::size_t i = 0; i < then.size(); ++i)
+        if (chain.joints[i].rotary) then[i] = turned[i];
     return shop::pose_of(chain, then, tool).tip - origin;
 }
 
@@ -155,7 +151,7 @@ Rotary rotary(const Run& run) {
 void aim(Run& run, const TiltChoice& choice, const base::Span& where) {
     const shop::Chain chain = shop::chain_of(run.env.machine);
     run.aimed_at.clear();
-    if (!can_swivel(chain)) return tell_positions(run, chain);
+    if (!shop::has_rotary(chain)) return tell_positions(run, chain);
     const std::vector<double> now = rotary(run).values;
     if (!tilted(run)) {
         run.aimed_at.assign(now.size(), 0);

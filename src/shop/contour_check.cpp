@@ -15,10 +15,10 @@ constexpr double near = 1e-7;  ///< mm; points closer than this are one point
 
 struct Edge {
     Vec2 a, b;
-    double sweep = 0;   ///< radians, 0: straight
+    double sweep = 0;  ///< radians, 0: straight
     Vec2 centre;
     double radius = 0;
-    Vec2 low, high;     ///< box
+    Vec2 low, high;  ///< box
 };
 
 Edge make_edge(geom::Vertex v, Vec2 b) {
@@ -94,12 +94,17 @@ bool boxes_meet(const Edge& e, const Edge& f) {
 bool meet(const Edge& e, const Edge& f, const std::vector<Vec2>& corners) {
     if (!boxes_meet(e, f)) return false;
     std::vector<Vec2> points{e.a, e.b, f.a, f.b};  // ends catch overlaps of one line or one circle
-    if (e.sweep == 0 && f.sweep == 0) meet_lines(e, f, points);
-    else if (e.sweep == 0) meet_line_arc(e, f, points);
-    else if (f.sweep == 0) meet_line_arc(f, e, points);
-    else meet_arcs(e, f, points);
+    if (e.sweep == 0 && f.sweep == 0)
+        meet_lines(e, f, points);
+    else if (e.sweep == 0)
+        meet_line_arc(e, f, points);
+    else if (f.sweep == 0)
+        meet_line_arc(f, e, points);
+    else
+        meet_arcs(e, f, points);
     return std::any_of(points.begin(), points.end(), [&](Vec2 p) {
-        const bool shared = std::any_of(corners.begin(), corners.end(), [&](Vec2 c) { return geom::distance(c, p) < 10 * near; });
+        const bool shared =
+            std::any_of(corners.begin(), corners.end(), [&](Vec2 c) { return geom::distance(c, p) < 10 * near; });
         return !shared && lies_on(e, p) && lies_on(f, p);
     });
 }

@@ -20,9 +20,9 @@ constexpr std::uint32_t largest_tool = 32'767, largest_index = 9;  // T 0 … 32
 constexpr std::uint32_t largest_pocket = 9'999;
 
 /// Columns that a tool is made of.
-constexpr std::array<std::string_view, 20> taken{"T",     "NAME",  "L",     "R",       "R2",   "DL",   "DR",
-                                                 "DR2",   "TL",    "RT",    "LCUTS",   "ANGLE", "PITCH", "T-ANGLE",
-                                                 "CUT.",  "CUT",   "NMAX",  "TYP",     "TMAT", "CDT"};
+constexpr std::array<std::string_view, 20> taken{"T",    "NAME", "L",    "R",     "R2",    "DL",    "DR",
+                                                 "DR2",  "TL",   "RT",   "LCUTS", "ANGLE", "PITCH", "T-ANGLE",
+                                                 "CUT.", "CUT",  "NMAX", "TYP",   "TMAT",  "CDT"};
 
 /// What a TYP stands for. Thread mills, turning tools, probes and back boring tools are not here: `other`.
 struct Type {
@@ -30,14 +30,22 @@ struct Type {
     int number;
     ToolKind kind;
 };
-constexpr std::array types{Type{"MILL", 0, ToolKind::end_mill},       Type{"DRILL", 1, ToolKind::drill},
-                           Type{"TAP", 2, ToolKind::tap},             Type{"REAM", 3, ToolKind::reamer},
-                           Type{"CENT", 4, ToolKind::centre_drill},   Type{"CSINK", 5, ToolKind::countersink},
-                           Type{"TSINK", 6, ToolKind::end_mill},      Type{"BOR", 7, ToolKind::reamer},
-                           Type{"MILL_R", 9, ToolKind::end_mill},     Type{"MILL_F", 10, ToolKind::end_mill},
-                           Type{"MILL_RF", 11, ToolKind::end_mill},   Type{"MILL_FD", 12, ToolKind::end_mill},
-                           Type{"MILL_FS", 13, ToolKind::end_mill},   Type{"MILL_FACE", 14, ToolKind::end_mill},
-                           Type{"BALL", -1, ToolKind::ball},          Type{"TORUS", -1, ToolKind::bull_nose},
+constexpr std::array types{Type{"MILL", 0, ToolKind::end_mill},
+                           Type{"DRILL", 1, ToolKind::drill},
+                           Type{"TAP", 2, ToolKind::tap},
+                           Type{"REAM", 3, ToolKind::reamer},
+                           Type{"CENT", 4, ToolKind::centre_drill},
+                           Type{"CSINK", 5, ToolKind::countersink},
+                           Type{"TSINK", 6, ToolKind::end_mill},
+                           Type{"BOR", 7, ToolKind::reamer},
+                           Type{"MILL_R", 9, ToolKind::end_mill},
+                           Type{"MILL_F", 10, ToolKind::end_mill},
+                           Type{"MILL_RF", 11, ToolKind::end_mill},
+                           Type{"MILL_FD", 12, ToolKind::end_mill},
+                           Type{"MILL_FS", 13, ToolKind::end_mill},
+                           Type{"MILL_FACE", 14, ToolKind::end_mill},
+                           Type{"BALL", -1, ToolKind::ball},
+                           Type{"TORUS", -1, ToolKind::bull_nose},
                            Type{"MILL_CHAMFER", -1, ToolKind::chamfer}};
 
 ToolKind kind_of(std::string_view type) {
@@ -51,7 +59,8 @@ ToolKind kind_of(std::string_view type) {
 void take_kind(Tool& tool) {
     tool.kind = kind_of(tool.type);
     if (!(tool.radius > 0)) tool.kind = ToolKind::other;
-    const bool mill = tool.kind == ToolKind::end_mill || tool.kind == ToolKind::ball || tool.kind == ToolKind::bull_nose;
+    const bool mill =
+        tool.kind == ToolKind::end_mill || tool.kind == ToolKind::ball || tool.kind == ToolKind::bull_nose;
     if (tool.kind == ToolKind::ball) tool.corner_radius = tool.radius;
     if (mill) {
         tool.kind = ToolKind::other;
@@ -59,7 +68,8 @@ void take_kind(Tool& tool) {
     }
     if (tool.cutting_length && !(*tool.cutting_length > 0)) tool.cutting_length.reset();  // 0: nothing was entered
     if (tool.point_angle && !(*tool.point_angle > 0)) tool.point_angle.reset();
-    const bool flat_angle = tool.kind == ToolKind::centre_drill || tool.kind == ToolKind::countersink || tool.kind == ToolKind::chamfer;
+    const bool flat_angle =
+        tool.kind == ToolKind::centre_drill || tool.kind == ToolKind::countersink || tool.kind == ToolKind::chamfer;
     if (tool.point_angle || (tool.kind != ToolKind::drill && !flat_angle)) return;
     tool.point_angle = flat_angle ? 90 : 118;
     assume(tool.assumed, "point angle " + base::shortest(*tool.point_angle) + " degrees");
@@ -102,7 +112,8 @@ Dropped dropped_columns(const HeidenhainTable& table) {
         const auto same = [&](std::string_view t) { return base::equals_ignoring_case(t, name); };
         if (std::any_of(taken.begin(), taken.end(), same)) continue;
         for (std::size_t row = 0; row < table.rows.size(); ++row)
-            if (table.rows[row].data && !cell(table, row, column).empty()) dropped.add(base::as_utf8(name), cell_span(table, row, column));
+            if (table.rows[row].data && !cell(table, row, column).empty())
+                dropped.add(base::as_utf8(name), cell_span(table, row, column));
     }
     return dropped;
 }

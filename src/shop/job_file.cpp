@@ -47,7 +47,8 @@ void read_part(Section& file, Job& job) {
     const bool turned = job.part || job.part_program;
     if ((turned && job.solid_stock) || (job.solid_part && job.stock))
         s->error(base::codes::job_value, head(s->table()),
-                 turned ? "this part is turned, and the stock is one of milling" : "this part is milled, and the stock is one of turning",
+                 turned ? "this part is turned, and the stock is one of milling"
+                        : "this part is milled, and the stock is one of turning",
                  "a profile goes with profile, bar, tube or cone; a file with box, cylinder or file");
     if (turned && job.solid_stock) job.part.reset(), job.part_program.reset();
     if (job.solid_part && job.stock) job.solid_part.reset();
@@ -78,8 +79,10 @@ void read_overrides(Section& file, Job& job) {
         const std::string name = base::to_upper(e.key);
         const auto same = [&](const Override& o) { return o.name == name; };
         if (std::any_of(job.overrides.begin(), job.overrides.end(), same))
-            file.error(base::codes::job_value, e.where, "'" + e.key + "' is set twice (capitals and small letters are the same)");
-        else job.overrides.push_back({name, *value, e.where});
+            file.error(base::codes::job_value, e.where,
+                       "'" + e.key + "' is set twice (capitals and small letters are the same)");
+        else
+            job.overrides.push_back({name, *value, e.where});
     }
 }
 
@@ -88,11 +91,16 @@ void read_variables(Section& file, Job& job) {
     if (!table) return;
     for (const Entry& e : table->value.entries) {
         std::string& out = job.variables[base::to_upper(e.key)];
-        if (e.value.kind == ValueKind::text) out = e.value.text;
-        else if (e.value.kind == ValueKind::boolean) out = e.value.boolean ? "TRUE" : "FALSE";
-        else if (e.value.kind == ValueKind::integer) out = std::to_string(e.value.integer);
-        else if (const auto v = finite_number(e.value, "'" + e.key + "'", Range::any, file.diagnostics())) out = base::shortest(*v);
-        else job.variables.erase(base::to_upper(e.key));
+        if (e.value.kind == ValueKind::text)
+            out = e.value.text;
+        else if (e.value.kind == ValueKind::boolean)
+            out = e.value.boolean ? "TRUE" : "FALSE";
+        else if (e.value.kind == ValueKind::integer)
+            out = std::to_string(e.value.integer);
+        else if (const auto v = finite_number(e.value, "'" + e.key + "'", Range::any, file.diagnostics()))
+            out = base::shortest(*v);
+        else
+            job.variables.erase(base::to_upper(e.key));
     }
 }
 
@@ -120,7 +128,8 @@ void read_skip(Section& file, Job& job) {
     const Entry* e = file.take("skip");
     if (!e) return;
     if (e->value.kind != ValueKind::array) {
-        file.error(base::codes::job_value, e->value.where, "'skip' must be an array of levels 0 … 9, not " + std::string(kind_name(e->value.kind)));
+        file.error(base::codes::job_value, e->value.where,
+                   "'skip' must be an array of levels 0 … 9, not " + std::string(kind_name(e->value.kind)));
         return;
     }
     for (const Value& v : e->value.items) {
@@ -133,13 +142,16 @@ void read_skip(Section& file, Job& job) {
 
 void read_machine_name(Section& file, Job& job) {
     const auto name = file.text("machine");
-    const bool turns = job.stock || job.part || job.part_program ||
-                       std::any_of(job.tools.begin(), job.tools.end(), [](const Tool& t) { return t.kind == ToolKind::groove || t.kind == ToolKind::turning; });
+    const bool turns =
+        job.stock || job.part || job.part_program || std::any_of(job.tools.begin(), job.tools.end(), [](const Tool& t) {
+            return t.kind == ToolKind::groove || t.kind == ToolKind::turning;
+        });
     const std::string generic = turns ? "lathe-generic" : "mill-generic";
     if (name) {
         job.machine_name = *name;
         job.machine_where = find(file.table(), "machine")->value.where;
-        job.machine_is_file = base::to_upper(*name).ends_with(".TOML") || name->find_first_of("/\\") != std::string::npos;
+        job.machine_is_file =
+            base::to_upper(*name).ends_with(".TOML") || name->find_first_of("/\\") != std::string::npos;
     }
     auto machine = shipped_machine(name && !job.machine_is_file ? *name : generic);
     if (!machine) {
@@ -148,7 +160,8 @@ void read_machine_name(Section& file, Job& job) {
         for (const std::string& n : names) list += (list.empty() ? "" : ", ") + n;
         const std::string near = nearest(*name, names);
         file.error(base::codes::job_value, job.machine_where, "there is no shipped machine \"" + *name + "\"",
-                   (near.empty() ? "" : "did you mean \"" + near + "\"? ") + ("shipped: " + list) + "; the name of a machine file ends in .toml");
+                   (near.empty() ? "" : "did you mean \"" + near + "\"? ") + ("shipped: " + list) +
+                       "; the name of a machine file ends in .toml");
         machine = shipped_machine(generic);
     }
     use_machine(job, machine.value_or(Machine{}));

@@ -109,7 +109,8 @@ TEST(JobFile, EveryKeyIsRead) {
     EXPECT_EQ(j.budgets.loop_passes, 500U);
     EXPECT_EQ(j.budgets.call_depth, 12U);
     EXPECT_EQ(j.budgets.seconds, 2.5);
-    EXPECT_EQ(j.variables, (std::map<std::string, std::string>{{"_GUD", "1.5"}, {"COUNT", "3"}, {"FLAG", "TRUE"}, {"WORD", "abc"}}));
+    EXPECT_EQ(j.variables,
+              (std::map<std::string, std::string>{{"_GUD", "1.5"}, {"COUNT", "3"}, {"FLAG", "TRUE"}, {"WORD", "abc"}}));
 }
 
 TEST(JobFile, EveryToolKeyIsRead) {
@@ -207,44 +208,49 @@ TEST(JobFile, AnUnknownMachineListsTheShippedOnes) {
               "job.toml:2:11: error: there is no shipped machine \"lathe-genric\" [job-value]\n"
               "  machine = \"lathe-genric\"\n"
               "            ^~~~~~~~~~~~~~\n"
-              "  remedy: did you mean \"lathe-generic\"? shipped: fv25cnc-a, hermle-u1130, lathe-generic, mill-generic, vmc500; the name of a machine file ends in .toml\n");
+              "  remedy: did you mean \"lathe-generic\"? shipped: fv25cnc-a, hermle-u1130, lathe-generic, "
+              "mill-generic, vmc500; the name of a machine file ends in .toml\n");
 }
 
 TEST(JobFile, ADuplicateToolNamesBothPlaces) {
-    EXPECT_EQ(job_complaints("program = \"A\"\n[[tool]]\nnumber = 1\nkind = \"mill\"\n[[tool]]\nnumber = 1\nkind = \"mill\"\n"
-                             "[[tool]]\nnumber = 1\nedge = 2\nkind = \"mill\"\n"),
-              "job.toml:6:10: error: tool 1 edge 1 is defined twice [job-value]\n"
-              "  number = 1\n"
-              "           ^\n"
-              "job.toml:2:1: note: first defined here\n"
-              "  [[tool]]\n"
-              "  ^\n");
+    EXPECT_EQ(
+        job_complaints("program = \"A\"\n[[tool]]\nnumber = 1\nkind = \"mill\"\n[[tool]]\nnumber = 1\nkind = \"mill\"\n"
+                       "[[tool]]\nnumber = 1\nedge = 2\nkind = \"mill\"\n"),
+        "job.toml:6:10: error: tool 1 edge 1 is defined twice [job-value]\n"
+        "  number = 1\n"
+        "           ^\n"
+        "job.toml:2:1: note: first defined here\n"
+        "  [[tool]]\n"
+        "  ^\n");
 }
 
 TEST(JobFile, AllMistakesOfAFileAreFound) {
-    EXPECT_EQ(job_places("control = 7\nskip = [10, \"a\"]\nsearch = [1]\nmachin = \"x\"\n[budget]\nblocks = 0\nseconds = -1\n"
-                         "[check]\ngouge = nan\nrapid = -0.1\n[set]\nR1 = \"a\"\nR2 = 1\nr2 = 2\n[datum]\nG99 = {}\nG54 = {a = 1}\n"
-                         "[defaults]\nplane = 20\ninch = 1\n[stock]\n[part]\nprogram = \"\"\nprofile = []\n[allowance]\nnormal = inf\n"),
-              "1:11: 'control' must be text, not a whole number\n"
-              "2:9: a skip level is a whole number from 0 to 9\n"
-              "2:13: a skip level is a whole number from 0 to 9\n"
-              "3:11: an item of 'search' must be text, not a whole number\n"
-              "4:1: unknown key 'machin' in the job file\n"
-              "6:10: 'blocks' must lie between 1 and 1000000000000000, it is 0\n"
-              "7:11: 'seconds' must be greater than 0, not -1\n"
-              "9:9: 'gouge' must be a finite number\n"
-              "10:9: 'rapid' must not be negative, it is -0.1\n"
-              "12:6: 'R1' must be a number, not text\n"
-              "14:1: 'r2' is set twice (capitals and small letters are the same)\n"
-              "16:1: unknown key 'G99' in [datum]\n"
-              "17:8: unknown key 'a' in 'G54'\n"
-              "19:9: 'plane' must lie between 17 and 19, it is 20\n"
-              "20:8: 'inch' must be true or false, not a whole number\n"
-              "21:1: [stock] says nothing\n"
-              "23:1: [part] has both 'profile' and 'program'\n"
-              "23:11: 'program' is empty\n"
-              "24:1: the profile is empty\n"
-              "26:10: 'normal' must be a finite number\n");
+    EXPECT_EQ(
+        job_places(
+            "control = 7\nskip = [10, \"a\"]\nsearch = [1]\nmachin = \"x\"\n[budget]\nblocks = 0\nseconds = -1\n"
+            "[check]\ngouge = nan\nrapid = -0.1\n[set]\nR1 = \"a\"\nR2 = 1\nr2 = 2\n[datum]\nG99 = {}\nG54 = {a = 1}\n"
+            "[defaults]\nplane = 20\ninch = 1\n[stock]\n[part]\nprogram = \"\"\nprofile = []\n[allowance]\nnormal = "
+            "inf\n"),
+        "1:11: 'control' must be text, not a whole number\n"
+        "2:9: a skip level is a whole number from 0 to 9\n"
+        "2:13: a skip level is a whole number from 0 to 9\n"
+        "3:11: an item of 'search' must be text, not a whole number\n"
+        "4:1: unknown key 'machin' in the job file\n"
+        "6:10: 'blocks' must lie between 1 and 1000000000000000, it is 0\n"
+        "7:11: 'seconds' must be greater than 0, not -1\n"
+        "9:9: 'gouge' must be a finite number\n"
+        "10:9: 'rapid' must not be negative, it is -0.1\n"
+        "12:6: 'R1' must be a number, not text\n"
+        "14:1: 'r2' is set twice (capitals and small letters are the same)\n"
+        "16:1: unknown key 'G99' in [datum]\n"
+        "17:8: unknown key 'a' in 'G54'\n"
+        "19:9: 'plane' must lie between 17 and 19, it is 20\n"
+        "20:8: 'inch' must be true or false, not a whole number\n"
+        "21:1: [stock] says nothing\n"
+        "23:1: [part] has both 'profile' and 'program'\n"
+        "23:11: 'program' is empty\n"
+        "24:1: the profile is empty\n"
+        "26:10: 'normal' must be a finite number\n");
 }
 
 TEST(JobFile, MistakesOfTools) {
@@ -259,11 +265,15 @@ TEST(JobFile, MistakesOfTools) {
               "6:17: the corner radii (3 mm together) do not fit on a width of 2 mm\n");
     EXPECT_EQ(job_places(head + "kind = \"groove\"\nwidth = 2\ncorner_radius = 1\ncutting_depth = 0.5\n"),
               "7:17: 'cutting_depth' is smaller than a corner radius\n");
-    EXPECT_EQ(job_places(head + "kind = \"groove\"\nwidth = 2\nnose_radius = 1\n"), "6:1: 'nose_radius' means nothing for a tool of kind \"groove\"\n");
-    EXPECT_EQ(job_places(head + "kind = \"turning\"\norientation = 10\n"), "5:15: 'orientation' must lie between 1 and 9, it is 10\n");
-    EXPECT_EQ(job_places(head + "kind = \"turning\"\ntip_angle = 180\n"), "5:13: 'tip_angle' must be less than 180 degrees\n");
+    EXPECT_EQ(job_places(head + "kind = \"groove\"\nwidth = 2\nnose_radius = 1\n"),
+              "6:1: 'nose_radius' means nothing for a tool of kind \"groove\"\n");
+    EXPECT_EQ(job_places(head + "kind = \"turning\"\norientation = 10\n"),
+              "5:15: 'orientation' must lie between 1 and 9, it is 10\n");
+    EXPECT_EQ(job_places(head + "kind = \"turning\"\ntip_angle = 180\n"),
+              "5:13: 'tip_angle' must be less than 180 degrees\n");
     EXPECT_EQ(job_places(head + "kind = \"turning\"\nentering_angle = 120\n"),
-              "5:18: 'tip_angle' and 'entering_angle' are more than 180 degrees together: the second edge would cut below the tip\n");
+              "5:18: 'tip_angle' and 'entering_angle' are more than 180 degrees together: the second edge would cut "
+              "below the tip\n");
     EXPECT_EQ(job_places(head + "kind = \"turning\"\norientation = 9\ndirection = \"face\"\n"),
               "6:13: a turning insert has the 'direction' \"out\" or \"in\"\n");
     EXPECT_EQ(job_places(head + "kind = \"mill\"\nparameters = {DP26 = 1, DP1 = \"a\"}\n"),
@@ -292,8 +302,9 @@ TEST(JobFile, ColumnsCountCharactersFarIntoALine) {
 }
 
 TEST(JobFile, AnythingGivesAJobAndPlacedComplaints) {
-    for (const char* text : {"=", "program", "[", "[[tool]", "program = \"", "[stock]\nprofile = [{z=1", "\r\n\r\nx", "tool = [1, 2]",
-                             "[stock]\nprofile = [[1,2],[3,4]]", "[set]\nR1 = 2024-01-01", "datum = 3", "[[stock]]"}) {
+    for (const char* text :
+         {"=", "program", "[", "[[tool]", "program = \"", "[stock]\nprofile = [{z=1", "\r\n\r\nx", "tool = [1, 2]",
+          "[stock]\nprofile = [[1,2],[3,4]]", "[set]\nR1 = 2024-01-01", "datum = 3", "[[stock]]"}) {
         Reading r;
         const Job j = read_job(r.add(text), r.sources, r.diagnostics);
         EXPECT_TRUE(r.diagnostics.has_errors()) << text;
@@ -304,7 +315,8 @@ TEST(JobFile, AnythingGivesAJobAndPlacedComplaints) {
 }
 
 TEST(JobFile, NumbersBeyondAnyShopAreRefused) {
-    EXPECT_EQ(job_places("program = \"A\"\n[stock]\nbar = {diameter = 1e300, length = 1}\n"), "3:19: 'diameter' is too large: at most 1000000000000\n");
+    EXPECT_EQ(job_places("program = \"A\"\n[stock]\nbar = {diameter = 1e300, length = 1}\n"),
+              "3:19: 'diameter' is too large: at most 1000000000000\n");
 }
 
 RC_GTEST_PROP(JobFileProperty, ADamagedFileNeverBreaksTheReader, ()) {

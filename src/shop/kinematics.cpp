@@ -173,6 +173,21 @@ std::vector<Follower> followers(const Chain& chain, std::span<const double> valu
     return out;
 }
 
+bool has_rotary(const Chain& chain) {
+    return std::any_of(chain.joints.begin(), chain.joints.end(), [](const Joint& j) { return j.rotary; });
+}
+
+std::vector<double> joints_at(const Chain& chain, std::span<const double> values, bool counted, Vec3 tip,
+                              double tool_length) {
+    std::vector<double> out(values.begin(), values.end());
+    out.resize(chain.joints.size(), 0);
+    for (std::size_t i = 0; i < out.size(); ++i)
+        if (!chain.joints[i].rotary) out[i] = std::numeric_limits<double>::quiet_NaN();
+    for (const Follower& f : followers(chain, counted ? values : std::span<const double>(), tool_length))
+        out[f.joint] = dot(f.along, tip) + f.at;
+    return out;
+}
+
 AxisPositions positions_for(const Chain& chain, const ToolPose& pose, double tool_length,
                             std::span<const double> near) {
     AxisPositions out;

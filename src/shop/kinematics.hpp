@@ -53,6 +53,14 @@ struct Follower {
 /// None where the chain has not three independent linear joints.
 [[nodiscard]] std::vector<Follower> followers(const Chain& chain, std::span<const double> values, double tool_length);
 
+/// Whether a joint of it is rotary.
+[[nodiscard]] bool has_rotary(const Chain& chain);
+/// Values of the joints while a control takes the tip for `tip`, table frame: it counts the rotary joints as they stand
+/// in `values`, or (`counted` false) as though they stood at 0. Of `values` the rotary joints alone are read. Linear
+/// joints are NaN where the chain has not three independent ones.
+[[nodiscard]] std::vector<double> joints_at(const Chain& chain, std::span<const double> values, bool counted,
+                                            geom::Vec3 tip, double tool_length);
+
 struct AxisPosition {
     std::vector<double> values;  ///< one a joint
     std::string outside;         ///< first axis that leaves its travel; empty: none

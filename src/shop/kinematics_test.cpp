@@ -168,6 +168,12 @@ TEST(Kinematics, FollowersBringTheTipThere) {
         }
     }
     EXPECT_TRUE(followers(Chain{{x, y}}, {}, 0).empty());
+    for (const double v : joints_at(Chain{{x, y}}, {}, true, {1, 2, 3}, 0)) EXPECT_TRUE(std::isnan(v));
+    const std::vector<double> swivelled{0.3, 0.4, 9, 9, 9};
+    expect_near(pose_of(table_ac(), joints_at(table_ac(), swivelled, true, {1, 2, 3}, 70), 70).tip, {1, 2, 3},
+                "counted");
+    const std::vector<double> as_at_0 = joints_at(table_ac(), swivelled, false, {1, 2, 3}, 70);
+    expect_near({as_at_0[2], as_at_0[3], as_at_0[4]}, {1, 2, 73}, "not counted");
     EXPECT_TRUE(followers(Chain{{x, y, {"W", false, {1, 0, 0}, {}}}}, {}, 0).empty()) << "two in one direction";
 }
 

@@ -55,8 +55,10 @@ bool take_angles(Tool& t, const TableTool& row) {
 std::vector<std::string> words_of(const std::string& comment) {
     std::vector<std::string> out(1);
     for (const char c : base::to_upper(comment)) {
-        if (base::is_letter(c)) out.back() += c;
-        else if (!out.back().empty()) out.emplace_back();
+        if (base::is_letter(c))
+            out.back() += c;
+        else if (!out.back().empty())
+            out.emplace_back();
     }
     return out;
 }
@@ -65,15 +67,20 @@ std::vector<std::string> words_of(const std::string& comment) {
 ToolKind kind_of(const std::string& comment) {
     const std::vector<std::string> words = words_of(comment);
     const auto has = [&](std::initializer_list<std::string_view> any) {
-        return std::any_of(words.begin(), words.end(), [&](const std::string& w) { return std::find(any.begin(), any.end(), w) != any.end(); });
+        return std::any_of(words.begin(), words.end(),
+                           [&](const std::string& w) { return std::find(any.begin(), any.end(), w) != any.end(); });
     };
     const bool mill = has({"ENDMILL", "EM"}) || (has({"MILL"}) && has({"END", "FLAT", "BALL"}));
     const bool spot = has({"SPOTDRILL", "CENTERDRILL"}) || (has({"DRILL"}) && has({"SPOT", "CENTER", "CENTRE"}));
     std::vector<ToolKind> found;
-    if (has({"BALL", "BALLNOSE"}) && (mill || has({"NOSE", "END", "BALLNOSE"}))) found.push_back(ToolKind::ball);
-    else if (mill) found.push_back(ToolKind::end_mill);
-    if (spot) found.push_back(ToolKind::centre_drill);
-    else if (has({"DRILL"})) found.push_back(ToolKind::drill);
+    if (has({"BALL", "BALLNOSE"}) && (mill || has({"NOSE", "END", "BALLNOSE"})))
+        found.push_back(ToolKind::ball);
+    else if (mill)
+        found.push_back(ToolKind::end_mill);
+    if (spot)
+        found.push_back(ToolKind::centre_drill);
+    else if (has({"DRILL"}))
+        found.push_back(ToolKind::drill);
     if (has({"TAP"})) found.push_back(ToolKind::tap);
     if (has({"REAMER"})) found.push_back(ToolKind::reamer);
     if (has({"COUNTERSINK"})) found.push_back(ToolKind::countersink);
@@ -86,7 +93,8 @@ void mill_shape(Tool& t, const TableTool& row) {
     t.radius = row.diameter / 2;
     if (t.radius > 0) t.kind = kind_of(t.name);
     if (t.kind == ToolKind::ball) t.corner_radius = t.radius;
-    const bool right_angle = t.kind == ToolKind::centre_drill || t.kind == ToolKind::countersink || t.kind == ToolKind::chamfer;
+    const bool right_angle =
+        t.kind == ToolKind::centre_drill || t.kind == ToolKind::countersink || t.kind == ToolKind::chamfer;
     if (!right_angle && t.kind != ToolKind::drill) return;
     t.point_angle = right_angle ? 90 : 118;
     assume(t.assumed, "point angle " + base::shortest(*t.point_angle) + " degrees");

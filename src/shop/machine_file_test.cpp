@@ -36,7 +36,9 @@ whole_numbers = "units"
 [machine_data]
 "$MC_DIAMETER_AX_DEF" = 1
 mn_max = 2
-)", "m.toml"), r.sources, r.diagnostics);
+)",
+                                         "m.toml"),
+                                   r.sources, r.diagnostics);
     EXPECT_EQ(r.complaints(), "");
     EXPECT_EQ(m.name, "SUI 80");
     EXPECT_EQ(m.kind, MachineKind::lathe);
@@ -62,19 +64,25 @@ mn_max = 2
 
 TEST(MachineFile, Mistakes) {
     Reading r;
-    (void)read_machine(r.add("kind = \"lath\"\n[spindle]\nmin = 9\nmax = 5\n[[axis]]\nname = \"X\"\nmin = 5\nmax = 5\n[[axis]]\nname = \"x\"\n"
-                             "[[axis]]\n[machine_data]\nFOO = 1\n", "m.toml"), r.sources, r.diagnostics);
+    (void)read_machine(r.add("kind = \"lath\"\n[spindle]\nmin = 9\nmax = 5\n[[axis]]\nname = \"X\"\nmin = 5\nmax = "
+                             "5\n[[axis]]\nname = \"x\"\n"
+                             "[[axis]]\n[machine_data]\nFOO = 1\n",
+                             "m.toml"),
+                       r.sources, r.diagnostics);
     EXPECT_EQ(r.complaints(),
-              "m.toml:1:8: error: 'kind' cannot be \"lath\" [job-value]\n  kind = \"lath\"\n         ^~~~~~\n  remedy: one of: lathe, mill\n"
+              "m.toml:1:8: error: 'kind' cannot be \"lath\" [job-value]\n  kind = \"lath\"\n         ^~~~~~\n  remedy: "
+              "one of: lathe, mill\n"
               "m.toml:3:7: error: 'min' must not be greater than 'max' [job-value]\n  min = 9\n        ^\n"
               "m.toml:8:7: error: 'max' must be greater than 'min' [job-value]\n  max = 5\n        ^\n"
               "m.toml:10:8: error: axis X is defined twice [job-value]\n  name = \"x\"\n         ^~~\n"
               "m.toml:11:1: error: [[axis]] has no 'name' [job-value]\n  [[axis]]\n  ^\n"
-              "m.toml:13:1: error: 'FOO' is not the name of a machine datum [job-file]\n  FOO = 1\n  ^~~\n  remedy: $MN_…, $MC_… or $MA_…\n");
+              "m.toml:13:1: error: 'FOO' is not the name of a machine datum [job-file]\n  FOO = 1\n  ^~~\n  remedy: "
+              "$MN_…, $MC_… or $MA_…\n");
 }
 
 TEST(MachineFile, ShippedMachinesAreBuiltInAndTheGenericOnesRefuseNothing) {
-    EXPECT_EQ(shipped_machine_names(), (std::vector<std::string>{"fv25cnc-a", "hermle-u1130", "lathe-generic", "mill-generic", "vmc500"}));
+    EXPECT_EQ(shipped_machine_names(),
+              (std::vector<std::string>{"fv25cnc-a", "hermle-u1130", "lathe-generic", "mill-generic", "vmc500"}));
     EXPECT_FALSE(shipped_machine("lathe"));
     for (const std::string& name : shipped_machine_names()) {
         Reading r;
@@ -143,7 +151,9 @@ direction = [0, 0, -1]
 name = "S1"
 rotary = true
 direction = [0, 1, 0]
-)", "m.toml"), r.sources, r.diagnostics);
+)",
+                                         "m.toml"),
+                                   r.sources, r.diagnostics);
     EXPECT_EQ(r.complaints(), "");
     EXPECT_EQ(m.chain, (std::vector<std::size_t>{3, 0, 1, 2, 4}));
     EXPECT_EQ(m.rapid_path, RapidPath::dog_leg);
@@ -157,9 +167,13 @@ direction = [0, 1, 0]
 
 TEST(MachineFile, MistakesOfKinematics) {
     Reading r;
-    const Machine m = read_machine(r.add("kind = \"mill\"\nrapid = \"bent\"\nmin_feed = 9\nmax_feed = 5\nchain = [\"X\", \"Q\", 3, \"x\", \"S1\"]\n"
-                                         "tool_change_position = { q = 1 }\n[spindle]\npower = 0\n[[axis]]\nname = \"X\"\ncentre = [1, 2, 3]\n"
-                                         "direction = [0, 0, 0]\n[[axis]]\nname = \"S1\"\nrotary = true\n", "m.toml"), r.sources, r.diagnostics);
+    const Machine m = read_machine(
+        r.add(
+            "kind = \"mill\"\nrapid = \"bent\"\nmin_feed = 9\nmax_feed = 5\nchain = [\"X\", \"Q\", 3, \"x\", \"S1\"]\n"
+            "tool_change_position = { q = 1 }\n[spindle]\npower = 0\n[[axis]]\nname = \"X\"\ncentre = [1, 2, 3]\n"
+            "direction = [0, 0, 0]\n[[axis]]\nname = \"S1\"\nrotary = true\n",
+            "m.toml"),
+        r.sources, r.diagnostics);
     std::string places;
     for (const base::Diagnostic& d : r.diagnostics.all()) {
         const base::Position p = r.sources.position(d.where);

@@ -13,7 +13,8 @@ using geom::Vec2;
 
 constexpr double endless = 1000;  ///< mm, blade without a cutting depth
 
-/// A mirroring of the plane: swap of the axes first, then signs. Turns a contour round so that it stays counter-clockwise.
+/// A mirroring of the plane: swap of the axes first, then signs. Turns a contour round so that it stays
+/// counter-clockwise.
 struct Mirror {
     bool swap = false;
     double z = 1, x = 1;
@@ -37,7 +38,8 @@ Contour blade(const Tool& t) {
     const double depth = t.cutting_depth > 0 ? t.cutting_depth : endless;
     const double z0 = t.reference == ReferenceCorner::left ? 0 : -t.width, z1 = z0 + t.width;
     const double slack = 1e-9 * t.width;
-    if (!(t.width > 0) || left < 0 || right < 0 || left + right > t.width + slack || std::max(left, right) > depth) return {};
+    if (!(t.width > 0) || left < 0 || right < 0 || left + right > t.width + slack || std::max(left, right) > depth)
+        return {};
     const double quarter = std::tan(geom::pi / 8);
     Contour c;
     c.vertices.push_back({{z0 + left, 0}, 0});
@@ -64,7 +66,8 @@ Contour grooving(const Tool& t) {
 }
 
 /// Insert that cuts from outside and feeds towards -z; `centre` is that of the nose, relative to the programmed point.
-/// The main edge leaves the nose at 180 degrees less the entering angle, the other one by the tip angle further clockwise.
+/// The main edge leaves the nose at 180 degrees less the entering angle, the other one by the tip angle further
+/// clockwise.
 Contour insert(const Tool& t, Vec2 centre) {
     const double main = geom::pi - geom::radians(t.entering_angle), other = main - geom::radians(t.tip_angle);
     const auto direction = [](double a) { return Vec2{std::cos(a), std::sin(a)}; };
@@ -118,7 +121,8 @@ std::optional<double> parameter(const Tool& tool, int n) {
 
 std::vector<Tool> merge_tools(std::vector<Tool> first, const std::vector<Tool>& second) {
     for (const Tool& t : second) {
-        const auto same = std::find_if(first.begin(), first.end(), [&](const Tool& o) { return o.number == t.number && o.edge == t.edge; });
+        const auto same = std::find_if(first.begin(), first.end(),
+                                       [&](const Tool& o) { return o.number == t.number && o.edge == t.edge; });
         if (same == first.end()) {
             first.push_back(t);
             continue;
@@ -126,8 +130,9 @@ std::vector<Tool> merge_tools(std::vector<Tool> first, const std::vector<Tool>& 
         if (same->name.empty()) same->name = t.name;
         same->parameters.insert(t.parameters.begin(), t.parameters.end());
     }
-    std::stable_sort(first.begin(), first.end(),
-                     [](const Tool& a, const Tool& b) { return std::pair(a.number, a.edge) < std::pair(b.number, b.edge); });
+    std::stable_sort(first.begin(), first.end(), [](const Tool& a, const Tool& b) {
+        return std::pair(a.number, a.edge) < std::pair(b.number, b.edge);
+    });
     return first;
 }
 

@@ -108,8 +108,8 @@ Vec2 nose_centre(const geom::Contour& c, double r) {
 }
 
 TEST(Outline, TheNoseLiesAsTheOrientationSays) {
-    const std::vector<std::tuple<int, double, double>> centres{{1, -1, -1}, {2, 1, -1}, {3, 1, 1}, {4, -1, 1}, {5, -1, 0},
-                                                               {6, 0, -1},  {7, 1, 0},  {8, 0, 1}, {9, 0, 0}};
+    const std::vector<std::tuple<int, double, double>> centres{
+        {1, -1, -1}, {2, 1, -1}, {3, 1, 1}, {4, -1, 1}, {5, -1, 0}, {6, 0, -1}, {7, 1, 0}, {8, 0, 1}, {9, 0, 0}};
     for (const auto& [orientation, z, x] : centres) {
         const auto c = outline(insert(orientation));
         const Vec2 centre = nose_centre(c, 0.8);
@@ -141,7 +141,9 @@ TEST(Outline, ASharpInsertIsATriangleAtTheTip) {
     const auto c = outline(insert(2, 0, 60, 90));
     ASSERT_EQ(c.vertices.size(), 3U);
     EXPECT_NEAR(signed_area(c), 0.5 * 10 * 10 * std::sin(geom::radians(60)), 1e-9);
-    EXPECT_TRUE(std::any_of(c.vertices.begin(), c.vertices.end(), [](const geom::Vertex& v) { return v.p == Vec2{0, 0}; }));
+    EXPECT_TRUE(std::any_of(c.vertices.begin(), c.vertices.end(), [](const geom::Vertex& v) {
+        return v.p == Vec2{0, 0};
+    }));
     EXPECT_LE(box(c).x1, 0);  // a boring bar reaches towards the axis from the bore's wall
 }
 

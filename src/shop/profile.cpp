@@ -23,10 +23,12 @@ std::optional<geom::Contour> join(const std::vector<Point>& points, bool closed,
     for (std::size_t i = 0; i < points.size(); ++i) {
         const bool last = i + 1 == points.size();
         if (last && !closed && points[i].radius)
-            s.error(base::codes::job_value, points[i].radius_where, "'r' on the last point: no edge follows it"), good = false;
+            s.error(base::codes::job_value, points[i].radius_where, "'r' on the last point: no edge follows it"),
+                good = false;
         const Vec2 next = points[last ? 0 : i + 1].p;
         if ((!last || closed) && geom::distance(points[i].p, next) < same_point) {
-            s.error(base::codes::job_value, points[last ? 0 : i + 1].where, "this point is the same as the one before it");
+            s.error(base::codes::job_value, points[last ? 0 : i + 1].where,
+                    "this point is the same as the one before it");
             good = false;
         }
         const auto b = last && !closed ? std::optional(0.0) : bulge_of(points[i], next, s);
@@ -63,7 +65,8 @@ bool report_shape(const geom::Contour& contour, const std::vector<Point>& points
     };
     for (std::size_t i = 0; i < n; ++i) {
         if (lowest_y(contour.vertices[i], contour.vertices[(i + 1) % n].p) < -chord_slack) {
-            s.error(base::codes::job_value, place(i).value_or(where), "the arc from this point crosses the turning axis");
+            s.error(base::codes::job_value, place(i).value_or(where),
+                    "the arc from this point crosses the turning axis");
             return true;
         }
     }
@@ -76,8 +79,9 @@ bool report_shape(const geom::Contour& contour, const std::vector<Point>& points
         base::Diagnostic d;
         d.code = base::codes::job_value;
         d.where = second ? *second : first.value_or(where);
-        d.text = first && second ? "the profile crosses or touches itself: the edge from this point"
-                                 : "the edge from this point crosses or touches the one that closes the profile to the axis";
+        d.text = first && second
+                     ? "the profile crosses or touches itself: the edge from this point"
+                     : "the edge from this point crosses or touches the one that closes the profile to the axis";
         if (first && second) d.related.push_back({*first, "meets the edge from this point"});
         s.diagnostics().add(std::move(d));
         return true;
@@ -104,7 +108,8 @@ std::optional<std::pair<double, double>> z_range(Section& s) {
     const bool l = s.has("length"), a = s.has("z_min"), b = s.has("z_max");
     if ((l && !length) || (a && !low) || (b && !high)) return std::nullopt;  // reported
     if (l && a && b) {
-        s.error(base::codes::job_value, find(s.table(), "length")->where, "'length', 'z_min' and 'z_max' together", "leave one out");
+        s.error(base::codes::job_value, find(s.table(), "length")->where, "'length', 'z_min' and 'z_max' together",
+                "leave one out");
     } else if (a && b && *low < *high) {
         return std::pair{*low, *high};
     } else if (a && b) {
@@ -141,12 +146,14 @@ std::optional<Profile> read_bar(const Value& v, base::Diagnostics& diagnostics) 
 
 std::optional<Profile> read_tube(const Value& v, base::Diagnostics& diagnostics) {
     Section s(v, "'tube'", diagnostics);
-    const auto outer = needed(s, "outer_diameter", Range::positive), inner = needed(s, "inner_diameter", Range::positive);
+    const auto outer = needed(s, "outer_diameter", Range::positive),
+               inner = needed(s, "inner_diameter", Range::positive);
     const auto z = z_range(s);
     s.finish();
     if (!outer || !inner || !z) return std::nullopt;
     if (*inner >= *outer) {
-        s.error(base::codes::job_value, find(v, "inner_diameter")->value.where, "'inner_diameter' must be smaller than 'outer_diameter'");
+        s.error(base::codes::job_value, find(v, "inner_diameter")->value.where,
+                "'inner_diameter' must be smaller than 'outer_diameter'");
         return std::nullopt;
     }
     const double a = *inner / 2, b = *outer / 2;
@@ -155,7 +162,8 @@ std::optional<Profile> read_tube(const Value& v, base::Diagnostics& diagnostics)
 
 std::optional<Profile> read_cone(const Value& v, base::Diagnostics& diagnostics) {
     Section s(v, "'cone'", diagnostics);
-    const auto left = needed(s, "left_diameter", Range::not_negative), right = needed(s, "right_diameter", Range::not_negative);
+    const auto left = needed(s, "left_diameter", Range::not_negative),
+               right = needed(s, "right_diameter", Range::not_negative);
     const auto z = z_range(s);
     s.finish();
     if (!left || !right || !z) return std::nullopt;
@@ -175,7 +183,8 @@ std::optional<Profile> read_profile(Section& section) {
     if (!e) {
         for (const std::string_view key : {"diameter", "closed"})
             if (const Entry* alone = find(section.table(), key))
-                section.error(base::codes::job_value, alone->where, "'" + std::string(key) + "' means nothing without a 'profile'");
+                section.error(base::codes::job_value, alone->where,
+                              "'" + std::string(key) + "' means nothing without a 'profile'");
         return std::nullopt;
     }
     if (e->value.kind != ValueKind::array) {
@@ -188,9 +197,11 @@ std::optional<Profile> read_profile(Section& section) {
         if (const auto p = read_profile_point(v, diameter, section.diagnostics())) points.push_back(*p);
     if (points.size() != e->value.items.size()) return std::nullopt;
     // A closed profile may say its first point again at its end.
-    if (closed && points.size() > 2 && geom::distance(points.front().p, points.back().p) < same_point) points.pop_back();
+    if (closed && points.size() > 2 && geom::distance(points.front().p, points.back().p) < same_point)
+        points.pop_back();
     if (points.size() < 2) {
-        section.error(base::codes::job_value, e->where, points.empty() ? "the profile is empty" : "the profile has only one point");
+        section.error(base::codes::job_value, e->where,
+                      points.empty() ? "the profile is empty" : "the profile has only one point");
         return std::nullopt;
     }
     return build(points, closed, e->where, section);

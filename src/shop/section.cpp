@@ -60,11 +60,15 @@ std::string_view kind_name(ValueKind kind) {
     return "something else";
 }
 
-base::Span head(const Value& table) { return {table.where.file, table.where.begin, std::min(table.where.end, table.where.begin + 1)}; }
+base::Span head(const Value& table) {
+    return {table.where.file, table.where.begin, std::min(table.where.end, table.where.begin + 1)};
+}
 
 void add_in_order(const base::Diagnostics& from, base::Diagnostics& to) {
     std::vector<base::Diagnostic> all = from.all();
-    std::stable_sort(all.begin(), all.end(), [](const base::Diagnostic& a, const base::Diagnostic& b) { return a.where.begin < b.where.begin; });
+    std::stable_sort(all.begin(), all.end(), [](const base::Diagnostic& a, const base::Diagnostic& b) {
+        return a.where.begin < b.where.begin;
+    });
     for (base::Diagnostic& d : all) to.add(std::move(d));
 }
 
@@ -95,7 +99,8 @@ std::optional<double> finite_number(const Value& v, const std::string& what, Ran
         return std::nullopt;
     }
     if (std::abs(v.number) > largest) {
-        complain(diagnostics, base::codes::job_value, v.where, what + " is too large: at most " + base::shortest(largest));
+        complain(diagnostics, base::codes::job_value, v.where,
+                 what + " is too large: at most " + base::shortest(largest));
         return std::nullopt;
     }
     if (range == Range::positive && v.number <= 0) {
@@ -114,7 +119,8 @@ std::optional<double> finite_number(const Value& v, const std::string& what, Ran
 Section::Section(const Value& table, std::string name, base::Diagnostics& diagnostics)
     : table_(table), name_(std::move(name)), diagnostics_(diagnostics) {
     if (table.kind != ValueKind::table)
-        error(base::codes::job_value, table.where, name_ + " must be a table, not " + std::string(kind_name(table.kind)));
+        error(base::codes::job_value, table.where,
+              name_ + " must be a table, not " + std::string(kind_name(table.kind)));
 }
 
 void Section::error(std::string_view code, base::Span where, std::string text, std::string remedy) const {
@@ -186,8 +192,11 @@ std::vector<std::string> Section::texts(std::string_view key) {
     if (e->value.kind == ValueKind::text) return {e->value.text};
     if (!expect(*e, ValueKind::array, "text or an array of texts")) return out;
     for (const Value& v : e->value.items) {
-        if (v.kind == ValueKind::text) out.push_back(v.text);
-        else error(base::codes::job_value, v.where, "an item of " + quoted(key) + " must be text, not " + std::string(kind_name(v.kind)));
+        if (v.kind == ValueKind::text)
+            out.push_back(v.text);
+        else
+            error(base::codes::job_value, v.where,
+                  "an item of " + quoted(key) + " must be text, not " + std::string(kind_name(v.kind)));
     }
     return out;
 }
@@ -221,7 +230,8 @@ bool Section::one_of(std::initializer_list<std::string_view> keys, bool required
     std::vector<std::string> names(keys.begin(), keys.end());
     for (const std::string_view key : keys) {
         const Entry* e = take(key);
-        if (e && first) error(base::codes::job_value, e->where, name_ + " has both " + quoted(first->key) + " and " + quoted(key));
+        if (e && first)
+            error(base::codes::job_value, e->where, name_ + " has both " + quoted(first->key) + " and " + quoted(key));
         if (e && !first) first = e;
     }
     if (!first && required && table_.kind == ValueKind::table)

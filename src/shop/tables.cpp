@@ -12,21 +12,22 @@ namespace obrys::shop {
 
 namespace {
 
-constexpr std::array groove_keys{"width", "corner_radius", "corner_radius_left", "corner_radius_right",
-                                 "reference", "direction", "cutting_depth"};
+constexpr std::array groove_keys{"width",     "corner_radius", "corner_radius_left", "corner_radius_right",
+                                 "reference", "direction",     "cutting_depth"};
 constexpr std::array turning_keys{"nose_radius", "orientation", "tip_angle", "entering_angle", "edge_length"};
-/// Words of `kind`: "groove", "turning", "mill", then those of ToolKind::other and behind it in their order. "mill" is an
-/// end mill, bull nose or ball by its corner radius, and `other` without a radius.
+/// Words of `kind`: "groove", "turning", "mill", then those of ToolKind::other and behind it in their order. "mill" is
+/// an end mill, bull nose or ball by its corner radius, and `other` without a radius.
 const std::initializer_list<std::string_view> kind_words{
-    "groove", "turning", "mill", "other", "end-mill", "ball", "bull-nose", "drill",
-    "centre-drill", "countersink", "tap", "reamer", "chamfer", "t-slot", "form"};
+    "groove",       "turning",     "mill", "other",  "end-mill", "ball",   "bull-nose", "drill",
+    "centre-drill", "countersink", "tap",  "reamer", "chamfer",  "t-slot", "form"};
 constexpr std::size_t groove_word = 0, turning_word = 1, mill_word = 2;
 
 template <class Keys>
 void refuse(const Section& s, const Keys& keys, std::string_view kind, std::string_view allowed = {}) {
     for (const std::string_view key : keys)
         if (const Entry* e = find(s.table(), key); e && key != allowed)
-            s.error(base::codes::job_value, e->where, "'" + std::string(key) + "' means nothing for a tool of kind \"" + std::string(kind) + "\"");
+            s.error(base::codes::job_value, e->where,
+                    "'" + std::string(key) + "' means nothing for a tool of kind \"" + std::string(kind) + "\"");
 }
 
 void set(double& to, std::optional<double> from) { to = from.value_or(to); }
@@ -37,7 +38,8 @@ void read_blade(Section& s, Tool& t) {
     set(t.corner_radius, both);
     t.corner_radius_left = s.number("corner_radius_left", Range::not_negative).value_or(t.corner_radius);
     t.corner_radius_right = s.number("corner_radius_right", Range::not_negative).value_or(t.corner_radius);
-    if (const auto r = s.choice("reference", {"left", "right"})) t.reference = *r == 0 ? ReferenceCorner::left : ReferenceCorner::right;
+    if (const auto r = s.choice("reference", {"left", "right"}))
+        t.reference = *r == 0 ? ReferenceCorner::left : ReferenceCorner::right;
     if (const auto d = s.choice("direction", {"out", "in", "face"})) t.direction = static_cast<BladeDirection>(*d);
     set(t.cutting_depth, s.number("cutting_depth", Range::not_negative));
 }
@@ -64,8 +66,12 @@ void check_blade(const Section& s, const Tool& t) {
     const double radii = t.corner_radius_left + t.corner_radius_right;
     const double widest = std::max(t.corner_radius_left, t.corner_radius_right);
     if (t.width > 0 && radii > t.width * (1 + 1e-9))
-        s.error(base::codes::job_value, place(s, s.has("corner_radius") ? "corner_radius" : s.has("corner_radius_left") ? "corner_radius_left" : "corner_radius_right"),
-                "the corner radii (" + base::shortest(radii) + " mm together) do not fit on a width of " + base::shortest(t.width) + " mm");
+        s.error(base::codes::job_value,
+                place(s, s.has("corner_radius")        ? "corner_radius"
+                         : s.has("corner_radius_left") ? "corner_radius_left"
+                                                       : "corner_radius_right"),
+                "the corner radii (" + base::shortest(radii) + " mm together) do not fit on a width of " +
+                    base::shortest(t.width) + " mm");
     else if (t.cutting_depth > 0 && widest > t.cutting_depth)
         s.error(base::codes::job_value, place(s, "cutting_depth"), "'cutting_depth' is smaller than a corner radius");
 }
@@ -74,12 +80,14 @@ void check_insert(const Section& s, const Tool& t) {
     refuse(s, groove_keys, "turning", t.orientation == 9 ? "direction" : "");
     refuse(s, std::array{"radius"}, "turning");
     if (t.orientation == 9 && t.direction == BladeDirection::face)
-        s.error(base::codes::job_value, place(s, "direction"), "a turning insert has the 'direction' \"out\" or \"in\"");
+        s.error(base::codes::job_value, place(s, "direction"),
+                "a turning insert has the 'direction' \"out\" or \"in\"");
     if (t.tip_angle >= 180)
         s.error(base::codes::job_value, place(s, "tip_angle"), "'tip_angle' must be less than 180 degrees");
     else if (t.tip_angle + t.entering_angle > 180)
         s.error(base::codes::job_value, place(s, s.has("entering_angle") ? "entering_angle" : "tip_angle"),
-                "'tip_angle' and 'entering_angle' are more than 180 degrees together: the second edge would cut below the tip");
+                "'tip_angle' and 'entering_angle' are more than 180 degrees together: the second edge would cut below "
+                "the tip");
 }
 
 void read_parameters(Section& s, Tool& t) {
@@ -110,8 +118,10 @@ void check_kind(const Section& s, std::size_t word, Tool& t) {
     t.kind = kind_of(word, t);
     if (t.kind == ToolKind::groove || t.kind == ToolKind::turning) {
         refuse_milling_keys(s, said);
-        if (t.kind == ToolKind::groove) check_blade(s, t);
-        else check_insert(s, t);
+        if (t.kind == ToolKind::groove)
+            check_blade(s, t);
+        else
+            check_insert(s, t);
         return;
     }
     refuse(s, turning_keys, said);
@@ -153,7 +163,8 @@ std::optional<std::uint32_t> datum_number(std::string_view key) {
     if (key == "active_preset") return 500;
     if (base::to_upper(key).starts_with("PRESET")) {
         const auto n = base::parse_integer(key.substr(6));
-        return n && *n >= 0 && *n <= 99'999 ? std::optional(first_preset + static_cast<std::uint32_t>(*n)) : std::nullopt;
+        return n && *n >= 0 && *n <= 99'999 ? std::optional(first_preset + static_cast<std::uint32_t>(*n))
+                                            : std::nullopt;
     }
     if (key.size() < 2 || base::upper(key[0]) != 'G') return std::nullopt;
     const auto n = base::parse_integer(key.substr(1));
@@ -169,7 +180,8 @@ void read_tool_tables(Section& file, std::vector<Tool>& tools) {
         if (v->kind != ValueKind::table) continue;
         auto t = read_tool(s);
         if (!t || !s.has("number")) continue;
-        const auto same = std::find_if(tools.begin(), tools.end(), [&](const Tool& o) { return o.number == t->number && o.edge == t->edge; });
+        const auto same = std::find_if(tools.begin(), tools.end(),
+                                       [&](const Tool& o) { return o.number == t->number && o.edge == t->edge; });
         if (same == tools.end()) {
             tools.push_back(std::move(*t));
             continue;
@@ -218,7 +230,8 @@ std::map<std::uint32_t, geom::Vec3> read_datums(Section& file) {
         if (datum.key == "diameter") continue;
         const auto n = datum_number(datum.key);
         if (!n) {
-            file.error(base::codes::job_file, datum.where, "unknown key '" + datum.key + "' in [datum]", "G54 … G57, G505 … G599, preset0 … preset99999, active_preset, diameter");
+            file.error(base::codes::job_file, datum.where, "unknown key '" + datum.key + "' in [datum]",
+                       "G54 … G57, G505 … G599, preset0 … preset99999, active_preset, diameter");
             continue;
         }
         Section s(datum.value, "'" + datum.key + "'", file.diagnostics());

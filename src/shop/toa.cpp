@@ -1,8 +1,8 @@
 // Meaning of the parameters: SINUMERIK 840D/840Di/810D Programming Guide Advanced (PGA) 04.00, section 8.1, page 8-265
 // (1 type, 2 cutting edge position, 3-5 lengths, 6 radius, 12-14 wear of the lengths, 15 wear of the radius, 21-23 base
-// dimensions; geometry, wear and base are added up), and the Programming Manual Job Planning 07/2010, section 7.1. Mills
-// (Job Planning 03/2006, section 8.5): 7 + 16 the corner radius, of a side mill and a saw its width, 11 + 20 the angle of a
-// cone against the tool's axis. Types: the list of tool types of the same manuals.
+// dimensions; geometry, wear and base are added up), and the Programming Manual Job Planning 07/2010, section 7.1.
+// Mills (Job Planning 03/2006, section 8.5): 7 + 16 the corner radius, of a side mill and a saw its width, 11 + 20 the
+// angle of a cone against the tool's axis. Types: the list of tool types of the same manuals.
 #include <algorithm>
 #include <map>
 
@@ -74,12 +74,14 @@ std::string_view without_comment(std::string_view line) {
 /// Lines that frame the data of a file or an archive: they carry nothing about a tool.
 bool is_frame(std::string_view line) {
     const std::string s = base::to_upper(line);
-    return s.starts_with('%') || s.starts_with("CHANDATA") || s == "M17" || s == "M2" || s == "M02" || s == "M30" || s == "RET";
+    return s.starts_with('%') || s.starts_with("CHANDATA") || s == "M17" || s == "M2" || s == "M02" || s == "M30" ||
+           s == "RET";
 }
 
 void Reader::line(Piece line) {
     line = Piece{without_comment(line.text), line.at}.part(0);
-    if (!line.text.empty() && base::upper(line.text[0]) == 'N' && line.text.size() > 1 && base::is_digit(line.text[1])) {
+    if (!line.text.empty() && base::upper(line.text[0]) == 'N' && line.text.size() > 1 &&
+        base::is_digit(line.text[1])) {
         std::size_t digits = 1;
         while (digits < line.text.size() && base::is_digit(line.text[digits])) ++digits;
         line = line.part(digits);
@@ -91,7 +93,8 @@ void Reader::line(Piece line) {
         return;
     }
     const bool indexed = open < shut && shut < equals;
-    assignment(line.part(0, indexed ? open : equals), indexed ? line.part(open + 1, shut - open - 1) : Piece{}, line.part(equals + 1));
+    assignment(line.part(0, indexed ? open : equals), indexed ? line.part(open + 1, shut - open - 1) : Piece{},
+               line.part(equals + 1));
 }
 
 void Reader::assignment(Piece name, Piece indices, Piece value) {
@@ -122,14 +125,16 @@ std::optional<std::int64_t> Reader::index(Piece text, std::int64_t most, const s
 
 void Reader::tool_parameter(int n, Piece indices, Piece value) {
     const std::size_t comma = indices.text.find(',');
-    if (comma == std::string_view::npos) return complain(base::codes::job_value, indices, "tool data need a tool and an edge: [T,D]");
+    if (comma == std::string_view::npos)
+        return complain(base::codes::job_value, indices, "tool data need a tool and an edge: [T,D]");
     const auto tool = index(indices.part(0, comma), largest_tool, "tool number");
     const auto edge = index(indices.part(comma + 1), largest_edge, "edge number");
     if (!tool || !edge) return;
     const auto v = base::parse_double(value.text);
     if (!v) return complain(base::codes::job_value, value, "the value must be a finite number");
     if (n == 2 && (*v < 0 || *v > 9 || *v != static_cast<double>(static_cast<int>(*v))))
-        return complain(base::codes::job_value, value, "the cutting edge position ($TC_DP2) is a whole number from 1 to 9");
+        return complain(base::codes::job_value, value,
+                        "the cutting edge position ($TC_DP2) is a whole number from 1 to 9");
     const auto t = static_cast<std::uint32_t>(*tool), d = static_cast<std::uint32_t>(*edge);
     auto [found, is_new] = tools_.try_emplace({t, d});
     if (is_new) {
@@ -163,8 +168,8 @@ void shape(Tool& t) {
     t.orientation = position >= 1 ? position : 3;
     if (t.orientation >= 5) t.entering_angle = 90 - t.tip_angle / 2;
     if (position < 1) t.assumed = "cutting edge position 3, ";
-    t.assumed += "tip angle " + base::shortest(t.tip_angle) + " degrees, entering angle " + base::shortest(t.entering_angle) +
-                 " degrees, edge length " + base::shortest(t.edge_length) + " mm";
+    t.assumed += "tip angle " + base::shortest(t.tip_angle) + " degrees, entering angle " +
+                 base::shortest(t.entering_angle) + " degrees, edge length " + base::shortest(t.edge_length) + " mm";
 }
 
 std::vector<Tool> Reader::tools() const {
