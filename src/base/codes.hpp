@@ -59,6 +59,7 @@ inline constexpr std::string_view missing_subprogram = "missing-subprogram";
 inline constexpr std::string_view budget = "budget";
 inline constexpr std::string_view unclosed = "unclosed";
 inline constexpr std::string_view unknown_value = "unknown-value";
+inline constexpr std::string_view not_run = "not-run";
 inline constexpr std::string_view not_simulated = "not-simulated";
 inline constexpr std::string_view mesh_not_closed = "mesh-not-closed";
 // input that cannot be read
@@ -110,6 +111,7 @@ inline constexpr std::array all_codes{
     Code{codes::budget, CodeKind::unchecked, "the run was ended by a limit on blocks, passes, depth or time"},
     Code{codes::unclosed, CodeKind::unchecked, "a loop or branch without its end"},
     Code{codes::unknown_value, CodeKind::unchecked, "a system variable whose value obrys cannot know"},
+    Code{codes::not_run, CodeKind::unchecked, "a program that was not run, or a run without a cut"},
     Code{codes::not_simulated, CodeKind::unchecked, "a move that was run but whose material removal was not computed"},
     Code{codes::mesh_not_closed, CodeKind::unchecked,
          "a mesh whose surface does not bound a solid: inside and outside are not known"},

@@ -64,6 +64,7 @@ struct Check::State {
     Removal removal;
     std::optional<Milling> milling;
     Trace trace;
+    std::uint64_t cuts = 0;  ///< Stats::cuts
     Position position;
     cl::Totals totals;
     cl::Record end{cl::Stop{}, nowhere, 0};  ///< place of the last record
@@ -140,6 +141,7 @@ void Check::State::move(const cl::Record& record) {
                  at.point(to),
                  programmed.rapid,
                  turning};
+    if (!m.rapid && !(std::holds_alternative<cl::Linear>(record.step) && from == to)) ++cuts;
     Removed removed = removal.take(m);
     if (milling) {
         std::vector<shop::ToolPose> swing;
@@ -225,6 +227,7 @@ Result Check::finish() {
     stats.feed_moves = s.totals.feed_moves;
     stats.rapid_length_mm = s.totals.rapid_length_mm;
     stats.feed_length_mm = s.totals.feed_length_mm;
+    stats.cuts = s.cuts;
     if (s.milling)
         s.milling->finish(true);
     else

@@ -47,4 +47,21 @@ void merge(Result& result, const base::Diagnostics& diagnostics) {
     result.verdict = verdict_of(result);
 }
 
+void require_cuts(Result& result, const std::string& program) {
+    const Stats& s = result.stats;
+    if (s.cuts > 0) return;
+    const std::string moves = std::to_string(s.moves) + (s.moves == 1 ? " move" : " moves");
+    const std::string text = s.moves == 0                ? program + " makes no move: nothing of it was checked"
+                             : s.moves == s.rapid_moves ? program + " makes " + moves + ", all at rapid: no cut was checked"
+                                                         : program + " makes " + moves +
+                                                               ", those at feed on the spot: no cut was checked";
+    result.unchecked.push_back({base::codes::not_run,
+                                text,
+                                "check the program that calls it, or give the values on which its moves depend",
+                                nowhere,
+                                {},
+                                1});
+    result.verdict = verdict_of(result);
+}
+
 }  // namespace obrys::check

@@ -67,6 +67,7 @@ struct Stats {
     std::uint64_t moves = 0, rapid_moves = 0, feed_moves = 0;
     double rapid_length_mm = 0, feed_length_mm = 0;  ///< of moves whose both ends are known
     std::uint64_t blocks_executed = 0;               ///< set by the caller, who ran the program
+    std::uint64_t cuts = 0;                          ///< feed moves that go somewhere: only these can cut
 };
 
 struct StockFigures {
@@ -172,5 +173,8 @@ struct Result {
 [[nodiscard]] Verdict verdict_of(const Result& r);
 /// Takes over what the reader and the interpreter complained about, by the kind of its code, and updates the verdict.
 void merge(Result& result, const base::Diagnostics& diagnostics);
+/// A run that cannot have cut anything has checked nothing: said of `program`, and the verdict updated. To be called
+/// where the run came to its end.
+void require_cuts(Result& result, const std::string& program);
 
 }  // namespace obrys::check

@@ -30,6 +30,7 @@ Checked check_program(Session& session, std::size_t keep_moves, const MillingReq
     check::Result result = check.finish();
     result.stats.blocks_executed = outcome.blocks_executed;
     check::merge(result, session.diagnostics);
+    if (outcome.ending == interp::Ending::regular) check::require_cuts(result, session.program);
     return {std::move(setup), std::move(result)};
 }
 
