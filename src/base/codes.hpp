@@ -51,6 +51,7 @@ inline constexpr std::string_view missing_label = "missing-label";
 inline constexpr std::string_view bad_argument = "bad-argument";
 inline constexpr std::string_view compensation = "compensation";
 inline constexpr std::string_view contour = "contour";
+inline constexpr std::string_view repeated_word = "repeated-word";
 // not understood, or not run
 inline constexpr std::string_view syntax = "syntax";
 inline constexpr std::string_view unknown_word = "unknown-word";
@@ -102,6 +103,7 @@ inline constexpr std::array all_codes{
     Code{codes::compensation, CodeKind::finding, "tool radius compensation that the contour does not allow"},
     Code{codes::contour, CodeKind::finding,
          "contour elements that are not determined, contradict each other or do not join"},
+    Code{codes::repeated_word, CodeKind::finding, "an address, or two words of one group, twice in a block"},
     Code{codes::syntax, CodeKind::unchecked, "text that does not follow the control's grammar"},
     Code{codes::undefined_name, CodeKind::unchecked,
          "a name that is not defined in the programs and definition files at hand"},

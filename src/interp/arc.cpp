@@ -67,6 +67,7 @@ void arc_alarm(Run& run, const path::ArcResult& r) {
 /// C and CP: about the pole, to a point or through an angle.
 path::ArcResult about_pole(const Run& run, Vec2 from, Vec2 to, path::Sense sense, const PlaneAxes& a) {
     const BlockWords& b = run.block;
+    b.use(Code::centre_at_pole);
     const Vec2 centre = in_plane(run.modal.pole, a);
     if (!b.has(Code::pole_angle)) return path::arc_by_centre(from, to, centre, sense, 0, tolerance(run));
     const double turns = std::abs(b.get(Code::pole_angle)) / 360;
@@ -119,8 +120,8 @@ path::ArcResult planar_arc(Run& run, Vec2 from, Vec2 to, bool end_given, const P
 bool has_unknown_circle_word(const Run& run) {
     for (const Code c : {Code::i, Code::j, Code::k, Code::i1, Code::j1, Code::k1, Code::radius, Code::opening_angle,
                          Code::turns, Code::pole_angle})
-        if (run.block.has(c) && std::isnan(run.block.get(c))) return true;
-    return run.traits->arc_turns_in_p && run.block.has(Code::p) && std::isnan(run.block.get(Code::p));
+        if (run.block.has(c) && std::isnan(run.block.peek(c))) return true;
+    return run.traits->arc_turns_in_p && run.block.has(Code::p) && std::isnan(run.block.peek(Code::p));
 }
 
 void remember_direction(Run& run, const path::Element& e) {

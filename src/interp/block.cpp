@@ -13,7 +13,9 @@ using program::Word;
 namespace codes = base::codes;
 
 void BlockWords::clear() {
-    present = 0;
+    present = used = twice = 0;
+    groups = 0;
+    complained = false;
     m.clear();
     h.clear();
     axes.clear();
@@ -211,6 +213,7 @@ void call_at_places(Run& run) {
         run.feed_valid = true;
         emit(run, cl::Feed{feed, run.modal.feed_mode});
     }
+    report_unused(run);
     after_motion(run);
 }
 
@@ -228,6 +231,8 @@ void run_block(Run& run, const program::Statement& s, std::uint32_t index) {
         return call_at_places(run);
     if (!run.block.pending.empty()) take_effect(run);
     if (run.stopped) return;
+    if (run.block.twice != 0) repeated_words(run);
+    if (run.stopped) return;
     if (run.traits->refuses_unready) refuse_block(run);
     if (run.stopped) return;
     if (!run.block.acted) technology(run);
@@ -240,6 +245,7 @@ void run_block(Run& run, const program::Statement& s, std::uint32_t index) {
         call_cycle(run);
         if (run.stopped) return;
     }
+    report_unused(run);
     after_motion(run);
     if (moved && run.modal_call.unit != nullptr) run_modal_call(run);
 }

@@ -73,8 +73,8 @@ std::optional<geom::Frame> datum_shift(const Run& run) {
 }
 
 bool has_unknown(const BlockWords& b) {
-    bool unknown = b.has(Code::plane_rotation) && std::isnan(b.get(Code::plane_rotation));
-    for (int k = 0; k < 3; ++k) unknown = unknown || (b.has(axis_code(k)) && std::isnan(b.get(axis_code(k))));
+    bool unknown = b.has(Code::plane_rotation) && std::isnan(b.peek(Code::plane_rotation));
+    for (int k = 0; k < 3; ++k) unknown = unknown || (b.has(axis_code(k)) && std::isnan(b.peek(axis_code(k))));
     return unknown;
 }
 
@@ -125,6 +125,7 @@ void frame_statement(Run& run, const program::Statement& s, std::uint32_t index)
         run.modal.programmed = run.modal.programmed * part_of(run, call.op);
     else
         run.modal.programmed = part_of(run, call.op);
+    report_unused(run);
     update_frame(run);
 }
 

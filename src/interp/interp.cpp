@@ -217,12 +217,14 @@ void alarm(Run& run, std::string_view code, const base::Span& where, std::string
 }
 
 void unchecked(Run& run, std::string_view code, const base::Span& where, std::string text, std::string remedy) {
+    run.block.complained = true;
     if (run.stopped || silenced(run, base::Severity::warning, code, where, text, remedy)) return;
     if (!first_report(run, code, where)) return;
     run.diagnostics.add({base::Severity::warning, code, where, std::move(text), std::move(remedy), stack_of(run), {}});
 }
 
 void unchecked_once(Run& run, std::string_view code, const base::Span& where, std::string text, std::string remedy) {
+    run.block.complained = true;
     if (run.capture == nullptr && run.assumed.insert(text).second)
         unchecked(run, code, where, std::move(text), std::move(remedy));
 }

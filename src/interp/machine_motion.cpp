@@ -60,6 +60,7 @@ bool reference_point(Run& run) {
     geom::Vec3 target = run.position;
     for (int k = 0; k < 3; ++k) {
         if (!run.block.has(axis_code(k))) continue;
+        run.block.use(axis_code(k));
         const shop::MachineAxis* axis = machine_axis(run, std::string(1, "XYZ"[k]));
         const bool home = run.block.special == Modal::reference_point && axis != nullptr && axis->home;
         coordinate(target, k) = home ? from_machine(run, k, *axis->home) : unknown;

@@ -330,6 +330,7 @@ bool apply_mode(Run& run, Modal m, int number) {
 void modal_word(Run& run, const program::Word& w) {
     const Modal m = program::modal_of(w);
     refuse_modal(run, w);
+    repeated_group(run, w);
     if (run.stopped || motion_word(run, m, w)) return;
     if (apply_mode(run, m, program::modal_number(w)) || m < Modal::canned) return;
     // no reader may make a word that is not run here

@@ -23,7 +23,7 @@ constexpr std::uint64_t other_axes =
 constexpr std::uint64_t polar = bit(Code::polar_angle) | bit(Code::polar_radius);
 constexpr std::uint64_t circle = bit(Code::i) | bit(Code::j) | bit(Code::k) | bit(Code::radius) |
                                  bit(Code::opening_angle) | bit(Code::i1) | bit(Code::j1) | bit(Code::k1) |
-                                 bit(Code::turns) | bit(Code::pole_angle);
+                                 bit(Code::turns) | bit(Code::pole_angle) | bit(Code::centre_at_pole);
 
 /// An axis the machine file does not list: moved all the same, but said.
 void require_axis(Run& run, const std::string& name) {
@@ -91,9 +91,9 @@ void dwell(Run& run) {
     cl::Dwell d;
     if (b.has(Code::p))
         d.seconds = b.get(Code::p);
-    else if (b.has(Code::feed))
+    else if (b.has(Code::feed) && run.traits->dwell_in_feed_words)
         d.seconds = b.get(Code::feed);
-    else if (b.has(Code::spindle))
+    else if (b.has(Code::spindle) && run.traits->dwell_in_feed_words)
         d.revolutions = b.get(Code::spindle);
     if (d.seconds < 0 || d.revolutions < 0) {
         alarm(run, codes::value_range, run.here(), "the dwell of G4 is negative");

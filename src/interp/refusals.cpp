@@ -57,8 +57,8 @@ bool changes_plane(const Run& run, Modal m) {
 
 /// G10 L2 and L20 of the zero offset that is in force.
 bool writes_active_datum(const Run& run) {
-    const double l = run.block.has(Code::l) ? run.block.get(Code::l) : 0;
-    const double p = run.block.has(Code::p) ? run.block.get(Code::p) : 0;
+    const double l = run.block.has(Code::l) ? run.block.peek(Code::l) : 0;
+    const double p = run.block.has(Code::p) ? run.block.peek(Code::p) : 0;
     const std::uint32_t active = place_of_datum(run.modal.datum);
     return (l == 2 || l == 20) && (p == 0 || p == active);
 }
@@ -121,7 +121,7 @@ void refuse_functions(Run& run) {
 
 void refuse_tool(Run& run) {
     const bool by_t = run.block.has(Code::tool) && !run.block.tool_named;
-    const double t = by_t ? run.block.get(Code::tool) : 0;
+    const double t = by_t ? run.block.peek(Code::tool) : 0;
     if (compensates(run) && has_m(run, 6))
         return refuse_under_compensation(run, word_of(run, Code::m), "the tool is changed");
     if (!(t > 0) || run.tools.empty()) return;
@@ -154,7 +154,8 @@ void refuse_still_spindle(Run& run, Modal m, std::string_view what) {
 
 /// F of the block or in force; in inverse time mode every block has its own.
 bool has_feed(const Run& run) {
-    if (run.block.has(Code::feed) && run.block.special != Modal::dwell) return run.block.get(Code::feed) != 0;
+    const bool dwells = run.block.special == Modal::dwell && run.traits->dwell_in_feed_words;
+    if (run.block.has(Code::feed) && !dwells) return run.block.peek(Code::feed) != 0;
     return (run.feed_valid || run.feed_unknown) && run.modal.feed_mode != cl::FeedMode::inverse_time;
 }
 
@@ -177,7 +178,7 @@ void refuse_probe(Run& run) {
         const Code code = axis_code(k);
         if (!run.block.has(code)) continue;
         const bool incremental = is_incremental(run, run.block.ref(code));
-        const double v = run.block.get(code) * length_factor(run, k, incremental);
+        const double v = run.block.peek(code) * length_factor(run, k, incremental);
         const double way = incremental ? v : v - coordinate(run.programmed_position, k);
         if (!(std::abs(way) < 1e-9)) return;  // also where it stands is not known
     }
@@ -190,7 +191,7 @@ void refuse_dwell(Run& run, const program::CannedCycle& c) {
     for (std::size_t i = 0; i < c.words.size() && i < run.canned.given.size(); ++i) {
         const program::CannedWord& w = c.words[i];
         if (w.role != program::CycleRole::dwell_bottom) continue;
-        const bool given = run.block.has(w.code) ? !(run.block.get(w.code) < 0) : goes_on && run.canned.given[i];
+        const bool given = run.block.has(w.code) ? !(run.block.peek(w.code) < 0) : goes_on && run.canned.given[i];
         if (!given)
             alarm(run, codes::value_range, run.block.has(w.code) ? word_of(run, w.code) : word_of(run, Modal::canned),
                   std::string(c.name) + " needs P, the dwell at the bottom in seconds, 0 or more");
@@ -205,7 +206,7 @@ void refuse_canned(Run& run) {
             return alarm(run, codes::value_range, word_of(run, axis_code(k)),
                          axis_name(k) + " cannot stand in " + name + ": a cycle moves X, Y and Z",
                          "position it in a block before");
-    if (run.block.has(Code::l) && run.block.get(Code::l) == 0)
+    if (run.block.has(Code::l) && run.block.peek(Code::l) == 0)
         return alarm(run, codes::value_range, word_of(run, Code::l), name + " cannot be repeated zero times");
     refuse_dwell(run, c);
     if (run.stopped) return;

@@ -94,6 +94,8 @@ void restore_modes(Run&);
 /// The spindle's state as a record (tools.cpp).
 void emit_spindle(Run&);
 void coolant(Run&, int m);
+/// M functions that the control itself knows; others go to the machine and are listed.
+[[nodiscard]] bool is_standard_function(const Run&, int m);
 /// A tool without dimensions behind those of the list; the tool in the spindle stays the one it is.
 std::vector<shop::Tool>::iterator add_tool(Run&, std::uint32_t number);
 void frame_statement(Run&, const program::Statement&, std::uint32_t index);
@@ -112,6 +114,14 @@ void after_motion(Run&);
 [[nodiscard]] bool motion(Run&);  ///< true where the block moved
 /// Gathers one word into the block; shared by blocks and frame statements.
 void gather(Run&, const program::Statement&, const program::Word&);
+
+// --- words of a block that nothing acted on, or that stand twice (unused_words.cpp)
+/// To be called when the block has acted: words that nothing used are said.
+void report_unused(Run&);
+/// Words that the block has twice (Traits::repeated_words).
+void repeated_words(Run&);
+/// Two words of one group in a block (Traits::repeated_groups).
+void repeated_group(Run&, const program::Word&);
 
 /// A block with data of its own (special.cpp).
 void run_special(Run&, const program::Statement&, std::uint32_t index);

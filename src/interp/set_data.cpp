@@ -207,6 +207,8 @@ void write_tool_offset(Run& run, program::DataTable table) {
 
 void set_data(Run& run, program::DataTable table) {
     using program::DataTable;
+    run.block.use(Code::l);  // which table, and which row of it
+    run.block.use(Code::p);
     if (table == DataTable::external_datum || table == DataTable::datum || table == DataTable::extended_datum)
         return write_datum(run, table);
     if (table != DataTable::by_l) return write_tool_offset(run, table);

@@ -225,6 +225,8 @@ void run_special(Run& run, const program::Statement& statement, std::uint32_t in
         gather(run, statement, unit.words[i]);
         if (run.stopped) return;
     }
+    if (run.block.twice != 0) repeated_words(run);
+    if (run.stopped) return;
     technology(run);
     if (!run.stopped) act(run, s, index);
     const bool called = run.block.has(Code::cycle_call), modal = run.block.has(Code::cycle_call_modal);
@@ -234,6 +236,7 @@ void run_special(Run& run, const program::Statement& statement, std::uint32_t in
         run.cycle.modal = modal || (run.cycle.modal && !called);
         call_cycle(run);
     }
+    report_unused(run);
     if (!run.stopped) after_motion(run);
 }
 

@@ -144,6 +144,7 @@ bool add_point(Run& run) {
     const Code order_word = n.own_knots ? Code::p : Code::l;
     if (const double order = b.has(order_word) ? b.get(order_word) : 0; order >= 2 && order <= geom::largest_order)
         n.curve.order = n.own_knots ? static_cast<int>(order) : std::max(n.curve.order, static_cast<int>(order));
+    if (n.own_knots) b.use(Code::q);  // how the control steps along the curve, which stays the same
     if (n.own_knots && b.has(Code::k)) n.curve.knots.push_back(b.get(Code::k));
     if (!point && !n.own_knots && n.curve.points.size() == 1 && b.has(Code::p)) n.curve.points.front().weight = w;
     if (point) n.curve.points.push_back({programmed_target(run), w});

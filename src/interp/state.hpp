@@ -46,6 +46,10 @@ struct BlockWords {
         base::Span where;
     };
     std::uint64_t present = 0;               ///< bit per Code, of which there are 64 at most
+    mutable std::uint64_t used = 0;          ///< of these, those that something has acted on
+    std::uint64_t twice = 0;                 ///< of these, those that the block has more than once
+    std::uint32_t groups = 0;                ///< bit per program::ModalGroup that the block has a word of
+    bool complained = false;                 ///< something of the block is said not to be understood or run
     std::array<double, 64> value;            ///< by Code; valid where the bit is set
     std::array<std::uint8_t, 64> reference;  ///< 0 = as the modal state says, else 1 + program::Reference
     std::vector<int> m;
@@ -63,10 +67,18 @@ struct BlockWords {
     Modal paraxial = Modal::linear;    ///< paraxial, paraxial_longer, paraxial_shorter; linear: none
 
     [[nodiscard]] bool has(Code c) const { return (present >> static_cast<unsigned>(c)) & 1u; }
-    [[nodiscard]] double get(Code c) const { return value[static_cast<std::size_t>(c)]; }
+    /// The value of a word that acts now: it counts as used (unused_words.cpp).
+    [[nodiscard]] double get(Code c) const {
+        use(c);
+        return value[static_cast<std::size_t>(c)];
+    }
+    /// The value of a word that is only looked at; something else has to use it.
+    [[nodiscard]] double peek(Code c) const { return value[static_cast<std::size_t>(c)]; }
+    void use(Code c) const { used |= std::uint64_t{1} << static_cast<unsigned>(c); }
     [[nodiscard]] std::uint8_t ref(Code c) const { return reference[static_cast<std::size_t>(c)]; }
     void put(Code c, double v, std::uint8_t r = 0) {
         const auto i = static_cast<std::size_t>(c);
+        twice |= present & std::uint64_t{1} << i;
         present |= std::uint64_t{1} << i;
         value[i] = v;
         reference[i] = r;

@@ -61,7 +61,7 @@ void tell_frame(Run& run) {
 
 void tell_inverse_feed(Run& run, double length) {
     if (!run.env.tell_settings || run.modal.feed_mode != cl::FeedMode::inverse_time) return;
-    tell(run, SettingKind::feed_rate, 0, {std::max(0.1, length / length_unit(run.modal) * run.block.get(Code::feed))});
+    tell(run, SettingKind::feed_rate, 0, {std::max(0.1, length / length_unit(run.modal) * run.block.peek(Code::feed))});
 }
 
 void tell_end(Run& run, int m) {
@@ -106,23 +106,23 @@ int place_of(const Run& run, std::uint32_t number) {
 void tell_tool(Run& run) {
     const BlockWords& b = run.block;
     const bool changes = has_m(run, 6);
-    if (b.has(Code::tool)) tell(run, SettingKind::tool_selected, whole(b.get(Code::tool)));
+    if (b.has(Code::tool)) tell(run, SettingKind::tool_selected, whole(b.peek(Code::tool)));
     if (changes)
         tell(run, SettingKind::tool_changed,
-             place_of(run, b.has(Code::tool) ? static_cast<std::uint32_t>(std::max(0, whole(b.get(Code::tool))))
+             place_of(run, b.has(Code::tool) ? static_cast<std::uint32_t>(std::max(0, whole(b.peek(Code::tool))))
                                              : run.tool.prepared));
 }
 
 void tell_outputs(Run& run) {
     const BlockWords& b = run.block;
-    const int output = b.has(Code::p) ? whole(b.get(Code::p)) : 0;
+    const int output = b.has(Code::p) ? whole(b.peek(Code::p)) : 0;
     for (const int m : b.m) {
         if (m == 66) forget_live(run, program::SystemVariable::input_value);
         if (m >= 62 && m <= 65)
             tell(run, SettingKind::output_bit, output, {(m % 2 == 0 ? 1.0 : 0.0) + (m <= 63 ? 2.0 : 0.0)});
         if (m == 67 || m == 68)
-            tell(run, SettingKind::output_value, b.has(Code::e) ? whole(b.get(Code::e)) : 0,
-                 {b.has(Code::q) ? b.get(Code::q) : 0, m == 67 ? 1.0 : 0.0});
+            tell(run, SettingKind::output_value, b.has(Code::e) ? whole(b.peek(Code::e)) : 0,
+                 {b.has(Code::q) ? b.peek(Code::q) : 0, m == 67 ? 1.0 : 0.0});
     }
 }
 
@@ -130,15 +130,15 @@ void tell_spindle(Run& run) {
     for (const int m : run.block.m) {
         if (m >= 3 && m <= 5) tell(run, SettingKind::spindle_turn, m == 3 ? 1 : m == 4 ? -1 : 0);
         if (m == 19)
-            tell(run, SettingKind::spindle_orient, run.block.has(Code::p) ? whole(run.block.get(Code::p)) : 0,
-                 {run.block.has(Code::radius) ? run.block.get(Code::radius) : 0,
-                  run.block.has(Code::q) ? run.block.get(Code::q) : 0});
+            tell(run, SettingKind::spindle_orient, run.block.has(Code::p) ? whole(run.block.peek(Code::p)) : 0,
+                 {run.block.has(Code::radius) ? run.block.peek(Code::radius) : 0,
+                  run.block.has(Code::q) ? run.block.peek(Code::q) : 0});
     }
 }
 
 void set_overrides(Run& run) {
     const BlockWords& b = run.block;
-    const bool on = !b.has(Code::p) || b.get(Code::p) != 0;
+    const bool on = !b.has(Code::p) || b.peek(Code::p) != 0;
     for (const int m : b.m) {
         if (m == 60) tell(run, SettingKind::pallet_change);
         if (m >= 7 && m <= 9) tell(run, SettingKind::coolant, m);
@@ -157,11 +157,11 @@ void tell_technology(Run& run) {
     if (b.surface_word != 0)
         tell(run, SettingKind::surface_speed, b.surface_word,
              {b.surface_word == 97       ? 0
-              : b.has(Code::speed_limit) ? b.get(Code::speed_limit)
+              : b.has(Code::speed_limit) ? b.peek(Code::speed_limit)
                                          : 1e30});
     if (b.has(Code::feed) && run.modal.feed_mode != cl::FeedMode::inverse_time)
-        tell(run, SettingKind::feed_rate, 0, {b.get(Code::feed)});
-    if (b.has(Code::spindle)) tell(run, SettingKind::spindle_speed, 0, {b.get(Code::spindle)});
+        tell(run, SettingKind::feed_rate, 0, {b.peek(Code::feed)});
+    if (b.has(Code::spindle)) tell(run, SettingKind::spindle_speed, 0, {b.peek(Code::spindle)});
     if (b.m.empty() && !b.has(Code::tool)) return;
     tell_outputs(run);
     tell_tool(run);

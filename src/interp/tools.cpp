@@ -84,6 +84,9 @@ void emit_spindle(Run& run) {
 
 namespace {
 
+/// F and S of the block say how long it dwells.
+bool dwells_by_words(const Run& run) { return run.block.special == Modal::dwell && run.traits->dwell_in_feed_words; }
+
 bool spindle_words(Run& run) {
     BlockWords& b = run.block;
     bool changed = false;
@@ -91,10 +94,10 @@ bool spindle_words(Run& run) {
         run.spindle.mode_changed = false;
         changed = run.spindle.direction != 0 || !b.has(Code::spindle);
     }
-    if (b.has(Code::spindle) && b.special != Modal::dwell && std::isnan(b.get(Code::spindle))) {
+    if (b.has(Code::spindle) && !dwells_by_words(run) && std::isnan(b.get(Code::spindle))) {
         unchecked(run, codes::unknown_value, run.here(),
                   "the spindle speed depends on a value that is not known: the last one is kept");
-    } else if (b.has(Code::spindle) && b.special != Modal::dwell) {
+    } else if (b.has(Code::spindle) && !dwells_by_words(run)) {
         const double s = b.get(Code::spindle);
         const bool feet = run.modal.surface_speed && run.modal.inch_geometry;  // cutting speed in ft/min
         run.spindle.speed = std::abs(s) * (feet ? 0.3048 : 1);
@@ -153,7 +156,7 @@ void special_feeds(Run& run) {
 
 void feed_word(Run& run) {
     special_feeds(run);
-    if (!run.block.has(Code::feed) || run.block.special == Modal::dwell) return;
+    if (!run.block.has(Code::feed) || dwells_by_words(run)) return;
     double f = run.block.get(Code::feed);
     f *= feed_factor(run);
     run.feed_unknown = std::isnan(f);
@@ -183,19 +186,18 @@ void coolant(Run& run, int m) {
     emit(run, cl::Coolant{state});
 }
 
-namespace {
-
-/// M functions the control itself knows; others go to the machine and are listed.
-bool is_standard(const Run& run, int m) {
+bool is_standard_function(const Run& run, int m) {
     const auto own = run.traits->own_functions;
     if (std::find(own.begin(), own.end(), m) != own.end()) return true;
     return (m >= 0 && m <= 9) || m == 17 || m == 30 || m == 19 || m == 70 || (m >= 40 && m <= 45);
 }
 
+namespace {
+
 void machine_functions(Run& run) {
     for (const int m : run.block.m) {
         if (m == 7 || m == 8) coolant(run, m);
-        if (is_standard(run, m)) continue;
+        if (is_standard_function(run, m)) continue;
         emit(run, cl::Auxiliary{'M', m});
         assume(
             run, run.here(),

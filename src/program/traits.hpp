@@ -97,7 +97,18 @@ struct CannedCycle {
     bool turns_axes = false;            ///< a fault of the control: outside G17 it feeds to another place
 };
 
+/// What a control does with something that a block says twice.
+enum class Repeated : std::uint8_t {
+    stops,        ///< an alarm
+    last_counts,  ///< the last one acts; the manual says so
+    last_or_stop  ///< as a machine parameter says
+};
+
 struct Traits {
+    /// An address that a block has twice.
+    Repeated repeated_words = Repeated::stops;
+    /// Two words of one group (G0 G1).
+    Repeated repeated_groups = Repeated::stops;
     /// Holds in every comparison.
     Equality equality{};
     /// Numbers of later banks follow those of the first: QL0 is the number behind the last Q.
@@ -147,6 +158,8 @@ struct Traits {
     bool stops_before_motion = false;
     /// M6 changes the tool on every machine; else on mills alone, and T does so on lathes.
     bool changes_on_m6 = false;
+    /// F and S beside the word of a dwell are its seconds and its revolutions; else they are feed and speed.
+    bool dwell_in_feed_words = true;
     /// G94 and G95 end constant cutting speed (G96), of whose group they are.
     bool feed_mode_ends_surface_speed = true;
     /// M functions that the control itself knows and that do nothing to the path.

@@ -34,6 +34,10 @@ constexpr std::array lathe_live{
 
 /// #20000 and up are data of newer series that no program of the manuals uses.
 constexpr program::Traits common{
+    // Parameter 3403#6 (AD2): alarm 5074, or the last address counts (series 30i/31i/32i parameter manual B-64310EN).
+    .repeated_words = program::Repeated::last_or_stop,
+    // "If G codes of one group are specified in a block, the last one is valid" (operator's manual, G codes).
+    .repeated_groups = program::Repeated::last_counts,
     .equality = {0, 1e-7},
     .banks = {program::ParameterBank{"#", 20000}, {}, {}},
     .jump_to_block_number = true,
@@ -52,6 +56,7 @@ constexpr program::Traits common{
                 .external_first = 5201,
                 .extended_first = 7001,
                 .extended_count = 48},
+    .dwell_in_feed_words = false,
     .feed_mode_ends_surface_speed = false,
 };
 constexpr program::Traits turning = [] {

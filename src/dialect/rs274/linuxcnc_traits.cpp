@@ -119,6 +119,7 @@ constexpr program::Traits traits{
                 .home_second = 5181},
     .stops_before_motion = true,
     .changes_on_m6 = true,
+    .dwell_in_feed_words = false,
     .feed_mode_ends_surface_speed = false,
     .own_functions = own_functions,
     .compensation_holds_move = true,

@@ -1,0 +1,111 @@
+/// Every word of a block is acted on or said: what no handler took, and what the block has twice.
+/// BlockWords::get marks a word as used; who only looks at one takes `peek`.
+
+#include <bit>
+
+#include "base/codes.hpp"
+#include "base/text.hpp"
+#include "interp/run.hpp"
+#include "program/modal_group.hpp"
+
+namespace obrys::interp {
+
+namespace codes = base::codes;
+using program::ModalGroup;
+using program::Repeated;
+using program::Word;
+
+namespace {
+
+constexpr std::uint64_t bit(Code c) { return std::uint64_t{1} << static_cast<unsigned>(c); }
+
+/// Words that act by standing there: they have no value to take.
+constexpr std::uint64_t bare_words = bit(Code::tool_change) | bit(Code::tool_definition) | bit(Code::feed_auto) |
+                                     bit(Code::cycle_call) | bit(Code::cycle_call_modal) | bit(Code::spindle_position);
+/// Parameters that M functions take.
+constexpr std::uint64_t function_words =
+    bit(Code::p) | bit(Code::q) | bit(Code::l) | bit(Code::e) | bit(Code::radius) | bit(Code::k) | bit(Code::j);
+
+std::string text_of(const Run& run, const base::Span& where) {
+    return std::string(base::trim(run.env.sources.text(where)));
+}
+
+/// The n-th word of the block with this code, from 0; the block where there is none.
+base::Span place_of(const Run& run, Code code, int n) {
+    const Unit& unit = run.unit();
+    const auto index = static_cast<std::uint32_t>(run.statement - unit.statements.data());
+    for (std::uint32_t i = run.statement->first; i < unit.words_end(index); ++i)
+        if (program::code_of(unit.words[i]) == code && n-- == 0) return unit.span(*run.statement, unit.words[i]);
+    return run.here();
+}
+
+/// M functions that take words of their block: outputs, orientation, overrides, and all that the machine builder made.
+bool takes_words(const Run& run, int m) {
+    if (m == 19 || (m >= 48 && m <= 53) || (m >= 62 && m <= 68)) return true;
+    return m >= 10 && m != 17 && m != 30 && !is_standard_function(run, m);
+}
+
+void take_function_words(Run& run) {
+    for (const int m : run.block.m)
+        if (takes_words(run, m)) run.block.used |= run.block.present & function_words;
+}
+
+/// I, J, K of 0 that an arc does not need say nothing that could be missed.
+bool says_nothing(const BlockWords& b, Code c) {
+    return (c == Code::i || c == Code::j || c == Code::k) && b.peek(c) == 0;
+}
+
+}  // namespace
+
+void report_unused(Run& run) {
+    BlockWords& b = run.block;
+    std::uint64_t left = b.present & ~b.used & ~bare_words;
+    if (left == 0 || b.complained || run.stopped || run.capture != nullptr) return;
+    if (!b.m.empty()) take_function_words(run);
+    left &= ~b.used;
+    for (; left != 0; left &= left - 1) {
+        const auto code = static_cast<Code>(std::countr_zero(left));
+        if (says_nothing(b, code)) continue;
+        const base::Span where = place_of(run, code, 0);
+        unchecked(run, codes::unknown_word, where,
+                  text_of(run, where) + " has no meaning beside the other words of this block and is not run",
+                  "take it out, or write the function that it belongs to");
+    }
+}
+
+void repeated_words(Run& run) {
+    if (run.capture != nullptr) return;
+    for (std::uint64_t left = run.block.twice; left != 0 && !run.stopped; left &= left - 1) {
+        const auto code = static_cast<Code>(std::countr_zero(left));
+        const base::Span where = place_of(run, code, 1);
+        const std::string what = "the block programs an address twice: " + text_of(run, place_of(run, code, 0)) +
+                                 " and " + text_of(run, where);
+        if (run.traits->repeated_words == Repeated::stops)
+            alarm(run, codes::repeated_word, where, what, "leave one of them in the block");
+        else
+            unchecked(run, codes::repeated_word, where,
+                      what + (run.traits->repeated_words == Repeated::last_or_stop
+                                  ? ": the control takes the last one, or stops, as one of its parameters says"
+                                  : ": the control takes the last one"),
+                      "leave one of them in the block");
+    }
+}
+
+void repeated_group(Run& run, const Word& w) {
+    const ModalGroup group = program::group_of(program::modal_of(w));
+    if (group == ModalGroup::none) return;
+    const std::uint32_t mark = std::uint32_t{1} << static_cast<unsigned>(group);
+    const bool again = (run.block.groups & mark) != 0;
+    run.block.groups |= mark;
+    if (!again || run.capture != nullptr) return;
+    const base::Span where = run.unit().span(*run.statement, w);
+    const std::string what = text_of(run, where) + " stands in one block with another word of its group";
+    if (run.traits->repeated_groups == Repeated::stops)
+        return alarm(run, codes::repeated_word, where, what, "write one of them, or two blocks");
+    // Of words that act once the first would act, too, and take the same coordinates.
+    if (group == ModalGroup::once || run.traits->repeated_groups == Repeated::last_or_stop)
+        return unchecked(run, codes::repeated_word, where, what, "write one of them, or two blocks");
+    assume(run, where, what + ": the control takes the last one");
+}
+
+}  // namespace obrys::interp
