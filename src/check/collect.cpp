@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "base/codes.hpp"
+#include "check/group.hpp"
 
 namespace obrys::check {
 
@@ -29,13 +30,33 @@ void Collector::finding(const Move& move, Finding f) {
 }
 
 void Collector::finding(const cl::Record& record, Finding f) {
-    if (++per_code_[f.code] > limit_) {
-        ++result_.findings_dropped;
-        return;
-    }
     if (!is_placed(f.where)) {
         f.where = record.from;
         f.stack = stacks_.sites(record.stack);
+    }
+    OfCode& known = per_code_[f.code];
+    std::string key = cause_key(f);
+    const auto cause = known.causes.find(key);
+    const std::size_t next = result_.findings.size();
+    if (cause == known.causes.end()) {
+        if (known.causes.size() >= limit_) {
+            ++result_.findings_dropped;
+            return;
+        }
+        known.causes.emplace(std::move(key), Kept{next, true});
+    } else if (known.details < limit_) {
+        ++known.details;
+        cause->second = {next, false};
+    } else if (!is_worse(f, result_.findings[cause->second.last])) {
+        ++result_.findings[cause->second.last].more;
+        return;
+    } else if (cause->second.only) {
+        cause->second = {next, false};
+    } else {  // takes the place of the last one, which is counted
+        Finding& last = result_.findings[cause->second.last];
+        f.more = last.more + 1;
+        last = std::move(f);
+        return;
     }
     result_.findings.push_back(std::move(f));
 }

@@ -3,6 +3,7 @@
 
 #include <map>
 #include <set>
+#include <string>
 #include <string_view>
 
 #include "check/result.hpp"
@@ -39,7 +40,16 @@ public:
 private:
     const cl::CallStacks& stacks_;
     std::size_t limit_;
-    std::map<std::string_view, std::size_t> per_code_;
+    struct Kept {
+        std::size_t last = 0;  ///< index of the last finding kept of a cause
+        bool only = true;      ///< there is no other
+    };
+    struct OfCode {
+        std::map<std::string, Kept> causes;
+        std::size_t details = 0;  ///< findings kept beside the first ones of their causes
+    };
+
+    std::map<std::string_view, OfCode> per_code_;
     std::set<std::string_view> of_last_move_;  ///< codes already said about the last move
     std::uint64_t last_move_ = 0;
     Result result_;

@@ -107,6 +107,7 @@ void Limits::check_axis(const cl::Record& record, const std::array<char, 8>& nam
                 error(base::codes::axis_limit, "axis " + wanted + " goes to " + plain(above >= below ? high : low) +
                                                    unit + ", " + base::fixed(over, 3) + unit + " outside its travel");
             f.amounts = {{a.rotary ? "excess_deg" : "excess_mm", over}};
+            f.cause = wanted + (above >= below ? " +" : " -");
             out_.finding(record, std::move(f));
         }
         worst = std::max(over, 0.0);
@@ -129,7 +130,7 @@ double Limits::excess(Travel& t, double low, double high) {
 void Limits::check_travel(const Move& move) {
     const bool fresh = changed_;
     if (changed_) follow_stand();
-    std::string text;
+    std::string text, cause;
     double worst = 0;
     for (Travel& t : travel_) {
         const auto [low, high] = range(move, t.along, fresh);
@@ -147,12 +148,14 @@ void Limits::check_travel(const Move& move) {
                     (absolute ? " goes " + mm(over) + " outside its travel"
                               : " needs " + mm(t.high - t.low) + " of way, " + mm(over) + " more than its travel");
             worst = std::max(worst, over);
+            cause += t.axis->name + " " + base::fixed(t.from_zero, 3) + " ";
         }
         t.worst = absolute ? over : std::max(over, t.worst);
     }
     if (text.empty()) return;
     Finding f = error(base::codes::axis_limit, std::move(text));
     f.amounts = {{"excess_mm", worst}};
+    f.cause = std::move(cause);  // one zero that is wrong sends every move out
     out_.finding(move, std::move(f));
 }
 

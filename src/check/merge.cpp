@@ -18,16 +18,25 @@ void add(std::vector<Note>& notes, const base::Diagnostic& d, bool by_place) {
         notes.push_back({d.code, d.text, d.remedy, d.where, d.stack, 1});
 }
 
+Finding finding_of(const base::Diagnostic& d) {
+    Finding f;
+    f.code = d.code;
+    f.severity = d.severity;
+    f.text = d.text;
+    f.remedy = d.remedy;
+    f.where = d.where;
+    f.stack = d.stack;
+    f.related = d.related;
+    return f;
+}
+
 }  // namespace
 
 void merge(Result& result, const base::Diagnostics& diagnostics) {
     std::vector<Finding> findings;
     for (const base::Diagnostic& d : diagnostics.all()) {
         switch (base::kind_of(d.code)) {
-            case base::CodeKind::finding:
-                findings.push_back(
-                    {d.code, d.severity, d.text, d.remedy, d.where, d.stack, d.related, {}, {}, {}, {}, {}, {}, {}});
-                break;
+            case base::CodeKind::finding: findings.push_back(finding_of(d)); break;
             case base::CodeKind::unchecked:
             case base::CodeKind::input: add(result.unchecked, d, true); break;
             case base::CodeKind::info:

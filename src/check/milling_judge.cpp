@@ -125,8 +125,10 @@ void Milling::judge(const QueuedPass& pass, const milling::Engagement& met) {
         f.text = "the cutting edges are " + mm(*tool.cutting_length) + " long, the cut reaches above them, at " +
                  place(met.deepest);
         f.remedy = "take a tool with longer cutting edges, or cut less deep; give the tool's shank if it is thinner";
+        f.cause = "tool " + std::to_string(move.tool);
     } else {
         f.code = codes::holder_in_stock;
+        f.cause = "tool " + std::to_string(move.tool) + " " + part;
         f.text = "the " + part + " runs into the stock: " + deep;
         if (pass.kind == Kind::shank) f.remedy = "take a tool with longer cutting edges, or cut less deep";
     }

@@ -51,6 +51,10 @@ struct Finding {
     geom::Region region;              ///< the material concerned, (z, x) plane; empty where there is none
     std::optional<geom::Vec2> at;     ///< the worst point, (z, x)
     std::optional<geom::Vec3> place;  ///< the same of milling, frame of the stock
+    /// What is to be mended, where it is not the line: "tool 5 holder". Findings of one code and cause are one group
+    /// (check/group.hpp).
+    std::string cause;
+    std::uint64_t more = 0;  ///< further moves of the same cause that are only counted
 };
 
 /// Something that was not checked, was assumed, or is only listed.
@@ -158,7 +162,7 @@ struct Milled {
 struct Result {
     Verdict verdict = Verdict::clean;
     std::vector<Finding> findings;       ///< in the order in which they happen; rest material last
-    std::uint64_t findings_dropped = 0;  ///< past the limit per code: counted only
+    std::uint64_t findings_dropped = 0;  ///< of causes past the limit per code: counted only
     std::vector<Note> unchecked, assumptions, listed;
     Stats stats;
     std::optional<StockFigures> before, after;

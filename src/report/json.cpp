@@ -32,17 +32,43 @@ Json where(const base::Sources& sources, const base::Span& span, const std::vect
     return j;
 }
 
-Json finding(const check::Finding& f, const base::Sources& sources) {
-    Json j{{"code", f.code}, {"severity", base::name(f.severity)}, {"message", f.text}};
-    if (!f.remedy.empty()) j["remedy"] = f.remedy;
-    j["where"] = where(sources, f.where, f.stack);
+void add_move(Json& j, const check::Finding& f) {
     j["move"] = f.move ? Json(*f.move) : Json(nullptr);
     if (f.from) j["from_mm"] = point(*f.from);
     if (f.to) j["to_mm"] = point(*f.to);
     for (const check::Amount& a : f.amounts) j[std::string(a.key)] = number(a.value);
-    if (!f.related.empty()) j["related"] = Json::array();
-    for (const base::Related& r : f.related)
-        j["related"].push_back({{"message", r.text}, {"where", site(sources, r.where)}});
+}
+
+/// What each move of a group did.
+Json members(const check::Group& group, const Subject& s) {
+    Json all = Json::array();
+    for (const std::size_t i : group.members) {
+        const check::Finding& f = s.result.findings[i];
+        Json j{{"message", f.text}};
+        j["where"] = where(s.sources, f.where, f.stack);
+        add_move(j, f);
+        j["more"] = f.more;
+        all.push_back(std::move(j));
+    }
+    return all;
+}
+
+/// The worst of the group speaks for it.
+Json finding(const check::Group& group, const Subject& s, bool all) {
+    const check::Finding& f = s.result.findings[group.worst];
+    Json j{{"code", f.code}, {"severity", base::name(f.severity)}, {"message", f.text}};
+    if (!f.remedy.empty()) j["remedy"] = f.remedy;
+    j["where"] = where(s.sources, f.where, f.stack);
+    j["times"] = group.times;
+    j["first_move"] = group.first_move ? Json(*group.first_move) : Json(nullptr);
+    add_move(j, f);
+    if (const auto lines = lines_of(s, group); lines.size() > 1 || (!lines.empty() && lines.front().second.size() > 1))
+        for (const auto& [file, numbers] : lines) j["lines"].push_back({{"file", file}, {"lines", numbers}});
+    if (all) j["moves"] = members(group, s);
+    const std::vector<base::Related> related = check::related_of(s.result, group);
+    if (!related.empty()) j["related"] = Json::array();
+    for (const base::Related& r : related)
+        j["related"].push_back({{"message", r.text}, {"where", site(s.sources, r.where)}});
     return j;
 }
 
@@ -106,7 +132,7 @@ Json milling(const check::Milled& m) {
 
 }  // namespace
 
-std::string to_json(const Subject& s) {
+std::string to_json(const Subject& s, bool all) {
     const check::Result& r = s.result;
     Json j{{"format", "obrys-check"}, {"version", json_version}, {"tool", {{"name", "obrys"}, {"version", s.version}}}};
     j["program"] = s.program;
@@ -115,7 +141,7 @@ std::string to_json(const Subject& s) {
     if (!s.date.empty()) j["date"] = s.date;
     j["verdict"] = check::name(r.verdict);
     j["findings"] = Json::array();
-    for (const check::Finding& f : r.findings) j["findings"].push_back(finding(f, s.sources));
+    for (const check::Group& g : check::groups_of(r)) j["findings"].push_back(finding(g, s, all));
     j["findings_dropped"] = r.findings_dropped;
     j["unchecked"] = notes(r.unchecked, s.sources);
     j["assumptions"] = notes(r.assumptions, s.sources);

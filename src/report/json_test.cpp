@@ -14,7 +14,7 @@ TEST(JsonReport, HasTheDocumentedShape) {
     const sample::Sample s = sample::make();
     const json j = json::parse(to_json(s.subject()));
     EXPECT_EQ(j["format"], "obrys-check");
-    EXPECT_EQ(j["version"], 1);
+    EXPECT_EQ(j["version"], 2);
     EXPECT_EQ(j["verdict"], "not-fully-checked");
     const json& f = j["findings"].at(0);
     EXPECT_EQ(f["code"], "gouge");
@@ -28,6 +28,10 @@ TEST(JsonReport, HasTheDocumentedShape) {
     EXPECT_EQ(f["where"]["stack"].at(0)["file"], "MAIN.MPF");
     EXPECT_EQ(f["where"]["stack"].at(0)["line"], 2);
     EXPECT_EQ(f["where"]["stack"].at(0)["block"], 20);
+    EXPECT_EQ(f["times"], 1);
+    EXPECT_EQ(f["first_move"], 1);
+    EXPECT_FALSE(f.contains("lines"));
+    EXPECT_FALSE(f.contains("moves"));
     EXPECT_EQ(f["move"], 1);
     EXPECT_EQ(f["depth_mm"], 1.0);
     EXPECT_EQ(f["depth_x_mm"], 1.25);
@@ -46,6 +50,29 @@ TEST(JsonReport, HasTheDocumentedShape) {
                                 {"feed_length_mm", 12.369},
                                 {"blocks_executed", 7}}));
     EXPECT_EQ(j["stock"]["before"]["volume_mm3"], 50000.0);
+}
+
+TEST(JsonReport, MovesOfOneCauseAreOneFinding) {
+    sample::Sample s = sample::make();
+    check::Finding other = s.result.findings[0];
+    other.move = 9;
+    other.where = sample::span(s, 0, "N10 G0 X30 Z5");
+    other.amounts[0].value = 7;
+    for (check::Finding* f : {&s.result.findings[0], &other}) f->cause = "tool 1 holder";
+    s.result.findings.push_back(other);
+    const json f = json::parse(to_json(s.subject(), true))["findings"];
+    ASSERT_EQ(f.size(), 1u);
+    EXPECT_EQ(f[0]["times"], 2);
+    EXPECT_EQ(f[0]["move"], 9);
+    EXPECT_EQ(f[0]["depth_mm"], 7);
+    EXPECT_EQ(f[0]["where"]["file"], "MAIN.MPF");
+    EXPECT_EQ(f[0]["first_move"], 1);
+    EXPECT_EQ(f[0]["lines"], json::parse(R"([{"file": "MAIN.MPF", "lines": [1]}, {"file": "with blank/SUB.SPF", "lines": [2]}])"));
+    ASSERT_EQ(f[0]["moves"].size(), 2u);
+    EXPECT_EQ(f[0]["moves"][0]["move"], 1);
+    const json sarif = json::parse(to_sarif(s.subject()));
+    EXPECT_EQ(sarif["runs"][0]["results"][0]["occurrenceCount"], 2);
+    EXPECT_EQ(json::parse(to_sarif(s.subject(), true))["runs"][0]["results"].size(), 4u);
 }
 
 TEST(JsonReport, EmptyListsAreThere) {

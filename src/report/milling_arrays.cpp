@@ -101,6 +101,7 @@ void path_arrays(std::string& out, const MillingPage& page, const PageCounts& co
     by_move(out, "file", moves, [&](const PageMove& m) { return narrow(m.where.file, page.texts.size()); });
     by_move(out, "line", moves, [](const PageMove& m) { return m.where.line; });
     by_move(out, "tool", moves, [&](const PageMove& m) { return tool_of(page, m.tool); });
+    by_move(out, "number", moves, [](const PageMove& m) { return static_cast<std::uint32_t>(m.number); });
     by_move(out, "seconds", moves, [](const PageMove& m) { return m.end_s; });
     by_move(out, "lengths", moves, [](const PageMove& m) { return m.end_mm; });
     if (page.path.axes.size() >= 3 * counts.moves)

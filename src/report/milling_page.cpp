@@ -34,6 +34,10 @@ Json finding(const MillingPage& page, const PageFinding& f, std::size_t number_o
     j["remedy"] = f.remedy;
     j["where"] = site(page, f.where);
     j["move"] = f.move && *f.move < page.path.moves.size() ? Json(*f.move) : Json(nullptr);
+    j["passes"] = f.passes;
+    j["moves"] = Json::array();
+    for (const std::uint32_t m : f.moves)
+        if (m < page.path.moves.size()) j["moves"].push_back(m);
     const bool placed = f.place && std::isfinite(f.place->x + f.place->y + f.place->z);
     j["at"] = placed ? point(*f.place) : Json(nullptr);
     j["amounts"] = Json::array();

@@ -38,7 +38,9 @@ struct PageFinding {
     std::string code, text, remedy;
     base::Severity severity = base::Severity::error;
     PageSite where;
-    std::optional<std::uint32_t> move;  ///< index
+    std::optional<std::uint32_t> move;  ///< index; the worst one
+    std::vector<std::uint32_t> moves;   ///< indices of all that did it
+    std::string passes;                 ///< what is said of them together; empty: it is one
     std::optional<geom::Vec3> place;
     std::vector<PageAmount> amounts;  ///< the first one is also shown at the mark in the picture
 };
@@ -55,6 +57,7 @@ struct PageMove {
     std::int32_t tool = 0;  ///< its number, as in PageTool
     double end_s = 0;       ///< run time when the move has ended; NaN: not known
     double end_mm = 0;      ///< path length alike
+    std::uint64_t number = 0;  ///< of the run's moves, as every report counts them
 };
 
 /// All moves in order. Arcs and curves are chains of points here; point k ends a straight piece that begins at point

@@ -86,7 +86,7 @@ TEST(MillingPage, ArraysOfAnyLengthComeBack) {
     for (std::size_t count = 0; count < 40; ++count) {
         MillingPage page;
         for (std::size_t i = 0; i < count; ++i) {
-            page.path.moves.push_back({(random() & 1U) != 0, {}, 0, static_cast<double>(random()) / 7, 0});
+            page.path.moves.push_back({(random() & 1U) != 0, {}, 0, static_cast<double>(random()) / 7, 0, 0});
             page.path.move_of_point.push_back(static_cast<std::uint32_t>(i));
             for (int c = 0; c < 3; ++c) page.path.points.push_back(static_cast<float>(random()) / 3);
         }

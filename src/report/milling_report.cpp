@@ -39,8 +39,9 @@ private:
 
 void add_findings(MillingPage& page, const Subject& s, Texts& texts,
                   const std::map<std::uint64_t, std::uint32_t>& moves) {
-    for (const std::size_t i : by_danger(s.result.findings)) {
-        const check::Finding& f = s.result.findings[i];
+    const std::vector<check::Group> groups = check::groups_of(s.result);
+    for (const std::size_t i : by_danger(s.result, groups)) {
+        const check::Finding& f = s.result.findings[groups[i].worst];
         PageFinding p;
         p.code = f.code;
         p.text = f.text;
@@ -49,6 +50,9 @@ void add_findings(MillingPage& page, const Subject& s, Texts& texts,
         p.where = texts.site(f.where);
         if (f.move)
             if (const auto at = moves.find(*f.move); at != moves.end()) p.move = at->second;
+        for (const std::size_t k : groups[i].members)
+            if (const auto& m = s.result.findings[k].move; m && moves.contains(*m)) p.moves.push_back(moves.at(*m));
+        p.passes = passes_line(s, groups[i]);
         p.place = f.place;
         for (const check::Amount& a : f.amounts) {
             if (a.key == "x_mm" || a.key == "y_mm" || a.key == "z_mm") continue;  // the place says it
@@ -81,7 +85,8 @@ void add_path(MillingPage& page, const Subject& s, Texts& texts) {
             page.path.move_of_point.push_back(static_cast<std::uint32_t>(i));
         }
         seconds += move.seconds;
-        page.path.moves.push_back({move.rapid, texts.site(move.where), number_of(s, move.tool), seconds, way});
+        page.path.moves.push_back(
+            {move.rapid, texts.site(move.where), number_of(s, move.tool), seconds, way, move.index});
     }
     page.moves_all = s.result.stats.moves;
 }

@@ -146,11 +146,12 @@ Json Data::moves() {
             {"stacks", stacks}};
 }
 
-/// Sorted by danger; `no` is the number in the order of the program, as in text and picture.
+/// Sorted by danger; `no` is the number in the order of the program, as in text and picture. `moves`: all that did it.
 Json Data::findings() {
     Json all = Json::array();
-    for (const std::size_t i : by_danger(r_.findings)) {
-        const check::Finding& f = r_.findings[i];
+    const std::vector<check::Group> groups = check::groups_of(r_);
+    for (const std::size_t i : by_danger(r_, groups)) {
+        const check::Finding& f = r_.findings[groups[i].worst];
         Json j{{"no", i + 1},
                {"code", f.code},
                {"severity", base::name(f.severity)},
@@ -159,7 +160,14 @@ Json Data::findings() {
         j["where"] = site(f.where);
         j["stack"] = stack(f.stack);
         j["move"] = f.move ? Json(*f.move) : Json(nullptr);
-        j["region"] = path_of(f.region, millimetres);
+        j["passes"] = passes_line(s_, groups[i]);
+        j["moves"] = Json::array();
+        std::string region;
+        for (const std::size_t k : groups[i].members) {
+            region += path_of(r_.findings[k].region, millimetres);
+            if (r_.findings[k].move) j["moves"].push_back(*r_.findings[k].move);
+        }
+        j["region"] = region;
         j["amounts"] = Json::array();
         for (const check::Amount& a : f.amounts) {
             const AmountWords w = amount_words(a.key);

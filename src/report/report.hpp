@@ -10,16 +10,19 @@ namespace obrys::report {
 struct TextOptions {
     bool colours = false;  ///< ANSI escapes
     bool listed = true;    ///< also what is listed without effect on the verdict
+    bool all = false;      ///< every move of a finding that several moves make
 };
-/// The verdict line first, then findings as `file:line:col: severity: message [code]` with source line and call stack.
+/// The verdict line first, then findings as `file:line:col: severity: message [code]` with source line and call stack;
+/// those of one cause (check/group.hpp) are one.
 [[nodiscard]] std::string to_text(const Subject& subject, const TextOptions& options = {});
 
 /// Version of the JSON's shape: docs/report-json.md.
-inline constexpr int json_version = 1;
-[[nodiscard]] std::string to_json(const Subject& subject);
+inline constexpr int json_version = 2;
+/// `all`: also what every move of a finding did.
+[[nodiscard]] std::string to_json(const Subject& subject, bool all = false);
 
-/// SARIF 2.1.0, one run, one rule for each code of base/codes.hpp.
-[[nodiscard]] std::string to_sarif(const Subject& subject);
+/// SARIF 2.1.0, one run, one rule for each code of base/codes.hpp. `all`: a result for every move of a finding.
+[[nodiscard]] std::string to_sarif(const Subject& subject, bool all = false);
 
 struct SvgOptions {
     double width = 1040;  ///< picture units (96 to the inch); the height follows from the part

@@ -76,11 +76,16 @@ Json result(const base::Sources& sources, std::string_view code, const char* lev
     return j;
 }
 
-Json finding(const check::Finding& f, const base::Sources& sources) {
+/// `passes`: what is said of the others of its cause; may be empty.
+Json finding(const check::Finding& f, const base::Sources& sources, std::uint64_t times, const std::string& passes) {
     const char* level = f.severity == base::Severity::error     ? "error"
                         : f.severity == base::Severity::warning ? "warning"
                                                                 : "note";
-    Json j = result(sources, f.code, level, f.remedy.empty() ? f.text : f.text + "\n" + f.remedy, f.where, f.stack);
+    std::string text = f.text;
+    if (!passes.empty()) text += "\n" + passes;
+    if (!f.remedy.empty()) text += "\n" + f.remedy;
+    Json j = result(sources, f.code, level, text, f.where, f.stack);
+    j["occurrenceCount"] = times;
     int id = 0;
     for (const base::Related& r : f.related) {
         if (r.where.file >= sources.size()) continue;
@@ -96,12 +101,24 @@ Json finding(const check::Finding& f, const base::Sources& sources) {
     return j;
 }
 
+void add_findings(Json& results, const Subject& s, bool all) {
+    for (const check::Group& g : check::groups_of(s.result)) {
+        if (all) {
+            for (const std::size_t i : g.members)
+                results.push_back(finding(s.result.findings[i], s.sources, 1 + s.result.findings[i].more, ""));
+            continue;
+        }
+        results.push_back(finding(s.result.findings[g.worst], s.sources, g.times, passes_line(s, g)));
+        if (g.first_move) results.back()["properties"]["first_move"] = *g.first_move;
+    }
+}
+
 }  // namespace
 
-std::string to_sarif(const Subject& s) {
+std::string to_sarif(const Subject& s, bool all) {
     const check::Result& r = s.result;
     Json results = Json::array();
-    for (const check::Finding& f : r.findings) results.push_back(finding(f, s.sources));
+    add_findings(results, s, all);
     for (const check::Note& n : r.unchecked)
         results.push_back(result(s.sources, n.code, "warning", "not checked: " + n.text, n.where, n.stack));
     for (const check::Note& n : r.assumptions)

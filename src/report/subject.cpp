@@ -2,9 +2,12 @@
 
 #include <algorithm>
 #include <array>
+#include <map>
 #include <numeric>
+#include <set>
 
 #include "base/codes.hpp"
+#include "base/number.hpp"
 #include "base/text.hpp"
 
 namespace obrys::report {
@@ -32,7 +35,7 @@ std::string count_of(std::uint64_t n, const std::string& one) {
 }
 
 std::string verdict_line(const check::Result& r) {
-    const std::string found = count_of(r.findings.size() + r.findings_dropped, "finding");
+    const std::string found = count_of(check::groups_of(r).size() + r.findings_dropped, "finding");
     switch (r.verdict) {
         case check::Verdict::clean: return "clean: nothing found in " + count_of(r.stats.moves, "move");
         case check::Verdict::findings: return found;
@@ -70,27 +73,79 @@ AmountWords amount_words(std::string_view key) {
     return {std::string(key), ""};
 }
 
-std::vector<std::size_t> by_danger(const std::vector<check::Finding>& findings) {
+namespace {
+
+constexpr std::size_t most_ranges = 8;  ///< of lines that are named
+
+/// "12-890, 901 and 40 more"
+std::string ranges(const std::vector<std::uint32_t>& lines) {
+    std::string out;
+    std::size_t made = 0;
+    for (std::size_t i = 0; i < lines.size();) {
+        std::size_t last = i;
+        while (last + 1 < lines.size() && lines[last + 1] == lines[last] + 1) ++last;
+        if (made++ == most_ranges) return out + " and " + std::to_string(lines.size() - i) + " more";
+        out += (out.empty() ? "" : ", ") + std::to_string(lines[i]);
+        if (last > i) out += "-" + std::to_string(lines[last]);
+        i = last + 1;
+    }
+    return out;
+}
+
+/// What breaks the machine or the tool first, then what spoils the part, then what only has to be done again.
+std::size_t rank_of(std::string_view code) {
     namespace codes = base::codes;
-    // What breaks the machine or the tool first, then what spoils the part, then what only has to be done again.
     constexpr std::array order{codes::rapid_in_stock,  codes::gouge,        codes::axis_limit,
                                codes::spindle_stopped, codes::tool_missing, codes::spindle_limit,
                                codes::feed_missing,    codes::feed_limit,   codes::allowance_cut};
-    const auto rank = [&](const check::Finding& f) {
-        if (f.code == codes::rest_material) return order.size() + 1;  // after everything else
-        return static_cast<std::size_t>(std::find(order.begin(), order.end(), f.code) - order.begin());
-    };
-    const auto depth = [](const check::Finding& f) {
-        double d = 0;
-        for (const check::Amount& a : f.amounts)
-            if (a.key == "depth_x_mm" || a.key == "depth_mm" || a.key == "excess_mm") d = std::max(d, a.value);
-        return d;
-    };
-    std::vector<std::size_t> indices(findings.size());
+    if (code == codes::rest_material) return order.size() + 1;  // after everything else
+    return static_cast<std::size_t>(std::find(order.begin(), order.end(), code) - order.begin());
+}
+
+double depth_of(const check::Finding& f) {
+    double d = 0;
+    for (const check::Amount& a : f.amounts)
+        if (a.key == "depth_x_mm" || a.key == "depth_mm" || a.key == "excess_mm") d = std::max(d, a.value);
+    return d;
+}
+
+}  // namespace
+
+std::vector<std::pair<std::string, std::vector<std::uint32_t>>> lines_of(const Subject& s, const check::Group& group) {
+    std::map<std::uint32_t, std::set<std::uint32_t>> found;
+    for (const std::size_t i : group.members) {
+        const base::Span& where = s.result.findings[i].where;
+        if (where.file < s.sources.size()) found[where.file].insert(s.sources.position(where).line);
+    }
+    std::vector<std::pair<std::string, std::vector<std::uint32_t>>> out;
+    for (const auto& [file, lines] : found)
+        out.emplace_back(base::as_utf8(s.sources[file].name), std::vector<std::uint32_t>(lines.begin(), lines.end()));
+    return out;
+}
+
+std::string passes_line(const Subject& s, const check::Group& group) {
+    if (group.times < 2) return {};
+    const check::Finding& worst = s.result.findings[group.worst];
+    std::string out = std::to_string(group.times) + (group.first_move ? " passes" : " times");
+    if (const check::Amount* amount = check::chief_amount(worst)) {
+        const AmountWords words = amount_words(amount->key);
+        out += ", worst " + base::fixed(amount->value, 3) + (words.unit.empty() ? "" : " " + words.unit);
+    }
+    if (group.first_move) out += ", first move " + std::to_string(*group.first_move);
+    const auto lines = lines_of(s, group);
+    if (lines.size() > 1 || (lines.size() == 1 && lines.front().second.size() > 1))
+        for (const auto& [file, numbers] : lines)
+            out += "; " + file + (numbers.size() > 1 ? " lines " : " line ") + ranges(numbers);
+    return out;
+}
+
+std::vector<std::size_t> by_danger(const check::Result& result, const std::vector<check::Group>& groups) {
+    std::vector<std::size_t> indices(groups.size());
     std::iota(indices.begin(), indices.end(), std::size_t{0});
+    const auto worst = [&](std::size_t i) -> const check::Finding& { return result.findings[groups[i].worst]; };
     std::stable_sort(indices.begin(), indices.end(), [&](std::size_t a, std::size_t b) {
-        const std::size_t ra = rank(findings[a]), rb = rank(findings[b]);
-        return ra != rb ? ra < rb : depth(findings[a]) > depth(findings[b]);
+        const std::size_t ra = rank_of(worst(a).code), rb = rank_of(worst(b).code);
+        return ra != rb ? ra < rb : depth_of(worst(a)) > depth_of(worst(b));
     });
     return indices;
 }

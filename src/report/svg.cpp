@@ -87,12 +87,14 @@ std::string legend(const Subject& s, double y) {
 }
 
 /// One line of the list below the picture.
-std::string entry_of(const Subject& s, std::size_t i) {
-    const check::Finding& f = s.result.findings[i];
+std::string entry_of(const Subject& s, const check::Group& group, std::size_t i) {
+    const check::Finding& f = s.result.findings[group.worst];
     const Place p = place(s.sources, f.where);
     std::string entry = std::to_string(i + 1) + "  ";
     if (!p.file.empty()) entry += p.file + ":" + std::to_string(p.line) + " ";
-    entry += "[" + std::string(f.code) + "] " + f.text;
+    entry += "[" + std::string(f.code) + "] ";
+    if (group.times > 1) entry += passes_line(s, group) + ": ";
+    entry += f.text;
     if (entry.size() <= widest_entry) return entry;
     return entry.substr(0, entry.rfind(' ', widest_entry - 4)) + " …";
 }
@@ -104,9 +106,10 @@ std::string list(const Subject& s, double& y) {
         y += 16;
     };
     const check::Result& r = s.result;
-    const std::size_t shown = std::min(r.findings.size(), most_entries);
-    for (std::size_t i = 0; i < shown; ++i) line("mono", entry_of(s, i));
-    if (r.findings.size() > shown) line("mono", "… and " + count_of(r.findings.size() - shown, "more finding"));
+    const std::vector<check::Group> groups = check::groups_of(r);
+    const std::size_t shown = std::min(groups.size(), most_entries);
+    for (std::size_t i = 0; i < shown; ++i) line("mono", entry_of(s, groups[i], i));
+    if (groups.size() > shown) line("mono", "… and " + count_of(groups.size() - shown, "more finding"));
     if (!r.moves.empty() && r.moves.size() < r.stats.moves)
         line("small",
              "Tool path: the first " + std::to_string(r.moves.size()) + " of " + count_of(r.stats.moves, "move") + ".");

@@ -65,6 +65,7 @@ TEST(Marks, FindingsOfOneMoveShareOne) {
     sample::Sample s = sample::make();
     const check::Finding f = s.result.findings[0];
     s.result.findings = {f, f, f, f};
+    for (std::uint32_t i = 0; i < 4; ++i) s.result.findings[i].cause = std::to_string(i);  // four things to mend
     s.result.findings[3].move = 9;
     s.result.findings[3].at.reset();
     const auto marks = marks_of(s.result);

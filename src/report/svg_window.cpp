@@ -71,13 +71,14 @@ std::optional<geom::Vec2> place_of(const check::Finding& f) {
 
 std::vector<Mark> marks_of(const check::Result& result) {
     std::vector<Mark> marks;
-    const auto& all = result.findings;
-    for (std::size_t i = 0; i < all.size();) {
+    const std::vector<check::Group> groups = check::groups_of(result);
+    const auto worst = [&](std::size_t i) -> const check::Finding& { return result.findings[groups[i].worst]; };
+    for (std::size_t i = 0; i < groups.size();) {
         std::size_t last = i;
-        while (all[i].move && last + 1 < all.size() && all[last + 1].move == all[i].move) ++last;
+        while (worst(i).move && last + 1 < groups.size() && worst(last + 1).move == worst(i).move) ++last;
         std::string label = std::to_string(i + 1);
         if (last > i) label += "-" + std::to_string(last + 1);
-        if (const auto at = place_of(all[i])) marks.push_back({std::move(label), *at, i + 1});
+        if (const auto at = place_of(worst(i))) marks.push_back({std::move(label), *at, i + 1});
         i = last + 1;
     }
     return marks;

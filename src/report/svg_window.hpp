@@ -10,7 +10,7 @@
 
 namespace obrys::report {
 
-/// Findings that share a mark: those of one move. Numbers count from 1 in the order of the program.
+/// Findings that share a mark: groups whose worst is one move. Numbers count from 1 in the order of the program.
 struct Mark {
     std::string label;      ///< "3" or "3-5"
     geom::Vec2 at;          ///< (z, x)

@@ -56,12 +56,29 @@ void paint(std::string& text, std::string_view word, std::string_view colour) {
     text.insert(at, colour);
 }
 
-std::string finding(const check::Finding& f, const Subject& s, bool colours) {
-    const base::Diagnostic d{f.severity, f.code, f.where, f.text, f.remedy, f.stack, f.related};
+/// What one move of a group did, in a line.
+std::string member(const check::Finding& f, const Subject& s) {
+    const Place p = place(s.sources, f.where);
+    std::string out = "  ";
+    if (!p.file.empty()) out += p.file + ":" + std::to_string(p.line) + ":" + std::to_string(p.column) + ": ";
+    if (f.move) out += "move " + std::to_string(*f.move) + ": ";
+    out += f.text;
+    if (f.more > 0) out += ", and " + std::to_string(f.more) + " more that are not listed";
+    return out + "\n";
+}
+
+/// The worst of them speaks for all.
+std::string finding(const check::Group& group, const Subject& s, const TextOptions& options) {
+    const check::Finding& f = s.result.findings[group.worst];
+    const base::Diagnostic d{f.severity, f.code, f.where, f.text, f.remedy, f.stack, check::related_of(s.result, group)};
     std::string out = base::render(d, s.sources);
-    if (colours) paint(out, std::string(base::name(f.severity)) + ":", colour_of(f.severity));
+    if (options.colours) paint(out, std::string(base::name(f.severity)) + ":", colour_of(f.severity));
+    if (group.members.size() > 1 || f.more > 0) out += "  " + passes_line(s, group) + "\n";
     if (f.move) out += way(f, s.setup.machine.kind == shop::MachineKind::lathe);
-    return out + amounts(f);
+    out += amounts(f);
+    if (options.all && group.members.size() > 1)
+        for (const std::size_t i : group.members) out += member(s.result.findings[i], s);
+    return out;
 }
 
 std::string notes(const std::string& heading, const std::vector<check::Note>& list, const Subject& s) {
@@ -126,7 +143,7 @@ std::string to_text(const Subject& s, const TextOptions& options) {
     if (!s.program.empty()) out += s.program + ": ";
     out += options.colours ? std::string(colour_of(r.verdict)) + verdict + "\x1b[0m" : verdict;
     out += "\n";
-    for (const check::Finding& f : r.findings) out += "\n" + finding(f, s, options.colours);
+    for (const check::Group& g : check::groups_of(r)) out += "\n" + finding(g, s, options);
     if (r.findings_dropped > 0) out += "\n" + count_of(r.findings_dropped, "further finding") + " not shown\n";
     out += notes("not checked", r.unchecked, s);
     out += notes("assumed", r.assumptions, s);

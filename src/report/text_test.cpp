@@ -41,14 +41,37 @@ TEST(TextReport, TheVerdictComesFirst) {
 TEST(TextReport, ColoursOnlyWhenAsked) {
     const sample::Sample s = sample::make();
     EXPECT_EQ(to_text(s.subject()).find('\x1b'), std::string::npos);
-    const std::string coloured = to_text(s.subject(), {.colours = true, .listed = true});
+    const std::string coloured = to_text(s.subject(), {.colours = true, .listed = true, .all = false});
     EXPECT_NE(coloured.find("\x1b[1;33mnot fully checked: 1 thing was not checked; 1 finding\x1b[0m"),
               std::string::npos);
     EXPECT_NE(coloured.find("SUB.SPF:2:1: \x1b[1;31merror:\x1b[0m cuts"), std::string::npos);
 }
 
+TEST(TextReport, PassesOfOneLineAreOneFinding) {
+    sample::Sample s = sample::make();
+    check::Finding deeper = s.result.findings[0], counted = deeper;
+    deeper.move = 5;
+    deeper.text = "cuts into the finished part: 2.500 mm deep along X";
+    deeper.amounts[0].value = 2;
+    counted.move = 7;
+    counted.more = 30;
+    s.result.findings.push_back(deeper);
+    s.result.findings.push_back(counted);
+    const std::string text = to_text(s.subject());
+    EXPECT_TRUE(text.starts_with("MAIN.MPF: not fully checked: 1 thing was not checked; 1 finding\n"));
+    EXPECT_NE(text.find("2.500 mm deep along X [gouge]"), std::string::npos);
+    EXPECT_NE(text.find("\n  33 passes, worst 2.000 mm, first move 1\n  move 5: from"), std::string::npos);
+    EXPECT_EQ(text.find("move 7"), std::string::npos);
+    const std::string all = to_text(s.subject(), {.colours = false, .listed = true, .all = true});
+    EXPECT_NE(all.find("  with blank/SUB.SPF:2:1: move 7: cuts"), std::string::npos);
+    EXPECT_NE(all.find("and 30 more that are not listed"), std::string::npos);
+}
+
 TEST(ByDanger, RapidsFirstRestMaterialLast) {
-    std::vector<check::Finding> f(5);
+    check::Result r;
+    std::vector<check::Finding>& f = r.findings;
+    f.resize(5);
+    for (std::uint32_t i = 0; i < 5; ++i) f[i].where = {0, i, i + 1};
     f[0].code = base::codes::rest_material;
     f[1].code = base::codes::arithmetic;
     f[2].code = base::codes::gouge;
@@ -56,7 +79,7 @@ TEST(ByDanger, RapidsFirstRestMaterialLast) {
     f[3].code = base::codes::gouge;
     f[3].amounts = {{"depth_x_mm", 2}};
     f[4].code = base::codes::rapid_in_stock;
-    EXPECT_EQ(by_danger(f), (std::vector<std::size_t>{4, 3, 2, 1, 0}));
+    EXPECT_EQ(by_danger(r, check::groups_of(r)), (std::vector<std::size_t>{4, 3, 2, 1, 0}));
 }
 
 TEST(PlaceOf, LinesColumnsAndBlocks) {

@@ -46,7 +46,7 @@ class Case:
         job.write_text(job_text(program.as_posix(), self.expected))
         sets = [w for k, v in settings.items() for w in ("--set", f"{k}={v}")]
         self.csv = run([obrys, "run", str(job), "--format", "csv", *sets])
-        self.check = run([obrys, "check", str(job), "--format", "json", *sets])
+        self.check = run([obrys, "check", str(job), "--format", "json", "--all", *sets])
 
     def expect(self, condition, text):
         if not condition:
@@ -78,7 +78,8 @@ class Case:
         self.near(result["stats"]["rapid_length_mm"], self.expected["length_G0_mm"], 1e-5, "rapid length")
         by_code = {}
         for f in result["findings"]:
-            by_code[(f["code"], f.get("move"))] = f
+            for move in f["moves"]:
+                by_code[(f["code"], move["move"])] = move
         lines = {(pathlib.Path(f["where"]["file"]).stem, f["where"]["line"]) for f in result["findings"] if f["code"] != "rest-material"}
         self.expect(lines == {(e["prog"], e["line"]) for e in events}, f"findings on {sorted(lines)}")
         for e in events:

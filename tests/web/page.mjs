@@ -150,6 +150,18 @@ const steps = {
     await page.locator('#overlay text.no[data-no="1"]').click();
     assert.equal(await done(page), 18);
   },
+  async "a finding that several moves make leads from one to the next"(page) {
+    const card = page.locator(".finding").nth(1);
+    assert.match(await card.textContent(), /2 passes, worst 0\.040 mm, first move \d+/);
+    await card.click();
+    const first = await done(page);
+    await card.locator("button").click();
+    assert.equal(await done(page), first);
+    await card.locator("button").click();
+    assert.equal(await done(page), first + 1);
+    assert.match(await status(page), new RegExp(`^move ${first} of`));  // the number that every report gives it
+    await page.locator("#fit").click();
+  },
   async "a click on the path selects its move"(page) {
     await page.selectOption("#shown", "all");
     await picture(page, "three projections");

@@ -41,7 +41,7 @@ public:
         const double length = geom::length(to - at_);
         mm_ += length;
         seconds_ += length / (rapid ? rapid_mm_s : feed_mm_s);
-        page_.path.moves.push_back(PageMove{rapid, {text_, at_line}, tool, seconds_, mm_});
+        page_.path.moves.push_back(PageMove{rapid, {text_, at_line}, tool, seconds_, mm_, page_.path.moves.size()});
         if (page_.path.points.empty()) point(at_);
         point(to);
         at_ = to;
@@ -236,6 +236,8 @@ void add_findings(MillingPage& page, const Raster& raster) {
     page.findings.push_back(
         finding(page, "gouge", "cuts into the finished part: 0.040 mm normal to the surface", gouging));
     page.findings.back().amounts = {{"depth", "0.040", "mm"}};
+    page.findings.back().moves = {gouging, gouging + 1};
+    page.findings.back().passes = "2 passes, worst 0.040 mm, first move " + std::to_string(gouging);
     page.findings.push_back(
         finding(page, "holder-in-stock", "<b>holder</b> touches the stock </script>", raster.first + 40));
     page.findings.back().severity = base::Severity::warning;

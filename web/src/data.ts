@@ -3,6 +3,7 @@
 export interface Site { f: number; l: number; n: string }
 export interface Finding {
   no: number; code: string; severity: string; text: string; remedy: string;
+  passes: string; moves: number[];  // what several moves of one cause did, and which
   where: Site | null; move: number | null; at: [number, number, number] | null;
   amounts: [label: string, value: string, unit: string][];
 }
@@ -33,6 +34,8 @@ export interface Run {
   points: Float32Array; moveOfPoint: Uint32Array;
   /** First point of each move and, at the end, the number of points; a move's first piece begins at the point before. */
   firstPoint: Uint32Array;
+  /** The moves' numbers in every report; the page may leave moves out. */
+  number: Uint32Array;
   kind: Uint8Array; file: Uint16Array; line: Uint32Array; tool: Uint16Array; axes: Float32Array | null;
   seconds: Float64Array; lengths: Float64Array;
 }
@@ -67,6 +70,7 @@ export function readRun(): Run {
   return {
     count, moveOfPoint, firstPoint, kind,
     points: new Float32Array(bytes("points")),
+    number: new Uint32Array(bytes("number")),
     file: new Uint16Array(bytes("file")), line: new Uint32Array(bytes("line")), tool: new Uint16Array(bytes("tool")),
     axes: has("axes") ? new Float32Array(bytes("axes")) : null,
     seconds: new Float64Array(bytes("seconds")), lengths: new Float64Array(bytes("lengths")),

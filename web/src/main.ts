@@ -68,6 +68,7 @@ class Report {
     this.slider = new Slider(run);
     this.slider.onMove = done => this.moved(done);
     findings.onPick = overlay.onPick = finding => this.pickFinding(finding);
+    findings.onPass = (finding, move) => this.pickFinding(finding, move);
     texts.onLine = (file, line, step) => this.pickLine(file, line, step);
     pointer(picture, move => { if (move !== null) this.pickMove(move); });
     document.addEventListener("keydown", event => {
@@ -82,7 +83,7 @@ class Report {
     const [, kind, number] = location.hash.match(/^#(finding|move)-(\d+)$/) ?? [];
     const finding = this.doc.findings.find(f => f.no === Number(number));
     if (kind === "finding" && finding) this.pickFinding(finding);
-    if (kind === "move" && this.run.count) this.pickMove(Math.min(this.run.count - 1, Number(number)));
+    if (kind === "move" && this.run.count) this.pickMove(indexOf(this.run, Number(number)));
   }
 
   /** The move under way, or the one that is just done. */
@@ -136,19 +137,21 @@ class Report {
     }
     this.overlay.draw();
   }
-  pickFinding(finding: Finding) {
+  /** `pass`: one of its moves; the worst one where none is named. */
+  pickFinding(finding: Finding, pass = finding.move) {
     this.slider.stop();
     this.overlay.active = finding;
     this.findings.choose(finding);
-    const { run, picture } = this, move = finding.move;
+    const { run, picture } = this, move = pass;
     if (move !== null && move < run.count) {
       this.slider.set(move + 1);
       picture.path.light([move]);
       this.show(move + 1, move);
     }
-    if (finding.where) this.texts.light(finding.where.f, finding.where.l);
-    else if (move !== null) this.lightLine(move);
-    const at: Vec | undefined = finding.at ?? (move !== null ? placeAt(run, move + 1)?.point : undefined);
+    const other = move !== finding.move;
+    if (finding.where && !other) this.texts.light(finding.where.f, finding.where.l);
+    else if (move !== null && move < run.count) this.lightLine(move);
+    const at: Vec | undefined = (other ? null : finding.at) ?? (move !== null ? placeAt(run, move + 1)?.point : undefined);
     if (at) { picture.views.lookAt(at, 12); picture.viewChanged(); }
     this.overlay.draw();
   }
@@ -158,7 +161,7 @@ class Report {
     box.replaceChildren();
     if (move < 0) return box.append(el("span", "", run.count ? `before the first of ${run.count} moves` : "no moves to show"));
     const tool = doc.tools[run.tool[move]], place = endOf(run, move, done);
-    box.append(el("b", "", `move ${move} of ${run.count}: ${run.kind[move] ? "rapid" : "feed"}`),
+    box.append(el("b", "", `move ${run.number[move]} of ${Math.max(doc.head.moves_all, run.count)}: ${run.kind[move] ? "rapid" : "feed"}`),
       ` to X ${mm(place[0])} Y ${mm(place[1])} Z ${mm(place[2])} mm`, tool ? `, T${tool.number} ${tool.name}` : "");
     const seconds = run.seconds[move], length = run.lengths[move];
     box.append(el("br"));
@@ -167,6 +170,12 @@ class Report {
     if (Number.isFinite(seconds)) box.append(`, ${clock(seconds)} of ${clock(run.seconds[run.count - 1])}`);
     if (Number.isFinite(length)) box.append(`, path ${(length / 1000).toFixed(2)} m`);
   }
+}
+
+/** Where the page holds a move of this number, or the next one that it holds. */
+function indexOf(run: Run, number: number): number {
+  const at = run.number.findIndex(n => n >= number);
+  return at < 0 ? run.count - 1 : at;
 }
 
 function endOf(run: Run, move: number, done: number): [number, number, number] {
@@ -188,7 +197,7 @@ function main() {
   const run = readRun(), mesh = readMesh(), lines = new Lines(run, doc.texts.length);
   const texts = new Texts(doc, lines, $("tabs"), $("texts")), open = (site: Site) => texts.onLine(site.f, site.l, 0);
   texts.onLine = (file, line) => texts.light(file, line);
-  const findings = new Findings(doc, open);
+  const findings = new Findings(doc, run.number, open);
   findings.onPick = finding => { findings.choose(finding); if (finding.where) open(finding.where); };
   papers(doc, run.count, open);
   texts.show(doc.findings[0]?.where?.f ?? 0);

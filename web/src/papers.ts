@@ -37,9 +37,10 @@ export function head(doc: Document) {
 
 export class Findings {
   onPick: (finding: Finding) => void = () => {};
+  onPass: (finding: Finding, move: number) => void = () => {};
   private readonly cards = new Map<Finding, HTMLElement>();
 
-  constructor(doc: Document, open: OpenSite) {
+  constructor(doc: Document, private readonly numbers: Uint32Array, open: OpenSite) {
     const list = $("findings"), all = doc.findings;
     $("found").textContent = all.length ? `Findings (${all.length}), the most dangerous first` : "Findings";
     if (!all.length) list.append(el("div", "none", doc.unchecked.length ? "Nothing was found in what could be checked." : "Nothing was found."));
@@ -55,12 +56,13 @@ export class Findings {
     card.append(title);
     const place = el("div", "place");
     if (f.where) place.append(siteLink(f.where, open));
-    if (f.move !== null) place.append(f.where ? ", " : "", "move " + f.move);
+    if (f.move !== null) place.append(f.where ? ", " : "", "move " + this.numbers[f.move]);
     if (f.at) place.append(f.where || f.move !== null ? ", " : "", `at X ${mm(f.at[0])} Y ${mm(f.at[1])} Z ${mm(f.at[2])}`);
     if (place.childNodes.length) card.append(place);
     const text = f.where ? doc.texts[f.where.f].text.split(/\r\n|\n|\r/, f.where.l)[f.where.l - 1]?.trim() : "";
     if (text) card.append(el("pre", "", text));
     if (f.amounts.length) card.append(el("div", "amounts", f.amounts.map(a => a.join(" ").trim()).join(", ")));
+    if (f.passes) card.append(this.passes(f));
     if (f.remedy) card.append(el("div", "amounts", "Remedy: " + f.remedy));
     card.onclick = () => this.onPick(f);
     card.onkeydown = event => {
@@ -70,6 +72,17 @@ export class Findings {
     };
     this.cards.set(f, card);
     return card;
+  }
+  /** What its moves did together, and a way from one to the next. */
+  private passes(f: Finding): HTMLElement {
+    const line = el("div", "amounts", f.passes + " ");
+    if (f.moves.length < 2) return line;
+    const next = el("button", "", "next pass");
+    let turn = -1;
+    next.onclick = event => { event.stopPropagation(); turn = (turn + 1) % f.moves.length; this.onPass(f, f.moves[turn]); };
+    next.onkeydown = event => event.stopPropagation();
+    line.append(next);
+    return line;
   }
   choose(finding: Finding | null) {
     for (const [f, card] of this.cards) card.classList.toggle("on", f === finding);

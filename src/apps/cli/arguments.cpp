@@ -170,6 +170,7 @@ Commands add_commands(CLI::App& app, Arguments& a) {
             return path.ends_with(".csv") || path.ends_with(".json") ? "" : "must end with .csv or .json";
         })
         ->type_name("FILE");
+    c.check->add_flag("--all", a.all, "also what every move of a finding did that several moves make");
     c.check->add_flag("--no-list", a.no_list, "text: leave out what has no effect on the verdict");
     c.check->add_flag("!--no-color,!--no-colour", a.colours, "text without colours (also: NO_COLOR)");
     c.run = app.add_subcommand("run", run_help);

@@ -26,6 +26,7 @@ struct Arguments {
     bool quiet = false;                           ///< of run: counts only
     bool parameters = false;                      ///< of run: numbered parameters at the end
     bool colours = true;
+    bool all = false;                ///< of check: what every move of a finding did
     bool no_list = false;            ///< of check: leave out what has no effect on the verdict
     std::vector<std::string> files;  ///< of fmt
     format::heidenhain::Options style;

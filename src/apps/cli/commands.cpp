@@ -158,14 +158,14 @@ int check(const Arguments& a) {
     const report::Subject subject = subject_of(s, checked);
     bool written = true;
     if (a.format == "json")
-        written = deliver(s, a.output, report::to_json(subject));
+        written = deliver(s, a.output, report::to_json(subject, a.all));
     else if (a.format == "sarif")
-        written = deliver(s, a.output, report::to_sarif(subject));
+        written = deliver(s, a.output, report::to_sarif(subject, a.all));
     else
         written = deliver(s, a.output,
                           report::to_text(subject, {a.colours && a.output.empty() && standard_output_is_terminal() &&
                                                         std::getenv("NO_COLOR") == nullptr,
-                                                    !a.no_list}));
+                                                    !a.no_list, a.all}));
     if (!a.html.empty()) written = deliver(s, a.html, page(subject)) && written;
     if (!a.svg.empty()) written = deliver(s, a.svg, report::to_svg(subject)) && written;
     written = write_surface(a, s, checked) && written;

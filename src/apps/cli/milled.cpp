@@ -95,8 +95,10 @@ bool write_pictures(const Arguments& a, driver::Session& s, const driver::Checke
                     const mesh::DeviationColours& colours) {
     const std::vector<report::PictureLegend> legend = legend_of(checked.result, colours);
     std::vector<report::PictureMark> marks;
-    for (std::size_t k = 0; k < checked.result.findings.size(); ++k)
-        if (const auto& place = checked.result.findings[k].place) marks.push_back({std::to_string(k + 1), *place});
+    const std::vector<check::Group> groups = check::groups_of(checked.result);
+    for (std::size_t k = 0; k < groups.size(); ++k)
+        if (const auto& place = checked.result.findings[groups[k].worst].place)
+            marks.push_back({std::to_string(k + 1), *place});
     report::MillingScene scene{surface};
     if (checked.setup.milling) {
         const auto box = sim::milling::box_of(checked.setup.milling->stock);

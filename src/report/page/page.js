@@ -223,6 +223,12 @@ function pickFinding(f, zoom) {
   if (zoom && bad) { const r = bad.getBBox(), k = Math.max(r.width, r.height, 4) * 1.2; zoomTo([r.x - k, r.y - k, r.x + r.width + k, r.y + r.height + k]); }
   else drawMarks();
 }
+/** Another move of the same finding. */
+function pickPass(f, move) {
+  if (move >= M.n) return;
+  choose([move]); show(f.code === "rest-material" ? M.n : move + 1); lightLine(M.f[move], M.l[move], true);
+  $("status").prepend(el("span", "", `pass ${f.turn + 1} of ${f.moves.length} of this finding: `));
+}
 function nearest(px, py) {
   let best = -1, least = 9;
   const ofSegment = (x1, y1, x2, y2) => {
@@ -311,6 +317,15 @@ for (const f of D.findings) {
   head.append(el("b", "", f.no), el("span", "code", f.code + ": "), f.text);
   card.append(head);
   if (f.where) { const at = el("div", "place"); at.append(lineLink(f.where)); if (f.move !== null) at.append(", move " + f.move); for (const s of f.stack) at.append(" ← ", lineLink(s)); card.append(at, el("pre", "", f.where.t)); }
+  if (f.passes) {
+    const passes = el("div", "amounts", f.passes + " ");
+    if (f.moves.length > 1) {
+      const next = el("a", "line", "next pass");
+      next.onclick = e => { e.stopPropagation(); f.turn = ((f.turn ?? -1) + 1) % f.moves.length; pickFinding(f, false); pickPass(f, f.moves[f.turn]); };
+      passes.append(next);
+    }
+    card.append(passes);
+  }
   if (f.amounts.some(a => a[2] === "mm3")) card.append(el("div", "amounts", f.amounts.filter(a => a[2] === "mm3" || a[0] === "contact length").map(a => `${a[0]} ${a[1]} ${a[2]}`).join(", ")));
   if (f.remedy) card.append(el("div", "amounts", "Remedy: " + f.remedy));
   card.onclick = () => pickFinding(f, true); f.card = card; $("findings").append(card);
