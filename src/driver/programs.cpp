@@ -94,6 +94,13 @@ const program::Unit* Programs::find_in_file(const std::string& key) {
     return found;
 }
 
+std::vector<const program::Unit*> Programs::of_file(std::uint32_t file) const {
+    std::vector<const program::Unit*> found;
+    for (const auto& unit : units_)
+        if (unit->file == file) found.push_back(unit.get());
+    return found;
+}
+
 void Programs::read_definitions() {
     for (const fs::path& path : definition_files_)
         if (const auto file = load(path, sources_, diagnostics_))

@@ -27,6 +27,8 @@ public:
     /// The program of that name (upper case; with a suffix, or without), read from its folder when first asked for; or
     /// null. Where no file has the suffix of the call, one of the same name is taken.
     const program::Unit* find(std::string_view name);
+    /// Programs read so far that stand in a file, in the order of its text.
+    [[nodiscard]] std::vector<const program::Unit*> of_file(std::uint32_t file) const;
     /// Reads the definition files of the folders, where the control has such.
     void read_definitions();
 

@@ -6,6 +6,7 @@
 #include "base/number.hpp"
 #include "base/text.hpp"
 #include "driver/contours.hpp"
+#include "driver/not_run.hpp"
 #include "shop/fusion_tools.hpp"
 #include "shop/linuxcnc_ini.hpp"
 #include "shop/linuxcnc_parameters.hpp"
@@ -218,6 +219,22 @@ void load_configuration(Session& s, const Request& request) {
     }
 }
 
+/// The program of the main file that the job names; a number without leading zeros is its name, too. False after a
+/// complaint.
+bool start_with_named(Session& s) {
+    std::string all;
+    for (const program::Unit* unit : s.programs->of_file(s.main->file)) {
+        if (is_called(*unit, s.job.start)) {
+            s.main = unit;
+            return true;
+        }
+        all += (all.empty() ? "" : ", ") + unit->name;
+    }
+    complain(s, codes::job_value, s.job.start_where, "the program's file holds no \"" + s.job.start + '"',
+             "programs in it: " + all);
+    return false;
+}
+
 bool read_main(Session& s, const Request& request, const fs::path& path) {
     const auto file = load(path, s.sources, s.diagnostics, s.job.program_where);
     if (!file) return false;
@@ -235,6 +252,7 @@ bool read_main(Session& s, const Request& request, const fs::path& path) {
     for (const std::string& folder : s.job.search) s.programs->add_folder(beside(request.input, folder));
     find_shop_files(s, request, path);
     s.main = s.programs->read(*file);
+    if (s.main != nullptr && !s.job.start.empty() && !start_with_named(s)) return false;
     s.programs->read_definitions();
     if (s.main == nullptr) complain(s, codes::syntax, {*file, 0, 0}, "this file holds no program");
     if (s.main != nullptr && !named) choose_machine(s);
@@ -326,6 +344,8 @@ interp::Outcome interpret(Session& s, cl::Sink sink, const interp::ContourSink* 
                                           &s.settings,
                                           s.programs->searched()};
     interp::Outcome outcome = interp::run(*s.main, environment, s.stacks, sink, s.diagnostics);
+    if (outcome.ending == interp::Ending::regular)
+        say_what_was_not_run(s.programs->of_file(s.main->file), outcome.entered, s.diagnostics);
     if (s.files) s.files->write_printed();  // none where a session was put together without files
     return outcome;
 }

@@ -197,6 +197,28 @@ void pass_arguments(Run& run, const Call* call, Activation& callee) {
     }
 }
 
+/// Runs of the call beyond the first; nothing where it is not made at all.
+std::optional<std::uint64_t> repeats_of(Run& run, const Call& call, const base::Span& where) {
+    if (call.passes == program::no_expr) return 0;
+    const double passes = number(run, call.passes);
+    if (std::isnan(passes))
+        unchecked(run, codes::unknown_value, where, "how often this call is made depends on a value that is not known");
+    if (!(passes >= 1)) return std::nullopt;
+    return static_cast<std::uint64_t>(std::min(passes, 1e15)) - 1;
+}
+
+/// The program just called begins with block number `n`; false after an alarm.
+bool begin_at(Run& run, double n, const base::Span& where) {
+    const std::vector<std::uint32_t> at = numbered_statements(run, n);
+    if (!at.empty()) {
+        run.top().entry = run.top().pc = at.front();
+        return true;
+    }
+    alarm(run, codes::missing_label, where,
+          "the program " + run.unit().name + " has no block N" + printed(Value::real(n)) + " to begin with");
+    return false;
+}
+
 void return_arguments(Run& run, const Activation& callee) {
     for (std::uint32_t n = 1; n <= callee.outer_arguments.size(); ++n) {
         run.parameters.forget(n);
@@ -221,19 +243,15 @@ void enter(Run& run, const Unit& unit, const Call* call, const base::Span& where
     callee.saves = unit.save;
     callee.saved = run.modal;
     if (call != nullptr && run.traits->argument_parameters == 0) bind_arguments(run, unit, *call, callee);
-    if (call != nullptr && call->passes != program::no_expr) {
-        const double passes = number(run, call->passes);
-        if (std::isnan(passes))
-            unchecked(run, codes::unknown_value, where,
-                      "how often this call is made depends on a value that is not known");
-        if (!(passes >= 1)) return;
-        callee.repeats_left = static_cast<std::uint64_t>(std::min(passes, 1e15)) - 1;
-    }
-    if (run.stopped) return;
+    const auto repeats = call != nullptr ? repeats_of(run, *call, where) : std::optional<std::uint64_t>(0);
+    if (!repeats || run.stopped) return;
+    callee.repeats_left = *repeats;
+    const double first = call != nullptr && call->first_block != program::no_expr ? number(run, call->first_block) : -1;
     hide_locals(run, unit, callee);
     pass_arguments(run, call, callee);
     if (run.stopped) return;
     run.calls.push_back(std::move(callee));
+    if (call != nullptr && call->first_block != program::no_expr && !begin_at(run, first, where)) return;
     if (unit.traits->unit_per_program) run.modal.inch_geometry = run.modal.inch_feed = unit.inch;
     bind_presets(run, unit);
     run.top().own_bindings = run.top().locals.size();
@@ -262,6 +280,14 @@ void restore(Run& run, const ModalState& saved) {
 
 namespace {
 
+/// What a program called by G66 leaves in its own parameters is there at its next call: the arguments are set once, by
+/// G66 (FANUC B-63684EN, 16.7.2, limitations of modal calls).
+void keep_modal_parameters(Run& run) {
+    auto& kept = run.modal_call.parameters;
+    for (std::uint32_t n = 1; n <= kept.size(); ++n)
+        kept[n - 1] = {run.parameters.get(n), run.parameters.is_set(n)};
+}
+
 /// The block that called a label behind which there is no LBL 0 at all; a jump out of a label is no mistake.
 std::uint32_t unended_label(const Activation& act) {
     for (const LabelReturn& r : act.labels) {
@@ -286,7 +312,7 @@ void leave(Run& run) {
                      "the program ends before the LBL 0 of the label that is called here");
     if (act.repeats_left > 0) {
         --act.repeats_left;
-        act.pc = 0;
+        act.pc = act.entry;
         act.sections.clear();
         act.locals.truncate(act.own_bindings);
         return;
@@ -298,10 +324,30 @@ void leave(Run& run) {
         return;
     }
     show_locals(run, act);
+    if (act.from_modal_call) keep_modal_parameters(run);
     return_arguments(run, act);
     run.calls.pop_back();
     if (run.unit().traits->unit_per_program) run.modal.inch_geometry = run.modal.inch_feed = run.unit().inch;
     run.statement = &run.unit().statements[run.top().pc - 1];
+}
+
+void return_to_block(Run& run, const program::Jump& j) {
+    if (run.calls.size() == 1) return jump(run, j);
+    const double n = number(run, j.destination);
+    const base::Span where = run.unit().span(j.destination);
+    if (run.stopped) return;
+    if (run.top().repeats_left > 0) return leave(run);
+    leave(run);
+    if (run.stopped) return;
+    const std::vector<std::uint32_t> at = numbered_statements(run, n);
+    if (std::isnan(n) || at.empty())
+        return alarm(run, std::isnan(n) ? codes::unknown_value : codes::missing_label, where,
+                     "the calling program " + run.unit().name + " has no block N" + printed(Value::real(n)) +
+                         " to go on with");
+    const auto behind = std::find_if(at.begin(), at.end(), [&](std::uint32_t s) { return s >= run.top().pc; });
+    const std::uint32_t target = behind != at.end() ? *behind : at.front();
+    if (target < run.top().pc) count_pass(run);
+    run.top().pc = target;
 }
 
 void call_program(Run& run, const Call& call) {
@@ -311,7 +357,7 @@ void call_program(Run& run, const Call& call) {
     }
     std::string name;
     base::Span where = call.where;
-    if (call.kind == program::CallKind::indirect) {
+    if (call.target != program::no_expr) {
         const Value v = evaluate(run, call.target);
         if (run.stopped) return;
         if (!v.is_text() && run.traits->argument_parameters == 0)
@@ -331,14 +377,34 @@ void call_program(Run& run, const Call& call) {
     enter(run, *unit, &call, where);
 }
 
+namespace {
+
+/// Arguments of G66 as the numbered parameters of the called program.
+void set_modal_parameters(Run& run, const Call& call, ModalCall& modal) {
+    modal.parameters.assign(run.traits->argument_parameters, {0.0, false});
+    for (std::size_t i = 0; i < call.arguments.size() && i < modal.parameters.size(); ++i)
+        if (call.arguments[i] != program::no_expr && !is_empty(run, call.arguments[i]))
+            modal.parameters[i] = {number(run, call.arguments[i]), true};
+}
+
+}  // namespace
+
 void set_modal_call(Run& run, const Unit& unit, const Call& call) {
-    ModalCall modal{&unit, {}, {}, call.where};
+    if (run.traits->argument_parameters > 0 && run.modal_call.unit != nullptr)
+        unchecked(run, codes::unsupported, call.where,
+                  "a second modal call while one is in force is not run as the control nests them: it replaces the "
+                  "first");
+    ModalCall modal{&unit, {}, {}, call.where, {}, 0};
     for (std::size_t i = 0; i < unit.parameters.size(); ++i) {
         const ExprId argument = i < call.arguments.size() ? call.arguments[i] : program::no_expr;
         modal.given.push_back(argument != program::no_expr);
         modal.arguments.push_back(argument != program::no_expr ? evaluate(run, argument)
                                                                : zero_of(unit.parameters[i].type));
     }
+    if (run.traits->argument_parameters > 0) set_modal_parameters(run, call, modal);
+    const auto repeats = repeats_of(run, call, call.where);
+    if (!repeats) modal.unit = nullptr;
+    modal.repeats = repeats.value_or(0);
     if (!run.stopped) run.modal_call = std::move(modal);
 }
 
@@ -352,6 +418,9 @@ void run_modal_call(Run& run) {
     if (run.calls.size() == depth || run.stopped) return;
     Activation& act = run.top();
     act.from_modal_call = true;
+    act.repeats_left = modal.repeats;
+    for (std::uint32_t n = 1; n <= modal.parameters.size(); ++n)
+        if (modal.parameters[n - 1].second) run.parameters.set(n, modal.parameters[n - 1].first);
     for (std::size_t i = 0; i < modal.arguments.size() && !run.stopped; ++i) {
         if (modal.given[i] != 0 && i < 32) act.arguments_given |= 1u << i;
         bind_value(run, modal.unit->parameters[i], modal.arguments[i], modal.where, act.locals);

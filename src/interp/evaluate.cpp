@@ -30,6 +30,7 @@ double parameter_value(Run& run, const Expr& e, double index) {
     }
     const auto n = static_cast<std::uint32_t>(index);
     if (!run.traits->live.empty() && is_live(run, n)) return live_parameter(run, n, where);
+    if (!run.parameters.is_set(n) && !run.traits->kept.empty()) return kept_parameter(run, n, where);
     if (!run.parameters.is_set(n) && run.traits->parameters_begin_at_zero) return run.parameters.get(n);
     if (!run.parameters.is_set(n)) {
         const std::string name = program::parameter_name(*run.unit().traits, n);
@@ -51,7 +52,7 @@ bool is_empty(Run& run, ExprId id) {
     const double index = e.kind == ExprKind::parameter ? e.a : number(run, e.a);
     if (run.stopped || !(index >= 0) || index >= run.parameters.count()) return false;
     const auto n = static_cast<std::uint32_t>(index);
-    return n == 0 || (!run.parameters.is_set(n) && !is_live(run, n));
+    return n == 0 || (!run.parameters.is_set(n) && !is_live(run, n) && !is_kept_unknown(run, n));
 }
 
 namespace {
@@ -195,6 +196,8 @@ Value evaluate_binary(Run& run, const Expr& e) {
     }
     if (run.traits->empty_parameters && (op == Operator::equal || op == Operator::not_equal)) {
         const bool left = is_empty(run, e.a), right = is_empty(run, e.b);
+        if (left != right)
+            if (const Value other = evaluate(run, left ? e.b : e.a); other.is_unknown()) return other;
         if (left || right) return Value::boolean((left && right) == (op == Operator::equal));
     }
     const Value a = evaluate(run, e.a);

@@ -143,45 +143,57 @@ std::uint32_t find_destination(Run& run, const std::string& name, program::JumpD
 
 }  // namespace
 
+namespace {
+
+/// M99 of the main program: it would begin anew, or at an earlier block.
+void end_of_pass(Run& run) {
+    assume(run, run.here(), "M99 repeats the main program without end: one pass is run");
+    flush_path(run);
+    tell_end(run, 2);
+    emit(run, cl::Stop{cl::StopKind::end});
+    run.stopped = true;
+}
+
+}  // namespace
+
+namespace {
+
+/// The statement that the jump's text or number names; no_target where there is none, after an alarm.
+std::uint32_t computed_target(Run& run, const program::Jump& j) {
+    const Value v = evaluate(run, j.destination);
+    if (run.stopped) return program::no_target;
+    if (v.is_unknown()) {
+        unchecked(run, codes::unknown_value, run.unit().span(j.destination),
+                  "where this jump goes depends on a value that is not known: it is left out");
+        return program::no_target;
+    }
+    const std::string name = v.is_text() ? v.as_text() : "N" + printed(v);
+    const std::uint32_t target = find_destination(run, name, j.direction);
+    if (target != program::no_target || j.direction == program::JumpDirection::either_quiet) return target;
+    const char* way = j.direction == program::JumpDirection::forward    ? " behind this block"
+                      : j.direction == program::JumpDirection::backward ? " before this block"
+                                                                        : "";
+    alarm(run, codes::missing_label, run.unit().span(j.destination),
+          "there is no label " + name + way + " in this program");
+    return program::no_target;
+}
+
+}  // namespace
+
 void jump(Run& run, const program::Jump& j) {
     if (j.condition != program::no_expr && !truth(run, j.condition)) return;
     if (run.stopped) return;
-    if (j.direction == program::JumpDirection::start && run.traits->argument_parameters > 0) {  // M99
-        assume(run, run.here(), "M99 repeats the main program without end: one pass is run");
-        flush_path(run);
-        tell_end(run, 2);
-        emit(run, cl::Stop{cl::StopKind::end});
-        run.stopped = true;
-        return;
-    }
+    if (j.direction == program::JumpDirection::start && run.traits->argument_parameters > 0) return end_of_pass(run);
     if (j.direction == program::JumpDirection::start) {
         go_back(run, 0);
         return;
     }
-    if (j.target != program::no_target) {
-        if (j.target < run.top().pc)
-            go_back(run, j.target);
-        else
-            go(run, j.target);
-        return;
-    }
-    const Value v = evaluate(run, j.destination);
-    if (run.stopped) return;
-    const std::string name = v.is_text() ? v.as_text() : "N" + printed(v);
-    const std::uint32_t target = find_destination(run, name, j.direction);
-    if (target == program::no_target) {
-        if (j.direction == program::JumpDirection::either_quiet) return;
-        const char* way = j.direction == program::JumpDirection::forward    ? " behind this block"
-                          : j.direction == program::JumpDirection::backward ? " before this block"
-                                                                            : "";
-        alarm(run, codes::missing_label, run.unit().span(j.destination),
-              "there is no label " + name + way + " in this program");
-        return;
-    }
-    if (target < run.top().pc)
-        go_back(run, target);
-    else
-        go(run, target);
+    std::uint32_t target = j.target;
+    if (target == program::no_target) target = computed_target(run, j);
+    if (run.stopped || target == program::no_target) return;
+    if (target >= run.top().pc) return go(run, target);
+    if (j.direction == program::JumpDirection::again && run.calls.size() == 1) return end_of_pass(run);
+    go_back(run, target);
 }
 
 namespace {
@@ -263,7 +275,11 @@ bool run_plain(Run& run, const Statement& s, std::uint32_t index) {
         case StatementKind::block: run_block(run, s, index); return true;
         case StatementKind::frame: frame_statement(run, s, index); return true;
         case StatementKind::special: run_special(run, s, index); return true;
-        case StatementKind::return_: leave(run); return true;
+        case StatementKind::return_: {
+            const auto to = static_cast<std::size_t>(run.unit().words[s.first].payload);
+            if (to == 0) return leave(run), true;
+            return return_to_block(run, run.unit().jumps[to - 1]), true;
+        }
         case StatementKind::label_end: end_label(run); return true;
         default: return false;
     }

@@ -281,7 +281,7 @@ Outcome run(const program::Unit& main, const Environment& environment, cl::CallS
     control_sets_all(run);
     while (!run.stopped) step(run);
     flush_path(run);
-    Outcome outcome{run.ending, run.blocks, {}};
+    Outcome outcome{run.ending, run.blocks, {}, {run.entered.begin(), run.entered.end()}};
     for (std::uint32_t n = 0; n < run.parameters.count(); ++n)
         if (run.parameters.is_assigned(n))
             outcome.parameters.push_back({program::parameter_name(*main.traits, n), run.parameters.get(n)});

@@ -72,6 +72,7 @@ struct Outcome {
     Ending ending = Ending::regular;
     std::uint64_t blocks_executed = 0;
     std::vector<ParameterValue> parameters;  ///< those that were assigned
+    std::vector<const program::Unit*> entered;  ///< programs of which something was run, the main one's too
 };
 
 /// Runs `main` and passes every record to `sink`. Complaints, assumptions and ignored words go to `diagnostics`.

@@ -65,6 +65,8 @@ void end_label(Run&);  ///< LBL 0
 void call_program(Run&, const program::Call&);
 void enter(Run&, const Unit&, const program::Call* call, const base::Span& where);
 void leave(Run&);
+/// M99 P: back to the caller, who goes on with another block; in a program that nobody called a jump.
+void return_to_block(Run&, const program::Jump&);
 void set_modal_call(Run&, const Unit&, const program::Call&);
 void run_modal_call(Run&);
 void procedure(Run&, const program::ProcedureCall&);
@@ -222,6 +224,14 @@ void store_home(Run&);
 
 /// A parameter that is empty (Traits::empty_parameters), alone or with a sign.
 [[nodiscard]] bool is_empty(Run&, ExprId);
+
+// --- what parameters hold from before the program (kept_parameters.cpp)
+/// One of Traits::kept that nobody has given or set.
+[[nodiscard]] bool is_kept_unknown(Run&, std::uint32_t parameter);
+/// Its value where it is known; else NaN after a complaint that names its key in the job.
+[[nodiscard]] double kept_parameter(Run&, std::uint32_t parameter, const base::Span& where);
+/// Says it where writing the parameter does more than keep a value.
+void note_written(Run&, std::uint32_t parameter, const base::Span& where);
 
 // --- what the control shows of itself (live_parameters.cpp)
 [[nodiscard]] bool is_live(const Run&, std::uint32_t parameter);

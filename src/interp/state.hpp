@@ -122,6 +122,7 @@ struct Activation {
     std::vector<std::pair<double, bool>> outer_arguments;  ///< the same of Traits::argument_parameters
     std::optional<SavedModes> saved_modes;                 ///< M70, M73
     bool restores_modes = false;                           ///< M73: they come back with the return
+    std::uint32_t entry = 0;                               ///< statement with which every run of it begins
     std::uint64_t repeats_left = 0;                        ///< of L123 P3: further runs
     std::size_t own_bindings = 0;       ///< bindings that are parameters; the rest goes with each run
     std::uint32_t arguments_given = 0;  ///< bit per parameter, for $P_SUBPAR
@@ -136,6 +137,9 @@ struct ModalCall {
     std::vector<Value> arguments;  ///< as they were when MCALL stood in the program
     std::vector<std::uint8_t> given;
     base::Span where;
+    /// With Traits::argument_parameters: the called program's own parameters, which stay from call to call.
+    std::vector<std::pair<double, bool>> parameters;
+    std::uint64_t repeats = 0;  ///< further runs of each call
 };
 
 /// A cycle as its definition left it.

@@ -63,6 +63,14 @@ struct LiveParameters {
     SystemVariable value = SystemVariable::unknown;
 };
 
+/// Numbered parameters that hold something from before the program begins.
+struct KeptParameters {
+    std::uint32_t first = 0, last = 0;  ///< inclusive
+    /// Not empty: by this setting of the control they are empty when a program begins, which is taken.
+    std::string_view cleared_by{};
+    bool acts = false;  ///< what is written there changes what the control or the machine does
+};
+
 /// Where the control keeps its offsets among the numbered parameters: an axis each, X Y Z A B C U V W, in the machine's
 /// unit. 0: there are none, and offsets are those of the machine file and the job.
 struct OffsetParameters {
@@ -152,6 +160,8 @@ struct Traits {
     /// A parameter that nobody has set is empty, and #0 always is: it counts as 0, but EQ and NE tell it from 0, a word
     /// with it alone is left out, and assigning it empties the other (Macro B: "vacant").
     bool empty_parameters = false;
+    /// Not known until the job gives them or the program sets them.
+    std::span<const KeptParameters> kept{};
     std::span<const LiveParameters> live{};
     OffsetParameters offsets{};
     /// M5 and M9 act before the block's motion; else behind it.

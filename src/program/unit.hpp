@@ -44,7 +44,7 @@ enum class StatementKind : std::uint8_t {
     procedure,         ///< built-in procedure: Unit::procedures
     frame,             ///< programmable frame: words are its axes; the first word is `control` into Unit::frames
     define,            ///< variable definition: Unit::defines
-    return_,           ///< RET
+    return_,           ///< RET; 1 + index into Unit::jumps: the caller goes on there; 0: behind the call
     label_call,        ///< CALL LBL: Unit::label_calls
     label_end,         ///< LBL 0: back to the call, where there is one
     cycle_definition,  ///< CYCL DEF: Unit::cycles
@@ -81,7 +81,14 @@ struct For {
     std::uint32_t target = no_target;                         ///< for_ -> its endfor; endfor -> its for_
 };
 
-enum class JumpDirection : std::uint8_t { forward, backward, either, either_quiet, start };
+enum class JumpDirection : std::uint8_t {
+    forward,
+    backward,
+    either,
+    either_quiet,
+    start,
+    again  ///< as `either`; back in a program that nobody called it would repeat that without end (M99 P)
+};
 struct Jump {
     ExprId condition = no_expr;  ///< no_expr: always
     JumpDirection direction = JumpDirection::forward;
@@ -179,6 +186,7 @@ struct Call {
     bool shares_parameters = false;
     std::vector<ExprId> arguments;  ///< no_expr where left out
     ExprId passes = no_expr;        ///< P=
+    ExprId first_block = no_expr;   ///< number of the block with which the called program begins (M98 P Q)
     base::Span where;               ///< of the name
 };
 
@@ -270,6 +278,8 @@ struct Unit {
     std::uint32_t file = 0;
     std::uint32_t begin = 0, end = 0;  ///< its part of the source text (an archive holds several)
     const Traits* traits = nullptr;
+    /// The operator can start it: where it stands in the file of the main program and is never run, that is said.
+    bool startable = false;
     bool has_proc = false;
     bool inch =
         false;  ///< lengths are inches from its first block on, whatever the caller uses (with unit_per_program)

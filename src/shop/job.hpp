@@ -68,6 +68,8 @@ struct DefaultsOverride {
 
 struct Job {
     std::string program;                             ///< path as written, relative to the job file; empty: not said
+    std::string start;                               ///< program of that file with which the run begins; empty: its first
+    base::Span start_where;
     std::string control;                             ///< empty: found from the content
     std::string machine_name;                        ///< shipped name or path; empty: generic for what the program is
     bool machine_is_file = false;                    ///< machine_name is a path: the driver reads it, then `use_machine`

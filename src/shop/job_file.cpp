@@ -172,6 +172,10 @@ void read_all(Section& s, Job& job) {
         job.program = *program;
         job.program_where = find(s.table(), "program")->value.where;
     }
+    if (const auto start = s.text("start")) {
+        job.start = *start;
+        job.start_where = find(s.table(), "start")->value.where;
+    }
     job.control = s.text("control").value_or("");
     job.tool_files = s.texts("tool_file");
     for (std::string& path : s.texts("tool_files")) job.tool_files.push_back(std::move(path));

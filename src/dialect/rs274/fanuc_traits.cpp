@@ -7,6 +7,7 @@ namespace obrys::dialect::rs274 {
 namespace {
 
 using program::Function;
+using program::KeptParameters;
 using program::LiveParameters;
 using program::Operator;
 using program::SystemVariable;
@@ -14,8 +15,6 @@ using program::SystemVariable;
 /// Parameters that computed numbers (#[…]) may reach; those written as #4003 are read as what they mean. Work offsets
 /// are ordinary parameters.
 constexpr std::array live{
-    LiveParameters{1000, 200, SystemVariable::unknown},
-    LiveParameters{2000, 1000, SystemVariable::unknown},
     LiveParameters{3001, 2, SystemVariable::timer},
     LiveParameters{3011, 18, SystemVariable::timer},
     LiveParameters{4000, 1000, SystemVariable::unknown},
@@ -23,23 +22,54 @@ constexpr std::array live{
     LiveParameters{5021, 9, SystemVariable::machine_coordinate},
     LiveParameters{5041, 9, SystemVariable::coordinate},
     LiveParameters{5061, 9, SystemVariable::probed_coordinate},
-    LiveParameters{5081, 69, SystemVariable::unknown},
 };
 /// Lathes count X, Z, C: only what is written as a number is known.
 constexpr std::array lathe_live{
-    LiveParameters{1000, 200, SystemVariable::unknown},  LiveParameters{2000, 1000, SystemVariable::unknown},
-    LiveParameters{3001, 2, SystemVariable::timer},      LiveParameters{3011, 18, SystemVariable::timer},
+    LiveParameters{3001, 2, SystemVariable::timer},
+    LiveParameters{3011, 18, SystemVariable::timer},
     LiveParameters{4000, 1150, SystemVariable::unknown},
 };
 
-/// #20000 and up are data of newer series that no program of the manuals uses.
+/// What holds something from before the program. Common variables: FANUC B-63684EN, 16.1 (#500 … keep their values
+/// without power, #100 … do not); #98000 … of series 30i [-]; Haas 96-8000, page 93 (all of them are kept), #10000 …
+/// are those of newer Haas controls.
+constexpr KeptParameters retained{500, 999}, signals{1000, 1199, {}, true}, tool_offsets{2000, 2999, {}, true},
+    mirror{3007, 3007, {}, true}, kept_3200{3201, 3399, {}, true}, parts{3901, 3902, {}, true},
+    in_force{5081, 5149, {}, true}, datums{5201, 5328}, more_datums{7001, 7960},
+    tool_data{8000, 97999, {}, true}, extended{98000, 98499};
+constexpr std::array fanuc_kept{KeptParameters{100, 199, "bit CCV of parameter 6001 = 0"},
+                                retained,
+                                signals,
+                                tool_offsets,
+                                mirror,
+                                kept_3200,
+                                parts,
+                                in_force,
+                                datums,
+                                more_datums,
+                                tool_data,
+                                extended};
+constexpr std::array haas_kept{KeptParameters{100, 199},
+                               retained,
+                               signals,
+                               tool_offsets,
+                               mirror,
+                               kept_3200,
+                               parts,
+                               in_force,
+                               datums,
+                               more_datums,
+                               KeptParameters{8000, 9999, {}, true},
+                               KeptParameters{10000, 10999},
+                               KeptParameters{11000, 98499, {}, true}};
+
 constexpr program::Traits common{
     // Parameter 3403#6 (AD2): alarm 5074, or the last address counts (series 30i/31i/32i parameter manual B-64310EN).
     .repeated_words = program::Repeated::last_or_stop,
     // "If G codes of one group are specified in a block, the last one is valid" (operator's manual, G codes).
     .repeated_groups = program::Repeated::last_counts,
     .equality = {0, 1e-7},
-    .banks = {program::ParameterBank{"#", 20000}, {}, {}},
+    .banks = {program::ParameterBank{"#", 98500}, {}, {}},
     .jump_to_block_number = true,
     .end_stops_all = true,
     .may_end_anywhere = true,
@@ -49,6 +79,7 @@ constexpr program::Traits common{
     .argument_parameters = 33,
     .parameters_begin_at_zero = true,
     .empty_parameters = true,
+    .kept = fanuc_kept,
     .live = live,
     .offsets = {.datum_first = 5221,
                 .datum_step = 20,
@@ -59,21 +90,19 @@ constexpr program::Traits common{
     .dwell_in_feed_words = false,
     .feed_mode_ends_surface_speed = false,
 };
-constexpr program::Traits turning = [] {
-    program::Traits t = common;
-    t.live = lathe_live;
-    return t;
-}();
 
-/// With the hole cycles of mills.
-program::Traits with(std::span<const program::CannedCycle> cycles) {
+/// With the hole cycles of mills, or for a lathe.
+program::Traits traits_of(std::span<const program::CannedCycle> cycles, bool haas, bool lathe) {
     program::Traits t = common;
     t.canned = cycles;
+    if (haas) t.kept = haas_kept;
+    if (lathe) t.live = lathe_live;
     return t;
 }
 
-const program::Traits mill_traits = with(fanuc_mill_cycles()), haas_traits = with(haas_mill_cycles());
-const program::Traits lathe_traits = turning;
+const program::Traits mill_traits = traits_of(fanuc_mill_cycles(), false, false);
+const program::Traits haas_traits = traits_of(haas_mill_cycles(), true, false);
+const program::Traits lathe_traits = traits_of({}, false, true), haas_lathe_traits = traits_of({}, true, true);
 
 /// Functions first; then * / AND MOD, then + - OR XOR, then comparisons (series 16i operator's manual B-63684EN, 16.3
 /// priority of operations). AND, OR and XOR work bit by bit.
@@ -138,12 +167,13 @@ const FanucG* find_fanuc_g(int code, const FanucControl& control) {
 }
 
 const program::Traits& fanuc_traits(const FanucControl& control) {
-    return control.is_lathe() ? lathe_traits : control.haas ? haas_traits : mill_traits;
+    if (control.haas) return control.is_lathe() ? haas_lathe_traits : haas_traits;
+    return control.is_lathe() ? lathe_traits : mill_traits;
 }
 
 const Dialect& fanuc_dialect(const FanucControl& control) {
     static const Dialect mill = dialect_of("FANUC", mill_traits), lathe = dialect_of("FANUC", lathe_traits);
-    static const Dialect haas_mill = dialect_of("Haas", haas_traits), haas_lathe = dialect_of("Haas", lathe_traits);
+    static const Dialect haas_mill = dialect_of("Haas", haas_traits), haas_lathe = dialect_of("Haas", haas_lathe_traits);
     if (control.haas) return control.is_lathe() ? haas_lathe : haas_mill;
     return control.is_lathe() ? lathe : mill;
 }

@@ -47,6 +47,13 @@ void note_number(FanucState& s) {
     s.block_numbers[*s.number].push_back(static_cast<std::uint32_t>(s.unit().statements.size()));
 }
 
+/// M99 P.
+bool jumps(FanucState& s) {
+    const bool back = std::any_of(s.addresses.begin(), s.addresses.end(),
+                                  [](const Address& a) { return a.letter == 'M' && as_integer(a.value) == 99; });
+    return back && find_address(s, 'P') != nullptr;
+}
+
 void empty_block(FanucState& s) {
     s.build().statement(StatementKind::block, s.line.begin());
     s.build().end_statement(s.line.end());
@@ -119,9 +126,18 @@ void emit_addresses(FanucState& s) {
 }
 
 void read_rest(FanucState& s) {
+    s.condition = no_expr;
     if (read_macro_statement(s) || s.failed) return;
+    if (s.control.haas && s.line.peek() == '[') {  // [#1 LT 10] M99 P20
+        s.operators = 0;
+        s.condition = read_bracket(s);
+        if (s.failed) return;
+    }
+    const std::uint32_t begin = s.line.here();
     read_addresses(s);
-    if (s.failed || s.addresses.empty()) return;
+    if (s.failed) return;
+    if (s.condition != no_expr && !jumps(s)) return fail(s, begin, s.line.end(), "expected M99 P behind the condition");
+    if (s.addresses.empty()) return;
     if (!read_calls(s) && !s.failed) emit_addresses(s);
 }
 

@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <array>
+#include <utility>
 
 #include "read/rs274/fanuc_state.hpp"
 
@@ -36,10 +37,6 @@ bool name_program(FanucState& s, Call& call, const Address& p, bool counts) {
     const auto n = as_integer(p.value);
     if (!p.value.is_literal()) {
         call.kind = call.kind == CallKind::modal ? call.kind : CallKind::indirect;
-        if (call.kind == CallKind::modal) {
-            fail(s, p.begin, p.end, "G66 with a computed program number is not run");
-            return false;
-        }
         call.target = p.value.expr;
         return true;
     }
@@ -162,19 +159,25 @@ void emit_others(FanucState& s) {
         emit_addresses(s);
 }
 
-/// M98 P L, behind the block's motion.
+/// M98 P L, behind the block's motion. Q: the block of that program with which it begins (parameter 6005, bit SQC = 1
+/// [-]). M198 calls a program of another store by the same words.
 void subprogram(FanucState& s, Address& m) {
     m.used = true;
     const Address here = m;
     Call call;
     call.shares_parameters = true;
     Address *p = find_address(s, 'P'), *l = find_address(s, 'L');
+    Address* q = s.control.haas ? nullptr : find_address(s, 'Q');
     if (p == nullptr) return fail(s, here.begin, here.end, "the number of the subprogram is missing", "write it as P");
     p->used = true;
     if (l != nullptr) l->used = true;
     // FANUC: M98 P31000 calls O1000 three times; Haas programs may have five digits.
     if (!name_program(s, call, *p, l == nullptr && !s.control.haas)) return;
     if (l != nullptr) call.passes = as_expr(s, l->value);
+    if (q != nullptr) {
+        q->used = true;
+        call.first_block = as_expr(s, q->value);
+    }
     emit_others(s);
     if (!s.failed) add_call(s, std::move(call));
 }
@@ -211,37 +214,49 @@ void local_subprogram(FanucState& s, Address& m) {
     add_control(s, StatementKind::end_repeat_count, unit.branches.size() - 1);
 }
 
+/// The jump of M99 P; its index. On Haas it is one within the program at hand, which is not left (96-8000, M99).
+std::size_t jump_of(FanucState& s, const Address& p, ExprId condition) {
+    program::Jump jump;
+    jump.condition = condition;
+    jump.direction = condition == no_expr ? program::JumpDirection::again : program::JumpDirection::either;
+    jump.destination = as_expr(s, p.value);
+    s.unit().jumps.push_back(jump);
+    if (const auto n = as_integer(p.value); n && *n >= 0 && s.control.haas)
+        s.jumps.push_back({s.unit().jumps.size() - 1, static_cast<std::uint32_t>(*n)});
+    return s.unit().jumps.size() - 1;
+}
+
 /// M99; with P the caller goes on at another block.
 void go_back(FanucState& s, Address& m) {
     m.used = true;
     const Address here = m;
-    Address* p = find_address(s, 'P');
+    Address *p = find_address(s, 'P'), *l = find_address(s, 'L');
     if (p != nullptr) p->used = true;
-    Address* l = find_address(s, 'L');
     if (l != nullptr) l->used = true;
-    const std::uint32_t begin = p != nullptr ? p->begin : 0, end = p != nullptr ? p->end : 0;
-    const std::uint32_t l_begin = l != nullptr ? l->begin : 0, l_end = l != nullptr ? l->end : 0;
+    const std::optional<Address> to = p != nullptr ? std::optional(*p) : std::nullopt;
+    const std::optional<Address> count = l != nullptr ? std::optional(*l) : std::nullopt;
+    const ExprId condition = std::exchange(s.condition, no_expr);
     emit_others(s);
     if (s.failed) return;
-    const auto refuse = [&](std::uint32_t from, std::uint32_t to, std::string_view why) {
+    if (count) {
         s.build().statement(StatementKind::block, s.line.begin());
-        s.build().problem(Code::unsupported, from, to, why);
+        s.build().problem(Code::unsupported, count->begin, count->end, "the number of repeats changes");
         s.build().end_statement(s.line.end());
-    };
-    if (p != nullptr) refuse(begin, end, "the caller goes on at another block");
-    if (l != nullptr) refuse(l_begin, l_end, "the number of repeats changes");
+    }
+    if (to && s.control.haas) return add_control(s, StatementKind::jump, jump_of(s, *to, condition));
     if (s.control.haas) {  // ends a section that M97 called
         s.build().statement(StatementKind::label_end, s.line.begin());
         s.build().end_statement(s.line.end());
     }
-    s.build().control(StatementKind::return_, 0, here.begin, here.end);
+    s.build().control(StatementKind::return_, to ? jump_of(s, *to, no_expr) + 1 : 0, here.begin, here.end);
 }
 
 }  // namespace
 
 bool read_calls(FanucState& s) {
     if (macro_call(s)) return true;
-    if (Address* m = find_m(s, 98)) return subprogram(s, *m), true;
+    for (const int number : {98, 198})
+        if (Address* m = find_m(s, number)) return subprogram(s, *m), true;
     if (Address* m = s.control.haas ? find_m(s, 97) : nullptr) return local_subprogram(s, *m), true;
     if (Address* m = find_m(s, 99)) return go_back(s, *m), true;
     return false;

@@ -117,6 +117,7 @@ void begin_program(FanucState& s, std::string name, std::size_t at) {
     }
     s.part = &s.parts.emplace_back(s.file, s.variant, s.names, s.diagnostics, s.text);
     s.unit().name = std::move(name);
+    s.unit().startable = true;
     s.unit().begin = s.unit().end = static_cast<std::uint32_t>(at);
     s.hole = s.turning = 0;
     s.lead.reset();  // its expressions belong to the program before

@@ -92,6 +92,7 @@ struct FanucState : State {
     bool restore_motion = false;          ///< `motion` holds again behind it
     std::vector<Address> behind;          ///< M functions that act behind the motion
     std::optional<std::uint32_t> number;  ///< N
+    ExprId condition = no_expr;           ///< `[ … ]` in front of M99 P (Haas)
 
     // The program at hand.
     std::vector<FanucLoop> loops;

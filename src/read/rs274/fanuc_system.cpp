@@ -88,6 +88,9 @@ ExprId system_parameter(State& state, std::uint32_t number, std::uint32_t begin)
     switch (v.system) {
         case FanucSystem::storage:
         case FanucSystem::option: return no_expr;
+        case FanucSystem::unknown:
+            if (number < 4000 || number >= 5000) return no_expr;  // Traits::kept
+            return w.system(SystemVariable::unknown, {});
         case FanucSystem::timer: return w.system(SystemVariable::timer, {});
         case FanucSystem::position: return w.system(SystemVariable::coordinate, {w.constant(v.index)});
         case FanucSystem::machine: return w.system(SystemVariable::machine_coordinate, {w.constant(v.index)});

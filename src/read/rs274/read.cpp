@@ -80,6 +80,7 @@ void read_numbered_program(State& s, const ProgramNumber& n) {
     part.label = n.label;
     part.unit.name = "O" + n.label;
     part.unit.begin = n.begin;
+    part.unit.startable = n.after_end;
     s.part = &part;
     s.stopped = false;
     s.sources.fetch(s.file);

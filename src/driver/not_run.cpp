@@ -1,0 +1,45 @@
+#include "driver/not_run.hpp"
+
+#include <algorithm>
+
+#include "base/codes.hpp"
+#include "base/text.hpp"
+
+namespace obrys::driver {
+
+namespace {
+
+/// "12" of "O0012" and "0012"; other names as they are.
+std::string plain(std::string_view written) {
+    std::string name = base::to_upper(base::trim(written));
+    const std::size_t begin = name.starts_with("O") ? 1 : 0;
+    if (name.size() <= begin || name.find_first_not_of("0123456789", begin) != std::string::npos) return name;
+    name.erase(0, std::min(name.find_first_not_of('0', begin), name.size() - 1));
+    return name;
+}
+
+}  // namespace
+
+bool is_called(const program::Unit& unit, std::string_view written) { return plain(unit.name) == plain(written); }
+
+void say_what_was_not_run(const std::vector<const program::Unit*>& in_file,
+                          const std::vector<const program::Unit*>& entered, base::Diagnostics& diagnostics) {
+    for (std::size_t i = 0; i < in_file.size(); ++i) {
+        const program::Unit& unit = *in_file[i];
+        const bool run = std::find(entered.begin(), entered.end(), &unit) != entered.end();
+        if (run || !unit.startable || unit.statements.empty()) continue;
+        const bool again = std::any_of(in_file.begin(), in_file.begin() + static_cast<std::ptrdiff_t>(i),
+                                       [&](const program::Unit* u) { return u->name == unit.name; });
+        base::Diagnostic d;
+        d.severity = base::Severity::warning;
+        d.code = base::codes::not_run;
+        d.where = {unit.file, unit.begin, unit.begin};
+        d.text = "the program " + unit.name + (again ? ", which the file holds a second time," : " of this file") +
+                 " was never run: nothing that was run calls it";
+        d.remedy = again ? "give it a number of its own"
+                         : "begin with it: start = \"" + unit.name + "\" in the job; or keep it in a file of its own";
+        diagnostics.add(std::move(d));
+    }
+}
+
+}  // namespace obrys::driver

@@ -1,0 +1,19 @@
+#pragma once
+/// Programs that stand in the main program's file: which of them the job names, and which were never run.
+
+#include <string_view>
+#include <vector>
+
+#include "base/diagnostic.hpp"
+#include "program/unit.hpp"
+
+namespace obrys::driver {
+
+/// "O2", "o0002" and "2" all name the program O2.
+[[nodiscard]] bool is_called(const program::Unit& unit, std::string_view written);
+
+/// Complains about those that could be started (program::Unit::startable) and of which nothing was run.
+void say_what_was_not_run(const std::vector<const program::Unit*>& in_file,
+                          const std::vector<const program::Unit*>& entered, base::Diagnostics& diagnostics);
+
+}  // namespace obrys::driver

@@ -1,0 +1,67 @@
+/// Numbered parameters that hold something from before the program (Traits::kept): retained variables, signals, tool
+/// data. Source: FANUC B-63684EN, 16.1 and 16.2; Haas 96-8000, page 93 ff.
+
+#include <limits>
+
+#include "base/codes.hpp"
+#include "interp/run.hpp"
+
+namespace obrys::interp {
+
+namespace codes = base::codes;
+
+namespace {
+
+const program::KeptParameters* range_of(const Run& run, std::uint32_t n) {
+    for (const program::KeptParameters& k : run.traits->kept)
+        if (n >= k.first && n <= k.last) return &k;
+    return nullptr;
+}
+
+/// A zero offset that the job gives, in the unit of the parameter.
+std::optional<double> given_datum(const Run& run, std::uint32_t n) {
+    const program::OffsetParameters& p = run.traits->offsets;
+    const auto within = [&](std::uint32_t first, std::uint32_t count) {
+        return first != 0 && n >= first && n < first + count * p.datum_step && (n - first) % p.datum_step < 3;
+    };
+    const bool plain = within(p.datum_first, p.datum_count);
+    if (!plain && !within(p.extended_first, p.extended_count)) return std::nullopt;
+    const std::uint32_t first = plain ? p.datum_first : p.extended_first;
+    const std::uint32_t datum = (plain ? 54 : 5401) + (n - first) / p.datum_step;
+    const auto found = run.env.machine.datums.find(datum);
+    if (found == run.env.machine.datums.end()) return std::nullopt;
+    const std::uint32_t axis = (n - first) % p.datum_step;
+    const double v = coordinate(found->second, static_cast<int>(axis));
+    return std::isnan(v) ? std::nullopt : std::optional(v / stored_unit(run, axis));
+}
+
+}  // namespace
+
+bool is_kept_unknown(Run& run, std::uint32_t n) {
+    if (run.traits->kept.empty() || run.parameters.is_set(n)) return false;
+    const program::KeptParameters* k = range_of(run, n);
+    if (k == nullptr) return false;
+    if (k->cleared_by.empty()) return !given_datum(run, n);
+    assume(run, run.statement != nullptr ? run.here() : base::Span{},
+           program::parameter_name(*run.traits, k->first) + " to " + program::parameter_name(*run.traits, k->last) +
+               " are empty when the program begins, as after a reset with " + std::string(k->cleared_by),
+           "give what they hold in [variables] of the job if the control keeps them");
+    return false;
+}
+
+double kept_parameter(Run& run, std::uint32_t n, const base::Span& where) {
+    if (!is_kept_unknown(run, n)) return given_datum(run, n).value_or(run.parameters.get(n));
+    const std::string name = program::parameter_name(*run.traits, n);
+    unchecked(run, codes::unknown_value, where, "what " + name + " holds from before the program is not known",
+              "give it in [variables] of the job: \"" + name + "\" = …, or \"empty\"");
+    return std::numeric_limits<double>::quiet_NaN();
+}
+
+void note_written(Run& run, std::uint32_t n, const base::Span& where) {
+    const program::KeptParameters* k = run.traits->kept.empty() ? nullptr : range_of(run, n);
+    if (k == nullptr || !k->acts) return;
+    unchecked(run, codes::unknown_value, where,
+              "the effect of writing " + program::parameter_name(*run.traits, n) + " is not known");
+}
+
+}  // namespace obrys::interp
