@@ -33,7 +33,7 @@ std::vector<cl::Step> run(const std::vector<Text>& texts, const std::string& abo
     const std::vector<shop::Override> overrides;
     const std::vector<int> skip;
     const std::vector<const program::Unit*> definitions;
-    const std::map<std::string, std::string> variables;
+    const shop::GivenValues variables;
     const shop::Budgets budgets;
     const auto find = [&](std::string_view name) -> const program::Unit* {
         const auto found = units.find(name);

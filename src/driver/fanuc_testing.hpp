@@ -31,7 +31,7 @@ inline Ran run(const std::string& text, const read::rs274::FanucOptions& options
     const std::vector<shop::Override> overrides;
     const std::vector<int> skip;
     const std::vector<const program::Unit*> definitions;
-    const std::map<std::string, std::string> variables;
+    const shop::GivenValues variables;
     const shop::Budgets budgets;
     const auto find = [&](std::string_view name) -> const program::Unit* {
         for (const program::Unit& u : units)

@@ -27,7 +27,7 @@ std::vector<cl::Record> run(const std::string& text, const shop::Machine& machin
     const std::vector<shop::Override> overrides;
     const std::vector<int> skip;
     const std::vector<const program::Unit*> definitions;
-    const std::map<std::string, std::string> variables;
+    const shop::GivenValues variables;
     const shop::Budgets budgets;
     const auto find = [](std::string_view) -> const program::Unit* { return nullptr; };
     const interp::Environment environment{sources, names, machine, tools,       overrides,

@@ -309,6 +309,12 @@ bool open(const Request& request, Session& s) {
     });
 }
 
+bool refused(const Session& s) {
+    return std::any_of(s.diagnostics.all().begin(), s.diagnostics.all().end(), [](const base::Diagnostic& d) {
+        return d.severity == base::Severity::error && (d.code == codes::job_value || d.code == codes::job_file);
+    });
+}
+
 int percent_lines(const Session& s) {
     int found = 0;
     bool first = true;

@@ -59,6 +59,9 @@ bool open(const Request& request, Session& session);
 /// differs from them.
 interp::Outcome interpret(Session& session, cl::Sink sink, const interp::ContourSink* programmed = nullptr);
 
+/// What the job or the command line says cannot be used, which only the run could tell (exit code 2).
+[[nodiscard]] bool refused(const Session& session);
+
 /// Lines of the main program's text that hold `%` alone, two at most; 0 where it does not begin with one.
 [[nodiscard]] int percent_lines(const Session& session);
 

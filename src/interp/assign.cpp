@@ -79,14 +79,15 @@ Value read_character(Run& run, const Binding& b, const Expr& e) {
     return {Type::character, static_cast<double>(static_cast<unsigned char>(c)), nullptr, nullptr};
 }
 
+std::size_t undefined_part(double index) {
+    return std::isnan(index) ? 65535 : static_cast<std::size_t>(std::clamp(index, 0.0, 65535.0));
+}
+
 std::size_t undefined_key(Run& run, const Expr& e) {
     std::size_t key = 0;
     for (std::size_t k = 0; k < e.count; ++k) {
         const Value v = evaluate(run, run.unit().children[e.b + k]);
-        const std::size_t part = v.is_text()            ? std::hash<std::string>{}(v.as_text()) % 65521
-                                 : std::isnan(v.number) ? 65535
-                                                        : static_cast<std::size_t>(std::clamp(v.number, 0.0, 65535.0));
-        key = key * 65536 + part;
+        key = key * 65536 + (v.is_text() ? std::hash<std::string>{}(v.as_text()) % 65521 : undefined_part(v.number));
     }
     return key;
 }

@@ -182,10 +182,14 @@ Value read_variable(Run& run, const Expr& e, ExprId id) {
               "assign it before it is read, or ask with EXISTS[#<" + text + ">]");
         return Value::unknown();
     }
+    const std::string key = variable_key(run, e);
+    const Value held = run.undefined.get(e.a, undefined_key(run, e));
+    if (!held.is_unknown() && given_value(run, key)) return held;
     unchecked(run, codes::undefined_name, unit.span(id), text + " is not defined in this program",
               "if it is global user data (GUD), put its definition file beside the program or give its value in "
-              "[variables] of the job; it is unknown until then");
-    return run.undefined.get(e.a, undefined_key(run, e));
+              "[variables] of the job: " +
+                  job_key(key) + " = …; it is unknown until then");
+    return held;
 }
 
 Value evaluate_binary(Run& run, const Expr& e) {

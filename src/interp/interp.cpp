@@ -71,31 +71,6 @@ void define_globals(Run& run) {
     }
 }
 
-/// Global variables of the job: a definition file gives the type where there is one, else the value does.
-void take_variables(Run& run) {
-    for (const auto& [name, text] : run.env.variables) {
-        Value v = Value::string(text);
-        const std::string upper = base::to_upper(text);
-        if (const auto number = base::parse_double(text))
-            v = Value::real(*number);
-        else if (upper == "TRUE" || upper == "FALSE")
-            v = Value::boolean(upper == "TRUE");
-        const program::NameId id = run.env.names.id(name);
-        if (const Binding* known = run.globals.find(id)) {
-            if (convert(v, known->array->type, known->array->string_length) == Conversion::ok)
-                known->array->set(0, v);
-            else
-                assume(run, {}, "[variables] " + name + " does not fit its definition and is left out");
-            continue;
-        }
-        auto array = std::make_shared<Array>();
-        array->type = v.type;
-        array->allocate();
-        array->set(0, v);
-        run.globals.bind({id, std::move(array), 0, false, nullptr});
-    }
-}
-
 /// The first preset that a cycle of the program selects by a plain number.
 std::uint32_t first_preset(const Run& run, const Unit& main) {
     for (const program::CycleDefinition& c : main.cycles)
@@ -273,7 +248,8 @@ Outcome run(const program::Unit& main, const Environment& environment, cl::CallS
         for (const char* name : {"_VALUE", "_VALUE_RETURNED"}) create_variable(run, environment.names.id(name), 0);
     take_overrides(run, *main.traits);
     define_globals(run);
-    take_variables(run);
+    take_given(run);
+    if (run.stopped) return {run.ending, 0, {}};
     choose_reference_datum(run, main);
     enter(run, main, nullptr, {});
     if (!run.unit().statements.empty()) run.statement = run.unit().statements.data();

@@ -35,8 +35,8 @@ struct Environment {
     base::FunctionRef<const program::Unit*(std::string_view)> find_program;
     /// Units whose definitions hold for all programs (global user data).
     const std::vector<const program::Unit*>& definitions;
-    /// Values of global user data by upper-case name: a number, TRUE, FALSE, else a text.
-    const std::map<std::string, std::string>& variables;
+    /// What the control's variables hold before the run, as far as the job says it.
+    const shop::GivenValues& variables;
     /// Tables and forms that the program reads, and what it prints; null: there are none.
     ShopFiles* files = nullptr;
     /// Told the elements of contours that compensation, chamfers or roundings change, as they are programmed: where the

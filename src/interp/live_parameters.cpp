@@ -124,6 +124,27 @@ const program::LiveParameters* live_range(const Run& run, std::uint32_t n) {
     return nullptr;
 }
 
+/// What the control shows of itself, as far as the run follows it; NaN where it does not.
+double known_live_value(const Run& run, SystemVariable v, double index) {
+    const auto axis = static_cast<std::size_t>(std::clamp(index, 1.0, 9.0)) - 1;
+    switch (v) {
+        case SystemVariable::state: return state(run, static_cast<StateQuery>(static_cast<int>(index)));
+        case SystemVariable::coordinate: return axis_value(run, axis, false);
+        case SystemVariable::machine_coordinate: return axis_value(run, axis, true);
+        case SystemVariable::tool_table_column:
+            return table_column(run, static_cast<std::size_t>(std::clamp(index, 0.0, 13.0)));
+        default: return unknown;
+    }
+}
+
+/// `name`: of a numbered parameter that the job can give; empty: it cannot.
+double report_unknown(Run& run, const std::string& name, const base::Span& where) {
+    unchecked(run, codes::unknown_value, where, "what this parameter of the control holds is not known here",
+              "what is computed from it is unknown too" +
+                  (name.empty() ? "" : "; [variables] of the job can give it: " + job_key(name) + " = …"));
+    return unknown;
+}
+
 }  // namespace
 
 bool is_live(const Run& run, std::uint32_t n) {
@@ -145,28 +166,16 @@ void forget_live(Run& run, SystemVariable what) {
 
 double live_parameter(Run& run, std::uint32_t n, const base::Span& where) {
     const program::LiveParameters* l = live_range(run, n);
-    return live_value(run, l->value,
-                      static_cast<double>(n - l->first) + (l->value == SystemVariable::tool_table_column ? 0 : 1),
-                      where)
-        .number;
+    const double index = static_cast<double>(n - l->first) + (l->value == SystemVariable::tool_table_column ? 0 : 1);
+    const double shown = known_live_value(run, l->value, index);
+    if (!std::isnan(shown)) return shown;
+    if (run.parameters.is_set(n)) return run.parameters.get(n);  // the job gives it
+    return report_unknown(run, program::parameter_name(*run.traits, n), where);
 }
 
 Value live_value(Run& run, SystemVariable v, double index, const base::Span& where) {
-    const auto axis = static_cast<std::size_t>(std::clamp(index, 1.0, 9.0)) - 1;
-    double result = unknown;
-    switch (v) {
-        case SystemVariable::state: result = state(run, static_cast<StateQuery>(static_cast<int>(index))); break;
-        case SystemVariable::coordinate: result = axis_value(run, axis, false); break;
-        case SystemVariable::machine_coordinate: result = axis_value(run, axis, true); break;
-        case SystemVariable::tool_table_column:
-            result = table_column(run, static_cast<std::size_t>(std::clamp(index, 0.0, 13.0)));
-            break;
-        default: break;
-    }
-    if (std::isnan(result))
-        unchecked(run, codes::unknown_value, where, "what this parameter of the control holds is not known here",
-                  "what is computed from it is unknown too");
-    return Value::real(result);
+    const double result = known_live_value(run, v, index);
+    return Value::real(std::isnan(result) ? report_unknown(run, {}, where) : result);
 }
 
 }  // namespace obrys::interp

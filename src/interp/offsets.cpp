@@ -141,9 +141,6 @@ void load_datum(Run& run) {
 
 void begin_offsets(Run& run) {
     const program::OffsetParameters& p = run.traits->offsets;
-    if (run.env.stored != nullptr)
-        for (const auto& [n, v] : *run.env.stored)
-            if (n < run.parameters.count()) run.parameters.set_by_control(n, v);
     if (p.shift_active != 0 && run.parameters.get(p.shift_active) != 0) take_shift(run);
     if (const double n = p.active_datum == 0 ? 0 : run.parameters.get(p.active_datum); n >= 1 && n <= p.datum_count)
         run.modal.datum = static_cast<std::uint32_t>(n <= 6 ? 53 + n : 584 + n);

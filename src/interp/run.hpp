@@ -27,6 +27,16 @@ void assume(Run&, const base::Span& where, std::string text, std::string remedy 
 /// Coordinate of an axis in the programmed frame as the program would write it (diameter where it programs diameters).
 [[nodiscard]] double programmed_coordinate(const Run&, const std::string& axis);
 
+// --- what the job gives (given.cpp)
+/// Takes over what the control's parameters and global variables hold before the run.
+void take_given(Run&);
+/// What the job gives for a variable by the control's own spelling ("MY_I[2]", "$A_IN[1]"); nothing where it does not.
+[[nodiscard]] std::optional<Value> given_value(const Run&, std::string_view key);
+/// A name as a key of the job file: in quotes where TOML wants them.
+[[nodiscard]] std::string job_key(const std::string& name);
+/// That spelling of a variable or system variable, with its indices as they are now.
+[[nodiscard]] std::string variable_key(Run&, const program::Expr&);
+
 // --- arithmetic (arithmetic.cpp)
 [[nodiscard]] double binary_number(Run&, const program::Expr&, double a, double b);
 [[nodiscard]] Value binary_value(Run&, const program::Expr&, const Value& a, const Value& b);
@@ -47,7 +57,9 @@ void define(Run&, const program::Define&, Scope& scope, const Unit& unit);
 [[nodiscard]] const Binding* find_variable(const Run&, program::NameId);
 /// Index of the addressed element; false after an alarm.
 [[nodiscard]] bool element_of(Run&, const program::Expr&, const Array&, std::size_t& index);
+/// Place of an element in `Undefined`, from its indices; of one index alone.
 [[nodiscard]] std::size_t undefined_key(Run&, const program::Expr&);
+[[nodiscard]] std::size_t undefined_part(double index);
 /// One more index than the STRING has dimensions: a single character of it.
 [[nodiscard]] bool is_character_access(const Binding&, const program::Expr&);
 [[nodiscard]] Value read_character(Run&, const Binding&, const program::Expr&);

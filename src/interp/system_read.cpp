@@ -33,7 +33,12 @@ struct Access {
 };
 
 Value unknown_value(const Access& a, const std::string& why) {
-    unchecked(a.run, codes::unknown_value, a.where(), a.name() + ": " + why, "what is computed from it is unknown too");
+    const bool has_key = a.name().starts_with('$') || a.name().starts_with('#');
+    const std::string key = has_key ? variable_key(a.run, a.e) : std::string{};
+    if (auto given = given_value(a.run, key)) return *given;
+    unchecked(a.run, codes::unknown_value, a.where(), a.name() + ": " + why,
+              std::string("what is computed from it is unknown too") +
+                  (has_key ? "; [variables] of the job can give it: " + job_key(key) + " = …" : ""));
     return Value::unknown();
 }
 
@@ -280,7 +285,8 @@ Value read_system(Run& run, const Expr& e) {
         case SystemVariable::is_dry_run: return Value::boolean(false);
         case SystemVariable::pi: return Value::real(geom::pi);
         case SystemVariable::unknown:
-            if (const Value written = written_or_zero(a); a.run.system_written.contains(written_key(a))) return written;
+            if (const auto written = a.run.system_written.find(written_key(a)); written != a.run.system_written.end())
+                return written->second;
             return unknown_value(a, "obrys does not know this system variable");
         default: return run_state(a, v);
     }

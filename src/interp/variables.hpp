@@ -17,7 +17,9 @@ public:
     explicit Parameters(std::uint32_t count) : values_(count, 0.0), set_(count, 0) {}
     [[nodiscard]] std::uint32_t count() const { return static_cast<std::uint32_t>(values_.size()); }
     [[nodiscard]] double get(std::uint32_t n) const { return values_[n]; }
-    [[nodiscard]] bool is_set(std::uint32_t n) const { return set_[n] != 0; }
+    [[nodiscard]] bool is_set(std::uint32_t n) const { return set_[n] != 0 && set_[n] != known_empty; }
+    /// Nobody set it, and it is known that it holds nothing.
+    [[nodiscard]] bool is_known_empty(std::uint32_t n) const { return set_[n] == known_empty; }
     void set(std::uint32_t n, double v) {
         values_[n] = v;
         set_[n] = 1;
@@ -28,6 +30,10 @@ public:
         values_[n] = v;
         set_[n] = 2;
     }
+    void set_empty_by_control(std::uint32_t n) {
+        values_[n] = 0;
+        set_[n] = known_empty;
+    }
     [[nodiscard]] bool is_assigned(std::uint32_t n) const { return set_[n] == 1; }
     void forget(std::uint32_t n) {
         values_[n] = 0;
@@ -35,6 +41,7 @@ public:
     }
 
 private:
+    static constexpr std::uint8_t known_empty = 3;
     std::vector<double> values_;
     std::vector<std::uint8_t> set_;
 };

@@ -10,6 +10,7 @@
 #include "base/diagnostic.hpp"
 #include "base/source.hpp"
 #include "geom/contour.hpp"
+#include "shop/given.hpp"
 #include "shop/machine.hpp"
 #include "shop/solid.hpp"
 #include "shop/tool.hpp"
@@ -92,7 +93,7 @@ struct Job {
     std::vector<std::string> preset_tables;          ///< .PR, paths as written; [datum] stands above them
     std::string prints;                              ///< folder for what programs print; empty: nowhere
     std::vector<int> skip_levels;                    ///< block skip levels that are on
-    std::map<std::string, std::string> variables;    ///< values of global user data (GUD) and the like, upper-case name
+    GivenValues variables;                           ///< what no program at hand sets: GUD, #500, $A_IN[1] …
     Tolerances tolerances;
     Budgets budgets;
     base::Span program_where;

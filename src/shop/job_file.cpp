@@ -4,6 +4,7 @@
 #include "base/number.hpp"
 #include "base/text.hpp"
 #include "shop/job.hpp"
+#include "shop/job_tables.hpp"
 #include "shop/profile.hpp"
 #include "shop/solid_file.hpp"
 #include "shop/tables.hpp"
@@ -83,24 +84,6 @@ void read_overrides(Section& file, Job& job) {
                        "'" + e.key + "' is set twice (capitals and small letters are the same)");
         else
             job.overrides.push_back({name, *value, e.where});
-    }
-}
-
-void read_variables(Section& file, Job& job) {
-    const Entry* table = file.sub_table("variables");
-    if (!table) return;
-    for (const Entry& e : table->value.entries) {
-        std::string& out = job.variables[base::to_upper(e.key)];
-        if (e.value.kind == ValueKind::text)
-            out = e.value.text;
-        else if (e.value.kind == ValueKind::boolean)
-            out = e.value.boolean ? "TRUE" : "FALSE";
-        else if (e.value.kind == ValueKind::integer)
-            out = std::to_string(e.value.integer);
-        else if (const auto v = finite_number(e.value, "'" + e.key + "'", Range::any, file.diagnostics()))
-            out = base::shortest(*v);
-        else
-            job.variables.erase(base::to_upper(e.key));
     }
 }
 
@@ -189,7 +172,7 @@ void read_all(Section& s, Job& job) {
     job.datums = read_datums(s);
     read_geometry(s, job);
     read_overrides(s, job);
-    read_variables(s, job);
+    job.variables = read_variables(s);
     read_limits(s, job);
     read_machine_name(s, job);
     s.finish();

@@ -5,6 +5,7 @@
 #include <fstream>
 #include <sstream>
 
+#include "base/number.hpp"
 #include "shop/shop_test.hpp"
 
 namespace obrys::shop {
@@ -79,7 +80,19 @@ _gud = 1.5
 count = 3
 flag = true
 word = "abc"
+"#517" = 3.2
+my = [[1, 2], ["x"]]
 )";
+
+std::string as_text(const GivenValues& values) {
+    std::string text;
+    for (const auto& [key, v] : values) {
+        const std::string number = base::shortest(v.number);
+        const bool is_text = v.kind == GivenKind::text, is_truth = v.kind == GivenKind::truth;
+        text += key + "=" + (is_text ? "'" + v.text + "'" : (is_truth ? "true" : "") + number) + " ";
+    }
+    return text;
+}
 
 TEST(JobFile, EveryKeyIsRead) {
     Reading r;
@@ -109,8 +122,18 @@ TEST(JobFile, EveryKeyIsRead) {
     EXPECT_EQ(j.budgets.loop_passes, 500U);
     EXPECT_EQ(j.budgets.call_depth, 12U);
     EXPECT_EQ(j.budgets.seconds, 2.5);
-    EXPECT_EQ(j.variables,
-              (std::map<std::string, std::string>{{"_GUD", "1.5"}, {"COUNT", "3"}, {"FLAG", "TRUE"}, {"WORD", "abc"}}));
+    EXPECT_EQ(as_text(j.variables), "#517=3.2 COUNT=3 FLAG=true1 MY[0,0]=1 MY[0,1]=2 MY[1,0]='x' WORD='abc' _GUD=1.5 ");
+}
+
+TEST(JobFile, VariablesAreGivenOnceAndElementsOneByOne) {
+    const std::string text =
+        "program = \"A.MPF\"\n[variables]\n\"A[ 1 ]\" = 2\nA = [5, 6, 7]\n\"B[0]\" = [1]\nC = [[[[1]]]]\n";
+    Reading r;
+    EXPECT_EQ(as_text(read_job(r.add(text), r.sources, r.diagnostics).variables), "A[0]=5 A[1]=2 A[2]=7 ");
+    EXPECT_EQ(job_places(text),
+              "4:9: 'A[1]' is given twice (capitals and small letters are the same)\n"
+              "5:10: 'B[0]' is one element and cannot hold an array\n"
+              "6:8: an array has at most three dimensions\n");
 }
 
 TEST(JobFile, EveryToolKeyIsRead) {

@@ -51,7 +51,7 @@ int exit_code(const driver::Session& s) {
         finding = finding || base::kind_of(d.code) == base::CodeKind::finding;
         unchecked = unchecked || base::kind_of(d.code) == base::CodeKind::unchecked;
     }
-    return unchecked ? 3 : finding ? 1 : 0;
+    return driver::refused(s) ? 2 : unchecked ? 3 : finding ? 1 : 0;
 }
 
 report::Subject subject_of(const driver::Session& s, const driver::Checked& c) {
@@ -120,6 +120,10 @@ int plot_path(const Arguments& a, driver::Session& s) {
     const auto programmed = [&](geom::Vec3 from, const cl::Record& element) { plotter.programmed(from, element); };
     const interp::ContourSink contour(programmed);
     static_cast<void>(driver::interpret(s, plotter, &contour));
+    if (driver::refused(s)) {
+        print_diagnostics(s, base::Severity::warning);
+        return 2;
+    }
     report::PathPlot plot = plotter.finish();
     plot.program = s.program;
     plot.control = s.control;
@@ -155,6 +159,10 @@ int check(const Arguments& a) {
         checked = driver::check_program(s, pictures ? moves_on_page : 0, milling,
                                         [&](std::uint64_t moves) { progress.show(moves); });
     }
+    if (driver::refused(s)) {
+        print_diagnostics(s, base::Severity::warning);
+        return 2;
+    }
     const report::Subject subject = subject_of(s, checked);
     bool written = true;
     if (a.format == "json")
@@ -181,6 +189,10 @@ int plot(const Arguments& a) {
     }
     if (a.interpolation > 0 || s.job.machine.kind != shop::MachineKind::lathe) return plot_path(a, s);
     const driver::Checked checked = driver::check_program(s, moves_on_page);
+    if (driver::refused(s)) {
+        print_diagnostics(s, base::Severity::warning);
+        return 2;
+    }
     std::fputs((report::verdict_line(checked.result) + "\n").c_str(), stderr);
     return deliver(s, a.svg.empty() ? a.output : a.svg, report::to_svg(subject_of(s, checked))) ? 0 : 2;
 }

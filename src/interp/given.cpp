@@ -1,0 +1,158 @@
+/// What the job gives for variables that no program at hand sets.
+
+#include <algorithm>
+
+#include "base/codes.hpp"
+#include "base/number.hpp"
+#include "base/text.hpp"
+#include "interp/run.hpp"
+
+namespace obrys::interp {
+
+namespace codes = base::codes;
+using shop::GivenKind;
+using shop::GivenValue;
+
+namespace {
+
+Value value_of(const GivenValue& g) {
+    switch (g.kind) {
+        case GivenKind::number: return Value::real(g.number);
+        case GivenKind::truth: return Value::boolean(g.number != 0);
+        case GivenKind::text: break;
+    }
+    return Value::string(g.text);
+}
+
+/// A value that cannot be used: the run does not begin.
+void refuse(Run& run, const GivenValue& g, std::string text, std::string remedy = {}) {
+    run.stopped = true;
+    run.diagnostics.add({base::Severity::error,
+                         codes::job_value,
+                         g.where,
+                         "[variables] " + std::move(text),
+                         std::move(remedy),
+                         {},
+                         {}});
+}
+
+void give_parameter(Run& run, std::uint32_t n, const std::string& key, const GivenValue& g) {
+    const bool empties = run.traits->empty_parameters && base::equals_ignoring_case(g.text, "empty");
+    if (g.kind == GivenKind::text && empties)
+        run.parameters.set_empty_by_control(n);
+    else if (g.kind == GivenKind::text)
+        refuse(run, g, key + " holds a number, not a text",
+               run.traits->empty_parameters ? "write \"empty\" for one that holds nothing" : "");
+    else
+        run.parameters.set_by_control(n, g.number);
+}
+
+/// The numbers between brackets; nothing where one is none.
+std::optional<std::vector<double>> indices_of(std::string_view text) {
+    std::vector<double> indices;
+    while (!text.empty()) {
+        const auto comma = std::min(text.find_first_of(",]"), text.size());
+        const auto n = base::parse_integer(text.substr(0, comma));
+        if (!n || indices.size() == 3) return std::nullopt;
+        indices.push_back(static_cast<double>(*n));
+        text.remove_prefix(std::min(comma + 1, text.size()));
+        if (text.starts_with('[')) text.remove_prefix(1);  // [1][2]
+    }
+    return indices;
+}
+
+void give_element(Run& run, const Binding& b, const std::string& key, const GivenValue& g) {
+    const auto bracket = std::min(key.find('['), key.size());
+    const auto indices = indices_of(std::string_view(key).substr(std::min(bracket + 1, key.size())));
+    Array& array = *b.array;
+    std::size_t index = 0;
+    const int written = indices ? static_cast<int>(indices->size()) : -1;
+    if (written != array.rank || !element_index(array, indices->data(), indices->size(), index)) {
+        std::string sizes;
+        for (int k = 0; k < array.rank; ++k)
+            sizes += (k > 0 ? "," : "") + std::to_string(array.dimensions[static_cast<std::size_t>(k)]);
+        const std::string name = key.substr(0, bracket);
+        return refuse(
+            run, g,
+            key + (array.rank == 0 ? ": " + name + " is no array" : ": " + name + " is defined with [" + sizes + "]"),
+            array.rank == 0 ? "give " + name + " without an index"
+                            : "indices begin with 0; all elements at once: " + name + " = [ … ]");
+    }
+    Value v = value_of(g);
+    if (convert(v, array.type, array.string_length) == Conversion::ok)
+        array.set(index, v);
+    else
+        refuse(run, g, key + " does not fit its definition as " + std::string(name(array.type)));
+}
+
+/// A name that no definition file holds: the value gives the type.
+void give_name(Run& run, program::NameId id, const GivenValue& g) {
+    auto array = std::make_shared<Array>();
+    const Value v = value_of(g);
+    array->type = v.type;
+    array->allocate();
+    array->set(0, v);
+    run.globals.bind({id, std::move(array), 0, false, nullptr});
+}
+
+/// An element of a name that no definition file holds.
+void give_undefined(Run& run, program::NameId id, const std::string& key, const GivenValue& g) {
+    const auto indices = indices_of(std::string_view(key).substr(key.find('[') + 1));
+    if (!indices) return;  // $AC_DRF[X]: asked by its spelling
+    std::size_t place = 0;
+    for (const double index : *indices) place = place * 65536 + undefined_part(index);
+    run.undefined.set(id, place, value_of(g));
+}
+
+/// Name of a variable without what belongs to its control's spelling: "MY_I" of MY_I[2], "_GAP" of #<_GAP>.
+std::string_view bare_name(std::string_view key) {
+    if (key.starts_with("#<") && key.ends_with('>')) return key.substr(2, key.size() - 3);
+    return key.substr(0, key.find('['));
+}
+
+}  // namespace
+
+void take_given(Run& run) {
+    if (run.env.stored != nullptr)
+        for (const auto& [n, v] : *run.env.stored)
+            if (n < run.parameters.count()) run.parameters.set_by_control(n, v);
+    for (const auto& [key, g] : run.env.variables) {
+        const std::uint32_t n = program::find_parameter(*run.traits, key);
+        if (n < run.parameters.count()) {
+            give_parameter(run, n, key, g);
+            continue;
+        }
+        const std::string_view bare = bare_name(key);
+        const program::NameId id = run.env.names.id(std::string(bare));
+        if (const Binding* known = run.globals.find(id))
+            give_element(run, *known, key, g);
+        else if (bare.starts_with('$') || bare.starts_with('#'))
+            continue;  // asked by its spelling where it is read
+        else if (key.ends_with(']'))
+            give_undefined(run, id, key, g);
+        else
+            give_name(run, id, g);
+    }
+}
+
+std::optional<Value> given_value(const Run& run, std::string_view key) {
+    if (run.env.variables.empty()) return std::nullopt;
+    const auto found = run.env.variables.find(shop::given_key(key));
+    if (found == run.env.variables.end()) return std::nullopt;
+    return value_of(found->second);
+}
+
+std::string job_key(const std::string& name) {
+    const bool bare =
+        name.find_first_not_of("ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz0123456789_-") == std::string::npos;
+    return bare && !name.empty() ? name : "\"" + name + "\"";
+}
+
+std::string variable_key(Run& run, const program::Expr& e) {
+    std::string key = run.env.names.text(e.a);
+    for (std::size_t k = 0; k < e.count && !run.stopped; ++k)
+        key += (k == 0 ? "[" : ",") + printed(evaluate(run, run.unit().children[e.b + k]));
+    return e.count > 0 ? key + "]" : key;
+}
+
+}  // namespace obrys::interp
