@@ -197,20 +197,14 @@ void Milling::take(const Move& move, std::uint32_t use, const Stand::View& view,
         axis_ = view.axis;
         return;
     }
-    const bool known = geom::is_finite(move.from) && geom::is_finite(move.to);
-    const bool starting = move.rapid && !known && !position_was_known_;
-    position_was_known_ = position_was_known_ || geom::is_finite(move.to);
-    if (starting) {
-        ++start_moves_;
-        return;
-    }
+    if (!geom::is_finite(move.from) || !geom::is_finite(move.to)) return take_open(move, use, view);
+    whereabouts_.known(move.to);
     const auto leave_out = [&](std::string why, std::string remedy = {}) {
         complete_ = false;
         out_.unchecked(move.record, std::move(why), std::move(remedy));
     };
     if (!view.problem.empty()) return leave_out(view.problem, view.remedy);
     if (!view.doubt.empty()) out_.unchecked(move.record, view.doubt, view.remedy);
-    if (!known) return leave_out("position not known: removal not simulated");
     const geom::Vec3 axis = view.axis;
     const bool turns = move.turning || (passes_ > 0 && geom::distance(axis, axis_) > 1e-9);
     if (turns && (!move.rapid || swing.empty()))

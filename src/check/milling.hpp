@@ -12,6 +12,7 @@
 
 #include "check/check.hpp"
 #include "check/collect.hpp"
+#include "check/open_way.hpp"
 #include "check/stand.hpp"
 #include "sim/milling/simulation.hpp"
 
@@ -58,6 +59,7 @@ private:
     void begin();
     void add_clamps();
     [[nodiscard]] bool tool_in_use(const Move& move);
+    void take_open(const Move& move, std::uint32_t use, const Stand::View& view);
     void queue(const geom::PathElement& element, const MilledMove& move, bool feed);
     void queue_pass(QueuedPass::Kind kind, sim::milling::Part part, bool cut, const geom::PathElement& element);
     void require(sim::milling::Taken taken);
@@ -109,7 +111,7 @@ private:
     std::int8_t spindle_ = 0;
     bool tool_ready_ = false, complete_ = true, stopped_reported_ = false;
     std::uint64_t start_moves_ = 0;
-    bool position_was_known_ = false;
+    Whereabouts whereabouts_;
 };
 
 }  // namespace obrys::check

@@ -115,7 +115,6 @@ std::optional<std::string> Removal::obstacle(const Move& move) const {
     if (outline_.vertices.empty()) return tool + " has no outline: its removal is not simulated";
     if (std::holds_alternative<cl::Thread>(move.record.step)) return "thread cutting: removal not simulated";
     if (std::holds_alternative<cl::Spline>(move.record.step)) return "spline: removal not simulated";
-    if (!known(move.from) || !known(move.to)) return "position not known: removal not simulated";
     const auto* arc = std::get_if<cl::Arc>(&move.record.step);
     if (arc != nullptr && !lies_in_turning_plane(*arc)) return "arc outside the turning plane: removal not simulated";
     if (std::abs(move.to.y) > 1e-6 || std::abs(move.from.y) > 1e-6) return "Y is not 0: removal not simulated";
@@ -135,13 +134,45 @@ bool Removal::misses(const Move& move) const {
 }
 
 void Removal::skipped(const Move& move, std::string why) {
-    const bool starting = move.rapid && (!position_was_known_ || (!selected_any_ && use_ == 0));
-    if (starting) {
+    if (move.rapid && (!whereabouts_.began() || (!selected_any_ && use_ == 0))) {
         ++start_moves_;
         return;
     }
     complete_ = false;
     out_.unchecked(move.record, std::move(why));
+}
+
+void Removal::cut(const Move& move, const sim::turning::Move& way, Removed& r) {
+    r.simulated = true;
+    r.cut = work_->cut(outline_, way);
+    removed_area_ += r.cut.area;
+    r.cuts = r.cut.area > setup_.tolerances.rapid;
+    if (!r.cut.removed.empty()) judge(move, r.cut);
+}
+
+/// A move one of whose ends is not known.
+Removed Removal::cut_open(const Move& move) {
+    constexpr const char* why = "position not known: removal not simulated";
+    Removed r;
+    if (!std::holds_alternative<cl::Linear>(move.record.step)) {
+        skipped(move, why);
+        return r;
+    }
+    // From beyond the axis a tool comes from its own side.
+    const bool across = move.from.x < 0 || move.to.x < 0;
+    const geom::Vec3 away{across ? NAN : stock_box_.max_x - outline_box_.min_x, NAN,
+                          stock_box_.max_z - outline_box_.min_z};
+    const auto in_plane = [](geom::Vec3 p) { return geom::Vec3{p.x, 0, p.z}; };
+    const OpenMove open = whereabouts_.open(in_plane(move.from), in_plane(move.to), move.rapid, away);
+    if (open.start) ++start_moves_;
+    if (open.assumed)
+        out_.assumption("a position that is not known, such as home, is taken to lie away from the stock",
+                        move.record.from);
+    if (open.way.kind == OpenWay::Kind::swept || open.way.kind == OpenWay::Kind::end)
+        cut(move, {{open.way.from.z, open.way.from.x}, {open.way.to.z, open.way.to.x}, {}, 0}, r);
+    if (open.left_out) skipped(move, why);
+    r.simulated = !open.left_out && open.way.kind != OpenWay::Kind::end;
+    return r;
 }
 
 Removed Removal::take(const Move& move) {
@@ -160,15 +191,13 @@ Removed Removal::take(const Move& move) {
             r.simulated = true;
         } else if (std::optional<std::string> why = obstacle(move)) {
             skipped(move, std::move(*why));
+        } else if (!known(move.from) || !known(move.to)) {
+            r = cut_open(move);
         } else {
-            r.simulated = true;
-            r.cut = work_->cut(outline_, in_turning_plane(move));
-            removed_area_ += r.cut.area;
-            r.cuts = r.cut.area > setup_.tolerances.rapid;
-            if (!r.cut.removed.empty()) judge(move, r.cut);
+            cut(move, in_turning_plane(move), r);
         }
     }
-    position_was_known_ = position_was_known_ || known(move.to);
+    whereabouts_.known({move.to.x, 0, move.to.z});
     count_use(move, r);
     return r;
 }

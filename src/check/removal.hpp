@@ -5,6 +5,7 @@
 
 #include "check/check.hpp"
 #include "check/collect.hpp"
+#include "check/open_way.hpp"
 #include "check/rest.hpp"
 #include "check/words.hpp"
 #include "sim/turning/turning.hpp"
@@ -39,6 +40,8 @@ private:
     std::optional<std::string> obstacle(const Move& move) const;
     [[nodiscard]] bool misses(const Move& move) const;
     void skipped(const Move& move, std::string why);
+    void cut(const Move& move, const sim::turning::Move& way, Removed& r);
+    [[nodiscard]] Removed cut_open(const Move& move);
     void judge(const Move& move, const sim::turning::Cut& cut);
     void count_use(const Move& move, const Removed& removed);
     void require_contact();
@@ -55,7 +58,7 @@ private:
     cl::Record selected_;  ///< the last tool change
     bool selected_any_ = false, changed_ = false, cut_without_tool_ = false;
     std::uint32_t use_ = 0;
-    bool position_was_known_ = false;
+    Whereabouts whereabouts_;
     std::uint64_t start_moves_ = 0;  ///< moves before start position and first tool were known
     double removed_area_ = 0;        ///< mm2, of all cuts
     bool complete_ = true;           ///< no removal was left out

@@ -66,10 +66,10 @@ bool reference_point(Run& run) {
         coordinate(target, k) = home ? from_machine(run, k, *axis->home) : unknown;
     }
     if (!geom::is_finite(target) && run.block.special == Modal::fixed_point)
-        assume(run, run.here(), "the fixed point of G75 is not known: moves to and from it are not simulated");
+        assume(run, run.here(), "the fixed point of G75 is not known: moves to and from it are simulated as far as they are known");
     else if (!geom::is_finite(target))
         assume(run, run.here(),
-               "the reference point is not known in the workpiece frame: moves to and from it are not simulated",
+               "the reference point is not known in the workpiece frame: moves to and from it are simulated as far as they are known",
                "give home of the axes in the machine file and the zero offset in [datum] of the job");
     go_to(run, target, true);
     return true;
