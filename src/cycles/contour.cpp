@@ -110,7 +110,7 @@ Descent read_descent(Course& c, const Situation& s, const Data& d, double plunge
 
 void rough_out(Course& c, const Situation& s, const ContourTask& task) {
     const Data d = read_data(c, s);
-    const double infeed = c.positive(Role::infeed), plunge = c.feed(Role::feed_plunge), mill = c.feed(Role::feed_mill);
+    const double infeed = c.step(Role::infeed), plunge = c.feed(Role::feed_plunge), mill = c.feed(Role::feed_mill);
     const Descent way = read_descent(c, s, d, plunge);
     const double factor = c.maybe(Role::feed_factor, 100);
     if (factor != 100) c.remark(Role::feed_factor, "the feed factor for full cuts is not applied");
@@ -128,7 +128,7 @@ void rough_out(Course& c, const Situation& s, const ContourTask& task) {
 /// As pecking does it, at the places where roughing goes down.
 void pilot_drill(Course& c, const Situation& s, const ContourTask& task) {
     const Data d = read_data(c, s);
-    const double infeed = c.positive(Role::infeed), plunge = c.feed(Role::feed_plunge);
+    const double infeed = c.step(Role::infeed), plunge = c.feed(Role::feed_plunge);
     const double coarse = c.known(task.other_radius, "the radius of the rough-out tool");
     if (!c.ready()) return;
     c.assume("the places of pilot drilling: where our path of roughing begins");
@@ -164,7 +164,7 @@ void floor_finish(Course& c, const Situation& s, const ContourTask& task) {
 
 void side_finish(Course& c, const Situation& s, const ContourTask& task) {
     const Data d = read_data(c, s);
-    const double infeed = c.positive(Role::infeed), plunge = c.feed(Role::feed_plunge), mill = c.feed(Role::feed_mill);
+    const double infeed = c.step(Role::infeed), plunge = c.feed(Role::feed_plunge), mill = c.feed(Role::feed_mill);
     const double left = c.maybe_at_least(Role::allowance_left, 0, 0);
     if (!std::isnan(task.other_radius) && d.radius + left >= task.other_radius + d.side)
         c.fault(Role::allowance_left,

@@ -38,7 +38,7 @@ Train read_train(Course& c, const Situation& s, int programmed_side) {
     t.bottom = t.top + c.depth();
     t.safe = c.need(Role::clearance_height);
     if (t.safe < t.top) c.fault(Role::clearance_height, "the clearance height lies below the workpiece surface");
-    t.infeed = c.positive(Role::infeed);
+    t.infeed = c.step(Role::infeed);
     t.plunge = c.feed(Role::feed_plunge);
     t.mill = c.feed(Role::feed_mill);
     t.sense = c.whole(Role::direction, 1, -1, 1, "the type of milling");

@@ -75,6 +75,12 @@ double Course::positive(Role role) {
     return value;
 }
 
+double Course::step(Role role) {
+    const double value = need(role);
+    if (value == 0) fault(role, std::string(name(role)) + " must not be 0");
+    return std::abs(value);
+}
+
 double Course::maybe_at_least(Role role, double least, double otherwise) {
     return demand_.find(role) ? at_least(role, least) : otherwise;
 }

@@ -30,6 +30,8 @@ public:
     int whole(Role role, int otherwise, int least, int most, const char* what);
     double at_least(Role role, double least);  ///< need, and not below
     double positive(Role role);                ///< need, and above 0
+    /// A size whose sign only says that it goes down: not 0; the sign is left out.
+    double step(Role role);
     double maybe_at_least(Role role, double least, double otherwise);
     /// Feed in mm/min, above 0; infinity is rapid traverse (pre-positioning and retraction only).
     double feed(Role role);

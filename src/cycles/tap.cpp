@@ -76,7 +76,8 @@ void chip_breaking(Course& c, const Situation& s) {
     const Heights h = read_heights(c);
     const double pitch = read_pitch(c), speed = read_speed(c, s);
     const double every = read_break_depth(c, h.surface - h.bottom);
-    const double distance = c.maybe_at_least(Role::chip_break_distance, 0, 0);
+    // iTNC 530 cycles, cycle 209: "the TNC multiplies the pitch Q239 by the programmed value".
+    const double distance = c.maybe_at_least(Role::chip_break_distance, 0, 0) * std::abs(pitch);
     double factor = c.maybe_at_least(Role::rpm_factor, 0, 1);
     if (factor == 0) factor = 1;
     if (!c.ready()) return;

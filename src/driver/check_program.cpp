@@ -1,15 +1,20 @@
 #include "driver/check_program.hpp"
 
+#include "driver/program_tools.hpp"
+
 namespace obrys::driver {
 
 Checked check_program(Session& session, std::size_t keep_moves, const MillingRequest& milling,
                       const std::function<void(std::uint64_t)>& progress) {
     // 1. What the program is held to: machine, tools, stock, part, allowance (shop; resolved when the session was
     // opened).
+    const bool tools_given = !session.job.tools.empty() || session.has_job;
+    for (shop::Tool& own : program_tools(*session.main, session.job.tools, session.diagnostics))
+        session.job.tools.push_back(std::move(own));
     check::Setup setup;
     setup.machine = session.job.machine;
     setup.tools = session.job.tools;
-    setup.tools_given = !session.job.tools.empty() || session.has_job;
+    setup.tools_given = tools_given;
     if (session.job.stock) setup.stock = session.job.stock->region;
     setup.part = session.part;
     setup.allowance = session.allowance;

@@ -239,6 +239,8 @@ void plane_element(Run& run, path::Element e, const Vec3& to, bool rapid) {
     } else {
         run.record.from = run.here();
         run.record.stack = run.top().stack;
+        run.feed_shape.plunge = run.modal.plunge_part;
+        run.feed_shape.arc = 1;
         emit_element(run, e, rapid);
     }
     run.programmed_position = to;
@@ -289,7 +291,7 @@ void emit_element(Run& run, const path::Element& e, bool rapid) {
     auto step = plane_move(run, e, rapid);
     if (!step) return circle_alarm(run, run.record.from);
     run.record.step = std::move(*step);
-    run.sink(run.record);
+    send(run, run.record);
 }
 
 }  // namespace obrys::interp

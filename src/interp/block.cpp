@@ -21,7 +21,7 @@ void BlockWords::clear() {
     axes.clear();
     tool_named = false;
     special = suppress = paraxial = corner_end = Modal::linear;
-    special_number = surface_word = 0;
+    special_number = surface_word = retract = 0;
     acted = false;
     pending.clear();
 }

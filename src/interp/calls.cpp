@@ -355,6 +355,11 @@ void call_program(Run& run, const Call& call) {
         run.modal_call = {};
         return;
     }
+    if (run.traits->calls_end_compensation && run.modal.compensation != Modal::compensation_off) {
+        flush_path(run);
+        run.modal.compensation = Modal::compensation_off;
+        run.modal.look_ahead = 0;
+    }
     std::string name;
     base::Span where = call.where;
     if (call.target != program::no_expr) {

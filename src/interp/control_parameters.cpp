@@ -30,7 +30,7 @@ void write(Run& run, const program::ControlParameter& p, double v) {
 }  // namespace
 
 std::optional<double> mill_radius(const shop::Tool& t) {
-    return t.radius > 0 ? std::optional(t.radius + t.delta_radius) : std::nullopt;
+    return t.radius > 0 || t.has_no_radius ? std::optional(t.radius + t.delta_radius) : std::nullopt;
 }
 
 double active_radius(const Run& run) {

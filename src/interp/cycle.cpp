@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <iterator>
+#include <limits>
 
 #include "base/codes.hpp"
 #include "cycles/cycle.hpp"
@@ -36,7 +37,9 @@ ActiveCycle take(Run& run, const CycleDefinition& d) {
     c.definition = &d;
     c.unit = &run.unit();
     for (const CycleSetting& s : d.settings) {
-        const double v = number(run, s.value);
+        const double written = number(run, s.value);
+        const double v = value_at_definition(run, s, written);
+        c.written.push_back(written);
         c.values.push_back(v);
         if (s.parameter != program::no_target && s.parameter < run.parameters.count()) define_parameter(run, d, s, v);
     }
@@ -49,18 +52,16 @@ std::string parameter_name(const Run& run, const CycleSetting& s) {
     return std::string(cycles::name(s.role));
 }
 
-double value_at_call(const Run& run, const ActiveCycle& c, std::size_t i) {
-    const CycleSetting& s = c.definition->settings[i];
-    return s.parameter == program::no_target ? c.values[i] : run.parameters.get(s.parameter);
-}
-
 void add_values(const Run& run, const ActiveCycle& c, cycles::Demand& d) {
     if (c.definition == nullptr) return;
     const double unit = length_unit(run.modal);
     for (std::size_t i = 0; i < c.values.size(); ++i) {
         const CycleSetting& s = c.definition->settings[i];
         const double factor = s.is_feed ? feed_factor(run) : s.scales ? unit : 1;
-        d.values.push_back({s.role, value_at_call(run, c, i) * factor});
+        const double v = value_at_call(run, c, i) * factor;
+        const bool may_be_rapid =
+            s.role == program::CycleRole::feed_position || s.role == program::CycleRole::feed_retract;
+        d.values.push_back({s.role, may_be_rapid && v >= fastest_feed ? std::numeric_limits<double>::infinity() : v});
     }
 }
 
@@ -258,6 +259,7 @@ void call_program_of(Run& run, const ActiveCycle& c) {
 }  // namespace
 
 void define_cycle(Run& run, const CycleDefinition& d) {
+    if (d.kind == program::CycleKind::global_values) return set_globally(run, d);
     ActiveCycle c = take(run, d);
     if (run.stopped) return;
     if (d.use == CycleUse::refused) {
@@ -299,6 +301,7 @@ void call_cycle(Run& run, const CycleValues& instead) {
         unchecked(run, codes::unsupported, run.here(), c.definition->name + " is called and not run");
         run.position = run.programmed_position = {NAN, NAN, NAN};
     } else {
+        say_unknown_words(run, c);
         ContourElements elements;
         std::optional<cycles::Expansion> e = expansion(run, c, instead, elements);
         if (e) report(run, c, *e);

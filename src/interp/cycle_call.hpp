@@ -32,6 +32,17 @@ void emit_turning_steps(Run&, std::vector<cl::Step>&);
 [[nodiscard]] geom::Vec3 into_plane(const geom::Vec3& p, const PlaneAxes& a);
 [[nodiscard]] geom::Vec3 out_of_plane(const geom::Vec3& p, const PlaneAxes& a);
 
+// Values of a cycle's parameters (cycle_values.cpp).
+/// From here on a feed of pre-positioning or retraction is rapid traverse: FMAX, and Q208=99999 of many programs.
+inline constexpr double fastest_feed = 99999;
+/// `written`: the number of the setting, behind FU and FZ too.
+[[nodiscard]] double value_at_definition(Run&, const program::CycleSetting&, double written);
+[[nodiscard]] double value_at_call(const Run&, const ActiveCycle&, std::size_t setting);
+/// GLOBAL DEF: later cycles refer to its values by PREDEF.
+void set_globally(Run&, const program::CycleDefinition&);
+/// FAUTO of a tool that was called without a feed, FZ of one without teeth.
+void say_unknown_words(Run&, const ActiveCycle&);
+
 /// Cycles 220 and 221: the cycle defined last at every point of theirs (cycle_places.cpp).
 void run_point_cycle(Run&, const ActiveCycle&);
 /// While a cycle is called at a place of its own, the frame's origin lies there: moves it (transform.cpp).

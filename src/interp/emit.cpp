@@ -16,7 +16,7 @@ void emit(Run& run, cl::Step step) {
     if (run.path->active() && !cl::is_move(run.record.step))
         run.path->hold(run.record);
     else
-        run.sink(run.record);
+        send_plain(run, run.record);
 }
 
 void flush_path(Run& run) {

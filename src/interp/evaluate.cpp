@@ -1,6 +1,7 @@
 /// Expressions: a quick way for numbers, a general one for everything else.
 
 #include <cmath>
+#include <limits>
 
 #include "base/codes.hpp"
 #include "interp/run.hpp"
@@ -14,6 +15,15 @@ using program::Operator;
 namespace codes = base::codes;
 
 namespace {
+
+/// What an earlier program, or nobody, has left in a parameter.
+double kept_parameter(Run& run, std::uint32_t n, const base::Span& where) {
+    const std::string name = program::parameter_name(*run.unit().traits, n);
+    unchecked(run, codes::unknown_value, where,
+              name + " is read before the program sets it: what it holds then is not known",
+              "set it in the program, or give its value in [variables] of the job: " + name + " = …");
+    return std::numeric_limits<double>::quiet_NaN();
+}
 
 double parameter_value(Run& run, const Expr& e, double index) {
     const base::Span where{run.unit().file, e.begin, e.end};
@@ -32,6 +42,7 @@ double parameter_value(Run& run, const Expr& e, double index) {
     if (!run.traits->live.empty() && is_live(run, n)) return live_parameter(run, n, where);
     if (!run.parameters.is_set(n) && !run.traits->kept.empty()) return kept_parameter(run, n, where);
     if (!run.parameters.is_set(n) && run.traits->parameters_begin_at_zero) return run.parameters.get(n);
+    if (!run.parameters.is_set(n) && run.traits->parameters_are_kept) return kept_parameter(run, n, where);
     if (!run.parameters.is_set(n)) {
         const std::string name = program::parameter_name(*run.unit().traits, n);
         assume(run, where, name + " is read before the program sets it: 0 as in a fresh control",
@@ -170,7 +181,9 @@ Value read_variable(Run& run, const Expr& e, ExprId id) {
     }
     const std::string& text = run.env.names.text(e.a);
     if (const std::string_view letters = unit.traits->text_letters; !letters.empty() && text.starts_with(letters)) {
-        assume(run, unit.span(id), text + " is read before the program sets it: an empty text");
+        unchecked(run, codes::unknown_value, unit.span(id),
+                  text + " is read before the program sets it: what it holds then is not known",
+                  "set it in the program");
         return Value::string({});
     }
     for (const shop::MachineAxis& axis : run.env.machine.axes)

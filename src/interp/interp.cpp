@@ -243,6 +243,7 @@ Outcome run(const program::Unit& main, const Environment& environment, cl::CallS
         run.modal.feed_mode = cl::FeedMode::per_minute;
     }
     run.modal.clear_to_retract_plane = main.traits->clearance_at_start;
+    if (main.traits->feed_at_tool_first) run.modal.feed_reference = Modal::feed_at_tool;
     if (main.traits->cancel_leaves_no_motion) run.modal.motion = Modal::canned_off;
     if (main.traits->variables_by_assignment)
         for (const char* name : {"_VALUE", "_VALUE_RETURNED"}) create_variable(run, environment.names.id(name), 0);

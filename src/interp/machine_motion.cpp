@@ -4,7 +4,7 @@
 #include <limits>
 
 #include "base/codes.hpp"
-#include "interp/motion.hpp"
+#include "interp/path_stage.hpp"
 #include "interp/swivel.hpp"
 
 namespace obrys::interp {
@@ -77,7 +77,7 @@ bool reference_point(Run& run) {
 
 /// SUPA, G53, G153: the words are machine coordinates (G53: without any frame, the same here).
 bool machine_move(Run& run) {
-    flush_path(run);
+    run.path->stop(run);
     if (run.modal.motion != Modal::rapid && run.modal.motion != Modal::linear)
         unchecked(run, codes::unsupported, run.here(),
                   "only straight moves are run in machine coordinates: this one is run straight to its end");
@@ -91,6 +91,44 @@ bool machine_move(Run& run) {
     }
     go_to(run, from_along_machine(run, target), run.modal.motion == Modal::rapid);
     return true;
+}
+
+namespace {
+
+/// The tool axis' limit of travel along its own direction, mm from where the tool stands; NaN: not known here.
+double way_to_limit(const Run& run) {
+    const int w = plane_axes(run.modal.plane).w;
+    const shop::MachineAxis* axis = machine_axis(run, axis_name(static_cast<std::size_t>(w)));
+    geom::Vec3 along;
+    coordinate(along, w) = 1;
+    if (axis == nullptr || !axis->max || !(run.tool_axis == along)) return unknown;
+    return from_machine(run, w, *axis->max) - coordinate(run.position, w);
+}
+
+}  // namespace
+
+/// M140 MB: away from the workpiece along the tool axis before the block's own motion. Source: iTNC 530 User's Manual,
+/// "Retraction from the contour in the tool-axis direction: M140"; effective at the start of the block.
+void retract_tool(Run& run) {
+    constexpr int to_limit = 2;
+    const BlockWords& b = run.block;
+    run.path->stop(run);
+    begin_motion(run);
+    const bool limit = b.retract == to_limit;
+    const double way = limit ? way_to_limit(run) : b.get(Code::q) * length_unit(run.modal);
+    if (!limit && way < 0)
+        return alarm(run, codes::value_range, run.here(), "MB of M140 is negative: it says how far the tool goes away");
+    if (std::isnan(way))
+        unchecked(
+            run, codes::unknown_value, run.here(),
+            limit ? "M140 MB MAX goes to the limit of travel of the tool axis, which is not known in the workpiece: "
+                    "where the tool then stands is not known"
+                  : "how far M140 MB goes depends on a value that is not known",
+            limit ? "name a machine with the limits of its axes, and the zero offset in [datum] of the job" : "");
+    const bool feeds = b.has(Code::e);
+    if (feeds) emit(run, cl::Feed{b.get(Code::e) * feed_factor(run), run.modal.feed_mode});
+    go_to(run, run.position + way * run.tool_axis, !feeds);
+    if (feeds && run.feed_valid) emit(run, cl::Feed{run.feed, run.modal.feed_mode});
 }
 
 }  // namespace obrys::interp

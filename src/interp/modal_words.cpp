@@ -70,6 +70,11 @@ void plain_feed(Run& run, cl::FeedMode mode) {
     set_feed_mode(run, mode);
 }
 
+void change_plane(Run& run, int plane) {
+    if (plane != run.modal.plane) leave_compensation(run, "the working plane changes");
+    if (!run.stopped) set_plane(run, plane);
+}
+
 /// Motion, plane and what acts in this block only. False where `m` is none of them.
 bool motion_word(Run& run, Modal m, const program::Word& w) {
     if (m <= Modal::tap_retract) {
@@ -94,12 +99,13 @@ bool motion_word(Run& run, Modal m, const program::Word& w) {
         case Modal::corner_crossing:
         case Modal::corner_open: run.block.corner_end = m; return true;
         case Modal::look_ahead: run.modal.look_ahead = program::modal_number(w); return true;
+        case Modal::retract_tool: run.block.retract = 1 + program::modal_number(w); return true;
         case Modal::arc_same_sense: run.modal.motion = run.modal.last_sense; return true;
         case Modal::suppress_frames:
         case Modal::suppress_all: run.block.suppress = m; return true;
-        case Modal::plane_xy: set_plane(run, 17); return true;
-        case Modal::plane_zx: set_plane(run, 18); return true;
-        case Modal::plane_yz: set_plane(run, 19); return true;
+        case Modal::plane_xy: change_plane(run, 17); return true;
+        case Modal::plane_zx: change_plane(run, 18); return true;
+        case Modal::plane_yz: change_plane(run, 19); return true;
         default: return false;
     }
 }
@@ -121,6 +127,9 @@ bool take_orientation(Run& run) {
 
 void set_compensation(Run& run, Modal m) {
     ModalState& state = run.modal;
+    refuse_other_side(run, m);
+    if (run.stopped) return;
+    if (m == Modal::compensation_off) state.look_ahead = 0;
     const BlockWords& b = run.block;
     const double unit = length_unit(state);
     const bool given = m == Modal::compensation_left_by || m == Modal::compensation_right_by;
@@ -322,7 +331,14 @@ bool apply_mode(Run& run, Modal m, int number) {
         case Modal::corner_intersection: state.corner = m; return true;
         case Modal::feed_at_contour:
         case Modal::feed_at_tool:
-        case Modal::feed_at_inside: state.feed_reference = m; return true;
+        case Modal::feed_at_inside:
+            state.feed_reference = m;
+            shape_feed_from_here(run);
+            return true;
+        case Modal::plunge_feed:
+            state.plunge_part = number == 0 ? 1 : number * 1e-4;
+            shape_feed_from_here(run);
+            return true;
         default: return false;  // exact stop and continuous path of other controls: no effect on the path itself
     }
 }

@@ -40,6 +40,7 @@ struct ModalState {
     Modal corner = Modal::corner_arc;
     int look_ahead = 0;  ///< contour elements that compensation looks ahead (M120 LA)
     Modal feed_reference = Modal::feed_at_contour;
+    double plunge_part = 1;  ///< of F, at most along the tool axis into the material (M103)
     std::uint32_t datum = 500;
     /// Where the datum before lies in the machine: axes that the selected one leaves as they are; NaN: not known.
     geom::Vec3 datum_before{std::numeric_limits<double>::quiet_NaN(), std::numeric_limits<double>::quiet_NaN(),

@@ -285,6 +285,8 @@ bool motion(Run& run) {
         dwell(run);
         return false;
     }
+    if (b.retract != 0) retract_tool(run);
+    if (run.stopped) return false;
     const bool moves = (b.present & (linear_axes | polar | bit(Code::line_angle))) != 0;
     const bool turns = (b.present & circle) != 0 && run.modal.motion != Modal::linear &&
                        run.modal.motion != Modal::rapid && run.modal.motion != Modal::canned_off;

@@ -40,6 +40,8 @@ void set_pole(Run&);
 [[nodiscard]] bool reference_point(Run&);
 /// SUPA, G53, G153.
 [[nodiscard]] bool machine_move(Run&);
+/// M140: away along the tool axis.
+void retract_tool(Run&);
 
 /// Runs the block's arc to `to` (programmed frame); false where it could not be resolved.
 [[nodiscard]] bool arc_motion(Run&, const geom::Vec3& to);

@@ -141,7 +141,10 @@ void PathStage::push(Run& run, path::Element e, const path::Setting& s, bool rap
     e.tag = origins_.size();
     e.before = std::move(waiting_);
     waiting_.clear();
-    origins_.push_back({run.here(), run.top().stack, rapid, s.radius});
+    const double offset = s.side == path::Side::off ? 0 : s.side == path::Side::left ? s.radius : -s.radius;
+    origins_.push_back({run.here(), run.top().stack, rapid, s.radius, offset, run.modal.plunge_part,
+                        run.modal.feed_reference, s.clearance == path::Clearance::avoided});
+    if (!active_) last_.reset();
     active_ = true;
     const path::CornerRequest corner = corner_request(run);
     report(run, path_.push(std::move(e), s, corner, [&](const path::Output& out) { output(run, out); }));
@@ -151,13 +154,26 @@ void PathStage::push(Run& run, path::Element e, const path::Setting& s, bool rap
         flush(run);
 }
 
+/// The path's radius by that of the contour, where the feed is to hold at the cutting edge; else 1.
+double PathStage::arc_feed(const Origin& origin, const path::Output& out) {
+    if (origin.feed_reference == Modal::feed_at_tool || out.kind != path::Kind::contour || !path::is_arc(out.element))
+        return 1;
+    const double path = geom::distance(out.element.from, out.element.centre);
+    const double contour = path + std::copysign(origin.offset, origin.offset * out.element.sweep);
+    if (contour <= path::same_point || (origin.feed_reference == Modal::feed_at_inside && path > contour)) return 1;
+    return path / contour;
+}
+
 void PathStage::output(Run& run, const path::Output& out) {
-    for (const int event : out.element.before) run.sink(events_[static_cast<std::size_t>(event)]);
+    for (const int event : out.element.before) send(run, events_[static_cast<std::size_t>(event)]);
     // A zero move only brings its events, but for controls that run it.
     if (!path::moves(out.element) && (!run.traits->compensation_holds_move || out.kind == path::Kind::events)) return;
     const Origin& origin = origins_[out.element.tag];
     run.record.from = origin.from;
     run.record.stack = origin.stack;
+    last_ = out.element.to;
+    run.feed_shape.plunge = origin.plunge_part;
+    run.feed_shape.arc = arc_feed(origin, out);
     emit_element(run, out.element, origin.rapid && !path::is_arc(out.element));
 }
 
@@ -167,10 +183,21 @@ void PathStage::flush(Run& run) {
     if (!active_ || flushing_) return;
     flushing_ = true;
     report(run, path_.flush([&](const path::Output& o) { output(run, o); }));
-    for (const int event : waiting_) run.sink(events_[static_cast<std::size_t>(event)]);
+    for (const int event : waiting_) send(run, events_[static_cast<std::size_t>(event)]);
     waiting_.clear();
     forget();
     flushing_ = false;
+}
+
+void PathStage::stop(Run& run) {
+    if (!active_) return;
+    flush(run);
+    if (!last_) return;
+    const PlaneAxes a = plane_axes(run.modal.plane);
+    geom::Vec3 to = run.programmed_position;
+    coordinate(to, a.u) = last_->x;
+    coordinate(to, a.v) = last_->y;
+    arrive(run, to);
 }
 
 void PathStage::switch_off(Run& run) {
@@ -209,7 +236,8 @@ void PathStage::report(Run& run, const path::Fault& f) {
                    " this inner corner has no point where both contour elements can be reached";
             break;
         case path::Reason::interference:
-            text = "tool radius too large: with " + radius + " the path cuts into another contour element";
+            text = "tool radius too large: with " + radius +
+                   " the path cuts into another contour element, which the control does not see: it runs on";
             break;
         case path::Reason::refused: break;
         case path::Reason::element_vanishes:
@@ -218,7 +246,8 @@ void PathStage::report(Run& run, const path::Fault& f) {
                              : "with tool radius " + radius + " this contour element cannot be reached";
             break;
     }
-    base::Diagnostic d{base::Severity::error,
+    const bool runs_on = f.reason == path::Reason::interference || at.avoids;  // as the control does
+    base::Diagnostic d{runs_on ? base::Severity::warning : base::Severity::error,
                        codes::compensation,
                        at.from,
                        std::move(text),

@@ -24,6 +24,8 @@ public:
     void switch_off(Run&);
     /// Emits everything held back.
     void flush(Run&);
+    /// The same; the tool stands where it is then, not at the contour's point.
+    void stop(Run&);
 
 private:
     /// What an element's tag stands for.
@@ -32,8 +34,13 @@ private:
         cl::StackId stack = 0;
         bool rapid = false;
         double radius = 0;  ///< of the tool, mm
+        double offset = 0;  ///< of the centre from the contour, mm, positive left
+        double plunge_part = 1;
+        Modal feed_reference = Modal::feed_at_tool;
+        bool avoids = false;  ///< looks ahead and leaves out what the tool does not fit into
     };
 
+    [[nodiscard]] static double arc_feed(const Origin& origin, const path::Output& out);
     [[nodiscard]] path::CornerRequest corner_request(Run&);
     [[nodiscard]] int keep(const cl::Record& record);
     [[nodiscard]] int feed_event(const Run&, double feed);
@@ -47,6 +54,7 @@ private:
     std::vector<Origin> origins_;  ///< by tag
     std::vector<cl::Record> events_;
     std::vector<int> waiting_;
+    std::optional<geom::Vec2> last_;  ///< end of the last element that was emitted
     bool active_ = false;
     bool flushing_ = false;
 };

@@ -101,6 +101,11 @@ void modal_word(Run&, const program::Word&);
 /// What a word of the modal state does, without the block it stands in; false where `m` is none.
 [[nodiscard]] bool apply_mode(Run&, Modal m, int number);
 void set_plane(Run&, int plane);
+/// Before something that radius compensation does not survive: an alarm, or with looking ahead it ends
+/// (Traits::compensation_keeps_side).
+void leave_compensation(Run&, const std::string& because);
+/// Before radius compensation takes this side (compensation_rules.cpp, as the one above).
+void refuse_other_side(Run&, Modal side);
 /// M70 and M73, M71, M72 (saved_modes.cpp).
 void save_modes(Run&, bool for_call);
 void forget_modes(Run&);
@@ -290,6 +295,24 @@ void tell_path_mode(Run&);
 void switch_override(Run&, cl::SettingKind, bool on);
 /// F, S, T and M of the block, in the order in which they act.
 void tell_technology(Run&);
+
+// --- the feed in the stream where it is not F itself (feed_shape.cpp): M103, M109, M110
+/// From here on records are looked at.
+void shape_feed_from_here(Run&);
+/// Before `record` goes out: the feed that it is run with.
+void shape_feed(Run&, const cl::Record& record);
+/// Hands a record to whoever takes the stream.
+inline void send(Run& run, const cl::Record& record) {
+    if (run.feed_shape.on) shape_feed(run, record);
+    run.sink(record);
+}
+
+/// As above, a record that radius compensation has not made.
+inline void send_plain(Run& run, const cl::Record& record) {
+    run.feed_shape.plunge = run.modal.plunge_part;
+    run.feed_shape.arc = 1;
+    send(run, record);
+}
 
 // --- output (emit.cpp)
 void emit(Run&, cl::Step step);

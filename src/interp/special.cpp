@@ -75,10 +75,20 @@ path::SmoothShape shape(Run& run, const Special& s) {
     const double unit = length_unit(run.modal);
     path::SmoothShape shape;
     shape.kind = shape_of(s.kind);
+    shape.arc_of = path::ArcOf::centre;
     shape.length = datum_of(run, s, Datum::length) * unit;
     shape.radius = datum_of(run, s, Datum::radius) * unit;
     shape.angle = geom::radians(datum_of(run, s, Datum::centre_angle));
     return shape;
+}
+
+/// F of G26 and G27 is that of the approach or departure alone.
+void own_feed(Run& run, bool begins) {
+    if (!run.block.has(Code::corner_feed) || !(run.block.get(Code::corner_feed) > 0)) return;
+    if (begins)
+        emit(run, cl::Feed{run.block.get(Code::corner_feed) * feed_factor(run), run.modal.feed_mode});
+    else if (run.feed_valid)
+        emit(run, cl::Feed{run.feed, run.modal.feed_mode});
 }
 
 /// The elements go through the path stage as they are; the one beside the contour carries the compensation.
@@ -108,7 +118,11 @@ void approach(Run& run, const Special& s) {
     if (!p.ok()) complain(run, p.failure);
     if (run.stopped) return;
     require_feed(run);
-    if (p.ok() && run.capture == nullptr) push_approach(run, p, compensation);
+    if (p.ok() && run.capture == nullptr) {
+        own_feed(run, true);
+        push_approach(run, p, compensation);
+        own_feed(run, false);
+    }
     arrive(run, target);
 }
 
@@ -126,14 +140,17 @@ void departure(Run& run, const Special& s) {
     const path::SmoothPath p =
         path::smooth_departure(contour, {in_plane(target, a), coordinate(target, a.w)}, shape(run, s));
     run.modal.compensation = Modal::compensation_off;
+    run.modal.look_ahead = 0;
     if (!p.ok()) complain(run, p.failure);
     if (run.stopped || !p.ok() || p.path.empty()) return;
     require_feed(run);
     if (run.capture == nullptr) {
+        own_feed(run, true);
         path::Setting ready;
         ready.approach = path::Approach::ready;
         for (const path::Element& e : p.path) run.path->push(run, e, ready);
         flush_path(run);
+        own_feed(run, false);
     }
     Vec3 end = at;
     coordinate(end, a.u) = p.path.back().to.x;
@@ -228,6 +245,7 @@ void run_special(Run& run, const program::Statement& statement, std::uint32_t in
     if (run.block.twice != 0) repeated_words(run);
     if (run.stopped) return;
     technology(run);
+    if (!run.stopped && run.block.retract != 0) retract_tool(run);
     if (!run.stopped) act(run, s, index);
     const bool called = run.block.has(Code::cycle_call), modal = run.block.has(Code::cycle_call_modal);
     const bool moves =

@@ -58,6 +58,7 @@ struct BlockWords {
     std::string tool_name;
     bool tool_named = false;
     int special_number = 0;
+    int retract = 0;       ///< M140: 1 by its distance, 2 to the limit; 0: none
     int surface_word = 0;  ///< 96 or 97 where the block says it
     bool acted = false;    ///< F, S, T and M have acted already (Code::act)
     std::vector<PendingAssign> pending;
@@ -147,6 +148,7 @@ struct ActiveCycle {
     const program::CycleDefinition* definition = nullptr;
     const Unit* unit = nullptr;
     std::vector<double> values;      ///< per setting, as it was at the definition
+    std::vector<double> written;     ///< … and what stood there: the number behind FU, FZ
     std::vector<std::string> texts;  ///< labels, names of programs
     bool modal = false;              ///< M89: behind every block with motion
 };
@@ -202,6 +204,16 @@ struct ToolState {
     double feed = 0;                                              ///< given with the tool (F AUTO), mm/min; 0: none
 };
 
+/// What the feed of the stream follows from besides F.
+struct FeedShape {
+    bool on = false;             ///< something of it was programmed
+    bool in_cycle = false;       ///< whose steps have their own feeds
+    double programmed = 0;       ///< F of the stream
+    double told = 0;             ///< the feed that the stream has now
+    geom::Vec3 at;               ///< where the stream stands
+    double plunge = 1, arc = 1;  ///< of the element being sent: ModalState::plunge_part, path radius by contour radius
+};
+
 class PathStage;
 struct Captured;
 struct ContourElement;
@@ -235,6 +247,7 @@ struct Run {
     bool coolant_on = false, mist = false, flood = false;
     Overrides overrides;
     double feed = 0;  ///< mm/min, mm/rev or 1/min by modal.feed_mode
+    FeedShape feed_shape;
     bool feed_valid = false;
     bool feed_unknown = false;  ///< the last F depends on a value that is not known
     bool feed_dropped = false;  ///< G94/G95 changed and the stream does not know yet that F is void
@@ -249,6 +262,7 @@ struct Run {
     std::set<std::string> printed_files;  ///< that the program has begun to print to
     std::string open_table;               ///< freely definable table (FN 26)
     ActiveCycle contour_data, contour_train_data;
+    std::unordered_map<std::uint32_t, double> global_values;  ///< of GLOBAL DEF, by parameter
     CallPattern pattern;
     std::map<std::string, std::vector<CallPattern::Point>> point_tables;  ///< read so far
     /// What CONTOUR DEF, or DECLARE CONTOUR and formulas, say the contour is; empty: `contour_labels` do.

@@ -265,6 +265,7 @@ void define_tool(Run& run) {
     const double unit = length_unit(run.modal);
     if (b.has(Code::tool_length)) found->length = b.get(Code::tool_length) * unit;
     if (b.has(Code::tool_radius)) found->radius = b.get(Code::tool_radius) * unit;
+    if (b.has(Code::tool_radius)) found->has_no_radius = found->radius == 0;
     run.tool.data = find_tool(run, run.tool);
 }
 

@@ -210,6 +210,8 @@ bool dwell(Run& run, const ActiveCycle& c) {
 geom::Frame active_plane(const Run& run) { return active(run, TransformKind::plane); }
 
 void tilt(Run& run, const geom::Frame& plane, const TiltChoice& choice, const base::Span& where) {
+    leave_compensation(run, "the working plane is tilted");
+    if (run.stopped) return;
     flush_path(run);
     const Rotary before = rotary(run);
     place(run, TransformKind::plane, plane);

@@ -19,10 +19,10 @@
 ///   polar forms        PLT PLN PCT PLCT only give P_A (P_N) in polar coordinates
 ///   motion along w     see WMove
 ///   not modelled       a DEP block with RL or RR, an APPR block without change of compensation (TNC 410), helices
-/// Not found in words: LEN + tool radius of LN in the text at hand (the TNC7 manual: LEN is the distance of P_H to the
-/// contour; the sum is how we know the iTNC 530 manual); and whether R is the arc of the contour or of the centre. The
-/// pictures mark P_H with the compensation like P_A, the TNC 407 manual compares LCT to the rounding of a corner; both
-/// speak for an arc of the contour, so this is the default. ArcOf says it otherwise.
+/// R is the radius of the path that the tool's centre runs (iTNC 530 User's Manual, "Radius R of the circular arc"), so
+/// that any tool fits: ArcOf::centre. ArcOf::contour makes it the radius that the edge cuts. Not found in words: LEN +
+/// tool radius of LN in the text at hand (the TNC7 manual: LEN is the distance of P_H to the contour; the sum is how we
+/// know the iTNC 530 manual).
 
 #include <cstdint>
 #include <vector>

@@ -108,6 +108,7 @@ enum class CycleKind : std::uint8_t {
     program_call,
     orientation,
     tolerance,
+    global_values,  ///< of parameters that later cycles refer to (GLOBAL DEF)
     probe,
 };
 

@@ -155,6 +155,8 @@ struct Traits {
     /// Numbered parameters from 1 to this are every program's own: those of a called one begin with the arguments of
     /// the call (argument 0 is parameter 1) and 0 where there is none. 0: arguments go to declared parameters.
     std::uint32_t argument_parameters = 0;
+    /// A parameter that the program has not set holds what ran before has left there: not known.
+    bool parameters_are_kept = false;
     /// Parameters hold 0 until they are set, and the control says so itself: reading one is no assumption.
     bool parameters_begin_at_zero = false;
     /// A parameter that nobody has set is empty, and #0 always is: it counts as 0, but EQ and NE tell it from 0, a word
@@ -176,6 +178,12 @@ struct Traits {
     std::span<const std::int16_t> own_functions{};
     /// Radius compensation holds one move back and refuses what it cannot join (path::Method::held_move).
     bool compensation_holds_move = false;
+    /// Radius compensation keeps its side and its plane until it is switched off: another one is an alarm.
+    bool compensation_keeps_side = false;
+    /// The call of a program switches radius compensation off.
+    bool calls_end_compensation = false;
+    /// Feed holds at the tool's centre until a word asks for it at the cutting edge (M109, M110).
+    bool feed_at_tool_first = false;
     /// The remainder of a division is never negative.
     bool modulo_is_positive = false;
     /// At the start X words are radii and the plane is that of X and Y, whatever the machine; else as its file says.

@@ -122,6 +122,15 @@ struct LabelCall {
 };
 
 /// One value of a cycle definition.
+/// How a setting is given: by a number, or by a word that stands for one at the call.
+enum class SettingGiven : std::uint8_t {
+    number,
+    rapid,         ///< FMAX
+    tool_feed,     ///< FAUTO: the feed given with the tool
+    per_rev,       ///< FU: `value` for each revolution of the spindle
+    per_tooth,     ///< FZ: … and tooth of the tool
+    set_globally,  ///< PREDEF: what CycleKind::global_values says of the same parameter
+};
 struct CycleSetting {
     CycleRole role = CycleRole::depth;
     /// Numbered parameter that holds it: the definition assigns it, the call reads it. no_target: `value` alone counts,
@@ -133,6 +142,7 @@ struct CycleSetting {
     bool is_feed = false;  ///< a feed in the program's unit
     base::Span where;
     bool across = false;  ///< a diameter where the program has diameters
+    SettingGiven given = SettingGiven::number;
 };
 
 /// What a turning cycle takes where neither it nor an earlier one says it: on the machine the control's own data hold
@@ -313,6 +323,7 @@ struct Unit {
     std::vector<Named> named;
     std::vector<Problem> problems;
     std::vector<Ignored> ignored;
+    std::vector<std::uint32_t> tool_definitions;          ///< statements that say what a tool is, in order
     std::map<NameId, std::vector<std::uint32_t>> labels;  ///< statements, in order
 
     [[nodiscard]] std::uint32_t words_end(std::uint32_t statement) const {

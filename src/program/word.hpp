@@ -88,11 +88,11 @@ static_assert(static_cast<unsigned>(Code::offset_d) < value_codes);
 
 /// What a Modal::set_data writes: P says which row, R or the axis words the value.
 enum class DataTable : std::uint8_t {
-    by_l,               ///< L says which table (LinuxCNC)
-    external_datum,     ///< what is added to every zero offset
-    datum,              ///< a zero offset; in G91 the values are added
-    extended_datum,     ///< G54.1 P
-    tool_length,        ///< R, as all that follow; in G91 it is added
+    by_l,            ///< L says which table (LinuxCNC)
+    external_datum,  ///< what is added to every zero offset
+    datum,           ///< a zero offset; in G91 the values are added
+    extended_datum,  ///< G54.1 P
+    tool_length,     ///< R, as all that follow; in G91 it is added
     tool_length_wear,
     tool_radius,
     tool_radius_wear,
@@ -163,6 +163,9 @@ enum class Modal : std::uint16_t {
     feed_at_tool,
     feed_at_inside,  ///< CFC, CFTCP, CFIN
     cycle_pattern,   ///< this block: the cycle is called at every point of the pattern
+    plunge_feed,   ///< number: hundredths of a percent of F that the part along the tool axis may have; 0: all (M103 F)
+    retract_tool,  ///< this block: first away along the tool axis by Q, at feed E or rapid; number 1: to its limit
+                   ///< (M140 MB)
     // RS-274, Fanuc
     canned,      ///< motion: number = index in Traits::canned; ended by canned_off
     canned_off,  ///< G80

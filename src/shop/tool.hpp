@@ -76,6 +76,7 @@ struct Tool {
     double edge_length = 12;            ///< mm
     // any
     double radius = 0;                  ///< mm, milling tools
+    bool has_no_radius = false;         ///< radius 0 is what its source says; else 0 is not known
     double length = 0;                  ///< mm, length 1: of a mill from the gauge plane (spindle nose) to its tip
     // milling tools, mm; with cutting_length, point_angle, pitch and teeth below
     double tip_diameter = 0, neck_diameter = 0;

@@ -181,7 +181,15 @@ constexpr P p207[] = {q200, q201, q239, q203, q204};
 constexpr P p208[] = {q200, q201, q206, length(334, Role::infeed_per_turn),
                       q203, q204, q335, length(342, Role::predrilled_diameter),
                       q351};
-constexpr P p209[] = {q200, q201, q239, q203, q204, q257, q256, q336, plain(403, Role::rpm_factor)};
+constexpr P p209[] = {q200,
+                      q201,
+                      q239,
+                      q203,
+                      q204,
+                      q257,
+                      plain(256, Role::chip_break_distance),  // times the pitch
+                      q336,
+                      plain(403, Role::rpm_factor)};
 constexpr P p240[] = {q200, plain(343, Role::centre_by_diameter), q201, length(344, Role::diameter), q206, q211, q203,
                       q204};
 constexpr P p241[] = {q200,

@@ -1,6 +1,7 @@
 #include "dialect/heidenhain/cycles.hpp"
 
 #include <algorithm>
+#include <array>
 
 #include "base/text.hpp"
 #include "dialect/heidenhain/cycle_parameters.hpp"
@@ -30,8 +31,7 @@ std::span<const Cycle> table() {
         {4, Kind::rectangular_pocket_simple, "POCKET MILLING", at_call, c4},
         {5, Kind::circular_pocket_simple, "CIRCULAR POCKET", at_call, c5},
         {6, Kind::rough_out_simple, "ROUGH-OUT", at_call, c6, Use::refused, old_form},
-        {7, Kind::datum_shift, "DATUM SHIFT", at_definition, c7, Use::run,
-         "rotary and secondary axes are refused"},
+        {7, Kind::datum_shift, "DATUM SHIFT", at_definition, c7, Use::run, "rotary and secondary axes are refused"},
         {8, Kind::mirror, "MIRROR IMAGE", at_definition, c8},
         {9, Kind::dwell, "DWELL TIME", at_definition, c9},
         {10, Kind::rotation, "ROTATION", at_definition, c10},
@@ -171,6 +171,38 @@ const CycleParameter* find_parameter_at(const Cycle& cycle, int line, std::size_
     for (const CycleParameter& p : cycle.parameters)
         if (p.q < 0 && p.line == line && n-- == 0) return &p;
     return nullptr;
+}
+
+namespace {
+
+/// iTNC 530 User's Manual Cycle Programming, "Program defaults for cycles".
+struct GlobalValues {
+    int number;
+    std::string_view name;
+    std::array<int, 4> parameters;
+};
+constexpr GlobalValues global_values[] = {
+    {100, "GENERAL", {200, 204, 253, 208}},       {105, "DRILLING", {256, 210, 211, -1}},
+    {110, "POCKET MILLING", {370, 351, 366, -1}}, {111, "CONTOUR MILLING", {2, 6, 7, 9}},
+    {120, "PROBING", {320, 260, 301, -1}},        {125, "POSITIONING", {345, -1, -1, -1}},
+};
+
+const GlobalValues* find_global(int number) {
+    for (const GlobalValues& g : global_values)
+        if (g.number == number) return &g;
+    return nullptr;
+}
+
+}  // namespace
+
+bool is_global_value(int number, int q) {
+    const GlobalValues* g = find_global(number);
+    return g != nullptr && std::find(g->parameters.begin(), g->parameters.end(), q) != g->parameters.end();
+}
+
+std::string_view global_values_name(int number) {
+    const GlobalValues* g = find_global(number);
+    return g == nullptr ? std::string_view() : g->name;
 }
 
 std::optional<IsoCycle> find_iso_cycle(int g) {

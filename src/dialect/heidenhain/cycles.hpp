@@ -54,6 +54,11 @@ struct Cycle {
 /// Numbered form: the n-th (from 0) value of a line.
 [[nodiscard]] const CycleParameter* find_parameter_at(const Cycle& cycle, int line, std::size_t n);
 
+/// GLOBAL DEF of that number has the parameter; false for numbers that the control has not.
+[[nodiscard]] bool is_global_value(int number, int q);
+/// Its name as the control shows it; empty where there is none.
+[[nodiscard]] std::string_view global_values_name(int number);
+
 /// Cycle of a G code of the control's DIN/ISO language. Source: TNC 407 and iTNC 530 ISO programming, tables of G
 /// codes.
 struct IsoCycle {

@@ -50,6 +50,10 @@ inline constexpr program::Traits traits{
               .none_key = "active_preset",
               .none_is_machine_zero = false},
     .machine_words_are_gauge_point = true,
+    .parameters_are_kept = true,
+    .compensation_keeps_side = true,
+    .calls_end_compensation = true,
+    .feed_at_tool_first = true,
     .set_by_control = control_parameters,
     .alarm_text = error_message,
 };

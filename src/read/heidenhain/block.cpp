@@ -88,7 +88,22 @@ constexpr std::array not_run{
     NotRun{"FUNCTION", "function of a later control"},
 };
 
+/// FUNCTION RESET TCPM ends what FUNCTION TCPM began, which is not run.
+bool read_tcpm_reset(State& s, std::string_view word) {
+    const std::uint32_t begin = s.in.at();
+    if (!base::equals_ignoring_case("FUNCTION", word)) return false;
+    s.in.step(word.size());
+    if (s.in.take_word("RESET") && s.in.take_word("TCPM")) {
+        s.build.statement(StatementKind::block, s.block);
+        s.build.ignored("FUNCTION RESET TCPM", begin, s.in.at());
+        return true;
+    }
+    s.in.go_to(begin);
+    return false;
+}
+
 bool read_not_run(State& s, std::string_view word) {
+    if (read_tcpm_reset(s, word)) return true;
     for (const NotRun& n : not_run) {
         if (!base::equals_ignoring_case(n.word, word)) continue;
         const std::uint32_t begin = s.in.at();
@@ -123,6 +138,7 @@ bool read_structure(State& s, std::string_view word) {
     if (is(word, "CALL")) return s.in.step(n), read_call_block(s), true;
     if (is(word, "CYCL") || is(word, "CYCLE")) return s.in.step(n), read_cycle_block(s), true;
     if (is(word, "STOP")) return read_stop(s), true;
+    if (is(word, "GLOBAL")) return read_global_values(s), true;
     if (is(word, "FN")) return read_function(s);
     if (is(word, "DECLARE") && take_declaration(s)) return read_assignment(s), true;
     if (base::upper(word.front()) == 'Q' && stands_parameter(s)) return read_assignment(s), true;
@@ -169,7 +185,7 @@ void read_block(State& s) {
     if (!s.numbered && s.first_numbered && read_cycle_line(s)) return;
     const std::string_view word = s.in.letters();
     const std::uint32_t begin = s.in.at();
-    if (!is(word, "CYCL") && !is(word, "CYCLE")) s.open_cycle = program::no_target;
+    if (!is(word, "CYCL") && !is(word, "CYCLE") && !is(word, "GLOBAL")) s.open_cycle = program::no_target;
     const bool known =
         !word.empty() && (read_structure(s, word) || read_special_block(s, word) || read_path_block(s, word) ||
                           read_pattern_block(s, word) || read_contour_block(s, word) || read_shop_block(s, word) ||

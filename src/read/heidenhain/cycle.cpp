@@ -1,6 +1,8 @@
 /// CYCL DEF in its named form (`CYCL DEF 200 DRILLING ~ Q200=2 …`) and its numbered one (`CYCL DEF 1.1 DIST 2`), and
 /// CYCL CALL.
 
+#include <algorithm>
+
 #include "base/number.hpp"
 #include "dialect/heidenhain/cycles.hpp"
 #include "read/heidenhain/state.hpp"
@@ -48,6 +50,36 @@ void start_cycle(State& s, int number, const dialect::Cycle* cycle, std::uint32_
 
 namespace {
 
+int number_of(const program::CycleDefinition& c) { return std::stoi(c.name.substr(c.name.find_last_of(' ') + 1)); }
+
+/// A value behind Q206=: a number or parameter, or FMAX, FAUTO, FU0.2, FZ0.1, PREDEF.
+void read_setting(State& s, program::CycleSetting& setting) {
+    using program::SettingGiven;
+    s.in.skip_blanks();
+    const std::uint32_t begin = s.in.at();
+    const auto stands = [&](std::string_view word, SettingGiven given) {
+        if (!s.in.take_word(word)) return false;
+        setting.given = given;
+        setting.value = s.build.number(0, true, begin, s.in.at());
+        return true;
+    };
+    if (stands("FMAX", SettingGiven::rapid) || stands("FAUTO", SettingGiven::tool_feed) ||
+        stands("PREDEF", SettingGiven::set_globally))
+        return;
+    if (s.in.take_prefix("FU")) setting.given = SettingGiven::per_rev;
+    if (setting.given == SettingGiven::number && s.in.take_prefix("FZ")) setting.given = SettingGiven::per_tooth;
+    setting.value = value_expr(s);
+}
+
+/// A value of GLOBAL DEF, in the unit that the parameter has in the cycles.
+void add_global(State& s, program::CycleSetting setting) {
+    program::CycleDefinition& c = open_cycle(s);
+    if (!dialect::is_global_value(number_of(c), static_cast<int>(setting.parameter)))
+        s.build.problem(Code::unsupported, setting.where.begin, setting.where.end,
+                        "this parameter does not belong to " + c.name);
+    c.settings.push_back(setting);
+}
+
 /// Q200=2 of the named form; false where none stands here.
 bool read_parameter_line(State& s) {
     const std::uint32_t begin = s.in.at();
@@ -57,17 +89,19 @@ bool read_parameter_line(State& s) {
         s.in.go_to(begin);
         return false;
     }
-    const ExprId value = value_expr(s);
+    program::CycleSetting setting;
+    read_setting(s, setting);
     if (s.failed || q == no_expr) return true;
     const program::Expr& e = s.build.unit().exprs[q];
     program::CycleDefinition& c = open_cycle(s);
-    const dialect::Cycle* known = dialect::find_cycle(std::stoi(c.name.substr(c.name.find_last_of(' ') + 1)));
+    setting.parameter = e.a;
+    setting.where = s.build.span(begin, s.in.at());
+    if (c.kind == program::CycleKind::global_values) return add_global(s, setting), true;
+    const dialect::Cycle* known = dialect::find_cycle(number_of(c));
     const dialect::CycleParameter* p =
         known == nullptr ? nullptr : dialect::find_parameter(*known, static_cast<int>(e.a));
-    program::CycleSetting setting;
-    setting.parameter = e.a;
-    setting.value = value;
-    setting.where = s.build.span(begin, s.in.at());
+    if (std::any_of(c.settings.begin(), c.settings.end(), [&](const auto& x) { return x.parameter == e.a; }))
+        return fail(s, begin, "this parameter stands twice in " + c.name), true;
     if (p != nullptr) {
         setting.role = p->role;
         setting.scales = p->unit == dialect::CycleUnit::length;
@@ -241,6 +275,22 @@ bool read_cycle_line(State& s) {
     if (!read_parameter_line(s)) return false;
     read_named(s);
     return true;
+}
+
+void read_global_values(State& s) {
+    const std::uint32_t begin = s.block;
+    s.in.step(std::string_view("GLOBAL").size());
+    s.in.take_word("DEF");
+    s.in.skip_blanks();
+    const int number = s.in.integer();
+    start_cycle(s, number, nullptr, begin);
+    program::CycleDefinition& c = open_cycle(s);
+    c.name = "GLOBAL DEF " + std::to_string(number);
+    if (!dialect::global_values_name(number).empty()) {
+        c.kind = program::CycleKind::global_values;
+        c.use = program::CycleUse::run;
+    }
+    read_named(s);
 }
 
 void read_cycle_block(State& s) {

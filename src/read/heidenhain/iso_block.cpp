@@ -157,6 +157,7 @@ void read_tool_definition(State& s, bool next) {
     if (s.failed) return;
     if (next) return preselect_tool(s, begin);
     s.build.bare(Code::tool_definition, begin, s.in.at());
+    s.build.unit().tool_definitions.push_back(static_cast<std::uint32_t>(s.build.unit().statements.size() - 1));
     while (!s.failed && !s.in.at_end()) {
         const std::uint32_t word = s.in.at();
         const char c = base::upper(s.in.peek());
@@ -191,6 +192,12 @@ void read_corner_code(State& s) {
     read_corner(s, n == 24, begin);
 }
 
+/// F of G26 and G27: that of the approach or departure.
+ExprId read_smooth_feed(State& s) {
+    s.in.skip_blanks();
+    return s.in.take('F') || s.in.take('f') ? value_expr(s) : program::no_expr;
+}
+
 /// G26 R5 behind the straight block to the contour's first point: from where the tool stood, by a line and an arc that
 /// is tangential to it and to the contour. G27 R5 behind the last contour element: so to the next block's point.
 void read_smooth(State& s, bool departure) {
@@ -210,10 +217,15 @@ void read_smooth(State& s, bool departure) {
     s.in.take('R');
     const ExprId radius = value_expr(s);
     if (s.failed) return;
-    if (departure)
+    const ExprId feed = read_smooth_feed(s);
+    if (s.failed) return;
+    if (departure) {
         s.iso.departure = radius;
-    else
+        s.iso.departure_feed = feed;
+    } else {
+        if (feed != program::no_expr) s.build.expression(Code::corner_feed, feed, begin, s.in.at());
         add_smooth(s, false, radius, begin);
+    }
     s.build.statement(StatementKind::block, s.block);  // the block itself, which counts as one
 }
 

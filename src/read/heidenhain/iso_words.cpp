@@ -256,6 +256,8 @@ void depart(State& s) {
     const Family family = family_of(s.iso.motion);
     if (family != Family::straight && family != Family::polar_straight)
         return fail(s, s.block, "a straight block is due behind G27", "G00 or G01 to the point off the contour");
+    const ExprId feed = std::exchange(s.iso.departure_feed, program::no_expr);
+    if (feed != program::no_expr) s.build.expression(Code::corner_feed, feed, s.block, s.in.at());
     add_smooth(s, true, radius, s.block);
     s.last_path = program::no_target;  // no corner may follow
 }

@@ -1,6 +1,7 @@
 /// M functions: those that change the path become words of the tree, the others stay numbers.
 
 #include <algorithm>
+#include <cmath>
 
 #include "dialect/heidenhain/m_functions.hpp"
 #include "read/heidenhain/state.hpp"
@@ -22,6 +23,37 @@ Value read_values(State& s, std::string_view letters) {
     return last;
 }
 
+/// M120 LA10: how many blocks are looked ahead.
+void look_ahead(State& s, std::uint32_t begin, const dialect::heidenhain::MFunction& known) {
+    const Value v = read_values(s, known.parameters);
+    const double n = v.found && v.is_literal() ? v.number() : 0;
+    s.build.modal(Modal::look_ahead, begin, s.in.at(), static_cast<int>(std::clamp(n, 0.0, 99.0)));
+    if (v.found && !v.is_literal()) s.build.problem(Code::unsupported, begin, s.in.at(), "LA must be a number here");
+}
+
+/// M103 F20: percent of F that is left along the tool axis; without F all of it again.
+void plunge_feed(State& s, std::uint32_t begin, const dialect::heidenhain::MFunction& known) {
+    const Value v = read_values(s, known.parameters);
+    const bool good = !v.found || (v.is_literal() && v.number() > 0 && v.number() <= 100);
+    const double percent = v.found && good ? v.number() : 0;
+    if (!good) s.build.problem(Code::unsupported, begin, s.in.at(), "F of M103 must be a number from 0 to 100 here");
+    if (good) s.build.modal(Modal::plunge_feed, begin, s.in.at(), static_cast<int>(std::lround(percent * 100)));
+}
+
+/// M140 MB 50 F750, M140 MB MAX.
+void retract(State& s, std::uint32_t begin) {
+    if (!s.in.take_prefix("MB"))
+        return fail_here(s, "MB is due behind M140, found " + here(s), "M140 MB50, M140 MB MAX");
+    const bool limit = s.in.take_word("MAX");
+    s.build.modal(Modal::retract_tool, begin, s.in.at(), limit ? 1 : 0);
+    if (!limit) value_word(s, Code::q, begin);
+    s.in.skip_blanks();
+    const std::uint32_t feed = s.in.at();
+    if (s.failed || base::upper(s.in.peek()) != 'F') return;
+    s.in.step();
+    if (!s.in.take_word("MAX")) value_word(s, Code::e, feed);
+}
+
 /// M functions that say how the path is made; false where `m` is none of them.
 bool path_function(State& s, int m, std::uint32_t begin, const dialect::heidenhain::MFunction& known) {
     const auto word = [&](Modal modal) {
@@ -36,14 +68,9 @@ bool path_function(State& s, int m, std::uint32_t begin, const dialect::heidenha
         case 109: return word(Modal::feed_at_contour);
         case 110: return word(Modal::feed_at_inside);
         case 111: return word(Modal::feed_at_tool);
-        case 120: {
-            const Value v = read_values(s, known.parameters);
-            const double n = v.found && v.is_literal() ? v.number() : 0;
-            s.build.modal(Modal::look_ahead, begin, s.in.at(), static_cast<int>(std::clamp(n, 0.0, 99.0)));
-            if (v.found && !v.is_literal())
-                s.build.problem(Code::unsupported, begin, s.in.at(), "LA must be a number here");
-            return true;
-        }
+        case 120: return look_ahead(s, begin, known), true;
+        case 103: return plunge_feed(s, begin, known), true;
+        case 140: return retract(s, begin), true;
         default: return false;
     }
 }

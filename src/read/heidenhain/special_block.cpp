@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <array>
+#include <initializer_list>
 #include <span>
 
 #include "read/heidenhain/state.hpp"
@@ -71,6 +72,11 @@ constexpr std::array plane_words{
 };
 
 void add(State& s, Special& special, Datum datum, ExprId value, bool incremental, std::uint32_t begin, char axis = 0) {
+    for (const DatumValue& d : special.data)
+        if (d.datum == datum && d.axis == axis && value != program::no_expr)
+            return fail(s, begin,
+                        "'" + base::as_utf8(base::trim(s.in.between(begin, s.in.at()))) +
+                            "': the same is said twice in this block");
     if (value != program::no_expr)
         special.data.push_back({datum, value, incremental, axis, s.build.span(begin, s.in.at())});
 }
@@ -88,13 +94,40 @@ bool read_sign(State& s, Special& special, Datum datum, std::uint32_t begin) {
     return true;
 }
 
+/// Words of a block that only some of its kinds have; the others hold for all.
+bool belongs(SpecialKind kind, std::string_view word) {
+    const auto any = [&](std::initializer_list<std::string_view> beginnings) {
+        return std::any_of(beginnings.begin(), beginnings.end(), [&](auto b) { return word.starts_with(b); });
+    };
+    const bool everywhere = word == "DIST" || word == "SEQ";
+    switch (kind) {
+        case SpecialKind::plane_spatial:
+        case SpecialKind::plane_relative: return everywhere || any({"SP"});
+        case SpecialKind::plane_projected: return everywhere || word == "ROT" || any({"PRO"});
+        case SpecialKind::plane_euler: return everywhere || any({"EUL"});
+        case SpecialKind::plane_vector: return everywhere || (word.size() == 2 && any({"B", "N"}));
+        case SpecialKind::plane_points: return everywhere || any({"P1", "P2", "P3"});
+        case SpecialKind::plane_axial: return everywhere || word.size() == 1;
+        case SpecialKind::plane_reset: return everywhere;
+        case SpecialKind::approach_arc:
+        case SpecialKind::departure_arc: return word == "CCA";
+        case SpecialKind::approach_arc_line:
+        case SpecialKind::departure_arc_line: return false;
+        case SpecialKind::approach_tangent:
+        case SpecialKind::approach_normal:
+        case SpecialKind::departure_tangent:
+        case SpecialKind::departure_normal: return word == "LEN";
+        default: return true;
+    }
+}
+
 /// One of `words`; false and nothing moved where none stands here.
 bool read_datum(State& s, Special& special, std::span<const Word> words) {
     const std::uint32_t begin = s.in.at();
     const bool incremental = base::upper(s.in.peek()) == 'I';
     if (incremental) s.in.step();
     for (const Word& w : words) {
-        if (!s.in.take_prefix(w.text)) continue;
+        if (!belongs(special.kind, w.text) || !s.in.take_prefix(w.text)) continue;
         if (read_sign(s, special, w.datum, begin)) return true;
         s.in.skip_blanks();
         s.in.take('[');
@@ -167,17 +200,29 @@ bool read_positioning(State& s, Special& special) {
     return false;
 }
 
+/// Besides its own a PLANE block has F and M alone.
+bool not_of_plane(State& s) {
+    const char c = base::upper(s.in.peek());
+    if (c == 'F' || c == 'M') return false;
+    fail_here(s, "this is no word of this PLANE function: " + here(s));
+    return true;
+}
+
 enum class Family : std::uint8_t { approach, free_contour, spline, plane };
 
 bool read_own(State& s, Special& special, Family family) {
     switch (family) {
-        case Family::approach: return read_datum(s, special, approach_words) || read_radius(s, special);
+        case Family::approach: {
+            const bool arc = !belongs(special.kind, "LEN");
+            return read_datum(s, special, approach_words) || (arc && read_radius(s, special));
+        }
         case Family::free_contour:
             return read_datum(s, special, free_words) ||
                    ((special.kind == SpecialKind::free_arc || special.kind == SpecialKind::free_arc_tangential) &&
                     read_radius(s, special));
         case Family::spline: return read_coefficient(s, special);
-        case Family::plane: return read_positioning(s, special) || read_datum(s, special, plane_words);
+        case Family::plane:
+            return read_positioning(s, special) || read_datum(s, special, plane_words) || not_of_plane(s);
     }
     return false;
 }
@@ -224,7 +269,7 @@ constexpr std::array planes{
 void read_plane(State& s, std::uint32_t begin) {
     for (const Opener& o : planes)
         if (s.in.take_prefix(o.word)) {
-            static_cast<void>(s.in.take_prefix("E"));  // RELATIVE
+            if (o.kind == SpecialKind::plane_relative) s.in.take_prefix("E");  // RELATIVE
             return read_special(s, o.kind, o.family, begin);
         }
     s.build.statement(StatementKind::block, s.block);

@@ -25,7 +25,8 @@ struct IsoState {
     Modal paraxial = Modal::paraxial;     ///< G43, G44
     std::optional<Modal> pending;         ///< G90 or G91 behind the coordinates of its block: from the next one on
     ExprId departure = program::no_expr;  ///< G27: radius of the departure that the next block makes
-    bool ended_by_star = false;           ///< the block before
+    ExprId departure_feed = program::no_expr;
+    bool ended_by_star = false;  ///< the block before
 };
 
 struct State {
@@ -80,9 +81,9 @@ void value_word(State& s, Code code, std::uint32_t begin, bool incremental = fal
 [[nodiscard]] ExprId read_text(State& s);  ///< "text" or QS parameter
 
 // --- blocks
-void read_block(State& s);                                                               ///< block.cpp
+void read_block(State& s);  ///< block.cpp
 /// The text before the scanner is read; where that is.
-std::uint32_t lay_aside(State& s, const base::Sources& sources);  ///< read.cpp
+std::uint32_t lay_aside(State& s, const base::Sources& sources);                         ///< read.cpp
 [[nodiscard]] program::Unit begin_unit(std::uint32_t file, const base::Source& source);  ///< read.cpp
 /// Postprocessors and editors write headings in front of the program, which begins in the line of byte `begin` (npos:
 /// there is none).
@@ -106,14 +107,14 @@ bool read_pattern_block(State& s, std::string_view word);  ///< pattern_block.cp
 bool read_contour_block(State& s, std::string_view word);
 /// "TNC:\DIR\NAME.H", the same without quotes, or QS5; `due` says what is missing where there is none.
 [[nodiscard]] ExprId read_file_name(State& s, std::string_view due);
-bool read_shop_block(State& s, std::string_view word);     ///< shop_block.cpp: SEL TABLE, TRANS DATUM
+bool read_shop_block(State& s, std::string_view word);          ///< shop_block.cpp: SEL TABLE, TRANS DATUM
 bool read_shop_function(State& s, int n, std::uint32_t begin);  ///< shop_block.cpp: FN 15 … 17, 25 … 28
-void read_m(State& s, std::uint32_t begin);                ///< m_word.cpp: the number of an M function
-void read_tool_block(State& s, std::uint32_t begin);       ///< tool_block.cpp
-void read_tool(State& s);                                  ///< its number, name or parameter, where one stands
-void read_oversize(State& s, std::uint32_t begin);         ///< DL, DR, DR2
-void preselect_tool(State& s, std::uint32_t begin);        ///< the next tool's number is of no interest
-bool read_function(State& s);                              ///< function.cpp: FN n:
+void read_m(State& s, std::uint32_t begin);                     ///< m_word.cpp: the number of an M function
+void read_tool_block(State& s, std::uint32_t begin);            ///< tool_block.cpp
+void read_tool(State& s);                                       ///< its number, name or parameter, where one stands
+void read_oversize(State& s, std::uint32_t begin);              ///< DL, DR, DR2
+void preselect_tool(State& s, std::uint32_t begin);             ///< the next tool's number is of no interest
+bool read_function(State& s);                                   ///< function.cpp: FN n:
 /// The Klartext form behind FN n:, a statement for it included.
 void read_numbered(State& s, int n, std::uint32_t begin);
 void read_assigned(State& s, ExprId to, ExprId value);
@@ -131,9 +132,10 @@ void read_call_block(State& s);                                       ///< label
 void call_label(State& s, ExprId label, ExprId repeats);
 /// The name of a program, and the call; `suffix` is what the language adds to a name without one.
 void read_program_call(State& s, std::string_view behind, std::string_view suffix);
-void read_cycle_block(State& s);  ///< cycle.cpp: CYCL DEF, CYCL CALL
-bool read_cycle_line(State& s);   ///< a further line of the open cycle; false where it is none
-void read_named(State& s);        ///< Q200=2 … of the open cycle
+void read_cycle_block(State& s);    ///< cycle.cpp: CYCL DEF, CYCL CALL
+void read_global_values(State& s);  ///< cycle.cpp: GLOBAL DEF
+bool read_cycle_line(State& s);     ///< a further line of the open cycle; false where it is none
+void read_named(State& s);          ///< Q200=2 … of the open cycle
 void start_cycle(State& s, int number, const dialect::heidenhain::Cycle* cycle, std::uint32_t begin);
 void add_setting(State& s, const dialect::heidenhain::CycleParameter& p, ExprId value, bool incremental,
                  std::uint32_t begin);

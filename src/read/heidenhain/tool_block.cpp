@@ -82,6 +82,7 @@ void read_definition(State& s, std::uint32_t begin) {
     read_tool(s);
     if (s.in.at_end()) return preselect_tool(s, begin);
     s.build.bare(Code::tool_definition, begin, s.in.at());
+    s.build.unit().tool_definitions.push_back(static_cast<std::uint32_t>(s.build.unit().statements.size() - 1));
     while (!s.failed && !s.in.at_end()) {
         const std::uint32_t word = s.in.at();
         const char c = base::upper(s.in.peek());
