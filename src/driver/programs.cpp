@@ -80,6 +80,19 @@ const program::Unit* Programs::find(std::string_view name) {
     return unit;
 }
 
+const program::Unit* Programs::read_text(const std::string& text) {
+    const auto [known, is_new] = texts_.try_emplace(text, nullptr);
+    if (!is_new) return known->second;
+    const std::uint32_t file = sources_.add("text of the program", text);
+    const Language& language = language_of(control_, text, {});
+    sources_.set_block_numbers(file, language.numbers);
+    for (program::Unit& unit : language.read(file, sources_, names_, diagnostics_, machine_)) {
+        units_.push_back(std::make_unique<program::Unit>(std::move(unit)));
+        if (texts_[text] == nullptr) texts_[text] = units_.back().get();
+    }
+    return texts_[text];
+}
+
 const program::Unit* Programs::find_in_file(const std::string& key) {
     const program::Unit* found = nullptr;
     for (const std::string& stem : {control_.file_stem(key), key}) {

@@ -29,6 +29,8 @@ public:
     const program::Unit* find(std::string_view name);
     /// Programs read so far that stand in a file, in the order of its text.
     [[nodiscard]] std::vector<const program::Unit*> of_file(std::uint32_t file) const;
+    /// Reads a text that the program itself makes as a program without a name.
+    const program::Unit* read_text(const std::string& text);
     /// Reads the definition files of the folders, where the control has such.
     void read_definitions();
 
@@ -50,6 +52,7 @@ private:
     std::vector<const program::Unit*> definitions_;
     std::unordered_map<std::string, const program::Unit*> by_name_;
     std::unordered_map<std::string, fs::path> files_;  ///< program name, and the same with its suffix -> file
+    std::unordered_map<std::string, const program::Unit*> texts_;  ///< those that the program made
     std::vector<fs::path> definition_files_;
     std::vector<std::string> folders_;
 };

@@ -7,6 +7,7 @@
 #include "base/text.hpp"
 #include "driver/contours.hpp"
 #include "driver/not_run.hpp"
+#include "driver/machine_guess.hpp"
 #include "shop/fusion_tools.hpp"
 #include "shop/linuxcnc_ini.hpp"
 #include "shop/linuxcnc_parameters.hpp"
@@ -122,20 +123,6 @@ void load_tools(Session& s, const Request& request, const fs::path& base_path) {
             s.diagnostics.add({base::Severity::note, codes::assumption, t.where, t.assumed, {}, {}, {}});
 }
 
-/// A program alone does not say what machine it is for; turning words tell a lathe.
-bool looks_like_turning(const program::Unit& unit) {
-    for (const program::Word& w : unit.words) {
-        if (program::code_of(w) == program::Code::speed_limit) return true;
-        if (program::code_of(w) != program::Code::modal) continue;
-        const program::Modal m = program::modal_of(w);
-        const bool lathe_words = m == program::Modal::plane_zx || m == program::Modal::diameter_off;
-        if (m == program::Modal::diameter_on || m == program::Modal::turning_cycle ||
-            (lathe_words && !unit.traits->radius_at_start))
-            return true;
-    }
-    return false;
-}
-
 /// The machine that the call or the job names; false where it cannot be read. `named`: there is one.
 bool load_named_machine(Session& s, const Request& request, const fs::path& job_path, bool& named) {
     const std::string name = !request.machine.empty() ? request.machine
@@ -147,14 +134,30 @@ bool load_named_machine(Session& s, const Request& request, const fs::path& job_
 
 /// Where none is named, one for what the program is.
 void choose_machine(Session& s) {
-    const bool turning = s.has_job ? s.job.machine.kind == shop::MachineKind::lathe : looks_like_turning(*s.main);
-    const char* generic = turning ? "lathe-generic" : "mill-generic";
+    const MachineGuess guess = guess_machine(*s.main);
+    const bool turning = s.has_job ? s.job.machine.kind == shop::MachineKind::lathe : guess.turning;
+    const std::string generic = turning ? "lathe-generic" : "mill-generic";
     shop::use_machine(s.job, *shop::shipped_machine(generic));
     s.job.machine.more_axes = true;
+    const bool diameters = turning && !s.main->traits->radius_at_start, words = s.main->traits->has_diameter_words;
+    const bool reasons = !s.has_job && (turning || !guess.against.empty());
+    const std::string for_it = reasons && !guess.signs.empty() ? " for " + guess.signs : "";
+    const std::string against = reasons && !guess.against.empty() ? " in spite of " + guess.against : "";
     assume(s,
-           std::string("no machine is named: ") + generic + " is taken" +
-               (turning && !s.main->traits->radius_at_start ? ", X words are diameters until DIAMOF" : ""),
+           "no machine is named: " + generic + " is taken" + for_it + against +
+               (diameters ? ", X words are diameters" + std::string(words ? " until DIAMOF" : "") : ""),
            "name one with --machine or in the job");
+    if (s.has_job || guess.doubtful == base::Span{}) return;
+    s.diagnostics.add({base::Severity::warning,
+                       codes::unknown_value,
+                       guess.doubtful,
+                       "whether X is a diameter or not depends on the machine, and the program does not say which it "
+                       "is for: X words are taken as " +
+                           std::string(diameters ? "diameters" : "they stand"),
+                       std::string("name the machine with --machine or in a job") +
+                           (words ? ", or write DIAMON or DIAMOF before the first X" : ""),
+                       {},
+                       {}});
 }
 
 /// The control that the call or the job names; else what the text looks like.
@@ -331,6 +334,9 @@ int percent_lines(const Session& s) {
 
 interp::Outcome interpret(Session& s, cl::Sink sink, const interp::ContourSink* programmed) {
     const auto find = [&](std::string_view name) { return s.programs->find(name); };
+    const std::function<const program::Unit*(const std::string&)> read_text = [&](const std::string& text) {
+        return s.programs->read_text(text);
+    };
     const interp::Environment environment{s.sources,
                                           s.programs->names(),
                                           s.job.machine,
@@ -348,7 +354,9 @@ interp::Outcome interpret(Session& s, cl::Sink sink, const interp::ContourSink* 
                                           s.has_stored ? &s.stored : nullptr,
                                           s.machine_unit,
                                           &s.settings,
-                                          s.programs->searched()};
+                                          s.programs->searched(),
+                                          &read_text,
+                                          std::max(s.job.tolerances.gouge, s.job.tolerances.simulation.value_or(0))};
     interp::Outcome outcome = interp::run(*s.main, environment, s.stacks, sink, s.diagnostics);
     if (outcome.ending == interp::Ending::regular)
         say_what_was_not_run(s.programs->of_file(s.main->file), outcome.entered, s.diagnostics);

@@ -226,6 +226,66 @@ bool arc_motion(Run& run, const Vec3& target) {
     return true;
 }
 
+namespace {
+
+Vec3 in_axes(const PlaneAxes& a, Vec2 p, double w) {
+    Vec3 v;
+    coordinate(v, a.u) = p.x;
+    coordinate(v, a.v) = p.y;
+    coordinate(v, a.w) = w;
+    return v;
+}
+
+/// A point of the working plane in the stream's frame.
+Vec3 in_stream(const Run& run, Vec2 p, double w) {
+    const Vec3 v = in_axes(plane_axes(run.modal.plane), p, w);
+    return run.frame_is_identity ? v : geom::apply(run.frame, v);
+}
+
+}  // namespace
+
+bool compensates_in_fixed_plane(const Run& run) {
+    if (!run.traits->compensates_in_fixed_plane || run.frame_is_identity || run.modal.compensation_in_frame)
+        return false;
+    if (run.modal.compensation == Modal::compensation_off && !run.path->in_fixed_plane()) return false;
+    const auto w = static_cast<std::size_t>(plane_axes(run.modal.plane).w);
+    double tilt = 0;
+    for (std::size_t k = 0; k < 3; ++k)
+        if (k != w) tilt += std::abs(run.frame.linear[3 * w + k]) + std::abs(run.frame.linear[3 * k + w]);
+    return tilt > 1e-12;
+}
+
+namespace {
+
+/// The element as seen in the plane that frames do not turn. An arc is no circle there.
+path::Element in_fixed_plane(Run& run, const path::Element& e) {
+    const PlaneAxes a = plane_axes(run.modal.plane);
+    if (path::is_arc(e))
+        unchecked(run, codes::unsupported, run.here(),
+                  "with CUT2D an arc in a plane that a frame turns is not compensated: it is run as a straight move",
+                  "write CUT2DF where the tool stands square to the turned plane");
+    if (run.block.has(Code::round) || run.block.has(Code::chamfer_length) || run.block.has(Code::chamfer_leg))
+        unchecked(run, codes::unsupported, run.here(),
+                  "with CUT2D a chamfer or rounding in a plane that a frame turns is not run as the control does",
+                  "write CUT2DF where the tool stands square to the turned plane");
+    path::Element out;
+    const Vec3 from = in_stream(run, e.from, e.w_from), to = in_stream(run, e.to, e.w_to);
+    out.from = in_plane(from, a);
+    out.to = in_plane(to, a);
+    out.w_from = coordinate(from, a.w);
+    out.w_to = coordinate(to, a.w);
+    return out;
+}
+
+void push_element(Run& run, path::Element e, bool rapid) {
+    const bool fixed = compensates_in_fixed_plane(run);
+    if (fixed != run.path->in_fixed_plane() && run.path->active()) flush_path(run);
+    run.path->set_fixed_plane(fixed);
+    run.path->push(run, fixed ? in_fixed_plane(run, e) : std::move(e), rapid);
+}
+
+}  // namespace
+
 void plane_element(Run& run, path::Element e, const Vec3& to, bool rapid) {
     remember_direction(run, e);
     if (path::is_arc(e) && run.modal.feed_mode == cl::FeedMode::inverse_time)
@@ -235,7 +295,7 @@ void plane_element(Run& run, path::Element e, const Vec3& to, bool rapid) {
         capture(run, e, rapid);
     else if (needs_path_stage(run)) {
         if (!rapid) tell_programmed(run, e);
-        run.path->push(run, std::move(e), rapid);
+        push_element(run, std::move(e), rapid);
     } else {
         run.record.from = run.here();
         run.record.stack = run.top().stack;
@@ -249,19 +309,17 @@ void plane_element(Run& run, path::Element e, const Vec3& to, bool rapid) {
 
 namespace {
 
-/// A point of the working plane in the stream's frame.
-Vec3 in_stream(const Run& run, Vec2 p, double w) {
+cl::Step move_in_stream(const Run& run, const path::Element& e, bool rapid) {
     const PlaneAxes a = plane_axes(run.modal.plane);
-    Vec3 v;
-    coordinate(v, a.u) = p.x;
-    coordinate(v, a.v) = p.y;
-    coordinate(v, a.w) = w;
-    return run.frame_is_identity ? v : geom::apply(run.frame, v);
+    const Vec3 to = in_axes(a, e.to, e.w_to);
+    if (!path::is_arc(e)) return cl::Linear{to, run.tool_axis, rapid};
+    return cl::Arc{to, in_axes(a, e.centre, e.w_from), in_axes(a, {}, 1), e.sweep};
 }
 
 }  // namespace
 
-std::optional<cl::Step> plane_move(const Run& run, const path::Element& e, bool rapid) {
+std::optional<cl::Step> plane_move(const Run& run, const path::Element& e, bool rapid, bool in_stream_already) {
+    if (in_stream_already) return move_in_stream(run, e, rapid);
     const Vec3 to = in_stream(run, e.to, e.w_to);
     if (!path::is_arc(e)) return cl::Linear{to, run.tool_axis, rapid};
     if (run.frame_is_identity || geom::is_shift_only(run.frame)) {
@@ -287,8 +345,8 @@ void tell_programmed(Run& run, const path::Element& e) {
                               cl::Record{std::move(*step), run.here(), run.top().stack});
 }
 
-void emit_element(Run& run, const path::Element& e, bool rapid) {
-    auto step = plane_move(run, e, rapid);
+void emit_element(Run& run, const path::Element& e, bool rapid, bool in_stream) {
+    auto step = plane_move(run, e, rapid, in_stream);
     if (!step) return circle_alarm(run, run.record.from);
     run.record.step = std::move(*step);
     send(run, run.record);

@@ -215,6 +215,18 @@ void write_character(Run& run, const Binding& b, const Expr& e, ExprId value) {
     }
 }
 
+/// F_1[X,TR]=, or of an array F_1[3,X,TR]=.
+void write_frame_variable(Run& run, const Binding& b, const Expr& target, ExprId value) {
+    Expr whole = target;
+    whole.count = static_cast<std::uint16_t>(target.count - 2);
+    const std::shared_ptr<Array> array = b.array;
+    std::size_t index = b.offset;
+    if (!b.element && !element_of(run, whole, *array, index)) return;
+    geom::Frame frame = array->frames[index];
+    write_component(run, target, frame, value);
+    if (!run.stopped) array->frames[index] = frame;
+}
+
 void assign_variable(Run& run, const Expr& target, const program::Assign& a) {
     const Unit& unit = run.unit();
     const Expr& value = unit.exprs[a.value];
@@ -238,6 +250,8 @@ void assign_variable(Run& run, const Expr& target, const program::Assign& a) {
         return;
     }
     std::size_t index = b->offset;
+    if (b->array->type == Type::frame && is_component(run, target))
+        return write_frame_variable(run, *b, target, a.value);
     if (!b->element && !element_of(run, target, *b->array, index)) return;
     const std::shared_ptr<Array> array = b->array;
     if (is_list(value)) {
@@ -259,6 +273,13 @@ void assign_variable(Run& run, const Expr& target, const program::Assign& a) {
 std::uint64_t system_key(Run& run, const Expr& e) { return (std::uint64_t{e.a} << 32) ^ undefined_key(run, e); }
 
 void assign_frame(Run& run, const Expr& target, const program::Assign& a) {
+    if (is_component(run, target)) {
+        geom::Frame frame = run.modal.programmed;
+        write_component(run, target, frame, a.value);
+        if (run.stopped || frame == run.modal.programmed) return;
+        run.modal.programmed = frame;
+        return update_frame(run);
+    }
     const Value v = evaluate(run, a.value);
     if (run.stopped) return;
     if (v.type != Type::frame || target.count > 0) {

@@ -22,7 +22,8 @@ void BlockWords::clear() {
     tool_named = false;
     special = suppress = paraxial = corner_end = Modal::linear;
     special_number = surface_word = retract = 0;
-    acted = false;
+    acted = says_straight = changes_plane = machine_axis = goes_on = false;
+    positioned.clear();
     pending.clear();
 }
 
@@ -65,6 +66,7 @@ void tool_word(Run& run, const Word& w) {
 /// S2=, M2=, H1=, F[X]=: extended addresses. Those of the first spindle act as without extension.
 void named_value(Run& run, const program::Named& n) {
     const std::string& letter = run.env.names.text(n.name);
+    if (n.kind != program::NamedKind::extended) return special_value(run, n);
     const Value index = n.index == program::no_expr ? Value::real(0) : evaluate(run, n.index);
     if (run.stopped) return;
     if (index.is_text()) {  // F[X]=, FA[C]=: an axis that is positioned on its own
@@ -102,7 +104,10 @@ void named_axis(Run& run, const program::Named& n, const base::Span& where) {
     }
     const double v = number(run, n.value);
     const std::uint8_t reference = reference_of(run.unit().exprs[n.value]);
-    if (axis.size() == 2 && axis[1] == '1') axis.resize(1);  // X1, Z1: machine name of the first geometry axis
+    if (const auto machine = machine_axis_name(run, axis)) {
+        run.block.machine_axis = run.block.machine_axis || axis.size() > 2;
+        axis = *machine;
+    }
     if (axis.size() == 1) {
         if (const auto k = std::string_view("XYZABCUVW").find(axis[0]); k != std::string_view::npos) {
             run.block.put(axis_code(static_cast<int>(k)), v, reference);
@@ -219,6 +224,18 @@ void call_at_places(Run& run) {
 
 }  // namespace
 
+namespace {
+
+/// SINUMERIK, NC programming 12/2019, MCALL: it acts as well where F or S is programmed, or G0 or G1 stands in a block
+/// without motion.
+bool calls_without_motion(const Run& run) {
+    if (!run.traits->modal_call_without_motion || run.block.special == Modal::dwell) return false;
+    if (run.modal.motion != Modal::rapid && run.modal.motion != Modal::linear) return false;
+    return run.block.says_straight || run.block.has(Code::feed) || run.block.has(Code::spindle);
+}
+
+}  // namespace
+
 void run_block(Run& run, const program::Statement& s, std::uint32_t index) {
     const Unit& unit = run.unit();
     run.block.clear();
@@ -237,7 +254,9 @@ void run_block(Run& run, const program::Statement& s, std::uint32_t index) {
     if (run.stopped) return;
     if (!run.block.acted) technology(run);
     if (run.stopped) return;
-    const bool moved = motion(run);
+    if (run.block.changes_plane) hold_plane(run);
+    const bool moved = !run.stopped && motion(run);
+    if (!run.stopped && !run.block.positioned.empty()) position_axes(run, moved);
     if (run.stopped) return;
     if (run.block.has(Code::cycle_call) || run.block.has(Code::cycle_call_modal) || (moved && run.cycle.modal)) {
         run.cycle.modal =
@@ -247,7 +266,7 @@ void run_block(Run& run, const program::Statement& s, std::uint32_t index) {
     }
     report_unused(run);
     after_motion(run);
-    if (moved && run.modal_call.unit != nullptr) run_modal_call(run);
+    if (run.modal_call.unit != nullptr && (moved || calls_without_motion(run))) run_modal_call(run);
 }
 
 }  // namespace obrys::interp

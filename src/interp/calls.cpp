@@ -144,6 +144,8 @@ const Unit* find(Run& run, const std::string& name, const base::Span& where, con
 
 }  // namespace
 
+bool find_file(Run& run, const std::string& written) { return run.env.find_program(program_name(written)) != nullptr; }
+
 const Unit* find_named_program(Run& run, const std::string& written, const base::Span& where) {
     return find(run, program_name(written), where);
 }
@@ -372,6 +374,8 @@ void call_program(Run& run, const Call& call) {
     } else {
         name = run.env.names.text(call.name);
     }
+    if (call.control_cycle != program::ControlCycle::none && run.env.find_program(name) == nullptr)
+        return control_cycle(run, call);
     const Unit* unit = find(run, name, where, &call);
     if (unit == nullptr && call.kind == program::CallKind::modal) run.modal_call = {};
     if (unit == nullptr) return;

@@ -19,7 +19,8 @@ struct Captured {
     geom::Frame frame;
     base::Span where;
     cl::StackId stack = 0;
-    double fillet = 0, chamfer = 0;  ///< A and C of a turning cycle's contour, mm
+    double fillet = 0, chamfer = 0;      ///< A and C of a turning cycle's contour, mm
+    std::optional<double> line_angle{};  ///< ANG= of a line that gives both coordinates of its end, degrees
 };
 
 /// While it lives, the run emits nothing, complains about nothing and collects its elements; at its end the run stands

@@ -171,11 +171,21 @@ bool truth(Run& run, ExprId id, bool when_unknown) {
 
 namespace {
 
+/// F_1[X,TR], or of an array F_1[3,X,TR].
+Value read_frame_variable(Run& run, const Binding& b, const Expr& e) {
+    Expr whole = e;
+    whole.count = static_cast<std::uint16_t>(e.count - 2);
+    std::size_t index = b.offset;
+    if (!b.element && !element_of(run, whole, *b.array, index)) return Value::unknown();
+    return read_component(run, e, b.array->get(index).as_frame());
+}
+
 Value read_variable(Run& run, const Expr& e, ExprId id) {
     const Unit& unit = run.unit();
     if (const Binding* b = find_variable(run, e.a)) {
         if (is_character_access(*b, e)) return read_character(run, *b, e);
         std::size_t index = b->offset;
+        if (b->array->type == Type::frame && is_component(run, e)) return read_frame_variable(run, *b, e);
         if (!b->element && !element_of(run, e, *b->array, index)) return Value::unknown();
         return b->array->get(index);
     }
@@ -190,6 +200,7 @@ Value read_variable(Run& run, const Expr& e, ExprId id) {
         if (axis.name == text && e.count == 0) return Value::axis(text);
     if (e.count == 0 && text.size() == 1 && std::string_view("XYZABCUVW").find(text[0]) != std::string_view::npos)
         return Value::axis(text);
+    if (const auto axis = machine_axis_name(run, text); axis && e.count == 0) return Value::axis(*axis);
     if (unit.traits->variables_by_assignment) {
         alarm(run, codes::undefined_name, unit.span(id), "the named parameter #<" + text + "> is not defined",
               "assign it before it is read, or ask with EXISTS[#<" + text + ">]");

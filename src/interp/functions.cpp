@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <optional>
 
 #include "base/codes.hpp"
 #include "base/number.hpp"
@@ -183,9 +184,30 @@ Value substring(const Arguments& a) {
     return Value::string(text.substr(static_cast<std::size_t>(from), static_cast<std::size_t>(count)));
 }
 
+/// A number as the control's language writes it: "1.5EX2" where exponents are EX.
+std::optional<double> number_in(const Run& run, std::string_view text) {
+    if (!run.traits->exponent_is_ex) return base::parse_double(text);
+    std::string plain = base::to_upper(base::trim(text));
+    const auto e = plain.find('E');
+    if (e == std::string::npos) return base::parse_double(plain);
+    if (e + 1 >= plain.size() || plain[e + 1] != 'X') return std::nullopt;
+    return base::parse_double(plain.erase(e + 1, 1));
+}
+
+/// A program found where called ones are looked for exists; of others nothing is known here.
+Value file_exists(const Arguments& a) {
+    const std::string text = a.text(0);
+    if (a.run.stopped) return {};
+    if (find_file(a.run, text)) return Value::boolean(true);
+    unchecked(a.run, codes::unknown_value, a.whole(),
+              "whether the file \"" + text + "\" is on the control is not known: it is not among the programs here",
+              "put it beside the program if it is");
+    return Value::unknown();
+}
+
 Value text_number(const Arguments& a) {
     const std::string text = a.text(0);
-    const auto v = base::parse_double(text);
+    const auto v = number_in(a.run, text);
     if (text == "?") return Value::unknown();
     if (!v && !a.run.stopped) alarm(a.run, codes::type_mismatch, a.span(0), "NUMBER: \"" + text + "\" is not a number");
     return Value::real(v.value_or(0));
@@ -225,7 +247,10 @@ Value string_function(const Arguments& a, Function f) {
         }
         case Function::substring: return substring(a);
         case Function::number: return text_number(a);
-        case Function::is_number: return Value::boolean(base::parse_double(a.text(0)).has_value());
+        case Function::is_number: {
+            const std::string text = a.text(0);
+            return text == "?" ? Value::unknown() : Value::boolean(number_in(a.run, text).has_value());
+        }
         case Function::axis_string: return Value::string(axis_of(a.run, a.given(0) ? a.id(0) : program::no_expr));
         case Function::axis_name: return Value::axis(base::to_upper(a.text(0)));
         default: break;
@@ -278,6 +303,8 @@ Value call_function(Run& run, const Expr& e) {
         case Function::frame_scale:
         case Function::frame_mirror:
         case Function::frame_fine: return frame_function(a, f);
+        case Function::format_text: return format_text(run, e);
+        case Function::file_exists: return file_exists(a);
         case Function::frame_plane_rotation: {
             const int axis = run.modal.plane == 17 ? 2 : run.modal.plane == 18 ? 1 : 0;
             return Value::of_frame(geom::Frame::rotation(axis, geom::radians(a[0])));

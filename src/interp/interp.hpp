@@ -4,6 +4,7 @@
 /// over.
 
 #include <cstdint>
+#include <functional>
 #include <map>
 #include <optional>
 #include <string>
@@ -54,6 +55,10 @@ struct Environment {
     const std::map<std::string, std::string>* settings = nullptr;
     /// Where called programs are looked for, as part of a sentence: "sub (.ngc, .nc)"; empty: nowhere to speak of.
     std::string searched{};
+    /// Reads a text as a program of the control (EXECSTRING); null: there are none.
+    const std::function<const program::Unit*(const std::string& text)>* read_text = nullptr;
+    /// mm by which the path may differ from the programmed one before it is said.
+    double contour_tolerance = 0.001;
 };
 
 enum class Ending : std::uint8_t {

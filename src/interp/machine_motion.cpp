@@ -86,7 +86,7 @@ bool machine_move(Run& run) {
     for (int k = 0; k < 3; ++k) {
         if (!run.block.has(axis_code(k))) continue;
         const bool incremental = is_incremental(run, run.block.ref(axis_code(k)));
-        const double v = run.block.get(axis_code(k)) * length_factor(run, k, incremental);
+        const double v = run.block.get(axis_code(k)) * word_factor(run, k, run.block.ref(axis_code(k)));
         coordinate(target, k) = incremental ? coordinate(target, k) + v : from_machine(run, k, v);
     }
     go_to(run, from_along_machine(run, target), run.modal.motion == Modal::rapid);

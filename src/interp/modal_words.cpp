@@ -15,6 +15,7 @@ using cl::SettingKind;
 void set_plane(Run& run, int plane) {
     tell(run, SettingKind::plane, plane);
     if (run.modal.plane == plane) return;
+    run.block.changes_plane = true;
     flush_path(run);
     run.modal.plane = plane;
     forget_polar_angle(run.modal);
@@ -79,6 +80,7 @@ void change_plane(Run& run, int plane) {
 bool motion_word(Run& run, Modal m, const program::Word& w) {
     if (m <= Modal::tap_retract) {
         run.modal.motion = m;
+        run.block.says_straight = run.block.says_straight || m <= Modal::linear;
         run.canned.active = false;
         if (m == Modal::arc_cw || m == Modal::arc_ccw) run.modal.last_sense = m;
         return true;
@@ -303,6 +305,12 @@ bool apply_mode(Run& run, Modal m, int number) {
         case Modal::compensation_right:
         case Modal::compensation_left_by:
         case Modal::compensation_right_by: set_compensation(run, m); return true;
+        case Modal::compensation_in_plane:
+        case Modal::compensation_in_frame: state.compensation_in_frame = m == Modal::compensation_in_frame; return true;
+        case Modal::compressor_on:
+        case Modal::compressor_off: state.compressor = m == Modal::compressor_on; return true;
+        case Modal::exact_stop:
+        case Modal::continuous: state.smoothing = m == Modal::continuous ? number : 0; return true;
         case Modal::path_exact:
         case Modal::path_stop:
         case Modal::path_blend: set_path_mode(run, m); return true;
@@ -341,6 +349,12 @@ bool apply_mode(Run& run, Modal m, int number) {
             return true;
         default: return false;  // exact stop and continuous path of other controls: no effect on the path itself
     }
+}
+
+void hold_plane(Run& run) {
+    if (!run.traits->compensation_holds_plane || run.modal.compensation == Modal::compensation_off) return;
+    alarm(run, base::codes::compensation, run.here(), "the plane changes while radius compensation is on (alarm 10757)",
+          "write G40 before it");
 }
 
 void modal_word(Run& run, const program::Word& w) {

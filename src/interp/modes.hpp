@@ -55,12 +55,20 @@ struct ModalState {
     double blend = 0, merge = 0;          ///< G64 P Q, mm
     Modal path_mode = Modal::path_blend;
     double compensation_radius = std::numeric_limits<double>::quiet_NaN();  ///< G41 D, G41.1; NaN: of the tool, mm
-    int compensation_orientation = -1;  ///< G41.1 L: where the tip lies on the nose; -1: of the tool
-    bool feed_by_word = false;          ///< feed_mode was chosen by a word of its own (FU) until the next F
-    double round_modal = 0;             ///< RNDM, mm
-    double corner_feed_modal = 0;       ///< FRCM
-    geom::Vec3 pole;                    ///< workpiece coordinates
-    bool pole_set = false;              ///< the program has set it
+    int compensation_orientation = -1;   ///< G41.1 L: where the tip lies on the nose; -1: of the tool
+    bool feed_by_word = false;           ///< feed_mode was chosen by a word of its own (FU) until the next F
+    double round_modal = 0;              ///< RNDM, mm
+    double tolerance_cycle = 0;          ///< mm that CYCLE832 allows the path; 0: off
+    bool compensation_in_frame = false;  ///< CUT2DF
+    bool compressor = false;             ///< COMPON, COMPCURV, COMPCAD
+    int smoothing = 0;                   ///< 64, 641 … 645; 0: exact stop
+    double rounding_distance = 0, rounding_distance_rapid = 0;  ///< ADIS, ADISPOS, mm
+    /// CTOL, mm; NaN: that of the machine's data.
+    double contour_tolerance = std::numeric_limits<double>::quiet_NaN();
+    double corner_overshoot = 0;   ///< DISC, per cent
+    double corner_feed_modal = 0;  ///< FRCM
+    geom::Vec3 pole;               ///< workpiece coordinates
+    bool pole_set = false;         ///< the program has set it
     /// Last RP (mm) and AP (degrees, NaN after a new pole or plane); NaN: none yet.
     double polar_radius = std::numeric_limits<double>::quiet_NaN();
     double polar_angle = std::numeric_limits<double>::quiet_NaN();

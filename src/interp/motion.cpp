@@ -68,6 +68,20 @@ void extra_axes(Run& run) {
     if (before) recount(run, *before);
 }
 
+/// DC, ACP, ACN: which way round a rotary axis goes.
+bool is_way_round(std::uint8_t reference) {
+    return reference > static_cast<std::uint8_t>(Reference::shortest) &&
+           reference <= 1 + static_cast<std::uint8_t>(Reference::negative);
+}
+
+void refuse_way_round(Run& run, int axis) {
+    const std::string name(1, "XYZ"[axis]);
+    if (const shop::MachineAxis* known = machine_axis(run, name); known != nullptr && known->rotary) return;
+    alarm(run, codes::value_range, run.here(),
+          "DC, ACP and ACN say which way round a rotary axis goes, and " + name + " is a linear axis",
+          "write " + name + "=AC(…)");
+}
+
 /// Target of the linear axes in the programmed frame.
 geom::Vec3 cartesian_target(Run& run) {
     const BlockWords& b = run.block;
@@ -76,8 +90,9 @@ geom::Vec3 cartesian_target(Run& run) {
         const Code code = axis_code(k);
         if (!b.has(code)) continue;
         const bool incremental = is_incremental(run, b.ref(code));
-        const double v = b.get(code) * length_factor(run, k, incremental);
+        const double v = b.get(code) * word_factor(run, k, b.ref(code));
         coordinate(to, k) = incremental ? coordinate(to, k) + v : v;
+        if (is_way_round(b.ref(code))) refuse_way_round(run, k);
     }
     if (run.turned_contour) {
         if (b.has(Code::u)) to.x += b.get(Code::u) * length_factor(run, 0, true);
@@ -100,29 +115,6 @@ void dwell(Run& run) {
         return;
     }
     emit(run, d);
-}
-
-/// ANG=: one coordinate of a straight line follows from its angle to the first axis of the plane.
-bool line_by_angle(Run& run, geom::Vec3& to) {
-    const BlockWords& b = run.block;
-    const PlaneAxes axes = plane_axes(run.modal.plane);
-    const bool has_u = b.has(axis_code(axes.u)), has_v = b.has(axis_code(axes.v));
-    const double angle = geom::radians(b.get(Code::line_angle));
-    if (has_u == has_v) {
-        unchecked(run, codes::unsupported, run.here(),
-                  "ANG= with " + std::string(has_u ? "both" : "none") + " of the plane's axes is not run",
-                  "a contour of several blocks with an open corner has to be written with its corner points");
-        return false;
-    }
-    const int given = has_u ? axes.u : axes.v, other = has_u ? axes.v : axes.u;
-    const double along = has_u ? std::cos(angle) : std::sin(angle), across = has_u ? std::sin(angle) : std::cos(angle);
-    const double step = coordinate(to, given) - coordinate(run.programmed_position, given);
-    if (std::abs(along) < 1e-12) {
-        alarm(run, codes::value_range, run.here(), "a line at this angle ANG never reaches the given coordinate");
-        return false;
-    }
-    coordinate(to, other) = coordinate(run.programmed_position, other) + step * across / along;
-    return true;
 }
 
 }  // namespace
@@ -220,6 +212,8 @@ bool path_motion(Run& run) {
     if (b.has(Code::line_angle) && !line_by_angle(run, to)) return false;
     if (b.paraxial == Modal::paraxial_longer || b.paraxial == Modal::paraxial_shorter) to = lengthened(run, to);
     if (m != Modal::rapid) require_feed(run);
+    if (run.modal.smoothing > 64 || run.modal.compressor || run.modal.tolerance_cycle > 0 || run.modal.blend > 0)
+        note_rounding(run);
     const bool arc = m == Modal::arc_cw || m == Modal::arc_ccw || m == Modal::arc_via || m == Modal::arc_tangent;
     if (arc || b.has(Code::centre_at_pole) || b.has(Code::radius)) return arc_motion(run, to);
     if (m == Modal::rapid || m == Modal::linear) {
@@ -263,7 +257,9 @@ void begin_motion(Run& run) {
 
 bool is_incremental(const Run& run, std::uint8_t reference) {
     if (reference == 0) return !run.modal.absolute;
-    return reference == 1 + static_cast<std::uint8_t>(Reference::incremental);
+    return reference == 1 + static_cast<std::uint8_t>(Reference::incremental) ||
+           reference == 1 + static_cast<std::uint8_t>(Reference::diameter_incremental) ||
+           reference == 1 + static_cast<std::uint8_t>(Reference::radius_incremental);
 }
 
 const shop::MachineAxis* machine_axis(const Run& run, const std::string& name) {
@@ -277,6 +273,14 @@ double length_factor(const Run& run, int axis, bool incremental) {
     if (axis != 0 || run.modal.diameter == DiameterMode::off) return factor;
     if (run.modal.diameter == DiameterMode::absolute_only && incremental) return factor;
     return factor * 0.5;
+}
+
+double word_factor(const Run& run, int axis, std::uint8_t reference) {
+    if (reference <= 1 + static_cast<std::uint8_t>(Reference::negative))
+        return length_factor(run, axis, is_incremental(run, reference));
+    const bool diameter = reference == 1 + static_cast<std::uint8_t>(Reference::diameter_absolute) ||
+                          reference == 1 + static_cast<std::uint8_t>(Reference::diameter_incremental);
+    return length_unit(run.modal) * (diameter ? 0.5 : 1);
 }
 
 bool motion(Run& run) {
@@ -334,6 +338,9 @@ bool motion(Run& run) {
         return false;
     }
     if (b.special == Modal::reference_point || b.special == Modal::fixed_point) return reference_point(run);
+    if (b.machine_axis && b.suppress == Modal::linear)
+        unchecked(run, codes::unsupported, run.here(),
+                  "an axis is moved here by the name it has in the machine: it is taken as the axis of the program");
     if (b.suppress != Modal::linear && moves) return machine_move(run);
     return path_motion(run);
 }
@@ -365,7 +372,7 @@ void capture(Run& run, const path::Element& e, bool rapid) {
     const double unit = length_unit(run.modal);
     const auto size = [&](Code c) { return run.block.has(c) ? run.block.get(c) * unit : 0; };
     run.capture->push_back({e, rapid, run.modal.compensation, corner_of_block(run), run.frame, run.here(),
-                            run.top().stack, size(Code::a), size(Code::c)});
+                            run.top().stack, size(Code::a), size(Code::c), angle_of_whole_line(run)});
 }
 
 void straight_motion(Run& run, const geom::Vec3& to, bool rapid) {

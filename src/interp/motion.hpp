@@ -24,6 +24,12 @@ struct PlaneAxes {
 /// Millimetres per programmed unit of a linear axis: inches, and diameters of a lathe's X.
 [[nodiscard]] double length_factor(const Run&, int axis, bool incremental);
 
+/// The same of a word with its own reference (DIC, RAC …; 0: as the modal state says).
+[[nodiscard]] double word_factor(const Run&, int axis, std::uint8_t reference);
+/// ANG= (line_angle.cpp): `to` with what the angle says; false after a complaint.
+[[nodiscard]] bool line_by_angle(Run&, geom::Vec3& to);
+/// ANG= of a block that gives both coordinates of its end, absolute: the second of two lines.
+[[nodiscard]] std::optional<double> angle_of_whole_line(const Run&);
 /// Whether a word with this reference (0 = as the modal state says) is incremental.
 [[nodiscard]] bool is_incremental(const Run&, std::uint8_t reference);
 /// The machine's axis of that name, or null.
@@ -46,7 +52,9 @@ void retract_tool(Run&);
 /// Runs the block's arc to `to` (programmed frame); false where it could not be resolved.
 [[nodiscard]] bool arc_motion(Run&, const geom::Vec3& to);
 /// An element of the working plane as a move of the stream; nothing where scaling leaves no circle of an arc.
-[[nodiscard]] std::optional<cl::Step> plane_move(const Run&, const path::Element& element, bool rapid);
+/// `in_stream`: the element is in the stream's frame, not in the programmed one.
+[[nodiscard]] std::optional<cl::Step> plane_move(const Run&, const path::Element& element, bool rapid,
+                                                 bool in_stream = false);
 void circle_alarm(Run&, const base::Span& where);
 /// Keeps an element for whoever rehearses the run (capture.hpp).
 void capture(Run&, const path::Element& element, bool rapid);
@@ -54,6 +62,8 @@ void capture(Run&, const path::Element& element, bool rapid);
 /// work.
 void plane_element(Run&, path::Element element, const geom::Vec3& to, bool rapid);
 [[nodiscard]] bool needs_path_stage(const Run&);
+/// The frame in force turns the working plane, and radius compensation is made in the plane that it does not turn.
+[[nodiscard]] bool compensates_in_fixed_plane(const Run&);
 /// Where the coordinates of the block lead, programmed frame.
 [[nodiscard]] geom::Vec3 programmed_target(Run&);
 /// The tool stands at `to` (programmed frame) from here on.

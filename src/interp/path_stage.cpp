@@ -27,7 +27,7 @@ std::optional<double> compensation_radius(const shop::Tool& t) {
 
 /// The contour is compensated in programmed coordinates: the tool, which no frame turns or scales, is brought there.
 void into_frame(const Run& run, path::Setting& s) {
-    if (run.frame_is_identity || geom::is_shift_only(run.frame)) return;
+    if (run.frame_is_identity || geom::is_shift_only(run.frame) || compensates_in_fixed_plane(run)) return;
     const PlaneAxes a = plane_axes(run.modal.plane);
     const geom::Frame back = geom::inverse(run.frame);
     geom::Vec3 tip, unit;
@@ -68,6 +68,11 @@ path::Setting compensation_setting(Run& run) {
     s.approach = run.modal.approach == Modal::approach_contour ? path::Approach::around : path::Approach::normal;
     s.corner =
         run.modal.corner == Modal::corner_intersection ? path::OuterCorner::intersection : path::OuterCorner::arc;
+    if (run.modal.corner_overshoot > 0 && s.corner == path::OuterCorner::arc)
+        assume(run, run.here(),
+               "DISC=" + base::fixed(run.modal.corner_overshoot, 0) + " leads the tool round outer corners farther out " +
+                   "than the arc that is run here, by up to that many per cent of the way from the arc to the " +
+                   "crossing of the contours");
     if (run.block.corner_end == Modal::corner_crossing) s.at_end = path::CornerEnd::crossing;
     if (run.block.corner_end == Modal::corner_open) s.at_end = path::CornerEnd::open;
     const std::uint32_t reported = run.unit().traits->compensation_window;
@@ -107,11 +112,12 @@ int PathStage::feed_event(const Run& run, double feed) {
 path::CornerRequest corner_of_block(const Run& run) {
     const BlockWords& b = run.block;
     const double unit = length_unit(run.modal);
+    const bool passes = run.traits->corner_may_be_tangential;
     if (b.has(Code::chamfer_length))
-        return {path::CornerKind::chamfer, b.get(Code::chamfer_length) * unit, false, false, true, {}, {}};
+        return {path::CornerKind::chamfer, b.get(Code::chamfer_length) * unit, passes, false, true, {}, {}};
     if (b.has(Code::chamfer_leg))
-        return {path::CornerKind::chamfer_leg, b.get(Code::chamfer_leg) * unit, false, false, true, {}, {}};
-    if (b.has(Code::round)) return {path::CornerKind::rounding, b.get(Code::round) * unit, false, false, true, {}, {}};
+        return {path::CornerKind::chamfer_leg, b.get(Code::chamfer_leg) * unit, passes, false, true, {}, {}};
+    if (b.has(Code::round)) return {path::CornerKind::rounding, b.get(Code::round) * unit, passes, false, true, {}, {}};
     if (run.modal.round_modal > 0 && run.modal.motion != Modal::rapid)
         return {path::CornerKind::rounding, run.modal.round_modal, true, false, true, {}, {}};
     return {};
@@ -143,7 +149,7 @@ void PathStage::push(Run& run, path::Element e, const path::Setting& s, bool rap
     waiting_.clear();
     const double offset = s.side == path::Side::off ? 0 : s.side == path::Side::left ? s.radius : -s.radius;
     origins_.push_back({run.here(), run.top().stack, rapid, s.radius, offset, run.modal.plunge_part,
-                        run.modal.feed_reference, s.clearance == path::Clearance::avoided});
+                        run.modal.feed_reference, s.clearance == path::Clearance::avoided, fixed_plane_});
     if (!active_) last_.reset();
     active_ = true;
     const path::CornerRequest corner = corner_request(run);
@@ -174,7 +180,7 @@ void PathStage::output(Run& run, const path::Output& out) {
     last_ = out.element.to;
     run.feed_shape.plunge = origin.plunge_part;
     run.feed_shape.arc = arc_feed(origin, out);
-    emit_element(run, out.element, origin.rapid && !path::is_arc(out.element));
+    emit_element(run, out.element, origin.rapid && !path::is_arc(out.element), origin.fixed_plane);
 }
 
 void PathStage::hold(const cl::Record& record) { waiting_.push_back(keep(record)); }

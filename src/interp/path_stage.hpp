@@ -14,6 +14,9 @@ class PathStage {
 public:
     /// True while anything is held back or compensation is at work.
     [[nodiscard]] bool active() const { return active_; }
+    /// Its elements are in the stream's own frame, not in the programmed one (Traits::compensates_in_fixed_plane).
+    [[nodiscard]] bool in_fixed_plane() const { return active_ && fixed_plane_; }
+    void set_fixed_plane(bool fixed) { fixed_plane_ = fixed; }
     /// Takes one element of the block being run, in plane coordinates of the programmed frame.
     void push(Run&, path::Element element, bool rapid);
     /// As above with a setting of its own.
@@ -38,6 +41,7 @@ private:
         double plunge_part = 1;
         Modal feed_reference = Modal::feed_at_tool;
         bool avoids = false;  ///< looks ahead and leaves out what the tool does not fit into
+        bool fixed_plane = false;
     };
 
     [[nodiscard]] static double arc_feed(const Origin& origin, const path::Output& out);
@@ -55,7 +59,7 @@ private:
     std::vector<cl::Record> events_;
     std::vector<int> waiting_;
     std::optional<geom::Vec2> last_;  ///< end of the last element that was emitted
-    bool active_ = false;
+    bool active_ = false, fixed_plane_ = false;
     bool flushing_ = false;
 };
 
@@ -66,6 +70,7 @@ private:
 /// Hands an element as it is programmed to whoever wants it for a picture.
 void tell_programmed(Run&, const path::Element& element);
 /// Emits an element of the working plane as a record of the stream.
-void emit_element(Run&, const path::Element& element, bool rapid);
+/// `in_stream`: it is in the stream's own frame already.
+void emit_element(Run&, const path::Element& element, bool rapid, bool in_stream = false);
 
 }  // namespace obrys::interp

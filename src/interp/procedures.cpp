@@ -61,6 +61,7 @@ void procedure(Run& run, const program::ProcedureCall& p) {
         case Procedure::alarm: return stop_itself(run, p);
         case Procedure::abort: return abort(run, p);
         case Procedure::master_spindle: return;
+        case Procedure::run_text: return run_text(run, p);
         case Procedure::select_datums: run.datum_table = base::to_upper(text_of(run, p, 0)); return;
         case Procedure::set_datum: return set_own_datum(run, p);
         case Procedure::print_form: return print_form(run, p);

@@ -21,6 +21,8 @@ void assume(Run&, const base::Span& where, std::string text, std::string remedy 
 [[nodiscard]] bool truth(Run&, ExprId, bool when_unknown = false);
 [[nodiscard]] Value evaluate(Run&, ExprId);
 [[nodiscard]] Value call_function(Run&, const program::Expr&);
+/// SPRINT (text_format.cpp).
+[[nodiscard]] Value format_text(Run&, const program::Expr&);
 [[nodiscard]] Value read_system(Run&, const program::Expr&);
 /// Name of the axis that an expression in brackets means: an axis identifier, an AXIS variable, or a number (AX[1]).
 [[nodiscard]] std::string axis_of(Run&, ExprId);
@@ -75,6 +77,10 @@ void count_pass(Run&);
 void call_label(Run&, const program::LabelCall&, std::uint32_t index);
 void end_label(Run&);  ///< LBL 0
 void call_program(Run&, const program::Call&);
+/// A program of this name, with or without path and suffix, is there.
+[[nodiscard]] bool find_file(Run&, const std::string& written);
+/// A cycle of the control itself that no program of the user stands in for (control_cycle.cpp).
+void control_cycle(Run&, const program::Call&);
 void enter(Run&, const Unit&, const program::Call* call, const base::Span& where);
 void leave(Run&);
 /// M99 P: back to the caller, who goes on with another block; in a program that nobody called a jump.
@@ -131,6 +137,22 @@ void technology(Run&);
 [[nodiscard]] double feed_factor(const Run&);
 void after_motion(Run&);
 [[nodiscard]] bool motion(Run&);  ///< true where the block moved
+/// Words with a value and a name of their own: ADIS, CTOL, DISC, DL, POS, FA … (named_value.cpp).
+void special_value(Run&, const program::Named&);
+/// The axis of the program that a machine axis called X1, AX1 or MX1 is; nothing where the name is none such.
+[[nodiscard]] std::optional<std::string> machine_axis_name(const Run&, const std::string& name);
+/// Linear axes that move on their own, behind the block's path (positioning.cpp).
+void position_axes(Run&, bool path_moved);
+/// The block changes the plane: alarm where radius compensation stays on.
+void hold_plane(Run&);
+/// Says by how much the control may leave the programmed path at corners, once each (path_rounding.cpp).
+void note_rounding(Run&);
+/// EXECSTRING: runs a text as if it stood in the program (run_text.cpp).
+void run_text(Run&, const program::ProcedureCall&);
+/// $P_PFRAME[X,TR]: the last two indices name a component of a frame (frame_component.cpp).
+[[nodiscard]] bool is_component(const Run&, const program::Expr&);
+[[nodiscard]] Value read_component(Run&, const program::Expr&, const geom::Frame&);
+void write_component(Run&, const program::Expr&, geom::Frame&, ExprId value);
 /// Gathers one word into the block; shared by blocks and frame statements.
 void gather(Run&, const program::Statement&, const program::Word&);
 

@@ -59,8 +59,13 @@ struct BlockWords {
     bool tool_named = false;
     int special_number = 0;
     int retract = 0;       ///< M140: 1 by its distance, 2 to the limit; 0: none
-    int surface_word = 0;  ///< 96 or 97 where the block says it
-    bool acted = false;    ///< F, S, T and M have acted already (Code::act)
+    int surface_word = 0;               ///< 96 or 97 where the block says it
+    bool acted = false;                 ///< F, S, T and M have acted already (Code::act)
+    bool says_straight = false;         ///< G0 or G1 stands in the block
+    bool changes_plane = false;         ///< to another one
+    bool machine_axis = false;          ///< a linear axis by the name it has in the machine
+    std::vector<NamedAxis> positioned;  ///< linear axes that move on their own (POS, POSA); name: of the axis
+    bool goes_on = false;               ///< … and the program does not wait for one of them
     std::vector<PendingAssign> pending;
     Modal special = Modal::linear;     ///< dwell, reference point, fixed point, pole; linear: none
     Modal suppress = Modal::linear;    ///< suppress_frames, suppress_all; linear: none
@@ -246,6 +251,7 @@ struct Run {
     SpindleState spindle;
     bool coolant_on = false, mist = false, flood = false;
     Overrides overrides;
+    std::map<std::string, double> axis_feeds;  ///< FA[axis], mm/min or degrees/min
     double feed = 0;  ///< mm/min, mm/rev or 1/min by modal.feed_mode
     FeedShape feed_shape;
     bool feed_valid = false;

@@ -161,8 +161,16 @@ Value machine_data(const Access& a) {
     return unknown_value(a, "the machine file does not give this machine datum");
 }
 
+/// $P_IFRAME: the settable frame that is in force.
+Value settable_frame(const Access& a) {
+    const geom::Vec3 origin = datum_origin(a.run);
+    if (geom::is_finite(origin)) return Value::of_frame(geom::Frame::shift(origin));
+    return unknown_value(a, "the zero offset in force is not known");
+}
+
 Value datum_frame(const Access& a) {
-    const double n = a.e.count > 0 ? a.index(0) : 0;
+    if (static_cast<SystemVariable>(a.e.op) == SystemVariable::settable_frame) return settable_frame(a);
+    const double n = a.e.count > 0 && !(a.e.count == 2 && is_component(a.run, a.e)) ? a.index(0) : 0;
     if (n < 0) return unknown_value(a, "there is no such frame");
     const std::uint32_t number = n == 0   ? 500
                                  : n <= 4 ? 53 + static_cast<std::uint32_t>(n)
@@ -244,6 +252,23 @@ Value run_state(const Access& a, SystemVariable v) {
     }
 }
 
+bool is_frame(SystemVariable v) {
+    return v == SystemVariable::programmed_frame || v == SystemVariable::active_frame ||
+           v == SystemVariable::datum_frame || v == SystemVariable::settable_frame || v == SystemVariable::base_frame;
+}
+
+/// One component of a frame: [axis, TR], behind the number of a settable one.
+Value frame_component(const Access& a, SystemVariable v) {
+    if (v == SystemVariable::programmed_frame) return read_component(a.run, a.e, a.run.modal.programmed);
+    if (v == SystemVariable::active_frame) {
+        const geom::Vec3 origin = datum_origin(a.run);
+        if (!geom::is_finite(origin)) return unknown_value(a, "the zero offset in force is not known");
+        return read_component(a.run, a.e, geom::Frame::shift(origin) * a.run.modal.programmed);
+    }
+    const Value whole = datum_frame(a);
+    return whole.type == Type::frame ? read_component(a.run, a.e, whole.as_frame()) : Value::unknown();
+}
+
 }  // namespace
 
 int tool_parameter_number(const std::string& name) {
@@ -257,6 +282,7 @@ Value read_system(Run& run, const Expr& e) {
     const Access a{run, e};
     const auto v = static_cast<SystemVariable>(e.op);
     if (v == SystemVariable::ini_value) return setting_value(a);
+    if (is_frame(v) && is_component(run, e)) return frame_component(a, v);
     if (v >= SystemVariable::state) return live_value(run, v, a.index(0), a.where());
     if (v >= SystemVariable::inch_program) {
         const auto value = tool_or_frame(run, e);
@@ -283,6 +309,9 @@ Value read_system(Run& run, const Expr& e) {
         case SystemVariable::is_search:
         case SystemVariable::is_test:
         case SystemVariable::is_dry_run: return Value::boolean(false);
+        case SystemVariable::clock:
+            assume(run, a.where(), a.name() + ": when the program will run is not known, and so this value");
+            return Value::unknown();
         case SystemVariable::pi: return Value::real(geom::pi);
         case SystemVariable::unknown:
             if (const auto written = a.run.system_written.find(written_key(a)); written != a.run.system_written.end())

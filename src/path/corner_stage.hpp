@@ -15,7 +15,7 @@ namespace obrys::path {
 struct CornerRequest {
     CornerKind kind = CornerKind::none;
     double size = 0;           ///< mm
-    bool modal = false;        ///< RNDM: corners without a corner (tangential) are no fault
+    bool modal = false;        ///< corners without a corner (tangential) are no fault
     bool reduce = false;       ///< take the largest that fits instead of failing
     bool feed_of_next = true;  ///< the next element's events come before the inserted one (F of the leading-away block)
     std::vector<int> before{}, after{};  ///< events round the inserted element alone (FRC=: its feed, and back)

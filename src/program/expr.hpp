@@ -57,6 +57,11 @@ enum class Reference : std::uint8_t {
     shortest,  ///< rotary axis, shortest way (DC)
     positive,
     negative,  ///< rotary axis, given sense (ACP, ACN)
+    // A transverse axis in this word alone, whatever the diameter mode is (DAC, DIC, RAC, RIC).
+    diameter_absolute,
+    diameter_incremental,
+    radius_absolute,
+    radius_incremental,
 };
 
 /// Built-in functions; angles in degrees.
@@ -108,6 +113,8 @@ enum class Function : std::uint8_t {
     to_text,
     find_text,
     compare_texts,  ///< TOCHAR, INSTR, STRCOMP
+    format_text,    ///< SPRINT: a text with % where the values go
+    file_exists,    ///< ISFILE
     set_list,
     repeat_list,  ///< SET(…) and REP(…): only as the value of an array assignment
     round_down,   ///< to the next integer below
@@ -211,6 +218,7 @@ enum class SystemVariable : std::uint8_t {
     program_name,       ///< $P_STACK, $P_PROG[n]
     channel_axis_name,  ///< $P_AXN1 … 3
     pi,                 ///< $PI
+    clock,              ///< $A_YEAR … $A_SECOND: when the program runs
     // FN 18: SYSREAD
     inch_program,  ///< 0 mm, 1 inch
     prepared_tool,

@@ -188,6 +188,20 @@ struct Traits {
     bool modulo_is_positive = false;
     /// At the start X words are radii and the plane is that of X and Y, whatever the machine; else as its file says.
     bool radius_at_start = false;
+    /// A modal call is made, too, behind a block without motion that has F or S, or G0 or G1, while G0 or G1 is in
+    /// force.
+    bool modal_call_without_motion = false;
+    /// A chamfer or rounding where the next element goes straight on is none, and no fault.
+    bool corner_may_be_tangential = false;
+    /// Radius compensation is made in the plane of G17 … G19 whatever frames turn, unless the program says otherwise
+    /// (Modal::compensation_in_frame); else in the plane as frames turn it.
+    bool compensates_in_fixed_plane = false;
+    /// The plane may not change while radius compensation is on.
+    bool compensation_holds_plane = false;
+    /// Exponents in texts are written EX ("1.5EX2"), and E alone is none.
+    bool exponent_is_ex = false;
+    /// DIAMON and DIAMOF say in a program whether X words are diameters.
+    bool has_diameter_words = false;
     /// P of an arc is the number of its turns, the last one begun counted.
     bool arc_turns_in_p = false;
     /// Canned cycles leave to R (G99) before the program has said which.

@@ -246,6 +246,7 @@ private:
     std::string call(const program::Call& c) const {
         static constexpr std::array<const char*, 4> text{"call ", "indirect ", "modal ", "modal-end"};
         std::string out = text[static_cast<std::size_t>(c.kind)];
+        if (c.control_cycle != program::ControlCycle::none) out = "cycle " + out;
         if (c.kind == program::CallKind::indirect) out += expr(c.target);
         if (c.kind == program::CallKind::by_name || c.kind == program::CallKind::modal) out += names_.text(c.name);
         if (c.has_arguments) out += "(" + list(c.arguments) + ")";

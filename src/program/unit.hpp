@@ -181,6 +181,14 @@ struct Blank {
     base::Span where;
 };
 
+/// What a call is where no program of its name is found: a cycle of the control itself.
+enum class ControlCycle : std::uint8_t {
+    none,
+    not_run,         ///< known, and not run
+    path_tolerance,  ///< CYCLE832: tolerances, compressors and dynamics; it moves nothing
+    swivel,          ///< CYCLE800: run as far as it only resets the tilted plane
+};
+
 enum class CallKind : std::uint8_t {
     by_name,    ///< NAME, NAME(…), L123 P3
     indirect,   ///< CALL expression
@@ -198,6 +206,8 @@ struct Call {
     ExprId passes = no_expr;        ///< P=
     ExprId first_block = no_expr;   ///< number of the block with which the called program begins (M98 P Q)
     base::Span where;               ///< of the name
+    ControlCycle control_cycle = ControlCycle::none;
+    std::uint32_t problem = 0;  ///< of a control_cycle: index into Unit::problems, what is said where it is not run
 };
 
 /// Procedures of the control itself.
@@ -218,6 +228,7 @@ enum class Procedure : std::uint8_t {
     log_append,      ///< name of a file; goes on at its end
     log_close,
     log,             ///< text, a line of the open log
+    run_text,        ///< EXECSTRING(text): the text is a block of the program
     probe_log_open,  ///< name of a file for what probing finds
     probe_log_close,
 };
@@ -254,11 +265,24 @@ struct Assign {
     ExprId value = no_expr;
 };
 
+/// What a named value is.
+enum class NamedKind : std::uint8_t {
+    extended,                 ///< S2=, M2=, F[X]=: the address with another spindle or axis
+    rounding_distance,        ///< ADIS=: way before and behind a corner within which G641 may leave the contour
+    rounding_distance_rapid,  ///< ADISPOS=: the same between rapids
+    contour_tolerance,        ///< CTOL=: of compressors and of G642 … G645
+    corner_overshoot,         ///< DISC=: per cent of the way from the arc round an outer corner to the crossing
+    sum_offset,               ///< DL=: offset added to that of the edge
+    position,                 ///< POS[axis]=: an axis moves on its own, and the block waits for it
+    position_meanwhile,       ///< POSA[axis]=: the program goes on while it moves
+    axis_feed,                ///< FA[axis]=
+};
 /// A word with a computed or extended address: AX[expr]=, X1=, S2=, F[X]=.
 struct Named {
     NameId name = 0;         ///< "X1"; the letter for an extended address ("S", "F"); "AX" for AX[…]
     ExprId index = no_expr;  ///< extension: 2 of S2=, the expression in brackets
     ExprId value = no_expr;
+    NamedKind kind = NamedKind::extended;
 };
 
 /// A word that is not run. `text` names it in the programmer's spelling; `reason` may be empty.

@@ -210,11 +210,15 @@ enum class Modal : std::uint16_t {
     polar_off,               ///< G15
     circle_pocket_cw,        ///< this block: G12, G13
     circle_pocket_ccw,
-    save_modal,           ///< M70
-    forget_saved_modal,   ///< M71
-    restore_modal,        ///< M72
-    save_modal_for_call,  ///< M73
-    datum_extended,       ///< G54.1: P says which
+    save_modal,             ///< M70
+    forget_saved_modal,     ///< M71
+    restore_modal,          ///< M72
+    save_modal_for_call,    ///< M73
+    datum_extended,         ///< G54.1: P says which
+    compensation_in_plane,  ///< CUT2D: radius compensation in the plane of G17 … G19, whatever frames turn
+    compensation_in_frame,  ///< CUT2DF: in the plane as the frame turns it
+    compressor_on,          ///< COMPON …: short blocks become curves within a tolerance
+    compressor_off,
 };
 
 /// How the payload is to be read.

@@ -13,20 +13,47 @@ namespace obrys::dialect::sinumerik {
 
 /// What a reader does with a word.
 enum class Use : std::uint8_t {
-    modal,             ///< value = program::Modal, number = its number
-    address,           ///< value = program::Code; written NAME=value
-    named_value,       ///< NAME[index]=value or NAME=value, kept with its name (FA[X]=)
-    ignored,           ///< known, without effect on the path; a value, index or arguments may follow
-    unsupported,       ///< known, not run; a value, index or arguments may follow
-    unsupported_block, ///< as unsupported, and the rest of the block belongs to it
-    procedure,         ///< value = program::Procedure
-    statement,         ///< value = Keyword
-    frame,             ///< value = program::FrameOp, number = 1 where additive
+    modal,              ///< value = program::Modal, number = its number
+    address,            ///< value = program::Code; written NAME=value
+    named_value,        ///< value = program::NamedKind; NAME[index]=value or NAME=value (FA[X]=)
+    ignored,            ///< known, without effect on the path; a value, index or arguments may follow
+    unsupported,        ///< known, not run; a value, index or arguments may follow
+    unsupported_block,  ///< as unsupported, and the rest of the block belongs to it
+    procedure,          ///< value = program::Procedure
+    control_cycle,      ///< value = program::ControlCycle; a program of the user with that name counts before it
+    statement,          ///< value = Keyword
+    frame,              ///< value = program::FrameOp, number = 1 where additive
 };
 
 enum class Keyword : std::uint8_t {
-    if_, else_, endif, while_, endwhile, repeat, repeatb, until, loop, endloop, for_, endfor, case_,
-    goto_, gotof, gotob, gotoc, gotos, def, redef, proc, extern_, define, call, mcall, pcall, ret,
+    if_,
+    else_,
+    endif,
+    while_,
+    endwhile,
+    repeat,
+    repeatb,
+    until,
+    loop,
+    endloop,
+    for_,
+    endfor,
+    case_,
+    goto_,
+    gotof,
+    gotob,
+    gotoc,
+    gotos,
+    def,
+    redef,
+    proc,
+    extern_,
+    define,
+    call,
+    mcall,
+    pcall,
+    extcall,
+    ret,
 };
 
 struct Entry {
@@ -58,6 +85,14 @@ struct GCode {
 [[nodiscard]] std::optional<program::Type> find_type(std::string_view upper);
 
 /// Comparisons of REAL values hold within a relative 1e-12 (Job Planning manual, comparison operations).
-inline constexpr program::Traits traits{.equality = {1e-12, 0}};
+inline constexpr program::Traits traits{
+    .equality = {1e-12, 0},
+    .modal_call_without_motion = true,
+    .corner_may_be_tangential = true,
+    .compensates_in_fixed_plane = true,
+    .compensation_holds_plane = true,
+    .exponent_is_ex = true,
+    .has_diameter_words = true,
+};
 
 }  // namespace obrys::dialect::sinumerik

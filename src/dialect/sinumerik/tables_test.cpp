@@ -23,7 +23,7 @@ TEST(SinumerikTables, Words) {
     ASSERT_NE(find_word("CFTCP"), nullptr);
     EXPECT_EQ(find_word("CFTCP")->use, Use::modal);
     EXPECT_EQ(find_word("STOPRE")->use, Use::ignored);
-    EXPECT_EQ(find_word("CYCLE93")->use, Use::unsupported);
+    EXPECT_EQ(find_word("CYCLE93")->use, Use::control_cycle);
     EXPECT_EQ(find_word("WHENEVER")->use, Use::unsupported_block);
     EXPECT_EQ(find_word("AMIRROR")->number, 1);
     EXPECT_EQ(find_word("A"), nullptr);

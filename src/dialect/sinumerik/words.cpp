@@ -8,13 +8,17 @@ namespace obrys::dialect::sinumerik {
 namespace {
 
 using program::Code;
+using program::ControlCycle;
 using program::FrameOp;
 using program::Modal;
+using program::NamedKind;
 using program::Procedure;
 
 constexpr Entry run(std::string_view n, Modal m) { return {n, Use::modal, static_cast<std::uint16_t>(m), 0, {}}; }
 constexpr Entry value(std::string_view n, Code c) { return {n, Use::address, static_cast<std::uint16_t>(c), 0, {}}; }
-constexpr Entry named(std::string_view n) { return {n, Use::named_value, 0, 0, {}}; }
+constexpr Entry named(std::string_view n, NamedKind k) {
+    return {n, Use::named_value, static_cast<std::uint16_t>(k), 0, {}};
+}
 constexpr Entry off(std::string_view n) { return {n, Use::ignored, 0, 0, {}}; }
 constexpr Entry no(std::string_view n, std::string_view reason) { return {n, Use::unsupported, 0, 0, reason}; }
 constexpr Entry block(std::string_view n, std::string_view reason) { return {n, Use::unsupported_block, 0, 0, reason}; }
@@ -35,7 +39,6 @@ constexpr std::string_view channel_coordination = "channel coordination";
 constexpr std::string_view contour_preparation = "contour preparation";
 constexpr std::string_view diameter_programming_by_axis = "diameter programming by axis";
 constexpr std::string_view display_dialog = "display or dialog";
-constexpr std::string_view external_program = "external program";
 constexpr std::string_view feed_override_by_the_program = "feed override by the program";
 constexpr std::string_view file_data_access = "file or data access";
 constexpr std::string_view interrupt_routine = "interrupt routine";
@@ -56,10 +59,14 @@ constexpr std::string_view tool_offset_changed_by_the_program = "tool offset cha
 constexpr std::string_view tool_orientation = "tool orientation";
 constexpr std::string_view tool_oriented_frame = "tool-oriented frame";
 
+constexpr Entry cycle(std::string_view n, ControlCycle c = ControlCycle::not_run) {
+    return {n, Use::control_cycle, static_cast<std::uint16_t>(c), 0, machining_cycle};
+}
+
 // clang-format off
 constexpr Entry words[]{
     no("A2", tool_orientation), no("A3", tool_orientation), no("A4", tool_orientation), no("A5", tool_orientation),
-    off("ACC"), off("ACCLIM"), off("ACCLIMA"), off("ACTBLOCNO"), off("ADIS"), off("ADISPOS"), off("ADISPOSA"),
+    off("ACC"), off("ACCLIM"), off("ACCLIMA"), off("ACTBLOCNO"), named("ADIS", NamedKind::rounding_distance), named("ADISPOS", NamedKind::rounding_distance_rapid), off("ADISPOSA"),
     off("ALF"), frame("AMIRROR", FrameOp::mirror, 1), value("ANG", Code::line_angle), value("AP", Code::polar_angle),
     value("AR", Code::opening_angle), frame("AROT", FrameOp::rotate, 1), no("AROTS", tool_oriented_frame),
     frame("ASCALE", FrameOp::scale, 1), no("ASPLINE", spline_polynomial_interpolation), off("ATOL"),
@@ -79,8 +86,8 @@ constexpr Entry words[]{
     no("CHKDN", tool_management), no("CHKDNO", tool_management), value("CHR", Code::chamfer_leg),
     no("CIC", positioning_indexing_axis), run("CIP", Modal::arc_via), no("CLEARM", channel_coordination),
     no("CLEARMC", channel_coordination), off("CLGOF"), no("CLGON", oscillation_grinding_function), off("CLRINT"),
-    off("COARSEA"), no("COLLPAIR", machine_function), off("COMPCAD"), off("COMPCURV"), off("COMPOF"), off("COMPON"),
-    no("COMPSPL", spline_polynomial_interpolation), off("COMPSURF"), no("CONTDCON", contour_preparation),
+    off("COARSEA"), no("COLLPAIR", machine_function), run("COMPCAD", Modal::compressor_on), run("COMPCURV", Modal::compressor_on), run("COMPOF", Modal::compressor_off), run("COMPON", Modal::compressor_on),
+    no("COMPSPL", spline_polynomial_interpolation), run("COMPSURF", Modal::compressor_on), no("CONTDCON", contour_preparation),
     no("CONTPRON", contour_preparation), no("CORRTC", tool_offset_changed_by_the_program),
     no("COUPDEF", axis_coupling), no("COUPDEL", axis_coupling), no("COUPOF", axis_coupling),
     no("COUPOFS", axis_coupling), no("COUPON", axis_coupling), no("COUPONC", axis_coupling),
@@ -90,38 +97,38 @@ constexpr Entry words[]{
     off("CPRECOF"), off("CPRECON"), block("CPROT", protection_zone), block("CPROTDEF", protection_zone),
     value("CR", Code::radius), no("CROTS", tool_oriented_frame), no("CSPLINE", spline_polynomial_interpolation),
     run("CT", Modal::arc_tangent), no("CTABDEF", axis_coupling), no("CTABDEL", axis_coupling),
-    no("CTABEND", axis_coupling), off("CTOL"), off("CUT2D"), no("CUT2DD", kinematic_transformation),
-    no("CUT2DF", kinematic_transformation), no("CUT2DFD", kinematic_transformation),
+    no("CTABEND", axis_coupling), named("CTOL", NamedKind::contour_tolerance), run("CUT2D", Modal::compensation_in_plane), no("CUT2DD", kinematic_transformation),
+    run("CUT2DF", Modal::compensation_in_frame), no("CUT2DFD", kinematic_transformation),
     no("CUT3DC", kinematic_transformation), no("CUT3DCC", kinematic_transformation),
     no("CUT3DCCD", kinematic_transformation), no("CUT3DCD", kinematic_transformation),
     no("CUT3DF", kinematic_transformation), no("CUT3DFF", kinematic_transformation),
     no("CUT3DFS", kinematic_transformation), no("CUTCONOF", tool_orientation), no("CUTCONON", tool_orientation),
     no("CUTMOD", tool_orientation), no("CUTMODK", tool_offset_changed_by_the_program),
-    no("CYCLE435", machining_cycle), no("CYCLE495", machining_cycle), no("CYCLE60", machining_cycle),
-    no("CYCLE61", machining_cycle), no("CYCLE62", machining_cycle), no("CYCLE63", machining_cycle),
-    no("CYCLE64", machining_cycle), no("CYCLE70", machining_cycle), no("CYCLE71", machining_cycle),
-    no("CYCLE72", machining_cycle), no("CYCLE73", machining_cycle), no("CYCLE74", machining_cycle),
-    no("CYCLE75", machining_cycle), no("CYCLE751", machining_cycle), no("CYCLE752", machining_cycle),
-    no("CYCLE753", machining_cycle), no("CYCLE754", machining_cycle), no("CYCLE755", machining_cycle),
-    no("CYCLE756", machining_cycle), no("CYCLE757", machining_cycle), no("CYCLE758", machining_cycle),
-    no("CYCLE759", machining_cycle), no("CYCLE76", machining_cycle), no("CYCLE77", machining_cycle),
-    no("CYCLE78", machining_cycle), no("CYCLE782", machining_cycle), no("CYCLE79", machining_cycle),
-    no("CYCLE800", machining_cycle), no("CYCLE801", machining_cycle), no("CYCLE802", machining_cycle),
-    no("CYCLE805", machining_cycle), no("CYCLE806", machining_cycle), no("CYCLE81", machining_cycle),
-    no("CYCLE82", machining_cycle), no("CYCLE83", machining_cycle), no("CYCLE830", machining_cycle),
-    no("CYCLE832", machining_cycle), no("CYCLE84", machining_cycle), no("CYCLE840", machining_cycle),
-    no("CYCLE85", machining_cycle), no("CYCLE86", machining_cycle), no("CYCLE87", machining_cycle),
-    no("CYCLE88", machining_cycle), no("CYCLE89", machining_cycle), no("CYCLE899", machining_cycle),
-    no("CYCLE90", machining_cycle), no("CYCLE92", machining_cycle), no("CYCLE93", machining_cycle),
-    no("CYCLE930", machining_cycle), no("CYCLE94", machining_cycle), no("CYCLE940", machining_cycle),
-    no("CYCLE95", machining_cycle), no("CYCLE950", machining_cycle), no("CYCLE951", machining_cycle),
-    no("CYCLE952", machining_cycle), no("CYCLE96", machining_cycle), no("CYCLE961", machining_cycle),
-    no("CYCLE97", machining_cycle), no("CYCLE971", machining_cycle), no("CYCLE973", machining_cycle),
-    no("CYCLE974", machining_cycle), no("CYCLE976", machining_cycle), no("CYCLE977", machining_cycle),
-    no("CYCLE978", machining_cycle), no("CYCLE979", machining_cycle), no("CYCLE98", machining_cycle),
-    no("CYCLE982", machining_cycle), no("CYCLE99", machining_cycle), no("CYCLE994", machining_cycle),
-    no("CYCLE995", machining_cycle), no("CYCLE996", machining_cycle), no("CYCLE9960", machining_cycle),
-    no("CYCLE997", machining_cycle), no("CYCLE998", machining_cycle), no("DAC", diameter_programming_by_axis),
+    cycle("CYCLE435"), cycle("CYCLE495"), cycle("CYCLE60"),
+    cycle("CYCLE61"), cycle("CYCLE62"), cycle("CYCLE63"),
+    cycle("CYCLE64"), cycle("CYCLE70"), cycle("CYCLE71"),
+    cycle("CYCLE72"), cycle("CYCLE73"), cycle("CYCLE74"),
+    cycle("CYCLE75"), cycle("CYCLE751"), cycle("CYCLE752"),
+    cycle("CYCLE753"), cycle("CYCLE754"), cycle("CYCLE755"),
+    cycle("CYCLE756"), cycle("CYCLE757"), cycle("CYCLE758"),
+    cycle("CYCLE759"), cycle("CYCLE76"), cycle("CYCLE77"),
+    cycle("CYCLE78"), cycle("CYCLE782"), cycle("CYCLE79"),
+    cycle("CYCLE800", ControlCycle::swivel), cycle("CYCLE801"), cycle("CYCLE802"),
+    cycle("CYCLE805"), cycle("CYCLE806"), cycle("CYCLE81"),
+    cycle("CYCLE82"), cycle("CYCLE83"), cycle("CYCLE830"),
+    cycle("CYCLE832", ControlCycle::path_tolerance), cycle("CYCLE84"), cycle("CYCLE840"),
+    cycle("CYCLE85"), cycle("CYCLE86"), cycle("CYCLE87"),
+    cycle("CYCLE88"), cycle("CYCLE89"), cycle("CYCLE899"),
+    cycle("CYCLE90"), cycle("CYCLE92"), cycle("CYCLE93"),
+    cycle("CYCLE930"), cycle("CYCLE94"), cycle("CYCLE940"),
+    cycle("CYCLE95"), cycle("CYCLE950"), cycle("CYCLE951"),
+    cycle("CYCLE952"), cycle("CYCLE96"), cycle("CYCLE961"),
+    cycle("CYCLE97"), cycle("CYCLE971"), cycle("CYCLE973"),
+    cycle("CYCLE974"), cycle("CYCLE976"), cycle("CYCLE977"),
+    cycle("CYCLE978"), cycle("CYCLE979"), cycle("CYCLE98"),
+    cycle("CYCLE982"), cycle("CYCLE99"), cycle("CYCLE994"),
+    cycle("CYCLE995"), cycle("CYCLE996"), cycle("CYCLE9960"),
+    cycle("CYCLE997"), cycle("CYCLE998"), no("DAC", diameter_programming_by_axis),
     st("DEF", Keyword::def), st("DEFINE", Keyword::define), off("DELAYFSTOF"), off("DELAYFSTON"),
     no("DELDL", tool_management), no("DELDTG", retract_stop_reaction), no("DELETE", file_data_access),
     no("DELT", tool_management), no("DELTOOLENV", tool_management), no("DIACYCOFA", diameter_programming_by_axis),
@@ -130,9 +137,9 @@ constexpr Entry words[]{
     no("DIAMCYCOF", diameter_programming_by_axis), run("DIAMOF", Modal::diameter_off),
     no("DIAMOFA", diameter_programming_by_axis), run("DIAMON", Modal::diameter_on),
     no("DIAMONA", diameter_programming_by_axis), no("DIC", diameter_programming_by_axis), off("DISABLE"),
-    no("DISC", approach), no("DISCL", approach), off("DISPLOF"), off("DISPLON"), no("DISPR", machine_function),
+    named("DISC", NamedKind::corner_overshoot), no("DISCL", approach), off("DISPLOF"), off("DISPLON"), no("DISPR", machine_function),
     no("DISR", approach), no("DISRP", approach), off("DITE"), off("DITS"),
-    no("DL", tool_offset_changed_by_the_program), block("DO", synchronized_action), off("DRFOF"), off("DRIVE"),
+    named("DL", NamedKind::sum_offset), block("DO", synchronized_action), off("DRFOF"), off("DRIVE"),
     off("DRIVEA"), off("DYNFINISH"), off("DYNNORM"), off("DYNPOS"), off("DYNPREC"), off("DYNROUGH"),
     off("DYNSEMIFIN"), no("DZERO", tool_management), off("EAUTO"), no("EGDEF", axis_coupling),
     no("EGDEL", axis_coupling), no("EGOFC", axis_coupling), no("EGOFS", axis_coupling), no("EGON", axis_coupling),
@@ -140,9 +147,9 @@ constexpr Entry words[]{
     off("ENAT"), st("ENDFOR", Keyword::endfor), st("ENDIF", Keyword::endif), st("ENDLOOP", Keyword::endloop),
     st("ENDWHILE", Keyword::endwhile), no("ESRR", retract_stop_reaction), no("ESRS", retract_stop_reaction),
     off("ETAN"), block("EVERY", synchronized_action), value("EX", Code::named_axis),
-    no("EXECSTRING", contour_preparation), no("EXECTAB", contour_preparation), no("EXECUTE", contour_preparation),
-    block("EXTCALL", external_program), no("EXTCLOSE", file_data_access), st("EXTERN", Keyword::extern_),
-    no("EXTOPEN", file_data_access), named("FA"), no("FAD", approach), no("FB", feed_override_by_the_program),
+    proc("EXECSTRING", Procedure::run_text), no("EXECTAB", contour_preparation), no("EXECUTE", contour_preparation),
+    st("EXTCALL", Keyword::extcall), no("EXTCLOSE", file_data_access), st("EXTERN", Keyword::extern_),
+    no("EXTOPEN", file_data_access), named("FA", NamedKind::axis_feed), no("FAD", approach), no("FB", feed_override_by_the_program),
     block("FCTDEF", polynomial_function), off("FCUB"), no("FD", feed_override_by_the_program),
     no("FDA", feed_override_by_the_program), off("FENDNORM"), off("FFWOF"), off("FFWON"), off("FGREF"), off("FGROUP"),
     off("FIFOCTRL"), no("FILEDATE", file_data_access), no("FILEINFO", file_data_access),
@@ -160,9 +167,9 @@ constexpr Entry words[]{
     no("GETEXET", tool_management), no("GETFREELOC", tool_management), no("GETSELT", tool_management), off("GETT"),
     no("GETTCOR", tool_management), no("GETTENV", tool_management), st("GOTO", Keyword::goto_),
     st("GOTOB", Keyword::gotob), st("GOTOC", Keyword::gotoc), st("GOTOF", Keyword::gotof),
-    st("GOTOS", Keyword::gotos), no("GP", machine_function), no("GROUP_ADDEND", machining_cycle),
-    no("GROUP_BEGIN", machining_cycle), no("GROUP_END", machining_cycle), no("GWPS", machine_function), off("GWPSOF"),
-    no("GWPSON", oscillation_grinding_function), no("HOLES1", machining_cycle), no("HOLES2", machining_cycle),
+    st("GOTOS", Keyword::gotos), no("GP", machine_function), cycle("GROUP_ADDEND"),
+    cycle("GROUP_BEGIN"), cycle("GROUP_END"), no("GWPS", machine_function), off("GWPSOF"),
+    no("GWPSON", oscillation_grinding_function), cycle("HOLES1"), cycle("HOLES2"),
     block("ICYCOF", synchronized_action), block("ICYCON", synchronized_action), block("ID", synchronized_action),
     block("IDS", synchronized_action), st("IF", Keyword::if_), no("INIT", channel_coordination),
     no("INTERSEC", contour_preparation), no("INVCCW", spline_polynomial_interpolation),
@@ -173,7 +180,7 @@ constexpr Entry words[]{
     no("LEAD", tool_orientation), no("LEADOF", axis_coupling), no("LEADON", axis_coupling),
     no("LENTOAX", tool_management), off("LFOF"), off("LFON"), off("LFPOS"), off("LFTXT"), off("LFWP"),
     off("LIFTFAST"), value("LIMS", Code::speed_limit), block("LOCK", synchronized_action),
-    no("LONGHOLE", machining_cycle), st("LOOP", Keyword::loop), no("MASLDEF", axis_coupling),
+    cycle("LONGHOLE"), st("LOOP", Keyword::loop), no("MASLDEF", axis_coupling),
     no("MASLDEL", axis_coupling), no("MASLOF", axis_coupling), no("MASLOFS", axis_coupling),
     no("MASLON", axis_coupling), no("MATCH", machine_function), st("MCALL", Keyword::mcall), no("MEAC", measuring),
     no("MEAFRAME", measuring), no("MEAS", measuring), no("MEASA", measuring), no("MEASURE", measuring),
@@ -201,10 +208,10 @@ constexpr Entry words[]{
     no("OVRA", positioning_indexing_axis), no("OVRRAP", feed_override_by_the_program),
     no("PAROT", tool_oriented_frame), off("PAROTOF"), st("PCALL", Keyword::pcall), off("PDELAYOF"), off("PDELAYON"),
     no("PL", spline_polynomial_interpolation), no("PO", spline_polynomial_interpolation),
-    no("POCKET1", machining_cycle), no("POCKET2", machining_cycle), no("POCKET3", machining_cycle),
-    no("POCKET4", machining_cycle), off("POLF"), no("POLFA", retract_stop_reaction), off("POLFMASK"), off("POLFMLIN"),
+    cycle("POCKET1"), cycle("POCKET2"), cycle("POCKET3"),
+    cycle("POCKET4"), off("POLF"), no("POLFA", retract_stop_reaction), off("POLFMASK"), off("POLFMLIN"),
     no("POLY", spline_polynomial_interpolation), no("POLYPATH", spline_polynomial_interpolation), off("PON"),
-    off("PONS"), no("POS", positioning_indexing_axis), no("POSA", positioning_indexing_axis),
+    off("PONS"), named("POS", NamedKind::position), named("POSA", NamedKind::position_meanwhile),
     no("POSM", machine_function), no("POSP", positioning_indexing_axis), off("PREPRO"), off("PRESETOF"),
     no("PRESETON", oscillation_grinding_function), no("PRESETONS", oscillation_grinding_function),
     no("PRIO", machine_function), off("PRLOC"), st("PROC", Keyword::proc), no("PROTA", file_data_access),
@@ -226,7 +233,7 @@ constexpr Entry words[]{
     no("SD", spline_polynomial_interpolation), proc("SETAL", Procedure::alarm), no("SETDNO", tool_management),
     block("SETINT", interrupt_routine), no("SETM", channel_coordination), proc("SETMS", Procedure::master_spindle),
     no("SETPIECE", tool_management), no("SETTA", tool_management), no("SETTCOR", tool_management),
-    no("SETTIA", tool_management), off("SF"), no("SLOT1", machining_cycle), no("SLOT2", machining_cycle), off("SOFT"),
+    no("SETTIA", tool_management), off("SF"), cycle("SLOT1"), cycle("SLOT2"), off("SOFT"),
     off("SOFTA"), no("SON", punching_nibbling), no("SONS", punching_nibbling), off("SPATH"), off("SPCOF"),
     off("SPCON"), off("SPIF1"), off("SPIF2"), no("SPLINEPATH", spline_polynomial_interpolation),
     no("SPN", punching_nibbling), off("SPOF"), no("SPON", punching_nibbling), value("SPOS", Code::spindle_position),

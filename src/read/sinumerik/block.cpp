@@ -48,6 +48,13 @@ bool read_label(State& s) {
     return true;
 }
 
+/// AX1, MX1: names that controls as delivered and many builders give to machine axes.
+bool is_machine_axis(std::string_view upper) {
+    const bool axis = upper.starts_with("AX") && upper.size() > 2;
+    const bool built = upper.size() > 2 && upper[0] == 'M' && std::string_view("XYZABCUVW").find(upper[1]) < 9;
+    return (axis || built) && upper.size() <= 4 && upper.find_first_not_of("0123456789", 2) == std::string_view::npos;
+}
+
 void read_name(State& s, std::string_view name) {
     const std::string upper = base::to_upper(name);
     const char* behind = s.cursor.p + name.size();
@@ -55,6 +62,7 @@ void read_name(State& s, std::string_view name) {
     const char next = behind < s.cursor.end ? *behind : '\0';
     const bool assigns = next == '[' || (next == '=' && (behind + 1 == s.cursor.end || behind[1] != '='));
     const words::Entry* entry = words::find_word(upper);
+    if (next == '=' && is_machine_axis(upper) && !s.is_variable(upper)) return read_machine_axis(s, name.size());
     if (assigns && (entry == nullptr || s.is_variable(upper))) return read_assignment(s);
     if (entry == nullptr) {
         if (next == '(' || s.items == 0) return read_call(s, s.cursor.p, s.cursor.p + name.size());
@@ -63,6 +71,7 @@ void read_name(State& s, std::string_view name) {
     switch (entry->use) {
         case Use::statement: return read_statement(s, static_cast<words::Keyword>(entry->value), name.size());
         case Use::procedure: return read_procedure(s, static_cast<program::Procedure>(entry->value), name.size());
+        case Use::control_cycle: return read_control_cycle(s, *entry, name.size());
         case Use::frame: return read_frame(s, *entry, name.size());
         default: return read_table_word(s, *entry, name.size());
     }

@@ -51,6 +51,31 @@ void read_call(State& s, const char* from, const char* to) {
     if (read_tail(s, call)) add_call(s, std::move(call), from);
 }
 
+namespace {
+
+/// A cycle of the control: what is said where it is not run stands beside the call.
+void add_cycle_call(State& s, Call call, const dialect::sinumerik::Entry& entry, const char* from) {
+    program::Problem problem;
+    problem.where = s.span(from, s.cursor.p);
+    problem.text = base::as_utf8({from, static_cast<std::size_t>(s.cursor.p - from)});
+    problem.reason = entry.reason;
+    call.control_cycle = static_cast<program::ControlCycle>(entry.value);
+    call.problem = static_cast<std::uint32_t>(s.unit.problems.size());
+    s.unit.problems.push_back(std::move(problem));
+    add_call(s, std::move(call), from);
+}
+
+}  // namespace
+
+void read_control_cycle(State& s, const dialect::sinumerik::Entry& entry, std::size_t length) {
+    const char* from = s.cursor.p;
+    s.cursor.p += length;
+    Call call;
+    call.name = s.names.id(entry.name);
+    call.where = s.span(from, s.cursor.p);
+    if (read_tail(s, call)) add_cycle_call(s, std::move(call), entry, from);
+}
+
 void read_mcall(State& s, const char* from) {
     Cursor& c = s.cursor;
     Call call;
@@ -68,6 +93,8 @@ void read_mcall(State& s, const char* from) {
     call.where = s.span(c.p, c.p + name.size());
     c.p += name.size();
     if (!read_tail(s, call)) return;
+    if (entry != nullptr && entry->use == dialect::sinumerik::Use::control_cycle)
+        return add_cycle_call(s, std::move(call), *entry, from);
     if (entry != nullptr && entry->use == dialect::sinumerik::Use::unsupported)
         return add_problem(s, Code::unsupported, from, entry->reason);
     add_call(s, std::move(call), from);
@@ -93,6 +120,18 @@ void read_indirect_call(State& s, const char* from) {
         return add_problem(s, Code::unsupported, from, "call of a program section");
     }
     if (!read_tail(s, call)) return;
+    add_call(s, std::move(call), from);
+}
+
+void read_external_call(State& s, const char* from) {
+    Call call;
+    call.kind = CallKind::indirect;
+    s.cursor.skip_blanks();
+    const char* name = s.cursor.p;
+    if (s.cursor.at_end()) return fail(s, from, name, "EXTCALL needs the name of a program", "write EXTCALL \"NAME\"");
+    call.target = read_expression(s);
+    if (call.target == no_expr) return;
+    call.where = s.span(name, s.cursor.p);
     add_call(s, std::move(call), from);
 }
 

@@ -155,6 +155,7 @@ void read_statement(State& s, Keyword keyword, std::size_t length) {
         case Keyword::extern_: return read_extern(s, from);
         case Keyword::define: return read_define(s, from);
         case Keyword::call: return read_indirect_call(s, from);
+        case Keyword::extcall: return read_external_call(s, from);
         case Keyword::mcall: return read_mcall(s, from);
         case Keyword::pcall: return read_path_call(s, from);
         case Keyword::ret: return read_return(s, from);

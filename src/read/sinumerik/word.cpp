@@ -26,8 +26,9 @@ void add_literal(State& s, Code code, const Number& n, bool negative, const char
     add_word(s, code, Form::pooled, static_cast<std::int32_t>(s.unit.numbers.size() - 1), from);
 }
 
-void add_named(State& s, Code code, std::string_view name, ExprId index, ExprId value, const char* from) {
-    s.unit.named.push_back({intern(s, name), index, value});
+void add_named(State& s, Code code, std::string_view name, ExprId index, ExprId value, const char* from,
+               program::NamedKind kind = program::NamedKind::extended) {
+    s.unit.named.push_back({intern(s, name), index, value, kind});
     add_word(s, code, Form::index, static_cast<std::int32_t>(s.unit.named.size() - 1), from);
 }
 
@@ -94,7 +95,8 @@ void read_extended(State& s, char letter, const Number& number, const char* from
 }
 
 /// F[X]=, S[2]=, X[1]=: an address with an index in brackets.
-void read_bracketed(State& s, std::string_view name, Code plain, const char* from) {
+void read_bracketed(State& s, std::string_view name, Code plain, const char* from,
+                    program::NamedKind kind = program::NamedKind::extended) {
     Cursor& c = s.cursor;
     ++c.p;
     const ExprId index = read_expression(s);
@@ -104,7 +106,7 @@ void read_bracketed(State& s, std::string_view name, Code plain, const char* fro
     const ExprId value = read_expression(s);
     if (value == no_expr) return;
     const bool is_axis = plain == Code::named_axis || (plain >= Code::x && plain <= Code::w);
-    add_named(s, is_axis ? Code::named_axis : Code::named_value, name, index, value, from);
+    add_named(s, is_axis ? Code::named_axis : Code::named_value, name, index, value, from, kind);
 }
 
 void read_literal(State& s, char letter, const char* from) {
@@ -247,9 +249,11 @@ void read_table_word(State& s, const words::Entry& entry, std::size_t length) {
             return;
         default: break;
     }
-    const Code code = entry.use == words::Use::named_value ? Code::named_value : static_cast<Code>(entry.value);
+    const bool named = entry.use == words::Use::named_value;
+    const Code code = named ? Code::named_value : static_cast<Code>(entry.value);
+    const auto kind = named ? static_cast<program::NamedKind>(entry.value) : program::NamedKind::extended;
     c.skip_blanks();
-    if (c.peek() == '[') return read_bracketed(s, entry.name, code, from);
+    if (c.peek() == '[') return read_bracketed(s, entry.name, code, from, kind);
     if (!c.at_assignment()) {
         c.p = name_end;
         const std::string name(entry.name);
@@ -258,7 +262,16 @@ void read_table_word(State& s, const words::Entry& entry, std::size_t length) {
     if (code != Code::named_value && code != Code::named_axis) return read_value(s, code, from);
     c.take_assignment();
     const ExprId value = read_expression(s);
-    if (value != no_expr) add_named(s, code, entry.name, no_expr, value, from);
+    if (value != no_expr) add_named(s, code, entry.name, no_expr, value, from, kind);
+}
+
+void read_machine_axis(State& s, std::size_t length) {
+    Cursor& c = s.cursor;
+    const char* from = c.p;
+    c.p += length;
+    c.take_assignment();
+    const ExprId value = read_expression(s);
+    if (value != no_expr) add_named(s, Code::named_axis, {from, length}, no_expr, value, from);
 }
 
 }  // namespace obrys::read::sinumerik

@@ -14,6 +14,8 @@ void read_table_word(State& s, const dialect::sinumerik::Entry& entry, std::size
 void read_assignment(State& s);
 /// `= value` behind an address whose word begins at `from`.
 void read_value(State& s, program::Code code, const char* from);
+/// `AX1=value`: a machine axis by the control's own name, of so many bytes.
+void read_machine_axis(State& s, std::size_t length);
 /// Number of a word that has no meaning of its own here, as an unknown word.
 void read_unknown(State& s, std::string_view reason = {});
 /// Moves over `[…]`, `(…)` and `=value` behind a word that is not run.

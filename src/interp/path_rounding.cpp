@@ -1,0 +1,63 @@
+/// By how much the control itself leaves the programmed path: continuous-path mode with rounding, compressors,
+/// CYCLE832. The run follows the programmed path; where the deviation may exceed what the check looks at, it is said
+/// with its amount. Source: SINUMERIK Fundamentals 10.2004, p. 5-8 (ADIS, ADISPOS), Basic Functions 01/2015, p. 193
+/// (G642, G643).
+
+#include <cmath>
+#include <limits>
+
+#include "base/number.hpp"
+#include "interp/run.hpp"
+
+namespace obrys::interp {
+
+namespace {
+
+constexpr double unknown = std::numeric_limits<double>::quiet_NaN();
+
+struct Rounding {
+    std::string word;   ///< as programmed
+    double amount = 0;  ///< mm; NaN: what the machine's data allow
+    bool at_corners = true;
+};
+
+std::string shown(double mm) { return base::fixed(mm, 3) + " mm"; }
+
+/// CTOL, else the tolerance of the machine's axes.
+double tolerance_of_machine(const Run& run) {
+    if (!std::isnan(run.modal.contour_tolerance)) return run.modal.contour_tolerance;
+    const auto found = run.env.machine.machine_data.find("$MA_COMPRESS_POS_TOL");
+    return found == run.env.machine.machine_data.end() ? unknown : found->second;
+}
+
+Rounding rounding_of(const Run& run) {
+    const ModalState& m = run.modal;
+    const bool rapid = m.motion == Modal::rapid;
+    if (m.tolerance_cycle > 0) return {"CYCLE832", m.tolerance_cycle, false};
+    if (m.compressor && !rapid) return {"the compressor (COMPON, COMPCURV, COMPCAD)", tolerance_of_machine(run), false};
+    const double distance = rapid ? m.rounding_distance_rapid : m.rounding_distance;
+    const std::string by = rapid ? "ADISPOS" : "ADIS";
+    const std::string word = "G" + std::to_string(m.smoothing);
+    if (m.smoothing == 641) return {word + " with " + by, distance};
+    if (m.smoothing == 643 && distance > 0) return {word + " with " + by, distance};
+    if (m.smoothing == 644) return {word, unknown};
+    if (m.smoothing > 641) return {word, tolerance_of_machine(run)};
+    if (m.path_mode == Modal::path_blend && m.blend > 0) return {"G64 with P", m.blend, false};
+    return {};
+}
+
+}  // namespace
+
+void note_rounding(Run& run) {
+    const Rounding r = rounding_of(run);
+    if (!(r.amount > run.env.contour_tolerance || std::isnan(r.amount))) return;
+    const std::string how_far =
+        std::isnan(r.amount) ? "by what the machine's data allow, which are not known here (MD33100, CTOL)"
+        : r.at_corners       ? "from up to " + shown(r.amount) + " before a corner to as far behind it"
+                             : "by up to " + shown(r.amount);
+    assume(run, run.here(),
+           r.word + " lets the control leave the programmed path " + how_far + ": the run follows the programmed one",
+           std::isnan(r.amount) ? "" : "what is checked holds to that amount");
+}
+
+}  // namespace obrys::interp
