@@ -16,15 +16,6 @@ namespace codes = base::codes;
 
 namespace {
 
-/// What an earlier program, or nobody, has left in a parameter.
-double kept_parameter(Run& run, std::uint32_t n, const base::Span& where) {
-    const std::string name = program::parameter_name(*run.unit().traits, n);
-    unchecked(run, codes::unknown_value, where,
-              name + " is read before the program sets it: what it holds then is not known",
-              "set it in the program, or give its value in [variables] of the job: " + name + " = …");
-    return std::numeric_limits<double>::quiet_NaN();
-}
-
 double parameter_value(Run& run, const Expr& e, double index) {
     const base::Span where{run.unit().file, e.begin, e.end};
     if (std::isnan(index)) {
@@ -40,9 +31,8 @@ double parameter_value(Run& run, const Expr& e, double index) {
     }
     const auto n = static_cast<std::uint32_t>(index);
     if (!run.traits->live.empty() && is_live(run, n)) return live_parameter(run, n, where);
-    if (!run.parameters.is_set(n) && !run.traits->kept.empty()) return kept_parameter(run, n, where);
-    if (!run.parameters.is_set(n) && run.traits->parameters_begin_at_zero) return run.parameters.get(n);
-    if (!run.parameters.is_set(n) && run.traits->parameters_are_kept) return kept_parameter(run, n, where);
+    if (!run.parameters.is_set(n) && (run.traits->parameters_begin_at_zero || is_kept_unknown(run, n)))
+        return kept_parameter(run, n, where);
     if (!run.parameters.is_set(n)) {
         const std::string name = program::parameter_name(*run.unit().traits, n);
         assume(run, where, name + " is read before the program sets it: 0 as in a fresh control",

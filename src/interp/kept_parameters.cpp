@@ -53,7 +53,8 @@ double kept_parameter(Run& run, std::uint32_t n, const base::Span& where) {
     if (!is_kept_unknown(run, n)) return given_datum(run, n).value_or(run.parameters.get(n));
     const std::string name = program::parameter_name(*run.traits, n);
     unchecked(run, codes::unknown_value, where, "what " + name + " holds from before the program is not known",
-              "give it in [variables] of the job: \"" + name + "\" = …, or \"empty\"");
+              "give it in [variables] of the job: \"" + name + "\" = …" +
+                  (run.traits->empty_parameters ? ", or \"empty\"" : ""));
     return std::numeric_limits<double>::quiet_NaN();
 }
 

@@ -155,8 +155,6 @@ struct Traits {
     /// Numbered parameters from 1 to this are every program's own: those of a called one begin with the arguments of
     /// the call (argument 0 is parameter 1) and 0 where there is none. 0: arguments go to declared parameters.
     std::uint32_t argument_parameters = 0;
-    /// A parameter that the program has not set holds what ran before has left there: not known.
-    bool parameters_are_kept = false;
     /// Parameters hold 0 until they are set, and the control says so itself: reading one is no assumption.
     bool parameters_begin_at_zero = false;
     /// A parameter that nobody has set is empty, and #0 always is: it counts as 0, but EQ and NE tell it from 0, a word

@@ -28,6 +28,10 @@ inline constexpr auto control_parameters = [] {
     return all;
 }();
 
+/// Q and QR hold what ran before has left there; QL begin anew with every program. Numbers count through the banks.
+inline constexpr std::array kept_parameters{program::KeptParameters{0, 1999, {}, false},
+                                            program::KeptParameters{2500, 2999, {}, false}};
+
 /// Parameters: iTNC 530 pilot (NC software 340 49x-07), Q Q0-Q1999, QL0-QL499 local, QR0-QR499. Equality: the control
 /// computes with a limited number of digits; two values that differ by less than 1e-9 count as equal (docs).
 inline constexpr program::Traits traits{
@@ -50,7 +54,7 @@ inline constexpr program::Traits traits{
               .none_key = "active_preset",
               .none_is_machine_zero = false},
     .machine_words_are_gauge_point = true,
-    .parameters_are_kept = true,
+    .kept = kept_parameters,
     .compensation_keeps_side = true,
     .calls_end_compensation = true,
     .feed_at_tool_first = true,
