@@ -109,15 +109,16 @@ void cuts(ProfilePath& out, const Profile& p, const Removal& r) {
     }
 }
 
-void type_one(ProfilePath& out, const Profile& p, const Removal& r) {
+/// `whole`: the contour of the last pass.
+void type_one(ProfilePath& out, const Profile& p, const Profile& whole, const Removal& r) {
     out.rapid(r.start);
     Profile roughed = p;
     shift_pieces(roughed, r.left);
     cuts(out, roughed, r);
     const Piece& first = p.pieces.front();
     r.rapid_infeed ? out.rapid(first.to) : out.feed(first.to);
-    for (std::size_t i = 1; i < p.pieces.size(); ++i) out.along(p.pieces[i]);
-    out.rapid({p.pieces.back().to.x, std::max(r.start.y, p.pieces.back().to.y)});
+    for (std::size_t i = 1; i < whole.pieces.size(); ++i) out.along(whole.pieces[i]);
+    out.rapid({whole.pieces.back().to.x, std::max(r.start.y, whole.pieces.back().to.y)});
 }
 
 void type_two(ProfilePath& out, Profile p, const Removal& r) {
@@ -152,6 +153,17 @@ bool check_direction(Course& c, const Profile& p, bool pockets) {
     return false;
 }
 
+/// A straight last block that goes back along the cuts and away from the axis leads off the contour, as CAM systems write
+/// it: the cuts end before it. Controls that check every block stop there (alarm 64 or 329).
+void leave_way_out(Course& c, Profile& p) {
+    const Piece& last = p.pieces.back();
+    if (p.pieces.size() < 3 || last.turn != 0 || falls(last) || !(last.to.y > last.from.y + same)) return;
+    c.remark("the contour's last block goes back along the cuts: it is taken for the way off the contour, and the cuts end "
+             "before it",
+             "a control that wants the contour to run in one direction stops here (FANUC: alarm 64 or 329)");
+    p.pieces.pop_back();
+}
+
 /// Beyond the start point nothing is removed by the cuts.
 void check_height(Course& c, const Profile& p) {
     double top = 0;
@@ -179,10 +191,12 @@ void remove(TurningPath& path, const TurningDemand& demand, Vec2 start) {
     r.start = p.pieces.front().from;
     if ((r.start.y - p.pieces.front().to.y) / r.infeed > double(most_steps) / 8)
         return c.fault(Role::infeed, "the infeed is too small for the contour");
+    const Profile whole = p;
+    leave_way_out(c, p);
     if (!check_direction(c, p, r.pockets)) return;
     check_height(c, p);
     ProfilePath out(path, p, 1);
-    r.pockets ? type_two(out, p, r) : type_one(out, p, r);
+    r.pockets ? type_two(out, p, r) : type_one(out, p, whole, r);
     if (c.ready()) path.rapid(start);
 }
 

@@ -48,6 +48,9 @@ read::rs274::FanucOptions fanuc_options(const shop::Machine* machine) {
     o.system = system == 'B' ? GSystem::b : system == 'C' ? GSystem::c : GSystem::a;
     o.whole_numbers =
         machine->control.whole_numbers_count.value_or(true) ? WholeNumbers::increments : WholeNumbers::units;
+    const bool generic = machine->name.ends_with("-generic");  // the shipped ones have a C axis for whoever needs it
+    for (const shop::MachineAxis& axis : machine->axes)
+        if (!generic) o.c_axis = o.c_axis.value_or(false) || axis.name == "C";
     o.whole_numbers_known = machine->control.whole_numbers_count.has_value();
     return o;
 }

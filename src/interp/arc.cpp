@@ -172,9 +172,34 @@ bool tilted_arc(Run& run, const Vec3& to) {
     return true;
 }
 
+/// Traits::line_without_centre.
+bool runs_straight(Run& run) {
+    const std::string_view setting = run.traits->line_without_centre;
+    if (setting.empty() || (run.modal.motion != Modal::arc_cw && run.modal.motion != Modal::arc_ccw)) return false;
+    for (const Code c : {Code::i, Code::j, Code::k, Code::radius, Code::opening_angle, Code::polar_angle,
+                         Code::polar_radius, Code::centre_at_pole})
+        if (run.block.has(c)) return false;
+    assume(run, run.here(),
+           "coordinates without I, J, K and R while G2 or G3 is in force are run straight, as with " +
+               std::string(setting),
+           "write G1, or the arc's radius or centre");
+    return true;
+}
+
+/// Traits::radius_to_start_stays: only a coordinate along the tool's axis is left of it.
+bool stays(Run& run, const path::ArcResult& arc) {
+    if (!run.traits->radius_to_start_stays || arc.failure != path::ArcFailure::points_coincide ||
+        !run.block.has(Code::radius))
+        return false;
+    assume(run, run.here(), "an arc with R to the point where it starts is no move on this control",
+           "write the centre (I, J, K) of a full circle");
+    return true;
+}
+
 }  // namespace
 
 bool arc_motion(Run& run, const Vec3& target) {
+    if (runs_straight(run)) return straight_motion(run, target, false), true;
     if (!geom::is_finite(run.programmed_position) || !geom::is_finite(target)) {
         const PlaneAxes a = plane_axes(run.modal.plane);
         const Vec2 from = in_plane(run.programmed_position, a), to = in_plane(target, a);
@@ -213,6 +238,7 @@ bool arc_motion(Run& run, const Vec3& target) {
     if (run.modal.motion == Modal::arc_tangent && arc.failure == path::ArcFailure::collinear) {
         e.to = in_plane(target, a);  // straight ahead: the tangential arc is a line
     } else if (!arc.ok()) {
+        if (stays(run, arc)) return straight_motion(run, target, false), true;
         arc_alarm(run, arc);
         return false;
     } else {

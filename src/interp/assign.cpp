@@ -184,10 +184,11 @@ void assign_parameter(Run& run, const Expr& target, const program::Assign& a) {
     const double index = target.kind == ExprKind::parameter ? target.a : number(run, target.a);
     if (run.stopped) return;
     const auto n = writable(run, index, a);
-    if (n) note_written(run, *n, run.unit().span(a.target));
-    if (n && is_empty(run, a.value)) return run.parameters.forget(*n);
+    if (n && is_empty(run, a.value)) return run.parameters.set_empty_by_control(*n);
     const double v = n ? number(run, a.value) : 0;
-    if (n && !run.stopped) assign_number(run, *n, a.value, v, run.unit().span(a.target));
+    if (!n || run.stopped) return;
+    assign_number(run, *n, a.value, v, run.unit().span(a.target));
+    note_written(run, *n, run.unit().span(a.target));
 }
 
 /// A variable that begins to exist by being assigned: `_NAME` for all programs, another name for this one.

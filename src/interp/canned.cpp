@@ -23,16 +23,33 @@ const program::CannedCycle& cycle_of(const Run& run) {
     return run.traits->canned[static_cast<std::size_t>(run.modal.motion_number)];
 }
 
+/// Another cycle begins; within a series what was said stays where the control keeps it (Traits::canned_words_stay).
+void begin_cycle(Run& run, const program::CannedCycle& c) {
+    CannedState& s = run.canned;
+    CannedState next;
+    next.active = true;
+    next.cycle = run.modal.motion_number;
+    next.initial_level = s.initial_level;
+    if (s.active && run.traits->canned_words_stay) {
+        next.retract = s.retract, next.has_retract = s.has_retract;
+        next.bottom = s.bottom, next.has_bottom = s.has_bottom;
+        const auto& before = run.traits->canned[static_cast<std::size_t>(s.cycle)].words;
+        for (std::size_t i = 0; i < c.words.size() && i < next.values.size(); ++i)
+            for (std::size_t k = 0; k < before.size() && k < s.values.size(); ++k)
+                if (before[k].code == c.words[i].code && before[k].length == c.words[i].length && s.given[k]) {
+                    next.values[i] = s.values[k];
+                    next.given[i] = true;
+                }
+    }
+    s = next;
+}
+
 void take_words(Run& run, const program::CannedCycle& c, const PlaneAxes& a) {
     CannedState& s = run.canned;
     const double unit = length_unit(run.modal);
     if (!s.active || s.cycle != run.modal.motion_number) {
         if (!s.active) s.initial_level = coordinate(run.programmed_position, a.w);
-        const double level = s.initial_level;
-        s = {};
-        s.active = true;
-        s.cycle = run.modal.motion_number;
-        s.initial_level = level;
+        begin_cycle(run, c);
     }
     if (run.block.has(axis_code(a.w))) {
         s.bottom = run.block.get(axis_code(a.w)) * length_factor(run, a.w, !run.modal.absolute);

@@ -29,6 +29,12 @@ void write(Run& run, const program::ControlParameter& p, double v) {
 
 }  // namespace
 
+std::optional<double> compensation_radius(const shop::Tool& t) {
+    if (t.kind == shop::ToolKind::turning) return t.nose_radius;
+    if (t.kind == shop::ToolKind::groove) return t.corner_radius;
+    return mill_radius(t);
+}
+
 std::optional<double> mill_radius(const shop::Tool& t) {
     return t.radius > 0 || t.has_no_radius ? std::optional(t.radius + t.delta_radius) : std::nullopt;
 }

@@ -67,6 +67,12 @@ void go_home(Run& run) {
     for (int k = 0; k < 9; ++k) any = any || run.block.has(axis_code(k));
     begin_motion(run);
     const geom::Vec3 by_way = programmed_target(run);
+    bool others = false;
+    for (int k = 3; k < 9; ++k) {
+        const bool counts = run.modal.absolute || run.extra_axes.contains(axis_name(static_cast<std::size_t>(k)));
+        others = others || (run.block.has(axis_code(k)) && counts);
+    }
+    if (others) extra_axes(run);
     arrive(run, by_way);
     emit(run, cl::Linear{run.position, run.tool_axis, true});
     to_home(run, !any);

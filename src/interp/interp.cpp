@@ -244,13 +244,14 @@ Outcome run(const program::Unit& main, const Environment& environment, cl::CallS
     }
     run.modal.clear_to_retract_plane = main.traits->clearance_at_start;
     if (main.traits->feed_at_tool_first) run.modal.feed_reference = Modal::feed_at_tool;
+    if (main.traits->rapid_at_start) run.modal.motion = Modal::rapid;
     if (main.traits->cancel_leaves_no_motion) run.modal.motion = Modal::canned_off;
     if (main.traits->variables_by_assignment)
         for (const char* name : {"_VALUE", "_VALUE_RETURNED"}) create_variable(run, environment.names.id(name), 0);
     take_overrides(run, *main.traits);
     define_globals(run);
     take_given(run);
-    if (run.stopped) return {run.ending, 0, {}};
+    if (run.stopped) return {run.ending, 0, {}, {}};
     choose_reference_datum(run, main);
     enter(run, main, nullptr, {});
     if (!run.unit().statements.empty()) run.statement = run.unit().statements.data();

@@ -18,30 +18,13 @@ const program::KeptParameters* range_of(const Run& run, std::uint32_t n) {
     return nullptr;
 }
 
-/// A zero offset that the job gives, in the unit of the parameter.
-std::optional<double> given_datum(const Run& run, std::uint32_t n) {
-    const program::OffsetParameters& p = run.traits->offsets;
-    const auto within = [&](std::uint32_t first, std::uint32_t count) {
-        return first != 0 && n >= first && n < first + count * p.datum_step && (n - first) % p.datum_step < 3;
-    };
-    const bool plain = within(p.datum_first, p.datum_count);
-    if (!plain && !within(p.extended_first, p.extended_count)) return std::nullopt;
-    const std::uint32_t first = plain ? p.datum_first : p.extended_first;
-    const std::uint32_t datum = (plain ? 54 : 5401) + (n - first) / p.datum_step;
-    const auto found = run.env.machine.datums.find(datum);
-    if (found == run.env.machine.datums.end()) return std::nullopt;
-    const std::uint32_t axis = (n - first) % p.datum_step;
-    const double v = coordinate(found->second, static_cast<int>(axis));
-    return std::isnan(v) ? std::nullopt : std::optional(v / stored_unit(run, axis));
-}
-
 }  // namespace
 
 bool is_kept_unknown(Run& run, std::uint32_t n) {
-    if (run.traits->kept.empty() || run.parameters.is_set(n)) return false;
+    if (run.traits->kept.empty() || run.parameters.is_set(n) || run.parameters.is_known_empty(n)) return false;
     const program::KeptParameters* k = range_of(run, n);
     if (k == nullptr) return false;
-    if (k->cleared_by.empty()) return !given_datum(run, n);
+    if (k->cleared_by.empty()) return true;
     assume(run, run.statement != nullptr ? run.here() : base::Span{},
            program::parameter_name(*run.traits, k->first) + " to " + program::parameter_name(*run.traits, k->last) +
                " are empty when the program begins, as after a reset with " + std::string(k->cleared_by),
@@ -50,7 +33,7 @@ bool is_kept_unknown(Run& run, std::uint32_t n) {
 }
 
 double kept_parameter(Run& run, std::uint32_t n, const base::Span& where) {
-    if (!is_kept_unknown(run, n)) return given_datum(run, n).value_or(run.parameters.get(n));
+    if (!is_kept_unknown(run, n)) return run.parameters.get(n);
     const std::string name = program::parameter_name(*run.traits, n);
     unchecked(run, codes::unknown_value, where, "what " + name + " holds from before the program is not known",
               "give it in [variables] of the job: \"" + name + "\" = …" +
@@ -60,7 +43,9 @@ double kept_parameter(Run& run, std::uint32_t n, const base::Span& where) {
 
 void note_written(Run& run, std::uint32_t n, const base::Span& where) {
     const program::KeptParameters* k = run.traits->kept.empty() ? nullptr : range_of(run, n);
-    if (k == nullptr || !k->acts) return;
+    if (k == nullptr) return;
+    if (holds_active_datum(run, n)) return datum_changed(run);
+    if (!k->acts) return;
     unchecked(run, codes::unknown_value, where,
               "the effect of writing " + program::parameter_name(*run.traits, n) + " is not known");
 }

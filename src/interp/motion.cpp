@@ -55,6 +55,8 @@ void extra_axis(Run& run, const std::string& name, double value, std::uint8_t re
     emit(run, axis_record(name, to, rotary, rotary && tilted(run)));
 }
 
+}  // namespace
+
 void extra_axes(Run& run) {
     const BlockWords& b = run.block;
     const std::optional<Rotary> before = tilted(run) ? std::optional(rotary(run)) : std::nullopt;
@@ -67,6 +69,8 @@ void extra_axes(Run& run) {
         extra_axis(run, axis.name, axis.value, axis.reference, axis.name[0] >= 'A' && axis.name[0] <= 'C');
     if (before) recount(run, *before);
 }
+
+namespace {
 
 /// DC, ACP, ACN: which way round a rotary axis goes.
 bool is_way_round(std::uint8_t reference) {
@@ -215,7 +219,8 @@ bool path_motion(Run& run) {
     if (run.modal.smoothing > 64 || run.modal.compressor || run.modal.tolerance_cycle > 0 || run.modal.blend > 0)
         note_rounding(run);
     const bool arc = m == Modal::arc_cw || m == Modal::arc_ccw || m == Modal::arc_via || m == Modal::arc_tangent;
-    if (arc || b.has(Code::centre_at_pole) || b.has(Code::radius)) return arc_motion(run, to);
+    const bool by_radius = b.has(Code::radius) && run.traits->radius_makes_arc;
+    if (arc || b.has(Code::centre_at_pole) || by_radius) return arc_motion(run, to);
     if (m == Modal::rapid || m == Modal::linear) {
         straight_motion(run, to, m == Modal::rapid);
         return true;

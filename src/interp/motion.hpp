@@ -68,6 +68,8 @@ void plane_element(Run&, path::Element element, const geom::Vec3& to, bool rapid
 [[nodiscard]] geom::Vec3 programmed_target(Run&);
 /// The tool stands at `to` (programmed frame) from here on.
 void arrive(Run&, const geom::Vec3& to);
+/// The axes besides X, Y, Z that the block names go where it says.
+void extra_axes(Run&);
 /// Before a move: datum, feed that was dropped.
 void begin_motion(Run&);
 void require_feed(Run&);

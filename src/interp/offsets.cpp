@@ -108,13 +108,36 @@ void count_from(Run& run, std::size_t k, double datum) {
 
 }  // namespace
 
+namespace {
+
+/// Parameter that holds X of a zero offset; nothing for one that is kept nowhere.
+std::optional<std::uint32_t> first_of_datum(const Run& run, std::uint32_t number) {
+    const program::OffsetParameters& p = run.traits->offsets;
+    const std::uint32_t place = place_of_datum(number) - 1;
+    if (place < p.datum_count) return p.datum_first + place * p.datum_step;
+    if (place >= 1000 && place - 1000 < p.extended_count) return p.extended_first + (place - 1000) * p.datum_step;
+    return std::nullopt;
+}
+
+/// What the job says of zero offsets stands in their parameters, where nothing else says what these hold: programs read
+/// them there, and change single axes.
+void take_job_datums(Run& run) {
+    for (const auto& [number, origin] : run.env.machine.datums) {
+        const auto first = first_of_datum(run, number);
+        for (std::uint32_t k = 0; first && k < 3; ++k)
+            if (const double v = coordinate(origin, static_cast<int>(k)); !std::isnan(v) && !run.parameters.is_set(*first + k))
+                run.parameters.set_by_control(*first + k, v / stored_unit(run, k));
+    }
+}
+
+}  // namespace
+
 void load_datum(Run& run) {
     const program::OffsetParameters& p = run.traits->offsets;
     const std::uint32_t place = place_of_datum(run.modal.datum) - 1;
-    const bool extended = place >= 1000 && place - 1000 < p.extended_count;
-    const bool kept = place < p.datum_count || extended;
-    const std::uint32_t first =
-        extended ? p.extended_first + (place - 1000) * p.datum_step : p.datum_first + place * p.datum_step;
+    const auto held = first_of_datum(run, run.modal.datum);
+    const bool kept = held.has_value();
+    const std::uint32_t first = held.value_or(0);
     Offsets& o = run.offsets;
     bool known = run.env.stored != nullptr || run.env.tell_settings;
     for (std::uint32_t k = 0; k < p.datum_step && kept; ++k) known = known || run.parameters.is_assigned(first + k);
@@ -139,8 +162,23 @@ void load_datum(Run& run) {
         o.rotation = geom::degrees(turned->second);
 }
 
+bool holds_active_datum(const Run& run, std::uint32_t n) {
+    const std::uint32_t external_first = run.traits->offsets.external_first;
+    if (external_first != 0 && n >= external_first && n < external_first + 9) return true;
+    const auto first = first_of_datum(run, run.modal.datum);
+    return first && n >= *first && n < *first + 9;
+}
+
+void datum_changed(Run& run) {
+    flush_path(run);
+    load_datum(run);
+    tell(run, SettingKind::datum, static_cast<int>(place_of_datum(run.modal.datum)), run.offsets.datum);
+    update_frame(run);
+}
+
 void begin_offsets(Run& run) {
     const program::OffsetParameters& p = run.traits->offsets;
+    take_job_datums(run);
     if (p.shift_active != 0 && run.parameters.get(p.shift_active) != 0) take_shift(run);
     if (const double n = p.active_datum == 0 ? 0 : run.parameters.get(p.active_datum); n >= 1 && n <= p.datum_count)
         run.modal.datum = static_cast<std::uint32_t>(n <= 6 ? 53 + n : 584 + n);

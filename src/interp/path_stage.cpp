@@ -19,11 +19,6 @@ int nose_orientation(const shop::Tool& t) {
     return t.reference == shop::ReferenceCorner::left ? 3 : 4;
 }
 
-std::optional<double> compensation_radius(const shop::Tool& t) {
-    if (t.kind == shop::ToolKind::turning) return t.nose_radius;
-    if (t.kind == shop::ToolKind::groove) return t.corner_radius;
-    return mill_radius(t);
-}
 
 /// The contour is compensated in programmed coordinates: the tool, which no frame turns or scales, is brought there.
 void into_frame(const Run& run, path::Setting& s) {
@@ -109,18 +104,38 @@ int PathStage::feed_event(const Run& run, double feed) {
     return keep({cl::Feed{feed, run.modal.feed_mode}, run.here(), run.calls.back().stack});
 }
 
+namespace {
+
+/// A size written with a sign (Reference::incremental) says by it which way the next element goes along the axis of the
+/// plane that its block does not name.
+path::CornerRequest sized_corner(const Run& run, path::CornerKind kind, Code code) {
+    const BlockWords& b = run.block;
+    path::CornerRequest r;
+    r.kind = kind;
+    r.size = b.get(code) * length_unit(run.modal);
+    r.modal = run.traits->corner_may_be_tangential;
+    if (b.ref(code) != 1 + static_cast<std::uint8_t>(program::Reference::incremental)) return r;
+    const PlaneAxes a = plane_axes(run.modal.plane);
+    const bool u = b.has(axis_code(a.u)), v = b.has(axis_code(a.v));
+    if (u != v) r.toward = u ? geom::Vec2{0, r.size} : geom::Vec2{r.size, 0};
+    r.size = std::abs(r.size);
+    return r;
+}
+
+}  // namespace
+
 path::CornerRequest corner_of_block(const Run& run) {
     const BlockWords& b = run.block;
-    const double unit = length_unit(run.modal);
-    const bool passes = run.traits->corner_may_be_tangential;
-    if (b.has(Code::chamfer_length))
-        return {path::CornerKind::chamfer, b.get(Code::chamfer_length) * unit, passes, false, true, {}, {}};
-    if (b.has(Code::chamfer_leg))
-        return {path::CornerKind::chamfer_leg, b.get(Code::chamfer_leg) * unit, passes, false, true, {}, {}};
-    if (b.has(Code::round)) return {path::CornerKind::rounding, b.get(Code::round) * unit, passes, false, true, {}, {}};
-    if (run.modal.round_modal > 0 && run.modal.motion != Modal::rapid)
-        return {path::CornerKind::rounding, run.modal.round_modal, true, false, true, {}, {}};
-    return {};
+    if (b.has(Code::chamfer_length)) return sized_corner(run, path::CornerKind::chamfer, Code::chamfer_length);
+    if (b.has(Code::chamfer_leg)) return sized_corner(run, path::CornerKind::chamfer_leg, Code::chamfer_leg);
+    if (b.has(Code::round)) return sized_corner(run, path::CornerKind::rounding, Code::round);
+    path::CornerRequest modal;
+    if (run.modal.round_modal > 0 && run.modal.motion != Modal::rapid) {
+        modal.kind = path::CornerKind::rounding;
+        modal.size = run.modal.round_modal;
+        modal.modal = true;
+    }
+    return modal;
 }
 
 path::CornerRequest PathStage::corner_request(Run& run) {
@@ -276,6 +291,9 @@ void PathStage::report(Run& run, const path::CornerFault& f) {
             break;
         case path::CornerFailure::reversal:
             text = "the next element runs back along this one: there is no corner to chamfer or round";
+            break;
+        case path::CornerFailure::wrong_way:
+            text = "the next element goes the other way than the sign of this chamfer or rounding says";
             break;
         case path::CornerFailure::too_short:
             text = "a chamfer or rounding of " + base::fixed(f.size, 3) + " mm is too large for the elements beside it";

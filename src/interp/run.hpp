@@ -92,6 +92,8 @@ void procedure(Run&, const program::ProcedureCall&);
 // --- sizes of the tool (control_parameters.cpp)
 /// Radius of a mill with the allowance of its table, mm; nothing where the list does not say it.
 [[nodiscard]] std::optional<double> mill_radius(const shop::Tool&);
+/// Radius by which the path of a tool is offset: of the mill, or of the insert's corner.
+[[nodiscard]] std::optional<double> compensation_radius(const shop::Tool&);
 /// Radius of the mill in the spindle with all allowances, mm; NaN where it is not known.
 [[nodiscard]] double active_radius(const Run&);
 /// Length of the tool in the spindle with all allowances, mm; NaN where no tool data are at hand.
@@ -243,6 +245,10 @@ void begin_offsets(Run&);
 [[nodiscard]] geom::Frame offset_frame(Run&);
 /// The active zero offset anew from its parameters.
 void load_datum(Run&);
+/// The parameter is one of the zero offset in force, or of what is added to all of them.
+[[nodiscard]] bool holds_active_datum(const Run&, std::uint32_t parameter);
+/// The zero offset in force was written: it counts from here on.
+void datum_changed(Run&);
 /// G92 … G92.3, G52; G43 … G49: the words of the block.
 void shift_words(Run&, Modal);
 void tool_length_words(Run&, Modal);
@@ -269,7 +275,8 @@ void store_home(Run&);
 [[nodiscard]] bool is_kept_unknown(Run&, std::uint32_t parameter);
 /// Its value where it is known; else NaN after a complaint that names its key in the job.
 [[nodiscard]] double kept_parameter(Run&, std::uint32_t parameter, const base::Span& where);
-/// Says it where writing the parameter does more than keep a value.
+/// Behind an assignment: the zero offset in force may stand there, else it is said where writing does more than keep a
+/// value.
 void note_written(Run&, std::uint32_t parameter, const base::Span& where);
 
 // --- what the control shows of itself (live_parameters.cpp)

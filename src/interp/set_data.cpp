@@ -169,9 +169,7 @@ void write_datum(Run& run, program::DataTable table) {
         const std::uint32_t n = *first + static_cast<std::uint32_t>(k);
         run.parameters.set(n, *v / stored_unit(run, k) + (run.modal.absolute ? 0 : run.parameters.get(n)));
     }
-    load_datum(run);
-    tell(run, SettingKind::datum, static_cast<int>(place_of_datum(run.modal.datum)), run.offsets.datum);
-    update_frame(run);
+    datum_changed(run);
 }
 
 /// The tool of offset P; one that no list has begins without dimensions.

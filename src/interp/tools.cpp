@@ -372,8 +372,16 @@ void technology(Run& run) {
 void take_offset_radius(Run& run, double number) {
     const auto known = std::find_if(run.tools.begin(), run.tools.end(),
                                     [&](const shop::Tool& t) { return t.number == number && number > 0; });
+    const auto radius = known != run.tools.end() ? compensation_radius(*known) : std::nullopt;
+    if (known != run.tools.end() && !radius)
+        unchecked(run, codes::unknown_value, run.here(),
+                  "D" + printed(Value::real(number)) +
+                      " names a tool whose radius is not known: the contour is run without compensation",
+                  "give the tool with its radius in the job");
     if (known != run.tools.end())
-        run.modal.compensation_radius = mill_radius(*known).value_or(0);
+        run.modal.compensation_radius = radius.value_or(0);
+    else if (std::isnan(number))
+        unchecked(run, codes::unknown_value, run.here(), "which tool offset D is meant depends on a value that is not known");
     else if (number == 0)
         run.modal.compensation_radius = 0;
     else if (!run.tools.empty())

@@ -16,6 +16,7 @@ enum class CornerFailure : std::uint8_t {
     not_joined,  ///< the elements have no common point
     tangential,  ///< there is no corner: nothing to insert, keep the elements
     reversal,    ///< the second element runs back along the first
+    wrong_way,   ///< the second element runs the other way than the sign of the size says
     too_short,   ///< an element is too short for it
 };
 

@@ -2,6 +2,8 @@
 
 #include <utility>
 
+#include "path/curve.hpp"
+
 namespace obrys::path {
 
 std::optional<CornerFault> CornerStage::push(Element e, const CornerRequest& at_end, CornerSink out) {
@@ -31,6 +33,7 @@ std::optional<std::uint64_t> CornerStage::oldest_tag() const {
 
 std::optional<CornerFault> CornerStage::insert(Element& next, CornerSink out) {
     CornerResult r = insert_corner(*held_, next, request_.kind, request_.size);
+    if (r.ok() && geom::dot(start_direction(next), request_.toward) < 0) r.failure = CornerFailure::wrong_way;
     if (r.ok()) {
         release(next, std::move(r), out);
         return std::nullopt;

@@ -18,6 +18,8 @@ struct CornerRequest {
     bool modal = false;        ///< corners without a corner (tangential) are no fault
     bool reduce = false;       ///< take the largest that fits instead of failing
     bool feed_of_next = true;  ///< the next element's events come before the inserted one (F of the leading-away block)
+    /// Not null: the next element must not run against it (sizes whose sign says where the corner turns).
+    geom::Vec2 toward{};
     std::vector<int> before{}, after{};  ///< events round the inserted element alone (FRC=: its feed, and back)
 };
 

@@ -194,12 +194,23 @@ struct Traits {
     /// Radius compensation is made in the plane of G17 … G19 whatever frames turn, unless the program says otherwise
     /// (Modal::compensation_in_frame); else in the plane as frames turn it.
     bool compensates_in_fixed_plane = false;
-    /// The plane may not change while radius compensation is on.
-    bool compensation_holds_plane = false;
+    /// The plane may not change while radius compensation is on: the control's alarm; empty: it may.
+    std::string_view compensation_holds_plane{};
     /// Exponents in texts are written EX ("1.5EX2"), and E alone is none.
     bool exponent_is_ex = false;
     /// DIAMON and DIAMOF say in a program whether X words are diameters.
     bool has_diameter_words = false;
+    /// The motion in force before the program has said one is rapid; else at feed.
+    bool rapid_at_start = false;
+    /// Coordinates while G2 or G3 is in force, without centre and radius, are a straight move at feed: by this setting
+    /// of the control; empty: they are an alarm.
+    std::string_view line_without_centre{};
+    /// An arc by its radius to where it starts is no move; else an alarm.
+    bool radius_to_start_stays = false;
+    /// R in a block of a straight move makes it an arc in the last sense of rotation; else it belongs to other words.
+    bool radius_makes_arc = true;
+    /// What the words of hole cycles have said holds for another cycle of the series, too, until it is cancelled.
+    bool canned_words_stay = false;
     /// P of an arc is the number of its turns, the last one begun counted.
     bool arc_turns_in_p = false;
     /// Canned cycles leave to R (G99) before the program has said which.

@@ -20,7 +20,15 @@ using program::CycleValue;
 constexpr CannedWord dwell{Code::p, CycleRole::dwell_bottom, false, 1};
 constexpr CannedWord infeed{Code::q, CycleRole::infeed, true, 1};
 
-constexpr std::array dwells{dwell};
+/// Words that a cycle itself does not look at: they hold for the next one of the series (Traits::canned_words_stay). Q of
+/// a tap says in which steps it goes down (bit PCP of parameter 5200), J of Haas how fast it comes back: the hole is the same.
+constexpr CannedWord kept_p{Code::p, CycleRole::stepover, false, 1};
+constexpr CannedWord kept_q{Code::q, CycleRole::stepover, true, 1};
+constexpr CannedWord kept_j{Code::j, CycleRole::stepover, false, 1};
+
+constexpr std::array plain{kept_p, kept_q};
+constexpr std::array dwells{dwell, kept_q};
+constexpr std::array haas_taps{dwell, kept_q, kept_j};
 constexpr std::array pecks{infeed, dwell};
 constexpr std::array shifts{CannedWord{Code::q, CycleRole::shift_u, true, 1}, dwell};
 /// Z and R of back boring change places in the reader: R is the bottom, Z the end of the counterbore.
@@ -34,7 +42,7 @@ constexpr std::array haas_shifts{CannedWord{Code::q, CycleRole::shift_u, true, 1
                                  CannedWord{Code::i, CycleRole::shift_u, true, 1},
                                  CannedWord{Code::j, CycleRole::shift_v, true, 1}};
 
-constexpr std::array unshifted{CycleValue{CycleRole::shift_u, 0}};  ///< where Q is left out
+constexpr std::array unshifted{CycleValue{CycleRole::shift_u, 0}, CycleValue{CycleRole::shift_v, 0}};  ///< but by Q
 constexpr std::array chip_break{CycleValue{CycleRole::chip_break_distance, 1}};
 constexpr std::array stop_above{CycleValue{CycleRole::stop_distance_first, 1}};
 constexpr std::array right{CycleValue{CycleRole::spindle_direction, 1}, CycleValue{CycleRole::starts_spindle, 1}};
@@ -44,12 +52,12 @@ constexpr std::array mill{
     CannedCycle{730, CycleKind::canned_chip_break, "G73", pecks, chip_break},
     CannedCycle{740, CycleKind::canned_tap_floating, "G74", dwells, left},
     CannedCycle{760, CycleKind::canned_bore_orient, "G76", shifts, unshifted},
-    CannedCycle{810, CycleKind::canned_drill, "G81", {}, {}},
+    CannedCycle{810, CycleKind::canned_drill, "G81", plain, {}},
     CannedCycle{820, CycleKind::canned_drill, "G82", dwells, {}},
     CannedCycle{830, CycleKind::canned_peck, "G83", pecks, stop_above},
     CannedCycle{840, CycleKind::canned_tap_floating, "G84", dwells, right},
-    CannedCycle{850, CycleKind::canned_bore_feed, "G85", {}, {}},
-    CannedCycle{860, CycleKind::canned_bore_stop, "G86", {}, {}},
+    CannedCycle{850, CycleKind::canned_bore_feed, "G85", plain, {}},
+    CannedCycle{860, CycleKind::canned_bore_stop, "G86", plain, {}},
     CannedCycle{870, CycleKind::canned_back_bore, "G87", back, unshifted},
     CannedCycle{880, CycleKind::canned_bore_manual, "G88", dwells, {}},
     CannedCycle{890, CycleKind::canned_bore_feed, "G89", dwells, {}},
@@ -57,14 +65,14 @@ constexpr std::array mill{
 /// Haas G77 is FANUC's G87; its G86, G87 and G88 stop the spindle at the bottom.
 constexpr std::array haas{
     CannedCycle{730, CycleKind::canned_chip_break, "G73", haas_pecks, chip_break},
-    CannedCycle{740, CycleKind::canned_tap_floating, "G74", dwells, left},
+    CannedCycle{740, CycleKind::canned_tap_floating, "G74", haas_taps, left},
     CannedCycle{760, CycleKind::canned_bore_orient, "G76", haas_shifts, unshifted},
-    CannedCycle{810, CycleKind::canned_drill, "G81", {}, {}},
+    CannedCycle{810, CycleKind::canned_drill, "G81", plain, {}},
     CannedCycle{820, CycleKind::canned_drill, "G82", dwells, {}},
     CannedCycle{830, CycleKind::canned_peck, "G83", haas_pecks, stop_above},
-    CannedCycle{840, CycleKind::canned_tap_floating, "G84", dwells, right},
-    CannedCycle{850, CycleKind::canned_bore_feed, "G85", {}, {}},
-    CannedCycle{860, CycleKind::canned_bore_stop, "G86", {}, {}},
+    CannedCycle{840, CycleKind::canned_tap_floating, "G84", haas_taps, right},
+    CannedCycle{850, CycleKind::canned_bore_feed, "G85", plain, {}},
+    CannedCycle{860, CycleKind::canned_bore_stop, "G86", plain, {}},
     CannedCycle{880, CycleKind::canned_bore_manual, "G88", dwells, {}},
     CannedCycle{890, CycleKind::canned_bore_feed, "G89", dwells, {}},
 };

@@ -89,6 +89,10 @@ constexpr program::Traits common{
                 .extended_count = 48},
     .dwell_in_feed_words = false,
     .feed_mode_ends_surface_speed = false,
+    .compensation_holds_plane = "37",
+    .rapid_at_start = true,  // parameter 3402, bit G01 = 0
+    .radius_makes_arc = false,
+    .canned_words_stay = true,
 };
 
 /// With the hole cycles of mills, or for a lathe.
@@ -96,6 +100,8 @@ program::Traits traits_of(std::span<const program::CannedCycle> cycles, bool haa
     program::Traits t = common;
     t.canned = cycles;
     if (haas) t.kept = haas_kept;
+    if (!haas) t.line_without_centre = "bit CIR of parameter 3403 = 0";  // operator's manual, circular interpolation
+    t.radius_to_start_stays = !haas;                                    // the same: "G02 R: the cutter does not move"
     if (lathe) t.live = lathe_live;
     return t;
 }

@@ -90,7 +90,7 @@ inline constexpr program::Traits traits{
     .modal_call_without_motion = true,
     .corner_may_be_tangential = true,
     .compensates_in_fixed_plane = true,
-    .compensation_holds_plane = true,
+    .compensation_holds_plane = "10757",
     .exponent_is_ex = true,
     .has_diameter_words = true,
 };

@@ -87,8 +87,16 @@ std::string take_comment(FanucState& s) {
 
 void read_addresses(FanucState& s) {
     s.addresses.clear();
+    s.slash.reset();
     while (!s.failed && !s.line.at_end()) {
         const char c = s.line.peek();
+        if (c == '/' && !s.slash && !s.addresses.empty()) {
+            s.line.step();
+            const bool level = base::is_digit(s.line.peek()) && s.line.peek() > '1';
+            s.slash = {s.addresses.size(), static_cast<std::uint8_t>(level ? s.line.peek() - '0' + 1 : 1)};
+            if (base::is_digit(s.line.peek())) s.line.step();
+            continue;
+        }
         if (c == '(') {
             static_cast<void>(take_comment(s));
         } else if (c == ',' && base::is_letter(s.line.peek(1))) {
@@ -118,12 +126,45 @@ void emit_addresses(FanucState& s) {
     for (Address& a : s.addresses)
         if (!s.failed && !a.used) emit_address(s, a);
     if (s.failed) return;
+    s.facts.refused = s.facts.refused || s.lost;
     emit_block(s);
     if (!s.restore_motion) return;
     s.build().statement(StatementKind::block, s.line.begin());
     s.build().modal(s.motion, s.line.begin(), s.line.end());
     s.build().end_statement(s.line.end());
 }
+
+namespace {
+
+/// A jump forwards whose target comes later; its index.
+std::size_t open_jump(FanucState& s, std::uint8_t skip) {
+    s.build().begin_block(skip);
+    s.unit().jumps.emplace_back();
+    add_control(s, StatementKind::jump, s.unit().jumps.size() - 1);
+    return s.unit().jumps.size() - 1;
+}
+
+/// `X10. /Z5.`: while the skip is on, what stands behind the slash is not there (B-63684EN, optional block skip). The
+/// block both ways, and a jump over the short one that the skip takes out.
+void read_slashed(FanucState& s) {
+    if (s.skip != 0)
+        return fail(s, s.line.begin(), s.line.end(), "a second / in a block is not run", "write two blocks");
+    const std::vector<Address> all = s.addresses;
+    const auto here = [&] { return static_cast<std::uint32_t>(s.unit().statements.size()); };
+    const auto emit = [&](std::size_t count) {
+        s.addresses.assign(all.begin(), all.begin() + static_cast<std::ptrdiff_t>(count));
+        if (!read_calls(s) && !s.failed) emit_addresses(s);
+    };
+    const std::size_t to_whole = open_jump(s, s.slash->second), words = s.slash->first;
+    s.build().begin_block();
+    emit(words);
+    const std::size_t to_end = open_jump(s, 0);
+    s.unit().jumps[to_whole].target = here();
+    if (!s.failed) emit(all.size());
+    s.unit().jumps[to_end].target = here();
+}
+
+}  // namespace
 
 void read_rest(FanucState& s) {
     s.condition = no_expr;
@@ -138,6 +179,7 @@ void read_rest(FanucState& s) {
     if (s.failed) return;
     if (s.condition != no_expr && !jumps(s)) return fail(s, begin, s.line.end(), "expected M99 P behind the condition");
     if (s.addresses.empty()) return;
+    if (s.slash) return read_slashed(s);
     if (!read_calls(s) && !s.failed) emit_addresses(s);
 }
 

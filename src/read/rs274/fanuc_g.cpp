@@ -49,7 +49,10 @@ void follow(FanucState& s, const FanucG& g) {
         case Modal::plane_xy: s.plane = 17; return;
         case Modal::plane_zx: s.plane = 18; return;
         case Modal::plane_yz: s.plane = 19; return;
-        case Modal::canned_off: s.hole = 0; return;
+        case Modal::canned_off:
+            s.hole = 0;
+            if (s.turning < 900) s.turning = 0;  // G83 … G85 of lathes
+            return;
         case Modal::canned: s.hole = g.number; return;
         default: break;
     }
@@ -147,6 +150,20 @@ void hole_cycle(FanucState& s, const FanucG& g, const Address& a) {
     use_letters(s, "ZRQPKLIJ");
 }
 
+/// Polar (G12.1, G112) and cylindrical (G7.1, G107) interpolation: within them coordinates are those of another plane.
+bool is_interpolation(int code) { return code == 121 || code == 1120 || code == 71 || code == 1070; }
+
+/// G13.1, G113; G7.1 C0: the axis of the cylinder with the radius 0.
+bool interpolation_ends(FanucState& s, int code) {
+    bool ends = code == 131 || code == 1130;
+    if (code == 71 || code == 1070)
+        for (const char axis : {'A', 'B', 'C'})
+            if (Address* a = find_address(s, axis); a != nullptr && a->value.is_literal() && a->value.number() == 0)
+                a->used = ends = true;
+    if (ends) s.lost = false;
+    return ends;
+}
+
 /// The lead stands in F (E for inches with many digits): along Z, or along X where Z is not programmed.
 void thread(FanucState& s, const FanucG& g, const Address& a) {
     if (Address* e = find_address(s, 'E')) {
@@ -234,12 +251,42 @@ void datum_with_number(FanucState& s) {
     }
 }
 
+/// The block's coordinates are ways from where the tool is: G91, or U, V, W, H of lathes in system A.
+bool is_incremental_block(FanucState& s) {
+    if (s.incremental) return true;
+    if (!s.control.is_lathe() || s.control.system != dialect::rs274::GSystem::a) return false;
+    const auto has = [&](std::string_view letters) {
+        return std::any_of(letters.begin(), letters.end(), [&](char c) { return find_address(s, c) != nullptr; });
+    };
+    return has("UVWH") && !has("XYZC");
+}
+
+/// "When an incremental command is specified, the G53 command is ignored" (FANUC B-63684EN, machine coordinate system);
+/// what Haas does was not to be found.
+void drop_machine_position(FanucState& s, std::size_t word) {
+    const BlockWord w = s.words[word];
+    s.words.erase(s.words.begin() + static_cast<std::ptrdiff_t>(word));
+    if (s.control.haas) {
+        s.facts.refused = true;
+        return add_problem(s, Code::unsupported, w.begin, w.end, "machine coordinates as ways from where the tool is");
+    }
+    base::Diagnostic d;
+    d.severity = base::Severity::warning;
+    d.code = base::codes::assumption;
+    d.where = s.build().span(w.begin, w.end);
+    d.text = "G53 with incremental coordinates is ignored by the control: the block moves from where the tool is";
+    d.remedy = "write G90 before it, or absolute coordinates";
+    s.diagnostics.add(std::move(d));
+}
+
 /// G53 moves in rapid traverse whatever holds; what held comes back behind it.
 void machine_position(FanucState& s) {
     const auto found = std::find_if(s.words.begin(), s.words.end(), [](const BlockWord& w) {
         return w.code == Code::modal && w.modal == Modal::suppress_all;
     });
-    if (found == s.words.end() || s.own_motion || s.motion == Modal::rapid) return;
+    if (found == s.words.end()) return;
+    if (is_incremental_block(s)) return drop_machine_position(s, static_cast<std::size_t>(found - s.words.begin()));
+    if (s.own_motion || s.motion == Modal::rapid) return;
     const std::uint32_t begin = found->begin, end = found->end;
     add_modal(s, Order::motion, Modal::rapid, 0, begin, end);
     s.restore_motion = true;
@@ -263,11 +310,13 @@ void read_g_code(FanucState& s, Address& a) {
         s.facts.refused = true;
         return add_problem(s, Code::unknown, a.begin, a.end, {});
     }
+    if (interpolation_ends(s, *code)) return accept(s, a);
     if (g->use == FanucUse::accepted) {
         use_letters(s, *code == 220 ? "XYZIJK" : "PQRE");
         return accept(s, a);
     }
     if (g->use == FanucUse::refused) {
+        s.lost = s.lost || is_interpolation(*code);
         // Codes that change how a way is made, not where it ends, keep their block's coordinates.
         s.facts.refused = s.facts.refused || g->order == Order::motion;
         return add_problem(s, Code::unsupported, a.begin, a.end, g->says);

@@ -57,6 +57,7 @@ struct Extent {
 };
 
 Extent extent_of(std::string_view text) {
+    while (!text.empty() && (text.back() == '\x1A' || text.back() == '\0')) text.remove_suffix(1);  // CP/M's end of file
     Extent e{0, text.size(), false, false, false};
     std::size_t header = std::string_view::npos;
     bool blocks = false, lines = false;
@@ -157,6 +158,8 @@ void read_piece(FanucState& s, const base::Source& source, std::size_t begin, st
         begin += n;
     }
     if (base::trim(s.text.substr(begin, end - begin)).empty()) return;
+    if (s.text[begin] == '[' && begin + 1 < end && base::is_letter(s.text[begin + 1]))  // [BILLET X100 Y50 Z20
+        return note(s, begin, end, base::codes::no_effect, "a line for a simulator, not for the control, is not read");
     due_program(s, source, begin);
     read_fanuc_block(s, static_cast<std::uint32_t>(begin), static_cast<std::uint32_t>(end));
 }
@@ -178,11 +181,13 @@ void read_line(FanucState& s, const base::Source& source, std::size_t begin, std
 
 std::vector<program::Unit> read_text(std::uint32_t file, const base::Sources& sources, program::Names& names,
                                      base::Diagnostics& diagnostics, const FanucControl& control,
-                                     bool whole_numbers_known) {
+                                     const FanucOptions& options) {
     const base::Source& source = sources[file];
     FanucState s(file, control, names, diagnostics, sources);
     s.system = system_parameter;
-    s.whole_number_said = whole_numbers_known;
+    s.whole_number_said = options.whole_numbers_known;
+    s.c_is_axis = options.c_axis ? *options.c_axis : control.is_lathe() && uses_c_axis(s.text);
+    s.corner_said = options.c_axis.has_value();
     const Extent e = extent_of(s.text);
     note_extent(s, e);
     for (std::size_t at = e.begin; at < e.end;) {
@@ -211,14 +216,12 @@ FanucControl control_of(const base::Source& source, const FanucOptions& options,
 
 std::vector<program::Unit> read_fanuc(std::uint32_t file, const base::Sources& sources, program::Names& names,
                                       base::Diagnostics& diagnostics, const FanucOptions& options) {
-    return read_text(file, sources, names, diagnostics, control_of(sources[file], options, false),
-                     options.whole_numbers_known);
+    return read_text(file, sources, names, diagnostics, control_of(sources[file], options, false), options);
 }
 
 std::vector<program::Unit> read_haas(std::uint32_t file, const base::Sources& sources, program::Names& names,
                                      base::Diagnostics& diagnostics, const FanucOptions& options) {
-    return read_text(file, sources, names, diagnostics, control_of(sources[file], options, true),
-                     options.whole_numbers_known);
+    return read_text(file, sources, names, diagnostics, control_of(sources[file], options, true), options);
 }
 
 std::vector<program::Unit> read_fanuc(std::uint32_t file, const base::Sources& sources, program::Names& names,

@@ -20,6 +20,7 @@ struct FanucOptions {
     std::optional<dialect::rs274::FanucMachine> machine{};
     dialect::rs274::GSystem system = dialect::rs274::GSystem::a;
     dialect::rs274::WholeNumbers whole_numbers = dialect::rs274::WholeNumbers::increments;
+    std::optional<bool> c_axis{};      ///< of lathes: the machine has an axis C, or has none
     bool whole_numbers_known = false;  ///< somebody says so: it is no assumption
 };
 

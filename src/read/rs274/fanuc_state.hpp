@@ -79,14 +79,20 @@ struct FanucState : State {
     std::vector<Transformation> frames;
     int hole = 0;            ///< G number * 10 of the hole cycle in force; 0: none
     int turning = 0;         ///< of the turning cycle in force
+    bool lost = false;       ///< within polar or cylindrical interpolation, which are not run
+    bool at_centre = false;  ///< of lathes: the last X was 0
     bool new_cycle = false;  ///< nothing of the turning cycle has been run yet
     Modal motion = Modal::rapid;
     std::optional<Value> lead;  ///< the F last written as a number: the lead of threads without F
     bool whole_number_said = false;
+    bool c_is_axis = false;  ///< of lathes: C is no chamfer
+    bool corner_said = false;
     bool units_said = false;
 
     // The block at hand.
     std::vector<Address> addresses;
+    /// `/` between them: how many stand in front of it, and its level + 1.
+    std::optional<std::pair<std::size_t, std::uint8_t>> slash;
     std::vector<Special> special;
     bool own_motion = false;              ///< a G code of the motion group stands in it
     bool restore_motion = false;          ///< `motion` holds again behind it
@@ -124,6 +130,12 @@ enum class Quantity : std::uint8_t { length, angle, feed, milliseconds, thousand
 void emit_address(FanucState& s, Address& a);
 void put_value(FanucState& s, Order order, Code code, const Value& v, const Address& a);
 
+// fanuc_corner.cpp
+/// Chamfers, roundings and angles of straight blocks; false where the address is none of them.
+[[nodiscard]] bool corner_word(FanucState& s, const Address& a);
+/// C of a lathe's program is an axis by how the text uses it.
+[[nodiscard]] bool uses_c_axis(std::string_view text);
+
 // fanuc_g.cpp
 void read_g_code(FanucState& s, Address& a);
 void read_m_code(FanucState& s, Address& a);
@@ -148,6 +160,10 @@ void repetitive_cycle(FanucState& s, const FanucG& g, const Address& a);
 void turning_special(FanucState& s, const FanucG& g, const Address& a);
 /// A block with coordinates while a turning cycle is in force.
 [[nodiscard]] bool turning_block(FanucState& s);
+
+// fanuc_lathe_hole.cpp
+/// G83, G84, G85 of lathes: a block with coordinates while one is in force; false where it has none.
+[[nodiscard]] bool lathe_hole(FanucState& s);
 
 // fanuc_call.cpp
 /// G65, G66, M97, M98, M99 of the block; false where there is none.

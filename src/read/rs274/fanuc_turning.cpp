@@ -132,6 +132,7 @@ void turning_special(FanucState& s, const FanucG& g, const Address& a) {
 bool turning_block(FanucState& s) {
     if (s.turning == 0 || s.own_motion) return false;
     bool axes = false;
+    if (s.turning >= 830 && s.turning <= 850) return lathe_hole(s);
     for (const char letter : {'X', 'U', 'Z', 'W'}) axes = axes || find_address(s, letter) != nullptr;
     if (!axes) return false;
     single_cycle(s, s.new_cycle);

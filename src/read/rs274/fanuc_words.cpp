@@ -127,14 +127,6 @@ void turret(FanucState& s, const Address& a) {
     s.words.push_back(w);
 }
 
-/// `,C` and `,R`: chamfer and rounding between this block and the next.
-void corner(FanucState& s, const Address& a) {
-    const Value v = scaled(s, a.value, Quantity::length);
-    if (a.letter == 'C') return put_value(s, Order::value, Code::chamfer_leg, v, a);
-    if (a.letter == 'R') return put_value(s, Order::value, Code::round, v, a);
-    add_problem(s, Code::unsupported, a.begin, a.end, "an angle or another word of direct drawing input");
-}
-
 }  // namespace
 
 Quantity quantity_of(const FanucState& s, char letter) {
@@ -184,7 +176,7 @@ void put_value(FanucState& s, Order order, Code code, const Value& v, const Addr
 
 void emit_address(FanucState& s, Address& a) {
     a.used = true;
-    if (a.comma) return corner(s, a);
+    if (corner_word(s, a)) return;
     if (a.letter == 'T' && s.control.is_lathe()) return turret(s, a);
     if (const auto code = polar_code(s, a.letter)) {
         if (s.incremental) return add_problem(s, Code::unsupported, a.begin, a.end, "an incremental polar coordinate");
@@ -192,6 +184,8 @@ void emit_address(FanucState& s, Address& a) {
         return put_value(s, Order::value, *code, scaled(s, a.value, q), a);
     }
     const Value v = scaled(s, a.value, quantity_of(s, a.letter));
+    if (a.letter == 'X' || a.letter == 'U')
+        s.at_centre = a.letter == 'X' && v.is_literal() && v.number() == 0 && !s.incremental;
     if (const auto code = incremental_code(s, a.letter)) {
         Value by = v;
         by.expr = s.build().with_reference(Reference::incremental, as_expr(s, v), a.begin, a.end);
