@@ -173,7 +173,7 @@ void read_comment(State& s, bool after_stop) {
 
 void read_block(State& s) {
     s.block = s.in.at();
-    s.failed = false;
+    s.failed = s.rapid_counts = s.machine_counts = false;
     s.statements = s.build.unit().statements.size();
     const std::uint32_t last_path = s.last_path;
     const bool after_stop = s.after_stop;

@@ -262,6 +262,7 @@ void read_call(State& s, std::uint32_t begin) {
     const bool pattern = s.in.take_word("PAT");
     if (pattern || s.in.take_word("POS")) {
         s.build.modal(pattern ? Modal::cycle_pattern : Modal::cycle_position, begin, s.in.at());
+        s.rapid_counts = true;
         s.build.modal(has_rapid(s) ? Modal::rapid : Modal::linear, begin, s.in.at());
     }
     s.build.bare(Code::cycle_call, begin, s.in.at());

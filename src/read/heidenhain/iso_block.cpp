@@ -277,6 +277,7 @@ void flush_pending(State& s) {
 void read_iso_block(State& s) {
     s.block = s.in.at();
     s.failed = false;
+    s.rapid_counts = s.machine_counts = true;
     const IsoBlock b = look_over(s);
     const bool corner = b.has_g(24) || b.has_g(25) || b.has_g(26);
     if (!corner) flush_pending(s);  // a corner belongs to the block before it

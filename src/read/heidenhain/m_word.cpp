@@ -86,6 +86,8 @@ void read_m(State& s, std::uint32_t begin) {
     }
     if (!v.is_literal()) return s.build.expression(Code::m, v.expr, begin, v.end);
     const double m = v.number();
+    if (m == 91 && !s.machine_counts)
+        return s.build.problem(Code::unsupported, begin, v.end, "only straight blocks refer to the machine datum");
     if (m == 91) return s.build.modal(Modal::suppress_all, begin, v.end);
     if (m == 99) return s.build.bare(Code::cycle_call, begin, v.end);
     if (m == 89) return s.build.bare(Code::cycle_call_modal, begin, v.end);

@@ -15,7 +15,11 @@ std::optional<Code> axis_of(char c) {
 void read_feed(State& s) {
     const std::uint32_t begin = s.in.at();
     s.in.step();
-    if (s.in.take_word("MAX")) return;  // the block's motion has it
+    if (s.in.take_word("MAX")) {  // the block's motion has it
+        if (!s.rapid_counts)
+            s.build.problem(Code::unsupported, begin, s.in.at(), "only straight blocks are run in rapid traverse");
+        return;
+    }
     if (s.in.take_word("AUTO")) return s.build.bare(Code::feed_auto, begin, s.in.at());
     const char kind = base::upper(s.in.peek());
     if (kind == 'U' || kind == 'Z') {
@@ -129,11 +133,18 @@ bool sense(State& s) {
     return true;
 }
 
-void straight(State& s) { s.build.modal(has_rapid(s) ? Modal::rapid : Modal::linear, s.block, s.in.at()); }
+void straight(State& s) {
+    s.rapid_counts = s.machine_counts = true;
+    s.build.modal(has_rapid(s) ? Modal::rapid : Modal::linear, s.block, s.in.at());
+}
 
 void pole(State& s) {
     s.build.modal(Modal::pole_given, s.block, s.in.at());
-    read_words(s, false);
+    while (!s.failed && !s.in.at_end()) {
+        const char c = base::upper(s.in.peek());
+        if (c != 'I' && !axis_of(c)) return fail_here(s, "CC has coordinates alone, found " + here(s));
+        read_word(s, false);
+    }
 }
 
 enum class Kind : std::uint8_t {

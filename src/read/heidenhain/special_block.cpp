@@ -235,6 +235,7 @@ void read_special(State& s, SpecialKind kind, Family family, std::uint32_t begin
     program::Unit& unit = s.build.unit();
     s.build.control(StatementKind::special, unit.specials.size(), s.block, s.in.at());
     unit.specials.push_back({});
+    s.rapid_counts = family == Family::plane;
     if (family == Family::spline) s.build.modal(Modal::linear, s.block, s.in.at());
     while (!s.failed && !s.in.at_end())
         if (!read_own(s, special, family)) read_word(s, false);

@@ -38,6 +38,8 @@ struct State {
     bool numbered = false;        ///< … with a number
     bool first_numbered = false;  ///< the text's first block has a number: a line without one goes on with a cycle
     bool failed = false;          ///< a complaint was made about it
+    bool rapid_counts = false;    ///< FMAX in the block at hand is how it moves
+    bool machine_counts = false;  ///< M91 in it, too
     bool begun = false;           ///< BEGIN PGM or %NAME G71 was read
     bool ended = false;           ///< … and its END PGM or last %NAME: what follows is no part of the program
     std::uint32_t last_path = program::no_target;   ///< the block before, where it is a contour element

@@ -45,7 +45,8 @@ void plane_of(State& s, std::uint32_t begin) {
 
 void feed_of_tool(State& s, std::uint32_t begin) {
     s.in.step();
-    if (s.in.take_word("MAX") || s.in.take_word("AUTO")) return;
+    if (s.in.take_word("MAX") || s.in.take_word("AUTO"))
+        return s.build.problem(Code::unsupported, begin, s.in.at(), "TOOL CALL has a feed in numbers");
     const char kind = base::upper(s.in.peek());
     if (kind == 'U' || kind == 'Z') {
         s.in.step();
