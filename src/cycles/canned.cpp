@@ -31,7 +31,9 @@ Hole read_hole(Course& c, const Situation& s) {
     h.retract = c.need(Role::retract_plane);
     h.bottom = c.need(Role::bottom);
     h.end = std::max(h.retract, c.maybe(Role::return_level, h.retract));
-    h.rise_first = c.maybe(Role::rise_first, 0) != 0;
+    const double rise = c.maybe(Role::rise_first, 0);
+    h.rise_first = rise != 0;
+    h.risen = rise > 1;
     if (h.rise_first) c.known(s.at.z, "the tool's height");
     if (h.retract < h.bottom) c.fault(Role::retract_plane, "the retract plane lies below the bottom of the hole");
     return h;
@@ -41,8 +43,8 @@ void feed_w(Course& c, double w) { c.straight({c.at().x, c.at().y, w}, false); }
 void rapid_to_w(Course& c, double w) { c.straight({c.at().x, c.at().y, w}, true); }
 
 void approach(Course& c, const Hole& h) {
-    if (h.rise_first && c.at().z < h.retract) rapid_to_w(c, h.retract);
-    c.straight({h.target.x, h.target.y, c.at().z}, true);
+    if (h.rise_first && !h.risen && c.at().z < h.retract) rapid_to_w(c, h.retract);
+    c.straight({h.target.x, h.target.y, h.rise_first ? std::max(c.at().z, h.end) : c.at().z}, true);
     if (c.at().z != h.retract) rapid_to_w(c, h.retract);
 }
 

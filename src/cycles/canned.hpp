@@ -2,7 +2,8 @@
 /// What the canned cycles of one hole (RS-274, Fanuc, Haas: G73, G74, G76, G81 … G89) have in common.
 ///
 /// They begin where the tool stands (Situation::at, which may be unknown) and make the moves to the hole themselves:
-///   rise_first 1 (LinuxCNC): a tool below the retract plane rises to it;
+///   rise_first 1 (LinuxCNC): a tool below the retract plane rises to it first; 2: not so, further holes of a series;
+///   with either the move in the plane ends at the height where the cycle ends, if that is higher;
 ///   in the plane to (target_u, target_v), at the height where the tool is; written also where it is there already;
 ///   along the tool axis to the retract plane, unless it stands there.
 /// Then what the kind says, at the feed in force: no Feed is written. They end over the hole at
@@ -22,7 +23,7 @@ namespace obrys::cycles {
 struct Hole {
     geom::Vec2 target;
     double retract = 0, bottom = 0, end = 0;  ///< w
-    bool rise_first = false;
+    bool rise_first = false, risen = false;
 };
 [[nodiscard]] Hole read_hole(Course& course, const Situation& situation);
 /// As above without the retract plane's part: back boring, where it may be missing.

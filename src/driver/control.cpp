@@ -87,8 +87,8 @@ constexpr std::array controls_table{
     Control{"sinumerik-840d", sinumerik_languages, sinumerik_programs, sinumerik_definitions},
     Control{"heidenhain-itnc530", heidenhain_languages, heidenhain_programs, {}},
     Control{"linuxcnc", linuxcnc_languages, rs274_programs, {}, o_word_file},
-    Control{"fanuc", fanuc_languages, rs274_programs, {}, o_word_file},
-    Control{"haas", haas_languages, rs274_programs, {}, o_word_file},
+    Control{"fanuc", fanuc_languages, rs274_programs, {}, o_word_file, true},
+    Control{"haas", haas_languages, rs274_programs, {}, o_word_file, true},
 };
 
 }  // namespace
@@ -101,19 +101,10 @@ const Control* find_control(std::string_view name) {
     return nullptr;
 }
 
-Guess guess_control(std::string_view text, std::string_view file_name) {
-    Guess best;
-    for (const Control& c : controls_table) {
-        const int n = language_of(c, text, file_name).likelihood(text, file_name);
-        if (best.control == nullptr || n > best.likelihood) best = {&c, n};
-    }
-    return best;
-}
-
 const Language& language_of(const Control& control, std::string_view text, std::string_view file_name) {
     return *std::max_element(control.languages.begin(), control.languages.end(),
                              [&](const Language& a, const Language& b) {
-                                 return a.likelihood(text, file_name) < b.likelihood(text, file_name);
+                                 return a.likelihood(text, file_name, nullptr) < b.likelihood(text, file_name, nullptr);
                              });
 }
 

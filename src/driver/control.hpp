@@ -19,7 +19,8 @@ struct Language {
     /// `machine`: the one the program is for, where somebody says it; else null.
     std::vector<program::Unit> (*read)(std::uint32_t file, const base::Sources&, program::Names&, base::Diagnostics&,
                                        const shop::Machine* machine);
-    int (*likelihood)(std::string_view text, std::string_view file_name);  ///< 0 to 100
+    /// 0 to 100; `signs`, where it is not null, gets the words of the text that speak for it.
+    int (*likelihood)(std::string_view text, std::string_view file_name, std::vector<std::string>* signs);
 };
 
 struct Control {
@@ -31,6 +32,9 @@ struct Control {
     /// File that holds the called program, upper case, without suffix, for programs that are not called by the name of
     /// their file ("O<FOO>": FOO); null: they are. A file of the program's own name counts where there is none such.
     std::string (*file_stem)(std::string_view program) = nullptr;
+    /// Lengths without a point may be least input increments (X100 is 0.1 mm), and X of a lathe is a diameter from the
+    /// start.
+    bool counts_increments = false;
 };
 /// The language in which the text is most likely written; the first one where nothing says so.
 [[nodiscard]] const Language& language_of(const Control& control, std::string_view text, std::string_view file_name);
@@ -41,6 +45,13 @@ struct Control {
 struct Guess {
     const Control* control = nullptr;
     int likelihood = 0;
+    std::vector<std::string> signs;  ///< words of the text that speak for it; empty: nothing but the form of the lines
+    const Control* next = nullptr;   ///< the second best
+    int next_likelihood = 0;
+    bool by_suffix = false;          ///< the file's name says it
+    /// Where the second best cannot be ruled out and would read a number as another length: what it is, with the number.
+    std::string difference;
+    std::string foreign;             ///< a control that cannot be read and whose words stand in the text; empty: none
 };
 /// The control for which the text was most likely written.
 [[nodiscard]] Guess guess_control(std::string_view text, std::string_view file_name);

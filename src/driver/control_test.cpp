@@ -2,7 +2,9 @@
 
 #include <filesystem>
 #include <fstream>
+#include <iostream>
 #include <iterator>
+#include <map>
 
 #include "base/diagnostic.hpp"
 #include "driver/control.hpp"
@@ -35,6 +37,96 @@ TEST(Control, IsFoundFromTheTextOfEveryProgramOfTheCorpora) {
             EXPECT_EQ(guess.control->name, control) << entry.path();
         }
     }
+}
+
+namespace {
+
+Guess guess_of(std::string_view text, std::string_view name) { return guess_control(text, name); }
+
+std::string taken(std::string_view text, std::string_view name) {
+    return std::string(guess_of(text, name).control->name);
+}
+
+}  // namespace
+
+TEST(Control, WordsOfFanucAndHaasAreKnown) {
+    EXPECT_EQ(taken("%\nO1000\nG0 X10. Y10.\nG1 Z-1. F100.\nM30\n%\n", "a.nc"), "fanuc");
+    EXPECT_EQ(taken("G21 G90\nG91 G28 Z0.\nG90 G54\nG0 X10. Y10.\nM30\n", "b.nc"), "fanuc");
+    EXPECT_EQ(taken("T0101\nG97 S500 M3\nG0 X50. Z2.\nG1 Z-20. F0.2\nM30\n", "c.nc"), "fanuc");
+    EXPECT_EQ(taken("N1 T0101\nG0 X50. Z2.\nG71 U2. R1.\nG71 P10 Q20 U0.5 W0.1 F0.2\nN10 G0 X20.\nM30\n", "d.nc"), "fanuc");
+    EXPECT_EQ(taken("G54 G90\nG0 X10. Y10.\nG13 I10. F100. D1\nM30\n", "e.nc"), "haas");
+    EXPECT_EQ(taken("G54 G90\nG13 D1 I10. F100.\nM30\n", "e.nc"), "haas");
+    EXPECT_EQ(taken("G90\nG154 P5\nG187 P1\nG0 X10. Y10.\nM97 P100\nM30\n", "f.nc"), "haas");
+    EXPECT_EQ(taken("G21 G64 P0.01\no100 call\nG0 X#<a>\nM2\n", "g.nc"), "linuxcnc");
+}
+
+TEST(Control, AGuessSaysItsReasonsAndItsDoubt) {
+    const Guess plain = guess_of("G21\nM3 S10000\nG0 X10 Y10\nG1 Z-1 F300\nX100\nM30\n", "a.cnc");
+    EXPECT_EQ(plain.control->name, "linuxcnc");
+    EXPECT_TRUE(plain.signs.empty());
+    EXPECT_NE(plain.difference.find("X10 without a point is 10 mm on linuxcnc"), std::string::npos) << plain.difference;
+    const Guess points = guess_of("G21\nG0 X10. Y10.\nG1 Z-1. F300\nM30\n", "a.nc");
+    EXPECT_EQ(points.difference, "") << "with points all read the same";
+    const Guess lathe = guess_of("T1\nG96 S200 M3\nG0 X50. Z2.\nG1 Z-20. F0.2\nM30\n", "a.nc");
+    EXPECT_NE(lathe.difference.find("X50. is a diameter"), std::string::npos) << lathe.difference;
+    const Guess named = guess_of("G21\nG0 X10 Y10\nM2\n", "a.ngc");
+    EXPECT_TRUE(named.by_suffix);
+    EXPECT_EQ(named.difference, "");
+    const Guess eding = guess_of("sub user_1\nmsg \"hi\"\nendsub\nif [#5 > 3]\ngosub user_1\nendif\nM30\n", "a.cnc");
+    EXPECT_NE(eding.foreign.find("Eding CNC"), std::string::npos);
+    const Guess haas = guess_of("G90\nG154 P5\nM97 P100\nM30\n", "f.nc");
+    EXPECT_EQ(std::count(haas.signs.begin(), haas.signs.end(), "G154P5"), 1);
+}
+
+/// The folders of the corpora tell the truth; what is printed is the table of docs/dialects/detection.md.
+TEST(Control, ConfusionOverTheCorpora) {
+    const fs::path corpus = shared / "corpus";
+    if (!fs::exists(corpus)) GTEST_SKIP() << "needs ../shared";
+    struct Truth {
+        const char *folder, *name_part, *control;  // control: what it is; "": one that is not read
+    };
+    const Truth truths[]{
+        {"sinumerik", "", "sinumerik-840d"},
+        {"klartext", "", "heidenhain-itnc530"},
+        {"rs274", "", "linuxcnc"},
+        {"fanuc_macro/LinuxCNC__linuxcnc", "", "linuxcnc"},
+        {"fanuc_macro/Faberfaction__CNCmacros", "", "haas"},
+        {"gcode/CauldronDevelopmentLLC__CAMotics", "", "linuxcnc"},
+        {"gcode/dillonhuff__gpr", "HAAS", "haas"},
+        {"gcode/dillonhuff__gpr", "mazak", ""},
+        {"gcode/dillonhuff__gpr", "camaster", ""},
+        {"gcode/Unigraphics__NX.Postprocessor", "Haas", "haas"},
+        {"gcode/Unigraphics__NX.Postprocessor", "Micron", "heidenhain-itnc530"},
+        {"gcode/Unigraphics__NX.Postprocessor", "Makino", "fanuc"},
+        {"gcode/Unigraphics__NX.Postprocessor", "Mori Seiki", "fanuc"},
+        {"gcode/Unigraphics__NX.Postprocessor", "MS SH8000", "fanuc"},
+        {"gcode/Unigraphics__NX.Postprocessor", "Mitsubishi", "fanuc"},
+        {"gcode/Unigraphics__NX.Postprocessor", "Okuma", ""},
+    };
+    std::map<std::pair<std::string, std::string>, int> table;
+    int wrong_and_sure = 0;
+    for (const Truth& t : truths) {
+        if (!fs::exists(corpus / t.folder)) continue;
+        for (const auto& entry : fs::recursive_directory_iterator(corpus / t.folder)) {
+            const std::string name = entry.path().filename().string();
+            if (!entry.is_regular_file() || entry.path().generic_string().find(t.name_part) == std::string::npos) continue;
+            if (std::string_view(t.folder) != "gcode/Unigraphics__NX.Postprocessor" && entry.path().extension() == ".txt")
+                continue;  // licences and notes
+            const Guess g = guess_of(content(entry.path()), name);
+            const bool doubted = g.likelihood < 30 || !g.difference.empty() || !g.foreign.empty();
+            const std::string truth = *t.control == 0 ? "another" : t.control;
+            ++table[{truth, std::string(g.control->name) + (doubted ? ", in doubt" : "")}];
+            const bool family = truth == "haas" && g.control->name == "fanuc";  // the same numbers
+            if (truth != g.control->name && !family && !doubted) {
+                ++wrong_and_sure;
+                std::cout << "wrong: " << entry.path().generic_string() << " as " << g.control->name << " "
+                          << g.likelihood << "\n";
+            }
+        }
+    }
+    std::cout << "it is -> it is taken for: files\n";
+    for (const auto& [what, files] : table) std::cout << what.first << " -> " << what.second << ": " << files << "\n";
+    EXPECT_EQ(wrong_and_sure, 0);
 }
 
 TEST(Control, LinuxCncFindsSubprogramsInTheirFiles) {

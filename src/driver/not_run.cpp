@@ -18,26 +18,42 @@ std::string plain(std::string_view written) {
     return name;
 }
 
+/// Does the text of the program itself name a coordinate?
+bool names_coordinates(const program::Unit& unit) {
+    return std::any_of(unit.words.begin(), unit.words.end(), [](const program::Word& w) {
+        const program::Code c = program::code_of(w);
+        return c <= program::Code::w || c == program::Code::polar_radius || c == program::Code::polar_angle;
+    });
+}
+
 }  // namespace
+
+bool holds_subprograms_alone(const std::vector<const program::Unit*>& in_file,
+                             const std::vector<const program::Unit*>& entered, const program::Unit& main) {
+    const bool called = std::any_of(entered.begin(), entered.end(), [&](const auto* u) { return u != &main; });
+    return in_file.size() > 1 && !called && !names_coordinates(main);
+}
 
 bool is_called(const program::Unit& unit, std::string_view written) { return plain(unit.name) == plain(written); }
 
 void say_what_was_not_run(const std::vector<const program::Unit*>& in_file,
-                          const std::vector<const program::Unit*>& entered, base::Diagnostics& diagnostics) {
+                          const std::vector<const program::Unit*>& entered, bool all, base::Diagnostics& diagnostics) {
     for (std::size_t i = 0; i < in_file.size(); ++i) {
         const program::Unit& unit = *in_file[i];
         const bool run = std::find(entered.begin(), entered.end(), &unit) != entered.end();
-        if (run || !unit.startable || unit.statements.empty()) continue;
+        if (run || !(unit.startable || all) || unit.statements.empty()) continue;
         const bool again = std::any_of(in_file.begin(), in_file.begin() + static_cast<std::ptrdiff_t>(i),
                                        [&](const program::Unit* u) { return u->name == unit.name; });
         base::Diagnostic d;
         d.severity = base::Severity::warning;
         d.code = base::codes::not_run;
         d.where = {unit.file, unit.begin, unit.begin};
-        d.text = "the program " + unit.name + (again ? ", which the file holds a second time," : " of this file") +
+        const std::string shown = unit.startable || !unit.name.starts_with("O") ? unit.name : "o" + unit.name.substr(1);
+        d.text = (unit.startable ? "the program " : "the subprogram ") + shown + (again ? ", which the file holds a second time," : " of this file") +
                  " was never run: nothing that was run calls it";
-        d.remedy = again ? "give it a number of its own"
-                         : "begin with it: start = \"" + unit.name + "\" in the job; or keep it in a file of its own";
+        d.remedy = again             ? "give it a number of its own"
+                   : !unit.startable ? "check a program that calls it"
+                                     : "begin with it: start = \"" + unit.name + "\" in the job; or keep it in a file of its own";
         diagnostics.add(std::move(d));
     }
 }

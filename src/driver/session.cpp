@@ -160,6 +160,32 @@ void choose_machine(Session& s) {
                        {}});
 }
 
+std::string read_as(const Guess& guess) {
+    std::string text = "read as " + std::string(guess.control->name);
+    for (std::size_t i = 0; i < guess.signs.size() && i < 4; ++i) text += (i == 0 ? ": " : ", ") + guess.signs[i];
+    if (guess.next != nullptr && guess.next_likelihood > 0) text += "; next likely: " + std::string(guess.next->name);
+    return text;
+}
+
+/// What speaks for the control that is taken, and what would be different with another one.
+void say_guess(Session& s, const Guess& guess, const base::Span& where, int certain) {
+    const std::string remedy = "name the control with --control or in the job", name(guess.control->name);
+    const auto doubt = [&](std::string text) {
+        s.diagnostics.add(
+            {base::Severity::warning, codes::unknown_value, where, std::move(text), remedy, {}, {}});
+    };
+    if (!guess.foreign.empty())
+        doubt("this looks like a program of " + guess.foreign + ", which obrys does not read: it is " +
+              read_as(guess));
+    else if (guess.likelihood < certain)
+        doubt("nothing in this text says for which control it is: it is " + read_as(guess));
+    else if (!guess.difference.empty())
+        doubt("this text does not say for certain for which control it is: it is " + read_as(guess) + "; " +
+              guess.difference);
+    else if (!guess.by_suffix)
+        assume(s, "no control is named: " + read_as(guess), remedy);
+}
+
 /// The control that the call or the job names; else what the text looks like.
 const Control* choose_control(Session& s, const Request& request, std::uint32_t file) {
     constexpr int foreign = 3,
@@ -175,14 +201,7 @@ const Control* choose_control(Session& s, const Request& request, std::uint32_t 
                  "controls that can be read: " + control_names() + "; --control NAME reads it all the same");
         return nullptr;
     }
-    if (guess.likelihood < certain)
-        s.diagnostics.add({base::Severity::warning,
-                           codes::unknown_value,
-                           where,
-                           "nothing in this text says for which control it is: it is read as " + s.control,
-                           "name the control with --control or in the job",
-                           {},
-                           {}});
+    say_guess(s, guess, where, certain);
     return guess.control;
 }
 
@@ -373,8 +392,10 @@ interp::Outcome interpret(Session& s, cl::Sink sink, const interp::ContourSink* 
                                           &read_text,
                                           std::max(s.job.tolerances.gouge, s.job.tolerances.simulation.value_or(0))};
     interp::Outcome outcome = interp::run(*s.main, environment, s.stacks, sink, s.diagnostics);
-    if (outcome.ending == interp::Ending::regular)
-        say_what_was_not_run(s.programs->of_file(s.main->file), outcome.entered, s.diagnostics);
+    const auto in_file = s.programs->of_file(s.main->file);
+    const bool subs_alone = holds_subprograms_alone(in_file, outcome.entered, *s.main);
+    if (outcome.ending == interp::Ending::regular || subs_alone)
+        say_what_was_not_run(in_file, outcome.entered, subs_alone, s.diagnostics);
     if (s.files) s.files->write_printed();  // none where a session was put together without files
     return outcome;
 }

@@ -30,6 +30,7 @@ void begin_cycle(Run& run, const program::CannedCycle& c) {
     next.active = true;
     next.cycle = run.modal.motion_number;
     next.initial_level = s.initial_level;
+    next.last_dwell = s.last_dwell;
     if (s.active && run.traits->canned_words_stay) {
         next.retract = s.retract, next.has_retract = s.has_retract;
         next.bottom = s.bottom, next.has_bottom = s.has_bottom;
@@ -42,6 +43,10 @@ void begin_cycle(Run& run, const program::CannedCycle& c) {
                 }
     }
     s = next;
+}
+
+bool taps(program::CycleKind k) {
+    return k == program::CycleKind::canned_tap_floating || k == program::CycleKind::canned_tap_rigid;
 }
 
 void take_words(Run& run, const program::CannedCycle& c, const PlaneAxes& a) {
@@ -61,9 +66,14 @@ void take_words(Run& run, const program::CannedCycle& c, const PlaneAxes& a) {
     }
     for (std::size_t i = 0; i < c.words.size() && i < s.values.size(); ++i) {
         const program::CannedWord& w = c.words[i];
-        if (!run.block.has(w.code)) continue;
-        s.values[i] = run.block.get(w.code) * (w.length ? unit : 1) * w.factor;
-        s.given[i] = true;
+        if (run.block.has(w.code)) {
+            s.values[i] = run.block.get(w.code) * (w.length ? unit : 1) * w.factor;
+            s.given[i] = true;
+            if (w.role == CycleRole::dwell_bottom || w.role == CycleRole::dwell) s.last_dwell = s.values[i];
+        } else if (run.traits->tap_keeps_dwell && taps(c.kind) && w.role == CycleRole::dwell && s.last_dwell) {
+            s.values[i] = *s.last_dwell;
+            s.given[i] = true;
+        }
     }
 }
 
@@ -79,6 +89,8 @@ cycles::Demand demand_at(const Run& run, const program::CannedCycle& c, const ge
     cycles::Demand d;
     d.kind = c.kind;
     d.values.assign(c.fixed.begin(), c.fixed.end());
+    for (program::CycleValue& v : d.values)
+        if (v.role == CycleRole::rise_first) v.value = 2;  // begin_series does that
     const double from = run.modal.absolute ? 0 : initial;
     const double retract = s.retract + from;
     d.values.push_back({CycleRole::target_u, target.x});
@@ -94,13 +106,10 @@ cycles::Demand demand_at(const Run& run, const program::CannedCycle& c, const ge
     return d;
 }
 
-bool taps(program::CycleKind k) {
-    return k == program::CycleKind::canned_tap_floating || k == program::CycleKind::canned_tap_rigid;
-}
-
 void overrides(Run& run, int allowed) {
-    tell(run, SettingKind::feed_override, allowed);
-    tell(run, SettingKind::speed_override, allowed);
+    // What the program has switched off before stays off behind the tap.
+    if (allowed == 0 || run.overrides.feed) tell(run, SettingKind::feed_override, allowed);
+    if (allowed == 0 || run.overrides.speed) tell(run, SettingKind::speed_override, allowed);
 }
 
 /// The steps of one hole; overrides are off while a tap is in it.
@@ -126,18 +135,26 @@ void exact_path(Run& run) {
     if (run.modal.path_mode != Modal::path_exact) tell(run, SettingKind::path_mode, 0);
 }
 
-/// The rise to the retract plane, if the series began below it, comes before the control slows down; it is made again
-/// where the tool is there already.
-void rise(Run& run, const cycles::Demand& demand, double series_began_at, std::vector<cl::Step>& steps) {
-    const double retract = demand.get(CycleRole::retract_plane);
+/// The move to the retract plane where the series began below it: a block of its own, which comes before the control
+/// slows down, and is made also where the tool is there already. From above it goes down.
+void rise(Run& run, double retract) {
     const PlaneAxes a = plane_axes(run.modal.plane);
     geom::Vec3 at = into_plane(run.programmed_position, a);
-    if (demand.get(CycleRole::rise_first, 0) != 0 && (at.z < retract || series_began_at < retract)) {
-        if (at.z < retract && !steps.empty()) steps.erase(steps.begin());
-        at.z = retract;
-        emit_step(run, cl::Linear{at, {0, 0, 1}, true});
+    at.z = retract;
+    emit_step(run, cl::Linear{at, {0, 0, 1}, true});
+}
+
+/// What is wrong with the first hole is said before anything moves.
+bool begin_series(Run& run, const program::CannedCycle& c, const cycles::Demand& demand, double began_at) {
+    if (demand.get(CycleRole::rise_first, 0) != 0) {
+        const cycles::Expansion e = cycles::expand(demand, situation_of(run));
+        if (std::any_of(e.complaints.begin(), e.complaints.end(), [](const auto& k) { return k.fatal; }))
+            return report_expansion(run, c.name, e);
+        const double retract = demand.get(CycleRole::retract_plane);
+        if (began_at < retract) rise(run, retract);
     }
     exact_path(run);
+    return true;
 }
 
 void run_holes(Run& run, const program::CannedCycle& c, const PlaneAxes& a) {
@@ -157,9 +174,9 @@ void run_holes(Run& run, const program::CannedCycle& c, const PlaneAxes& a) {
         if (i > 0 && polar) target = programmed_target(run);  // turns and grows from hole to hole
         const geom::Vec3 at = run.modal.absolute || polar ? target : start + (i + 1) * step;
         const cycles::Demand demand = demand_at(run, c, into_plane(at, a), initial);
+        if (i == 0 && !begin_series(run, c, demand, initial)) return;
         cycles::Expansion e = cycles::expand(demand, situation_of(run));
         if (!report_expansion(run, c.name, e)) return;
-        if (i == 0) rise(run, demand, initial, e.steps);
         emit_hole(run, c, e.steps);
         if (c.turns_axes && run.modal.plane != 17) {  // the control takes itself to be where it should be
             const geom::Vec3 there = into_plane(at, a);

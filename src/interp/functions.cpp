@@ -48,6 +48,13 @@ struct Arguments {
     }
 };
 
+/// A named parameter that nobody has assigned, in the text of a comment: the control shows it and goes on.
+bool names_nothing(const Arguments& a) {
+    if (!a.run.traits->variables_by_assignment || !a.given(0)) return false;
+    const Expr& e = a.run.unit().exprs[a.id(0)];
+    return e.kind == program::ExprKind::variable && find_variable(a.run, e.a) == nullptr;
+}
+
 double domain(const Arguments& a, const std::string& text) {
     alarm(a.run, codes::arithmetic, a.span(0), text);
     return 0;
@@ -241,6 +248,7 @@ Value string_function(const Arguments& a, Function f) {
             return Value::integer(order == 0 ? 0 : order < 0 ? -1 : 1);
         }
         case Function::to_text: {
+            if (names_nothing(a)) return Value::string("######");
             const double v = a[0], decimals = a.given(1) ? a[1] : 3;
             if (std::isnan(v) || std::isnan(decimals)) return Value::string("?");
             return Value::string(base::fixed(v, static_cast<int>(std::clamp(decimals, 0.0, 9.0))));

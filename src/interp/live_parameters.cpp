@@ -29,8 +29,14 @@ double axis_value(const Run& run, std::size_t axis, bool machine) {
     return in_program_unit(run, axis, at);
 }
 
+/// The program has not yet said which tool is in the spindle.
+bool tool_unknown(const Run& run) {
+    return run.tool.number == 0 && run.tool.edge == 0 && run.tool.name.empty() && !run.env.tell_settings;
+}
+
 double table_column(const Run& run, std::size_t column) {
     const shop::Tool* t = run.tool.data;
+    if (tool_unknown(run)) return unknown;
     if (column == 0) return run.tool.number;
     if (t == nullptr) return run.tools.empty() && run.tool.number != 0 ? unknown : column == 10 ? 0 : 0;
     if (column == 3) return in_program_unit(run, 2, t->length);
@@ -107,9 +113,9 @@ double state(const Run& run, StateQuery q) {
         case StateQuery::feed_override: return run.overrides.feed ? 1 : 0;
         case StateQuery::adaptive_feed: return 0;
         case StateQuery::feed_hold: return run.overrides.hold ? 1 : 0;
-        case StateQuery::feed: return run.feed_valid ? run.feed / feed_factor(run) : 0;
+        case StateQuery::feed: return run.feed_valid ? run.feed_number : 0;
         case StateQuery::speed: return run.spindle.speed;
-        case StateQuery::current_tool: return run.tool.number;
+        case StateQuery::current_tool: return tool_unknown(run) ? unknown : run.tool.number;
         case StateQuery::selected_tool: return run.tool.prepared;
         case StateQuery::is_task:
         case StateQuery::remap_level: return 0;

@@ -113,6 +113,7 @@ struct SavedModes {
     ModalState modal;
     double feed = 0;
     bool feed_valid = false;
+    double feed_number = 0;  ///< as F wrote it
     SpindleState spindle;
     bool mist = false, flood = false;
     Axes tool_offset{};

@@ -272,6 +272,7 @@ void refuse_block(Run& run) {
     if (!run.stopped && (b.has(Code::tool) || has_m(run, 6))) refuse_tool(run);
     if (!run.stopped && !b.m.empty() && compensates(run)) refuse_functions(run);
     if (!run.stopped && b.suppress != Modal::linear) refuse_machine_move(run);
+    if (!run.stopped) refuse_letters(run);
     if (!run.stopped) refuse_motion(run);
 }
 

@@ -191,7 +191,8 @@ void select_preset(Run&, const program::CycleDefinition&, double number);
 /// The tilted working plane in force.
 [[nodiscard]] geom::Frame active_plane(const Run&);
 
-// --- what is refused though each word is good (refusals.cpp); they end the run
+// --- what is refused though each word is good (refusals.cpp, refuse_letters.cpp); they end the run
+void refuse_letters(Run&);
 /// Before a modal word acts.
 void refuse_modal(Run&, const program::Word&);
 /// Before the words of a block act together (Traits::refuses_unready).

@@ -9,7 +9,7 @@ namespace obrys::interp {
 using cl::SettingKind;
 
 void save_modes(Run& run, bool for_call) {
-    run.top().saved_modes = SavedModes{run.modal, run.feed,  run.feed_valid,   run.spindle,
+    run.top().saved_modes = SavedModes{run.modal, run.feed,  run.feed_valid,   run.feed_number, run.spindle,
                                        run.mist,  run.flood, run.offsets.tool, run.overrides};
     run.top().restores_modes = for_call;
 }
@@ -28,18 +28,20 @@ void restore_spindle_mode(Run& run, const ModalState& s) {
     run.modal.speed_word = s.speed_word;
 }
 
-/// In another kind of feed the one that was saved is not taken up again.
+/// In another kind of feed the one that was saved is not taken up again. The number of F comes back, not the feed: in
+/// the unit that is in force then.
 void restore_feed(Run& run, const SavedModes& s) {
     constexpr Modal words[] = {Modal::feed_per_minute, Modal::feed_per_rev, Modal::feed_inverse_time};
     if (s.modal.feed_mode != run.modal.feed_mode) {
         static_cast<void>(apply_mode(run, words[static_cast<std::size_t>(s.modal.feed_mode)], 0));
         return;
     }
-    if (!s.feed_valid || (run.feed_valid && run.feed == s.feed)) return;
-    run.feed = s.feed;
+    if (!s.feed_valid || (run.feed_valid && run.feed_number == s.feed_number)) return;
+    run.feed_number = s.feed_number;
+    run.feed = s.feed_number * feed_factor(run);
     run.feed_valid = true;
-    tell(run, SettingKind::feed_rate, 0, {s.feed / feed_factor(run)});
-    emit(run, cl::Feed{s.feed, run.modal.feed_mode});
+    tell(run, SettingKind::feed_rate, 0, {s.feed_number});
+    emit(run, cl::Feed{run.feed, run.modal.feed_mode});
 }
 
 void restore_spindle(Run& run, const SpindleState& s) {

@@ -174,6 +174,7 @@ struct CannedState {
     bool has_retract = false, has_bottom = false;
     std::array<double, 12> values{};  ///< by word of the cycle; mm, degrees, s
     std::array<bool, 12> given{};
+    std::optional<double> last_dwell;  ///< P of the last cycle that had one, s
 };
 
 /// Points at which CYCL CALL PAT calls the cycle, as PATTERN DEF or SEL PATTERN left them; mm.
@@ -255,6 +256,7 @@ struct Run {
     double feed = 0;  ///< mm/min, mm/rev or 1/min by modal.feed_mode
     FeedShape feed_shape;
     bool feed_valid = false;
+    double feed_number = 0;  ///< F as the program wrote it last, whatever unit has come since
     bool feed_unknown = false;  ///< the last F depends on a value that is not known
     bool feed_dropped = false;  ///< G94/G95 changed and the stream does not know yet that F is void
     ModalCall modal_call;

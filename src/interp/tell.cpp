@@ -66,10 +66,8 @@ void tell_inverse_feed(Run& run, double length) {
 
 void tell_end(Run& run, int m) {
     if (!run.env.tell_settings || !keeps_offsets(run)) return;
-    if (run.modal.datum != 54) {
-        run.modal.datum = 54;
-        load_datum(run);
-    }
+    run.modal.datum = 54;
+    load_datum(run);  // also where it is in force: the program may have written its parameters
     tell(run, SettingKind::datum, 1, run.offsets.datum);
     tell(run, SettingKind::datum_rotation, 0, {run.offsets.rotation});
     const auto* settings = run.env.settings;
@@ -107,6 +105,9 @@ void tell_tool(Run& run) {
     const BlockWords& b = run.block;
     const bool changes = has_m(run, 6);
     if (b.has(Code::tool)) tell(run, SettingKind::tool_selected, whole(b.peek(Code::tool)));
+    const int numbers = run.traits->tool_number_function;
+    if (numbers != 0 && has_m(run, numbers) && b.has(Code::q) && b.peek(Code::q) >= 0)
+        tell(run, SettingKind::tool_numbered, place_of(run, static_cast<std::uint32_t>(std::max(0, whole(b.peek(Code::q))))));
     if (changes)
         tell(run, SettingKind::tool_changed,
              place_of(run, b.has(Code::tool) ? static_cast<std::uint32_t>(std::max(0, whole(b.peek(Code::tool))))

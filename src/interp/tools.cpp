@@ -169,6 +169,7 @@ void feed_word(Run& run) {
         alarm(run, codes::value_range, run.here(), "the feed F is negative");
         return;
     }
+    run.feed_number = run.block.get(Code::feed);
     if (run.feed_valid && f == run.feed) return;
     run.feed = f;
     run.feed_valid = f > 0;
@@ -288,6 +289,46 @@ void take_allowances(Run& run) {
     run.tool.feed = b.has(Code::feed) ? b.get(Code::feed) * feed_factor(run) : 0;
 }
 
+bool is_listed(const Run& run, double number) {
+    return std::any_of(run.tools.begin(), run.tools.end(), [&](const shop::Tool& t) { return t.number == number; });
+}
+
+/// The program says which tool is in the spindle; nothing moves. A tool selected by T waits for M6 as before.
+void number_tool(Run& run, int m) {
+    const BlockWords& b = run.block;
+    const double q = b.has(Code::q) ? std::round(b.get(Code::q)) : -1;
+    const std::string word = "M" + std::to_string(m);
+    if (std::isnan(q))
+        return unchecked(run, codes::unknown_value, run.here(),
+                         "which tool " + word + " means depends on a value that is not known");
+    if (q < 0 || q > 4294967295.0)
+        return alarm(run, codes::value_range, run.here(),
+                     word + " needs Q, the number of the tool in the spindle, 0 or more");
+    if (q > 0 && !run.tools.empty() && !is_listed(run, q))
+        return alarm(run, codes::tool_missing, run.here(),
+                     word + ": T" + printed(Value::real(q)) + " is not in the tool table", "add the tool to the table");
+    run.tool.number = static_cast<std::uint32_t>(q);
+    run.tool.name.clear();
+    run.tool.edge = 1;
+    emit_tool(run);
+    control_sets(run, {ControlValue::tool_radius, ControlValue::tool_length});
+}
+
+/// M6 and what goes with it; true where the tool in the spindle is another one now.
+bool tool_functions(Run& run) {
+    const BlockWords& b = run.block;
+    const auto has = [&](int m) { return std::find(b.m.begin(), b.m.end(), m) != b.m.end(); };
+    if (const int m = run.traits->tool_number_function; m != 0 && has(m)) number_tool(run, m);
+    if (!has(6)) return false;
+    if (run.traits->change_stops_spindle && run.spindle.direction != 0) {
+        run.spindle.direction = 0;
+        emit_spindle(run);
+    }
+    if (!run.tool.waiting) return false;
+    tool_into_spindle(run);
+    return true;
+}
+
 }  // namespace
 
 void select_tool(Run& run) {
@@ -321,10 +362,8 @@ void select_tool(Run& run) {
         changed = b.has(Code::tool);
         take_allowances(run);
     }
-    if (std::find(b.m.begin(), b.m.end(), 6) != b.m.end() && run.tool.waiting) {
-        tool_into_spindle(run);
-        changed = true;
-    }
+    changed = tool_functions(run) || changed;
+    if (run.stopped) return;
     if (b.has(Code::edge)) {
         const double d = b.get(Code::edge);
         if (std::isnan(d)) {

@@ -266,7 +266,7 @@ enum class CycleRole : std::uint8_t {
     retract_plane,  ///< w to which the tool goes at rapid (R)
     bottom,         ///< w of the hole's end (Z)
     return_level,   ///< w where the cycle ends; below the retract plane: the retract plane
-    rise_first,     ///< 1: a tool below the retract plane rises to it before it moves in the plane
+    rise_first,     ///< 1: a tool below the retract plane rises to it before it moves in the plane; 2: as it moves
     shift_u,        ///< from the axis of the hole, where an oriented tool goes in and out
     shift_v,
     counterbore_top,  ///< w where boring from below ends

@@ -229,6 +229,12 @@ struct Traits {
     bool refuses_unready = false;
     /// G80 leaves no motion in force, so that axis words alone are an error; else rapid.
     bool cancel_leaves_no_motion = false;
+    /// A tapping cycle without its own dwell (P) takes that of the last cycle that had one.
+    bool tap_keeps_dwell = false;
+    /// M function whose Q says which tool is in the spindle, without a change; 0: there is none.
+    std::int16_t tool_number_function = 0;
+    /// A tool change leaves the spindle at rest.
+    bool change_stops_spindle = false;
     std::span<const CannedCycle> canned{};
     /// Turning cycles, by the number of their block's word (Modal::turning_cycle).
     std::span<const CannedCycle> turning{};

@@ -106,7 +106,10 @@ Outcome check_one(const Arguments& a, const std::string& input, const std::optio
         checked = driver::check_program(s, pictures ? moves_on_page : 0, milling,
                                         [&](std::uint64_t moves) { progress.show(moves); });
     }
-    if (driver::refused(s)) return unreadable(a, input, s);
+    if (driver::refused(s)) {
+        print_diagnostics(s, base::Severity::warning);
+        return unreadable(a, input, s);
+    }
     const report::Subject subject = subject_of(s, checked);
     if (baseline) report::mark_known(subject, *baseline, checked.result);
     if (!may_write(a, s)) return {};  // what was called meanwhile is an input as well

@@ -94,6 +94,13 @@ constexpr std::array turning{
 
 }  // namespace
 
+/// Manual "Parameters", numbered parameters: those that the machine keeps in its parameter file. #31 to #5000 begin at 0.
+constexpr std::array kept{
+    program::KeptParameters{5161, 5169},  // G28
+    program::KeptParameters{5181, 5189},  // G30
+    program::KeptParameters{5210, 5390},  // G92, the active system, G54 to G59.3
+};
+
 /// Comparisons hold within 0.000001 (measured). The last parameter is #5601.
 constexpr program::Traits traits{
     .equality = {0, 1e-6, true},
@@ -107,6 +114,7 @@ constexpr program::Traits traits{
     .variables_by_assignment = true,
     .argument_parameters = 30,
     .parameters_begin_at_zero = true,
+    .kept = kept,
     .live = live,
     .offsets = {.datum_first = 5221,
                 .datum_step = 20,
@@ -134,6 +142,9 @@ constexpr program::Traits traits{
     .needs_feed = true,
     .refuses_unready = true,
     .cancel_leaves_no_motion = true,
+    .tap_keeps_dwell = true,
+    .tool_number_function = 61,
+    .change_stops_spindle = true,
     .canned = canned,
     .turning = turning,
 };

@@ -54,7 +54,7 @@ program::Unit read_iso(std::uint32_t file, const base::Sources& sources, program
     return unit;
 }
 
-int iso_likelihood(std::string_view text, std::string_view file_name) {
+int iso_likelihood(std::string_view text, std::string_view file_name, std::vector<std::string>* signs) {
     int score = base::to_upper(file_name).ends_with(".I") ? 30 : 0;
     const std::string upper = base::to_upper(text.substr(0, 65536));
     int lines = 0, stars = 0, own = 0;
@@ -62,13 +62,17 @@ int iso_likelihood(std::string_view text, std::string_view file_name) {
         const std::size_t end = std::min(upper.find('\n', at), upper.size());
         const std::string_view line = base::trim(std::string_view(upper).substr(at, end - at));
         at = end + 1;
-        if (is_frame(line)) score += 30;
+        if (is_frame(line)) {
+            score += 30;
+            if (signs != nullptr) signs->emplace_back(line);
+        }
         if (line.find("G98 L") != std::string_view::npos || line.find(" P01 ") != std::string_view::npos) ++own;
         if (!is_numbered(line)) continue;
         ++lines;
         if (line.ends_with('*')) ++stars;
     }
     if (lines > 0) score += 50 * stars / lines;
+    if (stars > 0 && signs != nullptr) signs->emplace_back("* at the end of lines");
     score += 6 * std::min(own, 4);
     if (upper.find("BEGIN PGM") != std::string::npos) score -= 60;
     return std::clamp(score, 0, 100);

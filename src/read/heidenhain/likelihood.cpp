@@ -21,12 +21,16 @@ int count(std::string_view text, std::string_view what) {
 
 }  // namespace
 
-int likelihood(std::string_view text, std::string_view file_name) {
+int likelihood(std::string_view text, std::string_view file_name, std::vector<std::string>* signs) {
     const std::string name = base::to_upper(file_name);
     int score = name.ends_with(".H") ? 30 : 0;
     const std::string upper = base::to_upper(text.substr(0, 65536));
     if (upper.find("BEGIN PGM") != std::string::npos) score += 50;
-    for (const std::string_view w : own) score += 6 * count(upper, w);
+    for (const std::string_view w : own) {
+        const int n = count(upper, w);
+        score += 6 * n;
+        if (n > 0 && signs != nullptr) signs->emplace_back(base::trim(w));
+    }
     if (upper.find("G01") != std::string::npos || upper.find("G1 ") != std::string::npos) score -= 20;
     return std::clamp(score, 0, 100);
 }

@@ -20,7 +20,9 @@ namespace obrys::read::heidenhain {
                                      base::Diagnostics& diagnostics);
 
 /// How much a text looks like Klartext, or like DIN/ISO: 0 (not at all) to 100.
-[[nodiscard]] int likelihood(std::string_view text, std::string_view file_name);
-[[nodiscard]] int iso_likelihood(std::string_view text, std::string_view file_name);
+[[nodiscard]] int likelihood(std::string_view text, std::string_view file_name,
+                             std::vector<std::string>* signs = nullptr);
+[[nodiscard]] int iso_likelihood(std::string_view text, std::string_view file_name,
+                                 std::vector<std::string>* signs = nullptr);
 
 }  // namespace obrys::read::heidenhain

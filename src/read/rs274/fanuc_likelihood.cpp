@@ -16,11 +16,15 @@ constexpr std::size_t looked_at = 65536;  ///< bytes of the text
 struct Squeezed {
     std::string code, comments;
 };
+/// Block numbers are left out: a pattern for the begin of a line means the first word.
 Squeezed squeeze(std::string_view text) {
     Squeezed out;
-    bool comment = false;
+    bool comment = false, number = false;
     for (const char raw : text.substr(0, looked_at)) {
         const char c = base::upper(raw);
+        const bool begins = out.code.empty() || out.code.back() == '\n';
+        number = !comment && ((number && (base::is_digit(c) || base::is_blank(c))) || (begins && c == 'N'));
+        if (number) continue;
         if (c == '\n' || c == '\r') {
             comment = false;
             if (!out.code.empty() && out.code.back() != '\n') out.code += '\n';
@@ -34,23 +38,27 @@ Squeezed squeeze(std::string_view text) {
     return out;
 }
 
-/// Occurrences of a pattern, at most `most`: `~` is a digit, `@` the begin of a line, all others stand for themselves.
-int count(std::string_view text, std::string_view pattern, int most = 3) {
+/// Where a pattern stands: `~` is a digit, `@` the begin of a line, all others stand for themselves.
+bool stands_at(std::string_view text, std::size_t i, std::string_view pattern) {
+    std::size_t k = i;
+    for (const char p : pattern) {
+        if (p == '@') {
+            if (k != 0 && text[k - 1] != '\n') return false;
+            continue;
+        }
+        if (k >= text.size() || (p == '~' ? !base::is_digit(text[k]) : text[k] != p)) return false;
+        ++k;
+    }
+    return true;
+}
+
+/// Occurrences of a pattern, at most `most`; `first`: where the first one stands.
+int count(std::string_view text, std::string_view pattern, std::size_t* first = nullptr, int most = 3) {
     int n = 0;
     for (std::size_t i = 0; i < text.size() && n < most; ++i) {
-        std::size_t k = i;
-        bool good = true;
-        for (const char p : pattern) {
-            if (p == '@') {
-                good = k == 0 || text[k - 1] == '\n';
-                if (!good) break;
-                continue;
-            }
-            good = k < text.size() && (p == '~' ? base::is_digit(text[k]) : text[k] == p);
-            if (!good) break;
-            ++k;
-        }
-        n += good ? 1 : 0;
+        if (!stands_at(text, i, pattern)) continue;
+        if (n == 0 && first != nullptr) *first = i;
+        ++n;
     }
     return n;
 }
@@ -63,11 +71,14 @@ struct Sign {
 constexpr std::array own{
     Sign{"@O~~~~", 12}, Sign{"@:~~~~", 12},  Sign{"@%\n", 4},   Sign{"M98P", 5},  Sign{"G65P", 10},
     Sign{"IF[#", 6},    Sign{"]GOTO", 6},    Sign{"]THEN#", 6}, Sign{"]DO~", 6},  Sign{"#3000=", 10},
-    Sign{"G54.1P", 8},  Sign{"G91G28Z0", 6}, Sign{"G28U0", 8},  Sign{"G28W0", 8}, Sign{"G50S", 8},
-    Sign{"@T0~0~", 5},  Sign{"G43.4", 4},    Sign{"G43Z", 3},   Sign{"H0~", 2},   Sign{"DPRNT[", 10},
+    Sign{"G54.1P", 8},  Sign{"G28U0", 8},  Sign{"G28W0", 8}, Sign{"G50S", 8},
+    Sign{"@T0~0~", 14},  Sign{"G43.4", 4},    Sign{"G43Z", 3},   Sign{"H0~", 2},   Sign{"DPRNT[", 10},
     Sign{"G10L2P", 2},  Sign{"M06", 2},      Sign{"G40", 2},    Sign{"G80", 2},   Sign{"G53X0Z0", 6},
     Sign{"@G28", 2},    Sign{"G66P", 8},     Sign{"#0]", 8},    Sign{"G53.5", 6}, Sign{"M13\n", 2},
-    Sign{"G97S", 3},    Sign{"G96S", 3},
+    Sign{"G97S", 3},    Sign{"G96S", 3},    Sign{"@G71P", 20}, Sign{"@G70P", 20}, Sign{"@G72P", 20},
+    Sign{"@G73P", 20},  Sign{"@G71U", 12},  Sign{"@G72W", 12}, Sign{"@G73U", 12}, Sign{"@G76P0", 12},
+    Sign{"G91G28", 20}, Sign{"G28G91", 8},  Sign{"@T~~~~\n", 6}, Sign{"G12.1", 8}, Sign{"G112", 6},
+    Sign{"G5.1Q", 8},   Sign{"G05.1Q", 8},  Sign{"G92S", 4},   Sign{"G68.2", 8},
 };
 constexpr std::array foreign{
     Sign{"#<", 20},      Sign{"O<", 20},       Sign{"SUB\n", 12},    Sign{"ENDSUB", 20},  Sign{"ENDWHILE", 20},
@@ -82,13 +93,35 @@ constexpr std::array foreign{
 };
 constexpr std::array haas_signs{
     Sign{"G187", 10}, Sign{"G150", 8},  Sign{"G154P", 12}, Sign{"M97P", 15}, Sign{"G234", 12},
-    Sign{"G254", 10}, Sign{"G103P", 8}, Sign{"G12I", 6},   Sign{"G13I", 6},  Sign{"G47P", 8},
+    Sign{"G254", 10}, Sign{"G103P", 8}, Sign{"G12I", 30},  Sign{"G13I", 30}, Sign{"G47P", 20},
+    Sign{"G12D", 30}, Sign{"G13D", 30}, Sign{"G12K", 30},  Sign{"G13K", 30}, Sign{"G12F", 30},
+    Sign{"G13F", 30}, Sign{"G12Z", 30}, Sign{"G13Z", 30},  Sign{"G268", 10}, Sign{"G269", 10},
+    Sign{"G70I", 10}, Sign{"G136", 6},  Sign{"G141", 6},   Sign{"G255", 10}, Sign{"M130(", 10},
 };
 
+/// The words of the text that a pattern stands for.
+std::string found(std::string_view text, std::size_t at, std::string_view pattern) {
+    std::string words;
+    for (std::size_t k = at; k < text.size() && text[k] != '\n' && words.size() + 1 < pattern.size() + 3; ++k) {
+        const bool more = words.size() < pattern.size() - (pattern.front() == '@' ? 1U : 0U);
+        if (!more && !base::is_digit(text[k])) break;
+        words += text[k];
+    }
+    return words;
+}
+
 template <std::size_t n>
-int sum(std::string_view text, const std::array<Sign, n>& signs) {
+int sum(std::string_view text, const std::array<Sign, n>& table, std::vector<std::string>* signs = nullptr) {
+    constexpr int says_something = 5;  // what other controls write as well is no sign
     int total = 0;
-    for (const Sign& s : signs) total += s.weight * count(text, s.pattern);
+    for (const Sign& s : table) {
+        std::size_t at = 0;
+        const int times = count(text, s.pattern, &at);
+        total += s.weight * times;
+        if (times == 0 || signs == nullptr || s.weight < says_something) continue;
+        std::string words = found(text, at, s.pattern);
+        if (std::find(signs->begin(), signs->end(), words) == signs->end()) signs->push_back(std::move(words));
+    }
     return total;
 }
 
@@ -117,24 +150,25 @@ int suffix_score(std::string_view file_name) {
     return 0;
 }
 
-int plain_score(const Squeezed& t, std::string_view file_name) {
-    return 8 + sum(t.code, own) - sum(t.code, foreign) + points(t.code) + suffix_score(file_name);
+int plain_score(const Squeezed& t, std::string_view file_name, std::vector<std::string>* signs) {
+    return 8 + sum(t.code, own, signs) - sum(t.code, foreign) + points(t.code) + suffix_score(file_name);
 }
 
 }  // namespace
 
-int fanuc_likelihood(std::string_view text, std::string_view file_name) {
+int fanuc_likelihood(std::string_view text, std::string_view file_name, std::vector<std::string>* signs) {
     const Squeezed t = squeeze(text);
-    return std::clamp(plain_score(t, file_name), 0, 95);
+    return std::clamp(plain_score(t, file_name, signs), 0, 95);
 }
 
-int haas_likelihood(std::string_view text, std::string_view file_name) {
+int haas_likelihood(std::string_view text, std::string_view file_name, std::vector<std::string>* signs) {
     const Squeezed t = squeeze(text);
-    const int score = plain_score(t, file_name);
+    const int score = plain_score(t, file_name, signs);
     if (score <= 0) return 0;
     const bool named = (t.comments + base::to_upper(file_name)).find("HAAS") != std::string::npos;
-    const int signs = sum(t.code, haas_signs) + (named ? 20 : 0);
-    return std::clamp(signs > 0 ? std::min(score, 85) + signs : std::min(score - 5, 90), 0, 100);
+    if (named && signs != nullptr) signs->emplace_back("\"Haas\"");
+    const int own_words = sum(t.code, haas_signs, signs) + (named ? 20 : 0);
+    return std::clamp(own_words > 0 ? std::min(score, 85) + own_words : std::min(score - 5, 90), 0, 100);
 }
 
 dialect::rs274::FanucMachine guess_machine(std::string_view text) {

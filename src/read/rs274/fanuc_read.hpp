@@ -4,6 +4,7 @@
 
 #include <cstdint>
 #include <optional>
+#include <string>
 #include <string_view>
 #include <vector>
 
@@ -41,8 +42,10 @@ struct FanucOptions {
                                                    program::Names& names, base::Diagnostics& diagnostics);
 
 /// How likely a text is a program for the control, 0 … 100; the file name counts too.
-[[nodiscard]] int fanuc_likelihood(std::string_view text, std::string_view file_name);
-[[nodiscard]] int haas_likelihood(std::string_view text, std::string_view file_name);
+[[nodiscard]] int fanuc_likelihood(std::string_view text, std::string_view file_name,
+                                   std::vector<std::string>* signs = nullptr);
+[[nodiscard]] int haas_likelihood(std::string_view text, std::string_view file_name,
+                                  std::vector<std::string>* signs = nullptr);
 
 /// The kind of machine that a program is for, by its words; a mill where nothing speaks for a lathe.
 [[nodiscard]] dialect::rs274::FanucMachine guess_machine(std::string_view text);

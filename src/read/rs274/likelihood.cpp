@@ -1,7 +1,10 @@
 #include <algorithm>
 #include <array>
 
+#include "base/number.hpp"
 #include "base/text.hpp"
+#include "dialect/rs274/linuxcnc.hpp"
+#include "read/rs274/code_numbers.hpp"
 #include "read/rs274/read.hpp"
 
 namespace obrys::read::rs274 {
@@ -25,7 +28,8 @@ std::string code_of(std::string_view text) {
 
 /// Lines that begin with one of `letters` and a digit, sign, point, `[` or `#`; and all that are not empty.
 struct Lines {
-    int words = 0, all = 0, o_words = 0;
+    int words = 0, all = 0, o_words = 0, o_numbers = 0;  ///< o_numbers: O1000 alone begins a program
+    bool turret = false;                                   ///< T0101: station and offset
 };
 
 bool begins_value(char c) { return base::is_digit(c) || c == '-' || c == '+' || c == '.' || c == '[' || c == '#'; }
@@ -43,6 +47,13 @@ bool is_o_word(std::string_view line) {
     return std::any_of(words.begin(), words.end(), [&](std::string_view w) { return line.substr(i).starts_with(w); });
 }
 
+/// T0101 of lathes, behind a block number too.
+bool is_turret_word(std::string_view line) {
+    if (line.starts_with('N')) line.remove_prefix(std::min(line.find_first_not_of("0123456789", 1), line.size()));
+    return line.size() >= 5 && line[0] == 'T' && line[1] == '0' && line[3] == '0' && base::is_digit(line[2]) &&
+           base::is_digit(line[4]) && (line.size() == 5 || !base::is_digit(line[5]));
+}
+
 Lines count_lines(std::string_view code) {
     constexpr std::string_view letters = "GMXYZFNSTABCIJK#";
     Lines n;
@@ -52,7 +63,9 @@ Lines count_lines(std::string_view code) {
         code.remove_prefix(std::min(end + 1, code.size()));
         if (line.empty() || line == "%") continue;
         ++n.all;
+        n.turret = n.turret || is_turret_word(line);
         n.o_words += is_o_word(line);
+        n.o_numbers += line.size() > 1 && line[0] == 'O' && base::is_digit(line[1]) && !is_o_word(line);
         const bool named = line.starts_with("#<");
         n.words += named || is_o_word(line) ||
                    (line.size() > 1 && letters.find(line[0]) != std::string_view::npos && begins_value(line[1])) ||
@@ -63,30 +76,48 @@ Lines count_lines(std::string_view code) {
 
 /// What other controls write and LinuxCNC does not.
 int foreign(std::string_view code) {
-    constexpr std::array<std::string_view, 22> words{
+    constexpr std::array<std::string_view, 28> words{
         "BEGINPGM", "ENDPGM",  "TOOLCALL", "CYCLDEF", "FMAX",   "LBL", "GOTO", "G65P", "G54.1",  "$P_",    "$AA_",
-        "$TC_",     "DEFREAL", "MSG(\"",   "ENDFOR",  "DIAMON", "CR=", "X=",   "Z=",   "POPEN[", "CYCLE8", "%_N_"};
+        "$TC_",     "DEFREAL", "MSG(\"",   "ENDFOR",  "DIAMON", "CR=", "X=",   "Z=",   "POPEN[", "CYCLE8", "%_N_",
+        "G71P", "G72P", "G73P", "G71U", "G72W", "G73U"};
     return static_cast<int>(
         std::count_if(words.begin(), words.end(), [&](std::string_view w) { return code.find(w) != code.npos; }));
 }
 
 }  // namespace
 
-int linuxcnc_likelihood(std::string_view text, std::string_view file_name) {
+int linuxcnc_likelihood(std::string_view text, std::string_view file_name, std::vector<std::string>* signs) {
     const std::string name = base::to_upper(file_name);
     const std::string code = code_of(text);
     const Lines lines = count_lines(code);
+    const auto sign = [&](std::string_view s) {
+        if (signs != nullptr) signs->emplace_back(s);
+    };
     int score = 5;
     if (name.ends_with(".NGC")) score += 60;
+    else if (lines.o_numbers > 0) score -= 15;
+    if (lines.turret) score -= 30;
     for (const std::string_view suffix : {".NC", ".TAP", ".GCODE", ".CNC"})
         if (name.ends_with(suffix)) score += 25;
     if (lines.all > 0 && lines.words * 10 >= lines.all * 8) score += 15;
-    if (lines.o_words > 0) score += 45;
-    if (code.find("#<") != std::string::npos) score += 20;
+    if (lines.o_words > 0) {
+        score += 45;
+        sign("o-words");
+    }
+    if (code.find("#<") != std::string::npos) {
+        score += 20;
+        sign("#<name>");
+    }
     const std::string upper = base::to_upper(text.substr(0, looked_at));
     for (const std::string_view active : {"(DEBUG,", "(PRINT,", "(LOGOPEN,", "(ABORT,"})
-        if (upper.find(active) != std::string::npos) score += 10;
-    return std::clamp(score - 20 * foreign(code), 0, 100);
+        if (upper.find(active) != std::string::npos) {
+            score += 10;
+            sign(active);
+        }
+    for (const std::string_view own : {"G64P", "G38.", "G33.1", "G5.2", "G5.3", "G92.1", "G92.2", "G61.1", "G41.1", "G42.1", "G43.1Z", "M66P", "M62P", "M64P"})
+        if (code.find(own) != std::string::npos) sign(own);
+    const int unknown = std::min(3, count_unknown_codes(code, dialect::rs274::linuxcnc, true));
+    return std::clamp(score - 20 * foreign(code) - 15 * unknown, 0, 100);
 }
 
 }  // namespace obrys::read::rs274

@@ -2,6 +2,7 @@
 /// RS-274 programs, one reader for all variants: text -> program trees.
 
 #include <cstdint>
+#include <string>
 #include <string_view>
 #include <vector>
 
@@ -19,6 +20,7 @@ namespace obrys::read::rs274 {
                                                        program::Names& names, base::Diagnostics& diagnostics);
 
 /// How likely a text is a LinuxCNC program, 0 … 100; the file name's suffix counts too.
-[[nodiscard]] int linuxcnc_likelihood(std::string_view text, std::string_view file_name);
+[[nodiscard]] int linuxcnc_likelihood(std::string_view text, std::string_view file_name,
+                                      std::vector<std::string>* signs = nullptr);
 
 }  // namespace obrys::read::rs274

@@ -148,7 +148,8 @@ struct State {
     Facts facts{};
     Comment comment{};
     std::uint8_t skip = 0;  ///< block skip level + 1
-    bool failed = false;    ///< a complaint was made about the line
+    bool failed = false;      ///< a complaint was made about the line
+    bool broke_while = false;  ///< a break out of a while has been read
     int operators = 0;      ///< of the expression at hand
     /// What a numbered parameter that the control owns says; no_expr: it is an ordinary one. Null: all are.
     ExprId (*system)(State&, std::uint32_t number, std::uint32_t begin) = nullptr;

@@ -135,6 +135,19 @@ bool claim(State& s, const std::string& label, std::uint32_t begin) {
     return false;
 }
 
+/// LinuxCNC's issue 1307, also in its 2.9 that was asked: behind a break out of a while the next do is run once.
+void tell_single_pass(State& s, const std::string& label, std::uint32_t begin) {
+    s.broke_while = false;
+    base::Diagnostic d;
+    d.severity = base::Severity::warning;
+    d.code = base::codes::unsupported;
+    d.where = s.build().span(begin, s.line.behind());
+    d.text = "a break out of a while stands before " + shown(label) +
+             " do: LinuxCNC may run its blocks only once then, a fault of its own; here it is repeated as written";
+    d.remedy = "write while and endwhile instead of do and while";
+    s.part->diagnostics.add(std::move(d));
+}
+
 }  // namespace
 
 bool has_opened(const State& s, StatementKind kind, const std::string& label) {
@@ -177,6 +190,7 @@ void close_structure(State& s, StatementKind kind, const std::string& label, Exp
     if (find_for(s, label, kind, word, begin) == nullptr) return;
     const Opened o = s.part->opened.back();
     s.part->opened.pop_back();
+    if (kind == StatementKind::repeat_ && s.broke_while) tell_single_pass(s, label, begin);
     tie(s, o, condition, false, begin, s.line.behind());
 }
 
@@ -192,6 +206,7 @@ void leave_structure(State& s, const std::string& label, bool goes_on, std::uint
     s.unit().jumps.push_back(jump);
     const std::size_t at = s.unit().jumps.size() - 1;
     (goes_on ? o->continues : o->breaks).push_back(at);
+    s.broke_while = s.broke_while || (!goes_on && o->kind == StatementKind::while_);
     s.build().control(StatementKind::jump, at, begin, s.line.behind());
 }
 

@@ -51,7 +51,7 @@ std::string code_of(std::string_view text) {
 
 }  // namespace
 
-int likelihood(std::string_view text, std::string_view file_name) {
+int likelihood(std::string_view text, std::string_view file_name, std::vector<std::string>* signs) {
     const std::string name = base::to_upper(file_name);
     int score = 5;
     if (name.ends_with(".MPF") || name.ends_with(".SPF")) score += 60;
@@ -59,10 +59,24 @@ int likelihood(std::string_view text, std::string_view file_name) {
     if (text.find("%_N_") != std::string_view::npos) score += 50;
     if (text.find(";$PATH=") != std::string_view::npos) score += 30;
     const std::string code = code_of(text);
-    for (const std::string_view w : own) score += 8 * count(code, w);
+    const auto sign = [&](std::string_view w) {
+        if (signs != nullptr) signs->emplace_back(base::trim(w));
+    };
+    if (text.find("%_N_") != std::string_view::npos) sign("%_N_");
+    for (const std::string_view w : own) {
+        const int n = count(code, w);
+        score += 8 * n;
+        if (n > 0) sign(w);
+    }
     for (const std::string_view w : foreign) score -= 12 * count(code, w);
-    if (assigns_parameter(code)) score += 15;
-    if (code.find("X=") != std::string::npos || code.find("Z=") != std::string::npos) score += 8;
+    if (assigns_parameter(code)) {
+        score += 15;
+        sign("R…=");
+    }
+    if (code.find("X=") != std::string::npos || code.find("Z=") != std::string::npos) {
+        score += 8;
+        sign("X=");
+    }
     return std::clamp(score, 0, 100);
 }
 

@@ -2,6 +2,7 @@
 /// SINUMERIK 840D programs: text -> program tree.
 
 #include <cstdint>
+#include <string>
 #include <string_view>
 #include <vector>
 
@@ -18,6 +19,7 @@ namespace obrys::read::sinumerik {
                                               base::Diagnostics& diagnostics);
 
 /// How likely a text is a SINUMERIK program, 0 … 100; the file name's suffix counts too.
-[[nodiscard]] int likelihood(std::string_view text, std::string_view file_name);
+[[nodiscard]] int likelihood(std::string_view text, std::string_view file_name,
+                             std::vector<std::string>* signs = nullptr);
 
 }  // namespace obrys::read::sinumerik

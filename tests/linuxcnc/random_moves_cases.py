@@ -1,0 +1,7 @@
+"""Differences of random programs that stay, each with its reason: a pattern of what random_moves.py prints."""
+
+KNOWN = (
+    (r"Spindle (turning counterclockwise|not turning) in G84", "LinuxCNC goes over the hole before it refuses the tap; obrys refuses the block at once"),
+    (r"^rs274: \('(Arc radius too small|Radius to end of arc)", "the move that compensation held back is printed by obrys before the block behind it is refused, by rs274 not at all"),
+    (r"a break out of a while stands before", "LinuxCNC's issue 1307: a do behind a break is run once; obrys repeats it and says so"),
+)
