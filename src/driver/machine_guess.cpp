@@ -27,6 +27,7 @@ Sign sign_of(Modal m, bool radius_at_start) {
         case Modal::diameter_on:
         case Modal::diameter_absolute_only: return Sign::lathe_for_certain;
         case Modal::diameter_off:
+        case Modal::surface_speed_on:
         case Modal::plane_zx: return radius_at_start ? Sign::none : Sign::lathe_likely;
         case Modal::plane_xy:
         case Modal::plane_yz: return Sign::mill_likely;
@@ -76,6 +77,7 @@ std::string name_of(const program::Word& w) {
         case Modal::plane_xy: return "G17";
         case Modal::plane_yz: return "G19";
         case Modal::plane_zx: return "G18";
+        case Modal::surface_speed_on: return "G96";
         case Modal::diameter_on: return "DIAMON";
         case Modal::diameter_off: return "DIAMOF";
         case Modal::diameter_absolute_only: return "DIAM90";

@@ -133,21 +133,24 @@ bool load_named_machine(Session& s, const Request& request, const fs::path& job_
 }
 
 /// Where none is named, one for what the program is.
-void choose_machine(Session& s) {
+void choose_machine(Session& s, const Request& request) {
     const MachineGuess guess = guess_machine(*s.main);
-    const bool turning = s.has_job ? s.job.machine.kind == shop::MachineKind::lathe : guess.turning;
+    const bool lathe_job = s.job.machine.kind == shop::MachineKind::lathe;
+    const bool told = s.has_job && (lathe_job || s.job.solid_stock || s.job.solid_part);
+    const bool turning = told ? lathe_job : guess.turning;
     const std::string generic = turning ? "lathe-generic" : "mill-generic";
     shop::use_machine(s.job, *shop::shipped_machine(generic));
     s.job.machine.more_axes = true;
     const bool diameters = turning && !s.main->traits->radius_at_start, words = s.main->traits->has_diameter_words;
-    const bool reasons = !s.has_job && (turning || !guess.against.empty());
+    const bool reasons = !told && (turning || !guess.against.empty());
     const std::string for_it = reasons && !guess.signs.empty() ? " for " + guess.signs : "";
     const std::string against = reasons && !guess.against.empty() ? " in spite of " + guess.against : "";
     assume(s,
            "no machine is named: " + generic + " is taken" + for_it + against +
                (diameters ? ", X words are diameters" + std::string(words ? " until DIAMOF" : "") : ""),
            "name one with --machine or in the job");
-    if (s.has_job || guess.doubtful == base::Span{}) return;
+    const bool told_x = request.diameter || s.job.defaults.diameter_programming;
+    if (told || told_x || guess.doubtful == base::Span{}) return;
     s.diagnostics.add({base::Severity::warning,
                        codes::unknown_value,
                        guess.doubtful,
@@ -289,7 +292,7 @@ bool read_main(Session& s, const Request& request, const fs::path& path) {
     if (s.main != nullptr && !s.job.start.empty() && !start_with_named(s)) return false;
     s.programs->read_definitions();
     if (s.main == nullptr) complain(s, codes::syntax, {*file, 0, 0}, "this file holds no program");
-    if (s.main != nullptr && !named) choose_machine(s);
+    if (s.main != nullptr && !named) choose_machine(s, request);
     return s.main != nullptr;
 }
 

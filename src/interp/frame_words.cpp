@@ -106,6 +106,11 @@ void frame_statement(Run& run, const program::Statement& s, std::uint32_t index)
     const Unit& unit = run.unit();
     const program::FrameCall call = unit.frames[static_cast<std::size_t>(unit.words[s.first].payload)];
     run.block.clear();
+    if (call.beside_words)
+        return alarm(run, codes::repeated_word, run.here(),
+                     "TRANS, ROT, SCALE, MIRROR and their additive forms stand in a block of their own: other words "
+                     "stand before this one",
+                     "write two blocks");
     const std::uint32_t end = unit.words_end(index);
     for (std::uint32_t i = s.first + 1; i < end && !run.stopped; ++i) gather(run, s, unit.words[i]);
     if (run.stopped) return;

@@ -36,12 +36,18 @@ bool lies_at_angle(Run& run, const Vec3& to, const PlaneAxes& axes, double angle
 
 /// The first of two lines: its end is where it meets the second one.
 bool to_corner(Run& run, Vec3& to, const PlaneAxes& axes, double angle) {
-    const auto next = run.capture == nullptr ? next_element(run, run.programmed_position) : std::nullopt;
+    const Vec2 from = in_plane(run.programmed_position, axes), d1 = along(angle);
+    if (run.capture != nullptr) {  // looked at as the next line of another one: it has a direction and no end
+        coordinate(to, axes.u) = from.x + d1.x;
+        coordinate(to, axes.v) = from.y + d1.y;
+        return true;
+    }
+    const auto next = next_element(run, run.programmed_position);
     if (!next || !next->line_angle || path::is_arc(next->element)) return not_determined(run, false);
-    const Vec2 from = in_plane(run.programmed_position, axes), end = next->element.to;
-    const Vec2 d1 = along(angle), d2 = along(*next->line_angle), way = end - from;
+    const Vec2 d2 = along(*next->line_angle), way = next->element.to - from;
     const double turn = geom::cross(d1, d2);
     const double first = geom::cross(way, d2) / turn, second = geom::cross(d1, way) / turn;
+    if (std::isnan(turn + geom::length(way))) return not_determined(run, false);
     if (std::abs(turn) < 1e-9 || !(first > 0) || !(second > 0)) {
         alarm(run, codes::value_range, run.here(),
               "the line at this angle ANG does not meet the line of the next block between here and its end point");

@@ -3,6 +3,7 @@
 /// with its amount. Source: SINUMERIK Fundamentals 10.2004, p. 5-8 (ADIS, ADISPOS), Basic Functions 01/2015, p. 193
 /// (G642, G643).
 
+#include <array>
 #include <cmath>
 #include <limits>
 
@@ -49,6 +50,17 @@ Rounding rounding_of(const Run& run) {
 }  // namespace
 
 void note_rounding(Run& run) {
+    const ModalState& m = run.modal;
+    const bool rapid = m.motion == Modal::rapid;
+    const std::array<double, 6> mode{static_cast<double>(m.smoothing),
+                                     rapid ? m.rounding_distance_rapid : m.rounding_distance,
+                                     m.compressor ? 1.0 : 0.0,
+                                     std::isnan(m.contour_tolerance) ? -1 : m.contour_tolerance,
+                                     m.tolerance_cycle,
+                                     m.path_mode == Modal::path_blend ? m.blend : 0};
+    auto& said = run.rounding_said[rapid ? 1 : 0];
+    if (run.capture != nullptr || said == mode) return;
+    said = mode;
     const Rounding r = rounding_of(run);
     if (!(r.amount > run.env.contour_tolerance || std::isnan(r.amount))) return;
     const std::string how_far =

@@ -55,6 +55,34 @@ path::Setting held_move_setting(Run& run, double radius) {
 
 }  // namespace
 
+namespace {
+
+std::string active_edge(const Run& run) {
+    return "tool T" + std::to_string(run.tool.number) + " D" + std::to_string(run.tool.edge);
+}
+
+/// Compensation that changes nothing is said: no radius, none that is known, or none at all.
+void say_missing_radius(Run& run, const std::optional<double>& radius) {
+    const shop::Tool* tool = run.tool.data;
+    const bool turning =
+        tool != nullptr && (tool->kind == shop::ToolKind::turning || tool->kind == shop::ToolKind::groove);
+    const bool foreign = turning && run.env.machine.kind == shop::MachineKind::mill;
+    if (radius && (*radius != 0 || !turning)) return;
+    const std::string what = "radius compensation with " + active_edge(run);
+    if (!radius || foreign)
+        return unchecked_once(run, codes::unknown_value, run.here(),
+                              what +
+                                  (foreign              ? ", a lathe tool without radius"
+                                   : run.tool.edge == 0 ? ", which selects no radius"
+                                                        : ", whose radius is not known") +
+                                  ": the contour is run without compensation",
+                              "give the tool with its radius in the job");
+    assume(run, run.here(), what + ", whose radius is 0: the contour is run without compensation",
+           "give the tool with its radius in the job if it has one");
+}
+
+}  // namespace
+
 path::Setting compensation_setting(Run& run) {
     path::Setting s;
     if (run.modal.compensation == Modal::compensation_off)
@@ -65,7 +93,8 @@ path::Setting compensation_setting(Run& run) {
         run.modal.corner == Modal::corner_intersection ? path::OuterCorner::intersection : path::OuterCorner::arc;
     if (run.modal.corner_overshoot > 0 && s.corner == path::OuterCorner::arc)
         assume(run, run.here(),
-               "DISC=" + base::fixed(run.modal.corner_overshoot, 0) + " leads the tool round outer corners farther out " +
+               "DISC=" + base::fixed(run.modal.corner_overshoot, 0) +
+                   " leads the tool round outer corners farther out " +
                    "than the arc that is run here, by up to that many per cent of the way from the arc to the " +
                    "crossing of the contours");
     if (run.block.corner_end == Modal::corner_crossing) s.at_end = path::CornerEnd::crossing;
@@ -81,12 +110,7 @@ path::Setting compensation_setting(Run& run) {
     const shop::Tool* tool = run.tool.data;
     auto radius = tool == nullptr || run.tool.edge == 0 ? std::nullopt : compensation_radius(*tool);
     if (!std::isnan(run.modal.compensation_radius)) radius = run.modal.compensation_radius;
-    if (!radius)
-        unchecked_once(run, codes::unknown_value, run.here(),
-                       "radius compensation with tool T" + std::to_string(run.tool.number) + " D" +
-                           std::to_string(run.tool.edge) +
-                           ", whose radius is not known: the contour is run without compensation",
-                       "give the tool with its radius in the job");
+    say_missing_radius(run, radius);
     if (run.traits->compensation_holds_move) return held_move_setting(run, radius.value_or(0));
     s.radius = radius.value_or(0) + run.tool.delta_radius;
     if (tool != nullptr && run.modal.plane == 18 && run.env.machine.kind == shop::MachineKind::lathe)

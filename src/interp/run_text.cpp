@@ -7,6 +7,19 @@ namespace obrys::interp {
 
 namespace codes = base::codes;
 
+namespace {
+
+/// A jump would look for its label in the text, and an end of program would end the text alone.
+bool leaves_the_text(const Unit& unit) {
+    if (!unit.jumps.empty()) return true;
+    for (const program::Word& w : unit.words)
+        if (program::code_of(w) == Code::m && program::is_literal(w))
+            if (const double m = unit.literal(w); m == 2 || m == 17 || m == 30) return true;
+    return false;
+}
+
+}  // namespace
+
 void run_text(Run& run, const program::ProcedureCall& p) {
     const Value v = p.arguments.empty() ? Value{} : evaluate(run, p.arguments[0]);
     if (run.stopped) return;
@@ -17,6 +30,10 @@ void run_text(Run& run, const program::ProcedureCall& p) {
     const Unit* unit = run.env.read_text == nullptr ? nullptr : (*run.env.read_text)(v.as_text());
     if (unit == nullptr)
         return unchecked(run, codes::unsupported, p.where, "the text \"" + v.as_text() + "\" is not run as a block");
+    if (leaves_the_text(*unit))
+        return unchecked(run, codes::unsupported, p.where,
+                         "the text \"" + v.as_text() + "\" is not run: it jumps or ends the program",
+                         "write the jump outside EXECSTRING");
     const std::size_t depth = run.calls.size();
     enter(run, *unit, nullptr, p.where);
     if (run.stopped || run.calls.size() == depth) return;

@@ -252,6 +252,7 @@ struct Run {
     SpindleState spindle;
     bool coolant_on = false, mist = false, flood = false;
     Overrides overrides;
+    std::array<std::array<double, 6>, 2> rounding_said{};  ///< what note_rounding has looked at last, feed and rapid
     std::map<std::string, double> axis_feeds;  ///< FA[axis], mm/min or degrees/min
     double feed = 0;  ///< mm/min, mm/rev or 1/min by modal.feed_mode
     FeedShape feed_shape;

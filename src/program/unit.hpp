@@ -241,7 +241,8 @@ struct ProcedureCall {
 enum class FrameOp : std::uint8_t { shift, rotate, scale, mirror };
 struct FrameCall {
     FrameOp op = FrameOp::shift;
-    bool additive = false;  ///< ATRANS … : on top of what is programmed already
+    bool additive = false;      ///< ATRANS … : on top of what is programmed already
+    bool beside_words = false;  ///< words that are no G functions stand before it in its block
 };
 
 enum class Type : std::uint8_t { boolean, character, integer, real, string, axis, frame };

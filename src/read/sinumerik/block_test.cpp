@@ -96,8 +96,8 @@ TEST(SinumerikBlock, IgnoredWordsAreCountedOnce) {
 TEST(SinumerikBlock, UnsupportedWordsKeepTheRestOfTheBlock) {
     EXPECT_EQ(one("MEAS=2 G91 G1 Z=5"), "unsupported{MEAS=2|measuring} " + modal(program::Modal::incremental, 91) +
                                             " " + modal(program::Modal::linear, 1) + " Z5");
-    EXPECT_EQ(one("POS[X]=R1+1 X2"), "unsupported{POS[X]=R1+1|positioning or indexing axis} X2");
-    EXPECT_EQ(one("CYCLE93(1,2,,\"a)\")"), "cycle call CYCLE93(1,2,,\"a)\")");
+    EXPECT_EQ(one("POS[X]=R1+1 X2"), "value POS[X]=(R1 + 1) X2");
+    EXPECT_EQ(one("CYCLE93(1,2,,\"a)\")"), "cycle call CYCLE93(1,2,_,\"a)\")");
     EXPECT_EQ(one("A3=1 C3=R1 A4"), "unsupported{A3=1|tool orientation} unsupported{C3=R1|tool orientation} A4");
     // What follows belongs to these words: it must not be taken for a motion.
     EXPECT_EQ(one("G25 X10 Z20"), "unsupported{G25 X10 Z20|working area or spindle limits set by the program}");

@@ -1,5 +1,7 @@
 #include "read/sinumerik/statement.hpp"
 
+#include <algorithm>
+
 #include "read/sinumerik/call.hpp"
 #include "read/sinumerik/control.hpp"
 #include "read/sinumerik/expression.hpp"
@@ -115,10 +117,22 @@ void read_not_run(State& s, const char* from, std::string_view reason) {
 
 }  // namespace
 
+namespace {
+
+/// The block at hand has words that are no G functions.
+bool has_other_words(const State& s) {
+    if (!s.block_open || s.unit.statements.empty()) return false;
+    const auto first = s.unit.words.begin() + static_cast<std::ptrdiff_t>(s.unit.statements.back().first);
+    return std::any_of(first, s.unit.words.end(),
+                       [](const program::Word& w) { return program::code_of(w) != Code::modal; });
+}
+
+}  // namespace
+
 void read_frame(State& s, const dialect::sinumerik::Entry& entry, std::size_t length) {
     const char* from = s.cursor.p;
     s.cursor.p += length;
-    s.unit.frames.push_back({static_cast<program::FrameOp>(entry.value), entry.number != 0});
+    s.unit.frames.push_back({static_cast<program::FrameOp>(entry.value), entry.number != 0, has_other_words(s)});
     add_control(s, StatementKind::frame, s.unit.frames.size() - 1, from);
     s.block_open = true;  // the rest of the line are its axes
 }
