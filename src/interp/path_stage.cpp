@@ -81,6 +81,13 @@ void say_missing_radius(Run& run, const std::optional<double>& radius) {
            "give the tool with its radius in the job if it has one");
 }
 
+/// Radius that compensation works with, mm; nothing where it is not known or the edge has none.
+std::optional<double> radius_in_force(const Run& run) {
+    if (!std::isnan(run.modal.compensation_radius)) return run.modal.compensation_radius;
+    if (run.tool.data == nullptr || run.tool.edge == 0) return std::nullopt;
+    return compensation_radius(*run.tool.data);
+}
+
 }  // namespace
 
 path::Setting compensation_setting(Run& run) {
@@ -108,11 +115,11 @@ path::Setting compensation_setting(Run& run) {
         s.window = reported;
     }
     const shop::Tool* tool = run.tool.data;
-    auto radius = tool == nullptr || run.tool.edge == 0 ? std::nullopt : compensation_radius(*tool);
-    if (!std::isnan(run.modal.compensation_radius)) radius = run.modal.compensation_radius;
+    const std::optional<double> radius = radius_in_force(run);
     say_missing_radius(run, radius);
-    if (run.traits->compensation_holds_move) return held_move_setting(run, radius.value_or(0));
-    s.radius = radius.value_or(0) + run.tool.delta_radius;
+    const double size = radius ? *radius : 0;
+    if (run.traits->compensation_holds_move) return held_move_setting(run, size);
+    s.radius = size + run.tool.delta_radius;
     if (tool != nullptr && run.modal.plane == 18 && run.env.machine.kind == shop::MachineKind::lathe)
         s.tip = path::nose_offset(nose_orientation(*tool), s.radius).value_or(geom::Vec2{});
     into_frame(run, s);
