@@ -2,6 +2,8 @@
 /// The check: takes the CL stream record by record, removes the stock, holds every move to part, allowance and machine.
 /// Memory does not grow with the number of moves unless Setup::keep_moves asks for it.
 
+#include <cstdint>
+#include <functional>
 #include <memory>
 #include <optional>
 #include <vector>
@@ -46,6 +48,9 @@ struct Setup {
     std::optional<geom::Region> allowance;  ///< what this program must leave: the part and the allowance on it
     std::optional<MillingSetup> milling;
     shop::Tolerances tolerances;
+    shop::Scope scope = shop::Scope::all;
+    /// Told from time to time how many moves are simulated; may be empty.
+    std::function<void(std::uint64_t moves)> progress;
     std::size_t keep_moves = 0;            ///< how many moves Result::moves keeps, for pictures
     std::size_t findings_per_code = 1000;  ///< the others are counted only
 };

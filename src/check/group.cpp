@@ -17,8 +17,7 @@ void append_place(std::string& key, const base::Span& span) {
 }
 
 const Amount* amount(const Finding& f, std::string_view key) {
-    const auto at =
-        std::find_if(f.amounts.begin(), f.amounts.end(), [&](const Amount& a) { return a.key == key; });
+    const auto at = std::find_if(f.amounts.begin(), f.amounts.end(), [&](const Amount& a) { return a.key == key; });
     return at == f.amounts.end() ? nullptr : &*at;
 }
 
@@ -35,7 +34,7 @@ std::string cause_key(const Finding& f) {
 }
 
 const Amount* chief_amount(const Finding& f) {
-    constexpr std::array<std::string_view, 7> by_weight{"depth_mm",  "height_mm", "excess_mm",      "excess_deg",
+    constexpr std::array<std::string_view, 7> by_weight{"depth_mm", "height_mm", "excess_mm",      "excess_deg",
                                                         "area_mm2", "speed_rpm", "feed_mm_per_min"};
     for (const std::string_view key : by_weight)
         if (const Amount* found = amount(f, key)) return found;
@@ -50,15 +49,20 @@ bool is_worse(const Finding& a, const Finding& b) {
     return value(amount(a, "depth_x_mm")) > value(amount(b, "depth_x_mm")) + same;
 }
 
+bool finds_new(const Result& result) {
+    if (result.findings_dropped > 0) return true;
+    return std::any_of(result.findings.begin(), result.findings.end(),
+                       [&](const Finding& f) { return !result.known.contains(cause_key(f)); });
+}
+
 std::vector<base::Related> related_of(const Result& result, const Group& group) {
     if (group.first_move) return result.findings[group.worst].related;
     constexpr std::size_t most = 8;
     std::vector<base::Related> out;
     for (const std::size_t i : group.members)
         for (const base::Related& r : result.findings[i].related) {
-            const bool known = std::any_of(out.begin(), out.end(), [&](const base::Related& o) {
-                return o.where == r.where && o.text == r.text;
-            });
+            const bool known = std::any_of(
+                out.begin(), out.end(), [&](const base::Related& o) { return o.where == r.where && o.text == r.text; });
             if (!known && out.size() < most) out.push_back(r);
         }
     return out;
@@ -70,7 +74,7 @@ std::vector<Group> groups_of(const Result& result) {
     for (std::size_t i = 0; i < result.findings.size(); ++i) {
         const Finding& f = result.findings[i];
         const auto [at, added] = known.try_emplace(cause_key(f), groups.size());
-        if (added) groups.push_back({{}, i, 0, {}});
+        if (added) groups.push_back({{}, i, 0, result.known.contains(at->first), {}});
         Group& g = groups[at->second];
         g.members.push_back(i);
         g.times += 1 + f.more;

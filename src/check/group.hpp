@@ -16,11 +16,15 @@ struct Group {
     std::vector<std::size_t> members;         ///< indices of Result::findings, increasing
     std::size_t worst = 0;                    ///< index of the one with the largest amount: it speaks for the group
     std::uint64_t times = 0;                  ///< members and those that are only counted
+    bool known = false;                       ///< the baseline has it already
     std::optional<std::uint64_t> first_move;  ///< number of the first move among them
 };
 
 /// The groups in the order of their first members.
 [[nodiscard]] std::vector<Group> groups_of(const Result& result);
+
+/// Whether anything is found that the baseline does not know.
+[[nodiscard]] bool finds_new(const Result& result);
 
 /// Findings with equal keys belong together: code and Finding::cause, or code, source text and call sites.
 [[nodiscard]] std::string cause_key(const Finding& f);

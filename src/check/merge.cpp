@@ -1,4 +1,6 @@
 #include <algorithm>
+#include <array>
+#include <map>
 
 #include "base/codes.hpp"
 #include "check/result.hpp"
@@ -60,16 +62,40 @@ void require_cuts(Result& result, const std::string& program) {
     const Stats& s = result.stats;
     if (s.cuts > 0) return;
     const std::string moves = std::to_string(s.moves) + (s.moves == 1 ? " move" : " moves");
-    const std::string text = s.moves == 0                ? program + " makes no move: nothing of it was checked"
-                             : s.moves == s.rapid_moves ? program + " makes " + moves + ", all at rapid: no cut was checked"
-                                                         : program + " makes " + moves +
-                                                               ", those at feed on the spot: no cut was checked";
+    const std::string text = s.moves == 0 ? program + " makes no move: nothing of it was checked"
+                             : s.moves == s.rapid_moves
+                                 ? program + " makes " + moves + ", all at rapid: no cut was checked"
+                                 : program + " makes " + moves + ", those at feed on the spot: no cut was checked";
     result.unchecked.push_back({base::codes::not_run,
                                 text,
                                 "check the program that calls it, or give the values on which its moves depend",
                                 nowhere,
                                 {},
                                 1});
+    result.verdict = verdict_of(result);
+}
+
+void restrict_to(Result& result, shop::Scope scope) {
+    namespace codes = base::codes;
+    constexpr std::array beside_the_part{codes::rapid_in_stock,  codes::holder_in_stock, codes::edges_too_short,
+                                         codes::clamp_collision, codes::plunging_cut,    codes::axis_limit,
+                                         codes::spindle_limit,   codes::feed_limit};
+    result.scope = scope;
+    if (scope == shop::Scope::part) {
+        std::map<std::string_view, std::uint64_t> left_out;
+        std::erase_if(result.findings, [&](const Finding& f) {
+            const bool out = std::find(beside_the_part.begin(), beside_the_part.end(), f.code) != beside_the_part.end();
+            if (out) left_out[f.code] += 1 + f.more;
+            return out;
+        });
+        for (const auto& [code, times] : left_out)
+            result.assumptions.push_back({codes::assumption,
+                                          "outside the scope \"part\" and not judged: " + std::string(code),
+                                          "check with scope \"all\"",
+                                          nowhere,
+                                          {},
+                                          times});
+    }
     result.verdict = verdict_of(result);
 }
 

@@ -388,6 +388,7 @@ void Milling::carry_out() {
         judge(q, met[q.pass]);
     }
     queued_.clear();
+    if (setup_.progress && !moves_.empty()) setup_.progress(moves_.back().index + 1);
 }
 
 /// What single moves took is known along one direction of rays only, off by parts of a cell at walls; all together is

@@ -189,16 +189,17 @@ void Milling::judge_surface(Milled& milled) {
     if (out_.result().stats.feed_moves > 0 && figures_.contact_length_mm == 0 && complete_)
         out_.unchecked("not one move met the stock: nothing was checked against it",
                        "see whether stock, part and program use the same zero point (docs/job-file.md)");
-    if (m.part == nullptr)
+    const bool judged = m.part != nullptr && judges_part(setup_.scope);
+    if (m.part == nullptr && judges_part(setup_.scope))
         out_.unchecked("no part: gouges and rest material not checked", "give the finished part in the job file");
-    if (m.part == nullptr && !m.surface) return;
+    if (!judged && !m.surface) return;
     const auto normal = [&](std::uint32_t cut, geom::Vec3 p, int, double) { return simulation_->normal_at(cut, p); };
     milling::Surface surface = milling::extract_surface(simulation_->dexels(), normal);
     for (std::uint32_t& tag : surface.mesh.tags)
         if (tag != 0) tag = move_of_pass_[simulation_->pass_of(tag)] + 1;
     milled.surface = std::move(surface.mesh);
     milled.thin = surface.thin;
-    if (m.part == nullptr) return;
+    if (!judged) return;
     mesh::CompareOptions options;
     options.gouge = std::max(setup_.tolerances.gouge, m.tolerance);
     options.excess = std::max(setup_.tolerances.rest_material, m.tolerance);

@@ -62,8 +62,8 @@ Finding into(const Depth& d, bool part) {
 Removal::Removal(const Setup& setup, Collector& out) : setup_(setup), out_(out) {
     if (!setup.stock || setup.stock->empty() || setup.machine.kind != shop::MachineKind::lathe) return;
     work_.emplace(*setup.stock);
-    if (setup.part) part_.emplace(*setup.part);
-    if (setup.allowance) allowance_.emplace(*setup.allowance);
+    if (setup.part && judges_part(setup.scope)) part_.emplace(*setup.part);
+    if (setup.allowance && judges_part(setup.scope)) allowance_.emplace(*setup.allowance);
     stock_box_ = box_of(*setup.stock);
     last_cuts_ = LastCuts(stock_box_.min_z, stock_box_.max_z);
     out_.result().before = StockFigures{work_->area(), work_->volume()};
@@ -94,6 +94,7 @@ void Removal::first_use(const Move& move) {
     uses.push_back({tool.number, tool.edge, tool.name, listed, move.record.from, move.record.from, 0, 0, 0, 0});
     use_ = static_cast<std::uint32_t>(uses.size());
     if (tool_ != nullptr) return;
+    if (!setup_.tools_given && setup_.scope == shop::Scope::motion) return;
     if (!setup_.tools_given)
         return out_.unchecked(selected_, "no tool list is given: tools are not checked",
                               "name the tools in a job file");
@@ -260,6 +261,7 @@ void Removal::finish(const cl::Record& end) {
     if (!work_) {
         if (result.stats.moves == 0) return;
         if (setup_.milling) return;  // what is wrong with its stock has been said
+        if (setup_.scope == shop::Scope::motion) return;
         out_.unchecked("no stock: removal not simulated", "describe the stock in a job file");
         return;
     }
@@ -270,6 +272,7 @@ void Removal::finish(const cl::Record& end) {
     result.stock_after = work_->region();
     if (result.before) require_balance(*result.before, *result.after);
     require_contact();
+    if (!judges_part(setup_.scope)) return;
     if (!setup_.part && !setup_.allowance)
         out_.unchecked("no part contour: gouges and rest material not checked",
                        "give the finished contour in the job file");

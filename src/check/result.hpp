@@ -6,6 +6,7 @@
 #include <cstdint>
 #include <memory>
 #include <optional>
+#include <set>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -14,6 +15,7 @@
 #include "cl/record.hpp"
 #include "geom/contour.hpp"
 #include "mesh/compare.hpp"
+#include "shop/job.hpp"
 
 namespace obrys::check {
 
@@ -161,6 +163,9 @@ struct Milled {
 
 struct Result {
     Verdict verdict = Verdict::clean;
+    shop::Scope scope = shop::Scope::all;  ///< within which the verdict holds
+    bool has_baseline = false;
+    std::set<std::string> known;         ///< causes (cause_key) that a baseline knows already
     std::vector<Finding> findings;       ///< in the order in which they happen; rest material last
     std::uint64_t findings_dropped = 0;  ///< of causes past the limit per code: counted only
     std::vector<Note> unchecked, assumptions, listed;
@@ -180,5 +185,7 @@ void merge(Result& result, const base::Diagnostics& diagnostics);
 /// A run that cannot have cut anything has checked nothing: said of `program`, and the verdict updated. To be called
 /// where the run came to its end.
 void require_cuts(Result& result, const std::string& program);
+/// Findings outside the scope are only counted, as something assumed; updates the verdict.
+void restrict_to(Result& result, shop::Scope scope);
 
 }  // namespace obrys::check

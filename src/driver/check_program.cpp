@@ -1,6 +1,7 @@
 #include "driver/check_program.hpp"
 
 #include "driver/program_tools.hpp"
+#include "driver/wording.hpp"
 
 namespace obrys::driver {
 
@@ -19,15 +20,20 @@ Checked check_program(Session& session, std::size_t keep_moves, const MillingReq
     setup.part = session.part;
     setup.allowance = session.allowance;
     setup.tolerances = session.job.tolerances;
+    setup.scope = session.job.scope;
     setup.keep_moves = keep_moves;
-    setup.milling = milling_setup(session, milling);
+    if (setup.scope == shop::Scope::motion)
+        setup.stock.reset();  // nothing is removed
+    else
+        setup.milling = milling_setup(session, milling);
+    if (setup.milling) setup.progress = progress;  // reading is fast, removing is what takes time
 
     // 2. Program tree -> CL stream -> removal and findings, record by record (interp, check, sim/turning).
     check::Check check(setup, session.stacks);
     std::uint64_t moves = 0;
     const auto sink = [&](const cl::Record& record) {
         check.take(record);
-        if (progress && cl::is_move(record.step) && (++moves & 0xFFF) == 0) progress(moves);
+        if (progress && !setup.progress && cl::is_move(record.step) && (++moves & 0xFFF) == 0) progress(moves);
     };
     const interp::Outcome outcome = interpret(session, sink);
 
@@ -36,6 +42,8 @@ Checked check_program(Session& session, std::size_t keep_moves, const MillingReq
     result.stats.blocks_executed = outcome.blocks_executed;
     check::merge(result, session.diagnostics);
     if (outcome.ending == interp::Ending::regular) check::require_cuts(result, session.program);
+    check::restrict_to(result, setup.scope);
+    reword(result, session.control);
     return {std::move(setup), std::move(result)};
 }
 

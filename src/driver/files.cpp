@@ -1,13 +1,15 @@
 #include "driver/files.hpp"
 
 #include <algorithm>
-#include <fstream>
+#include <cerrno>
+#include <cstdio>
 #include <memory>
 #include <vector>
 
 #include "base/codes.hpp"
 #include "base/text.hpp"
 #include "driver/large_text.hpp"
+#include "driver/output_file.hpp"
 
 namespace obrys::driver {
 
@@ -38,12 +40,20 @@ std::size_t edit_distance(std::string_view a, std::string_view b) {
     return row[b.size()];
 }
 
-bool read_text(const fs::path& path, std::uintmax_t size, std::string& text) {
-    std::ifstream in(path, std::ios::binary);
+/// Why a file cannot be read, in the words of the system.
+std::string cannot(const std::string& shown, int error) {
+    return shown + " cannot be read: " + std::generic_category().message(error == 0 ? EIO : error);
+}
+
+/// 0, or the system's number for what went wrong.
+int read_text(const fs::path& path, std::uintmax_t size, std::string& text) {
+    errno = 0;
+    const std::unique_ptr<std::FILE, int (*)(std::FILE*)> in(std::fopen(path.string().c_str(), "rb"), std::fclose);
+    if (in == nullptr) return errno != 0 ? errno : EIO;
     text.resize(static_cast<std::size_t>(size));
-    in.read(text.data(), static_cast<std::streamsize>(size));
-    text.resize(static_cast<std::size_t>(in.gcount()));
-    return static_cast<bool>(in) || in.eof();
+    text.resize(std::fread(text.data(), 1, text.size(), in.get()));
+    if (std::ferror(in.get()) == 0) return 0;
+    return errno != 0 ? errno : EIO;
 }
 
 }  // namespace
@@ -69,6 +79,10 @@ std::optional<std::uintmax_t> size_of(const fs::path& path, base::Diagnostics& d
     const std::string shown = path.generic_string();
     std::error_code error;
     const fs::file_status status = fs::status(path, error);
+    if (status.type() == fs::file_type::none) {  // not "not there": its folder may not be looked into, links go round
+        complain(diagnostics, codes::file_missing, where, cannot(shown, error.value()));
+        return std::nullopt;
+    }
     if (!fs::exists(status)) {
         const std::string near = similar_names(path.parent_path(), path.filename().string());
         complain(diagnostics, codes::file_missing, where, "there is no file " + shown,
@@ -86,7 +100,8 @@ std::optional<std::uintmax_t> size_of(const fs::path& path, base::Diagnostics& d
     }
     if (!error && fs::is_regular_file(status)) return size;
     complain(diagnostics, codes::file_missing, where,
-             shown + " cannot be read" + (error ? ": " + error.message() : std::string{}));
+             error ? cannot(shown, error.value()) : shown + " is no regular file",
+             error ? "" : "put its content into a file");
     return std::nullopt;
 }
 
@@ -94,10 +109,16 @@ std::optional<std::uintmax_t> size_of(const fs::path& path, base::Diagnostics& d
 
 std::optional<std::string> load_bytes(const fs::path& path, base::Diagnostics& diagnostics, const base::Span& where) {
     const auto size = size_of(path, diagnostics, where);
+    if (!size) return std::nullopt;
     std::string bytes;
-    if (size && read_text(path, *size, bytes)) return bytes;
-    if (size) complain(diagnostics, codes::file_missing, where, path.generic_string() + " cannot be read");
+    const int error = read_text(path, *size, bytes);
+    if (error == 0) return bytes;
+    complain(diagnostics, codes::file_missing, where, cannot(path.generic_string(), error));
     return std::nullopt;
+}
+
+void check_readable(const fs::path& path, base::Diagnostics& diagnostics, const base::Span& where) {
+    static_cast<void>(size_of(path, diagnostics, where));
 }
 
 std::optional<std::uint32_t> load(const fs::path& path, base::Sources& sources, base::Diagnostics& diagnostics,
@@ -109,8 +130,8 @@ std::optional<std::uint32_t> load(const fs::path& path, base::Sources& sources, 
     std::string small;
     std::unique_ptr<base::Store> large;
     if (size >= large_text) large = read_large_text(path.string(), shown, size);
-    if (large == nullptr && !read_text(path, size, small)) {
-        complain(diagnostics, codes::file_missing, where, shown + " cannot be read");
+    if (const int failed = large == nullptr ? read_text(path, size, small) : 0; failed != 0) {
+        complain(diagnostics, codes::file_missing, where, cannot(shown, failed));
         return std::nullopt;
     }
     const std::string_view text = large == nullptr ? std::string_view(small) : large->bytes();
@@ -132,20 +153,10 @@ fs::path beside(const fs::path& job, const std::string& written) {
 }
 
 bool store(const fs::path& path, std::string_view content, base::Diagnostics& diagnostics) {
-    const fs::path part = fs::path(path).concat(".part");
-    std::error_code error;
-    {
-        std::ofstream out(part, std::ios::binary);
-        out.write(content.data(), static_cast<std::streamsize>(content.size()));
-        out.flush();
-        if (!out) error = std::make_error_code(std::errc::io_error);
-    }
-    if (!error) fs::rename(part, path, error);
-    if (!error) return true;
-    std::error_code ignored;
-    fs::remove(part, ignored);
-    complain(diagnostics, codes::file_missing, nowhere,
-             path.generic_string() + " cannot be written: " + error.message());
+    OutputFile out(path);
+    out.write(content);
+    if (out.finish()) return true;
+    complain(diagnostics, codes::file_missing, nowhere, path.generic_string() + " cannot be written: " + out.error());
     return false;
 }
 

@@ -21,6 +21,9 @@ inline constexpr base::Span nowhere{0xFFFFFFFF, 0, 0};
 std::optional<std::uint32_t> load(const fs::path& path, base::Sources& sources, base::Diagnostics& diagnostics,
                                   const base::Span& where = nowhere);
 
+/// Complains at `where` about a file that is not there or no file.
+void check_readable(const fs::path& path, base::Diagnostics& diagnostics, const base::Span& where);
+
 /// The bytes of a file that is no text (STL); nothing after a complaint at `where`.
 std::optional<std::string> load_bytes(const fs::path& path, base::Diagnostics& diagnostics,
                                       const base::Span& where = nowhere);
@@ -28,7 +31,7 @@ std::optional<std::string> load_bytes(const fs::path& path, base::Diagnostics& d
 /// A path as a job file writes it: relative to the folder of the job.
 [[nodiscard]] fs::path beside(const fs::path& job, const std::string& written);
 
-/// Writes a whole file or nothing: to a neighbour first, then renamed. False (and a complaint) where that fails.
+/// Writes a whole file or nothing, also over one that is there. False (and a complaint) where that fails.
 bool store(const fs::path& path, std::string_view content, base::Diagnostics& diagnostics);
 
 /// Up to three names of `folder` that look like `name`.

@@ -102,8 +102,8 @@ std::vector<shop::Tool> read_tool_file(const fs::path& path, std::uint32_t file,
     return shop::read_toa(file, s.sources, s.diagnostics);
 }
 
-void load_tool_file(Session& s, const fs::path& path) {
-    const auto file = load(path, s.sources, s.diagnostics, s.job.program_where);
+void load_tool_file(Session& s, const fs::path& path, const base::Span& where) {
+    const auto file = load(path, s.sources, s.diagnostics, where);
     if (file) s.job.tools = shop::merge_tools(std::move(s.job.tools), read_tool_file(path, *file, s));
 }
 
@@ -113,8 +113,8 @@ constexpr std::string_view interpreter_tools =
     "T1 P1 D0.125 Z0.511\nT2 P2 D0.0625 Z0.1\nT3 P3 D0.201 Z1.273\nT99999 P123 Z0.1\n";
 
 void load_tools(Session& s, const Request& request, const fs::path& base_path) {
-    for (const std::string& name : s.job.tool_files) load_tool_file(s, beside(base_path, name));
-    for (const std::string& name : request.tools) load_tool_file(s, name);
+    for (const shop::NamedFile& f : s.job.tool_files) load_tool_file(s, beside(base_path, f.path), f.where);
+    for (const std::string& name : request.tools) load_tool_file(s, name, nowhere);
     if (s.canon && s.job.tools.empty())
         s.job.tools = shop::read_tbl(s.sources.add("tool.tbl", std::string(interpreter_tools)), s.sources,
                                      s.machine_unit, s.diagnostics);
@@ -214,7 +214,8 @@ void find_shop_files(Session& s, const Request& request, const fs::path& program
     s.files->add_folder(program.parent_path());
     for (const std::string& folder : request.search) s.files->add_folder(folder);
     for (const std::string& folder : s.job.search) s.files->add_folder(beside(request.input, folder));
-    for (const std::string& name : s.job.datum_tables) s.files->add_file(beside(request.input, name));
+    for (const shop::NamedFile& f : s.job.datum_tables) s.files->add_file(beside(request.input, f.path));
+    s.files->set_force(request.force);
     if (!request.prints.empty())
         s.files->print_to(request.prints);
     else if (!s.job.prints.empty())
@@ -258,6 +259,17 @@ bool start_with_named(Session& s) {
     complain(s, codes::job_value, s.job.start_where, "the program's file holds no \"" + s.job.start + '"',
              "programs in it: " + all);
     return false;
+}
+
+/// Bodies are read when they are needed; that they are there is seen at once.
+void check_bodies(Session& s) {
+    const auto look = [&](const shop::Solid& solid) {
+        if (const auto* file = std::get_if<shop::SolidFile>(&solid))
+            check_readable(beside(s.input, file->path), s.diagnostics, file->where);
+    };
+    if (s.job.solid_stock) look(s.job.solid_stock->solid);
+    if (s.job.solid_part) look(shop::Solid(s.job.solid_part->file));
+    for (const shop::Clamp& c : s.job.clamps) look(c.solid);
 }
 
 bool read_main(Session& s, const Request& request, const fs::path& path) {
@@ -323,11 +335,14 @@ bool open(const Request& request, Session& s) {
     }
     if (!good || !read_main(s, request, program)) return false;
     s.job.skip_levels.insert(s.job.skip_levels.end(), request.skip.begin(), request.skip.end());
+    if (request.scope) s.job.scope = *request.scope;
     if (request.diameter) s.job.machine.defaults.diameter_programming = *request.diameter;
     load_configuration(s, request);
     load_tools(s, request, input);
-    for (const std::string& name : s.job.preset_tables)
-        add_presets(beside(input, name), s.job.program_where, s.sources, s.diagnostics, s.job.machine);
+    for (const shop::NamedFile& f : s.job.preset_tables)
+        add_presets(beside(input, f.path), f.where, s.sources, s.diagnostics, s.job.machine);
+    for (const shop::NamedFile& f : s.job.datum_tables) check_readable(beside(input, f.path), s.diagnostics, f.where);
+    check_bodies(s);
     resolve_contours(s, input);
     return !std::any_of(s.diagnostics.all().begin(), s.diagnostics.all().end(), [](const base::Diagnostic& d) {
         return d.severity == base::Severity::error && base::kind_of(d.code) == base::CodeKind::input;

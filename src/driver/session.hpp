@@ -28,6 +28,8 @@ struct Request {
     std::vector<std::string> tools;   ///< tool tables, besides those of the job
     std::string configuration;        ///< of a LinuxCNC machine (.ini)
     std::string stored;               ///< its parameter file (.var)
+    std::optional<shop::Scope> scope; ///< else as the job says
+    bool force = false;               ///< files that are there may be replaced
     bool canon = false;               ///< settings are told, and the machine stands at its zero at the start
 };
 

@@ -7,6 +7,7 @@
 
 #include "base/codes.hpp"
 #include "base/text.hpp"
+#include "driver/output_file.hpp"
 
 namespace obrys::driver {
 
@@ -119,19 +120,32 @@ bool ShopFiles::print(std::string_view name, std::string_view text, bool again) 
     if (known == printed_.end() && printed_.size() >= most_files) return false;
     if (known == printed_.end() && !again) {  // M_APPEND: behind what the file holds
         std::ifstream in(*prints_ / file, std::ios::binary);
-        printed_[file] = std::string(std::istreambuf_iterator<char>(in), std::istreambuf_iterator<char>());
+        printed_[file].text = std::string(std::istreambuf_iterator<char>(in), std::istreambuf_iterator<char>());
     }
-    std::string& content = printed_[file];
+    std::string& content = printed_[file].text;
+    printed_[file].replaces = printed_[file].replaces || again;
     if (again) content.clear();
     if (content.size() + text.size() > longest_print) return false;
     content += text;
     return true;
 }
 
+/// A program may print into any file of the folder, but not over what the run was made of.
+bool ShopFiles::may_write(const fs::path& path, const Printed& printed) {
+    std::vector<fs::path> inputs;
+    for (std::uint32_t i = 0; i < sources_.size(); ++i) inputs.emplace_back(sources_[i].name);
+    const auto why = refusals({{"printing", path.generic_string()}}, inputs, force_ || !printed.replaces);
+    for (const std::string& text : why)
+        diagnostics_.add({base::Severity::error, codes::file_missing, nowhere, text, {}, {}, {}});
+    return why.empty();
+}
+
 bool ShopFiles::write_printed() {
     bool good = true;
-    for (const auto& [name, content] : printed_) good = store(*prints_ / name, content, diagnostics_) && good;
+    for (const auto& [name, printed] : printed_)
+        good = may_write(*prints_ / name, printed) && store(*prints_ / name, printed.text, diagnostics_) && good;
     printed_.clear();
+    failed_ = failed_ || !good;
     return good;
 }
 

@@ -25,8 +25,11 @@ public:
     void add_file(const fs::path& path);
     /// Where printed files go; without it they are lost.
     void print_to(const fs::path& folder) { prints_ = folder; }
+    /// Whether the program's prints may replace files that were there before; behind them they are put in any case.
+    void set_force(bool force) { force_ = force; }
     /// Writes what was printed, and forgets it. False (and a complaint) where that fails.
     bool write_printed();
+    [[nodiscard]] bool failed() const { return failed_; }
 
     const interp::DatumTable* datum_table(std::string_view name) override;
     shop::HeidenhainTable* table(std::string_view name) override;
@@ -45,7 +48,14 @@ private:
     std::unordered_map<std::string, std::unique_ptr<shop::HeidenhainTable>> tables_;
     std::unordered_map<std::string, std::unique_ptr<std::string>> forms_;
     std::optional<fs::path> prints_;
-    std::map<std::string, std::string> printed_;
+    struct Printed {
+        std::string text;
+        bool replaces = false;  ///< what stood in the file before is lost
+    };
+    [[nodiscard]] bool may_write(const fs::path& path, const Printed& printed);
+
+    std::map<std::string, Printed> printed_;
+    bool force_ = false, failed_ = false;
 };
 
 /// The presets of a table (.PR) become datums of the machine; those that it has already stay.

@@ -61,6 +61,7 @@ Json finding(const check::Group& group, const Subject& s, bool all) {
     j["where"] = where(s.sources, f.where, f.stack);
     j["times"] = group.times;
     j["first_move"] = group.first_move ? Json(*group.first_move) : Json(nullptr);
+    if (s.result.has_baseline) j["known"] = group.known;
     add_move(j, f);
     if (const auto lines = lines_of(s, group); lines.size() > 1 || (!lines.empty() && lines.front().second.size() > 1))
         for (const auto& [file, numbers] : lines) j["lines"].push_back({{"file", file}, {"lines", numbers}});
@@ -132,6 +133,13 @@ Json milling(const check::Milled& m) {
 
 }  // namespace
 
+std::string unreadable_json(const Unreadable& input) {
+    Json j{{"format", "obrys-check"}, {"version", json_version}, {"program", input.input}, {"verdict", nullptr}};
+    j["errors"] = Json::array();
+    for (const base::Diagnostic& d : input.diagnostics) j["errors"].push_back({{"code", d.code}, {"message", d.text}});
+    return j.dump(2, ' ', false, Json::error_handler_t::replace) + "\n";
+}
+
 std::string to_json(const Subject& s, bool all) {
     const check::Result& r = s.result;
     Json j{{"format", "obrys-check"}, {"version", json_version}, {"tool", {{"name", "obrys"}, {"version", s.version}}}};
@@ -140,6 +148,7 @@ std::string to_json(const Subject& s, bool all) {
     j["machine"] = s.setup.machine.name;
     if (!s.date.empty()) j["date"] = s.date;
     j["verdict"] = check::name(r.verdict);
+    j["scope"] = shop::name(r.scope);
     j["findings"] = Json::array();
     for (const check::Group& g : check::groups_of(r)) j["findings"].push_back(finding(g, s, all));
     j["findings_dropped"] = r.findings_dropped;

@@ -67,7 +67,8 @@ TEST(JsonReport, MovesOfOneCauseAreOneFinding) {
     EXPECT_EQ(f[0]["depth_mm"], 7);
     EXPECT_EQ(f[0]["where"]["file"], "MAIN.MPF");
     EXPECT_EQ(f[0]["first_move"], 1);
-    EXPECT_EQ(f[0]["lines"], json::parse(R"([{"file": "MAIN.MPF", "lines": [1]}, {"file": "with blank/SUB.SPF", "lines": [2]}])"));
+    EXPECT_EQ(f[0]["lines"],
+              json::parse(R"([{"file": "MAIN.MPF", "lines": [1]}, {"file": "with blank/SUB.SPF", "lines": [2]}])"));
     ASSERT_EQ(f[0]["moves"].size(), 2u);
     EXPECT_EQ(f[0]["moves"][0]["move"], 1);
     const json sarif = json::parse(to_sarif(s.subject()));

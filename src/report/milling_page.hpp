@@ -54,9 +54,9 @@ struct PageNote {
 struct PageMove {
     bool rapid = false;
     PageSite where;
-    std::int32_t tool = 0;  ///< its number, as in PageTool
-    double end_s = 0;       ///< run time when the move has ended; NaN: not known
-    double end_mm = 0;      ///< path length alike
+    std::int32_t tool = 0;     ///< its number, as in PageTool
+    double end_s = 0;          ///< run time when the move has ended; NaN: not known
+    double end_mm = 0;         ///< path length alike
     std::uint64_t number = 0;  ///< of the run's moves, as every report counts them
 };
 

@@ -24,6 +24,16 @@ inline constexpr int json_version = 2;
 /// SARIF 2.1.0, one run, one rule for each code of base/codes.hpp. `all`: a result for every move of a finding.
 [[nodiscard]] std::string to_sarif(const Subject& subject, bool all = false);
 
+/// An input of several that could not be checked at all.
+struct Unreadable {
+    std::string input;
+    std::vector<base::Diagnostic> diagnostics;
+};
+/// Of several checks one document each way: an array of the JSONs, a SARIF log with their runs.
+[[nodiscard]] std::string unreadable_json(const Unreadable& input);
+[[nodiscard]] std::string unreadable_sarif(const Unreadable& input);
+[[nodiscard]] std::string joined_sarif(const std::vector<std::string>& logs);
+
 struct SvgOptions {
     double width = 1040;  ///< picture units (96 to the inch); the height follows from the part
 };

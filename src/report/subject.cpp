@@ -34,15 +34,38 @@ std::string count_of(std::uint64_t n, const std::string& one) {
     return std::to_string(n) + " " + one + (n == 1 ? "" : "s");
 }
 
+namespace {
+
+std::string scope_words(shop::Scope scope) {
+    switch (scope) {
+        case shop::Scope::all: return "";
+        case shop::Scope::part: return " within the scope \"part\" (collisions and limits not judged)";
+        case shop::Scope::collisions: return " within the scope \"collisions\" (the part's shape not judged)";
+        case shop::Scope::motion:
+            return " within the scope \"motion\" (no material: neither collisions nor part judged)";
+    }
+    return "";
+}
+
+}  // namespace
+
 std::string verdict_line(const check::Result& r) {
-    const std::string found = count_of(check::groups_of(r).size() + r.findings_dropped, "finding");
+    const std::vector<check::Group> groups = check::groups_of(r);
+    std::string found = count_of(groups.size() + r.findings_dropped, "finding");
+    const auto known = std::count_if(groups.begin(), groups.end(), [](const check::Group& g) { return g.known; });
+    if (r.has_baseline && !groups.empty())
+        found += known == 0                                     ? ", all new"
+                 : known == std::ssize(groups) && !finds_new(r) ? ", all known"
+                                                                : ", " + std::to_string(known) + " of them known";
+    const std::string scope = scope_words(r.scope);
     switch (r.verdict) {
-        case check::Verdict::clean: return "clean: nothing found in " + count_of(r.stats.moves, "move");
-        case check::Verdict::findings: return found;
+        case check::Verdict::clean: return "clean" + scope + ": nothing found in " + count_of(r.stats.moves, "move");
+        case check::Verdict::findings: return found + scope;
         case check::Verdict::not_fully_checked: break;
     }
     const std::size_t n = r.unchecked.size();
-    return "not fully checked: " + count_of(n, "thing") + (n == 1 ? " was" : " were") + " not checked; " + found;
+    return "not fully checked" + scope + ": " + count_of(n, "thing") + (n == 1 ? " was" : " were") + " not checked; " +
+           found;
 }
 
 AmountWords amount_words(std::string_view key) {

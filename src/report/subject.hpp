@@ -18,10 +18,11 @@ struct Subject {
     const check::Result& result;
     const check::Setup& setup;
     const cl::CallStacks& stacks;
-    std::string program;  ///< path as the user wrote it
-    std::string control;  ///< "sinumerik-840d"; empty: not known
-    std::string version;  ///< of obrys
-    std::string date;     ///< as it is to be shown; empty: no date, so that equal runs give equal reports
+    std::string program;    ///< path as the user wrote it
+    std::string control;    ///< "sinumerik-840d"; empty: not known
+    std::string version;    ///< of obrys
+    std::string date;       ///< as it is to be shown; empty: no date, so that equal runs give equal reports
+    std::string root = {};  ///< absolute folder, a slash at its end, from which paths in logs count; empty: not said
 };
 
 /// A place in a source text, counted from 1, for people and machines.

@@ -70,10 +70,12 @@ std::string member(const check::Finding& f, const Subject& s) {
 /// The worst of them speaks for all.
 std::string finding(const check::Group& group, const Subject& s, const TextOptions& options) {
     const check::Finding& f = s.result.findings[group.worst];
-    const base::Diagnostic d{f.severity, f.code, f.where, f.text, f.remedy, f.stack, check::related_of(s.result, group)};
+    const base::Diagnostic d{
+        f.severity, f.code, f.where, f.text, f.remedy, f.stack, check::related_of(s.result, group)};
     std::string out = base::render(d, s.sources);
     if (options.colours) paint(out, std::string(base::name(f.severity)) + ":", colour_of(f.severity));
     if (group.members.size() > 1 || f.more > 0) out += "  " + passes_line(s, group) + "\n";
+    if (group.known) out += "  known: the baseline has it\n";
     if (f.move) out += way(f, s.setup.machine.kind == shop::MachineKind::lathe);
     out += amounts(f);
     if (options.all && group.members.size() > 1)

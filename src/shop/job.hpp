@@ -1,9 +1,11 @@
 #pragma once
 /// A job: the program and everything in the shop that its check needs. File format: docs/job-file.md.
 
+#include <cstdint>
 #include <map>
 #include <optional>
 #include <string>
+#include <string_view>
 #include <variant>
 #include <vector>
 
@@ -31,6 +33,12 @@ struct Override {
     base::Span where;       ///< file 0xFFFFFFFF when it came from the command line
 };
 
+/// A file that a job names.
+struct NamedFile {
+    std::string path;       ///< as written
+    base::Span where;
+};
+
 /// Where the part's contour comes from when it is not written as points.
 struct ProfileFromProgram {
     std::string program;    ///< path as written
@@ -51,6 +59,17 @@ struct Tolerances {
     double rapid = 0.001;
     std::optional<double> simulation;                ///< deviation of the simulated milled surface; not said: --tolerance
 };
+
+/// What a check is asked for. Within a smaller one less has to be known, and the verdict says which it was.
+enum class Scope : std::uint8_t {
+    all,
+    part,        ///< the part's shape: gouges, allowance, rest material, and the control's alarms
+    collisions,  ///< everything but the part's shape: no part is needed
+    motion,      ///< alarms, travel, feed, spindle, tools: neither stock nor part is needed
+};
+[[nodiscard]] std::string_view name(Scope scope);
+[[nodiscard]] std::optional<Scope> scope_named(std::string_view name);
+[[nodiscard]] constexpr bool judges_part(Scope scope) { return scope == Scope::all || scope == Scope::part; }
 
 /// Limits that end a run that would not end by itself.
 struct Budgets {
@@ -79,7 +98,7 @@ struct Job {
     DefaultsOverride defaults;
     std::map<std::uint32_t, geom::Vec3> datums;      ///< of the job itself; mm, x as a radius
     std::vector<Tool> tools;
-    std::vector<std::string> tool_files;             ///< paths as written; docs/job-file.md names the kinds
+    std::vector<NamedFile> tool_files;               ///< docs/job-file.md names the kinds
     std::optional<Profile> stock;
     std::optional<Profile> part;
     std::optional<ProfileFromProgram> part_program;
@@ -89,12 +108,13 @@ struct Job {
     std::optional<Allowance> allowance;
     std::vector<Override> overrides;
     std::vector<std::string> search;                 ///< folders for subprograms, paths as written
-    std::vector<std::string> datum_tables;           ///< .D, paths as written; the first is in use until one is selected
-    std::vector<std::string> preset_tables;          ///< .PR, paths as written; [datum] stands above them
+    std::vector<NamedFile> datum_tables;             ///< .D; the first is in use until one is selected
+    std::vector<NamedFile> preset_tables;            ///< .PR; [datum] stands above them
     std::string prints;                              ///< folder for what programs print; empty: nowhere
     std::vector<int> skip_levels;                    ///< block skip levels that are on
     GivenValues variables;                           ///< what no program at hand sets: GUD, #500, $A_IN[1] …
     Tolerances tolerances;
+    Scope scope = Scope::all;
     Budgets budgets;
     base::Span program_where;
 };

@@ -94,6 +94,13 @@ void read_limits(Section& file, Job& job) {
         t.rest_material = s->number("rest_material", Range::not_negative).value_or(t.rest_material);
         t.rapid = s->number("rapid", Range::not_negative).value_or(t.rapid);
         t.simulation = s->number("tolerance", Range::positive);
+        if (const auto text = s->text("scope")) {
+            if (const auto scope = scope_named(*text))
+                job.scope = *scope;
+            else
+                s->error(base::codes::job_value, find(s->table(), "scope")->value.where,
+                         "there is no scope \"" + *text + "\"", "all, part, collisions or motion");
+        }
         s->finish();
     }
     if (auto s = section(file, "budget")) {
@@ -150,6 +157,12 @@ void read_machine_name(Section& file, Job& job) {
     use_machine(job, machine.value_or(Machine{}));
 }
 
+std::vector<NamedFile> files_of(Section& s, std::string_view key) {
+    std::vector<NamedFile> files;
+    for (const Value* v : s.text_values(key)) files.push_back({v->text, v->where});
+    return files;
+}
+
 void read_all(Section& s, Job& job) {
     if (const auto program = s.text("program")) {
         job.program = *program;
@@ -160,11 +173,11 @@ void read_all(Section& s, Job& job) {
         job.start_where = find(s.table(), "start")->value.where;
     }
     job.control = s.text("control").value_or("");
-    job.tool_files = s.texts("tool_file");
-    for (std::string& path : s.texts("tool_files")) job.tool_files.push_back(std::move(path));
+    for (const char* key : {"tool_file", "tool_files"})
+        for (NamedFile& f : files_of(s, key)) job.tool_files.push_back(std::move(f));
     job.search = s.texts("search");
-    job.datum_tables = s.texts("datum_tables");
-    job.preset_tables = s.texts("preset_tables");
+    job.datum_tables = files_of(s, "datum_tables");
+    job.preset_tables = files_of(s, "preset_tables");
     job.prints = s.text("prints").value_or("");
     read_skip(s, job);
     read_tool_tables(s, job.tools);
@@ -179,6 +192,22 @@ void read_all(Section& s, Job& job) {
 }
 
 }  // namespace
+
+std::string_view name(Scope scope) {
+    switch (scope) {
+        case Scope::all: return "all";
+        case Scope::part: return "part";
+        case Scope::collisions: return "collisions";
+        case Scope::motion: return "motion";
+    }
+    return "all";
+}
+
+std::optional<Scope> scope_named(std::string_view wanted) {
+    for (const Scope scope : {Scope::all, Scope::part, Scope::collisions, Scope::motion})
+        if (name(scope) == wanted) return scope;
+    return std::nullopt;
+}
 
 void use_machine(Job& job, Machine machine) {
     apply_defaults(job.defaults, machine.defaults);

@@ -94,6 +94,12 @@ std::string as_text(const GivenValues& values) {
     return text;
 }
 
+std::vector<std::string> paths(const std::vector<NamedFile>& files) {
+    std::vector<std::string> out;
+    for (const NamedFile& f : files) out.push_back(f.path);
+    return out;
+}
+
 TEST(JobFile, EveryKeyIsRead) {
     Reading r;
     const Job j = read_job(r.add(everything), r.sources, r.diagnostics);
@@ -103,7 +109,7 @@ TEST(JobFile, EveryKeyIsRead) {
     EXPECT_EQ(j.control, "sinumerik-840d");
     EXPECT_EQ(j.machine_name, "lathe-generic");
     EXPECT_FALSE(j.machine_is_file);
-    EXPECT_EQ(j.tool_files, (std::vector<std::string>{"tools.toml", "T1.TOA", "T2.TOA"}));
+    EXPECT_EQ(paths(j.tool_files), (std::vector<std::string>{"tools.toml", "T1.TOA", "T2.TOA"}));
     EXPECT_EQ(j.search, (std::vector<std::string>{"lib", "../cycles"}));
     EXPECT_EQ(j.skip_levels, (std::vector<int>{0, 3}));
     EXPECT_EQ(j.part_program->program, "KONTURA.SPF");
@@ -388,8 +394,8 @@ TEST(JobFile, HeidenhainDatumsAndFolders) {
                                  "active_preset = {y = 3}\n"),
                            r.sources, r.diagnostics);
     EXPECT_EQ(r.complaints(), "");
-    EXPECT_EQ(j.datum_tables, (std::vector<std::string>{"A.D", "B.D"}));
-    EXPECT_EQ(j.preset_tables, (std::vector<std::string>{"P.PR"}));
+    EXPECT_EQ(paths(j.datum_tables), (std::vector<std::string>{"A.D", "B.D"}));
+    EXPECT_EQ(paths(j.preset_tables), (std::vector<std::string>{"P.PR"}));
     EXPECT_EQ(j.prints, "out");
     EXPECT_EQ(j.machine.datums.at(first_preset), (geom::Vec3{1, 0, 0}));
     EXPECT_EQ(j.machine.datums.at(first_preset + 99999), (geom::Vec3{0, 0, 2}));

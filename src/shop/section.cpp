@@ -187,13 +187,19 @@ std::optional<std::size_t> Section::choice(std::string_view key, std::initialize
 
 std::vector<std::string> Section::texts(std::string_view key) {
     std::vector<std::string> out;
+    for (const Value* v : text_values(key)) out.push_back(v->text);
+    return out;
+}
+
+std::vector<const Value*> Section::text_values(std::string_view key) {
+    std::vector<const Value*> out;
     const Entry* e = take(key);
     if (!e) return out;
-    if (e->value.kind == ValueKind::text) return {e->value.text};
+    if (e->value.kind == ValueKind::text) return {&e->value};
     if (!expect(*e, ValueKind::array, "text or an array of texts")) return out;
     for (const Value& v : e->value.items) {
         if (v.kind == ValueKind::text)
-            out.push_back(v.text);
+            out.push_back(&v);
         else
             error(base::codes::job_value, v.where,
                   "an item of " + quoted(key) + " must be text, not " + std::string(kind_name(v.kind)));

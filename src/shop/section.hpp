@@ -35,6 +35,7 @@ public:
     /// Position of the text value in `words`.
     std::optional<std::size_t> choice(std::string_view key, std::initializer_list<std::string_view> words);
     std::vector<std::string> texts(std::string_view key);   ///< one text or an array of texts
+    std::vector<const Value*> text_values(std::string_view key);  ///< the same with their places
     const Entry* sub_table(std::string_view key);
     /// The tables of `[[key]]`; a single `[key]` counts as one.
     std::vector<const Value*> tables(std::string_view key);

@@ -5,6 +5,7 @@
 #include <iostream>
 #include <map>
 
+#include "base/codes.hpp"
 #include "base/number.hpp"
 
 namespace obrys::cli {
@@ -27,9 +28,11 @@ constexpr const char* check_help =
     "  obrys check groove.job.toml\n"
     "  obrys check groove.job.toml --set R3=150 --set R9=4\n"
     "  obrys check PART.MPF --search subs --format json\n"
-    "  obrys check groove.job.toml --html report.html --svg report.svg\n\n"
+    "  obrys check groove.job.toml --html report.html --svg report.svg\n"
+    "  obrys check *.job.toml --fail-on error --baseline known.json\n\n"
     "A job file (.toml) names program, machine, tools, stock and part; a program alone is run and checked as far as\n"
     "that goes.\n\n"
+    "Several inputs are checked one after the other; the exit code is the worst one.\n\n"
     "Exit codes: 0 clean, 1 findings, 2 usage or unreadable input, 3 not fully checked.";
 
 constexpr const char* run_help =
@@ -85,10 +88,13 @@ void add_format(CLI::App& app, Arguments& a) {
         ->type_name("ENDS");
 }
 
-void add_request(CLI::App& app, Arguments& a) {
+void add_input(CLI::App& app, Arguments& a) {
     app.add_option("input", a.request.input, "program (.MPF, .SPF, .H, .I, .ngc) or job file (.toml)")
         ->required()
         ->type_name("FILE");
+}
+
+void add_request(CLI::App& app, Arguments& a) {
     app.add_option("--control", a.request.control,
                    "control of the program: sinumerik-840d, heidenhain-itnc530, linuxcnc, fanuc, haas; else found from "
                    "the text")
@@ -122,6 +128,33 @@ void add_request(CLI::App& app, Arguments& a) {
            "--radius", [&a] { a.request.diameter = false; }, "X words are radii at the start")
         ->excludes(diameter);
     app.add_option("-o,--output", a.output, "write to this file instead of standard output")->type_name("FILE");
+    app.add_flag("--force", a.request.force, "replace files that are there (never the inputs)");
+}
+
+/// "" where findings can be told apart by it.
+std::string is_code_or_severity(const std::string& word) {
+    for (const char* severity : {"error", "warning", "note"})
+        if (word == severity) return "";
+    for (const base::Code& c : base::all_codes)
+        if (c.name == word && c.kind == base::CodeKind::finding) return "";
+    return "\"" + word + "\" is neither error, warning, note nor the code of a finding (docs/diagnostics.md)";
+}
+
+/// What the verdict and the exit code count.
+void add_verdict(CLI::App& app, Arguments& a) {
+    app.add_option_function<std::string>(
+           "--scope", [&a](const std::string& text) { a.request.scope = shop::scope_named(text); },
+           "what is judged: all; part (its shape); collisions (no part needed); motion (neither stock nor part needed)")
+        ->check(CLI::IsMember({"all", "part", "collisions", "motion"}))
+        ->type_name("SCOPE");
+    app.add_option("--fail-on", a.fail_on, "exit code 1 only for findings of this code or severity")
+        ->check(is_code_or_severity)
+        ->type_name("CODE|SEVERITY")
+        ->allow_extra_args(false)
+        ->take_all();
+    app.add_option("--baseline", a.baseline, "findings that this file knows do not count for the exit code")
+        ->type_name("FILE");
+    app.add_option("--write-baseline", a.write_baseline, "write the findings as such a file")->type_name("FILE");
 }
 
 struct Commands {
@@ -136,7 +169,11 @@ struct Commands {
 Commands add_commands(CLI::App& app, Arguments& a) {
     Commands c{};
     c.check = app.add_subcommand("check", check_help);
+    c.check->add_option("input", a.inputs, "programs (.MPF, .SPF, .H, .I, .ngc) or job files (.toml)")
+        ->required()
+        ->type_name("FILE");
     add_request(*c.check, a);
+    add_verdict(*c.check, a);
     c.check->add_option("--format", a.format, "text, json or sarif")
         ->check(CLI::IsMember({"text", "json", "sarif"}))
         ->type_name("FORMAT");
@@ -174,6 +211,7 @@ Commands add_commands(CLI::App& app, Arguments& a) {
     c.check->add_flag("--no-list", a.no_list, "text: leave out what has no effect on the verdict");
     c.check->add_flag("!--no-color,!--no-colour", a.colours, "text without colours (also: NO_COLOR)");
     c.run = app.add_subcommand("run", run_help);
+    add_input(*c.run, a);
     add_request(*c.run, a);
     c.run->add_option("--format", a.format, "text, csv or json")
         ->check(CLI::IsMember({"text", "csv", "json"}))
@@ -182,6 +220,7 @@ Commands add_commands(CLI::App& app, Arguments& a) {
     c.run->add_flag("--quiet", a.quiet, "print one line of counts instead of the moves");
     c.run->add_flag("--parameters", a.parameters, "print the numbered parameters at the end instead of the moves");
     c.plot = app.add_subcommand("plot", plot_help);
+    add_input(*c.plot, a);
     add_request(*c.plot, a);
     c.plot->add_option("--svg", a.svg, "write the picture to this file")->type_name("FILE");
     c.plot
@@ -212,6 +251,25 @@ static bool is_unknown_command(int argc, char** argv) {
     std::cerr << "obrys: there is no command '" << word << "'; the commands are check, run, plot, fmt, version, help\n"
               << "  to check a program: obrys check " << word << "\n";
     return true;
+}
+
+std::vector<driver::Wanted> outputs_of(const Arguments& a) {
+    std::vector<driver::Wanted> all;
+    const bool only_picture = a.command == Command::plot && !(a.interpolation > 0) && !a.svg.empty();
+    if (!only_picture) all.push_back({"--output", a.output.empty() ? "-" : a.output});
+    const std::pair<const char*, const std::string&> options[] = {{"--html", a.html},
+                                                                  {"--svg", a.svg},
+                                                                  {"--stl", a.stl},
+                                                                  {"--3mf", a.three_mf},
+                                                                  {"--gltf", a.gltf},
+                                                                  {"--plan", a.plan_view},
+                                                                  {"--projections", a.projections},
+                                                                  {"--picture", a.picture},
+                                                                  {"--engagement", a.engagement},
+                                                                  {"--write-baseline", a.write_baseline}};
+    for (const auto& [option, path] : options)
+        if (!path.empty()) all.push_back({option, path});
+    return all;
 }
 
 Arguments parse(int argc, char** argv) {

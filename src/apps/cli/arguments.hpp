@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "driver/milling_job.hpp"
+#include "driver/output_file.hpp"
 #include "driver/session.hpp"
 #include "format/heidenhain/format.hpp"
 
@@ -15,6 +16,10 @@ enum class Command : int { none, check, run, plot, fmt, version };
 struct Arguments {
     Command command = Command::none;
     driver::Request request;
+    std::vector<std::string> inputs;   ///< of check: one or several
+    std::vector<std::string> fail_on;  ///< of check: codes and severities; empty: every finding
+    std::string baseline;              ///< of check: file of known findings
+    std::string write_baseline;
     std::string format = "text";
     std::string output;                           ///< empty: standard output
     std::string html, svg;                        ///< of check: also write these; svg of plot: the picture
@@ -36,5 +41,8 @@ struct Arguments {
 };
 
 [[nodiscard]] Arguments parse(int argc, char** argv);
+
+/// The files that the call writes, with their options.
+[[nodiscard]] std::vector<driver::Wanted> outputs_of(const Arguments& a);
 
 }  // namespace obrys::cli

@@ -47,7 +47,6 @@ int fmt(const Arguments& a) {
         failed = failed || !file;
         for (const base::Diagnostic& d : diagnostics.all()) std::fputs(base::render(d, sources).c_str(), stderr);
     }
-    if (std::fflush(stdout) != 0) failed = true;
     return failed ? 2 : a.only_check && changed ? 1 : 0;
 }
 

@@ -8,23 +8,23 @@
 #include "mesh/export.hpp"
 #include "mesh/merge_flat.hpp"
 #include "mesh/stl.hpp"
-#include "output.hpp"
 #include "report/engagement_table.hpp"
 #include "report/milling_picture.hpp"
 #include "sim/milling/stock.hpp"
 
 namespace obrys::cli {
 
-/// Writes the text where it was asked for. False where that fails (the complaint is printed).
-bool deliver(driver::Session& s, const std::string& path, const std::string& text) {
-    if (path.empty() || path == "-") {
-        std::fwrite(text.data(), 1, text.size(), stdout);
-        return std::fflush(stdout) == 0;
-    }
-    base::Diagnostics written;
-    if (driver::store(path, text, written)) return true;
-    for (const base::Diagnostic& d : written.all()) std::fputs(base::render(d, s.sources).c_str(), stderr);
+bool deliver(const std::string& path, driver::OutputFile& file) {
+    if (file.finish()) return true;
+    const std::string name = driver::is_standard_output(path) ? "standard output" : path;
+    std::fprintf(stderr, "obrys: %s cannot be written: %s\n", name.c_str(), file.error().c_str());
     return false;
+}
+
+bool deliver(const std::string& path, std::string_view text) {
+    driver::OutputFile file(path);
+    file.write(text);
+    return deliver(path, file);
 }
 
 static bool wants_pictures(const Arguments& a) {
@@ -118,10 +118,9 @@ bool write_pictures(const Arguments& a, driver::Session& s, const driver::Checke
     bool written = true;
     for (const auto& [file, view] : pictures)
         if (!file.empty())
-            written =
-                deliver(s, file,
-                        file.ends_with(".svg") ? report::milling_svg(view, scene) : report::milling_png(view, scene)) &&
-                written;
+            written = deliver(file, file.ends_with(".svg") ? report::milling_svg(view, scene)
+                                                           : report::milling_png(view, scene)) &&
+                      written;
     return written;
 }
 
@@ -139,7 +138,7 @@ bool write_surface(const Arguments& a, driver::Session& s, const driver::Checked
     bool written = true;
     if (!a.stl.empty()) {
         const mesh::Mesh plain{milled->surface.vertices, milled->surface.triangles, {}};
-        written = deliver(s, a.stl, mesh::write_stl(mesh::merge_flat(plain, flat)));
+        written = deliver(a.stl, mesh::write_stl(mesh::merge_flat(plain, flat)));
     }
     if (a.three_mf.empty() && a.gltf.empty() && !wants_pictures(a)) return written;
     mesh::Mesh surface = milled->surface;
@@ -147,10 +146,10 @@ bool write_surface(const Arguments& a, driver::Session& s, const driver::Checked
     if (wants_pictures(a)) written = write_pictures(a, s, checked, surface, colours) && written;
     if (a.three_mf.empty() && a.gltf.empty()) return written;
     surface = mesh::merge_flat(surface, flat);
-    if (!a.three_mf.empty()) written = deliver(s, a.three_mf, mesh::write_3mf(surface, colours.palette)) && written;
+    if (!a.three_mf.empty()) written = deliver(a.three_mf, mesh::write_3mf(surface, colours.palette)) && written;
     if (a.gltf.empty()) return written;
     const auto glb = mesh::write_glb(surface, colours.palette);
-    if (glb) return deliver(s, a.gltf, *glb) && written;
+    if (glb) return deliver(a.gltf, *glb) && written;
     std::fputs("obrys: the surface is too large for a glTF file; take a coarser --tolerance\n", stderr);
     return false;
 }
@@ -161,17 +160,13 @@ bool write_engagement(const Arguments& a, const report::Subject& subject) {
         std::fputs("obrys: there is no engagement to write: the job has no milling stock that was simulated\n", stderr);
         return false;
     }
-    Output file(a.engagement);
-    if (file.good()) {
-        const auto write = [&](std::string_view text) { file.write(text); };
-        if (a.engagement.ends_with(".json"))
-            report::engagement_json(subject, write);
-        else
-            report::engagement_csv(subject, write);
-    }
-    if (file.good() && file.finish()) return true;
-    std::fprintf(stderr, "obrys: %s cannot be written\n", a.engagement.c_str());
-    return false;
+    driver::OutputFile file(a.engagement);
+    const auto write = [&](std::string_view text) { file.write(text); };
+    if (a.engagement.ends_with(".json"))
+        report::engagement_json(subject, write);
+    else
+        report::engagement_csv(subject, write);
+    return deliver(a.engagement, file);
 }
 
 }  // namespace obrys::cli

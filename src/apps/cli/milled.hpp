@@ -5,12 +5,15 @@
 
 #include "arguments.hpp"
 #include "driver/check_program.hpp"
+#include "driver/output_file.hpp"
 #include "report/subject.hpp"
 
 namespace obrys::cli {
 
 /// Writes the text where it was asked for. False where that fails (the complaint is printed).
-bool deliver(driver::Session& s, const std::string& path, const std::string& text);
+bool deliver(const std::string& path, std::string_view text);
+/// Ends a document; as above.
+bool deliver(const std::string& path, driver::OutputFile& file);
 
 [[nodiscard]] bool wants_surface(const Arguments& a);
 /// The files that were asked for. False where one could not be written; a job without milling stock has no surface.

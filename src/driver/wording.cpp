@@ -1,0 +1,61 @@
+#include "driver/wording.hpp"
+
+#include <array>
+
+namespace obrys::driver {
+
+namespace {
+
+/// `control`: the beginning of its name.
+struct Phrase {
+    std::string_view control, general, own;
+};
+
+constexpr std::string_view circle = "a circle needs its centre (I, J, K), its radius (CR=) or its opening angle (AR=)";
+constexpr std::string_view rs274_circle = "a circle needs its centre (I, J, K) or its radius (R)";
+constexpr std::string_view spindle = "start the spindle with M3 or M4 and a speed S";
+constexpr std::string_view tool = "select a tool with T and D before it";
+constexpr std::string_view diameters = ", X words are diameters until DIAMOF";
+
+constexpr std::array phrases{
+    Phrase{"heidenhain", circle, "a circle needs its centre (CC; DIN/ISO: I, J) or its radius (CR … R; DIN/ISO: R)"},
+    Phrase{"heidenhain", "the sense of rotation DR is missing: no arc before this one has any",
+           "the sense of rotation is missing (DR; DIN/ISO: G2 or G3): no arc before this one has any"},
+    Phrase{"heidenhain", spindle, "start the spindle with M3 or M4; its speed S stands in TOOL CALL"},
+    Phrase{"heidenhain", tool, "call a tool with TOOL CALL before it (DIN/ISO: T … G17)"},
+    Phrase{"heidenhain", diameters, ""},
+    Phrase{"linuxcnc", circle, rs274_circle},
+    Phrase{"linuxcnc", tool, "select a tool with T and M6 before it"},
+    Phrase{"linuxcnc", diameters, ""},
+    Phrase{"fanuc", circle, rs274_circle},
+    Phrase{"fanuc", tool, "select a tool before it: T and M6 on mills, T0101 on lathes"},
+    Phrase{"fanuc", diameters, ", X words are diameters"},
+    Phrase{"haas", circle, rs274_circle},
+    Phrase{"haas", tool, "select a tool before it: T and M6 on mills, T101 on lathes"},
+    Phrase{"haas", diameters, ", X words are diameters"},
+};
+
+}  // namespace
+
+std::string in_words_of(std::string_view control, std::string text) {
+    for (const Phrase& p : phrases) {
+        if (!control.starts_with(p.control)) continue;
+        if (const auto at = text.find(p.general); at != std::string::npos) text.replace(at, p.general.size(), p.own);
+    }
+    return text;
+}
+
+void reword(check::Result& result, std::string_view control) {
+    const auto each = [control](auto& list) {
+        for (auto& item : list) {
+            item.text = in_words_of(control, std::move(item.text));
+            item.remedy = in_words_of(control, std::move(item.remedy));
+        }
+    };
+    each(result.findings);
+    each(result.unchecked);
+    each(result.assumptions);
+    each(result.listed);
+}
+
+}  // namespace obrys::driver

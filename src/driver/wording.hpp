@@ -1,0 +1,17 @@
+#pragma once
+/// Messages in the words of the control: stages that know no control by name say things once, this table puts in the
+/// words that its programmers have.
+
+#include <string>
+#include <string_view>
+
+#include "check/result.hpp"
+
+namespace obrys::driver {
+
+/// The text with the phrases of this control in the place of the general ones.
+[[nodiscard]] std::string in_words_of(std::string_view control, std::string text);
+/// The same of all texts and remedies of a result.
+void reword(check::Result& result, std::string_view control);
+
+}  // namespace obrys::driver
