@@ -153,14 +153,15 @@ bool check_direction(Course& c, const Profile& p, bool pockets) {
     return false;
 }
 
-/// A straight last block that goes back along the cuts and away from the axis leads off the contour, as CAM systems write
-/// it: the cuts end before it. Controls that check every block stop there (alarm 64 or 329).
+/// A straight last block that goes back along the cuts and away from the axis leads off the contour, as CAM systems
+/// write it: the cuts end before it. Controls that check every block stop there (alarm 64 or 329).
 void leave_way_out(Course& c, Profile& p) {
     const Piece& last = p.pieces.back();
     if (p.pieces.size() < 3 || last.turn != 0 || falls(last) || !(last.to.y > last.from.y + same)) return;
-    c.remark("the contour's last block goes back along the cuts: it is taken for the way off the contour, and the cuts end "
-             "before it",
-             "a control that wants the contour to run in one direction stops here (FANUC: alarm 64 or 329)");
+    c.remark(
+        "the contour's last block goes back along the cuts: it is taken for the way off the contour, and the cuts end "
+        "before it",
+        "a control that wants the contour to run in one direction stops here (FANUC: alarm 64 or 329)");
     p.pieces.pop_back();
 }
 

@@ -51,7 +51,8 @@ void to_home(Run& run, bool all) {
     }
     if (!geom::is_finite(to))
         assume(run, run.here(),
-               "the home position is not known in the workpiece frame: moves to and from it are simulated as far as they are known",
+               "the home position is not known in the workpiece frame: moves to and from it are simulated as far as "
+               "they are known",
                "give home of the axes in the machine file and the zero offset in [datum] of the job, or the parameter "
                "file of the control");
     run.position = to;

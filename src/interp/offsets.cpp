@@ -125,7 +125,8 @@ void take_job_datums(Run& run) {
     for (const auto& [number, origin] : run.env.machine.datums) {
         const auto first = first_of_datum(run, number);
         for (std::uint32_t k = 0; first && k < 3; ++k)
-            if (const double v = coordinate(origin, static_cast<int>(k)); !std::isnan(v) && !run.parameters.is_set(*first + k))
+            if (const double v = coordinate(origin, static_cast<int>(k));
+                !std::isnan(v) && !run.parameters.is_set(*first + k))
                 run.parameters.set_by_control(*first + k, v / stored_unit(run, k));
     }
 }

@@ -19,7 +19,6 @@ int nose_orientation(const shop::Tool& t) {
     return t.reference == shop::ReferenceCorner::left ? 3 : 4;
 }
 
-
 /// The contour is compensated in programmed coordinates: the tool, which no frame turns or scales, is brought there.
 void into_frame(const Run& run, path::Setting& s) {
     if (run.frame_is_identity || geom::is_shift_only(run.frame) || compensates_in_fixed_plane(run)) return;

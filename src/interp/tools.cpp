@@ -420,7 +420,8 @@ void take_offset_radius(Run& run, double number) {
     if (known != run.tools.end())
         run.modal.compensation_radius = radius.value_or(0);
     else if (std::isnan(number))
-        unchecked(run, codes::unknown_value, run.here(), "which tool offset D is meant depends on a value that is not known");
+        unchecked(run, codes::unknown_value, run.here(),
+                  "which tool offset D is meant depends on a value that is not known");
     else if (number == 0)
         run.modal.compensation_radius = 0;
     else if (!run.tools.empty())

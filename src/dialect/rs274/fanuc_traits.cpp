@@ -35,8 +35,8 @@ constexpr std::array lathe_live{
 /// are those of newer Haas controls.
 constexpr KeptParameters retained{500, 999}, signals{1000, 1199, {}, true}, tool_offsets{2000, 2999, {}, true},
     mirror{3007, 3007, {}, true}, kept_3200{3201, 3399, {}, true}, parts{3901, 3902, {}, true},
-    in_force{5081, 5149, {}, true}, datums{5201, 5328}, more_datums{7001, 7960},
-    tool_data{8000, 97999, {}, true}, extended{98000, 98499};
+    in_force{5081, 5149, {}, true}, datums{5201, 5328}, more_datums{7001, 7960}, tool_data{8000, 97999, {}, true},
+    extended{98000, 98499};
 constexpr std::array fanuc_kept{KeptParameters{100, 199, "bit CCV of parameter 6001 = 0"},
                                 retained,
                                 signals,
@@ -101,7 +101,7 @@ program::Traits traits_of(std::span<const program::CannedCycle> cycles, bool haa
     t.canned = cycles;
     if (haas) t.kept = haas_kept;
     if (!haas) t.line_without_centre = "bit CIR of parameter 3403 = 0";  // operator's manual, circular interpolation
-    t.radius_to_start_stays = !haas;                                    // the same: "G02 R: the cutter does not move"
+    t.radius_to_start_stays = !haas;                                     // the same: "G02 R: the cutter does not move"
     if (lathe) t.live = lathe_live;
     return t;
 }
@@ -179,7 +179,8 @@ const program::Traits& fanuc_traits(const FanucControl& control) {
 
 const Dialect& fanuc_dialect(const FanucControl& control) {
     static const Dialect mill = dialect_of("FANUC", mill_traits), lathe = dialect_of("FANUC", lathe_traits);
-    static const Dialect haas_mill = dialect_of("Haas", haas_traits), haas_lathe = dialect_of("Haas", haas_lathe_traits);
+    static const Dialect haas_mill = dialect_of("Haas", haas_traits),
+                         haas_lathe = dialect_of("Haas", haas_lathe_traits);
     if (control.haas) return control.is_lathe() ? haas_lathe : haas_mill;
     return control.is_lathe() ? lathe : mill;
 }

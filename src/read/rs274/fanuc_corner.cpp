@@ -1,6 +1,6 @@
 /// Chamfer and corner R, and the angle of a straight line. Sources: FANUC series 0i-T, 16i-T, 30i-T operator's manuals,
-/// "Chamfering and corner R" (G1 Z_ I±i: from Z towards ±X; G1 X_ K±k: from X towards ±Z; G1 X_ or Z_ R±r; with bit CCR of
-/// parameter 3405 C, R and A without comma) and "Direct drawing dimension programming" (,C ,R ,A) [-]; Haas lathe
+/// "Chamfering and corner R" (G1 Z_ I±i: from Z towards ±X; G1 X_ K±k: from X towards ±Z; G1 X_ or Z_ R±r; with bit CCR
+/// of parameter 3405 C, R and A without comma) and "Direct drawing dimension programming" (,C ,R ,A) [-]; Haas lathe
 /// operator's manual, G01 corner rounding and chamfering [-].
 
 #include <algorithm>
@@ -14,9 +14,8 @@ using program::Reference;
 namespace {
 
 bool has_axis(const FanucState& s, std::string_view letters) {
-    return std::any_of(s.addresses.begin(), s.addresses.end(), [&](const Address& a) {
-        return !a.comma && letters.find(a.letter) != std::string_view::npos;
-    });
+    return std::any_of(s.addresses.begin(), s.addresses.end(),
+                       [&](const Address& a) { return !a.comma && letters.find(a.letter) != std::string_view::npos; });
 }
 
 /// A size whose sign says which way the next block goes.
@@ -40,7 +39,8 @@ void say_chamfer(FanucState& s, const Address& a) {
     d.severity = base::Severity::note;
     d.code = base::codes::assumption;
     d.where = s.build().span(a.begin, a.end);
-    d.text = "C of straight blocks is taken as a chamfer (bit CCR of parameter 3405 = 1): nothing here uses C as an axis";
+    d.text =
+        "C of straight blocks is taken as a chamfer (bit CCR of parameter 3405 = 1): nothing here uses C as an axis";
     d.remedy = "name a machine file with the axis C where it is one";
     s.diagnostics.add(std::move(d));
 }
@@ -82,8 +82,10 @@ std::string squeezed(std::string_view line) {
 /// Letter words of a line: is there one of `letters` with a number behind it?
 bool has_word(std::string_view line, char letter) {
     for (std::size_t i = 0; i + 1 < line.size(); ++i) {
-        const bool number = base::is_digit(line[i + 1]) || std::string_view("+-.#[").find(line[i + 1]) != std::string_view::npos;
-        if (line[i] == letter && number && (i == 0 || (!base::is_letter(line[i - 1]) && line[i - 1] != ','))) return true;
+        const bool number =
+            base::is_digit(line[i + 1]) || std::string_view("+-.#[").find(line[i + 1]) != std::string_view::npos;
+        if (line[i] == letter && number && (i == 0 || (!base::is_letter(line[i - 1]) && line[i - 1] != ',')))
+            return true;
     }
     return false;
 }
@@ -93,8 +95,10 @@ bool has_word(std::string_view line, char letter) {
 bool corner_word(FanucState& s, const Address& a) {
     const bool straight = s.motion == Modal::linear && s.special.empty() && s.hole == 0;
     if (a.comma) {
-        if (a.letter == 'C') return put_value(s, Order::value, Code::chamfer_leg, scaled(s, a.value, Quantity::length), a), true;
-        if (a.letter == 'R') return put_value(s, Order::value, Code::round, scaled(s, a.value, Quantity::length), a), true;
+        if (a.letter == 'C')
+            return put_value(s, Order::value, Code::chamfer_leg, scaled(s, a.value, Quantity::length), a), true;
+        if (a.letter == 'R')
+            return put_value(s, Order::value, Code::round, scaled(s, a.value, Quantity::length), a), true;
         if (a.letter == 'A' && straight)
             return put_value(s, Order::value, Code::line_angle, scaled(s, a.value, Quantity::angle), a), true;
         return add_problem(s, Code::unsupported, a.begin, a.end, "a word of direct drawing input"), true;

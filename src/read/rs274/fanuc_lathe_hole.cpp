@@ -1,6 +1,7 @@
-/// Hole cycles of lathes in the face (G83 drilling, G84 tapping, G85 boring) as their ways, at the turning centre. Source:
-/// FANUC series 16i/18i-T and 0i-T operator's manuals, canned cycle for drilling: to the position and R at rapid, to Z at
-/// feed, back to the initial level; R counts from the initial level in system A [-]. On Haas R is a coordinate [-].
+/// Hole cycles of lathes in the face (G83 drilling, G84 tapping, G85 boring) as their ways, at the turning centre.
+/// Source: FANUC series 16i/18i-T and 0i-T operator's manuals, canned cycle for drilling: to the position and R at
+/// rapid, to Z at feed, back to the initial level; R counts from the initial level in system A [-]. On Haas R is a
+/// coordinate [-].
 
 #include "read/rs274/fanuc_state.hpp"
 
@@ -110,7 +111,8 @@ void make_hole(const Writer& w, int code) {
 void to_position(FanucState& s, const Writer& w) {
     for (Address& a : s.addresses) {
         if (a.used || (a.letter != 'X' && a.letter != 'U' && a.letter != 'C' && a.letter != 'H')) continue;
-        if (a.letter == 'X' || a.letter == 'U') s.at_centre = a.letter == 'X' && a.value.is_literal() && a.value.number() == 0;
+        if (a.letter == 'X' || a.letter == 'U')
+            s.at_centre = a.letter == 'X' && a.value.is_literal() && a.value.number() == 0;
         emit_address(s, a);
     }
     if (!s.words.empty()) add_modal(s, Order::motion, Modal::rapid, 0, w.begin, w.end);

@@ -57,7 +57,8 @@ struct Extent {
 };
 
 Extent extent_of(std::string_view text) {
-    while (!text.empty() && (text.back() == '\x1A' || text.back() == '\0')) text.remove_suffix(1);  // CP/M's end of file
+    while (!text.empty() && (text.back() == '\x1A' || text.back() == '\0'))
+        text.remove_suffix(1);  // CP/M's end of file
     Extent e{0, text.size(), false, false, false};
     std::size_t header = std::string_view::npos;
     bool blocks = false, lines = false;
