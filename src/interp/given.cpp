@@ -150,8 +150,12 @@ std::string job_key(const std::string& name) {
 
 std::string variable_key(Run& run, const program::Expr& e) {
     std::string key = run.env.names.text(e.a);
-    for (std::size_t k = 0; k < e.count && !run.stopped; ++k)
-        key += (k == 0 ? "[" : ",") + printed(evaluate(run, run.unit().children[e.b + k]));
+    const std::size_t component = is_component(run, e) ? e.count - std::size_t{1} : e.count;  // TR of $P_UIFR[1,X,TR]
+    for (std::size_t k = 0; k < e.count && !run.stopped; ++k) {
+        const ExprId index = run.unit().children[e.b + k];
+        key += (k == 0 ? "[" : ",") +
+               (k == component ? run.env.names.text(run.unit().exprs[index].a) : printed(evaluate(run, index)));
+    }
     return e.count > 0 ? key + "]" : key;
 }
 

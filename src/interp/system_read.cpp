@@ -266,7 +266,16 @@ Value frame_component(const Access& a, SystemVariable v) {
         return read_component(a.run, a.e, geom::Frame::shift(origin) * a.run.modal.programmed);
     }
     const Value whole = datum_frame(a);
-    return whole.type == Type::frame ? read_component(a.run, a.e, whole.as_frame()) : Value::unknown();
+    return whole.type == Type::frame ? read_component(a.run, a.e, whole.as_frame()) : whole;
+}
+
+/// Date and time of the run: the job may give them.
+Value clock_value(const Access& a) {
+    const std::string key = variable_key(a.run, a.e);
+    if (auto given = given_value(a.run, key)) return *given;
+    assume(a.run, a.where(), a.name() + ": when the program will run is not known, and so this value",
+           "[variables] of the job can give it: " + job_key(key) + " = …");
+    return Value::unknown();
 }
 
 }  // namespace
@@ -309,9 +318,7 @@ Value read_system(Run& run, const Expr& e) {
         case SystemVariable::is_search:
         case SystemVariable::is_test:
         case SystemVariable::is_dry_run: return Value::boolean(false);
-        case SystemVariable::clock:
-            assume(run, a.where(), a.name() + ": when the program will run is not known, and so this value");
-            return Value::unknown();
+        case SystemVariable::clock: return clock_value(a);
         case SystemVariable::pi: return Value::real(geom::pi);
         case SystemVariable::unknown:
             if (const auto written = a.run.system_written.find(written_key(a)); written != a.run.system_written.end())
