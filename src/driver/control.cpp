@@ -84,7 +84,8 @@ constexpr std::array haas_languages{
 };
 
 constexpr std::array controls_table{
-    Control{"sinumerik-840d", sinumerik_languages, sinumerik_programs, sinumerik_definitions},
+    Control{"sinumerik-840d", sinumerik_languages, sinumerik_programs, sinumerik_definitions, nullptr, false,
+            read::sinumerik::is_definition_file},
     Control{"heidenhain-itnc530", heidenhain_languages, heidenhain_programs, {}},
     Control{"linuxcnc", linuxcnc_languages, rs274_programs, {}, o_word_file},
     Control{"fanuc", fanuc_languages, rs274_programs, {}, o_word_file, true},

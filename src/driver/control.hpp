@@ -35,6 +35,8 @@ struct Control {
     /// Lengths without a point may be least input increments (X100 is 0.1 mm), and X of a lathe is a diameter from the
     /// start.
     bool counts_increments = false;
+    /// Among the files with a definition suffix: one of the control's. Null: all are.
+    bool (*is_definition)(std::string_view text, std::string_view upper_name) = nullptr;
 };
 /// The language in which the text is most likely written; the first one where nothing says so.
 [[nodiscard]] const Language& language_of(const Control& control, std::string_view text, std::string_view file_name);

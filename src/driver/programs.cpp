@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "base/codes.hpp"
 #include "base/text.hpp"
 
 namespace obrys::driver {
@@ -11,6 +12,18 @@ namespace {
 bool has_suffix(const fs::path& path, std::span<const std::string_view> suffixes) {
     const std::string suffix = base::to_upper(path.extension().string());
     return std::find(suffixes.begin(), suffixes.end(), suffix) != suffixes.end();
+}
+
+/// The file, with the archive headers of its members ("%_N_UGUD_DEF") turned into comments of the same length.
+std::uint32_t without_headers(base::Sources& sources, std::uint32_t file) {
+    std::string text(sources[file].text);
+    bool changed = false;
+    for (std::size_t at = text.find("%_N_"); at != std::string::npos; at = text.find("%_N_", at + 1)) {
+        if (at > 0 && text[at - 1] != '\n' && text[at - 1] != '\r') continue;
+        text[at] = ';';
+        changed = true;
+    }
+    return changed ? sources.add(sources[file].name, std::move(text)) : file;
 }
 
 std::string full_name(const fs::path& path) { return base::to_upper(path.filename().string()); }
@@ -114,10 +127,32 @@ std::vector<const program::Unit*> Programs::of_file(std::uint32_t file) const {
     return found;
 }
 
+void Programs::read_backup(std::uint32_t file) {
+    const std::uint32_t plain = without_headers(sources_, file);
+    const Language& language = language_of(control_, sources_[plain].text, sources_[plain].name);
+    sources_.set_block_numbers(plain, language.numbers);
+    for (program::Unit& unit : language.read(plain, sources_, names_, diagnostics_, machine_)) {
+        backup_units_.push_back(std::make_unique<program::Unit>(std::move(unit)));
+        backups_.push_back(backup_units_.back().get());
+    }
+}
+
 void Programs::read_definitions() {
-    for (const fs::path& path : definition_files_)
-        if (const auto file = load(path, sources_, diagnostics_))
-            if (const program::Unit* unit = read(*file)) definitions_.push_back(unit);
+    for (const fs::path& path : definition_files_) {
+        const auto file = load(path, sources_, diagnostics_);
+        if (!file) continue;
+        if (control_.is_definition != nullptr && !control_.is_definition(sources_[*file].text, full_name(path))) {
+            diagnostics_.add({base::Severity::note,
+                              base::codes::no_effect,
+                              {*file, 0, 0},
+                              path.filename().string() + " defines no global user data of the control: it is not read",
+                              {},
+                              {},
+                              {}});
+            continue;
+        }
+        if (const program::Unit* unit = read(without_headers(sources_, *file))) definitions_.push_back(unit);
+    }
 }
 
 }  // namespace obrys::driver

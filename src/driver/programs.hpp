@@ -31,12 +31,17 @@ public:
     [[nodiscard]] std::vector<const program::Unit*> of_file(std::uint32_t file) const;
     /// Reads a text that the program itself makes as a program without a name.
     const program::Unit* read_text(const std::string& text);
+    /// Reads a backup of the control's variables that is already among the sources; it is no program to be called.
+    void read_backup(std::uint32_t file);
     /// Reads the definition files of the folders, where the control has such.
     void read_definitions();
 
     /// The folders and the endings of files, as part of a sentence: "the folder of the program or sub (.ngc, .nc)".
     [[nodiscard]] std::string searched() const;
     [[nodiscard]] const std::vector<const program::Unit*>& definitions() const { return definitions_; }
+    [[nodiscard]] const std::vector<const program::Unit*>& backups() const { return backups_; }
+    /// All programs and definitions that were read so far.
+    [[nodiscard]] const std::vector<std::unique_ptr<program::Unit>>& units() const { return units_; }
     [[nodiscard]] program::Names& names() { return names_; }
 
 private:
@@ -49,7 +54,8 @@ private:
     const shop::Machine* machine_ = nullptr;
     program::Names names_;
     std::vector<std::unique_ptr<program::Unit>> units_;
-    std::vector<const program::Unit*> definitions_;
+    std::vector<const program::Unit*> definitions_, backups_;
+    std::vector<std::unique_ptr<program::Unit>> backup_units_;
     std::unordered_map<std::string, const program::Unit*> by_name_;
     std::unordered_map<std::string, fs::path> files_;  ///< program name, and the same with its suffix -> file
     std::unordered_map<std::string, const program::Unit*> texts_;  ///< those that the program made

@@ -6,8 +6,9 @@
 #include "base/number.hpp"
 #include "base/text.hpp"
 #include "driver/contours.hpp"
-#include "driver/not_run.hpp"
 #include "driver/machine_guess.hpp"
+#include "driver/not_run.hpp"
+#include "driver/overrides.hpp"
 #include "shop/fusion_tools.hpp"
 #include "shop/linuxcnc_ini.hpp"
 #include "shop/linuxcnc_parameters.hpp"
@@ -174,12 +175,10 @@ std::string read_as(const Guess& guess) {
 void say_guess(Session& s, const Guess& guess, const base::Span& where, int certain) {
     const std::string remedy = "name the control with --control or in the job", name(guess.control->name);
     const auto doubt = [&](std::string text) {
-        s.diagnostics.add(
-            {base::Severity::warning, codes::unknown_value, where, std::move(text), remedy, {}, {}});
+        s.diagnostics.add({base::Severity::warning, codes::unknown_value, where, std::move(text), remedy, {}, {}});
     };
     if (!guess.foreign.empty())
-        doubt("this looks like a program of " + guess.foreign + ", which obrys does not read: it is " +
-              read_as(guess));
+        doubt("this looks like a program of " + guess.foreign + ", which obrys does not read: it is " + read_as(guess));
     else if (guess.likelihood < certain)
         doubt("nothing in this text says for which control it is: it is " + read_as(guess));
     else if (!guess.difference.empty())
@@ -272,6 +271,22 @@ void check_bodies(Session& s) {
     for (const shop::Clamp& c : s.job.clamps) look(c.solid);
 }
 
+/// Backups of the control's variables that the job names; LinuxCNC's parameter file has a form of its own.
+void load_backups(Session& s, const Request& request) {
+    for (const shop::NamedFile& f : s.job.variables_files) {
+        const fs::path path = beside(request.input, f.path);
+        const auto file = load(path, s.sources, s.diagnostics, f.where);
+        if (!file) continue;
+        if (!base::equals_ignoring_case(path.extension().string(), ".var")) {
+            s.programs->read_backup(*file);
+            continue;
+        }
+        for (const auto& [n, v] : shop::values_of(shop::read_linuxcnc_parameters(*file, s.sources, s.diagnostics)))
+            s.stored.emplace(static_cast<std::uint32_t>(n), v);
+        s.has_stored = true;
+    }
+}
+
 bool read_main(Session& s, const Request& request, const fs::path& path) {
     const auto file = load(path, s.sources, s.diagnostics, s.job.program_where);
     if (!file) return false;
@@ -338,6 +353,7 @@ bool open(const Request& request, Session& s) {
     if (request.scope) s.job.scope = *request.scope;
     if (request.diameter) s.job.machine.defaults.diameter_programming = *request.diameter;
     load_configuration(s, request);
+    load_backups(s, request);
     load_tools(s, request, input);
     for (const shop::NamedFile& f : s.job.preset_tables)
         add_presets(beside(input, f.path), f.where, s.sources, s.diagnostics, s.job.machine);
@@ -393,12 +409,14 @@ interp::Outcome interpret(Session& s, cl::Sink sink, const interp::ContourSink* 
                                           &s.settings,
                                           s.programs->searched(),
                                           &read_text,
-                                          std::max(s.job.tolerances.gouge, s.job.tolerances.simulation.value_or(0))};
+                                          std::max(s.job.tolerances.gouge, s.job.tolerances.simulation.value_or(0)),
+                                          &s.programs->backups()};
     interp::Outcome outcome = interp::run(*s.main, environment, s.stacks, sink, s.diagnostics);
     const auto in_file = s.programs->of_file(s.main->file);
     const bool subs_alone = holds_subprograms_alone(in_file, outcome.entered, *s.main);
     if (outcome.ending == interp::Ending::regular || subs_alone)
         say_what_was_not_run(in_file, outcome.entered, subs_alone, s.diagnostics);
+    check_overrides(s, outcome);
     if (s.files) s.files->write_printed();  // none where a session was put together without files
     return outcome;
 }

@@ -117,7 +117,10 @@ Value as_string(const Value& v) { return Value::string(printed(v)); }
 
 Value binary_value(Run& run, const Expr& e, const Value& a, const Value& b) {
     const auto op = static_cast<Operator>(e.op);
-    if (op == Operator::concat) return Value::string(printed(a) + printed(b));
+    if (op == Operator::concat)
+        return a.is_unknown() || b.is_unknown() ? Value::unknown_text(printed(a) + printed(b))
+                                                : Value::string(printed(a) + printed(b));
+    if (op == Operator::frame_chain && (a.is_unknown() || b.is_unknown())) return Value::unknown(Type::frame);
     if (op == Operator::frame_chain && a.type == Type::frame && b.type == Type::frame)
         return Value::of_frame(a.as_frame() * b.as_frame());
     if (a.is_unknown() || b.is_unknown()) return Value::unknown();

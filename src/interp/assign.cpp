@@ -60,7 +60,10 @@ std::optional<CharacterPlace> character_place(Run& run, const Binding& b, const 
     if (!b.element && !element_of(run, element, *b.array, place.element)) return std::nullopt;
     const double at = number(run, run.unit().children[e.b + element.count]);
     if (run.stopped || std::isnan(at)) return std::nullopt;
-    const std::string& text = b.array->texts[place.element];
+    note_held(run, *b.array, place.element, {run.unit().file, e.begin, e.end});
+    const Value held = b.array->get(place.element);
+    if (held.is_unknown()) return std::nullopt;
+    const std::string& text = held.as_text();
     if (at >= 0 && at < static_cast<double>(text.size())) {
         place.character = static_cast<std::size_t>(at);
         return place;
@@ -75,7 +78,7 @@ std::optional<CharacterPlace> character_place(Run& run, const Binding& b, const 
 Value read_character(Run& run, const Binding& b, const Expr& e) {
     const auto place = character_place(run, b, e);
     if (!place) return Value::unknown();
-    const char c = b.array->texts[place->element][place->character];
+    const char c = b.array->get(place->element).as_text()[place->character];
     return {Type::character, static_cast<double>(static_cast<unsigned char>(c)), nullptr, nullptr};
 }
 
@@ -92,13 +95,13 @@ std::size_t undefined_key(Run& run, const Expr& e) {
     return key;
 }
 
-namespace {
-
 bool is_constant(const Unit& unit, ExprId id) {
     const Expr& e = unit.exprs[id];
     if (e.kind == ExprKind::number || e.kind == ExprKind::boolean) return true;
     return e.kind == ExprKind::unary && is_constant(unit, e.a);
 }
+
+namespace {
 
 void complain(Run& run, Conversion c, const Value& v, Type to, const base::Span& where) {
     const std::string target(name(to));
@@ -119,6 +122,7 @@ void assign_number(Run& run, std::uint32_t n, ExprId value, double v, const base
     assume(run, where,
            program::parameter_name(*run.unit().traits, n) + "=" + printed(Value::real(run.parameter_override[n])) +
                " is set from outside and replaces the program's constant");
+    run.overrides_met.insert(program::parameter_name(*run.unit().traits, n));
     run.parameters.set(n, run.parameter_override[n]);
 }
 
@@ -212,7 +216,9 @@ void write_character(Run& run, const Binding& b, const Expr& e, ExprId value) {
         v.type = given;
         complain(run, c, v, Type::character, run.unit().span(value));
     } else {
-        array->texts[place->element][place->character] = static_cast<char>(static_cast<int>(v.number));
+        std::string text = array->get(place->element).as_text();
+        text[place->character] = static_cast<char>(static_cast<int>(v.number));
+        array->set(place->element, v.is_unknown() ? Value::unknown(Type::string) : Value::string(std::move(text)));
     }
 }
 
@@ -223,9 +229,10 @@ void write_frame_variable(Run& run, const Binding& b, const Expr& target, ExprId
     const std::shared_ptr<Array> array = b.array;
     std::size_t index = b.offset;
     if (!b.element && !element_of(run, whole, *array, index)) return;
-    geom::Frame frame = array->frames[index];
+    note_held(run, *array, index, run.unit().span(value));
+    geom::Frame frame = array->get(index).as_frame();
     write_component(run, target, frame, value);
-    if (!run.stopped) array->frames[index] = frame;
+    if (!run.stopped && !array->get(index).is_unknown()) array->set(index, Value::of_frame(frame));
 }
 
 void assign_variable(Run& run, const Expr& target, const program::Assign& a) {
@@ -264,6 +271,7 @@ void assign_variable(Run& run, const Expr& target, const program::Assign& a) {
         assume(run, unit.span(a.target),
                run.env.names.text(target.a) + "=" + printed(Value::real(replaced->second)) +
                    " is set from outside and replaces the program's constant");
+        run.overrides_met.insert(run.env.names.text(target.a));
         store(run, *array, index, Value::real(replaced->second), unit.span(a.value));
         return;
     }
@@ -283,6 +291,12 @@ void assign_frame(Run& run, const Expr& target, const program::Assign& a) {
     }
     const Value v = evaluate(run, a.value);
     if (run.stopped) return;
+    if (v.is_unknown() && target.count == 0) {
+        unchecked(run, codes::unknown_value, run.unit().span(a.value),
+                  "this frame depends on a value that is not known: no position is known in it");
+        run.modal.programmed = Value::unknown(Type::frame).as_frame();
+        return update_frame(run);
+    }
     if (v.type != Type::frame || target.count > 0) {
         unchecked(run, codes::unsupported, run.unit().span(a.target), "single components of a frame cannot be written",
                   "write the whole frame, e.g. $P_PFRAME=CTRANS(X,10)");

@@ -55,8 +55,8 @@ void tool_word(Run& run, const Word& w) {
     if (program::form_of(w) == Form::expression) {
         const Value v = evaluate(run, static_cast<ExprId>(w.payload));
         if (run.stopped) return;
-        b.tool_named = v.is_text();
-        if (v.is_text()) b.tool_name = v.as_text();
+        b.tool_named = v.is_text() && !v.is_unknown();
+        if (b.tool_named) b.tool_name = v.as_text();
         b.put(Code::tool, v.number);
         return;
     }
@@ -69,6 +69,11 @@ void named_value(Run& run, const program::Named& n) {
     if (n.kind != program::NamedKind::extended) return special_value(run, n);
     const Value index = n.index == program::no_expr ? Value::real(0) : evaluate(run, n.index);
     if (run.stopped) return;
+    if (index.is_unknown()) {
+        unchecked(run, codes::unknown_value, run.here(),
+                  "which spindle or axis " + letter + "[…]= is for depends on a value that is not known");
+        return;
+    }
     if (index.is_text()) {  // F[X]=, FA[C]=: an axis that is positioned on its own
         static_cast<void>(n.value == program::no_expr ? 0 : number(run, n.value));
         assume(run, run.here(), letter + "[" + index.as_text() + "]= is the feed of a single axis and is not followed");

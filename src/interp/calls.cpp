@@ -91,8 +91,28 @@ void bind_arguments(Run& run, const Unit& unit, const Call& call, Activation& ca
         if (reference) note_lost_reference(run, p, caller, argument);
         Value v = evaluate(run, argument);
         if (run.stopped) return;
-        if (v.type == Type::string && p.type == Type::axis) v.type = Type::axis;
+        if (v.type == Type::string && p.type == Type::axis && !v.is_unknown()) v.type = Type::axis;
         bind_value(run, p, std::move(v), caller.span(argument), callee.locals);
+    }
+}
+
+/// A program that is run without its call: arguments are what the job gives, their default values, or not known.
+void bind_main_arguments(Run& run, const Unit& unit) {
+    Activation& main = run.top();
+    for (std::size_t i = 0; i < unit.parameters.size() && !run.stopped; ++i) {
+        const Parameter& p = unit.parameters[i];
+        auto array = std::make_shared<Array>();
+        array->type = p.type;
+        array->name = p.name;
+        for (std::size_t k = 0; p.is_array && k < 3 && p.dimensions[k] != program::no_expr; ++k) {
+            const double n = number(run, p.dimensions[k]);
+            if (!(n >= 1 && n <= 100'000)) break;
+            array->dimensions[k] = static_cast<std::uint32_t>(n);
+            array->rank = static_cast<int>(k) + 1;
+        }
+        array->allocate_unknown(Held::argument);
+        if (give_argument(run, *array, run.env.names.text(p.name)) && i < 32) main.arguments_given |= 1u << i;
+        main.locals.bind({p.name, std::move(array), 0, false, nullptr});
     }
 }
 
@@ -104,7 +124,9 @@ void bind_presets(Run& run, const Unit& unit) {
         if (((callee.arguments_given >> i) & 1u) != 0 || p.preset == program::no_expr) continue;
         Value v = evaluate(run, p.preset);
         const Binding* b = callee.locals.find(p.name);
-        if (!run.stopped && b != nullptr && convert(v, p.type) == Conversion::ok) b->array->set(0, v);
+        if (run.stopped || b == nullptr || convert(v, p.type) != Conversion::ok) continue;
+        b->array->set(0, v);
+        if (!b->array->held.empty()) b->array->held[0] = Held::definition;
     }
 }
 
@@ -158,7 +180,7 @@ void hide_locals(Run& run, const Unit& unit, Activation& callee) {
     for (const program::ParameterBank& bank : unit.traits->banks) {
         for (std::uint32_t i = 0; bank.local && i < bank.count; ++i, ++n) {
             if (!run.calls.empty()) callee.outer_locals.emplace_back(run.parameters.get(n), run.parameters.is_set(n));
-            if (run.parameter_overridden.empty() || run.parameter_overridden[n] == 0) run.parameters.forget(n);
+            run.parameters.forget(n);
         }
         if (!bank.local) n += bank.count;
     }
@@ -249,12 +271,14 @@ void enter(Run& run, const Unit& unit, const Call* call, const base::Span& where
     if (!repeats || run.stopped) return;
     callee.repeats_left = *repeats;
     const double first = call != nullptr && call->first_block != program::no_expr ? number(run, call->first_block) : -1;
+    const bool main = run.calls.empty();
     hide_locals(run, unit, callee);
     pass_arguments(run, call, callee);
     if (run.stopped) return;
     run.calls.push_back(std::move(callee));
     if (call != nullptr && call->first_block != program::no_expr && !begin_at(run, first, where)) return;
     if (unit.traits->unit_per_program) run.modal.inch_geometry = run.modal.inch_feed = unit.inch;
+    if (main) bind_main_arguments(run, unit);
     bind_presets(run, unit);
     run.top().own_bindings = run.top().locals.size();
     note_unit(run, unit);
@@ -367,6 +391,9 @@ void call_program(Run& run, const Call& call) {
     if (call.target != program::no_expr) {
         const Value v = evaluate(run, call.target);
         if (run.stopped) return;
+        if (v.is_unknown())
+            return unchecked(run, codes::unknown_value, run.unit().span(call.target),
+                             "which program is called depends on a value that is not known: the call is left out");
         if (!v.is_text() && run.traits->argument_parameters == 0)
             return alarm(run, codes::type_mismatch, run.unit().span(call.target),
                          "CALL needs a text that names a program");

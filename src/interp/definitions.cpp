@@ -16,6 +16,18 @@ constexpr std::size_t largest_array = 10'000'000;
 
 double known_or(double v, double instead) { return std::isnan(v) ? instead : v; }
 
+/// A value that [set] or --set puts in the place of the constant a definition begins with.
+void replace_initial(Run& run, Array& array, const program::Variable& v) {
+    const auto replaced = run.overrides_by_name.find(v.name);
+    if (replaced == run.overrides_by_name.end() || array.size() != 1 || array.type > Type::real) return;
+    if (v.values.empty() || v.values[0] == program::no_expr || !is_constant(run.unit(), v.values[0])) return;
+    assume(run, v.where,
+           run.env.names.text(v.name) + "=" + printed(Value::real(replaced->second)) +
+               " is set from outside and replaces the program's constant");
+    store(run, array, 0, Value::real(replaced->second), v.where);
+    run.overrides_met.insert(run.env.names.text(v.name));
+}
+
 void initialise(Run& run, Array& array, const program::Variable& v) {
     const Unit& unit = run.unit();
     const bool repeat = v.initialiser == program::Initialiser::repeat;
@@ -24,12 +36,21 @@ void initialise(Run& run, Array& array, const program::Variable& v) {
         const ExprId id = v.values[repeat ? 0 : k];
         if (id != program::no_expr) store(run, array, k, evaluate(run, id), unit.span(id));
     }
-    const auto replaced = run.overrides_by_name.find(v.name);
-    if (replaced == run.overrides_by_name.end() || array.size() != 1 || array.type > Type::real) return;
-    assume(run, v.where,
-           run.env.names.text(v.name) + "=" + printed(Value::real(replaced->second)) +
-               " is set from outside and replaces the program's constant");
-    store(run, array, 0, Value::real(replaced->second), v.where);
+    replace_initial(run, array, v);
+}
+
+/// Global user data keep what they held: not known where the definition gives no value, else perhaps overwritten.
+void allocate(Run& run, Array& array, const program::Variable& v, bool global) {
+    if (!global) {
+        array.allocate();
+        return initialise(run, array, v);
+    }
+    array.name = v.name;
+    array.allocate_unknown(Held::machine);
+    initialise(run, array, v);
+    const bool replaced = run.overrides_by_name.contains(v.name);
+    for (Held& h : array.held)
+        if (h == Held::own && !replaced) h = Held::definition;
 }
 
 }  // namespace
@@ -65,8 +86,7 @@ void define(Run& run, const program::Define& d, Scope& scope, const Unit& unit) 
             array->dimensions[k] = static_cast<std::uint32_t>(n);
             array->rank = static_cast<int>(k) + 1;
         }
-        array->allocate();
-        initialise(run, *array, v);
+        allocate(run, *array, v, &scope == &run.globals);
         if (run.stopped) return;
         scope.bind({v.name, std::move(array), 0, false, &v});
     }

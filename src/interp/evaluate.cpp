@@ -14,10 +14,7 @@ using program::Function;
 using program::Operator;
 namespace codes = base::codes;
 
-namespace {
-
-double parameter_value(Run& run, const Expr& e, double index) {
-    const base::Span where{run.unit().file, e.begin, e.end};
+double parameter_value(Run& run, double index, const base::Span& where) {
     if (std::isnan(index)) {
         unchecked(run, codes::unknown_value, where, "which parameter this is depends on a value that is not known");
         return index;
@@ -31,15 +28,26 @@ double parameter_value(Run& run, const Expr& e, double index) {
     }
     const auto n = static_cast<std::uint32_t>(index);
     if (!run.traits->live.empty() && is_live(run, n)) return live_parameter(run, n, where);
-    if (!run.parameters.is_set(n) && (run.traits->parameters_begin_at_zero || is_kept_unknown(run, n)))
-        return kept_parameter(run, n, where);
-    if (!run.parameters.is_set(n)) {
+    if (run.parameters.is_set(n)) return run.parameters.get(n);
+    if (run.parameter_overridden[n] != 0) {
         const std::string name = program::parameter_name(*run.unit().traits, n);
-        assume(run, where, name + " is read before the program sets it: 0 as in a fresh control",
-               "give its value with --set " + name + "=… if the control holds another one");
-        run.parameters.mark_set(n);
+        unchecked(run, codes::unknown_value, where,
+                  name + " is read before the program assigns it: what is set from outside replaces assignments alone",
+                  given_remedy(name));
+        return std::numeric_limits<double>::quiet_NaN();
     }
+    if (run.traits->parameters_begin_at_zero || is_kept_unknown(run, n)) return kept_parameter(run, n, where);
+    const std::string name = program::parameter_name(*run.unit().traits, n);
+    assume(run, where, name + " is read before the program sets it: 0 as in a fresh control",
+           "if the control holds another value: " + given_remedy(name));
+    run.parameters.mark_set(n);
     return run.parameters.get(n);
+}
+
+namespace {
+
+double parameter_value(Run& run, const Expr& e, double index) {
+    return parameter_value(run, index, {run.unit().file, e.begin, e.end});
 }
 
 }  // namespace
@@ -63,7 +71,8 @@ bool is_numeric(Operator op) {
 }
 
 double variable_number(Run& run, const Expr& e, ExprId id) {
-    if (const Binding* b = find_variable(run, e.a); b != nullptr && e.count == 0 && b->array->type <= Type::real)
+    if (const Binding* b = find_variable(run, e.a);
+        b != nullptr && e.count == 0 && b->array->type <= Type::real && b->array->held.empty())
         return b->array->numbers[b->offset];
     const Value v = evaluate(run, id);
     if (run.stopped || v.is_number()) return v.number;
@@ -132,7 +141,7 @@ double condition(Run& run, ExprId id) {
     const Expr& e = run.unit().exprs[id];
     if (e.kind != ExprKind::variable && e.kind != ExprKind::system) return number(run, id);
     const Value v = evaluate(run, id);
-    return v.type == Type::string ? (v.as_text().empty() ? 0.0 : 1.0) : v.number;
+    return v.type == Type::string && !v.is_unknown() ? (v.as_text().empty() ? 0.0 : 1.0) : v.number;
 }
 
 }  // namespace
@@ -167,7 +176,9 @@ Value read_frame_variable(Run& run, const Binding& b, const Expr& e) {
     whole.count = static_cast<std::uint16_t>(e.count - 2);
     std::size_t index = b.offset;
     if (!b.element && !element_of(run, whole, *b.array, index)) return Value::unknown();
-    return read_component(run, e, b.array->get(index).as_frame());
+    note_held(run, *b.array, index, {run.unit().file, e.begin, e.end});
+    const Value frame = b.array->get(index);
+    return frame.is_unknown() ? Value::unknown() : read_component(run, e, frame.as_frame());
 }
 
 Value read_variable(Run& run, const Expr& e, ExprId id) {
@@ -177,6 +188,7 @@ Value read_variable(Run& run, const Expr& e, ExprId id) {
         std::size_t index = b->offset;
         if (b->array->type == Type::frame && is_component(run, e)) return read_frame_variable(run, *b, e);
         if (!b->element && !element_of(run, e, *b->array, index)) return Value::unknown();
+        note_held(run, *b->array, index, unit.span(id));
         return b->array->get(index);
     }
     const std::string& text = run.env.names.text(e.a);
@@ -260,8 +272,8 @@ Value evaluate(Run& run, ExprId id) {
 std::string axis_of(Run& run, ExprId id) {
     if (id == program::no_expr) return {};
     const Value v = evaluate(run, id);
-    if (v.is_text()) return v.as_text();
     if (v.is_unknown()) return "?";
+    if (v.is_text()) return v.as_text();
     const auto& axes = run.env.machine.axes;
     if (v.number >= 1 && v.number < static_cast<double>(axes.size() + 1))
         return axes[static_cast<std::size_t>(v.number) - 1].name;

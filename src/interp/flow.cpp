@@ -90,6 +90,11 @@ void run_case(Run& run, const program::Case& c) {
         if (run.stopped) return;
         if (arm.value != program::no_expr) {
             const Value v = evaluate(run, arm.value);
+            if (v.is_unknown() && !selector.is_unknown())
+                unchecked(run, codes::unknown_value, run.unit().span(arm.value),
+                          "whether this arm of the CASE is taken depends on a value that is not known",
+                          "it is not taken; the run may go another way on the machine");
+            if (v.is_unknown() || selector.is_unknown()) continue;
             const bool equal = v.is_text() ? v.as_text() == selector.as_text() : v.number == selector.number;
             if (!equal) continue;
         }
@@ -158,6 +163,12 @@ void end_of_pass(Run& run) {
 
 namespace {
 
+/// A global text of that name, where the jump's word is no label: GOTOF NAME with NAME among the user data.
+const Binding* named_text(Run& run, const std::string& name) {
+    const Binding* b = find_variable(run, run.env.names.id(base::to_upper(name)));
+    return b != nullptr && b->array->type == Type::string && b->array->rank == 0 ? b : nullptr;
+}
+
 /// The statement that the jump's text or number names; no_target where there is none, after an alarm.
 std::uint32_t computed_target(Run& run, const program::Jump& j) {
     const Value v = evaluate(run, j.destination);
@@ -167,8 +178,15 @@ std::uint32_t computed_target(Run& run, const program::Jump& j) {
                   "where this jump goes depends on a value that is not known: it is left out");
         return program::no_target;
     }
-    const std::string name = v.is_text() ? v.as_text() : "N" + printed(v);
-    const std::uint32_t target = find_destination(run, name, j.direction);
+    std::string name = v.is_text() ? v.as_text() : "N" + printed(v);
+    std::uint32_t target = find_destination(run, name, j.direction);
+    if (const Binding* b = target == program::no_target ? named_text(run, name) : nullptr) {
+        note_held(run, *b->array, b->offset, run.unit().span(j.destination));
+        const Value held = b->array->get(b->offset);
+        if (held.is_unknown()) return program::no_target;
+        name = held.as_text();
+        target = find_destination(run, name, j.direction);
+    }
     if (target != program::no_target || j.direction == program::JumpDirection::either_quiet) return target;
     const char* way = j.direction == program::JumpDirection::forward    ? " behind this block"
                       : j.direction == program::JumpDirection::backward ? " before this block"

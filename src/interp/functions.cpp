@@ -21,6 +21,7 @@ namespace {
 struct Arguments {
     Run& run;
     const Expr& e;
+    mutable bool unknown = false;  ///< one of those asked for so far is not known
 
     [[nodiscard]] bool given(std::size_t i) const {
         return i < e.count && run.unit().children[e.b + i] != program::no_expr;
@@ -31,11 +32,14 @@ struct Arguments {
 
     double operator[](std::size_t i) const {
         if (!need(i)) return 0;
-        return number(run, id(i));
+        const double v = number(run, id(i));
+        unknown = unknown || std::isnan(v);
+        return v;
     }
     [[nodiscard]] std::string text(std::size_t i) const {
         if (!need(i)) return {};
         const Value v = evaluate(run, id(i));
+        unknown = unknown || v.is_unknown();
         if (!run.stopped && !v.is_text() && v.type != Type::character && !v.is_unknown())
             alarm(run, codes::type_mismatch, span(i),
                   "a STRING is needed here, this is a " + std::string(name(v.type)));
@@ -183,7 +187,7 @@ Value substring(const Arguments& a) {
     const double from = a[1];
     const double count = a.given(2) ? a[2] : 1e9;
     if (a.run.stopped) return {};
-    if (std::isnan(from) || std::isnan(count)) return Value::string("?");
+    if (a.unknown) return Value::unknown(Type::string);
     if (from < 0 || count < 0 || from > static_cast<double>(text.size())) {
         alarm(a.run, codes::index_range, a.whole(), "SUBSTR starts outside the text");
         return {};
@@ -215,12 +219,12 @@ Value file_exists(const Arguments& a) {
 Value text_number(const Arguments& a) {
     const std::string text = a.text(0);
     const auto v = number_in(a.run, text);
-    if (text == "?") return Value::unknown();
+    if (a.unknown) return Value::unknown();
     if (!v && !a.run.stopped) alarm(a.run, codes::type_mismatch, a.span(0), "NUMBER: \"" + text + "\" is not a number");
     return Value::real(v.value_or(0));
 }
 
-Value string_function(const Arguments& a, Function f) {
+Value text_function(const Arguments& a, Function f) {
     switch (f) {
         case Function::string_length: return Value::integer(static_cast<double>(a.text(0).size()));
         case Function::to_upper: return Value::string(base::to_upper(a.text(0)));
@@ -250,7 +254,7 @@ Value string_function(const Arguments& a, Function f) {
         case Function::to_text: {
             if (names_nothing(a)) return Value::string("######");
             const double v = a[0], decimals = a.given(1) ? a[1] : 3;
-            if (std::isnan(v) || std::isnan(decimals)) return Value::string("?");
+            if (a.unknown) return Value::unknown(Type::string);
             return Value::string(base::fixed(v, static_cast<int>(std::clamp(decimals, 0.0, 9.0))));
         }
         case Function::substring: return substring(a);
@@ -267,6 +271,12 @@ Value string_function(const Arguments& a, Function f) {
     return Value::unknown();
 }
 
+/// Of arguments that are not known the result is not known either.
+Value string_function(const Arguments& a, Function f) {
+    const Value v = text_function(a, f);
+    return a.unknown && !v.is_unknown() ? Value::unknown(v.type) : v;
+}
+
 int axis_index(const std::string& axis) { return axis == "X" ? 0 : axis == "Y" ? 1 : axis == "Z" ? 2 : -1; }
 
 /// CTRANS(X,v,Y,v…), CROT, CSCALE, CMIRROR(X,Y…): pairs of axis and value.
@@ -274,13 +284,16 @@ Value frame_function(const Arguments& a, Function f) {
     geom::Frame frame;
     const std::size_t step = f == Function::frame_mirror ? 1 : 2;
     for (std::size_t i = 0; i < a.e.count && !a.run.stopped; i += step) {
-        const int k = axis_index(axis_of(a.run, a.given(i) ? a.id(i) : program::no_expr));
+        const std::string axis = axis_of(a.run, a.given(i) ? a.id(i) : program::no_expr);
+        if (axis == "?") return Value::unknown(Type::frame);
+        const int k = axis_index(axis);
         const bool shift = f == Function::frame_shift || f == Function::frame_fine;
         const double v = step == 2 ? a[i + 1] * (shift ? length_unit(a.run.modal) : 1) : -1;
         if (k < 0) {
             unchecked(a.run, codes::unsupported, a.span(i), "frames act on X, Y and Z only");
             continue;
         }
+        if (std::isnan(v)) return Value::unknown(Type::frame);
         geom::Vec3 part = f == Function::frame_shift || f == Function::frame_fine ? geom::Vec3{} : geom::Vec3{1, 1, 1};
         coordinate(part, k) = v;
         if (f == Function::frame_rotation)
@@ -315,18 +328,22 @@ Value call_function(Run& run, const Expr& e) {
         case Function::file_exists: return file_exists(a);
         case Function::frame_plane_rotation: {
             const int axis = run.modal.plane == 17 ? 2 : run.modal.plane == 18 ? 1 : 0;
+            if (std::isnan(a[0])) return Value::unknown(Type::frame);
             return Value::of_frame(geom::Frame::rotation(axis, geom::radians(a[0])));
         }
         case Function::frame_inverse: {
             const Value v = evaluate(run, a.given(0) ? a.id(0) : program::no_expr);
+            if (v.is_unknown()) return Value::unknown(Type::frame);
             return Value::of_frame(geom::is_invertible(v.as_frame()) ? geom::inverse(v.as_frame()) : geom::Frame{});
         }
         case Function::is_variable: {
             const std::string text = base::to_upper(a.text(0));
+            if (a.unknown) return Value::unknown(Type::boolean);
             return Value::boolean(find_variable(run, run.env.names.id(text)) != nullptr);
         }
         case Function::is_axis: {
             const double n = a[0];
+            if (a.unknown) return Value::unknown(Type::boolean);
             return Value::boolean(n >= 1 && n <= static_cast<double>(run.env.machine.axes.size()));
         }
         case Function::modulo_axis: {

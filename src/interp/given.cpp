@@ -61,10 +61,9 @@ std::optional<std::vector<double>> indices_of(std::string_view text) {
     return indices;
 }
 
-void give_element(Run& run, const Binding& b, const std::string& key, const GivenValue& g) {
+void give_element(Run& run, Array& array, const std::string& key, const GivenValue& g) {
     const auto bracket = std::min(key.find('['), key.size());
     const auto indices = indices_of(std::string_view(key).substr(std::min(bracket + 1, key.size())));
-    Array& array = *b.array;
     std::size_t index = 0;
     const int written = indices ? static_cast<int>(indices->size()) : -1;
     if (written != array.rank || !element_index(array, indices->data(), indices->size(), index)) {
@@ -116,7 +115,10 @@ void take_given(Run& run) {
     if (run.env.stored != nullptr)
         for (const auto& [n, v] : *run.env.stored)
             if (n < run.parameters.count()) run.parameters.set_by_control(n, v);
-    for (const auto& [key, g] : run.env.variables) {
+    if (run.env.backups != nullptr)
+        for (const Unit* unit : *run.env.backups) take_backup(run, *unit);
+    for (const auto& [key, g] : run.env.variables) run.given.insert_or_assign(key, g);
+    for (const auto& [key, g] : run.given) {
         const std::uint32_t n = program::find_parameter(*run.traits, key);
         if (n < run.parameters.count()) {
             give_parameter(run, n, key, g);
@@ -125,7 +127,7 @@ void take_given(Run& run) {
         const std::string_view bare = bare_name(key);
         const program::NameId id = run.env.names.id(std::string(bare));
         if (const Binding* known = run.globals.find(id))
-            give_element(run, *known, key, g);
+            give_element(run, *known->array, key, g);
         else if (bare.starts_with('$') || bare.starts_with('#'))
             continue;  // asked by its spelling where it is read
         else if (key.ends_with(']'))
@@ -136,9 +138,9 @@ void take_given(Run& run) {
 }
 
 std::optional<Value> given_value(const Run& run, std::string_view key) {
-    if (run.env.variables.empty()) return std::nullopt;
-    const auto found = run.env.variables.find(shop::given_key(key));
-    if (found == run.env.variables.end()) return std::nullopt;
+    if (run.given.empty()) return std::nullopt;
+    const auto found = run.given.find(shop::given_key(key));
+    if (found == run.given.end()) return std::nullopt;
     return value_of(found->second);
 }
 
@@ -146,6 +148,50 @@ std::string job_key(const std::string& name) {
     const bool bare =
         name.find_first_not_of("ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz0123456789_-") == std::string::npos;
     return bare && !name.empty() ? name : "\"" + name + "\"";
+}
+
+bool give_argument(Run& run, Array& array, const std::string& name) {
+    bool found = false;
+    for (const auto& [key, g] : run.given) {
+        if (bare_name(key) != name) continue;
+        give_element(run, array, key, g);
+        found = true;
+    }
+    return found;
+}
+
+std::string given_remedy(const std::string& key) {
+    return "[variables] of the job can give it: " + job_key(key) + " = …";
+}
+
+namespace {
+
+/// "MY_I[2]": an element by the name of its definition.
+std::string element_key(const Run& run, const Array& a, std::size_t index) {
+    std::string indices;
+    for (int k = a.rank - 1; k >= 0; --k) {
+        const std::uint32_t n = a.dimensions[static_cast<std::size_t>(k)];
+        indices = std::to_string(index % n) + (indices.empty() ? "" : ",") + indices;
+        index /= n;
+    }
+    return run.env.names.text(a.name) + (a.rank > 0 ? "[" + indices + "]" : "");
+}
+
+}  // namespace
+
+void note_held(Run& run, const Array& a, std::size_t index, const base::Span& where) {
+    const Held held = a.held_by(index);
+    if (held == Held::own) return;
+    const std::string key = element_key(run, a, index);
+    if (held == Held::definition)
+        return assume(run, where,
+                      key + " is read before a program sets it: " + printed(a.get(index)) + " as its definition says",
+                      "the control may hold another value; " + given_remedy(key));
+    unchecked(run, codes::unknown_value, where,
+              held == Held::argument
+                  ? "the argument " + key + " is not known: this program is run without its call"
+                  : key + " is not known: no program sets it before, and the control keeps what it held",
+              given_remedy(key));
 }
 
 std::string variable_key(Run& run, const program::Expr& e) {

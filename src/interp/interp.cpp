@@ -51,7 +51,6 @@ void take_overrides(Run& run, const program::Traits& main_traits) {
         if (number < n) {
             run.parameter_overridden[number] = 1;
             run.parameter_override[number] = o.value;
-            run.parameters.set(number, o.value);
         } else {
             run.overrides_by_name[run.env.names.id(o.name)] = o.value;
         }
@@ -251,7 +250,7 @@ Outcome run(const program::Unit& main, const Environment& environment, cl::CallS
     take_overrides(run, *main.traits);
     define_globals(run);
     take_given(run);
-    if (run.stopped) return {run.ending, 0, {}, {}};
+    if (run.stopped) return {run.ending, 0, {}, {}, {}};
     choose_reference_datum(run, main);
     enter(run, main, nullptr, {});
     if (!run.unit().statements.empty()) run.statement = run.unit().statements.data();
@@ -259,7 +258,7 @@ Outcome run(const program::Unit& main, const Environment& environment, cl::CallS
     control_sets_all(run);
     while (!run.stopped) step(run);
     flush_path(run);
-    Outcome outcome{run.ending, run.blocks, {}, {run.entered.begin(), run.entered.end()}};
+    Outcome outcome{run.ending, run.blocks, {}, {run.entered.begin(), run.entered.end()}, std::move(run.overrides_met)};
     for (std::uint32_t n = 0; n < run.parameters.count(); ++n)
         if (run.parameters.is_assigned(n))
             outcome.parameters.push_back({program::parameter_name(*main.traits, n), run.parameters.get(n)});

@@ -7,6 +7,7 @@
 #include <functional>
 #include <map>
 #include <optional>
+#include <set>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -59,6 +60,8 @@ struct Environment {
     const std::function<const program::Unit*(const std::string& text)>* read_text = nullptr;
     /// mm by which the path may differ from the programmed one before it is said.
     double contour_tolerance = 0.001;
+    /// Backups of the control's variables: their assignments give values; `variables` stands above them.
+    const std::vector<const program::Unit*>* backups = nullptr;
 };
 
 enum class Ending : std::uint8_t {
@@ -78,6 +81,7 @@ struct Outcome {
     std::uint64_t blocks_executed = 0;
     std::vector<ParameterValue> parameters;  ///< those that were assigned
     std::vector<const program::Unit*> entered;  ///< programs of which something was run, the main one's too
+    std::set<std::string> replaced;          ///< names of which Environment::overrides replaced a constant
 };
 
 /// Runs `main` and passes every record to `sink`. Complaints, assumptions and ignored words go to `diagnostics`.

@@ -146,8 +146,7 @@ double known_live_value(const Run& run, SystemVariable v, double index) {
 /// `name`: of a numbered parameter that the job can give; empty: it cannot.
 double report_unknown(Run& run, const std::string& name, const base::Span& where) {
     unchecked(run, codes::unknown_value, where, "what this parameter of the control holds is not known here",
-              "what is computed from it is unknown too" +
-                  (name.empty() ? "" : "; [variables] of the job can give it: " + job_key(name) + " = …"));
+              "what is computed from it is unknown too" + (name.empty() ? "" : "; " + given_remedy(name)));
     return unknown;
 }
 

@@ -17,6 +17,8 @@ void assume(Run&, const base::Span& where, std::string text, std::string remedy 
 
 // --- expressions (evaluate.cpp, functions.cpp, system_read.cpp)
 [[nodiscard]] double number(Run&, ExprId);  ///< a numeric value; alarm where it is none
+/// What a numbered parameter holds; unknown, or assumed, where nobody has set it.
+[[nodiscard]] double parameter_value(Run&, double index, const base::Span& where);
 /// A condition; one that depends on an unknown value is reported and counts as `when_unknown`.
 [[nodiscard]] bool truth(Run&, ExprId, bool when_unknown = false);
 [[nodiscard]] Value evaluate(Run&, ExprId);
@@ -32,10 +34,18 @@ void assume(Run&, const base::Span& where, std::string text, std::string remedy 
 // --- what the job gives (given.cpp)
 /// Takes over what the control's parameters and global variables hold before the run.
 void take_given(Run&);
+/// Adds what a backup of the control's variables assigns (backup.cpp).
+void take_backup(Run&, const Unit&);
 /// What the job gives for a variable by the control's own spelling ("MY_I[2]", "$A_IN[1]"); nothing where it does not.
 [[nodiscard]] std::optional<Value> given_value(const Run&, std::string_view key);
 /// A name as a key of the job file: in quotes where TOML wants them.
 [[nodiscard]] std::string job_key(const std::string& name);
+/// Takes what the job gives for an argument of the main program, or for its elements; false where it gives nothing.
+bool give_argument(Run&, Array&, const std::string& name);
+/// Reports an element that nobody has set here, or assumes what its definition says.
+void note_held(Run&, const Array&, std::size_t index, const base::Span& where);
+/// What remedies say: how the job gives the value of `key`.
+[[nodiscard]] std::string given_remedy(const std::string& key);
 /// That spelling of a variable or system variable, with its indices as they are now.
 [[nodiscard]] std::string variable_key(Run&, const program::Expr&);
 
@@ -56,6 +66,8 @@ void assign_number(Run&, std::uint32_t parameter, ExprId value, double v, const 
 void assign_text(Run&, ExprId target, const std::string& text);
 void store(Run&, Array& array, std::size_t index, Value v, const base::Span& where);
 void define(Run&, const program::Define&, Scope& scope, const Unit& unit);
+/// A number, perhaps with a sign.
+[[nodiscard]] bool is_constant(const Unit&, ExprId);
 [[nodiscard]] const Binding* find_variable(const Run&, program::NameId);
 /// Index of the addressed element; false after an alarm.
 [[nodiscard]] bool element_of(Run&, const program::Expr&, const Array&, std::size_t& index);

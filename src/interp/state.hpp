@@ -237,11 +237,13 @@ struct Run {
 
     std::vector<Activation> calls;
     Scope globals;
+    shop::GivenValues given;  ///< what the job and backups of the control give
     Undefined undefined;
     Parameters parameters;
     std::unordered_map<program::NameId, double> overrides_by_name;
     std::vector<std::uint8_t> parameter_overridden;
     std::vector<double> parameter_override;
+    std::set<std::string> overrides_met;                      ///< names whose constant was replaced
     std::unordered_map<std::uint64_t, Value> system_written;  ///< system variables the program wrote itself
 
     ModalState modal;

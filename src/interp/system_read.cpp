@@ -37,8 +37,7 @@ Value unknown_value(const Access& a, const std::string& why) {
     const std::string key = has_key ? variable_key(a.run, a.e) : std::string{};
     if (auto given = given_value(a.run, key)) return *given;
     unchecked(a.run, codes::unknown_value, a.where(), a.name() + ": " + why,
-              std::string("what is computed from it is unknown too") +
-                  (has_key ? "; [variables] of the job can give it: " + job_key(key) + " = …" : ""));
+              std::string("what is computed from it is unknown too") + (has_key ? "; " + given_remedy(key) : ""));
     return Value::unknown();
 }
 
@@ -183,13 +182,17 @@ Value datum_frame(const Access& a) {
 
 std::uint64_t written_key(const Access& a) { return (std::uint64_t{a.e.a} << 32) ^ undefined_key(a.run, a.e); }
 
-Value written_or_zero(const Access& a) {
+/// What the program wrote; before that what the control has kept.
+Value written_or_kept(const Access& a) {
     const auto written = a.run.system_written.find(written_key(a));
-    return written == a.run.system_written.end() ? Value::real(0) : written->second;
+    if (written != a.run.system_written.end()) return written->second;
+    return unknown_value(a, "no program sets it before, and the control keeps what it held");
 }
 
 Value tool_exists(const Access& a) {
     const double n = a.index(0);
+    if (n < 0 || a.run.tools.empty())
+        return unknown_value(a, "the job gives no tool list, or which tool is meant is not known");
     for (const shop::Tool& t : a.run.tools)
         if (t.number == n) return Value::boolean(true);
     return Value::boolean(false);
@@ -197,6 +200,8 @@ Value tool_exists(const Access& a) {
 
 Value tool_name(const Access& a) {
     const double n = a.index(0);
+    if (n < 0 || a.run.tools.empty())
+        return unknown_value(a, "the job gives no tool list, or which tool is meant is not known");
     for (const shop::Tool& t : a.run.tools)
         if (t.number == n) return Value::string(t.name);
     return Value::string({});
@@ -204,7 +209,7 @@ Value tool_name(const Access& a) {
 
 Value indexed_parameter(const Access& a) {
     const double n = a.index(0);
-    if (n >= 0 && n < a.run.parameters.count()) return Value::real(a.run.parameters.get(static_cast<std::uint32_t>(n)));
+    if (n >= 0 && n < a.run.parameters.count()) return Value::real(parameter_value(a.run, n, a.where()));
     alarm(a.run, codes::index_range, a.where(), "there is no parameter R" + printed(Value::real(n)));
     return {};
 }
@@ -227,7 +232,9 @@ Value setting_value(const Access& a) {
 Value run_state(const Access& a, SystemVariable v) {
     const Run& run = a.run;
     switch (v) {
-        case SystemVariable::feed: return Value::real(run.feed);
+        case SystemVariable::feed:
+            return run.feed_unknown || !run.feed_valid ? unknown_value(a, "no feed is known here")
+                                                       : Value::real(run.feed);
         case SystemVariable::spindle_speed: return Value::real(run.spindle.speed);
         case SystemVariable::spindle_direction:
             return Value::integer(run.spindle.direction > 0 ? 3 : run.spindle.direction < 0 ? 4 : 5);
@@ -238,6 +245,10 @@ Value run_state(const Access& a, SystemVariable v) {
                                             : Value::real(tool_radius(*run.tool.data));
         case SystemVariable::argument_given: {
             const double n = a.index(0);
+            const bool given =
+                n >= 1 && n <= 32 && ((run.calls.back().arguments_given >> (static_cast<unsigned>(n) - 1)) & 1u) != 0;
+            if (n < 0 || (run.calls.size() == 1 && !given))
+                return unknown_value(a, "this program is run without its call");
             return Value::boolean(n >= 1 && n <= 32 &&
                                   ((run.calls.back().arguments_given >> (static_cast<unsigned>(n) - 1)) & 1u) != 0);
         }
@@ -312,8 +323,8 @@ Value read_system(Run& run, const Expr& e) {
         case SystemVariable::settable_frame:
         case SystemVariable::base_frame: return datum_frame(a);
         case SystemVariable::marker:
-        case SystemVariable::parameter:
-        case SystemVariable::timer: return written_or_zero(a);
+        case SystemVariable::parameter: return written_or_kept(a);
+        case SystemVariable::timer: return unknown_value(a, "how much time passes is not followed");
         case SystemVariable::is_simulation:
         case SystemVariable::is_search:
         case SystemVariable::is_test:

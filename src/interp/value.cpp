@@ -13,8 +13,19 @@ const geom::Frame no_frame;
 constexpr double integer_limit = 2147483648.0;  // 32-bit INT of the control
 }  // namespace
 
-Value Value::unknown() { return {Type::real, std::numeric_limits<double>::quiet_NaN(), nullptr, nullptr}; }
-bool Value::is_unknown() const { return is_number() && std::isnan(number); }
+Value Value::unknown(Type type) {
+    constexpr double nan = std::numeric_limits<double>::quiet_NaN();
+    Value v{type, nan, nullptr, nullptr};
+    if (v.is_text()) v.text = std::make_shared<const std::string>("?");
+    if (type == Type::frame) v.frame = std::make_shared<const geom::Frame>(geom::Frame::shift({nan, nan, nan}));
+    return v;
+}
+Value Value::unknown_text(std::string shown) {
+    Value v = unknown(Type::string);
+    v.text = std::make_shared<const std::string>(std::move(shown));
+    return v;
+}
+bool Value::is_unknown() const { return std::isnan(number); }
 Value Value::string(std::string s) {
     return {Type::string, 0, std::make_shared<const std::string>(std::move(s)), nullptr};
 }
@@ -41,7 +52,7 @@ std::string_view name(Type t) {
 }
 
 std::string printed(const Value& v) {
-    if (v.is_unknown()) return "?";
+    if (v.is_unknown() && !v.is_text()) return "?";
     switch (v.type) {
         case Type::boolean:
         case Type::integer: return base::fixed(v.number, 0);
@@ -58,36 +69,38 @@ std::string printed(const Value& v) {
 }
 
 void Array::allocate() {
-    if (type == Type::string || type == Type::axis)
-        texts.resize(size());
-    else if (type == Type::frame)
-        frames.resize(size());
-    else
+    if (type <= Type::real)
         numbers.resize(size());
+    else
+        others.resize(size(), type == Type::frame    ? Value::of_frame({})
+                              : type == Type::string ? Value::string({})
+                                                     : Value::axis({}));
+}
+
+void Array::allocate_unknown(Held why) {
+    const Value unknown = Value::unknown(type);
+    if (type <= Type::real)
+        numbers.resize(size(), unknown.number);
+    else
+        others.resize(size(), unknown);
+    held.resize(size(), why);
 }
 
 Value Array::get(std::size_t i) const {
-    switch (type) {
-        case Type::string: return Value::string(texts[i]);
-        case Type::axis: return Value::axis(texts[i]);
-        case Type::frame: return Value::of_frame(frames[i]);
-        default: return {type, numbers[i], nullptr, nullptr};
-    }
+    return type <= Type::real ? Value{type, numbers[i], nullptr, nullptr} : others[i];
 }
 
 void Array::set(std::size_t i, const Value& v) {
-    if (type == Type::string || type == Type::axis)
-        texts[i] = v.as_text();
-    else if (type == Type::frame)
-        frames[i] = v.as_frame();
-    else
+    if (!held.empty()) held[i] = Held::own;
+    if (type <= Type::real)
         numbers[i] = v.number;
+    else
+        others[i] = v;
 }
 
 Conversion convert(Value& v, Type to, std::size_t string_length) {
-    if (v.is_unknown() && to >= Type::string) {
-        v = to == Type::frame ? Value::of_frame({}) : Value::string("?");
-        v.type = to;
+    if (v.is_unknown() && v.type != to && (v.is_number() || to <= Type::real)) {
+        v = Value::unknown(to);  // what it is, nobody can say
         return Conversion::ok;
     }
     if (to == Type::string && v.is_text()) {

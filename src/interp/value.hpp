@@ -21,9 +21,12 @@ struct Value {
     std::shared_ptr<const std::string> text;
     std::shared_ptr<const geom::Frame> frame;
 
-    /// A value that the run cannot know: a number that is not a number. It spreads through every computation, so that
-    /// nothing made from it is ever taken for true.
-    [[nodiscard]] static Value unknown();
+    /// A value that the run cannot know, of any type: its `number` is not a number. It spreads through every
+    /// computation, so that nothing made from it is ever taken for true. The text of an unknown text is what can be
+    /// shown of it ("?"); an unknown frame leads to positions that are not known.
+    [[nodiscard]] static Value unknown(Type type = Type::real);
+    /// A text of which `shown` can be shown, with "?" where it is not known.
+    [[nodiscard]] static Value unknown_text(std::string shown);
     [[nodiscard]] bool is_unknown() const;
     [[nodiscard]] static Value real(double v) { return {Type::real, v, nullptr, nullptr}; }
     [[nodiscard]] static Value integer(double v) { return {Type::integer, v, nullptr, nullptr}; }
@@ -42,18 +45,31 @@ struct Value {
 /// A number as the control writes it with <<: integers without point, reals with at most seven decimals; unknown: "?".
 [[nodiscard]] std::string printed(const Value& v);
 
+/// Where the value of a global variable comes from, until the program sets it.
+enum class Held : std::uint8_t {
+    own,         ///< the program, or the job
+    machine,     ///< what the control has kept: not known
+    definition,  ///< what its definition says at first, which the control may have overwritten since
+    argument,    ///< of the main program, which nobody calls here: not known
+};
+
 /// Elements of one type, up to three dimensions; a single variable has the dimensions 1, 1, 1.
 struct Array {
     Type type = Type::real;
     std::array<std::uint32_t, 3> dimensions{1, 1, 1};
     int rank = 0;                     ///< number of written dimensions
     std::size_t string_length = 200;  ///< longest text an element may hold
-    std::vector<double> numbers;
-    std::vector<std::string> texts;
-    std::vector<geom::Frame> frames;
+    program::NameId name = 0;         ///< of what is `held`: as it is defined
+    std::vector<double> numbers;      ///< of number types
+    std::vector<Value> others;        ///< of texts, axes, frames
+    std::vector<Held> held;           ///< by element; empty: all are the program's own
 
     [[nodiscard]] std::size_t size() const { return std::size_t{dimensions[0]} * dimensions[1] * dimensions[2]; }
+    /// Elements with what a variable of a program holds at first: 0, FALSE, an empty text, no frame.
     void allocate();
+    /// Elements that are not known, for the reason that `why` is.
+    void allocate_unknown(Held why);
+    [[nodiscard]] Held held_by(std::size_t i) const { return held.empty() ? Held::own : held[i]; }
     [[nodiscard]] Value get(std::size_t i) const;
     void set(std::size_t i, const Value& v);  ///< `v` must be of the array's type already
 };

@@ -11,7 +11,7 @@
 
 namespace obrys::interp {
 
-/// Numbered parameters (R0 …): a fresh control holds zeros; reading one that nobody set is an assumption.
+/// Numbered parameters (R0 …). One that nobody set shows 0; what it really holds is for the reader to ask.
 class Parameters {
 public:
     explicit Parameters(std::uint32_t count) : values_(count, 0.0), set_(count, 0) {}

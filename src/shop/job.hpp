@@ -113,6 +113,7 @@ struct Job {
     std::string prints;                              ///< folder for what programs print; empty: nowhere
     std::vector<int> skip_levels;                    ///< block skip levels that are on
     GivenValues variables;                           ///< what no program at hand sets: GUD, #500, $A_IN[1] …
+    std::vector<NamedFile> variables_files;          ///< backups of the control's variables
     Tolerances tolerances;
     Scope scope = Scope::all;
     Budgets budgets;

@@ -178,6 +178,8 @@ void read_all(Section& s, Job& job) {
     job.search = s.texts("search");
     job.datum_tables = files_of(s, "datum_tables");
     job.preset_tables = files_of(s, "preset_tables");
+    for (const char* key : {"variables_file", "variables_files"})
+        for (NamedFile& f : files_of(s, key)) job.variables_files.push_back(std::move(f));
     job.prints = s.text("prints").value_or("");
     read_skip(s, job);
     read_tool_tables(s, job.tools);

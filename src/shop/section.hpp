@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "shop/document.hpp"
+#include "shop/nearest.hpp"
 
 namespace obrys::shop {
 
@@ -66,7 +67,5 @@ void add_in_order(const base::Diagnostics& from, base::Diagnostics& to);
 /// A finite number, or a complaint about `what`.
 [[nodiscard]] std::optional<double> finite_number(const Value& v, const std::string& what, Range range,
                                                   base::Diagnostics& diagnostics);
-/// The word of `words` that `word` most likely stands for; empty where none is near.
-[[nodiscard]] std::string nearest(std::string_view word, const std::vector<std::string>& words);
 
 }  // namespace obrys::shop

@@ -2,6 +2,7 @@
 /// The SINUMERIK 840D vocabulary as data: which word means what. Shared by its reader and (later) its writer.
 /// Sources are named in docs/dialects/sinumerik.md. All names are upper case; lookups are by binary search.
 
+#include <array>
 #include <cstdint>
 #include <optional>
 #include <string_view>
@@ -84,9 +85,13 @@ struct GCode {
 [[nodiscard]] program::SystemVariable find_system_variable(std::string_view upper);
 [[nodiscard]] std::optional<program::Type> find_type(std::string_view upper);
 
+/// R parameters outlive power off: what nobody has set is not known.
+inline constexpr std::array kept_parameters{program::KeptParameters{0, 999, {}, false}};
+
 /// Comparisons of REAL values hold within a relative 1e-12 (Job Planning manual, comparison operations).
 inline constexpr program::Traits traits{
     .equality = {1e-12, 0},
+    .kept = kept_parameters,
     .modal_call_without_motion = true,
     .corner_may_be_tangential = true,
     .compensates_in_fixed_plane = true,

@@ -18,6 +18,10 @@ namespace obrys::read::sinumerik {
 [[nodiscard]] std::vector<program::Unit> read(std::uint32_t file, const base::Sources& sources, program::Names& names,
                                               base::Diagnostics& diagnostics);
 
+/// Definitions of global user data or macros, by the file's name (as the control reserves them) or by what it defines;
+/// other makers' files end in .DEF, too.
+[[nodiscard]] bool is_definition_file(std::string_view text, std::string_view upper_name);
+
 /// How likely a text is a SINUMERIK program, 0 … 100; the file name's suffix counts too.
 [[nodiscard]] int likelihood(std::string_view text, std::string_view file_name,
                              std::vector<std::string>* signs = nullptr);
