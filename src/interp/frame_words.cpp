@@ -113,7 +113,11 @@ void frame_statement(Run& run, const program::Statement& s, std::uint32_t index)
                      "write two blocks");
     const std::uint32_t end = unit.words_end(index);
     for (std::uint32_t i = s.first + 1; i < end && !run.stopped; ++i) gather(run, s, unit.words[i]);
+    if (run.block.twice != 0) repeated_words(run);
     if (run.stopped) return;
+    if (!run.block.m.empty() || !run.block.h.empty())
+        unchecked(run, codes::unknown_word, run.here(), "M and H functions beside a frame are not run",
+                  "write them in a block of their own");
     for (int k = 3; k < 9; ++k)
         if (run.block.has(axis_code(k)))
             unchecked(run, codes::unsupported, run.here(),

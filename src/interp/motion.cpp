@@ -136,7 +136,7 @@ double thread_pitch(const Run& run, const geom::Vec3& from, const geom::Vec3& to
     const Code pitches[3] = {Code::i, Code::j, Code::k};
     for (int k = 0; k < 3; ++k) {
         const double step = std::abs(coordinate(to, k) - coordinate(from, k));
-        if (b.has(pitches[k]) && !(step < longest)) {
+        if (b.has(pitches[k]) && step != 0 && !(step < longest)) {
             pitch = b.get(pitches[k]);
             longest = step;
         }

@@ -44,6 +44,12 @@ geom::Vec3 polar_target(Run& run, geom::Vec3 to) {
     if (!has_pole(run)) return to;
     const BlockWords& b = run.block;
     const PlaneAxes axes = plane_axes(run.modal.plane);
+    if (b.has(axis_code(axes.u)) || b.has(axis_code(axes.v))) {
+        alarm(run, codes::repeated_word, run.here(),
+              "the block gives its end twice: by coordinates of the plane and by polar coordinates",
+              "write one of them");
+        return to;
+    }
     const geom::Vec3& pole = run.modal.pole;
     const double du = coordinate(run.programmed_position, axes.u) - coordinate(pole, axes.u);
     const double dv = coordinate(run.programmed_position, axes.v) - coordinate(pole, axes.v);

@@ -114,6 +114,7 @@ bool spindle_words(Run& run) {
         }
     }
     if (b.has(Code::spindle_position)) {
+        b.use(Code::spindle_position);
         run.spindle.direction = 0;
         changed = true;
     }

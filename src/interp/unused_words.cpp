@@ -21,10 +21,7 @@ constexpr std::uint64_t bit(Code c) { return std::uint64_t{1} << static_cast<uns
 
 /// Words that act by standing there: they have no value to take.
 constexpr std::uint64_t bare_words = bit(Code::tool_change) | bit(Code::tool_definition) | bit(Code::feed_auto) |
-                                     bit(Code::cycle_call) | bit(Code::cycle_call_modal) | bit(Code::spindle_position);
-/// Parameters that M functions take.
-constexpr std::uint64_t function_words =
-    bit(Code::p) | bit(Code::q) | bit(Code::l) | bit(Code::e) | bit(Code::radius) | bit(Code::k) | bit(Code::j);
+                                     bit(Code::cycle_call) | bit(Code::cycle_call_modal);
 
 std::string text_of(const Run& run, const base::Span& where) {
     return std::string(base::trim(run.env.sources.text(where)));
@@ -39,15 +36,19 @@ base::Span place_of(const Run& run, Code code, int n) {
     return run.here();
 }
 
-/// M functions that take words of their block: outputs, orientation, overrides, and all that the machine builder made.
-bool takes_words(const Run& run, int m) {
-    if (m == 19 || (m >= 48 && m <= 53) || (m >= 62 && m <= 68)) return true;
-    return m >= 10 && m != 17 && m != 30 && !is_standard_function(run, m);
+/// Words that belong to an M function: of outputs, inputs, orientation and overrides (LinuxCNC, M-codes), and whatever the
+/// machine builder's own ones take.
+std::uint64_t words_of_function(const Run& run, int m) {
+    if (m == 19) return bit(Code::p) | bit(Code::q) | bit(Code::radius);
+    if ((m >= 48 && m <= 53) || (m >= 62 && m <= 65)) return bit(Code::p);
+    if (m == 66) return bit(Code::p) | bit(Code::e) | bit(Code::l) | bit(Code::q);
+    if (m == 67 || m == 68) return bit(Code::e) | bit(Code::q);
+    if (m < 10 || m == 17 || m == 30 || is_standard_function(run, m)) return 0;
+    return bit(Code::p) | bit(Code::q) | bit(Code::l) | bit(Code::e) | bit(Code::radius) | bit(Code::k) | bit(Code::j);
 }
 
 void take_function_words(Run& run) {
-    for (const int m : run.block.m)
-        if (takes_words(run, m)) run.block.used |= run.block.present & function_words;
+    for (const int m : run.block.m) run.block.used |= run.block.present & words_of_function(run, m);
 }
 
 /// I, J, K of 0 that an arc does not need say nothing that could be missed.
