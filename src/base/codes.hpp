@@ -31,6 +31,10 @@ inline constexpr std::string_view holder_in_stock = "holder-in-stock";
 inline constexpr std::string_view edges_too_short = "edges-too-short";
 inline constexpr std::string_view clamp_collision = "clamp-collision";
 inline constexpr std::string_view plunging_cut = "plunging-cut";
+inline constexpr std::string_view sideways_cut = "sideways-cut";
+inline constexpr std::string_view wrong_rotation = "wrong-rotation";
+inline constexpr std::string_view tap_pitch = "tap-pitch";
+inline constexpr std::string_view tool_length = "tool-length";
 inline constexpr std::string_view axis_limit = "axis-limit";
 inline constexpr std::string_view spindle_limit = "spindle-limit";
 inline constexpr std::string_view feed_limit = "feed-limit";
@@ -84,6 +88,11 @@ inline constexpr std::array all_codes{
     Code{codes::edges_too_short, CodeKind::finding, "cut deeper than the cutting edges are long"},
     Code{codes::clamp_collision, CodeKind::finding, "tool, shank or holder runs into a clamp"},
     Code{codes::plunging_cut, CodeKind::finding, "a tool that does not cut at its centre plunges into material"},
+    Code{codes::sideways_cut, CodeKind::finding, "a tool that cuts along its axis only is moved sideways in material"},
+    Code{codes::wrong_rotation, CodeKind::finding, "the spindle turns against the cutting direction of the tool"},
+    Code{codes::tap_pitch, CodeKind::finding, "a tap goes another way a revolution than its pitch"},
+    Code{codes::tool_length, CodeKind::finding,
+         "a feed move with the length compensation of another tool, or without the one it needs"},
     Code{codes::axis_limit, CodeKind::finding, "an axis leaves its travel"},
     Code{codes::spindle_limit, CodeKind::finding, "a spindle speed outside the machine's range"},
     Code{codes::feed_limit, CodeKind::finding, "a feed above the machine's maximum"},

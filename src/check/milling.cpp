@@ -302,7 +302,9 @@ void Milling::keep_technology(const Move& move, double way, MilledMove& m) const
     m.spindle = spindle_;
     m.speed_rpm = spindle_ == 0 ? 0 : speed_;
     if (move.rapid) return;
-    if (const auto* thread = std::get_if<cl::Thread>(&move.record.step))
+    const auto* thread = std::get_if<cl::Thread>(&move.record.step);
+    if (thread != nullptr) m.thread = thread->pitch < 0 ? -1 : 1;
+    if (thread != nullptr)
         m.feed_per_rev_mm = std::abs(thread->pitch);
     else if (feed_.mode == cl::FeedMode::per_rev)
         m.feed_per_rev_mm = feed_.value > 0 ? feed_.value : NAN;

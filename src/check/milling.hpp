@@ -77,6 +77,8 @@ private:
     [[nodiscard]] bool said_already(const QueuedPass& pass);
     void judge(const QueuedPass& pass, const sim::milling::Engagement& met);
     void judge_cut(const QueuedPass& pass, MilledMove& move, const sim::milling::Engagement& met);
+    void judge_use(const MilledMove& move);
+    void judge_tap(const MilledMove& move, const shop::Tool& tool);
     void judge_surface(Milled& milled);
     void judge_place(const Milled& milled, const mesh::Place& place, bool gouge);
     void found(const MilledMove& move, Finding f);
@@ -110,6 +112,7 @@ private:
     double speed_ = NAN;  ///< 1/min
     std::int8_t spindle_ = 0;
     bool tool_ready_ = false, complete_ = true, stopped_reported_ = false;
+    std::pair<std::uint32_t, std::int8_t> turned_wrong_{};  ///< tool and sense of the spindle that were found last
     std::uint64_t start_moves_ = 0;
     Whereabouts whereabouts_;
 };

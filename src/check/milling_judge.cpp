@@ -85,6 +85,7 @@ void Milling::judge_cut(const QueuedPass& pass, MilledMove& move, const milling:
         found(move, std::move(f));
     }
     stopped_reported_ = move.spindle == 0;
+    judge_use(move);
     if (!move.plunging || move.tool == 0) return;
     const auto listed = out_.result().tools[move.tool - 1].listed;
     if (!listed || shop::may_plunge(setup_.tools[*listed])) return;

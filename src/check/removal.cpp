@@ -113,6 +113,8 @@ std::optional<std::string> Removal::obstacle(const Move& move) const {
     const std::string tool = selected_any_ ? tool_name(std::get<cl::ToolChange>(selected_.step)) : "";
     if (!selected_any_) return "no tool is selected: removal not simulated";
     if (tool_ == nullptr) return tool + " is not known: its removal is not simulated";
+    if (!move.rapid && std::get<cl::ToolChange>(selected_.step).edge == 0)
+        return tool + " cuts without its offset (D0): where its edge is is not known: removal not simulated";
     if (outline_.vertices.empty()) return tool + " has no outline: its removal is not simulated";
     if (std::holds_alternative<cl::Thread>(move.record.step)) return "thread cutting: removal not simulated";
     if (std::holds_alternative<cl::Spline>(move.record.step)) return "spline: removal not simulated";

@@ -132,6 +132,7 @@ struct MilledMove {
     double feed_mm_per_min = NAN;  ///< the same
     double speed_rpm = NAN;        ///< 0 while the spindle stands; NaN: not known
     std::int8_t spindle = 0;       ///< +1 clockwise (M3), -1 counter-clockwise, 0 standing
+    std::int8_t thread = 0;        ///< coupled to the spindle: +1 right-hand, -1 left-hand thread
     std::uint32_t points_end = 0;  ///< in Milled::points: one past the last of this move; kept moves only
     double seconds = 0;            ///< at the programmed feed, or the machine's rapid; NaN: not known
 };

@@ -233,6 +233,7 @@ void load_configuration(Session& s, const Request& request) {
         const shop::LinuxcncSettings set = shop::settings_of(ini, s.diagnostics);
         const double unit = set.mm_per_unit;
         keeps_g92 = set.g92_stays;
+        s.spindle_goes_on = set.spindle_goes_on;
         if (!request.canon || shop::find(ini, "TRAJ", "LINEAR_UNITS") != nullptr) s.machine_unit = unit;
         for (const shop::IniEntry& e : ini.entries)
             s.settings.emplace(base::to_upper(e.section) + "/" + base::to_upper(e.key), e.value);
@@ -390,6 +391,7 @@ interp::Outcome interpret(Session& s, cl::Sink sink, const interp::ContourSink* 
     const std::function<const program::Unit*(const std::string&)> read_text = [&](const std::string& text) {
         return s.programs->read_text(text);
     };
+    if (s.spindle_goes_on && !s.job.machine.tool_change_stops_spindle) s.job.machine.tool_change_stops_spindle = false;
     const interp::Environment environment{s.sources,
                                           s.programs->names(),
                                           s.job.machine,
@@ -410,7 +412,8 @@ interp::Outcome interpret(Session& s, cl::Sink sink, const interp::ContourSink* 
                                           s.programs->searched(),
                                           &read_text,
                                           std::max(s.job.tolerances.gouge, s.job.tolerances.simulation.value_or(0)),
-                                          &s.programs->backups()};
+                                          &s.programs->backups(),
+                                          s.job.tool_lengths};
     interp::Outcome outcome = interp::run(*s.main, environment, s.stacks, sink, s.diagnostics);
     const auto in_file = s.programs->of_file(s.main->file);
     const bool subs_alone = holds_subprograms_alone(in_file, outcome.entered, *s.main);

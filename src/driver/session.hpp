@@ -49,6 +49,7 @@ struct Session {
     std::map<std::string, std::string> settings;  ///< of the control, "SECTION/KEY" in capitals
     double machine_unit = 1;                      ///< mm of a length of 1 in its tables
     bool has_stored = false;
+    bool spindle_goes_on = false;  ///< through a tool change, as the configuration says
     bool canon = false;
     bool has_job = false;
 };

@@ -62,6 +62,7 @@ struct Environment {
     double contour_tolerance = 0.001;
     /// Backups of the control's variables: their assignments give values; `variables` stands above them.
     const std::vector<const program::Unit*>* backups = nullptr;
+    shop::ToolLengths tool_lengths = shop::ToolLengths::not_said;
 };
 
 enum class Ending : std::uint8_t {

@@ -277,7 +277,9 @@ void select_kept_datum(Run& run, std::uint32_t number) {
     if (run.modal.datum == number) return tell(run, SettingKind::datum_kept, place);
     flush_path(run);
     run.modal.datum = number;
+    run.offsets.length_judged = false;
     load_datum(run);
+    take_tip(run);
     tell(run, SettingKind::datum, place, run.offsets.datum);
     tell(run, SettingKind::shift, 0, run.offsets.shift);
     tell(run, SettingKind::datum_rotation, 0, {run.offsets.rotation});

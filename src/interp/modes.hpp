@@ -99,6 +99,18 @@ struct Offsets {
     Axes tip{};           ///< of the tool that is in the spindle, as far as it is known
     bool tip_known = false;
     bool compensates = false;  ///< the program uses tool length compensation at all
+    /// Whose length compensation is in force.
+    enum class Length : std::uint8_t { none, of_tool, by_values };
+    Length length = Length::none;
+    std::uint32_t length_tool = 0;  ///< number of that tool
+    bool length_judged = false;     ///< for this tool, zero and compensation
+    /// Zeros by the first tool that cut by them, or with which the program set them.
+    struct TouchedOff {
+        std::uint32_t tool = 0;
+        Axes offset{};             ///< what compensating it means; Z 0: not known
+        bool compensated = false;  ///< a compensated one was: the zero counts from the gauge point
+    };
+    std::map<std::uint32_t, TouchedOff> zeros{};  ///< by datum
     Axes reference{};          ///< what the stream's coordinates are counted from, in the machine
     Axes total{};              ///< programmed -> stream, of A … W (3 … 8)
 };

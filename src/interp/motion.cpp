@@ -249,6 +249,7 @@ bool path_motion(Run& run) {
 void begin_motion(Run& run) {
     run.moved = true;
     emit_datum(run);
+    if (keeps_offsets(run) && !run.offsets.length_judged) judge_length(run);
     if (run.datum_known) return;
     const program::Traits& t = *run.traits;
     const std::string active = program::datum_name(t, run.modal.datum),

@@ -28,27 +28,10 @@ double external(const Run& run, std::size_t axis) {
     return first == 0 ? 0 : stored(run, first + static_cast<std::uint32_t>(axis), axis);
 }
 
-/// Changes tool offset or tip while the machine stands still: the tip's place follows.
-template <class Change>
-void while_standing(Run& run, Change change) {
-    flush_path(run);
-    const Axes before = tip_in_use(run.offsets);
-    change();
-    const Axes after = tip_in_use(run.offsets);
-    for (std::size_t k = 0; k < 3; ++k) coordinate(run.position, static_cast<int>(k)) += before[k] - after[k];
-    update_frame(run);
-}
-
 const shop::Tool* listed_tool(const Run& run, double number) {
     for (const shop::Tool& t : run.tools)
         if (t.number == number) return &t;
     return nullptr;
-}
-
-Axes axes_of(const shop::Tool& t) {
-    Axes a = t.table ? t.table->offset : Axes{};
-    a[2] = t.length + t.delta_length;
-    return a;
 }
 
 /// What G43 means: the axes of tool H, of the one in the spindle, or nothing where it is not known.
@@ -222,6 +205,7 @@ void shift_words(Run& run, Modal m) {
     for (std::size_t k = 0; k < 9; ++k) {
         const auto v = axis_word(run, k);
         if (v && m == Modal::position_becomes) becomes(run, k, *v);
+        if (v && m == Modal::position_becomes && k == 2) zero_set_here(run);
         if (v && m == Modal::local_shift) o.shift[k] = *v;
     }
     if (m == Modal::position_becomes || m == Modal::local_shift) keep_shift(run);
@@ -241,6 +225,23 @@ void set_tool_offset(Run& run, const Axes& to) {
     tell(run, SettingKind::tool_offset, 0, run.offsets.tool);
 }
 
+namespace {
+
+/// Whose compensation is in force from here on.
+void take_length(Run& run, Modal m) {
+    using Length = Offsets::Length;
+    Offsets& o = run.offsets;
+    const BlockWords& b = run.block;
+    o.length_judged = false;
+    o.length_tool = b.has(Code::offset_h) ? static_cast<std::uint32_t>(b.get(Code::offset_h)) : run.tool.number;
+    const bool ends = m == Modal::tool_length_off || (b.has(Code::offset_h) && o.length_tool == 0);
+    const bool of_tool = m == Modal::tool_length;
+    o.length = ends ? Length::none : of_tool ? Length::of_tool : Length::by_values;
+    o.compensates = o.compensates || !ends;
+}
+
+}  // namespace
+
 void tool_length_words(Run& run, Modal m) {
     std::optional<Axes> by;
     if (m == Modal::tool_length_off) by = Axes{};
@@ -257,19 +258,12 @@ void tool_length_words(Run& run, Modal m) {
             for (double& v : *by) v = -v;
         if (m == Modal::tool_length_added)
             for (std::size_t k = 0; k < 9; ++k) (*by)[k] += run.offsets.tool[k];
+        take_length(run, m);
         set_tool_offset(run, *by);
+        take_tip(run);
     } else {
         tell(run, SettingKind::tool_offset, 0, run.offsets.tool);
     }
-}
-
-void take_tip(Run& run) {
-    if (!keeps_offsets(run)) return;
-    const shop::Tool* t = run.tool.data;
-    while_standing(run, [&] {
-        run.offsets.tip_known = run.offsets.compensates && t != nullptr && t->length != 0;
-        run.offsets.tip = t != nullptr ? axes_of(*t) : Axes{};
-    });
 }
 
 std::optional<double> axis_word(const Run& run, std::size_t axis) {

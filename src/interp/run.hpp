@@ -266,8 +266,16 @@ void datum_changed(Run&);
 void shift_words(Run&, Modal);
 void tool_length_words(Run&, Modal);
 void set_tool_offset(Run&, const Axes& to);
-/// The tool in the spindle was changed: where its tip is.
+/// The tool in the spindle, its compensation or the zero was changed: where its tip is (tool_length.cpp).
 void take_tip(Run&);
+/// Changes tool offset or tip while the machine stands still: the tip's place follows.
+void while_standing(Run&, base::FunctionRef<void()> change);
+/// mm of the axes X … W that compensating a tool's length means.
+[[nodiscard]] Axes axes_of(const shop::Tool&);
+/// The program has set the height of its zero with the tool in the spindle.
+void zero_set_here(Run&);
+/// Before a feed move: whether the tip is where the program says (tool_length.cpp).
+void judge_length(Run&);
 /// G10.
 void set_data(Run&, program::DataTable table);
 /// G28, G30, G28.1, G30.1.

@@ -67,6 +67,7 @@ void set_datum_data(Run& run, bool from_position) {
     if (run.block.has(Code::radius) && p.rotation != 0)
         run.parameters.set(first + p.rotation, run.block.get(Code::radius));
     const Axes step = from_position ? step_to_words(run, first) : Axes{};
+    if (from_position && place == active && axis_word(run, 2)) zero_set_here(run);
     for (std::size_t k = 0; k < 9; ++k) {
         const std::uint32_t n = first + static_cast<std::uint32_t>(k);
         const double unit = stored_unit(run, k);

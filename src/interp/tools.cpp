@@ -65,6 +65,7 @@ bool changes_on_m6(const Run& run) {
 void emit_tool(Run& run) {
     run.tool.data = find_tool(run, run.tool);
     emit(run, cl::ToolChange{run.tool.number, run.tool.edge, run.tool.name});
+    run.offsets.length_judged = false;
     take_tip(run);
     control_sets(run, {ControlValue::tool_axis});
 }
@@ -86,6 +87,16 @@ namespace {
 
 /// F and S of the block say how long it dwells.
 bool dwells_by_words(const Run& run) { return run.block.special == Modal::dwell && run.traits->dwell_in_feed_words; }
+
+/// A tool change stops the spindle, on machines where it does; `same`: the tool was in the spindle already.
+void stop_for_change(Run& run, bool same) {
+    const bool by_control = run.traits->tool_change_stops_spindle;
+    const bool stops = run.env.machine.tool_change_stops_spindle.value_or(by_control || run.env.machine.kind ==
+                                                                                            shop::MachineKind::mill);
+    if (!stops || run.spindle.direction == 0 || (same && !by_control)) return;
+    run.spindle.direction = 0;
+    emit_spindle(run);
+}
 
 bool spindle_words(Run& run) {
     BlockWords& b = run.block;
@@ -320,12 +331,7 @@ bool tool_functions(Run& run) {
     const BlockWords& b = run.block;
     const auto has = [&](int m) { return std::find(b.m.begin(), b.m.end(), m) != b.m.end(); };
     if (const int m = run.traits->tool_number_function; m != 0 && has(m)) number_tool(run, m);
-    if (!has(6)) return false;
-    if (run.traits->change_stops_spindle && run.spindle.direction != 0) {
-        run.spindle.direction = 0;
-        emit_spindle(run);
-    }
-    if (!run.tool.waiting) return false;
+    if (!has(6) || !run.tool.waiting) return false;
     tool_into_spindle(run);
     return true;
 }
@@ -334,7 +340,8 @@ bool tool_functions(Run& run) {
 
 void select_tool(Run& run) {
     BlockWords& b = run.block;
-    bool changed = false;
+    bool changed = false, replaced = false;
+    const std::pair before{run.tool.number, run.tool.name};
     if (b.has(Code::tool_definition)) {
         define_tool(run);
         control_sets(run, {ControlValue::tool_radius, ControlValue::tool_length});
@@ -355,16 +362,19 @@ void select_tool(Run& run) {
         run.tool.waiting = true;
         if (!changes_on_m6(run) && !b.has(Code::tool_change)) {
             tool_into_spindle(run);
-            changed = true;
+            changed = replaced = true;
         }
     }
     if (b.has(Code::tool_change)) {
+        replaced = replaced || run.tool.waiting;
         if (run.tool.waiting) tool_into_spindle(run);
         changed = b.has(Code::tool);
         take_allowances(run);
     }
     changed = tool_functions(run) || changed;
     if (run.stopped) return;
+    replaced = replaced || std::find(b.m.begin(), b.m.end(), 6) != b.m.end();
+    if (replaced) stop_for_change(run, before == std::pair{run.tool.number, run.tool.name});
     if (b.has(Code::edge)) {
         const double d = b.get(Code::edge);
         if (std::isnan(d)) {

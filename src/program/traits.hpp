@@ -170,6 +170,8 @@ struct Traits {
     bool changes_on_m6 = false;
     /// F and S beside the word of a dwell are its seconds and its revolutions; else they are feed and speed.
     bool dwell_in_feed_words = true;
+    /// A tool change stops the spindle on every machine, also where the tool is in the spindle already.
+    bool tool_change_stops_spindle = false;
     /// G94 and G95 end constant cutting speed (G96), of whose group they are.
     bool feed_mode_ends_surface_speed = true;
     /// M functions that the control itself knows and that do nothing to the path.
@@ -233,8 +235,6 @@ struct Traits {
     bool tap_keeps_dwell = false;
     /// M function whose Q says which tool is in the spindle, without a change; 0: there is none.
     std::int16_t tool_number_function = 0;
-    /// A tool change leaves the spindle at rest.
-    bool change_stops_spindle = false;
     std::span<const CannedCycle> canned{};
     /// Turning cycles, by the number of their block's word (Modal::turning_cycle).
     std::span<const CannedCycle> turning{};

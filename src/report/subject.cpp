@@ -85,6 +85,8 @@ AmountWords amount_words(std::string_view key) {
         Entry{"z_from_mm", "from Z", "mm"},
         Entry{"z_to_mm", "to Z", "mm"},
         Entry{"excess_mm", "outside its travel by", "mm"},
+        Entry{"way_mm", "way a revolution", "mm"},
+        Entry{"pitch_mm", "pitch", "mm"},
         Entry{"excess_deg", "outside its travel by", "degrees"},
         Entry{"speed_rpm", "speed", "1/min"},
         Entry{"limit_rpm", "limit", "1/min"},

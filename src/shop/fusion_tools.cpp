@@ -68,6 +68,7 @@ const std::set<std::string, std::less<>> taken{"type",
                                                "geometry.NOF",
                                                "geometry.TA",
                                                "geometry.TP",
+                                               "geometry.HAND",
                                                "geometry.tip-diameter",
                                                "geometry.shoulder-length",
                                                "geometry.shoulder-diameter",
@@ -196,6 +197,7 @@ void take_profile(Tool& t, const Geometry& g, std::string_view type) {
 void take_dimensions(Tool& t, const Geometry& g, std::string_view type) {
     t.radius = g.length("DC") / 2;
     t.teeth = static_cast<int>(std::clamp(g.plain("NOF"), 0.0, 99.0));
+    if (const Value* hand = member(g.table, "HAND", ValueKind::boolean)) t.left_hand = !hand->boolean;
     if (const double l = g.length("LCF"); l > 0) t.cutting_length = l;
     if (t.kind == ToolKind::tap || t.kind == ToolKind::other)
         if (const double p = g.length("TP"); p > 0) t.pitch = p;

@@ -113,7 +113,7 @@ TEST(FusionTools, KindsThatBecomeProfiles) {
 TEST(FusionTools, WhatIsNotTakenIsSaidOnce) {
     const Fusion f(library);
     EXPECT_EQ(f.complaints(),
-              "lib.json:3:76: note: not taken from this file: geometry.CSP (1), geometry.HAND (1), geometry.OAL (2), "
+              "lib.json:3:76: note: not taken from this file: geometry.CSP (1), geometry.OAL (2), "
               "guid (1), "
               "holder.description (1), post-process.length-offset (1), tools of type \"holder\" (1), tools of type "
               "\"turning general\" (1), "

@@ -86,6 +86,15 @@ struct DefaultsOverride {
     std::optional<double> circle_tolerance;
 };
 
+/// How the zero offsets and the lengths of the tools belong together, where a program moves without compensating the
+/// length of its tool; docs/adr/0016-tool-length.md.
+enum class ToolLengths : std::uint8_t {
+    not_said,
+    touched_off,  ///< the zero was set with the tool that works in it first
+    at_change,    ///< every tool's length is taken at its change, by the machine or by hand
+    gauge,        ///< the zero counts from the gauge point of the spindle
+};
+
 struct Job {
     std::string program;                             ///< path as written, relative to the job file; empty: not said
     std::string start;                               ///< program of that file with which the run begins; empty: its first
@@ -117,6 +126,7 @@ struct Job {
     Tolerances tolerances;
     Scope scope = Scope::all;
     Budgets budgets;
+    ToolLengths tool_lengths = ToolLengths::not_said;
     base::Span program_where;
 };
 

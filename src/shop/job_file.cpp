@@ -181,6 +181,8 @@ void read_all(Section& s, Job& job) {
     for (const char* key : {"variables_file", "variables_files"})
         for (NamedFile& f : files_of(s, key)) job.variables_files.push_back(std::move(f));
     job.prints = s.text("prints").value_or("");
+    if (const auto lengths = s.choice("tool_length", {"touched-off", "at-change", "gauge"}))
+        job.tool_lengths = static_cast<ToolLengths>(*lengths + 1);
     read_skip(s, job);
     read_tool_tables(s, job.tools);
     job.defaults = read_defaults(s);

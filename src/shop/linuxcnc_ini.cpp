@@ -171,6 +171,7 @@ void Settings::switches(LinuxcncSettings& s) {
     s.fanuc_subprograms = !on("RS274NGC", "DISABLE_FANUC_STYLE_SUB", false);
     s.g92_stays = !on("RS274NGC", "DISABLE_G92_PERSISTENCE", false);
     s.random_tool_changer = on("EMCIO", "RANDOM_TOOLCHANGER", false);
+    s.spindle_goes_on = on("EMCIO", "TOOL_CHANGE_WITH_SPINDLE_ON", false);
 }
 
 void Settings::axes(LinuxcncSettings& s) {

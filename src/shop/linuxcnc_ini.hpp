@@ -53,6 +53,7 @@ struct LinuxcncSettings {
     double mm_per_unit = 1;            ///< [TRAJ]LINEAR_UNITS: 1 or 25.4; of tool table, parameter file and limits
     std::string tool_table;            ///< [EMCIO]TOOL_TABLE
     bool random_tool_changer = false;  ///< [EMCIO]RANDOM_TOOLCHANGER
+    bool spindle_goes_on = false;      ///< [EMCIO]TOOL_CHANGE_WITH_SPINDLE_ON
     std::string parameter_file;        ///< [RS274NGC]PARAMETER_FILE
     std::string startup_code;          ///< [RS274NGC]RS274NGC_STARTUP_CODE, else [EMC]
     std::string program_prefix;        ///< [DISPLAY]PROGRAM_PREFIX: folder of programs and of o-word files

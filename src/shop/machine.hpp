@@ -64,6 +64,7 @@ struct Machine {
     MachineSpindle spindle;
     double max_feed = 0, min_feed = 0;  ///< mm/min; 0 = not limited
     double tool_change_time = 0;        ///< s
+    std::optional<bool> tool_change_stops_spindle;       ///< not said: as the control does it, else mills do
     std::map<std::string, double> tool_change_position;  ///< machine coordinate by name of an axis; others stay
     ControlDefaults defaults;
     ControlSettings control;

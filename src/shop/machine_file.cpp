@@ -191,6 +191,7 @@ Machine read_machine(std::uint32_t file, const base::Sources& sources, base::Dia
     if (machine.kind == MachineKind::lathe) machine.defaults.plane = 18;
     read_feeds(s, machine);
     machine.tool_change_time = s.number("tool_change_time", Range::not_negative).value_or(0);
+    machine.tool_change_stops_spindle = s.boolean("tool_change_stops_spindle");
     for (const Value* axis : s.tables("axis")) read_axis(*axis, found, machine);
     read_chain(s, machine);
     read_tool_change_position(s, machine);

@@ -85,6 +85,7 @@ struct Tool {
     std::vector<ToolBody> shank;        ///< from the end of the cutting edges upwards
     std::vector<ToolBody> holder;       ///< from the end of the shank upwards
     std::optional<bool> plunges;        ///< cuts at its centre too; not said: `may_plunge`
+    bool left_hand = false;             ///< cuts while the spindle turns counter-clockwise (M4)
     // milling and drilling tools as HEIDENHAIN tool tables have them; a delta is added to its dimension
     double delta_length = 0, delta_radius = 0, delta_corner_radius = 0;  ///< mm: DL, DR, DR2
     std::uint32_t index = 0;            ///< 5.1 has index 1; its edge is index + 1, so number and edge name it alone

@@ -128,6 +128,7 @@ constexpr program::Traits traits{
     .stops_before_motion = true,
     .changes_on_m6 = true,
     .dwell_in_feed_words = false,
+    .tool_change_stops_spindle = true,
     .feed_mode_ends_surface_speed = false,
     .own_functions = own_functions,
     .compensation_holds_move = true,
@@ -144,7 +145,6 @@ constexpr program::Traits traits{
     .cancel_leaves_no_motion = true,
     .tap_keeps_dwell = true,
     .tool_number_function = 61,
-    .change_stops_spindle = true,
     .canned = canned,
     .turning = turning,
 };

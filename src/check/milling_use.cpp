@@ -1,0 +1,88 @@
+/// Whether a tool is used as it cuts: with the spindle's sense, along its axis, a tap with its pitch.
+
+#include <cmath>
+
+#include "base/codes.hpp"
+#include "check/milling.hpp"
+#include "check/words.hpp"
+
+namespace obrys::check {
+
+namespace codes = base::codes;
+using shop::ToolKind;
+
+namespace {
+
+/// Of a revolution's way: F is rounded, and threads in inch are programmed in mm.
+constexpr double pitch_tolerance = 0.01;
+constexpr double along_axis = 1 - 1e-6;  ///< part of the way that leads along the axis
+
+std::string_view sense(bool left) { return left ? "left-hand" : "right-hand"; }
+
+bool cuts_along_axis_only(ToolKind kind) {
+    return kind == ToolKind::drill || kind == ToolKind::tap || kind == ToolKind::reamer;
+}
+
+std::string_view word_of(ToolKind kind) {
+    return kind == ToolKind::drill ? "drill" : kind == ToolKind::tap ? "tap" : "reamer";
+}
+
+}  // namespace
+
+/// A feed move that has met material for the first time.
+void Milling::judge_use(const MilledMove& move) {
+    if (move.tool == 0) return;
+    const auto listed = out_.result().tools[move.tool - 1].listed;
+    if (!listed) return;
+    const shop::Tool& tool = setup_.tools[*listed];
+    if (tool.kind == ToolKind::tap) judge_tap(move, tool);
+    const bool backs_out = tool.kind == ToolKind::tap && move.sinking < 0;
+    const int wanted = tool.left_hand ? -1 : 1;
+    if (shop::is_milling(shop::assumed_kind(tool)) && !backs_out && move.spindle == -wanted && move.thread == 0 &&
+        turned_wrong_ != std::pair{move.tool, move.spindle}) {
+        turned_wrong_ = {move.tool, move.spindle};
+        Finding f;
+        f.code = codes::wrong_rotation;
+        f.text = std::string("the tool cuts with ") + (move.spindle < 0 ? "M4" : "M3") + ", but it is " +
+                 std::string(sense(tool.left_hand));
+        f.remedy = std::string("program ") + (tool.left_hand ? "M4" : "M3") +
+                   (tool.left_hand ? "" : "; a left-hand tool has rotation = \"left\" in its [[tool]]");
+        found(move, std::move(f));
+    }
+    if (!cuts_along_axis_only(tool.kind) || std::abs(move.sinking) > along_axis) return;
+    Finding f;
+    f.code = codes::sideways_cut;
+    f.text = "the " + std::string(word_of(tool.kind)) + " is moved sideways in the material";
+    f.remedy = "move it along its axis only, or take a mill";
+    found(move, std::move(f));
+}
+
+void Milling::judge_tap(const MilledMove& move, const shop::Tool& tool) {
+    if (move.thread != 0 && (move.thread < 0) != tool.left_hand) {
+        Finding f;
+        f.code = codes::wrong_rotation;
+        f.text = "the thread is " + std::string(sense(move.thread < 0)) + ", the tap is " +
+                 std::string(sense(tool.left_hand));
+        f.remedy =
+            "take the other tap or change the sense of the thread; a left-hand tap has rotation = \"left\" in "
+            "its [[tool]]";
+        if (move.sinking > 0) found(move, std::move(f));
+    }
+    if (move.sinking < along_axis) return;
+    if (!tool.pitch) {
+        out_.assumption("the pitch of the tap is not given: it is taken to be the one that is programmed", move.where);
+        return;
+    }
+    const double pitch = *tool.pitch, way = move.feed_per_rev_mm;
+    if (!std::isfinite(way) || std::abs(way - pitch) <= pitch_tolerance * pitch) return;
+    Finding f;
+    f.code = codes::tap_pitch;
+    f.text = "the tap goes " + mm(way) + " a revolution, its pitch is " + mm(pitch);
+    f.remedy = move.thread != 0 ? "program the pitch of the tap, or take the tap of this pitch"
+                                : "program a feed of speed x pitch: " + plain(move.speed_rpm * pitch) + " mm/min at " +
+                                      plain(move.speed_rpm) + " 1/min";
+    f.amounts = {{"way_mm", way}, {"pitch_mm", pitch}};
+    found(move, std::move(f));
+}
+
+}  // namespace obrys::check
