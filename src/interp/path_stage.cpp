@@ -71,9 +71,9 @@ void say_missing_radius(Run& run, const std::optional<double>& radius) {
     if (!radius || foreign)
         return unchecked_once(run, codes::unknown_value, run.here(),
                               what +
-                                  (foreign              ? ", a lathe tool without radius"
-                                   : run.tool.edge == 0 ? ", which selects no radius"
-                                                        : ", whose radius is not known") +
+                                  (foreign                                      ? ", a lathe tool without radius"
+                                   : run.tool.edge == 0 && run.tool.number != 0 ? ", which selects no radius"
+                                                                                : ", whose radius is not known") +
                                   ": the contour is run without compensation",
                               "give the tool with its radius in the job");
     assume(run, run.here(), what + ", whose radius is 0: the contour is run without compensation",
