@@ -63,10 +63,11 @@ TEST(FanucMacro, AlarmsAndStops) {
 
 TEST(FanucMacro, SystemVariablesAreWhatTheyMean) {
     const auto what = [](program::SystemVariable v) { return "#" + std::to_string(static_cast<int>(v)); };
+    const std::string state = what(program::SystemVariable::state);
     EXPECT_EQ(on_mill("#1=#5042"), "#1=#5042" + what(program::SystemVariable::coordinate) + "[2]");
     EXPECT_EQ(on_mill("#1=#5023"), "#1=#5023" + what(program::SystemVariable::machine_coordinate) + "[3]");
-    EXPECT_EQ(on_mill("#1=#4003"), "#1=(91 + (#4003#56[8] * -1))");
-    EXPECT_EQ(on_mill("#1=#4001"), "#1=(#4001#56[3] / 10)");
+    EXPECT_EQ(on_mill("#1=#4003"), "#1=(91 + (#4003" + state + "[8] * -1))");
+    EXPECT_EQ(on_mill("#1=#4001"), "#1=(#4001" + state + "[3] / 10)");
     EXPECT_EQ(on_mill("#1=#1000"), "#1=#1000") << "a parameter that is not known until the job gives it";
     EXPECT_EQ(on_mill("#1=#5221"), "#1=#5221");
     EXPECT_EQ(on_mill("#500=1"), "#500=1");

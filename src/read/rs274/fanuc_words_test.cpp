@@ -42,7 +42,8 @@ TEST(FanucWords, NumbersWithoutPointAreIncrements) {
 
 TEST(FanucWords, WithoutG20AndG21TheUnitIsAskedForWhenTheBlockIsRun) {
     EXPECT_EQ(first(fanuc("%\nO1\nG0 X1000\nM99\n%\n"), 0),
-              "X=(1000 * (0.001r + (-0.0009r * G20#56[7]))) " + m(Modal::rapid));
+              "X=(1000 * (0.001r + (-0.0009r * G20#" +
+                  std::to_string(static_cast<int>(program::SystemVariable::state)) + "[7]))) " + m(Modal::rapid));
 }
 
 TEST(FanucWords, TheReadingIsSaidOnceAndCanBeChosen) {
