@@ -47,8 +47,8 @@ path::Setting held_move_setting(Run& run, double radius) {
     const shop::Tool* tool = run.tool.data;
     const int of_tool = tool != nullptr && tool->table ? tool->table->orientation : 0;
     const int orientation = run.modal.compensation_orientation < 0 ? of_tool : run.modal.compensation_orientation;
+    // Also in a turned system the control counts the tip's place along the programmed axes.
     if (run.modal.plane == 18) s.tip = path::table_nose_offset(orientation, std::abs(radius)).value_or(geom::Vec2{});
-    into_frame(run, s);
     return s;
 }
 
