@@ -196,7 +196,7 @@ def arguments():
     parser.add_argument("-n", type=int, default=100)
     parser.add_argument("--seed", type=int, default=1)
     parser.add_argument("--keep", type=pathlib.Path)
-    parser.add_argument("--least", type=float, default=100.0, help="percent that has to agree")
+    parser.add_argument("--least", type=float, default=97.0, help="percent that has to agree")
     return parser.parse_args()
 
 
