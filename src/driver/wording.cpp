@@ -17,6 +17,9 @@ constexpr std::string_view spindle = "start the spindle with M3 or M4 and a spee
 constexpr std::string_view tool = "select a tool with T and D before it";
 constexpr std::string_view diameters = ", X words are diameters until DIAMOF";
 
+constexpr std::string_view no_tool = "radius compensation with tool T0 D0, which selects no radius";
+constexpr std::string_view no_tool_own = "radius compensation without a tool";
+
 constexpr std::array phrases{
     Phrase{"heidenhain", circle, "a circle needs its centre (CC; DIN/ISO: I, J) or its radius (CR … R; DIN/ISO: R)"},
     Phrase{"heidenhain", "the sense of rotation DR is missing: no arc before this one has any",
@@ -24,15 +27,21 @@ constexpr std::array phrases{
     Phrase{"heidenhain", spindle, "start the spindle with M3 or M4; its speed S stands in TOOL CALL"},
     Phrase{"heidenhain", tool, "call a tool with TOOL CALL before it (DIN/ISO: T … G17)"},
     Phrase{"heidenhain", diameters, ""},
+    Phrase{"heidenhain", no_tool, no_tool_own},
+    Phrase{"heidenhain", " D0, which selects no radius", ", whose radius is not known"},
+    Phrase{"heidenhain", " D0, whose radius is 0", ", whose radius is 0"},
     Phrase{"linuxcnc", circle, rs274_circle},
     Phrase{"linuxcnc", tool, "select a tool with T and M6 before it"},
     Phrase{"linuxcnc", diameters, ""},
+    Phrase{"linuxcnc", no_tool, no_tool_own},
     Phrase{"fanuc", circle, rs274_circle},
     Phrase{"fanuc", tool, "select a tool before it: T and M6 on mills, T0101 on lathes"},
     Phrase{"fanuc", diameters, ", X words are diameters"},
+    Phrase{"fanuc", no_tool, no_tool_own},
     Phrase{"haas", circle, rs274_circle},
     Phrase{"haas", tool, "select a tool before it: T and M6 on mills, T101 on lathes"},
     Phrase{"haas", diameters, ", X words are diameters"},
+    Phrase{"haas", no_tool, no_tool_own},
 };
 
 }  // namespace

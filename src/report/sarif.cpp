@@ -210,8 +210,10 @@ std::string to_sarif(const Subject& s, bool all) { return text_of(log_of(Json::a
 
 std::string joined_sarif(const std::vector<std::string>& logs) {
     Json runs = Json::array();
-    for (const std::string& log : logs)
-        for (Json& run : Json::parse(log)["runs"]) runs.push_back(std::move(run));
+    for (const std::string& log : logs) {
+        Json parsed = Json::parse(log);
+        for (Json& run : parsed["runs"]) runs.push_back(std::move(run));
+    }
     return text_of(log_of(std::move(runs)));
 }
 

@@ -2,8 +2,10 @@
 
 #include <CLI/CLI.hpp>
 #include <cmath>
+#include <cstdio>
 #include <iostream>
 #include <map>
+#include <sstream>
 
 #include "base/codes.hpp"
 #include "base/number.hpp"
@@ -287,14 +289,16 @@ Arguments parse(int argc, char** argv) {
     try {
         app.parse(argc, argv);
     } catch (const CLI::ParseError& e) {
-        a.exit = app.exit(e) == 0 ? 0 : 2;
+        std::ostringstream text;  // standard output is written, and looked after, in one way only
+        a.exit = app.exit(e, text, std::cerr) == 0 ? 0 : 2;
+        std::fputs(text.str().c_str(), stdout);
         return a;
     }
     if (c.help->parsed()) {
         const CLI::App* about = &app;
         for (const CLI::App* command : {c.check, c.run, c.plot, c.fmt, c.version})
             if (command->get_name() == topic) about = command;
-        std::cout << about->help();
+        std::fputs(about->help().c_str(), stdout);
         a.exit = 0;
     }
     a.command = c.check->parsed()  ? Command::check
