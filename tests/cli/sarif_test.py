@@ -54,6 +54,67 @@ def problems(log):
             yield "fingerprints are not unique"
 
 
+# The properties that SARIF 2.1.0 (OASIS, chapter 3) gives its objects, of those that obrys writes: (required, others).
+OBJECTS = {
+    "log": ("version runs", "$schema"),
+    "run": ("tool", "results invocations originalUriBaseIds columnKind properties"),
+    "tool": ("driver", ""),
+    "driver": ("name", "version rules"),
+    "rule": ("id", "shortDescription help helpUri defaultConfiguration"),
+    "invocation": ("executionSuccessful", "toolExecutionNotifications"),
+    "result": ("message", "ruleId ruleIndex level locations codeFlows relatedLocations occurrenceCount partialFingerprints "
+                          "baselineState properties"),
+    "location": ("", "id physicalLocation message"),
+    "physicalLocation": ("artifactLocation", "region"),
+    "artifactLocation": ("", "uri uriBaseId description"),
+    "region": ("startLine startColumn endLine endColumn", "snippet"),
+}
+
+
+def shape(kind, thing, where):
+    required, others = (set(words.split()) for words in OBJECTS[kind])
+    if not required <= set(thing) <= required | others:
+        yield f"{where}: {kind} has {sorted(thing)}"
+
+
+def location_shapes(location):
+    yield from shape("location", location, "")
+    physical = location["physicalLocation"]
+    yield from shape("physicalLocation", physical, "")
+    yield from shape("artifactLocation", physical["artifactLocation"], "")
+    if "region" in physical:
+        region = physical["region"]
+        yield from shape("region", region, "")
+        numbers = [region[k] for k in ("startLine", "startColumn", "endLine", "endColumn")]
+        if min(numbers) < 1 or numbers[:2] > numbers[2:]:
+            yield f"region {numbers}"
+
+
+def shapes(log):
+    yield from shape("log", log, "")
+    for run in log["runs"]:
+        yield from shape("run", run, "")
+        yield from shape("tool", run["tool"], "")
+        yield from shape("driver", run["tool"]["driver"], "")
+        for rule in run["tool"]["driver"]["rules"]:
+            yield from shape("rule", rule, rule["id"])
+        for invocation in run["invocations"]:
+            yield from shape("invocation", invocation, "")
+        for base in run.get("originalUriBaseIds", {}).values():
+            yield from shape("artifactLocation", base, "")
+            if not base.get("uri", "file:///").startswith("file:///") or not base.get("uri", "/").endswith("/"):
+                yield f"base {base}"
+        for r in run["results"]:
+            yield from shape("result", r, r["ruleId"])
+            if r["level"] not in ("error", "warning", "note") or not r["message"]["text"] or r["occurrenceCount"] < 1:
+                yield f"result {r['ruleId']}"
+            if r.get("baselineState", "new") not in ("new", "unchanged"):
+                yield f"baselineState {r['baselineState']}"
+            flows = [step["location"] for flow in r.get("codeFlows", []) for thread in flow["threadFlows"] for step in thread["locations"]]
+            for location in [*r["locations"], *r.get("relatedLocations", []), *flows]:
+                yield from location_shapes(location)
+
+
 def find_schema():
     here = pathlib.Path(__file__).resolve()
     folders = [pathlib.Path(p) for p in os.environ.get("NODE_PATH", "").split(os.pathsep) if p]
@@ -71,7 +132,11 @@ def main():
     failed = False
     if what == "rules":
         for words, log in logs(obrys, examples):
-            for problem in problems(log):
+            inputs = [w for i, w in enumerate(words) if not w.startswith("-") and (i == 0 or not words[i - 1].startswith("-"))]
+            if len(log["runs"]) != len(inputs):
+                print(words, f"{len(log['runs'])} runs")
+                failed = True
+            for problem in [*shapes(log), *problems(log)]:
                 print(words, problem)
                 failed = True
         return 1 if failed else 0
