@@ -23,6 +23,8 @@ double spindle_state(const SpindleState& s) {
 }
 
 void write(Run& run, const program::ControlParameter& p, double v) {
+    const bool of_machine = p.value == ControlValue::pocket_overlap || p.value == ControlValue::probed;
+    if (of_machine && p.number < run.parameters.count() && run.parameters.is_set(p.number)) return;  // by the job
     if (p.number < run.parameters.count() && run.parameter_overridden[p.number] == 0)
         run.parameters.set_by_control(p.number, v);
 }

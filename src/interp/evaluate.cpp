@@ -14,6 +14,21 @@ using program::Function;
 using program::Operator;
 namespace codes = base::codes;
 
+namespace {
+
+/// What a parameter holds; one that the control writes itself may hold what nobody knows.
+double held_value(Run& run, std::uint32_t n, const base::Span& where) {
+    const double v = run.parameters.get(n);
+    if (std::isnan(v) && !run.parameters.is_assigned(n) && !run.traits->set_by_control.empty())
+        unchecked(run, codes::unknown_value, where,
+                  "the control writes " + program::parameter_name(*run.unit().traits, n) +
+                      ", and what it holds here is not known",
+                  "give what it follows from (tool, machine), or its value in [variables] of the job");
+    return v;
+}
+
+}  // namespace
+
 double parameter_value(Run& run, double index, const base::Span& where) {
     if (std::isnan(index)) {
         unchecked(run, codes::unknown_value, where, "which parameter this is depends on a value that is not known");
@@ -28,7 +43,7 @@ double parameter_value(Run& run, double index, const base::Span& where) {
     }
     const auto n = static_cast<std::uint32_t>(index);
     if (!run.traits->live.empty() && is_live(run, n)) return live_parameter(run, n, where);
-    if (run.parameters.is_set(n)) return run.parameters.get(n);
+    if (run.parameters.is_set(n)) return held_value(run, n, where);
     if (run.parameter_overridden[n] != 0) {
         const std::string name = program::parameter_name(*run.unit().traits, n);
         unchecked(run, codes::unknown_value, where,
@@ -104,7 +119,8 @@ double number(Run& run, ExprId id) {
         case ExprKind::number: return unit.numbers[e.a];
         case ExprKind::boolean: return e.a;
         case ExprKind::parameter:
-            if (e.a < run.parameters.count() && run.parameters.is_set(e.a)) return run.parameters.get(e.a);
+            if (e.a < run.parameters.count() && run.parameters.is_set(e.a))
+                if (const double v = run.parameters.get(e.a); !std::isnan(v)) return v;
             return parameter_value(run, e, e.a);
         case ExprKind::parameter_at: return parameter_value(run, e, number(run, e.a));
         case ExprKind::binary:

@@ -46,6 +46,31 @@ void unknown_machine_position(Run& run) {
                   " = { x = 0.0, y = 0.0, z = -350.0 }");
 }
 
+/// Sent at once: radius compensation, which holds nothing back here, would keep it for its next element.
+void send_now(Run& run, cl::Step step) {
+    if (run.capture != nullptr) return;
+    run.record = {std::move(step), run.here(), run.top().stack};
+    send_plain(run, run.record);
+}
+
+/// Radius compensation goes on from the contour's point in axes that a block in between did not move.
+class ContourPoint {
+public:
+    explicit ContourPoint(Run& run) : compensated_(run.path->active()), at_(run.programmed_position) {
+        run.path->stop(run);
+    }
+    /// `moved`: bit per axis of the programmed frame.
+    void keep(Run& run, unsigned moved) const {
+        for (int k = 0; k < 3 && compensated_; ++k)
+            if ((moved >> static_cast<unsigned>(k) & 1U) == 0)
+                coordinate(run.programmed_position, k) = coordinate(at_, k);
+    }
+
+private:
+    bool compensated_;
+    geom::Vec3 at_;
+};
+
 void go_to(Run& run, geom::Vec3 target, bool rapid) {
     run.position = target;
     run.programmed_position = run.frame_is_identity ? target : geom::apply(geom::inverse(run.frame), target);
@@ -66,10 +91,12 @@ bool reference_point(Run& run) {
         coordinate(target, k) = home ? from_machine(run, k, *axis->home) : unknown;
     }
     if (!geom::is_finite(target) && run.block.special == Modal::fixed_point)
-        assume(run, run.here(), "the fixed point of G75 is not known: moves to and from it are simulated as far as they are known");
+        assume(run, run.here(),
+               "the fixed point of G75 is not known: moves to and from it are simulated as far as they are known");
     else if (!geom::is_finite(target))
         assume(run, run.here(),
-               "the reference point is not known in the workpiece frame: moves to and from it are simulated as far as they are known",
+               "the reference point is not known in the workpiece frame: moves to and from it are simulated as far as "
+               "they are known",
                "give home of the axes in the machine file and the zero offset in [datum] of the job");
     go_to(run, target, true);
     return true;
@@ -77,19 +104,22 @@ bool reference_point(Run& run) {
 
 /// SUPA, G53, G153: the words are machine coordinates (G53: without any frame, the same here).
 bool machine_move(Run& run) {
-    run.path->stop(run);
+    const ContourPoint contour(run);
     if (run.modal.motion != Modal::rapid && run.modal.motion != Modal::linear)
         unchecked(run, codes::unsupported, run.here(),
                   "only straight moves are run in machine coordinates: this one is run straight to its end");
     unknown_machine_position(run);
     geom::Vec3 target = along_machine(run);
+    unsigned moved = 0;
     for (int k = 0; k < 3; ++k) {
         if (!run.block.has(axis_code(k))) continue;
+        moved |= 1U << static_cast<unsigned>(k);
         const bool incremental = is_incremental(run, run.block.ref(axis_code(k)));
         const double v = run.block.get(axis_code(k)) * word_factor(run, k, run.block.ref(axis_code(k)));
         coordinate(target, k) = incremental ? coordinate(target, k) + v : from_machine(run, k, v);
     }
     go_to(run, from_along_machine(run, target), run.modal.motion == Modal::rapid);
+    contour.keep(run, moved);
     return true;
 }
 
@@ -112,7 +142,7 @@ double way_to_limit(const Run& run) {
 void retract_tool(Run& run) {
     constexpr int to_limit = 2;
     const BlockWords& b = run.block;
-    run.path->stop(run);
+    const ContourPoint contour(run);
     begin_motion(run);
     const bool limit = b.retract == to_limit;
     const double way = limit ? way_to_limit(run) : b.get(Code::q) * length_unit(run.modal);
@@ -126,9 +156,13 @@ void retract_tool(Run& run) {
                   : "how far M140 MB goes depends on a value that is not known",
             limit ? "name a machine with the limits of its axes, and the zero offset in [datum] of the job" : "");
     const bool feeds = b.has(Code::e);
-    if (feeds) emit(run, cl::Feed{b.get(Code::e) * feed_factor(run), run.modal.feed_mode});
-    go_to(run, run.position + way * run.tool_axis, !feeds);
-    if (feeds && run.feed_valid) emit(run, cl::Feed{run.feed, run.modal.feed_mode});
+    geom::Vec3 to = run.position;
+    for (int k = 0; k < 3; ++k)  // where the way is not known, the other axes still are
+        if (coordinate(run.tool_axis, k) != 0) coordinate(to, k) += way * coordinate(run.tool_axis, k);
+    if (feeds) send_now(run, cl::Feed{b.get(Code::e) * feed_factor(run), run.modal.feed_mode});
+    go_to(run, to, !feeds);
+    if (feeds && run.feed_valid) send_now(run, cl::Feed{run.feed, run.modal.feed_mode});
+    contour.keep(run, 1U << static_cast<unsigned>(plane_axes(run.modal.plane).w));
 }
 
 }  // namespace obrys::interp

@@ -387,6 +387,8 @@ void straight_motion(Run& run, const geom::Vec3& to, bool rapid) {
     const bool known = std::isfinite(coordinate(to, a.u)) && std::isfinite(coordinate(to, a.v));
     if (!rapid && run.modal.feed_mode == cl::FeedMode::inverse_time) tell_inverse_feed(run, geom::length(to - at));
     if (!known) flush_path(run);
+    if (!known)
+        for (const Code c : {Code::chamfer_length, Code::chamfer_leg, Code::round, Code::corner_feed}) run.block.use(c);
     if (!known || !needs_path_stage(run)) {
         const geom::Vec2 step{coordinate(to, a.u) - coordinate(at, a.u), coordinate(to, a.v) - coordinate(at, a.v)};
         if (step.x != 0 || step.y != 0) run.last_direction = step;
