@@ -46,6 +46,15 @@ bool on_the_spot(geom::Vec3 a, geom::Vec3 b) {
     return same(a.x, b.x) && same(a.y, b.y) && same(a.z, b.z);
 }
 
+/// Straight down along the axis all the way: a full turn of a helix ends below its start, too.
+bool leads_down(const geom::PathElement& e, geom::Vec3 axis) {
+    const auto* s = std::get_if<geom::Straight>(&e);
+    if (s == nullptr) return false;
+    const geom::Vec3 way = s->to - s->from;
+    const double down = -geom::dot(way, axis);
+    return down > 1e-9 && geom::length(way + down * axis) < 1e-9 * down;
+}
+
 geom::PathElement part_of(const geom::PathElement& e, double u0, double u1) {
     if (const auto* s = std::get_if<geom::Straight>(&e))
         return geom::Straight{s->from + u0 * (s->to - s->from), s->from + u1 * (s->to - s->from)};
@@ -231,9 +240,7 @@ void Milling::take(const Move& move, std::uint32_t use, const Stand::View& view,
     m.tool = use;
     m.rapid = move.rapid;
     m.along = is_placed(cycle_) && !(m.where == cycle_);
-    const geom::Vec3 way = move.to - move.from;
-    const double down = -geom::dot(way, axis);
-    m.plunging = down > 1e-9 && geom::length(way + down * axis) < 1e-9 * down;
+    m.plunging = leads_down(*element, axis);
     const double length = cl::move_length(move.from, move.record.step);
     m.seconds = seconds_of(move, length);
     keep_technology(move, length, m);
@@ -243,6 +250,7 @@ void Milling::take(const Move& move, std::uint32_t use, const Stand::View& view,
         queue_rapid(move, m, view, swing);
     } else {
         queue(*element, m, true);
+        keep_thread(move);
     }
     if (queued_.size() >= batch) carry_out();
 }
@@ -278,6 +286,15 @@ void Milling::keep_points(const Move& move, MilledMove& m) {
     points_.push_back(move.to);
     m.points_end = static_cast<std::uint32_t>(points_.size());
     ++moves_with_points_;
+}
+
+/// Where a tap has been, the part may show the thread by any of its diameters.
+void Milling::keep_thread(const Move& move) {
+    if (tool_ == nullptr || shop::assumed_kind(*tool_) != shop::ToolKind::tap) return;
+    const geom::Vec3 way = move.to - move.from;
+    const double along = std::abs(geom::dot(way, axis_));
+    if (!(along > 0) || geom::length(way) - along > 1e-9 * along) return;
+    thread_bands_.add(move.from, move.to, axis_, core_radius(*tool_), tool_->radius + tool_->delta_radius);
 }
 
 /// At the programmed feed; rapids in straight lines at the slowest axis' rapid.
@@ -359,13 +376,16 @@ void Milling::queue_pass(QueuedPass::Kind kind, milling::Part part, bool cut, co
     q.kind = kind;
     q.move = static_cast<std::uint32_t>(moves_.size() - 1);
     q.pass = passes_++;
-    if (kind == QueuedPass::Kind::cut)
-        q.low = std::min(geom::dot(geom::point_at(element, 0), axis_), geom::dot(geom::point_at(element, 1), axis_));
+    q.low = std::min(geom::dot(geom::point_at(element, 0), axis_), geom::dot(geom::point_at(element, 1), axis_));
+    q.axis = axis_;
+    q.down = leads_down(element, axis_);
     move_of_pass_.push_back(q.move);
     queued_.push_back(q);
 }
 
 void Milling::queue_clamps(const geom::PathElement& element) {
+    const double low =
+        std::min(geom::dot(geom::point_at(element, 0), axis_), geom::dot(geom::point_at(element, 1), axis_));
     for (std::size_t i = 0; i < clamps_.size(); ++i) {
         Clamp& c = clamps_[i];
         for (const auto& [kind, part] : {std::pair{QueuedPass::Kind::cut, milling::Part::cutting},
@@ -377,6 +397,9 @@ void Milling::queue_clamps(const geom::PathElement& element) {
             q.move = static_cast<std::uint32_t>(moves_.size() - 1);
             q.clamp = static_cast<std::uint32_t>(i + 1);
             q.pass = static_cast<std::uint32_t>(c.simulation.engagements().size() - 1);
+            q.low = low;
+            q.axis = axis_;
+            q.down = leads_down(element, axis_);
             queued_.push_back(q);
         }
     }
@@ -385,10 +408,7 @@ void Milling::queue_clamps(const geom::PathElement& element) {
 void Milling::carry_out() {
     simulation_->flush();
     for (Clamp& c : clamps_) c.simulation.flush();
-    for (const QueuedPass& q : queued_) {
-        const auto met = q.clamp == 0 ? simulation_->engagements() : clamps_[q.clamp - 1].simulation.engagements();
-        judge(q, met[q.pass]);
-    }
+    for (std::size_t i = 0; i < queued_.size(); ++i) judge(i);
     queued_.clear();
     if (setup_.progress && !moves_.empty()) setup_.progress(moves_.back().index + 1);
 }

@@ -14,6 +14,7 @@
 #include "check/collect.hpp"
 #include "check/open_way.hpp"
 #include "check/stand.hpp"
+#include "check/thread_band.hpp"
 #include "sim/milling/simulation.hpp"
 
 namespace obrys::check {
@@ -26,7 +27,9 @@ struct QueuedPass {
     std::uint32_t clamp = 0;  ///< of passes against a clamp: its number from 1
     std::uint32_t pass = 0;   ///< number in its simulation
     float length = 0;         ///< mm of way
-    double low = 0;           ///< of cuts: height of the tip along the axis, the lower end of the way
+    double low = 0;           ///< height of the tip along the axis, the lower end of the way
+    geom::Vec3 axis;          ///< unit vector
+    bool down = false;        ///< straight down along it
 };
 
 class Milling {
@@ -74,11 +77,21 @@ private:
     void carry_out();
     void balance();
     [[nodiscard]] bool assumed_body(const MilledMove& move) const;
-    [[nodiscard]] bool said_already(const QueuedPass& pass);
-    void judge(const QueuedPass& pass, const sim::milling::Engagement& met);
+    /// How deep a part of the tool went into material, and where.
+    struct Reach {
+        double depth = 0;
+        geom::Vec3 at;
+    };
+    [[nodiscard]] const sim::milling::Engagement& met_by(const QueuedPass& pass) const;
+    [[nodiscard]] Reach reach_of(const QueuedPass& pass) const;
+    [[nodiscard]] Reach deepest_reach(std::size_t queued) const;
+    void judge(std::size_t queued);
+    void judge_reach(const QueuedPass& pass, const Reach& reach);
     void judge_cut(const QueuedPass& pass, MilledMove& move, const sim::milling::Engagement& met);
     void judge_use(const MilledMove& move);
     void judge_tap(const MilledMove& move, const shop::Tool& tool);
+    void judge_plunge(const QueuedPass& pass, const MilledMove& move, const sim::milling::Engagement& met);
+    void keep_thread(const Move& move);
     void judge_surface(Milled& milled);
     void judge_place(const Milled& milled, const mesh::Place& place, bool gouge);
     void found(const MilledMove& move, Finding f);
@@ -92,8 +105,8 @@ private:
     std::vector<geom::Vec3> points_;
     std::size_t moves_with_points_ = 0;
     std::vector<QueuedPass> queued_;
-    std::vector<std::pair<QueuedPass::Kind, std::uint32_t>> said_;  ///< kinds and clamps found, of move `said_of_`
-    std::uint32_t said_of_ = 0;
+    ThreadBands thread_bands_;
+    std::uint32_t plunged_ = 0;                ///< index of the move whose plunge was said last, + 1
     std::vector<std::uint32_t> move_of_pass_;  ///< of the stock's simulation
     MillingFigures figures_;
     std::string tool_name_;

@@ -8,6 +8,7 @@
 #include "base/codes.hpp"
 #include "base/number.hpp"
 #include "check/milling.hpp"
+#include "check/milling_confirm.hpp"
 #include "check/milling_tool.hpp"
 #include "check/words.hpp"
 #include "sim/milling/surface.hpp"
@@ -53,16 +54,6 @@ void Milling::found(const MilledMove& move, Finding f) {
     out_.finding(record, std::move(f));
 }
 
-/// A move's way may be judged in several parts; what a part of the tool meets is said once.
-bool Milling::said_already(const QueuedPass& pass) {
-    if (pass.move != said_of_) said_.clear();
-    said_of_ = pass.move;
-    const std::pair what{pass.kind, pass.clamp};
-    if (std::find(said_.begin(), said_.end(), what) != said_.end()) return true;
-    said_.push_back(what);
-    return false;
-}
-
 void Milling::judge_cut(const QueuedPass& pass, MilledMove& move, const milling::Engagement& met) {
     if (!met.touched) return;
     const bool first = move.volume_mm3 == 0 && move.contact_length_mm == 0;
@@ -76,6 +67,7 @@ void Milling::judge_cut(const QueuedPass& pass, MilledMove& move, const milling:
     }
     if (move.rapid) return;
     move.contact_length_mm += static_cast<double>(pass.length);
+    judge_plunge(pass, move, met);
     if (!first) return;
     if (move.spindle == 0 && !stopped_reported_) {
         Finding f;
@@ -86,13 +78,20 @@ void Milling::judge_cut(const QueuedPass& pass, MilledMove& move, const milling:
     }
     stopped_reported_ = move.spindle == 0;
     judge_use(move);
-    if (!move.plunging || move.tool == 0) return;
+}
+
+/// What the end meets beside the part of it that does not cut is no plunge: a hole made before, a rim, a chamfer.
+void Milling::judge_plunge(const QueuedPass& pass, const MilledMove& move, const milling::Engagement& met) {
+    if (!move.plunging || move.tool == 0 || plunged_ == pass.move + 1) return;
     const auto listed = out_.result().tools[move.tool - 1].listed;
-    if (!listed || shop::may_plunge(setup_.tools[*listed])) return;
+    if (!listed || !(met.rightmost < blind_radius(setup_.tools[*listed]))) return;
+    plunged_ = pass.move + 1;
+    const bool tap = shop::assumed_kind(setup_.tools[*listed]) == shop::ToolKind::tap;
     Finding f;
     f.code = codes::plunging_cut;
-    f.text = "the tool plunges into the material, but it does not cut at its centre";
-    f.remedy = "enter by a ramp or a helix, or drill before";
+    f.text = tap ? "the core of the tap meets material: its hole is too narrow, not deep enough or missing"
+                 : "the tool plunges into the material, but it does not cut at its centre";
+    f.remedy = tap ? "drill before, wide and deep enough" : "enter by a ramp or a helix, or drill before";
     f.amounts = {{"volume_mm3", met.volume}};
     found(move, std::move(f));
 }
@@ -102,15 +101,56 @@ bool Milling::assumed_body(const MilledMove& move) const {
     return listed && has_assumed_body(setup_.tools[*listed]);
 }
 
-void Milling::judge(const QueuedPass& pass, const milling::Engagement& met) {
+const milling::Engagement& Milling::met_by(const QueuedPass& pass) const {
+    return (pass.clamp == 0 ? *simulation_ : clamps_[pass.clamp - 1].simulation).engagements()[pass.pass];
+}
+
+/// As far as the material reaches into the swept part; of a way straight down into which the tool's axis dips, as far
+/// as it stands above the lower end.
+Milling::Reach Milling::reach_of(const QueuedPass& pass) const {
+    const milling::Engagement& met = met_by(pass);
+    if (!met.touched) return {};
+    const Reach reach{met.depth, met.deepest};
+    const geom::Vec3 step =
+        (pass.clamp == 0 ? *simulation_ : clamps_[pass.clamp - 1].simulation).dexels().lattice().step;
+    const double wide = std::max({step.x, step.y, step.z});
+    if (!pass.down || !(met.rightmost <= wide)) return reach;
+    // The rays stand beside the axis, so a point reaches lower than they say.
+    const bool tip = pass.kind != QueuedPass::Kind::shank && pass.kind != QueuedPass::Kind::holder;
+    const double low = tip && met.lowest - pass.low < 2 * wide ? pass.low : met.lowest;
+    if (!(met.highest - low > reach.depth)) return reach;
+    return {met.highest - low, reach.at + (low - geom::dot(reach.at, pass.axis)) * pass.axis};
+}
+
+/// Of all parts of a move's way in which the same part of the tool meets the same thing.
+Milling::Reach Milling::deepest_reach(std::size_t queued) const {
+    const QueuedPass& pass = queued_[queued];
+    Reach deepest;
+    for (std::size_t i = queued; i < queued_.size() && queued_[i].move == pass.move; ++i) {
+        if (queued_[i].kind != pass.kind || queued_[i].clamp != pass.clamp) continue;
+        const Reach reach = reach_of(queued_[i]);
+        if (reach.depth > deepest.depth) deepest = reach;
+    }
+    return deepest;
+}
+
+void Milling::judge(std::size_t queued) {
+    const QueuedPass& pass = queued_[queued];
+    if (pass.clamp == 0 && pass.kind == QueuedPass::Kind::cut) return judge_cut(pass, moves_[pass.move], met_by(pass));
+    // Said once for a move, at the first of its parts.
+    for (std::size_t i = queued; i > 0 && queued_[i - 1].move == pass.move; --i)
+        if (queued_[i - 1].kind == pass.kind && queued_[i - 1].clamp == pass.clamp) return;
+    const Reach reach = deepest_reach(queued);
+    if (reach.depth > setup_.tolerances.rapid) judge_reach(pass, reach);
+}
+
+void Milling::judge_reach(const QueuedPass& pass, const Reach& reach) {
     using Kind = QueuedPass::Kind;
-    MilledMove& move = moves_[pass.move];
-    if (pass.clamp == 0 && pass.kind == Kind::cut) return judge_cut(pass, move, met);
-    if (!met.touched || !(met.depth > setup_.tolerances.rapid) || said_already(pass)) return;
+    const MilledMove& move = moves_[pass.move];
     Finding f;
-    f.amounts = {{"depth_mm", met.depth}, {"x_mm", met.deepest.x}, {"y_mm", met.deepest.y}, {"z_mm", met.deepest.z}};
-    f.place = met.deepest;
-    const std::string deep = mm(met.depth) + " deep at " + place(met.deepest);
+    f.amounts = {{"depth_mm", reach.depth}, {"x_mm", reach.at.x}, {"y_mm", reach.at.y}, {"z_mm", reach.at.z}};
+    f.place = reach.at;
+    const std::string deep = mm(reach.depth) + " deep at " + place(reach.at);
     const std::string part = pass.kind == Kind::shank ? "shank" : pass.kind == Kind::holder ? "holder" : "tool";
     if (pass.clamp > 0) {
         f.code = codes::clamp_collision;
@@ -124,7 +164,7 @@ void Milling::judge(const QueuedPass& pass, const milling::Engagement& met) {
         const shop::Tool& tool = setup_.tools[*out_.result().tools[move.tool - 1].listed];
         f.code = codes::edges_too_short;
         f.text = "the cutting edges are " + mm(*tool.cutting_length) + " long, the cut reaches above them, at " +
-                 place(met.deepest);
+                 place(reach.at);
         f.remedy = "take a tool with longer cutting edges, or cut less deep; give the tool's shank if it is thinner";
         f.cause = "tool " + std::to_string(move.tool);
     } else {
@@ -152,6 +192,28 @@ void Milling::judge_place(const Milled& milled, const mesh::Place& p, bool gouge
     found(milled, p, std::move(f));
 }
 
+namespace {
+
+/// The move that cut most of the surface that lies nearly as far off as the worst point, of the block that did so. (The
+/// worst point itself may as well belong to the block before, whose surface ends in it.) Nothing where that was not
+/// cut.
+const MilledMove* guilty_of(const Milled& milled, const mesh::Place& p) {
+    std::map<std::pair<std::uint32_t, std::uint32_t>, double> areas;
+    double most = 0;
+    const auto move_of = [&](std::uint32_t tag) {
+        return tag > 0 && tag <= milled.moves.size() ? &milled.moves[tag - 1] : nullptr;
+    };
+    const auto block_of = [&](const MilledMove* m) {
+        return m == nullptr ? std::pair{nowhere.file, nowhere.begin} : std::pair{m->where.file, m->where.begin};
+    };
+    for (const mesh::TagShare& s : p.peak) most = std::max(most, areas[block_of(move_of(s.tag))] += s.area);
+    for (const mesh::TagShare& s : p.peak)  // the largest first
+        if (const MilledMove* m = move_of(s.tag); areas[block_of(m)] == most) return m;
+    return nullptr;
+}
+
+}  // namespace
+
 /// Places a finding at the cut where it is worst, or beside that, and names the other blocks of it, those with most of
 /// its area first.
 void Milling::found(const Milled& milled, const mesh::Place& p, Finding f) {
@@ -174,7 +236,7 @@ void Milling::found(const Milled& milled, const mesh::Place& p, Finding f) {
     }
     std::stable_sort(blocks.begin(), blocks.end(),
                      [](const BlockShare& a, const BlockShare& b) { return a.area > b.area; });
-    const MilledMove* worst = move_of(p.tag);
+    const MilledMove* worst = guilty_of(milled, p);
     const MilledMove& at = worst != nullptr ? *worst : *blocks.front().move;
     std::erase_if(blocks, [&](const BlockShare& b) { return b.move->where == at.where; });
     f.text += extent_text(at, worst != nullptr, blocks.size());
@@ -196,15 +258,20 @@ void Milling::judge_surface(Milled& milled) {
     if (!judged && !m.surface) return;
     const auto normal = [&](std::uint32_t cut, geom::Vec3 p, int, double) { return simulation_->normal_at(cut, p); };
     milling::Surface surface = milling::extract_surface(simulation_->dexels(), normal);
-    for (std::uint32_t& tag : surface.mesh.tags)
-        if (tag != 0) tag = move_of_pass_[simulation_->pass_of(tag)] + 1;
+    const auto tag_of = [&](std::uint32_t cut) { return cut == 0 ? 0 : move_of_pass_[simulation_->pass_of(cut)] + 1; };
+    for (std::uint32_t& tag : surface.mesh.tags) tag = tag_of(tag);
     milled.surface = std::move(surface.mesh);
     milled.thin = surface.thin;
     if (!judged) return;
     mesh::CompareOptions options;
     options.gouge = std::max(setup_.tolerances.gouge, m.tolerance);
     options.excess = std::max(setup_.tolerances.rest_material, m.tolerance);
+    if (!thread_bands_.empty()) {
+        thread_bands_.fit(milled.surface, *m.part, std::max(options.gouge, options.excess));
+        options.judged = [&](geom::Vec3 p, double deviation) { return thread_bands_.judged(p, deviation); };
+    }
     milled.comparison = mesh::compare(milled.surface, *m.part, options);
+    confirm(*milled.comparison, milled.surface, *simulation_, *m.part, options, tag_of);
     for (const mesh::Place& p : milled.comparison->gouges) judge_place(milled, p, true);
     if (!complete_) return out_.unchecked("rest material not judged, since not every move was simulated");
     for (const mesh::Place& p : milled.comparison->excesses) judge_place(milled, p, false);

@@ -1,6 +1,7 @@
 #include "check/milling_tool.hpp"
 
 #include <algorithm>
+#include <array>
 
 namespace obrys::check {
 
@@ -19,7 +20,7 @@ milling::CutterKind cutter_kind(shop::ToolKind kind) {
         case ToolKind::chamfer: return milling::CutterKind::chamfer;
         case ToolKind::t_slot: return milling::CutterKind::t_slot;
         case ToolKind::form: return milling::CutterKind::form;
-        default: return milling::CutterKind::end_mill;  // taps and reamers too: flat
+        default: return milling::CutterKind::end_mill;  // a tap's core and reamers too: flat
     }
 }
 
@@ -43,12 +44,43 @@ bool has_assumed_body(const shop::Tool& tool) {
            kind != shop::ToolKind::form;
 }
 
+double core_radius(const shop::Tool& tap) {
+    // ISO 261, coarse pitches: from this diameter on.
+    constexpr std::array<std::array<double, 2>, 21> coarse{
+        {{1, 0.25}, {1.4, 0.3}, {1.6, 0.35}, {2, 0.4},  {2.5, 0.45}, {3, 0.5},   {3.5, 0.6},
+         {4, 0.7},  {5, 0.8},   {6, 1},      {8, 1.25}, {10, 1.5},   {12, 1.75}, {14, 2},
+         {18, 2.5}, {24, 3},    {30, 3.5},   {36, 4},   {42, 4.5},   {48, 5},    {56, 5.5}}};
+    constexpr double depth = 1.082532;  // 5/4 of the height of the fundamental triangle, in pitches: d - D1
+    const double diameter = 2 * (tap.radius + tap.delta_radius);
+    double pitch = std::min(0.25, 0.2 * diameter);
+    for (const auto& [from, own] : coarse)
+        if (diameter >= from - 1e-9) pitch = own;
+    const double core = diameter - depth * tap.pitch.value_or(pitch);
+    return 0.5 * std::max(core, 0.5 * diameter);
+}
+
+double blind_radius(const shop::Tool& tool) {
+    using shop::ToolKind;
+    if (shop::may_plunge(tool)) return 0;
+    const double radius = tool.radius + tool.delta_radius;
+    switch (shop::assumed_kind(tool)) {
+        case ToolKind::tap: return core_radius(tool);
+        case ToolKind::reamer: return 0.8 * radius;
+        case ToolKind::t_slot: return radius;
+        case ToolKind::countersink:
+        case ToolKind::chamfer: return tool.tip_diameter > 0 ? tool.tip_diameter / 2 : radius / 2;
+        case ToolKind::form:
+            return tool.profile.empty() || !(tool.profile.front().p.x > 0) ? radius / 2 : tool.profile.front().p.x;
+        default: return radius / 2;
+    }
+}
+
 milling::Cutter cutter_of(const shop::Tool& tool, double rub) {
     milling::Cutter c;
     const shop::ToolKind kind = shop::assumed_kind(tool);
     if (kind == shop::ToolKind::other) return c;  // without a radius: no tool
     c.kind = cutter_kind(kind);
-    c.diameter = 2 * (tool.radius + tool.delta_radius);
+    c.diameter = 2 * (kind == shop::ToolKind::tap ? core_radius(tool) : tool.radius + tool.delta_radius);
     c.corner_radius = kind == shop::ToolKind::ball ? c.diameter / 2 : tool.corner_radius + tool.delta_corner_radius;
     c.tip_diameter = tool.tip_diameter;
     c.point_angle = geom::radians(tool.point_angle.value_or(kind == shop::ToolKind::drill ? 118 : 90));

@@ -26,6 +26,11 @@ Vec3 place_of(const Mesh& m, std::size_t triangle, std::uint8_t at) {
     return at < 3 ? m.vertices[m.triangles[triangle][at]] : centre(m, triangle);
 }
 
+double judged(Vec3 p, double deviation, const CompareOptions& options) {
+    if (!options.judged || (deviation >= -options.gouge && deviation <= options.excess)) return deviation;
+    return options.judged(p, deviation);
+}
+
 std::vector<double> of_vertices(const Mesh& result, const Distance& part) {
     std::vector<double> d(result.vertices.size());
     tbb::parallel_for(Range(0, d.size(), 1024), [&](const Range& some) {
@@ -34,15 +39,17 @@ std::vector<double> of_vertices(const Mesh& result, const Distance& part) {
     return d;
 }
 
-Extremes extremes_of(const Mesh& result, std::size_t triangle, std::span<const double> vertices, const Distance& part) {
+Extremes extremes_of(const Mesh& result, std::size_t triangle, std::span<const double> vertices, const Distance& part,
+                     const CompareOptions& options) {
     const Triangle& t = result.triangles[triangle];
     const Vec3 middle = centre(result, triangle);
     // The centre can be no farther than a corner is, and the way to it.
     const double reach = std::abs(vertices[t[0]]) + distance(result.vertices[t[0]], middle);
-    const double there = part.signed_distance(middle, std::nextafter(reach * (1 + 1e-12), HUGE_VAL));
+    const double off = part.signed_distance(middle, std::nextafter(reach * (1 + 1e-12), HUGE_VAL));
+    const double there = judged(middle, off, options);
     Extremes e{there, there, 3, 3};
     for (std::uint8_t c = 0; c < 3; ++c) {
-        const double d = vertices[t[c]];
+        const double d = judged(result.vertices[t[c]], vertices[t[c]], options);
         if (d < e.low) e.low = d, e.low_at = c;
         if (d > e.high) e.high = d, e.high_at = c;
     }
@@ -71,32 +78,35 @@ struct Places {
     std::size_t count = 0;
 };
 
-/// The tags of all places. `place_of_root`: index in `places` by the root of a triangle's group, `none` where it is not
-/// listed.
 constexpr std::uint32_t none = 0xffffffff;
-template <class TooFar>
-void share_out(const Mesh& m, Groups& groups, std::span<const std::uint32_t> place_of_root, TooFar too_far,
-               std::vector<Place>& places) {
+/// Triangles count for `Place::peak` whose corners or centre lie at least so far off, of the worst.
+constexpr double near_worst = 0.9;
+
+/// The tags of all places, of the triangles for which `counts(triangle, place)`. `place_of_root`: index in `places` by
+/// the root of a triangle's group, `none` where it is not listed.
+template <class Counts>
+void share_out(const Mesh& m, Groups& groups, std::span<const std::uint32_t> place_of_root, Counts counts,
+               std::vector<Place>& places, std::vector<TagShare> Place::*into) {
     struct Piece {
         std::uint32_t place, tag;
         double area;
     };
     std::vector<Piece> pieces;
     for (std::uint32_t t = 0; t < m.triangles.size(); ++t) {
-        if (!too_far(t)) continue;
         const std::uint32_t place = place_of_root[groups.root(m.triangles[t][0])];
-        if (place != none) pieces.push_back({place, m.tag(t), 0.5 * length(area_vector(m, t))});
+        if (place != none && counts(t, places[place]))
+            pieces.push_back({place, m.tag(t), 0.5 * length(area_vector(m, t))});
     }
     std::stable_sort(pieces.begin(), pieces.end(), [](const Piece& a, const Piece& b) {
         return a.place != b.place ? a.place < b.place : a.tag < b.tag;
     });
     for (const Piece& p : pieces) {
-        std::vector<TagShare>& shares = places[p.place].shares;
+        std::vector<TagShare>& shares = places[p.place].*into;
         if (shares.empty() || shares.back().tag != p.tag) shares.push_back({p.tag, 0});
         shares.back().area += p.area;
     }
     for (Place& p : places)
-        std::stable_sort(p.shares.begin(), p.shares.end(),
+        std::stable_sort((p.*into).begin(), (p.*into).end(),
                          [](const TagShare& a, const TagShare& b) { return a.area > b.area; });
 }
 
@@ -147,7 +157,12 @@ Places cluster(const Mesh& m, std::span<const Extremes> extremes, bool gouges, d
     for (std::uint32_t& n : number)
         if (n != none) n = rank[n];
     share_out(
-        m, groups, number, [&](std::size_t t) { return deviation(t) > allowed; }, places.worst);
+        m, groups, number, [&](std::size_t t, const Place&) { return deviation(t) > allowed; }, places.worst,
+        &Place::shares);
+    const auto is_peak = [&](std::size_t t, const Place& p) {
+        return deviation(t) > allowed && deviation(t) >= near_worst * std::abs(p.deviation);
+    };
+    share_out(m, groups, number, is_peak, places.worst, &Place::peak);
     return places;
 }
 
@@ -162,7 +177,8 @@ Comparison compare(const Mesh& result, const Distance& part, const CompareOption
     const std::vector<double> vertices = of_vertices(result, part);
     std::vector<Extremes> extremes(result.triangles.size());
     tbb::parallel_for(Range(0, extremes.size(), 512), [&](const Range& some) {
-        for (std::size_t t = some.begin(); t < some.end(); ++t) extremes[t] = extremes_of(result, t, vertices, part);
+        for (std::size_t t = some.begin(); t < some.end(); ++t)
+            extremes[t] = extremes_of(result, t, vertices, part, options);
     });
     Comparison c;
     c.deviation.reserve(extremes.size());

@@ -4,6 +4,7 @@
 
 #include <cstddef>
 #include <cstdint>
+#include <functional>
 #include <span>
 #include <vector>
 
@@ -16,6 +17,9 @@ struct CompareOptions {
     double gouge = 0.01;       ///< the result may lie this far inside the part, mm
     double excess = 0.01;      ///< and this far outside
     std::size_t places = 100;  ///< at most so many of each kind are listed
+    /// What counts of a deviation at a place, where the part is known to be another one there than its mesh (threads).
+    /// Asked where more than allowed was found; from several threads at once. Empty: all of it.
+    std::function<double(geom::Vec3, double)> judged = {};
 };
 
 /// How much of a place has one tag.
@@ -34,6 +38,7 @@ struct Place {
     double area = 0;  ///< of all its triangles, mm2
     Box extent;
     std::vector<TagShare> shares;  ///< all its tags, the largest area first
+    std::vector<TagShare> peak;    ///< the same of the triangles that lie nearly as far off as the worst
 };
 
 struct Comparison {

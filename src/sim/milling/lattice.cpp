@@ -9,6 +9,26 @@ namespace obrys::sim::milling {
 namespace {
 
 constexpr double most_nodes = 1 << 20;
+/// Lengths in programs, stocks and parts are multiples of a millionth: six decimals of mm, five of inches. Nodes lie
+/// half of that beside them, so that a plane face does not lie on a ray, where rounding would say on which side.
+constexpr double per_mm = 1e6;
+constexpr double finest_on_grid = 1e-3;  ///< mm; a finer step is not put on the grid
+
+/// Nodes along one axis: about half a step outside the box at both ends.
+struct Spread {
+    double origin = 0, step = 0, cells = 0;
+};
+
+Spread spread_over(double low, double size, double step) {
+    const double cells = std::max(1.0, std::ceil(size / step - 1e-9));
+    Spread s{0, size / cells, cells};
+    if (s.step < finest_on_grid) return {low - s.step / 2, s.step, s.cells};
+    s.step = std::floor(s.step * per_mm) / per_mm;
+    const auto margin = [&] { return ((s.cells + 1) * s.step - size) / 2; };
+    while (margin() < s.step / 4) ++s.cells;
+    s.origin = (std::floor((low - margin()) * per_mm) + 0.5) / per_mm;
+    return s;
+}
 
 }  // namespace
 
@@ -18,12 +38,12 @@ std::optional<Lattice> make_lattice(const Box3& box, double step) {
     for (int axis = 0; axis < 3; ++axis) {
         const double low = component(box.min, axis), size = component(box.max, axis) - low;
         if (!(size > 0) || !std::isfinite(low) || !std::isfinite(size)) return std::nullopt;
-        const double cells = std::max(1.0, std::ceil(size / step - 1e-9));
-        if (cells + 2 > most_nodes) return std::nullopt;
-        const double own = size / cells;
-        set_component(lattice.step, axis, own);
-        set_component(lattice.origin, axis, low - own / 2);
-        lattice.count[static_cast<std::size_t>(axis)] = static_cast<int>(cells) + 2;
+        if (!(size / step + 3 < most_nodes)) return std::nullopt;
+        const Spread s = spread_over(low, size, step);
+        if (s.cells + 2 > most_nodes) return std::nullopt;
+        set_component(lattice.step, axis, s.step);
+        set_component(lattice.origin, axis, s.origin);
+        lattice.count[static_cast<std::size_t>(axis)] = static_cast<int>(s.cells) + 2;
     }
     return lattice;
 }

@@ -14,8 +14,8 @@ struct Box3 {
     geom::Vec3 min, max;
 };
 
-/// Nodes of a regular lattice; rays run along lattice lines. The outermost nodes lie half a step outside the stock's
-/// box, so that no face of the box meets a node and the surface can be closed.
+/// Nodes of a regular lattice; rays run along lattice lines. The outermost nodes lie about half a step outside the
+/// stock's box, so that no face of the box meets a node and the surface can be closed.
 struct Lattice {
     geom::Vec3 origin;           ///< node (0, 0, 0)
     geom::Vec3 step{1, 1, 1};    ///< per axis
@@ -33,7 +33,8 @@ constexpr void set_component(geom::Vec3& v, int axis, double value) {
     (axis == 0 ? v.x : axis == 1 ? v.y : v.z) = value;
 }
 
-/// The lattice over a box with steps of at most `step`: size / ceil(size / step) per axis. Nothing where the box is not
+/// The lattice over a box with steps of at most `step`, about size / ceil(size / step) per axis, whose nodes lie 0.5 nm
+/// beside every coordinate of six decimals in mm or five in inches: plane faces so given lie on no ray. Nothing where the box is not
 /// finite or not positive, the step not positive, or an axis would have over 2^20 nodes.
 [[nodiscard]] std::optional<Lattice> make_lattice(const Box3& box, double step);
 

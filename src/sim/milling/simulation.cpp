@@ -58,7 +58,7 @@ Vec3 closing_of(const geom::Circular& c) {
 }  // namespace
 
 Simulation::Simulation(const Stock& stock, const Lattice& lattice, double tolerance, int threads)
-    : faces_(stock), tolerance_(tolerance), threads_(threads) {
+    : stock_(std::make_shared<const Stock>(stock)), faces_(stock), tolerance_(tolerance), threads_(threads) {
     Filled filled = fill(stock, lattice);
     dexels_ = std::move(filled.dexels);
     open_rays_ = filled.open_rays;
@@ -165,9 +165,13 @@ Track Simulation::track_of(const Sweep& sweep) const {
     return track;
 }
 
-void Simulation::flush() {
+Box3 Simulation::rays_box() const {
     const Lattice& l = dexels_.lattice();
-    const Box3 box{l.origin, l.node(l.count[0] - 1, l.count[1] - 1, l.count[2] - 1)};
+    return {l.origin, l.node(l.count[0] - 1, l.count[1] - 1, l.count[2] - 1)};
+}
+
+void Simulation::flush() {
+    const Box3 box = rays_box();
     while (done_ < sweeps_.size()) {
         const std::size_t end = std::min(sweeps_.size(), done_ + batch);
         std::vector<Job> jobs;

@@ -7,6 +7,7 @@
 
 #include <cstdint>
 #include <limits>
+#include <memory>
 #include <span>
 #include <vector>
 
@@ -66,6 +67,12 @@ struct Angles {
 };
 [[nodiscard]] Angles engaged_angles(const Engagement& e, double radius);
 
+/// A point of the surface, exact, and the cut that made it; 0: the stock's own face.
+struct SurfacePoint {
+    geom::Vec3 at;
+    std::uint32_t cut = 0;
+};
+
 class Simulation {
 public:
     /// `stock` has no problem. `tolerance`: of chords, a twentieth; `threads` 0: as many as there are processors.
@@ -85,6 +92,9 @@ public:
     [[nodiscard]] std::uint32_t pass_of(std::uint32_t cut) const { return sweeps_[cut - 1].pass; }
     /// Unit normal out of the material at a point that sweep `cut` made, or of the stock's own face where cut is 0.
     [[nodiscard]] geom::Vec3 normal_at(std::uint32_t cut, geom::Vec3 p) const;
+    /// Points of the surface in a box, on rays of all three directions at most `step` apart: all that was cut is cut
+    /// again there. None where the box has no size.
+    [[nodiscard]] std::vector<SurfacePoint> surface_points(const Box3& box, double step) const;
     [[nodiscard]] std::size_t bytes() const;
 
     /// One straight or circular piece of a pass.
@@ -106,8 +116,10 @@ private:
     std::uint32_t orientation_for(geom::Vec3 axis);
     [[nodiscard]] const Shape& shape_of(const Sweep& sweep) const;
     [[nodiscard]] Track track_of(const Sweep& sweep) const;
+    [[nodiscard]] Box3 rays_box() const;  ///< from the first to the last node
 
     Dexels dexels_;
+    std::shared_ptr<const Stock> stock_;
     StockFaces faces_;
     double tolerance_ = 0.01;
     int threads_ = 0;

@@ -1,0 +1,105 @@
+#include "check/thread_band.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+namespace obrys::check {
+
+using geom::Vec3;
+
+namespace {
+
+constexpr double same = 1e-6;         ///< mm
+constexpr std::size_t samples = 512;  ///< of a hole's wall
+constexpr double most_upright = 0.3;  ///< of a wall's normal along the axis
+
+/// Half the width along x of a round body about a straight piece.
+double left_of(Vec3 foot, Vec3 axis, double height, double radius) {
+    return std::min(foot.x, foot.x + height * axis.x) - radius;
+}
+
+}  // namespace
+
+void ThreadBands::add(Vec3 from, Vec3 to, Vec3 axis, double core, double outer) {
+    axis = (1 / geom::length(axis)) * axis;
+    if (geom::dot(to - from, axis) < 0) std::swap(from, to);
+    const Band band{from, axis, geom::dot(to - from, axis), core, outer};
+    constexpr std::size_t looked_at = 4;  // pecks and the way back follow each other
+    for (std::size_t i = bands_.size(); i > 0 && i + looked_at > bands_.size(); --i) {
+        Band& other = bands_[i - 1];
+        const Place place = place_in(other, from);
+        if (geom::distance(other.axis, axis) > same || place.radius > same || other.outer != outer) continue;
+        const double low = std::min(0.0, place.height), high = std::max(other.height, place.height + band.height);
+        other.foot = other.foot + low * axis;
+        other.height = high - low;
+        return;
+    }
+    bands_.push_back(band);
+}
+
+ThreadBands::Place ThreadBands::place_in(const Band& band, Vec3 p) {
+    const double height = geom::dot(p - band.foot, band.axis);
+    return {height, geom::length(p - band.foot - height * band.axis)};
+}
+
+bool ThreadBands::holds(const Band& band, Vec3 p) const {
+    const Place place = place_in(band, p);
+    return place.height >= -allowed_ && place.height <= band.height + allowed_ &&
+           place.radius >= band.core - allowed_ && place.radius <= band.outer + allowed_;
+}
+
+template <class Visit>
+void ThreadBands::each_near(Vec3 p, Visit&& visit) const {
+    auto at = std::lower_bound(bands_.begin(), bands_.end(), p.x - widest_,
+                               [](const Band& b, double x) { return b.left < x; });
+    for (; at != bands_.end() && at->left <= p.x; ++at)
+        if (holds(*at, p)) visit(static_cast<std::size_t>(at - bands_.begin()));
+}
+
+void ThreadBands::fit(const mesh::Mesh& result, const mesh::Distance& part, double allowed) {
+    allowed_ = allowed;
+    for (Band& b : bands_) {
+        const double radius = b.outer + allowed;
+        b.left = left_of(b.foot, b.axis, b.height, radius) - allowed;
+        widest_ = std::max(widest_, std::abs(b.height * b.axis.x) + 2 * (radius + allowed));
+    }
+    std::stable_sort(bands_.begin(), bands_.end(), [](const Band& a, const Band& b) { return a.left < b.left; });
+    std::vector<std::vector<std::uint32_t>> walls(bands_.size());
+    for (std::uint32_t t = 0; t < result.triangles.size(); ++t) {
+        const Vec3 normal = mesh::area_vector(result, t);
+        each_near(mesh::centre(result, t), [&](std::size_t b) {
+            if (std::abs(geom::dot(normal, bands_[b].axis)) < most_upright * geom::length(normal))
+                walls[b].push_back(t);
+        });
+    }
+    for (std::size_t b = 0; b < bands_.size(); ++b) {
+        std::vector<double> off, radii;
+        const std::size_t stride = std::max<std::size_t>(1, walls[b].size() / samples);
+        for (std::size_t i = 0; i < walls[b].size(); i += stride) {
+            // Spread within the stride: a hole's wall repeats itself along its axis, layer by layer.
+            const std::size_t within = (i * 2654435761U >> 7U) % std::min(stride, walls[b].size() - i);
+            const Vec3 p = mesh::centre(result, walls[b][i + within]);
+            off.push_back(part.signed_distance(p));
+            radii.push_back(place_in(bands_[b], p).radius);
+        }
+        if (off.empty()) continue;
+        const auto middle = [](std::vector<double>& v) {
+            std::nth_element(v.begin(), v.begin() + static_cast<std::ptrdiff_t>(v.size() / 2), v.end());
+            return v[v.size() / 2];
+        };
+        const double shown = middle(off), radius = middle(radii) + shown;
+        if (radius >= bands_[b].core - allowed && radius <= bands_[b].outer + allowed) bands_[b].shown = shown;
+    }
+}
+
+double ThreadBands::judged(Vec3 p, double deviation) const {
+    double left = deviation;
+    each_near(p, [&](std::size_t b) {
+        const double shown = bands_[b].shown;
+        const double off = deviation - std::clamp(deviation, std::min(0.0, shown), std::max(0.0, shown));
+        if (std::abs(off) < std::abs(left)) left = off;
+    });
+    return left;
+}
+
+}  // namespace obrys::check

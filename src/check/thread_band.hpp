@@ -1,0 +1,45 @@
+#pragma once
+/// Tapped holes. A tap is simulated with the core of its thread; a part's model shows such a hole with the core, with
+/// the outer diameter, or with anything between. Where the whole wall of a tapped hole stands off the part's by one and
+/// the same amount within the thread's depth, that is how the part shows the thread and no rest material or gouge.
+
+#include <vector>
+
+#include "geom/vec.hpp"
+#include "mesh/distance.hpp"
+#include "mesh/mesh.hpp"
+
+namespace obrys::check {
+
+class ThreadBands {
+public:
+    /// A tap's way along its axis; radii of the thread, mm. Strokes in one hole become one.
+    void add(geom::Vec3 from, geom::Vec3 to, geom::Vec3 axis, double core, double outer);
+    [[nodiscard]] bool empty() const { return bands_.empty(); }
+    /// Finds out how the part shows each hole; `allowed`: what a wall may stand off anyway, mm.
+    void fit(const mesh::Mesh& result, const mesh::Distance& part, double allowed);
+    /// What is left of the deviation at a place of the surface. From several threads at once.
+    [[nodiscard]] double judged(geom::Vec3 p, double deviation) const;
+
+private:
+    struct Band {
+        geom::Vec3 foot, axis;  ///< lower end on the axis; unit vector
+        double height = 0, core = 0, outer = 0;
+        double shown = 0;  ///< how far the part's wall lies outside of the simulated one
+        double left = 0;   ///< of the box around it: smallest x
+    };
+    /// A place as a band sees it.
+    struct Place {
+        double height = 0, radius = 0;
+    };
+    [[nodiscard]] static Place place_in(const Band& band, geom::Vec3 p);
+    [[nodiscard]] bool holds(const Band& band, geom::Vec3 p) const;
+    template <class Visit>
+    void each_near(geom::Vec3 p, Visit&& visit) const;
+
+    std::vector<Band> bands_;  ///< after `fit` in the order of `left`
+    double widest_ = 0;        ///< along x
+    double allowed_ = 0;
+};
+
+}  // namespace obrys::check

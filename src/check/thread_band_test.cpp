@@ -1,0 +1,61 @@
+#include "check/thread_band.hpp"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+namespace obrys::check {
+namespace {
+
+using geom::Vec3;
+
+/// The wall of a bore as triangles, normals not needed: radius about (x, 0), from z = -20 to 0.
+mesh::Mesh wall(double radius, double x, int layers) {
+    constexpr int round = 180;
+    mesh::Mesh m;
+    for (int k = 0; k <= layers; ++k)
+        for (int i = 0; i < round; ++i) {
+            const double angle = 2 * geom::pi * i / round;
+            m.vertices.push_back({x + radius * std::cos(angle), radius * std::sin(angle), -20.0 + 20.0 * k / layers});
+        }
+    const auto at = [](int k, int i) { return static_cast<std::uint32_t>(k * round + i % round); };
+    for (int k = 0; k < layers; ++k)
+        for (int i = 0; i < round; ++i) {
+            m.triangles.push_back({at(k, i), at(k + 1, i), at(k, i + 1)});
+            m.triangles.push_back({at(k, i + 1), at(k + 1, i), at(k + 1, i + 1)});
+        }
+    return m;
+}
+
+/// Deviation of the wall at a point, of M10 in a hole of 8.5 mm, drilled `off` mm beside the thread, against a part
+/// that shows `shown` mm of diameter.
+double left_of_it(double off, double shown, int layers, Vec3 p) {
+    ThreadBands bands;
+    bands.add({0, 0, 3}, {0, 0, -20}, {0, 0, 1}, 4.188, 5);
+    bands.add({0, 0, -20}, {0, 0, 3}, {0, 0, 1}, 4.188, 5);
+    const mesh::Distance part(wall(shown / 2, 0, 4));
+    bands.fit(wall(4.25, off, layers), part, 0.01);
+    return bands.judged(p, shown / 2 - std::hypot(p.x, p.y));
+}
+
+TEST(ThreadBands, AHoleShownByAnyOfItsDiametersIsRight) {
+    for (const double shown : {8.376, 8.5, 9.026, 10.0})
+        for (const double angle : {0.0, 1.0, 2.0, 4.0})
+            EXPECT_NEAR(left_of_it(0, shown, 50, {4.25 * std::cos(angle), 4.25 * std::sin(angle), -7}), 0, 2e-3)
+                << shown;
+}
+
+TEST(ThreadBands, AHoleDrilledBesideItsThreadIsNot) {
+    for (int layers = 3; layers < 200; layers += 7)
+        EXPECT_NEAR(left_of_it(0.03, 10, layers, {-4.22, 0, -7}), 0.03, 4e-3) << layers;
+    EXPECT_NEAR(left_of_it(0.03, 8.5, 50, {4.28, 0, -7}), -0.03, 4e-3);
+}
+
+TEST(ThreadBands, WhatIsNoThreadStays) {
+    EXPECT_DOUBLE_EQ(left_of_it(0, 12, 50, {4.25, 0, -7}), 1.75);   // wider than any thread of this size
+    EXPECT_DOUBLE_EQ(left_of_it(0, 10, 50, {4.25, 0, -23}), 0.75);  // below it
+    EXPECT_DOUBLE_EQ(left_of_it(0, 10, 50, {3.0, 0, -7}), 2.0);     // within the core
+}
+
+}  // namespace
+}  // namespace obrys::check

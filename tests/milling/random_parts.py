@@ -1,0 +1,122 @@
+#!/usr/bin/env python3
+"""Random correct programs against parts made from formulas must be clean; with one fault each they must be found, on the line at
+fault. The parts (stl_parts.py) know nothing of the simulation.
+
+usage: random_parts.py OBRYS [--count 200] [--seed 1] [--tolerances 0.05,0.01,0.002] [--amount 0.03] [--kind K] [--keep FOLDER]
+A fault must be larger than the tolerance to be seen: at a tolerance of 0.02 or more it is three times the tolerance.
+"""
+import argparse
+import json
+import pathlib
+import random as randoms
+import subprocess
+import sys
+import tempfile
+
+import cases
+import stl_parts
+
+FINDINGS = ("gouge", "rest-material")
+
+
+def write_job(folder, case, tolerance):
+    triangles = (stl_parts.cone_end(case.centre, case.rings, case.tip) if case.tip is not None
+                 else stl_parts.build(case.centre, case.rings, case.through))
+    stl_parts.write(folder / "part.stl", triangles)
+    (folder / "part.ngc").write_text("\n".join(t for t, _ in case.lines) + "\nM2\n")
+    box = case.box
+    text = ['program = "part.ngc"', 'control = "linuxcnc"', 'machine = "mill-generic"']
+    for number, keys in case.tools:
+        text += ["[[tool]]", f"number = {number}"]
+        for key, value in keys.items():
+            text.append(f"{key} = " + (f'"{value}"' if isinstance(value, str) else str(value).lower()))
+    text += ["[stock]", f"box = {{ min = [{box[0]}, {box[1]}, {box[2]}], max = [{box[3]}, {box[4]}, {box[5]}] }}",
+             "[part]", 'file = "part.stl"', "[check]", f"tolerance = {tolerance}"]
+    (folder / "part.job.toml").write_text("\n".join(text) + "\n")
+
+
+def check(obrys, folder):
+    done = subprocess.run([obrys, "check", "--format", "json", str(folder / "part.job.toml")], capture_output=True, text=True, timeout=600)
+    try:
+        return json.loads(done.stdout)
+    except ValueError:
+        return {"verdict": "none", "findings": [], "unchecked": [{"message": done.stderr[-300:]}]}
+
+
+def summary(result):
+    out = [f"{f['code']} line {f['where']['line']}: {f['message'][:110]}" for f in result["findings"][:4]]
+    out += [f"not checked: {u['message'][:140]}" for u in result["unchecked"][:3]]
+    return result["verdict"] + "; " + " | ".join(out)
+
+
+def judge_fault(case, result, amount):
+    """Empty where the fault was found as it is; else what is wrong with what was found."""
+    guilty = {n + 1 for n, (_, mark) in enumerate(case.lines) if mark}
+    found = [f for f in result["findings"] if f["code"] in FINDINGS]
+    if not found:
+        return "missed"
+    lines = {f["where"]["line"] for f in found}
+    if not lines <= guilty:
+        return f"blamed line {sorted(lines - guilty)}, guilty are {sorted(guilty)}"
+    most = max(f.get("depth_mm", f.get("height_mm", 0)) for f in found)
+    if not 0.6 * abs(amount) < most < 1.6 * abs(amount):
+        return f"amount {most} for {amount}"
+    return ""
+
+
+def run(options, tolerance, number):
+    random = randoms.Random(f"{options.seed}.{number}")
+    kind = options.kind or sorted(cases.MAKERS)[number % len(cases.MAKERS)]
+    maker, faults = cases.MAKERS[kind]
+    seed = random.random()
+    size = options.amount if tolerance < 0.02 else 3 * tolerance
+    complaints = []
+    with tempfile.TemporaryDirectory() as scratch:
+        folder = pathlib.Path(options.keep or scratch)
+        case = maker(randoms.Random(seed), tolerance / 20, None, 0.0)
+        write_job(folder, case, tolerance)
+        result = check(options.obrys, folder)
+        if result["verdict"] != "clean":
+            complaints.append(f"{tolerance} {number} {kind} correct: {summary(result)}")
+        fault = random.choice(faults)
+        amount = size if fault in ("tool", "place") or random.random() < 0.5 else -size
+        case = maker(randoms.Random(seed), tolerance / 20, fault, amount)
+        if case is None:
+            case = maker(randoms.Random(seed), tolerance / 20, "floor", amount)
+            fault = "floor"
+        write_job(folder, case, tolerance)
+        result = check(options.obrys, folder)
+        wrong = judge_fault(case, result, amount)
+        if wrong:
+            complaints.append(f"{tolerance} {number} {kind} {fault} {amount}: {wrong}; {summary(result)}")
+    return complaints
+
+
+def main():
+    parser = argparse.ArgumentParser()
+    parser.add_argument("obrys")
+    parser.add_argument("--count", type=int, default=200)
+    parser.add_argument("--first", type=int, default=0)
+    parser.add_argument("--seed", type=int, default=1)
+    parser.add_argument("--tolerances", default="0.05,0.01,0.002")
+    parser.add_argument("--amount", type=float, default=0.03)
+    parser.add_argument("--kind")
+    parser.add_argument("--keep")
+    options = parser.parse_args()
+    failed = 0
+    for tolerance in [float(t) for t in options.tolerances.split(",")]:
+        all_complaints = []
+        for number in range(options.first, options.first + options.count):
+            complaints = run(options, tolerance, number)
+            for c in complaints:
+                print(c, flush=True)
+            all_complaints += complaints
+        false = sum(" correct: " in c for c in all_complaints)
+        print(f"tolerance {tolerance}: {options.count} correct programs, {false} not clean; {options.count} faults, "
+              f"{len(all_complaints) - false} not found as they are", flush=True)
+        failed += len(all_complaints)
+    return 1 if failed else 0
+
+
+if __name__ == "__main__":
+    sys.exit(main())
