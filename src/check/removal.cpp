@@ -163,8 +163,9 @@ Removed Removal::cut_open(const Move& move) {
     }
     // From beyond the axis a tool comes from its own side.
     const bool across = move.from.x < 0 || move.to.x < 0;
+    // Along Z a first move may come from either side, or begin beside the stock.
     const geom::Vec3 away{across ? NAN : stock_box_.max_x - outline_box_.min_x, NAN,
-                          stock_box_.max_z - outline_box_.min_z};
+                          whereabouts_.began() ? stock_box_.max_z - outline_box_.min_z : NAN};
     const auto in_plane = [](geom::Vec3 p) { return geom::Vec3{p.x, 0, p.z}; };
     const OpenMove open = whereabouts_.open(in_plane(move.from), in_plane(move.to), move.rapid, away);
     if (open.start) ++start_moves_;

@@ -106,7 +106,7 @@ TEST(Removal, APositionLostOnTheWayIsNotSimulated) {
     EXPECT_TRUE(run.finish().unchecked.empty());
     Script lost(setup());
     lost.ready().whole_groove();
-    lost.step(cl::Linear{{NAN, 0, NAN}, {0, 0, 1}, true}).step(cl::Linear{{25, 0, NAN}, {0, 0, 1}, true});
+    lost.step(cl::Linear{{NAN, 0, NAN}, {0, 0, 1}, false}).step(cl::Linear{{25, 0, NAN}, {0, 0, 1}, false});
     const Result r = lost.finish();
     EXPECT_EQ(r.verdict, Verdict::not_fully_checked);
     EXPECT_EQ(exit_code(r.verdict), 3);

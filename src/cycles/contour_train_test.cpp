@@ -145,7 +145,6 @@ TEST(ContourTrain, ATooLargeToolNamesThePlace) {
     const Contour box{{{{0, 0}}, {{9, 0}}, {{9, 9}}, {{0, 9}}}, true};
     EXPECT_NE(complaint(train_25(), 5, box, 1), "");
     EXPECT_NE(complaint(with(train_25(), Role::infeed, 0), 3, open_contour, 1), "");
-    EXPECT_NE(complaint(with(train_25(), Role::infeed, -1), 3, open_contour, 1), "");
     EXPECT_NE(complaint(with(train_25(), Role::direction, 5), 3, open_contour, 1), "");
     EXPECT_NE(complaint(with(train_25(), Role::allowance_side, -9), 3, open_contour, 1), "");
     EXPECT_NE(complaint(train_25(), 3, {}, 1), "");

@@ -93,12 +93,13 @@ path::ArcResult planar_arc(Run& run, Vec2 from, Vec2 to, bool end_given, const P
     const BlockWords& b = run.block;
     const path::Sense sense =
         run.modal.motion == Modal::arc_cw ? path::Sense::clockwise : path::Sense::counter_clockwise;
+    if (run.modal.motion == Modal::arc_tangent && !b.has(Code::centre_at_pole))
+        return path::arc_by_tangent(from, to, run.last_direction);
     const auto given = turns_of(run);
     if (!given) return {};
     const int turns = *given;
     const bool centre = b.has(centre_words[a.u]) || b.has(centre_words[a.v]);
     if (b.has(Code::centre_at_pole)) return about_pole(run, from, to, sense, a);
-    if (run.modal.motion == Modal::arc_tangent) return path::arc_by_tangent(from, to, run.last_direction);
     if (b.has(Code::radius))
         return path::arc_by_radius(from, to, b.get(Code::radius) * length_unit(run.modal), sense, turns,
                                    tolerance(run));
@@ -227,6 +228,11 @@ bool arc_motion(Run& run, const Vec3& target) {
     const PlaneAxes a = plane_axes(run.modal.plane);
     const bool end_given = run.block.has(axis_code(a.u)) || run.block.has(axis_code(a.v)) ||
                            run.block.has(Code::polar_angle) || run.block.has(Code::polar_radius);
+    if (end_given && run.block.has(Code::pole_angle)) {
+        alarm(run, codes::repeated_word, run.here(), "the arc gives its end twice: by an angle about the pole and by a point",
+              "write one of them");
+        return false;
+    }
     const path::ArcResult arc =
         planar_arc(run, in_plane(run.programmed_position, a), in_plane(target, a), end_given, a);
     if (run.stopped) return false;

@@ -391,6 +391,8 @@ void straight_motion(Run& run, const geom::Vec3& to, bool rapid) {
         for (const Code c : {Code::chamfer_length, Code::chamfer_leg, Code::round, Code::corner_feed}) run.block.use(c);
     if (!known || !needs_path_stage(run)) {
         const geom::Vec2 step{coordinate(to, a.u) - coordinate(at, a.u), coordinate(to, a.v) - coordinate(at, a.v)};
+        if (!known)  // there is no corner to put them on
+            for (const Code c : {Code::round, Code::chamfer_length, Code::chamfer_leg}) run.block.use(c);
         if (step.x != 0 || step.y != 0) run.last_direction = step;
         run.free_contour.reset();
         if (run.capture != nullptr) capture(run, straight_element(at, to, a), rapid);

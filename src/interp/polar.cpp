@@ -84,9 +84,10 @@ void give_pole(Run& run) {
     const BlockWords& b = run.block;
     run.modal.pole_set = true;
     bool any = false;
-    for (int k = 0; k < 3; ++k) any = any || b.has(axis_code(k));
+    const PlaneAxes axes = plane_axes(run.modal.plane);
+    for (const int k : {axes.u, axes.v}) any = any || b.has(axis_code(k));
     if (!any) run.modal.pole = run.programmed_position;
-    for (int k = 0; k < 3; ++k) {
+    for (const int k : {axes.u, axes.v}) {
         if (!b.has(axis_code(k))) continue;
         const bool incremental = is_incremental(run, b.ref(axis_code(k)));
         const double v = b.get(axis_code(k)) * length_factor(run, k, incremental);
@@ -114,10 +115,11 @@ void set_pole(Run& run) {
         const double a = geom::radians(b.has(Code::polar_angle) ? b.get(Code::polar_angle) : 0);
         coordinate(offset, axes.u) = r * std::cos(a);
         coordinate(offset, axes.v) = r * std::sin(a);
+    } else {
+        for (const int k : {axes.u, axes.v})
+            if (b.has(axis_code(k)))
+                coordinate(offset, k) = b.get(axis_code(k)) * length_factor(run, k, b.special != Modal::pole_from_zero);
     }
-    for (int k = 0; k < 3; ++k)
-        if (b.has(axis_code(k)))
-            coordinate(offset, k) = b.get(axis_code(k)) * length_factor(run, k, b.special != Modal::pole_from_zero);
     run.modal.pole = base + offset;
     forget_polar_angle(run.modal);
 }

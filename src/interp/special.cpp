@@ -129,7 +129,8 @@ void approach(Run& run, const Special& s) {
 void departure(Run& run, const Special& s) {
     const PlaneAxes a = plane_axes(run.modal.plane);
     const Vec3 at = run.programmed_position;
-    const Vec3 target = programmed_target(run);
+    // Only LCT leads to a point; of the others the words of one stay unused and are said.
+    const Vec3 target = s.kind == SpecialKind::departure_arc_line ? programmed_target(run) : at;
     const path::Setting compensation = compensation_setting(run);
     path::ContourEnd contour;
     contour.at = in_plane(at, a);

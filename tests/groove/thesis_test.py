@@ -28,7 +28,9 @@ def job_text(program, expected):
         "[[tool]]", "number = 5", 'kind = "groove"', "width = 3.0", "corner_radius = 0.0", 'reference = "left"',
         "[stock]", "profile = [ {z = 0.0, x = 106.0}, {z = 300.0, x = 226.0} ]",
         "[part]", profile([p["C1"], p["BL"], p["BR"], p["P"]]),
-        "[allowance]", profile([p["R"], p["S"], p["T"], p["U"]]), ""])
+        "[allowance]", profile([p["R"], p["S"], p["T"], p["U"]]),
+        # The main program reads R0 before anything sets it; the expected moves are those of a control that holds 0 there.
+        "[variables]", "R0 = 0", ""])
 
 
 def run(command):
