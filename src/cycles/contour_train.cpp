@@ -21,8 +21,6 @@ using geom::Edge;
 using geom::Vec2;
 using Role = program::CycleRole;
 
-constexpr double inf = std::numeric_limits<double>::infinity();
-
 struct Train {
     double top = 0, bottom = 0, safe = 0, infeed = 0, plunge = 0, mill = 0;
     double away = 0;  ///< of the tool's centre from the contour
