@@ -30,9 +30,9 @@ struct OpenWay {
 /// What becomes of such a move.
 struct OpenMove {
     OpenWay way;
-    bool start = false;    ///< it is counted among the first moves, of which nothing is known yet
-    bool assumed = false;  ///< a place that is not known is taken to lie away from the stock
-    bool left_out = false; ///< it is not simulated, or only its end
+    bool start = false;     ///< it is counted among the first moves, of which nothing is known yet
+    bool assumed = false;   ///< a place that is not known is taken to lie away from the stock
+    bool left_out = false;  ///< it is not simulated, or only its end
 };
 
 /// Follows a program's moves as far as it is known where they begin and end.

@@ -161,7 +161,7 @@ Removed Removal::cut_open(const Move& move) {
         skipped(move, why);
         return r;
     }
-    // From beyond the axis a tool comes from its own side.
+    // From beyond the axis a tool comes from its own side; at first it may stand anywhere along the stock.
     const bool across = move.from.x < 0 || move.to.x < 0;
     // Along Z a first move may come from either side, or begin beside the stock.
     const geom::Vec3 away{across ? NAN : stock_box_.max_x - outline_box_.min_x, NAN,

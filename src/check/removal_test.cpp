@@ -104,9 +104,16 @@ TEST(Removal, APositionLostOnTheWayIsNotSimulated) {
     run.ready().whole_groove();
     run.step(cl::Linear{{25, 0, NAN}, {0, 0, 1}, true});  // x stays above the stock: proved to touch nothing
     EXPECT_TRUE(run.finish().unchecked.empty());
-    Script lost(setup());
+    Script home(setup());  // from outside of the stock to where nobody said: away from it
+    home.ready().whole_groove();
+    home.step(cl::Linear{{NAN, 0, NAN}, {0, 0, 1}, true}).step(cl::Linear{{25, 0, NAN}, {0, 0, 1}, true});
+    const Result away = home.finish();
+    EXPECT_EQ(away.verdict, Verdict::clean);
+    EXPECT_FALSE(away.assumptions.empty());
+    Script lost(setup());  // the same from within the groove: by which way is not known
     lost.ready().whole_groove();
-    lost.step(cl::Linear{{NAN, 0, NAN}, {0, 0, 1}, false}).step(cl::Linear{{25, 0, NAN}, {0, 0, 1}, false});
+    lost.step(cl::Linear{{16, 0, 15}, {0, 0, 1}, true});
+    lost.step(cl::Linear{{NAN, 0, NAN}, {0, 0, 1}, true}).step(cl::Linear{{15, 0, NAN}, {0, 0, 1}, true});
     const Result r = lost.finish();
     EXPECT_EQ(r.verdict, Verdict::not_fully_checked);
     EXPECT_EQ(exit_code(r.verdict), 3);
