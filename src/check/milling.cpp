@@ -251,6 +251,7 @@ void Milling::take(const Move& move, std::uint32_t use, const Stand::View& view,
     } else {
         queue(*element, m, true);
         keep_thread(move);
+        judge_tapping(move, m);
     }
     if (queued_.size() >= batch) carry_out();
 }

@@ -90,6 +90,8 @@ private:
     void judge_cut(const QueuedPass& pass, MilledMove& move, const sim::milling::Engagement& met);
     void judge_use(const MilledMove& move);
     void judge_tap(const MilledMove& move, const shop::Tool& tool);
+    void judge_rotation(const MilledMove& move, const shop::Tool& tool);
+    void judge_tapping(const Move& move, const MilledMove& milled);
     void judge_plunge(const QueuedPass& pass, const MilledMove& move, const sim::milling::Engagement& met);
     void keep_thread(const Move& move);
     void judge_surface(Milled& milled);

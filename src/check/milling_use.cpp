@@ -1,5 +1,6 @@
 /// Whether a tool is used as it cuts: with the spindle's sense, along its axis, a tap with its pitch.
 
+#include <algorithm>
 #include <cmath>
 
 #include "base/codes.hpp"
@@ -29,13 +30,39 @@ std::string_view word_of(ToolKind kind) {
 
 }  // namespace
 
+/// The core of a tap goes through a hole made before and may meet nothing: what it does is judged where it goes along
+/// its axis within the stock's box.
+void Milling::judge_tapping(const Move& move, const MilledMove& milled) {
+    if (tool_ == nullptr || tool_->kind != ToolKind::tap || std::abs(milled.sinking) < along_axis) return;
+    const sim::milling::Box3 box = sim::milling::box_of(setup_.milling->stock);
+    const auto passes = [&](double geom::Vec3::*k) {
+        const double beside = tool_->radius * std::sqrt(std::max(0.0, 1 - axis_.*k * (axis_.*k)));
+        return std::max(move.from.*k, move.to.*k) + beside <= box.min.*k ||
+               std::min(move.from.*k, move.to.*k) - beside >= box.max.*k;
+    };
+    if (passes(&geom::Vec3::x) || passes(&geom::Vec3::y) || passes(&geom::Vec3::z)) return;
+    judge_tap(milled, *tool_);
+    judge_rotation(milled, *tool_);
+}
+
 /// A feed move that has met material for the first time.
 void Milling::judge_use(const MilledMove& move) {
     if (move.tool == 0) return;
     const auto listed = out_.result().tools[move.tool - 1].listed;
     if (!listed) return;
     const shop::Tool& tool = setup_.tools[*listed];
-    if (tool.kind == ToolKind::tap) judge_tap(move, tool);
+    const bool sideways = std::abs(move.sinking) <= along_axis;
+    if (tool.kind == ToolKind::tap && !sideways) return;  // judge_tapping
+    judge_rotation(move, tool);
+    if (!cuts_along_axis_only(tool.kind) || !sideways) return;
+    Finding f;
+    f.code = codes::sideways_cut;
+    f.text = "the " + std::string(word_of(tool.kind)) + " is moved sideways in the material";
+    f.remedy = "move it along its axis only, or take a mill";
+    found(move, std::move(f));
+}
+
+void Milling::judge_rotation(const MilledMove& move, const shop::Tool& tool) {
     const bool backs_out = tool.kind == ToolKind::tap && move.sinking < 0;
     const int wanted = tool.left_hand ? -1 : 1;
     if (shop::is_milling(shop::assumed_kind(tool)) && !backs_out && move.spindle == -wanted && move.thread == 0 &&
@@ -49,12 +76,6 @@ void Milling::judge_use(const MilledMove& move) {
                    (tool.left_hand ? "" : "; a left-hand tool has rotation = \"left\" in its [[tool]]");
         found(move, std::move(f));
     }
-    if (!cuts_along_axis_only(tool.kind) || std::abs(move.sinking) > along_axis) return;
-    Finding f;
-    f.code = codes::sideways_cut;
-    f.text = "the " + std::string(word_of(tool.kind)) + " is moved sideways in the material";
-    f.remedy = "move it along its axis only, or take a mill";
-    found(move, std::move(f));
 }
 
 void Milling::judge_tap(const MilledMove& move, const shop::Tool& tool) {

@@ -30,7 +30,10 @@ struct Silent {
 
 constexpr Silent silent[] = {
     {"fanuc", "G81", "P7", "kept for the next cycle of the series"},
+    {"haas", "G81", "P7", "kept for the next cycle of the series"},
     {"", "G10 L2", "L2", "what it says already"},
+    {"fanuc", "G49", "H2", "the length ends, whatever H says"},
+    {"haas", "G49", "H2", "the length ends, whatever H says"},
     {"", "M98 P1000", "", "the program called is not there"},
     {"linuxcnc", "G92", "", "where these axes stand is not known before their first move"},
     {"linuxcnc", "G64", "Q7", "a path mode: the stream of moves is the programmed path"},

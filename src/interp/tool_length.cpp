@@ -178,7 +178,7 @@ void judge_length(Run& run) {
     const bool at_change = run.env.tool_lengths == ToolLengths::at_change;
     if (o.length == Length::none && at_change) return;
     const bool first = zero_of(run) == nullptr;
-    if (first && o.length == Length::none) judge_uncompensated(run, *t);
+    if (first && o.length == Length::none && !o.tip_known) judge_uncompensated(run, *t);
     if (first) take_zero(run, *t);
     const double low = o.tip_known ? o.tip[2] - o.tool[2] : 0;
     if (std::abs(low) > same && o.length != Length::by_values) return finding(run, *t, low);

@@ -40,6 +40,9 @@ int with_output_written(int code) {
 
 int main(int argc, char** argv) {
     try {
+        // Help and verdicts go out in one piece at the end, where a full disk still says what it is.
+        static char buffer[1 << 16];
+        std::setvbuf(stdout, buffer, _IOFBF, sizeof buffer);
         obrys::driver::clean_up_on_signals();
         return with_output_written(command(argc, argv));
     } catch (const std::exception& e) {  // the world is wrong: memory, disk, encoding of a path
