@@ -52,7 +52,7 @@ inline std::size_t table_size(const program::Unit& u, StatementKind kind) {
         case StatementKind::procedure: return u.procedures.size();
         case StatementKind::frame: return u.frames.size();
         case StatementKind::define: return u.defines.size();
-        case StatementKind::return_: return 1;
+        case StatementKind::return_: return u.jumps.size() + 1;
         case StatementKind::label_call: return u.label_calls.size();
         case StatementKind::cycle_definition: return u.cycles.size();
         case StatementKind::special: return u.specials.size();

@@ -20,7 +20,7 @@ void run(const program::Unit& unit, const base::Sources& sources, program::Names
     const std::vector<shop::Override> overrides;
     const std::vector<int> skip_levels;
     const std::vector<const program::Unit*> definitions;
-    const std::map<std::string, std::string> variables;
+    const shop::GivenValues variables;
     shop::Budgets budgets;
     budgets.blocks = 2000;
     budgets.seconds = 2;
