@@ -5,9 +5,9 @@
 #include <string>
 #include <variant>
 
+#include "check_unit.hpp"
 #include "interp/interp.hpp"
 #include "read/heidenhain/read.hpp"
-#include "check_unit.hpp"
 
 using namespace obrys;
 

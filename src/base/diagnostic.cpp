@@ -8,12 +8,9 @@ namespace obrys::base {
 
 std::string_view name(Severity s) {
     switch (s) {
-        case Severity::note:
-            return "note";
-        case Severity::warning:
-            return "warning";
-        case Severity::error:
-            return "error";
+        case Severity::note: return "note";
+        case Severity::warning: return "warning";
+        case Severity::error: return "error";
     }
     return "error";
 }

@@ -1,5 +1,6 @@
 #pragma once
-/// Numbers as most words of NC programs hold them, read in one go: at most nine digits, so that the mantissa fits 32 bits.
+/// Numbers as most words of NC programs hold them, read in one go: at most nine digits, so that the mantissa fits 32
+/// bits.
 
 #include <cstdint>
 

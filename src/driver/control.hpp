@@ -50,10 +50,11 @@ struct Guess {
     std::vector<std::string> signs;  ///< words of the text that speak for it; empty: nothing but the form of the lines
     const Control* next = nullptr;   ///< the second best
     int next_likelihood = 0;
-    bool by_suffix = false;          ///< the file's name says it
-    /// Where the second best cannot be ruled out and would read a number as another length: what it is, with the number.
+    bool by_suffix = false;  ///< the file's name says it
+    /// Where the second best cannot be ruled out and would read a number as another length: what it is, with the
+    /// number.
     std::string difference;
-    std::string foreign;             ///< a control that cannot be read and whose words stand in the text; empty: none
+    std::string foreign;  ///< a control that cannot be read and whose words stand in the text; empty: none
 };
 /// The control for which the text was most likely written.
 [[nodiscard]] Guess guess_control(std::string_view text, std::string_view file_name);

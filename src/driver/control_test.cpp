@@ -53,7 +53,8 @@ TEST(Control, WordsOfFanucAndHaasAreKnown) {
     EXPECT_EQ(taken("%\nO1000\nG0 X10. Y10.\nG1 Z-1. F100.\nM30\n%\n", "a.nc"), "fanuc");
     EXPECT_EQ(taken("G21 G90\nG91 G28 Z0.\nG90 G54\nG0 X10. Y10.\nM30\n", "b.nc"), "fanuc");
     EXPECT_EQ(taken("T0101\nG97 S500 M3\nG0 X50. Z2.\nG1 Z-20. F0.2\nM30\n", "c.nc"), "fanuc");
-    EXPECT_EQ(taken("N1 T0101\nG0 X50. Z2.\nG71 U2. R1.\nG71 P10 Q20 U0.5 W0.1 F0.2\nN10 G0 X20.\nM30\n", "d.nc"), "fanuc");
+    EXPECT_EQ(taken("N1 T0101\nG0 X50. Z2.\nG71 U2. R1.\nG71 P10 Q20 U0.5 W0.1 F0.2\nN10 G0 X20.\nM30\n", "d.nc"),
+              "fanuc");
     EXPECT_EQ(taken("G54 G90\nG0 X10. Y10.\nG13 I10. F100. D1\nM30\n", "e.nc"), "haas");
     EXPECT_EQ(taken("G54 G90\nG13 D1 I10. F100.\nM30\n", "e.nc"), "haas");
     EXPECT_EQ(taken("G90\nG154 P5\nG187 P1\nG0 X10. Y10.\nM97 P100\nM30\n", "f.nc"), "haas");
@@ -109,8 +110,10 @@ TEST(Control, ConfusionOverTheCorpora) {
         if (!fs::exists(corpus / t.folder)) continue;
         for (const auto& entry : fs::recursive_directory_iterator(corpus / t.folder)) {
             const std::string name = entry.path().filename().string();
-            if (!entry.is_regular_file() || entry.path().generic_string().find(t.name_part) == std::string::npos) continue;
-            if (std::string_view(t.folder) != "gcode/Unigraphics__NX.Postprocessor" && entry.path().extension() == ".txt")
+            if (!entry.is_regular_file() || entry.path().generic_string().find(t.name_part) == std::string::npos)
+                continue;
+            if (std::string_view(t.folder) != "gcode/Unigraphics__NX.Postprocessor" &&
+                entry.path().extension() == ".txt")
                 continue;  // licences and notes
             const Guess g = guess_of(content(entry.path()), name);
             const bool doubted = g.likelihood < 30 || !g.difference.empty() || !g.foreign.empty();

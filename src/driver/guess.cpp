@@ -108,8 +108,7 @@ std::string foreign_control(std::string_view text) {
         const std::size_t end = std::min(code.find('\n', at), code.size());
         std::string_view line = std::string_view(code).substr(at, end - at);
         at = end + 1;
-        if (line.starts_with("N"))
-            line.remove_prefix(std::min(line.find_first_not_of("0123456789", 1), line.size()));
+        if (line.starts_with("N")) line.remove_prefix(std::min(line.find_first_not_of("0123456789", 1), line.size()));
         for (const Foreign& f : foreign_controls)
             for (const std::string_view word : f.words)
                 if (stands_in(line, word) && !(own_lengths && word.find('*') != std::string_view::npos))
@@ -118,7 +117,8 @@ std::string foreign_control(std::string_view text) {
     return {};
 }
 
-int likelihood_of(const Control& c, std::string_view text, std::string_view file_name, std::vector<std::string>* signs) {
+int likelihood_of(const Control& c, std::string_view text, std::string_view file_name,
+                  std::vector<std::string>* signs) {
     return language_of(c, text, file_name).likelihood(text, file_name, signs);
 }
 

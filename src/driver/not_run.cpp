@@ -49,11 +49,13 @@ void say_what_was_not_run(const std::vector<const program::Unit*>& in_file,
         d.code = base::codes::not_run;
         d.where = {unit.file, unit.begin, unit.begin};
         const std::string shown = unit.startable || !unit.name.starts_with("O") ? unit.name : "o" + unit.name.substr(1);
-        d.text = (unit.startable ? "the program " : "the subprogram ") + shown + (again ? ", which the file holds a second time," : " of this file") +
+        d.text = (unit.startable ? "the program " : "the subprogram ") + shown +
+                 (again ? ", which the file holds a second time," : " of this file") +
                  " was never run: nothing that was run calls it";
-        d.remedy = again             ? "give it a number of its own"
-                   : !unit.startable ? "check a program that calls it"
-                                     : "begin with it: start = \"" + unit.name + "\" in the job; or keep it in a file of its own";
+        d.remedy = again ? "give it a number of its own"
+                   : !unit.startable
+                       ? "check a program that calls it"
+                       : "begin with it: start = \"" + unit.name + "\" in the job; or keep it in a file of its own";
         diagnostics.add(std::move(d));
     }
 }

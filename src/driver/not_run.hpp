@@ -17,7 +17,6 @@ void say_what_was_not_run(const std::vector<const program::Unit*>& in_file,
                           const std::vector<const program::Unit*>& entered, bool all, base::Diagnostics& diagnostics);
 /// A file of subprograms: the main program that stands around them called none and goes nowhere itself.
 [[nodiscard]] bool holds_subprograms_alone(const std::vector<const program::Unit*>& in_file,
-                                           const std::vector<const program::Unit*>& entered,
-                                           const program::Unit& main);
+                                           const std::vector<const program::Unit*>& entered, const program::Unit& main);
 
 }  // namespace obrys::driver

@@ -18,19 +18,19 @@ namespace obrys::driver {
 
 /// The command line, as far as it concerns what is run.
 struct Request {
-    std::string input;                ///< a program, or a job file (.toml)
-    std::string control, machine;     ///< empty: as the job says, else found from the content
-    std::vector<std::string> set;     ///< "R3=150"
-    std::vector<std::string> search;  ///< folders
-    std::vector<int> skip;            ///< block skip levels that are on
-    std::string prints;               ///< folder for what programs print; empty: as the job says, else nowhere
-    std::optional<bool> diameter;     ///< X words are diameters at the start
-    std::vector<std::string> tools;   ///< tool tables, besides those of the job
-    std::string configuration;        ///< of a LinuxCNC machine (.ini)
-    std::string stored;               ///< its parameter file (.var)
-    std::optional<shop::Scope> scope; ///< else as the job says
-    bool force = false;               ///< files that are there may be replaced
-    bool canon = false;               ///< settings are told, and the machine stands at its zero at the start
+    std::string input;                 ///< a program, or a job file (.toml)
+    std::string control, machine;      ///< empty: as the job says, else found from the content
+    std::vector<std::string> set;      ///< "R3=150"
+    std::vector<std::string> search;   ///< folders
+    std::vector<int> skip;             ///< block skip levels that are on
+    std::string prints;                ///< folder for what programs print; empty: as the job says, else nowhere
+    std::optional<bool> diameter;      ///< X words are diameters at the start
+    std::vector<std::string> tools;    ///< tool tables, besides those of the job
+    std::string configuration;         ///< of a LinuxCNC machine (.ini)
+    std::string stored;                ///< its parameter file (.var)
+    std::optional<shop::Scope> scope;  ///< else as the job says
+    bool force = false;                ///< files that are there may be replaced
+    bool canon = false;                ///< settings are told, and the machine stands at its zero at the start
 };
 
 struct Session {

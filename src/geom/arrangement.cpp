@@ -31,7 +31,8 @@ Ray ray_of(const Edge& e, Arrangement::Half h) {
     return r;
 }
 
-/// Counter-clockwise by direction; halves that start alike are told apart half as far out as the shorter of them reaches.
+/// Counter-clockwise by direction; halves that start alike are told apart half as far out as the shorter of them
+/// reaches.
 void sort_rays(std::vector<Ray>& rays) {
     const auto turn = [](double a) { return a < 0 ? a + 2 * pi : a >= 2 * pi ? a - 2 * pi : a; };
     for (Ray& r : rays) r.angle = turn(turn(r.angle));
@@ -160,7 +161,8 @@ Vec2 Arrangement::clear_point(const std::vector<Half>& part, const std::vector<c
         const Vec2 p = point_at(edge(part[k]), 0.5);
         double room = clear;
         for (std::size_t i = 0; i < pieces_.size() && room > widest; ++i)
-            if (!own[i] && contains(box(pieces_[i].edge), p, clear)) room = std::min(room, distance(pieces_[i].edge, p));
+            if (!own[i] && contains(box(pieces_[i].edge), p, clear))
+                room = std::min(room, distance(pieces_[i].edge, p));
         if (room > widest) {
             widest = room;
             best = p;

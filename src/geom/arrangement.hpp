@@ -17,8 +17,8 @@ struct Windings {
     bool operator==(const Windings&) const = default;
 };
 
-/// One edge put in. `of`: which set it bounds, {1, 0} or {0, 1}. `open_a`, `open_b`: the contour goes on beyond that end
-/// with edges that are not put in; nothing else meets there.
+/// One edge put in. `of`: which set it bounds, {1, 0} or {0, 1}. `open_a`, `open_b`: the contour goes on beyond that
+/// end with edges that are not put in; nothing else meets there.
 struct SourceEdge {
     Edge edge;
     Windings of{1, 0};
@@ -37,9 +37,9 @@ public:
     struct Piece {
         Edge edge;
         std::uint32_t from = 0, to = 0;
-        Windings step;           ///< winding left of the piece less winding right of it
-        std::int32_t tag = -1;   ///< of the first source
-        bool whole = false;      ///< the first source's edge, unchanged
+        Windings step;          ///< winding left of the piece less winding right of it
+        std::int32_t tag = -1;  ///< of the first source
+        bool whole = false;     ///< the first source's edge, unchanged
     };
     /// A piece with its direction: 2 * piece, + 1 against it.
     using Half = std::uint32_t;
@@ -49,8 +49,8 @@ public:
 
     /// Labels every side, sources being closed contours of any kind.
     void label();
-    /// Labels every side, the sources being boundaries of clean regions (material, winding 1, on the left). Of a part of
-    /// the graph with no edge of a set, the winding of that set is asked for at a point of it.
+    /// Labels every side, the sources being boundaries of clean regions (material, winding 1, on the left). Of a part
+    /// of the graph with no edge of a set, the winding of that set is asked for at a point of it.
     void label_clean(base::FunctionRef<int(Vec2)> winding_a, base::FunctionRef<int(Vec2)> winding_b);
     /// False where labels contradict each other: the graph is not planar to the tolerance.
     [[nodiscard]] bool consistent() const { return consistent_; }

@@ -82,7 +82,8 @@ TEST(BooleanRandom, ArcsThatAreNearlyStraight) {
         Contour x = lattice_loop(random, 6), y = lattice_loop(random, 6);
         for (Contour* c : {&x, &y})
             for (Vertex& v : c->vertices)
-                if (random.below(2)) v.bulge = std::copysign(std::pow(10, random.between(-13, -3)), random.between(-1, 1));
+                if (random.below(2))
+                    v.bulge = std::copysign(std::pow(10, random.between(-13, -3)), random.between(-1, 1));
         expect_membership(x, y, random, 12);
     }
 }

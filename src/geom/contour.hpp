@@ -7,7 +7,8 @@
 
 namespace obrys::geom {
 
-/// A corner, and the edge to the next one: straight (bulge 0) or an arc, bulge = tan(sweep / 4), positive counter-clockwise.
+/// A corner, and the edge to the next one: straight (bulge 0) or an arc, bulge = tan(sweep / 4), positive
+/// counter-clockwise.
 struct Vertex {
     Vec2 p;
     double bulge = 0;

@@ -23,20 +23,21 @@ struct Circle {
 /// True where the edge leaves its chord by more than can be seen (1e-12 mm).
 [[nodiscard]] bool is_arc(const Edge& e);
 [[nodiscard]] double chord(const Edge& e);
-[[nodiscard]] double sagitta(const Edge& e);    ///< signed: positive for a counter-clockwise arc
+[[nodiscard]] double sagitta(const Edge& e);      ///< signed: positive for a counter-clockwise arc
 [[nodiscard]] double sweep_angle(const Edge& e);  ///< signed
-[[nodiscard]] Circle circle(const Edge& e);     ///< requires is_arc
-/// Power of the point about the arc's circle (distance to the centre squared less radius squared), and its distance from
-/// the circle, negative inside; both keep their digits where the arc is nearly straight. Require is_arc.
+[[nodiscard]] Circle circle(const Edge& e);       ///< requires is_arc
+/// Power of the point about the arc's circle (distance to the centre squared less radius squared), and its distance
+/// from the circle, negative inside; both keep their digits where the arc is nearly straight. Require is_arc.
 [[nodiscard]] double power(const Edge& e, Vec2 p);
 [[nodiscard]] double outside(const Edge& e, Vec2 p);
 [[nodiscard]] double length(const Edge& e);
 [[nodiscard]] Box box(const Edge& e);
 [[nodiscard]] Edge reversed(const Edge& e);
 [[nodiscard]] Edge moved(const Edge& e, Vec2 by);
-[[nodiscard]] Vec2 point_at(const Edge& e, double t);   ///< t in 0..1, by length
+[[nodiscard]] Vec2 point_at(const Edge& e, double t);    ///< t in 0..1, by length
 [[nodiscard]] Vec2 tangent_at(const Edge& e, double t);  ///< unit
-/// Where along the edge (0..1, by length) the point of the edge's line or circle nearest to `p` lies; beyond 0..1 outside.
+/// Where along the edge (0..1, by length) the point of the edge's line or circle nearest to `p` lies; beyond 0..1
+/// outside.
 [[nodiscard]] double parameter(const Edge& e, Vec2 p);
 [[nodiscard]] Vec2 nearest(const Edge& e, Vec2 p);
 [[nodiscard]] double distance(const Edge& e, Vec2 p);

@@ -23,8 +23,8 @@ Crossings line_line(const Edge& e, const Edge& f, double tolerance) {
     return c;
 }
 
-/// Where the line through `q` along the unit vector `u` meets the arc's circle: q + t u. No centre is used, as that of a
-/// nearly straight arc is not known well.
+/// Where the line through `q` along the unit vector `u` meets the arc's circle: q + t u. No centre is used, as that of
+/// a nearly straight arc is not known well.
 struct Roots {
     double t[2] = {0, 0};
     double discriminant = 0;  ///< negative: no meeting, t is the place nearest to the circle

@@ -20,12 +20,12 @@ struct Frame {
     [[nodiscard]] static Frame scaling(Vec3 factors);
 };
 
-[[nodiscard]] Vec3 apply(const Frame& f, Vec3 point);             ///< a point of the inner system, in the outer
-[[nodiscard]] Vec3 apply_direction(const Frame& f, Vec3 v);       ///< a direction: without the shift
+[[nodiscard]] Vec3 apply(const Frame& f, Vec3 point);        ///< a point of the inner system, in the outer
+[[nodiscard]] Vec3 apply_direction(const Frame& f, Vec3 v);  ///< a direction: without the shift
 [[nodiscard]] Frame operator*(const Frame& outer, const Frame& inner);
-[[nodiscard]] double determinant(const Frame& f);                 ///< negative where the frame mirrors
+[[nodiscard]] double determinant(const Frame& f);  ///< negative where the frame mirrors
 [[nodiscard]] bool is_invertible(const Frame& f);
-[[nodiscard]] Frame inverse(const Frame& f);                      ///< requires is_invertible
+[[nodiscard]] Frame inverse(const Frame& f);  ///< requires is_invertible
 [[nodiscard]] bool is_shift_only(const Frame& f);
 
 }  // namespace obrys::geom

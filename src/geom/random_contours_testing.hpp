@@ -24,19 +24,21 @@ inline void showValue(const Region& r, std::ostream& os) {
 namespace obrys::geom::testing {
 
 inline rc::Gen<Vertex> lattice_vertex(int size) {
-    return rc::gen::map(rc::gen::tuple(rc::gen::inRange(0, size), rc::gen::inRange(0, size),
-                                       rc::gen::element(0.0, 0.0, 0.0, 1.0, -1.0, 0.41421356237309503, -0.41421356237309503, 0.3)),
-                        [](const std::tuple<int, int, double>& t) {
-                            return Vertex{{static_cast<double>(std::get<0>(t)), static_cast<double>(std::get<1>(t))},
-                                          std::get<2>(t)};
-                        });
+    return rc::gen::map(
+        rc::gen::tuple(rc::gen::inRange(0, size), rc::gen::inRange(0, size),
+                       rc::gen::element(0.0, 0.0, 0.0, 1.0, -1.0, 0.41421356237309503, -0.41421356237309503, 0.3)),
+        [](const std::tuple<int, int, double>& t) {
+            return Vertex{{static_cast<double>(std::get<0>(t)), static_cast<double>(std::get<1>(t))}, std::get<2>(t)};
+        });
 }
 
 /// Closed, may cross itself.
 inline rc::Gen<Contour> lattice_loop(int size, int most = 8) {
     return rc::gen::mapcat(rc::gen::inRange(3, most + 1), [size](int n) {
         return rc::gen::map(rc::gen::container<std::vector<Vertex>>(static_cast<std::size_t>(n), lattice_vertex(size)),
-                            [](std::vector<Vertex> v) { return Contour{std::move(v), true}; });
+                            [](std::vector<Vertex> v) {
+                                return Contour{std::move(v), true};
+                            });
     });
 }
 
@@ -46,11 +48,11 @@ inline rc::Gen<Region> lattice_region(int size, int most = 8) {
 
 /// Off the lattice and off its circles, within the square -1 .. size + 1 (arcs reach beyond it).
 inline rc::Gen<Vec2> free_point(int size) {
-    const auto coordinate = rc::gen::map(rc::gen::inRange(0, 1'000'000), [size](int k) {
-        return -1.0 + (size + 2) * (k + 0.3819660113) / 1e6;
+    const auto coordinate = rc::gen::map(rc::gen::inRange(0, 1'000'000),
+                                         [size](int k) { return -1.0 + (size + 2) * (k + 0.3819660113) / 1e6; });
+    return rc::gen::map(rc::gen::pair(coordinate, coordinate), [](const std::pair<double, double>& p) {
+        return Vec2{p.first, p.second};
     });
-    return rc::gen::map(rc::gen::pair(coordinate, coordinate),
-                        [](const std::pair<double, double>& p) { return Vec2{p.first, p.second}; });
 }
 
 }  // namespace obrys::geom::testing

@@ -23,7 +23,7 @@ namespace obrys::geom {
 [[nodiscard]] Box box(const Region& r);
 
 [[nodiscard]] int winding(const std::vector<Edge>& contours, Vec2 p);
-[[nodiscard]] bool contains(const Region& r, Vec2 p);  ///< of a point on the contour: either
+[[nodiscard]] bool contains(const Region& r, Vec2 p);    ///< of a point on the contour: either
 [[nodiscard]] double distance(const Region& r, Vec2 p);  ///< to the contour, from either side
 
 [[nodiscard]] Contour moved(const Contour& c, Vec2 by);

@@ -70,7 +70,8 @@ std::vector<Strand> strands_of(const std::vector<SourceEdge>& sources) {
     out.reserve(sources.size());
     for (std::uint32_t i = 0; i < sources.size(); ++i) {
         const Edge& e = sources[i].edge;
-        const int n = is_arc(e) ? std::max(1, static_cast<int>(std::ceil(std::abs(sweep_angle(e)) / (pi / 2) - 1e-9))) : 1;
+        const int n =
+            is_arc(e) ? std::max(1, static_cast<int>(std::ceil(std::abs(sweep_angle(e)) / (pi / 2) - 1e-9))) : 1;
         for (int k = 0; k < n; ++k) {
             Strand s;
             s.edge = n == 1 ? e : part(e, static_cast<double>(k) / n, static_cast<double>(k + 1) / n);

@@ -42,8 +42,8 @@ Contour positive_loop(std::vector<Edge> loop) {
     return area(c) < 0 ? reversed(c) : c;
 }
 
-/// An arc edge along an arc: (u, t), u the edge's angle about its centre, t the path's, map to m + r e(u) + R e(t). The map
-/// folds where u - t is a multiple of pi; between folds it is one to one, and its sides are arcs.
+/// An arc edge along an arc: (u, t), u the edge's angle about its centre, t the path's, map to m + r e(u) + R e(t). The
+/// map folds where u - t is a multiple of pi; between folds it is one to one, and its sides are arcs.
 struct Corner {
     double u = 0, t = 0;
 };

@@ -29,7 +29,8 @@ Contour star(Random& random) {
     for (int i = 0; i < n; ++i) {
         const double w = turn + 2 * pi * i / n, r = dented ? random.between(0.4, 1.2) : 1;
         const double room = std::tan(pi / (2 * n));  // the bulge of the circle about the polygon
-        out.vertices.push_back({r * Vec2{std::cos(w), std::sin(w)}, random.below(2) ? random.between(-0.2, 1) * room : 0});
+        out.vertices.push_back(
+            {r * Vec2{std::cos(w), std::sin(w)}, random.below(2) ? random.between(-0.2, 1) * room : 0});
     }
     return out;
 }
@@ -52,7 +53,8 @@ void expect_covered(const Region& swept, const Contour& outline, const std::func
     constexpr int samples = 2000;
     for (int k = 0; k <= samples; k += 50) reach.add(shift(k / 2000.0));
     for (int i = 0; i < 25; ++i) {
-        const Vec2 p = random.point(-4, 4) + Vec2{random.between(reach.lo.x, reach.hi.x), random.between(reach.lo.y, reach.hi.y)};
+        const Vec2 p =
+            random.point(-4, 4) + Vec2{random.between(reach.lo.x, reach.hi.x), random.between(reach.lo.y, reach.hi.y)};
         if (distance(swept, p) < 2 * step) continue;
         bool covered = false;
         for (int k = 0; k <= samples && !covered; ++k) covered = winding(around, p - shift(k / 2000.0)) > 0;
@@ -91,7 +93,8 @@ TEST(SweepRandom, StraightCoversTheShiftedOutlinesAndNoMore) {
         const Contour outline = outline_of(random);
         constexpr Vec2 ways[] = {{3, 0}, {0, -2}, {-1, 0}, {1, 1}, {-2, 0.5}, {0.001, 0}, {1e-7, 1e-7}};
         const Vec2 by = random.below(2) ? random.one_of(ways) : random.point(-4, 4);
-        expect_covered(sweep_straight(outline, by), outline, [by](double t) { return t * by; }, 5e-3, random);
+        expect_covered(
+            sweep_straight(outline, by), outline, [by](double t) { return t * by; }, 5e-3, random);
     }
 }
 

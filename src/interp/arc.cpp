@@ -229,8 +229,8 @@ bool arc_motion(Run& run, const Vec3& target) {
     const bool end_given = run.block.has(axis_code(a.u)) || run.block.has(axis_code(a.v)) ||
                            run.block.has(Code::polar_angle) || run.block.has(Code::polar_radius);
     if (end_given && run.block.has(Code::pole_angle)) {
-        alarm(run, codes::repeated_word, run.here(), "the arc gives its end twice: by an angle about the pole and by a point",
-              "write one of them");
+        alarm(run, codes::repeated_word, run.here(),
+              "the arc gives its end twice: by an angle about the pole and by a point", "write one of them");
         return false;
     }
     const path::ArcResult arc =

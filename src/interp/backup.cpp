@@ -47,8 +47,8 @@ void take(Run& run, const program::Assign& a) {
     const Expr& target = unit.exprs[a.target];
     const Expr& value = unit.exprs[a.value];
     const base::Span where = unit.span(a.value);
-    const bool list = value.kind == ExprKind::function &&
-                      static_cast<program::Function>(value.op) == program::Function::set_list;
+    const bool list =
+        value.kind == ExprKind::function && static_cast<program::Function>(value.op) == program::Function::set_list;
     if (list) return give_list(run, target, value);
     std::string key;
     if (target.kind == ExprKind::parameter)
@@ -94,7 +94,8 @@ void take_backup(Run& run, const Unit& unit) {
     run.calls.pop_back();
     const base::Span file{unit.file, 0, 0};
     if (taken == 0)
-        run.diagnostics.add({base::Severity::error, codes::job_value, file, "this file assigns no variables", {}, {}, {}});
+        run.diagnostics.add(
+            {base::Severity::error, codes::job_value, file, "this file assigns no variables", {}, {}, {}});
     else if (left > 0)
         assume(run, file,
                std::to_string(left) + (left == 1 ? " block of this file assigns no variable and is not taken"

@@ -310,8 +310,7 @@ namespace {
 /// G66 (FANUC B-63684EN, 16.7.2, limitations of modal calls).
 void keep_modal_parameters(Run& run) {
     auto& kept = run.modal_call.parameters;
-    for (std::uint32_t n = 1; n <= kept.size(); ++n)
-        kept[n - 1] = {run.parameters.get(n), run.parameters.is_set(n)};
+    for (std::uint32_t n = 1; n <= kept.size(); ++n) kept[n - 1] = {run.parameters.get(n), run.parameters.is_set(n)};
 }
 
 /// The block that called a label behind which there is no LBL 0 at all; a jump out of a label is no mistake.
@@ -367,9 +366,9 @@ void return_to_block(Run& run, const program::Jump& j) {
     if (run.stopped) return;
     const std::vector<std::uint32_t> at = numbered_statements(run, n);
     if (std::isnan(n) || at.empty())
-        return alarm(run, std::isnan(n) ? codes::unknown_value : codes::missing_label, where,
-                     "the calling program " + run.unit().name + " has no block N" + printed(Value::real(n)) +
-                         " to go on with");
+        return alarm(
+            run, std::isnan(n) ? codes::unknown_value : codes::missing_label, where,
+            "the calling program " + run.unit().name + " has no block N" + printed(Value::real(n)) + " to go on with");
     const auto behind = std::find_if(at.begin(), at.end(), [&](std::uint32_t s) { return s >= run.top().pc; });
     const std::uint32_t target = behind != at.end() ? *behind : at.front();
     if (target < run.top().pc) count_pass(run);

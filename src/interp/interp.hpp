@@ -80,9 +80,9 @@ struct ParameterValue {
 struct Outcome {
     Ending ending = Ending::regular;
     std::uint64_t blocks_executed = 0;
-    std::vector<ParameterValue> parameters;  ///< those that were assigned
+    std::vector<ParameterValue> parameters;     ///< those that were assigned
     std::vector<const program::Unit*> entered;  ///< programs of which something was run, the main one's too
-    std::set<std::string> replaced;          ///< names of which Environment::overrides replaced a constant
+    std::set<std::string> replaced;             ///< names of which Environment::overrides replaced a constant
 };
 
 /// Runs `main` and passes every record to `sink`. Complaints, assumptions and ignored words go to `diagnostics`.

@@ -111,8 +111,8 @@ struct Offsets {
         bool compensated = false;  ///< a compensated one was: the zero counts from the gauge point
     };
     std::map<std::uint32_t, TouchedOff> zeros{};  ///< by datum
-    Axes reference{};          ///< what the stream's coordinates are counted from, in the machine
-    Axes total{};              ///< programmed -> stream, of A … W (3 … 8)
+    Axes reference{};                             ///< what the stream's coordinates are counted from, in the machine
+    Axes total{};                                 ///< programmed -> stream, of A … W (3 … 8)
 };
 
 /// Overrides that the program allows (M48 … M53).

@@ -1,6 +1,6 @@
-/// Letters that neither a code of the block nor the motion in force uses: the control refuses the block. Where the block
-/// names its motion itself the reader has looked.
-/// Source: LinuxCNC 2.9, its stand-alone interpreter asked for each of them (tests/linuxcnc/random_moves.py).
+/// Letters that neither a code of the block nor the motion in force uses: the control refuses the block. Where the
+/// block names its motion itself the reader has looked. Source: LinuxCNC 2.9, its stand-alone interpreter asked for
+/// each of them (tests/linuxcnc/random_moves.py).
 
 #include <bit>
 
@@ -22,8 +22,7 @@ constexpr std::uint64_t letters = bit(Code::i) | bit(Code::j) | bit(Code::k) | b
 std::uint64_t used_by_motion(const Run& run) {
     switch (run.modal.motion) {
         case Modal::arc_cw:
-        case Modal::arc_ccw:
-            return bit(Code::i) | bit(Code::j) | bit(Code::k) | bit(Code::p) | bit(Code::radius);
+        case Modal::arc_ccw: return bit(Code::i) | bit(Code::j) | bit(Code::k) | bit(Code::p) | bit(Code::radius);
         case Modal::thread: return bit(Code::k);
         case Modal::canned: {
             std::uint64_t used = bit(Code::radius) | bit(Code::l);

@@ -81,10 +81,11 @@ void set_datum_data(Run& run, bool from_position) {
     const double turned = run.offsets.rotation;
     load_datum(run);
     if (run.offsets.rotation != turned && (run.offsets.shift[0] != 0 || run.offsets.shift[1] != 0))
-        unchecked(run, codes::unsupported, run.here(),
-                  "R turns the system in force while G92 or G52 shifts it: LinuxCNC loses its place then and moves X and "
-                  "Y aside with the next move, a fault of its own that is not followed here",
-                  "cancel the shift before (G92.1) and set it again");
+        unchecked(
+            run, codes::unsupported, run.here(),
+            "R turns the system in force while G92 or G52 shifts it: LinuxCNC loses its place then and moves X and "
+            "Y aside with the next move, a fault of its own that is not followed here",
+            "cancel the shift before (G92.1) and set it again");
     tell(run, SettingKind::datum, static_cast<int>(place), run.offsets.datum);
     tell(run, SettingKind::datum_rotation, 0, {run.offsets.rotation});
     update_frame(run);

@@ -58,7 +58,7 @@ struct BlockWords {
     std::string tool_name;
     bool tool_named = false;
     int special_number = 0;
-    int retract = 0;       ///< M140: 1 by its distance, 2 to the limit; 0: none
+    int retract = 0;                    ///< M140: 1 by its distance, 2 to the limit; 0: none
     int surface_word = 0;               ///< 96 or 97 where the block says it
     bool acted = false;                 ///< F, S, T and M have acted already (Code::act)
     bool says_straight = false;         ///< G0 or G1 stands in the block
@@ -255,11 +255,11 @@ struct Run {
     bool coolant_on = false, mist = false, flood = false;
     Overrides overrides;
     std::array<std::array<double, 6>, 2> rounding_said{};  ///< what note_rounding has looked at last, feed and rapid
-    std::map<std::string, double> axis_feeds;  ///< FA[axis], mm/min or degrees/min
-    double feed = 0;  ///< mm/min, mm/rev or 1/min by modal.feed_mode
+    std::map<std::string, double> axis_feeds;              ///< FA[axis], mm/min or degrees/min
+    double feed = 0;                                       ///< mm/min, mm/rev or 1/min by modal.feed_mode
     FeedShape feed_shape;
     bool feed_valid = false;
-    double feed_number = 0;  ///< F as the program wrote it last, whatever unit has come since
+    double feed_number = 0;     ///< F as the program wrote it last, whatever unit has come since
     bool feed_unknown = false;  ///< the last F depends on a value that is not known
     bool feed_dropped = false;  ///< G94/G95 changed and the stream does not know yet that F is void
     ModalCall modal_call;

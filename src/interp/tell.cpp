@@ -107,7 +107,8 @@ void tell_tool(Run& run) {
     if (b.has(Code::tool)) tell(run, SettingKind::tool_selected, whole(b.peek(Code::tool)));
     const int numbers = run.traits->tool_number_function;
     if (numbers != 0 && has_m(run, numbers) && b.has(Code::q) && b.peek(Code::q) >= 0)
-        tell(run, SettingKind::tool_numbered, place_of(run, static_cast<std::uint32_t>(std::max(0, whole(b.peek(Code::q))))));
+        tell(run, SettingKind::tool_numbered,
+             place_of(run, static_cast<std::uint32_t>(std::max(0, whole(b.peek(Code::q))))));
     if (changes)
         tell(run, SettingKind::tool_changed,
              place_of(run, b.has(Code::tool) ? static_cast<std::uint32_t>(std::max(0, whole(b.peek(Code::tool))))

@@ -36,8 +36,8 @@ base::Span place_of(const Run& run, Code code, int n) {
     return run.here();
 }
 
-/// Words that belong to an M function: of outputs, inputs, orientation and overrides (LinuxCNC, M-codes), and whatever the
-/// machine builder's own ones take.
+/// Words that belong to an M function: of outputs, inputs, orientation and overrides (LinuxCNC, M-codes), and whatever
+/// the machine builder's own ones take.
 std::uint64_t words_of_function(const Run& run, int m) {
     if (m == 19) return bit(Code::p) | bit(Code::q) | bit(Code::radius);
     if ((m >= 48 && m <= 53) || (m >= 62 && m <= 65)) return bit(Code::p);

@@ -104,14 +104,10 @@ CornerResult rounding(const Element& a, const Element& b, double radius) {
 
 CornerResult insert_corner(const Element& a, const Element& b, CornerKind kind, double size) {
     switch (kind) {
-        case CornerKind::chamfer:
-            return chamfer(a, b, size);
-        case CornerKind::chamfer_leg:
-            return chamfer_by_leg(a, b, size);
-        case CornerKind::rounding:
-            return rounding(a, b, size);
-        case CornerKind::none:
-            break;
+        case CornerKind::chamfer: return chamfer(a, b, size);
+        case CornerKind::chamfer_leg: return chamfer_by_leg(a, b, size);
+        case CornerKind::rounding: return rounding(a, b, size);
+        case CornerKind::none: break;
     }
     return failed(a, b, CornerFailure::bad_size);
 }

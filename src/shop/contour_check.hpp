@@ -8,8 +8,8 @@
 
 namespace obrys::shop {
 
-[[nodiscard]] double signed_area(const geom::Contour& closed);        ///< mm2, positive counter-clockwise
-[[nodiscard]] geom::Contour reversed(const geom::Contour& contour);   ///< the same edges, run the other way
+[[nodiscard]] double signed_area(const geom::Contour& closed);       ///< mm2, positive counter-clockwise
+[[nodiscard]] geom::Contour reversed(const geom::Contour& contour);  ///< the same edges, run the other way
 /// Smallest Vec2.y of the edge from a to b.
 [[nodiscard]] double lowest_y(geom::Vertex a, geom::Vec2 b);
 /// Two edges (by the index of their first vertex, smaller one first) that meet elsewhere than at a shared corner.

@@ -19,15 +19,15 @@ struct Value {
     base::Span where;
     bool boolean = false;
     std::int64_t integer = 0;
-    double number = 0;              ///< also set for an integer
+    double number = 0;  ///< also set for an integer
     std::string text;
-    std::vector<Value> items;       ///< of an array
-    std::vector<Entry> entries;     ///< of a table, in the order of the file
+    std::vector<Value> items;    ///< of an array
+    std::vector<Entry> entries;  ///< of a table, in the order of the file
 };
 
 struct Entry {
     std::string key;
-    base::Span where;               ///< the key itself
+    base::Span where;  ///< the key itself
     Value value;
 };
 

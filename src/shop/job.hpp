@@ -22,34 +22,34 @@ namespace obrys::shop {
 /// A profile in the (z, x) plane, x a radius, mm. `region` is already closed to the axis where it has to be.
 struct Profile {
     geom::Region region;
-    geom::Contour drawn;    ///< as given, for pictures
+    geom::Contour drawn;  ///< as given, for pictures
     base::Span where;
 };
 
 /// A value given for a parameter: replaces every constant assignment of it in the program.
 struct Override {
-    std::string name;       ///< upper case: "R3"
+    std::string name;  ///< upper case: "R3"
     double value = 0;
-    base::Span where;       ///< file 0xFFFFFFFF when it came from the command line
+    base::Span where;  ///< file 0xFFFFFFFF when it came from the command line
 };
 
 /// A file that a job names.
 struct NamedFile {
-    std::string path;       ///< as written
+    std::string path;  ///< as written
     base::Span where;
 };
 
 /// Where the part's contour comes from when it is not written as points.
 struct ProfileFromProgram {
-    std::string program;    ///< path as written
+    std::string program;  ///< path as written
     base::Span where;
 };
 
 /// Difference between the finished part and what this program must leave.
 struct Allowance {
-    std::optional<Profile> profile;                  ///< own contour
+    std::optional<Profile> profile;  ///< own contour
     std::optional<ProfileFromProgram> program;
-    double normal = 0;                               ///< mm, normal to the part's contour
+    double normal = 0;  ///< mm, normal to the part's contour
 };
 
 /// Thresholds of the check, mm. Amounts at or below them are not findings.
@@ -57,7 +57,7 @@ struct Tolerances {
     double gouge = 0.001;
     double rest_material = 0.01;
     double rapid = 0.001;
-    std::optional<double> simulation;                ///< deviation of the simulated milled surface; not said: --tolerance
+    std::optional<double> simulation;  ///< deviation of the simulated milled surface; not said: --tolerance
 };
 
 /// What a check is asked for. Within a smaller one less has to be known, and the verdict says which it was.
@@ -96,33 +96,33 @@ enum class ToolLengths : std::uint8_t {
 };
 
 struct Job {
-    std::string program;                             ///< path as written, relative to the job file; empty: not said
-    std::string start;                               ///< program of that file with which the run begins; empty: its first
+    std::string program;  ///< path as written, relative to the job file; empty: not said
+    std::string start;    ///< program of that file with which the run begins; empty: its first
     base::Span start_where;
-    std::string control;                             ///< empty: found from the content
-    std::string machine_name;                        ///< shipped name or path; empty: generic for what the program is
-    bool machine_is_file = false;                    ///< machine_name is a path: the driver reads it, then `use_machine`
+    std::string control;           ///< empty: found from the content
+    std::string machine_name;      ///< shipped name or path; empty: generic for what the program is
+    bool machine_is_file = false;  ///< machine_name is a path: the driver reads it, then `use_machine`
     base::Span machine_where;
-    Machine machine;                                 ///< with `defaults` and `datums` of the job already in it
+    Machine machine;  ///< with `defaults` and `datums` of the job already in it
     DefaultsOverride defaults;
-    std::map<std::uint32_t, geom::Vec3> datums;      ///< of the job itself; mm, x as a radius
+    std::map<std::uint32_t, geom::Vec3> datums;  ///< of the job itself; mm, x as a radius
     std::vector<Tool> tools;
-    std::vector<NamedFile> tool_files;               ///< docs/job-file.md names the kinds
+    std::vector<NamedFile> tool_files;  ///< docs/job-file.md names the kinds
     std::optional<Profile> stock;
     std::optional<Profile> part;
     std::optional<ProfileFromProgram> part_program;
-    std::optional<Stock> solid_stock;                ///< of milling; never beside `stock`
-    std::optional<Part> solid_part;                  ///< of milling; never beside `part` or `part_program`
+    std::optional<Stock> solid_stock;  ///< of milling; never beside `stock`
+    std::optional<Part> solid_part;    ///< of milling; never beside `part` or `part_program`
     std::vector<Clamp> clamps;
     std::optional<Allowance> allowance;
     std::vector<Override> overrides;
-    std::vector<std::string> search;                 ///< folders for subprograms, paths as written
-    std::vector<NamedFile> datum_tables;             ///< .D; the first is in use until one is selected
-    std::vector<NamedFile> preset_tables;            ///< .PR; [datum] stands above them
-    std::string prints;                              ///< folder for what programs print; empty: nowhere
-    std::vector<int> skip_levels;                    ///< block skip levels that are on
-    GivenValues variables;                           ///< what no program at hand sets: GUD, #500, $A_IN[1] …
-    std::vector<NamedFile> variables_files;          ///< backups of the control's variables
+    std::vector<std::string> search;         ///< folders for subprograms, paths as written
+    std::vector<NamedFile> datum_tables;     ///< .D; the first is in use until one is selected
+    std::vector<NamedFile> preset_tables;    ///< .PR; [datum] stands above them
+    std::string prints;                      ///< folder for what programs print; empty: nowhere
+    std::vector<int> skip_levels;            ///< block skip levels that are on
+    GivenValues variables;                   ///< what no program at hand sets: GUD, #500, $A_IN[1] …
+    std::vector<NamedFile> variables_files;  ///< backups of the control's variables
     Tolerances tolerances;
     Scope scope = Scope::all;
     Budgets budgets;

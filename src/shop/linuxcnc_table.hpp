@@ -76,7 +76,8 @@ struct LinuxcncTable {
 /// With Q 1 to 9 a tool is a turning insert of nose radius D/2: its orientation is counted as shop/tool.hpp does, tip
 /// and entering angle follow from I and J where they make an insert, else they are assumed (`Tool::assumed`). Other
 /// tools have the radius D/2, the length Z and the kind that the comment plainly names ("1/4 end mill", "ball nose",
-/// "spot drill"), else `other`; a drill's point angle is assumed. The name is the comment. A Q outside 0 to 9 is reported and taken as 0.
+/// "spot drill"), else `other`; a drill's point angle is assumed. The name is the comment. A Q outside 0 to 9 is
+/// reported and taken as 0.
 [[nodiscard]] std::vector<Tool> tools_of(const LinuxcncTable& table, double mm_per_unit,
                                          base::Diagnostics& diagnostics);
 

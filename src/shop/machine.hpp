@@ -19,23 +19,23 @@ inline constexpr std::uint32_t first_preset = 1000;
 enum class MachineKind : std::uint8_t { lathe, mill };
 
 struct MachineAxis {
-    std::string name;               ///< as programmed: "X", "Z", "C2"
-    bool rotary = false;            ///< values below in degrees instead of mm
-    std::optional<double> min, max; ///< travel in machine coordinates; a lathe's X as a radius
-    double rapid = 10'000;          ///< mm/min or degrees/min
-    std::optional<double> home;     ///< machine coordinate of the reference point (G74) and of the start, if known
+    std::string name;                ///< as programmed: "X", "Z", "C2"
+    bool rotary = false;             ///< values below in degrees instead of mm
+    std::optional<double> min, max;  ///< travel in machine coordinates; a lathe's X as a radius
+    double rapid = 10'000;           ///< mm/min or degrees/min
+    std::optional<double> home;      ///< machine coordinate of the reference point (G74) and of the start, if known
     /// Unit vector. Where its value grows, what stands behind the axis towards the tool moves that way, or turns
     /// counter-clockwise about it, as seen from the workpiece side: so too where really the table moves the other way.
     geom::Vec3 direction;
-    geom::Vec3 centre;              ///< of a rotary axis: a point of its line, machine coordinates with all axes at 0
+    geom::Vec3 centre;  ///< of a rotary axis: a point of its line, machine coordinates with all axes at 0
 };
 
 /// How axes that start a rapid move together end it: all at once, or each at its own rapid, so that the path bends.
 enum class RapidPath : std::uint8_t { straight, dog_leg };
 
 struct MachineSpindle {
-    double min = 0, max = 5000;     ///< 1/min
-    std::optional<double> power;    ///< kW
+    double min = 0, max = 5000;   ///< 1/min
+    std::optional<double> power;  ///< kW
 };
 
 /// State of the control at the start of a program.
@@ -43,27 +43,28 @@ struct ControlDefaults {
     bool diameter_programming = false;  ///< X words are diameters (DIAMON)
     bool inch = false;
     bool feed_per_rev = false;
-    int plane = 17;                     ///< 17, 18, 19
-    double circle_tolerance = 0.01;     ///< mm the two radii of an arc may differ (MD CIRCLE_ERROR_CONST)
+    int plane = 17;                  ///< 17, 18, 19
+    double circle_tolerance = 0.01;  ///< mm the two radii of an arc may differ (MD CIRCLE_ERROR_CONST)
 };
 
 /// What a control leaves to the builder of its machine; nothing: the file does not say it.
 struct ControlSettings {
-    std::optional<char> g_code_system;       ///< of FANUC lathes: 'A', 'B', 'C'
-    std::optional<bool> whole_numbers_count; ///< lengths without a point count increments; false: mm, inches, degrees
+    std::optional<char> g_code_system;        ///< of FANUC lathes: 'A', 'B', 'C'
+    std::optional<bool> whole_numbers_count;  ///< lengths without a point count increments; false: mm, inches, degrees
 };
 
 struct Machine {
     std::string name = "generic";
     MachineKind kind = MachineKind::mill;
     std::vector<MachineAxis> axes;
-    /// Axes that move workpiece and tool against each other, as indices, from the workpiece to the tool: shop/kinematics.hpp.
+    /// Axes that move workpiece and tool against each other, as indices, from the workpiece to the tool:
+    /// shop/kinematics.hpp.
     std::vector<std::size_t> chain;
     RapidPath rapid_path = RapidPath::straight;
-    bool more_axes = false;             ///< axes it does not list are taken for granted (the machine was not named)
+    bool more_axes = false;  ///< axes it does not list are taken for granted (the machine was not named)
     MachineSpindle spindle;
-    double max_feed = 0, min_feed = 0;  ///< mm/min; 0 = not limited
-    double tool_change_time = 0;        ///< s
+    double max_feed = 0, min_feed = 0;                   ///< mm/min; 0 = not limited
+    double tool_change_time = 0;                         ///< s
     std::optional<bool> tool_change_stops_spindle;       ///< not said: as the control does it, else mills do
     std::map<std::string, double> tool_change_position;  ///< machine coordinate by name of an axis; others stay
     ControlDefaults defaults;
@@ -73,7 +74,7 @@ struct Machine {
     /// NaN in axes that a preset leaves as they are.
     std::map<std::uint32_t, geom::Vec3> datums;
     std::map<std::uint32_t, double> datum_rotations;  ///< about Z, radians; of datums that are turned
-    std::map<std::string, double> machine_data;  ///< by upper-case name with its $: "$MC_…", "$MN_…"
+    std::map<std::string, double> machine_data;       ///< by upper-case name with its $: "$MC_…", "$MN_…"
 };
 
 /// Reads a machine text. Always gives a machine: what was wrong is in `diagnostics` and keeps its default.

@@ -35,7 +35,7 @@ public:
     std::optional<std::string> text(std::string_view key);
     /// Position of the text value in `words`.
     std::optional<std::size_t> choice(std::string_view key, std::initializer_list<std::string_view> words);
-    std::vector<std::string> texts(std::string_view key);   ///< one text or an array of texts
+    std::vector<std::string> texts(std::string_view key);         ///< one text or an array of texts
     std::vector<const Value*> text_values(std::string_view key);  ///< the same with their places
     const Entry* sub_table(std::string_view key);
     /// The tables of `[[key]]`; a single `[key]` counts as one.

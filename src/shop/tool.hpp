@@ -32,7 +32,10 @@ enum class ToolKind : std::uint8_t {
     form,          ///< profile
 };
 [[nodiscard]] constexpr bool is_milling(ToolKind kind) { return kind > ToolKind::other; }
-enum class ReferenceCorner : std::uint8_t { left, right };  ///< smaller or larger z (face: nearer to or farther from the axis)
+enum class ReferenceCorner : std::uint8_t {
+    left,
+    right
+};  ///< smaller or larger z (face: nearer to or farther from the axis)
 /// Where a grooving blade goes on from its cutting edge; orientation 9 of a turning insert knows out and in.
 enum class BladeDirection : std::uint8_t {
     out,   ///< towards +x: cuts from outside
@@ -48,7 +51,7 @@ struct TableTool {
     std::array<double, 9> offset{};  ///< X Y Z A B C U V W
     double diameter = 0;             ///< D, as written: of a mill, or of a lathe tool's nose
     double front_angle = 0, back_angle = 0;  ///< I, J: from +Z towards +X
-    int orientation = 0;             ///< Q, 0-9 in the table's count, which is not that of Tool::orientation
+    int orientation = 0;                     ///< Q, 0-9 in the table's count, which is not that of Tool::orientation
 };
 
 /// One of the stacked bodies of a shank or holder, mm: a cylinder where the diameters agree, else a cone.
@@ -59,53 +62,54 @@ struct ToolBody {
 struct Tool {
     std::uint32_t number = 0;
     std::string name;
-    std::uint32_t edge = 1;             ///< D
+    std::uint32_t edge = 1;  ///< D
     ToolKind kind = ToolKind::other;
     // grooving insert, mm
-    double width = 0;                   ///< also of a T-slot cutter's disc
-    double corner_radius = 0;           ///< both corners, unless the next two say otherwise; mills: R2, a ball where = radius
+    double width = 0;          ///< also of a T-slot cutter's disc
+    double corner_radius = 0;  ///< both corners, unless the next two say otherwise; mills: R2, a ball where = radius
     double corner_radius_left = 0, corner_radius_right = 0;
     ReferenceCorner reference = ReferenceCorner::left;
     BladeDirection direction = BladeDirection::out;
-    double cutting_depth = 0;           ///< length of the blade, 0 = not limited
+    double cutting_depth = 0;  ///< length of the blade, 0 = not limited
     // turning insert
-    double nose_radius = 0;             ///< mm
-    int orientation = 3;                ///< 1-9, position of the imaginary tip P as seen by the nose centre
-    double tip_angle = 80;              ///< degrees
-    double entering_angle = 95;         ///< degrees, main cutting edge to the feed direction
-    double edge_length = 12;            ///< mm
+    double nose_radius = 0;      ///< mm
+    int orientation = 3;         ///< 1-9, position of the imaginary tip P as seen by the nose centre
+    double tip_angle = 80;       ///< degrees
+    double entering_angle = 95;  ///< degrees, main cutting edge to the feed direction
+    double edge_length = 12;     ///< mm
     // any
-    double radius = 0;                  ///< mm, milling tools
-    bool has_no_radius = false;         ///< radius 0 is what its source says; else 0 is not known
-    double length = 0;                  ///< mm, length 1: of a mill from the gauge plane (spindle nose) to its tip
+    double radius = 0;           ///< mm, milling tools
+    bool has_no_radius = false;  ///< radius 0 is what its source says; else 0 is not known
+    double length = 0;           ///< mm, length 1: of a mill from the gauge plane (spindle nose) to its tip
     // milling tools, mm; with cutting_length, point_angle, pitch and teeth below
     double tip_diameter = 0, neck_diameter = 0;
     /// Form tools: half section, x the radius, y the height above the tip, which starts at 0 and never decreases.
     std::vector<geom::Vertex> profile;
-    std::vector<ToolBody> shank;        ///< from the end of the cutting edges upwards
-    std::vector<ToolBody> holder;       ///< from the end of the shank upwards
-    std::optional<bool> plunges;        ///< cuts at its centre too; not said: `may_plunge`
-    bool left_hand = false;             ///< cuts while the spindle turns counter-clockwise (M4)
+    std::vector<ToolBody> shank;   ///< from the end of the cutting edges upwards
+    std::vector<ToolBody> holder;  ///< from the end of the shank upwards
+    std::optional<bool> plunges;   ///< cuts at its centre too; not said: `may_plunge`
+    bool left_hand = false;        ///< cuts while the spindle turns counter-clockwise (M4)
     // milling and drilling tools as HEIDENHAIN tool tables have them; a delta is added to its dimension
     double delta_length = 0, delta_radius = 0, delta_corner_radius = 0;  ///< mm: DL, DR, DR2
-    std::uint32_t index = 0;            ///< 5.1 has index 1; its edge is index + 1, so number and edge name it alone
-    std::string type;                   ///< TYP as written: "MILL", "DRILL", "9"; empty: not said
-    std::optional<double> cutting_length, pitch;               ///< mm: LCUTS, PITCH; from the tip, the point included
-    std::optional<double> plunge_angle, point_angle;           ///< degrees: ANGLE (ramp, at most), T-ANGLE
-    std::optional<double> max_speed;    ///< 1/min: NMAX
-    int teeth = 0;                      ///< CUT., 0 = not said
-    bool locked = false;                ///< TL
-    std::optional<std::uint32_t> replacement;                  ///< RT, number of the tool that takes its place
-    std::string cutter_material, cutting_data;                 ///< TMAT; CDT, the name of its cutting data table
-    std::optional<TableTool> table;                      ///< of tools from a LinuxCNC table
-    std::map<int, double> parameters;   ///< $TC_DPn as read, n = 1 … 25, from TOA files
-    std::string assumed;                ///< what its file does not say and was assumed; empty: nothing
-    base::Span where;                   ///< where it is defined
+    std::uint32_t index = 0;  ///< 5.1 has index 1; its edge is index + 1, so number and edge name it alone
+    std::string type;         ///< TYP as written: "MILL", "DRILL", "9"; empty: not said
+    std::optional<double> cutting_length, pitch;      ///< mm: LCUTS, PITCH; from the tip, the point included
+    std::optional<double> plunge_angle, point_angle;  ///< degrees: ANGLE (ramp, at most), T-ANGLE
+    std::optional<double> max_speed;                  ///< 1/min: NMAX
+    int teeth = 0;                                    ///< CUT., 0 = not said
+    bool locked = false;                              ///< TL
+    std::optional<std::uint32_t> replacement;         ///< RT, number of the tool that takes its place
+    std::string cutter_material, cutting_data;        ///< TMAT; CDT, the name of its cutting data table
+    std::optional<TableTool> table;                   ///< of tools from a LinuxCNC table
+    std::map<int, double> parameters;                 ///< $TC_DPn as read, n = 1 … 25, from TOA files
+    std::string assumed;                              ///< what its file does not say and was assumed; empty: nothing
+    base::Span where;                                 ///< where it is defined
 };
 
 /// Outline of the cutting part in the (z, x) plane relative to the programmed point, mm: counter-clockwise, closed.
 /// x points away from the turning axis. An empty contour where the kind has none or the dimensions make no shape.
-/// A blade without cutting depth is 1000 mm long. With corner radii the programmed point is the sharp corner without them.
+/// A blade without cutting depth is 1000 mm long. With corner radii the programmed point is the sharp corner without
+/// them.
 [[nodiscard]] geom::Contour outline(const Tool& tool);
 
 /// Kind by which a tool's removal is computed: its own; of `other` with a radius end mill, bull nose or ball by its

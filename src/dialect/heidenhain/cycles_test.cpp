@@ -60,7 +60,7 @@ TEST(cycles, OneNumberOneMeaning) {
     std::map<int, std::pair<Role, CycleUnit>> meaning;
     for (const Cycle& c : all_cycles())
         for (const CycleParameter& p : c.parameters) {
-            if (p.q < 0 || p.q == 356) continue;         // countersinking depth of 263, hole depth of 264
+            if (p.q < 0 || p.q == 356) continue;          // countersinking depth of 263, hole depth of 264
             if (p.q == 256 && c.number == 209) continue;  // a factor of the pitch there, elsewhere a distance
             const auto [known, is_new] = meaning.try_emplace(p.q, p.role, p.unit);
             EXPECT_TRUE(is_new || known->second == std::pair(p.role, p.unit)) << c.number << " Q" << p.q;

@@ -100,7 +100,8 @@ TEST(HeidenhainWords, MFunctions) {
     EXPECT_FALSE(find_m(120)->block_only);
     EXPECT_EQ(find_m(120)->parameters, "LA");
     for (const int n : {92, 114, 118, 128, 130, 101, 124, 144, 200}) EXPECT_EQ(find_m(n)->use, Use::refused) << n;
-    for (const int n : {0, 1, 2, 30, 3, 4, 5, 6, 7, 8, 9, 13, 14, 19, 89, 91, 97, 98, 99, 103, 109, 110, 111, 120, 136, 140})
+    for (const int n :
+         {0, 1, 2, 30, 3, 4, 5, 6, 7, 8, 9, 13, 14, 19, 89, 91, 97, 98, 99, 103, 109, 110, 111, 120, 136, 140})
         EXPECT_EQ(find_m(n)->use, Use::run) << n;
     for (const int n : {90, 94, 126, 127}) EXPECT_EQ(find_m(n)->use, Use::accepted) << n;
     for (const int n : {-1, 31, 88, 146, 205}) EXPECT_EQ(find_m(n), nullptr) << n;

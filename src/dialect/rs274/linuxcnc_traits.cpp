@@ -94,7 +94,8 @@ constexpr std::array turning{
 
 }  // namespace
 
-/// Manual "Parameters", numbered parameters: those that the machine keeps in its parameter file. #31 to #5000 begin at 0.
+/// Manual "Parameters", numbered parameters: those that the machine keeps in its parameter file. #31 to #5000 begin at
+/// 0.
 constexpr std::array kept{
     program::KeptParameters{5161, 5169},  // G28
     program::KeptParameters{5181, 5189},  // G30

@@ -18,9 +18,9 @@ enum class Order : std::uint8_t {
     comment,
     feed_mode,
     surface_speed,  ///< G96 D, G97: S behind it is meant in it
-    technology,  ///< F S T
-    m_output,    ///< M62 … M68
-    m_tool,      ///< M6, M61
+    technology,     ///< F S T
+    m_output,       ///< M62 … M68
+    m_tool,         ///< M6, M61
     m_spindle,
     m_coolant,
     m_override,

@@ -71,8 +71,8 @@ static_assert(std::is_sorted(g_codes.begin(), g_codes.end(),
 
 std::optional<GCode> find_g(int number) {
     if (number >= 505 && number <= 599) return run(static_cast<std::uint16_t>(number), Modal::datum);
-    const auto found = std::lower_bound(g_codes.begin(), g_codes.end(), number,
-                                        [](const GCode& g, int n) { return int{g.code} < n; });
+    const auto found =
+        std::lower_bound(g_codes.begin(), g_codes.end(), number, [](const GCode& g, int n) { return int{g.code} < n; });
     if (found == g_codes.end() || int{found->code} != number) return std::nullopt;
     return *found;
 }

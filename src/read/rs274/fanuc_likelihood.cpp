@@ -69,16 +69,16 @@ struct Sign {
 };
 
 constexpr std::array own{
-    Sign{"@O~~~~", 12}, Sign{"@:~~~~", 12},  Sign{"@%\n", 4},   Sign{"M98P", 5},  Sign{"G65P", 10},
-    Sign{"IF[#", 6},    Sign{"]GOTO", 6},    Sign{"]THEN#", 6}, Sign{"]DO~", 6},  Sign{"#3000=", 10},
-    Sign{"G54.1P", 8},  Sign{"G28U0", 8},  Sign{"G28W0", 8}, Sign{"G50S", 8},
-    Sign{"@T0~0~", 14},  Sign{"G43.4", 4},    Sign{"G43Z", 3},   Sign{"H0~", 2},   Sign{"DPRNT[", 10},
-    Sign{"G10L2P", 2},  Sign{"M06", 2},      Sign{"G40", 2},    Sign{"G80", 2},   Sign{"G53X0Z0", 6},
-    Sign{"@G28", 2},    Sign{"G66P", 8},     Sign{"#0]", 8},    Sign{"G53.5", 6}, Sign{"M13\n", 2},
-    Sign{"G97S", 3},    Sign{"G96S", 3},    Sign{"@G71P", 20}, Sign{"@G70P", 20}, Sign{"@G72P", 20},
-    Sign{"@G73P", 20},  Sign{"@G71U", 12},  Sign{"@G72W", 12}, Sign{"@G73U", 12}, Sign{"@G76P0", 12},
-    Sign{"G91G28", 20}, Sign{"G28G91", 8},  Sign{"@T~~~~\n", 6}, Sign{"G12.1", 8}, Sign{"G112", 6},
-    Sign{"G5.1Q", 8},   Sign{"G05.1Q", 8},  Sign{"G92S", 4},   Sign{"G68.2", 8},
+    Sign{"@O~~~~", 12}, Sign{"@:~~~~", 12},  Sign{"@%\n", 4},   Sign{"M98P", 5},    Sign{"G65P", 10},
+    Sign{"IF[#", 6},    Sign{"]GOTO", 6},    Sign{"]THEN#", 6}, Sign{"]DO~", 6},    Sign{"#3000=", 10},
+    Sign{"G54.1P", 8},  Sign{"G28U0", 8},    Sign{"G28W0", 8},  Sign{"G50S", 8},    Sign{"@T0~0~", 14},
+    Sign{"G43.4", 4},   Sign{"G43Z", 3},     Sign{"H0~", 2},    Sign{"DPRNT[", 10}, Sign{"G10L2P", 2},
+    Sign{"M06", 2},     Sign{"G40", 2},      Sign{"G80", 2},    Sign{"G53X0Z0", 6}, Sign{"@G28", 2},
+    Sign{"G66P", 8},    Sign{"#0]", 8},      Sign{"G53.5", 6},  Sign{"M13\n", 2},   Sign{"G97S", 3},
+    Sign{"G96S", 3},    Sign{"@G71P", 20},   Sign{"@G70P", 20}, Sign{"@G72P", 20},  Sign{"@G73P", 20},
+    Sign{"@G71U", 12},  Sign{"@G72W", 12},   Sign{"@G73U", 12}, Sign{"@G76P0", 12}, Sign{"G91G28", 20},
+    Sign{"G28G91", 8},  Sign{"@T~~~~\n", 6}, Sign{"G12.1", 8},  Sign{"G112", 6},    Sign{"G5.1Q", 8},
+    Sign{"G05.1Q", 8},  Sign{"G92S", 4},     Sign{"G68.2", 8},
 };
 constexpr std::array foreign{
     Sign{"#<", 20},      Sign{"O<", 20},       Sign{"SUB\n", 12},    Sign{"ENDSUB", 20},  Sign{"ENDWHILE", 20},

@@ -29,7 +29,7 @@ std::string code_of(std::string_view text) {
 /// Lines that begin with one of `letters` and a digit, sign, point, `[` or `#`; and all that are not empty.
 struct Lines {
     int words = 0, all = 0, o_words = 0, o_numbers = 0;  ///< o_numbers: O1000 alone begins a program
-    bool turret = false;                                   ///< T0101: station and offset
+    bool turret = false;                                 ///< T0101: station and offset
 };
 
 bool begins_value(char c) { return base::is_digit(c) || c == '-' || c == '+' || c == '.' || c == '[' || c == '#'; }
@@ -77,9 +77,9 @@ Lines count_lines(std::string_view code) {
 /// What other controls write and LinuxCNC does not.
 int foreign(std::string_view code) {
     constexpr std::array<std::string_view, 28> words{
-        "BEGINPGM", "ENDPGM",  "TOOLCALL", "CYCLDEF", "FMAX",   "LBL", "GOTO", "G65P", "G54.1",  "$P_",    "$AA_",
-        "$TC_",     "DEFREAL", "MSG(\"",   "ENDFOR",  "DIAMON", "CR=", "X=",   "Z=",   "POPEN[", "CYCLE8", "%_N_",
-        "G71P", "G72P", "G73P", "G71U", "G72W", "G73U"};
+        "BEGINPGM", "ENDPGM", "TOOLCALL", "CYCLDEF", "FMAX",   "LBL",    "GOTO", "G65P", "G54.1", "$P_",
+        "$AA_",     "$TC_",   "DEFREAL",  "MSG(\"",  "ENDFOR", "DIAMON", "CR=",  "X=",   "Z=",    "POPEN[",
+        "CYCLE8",   "%_N_",   "G71P",     "G72P",    "G73P",   "G71U",   "G72W", "G73U"};
     return static_cast<int>(
         std::count_if(words.begin(), words.end(), [&](std::string_view w) { return code.find(w) != code.npos; }));
 }
@@ -94,8 +94,10 @@ int linuxcnc_likelihood(std::string_view text, std::string_view file_name, std::
         if (signs != nullptr) signs->emplace_back(s);
     };
     int score = 5;
-    if (name.ends_with(".NGC")) score += 60;
-    else if (lines.o_numbers > 0) score -= 15;
+    if (name.ends_with(".NGC"))
+        score += 60;
+    else if (lines.o_numbers > 0)
+        score -= 15;
     if (lines.turret) score -= 30;
     for (const std::string_view suffix : {".NC", ".TAP", ".GCODE", ".CNC"})
         if (name.ends_with(suffix)) score += 25;
@@ -114,7 +116,8 @@ int linuxcnc_likelihood(std::string_view text, std::string_view file_name, std::
             score += 10;
             sign(active);
         }
-    for (const std::string_view own : {"G64P", "G38.", "G33.1", "G5.2", "G5.3", "G92.1", "G92.2", "G61.1", "G41.1", "G42.1", "G43.1Z", "M66P", "M62P", "M64P"})
+    for (const std::string_view own : {"G64P", "G38.", "G33.1", "G5.2", "G5.3", "G92.1", "G92.2", "G61.1", "G41.1",
+                                       "G42.1", "G43.1Z", "M66P", "M62P", "M64P"})
         if (code.find(own) != std::string::npos) sign(own);
     const int unknown = std::min(3, count_unknown_codes(code, dialect::rs274::linuxcnc, true));
     return std::clamp(score - 20 * foreign(code) - 15 * unknown, 0, 100);

@@ -147,10 +147,10 @@ struct State {
     std::vector<BlockWord> words{};  ///< of the block at hand
     Facts facts{};
     Comment comment{};
-    std::uint8_t skip = 0;  ///< block skip level + 1
-    bool failed = false;      ///< a complaint was made about the line
+    std::uint8_t skip = 0;     ///< block skip level + 1
+    bool failed = false;       ///< a complaint was made about the line
     bool broke_while = false;  ///< a break out of a while has been read
-    int operators = 0;      ///< of the expression at hand
+    int operators = 0;         ///< of the expression at hand
     /// What a numbered parameter that the control owns says; no_expr: it is an ordinary one. Null: all are.
     ExprId (*system)(State&, std::uint32_t number, std::uint32_t begin) = nullptr;
     bool percent = false;  ///< the text begins with `%`
@@ -201,7 +201,7 @@ void read_words(State& s);                   ///< block.cpp: all words of a bloc
 void read_word(State& s);                    ///< block.cpp: one of them
 void read_comment(State& s);                 ///< block.cpp: `( … )` or `; …` that stands here
 void read_g(State& s, std::uint32_t begin);  ///< g_word.cpp: the number behind G
-void take_cancel(State& s);                   ///< g_word.cpp: G80 of the block, behind its other words
+void take_cancel(State& s);                  ///< g_word.cpp: G80 of the block, behind its other words
 void read_m(State& s, std::uint32_t begin);  ///< g_word.cpp: the number behind M
 /// Value of an expression without parameters.
 [[nodiscard]] std::optional<double> constant(const program::Unit& unit, ExprId e);

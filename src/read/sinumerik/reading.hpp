@@ -5,8 +5,8 @@
 #include <vector>
 
 #include "base/diagnostic.hpp"
-#include "read/sinumerik/read.hpp"
 #include "program/tree_text_testing.hpp"
+#include "read/sinumerik/read.hpp"
 
 namespace obrys::read::sinumerik::testing {
 
@@ -16,7 +16,9 @@ struct Reading {
         units = read(file, sources, names, diagnostics);
     }
     [[nodiscard]] const program::Unit& unit() const { return units.front(); }
-    [[nodiscard]] std::string tree(std::size_t i = 0) const { return program::testing::TreeText(units[i], names).all(); }
+    [[nodiscard]] std::string tree(std::size_t i = 0) const {
+        return program::testing::TreeText(units[i], names).all();
+    }
     /// All complaints as they are printed.
     [[nodiscard]] std::string messages() const {
         std::string out;

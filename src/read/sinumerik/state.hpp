@@ -27,7 +27,7 @@ struct Expanded {
 
 /// One line while it is read; `end` lies behind its last byte (line end and ^Z left out).
 class Cursor {
-  public:
+public:
     Cursor() = default;
     Cursor(const char* source, std::uint32_t first, std::uint32_t last)
         : base_(source), p(source + first), end(source + last) {}
@@ -67,11 +67,11 @@ class Cursor {
     /// True where `=` stands here (behind blanks) and is no `==`.
     [[nodiscard]] bool at_assignment() const { return Cursor(*this).take_assignment(); }
 
-  private:
+private:
     const char* base_ = nullptr;
     const Expanded* map_ = nullptr;
 
-  public:
+public:
     const char* p = nullptr;
     const char* end = nullptr;
 };
@@ -99,7 +99,7 @@ struct State {
     bool block_open = false;  ///< words go to the last statement
     std::uint8_t skip = 0;    ///< block skip level + 1
     bool declares = false;    ///< this line is PROC, EXTERN or DEFINE: no block of its own
-    int operators = 0;  ///< of the expression at hand
+    int operators = 0;        ///< of the expression at hand
     int items = 0;            ///< words and statements read from this line so far
     base::Span failure{};
     std::string failure_text{};

@@ -34,8 +34,8 @@ constexpr void set_component(geom::Vec3& v, int axis, double value) {
 }
 
 /// The lattice over a box with steps of at most `step`, about size / ceil(size / step) per axis, whose nodes lie 0.5 nm
-/// beside every coordinate of six decimals in mm or five in inches: plane faces so given lie on no ray. Nothing where the box is not
-/// finite or not positive, the step not positive, or an axis would have over 2^20 nodes.
+/// beside every coordinate of six decimals in mm or five in inches: plane faces so given lie on no ray. Nothing where
+/// the box is not finite or not positive, the step not positive, or an axis would have over 2^20 nodes.
 [[nodiscard]] std::optional<Lattice> make_lattice(const Box3& box, double step);
 
 /// How wide a lattice may be for vertices and triangle centres of a dual-contoured surface to lie within `tolerance` of

@@ -120,8 +120,10 @@ private:
             const double p = lo + 0.381966 * (hi - lo), q = hi - 0.381966 * (hi - lo);
             const double dp = at(p), dq = at(q);
             best = std::max({best, dp, dq});
-            if (dp < dq) lo = p;
-            else hi = q;
+            if (dp < dq)
+                lo = p;
+            else
+                hi = q;
         }
         return best;
     }

@@ -145,8 +145,8 @@ private:
             for (std::size_t j = i + 1; j < c.walls.size(); ++j) {
                 double far = 0;
                 for (const Vec2 p : c.part)
-                    far = std::max(far, 0.5 * (geom::distance(walls_[c.walls[i]], p) +
-                                               geom::distance(walls_[c.walls[j]], p)));
+                    far = std::max(
+                        far, 0.5 * (geom::distance(walls_[c.walls[i]], p) + geom::distance(walls_[c.walls[j]], p)));
                 bound = std::min(bound, far);
             }
         return bound;

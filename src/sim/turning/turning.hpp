@@ -10,8 +10,8 @@
 
 namespace obrys::sim::turning {
 
-/// One move of the programmed point: straight, or an arc about `centre` with `sweep` radians (counter-clockwise positive
-/// in the (z, x) plane as drawn, z to the right, x up).
+/// One move of the programmed point: straight, or an arc about `centre` with `sweep` radians (counter-clockwise
+/// positive in the (z, x) plane as drawn, z to the right, x up).
 struct Move {
     geom::Vec2 from, to;
     geom::Vec2 centre;
@@ -50,16 +50,19 @@ private:
 
 /// How far a piece of material lies inside (or outside) a contour.
 struct Depth {
-    double area = 0;        ///< mm2
-    double volume = 0;      ///< mm3
-    double normal = 0;      ///< mm, largest distance of a point of the piece from the contour
-    double along_x = 0;     ///< mm, largest distance from the contour along x (the shorter way out); the axis is no contour
-    geom::Vec2 deepest;     ///< the point with the largest normal depth
+    double area = 0;    ///< mm2
+    double volume = 0;  ///< mm3
+    double normal = 0;  ///< mm, largest distance of a point of the piece from the contour
+    double along_x =
+        0;  ///< mm, largest distance from the contour along x (the shorter way out); the axis is no contour
+    geom::Vec2 deepest;  ///< the point with the largest normal depth
     geom::Region region;
 };
 
-/// The part of `removed` that lies inside `kept` and how deep; nothing where they do not overlap by more than `tolerance`.
-[[nodiscard]] std::optional<Depth> depth_inside(const geom::Region& removed, const geom::Region& kept, double tolerance);
+/// The part of `removed` that lies inside `kept` and how deep; nothing where they do not overlap by more than
+/// `tolerance`.
+[[nodiscard]] std::optional<Depth> depth_inside(const geom::Region& removed, const geom::Region& kept,
+                                                double tolerance);
 /// A clean region (geom/contour.hpp) that many cuts are held against. Finding the overlap costs what lies near the cut;
 /// measuring the depth of an overlap that was found looks at the box of every edge. Not for several threads at once.
 class Kept {
@@ -78,7 +81,8 @@ private:
     std::unique_ptr<State> state_;
 };
 
-/// Connected pieces of `left` outside `wanted`, each with its depth above it; pieces thinner than `tolerance` are dropped.
+/// Connected pieces of `left` outside `wanted`, each with its depth above it; pieces thinner than `tolerance` are
+/// dropped.
 [[nodiscard]] std::vector<Depth> pieces_outside(const geom::Region& left, const geom::Region& wanted, double tolerance);
 
 }  // namespace obrys::sim::turning

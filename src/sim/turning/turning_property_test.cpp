@@ -15,10 +15,10 @@ using geom::Vec2;
 
 rc::Gen<Contour> tool() {
     return rc::gen::element(
-        Contour{{{{0, 0}}, {{1, 0}}, {{1, 3}}, {{0, 3}}}, true},                          // blade
-        Contour{{{{-1, 0}, 1}, {{1, 0}, 1}}, true},                                       // round
-        Contour{{{{0, 0}}, {{2, 1}}, {{1, 3}}}, true},                                    // pointed
-        Contour{{{{0, 0}}, {{3, 0}}, {{3, 3}}, {{2, 3}}, {{2, 1}}, {{0, 1}}}, true},      // hooked
+        Contour{{{{0, 0}}, {{1, 0}}, {{1, 3}}, {{0, 3}}}, true},                      // blade
+        Contour{{{{-1, 0}, 1}, {{1, 0}, 1}}, true},                                   // round
+        Contour{{{{0, 0}}, {{2, 1}}, {{1, 3}}}, true},                                // pointed
+        Contour{{{{0, 0}}, {{3, 0}}, {{3, 3}}, {{2, 3}}, {{2, 1}}, {{0, 1}}}, true},  // hooked
         Contour{{{{0, 0}}, {{2, 0}, 0.41421356237309503}, {{3, 1}}, {{3, 2}, -1}, {{1, 2}}, {{0, 2}}}, true});
 }
 double lattice() { return static_cast<double>(*rc::gen::inRange(0, 12)); }
@@ -113,7 +113,8 @@ RC_GTEST_PROP(DepthProperty, NoPointOfTheOverlapIsDeeper, ()) {
         if (!geom::contains(kept, p) || !geom::contains(removed, p)) continue;
         double away = 1e9;
         for (const geom::Edge& e : geom::edges(kept))
-            if (std::abs(e.a.y) > 1e-9 || std::abs(e.b.y) > 1e-9 || e.bulge != 0) away = std::min(away, geom::distance(e, p));
+            if (std::abs(e.a.y) > 1e-9 || std::abs(e.b.y) > 1e-9 || e.bulge != 0)
+                away = std::min(away, geom::distance(e, p));
         deepest = std::max(deepest, away);
     }
     if (deepest < 1e-3 || deepest > 1e8) return;

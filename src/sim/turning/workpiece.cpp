@@ -33,8 +33,8 @@ Region swept(const geom::Contour& outline, const Move& m) {
 /// The new boundary inside the neighbourhood of a cut, ready to take the place of the old.
 struct Patch {
     std::vector<Edge> edges;
-    std::vector<std::int32_t> next;      ///< index of the edge that follows; -1: leaves the neighbourhood
-    std::vector<Slot> from, to;          ///< slot outside that comes before and after, where the chain begins and ends
+    std::vector<std::int32_t> next;  ///< index of the edge that follows; -1: leaves the neighbourhood
+    std::vector<Slot> from, to;      ///< slot outside that comes before and after, where the chain begins and ends
     bool sound = true;
 };
 
@@ -58,8 +58,10 @@ public:
         for (std::size_t i = 0; i < halves.size(); ++i) {
             if (graph_.is_open(graph_.to(halves[i]))) continue;
             const Arrangement::Half g = graph_.following(halves[i], stays);
-            if (g == Arrangement::none || index_[g] < 0) p.sound = false;
-            else p.next[i] = index_[g];
+            if (g == Arrangement::none || index_[g] < 0)
+                p.sound = false;
+            else
+                p.next[i] = index_[g];
         }
         link_open_ends(p, halves);
         std::vector<int> before(halves.size(), 0);
@@ -93,18 +95,24 @@ private:
             const Slot after = stock_[s].next, before = stock_[s].previous;
             if (!is_near(before)) {
                 const std::int32_t i = end_piece(halves, s, true);
-                if (i < 0) p.sound = false;
-                else p.from[static_cast<std::size_t>(i)] = before;
+                if (i < 0)
+                    p.sound = false;
+                else
+                    p.from[static_cast<std::size_t>(i)] = before;
             }
             const std::int32_t last = end_piece(halves, s, false);
             if (!is_near(after)) {
-                if (last < 0) p.sound = false;
-                else p.to[static_cast<std::size_t>(last)] = after;
+                if (last < 0)
+                    p.sound = false;
+                else
+                    p.to[static_cast<std::size_t>(last)] = after;
             } else if (last >= 0) {
                 // Both edges are near, but another contour's open end stands in the same corner.
                 const std::int32_t first = end_piece(halves, after, true);
-                if (first < 0) p.sound = false;
-                else p.next[static_cast<std::size_t>(last)] = first;
+                if (first < 0)
+                    p.sound = false;
+                else
+                    p.next[static_cast<std::size_t>(last)] = first;
             }
         }
     }
