@@ -48,8 +48,15 @@ std::string_view Sources::part(std::uint32_t file, std::size_t begin, std::size_
 
 namespace {
 
+/// Where lines begin in a piece that has no CR, and none before it.
+void add_starts_behind_lf(std::string_view piece, std::size_t at, std::vector<std::uint32_t>& starts) {
+    for (std::size_t lf = piece.find('\n'); lf != std::string_view::npos; lf = piece.find('\n', lf + 1))
+        starts.push_back(static_cast<std::uint32_t>(at + lf + 1));
+}
+
 /// Adds where lines begin to `starts`. `at`: place of `piece` in the text; `cr`: the byte before it is a CR.
 void add_line_starts(std::string_view piece, std::size_t at, bool& cr, std::vector<std::uint32_t>& starts) {
+    if (!cr && piece.find('\r') == std::string_view::npos) return add_starts_behind_lf(piece, at, starts);
     for (const char c : piece) {
         if (cr && c != '\n') starts.push_back(static_cast<std::uint32_t>(at));
         cr = c == '\r';

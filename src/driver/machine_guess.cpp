@@ -85,15 +85,26 @@ std::string name_of(const program::Word& w) {
     }
 }
 
+/// Whether a word can still tell anything. Nearly every block has X and Y words, and only the first ones tell.
+bool tells_more(const Found& found, Code code) {
+    switch (code) {
+        case Code::x: return !found.told && !found.x;
+        case Code::y: return !found.mill;
+        case Code::m:
+        case Code::modal:
+        case Code::speed_limit: return true;
+        default: return false;
+    }
+}
+
 void take(Found& found, const program::Unit& unit, const program::Statement& s, const program::Word& w) {
     const Sign sign = sign_of(unit, w);
     found.told = found.told || tells_diameter(w);
     if (sign == Sign::none) return;
     if (sign == Sign::x) {
-        if (!found.told && !found.x) found.x = unit.span(s, w);
+        found.x = unit.span(s, w);
         return;
     }
-    if (sign == Sign::mill_for_certain && found.mill) return;  // every block of a mill has one
     found.lathe = found.lathe || sign == Sign::lathe_for_certain;
     found.mill = found.mill || sign == Sign::mill_for_certain;
     found.name(sign == Sign::mill_likely || sign == Sign::mill_for_certain, name_of(w));
@@ -105,7 +116,8 @@ MachineGuess guess_machine(const program::Unit& unit) {
     Found found;
     for (std::uint32_t i = 0; i < unit.statements.size(); ++i) {
         const program::Statement& s = unit.statements[i];
-        for (std::uint32_t k = s.first; k < unit.words_end(i); ++k) take(found, unit, s, unit.words[k]);
+        for (std::uint32_t k = s.first, end = unit.words_end(i); k < end; ++k)
+            if (tells_more(found, program::code_of(unit.words[k]))) take(found, unit, s, unit.words[k]);
     }
     MachineGuess guess;
     const bool hinted = !found.likely[0].empty(), vetoed = !found.likely[1].empty();
