@@ -184,13 +184,14 @@ void Limits::take(const cl::Feed& feed) {
     feed_reported_ = feed_limit_reported_ = false;
 }
 
-/// Highest spindle speed along the move, 1/min; with constant cutting speed at its smaller radius.
+/// Highest spindle speed along the move, 1/min; with constant cutting speed at its smaller radius. NaN: not known, at
+/// the axis without a limit.
 double Limits::rpm(const Move& move) const {
     if (spindle_.mode == cl::SpindleMode::rpm) return spindle_.speed;
     const double radius = std::fmin(std::abs(move.from.x), std::abs(move.to.x));
     double cap = machine_.spindle.max;
     if (spindle_.limit > 0) cap = std::min(cap, spindle_.limit);
-    if (!(radius > 0)) return cap;
+    if (!(radius > 0)) return std::isfinite(cap) ? cap : NAN;
     return std::min(cap, spindle_.speed * 1000 / (2 * geom::pi * radius));
 }
 

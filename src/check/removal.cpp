@@ -34,6 +34,15 @@ const shop::Tool* find(const std::vector<shop::Tool>& tools, const cl::ToolChang
     return nullptr;
 }
 
+/// A tool that the list has with another edge alone is not to be added: its edge is to be given.
+std::string remedy_of_missing(const std::vector<shop::Tool>& tools, const cl::ToolChange& wanted) {
+    for (const shop::Tool& t : tools)
+        if (wanted.number != 0 && t.number == wanted.number)
+            return "the list has it with edge = " + std::to_string(t.edge) +
+                   ": add a [[tool]] with edge = " + std::to_string(wanted.edge) + ", or correct the program";
+    return "add it to the job file, or give the tool file of the machine";
+}
+
 sim::turning::Move in_turning_plane(const Move& move) {
     sim::turning::Move m{{move.from.z, move.from.x}, {move.to.z, move.to.x}, {}, 0};
     if (const auto* arc = std::get_if<cl::Arc>(&move.record.step)) {
@@ -101,7 +110,7 @@ void Removal::first_use(const Move& move) {
     Finding f;
     f.code = base::codes::tool_missing;
     f.text = tool_name(tool) + " is not in the tool list";
-    f.remedy = "add it to the job file, or give the tool file of the machine";
+    f.remedy = remedy_of_missing(setup_.tools, tool);
     f.where = selected_.from;
     f.stack = out_.stacks().sites(selected_.stack);
     if (!(move.record.from == selected_.from)) f.related.push_back({move.record.from, "first move with it"});
@@ -187,7 +196,7 @@ Removed Removal::take(const Move& move) {
         Finding f;
         f.code = base::codes::tool_missing;
         f.text = "no tool is selected at the first feed move";
-        f.remedy = "select a tool with T and D before it";
+        f.remedy = "select a tool with T and D before it, or name the one in use in the job: first_tool = 1";
         out_.finding(move, std::move(f));
     }
     if (work_) {

@@ -9,7 +9,7 @@ Checked check_program(Session& session, std::size_t keep_moves, const MillingReq
                       const std::function<void(std::uint64_t)>& progress) {
     // 1. What the program is held to: machine, tools, stock, part, allowance (shop; resolved when the session was
     // opened).
-    const bool tools_given = !session.job.tools.empty() || session.has_job;
+    const bool tools_given = !session.job.tools.empty();
     for (shop::Tool& own : program_tools(*session.main, session.job.tools, session.diagnostics))
         session.job.tools.push_back(std::move(own));
     check::Setup setup;
@@ -43,7 +43,7 @@ Checked check_program(Session& session, std::size_t keep_moves, const MillingReq
     check::merge(result, session.diagnostics);
     if (outcome.ending == interp::Ending::regular) check::require_cuts(result, session.program);
     check::restrict_to(result, setup.scope);
-    reword(result, session.control);
+    reword(result, session.control, session.main->traits->edge_is_offset_number);
     return {std::move(setup), std::move(result)};
 }
 

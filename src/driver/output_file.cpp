@@ -92,6 +92,7 @@ std::string refusal(const Wanted& w, const std::vector<fs::path>& inputs, bool f
     const fs::path target = without_links(path);
     const fs::file_status there = fs::status(target, error);
     if (fs::is_directory(there)) return w.path + " is a folder";
+    if (fs::is_symlink(fs::symlink_status(target, error))) return w.path + " cannot be written: " + words_of(ELOOP);
     if (fs::exists(there) && !force) return w.path + " exists; --force replaces it";
     const fs::file_status folder = fs::status(folder_of(target), error);
     if (!fs::exists(folder)) return w.path + " cannot be written: " + words_of(error ? error.value() : ENOENT);
@@ -119,6 +120,13 @@ OutputFile::OutputFile(const fs::path& path) {
         return;
     }
     target_ = without_links(path);
+#ifndef _WIN32
+    std::error_code ignored;
+    if (fs::exists(target_, ignored) && access(target_.c_str(), W_OK) != 0) {  // locked on purpose
+        fail();
+        return;
+    }
+#endif
     part_ = neighbour(target_);
     slot_ = take_slot(part_.string());
     file_ = std::fopen(part_.string().c_str(), "wbx");

@@ -6,6 +6,7 @@
 #include "base/number.hpp"
 #include "base/text.hpp"
 #include "driver/contours.hpp"
+#include "driver/first_tool.hpp"
 #include "driver/machine_guess.hpp"
 #include "driver/not_run.hpp"
 #include "driver/overrides.hpp"
@@ -54,9 +55,9 @@ std::string control_names() {
     return list;
 }
 
-bool known_control(Session& s, const std::string& name) {
+bool known_control(Session& s, const std::string& name, const base::Span& where) {
     if (name.empty() || find_control(name) != nullptr) return true;
-    complain(s, codes::job_value, nowhere, "there is no control \"" + name + "\"",
+    complain(s, codes::job_value, where, "there is no control \"" + name + "\"",
              "controls that can be read: " + control_names());
     return false;
 }
@@ -212,7 +213,7 @@ void find_shop_files(Session& s, const Request& request, const fs::path& program
     s.files = std::make_unique<ShopFiles>(s.sources, s.diagnostics);
     s.files->add_folder(program.parent_path());
     for (const std::string& folder : request.search) s.files->add_folder(folder);
-    for (const std::string& folder : s.job.search) s.files->add_folder(beside(request.input, folder));
+    for (const shop::NamedFile& folder : s.job.search) s.files->add_folder(beside(request.input, folder.path));
     for (const shop::NamedFile& f : s.job.datum_tables) s.files->add_file(beside(request.input, f.path));
     s.files->set_force(request.force);
     if (!request.prints.empty())
@@ -302,7 +303,7 @@ bool read_main(Session& s, const Request& request, const fs::path& path) {
     s.programs->set_machine(told ? &s.job.machine : nullptr);
     s.programs->add_folder(path.parent_path());
     for (const std::string& folder : request.search) s.programs->add_folder(folder);
-    for (const std::string& folder : s.job.search) s.programs->add_folder(beside(request.input, folder));
+    for (const shop::NamedFile& folder : s.job.search) s.programs->add_folder(beside(request.input, folder.path));
     find_shop_files(s, request, path);
     s.main = s.programs->read(*file);
     if (s.main != nullptr && !s.job.start.empty() && !start_with_named(s)) return false;
@@ -310,6 +311,40 @@ bool read_main(Session& s, const Request& request, const fs::path& path) {
     if (s.main == nullptr) complain(s, codes::syntax, {*file, 0, 0}, "this file holds no program");
     if (s.main != nullptr && !named) choose_machine(s, request);
     return s.main != nullptr;
+}
+
+/// Every folder that the call or the job names is one.
+bool folders_are_there(Session& s, const Request& request, const fs::path& input) {
+    bool good = true;
+    const auto require = [&](const fs::path& folder, const base::Span& where, const std::string& what) {
+        if (fs::is_directory(folder)) return;
+        complain(s, codes::file_missing, where, what + " is not a folder");
+        good = false;
+    };
+    for (const std::string& folder : request.search) require(folder, nowhere, "--search " + folder);
+    for (const shop::NamedFile& folder : s.job.search)
+        require(beside(input, folder.path), folder.where, "search: " + folder.path);
+    const bool by_call = !request.prints.empty();
+    if (by_call || !s.job.prints.empty())
+        require(by_call ? fs::path(request.prints) : beside(input, s.job.prints),
+                by_call ? nowhere : s.job.prints_where,
+                (by_call ? request.prints : s.job.prints) + ", where programs shall print to,");
+    return good;
+}
+
+/// A lathe turns what a profile describes, a mill removes from bodies.
+bool fits_machine(Session& s) {
+    const bool lathe = s.job.machine.kind == shop::MachineKind::lathe;
+    if (lathe && s.job.solid_stock)
+        complain(s, codes::job_value, s.job.solid_stock->where,
+                 "this stock is one of milling, and the machine is a lathe",
+                 "describe it with bar, tube, cone or profile");
+    else if (!lathe && s.job.stock)
+        complain(s, codes::job_value, s.job.stock->where, "this stock is turned, and the machine is a mill",
+                 "describe it with box, cylinder or file, or name a lathe as the machine");
+    else
+        return true;
+    return false;
 }
 
 }  // namespace
@@ -336,26 +371,18 @@ bool open(const Request& request, Session& s) {
         if (s.job.program.empty() || s.diagnostics.has_errors()) return false;
         program = beside(input, s.job.program);
     }
-    bool good = known_control(s, request.control) && known_control(s, s.job.control);
+    bool good = known_control(s, request.control, nowhere) && known_control(s, s.job.control, s.job.control_where);
     for (const std::string& text : request.set) good = take_override(s, text) && good;
-    for (const std::string& folder : request.search)
-        if (!fs::is_directory(folder)) {
-            complain(s, codes::file_missing, nowhere, "--search " + folder + " is not a folder");
-            good = false;
-        }
-    const fs::path prints = !request.prints.empty() ? fs::path(request.prints) : beside(input, s.job.prints);
-    if ((!request.prints.empty() || !s.job.prints.empty()) && !fs::is_directory(prints)) {
-        complain(s, codes::file_missing, nowhere,
-                 prints.generic_string() + ", where programs shall print to, is not a folder", "make it before");
-        good = false;
-    }
-    if (!good || !read_main(s, request, program)) return false;
+    good = folders_are_there(s, request, input) && good;
+    if (!good || !read_main(s, request, program) || !fits_machine(s)) return false;
     s.job.skip_levels.insert(s.job.skip_levels.end(), request.skip.begin(), request.skip.end());
     if (request.scope) s.job.scope = *request.scope;
     if (request.diameter) s.job.machine.defaults.diameter_programming = *request.diameter;
     load_configuration(s, request);
     load_backups(s, request);
     load_tools(s, request, input);
+    number_offsets(s.main->traits->edge_is_offset_number, s.job.tools);
+    s.job.first_tool = first_tool(s.job, *s.main, s.diagnostics);
     for (const shop::NamedFile& f : s.job.preset_tables)
         add_presets(beside(input, f.path), f.where, s.sources, s.diagnostics, s.job.machine);
     for (const shop::NamedFile& f : s.job.datum_tables) check_readable(beside(input, f.path), s.diagnostics, f.where);
@@ -413,7 +440,8 @@ interp::Outcome interpret(Session& s, cl::Sink sink, const interp::ContourSink* 
                                           &read_text,
                                           std::max(s.job.tolerances.gouge, s.job.tolerances.simulation.value_or(0)),
                                           &s.programs->backups(),
-                                          s.job.tool_lengths};
+                                          s.job.tool_lengths,
+                                          s.job.first_tool};
     interp::Outcome outcome = interp::run(*s.main, environment, s.stacks, sink, s.diagnostics);
     const auto in_file = s.programs->of_file(s.main->file);
     const bool subs_alone = holds_subprograms_alone(in_file, outcome.entered, *s.main);

@@ -1,6 +1,7 @@
 #include "driver/wording.hpp"
 
 #include <array>
+#include <regex>
 
 namespace obrys::driver {
 
@@ -54,10 +55,25 @@ std::string in_words_of(std::string_view control, std::string text) {
     return text;
 }
 
-void reword(check::Result& result, std::string_view control) {
-    const auto each = [control](auto& list) {
+namespace {
+
+/// "tool T2 D1", of the stream, as the control's programmer writes it: "tool T0201", or "tool T2" where there is no D.
+std::string tools_in_words_of(std::string_view control, bool offset_numbers, std::string text) {
+    if (control.starts_with("sinumerik")) return text;
+    static const std::regex named(R"(\btool T(\d+) D(\d+)\b)");
+    std::smatch found;
+    if (!std::regex_search(text, found, named)) return text;
+    const auto two = [](const std::string& digits) { return digits.size() < 2 ? "0" + digits : digits; };
+    const std::string name = offset_numbers ? two(found[1].str()) + two(found[2].str()) : found[1].str();
+    return found.prefix().str() + "tool T" + name + found.suffix().str();
+}
+
+}  // namespace
+
+void reword(check::Result& result, std::string_view control, bool offset_numbers) {
+    const auto each = [control, offset_numbers](auto& list) {
         for (auto& item : list) {
-            item.text = in_words_of(control, std::move(item.text));
+            item.text = in_words_of(control, tools_in_words_of(control, offset_numbers, std::move(item.text)));
             item.remedy = in_words_of(control, std::move(item.remedy));
         }
     };

@@ -11,7 +11,8 @@ namespace obrys::driver {
 
 /// The text with the phrases of this control in the place of the general ones.
 [[nodiscard]] std::string in_words_of(std::string_view control, std::string text);
-/// The same of all texts and remedies of a result.
-void reword(check::Result& result, std::string_view control);
+/// The same of all texts and remedies of a result. `offset_numbers`: what the control's T names beside a tool is the
+/// number of an offset (program::Traits::edge_is_offset_number).
+void reword(check::Result& result, std::string_view control, bool offset_numbers = false);
 
 }  // namespace obrys::driver

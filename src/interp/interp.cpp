@@ -255,6 +255,7 @@ Outcome run(const program::Unit& main, const Environment& environment, cl::CallS
     enter(run, main, nullptr, {});
     if (!run.unit().statements.empty()) run.statement = run.unit().statements.data();
     begin_telling(run);
+    if (environment.first_tool != 0) begin_with_tool(run, environment.first_tool);
     control_sets_all(run);
     while (!run.stopped) step(run);
     flush_path(run);

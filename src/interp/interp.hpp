@@ -63,6 +63,8 @@ struct Environment {
     /// Backups of the control's variables: their assignments give values; `variables` stands above them.
     const std::vector<const program::Unit*>* backups = nullptr;
     shop::ToolLengths tool_lengths = shop::ToolLengths::not_said;
+    /// Number of the tool in use when the program begins; 0: not known.
+    std::uint32_t first_tool = 0;
 };
 
 enum class Ending : std::uint8_t {

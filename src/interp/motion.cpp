@@ -258,7 +258,9 @@ void begin_motion(Run& run) {
                           t, run.modal.datum == program::no_datum ? run.reference_datum : run.modal.datum);
     unchecked(run, codes::unknown_value, run.here(),
               "where " + active + " lies against " + reference + " is not known: both are taken as the same zero",
-              "give the offsets in [datum] of the job, e.g. " + key + " = { x = 0.0, z = 120.0 }");
+              "give the offsets in [datum] of the job, e.g. " + key +
+                  (run.env.machine.kind == shop::MachineKind::mill ? " = { x = 100.0, y = 0.0, z = -350.0 }"
+                                                                   : " = { x = 0.0, z = 120.0 }"));
 }
 
 bool is_incremental(const Run& run, std::uint8_t reference) {

@@ -124,7 +124,7 @@ void load_datum(Run& run) {
     const std::uint32_t first = held.value_or(0);
     Offsets& o = run.offsets;
     bool known = run.env.stored != nullptr || run.env.tell_settings;
-    for (std::uint32_t k = 0; k < p.datum_step && kept; ++k) known = known || run.parameters.is_assigned(first + k);
+    for (std::uint32_t k = 0; k < p.datum_step && kept; ++k) known = known || run.parameters.is_set(first + k);
     const auto job = run.env.machine.datums.find(run.modal.datum);
     if (kept && (known || job == run.env.machine.datums.end())) {
         for (std::size_t k = 0; k < 9; ++k)

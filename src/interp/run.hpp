@@ -132,6 +132,8 @@ void forget_modes(Run&);
 void restore_modes(Run&);
 /// The spindle's state as a record (tools.cpp).
 void emit_spindle(Run&);
+/// The tool that is in use when the program begins, with its own offset.
+void begin_with_tool(Run&, std::uint32_t number);
 void coolant(Run&, int m);
 /// M functions that the control itself knows; others go to the machine and are listed.
 [[nodiscard]] bool is_standard_function(const Run&, int m);

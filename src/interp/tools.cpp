@@ -72,6 +72,13 @@ void emit_tool(Run& run) {
 
 }  // namespace
 
+void begin_with_tool(Run& run, std::uint32_t number) {
+    run.tool.prepared = number;
+    tool_into_spindle(run);
+    if (run.traits->edge_is_offset_number) run.tool.edge = number;
+    emit_tool(run);
+}
+
 void emit_spindle(Run& run) {
     control_sets(run, {ControlValue::spindle_state});
     cl::Spindle s;

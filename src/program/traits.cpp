@@ -24,8 +24,21 @@ std::uint32_t find_parameter(const Traits& t, std::string_view upper) {
     return parameter_count(t);
 }
 
+namespace {
+
+/// "G59.1", "G54.1 P3"; empty where the number is written as it is.
+std::string name_by_decimals(const Traits& t, std::uint32_t number) {
+    if (!t.datum.more_by_decimals) return {};
+    if (number >= 591 && number <= 593) return "G59." + std::to_string(number - 590);
+    if (number > 5400 && number <= 5700) return "G54.1 P" + std::to_string(number - 5400);
+    return {};
+}
+
+}  // namespace
+
 std::string datum_name(const Traits& t, std::uint32_t number) {
     if (number == no_datum) return std::string(t.datum.none);
+    if (std::string name = name_by_decimals(t, number); !name.empty()) return name;
     return std::string(t.datum.prefix) + std::to_string(number - t.datum.first);
 }
 
@@ -35,6 +48,7 @@ std::string datum_phrase(const Traits& t, std::uint32_t number) {
 
 std::string datum_key(const Traits& t, std::uint32_t number) {
     if (number == no_datum) return std::string(t.datum.none_key);
+    if (const std::string name = name_by_decimals(t, number); !name.empty()) return '"' + name + '"';
     return std::string(t.datum.key) + std::to_string(number - t.datum.first);
 }
 

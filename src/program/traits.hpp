@@ -34,6 +34,7 @@ struct DatumNames {
     std::string_view key = "G";                     ///< before the number in [datum] of the job
     std::uint32_t first = 0;                        ///< number in the stream of the one that the control calls 0
     std::string_view none = "G500", none_key = "G500";
+    bool more_by_decimals = false;     ///< 591 is G59.1, 5403 is G54.1 P3
     bool none_is_machine_zero = true;  ///< without one coordinates are the machine's; else they are in one not known
 };
 
@@ -168,6 +169,8 @@ struct Traits {
     bool stops_before_motion = false;
     /// M6 changes the tool on every machine; else on mills alone, and T does so on lathes.
     bool changes_on_m6 = false;
+    /// What T names besides the tool is the number of its offset, by habit the tool's own; else D names an edge.
+    bool edge_is_offset_number = false;
     /// F and S beside the word of a dwell are its seconds and its revolutions; else they are feed and speed.
     bool dwell_in_feed_words = true;
     /// A tool change stops the spindle on every machine, also where the tool is in the spindle already.

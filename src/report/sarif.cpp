@@ -1,3 +1,4 @@
+#include <filesystem>
 #include <nlohmann/json.hpp>
 
 #include "base/codes.hpp"
@@ -32,8 +33,11 @@ std::string uri(const std::string& path) {
     return out;
 }
 
-/// Paths count from the root.
-Json artifact(const Subject& s, const std::string& path) {
+/// Paths count from the root: "../lib/A.SPF" of a call in a folder beside is "lib/A.SPF".
+Json artifact(const Subject& s, const std::string& written) {
+    const std::filesystem::path name(written);
+    const std::string path =
+        s.here.empty() || name.is_absolute() ? written : (s.here / name).lexically_normal().generic_string();
     const bool drive = path.size() > 2 && path[1] == ':';
     if (!s.root.empty() && path.starts_with(s.root))
         return {{"uri", uri(path.substr(s.root.size()))}, {"uriBaseId", "%SRCROOT%"}};

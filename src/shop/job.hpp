@@ -99,7 +99,8 @@ struct Job {
     std::string program;  ///< path as written, relative to the job file; empty: not said
     std::string start;    ///< program of that file with which the run begins; empty: its first
     base::Span start_where;
-    std::string control;           ///< empty: found from the content
+    std::string control;  ///< empty: found from the content
+    base::Span control_where, prints_where;
     std::string machine_name;      ///< shipped name or path; empty: generic for what the program is
     bool machine_is_file = false;  ///< machine_name is a path: the driver reads it, then `use_machine`
     base::Span machine_where;
@@ -107,6 +108,7 @@ struct Job {
     DefaultsOverride defaults;
     std::map<std::uint32_t, geom::Vec3> datums;  ///< of the job itself; mm, x as a radius
     std::vector<Tool> tools;
+    std::uint32_t first_tool = 0;       ///< number of the tool in use when the program begins; 0: not said
     std::vector<NamedFile> tool_files;  ///< docs/job-file.md names the kinds
     std::optional<Profile> stock;
     std::optional<Profile> part;
@@ -116,7 +118,7 @@ struct Job {
     std::vector<Clamp> clamps;
     std::optional<Allowance> allowance;
     std::vector<Override> overrides;
-    std::vector<std::string> search;         ///< folders for subprograms, paths as written
+    std::vector<NamedFile> search;           ///< folders for subprograms
     std::vector<NamedFile> datum_tables;     ///< .D; the first is in use until one is selected
     std::vector<NamedFile> preset_tables;    ///< .PR; [datum] stands above them
     std::string prints;                      ///< folder for what programs print; empty: nowhere

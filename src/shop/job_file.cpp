@@ -67,7 +67,12 @@ void read_geometry(Section& file, Job& job) {
         const auto normal = s->number("normal", Range::not_negative);
         a.normal = normal.value_or(0);
         s->finish();
-        if (a.profile || a.program || normal) job.allowance = std::move(a);
+        if (job.solid_stock || job.solid_part)
+            s->error(base::codes::job_value, head(s->table()),
+                     "an allowance is judged on turned parts alone, and this job is one of milling",
+                     "give as [part] the shape that this program must leave");
+        else if (a.profile || a.program || normal)
+            job.allowance = std::move(a);
     }
 }
 
@@ -172,18 +177,25 @@ void read_all(Section& s, Job& job) {
         job.start = *start;
         job.start_where = find(s.table(), "start")->value.where;
     }
-    job.control = s.text("control").value_or("");
+    if (const auto control = s.text("control")) {
+        job.control = *control;
+        job.control_where = find(s.table(), "control")->value.where;
+    }
     for (const char* key : {"tool_file", "tool_files"})
         for (NamedFile& f : files_of(s, key)) job.tool_files.push_back(std::move(f));
-    job.search = s.texts("search");
+    job.search = files_of(s, "search");
     job.datum_tables = files_of(s, "datum_tables");
     job.preset_tables = files_of(s, "preset_tables");
     for (const char* key : {"variables_file", "variables_files"})
         for (NamedFile& f : files_of(s, key)) job.variables_files.push_back(std::move(f));
-    job.prints = s.text("prints").value_or("");
+    if (const auto prints = s.text("prints")) {
+        job.prints = *prints;
+        job.prints_where = find(s.table(), "prints")->value.where;
+    }
     if (const auto lengths = s.choice("tool_length", {"touched-off", "at-change", "gauge"}))
         job.tool_lengths = static_cast<ToolLengths>(*lengths + 1);
     read_skip(s, job);
+    if (const auto first = s.integer("first_tool", 1, 99'999'999)) job.first_tool = static_cast<std::uint32_t>(*first);
     read_tool_tables(s, job.tools);
     job.defaults = read_defaults(s);
     job.datums = read_datums(s);

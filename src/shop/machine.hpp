@@ -2,6 +2,7 @@
 /// What a machine can do and what its control assumes when switched on. File format: docs/machine-file.md.
 
 #include <cstdint>
+#include <limits>
 #include <map>
 #include <optional>
 #include <string>
@@ -34,7 +35,7 @@ struct MachineAxis {
 enum class RapidPath : std::uint8_t { straight, dog_leg };
 
 struct MachineSpindle {
-    double min = 0, max = 5000;   ///< 1/min
+    double min = 0, max = std::numeric_limits<double>::infinity();  ///< 1/min; infinite: not limited
     std::optional<double> power;  ///< kW
 };
 

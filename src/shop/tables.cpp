@@ -140,7 +140,10 @@ std::optional<Tool> read_tool(Section& s) {
     const std::size_t before = s.diagnostics().all().size();
     t.where = s.table().where;
     if (const auto n = s.integer("number", 0, 999'999'999)) t.number = static_cast<std::uint32_t>(*n);
-    if (const auto e = s.integer("edge", 1, 99)) t.edge = static_cast<std::uint32_t>(*e);
+    if (const auto e = s.integer("edge", 1, 99)) {
+        t.edge = static_cast<std::uint32_t>(*e);
+        t.edge_given = true;
+    }
     if (const auto name = s.text("name")) t.name = *name;
     const auto kind = s.choice("kind", kind_words);
     read_blade(s, t);
@@ -158,7 +161,19 @@ std::optional<Tool> read_tool(Section& s) {
     return sound() || !is_milling(t.kind) ? std::optional(t) : std::nullopt;
 }
 
-/// Number of "G54" … "G57", "G505" … "G599", "preset0" …; "active_preset" is the one a program finds in force.
+/// Number in "G59.1" (591) and "G54.1 P3", "G54P3", "G154 P3" (5403), of controls that have these; nothing of others.
+std::optional<std::uint32_t> extended_datum(std::string_view key) {
+    if (key.size() == 5 && base::to_upper(key).starts_with("G59.") && key[4] >= '1' && key[4] <= '3')
+        return 590 + static_cast<std::uint32_t>(key[4] - '0');
+    const auto p = base::to_upper(key).find('P');
+    if (p == std::string::npos) return std::nullopt;
+    const std::string g = base::to_upper(base::trim(key.substr(0, p)));
+    const auto n = base::parse_integer(base::trim(key.substr(p + 1)));
+    if ((g != "G54.1" && g != "G54" && g != "G154") || !n || *n < 1 || *n > 300) return std::nullopt;
+    return 5400 + static_cast<std::uint32_t>(*n);
+}
+
+/// Number of "G54" … "G59", "G505" … "G599", "preset0" …; "active_preset" is the one a program finds in force.
 std::optional<std::uint32_t> datum_number(std::string_view key) {
     if (key == "active_preset") return 500;
     if (base::to_upper(key).starts_with("PRESET")) {
@@ -167,8 +182,9 @@ std::optional<std::uint32_t> datum_number(std::string_view key) {
                                             : std::nullopt;
     }
     if (key.size() < 2 || base::upper(key[0]) != 'G') return std::nullopt;
+    if (const auto extended = extended_datum(key)) return extended;
     const auto n = base::parse_integer(key.substr(1));
-    if (!n || !((*n >= 54 && *n <= 57) || (*n >= 505 && *n <= 599))) return std::nullopt;
+    if (!n || !((*n >= 54 && *n <= 59) || (*n >= 505 && *n <= 599))) return std::nullopt;
     return static_cast<std::uint32_t>(*n);
 }
 
@@ -231,7 +247,7 @@ std::map<std::uint32_t, geom::Vec3> read_datums(Section& file) {
         const auto n = datum_number(datum.key);
         if (!n) {
             file.error(base::codes::job_file, datum.where, "unknown key '" + datum.key + "' in [datum]",
-                       "G54 … G57, G505 … G599, preset0 … preset99999, active_preset, diameter");
+                       "G54 … G59, \"G59.1\" … \"G59.3\", \"G54.1 P1\" … \"G54.1 P300\", G505 … G599, preset0 … preset99999, active_preset, diameter");
             continue;
         }
         Section s(datum.value, "'" + datum.key + "'", file.diagnostics());

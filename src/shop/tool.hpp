@@ -62,7 +62,8 @@ struct ToolBody {
 struct Tool {
     std::uint32_t number = 0;
     std::string name;
-    std::uint32_t edge = 1;  ///< D
+    std::uint32_t edge = 1;   ///< D
+    bool edge_given = false;  ///< else 1, or its own number where a control's T names an offset
     ToolKind kind = ToolKind::other;
     // grooving insert, mm
     double width = 0;          ///< also of a T-slot cutter's disc

@@ -40,6 +40,8 @@ def main():
 
     complaints = [f"{c}: declared, but not in all_codes" for c in sorted(set(constants.values()) - table)]
     complaints += [f"{c}: not documented in docs/diagnostics.md" for c in sorted(table - documented)]
+    rows = re.findall(r"^\| `([a-z-]+)` \|", page.read_text(), re.M) if page.is_file() else []
+    complaints += [f"{c}: {rows.count(c)} rows in docs/diagnostics.md" for c in sorted(set(rows)) if rows.count(c) > 1]
     complaints += [f"{c}: documented, but no such code" for c in sorted(documented - table)]
     complaints += [f"{c}: no golden case produces it" for c in sorted(table - made - pending)]
     complaints += [f"{c}: pending, but no longer missing" for c in sorted(pending & made | pending - table)]

@@ -75,18 +75,24 @@ constexpr const char* fmt_help =
 void add_format(CLI::App& app, Arguments& a) {
     using format::heidenhain::Decimal;
     using format::heidenhain::LineEnds;
-    const std::map<std::string, Decimal> decimals{
-        {"keep", Decimal::keep}, {"point", Decimal::point}, {"comma", Decimal::comma}};
-    const std::map<std::string, LineEnds> ends{
-        {"keep", LineEnds::keep}, {"lf", LineEnds::lf}, {"crlf", LineEnds::crlf}};
     app.add_option("files", a.files, "programs (.H, .I)")->required()->type_name("FILE");
     auto* write = app.add_flag("-i,--in-place", a.in_place, "write the files instead of standard output");
     app.add_flag("--check", a.only_check, "write nothing; exit code 1 where a file would change")->excludes(write);
-    app.add_option("--decimal", a.style.decimal, "decimal sign: point, comma or keep")
-        ->transform(CLI::CheckedTransformer(decimals))
+    app.add_option_function<std::string>(
+           "--decimal",
+           [&a](const std::string& word) {
+               a.style.decimal = word == "point" ? Decimal::point : word == "comma" ? Decimal::comma : Decimal::keep;
+           },
+           "decimal sign of values (keep)")
+        ->check(CLI::IsMember({"keep", "point", "comma"}))
         ->type_name("SIGN");
-    app.add_option("--line-ends", a.style.line_ends, "lf, crlf or keep")
-        ->transform(CLI::CheckedTransformer(ends))
+    app.add_option_function<std::string>(
+           "--line-ends",
+           [&a](const std::string& word) {
+               a.style.line_ends = word == "lf" ? LineEnds::lf : word == "crlf" ? LineEnds::crlf : LineEnds::keep;
+           },
+           "ends of lines (keep)")
+        ->check(CLI::IsMember({"keep", "lf", "crlf"}))
         ->type_name("ENDS");
 }
 
@@ -255,6 +261,19 @@ static bool is_unknown_command(int argc, char** argv) {
     return true;
 }
 
+namespace {
+
+/// An empty name of a file is a variable of a script that nobody set.
+void refuse_empty_names(const Commands& c) {
+    for (CLI::App* command : {c.check, c.run, c.plot, c.fmt})
+        for (CLI::Option* option : command->get_options())
+            if (option->get_type_name().find("FILE") != std::string::npos)
+                option->check(
+                    [](const std::string& name) { return name.empty() ? "the name is empty" : std::string(); }, "");
+}
+
+}  // namespace
+
 std::vector<driver::Wanted> outputs_of(const Arguments& a) {
     std::vector<driver::Wanted> all;
     const bool only_picture = a.command == Command::plot && !(a.interpolation > 0) && !a.svg.empty();
@@ -286,6 +305,7 @@ Arguments parse(int argc, char** argv) {
     const Commands c = add_commands(app, a);
     std::string topic;
     c.help->add_option("command", topic, "the command to explain");
+    refuse_empty_names(c);
     try {
         app.parse(argc, argv);
     } catch (const CLI::ParseError& e) {

@@ -30,18 +30,32 @@ bool open(const Arguments& a, const driver::Request& request, driver::Session& s
     return false;
 }
 
-/// Where obrys was called, or, for an input elsewhere, its folder.
-static std::string root_of(const std::string& input) {
-    std::error_code error;
-    const std::string here = (driver::fs::current_path(error) / "").generic_string();
-    const driver::fs::path path(input);
-    if (error || (path.is_absolute() && !path.generic_string().starts_with(here)))
-        return (driver::fs::absolute(path, error).parent_path() / "").generic_string();
-    return here;
+namespace {
+
+using driver::fs::path;
+
+std::string folder_text(const path& folder) { return (folder / "").generic_string(); }
+
+/// Where obrys was called, or, for an input elsewhere, its folder; or the folder above them in which everything that
+/// was read lies.
+std::string root_of(const driver::Session& s, const path& here) {
+    const auto whole = [&](const std::string& name) { return (here / name).lexically_normal(); };
+    const path input = whole(s.input);
+    path root = input.generic_string().starts_with(folder_text(here)) ? here : input.parent_path();
+    for (std::uint32_t i = 0; i < s.sources.size(); ++i) {
+        const std::string file = whole(s.sources[i].name).generic_string();
+        while (root.has_relative_path() && !file.starts_with(folder_text(root))) root = root.parent_path();
+    }
+    return folder_text(root);
 }
 
+}  // namespace
+
 report::Subject subject_of(const driver::Session& s, const driver::Checked& c) {
-    return {s.sources, c.result, c.setup, s.stacks, s.program, s.control, OBRYS_VERSION, {}, root_of(s.input)};
+    std::error_code error;
+    const path here = driver::fs::current_path(error);
+    return {s.sources, c.result,      c.setup, s.stacks,         s.program,
+            s.control, OBRYS_VERSION, {},      root_of(s, here), folder_text(here)};
 }
 
 }  // namespace obrys::cli

@@ -74,7 +74,7 @@ constexpr program::Traits common{
     .end_stops_all = true,
     .may_end_anywhere = true,
     .label_depth = 9,
-    .datum = {.prefix = "G", .key = "G", .none = "G54", .none_key = "G54", .none_is_machine_zero = false},
+    .datum = {.prefix = "G", .key = "G", .none = "G54", .none_key = "G54", .more_by_decimals = true, .none_is_machine_zero = false},
     .variables_by_assignment = true,
     .argument_parameters = 33,
     .parameters_begin_at_zero = true,
@@ -103,6 +103,7 @@ program::Traits traits_of(std::span<const program::CannedCycle> cycles, bool haa
     if (!haas) t.line_without_centre = "bit CIR of parameter 3403 = 0";  // operator's manual, circular interpolation
     t.radius_to_start_stays = !haas;                                     // the same: "G02 R: the cutter does not move"
     if (lathe) t.live = lathe_live;
+    t.edge_is_offset_number = lathe;
     return t;
 }
 

@@ -110,7 +110,7 @@ constexpr program::Traits traits{
     .end_stops_all = true,
     .may_end_anywhere = true,
     .polar_from_position = true,
-    .datum = {.prefix = "G", .key = "G", .none = "G54", .none_key = "G54", .none_is_machine_zero = false},
+    .datum = {.prefix = "G", .key = "G", .none = "G54", .none_key = "G54", .more_by_decimals = true, .none_is_machine_zero = false},
     .assigns_together = true,
     .variables_by_assignment = true,
     .argument_parameters = 30,
