@@ -110,7 +110,9 @@ TEST(JobFile, EveryKeyIsRead) {
     EXPECT_EQ(j.machine_name, "lathe-generic");
     EXPECT_FALSE(j.machine_is_file);
     EXPECT_EQ(paths(j.tool_files), (std::vector<std::string>{"tools.toml", "T1.TOA", "T2.TOA"}));
-    EXPECT_EQ(j.search, (std::vector<std::string>{"lib", "../cycles"}));
+    ASSERT_EQ(j.search.size(), 2u);
+    EXPECT_EQ(j.search[0].path, "lib");
+    EXPECT_EQ(j.search[1].path, "../cycles");
     EXPECT_EQ(j.skip_levels, (std::vector<int>{0, 3}));
     EXPECT_EQ(j.part_program->program, "KONTURA.SPF");
     EXPECT_FALSE(j.part);
