@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include "base/number.hpp"
+#include "base/whole.hpp"
 #include "check/milling_tool.hpp"
 #include "check/words.hpp"
 #include "cl/path_element.hpp"
@@ -84,7 +85,7 @@ void Milling::begin() {
         return out_.unchecked(
             "a tolerance of " + base::shortest(m.tolerance) + " mm needs " + needed + " for this stock, of which " +
                 megabytes(m.memory_bytes) + " may be used: removal not simulated",
-            std::isfinite(fine.fits)
+            std::isfinite(fine.fits) && fine.fits <= shop::largest_tolerance
                 ? "a tolerance of " + base::shortest(std::ceil(fine.fits * 1e5) / 1e5) + " mm would fit (--tolerance)"
                 : std::string());
     }
@@ -97,12 +98,12 @@ void Milling::begin() {
     figures_.tolerance_mm = m.tolerance;
     figures_.step = lattice->step;
     figures_.before_mm3 = milling::volume(*simulation_);
-    add_clamps();
+    add_clamps(m.memory_bytes - fine.bytes);
 }
 
 Milling::~Milling() = default;
 
-void Milling::add_clamps() {
+void Milling::add_clamps(double left) {
     for (const check::Clamp& c : setup_.milling->clamps) {
         if (const std::string problem = milling::problem_of(c.body); !problem.empty()) {
             out_.unchecked("clamp " + c.name + ": " + problem + ": collisions with it are not checked");
@@ -112,10 +113,13 @@ void Milling::add_clamps() {
         const geom::Vec3 size = box.max - box.min;
         const double step = std::clamp(std::max({size.x, size.y, size.z}) / 200, 0.1, 1.0);
         const auto lattice = milling::make_lattice(box, step);
-        if (!lattice) {
-            out_.unchecked("clamp " + c.name + " is too large: collisions with it are not checked");
+        const double needed = lattice ? milling::bytes_for(*lattice) : std::nan("");
+        if (!(needed <= left)) {
+            out_.unchecked("clamp " + c.name + " is too large: collisions with it are not checked",
+                           "give the part of it that stands near the workpiece");
             continue;
         }
+        left -= needed;
         clamps_.push_back(
             {c.name, milling::Simulation(c.body, *lattice, setup_.milling->tolerance, setup_.milling->threads)});
     }
@@ -345,7 +349,7 @@ void Milling::queue(const geom::PathElement& element, const MilledMove& move, bo
     }
     std::uint32_t pieces = 1;
     if (feed && !std::holds_alternative<geom::Cubic>(element) && way > short_way && way / piece < pieces_left_) {
-        pieces = static_cast<std::uint32_t>(std::ceil(way / piece));
+        pieces = base::clipped<std::uint32_t>(std::ceil(way / piece), 1, pieces_left_);
         pieces_left_ -= pieces;
     }
     for (std::uint32_t i = 0; i < pieces; ++i) {

@@ -60,7 +60,8 @@ private:
         sim::milling::Simulation simulation;
     };
     void begin();
-    void add_clamps();
+    /// `left`: bytes that they may take together.
+    void add_clamps(double left);
     [[nodiscard]] bool tool_in_use(const Move& move);
     void take_open(const Move& move, std::uint32_t use, const Stand::View& view);
     void queue(const geom::PathElement& element, const MilledMove& move, bool feed);

@@ -5,6 +5,7 @@
 
 #include "base/codes.hpp"
 #include "base/number.hpp"
+#include "base/whole.hpp"
 #include "sim/turning/turning.hpp"
 
 namespace obrys::check {
@@ -80,7 +81,7 @@ Box box_of(const geom::Region& region) {
 
 std::size_t LastCuts::cell(double z) const {
     const double t = (z - min_z_) / std::max(max_z_ - min_z_, 1e-9) * static_cast<double>(cells);
-    return static_cast<std::size_t>(std::clamp(t, 0.0, static_cast<double>(cells - 1)));
+    return base::clipped<std::size_t>(t, 0, cells - 1);
 }
 
 void LastCuts::add(const Move& move, const Box& removed) {

@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "base/whole.hpp"
+
 namespace obrys::check {
 
 using geom::Vec3;
@@ -79,7 +81,8 @@ void Stand::moved() {
 }
 
 std::vector<shop::ToolPose> Stand::swing(const Vec3& from, const Vec3& to) const {
-    constexpr double step = geom::pi / 180, most = 3600;
+    constexpr double step = geom::pi / 180;
+    constexpr int most = 3600;
     if (!has_rotary_ || !tool_length_known() || last_values_.size() != values_.size() || !strange_.empty()) return {};
     const auto joints = [&](const std::vector<double>& values, bool counted, const Vec3& p) {
         return shop::joints_at(chain_, values, counted, datum_.origin + p, counted_length());
@@ -90,7 +93,7 @@ std::vector<shop::ToolPose> Stand::swing(const Vec3& from, const Vec3& to) const
         if (!std::isfinite(begin[i]) || !std::isfinite(end[i])) return {};
         if (chain_.joints[i].rotary) turn = std::max(turn, std::abs(end[i] - begin[i]));
     }
-    const int steps = static_cast<int>(std::clamp(std::ceil(turn / step), 1.0, most));
+    const int steps = base::clipped<int>(std::ceil(turn / step), 1, most);
     std::vector<shop::ToolPose> out;
     std::vector<double> at(begin.size());
     for (int n = 0; n <= steps; ++n) {

@@ -5,6 +5,7 @@
 #include <cstdarg>
 #include <cstdio>
 
+#include "base/whole.hpp"
 #include "geom/vec.hpp"
 
 namespace obrys::cl {
@@ -99,7 +100,7 @@ bool CanonWriter::offsets(const Setting& s) {
             const double inch = unit_;
             unit_ = 25.4;  // the table's
             call(text("SET_TOOL_TABLE_ENTRY(%d, %d, ", s.number, s.second) + axes(v, 0, 9, " ") +
-                 text(", %.4f, %.4f, %d)", v[9], v[10], static_cast<int>(v[11])));
+                 text(", %.4f, %.4f, %d)", v[9], v[10], base::clipped<int>(v[11], 0, 99)));
             unit_ = inch;
             return true;
         }
@@ -196,7 +197,7 @@ bool CanonWriter::technology(const Setting& s) {
             flood_ = s.number != 9 && (flood_ || s.number == 8);
             return true;
         case SettingKind::output_bit: {
-            const int how = static_cast<int>(s.values[0]);
+            const int how = base::clipped<int>(s.values[0], 0, 3);
             call(text("%s_%s_OUTPUT_BIT(%d)", how % 2 == 1 ? "SET" : "CLEAR", how >= 2 ? "MOTION" : "AUX", s.number));
             return true;
         }
@@ -233,7 +234,7 @@ void CanonWriter::arc(const Arc& a) {
                                     : plane_ == 18 ? std::array{end.z, end.x, centre.z, centre.x, end.y}
                                                    : std::array{end.y, end.z, centre.y, centre.z, end.x};
     call(text("ARC_FEED(%.4f, %.4f, %.4f, %.4f, %d, %.4f, %.4f, %.4f, %.4f)", v[0], v[1], v[2], v[3],
-              sense * static_cast<int>(std::max(1.0, turns)), v[4], restored(stream_[3] - offset_[3]),
+              sense * base::clipped<int>(turns, 1, 1'000'000'000), v[4], restored(stream_[3] - offset_[3]),
               restored(stream_[4] - offset_[4]), restored(stream_[5] - offset_[5])));
 }
 

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "base/whole.hpp"
 #include "cl/totals.hpp"
 
 namespace obrys::cl {
@@ -96,7 +97,8 @@ void points_between(geom::Vec3 from, const Step& move, double tolerance, int mos
         // A chord over the angle a leaves the circle by r (1 - cos(a/2)), which is below r a^2 / 8.
         const double count =
             std::min(std::ceil(std::abs(arc->sweep) * std::sqrt(radius / (8 * tolerance))), static_cast<double>(most));
-        for (int i = 1; i < static_cast<int>(count); ++i) {
+        const int chords = base::clipped<int>(count, 0, most);
+        for (int i = 1; i < chords; ++i) {
             const double part = i / count;
             const geom::Vec3 way = turned(s.radius, arc->normal, part * arc->sweep) - s.radius + part * s.rise;
             point({from.x + way.x, from.y + way.y, from.z + way.z});

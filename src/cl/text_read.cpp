@@ -6,6 +6,7 @@
 #include "base/codes.hpp"
 #include "base/number.hpp"
 #include "base/text.hpp"
+#include "base/whole.hpp"
 #include "cl/text.hpp"
 
 namespace obrys::cl {
@@ -198,11 +199,12 @@ Tolerance tolerance(Words& w) {
 Setting setting(Words& w) {
     Setting s;
     const double kind = w.number(), n = w.number(), second = w.number();
-    if (kind >= 0 && kind <= static_cast<double>(SettingKind::pallet_change) && std::abs(n) < 1e9 &&
-        std::abs(second) < 1e9) {
-        s.kind = static_cast<SettingKind>(static_cast<int>(kind));
-        s.number = static_cast<std::int32_t>(n);
-        s.second = static_cast<std::int32_t>(second);
+    const auto kind_number = base::whole<int>(kind, 0, static_cast<int>(SettingKind::pallet_change));
+    const auto first = base::whole<std::int32_t>(n), other = base::whole<std::int32_t>(second);
+    if (kind_number && first && other) {
+        s.kind = static_cast<SettingKind>(*kind_number);
+        s.number = *first;
+        s.second = *other;
     } else {
         w.fail("there is no such setting");
     }

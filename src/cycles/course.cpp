@@ -5,6 +5,7 @@
 #include <utility>
 
 #include "base/number.hpp"
+#include "base/whole.hpp"
 #include "cycles/names.hpp"
 
 namespace obrys::cycles {
@@ -56,7 +57,7 @@ double Course::maybe(Role role, double otherwise) {
 
 int Course::whole(Role role, int otherwise, int least, int most, const char* what) {
     const double value = maybe(role, otherwise);
-    if (value >= least && value <= most && value == std::floor(value)) return static_cast<int>(value);
+    if (const auto n = base::whole<int>(value, least, most)) return *n;
     if (!std::isnan(value))
         fault(role, std::string(what) + " must be a whole number from " + std::to_string(least) + " to " +
                         std::to_string(most));

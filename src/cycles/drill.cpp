@@ -5,6 +5,7 @@
 #include <cmath>
 #include <optional>
 
+#include "base/whole.hpp"
 #include "cycles/course.hpp"
 #include "cycles/levels.hpp"
 
@@ -164,8 +165,10 @@ void machine_function(Course& c, double number) {
         c.add(cl::Coolant{cl::CoolantState::off});
     else if (number == 7)
         c.add(cl::Coolant{cl::CoolantState::mist});
+    else if (const auto m = base::whole<std::int64_t>(number, 0, 99'999))
+        c.add(cl::Auxiliary{'M', *m});
     else
-        c.add(cl::Auxiliary{'M', static_cast<std::int64_t>(number)});
+        c.fault("the number of an M function must be a whole number from 0 to 99999");
 }
 
 void single_lip(Course& c, const Demand& d, const Situation& s) {

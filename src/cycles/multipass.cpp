@@ -6,6 +6,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "base/whole.hpp"
+
 #include "cycles/course.hpp"
 
 namespace obrys::cycles {
@@ -16,7 +18,7 @@ using geom::Vec3;
 using Role = program::CycleRole;
 using Kind = program::CycleKind;
 
-constexpr double most_passes = 20'000;
+constexpr int most_passes = 20'000;
 
 double sign(double value) { return value < 0 ? -1 : 1; }
 
@@ -25,7 +27,7 @@ int read_cuts(Course& c) {
     const double cuts = c.need(Role::passes);
     if (cuts < 1 || cuts > most_passes || (std::isfinite(cuts) && cuts != std::floor(cuts)))
         c.fault(Role::passes, "the number of cuts must be a whole number from 1 on");
-    return c.ready() ? int(cuts) : 0;
+    return c.ready() ? base::clipped<int>(cuts, 0, most_passes) : 0;
 }
 
 void multipass(Course& c, const Situation& s) {
@@ -110,7 +112,7 @@ void read_passes(Course& c, Face& f, double corner_radius) {
     if (flat <= 0) c.fault("face milling needs a tool with a flat front");
     const double passes = std::ceil(std::abs(f.width) / (overlap * flat) - 1e-9);
     if (passes > most_passes) c.fault(Role::overlap, "the path overlap is too small for the width");
-    if (c.ready()) f.passes = std::max(1, int(passes));
+    if (c.ready()) f.passes = base::clipped<int>(passes, 1, most_passes);
 }
 
 Face read_face(Course& c, const Situation& s) {
@@ -135,7 +137,7 @@ Face read_face(Course& c, const Situation& s) {
     const double corner = c.known(s.tool_corner_radius, "the tool's corner radius");
     if (f.start.z < f.floor) c.fault(Role::end_surface, "the end point lies above the starting point in the tool axis");
     if (f.start.z == f.floor) c.not_executed(Role::end_surface);
-    if (c.ready()) f.strategy = int(strategy);
+    if (c.ready()) f.strategy = base::clipped<int>(strategy, 0, 2);
     if (c.ready()) read_passes(c, f, corner);
     return f;
 }
@@ -149,7 +151,8 @@ std::vector<double> face_levels(Course& c, const Face& f) {
         c.fault(Role::infeed, "the infeed is too small for the height");
         return levels;
     }
-    for (int i = 1; i <= int(count); ++i) levels.push_back(i == int(count) ? f.rough : f.start.z - height * i / count);
+    const int last = base::clipped<int>(count, 0, most_steps);
+    for (int i = 1; i <= last; ++i) levels.push_back(i == last ? f.rough : f.start.z - height * i / count);
     if (f.rough > f.floor) levels.push_back(f.floor);
     return levels;
 }

@@ -4,6 +4,7 @@
 #include <string>
 #include <utility>
 
+#include "base/whole.hpp"
 #include "cycles/names.hpp"
 
 namespace obrys::cycles {
@@ -18,7 +19,7 @@ Vec2 direction(double degrees) {
     const double quarters = std::remainder(degrees, 360) / 90;
     if (quarters == std::round(quarters)) {
         constexpr Vec2 axes[4] = {{1, 0}, {0, 1}, {-1, 0}, {0, -1}};
-        return axes[(static_cast<int>(quarters) + 4) % 4];
+        return axes[(base::clipped<int>(quarters, -2, 2) + 4) % 4];
     }
     const double a = geom::radians(degrees);
     return {std::cos(a), std::sin(a)};
@@ -41,7 +42,7 @@ double maybe(const Demand& d, Role role, double otherwise, Positions& p) {
 
 int read_number(const Demand& d, Role role, Positions& p) {
     const double value = read(d, role, p);
-    if (value >= 1 && value <= most_positions && value == std::floor(value)) return int(value);
+    if (const auto n = base::whole<int>(value, 1, most_positions)) return *n;
     if (std::isfinite(value)) complain(p, std::string(name(role)) + " must be a whole number from 1 on", role);
     return 0;
 }

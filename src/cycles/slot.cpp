@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "base/whole.hpp"
 #include "cycles/levels.hpp"
 #include "cycles/pocket_data.hpp"
 #include "geom/offset.hpp"
@@ -94,7 +95,8 @@ void bent_slot(Course& c, const Situation& s) {
     if (!c.ready()) return;
     c.assume(slot_rings);
     p.position = 1;  // it does not return to the called position
-    for (int i = 0; i < static_cast<int>(count) && c.ready() && c.room(); ++i)
+    const int slots = base::clipped<int>(count, 1, 1000);
+    for (int i = 0; i < slots && c.ready() && c.room(); ++i)
         mill_pocket(c, p, {r.region(), r.where(i * step), {}, false, r.middle()});
 }
 

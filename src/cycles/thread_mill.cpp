@@ -9,6 +9,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "base/whole.hpp"
 #include "cycles/course.hpp"
 #include "cycles/levels.hpp"
 
@@ -71,10 +72,10 @@ Job read_job(Course& c, const Situation& s, bool outside) {
     if (j.radius <= 1e-9) c.fault(Role::diameter, "tool radius too large: the thread is smaller than the tool");
     j.sense = sense_of(c, outside);
     const double per_step = c.maybe_at_least(Role::threads_per_step, 0, 0);
-    if (per_step > 1000 || per_step != std::floor(per_step))
-        c.fault(Role::threads_per_step, "threads per step must be a whole number of at most 1000");
+    if (const auto n = base::whole<int>(per_step, 0, 1000))
+        j.threads_per_step = *n;
     else if (!std::isnan(per_step))
-        j.threads_per_step = int(per_step);
+        c.fault(Role::threads_per_step, "threads per step must be a whole number of at most 1000");
     j.feed = c.feed(Role::feed_mill);
     j.positioning = c.feed(Role::feed_position);
     j.approach = c.feed_or(Role::feed_approach, j.feed);
@@ -116,7 +117,7 @@ void mill_thread(Course& c, const Job& j) {
         return;
     }
     const double step = j.threads_per_step * lead;
-    const int steps = j.threads_per_step == 0 ? 1 : std::max(1, int(std::ceil(length / step - 1e-9)));
+    const int steps = j.threads_per_step == 0 ? 1 : base::clipped<int>(std::ceil(length / step - 1e-9), 1, most_steps);
     for (int k = 0; k < steps && c.room(); ++k) {
         const double low = bottom + (up ? k : steps - 1 - k) * step;
         mill_helix(c, j, up ? low : low + lead, 1);

@@ -17,6 +17,8 @@
 #include <fstream>
 #include <new>
 #include <system_error>
+
+#include "base/whole.hpp"
 #endif
 
 namespace obrys::driver {
@@ -43,7 +45,7 @@ void limit(decltype(RLIMIT_AS) what, double value) {
     rlimit now{};
     if (getrlimit(what, &now) != 0) return;
     if (now.rlim_cur != RLIM_INFINITY && static_cast<double>(now.rlim_cur) <= value) return;
-    now.rlim_cur = static_cast<rlim_t>(value);
+    now.rlim_cur = base::clipped<rlim_t>(value, 0, std::numeric_limits<std::int64_t>::max());
     setrlimit(what, &now);
 }
 

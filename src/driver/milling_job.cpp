@@ -93,7 +93,7 @@ std::optional<check::MillingSetup> milling_setup(Session& s, const MillingReques
     if (s.job.machine.kind != shop::MachineKind::mill) return std::nullopt;  // a lathe's stock is a section
     check::MillingSetup m;
     m.tolerance = request.tolerance.value_or(s.job.tolerances.simulation.value_or(usual_tolerance));
-    m.memory_bytes = share_of_memory * memory_of_machine();
+    m.memory_bytes = request.memory_bytes.value_or(share_of_memory * memory_of_machine());
     Reading reading;
     reading.tolerance = m.tolerance;
     reading.guard.memory_bytes = m.memory_bytes;

@@ -10,9 +10,10 @@ namespace obrys::driver {
 
 /// What the command line says of milling.
 struct MillingRequest {
-    std::optional<double> tolerance;  ///< mm; not said: as the job says, else 0.01
-    bool surface = false;             ///< the surface is wanted for a file or picture
-    std::size_t keep_moves = 0;       ///< whose way is kept for the page
+    std::optional<double> tolerance;     ///< mm; not said: as the job says, else 0.01
+    bool surface = false;                ///< the surface is wanted for a file or picture
+    std::size_t keep_moves = 0;          ///< whose way is kept for the page
+    std::optional<double> memory_bytes;  ///< that the stock may take; not said: half of what the machine has
 };
 
 /// Nothing where the job has no milling stock, or none that can be used (a complaint says so).

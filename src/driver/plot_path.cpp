@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "base/whole.hpp"
 #include "cl/path_element.hpp"
 #include "cl/spline.hpp"
 #include "cl/totals.hpp"
@@ -34,7 +35,7 @@ public:
         const geom::Vec2 way = report::project(plane_, s.ideal - ideal_);
         if (way.x != 0 || way.y != 0) along_ = way;
         ideal_ = s.ideal;
-        const int piece = static_cast<int>(s.u * pieces_);
+        const int piece = base::clipped<int>(s.u * pieces_, 0, pieces_);
         const bool left = geom::cross(along_, off) > 0;
         Last& last = left ? left_ : right_;
         auto& chain = left ? out_.left : out_.right;

@@ -4,6 +4,7 @@
 #include <optional>
 
 #include "base/codes.hpp"
+#include "base/whole.hpp"
 
 namespace obrys::driver {
 
@@ -24,8 +25,9 @@ std::optional<shop::Tool> defined_here(const program::Unit& unit, std::uint32_t 
         if (!program::is_literal(w)) return std::nullopt;
         const double v = unit.literal(w);
         if (code == Code::tool) {
-            number = v >= 1 && v <= 32767;
-            tool.number = number ? static_cast<std::uint32_t>(v) : 0;
+            const auto n = base::cut<std::uint32_t>(v, 1, 32767);
+            number = n.has_value();
+            tool.number = n.value_or(0);
         } else if (code == Code::tool_length) {
             tool.length = v * mm;
         } else {

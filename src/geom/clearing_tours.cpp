@@ -1,6 +1,7 @@
 #include <algorithm>
 #include <array>
 
+#include "base/whole.hpp"
 #include "geom/clearing.hpp"
 #include "geom/edge.hpp"
 
@@ -69,7 +70,7 @@ private:
         const auto n = static_cast<double>(chain.size());
         while (from < to) {
             const double edge = std::floor(from), end = std::min(edge + 1, to);
-            const Edge& e = chain[static_cast<std::size_t>(std::fmod(edge, n))];
+            const Edge& e = chain[base::clipped<std::size_t>(std::fmod(edge, n), 0, chain.size() - 1)];
             if (end - from > 1e-12) go(part(e, from - edge, end - edge));
             from = end;
         }
@@ -167,7 +168,7 @@ private:
     }
     [[nodiscard]] Vec2 start_of(std::size_t ring, double entry) const {
         const double edge = std::min(std::floor(entry), static_cast<double>(chains_[ring].size() - 1));
-        return point_at(chains_[ring][static_cast<std::size_t>(edge)], entry - edge);
+        return point_at(chains_[ring][base::clipped<std::size_t>(edge, 0, chains_[ring].size() - 1)], entry - edge);
     }
 
     const Clearing& c_;

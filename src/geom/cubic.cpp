@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <vector>
 
+#include "base/whole.hpp"
+
 namespace obrys::geom {
 
 namespace {
@@ -118,7 +120,7 @@ int chord_count(const Cubic& c, double tolerance) {
     // linear.
     const double bend = std::max(length(2 * c.k2), length(2 * c.k2 + 6 * c.k3));
     const double count = std::ceil(std::sqrt(bend / (8 * tolerance)));
-    return std::isfinite(count) ? static_cast<int>(std::clamp(count, 1.0, 1e4)) : 1;
+    return std::isfinite(count) ? base::clipped<int>(count, 1, 10'000) : 1;
 }
 
 Cubic parabola(Vec3 a, Vec3 b, Vec3 c) { return {a, 4 * b - 3 * a - c, 2 * (a + c) - 4 * b, {}}; }

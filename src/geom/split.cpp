@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "base/whole.hpp"
+
 namespace obrys::geom {
 
 namespace {
@@ -43,8 +45,8 @@ public:
 private:
     static constexpr std::uint32_t none = 0xffffffffU;
     [[nodiscard]] std::size_t slot(double x, double y) const {
-        const auto a = static_cast<std::uint64_t>(static_cast<std::int64_t>(x));
-        const auto b = static_cast<std::uint64_t>(static_cast<std::int64_t>(y));
+        const auto a = static_cast<std::uint64_t>(base::cut<std::int64_t>(x).value_or(0));
+        const auto b = static_cast<std::uint64_t>(base::cut<std::int64_t>(y).value_or(0));
         std::uint64_t h = a * 0x9e3779b97f4a7c15ULL ^ (b * 0xc2b2ae3d27d4eb4fULL);
         h ^= h >> 29;
         return static_cast<std::size_t>(h) & (heads_.size() - 1);
@@ -70,8 +72,7 @@ std::vector<Strand> strands_of(const std::vector<SourceEdge>& sources) {
     out.reserve(sources.size());
     for (std::uint32_t i = 0; i < sources.size(); ++i) {
         const Edge& e = sources[i].edge;
-        const int n =
-            is_arc(e) ? std::max(1, static_cast<int>(std::ceil(std::abs(sweep_angle(e)) / (pi / 2) - 1e-9))) : 1;
+        const int n = is_arc(e) ? base::clipped<int>(std::ceil(std::abs(sweep_angle(e)) / (pi / 2) - 1e-9), 1, 4) : 1;
         for (int k = 0; k < n; ++k) {
             Strand s;
             s.edge = n == 1 ? e : part(e, static_cast<double>(k) / n, static_cast<double>(k + 1) / n);

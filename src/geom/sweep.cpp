@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "base/whole.hpp"
 #include "geom/arrangement.hpp"
 #include "geom/boolean.hpp"
 #include "geom/tolerance.hpp"
@@ -114,7 +115,7 @@ void line_along_arc(const Edge& e, Vec2 centre, double radius, double from, doub
 
 void edge_along_arc(const Edge& e, Vec2 centre, double radius, double from, double sweep, std::vector<Contour>& out) {
     if (!is_arc(e)) return line_along_arc(e, centre, radius, from, sweep, out);
-    const int n = std::max(1, static_cast<int>(std::ceil(std::abs(sweep_angle(e)) / (pi / 2) - 1e-9)));
+    const int n = base::clipped<int>(std::ceil(std::abs(sweep_angle(e)) / (pi / 2) - 1e-9), 1, 4);
     const Circle c = circle(e);
     const double u0 = std::atan2(e.a.y - c.centre.y, e.a.x - c.centre.x), step = sweep_angle(e) / n;
     const ArcAlongArc map(c.centre + centre, c.radius, radius);
@@ -159,7 +160,7 @@ Region sweep_round(const Contour& outline, Vec2 centre, double radius, double fr
     const Vec2 start = centre + radius * Vec2{std::cos(from), std::sin(from)};
     std::vector<Contour> loops{moved(outline, start)};
     const double whole = std::clamp(sweep, -2 * pi, 2 * pi);
-    const int n = std::max(1, static_cast<int>(std::ceil(std::abs(whole) / (pi / 2) - 1e-9)));
+    const int n = base::clipped<int>(std::ceil(std::abs(whole) / (pi / 2) - 1e-9), 1, 4);
     for (int i = 0; i < n; ++i)
         for (const Edge& e : edges(outline)) edge_along_arc(e, centre, radius, from + i * whole / n, whole / n, loops);
     return positive(loops);

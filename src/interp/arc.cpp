@@ -6,6 +6,7 @@
 
 #include "base/codes.hpp"
 #include "base/number.hpp"
+#include "base/whole.hpp"
 #include "interp/path_stage.hpp"
 #include "path/arc_input.hpp"
 
@@ -64,6 +65,8 @@ void arc_alarm(Run& run, const path::ArcResult& r) {
     alarm(run, codes::arc_radius, run.here(), std::move(text));
 }
 
+constexpr int most_turns = 1000;  ///< of an angle about the pole; HEIDENHAIN takes up to 99999.9999 degrees
+
 /// C and CP: about the pole, to a point or through an angle.
 path::ArcResult about_pole(const Run& run, Vec2 from, Vec2 to, path::Sense sense, const PlaneAxes& a) {
     const BlockWords& b = run.block;
@@ -73,17 +76,22 @@ path::ArcResult about_pole(const Run& run, Vec2 from, Vec2 to, path::Sense sense
     const double turns = std::abs(b.get(Code::pole_angle)) / 360;
     const double whole = std::max(0.0, std::ceil(turns) - 1);
     return path::arc_about_centre(from, centre, geom::radians((turns - whole) * 360), sense,
-                                  static_cast<int>(std::min(whole, 1e6)));
+                                  base::clipped<int>(whole, 0, most_turns));
 }
 
 /// Full turns beyond the arc to its end: TURN=, or P - 1 where the control counts the arc itself
 /// (Traits::arc_turns_in_p).
 std::optional<int> turns_of(Run& run) {
     const BlockWords& b = run.block;
-    if (b.has(Code::turns)) return static_cast<int>(std::clamp(b.get(Code::turns), 0.0, 999.0));
+    if (b.has(Code::turns)) {
+        if (const auto n = base::whole<int>(b.get(Code::turns), 0, 999)) return n;
+        alarm(run, codes::value_range, run.here(),
+              "TURN, the number of full turns of a helix, must be a whole number from 0 to 999");
+        return std::nullopt;
+    }
     if (!run.traits->arc_turns_in_p || !b.has(Code::p)) return 0;
     const double p = b.get(Code::p);
-    if (p >= 1 && p <= 1000 && p == std::floor(p)) return static_cast<int>(p) - 1;
+    if (const auto n = base::whole<int>(p, 1, 1000)) return *n - 1;
     alarm(run, codes::value_range, run.here(),
           "P, the number of turns of an arc, must be a whole number from 1 to 1000");
     return std::nullopt;
@@ -99,6 +107,11 @@ path::ArcResult planar_arc(Run& run, Vec2 from, Vec2 to, bool end_given, const P
     if (!given) return {};
     const int turns = *given;
     const bool centre = b.has(centre_words[a.u]) || b.has(centre_words[a.v]);
+    if (b.has(Code::pole_angle) && std::abs(b.get(Code::pole_angle)) > most_turns * 360.0) {
+        alarm(run, codes::value_range, run.here(),
+              "the angle of this arc is larger than " + std::to_string(most_turns) + " turns");
+        return {};
+    }
     if (b.has(Code::centre_at_pole)) return about_pole(run, from, to, sense, a);
     if (b.has(Code::radius))
         return path::arc_by_radius(from, to, b.get(Code::radius) * length_unit(run.modal), sense, turns,

@@ -3,6 +3,7 @@
 #include <cmath>
 
 #include "base/codes.hpp"
+#include "base/whole.hpp"
 #include "interp/run.hpp"
 
 namespace obrys::interp {
@@ -34,8 +35,7 @@ bool counts_as_equal(const Run& run, double a, double b) {
 }
 
 std::int32_t bits(double v) {
-    if (!std::isfinite(v)) return 0;
-    return static_cast<std::int32_t>(static_cast<std::int64_t>(std::fmod(v, 4294967296.0)));
+    return static_cast<std::int32_t>(base::cut<std::int64_t>(std::fmod(v, 4294967296.0)).value_or(0));
 }
 
 double checked(Run& run, const Expr& e, double v) {

@@ -5,6 +5,7 @@
 #include <optional>
 
 #include "base/codes.hpp"
+#include "base/whole.hpp"
 #include "interp/run.hpp"
 
 namespace obrys::interp {
@@ -64,8 +65,8 @@ std::optional<CharacterPlace> character_place(Run& run, const Binding& b, const 
     const Value held = b.array->get(place.element);
     if (held.is_unknown()) return std::nullopt;
     const std::string& text = held.as_text();
-    if (at >= 0 && at < static_cast<double>(text.size())) {
-        place.character = static_cast<std::size_t>(at);
+    if (const auto n = base::cut<std::size_t>(at); n && at >= 0 && *n < text.size()) {
+        place.character = *n;
         return place;
     }
     alarm(run, codes::index_range, {run.unit().file, e.begin, e.end},
@@ -83,7 +84,7 @@ Value read_character(Run& run, const Binding& b, const Expr& e) {
 }
 
 std::size_t undefined_part(double index) {
-    return std::isnan(index) ? 65535 : static_cast<std::size_t>(std::clamp(index, 0.0, 65535.0));
+    return std::isnan(index) ? 65535 : base::clipped<std::size_t>(index, 0, 65535);
 }
 
 std::size_t undefined_key(Run& run, const Expr& e) {
@@ -181,7 +182,7 @@ std::optional<std::uint32_t> writable(Run& run, double index, const program::Ass
               "there is no parameter " + printed(Value::real(index)) + " that could be assigned");
         return std::nullopt;
     }
-    return static_cast<std::uint32_t>(index);
+    return base::cut<std::uint32_t>(index);
 }
 
 void assign_parameter(Run& run, const Expr& target, const program::Assign& a) {
@@ -217,7 +218,7 @@ void write_character(Run& run, const Binding& b, const Expr& e, ExprId value) {
         complain(run, c, v, Type::character, run.unit().span(value));
     } else {
         std::string text = array->get(place->element).as_text();
-        text[place->character] = static_cast<char>(static_cast<int>(v.number));
+        text[place->character] = character(v.number);
         array->set(place->element, v.is_unknown() ? Value::unknown(Type::string) : Value::string(std::move(text)));
     }
 }
@@ -337,7 +338,8 @@ void assign_system(Run& run, const Expr& target, const program::Assign& a) {
             if (target.count == 1) {
                 const double n = number(run, run.unit().children[target.b]);
                 if (!run.stopped && n >= 0 && n < run.parameters.count())
-                    run.parameters.set(static_cast<std::uint32_t>(n), number(run, a.value));
+                    run.parameters.set(base::clipped<std::uint32_t>(n, 0, run.parameters.count() - 1),
+                                       number(run, a.value));
                 else if (!run.stopped)
                     alarm(run, codes::index_range, run.unit().span(a.target),
                           "there is no parameter " + printed(Value::real(n)));

@@ -3,6 +3,7 @@
 #include <cmath>
 
 #include "base/codes.hpp"
+#include "base/whole.hpp"
 #include "interp/run.hpp"
 
 namespace obrys::interp {
@@ -39,7 +40,7 @@ void give_list(Run& run, const Expr& target, const Expr& list) {
 /// "R7", "#517"; empty where the number is none of a parameter.
 std::string parameter_key(Run& run, double n) {
     if (!(n >= 0) || n >= run.parameters.count()) return {};
-    return program::parameter_name(*run.traits, static_cast<std::uint32_t>(n));
+    return program::parameter_name(*run.traits, base::clipped<std::uint32_t>(n, 0, run.parameters.count() - 1));
 }
 
 void take(Run& run, const program::Assign& a) {

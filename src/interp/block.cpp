@@ -4,6 +4,7 @@
 
 #include "base/codes.hpp"
 #include "base/text.hpp"
+#include "base/whole.hpp"
 #include "interp/run.hpp"
 
 namespace obrys::interp {
@@ -44,10 +45,10 @@ double word_value(Run& run, const Word& w) {
 void function_number(Run& run, const base::Span& where, double v, std::vector<int>& functions) {
     if (std::isnan(v))
         unchecked(run, codes::unknown_value, where, "which function this is depends on a value that is not known");
-    else if (v < -2147483647 || v > 2147483647)
-        alarm(run, codes::value_range, where, "this function number is out of range");
+    else if (const auto n = base::cut<int>(v))
+        functions.push_back(*n);
     else
-        functions.push_back(static_cast<int>(v));
+        alarm(run, codes::value_range, where, "this function number is out of range");
 }
 
 void tool_word(Run& run, const Word& w) {

@@ -7,6 +7,7 @@
 #include "base/codes.hpp"
 #include "base/number.hpp"
 #include "base/text.hpp"
+#include "base/whole.hpp"
 #include "interp/run.hpp"
 
 namespace obrys::interp {
@@ -106,8 +107,9 @@ void bind_main_arguments(Run& run, const Unit& unit) {
         array->name = p.name;
         for (std::size_t k = 0; p.is_array && k < 3 && p.dimensions[k] != program::no_expr; ++k) {
             const double n = number(run, p.dimensions[k]);
-            if (!(n >= 1 && n <= 100'000)) break;
-            array->dimensions[k] = static_cast<std::uint32_t>(n);
+            const auto size = base::cut<std::uint32_t>(n, 1, 100'000);
+            if (!size) break;
+            array->dimensions[k] = *size;
             array->rank = static_cast<int>(k) + 1;
         }
         array->allocate_unknown(Held::argument);
@@ -228,7 +230,7 @@ std::optional<std::uint64_t> repeats_of(Run& run, const Call& call, const base::
     if (std::isnan(passes))
         unchecked(run, codes::unknown_value, where, "how often this call is made depends on a value that is not known");
     if (!(passes >= 1)) return std::nullopt;
-    return static_cast<std::uint64_t>(std::min(passes, 1e15)) - 1;
+    return times_of(passes) - 1;
 }
 
 /// The program just called begins with block number `n`; false after an alarm.

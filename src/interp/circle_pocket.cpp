@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "base/codes.hpp"
+#include "base/whole.hpp"
 #include "interp/cycle_call.hpp"
 #include "interp/motion.hpp"
 
@@ -13,7 +14,7 @@ namespace codes = base::codes;
 
 namespace {
 
-constexpr double most_passes = 10'000;
+constexpr int most_passes = 10'000;
 
 struct Pocket {
     geom::Vec3 centre;
@@ -63,8 +64,9 @@ bool take_circles(Run& run, double tool, Pocket& pocket) {
 
 bool take_levels(Run& run, const geom::Vec3& target, Pocket& pocket) {
     const double n = run.block.has(Code::l) ? run.block.get(Code::l) : 1;
-    if (!(n >= 1 && n <= most_passes && n == std::floor(n))) return refuse(run, "L must be a whole number of passes");
-    pocket.passes = static_cast<int>(n);
+    const auto passes = base::whole<int>(n, 1, most_passes);
+    if (!passes) return refuse(run, "L must be a whole number of passes");
+    pocket.passes = *passes;
     pocket.from = target.z;
     pocket.step = run.modal.absolute ? 0 : target.z - run.programmed_position.z;
     return true;

@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include "base/codes.hpp"
+#include "base/whole.hpp"
 #include "cycles/shapes.hpp"
 #include "geom/edge.hpp"
 #include "interp/capture.hpp"
@@ -41,7 +42,8 @@ path::Element in_frame(const Captured& c, const geom::Frame& frame, const PlaneA
 
 void add_edge(geom::Contour& c, const path::Element& e, const Captured& from, ContourElements& elements) {
     const double most = geom::pi;
-    const int parts = path::is_arc(e) ? std::max(1, static_cast<int>(std::ceil(std::abs(e.sweep) / most - 1e-9))) : 1;
+    const int parts =
+        path::is_arc(e) ? base::clipped<int>(std::ceil(std::abs(e.sweep) / most - 1e-9), 1, 1'000'000) : 1;
     for (int i = 0; i < parts; ++i) {
         c.vertices.back().bulge = path::is_arc(e) ? std::tan(e.sweep / parts / 4) : 0;
         const Vec2 p = i + 1 == parts ? e.to : path::point_at(e, static_cast<double>(i + 1) / parts);

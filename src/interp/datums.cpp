@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include "base/codes.hpp"
+#include "base/whole.hpp"
 #include "interp/motion.hpp"
 
 namespace obrys::interp {
@@ -32,7 +33,8 @@ const DatumTable* datum_table(Run& run, const program::CycleDefinition& c) {
 void shift_by_table(Run& run, const program::CycleDefinition& c, double n) {
     const DatumTable* table = datum_table(run, c);
     if (table == nullptr) return;
-    const auto row = is_row(n, 1e9) ? table->rows.find(static_cast<std::uint32_t>(n)) : table->rows.end();
+    const auto row =
+        is_row(n, 1e9) ? table->rows.find(base::clipped<std::uint32_t>(n, 0, 1'000'000'000)) : table->rows.end();
     if (row == table->rows.end()) {
         alarm(run, codes::value_range, c.where,
               c.name + ": the datum table " + table->name + " has no row " + printed(Value::real(n)));
@@ -62,7 +64,7 @@ void select_preset(Run& run, const program::CycleDefinition& c, double n) {
     }
     flush_path(run);
     run.modal.datum_offset = {};
-    const std::uint32_t datum = run.traits->datum.first + static_cast<std::uint32_t>(n);
+    const std::uint32_t datum = run.traits->datum.first + base::clipped<std::uint32_t>(n, 0, 99'999);
     const auto& known = run.env.machine.datums;
     if (known.lower_bound(run.traits->datum.first) != known.end() && !known.contains(datum))
         unchecked(run, codes::unknown_value, c.where,

@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "base/codes.hpp"
+#include "base/whole.hpp"
 #include "interp/run.hpp"
 
 namespace obrys::interp {
@@ -66,8 +67,7 @@ void define(Run& run, const program::Define& d, Scope& scope, const Unit& unit) 
         auto array = std::make_shared<Array>();
         array->type = d.type;
         if (d.string_length != program::no_expr)
-            array->string_length =
-                static_cast<std::size_t>(std::clamp(known_or(number(run, d.string_length), 200), 0.0, 10000.0));
+            array->string_length = base::clipped<std::size_t>(known_or(number(run, d.string_length), 200), 0, 10'000);
         double total = 1;
         for (std::size_t k = 0; k < 3 && v.dimensions[k] != program::no_expr; ++k) {
             const double n = number(run, v.dimensions[k]);
@@ -83,7 +83,7 @@ void define(Run& run, const program::Define& d, Scope& scope, const Unit& unit) 
                       "an array cannot have " + printed(Value::real(n)) + " elements here");
                 return;
             }
-            array->dimensions[k] = static_cast<std::uint32_t>(n);
+            array->dimensions[k] = base::clipped<std::uint32_t>(n, 1, largest_array);
             array->rank = static_cast<int>(k) + 1;
         }
         allocate(run, *array, v, &scope == &run.globals);

@@ -4,6 +4,7 @@
 #include <limits>
 
 #include "base/codes.hpp"
+#include "base/whole.hpp"
 #include "interp/run.hpp"
 
 namespace obrys::interp {
@@ -41,7 +42,7 @@ double parameter_value(Run& run, double index, const base::Span& where) {
                   program::parameter_name(*run.unit().traits, run.parameters.count() - 1));
         return 0;
     }
-    const auto n = static_cast<std::uint32_t>(index);
+    const auto n = base::clipped<std::uint32_t>(index, 0, run.parameters.count() - 1);
     if (!run.traits->live.empty() && is_live(run, n)) return live_parameter(run, n, where);
     if (run.parameters.is_set(n)) return held_value(run, n, where);
     if (run.parameter_overridden[n] != 0) {
@@ -75,7 +76,7 @@ bool is_empty(Run& run, ExprId id) {
     if (e.kind != ExprKind::parameter && e.kind != ExprKind::parameter_at) return false;
     const double index = e.kind == ExprKind::parameter ? e.a : number(run, e.a);
     if (run.stopped || !(index >= 0) || index >= run.parameters.count()) return false;
-    const auto n = static_cast<std::uint32_t>(index);
+    const auto n = base::clipped<std::uint32_t>(index, 0, run.parameters.count() - 1);
     return n == 0 || (!run.parameters.is_set(n) && !is_live(run, n) && !is_kept_unknown(run, n));
 }
 
@@ -291,8 +292,7 @@ std::string axis_of(Run& run, ExprId id) {
     if (v.is_unknown()) return "?";
     if (v.is_text()) return v.as_text();
     const auto& axes = run.env.machine.axes;
-    if (v.number >= 1 && v.number < static_cast<double>(axes.size() + 1))
-        return axes[static_cast<std::size_t>(v.number) - 1].name;
+    if (const auto n = base::cut<std::size_t>(v.number, 1, axes.size()); n) return axes[*n - 1].name;
     if (!run.stopped)
         alarm(run, codes::value_range, run.unit().span(id),
               "there is no axis number " + printed(v) + " on this machine");

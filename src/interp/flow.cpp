@@ -6,6 +6,7 @@
 #include "base/codes.hpp"
 #include "base/number.hpp"
 #include "base/text.hpp"
+#include "base/whole.hpp"
 #include "interp/run.hpp"
 
 namespace obrys::interp {
@@ -127,10 +128,10 @@ std::vector<std::uint32_t> numbered_blocks(const Run& run, std::int64_t n) {
 }  // namespace
 
 std::vector<std::uint32_t> numbered_statements(const Run& run, double n) {
-    if (!(n >= 0 && n <= 1e9) || n != std::floor(n)) return {};
-    const auto whole = static_cast<std::int64_t>(n);
-    const auto found = run.unit().labels.find(run.env.names.id("N" + std::to_string(whole)));
-    return found != run.unit().labels.end() ? found->second : numbered_blocks(run, whole);
+    const auto whole = base::whole<std::int64_t>(n, 0, 1'000'000'000);
+    if (!whole) return {};
+    const auto found = run.unit().labels.find(run.env.names.id("N" + std::to_string(*whole)));
+    return found != run.unit().labels.end() ? found->second : numbered_blocks(run, *whole);
 }
 
 namespace {
@@ -249,7 +250,7 @@ void repeat_section(Run& run, const program::Section& s, std::uint32_t index) {
         return;
     }
     active.back = index + 1;
-    active.left = static_cast<std::uint64_t>(std::min(passes, 1e15));
+    active.left = times_of(passes);
     run.top().pc = active.first;
     run.top().sections.push_back(active);
 }
@@ -264,7 +265,7 @@ void begin_repeat(Run& run, const program::Branch& b, std::uint32_t index) {
     if (!(n >= 1)) return go(run, b.target);
     auto& counters = run.top().counters;
     std::erase_if(counters, [&](const auto& c) { return c.statement == index; });
-    counters.push_back({index, static_cast<std::uint64_t>(std::min(n, 1e15))});
+    counters.push_back({index, times_of(n)});
 }
 
 void end_repeat(Run& run, const program::Branch& b) {

@@ -6,6 +6,7 @@
 
 #include "base/codes.hpp"
 #include "base/number.hpp"
+#include "base/whole.hpp"
 #include "interp/special.hpp"
 #include "path/fk.hpp"
 
@@ -100,7 +101,7 @@ private:
     }
     /// A block nobody handed over gets a tag that the solver does not know.
     std::uint64_t tag_of(double number) const {
-        const auto found = contour_.by_number.find(static_cast<std::uint32_t>(std::clamp(number, 0.0, 4e9)));
+        const auto found = contour_.by_number.find(base::clipped<std::uint32_t>(number, 0, 4'000'000'000));
         return found == contour_.by_number.end() ? ~std::uint64_t{0} : found->second;
     }
     std::optional<path::FkValue> value(const Field& f) {
@@ -151,7 +152,7 @@ bool hand_over(Run& run, FreeContour& c) {
     if (s->kind == SpecialKind::free_pole) set_pole(run, *s);
     if (s->kind == SpecialKind::free_select) {
         const double n = datum_of(run, *s, Datum::number);
-        take(c, c.solver.select(n >= 1 && n <= 1000 ? static_cast<std::size_t>(n) : 0));
+        take(c, c.solver.select(base::cut<std::size_t>(n, 1, 1000).value_or(0)));
     }
     if (!is_element(s->kind)) return true;
     if (s->block_number != 0) c.by_number[s->block_number] = tag;

@@ -7,6 +7,7 @@
 #include "base/codes.hpp"
 #include "base/number.hpp"
 #include "base/text.hpp"
+#include "base/whole.hpp"
 #include "interp/run.hpp"
 
 namespace obrys::interp {
@@ -192,7 +193,8 @@ Value substring(const Arguments& a) {
         alarm(a.run, codes::index_range, a.whole(), "SUBSTR starts outside the text");
         return {};
     }
-    return Value::string(text.substr(static_cast<std::size_t>(from), static_cast<std::size_t>(count)));
+    return Value::string(text.substr(base::clipped<std::size_t>(from, 0, text.size()),
+                                     base::clipped<std::size_t>(count, 0, text.size())));
 }
 
 /// A number as the control's language writes it: "1.5EX2" where exponents are EX.
@@ -244,7 +246,8 @@ Value text_function(const Arguments& a, Function f) {
         case Function::find_text: {
             const std::string text = a.text(0), what = a.text(1);
             const double from = a.given(2) ? a[2] : 0;
-            const std::size_t at = from >= 0 ? text.find(what, static_cast<std::size_t>(from)) : std::string::npos;
+            const std::size_t at =
+                from >= 0 ? text.find(what, base::clipped<std::size_t>(from, 0, text.size() + 1)) : std::string::npos;
             return Value::integer(static_cast<double>(at == std::string::npos ? text.size() : at));
         }
         case Function::compare_texts: {
@@ -255,7 +258,7 @@ Value text_function(const Arguments& a, Function f) {
             if (names_nothing(a)) return Value::string("######");
             const double v = a[0], decimals = a.given(1) ? a[1] : 3;
             if (a.unknown) return Value::unknown(Type::string);
-            return Value::string(base::fixed(v, static_cast<int>(std::clamp(decimals, 0.0, 9.0))));
+            return Value::string(base::fixed(v, base::clipped<int>(decimals, 0, 9)));
         }
         case Function::substring: return substring(a);
         case Function::number: return text_number(a);

@@ -6,6 +6,7 @@
 #include "base/codes.hpp"
 #include "base/number.hpp"
 #include "base/text.hpp"
+#include "base/whole.hpp"
 #include "interp/path_stage.hpp"
 
 namespace obrys::interp {
@@ -77,8 +78,7 @@ std::uint32_t first_preset(const Run& run, const Unit& main) {
             if (s.role != program::CycleRole::preset_number || main.exprs[s.value].kind != program::ExprKind::number)
                 continue;
             const double n = main.numbers[main.exprs[s.value].a];
-            if (n >= 0 && n <= 99'999 && n == std::floor(n))
-                return run.traits->datum.first + static_cast<std::uint32_t>(n);
+            if (const auto preset = base::whole<std::uint32_t>(n, 0, 99'999)) return run.traits->datum.first + *preset;
         }
     return program::no_datum;
 }

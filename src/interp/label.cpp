@@ -6,6 +6,7 @@
 #include "base/codes.hpp"
 #include "base/number.hpp"
 #include "base/text.hpp"
+#include "base/whole.hpp"
 #include "interp/run.hpp"
 
 namespace obrys::interp {
@@ -54,7 +55,7 @@ void repeat(Run& run, std::uint32_t target, const program::LabelCall& c, std::ui
     }
     if (act.sections.size() >= run.env.budgets.call_depth)
         return too_deep(run, "repeated sections are nested too deep");
-    act.sections.push_back({target, index - 1, index + 1, static_cast<std::uint64_t>(std::min(passes, 1e15))});
+    act.sections.push_back({target, index - 1, index + 1, times_of(passes)});
     act.pc = target;
 }
 

@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include "base/codes.hpp"
+#include "base/whole.hpp"
 #include "interp/motion.hpp"
 
 namespace obrys::interp {
@@ -132,13 +133,12 @@ const program::LiveParameters* live_range(const Run& run, std::uint32_t n) {
 
 /// What the control shows of itself, as far as the run follows it; NaN where it does not.
 double known_live_value(const Run& run, SystemVariable v, double index) {
-    const auto axis = static_cast<std::size_t>(std::clamp(index, 1.0, 9.0)) - 1;
+    const auto axis = base::clipped<std::size_t>(index, 1, 9) - 1;
     switch (v) {
-        case SystemVariable::state: return state(run, static_cast<StateQuery>(static_cast<int>(index)));
+        case SystemVariable::state: return state(run, static_cast<StateQuery>(base::clipped<int>(index, 0, 99'999)));
         case SystemVariable::coordinate: return axis_value(run, axis, false);
         case SystemVariable::machine_coordinate: return axis_value(run, axis, true);
-        case SystemVariable::tool_table_column:
-            return table_column(run, static_cast<std::size_t>(std::clamp(index, 0.0, 13.0)));
+        case SystemVariable::tool_table_column: return table_column(run, base::clipped<std::size_t>(index, 0, 13));
         default: return unknown;
     }
 }

@@ -5,6 +5,7 @@
 #include <limits>
 
 #include "base/codes.hpp"
+#include "base/whole.hpp"
 #include "interp/path_stage.hpp"
 #include "interp/run.hpp"
 
@@ -116,7 +117,7 @@ bool motion_word(Run& run, Modal m, const program::Word& w) {
 bool take_orientation(Run& run) {
     const BlockWords& b = run.block;
     const double l = b.has(Code::l) ? b.get(Code::l) : 0;
-    run.modal.compensation_orientation = l >= 0 && l <= 9 ? static_cast<int>(l) : 0;
+    run.modal.compensation_orientation = l >= 0 ? base::cut<int>(l, 0, 9).value_or(0) : 0;
     std::string fault;
     if (b.has(Code::l) && run.modal.plane != 18)
         fault = "L (orientation of a lathe tool) beside radius compensation is for the plane of G18";

@@ -5,6 +5,7 @@
 #include <string_view>
 
 #include "base/codes.hpp"
+#include "base/number.hpp"
 #include "interp/run.hpp"
 
 namespace obrys::interp {
@@ -19,7 +20,7 @@ std::optional<std::string> machine_axis_name(const Run& run, const std::string& 
     };
     if (name.size() == 2 && name[1] == '1' && letters.find(name[0]) != std::string_view::npos) return name.substr(0, 1);
     if (name.size() <= 4 && name.starts_with("AX") && digits_from(2)) {
-        const auto n = static_cast<std::size_t>(std::stoi(name.substr(2)));
+        const auto n = static_cast<std::size_t>(base::parse_integer(std::string_view(name).substr(2)).value_or(0));
         const auto& axes = run.env.machine.axes;
         if (n >= 1 && n <= axes.size()) return axes[n - 1].name;
         return axes.empty() && n >= 1 && n <= 3 ? std::optional(axis_name(n - 1)) : std::nullopt;

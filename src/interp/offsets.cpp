@@ -6,6 +6,7 @@
 #include <cmath>
 
 #include "base/codes.hpp"
+#include "base/whole.hpp"
 #include "interp/motion.hpp"
 
 namespace obrys::interp {
@@ -27,6 +28,9 @@ double external(const Run& run, std::size_t axis) {
     const std::uint32_t first = run.traits->offsets.external_first;
     return first == 0 ? 0 : stored(run, first + static_cast<std::uint32_t>(axis), axis);
 }
+
+/// The number of no tool: an H that no tool list can have.
+constexpr std::uint32_t no_listed_tool = 0xFFFFFFFF;
 
 const shop::Tool* listed_tool(const Run& run, double number) {
     for (const shop::Tool& t : run.tools)
@@ -165,7 +169,7 @@ void begin_offsets(Run& run) {
     take_job_datums(run);
     if (p.shift_active != 0 && run.parameters.get(p.shift_active) != 0) take_shift(run);
     if (const double n = p.active_datum == 0 ? 0 : run.parameters.get(p.active_datum); n >= 1 && n <= p.datum_count)
-        run.modal.datum = static_cast<std::uint32_t>(n <= 6 ? 53 + n : 584 + n);
+        run.modal.datum = base::clipped<std::uint32_t>(n <= 6 ? 53 + n : 584 + n, 54, 99'999);
     run.reference_datum = run.modal.datum;
     load_datum(run);
     run.offsets.reference = run.offsets.datum;
@@ -233,7 +237,8 @@ void take_length(Run& run, Modal m) {
     Offsets& o = run.offsets;
     const BlockWords& b = run.block;
     o.length_judged = false;
-    o.length_tool = b.has(Code::offset_h) ? static_cast<std::uint32_t>(b.get(Code::offset_h)) : run.tool.number;
+    o.length_tool = b.has(Code::offset_h) ? base::cut<std::uint32_t>(b.get(Code::offset_h)).value_or(no_listed_tool)
+                                          : run.tool.number;
     const bool ends = m == Modal::tool_length_off || (b.has(Code::offset_h) && o.length_tool == 0);
     const bool of_tool = m == Modal::tool_length;
     o.length = ends ? Length::none : of_tool ? Length::of_tool : Length::by_values;

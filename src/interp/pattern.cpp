@@ -4,6 +4,7 @@
 
 #include "base/codes.hpp"
 #include "base/text.hpp"
+#include "base/whole.hpp"
 #include "cycles/pattern.hpp"
 #include "interp/motion.hpp"
 #include "shop/heidenhain_views.hpp"
@@ -30,7 +31,7 @@ Figure::Kind kind_of(program::FigureKind k) {
 }
 
 /// 0, which no pattern may have, for what is no number of points.
-int count_of(double v) { return v >= 1 && v <= cycles::most_positions && v == std::floor(v) ? static_cast<int>(v) : 0; }
+int count_of(double v) { return base::whole<int>(v, 1, cycles::most_positions).value_or(0); }
 
 struct Read {
     Figure figure;

@@ -2,6 +2,7 @@
 
 #include "base/codes.hpp"
 #include "base/text.hpp"
+#include "base/whole.hpp"
 #include "interp/run.hpp"
 
 namespace obrys::interp {
@@ -27,8 +28,8 @@ void stop_itself(Run& run, const program::ProcedureCall& p) {
     std::string text = p.arguments.size() > 1 ? ": " + text_of(run, p, 1) : std::string{};
     if (text.empty() && !run.last_message.empty()) text = ": " + run.last_message;
     const auto known = run.traits->alarm_text;
-    const bool plain = v.number >= 0 && v.number < 1e9;
-    const std::string shown = known != nullptr && plain ? known(static_cast<int>(v.number)) : "alarm " + printed(v);
+    const auto plain = base::cut<int>(v.number, 0, 999'999'999);
+    const std::string shown = known != nullptr && plain ? known(*plain) : "alarm " + printed(v);
     if (!run.stopped) alarm(run, codes::program_alarm, p.where, "the program stops itself with " + shown + text);
 }
 

@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include "base/codes.hpp"
+#include "base/whole.hpp"
 #include "interp/motion.hpp"
 
 namespace obrys::interp {
@@ -18,7 +19,7 @@ void refuse(Run& run, std::string text) { alarm(run, codes::value_range, run.her
 
 std::optional<int> whole(Run& run, Code code, const char* letter, int most) {
     const double v = run.block.has(code) ? run.block.get(code) : -1;
-    if (v >= 0 && v <= most && v == std::floor(v)) return static_cast<int>(v);
+    if (const auto n = base::whole<int>(v, 0, most)) return n;
     refuse(run, std::string(letter) + " must be a whole number from 0 to " + std::to_string(most));
     return std::nullopt;
 }
@@ -141,7 +142,7 @@ void set_tool_data(Run& run, int l) {
     if (b.has(Code::i)) table.front_angle = b.get(Code::i);
     if (b.has(Code::j)) table.back_angle = b.get(Code::j);
     if (const double q = b.has(Code::q) ? b.get(Code::q) : -1; q >= 0 && q <= 9)
-        table.orientation = static_cast<int>(q);
+        table.orientation = base::clipped<int>(q, 0, 9);
     const auto place = static_cast<int>(t - run.tools.data()) + 1;
     // The control's list begins with the tool in the spindle; before the first change its first tool stands there.
     const bool loaded = run.tool.data == t || (run.tool.number == 0 && place == 1);
@@ -220,10 +221,10 @@ void set_data(Run& run, program::DataTable table) {
     if (table != DataTable::by_l) return write_tool_offset(run, table);
     if (!run.block.has(Code::l)) return refuse(run, "L is missing");
     const double l = run.block.get(Code::l);
-    switch (l >= 0 && l <= 99 ? static_cast<int>(l) : -1) {
+    switch (l >= 0 ? base::cut<int>(l, 0, 99).value_or(-1) : -1) {
         case 1:
         case 10:
-        case 11: return set_tool_data(run, static_cast<int>(l));
+        case 11: return set_tool_data(run, base::clipped<int>(l, 0, 99));
         case 2: return set_datum_data(run, false);
         case 20: return set_datum_data(run, true);
         default:

@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include "base/codes.hpp"
+#include "base/whole.hpp"
 #include "cl/spline.hpp"
 #include "geom/nurbs.hpp"
 #include "interp/motion.hpp"
@@ -142,8 +143,8 @@ bool add_point(Run& run) {
         return false;
     }
     const Code order_word = n.own_knots ? Code::p : Code::l;
-    if (const double order = b.has(order_word) ? b.get(order_word) : 0; order >= 2 && order <= geom::largest_order)
-        n.curve.order = n.own_knots ? static_cast<int>(order) : std::max(n.curve.order, static_cast<int>(order));
+    if (const auto order = base::cut<int>(b.has(order_word) ? b.get(order_word) : 0, 2, geom::largest_order))
+        n.curve.order = n.own_knots ? *order : std::max(n.curve.order, *order);
     if (n.own_knots) b.use(Code::q);  // how the control steps along the curve, which stays the same
     if (n.own_knots && b.has(Code::k)) n.curve.knots.push_back(b.get(Code::k));
     if (!point && !n.own_knots && n.curve.points.size() == 1 && b.has(Code::p)) n.curve.points.front().weight = w;

@@ -6,6 +6,7 @@
 #include "base/codes.hpp"
 #include "base/number.hpp"
 #include "base/text.hpp"
+#include "base/whole.hpp"
 #include "interp/run.hpp"
 #include "interp/system_tool.hpp"
 
@@ -67,7 +68,7 @@ Value tool_length(const Access& a) {
     const shop::Tool* t = a.run.tool.data;
     const double n = a.e.count == 0 ? 1 : a.index(0);
     if (t == nullptr) return unknown_value(a, "no tool data");
-    if (const auto p = t->parameters.find(2 + static_cast<int>(n)); p != t->parameters.end())
+    if (const auto p = t->parameters.find(2 + base::cut<int>(n, 0, 9).value_or(-3)); p != t->parameters.end())
         return Value::real(p->second);
     return Value::real(n == 1 ? t->length : 0);
 }
@@ -130,7 +131,7 @@ int speed_number(int word) {
 
 Value active_g(const Access& a) {
     const ModalState& m = a.run.modal;
-    switch (static_cast<int>(a.index(0))) {
+    switch (base::cut<int>(a.index(0)).value_or(0)) {
         case 1: return Value::integer(motion_number(m.motion));
         case 6: return Value::integer(m.plane - 16);
         case 7:
@@ -172,8 +173,8 @@ Value datum_frame(const Access& a) {
     const double n = a.e.count > 0 && !(a.e.count == 2 && is_component(a.run, a.e)) ? a.index(0) : 0;
     if (n < 0) return unknown_value(a, "there is no such frame");
     const std::uint32_t number = n == 0   ? 500
-                                 : n <= 4 ? 53 + static_cast<std::uint32_t>(n)
-                                          : 500 + static_cast<std::uint32_t>(n);
+                                 : n <= 4 ? 53 + base::clipped<std::uint32_t>(n, 0, 4)
+                                          : 500 + base::clipped<std::uint32_t>(n, 5, 99'999);
     const auto found = a.run.env.machine.datums.find(number);
     if (found == a.run.env.machine.datums.end())
         return unknown_value(a, "the zero offset G" + std::to_string(number) + " is not known");
@@ -246,15 +247,17 @@ Value run_state(const Access& a, SystemVariable v) {
         case SystemVariable::argument_given: {
             const double n = a.index(0);
             const bool given =
-                n >= 1 && n <= 32 && ((run.calls.back().arguments_given >> (static_cast<unsigned>(n) - 1)) & 1u) != 0;
+                n >= 1 && n <= 32 &&
+                ((run.calls.back().arguments_given >> (base::clipped<unsigned>(n, 1, 32) - 1)) & 1u) != 0;
             if (n < 0 || (run.calls.size() == 1 && !given))
                 return unknown_value(a, "this program is run without its call");
-            return Value::boolean(n >= 1 && n <= 32 &&
-                                  ((run.calls.back().arguments_given >> (static_cast<unsigned>(n) - 1)) & 1u) != 0);
+            return Value::boolean(
+                n >= 1 && n <= 32 &&
+                ((run.calls.back().arguments_given >> (base::clipped<unsigned>(n, 1, 32) - 1)) & 1u) != 0);
         }
         case SystemVariable::stack_depth: return Value::integer(static_cast<double>(run.calls.size()) - 1);
         case SystemVariable::program_name: {
-            const auto level = static_cast<std::size_t>(std::max(0.0, a.index(0)));
+            const auto level = base::clipped<std::size_t>(a.index(0), 0, run.calls.size());
             return Value::string(level < run.calls.size() ? run.calls[level].unit->name : std::string{});
         }
         case SystemVariable::channel_axis_name:

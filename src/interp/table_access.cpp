@@ -7,6 +7,7 @@
 #include "base/codes.hpp"
 #include "base/number.hpp"
 #include "base/text.hpp"
+#include "base/whole.hpp"
 #include "interp/run.hpp"
 
 namespace obrys::interp {
@@ -52,8 +53,8 @@ std::optional<Cells> cells_of(Run& run, const program::ProcedureCall& p, ExprId 
     if (c.table == nullptr)
         return missing(run.open_table.empty() ? "no table is open here (FN 26)"
                                               : "the table " + run.open_table + " is not at hand");
-    const bool whole = n >= 0 && n < 1e8 && n == std::floor(n);
-    const std::string row_name = whole ? std::to_string(static_cast<std::int64_t>(n)) : "?";
+    const auto whole = base::whole<std::int64_t>(n, 0, 99'999'999);
+    const std::string row_name = whole ? std::to_string(*whole) : "?";
     auto at = whole ? shop::find_row(*c.table, row_name) : std::nullopt;
     if (!at && whole && add && !shop::add_row(*c.table, row_name)) at = shop::find_row(*c.table, row_name);
     if (!at) return missing("the table " + run.open_table + " has no row " + printed(Value::real(n)));

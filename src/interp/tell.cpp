@@ -2,6 +2,8 @@
 
 #include <algorithm>
 
+#include "base/whole.hpp"
+
 #include "interp/run.hpp"
 
 namespace obrys::interp {
@@ -90,7 +92,7 @@ void begin_telling(Run& run) {
 namespace {
 
 /// A number as a whole one; 0 where it is none that fits.
-int whole(double v) { return v >= -1e9 && v <= 1e9 ? static_cast<int>(v) : 0; }
+int whole(double v) { return base::cut<int>(v, -1'000'000'000, 1'000'000'000).value_or(0); }
 
 bool has_m(const Run& run, int m) { return std::find(run.block.m.begin(), run.block.m.end(), m) != run.block.m.end(); }
 

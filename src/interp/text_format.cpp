@@ -8,6 +8,7 @@
 #include "base/codes.hpp"
 #include "base/number.hpp"
 #include "base/text.hpp"
+#include "base/whole.hpp"
 #include "interp/run.hpp"
 
 namespace obrys::interp {
@@ -51,14 +52,16 @@ std::string exponential(double v, int places) {
 }
 
 std::string general(double v, int places) {
-    const int exponent = v == 0 ? 0 : static_cast<int>(std::floor(std::log10(std::abs(v))));
+    const int exponent = v == 0 ? 0 : base::clipped<int>(std::floor(std::log10(std::abs(v))), -400, 400);
     return exponent < -4 || exponent >= places ? exponential(v, std::max(places - 1, 0))
                                                : base::fixed(v, std::clamp(places - 1 - exponent, 0, 15));
 }
 
 std::string hexadecimal(double v) {
     char buffer[32];
-    const auto end = std::to_chars(buffer, buffer + sizeof buffer, static_cast<std::uint32_t>(std::int64_t(v)), 16).ptr;
+    const auto end = std::to_chars(buffer, buffer + sizeof buffer,
+                                   static_cast<std::uint32_t>(base::cut<std::int64_t>(v).value_or(0)), 16)
+                         .ptr;
     return base::to_upper({buffer, static_cast<std::size_t>(end - buffer)});
 }
 
@@ -71,7 +74,7 @@ std::optional<std::string> shown(const Format& f, const Value& v) {
     if (f.letter == 'C' && v.is_text()) return v.as_text().substr(0, 1);
     if (!v.is_number() || !(std::abs(v.number) < 9e18)) return std::nullopt;
     switch (f.letter) {
-        case 'C': return std::string(1, static_cast<char>(std::int64_t(v.number) & 0xFF));
+        case 'C': return std::string(1, static_cast<char>(base::cut<std::int64_t>(v.number).value_or(0) & 0xFF));
         case 'D': return base::fixed(std::floor(v.number + 0.5), 0);
         case 'F': return base::fixed(v.number, f.places.value_or(6));
         case 'E': return exponential(v.number, f.places.value_or(6));

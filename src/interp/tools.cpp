@@ -5,6 +5,7 @@
 
 #include "base/codes.hpp"
 #include "base/text.hpp"
+#include "base/whole.hpp"
 #include "interp/run.hpp"
 
 namespace obrys::interp {
@@ -27,7 +28,7 @@ void take_shape(shop::Tool& t) {
     if (type >= 500 && type < 600) {
         if (t.kind == shop::ToolKind::other && !(type >= 520 && type < 540)) t.kind = shop::ToolKind::turning;
         if (const auto p = t.parameters.find(2); p != t.parameters.end() && p->second >= 1 && p->second <= 9)
-            t.orientation = static_cast<int>(p->second);
+            t.orientation = base::clipped<int>(p->second, 1, 9);
     }
     if (t.kind == shop::ToolKind::turning)
         t.nose_radius = std::max(0.0, radius);
@@ -256,8 +257,15 @@ std::vector<shop::Tool>::iterator add_tool(Run& run, std::uint32_t number) {
 }
 
 void write_tool_parameter(Run& run, double number, double edge, int n, double value) {
-    if (!(number >= 1 && number <= 4294967295.0 && edge >= 1 && edge <= 32000) || !std::isfinite(value)) return;
-    const auto t = static_cast<std::uint32_t>(number), d = static_cast<std::uint32_t>(edge);
+    const auto known_t = base::cut<std::uint32_t>(number, 1), known_d = base::cut<std::uint32_t>(edge, 1, 32'000);
+    if (std::isnan(number + edge + value))
+        return unchecked(run, codes::unknown_value, run.here(),
+                         "the tool data written here depend on a value that is not known");
+    if (!known_t || !known_d)
+        return alarm(run, codes::index_range, run.here(),
+                     "there is no tool T" + printed(Value::real(number)) + " with an edge D" +
+                         printed(Value::real(edge)) + " whose data could be written");
+    const std::uint32_t t = *known_t, d = *known_d;
     auto found = std::find_if(run.tools.begin(), run.tools.end(),
                               [&](const shop::Tool& x) { return x.number == t && x.edge == d; });
     if (found == run.tools.end()) {
@@ -277,8 +285,14 @@ namespace {
 void define_tool(Run& run) {
     const BlockWords& b = run.block;
     const double n = b.get(Code::tool);
-    if (!b.has(Code::tool) || !(n >= 0 && n <= 4294967295.0)) return;
-    const auto number = static_cast<std::uint32_t>(n);
+    const auto whole = n >= 0 ? base::cut<std::uint32_t>(n) : std::nullopt;
+    if (!b.has(Code::tool)) return;
+    if (std::isnan(n))
+        return unchecked(run, codes::unknown_value, run.here(),
+                         "which tool is defined here depends on a value that is not known");
+    if (!whole)
+        return alarm(run, codes::value_range, run.here(), "TOOL DEF " + printed(Value::real(n)) + " is no tool number");
+    const std::uint32_t number = *whole;
     auto found =
         std::find_if(run.tools.begin(), run.tools.end(), [&](const shop::Tool& t) { return t.number == number; });
     if (found == run.tools.end()) found = add_tool(run, number);
@@ -326,7 +340,7 @@ void number_tool(Run& run, int m) {
     if (q > 0 && !run.tools.empty() && !is_listed(run, q))
         return alarm(run, codes::tool_missing, run.here(),
                      word + ": T" + printed(Value::real(q)) + " is not in the tool table", "add the tool to the table");
-    run.tool.number = static_cast<std::uint32_t>(q);
+    run.tool.number = base::clipped<std::uint32_t>(q, 0, 4294967295);
     run.tool.name.clear();
     run.tool.edge = 1;
     emit_tool(run);
@@ -360,11 +374,12 @@ void select_tool(Run& run) {
             unchecked(run, codes::unknown_value, run.here(), "which tool this is depends on a value that is not known");
             return;
         }
-        if (!b.tool_named && (t < 0 || t > 4294967295.0 || t != std::floor(t))) {
+        const auto whole = base::whole<std::uint32_t>(t);
+        if (!b.tool_named && !whole) {
             alarm(run, codes::value_range, run.here(), "T" + printed(Value::real(t)) + " is no tool number");
             return;
         }
-        run.tool.prepared = b.tool_named ? 0 : static_cast<std::uint32_t>(t);
+        run.tool.prepared = b.tool_named ? 0 : *whole;
         run.tool.prepared_name = b.tool_named ? b.tool_name : std::string{};
         run.tool.waiting = true;
         if (!changes_on_m6(run) && !b.has(Code::tool_change)) {
@@ -393,7 +408,7 @@ void select_tool(Run& run) {
             alarm(run, codes::value_range, run.here(), "D" + printed(Value::real(d)) + " is no cutting edge");
             return;
         }
-        const auto edge = static_cast<std::uint32_t>(d);
+        const auto edge = base::clipped<std::uint32_t>(d, 0, 32'000);
         changed = changed || edge != run.tool.edge;
         run.tool.edge = edge;
     }

@@ -4,6 +4,7 @@
 #include <limits>
 
 #include "base/number.hpp"
+#include "base/whole.hpp"
 
 namespace obrys::interp {
 
@@ -56,7 +57,7 @@ std::string printed(const Value& v) {
     switch (v.type) {
         case Type::boolean:
         case Type::integer: return base::fixed(v.number, 0);
-        case Type::character: return std::string(1, static_cast<char>(v.number));
+        case Type::character: return std::string(1, character(v.number));
         case Type::string:
         case Type::axis: return v.as_text();
         case Type::frame: return "FRAME";
@@ -108,7 +109,7 @@ Conversion convert(Value& v, Type to, std::size_t string_length) {
         return v.as_text().size() > string_length ? Conversion::too_long : Conversion::ok;
     }
     if (to == Type::string && v.type == Type::character) {
-        v = Value::string(std::string(1, static_cast<char>(v.number)));
+        v = Value::string(std::string(1, character(v.number)));
         return Conversion::ok;
     }
     if (to == Type::axis && v.type == Type::axis) return Conversion::ok;

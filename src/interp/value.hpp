@@ -7,6 +7,7 @@
 #include <string>
 #include <vector>
 
+#include "base/whole.hpp"
 #include "geom/frame.hpp"
 #include "program/unit.hpp"
 
@@ -42,6 +43,14 @@ struct Value {
 };
 
 [[nodiscard]] std::string_view name(Type t);
+/// The character of a code; what lies beyond 0 to 255 is taken for the nearest of these.
+[[nodiscard]] inline char character(double code) {
+    return static_cast<char>(base::clipped<unsigned char>(code, 0, 255));
+}
+/// How often something is done that is done at least once (P, REP). No run lasts long enough for more.
+[[nodiscard]] inline std::uint64_t times_of(double n) {
+    return base::clipped<std::uint64_t>(n, 1, 1'000'000'000'000'000);
+}
 /// A number as the control writes it with <<: integers without point, reals with at most seven decimals; unknown: "?".
 [[nodiscard]] std::string printed(const Value& v);
 

@@ -1,5 +1,7 @@
 #include "interp/variables.hpp"
 
+#include "base/whole.hpp"
+
 namespace obrys::interp {
 
 const Binding* Scope::find(program::NameId name) const {
@@ -13,7 +15,7 @@ bool element_index(const Array& a, const double* indices, std::size_t count, std
     for (std::size_t k = 0; k < 3; ++k) {
         const double index = k < count ? indices[k] : 0;
         if (!(index >= 0) || index >= a.dimensions[k]) return false;
-        result = result * a.dimensions[k] + static_cast<std::size_t>(index);
+        result = result * a.dimensions[k] + base::clipped<std::size_t>(index, 0, a.dimensions[k] - 1);
     }
     return count <= 3;
 }

@@ -7,6 +7,8 @@
 #include <cmath>
 #include <numeric>
 
+#include "base/whole.hpp"
+
 namespace obrys::mesh {
 
 using geom::Vec3;
@@ -167,7 +169,9 @@ Places cluster(const Mesh& m, std::span<const Extremes> extremes, bool gouges, d
 }
 
 Colour mix(Colour a, Colour b, double t) {
-    const auto between = [&](std::uint8_t x, std::uint8_t y) { return static_cast<std::uint8_t>(x + t * (y - x)); };
+    const auto between = [&](std::uint8_t x, std::uint8_t y) {
+        return base::clipped<std::uint8_t>(x + t * (y - x), 0, 255);
+    };
     return {between(a.red, b.red), between(a.green, b.green), between(a.blue, b.blue)};
 }
 
@@ -206,7 +210,7 @@ DeviationColours deviation_colours(std::span<const double> deviation, const Comp
     for (std::size_t i = 0; i < steps; ++i) out.palette.push_back(mix({150, 200, 255}, {16, 40, 140}, share(i)));
     const auto step = [&](double beyond, double range) {
         if (!(range > 0)) return steps - 1;
-        return static_cast<std::size_t>(std::clamp(beyond / range, 0.0, 1 - 1e-9) * static_cast<double>(steps));
+        return base::clipped<std::size_t>(beyond / range * static_cast<double>(steps), 0, steps - 1);
     };
     for (const double d : deviation) {
         std::size_t tag = 0;

@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "base/whole.hpp"
+
 namespace obrys::mesh {
 
 using geom::Vec3;
@@ -22,7 +24,7 @@ int circle_sides(double radius, double tolerance) {
     if (!(radius > 0) || !(tolerance > 0)) return 8;
     const double cosine = 1 - tolerance / radius;  // of half the angle of a side
     if (!(cosine > 0)) return 8;
-    return static_cast<int>(std::clamp(std::ceil(geom::pi / std::acos(cosine)), 8.0, 4096.0));
+    return base::clipped<int>(std::ceil(geom::pi / std::acos(cosine)), 8, 4096);
 }
 
 Mesh cylinder(Vec3 foot, double radius, double height, int sides) {

@@ -3,6 +3,7 @@
 #include <cmath>
 
 #include "base/number.hpp"
+#include "base/whole.hpp"
 
 namespace obrys::report {
 
@@ -13,7 +14,7 @@ constexpr double largest_arc = 2.0;  ///< radians in one `A`: well below a half 
 /// An arc from the pen to `p` with `sweep` radians about a circle of this radius, split where it is long.
 void append_arc(std::string& out, geom::Vec2 from, geom::Vec2 p, geom::Vec2 centre, double sweep,
                 const Projection& to) {
-    const int parts = std::max(1, static_cast<int>(std::ceil(std::abs(sweep) / largest_arc)));
+    const int parts = base::clipped<int>(std::ceil(std::abs(sweep) / largest_arc), 1, 1'000'000);
     const double radius = geom::distance(from, centre);
     for (int i = 1; i <= parts; ++i) {
         const double turn = sweep * i / parts, c = std::cos(turn), s = std::sin(turn);

@@ -2,6 +2,7 @@
 #include <cmath>
 
 #include "base/number.hpp"
+#include "base/whole.hpp"
 #include "report/path_plot.hpp"
 #include "report/subject.hpp"
 
@@ -10,7 +11,7 @@ namespace obrys::report {
 namespace {
 
 /// Three digits below the unit, and never fewer than six.
-int decimals_of(double unit) { return std::clamp(static_cast<int>(std::ceil(-std::log10(unit))) + 3, 6, 15); }
+int decimals_of(double unit) { return base::clipped<int>(std::ceil(-std::log10(unit)) + 3, 6, 15); }
 
 std::string right(const std::string& text, std::size_t width) {
     return text.size() < width ? std::string(width - text.size(), ' ') + text : text;

@@ -3,6 +3,7 @@
 #include <array>
 #include <cmath>
 
+#include "base/whole.hpp"
 #include "report/picture_parts.hpp"
 #include "report/svg_window.hpp"
 
@@ -23,9 +24,9 @@ struct HeightScale {
             {{248, 244, 226}, {176, 212, 192}, {84, 158, 184}, {40, 92, 154}, {18, 34, 88}}};
         const double share = top - bottom > 1e-9 ? std::clamp((top - z) / (top - bottom), 0.0, 1.0) : 0;
         const double place = share * (stops.size() - 1);
-        const auto first = std::min(static_cast<std::size_t>(place), stops.size() - 2);
+        const auto first = base::clipped<std::size_t>(place, 0, stops.size() - 2);
         const double k = place - static_cast<double>(first);
-        const auto mix = [k](int a, int b) { return static_cast<std::uint8_t>(std::lround(a + k * (b - a))); };
+        const auto mix = [k](int a, int b) { return base::clipped<std::uint8_t>(a + k * (b - a) + 0.5, 0, 255); };
         const Colour &a = stops[first], &b = stops[first + 1];
         return {mix(a.red, b.red), mix(a.green, b.green), mix(a.blue, b.blue)};
     }
@@ -36,8 +37,8 @@ HeightScale heights(const Work& work, const Rect& area, double px_per_mm) {
     Camera c;
     c.centre = work.box.centre();
     c.px_per_mm = px_per_mm / 2;
-    c.width = static_cast<int>(area.width / 2);
-    c.height = static_cast<int>(area.height / 2);
+    c.width = base::clipped<int>(area.width / 2, 0, most_pixels);
+    c.height = base::clipped<int>(area.height / 2, 0, most_pixels);
     c.x = area.width / 4;
     c.y = area.height / 4;
     const Visible seen = rasterise(work.scene.surface, c);

@@ -3,6 +3,8 @@
 #include <cmath>
 #include <map>
 
+#include "base/whole.hpp"
+
 #include "report/picture_parts.hpp"
 
 namespace obrys::report::picture {
@@ -40,8 +42,8 @@ Shot shoot(Work& work, const Look& look, const Rect& area, double px_per_mm, con
     c.px_per_mm = px_per_mm;
     c.x = area.centre().x - shot.corner.x;
     c.y = area.centre().y - shot.corner.y;
-    c.width = static_cast<int>(std::ceil(area.right() + margin - shot.corner.x));
-    c.height = static_cast<int>(std::ceil(area.bottom() + margin - shot.corner.y));
+    c.width = base::clipped<int>(std::ceil(area.right() + margin - shot.corner.x), 0, most_pixels);
+    c.height = base::clipped<int>(std::ceil(area.bottom() + margin - shot.corner.y), 0, most_pixels);
     if (cut != nullptr) c.nearest = dot(*cut - c.centre, look.toward);
     ReliefStyle style;
     style.colour = colour;
@@ -58,11 +60,12 @@ Shot shoot(Work& work, const Look& look, const Rect& area, double px_per_mm, con
 
 std::vector<double> flat_heights(const Visible& seen, double base) {
     constexpr double bin = 0.01, flat = 1e-3;  // mm
+    constexpr std::int64_t most_bins = 1'000'000'000'000;
     struct Sum {
         std::size_t count = 0;
         double height = 0;
     };
-    std::map<long, Sum> bins;
+    std::map<std::int64_t, Sum> bins;
     std::size_t pixels = 0;
     for (int j = 0; j + 1 < seen.height; ++j)
         for (int i = 0; i + 1 < seen.width; ++i) {
@@ -72,7 +75,7 @@ std::vector<double> flat_heights(const Visible& seen, double base) {
             if (!(std::abs(seen.depth[seen.at(i + 1, j)] - z) < flat &&
                   std::abs(seen.depth[seen.at(i, j + 1)] - z) < flat))
                 continue;
-            Sum& sum = bins[std::lround((base + z) / bin)];
+            Sum& sum = bins[base::clipped<std::int64_t>(std::round((base + z) / bin), -most_bins, most_bins)];
             ++sum.count;
             sum.height += base + z;
         }
@@ -115,7 +118,8 @@ bool is_hidden(const Shot& shot, const Work& work, Vec3 p) {
     const Vec3 seen = shot.camera.project(p);
     const double i = std::floor(seen.x * shot.finer), j = std::floor(seen.y * shot.finer);
     if (!(i >= 0 && j >= 0 && i < shot.visible.width && j < shot.visible.height)) return false;
-    const double nearest = shot.visible.depth[shot.visible.at(static_cast<int>(i), static_cast<int>(j))];
+    const double nearest = shot.visible.depth[shot.visible.at(base::clipped<int>(i, 0, shot.visible.width - 1),
+                                                              base::clipped<int>(j, 0, shot.visible.height - 1))];
     return nearest > seen.z + 0.01 * length(work.box.size());
 }
 

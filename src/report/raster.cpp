@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "base/whole.hpp"
+
 namespace obrys::report {
 
 using geom::Vec3;
@@ -17,8 +19,7 @@ struct Range {
     int first, last;
 };
 Range middles(double lo, double hi, int size) {
-    return {static_cast<int>(std::ceil(std::max(lo, 0.0) - 0.5)),
-            static_cast<int>(std::floor(std::min(hi, static_cast<double>(size)) - 0.5))};
+    return {base::clipped<int>(std::ceil(lo - 0.5), 0, size), base::clipped<int>(std::floor(hi - 0.5), -1, size - 1)};
 }
 
 class Filler {

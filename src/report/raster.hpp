@@ -7,9 +7,13 @@
 #include <limits>
 #include <vector>
 
+#include "base/whole.hpp"
+
 #include "mesh/mesh.hpp"
 
 namespace obrys::report {
+
+constexpr int most_pixels = 1 << 16;  ///< of a picture's width or height
 
 /// Parallel projection onto a canvas of width x height pixels, whose y runs downwards. `right`, `up` and `toward` (to
 /// the eye) are unit vectors at right angles, in the frame of the mesh.

@@ -4,6 +4,8 @@
 #include <array>
 #include <cmath>
 
+#include "base/whole.hpp"
+
 namespace obrys::report {
 
 using geom::Vec3;
@@ -153,7 +155,7 @@ std::uint32_t mixed(const Painter& painter, const Visible& v, int i, int j, int 
             ++covered;
         }
     const double share = 1.0 / (finer * finer);
-    const auto byte = [&](double value) { return static_cast<std::uint32_t>(std::lround(share * value)); };
+    const auto byte = [&](double value) { return base::clipped<std::uint32_t>(share * value + 0.5, 0, 255); };
     return byte(255.0 * covered) << 24 | byte(sum.red) << 16 | byte(sum.green) << 8 | byte(sum.blue);
 }
 

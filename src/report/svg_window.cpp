@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "base/number.hpp"
+#include "base/whole.hpp"
 #include "check/rest.hpp"
 
 namespace obrys::report {
@@ -96,10 +97,15 @@ Window::Window(std::string name, const check::Box& box, double left, double top,
 }
 
 void Window::axes(std::string& out) const {
+    constexpr long most_steps = 1'000'000'000'000;
     const double step = svg::round_step(tick_distance / to_.scale);
-    const int decimals = step < 1 ? static_cast<int>(std::ceil(-std::log10(step) - 1e-9)) : 0;
-    const auto first = [step](double v) { return static_cast<long>(std::ceil(v / step - 1e-9)); };
-    const auto last = [step](double v) { return static_cast<long>(std::floor(v / step + 1e-9)); };
+    const int decimals = step < 1 ? base::clipped<int>(std::ceil(-std::log10(step) - 1e-9), 0, 15) : 0;
+    const auto first = [step](double v) {
+        return base::clipped<long>(std::ceil(v / step - 1e-9), -most_steps, most_steps);
+    };
+    const auto last = [step](double v) {
+        return base::clipped<long>(std::floor(v / step + 1e-9), -most_steps, most_steps);
+    };
     for (long i = first(box_.min_z); i <= last(box_.max_z); ++i) {
         const double z = static_cast<double>(i) * step, x = to_({z, 0}).x;
         out += svg::line("grid", x, top_, x, bottom()) + svg::line("tick", x, bottom(), x, bottom() + 5);

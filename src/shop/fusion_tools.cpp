@@ -13,6 +13,7 @@
 #include "base/codes.hpp"
 #include "base/number.hpp"
 #include "base/text.hpp"
+#include "base/whole.hpp"
 #include "shop/dropped.hpp"
 #include "shop/json_document.hpp"
 #include "shop/section.hpp"
@@ -196,7 +197,7 @@ void take_profile(Tool& t, const Geometry& g, std::string_view type) {
 
 void take_dimensions(Tool& t, const Geometry& g, std::string_view type) {
     t.radius = g.length("DC") / 2;
-    t.teeth = static_cast<int>(std::clamp(g.plain("NOF"), 0.0, 99.0));
+    t.teeth = base::clipped<int>(g.plain("NOF"), 0, 99);
     if (const Value* hand = member(g.table, "HAND", ValueKind::boolean)) t.left_hand = !hand->boolean;
     if (const double l = g.length("LCF"); l > 0) t.cutting_length = l;
     if (t.kind == ToolKind::tap || t.kind == ToolKind::other)
@@ -231,11 +232,12 @@ std::optional<std::uint32_t> Reader::number(const Value& tool) {
     const Value* post = member(tool, "post-process", ValueKind::table);
     const auto n = post ? number_of(*post, "number") : std::nullopt;
     const base::Span where = head(tool);
-    if (!n || *n < 0 || *n > 999'999'999 || *n != std::floor(*n)) {
+    const auto number = n ? base::whole<std::uint32_t>(*n, 0, 999'999'999) : std::nullopt;
+    if (!number) {
         warn(where, "a tool without a number (post-process, number) is left out: " + text_of(tool, "description"));
         return std::nullopt;
     }
-    const auto whole = static_cast<std::uint32_t>(*n);
+    const std::uint32_t whole = *number;
     const auto same = [&](const Tool& t) { return t.number == whole; };
     if (std::none_of(tools.begin(), tools.end(), same)) return whole;
     warn(where, "tool " + std::to_string(whole) + " is there already: this one is left out");

@@ -37,7 +37,7 @@ void take(Section& file, const std::string& name, const std::string& indices, st
         given.kind = GivenKind::text;
     else if (v.kind == ValueKind::boolean)
         given = {GivenKind::truth, v.boolean ? 1.0 : 0.0, {}, v.where};
-    else if (const auto number = finite_number(v, "'" + name + "'", Range::any, file.diagnostics()))
+    else if (const auto number = finite_number(v, "'" + name + "'", Range::value, file.diagnostics()))
         given.number = *number;
     else
         return;

@@ -5,6 +5,7 @@
 #include "base/codes.hpp"
 #include "base/number.hpp"
 #include "base/text.hpp"
+#include "base/whole.hpp"
 
 namespace obrys::shop {
 
@@ -57,7 +58,7 @@ std::optional<Cells::Number> Cells::number(std::uint32_t most_whole, std::uint32
     const auto whole = base::parse_integer(s.substr(0, dot));
     const auto part =
         dot == std::string_view::npos ? std::optional<std::int64_t>(0) : base::parse_integer(s.substr(dot + 1));
-    if (whole && part && *whole <= most_whole && *part <= most_part)
+    if (whole && part && *whole >= 0 && *part >= 0 && *whole <= most_whole && *part <= most_part)
         return Number{static_cast<std::uint32_t>(*whole), static_cast<std::uint32_t>(*part)};
     std::string range = "row numbers go up to " + std::to_string(most_whole);
     if (most_part > 0) range += "." + std::to_string(most_part);
@@ -101,8 +102,7 @@ std::optional<double> Cells::length(std::string_view column) {
 std::optional<std::int64_t> Cells::integer(std::string_view column, std::int64_t least, std::int64_t most) {
     const auto v = real(column);
     if (!v) return std::nullopt;
-    const bool fits = *v >= static_cast<double>(least) && *v <= static_cast<double>(most);
-    if (fits && *v == static_cast<double>(static_cast<std::int64_t>(*v))) return static_cast<std::int64_t>(*v);
+    if (const auto n = base::whole<std::int64_t>(*v, least, most)) return n;
     const std::size_t at = *find_column(t_, column);
     complain(at,
              "\"" + cell_text(t_, row_, at) + "\" is not a whole number from " + std::to_string(least) + " to " +

@@ -52,6 +52,9 @@ struct Allowance {
     double normal = 0;  ///< mm, normal to the part's contour
 };
 
+/// mm; a simulation that may leave the true surface by more than this sees no tool.
+inline constexpr double largest_tolerance = 1;
+
 /// Thresholds of the check, mm. Amounts at or below them are not findings.
 struct Tolerances {
     double gouge = 0.001;

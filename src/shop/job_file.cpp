@@ -80,7 +80,7 @@ void read_overrides(Section& file, Job& job) {
     const Entry* table = file.sub_table("set");
     if (!table) return;
     for (const Entry& e : table->value.entries) {
-        const auto value = finite_number(e.value, "'" + e.key + "'", Range::any, file.diagnostics());
+        const auto value = finite_number(e.value, "'" + e.key + "'", Range::value, file.diagnostics());
         if (!value) continue;
         const std::string name = base::to_upper(e.key);
         const auto same = [&](const Override& o) { return o.name == name; };
@@ -99,6 +99,11 @@ void read_limits(Section& file, Job& job) {
         t.rest_material = s->number("rest_material", Range::not_negative).value_or(t.rest_material);
         t.rapid = s->number("rapid", Range::not_negative).value_or(t.rapid);
         t.simulation = s->number("tolerance", Range::positive);
+        if (t.simulation && *t.simulation > largest_tolerance) {
+            s->error(base::codes::job_value, find(s->table(), "tolerance")->value.where,
+                     "'tolerance' is too coarse: at most " + base::shortest(largest_tolerance) + " mm");
+            t.simulation.reset();
+        }
         if (const auto text = s->text("scope")) {
             if (const auto scope = scope_named(*text))
                 job.scope = *scope;

@@ -347,7 +347,7 @@ TEST(JobFile, AnythingGivesAJobAndPlacedComplaints) {
 
 TEST(JobFile, NumbersBeyondAnyShopAreRefused) {
     EXPECT_EQ(job_places("program = \"A\"\n[stock]\nbar = {diameter = 1e300, length = 1}\n"),
-              "3:19: 'diameter' is too large: at most 1000000000000\n");
+              "3:19: 'diameter' is too large: at most 1000000\n");
 }
 
 RC_GTEST_PROP(JobFileProperty, ADamagedFileNeverBreaksTheReader, ()) {

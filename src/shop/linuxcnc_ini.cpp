@@ -7,6 +7,7 @@
 #include "base/codes.hpp"
 #include "base/number.hpp"
 #include "base/text.hpp"
+#include "base/whole.hpp"
 #include "shop/heidenhain_header.hpp"
 
 namespace obrys::shop {
@@ -157,7 +158,7 @@ double Settings::mm_per_unit() {
 }
 
 void Settings::switches(LinuxcncSettings& s) {
-    const auto bits = static_cast<unsigned>(std::clamp(number("RS274NGC", "FEATURES", 0), 0.0, 63.0));
+    const auto bits = base::clipped<unsigned>(number("RS274NGC", "FEATURES", 0), 0, 63);
     const bool old = find(ini_, "RS274NGC", "FEATURES") != nullptr;
     const auto feature = [&](std::string_view key, unsigned bit, bool otherwise) {
         return on("RS274NGC", key, old ? (bits & bit) != 0 : otherwise);

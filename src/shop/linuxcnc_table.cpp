@@ -9,6 +9,7 @@
 #include "base/codes.hpp"
 #include "base/number.hpp"
 #include "base/text.hpp"
+#include "base/whole.hpp"
 #include "shop/heidenhain_header.hpp"
 
 namespace obrys::shop {
@@ -201,10 +202,9 @@ std::optional<std::string> refusal(const LinuxcncTable& t, std::size_t line, cha
     if (line >= t.lines.size() || t.lines[line].form == LinuxcncLine::Form::none) return "the line is no tool";
     if (letters.find(letter) == std::string_view::npos) return std::string("a tool table has no letter ") + letter;
     if (!std::isfinite(value)) return std::string(1, letter) + ": the value is not finite";
-    constexpr double most = std::numeric_limits<std::int32_t>::max();
-    if (is_whole(letter) && (value != std::floor(value) || value < 0 || value > most))
-        return std::string(1, letter) + ": the value is a whole number, 0 or more";
-    if (letter == 'T' && value != 0 && find_line(t, static_cast<std::int64_t>(value)).value_or(line) != line)
+    const auto n = base::whole<std::int32_t>(value, 0);
+    if (is_whole(letter) && !n) return std::string(1, letter) + ": the value is a whole number, 0 or more";
+    if (letter == 'T' && value != 0 && find_line(t, *n).value_or(line) != line)
         return "T" + base::shortest(value) + " is already there";
     if (t.lines[line].form == LinuxcncLine::Form::columns && !value_of(t.lines[line], letter))
         return std::string("the table has no column for ") + letter;

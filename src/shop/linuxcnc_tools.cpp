@@ -10,6 +10,7 @@
 #include "base/codes.hpp"
 #include "base/number.hpp"
 #include "base/text.hpp"
+#include "base/whole.hpp"
 #include "geom/vec.hpp"
 #include "shop/dropped.hpp"
 #include "shop/linuxcnc_table.hpp"
@@ -116,7 +117,7 @@ void shape(Tool& t, const TableTool& row) {
 
 TableTool row_of(const LinuxcncLine& line, double mm_per_unit) {
     TableTool row;
-    row.pocket = static_cast<std::int32_t>(value_of(line, 'P').value_or(0));
+    row.pocket = base::clipped<std::int32_t>(value_of(line, 'P').value_or(0), 0, 2'147'483'647);
     constexpr std::string_view axes = "XYZABCUVW";
     for (std::size_t i = 0; i < axes.size(); ++i) {
         const bool rotary = i >= 3 && i < 6;
@@ -131,7 +132,7 @@ TableTool row_of(const LinuxcncLine& line, double mm_per_unit) {
 /// Q, 0 where it is none of the table's orientations.
 int orientation_of(const LinuxcncLine& line, std::uint32_t file, base::Diagnostics& diagnostics) {
     const double q = value_of(line, 'Q').value_or(0);
-    if (q >= 0 && q <= 9) return static_cast<int>(q);
+    if (const auto n = base::whole<int>(q, 0, 9)) return *n;
     base::Diagnostic d;
     d.code = base::codes::job_value;
     d.text = "the orientation Q of a lathe tool is 1 to 9, or 0 for none";
@@ -158,7 +159,7 @@ std::vector<Tool> tools_of(const LinuxcncTable& table, double mm_per_unit, base:
         row.index = index;
         row.orientation = orientation_of(line, table.file, diagnostics);
         Tool& t = out.emplace_back();
-        t.number = static_cast<std::uint32_t>(number);
+        t.number = base::clipped<std::uint32_t>(number, 1, 2'147'483'647);
         t.name = comment_of(line);
         if (line.at == LinuxcncLine::no_place)
             t.where = {table.file, 0, 0};

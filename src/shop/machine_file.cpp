@@ -170,7 +170,7 @@ void read_machine_data(Section& file, Machine& machine) {
         if (!name.starts_with("$MN_") && !name.starts_with("$MC_") && !name.starts_with("$MA_")) {
             file.error(base::codes::job_file, datum.where, "'" + datum.key + "' is not the name of a machine datum",
                        "$MN_…, $MC_… or $MA_…");
-        } else if (const auto v = finite_number(datum.value, "'" + datum.key + "'", Range::any, file.diagnostics())) {
+        } else if (const auto v = finite_number(datum.value, "'" + datum.key + "'", Range::value, file.diagnostics())) {
             machine.machine_data[name] = *v;
         }
     }

@@ -11,6 +11,8 @@ namespace obrys::shop {
 
 namespace {
 
+constexpr double largest_radius = 1e5;  ///< mm
+
 constexpr double same = 1e-9;  ///< mm; dimensions that differ by less are the same
 
 bool has_cone(ToolKind kind) {
@@ -93,6 +95,7 @@ DimensionFault dimension_fault(const Tool& tool) {
     if (!is_milling(tool.kind)) return {};
     if (tool.kind == ToolKind::form && tool.profile.size() < 2) return {"profile", "a form tool needs a profile"};
     if (!(tool.radius > 0)) return {"diameter", "the diameter must be greater than 0"};
+    if (tool.radius > largest_radius) return {"diameter", "no tool has a diameter of " + mm(2 * tool.radius)};
     for (const auto fault : {cone_fault, disc_fault, corner_fault, length_fault})
         if (DimensionFault found = fault(tool); !found.ok()) return found;
     for (const auto& [key, bodies] : {std::pair{"shank", &tool.shank}, std::pair{"holder", &tool.holder}})

@@ -11,7 +11,8 @@ namespace obrys::shop {
 
 namespace {
 
-constexpr double largest = 1e12;  ///< no length or value of a shop is larger; squares of it stay exact enough
+constexpr double largest_size = 1e6, smallest_size = 1e-6;
+constexpr double largest_value = 1e12;  ///< squares of it stay exact enough
 
 void complain(base::Diagnostics& diagnostics, std::string_view code, base::Span where, std::string text,
               std::string remedy = {}) {
@@ -98,6 +99,7 @@ std::optional<double> finite_number(const Value& v, const std::string& what, Ran
         complain(diagnostics, base::codes::job_value, v.where, what + " must be a finite number");
         return std::nullopt;
     }
+    const double largest = range == Range::value ? largest_value : largest_size;
     if (std::abs(v.number) > largest) {
         complain(diagnostics, base::codes::job_value, v.where,
                  what + " is too large: at most " + base::shortest(largest));
@@ -106,6 +108,11 @@ std::optional<double> finite_number(const Value& v, const std::string& what, Ran
     if (range == Range::positive && v.number <= 0) {
         complain(diagnostics, base::codes::job_value, v.where,
                  what + " must be greater than 0, not " + base::shortest(v.number));
+        return std::nullopt;
+    }
+    if (range == Range::positive && v.number < smallest_size) {
+        complain(diagnostics, base::codes::job_value, v.where,
+                 what + " is too small: at least " + base::fixed(smallest_size, 6));
         return std::nullopt;
     }
     if (range == Range::not_negative && v.number < 0) {

@@ -13,8 +13,9 @@
 
 namespace obrys::shop {
 
-/// Values a number may have.
-enum class Range : std::uint8_t { any, positive, not_negative };
+/// Values a number may have. All but `value` are sizes of a shop (mm, mm/min, 1/min, s, kW): at most 1e6, a kilometre;
+/// what is `positive` is no smaller than a nanometre. `value` is what a variable of a control may hold.
+enum class Range : std::uint8_t { any, positive, not_negative, value };
 
 class Section {
 public:

@@ -98,7 +98,7 @@ void read_parameters(Section& s, Tool& t) {
         const auto n = name.starts_with("DP") ? base::parse_integer(std::string_view(name).substr(2)) : std::nullopt;
         if (!n || *n < 1 || *n > 25) {
             s.error(base::codes::job_file, p.where, "unknown key '" + p.key + "' in 'parameters'", "DP1 … DP25");
-        } else if (const auto v = finite_number(p.value, "'" + p.key + "'", Range::any, s.diagnostics())) {
+        } else if (const auto v = finite_number(p.value, "'" + p.key + "'", Range::value, s.diagnostics())) {
             t.parameters[static_cast<int>(*n)] = *v;
         }
     }

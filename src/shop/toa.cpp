@@ -9,6 +9,7 @@
 #include "base/codes.hpp"
 #include "base/number.hpp"
 #include "base/text.hpp"
+#include "base/whole.hpp"
 #include "shop/dropped.hpp"
 #include "shop/toa_mills.hpp"
 #include "shop/tool.hpp"
@@ -18,6 +19,7 @@ namespace obrys::shop {
 namespace {
 
 constexpr std::int64_t largest_tool = 999'999'999, largest_edge = 99;
+constexpr int largest_type = 9999;
 constexpr int parameters = 25;
 
 /// One text of the file while it is taken apart, with the offset of its first byte.
@@ -132,9 +134,12 @@ void Reader::tool_parameter(int n, Piece indices, Piece value) {
     if (!tool || !edge) return;
     const auto v = base::parse_double(value.text);
     if (!v) return complain(base::codes::job_value, value, "the value must be a finite number");
-    if (n == 2 && (*v < 0 || *v > 9 || *v != static_cast<double>(static_cast<int>(*v))))
+    if (n == 2 && !base::whole<int>(*v, 0, 9))
         return complain(base::codes::job_value, value,
                         "the cutting edge position ($TC_DP2) is a whole number from 1 to 9");
+    if (n == 1 && !base::whole<int>(*v, 0, largest_type))
+        return complain(base::codes::job_value, value,
+                        "the tool type ($TC_DP1) is a whole number from 0 to " + std::to_string(largest_type));
     const auto t = static_cast<std::uint32_t>(*tool), d = static_cast<std::uint32_t>(*edge);
     auto [found, is_new] = tools_.try_emplace({t, d});
     if (is_new) {
@@ -159,12 +164,12 @@ void shape(Tool& t) {
     const bool turning = type >= 500 && type < 600 && !(type >= 520 && type < 540);
     if (!turning) {
         t.radius = radius;
-        take_mill(t, static_cast<int>(type));
+        take_mill(t, base::clipped<int>(type, 0, largest_type));
         return;
     }
     t.kind = ToolKind::turning;
     t.nose_radius = std::max(0.0, radius);
-    const int position = static_cast<int>(sum({2}));
+    const int position = base::clipped<int>(sum({2}), 0, 9);
     t.orientation = position >= 1 ? position : 3;
     if (t.orientation >= 5) t.entering_angle = 90 - t.tip_angle / 2;
     if (position < 1) t.assumed = "cutting edge position 3, ";

@@ -57,6 +57,24 @@ TEST(Toa, MistakesArePlacedAndTheRestIsRead) {
     EXPECT_EQ(tools[0].edge, 2U);
 }
 
+TEST(Toa, NumbersBeyondEveryIntegerAreRefused) {
+    Reading r;
+    const std::string huge(100, '1');
+    const auto tools =
+        read_toa(r.add("$TC_DP1[1,1]=" + huge + "\n$TC_DP2[1,1]=" + huge + "\n$TC_DP1[2,1]=510.5\n$TC_DP1[" + huge +
+                           ",1]=510\n$TC_DP1[3,1]=120\n$TC_DP6[3,1]=4\n",
+                       "A.TOA"),
+                 r.sources, r.diagnostics);
+    const std::string said = r.complaints();
+    EXPECT_NE(said.find("A.TOA:1:14: error: the tool type ($TC_DP1) is a whole number from 0 to 9999"),
+              std::string::npos);
+    EXPECT_NE(said.find("A.TOA:2:14: error: the cutting edge position ($TC_DP2)"), std::string::npos);
+    EXPECT_NE(said.find("A.TOA:3:14: error: the tool type ($TC_DP1)"), std::string::npos);
+    EXPECT_NE(said.find("A.TOA:4:9: error: the tool number is a whole number from 1 to 999999999"), std::string::npos);
+    ASSERT_EQ(tools.size(), 1U);
+    EXPECT_EQ(tools[0].kind, ToolKind::end_mill);
+}
+
 TEST(Tools, AListIsReadAndMerged) {
     Reading r;
     auto tools =

@@ -9,6 +9,7 @@ import unittest
 HOUSE = pathlib.Path(__file__).parent
 sys.path.insert(0, str(HOUSE))
 sys.path.insert(0, str(HOUSE.parent / "golden"))
+import casts  # noqa: E402
 import run as golden  # noqa: E402
 import sizes  # noqa: E402
 
@@ -53,6 +54,20 @@ class Layers(InFolder):
         self.assertIn("is our own", self.check("#include <geom/g.hpp>\n")[1])
         self.assertIn("base uses geom, which does not stand below", self.check("", "base: geom\ngeom: \ncl: \n")[1])
         self.assertIn("stands in no declared folder", self.check("", "base: \ngeom: base\n")[1])
+
+
+class Casts(InFolder):
+    def test_names_that_round_to_an_integer(self):
+        self.write("src/a/x.cpp", "int a = int(std::lround(v));\n// lround(v)\nauto b = std::stoi(s), c = round(v);\n")
+        self.write("src/a/x_test.cpp", "long a = std::lround(v);\n")
+        code, out = self.run_checker("casts.py", self.folder / "src")
+        self.assertEqual(code, 1)
+        self.assertEqual([line.split(": ")[0] for line in out.splitlines()[:-1]], ["a/x.cpp:1", "a/x.cpp:3"])
+
+    def test_objects_that_cast(self):
+        lines = ("build/src/shop/libobrys_shop.a:toa.cpp.o:                 U __ubsan_handle_float_cast_overflow\n"
+                 "build/src/shop/libobrys_shop.a:tool.cpp.o:                 U __ubsan_handle_add_overflow\n")
+        self.assertEqual(casts.casting(lines), {"shop/toa.cpp"})
 
 
 class Sizes(InFolder):

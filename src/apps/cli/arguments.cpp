@@ -193,7 +193,9 @@ Commands add_commands(CLI::App& app, Arguments& a) {
             "milling: how near the simulated surface must be to the true one, mm (0.01)")
         ->check([](const std::string& text) {
             const auto value = base::parse_double(text);
-            return value && *value > 0 && std::isfinite(*value) ? std::string() : "must be a length in mm above 0";
+            return value && *value > 0 && *value <= shop::largest_tolerance
+                       ? std::string()
+                       : "must be a length in mm above 0, at most 1";
         })
         ->type_name("MM");
     c.check->add_option("--stl", a.stl, "milling: also write the machined surface as binary STL")->type_name("FILE");

@@ -2,6 +2,7 @@
 
 #include <array>
 
+#include "base/number.hpp"
 #include "base/text.hpp"
 #include "format/heidenhain/structure.hpp"
 
@@ -76,7 +77,7 @@ std::optional<std::string> function_block(Scan& in, Decimal decimal) {
     in.skip_blanks();
     while (base::is_digit(in.peek())) number += in.peek(), in.step();
     if (number.empty() || number.size() > 2 || !in.take(':')) return std::nullopt;
-    const int n = std::stoi(number);
+    const auto n = static_cast<int>(base::parse_integer(number).value_or(0));
     in.skip_blanks();
     std::string out = "FN " + std::to_string(n) + ":";
     const bool words_only = n <= 14 || n == 18 || n == 19;

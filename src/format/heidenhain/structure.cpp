@@ -2,6 +2,7 @@
 
 #include <array>
 
+#include "base/number.hpp"
 #include "base/text.hpp"
 
 namespace obrys::format::heidenhain {
@@ -123,7 +124,8 @@ Text cycle_definition(Scan& in, std::string out, Decimal decimal, Block& block) 
         append_word(out, in.rest());
         return out;
     }
-    return numbered_cycle(in, std::move(out), std::stoi(number), decimal, block);
+    return numbered_cycle(in, std::move(out), static_cast<int>(base::parse_integer(number).value_or(0)), decimal,
+                          block);
 }
 
 Text cycle_block(Scan& in, const std::string& word, Decimal decimal, Block& block) {

@@ -17,7 +17,8 @@ void read_number(State& s) {
     const std::uint32_t from = s.in.at();
     while (base::is_digit(s.in.peek())) s.in.step();
     s.numbered = s.in.at() > from;
-    s.number = static_cast<std::uint32_t>(base::parse_integer(s.in.between(from, s.in.at())).value_or(0) & 0xFFFFFFFF);
+    const std::int64_t number = base::parse_integer(s.in.between(from, s.in.at())).value_or(0);
+    s.number = number <= 0xFFFFFFFF ? static_cast<std::uint32_t>(number) : 0;
     if (s.in.take('/')) skip = 1;
     s.in.skip_blanks();
     s.build.begin_block(skip);

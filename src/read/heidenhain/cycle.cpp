@@ -4,6 +4,7 @@
 #include <algorithm>
 
 #include "base/number.hpp"
+#include "base/whole.hpp"
 #include "dialect/heidenhain/cycles.hpp"
 #include "read/heidenhain/state.hpp"
 
@@ -50,7 +51,10 @@ void start_cycle(State& s, int number, const dialect::Cycle* cycle, std::uint32_
 
 namespace {
 
-int number_of(const program::CycleDefinition& c) { return std::stoi(c.name.substr(c.name.find_last_of(' ') + 1)); }
+int number_of(const program::CycleDefinition& c) {
+    const auto n = base::parse_integer(std::string_view(c.name).substr(c.name.find_last_of(' ') + 1));
+    return n && *n >= 0 && *n <= 999 ? static_cast<int>(*n) : 0;
+}
 
 /// A value behind Q206=: a number or parameter, or FMAX, FAUTO, FU0.2, FZ0.1, PREDEF.
 void read_setting(State& s, program::CycleSetting& setting) {
@@ -234,7 +238,7 @@ void read_definition(State& s, std::uint32_t begin) {
         fail_here(s, "the number of a cycle is due behind CYCL DEF, found " + here(s));
         return;
     }
-    const int number = static_cast<int>(n.value);
+    const int number = base::clipped<int>(n.value, 0, 999);
     const dialect::Cycle* cycle = dialect::find_cycle(number);
     if (n.integer) {
         start_cycle(s, number, cycle, begin);

@@ -3,6 +3,7 @@
 #include <array>
 #include <optional>
 
+#include "base/whole.hpp"
 #include "dialect/heidenhain/functions.hpp"
 #include "read/heidenhain/state.hpp"
 
@@ -182,7 +183,7 @@ bool read_function(State& s) {
         return true;
     }
     s.in.take(':');
-    read_numbered(s, static_cast<int>(n.value), begin);
+    read_numbered(s, base::clipped<int>(n.value, 0, 99), begin);
     return true;
 }
 

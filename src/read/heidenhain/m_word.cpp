@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "base/whole.hpp"
 #include "dialect/heidenhain/m_functions.hpp"
 #include "read/heidenhain/state.hpp"
 
@@ -27,7 +28,7 @@ Value read_values(State& s, std::string_view letters) {
 void look_ahead(State& s, std::uint32_t begin, const dialect::heidenhain::MFunction& known) {
     const Value v = read_values(s, known.parameters);
     const double n = v.found && v.is_literal() ? v.number() : 0;
-    s.build.modal(Modal::look_ahead, begin, s.in.at(), static_cast<int>(std::clamp(n, 0.0, 99.0)));
+    s.build.modal(Modal::look_ahead, begin, s.in.at(), base::clipped<int>(n, 0, 99));
     if (v.found && !v.is_literal()) s.build.problem(Code::unsupported, begin, s.in.at(), "LA must be a number here");
 }
 
@@ -37,7 +38,7 @@ void plunge_feed(State& s, std::uint32_t begin, const dialect::heidenhain::MFunc
     const bool good = !v.found || (v.is_literal() && v.number() > 0 && v.number() <= 100);
     const double percent = v.found && good ? v.number() : 0;
     if (!good) s.build.problem(Code::unsupported, begin, s.in.at(), "F of M103 must be a number from 0 to 100 here");
-    if (good) s.build.modal(Modal::plunge_feed, begin, s.in.at(), static_cast<int>(std::lround(percent * 100)));
+    if (good) s.build.modal(Modal::plunge_feed, begin, s.in.at(), base::clipped<int>(percent * 100 + 0.5, 0, 10'000));
 }
 
 /// M140 MB 50 F750, M140 MB MAX.
@@ -96,15 +97,15 @@ void read_m(State& s, std::uint32_t begin) {
         s.build.literal(Code::m, 8, begin, v.end);
         return;
     }
-    const auto* known = m >= 0 && m < 1000 ? dialect::heidenhain::find_m(static_cast<int>(m)) : nullptr;
+    const auto number = base::cut<int>(m, 0, 999);
+    const auto* known = number ? dialect::heidenhain::find_m(*number) : nullptr;
     using dialect::heidenhain::Use;
-    if (known != nullptr && known->use == Use::run && path_function(s, static_cast<int>(m), begin, *known)) return;
+    if (known != nullptr && known->use == Use::run && path_function(s, *number, begin, *known)) return;
     if (known == nullptr || known->use == Use::run)
         return s.build.literal(Code::m, v.literal, v.negative, begin, v.end);
     static_cast<void>(read_values(s, known->parameters));
     if (known->use == Use::accepted)
-        return s.build.ignored("M" + std::to_string(static_cast<int>(m)) + " (" + std::string(known->text) + ")", begin,
-                               s.in.at());
+        return s.build.ignored("M" + std::to_string(*number) + " (" + std::string(known->text) + ")", begin, s.in.at());
     s.build.problem(Code::unsupported, begin, s.in.at(), known->text);
 }
 

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "base/whole.hpp"
 #include "dialect/heidenhain/sysread.hpp"
 #include "read/heidenhain/state.hpp"
 
@@ -75,8 +76,7 @@ bool by_axis(SystemVariable v) {
 int literal_of(const program::Unit& unit, ExprId id) {
     if (id == no_expr) return -1;
     const Expr& e = unit.exprs[id];
-    if (e.kind != ExprKind::number || !(unit.numbers[e.a] >= 0 && unit.numbers[e.a] < 1e6)) return -1;
-    return static_cast<int>(unit.numbers[e.a]);
+    return e.kind == ExprKind::number ? base::cut<int>(unit.numbers[e.a], 0, 999'999).value_or(-1) : -1;
 }
 
 }  // namespace

@@ -1,5 +1,7 @@
 #include <cmath>
 
+#include "base/whole.hpp"
+
 #include "read/rs274/state.hpp"
 
 namespace obrys::read::rs274 {
@@ -203,8 +205,8 @@ std::optional<std::int32_t> as_integer(const Value& v) {
     if (!v.found || !v.is_literal()) return std::nullopt;
     const double x = v.number();
     const double whole = std::round(x);
-    if (std::abs(x - whole) > integer_tolerance || std::abs(whole) > 1e9) return std::nullopt;
-    return static_cast<std::int32_t>(whole);
+    if (std::abs(x - whole) > integer_tolerance) return std::nullopt;
+    return base::cut<std::int32_t>(whole, -1'000'000'000, 1'000'000'000);
 }
 
 }  // namespace obrys::read::rs274

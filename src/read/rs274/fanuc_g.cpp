@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "base/whole.hpp"
+
 #include "read/rs274/fanuc_state.hpp"
 
 namespace obrys::read::rs274 {
@@ -14,7 +16,7 @@ std::optional<int> tenths_of(const Value& v) {
     if (!v.is_literal() || v.number() < 0 || v.number() > 999) return std::nullopt;
     const double tenths = v.number() * 10;
     if (std::abs(tenths - std::round(tenths)) > 1e-6) return std::nullopt;
-    return static_cast<int>(std::round(tenths));
+    return base::cut<int>(std::round(tenths), 0, 9990);
 }
 
 Value whole_value(int n, const Address& a) {
@@ -215,7 +217,8 @@ void hole_pattern(FanucState& s, const FanucG& g, const Address& a) {
     if (s.hole == 0) return fail(s, a.begin, a.end, "the hole pattern needs a hole cycle before it");
     if (!(*count >= 1) || *count > most) return fail(s, a.begin, a.end, "L is the number of holes, 1 to 1000");
     double x = 0, y = 0;
-    for (int i = 0; i < static_cast<int>(*count); ++i) {
+    const int holes = base::clipped<int>(*count, 1, most);
+    for (int i = 0; i < holes; ++i) {
         const double angle = (*start + i * (g.code == 710 ? *step : 360 / *count)) * 3.14159265358979323846 / 180;
         const auto rounded = [](double v) { return std::round(v * 1e9) / 1e9 + 0.0; };
         const double nx = rounded(std::abs(*radius) * std::cos(angle));

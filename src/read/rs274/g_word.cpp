@@ -1,5 +1,7 @@
 #include <cmath>
 
+#include "base/whole.hpp"
+
 #include "read/rs274/state.hpp"
 
 namespace obrys::read::rs274 {
@@ -19,8 +21,8 @@ std::optional<double> fixed_value(const State& s, const Value& v) {
 
 std::optional<std::int32_t> near_integer(double x) {
     const double whole = std::round(x);
-    if (!(std::abs(x - whole) <= number_tolerance) || std::abs(whole) > 1e6) return std::nullopt;
-    return static_cast<std::int32_t>(whole);
+    if (!(std::abs(x - whole) <= number_tolerance)) return std::nullopt;
+    return base::cut<std::int32_t>(whole, -1'000'000, 1'000'000);
 }
 
 std::string source(const State& s, std::uint32_t begin, std::uint32_t end) {

@@ -1,5 +1,7 @@
 #include <array>
 
+#include "base/whole.hpp"
+
 #include "read/rs274/state.hpp"
 
 namespace obrys::read::rs274 {
@@ -72,8 +74,8 @@ bool read_label(State& s, Label& label, std::uint32_t begin) {
         return n.has_value();
     }
     label.expr = v.expr;
-    if (const auto x = constant(s.unit(), v.expr); x && *x == static_cast<double>(static_cast<int>(*x)))
-        label.text = std::to_string(static_cast<int>(*x));
+    const auto x = constant(s.unit(), v.expr);
+    if (const auto n = x ? base::whole<int>(*x) : std::nullopt) label.text = std::to_string(*n);
     return true;
 }
 

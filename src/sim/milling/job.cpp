@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "base/whole.hpp"
+
 namespace obrys::sim::milling {
 namespace {
 
@@ -42,7 +44,7 @@ Range heights_in(const Box3& box, const Job& job, double bulge) {
     return heights;
 }
 
-int clamped(double v, int count) { return static_cast<int>(std::clamp(v, -1.0, static_cast<double>(count))); }
+int clamped(double v, int count) { return base::clipped<int>(v, -1, count); }
 
 }  // namespace
 

@@ -3,12 +3,13 @@
 #include <algorithm>
 #include <cmath>
 
+#include "base/whole.hpp"
 #include "sim/milling/dexel.hpp"
 
 namespace obrys::sim::milling {
 namespace {
 
-constexpr double most_nodes = 1 << 20;
+constexpr int most_nodes = 1 << 20;
 /// Lengths in programs, stocks and parts are multiples of a millionth: six decimals of mm, five of inches. Nodes lie
 /// half of that beside them, so that a plane face does not lie on a ray, where rounding would say on which side.
 constexpr double per_mm = 1e6;
@@ -43,7 +44,7 @@ std::optional<Lattice> make_lattice(const Box3& box, double step) {
         if (s.cells + 2 > most_nodes) return std::nullopt;
         set_component(lattice.step, axis, s.step);
         set_component(lattice.origin, axis, s.origin);
-        lattice.count[static_cast<std::size_t>(axis)] = static_cast<int>(s.cells) + 2;
+        lattice.count[static_cast<std::size_t>(axis)] = base::clipped<int>(s.cells, 0, most_nodes) + 2;
     }
     return lattice;
 }

@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "base/whole.hpp"
+
 namespace obrys::sim::milling {
 namespace {
 
@@ -45,8 +47,8 @@ struct Range {
     int from = 0, to = -1;
 };
 Range nodes_between(double low, double high, double origin, double step, int count) {
-    return {std::clamp(static_cast<int>(std::ceil((low - origin) / step)), 0, count),
-            std::clamp(static_cast<int>(std::floor((high - origin) / step)), -1, count - 1)};
+    return {base::clipped<int>(std::ceil((low - origin) / step), 0, count),
+            base::clipped<int>(std::floor((high - origin) / step), -1, count - 1)};
 }
 
 std::vector<Crossing> crossings(const Dexels& dexels, const MeshStock& mesh, int axis) {
@@ -127,7 +129,7 @@ MeshPlaces::MeshPlaces(const MeshStock& mesh, const Box3& box) : box_(box) {
     const double longest = std::max({size.x, size.y, size.z});
     const double cells = std::clamp(std::sqrt(static_cast<double>(mesh.triangles.size())), 1.0, most);
     for (int axis = 0; axis < 3; ++axis)
-        count_[static_cast<std::size_t>(axis)] = std::max(1, static_cast<int>(cells * component(size, axis) / longest));
+        count_[static_cast<std::size_t>(axis)] = base::clipped<int>(cells * component(size, axis) / longest, 1, 64);
     cells_.resize(static_cast<std::size_t>(count_[0]) * static_cast<std::size_t>(count_[1]) *
                   static_cast<std::size_t>(count_[2]));
     double volume = 0;
@@ -154,7 +156,7 @@ std::array<int, 3> MeshPlaces::cell_of(Vec3 p) const {
         const auto own = static_cast<std::size_t>(axis);
         const double low = component(box_.min, axis), size = component(box_.max, axis) - low;
         const double at = (component(p, axis) - low) / size * count_[own];
-        cell[own] = static_cast<int>(std::clamp(std::floor(at), 0.0, static_cast<double>(count_[own] - 1)));
+        cell[own] = base::clipped<int>(at, 0, count_[own] - 1);
     }
     return cell;
 }

@@ -6,6 +6,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "base/whole.hpp"
+
 namespace obrys::sim::milling {
 
 namespace {
@@ -13,7 +15,7 @@ namespace {
 /// The first node at or above a coordinate, neither the first nor beyond the last of `count`.
 std::size_t first_node(double value, double origin, double step, int count) {
     const double node = std::ceil((value - origin) / step);
-    return static_cast<std::size_t>(std::clamp(node, 1.0, static_cast<double>(count - 1)));
+    return base::clipped<std::size_t>(node, 1, static_cast<std::size_t>(count - 1));
 }
 
 /// Each bit replaced by that of the next node.

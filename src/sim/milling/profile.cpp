@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "base/whole.hpp"
+
 namespace obrys::sim::milling {
 namespace {
 
@@ -37,7 +39,7 @@ void add_straight(std::vector<Piece>& pieces, Vec2 from, Vec2 to) {
 
 void add_chords(std::vector<Piece>& pieces, const ArcEdge& arc, Vec2 to, double deviation) {
     const double step = 2 * std::acos(std::max(0.0, 1 - std::max(deviation, 1e-6) / arc.radius));
-    const int n = std::clamp(static_cast<int>(std::ceil(std::abs(arc.sweep) / step)), 1, most_chords);
+    const int n = base::clipped<int>(std::ceil(std::abs(arc.sweep) / step), 1, most_chords);
     Vec2 at = on(arc, arc.start);
     for (int i = 1; i <= n; ++i) {
         const Vec2 next = i == n ? to : on(arc, arc.start + arc.sweep * i / n);

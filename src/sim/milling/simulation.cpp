@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "base/whole.hpp"
 #include "sim/milling/job.hpp"
 #include "sim/milling/nearest.hpp"
 
@@ -11,8 +12,8 @@ namespace {
 
 using geom::Vec3;
 
-constexpr double still = 1e-9;       ///< mm
-constexpr double most_pieces = 1e6;  ///< of one pass
+constexpr double still = 1e-9;          ///< mm
+constexpr int most_pieces = 1'000'000;  ///< of one pass
 constexpr std::size_t most_sweeps = 0xFFFFFFFE;
 constexpr std::size_t batch = 2048;  ///< sweeps carried out together: enough to share out, few enough for the cache
 
@@ -95,14 +96,15 @@ Taken Simulation::add(const Pass& pass) {
     if (exact) pieces = std::max(1.0, std::ceil(std::abs(arc->sweep) / (geom::pi / 2) - 1e-9));
     if (!(pieces <= most_pieces) || static_cast<double>(sweeps_.size()) + pieces > static_cast<double>(most_sweeps))
         return Taken::too_long;
+    const int count = base::clipped<int>(pieces, 0, most_pieces);
     const std::size_t before = sweeps_.size();
     if (exact) {
-        add_circle(pass, *arc, static_cast<int>(pieces));
+        add_circle(pass, *arc, count);
     } else {
         Vec3 at = geom::point_at(pass.path, 0);
-        for (int i = 1; i <= static_cast<int>(pieces); ++i) {
+        for (int i = 1; i <= count; ++i) {
             const Vec3 next = geom::point_at(pass.path, i / pieces);
-            if (geom::distance(at, next) <= still && i < static_cast<int>(pieces)) continue;
+            if (geom::distance(at, next) <= still && i < count) continue;
             add_straight(pass, at, next);
             at = next;
         }

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "base/whole.hpp"
 #include "sim/milling/job.hpp"
 #include "sim/milling/nearest.hpp"
 #include "sim/milling/rows.hpp"
@@ -51,8 +52,7 @@ Window window_of(const Place& p, const Job& job) {
         const double at = component(p.node, across), s = component(step, across);
         const double low = std::ceil((component(job.box.min, across) - at) / s);
         const double high = std::floor((component(job.box.max, across) - at) / s);
-        return std::pair{static_cast<int>(std::clamp(low, 0.0, static_cast<double>(count))),
-                         static_cast<int>(std::clamp(high, -1.0, static_cast<double>(count - 1))) + 1};
+        return std::pair{base::clipped<int>(low, 0, count), base::clipped<int>(high, -1, count - 1) + 1};
     };
     const auto [a0, a1] = range(first_across(p.axis), p.step_a, p.count_a);
     const auto [b0, b1] = range(second_across(p.axis), p.step_b, p.count_b);

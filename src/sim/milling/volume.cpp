@@ -9,6 +9,7 @@
 #include <numeric>
 #include <vector>
 
+#include "base/whole.hpp"
 #include "sim/milling/crossings.hpp"
 #include "sim/milling/simulation.hpp"
 
@@ -43,7 +44,9 @@ double parts_of(const Interval& v, const Course& ray, std::vector<Part>& parts) 
     const double begin = (v.begin - ray.origin) / ray.step, end = (v.end - ray.origin) / ray.step;
     const double last = ray.count - 1;
     const double i = std::clamp(std::floor(begin + 0.5), 0.0, last), j = std::clamp(std::floor(end + 0.5), 0.0, last);
-    const auto node = [&](double n) { return ray.base + static_cast<std::uint64_t>(n) * ray.stride; };
+    const auto node = [&](double n) {
+        return ray.base + base::clipped<std::uint64_t>(n, 0, static_cast<std::uint64_t>(ray.count - 1)) * ray.stride;
+    };
     if (i == j) {
         parts.push_back({node(i), ray.axis, end - begin, begin - i, 0, begin <= i && i <= end, 0});
     } else {

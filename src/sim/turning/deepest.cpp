@@ -6,6 +6,7 @@
 #include <limits>
 #include <queue>
 
+#include "base/whole.hpp"
 #include "geom/region.hpp"
 #include "geom/tolerance.hpp"
 
@@ -33,7 +34,7 @@ void add_chords(const Edge& e, std::vector<Edge>& out) {
     int n = 1;
     if (geom::is_arc(e)) {
         const double step = 2 * std::acos(std::max(0.0, 1 - chord_error / geom::circle(e).radius));
-        n = std::max(2, static_cast<int>(std::ceil(std::abs(geom::sweep_angle(e)) / std::max(step, 1e-3))));
+        n = base::clipped<int>(std::ceil(std::abs(geom::sweep_angle(e)) / std::max(step, 1e-3)), 2, 10'000);
     }
     for (int i = 0; i < n; ++i) {
         const Edge p = geom::part(e, static_cast<double>(i) / n, static_cast<double>(i + 1) / n);

@@ -3,13 +3,14 @@
 #include <algorithm>
 #include <cmath>
 
+#include "base/whole.hpp"
 #include "geom/tolerance.hpp"
 
 namespace obrys::sim::turning {
 
 namespace {
 
-constexpr double cell_count = 65536;
+constexpr int cell_count = 65536;
 
 }  // namespace
 
@@ -21,8 +22,8 @@ void Stock::rebuild(const geom::Region& region) {
     if (box_.empty()) box_ = {{0, 0}, {1, 1}};
     const double w = std::max(box_.hi.x - box_.lo.x, 1e-6), h = std::max(box_.hi.y - box_.lo.y, 1e-6);
     size_ = std::max(std::sqrt(w * h / cell_count), std::max(w, h) / cell_count);
-    nx_ = static_cast<int>(w / size_) + 1;
-    ny_ = static_cast<int>(h / size_) + 1;
+    nx_ = base::clipped<int>(w / size_, 0, cell_count) + 1;
+    ny_ = base::clipped<int>(h / size_, 0, cell_count) + 1;
     cells_.resize(static_cast<std::size_t>(nx_) * static_cast<std::size_t>(ny_));
     for (const geom::Contour& c : region.contours) {
         Slot first = -1, last = -1;
@@ -52,9 +53,7 @@ geom::Region Stock::region() const {
 }
 
 Stock::Range Stock::range(const geom::Box& b) const {
-    const auto index = [this](double v, double lo, int n) {
-        return static_cast<int>(std::clamp(std::floor((v - lo) / size_), 0.0, static_cast<double>(n - 1)));
-    };
+    const auto index = [this](double v, double lo, int n) { return base::clipped<int>((v - lo) / size_, 0, n - 1); };
     return {index(b.lo.x, box_.lo.x, nx_), index(b.hi.x, box_.lo.x, nx_), index(b.lo.y, box_.lo.y, ny_),
             index(b.hi.y, box_.lo.y, ny_)};
 }
