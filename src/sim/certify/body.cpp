@@ -124,7 +124,7 @@ mesh::Box box_of(const Swept& s) {
 Vec3 towards(const Swept& s, Vec3 p) {
     const double size = dot(s.way, s.way);
     const auto nearest_way = [&](Vec3 q) { return size > 0 ? std::clamp(dot(q, s.way) / size, 0.0, 1.0) : 0.0; };
-    Vec3 off, out;
+    Vec3 off;
     double t = nearest_way(p - s.from - (0.5 * (s.body.z0 + s.body.z1)) * s.axis);
     for (int i = 0; i < 2; ++i) {
         const Vec3 d = p - s.from - t * s.way;

@@ -142,7 +142,7 @@ mesh::Mesh mesh_of(const testing::BlockCase& c) {
 
 TEST(Certified, straight_blocks_agree_with_the_concave_maximum_of_the_oracle) {
     constexpr double allowed = 1e-5;
-    for (const testing::BlockCase& c : testing::blocks()) {
+    for (const testing::BlockCase& c : testing::blocks) {
         const mesh::Distance part(mesh_of(c));
         const Judge judge(part, allowed);
         // Lifted by the gouge it touches.
