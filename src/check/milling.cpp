@@ -98,6 +98,8 @@ void Milling::begin() {
     figures_.tolerance_mm = m.tolerance;
     figures_.step = lattice->step;
     figures_.before_mm3 = milling::volume(*simulation_);
+    if (m.part != nullptr && judges_part(setup_.scope))
+        certificate_.emplace(m, std::max(setup_.tolerances.gouge, m.tolerance));
     add_clamps(m.memory_bytes - fine.bytes);
 }
 
@@ -159,6 +161,7 @@ bool Milling::tool_in_use(const Move& move) {
             out_.unchecked(move.record, "tool " + tool_name_ + ": " + made.problem + ": its removal is not simulated");
             return false;
         }
+        if (certificate_) certificate_->add_tool(made.shape);
         for (Clamp& c : clamps_) static_cast<void>(c.simulation.add_tool(made.shape));  // the same number in each
         if (!cutter.holder.empty() && !(tool_->length > 0) && cutter.cutting_length >= unknown_height)
             out_.unchecked(move.record, "tool " + tool_name_ + ": where its holder is is not known: it is not checked",
@@ -341,6 +344,7 @@ void Milling::keep_technology(const Move& move, double way, MilledMove& m) const
 void Milling::queue(const geom::PathElement& element, const MilledMove& move, bool feed) {
     using Kind = QueuedPass::Kind;
     if (!feed) queue_pass(Kind::rapid_probe, milling::Part::cutting, false, element);
+    if (certificate_) certificate_->add(static_cast<std::uint32_t>(moves_.size() - 1), element, axis_, sim_tool_);
     double way = geom::distance(move.from, move.to);
     if (const auto* c = std::get_if<geom::Circular>(&element)) {
         const geom::Vec3 spoke = c->from - c->centre;
@@ -412,6 +416,7 @@ void Milling::queue_clamps(const geom::PathElement& element) {
 
 void Milling::carry_out() {
     simulation_->flush();
+    if (certificate_) certificate_->carry_out();
     for (Clamp& c : clamps_) c.simulation.flush();
     for (std::size_t i = 0; i < queued_.size(); ++i) judge(i);
     queued_.clear();

@@ -12,6 +12,7 @@
 
 #include "check/check.hpp"
 #include "check/collect.hpp"
+#include "check/milling_certify.hpp"
 #include "check/open_way.hpp"
 #include "check/stand.hpp"
 #include "check/thread_band.hpp"
@@ -97,6 +98,7 @@ private:
     void keep_thread(const Move& move);
     void judge_surface(Milled& milled);
     void judge_place(const Milled& milled, const mesh::Place& place, bool gouge);
+    void judge_gouge(const Milled& milled, const Gouge& gouge);
     void found(const MilledMove& move, Finding f);
     void found(const Milled& milled, const mesh::Place& place, Finding f);
 
@@ -104,6 +106,7 @@ private:
     Collector& out_;
     std::optional<sim::milling::Simulation> simulation_;
     std::deque<Clamp> clamps_;
+    std::optional<Certificate> certificate_;  ///< where there is a part to be held to
     std::vector<MilledMove> moves_;
     std::vector<geom::Vec3> points_;
     std::size_t moves_with_points_ = 0;

@@ -41,6 +41,12 @@ std::string extent_text(const MilledMove& at, bool cut_there, std::size_t others
     return at.along || others > 0 ? (at.along ? ", along " : ", in the cuts of ") + here + more : "";
 }
 
+/// Of a place without an area the shares are depths.
+std::string share_text(const BlockShare& block, bool area) {
+    return (block.move->along ? "along this contour element, too: " : "in the cut of this block, too: ") +
+           (area ? mm2(block.area) : mm(block.area) + " deep");
+}
+
 }  // namespace
 
 /// Places a finding at a move that is over.
@@ -192,6 +198,28 @@ void Milling::judge_place(const Milled& milled, const mesh::Place& p, bool gouge
     found(milled, p, std::move(f));
 }
 
+/// By geometry, to a tenth of the tolerance; the area is that which the rays saw.
+void Milling::judge_gouge(const Milled& milled, const Gouge& gouge) {
+    const mesh::Place& p = gouge.place;
+    if (p.area > 0 && !gouge.edge) return judge_place(milled, p, true);
+    Finding f;
+    f.code = codes::gouge;
+    f.place = p.at;
+    f.text = std::string("cuts into ") + (gouge.edge ? "an edge of " : "") + "the finished part: " + mm(-p.deviation) +
+             " deep at " + place(p.at);
+    f.amounts = {{"depth_mm", -p.deviation}};
+    if (p.area > 0) {
+        f.text += ", over " + mm2(p.area);
+        f.amounts.push_back({"area_mm2", p.area});
+    } else if (gouge.width > 0) {
+        f.text += ", " + mm(gouge.width) + " wide";
+        f.amounts.push_back({"width_mm", gouge.width});
+    }
+    for (const auto& [key, value] : {std::pair{"x_mm", p.at.x}, std::pair{"y_mm", p.at.y}, std::pair{"z_mm", p.at.z}})
+        f.amounts.push_back({key, value});
+    found(milled, p, std::move(f));
+}
+
 namespace {
 
 /// The move that cut most of the surface that lies nearly as far off as the worst point, of the block that did so. (The
@@ -241,9 +269,7 @@ void Milling::found(const Milled& milled, const mesh::Place& p, Finding f) {
     std::erase_if(blocks, [&](const BlockShare& b) { return b.move->where == at.where; });
     f.text += extent_text(at, worst != nullptr, blocks.size());
     for (std::size_t i = 0; i < blocks.size() && i < most_blocks; ++i)
-        f.related.push_back({blocks[i].move->where, (blocks[i].move->along ? "along this contour element, too: "
-                                                                           : "in the cut of this block, too: ") +
-                                                        mm2(blocks[i].area)});
+        f.related.push_back({blocks[i].move->where, share_text(blocks[i], p.area > 0)});
     found(at, std::move(f));
 }
 
@@ -272,7 +298,12 @@ void Milling::judge_surface(Milled& milled) {
     }
     milled.comparison = mesh::compare(milled.surface, *m.part, options);
     confirm(*milled.comparison, milled.surface, *simulation_, *m.part, options, tag_of);
-    for (const mesh::Place& p : milled.comparison->gouges) judge_place(milled, p, true);
+    const std::vector<Gouge> gouges = certificate_->gouges(milled.moves, milled.comparison->gouges, thread_bands_);
+    milled.comparison->largest_gouge = 0;
+    for (const Gouge& g : gouges) {
+        milled.comparison->largest_gouge = std::max(milled.comparison->largest_gouge, -g.place.deviation);
+        judge_gouge(milled, g);
+    }
     if (!complete_) return out_.unchecked("rest material not judged, since not every move was simulated");
     for (const mesh::Place& p : milled.comparison->excesses) judge_place(milled, p, false);
 }

@@ -32,6 +32,11 @@ public:
     [[nodiscard]] Nearest nearest(geom::Vec3 p, double reach = std::numeric_limits<double>::infinity()) const;
     /// Positive outside, negative within; infinite where nothing was found.
     [[nodiscard]] double signed_distance(geom::Vec3 p, double reach = std::numeric_limits<double>::infinity()) const;
+    /// Calls `triangle(number)` for all triangles in boxes that `box(box)` lets pass, until one says false.
+    template <class Passes, class Visit>
+    void visit(Passes&& box, Visit&& triangle) const;
+    /// Unit normal out of the material; zero where a triangle has no area.
+    [[nodiscard]] geom::Vec3 normal(std::size_t triangle) const { return face_[triangle]; }
     /// The sign that `signed_distance` gives a place found for `p`.
     [[nodiscard]] bool is_inside(geom::Vec3 p, const Nearest& place) const;
 
@@ -51,6 +56,24 @@ private:
     std::vector<geom::Vec3> face_, corner_;  ///< unit normals of triangles; weighted ones of vertices
     std::vector<std::uint32_t> beside_;      ///< at 3 t + c: the triangle across the side from corner c on
 };
+
+template <class Passes, class Visit>
+void Distance::visit(Passes&& box, Visit&& triangle) const {
+    if (nodes_.empty()) return;
+    std::array<std::uint32_t, 64> stack;  // halved at each level, and 2^32 triangles at most
+    std::size_t waiting = 0;
+    stack[waiting++] = 0;
+    while (waiting > 0) {
+        const std::uint32_t here = stack[--waiting];
+        const Node& node = nodes_[here];
+        if (!box(node.box)) continue;
+        for (std::uint32_t i = node.first; i < node.first + node.count; ++i)
+            if (!triangle(order_[i])) return;
+        if (node.count > 0) continue;
+        stack[waiting++] = node.first;
+        stack[waiting++] = here + 1;
+    }
+}
 
 /// The place of a triangle nearest to a point. Source: C. Ericson, "Real-Time Collision Detection" (2005),
 /// chapter 5.1.5.

@@ -27,7 +27,7 @@ TEST(Docs, EveryCodeIsDocumented) {
 TEST(Docs, EveryAmountHasWordsAndIsDocumented) {
     const std::string text = document("report-json.md");
     for (const char* key : {"depth_mm", "depth_x_mm", "area_mm2", "volume_mm3", "contact_length_mm", "z_mm", "x_mm",
-                            "z_from_mm", "z_to_mm", "way_mm", "pitch_mm", "excess_mm", "excess_deg", "speed_rpm",
+                            "z_from_mm", "z_to_mm", "width_mm", "way_mm", "pitch_mm", "excess_mm", "excess_deg", "speed_rpm",
                             "limit_rpm", "feed_mm_per_min", "limit_mm_per_min"}) {
         EXPECT_NE(text.find("`" + std::string(key) + "`"), std::string::npos) << key;
         EXPECT_NE(amount_words(key).unit, "") << key;

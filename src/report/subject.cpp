@@ -81,6 +81,7 @@ AmountWords amount_words(std::string_view key) {
         Entry{"z_mm", "at Z", "mm"},
         Entry{"x_mm", "at X (radius)", "mm"},
         Entry{"y_mm", "at Y", "mm"},
+        Entry{"width_mm", "width", "mm"},
         Entry{"height_mm", "height", "mm"},
         Entry{"z_from_mm", "from Z", "mm"},
         Entry{"z_to_mm", "to Z", "mm"},

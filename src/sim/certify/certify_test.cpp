@@ -1,0 +1,263 @@
+#include "sim/certify/certify.hpp"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <random>
+#include <string>
+
+#include "geom/random_cases_testing.hpp"
+#include "mesh/primitives.hpp"
+#include "sim/certify/blocks_testing.hpp"
+#include "sim/certify/closest.hpp"
+
+namespace obrys::sim::certify {
+namespace {
+
+using geom::Vec3;
+using geom::testing::Random;
+
+Shape end_mill(double r, double height = 30) { return {{r, 0, r, height, 0}}; }
+Shape ball(double r, double height = 30) { return {{0, r, 0, r, r}, {r, r, r, height, 0}}; }
+Shape bull(double r, double corner, double height = 30) {
+    return {{r - corner, corner, r - corner, corner, corner}, {r, corner, r, height, 0}};
+}
+Shape cone(double r, double degrees, double height = 30) {
+    const double h = r / std::tan(geom::radians(degrees) / 2);
+    return {{0, 0, r, h, 0}, {r, h, r, h + height, 0}};
+}
+
+Depth depth_of(const Judge& judge, const Shape& shape, Vec3 from, Vec3 to, Vec3 axis = {0, 0, 1}) {
+    const Move move{geom::Straight{from, to}, axis, &shape};
+    return judge.is_clear(move) ? Depth{} : judge.deepest(move);
+}
+
+const mesh::Distance& plate() {
+    static const mesh::Distance part(mesh::box({0, 0, -20}, {60, 40, 0}));
+    return part;
+}
+
+TEST(Certified, scratches_of_pointed_tools_are_as_deep_as_they_are_however_narrow) {
+    for (const double allowed : {0.002, 0.01, 0.05})
+        for (const double angle : {30.0, 60.0, 90.0, 118.0})
+            for (const double times : {0.5, 1.2, 3.0, 15.0}) {
+                const Judge judge(plate(), allowed);
+                const Shape tool = cone(5, angle);
+                const Depth d =
+                    depth_of(judge, tool, {10.123, 11.07, -times * allowed}, {50.3, 29.9, -times * allowed});
+                if (times < 1) {
+                    EXPECT_FALSE(d.depth > allowed) << allowed << ' ' << angle;
+                    continue;
+                }
+                EXPECT_NEAR(d.depth, times * allowed, allowed / 10) << allowed << ' ' << angle << ' ' << times;
+                EXPECT_GE(d.upper, d.depth);
+                EXPECT_NEAR(d.width, 2 * times * allowed * std::tan(geom::radians(angle) / 2), 1e-3 * allowed);
+                EXPECT_NEAR(d.normal.z, 1, 1e-6);
+            }
+}
+
+TEST(Certified, what_touches_all_along_is_clear) {
+    const Judge judge(plate(), 0.01);
+    for (const Shape& tool : {end_mill(5), ball(3), bull(6, 1), cone(5, 90)}) {
+        EXPECT_EQ(depth_of(judge, tool, {-20, 20, 0}, {80, 20, 0}).depth, 0);  // on the face
+        const double r = tool.back().r1;
+        EXPECT_EQ(depth_of(judge, tool, {-20, -r, -15}, {80, -r, -15}).depth, 0);       // along the wall
+        EXPECT_EQ(depth_of(judge, tool, {60 + r, 20, 5}, {60 + r, 20, -30}).depth, 0);  // down beside it
+    }
+}
+
+TEST(Certified, a_wall_cut_into_is_as_deep_as_the_tool_went_past_it) {
+    const Judge judge(plate(), 0.01);
+    const Depth d = depth_of(judge, end_mill(5), {-20, -4.98, -15}, {80, -4.98, -15});
+    EXPECT_NEAR(d.depth, 0.02, 0.001);
+    EXPECT_NEAR(d.normal.y, -1, 1e-6);
+    EXPECT_FALSE(d.edge);
+}
+
+TEST(Certified, a_chamfer_that_nobody_wanted_is_said_of_the_edge) {
+    const Judge judge(plate(), 0.01);
+    // 0.1 x 45 degrees: the flank passes the edge at 0.1 / sqrt 2.
+    const Depth d = depth_of(judge, cone(5, 90), {-20, -1.9, -2}, {80, -1.9, -2});
+    EXPECT_TRUE(d.edge);
+    EXPECT_NEAR(d.depth, 0.1 / std::sqrt(2), 0.002);
+}
+
+TEST(Certified, what_goes_through_a_sheet_is_as_deep_as_it_is_thick) {
+    const mesh::Distance sheet(mesh::box({0, 0, -1}, {60, 40, 0}));
+    const Judge judge(sheet, 0.01);
+    EXPECT_NEAR(depth_of(judge, end_mill(5), {-20, 20, -3}, {80, 20, -3}).depth, 1, 0.01);
+    EXPECT_NEAR(depth_of(judge, ball(3), {30, 20, 10}, {30, 20, -8}).depth, 1, 0.01);
+}
+
+TEST(Certified, a_tool_wholly_inside_is_found) {
+    const mesh::Distance block(mesh::box({-50, -50, -50}, {50, 50, 50}));
+    const Judge judge(block, 0.01);
+    const Depth d = depth_of(judge, ball(2, 10), {0, 0, 0}, {1, 0, 0});
+    EXPECT_GT(d.depth, 39);
+}
+
+TEST(Certified, arcs_and_helices_are_judged_like_lines) {
+    const Judge judge(plate(), 0.01);
+    const Shape mill = end_mill(3);
+    // A circle within the part's outline that stays above, and one that dips in by 0.03 at its end.
+    for (const double dip : {0.0, 0.03}) {
+        const geom::Circular c{{40, 20, 0}, {40, 20, -dip}, {30, 20, 0}, {0, 0, 1}, 2 * geom::pi};
+        const Move move{c, {0, 0, 1}, &mill};
+        if (dip == 0)
+            EXPECT_TRUE(judge.is_clear(move));
+        else
+            EXPECT_NEAR(judge.deepest(move).depth, dip, 0.001);
+    }
+    // Around a round post of the same circle: nothing; 0.02 nearer: a gouge of that.
+    const mesh::Distance post(mesh::cylinder({0, 0, -10}, 8, 10, 2000));
+    const Judge beside(post, 0.01);
+    for (const double near : {0.0, 0.02}) {
+        const double r = 11 - near;
+        const geom::Circular c{{r, 0, -5}, {-r, 0, -5}, {0, 0, -5}, {0, 0, 1}, geom::pi};
+        const Move move{c, {0, 0, 1}, &mill};
+        EXPECT_EQ(beside.is_clear(move), near == 0);
+        if (near > 0) {
+            EXPECT_NEAR(beside.deepest(move).depth, near, 0.001);
+        }
+    }
+}
+
+TEST(Certified, nothing_is_said_beside_the_stock) {
+    const Judge judge(plate(), 0.01, [](Vec3 p) { return -1 - p.z; });  // the stock ends at -1
+    EXPECT_FALSE(depth_of(judge, end_mill(5), {-20, 20, -0.5}, {80, 20, -0.5}).depth > 0.01);
+    EXPECT_NEAR(depth_of(judge, end_mill(5), {-20, 20, -1.5}, {80, 20, -1.5}).depth, 0.5, 0.01);
+}
+
+mesh::Mesh mesh_of(const testing::BlockCase& c) {
+    mesh::Mesh m;
+    const auto triangle = [&](Vec3 a, Vec3 b, Vec3 d) {
+        const auto n = static_cast<std::uint32_t>(m.vertices.size());
+        for (const Vec3& p : {a, b, d}) m.vertices.push_back(p);
+        m.triangles.push_back({n, n + 1, n + 2});
+    };
+    for (const auto& t : c.triangles) triangle(t[0], t[1], t[2]);
+    return m;
+}
+
+TEST(Certified, straight_blocks_agree_with_the_concave_maximum_of_the_oracle) {
+    constexpr double allowed = 1e-5;
+    for (const testing::BlockCase& c : testing::blocks) {
+        const mesh::Distance part(mesh_of(c));
+        const Judge judge(part, allowed);
+        // Lifted by the gouge it touches.
+        const Vec3 up{0, 0, c.gouge};
+        for (const double more : {-0.01, 1e-4}) {
+            const Vec3 lift = up + Vec3{0, 0, more};
+            const Move move{geom::Straight{c.from + lift, c.to + lift}, {0, 0, 1}, &c.tool};
+            EXPECT_EQ(judge.is_clear(move), more > 0) << c.name << ' ' << c.gouge << ' ' << more;
+        }
+    }
+}
+
+/// A random body and a tool that nearly touches it.
+struct Case {
+    mesh::Mesh part;
+    Shape tool;
+    Vec3 from, to, axis;
+};
+
+Vec3 direction(Random& random) {
+    for (;;) {
+        const Vec3 v{random.between(-1, 1), random.between(-1, 1), random.between(-1, 1)};
+        if (length(v) > 0.1 && length(v) < 1) return (1 / length(v)) * v;
+    }
+}
+
+Case random_case(Random& random) {
+    Case c;
+    switch (random.below(3)) {
+        case 0: c.part = mesh::box({-10, -8, -6}, {10, 8, 6}); break;
+        case 1: c.part = mesh::ball({0, 0, 0}, 8, 40); break;
+        default: c.part = mesh::cylinder({0, 0, -6}, 8, 12, 60); break;
+    }
+    const double r = random.between(1, 5);
+    switch (random.below(4)) {
+        case 0: c.tool = end_mill(r, 20); break;
+        case 1: c.tool = ball(r, 20); break;
+        case 2: c.tool = bull(r, r * random.between(0.1, 0.9), 20); break;
+        default: c.tool = cone(r, random.between(30, 150), 20); break;
+    }
+    c.axis = random.below(2) == 0 ? Vec3{0, 0, 1} : direction(random);
+    const Vec3 out = direction(random);
+    c.from = random.between(6, 14) * out + random.between(0, 5) * direction(random);
+    c.to = c.from + random.between(0.1, 8) * direction(random);
+    return c;
+}
+
+/// The deepest of many points of the tool on its way: never deeper than what is certified.
+double sampled(const Case& c, const mesh::Distance& part, Random& random, int points) {
+    double deepest = 0;
+    for (int i = 0; i < points; ++i) {
+        const Swept whole{c.tool[static_cast<std::size_t>(random.below(static_cast<int>(c.tool.size())))], c.from,
+                          c.to - c.from, c.axis};
+        const mesh::Box box = box_of(whole);
+        const Vec3 p{random.between(box.lo.x, box.hi.x), random.between(box.lo.y, box.hi.y),
+                     random.between(box.lo.z, box.hi.z)};
+        deepest = std::max(deepest, -part.signed_distance(nearest_within(whole, p)));
+    }
+    return deepest;
+}
+
+TEST(Certified, no_point_of_the_tool_is_deeper_than_what_is_certified) {
+    constexpr double allowed = 0.01;
+    for (unsigned number = 1; number <= 300; ++number) {
+        Random random(number);
+        const Case c = random_case(random);
+        const mesh::Distance part(c.part);
+        const Judge judge(part, allowed);
+        const Depth d = depth_of(judge, c.tool, c.from, c.to, c.axis);
+        const double found = sampled(c, part, random, 2000);
+        EXPECT_LE(found, std::max(d.depth, allowed) + allowed / 10 + 0.02 * found) << "case " << number;
+        if (d.depth > 0) {
+            EXPECT_LE(d.depth, d.upper) << "case " << number;
+        }
+    }
+}
+
+TEST(Certified, depth_grows_with_the_radius_and_does_not_change_when_all_is_moved_and_turned) {
+    constexpr double allowed = 0.01;
+    for (unsigned number = 1; number <= 100; ++number) {
+        Random random(number);
+        Case c = random_case(random);
+        const double r = random.between(1, 4);
+        const mesh::Distance part(c.part);
+        const Judge judge(part, allowed);
+        const double small = depth_of(judge, end_mill(r, 20), c.from, c.to, c.axis).depth;
+        const double large = depth_of(judge, end_mill(r * 1.1, 20), c.from, c.to, c.axis).depth;
+        if (large < 1) {
+            EXPECT_LE(small, std::max(large, allowed) + allowed / 5) << "case " << number;
+        }
+        const geom::Frame turn = geom::Frame::shift({1000, -20, 7}) * geom::Frame::rotation(0, random.between(-3, 3)) *
+                                 geom::Frame::rotation(2, random.between(-3, 3));
+        const mesh::Distance turned_part(transformed(c.part, turn));
+        const Judge turned(turned_part, allowed);
+        const double there =
+            depth_of(turned, end_mill(r, 20), apply(turn, c.from), apply(turn, c.to), apply_direction(turn, c.axis))
+                .depth;
+        if (small > allowed && small < 1) {
+            EXPECT_NEAR(there, small, allowed / 5 + 0.01 * small) << "case " << number;
+        }
+    }
+}
+
+TEST(Certified, closest_agrees_with_a_search) {
+    for (unsigned number = 1; number <= 200; ++number) {
+        Random random(number);
+        const Case c = random_case(random);
+        const Swept whole{c.tool.front(), c.from, c.to - c.from, c.axis};
+        const Vec3 p = 20.0 * direction(random);
+        const Apart apart = closest(whole, {&p, 1}, to_the_end);
+        EXPECT_NEAR(apart.upper, whole.body.rounding + geom::distance(p, nearest_within(whole, p)), 1e-5)
+            << "case " << number;
+        EXPECT_LE(apart.lower, apart.upper * (1 + 1e-12));
+    }
+}
+
+}  // namespace
+}  // namespace obrys::sim::certify
