@@ -26,6 +26,12 @@ struct Clamp {
     sim::milling::Stock body;
 };
 
+/// The same on a lathe, a body of revolution: chuck, jaws, centre.
+struct TurnedClamp {
+    std::string name;
+    geom::Region body;
+};
+
 /// What a milling program is held to. Frame of the stock, mm.
 struct MillingSetup {
     sim::milling::Stock stock;
@@ -46,6 +52,8 @@ struct Setup {
     std::optional<geom::Region> stock;
     std::optional<geom::Region> part;       ///< finished part
     std::optional<geom::Region> allowance;  ///< what this program must leave: the part and the allowance on it
+    bool right_face = false;                ///< the part is drawn with its right face, down to the axis or its bore
+    std::vector<TurnedClamp> turned_clamps;
     std::optional<MillingSetup> milling;
     shop::Tolerances tolerances;
     shop::Scope scope = shop::Scope::all;

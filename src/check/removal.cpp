@@ -5,6 +5,7 @@
 
 #include "base/codes.hpp"
 #include "base/number.hpp"
+#include "check/turning_tool.hpp"
 #include "cl/totals.hpp"
 #include "geom/boolean.hpp"
 
@@ -12,19 +13,9 @@ namespace obrys::check {
 
 namespace {
 
-using sim::turning::Cut;
-using sim::turning::Depth;
-
-constexpr double beyond_gouge = 1e-6;  ///< mm2 an allowance cut must have besides the gouge to be told apart
+constexpr double on_axis = 1e-6;  ///< mm
 
 bool known(geom::Vec3 p) { return std::isfinite(p.x) && std::isfinite(p.z); }
-
-std::string tool_name(const cl::ToolChange& t) {
-    std::string out = "tool";
-    if (t.number != 0 || t.name.empty()) out += " T" + std::to_string(t.number);
-    if (!t.name.empty()) out += " \"" + t.name + "\"";
-    return out + (t.edge != 0 ? " D" + std::to_string(t.edge) : "");
-}
 
 const shop::Tool* find(const std::vector<shop::Tool>& tools, const cl::ToolChange& wanted) {
     for (const shop::Tool& t : tools) {
@@ -43,27 +34,17 @@ std::string remedy_of_missing(const std::vector<shop::Tool>& tools, const cl::To
     return "add it to the job file, or give the tool file of the machine";
 }
 
-sim::turning::Move in_turning_plane(const Move& move) {
-    sim::turning::Move m{{move.from.z, move.from.x}, {move.to.z, move.to.x}, {}, 0};
-    if (const auto* arc = std::get_if<cl::Arc>(&move.record.step)) {
-        m.centre = {arc->centre.z, arc->centre.x};
-        m.sweep = arc->normal.y < 0 ? -arc->sweep : arc->sweep;
-    }
-    return m;
+/// Whether everything between the radii a + low and b + high, of either sign, lies beside the stock.
+bool beside_in_x(double a, double b, const Box& tool, const Box& stock) {
+    if (!std::isfinite(a) || !std::isfinite(b)) return false;
+    const double low = std::min(a, b) + tool.min_x, high = std::max(a, b) + tool.max_x;
+    const double nearest = low >= 0 ? low : high <= 0 ? -high : 0;
+    return nearest >= stock.max_x || std::max(-low, high) <= stock.min_x;
 }
 
-Finding into(const Depth& d, bool part) {
-    Finding f;
-    f.code = part ? base::codes::gouge : base::codes::allowance_cut;
-    f.severity = part ? base::Severity::error : base::Severity::warning;
-    f.text = std::string(part ? "cuts into the finished part" : "cuts into the allowance that must stay") + ": " +
-             mm(d.along_x) + " deep along X, " + mm(d.normal) + " normal to the contour, " + mm2(d.area) +
-             ", deepest at " + point(d.deepest);
-    f.amounts = {{"depth_mm", d.normal},   {"depth_x_mm", d.along_x}, {"area_mm2", d.area},
-                 {"volume_mm3", d.volume}, {"z_mm", d.deepest.x},     {"x_mm", d.deepest.y}};
-    f.region = d.region;
-    f.at = d.deepest;
-    return f;
+bool beside_in_z(double a, double b, const Box& tool, const Box& stock) {
+    return (a + tool.min_z >= stock.max_z && b + tool.min_z >= stock.max_z) ||
+           (a + tool.max_z <= stock.min_z && b + tool.max_z <= stock.min_z);
 }
 
 }  // namespace
@@ -73,8 +54,10 @@ Removal::Removal(const Setup& setup, Collector& out) : setup_(setup), out_(out) 
     work_.emplace(*setup.stock);
     if (setup.part && judges_part(setup.scope)) part_.emplace(*setup.part);
     if (setup.allowance && judges_part(setup.scope)) allowance_.emplace(*setup.allowance);
+    for (const TurnedClamp& c : setup.turned_clamps)
+        clamps_.push_back({c.name, c.body, sim::turning::Workpiece(c.body)});
     stock_box_ = box_of(*setup.stock);
-    last_cuts_ = LastCuts(stock_box_.min_z, stock_box_.max_z);
+    last_cuts_ = LastCuts(stock_box_);
     out_.result().before = StockFigures{work_->area(), work_->volume()};
 }
 
@@ -83,8 +66,12 @@ void Removal::take(const cl::Record& record, const cl::ToolChange& tool) {
     selected_any_ = tool.number != 0 || !tool.name.empty();
     changed_ = true;
     tool_ = selected_any_ ? find(setup_.tools, tool) : nullptr;
-    outline_ = tool_ != nullptr ? shop::outline(*tool_) : geom::Contour{};
+    outline_ = tool_ != nullptr ? turning_outline(*tool_) : geom::Contour{};
+    sure_ = tool_ != nullptr ? shop::sure_outline(*tool_) : geom::Contour{};
+    behind_ = tool_ != nullptr ? behind_blade(*tool_) : geom::Contour{};
     outline_box_ = box_of(outline_);
+    if (tool_ == nullptr) return;
+    for (const geom::Contour& body : tool_->bodies) outline_box_.cover(box_of(body));
 }
 
 /// The first move with a tool: enters it into the list of tools, complains where the shop does not have it.
@@ -125,7 +112,8 @@ std::optional<std::string> Removal::obstacle(const Move& move) const {
     if (!move.rapid && std::get<cl::ToolChange>(selected_.step).edge == 0)
         return tool + " cuts without its offset (D0): where its edge is is not known: removal not simulated";
     if (outline_.vertices.empty()) return tool + " has no outline: its removal is not simulated";
-    if (std::holds_alternative<cl::Thread>(move.record.step)) return "thread cutting: removal not simulated";
+    if (shop::is_milling(tool_->kind) && !(std::abs(move.from.x) <= on_axis && std::abs(move.to.x) <= on_axis))
+        return tool + " does not stand on the turning axis: what it removes there is not simulated";
     if (std::holds_alternative<cl::Spline>(move.record.step)) return "spline: removal not simulated";
     const auto* arc = std::get_if<cl::Arc>(&move.record.step);
     if (arc != nullptr && !lies_in_turning_plane(*arc)) return "arc outside the turning plane: removal not simulated";
@@ -138,11 +126,8 @@ bool Removal::misses(const Move& move) const {
     const cl::Step& step = move.record.step;  // a curve goes further than its ends
     if (outline_box_.empty() || std::holds_alternative<cl::Arc>(step) || std::holds_alternative<cl::Spline>(step))
         return false;
-    const auto beside = [](double a, double b, double tool_min, double tool_max, double min, double max) {
-        return (a + tool_min >= max && b + tool_min >= max) || (a + tool_max <= min && b + tool_max <= min);
-    };
-    return beside(move.from.x, move.to.x, outline_box_.min_x, outline_box_.max_x, stock_box_.min_x, stock_box_.max_x) ||
-           beside(move.from.z, move.to.z, outline_box_.min_z, outline_box_.max_z, stock_box_.min_z, stock_box_.max_z);
+    return beside_in_x(move.from.x, move.to.x, outline_box_, stock_box_) ||
+           beside_in_z(move.from.z, move.to.z, outline_box_, stock_box_);
 }
 
 void Removal::skipped(const Move& move, std::string why) {
@@ -156,10 +141,13 @@ void Removal::skipped(const Move& move, std::string why) {
 
 void Removal::cut(const Move& move, const sim::turning::Move& way, Removed& r) {
     r.simulated = true;
-    r.cut = work_->cut(outline_, way);
+    r.cut = work_->cut(outline_, way, sure_);
+    if (tool_->kind == shop::ToolKind::tap) add_to_threads(work_->met(whole_tap(*tool_), way));
     removed_area_ += r.cut.area;
     r.cuts = r.cut.area > setup_.tolerances.rapid;
     if (!r.cut.removed.empty()) judge(move, r.cut);
+    note_reach(move, way);
+    judge_holder(move, way);
 }
 
 /// A move one of whose ends is not known.
@@ -200,41 +188,24 @@ Removed Removal::take(const Move& move) {
         out_.finding(move, std::move(f));
     }
     if (work_) {
+        judge_clamps(move);
         if (misses(move)) {
             r.simulated = true;
         } else if (std::optional<std::string> why = obstacle(move)) {
             skipped(move, std::move(*why));
         } else if (!known(move.from) || !known(move.to)) {
             r = cut_open(move);
+        } else if (const auto* thread = std::get_if<cl::Thread>(&move.record.step);
+                   thread != nullptr && !shop::is_milling(tool_->kind)) {
+            cut_thread(move, in_turning_plane(move), *thread, r);
         } else {
             cut(move, in_turning_plane(move), r);
         }
+        in_front_ = in_front_ || (move.to.z >= stock_box_.max_z && move.to.x < stock_box_.max_x);
     }
     whereabouts_.known({move.to.x, 0, move.to.z});
     count_use(move, r);
     return r;
-}
-
-void Removal::judge(const Move& move, const Cut& cut) {
-    last_cuts_.add(move, box_of(cut.removed));
-    if (move.rapid && cut.area > setup_.tolerances.rapid) {
-        Finding f;
-        f.code = base::codes::rapid_in_stock;
-        f.text = "rapid move goes through the stock: " + mm(cut.depth_x) + " deep along X, " + mm2(cut.area);
-        f.amounts = {{"depth_x_mm", cut.depth_x},
-                     {"area_mm2", cut.area},
-                     {"volume_mm3", cut.volume},
-                     {"contact_length_mm", cut.contact_length}};
-        f.region = cut.removed;
-        out_.finding(move, std::move(f));
-    }
-    std::optional<Depth> gouge;
-    if (part_) gouge = part_->depth_inside(cut.removed, setup_.tolerances.gouge);
-    if (gouge) out_.finding(move, into(*gouge, true));
-    if (!allowance_) return;
-    const auto allowance = allowance_->depth_inside(cut.removed, setup_.tolerances.gouge);
-    if (allowance && allowance->area > (gouge ? gouge->area : 0) + beyond_gouge)
-        out_.finding(move, into(*allowance, false));
 }
 
 void Removal::count_use(const Move& move, const Removed& removed) {
@@ -262,10 +233,30 @@ void Removal::require_balance(const StockFigures& before, const StockFigures& af
 /// against it says nothing.
 void Removal::require_contact() {
     constexpr const char* remedy = "see whether stock, part and program use the same zero point (docs/job-file.md)";
-    if (out_.result().stats.feed_moves > 0 && removed_area_ == 0 && complete_)
+    if (out_.result().stats.feed_moves > 0 && removed_area_ == 0 && threads_.empty() && complete_)
         out_.unchecked("not one move met the stock: nothing was checked against it", remedy);
     if (setup_.part && geom::intersect(*setup_.part, *setup_.stock).empty())
         out_.unchecked("the part lies outside the stock", remedy);
+}
+
+/// A part that stands out of its stock cannot be made of it.
+void Removal::require_room(const cl::Record& end) {
+    if (!part_ || geom::intersect(*setup_.part, *setup_.stock).empty()) return;
+    std::optional<sim::turning::Depth> worst;
+    for (auto& d : sim::turning::pieces_outside(*setup_.part, *setup_.stock, setup_.tolerances.gouge))
+        if (!worst || d.normal > worst->normal) worst = std::move(d);
+    if (!worst) return;
+    Finding f;
+    f.code = base::codes::gouge;
+    f.text = "the stock does not hold the part: it stands out of it by " + mm(worst->normal) + " at " +
+             point(worst->deepest) + ", " + mm2(worst->area);
+    f.remedy = "see whether stock and part use the same zero point and the right diameters";
+    f.cause = "stock";
+    f.amounts = {
+        {"depth_mm", worst->normal}, {"area_mm2", worst->area}, {"z_mm", worst->deepest.x}, {"x_mm", worst->deepest.y}};
+    f.region = worst->region;
+    f.at = worst->deepest;
+    out_.finding(end, std::move(f));
 }
 
 void Removal::finish(const cl::Record& end) {
@@ -284,12 +275,13 @@ void Removal::finish(const cl::Record& end) {
     result.stock_after = work_->region();
     if (result.before) require_balance(*result.before, *result.after);
     require_contact();
+    require_room(end);
     if (!judges_part(setup_.scope)) return;
     if (!setup_.part && !setup_.allowance)
         out_.unchecked("no part contour: gouges and rest material not checked",
                        "give the finished contour in the job file");
     else if (complete_)
-        find_rest(setup_, result.stock_after, last_cuts_, end, out_);
+        find_rest(setup_, {result.stock_after, threads_, in_front_}, last_cuts_, end, out_);
     else
         out_.unchecked("rest material not judged, since not every move was simulated");
 }

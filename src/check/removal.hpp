@@ -15,6 +15,9 @@ namespace obrys::check {
 /// Whether the arc lies in the (z, x) plane, in which the removal works.
 [[nodiscard]] inline bool lies_in_turning_plane(const cl::Arc& arc) { return std::abs(arc.normal.y) >= 1 - 1e-9; }
 
+/// The move in the (z, x) plane.
+[[nodiscard]] sim::turning::Move in_turning_plane(const Move& move);
+
 /// What the removal made of a move.
 struct Removed {
     bool simulated = false;  ///< computed, or proved to touch nothing
@@ -43,6 +46,16 @@ private:
     void cut(const Move& move, const sim::turning::Move& way, Removed& r);
     [[nodiscard]] Removed cut_open(const Move& move);
     void judge(const Move& move, const sim::turning::Cut& cut);
+    [[nodiscard]] sim::turning::Cut beside_threads(const Move& move, const sim::turning::Cut& cut) const;
+    void judge_holder(const Move& move, const sim::turning::Move& way);
+    void judge_blade(const Move& move, const sim::turning::Move& way);
+    [[nodiscard]] std::optional<sim::turning::Depth> depth_met(const geom::Contour& body,
+                                                               const sim::turning::Move& way) const;
+    void note_reach(const Move& move, const sim::turning::Move& way);
+    void cut_thread(const Move& move, const sim::turning::Move& way, const cl::Thread& thread, Removed& r);
+    void add_to_threads(const geom::Region& band);
+    void judge_clamps(const Move& move);
+    void require_room(const cl::Record& end);
     void count_use(const Move& move, const Removed& removed);
     void require_contact();
     void require_balance(const StockFigures& before, const StockFigures& after);
@@ -51,11 +64,21 @@ private:
     Collector& out_;
     std::optional<sim::turning::Workpiece> work_;
     std::optional<sim::turning::Kept> part_, allowance_;
+    struct ClampBody {
+        std::string name;
+        geom::Region region;
+        sim::turning::Workpiece body;
+    };
+    std::vector<ClampBody> clamps_;
     Box stock_box_;
     const shop::Tool* tool_ = nullptr;
-    geom::Contour outline_;
-    Box outline_box_;
-    cl::Record selected_;  ///< the last tool change
+    geom::Contour outline_, sure_;  ///< shop: outline, sure_outline
+    geom::Contour behind_;          ///< behind_blade
+    Box outline_box_;               ///< with the holder
+    geom::Region threads_;          ///< what threads take from the stock, which stays in the model
+    double pitch_ = 0;              ///< mm, of the last thread
+    bool in_front_ = false;         ///< a tool has stood in front of the stock's right face
+    cl::Record selected_;           ///< the last tool change
     bool selected_any_ = false, changed_ = false, cut_without_tool_ = false;
     std::uint32_t use_ = 0;
     Whereabouts whereabouts_;

@@ -2,10 +2,13 @@
 
 #include <algorithm>
 #include <cmath>
+#include <set>
 
 #include "base/codes.hpp"
 #include "base/number.hpp"
 #include "base/whole.hpp"
+#include "geom/boolean.hpp"
+#include "geom/region.hpp"
 #include "sim/turning/turning.hpp"
 
 namespace obrys::check {
@@ -70,48 +73,72 @@ Box box_of(const geom::Contour& contour) {
 
 Box box_of(const geom::Region& region) {
     Box all;
-    for (const geom::Contour& c : region.contours) {
-        const Box b = box_of(c);
-        if (b.empty()) continue;
-        all.add({b.min_z, b.min_x});
-        all.add({b.max_z, b.max_x});
-    }
+    for (const geom::Contour& c : region.contours) all.cover(box_of(c));
     return all;
 }
 
-std::size_t LastCuts::cell(double z) const {
-    const double t = (z - min_z_) / std::max(max_z_ - min_z_, 1e-9) * static_cast<double>(cells);
-    return base::clipped<std::size_t>(t, 0, cells - 1);
+LastCuts::Range LastCuts::range(const Box& box, double margin) const {
+    const auto index = [](double v, double lo, double hi) {
+        const double t = (v - lo) / std::max(hi - lo, 1e-9) * static_cast<double>(cells);
+        return base::clipped<std::size_t>(t, 0, cells - 1);
+    };
+    return {
+        index(box.min_z - margin, stock_.min_z, stock_.max_z), index(box.max_z + margin, stock_.min_z, stock_.max_z),
+        index(box.min_x - margin, stock_.min_x, stock_.max_x), index(box.max_x + margin, stock_.min_x, stock_.max_x)};
 }
 
-void LastCuts::add(const Move& move, const Box& removed) {
-    if (removed.empty()) return;
+void LastCuts::add(const Move& move, const geom::Region& removed) {
+    const Box box = box_of(removed);
+    if (box.empty() || last_.empty()) return;
     const auto entry = std::make_shared<const Entry>(
-        Entry{move.record.from, move.record.stack, move.index, move.from, move.to, removed});
-    for (std::size_t i = cell(removed.min_z); i <= cell(removed.max_z); ++i) last_[i] = entry;
+        Entry{move.record.from, move.record.stack, move.index, move.from, move.to, removed, box});
+    const Range r = range(box, 0);
+    for (std::size_t z = r.z0; z <= r.z1; ++z)
+        for (std::size_t x = r.x0; x <= r.x1; ++x) last_[z * cells + x] = entry;
 }
 
-const LastCuts::Entry* LastCuts::beside(const Box& piece) const {
+const LastCuts::Entry* LastCuts::beside(const geom::Region& piece, const geom::Region& wanted) const {
+    if (last_.empty()) return nullptr;
+    constexpr int samples = 16;
+    const Box box = box_of(piece);
+    std::set<std::pair<std::uint64_t, const Entry*>> near;  // in the order of the moves
+    const Range r = range(box, beside_margin);
+    for (std::size_t z = r.z0; z <= r.z1; ++z)
+        for (std::size_t x = r.x0; x <= r.x1; ++x)
+            if (const Entry* e = last_[z * cells + x].get(); e != nullptr && e->box.meets(box, beside_margin))
+                near.emplace(e->index, e);
+    const std::vector<geom::Edge> edges = geom::edges(piece);
     const Entry* best = nullptr;
-    for (std::size_t i = cell(piece.min_z - beside_margin); i <= cell(piece.max_z + beside_margin); ++i) {
-        const Entry* e = last_[i].get();
-        if (e != nullptr && e->box.meets(piece, beside_margin) && (best == nullptr || e->index > best->index)) best = e;
+    double most = 0;
+    for (const auto& [index, e] : near) {
+        double along = 0;
+        for (const geom::Edge& edge : edges)
+            for (int i = 0; i < samples; ++i) {
+                const geom::Vec2 p = geom::point_at(edge, (i + 0.5) / samples);
+                if (geom::distance(e->removed, p) <= beside_margin)
+                    along += geom::length(edge) / samples * geom::distance(wanted, p);
+            }
+        if (best == nullptr || along >= most - 1e-9) best = e, most = std::max(most, along);
     }
     return best;
 }
 
-void find_rest(const Setup& setup, const geom::Region& left, const LastCuts& cuts, const cl::Record& end,
-               Collector& out) {
+void find_rest(const Setup& setup, const Left& left, const LastCuts& cuts, const cl::Record& end, Collector& out) {
     const geom::Region& wanted = setup.allowance ? *setup.allowance : *setup.part;
-    const Box band = box_of(wanted), all = box_of(left);
+    Box band = box_of(wanted);
+    const Box all = box_of(left.stock);
     if (band.empty() || all.empty()) return;
+    // What stands in front of a face that the contour draws is to go; behind the part it is held.
+    if (setup.right_face && left.in_front) band.max_z = std::max(band.max_z, all.max_z);
     if (all.min_z < band.min_z - beside_margin || all.max_z > band.max_z + beside_margin)
         out.assumption("rest material is judged from Z " + base::fixed(band.min_z, 3) + " to Z " +
                        base::fixed(band.max_z, 3) + " mm, where the contour is given");
-    const auto pieces = sim::turning::pieces_outside(within(left, band), wanted, setup.tolerances.rest_material);
+    geom::Region judged = within(left.stock, band);
+    if (!left.threads.empty()) judged = geom::subtract(judged, left.threads);
+    const auto pieces = sim::turning::pieces_outside(judged, wanted, setup.tolerances.rest_material);
     for (const sim::turning::Depth& piece : pieces) {
         Finding f = rest_finding(piece, setup.allowance.has_value());
-        const LastCuts::Entry* last = cuts.beside(box_of(piece.region));
+        const LastCuts::Entry* last = cuts.beside(piece.region, wanted);
         if (last == nullptr) {
             out.finding(end, std::move(f));
             continue;

@@ -1,8 +1,8 @@
 #pragma once
 /// Material left outside the contour that a program must reach.
 
-#include <array>
 #include <memory>
+#include <vector>
 
 #include "check/check.hpp"
 #include "check/collect.hpp"
@@ -13,7 +13,7 @@ namespace obrys::check {
 [[nodiscard]] Box box_of(const geom::Region& region);
 [[nodiscard]] Box box_of(const geom::Contour& contour);
 
-/// Which move cut last at each place along z; of a fixed size, whatever the number of moves.
+/// Which moves cut last at each place of the section; of a fixed size, whatever the number of moves.
 class LastCuts {
 public:
     struct Entry {
@@ -21,25 +21,36 @@ public:
         cl::StackId stack = 0;
         std::uint64_t index = 0;
         geom::Vec3 from, to;
+        geom::Region removed;
         Box box;
     };
 
     LastCuts() = default;
-    LastCuts(double min_z, double max_z) : min_z_(min_z), max_z_(max_z) {}
-    void add(const Move& move, const Box& removed);
-    /// The last move that removed material next to the box, if it is still known.
-    [[nodiscard]] const Entry* beside(const Box& piece) const;
+    explicit LastCuts(const Box& stock) : stock_(stock), last_(cells * cells) {}
+    void add(const Move& move, const geom::Region& removed);
+    /// Of the moves that are still known the one whose cut bounds most of what is deep of the piece above the wanted
+    /// contour, the last one of several.
+    [[nodiscard]] const Entry* beside(const geom::Region& piece, const geom::Region& wanted) const;
 
 private:
-    static constexpr std::size_t cells = 512;
-    [[nodiscard]] std::size_t cell(double z) const;
-    double min_z_ = 0, max_z_ = 1;
-    std::array<std::shared_ptr<const Entry>, cells> last_;  ///< a long cut fills many cells: they share its entry
+    static constexpr std::size_t cells = 64;
+    struct Range {
+        std::size_t z0, z1, x0, x1;
+    };
+    [[nodiscard]] Range range(const Box& box, double margin) const;
+    Box stock_;
+    std::vector<std::shared_ptr<const Entry>> last_;  ///< a large cut fills many cells: they share its entry
 };
 
-/// Adds one `rest-material` finding for every piece of `left` outside the wanted contour, placed at the last cut beside
-/// it or, where none is known, at the last record of the program.
-void find_rest(const Setup& setup, const geom::Region& left, const LastCuts& cuts, const cl::Record& end,
-               Collector& out);
+/// What a program leaves.
+struct Left {
+    const geom::Region& stock;
+    const geom::Region& threads;  ///< no rest material: what threads take, which stands in the model
+    bool in_front = false;        ///< its tools have stood in front of the right face
+};
+
+/// Adds one `rest-material` finding for every piece of what is left outside the wanted contour, placed at the last cut
+/// beside it or, where none is known, at the last record of the program.
+void find_rest(const Setup& setup, const Left& left, const LastCuts& cuts, const cl::Record& end, Collector& out);
 
 }  // namespace obrys::check

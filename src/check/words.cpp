@@ -19,6 +19,12 @@ void Box::add(geom::Vec2 p) {
     max_x = std::max(max_x, p.y);
 }
 
+void Box::cover(const Box& other) {
+    if (other.empty()) return;
+    add({other.min_z, other.min_x});
+    add({other.max_z, other.max_x});
+}
+
 bool Box::meets(const Box& other, double margin) const {
     return min_z <= other.max_z + margin && other.min_z <= max_z + margin && min_x <= other.max_x + margin &&
            other.min_x <= max_x + margin;

@@ -18,6 +18,7 @@ namespace obrys::check {
 struct Box {
     double min_z = INFINITY, max_z = -INFINITY, min_x = INFINITY, max_x = -INFINITY;
     void add(geom::Vec2 p);
+    void cover(const Box& other);
     [[nodiscard]] bool empty() const { return min_z > max_z; }
     [[nodiscard]] bool meets(const Box& other, double margin) const;
 };

@@ -1,5 +1,6 @@
 #include "driver/check_program.hpp"
 
+#include "driver/contours.hpp"
 #include "driver/program_tools.hpp"
 #include "driver/wording.hpp"
 
@@ -18,6 +19,8 @@ Checked check_program(Session& session, std::size_t keep_moves, const MillingReq
     setup.tools_given = tools_given;
     if (session.job.stock) setup.stock = session.job.stock->region;
     setup.part = session.part;
+    setup.right_face = session.right_face;
+    setup.turned_clamps = turned_clamps(session);
     setup.allowance = session.allowance;
     setup.tolerances = session.job.tolerances;
     setup.scope = session.job.scope;

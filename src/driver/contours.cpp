@@ -1,5 +1,6 @@
 #include "driver/contours.hpp"
 
+#include <algorithm>
 #include <cmath>
 #include <optional>
 
@@ -97,10 +98,22 @@ geom::Region with_allowance(const geom::Region& part, double normal) {
     return geom::intersect(grown, {{half}});
 }
 
+/// Whether somebody drew the face with which a profile ends at its right, not only the contour up to it.
+bool draws_right_face(const geom::Contour& drawn) {
+    if (drawn.vertices.empty()) return false;
+    const auto& v = drawn.vertices;
+    const auto ends_there = [&](geom::Vec2 end) {
+        return end.y <= 1e-9 &&
+               std::all_of(v.begin(), v.end(), [&](const geom::Vertex& o) { return o.p.x <= end.x + 1e-9; });
+    };
+    return drawn.closed || ends_there(v.front().p) || ends_there(v.back().p);
+}
+
 }  // namespace
 
 void resolve_contours(Session& s, const fs::path& job_path) {
     if (s.job.part) s.part = s.job.part->region;
+    if (s.job.part) s.right_face = draws_right_face(s.job.part->drawn);
     if (s.job.part_program) s.part = run_contour(s, *s.job.part_program, job_path);
     if (!s.job.allowance) return;
     const shop::Allowance& a = *s.job.allowance;
@@ -110,6 +123,27 @@ void resolve_contours(Session& s, const fs::path& job_path) {
         s.allowance = run_contour(s, *a.program, job_path);
     else if (s.part && a.normal > 0)
         s.allowance = with_allowance(*s.part, a.normal);
+}
+
+std::vector<check::TurnedClamp> turned_clamps(Session& s) {
+    std::vector<check::TurnedClamp> out;
+    if (s.job.machine.kind != shop::MachineKind::lathe) return out;
+    for (const shop::Clamp& c : s.job.clamps) {
+        const auto* round = std::get_if<shop::SolidCylinder>(&c.solid);
+        if (round != nullptr && round->axis == 2 && round->centre.x == 0 && round->centre.y == 0) {
+            const double a = round->min, b = round->max, r = round->radius;
+            out.push_back({c.name, {{{{{{a, 0}, 0}, {{b, 0}, 0}, {{b, r}, 0}, {{a, r}, 0}}, true}}}});
+            continue;
+        }
+        s.diagnostics.add({base::Severity::warning,
+                           codes::not_simulated,
+                           c.where,
+                           "on a lathe a clamp is a cylinder about the turning axis: " + c.name + " is not checked",
+                           "give what turns with the workpiece as cylinder = {diameter, min, max}",
+                           {},
+                           {}});
+    }
+    return out;
 }
 
 }  // namespace obrys::driver

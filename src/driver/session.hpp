@@ -44,6 +44,7 @@ struct Session {
     std::unique_ptr<ShopFiles> files;
     const program::Unit* main = nullptr;
     std::optional<geom::Region> part, allowance;
+    bool right_face = false;  ///< check::Setup::right_face
     cl::CallStacks stacks;
     std::map<std::uint32_t, double> stored;       ///< numbered parameters that the control holds
     std::map<std::string, std::string> settings;  ///< of the control, "SECTION/KEY" in capitals

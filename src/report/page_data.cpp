@@ -7,6 +7,7 @@
 
 #include "base/number.hpp"
 #include "base/text.hpp"
+#include "check/turning_tool.hpp"
 #include "report/page_parts.hpp"
 #include "report/path.hpp"
 #include "report/svg_window.hpp"
@@ -201,6 +202,8 @@ std::string describe(const shop::Tool& t) {
     if (t.kind == shop::ToolKind::turning)
         return "turning insert, nose radius " + mm(t.nose_radius) + " mm, orientation " +
                std::to_string(t.orientation) + ", tip angle " + mm(t.tip_angle) + " degrees";
+    if (shop::is_milling(t.kind) && !check::turning_outline(t).vertices.empty())
+        return std::string(shop::kind_word(t.kind)) + ", diameter " + mm(2 * t.radius) + " mm, on the turning axis";
     return "not simulated";
 }
 
@@ -211,7 +214,9 @@ Json Data::tools() {
         Json j{
             {"number", t.number}, {"edge", t.edge}, {"name", t.name.empty() && tool != nullptr ? tool->name : t.name}};
         j["kind"] = tool != nullptr ? describe(*tool) : "not in the tool list";
-        j["outline"] = tool != nullptr ? path_of(shop::outline(*tool), millimetres) : "";
+        j["outline"] = tool != nullptr ? path_of(check::turning_outline(*tool), millimetres) : "";
+        j["holder"] = "";
+        if (tool != nullptr) j["holder"] = path_of(geom::Region{tool->bodies}, millimetres);
         j["first"] = site(t.first);
         j["last"] = site(t.last);
         j["moves"] = t.moves;

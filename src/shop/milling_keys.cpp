@@ -92,11 +92,12 @@ void read_milling_keys(Section& s, Tool& t) {
     t.left_hand = s.choice("rotation", {"right", "left"}) == std::optional<std::size_t>(1);
     t.profile = read_form_profile(s);
     t.shank = read_bodies(s, "shank");
-    t.holder = read_bodies(s, "holder");
+    if (t.kind != groove && t.kind != turning) t.holder = read_bodies(s, "holder");
 }
 
 void refuse_milling_keys(const Section& s, std::string_view kind) {
-    for (const std::string_view key : all_kinds) foreign(s, key, kind);
+    for (const std::string_view key : all_kinds)
+        if (key != "holder" || kind == kind_word(other)) foreign(s, key, kind);
     for (const Key& key : some_kinds)
         if (key.name != "corner_radius" && key.name != "width") foreign(s, key.name, kind);  // blades have these two
 }

@@ -8,7 +8,7 @@
 
 namespace obrys::shop {
 
-/// Takes the keys that only milling tools have into `tool`, whatever its kind is.
+/// Takes the keys that only milling tools have into `tool`, whatever its kind is; `holder` is left to turning tools.
 void read_milling_keys(Section& section, Tool& tool);
 /// Complains about keys of milling tools in a tool of a kind that is none.
 void refuse_milling_keys(const Section& section, std::string_view kind);

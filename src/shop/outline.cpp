@@ -110,6 +110,17 @@ Contour outline(const Tool& tool) {
     }
 }
 
+Contour sure_outline(const Tool& tool) {
+    constexpr double hair = 1e-3;  // mm of edge behind the nose, so that it is a contour
+    if (tool.reach_given) return outline(tool);
+    Tool least = tool;
+    if (tool.kind == ToolKind::turning) least.edge_length = hair;
+    if (tool.kind == ToolKind::groove && tool.direction == BladeDirection::in)
+        least.cutting_depth =
+            std::max({tool.corner_radius, tool.corner_radius_left, tool.corner_radius_right, 0.0}) + hair;
+    return outline(least);
+}
+
 std::optional<double> parameter(const Tool& tool, int n) {
     if (const auto found = tool.parameters.find(n); found != tool.parameters.end()) return found->second;
     if (n == 2 && tool.kind == ToolKind::turning) return tool.orientation;

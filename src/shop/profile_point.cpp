@@ -8,13 +8,14 @@
 
 namespace obrys::shop {
 
-std::optional<ProfilePoint> read_profile_point(const Value& v, bool diameter, base::Diagnostics& diagnostics) {
+std::optional<ProfilePoint> read_profile_point(const Value& v, bool diameter, base::Diagnostics& diagnostics,
+                                               Range radii) {
     Section s(v, "a profile point", diagnostics);
     if (v.kind != ValueKind::table) return std::nullopt;
     ProfilePoint out;
     out.where = v.where;
     const auto z = s.number("z");
-    const auto x = s.number("x", Range::not_negative);
+    const auto x = s.number("x", radii);
     const auto r = s.number("r");
     const auto turn = s.choice("direction", {"ccw", "cw"});
     out.large = s.boolean("large").value_or(false);

@@ -18,9 +18,11 @@ struct ProfilePoint {
     base::Span where, radius_where;
 };
 
-/// `{z, x}` with `r`, `direction`, `large`; nothing where a coordinate is missing or was reported.
+/// `{z, x}` with `r`, `direction`, `large`; nothing where a coordinate is missing or was reported. `radii`: what
+/// x may be.
 [[nodiscard]] std::optional<ProfilePoint> read_profile_point(const Value& v, bool diameter,
-                                                             base::Diagnostics& diagnostics);
+                                                             base::Diagnostics& diagnostics,
+                                                             Range radii = Range::not_negative);
 /// The bulge of the edge from a to b; nothing, reported, where the radius does not reach.
 [[nodiscard]] std::optional<double> bulge_of(const ProfilePoint& a, geom::Vec2 b, const Section& s);
 

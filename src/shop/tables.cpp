@@ -6,6 +6,7 @@
 #include "base/codes.hpp"
 #include "base/number.hpp"
 #include "base/text.hpp"
+#include "shop/holder.hpp"
 #include "shop/milling_keys.hpp"
 
 namespace obrys::shop {
@@ -116,6 +117,7 @@ ToolKind kind_of(std::size_t word, const Tool& t) {
 void check_kind(const Section& s, std::size_t word, Tool& t) {
     const std::string_view said = kind_words.begin()[word];
     t.kind = kind_of(word, t);
+    t.reach_given = t.kind == ToolKind::groove ? t.cutting_depth > 0 : s.has("edge_length");
     if (t.kind == ToolKind::groove || t.kind == ToolKind::turning) {
         refuse_milling_keys(s, said);
         if (t.kind == ToolKind::groove)
@@ -150,6 +152,10 @@ std::optional<Tool> read_tool(Section& s) {
     read_insert(s, t);
     set(t.radius, s.number("radius", Range::not_negative));
     set(t.length, s.number("length"));
+    if (kind == groove_word || kind == turning_word) {
+        t.kind = kind_of(*kind, t);
+        t.bodies = read_holder(s, t);
+    }
     read_milling_keys(s, t);
     read_parameters(s, t);
     s.finish();

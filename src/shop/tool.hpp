@@ -78,6 +78,9 @@ struct Tool {
     double tip_angle = 80;       ///< degrees
     double entering_angle = 95;  ///< degrees, main cutting edge to the feed direction
     double edge_length = 12;     ///< mm
+    /// How far the insert goes on from its tip was said (edge_length, cutting_depth) and is not the default.
+    bool reach_given = false;
+    std::vector<geom::Contour> bodies;  ///< holder of a turning tool: as `outline`, without the insert
     // any
     double radius = 0;           ///< mm, milling tools
     bool has_no_radius = false;  ///< radius 0 is what its source says; else 0 is not known
@@ -112,6 +115,9 @@ struct Tool {
 /// A blade without cutting depth is 1000 mm long. With corner radii the programmed point is the sharp corner without
 /// them.
 [[nodiscard]] geom::Contour outline(const Tool& tool);
+/// The part of the outline that is there whatever was left to defaults: where `reach_given` is false, of blades inside a
+/// bore and of inserts, the corners or the nose alone. Other blades go on until their holder begins.
+[[nodiscard]] geom::Contour sure_outline(const Tool& tool);
 
 /// Kind by which a tool's removal is computed: its own; of `other` with a radius end mill, bull nose or ball by its
 /// corner radius, which nobody said: who uses it tells the user. `other` where there is no radius.

@@ -149,8 +149,10 @@ function drawPath() {
 function drawTool() {
   const p = endOf(done - 1), tool = done > 0 && M.t[done - 1] ? D.tools[M.t[done - 1] - 1] : null;
   const visible = layers.tool && tool && known(p) && done > 0 && done < M.n;
-  $("tool").setAttribute("d", visible ? tool.outline : "");
-  if (visible) $("tool").setAttribute("transform", `translate(${p[0]} ${p[1]})`);
+  for (const [id, d] of [["holder", "holder"], ["tool", "outline"]]) {
+    $(id).setAttribute("d", visible ? tool[d] : "");
+    if (visible) $(id).setAttribute("transform", `translate(${p[0]} ${p[1]})`);
+  }
 }
 function drawStatus() {
   const box = $("status"); box.replaceChildren();

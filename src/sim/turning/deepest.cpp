@@ -18,9 +18,10 @@ using geom::Vec2;
 
 namespace {
 
-constexpr double depth_error = 2e-4;  // mm, of a normal depth found inside or along a piece
-constexpr double chord_error = 1e-4;  // mm, of arcs as chords, for bounds only
-constexpr int most_cells = 20'000;
+constexpr double depth_error = 2e-5;  // mm, of a normal depth found inside or along a piece
+constexpr double chord_error = 1e-5;  // mm, of the arcs of a piece as chords
+constexpr double flat_enough = 1e-7;  // mm, sagitta of an arc that counts as its chord
+constexpr int most_cells = 100'000, most_chords = 100'000;
 
 /// Distance of two boxes.
 double apart(const geom::Box& a, const geom::Box& b) {
@@ -34,7 +35,8 @@ void add_chords(const Edge& e, std::vector<Edge>& out) {
     int n = 1;
     if (geom::is_arc(e)) {
         const double step = 2 * std::acos(std::max(0.0, 1 - chord_error / geom::circle(e).radius));
-        n = base::clipped<int>(std::ceil(std::abs(geom::sweep_angle(e)) / std::max(step, 1e-3)), 2, 10'000);
+        const double count = std::ceil(std::abs(geom::sweep_angle(e)) / std::max(step, 1e-9));
+        n = base::clipped<int>(count, 2, most_chords);
     }
     for (int i = 0; i < n; ++i) {
         const Edge p = geom::part(e, static_cast<double>(i) / n, static_cast<double>(i + 1) / n);
@@ -61,41 +63,129 @@ double doubled_area(const Polygon& p) {
     return sum;
 }
 
-/// A piece that is not convex, clipped: its parts hang together by seams along the cut, which are not of the piece.
+/// A wall with what bounds its distance from above; arcs are at most a quarter turn.
+struct Feature {
+    Edge edge;
+    bool arc = false;
+    geom::Circle circle;
+
+    explicit Feature(const Edge& e) : edge(e), arc(std::abs(geom::sagitta(e)) > flat_enough) {
+        if (arc) circle = geom::circle(e);
+    }
+    /// Nearest to the arc itself, not to an end of it.
+    [[nodiscard]] bool beside(Vec2 p) const {
+        const Vec2 from = edge.a - circle.centre, to = edge.b - circle.centre, way = p - circle.centre;
+        const double turn = edge.bulge > 0 ? 1 : -1;
+        return turn * geom::cross(from, way) >= 0 && turn * geom::cross(way, to) >= 0;
+    }
+};
+
+/// For points between others no distance is larger than what these convex functions say at the others.
+class Bound {
+public:
+    Bound(const Feature& f, const std::vector<Vec2>& corners, Vec2 middle) : f_(f) {
+        if (!f.arc) return;
+        double by_a = 0, by_b = 0, by_arc = 0;
+        const Vec2 out = middle - f.circle.centre;
+        const double l = geom::length(out);
+        towards_ = l > 0 ? (1 / l) * out : Vec2{1, 0};
+        bool all_beside = true;
+        for (const Vec2 p : corners) {
+            by_a = std::max(by_a, geom::distance(p, f.edge.a));
+            by_b = std::max(by_b, geom::distance(p, f.edge.b));
+            all_beside = all_beside && f.beside(p);
+            by_arc = std::max(by_arc, from_arc(p));
+        }
+        if (!all_beside) by_arc = std::numeric_limits<double>::infinity();
+        kind_ = by_arc <= std::min(by_a, by_b) ? Kind::arc : by_a <= by_b ? Kind::a : Kind::b;
+    }
+    [[nodiscard]] double operator()(Vec2 p) const {
+        switch (kind_) {
+            case Kind::line: break;
+            case Kind::arc: return from_arc(p);
+            case Kind::a: return geom::distance(p, f_.edge.a);
+            case Kind::b: return geom::distance(p, f_.edge.b);
+        }
+        return geom::distance(Edge{f_.edge.a, f_.edge.b, 0}, p) + (f_.edge.bulge == 0 ? 0 : flat_enough);
+    }
+
+private:
+    enum class Kind : std::uint8_t { line, arc, a, b };
+    /// The distance from a centre is convex, and never less than its part along a fixed direction.
+    [[nodiscard]] double from_arc(Vec2 p) const {
+        const Vec2 way = p - f_.circle.centre;
+        return std::max(geom::length(way) - f_.circle.radius, f_.circle.radius - geom::dot(way, towards_));
+    }
+
+    const Feature& f_;
+    Kind kind_ = Kind::line;
+    Vec2 towards_;
+};
+
+/// A part of a piece: the outer contour and the holes, clipped. What is not convex hangs together by seams along the
+/// cut, which are not of the piece.
 struct Cell {
-    Polygon part;
+    std::vector<Polygon> loops;
     std::vector<std::uint32_t> walls;  ///< those that may be nearest to a point of the part
     double bound = 0;
     bool operator<(const Cell& other) const { return bound < other.bound; }
+
+    [[nodiscard]] std::vector<Vec2> corners() const {
+        std::vector<Vec2> out;
+        for (const Polygon& p : loops) out.insert(out.end(), p.begin(), p.end());
+        return out;
+    }
 };
 
-/// Largest distance from the points of one outer contour to walls, by branch and bound. The distance to a straight wall
-/// is convex, so over a part it is largest in a corner of the part.
+geom::Box box_of(const std::vector<Vec2>& points) {
+    geom::Box b;
+    for (const Vec2 p : points) b.add(p);
+    return b;
+}
+
+/// One side of a cell; nothing where that is seams alone.
+std::optional<Cell> half(const Cell& c, int axis, double at, double sign) {
+    Cell out{{}, c.walls, 0};
+    double area = 0;
+    for (const Polygon& loop : c.loops) {
+        Polygon side = clipped(loop, axis, at, sign);
+        if (side.size() < 2) continue;
+        area += doubled_area(side);
+        out.loops.push_back(std::move(side));
+    }
+    return std::abs(area) > 1e-12 ? std::optional(std::move(out)) : std::nullopt;
+}
+
+/// Largest distance from the points of a connected piece to walls, by branch and bound. What is convex is over a part
+/// largest in a corner of the part.
 class Deepest {
 public:
     explicit Deepest(const std::vector<Wall>& walls) : all_(walls) {}
 
-    void search(const geom::Contour& piece) {
-        piece_ = {{piece}};
-        std::vector<Edge> chords;
-        for (const Edge& e : geom::edges(piece)) add_chords(e, chords);
+    /// Ends early once a point deeper than `enough` is found.
+    void search(const Region& piece, double enough = std::numeric_limits<double>::infinity()) {
+        piece_ = piece;
         Cell all;
-        for (const Edge& e : chords) all.part.push_back(e.a);
-        walls_ = nearest_walls(all.part);
+        for (const geom::Contour& c : piece.contours) {
+            std::vector<Edge> chords;
+            for (const Edge& e : geom::edges(c)) add_chords(e, chords);
+            Polygon loop;
+            for (const Edge& e : chords) loop.push_back(e.a);
+            if (loop.size() > 1) all.loops.push_back(std::move(loop));
+        }
+        walls_ = nearest_walls(all.corners());
         for (std::uint32_t i = 0; i < walls_.size(); ++i) all.walls.push_back(i);
         std::priority_queue<Cell> open;
         offer(std::move(all), open);
         for (int n = 0; n < most_cells && !open.empty() && open.top().bound > depth + depth_error; ++n) {
+            if (depth > enough) return;
             const Cell c = open.top();
             open.pop();
-            geom::Box b;
-            for (const Vec2 p : c.part) b.add(p);
+            const geom::Box b = box_of(c.corners());
             const int axis = b.hi.x - b.lo.x > b.hi.y - b.lo.y ? 0 : 1;
             const double at = axis == 0 ? 0.5 * (b.lo.x + b.hi.x) : 0.5 * (b.lo.y + b.hi.y);
-            for (const double sign : {-1.0, 1.0}) {
-                Cell half{clipped(c.part, axis, at, sign), c.walls, 0};
-                if (std::abs(doubled_area(half.part)) > 1e-12) offer(std::move(half), open);  // else seams alone
-            }
+            for (const double sign : {-1.0, 1.0})
+                if (auto side = half(c, axis, at, sign)) offer(std::move(*side), open);
         }
     }
 
@@ -104,59 +194,61 @@ public:
 
 private:
     void offer(Cell c, std::priority_queue<Cell>& open) {
-        if (c.part.size() < 2) return;
-        double bound = std::numeric_limits<double>::infinity(), least_far = bound;
-        std::vector<double> nearest(c.part.size(), bound), to_wall(c.part.size());
+        const std::vector<Vec2> corners = c.corners();
+        if (corners.size() < 2) return;
+        double bound = std::numeric_limits<double>::infinity();
+        std::vector<double> nearest(corners.size(), bound);
         std::vector<std::pair<double, std::uint32_t>> reach;  // nearest corner of the part to each wall
-        geom::Box b;
-        for (const Vec2 p : c.part) b.add(p);
+        const geom::Box b = box_of(corners);
         const double size = geom::distance(b.lo, b.hi);
+        std::vector<Bound> bounds;
         for (const std::uint32_t w : c.walls) {
+            bounds.emplace_back(walls_[w], corners, 0.5 * (b.lo + b.hi));
             double far = 0, near = std::numeric_limits<double>::infinity();
-            for (std::size_t i = 0; i < c.part.size(); ++i) {
-                const double d = geom::distance(walls_[w], c.part[i]);
+            for (std::size_t i = 0; i < corners.size(); ++i) {
+                const double d = geom::distance(walls_[w].edge, corners[i]);
                 nearest[i] = std::min(nearest[i], d);
-                far = std::max(far, d);
+                far = std::max(far, bounds.back()(corners[i]));
                 near = std::min(near, d);
             }
             bound = std::min(bound, far);
-            least_far = std::min(least_far, far);
             reach.emplace_back(near, w);
         }
-        for (std::size_t i = 0; i < c.part.size(); ++i)
-            if (nearest[i] > depth && in_piece(c.part[i])) {
+        for (std::size_t i = 0; i < corners.size(); ++i)
+            if (nearest[i] > depth && in_piece(corners[i])) {
                 depth = nearest[i];
-                point = c.part[i];
+                point = corners[i];
             }
         if (bound <= depth + depth_error) return;
         c.walls.clear();
-        for (const auto& [near, w] : reach)
-            if (near <= least_far + size) c.walls.push_back(w);
-        c.bound = std::min(bound, between_two(c));
+        std::vector<Bound> kept;
+        for (std::size_t i = 0; i < reach.size(); ++i) {
+            if (reach[i].first > bound + size) continue;
+            c.walls.push_back(reach[i].second);
+            kept.push_back(bounds[i]);
+        }
+        c.bound = std::min(bound, between_two(kept, corners));
         if (c.bound > depth + depth_error) open.push(std::move(c));
     }
     [[nodiscard]] bool in_piece(Vec2 p) const {
         return geom::contains(piece_, p) || geom::distance(piece_, p) <= 2 * chord_error;
     }
     /// Between two walls no point is farther from the nearer one than half the sum of the distances.
-    [[nodiscard]] double between_two(const Cell& c) const {
+    [[nodiscard]] static double between_two(const std::vector<Bound>& walls, const std::vector<Vec2>& corners) {
         double bound = std::numeric_limits<double>::infinity();
-        if (c.walls.size() > 12) return bound;
-        for (std::size_t i = 0; i < c.walls.size(); ++i)
-            for (std::size_t j = i + 1; j < c.walls.size(); ++j) {
+        if (walls.size() > 12) return bound;
+        for (std::size_t i = 0; i < walls.size(); ++i)
+            for (std::size_t j = i + 1; j < walls.size(); ++j) {
                 double far = 0;
-                for (const Vec2 p : c.part)
-                    far = std::max(
-                        far, 0.5 * (geom::distance(walls_[c.walls[i]], p) + geom::distance(walls_[c.walls[j]], p)));
+                for (const Vec2 p : corners) far = std::max(far, 0.5 * (walls[i](p) + walls[j](p)));
                 bound = std::min(bound, far);
             }
         return bound;
     }
 
     /// The walls that may be nearest to some point of the part.
-    [[nodiscard]] std::vector<Edge> nearest_walls(const Polygon& part) const {
-        geom::Box b;
-        for (const Vec2 p : part) b.add(p);
+    [[nodiscard]] std::vector<Feature> nearest_walls(const std::vector<Vec2>& corners_of_part) const {
+        const geom::Box b = box_of(corners_of_part);
         const std::array<Vec2, 4> corners{b.lo, {b.hi.x, b.lo.y}, b.hi, {b.lo.x, b.hi.y}};
         double far = std::numeric_limits<double>::infinity();
         const auto farthest = [&](auto&& to) {
@@ -168,14 +260,20 @@ private:
         for (const Wall& w : all_)
             if (apart(w.box, b) <= far)
                 far = std::min(far, farthest([&](Vec2 c) { return geom::distance(w.edge, c); }));
-        std::vector<Edge> out;
-        for (const Wall& w : all_)
-            if (apart(w.box, b) <= far + geom::snap) out.push_back(w.edge);
+        std::vector<Feature> out;
+        for (const Wall& w : all_) {
+            if (apart(w.box, b) > far + geom::snap) continue;
+            const int quarters = w.arc ? 1 + static_cast<int>(std::abs(geom::sweep_angle(w.edge)) / (geom::pi / 2)) : 1;
+            for (int i = 0; i < quarters; ++i)
+                out.emplace_back(quarters == 1 ? w.edge
+                                               : geom::part(w.edge, static_cast<double>(i) / quarters,
+                                                            static_cast<double>(i + 1) / quarters));
+        }
         return out;
     }
 
     const std::vector<Wall>& all_;
-    std::vector<Edge> walls_;
+    std::vector<Feature> walls_;
     Region piece_;
 };
 
@@ -185,29 +283,28 @@ bool on_axis(const Edge& e) { return std::abs(e.a.y) <= geom::snap && std::abs(e
 
 Around::Around(const Region& contour) : edges_(walls_of(contour)) {
     std::erase_if(edges_, [](const Wall& w) { return on_axis(w.edge); });
-    std::vector<Edge> chords;
-    for (const Wall& w : edges_) add_chords(w.edge, chords);
-    for (const Edge& e : chords) chords_.push_back({e, geom::box(e), false});
 }
 
 std::optional<Depth> Around::measure(const Region& piece, double tolerance) const {
     Depth d;
-    if (chords_.empty()) return std::nullopt;
-    Deepest deepest(chords_);
-    for (const geom::Contour& c : piece.contours)
-        if (geom::area(c) > 0) deepest.search(c);
-    // The corner found is exact in the piece; its distance from the true contour, arcs as arcs.
-    d.normal = std::numeric_limits<double>::infinity();
-    const geom::Box here{deepest.point, deepest.point};
-    for (const Wall& w : edges_)
-        if (apart(w.box, here) <= d.normal) d.normal = std::min(d.normal, geom::distance(w.edge, deepest.point));
-    if (!(d.normal > tolerance) || deepest.depth == 0) return std::nullopt;
+    if (edges_.empty()) return std::nullopt;
+    Deepest deepest(edges_);
+    deepest.search(piece);
+    d.normal = deepest.depth;
+    if (!(d.normal > tolerance)) return std::nullopt;
     d.deepest = deepest.point;
     d.area = geom::area(piece);
     d.volume = geom::volume(piece);
     d.along_x = deepest_along_x(piece, edges_);
     d.region = piece;
     return d;
+}
+
+bool Around::reaches(const Region& piece, double depth) const {
+    if (edges_.empty()) return true;
+    Deepest deepest(edges_);
+    deepest.search(piece, depth);
+    return deepest.depth > depth;
 }
 
 }  // namespace obrys::sim::turning

@@ -12,6 +12,8 @@ using geom::Vec2;
 
 namespace {
 
+constexpr double skin = 0.1;  ///< of the tolerance: what is thinner is no material
+
 std::optional<Depth> depth_of(const Region& both, const Around& around, double tolerance) {
     std::optional<Depth> sum;
     for (const Region& piece : geom::pieces(both)) {
@@ -44,20 +46,6 @@ struct Kept::State {
     Region region;
     Stock bounds;
     Around around;
-
-    /// With the edges near `removed` alone.
-    Region intersect(const Region& removed) {
-        const geom::Box where = geom::box(removed);
-        if (!geom::overlap(where, bounds.box())) return {};
-        const std::vector<Slot> near = bounds.near(where, near_margin);
-        if (near.empty() && bounds.winding(removed.contours.front().vertices.front().p) <= 0) return {};
-        geom::Arrangement graph(sources_of(bounds, near, removed), {.sets_are_clean = true});
-        const std::vector<geom::Edge> own = geom::edges(removed);
-        graph.label_clean([&](Vec2 p) { return bounds.winding(p); }, [&](Vec2 p) { return geom::winding(own, p); });
-        // Something degenerate: the whole contour, with the general set operations.
-        if (!graph.consistent() || !graph.windings_within(0, 1)) return geom::intersect(removed, region);
-        return graph.region([](geom::Windings w) { return w.a > 0 && w.b > 0; });
-    }
 };
 
 Kept::Kept(Region region) : state_(std::make_unique<State>(std::move(region))) {}
@@ -69,7 +57,7 @@ const Region& Kept::region() const { return state_->region; }
 
 std::optional<Depth> Kept::depth_inside(const Region& removed, double tolerance) const {
     if (removed.empty()) return std::nullopt;
-    const Region both = state_->intersect(removed);
+    const Region both = overlap(state_->bounds, removed);
     if (both.empty()) return std::nullopt;
     return depth_of(both, state_->around, tolerance);
 }
@@ -77,8 +65,12 @@ std::optional<Depth> Kept::depth_inside(const Region& removed, double tolerance)
 std::vector<Depth> pieces_outside(const Region& left, const Region& wanted, double tolerance) {
     std::vector<Depth> out;
     const Around around(wanted);
-    for (const Region& piece : geom::pieces(geom::subtract(left, wanted)))
-        if (auto d = around.measure(piece, tolerance)) out.push_back(std::move(*d));
+    // Between two cuts whose coordinates are rounded a skin may stand, as deep as the cuts and next to nothing thick.
+    const auto is_skin = [&](const Region& piece) { return !Around(piece).reaches(piece, skin * tolerance / 2); };
+    for (const Region& piece : geom::pieces(geom::subtract(left, wanted))) {
+        auto d = around.measure(piece, tolerance);
+        if (d && !is_skin(piece)) out.push_back(std::move(*d));
+    }
     return out;
 }
 

@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "base/whole.hpp"
+#include "geom/boolean.hpp"
 #include "geom/tolerance.hpp"
 
 namespace obrys::sim::turning {
@@ -157,6 +158,20 @@ std::vector<geom::SourceEdge> sources_of(const Stock& stock, const std::vector<S
                        .open_b = !is_near(stock[s].next)});
     for (const geom::Edge& e : geom::edges(tool)) out.push_back({.edge = e, .of = {0, 1}});
     return out;
+}
+
+geom::Region overlap(Stock& stock, const geom::Region& tool) {
+    const geom::Box where = geom::box(tool);
+    if (!geom::overlap(where, stock.box())) return {};
+    const std::vector<Slot> near = stock.near(where, near_margin);
+    if (near.empty() && stock.winding(tool.contours.front().vertices.front().p) <= 0) return {};
+    geom::Arrangement graph(sources_of(stock, near, tool), {.sets_are_clean = true});
+    const std::vector<geom::Edge> own = geom::edges(tool);
+    graph.label_clean([&](geom::Vec2 p) { return stock.winding(p); },
+                      [&](geom::Vec2 p) { return geom::winding(own, p); });
+    // Something degenerate: the whole contour, with the general set operations.
+    if (!graph.consistent() || !graph.windings_within(0, 1)) return geom::intersect(tool, stock.region());
+    return graph.region([](geom::Windings w) { return w.a > 0 && w.b > 0; });
 }
 
 }  // namespace obrys::sim::turning

@@ -67,5 +67,7 @@ inline constexpr double near_margin = 1e-6;  ///< mm; far more than anything mov
 /// The edges near a tool and those of the tool, for an arrangement of the neighbourhood (sets a and b). `near`: sorted.
 [[nodiscard]] std::vector<geom::SourceEdge> sources_of(const Stock& stock, const std::vector<Slot>& near,
                                                        const geom::Region& tool);
+/// What the stock and the tool have in common. The cost depends on what lies near the tool.
+[[nodiscard]] geom::Region overlap(Stock& stock, const geom::Region& tool);
 
 }  // namespace obrys::sim::turning

@@ -21,6 +21,7 @@ struct Move {
 /// What one move took away.
 struct Cut {
     geom::Region removed;
+    geom::Region across;        ///< the part of it that the tool took from beyond the axis
     double area = 0;            ///< mm2
     double volume = 0;          ///< mm3, as a body of revolution
     double depth_x = 0;         ///< mm, largest extent of the removed material along x
@@ -37,7 +38,12 @@ public:
 
     /// Sweeps `outline` (relative to the programmed point, counter-clockwise) along the move and removes it.
     /// The cost depends on what lies near the move, not on the number of moves made before.
-    Cut cut(const geom::Contour& outline, const Move& move);
+    /// What passes below the axis removes the material that turns there: `across` does from a programmed point above
+    /// the axis, all of `outline` from one below it.
+    Cut cut(const geom::Contour& outline, const Move& move, const geom::Contour& across);
+    Cut cut(const geom::Contour& outline, const Move& move) { return cut(outline, move, outline); }
+    /// The material in which `body` would be somewhere along the move, on either side of the axis; nothing is removed.
+    [[nodiscard]] geom::Region met(const geom::Contour& body, const Move& move) const;
 
     [[nodiscard]] geom::Region region() const;
     [[nodiscard]] double area() const;    ///< mm2
@@ -81,8 +87,8 @@ private:
     std::unique_ptr<State> state_;
 };
 
-/// Connected pieces of `left` outside `wanted`, each with its depth above it; pieces thinner than `tolerance` are
-/// dropped.
+/// Connected pieces of `left` outside `wanted`, each with its depth above it; pieces nowhere deeper than `tolerance`
+/// are dropped, and skins: pieces in which no circle of a tenth of `tolerance` has room.
 [[nodiscard]] std::vector<Depth> pieces_outside(const geom::Region& left, const geom::Region& wanted, double tolerance);
 
 }  // namespace obrys::sim::turning

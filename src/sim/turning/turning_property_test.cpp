@@ -43,14 +43,25 @@ Region swept(const Contour& outline, const Move& m) {
     return geom::sweep_round(outline, m.centre, geom::length(r), std::atan2(r.y, r.x), m.sweep);
 }
 
+/// With what passes below the axis turned up.
+Region both_sides(const Region& r) {
+    Region turned = r;
+    for (Contour& c : turned.contours) {
+        for (geom::Vertex& v : c.vertices) v = {{v.p.x, -v.p.y}, -v.bulge};
+        c = geom::reversed(c);
+    }
+    return geom::unite(r, turned);
+}
+
 // The local cut held against the set operations on the whole stock, which keep no links and no grid.
 RC_GTEST_PROP(TurningProperty, LocalCutIsTheSetDifference, ()) {
-    Region whole = *geom::testing::lattice_region(12, 10);
+    const Region above{{{{{{-20, 0}, 0}, {{40, 0}, 0}, {{40, 40}, 0}, {{-20, 40}, 0}}, true}}};
+    Region whole = geom::intersect(*geom::testing::lattice_region(12, 10), above);
     Workpiece w(whole);
     const Contour outline = *tool();
     for (int k = 0; k < 15; ++k) {
         const Move m = any_move();
-        const Region s = swept(outline, m);
+        const Region s = both_sides(swept(outline, m));
         const double removed = geom::area(geom::intersect(whole, s));
         whole = geom::subtract(whole, s);
         const Cut c = w.cut(outline, m);
@@ -137,6 +148,95 @@ RC_GTEST_PROP(DepthProperty, AKeptContourGivesTheDepthsOfTheWhole, ()) {
         RC_ASSERT(std::abs(a->normal - b->normal) < 5e-4);
         RC_ASSERT(std::abs(a->along_x - b->along_x) < 1e-6);
     }
+}
+
+/// Distance of a point from an edge, written anew: by the line's foot, or by the circle through three points.
+double plain_distance(const geom::Edge& e, Vec2 p) {
+    double away = std::min(geom::distance(p, e.a), geom::distance(p, e.b));
+    const Vec2 chord = e.b - e.a;
+    const double l2 = geom::dot(chord, chord), along = geom::dot(p - e.a, chord);
+    if (e.bulge == 0) {
+        if (along > 0 && along < l2) away = std::min(away, std::abs(geom::cross(chord, p - e.a)) / std::sqrt(l2));
+        return away;
+    }
+    const double sweep = 4 * std::atan(e.bulge), l = std::sqrt(l2), r = l / (2 * std::sin(std::abs(sweep) / 2));
+    const Vec2 left{-chord.y / l, chord.x / l}, middle = 0.5 * (e.a + e.b);
+    const Vec2 centre = middle + (std::copysign(r, sweep) * std::cos(sweep / 2)) * left;
+    double angle = std::atan2(p.y - centre.y, p.x - centre.x) - std::atan2(e.a.y - centre.y, e.a.x - centre.x);
+    if (sweep < 0) angle = -angle;
+    while (angle < 0) angle += 2 * geom::pi;
+    while (angle >= 2 * geom::pi) angle -= 2 * geom::pi;
+    return angle <= std::abs(sweep) ? std::min(away, std::abs(geom::distance(p, centre) - r)) : away;
+}
+
+double plain_depth(const Region& contour, Vec2 p) {
+    double away = 1e9;
+    for (const geom::Edge& e : geom::edges(contour))
+        if (std::abs(e.a.y) > 1e-9 || std::abs(e.b.y) > 1e-9 || e.bulge != 0)
+            away = std::min(away, plain_distance(e, p));
+    return away;
+}
+
+/// The deepest of many points on the edges of a piece and between them.
+double sampled_depth(const Region& piece, const Region& contour) {
+    double deepest = 0;
+    const auto edges = geom::edges(piece);
+    for (const geom::Edge& e : edges)
+        for (int i = 0; i <= 16; ++i) deepest = std::max(deepest, plain_depth(contour, geom::point_at(e, i / 16.0)));
+    const geom::Box b = geom::box(piece);
+    for (int i = 0; i < 150; ++i) {
+        const Vec2 p{b.lo.x + (b.hi.x - b.lo.x) * std::fmod(0.754877666 * i, 1.0),
+                     b.lo.y + (b.hi.y - b.lo.y) * std::fmod(0.569840291 * i, 1.0)};
+        if (geom::contains(piece, p)) deepest = std::max(deepest, plain_depth(contour, p));
+    }
+    return deepest;
+}
+
+/// Films, wedges, crescents and rings: a profile and the same shifted by little, in one direction or in four.
+Region nearly(const Region& profile, double by) {
+    const double angle = *rc::gen::element(0.0, 1.5707963, 0.7853982, 2.1, 3.7, 5.5);
+    const bool all_round = *rc::gen::inRange(0, 3) == 0;
+    Region out;
+    for (int k = 0; k < (all_round ? 4 : 1); ++k) {
+        Region shifted = profile;
+        const double a = angle + k * geom::pi / 2;
+        for (Contour& c : shifted.contours) c = geom::moved(c, {by * std::cos(a), by * std::sin(a)});
+        out = k == 0 ? shifted : geom::unite(out, shifted);
+    }
+    return out;
+}
+
+Region profile_away_from_the_axis() {
+    Region r = *geom::testing::lattice_region(9, 7);
+    const double scale = *rc::gen::element(1.0, 0.05, 7.0), up = *rc::gen::element(0.0, 0.0, 30.0);
+    for (Contour& c : r.contours)
+        for (geom::Vertex& v : c.vertices) v.p = {scale * v.p.x, scale * v.p.y + up};
+    return r;
+}
+
+// A depth is that of a point of the piece, and no other point lies deeper: by points sampled densely.
+RC_GTEST_PROP(DepthProperty, SliversAreAsDeepAsTheyAre, ()) {
+    const Region wanted = profile_away_from_the_axis();
+    const Region other = nearly(wanted, *rc::gen::element(1e-4, 1e-3, 0.004, 0.02, 0.3));
+    const double tolerance = *rc::gen::element(0.01, 0.001, 0.05);
+    for (const Region& piece : geom::pieces(geom::subtract(other, wanted))) {
+        const double deepest = sampled_depth(piece, wanted);
+        if (deepest > 1e8) continue;
+        const auto rest = pieces_outside(geom::unite(wanted, piece), wanted, tolerance);
+        double found = 0;
+        for (const Depth& d : rest) {
+            RC_ASSERT(geom::contains(d.region, d.deepest) || geom::distance(d.region, d.deepest) < 3e-5);
+            RC_ASSERT(std::abs(plain_depth(wanted, d.deepest) - d.normal) < 1e-7);
+            found = std::max(found, d.normal);
+        }
+        if (deepest > tolerance && deepest > 2 * tolerance / 10) RC_ASSERT(found > deepest - 6e-5 || rest.empty());
+        if (found > 0) RC_ASSERT(found > tolerance);
+    }
+    const auto gouge = depth_inside(geom::subtract(wanted, other), wanted, 1e-3);
+    if (!gouge) return;
+    RC_ASSERT(std::abs(plain_depth(wanted, gouge->deepest) - gouge->normal) < 1e-7);
+    RC_ASSERT(geom::distance(gouge->region, gouge->deepest) < 3e-5 || geom::contains(gouge->region, gouge->deepest));
+    RC_ASSERT(gouge->normal > sampled_depth(gouge->region, wanted) - 6e-5);
 }
 
 /// The x at which a line upright at z meets the contour, sampled.

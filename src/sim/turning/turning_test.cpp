@@ -112,6 +112,64 @@ TEST(Depth, PiecesLeftAboveThePart) {
     EXPECT_NEAR(pieces[0].along_x, 2, 1e-6);
 }
 
+TEST(Depth, OfARingRoundAHoleIsTakenInTheRing) {
+    // A skin of 0.02 mm all round a part that does not reach the axis: its middle is part, not rest.
+    const Region wanted{{rectangle(0, 10, 50, 20)}}, left{{rectangle(-0.02, 9.98, 50.02, 20.02)}};
+    const auto pieces = pieces_outside(left, wanted, 0.01);
+    ASSERT_EQ(pieces.size(), 1U);
+    EXPECT_NEAR(pieces[0].normal, 0.02 * std::sqrt(2.0), 1e-4);
+    EXPECT_TRUE(pieces_outside({{rectangle(-1e-4, 9.9999, 50.0001, 20.0001)}}, wanted, 0.001).empty());
+}
+
+TEST(Depth, OfAFilmOnAFlatArc) {
+    // 100 mm of a circle of 150 m: a chord a milliradian long leaves it by 0.019 mm.
+    for (const double radius : {1e3, 1.5e5, 1e7}) {
+        const auto body = [&](double top) {
+            const double half = std::asin(50 / radius), s = radius * (1 - std::cos(half));
+            return Region{
+                {{{{{-50, 0}, 0}, {{50, 0}, 0}, {{50, top - s}, std::tan(half / 2)}, {{-50, top - s}, 0}}, true}}};
+        };
+        EXPECT_TRUE(pieces_outside(body(20.0001), body(20), 0.001).empty()) << radius;
+        const auto thick = pieces_outside(body(20.02), body(20), 0.01);
+        ASSERT_EQ(thick.size(), 1U) << radius;
+        EXPECT_NEAR(thick[0].normal, 0.02, 5e-5) << radius;
+    }
+}
+
+TEST(Depth, ASkinBetweenTwoCutsIsNoRest) {
+    const Region wanted{{rectangle(0, 0, 100, 10)}};
+    const auto with = [&](const Contour& c) { return pieces_outside(geom::unite(wanted, {{c}}), wanted, 0.01); };
+    EXPECT_TRUE(with(rectangle(40, 10, 40.0001, 10.019)).empty());  // 1e-4 thick, 0.019 mm high
+    EXPECT_TRUE(with(rectangle(100, 0, 105, 0.0001)).empty());      // a thread of 2e-4 on the axis
+    EXPECT_EQ(with(rectangle(40, 10, 40.002, 15)).size(), 1U);
+}
+
+TEST(Turning, WhatPassesTheAxisCutsTheOtherSide) {
+    Workpiece w({{rectangle(0, 5, 30, 20)}});
+    // The tip at X 6, the insert 12 mm long: 6 mm past the axis.
+    const Cut c = w.cut(rectangle(0, -12, 3, 0), straight(32, 6, 10, 6));
+    EXPECT_NEAR(c.area, 20, 1e-9);
+    EXPECT_NEAR(geom::area(c.across), 0, 1e-9);
+    const Cut d = w.cut(rectangle(0, -13.5, 3, 0), straight(32, 6, 10, 6));
+    EXPECT_NEAR(d.area, 1.5 * 20, 1e-9);
+    EXPECT_NEAR(geom::area(d.across), 1.5 * 20, 1e-9);
+    EXPECT_NEAR(w.area(), 15 * 30 - 20 - 30, 1e-9);
+    // Of an insert that is not known to go on behind its tip nothing passes the axis.
+    EXPECT_EQ(w.cut(rectangle(0, -18, 3, 0), straight(32, 6, 10, 6), rectangle(0, -0.1, 3, 0)).area, 0);
+    EXPECT_NEAR(geom::area(w.met(rectangle(0, -18, 3, 0), straight(32, 6, 10, 6))), 4.5 * 20, 1e-9);
+}
+
+TEST(Turning, FacingPastTheAxisTakesNothingMore) {
+    const Contour insert{{{{0.5, 12}, 0}, {{0, 0.8}, std::tan(geom::pi / 8)}, {{0.8, 0}, 0}, {{12, 1}, 0}}, true};
+    Workpiece w({{rectangle(0, 0, 30, 20)}});
+    const Cut past = w.cut(insert, straight(29, 25, 29, -0.8));
+    EXPECT_NEAR(past.area, 20, 1e-9);
+    EXPECT_NEAR(geom::area(past.across), 0, 1e-12);
+    EXPECT_EQ(w.cut(insert, straight(29, -0.8, 35, -0.8)).area, 0);
+    // From there into the bar: the nose cuts on its side of the axis.
+    EXPECT_GT(geom::area(w.cut(insert, straight(35, -8, 20, -8)).across), 7);
+}
+
 void replay(const std::string& name) {
     std::ifstream file(std::string(OBRYS_SOURCE_DIR) + "/../shared/programs/groove/expected/" + name);
     if (!file) GTEST_SKIP() << "needs ../shared";

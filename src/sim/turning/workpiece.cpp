@@ -2,10 +2,10 @@
 #include <cmath>
 
 #include "geom/boolean.hpp"
-#include "geom/sweep.hpp"
 #include "geom/tolerance.hpp"
 #include "sim/turning/contact.hpp"
 #include "sim/turning/stock.hpp"
+#include "sim/turning/swept.hpp"
 #include "sim/turning/turning.hpp"
 
 namespace obrys::sim::turning {
@@ -19,16 +19,6 @@ namespace {
 
 constexpr auto stays = [](geom::Windings w) { return w.a > 0 && w.b <= 0; };
 constexpr auto goes = [](geom::Windings w) { return w.a > 0 && w.b > 0; };
-
-Region swept(const geom::Contour& outline, const Move& m) {
-    if (m.sweep == 0) {
-        Region r = geom::sweep_straight(outline, m.to - m.from);
-        for (geom::Contour& c : r.contours) c = geom::moved(c, m.from);
-        return r;
-    }
-    const Vec2 r = m.from - m.centre;
-    return geom::sweep_round(outline, m.centre, geom::length(r), std::atan2(r.y, r.x), m.sweep);
-}
 
 /// The new boundary inside the neighbourhood of a cut, ready to take the place of the old.
 struct Patch {
@@ -205,18 +195,36 @@ Workpiece::~Workpiece() = default;
 Workpiece::Workpiece(Workpiece&&) noexcept = default;
 Workpiece& Workpiece::operator=(Workpiece&&) noexcept = default;
 
-Cut Workpiece::cut(const geom::Contour& outline, const Move& move) {
+Cut Workpiece::cut(const geom::Contour& outline, const Move& move, const geom::Contour& across) {
     Cut c;
-    const Region tool = swept(outline, move);
-    if (tool.empty()) return c;
-    c.removed = state_->remove(tool);
+    if (const Region tool = swept(outline, move); !tool.empty()) c.removed = state_->remove(tool);
+    if (!c.removed.empty()) c.contact_length = contact_length(outline, move, c.removed);
+    for (const TurnedOver& t : turned_over(outline, across, move)) {
+        const Region tool = swept(t.outline, t.move);
+        const Region more = tool.empty() ? Region{} : state_->remove(tool);
+        if (more.empty()) continue;
+        c.contact_length += contact_length(t.outline, t.move, more);
+        c.across = geom::unite(c.across, more);
+    }
+    if (!c.across.empty()) c.removed = geom::unite(c.removed, c.across);
     if (c.removed.empty()) return c;
     c.area = geom::area(c.removed);
     c.volume = geom::volume(c.removed);
     const geom::Box b = geom::box(c.removed);
     c.depth_x = b.hi.y - b.lo.y;
-    c.contact_length = contact_length(outline, move, c.removed);
     return c;
+}
+
+Region Workpiece::met(const geom::Contour& body, const Move& move) const {
+    Region all;
+    const auto meet = [&](const Region& tool) {
+        if (tool.empty()) return;
+        const Region both = overlap(state_->stock, tool);
+        if (!both.empty()) all = all.empty() ? both : geom::unite(all, both);
+    };
+    meet(swept(body, move));
+    for (const TurnedOver& t : turned_over(body, body, move)) meet(swept(t.outline, t.move));
+    return all;
 }
 
 Region Workpiece::region() const { return state_->stock.region(); }
