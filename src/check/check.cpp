@@ -42,7 +42,9 @@ struct Check::State {
         limits.stand_changed();
     }
     void take(const cl::Record& record, const cl::Axis& to) {
+        removal.take(to);
         limits.take(record, to);
+        stand.take_face(to);
         if (setup.machine.kind != shop::MachineKind::mill) return;
         stand.take(to);
         limits.stand_changed();
@@ -150,9 +152,11 @@ void Check::State::move(const cl::Record& record) {
         milling->take(m, removal.tool_in_use(), view, swing);
     }
     // What a milling move cuts is known later: Milling says where it does so with a standing spindle.
-    limits.take(programmed, milling             ? std::optional(false)
-                            : removed.simulated ? std::optional(removed.cuts)
-                                                : std::nullopt);
+    limits.take(programmed,
+                milling             ? std::optional(false)
+                : removed.simulated ? std::optional(removed.cuts)
+                                    : std::nullopt,
+                removal.positioned());
     if (trace.keeps_more()) keep(m, std::move(removed));
     position.move_to(to);
     tip = view.problem.empty() ? m.to : geom::Vec3{NAN, NAN, NAN};

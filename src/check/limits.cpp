@@ -49,6 +49,22 @@ std::pair<double, double> range(const Move& move, geom::Vec3 along, bool fresh) 
     return {std::fmin(a, b), std::fmax(a, b)};  // one unknown end leaves the other
 }
 
+/// On a lathe whose C is counted the points turn with the workpiece: X is their distance from its axis, Y stays.
+std::pair<double, double> range_on_face(const Move& move, geom::Vec3 along, bool fresh) {
+    if (along.z != 0) return range(move, along, fresh);
+    if (along.y != 0) return {0, 0};
+    double low = INFINITY, high = 0;
+    const auto reach = [&](geom::Vec3 p) {
+        low = std::fmin(low, std::hypot(p.x, p.y));
+        high = std::fmax(high, std::hypot(p.x, p.y));
+    };
+    if (!geom::is_finite(move.from) || !geom::is_finite(move.to)) return {NAN, NAN};
+    reach(move.from);
+    reach(move.to);
+    cl::points_between(move.from, move.record.step, 0.01, 3600, reach);
+    return {low, high};
+}
+
 Finding error(std::string_view code, std::string text) {
     Finding f;
     f.code = code;
@@ -133,7 +149,7 @@ void Limits::check_travel(const Move& move) {
     std::string text, cause;
     double worst = 0;
     for (Travel& t : travel_) {
-        const auto [low, high] = range(move, t.along, fresh);
+        const auto [low, high] = stand_.on_face() ? range_on_face(move, t.along, fresh) : range(move, t.along, fresh);
         if (std::isnan(low)) continue;
         const double over = std::max(excess(t, low, high), 0.0);
         const bool absolute = std::isfinite(t.from_zero);
@@ -232,11 +248,11 @@ void Limits::check_spindle(const Move& move, std::optional<bool> cuts) {
     out_.finding(move, std::move(f));
 }
 
-void Limits::take(const Move& move, std::optional<bool> cuts) {
+void Limits::take(const Move& move, std::optional<bool> cuts, bool driven) {
     check_travel(move);
     if (move.rapid) return;
     check_feed(move);
-    check_spindle(move, cuts);
+    if (!driven) check_spindle(move, cuts);
 }
 
 }  // namespace obrys::check

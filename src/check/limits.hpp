@@ -22,8 +22,9 @@ public:
     void take(const cl::Record& record, const cl::Spline& spline);
     void take(const cl::Record& record, const cl::Spindle& spindle);
     void take(const cl::Feed& feed);
-    /// `cuts`: whether the move removes material; nothing where that was not simulated.
-    void take(const Move& move, std::optional<bool> cuts);
+    /// `cuts`: whether the move removes material; nothing where that was not simulated. `driven`: by a tool that its
+    /// own spindle turns, of which the stream does not tell.
+    void take(const Move& move, std::optional<bool> cuts, bool driven = false);
 
 private:
     /// A linear axis of the machine, as it follows the programmed points.

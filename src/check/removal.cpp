@@ -65,6 +65,7 @@ void Removal::take(const cl::Record& record, const cl::ToolChange& tool) {
     selected_ = record;
     selected_any_ = tool.number != 0 || !tool.name.empty();
     changed_ = true;
+    positioned_ = false;
     tool_ = selected_any_ ? find(setup_.tools, tool) : nullptr;
     outline_ = tool_ != nullptr ? turning_outline(*tool_) : geom::Contour{};
     sure_ = tool_ != nullptr ? shop::sure_outline(*tool_) : geom::Contour{};
@@ -117,14 +118,18 @@ std::optional<std::string> Removal::obstacle(const Move& move) const {
     if (std::holds_alternative<cl::Spline>(move.record.step)) return "spline: removal not simulated";
     const auto* arc = std::get_if<cl::Arc>(&move.record.step);
     if (arc != nullptr && !lies_in_turning_plane(*arc)) return "arc outside the turning plane: removal not simulated";
+    if (positioned_ && !move.rapid)
+        return "the workpiece stands or turns as an axis: what a driven tool cuts is not simulated";
     if (std::abs(move.to.y) > 1e-6 || std::abs(move.from.y) > 1e-6) return "Y is not 0: removal not simulated";
     return std::nullopt;
 }
 
 /// True where the coordinates that are known prove that the tool passes beside the stock.
 bool Removal::misses(const Move& move) const {
-    const cl::Step& step = move.record.step;  // a curve goes further than its ends
-    if (outline_box_.empty() || std::holds_alternative<cl::Arc>(step) || std::holds_alternative<cl::Spline>(step))
+    const cl::Step& step = move.record.step;                                      // a curve goes further than its ends
+    const bool off = std::abs(move.from.y) > 1e-6 || std::abs(move.to.y) > 1e-6;  // then X is no radius
+    if (off || outline_box_.empty() || std::holds_alternative<cl::Arc>(step) ||
+        std::holds_alternative<cl::Spline>(step))
         return false;
     return beside_in_x(move.from.x, move.to.x, outline_box_, stock_box_) ||
            beside_in_z(move.from.z, move.to.z, outline_box_, stock_box_);

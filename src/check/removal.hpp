@@ -33,6 +33,9 @@ public:
     Removed take(const Move& move);
     /// Notes, rest material and the figures of the stock. `end`: the last record.
     void finish(const cl::Record& end);
+    /// A rotary axis of a lathe moves: until the next tool, tools are taken to be driven ones.
+    void take(const cl::Axis& axis) { positioned_ = positioned_ || (axis.rotary && is_lathe()); }
+    [[nodiscard]] bool positioned() const { return positioned_; }
     [[nodiscard]] geom::Region stock() const { return work_ ? work_->region() : geom::Region{}; }
     /// Index in Result::tools + 1 of the tool in use; 0: none.
     [[nodiscard]] std::uint32_t tool_in_use() const { return use_; }
@@ -41,6 +44,7 @@ public:
 private:
     void first_use(const Move& move);
     std::optional<std::string> obstacle(const Move& move) const;
+    [[nodiscard]] bool is_lathe() const { return setup_.machine.kind == shop::MachineKind::lathe; }
     [[nodiscard]] bool misses(const Move& move) const;
     void skipped(const Move& move, std::string why);
     void cut(const Move& move, const sim::turning::Move& way, Removed& r);
@@ -79,6 +83,7 @@ private:
     double pitch_ = 0;              ///< mm, of the last thread
     bool in_front_ = false;         ///< a tool has stood in front of the stock's right face
     cl::Record selected_;           ///< the last tool change
+    bool positioned_ = false;       ///< the workpiece is an axis
     bool selected_any_ = false, changed_ = false, cut_without_tool_ = false;
     std::uint32_t use_ = 0;
     Whereabouts whereabouts_;

@@ -22,6 +22,11 @@ public:
 
     void take(const cl::Datum& datum);
     void take(const cl::Axis& axis);
+    /// A lathe's points turn with its workpiece (polar coordinate interpolation).
+    [[nodiscard]] bool on_face() const { return on_face_; }
+    void take_face(const cl::Axis& axis) {
+        on_face_ = axis.rotary ? axis.counted && machine_.kind == shop::MachineKind::lathe : on_face_;
+    }
     /// `tool`: null where it is not known. `offsets`: the control counts its length (an edge is selected).
     void take_tool(const shop::Tool* tool, bool offsets);
     void moved();
@@ -73,6 +78,7 @@ private:
     std::string parallel_;                   ///< an additional linear axis that has moved; empty: none
     std::vector<double> last_values_;        ///< of the last move
     bool last_counted_ = false;
+    bool on_face_ = false;
     bool counted_ = false, has_rotary_ = false;
     cl::Datum datum_{0, {NAN, NAN, NAN}};
     const shop::Tool* tool_ = nullptr;

@@ -26,6 +26,14 @@ std::uint32_t without_headers(base::Sources& sources, std::uint32_t file) {
     return changed ? sources.add(sources[file].name, std::move(text)) : file;
 }
 
+/// "O20" of O0020.nc and of O0020 without an ending; empty for other names.
+std::string program_number(const fs::path& path) {
+    std::string stem = base::to_upper(path.stem().string());
+    if (stem.size() < 2 || stem[0] != 'O' || stem.find_first_not_of("0123456789", 1) != std::string::npos) return {};
+    const std::size_t digits = std::min(stem.find_first_not_of('0', 1), stem.size() - 1);
+    return stem.erase(1, digits - 1);
+}
+
 std::string full_name(const fs::path& path) { return base::to_upper(path.filename().string()); }
 
 }  // namespace
@@ -43,6 +51,12 @@ void Programs::add_folder(const fs::path& folder) {
                 files_.emplace(base::to_upper(path.stem().string()), path);
                 files_.emplace(full_name(path), path);
             }
+    for (const fs::path& path : found) {
+        const std::string number = program_number(path);
+        if (number.empty() || (path.has_extension() && !has_suffix(path, control_.program_suffixes))) continue;
+        files_.emplace(number, path);
+        files_.emplace(full_name(path), path);
+    }
     for (const fs::path& path : found)
         if (has_suffix(path, control_.definition_suffixes)) definition_files_.push_back(path);
 }

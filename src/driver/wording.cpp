@@ -19,6 +19,11 @@ constexpr std::string_view tool = "select a tool with T and D before it";
 constexpr std::string_view diameters = ", X words are diameters until DIAMOF";
 
 constexpr std::string_view no_tool = "radius compensation with tool T0 D0, which selects no radius";
+constexpr std::string_view unknown_tool = "radius compensation with tool T0 D0, whose radius is not known";
+constexpr std::string_view both_axes = "ANG= with both of the plane's axes";
+constexpr std::string_view no_axis = "ANG= with none of the plane's axes";
+constexpr std::string_view angle_before = "or write the line before it with ANG= alone";
+constexpr std::string_view angle_next = "the next block needs ANG= and the end point";
 constexpr std::string_view no_tool_own = "radius compensation without a tool";
 
 constexpr std::array phrases{
@@ -35,14 +40,25 @@ constexpr std::array phrases{
     Phrase{"linuxcnc", tool, "select a tool with T and M6 before it"},
     Phrase{"linuxcnc", diameters, ""},
     Phrase{"linuxcnc", no_tool, no_tool_own},
+    Phrase{"linuxcnc", unknown_tool, no_tool_own},
     Phrase{"fanuc", circle, rs274_circle},
     Phrase{"fanuc", tool, "select a tool before it: T and M6 on mills, T0101 on lathes"},
     Phrase{"fanuc", diameters, ", X words are diameters"},
     Phrase{"fanuc", no_tool, no_tool_own},
+    Phrase{"fanuc", unknown_tool, no_tool_own},
+    Phrase{"fanuc", both_axes, "an angle (A, ,A) with both of the plane's axes"},
+    Phrase{"fanuc", no_axis, "an angle (A, ,A) with none of the plane's axes"},
+    Phrase{"fanuc", angle_before, "or write the line before it with the angle alone"},
+    Phrase{"fanuc", angle_next, "the next block needs an angle (A, ,A) and the end point"},
     Phrase{"haas", circle, rs274_circle},
     Phrase{"haas", tool, "select a tool before it: T and M6 on mills, T101 on lathes"},
     Phrase{"haas", diameters, ", X words are diameters"},
     Phrase{"haas", no_tool, no_tool_own},
+    Phrase{"haas", unknown_tool, no_tool_own},
+    Phrase{"haas", both_axes, "an angle (A, ,A) with both of the plane's axes"},
+    Phrase{"haas", no_axis, "an angle (A, ,A) with none of the plane's axes"},
+    Phrase{"haas", angle_before, "or write the line before it with the angle alone"},
+    Phrase{"haas", angle_next, "the next block needs an angle (A, ,A) and the end point"},
 };
 
 }  // namespace

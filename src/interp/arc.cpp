@@ -97,6 +97,15 @@ std::optional<int> turns_of(Run& run) {
     return std::nullopt;
 }
 
+/// "If I, J, K, and R addresses are specified simultaneously, the arc specified by address R takes precedence and the
+/// other are ignored" (FANUC operator's manual, circular interpolation) [-].
+void pass_over_centre(Run& run) {
+    for (const Code c : centre_words)
+        if (run.block.has(c)) run.block.use(c);
+    assume(run, run.here(), "an arc with R and a centre is run by its R: the control passes over I, J and K",
+           "write one of them");
+}
+
 path::ArcResult planar_arc(Run& run, Vec2 from, Vec2 to, bool end_given, const PlaneAxes& a) {
     const BlockWords& b = run.block;
     const path::Sense sense =
@@ -113,6 +122,7 @@ path::ArcResult planar_arc(Run& run, Vec2 from, Vec2 to, bool end_given, const P
         return {};
     }
     if (b.has(Code::centre_at_pole)) return about_pole(run, from, to, sense, a);
+    if (b.has(Code::radius) && centre && run.traits->radius_before_centre) pass_over_centre(run);
     if (b.has(Code::radius))
         return path::arc_by_radius(from, to, b.get(Code::radius) * length_unit(run.modal), sense, turns,
                                    tolerance(run));

@@ -260,6 +260,8 @@ void run_block(Run& run, const program::Statement& s, std::uint32_t index) {
     if (run.stopped) return;
     if (!run.block.acted) technology(run);
     if (run.stopped) return;
+    if (run.traits->offset_numbers_stay) keep_offset_numbers(run);
+    if (run.stopped) return;
     if (run.block.changes_plane) hold_plane(run);
     const bool moved = !run.stopped && motion(run);
     if (!run.stopped && !run.block.positioned.empty()) position_axes(run, moved);

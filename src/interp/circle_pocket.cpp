@@ -32,7 +32,10 @@ bool refuse(Run& run, std::string text, std::string remedy = {}) {
 
 /// Radius by which the circles are smaller, mm: of offset D, of the last D, of the tool; nothing where none is known.
 std::optional<double> tool_radius(Run& run) {
-    if (run.block.has(Code::offset_d)) take_offset_radius(run, run.block.get(Code::offset_d));
+    if (run.block.has(Code::offset_d))
+        take_offset_radius(run, run.block.get(Code::offset_d));
+    else if (run.traits->offset_numbers_stay && !std::isnan(run.modal.offset_d))
+        take_offset_radius(run, run.modal.offset_d);
     if (run.stopped) return std::nullopt;
     if (!std::isnan(run.modal.compensation_radius)) return std::abs(run.modal.compensation_radius);
     if (const auto r = run.tool.data == nullptr ? std::nullopt : mill_radius(*run.tool.data)) return r;

@@ -55,6 +55,7 @@ void to_home(Run& run, bool all) {
                "they are known",
                "give home of the axes in the machine file and the zero offset in [datum] of the job, or the parameter "
                "file of the control");
+    run.offsets.lost = run.offsets.lost || !geom::is_finite(to);
     run.position = to;
     run.programmed_position = geom::apply(geom::inverse(run.frame), to);
     emit(run, cl::Linear{to, run.tool_axis, true});

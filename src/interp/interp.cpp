@@ -215,7 +215,8 @@ void step(Run& run) {
     while (!act.sections.empty() && act.pc == act.sections.back().last + 1 && !run.stopped) end_of_section(run);
     if (run.stopped) return;
     if (act.pc >= act.unit->statements.size()) {
-        if (run.calls.size() == 1 && !act.unit->unended.empty()) return refuse_end(run);
+        const bool due = run.calls.size() == 1 || act.unit->startable;
+        if (due && !act.unit->unended.empty()) return refuse_end(run);
         leave(run);
         return;
     }

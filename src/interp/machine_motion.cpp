@@ -22,7 +22,7 @@ double ahead(const Run& run, int k) {
     if (keeps_offsets(run)) {
         const Offsets& o = run.offsets;
         const auto axis = static_cast<std::size_t>(k);
-        return run.datum_known ? o.reference[axis] + tip_in_use(o)[axis] : unknown;
+        return run.datum_known && is_datum_given(run, axis) ? o.reference[axis] + tip_in_use(o)[axis] : unknown;
     }
     const auto known = m.datums.find(run.reference_datum);
     if (known == m.datums.end() || (k < 2 && m.datum_rotations.contains(run.reference_datum))) return unknown;
@@ -35,10 +35,27 @@ double from_machine(const Run& run, int k, double machine) {
     return machine - ahead(run, k) - tool;
 }
 
+/// All axes of the block go to their home, machine coordinate 0 where the machine's file gives none.
+bool goes_home(const Run& run) {
+    for (int k = 0; k < 3; ++k) {
+        const shop::MachineAxis* axis = machine_axis(run, std::string(1, "XYZ"[k]));
+        const double home = axis != nullptr && axis->home ? *axis->home : 0;
+        if (run.block.has(axis_code(k)) &&
+            run.block.peek(axis_code(k)) * word_factor(run, k, run.block.ref(axis_code(k))) != home)
+            return false;
+    }
+    return run.modal.motion == Modal::rapid;
+}
+
 void unknown_machine_position(Run& run) {
     bool known = run.env.machine.datums.contains(run.reference_datum) || (keeps_offsets(run) && run.datum_known);
     for (int k = 0; k < 3 && known; ++k) known = !run.block.has(axis_code(k)) || !std::isnan(ahead(run, k));
     if (known) return;
+    if (keeps_offsets(run) && goes_home(run))
+        return assume(run, run.here(),
+                      "machine coordinate 0 is taken as the home of its axis, away from the workpiece: where it is in "
+                      "the workpiece is not known",
+                      "give home of the axes in the machine file and the zero offset in [datum] of the job");
     unchecked(run, codes::unknown_value, run.here(),
               "this block moves in machine coordinates and " + program::datum_phrase(*run.traits, run.reference_datum) +
                   " is not known: where it ends in the workpiece is not known",

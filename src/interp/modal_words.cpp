@@ -5,6 +5,7 @@
 #include <limits>
 
 #include "base/codes.hpp"
+#include "base/text.hpp"
 #include "base/whole.hpp"
 #include "interp/path_stage.hpp"
 #include "interp/run.hpp"
@@ -81,6 +82,7 @@ void change_plane(Run& run, int plane) {
 bool motion_word(Run& run, Modal m, const program::Word& w) {
     if (m <= Modal::tap_retract) {
         run.modal.motion = m;
+        run.modal.rapid_by_cancel = false;
         run.block.says_straight = run.block.says_straight || m <= Modal::linear;
         run.canned.active = false;
         if (m == Modal::arc_cw || m == Modal::arc_ccw) run.modal.last_sense = m;
@@ -144,7 +146,7 @@ void set_compensation(Run& run, Modal m) {
     if (m == Modal::compensation_off && run.traits->compensation_holds_move) run.path->switch_off(run);
     if (given && !take_orientation(run)) return;
     if (given && b.has(Code::offset_d)) state.compensation_radius = b.get(Code::offset_d) * unit / 2;
-    if (!given && m != Modal::compensation_off && b.has(Code::offset_d)) take_offset_radius(run, b.get(Code::offset_d));
+    if (!given && m != Modal::compensation_off) take_radius_number(run);
     const bool left = (state.compensation == Modal::compensation_left) != (state.compensation_radius < 0);
     tell(run, SettingKind::compensation, state.compensation == Modal::compensation_off ? 0 : left ? 1 : 2);
 }
@@ -195,12 +197,14 @@ bool numbered_motion_word(Run& run, Modal m, int number) {
     switch (m) {
         case Modal::canned:
         case Modal::probe:
+            if (state.motion != Modal::canned) state.before_cycle = state.motion;
             state.motion = m;
             state.motion_number = number;
             if (m == Modal::probe) run.canned.active = false;
             return true;
         case Modal::canned_off:
             run.canned.active = false;
+            state.rapid_by_cancel = state.motion == Modal::canned && state.before_cycle != Modal::rapid;
             state.motion = run.traits->cancel_leaves_no_motion ? Modal::canned_off : Modal::rapid;
             tell(run, SettingKind::motion_off);
             return true;
@@ -321,6 +325,9 @@ bool apply_mode(Run& run, Modal m, int number) {
         case Modal::save_modal_for_call: save_modes(run, m == Modal::save_modal_for_call); return true;
         case Modal::forget_saved_modal: forget_modes(run); return true;
         case Modal::restore_modal: restore_modes(run); return true;
+        case Modal::polar_face:
+        case Modal::cylinder_face:
+        case Modal::interpolation_off: set_surface(run, m); return true;
         case Modal::datum: set_datum(run, static_cast<std::uint32_t>(number)); return true;
         case Modal::feed_inverse_time:
             tell(run, SettingKind::feed_mode, 93);
@@ -369,7 +376,11 @@ void modal_word(Run& run, const program::Word& w) {
     if (run.stopped || motion_word(run, m, w)) return;
     if (apply_mode(run, m, program::modal_number(w)) || m < Modal::canned) return;
     // no reader may make a word that is not run here
-    unchecked(run, base::codes::unsupported, run.unit().span(*run.statement, w), "this word is not run");
+    const base::Span where = run.unit().span(*run.statement, w);
+    unchecked(run, base::codes::unsupported, where,
+              std::string(base::trim(run.env.sources.text(where))) +
+                  " is not run: what it changes on the control is not known here",
+              "take it out, or say what it does by words that are run (docs/dialects)");
 }
 
 }  // namespace obrys::interp

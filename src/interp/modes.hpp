@@ -49,12 +49,16 @@ struct ModalState {
     geom::Frame programmed;   ///< TRANS, ROT, SCALE, MIRROR; product of `transforms` where there are any
     std::vector<Transform> transforms;
     Modal last_sense = Modal::linear;     ///< of the last arc; linear: none yet
+    Modal before_cycle = Modal::rapid;    ///< motion that the hole cycle in force took the place of
+    bool rapid_by_cancel = false;         ///< … and G80 left rapid in its place
     int motion_number = 0;                ///< which canned cycle, which kind of probing
     bool clear_to_retract_plane = false;  ///< G99
     bool centre_absolute = false;         ///< G90.1
     double blend = 0, merge = 0;          ///< G64 P Q, mm
     Modal path_mode = Modal::path_blend;
     double compensation_radius = std::numeric_limits<double>::quiet_NaN();  ///< G41 D, G41.1; NaN: of the tool, mm
+    /// D programmed last (Traits::offset_numbers_stay); NaN: none yet.
+    double offset_d = std::numeric_limits<double>::quiet_NaN();
     int compensation_orientation = -1;   ///< G41.1 L: where the tip lies on the nose; -1: of the tool
     bool feed_by_word = false;           ///< feed_mode was chosen by a word of its own (FU) until the next F
     double round_modal = 0;              ///< RNDM, mm
@@ -103,7 +107,12 @@ struct Offsets {
     enum class Length : std::uint8_t { none, of_tool, by_values };
     Length length = Length::none;
     std::uint32_t length_tool = 0;  ///< number of that tool
-    bool length_judged = false;     ///< for this tool, zero and compensation
+    /// H programmed last (Traits::offset_numbers_stay); NaN: none yet.
+    double number = std::numeric_limits<double>::quiet_NaN();
+    bool subtracts = false;          ///< G44 rather than G43
+    bool lost = false;               ///< the axes have been at a home position whose place is not known
+    std::uint32_t from_unknown = 0;  ///< bit per axis that G92 has shifted from a place not known
+    bool length_judged = false;      ///< for this tool, zero and compensation
     /// Zeros by the first tool that cut by them, or with which the program set them.
     struct TouchedOff {
         std::uint32_t tool = 0;
@@ -129,6 +138,8 @@ struct SavedModes {
     SpindleState spindle;
     bool mist = false, flood = false;
     Axes tool_offset{};
+    Offsets::Length length = Offsets::Length::none;
+    std::uint32_t length_tool = 0;
     Overrides overrides;
 };
 

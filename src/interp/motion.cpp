@@ -34,6 +34,10 @@ void require_axis(Run& run, const std::string& name) {
 
 void extra_axis(Run& run, const std::string& name, double value, std::uint8_t reference, bool rotary_by_letter) {
     require_axis(run, name);
+    if (run.surface.kind != SurfaceMode::Kind::none && name == "C")
+        return unchecked(run, codes::unsupported, run.here(),
+                         "C in a program that is called within polar or cylindrical interpolation is not followed",
+                         "write the contour in the program that switches it on");
     const shop::MachineAxis* known = machine_axis(run, name);
     const bool rotary = known != nullptr ? known->rotary : rotary_by_letter;
     double to = rotary ? value : value * length_unit(run.modal);
@@ -246,7 +250,23 @@ bool path_motion(Run& run) {
 
 }  // namespace
 
+namespace {
+
+/// A block that goes home, or to a machine position, names no place in the workpiece: it does not choose the zero in
+/// which stock and part are.
+bool names_no_place(const Run& run) {
+    if (run.moved || !keeps_offsets(run) || run.env.tell_settings) return false;
+    if (run.block.suppress == Modal::suppress_all) return true;
+    if (run.block.special != Modal::home) return false;
+    for (int k = 0; k < 3; ++k)
+        if (run.block.has(axis_code(k)) && !is_incremental(run, run.block.ref(axis_code(k)))) return false;
+    return true;
+}
+
+}  // namespace
+
 void begin_motion(Run& run) {
+    if (names_no_place(run)) return;
     run.moved = true;
     emit_datum(run);
     if (keeps_offsets(run) && !run.offsets.length_judged) judge_length(run);
@@ -291,6 +311,18 @@ double word_factor(const Run& run, int axis, std::uint8_t reference) {
     return length_unit(run.modal) * (diameter ? 0.5 : 1);
 }
 
+namespace {
+
+/// G80 ends the cycle, and the controls' descriptions differ in which motion then holds: rapid, or the one before.
+void say_rapid_by_cancel(Run& run) {
+    run.modal.rapid_by_cancel = false;
+    assume(run, run.here(),
+           "behind G80 the axes are taken to move in rapid traverse, though G1, G2 or G3 was in force before the cycle",
+           "write G0 or G1 behind G80");
+}
+
+}  // namespace
+
 bool motion(Run& run) {
     const BlockWords& b = run.block;
     if (b.special == Modal::dwell) {
@@ -330,7 +362,8 @@ bool motion(Run& run) {
         return true;
     }
     if (!moves && !turns && !others) return false;
-    if ((b.present & linear_axes & ~run.known_axes) != 0)
+    if (run.modal.rapid_by_cancel) say_rapid_by_cancel(run);
+    if ((b.present & linear_axes & ~run.known_axes) != 0 && run.surface.kind == SurfaceMode::Kind::none)
         for (int k = 0; k < 3; ++k)
             if (b.has(axis_code(k))) require_axis(run, std::string(1, "XYZ"[k]));
     begin_motion(run);

@@ -40,19 +40,18 @@ const shop::Tool* listed_tool(const Run& run, double number) {
 
 /// What G43 means: the axes of tool H, of the one in the spindle, or nothing where it is not known.
 std::optional<Axes> length_of_block(Run& run) {
-    const BlockWords& b = run.block;
-    if (b.has(Code::offset_h) && b.get(Code::offset_h) == 0) return Axes{};
-    const shop::Tool* t = b.has(Code::offset_h) ? listed_tool(run, b.get(Code::offset_h)) : run.tool.data;
+    const std::optional<double> h = length_number(run);
+    if (h && *h == 0) return Axes{};
+    const shop::Tool* t = h ? listed_tool(run, *h) : run.tool.data;
     if (t != nullptr) return axes_of(*t);
-    if (!b.has(Code::offset_h) && run.tool.number == 0) return Axes{};
+    if (!h && run.tool.number == 0) return Axes{};
     if (run.tools.empty()) {
         assume(run, run.here(),
                "no tools are given: the tool length offset is taken as that of the tool in the spindle",
                "give the tool table of the control to have offset numbers and lengths checked");
         return std::nullopt;
     }
-    const std::string which = b.has(Code::offset_h) ? "H" + printed(Value::real(b.get(Code::offset_h)))
-                                                    : "T" + std::to_string(run.tool.number);
+    const std::string which = h ? "H" + printed(Value::real(*h)) : "T" + std::to_string(run.tool.number);
     alarm(run, codes::tool_missing, run.here(), "tool length offset: " + which + " is not in the tool table");
     return std::nullopt;
 }
@@ -69,6 +68,36 @@ void take_shift(Run& run) {
     const program::OffsetParameters& p = run.traits->offsets;
     for (std::size_t k = 0; k < 9 && p.shift_first != 0; ++k)
         run.offsets.shift[k] = stored(run, p.shift_first + static_cast<std::uint32_t>(k), k);
+}
+
+/// G92 where the machine's place is not known: it makes the frame in which the job's bodies lie, or another one.
+void say_unknown_places(Run& run) {
+    std::string axes;
+    for (std::size_t k = 0; k < 9; ++k) {
+        if (!axis_word(run, k) || !std::isnan(axis_coordinate(run, k))) continue;
+        run.offsets.from_unknown |= 1u << k;
+        axes += (axes.empty() ? "" : ", ") + axis_name(k);
+    }
+    if (axes.empty()) return;
+    const std::string place = "where the machine stands (" + axes + ") when the program says what its position becomes";
+    if (!run.offsets.lost)
+        return assume(run, run.here(),
+                      place + " is not known: the zero that it makes is taken as the one that stock and part are in",
+                      "position the axes in the zero offset before it where they are in that one");
+    unchecked(
+        run, codes::unknown_value, run.here(),
+        place + " is not known: the zero before and the new one are taken as the same",
+        "position the axes before it, or give home in the machine file and the zero offset in [datum] of the job");
+}
+
+/// What G92 has shifted ends, and was from a place not known.
+void say_unknown_return(Run& run) {
+    if (run.offsets.from_unknown == 0) return;
+    run.offsets.from_unknown = 0;
+    unchecked(run, codes::unknown_value, run.here(),
+              "how far the zero moves back is not known, for it was set where the machine's place was not known: both "
+              "zeros are taken as the same",
+              "position the axes before their position is set");
 }
 
 /// G92: where the axis stands is `to` from now on. A machine whose place is not known stands there by definition.
@@ -105,6 +134,17 @@ std::optional<std::uint32_t> first_of_datum(const Run& run, std::uint32_t number
     if (place >= 1000 && place - 1000 < p.extended_count) return p.extended_first + (place - 1000) * p.datum_step;
     return std::nullopt;
 }
+
+}  // namespace
+
+bool is_datum_given(const Run& run, std::size_t axis) {
+    if (run.env.stored != nullptr || run.env.tell_settings) return true;
+    if (run.env.machine.datums.contains(run.reference_datum)) return true;
+    const auto first = first_of_datum(run, run.reference_datum);
+    return first && run.parameters.is_set(*first + static_cast<std::uint32_t>(axis));
+}
+
+namespace {
 
 /// What the job says of zero offsets stands in their parameters, where nothing else says what these hold: programs read
 /// them there, and change single axes.
@@ -191,6 +231,11 @@ geom::Frame offset_frame(Run& run) {
         for (std::size_t k = 3; k < 9; ++k) count_from(run, k, o.datum[k]);
         o.reference = o.datum;
         run.reference_datum = run.modal.datum;
+        // The job's bodies stand where its own zero is, whatever the program writes there before it moves.
+        if (const auto job = run.env.machine.datums.find(run.modal.datum); job != run.env.machine.datums.end())
+            for (int k = 0; k < 3; ++k)
+                if (const double v = coordinate(job->second, k); !std::isnan(v) && !run.env.tell_settings)
+                    o.reference[static_cast<std::size_t>(k)] = v;
     }
     const Axes tip = tip_in_use(o);
     for (std::size_t k = 0; k < 9; ++k) o.total[k] = o.datum[k] + o.shift[k] + o.tool[k] - o.reference[k];
@@ -206,12 +251,14 @@ void shift_words(Run& run, Modal m) {
     flush_path(run);
     Offsets& o = run.offsets;
     const program::OffsetParameters& p = run.traits->offsets;
+    if (m == Modal::position_becomes) say_unknown_places(run);
     for (std::size_t k = 0; k < 9; ++k) {
         const auto v = axis_word(run, k);
         if (v && m == Modal::position_becomes) becomes(run, k, *v);
         if (v && m == Modal::position_becomes && k == 2) zero_set_here(run);
         if (v && m == Modal::local_shift) o.shift[k] = *v;
     }
+    if (m != Modal::position_becomes) say_unknown_return(run);
     if (m == Modal::position_becomes || m == Modal::local_shift) keep_shift(run);
     if (m == Modal::position_reset || m == Modal::position_suspend) o.shift = {};
     if (m == Modal::position_reset) keep_shift(run);
@@ -236,10 +283,13 @@ void take_length(Run& run, Modal m) {
     using Length = Offsets::Length;
     Offsets& o = run.offsets;
     const BlockWords& b = run.block;
+    const bool kept = run.traits->offset_numbers_stay && !std::isnan(o.number);
+    const bool numbered = b.has(Code::offset_h) || (kept && m != Modal::tool_length_off);
     o.length_judged = false;
-    o.length_tool = b.has(Code::offset_h) ? base::cut<std::uint32_t>(b.get(Code::offset_h)).value_or(no_listed_tool)
-                                          : run.tool.number;
-    const bool ends = m == Modal::tool_length_off || (b.has(Code::offset_h) && o.length_tool == 0);
+    o.subtracts = m == Modal::tool_length_negative;
+    const double offset = b.has(Code::offset_h) ? b.get(Code::offset_h) : o.number;
+    o.length_tool = numbered ? base::cut<std::uint32_t>(offset).value_or(no_listed_tool) : run.tool.number;
+    const bool ends = m == Modal::tool_length_off || (numbered && o.length_tool == 0);
     const bool of_tool = m == Modal::tool_length;
     o.length = ends ? Length::none : of_tool ? Length::of_tool : Length::by_values;
     o.compensates = o.compensates || !ends;

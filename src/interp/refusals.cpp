@@ -290,7 +290,8 @@ void refuse_end(Run& run) {
     const Unit& unit = run.unit();
     const base::Span where =
         unit.statements.empty() ? base::Span{unit.file, unit.begin, unit.begin} : unit.span(unit.statements.back());
-    alarm(run, codes::unclosed, where, unit.unended, "add M2");
+    alarm(run, codes::unclosed, where, unit.unended,
+          unit.startable ? "add M30, or M99 where it is a subprogram" : "add M2");
 }
 
 }  // namespace obrys::interp

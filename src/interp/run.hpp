@@ -142,6 +142,16 @@ std::vector<shop::Tool>::iterator add_tool(Run&, std::uint32_t number);
 void frame_statement(Run&, const program::Statement&, std::uint32_t index);
 void update_frame(Run&);
 void select_tool(Run&);
+/// H of G43: of the block, else the last one; nothing: the tool in the spindle (offset_numbers.cpp, as the next two).
+[[nodiscard]] std::optional<double> length_number(Run&);
+/// D of G41 and G42, of the block or the last one.
+void take_radius_number(Run&);
+/// H and D of a block that switches no compensation on.
+void keep_offset_numbers(Run&);
+/// Polar and cylindrical interpolation, on and off (surface.cpp).
+void set_surface(Run&, Modal);
+/// Hands a move of the plane to the stream as the axes make it.
+void send_on_surface(Run&, const cl::Record&);
 /// G41 D: the radius is that of the tool or offset with this number.
 void take_offset_radius(Run&, double number);
 /// $TC_DPn[T, D]=value.
@@ -213,6 +223,8 @@ void refuse_modal(Run&, const program::Word&);
 void refuse_block(Run&);
 /// A subprogram that is nowhere (Traits::missing_program_stops).
 void refuse_call(Run&, const std::string& name, const program::Call* call);
+/// Blocks behind M2 or M30 of the main program that nothing leads to (behind_end.cpp).
+void say_blocks_behind(Run&, int m);
 /// The main program runs past its last block (Unit::unended).
 void refuse_end(Run&);
 
@@ -258,6 +270,8 @@ void read_table(Run&, const program::ProcedureCall&);
 void begin_offsets(Run&);
 /// Programmed frame -> stream; also sets Offsets::total.
 [[nodiscard]] geom::Frame offset_frame(Run&);
+/// Where the zero that the stream's coordinates count from lies in the machine is told by job, file or program.
+[[nodiscard]] bool is_datum_given(const Run&, std::size_t axis);
 /// The active zero offset anew from its parameters.
 void load_datum(Run&);
 /// The parameter is one of the zero offset in force, or of what is added to all of them.
@@ -278,6 +292,8 @@ void while_standing(Run&, base::FunctionRef<void()> change);
 void zero_set_here(Run&);
 /// Before a feed move: whether the tip is where the program says (tool_length.cpp).
 void judge_length(Run&);
+/// The program has written the length of a tool: it is held to what the job gives.
+void compare_length(Run&, const shop::Tool&);
 /// G10.
 void set_data(Run&, program::DataTable table);
 /// G28, G30, G28.1, G30.1.
@@ -355,6 +371,7 @@ void shape_feed_from_here(Run&);
 void shape_feed(Run&, const cl::Record& record);
 /// Hands a record to whoever takes the stream.
 inline void send(Run& run, const cl::Record& record) {
+    if (run.surface.kind != SurfaceMode::Kind::none) return send_on_surface(run, record);
     if (run.feed_shape.on) shape_feed(run, record);
     run.sink(record);
 }

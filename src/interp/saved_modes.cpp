@@ -9,8 +9,9 @@ namespace obrys::interp {
 using cl::SettingKind;
 
 void save_modes(Run& run, bool for_call) {
-    run.top().saved_modes = SavedModes{run.modal, run.feed,  run.feed_valid,   run.feed_number, run.spindle,
-                                       run.mist,  run.flood, run.offsets.tool, run.overrides};
+    const Offsets& o = run.offsets;
+    run.top().saved_modes = SavedModes{run.modal, run.feed, run.feed_valid, run.feed_number, run.spindle,  run.mist,
+                                       run.flood, o.tool,   o.length,       o.length_tool,   run.overrides};
     run.top().restores_modes = for_call;
 }
 
@@ -64,7 +65,15 @@ void restore_coolant(Run& run, const SavedModes& s) {
 }
 
 void restore_lengths(Run& run, const SavedModes& s) {
-    if (run.offsets.tool != s.tool_offset) set_tool_offset(run, s.tool_offset);
+    Offsets& o = run.offsets;
+    const bool same = o.length == s.length && o.length_tool == s.length_tool;
+    o.length = s.length;
+    o.length_tool = s.length_tool;
+    if (o.tool != s.tool_offset) set_tool_offset(run, s.tool_offset);
+    if (!same) {
+        o.length_judged = false;
+        take_tip(run);
+    }
     if (run.modal.datum != s.modal.datum) set_datum(run, s.modal.datum);
 }
 

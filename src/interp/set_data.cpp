@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include "base/codes.hpp"
+#include "base/number.hpp"
 #include "base/whole.hpp"
 #include "interp/motion.hpp"
 
@@ -12,6 +13,21 @@ namespace obrys::interp {
 
 namespace codes = base::codes;
 using cl::SettingKind;
+
+/// The job's length is what the tool has, and the program's is what the control compensates.
+void compare_length(Run& run, const shop::Tool& t) {
+    constexpr double same = 1e-6;  // mm
+    const auto job = std::find_if(run.env.tools.begin(), run.env.tools.end(),
+                                  [&](const shop::Tool& x) { return x.number == t.number && x.edge == t.edge; });
+    if (run.env.tell_settings || job == run.env.tools.end() || job->length == 0 ||
+        std::abs(t.length - job->length) < same)
+        return;
+    unchecked(run, codes::unknown_value, run.here(),
+              "the program sets the length of tool " + std::to_string(t.number) + " to " + base::fixed(t.length, 3) +
+                  " mm, and the tool list gives " + base::fixed(job->length, 3) +
+                  " mm: which of them the tool has is not known, the program's is taken",
+              "give the tool the length that it has, or take that out of the program");
+}
 
 namespace {
 
@@ -138,6 +154,7 @@ void set_tool_data(Run& run, int l) {
     for (std::size_t k = 0; k < 9 && l == 1; ++k)
         if (const auto word = axis_word(run, k)) table.offset[k] = *word;
     t->length = table.offset[2];
+    if (l == 1) compare_length(run, *t);
     if (b.has(Code::radius)) table.diameter = 2 * (t->radius = b.get(Code::radius) * unit);
     if (b.has(Code::i)) table.front_angle = b.get(Code::i);
     if (b.has(Code::j)) table.back_angle = b.get(Code::j);
@@ -207,6 +224,7 @@ void write_tool_offset(Run& run, program::DataTable table) {
                                                                                            : &t->delta_radius;
     const double r = run.block.get(Code::radius) * length_unit(run.modal) * (diameter ? 0.5 : 1);
     *value = r + (run.modal.absolute ? 0 : *value);
+    compare_length(run, *t);
     if (run.tool.data == t) take_tip(run);
 }
 

@@ -220,6 +220,18 @@ struct FeedShape {
     double plunge = 1, arc = 1;  ///< of the element being sent: ModalState::plunge_part, path radius by contour radius
 };
 
+/// Polar and cylindrical interpolation: the program moves in a plane that linear and rotary axis make together
+/// (surface.cpp).
+struct SurfaceMode {
+    enum class Kind : std::uint8_t { none, polar, cylinder };
+    Kind kind = Kind::none;
+    double start = 0;   ///< of C where it was switched on, degrees: the plane's first axis points there
+    double angle = 0;   ///< of C where the stream stands, degrees
+    double radius = 0;  ///< of the cylinder, mm
+    int plane = 18;     ///< before it
+    geom::Vec3 at;      ///< where the stream stands in the plane
+};
+
 class PathStage;
 struct Captured;
 struct ContourElement;
@@ -258,6 +270,7 @@ struct Run {
     std::map<std::string, double> axis_feeds;              ///< FA[axis], mm/min or degrees/min
     double feed = 0;                                       ///< mm/min, mm/rev or 1/min by modal.feed_mode
     FeedShape feed_shape;
+    SurfaceMode surface;
     bool feed_valid = false;
     double feed_number = 0;     ///< F as the program wrote it last, whatever unit has come since
     bool feed_unknown = false;  ///< the last F depends on a value that is not known

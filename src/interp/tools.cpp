@@ -276,6 +276,7 @@ void write_tool_parameter(Run& run, double number, double edge, int n, double va
         if (const auto v = shop::parameter(*found, k); v && *v != 0) found->parameters.emplace(k, *v);
     found->parameters[n] = value;
     take_shape(*found);
+    if (run.env.machine.kind == shop::MachineKind::mill) compare_length(run, *found);
     run.tool.data = find_tool(run, run.tool);
 }
 
@@ -479,6 +480,7 @@ void end_of_program(Run& run, int m) {
         return;
     }
     if (!called) tell_end(run, m);
+    if (!called) say_blocks_behind(run, m);
     if (!called) emit(run, cl::Stop{cl::StopKind::end});
     leave(run);
 }

@@ -37,7 +37,6 @@ enum class ModalGroup : std::uint8_t {
     if (m <= Modal::tap_retract) return ModalGroup::motion;
     switch (m) {
         case Modal::canned:
-        case Modal::canned_off:
         case Modal::probe:
         case Modal::nurbs: return ModalGroup::motion;
         case Modal::dwell:

@@ -216,6 +216,11 @@ struct Traits {
     bool radius_makes_arc = true;
     /// What the words of hole cycles have said holds for another cycle of the series, too, until it is cancelled.
     bool canned_words_stay = false;
+    /// An arc by its radius has no use for I, J and K beside R, which are passed over; else they are words too many.
+    bool radius_before_centre = false;
+    /// H and D hold until other ones are programmed, also from one tool to the next: G43 and G41 without a number take
+    /// the last, H alone acts while a length is compensated. Else a block without one means the tool in the spindle.
+    bool offset_numbers_stay = false;
     /// P of an arc is the number of its turns, the last one begun counted.
     bool arc_turns_in_p = false;
     /// Canned cycles leave to R (G99) before the program has said which.

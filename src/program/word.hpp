@@ -219,6 +219,9 @@ enum class Modal : std::uint16_t {
     compensation_in_frame,  ///< CUT2DF: in the plane as the frame turns it
     compressor_on,          ///< COMPON …: short blocks become curves within a tolerance
     compressor_off,
+    polar_face,         ///< G12.1: X and Y lie on the face of the turning workpiece, run by X and C
+    cylinder_face,      ///< G7.1, radius P: Y is the way on the cylinder, run by C
+    interpolation_off,  ///< G13.1: the axes as they are
 };
 
 /// How the payload is to be read.

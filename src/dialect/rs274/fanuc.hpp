@@ -59,7 +59,10 @@ enum class FanucSpecial : std::uint8_t {
     mirror_off,  ///< transformations about a centre
     polar,
     polar_off,
-    local_pattern,  ///< Haas G70, G71, G72 of mills: points for the hole cycle
+    polar_face,
+    cylinder_face,
+    interpolation_off,  ///< G12.1, G7.1, G13.1 of FANUC
+    local_pattern,      ///< Haas G70, G71, G72 of mills: points for the hole cycle
 };
 
 struct FanucG {
@@ -81,7 +84,8 @@ struct LatheG {
 };
 [[nodiscard]] std::span<const LatheG> lathe_g_table();
 [[nodiscard]] std::span<const FanucG> mill_g_table();
-[[nodiscard]] std::span<const FanucG> haas_mill_g_table();  ///< what differs from mill_g_table
+[[nodiscard]] std::span<const FanucG> haas_mill_g_table();   ///< what differs from mill_g_table
+[[nodiscard]] std::span<const FanucG> haas_lathe_g_table();  ///< and from lathe_g_table
 
 enum class FanucMUse : std::uint8_t {
     function,    ///< stays an M function in the stream, before the motion

@@ -26,9 +26,10 @@ struct Matrix {
 };
 
 std::string matrix() {
-    Matrix mill, haas, lathe;
+    Matrix mill, haas, lathe, haas_lathe;
     for (const FanucG& g : mill_g_table()) mill.add(code_name(g.code), g);
     for (const FanucG& g : haas_mill_g_table()) haas.add(code_name(g.code), g);
+    for (const FanucG& g : haas_lathe_g_table()) haas_lathe.add(code_name(g.code), g);
     for (const LatheG& g : lathe_g_table()) {
         const auto name = [](int n) { return n < 0 ? std::string("-") : code_name(n); };
         const bool one = g.a == g.b && g.b == g.c;
@@ -39,7 +40,8 @@ std::string matrix() {
                "\n\n| code | use | what the control does |\n|---|---|---|\n" + m.rows + "\n";
     };
     return table("Mills", mill) + table("Haas mills, where they differ", haas) +
-           table("Lathes (systems A/B/C where they differ)", lathe);
+           table("Lathes (systems A/B/C where they differ)", lathe) +
+           table("Haas lathes, where they differ", haas_lathe);
 }
 
 }  // namespace

@@ -45,16 +45,16 @@ constexpr std::array lathe{
     no_effect(50, "high-speed machining"),
     no_effect(51, "look-ahead control of contours"),
     not_run(70, "interpolation with a hypothetical axis"),
-    not_run(71, "cylindrical interpolation"),
-    not_run(1070, "cylindrical interpolation"),
+    more(71, Special::cylinder_face, Order::special, Modal::cylinder_face),
+    more(1070, Special::cylinder_face, Order::special, Modal::cylinder_face),
     no_effect(80, "look-ahead control"),
     word(90, Modal::exact_stop_block, Order::path_control),
     more(100, Special::set_data, Order::special, Modal::set_data),
     no_effect(110, "end of data setting"),
-    not_run(121, "polar coordinate interpolation"),
-    not_run(1120, "polar coordinate interpolation"),
-    no_effect(131, "end of polar coordinate interpolation"),
-    no_effect(1130, "end of polar coordinate interpolation"),
+    more(121, Special::polar_face, Order::special, Modal::polar_face),
+    more(1120, Special::polar_face, Order::special, Modal::polar_face),
+    more(131, Special::interpolation_off, Order::special, Modal::interpolation_off),
+    more(1130, Special::interpolation_off, Order::special, Modal::interpolation_off),
     word(170, Modal::plane_xy, Order::plane),
     word(180, Modal::plane_zx, Order::plane),
     word(190, Modal::plane_yz, Order::plane),
@@ -114,9 +114,9 @@ constexpr std::array lathe{
     cycle(830, 830, 830, Special::turning_cycle, "hole cycle along Z", 830),
     cycle(840, 840, 840, Special::turning_cycle, "hole cycle along Z", 840),
     cycle(850, 850, 850, Special::turning_cycle, "hole cycle along Z", 850),
-    not_run(870, "hole cycle of a driven tool"),
-    not_run(880, "hole cycle of a driven tool"),
-    not_run(890, "hole cycle of a driven tool"),
+    cycle(870, 870, 870, Special::turning_cycle, "hole cycle along X", 870),
+    cycle(880, 880, 880, Special::turning_cycle, "hole cycle along X", 880),
+    cycle(890, 890, 890, Special::turning_cycle, "hole cycle along X", 890),
     cycle(900, 770, 200, Special::turning_cycle, "turning cycle", 900),
     cycle(920, 780, 210, Special::turning_cycle, "threading cycle", 920),
     cycle(940, 790, 240, Special::turning_cycle, "facing cycle", 940),
@@ -130,8 +130,39 @@ constexpr std::array lathe{
     row(-1, 990, 990, modal, Modal::retract_clearance, Order::retract),
 };
 
+/// Haas: lathe operator's manual, canned cycles [-].
+constexpr FanucG haas_hole(int code) {
+    return {
+        static_cast<std::int16_t>(code), special, Modal::turning_cycle, static_cast<std::int16_t>(code), Order::special,
+        Special::turning_cycle,          {}};
+}
+constexpr FanucG haas_not_run(int code, std::string_view says) {
+    return {static_cast<std::int16_t>(code), refused, Modal::linear, 0, Order::motion, Special::none, says};
+}
+constexpr std::array haas_lathe{
+    haas_not_run(71, "not a G code of this control"),
+    haas_hole(810),
+    haas_hole(820),
+    haas_not_run(860, "boring with a stop of the spindle"),
+    haas_not_run(870, "boring with a way back by hand"),
+    haas_not_run(880, "boring with a way back by hand"),
+    haas_hole(890),
+    haas_not_run(1070, "cylindrical mapping"),
+    haas_not_run(1120, "polar coordinate interpolation"),
+    FanucG{1130, accepted, Modal::linear, 0, Order::motion, Special::none, "end of polar coordinate interpolation"},
+    haas_not_run(121, "not a G code of this control"),
+    haas_not_run(131, "not a G code of this control"),
+    haas_not_run(1950, "tapping with a driven tool"),
+    haas_not_run(1960, "tapping with a driven tool, to the left"),
+    haas_not_run(2410, "drilling along X with a driven tool"),
+    haas_not_run(2420, "drilling along X with a driven tool"),
+    haas_not_run(2430, "drilling along X with a driven tool"),
+    haas_not_run(2450, "boring along X with a driven tool"),
+};
+
 }  // namespace
 
 std::span<const LatheG> lathe_g_table() { return lathe; }
+std::span<const FanucG> haas_lathe_g_table() { return haas_lathe; }
 
 }  // namespace obrys::dialect::rs274

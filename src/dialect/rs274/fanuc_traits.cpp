@@ -104,6 +104,8 @@ program::Traits traits_of(std::span<const program::CannedCycle> cycles, bool haa
     t.radius_to_start_stays = !haas;                                     // the same: "G02 R: the cutter does not move"
     if (lathe) t.live = lathe_live;
     t.edge_is_offset_number = lathe;
+    t.offset_numbers_stay = !lathe;  // on lathes T says the offset
+    t.radius_before_centre = true;
     return t;
 }
 
@@ -163,6 +165,8 @@ const FanucG* find_fanuc_g(int code, const FanucControl& control) {
         return nullptr;
     };
     if (control.is_lathe()) {
+        if (control.haas)
+            if (const FanucG* g = find(haas_lathe_g_table())) return g;
         for (const LatheG& g : lathe_g_table())
             if ((control.system == GSystem::a ? g.a : control.system == GSystem::b ? g.b : g.c) == code)
                 return &g.meaning;

@@ -36,8 +36,17 @@ void read_address(FanucState& s, bool comma) {
     a.letter = s.line.peek();
     s.line.step();
     if (comma) a.begin -= 1;
+    const auto is_sign = [&](std::size_t k) { return s.line.peek(k) == '-' || s.line.peek(k) == '+'; };
+    const bool signs =
+        (is_sign(0) && is_sign(1)) ||
+        (s.line.peek() == '-' &&
+         std::string_view(s.control.is_lathe() ? "GMSTO" : "GMSTOHD").find(a.letter) != std::string_view::npos);
     a.value = read_due_value(s, {&a.letter, 1}, a.begin);
     if (s.failed) return;
+    if (signs)
+        return fail(s, a.begin, s.line.behind(),
+                    s.control.haas ? "a sign cannot stand here" : "a sign cannot stand here (alarm 6)");
+    round_to_increments(s, a);
     a.end = s.line.behind();
     s.addresses.push_back(a);
 }
@@ -85,8 +94,24 @@ std::string take_comment(FanucState& s) {
     return base::as_utf8(text);
 }
 
+namespace {
+
+/// `<NAME>`: a program by its name (series 30i and 0i-F).
+void read_name(FanucState& s) {
+    const std::size_t length = s.line.rest().find('>');
+    if (length == std::string_view::npos || length < 2 || !s.called.empty())
+        return fail_here(s, here(s) + " cannot stand here");
+    s.called = std::string(s.line.rest().substr(1, length - 1));
+    s.called_begin = s.line.here();
+    s.line.step(length + 1);
+    s.called_end = s.line.behind();
+}
+
+}  // namespace
+
 void read_addresses(FanucState& s) {
     s.addresses.clear();
+    s.called.clear();
     s.slash.reset();
     while (!s.failed && !s.line.at_end()) {
         const char c = s.line.peek();
@@ -99,6 +124,8 @@ void read_addresses(FanucState& s) {
         }
         if (c == '(') {
             static_cast<void>(take_comment(s));
+        } else if (c == '<' && !s.addresses.empty() && !s.control.haas) {
+            read_name(s);
         } else if (c == ',' && base::is_letter(s.line.peek(1))) {
             s.line.step();
             read_address(s, true);
@@ -113,6 +140,50 @@ void read_addresses(FanucState& s) {
     }
 }
 
+namespace {
+
+/// An address whose first one a G code has taken: the second one would be left.
+void refuse_repeated(FanucState& s) {
+    for (std::size_t i = 1; i < s.addresses.size(); ++i) {
+        Address& a = s.addresses[i];
+        const auto same = [&](const Address& x) { return x.letter == a.letter && !x.comma && x.used; };
+        const auto end = s.addresses.begin() + static_cast<std::ptrdiff_t>(i);
+        if (a.used || a.comma || a.letter == 'G' || a.letter == 'M' || std::none_of(s.addresses.begin(), end, same))
+            continue;
+        a.used = true;
+        add_problem(s, Code::unsupported, a.begin, a.end, "the address stands twice in the block");
+    }
+}
+
+/// ,C and ,R stand between straight and circular blocks; else the control stops ("Optional chamfering and corner R",
+/// B-63944EN/02; alarms 51 and 52 [-]).
+void judge_corner(FanucState& s) {
+    constexpr std::string_view lone = "a corner needs a straight or circular block at feed before and behind it";
+    const auto is_axis = [](const Address& a) {
+        return !a.comma && std::string_view("XYZUVW").find(a.letter) != std::string_view::npos;
+    };
+    const auto is_corner = [](const Address& a) { return a.comma && (a.letter == 'C' || a.letter == 'R'); };
+    const bool rapid = s.motion == Modal::rapid || s.hole != 0;
+    const bool moves = std::any_of(s.addresses.begin(), s.addresses.end(), is_axis);
+    if (moves && s.corner_waits && rapid)
+        add_problem(s, Code::unsupported, s.corner_waits->begin, s.corner_waits->end, lone);
+    if (moves) s.corner_waits.reset();
+    const auto corner = std::find_if(s.addresses.begin(), s.addresses.end(), is_corner);
+    if (corner == s.addresses.end()) return;
+    if (rapid)
+        add_problem(s, Code::unsupported, corner->begin, corner->end, lone);
+    else
+        s.corner_waits = *corner;
+}
+
+/// G10 of the block.
+bool sets_data(const FanucState& s) {
+    return std::any_of(s.special.begin(), s.special.end(),
+                       [](const Special& x) { return x.g->special == FanucSpecial::set_data; });
+}
+
+}  // namespace
+
 void emit_addresses(FanucState& s) {
     begin_words(s);
     s.special.clear();
@@ -121,11 +192,16 @@ void emit_addresses(FanucState& s) {
         if (a.letter == 'G' && !a.used) read_g_code(s, a);
     for (Address& a : s.addresses)
         if (a.letter == 'M' && !a.used) read_m_code(s, a);
+    const int hole = s.hole;
+    if (sets_data(s)) s.hole = 0;  // P, K, R are not those of the cycle
     if (!s.failed) run_specials(s);
+    refuse_repeated(s);
     if (!s.failed && turning_block(s)) return;
     for (Address& a : s.addresses)
         if (!s.failed && !a.used) emit_address(s, a);
+    s.hole = s.hole == 0 ? hole : s.hole;
     if (s.failed) return;
+    judge_corner(s);
     s.facts.refused = s.facts.refused || s.lost;
     emit_block(s);
     if (!s.restore_motion) return;
@@ -180,7 +256,10 @@ void read_rest(FanucState& s) {
     if (s.condition != no_expr && !jumps(s)) return fail(s, begin, s.line.end(), "expected M99 P behind the condition");
     if (s.addresses.empty()) return;
     if (s.slash) return read_slashed(s);
-    if (!read_calls(s) && !s.failed) emit_addresses(s);
+    if (read_calls(s) || s.failed) return;
+    if (!s.called.empty())
+        return fail(s, s.called_begin, s.called_end, "the name of a program stands behind M98, G65 or G66");
+    emit_addresses(s);
 }
 
 void read_fanuc_block(FanucState& s, std::uint32_t begin, std::uint32_t end) {

@@ -31,6 +31,14 @@ ExprId whole_number(FanucState& s, std::int32_t n, const Address& a) {
     return s.build().number(n, true, a.begin, a.end);
 }
 
+/// `<NAME>` in the place of P.
+bool takes_name(FanucState& s, Call& call) {
+    if (s.called.empty()) return false;
+    call.where = s.build().span(s.called_begin, s.called_end);
+    call.name = s.build().name(s.called);
+    return true;
+}
+
 /// The program that P names. `counts`: digits above the fourth are the number of repeats.
 bool name_program(FanucState& s, Call& call, const Address& p, bool counts) {
     call.where = s.build().span(p.begin, p.end);
@@ -128,12 +136,15 @@ bool macro_call(FanucState& s) {
     }
     if (tenths == 660) call.kind = CallKind::modal;
     Address* p = find_address(s, 'P');
-    if (p == nullptr) {
+    const bool named = takes_name(s, call);
+    if (p == nullptr && !named) {
         fail(s, here.begin, here.end, "the number of the macro is missing", "write it as P");
         return true;
     }
-    p->used = true;
-    if (!name_program(s, call, *p, false)) return true;
+    if (p != nullptr && !named) {
+        p->used = true;
+        if (!name_program(s, call, *p, false)) return true;
+    }
     if (Address* l = find_address(s, 'L')) {
         l->used = true;
         call.passes = as_expr(s, l->value);
@@ -168,11 +179,15 @@ void subprogram(FanucState& s, Address& m) {
     call.shares_parameters = true;
     Address *p = find_address(s, 'P'), *l = find_address(s, 'L');
     Address* q = s.control.haas ? nullptr : find_address(s, 'Q');
-    if (p == nullptr) return fail(s, here.begin, here.end, "the number of the subprogram is missing", "write it as P");
-    p->used = true;
+    const bool named = takes_name(s, call);
+    if (p == nullptr && !named)
+        return fail(s, here.begin, here.end, "the number of the subprogram is missing", "write it as P");
     if (l != nullptr) l->used = true;
     // FANUC: M98 P31000 calls O1000 three times; Haas programs may have five digits.
-    if (!name_program(s, call, *p, l == nullptr && !s.control.haas)) return;
+    if (p != nullptr && !named) {
+        p->used = true;
+        if (!name_program(s, call, *p, l == nullptr && !s.control.haas)) return;
+    }
     if (l != nullptr) call.passes = as_expr(s, l->value);
     if (q != nullptr) {
         q->used = true;

@@ -103,7 +103,7 @@ bool corner_word(FanucState& s, const Address& a) {
             return put_value(s, Order::value, Code::line_angle, scaled(s, a.value, Quantity::angle), a), true;
         return add_problem(s, Code::unsupported, a.begin, a.end, "a word of direct drawing input"), true;
     }
-    return straight && s.control.is_lathe() && s.turning == 0 && lathe_corner(s, a);
+    return straight && s.control.is_lathe() && s.turning == 0 && s.surface == Surface::none && lathe_corner(s, a);
 }
 
 bool uses_c_axis(std::string_view text) {

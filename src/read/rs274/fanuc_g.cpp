@@ -28,11 +28,6 @@ Value whole_value(int n, const Address& a) {
     return v;
 }
 
-void use_letters(FanucState& s, std::string_view letters) {
-    for (Address& a : s.addresses)
-        if (!a.comma && letters.find(a.letter) != std::string_view::npos) a.used = true;
-}
-
 bool is_motion(Modal m) {
     return m == Modal::rapid || m == Modal::linear || m == Modal::arc_cw || m == Modal::arc_ccw || m == Modal::thread ||
            m == Modal::turning_cycle;
@@ -52,9 +47,12 @@ void follow(FanucState& s, const FanucG& g) {
         case Modal::plane_zx: s.plane = 18; return;
         case Modal::plane_yz: s.plane = 19; return;
         case Modal::canned_off:
+            if (s.hole != 0 || s.turning != 0) s.motion = Modal::rapid;
             s.hole = 0;
-            if (s.turning < 900) s.turning = 0;  // G83 … G85 of lathes
+            if (s.turning < 900) s.turning = 0;  // hole cycles of lathes
             return;
+        case Modal::retract_initial:
+        case Modal::retract_clearance: s.to_clearance = g.modal == Modal::retract_clearance; return;
         case Modal::canned: s.hole = g.number; return;
         default: break;
     }
@@ -288,6 +286,11 @@ void machine_position(FanucState& s) {
         return w.code == Code::modal && w.modal == Modal::suppress_all;
     });
     if (found == s.words.end()) return;
+    if (s.hole != 0) {
+        s.facts.refused = true;
+        return add_problem(s, Code::unsupported, found->begin, found->end,
+                           "machine coordinates while a hole cycle is in force: write G80 before them");
+    }
     if (is_incremental_block(s)) return drop_machine_position(s, static_cast<std::size_t>(found - s.words.begin()));
     if (s.own_motion || s.motion == Modal::rapid) return;
     const std::uint32_t begin = found->begin, end = found->end;
@@ -296,6 +299,11 @@ void machine_position(FanucState& s) {
 }
 
 }  // namespace
+
+void use_letters(FanucState& s, std::string_view letters) {
+    for (Address& a : s.addresses)
+        if (!a.comma && letters.find(a.letter) != std::string_view::npos) a.used = true;
+}
 
 std::optional<int> g_tenths(const Address& a) {
     return a.letter == 'G' && !a.comma ? tenths_of(a.value) : std::nullopt;
@@ -313,7 +321,7 @@ void read_g_code(FanucState& s, Address& a) {
         s.facts.refused = true;
         return add_problem(s, Code::unknown, a.begin, a.end, {});
     }
-    if (interpolation_ends(s, *code)) return accept(s, a);
+    if (g->use != FanucUse::special && interpolation_ends(s, *code)) return accept(s, a);
     if (g->use == FanucUse::accepted) {
         use_letters(s, *code == 220 ? "XYZIJK" : "PQRE");
         return accept(s, a);
@@ -324,9 +332,11 @@ void read_g_code(FanucState& s, Address& a) {
         s.facts.refused = s.facts.refused || g->order == Order::motion;
         return add_problem(s, Code::unsupported, a.begin, a.end, g->says);
     }
-    follow(s, *g);
+    if (refused_on_surface(s, *g, a)) return;
+    const FanucG seen = as_seen_on_surface(s, *g);
+    follow(s, seen);
     if (g->use == FanucUse::modal)
-        add_modal(s, g->order, g->modal, g->number, a.begin, a.end);
+        add_modal(s, g->order, seen.modal, g->number, a.begin, a.end);
     else
         s.special.push_back({g, a});
 }
@@ -335,6 +345,11 @@ void read_m_code(FanucState& s, Address& a) {
     a.used = true;
     const auto n = as_integer(a.value);
     if (!n) return put_value(s, Order::m_user, Code::m, a.value, a);
+    constexpr int most = 9999;  // M98 2001 without P reads M982001
+    if (*n > most) {
+        s.facts.refused = true;
+        return add_problem(s, Code::unknown, a.begin, a.end, "functions have four digits at most");
+    }
     const dialect::rs274::FanucM m = dialect::rs274::find_fanuc_m(*n, s.control);
     switch (m.use) {
         case FanucMUse::accepted:
@@ -364,6 +379,9 @@ void run_specials(FanucState& s) {
             case FanucSpecial::datum_number: extended_datum(s, x.g->number, x.address); break;
             case FanucSpecial::canned: hole_cycle(s, *x.g, x.address); break;
             case FanucSpecial::thread: thread(s, *x.g, x.address); break;
+            case FanucSpecial::polar_face:
+            case FanucSpecial::cylinder_face:
+            case FanucSpecial::interpolation_off: surface_special(s, *x.g, x.address); break;
             case FanucSpecial::local_pattern: hole_pattern(s, *x.g, x.address); break;
             default:
                 frame_special(s, *x.g, x.address);

@@ -1,7 +1,7 @@
-/// Hole cycles of lathes in the face (G83 drilling, G84 tapping, G85 boring) as their ways, at the turning centre.
-/// Source: FANUC series 16i/18i-T and 0i-T operator's manuals, canned cycle for drilling: to the position and R at
-/// rapid, to Z at feed, back to the initial level; R counts from the initial level in system A [-]. On Haas R is a
-/// coordinate [-].
+/// Hole cycles of lathes as their ways: in the face along Z (G83 drilling, G84 tapping, G85 boring), in the side along
+/// X (G87, G88, G89). Source: FANUC series 16i/18i-T and 0i-T operator's manuals, canned cycle for drilling: to the
+/// position and R at rapid, to the bottom at feed, back to the initial level; R counts from the initial level in system
+/// A, along X as a radius [-]. On Haas (G81 … G85, G89) R is a coordinate [-].
 
 #include "read/rs274/fanuc_state.hpp"
 
@@ -23,12 +23,14 @@ struct Writer {
         e.a = s.build().name(name);
         return s.build().add(e, begin, end);
     }
+    [[nodiscard]] bool in_side() const { return s.turning >= 870 && !s.control.haas; }
+    /// Coordinate of the axis along which the hole goes.
     [[nodiscard]] ExprId height() const {
         program::Expr e;
         e.kind = program::ExprKind::system;
         e.op = static_cast<std::uint8_t>(program::SystemVariable::coordinate);
-        e.a = s.build().name("#5003");
-        s.build().adopt(e, {s.build().number(3, true, begin, end)});
+        e.a = s.build().name(in_side() ? "#5001" : "#5003");
+        s.build().adopt(e, {s.build().number(in_side() ? 1 : 3, true, begin, end)});
         return s.build().add(e, begin, end);
     }
     void assign(std::string_view name, ExprId value) const { s.build().assign(variable(name), value, begin, end); }
@@ -40,8 +42,8 @@ struct Writer {
     void close() const { s.build().end_statement(s.line.end()); }
     void way(Modal m, std::string_view to, std::optional<Value> lead = std::nullopt) const {
         open();
-        s.build().expression(Code::z, variable(to), begin, end);
-        if (lead) s.build().expression(Code::k, as_expr(s, *lead), begin, end);
+        s.build().expression(in_side() ? Code::x : Code::z, variable(to), begin, end);
+        if (lead) s.build().expression(in_side() ? Code::i : Code::k, as_expr(s, *lead), begin, end);
         s.build().modal(m, begin, end);
         close();
     }
@@ -55,19 +57,26 @@ bool counts_from_level(const FanucState& s) {
     return !s.control.haas && (s.control.system == dialect::rs274::GSystem::a || s.incremental);
 }
 
+/// R, a radius where the hole goes along X.
+ExprId clearance(const Writer& w, Address& r) {
+    const ExprId v = w.value(r, Quantity::length);
+    if (!w.in_side() || !counts_from_level(w.s)) return v;
+    return w.s.build().binary(Operator::multiply, w.s.build().number(2, false, w.begin, w.end), v, w.begin, w.end);
+}
+
 void keep_words(const Writer& w, bool fresh) {
     FanucState& s = w.s;
     if (fresh) w.assign(level, w.height());
     if (Address* r = find_address(s, 'R')) {
-        const ExprId v = w.value(*r, Quantity::length);
+        const ExprId v = clearance(w, *r);
         counts_from_level(s) ? w.assign_from(stop, level, v) : w.assign(stop, v);
     } else if (fresh) {
         w.assign(stop, w.variable(level));
     }
-    if (Address* z = find_address(s, 'Z')) {
-        const ExprId v = w.value(*z, Quantity::length);
+    if (Address* to = find_address(s, w.in_side() ? 'X' : 'Z')) {
+        const ExprId v = w.value(*to, Quantity::length);
         s.incremental ? w.assign_from(bottom, stop, v) : w.assign(bottom, v);
-    } else if (Address* by = find_address(s, 'W')) {
+    } else if (Address* by = find_address(s, w.in_side() ? 'U' : 'W')) {
         w.assign_from(bottom, stop, w.value(*by, Quantity::length));
     } else if (fresh) {
         w.assign(bottom, w.variable(stop));
@@ -79,15 +88,31 @@ void keep_words(const Writer& w, bool fresh) {
         w.assign(dwell, s.build().number(0, true, w.begin, w.end));
 }
 
-/// Infeed, repeats: what a hole at the centre does not need.
-void pass_over(FanucState& s) {
-    for (const char letter : {'Q', 'K', 'L'})
+/// K (L on Haas): how often the position and its hole are made; nothing where that is not written.
+std::optional<int> repeats(FanucState& s) {
+    constexpr int most = 1000;
+    int count = 1;
+    for (const char letter : {'K', 'L'})
         if (Address* a = find_address(s, letter)) {
             a->used = true;
-            s.build().ignored(letter == 'Q' ? "Q, the pecks of a hole cycle that is run as one cut,"
-                                            : std::string(1, letter) + ", repeats of a hole at the same place,",
-                              a->begin, a->end);
+            count = as_integer(a->value).value_or(-1);
+            if (count >= 0 && count <= most) continue;
+            add_problem(s, Code::unsupported, a->begin, a->end, "a number of holes that is not written, or over 1000");
+            return std::nullopt;
         }
+    return count;
+}
+
+/// Words that a hole has no use for.
+void pass_over(FanucState& s) {
+    for (Address& a : s.addresses) {
+        if (a.used) continue;
+        a.used = true;
+        if (a.letter == 'Q')
+            s.build().ignored("Q, the pecks of a hole cycle that is run as one cut,", a.begin, a.end);
+        else
+            add_problem(s, Code::unsupported, a.begin, a.end, "a word of a hole cycle");
+    }
 }
 
 void dwell_at_bottom(const Writer& w) {
@@ -100,22 +125,38 @@ void dwell_at_bottom(const Writer& w) {
 void make_hole(const Writer& w, int code) {
     FanucState& s = w.s;
     w.way(Modal::rapid, stop);
-    const std::optional<Value> lead = code == 840 && s.per_rev ? s.lead : std::nullopt;
+    const bool taps = code == 840 || (code == 880 && !s.control.haas);
+    const bool rapid_back = code == 830 || code == 870 || code == 810 || code == 820;
+    const std::optional<Value> lead = taps && s.per_rev ? s.lead : std::nullopt;
     w.way(lead ? Modal::thread : Modal::linear, bottom, lead);
     dwell_at_bottom(w);
-    if (code != 830) w.way(lead ? Modal::thread : Modal::linear, stop, lead);
-    w.way(Modal::rapid, level);
+    if (!rapid_back) w.way(lead ? Modal::thread : Modal::linear, stop, lead);
+    w.way(Modal::rapid, s.to_clearance ? stop : level);
 }
 
-/// X and C go where the block says, at rapid.
-void to_position(FanucState& s, const Writer& w) {
-    for (Address& a : s.addresses) {
-        if (a.used || (a.letter != 'X' && a.letter != 'U' && a.letter != 'C' && a.letter != 'H')) continue;
-        if (a.letter == 'X' || a.letter == 'U')
-            s.at_centre = a.letter == 'X' && a.value.is_literal() && a.value.number() == 0;
-        emit_address(s, a);
+bool is_position(const Writer& w, char letter) {
+    return std::string_view(w.in_side() ? "ZWCH" : "XUCH").find(letter) != std::string_view::npos;
+}
+
+/// To where the block says, at rapid.
+void to_position(const Writer& w, const std::vector<Address>& position) {
+    FanucState& s = w.s;
+    if (position.empty()) return;
+    begin_words(s);
+    for (Address a : position) emit_address(s, a);
+    add_modal(s, Order::motion, Modal::rapid, 0, w.begin, w.end);
+    emit_block(s);
+    s.words.clear();
+}
+
+std::vector<Address> take_position(const Writer& w) {
+    std::vector<Address> position;
+    for (Address& a : w.s.addresses) {
+        if (a.used || a.comma || !is_position(w, a.letter)) continue;
+        a.used = true;
+        position.push_back(a);
     }
-    if (!s.words.empty()) add_modal(s, Order::motion, Modal::rapid, 0, w.begin, w.end);
+    return position;
 }
 
 }  // namespace
@@ -129,20 +170,20 @@ bool lathe_hole(FanucState& s) {
     s.new_cycle = false;
     for (Address& a : s.addresses)
         if (!a.used && (a.letter == 'S' || a.letter == 'T' || a.letter == 'F')) emit_address(s, a);
-    to_position(s, w);
+    const std::vector<Address> position = take_position(w);
+    const auto count = repeats(s);
     emit_block(s);
     s.words.clear();
     w.open();
     keep_words(w, fresh);
     w.close();
+    begin_words(s);
     pass_over(s);
-    if (s.at_centre) {
+    if (!s.words.empty()) emit_block(s);
+    s.words.clear();
+    for (int i = 0; i < count.value_or(1); ++i) {
+        to_position(w, position);
         make_hole(w, s.turning);
-    } else {
-        w.open();
-        s.build().problem(Code::unsupported, w.begin, w.end,
-                          "a hole beside the turning centre, or at a place that is not written");
-        w.close();
     }
     w.open();  // what held before holds behind the hole
     s.build().modal(s.motion, w.begin, w.end);

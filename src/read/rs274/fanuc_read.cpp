@@ -22,9 +22,15 @@ std::size_t line_end(std::string_view text, std::size_t at) {
     return end == std::string_view::npos ? text.size() : end;
 }
 
-/// Length of `O1234`, `:1234`, `ONAME` at the begin of a line without blanks in front; 0 where none stands there.
+/// Length of `O1234`, `:1234`, `ONAME`, `<NAME>` at the begin of a line without blanks in front; 0 where none stands
+/// there.
 std::size_t header_length(std::string_view line) {
-    if (line.size() < 2 || (base::upper(line[0]) != 'O' && line[0] != ':')) return 0;
+    if (line.size() < 2) return 0;
+    if (line[0] == '<') {  // <NAME>, series 30i and 0i-F
+        const std::size_t end = line.find('>');
+        return end == std::string_view::npos || end == 1 ? 0 : end + 1;
+    }
+    if (base::upper(line[0]) != 'O' && line[0] != ':') return 0;
     std::size_t n = 1;
     while (n < line.size() &&
            (base::is_digit(line[n]) || (line[0] != ':' && base::is_letter(line[n])) || (n > 1 && line[n] == '_')))
@@ -34,6 +40,7 @@ std::size_t header_length(std::string_view line) {
 
 /// "O12" of `O0012` and `:0012`.
 std::string program_name(std::string_view header) {
+    if (header[0] == '<') return base::to_upper(header.substr(1, header.size() - 2));
     std::string_view rest = header.substr(1);
     const bool number = rest.find_first_not_of("0123456789") == std::string_view::npos;
     while (number && rest.size() > 1 && rest[0] == '0') rest.remove_prefix(1);
@@ -56,33 +63,63 @@ struct Extent {
     bool has_rest = false;    ///< and behind it
 };
 
-Extent extent_of(std::string_view text) {
-    while (!text.empty() && (text.back() == '\x1A' || text.back() == '\0'))
-        text.remove_suffix(1);  // CP/M's end of file
-    Extent e{0, text.size(), false, false, false};
+/// What the lines in front of a `%` were.
+struct LinesBefore {
+    bool any = false, blocks = false;
+    bool program = false;  ///< a program's number or its end stands there: the sign ends it
+};
+
+bool ends_program(std::string_view line) {
+    const std::string upper = base::to_upper(line);
+    for (const std::string_view word : {"M30", "M2", "M02", "M99"})
+        if (const std::size_t at = upper.find(word);
+            at != std::string::npos && (at + word.size() == upper.size() || !base::is_digit(upper[at + word.size()])))
+            return true;
+    return false;
+}
+
+/// Position of the first header of a program behind `at`; npos where none stands there.
+std::size_t find_header(std::string_view text, std::size_t at) {
+    while (at < text.size()) {
+        const std::size_t end = line_end(text, at);
+        std::string_view line = base::trim(text.substr(at, end - at));
+        if (!line.empty() && line[0] == '%') line = base::trim(line.substr(1));
+        if (header_length(line) > 0) return at;
+        at = end + 1;
+    }
+    return std::string_view::npos;
+}
+
+/// Of the text from `from` on.
+Extent extent_of(std::string_view text, std::size_t from) {
+    Extent e{from, text.size(), false, false, false};
     std::size_t header = std::string_view::npos;
-    bool blocks = false, lines = false;
-    for (std::size_t at = 0; at < text.size();) {
+    LinesBefore before;
+    for (std::size_t at = from; at < text.size();) {
         const std::size_t end = line_end(text, at);
         const std::string_view line = base::trim(text.substr(at, end - at));
         if (!line.empty() && line[0] == '%') {
             const bool more = text.find_first_not_of(" \t\r\n%", end) != std::string_view::npos;
-            if (!e.has_sign && more && !blocks) {
-                e.begin = end;
-                e.has_sign = true;
-                e.has_leader = lines;
-                header = std::string_view::npos;
-                blocks = false;
-            } else {
+            const bool same_line = header_length(base::trim(line.substr(1))) > 0;  // %O1234
+            const bool leader =
+                !before.blocks || (!before.program && (same_line || find_header(text, end) != std::string_view::npos));
+            if (e.has_sign || !(more || same_line) || !leader) {
                 e.end = at;
                 e.has_rest = more;
                 break;
             }
+            e.begin = same_line ? text.find('%', at) + 1 : end;
+            e.has_sign = true;
+            e.has_leader = before.any;
+            header = std::string_view::npos;
+            before = {};
         } else if (!line.empty()) {
-            if (header == std::string_view::npos && header_length(line) > 0 && !blocks && lines && !e.has_sign)
+            if (header == std::string_view::npos && header_length(line) > 0 && !before.blocks && before.any &&
+                !e.has_sign)
                 header = at;
-            blocks = blocks || looks_like_block(line);
-            lines = true;
+            before.program = before.program || header_length(line) > 0 || ends_program(line);
+            before.blocks = before.blocks || looks_like_block(line);
+            before.any = true;
         }
         at = end + 1;
     }
@@ -102,14 +139,29 @@ void note(FanucState& s, std::size_t begin, std::size_t end, std::string_view co
     s.diagnostics.add(std::move(d));
 }
 
+/// Blocks behind the last `%` are never run; other text says nothing to the control.
+void note_rest(FanucState& s, const Extent& e) {
+    for (std::size_t at = line_end(s.text, e.end) + 1; at < s.text.size(); at = line_end(s.text, at) + 1) {
+        const std::size_t end = line_end(s.text, at);
+        if (!looks_like_block(base::trim(std::string_view(s.text).substr(at, end - at)))) continue;
+        base::Diagnostic d;
+        d.severity = base::Severity::warning;
+        d.code = base::codes::not_run;
+        d.where = {s.file, static_cast<std::uint32_t>(at), static_cast<std::uint32_t>(end)};
+        d.text = "this block stands behind the % that ends the program and is never run";
+        d.remedy = "take the % out, or these blocks; a further program begins with its number (O2)";
+        return s.diagnostics.add(std::move(d));
+    }
+    note(s, e.end, line_end(s.text, e.end), base::codes::no_effect, "the text behind the last % is not read");
+}
+
 void note_extent(FanucState& s, const Extent& e) {
     if (!e.has_sign)
         note(s, e.begin, e.begin, base::codes::assumption, "the program has no % at its begin: it begins here");
     if (e.has_leader)
         note(s, 0, std::min<std::size_t>(line_end(s.text, 0), e.begin), base::codes::no_effect,
              "the text in front of the program is not read");
-    if (e.has_rest)
-        note(s, e.end, line_end(s.text, e.end), base::codes::no_effect, "the text behind the second % is not read");
+    if (e.has_rest) note_rest(s, e);
 }
 
 void begin_program(FanucState& s, std::string name, std::size_t at) {
@@ -122,6 +174,8 @@ void begin_program(FanucState& s, std::string name, std::size_t at) {
     s.unit().startable = true;
     s.unit().begin = s.unit().end = static_cast<std::uint32_t>(at);
     s.hole = s.turning = 0;
+    s.surface = Surface::none;
+    s.lost = false;
     s.lead.reset();  // its expressions belong to the program before
 }
 
@@ -180,6 +234,28 @@ void read_line(FanucState& s, const base::Source& source, std::size_t begin, std
     read_piece(s, source, from, end);
 }
 
+/// All programs of the text, between as many pairs of `%` as there are; the last part.
+Extent read_extents(FanucState& s, const base::Source& source) {
+    std::string_view text = s.text;
+    while (!text.empty() && (text.back() == '\x1A' || text.back() == '\0'))
+        text.remove_suffix(1);  // CP/M's end of file
+    Extent e = extent_of(text, 0);
+    for (bool first = true;; first = false) {
+        const bool goes_on = e.has_rest && find_header(text, e.end) != std::string_view::npos;
+        Extent said = e;
+        said.has_rest = e.has_rest && !goes_on;
+        said.has_sign = said.has_sign || !first;
+        note_extent(s, said);
+        for (std::size_t at = e.begin; at < e.end;) {
+            const std::size_t end = std::min(line_end(text, at), e.end);
+            if (at < end) read_line(s, source, at, end);
+            at = end + 1;
+        }
+        if (!goes_on) return e;
+        e = extent_of(text, e.end);
+    }
+}
+
 std::vector<program::Unit> read_text(std::uint32_t file, const base::Sources& sources, program::Names& names,
                                      base::Diagnostics& diagnostics, const FanucControl& control,
                                      const FanucOptions& options) {
@@ -189,13 +265,7 @@ std::vector<program::Unit> read_text(std::uint32_t file, const base::Sources& so
     s.whole_number_said = options.whole_numbers_known;
     s.c_is_axis = options.c_axis ? *options.c_axis : control.is_lathe() && uses_c_axis(s.text);
     s.corner_said = options.c_axis.has_value();
-    const Extent e = extent_of(s.text);
-    note_extent(s, e);
-    for (std::size_t at = e.begin; at < e.end;) {
-        const std::size_t end = std::min(line_end(s.text, at), e.end);
-        if (at < end) read_line(s, source, at, end);
-        at = end + 1;
-    }
+    const Extent e = read_extents(s, source);
     due_program(s, source, e.begin);
     close_program(s);
     s.unit().end = static_cast<std::uint32_t>(std::max(e.end, std::size_t{s.unit().begin}));

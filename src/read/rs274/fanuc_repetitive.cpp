@@ -84,6 +84,8 @@ struct Writer {
     void word(const TurningWord& w) const {
         Address* a = find_address(s, w.letter);
         if (a == nullptr) return;
+        for (const CycleSetting& x : d.settings)
+            if (x.role == w.role) return;  // said by another word: this one stays, and is said
         const Value v = value_of(s, *a, w.number);
         if (w.number == TurningNumber::lead) {  // it is the feed from here on, too
             if (v.is_literal()) s.lead = v;

@@ -63,6 +63,9 @@ struct PendingLabel {
     std::uint32_t number = 0;
 };
 
+/// What C means: an axis, or part of a plane that the control makes of two axes.
+enum class Surface : std::uint8_t { none, polar, cylinder };
+
 struct FanucState : State {
     FanucState(std::uint32_t file_number, const FanucControl& c, program::Names& n, base::Diagnostics& d,
                const base::Sources& all)
@@ -77,22 +80,28 @@ struct FanucState : State {
     bool polar = false;
     int plane = 17;
     std::vector<Transformation> frames;
-    int hole = 0;            ///< G number * 10 of the hole cycle in force; 0: none
-    int turning = 0;         ///< of the turning cycle in force
-    bool lost = false;       ///< within polar or cylindrical interpolation, which are not run
-    bool at_centre = false;  ///< of lathes: the last X was 0
-    bool new_cycle = false;  ///< nothing of the turning cycle has been run yet
+    int hole = 0;       ///< G number * 10 of the hole cycle in force; 0: none
+    int turning = 0;    ///< of the turning cycle in force
+    bool lost = false;  ///< within polar or cylindrical interpolation, which are not run
+    Surface surface = Surface::none;
+    int surface_plane = 18;     ///< G17 … G19 when it was switched on
+    double cylinder = 0;        ///< its radius, in the program's unit
+    bool to_clearance = false;  ///< G99 of hole cycles in systems B and C
+    bool new_cycle = false;     ///< nothing of the turning cycle has been run yet
     Modal motion = Modal::rapid;
     std::optional<Value> lead;  ///< the F last written as a number: the lead of threads without F
     bool whole_number_said = false;
     bool c_is_axis = false;  ///< of lathes: C is no chamfer
     bool corner_said = false;
+    std::optional<Address> corner_waits;  ///< ,C or ,R of the last block with coordinates
     bool units_said = false;
 
     // The block at hand.
     std::vector<Address> addresses;
     /// `/` between them: how many stand in front of it, and its level + 1.
     std::optional<std::pair<std::size_t, std::uint8_t>> slash;
+    std::string called;  ///< `<NAME>` behind M98, G65, G66; empty: none
+    std::uint32_t called_begin = 0, called_end = 0;
     std::vector<Special> special;
     bool own_motion = false;              ///< a G code of the motion group stands in it
     bool restore_motion = false;          ///< `motion` holds again behind it
@@ -128,6 +137,10 @@ enum class Quantity : std::uint8_t { length, angle, feed, milliseconds, thousand
 [[nodiscard]] Value scaled(FanucState& s, const Value& v, Quantity q);
 /// One address of a block with motion or settings.
 void emit_address(FanucState& s, Address& a);
+/// ROUND in an address rounds to the least input increment.
+void round_to_increments(FanucState& s, const Address& a);
+/// Marks addresses as used.
+void use_letters(FanucState& s, std::string_view letters);
 void put_value(FanucState& s, Order order, Code code, const Value& v, const Address& a);
 
 // fanuc_corner.cpp
@@ -161,8 +174,17 @@ void turning_special(FanucState& s, const FanucG& g, const Address& a);
 /// A block with coordinates while a turning cycle is in force.
 [[nodiscard]] bool turning_block(FanucState& s);
 
+// fanuc_surface.cpp
+/// A G code that cannot stand within polar or cylindrical interpolation is said; true then.
+[[nodiscard]] bool refused_on_surface(FanucState& s, const FanucG& g, const Address& a);
+/// Arcs and sides of the plane Z-C as they are in C-Z, which the tree has.
+[[nodiscard]] FanucG as_seen_on_surface(const FanucState& s, FanucG g);
+void surface_special(FanucState& s, const FanucG& g, const Address& a);
+/// An address within; false where it means what it means elsewhere.
+[[nodiscard]] bool surface_word(FanucState& s, const Address& a);
+
 // fanuc_lathe_hole.cpp
-/// G83, G84, G85 of lathes: a block with coordinates while one is in force; false where it has none.
+/// G81 … G89 of lathes: a block with coordinates while one is in force; false where it has none.
 [[nodiscard]] bool lathe_hole(FanucState& s);
 
 // fanuc_call.cpp

@@ -1,6 +1,9 @@
 /// Single turning cycles (G90, G92, G94 of system A) become their four ways; the position at which a cycle begins is
 /// kept in global variables. Source: FANUC series 16i/18i-T operator's manual, canned cycles.
 
+#include <algorithm>
+
+#include "program/modal_group.hpp"
 #include "read/rs274/fanuc_state.hpp"
 
 namespace obrys::read::rs274 {
@@ -94,6 +97,19 @@ void ways(const Writer& w, int code, std::optional<Value> lead) {
     way(w, Modal::rapid, no_expr, w.variable(start_z));
 }
 
+/// What no handler took is said.
+void other_words(FanucState& s) {
+    begin_words(s);
+    for (Address& a : s.addresses) {
+        if (a.used) continue;
+        a.used = true;
+        add_problem(s, Code::unsupported, a.begin, a.end,
+                    a.letter == 'Q' && s.turning == 920 ? "the starting angle of a thread" : "a word of this cycle");
+    }
+    if (!s.words.empty()) emit_block(s);
+    s.words.clear();
+}
+
 void single_cycle(FanucState& s, bool fresh) {
     const Writer w{s, s.line.begin(), s.line.end()};
     std::optional<Value> lead = s.lead;
@@ -116,6 +132,7 @@ void single_cycle(FanucState& s, bool fresh) {
     keep_end(w, 'Z', 'W', start_z, end_z);
     keep_taper(w, fresh);
     w.close();
+    other_words(s);
     ways(w, s.turning, lead);
 }
 
@@ -129,10 +146,31 @@ void turning_special(FanucState& s, const FanucG& g, const Address& a) {
     s.own_motion = false;  // a block with coordinates runs it, this one or a later one
 }
 
+namespace {
+
+/// A G code that acts once and takes the block's coordinates for itself: the cycle is not run beside it.
+bool acts_once(const FanucState& s) {
+    return std::any_of(s.words.begin(), s.words.end(), [](const BlockWord& w) {
+        if (w.code != Code::modal) return false;
+        const program::ModalGroup group = program::group_of(w.modal);
+        return group == program::ModalGroup::once || group == program::ModalGroup::suppression;
+    });
+}
+
+}  // namespace
+
 bool turning_block(FanucState& s) {
     if (s.turning == 0 || s.own_motion) return false;
+    if (acts_once(s)) {
+        // "G90, G92 and G94 are cleared when a one-shot G code other than G04 is specified" (operator's manual).
+        const bool dwells = std::any_of(s.words.begin(), s.words.end(), [](const BlockWord& w) {
+            return w.code == Code::modal && w.modal == Modal::dwell;
+        });
+        if (s.turning >= 900 && !dwells) s.turning = 0;
+        return false;
+    }
     bool axes = false;
-    if (s.turning >= 830 && s.turning <= 850) return lathe_hole(s);
+    if (s.turning < 900) return lathe_hole(s);
     for (const char letter : {'X', 'U', 'Z', 'W'}) axes = axes || find_address(s, letter) != nullptr;
     if (!axes) return false;
     single_cycle(s, s.new_cycle);

@@ -1,5 +1,7 @@
 /// Numbers without decimal point, and what each letter of a block is.
 
+#include <algorithm>
+
 #include "read/rs274/fanuc_state.hpp"
 
 namespace obrys::read::rs274 {
@@ -112,6 +114,11 @@ void turret(FanucState& s, const Address& a) {
         v.literal = base::scan_decimal(std::to_string(x));
         return v;
     };
+    if (*n == 0) return put_value(s, Order::technology, Code::edge, whole(0), a);  // ends the offset
+    if (*n < 100 || *n > 9999)
+        add_problem(s, Code::unsupported, a.begin, a.end,
+                    *n < 100 ? "one number for tool and offset: which it is (T0003, T0303) depends on the machine"
+                             : "more than four digits: which of them are the tool depends on the machine");
     if (*n < 100) {
         put_value(s, Order::technology, Code::tool, a.value, a);
     } else {
@@ -169,6 +176,51 @@ Value scaled(FanucState& s, const Value& v, Quantity q) {
     }
 }
 
+namespace {
+
+void round_in(FanucState& s, ExprId id, const Value& one, bool angle, int depth) {
+    constexpr int deepest = 100;
+    if (id == no_expr || depth > deepest) return;
+    const program::Expr e = s.unit().exprs[id];
+    const auto within = [&](ExprId x) { round_in(s, x, one, angle, depth + 1); };
+    switch (e.kind) {
+        case program::ExprKind::unary:
+        case program::ExprKind::qualified: return within(e.a);
+        case program::ExprKind::binary: within(e.a); return within(e.b);
+        case program::ExprKind::function: break;
+        default: return;
+    }
+    const std::vector<ExprId> arguments(s.unit().children.begin() + e.b, s.unit().children.begin() + e.b + e.count);
+    if (e.op != static_cast<std::uint8_t>(program::Function::round_away) || arguments.size() != 1) {
+        std::for_each(arguments.begin(), arguments.end(), within);
+        return;
+    }
+    const ExprId step = as_expr(s, angle ? shifted(one, 3) : in_increments(s, one, 3, 4));
+    const ExprId count = s.build().binary(Operator::divide, arguments[0], step, e.begin, e.end);
+    const ExprId whole = s.build().function(program::Function::round_away, {count}, e.begin, e.end);
+    program::Expr scaled_back;
+    scaled_back.kind = program::ExprKind::binary;
+    scaled_back.op = static_cast<std::uint8_t>(Operator::multiply);
+    scaled_back.a = whole;
+    scaled_back.b = step;
+    scaled_back.begin = e.begin;
+    scaled_back.end = e.end;
+    s.unit().exprs[id] = scaled_back;
+}
+
+}  // namespace
+
+void round_to_increments(FanucState& s, const Address& a) {
+    const Quantity q = quantity_of(s, a.letter);
+    if (a.value.expr == no_expr || (q != Quantity::length && q != Quantity::angle)) return;
+    Value one;
+    one.found = true;
+    one.literal = base::scan_decimal("1");
+    one.begin = a.begin;
+    one.end = a.begin;
+    round_in(s, a.value.expr, one, q == Quantity::angle, 0);
+}
+
 void put_value(FanucState& s, Order order, Code code, const Value& v, const Address& a) {
     s.facts.letters |= 1ULL << static_cast<unsigned>(code);
     add_value(s, order, code, v, a.begin, a.end);
@@ -176,7 +228,7 @@ void put_value(FanucState& s, Order order, Code code, const Value& v, const Addr
 
 void emit_address(FanucState& s, Address& a) {
     a.used = true;
-    if (corner_word(s, a)) return;
+    if (surface_word(s, a) || corner_word(s, a)) return;
     if (a.letter == 'T' && s.control.is_lathe()) return turret(s, a);
     if (const auto code = polar_code(s, a.letter)) {
         if (s.incremental) return add_problem(s, Code::unsupported, a.begin, a.end, "an incremental polar coordinate");
@@ -184,8 +236,6 @@ void emit_address(FanucState& s, Address& a) {
         return put_value(s, Order::value, *code, scaled(s, a.value, q), a);
     }
     const Value v = scaled(s, a.value, quantity_of(s, a.letter));
-    if (a.letter == 'X' || a.letter == 'U')
-        s.at_centre = a.letter == 'X' && v.is_literal() && v.number() == 0 && !s.incremental;
     if (const auto code = incremental_code(s, a.letter)) {
         Value by = v;
         by.expr = s.build().with_reference(Reference::incremental, as_expr(s, v), a.begin, a.end);

@@ -1,0 +1,54 @@
+/// H and D of controls that keep them until other ones are programmed (Traits::offset_numbers_stay).
+/// Source: FANUC series 16i/18i-M operator's manual, tool length offset and cutter compensation: the offset numbers are
+/// modal [-].
+
+#include <cmath>
+
+#include "base/codes.hpp"
+#include "interp/run.hpp"
+
+namespace obrys::interp {
+
+namespace codes = base::codes;
+
+std::optional<double> length_number(Run& run) {
+    const BlockWords& b = run.block;
+    double& kept = run.offsets.number;
+    if (b.has(Code::offset_h)) return kept = b.get(Code::offset_h);
+    if (!run.traits->offset_numbers_stay) return std::nullopt;
+    if (!std::isnan(kept)) return kept;
+    unchecked(run, codes::unknown_value, run.here(),
+              "which length G43 means is not known: no H stands in the program before it, and the control keeps the "
+              "last one it had; that of the tool in the spindle is taken",
+              "write H beside G43");
+    return std::nullopt;
+}
+
+void take_radius_number(Run& run) {
+    const BlockWords& b = run.block;
+    double& kept = run.modal.offset_d;
+    if (b.has(Code::offset_d)) {
+        kept = b.get(Code::offset_d);
+        return take_offset_radius(run, kept);
+    }
+    if (!run.traits->offset_numbers_stay) return;
+    if (!std::isnan(kept)) return take_offset_radius(run, kept);
+    unchecked(run, codes::unknown_value, run.here(),
+              "which radius is meant is not known: no D stands in the program before it, and the control keeps the "
+              "last one it had; that of the tool in the spindle is taken",
+              "write D beside G41 or G42");
+}
+
+void keep_offset_numbers(Run& run) {
+    BlockWords& b = run.block;
+    const auto waits = [&](Code c) { return b.has(c) && (b.used >> static_cast<unsigned>(c) & 1u) == 0; };
+    if (waits(Code::offset_d) && run.modal.compensation == Modal::compensation_off)
+        run.modal.offset_d = b.get(Code::offset_d);
+    if (!waits(Code::offset_h)) return;
+    if (run.offsets.length == Offsets::Length::none)
+        run.offsets.number = b.get(Code::offset_h);
+    else
+        tool_length_words(run, run.offsets.subtracts ? Modal::tool_length_negative : Modal::tool_length);
+}
+
+}  // namespace obrys::interp
