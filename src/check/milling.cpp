@@ -144,6 +144,22 @@ void Milling::take(const cl::Record& record, const cl::ToolChange& tool) {
                         record.from);
 }
 
+/// A tool thinner than the rays' distance may go between them and take nothing.
+void Milling::require_fine_enough(const Move& move, double radius) {
+    const geom::Vec3 step = simulation_->dexels().lattice().step;
+    const double apart = std::max({step.x, step.y, step.z});
+    if (apart <= radius) return;
+    complete_ = false;
+    const MillingSetup& m = *setup_.milling;
+    out_.unchecked(move.record,
+                   "a tolerance of " + base::shortest(m.tolerance) + " mm sets rays " + base::fixed(apart, 3) +
+                       " mm apart: tool " + tool_name_ + " of " + base::fixed(2 * radius, 3) +
+                       " mm may pass between them",
+                   "take a tolerance of at most " +
+                       base::shortest(std::floor(m.tolerance * radius * radius / (apart * apart) * 1e4) / 1e4) +
+                       " mm (--tolerance)");
+}
+
 /// Why the tool cannot be simulated stands in the notes; each tool is made once.
 bool Milling::tool_in_use(const Move& move) {
     if (tool_ready_) return true;
@@ -161,6 +177,7 @@ bool Milling::tool_in_use(const Move& move) {
             out_.unchecked(move.record, "tool " + tool_name_ + ": " + made.problem + ": its removal is not simulated");
             return false;
         }
+        require_fine_enough(move, made.shape.cutting.radius);
         if (certificate_) certificate_->add_tool(made.shape);
         for (Clamp& c : clamps_) static_cast<void>(c.simulation.add_tool(made.shape));  // the same number in each
         if (!cutter.holder.empty() && !(tool_->length > 0) && cutter.cutting_length >= unknown_height)

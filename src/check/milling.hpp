@@ -64,6 +64,7 @@ private:
     /// `left`: bytes that they may take together.
     void add_clamps(double left);
     [[nodiscard]] bool tool_in_use(const Move& move);
+    void require_fine_enough(const Move& move, double radius);
     void take_open(const Move& move, std::uint32_t use, const Stand::View& view);
     void queue(const geom::PathElement& element, const MilledMove& move, bool feed);
     void queue_pass(QueuedPass::Kind kind, sim::milling::Part part, bool cut, const geom::PathElement& element);
@@ -99,6 +100,9 @@ private:
     void judge_surface(Milled& milled);
     void judge_place(const Milled& milled, const mesh::Place& place, bool gouge);
     void judge_gouge(const Milled& milled, const Gouge& gouge);
+    void judge_no_contact(const Milled& milled);
+    [[nodiscard]] const MilledMove* left_by(const Milled& milled, const mesh::Place& place,
+                                            const MilledMove* owner) const;
     void found(const MilledMove& move, Finding f);
     void found(const Milled& milled, const mesh::Place& place, Finding f);
 

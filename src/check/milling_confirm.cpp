@@ -1,6 +1,6 @@
 // A surface of triangles can leave the exact one by more than the tolerance where an edge, a tip or a step narrower
 // than the rays' distance lies in a cell. So what was found is looked at again on rays that lie nearer to each other:
-// points on rays are exact.
+// points on rays are exact. What they do not show either is thrown away only where it is proved not to be there.
 
 #include <tbb/blocked_range.h>
 #include <tbb/parallel_for.h>
@@ -11,6 +11,7 @@
 #include <vector>
 
 #include "check/milling_confirm.hpp"
+#include "check/milling_proof.hpp"
 
 namespace obrys::check {
 
@@ -29,7 +30,11 @@ double step_in(const milling::Box3& box, double step) {
     return fine > coarsest * step ? 0 : std::max(fine, finest * step);
 }
 
-using TagOf = std::function<std::uint32_t(std::uint32_t cut)>;
+constexpr double most_cells = 2'000'000;       ///< of all proofs
+constexpr double doubtful_cells = 10'000;      ///< of each of those that decide about a doubtful place
+constexpr std::size_t most_doubtful = 40;      ///< of a kind
+constexpr std::size_t most_looks = 4'000'000;  ///< at sweeps, for all doubtful places of a kind
+constexpr double least_cells = 20'000;         ///< of each
 
 constexpr double near_worst = 0.9;
 
@@ -39,13 +44,13 @@ struct Worst {
     std::vector<mesh::TagShare> peak;
 };
 
-Worst worst_of(const std::vector<milling::SurfacePoint>& points, const mesh::Distance& part,
-               const mesh::CompareOptions& options, const TagOf& tag_of, bool gouge) {
+Worst worst_of(const std::vector<milling::SurfacePoint>& points, const Machined& m, const mesh::CompareOptions& options,
+               bool gouge) {
     std::vector<double> off(points.size());
     tbb::parallel_for(tbb::blocked_range<std::size_t>(0, points.size(), 256),
                       [&](const tbb::blocked_range<std::size_t>& some) {
                           for (std::size_t i = some.begin(); i < some.end(); ++i) {
-                              const double d = part.signed_distance(points[i].at);
+                              const double d = m.part.signed_distance(points[i].at);
                               off[i] = options.judged ? options.judged(points[i].at, d) : d;
                           }
                       });
@@ -57,48 +62,91 @@ Worst worst_of(const std::vector<milling::SurfacePoint>& points, const mesh::Dis
     }
     std::map<std::uint32_t, double> tags;
     for (std::size_t i = 0; i < points.size(); ++i)
-        if (std::isfinite(off[i]) && off[i] / worst.deviation >= near_worst) ++tags[tag_of(points[i].cut)];
+        if (std::isfinite(off[i]) && off[i] / worst.deviation >= near_worst) ++tags[m.tag_of(points[i].cut)];
     for (const auto& [tag, count] : tags) worst.peak.push_back({tag, count});
     std::stable_sort(worst.peak.begin(), worst.peak.end(),
                      [](const mesh::TagShare& a, const mesh::TagShare& b) { return a.area > b.area; });
     return worst;
 }
 
-/// Gives back the boxes of the places that were not found again.
-std::vector<mesh::Box> confirm_places(std::vector<mesh::Place>& places, const milling::Simulation& simulation,
-                                      const mesh::Distance& part, const mesh::CompareOptions& options,
-                                      const TagOf& tag_of, bool gouges) {
-    const geom::Vec3 step = simulation.dexels().lattice().step;
+bool is_worse(const mesh::Place& a, const mesh::Place& b) { return std::abs(a.deviation) > std::abs(b.deviation); }
+
+/// What rays do not show: whether it is there all the same, and how far off.
+Proof::Outcome outcome_of(mesh::Place& p, const milling::Box3& box, const Machined& m, double allowed, bool gouge,
+                          double cells) {
+    const milling::Air air = m.simulation.air_in(box);
+    Claim claim{m.part, air, gouge, allowed};
+    if (!m.threads.empty())
+        claim.more = [&](geom::Vec3 at, double radius) { return m.threads.more(at, radius, gouge); };
+    const Proof proof = decide(claim, box, static_cast<std::size_t>(cells));
+    if (proof.outcome == Proof::Outcome::present) {
+        p.deviation = gouge ? -proof.deviation : proof.deviation;
+        p.at = proof.at;
+        if (proof.cut > 0) p.peak = {{m.tag_of(proof.cut), 1}};
+    }
+    return proof.outcome;
+}
+
+/// What the triangles show as less than it is: an edge's crest may lie between their corners. Only what is there for
+/// sure becomes a place.
+void add_doubtful(std::vector<mesh::Place>& places, std::vector<mesh::Place>& doubtful, const Machined& m,
+                  const mesh::CompareOptions& options, bool gouges, std::size_t& count) {
+    const geom::Vec3 step = m.simulation.dexels().lattice().step;
+    const double allowed = gouges ? options.gouge : options.excess;
+    const std::size_t most = std::min(most_doubtful, 1 + most_looks / (1 + m.simulation.sweeps()));
+    doubtful.resize(std::min(doubtful.size(), most));
+    for (mesh::Place& p : doubtful) {
+        const geom::Vec3 around{2 * allowed, 2 * allowed, 2 * allowed};
+        const milling::Box3 box{p.extent.lo - around, p.extent.hi + around};
+        const double fine = step_in(box, std::min({step.x, step.y, step.z}));
+        if (!(fine > 0)) continue;
+        if (outcome_of(p, box, m, allowed, gouges, doubtful_cells) != Proof::Outcome::present) continue;
+        if (!gouges) p.peak = worst_of(m.simulation.surface_points(box, fine), m, options, gouges).peak;
+        places.push_back(std::move(p));
+        ++count;
+    }
+    doubtful.clear();
+    std::stable_sort(places.begin(), places.end(), is_worse);
+}
+
+/// Gives back the boxes of the places that are not there.
+std::vector<mesh::Box> confirm_places(std::vector<mesh::Place>& places, const Machined& m,
+                                      const mesh::CompareOptions& options, bool gouges) {
+    const geom::Vec3 step = m.simulation.dexels().lattice().step;
+    const double allowed = gouges ? options.gouge : options.excess;
+    const double cells = std::max(least_cells, most_cells / static_cast<double>(places.size() + 1));
     std::vector<mesh::Box> dropped;
     std::vector<mesh::Place> kept;
     for (mesh::Place& p : places) {
         const milling::Box3 box{p.extent.lo - step, p.extent.hi + step};
         const double fine = step_in(box, std::min({step.x, step.y, step.z}));
         if (fine > 0) {
-            const Worst worst = worst_of(simulation.surface_points(box, fine), part, options, tag_of, gouges);
-            if (!(std::abs(worst.deviation) > (gouges ? options.gouge : options.excess))) {
-                dropped.push_back(p.extent);
-                continue;
+            const Worst worst = worst_of(m.simulation.surface_points(box, fine), m, options, gouges);
+            if (std::abs(worst.deviation) > 0) p.peak = worst.peak;
+            if (!(std::abs(worst.deviation) > allowed)) {
+                if (outcome_of(p, box, m, allowed, gouges, cells) == Proof::Outcome::absent) {
+                    dropped.push_back(p.extent);
+                    continue;
+                }
+            } else if (std::abs(worst.deviation) < std::abs(p.deviation)) {
+                // What lies beside the place may be worse and is a place of its own.
+                p.deviation = worst.deviation, p.at = worst.at;
             }
-            // What lies beside the place may be worse and is a place of its own.
-            if (std::abs(worst.deviation) < std::abs(p.deviation)) p.deviation = worst.deviation, p.at = worst.at;
-            p.peak = worst.peak;
         }
         kept.push_back(std::move(p));
     }
-    std::stable_sort(kept.begin(), kept.end(), [](const mesh::Place& a, const mesh::Place& b) {
-        return std::abs(a.deviation) > std::abs(b.deviation);
-    });
     places = std::move(kept);
+    std::stable_sort(places.begin(), places.end(), is_worse);
     return dropped;
 }
 
 }  // namespace
 
-void confirm(mesh::Comparison& found, const mesh::Mesh& surface, const milling::Simulation& simulation,
-             const mesh::Distance& part, const mesh::CompareOptions& options, const TagOf& tag_of) {
-    const std::vector<mesh::Box> deep = confirm_places(found.gouges, simulation, part, options, tag_of, true);
-    const std::vector<mesh::Box> high = confirm_places(found.excesses, simulation, part, options, tag_of, false);
+void confirm(mesh::Comparison& found, const Machined& m, const mesh::CompareOptions& options) {
+    const std::vector<mesh::Box> deep = confirm_places(found.gouges, m, options, true);
+    const std::vector<mesh::Box> high = confirm_places(found.excesses, m, options, false);
+    add_doubtful(found.gouges, found.doubtful_gouges, m, options, true, found.gouge_count);
+    add_doubtful(found.excesses, found.doubtful_excesses, m, options, false, found.excess_count);
     if (deep.empty() && high.empty()) return;
     found.gouge_count -= deep.size();
     found.excess_count -= high.size();
@@ -110,8 +158,8 @@ void confirm(mesh::Comparison& found, const mesh::Mesh& surface, const milling::
     found.largest_gouge = found.largest_excess = 0;
     for (std::size_t t = 0; t < found.deviation.size(); ++t) {
         double& d = found.deviation[t];
-        if (d < -options.gouge && in_one(deep, mesh::centre(surface, t))) d = -options.gouge;
-        if (d > options.excess && in_one(high, mesh::centre(surface, t))) d = options.excess;
+        if (d < -options.gouge && in_one(deep, mesh::centre(m.surface, t))) d = -options.gouge;
+        if (d > options.excess && in_one(high, mesh::centre(m.surface, t))) d = options.excess;
         found.largest_gouge = std::max(found.largest_gouge, -d);
         found.largest_excess = std::max(found.largest_excess, d);
     }

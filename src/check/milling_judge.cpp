@@ -2,8 +2,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <map>
-#include <utility>
 
 #include "base/codes.hpp"
 #include "base/number.hpp"
@@ -20,31 +18,10 @@ namespace milling = sim::milling;
 
 namespace {
 
+constexpr double doubtful_from = 0.6;  ///< of what is allowed
+
 std::string place(geom::Vec3 p) {
     return "X " + base::fixed(p.x, 3) + " Y " + base::fixed(p.y, 3) + " Z " + base::fixed(p.z, 3);
-}
-
-constexpr std::size_t most_blocks = 8;  ///< that a finding names beside its own
-
-/// What a block cut of a place.
-struct BlockShare {
-    const MilledMove* move = nullptr;
-    double area = 0;  ///< mm2
-};
-
-/// Where the material lies, for the block at which the finding stands and so many others.
-std::string extent_text(const MilledMove& at, bool cut_there, std::size_t others) {
-    const std::string more =
-        others == 0 ? "" : " and " + std::to_string(others) + (others == 1 ? " more block" : " more blocks");
-    const std::string here = at.along ? "this contour element" : "this block";
-    if (!cut_there) return "; no move has cut at that point, " + here + more + " beside it";
-    return at.along || others > 0 ? (at.along ? ", along " : ", in the cuts of ") + here + more : "";
-}
-
-/// Of a place without an area the shares are depths.
-std::string share_text(const BlockShare& block, bool area) {
-    return (block.move->along ? "along this contour element, too: " : "in the cut of this block, too: ") +
-           (area ? mm2(block.area) : mm(block.area) + " deep");
 }
 
 }  // namespace
@@ -111,12 +88,15 @@ const milling::Engagement& Milling::met_by(const QueuedPass& pass) const {
     return (pass.clamp == 0 ? *simulation_ : clamps_[pass.clamp - 1].simulation).engagements()[pass.pass];
 }
 
-/// As far as the material reaches into the swept part; of a way straight down into which the tool's axis dips, as far
-/// as it stands above the lower end.
+/// As far as the material reaches into the swept part; of a way straight down into which the part's axis dips, as far
+/// as it stands above the lower end. Of rapids as high as material stands above the lower side of the tool, but for its
+/// rim.
 Milling::Reach Milling::reach_of(const QueuedPass& pass) const {
     const milling::Engagement& met = met_by(pass);
     if (!met.touched) return {};
     const Reach reach{met.depth, met.deepest};
+    if (pass.kind == QueuedPass::Kind::rapid_probe)
+        return met.stack > reach.depth ? Reach{met.stack, met.stack_foot} : reach;
     const geom::Vec3 step =
         (pass.clamp == 0 ? *simulation_ : clamps_[pass.clamp - 1].simulation).dexels().lattice().step;
     const double wide = std::max({step.x, step.y, step.z});
@@ -220,70 +200,27 @@ void Milling::judge_gouge(const Milled& milled, const Gouge& gouge) {
     found(milled, p, std::move(f));
 }
 
-namespace {
-
-/// The move that cut most of the surface that lies nearly as far off as the worst point, of the block that did so. (The
-/// worst point itself may as well belong to the block before, whose surface ends in it.) Nothing where that was not
-/// cut.
-const MilledMove* guilty_of(const Milled& milled, const mesh::Place& p) {
-    std::map<std::pair<std::uint32_t, std::uint32_t>, double> areas;
-    double most = 0;
-    const auto move_of = [&](std::uint32_t tag) {
-        return tag > 0 && tag <= milled.moves.size() ? &milled.moves[tag - 1] : nullptr;
-    };
-    const auto block_of = [&](const MilledMove* m) {
-        return m == nullptr ? std::pair{nowhere.file, nowhere.begin} : std::pair{m->where.file, m->where.begin};
-    };
-    for (const mesh::TagShare& s : p.peak) most = std::max(most, areas[block_of(move_of(s.tag))] += s.area);
-    for (const mesh::TagShare& s : p.peak)  // the largest first
-        if (const MilledMove* m = move_of(s.tag); areas[block_of(m)] == most) return m;
-    return nullptr;
-}
-
-}  // namespace
-
-/// Places a finding at the cut where it is worst, or beside that, and names the other blocks of it, those with most of
-/// its area first.
-void Milling::found(const Milled& milled, const mesh::Place& p, Finding f) {
-    const auto move_of = [&](std::uint32_t tag) {
-        return tag > 0 && tag <= milled.moves.size() ? &milled.moves[tag - 1] : nullptr;
-    };
-    std::vector<BlockShare> blocks;
-    std::map<std::pair<std::uint32_t, std::uint32_t>, std::size_t> known;
-    for (const mesh::TagShare& s : p.shares) {
-        const MilledMove* m = move_of(s.tag);
-        if (m == nullptr) continue;
-        const auto [at, added] = known.try_emplace({m->where.file, m->where.begin}, blocks.size());
-        if (added) blocks.push_back({m, 0});
-        blocks[at->second].area += s.area;
-    }
-    if (blocks.empty()) {
-        f.text += "; no move has cut there";
-        const cl::Record nothing{cl::Stop{}, nowhere, 0};
-        return out_.finding(nothing, std::move(f));
-    }
-    std::stable_sort(blocks.begin(), blocks.end(),
-                     [](const BlockShare& a, const BlockShare& b) { return a.area > b.area; });
-    const MilledMove* worst = guilty_of(milled, p);
-    const MilledMove& at = worst != nullptr ? *worst : *blocks.front().move;
-    std::erase_if(blocks, [&](const BlockShare& b) { return b.move->where == at.where; });
-    f.text += extent_text(at, worst != nullptr, blocks.size());
-    for (std::size_t i = 0; i < blocks.size() && i < most_blocks; ++i)
-        f.related.push_back({blocks[i].move->where, share_text(blocks[i], p.area > 0)});
-    found(at, std::move(f));
+/// A program that cuts air has another zero point than its stock, unless a rapid was found in the stock.
+void Milling::judge_no_contact(const Milled& milled) {
+    const std::vector<Finding>& found = out_.result().findings;
+    const bool rapid_found =
+        std::any_of(found.begin(), found.end(), [](const Finding& f) { return f.code == codes::rapid_in_stock; });
+    if (rapid_found) return;
+    const bool rapid = std::any_of(milled.moves.begin(), milled.moves.end(),
+                                   [](const MilledMove& m) { return m.rapid && m.volume_mm3 > 0; });
+    out_.unchecked(rapid ? "no move at feed met the stock, rapid moves alone did: nothing was checked against it"
+                         : "not one move met the stock: nothing was checked against it",
+                   "see whether stock, part and program use the same zero point (docs/job-file.md)");
 }
 
 void Milling::judge_surface(Milled& milled) {
     const MillingSetup& m = *setup_.milling;
-    if (out_.result().stats.feed_moves > 0 && figures_.contact_length_mm == 0 && complete_)
-        out_.unchecked("not one move met the stock: nothing was checked against it",
-                       "see whether stock, part and program use the same zero point (docs/job-file.md)");
+    if (out_.result().stats.feed_moves > 0 && figures_.contact_length_mm == 0 && complete_) judge_no_contact(milled);
     const bool judged = m.part != nullptr && judges_part(setup_.scope);
     if (m.part == nullptr && judges_part(setup_.scope))
         out_.unchecked("no part: gouges and rest material not checked", "give the finished part in the job file");
     if (!judged && !m.surface) return;
-    const auto normal = [&](std::uint32_t cut, geom::Vec3 p, int, double) { return simulation_->normal_at(cut, p); };
-    milling::Surface surface = milling::extract_surface(simulation_->dexels(), normal);
+    milling::Surface surface = milling::extract_surface(*simulation_);
     const auto tag_of = [&](std::uint32_t cut) { return cut == 0 ? 0 : move_of_pass_[simulation_->pass_of(cut)] + 1; };
     for (std::uint32_t& tag : surface.mesh.tags) tag = tag_of(tag);
     milled.surface = std::move(surface.mesh);
@@ -292,12 +229,13 @@ void Milling::judge_surface(Milled& milled) {
     mesh::CompareOptions options;
     options.gouge = std::max(setup_.tolerances.gouge, m.tolerance);
     options.excess = std::max(setup_.tolerances.rest_material, m.tolerance);
+    options.doubt = doubtful_from;
     if (!thread_bands_.empty()) {
         thread_bands_.fit(milled.surface, *m.part, std::max(options.gouge, options.excess));
         options.judged = [&](geom::Vec3 p, double deviation) { return thread_bands_.judged(p, deviation); };
     }
     milled.comparison = mesh::compare(milled.surface, *m.part, options);
-    confirm(*milled.comparison, milled.surface, *simulation_, *m.part, options, tag_of);
+    confirm(*milled.comparison, {milled.surface, *simulation_, *m.part, thread_bands_, tag_of}, options);
     const std::vector<Gouge> gouges = certificate_->gouges(milled.moves, milled.comparison->gouges, thread_bands_);
     milled.comparison->largest_gouge = 0;
     for (const Gouge& g : gouges) {

@@ -129,6 +129,62 @@ TEST(Milling, WhatLiesAlongSeveralBlocksNamesThemAndTheContourElements) {
     }
 }
 
+/// A wall that the first tool leaves 0.1 mm too thick, and that the second one, 0.05 mm farther off, does not touch.
+TEST(Milling, WhatALaterToolWasToTakeIsFoundAtItsBlock) {
+    check::Setup s = face_setup();
+    s.tools[0].cutting_length = 60;
+    shop::Tool finisher = s.tools[0];
+    finisher.number = 2;
+    finisher.radius = 5;
+    s.tools.push_back(finisher);
+    s.milling->part = std::make_shared<const mesh::Distance>(mesh::box({0, 0, -40}, {30, 40, 0}));
+    const cl::CallStacks stacks;
+    Check check(std::move(s), stacks);
+    std::uint32_t at = 0;
+    const auto take = [&](cl::Step step) {
+        check.take({std::move(step), {0, at, at + 1}, 0});
+        ++at;
+    };
+    std::uint32_t finishing = 0;
+    for (const std::uint32_t tool : {1U, 2U}) {
+        take(cl::ToolChange{tool, 1, ""});
+        take(cl::Spindle{3000, cl::SpindleMode::rpm, 1, 0});
+        take(cl::Linear{{100, -20, 50}, {0, 0, 1}, true});
+        take(cl::Feed{500, cl::FeedMode::per_minute});
+        for (const double x : tool == 1 ? std::vector{55.0, 40.1} : std::vector{35.15}) {
+            take(cl::Linear{{x, -20, 50}, {0, 0, 1}, true});
+            take(cl::Linear{{x, -20, -41}, {0, 0, 1}, true});
+            finishing = at;
+            take(cl::Linear{{x, 60, -41}, {0, 0, 1}, false});
+            take(cl::Linear{{x, 60, 50}, {0, 0, 1}, true});
+        }
+    }
+    const Result r = check.finish();
+    const auto rest = of(r, base::codes::rest_material);
+    ASSERT_EQ(rest.size(), 1U);
+    EXPECT_NEAR(amount(*rest[0], "height_mm"), 0.1, 0.002);
+    EXPECT_EQ(rest[0]->where.begin, finishing);
+}
+
+/// Which moves met the stock is said as it is.
+TEST(Milling, ARapidThatAloneMetTheStockIsNotDenied) {
+    for (const double z : {-2.0, 1.0}) {
+        const cl::CallStacks stacks;
+        Check check(with_part(face_setup(), -2), stacks);
+        const auto take = [&](cl::Step step) { check.take({std::move(step), {0, 0, 1}, 0}); };
+        take(cl::ToolChange{1, 1, ""});
+        take(cl::Spindle{3000, cl::SpindleMode::rpm, 1, 0});
+        take(cl::Linear{{30, 20, 50}, {0, 0, 1}, true});
+        take(cl::Linear{{30, 20, z}, {0, 0, 1}, true});
+        take(cl::Linear{{30, 20, 50}, {0, 0, 1}, true});
+        take(cl::Feed{500, cl::FeedMode::per_minute});
+        take(cl::Linear{{80, 20, 50}, {0, 0, 1}, false});
+        const Result r = check.finish();
+        EXPECT_EQ(of(r, base::codes::rapid_in_stock).size(), z < 0 ? 1U : 0U);
+        EXPECT_EQ(r.verdict, z < 0 ? Verdict::findings : Verdict::not_fully_checked);
+    }
+}
+
 TEST(Milling, EveryPlaceAndEveryClampOfOneMoveIsFound) {
     check::Setup s = with_part(face_setup(), -5);
     s.milling->clamps = {{"left", sim::milling::Box3{{-30, 0, -20}, {-20, 40, 0}}},
@@ -184,6 +240,20 @@ TEST(Milling, AToleranceThatDoesNotFitTheMemorySaysWhatWould) {
     ASSERT_FALSE(r.unchecked.empty());
     EXPECT_NE(r.unchecked[0].text.find("of which 50 MB may be used"), std::string::npos) << r.unchecked[0].text;
     EXPECT_NE(r.unchecked[0].remedy.find("mm would fit"), std::string::npos) << r.unchecked[0].remedy;
+}
+
+TEST(Milling, ATooCoarseToleranceIsNotCalledClean) {
+    for (const double tolerance : {4.0, 20.0, 1000.0}) {
+        check::Setup s = with_part(face_setup(), -5);
+        s.milling->tolerance = tolerance;
+        const Result r = mill(std::move(s), -5, false);
+        const bool said = std::any_of(r.unchecked.begin(), r.unchecked.end(), [](const Note& n) {
+            return n.text.find("may pass between them") != std::string::npos;
+        });
+        EXPECT_EQ(said, tolerance > 5) << tolerance;
+        EXPECT_EQ(r.verdict, said ? Verdict::not_fully_checked : r.verdict);
+        for (const Note& n : r.unchecked) EXPECT_EQ(n.text.find("not one move met"), std::string::npos);
+    }
 }
 
 TEST(Milling, AToolWithoutRadiusIsNotSimulatedAndSaidSo) {

@@ -42,10 +42,11 @@ ThreadBands::Place ThreadBands::place_in(const Band& band, Vec3 p) {
     return {height, geom::length(p - band.foot - height * band.axis)};
 }
 
-bool ThreadBands::holds(const Band& band, Vec3 p) const {
+bool ThreadBands::holds(const Band& band, Vec3 p, double ball) const {
     const Place place = place_in(band, p);
-    return place.height >= -allowed_ && place.height <= band.height + allowed_ &&
-           place.radius >= band.core - allowed_ && place.radius <= band.outer + allowed_;
+    const double beyond = allowed_ - ball;
+    return place.height >= -beyond && place.height <= band.height + beyond && place.radius >= band.core - beyond &&
+           place.radius <= band.outer + beyond;
 }
 
 template <class Visit>
@@ -90,6 +91,14 @@ void ThreadBands::fit(const mesh::Mesh& result, const mesh::Distance& part, doub
         const double shown = middle(off), radius = middle(radii) + shown;
         if (radius >= bands_[b].core - allowed && radius <= bands_[b].outer + allowed) bands_[b].shown = shown;
     }
+}
+
+double ThreadBands::more(Vec3 p, double radius, bool gouge) const {
+    double most = 0;
+    each_near(p, [&](std::size_t b) {
+        if (holds(bands_[b], p, radius)) most = std::max(most, gouge ? -bands_[b].shown : bands_[b].shown);
+    });
+    return most;
 }
 
 double ThreadBands::judged(Vec3 p, double deviation) const {

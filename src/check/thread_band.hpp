@@ -18,6 +18,8 @@ public:
     [[nodiscard]] bool empty() const { return bands_.empty(); }
     /// Finds out how the part shows each hole; `allowed`: what a wall may stand off anyway, mm.
     void fit(const mesh::Mesh& result, const mesh::Distance& part, double allowed);
+    /// How much more than else the surface may lie within the part (`gouge`) or outside of it, everywhere in a ball.
+    [[nodiscard]] double more(geom::Vec3 p, double radius, bool gouge) const;
     /// What is left of the deviation at a place of the surface. From several threads at once.
     [[nodiscard]] double judged(geom::Vec3 p, double deviation) const;
 
@@ -33,7 +35,7 @@ private:
         double height = 0, radius = 0;
     };
     [[nodiscard]] static Place place_in(const Band& band, geom::Vec3 p);
-    [[nodiscard]] bool holds(const Band& band, geom::Vec3 p) const;
+    [[nodiscard]] bool holds(const Band& band, geom::Vec3 p, double ball = 0) const;
     template <class Visit>
     void each_near(geom::Vec3 p, Visit&& visit) const;
 

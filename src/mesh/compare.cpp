@@ -193,6 +193,15 @@ Comparison compare(const Mesh& result, const Distance& part, const CompareOption
     }
     Places gouges = cluster(result, extremes, true, options.gouge, options.places);
     Places excesses = cluster(result, extremes, false, options.excess, options.places);
+    if (options.doubt < 1) {
+        const auto doubtful = [&](bool deep, double allowed) {
+            Places all = cluster(result, extremes, deep, options.doubt * allowed, options.places);
+            std::erase_if(all.worst, [&](const Place& p) { return std::abs(p.deviation) > allowed; });
+            return std::move(all.worst);
+        };
+        c.doubtful_gouges = doubtful(true, options.gouge);
+        c.doubtful_excesses = doubtful(false, options.excess);
+    }
     c.gouges = std::move(gouges.worst), c.gouge_count = gouges.count;
     c.excesses = std::move(excesses.worst), c.excess_count = excesses.count;
     return c;

@@ -17,6 +17,7 @@ struct CompareOptions {
     double gouge = 0.01;       ///< the result may lie this far inside the part, mm
     double excess = 0.01;      ///< and this far outside
     std::size_t places = 100;  ///< at most so many of each kind are listed
+    double doubt = 1;          ///< of what is allowed: from here on places are listed as doubtful
     /// What counts of a deviation at a place, where the part is known to be another one there than its mesh (threads).
     /// Asked where more than allowed was found; from several threads at once. Empty: all of it.
     std::function<double(geom::Vec3, double)> judged = {};
@@ -45,9 +46,10 @@ struct Comparison {
     /// For each triangle the deviation of its centre or a corner, whichever is largest: negative where it lies within
     /// the part (gouge), positive where material is left (excess). Infinite where there is no part.
     std::vector<double> deviation;
-    std::vector<Place> gouges, excesses;            ///< the worst first
-    std::size_t gouge_count = 0, excess_count = 0;  ///< of all places, the listed ones among them
-    double largest_gouge = 0, largest_excess = 0;   ///< of all triangles, whatever is allowed; not negative
+    std::vector<Place> gouges, excesses;                    ///< the worst first
+    std::vector<Place> doubtful_gouges, doubtful_excesses;  ///< those that lie between `doubt` and what is allowed
+    std::size_t gouge_count = 0, excess_count = 0;          ///< of all places, the listed ones among them
+    double largest_gouge = 0, largest_excess = 0;           ///< of all triangles, whatever is allowed; not negative
 };
 
 /// The part must be closed (`topology`), else the signs mean nothing. What the result lacks wholly, so that no triangle

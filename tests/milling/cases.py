@@ -1,9 +1,11 @@
 """Random jobs: a program, its tools and stock, and the rings of the part that it makes when nothing is wrong with it.
 
 Every maker takes (random, sagitta, fault, amount) and gives a Case; with a fault one thing of the program or of its tool is
-wrong by `amount` mm, and the lines that are to blame carry the mark "*".
+wrong by `amount` mm, the lines that are to blame carry the mark "*", those that may be named beside them "+", and
+`expected` says by formulas what is then to be found. None: this fault cannot be made here, or leaves too little.
 """
 import math
+import re
 
 from stl_parts import Circle, Rectangle
 
@@ -16,6 +18,23 @@ class Case:
         self.tools, self.lines, self.rings = [], [], []
         self.through = False
         self.tip = None
+        self.expected = {}  # mm by the finding's code
+        self.optional = set()  # codes that may be found or not
+
+    def expect(self, gouge=0.0, rest=0.0):
+        for code, amount in (("gouge", gouge), ("rest-material", rest)):
+            if amount > 0:
+                self.expected[code] = max(amount, self.expected.get(code, 0.0))
+
+    def scaled(self, k):
+        """The same, smaller: what a fine tolerance can be checked on in a short time."""
+        shrink = lambda m: m.group(1) + mm(float(m.group(2)) * k)
+        self.lines = [(re.sub(r"([XYZIJKRQ])(-?[0-9.]+)", shrink, t), mark) for t, mark in self.lines]
+        self.box = tuple(v * k for v in self.box)
+        lengths = ("diameter", "length", "pitch", "tip_diameter")
+        self.tools = [(n, {key: v * k if key in lengths else v for key, v in keys.items()}) for n, keys in self.tools]
+        self.expected = {code: v * k for code, v in self.expected.items()}
+        return self
 
     def tool(self, number, **keys):
         keys.setdefault("length", 90.0)
@@ -73,7 +92,15 @@ class Frame:
         return f"X{mm(self.c[0] + x * self.cos - y * self.sin)} Y{mm(self.c[1] + x * self.sin + y * self.cos)}"
 
 
-def contour(frame, a, b, r, sign=1, wrong=None, amount=0.0):
+def crest(length, radius, amount):
+    """What stays between two places of a tool so far apart, on a wall that it leaves by `amount` between them."""
+    if length <= 0:
+        return 0.0
+    half = min(length / 2, radius)
+    return min(amount, radius - math.sqrt(radius * radius - half * half))
+
+
+def contour(frame, a, b, r, sign=1, wrong=None, amount=0.0, lengths=None):
     """Lines around a rectangle, counter-clockwise from the middle of its right side, or (sign -1) clockwise; corners are arcs of
     radius r. Of side number `wrong` the second half lies `amount` farther out. Gives [(text, mark)]."""
     corners = [(a, b), (-a, b), (-a, -b), (a, -b)]
@@ -88,6 +115,8 @@ def contour(frame, a, b, r, sign=1, wrong=None, amount=0.0):
         if wrong == i and i < 4:
             mid = ((at[0] + end[0]) / 2, (at[1] + end[1]) / 2)
             off = (amount * outwards[0], amount * outwards[1])
+            if lengths is not None:
+                lengths.append((end[0] - mid[0]) * along[0] + (end[1] - mid[1]) * along[1] - 2)
             out.append(("G1 " + frame.xy(*mid), ""))
             out.append(("G1 " + frame.xy(mid[0] + off[0], mid[1] + off[1]), "*"))
             out.append(("G1 " + frame.xy(end[0] - 2 * along[0] + off[0], end[1] - 2 * along[1] + off[1]), "*"))
@@ -122,7 +151,7 @@ def rectangular_pocket(random, sagitta, fault, amount):
         case.tool(7, kind="drill", diameter=random.choice([1.0, 2.5, 3.3]))  # never used: it sets how far rays lie apart
     frame = Frame(middle, turn)
     case.change(1)
-    levels = layers(random, top, depth, d)
+    levels, lengths = layers(random, top, depth, d), []
     case.put("G0 " + frame.xy(0, 0), f"G0 Z{mm(top + 2)}")
     for n, z in enumerate(levels):
         last = n + 1 == len(levels)
@@ -137,10 +166,15 @@ def rectangular_pocket(random, sagitta, fault, amount):
             case.lines += [(t, floor) for t, _ in contour(frame, sa, sb, max(0.0, corner - r - in_by))]
         wrong = int(fault[4]) if last and fault and fault.startswith("wall") else None
         case.put("G1 " + frame.xy(a - r, 0), mark=floor)
-        path = contour(frame, a - r, b - r, max(0.0, corner - r), 1, wrong, amount)
+        path = contour(frame, a - r, b - r, max(0.0, corner - r), 1, wrong, amount, lengths)
         case.lines += [(t, floor or m) for t, m in path]
         case.put("G1 " + frame.xy(0, 0), mark=floor)
     case.put(f"G0 Z{mm(top + SAFE)}")
+    if fault:
+        left = crest(lengths[0], r, -amount) if lengths else -amount
+        case.expect(gouge=amount, rest=left)
+        if amount < 0 and left < 30 * sagitta:
+            return None
     case.block(top)
     hole = Rectangle(a, b, corner, turn, sagitta)
     case.rings += [(hole, top), (hole, top - depth)]
@@ -165,7 +199,7 @@ def boss(random, sagitta, fault, amount):
     case.change(2)
     frame = Frame(middle, 0)
     far = math.hypot((x1 - x0) / 2, (y1 - y0) / 2)
-    levels = layers(random, top, depth, d)
+    levels, lengths = layers(random, top, depth, d), []
     case.put(f"G0 {frame.xy(far + d, 0)}", f"G0 Z{mm(top + 2)}")
     for n, z in enumerate(levels):
         last = n + 1 == len(levels)
@@ -178,15 +212,21 @@ def boss(random, sagitta, fault, amount):
             ring = 0.2 if 0 < out_by < 0.2 else out_by
             case.put("G1 " + frame.xy(a + r + ring, 0), mark=floor)
             sign = random.choice([1, -1])
-            path = contour(frame, a + r + ring, b + r + ring, corner + r + ring, sign, wrong, amount)
+            path = contour(frame, a + r + ring, b + r + ring, corner + r + ring, sign, wrong, amount, lengths)
             if round_one:
                 g = 3 if sign > 0 else 2
                 path = [(f"G{g} {frame.xy(a + r + ring, 0)} I{mm(-(a + r + ring))} J0", "")]
             case.lines += [(t, floor or m) for t, m in path]
         case.put(f"G1 {frame.xy(far + d, 0)}", mark=floor)
     case.put(f"G0 Z{mm(top + SAFE)}")
-    side = case.block(top - depth)
-    del side
+    if fault == "floor":
+        case.expect(gouge=amount, rest=-amount)
+    elif fault:
+        left = crest(lengths[0], r, amount)
+        case.expect(gouge=-amount, rest=left)
+        if amount > 0 and left < 30 * sagitta:
+            return None
+    case.block(top - depth)
     stud = Circle(a, sagitta) if round_one else Rectangle(a, b, corner, 0, sagitta)
     case.rings += [(stud, top - depth), (stud, top)]
     return case
@@ -218,6 +258,7 @@ def hole(random, sagitta, fault, amount):
     shift = amount if fault == "place" else 0
     deeper = amount / math.sin(math.radians(59)) if fault == "floor" else 0  # so much as its cone shows normal to itself
     drilled(case, 3, x + shift, y, top, round(z - deeper, 6), "*" if fault else "", random.choice(["G81", "G83", "G73", "G82"]))
+    case.expect(gouge=amount, rest=amount if fault == "place" else -amount)
     bore = Circle(d / 2, sagitta)
     if through:
         case.rings += [(bore, top), (bore, z0)]
@@ -229,6 +270,17 @@ def hole(random, sagitta, fault, amount):
 
 
 TAPS = [(4, 0.7, 3.3), (5, 0.8, 4.2), (6, 1, 5), (8, 1.25, 6.8), (10, 1.5, 8.5), (12, 1.75, 10.2)]
+
+
+def expect_beside_thread(case, drill, tap, shown, shift, through):
+    """Radii. Both walls of the hole against that of the part, of which the thread's depth does not count."""
+    depth = shown - drill
+    left = lambda off: off - min(max(off, min(0.0, depth)), max(0.0, depth))
+    case.expect(gouge=-left(depth - shift), rest=left(shown - max(drill - shift, tap)))
+    if not through and shift:
+        case.expect(gouge=shift, rest=shift)
+    elif shift:  # what the tap leaves of a wall that is not round is within what its thread may show
+        case.optional.add("rest-material")
 
 
 def tapped(random, sagitta, fault, amount):
@@ -246,9 +298,11 @@ def tapped(random, sagitta, fault, amount):
     case.change(4)
     drilled(case, 4, x + shift, y, top, z, "*" if shift else "", random.choice(["G81", "G83"]))
     case.change(5, "M3 S300")
-    case.put(f"G0 X{mm(x)} Y{mm(y)}", f"G0 Z{mm(top + 3)}", f"G33.1 Z{mm(end)} K{mm(pitch)}", f"G0 Z{mm(top + SAFE)}")
+    case.put(f"G0 X{mm(x)} Y{mm(y)}", f"G0 Z{mm(top + 3)}", f"G33.1 Z{mm(end)} K{mm(pitch)}", f"G0 Z{mm(top + SAFE)}",
+             mark="+" if shift else "")
     case.block(top)
     shown = random.choice([core, core, size - 1.0825 * pitch, size])
+    expect_beside_thread(case, core / 2, max(size - 1.0825 * pitch, 0.5 * size) / 2, shown / 2, shift, through)
     bore, thread = Circle(core / 2, sagitta), Circle(shown / 2, sagitta)
     if through:
         case.rings += [(thread, top), (thread, z0)]
@@ -275,6 +329,7 @@ def reamed(random, sagitta, fault, amount):
     drilled(case, 4, x, y, top, z)
     case.change(6, "M3 S300")
     drilled(case, 6, x + (amount if fault == "place" else 0), y, top, end, "*" if fault else "", random.choice(["G85", "G82"]))
+    case.expect(gouge=amount, rest=min(amount, (d - before) / 2) if fault == "place" else 0)
     case.block(top)
     wide, narrow = Circle(d / 2, sagitta), Circle(before / 2, sagitta)
     if through:
@@ -311,6 +366,7 @@ def helix_bore(random, sagitta, fault, amount):
             case.put(f"G{g} X{mm(x + way + off)} Y{mm(y)} Z{mm(down)} I{mm(-way - off)} J0", mark=mark)
     case.put(f"G{g} X{mm(x + way + off)} Y{mm(y)} I{mm(-way - off)} J0", f"G1 X{mm(x)} Y{mm(y)}", mark=mark)
     case.put(f"G0 Z{mm(top + SAFE)}")
+    case.expect(gouge=amount, rest=-amount)
     case.block(top)
     bore = Circle(wide / 2, sagitta)
     case.rings += [(bore, top), (bore, z0 if through else z)]
@@ -334,6 +390,7 @@ def countersunk(random, sagitta, fault, amount):
     deeper = amount * math.sqrt(2) if fault == "floor" else 0
     z = top - (wide - tip) / 2 - deeper
     drilled(case, 9, x, y, top, z, "*" if fault else "", "G82")
+    case.expect(gouge=amount, rest=-amount)
     case.block(top)
     sunk, bore = Circle(wide / 2, sagitta), Circle(d / 2, sagitta)
     case.rings += [(sunk, top), (bore, top - (wide - d) / 2), (bore, z0)]

@@ -3,7 +3,9 @@
 fault. The parts (stl_parts.py) know nothing of the simulation.
 
 usage: random_parts.py OBRYS [--count 200] [--seed 1] [--tolerances 0.05,0.01,0.002] [--amount 0.03] [--kind K] [--keep FOLDER]
-A fault must be larger than the tolerance to be seen: at a tolerance of 0.02 or more it is three times the tolerance.
+A fault must be larger than the tolerance to be seen: at a tolerance of 0.02 or more it is three times the tolerance. Below 0.005
+the parts are a quarter of the size; --scale says another. What is found of a fault must be what formulas say of it: its code or
+codes, their amounts within the tolerance or a fifth, and the line.
 """
 import argparse
 import json
@@ -19,10 +21,11 @@ import stl_parts
 FINDINGS = ("gouge", "rest-material")
 
 
-def write_job(folder, case, tolerance):
+def write_job(folder, case, tolerance, scale):
     triangles = (stl_parts.cone_end(case.centre, case.rings, case.tip) if case.tip is not None
                  else stl_parts.build(case.centre, case.rings, case.through))
-    stl_parts.write(folder / "part.stl", triangles)
+    stl_parts.write(folder / "part.stl", [tuple(tuple(v * scale for v in p) for p in t) for t in triangles])
+    case.scaled(scale)
     (folder / "part.ngc").write_text("\n".join(t for t, _ in case.lines) + "\nM2\n")
     box = case.box
     text = ['program = "part.ngc"', 'control = "linuxcnc"', 'machine = "mill-generic"']
@@ -49,19 +52,25 @@ def summary(result):
     return result["verdict"] + "; " + " | ".join(out)
 
 
-def judge_fault(case, result, amount):
+def judge_fault(case, result, tolerance):
     """Empty where the fault was found as it is; else what is wrong with what was found."""
-    guilty = {n + 1 for n, (_, mark) in enumerate(case.lines) if mark}
+    guilty = {n + 1 for n, (_, mark) in enumerate(case.lines) if mark == "*"}
+    named = guilty | {n + 1 for n, (_, mark) in enumerate(case.lines) if mark}
     found = [f for f in result["findings"] if f["code"] in FINDINGS]
-    if not found:
-        return "missed"
+    wrong = []
+    for code in FINDINGS:
+        amounts = [f.get("depth_mm", f.get("height_mm", 0)) for f in found if f["code"] == code]
+        expected = case.expected.get(code, 0.0)
+        if not amounts and expected > 1.05 * tolerance and code not in case.optional:
+            wrong.append(f"{code} of {expected:.4f} missed")
+        if amounts and expected < 0.95 * tolerance:
+            wrong.append(f"{code} of {max(amounts):.4f} where there is {expected:.4f}")
+        elif amounts and abs(max(amounts) - expected) > max(tolerance, 0.2 * expected):
+            wrong.append(f"{code} of {expected:.4f} said to be {max(amounts):.4f}")
     lines = {f["where"]["line"] for f in found}
-    if not lines <= guilty:
-        return f"blamed line {sorted(lines - guilty)}, guilty are {sorted(guilty)}"
-    most = max(f.get("depth_mm", f.get("height_mm", 0)) for f in found)
-    if not 0.6 * abs(amount) < most < 1.6 * abs(amount):
-        return f"amount {most} for {amount}"
-    return ""
+    if not lines <= named or (lines and not lines & guilty):
+        wrong.append(f"blamed line {sorted(lines)}, guilty are {sorted(guilty)}")
+    return "; ".join(wrong)
 
 
 def run(options, tolerance, number):
@@ -70,23 +79,24 @@ def run(options, tolerance, number):
     maker, faults = cases.MAKERS[kind]
     seed = random.random()
     size = options.amount if tolerance < 0.02 else 3 * tolerance
+    scale = options.scale or (0.25 if tolerance < 0.005 else 1.0)
     complaints = []
     with tempfile.TemporaryDirectory() as scratch:
         folder = pathlib.Path(options.keep or scratch)
-        case = maker(randoms.Random(seed), tolerance / 20, None, 0.0)
-        write_job(folder, case, tolerance)
+        case = maker(randoms.Random(seed), tolerance / 20 / scale, None, 0.0)
+        write_job(folder, case, tolerance, scale)
         result = check(options.obrys, folder)
         if result["verdict"] != "clean":
             complaints.append(f"{tolerance} {number} {kind} correct: {summary(result)}")
         fault = random.choice(faults)
         amount = size if fault in ("tool", "place") or random.random() < 0.5 else -size
-        case = maker(randoms.Random(seed), tolerance / 20, fault, amount)
+        case = maker(randoms.Random(seed), tolerance / 20 / scale, fault, amount / scale)
         if case is None:
-            case = maker(randoms.Random(seed), tolerance / 20, "floor", amount)
+            case = maker(randoms.Random(seed), tolerance / 20 / scale, "floor", amount / scale)
             fault = "floor"
-        write_job(folder, case, tolerance)
+        write_job(folder, case, tolerance, scale)
         result = check(options.obrys, folder)
-        wrong = judge_fault(case, result, amount)
+        wrong = judge_fault(case, result, tolerance)
         if wrong:
             complaints.append(f"{tolerance} {number} {kind} {fault} {amount}: {wrong}; {summary(result)}")
     return complaints
@@ -100,6 +110,7 @@ def main():
     parser.add_argument("--seed", type=int, default=1)
     parser.add_argument("--tolerances", default="0.05,0.01,0.002")
     parser.add_argument("--amount", type=float, default=0.03)
+    parser.add_argument("--scale", type=float)
     parser.add_argument("--kind")
     parser.add_argument("--keep")
     options = parser.parse_args()

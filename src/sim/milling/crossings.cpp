@@ -25,23 +25,30 @@ struct Edge {
     bool rising;
 };
 
-/// The end of material on a ray nearest to an edge; nothing within a step: `found` stays false.
+/// An end of material on a ray; `found` false: there is none.
 struct Found {
     double at = 0;
     std::uint32_t cut = 0;
     bool found = false;
+    Vec3 through;  ///< a point of the ray or line
 };
 
+/// Ends so far beyond an edge's nodes belong to it, in its lengths: of a face nearly along the ray a rounding error
+/// moves them far.
+constexpr double beyond = 0.05;
+
+/// The one nearest to an edge's middle.
 Found nearest_end(std::span<const Interval> ray, const Edge& e) {
-    const double reach = e.high - e.low, middle = 0.5 * (e.low + e.high);
-    auto m = std::partition_point(ray.begin(), ray.end(), [&](const Interval& x) { return x.end < e.low - reach; });
+    const double length = e.high - e.low, low = e.low - beyond * length, high = e.high + beyond * length;
+    const double middle = 0.5 * (e.low + e.high);
+    auto m = std::partition_point(ray.begin(), ray.end(), [&](const Interval& x) { return x.end < low; });
     Found best;
-    double best_distance = 1.5 * reach;
-    for (; m != ray.end() && m->begin <= e.high + reach; ++m) {
+    double best_distance = high - middle;
+    for (; m != ray.end() && m->begin <= high; ++m) {
         const double at = e.rising ? m->begin : m->end, d = std::abs(at - middle);
         if (!(d <= best_distance)) continue;
         best_distance = d;
-        best = {at, e.rising ? m->begin_cut : m->end_cut, true};
+        best = {at, e.rising ? m->begin_cut : m->end_cut, true, {}};
     }
     return best;
 }
@@ -50,22 +57,44 @@ bool is_material(std::span<const Interval> ray, double at) {
     return std::any_of(ray.begin(), ray.end(), [&](const Interval& m) { return m.begin <= at && at <= m.end; });
 }
 
-/// Where the ray along an edge has no end though its nodes differ: one of them lies on a face parallel to the ray,
-/// which one ray sees and the other does not, by rounding. The surface goes through that node.
+/// Where nothing else is known: the surface goes through the node on which rays do not agree.
 double doubtful_node(std::span<const Interval> ray, const Edge& e) {
     const bool low = is_material(ray, e.low), high = is_material(ray, e.high);
     if (low != high) return 0.5 * (e.low + e.high);
     return low == e.rising ? e.low : e.high;
 }
 
-Crossing crossing_of(std::span<const Interval> ray, const Edge& e, Vec3 node, int axis, Normal normal, bool& found) {
-    const Found f = nearest_end(ray, e);
+constexpr double aside = 1e-6;  ///< mm
+
+/// The end on a line beside the edge on which it has one.
+Found end_beside(Vec3 node, int axis, const Edge& e, const Line& line) {
+    constexpr std::array<std::array<int, 2>, 8> ways{
+        {{1, 0}, {-1, 0}, {0, 1}, {0, -1}, {1, 1}, {1, -1}, {-1, 1}, {-1, -1}}};
+    if (!line) return {};
+    const int u = first_across(axis), v = second_across(axis);
+    for (const auto& way : ways) {
+        Vec3 p = node;
+        set_component(p, u, component(p, u) + way[0] * aside);
+        set_component(p, v, component(p, v) + way[1] * aside);
+        const std::vector<Interval> beside = line(axis, p, e.low, e.high);
+        Found f = nearest_end(beside, e);
+        f.through = p;
+        if (f.found) return f;
+    }
+    return {};
+}
+
+Crossing crossing_of(std::span<const Interval> ray, const Edge& e, Vec3 node, int axis, Normal normal, const Line& line,
+                     bool& found) {
+    Found f = nearest_end(ray, e);
+    f.through = node;
+    if (!f.found) f = end_beside(node, axis, e, line);
     found = f.found;
     Crossing c;
     c.at = f.found ? f.at : doubtful_node(ray, e);
     c.cut = f.cut;
     if (!f.found) return c;
-    Vec3 p = node;
+    Vec3 p = f.through;
     set_component(p, axis, c.at);
     const Vec3 n = normal(f.cut, p, axis, e.rising ? -1.0 : 1.0);
     if (is_finite(n)) c.normal = {static_cast<float>(n.x), static_cast<float>(n.y), static_cast<float>(n.z)};
@@ -93,9 +122,10 @@ std::uint32_t Ranks::at(std::size_t row, std::size_t w, std::uint64_t mask, unsi
     return before_[row * words_ + w] + static_cast<std::uint32_t>(std::popcount(lower));
 }
 
-Crossings::Crossings(const Lattice& lattice, const NodeBits& nodes, Rays rays, Normal normal) : nodes_(nodes) {
+Crossings::Crossings(const Lattice& lattice, const NodeBits& nodes, Rays rays, Normal normal, const Line& line)
+    : nodes_(nodes) {
     count();
-    fill(lattice, rays, normal);
+    fill(lattice, rays, normal, line);
 }
 
 void Crossings::count() {
@@ -120,7 +150,7 @@ void Crossings::count() {
     }
 }
 
-void Crossings::fill(const Lattice& lattice, Rays rays, Normal normal) {
+void Crossings::fill(const Lattice& lattice, Rays rays, Normal normal, const Line& line) {
     std::atomic<std::size_t> unmatched = 0;
     const auto fill_row = [&](std::size_t row, int axis) {
         const auto a = static_cast<std::size_t>(axis);
@@ -136,7 +166,7 @@ void Crossings::fill(const Lattice& lattice, Rays rays, Normal normal) {
                 const Edge e{component(low, axis), component(high, axis), !nodes_.material(i, j, k)};
                 const auto ray = rays(axis, axis == 0 ? j : i, axis == 2 ? j : k);
                 bool found = false;
-                all_[a][number++] = crossing_of(ray, e, low, axis, normal, found);
+                all_[a][number++] = crossing_of(ray, e, low, axis, normal, line, found);
                 if (!found) unmatched.fetch_add(1, std::memory_order_relaxed);
             }
     };

@@ -4,6 +4,7 @@
 #include <array>
 #include <cstddef>
 #include <cstdint>
+#include <functional>
 #include <vector>
 
 #include "sim/milling/node_bits.hpp"
@@ -14,6 +15,10 @@ namespace obrys::sim::milling {
 /// which the place lies; `sign`: -1 where the ray enters material, 1 where it leaves it. A zero or NaN stands for not
 /// known. Called from several threads at once.
 using Normal = base::FunctionRef<geom::Vec3(std::uint32_t cut, geom::Vec3 at, int axis, double sign)>;
+
+/// Material on the line along `axis` through a point that lies on no ray, between two of its coordinates; called from
+/// several threads at once. Empty function: not to be had.
+using Line = std::function<std::vector<Interval>(int axis, geom::Vec3 through, double low, double high)>;
 
 struct Crossing {
     double at = 0;                  ///< on its axis; by rounding it may lie beside its edge
@@ -36,7 +41,10 @@ private:
 
 class Crossings {
 public:
-    Crossings(const Lattice& lattice, const NodeBits& nodes, Rays rays, Normal normal);
+    /// Where a node lies on a face but for rounding, rays of different directions may not agree on which side it is,
+    /// and a ray in the face sees all of it or nothing. The rays along z decide; what such a ray does not know is taken
+    /// from `line`, a nanometre beside it on the side that they decided for.
+    Crossings(const Lattice& lattice, const NodeBits& nodes, Rays rays, Normal normal, const Line& line);
 
     /// All edges along an axis, ordered by row, then by i.
     [[nodiscard]] const std::vector<Crossing>& along(int axis) const { return all_[static_cast<std::size_t>(axis)]; }
@@ -51,7 +59,7 @@ public:
 
 private:
     void count();
-    void fill(const Lattice& lattice, Rays rays, Normal normal);
+    void fill(const Lattice& lattice, Rays rays, Normal normal, const Line& line);
 
     const NodeBits& nodes_;
     std::array<Ranks, 3> ranks_;

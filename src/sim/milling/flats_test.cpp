@@ -2,8 +2,12 @@
 // a node in steps from rounding errors up to a cell. The surface must be that of the pocket wherever they lie.
 
 #include <algorithm>
+#include <array>
 #include <cmath>
+#include <random>
 
+#include "mesh/distance.hpp"
+#include "mesh/primitives.hpp"
 #include "mesh/topology.hpp"
 #include "sim/milling/milling_testing.hpp"
 #include "sim/milling/surface.hpp"
@@ -55,8 +59,8 @@ double worst_of(const Lattice& lattice, const Box3& pocket) {
     w.tool = w.simulation.add_tool(tool_of(CutterKind::end_mill, 2 * radius));
     mill(w, pocket);
     w.simulation.flush();
-    const auto normal = [&](std::uint32_t cut, Vec3 p, int, double) { return w.simulation.normal_at(cut, p); };
-    const Surface s = extract_surface(w.simulation.dexels(), normal);
+    const Surface s = extract_surface(w.simulation);
+    EXPECT_EQ(s.unmatched, 0U);
     const mesh::Topology t = mesh::topology(s.mesh);
     EXPECT_EQ(t.open.count + t.crowded.count + t.turned.count, 0U);
     double worst = 0;
@@ -71,8 +75,9 @@ constexpr double tolerance = 0.01;
 TEST(Flats, AtAndBesideNodesOfTheLattice) {
     const Lattice lattice = make_lattice(block, step_for(tolerance, 3)).value();
     const Vec3 node = lattice.node(20, 16, 50);
-    // Nearer than 1e-13 mm a floor comes out a fifth of a step off; decimals lie on no node (below).
-    for (const double size : {1e-13, 1e-12, 1e-11, 1e-10, 1e-9, 1e-8, 1e-7, 1e-6, 1e-5, 1e-3, 0.05, 0.12})
+    // Decimals lie on no node (below); what was turned or computed may.
+    for (const double size : {0.0, 1e-16, 1e-15, 1e-14, 5e-14, 1e-13, 1e-12, 1e-11, 1e-10, 1e-9, 1.0000001e-9, 1e-8,
+                              1e-7, 1e-6, 1e-5, 1e-3, 0.05, 0.12})
         for (const double off : {size, -size}) {
             const Box3 floor{{5.3, 4.7, node.z + off}, {54.1, 35.2, 1}},
                 low{{node.x + off, node.y + off, -10.3}, {54.1, 35.2, 1}},
@@ -81,6 +86,49 @@ TEST(Flats, AtAndBesideNodesOfTheLattice) {
             EXPECT_LE(worst_of(lattice, low), tolerance) << "lower walls " << off;
             EXPECT_LE(worst_of(lattice, high), tolerance) << "upper walls " << off;
         }
+}
+
+constexpr std::array<double, 20> sizes{0,    1e-16, 1e-15, 1e-14, 5e-14, 1e-13, 2e-13, 1e-12, 1e-11, 1e-10,
+                                       1e-9, 2e-9,  1e-8,  1e-7,  1e-6,  2e-6,  1e-5,  1e-4,  5e-4,  1e-3};
+
+/// Floor and all four walls at nodes, each hardly beside them by another amount.
+TEST(Flats, AllFacesOfAPocketAtNodes) {
+    const Lattice lattice = make_lattice(block, step_for(tolerance, 3)).value();
+    std::mt19937 random(7);
+    const auto off = [&] { return (random() % 2 == 0 ? 1 : -1) * sizes[random() % sizes.size()]; };
+    const auto at = [&](int low, int high) {
+        return low + static_cast<int>(random() % static_cast<unsigned>(high - low));
+    };
+    for (int i = 0; i < 25; ++i) {
+        const Vec3 low = lattice.node(at(10, 40), at(10, 30), at(20, 60));
+        const Vec3 high = lattice.node(at(150, 230), at(100, 150), 0);
+        const Box3 pocket{low + Vec3{off(), off(), off()}, {high.x + off(), high.y + off(), 1}};
+        EXPECT_LE(worst_of(lattice, pocket), tolerance) << low.x << " " << low.y << " " << low.z;
+    }
+}
+
+/// The stock's own faces at nodes: of a box, and of the same as a mesh.
+TEST(Flats, FacesOfTheStockAtNodes) {
+    const Lattice lattice = make_lattice(block, 0.5).value();
+    std::mt19937 random(8);
+    const auto off = [&] { return (random() % 2 == 0 ? 1 : -1) * sizes[random() % sizes.size()]; };
+    for (int i = 0; i < 200; ++i) {
+        const Box3 box{lattice.node(10, 10, 10) + Vec3{off(), off(), off()},
+                       lattice.node(50, 60, 30) + Vec3{off(), off(), off()}};
+        const mesh::Mesh walls = mesh::box(box.min, box.max);
+        Stock stock = box;
+        if (i % 2 == 1) stock = MeshStock{walls.vertices, {walls.triangles.begin(), walls.triangles.end()}};
+        const Surface s = extract_surface(Simulation(stock, lattice, 0.01));
+        EXPECT_EQ(s.unmatched, 0U);
+        const mesh::Topology t = mesh::topology(s.mesh);
+        EXPECT_EQ(t.open.count + t.crowded.count + t.turned.count, 0U);
+        const mesh::Distance exact(walls);
+        double worst = 0;
+        for (const Vec3& p : s.mesh.vertices) worst = std::max(worst, exact.nearest(p).distance);
+        for (std::size_t n = 0; n < s.mesh.triangles.size(); ++n)
+            worst = std::max(worst, exact.nearest(mesh::centre(s.mesh, n)).distance);
+        EXPECT_LE(worst, 1e-5) << i;
+    }
 }
 
 /// Coordinates as programs have them lie on no node, whatever the tolerance and the tool.

@@ -91,6 +91,7 @@ void join(Tally& into, const Tally& t) {
         into.depth = t.depth;
         into.deepest = t.deepest;
     }
+    if (t.stack > 0) into.take_stack(t.stack, t.stack_off, t.stack_foot);
 }
 
 TileRange tiles_of(const Job& job, const Dexels& dexels, int axis) {

@@ -22,6 +22,7 @@ Moment moment(const Piece& piece, Vec3 v, Vec3 p, double t) {
     m.t = t;
     m.foot.outside = outside(piece, p - t * v, m.foot.normal);
     m.foot.gradient = m.foot.normal;
+    m.foot.place = t * v;
     m.slope = -dot(m.foot.normal, v);
     return m;
 }
@@ -84,12 +85,14 @@ Foot foot_on(const Shape& shape, const Track& track, Vec3 p) {
     const Vec3 place = level ? place_near(track, {p.x, p.y}) : Vec3{};
     for (const Piece& piece : shape.pieces) {
         Foot foot;
+        foot.place = place;
         if (level) {
             foot.outside = outside(piece, p - place, foot.normal);
         } else if (piece.kind == PieceKind::round && piece.whole && piece.ring == 0) {
             const Vec3 q = p - Vec3{0, 0, piece.centre};
             const double t = std::clamp(dot(q, track.v) / dot(track.v, track.v), 0.0, 1.0);
-            foot.outside = outside(piece, p - t * track.v, foot.normal);
+            foot.place = t * track.v;
+            foot.outside = outside(piece, p - foot.place, foot.normal);
         } else {
             foot = foot_on(piece, track.v, p);
         }

@@ -13,6 +13,7 @@ struct Foot {
     /// How `outside` grows with the point: the normal, but where a moving edge is nearest, between those of its two
     /// faces.
     geom::Vec3 gradient;
+    geom::Vec3 place;  ///< of the tip at that moment
 };
 [[nodiscard]] Foot foot_on(const Piece& piece, geom::Vec3 v, geom::Vec3 p);
 /// Of the piece that the point lies deepest in or is nearest to.

@@ -29,11 +29,7 @@ bool may_meet(const Simulation::Sweep& s, const Shape& shape, Vec3 axis, const B
 
 }  // namespace
 
-std::vector<SurfacePoint> Simulation::surface_points(const Box3& box, double step) const {
-    std::vector<SurfacePoint> points;
-    const auto lattice = make_lattice(box, step);
-    if (!lattice) return points;
-    Dexels again = fill(*stock_, *lattice).dexels;
+std::vector<Job> Simulation::jobs_in(const Box3& box) const {
     std::vector<Job> jobs;
     for (std::size_t i = 0; i < done_; ++i) {
         const Sweep& s = sweeps_[i];
@@ -42,6 +38,51 @@ std::vector<SurfacePoint> Simulation::surface_points(const Box3& box, double ste
         jobs.push_back(make_job(shape_of(s), orientations_[s.orientation], track_of(s), s.from, rays_box()));
         jobs.back().cut = static_cast<std::uint32_t>(i + 1);
     }
+    return jobs;
+}
+
+const StockBody& Simulation::body() const {
+    if (!body_) body_ = std::make_shared<const StockBody>(*stock_);
+    return *body_;
+}
+
+Air Simulation::air_in(const Box3& box) const {
+    std::vector<Air::Sweep> sweeps;
+    for (std::size_t i = 0; i < done_; ++i) {
+        const Sweep& s = sweeps_[i];
+        const Orientation& frame = orientations_[s.orientation];
+        if (!s.cut || shape_of(s).pieces.empty() || !may_meet(s, shape_of(s), frame.z, box)) continue;
+        sweeps.push_back({&shape_of(s), frame, track_of(s), s.from, static_cast<std::uint32_t>(i + 1)});
+    }
+    return {body(), std::move(sweeps)};
+}
+
+std::vector<Interval> Simulation::line(int axis, Vec3 through, double low, double high) const {
+    // One ray along the axis; its ends' nodes lie beside the part that is asked for, as those of any lattice do.
+    Lattice one;
+    one.origin = through;
+    set_component(one.origin, axis, low - (high - low));
+    set_component(one.step, axis, high - low);
+    one.count = {1, 1, 1};
+    one.count[static_cast<std::size_t>(axis)] = 4;
+    Box3 box{through, through};
+    set_component(box.min, axis, low);
+    set_component(box.max, axis, high);
+    Dexels again = fill(*stock_, one).dexels;
+    const std::vector<Job> jobs = jobs_in(box);
+    std::vector<Tally> tallies(jobs.size());
+    for (std::uint32_t n = 0; n < jobs.size(); ++n)
+        cut_tile(again.tile(axis, 0, 0), one, axis, 0, 0, jobs, std::span(&n, 1), std::span(tallies).subspan(n, 1));
+    const std::span<const Interval> ray = again.ray(axis, 0, 0);
+    return {ray.begin(), ray.end()};
+}
+
+std::vector<SurfacePoint> Simulation::surface_points(const Box3& box, double step) const {
+    std::vector<SurfacePoint> points;
+    const auto lattice = make_lattice(box, step);
+    if (!lattice) return points;
+    Dexels again = fill(*stock_, *lattice).dexels;
+    const std::vector<Job> jobs = jobs_in(box);
     std::vector<Tally> tallies(jobs.size());
     cut_all(again, jobs, tallies, threads_);
     for (int axis = 0; axis < 3; ++axis) {

@@ -50,6 +50,8 @@ struct Shape {
     bool rising =
         false;  ///< the radius never decreases upwards: what lies above the tool's lower side is cut up to its top
 };
+/// How far a point inside lies from the surface, at least: 0 outside. Where two pieces meet there is no surface.
+[[nodiscard]] double depth_in(const Shape& shape, geom::Vec3 p);
 /// Fills in what follows from the pieces.
 [[nodiscard]] Shape make_shape(std::vector<Piece> pieces);
 [[nodiscard]] double widest_between(const Shape& shape, double low, double high);

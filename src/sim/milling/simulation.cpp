@@ -204,6 +204,10 @@ void Simulation::flush() {
                 e.depth = t.depth;
                 e.deepest = t.deepest;
             }
+            if (t.stack > e.stack) {
+                e.stack = t.stack;
+                e.stack_foot = t.stack_foot;
+            }
         }
         done_ = end;
     }

@@ -12,6 +12,7 @@
 #include <vector>
 
 #include "geom/interpolation.hpp"
+#include "sim/milling/air.hpp"
 #include "sim/milling/cutter.hpp"
 #include "sim/milling/dexel.hpp"
 #include "sim/milling/stock.hpp"
@@ -57,6 +58,10 @@ struct Engagement {
     /// where.
     double depth = 0;
     geom::Vec3 deepest;
+    /// The same passes: how high, along the axis, material stands above the lower side of the tool, on rays that pass
+    /// within nine tenths of its radius (not at its rim, which rubs along walls), and its lower end.
+    double stack = 0;
+    geom::Vec3 stack_foot;
 };
 
 /// Directions that a cutter's edge is engaged in, seen against the axis, counter-clockwise from `from` to `to`; 0 is
@@ -66,6 +71,8 @@ struct Angles {
     double from = 0, to = 0;
 };
 [[nodiscard]] Angles engaged_angles(const Engagement& e, double radius);
+
+struct Job;
 
 /// A point of the surface, exact, and the cut that made it; 0: the stock's own face.
 struct SurfacePoint {
@@ -95,6 +102,11 @@ public:
     /// Points of the surface in a box, on rays of all three directions at most `step` apart: all that was cut is cut
     /// again there. None where the box has no size.
     [[nodiscard]] std::vector<SurfacePoint> surface_points(const Box3& box, double step) const;
+    [[nodiscard]] std::size_t sweeps() const { return sweeps_.size(); }
+    /// What has been taken, and what was never there, as far as it may lie in a box. The simulation must outlive it.
+    [[nodiscard]] Air air_in(const Box3& box) const;
+    /// Material on the line along `axis` through a point, as rays have it, between two of its coordinates: cut again.
+    [[nodiscard]] std::vector<Interval> line(int axis, geom::Vec3 through, double low, double high) const;
     [[nodiscard]] std::size_t bytes() const;
 
     /// One straight or circular piece of a pass.
@@ -117,10 +129,13 @@ private:
     [[nodiscard]] const Shape& shape_of(const Sweep& sweep) const;
     [[nodiscard]] Track track_of(const Sweep& sweep) const;
     [[nodiscard]] Box3 rays_box() const;  ///< from the first to the last node
+    [[nodiscard]] std::vector<Job> jobs_in(const Box3& box) const;
+    [[nodiscard]] const StockBody& body() const;  ///< made when it is asked for
 
     Dexels dexels_;
     std::shared_ptr<const Stock> stock_;
     StockFaces faces_;
+    mutable std::shared_ptr<const StockBody> body_;
     double tolerance_ = 0.01;
     int threads_ = 0;
     std::uint64_t open_rays_ = 0;

@@ -120,11 +120,11 @@ private:
 
 }  // namespace
 
-Surface extract_surface(const Lattice& lattice, Rays rays, Normal normal) {
+Surface extract_surface(const Lattice& lattice, Rays rays, Normal normal, const Line& line) {
     Surface s;
     const NodeBits nodes(lattice, rays);
     if (nodes.rows() == 0) return s;
-    const Crossings crossings(lattice, nodes, rays, normal);
+    const Crossings crossings(lattice, nodes, rays, normal, line);
     s.mesh = Builder(lattice, nodes, crossings).build();
     s.thin = count_thin(lattice, rays);
     s.unmatched = crossings.unmatched();
@@ -134,6 +134,16 @@ Surface extract_surface(const Lattice& lattice, Rays rays, Normal normal) {
 Surface extract_surface(const Dexels& dexels, Normal normal) {
     return extract_surface(
         dexels.lattice(), [&](int axis, int a, int b) { return dexels.ray(axis, a, b); }, normal);
+}
+
+Surface extract_surface(const Simulation& simulation) {
+    const Dexels& dexels = simulation.dexels();
+    const auto normal = [&](std::uint32_t cut, Vec3 p, int, double) { return simulation.normal_at(cut, p); };
+    const Line line = [&](int axis, Vec3 through, double low, double high) {
+        return simulation.line(axis, through, low, high);
+    };
+    return extract_surface(
+        dexels.lattice(), [&](int axis, int a, int b) { return dexels.ray(axis, a, b); }, normal, line);
 }
 
 }  // namespace obrys::sim::milling

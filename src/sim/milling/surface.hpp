@@ -8,6 +8,7 @@
 #include "mesh/mesh.hpp"
 #include "sim/milling/crossings.hpp"
 #include "sim/milling/dexel.hpp"
+#include "sim/milling/simulation.hpp"
 
 namespace obrys::sim::milling {
 
@@ -23,7 +24,9 @@ struct Surface {
 
 /// `rays` and `normal` are called from several threads at once. Empty where the lattice has less than three nodes
 /// along an axis. Memory: three bits a node, besides what grows with the surface.
-[[nodiscard]] Surface extract_surface(const Lattice& lattice, Rays rays, Normal normal);
+[[nodiscard]] Surface extract_surface(const Lattice& lattice, Rays rays, Normal normal, const Line& line = {});
 [[nodiscard]] Surface extract_surface(const Dexels& dexels, Normal normal);
+/// Of what a simulation has left, which also knows what lies beside its rays.
+[[nodiscard]] Surface extract_surface(const Simulation& simulation);
 
 }  // namespace obrys::sim::milling

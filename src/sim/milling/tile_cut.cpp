@@ -189,7 +189,9 @@ private:
                 place_.tile.measure(local, low, high, removed);
             tally_.touched = true;
             if (measured_) note(c.row.p + i * c.row.step, local, removed);
-            if (!job_.cuts) note_depth(local, removed);
+            if (job_.cuts) continue;
+            note_depth(local, removed);
+            if (measured_) note_stack(c.row.p + i * c.row.step, local, removed);
         }
     }
 
@@ -227,6 +229,26 @@ private:
             tally_.deepest = p;
         }
     }
+
+    /// `p`: the ray in the tool's frame. Rays stand beside the axis, so a point reaches lower than they say.
+    void note_stack(Vec3 p, int local, const Removed& found) {
+        const double along = d_.z, across = along == 1 ? 0 : dot(node(local), job_.frame.z);
+        const double one = across + along * found.lowest, other = across + along * found.highest;
+        if (aims_.lie == Lie::skew) p = p + ((found.lowest + found.highest) / 2 - base_) * d_;
+        const double off = offset_from(job_.track, {p.x, p.y}).distance;
+        if (!(off <= rim * job_.shape->radius)) return;
+        const Vec2 lower = job_.track.v.z < 0 ? Vec2{job_.track.v.x, job_.track.v.y} : Vec2{};
+        const double beside = job_.track.level() ? off : geom::distance({p.x, p.y}, lower);
+        const bool nearest = beside <= 0.51 * length(place_.step_a + place_.step_b);
+        const double tip = dot(job_.from, job_.frame.z) + std::min(0.0, job_.track.v.z) + job_.shape->bottom;
+        const double least = std::min(one, other), room = 2 * length(place_.step_a + place_.step_b);
+        const double low = nearest && least - tip < room ? std::min(least, tip) : least;
+        Vec3 foot = node(local);
+        set_component(foot, place_.axis, one < other ? found.lowest : found.highest);
+        tally_.take_stack(std::max(one, other) - low, off, foot + (low - least) * job_.frame.z);
+    }
+
+    static constexpr double rim = 0.9;  ///< of the radius: what lies farther out may be a wall along which it rubs
 
     const Place& place_;
     const Job& job_;
