@@ -122,8 +122,9 @@ void Milling::add_clamps(double left) {
             continue;
         }
         left -= needed;
-        clamps_.push_back(
-            {c.name, milling::Simulation(c.body, *lattice, setup_.milling->tolerance, setup_.milling->threads)});
+        clamps_.push_back({c.name,
+                           milling::Simulation(c.body, *lattice, setup_.milling->tolerance, setup_.milling->threads),
+                           std::make_unique<ClampGuard>(c.body, setup_.tolerances.rapid, setup_.milling->threads)});
     }
 }
 
@@ -179,7 +180,10 @@ bool Milling::tool_in_use(const Move& move) {
         }
         require_fine_enough(move, made.shape.cutting.radius);
         if (certificate_) certificate_->add_tool(made.shape);
-        for (Clamp& c : clamps_) static_cast<void>(c.simulation.add_tool(made.shape));  // the same number in each
+        for (Clamp& c : clamps_) {  // the same number in each
+            static_cast<void>(c.simulation.add_tool(made.shape));
+            c.guard->add_tool(made.shape);
+        }
         if (!cutter.holder.empty() && !(tool_->length > 0) && cutter.cutting_length >= unknown_height)
             out_.unchecked(move.record, "tool " + tool_name_ + ": where its holder is is not known: it is not checked",
                            "give the tool's length");
@@ -417,7 +421,9 @@ void Milling::queue_clamps(const geom::PathElement& element) {
         for (const auto& [kind, part] : {std::pair{QueuedPass::Kind::cut, milling::Part::cutting},
                                          std::pair{QueuedPass::Kind::shank, milling::Part::shank},
                                          std::pair{QueuedPass::Kind::holder, milling::Part::holder}}) {
-            require(c.simulation.add({element, axis_, sim_tool_, part, false}));
+            const milling::Pass pass{element, axis_, sim_tool_, part, false};
+            require(c.simulation.add(pass));
+            c.guard->add(pass);
             QueuedPass q;
             q.kind = kind;
             q.move = static_cast<std::uint32_t>(moves_.size() - 1);
@@ -434,7 +440,10 @@ void Milling::queue_clamps(const geom::PathElement& element) {
 void Milling::carry_out() {
     simulation_->flush();
     if (certificate_) certificate_->carry_out();
-    for (Clamp& c : clamps_) c.simulation.flush();
+    for (Clamp& c : clamps_) {
+        c.simulation.flush();
+        c.guard->carry_out();
+    }
     for (std::size_t i = 0; i < queued_.size(); ++i) judge(i);
     queued_.clear();
     if (setup_.progress && !moves_.empty()) setup_.progress(moves_.back().index + 1);

@@ -11,6 +11,7 @@
 #include <vector>
 
 #include "check/check.hpp"
+#include "check/clamp_guard.hpp"
 #include "check/collect.hpp"
 #include "check/milling_certify.hpp"
 #include "check/open_way.hpp"
@@ -59,6 +60,7 @@ private:
     struct Clamp {
         std::string name;
         sim::milling::Simulation simulation;
+        std::unique_ptr<ClampGuard> guard;
     };
     void begin();
     /// `left`: bytes that they may take together.
@@ -87,6 +89,7 @@ private:
     };
     [[nodiscard]] const sim::milling::Engagement& met_by(const QueuedPass& pass) const;
     [[nodiscard]] Reach reach_of(const QueuedPass& pass) const;
+    [[nodiscard]] Reach ray_reach_of(const QueuedPass& pass) const;
     [[nodiscard]] Reach deepest_reach(std::size_t queued) const;
     void judge(std::size_t queued);
     void judge_reach(const QueuedPass& pass, const Reach& reach);

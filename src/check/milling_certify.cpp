@@ -1,15 +1,13 @@
 #include "check/milling_certify.hpp"
 
-#include <tbb/blocked_range.h>
-#include <tbb/parallel_for.h>
-#include <tbb/task_arena.h>
-
 #include <algorithm>
 #include <cmath>
 #include <functional>
 #include <map>
 #include <numeric>
 #include <utility>
+
+#include "check/certify_shapes.hpp"
 
 namespace obrys::check {
 
@@ -20,36 +18,10 @@ using geom::Vec3;
 
 namespace {
 
-constexpr double chord_share = 0.02;       ///< of what is allowed: chords that stand for a form tool's arcs
-constexpr std::size_t most_chords = 1000;  ///< of one of them
-constexpr std::size_t looked_at = 400;     ///< moves whose depth is found to the end
-constexpr double same_depth = 0.1;         ///< of what is allowed: no deeper
-constexpr double similar = 1.2;            ///< times as deep: still the same place
-
-void add_round(certify::Shape& shape, const milling::Piece& p, double off) {
-    if (p.whole) return shape.push_back({p.ring, p.centre, p.ring, p.centre, p.arc});
-    const auto angle_at = [&](double z) { return std::asin(std::clamp((z - p.centre) / p.arc, -1.0, 1.0)); };
-    const double from = angle_at(p.z0), to = angle_at(p.z1), step = 2 * std::acos(std::max(0.0, 1 - off / p.arc));
-    const std::size_t n =
-        std::clamp<std::size_t>(static_cast<std::size_t>(std::ceil((to - from) / step)), 1, most_chords);
-    double low = p.z0;
-    for (std::size_t i = 1; i <= n; ++i) {
-        const double part = static_cast<double>(i) / static_cast<double>(n);
-        const double high = i == n ? p.z1 : p.centre + p.arc * std::sin(from + part * (to - from));
-        shape.push_back({milling::radius_at(p, low), low, milling::radius_at(p, high), high, 0});
-        low = high;
-    }
-}
-
-certify::Shape shape_of(const milling::Shape& of, double off) {
-    certify::Shape shape;
-    for (const milling::Piece& p : of.pieces)
-        if (p.kind == milling::PieceKind::cone)
-            shape.push_back({p.r0, p.z0, p.r1, p.z1, 0});
-        else
-            add_round(shape, p, off);
-    return shape;
-}
+constexpr double chord_share = 0.02;    ///< of what is allowed: chords that stand for a form tool's arcs
+constexpr std::size_t looked_at = 400;  ///< moves whose depth is found to the end
+constexpr double same_depth = 0.1;      ///< of what is allowed: no deeper
+constexpr double similar = 1.2;         ///< times as deep: still the same place
 
 /// How deep a place lies in a stock; negative beside it.
 std::function<double(Vec3)> depth_in(const milling::Stock& stock) {
@@ -65,22 +37,9 @@ std::function<double(Vec3)> depth_in(const milling::Stock& stock) {
             const double out = std::sqrt(std::max(0.0, dot(off, off) - along * along));
             return std::min({bar.radius - out, along, bar.length - along});
         };
-    const auto& m = std::get<milling::MeshStock>(stock);
-    mesh::Mesh mesh{m.vertices, {m.triangles.begin(), m.triangles.end()}, {}};
-    if (mesh::volume(mesh) < 0) mesh::turn_over(mesh);
-    return [distance = std::make_shared<const mesh::Distance>(std::move(mesh))](Vec3 p) {
+    return [distance = std::make_shared<const mesh::Distance>(mesh_of(stock, 0))](Vec3 p) {
         return -distance->signed_distance(p);
     };
-}
-
-template <class Body>
-void for_all(std::size_t n, int threads, Body&& body) {
-    tbb::task_arena arena(threads > 0 ? threads : tbb::task_arena::automatic);
-    arena.execute([&] {
-        tbb::parallel_for(tbb::blocked_range<std::size_t>(0, n, 16), [&](const tbb::blocked_range<std::size_t>& some) {
-            for (std::size_t i = some.begin(); i < some.end(); ++i) body(i);
-        });
-    });
 }
 
 /// Length of a way as it is seen along a direction.
@@ -137,7 +96,7 @@ Certificate::Certificate(const MillingSetup& setup, double allowed)
     : threads_(setup.threads), allowed_(allowed), part_(setup.part), judge_(*part_, allowed, depth_in(setup.stock)) {}
 
 void Certificate::add_tool(const milling::ToolShape& tool) {
-    shapes_.push_back(shape_of(tool.cutting, chord_share * allowed_));
+    shapes_.push_back(certified_shape(tool.cutting, chord_share * allowed_));
 }
 
 void Certificate::add(std::uint32_t move, const geom::PathElement& path, Vec3 axis, std::uint32_t tool) {

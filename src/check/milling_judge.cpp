@@ -92,6 +92,13 @@ const milling::Engagement& Milling::met_by(const QueuedPass& pass) const {
 /// as it stands above the lower end. Of rapids as high as material stands above the lower side of the tool, but for its
 /// rim.
 Milling::Reach Milling::reach_of(const QueuedPass& pass) const {
+    if (pass.clamp == 0) return ray_reach_of(pass);
+    const Reach rays = ray_reach_of(pass);
+    const ClampGuard::Hit hit = clamps_[pass.clamp - 1].guard->hit_by(pass.pass);
+    return hit.depth > rays.depth ? Reach{hit.depth, hit.at} : rays;
+}
+
+Milling::Reach Milling::ray_reach_of(const QueuedPass& pass) const {
     const milling::Engagement& met = met_by(pass);
     if (!met.touched) return {};
     const Reach reach{met.depth, met.deepest};

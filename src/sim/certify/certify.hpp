@@ -75,8 +75,11 @@ private:
     [[nodiscard]] std::vector<std::uint32_t> met_by(const Swept& inner) const;
     [[nodiscard]] double upper_bound(const Move& move, double from) const;
     [[nodiscard]] Spot spot_at(geom::Vec3 p) const;
+    [[nodiscard]] geom::Vec3 inwards_at(const Spot& spot) const;
     [[nodiscard]] Spot climb(const Swept& whole, Spot from, int steps) const;
     [[nodiscard]] std::vector<Spot> starts_in(const Swept& whole, std::size_t most, mesh::Box& extent) const;
+    [[nodiscard]] Spot polished(const Swept& whole, Spot best) const;
+    [[nodiscard]] std::vector<Spot> around(const Swept& whole, const std::vector<Spot>& starts) const;
     [[nodiscard]] Spot deepest_of(const Swept& whole, mesh::Box& extent) const;
     [[nodiscard]] double edge_depth(const Swept& whole, double depth, double most) const;
     [[nodiscard]] double reach_along(const Swept& whole, geom::Vec3 from, geom::Vec3 direction) const;

@@ -83,6 +83,18 @@ TEST(Certified, a_chamfer_that_nobody_wanted_is_said_of_the_edge) {
     EXPECT_NEAR(d.depth, 0.1 / std::sqrt(2), 0.002);
 }
 
+TEST(Certified, a_vertical_edge_that_is_clipped_is_found_from_its_corner_on) {
+    for (const double allowed : {0.001, 0.01})
+        for (const double clip : {0.0, 0.012, 0.02, 0.05, 0.3}) {
+            const mesh::Distance jaw(mesh::box({0, 20, -20}, {20, 30, 20}));
+            const Judge judge(jaw, allowed);
+            const Vec3 out{std::sqrt(0.5), std::sqrt(0.5), 0}, way{out.y, -out.x, 0};
+            const Vec3 middle = Vec3{20, 30, 5} + (5 - clip) * out;
+            const Depth d = depth_of(judge, end_mill(5), middle - 20.0 * way, middle + 20.0 * way);
+            EXPECT_NEAR(d.depth, clip, 0.001 + 0.1 * clip) << allowed << ' ' << clip;
+        }
+}
+
 TEST(Certified, what_goes_through_a_sheet_is_as_deep_as_it_is_thick) {
     const mesh::Distance sheet(mesh::box({0, 0, -1}, {60, 40, 0}));
     const Judge judge(sheet, 0.01);

@@ -84,28 +84,57 @@ Judge::Spot Judge::spot_at(Vec3 p) const {
     return s;
 }
 
+/// The direction in which it becomes deeper at a place.
+Vec3 Judge::inwards_at(const Spot& spot) const {
+    const Vec3 off = spot.at - spot.place.at;
+    if (!(spot.place.distance > 1e-9)) return -1.0 * part_.normal(spot.place.triangle);
+    return unit(spot.depth > 0 ? off : -1.0 * off);
+}
+
 /// Upwards in depth within the swept body, in steps that become shorter; the depth is concave where the part is convex.
+/// Where two faces are as near, the way between their directions leads on.
 Judge::Spot Judge::climb(const Swept& whole, Spot best, int steps) const {
     const double least = accuracy * allowed_;
     double step = std::max(whole.body.rounding + std::max(whole.body.r0, whole.body.r1), 4 * least);
-    Vec3 before;
     for (int i = 0; i < steps && step > least; ++i) {
-        const Vec3 off = best.at - best.place.at;
-        const Vec3 inner = best.place.distance > 1e-9 ? unit(best.depth > 0 ? off : -1.0 * off)
-                                                      : -1.0 * part_.normal(best.place.triangle);
-        const Vec3 aside = unit(cross(inner, std::abs(inner.x) < 0.6 ? Vec3{1, 0, 0} : Vec3{0, 1, 0}));
-        const Vec3 askew = cross(inner, aside);
-        Spot next;
-        for (const Vec3& way : {inner, unit(inner + before), aside, -1.0 * aside, askew, -1.0 * askew}) {
-            const Spot s = spot_at(nearest_within(whole, best.at + step * way));
-            if (s.depth > next.depth) next = s;
-            if (next.depth > best.depth + 1e-3 * least) break;
+        const Vec3 inner = inwards_at(best);
+        const auto at = [&](Vec3 way) { return spot_at(nearest_within(whole, best.at + step * way)); };
+        const auto better = [&](const Spot& s) { return s.depth > best.depth + 1e-3 * least; };
+        Spot next = at(inner);
+        if (!better(next)) next = at(unit(inner + inwards_at(next)));
+        if (!better(next)) {
+            const Vec3 aside = unit(cross(inner, std::abs(inner.x) < 0.6 ? Vec3{1, 0, 0} : Vec3{0, 1, 0}));
+            const Vec3 askew = cross(inner, aside);
+            for (const Vec3& way : {aside, -1.0 * aside, askew, -1.0 * askew})
+                if (!better(next)) next = at(unit(way + inner));
+            for (const Vec3& way : {aside, -1.0 * aside, askew, -1.0 * askew})
+                if (!better(next)) next = at(way);
         }
-        before = inner;
-        if (next.depth > best.depth + 1e-3 * least)
+        if (better(next))
             best = next;
         else
             step *= 0.4;
+    }
+    return best;
+}
+
+/// The last of it: steps in directions all round, others each time, since the way up a ridge may be narrow.
+Judge::Spot Judge::polished(const Swept& whole, Spot best) const {
+    const double least = accuracy * allowed_;
+    constexpr int directions = 60;
+    constexpr double turn = 2.399963229728653;  // the golden angle
+    int n = 0;
+    for (double step = std::max(best.depth, 4 * least); step > least;) {
+        Spot next;
+        for (int i = 0; i < directions && !(next.depth > best.depth + 1e-2 * least); ++i, ++n) {
+            const double z = 1 - (2.0 * i + 1) / directions, r = std::sqrt(1 - z * z);
+            const Vec3 way{r * std::cos(n * turn), r * std::sin(n * turn), z};
+            next = spot_at(nearest_within(whole, best.at + step * way));
+        }
+        if (next.depth > best.depth + 1e-2 * least)
+            best = next;
+        else
+            step *= 0.6;
     }
     return best;
 }
@@ -124,6 +153,10 @@ std::vector<Judge::Spot> Judge::starts_in(const Swept& whole, std::size_t most, 
         const Vec3 down = -1.0 * part_.normal(t);
         starts.push_back(spot_at(support(whole, down) + whole.body.rounding * down));
     }
+    // What the tool has of a corner lies between them.
+    Vec3 middle;
+    for (const Spot& s : starts) middle = middle + (1.0 / static_cast<double>(starts.size())) * s.at;
+    if (starts.size() > 1) starts.push_back(spot_at(nearest_within(whole, middle)));
     if (starts.empty()) starts.push_back(spot_at(whole.from + (0.5 * (whole.body.z0 + whole.body.z1)) * whole.axis));
     std::stable_sort(starts.begin(), starts.end(), [](const Spot& a, const Spot& b) { return a.depth > b.depth; });
     return starts;
@@ -136,7 +169,27 @@ Judge::Spot Judge::deepest_of(const Swept& whole, mesh::Box& extent) const {
         const Spot s = climb(whole, starts[i], most_steps);
         if (s.depth > best.depth) best = s;
     }
+    if (best.depth > allowed_) return best;
+    for (const Spot& s : around(whole, starts)) {
+        const Spot deeper = climb(whole, s, most_steps);
+        if (deeper.depth > best.depth) best = deeper;
+    }
     return best;
+}
+
+/// From corners and edges of the part no single step may lead inwards: the deepest places in all directions beside
+/// them.
+std::vector<Judge::Spot> Judge::around(const Swept& whole, const std::vector<Spot>& starts) const {
+    std::vector<Spot> all;
+    for (const Spot& s : some_of(starts, most_starts))
+        for (const double far : {0.7 * allowed_, 3 * allowed_})
+            for (int i = 0; i < 27; ++i) {
+                const Vec3 way = unit({i % 3 - 1.0, i / 3 % 3 - 1.0, i / 9 - 1.0});
+                all.push_back(spot_at(nearest_within(whole, s.place.at + far * way)));
+            }
+    std::stable_sort(all.begin(), all.end(), [](const Spot& a, const Spot& b) { return a.depth > b.depth; });
+    all.resize(std::min(all.size(), climbs));
+    return all;
 }
 
 /// How deep the part's surface lies in the swept body, where that is between `depth` and `most`.
@@ -195,6 +248,7 @@ Depth Judge::deepest(const Move& move) const {
             const Spot s = climb(p.whole, start, most_steps);
             if (s.depth > best.depth) best = s, piece = &p;
         }
+    best = polished(piece->whole, best);
     if (!(best.depth > 0)) return out;
     out.at = best.at;
     out.surface = best.place.at;

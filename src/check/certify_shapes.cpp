@@ -1,0 +1,61 @@
+#include "check/certify_shapes.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include "mesh/primitives.hpp"
+
+namespace obrys::check {
+
+namespace certify = sim::certify;
+namespace milling = sim::milling;
+
+using geom::Vec3;
+
+namespace {
+
+constexpr std::size_t most_chords = 1000;  ///< of one of them
+
+void add_round(certify::Shape& shape, const milling::Piece& p, double off) {
+    if (p.whole) return shape.push_back({p.ring, p.centre, p.ring, p.centre, p.arc});
+    const auto angle_at = [&](double z) { return std::asin(std::clamp((z - p.centre) / p.arc, -1.0, 1.0)); };
+    const double from = angle_at(p.z0), to = angle_at(p.z1), step = 2 * std::acos(std::max(0.0, 1 - off / p.arc));
+    const std::size_t n =
+        std::clamp<std::size_t>(static_cast<std::size_t>(std::ceil((to - from) / step)), 1, most_chords);
+    double low = p.z0;
+    for (std::size_t i = 1; i <= n; ++i) {
+        const double part = static_cast<double>(i) / static_cast<double>(n);
+        const double high = i == n ? p.z1 : p.centre + p.arc * std::sin(from + part * (to - from));
+        shape.push_back({milling::radius_at(p, low), low, milling::radius_at(p, high), high, 0});
+        low = high;
+    }
+}
+
+}  // namespace
+
+certify::Shape certified_shape(const milling::Shape& of, double off) {
+    certify::Shape shape;
+    for (const milling::Piece& p : of.pieces)
+        if (p.kind == milling::PieceKind::cone)
+            shape.push_back({p.r0, p.z0, p.r1, p.z1, 0});
+        else
+            add_round(shape, p, off);
+    return shape;
+}
+
+mesh::Mesh mesh_of(const milling::Stock& body, double off) {
+    if (const auto* b = std::get_if<milling::Box3>(&body)) return mesh::box(b->min, b->max);
+    if (const auto* c = std::get_if<milling::CylinderStock>(&body)) {
+        mesh::Mesh m = mesh::cylinder({0, 0, 0}, c->radius, c->length, mesh::circle_sides(c->radius, off));
+        geom::Frame along;  // z to the axis
+        if (c->axis == 0) along.linear = {0, 0, 1, 1, 0, 0, 0, 1, 0};
+        if (c->axis == 1) along.linear = {0, 1, 0, 0, 0, 1, 1, 0, 0};
+        return mesh::transformed(m, geom::Frame::shift(c->centre) * along);
+    }
+    const auto& m = std::get<milling::MeshStock>(body);
+    mesh::Mesh mesh{m.vertices, {m.triangles.begin(), m.triangles.end()}, {}};
+    if (mesh::volume(mesh) < 0) mesh::turn_over(mesh);
+    return mesh;
+}
+
+}  // namespace obrys::check

@@ -1,0 +1,33 @@
+#pragma once
+/// Tools and bodies of the milling simulation as sim/certify takes them.
+
+#include <tbb/blocked_range.h>
+#include <tbb/parallel_for.h>
+#include <tbb/task_arena.h>
+
+#include <cstddef>
+
+#include "mesh/mesh.hpp"
+#include "sim/certify/body.hpp"
+#include "sim/milling/shape.hpp"
+#include "sim/milling/stock.hpp"
+
+namespace obrys::check {
+
+/// `off`: mm by which frustums may stand within the arcs of a form tool.
+[[nodiscard]] sim::certify::Shape certified_shape(const sim::milling::Shape& of, double off);
+/// A body as a mesh whose outside is outside; round ones within `off` mm.
+[[nodiscard]] mesh::Mesh mesh_of(const sim::milling::Stock& body, double off);
+
+/// Calls `body(i)` for 0 … n - 1, on so many threads; 0: as many as there are processors.
+template <class Body>
+void for_all(std::size_t n, int threads, Body&& body) {
+    tbb::task_arena arena(threads > 0 ? threads : tbb::task_arena::automatic);
+    arena.execute([&] {
+        tbb::parallel_for(tbb::blocked_range<std::size_t>(0, n, 16), [&](const tbb::blocked_range<std::size_t>& some) {
+            for (std::size_t i = some.begin(); i < some.end(); ++i) body(i);
+        });
+    });
+}
+
+}  // namespace obrys::check
