@@ -231,6 +231,7 @@ geom::Frame offset_frame(Run& run) {
         for (std::size_t k = 3; k < 9; ++k) count_from(run, k, o.datum[k]);
         o.reference = o.datum;
         run.reference_datum = run.modal.datum;
+        run.datum_known = true;
         // The job's bodies stand where its own zero is, whatever the program writes there before it moves.
         if (const auto job = run.env.machine.datums.find(run.modal.datum); job != run.env.machine.datums.end())
             for (int k = 0; k < 3; ++k)
