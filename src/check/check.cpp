@@ -38,7 +38,7 @@ struct Check::State {
         removal.take(record, tool);
         if (milling) milling->take(record, tool);
         if (setup.machine.kind != shop::MachineKind::mill) return;
-        stand.take_tool(removal.tool(), tool.edge != 0);
+        stand.take_tool(removal.tool(), tool.edge != 0, tool.raised);
         limits.stand_changed();
     }
     void take(const cl::Record& record, const cl::Axis& to) {

@@ -34,8 +34,9 @@ void Stand::take(const cl::Datum& datum) {
     viewed_ = false;
 }
 
-void Stand::take_tool(const shop::Tool* tool, bool offsets) {
+void Stand::take_tool(const shop::Tool* tool, bool offsets, double raised) {
     tool_ = tool;
+    raised_ = raised;
     offsets_ = offsets;
     update();
 }
@@ -64,7 +65,7 @@ void Stand::take(const cl::Axis& axis) {
 }
 
 void Stand::update() {
-    plain_ = offsets_ && upright() && strange_.empty() && parallel_.empty();
+    plain_ = offsets_ && raised_ == 0 && upright() && strange_.empty() && parallel_.empty();
     viewed_ = false;
 }
 
@@ -72,7 +73,7 @@ std::vector<double> Stand::counted_values() const {
     return counted_ ? values_ : std::vector<double>(values_.size(), 0);
 }
 
-double Stand::counted_length() const { return tool_ != nullptr && offsets_ ? tool_length() : 0; }
+double Stand::counted_length() const { return tool_ != nullptr && offsets_ ? tool_length() + raised_ : 0; }
 
 void Stand::moved() {
     turning_ = false;
@@ -135,6 +136,7 @@ Stand::View Stand::made_view(const Vec3& axis) const {
         v.doubt = "the rotary axes of the machine are not known: the tool is taken to stand as the tilted plane asks";
         v.remedy = "name a machine whose chain holds them (docs/machine-file.md)";
     }
+    if (offsets_ && raised_ != 0) v.frame = geom::Frame::shift(raised_ * axis);
     if (offsets_) return v;
     if (!tool_length_known()) {
         v.problem = "no offset is selected and the tool's length is not known: removal not simulated";

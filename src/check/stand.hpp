@@ -28,7 +28,7 @@ public:
         on_face_ = axis.rotary ? axis.counted && machine_.kind == shop::MachineKind::lathe : on_face_;
     }
     /// `tool`: null where it is not known. `offsets`: the control counts its length (an edge is selected).
-    void take_tool(const shop::Tool* tool, bool offsets);
+    void take_tool(const shop::Tool* tool, bool offsets, double raised = 0);
     void moved();
 
     /// Rotary axes move together with the next move.
@@ -82,6 +82,7 @@ private:
     bool counted_ = false, has_rotary_ = false;
     cl::Datum datum_{0, {NAN, NAN, NAN}};
     const shop::Tool* tool_ = nullptr;
+    double raised_ = 0;  ///< cl::ToolChange
     bool offsets_ = true, turning_ = false, plain_ = true;
     View view_;
     geom::Vec3 viewed_axis_;

@@ -30,6 +30,7 @@ struct Arc {
     geom::Vec3 centre;
     geom::Vec3 normal{0, 0, 1};
     double sweep = 0;
+    bool rapid = false;
     bool operator==(const Arc&) const = default;
 };
 
@@ -95,6 +96,7 @@ struct ToolChange {
     std::uint32_t number = 0;  ///< 0 where the tool is known by name only, or none is in the spindle
     std::uint32_t edge = 0;    ///< cutting edge (D); 0 = no offsets
     std::string name;
+    double raised = 0;  ///< mm by which the tip stands above the points of the moves, along the tool (HEIDENHAIN DL)
     bool operator==(const ToolChange&) const = default;
 };
 
@@ -238,6 +240,7 @@ using Sink = base::FunctionRef<void(const Record&)>;
            std::holds_alternative<Thread>(s);
 }
 [[nodiscard]] inline bool is_rapid(const Step& s) {
+    if (const auto* arc = std::get_if<Arc>(&s)) return arc->rapid;
     const auto* linear = std::get_if<Linear>(&s);
     return linear != nullptr && linear->rapid;
 }

@@ -156,6 +156,7 @@ Arc arc(Words& w) {
     s.normal = w.vec();
     w.expect("sweep");
     s.sweep = w.number();
+    s.rapid = w.accept("rapid");
     return s;
 }
 
@@ -254,6 +255,7 @@ ToolChange tool(Words& w) {
     w.expect("edge");
     s.edge = w.integer<std::uint32_t>();
     s.name = w.quoted();
+    if (w.accept("raised")) s.raised = w.number();
     return s;
 }
 

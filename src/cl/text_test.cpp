@@ -41,7 +41,7 @@ std::array<char, 8> axis_name() {
 Step any_step(std::size_t kind) {
     switch (kind) {
         case 0: return Linear{vec(), vec(), *rc::gen::arbitrary<bool>()};
-        case 1: return Arc{vec(), vec(), vec(), number()};
+        case 1: return Arc{vec(), vec(), vec(), number(), *rc::gen::arbitrary<bool>()};
         case 2: return Axis{axis_name(), number(), *rc::gen::arbitrary<bool>(), *rc::gen::arbitrary<bool>()};
         case 3: return Thread{vec(), number(), *rc::gen::arbitrary<bool>()};
         case 4: return Dwell{number(), number()};

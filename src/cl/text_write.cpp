@@ -66,6 +66,7 @@ struct StepWriter {
         vec(out, s.normal);
         out += " sweep";
         number(out, s.sweep);
+        if (s.rapid) out += " rapid";
     }
     void operator()(const Spline& s) const {
         out += "spline";
@@ -121,6 +122,9 @@ struct StepWriter {
     void operator()(const ToolChange& s) const {
         out += "tool " + std::to_string(s.number) + " edge " + std::to_string(s.edge);
         quoted(out, s.name);
+        if (s.raised == 0) return;
+        out += " raised";
+        number(out, s.raised);
     }
     void operator()(const Coolant& s) const {
         out += "coolant";

@@ -73,6 +73,8 @@ TEST(Control, AGuessSaysItsReasonsAndItsDoubt) {
     const Guess named = guess_of("G21\nG0 X10 Y10\nM2\n", "a.ngc");
     EXPECT_TRUE(named.by_suffix);
     EXPECT_EQ(named.difference, "");
+    const Guess misnamed = guess_of("T0101\nG97 S500 M3\nG0 X50. Z2.\nG71 U2. R1.\nG71 P10 Q20 U0.5\nM30\n", "a.mpf");
+    EXPECT_TRUE(misnamed.control->name != "sinumerik-840d" || !misnamed.difference.empty());
     const Guess eding = guess_of("sub user_1\nmsg \"hi\"\nendsub\nif [#5 > 3]\ngosub user_1\nendif\nM30\n", "a.cnc");
     EXPECT_NE(eding.foreign.find("Eding CNC"), std::string::npos);
     const Guess haas = guess_of("G90\nG154 P5\nM97 P100\nM30\n", "f.nc");

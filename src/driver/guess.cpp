@@ -122,6 +122,18 @@ int likelihood_of(const Control& c, std::string_view text, std::string_view file
     return language_of(c, text, file_name).likelihood(text, file_name, signs);
 }
 
+/// What the text itself says where the file's name alone speaks for `named`; empty: nothing that is clearer.
+std::string contradiction(const Control& named, std::string_view text, std::string_view file_name) {
+    const int own = likelihood_of(named, text, "", nullptr);
+    for (const Control& c : all_controls()) {
+        std::vector<std::string> signs;
+        if (&c == &named || likelihood_of(c, text, "", &signs) - own < clear_lead || signs.empty()) continue;
+        return "the name " + std::string(file_name) + " says so, but " + signs.front() + " is of " +
+               std::string(c.name);
+    }
+    return {};
+}
+
 bool has_suffix_of_its_own(const Control& c, std::string_view file_name) {
     const std::string name = base::to_upper(file_name);
     constexpr std::array<std::string_view, 3> sinumerik{".MPF", ".SPF", ".ARC"};
@@ -151,6 +163,7 @@ Guess guess_control(std::string_view text, std::string_view file_name) {
     likelihood_of(*g.control, text, file_name, &g.signs);
     g.by_suffix = has_suffix_of_its_own(*g.control, file_name);
     g.foreign = g.by_suffix && !g.signs.empty() ? std::string{} : foreign_control(text);
+    if (g.by_suffix && g.signs.empty()) g.difference = contradiction(*g.control, text, file_name);
     const bool clear = g.by_suffix || (!g.signs.empty() && g.likelihood - g.next_likelihood >= clear_lead);
     for (const Control& c : all_controls()) {  // one that reads numbers otherwise and is about as likely
         if (clear || &c == g.control || c.counts_increments == g.control->counts_increments) continue;

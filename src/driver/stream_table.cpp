@@ -28,7 +28,7 @@ bool row_of(const cl::Step& step, Row& row) {
         return true;
     }
     if (const auto* arc = std::get_if<cl::Arc>(&step)) {
-        row = {"arc", arc->to, arc, nullptr, false};
+        row = {"arc", arc->to, arc, nullptr, arc->rapid};
         return true;
     }
     if (const auto* spline = std::get_if<cl::Spline>(&step)) {

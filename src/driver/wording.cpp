@@ -34,6 +34,7 @@ constexpr std::array phrases{
     Phrase{"heidenhain", tool, "call a tool with TOOL CALL before it (DIN/ISO: T … G17)"},
     Phrase{"heidenhain", diameters, ""},
     Phrase{"heidenhain", no_tool, no_tool_own},
+    Phrase{"heidenhain", "zero offset", "preset"},
     Phrase{"heidenhain", " D0, which selects no radius", ", whose radius is not known"},
     Phrase{"heidenhain", " D0, whose radius is 0", ", whose radius is 0"},
     Phrase{"linuxcnc", circle, rs274_circle},
@@ -61,14 +62,31 @@ constexpr std::array phrases{
     Phrase{"haas", angle_next, "the next block needs an angle (A, ,A) and the end point"},
 };
 
+bool is_digit(char c) { return c >= '0' && c <= '9'; }
+
+/// Tools have an index there, and no cutting edges by number: "tool T1 D1" is "tool T1", "T5 D2" is "T5.1".
+std::string without_edges(std::string text) {
+    for (std::size_t at = text.find(" D"); at != std::string::npos; at = text.find(" D", at + 1)) {
+        std::size_t number = at, end = at + 2;
+        while (number > 0 && is_digit(text[number - 1])) --number;
+        while (end < text.size() && is_digit(text[end])) ++end;
+        if (number > 0 && number < at && text[number - 1] == 'T' && end > at + 2) {
+            const bool index = end == at + 3 && text[at + 2] >= '2';
+            text.replace(at, end - at, index ? std::string{'.', static_cast<char>(text[at + 2] - 1)} : std::string());
+        }
+    }
+    return text;
+}
+
 }  // namespace
 
 std::string in_words_of(std::string_view control, std::string text) {
     for (const Phrase& p : phrases) {
         if (!control.starts_with(p.control)) continue;
-        if (const auto at = text.find(p.general); at != std::string::npos) text.replace(at, p.general.size(), p.own);
+        for (auto at = text.find(p.general); at != std::string::npos; at = text.find(p.general, at + p.own.size()))
+            text.replace(at, p.general.size(), p.own);
     }
-    return text;
+    return control.starts_with("heidenhain") ? without_edges(std::move(text)) : text;
 }
 
 namespace {

@@ -342,6 +342,7 @@ void push_element(Run& run, path::Element e, bool rapid) {
 }  // namespace
 
 void plane_element(Run& run, path::Element e, const Vec3& to, bool rapid) {
+    rapid = rapid || run.block.rapid;
     remember_direction(run, e);
     if (path::is_arc(e) && run.modal.feed_mode == cl::FeedMode::inverse_time)
         tell_inverse_feed(run, std::hypot(e.sweep * geom::length(e.from - e.centre), e.w_to - e.w_from));
@@ -368,7 +369,7 @@ cl::Step move_in_stream(const Run& run, const path::Element& e, bool rapid) {
     const PlaneAxes a = plane_axes(run.modal.plane);
     const Vec3 to = in_axes(a, e.to, e.w_to);
     if (!path::is_arc(e)) return cl::Linear{to, run.tool_axis, rapid};
-    return cl::Arc{to, in_axes(a, e.centre, e.w_from), in_axes(a, {}, 1), e.sweep};
+    return cl::Arc{to, in_axes(a, e.centre, e.w_from), in_axes(a, {}, 1), e.sweep, rapid};
 }
 
 }  // namespace
@@ -380,13 +381,13 @@ std::optional<cl::Step> plane_move(const Run& run, const path::Element& e, bool 
     if (run.frame_is_identity || geom::is_shift_only(run.frame)) {
         Vec3 normal;
         coordinate(normal, plane_axes(run.modal.plane).w) = 1;
-        return cl::Arc{to, in_stream(run, e.centre, e.w_from), normal, e.sweep};
+        return cl::Arc{to, in_stream(run, e.centre, e.w_from), normal, e.sweep, rapid};
     }
     const Vec3 zero = in_stream(run, {}, 0);
     const Vec3 u = in_stream(run, {1, 0}, 0) - zero, v = in_stream(run, {0, 1}, 0) - zero;
     if (std::abs(geom::length(u) - geom::length(v)) > 1e-9) return std::nullopt;
     const Vec3 normal = geom::cross(u, v);
-    return cl::Arc{to, in_stream(run, e.centre, e.w_from), (1 / geom::length(normal)) * normal, e.sweep};
+    return cl::Arc{to, in_stream(run, e.centre, e.w_from), (1 / geom::length(normal)) * normal, e.sweep, rapid};
 }
 
 void circle_alarm(Run& run, const base::Span& where) {

@@ -330,6 +330,13 @@ void write_tool_column(Run& run, const Expr& target, const program::Assign& a, d
     }
 }
 
+/// Writing it may change what the control does, which is not followed: all but what is only read back.
+bool acts_when_written(program::SystemVariable v) {
+    using program::SystemVariable;
+    return v != SystemVariable::tool_parameter && v != SystemVariable::tool_name && v != SystemVariable::marker &&
+           v != SystemVariable::parameter && v != SystemVariable::timer;
+}
+
 void assign_system(Run& run, const Expr& target, const program::Assign& a) {
     using program::SystemVariable;
     switch (static_cast<SystemVariable>(target.op)) {
@@ -367,7 +374,7 @@ void assign_system(Run& run, const Expr& target, const program::Assign& a) {
         const int n = tool_parameter_number(run.env.names.text(target.a));
         if (!run.stopped && v.is_number()) write_tool_parameter(run, tool, edge, n, v.number);
     }
-    if (static_cast<SystemVariable>(target.op) == SystemVariable::unknown)
+    if (acts_when_written(static_cast<SystemVariable>(target.op)))
         unchecked(run, codes::unknown_value, run.unit().span(a.target),
                   "the effect of writing " + run.env.names.text(target.a) + " is not known");
 }

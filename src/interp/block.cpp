@@ -23,7 +23,7 @@ void BlockWords::clear() {
     tool_named = false;
     special = suppress = paraxial = corner_end = Modal::linear;
     special_number = surface_word = retract = 0;
-    acted = says_straight = changes_plane = machine_axis = goes_on = false;
+    acted = rapid = says_straight = changes_plane = machine_axis = goes_on = false;
     positioned.clear();
     pending.clear();
 }
@@ -91,6 +91,8 @@ void named_value(Run& run, const program::Named& n) {
                "M" + printed(Value::real(extension)) + "= is for another spindle than the first and is not followed");
     else if (letter == "S" && first)
         run.block.put(Code::spindle, value);
+    else if (letter == "SPOS" && first)
+        run.block.put(Code::spindle_position, value);
     else if (letter == "H")
         function_number(run, run.here(), value, run.block.h);
     else

@@ -182,7 +182,21 @@ void report(Run& run, const ActiveCycle& c, const std::vector<cycles::Complaint>
 
 namespace {
 
+/// The cause is something that is not known; the complaints that name it.
+bool not_run_for_unknown(Run& run, const ActiveCycle& c, const cycles::Expansion& e) {
+    if (e.simulated || !e.assumption.empty() || e.complaints.empty()) return false;
+    const bool all = std::all_of(e.complaints.begin(), e.complaints.end(), [](const cycles::Complaint& k) {
+        return !k.fatal && k.text.find("not known") != std::string::npos;
+    });
+    if (!all || run.capture != nullptr) return false;
+    for (const cycles::Complaint& k : e.complaints)
+        unchecked(run, codes::unknown_value, run.here(), c.definition->name + " is not run: " + k.text,
+                  k.remedy.empty() ? "give it in the job" : k.remedy);
+    return true;
+}
+
 void report(Run& run, const ActiveCycle& c, const cycles::Expansion& e) {
+    if (not_run_for_unknown(run, c, e)) return;
     report(run, c, e.complaints);
     if (!e.assumption.empty()) assume(run, run.here(), c.definition->name + ": " + std::string(e.assumption));
     if (!e.simulated)

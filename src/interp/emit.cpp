@@ -8,6 +8,8 @@
 
 namespace obrys::interp {
 
+namespace codes = base::codes;
+
 void emit(Run& run, cl::Step step) {
     if (run.capture != nullptr) return;
     run.record.step = std::move(step);
@@ -44,9 +46,28 @@ geom::Vec3 stream_origin(const Run& run) {
     return origin;
 }
 
+namespace {
+
+/// The job says where zero offsets lie, and that of the first move is none of them: the stock lies in one that it
+/// names.
+void say_foreign_datum(Run& run) {
+    const auto& known = run.env.machine.datums;
+    const bool numbered = run.traits->datum.none_is_machine_zero && run.traits->datum.first == 0;
+    if (!numbered || known.empty() || known.contains(run.reference_datum) || run.env.stored != nullptr) return;
+    const std::string active = program::datum_name(*run.traits, run.reference_datum);
+    unchecked(run, codes::unknown_value, run.here(),
+              "the program moves in " + active + ", which the job does not give, though it gives " +
+                  program::datum_name(*run.traits, known.begin()->first) + ": where the stock lies in it is not known",
+              "program the zero offset that the job means, or give " +
+                  program::datum_key(*run.traits, run.reference_datum) + " in [datum] of the job");
+}
+
+}  // namespace
+
 void emit_datum(Run& run) {
     if (run.datum_emitted) return;
     run.datum_emitted = true;
+    say_foreign_datum(run);
     emit(run, cl::Datum{run.reference_datum, stream_origin(run)});
 }
 

@@ -54,10 +54,9 @@ double parameter_value(Run& run, double index, const base::Span& where) {
     }
     if (run.traits->parameters_begin_at_zero || is_kept_unknown(run, n)) return kept_parameter(run, n, where);
     const std::string name = program::parameter_name(*run.unit().traits, n);
-    assume(run, where, name + " is read before the program sets it: 0 as in a fresh control",
-           "if the control holds another value: " + given_remedy(name));
-    run.parameters.mark_set(n);
-    return run.parameters.get(n);
+    unchecked(run, codes::unknown_value, where,
+              name + " is read before the program sets it: what it holds then is not known", given_remedy(name));
+    return std::numeric_limits<double>::quiet_NaN();
 }
 
 namespace {

@@ -36,7 +36,7 @@ void before_arc(Run& run, const cl::Arc& arc, const cl::Record& record) {
     if (f.in_cycle) {
         if (run.modal.feed_reference != Modal::feed_at_tool)
             assume(run, run.here(), "M109 and M110 also act on arcs of cycles: their feed is left as the cycle says");
-    } else {
+    } else if (!arc.rapid) {
         const double rise = geom::dot(arc.to - f.at, run.tool_axis);
         const double length = std::hypot(arc.sweep * geom::distance(arc.to, arc.centre), rise);
         tell_feed(run, f.programmed * f.arc * plunging(run, arc.to, length), record);

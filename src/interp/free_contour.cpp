@@ -242,7 +242,7 @@ void free_contour(Run& run, const Special& s, std::uint32_t index) {
     coordinate(to, a.v) = e.to.y;
     const std::shared_ptr<FreeContour> keep = run.free_contour;
     begin_motion(run);
-    require_feed(run);
+    if (!run.block.rapid) require_feed(run);
     plane_element(run, std::move(e), to, false);
     run.free_contour = keep;
 }

@@ -98,6 +98,7 @@ bool motion_word(Run& run, Modal m, const program::Word& w) {
         case Modal::pole_given:
         case Modal::cycle_position:
         case Modal::cycle_pattern: run.block.special = m; return true;
+        case Modal::rapid_block: run.block.rapid = true; return true;
         case Modal::paraxial:
         case Modal::paraxial_longer:
         case Modal::paraxial_shorter: run.block.paraxial = m; return true;

@@ -219,7 +219,7 @@ bool path_motion(Run& run) {
     geom::Vec3 to = programmed_target(run);
     if (b.has(Code::line_angle) && !line_by_angle(run, to)) return false;
     if (b.paraxial == Modal::paraxial_longer || b.paraxial == Modal::paraxial_shorter) to = lengthened(run, to);
-    if (m != Modal::rapid) require_feed(run);
+    if (m != Modal::rapid && !b.rapid) require_feed(run);
     if (run.modal.smoothing > 64 || run.modal.compressor || run.modal.tolerance_cycle > 0 || run.modal.blend > 0)
         note_rounding(run);
     const bool arc = m == Modal::arc_cw || m == Modal::arc_ccw || m == Modal::arc_via || m == Modal::arc_tangent;

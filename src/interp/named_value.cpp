@@ -91,7 +91,12 @@ void special_value(Run& run, const program::Named& n) {
         case NamedKind::rounding_distance: m.rounding_distance = std::max(v, 0.0) * unit; return;
         case NamedKind::rounding_distance_rapid: m.rounding_distance_rapid = std::max(v, 0.0) * unit; return;
         case NamedKind::contour_tolerance: m.contour_tolerance = v < 0 ? std::nan("") : v * unit; return;
-        case NamedKind::corner_overshoot: m.corner_overshoot = v; return;
+        case NamedKind::corner_overshoot:
+            if (v < 0 || v > 100)
+                return alarm(run, codes::value_range, run.here(),
+                             "DISC=" + base::fixed(v, 0) + " is not within 0 and 100");
+            m.corner_overshoot = v;
+            return;
         default: return sum_offset(run, v);
     }
 }

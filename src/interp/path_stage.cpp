@@ -6,6 +6,7 @@
 #include "base/number.hpp"
 #include "path/nose.hpp"
 #include "path/preset.hpp"
+#include "path/pulled_corner.hpp"
 #include "path/refusal.hpp"
 
 namespace obrys::interp {
@@ -100,9 +101,8 @@ path::Setting compensation_setting(Run& run) {
     if (run.modal.corner_overshoot > 0 && s.corner == path::OuterCorner::arc)
         assume(run, run.here(),
                "DISC=" + base::fixed(run.modal.corner_overshoot, 0) +
-                   " leads the tool round outer corners farther out " +
-                   "than the arc that is run here, by up to that many per cent of the way from the arc to the " +
-                   "crossing of the contours");
+                   ": outer corners are run as the conic whose middle lies that many per cent of the way from the " +
+                   "arc to the crossing of the parallels");
     if (run.block.corner_end == Modal::corner_crossing) s.at_end = path::CornerEnd::crossing;
     if (run.block.corner_end == Modal::corner_open) s.at_end = path::CornerEnd::open;
     const std::uint32_t reported = run.unit().traits->compensation_window;
@@ -184,6 +184,15 @@ path::CornerRequest PathStage::corner_request(Run& run) {
     return r;
 }
 
+namespace {
+
+/// DISC, 0 … 1; it acts with G450 alone.
+double pulled_out(const Run& run) {
+    return run.modal.corner == Modal::corner_intersection ? 0 : run.modal.corner_overshoot / 100;
+}
+
+}  // namespace
+
 void PathStage::push(Run& run, path::Element e, bool rapid) {
     push(run, std::move(e), compensation_setting(run), rapid);
 }
@@ -193,8 +202,9 @@ void PathStage::push(Run& run, path::Element e, const path::Setting& s, bool rap
     e.before = std::move(waiting_);
     waiting_.clear();
     const double offset = s.side == path::Side::off ? 0 : s.side == path::Side::left ? s.radius : -s.radius;
-    origins_.push_back({run.here(), run.top().stack, rapid, s.radius, offset, run.modal.plunge_part,
-                        run.modal.feed_reference, s.clearance == path::Clearance::avoided, fixed_plane_});
+    origins_.push_back({run.here(), run.top().stack, rapid || run.block.rapid, s.radius, offset, run.modal.plunge_part,
+                        run.modal.feed_reference, s.clearance == path::Clearance::avoided, fixed_plane_,
+                        run.block.rapid, pulled_out(run)});
     if (!active_) last_.reset();
     active_ = true;
     const path::CornerRequest corner = corner_request(run);
@@ -225,7 +235,11 @@ void PathStage::output(Run& run, const path::Output& out) {
     last_ = out.element.to;
     run.feed_shape.plunge = origin.plunge_part;
     run.feed_shape.arc = arc_feed(origin, out);
-    emit_element(run, out.element, origin.rapid && !path::is_arc(out.element), origin.fixed_plane);
+    const auto emit_one = [&](const path::Element& e) {
+        emit_element(run, e, origin.rapid && (origin.rapid_arc || !path::is_arc(e)), origin.fixed_plane);
+    };
+    if (out.kind != path::Kind::transition || !(origin.pulled_out > 0)) return emit_one(out.element);
+    for (const path::Element& e : path::pulled_corner(out.element, origin.pulled_out)) emit_one(e);
 }
 
 void PathStage::hold(const cl::Record& record) { waiting_.push_back(keep(record)); }

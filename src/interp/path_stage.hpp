@@ -42,6 +42,8 @@ private:
         Modal feed_reference = Modal::feed_at_tool;
         bool avoids = false;  ///< looks ahead and leaves out what the tool does not fit into
         bool fixed_plane = false;
+        bool rapid_arc = false;  ///< rapid on arcs, too
+        double pulled_out = 0;   ///< part of the way to the crossing that the corner before it goes farther out
     };
 
     [[nodiscard]] static double arc_feed(const Origin& origin, const path::Output& out);

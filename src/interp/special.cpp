@@ -117,7 +117,7 @@ void approach(Run& run, const Special& s) {
         path::smooth_approach({in_plane(start, a), coordinate(start, a.w)}, contour, shape(run, s));
     if (!p.ok()) complain(run, p.failure);
     if (run.stopped) return;
-    require_feed(run);
+    if (!run.block.rapid) require_feed(run);
     if (p.ok() && run.capture == nullptr) {
         own_feed(run, true);
         push_approach(run, p, compensation);
@@ -144,7 +144,7 @@ void departure(Run& run, const Special& s) {
     run.modal.look_ahead = 0;
     if (!p.ok()) complain(run, p.failure);
     if (run.stopped || !p.ok() || p.path.empty()) return;
-    require_feed(run);
+    if (!run.block.rapid) require_feed(run);
     if (run.capture == nullptr) {
         own_feed(run, true);
         path::Setting ready;

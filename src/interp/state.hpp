@@ -61,6 +61,7 @@ struct BlockWords {
     int retract = 0;                    ///< M140: 1 by its distance, 2 to the limit; 0: none
     int surface_word = 0;               ///< 96 or 97 where the block says it
     bool acted = false;                 ///< F, S, T and M have acted already (Code::act)
+    bool rapid = false;                 ///< its arc, approach or departure is run in rapid (C … FMAX)
     bool says_straight = false;         ///< G0 or G1 stands in the block
     bool changes_plane = false;         ///< to another one
     bool machine_axis = false;          ///< a linear axis by the name it has in the machine
@@ -204,6 +205,7 @@ struct ToolState {
     std::string name;
     std::uint32_t prepared = 0;  ///< T programmed, M6 still to come (mills)
     std::string prepared_name;
+    std::uint32_t prepared_edge = 1;
     bool waiting = false;
     const shop::Tool* data = nullptr;
     double delta_length = 0, delta_radius = 0, delta_corner = 0;  ///< allowances of the call, mm

@@ -47,6 +47,15 @@ const shop::Tool* find_tool(const Run& run, const ToolState& t) {
     return nullptr;
 }
 
+/// A tool word as number and edge: 1 (MD20270 CUTTING_EDGE_DEFAULT as delivered), or that of the index; nothing where
+/// it is none.
+std::optional<std::pair<std::uint32_t, std::uint32_t>> tool_number(const Run& run, double t) {
+    const double index = run.traits->indexed_tools ? std::round((t - std::floor(t + 1e-9)) * 10) : 0;
+    const auto number = base::whole<std::uint32_t>(std::round((t - index / 10) * 1e9) / 1e9);
+    if (!(t >= 0) || !number) return std::nullopt;
+    return std::pair{*number, 1 + base::clipped<std::uint32_t>(index, 0, 9)};
+}
+
 void tool_into_spindle(Run& run) {
     run.tool.number = run.tool.prepared;
     run.tool.name = run.tool.prepared_name;
@@ -56,7 +65,7 @@ void tool_into_spindle(Run& run) {
         any.edge = 0;
         if (const shop::Tool* known = find_tool(run, any)) run.tool.number = known->number;
     }
-    run.tool.edge = 1;  // MD20270 CUTTING_EDGE_DEFAULT as delivered
+    run.tool.edge = run.tool.prepared_edge;
 }
 
 bool changes_on_m6(const Run& run) {
@@ -65,7 +74,7 @@ bool changes_on_m6(const Run& run) {
 
 void emit_tool(Run& run) {
     run.tool.data = find_tool(run, run.tool);
-    emit(run, cl::ToolChange{run.tool.number, run.tool.edge, run.tool.name});
+    emit(run, cl::ToolChange{run.tool.number, run.tool.edge, run.tool.name, run.tool.delta_length});
     run.offsets.length_judged = false;
     take_tip(run);
     control_sets(run, {ControlValue::tool_axis});
@@ -118,14 +127,20 @@ bool spindle_words(Run& run) {
                   "the spindle speed depends on a value that is not known: the last one is kept");
     } else if (b.has(Code::spindle) && !dwells_by_words(run)) {
         const double s = b.get(Code::spindle);
+        if (s < 0) return alarm(run, codes::value_range, run.here(), "the spindle speed S is negative"), false;
         const bool feet = run.modal.surface_speed && run.modal.inch_geometry;  // cutting speed in ft/min
-        run.spindle.speed = std::abs(s) * (feet ? 0.3048 : 1);
+        run.spindle.speed = s * (feet ? 0.3048 : 1);
         changed = true;
     }
     if (b.has(Code::speed_limit)) {
         run.spindle.limit = b.get(Code::speed_limit);
         changed = true;
     }
+    const auto has = [&](int m) { return std::find(b.m.begin(), b.m.end(), m) != b.m.end(); };
+    if (has(3) && has(4))
+        unchecked(run, codes::repeated_word, run.here(),
+                  "M3 and M4 stand in one block: which of them acts is not certain, the later one is run",
+                  "write one of them");
     for (const int m : b.m) {
         if (m == 3 || m == 4) {
             run.spindle.direction = run.spindle.last = m == 3 ? 1 : -1;
@@ -286,22 +301,33 @@ namespace {
 void define_tool(Run& run) {
     const BlockWords& b = run.block;
     const double n = b.get(Code::tool);
-    const auto whole = n >= 0 ? base::cut<std::uint32_t>(n) : std::nullopt;
     if (!b.has(Code::tool)) return;
     if (std::isnan(n))
         return unchecked(run, codes::unknown_value, run.here(),
                          "which tool is defined here depends on a value that is not known");
-    if (!whole)
+    const auto id = tool_number(run, n);
+    if (!id)
         return alarm(run, codes::value_range, run.here(), "TOOL DEF " + printed(Value::real(n)) + " is no tool number");
-    const std::uint32_t number = *whole;
-    auto found =
-        std::find_if(run.tools.begin(), run.tools.end(), [&](const shop::Tool& t) { return t.number == number; });
-    if (found == run.tools.end()) found = add_tool(run, number);
+    const auto number = id->first, edge = id->second;
+    auto found = std::find_if(run.tools.begin(), run.tools.end(),
+                              [&](const shop::Tool& t) { return t.number == number && (edge == 1 || t.edge == edge); });
+    if (found == run.tools.end()) {
+        found = add_tool(run, number);
+        found->edge = edge;
+    }
     const double unit = length_unit(run.modal);
     if (b.has(Code::tool_length)) found->length = b.get(Code::tool_length) * unit;
     if (b.has(Code::tool_radius)) found->radius = b.get(Code::tool_radius) * unit;
     if (b.has(Code::tool_radius)) found->has_no_radius = found->radius == 0;
     run.tool.data = find_tool(run, run.tool);
+}
+
+/// The tool stands still while another DL counts: the control takes its point for so much higher.
+void lower_point(Run& run, double by) {
+    flush_path(run);
+    run.position = run.position + by * run.tool_axis;
+    run.programmed_position =
+        run.frame_is_identity ? run.position : geom::apply(geom::inverse(run.frame), run.position);
 }
 
 /// DL, DR, DR2 hold for this call of the tool alone; without them there are none.
@@ -313,9 +339,6 @@ void take_allowances(Run& run) {
         return;
     run.tool.delta_length = value(Code::delta_length);
     const bool mill = run.env.machine.kind == shop::MachineKind::mill;
-    if (mill && run.tool.delta_length != 0)
-        unchecked(run, codes::unsupported, run.here(),
-                  "DL of TOOL CALL is not followed: the tool goes that much higher than it is told and simulated here");
     if (mill && run.modal.plane != 17)
         unchecked(run, codes::unsupported, run.here(), "a tool axis other than Z is not followed: it is taken along Z");
     run.tool.delta_radius = value(Code::delta_radius);
@@ -375,12 +398,14 @@ void select_tool(Run& run) {
             unchecked(run, codes::unknown_value, run.here(), "which tool this is depends on a value that is not known");
             return;
         }
-        const auto whole = base::whole<std::uint32_t>(t);
-        if (!b.tool_named && !whole) {
+        const auto number =
+            b.tool_named ? std::optional(std::pair<std::uint32_t, std::uint32_t>{0, 1}) : tool_number(run, t);
+        if (!number) {
             alarm(run, codes::value_range, run.here(), "T" + printed(Value::real(t)) + " is no tool number");
             return;
         }
-        run.tool.prepared = b.tool_named ? 0 : *whole;
+        run.tool.prepared = number->first;
+        run.tool.prepared_edge = number->second;
         run.tool.prepared_name = b.tool_named ? b.tool_name : std::string{};
         run.tool.waiting = true;
         if (!changes_on_m6(run) && !b.has(Code::tool_change)) {
@@ -391,8 +416,10 @@ void select_tool(Run& run) {
     if (b.has(Code::tool_change)) {
         replaced = replaced || run.tool.waiting;
         if (run.tool.waiting) tool_into_spindle(run);
-        changed = b.has(Code::tool);
+        const double higher = run.tool.delta_length;
         take_allowances(run);
+        changed = b.has(Code::tool) || run.tool.delta_length != higher;
+        if (!b.has(Code::tool) && changed) lower_point(run, higher - run.tool.delta_length);
     }
     changed = tool_functions(run) || changed;
     if (run.stopped) return;

@@ -151,7 +151,8 @@ enum class Modal : std::uint16_t {
     diameter_off,
     diameter_absolute_only,
     pole_given,  ///< CC: the pole by its coordinates, or where the tool stands
-    paraxial,    ///< this block: along its axis alone
+    rapid_block,  ///< this block: its arc, approach or departure in rapid (C … FMAX)
+    paraxial,     ///< this block: along its axis alone
     paraxial_longer,
     paraxial_shorter,  ///< … by the tool's radius (R+, R-)
     corner_crossing,   ///< this block's end: M97

@@ -3,8 +3,9 @@
 
 usage: sarif_test.py rules|schema <obrys> <examples>
 
-`schema` takes sarif-schema-2.1.0.json (OASIS) from the file named in OBRYS_SARIF_SCHEMA, from a folder of NODE_PATH or
-from beside the repository, and python's jsonschema; it is skipped (77) where one of them is missing.
+`schema` holds the logs to sarif-subset.schema.json, the standard's objects as far as obrys writes them, by a checker of its
+own; and to the standard's whole schema where that is at hand: sarif-schema-2.1.0.json (OASIS), named in
+OBRYS_SARIF_SCHEMA, in a folder of NODE_PATH or beside the repository, by python's jsonschema.
 """
 import json
 import os
@@ -13,6 +14,8 @@ import re
 import subprocess
 import sys
 import tempfile
+
+import json_schema
 
 PROGRAM = "N10 FOO\nN20 G0 X10 Z5\nN30 G1 X20 F0.1\nN40 SETAL(65000)\nN50 M30\n"
 NAME = "sarif-schema-2.1.0.json"
@@ -34,7 +37,7 @@ def problems(log):
     for run in log["runs"]:
         rules = run["tool"]["driver"]["rules"]
         for rule in rules:
-            if not rule["help"]["text"] or not re.match(r"[a-z]+:", rule["helpUri"]):
+            if not rule["help"]["text"] or not re.match(r"https?:", rule.get("helpUri", "https:")):
                 yield f"rule {rule['id']} has no help"
         for r in run["results"]:
             if rules[r["ruleIndex"]]["id"] != r["ruleId"]:
@@ -127,6 +130,21 @@ def find_schema():
     return None
 
 
+def judges_at_hand():
+    own = json.loads((pathlib.Path(__file__).resolve().parent / "sarif-subset.schema.json").read_text(encoding="utf-8"))
+    yield lambda log: json_schema.faults(own, log)
+    schema = find_schema()
+    try:
+        import jsonschema  # pylint: disable=import-outside-toplevel
+    except ImportError:
+        jsonschema = None
+    if schema is None or jsonschema is None:
+        print(f"not held to the whole schema: needs {NAME} (OBRYS_SARIF_SCHEMA names it) and python's jsonschema")
+        return
+    judge = jsonschema.Draft7Validator(json.loads(schema.read_text(encoding="utf-8")))
+    yield lambda log: (f"{list(e.absolute_path)} {e.message}" for e in judge.iter_errors(log))
+
+
 def main():
     what, obrys, examples = sys.argv[1], str(pathlib.Path(sys.argv[2]).resolve()), pathlib.Path(sys.argv[3]).resolve()
     failed = False
@@ -140,19 +158,16 @@ def main():
                 print(words, problem)
                 failed = True
         return 1 if failed else 0
-    schema = find_schema()
-    try:
-        import jsonschema  # pylint: disable=import-outside-toplevel
-    except ImportError:
-        jsonschema = None
-    if schema is None or jsonschema is None:
-        print(f"skipped: needs {NAME} (OBRYS_SARIF_SCHEMA names it) and python's jsonschema")
-        return 77
-    judge = jsonschema.Draft7Validator(json.loads(schema.read_text(encoding="utf-8")))
+    judges = list(judges_at_hand())
     for words, log in logs(obrys, examples):
-        for error in judge.iter_errors(log):
-            print(words, list(error.absolute_path), error.message)
-            failed = True
+        for judge in judges:
+            for fault in judge(log):
+                print(words, fault)
+                failed = True
+    spoilt = {"version": "2.1.0", "runs": [{"tool": {"driver": {"name": "x"}}, "results": [{"level": "bad"}]}]}
+    if len(list(judges[0](spoilt))) != 2:
+        print("the checker does not see what is wrong")
+        failed = True
     return 1 if failed else 0
 
 

@@ -55,6 +55,7 @@ inline constexpr program::Traits traits{
               .none_is_machine_zero = false},
     .machine_words_are_gauge_point = true,
     .kept = kept_parameters,
+    .indexed_tools = true,
     .compensation_keeps_side = true,
     .calls_end_compensation = true,
     .feed_at_tool_first = true,

@@ -98,6 +98,7 @@ inline constexpr program::Traits traits{
     .compensation_holds_plane = "10757",
     .exponent_is_ex = true,
     .has_diameter_words = true,
+    .radius_makes_arc = false,
 };
 
 }  // namespace obrys::dialect::sinumerik

@@ -26,14 +26,34 @@ void read_number(State& s) {
 
 void begin_program(State& s) {
     s.begun = true;
-    s.in.take_word("PGM");
-    static_cast<void>(s.in.token());  // its name: that of the file counts
-    if (s.in.take_word("INCH") || s.in.take_word("IN")) s.build.unit().inch = true;
-    s.in.take_word("MM");
     s.build.statement(StatementKind::block, s.block);
+    const bool whole = s.in.take_word("PGM");
+    if (!whole) fail_here(s, "PGM is due behind BEGIN, found " + here(s));
+    s.in.skip_blanks();
+    s.name = base::to_upper(s.in.token());  // that of the file counts
+    s.build.unit().inch = s.in.take_word("INCH");
+    if (!s.failed && !s.build.unit().inch && !s.in.take_word("MM"))
+        fail_here(s, "MM or INCH is due behind the program's name, found " + here(s),
+                  "it says what every length of the program is");
     const bool inch = s.build.unit().inch;
     s.build.modal(inch ? Modal::inch_all : Modal::metric_all, s.block, s.in.at());
+}
+
+/// END PGM with the name and the unit of BEGIN PGM.
+void end_program(State& s) {
+    const std::uint32_t begin = s.in.at();
+    s.in.step(3);
+    s.ended = s.begun;
+    const bool whole = s.in.take_word("PGM");
+    s.in.skip_blanks();
+    const std::string name = base::to_upper(s.in.token());
+    const bool inch = s.in.take_word("INCH"), unit = inch || s.in.take_word("MM");
+    const bool same = !s.begun || (name == s.name && inch == s.build.unit().inch);
+    if (whole && unit && same) return;
+    s.build.statement(StatementKind::block, s.block);
     s.in.skip_block();
+    fail(s, begin, "END PGM does not have the name and the unit of BEGIN PGM",
+         "END PGM " + s.name + (s.build.unit().inch ? " INCH" : " MM"));
 }
 
 /// BLK FORM 0.1 Z X+0 Y+0 Z-40 and 0.2 X+100 Y+100 Z+0; in the second IX counts from the least point.
@@ -50,6 +70,7 @@ void read_blank(State& s) {
     }
     program::Blank& blank = blank_of(s.build.unit());
     blank.where = s.build.span(begin, s.in.at());
+    unsigned given = 0;
     while (!s.failed && !s.in.at_end()) {
         const bool incremental = corner == 2 && base::upper(s.in.peek()) == 'I';
         if (incremental) s.in.step();
@@ -57,6 +78,8 @@ void read_blank(State& s) {
         if (axis == std::string_view::npos) return fail_here(s, "X, Y or Z is due here, found " + here(s));
         s.in.step();
         const Value v = read_value(s);
+        if (v.found && (given & (1U << axis)) != 0) return fail_here(s, "an axis stands twice in BLK FORM");
+        if (v.found) given |= 1U << axis;
         if (!v.found && corner == 1)
             blank.tool_axis = static_cast<int>(axis);
         else if (!v.found || !v.is_literal())
@@ -72,7 +95,7 @@ void read_stop(State& s) {
     s.build.statement(StatementKind::block, s.block);
     s.in.step(4);
     const std::size_t words = s.build.unit().words.size();
-    if (!s.in.at_end()) read_words(s, false);
+    read_functions(s);
     stop_here(s, words, begin, begin + 4);
 }
 
@@ -129,7 +152,7 @@ bool take_declaration(State& s) {
 bool read_structure(State& s, std::string_view word) {
     const std::size_t n = word.size();
     if (is(word, "BEGIN")) return s.in.step(n), begin_program(s), true;
-    if (is(word, "END")) return s.in.skip_block(), s.ended = s.begun, true;
+    if (is(word, "END")) return end_program(s), true;
     if (is(word, "BLK")) return s.in.step(n), read_blank(s), true;
     if (is(word, "TOOL")) {
         const std::uint32_t begin = s.in.at();
@@ -174,7 +197,8 @@ void read_comment(State& s, bool after_stop) {
 
 void read_block(State& s) {
     s.block = s.in.at();
-    s.failed = s.rapid_counts = s.machine_counts = false;
+    s.rapid_said = s.feed_said = s.exponents = false;
+    s.failed = s.rapid_counts = s.rapid_is_word = s.machine_counts = false;
     s.statements = s.build.unit().statements.size();
     const std::uint32_t last_path = s.last_path;
     const bool after_stop = s.after_stop;

@@ -134,7 +134,7 @@ TEST(KlartextBlock, MFunctions) {
 TEST(KlartextBlock, ProgramFrame) {
     EXPECT_EQ(one("0 BEGIN PGM TEST MM\n1 END PGM TEST MM"), modal(Modal::metric_all));
     EXPECT_EQ(one("0 BEGIN PGM TEST INCH\n1 END PGM TEST INCH"), modal(Modal::inch_all));
-    EXPECT_EQ(one("0 BEGIN PGM T IN\n1 END PGM T IN"), modal(Modal::inch_all));
+    EXPECT_EQ(one("0 BEGIN PGM T INCH\n1 END PGM T INCH"), modal(Modal::inch_all));
     EXPECT_TRUE(Reading("0 BEGIN PGM TEST INCH\n1 END PGM TEST INCH\n").unit.inch);
     EXPECT_FALSE(Reading("0 BEGIN PGM TEST MM\n1 END PGM TEST MM\n").unit.inch);
     EXPECT_EQ(Reading("0 BEGIN PGM INCH MM\n1 END PGM INCH MM\n").unit.inch, false);

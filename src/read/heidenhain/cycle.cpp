@@ -123,14 +123,45 @@ bool read_parameter_line(State& s) {
 
 }  // namespace
 
-void read_named(State& s) {
-    bool named = open_cycle(s).settings.empty();  // in whatever language
+namespace {
+
+/// X+7, IZ-3, R5: no word of a cycle's name.
+bool is_coordinate(std::string_view word) {
+    if (word.size() > 1 && base::upper(word[0]) == 'I') word.remove_prefix(1);
+    if (word.size() < 2 || (!axis_of(word[0]) && base::upper(word[0]) != 'R')) return false;
+    const bool sign = word[1] == '+' || word[1] == '-';
+    return base::is_digit(word[1]) || (sign && word.size() > 2 && base::is_digit(word[2]));
+}
+
+/// A word of the cycle's name, in whatever language.
+void read_name_word(State& s) {
+    const std::uint32_t begin = s.in.at();
+    const std::string_view word = s.in.token();
+    if (word.size() > 1 && word.ends_with('~')) s.in.go_to(s.in.at() - 1);  // the block goes on
+    if (word.empty())
+        s.in.step();
+    else if (is_coordinate(word))
+        fail(s, begin, "a coordinate has no meaning behind the name of a cycle", "write it in a line of its own");
+}
+
+/// The cycle has a value for this already.
+bool stands_twice(State& s, const dialect::CycleParameter& p, std::uint32_t begin) {
+    const auto& settings = open_cycle(s).settings;
+    if (std::none_of(settings.begin(), settings.end(), [&](const auto& x) { return x.role == p.role; })) return false;
+    fail(s, begin, "this value stands twice in " + open_cycle(s).name);
+    return true;
+}
+
+}  // namespace
+
+void read_named(State& s, bool has_name) {
+    bool named = has_name && open_cycle(s).settings.empty();
     while (!s.failed && !s.in.at_end()) {
         const bool parameter = stands_parameter(s);
         if (read_parameter_line(s)) {
             named = false;
         } else if (named) {
-            s.in.step();
+            read_name_word(s);
         } else if (parameter) {
             const std::uint32_t begin = s.in.at();
             static_cast<void>(read_parameter(s));
@@ -163,9 +194,16 @@ std::string read_keyword(State& s) {
 
 /// Axes without values: CYCL DEF 8.1 X Y.
 void read_axes_alone(State& s, const dialect::Cycle& cycle, int line, const std::string& words, std::uint32_t begin) {
-    for (const char c : words)
-        if (const auto* p = dialect::find_parameter(cycle, line, std::string_view(&c, 1)))
-            add_setting(s, *p, s.build.number(1, true, begin, s.in.at()), false, begin);
+    for (const char c : words) {
+        if (base::is_blank(c)) continue;
+        const auto* p = cycle.kind == program::CycleKind::mirror
+                            ? dialect::find_parameter(cycle, line, std::string_view(&c, 1))
+                            : nullptr;
+        if (p == nullptr)
+            return fail(s, begin, "the word '" + words + "' has no value: a number or a Q parameter must follow");
+        if (stands_twice(s, *p, begin)) return;
+        add_setting(s, *p, s.build.number(1, true, begin, s.in.at()), false, begin);
+    }
 }
 
 /// Labels of contours and names of programs.
@@ -209,7 +247,8 @@ ExprId read_sense(State& s) {
 
 void read_numbered_line(State& s, const dialect::Cycle& cycle, int line) {
     using program::CycleKind;
-    if (line == 0) return s.in.skip_block();  // its name
+    while (line == 0 && !s.failed && !s.in.at_end()) read_name_word(s);
+    if (line == 0) return s.in.skip_block();
     if (cycle.kind == CycleKind::contour_definition) return read_names(s);
     if (cycle.kind == CycleKind::program_call) return read_program_name(s);
     for (std::size_t n = 0; !s.failed && !s.in.at_end(); ++n) {
@@ -222,7 +261,7 @@ void read_numbered_line(State& s, const dialect::Cycle& cycle, int line) {
         if (incremental) p = dialect::find_parameter(cycle, line, word.substr(1));
         if (p == nullptr) p = dialect::find_parameter_at(cycle, line, n);
         const ExprId value = p != nullptr && p->role == program::CycleRole::direction ? read_sense(s) : value_expr(s);
-        if (s.failed) return;
+        if (s.failed || (p != nullptr && stands_twice(s, *p, begin))) return;
         if (p != nullptr)
             add_setting(s, *p, value, incremental, begin);
         else
@@ -270,6 +309,7 @@ void read_call(State& s, std::uint32_t begin) {
         s.build.modal(has_rapid(s) ? Modal::rapid : Modal::linear, begin, s.in.at());
     }
     s.build.bare(Code::cycle_call, begin, s.in.at());
+    if (!s.rapid_counts || pattern) return read_functions(s);
     read_words(s, false);
 }
 

@@ -125,6 +125,7 @@ void read_blank(State& s, const IsoBlock& b) {
     s.build.statement(StatementKind::block, s.block);
     program::Blank& blank = blank_of(s.build.unit());
     bool incremental = s.iso.incremental;
+    unsigned given = 0;
     while (!s.failed && !s.in.at_end()) {
         const char c = base::upper(s.in.peek());
         const std::uint32_t begin = s.in.at();
@@ -139,6 +140,8 @@ void read_blank(State& s, const IsoBlock& b) {
         s.in.step();
         const Value v = read_value(s);
         if (!v.found || !v.is_literal()) return fail_here(s, "a number is due here, found " + here(s));
+        if ((given & (1U << axis)) != 0) return fail(s, begin, "an axis stands twice in the blank");
+        given |= 1U << axis;
         if (least)
             blank.min[axis] = v.number();
         else
@@ -278,6 +281,7 @@ void read_iso_block(State& s) {
     s.block = s.in.at();
     s.failed = false;
     s.rapid_counts = s.machine_counts = true;
+    s.rapid_said = s.feed_said = s.exponents = false;
     const IsoBlock b = look_over(s);
     const bool corner = b.has_g(24) || b.has_g(25) || b.has_g(26);
     if (!corner) flush_pending(s);  // a corner belongs to the block before it

@@ -110,6 +110,8 @@ bool write_motion(State& s, const IsoBlock& b, bool given) {
         return moves;
     }
     s.build.modal(modal_of(s.iso.motion, b.rapid), s.block, end);
+    if (b.rapid && family != Family::straight && family != Family::polar_straight)
+        s.build.modal(Modal::rapid_block, s.block, end);
     const bool about_pole = family == Family::polar_arc || (family == Family::arc && !b.has('R'));
     if (moves && about_pole) s.build.bare(Code::centre_at_pole, s.block, end);
     return moves;
@@ -120,7 +122,11 @@ public:
     Words(State& s, const IsoBlock& b) : s_(s), b_(b), family_(family_of(s.iso.motion)) {}
 
     void read() {
-        while (!s_.failed && !s_.in.at_end()) read_word();
+        while (!s_.failed && !s_.in.at_end()) {
+            const std::uint32_t begin = s_.in.at();
+            read_word();
+            no_exponent(s_, begin);
+        }
     }
 
 private:
@@ -187,7 +193,10 @@ private:
 
     void read_tool_call(std::uint32_t begin) {
         s_.in.step();
+        const std::uint32_t from = s_.in.at();
         read_tool(s_);
+        if (!s_.failed && s_.in.at() == from)
+            return fail(s_, begin, "the number or the name of a tool is due behind T", "T5 G17 S1000");
         if (!s_.failed) s_.build.bare(Code::tool_change, begin, s_.in.at());
     }
 

@@ -16,10 +16,16 @@ void read_feed(State& s) {
     const std::uint32_t begin = s.in.at();
     s.in.step();
     if (s.in.take_word("MAX")) {  // the block's motion has it
-        if (!s.rapid_counts)
-            s.build.problem(Code::unsupported, begin, s.in.at(), "only straight blocks are run in rapid traverse");
+        s.rapid_said = true;
+        if (s.feed_said) return fail(s, begin, "two feeds stand in the block", "leave FMAX or the feed in numbers");
+        if (s.rapid_is_word)
+            s.build.modal(Modal::rapid_block, begin, s.in.at());
+        else if (!s.rapid_counts)
+            s.build.problem(Code::unsupported, begin, s.in.at(), "FMAX belongs to blocks that move");
         return;
     }
+    s.feed_said = true;
+    if (s.rapid_said) return fail(s, begin, "two feeds stand in the block", "leave FMAX or the feed in numbers");
     if (s.in.take_word("AUTO")) return s.build.bare(Code::feed_auto, begin, s.in.at());
     const char kind = base::upper(s.in.peek());
     if (kind == 'U' || kind == 'Z') {
@@ -174,6 +180,7 @@ void read_element(State& s, Kind kind) {
     const bool arc = kind != Kind::straight && kind != Kind::polar_straight;
     s.build.statement(StatementKind::block, s.block);
     if (!arc) straight(s);
+    s.rapid_is_word = arc;
     if (kind == Kind::tangential || kind == Kind::polar_tangential)
         s.build.modal(Modal::arc_tangent, s.block, s.in.at());
     if (kind == Kind::about_pole || kind == Kind::polar_arc) {
@@ -186,9 +193,36 @@ void read_element(State& s, Kind kind) {
 
 }  // namespace
 
-void read_word(State& s, bool arc) {
+namespace {
+
+/// 1E1, 5E-3: formulas and splines have exponents, words have none.
+bool has_exponent(std::string_view word) {
+    for (std::size_t i = 1; i + 1 < word.size(); ++i)
+        if (base::upper(word[i]) == 'E' && (base::is_digit(word[i - 1]) || word[i - 1] == '.' || word[i - 1] == ','))
+            return true;
+    return false;
+}
+
+}  // namespace
+
+void no_exponent(State& s, std::uint32_t begin) {
+    if (s.failed || s.exponents || !has_exponent(s.in.between(begin, s.in.at()))) return;
+    fail(s, begin, "a number in a word has no exponent", "write it out: X10 for X1E1");
+}
+
+void read_functions(State& s) {
+    while (!s.failed && !s.in.at_end()) {
+        const char c = base::upper(s.in.peek());
+        if (c != 'M' && c != 'F')
+            return fail_here(s, "only M and F stand in this block, found " + here(s), "coordinates need L before them");
+        read_word(s, false);
+    }
+}
+
+namespace {
+
+void read_word_as_it_is(State& s, bool arc, std::uint32_t begin) {
     const char c = base::upper(s.in.peek()), next = base::upper(s.in.peek(1));
-    const std::uint32_t begin = s.in.at();
     if (const auto axis = axis_of(c)) {
         s.in.step();
         value_word(s, *axis, begin);
@@ -206,6 +240,14 @@ void read_word(State& s, bool arc) {
     } else {
         fail_here(s, "this is no word of a path block: " + here(s));
     }
+}
+
+}  // namespace
+
+void read_word(State& s, bool arc) {
+    const std::uint32_t begin = s.in.at();
+    read_word_as_it_is(s, arc, begin);
+    no_exponent(s, begin);
 }
 
 void read_words(State& s, bool arc) {
@@ -250,10 +292,9 @@ bool read_path_block(State& s, std::string_view word) {
     const char c = base::upper(s.in.peek());
     if (!opens_with_word(word)) return false;
     s.build.statement(StatementKind::block, s.block);
-    if (c != 'M' && c != 'F') {
-        straight(s);
-        s.build.modal(Modal::paraxial, s.block, s.in.at());
-    }
+    if (c == 'M' || c == 'F') return read_functions(s), true;
+    straight(s);
+    s.build.modal(Modal::paraxial, s.block, s.in.at());
     read_words(s, false);
     return true;
 }

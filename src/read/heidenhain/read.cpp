@@ -27,10 +27,11 @@ void check_end(State& s, std::string_view last, base::Diagnostics& diagnostics) 
     if (s.ended && s.in.next_line()) {
         const std::uint32_t begin = s.in.at();
         s.in.rest_of_line();
-        d.severity = base::Severity::note;
-        d.code = base::codes::no_effect;
+        d.severity = base::Severity::warning;
+        d.code = base::codes::not_run;
         d.where = s.build.span(begin, s.in.at());
-        d.text = "the text behind " + std::string(last) + " is left out";
+        d.text = "the text behind " + std::string(last) + " is no part of the program and is not run";
+        d.remedy = "keep it in a file of its own, or take the first " + std::string(last) + " out";
     } else if (s.begun && !s.ended) {
         d.severity = base::Severity::warning;
         d.code = base::codes::unclosed;

@@ -174,6 +174,7 @@ void datum_shift(State& s, std::uint32_t begin) {
     }
     for (const char letter : {'X', 'Y', 'Z'})
         if (reset) add_axis(s, letter, s.build.number(0, true, begin, s.in.at()), false, begin);
+    unsigned given = 0;
     while (!reset && !table && !s.failed && !s.in.at_end()) {
         const std::uint32_t at = s.in.at();
         const bool incremental = base::upper(s.in.peek()) == 'I';
@@ -182,6 +183,9 @@ void datum_shift(State& s, std::uint32_t begin) {
         if (!axis_of(letter)) return fail_here(s, "an axis with its value is due here, found " + here(s));
         s.in.step();
         const ExprId value = value_expr(s);
+        if (!s.failed && (given & (1U << (letter - 'A'))) != 0)
+            return fail(s, at, std::string("the axis ") + letter + " stands twice in TRANS DATUM");
+        given |= 1U << (letter - 'A');
         if (!s.failed) add_axis(s, letter, value, incremental, at);
     }
     s.open_cycle = program::no_target;

@@ -187,6 +187,11 @@ bool read_positioning(State& s, Special& special) {
         add(s, special, Datum::positioning, s.build.number(how, true, begin, s.in.at()), false, begin);
         return true;
     }
+    if (s.in.take_prefix("MB")) {
+        if (!s.in.take_word("MAX")) static_cast<void>(read_value(s));
+        s.build.problem(Code::unsupported, begin, s.in.at(), "the tool goes away along its axis before it is tilted");
+        return true;
+    }
     for (const std::string_view word : {"ABST", "COORD", "TABLE"})
         if (s.in.take_word(word)) {
             s.in.take_word("ROT");
@@ -236,6 +241,8 @@ void read_special(State& s, SpecialKind kind, Family family, std::uint32_t begin
     s.build.control(StatementKind::special, unit.specials.size(), s.block, s.in.at());
     unit.specials.push_back({});
     s.rapid_counts = family == Family::plane;
+    s.exponents = family == Family::spline;
+    s.rapid_is_word = family == Family::approach || family == Family::free_contour;
     if (family == Family::spline) s.build.modal(Modal::linear, s.block, s.in.at());
     while (!s.failed && !s.in.at_end())
         if (!read_own(s, special, family)) read_word(s, false);

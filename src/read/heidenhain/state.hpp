@@ -39,9 +39,13 @@ struct State {
     bool first_numbered = false;  ///< the text's first block has a number: a line without one goes on with a cycle
     bool failed = false;          ///< a complaint was made about it
     bool rapid_counts = false;    ///< FMAX in the block at hand is how it moves
+    bool rapid_is_word = false;   ///< … and stands in the tree as a word of its own: arcs, APPR, DEP
     bool machine_counts = false;  ///< M91 in it, too
-    bool begun = false;           ///< BEGIN PGM or %NAME G71 was read
-    bool ended = false;           ///< … and its END PGM or last %NAME: what follows is no part of the program
+    bool rapid_said = false, feed_said = false;  ///< FMAX and a feed in numbers in the block at hand
+    bool exponents = false;                      ///< the block's numbers may have one (splines)
+    std::string name{};                            ///< of BEGIN PGM
+    bool begun = false;                          ///< BEGIN PGM or %NAME G71 was read
+    bool ended = false;  ///< … and its END PGM or last %NAME: what follows is no part of the program
     std::uint32_t last_path = program::no_target;   ///< the block before, where it is a contour element
     bool after_stop = false;                        ///< the block before was STOP: a comment is its message
     std::uint32_t open_cycle = program::no_target;  ///< entry in Unit::cycles that further lines belong to
@@ -97,9 +101,13 @@ void read_comment(State& s, bool after_stop);  ///< block.cpp: behind STOP it is
 void stop_here(State& s, std::size_t words, std::uint32_t begin, std::uint32_t end);
 bool read_path_block(State& s, std::string_view word);  ///< path_block.cpp: L C CC CR CT CP LP CTP CHF RND
 void read_words(State& s, bool arc);                    ///< words of a path block up to its end
-[[nodiscard]] std::optional<Code> axis_of(char c);      ///< X … W
-void read_feed(State& s);                               ///< F and its relatives, the scanner stands on the F
-[[nodiscard]] bool has_rapid(State& s);                 ///< the rest of the block holds F MAX: its motion is rapid
+/// The words of a block without motion: M and F.
+void read_functions(State& s);
+/// Complains about a word, begun at `begin`, whose number has an exponent.
+void no_exponent(State& s, std::uint32_t begin);
+[[nodiscard]] std::optional<Code> axis_of(char c);  ///< X … W
+void read_feed(State& s);                           ///< F and its relatives, the scanner stands on the F
+[[nodiscard]] bool has_rapid(State& s);             ///< the rest of the block holds F MAX: its motion is rapid
 /// CHF and RND belong to the corner behind the element before them: they become words of that element's block.
 void read_corner(State& s, bool chamfer, std::uint32_t begin);
 void read_word(State& s, bool arc);                        ///< one of them
@@ -134,10 +142,10 @@ void read_call_block(State& s);                                       ///< label
 void call_label(State& s, ExprId label, ExprId repeats);
 /// The name of a program, and the call; `suffix` is what the language adds to a name without one.
 void read_program_call(State& s, std::string_view behind, std::string_view suffix);
-void read_cycle_block(State& s);    ///< cycle.cpp: CYCL DEF, CYCL CALL
-void read_global_values(State& s);  ///< cycle.cpp: GLOBAL DEF
-bool read_cycle_line(State& s);     ///< a further line of the open cycle; false where it is none
-void read_named(State& s);          ///< Q200=2 … of the open cycle
+void read_cycle_block(State& s);                  ///< cycle.cpp: CYCL DEF, CYCL CALL
+void read_global_values(State& s);                ///< cycle.cpp: GLOBAL DEF
+bool read_cycle_line(State& s);                   ///< a further line of the open cycle; false where it is none
+void read_named(State& s, bool has_name = true);  ///< Q200=2 … of the open cycle
 void start_cycle(State& s, int number, const dialect::heidenhain::Cycle* cycle, std::uint32_t begin);
 void add_setting(State& s, const dialect::heidenhain::CycleParameter& p, ExprId value, bool incremental,
                  std::uint32_t begin);

@@ -73,11 +73,13 @@ TEST(KlartextText, WhatStandsInFrontOfTheProgramIsLeftOut) {
     EXPECT_EQ(r.tree(), "0 " + modal(Modal::metric_all) + "\n1 " + line + " X1\n");
 }
 
-TEST(KlartextText, WhatStandsBehindTheProgramIsLeftOut) {
+TEST(KlartextText, WhatStandsBehindTheProgramIsNotRun) {
     const Reading r("0 BEGIN PGM T MM\n1 L X+1\n2 END PGM T MM\n3 L X+2\nrubbish\n");
     EXPECT_EQ(r.tree(), "0 " + modal(Modal::metric_all) + "\n1 " + line + " X1\n");
     EXPECT_EQ(r.messages(),
-              "TEST.H:4:1: note: the text behind END PGM is left out [no-effect]\n  3 L X+2\n  ^~~~~~~\n");
+              "TEST.H:4:1: warning: the text behind END PGM is no part of the program and is not run [not-run]\n"
+              "  3 L X+2\n  ^~~~~~~\n"
+              "  remedy: keep it in a file of its own, or take the first END PGM out\n");
 }
 
 TEST(KlartextText, AProgramWithoutItsEndIsSaid) {

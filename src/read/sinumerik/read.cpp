@@ -57,7 +57,7 @@ program::Unit read_unit(std::uint32_t file, const base::Sources& sources, const 
     unit.file = file;
     unit.begin = part.begin;
     unit.end = part.end;
-    unit.startable = part.kind == "MPF";
+    unit.startable = part.kind == "MPF" || part.kind == "SPF";  // an archive's programs are there to be run
     unit.traits = &dialect::sinumerik::traits;
     unit.reserve(part.end - part.begin);
     State s{.unit = unit, .names = names, .diagnostics = diagnostics, .text = source.text, .cursor = {}};
