@@ -186,12 +186,12 @@ namespace {
 bool not_run_for_unknown(Run& run, const ActiveCycle& c, const cycles::Expansion& e) {
     if (e.simulated || !e.assumption.empty() || e.complaints.empty()) return false;
     const bool all = std::all_of(e.complaints.begin(), e.complaints.end(), [](const cycles::Complaint& k) {
-        return !k.fatal && k.text.find("not known") != std::string::npos;
+        return !k.fatal && !k.role && k.text.find("not known") != std::string::npos;
     });
     if (!all || run.capture != nullptr) return false;
     for (const cycles::Complaint& k : e.complaints)
         unchecked(run, codes::unknown_value, run.here(), c.definition->name + " is not run: " + k.text,
-                  k.remedy.empty() ? "give it in the job" : k.remedy);
+                  k.remedy.empty() ? "give it in the job; what a tool has, in its [[tool]]" : k.remedy);
     return true;
 }
 

@@ -1,6 +1,7 @@
 /// Words of DIN/ISO blocks that move, change the tool, or set what holds from here on. What R and H mean depends on the
 /// path function: polar coordinates with G10 … G16, the circle's radius with G02, G03, G05.
 
+#include <algorithm>
 #include <utility>
 
 #include "read/heidenhain/iso.hpp"
@@ -193,9 +194,9 @@ private:
 
     void read_tool_call(std::uint32_t begin) {
         s_.in.step();
-        const std::uint32_t from = s_.in.at();
+        const std::size_t words = s_.build.unit().words.size();
         read_tool(s_);
-        if (!s_.failed && s_.in.at() == from)
+        if (!s_.failed && s_.build.unit().words.size() == words)
             return fail(s_, begin, "the number or the name of a tool is due behind T", "T5 G17 S1000");
         if (!s_.failed) s_.build.bare(Code::tool_change, begin, s_.in.at());
     }
