@@ -130,7 +130,12 @@ std::vector<Certificate::Found> Certificate::depths(const ThreadBands& threads) 
         f.beside = way_beside(suspects_[order[i]].path, f.depth.normal);
     });
     if (!threads.empty())
-        for (Found& f : found) f.depth.depth = std::abs(threads.judged(f.depth.at, -f.depth.depth));
+        for (Found& f : found) {
+            // What an edge is of a thread that the part shows is no depth; the deepest place is known.
+            if (f.depth.edge) f.depth.depth = geom::distance(f.depth.at, f.depth.surface);
+            f.depth.edge = false;
+            f.depth.depth = std::abs(threads.judged(f.depth.at, -f.depth.depth));
+        }
     std::erase_if(found, [&](const Found& f) { return !(f.depth.depth > allowed_); });
     return found;
 }

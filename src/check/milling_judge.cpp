@@ -198,7 +198,7 @@ void Milling::judge_gouge(const Milled& milled, const Gouge& gouge) {
     if (p.area > 0) {
         f.text += ", over " + mm2(p.area);
         f.amounts.push_back({"area_mm2", p.area});
-    } else if (gouge.width > 0) {
+    } else if (gouge.width > 0 && !gouge.edge) {
         f.text += ", " + mm(gouge.width) + " wide";
         f.amounts.push_back({"width_mm", gouge.width});
     }

@@ -199,7 +199,12 @@ double Judge::edge_depth(const Swept& whole, double depth, double most) const {
         if (!core) return false;
         Swept inner = whole;
         inner.body = *core;
-        return meets(inner);
+        const std::vector<std::uint32_t> met = met_by(inner);
+        // Doubt counts as met there; here a place that lies in it is wanted.
+        return std::any_of(met.begin(), met.end(), [&](std::uint32_t t) {
+            const Vec3 p = closest(inner, corners(part_.mesh(), t), to_the_end).on_other;
+            return geom::distance(p, nearest_within(inner, p)) < 1e-6;
+        });
     };
     double low = depth + accuracy * allowed_, high = most;
     if (high <= low || !reached(low)) return depth;
