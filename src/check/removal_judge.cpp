@@ -148,7 +148,6 @@ void Removal::cut_thread(const Move& move, const sim::turning::Move& way, const 
         Finding f = into(*d, true);
         f.text += "; a thread of " + plain(pitch_) + " mm pitch is at most " + mm(deepest_thread * pitch_) + " deep";
         out_.finding(move, std::move(f));
-        return;
     }
     add_to_threads(band);
 }

@@ -100,6 +100,7 @@ void LastCuts::add(const Move& move, const geom::Region& removed) {
 const LastCuts::Entry* LastCuts::beside(const geom::Region& piece, const geom::Region& wanted) const {
     if (last_.empty()) return nullptr;
     constexpr int samples = 16;
+    constexpr double much = 0.5;  // of the largest share: of such cuts the last one
     const Box box = box_of(piece);
     std::set<std::pair<std::uint64_t, const Entry*>> near;  // in the order of the moves
     const Range r = range(box, beside_margin);
@@ -108,7 +109,7 @@ const LastCuts::Entry* LastCuts::beside(const geom::Region& piece, const geom::R
             if (const Entry* e = last_[z * cells + x].get(); e != nullptr && e->box.meets(box, beside_margin))
                 near.emplace(e->index, e);
     const std::vector<geom::Edge> edges = geom::edges(piece);
-    const Entry* best = nullptr;
+    std::vector<std::pair<double, const Entry*>> shares;
     double most = 0;
     for (const auto& [index, e] : near) {
         double along = 0;
@@ -118,9 +119,13 @@ const LastCuts::Entry* LastCuts::beside(const geom::Region& piece, const geom::R
                 if (geom::distance(e->removed, p) <= beside_margin)
                     along += geom::length(edge) / samples * geom::distance(wanted, p);
             }
-        if (best == nullptr || along >= most - 1e-9) best = e, most = std::max(most, along);
+        shares.emplace_back(along, e);
+        most = std::max(most, along);
     }
-    return best;
+    const Entry* last = nullptr;
+    for (const auto& [along, e] : shares)
+        if (along >= much * most) last = e;
+    return last;
 }
 
 void find_rest(const Setup& setup, const Left& left, const LastCuts& cuts, const cl::Record& end, Collector& out) {

@@ -28,8 +28,8 @@ public:
     LastCuts() = default;
     explicit LastCuts(const Box& stock) : stock_(stock), last_(cells * cells) {}
     void add(const Move& move, const geom::Region& removed);
-    /// Of the moves that are still known the one whose cut bounds most of what is deep of the piece above the wanted
-    /// contour, the last one of several.
+    /// Of the moves that are still known the last one whose cut bounds much of what is deep of the piece above the
+    /// wanted contour.
     [[nodiscard]] const Entry* beside(const geom::Region& piece, const geom::Region& wanted) const;
 
 private:
