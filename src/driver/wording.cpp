@@ -93,7 +93,7 @@ namespace {
 
 /// "tool T2 D1", of the stream, as the control's programmer writes it: "tool T0201", or "tool T2" where there is no D.
 std::string tools_in_words_of(std::string_view control, bool offset_numbers, std::string text) {
-    if (control.starts_with("sinumerik")) return text;
+    if (control.starts_with("sinumerik") || control.starts_with("heidenhain")) return text;
     static const std::regex named(R"(\btool T(\d+) D(\d+)\b)");
     std::smatch found;
     if (!std::regex_search(text, found, named)) return text;
@@ -102,13 +102,20 @@ std::string tools_in_words_of(std::string_view control, bool offset_numbers, std
     return found.prefix().str() + "tool T" + name + found.suffix().str();
 }
 
+/// Where edges are no words of the control its programmer is not asked for one.
+std::string edges_in_words_of(std::string_view control, std::string remedy) {
+    const bool edge = remedy.starts_with("the list has it with edge = ");
+    if (!edge || !control.starts_with("heidenhain")) return remedy;
+    return "the list has this tool with another index: add it (edge = index + 1), or correct the program";
+}
+
 }  // namespace
 
 void reword(check::Result& result, std::string_view control, bool offset_numbers) {
     const auto each = [control, offset_numbers](auto& list) {
         for (auto& item : list) {
             item.text = in_words_of(control, tools_in_words_of(control, offset_numbers, std::move(item.text)));
-            item.remedy = in_words_of(control, std::move(item.remedy));
+            item.remedy = in_words_of(control, edges_in_words_of(control, std::move(item.remedy)));
         }
     };
     each(result.findings);
