@@ -118,6 +118,9 @@ void dwell(Run& run) {
         d.seconds = b.get(Code::feed);
     else if (b.has(Code::spindle) && run.traits->dwell_in_feed_words)
         d.revolutions = b.get(Code::spindle);
+    else if (run.traits->dwell_in_feed_words)
+        unchecked(run, codes::value_range, run.here(), "G4 says neither how long nor how many revolutions it waits",
+                  "write F with seconds or S with revolutions of the spindle");
     if (d.seconds < 0 || d.revolutions < 0) {
         alarm(run, codes::value_range, run.here(), "the dwell of G4 is negative");
         return;

@@ -171,6 +171,14 @@ path::CornerRequest corner_of_block(const Run& run) {
 path::CornerRequest PathStage::corner_request(Run& run) {
     const BlockWords& b = run.block;
     path::CornerRequest r = corner_of_block(run);
+    const geom::Vec3& at = run.programmed_position;
+    const PlaneAxes a = plane_axes(run.modal.plane);
+    if (r.kind != path::CornerKind::none && !std::isfinite(coordinate(at, a.u) + coordinate(at, a.v))) {
+        unchecked(run, codes::unknown_value, run.here(),
+                  "where the move before this chamfer or rounding comes from is not known: it is left out",
+                  "move to a known place before");
+        return {};
+    }
     if (std::isnan(r.size)) {
         unchecked(run, codes::unknown_value, run.here(),
                   "the size of this chamfer or rounding depends on a value that is not known: it is left out");

@@ -117,6 +117,10 @@ bool mirror(Run& run, const ActiveCycle& c) {
 
 bool rotate(Run& run, const ActiveCycle& c) {
     const Written w = find(run, c, CycleRole::angle);
+    if (!w.set) {
+        alarm(run, codes::value_range, c.definition->where, c.definition->name + ": the angle ROT is not given");
+        return true;
+    }
     double angle = w.value;
     if (w.incremental) {
         const geom::Frame now = active(run, TransformKind::rotation);
@@ -197,8 +201,9 @@ bool orientation(Run& run, const ActiveCycle& c) {
 
 bool dwell(Run& run, const ActiveCycle& c) {
     const Written w = find(run, c, CycleRole::dwell);
-    if (!(w.value >= 0)) {
-        alarm(run, codes::value_range, c.definition->where, c.definition->name + ": the dwell time is negative");
+    if (!w.set || !(w.value >= 0)) {
+        alarm(run, codes::value_range, c.definition->where,
+              c.definition->name + ": the dwell time is " + (w.set ? "negative" : "not given"));
         return true;
     }
     emit(run, cl::Dwell{w.value, 0});

@@ -310,6 +310,11 @@ void read_iso_words(State& s, const IsoBlock& b) {
         if (s.failed || is_pole_alone(b)) return s.in.skip_block();
     }
     s.build.statement(StatementKind::block, s.block);
+    if (std::count_if(b.g.begin(), b.g.end(), [](int g) { return family_of(g) != Family::unknown; }) > 1) {
+        const std::uint32_t from = s.in.at();
+        s.in.skip_block();
+        return fail(s, from, "two path functions stand in one block", "write one of them");
+    }
     const bool moves = write_motion(s, b, given);
     const std::size_t words = s.build.unit().words.size();
     const std::uint32_t begin = s.in.at();

@@ -50,6 +50,7 @@ bool read_literal_block(State& s) {
     unit.words.push_back(
         make(Code::modal, static_cast<std::uint32_t>(Form::index), program::modal_word(Modal::linear), p, p + 1, line));
     const char* last = ++p;
+    bool rapid_said = false, feed_said = false;
     const auto give_up = [&] {
         unit.words.resize(first);
         return false;
@@ -60,6 +61,7 @@ bool read_literal_block(State& s) {
         if (p - line > 4000) return give_up();
         if (const char* rapid = fixed_word(p, "FMAX")) {
             unit.words[first].payload = program::modal_word(Modal::rapid);
+            rapid_said = true;
             last = p = rapid;
             continue;
         }
@@ -74,8 +76,10 @@ bool read_literal_block(State& s) {
         const Literal n = base::scan_short_number(p + 1, true);
         if (n.end == nullptr || !ends_word(*n.end)) return give_up();
         unit.words.push_back(make(code, n.decimals, n.mantissa, p, n.end, line));
+        feed_said = feed_said || code == Code::feed;
         last = p = n.end;
     }
+    if (rapid_said && feed_said) return give_up();  // two feeds: read_block complains
     program::Statement statement;
     statement.begin = s.in.at();
     statement.first = static_cast<std::uint32_t>(first);
