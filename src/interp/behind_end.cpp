@@ -11,6 +11,8 @@ void say_blocks_behind(Run& run, int m) {
     // Jumps, sections and contours may lead there, or be run from there.
     if (!run.traits->may_end_anywhere || !unit.jumps.empty() || !unit.label_calls.empty() || !unit.cycles.empty())
         return;
+    for (const program::Call& call : unit.calls)  // M98 P Q may begin there
+        if (call.first_block != program::no_expr) return;
     for (std::uint32_t i = run.top().pc; i < unit.statements.size(); ++i) {
         const program::Statement& s = unit.statements[i];
         const bool block = s.kind == program::StatementKind::block;

@@ -205,6 +205,14 @@ void PathStage::push(Run& run, path::Element e, bool rapid) {
     push(run, std::move(e), compensation_setting(run), rapid);
 }
 
+namespace {
+
+bool asks_corner(const BlockWords& b) {
+    return b.has(Code::chamfer_length) || b.has(Code::chamfer_leg) || b.has(Code::round);
+}
+
+}  // namespace
+
 void PathStage::push(Run& run, path::Element e, const path::Setting& s, bool rapid) {
     e.tag = origins_.size();
     e.before = std::move(waiting_);
@@ -212,7 +220,7 @@ void PathStage::push(Run& run, path::Element e, const path::Setting& s, bool rap
     const double offset = s.side == path::Side::off ? 0 : s.side == path::Side::left ? s.radius : -s.radius;
     origins_.push_back({run.here(), run.top().stack, rapid || run.block.rapid, s.radius, offset, run.modal.plunge_part,
                         run.modal.feed_reference, s.clearance == path::Clearance::avoided, fixed_plane_,
-                        run.block.rapid, pulled_out(run)});
+                        run.block.rapid, pulled_out(run), asks_corner(run.block)});
     if (!active_) last_.reset();
     active_ = true;
     const path::CornerRequest corner = corner_request(run);
@@ -252,9 +260,22 @@ void PathStage::output(Run& run, const path::Output& out) {
 
 void PathStage::hold(const cl::Record& record) { waiting_.push_back(keep(record)); }
 
+void PathStage::say_open_corner(Run& run) const {
+    const auto tag = path_.open_corner();
+    if (!tag || !origins_[*tag].asks_corner || run.capture != nullptr) return;
+    const char* text =
+        "no corner follows this chamfer or rounding, which is left out: what comes behind it is no move in the plane";
+    if (run.traits->corner_may_be_tangential)  // SINUMERIK leaves it out without an alarm
+        assume(run, origins_[*tag].from, text, "write the next element of the contour behind it");
+    else
+        unchecked(run, codes::unsupported, origins_[*tag].from, text,
+                  "write the next element of the contour behind it");
+}
+
 void PathStage::flush(Run& run) {
     if (!active_ || flushing_) return;
     flushing_ = true;
+    say_open_corner(run);
     report(run, path_.flush([&](const path::Output& o) { output(run, o); }));
     for (const int event : waiting_) send(run, events_[static_cast<std::size_t>(event)]);
     waiting_.clear();

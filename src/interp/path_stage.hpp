@@ -42,10 +42,13 @@ private:
         Modal feed_reference = Modal::feed_at_tool;
         bool avoids = false;  ///< looks ahead and leaves out what the tool does not fit into
         bool fixed_plane = false;
-        bool rapid_arc = false;  ///< rapid on arcs, too
-        double pulled_out = 0;   ///< part of the way to the crossing that the corner before it goes farther out
+        bool rapid_arc = false;    ///< rapid on arcs, too
+        double pulled_out = 0;     ///< part of the way to the crossing that the corner before it goes farther out
+        bool asks_corner = false;  ///< by a word of its block
     };
 
+    /// A chamfer or rounding of a block is left without the element that it leads to.
+    void say_open_corner(Run& run) const;
     [[nodiscard]] static double arc_feed(const Origin& origin, const path::Output& out);
     [[nodiscard]] path::CornerRequest corner_request(Run&);
     [[nodiscard]] int keep(const cl::Record& record);

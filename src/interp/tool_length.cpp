@@ -170,6 +170,7 @@ void judge_length(Run& run) {
     Offsets& o = run.offsets;
     const shop::Tool* t = run.tool.data;
     const Modal m = run.modal.motion;
+    if (run.env.tell_settings) return;  // the calls of LinuxCNC's interpreter, which does not judge
     const bool machine = run.block.suppress != Modal::linear || run.block.special == Modal::home;
     if (run.env.machine.kind != shop::MachineKind::mill || t == nullptr || machine || run.capture != nullptr) return;
     if (m == Modal::rapid || m == Modal::canned_off || m == Modal::probe)

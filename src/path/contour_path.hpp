@@ -27,6 +27,11 @@ public:
     PathFaults flush(OutputSink out);
     /// The block that switches the compensation off has been read (Compensation::switch_off).
     PathFaults switch_off(OutputSink out);
+    /// Tag of the element whose block asks for a corner that has not been made yet.
+    [[nodiscard]] std::optional<std::uint64_t> open_corner() const {
+        const auto inside = corners_.open_request();
+        return inside ? std::optional(blocks_[static_cast<std::size_t>(*inside - first_)].tag) : std::nullopt;
+    }
     /// True while elements go through unchanged and at once: the caller may emit them itself.
     [[nodiscard]] bool idle() const { return corners_.empty() && compensation_.idle(); }
 

@@ -49,6 +49,10 @@ public:
     /// Emits what is held back; a request left open (no element follows) makes no corner and no fault.
     void flush(CornerSink out);
     [[nodiscard]] bool empty() const { return !held_; }
+    /// Tag of the element at whose end a corner is still asked for.
+    [[nodiscard]] std::optional<std::uint64_t> open_request() const {
+        return held_ && request_.kind != CornerKind::none ? std::optional(held_->tag) : std::nullopt;
+    }
     /// Tag of the element held back, if there is one.
     [[nodiscard]] std::optional<std::uint64_t> oldest_tag() const;
 

@@ -184,11 +184,7 @@ void read_end(FanucState& s) {
 void close_program(FanucState& s) {
     s.build().begin_block();
     program::Unit& unit = s.unit();
-    if (s.corner_waits) {
-        complain(s, s.build().span(s.corner_waits->begin, s.corner_waits->end), "no block follows for this corner",
-                 "write the block behind it, or take the corner out");
-        s.corner_waits.reset();
-    }
+    s.corner_waits.reset();
     unit.unended = s.control.haas ? "the program ends without M30, M2 or M99"
                                   : "the program ends without M30, M2 or M99 (alarm 5010)";
     while (!s.loops.empty() || !s.ifs.empty()) {

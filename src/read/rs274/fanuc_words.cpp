@@ -114,7 +114,9 @@ void turret(FanucState& s, const Address& a) {
         v.literal = base::scan_decimal(std::to_string(x));
         return v;
     };
-    if (*n == 0) return put_value(s, Order::technology, Code::edge, whole(0), a);  // ends the offset
+    constexpr std::uint32_t all_digits = 5;  // T0008: the tool stays, its offset is 8; T0: none
+    if (*n == 0 || (*n < 100 && a.end - a.begin >= all_digits))
+        return put_value(s, Order::technology, Code::edge, whole(*n), a);
     if (*n < 100 || *n > 9999)
         add_problem(s, Code::unsupported, a.begin, a.end,
                     *n < 100 ? "one number for tool and offset: which it is (T0003, T0303) depends on the machine"
