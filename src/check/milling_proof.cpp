@@ -12,7 +12,7 @@
 #include <array>
 #include <cmath>
 #include <memory>
-#include <queue>
+#include <utility>
 #include <vector>
 
 namespace obrys::check {
@@ -35,7 +35,6 @@ struct Cell {
     Vec3 centre, half;
     double bound = 0;  ///< no point of it deviates more
     std::shared_ptr<const Bodies> bodies;
-    bool operator<(const Cell& c) const { return bound < c.bound; }
 };
 
 class Search {
@@ -48,20 +47,12 @@ public:
         take({0.5 * (box.min + box.max), 0.5 * (box.max - box.min), 0, std::move(all)});
         bool refined = false;
         while (!cells_.empty()) {
-            const Cell c = cells_.top();
-            if (found() && c.bound <= best_.deviation + near_worst * claim_.allowed) break;
+            const Cell c = std::move(cells_.back());
+            cells_.pop_back();
+            if (found() && c.bound <= best_.deviation + near_worst * claim_.allowed) continue;
             if (found() && !refined) cells = std::min(cells, refining), refined = true;
             if (cells-- == 0) return found() ? best_ : Proof{};
-            cells_.pop();
-            int axis = 0;
-            for (int k = 1; k < 3; ++k)
-                if (component(c.half, k) > component(c.half, axis)) axis = k;
-            Cell part = c;
-            set_component(part.half, axis, component(c.half, axis) / 2);
-            for (const double sign : {-1.0, 1.0}) {
-                set_component(part.centre, axis, component(c.centre, axis) + sign * component(part.half, axis));
-                take(part);
-            }
+            split(c);
         }
         if (!found() && !left_open_) best_.outcome = Proof::Outcome::absent;
         return best_;
@@ -69,6 +60,23 @@ public:
 
 private:
     [[nodiscard]] bool found() const { return best_.outcome == Proof::Outcome::present; }
+
+    /// Depth first, where more can be found: what is there is found after few cells, and what is not takes all of them
+    /// in any order.
+    void split(const Cell& c) {
+        int axis = 0;
+        for (int k = 1; k < 3; ++k)
+            if (component(c.half, k) > component(c.half, axis)) axis = k;
+        Cell part = c;
+        set_component(part.half, axis, component(c.half, axis) / 2);
+        const std::size_t before = cells_.size();
+        for (const double sign : {-1.0, 1.0}) {
+            set_component(part.centre, axis, component(c.centre, axis) + sign * component(part.half, axis));
+            take(part);
+        }
+        if (cells_.size() == before + 2 && cells_[before].bound > cells_[before + 1].bound)
+            std::swap(cells_[before], cells_[before + 1]);
+    }
 
     /// Puts a cell back in if it is not decided.
     void take(Cell c) {
@@ -96,7 +104,7 @@ private:
         }
         c.bodies = std::move(near);
         c.bound = off + h - more;
-        cells_.push(std::move(c));
+        cells_.push_back(std::move(c));
     }
 
     /// Into the part for gouges, out of it for material.
@@ -146,7 +154,7 @@ private:
     }
 
     const Claim& claim_;
-    std::priority_queue<Cell> cells_;
+    std::vector<Cell> cells_;  ///< the last one is the next one
     Proof best_;
     bool left_open_ = false;
 };
