@@ -151,6 +151,7 @@ void Removal::cut(const Move& move, const sim::turning::Move& way, Removed& r) {
     removed_area_ += r.cut.area;
     r.cuts = r.cut.area > setup_.tolerances.rapid;
     if (!r.cut.removed.empty()) judge(move, r.cut);
+    note_fallen(move, r.cut);
     note_reach(move, way);
     judge_holder(move, way);
 }

@@ -58,6 +58,7 @@ private:
     void note_reach(const Move& move, const sim::turning::Move& way);
     void cut_thread(const Move& move, const sim::turning::Move& way, const cl::Thread& thread, Removed& r);
     void add_to_threads(const geom::Region& band);
+    void note_fallen(const Move& move, const sim::turning::Cut& cut);
     void judge_clamps(const Move& move);
     void require_room(const cl::Record& end);
     void count_use(const Move& move, const Removed& removed);
@@ -80,6 +81,7 @@ private:
     geom::Contour behind_;          ///< behind_blade
     Box outline_box_;               ///< with the holder
     geom::Region threads_;          ///< what threads take from the stock, which stays in the model
+    geom::Region fallen_;           ///< parted off
     double pitch_ = 0;              ///< mm, of the last thread
     bool in_front_ = false;         ///< a tool has stood in front of the stock's right face
     cl::Record selected_;           ///< the last tool change

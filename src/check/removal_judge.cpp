@@ -95,14 +95,15 @@ void Removal::judge_blade(const Move& move, const sim::turning::Move& way) {
     if (behind_.vertices.empty()) return;
     const auto d = depth_met(behind_, way);
     if (!d) return;
+    const Box b = box_of(d->region);
+    const double high = tool_->direction == shop::BladeDirection::face ? b.max_z - b.min_z : b.max_x - b.min_x;
     Finding f;
     f.code = base::codes::edges_too_short;
     f.cause = tool_name(std::get<cl::ToolChange>(selected_.step)) + " blade";
-    f.text = "the blade is " + mm(tool_->cutting_depth) +
-             " long (cutting_depth), material stands beside it above that, " + mm(d->normal) + " deep at " +
-             point(d->deepest);
+    f.text = "the blade is " + mm(tool_->cutting_depth) + " long (cutting_depth), material stands beside it " +
+             mm(high) + " above that, at " + point(d->deepest);
     f.remedy = "take a longer blade, or give the tool's holder if it is no wider";
-    f.amounts = {{"depth_mm", d->normal}, {"area_mm2", d->area}, {"z_mm", d->deepest.x}, {"x_mm", d->deepest.y}};
+    f.amounts = {{"depth_mm", high}, {"area_mm2", d->area}, {"z_mm", d->deepest.x}, {"x_mm", d->deepest.y}};
     f.region = d->region;
     f.at = d->deepest;
     out_.finding(move, std::move(f));
@@ -150,6 +151,26 @@ void Removal::cut_thread(const Move& move, const sim::turning::Move& way, const 
         out_.finding(move, std::move(f));
     }
     add_to_threads(band);
+}
+
+/// What is parted off falls: the workpiece is held at its left. A cut in what has fallen is not what it would be.
+void Removal::note_fallen(const Move& move, const Cut& cut) {
+    constexpr double whole_piece = 0.02;  // of the stock: less is a chip between two cuts
+    if (cut.removed.empty()) return;
+    if (!fallen_.empty() && box_of(fallen_).meets(box_of(cut.removed), 0) &&
+        geom::area(geom::intersect(fallen_, cut.removed)) > setup_.tolerances.rapid)
+        out_.unchecked(move.record, "this move cuts a piece that was parted off before: it is no longer held",
+                       "part off last");
+    const bool inwards = move.to.x < move.from.x && move.from.x - move.to.x > std::abs(move.to.z - move.from.z);
+    if (!inwards || tool_->kind != shop::ToolKind::groove) return;
+    const std::vector<geom::Region> pieces = geom::pieces(work_->region());
+    if (pieces.size() < 2) return;
+    const auto left_of = [](const geom::Region& a, const geom::Region& b) { return box_of(a).min_z < box_of(b).min_z; };
+    const auto held = std::min_element(pieces.begin(), pieces.end(), left_of);
+    fallen_ = {};
+    for (auto p = pieces.begin(); p != pieces.end(); ++p)
+        if (p != held && geom::area(*p) > whole_piece * out_.result().before->area_mm2)
+            fallen_.contours.insert(fallen_.contours.end(), p->contours.begin(), p->contours.end());
 }
 
 void Removal::add_to_threads(const geom::Region& band) {
