@@ -34,6 +34,8 @@ constexpr Silent silent[] = {
     {"", "G10 L2", "L2", "what it says already"},
     {"fanuc", "G49", "H2", "the length ends, whatever H says"},
     {"haas", "G49", "H2", "the length ends, whatever H says"},
+    {"fanuc", "", "D2", "kept for the next G41 or G42"},
+    {"haas", "", "D2", "kept for the next G41 or G42"},
     {"", "M98 P1000", "", "the program called is not there"},
     {"linuxcnc", "G92", "", "where these axes stand is not known before their first move"},
     {"linuxcnc", "G64", "Q7", "a path mode: the stream of moves is the programmed path"},

@@ -24,6 +24,9 @@ void read_number(State& s) {
     s.build.begin_block(skip);
 }
 
+/// INCH; posts write IN, too.
+bool take_inch(State& s) { return s.in.take_word("INCH") || s.in.take_word("IN"); }
+
 void begin_program(State& s) {
     s.begun = true;
     s.build.statement(StatementKind::block, s.block);
@@ -31,7 +34,7 @@ void begin_program(State& s) {
     if (!whole) fail_here(s, "PGM is due behind BEGIN, found " + here(s));
     s.in.skip_blanks();
     s.name = base::to_upper(s.in.token());  // that of the file counts
-    s.build.unit().inch = s.in.take_word("INCH");
+    s.build.unit().inch = take_inch(s);
     if (!s.failed && !s.build.unit().inch && !s.in.take_word("MM"))
         fail_here(s, "MM or INCH is due behind the program's name, found " + here(s),
                   "it says what every length of the program is");
@@ -47,7 +50,7 @@ void end_program(State& s) {
     const bool whole = s.in.take_word("PGM");
     s.in.skip_blanks();
     const std::string name = base::to_upper(s.in.token());
-    const bool inch = s.in.take_word("INCH"), unit = inch || s.in.take_word("MM");
+    const bool inch = take_inch(s), unit = inch || s.in.take_word("MM");
     const bool same = !s.begun || (name == s.name && inch == s.build.unit().inch);
     if (whole && unit && same) return;
     s.build.statement(StatementKind::block, s.block);

@@ -125,10 +125,12 @@ bool read_parameter_line(State& s) {
 
 namespace {
 
-/// X+7, IZ-3, R5: no word of a cycle's name.
+/// X+7, IZ-3, R5, F100, M8: no word of a cycle's name.
 bool is_coordinate(std::string_view word) {
+    constexpr std::string_view others = "RFSTMGDLH";
     if (word.size() > 1 && base::upper(word[0]) == 'I') word.remove_prefix(1);
-    if (word.size() < 2 || (!axis_of(word[0]) && base::upper(word[0]) != 'R')) return false;
+    if (word.size() < 2) return false;
+    if (!axis_of(word[0]) && others.find(base::upper(word[0])) == std::string_view::npos) return false;
     const bool sign = word[1] == '+' || word[1] == '-';
     return base::is_digit(word[1]) || (sign && word.size() > 2 && base::is_digit(word[2]));
 }
@@ -141,7 +143,8 @@ void read_name_word(State& s) {
     if (word.empty())
         s.in.step();
     else if (is_coordinate(word))
-        fail(s, begin, "a coordinate has no meaning behind the name of a cycle", "write it in a line of its own");
+        fail(s, begin, std::string(word.substr(0, word.find('*'))) + " has no meaning behind the name of a cycle",
+             "write it in a line of its own");
 }
 
 /// The cycle has a value for this already.
@@ -154,8 +157,8 @@ bool stands_twice(State& s, const dialect::CycleParameter& p, std::uint32_t begi
 
 }  // namespace
 
-void read_named(State& s, bool has_name) {
-    bool named = has_name && open_cycle(s).settings.empty();
+void read_named(State& s) {
+    bool named = open_cycle(s).settings.empty();
     while (!s.failed && !s.in.at_end()) {
         const bool parameter = stands_parameter(s);
         if (read_parameter_line(s)) {

@@ -147,7 +147,7 @@ void read_iso_cycle(State& s, const dialect::GCode& g) {
         s.open_cycle = program::no_target;
         return s.in.skip_block();
     }
-    if (is_named(*cycle)) return read_named(s, false);
+    if (is_named(*cycle)) return read_named(s);
     if (cycle->kind == CycleKind::program_call)
         read_program(s);
     else

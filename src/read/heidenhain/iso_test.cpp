@@ -130,7 +130,10 @@ TEST(Iso, ProgramCutOffOrFollowedByMore) {
     read_into(cut, "%A G71 *\nN10 G01 X+5 F100 *\n");
     EXPECT_EQ(cut.complaint(), "2:1 N99999999 %NAME is missing: the program may be cut off here | ");
     read_into(more, "%A G71 *\nN10 G01 X+5 F100 *\nN99999999 %A G71 *\nN10 X+6 *\n");
-    EXPECT_EQ(more.complaint(), "4:1 the text behind N99999999 %NAME is no part of the program and is not run | ");
+    EXPECT_EQ(more.complaint(),
+              "4:1 the text behind N99999999 %NAME is no part of the program and is not run | keep it in a file of its "
+              "own, or take "
+              "the first N99999999 %NAME out");
     EXPECT_EQ(more.unit.statements.size(), 2U);
 }
 

@@ -145,7 +145,7 @@ void read_program_call(State& s, std::string_view behind, std::string_view suffi
 void read_cycle_block(State& s);                  ///< cycle.cpp: CYCL DEF, CYCL CALL
 void read_global_values(State& s);                ///< cycle.cpp: GLOBAL DEF
 bool read_cycle_line(State& s);                   ///< a further line of the open cycle; false where it is none
-void read_named(State& s, bool has_name = true);  ///< Q200=2 … of the open cycle
+void read_named(State& s);  ///< Q200=2 … of the open cycle
 void start_cycle(State& s, int number, const dialect::heidenhain::Cycle* cycle, std::uint32_t begin);
 void add_setting(State& s, const dialect::heidenhain::CycleParameter& p, ExprId value, bool incremental,
                  std::uint32_t begin);
