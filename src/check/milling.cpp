@@ -274,6 +274,7 @@ void Milling::take(const Move& move, std::uint32_t use, const Stand::View& view,
     keep_technology(move, length, m);
     keep_points(move, m);
     moves_.push_back(m);
+    judge_tap_out(move, m);
     if (move.rapid) {
         queue_rapid(move, m, view, swing);
     } else {

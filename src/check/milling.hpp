@@ -98,6 +98,8 @@ private:
     void judge_tap(const MilledMove& move, const shop::Tool& tool);
     void judge_rotation(const MilledMove& move, const shop::Tool& tool);
     void judge_tapping(const Move& move, const MilledMove& milled);
+    void judge_pitch_out(const MilledMove& milled);
+    void judge_tap_out(const Move& move, const MilledMove& milled);
     void judge_plunge(const QueuedPass& pass, const MilledMove& move, const sim::milling::Engagement& met);
     void keep_thread(const Move& move);
     void judge_surface(Milled& milled);
@@ -138,6 +140,8 @@ private:
     double speed_ = NAN;  ///< 1/min
     std::int8_t spindle_ = 0;
     bool tool_ready_ = false, complete_ = true, stopped_reported_ = false;
+    std::optional<geom::Vec3> tap_bottom_;  ///< where a tap has stopped in its thread
+    double tap_way_ = NAN;                  ///< mm a revolution that it went there; NaN: not coupled to the spindle
     std::pair<std::uint32_t, std::int8_t> turned_wrong_{};  ///< tool and sense of the spindle that were found last
     std::uint64_t start_moves_ = 0;
     Whereabouts whereabouts_;

@@ -43,6 +43,43 @@ void Milling::judge_tapping(const Move& move, const MilledMove& milled) {
     if (passes(&geom::Vec3::x) || passes(&geom::Vec3::y) || passes(&geom::Vec3::z)) return;
     judge_tap(milled, *tool_);
     judge_rotation(milled, *tool_);
+    if (!(milled.sinking > 0)) return;
+    tap_bottom_ = move.to;
+    tap_way_ = milled.thread != 0 ? milled.feed_per_rev_mm : NAN;
+}
+
+/// Coupled to the spindle a tap comes out as it went in.
+void Milling::judge_pitch_out(const MilledMove& milled) {
+    const double out = milled.feed_per_rev_mm;
+    if (!std::isfinite(out) || !std::isfinite(tap_way_) || std::abs(out - tap_way_) <= pitch_tolerance * tap_way_)
+        return;
+    Finding f;
+    f.code = codes::tap_pitch;
+    f.text = "the tap comes out " + mm(out) + " a revolution, it went in " + mm(tap_way_);
+    f.remedy = "program the same pitch both ways";
+    f.amounts = {{"way_mm", out}, {"pitch_mm", tap_way_}};
+    found(milled, std::move(f));
+}
+
+/// A tap is turned out of the thread that it has cut: coupled to the spindle, or at feed with the spindle reversed.
+void Milling::judge_tap_out(const Move& move, const MilledMove& milled) {
+    constexpr double same = 1e-6;  // mm
+    if (!tap_bottom_ || !(milled.sinking < 0)) return;
+    const bool from_thread = geom::length(move.from - *tap_bottom_) < same;
+    tap_bottom_.reset();
+    const bool tap = tool_ != nullptr && tool_->kind == ToolKind::tap;
+    const bool reversed = tap && milled.spindle == (tool_->left_hand ? 1 : -1);
+    if (!from_thread || !tap) return;
+    if (!move.rapid && milled.thread != 0) return judge_pitch_out(milled);
+    if (!move.rapid && reversed) return;
+    Finding f;
+    f.code = codes::wrong_rotation;
+    f.text = std::string("the tap is drawn out of its thread ") + (move.rapid ? "by a rapid move"
+                                                                   : milled.spindle == 0
+                                                                       ? "while the spindle stands"
+                                                                       : "while the spindle turns on as it cut");
+    f.remedy = "reverse the spindle at the bottom and feed it out, or take the control's tapping cycle";
+    found(milled, std::move(f));
 }
 
 /// A feed move that has met material for the first time.
