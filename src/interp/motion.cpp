@@ -148,6 +148,11 @@ double thread_pitch(const Run& run, const geom::Vec3& from, const geom::Vec3& to
             longest = step;
         }
     }
+    for (int k = 0; k < 3 && longest < 0; ++k)  // a thread that goes nowhere has its pitch all the same
+        if (b.has(pitches[k])) {
+            pitch = b.get(pitches[k]);
+            break;
+        }
     return pitch * length_unit(run.modal);
 }
 
