@@ -244,6 +244,13 @@ bool path_motion(Run& run) {
     }
     cl::Thread t;
     t.pitch = thread_pitch(run, run.programmed_position, to);
+    if (t.pitch == 0) {
+        unchecked(run, codes::value_range, run.here(),
+                  "no pitch stands in this block of a thread: it is run as a straight line",
+                  "write the pitch in every block of a thread");
+        straight_motion(run, to, false);
+        return true;
+    }
     t.rigid_tap = m == Modal::tap || m == Modal::tap_retract;
     if (m == Modal::thread_rising || m == Modal::thread_falling)
         unchecked(run, codes::unsupported, run.here(),
