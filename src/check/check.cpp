@@ -36,6 +36,7 @@ struct Check::State {
     }
     void take(const cl::Record& record, const cl::ToolChange& tool) {
         removal.take(record, tool);
+        limits.take(removal.tool());
         if (milling) milling->take(record, tool);
         if (setup.machine.kind != shop::MachineKind::mill) return;
         stand.take_tool(removal.tool(), tool.edge != 0, tool.raised);
@@ -156,7 +157,7 @@ void Check::State::move(const cl::Record& record) {
                 milling             ? std::optional(false)
                 : removed.simulated ? std::optional(removed.cuts)
                                     : std::nullopt,
-                removal.positioned());
+                removal.driven(m));
     if (trace.keeps_more()) keep(m, std::move(removed));
     position.move_to(to);
     tip = view.problem.empty() ? m.to : geom::Vec3{NAN, NAN, NAN};

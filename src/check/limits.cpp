@@ -5,6 +5,7 @@
 
 #include "base/codes.hpp"
 #include "base/number.hpp"
+#include "check/feed_mode.hpp"
 #include "check/words.hpp"
 #include "cl/spline.hpp"
 #include "cl/totals.hpp"
@@ -75,7 +76,7 @@ Finding error(std::string_view code, std::string text) {
 }  // namespace
 
 Limits::Limits(const shop::Machine& machine, const Stand& stand, Collector& out)
-    : machine_(machine), out_(out), stand_(stand) {}
+    : machine_(machine), out_(out), stand_(stand), widest_feed_(widest_feed(nullptr, machine.kind)) {}
 
 /// What was reached before counts on only where the axis follows the points as it did.
 void Limits::follow_stand() {
@@ -197,8 +198,10 @@ void Limits::take(const cl::Record& record, const cl::Spindle& spindle) {
 
 void Limits::take(const cl::Feed& feed) {
     feed_ = feed;
-    feed_reported_ = feed_limit_reported_ = false;
+    feed_reported_ = feed_limit_reported_ = feed_implausible_reported_ = false;
 }
+
+void Limits::take(const shop::Tool* tool) { widest_feed_ = widest_feed(tool, machine_.kind); }
 
 /// Highest spindle speed along the move, 1/min; with constant cutting speed at its smaller radius. NaN: not known, at
 /// the axis without a limit.
@@ -235,6 +238,18 @@ void Limits::check_feed(const Move& move) {
     out_.finding(move, std::move(f));
 }
 
+/// A feed that makes sense in the other mode only, per minute or per revolution.
+void Limits::check_feed_mode(const Move& move, bool cuts) {
+    if (feed_implausible_reported_ || std::holds_alternative<cl::Thread>(move.record.step)) return;
+    std::optional<Finding> f;
+    if (feed_.mode == cl::FeedMode::per_rev) f = too_fast(feed_.value, widest_feed_);
+    if (feed_.mode == cl::FeedMode::per_minute && cuts)
+        f = too_slow(feed_.value, feed_.value / rpm(move), finest_turned);
+    if (!f) return;
+    feed_implausible_reported_ = true;
+    out_.finding(move, std::move(*f));
+}
+
 void Limits::check_spindle(const Move& move, std::optional<bool> cuts) {
     const bool stands = spindle_.direction == 0 || spindle_.speed == 0;
     const bool waits = feed_.mode == cl::FeedMode::per_rev && feed_.value > 0;
@@ -252,6 +267,7 @@ void Limits::take(const Move& move, std::optional<bool> cuts, bool driven) {
     check_travel(move);
     if (move.rapid) return;
     check_feed(move);
+    check_feed_mode(move, cuts.value_or(false));
     if (!driven) check_spindle(move, cuts);
 }
 

@@ -8,6 +8,7 @@
 #include "check/collect.hpp"
 #include "check/stand.hpp"
 #include "shop/machine.hpp"
+#include "shop/tool.hpp"
 
 namespace obrys::check {
 
@@ -22,6 +23,8 @@ public:
     void take(const cl::Record& record, const cl::Spline& spline);
     void take(const cl::Record& record, const cl::Spindle& spindle);
     void take(const cl::Feed& feed);
+    /// The tool that makes the moves from now on; null: not known.
+    void take(const shop::Tool* tool);
     /// `cuts`: whether the move removes material; nothing where that was not simulated. `driven`: by a tool that its
     /// own spindle turns, of which the stream does not tell.
     void take(const Move& move, std::optional<bool> cuts, bool driven = false);
@@ -39,6 +42,7 @@ private:
     void check_axis(const cl::Record& record, const std::array<char, 8>& name, double low, double high);
     void check_travel(const Move& move);
     void check_feed(const Move& move);
+    void check_feed_mode(const Move& move, bool cuts);
     void check_spindle(const Move& move, std::optional<bool> cuts);
     void follow_stand();
     static double excess(Travel& travel, double low, double high);
@@ -52,7 +56,9 @@ private:
     bool changed_ = true;
     cl::Feed feed_;
     cl::Spindle spindle_;
-    bool feed_reported_ = false, feed_limit_reported_ = false, stopped_reported_ = false, travel_noted_ = false;
+    double widest_feed_;  ///< mm a revolution that the tool in use can make
+    bool feed_reported_ = false, feed_implausible_reported_ = false, feed_limit_reported_ = false,
+         stopped_reported_ = false, travel_noted_ = false;
 };
 
 }  // namespace obrys::check

@@ -9,7 +9,7 @@ namespace obrys::check {
 
 namespace {
 
-/// Adds a note, or counts it where the same was said about the same place or, for notes that are only listed, at all.
+/// Adds a note, or counts it where the same was said: about the same place, or at all.
 void add(std::vector<Note>& notes, const base::Diagnostic& d, bool by_place) {
     const auto same = std::find_if(notes.begin(), notes.end(), [&](const Note& n) {
         return n.code == d.code && n.text == d.text && (!by_place || n.where == d.where);
@@ -39,8 +39,9 @@ void merge(Result& result, const base::Diagnostics& diagnostics) {
     for (const base::Diagnostic& d : diagnostics.all()) {
         switch (base::kind_of(d.code)) {
             case base::CodeKind::finding: findings.push_back(finding_of(d)); break;
+            // A word that is not run is one thing, wherever it stands (TRAORI before every operation).
             case base::CodeKind::unchecked:
-            case base::CodeKind::input: add(result.unchecked, d, true); break;
+            case base::CodeKind::input: add(result.unchecked, d, d.code != base::codes::unsupported); break;
             case base::CodeKind::info:
                 add(d.code == base::codes::assumption ? result.assumptions : result.listed, d, false);
                 break;

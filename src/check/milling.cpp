@@ -56,6 +56,10 @@ bool leads_down(const geom::PathElement& e, geom::Vec3 axis) {
     return down > 1e-9 && geom::length(way + down * axis) < 1e-9 * down;
 }
 
+bool goes_down(const geom::PathElement& e, geom::Vec3 axis) {
+    return geom::dot(geom::point_at(e, 1) - geom::point_at(e, 0), axis) < -1e-9;
+}
+
 geom::PathElement part_of(const geom::PathElement& e, double u0, double u1) {
     if (const auto* s = std::get_if<geom::Straight>(&e))
         return geom::Straight{s->from + u0 * (s->to - s->from), s->from + u1 * (s->to - s->from)};
@@ -100,6 +104,9 @@ void Milling::begin() {
     figures_.before_mm3 = milling::volume(*simulation_);
     if (m.part != nullptr && judges_part(setup_.scope))
         certificate_.emplace(m, std::max(setup_.tolerances.gouge, m.tolerance));
+    if (simulation_->open_rays() == 0)
+        rapid_guard_.emplace(m.stock, setup_.tolerances.rapid,
+                             std::max({lattice->step.x, lattice->step.y, lattice->step.z}), m.tolerance, m.threads);
     add_clamps(m.memory_bytes - fine.bytes);
 }
 
@@ -161,6 +168,16 @@ void Milling::require_fine_enough(const Move& move, double radius) {
                        " mm (--tolerance)");
 }
 
+std::uint32_t Milling::add_tool(const milling::ToolShape& shape) {
+    if (certificate_) certificate_->add_tool(shape);
+    if (rapid_guard_) rapid_guard_->add_tool(shape);
+    for (Clamp& c : clamps_) {  // the same number in each
+        static_cast<void>(c.simulation.add_tool(shape));
+        c.guard->add_tool(shape);
+    }
+    return simulation_->add_tool(shape);
+}
+
 /// Why the tool cannot be simulated stands in the notes; each tool is made once.
 bool Milling::tool_in_use(const Move& move) {
     if (tool_ready_) return true;
@@ -179,16 +196,19 @@ bool Milling::tool_in_use(const Move& move) {
             return false;
         }
         require_fine_enough(move, made.shape.cutting.radius);
-        if (certificate_) certificate_->add_tool(made.shape);
-        for (Clamp& c : clamps_) {  // the same number in each
-            static_cast<void>(c.simulation.add_tool(made.shape));
-            c.guard->add_tool(made.shape);
-        }
         if (!cutter.holder.empty() && !(tool_->length > 0) && cutter.cutting_length >= unknown_height)
             out_.unchecked(move.record, "tool " + tool_name_ + ": where its holder is is not known: it is not checked",
                            "give the tool's length");
         const bool shank = !cutter.shank.empty() || tool_->kind == shop::ToolKind::t_slot;
-        known = KnownTool{simulation_->add_tool(std::move(made.shape)), shank, !cutter.holder.empty()};
+        known = KnownTool{add_tool(made.shape), shank, !cutter.holder.empty()};
+        // A thin disc, narrower by the tolerance: a hole as wide is not met.
+        const double thin = setup_.milling->tolerance, radius = core_on_slant(*tool_);
+        if (radius > 2 * thin) {
+            milling::ToolShape disc;
+            disc.cutting = milling::make_shape({milling::cylinder(0, thin, radius - thin)});
+            known->core = add_tool(disc);
+            known->core_radius = radius;
+        }
     }
     sim_tool_ = known->number;
     tool_parts_ = *known;
@@ -253,6 +273,8 @@ void Milling::take(const Move& move, std::uint32_t use, const Stand::View& view,
         out_.assumption("a rapid with which rotary axes turn is simulated in steps of a degree, all axes evenly",
                         move.record.from);
     axis_ = axis;
+    if (move.rapid && tool_ == nullptr && tool_name_.empty())
+        return out_.assumption("no tool is in the spindle: rapids without one are not simulated", move.record.from);
     if (!tool_in_use(move)) {
         complete_ = false;
         return;
@@ -365,6 +387,7 @@ void Milling::keep_technology(const Move& move, double way, MilledMove& m) const
 
 void Milling::queue(const geom::PathElement& element, const MilledMove& move, bool feed) {
     using Kind = QueuedPass::Kind;
+    if (!feed && rapid_guard_) rapid_guard_->add(passes_, element, axis_, sim_tool_);
     if (!feed) queue_pass(Kind::rapid_probe, milling::Part::cutting, false, element);
     if (certificate_) certificate_->add(static_cast<std::uint32_t>(moves_.size() - 1), element, axis_, sim_tool_);
     double way = geom::distance(move.from, move.to);
@@ -378,9 +401,14 @@ void Milling::queue(const geom::PathElement& element, const MilledMove& move, bo
         pieces = base::clipped<std::uint32_t>(std::ceil(way / piece), 1, pieces_left_);
         pieces_left_ -= pieces;
     }
+    const double core = tool_parts_.core_radius;
+    if (feed && core > 0 && !move.plunging && !std::holds_alternative<geom::Cubic>(element) &&
+        goes_down(element, axis_))
+        pieces = std::max(pieces, base::clipped<std::uint32_t>(std::ceil(2 * way / core), 1, most_pieces));
     for (std::uint32_t i = 0; i < pieces; ++i) {
         const geom::PathElement part =
             pieces == 1 ? element : part_of(element, double(i) / pieces, double(i + 1) / pieces);
+        if (core > 0) queue_core(part, feed, move.plunging);
         queue_pass(Kind::cut, milling::Part::cutting, true, part);
         queued_.back().length = static_cast<float>(way / pieces);
         if (feed) figures_.contact_accuracy_mm = std::max(figures_.contact_accuracy_mm, way / pieces);
@@ -441,11 +469,13 @@ void Milling::queue_clamps(const geom::PathElement& element) {
 void Milling::carry_out() {
     simulation_->flush();
     if (certificate_) certificate_->carry_out();
+    if (rapid_guard_) rapid_guard_->carry_out(*simulation_);
     for (Clamp& c : clamps_) {
         c.simulation.flush();
         c.guard->carry_out();
     }
     for (std::size_t i = 0; i < queued_.size(); ++i) judge(i);
+    judge_cores();
     queued_.clear();
     if (setup_.progress && !moves_.empty()) setup_.progress(moves_.back().index + 1);
 }

@@ -14,6 +14,8 @@
 #include "check/clamp_guard.hpp"
 #include "check/collect.hpp"
 #include "check/milling_certify.hpp"
+#include "check/milling_core.hpp"
+#include "check/milling_rapids.hpp"
 #include "check/open_way.hpp"
 #include "check/stand.hpp"
 #include "check/thread_band.hpp"
@@ -66,6 +68,7 @@ private:
     /// `left`: bytes that they may take together.
     void add_clamps(double left);
     [[nodiscard]] bool tool_in_use(const Move& move);
+    std::uint32_t add_tool(const sim::milling::ToolShape& shape);
     void require_fine_enough(const Move& move, double radius);
     void take_open(const Move& move, std::uint32_t use, const Stand::View& view);
     void queue(const geom::PathElement& element, const MilledMove& move, bool feed);
@@ -82,6 +85,7 @@ private:
     void carry_out();
     void balance();
     [[nodiscard]] bool assumed_body(const MilledMove& move) const;
+    [[nodiscard]] bool is_tap(const MilledMove& move) const;
     /// How deep a part of the tool went into material, and where.
     struct Reach {
         double depth = 0;
@@ -95,11 +99,17 @@ private:
     void judge_reach(const QueuedPass& pass, const Reach& reach);
     void judge_cut(const QueuedPass& pass, MilledMove& move, const sim::milling::Engagement& met);
     void judge_use(const MilledMove& move);
-    void judge_tap(const MilledMove& move, const shop::Tool& tool);
+    void judge_tap(const Move& at, const MilledMove& move, const shop::Tool& tool);
+    void judge_driven_in(const MilledMove& move);
+    void judge_pitch_not_given(const Move& at, const MilledMove& move, const shop::Tool& tool);
     void judge_rotation(const MilledMove& move, const shop::Tool& tool);
+    void judge_feed(const MilledMove& move, const shop::Tool& tool);
     void judge_tapping(const Move& move, const MilledMove& milled);
     void judge_pitch_out(const MilledMove& milled);
     void judge_tap_out(const Move& move, const MilledMove& milled);
+    void queue_core(const geom::PathElement& element, bool feed, bool straight_down);
+    void judge_cores();
+    [[nodiscard]] bool meets_core(const CoreDescent::Steep& steep, geom::Vec3 axis) const;
     void judge_plunge(const QueuedPass& pass, const MilledMove& move, const sim::milling::Engagement& met);
     void keep_thread(const Move& move);
     void judge_surface(Milled& milled);
@@ -111,6 +121,22 @@ private:
     void found(const MilledMove& move, Finding f);
     void found(const Milled& milled, const mesh::Place& place, Finding f);
 
+    struct KnownTool {
+        std::uint32_t number = 0;  ///< in the simulation
+        bool shank = false, holder = false;
+        std::uint32_t core = 0;  ///< the number of its end that does not cut, if that is so on slants
+        double core_radius = 0;  ///< of that; 0: it cuts everywhere
+    };
+    /// A piece of way of a tool that does not cut at its centre.
+    struct CorePiece {
+        std::array<geom::Vec3, 5> points;    ///< x and y across the axis
+        std::uint32_t move = 0, tool = 0;    ///< index in `moves_`; number of the tool's core
+        std::optional<std::uint32_t> probe;  ///< number of the pass of its core, where it goes down
+        std::uint32_t pass = 0;              ///< number of the pass that cuts along it
+        geom::Vec3 axis;
+        double radius = 0;    ///< of the core
+        bool leaves = false;  ///< a rapid
+    };
     const Setup& setup_;
     Collector& out_;
     std::optional<sim::milling::Simulation> simulation_;
@@ -120,16 +146,17 @@ private:
     std::vector<geom::Vec3> points_;
     std::size_t moves_with_points_ = 0;
     std::vector<QueuedPass> queued_;
+    std::optional<RapidGuard> rapid_guard_;
+    std::vector<CorePiece> core_pieces_;
+    CoreDescent core_descent_;
+    std::uint32_t core_tool_ = 0;   ///< that `core_descent_` was begun for
+    std::uint32_t core_found_ = 0;  ///< index of the move that was found last, + 1
     ThreadBands thread_bands_;
     std::uint32_t plunged_ = 0;                ///< index of the move whose plunge was said last, + 1
     std::vector<std::uint32_t> move_of_pass_;  ///< of the stock's simulation
     MillingFigures figures_;
     std::string tool_name_;
     const shop::Tool* tool_ = nullptr;
-    struct KnownTool {
-        std::uint32_t number = 0;  ///< in the simulation
-        bool shank = false, holder = false;
-    };
     std::vector<std::optional<KnownTool>> known_tools_;  ///< by index in Setup::tools
     KnownTool tool_parts_;
     std::uint32_t sim_tool_ = 0;
@@ -142,6 +169,7 @@ private:
     bool tool_ready_ = false, complete_ = true, stopped_reported_ = false;
     std::optional<geom::Vec3> tap_bottom_;  ///< where a tap has stopped in its thread
     double tap_way_ = NAN;                  ///< mm a revolution that it went there; NaN: not coupled to the spindle
+    double slow_feed_ = NAN;                ///< mm/min, found last
     std::pair<std::uint32_t, std::int8_t> turned_wrong_{};  ///< tool and sense of the spindle that were found last
     std::uint64_t start_moves_ = 0;
     Whereabouts whereabouts_;

@@ -7,6 +7,7 @@
 
 #include "base/codes.hpp"
 #include "check/milling.hpp"
+#include "check/milling_tool.hpp"
 #include "check/words.hpp"
 
 namespace obrys::check {
@@ -77,15 +78,17 @@ struct Visit {
 }  // namespace
 
 /// Material is left by the last tool that was to take it: one that came back later than the move which cut the surface,
-/// and ran along it nearer than it is high, but missed it. A tap is not to take a hole's wall.
+/// and ran along it nearer than it is high, but missed it. A tap is not to take a hole's wall: what it cuts of one is
+/// left by the last tool before it that ran along the wall within the thread's depth.
 const MilledMove* Milling::left_by(const Milled& milled, const mesh::Place& p, const MilledMove* owner) const {
     if (owner == nullptr || setup_.milling->part == nullptr) return owner;
-    const auto taps = [&](std::uint32_t move) {
-        const auto tool = milled.moves[move].tool;
-        const auto listed = tool > 0 ? out_.result().tools[tool - 1].listed : std::nullopt;
-        return listed && shop::assumed_kind(setup_.tools[*listed]) == shop::ToolKind::tap;
-    };
-    const double limit = std::min(std::abs(p.deviation), farthest * setup_.milling->tolerance);
+    const auto taps = [&](std::uint32_t move) { return is_tap(milled.moves[move]); };
+    const bool tapped = is_tap(*owner);
+    double limit = std::min(std::abs(p.deviation), farthest * setup_.milling->tolerance);
+    if (tapped) {
+        const shop::Tool& tap = setup_.tools[*out_.result().tools[owner->tool - 1].listed];
+        limit = std::max(limit, tap.radius + tap.delta_radius - core_radius(tap));
+    }
     const geom::Vec3 way = p.at - setup_.milling->part->nearest(p.at).at, around{limit, limit, limit};
     const milling::Air air = simulation_->air_in({p.at - around, p.at + around});
     std::vector<Visit> visits;
@@ -103,6 +106,7 @@ const MilledMove* Milling::left_by(const Milled& milled, const mesh::Place& p, c
     for (auto v = visits.rbegin(); v != visits.rend(); ++v) {
         const MilledMove& m = milled.moves[v->move];
         if (v->distance > limit) continue;
+        if (tapped) return m.index < owner->index ? &m : owner;
         const bool own = milled.moves[v->last].index >= owner->index && m.index <= owner->index;
         return own || v->distance < again || m.index < owner->index ? owner : &m;
     }

@@ -6,10 +6,14 @@
 #include <tbb/parallel_for.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <map>
+#include <numeric>
+#include <utility>
 #include <vector>
 
+#include "base/whole.hpp"
 #include "check/milling_confirm.hpp"
 #include "check/milling_proof.hpp"
 
@@ -36,13 +40,36 @@ constexpr std::size_t most_doubtful = 40;      ///< of a kind
 constexpr std::size_t most_looks = 4'000'000;  ///< at sweeps, for all doubtful places of a kind
 constexpr double least_cells = 20'000;         ///< of each
 
+constexpr double patch_steps = 6;          ///< of the lattice: side of a patch
+constexpr std::size_t most_patches = 200;  ///< of a kind
+constexpr double as_good = 0.05;           ///< of what is allowed: no worse
+
 constexpr double near_worst = 0.9;
+constexpr double as_worst = 0.999;
+constexpr double as_large = 0.01;
 
 struct Worst {
     double deviation = 0;
     geom::Vec3 at;
     std::vector<mesh::TagShare> peak;
 };
+
+/// Of the points that lie as far off as the worst the one in their middle: at its rim another cut may end.
+geom::Vec3 middle_of(const std::vector<milling::SurfacePoint>& points, const std::vector<double>& off,
+                     const Worst& worst) {
+    std::vector<geom::Vec3> same;
+    geom::Vec3 sum;
+    for (std::size_t i = 0; i < points.size(); ++i) {
+        if (!std::isfinite(off[i]) || !(off[i] / worst.deviation >= as_worst)) continue;
+        same.push_back(points[i].at);
+        sum = sum + points[i].at;
+    }
+    if (same.empty()) return worst.at;
+    const geom::Vec3 middle = (1 / static_cast<double>(same.size())) * sum;
+    return *std::min_element(same.begin(), same.end(), [&](geom::Vec3 a, geom::Vec3 b) {
+        return geom::distance(a, middle) < geom::distance(b, middle);
+    });
+}
 
 Worst worst_of(const std::vector<milling::SurfacePoint>& points, const Machined& m, const mesh::CompareOptions& options,
                bool gouge) {
@@ -60,6 +87,7 @@ Worst worst_of(const std::vector<milling::SurfacePoint>& points, const Machined&
         worst.deviation = off[i];
         worst.at = points[i].at;
     }
+    worst.at = middle_of(points, off, worst);
     std::map<std::uint32_t, double> tags;
     for (std::size_t i = 0; i < points.size(); ++i)
         if (std::isfinite(off[i]) && off[i] / worst.deviation >= near_worst) ++tags[m.tag_of(points[i].cut)];
@@ -109,11 +137,124 @@ void add_doubtful(std::vector<mesh::Place>& places, std::vector<mesh::Place>& do
     std::stable_sort(places.begin(), places.end(), is_worse);
 }
 
-/// Gives back the boxes of the places that are not there.
-std::vector<mesh::Box> confirm_places(std::vector<mesh::Place>& places, const Machined& m,
-                                      const mesh::CompareOptions& options, bool gouges) {
+/// A part of a place that is too large to be looked at in one.
+struct Patch {
+    milling::Box3 box;
+    double claimed = 0;  ///< by its triangles
+};
+
+/// Triangles that leave the part by more than is allowed, and which of them touch each other.
+class Leaving {
+public:
+    Leaving(const mesh::Comparison& found, const Machined& m, double allowed, bool gouges)
+        : surface_(m.surface), parent_(m.surface.vertices.size()) {
+        std::iota(parent_.begin(), parent_.end(), 0U);
+        for (std::uint32_t t = 0; t < found.deviation.size(); ++t) {
+            const double off = gouges ? -found.deviation[t] : found.deviation[t];
+            if (!(off > allowed)) continue;
+            all_.push_back({t, off});
+            for (const std::uint32_t v : surface_.triangles[t])
+                parent_[root(v)] = std::min(root(v), root(surface_.triangles[t][0]));
+        }
+    }
+    /// Of a place, in cubes of a side, the worst first.
+    [[nodiscard]] std::vector<Patch> patches(const mesh::Place& p, geom::Vec3 step) {
+        const std::uint32_t own = root(surface_.triangles[p.triangle][0]);
+        std::map<std::array<long, 3>, std::pair<mesh::Box, double>> cubes;
+        for (const auto& [t, off] : all_) {
+            if (root(surface_.triangles[t][0]) != own) continue;
+            const geom::Vec3 at = mesh::centre(surface_, t) - p.extent.lo;
+            std::array<long, 3> cube{};
+            for (int k = 0; k < 3; ++k)
+                cube[static_cast<std::size_t>(k)] = base::clipped<long>(
+                    milling::component(at, k) / (patch_steps * milling::component(step, k)), 0, 1'000'000);
+            auto& [box, claimed] = cubes[cube];
+            for (const geom::Vec3& c : mesh::corners(surface_, t)) box.add(c);
+            claimed = std::max(claimed, off);
+        }
+        std::vector<Patch> all;
+        for (const auto& [cube, patch] : cubes)
+            all.push_back({{patch.first.lo - step, patch.first.hi + step}, patch.second});
+        std::stable_sort(all.begin(), all.end(), [](const Patch& a, const Patch& b) { return a.claimed > b.claimed; });
+        return all;
+    }
+
+private:
+    [[nodiscard]] std::uint32_t root(std::uint32_t v) {
+        while (parent_[v] != v) v = parent_[v] = parent_[parent_[v]];
+        return v;
+    }
+    const mesh::Mesh& surface_;
+    std::vector<std::uint32_t> parent_;
+    std::vector<std::pair<std::uint32_t, double>> all_;
+};
+
+/// Of the patches, the worst first, that claim at least so much.
+const Patch& middle_patch(const std::vector<Patch>& patches, double least) {
+    const auto end =
+        std::find_if(patches.begin() + 1, patches.end(), [&](const Patch& p) { return p.claimed < least; });
+    const auto centre = [](const Patch& p) { return 0.5 * (p.box.min + p.box.max); };
+    geom::Vec3 sum;
+    for (auto p = patches.begin(); p != end; ++p) sum = sum + centre(*p);
+    const geom::Vec3 middle = (1 / static_cast<double>(end - patches.begin())) * sum;
+    return *std::min_element(patches.begin(), end, [&](const Patch& a, const Patch& b) {
+        return geom::distance(centre(a), middle) < geom::distance(centre(b), middle);
+    });
+}
+
+/// Of a place too large to be looked at in one: patch by patch, until no other one claims more than was found. False:
+/// it is not there.
+bool confirm_patches(mesh::Place& p, const std::vector<Patch>& patches, const Machined& m,
+                     const mesh::CompareOptions& options, bool gouges, std::size_t& budget) {
     const geom::Vec3 step = m.simulation.dexels().lattice().step;
     const double allowed = gouges ? options.gouge : options.excess;
+    if (patches.empty()) return true;
+    Worst best;
+    double open = 0;  // what could not be decided
+    for (const Patch& patch : patches) {
+        if (patch.claimed <= std::max(std::abs(best.deviation), open) + as_good * allowed) break;
+        const double fine = step_in(patch.box, std::min({step.x, step.y, step.z}));
+        if (budget == 0 || !(fine > 0)) {
+            open = patch.claimed;
+            break;
+        }
+        --budget;
+        Worst worst = worst_of(m.simulation.surface_points(patch.box, fine), m, options, gouges);
+        if (!(std::abs(worst.deviation) > allowed)) {
+            mesh::Place part = p;
+            const auto outcome = outcome_of(part, patch.box, m, allowed, gouges, least_cells);
+            if (outcome == Proof::Outcome::open) open = std::max(open, patch.claimed);
+            if (outcome != Proof::Outcome::present) continue;
+            worst = {part.deviation, part.at, part.peak};
+        }
+        if (std::abs(worst.deviation) > std::abs(best.deviation)) best = std::move(worst);
+    }
+    const bool there = std::abs(best.deviation) > allowed;
+    if (there && budget > 0) {  // of many that are as bad the one in their middle
+        const Patch& middle = middle_patch(patches, std::abs(best.deviation) - as_good * allowed);
+        const double fine = step_in(middle.box, std::min({step.x, step.y, step.z}));
+        Worst worst;
+        if (fine > 0) worst = worst_of(m.simulation.surface_points(middle.box, fine), m, options, gouges);
+        if (std::abs(worst.deviation) > std::abs(best.deviation) - as_good * allowed)
+            best.at = worst.at, best.peak = worst.peak;
+    }
+    // A corner that stands out lies between the rays: what they say is a little less.
+    const double claimed = std::abs(p.deviation), most = std::abs(best.deviation);
+    const bool lower = open <= most && most < (1 - as_large) * claimed;
+    if (there && (lower || most >= claimed - as_good * allowed)) p.at = best.at;
+    if (there && lower) p.deviation = best.deviation;
+    if (there) p.peak = best.peak;
+    return there || open > 0;
+}
+
+/// Gives back the boxes of the places that are not there.
+std::vector<mesh::Box> confirm_places(const mesh::Comparison& found, std::vector<mesh::Place>& places,
+                                      const Machined& m, const mesh::CompareOptions& options, bool gouges) {
+    if (places.empty()) return {};
+    const geom::Vec3 step = m.simulation.dexels().lattice().step;
+    const double allowed = gouges ? options.gouge : options.excess;
+    std::size_t budget = most_patches;
+    Leaving leaving(found, m, allowed, gouges);
     const double cells = std::max(least_cells, most_cells / static_cast<double>(places.size() + 1));
     std::vector<mesh::Box> dropped;
     std::vector<mesh::Place> kept;
@@ -132,6 +273,9 @@ std::vector<mesh::Box> confirm_places(std::vector<mesh::Place>& places, const Ma
                 // What lies beside the place may be worse and is a place of its own.
                 p.deviation = worst.deviation, p.at = worst.at;
             }
+        } else if (!confirm_patches(p, leaving.patches(p, step), m, options, gouges, budget)) {
+            dropped.push_back(p.extent);
+            continue;
         }
         kept.push_back(std::move(p));
     }
@@ -143,8 +287,8 @@ std::vector<mesh::Box> confirm_places(std::vector<mesh::Place>& places, const Ma
 }  // namespace
 
 void confirm(mesh::Comparison& found, const Machined& m, const mesh::CompareOptions& options) {
-    const std::vector<mesh::Box> deep = confirm_places(found.gouges, m, options, true);
-    const std::vector<mesh::Box> high = confirm_places(found.excesses, m, options, false);
+    const std::vector<mesh::Box> deep = confirm_places(found, found.gouges, m, options, true);
+    const std::vector<mesh::Box> high = confirm_places(found, found.excesses, m, options, false);
     add_doubtful(found.gouges, found.doubtful_gouges, m, options, true, found.gouge_count);
     add_doubtful(found.excesses, found.doubtful_excesses, m, options, false, found.excess_count);
     if (deep.empty() && high.empty()) return;

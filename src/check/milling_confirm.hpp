@@ -19,8 +19,8 @@ struct Machined {
 };
 
 /// Takes out what is proved (milling_proof.hpp) not to be there, and gives what stays its depth from exact points where
-/// that is less, and as `peak` the tags of those that lie nearly as far off as the worst, by their number. Places too
-/// large to be looked at closely stay as they are.
+/// that is less, and as `peak` the tags of those that lie nearly as far off as the worst, by their number. Large places
+/// are looked at patch by patch, the worst first.
 void confirm(mesh::Comparison& found, const Machined& machined, const mesh::CompareOptions& options);
 
 }  // namespace obrys::check

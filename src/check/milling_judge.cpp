@@ -67,7 +67,8 @@ void Milling::judge_cut(const QueuedPass& pass, MilledMove& move, const milling:
 void Milling::judge_plunge(const QueuedPass& pass, const MilledMove& move, const milling::Engagement& met) {
     if (!move.plunging || move.tool == 0 || plunged_ == pass.move + 1) return;
     const auto listed = out_.result().tools[move.tool - 1].listed;
-    if (!listed || !(met.rightmost < blind_radius(setup_.tools[*listed]))) return;
+    const double blind = listed ? blind_radius(setup_.tools[*listed]) : 0;
+    if (!(blind > 0) || !(met.rightmost < blind)) return;  // what cuts at its centre may plunge
     plunged_ = pass.move + 1;
     const bool tap = shop::assumed_kind(setup_.tools[*listed]) == shop::ToolKind::tap;
     Finding f;
@@ -79,9 +80,80 @@ void Milling::judge_plunge(const QueuedPass& pass, const MilledMove& move, const
     found(move, std::move(f));
 }
 
+/// What the end that does not cut comes down upon, in passes of its own ahead of those that cut.
+void Milling::queue_core(const geom::PathElement& element, bool feed, bool straight_down) {
+    CorePiece piece;
+    piece.move = static_cast<std::uint32_t>(moves_.size() - 1);
+    piece.tool = tool_parts_.core;
+    piece.radius = tool_parts_.core_radius;
+    piece.leaves = !feed;
+    if (piece.leaves && !core_pieces_.empty() && core_pieces_.back().leaves) return;
+    const milling::Orientation frame = milling::orientation_of(axis_);
+    bool down = false;
+    for (std::size_t i = 0; i < piece.points.size(); ++i) {
+        piece.points[i] = frame.to_tool(geom::point_at(element, static_cast<double>(i) / 4));
+        down = down || (i > 0 && piece.points[i].z < piece.points[i - 1].z);
+    }
+    if (feed && down && !straight_down) {  // straight down: judge_plunge
+        require(simulation_->add({element, axis_, tool_parts_.core, milling::Part::cutting, false}));
+        piece.probe = passes_++;
+        move_of_pass_.push_back(piece.move);
+    }
+    piece.pass = passes_;
+    piece.axis = axis_;
+    core_pieces_.push_back(piece);
+}
+
+/// Whether what stayed under the core all the way was material before that: at points, from what was cut before.
+bool Milling::meets_core(const CoreDescent::Steep& steep, geom::Vec3 axis) const {
+    const milling::Orientation frame = milling::orientation_of(axis);
+    const auto place = [&](double x, double y, double z) { return x * frame.x + y * frame.y + z * frame.z; };
+    constexpr int levels = 5, round = 8;
+    for (int level = 0; level < levels; ++level)
+        for (int i = 0; i <= 2 * round; ++i) {
+            const double r = i == 0 ? 0 : (i <= round ? 0.45 : 0.9) * steep.radius, turn = 2 * geom::pi * i / round;
+            const geom::Vec3 p = place(steep.middle.x + r * std::cos(turn), steep.middle.y + r * std::sin(turn),
+                                       steep.bottom + (steep.top - steep.bottom) * (level + 0.5) / levels);
+            const geom::Vec3 around{1e-6, 1e-6, 1e-6};
+            const milling::Air air = simulation_->air_in({p - around, p + around});
+            bool taken = false;
+            for (std::size_t body = 0; body < air.bodies() && !taken; ++body)
+                taken = (body == 0 || simulation_->pass_of(air.cut(body)) < steep.first) && air.outside(body, p) < 0;
+            if (!taken) return true;
+        }
+    return false;
+}
+
+void Milling::judge_cores() {
+    for (const CorePiece& piece : core_pieces_) {
+        if (piece.tool != core_tool_) core_descent_.begin(piece.radius, setup_.milling->tolerance);
+        core_tool_ = piece.tool;
+        if (piece.leaves) core_descent_.leave();
+        if (piece.leaves) continue;
+        const bool met = piece.probe && simulation_->engagements()[*piece.probe].touched;
+        if (!core_descent_.take(piece.points, met, piece.pass) || core_found_ == piece.move + 1) continue;
+        const CoreDescent::Steep steep = core_descent_.steep();
+        if (!meets_core(steep, piece.axis)) continue;
+        core_found_ = piece.move + 1;
+        Finding f;
+        f.code = codes::plunging_cut;
+        f.text = "the tool goes down " + mm(steep.down) + " in the material while it moves " + mm(steep.aside) +
+                 " aside: it does not cut at its centre";
+        f.remedy = "enter by a flatter ramp or a wider helix, or drill before";
+        f.amounts = {{"down_mm", steep.down}, {"aside_mm", steep.aside}};
+        found(moves_[piece.move], std::move(f));
+    }
+    core_pieces_.clear();
+}
+
 bool Milling::assumed_body(const MilledMove& move) const {
     const auto listed = out_.result().tools[move.tool - 1].listed;
     return listed && has_assumed_body(setup_.tools[*listed]);
+}
+
+bool Milling::is_tap(const MilledMove& move) const {
+    const auto listed = move.tool > 0 ? out_.result().tools[move.tool - 1].listed : std::nullopt;
+    return listed && shop::assumed_kind(setup_.tools[*listed]) == shop::ToolKind::tap;
 }
 
 const milling::Engagement& Milling::met_by(const QueuedPass& pass) const {
@@ -90,10 +162,14 @@ const milling::Engagement& Milling::met_by(const QueuedPass& pass) const {
 
 /// As far as the material reaches into the swept part; of a way straight down into which the part's axis dips, as far
 /// as it stands above the lower end. Of rapids as high as material stands above the lower side of the tool, but for its
-/// rim.
+/// rim. Clamps by geometry, too, and what of rapids lies between the rays.
 Milling::Reach Milling::reach_of(const QueuedPass& pass) const {
-    if (pass.clamp == 0) return ray_reach_of(pass);
     const Reach rays = ray_reach_of(pass);
+    if (pass.clamp == 0) {
+        if (pass.kind != QueuedPass::Kind::rapid_probe || !rapid_guard_) return rays;
+        const RapidGuard::Hit hit = rapid_guard_->hit_by(pass.pass);
+        return hit.depth > rays.depth ? Reach{hit.depth, hit.at} : rays;
+    }
     const ClampGuard::Hit hit = clamps_[pass.clamp - 1].guard->hit_by(pass.pass);
     return hit.depth > rays.depth ? Reach{hit.depth, hit.at} : rays;
 }
@@ -207,12 +283,14 @@ void Milling::judge_gouge(const Milled& milled, const Gouge& gouge) {
     found(milled, p, std::move(f));
 }
 
-/// A program that cuts air has another zero point than its stock, unless a rapid was found in the stock.
+/// A program that cuts air has another zero point than its stock, unless a rapid, a shank or a holder was found in the
+/// stock.
 void Milling::judge_no_contact(const Milled& milled) {
     const std::vector<Finding>& found = out_.result().findings;
-    const bool rapid_found =
-        std::any_of(found.begin(), found.end(), [](const Finding& f) { return f.code == codes::rapid_in_stock; });
-    if (rapid_found) return;
+    const bool contact_found = std::any_of(found.begin(), found.end(), [](const Finding& f) {
+        return f.code == codes::rapid_in_stock || f.code == codes::holder_in_stock || f.code == codes::edges_too_short;
+    });
+    if (contact_found) return;
     const bool rapid = std::any_of(milled.moves.begin(), milled.moves.end(),
                                    [](const MilledMove& m) { return m.rapid && m.volume_mm3 > 0; });
     out_.unchecked(rapid ? "no move at feed met the stock, rapid moves alone did: nothing was checked against it"
@@ -238,7 +316,9 @@ void Milling::judge_surface(Milled& milled) {
     options.excess = std::max(setup_.tolerances.rest_material, m.tolerance);
     options.doubt = doubtful_from;
     if (!thread_bands_.empty()) {
-        thread_bands_.fit(milled.surface, *m.part, std::max(options.gouge, options.excess));
+        thread_bands_.fit(milled.surface, *m.part, std::max(options.gouge, options.excess), [&](std::uint32_t tag) {
+            return tag > 0 && tag <= milled.moves.size() && is_tap(milled.moves[tag - 1]);
+        });
         options.judged = [&](geom::Vec3 p, double deviation) { return thread_bands_.judged(p, deviation); };
     }
     milled.comparison = mesh::compare(milled.surface, *m.part, options);

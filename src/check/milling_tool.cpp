@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <array>
+#include <optional>
 
 namespace obrys::check {
 
@@ -44,35 +45,58 @@ bool has_assumed_body(const shop::Tool& tool) {
            kind != shop::ToolKind::form;
 }
 
-double core_radius(const shop::Tool& tap) {
+double coarse_pitch(const shop::Tool& tap) {
     // ISO 261, coarse pitches: from this diameter on.
     constexpr std::array<std::array<double, 2>, 21> coarse{
         {{1, 0.25}, {1.4, 0.3}, {1.6, 0.35}, {2, 0.4},  {2.5, 0.45}, {3, 0.5},   {3.5, 0.6},
          {4, 0.7},  {5, 0.8},   {6, 1},      {8, 1.25}, {10, 1.5},   {12, 1.75}, {14, 2},
          {18, 2.5}, {24, 3},    {30, 3.5},   {36, 4},   {42, 4.5},   {48, 5},    {56, 5.5}}};
-    constexpr double depth = 1.082532;  // 5/4 of the height of the fundamental triangle, in pitches: d - D1
     const double diameter = 2 * (tap.radius + tap.delta_radius);
     double pitch = std::min(0.25, 0.2 * diameter);
     for (const auto& [from, own] : coarse)
         if (diameter >= from - 1e-9) pitch = own;
-    const double core = diameter - depth * tap.pitch.value_or(pitch);
+    return pitch;
+}
+
+double core_radius(const shop::Tool& tap) {
+    constexpr double depth = 1.082532;  // 5/4 of the height of the fundamental triangle, in pitches: d - D1
+    const double diameter = 2 * (tap.radius + tap.delta_radius);
+    const double core = diameter - depth * tap.pitch.value_or(coarse_pitch(tap));
     return 0.5 * std::max(core, 0.5 * diameter);
 }
 
-double blind_radius(const shop::Tool& tool) {
+namespace {
+
+/// What is known of the end that does not cut.
+std::optional<double> known_core(const shop::Tool& tool) {
     using shop::ToolKind;
-    if (shop::may_plunge(tool)) return 0;
-    const double radius = tool.radius + tool.delta_radius;
     switch (shop::assumed_kind(tool)) {
         case ToolKind::tap: return core_radius(tool);
-        case ToolKind::reamer: return 0.8 * radius;
-        case ToolKind::t_slot: return radius;
+        case ToolKind::reamer: return 0.8 * (tool.radius + tool.delta_radius);
         case ToolKind::countersink:
-        case ToolKind::chamfer: return tool.tip_diameter > 0 ? tool.tip_diameter / 2 : radius / 2;
+        case ToolKind::chamfer:
+            if (tool.tip_diameter > 0) return tool.tip_diameter / 2;
+            return std::nullopt;
         case ToolKind::form:
-            return tool.profile.empty() || !(tool.profile.front().p.x > 0) ? radius / 2 : tool.profile.front().p.x;
-        default: return radius / 2;
+            if (!tool.profile.empty() && tool.profile.front().p.x > 0) return tool.profile.front().p.x;
+            return std::nullopt;
+        default: return std::nullopt;
     }
+}
+
+}  // namespace
+
+double blind_radius(const shop::Tool& tool) {
+    if (shop::may_plunge(tool)) return 0;
+    const double radius = tool.radius + tool.delta_radius;
+    if (shop::assumed_kind(tool) == shop::ToolKind::t_slot) return radius;
+    return known_core(tool).value_or(radius / 2);
+}
+
+double core_on_slant(const shop::Tool& tool) {
+    if (shop::may_plunge(tool)) return 0;
+    if (shop::assumed_kind(tool) == shop::ToolKind::t_slot && tool.neck_diameter > 0) return tool.neck_diameter / 2;
+    return known_core(tool).value_or((tool.radius + tool.delta_radius) / 5);
 }
 
 milling::Cutter cutter_of(const shop::Tool& tool, double rub) {

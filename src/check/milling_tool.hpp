@@ -19,6 +19,11 @@ inline constexpr double unknown_height = 1000;
 /// may plunge anywhere. Of a tap the core of its thread, of a reamer four fifths: holes are made before; a flat tip or
 /// the beginning of a profile; of other mills that do not cut at their centre half the radius.
 [[nodiscard]] double blind_radius(const shop::Tool& tool);
+/// Of a tap: pitch of the coarse thread of its diameter, mm. ISO 261.
+[[nodiscard]] double coarse_pitch(const shop::Tool& tap);
+/// The same on ramps and helices: of a T-slot cutter its neck, and of mills that do not cut at their centre, but do not
+/// say how wide that is, a fifth of the radius, since a wrong guess would forbid what works.
+[[nodiscard]] double core_on_slant(const shop::Tool& tool);
 /// Of a tap: radius of its thread's core, by its pitch, or that of the coarse thread where it is not said. ISO 68-1.
 [[nodiscard]] double core_radius(const shop::Tool& tap);
 

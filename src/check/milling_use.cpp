@@ -4,7 +4,9 @@
 #include <cmath>
 
 #include "base/codes.hpp"
+#include "check/feed_mode.hpp"
 #include "check/milling.hpp"
+#include "check/milling_tool.hpp"
 #include "check/words.hpp"
 
 namespace obrys::check {
@@ -41,7 +43,7 @@ void Milling::judge_tapping(const Move& move, const MilledMove& milled) {
                std::min(move.from.*k, move.to.*k) - beside >= box.max.*k;
     };
     if (passes(&geom::Vec3::x) || passes(&geom::Vec3::y) || passes(&geom::Vec3::z)) return;
-    judge_tap(milled, *tool_);
+    judge_tap(move, milled, *tool_);
     judge_rotation(milled, *tool_);
     if (!(milled.sinking > 0)) return;
     tap_bottom_ = move.to;
@@ -91,12 +93,22 @@ void Milling::judge_use(const MilledMove& move) {
     const bool sideways = std::abs(move.sinking) <= along_axis;
     if (tool.kind == ToolKind::tap && !sideways) return;  // judge_tapping
     judge_rotation(move, tool);
+    judge_feed(move, tool);
     if (!cuts_along_axis_only(tool.kind) || !sideways) return;
     Finding f;
     f.code = codes::sideways_cut;
     f.text = "the " + std::string(word_of(tool.kind)) + " is moved sideways in the material";
     f.remedy = "move it along its axis only, or take a mill";
     found(move, std::move(f));
+}
+
+/// Said again when the feed has changed.
+void Milling::judge_feed(const MilledMove& move, const shop::Tool& tool) {
+    if (move.thread != 0 || !shop::is_milling(shop::assumed_kind(tool)) || move.feed_mm_per_min == slow_feed_) return;
+    auto f = too_slow(move.feed_mm_per_min, move.feed_per_rev_mm, finest_milled);
+    if (!f) return;
+    slow_feed_ = move.feed_mm_per_min;
+    found(move, std::move(*f));
 }
 
 void Milling::judge_rotation(const MilledMove& move, const shop::Tool& tool) {
@@ -115,7 +127,32 @@ void Milling::judge_rotation(const MilledMove& move, const shop::Tool& tool) {
     }
 }
 
-void Milling::judge_tap(const MilledMove& move, const shop::Tool& tool) {
+/// A tap is driven in that does not turn: its core meets nothing that would tell.
+void Milling::judge_driven_in(const MilledMove& move) {
+    if (!stopped_reported_) {
+        Finding f;
+        f.code = codes::spindle_stopped;
+        f.text = "the tap is driven in while the spindle stands";
+        f.remedy = "start the spindle with M3 or M4 and a speed S";
+        found(move, std::move(f));
+    }
+    stopped_reported_ = true;
+}
+
+/// A tap whose pitch nobody gives has that of the coarse thread, or it is not known which thread it cuts.
+void Milling::judge_pitch_not_given(const Move& at, const MilledMove& move, const shop::Tool& tool) {
+    const double coarse = coarse_pitch(tool), way = move.feed_per_rev_mm;
+    if (std::abs(way - coarse) <= pitch_tolerance * coarse)
+        return out_.assumption("the pitch of the tap is not given: it is taken to be the one that is programmed",
+                               move.where);
+    out_.unchecked(at.record,
+                   "the pitch of the tap is not given, and the programmed " + mm(way) +
+                       " a revolution is not that of the coarse thread of its diameter, " + mm(coarse) +
+                       ": its thread is not judged",
+                   "give pitch in its [[tool]]");
+}
+
+void Milling::judge_tap(const Move& at, const MilledMove& move, const shop::Tool& tool) {
     if (move.thread != 0 && (move.thread < 0) != tool.left_hand) {
         Finding f;
         f.code = codes::wrong_rotation;
@@ -127,12 +164,13 @@ void Milling::judge_tap(const MilledMove& move, const shop::Tool& tool) {
         if (move.sinking > 0) found(move, std::move(f));
     }
     if (move.sinking < along_axis) return;
-    if (!tool.pitch) {
-        out_.assumption("the pitch of the tap is not given: it is taken to be the one that is programmed", move.where);
-        return;
-    }
-    const double pitch = *tool.pitch, way = move.feed_per_rev_mm;
-    if (!std::isfinite(way) || std::abs(way - pitch) <= pitch_tolerance * pitch) return;
+    const double way = move.feed_per_rev_mm;
+    if (move.thread == 0 && (move.spindle == 0 || move.speed_rpm == 0)) return judge_driven_in(move);
+    if (!std::isfinite(way))
+        return out_.unchecked(at.record, "how far the tap goes a revolution is not known: its pitch is not judged");
+    if (!tool.pitch) return judge_pitch_not_given(at, move, tool);
+    const double pitch = *tool.pitch;
+    if (std::abs(way - pitch) <= pitch_tolerance * pitch) return;
     Finding f;
     f.code = codes::tap_pitch;
     f.text = "the tap goes " + mm(way) + " a revolution, its pitch is " + mm(pitch);

@@ -13,7 +13,13 @@ namespace obrys::check {
 
 namespace {
 
-constexpr double on_axis = 1e-6;  ///< mm
+constexpr const char* stands_off = " does not stand on the turning axis: what it removes there is not simulated";
+
+/// Not of a place that is not known.
+bool is_off_axis(double x) {
+    constexpr double on_axis = 1e-6;  // mm
+    return std::abs(x) > on_axis;
+}
 
 bool known(geom::Vec3 p) { return std::isfinite(p.x) && std::isfinite(p.z); }
 
@@ -63,7 +69,9 @@ Removal::Removal(const Setup& setup, Collector& out) : setup_(setup), out_(out) 
 
 void Removal::take(const cl::Record& record, const cl::ToolChange& tool) {
     selected_ = record;
-    selected_any_ = tool.number != 0 || !tool.name.empty();
+    const bool any = tool.number != 0 || !tool.name.empty();
+    emptied_ = !any && (emptied_ || selected_any_);
+    selected_any_ = any;
     changed_ = true;
     positioned_ = false;
     tool_ = selected_any_ ? find(setup_.tools, tool) : nullptr;
@@ -105,6 +113,10 @@ void Removal::first_use(const Move& move) {
     out_.finding(move, std::move(f));
 }
 
+bool Removal::works_off_axis(const Move& move) const {
+    return tool_ != nullptr && shop::is_milling(tool_->kind) && (is_off_axis(move.from.x) || is_off_axis(move.to.x));
+}
+
 /// Why the removal of a move cannot be computed.
 std::optional<std::string> Removal::obstacle(const Move& move) const {
     const std::string tool = selected_any_ ? tool_name(std::get<cl::ToolChange>(selected_.step)) : "";
@@ -113,8 +125,7 @@ std::optional<std::string> Removal::obstacle(const Move& move) const {
     if (!move.rapid && std::get<cl::ToolChange>(selected_.step).edge == 0)
         return tool + " cuts without its offset (D0): where its edge is is not known: removal not simulated";
     if (outline_.vertices.empty()) return tool + " has no outline: its removal is not simulated";
-    if (shop::is_milling(tool_->kind) && !(std::abs(move.from.x) <= on_axis && std::abs(move.to.x) <= on_axis))
-        return tool + " does not stand on the turning axis: what it removes there is not simulated";
+    if (works_off_axis(move)) return tool + stands_off;
     if (std::holds_alternative<cl::Spline>(move.record.step)) return "spline: removal not simulated";
     const auto* arc = std::get_if<cl::Arc>(&move.record.step);
     if (arc != nullptr && !lies_in_turning_plane(*arc)) return "arc outside the turning plane: removal not simulated";
@@ -175,8 +186,16 @@ Removed Removal::cut_open(const Move& move) {
     if (open.assumed)
         out_.assumption("a position that is not known, such as home, is taken to lie away from the stock",
                         move.record.from);
-    if (open.way.kind == OpenWay::Kind::swept || open.way.kind == OpenWay::Kind::end)
-        cut(move, {{open.way.from.z, open.way.from.x}, {open.way.to.z, open.way.to.x}, {}, 0}, r);
+    geom::Vec3 from = open.way.from, to = open.way.to;
+    const bool turns = shop::is_milling(tool_->kind), ends = open.way.kind == OpenWay::Kind::end;
+    if (turns && ends) from = to + geom::Vec3{0, 0, geom::distance(from, to)};  // on its axis
+    if (ends || open.way.kind == OpenWay::Kind::swept) {
+        if (turns && (is_off_axis(from.x) || is_off_axis(to.x))) {
+            skipped(move, tool_name(std::get<cl::ToolChange>(selected_.step)) + stands_off);
+            return r;
+        }
+        cut(move, {{from.z, from.x}, {to.z, to.x}, {}, 0}, r);
+    }
     if (open.left_out) skipped(move, why);
     r.simulated = !open.left_out && open.way.kind != OpenWay::Kind::end;
     return r;
@@ -189,8 +208,11 @@ Removed Removal::take(const Move& move) {
         cut_without_tool_ = true;
         Finding f;
         f.code = base::codes::tool_missing;
-        f.text = "no tool is selected at the first feed move";
-        f.remedy = "select a tool with T and D before it, or name the one in use in the job: first_tool = 1";
+        f.text = emptied_ ? "no tool is in use at this feed move: tool 0 has replaced the one before"
+                          : "no tool is selected at the first feed move";
+        if (emptied_) f.related.push_back({selected_.from, "tool 0"});
+        f.remedy = emptied_ ? "select the tool that cuts before it"
+                            : "select a tool with T and D before it, or name the one in use in the job: first_tool = 1";
         out_.finding(move, std::move(f));
     }
     if (work_) {
@@ -209,6 +231,7 @@ Removed Removal::take(const Move& move) {
         }
         in_front_ = in_front_ || (move.to.z >= stock_box_.max_z && move.to.x < stock_box_.max_x);
     }
+    if (!std::holds_alternative<cl::Thread>(move.record.step)) ground_.reset();
     whereabouts_.known({move.to.x, 0, move.to.z});
     count_use(move, r);
     return r;
@@ -287,7 +310,7 @@ void Removal::finish(const cl::Record& end) {
         out_.unchecked("no part contour: gouges and rest material not checked",
                        "give the finished contour in the job file");
     else if (complete_)
-        find_rest(setup_, {result.stock_after, threads_, in_front_}, last_cuts_, end, out_);
+        find_rest(setup_, {result.stock_after, ridges_, in_front_}, last_cuts_, end, out_);
     else
         out_.unchecked("rest material not judged, since not every move was simulated");
 }

@@ -7,6 +7,7 @@
 #include "check/collect.hpp"
 #include "check/open_way.hpp"
 #include "check/rest.hpp"
+#include "check/turned_thread.hpp"
 #include "check/words.hpp"
 #include "sim/turning/turning.hpp"
 
@@ -35,7 +36,8 @@ public:
     void finish(const cl::Record& end);
     /// A rotary axis of a lathe moves: until the next tool, tools are taken to be driven ones.
     void take(const cl::Axis& axis) { positioned_ = positioned_ || (axis.rotary && is_lathe()); }
-    [[nodiscard]] bool positioned() const { return positioned_; }
+    /// Whether the move is made by a tool that a spindle of its own turns, of which the stream does not tell.
+    [[nodiscard]] bool driven(const Move& move) const { return positioned_ || (is_lathe() && works_off_axis(move)); }
     [[nodiscard]] geom::Region stock() const { return work_ ? work_->region() : geom::Region{}; }
     /// Index in Result::tools + 1 of the tool in use; 0: none.
     [[nodiscard]] std::uint32_t tool_in_use() const { return use_; }
@@ -44,6 +46,8 @@ public:
 private:
     void first_use(const Move& move);
     std::optional<std::string> obstacle(const Move& move) const;
+    /// A drill or mill on a lathe, beside the turning axis.
+    [[nodiscard]] bool works_off_axis(const Move& move) const;
     [[nodiscard]] bool is_lathe() const { return setup_.machine.kind == shop::MachineKind::lathe; }
     [[nodiscard]] bool misses(const Move& move) const;
     void skipped(const Move& move, std::string why);
@@ -57,6 +61,8 @@ private:
                                                                const sim::turning::Move& way) const;
     void note_reach(const Move& move, const sim::turning::Move& way);
     void cut_thread(const Move& move, const sim::turning::Move& way, const cl::Thread& thread, Removed& r);
+    void judge_thread(const Move& move, const ThreadPass& pass);
+    void say_too_wide(const Move& move, const ThreadPass& pass);
     void add_to_threads(const geom::Region& band);
     void note_fallen(const Move& move, const sim::turning::Cut& cut);
     void judge_clamps(const Move& move);
@@ -77,16 +83,20 @@ private:
     std::vector<ClampBody> clamps_;
     Box stock_box_;
     const shop::Tool* tool_ = nullptr;
-    geom::Contour outline_, sure_;  ///< shop: outline, sure_outline
-    geom::Contour behind_;          ///< behind_blade
-    Box outline_box_;               ///< with the holder
-    geom::Region threads_;          ///< what threads take from the stock, which stays in the model
-    geom::Region fallen_;           ///< parted off
-    double pitch_ = 0;              ///< mm, of the last thread
-    bool in_front_ = false;         ///< a tool has stood in front of the stock's right face
-    cl::Record selected_;           ///< the last tool change
-    bool positioned_ = false;       ///< the workpiece is an axis
+    geom::Contour outline_, sure_;   ///< shop: outline, sure_outline
+    geom::Contour behind_;           ///< behind_blade
+    Box outline_box_;                ///< with the holder
+    geom::Region threads_;           ///< what threads take from the stock, which stays in the model
+    geom::Region fallen_;            ///< parted off
+    geom::Region ridges_;            ///< what stands in the model because threads are not cut into it: no rest material
+    double pitch_ = 0;               ///< mm, of the last thread
+    geom::Vec2 thread_along_{1, 0};  ///< its direction
+    std::optional<ThreadGround> ground_;  ///< of the thread that the last move was part of
+    bool in_front_ = false;               ///< a tool has stood in front of the stock's right face
+    cl::Record selected_;                 ///< the last tool change
+    bool positioned_ = false;             ///< the workpiece is an axis
     bool selected_any_ = false, changed_ = false, cut_without_tool_ = false;
+    bool emptied_ = false;  ///< tool 0 was selected behind another one
     std::uint32_t use_ = 0;
     Whereabouts whereabouts_;
     std::uint64_t start_moves_ = 0;  ///< moves before start position and first tool were known

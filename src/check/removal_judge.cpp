@@ -14,9 +14,8 @@ using sim::turning::Depth;
 
 namespace {
 
-constexpr double beyond_gouge = 1e-6;    ///< mm2 an allowance cut must have besides the gouge to be told apart
-constexpr double deepest_thread = 0.87;  ///< pitches; the height of a sharp thread of 60 degrees is 0.866
-constexpr double run_out = 2;            ///< pitches along which a rapid may lead out of a thread
+constexpr double beyond_gouge = 1e-6;  ///< mm2 an allowance cut must have besides the gouge to be told apart
+constexpr double run_out = 2;          ///< pitches along which a rapid may lead out of a thread
 
 /// Not of work on the far side of the axis.
 bool from_above(const Move& move) { return move.from.x > 0 || move.to.x > 0; }
@@ -34,6 +33,11 @@ Finding into(const Depth& d, bool part) {
     f.region = d.region;
     f.at = d.deepest;
     return f;
+}
+
+geom::Region with(const geom::Region& all, const geom::Region& more) {
+    if (more.empty()) return all;
+    return all.empty() ? more : geom::unite(all, more);
 }
 
 }  // namespace
@@ -134,23 +138,57 @@ void Removal::judge_holder(const Move& move, const sim::turning::Move& way) {
 }
 
 /// A pass leaves a groove that winds round the part: the section shows it here and there, so it stays in the model.
-/// What lies in it is judged neither as gouge nor as rest material, but no thread is deeper than its pitch allows.
 void Removal::cut_thread(const Move& move, const sim::turning::Move& way, const cl::Thread& thread, Removed& r) {
     r.simulated = true;
     const geom::Region band = work_->met(outline_, way);
     r.cuts = !band.empty();
     pitch_ = std::abs(thread.pitch);
+    thread_along_ = thread_direction(way);
     judge_holder(move, way);
     if (band.empty()) return;
     out_.assumption("threads are not cut into the simulated part: within their depth nothing is judged",
                     move.record.from);
-    const auto d = part_ ? part_->depth_inside(band, setup_.tolerances.gouge) : std::nullopt;
-    if (d && d->along_x > deepest_thread * pitch_ + setup_.tolerances.gouge) {
-        Finding f = into(*d, true);
-        f.text += "; a thread of " + plain(pitch_) + " mm pitch is at most " + mm(deepest_thread * pitch_) + " deep";
-        out_.finding(move, std::move(f));
+    judge_thread(move, {way, pitch_, outline_, band});
+    threads_ = with(threads_, band);
+}
+
+/// What of a pass is thread is judged neither as gouge nor as rest material; the contour says how deep and how long it
+/// may be.
+void Removal::judge_thread(const Move& move, const ThreadPass& pass) {
+    const auto& drawn = part_ ? part_ : allowance_;
+    if (!drawn) return;
+    ground_ = thread_ground(pass, drawn->region(), ground_);
+    ridges_ = with(ridges_, ground_ ? thread_ridges(pass, *ground_) : pass.band);
+    if (!part_) return;
+    const double allowed = setup_.tolerances.gouge;
+    std::optional<ThreadFault> fault;
+    if (ground_ && root_width(pass, *ground_) > ground_->lead) return say_too_wide(move, pass);
+    if (ground_) {
+        fault = thread_fault(pass, *ground_, part_->region(), allowed);
+    } else if (const auto d = part_->depth_inside(pass.band, allowed);
+               d && d->along_x > deepest_thread * pitch_ + allowed) {
+        fault = {pass.band, too_deep(pitch_), {}};
     }
-    add_to_threads(band);
+    if (!fault) return;
+    const auto depth = part_->depth_inside(fault->region, allowed);
+    if (!depth) return;
+    Finding f = into(*depth, true);
+    f.text += "; " + fault->why;
+    f.remedy = fault->remedy;
+    out_.finding(move, std::move(f));
+}
+
+/// The turns of the thread overlap: it is turned off, whatever of it the part shows.
+void Removal::say_too_wide(const Move& move, const ThreadPass& pass) {
+    const double width = root_width(pass, *ground_);
+    Finding f;
+    f.code = base::codes::gouge;
+    f.text = "the insert is " + mm(width) + " wide at its tip, the pitch is " + mm(ground_->lead) +
+             ": nothing of the thread is left";
+    f.remedy = "take a threading insert: tip_angle = 60, entering_angle = 60, orientation = 8 (in a bore 6)";
+    f.amounts = {{"width_mm", width}, {"area_mm2", geom::area(pass.band)}};
+    f.region = pass.band;
+    out_.finding(move, std::move(f));
 }
 
 /// What is parted off falls: the workpiece is held at its left. A cut in what has fallen is not what it would be.
@@ -173,17 +211,24 @@ void Removal::note_fallen(const Move& move, const Cut& cut) {
             fallen_.contours.insert(fallen_.contours.end(), p->contours.begin(), p->contours.end());
 }
 
+/// What a tap leaves of its thread.
 void Removal::add_to_threads(const geom::Region& band) {
-    if (!band.empty()) threads_ = threads_.empty() ? band : geom::unite(threads_, band);
+    threads_ = with(threads_, band);
+    ridges_ = with(ridges_, band);
 }
 
 /// The cut without what lies in threads: material that only stands because threads are not cut into the model. A rapid
 /// is excused on its way out of a thread, not along it.
 Cut Removal::beside_threads(const Move& move, const Cut& cut) const {
-    const bool along = move.rapid && std::abs(move.to.z - move.from.z) > run_out * pitch_;
+    const geom::Vec2 way{move.to.z - move.from.z, move.to.x - move.from.x};
+    const bool along = move.rapid && std::abs(geom::dot(way, thread_along_)) > run_out * pitch_;
     if (threads_.empty() || along || !box_of(threads_).meets(box_of(cut.removed), 0)) return cut;
     Cut out = cut;
-    out.removed = geom::subtract(cut.removed, threads_);
+    out.removed = {};
+    // What is no farther beside a thread than rounding is none.
+    for (sim::turning::Depth& piece : sim::turning::pieces_outside(cut.removed, threads_, setup_.tolerances.gouge))
+        out.removed.contours.insert(out.removed.contours.end(), piece.region.contours.begin(),
+                                    piece.region.contours.end());
     out.across = geom::subtract(cut.across, threads_);
     out.area = geom::area(out.removed);
     out.volume = geom::volume(out.removed);

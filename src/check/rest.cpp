@@ -139,7 +139,7 @@ void find_rest(const Setup& setup, const Left& left, const LastCuts& cuts, const
         out.assumption("rest material is judged from Z " + base::fixed(band.min_z, 3) + " to Z " +
                        base::fixed(band.max_z, 3) + " mm, where the contour is given");
     geom::Region judged = within(left.stock, band);
-    if (!left.threads.empty()) judged = geom::subtract(judged, left.threads);
+    if (!left.ridges.empty()) judged = geom::subtract(judged, left.ridges);
     const auto pieces = sim::turning::pieces_outside(judged, wanted, setup.tolerances.rest_material);
     for (const sim::turning::Depth& piece : pieces) {
         Finding f = rest_finding(piece, setup.allowance.has_value());

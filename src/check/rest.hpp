@@ -45,8 +45,8 @@ private:
 /// What a program leaves.
 struct Left {
     const geom::Region& stock;
-    const geom::Region& threads;  ///< no rest material: what threads take, which stands in the model
-    bool in_front = false;        ///< its tools have stood in front of the right face
+    const geom::Region& ridges;  ///< of threads: they are no rest material
+    bool in_front = false;       ///< its tools have stood in front of the right face
 };
 
 /// Adds one `rest-material` finding for every piece of what is left outside the wanted contour, placed at the last cut

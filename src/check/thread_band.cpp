@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <optional>
 
 namespace obrys::check {
 
@@ -16,6 +17,48 @@ constexpr double most_upright = 0.3;  ///< of a wall's normal along the axis
 /// Half the width along x of a round body about a straight piece.
 double left_of(Vec3 foot, Vec3 axis, double height, double radius) {
     return std::min(foot.x, foot.x + height * axis.x) - radius;
+}
+
+double middle(std::vector<double> v) {
+    std::nth_element(v.begin(), v.begin() + static_cast<std::ptrdiff_t>(v.size() / 2), v.end());
+    return v[v.size() / 2];
+}
+
+/// Centres of so many triangles of a wall.
+std::vector<Vec3> some_centres(const mesh::Mesh& m, const std::vector<std::uint32_t>& wall) {
+    std::vector<Vec3> some;
+    const std::size_t stride = std::max<std::size_t>(1, wall.size() / samples);
+    for (std::size_t i = 0; i < wall.size(); i += stride) {
+        // Spread within the stride: a hole's wall repeats itself along its axis, layer by layer.
+        const std::size_t within = (i * 2654435761U >> 7U) % std::min(stride, wall.size() - i);
+        some.push_back(mesh::centre(m, wall[i + within]));
+    }
+    return some;
+}
+
+/// Of the cylinder along `axis` on which points lie: the circle of least squares, u2 + v2 = 2 a u + 2 b v + c. Nothing
+/// where half of them lie farther off it than allowed.
+std::optional<double> radius_of(const std::vector<Vec3>& points, Vec3 axis, double allowed) {
+    const Vec3 aside = std::abs(axis.x) < 0.6 ? Vec3{1, 0, 0} : Vec3{0, 1, 0};
+    const Vec3 first = geom::cross(axis, aside), u = (1 / geom::length(first)) * first, v = geom::cross(axis, u);
+    Vec3 centre;
+    for (const Vec3& p : points) centre = centre + (1.0 / static_cast<double>(points.size())) * p;
+    double uu = 0, uv = 0, vv = 0, us = 0, vs = 0, sum = 0;
+    for (const Vec3& p : points) {
+        const double x = geom::dot(p - centre, u), y = geom::dot(p - centre, v), s = x * x + y * y;
+        uu += x * x, uv += x * y, vv += y * y, us += x * s, vs += y * s, sum += s;
+    }
+    const double det = uu * vv - uv * uv;
+    if (!(det > 1e-6 * uu * vv)) return std::nullopt;
+    const double a = (us * vv - vs * uv) / (2 * det), b = (vs * uu - us * uv) / (2 * det);
+    const double radius = std::sqrt(a * a + b * b + sum / static_cast<double>(points.size()));
+    std::vector<double> off;
+    for (const Vec3& p : points) {
+        const Vec3 spoke = p - centre - a * u - b * v;
+        off.push_back(std::abs(geom::length(spoke - geom::dot(spoke, axis) * axis) - radius));
+    }
+    if (!(middle(off) <= allowed)) return std::nullopt;
+    return radius;
 }
 
 }  // namespace
@@ -57,7 +100,8 @@ void ThreadBands::each_near(Vec3 p, Visit&& visit) const {
         if (holds(*at, p)) visit(static_cast<std::size_t>(at - bands_.begin()));
 }
 
-void ThreadBands::fit(const mesh::Mesh& result, const mesh::Distance& part, double allowed) {
+void ThreadBands::fit(const mesh::Mesh& result, const mesh::Distance& part, double allowed,
+                      const std::function<bool(std::uint32_t)>& tapped) {
     allowed_ = allowed;
     for (Band& b : bands_) {
         const double radius = b.outer + allowed;
@@ -74,23 +118,29 @@ void ThreadBands::fit(const mesh::Mesh& result, const mesh::Distance& part, doub
         });
     }
     for (std::size_t b = 0; b < bands_.size(); ++b) {
-        std::vector<double> off, radii;
-        const std::size_t stride = std::max<std::size_t>(1, walls[b].size() / samples);
-        for (std::size_t i = 0; i < walls[b].size(); i += stride) {
-            // Spread within the stride: a hole's wall repeats itself along its axis, layer by layer.
-            const std::size_t within = (i * 2654435761U >> 7U) % std::min(stride, walls[b].size() - i);
-            const Vec3 p = mesh::centre(result, walls[b][i + within]);
-            off.push_back(part.signed_distance(p));
-            radii.push_back(place_in(bands_[b], p).radius);
-        }
-        if (off.empty()) continue;
-        const auto middle = [](std::vector<double>& v) {
-            std::nth_element(v.begin(), v.begin() + static_cast<std::ptrdiff_t>(v.size() / 2), v.end());
-            return v[v.size() / 2];
-        };
-        const double shown = middle(off), radius = middle(radii) + shown;
-        if (radius >= bands_[b].core - allowed && radius <= bands_[b].outer + allowed) bands_[b].shown = shown;
+        // What the tap has cut is its own core: the hole before is told by the rest.
+        std::vector<std::uint32_t> before = walls[b];
+        if (tapped) std::erase_if(before, [&](std::uint32_t t) { return tapped(result.tag(t)); });
+        fit_one(bands_[b], some_centres(result, before.empty() ? walls[b] : before), part, allowed);
     }
+}
+
+/// By the radii of the part's wall about the thread's axis and of the hole about its own.
+void ThreadBands::fit_one(Band& band, const std::vector<Vec3>& wall, const mesh::Distance& part, double allowed) {
+    if (wall.empty()) return;
+    std::vector<double> off, own, radii;
+    for (const Vec3& p : wall) {
+        const mesh::Nearest nearest = part.nearest(p);
+        if (!std::isfinite(nearest.distance)) continue;
+        off.push_back(part.is_inside(p, nearest) ? -nearest.distance : nearest.distance);
+        own.push_back(place_in(band, p).radius);
+        radii.push_back(place_in(band, nearest.at).radius);
+    }
+    if (off.empty()) return;
+    const std::optional<double> hole = radius_of(wall, band.axis, allowed);
+    const double shown = hole ? middle(radii) - *hole : middle(off);
+    const double radius = hole ? middle(radii) : middle(own) + shown;
+    if (radius >= band.core - allowed && radius <= band.outer + allowed) band.shown = shown;
 }
 
 double ThreadBands::more(Vec3 p, double radius, bool gouge) const {

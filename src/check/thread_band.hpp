@@ -1,8 +1,12 @@
 #pragma once
 /// Tapped holes. A tap is simulated with the core of its thread; a part's model shows such a hole with the core, with
-/// the outer diameter, or with anything between. Where the whole wall of a tapped hole stands off the part's by one and
-/// the same amount within the thread's depth, that is how the part shows the thread and no rest material or gouge.
+/// the outer diameter, or with anything between. Where the wall of a tapped hole stands off the part's by one and the
+/// same amount within the thread's depth, that is how the part shows the thread and no rest material or gouge. That
+/// amount is the difference of two radii: of the part's wall about the tap's axis, and of the hole that was made
+/// before, about its own. So a hole beside its thread, which the tap then cuts on one side, does not pass for another
+/// thread.
 
+#include <functional>
 #include <vector>
 
 #include "geom/vec.hpp"
@@ -16,8 +20,10 @@ public:
     /// A tap's way along its axis; radii of the thread, mm. Strokes in one hole become one.
     void add(geom::Vec3 from, geom::Vec3 to, geom::Vec3 axis, double core, double outer);
     [[nodiscard]] bool empty() const { return bands_.empty(); }
-    /// Finds out how the part shows each hole; `allowed`: what a wall may stand off anyway, mm.
-    void fit(const mesh::Mesh& result, const mesh::Distance& part, double allowed);
+    /// Finds out how the part shows each hole; `allowed`: what a wall may stand off anyway, mm; `tapped`: whether a
+    /// triangle with this tag is a tap's.
+    void fit(const mesh::Mesh& result, const mesh::Distance& part, double allowed,
+             const std::function<bool(std::uint32_t)>& tapped = {});
     /// How much more than else the surface may lie within the part (`gouge`) or outside of it, everywhere in a ball.
     [[nodiscard]] double more(geom::Vec3 p, double radius, bool gouge) const;
     /// What is left of the deviation at a place of the surface. From several threads at once.
@@ -35,6 +41,7 @@ private:
         double height = 0, radius = 0;
     };
     [[nodiscard]] static Place place_in(const Band& band, geom::Vec3 p);
+    static void fit_one(Band& band, const std::vector<geom::Vec3>& wall, const mesh::Distance& part, double allowed);
     [[nodiscard]] bool holds(const Band& band, geom::Vec3 p, double ball = 0) const;
     template <class Visit>
     void each_near(geom::Vec3 p, Visit&& visit) const;

@@ -51,6 +51,24 @@ TEST(ThreadBands, AHoleDrilledBesideItsThreadIsNot) {
     EXPECT_NEAR(left_of_it(0.03, 8.5, 50, {4.28, 0, -7}), -0.03, 4e-3);
 }
 
+/// M4 in a hole of 3.3 mm, drilled 0.12 mm beside it, which the tap cuts on one side; the part shows its core: 3.242
+/// mm.
+TEST(ThreadBands, WhatTheTapCutsOfAHoleBesideItsThreadDoesNotTellHowThePartShowsIt) {
+    mesh::Mesh result = wall(1.65, 0.12, 50);
+    result.tags.assign(result.triangles.size(), 1);
+    for (std::size_t t = 0; t < result.triangles.size(); ++t) {
+        const Vec3 c = mesh::centre(result, t);
+        if (std::hypot(c.x, c.y) < 1.621) result.tags[t] = 2;
+    }
+    for (Vec3& v : result.vertices)
+        if (const double r = std::hypot(v.x, v.y); r < 1.621) v.x *= 1.621 / r, v.y *= 1.621 / r;
+    ThreadBands bands;
+    bands.add({0, 0, 3}, {0, 0, -20}, {0, 0, 1}, 1.621, 2);
+    const mesh::Distance part(wall(1.621, 0, 4));
+    bands.fit(result, part, 0.002, [](std::uint32_t tag) { return tag == 2; });
+    EXPECT_NEAR(bands.judged({1.77, 0, -7}, 1.621 - 1.77), -0.12, 1e-3);
+}
+
 TEST(ThreadBands, WhatIsNoThreadStays) {
     EXPECT_DOUBLE_EQ(left_of_it(0, 12, 50, {4.25, 0, -7}), 1.75);   // wider than any thread of this size
     EXPECT_DOUBLE_EQ(left_of_it(0, 10, 50, {4.25, 0, -23}), 0.75);  // below it

@@ -52,13 +52,51 @@ TEST(bad_input, AnUnknownValueGivesNoPath) {
         }
 }
 
+/// It says its place itself, and goes there from wherever the tool stands.
+bool says_its_place(const Sample& s) {
+    const Demand d{s.kind, s.values};
+    const bool round_slot_elsewhere = s.kind == Kind::round_slot && d.get(Role::position, 0) != 0;
+    return d.find(Role::target_u) || d.find(Role::start_u) || (d.find(Role::centre_u) && !round_slot_elsewhere);
+}
+
 TEST(bad_input, AnUnknownPlaceGivesNoPath) {
     for (const Sample& s : samples()) {
-        if (Demand{s.kind, s.values}.find(Role::target_u)) continue;  // goes to its place by itself
+        if (says_its_place(s)) continue;
         Situation nowhere = situation();
         nowhere.at.x = unknown;
         EXPECT_FALSE(expand({s.kind, s.values}, nowhere).simulated) << int(s.kind);
     }
+}
+
+/// Where the moves lead, from the first one on that leads to a known place.
+std::vector<geom::Vec3> places(const Expansion& e, geom::Vec3 at) {
+    std::vector<geom::Vec3> out;
+    for (const cl::Step& step : e.steps) {
+        if (!cl::is_move(step)) continue;
+        at = cl::position_after(at, step);
+        if (geom::is_finite(at)) out.push_back(at);
+    }
+    return out;
+}
+
+TEST(bad_input, WhatSaysItsPlaceGoesThereFromAnywhere) {
+    int kinds = 0;
+    for (const Sample& s : samples()) {
+        if (!says_its_place(s) || Demand{s.kind, s.values}.find(Role::target_u)) continue;
+        ++kinds;
+        Situation nowhere = situation(), elsewhere = situation();
+        nowhere.at.x = nowhere.at.y = unknown;
+        elsewhere.at.x = elsewhere.at.y = -4321;
+        const Expansion lost = expand({s.kind, s.values}, nowhere);
+        EXPECT_TRUE(lost.simulated) << int(s.kind);
+        const std::vector<geom::Vec3> a = places(lost, nowhere.at);
+        std::vector<geom::Vec3> b = places(expand({s.kind, s.values}, elsewhere), elsewhere.at);
+        ASSERT_FALSE(a.empty()) << int(s.kind);
+        ASSERT_LE(a.size(), b.size()) << int(s.kind);
+        b.erase(b.begin(), b.end() - static_cast<std::ptrdiff_t>(a.size()));
+        EXPECT_EQ(a, b) << int(s.kind);
+    }
+    EXPECT_GE(kinds, 9);
 }
 
 TEST(bad_input, AnUnknownToolGivesNoPathWhereItMatters) {

@@ -30,7 +30,7 @@ Hole read_hole(Course& c, const Situation& s) {
     h.target = read_target(c, s);
     h.retract = c.need(Role::retract_plane);
     h.bottom = c.need(Role::bottom);
-    h.end = std::max(h.retract, c.maybe(Role::return_level, h.retract));
+    h.end = c.maybe(Role::return_level, h.retract);
     const double rise = c.maybe(Role::rise_first, 0);
     h.rise_first = rise != 0;
     h.risen = rise > 1;

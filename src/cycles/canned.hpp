@@ -7,7 +7,7 @@
 ///   in the plane to (target_u, target_v), at the height where the tool is; written also where it is there already;
 ///   along the tool axis to the retract plane, unless it stands there.
 /// Then what the kind says, at the feed in force: no Feed is written. They end over the hole at
-/// max(return_level, retract_plane); return_level not written (G99): at the retract plane.
+/// return_level, which may lie below the retract plane; not written (G99): at the retract plane.
 ///
 /// Roles of all kinds: target_u, target_v (not written: where the tool stands), retract_plane and bottom (needed; the
 /// first not below the second), return_level, rise_first. A dwell role that is written gives a Dwell, also of 0 s.

@@ -115,7 +115,7 @@ private:
         letter("xyz"[plane_.w], Role::bottom, bottom);
         letter('r', Role::retract_plane, r);
         plain(Role::rise_first, 1);
-        if (to_initial) values_.push_back({Role::return_level, situation_.at.z});
+        if (to_initial) values_.push_back({Role::return_level, std::max(r * unit_, situation_.at.z)});
         lines_ += "\n";
         const Expansion e = expand({kind, values_}, situation_);
         if (!e.ok()) ours_.calls.push_back({"complaint: " + complaints(e), {}});

@@ -3,7 +3,8 @@
 /// Checked with LinuxCNC 2.9 itself: outside G17 its G74 and G84 feed to a place whose coordinates belong to other axes
 /// (turned_axes 1 in G18, 2 in G19), and it takes the tool to be at the end of the hole afterwards.
 ///
-/// Both kinds: spindle_direction +1 right-hand, -1 left-hand thread; starts_spindle 1: the cycle turns it on.
+/// Both kinds: spindle_direction +1 right-hand, -1 left-hand thread; starts_spindle 1: the cycle turns it on; 2: this
+/// is listed.
 ///   canned_tap_floating  Without starts_spindle the spindle must turn in that direction already. At the bottom:
 ///                        dwell_bottom, spindle stop and reversal, dwell; feed out (feed_out); at the end of the feed
 ///                        dwell_top, spindle stop and reversal, rest of the way. LinuxCNC: feed_out 1, dwell 0 or P.
@@ -26,7 +27,12 @@ using Role = program::CycleRole;
 /// The spindle as the thread wants it before the tool goes in.
 Turning read_tap(Course& c, const Situation& s) {
     const Turning t = read_turning(c, s);
-    if (c.maybe(Role::starts_spindle, 0) != 0 || !c.ready()) return t;
+    const int starts = c.whole(Role::starts_spindle, 0, 0, 2, "the start of the spindle");
+    if (starts == 2 && s.spindle_direction == 0)
+        c.assume(
+            "the spindle does not turn before the tapping cycle: without rigid tapping (M29) the control wants M3 "
+            "or M4 before it; it is taken to start the spindle by itself");
+    if (starts != 0 || !c.ready()) return t;
     if (s.spindle_direction == 0)
         c.fault("the spindle does not turn", "program M3 or M4 before the cycle");
     else if (s.spindle_direction != t.direction)

@@ -15,8 +15,12 @@ TEST(canned, DrillGoesOverTheHoleThenDown) {
 }
 
 TEST(canned, BelowTheRetractPlane) {
-    EXPECT_EQ(run(Kind::canned_drill, with(rising, {{Role::return_level, -3}}), standing(-3)),
+    EXPECT_EQ(run(Kind::canned_drill, with(rising, {{Role::return_level, 2}}), standing(-3)),
               "R w2 R u11 v22 L w-10 R w2");
+    EXPECT_EQ(run(Kind::canned_drill, with(hole, {{Role::return_level, -3}}), standing(-3)),
+              "R u11 v22 R w2 L w-10 R w-3");
+    EXPECT_EQ(run(Kind::canned_bore_feed, with(hole, {{Role::return_level, 1}}), standing(1)),
+              "R u11 v22 R w2 L w-10 L w2 R w1");
     EXPECT_EQ(run(Kind::canned_drill, hole, standing(-3)), "R u11 v22 R w2 L w-10 R w2");
 }
 

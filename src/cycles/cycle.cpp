@@ -69,6 +69,19 @@ Family family_of(Kind kind) {
 
 }  // namespace
 
+namespace {
+
+/// Where the tool stands in the plane does not matter: the cycle says its place itself, and goes there first.
+bool goes_by_itself(const Demand& demand, Family family) {
+    if (family == &expand_canned || family == &expand_surface) return true;
+    const bool bent = demand.kind == Kind::round_slot && demand.get(program::CycleRole::position, 0) == 0;
+    const bool at_centre = bent || family == &expand_finish || demand.kind == Kind::slot_reciprocating ||
+                           demand.kind == Kind::round_slot_reciprocating;
+    return at_centre && demand.find(program::CycleRole::centre_u) && demand.find(program::CycleRole::centre_v);
+}
+
+}  // namespace
+
 std::optional<double> Demand::find(program::CycleRole role) const {
     const auto found =
         std::find_if(values.rbegin(), values.rend(), [role](const program::CycleValue& v) { return v.role == role; });
@@ -85,7 +98,7 @@ Expansion expand(const Demand& demand, const Situation& situation) {
         e.complaints.push_back({false, "this cycle is not simulated", {}, std::nullopt});
         return e;
     }
-    Course course(demand, situation, family == &expand_canned);
+    Course course(demand, situation, goes_by_itself(demand, family));
     family(course, demand, situation);
     return course.finish();
 }

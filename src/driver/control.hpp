@@ -37,6 +37,8 @@ struct Control {
     bool counts_increments = false;
     /// Among the files with a definition suffix: one of the control's. Null: all are.
     bool (*is_definition)(std::string_view text, std::string_view upper_name) = nullptr;
+    /// The tool table that its stand-alone interpreter takes where it is given none; empty: there is no such.
+    std::string_view interpreter_tools{};
 };
 /// The language in which the text is most likely written; the first one where nothing says so.
 [[nodiscard]] const Language& language_of(const Control& control, std::string_view text, std::string_view file_name);

@@ -1,117 +1,12 @@
 /// Every word of a block is acted on or said, on every control: a word put into a block changes what comes out (stream,
-/// parameters) or draws a message. What may stay without either stands in `silent`, with its reason.
+/// parameters) or draws a message.
 
-#include <gtest/gtest.h>
-
-#include <algorithm>
-#include <string>
-#include <string_view>
-#include <vector>
-
-#include "cl/text.hpp"
-#include "driver/session.hpp"
+#include "driver/every_word_testing.hpp"
 
 namespace obrys::driver {
 namespace {
 
-/// How the programs of a control are written for this test.
-struct Way {
-    std::string_view control, file;
-    std::string_view before, after;  ///< the blocks around; `after` lets words act that wait for a later block
-    std::vector<std::string_view> blocks;
-    std::vector<std::string_view> words;
-};
-
-/// A word that does nothing here and rightly so.
-struct Silent {
-    std::string_view control, block, word;  ///< empty: every one; `block` and `word` are the text they begin with
-    std::string_view reason;
-};
-
-constexpr Silent silent[] = {
-    {"fanuc", "G81", "P7", "kept for the next cycle of the series"},
-    {"haas", "G81", "P7", "kept for the next cycle of the series"},
-    {"", "G10 L2", "L2", "what it says already"},
-    {"fanuc", "G49", "H2", "the length ends, whatever H says"},
-    {"haas", "G49", "H2", "the length ends, whatever H says"},
-    {"fanuc", "", "D2", "kept for the next G41 or G42"},
-    {"haas", "", "D2", "kept for the next G41 or G42"},
-    {"", "M98 P1000", "", "the program called is not there"},
-    {"linuxcnc", "G92", "", "where these axes stand is not known before their first move"},
-    {"linuxcnc", "G64", "Q7", "a path mode: the stream of moves is the programmed path"},
-    {"linuxcnc", "M66", "", "what an input waits for and when; its value is unknown either way"},
-    {"linuxcnc", "M19", "", "how the spindle turns to its angle"},
-    {"sinumerik-840d", "", "ADIS", "acts with G641"},
-    {"sinumerik-840d", "", "DISC", "acts with G450 at a corner under compensation"},
-    {"sinumerik-840d", "", "FA[", "acts with POS"},
-    {"sinumerik-840d", "", "FRCM", "acts at a rounding that follows"},
-    {"sinumerik-840d", "SUPA", "", "the block says that where it ends is not known"},
-    {"heidenhain-itnc530", "", "R0", "in force already"},
-    {"heidenhain-itnc530", "", "M3", "in force already"},
-    {"heidenhain-itnc530", "", "M98", "acts on a corner under compensation, where there is none"},
-    {"heidenhain-itnc530", "", "G90", "in force already"},
-    {"heidenhain-itnc530", "", "G01", "in force already, or the block's own"},
-    {"heidenhain-itnc530", "", "I+7", "a circle centre, for arcs that follow"},
-    {"heidenhain-itnc530", "", "J+7", "a circle centre, for arcs that follow"},
-    {"heidenhain-itnc530", "", "K+7", "a circle centre, for arcs that follow"},
-    {"heidenhain-itnc530", "L Z+50 FMAX M91", "", "the block says that where it ends is not known"},
-    {"heidenhain-itnc530", "TOOL CALL", "DR", "acts with radius compensation"},
-    {"heidenhain-itnc530", "L X+9 Y+9 RL", "RL", "in force already"},
-};
-
-bool begins(std::string_view text, std::string_view with) { return text.substr(0, with.size()) == with; }
-
-bool may_be_silent(const Way& way, std::string_view block, std::string_view word) {
-    return std::any_of(std::begin(silent), std::end(silent), [&](const Silent& s) {
-        return (s.control.empty() || way.control == s.control) && begins(block, s.block) && begins(word, s.word);
-    });
-}
-
-/// All that comes out of a program, without the places; `ends`: whether it runs to its end.
-std::string outcome(const Way& way, std::string_view block, bool* ends = nullptr) {
-    Session s;
-    const std::string text = std::string(way.before) + std::string(block) + "\n" + std::string(way.after);
-    const Control* control = find_control(std::string(way.control));
-    const auto file = s.sources.add(std::string(way.file), text, language_of(*control, text, way.file).numbers);
-    s.programs = std::make_unique<Programs>(*control, s.sources, s.diagnostics);
-    s.job.machine.kind = shop::MachineKind::mill;
-    s.main = s.programs->read(file);
-    std::string out;
-    if (s.main == nullptr) return out + "no program";
-    for (const std::uint32_t number : {1U, 2U, 3U}) {
-        shop::Tool tool;
-        tool.number = number;
-        tool.kind = shop::ToolKind::end_mill;
-        tool.radius = number;
-        tool.length = 100 + 10 * number;
-        s.job.tools.push_back(tool);
-    }
-    const auto end = interpret(s, [&](const cl::Record& r) {
-        const std::string line = cl::to_text(r);
-        out += line.substr(0, line.find(" @")) + "\n";
-    });
-    if (ends != nullptr) *ends = end.ending == interp::Ending::regular;
-    for (const auto& p : end.parameters) out += p.name + "=" + std::to_string(p.value) + "\n";
-    for (const base::Diagnostic& d : s.diagnostics.all()) out += d.text + "\n";
-    for (const program::Ignored& i : s.main->ignored) out += i.text + "\n";
-    return out;
-}
-
-std::string without_effect(const Way& way) {
-    std::string found;
-    for (const std::string_view block : way.blocks) {
-        bool ends = false;
-        const std::string plain = outcome(way, block, &ends);
-        EXPECT_TRUE(ends) << "a block that shows nothing, since it stops the run: " << block << "\n" << plain;
-        for (const std::string_view word : way.words)
-            if (!may_be_silent(way, block, word) && outcome(way, std::string(block) + " " + std::string(word)) == plain)
-                found += std::string(block) + "   " + std::string(word) + "\n";
-    }
-    return found;
-}
-
-const std::vector<std::string_view> letters{"A7", "B7", "C7", "D2", "E7", "F7", "H2", "I7", "J7", "K7", "L2",
-                                            "P7", "Q7", "R7", "S7", "T2", "U7", "V7", "W7", "X7", "Y7", "Z7"};
+using namespace testing;
 
 Way fanuc(std::string_view control) {
     return {control,
@@ -151,6 +46,43 @@ Way fanuc(std::string_view control) {
              "G53 G0 X0."},
             letters};
 }
+
+/// Blocks of a contour that a turning cycle cuts down to, and that nothing else runs.
+Way turned_contour(std::string_view control) {
+    return {control,
+            "in.nc",
+            "%\nO0001\nG21 G18 G40 G80 G99\nT0101\nG97 S1000 M3\nG0 X52. Z2.\nG71 U2. R1.\nG71 P10 Q20 U.5 W.1 F.2\n"
+            "N10 G0 X30.\nG1 Z-10.\n",
+            "G1 X48.\nN20 Z-40.\nG0 X100. Z50.\nM30\n%\n",
+            {"G1 X40.", "G1 Z-20.", "G1 X40. Z-25.", "G2 X40. Z-15. R5."},
+            letters,
+            shop::MachineKind::lathe,
+            {"F7", "S7"}};  // they act where the contour is finished
+}
+
+TEST(EveryWord, OfATurnedContourIsActedOnOrSaid) {
+    EXPECT_EQ(without_effect(turned_contour("fanuc")), "");
+    EXPECT_EQ(without_effect(turned_contour("haas")), "");
+}
+
+/// Blocks of a contour that a milling cycle clears.
+Way milled_contour() {
+    return {"heidenhain-itnc530",
+            "in.h",
+            "0 BEGIN PGM P MM\n1 TOOL CALL 1 Z S2000\n2 L X-20 Y+20 Z+50 R0 FMAX M3\n3 CYCL DEF 14.0 CONTOUR\n"
+            "4 CYCL DEF 14.1 CONTOUR LABEL1\n"
+            "5 CYCL DEF 20 CONTOUR DATA Q1=-5 Q2=+1 Q3=+0 Q4=+0 Q5=+0 Q6=+2 Q7=+50 Q8=+0 Q9=+1\n"
+            "6 CYCL DEF 22 ROUGH-OUT Q10=-2.5 Q11=+150 Q12=+750 Q18=+0 Q19=+150 Q208=+99999\n"
+            "7 L X+20 Y+20 FMAX M99\n8 L Z+50 FMAX M30\n9 LBL 1\nL X+5 Y+5 RL\n",
+            "L X+35\nL Y+35\nL X+5\nL Y+5\nLBL 0\nEND PGM P MM\n",
+            {"L X+10", "L IX+10 IY+3", "RND R2", "L X+20 R0", "CC X+20 Y+5"},
+            {"A+7",  "B+7",   "C+7", "X+9", "Y+9", "Z+9", "IX+2", "IZ+2", "DR+", "DL+1", "R5",   "RL",  "RR",  "F100",
+             "FMAX", "FAUTO", "M3",  "M8",  "M91", "M99", "M30",  "M97",  "M98", "M120", "M140", "U+3", "P+4", "S500"},
+            shop::MachineKind::mill,
+            {"RL", "F100", "FMAX", "FAUTO"}};
+}
+
+TEST(EveryWord, OfAMilledContourIsActedOnOrSaid) { EXPECT_EQ(without_effect(milled_contour()), ""); }
 
 TEST(EveryWord, OfFanucIsActedOnOrSaid) { EXPECT_EQ(without_effect(fanuc("fanuc")), ""); }
 TEST(EveryWord, OfHaasIsActedOnOrSaid) { EXPECT_EQ(without_effect(fanuc("haas")), ""); }

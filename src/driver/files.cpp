@@ -50,6 +50,8 @@ int read_text(const fs::path& path, std::uintmax_t size, std::string& text) {
     errno = 0;
     const std::unique_ptr<std::FILE, int (*)(std::FILE*)> in(std::fopen(path.string().c_str(), "rb"), std::fclose);
     if (in == nullptr) return errno != 0 ? errno : EIO;
+    if (size == 0 && std::fgetc(in.get()) != EOF) return EINVAL;  // a window into the system, which has no size
+    if (std::ferror(in.get()) != 0) return errno != 0 ? errno : EIO;
     text.resize(static_cast<std::size_t>(size));
     text.resize(std::fread(text.data(), 1, text.size(), in.get()));
     if (std::ferror(in.get()) == 0) return 0;
@@ -77,6 +79,10 @@ namespace {
 /// The size of a file that can be read; nothing after a complaint.
 std::optional<std::uintmax_t> size_of(const fs::path& path, base::Diagnostics& diagnostics, const base::Span& where) {
     const std::string shown = path.generic_string();
+    if (path.empty()) {
+        complain(diagnostics, codes::file_missing, where, "the name of the file is empty");
+        return std::nullopt;
+    }
     std::error_code error;
     const fs::file_status status = fs::status(path, error);
     if (status.type() == fs::file_type::none) {  // not "not there": its folder may not be looked into, links go round
@@ -121,6 +127,35 @@ void check_readable(const fs::path& path, base::Diagnostics& diagnostics, const 
     static_cast<void>(size_of(path, diagnostics, where));
 }
 
+namespace {
+
+/// Two bytes a character, as Windows calls "Unicode": with its mark, or a zero in every other byte of ordinary text.
+bool is_utf16(std::string_view text) {
+    if (text.starts_with("\xFF\xFE") || text.starts_with("\xFE\xFF")) return true;
+    const std::size_t n = std::min<std::size_t>(text.size() / 2 * 2, 64);
+    std::size_t even = 0, odd = 0;
+    for (std::size_t i = 0; i < n; i += 2) even += text[i] == '\0' ? 1 : 0, odd += text[i + 1] == '\0' ? 1 : 0;
+    return n >= 4 && ((even == 0 && odd == n / 2) || (odd == 0 && even == n / 2));
+}
+
+bool is_text(std::string_view text, const std::string& shown, base::Diagnostics& diagnostics, const base::Span& where) {
+    if (is_utf16(text)) {
+        complain(diagnostics, codes::file_binary, where, shown + " is UTF-16 text, which no control reads",
+                 "save it as UTF-8 or ANSI, in an editor of Windows not as \"Unicode\"");
+        return false;
+    }
+    if (base::looks_binary(text)) {
+        complain(diagnostics, codes::file_binary, where, shown + " is not a text file",
+                 "name an NC program or a job file");
+        return false;
+    }
+    if (!base::trim(text).empty()) return true;
+    complain(diagnostics, codes::file_empty, where, shown + " is empty");
+    return false;
+}
+
+}  // namespace
+
 std::optional<std::uint32_t> load(const fs::path& path, base::Sources& sources, base::Diagnostics& diagnostics,
                                   const base::Span& where) {
     const std::string shown = path.generic_string();
@@ -135,15 +170,7 @@ std::optional<std::uint32_t> load(const fs::path& path, base::Sources& sources, 
         return std::nullopt;
     }
     const std::string_view text = large == nullptr ? std::string_view(small) : large->bytes();
-    if (base::looks_binary(text)) {
-        complain(diagnostics, codes::file_binary, where, shown + " is not a text file",
-                 "name an NC program or a job file");
-        return std::nullopt;
-    }
-    if (base::trim(text).empty()) {
-        complain(diagnostics, codes::file_empty, where, shown + " is empty");
-        return std::nullopt;
-    }
+    if (!is_text(text, shown, diagnostics, where)) return std::nullopt;
     return large == nullptr ? sources.add(shown, std::move(small)) : sources.add(shown, std::move(large));
 }
 

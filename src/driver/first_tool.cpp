@@ -21,12 +21,12 @@ bool selects_tool(const program::Unit& unit, const program::Word& w) {
     return number == 6 || (number != 0 && number == unit.traits->tool_number_function);
 }
 
+}  // namespace
+
 bool selects_tool(const program::Unit& unit) {
     return std::any_of(unit.words.begin(), unit.words.end(),
                        [&](const program::Word& w) { return selects_tool(unit, w); });
 }
-
-}  // namespace
 
 std::uint32_t first_tool(const shop::Job& job, const program::Unit& main, base::Diagnostics& diagnostics) {
     if (job.first_tool != 0 || job.tools.empty()) return job.first_tool;

@@ -14,6 +14,9 @@ namespace obrys::driver {
 /// where no block of the program selects or defines one, which is an assumption. 0: not known.
 [[nodiscard]] std::uint32_t first_tool(const shop::Job& job, const program::Unit& main, base::Diagnostics& diagnostics);
 
+/// Whether some block has to do with which tool is in use: T, TOOL CALL, TOOL DEF, M6, M61.
+[[nodiscard]] bool selects_tool(const program::Unit& unit);
+
 /// Tools for which the job gives no edge, on controls whose T names an offset beside the tool (T0202): the offset of
 /// the tool's own number.
 void number_offsets(bool edge_is_offset_number, std::vector<shop::Tool>& tools);

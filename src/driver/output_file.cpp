@@ -108,6 +108,24 @@ std::string refusal(const Wanted& w, const std::vector<fs::path>& inputs, bool f
 
 bool is_standard_output(std::string_view path) { return path.empty() || path == "-" || path == "/dev/stdout"; }
 
+namespace {
+
+/// Puts the finished neighbour in the place of the target; a file that has other names keeps them, and its content goes
+/// through to them all.
+void put_in_place(const fs::path& part, const fs::path& target, std::error_code& error) {
+    const fs::file_status before = fs::status(target, error);  // its rights stay
+    if (fs::exists(before)) fs::permissions(part, before.permissions(), error);
+    if (fs::exists(before) && fs::hard_link_count(target, error) > 1) {
+        fs::copy_file(part, target, fs::copy_options::overwrite_existing, error);
+        std::error_code ignored;
+        if (!error) fs::remove(part, ignored);
+        return;
+    }
+    fs::rename(part, target, error);
+}
+
+}  // namespace
+
 OutputFile::OutputFile(const fs::path& path) {
     errno = 0;
     if (is_standard_output(path.string())) {
@@ -167,9 +185,7 @@ bool OutputFile::finish() {
     if (std::fclose(file) != 0) fail();
     if (error_ == 0 && !part_.empty()) {
         std::error_code error;
-        const fs::file_status before = fs::status(target_, error);  // its rights stay
-        if (fs::exists(before)) fs::permissions(part_, before.permissions(), error);
-        fs::rename(part_, target_, error);
+        put_in_place(part_, target_, error);
         if (error)
             error_ = error.value();
         else

@@ -13,7 +13,8 @@ namespace obrys::driver {
 
 /// A document on its way to a file. A regular file gets it in one piece when it is finished: until then it stands in a
 /// neighbour of its own, which goes away where the work ends early (a signal, an exception). Links are followed, not
-/// replaced; devices and pipes are written to as it comes.
+/// replaced, and hard links stay (their content is then copied in, the one step that a signal can cut); devices and
+/// pipes are written to as it comes.
 class OutputFile {
 public:
     /// An empty path, "-" and /dev/stdout are standard output.

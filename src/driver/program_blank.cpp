@@ -1,8 +1,23 @@
 #include "driver/program_blank.hpp"
 
 #include "base/codes.hpp"
+#include "base/number.hpp"
 
 namespace obrys::driver {
+
+namespace {
+
+shop::Stock round_stock(const program::Blank& b, double mm) {
+    const program::BlankCylinder& c = *b.cylinder;
+    shop::SolidCylinder bar;
+    bar.axis = b.tool_axis;
+    bar.radius = c.radius * mm;
+    bar.max = c.top * mm;
+    bar.min = (c.top - c.length) * mm;
+    return {bar, b.where};
+}
+
+}  // namespace
 
 std::optional<shop::Stock> program_blank(const program::Unit& unit, base::Diagnostics& diagnostics) {
     if (!unit.blank) return std::nullopt;
@@ -10,6 +25,17 @@ std::optional<shop::Stock> program_blank(const program::Unit& unit, base::Diagno
     const double mm = unit.inch ? 25.4 : 1;
     base::Diagnostic d;
     d.where = b.where;
+    if (b.cylinder) {
+        const shop::Stock stock = round_stock(b, mm);
+        const auto& bar = std::get<shop::SolidCylinder>(stock.solid);
+        const std::string axis(1, "XYZ"[b.tool_axis]);
+        d.severity = base::Severity::note;
+        d.code = base::codes::assumption;
+        d.text = "the job names no stock: the program's blank is taken, a cylinder about " + axis + " from " + axis +
+                 base::fixed(bar.min, 3) + " to " + axis + base::fixed(bar.max, 3) + " mm";
+        diagnostics.add(std::move(d));
+        return stock;
+    }
     bool box = true;
     for (std::size_t i = 0; i < 3; ++i) box = box && b.min[i] < b.max[i];  // false where one is not said
     if (!box) {

@@ -9,11 +9,6 @@ namespace obrys::driver {
 
 namespace {
 
-bool has_suffix(const fs::path& path, std::span<const std::string_view> suffixes) {
-    const std::string suffix = base::to_upper(path.extension().string());
-    return std::find(suffixes.begin(), suffixes.end(), suffix) != suffixes.end();
-}
-
 /// The file, with the archive headers of its members ("%_N_UGUD_DEF") turned into comments of the same length.
 std::uint32_t without_headers(base::Sources& sources, std::uint32_t file) {
     std::string text(sources[file].text);
@@ -26,39 +21,17 @@ std::uint32_t without_headers(base::Sources& sources, std::uint32_t file) {
     return changed ? sources.add(sources[file].name, std::move(text)) : file;
 }
 
-/// "O20" of O0020.nc and of O0020 without an ending; empty for other names.
-std::string program_number(const fs::path& path) {
-    std::string stem = base::to_upper(path.stem().string());
-    if (stem.size() < 2 || stem[0] != 'O' || stem.find_first_not_of("0123456789", 1) != std::string::npos) return {};
-    const std::size_t digits = std::min(stem.find_first_not_of('0', 1), stem.size() - 1);
-    return stem.erase(1, digits - 1);
-}
-
-std::string full_name(const fs::path& path) { return base::to_upper(path.filename().string()); }
-
 }  // namespace
 
 void Programs::add_folder(const fs::path& folder) {
-    std::error_code error;
-    std::vector<fs::path> found;
     folders_.push_back(folders_.empty() ? "the folder of the program" : folder.generic_string());
-    for (const fs::directory_entry& entry : fs::directory_iterator(folder.empty() ? fs::path(".") : folder, error))
-        found.push_back(entry.path().lexically_normal());
-    std::sort(found.begin(), found.end());  // the same order on every file system
-    for (const std::string_view suffix : control_.program_suffixes)
-        for (const fs::path& path : found)
-            if (has_suffix(path, {&suffix, 1})) {
-                files_.emplace(base::to_upper(path.stem().string()), path);
-                files_.emplace(full_name(path), path);
-            }
-    for (const fs::path& path : found) {
-        const std::string number = program_number(path);
-        if (number.empty() || (path.has_extension() && !has_suffix(path, control_.program_suffixes))) continue;
-        files_.emplace(number, path);
-        files_.emplace(full_name(path), path);
-    }
-    for (const fs::path& path : found)
-        if (has_suffix(path, control_.definition_suffixes)) definition_files_.push_back(path);
+    found_.push_back(listings_->programs(folder, control_));
+}
+
+const fs::path* Programs::file_of(const std::string& name) const {
+    for (const auto& index : found_)
+        if (const auto path = index->files.find(name); path != index->files.end()) return &path->second;
+    return nullptr;
 }
 
 std::string Programs::searched() const {
@@ -80,10 +53,9 @@ const program::Unit* Programs::read(std::uint32_t file) {
     for (program::Unit& unit : units) {
         units_.push_back(std::make_unique<program::Unit>(std::move(unit)));
         const program::Unit* held = units_.back().get();
-        const auto plain = files_.find(held->name);  // of PART.H and PART.I one only is called PART
+        const fs::path* plain = file_of(held->name);  // of PART.H and PART.I one only is called PART
         const bool own = control_.file_stem != nullptr && first != nullptr;  // what a text defines is found there
-        if (own || plain == files_.end() || full_name(plain->second) == full_name(path))
-            by_name_.emplace(held->name, held);
+        if (own || plain == nullptr || full_name(*plain) == full_name(path)) by_name_.emplace(held->name, held);
         by_name_.emplace(held->name + suffix, held);
         if (first == nullptr) first = held;
     }
@@ -95,16 +67,36 @@ const program::Unit* Programs::find(std::string_view name) {
     if (const auto known = by_name_.find(key); known != by_name_.end()) return known->second;
     if (control_.file_stem != nullptr) return find_in_file(key);
     const program::Unit* unit = nullptr;
-    if (const auto path = files_.find(key); path == files_.end()) {
+    if (const fs::path* path = file_of(key); path == nullptr) {
         const fs::path written(key);
         if (has_suffix(written, control_.program_suffixes)) unit = find(written.stem().string());
-    } else if (const std::string full = full_name(path->second); full != key) {
+    } else if (const std::string full = full_name(*path); full != key) {
         unit = find(full);
-    } else if (const auto file = load(path->second, sources_, diagnostics_)) {
+    } else if (const auto file = load(*path, sources_, diagnostics_)) {
+        say_twin(*file, full);
         unit = read(*file);
     }
     by_name_[key] = unit;
     return unit;
+}
+
+void Programs::say_twin(std::uint32_t file, const std::string& full) {
+    for (const auto& index : found_) {
+        const auto twin = index->twins.find(full);
+        if (index->files.find(full) == index->files.end()) continue;
+        if (twin == index->twins.end()) return;
+        diagnostics_.add({base::Severity::error,
+                          base::codes::unknown_value,
+                          {file, 0, 0},
+                          fs::path(sources_[file].name).filename().string() + " and " +
+                              twin->second.filename().string() +
+                              " differ in small and capital letters alone: which of them the control has is not known, "
+                              "the first one is run",
+                          "leave one of them in the folder",
+                          {},
+                          {}});
+        return;
+    }
 }
 
 const program::Unit* Programs::read_text(const std::string& text) {
@@ -123,10 +115,10 @@ const program::Unit* Programs::read_text(const std::string& text) {
 const program::Unit* Programs::find_in_file(const std::string& key) {
     const program::Unit* found = nullptr;
     for (const std::string& stem : {control_.file_stem(key), key}) {
-        const auto path = files_.find(stem);
-        if (found != nullptr || path == files_.end() || by_name_.contains(full_name(path->second))) continue;
+        const fs::path* path = file_of(stem);
+        if (found != nullptr || path == nullptr || by_name_.contains(full_name(*path))) continue;
         const std::size_t before = units_.size();
-        if (const auto file = load(path->second, sources_, diagnostics_)) read(*file);
+        if (const auto file = load(*path, sources_, diagnostics_)) read(*file);
         for (std::size_t i = before; i < units_.size(); ++i)  // the last: the first is the file as a whole
             if (units_[i]->name == key) found = units_[i].get();
     }
@@ -152,21 +144,24 @@ void Programs::read_backup(std::uint32_t file) {
 }
 
 void Programs::read_definitions() {
-    for (const fs::path& path : definition_files_) {
-        const auto file = load(path, sources_, diagnostics_);
-        if (!file) continue;
-        if (control_.is_definition != nullptr && !control_.is_definition(sources_[*file].text, full_name(path))) {
-            diagnostics_.add({base::Severity::note,
-                              base::codes::no_effect,
-                              {*file, 0, 0},
-                              path.filename().string() + " defines no global user data of the control: it is not read",
-                              {},
-                              {},
-                              {}});
-            continue;
-        }
-        if (const program::Unit* unit = read(without_headers(sources_, *file))) definitions_.push_back(unit);
+    for (const auto& index : found_)
+        for (const fs::path& path : index->definition_files) read_definition(path);
+}
+
+void Programs::read_definition(const fs::path& path) {
+    const auto file = load(path, sources_, diagnostics_);
+    if (!file) return;
+    if (control_.is_definition != nullptr && !control_.is_definition(sources_[*file].text, full_name(path))) {
+        diagnostics_.add({base::Severity::note,
+                          base::codes::no_effect,
+                          {*file, 0, 0},
+                          path.filename().string() + " defines no global user data of the control: it is not read",
+                          {},
+                          {},
+                          {}});
+        return;
     }
+    if (const program::Unit* unit = read(without_headers(sources_, *file))) definitions_.push_back(unit);
 }
 
 }  // namespace obrys::driver

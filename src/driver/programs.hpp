@@ -9,14 +9,16 @@
 #include "base/diagnostic.hpp"
 #include "driver/control.hpp"
 #include "driver/files.hpp"
+#include "driver/folders.hpp"
 #include "program/unit.hpp"
 
 namespace obrys::driver {
 
 class Programs {
 public:
-    Programs(const Control& control, base::Sources& sources, base::Diagnostics& diagnostics)
-        : control_(control), sources_(sources), diagnostics_(diagnostics) {}
+    Programs(const Control& control, base::Sources& sources, base::Diagnostics& diagnostics,
+             std::shared_ptr<Folders> listings = std::make_shared<Folders>())
+        : control_(control), sources_(sources), diagnostics_(diagnostics), listings_(std::move(listings)) {}
 
     /// The machine that the programs are for, where somebody has named it; must outlive the reading.
     void set_machine(const shop::Machine* machine) { machine_ = machine; }
@@ -47,6 +49,11 @@ public:
 private:
     /// The program of that name, from the file that Control::file_stem says, or from one of its own name.
     const program::Unit* find_in_file(const std::string& key);
+    /// Behind the loading of `full`: another file of its folder differs in small and capital letters alone.
+    void say_twin(std::uint32_t file, const std::string& full);
+    /// The file of that name in the first folder that has one.
+    [[nodiscard]] const fs::path* file_of(const std::string& name) const;
+    void read_definition(const fs::path& path);
 
     const Control& control_;
     base::Sources& sources_;
@@ -57,9 +64,9 @@ private:
     std::vector<const program::Unit*> definitions_, backups_;
     std::vector<std::unique_ptr<program::Unit>> backup_units_;
     std::unordered_map<std::string, const program::Unit*> by_name_;
-    std::unordered_map<std::string, fs::path> files_;  ///< program name, and the same with its suffix -> file
+    std::shared_ptr<Folders> listings_;
+    std::vector<std::shared_ptr<const ProgramIndex>> found_;       ///< of the folders, in their order
     std::unordered_map<std::string, const program::Unit*> texts_;  ///< those that the program made
-    std::vector<fs::path> definition_files_;
     std::vector<std::string> folders_;
 };
 

@@ -21,7 +21,8 @@ std::vector<cl::Record> run(const std::string& text, const shop::Machine& machin
     base::Sources sources;
     base::Diagnostics diagnostics;
     program::Names names;
-    const auto file = sources.add("TEST.MPF", text);
+    const bool ends = text.find("M30") != std::string::npos;
+    const auto file = sources.add("TEST.MPF", ends ? text : text + "\nM30\n");
     const auto units = read::sinumerik::read(file, sources, names, diagnostics);
     const std::vector<shop::Tool> tools;
     const std::vector<shop::Override> overrides;

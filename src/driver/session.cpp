@@ -109,17 +109,21 @@ void load_tool_file(Session& s, const fs::path& path, const base::Span& where) {
     if (file) s.job.tools = shop::merge_tools(std::move(s.job.tools), read_tool_file(path, *file, s));
 }
 
-/// Tools that LinuxCNC's stand-alone interpreter knows where it is given no table (src/emc/sai, common/tool.tbl),
-/// inches.
-constexpr std::string_view interpreter_tools =
-    "T1 P1 D0.125 Z0.511\nT2 P2 D0.0625 Z0.1\nT3 P3 D0.201 Z1.273\nT99999 P123 Z0.1\n";
+/// Canonical calls are compared with those of the control's stand-alone interpreter, which knows some tools.
+void take_example_tools(Session& s) {
+    const std::string_view table = find_control(s.control)->interpreter_tools;
+    if (table.empty()) return;
+    s.job.tools =
+        shop::read_tbl(s.sources.add("tool.tbl", std::string(table)), s.sources, s.machine_unit, s.diagnostics);
+    if (selects_tool(*s.main))
+        assume(s, "no tools are given: those of LinuxCNC's stand-alone interpreter are taken (T1, T2, T3, T99999)",
+               "give the tool table with --tools");
+}
 
 void load_tools(Session& s, const Request& request, const fs::path& base_path) {
     for (const shop::NamedFile& f : s.job.tool_files) load_tool_file(s, beside(base_path, f.path), f.where);
     for (const std::string& name : request.tools) load_tool_file(s, name, nowhere);
-    if (s.canon && s.job.tools.empty())
-        s.job.tools = shop::read_tbl(s.sources.add("tool.tbl", std::string(interpreter_tools)), s.sources,
-                                     s.machine_unit, s.diagnostics);
+    if (s.canon && s.job.tools.empty()) take_example_tools(s);
     for (const shop::Tool& t : s.job.tools)
         if (!t.assumed.empty())
             s.diagnostics.add({base::Severity::note, codes::assumption, t.where, t.assumed, {}, {}, {}});
@@ -210,7 +214,7 @@ const Control* choose_control(Session& s, const Request& request, std::uint32_t 
 
 /// Tables and forms lie where called programs do, or where the job says.
 void find_shop_files(Session& s, const Request& request, const fs::path& program) {
-    s.files = std::make_unique<ShopFiles>(s.sources, s.diagnostics);
+    s.files = std::make_unique<ShopFiles>(s.sources, s.diagnostics, request.folders);
     s.files->add_folder(program.parent_path());
     for (const std::string& folder : request.search) s.files->add_folder(folder);
     for (const shop::NamedFile& folder : s.job.search) s.files->add_folder(beside(request.input, folder.path));
@@ -295,7 +299,7 @@ bool read_main(Session& s, const Request& request, const fs::path& path) {
     s.program = s.sources[*file].name;
     const Control* control = choose_control(s, request, *file);
     if (control == nullptr) return false;
-    s.programs = std::make_unique<Programs>(*control, s.sources, s.diagnostics);
+    s.programs = std::make_unique<Programs>(*control, s.sources, s.diagnostics, request.folders);
     bool named = false;
     if (!load_named_machine(s, request, request.input, named)) return false;
     // A job with turned stock, part or tools says that it is for a lathe.
@@ -394,9 +398,10 @@ bool open(const Request& request, Session& s) {
 }
 
 bool refused(const Session& s) {
-    return std::any_of(s.diagnostics.all().begin(), s.diagnostics.all().end(), [](const base::Diagnostic& d) {
-        return d.severity == base::Severity::error && (d.code == codes::job_value || d.code == codes::job_file);
-    });
+    return s.unusable ||
+           std::any_of(s.diagnostics.all().begin(), s.diagnostics.all().end(), [](const base::Diagnostic& d) {
+               return d.severity == base::Severity::error && (d.code == codes::job_value || d.code == codes::job_file);
+           });
 }
 
 int percent_lines(const Session& s) {
@@ -441,7 +446,8 @@ interp::Outcome interpret(Session& s, cl::Sink sink, const interp::ContourSink* 
                                           std::max(s.job.tolerances.gouge, s.job.tolerances.simulation.value_or(0)),
                                           &s.programs->backups(),
                                           s.job.tool_lengths,
-                                          s.job.first_tool};
+                                          s.job.first_tool,
+                                          s.looked_ahead_in_vain};
     interp::Outcome outcome = interp::run(*s.main, environment, s.stacks, sink, s.diagnostics);
     const auto in_file = s.programs->of_file(s.main->file);
     const bool subs_alone = holds_subprograms_alone(in_file, outcome.entered, *s.main);

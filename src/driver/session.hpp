@@ -30,7 +30,8 @@ struct Request {
     std::string stored;                ///< its parameter file (.var)
     std::optional<shop::Scope> scope;  ///< else as the job says
     bool force = false;                ///< files that are there may be replaced
-    bool canon = false;                ///< settings are told, and the machine stands at its zero at the start
+    std::shared_ptr<Folders> folders = std::make_shared<Folders>();  ///< of all inputs of a call
+    bool canon = false;  ///< settings are told, and the machine stands at its zero at the start
 };
 
 struct Session {
@@ -53,6 +54,8 @@ struct Session {
     bool spindle_goes_on = false;  ///< through a tool change, as the configuration says
     bool canon = false;
     bool has_job = false;
+    std::uint32_t looked_ahead_in_vain = 0;  ///< for tests, as Environment says it
+    bool unusable = false;  ///< a file that the job names is not what it should be
 };
 
 /// Loads job, machine, tools and main program, and resolves the contours. False where the input cannot be used at all

@@ -17,8 +17,6 @@ namespace {
 
 constexpr std::size_t longest_print = 64'000'000, most_files = 1000;
 
-std::string upper_name(const fs::path& path) { return base::to_upper(path.filename().string()); }
-
 bool has_ending(const fs::path& path, std::string_view ending) {
     return base::equals_ignoring_case(path.extension().string(), ending);
 }
@@ -37,13 +35,8 @@ std::string safe_name(std::string_view name) {
 }  // namespace
 
 void ShopFiles::add_folder(const fs::path& folder) {
-    std::error_code error;
-    std::vector<fs::path> found;
-    for (const fs::directory_entry& entry : fs::directory_iterator(folder.empty() ? fs::path(".") : folder, error))
-        for (const std::string_view ending : {".d", ".tab", ".a", ".pnt"})
-            if (has_ending(entry.path(), ending)) found.push_back(entry.path().lexically_normal());
-    std::sort(found.begin(), found.end());  // the same order on every file system
-    files_.insert(files_.end(), found.begin(), found.end());
+    const Folders::Paths found = listings_->shop_files(folder);
+    files_.insert(files_.end(), found->begin(), found->end());
 }
 
 void ShopFiles::add_file(const fs::path& path) {
@@ -53,7 +46,7 @@ void ShopFiles::add_file(const fs::path& path) {
 
 std::optional<fs::path> ShopFiles::path_of(std::string_view name) const {
     for (const fs::path& path : files_)
-        if (upper_name(path) == name) return path;
+        if (full_name(path) == name) return path;
     return std::nullopt;
 }
 

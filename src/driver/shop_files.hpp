@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "driver/files.hpp"
+#include "driver/folders.hpp"
 #include "interp/shop_files.hpp"
 #include "shop/machine.hpp"
 
@@ -17,7 +18,8 @@ namespace obrys::driver {
 class ShopFiles final : public interp::ShopFiles {
 public:
     /// References must outlive it.
-    ShopFiles(base::Sources& sources, base::Diagnostics& diagnostics) : sources_(sources), diagnostics_(diagnostics) {}
+    ShopFiles(base::Sources& sources, base::Diagnostics& diagnostics, std::shared_ptr<Folders> listings)
+        : sources_(sources), diagnostics_(diagnostics), listings_(std::move(listings)) {}
 
     /// A folder in which tables and forms are looked for, in the order of the calls.
     void add_folder(const fs::path& folder);
@@ -42,6 +44,7 @@ private:
 
     base::Sources& sources_;
     base::Diagnostics& diagnostics_;
+    std::shared_ptr<Folders> listings_;
     std::vector<fs::path> files_;  ///< tables and forms, those that come first first
     std::size_t named_ = 0;        ///< how many of them were named one by one
     std::unordered_map<std::string, std::unique_ptr<interp::DatumTable>> datums_;

@@ -67,12 +67,17 @@ struct Strand {
     std::vector<Vec2> points;
 };
 
+constexpr double quarter = 0.41421356;  ///< bulge, of a hair less than a quarter circle
+
 std::vector<Strand> strands_of(const std::vector<SourceEdge>& sources) {
     std::vector<Strand> out;
     out.reserve(sources.size());
     for (std::uint32_t i = 0; i < sources.size(); ++i) {
         const Edge& e = sources[i].edge;
-        const int n = is_arc(e) ? base::clipped<int>(std::ceil(std::abs(sweep_angle(e)) / (pi / 2) - 1e-9), 1, 4) : 1;
+        const bool short_arc = std::abs(e.bulge) <= quarter;
+        const int n = !short_arc && is_arc(e)
+                          ? base::clipped<int>(std::ceil(std::abs(sweep_angle(e)) / (pi / 2) - 1e-9), 1, 4)
+                          : 1;
         for (int k = 0; k < n; ++k) {
             Strand s;
             s.edge = n == 1 ? e : part(e, static_cast<double>(k) / n, static_cast<double>(k + 1) / n);
@@ -102,18 +107,30 @@ void meet(Strand& e, Strand& f, double tolerance, std::vector<Vec2>& met) {
     touch(f, e.edge.b, tolerance);
 }
 
+/// Where, in this order, the strands of another set begin: thousands of edges of a stock are passed over at once.
+std::vector<std::size_t> ends_of_runs(const std::vector<Strand>& strands, const std::vector<SourceEdge>& sources,
+                                      const std::vector<std::uint32_t>& order) {
+    std::vector<std::size_t> end(order.size(), order.size());
+    const auto set_of = [&](std::size_t i) { return sources[strands[order[i]].source].of; };
+    for (std::size_t i = order.size(); i-- > 1;) end[i - 1] = set_of(i - 1) == set_of(i) ? end[i] : i;
+    return end;
+}
+
 void meet_all(std::vector<Strand>& strands, const std::vector<SourceEdge>& sources, const ArrangeOptions& options) {
     std::vector<std::uint32_t> order(strands.size());
     for (std::uint32_t i = 0; i < order.size(); ++i) order[i] = i;
     std::sort(order.begin(), order.end(),
               [&](std::uint32_t i, std::uint32_t j) { return strands[i].box.lo.x < strands[j].box.lo.x; });
+    const std::vector<std::size_t> next_set = ends_of_runs(strands, sources, order);
     std::vector<Vec2> met;
     for (std::size_t i = 0; i < order.size(); ++i) {
         Strand& e = strands[order[i]];
-        for (std::size_t j = i + 1; j < order.size(); ++j) {
+        for (std::size_t j = i + 1, next = j; j < order.size(); j = next) {
             Strand& f = strands[order[j]];
             if (f.box.lo.x > e.box.hi.x + options.tolerance) break;
-            if (options.sets_are_clean && sources[e.source].of == sources[f.source].of) continue;
+            const bool passed_over = options.sets_are_clean && sources[e.source].of == sources[f.source].of;
+            next = passed_over ? next_set[j] : j + 1;
+            if (passed_over) continue;
             if (overlap(e.box, f.box, options.tolerance)) meet(e, f, options.tolerance, met);
         }
     }

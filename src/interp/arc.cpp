@@ -1,6 +1,7 @@
 /// Arcs: from the words of the block to centre and sweep, and out into the stream.
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <optional>
 
@@ -9,6 +10,7 @@
 #include "base/whole.hpp"
 #include "interp/path_stage.hpp"
 #include "path/arc_input.hpp"
+#include "program/modal_group.hpp"
 
 namespace obrys::interp {
 
@@ -42,7 +44,23 @@ path::ArcTolerance tolerance(const Run& run) {
     return {own > 0 ? own : run.env.machine.defaults.circle_tolerance, 0.001, own > 0};
 }
 
+/// A centre along the axis across the plane in force: it was meant for another plane.
+bool says_centre_across(Run& run) {
+    const int across = plane_axes(run.modal.plane).w;
+    if (!run.block.has(centre_words[across]) || run.block.peek(centre_words[across]) == 0) return false;
+    constexpr std::array letters{"I", "J", "K"};
+    constexpr std::array planes{"G19 (YZ)", "G18 (ZX)", "G17 (XY)"};
+    const auto k = static_cast<std::size_t>(across);
+    alarm(run, codes::arc_radius, run.here(),
+          std::string(letters[k]) + " is no centre in the plane in force, " + planes[k] +
+              ": this arc lies in another plane",
+          "program the arc's plane before it: G17, G18 or G19");
+    return true;
+}
+
 void arc_alarm(Run& run, const path::ArcResult& r) {
+    const bool by_centre = r.failure == path::ArcFailure::radius_mismatch || r.failure == path::ArcFailure::no_radius;
+    if (by_centre && says_centre_across(run)) return;
     std::string text;
     switch (r.failure) {
         case path::ArcFailure::radius_mismatch:
@@ -106,6 +124,12 @@ void pass_over_centre(Run& run) {
            "write one of them");
 }
 
+/// What is missing may be the word of another motion.
+std::string remedy_of_circle(const Run& run) {
+    const bool written = (run.block.groups >> static_cast<unsigned>(program::ModalGroup::motion) & 1u) != 0;
+    return written ? "" : "the circle is in force from a block before: write G0 or G1 for a straight line";
+}
+
 path::ArcResult planar_arc(Run& run, Vec2 from, Vec2 to, bool end_given, const PlaneAxes& a) {
     const BlockWords& b = run.block;
     const path::Sense sense =
@@ -137,7 +161,7 @@ path::ArcResult planar_arc(Run& run, Vec2 from, Vec2 to, bool end_given, const P
     path::ArcResult none;
     none.failure = path::ArcFailure::points_coincide;
     alarm(run, codes::arc_radius, run.here(),
-          "a circle needs its centre (I, J, K), its radius (CR=) or its opening angle (AR=)");
+          "a circle needs its centre (I, J, K), its radius (CR=) or its opening angle (AR=)", remedy_of_circle(run));
     return none;
 }
 

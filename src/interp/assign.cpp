@@ -313,7 +313,7 @@ void write_tool_column(Run& run, const Expr& target, const program::Assign& a, d
     const double n = target.count == 0 ? 0 : number(run, run.unit().children[target.b]);
     const auto found = std::find_if(run.tools.begin(), run.tools.end(),
                                     [&](const shop::Tool& t) { return t.number == (n == 0 ? run.tool.number : n); });
-    if (run.stopped || run.capture != nullptr) return;
+    if (run.stopped) return;
     if (found == run.tools.end() || std::isnan(value)) {
         unchecked(run, codes::unknown_value, run.unit().span(a.target),
                   "this tool, or what its table shall hold, is not known: nothing is written");
@@ -328,6 +328,7 @@ void write_tool_column(Run& run, const Expr& target, const program::Assign& a, d
         case SystemVariable::table_delta_radius: found->delta_radius = mm; break;
         default: found->delta_corner_radius = mm; break;
     }
+    if (run.env.machine.kind == shop::MachineKind::mill) compare_length(run, *found);
 }
 
 /// Writing it may change what the control does, which is not followed: all but what is only read back.

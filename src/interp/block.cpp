@@ -23,7 +23,8 @@ void BlockWords::clear() {
     tool_named = false;
     special = suppress = paraxial = corner_end = Modal::linear;
     special_number = surface_word = retract = 0;
-    acted = rapid = says_straight = changes_plane = machine_axis = goes_on = false;
+    acted = stops_run = rapid = says_straight = changes_plane = machine_axis = goes_on = false;
+    feed_alone.reset();
     positioned.clear();
     pending.clear();
 }
@@ -41,14 +42,17 @@ double word_value(Run& run, const Word& w) {
     return 0;
 }
 
-/// Number of an M or H function; out of the control's range: alarm, unknown: reported and left out.
-void function_number(Run& run, const base::Span& where, double v, std::vector<int>& functions) {
+/// Number of an M or H function; out of the control's range: alarm, unknown: reported and left out. M functions have
+/// whole numbers without a sign, H functions may have any value.
+void function_number(Run& run, const base::Span& where, double v, std::vector<int>& functions, bool any = false) {
     if (std::isnan(v))
         unchecked(run, codes::unknown_value, where, "which function this is depends on a value that is not known");
-    else if (const auto n = base::cut<int>(v))
+    else if (const auto n = any                                  ? base::cut<int>(v)
+                            : std::abs(v - std::round(v)) < 1e-4 ? base::whole<int>(std::round(v), 0, 99'999'999)
+                                                                 : std::nullopt)
         functions.push_back(*n);
     else
-        alarm(run, codes::value_range, where, "this function number is out of range");
+        alarm(run, codes::value_range, where, "no function has this number: a whole number without a sign is due");
 }
 
 void tool_word(Run& run, const Word& w) {
@@ -83,7 +87,9 @@ void named_value(Run& run, const program::Named& n) {
     const double extension = index.number;
     const double value = n.value == program::no_expr ? 0 : number(run, n.value);
     if (run.stopped) return;
-    const bool first = extension <= 1;
+    const bool first = extension == 0 || extension == run.spindles.master;
+    if (!first && (letter == "M" || letter == "S" || letter == "SPOS")) other_spindle(run, letter, extension, value);
+    if (extension == 1 && !first) return;  // SETMS has been said
     if (letter == "M" && first)
         function_number(run, run.here(), value, run.block.m);
     else if (letter == "M")
@@ -94,7 +100,7 @@ void named_value(Run& run, const program::Named& n) {
     else if (letter == "SPOS" && first)
         run.block.put(Code::spindle_position, value);
     else if (letter == "H")
-        function_number(run, run.here(), value, run.block.h);
+        function_number(run, run.here(), value, run.block.h, true);
     else
         assume(run, run.here(),
                letter + printed(Value::real(extension)) +
@@ -188,7 +194,7 @@ void gather(Run& run, const program::Statement& s, const Word& w) {
         case Code::unsupported:
         case Code::unknown: problem_word(run, w); return;
         case Code::m: function_number(run, run.unit().span(s, w), word_value(run, w), run.block.m); return;
-        case Code::h: function_number(run, run.unit().span(s, w), word_value(run, w), run.block.h); return;
+        case Code::h: function_number(run, run.unit().span(s, w), word_value(run, w), run.block.h, true); return;
         case Code::tool: tool_word(run, w); return;
         case Code::named_axis:
             named_axis(run, run.unit().named[static_cast<std::size_t>(w.payload)], run.unit().span(s, w));
@@ -248,14 +254,17 @@ void run_block(Run& run, const program::Statement& s, std::uint32_t index) {
     const Unit& unit = run.unit();
     run.block.clear();
     const std::uint32_t end = unit.words_end(index);
+    bool assigns_only = true;
     for (std::uint32_t i = s.first; i < end; ++i) {
+        assigns_only = assigns_only && program::code_of(unit.words[i]) == Code::assign;
         gather(run, s, unit.words[i]);
         if (run.stopped) return;
     }
+    if (run.look > Look::next_element) say_foreign_words(run);
     if (run.block.special == Modal::cycle_position || run.block.special == Modal::cycle_pattern)
         return call_at_places(run);
     if (!run.block.pending.empty()) take_effect(run);
-    if (run.stopped) return;
+    if (run.stopped || assigns_only) return;  // loops are full of blocks in which nothing else is to be done
     if (run.block.twice != 0) repeated_words(run);
     if (run.stopped) return;
     if (run.traits->refuses_unready) refuse_block(run);
@@ -266,6 +275,8 @@ void run_block(Run& run, const program::Statement& s, std::uint32_t index) {
     if (run.stopped) return;
     if (run.block.changes_plane) hold_plane(run);
     const bool moved = !run.stopped && motion(run);
+    if (run.block.feed_alone) end_feed_alone(run);
+    if (!run.stopped && !run.underway.empty()) judge_underway(run, moved);
     if (!run.stopped && !run.block.positioned.empty()) position_axes(run, moved);
     if (run.stopped) return;
     if (run.block.has(Code::cycle_call) || run.block.has(Code::cycle_call_modal) || (moved && run.cycle.modal)) {

@@ -97,7 +97,10 @@ cycles::Demand demand_at(const Run& run, const program::CannedCycle& c, const ge
     d.values.push_back({CycleRole::target_v, target.y});
     if (s.has_retract) d.values.push_back({CycleRole::retract_plane, retract});
     if (s.has_bottom) d.values.push_back({CycleRole::bottom, run.modal.absolute ? s.bottom : retract + s.bottom});
-    if (!run.modal.clear_to_retract_plane) d.values.push_back({CycleRole::return_level, initial});
+    if (!run.modal.clear_to_retract_plane) {
+        const bool raised = run.traits->hole_ends_at_least_at_retract_plane && s.has_retract;
+        d.values.push_back({CycleRole::return_level, raised ? std::max(initial, retract) : initial});
+    }
     for (std::size_t i = 0; i < c.words.size() && i < s.values.size(); ++i)
         if (s.given[i]) d.values.push_back({c.words[i].role, s.values[i]});
     if (c.adds_in_units) d.values.push_back({CycleRole::length_unit, length_unit(run.modal)});
@@ -180,8 +183,7 @@ void run_holes(Run& run, const program::CannedCycle& c, const PlaneAxes& a) {
         emit_hole(run, c, e.steps);
         if (c.turns_axes && run.modal.plane != 17) {  // the control takes itself to be where it should be
             const geom::Vec3 there = into_plane(at, a);
-            const double level = std::max(demand.get(CycleRole::retract_plane),
-                                          demand.get(CycleRole::return_level, demand.get(CycleRole::retract_plane)));
+            const double level = demand.get(CycleRole::return_level, demand.get(CycleRole::retract_plane));
             arrive(run, out_of_plane({there.x, there.y, level}, a));
         }
         if (over_budget(run, false)) return;

@@ -1,10 +1,10 @@
 #pragma once
 /// Running a stretch of the program without output, to learn which contour elements it makes. Private to interp.
 
-#include <functional>
 #include <optional>
 #include <vector>
 
+#include "interp/complaints.hpp"
 #include "interp/motion.hpp"
 #include "path/corner_stage.hpp"
 
@@ -23,44 +23,61 @@ struct Captured {
     std::optional<double> line_angle{};  ///< ANG= of a line that gives both coordinates of its end, degrees
 };
 
-/// While it lives, the run emits nothing, complains about nothing and collects its elements; at its end the run stands
-/// where it stood, with every value as it was.
+/// While it lives, the run emits nothing and collects its elements and complaints; at its end the run stands where it
+/// stood, with every value as it was.
 class Rehearsal {
 public:
-    explicit Rehearsal(Run& run);
+    Rehearsal(Run& run, Look purpose);
     ~Rehearsal();
     Rehearsal(const Rehearsal&) = delete;
     Rehearsal& operator=(const Rehearsal&) = delete;
 
-    [[nodiscard]] const std::vector<Captured>& elements() const { return elements_; }
+    std::vector<Captured> elements;
+    Complaints complaints;
 
 private:
-    struct Saved;
+    /// What the variables hold: calls and scopes share them with what is run ahead.
+    using Values = std::vector<std::pair<std::shared_ptr<Array>, Array>>;
+
     Run& run_;
+    RunState saved_;
+    Values values_;
+    std::unique_ptr<PathStage> path_;
+};
+
+/// What a stretch of the program made. Its elements are to be had only with what it complained about.
+class [[nodiscard]] Looked {
+public:
+    Looked() = default;
+    Looked(Rehearsal&& r, bool ended)
+        : elements_(std::move(r.elements)), complaints_(std::move(r.complaints)), ended_(ended) {}
+
+    /// Says every complaint, of the cycle with this name, and gives the elements; nothing where the stretch ended with
+    /// an alarm (the run is stopped then) or did not come to its end.
+    [[nodiscard]] std::optional<std::vector<Captured>> said(Run&, const std::string& of = {}) &&;
+
+private:
     std::vector<Captured> elements_;
-    std::unique_ptr<Saved> saved_;
+    Complaints complaints_;
+    bool ended_ = false;
 };
 
 /// The next element of the working plane that the program makes behind the block being run; nothing where it makes none
-/// within a few hundred statements. `from`: where the tool will stand, programmed frame.
+/// within a few hundred statements. `from`: where the tool will stand, programmed frame. These blocks are run behind
+/// the one at hand and complain then.
 [[nodiscard]] std::optional<Captured> next_element(Run&, const geom::Vec3& from);
 
-/// The elements that a label of a program makes from the label to its end, in the order of motion; nothing where there
-/// is no such label or it does not end.
-[[nodiscard]] std::optional<std::vector<Captured>> elements_of_label(Run&, const Unit& unit, const std::string& label);
+/// The elements that a label of a program makes from the label to its end, in the order of motion; no end where there
+/// is no such label.
+Looked elements_of_label(Run&, const Unit& unit, const std::string& label);
+/// The same of a whole program.
+Looked elements_of_program(Run&, const Unit& unit);
+/// The same of the subprogram with a turning cycle's contour. `from`: where the tool stands, programmed frame.
+Looked elements_of_turned_contour(Run&, const Unit& unit, const geom::Vec3& from);
+/// The same of a stretch of the program's own statements.
+Looked elements_of_blocks(Run&, std::uint32_t first, std::uint32_t last);
 
-/// The same of a whole program; nothing where it does not end. `from`: where the tool stands, programmed frame.
-[[nodiscard]] std::optional<std::vector<Captured>> elements_of_program(Run&, const Unit& unit,
-                                                                       std::optional<geom::Vec3> from = {});
-/// The same of a turning cycle's contour: U and W are steps along X and Z, A and C belong to the corner.
-[[nodiscard]] std::optional<std::vector<Captured>> elements_of_turned_contour(Run&, const Unit& unit, geom::Vec3 from);
-
-/// The elements that a stretch of the program's own statements makes, and what it complains about.
-struct BlockRehearsal {
-    std::vector<Captured> elements;
-    std::vector<base::Diagnostic> complaints;  ///< an error is an alarm
-    bool ended = false;                        ///< it ran to the end of the stretch
-};
-[[nodiscard]] BlockRehearsal elements_of_blocks(Run&, std::uint32_t first, std::uint32_t last);
+/// Runs some statements ahead and forgets them: for tests, which look for a trace.
+void look_ahead_in_vain(Run&, std::uint32_t statements);
 
 }  // namespace obrys::interp

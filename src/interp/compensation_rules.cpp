@@ -15,6 +15,22 @@ void refuse_other_side(Run& run, Modal m) {
           "program a straight block without radius compensation (R0, G40) before it");
 }
 
+/// R+ and R- lengthen and shorten the way of a block of a single axis. In a contour with RL or RR they are another
+/// compensation, which wants a block without one before it (iTNC 530 manual DIN/ISO 606 42x-03, page 205).
+void compensate_along_axis(Run& run, Modal m) {
+    if (run.modal.compensation != Modal::compensation_off && run.capture == nullptr)
+        return alarm(run, base::codes::compensation, run.here(),
+                     "compensation along an axis, longer or shorter, while radius compensation is in force",
+                     "program a straight block without radius compensation (R0, G40) before it");
+    if (run.block.paraxial != Modal::linear) {
+        run.block.paraxial = m;
+        return;
+    }
+    unchecked(run, base::codes::unsupported, run.here(),
+              "longer or shorter by the tool's radius is a block of a single axis: this one is run without that",
+              "program the axis alone, without a path function (DIN/ISO: with G07)");
+}
+
 void leave_compensation(Run& run, const std::string& because) {
     ModalState& state = run.modal;
     if (!run.traits->compensation_keeps_side || run.capture != nullptr || state.compensation == Modal::compensation_off)

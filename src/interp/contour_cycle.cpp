@@ -52,6 +52,14 @@ void add_edge(geom::Contour& c, const path::Element& e, const Captured& from, Co
     }
 }
 
+/// The first element only leads to the contour, and nothing comes behind the last one.
+void say_loose_corner(Run& run, const Captured& c, const char* where) {
+    if (c.corner.kind == path::CornerKind::none || c.corner.modal) return;
+    unchecked(run, codes::value_range, c.where,
+              std::string("a contour cannot ") + where + " with a chamfer or rounding: it is left out",
+              "write it between two elements of the contour");
+}
+
 }  // namespace
 
 geom::Contour contour_of(Run& run, const std::vector<Captured>& all, ContourElements& elements) {
@@ -60,6 +68,8 @@ geom::Contour contour_of(Run& run, const std::vector<Captured>& all, ContourElem
     contour.closed = false;
     if (all.empty()) return contour;
     contour.vertices.push_back({in_frame(all.front(), run.frame, a).to, 0});
+    say_loose_corner(run, all.front(), "begin");
+    if (all.size() > 1) say_loose_corner(run, all.back(), "end");
     path::CornerStage corners;
     const auto take = [&](const path::CornerOutput& out) {
         if (path::moves_in_plane(out.element)) add_edge(contour, out.element, all[out.element.tag], elements);
@@ -96,6 +106,15 @@ int side_of(const std::vector<Captured>& all) {
     return 0;
 }
 
+/// Which side counts where it changes is not documented.
+void say_other_side(Run& run, const std::vector<Captured>& all, int side) {
+    for (const Captured& c : all)
+        if (c.compensation != Modal::compensation_off && (c.compensation == Modal::compensation_left) != (side > 0))
+            return unchecked(run, codes::unsupported, c.where,
+                             "radius compensation changes its side within the contour: the first one is taken",
+                             "write RL or RR at the beginning of the contour alone");
+}
+
 double radius_of_tool(const Run& run, const cycles::Demand& d, program::CycleRole role) {
     const auto number = d.find(role);
     if (!number || *number == 0) return cycles::unknown;
@@ -119,13 +138,14 @@ bool read_labels(Run& run, std::vector<Label>& labels, ContourElements& elements
     }
     const std::vector<std::string> names = run.contour_labels;
     for (const std::string& name : names) {
-        const auto all = elements_of_label(run, *run.contour_unit, name);
+        const auto all = elements_of_label(run, *run.contour_unit, name).said(run);
         if (!all) {
             alarm(run, codes::missing_label, run.here(),
                   "the contour label " + name + " of CYCL DEF 14 is missing or does not end");
             return false;
         }
         Label l{name, contour_of(run, *all, elements), side_of(*all)};
+        say_other_side(run, *all, l.side);
         if (!is_known(l.contour)) {
             unchecked(run, codes::unknown_value, run.here(),
                       "the contour of label " + name + " depends on a value that is not known: the cycle is not run");

@@ -51,7 +51,8 @@ public:
         const bool label = p.label != program::no_expr;
         const Unit* unit = label ? c.unit : find_named_program(run_, name, p.where);
         if (unit == nullptr) return fail();
-        const auto elements = label ? elements_of_label(run_, *unit, name) : elements_of_program(run_, *unit);
+        const auto elements =
+            (label ? elements_of_label(run_, *unit, name) : elements_of_program(run_, *unit)).said(run_);
         if (!elements) return alarm("is missing or does not end", label, name, p);
         const geom::Contour contour = contour_of(run_, *elements, elements_);
         if (!is_known(contour))

@@ -1,6 +1,7 @@
 /// Numbered parameters that the control itself sets while a program runs (program::Traits::set_by_control).
 
 #include <algorithm>
+#include <cmath>
 #include <limits>
 
 #include "interp/run.hpp"
@@ -19,7 +20,7 @@ bool no_tool(const Run& run) {  // TOOL CALL 0
 
 double spindle_state(const SpindleState& s) {
     if (s.direction != 0) return s.direction > 0 ? 0 : 1;
-    return s.last == 0 ? -1 : s.last > 0 ? 2 : 3;
+    return s.last == 0 ? unknown : s.last > 0 ? 2 : 3;  // which sense it had before the program: not known
 }
 
 void write(Run& run, const program::ControlParameter& p, double v) {
@@ -60,10 +61,13 @@ double gauge_length(const Run& run) {
 double control_value(const Run& run, ControlValue v) {
     switch (v) {
         case ControlValue::tool_radius: return active_radius(run);
-        case ControlValue::tool_length: return active_length(run);
-        case ControlValue::tool_axis: return run.modal.plane == 17 ? 2 : run.modal.plane == 18 ? 1 : 0;
+        case ControlValue::tool_length: return gauge_length(run);
+        case ControlValue::tool_axis:
+            if (!run.tool.known) return unknown;
+            return run.modal.plane == 17 ? 2 : run.modal.plane == 18 ? 1 : 0;
         case ControlValue::spindle_state: return spindle_state(run.spindle);
-        case ControlValue::coolant_state: return run.coolant_on ? 1 : 0;
+        case ControlValue::coolant_state:
+            return !run.modal.mist_said && !run.modal.flood_said ? unknown : run.coolant_on ? 1 : 0;
         case ControlValue::tilted_a: return run.tilted_axes[0];
         case ControlValue::tilted_b: return run.tilted_axes[1];
         case ControlValue::tilted_c: return run.tilted_axes[2];
@@ -88,8 +92,12 @@ void control_sets(Run& run, std::initializer_list<ControlValue> which) {
 }
 
 void control_sets_all(Run& run) {
-    for (const program::ControlParameter& p : run.traits->set_by_control)
-        write(run, p, p.value == ControlValue::tool_axis ? -1 : value_of(run, p.value));
+    for (const program::ControlParameter& p : run.traits->set_by_control) {
+        const double v = value_of(run, p.value);
+        if (std::isnan(v) && p.number < run.parameters.count() && run.parameters.is_set(p.number))
+            continue;  // by the job
+        write(run, p, v);
+    }
 }
 
 }  // namespace obrys::interp

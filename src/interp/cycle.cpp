@@ -9,6 +9,7 @@
 #include "cycles/cycle.hpp"
 #include "cycles/names.hpp"
 #include "cycles/turning.hpp"
+#include "interp/complaints.hpp"
 #include "interp/contour_cycle.hpp"
 #include "interp/cycle_call.hpp"
 
@@ -163,7 +164,6 @@ std::optional<cycles::Expansion> expansion(Run& run, const ActiveCycle& c, const
 }  // namespace
 
 void report(Run& run, const ActiveCycle& c, const std::vector<cycles::Complaint>& complaints) {
-    if (run.capture != nullptr) return;
     for (const cycles::Complaint& k : complaints) {
         base::Span where = run.here();
         for (const CycleSetting& s : c.definition->settings)
@@ -176,7 +176,7 @@ void report(Run& run, const ActiveCycle& c, const std::vector<cycles::Complaint>
                            run.stacks.sites(run.top().stack),
                            {}};
         if (!(where == run.here())) d.related.push_back({run.here(), "called here"});
-        run.diagnostics.add(std::move(d));
+        raise(run, std::move(d));
     }
 }
 
@@ -188,7 +188,7 @@ bool not_run_for_unknown(Run& run, const ActiveCycle& c, const cycles::Expansion
     const bool all = std::all_of(e.complaints.begin(), e.complaints.end(), [](const cycles::Complaint& k) {
         return !k.fatal && !k.role && k.text.find("not known") != std::string::npos;
     });
-    if (!all || run.capture != nullptr) return false;
+    if (!all) return false;
     for (const cycles::Complaint& k : e.complaints)
         unchecked(run, codes::unknown_value, run.here(), c.definition->name + " is not run: " + k.text,
                   k.remedy.empty() ? "give it in the job; what a tool has, in its [[tool]]" : k.remedy);
@@ -308,6 +308,15 @@ void call_cycle(Run& run, const CycleValues& instead) {
     }
     const ActiveCycle c = run.cycle;
     if (c.definition->kind == program::CycleKind::program_call) return call_program_of(run, c);
+    if (run.look != Look::no) return;  // the others make no elements of a contour
+    if (run.modal.compensation != Modal::compensation_off)
+        unchecked(
+            run, codes::unsupported, run.here(),
+            c.definition->name +
+                " is called with radius compensation in force: where the control goes then is not known, it is run "
+                "at the programmed point",
+            "position with R0 before the call");
+    if (run.spindle.doubtful) judge_stop(run);
     flush_path(run);
     begin_cycle(run, c);
     const bool known = cycles::is_expanded(c.definition->kind) || cycles::is_contour_cycle(c.definition->kind);

@@ -66,12 +66,14 @@ void select_preset(Run& run, const program::CycleDefinition& c, double n) {
     run.modal.datum_offset = {};
     const std::uint32_t datum = run.traits->datum.first + base::clipped<std::uint32_t>(n, 0, 99'999);
     const auto& known = run.env.machine.datums;
-    if (known.lower_bound(run.traits->datum.first) != known.end() && !known.contains(datum))
+    const bool unknown = known.lower_bound(run.traits->datum.first) != known.end() && !known.contains(datum);
+    if (unknown)
         unchecked(run, codes::unknown_value, c.where,
                   "preset " + printed(Value::real(n)) + " is not known, though others are: where it lies is not known",
                   "add it to the preset table, or give it in [datum] of the job");
     if (datum != run.modal.datum) run.modal.datum_before = datum_origin(run);
     set_datum(run, datum);
+    run.datum_complained = run.datum_complained || unknown;
     keep_plane_alone(run);
 }
 

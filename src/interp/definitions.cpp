@@ -56,6 +56,23 @@ void allocate(Run& run, Array& array, const program::Variable& v, bool global) {
 
 }  // namespace
 
+namespace {
+
+constexpr double usual_text = 200, longest_text = 10'000;
+
+/// n of STRING[n]; nothing behind an alarm.
+std::optional<std::size_t> text_length(Run& run, const program::Define& d, const Unit& unit) {
+    const double n = known_or(number(run, d.string_length), usual_text);
+    if (run.stopped) return std::nullopt;
+    if (const auto whole = base::whole<std::size_t>(n, 1, static_cast<std::size_t>(longest_text))) return whole;
+    alarm(run, codes::value_range, unit.span(d.string_length),
+          "a text cannot have " + printed(Value::real(n)) + " characters here",
+          "STRING[n] takes whole numbers from 1 to " + printed(Value::real(longest_text)));
+    return std::nullopt;
+}
+
+}  // namespace
+
 void define(Run& run, const program::Define& d, Scope& scope, const Unit& unit) {
     for (const program::Variable& v : d.variables) {
         const Binding* known = scope.find(v.name);
@@ -66,8 +83,11 @@ void define(Run& run, const program::Define& d, Scope& scope, const Unit& unit) 
         }
         auto array = std::make_shared<Array>();
         array->type = d.type;
-        if (d.string_length != program::no_expr)
-            array->string_length = base::clipped<std::size_t>(known_or(number(run, d.string_length), 200), 0, 10'000);
+        if (d.string_length != program::no_expr) {
+            const auto length = text_length(run, d, unit);
+            if (!length) return;
+            array->string_length = *length;
+        }
         double total = 1;
         for (std::size_t k = 0; k < 3 && v.dimensions[k] != program::no_expr; ++k) {
             const double n = number(run, v.dimensions[k]);

@@ -53,7 +53,8 @@ namespace {
 void say_foreign_datum(Run& run) {
     const auto& known = run.env.machine.datums;
     const bool numbered = run.traits->datum.none_is_machine_zero && run.traits->datum.first == 0;
-    if (!numbered || known.empty() || known.contains(run.reference_datum) || run.env.stored != nullptr) return;
+    if (keeps_offsets(run) ? is_datum_given(run) : !numbered) return;
+    if (known.empty() || known.contains(run.reference_datum) || run.env.stored != nullptr) return;
     const std::string active = program::datum_name(*run.traits, run.reference_datum);
     unchecked(run, codes::unknown_value, run.here(),
               "the program moves in " + active + ", which the job does not give, though it gives " +

@@ -113,16 +113,18 @@ std::uint32_t nearest(const std::vector<std::uint32_t>& at, std::uint32_t here, 
     return at.empty() ? program::no_target : at.front();
 }
 
-/// Statements that carry block number `n`; looked for in the text only when a program jumps there.
+/// Statements that carry block number `n`; the text is gone through when a program first jumps to a computed one.
 std::vector<std::uint32_t> numbered_blocks(const Run& run, std::int64_t n) {
-    std::vector<std::uint32_t> at;
+    const auto [unit, added] = run.block_numbers.try_emplace(&run.unit());
+    auto& index = unit->second;
     const auto& statements = run.unit().statements;
-    for (std::uint32_t i = 0; i < statements.size(); ++i) {
+    for (std::uint32_t i = 0; added && i < statements.size(); ++i) {
         if ((statements[i].flags & program::line_start) == 0) continue;
-        const auto number = run.env.sources.block_number(run.unit().file, statements[i].begin);
-        if (number && *number == n) at.push_back(i);
+        if (const auto number = run.env.sources.block_number(run.unit().file, statements[i].begin))
+            index[*number].push_back(i);
     }
-    return at;
+    const auto found = index.find(n);
+    return found == index.end() ? std::vector<std::uint32_t>{} : found->second;
 }
 
 }  // namespace
@@ -308,6 +310,7 @@ bool run_plain(Run& run, const Statement& s, std::uint32_t index) {
 
 void run_statement(Run& run, const Statement& s, std::uint32_t index) {
     const Unit& unit = run.unit();
+    if (run.look > Look::next_element && say_foreign_statement(run, s)) return;
     if (run_plain(run, s, index)) return;
     const auto table = static_cast<std::size_t>(unit.words[s.first].payload);
     switch (s.kind) {

@@ -218,6 +218,35 @@ Value file_exists(const Arguments& a) {
     return Value::unknown();
 }
 
+/// EXISTS of #<_ini[section]key>: known where the control's settings are at hand.
+std::optional<bool> setting_exists(const Run& run, std::string_view text) {
+    constexpr std::string_view before = "#<_INI[";
+    const auto close = text.find(']');
+    const auto* settings = run.env.settings;
+    if (!text.starts_with(before) || close == std::string_view::npos || settings == nullptr || settings->empty())
+        return std::nullopt;
+    const std::string section(text.substr(before.size(), close - before.size()));
+    return settings->contains(section + "/" + std::string(text.substr(close + 1, text.size() - close - 2)));
+}
+
+/// TRUE for what program, job or files here define. What else the control has is not known, but for names that programs
+/// make themselves (Traits::variables_by_assignment).
+Value variable_exists(const Arguments& a) {
+    Run& run = a.run;
+    const std::string text = base::to_upper(base::trim(a.text(0)));
+    if (run.stopped || a.unknown) return Value::unknown(Type::boolean);
+    const std::string bare = text.substr(0, text.find('['));
+    const bool numbered = program::find_parameter(*run.traits, bare) < run.parameters.count();
+    if (numbered || find_variable(run, run.env.names.id(bare)) != nullptr || given_value(run, text) ||
+        run.env.machine.machine_data.contains(bare))
+        return Value::boolean(true);
+    if (run.traits->variables_by_assignment && !text.starts_with('#')) return Value::boolean(false);
+    if (const auto known = setting_exists(run, text)) return Value::boolean(*known);
+    unchecked(run, codes::unknown_value, a.whole(),
+              "whether " + text + " exists on the control is not known: nothing here defines it", given_remedy(text));
+    return Value::unknown(Type::boolean);
+}
+
 Value text_number(const Arguments& a) {
     const std::string text = a.text(0);
     const auto v = number_in(a.run, text);
@@ -339,11 +368,7 @@ Value call_function(Run& run, const Expr& e) {
             if (v.is_unknown()) return Value::unknown(Type::frame);
             return Value::of_frame(geom::is_invertible(v.as_frame()) ? geom::inverse(v.as_frame()) : geom::Frame{});
         }
-        case Function::is_variable: {
-            const std::string text = base::to_upper(a.text(0));
-            if (a.unknown) return Value::unknown(Type::boolean);
-            return Value::boolean(find_variable(run, run.env.names.id(text)) != nullptr);
-        }
+        case Function::is_variable: return variable_exists(a);
         case Function::is_axis: {
             const double n = a[0];
             if (a.unknown) return Value::unknown(Type::boolean);

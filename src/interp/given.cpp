@@ -1,6 +1,7 @@
 /// What the job gives for variables that no program at hand sets.
 
 #include <algorithm>
+#include <set>
 
 #include "base/codes.hpp"
 #include "base/number.hpp"
@@ -109,9 +110,49 @@ std::string_view bare_name(std::string_view key) {
     return key.substr(0, key.find('['));
 }
 
+/// Whether the control has a variable that is written so, by the form of its name.
+bool is_name_of_control(const program::Traits& t, std::string_view key) {
+    const bool in_angles = key.starts_with("#<") && key.ends_with('>');
+    switch (t.named_variables) {
+        case program::NamedVariables::plain: return !key.starts_with('#');
+        case program::NamedVariables::in_angles: return in_angles;
+        case program::NamedVariables::none: break;
+    }
+    const bool text = !t.text_letters.empty() && key.starts_with(t.text_letters);
+    return text && base::parse_integer(key.substr(t.text_letters.size()));
+}
+
+/// "#7" for R7: the number as this control writes it; else its names by an example.
+std::string nearest_variable(const program::Traits& t, std::string_view key) {
+    const std::size_t digits = std::min(key.find_first_of("0123456789"), key.size());
+    const auto number = base::parse_integer(key.substr(digits));
+    const std::string letters(t.banks[0].letters);
+    if (number && *number >= 0 && *number < t.banks[0].count) return letters + std::to_string(*number);
+    return letters + "1, " + letters + "2 …" +
+           (t.named_variables == program::NamedVariables::in_angles ? " or #<name>" : "");
+}
+
+/// What the job says of a variable that the control cannot have is a slip of the pen.
+void refuse_foreign_keys(Run& run) {
+    std::set<std::string_view> said;  // of an array one element
+    for (const auto& [key, g] : run.env.variables) {
+        const std::string_view bare = std::string_view(key).substr(0, key.ends_with(']') ? key.find('[') : key.size());
+        const bool numbered = program::find_parameter(*run.traits, bare) < run.parameters.count();
+        const bool foreign = !numbered && !is_name_of_control(*run.traits, bare);
+        if ((!foreign && (!numbered || bare == key)) || !said.insert(bare).second) continue;
+        if (foreign)
+            refuse(run, g, std::string(bare) + " is no variable of this control",
+                   "write " + nearest_variable(*run.traits, bare) + ", as the program writes it");
+        else
+            refuse(run, g, std::string(bare) + " is one number: it has no elements");
+    }
+}
+
 }  // namespace
 
 void take_given(Run& run) {
+    refuse_foreign_keys(run);
+    if (run.stopped) return;
     if (run.env.stored != nullptr)
         for (const auto& [n, v] : *run.env.stored)
             if (n < run.parameters.count()) run.parameters.set_by_control(n, v);

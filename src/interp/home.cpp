@@ -36,13 +36,27 @@ void emit_other_axis(Run& run, std::size_t k, double to) {
     emit(run, axis_record(name, to, is_rotary(k), false));
 }
 
+/// Bare G28 moves the axes that the machine has.
+bool is_absent(const Run& run, std::size_t axis) {
+    const shop::Machine& m = run.env.machine;
+    return !m.axes.empty() && !m.more_axes && machine_axis(run, axis_name(axis)) == nullptr;
+}
+
+std::string unknown_axes(const geom::Vec3& to) {
+    std::string names;
+    for (int k = 0; k < 3; ++k)
+        if (!std::isfinite(coordinate(to, k)))
+            names += (names.empty() ? "" : ", ") + axis_name(static_cast<std::size_t>(k));
+    return names;
+}
+
 /// To the stored position with those axes that are named, or with all.
 void to_home(Run& run, bool all) {
     const Offsets& o = run.offsets;
     geom::Vec3 to = run.position;
     const Axes& tip = tip_in_use(o);
     for (std::size_t k = 0; k < 9; ++k) {
-        if (!all && !run.block.has(axis_code(static_cast<int>(k)))) continue;
+        if (all ? is_absent(run, k) : !run.block.has(axis_code(static_cast<int>(k)))) continue;
         const double home = home_of(run, k);
         if (k < 3)
             coordinate(to, static_cast<int>(k)) = home - o.reference[k] - tip[k];
@@ -51,11 +65,13 @@ void to_home(Run& run, bool all) {
     }
     if (!geom::is_finite(to))
         assume(run, run.here(),
-               "the home position is not known in the workpiece frame: moves to and from it are simulated as far as "
-               "they are known",
+               "the home position of " + unknown_axes(to) +
+                   " is not known in the workpiece frame: moves to and from it are simulated as far as "
+                   "they are known",
                "give home of the axes in the machine file and the zero offset in [datum] of the job, or the parameter "
                "file of the control");
     run.offsets.lost = run.offsets.lost || !geom::is_finite(to);
+    if (geom::is_finite(to)) emit_datum(run);  // it is a place in that frame
     run.position = to;
     run.programmed_position = geom::apply(geom::inverse(run.frame), to);
     emit(run, cl::Linear{to, run.tool_axis, true});

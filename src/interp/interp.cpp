@@ -7,6 +7,7 @@
 #include "base/number.hpp"
 #include "base/text.hpp"
 #include "base/whole.hpp"
+#include "interp/capture.hpp"
 #include "interp/path_stage.hpp"
 
 namespace obrys::interp {
@@ -16,16 +17,6 @@ namespace codes = base::codes;
 namespace {
 
 constexpr double unknown = std::numeric_limits<double>::quiet_NaN();
-
-bool first_report(Run& run, std::string_view code, const base::Span& where) {
-    std::uint64_t key = std::hash<std::string_view>{}(code);
-    key ^= (std::uint64_t{where.file} << 40) ^ (std::uint64_t{where.begin} << 8);
-    return run.reported.insert(key).second;
-}
-
-std::vector<base::Span> stack_of(const Run& run) {
-    return run.calls.empty() ? std::vector<base::Span>{} : run.stacks.sites(run.calls.back().stack);
-}
 
 /// The coordinates the machine starts with: unknown, except axes a lathe or mill does not have.
 geom::Vec3 start_position(const shop::Machine& machine) {
@@ -110,7 +101,8 @@ bool over_budget(Run& run, bool check_clock) {
     const shop::Budgets& b = run.env.budgets;
     const double seconds =
         check_clock ? std::chrono::duration<double>(std::chrono::steady_clock::now() - run.started).count() : 0;
-    if (run.blocks <= b.blocks && seconds <= b.seconds) return false;
+    run.out_of_time = run.out_of_time || seconds > b.seconds;
+    if (run.blocks <= b.blocks && !run.out_of_time) return false;
     const std::string limit =
         run.blocks > b.blocks ? std::to_string(b.blocks) + " blocks" : base::shortest(b.seconds) + " s";
     unchecked(run, codes::budget, run.here(), "the run was ended here after " + limit,
@@ -148,15 +140,12 @@ void end_of_section(Run& run) {
 }  // namespace
 
 Run::Run(const Environment& e, cl::CallStacks& s, cl::Sink k, base::Diagnostics& d, std::uint32_t parameter_count)
-    : env(e),
+    : RunState(e.tools, parameter_count, start_position(e.machine)),
+      env(e),
+      started(std::chrono::steady_clock::now()),
       stacks(s),
       sink(k),
-      diagnostics(d),
-      parameters(parameter_count),
-      tools(e.tools),
-      position(start_position(e.machine)),
-      programmed_position(position),
-      started(std::chrono::steady_clock::now()) {
+      diagnostics(d) {
     path = std::make_unique<PathStage>();
     for (const shop::MachineAxis& axis : e.machine.axes)
         for (int i = 0; i < 9; ++i)
@@ -169,57 +158,18 @@ Run::Run(const Environment& e, cl::CallStacks& s, cl::Sink k, base::Diagnostics&
 
 Run::~Run() = default;
 
-namespace {
-
-/// True where nobody is to hear of it now; it is kept for who asked.
-bool silenced(Run& run, base::Severity severity, std::string_view code, const base::Span& where, std::string& text,
-              std::string& remedy) {
-    if (run.capture == nullptr) return false;
-    if (run.silenced != nullptr)
-        run.silenced->push_back({severity, code, where, std::move(text), std::move(remedy), {}, {}});
-    return true;
-}
-
-}  // namespace
-
-void alarm(Run& run, std::string_view code, const base::Span& where, std::string text, std::string remedy) {
-    if (run.stopped) return;
-    run.stopped = true;
-    run.ending = Ending::alarm;
-    if (silenced(run, base::Severity::error, code, where, text, remedy)) return;
-    run.diagnostics.add({base::Severity::error, code, where, std::move(text), std::move(remedy), stack_of(run), {}});
-}
-
-void unchecked(Run& run, std::string_view code, const base::Span& where, std::string text, std::string remedy) {
-    run.block.complained = true;
-    if (run.stopped || silenced(run, base::Severity::warning, code, where, text, remedy)) return;
-    if (!first_report(run, code, where)) return;
-    run.diagnostics.add({base::Severity::warning, code, where, std::move(text), std::move(remedy), stack_of(run), {}});
-}
-
-void unchecked_once(Run& run, std::string_view code, const base::Span& where, std::string text, std::string remedy) {
-    run.block.complained = true;
-    if (run.capture == nullptr && run.assumed.insert(text).second)
-        unchecked(run, code, where, std::move(text), std::move(remedy));
-}
-
-void assume(Run& run, const base::Span& where, std::string text, std::string remedy) {
-    if (silenced(run, base::Severity::note, codes::assumption, where, text, remedy)) return;
-    if (!run.assumed.insert(text).second) return;
-    run.diagnostics.add(
-        {base::Severity::note, codes::assumption, where, std::move(text), std::move(remedy), stack_of(run), {}});
-}
-
 void step(Run& run) {
     Activation& act = run.top();
     while (!act.sections.empty() && act.pc == act.sections.back().last + 1 && !run.stopped) end_of_section(run);
     if (run.stopped) return;
     if (act.pc >= act.unit->statements.size()) {
-        const bool due = run.calls.size() == 1 || act.unit->startable;
-        if (due && !act.unit->unended.empty()) return refuse_end(run);
+        const bool due = run.calls.size() == 1 || act.unit->startable || run.traits->text_may_end;
+        if (due && !act.is_text && !act.unit->unended.empty()) refuse_end(run);
+        if (run.stopped) return;
         leave(run);
         return;
     }
+    if (act.pc == 0 && !act.is_text && !act.unit->unbegun.empty()) say_missing_beginning(run);
     const std::uint32_t index = act.pc++;
     const program::Statement& s = act.unit->statements[index];
     run.statement = &s;
@@ -227,9 +177,8 @@ void step(Run& run) {
         if ((s.flags & program::line_start) != 0) ++run.blocks;
         if (skipped(run, s)) return;
     }
-    if ((run.blocks & 0xFFFF) == 0 || run.blocks > run.env.budgets.blocks) {
-        if (over_budget(run, (run.blocks & 0xFFFF) == 0)) return;
-    }
+    const bool look = (++run.steps & 0xFF) == 0;
+    if ((look || run.out_of_time || run.blocks > run.env.budgets.blocks) && over_budget(run, look)) return;
     run_statement(run, s, index);
 }
 
@@ -256,8 +205,14 @@ Outcome run(const program::Unit& main, const Environment& environment, cl::CallS
     enter(run, main, nullptr, {});
     if (!run.unit().statements.empty()) run.statement = run.unit().statements.data();
     begin_telling(run);
+    begin_said(run);
     if (environment.first_tool != 0) begin_with_tool(run, environment.first_tool);
     control_sets_all(run);
+    if (environment.looked_ahead_in_vain != 0)
+        while (!run.stopped) {
+            look_ahead_in_vain(run, environment.looked_ahead_in_vain);
+            step(run);
+        }
     while (!run.stopped) step(run);
     flush_path(run);
     Outcome outcome{run.ending, run.blocks, {}, {run.entered.begin(), run.entered.end()}, std::move(run.overrides_met)};

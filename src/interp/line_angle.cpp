@@ -27,7 +27,7 @@ bool not_determined(Run& run, bool both) {
 
 /// The second of two lines: it must lie at its angle, which the corner of the first one has seen to.
 bool lies_at_angle(Run& run, const Vec3& to, const PlaneAxes& axes, double angle) {
-    if (run.capture != nullptr) return true;
+    if (run.look == Look::next_element) return true;
     const Vec2 step = in_plane(to, axes) - in_plane(run.programmed_position, axes), d = along(angle);
     const double off = std::abs(geom::cross(d, step));
     if (geom::dot(d, step) > 0 && off < 1e-6 + 1e-6 * geom::length(step)) return true;
@@ -37,7 +37,7 @@ bool lies_at_angle(Run& run, const Vec3& to, const PlaneAxes& axes, double angle
 /// The first of two lines: its end is where it meets the second one.
 bool to_corner(Run& run, Vec3& to, const PlaneAxes& axes, double angle) {
     const Vec2 from = in_plane(run.programmed_position, axes), d1 = along(angle);
-    if (run.capture != nullptr) {  // looked at as the next line of another one: it has a direction and no end
+    if (run.look == Look::next_element) {  // looked at as the next line of another one: it has a direction and no end
         coordinate(to, axes.u) = from.x + d1.x;
         coordinate(to, axes.v) = from.y + d1.y;
         return true;

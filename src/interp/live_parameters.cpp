@@ -30,16 +30,19 @@ double axis_value(const Run& run, std::size_t axis, bool machine) {
     return in_program_unit(run, axis, at);
 }
 
-/// The program has not yet said which tool is in the spindle.
-bool tool_unknown(const Run& run) {
-    return run.tool.number == 0 && run.tool.edge == 0 && run.tool.name.empty() && !run.env.tell_settings;
+/// Machine coordinates count from the machine's zero: how far the workpiece lies from it must be known.
+double machine_value(const Run& run, std::size_t axis) {
+    const bool placed = !keeps_offsets(run) || axis >= 3 || (run.datum_known && is_datum_given(run, axis));
+    return placed ? axis_value(run, axis, true) : unknown;
 }
 
 double table_column(const Run& run, std::size_t column) {
     const shop::Tool* t = run.tool.data;
-    if (tool_unknown(run)) return unknown;
+    if (!run.tool.known) return unknown;
     if (column == 0) return run.tool.number;
-    if (t == nullptr) return run.tools.empty() && run.tool.number != 0 ? unknown : column == 10 ? 0 : 0;
+    if (t == nullptr) return run.tools.empty() && run.tool.number != 0 ? unknown : 0;
+    const bool listed = t->table.has_value() || run.env.tell_settings;  // else 0 says that nobody gave it
+    if (!listed && ((column == 3 && t->length == 0) || (column == 10 && t->radius == 0))) return unknown;
     if (column == 3) return in_program_unit(run, 2, t->length);
     if (column == 10) return in_program_unit(run, 1, 2 * t->radius);
     if (!t->table) return 0;
@@ -96,29 +99,33 @@ double mode(const Run& run, StateQuery q) {
     }
 }
 
+/// What nobody has said the control holds from before.
+double if_said(bool said, double v) { return said ? v : unknown; }
+
 double state(const Run& run, StateQuery q) {
     if (q >= StateQuery::x && q <= StateQuery::w)
         return axis_value(run, static_cast<std::size_t>(q) - static_cast<std::size_t>(StateQuery::x), false);
     if (q >= StateQuery::machine_x && q <= StateQuery::machine_w)
-        return axis_value(run, static_cast<std::size_t>(q) - static_cast<std::size_t>(StateQuery::machine_x), true);
+        return machine_value(run, static_cast<std::size_t>(q) - static_cast<std::size_t>(StateQuery::machine_x));
     switch (q) {
         case StateQuery::line: return run.env.sources.position(run.unit().file, run.here().begin).line;
         case StateQuery::version_major: return 2.9;
         case StateQuery::version_minor: return 0;
         case StateQuery::tool_offset: return run.offsets.tool == Axes{} ? 0 : 1;
-        case StateQuery::spindle_on: return run.spindle.direction != 0 ? 1 : 0;
-        case StateQuery::spindle_clockwise: return run.spindle.direction > 0 ? 1 : 0;
-        case StateQuery::mist: return run.mist ? 1 : 0;
-        case StateQuery::flood: return run.flood ? 1 : 0;
+        case StateQuery::spindle_on: return if_said(run.spindle.direction_known, run.spindle.direction != 0 ? 1 : 0);
+        case StateQuery::spindle_clockwise:
+            return if_said(run.spindle.direction_known, run.spindle.direction > 0 ? 1 : 0);
+        case StateQuery::mist: return if_said(run.modal.mist_said, run.mist ? 1 : 0);
+        case StateQuery::flood: return if_said(run.modal.flood_said, run.flood ? 1 : 0);
         case StateQuery::speed_override: return run.overrides.speed ? 1 : 0;
         case StateQuery::feed_override: return run.overrides.feed ? 1 : 0;
         case StateQuery::adaptive_feed: return 0;
         case StateQuery::feed_hold: return run.overrides.hold ? 1 : 0;
-        case StateQuery::feed: return run.feed_valid ? run.feed_number : 0;
-        case StateQuery::speed: return run.spindle.speed;
-        case StateQuery::current_tool: return tool_unknown(run) ? unknown : run.tool.number;
-        case StateQuery::selected_tool: return run.tool.prepared;
-        case StateQuery::is_task:
+        case StateQuery::feed: return if_said(run.modal.feed_said, run.feed_valid ? run.feed_number : 0);
+        case StateQuery::speed: return if_said(run.spindle.speed_known, run.spindle.speed);
+        case StateQuery::current_tool: return if_said(run.tool.known, run.tool.number);
+        case StateQuery::selected_tool: return if_said(run.tool.selected.has_value(), run.tool.prepared);
+        case StateQuery::is_task: return if_said(run.env.tell_settings, 0);  // 1 on the machine, 0 in its preview
         case StateQuery::remap_level: return 0;
         case StateQuery::call_level: return static_cast<double>(run.calls.size()) - 1;
         default: return mode(run, q);
@@ -126,7 +133,9 @@ double state(const Run& run, StateQuery q) {
 }
 
 const program::LiveParameters* live_range(const Run& run, std::uint32_t n) {
-    for (const program::LiveParameters& l : run.traits->live)
+    const auto& live = run.traits->live;
+    if (live.empty() || n < live.front().first) return nullptr;  // the lowest stands first
+    for (const program::LiveParameters& l : live)
         if (n >= l.first && n < l.first + l.count) return &l;
     return nullptr;
 }
@@ -137,17 +146,58 @@ double known_live_value(const Run& run, SystemVariable v, double index) {
     switch (v) {
         case SystemVariable::state: return state(run, static_cast<StateQuery>(base::clipped<int>(index, 0, 99'999)));
         case SystemVariable::coordinate: return axis_value(run, axis, false);
-        case SystemVariable::machine_coordinate: return axis_value(run, axis, true);
+        case SystemVariable::machine_coordinate: return machine_value(run, axis);
         case SystemVariable::tool_table_column: return table_column(run, base::clipped<std::size_t>(index, 0, 13));
         default: return unknown;
     }
 }
 
-/// `name`: of a numbered parameter that the job can give; empty: it cannot.
-double report_unknown(Run& run, const std::string& name, const base::Span& where) {
-    unchecked(run, codes::unknown_value, where, "what this parameter of the control holds is not known here",
-              "what is computed from it is unknown too" + (name.empty() ? "" : "; " + given_remedy(name)));
+/// Why it is not known, and what of the job tells it besides [variables].
+struct Unknown {
+    const char* why = "what this parameter of the control holds is not known here";
+    std::string also{};
+};
+
+Unknown why_unknown(const Run& run, SystemVariable v, double index) {
+    constexpr const char* first_tool = "; first_tool of the job tells it";
+    if (v == SystemVariable::tool_table_column && !run.tool.known) return {no_tool_said, first_tool};
+    if (v == SystemVariable::machine_coordinate && keeps_offsets(run))
+        return {.also = "; give " + program::datum_phrase(*run.traits, run.modal.datum) + " in [datum] of the job"};
+    if (v != SystemVariable::state) return {};
+    switch (static_cast<StateQuery>(base::clipped<int>(index, 0, 255))) {
+        case StateQuery::current_tool:
+        case StateQuery::selected_tool: return {no_tool_said, first_tool};
+        case StateQuery::feed: return {"no F stands before it, and the control keeps the last one it had"};
+        case StateQuery::speed: return {"no S stands before it, and the control keeps the last one it had"};
+        case StateQuery::spindle_on:
+        case StateQuery::spindle_clockwise: return {"whether the spindle turns when the program begins is not known"};
+        case StateQuery::mist:
+        case StateQuery::flood: return {"whether coolant is on when the program begins is not known"};
+        case StateQuery::is_task: return {"it is 1 where the machine runs the program, and 0 in its preview"};
+        default: return {};
+    }
+}
+
+/// `name`: of a parameter that the job can give; empty: it cannot.
+double report_unknown(Run& run, const std::string& name, const base::Span& where, const Unknown& u) {
+    unchecked(run, codes::unknown_value, where, u.why,
+              "what is computed from it is unknown too" + u.also +
+                  (name.empty() ? "" : "; " + given_remedy(name)));
     return unknown;
+}
+
+/// The group of the words that say a state; nothing: a control begins as obrys does.
+std::optional<program::ModalGroup> group_of(StateQuery q) {
+    using program::ModalGroup;
+    switch (q) {
+        case StateQuery::motion_mode: return ModalGroup::motion;
+        case StateQuery::plane: return ModalGroup::plane;
+        case StateQuery::absolute: return ModalGroup::dimension;
+        case StateQuery::imperial: return ModalGroup::unit;
+        case StateQuery::coordinate_system: return ModalGroup::datum;
+        case StateQuery::feed_per_rev: return ModalGroup::feed;
+        default: return std::nullopt;
+    }
 }
 
 }  // namespace
@@ -175,12 +225,39 @@ double live_parameter(Run& run, std::uint32_t n, const base::Span& where) {
     const double shown = known_live_value(run, l->value, index);
     if (!std::isnan(shown)) return shown;
     if (run.parameters.is_set(n)) return run.parameters.get(n);  // the job gives it
-    return report_unknown(run, program::parameter_name(*run.traits, n), where);
+    return report_unknown(run, program::parameter_name(*run.traits, n), where, why_unknown(run, l->value, index));
 }
 
-Value live_value(Run& run, SystemVariable v, double index, const base::Span& where) {
+Value live_value(Run& run, SystemVariable v, double index, const std::string& name, const base::Span& where) {
     const double result = known_live_value(run, v, index);
-    return Value::real(std::isnan(result) ? report_unknown(run, {}, where) : result);
+    if (!std::isnan(result)) return Value::real(result);
+    const std::string key = name.starts_with('#') ? name : std::string{};
+    if (auto given = given_value(run, key)) return *given;
+    return Value::real(report_unknown(run, key, where, why_unknown(run, v, index)));
+}
+
+bool is_said(const Run& run, program::ModalGroup group) {
+    if (run.env.tell_settings) return true;  // LinuxCNC's own interpreter begins with what it prints
+    const bool speed = group == program::ModalGroup::feed && run.modal.speed_word != 0;  // G96 and G97 are of it, too
+    return speed || (run.modal.groups_said >> static_cast<unsigned>(group) & 1u) != 0;
+}
+
+std::optional<double> code_in_force(const Run& run, StateQuery q, double yes, double no) {
+    const bool surface = q == StateQuery::spindle_surface_mode;
+    if (const auto group = group_of(q); surface ? run.modal.speed_word == 0 : group && !is_said(run, *group))
+        return std::nullopt;
+    const double v = mode(run, q);
+    if (std::isnan(v)) return std::nullopt;
+    if (q == StateQuery::feed_per_rev && run.modal.feed_mode == cl::FeedMode::inverse_time) return 93;
+    if (yes == 0) return v / 10;  // queries count G numbers times ten
+    return v != 0 ? yes : no;
+}
+
+void begin_said(Run& run) {
+    if (!run.env.tell_settings) return;
+    run.tool.known = run.tool.edge_known = run.spindle.speed_known = run.spindle.direction_known = true;
+    run.tool.selected = 0;
+    run.modal.feed_said = run.modal.mist_said = run.modal.flood_said = true;
 }
 
 }  // namespace obrys::interp

@@ -47,6 +47,31 @@ bool goes_home(const Run& run) {
     return run.modal.motion == Modal::rapid;
 }
 
+/// mm below an axis' home that a retract along the tool may end: `L Z-10 FMAX M91`, SUPA Z-5.
+constexpr double near_home = 50;
+
+/// A mill goes away from the workpiece at rapid: along its tool alone, up to about home, or beside it. Whether such a
+/// way along X and Y meets the stock the check says by the height that is known.
+bool goes_away(const Run& run) {
+    if (run.env.machine.kind != shop::MachineKind::mill || run.modal.motion != Modal::rapid) return false;
+    const int w = plane_axes(run.modal.plane).w;
+    geom::Vec3 upright;
+    coordinate(upright, w) = 1;
+    if (!(run.tool_axis == upright)) return false;  // along Z is not along the tool
+    bool along = false, beside = false;
+    for (int k = 0; k < 3; ++k) {
+        if (!run.block.has(axis_code(k))) continue;
+        (k == w ? along : beside) = true;
+        if (std::isnan(run.block.peek(axis_code(k)))) return false;
+    }
+    if (!along) return beside;
+    const shop::MachineAxis* axis = machine_axis(run, axis_name(static_cast<std::size_t>(w)));
+    const double home = axis != nullptr && axis->home ? *axis->home : 0;
+    const Code code = axis_code(w);
+    return !beside && !is_incremental(run, run.block.ref(code)) &&
+           run.block.peek(code) * word_factor(run, w, run.block.ref(code)) >= home - near_home;
+}
+
 void unknown_machine_position(Run& run) {
     bool known = run.env.machine.datums.contains(run.reference_datum) || (keeps_offsets(run) && run.datum_known);
     for (int k = 0; k < 3 && known; ++k) known = !run.block.has(axis_code(k)) || !std::isnan(ahead(run, k));
@@ -56,6 +81,12 @@ void unknown_machine_position(Run& run) {
                       "machine coordinate 0 is taken as the home of its axis, away from the workpiece: where it is in "
                       "the workpiece is not known",
                       "give home of the axes in the machine file and the zero offset in [datum] of the job");
+    if (!keeps_offsets(run) && goes_away(run))
+        return assume(run, run.here(),
+                      "a position in machine coordinates is taken to lie away from the workpiece, as home does: where "
+                      "it is in the workpiece is not known",
+                      "give the offset in [datum] of the job, e.g. " +
+                          program::datum_key(*run.traits, run.reference_datum) + " = { x = 0.0, y = 0.0, z = -350.0 }");
     unchecked(run, codes::unknown_value, run.here(),
               "this block moves in machine coordinates and " + program::datum_phrase(*run.traits, run.reference_datum) +
                   " is not known: where it ends in the workpiece is not known",

@@ -47,7 +47,7 @@ void keep_reached_speed(Run& run) {
 void set_surface_speed(Run& run, bool on, int number) {
     if (on != run.modal.surface_speed) {
         if (on)
-            run.spindle.speed = run.spindle.surface;
+            run.spindle.speed = run.spindle.surface;  // whether one was said before: the reader of S asks
         else
             keep_reached_speed(run);
         run.spindle.mode_changed = true;
@@ -99,9 +99,10 @@ bool motion_word(Run& run, Modal m, const program::Word& w) {
         case Modal::cycle_position:
         case Modal::cycle_pattern: run.block.special = m; return true;
         case Modal::rapid_block: run.block.rapid = true; return true;
-        case Modal::paraxial:
+        case Modal::paraxial: run.block.paraxial = m; return true;
         case Modal::paraxial_longer:
-        case Modal::paraxial_shorter: run.block.paraxial = m; return true;
+        case Modal::paraxial_shorter: compensate_along_axis(run, m); return true;
+        case Modal::program_stop: run.block.stops_run = true; return true;
         case Modal::corner_crossing:
         case Modal::corner_open: run.block.corner_end = m; return true;
         case Modal::look_ahead: run.modal.look_ahead = program::modal_number(w); return true;
@@ -295,6 +296,7 @@ void select_kept_datum(Run& run, std::uint32_t number) {
 }  // namespace
 
 void set_datum(Run& run, std::uint32_t number) {
+    if (run.modal.datum != number) run.datum_complained = false;
     if (keeps_offsets(run)) return select_kept_datum(run, number);
     if (run.modal.datum == number) return;
     flush_path(run);
@@ -374,6 +376,7 @@ void modal_word(Run& run, const program::Word& w) {
     const Modal m = program::modal_of(w);
     refuse_modal(run, w);
     repeated_group(run, w);
+    run.modal.groups_said |= std::uint32_t{1} << static_cast<unsigned>(program::group_of(m));
     if (run.stopped || motion_word(run, m, w)) return;
     if (apply_mode(run, m, program::modal_number(w)) || m < Modal::canned) return;
     // no reader may make a word that is not run here

@@ -4,6 +4,7 @@
 #include <array>
 #include <cstdint>
 #include <limits>
+#include <map>
 #include <string>
 #include <vector>
 
@@ -73,6 +74,9 @@ struct ModalState {
     double corner_feed_modal = 0;  ///< FRCM
     geom::Vec3 pole;               ///< workpiece coordinates
     bool pole_set = false;         ///< the program has set it
+    // What nobody has said is not as a control begins: it holds what the program before has left.
+    std::uint32_t groups_said = 0;  ///< bit per program::ModalGroup of which the program has said a word
+    bool feed_said = false, mist_said = false, flood_said = false;  ///< F; M7, M8 or M9
     /// Last RP (mm) and AP (degrees, NaN after a new pole or plane); NaN: none yet.
     double polar_radius = std::numeric_limits<double>::quiet_NaN();
     double polar_angle = std::numeric_limits<double>::quiet_NaN();
@@ -87,7 +91,21 @@ struct SpindleState {
     double surface = 0;         ///< cutting speed of the last G96, m/min
     bool mode_changed = false;  ///< by the block being run: G96 or G97
     int direction = 0;
-    int last = 0;  ///< the last direction in which it turned
+    int last = 0;                  ///< the last direction in which it turned
+    bool speed_known = false;      ///< the program has said S; what the control held before is not 0
+    bool direction_known = false;  ///< … M3, M4 or M5
+    /// A stop of the program that may have stopped it stands before here (Traits::spindle_stops, STOP).
+    bool doubtful = false;
+};
+
+/// Spindles besides the one that S and M3 are for (spindles.cpp).
+struct OtherSpindles {
+    int master = 1;  ///< the number of that one
+    struct Other {
+        double speed = 0;
+        int direction = 0;
+    };
+    std::map<int, Other> others{};
 };
 
 /// X Y Z A B C U V W; mm or degrees.
@@ -113,6 +131,7 @@ struct Offsets {
     bool lost = false;               ///< the axes have been at a home position whose place is not known
     std::uint32_t from_unknown = 0;  ///< bit per axis that G92 has shifted from a place not known
     bool length_judged = false;      ///< for this tool, zero and compensation
+    bool length_said = false;        ///< … a rapid move has: it is not known
     /// Zeros by the first tool that cut by them, or with which the program set them.
     struct TouchedOff {
         std::uint32_t tool = 0;
@@ -121,6 +140,7 @@ struct Offsets {
     };
     std::map<std::uint32_t, TouchedOff> zeros{};  ///< by datum
     Axes reference{};                             ///< what the stream's coordinates are counted from, in the machine
+    bool reference_given = false;                 ///< job, file or program said where that lies before the first move
     Axes total{};                                 ///< programmed -> stream, of A … W (3 … 8)
 };
 

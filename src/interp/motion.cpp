@@ -102,7 +102,7 @@ geom::Vec3 cartesian_target(Run& run) {
         coordinate(to, k) = incremental ? coordinate(to, k) + v : v;
         if (is_way_round(b.ref(code))) refuse_way_round(run, k);
     }
-    if (run.turned_contour) {
+    if (run.look == Look::turned_subprogram) {
         if (b.has(Code::u)) to.x += b.get(Code::u) * length_factor(run, 0, true);
         if (b.has(Code::w)) to.z += b.get(Code::w) * length_factor(run, 2, true);
     }
@@ -159,6 +159,7 @@ double thread_pitch(const Run& run, const geom::Vec3& from, const geom::Vec3& to
 }  // namespace
 
 void require_feed(Run& run) {
+    if (run.spindle.doubtful) judge_stop(run);
     if (run.feed_valid || !run.feed_dropped) return;
     run.feed_dropped = false;
     emit(run, cl::Feed{0, run.modal.feed_mode});
@@ -278,6 +279,26 @@ bool names_no_place(const Run& run) {
     return true;
 }
 
+/// Once for each time that the program selects the zero offset.
+void say_unknown_way(Run& run) {
+    run.datum_complained = run.capture == nullptr;
+    const program::Traits& t = *run.traits;
+    const std::string active = program::datum_name(t, run.modal.datum),
+                      reference = program::datum_name(t, run.reference_datum);
+    const bool mill = run.env.machine.kind == shop::MachineKind::mill;
+    std::string example;
+    const auto add = [&](std::uint32_t datum, const char* mill_place, const char* lathe_place) {
+        if (datum == program::no_datum) return;  // nothing that a job could name
+        example +=
+            (example.empty() ? "" : " and ") + program::datum_key(t, datum) + " = " + (mill ? mill_place : lathe_place);
+    };
+    add(run.reference_datum, "{ x = 0.0, y = 0.0, z = -350.0 }", "{ x = 0.0, z = 120.0 }");
+    add(run.modal.datum, "{ x = 100.0, y = 0.0, z = -350.0 }", "{ x = 0.0, z = 240.0 }");
+    unchecked(run, codes::unknown_value, run.here(),
+              "where " + active + " lies against " + reference + " is not known: both are taken as the same zero",
+              "give every offset that the program uses in [datum] of the job, e.g. " + example);
+}
+
 }  // namespace
 
 void begin_motion(Run& run) {
@@ -285,17 +306,7 @@ void begin_motion(Run& run) {
     run.moved = true;
     emit_datum(run);
     if (keeps_offsets(run) && !run.offsets.length_judged) judge_length(run);
-    if (run.datum_known) return;
-    const program::Traits& t = *run.traits;
-    const std::string active = program::datum_name(t, run.modal.datum),
-                      reference = program::datum_name(t, run.reference_datum),
-                      key = program::datum_key(
-                          t, run.modal.datum == program::no_datum ? run.reference_datum : run.modal.datum);
-    unchecked(run, codes::unknown_value, run.here(),
-              "where " + active + " lies against " + reference + " is not known: both are taken as the same zero",
-              "give the offsets in [datum] of the job, e.g. " + key +
-                  (run.env.machine.kind == shop::MachineKind::mill ? " = { x = 100.0, y = 0.0, z = -350.0 }"
-                                                                   : " = { x = 0.0, z = 120.0 }"));
+    if (!run.datum_known && !run.datum_complained) say_unknown_way(run);
 }
 
 bool is_incremental(const Run& run, std::uint8_t reference) {
@@ -382,7 +393,7 @@ bool motion(Run& run) {
         for (int k = 0; k < 3; ++k)
             if (b.has(axis_code(k))) require_axis(run, std::string(1, "XYZ"[k]));
     begin_motion(run);
-    if (others && !run.turned_contour) extra_axes(run);
+    if (others && run.look != Look::turned_subprogram) extra_axes(run);
     if (run.stopped) return false;
     if (run.modal.motion == Modal::canned) return canned_motion(run);
     if (run.modal.motion == Modal::nurbs) return spline_motion(run);
@@ -426,7 +437,8 @@ path::Element straight_element(const geom::Vec3& at, const geom::Vec3& to, const
 
 void capture(Run& run, const path::Element& e, bool rapid) {
     const double unit = length_unit(run.modal);
-    const auto size = [&](Code c) { return run.block.has(c) ? run.block.get(c) * unit : 0; };
+    const bool sized = run.look == Look::turned_subprogram;
+    const auto size = [&](Code c) { return sized && run.block.has(c) ? run.block.get(c) * unit : 0; };
     run.capture->push_back({e, rapid, run.modal.compensation, corner_of_block(run), run.frame, run.here(),
                             run.top().stack, size(Code::a), size(Code::c), angle_of_whole_line(run)});
 }

@@ -144,6 +144,12 @@ bool is_datum_given(const Run& run, std::size_t axis) {
     return first && run.parameters.is_set(*first + static_cast<std::uint32_t>(axis));
 }
 
+bool is_datum_given(const Run& run) {
+    bool given = false;
+    for (std::size_t k = 0; k < 3; ++k) given = given || is_datum_given(run, k);
+    return given;
+}
+
 namespace {
 
 /// What the job says of zero offsets stands in their parameters, where nothing else says what these hold: programs read
@@ -174,13 +180,14 @@ void load_datum(Run& run) {
         for (std::size_t k = 0; k < 9; ++k)
             o.datum[k] = stored(run, first + static_cast<std::uint32_t>(k), k) + external(run, k);
         o.rotation = p.rotation == 0 ? 0 : run.parameters.get(first + p.rotation);
-        run.datum_known = known || run.modal.datum == run.reference_datum;
+        run.datum_known = (known && o.reference_given) || run.modal.datum == run.reference_datum;
         if (p.active_datum != 0) run.parameters.set(p.active_datum, place + 1);
         return;
     }
     o.datum = {};
     o.rotation = 0;
-    run.datum_known = job != run.env.machine.datums.end() || run.modal.datum == run.reference_datum;
+    run.datum_known =
+        (job != run.env.machine.datums.end() && o.reference_given) || run.modal.datum == run.reference_datum;
     if (job == run.env.machine.datums.end()) return;
     for (int k = 0; k < 3; ++k)
         if (const double v = coordinate(job->second, k); !std::isnan(v))
@@ -231,6 +238,7 @@ geom::Frame offset_frame(Run& run) {
         for (std::size_t k = 3; k < 9; ++k) count_from(run, k, o.datum[k]);
         o.reference = o.datum;
         run.reference_datum = run.modal.datum;
+        o.reference_given = is_datum_given(run);
         run.datum_known = true;
         // The job's bodies stand where its own zero is, whatever the program writes there before it moves.
         if (const auto job = run.env.machine.datums.find(run.modal.datum); job != run.env.machine.datums.end())
@@ -286,7 +294,7 @@ void take_length(Run& run, Modal m) {
     const BlockWords& b = run.block;
     const bool kept = run.traits->offset_numbers_stay && !std::isnan(o.number);
     const bool numbered = b.has(Code::offset_h) || (kept && m != Modal::tool_length_off);
-    o.length_judged = false;
+    judge_anew(o);
     o.subtracts = m == Modal::tool_length_negative;
     const double offset = b.has(Code::offset_h) ? b.get(Code::offset_h) : o.number;
     o.length_tool = numbered ? base::cut<std::uint32_t>(offset).value_or(no_listed_tool) : run.tool.number;

@@ -4,6 +4,7 @@
 
 #include "base/codes.hpp"
 #include "base/number.hpp"
+#include "interp/complaints.hpp"
 #include "path/nose.hpp"
 #include "path/preset.hpp"
 #include "path/pulled_corner.hpp"
@@ -248,12 +249,15 @@ void PathStage::output(Run& run, const path::Output& out) {
     const Origin& origin = origins_[out.element.tag];
     run.record.from = origin.from;
     run.record.stack = origin.stack;
-    last_ = out.element.to;
     run.feed_shape.plunge = origin.plunge_part;
     run.feed_shape.arc = arc_feed(origin, out);
     const auto emit_one = [&](const path::Element& e) {
         emit_element(run, e, origin.rapid && (origin.rapid_arc || !path::is_arc(e)), origin.fixed_plane);
     };
+    // What was refused can leave the tool beside the next arc, which has no start of its own in the stream.
+    if (last_ && path::is_arc(out.element) && geom::distance(*last_, out.element.from) > path::same_point)
+        emit_one(path::line(*last_, out.element.from, out.element.w_from));
+    last_ = out.element.to;
     if (out.kind != path::Kind::transition || !(origin.pulled_out > 0)) return emit_one(out.element);
     for (const path::Element& e : path::pulled_corner(out.element, origin.pulled_out)) emit_one(e);
 }
@@ -349,7 +353,7 @@ void PathStage::report(Run& run, const path::Fault& f) {
                        run.stacks.sites(at.stack),
                        {}};
     if (origins_[f.other].from != at.from) d.related.push_back({origins_[f.other].from, "the neighbouring element"});
-    run.diagnostics.add(std::move(d));
+    raise(run, std::move(d));
 }
 
 void PathStage::report(Run& run, const path::CornerFault& f) {
@@ -372,8 +376,8 @@ void PathStage::report(Run& run, const path::CornerFault& f) {
             text = "a chamfer or rounding of " + base::fixed(f.size, 3) + " mm is too large for the elements beside it";
             break;
     }
-    run.diagnostics.add(
-        {base::Severity::error, codes::value_range, at.from, std::move(text), {}, run.stacks.sites(at.stack), {}});
+    raise(run,
+          {base::Severity::error, codes::value_range, at.from, std::move(text), {}, run.stacks.sites(at.stack), {}});
 }
 
 }  // namespace obrys::interp

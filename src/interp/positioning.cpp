@@ -18,7 +18,6 @@ std::string unknown_way(const Run& run, bool path_moved) {
     const std::string axis = b.positioned.front().name;
     if (path_moved) return axis + " moves on its own while the path goes on: it is run behind it";
     if (b.positioned.size() > 1) return "several axes move on their own: they are run one after the other";
-    if (b.goes_on) return "POSA[" + axis + "]= moves while the next blocks are run: it is run before them";
     if (run.modal.compensation != Modal::compensation_off)
         return "POS[" + axis + "]= under radius compensation is run as an uncompensated move";
     return {};
@@ -49,8 +48,38 @@ void position_axes(Run& run, bool path_moved) {
     flush_path(run);
     begin_motion(run);
     const std::vector<BlockWords::NamedAxis> axes = run.block.positioned;
-    for (const BlockWords::NamedAxis& axis : axes)
+    const bool goes_on = run.block.goes_on && run.capture == nullptr;
+    for (const BlockWords::NamedAxis& axis : axes) {
         if (!run.stopped) position_axis(run, axis);
+        if (goes_on) run.underway[axis.name] = run.here();
+    }
+}
+
+/// POSA is run like POS. That is right where nothing else moves until WAITP, or until its axis is programmed again, for
+/// which the control waits, too (NC programming 12/2019, positioning axes).
+void judge_underway(Run& run, bool path_moved) {
+    BlockWords& b = run.block;
+    if (run.capture != nullptr || !(path_moved || !b.positioned.empty())) return;
+    bool others = false;
+    for (int k = 0; k < 9; ++k) {
+        if (!b.has(axis_code(k))) continue;
+        const std::string name = axis_name(static_cast<std::size_t>(k));
+        others = others || !run.underway.contains(name);
+    }
+    for (const BlockWords::NamedAxis& axis : b.positioned) others = others || !run.underway.contains(axis.name);
+    if (others)
+        unchecked(run, codes::unsupported, run.underway.begin()->second,
+                  "POSA[" + run.underway.begin()->first +
+                      "]= moves while the next blocks move other axes: it is run before them",
+                  "write WAITP(" + run.underway.begin()->first + ") before them, or POS");
+    run.underway.clear();
+}
+
+void wait_for_axes(Run& run, const program::ProcedureCall& p) {
+    for (const ExprId id : p.arguments) {
+        const std::string written = axis_of(run, id);
+        run.underway.erase(machine_axis_name(run, written).value_or(written));
+    }
 }
 
 }  // namespace obrys::interp

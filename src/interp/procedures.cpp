@@ -61,7 +61,11 @@ void procedure(Run& run, const program::ProcedureCall& p) {
         case Procedure::print: return show(run, p);
         case Procedure::alarm: return stop_itself(run, p);
         case Procedure::abort: return abort(run, p);
-        case Procedure::master_spindle: return;
+        case Procedure::master_spindle:
+            return select_master(run, p.arguments.empty() || p.arguments[0] == program::no_expr
+                                          ? std::nullopt
+                                          : std::optional(number(run, p.arguments[0])));
+        case Procedure::wait_axes: return wait_for_axes(run, p);
         case Procedure::run_text: return run_text(run, p);
         case Procedure::select_datums: run.datum_table = base::to_upper(text_of(run, p, 0)); return;
         case Procedure::set_datum: return set_own_datum(run, p);

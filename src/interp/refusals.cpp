@@ -119,6 +119,24 @@ void refuse_functions(Run& run) {
             return refuse_under_compensation(run, word_of(run, Code::m), "M" + std::to_string(m) + " acts");
 }
 
+/// Of LinuxCNC's motion module: num_dio and num_aio are at most 64.
+constexpr double most_signals = 64;
+
+void refuse_signal(Run& run, Code word, int m) {
+    const double n = run.block.has(word) ? run.block.peek(word) : 0;
+    if (n < most_signals - 0.5 || std::isnan(n)) return;  // it is rounded
+    alarm(run, codes::value_range, word_of(run, word),
+          "M" + std::to_string(m) + " names number " + printed(Value::real(n)) + ": inputs and outputs go up to " +
+              printed(Value::real(most_signals - 1)));
+}
+
+void refuse_signals(Run& run) {
+    for (const int m : run.block.m) {
+        if (m >= 62 && m <= 66) refuse_signal(run, Code::p, m);
+        if (m >= 66 && m <= 68) refuse_signal(run, Code::e, m);
+    }
+}
+
 void refuse_tool(Run& run) {
     const bool by_t = run.block.has(Code::tool) && !run.block.tool_named;
     const double t = by_t ? run.block.peek(Code::tool) : 0;
@@ -267,10 +285,11 @@ void refuse_modal(Run& run, const program::Word& w) {
 
 void refuse_block(Run& run) {
     const BlockWords& b = run.block;
-    if (run.capture != nullptr) return;  // a contour is only looked at
+    if (run.capture != nullptr) return refuse_letters(run);  // a contour is only read
     refuse_axes(run);
     if (!run.stopped && (b.has(Code::tool) || has_m(run, 6))) refuse_tool(run);
     if (!run.stopped && !b.m.empty() && compensates(run)) refuse_functions(run);
+    if (!run.stopped && !b.m.empty()) refuse_signals(run);
     if (!run.stopped && b.suppress != Modal::linear) refuse_machine_move(run);
     if (!run.stopped) refuse_letters(run);
     if (!run.stopped) refuse_motion(run);
@@ -286,10 +305,18 @@ void refuse_call(Run& run, const std::string& name, const program::Call* call) {
           "put its file beside the calling program or name the folder with --search");
 }
 
+void say_missing_beginning(Run& run) {
+    const Unit& unit = run.unit();
+    const std::uint32_t at = unit.statements.front().begin;
+    unchecked(run, codes::unclosed, {unit.file, at, at}, unit.unbegun, "");
+}
+
 void refuse_end(Run& run) {
     const Unit& unit = run.unit();
     const base::Span where =
         unit.statements.empty() ? base::Span{unit.file, unit.begin, unit.begin} : unit.span(unit.statements.back());
+    if (run.traits->text_may_end)
+        return unchecked(run, codes::unclosed, where, unit.unended, "add M30; in a subprogram M17 or RET");
     alarm(run, codes::unclosed, where, unit.unended,
           unit.startable ? "add M30, or M99 where it is a subprogram" : "add M2");
 }

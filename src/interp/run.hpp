@@ -5,7 +5,7 @@
 
 namespace obrys::interp {
 
-// --- complaints (interp.cpp)
+// --- complaints (complaints.cpp)
 /// The control would stop here: the run ends.
 void alarm(Run&, std::string_view code, const base::Span& where, std::string text, std::string remedy = {});
 /// Something obrys does not know or run: reported once per place; the run goes on.
@@ -126,12 +126,30 @@ void set_plane(Run&, int plane);
 void leave_compensation(Run&, const std::string& because);
 /// Before radius compensation takes this side (compensation_rules.cpp, as the one above).
 void refuse_other_side(Run&, Modal side);
+/// R+ and R- (G43, G44) of a block along one axis.
+void compensate_along_axis(Run&, Modal);
 /// M70 and M73, M71, M72 (saved_modes.cpp).
 void save_modes(Run&, bool for_call);
 void forget_modes(Run&);
 void restore_modes(Run&);
-/// The spindle's state as a record (tools.cpp).
+/// The spindle's state as a record (spindle.cpp, as the next ones).
 void emit_spindle(Run&);
+/// F and S of the block say how long it dwells.
+[[nodiscard]] bool dwells_by_words(const Run&);
+/// A tool change stops the spindle, on machines where it does; `same`: the tool was in the spindle already.
+void stop_for_change(Run&, bool same);
+/// S, M3, M4, SPOS of the block; true where the spindle changed.
+[[nodiscard]] bool spindle_words(Run&);
+/// M5, M9, M19 and what else stops spindle and coolant, before the block's motion or behind it.
+void stop_function(Run&, int m, bool before_motion);
+/// S2=, M2=, SPOS[2]= for a spindle that S and M3 are not for.
+void other_spindle(Run&, std::string_view letter, double number, double value);
+/// SETMS: S, M3, G95 and G96 are for this spindle; nothing: the first one.
+void select_master(Run&, std::optional<double> number);
+/// Before a feed move behind a stop that may have stopped the spindle.
+void judge_stop(Run&);
+/// FB has acted for its block (tools.cpp).
+void end_feed_alone(Run&);
 /// The tool that is in use when the program begins, with its own offset.
 void begin_with_tool(Run&, std::uint32_t number);
 void coolant(Run&, int m);
@@ -169,6 +187,10 @@ void special_value(Run&, const program::Named&);
 [[nodiscard]] std::optional<std::string> machine_axis_name(const Run&, const std::string& name);
 /// Linear axes that move on their own, behind the block's path (positioning.cpp).
 void position_axes(Run&, bool path_moved);
+/// Behind a block that may have moved while axes of POSA are under way.
+void judge_underway(Run&, bool path_moved);
+/// WAITP.
+void wait_for_axes(Run&, const program::ProcedureCall&);
 /// The block changes the plane: alarm where radius compensation stays on.
 void hold_plane(Run&);
 /// Says by how much the control may leave the programmed path at corners, once each (path_rounding.cpp).
@@ -189,6 +211,11 @@ void report_unused(Run&);
 void repeated_words(Run&);
 /// Two words of one group in a block (Traits::repeated_groups).
 void repeated_group(Run&, const program::Word&);
+
+/// While a contour is looked at: words of the block that have no place there (contour_words.cpp).
+void say_foreign_words(Run&);
+/// The same of a statement as a whole; true where it is left out.
+[[nodiscard]] bool say_foreign_statement(Run&, const program::Statement&);
 
 /// A block with data of its own (special.cpp).
 void run_special(Run&, const program::Statement&, std::uint32_t index);
@@ -227,6 +254,7 @@ void refuse_call(Run&, const std::string& name, const program::Call* call);
 void say_blocks_behind(Run&, int m);
 /// The main program runs past its last block (Unit::unended).
 void refuse_end(Run&);
+void say_missing_beginning(Run&);  ///< of a program that is entered
 
 // --- where cycles are called (pattern.cpp, cycle_places.cpp), contours of several (contour_formula.cpp)
 void define_pattern(Run&, const program::Pattern&);
@@ -272,6 +300,8 @@ void begin_offsets(Run&);
 [[nodiscard]] geom::Frame offset_frame(Run&);
 /// Where the zero that the stream's coordinates count from lies in the machine is told by job, file or program.
 [[nodiscard]] bool is_datum_given(const Run&, std::size_t axis);
+/// … of any linear axis.
+[[nodiscard]] bool is_datum_given(const Run&);
 /// The active zero offset anew from its parameters.
 void load_datum(Run&);
 /// The parameter is one of the zero offset in force, or of what is added to all of them.
@@ -288,9 +318,11 @@ void take_tip(Run&);
 void while_standing(Run&, base::FunctionRef<void()> change);
 /// mm of the axes X … W that compensating a tool's length means.
 [[nodiscard]] Axes axes_of(const shop::Tool&);
+/// Tool, zero or compensation are other ones: whether its tip is where the program says is asked again.
+inline void judge_anew(Offsets& o) { o.length_judged = o.length_said = false; }
 /// The program has set the height of its zero with the tool in the spindle.
 void zero_set_here(Run&);
-/// Before a feed move: whether the tip is where the program says (tool_length.cpp).
+/// Before a move: whether the tip is where the program says (tool_length.cpp).
 void judge_length(Run&);
 /// The program has written the length of a tool: it is held to what the job gives.
 void compare_length(Run&, const shop::Tool&);
@@ -325,7 +357,18 @@ void note_written(Run&, std::uint32_t parameter, const base::Span& where);
 /// What the program wrote over live parameters of this kind no longer holds: the control has written them.
 void forget_live(Run&, program::SystemVariable what);
 [[nodiscard]] double live_parameter(Run&, std::uint32_t parameter, const base::Span& where);
-[[nodiscard]] Value live_value(Run&, program::SystemVariable, double index, const base::Span& where);
+[[nodiscard]] Value live_value(Run&, program::SystemVariable, double index, const std::string& name,
+                               const base::Span& where);
+/// Number of the G code that a query shows: `yes` or `no` by what it says, or that which it names itself where both are
+/// 0. Nothing where the program has said none of its group: the control was left so by the one before.
+[[nodiscard]] std::optional<double> code_in_force(const Run&, program::StateQuery, double yes, double no);
+/// The program has said a word of the group.
+[[nodiscard]] bool is_said(const Run&, program::ModalGroup);
+/// Why the tool in the spindle is not known.
+inline constexpr const char* no_tool_said =
+    "which tool is in use when the program begins is not known, and no block before selects one";
+/// LinuxCNC's own interpreter, which Environment::tell_settings stands for, begins with nothing in the spindle.
+void begin_said(Run&);
 
 // --- cycles that motion blocks call (canned.cpp)
 /// False where the block's words call no cycle.

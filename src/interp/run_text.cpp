@@ -39,6 +39,7 @@ void run_text(Run& run, const program::ProcedureCall& p) {
     if (run.stopped || run.calls.size() == depth) return;
     run.top().locals = run.calls[depth - 1].locals;  // the variables themselves are shared
     run.top().own_bindings = run.top().locals.size();
+    run.top().is_text = true;
 }
 
 }  // namespace obrys::interp

@@ -71,7 +71,7 @@ void restore_lengths(Run& run, const SavedModes& s) {
     o.length_tool = s.length_tool;
     if (o.tool != s.tool_offset) set_tool_offset(run, s.tool_offset);
     if (!same) {
-        o.length_judged = false;
+        judge_anew(o);
         take_tip(run);
     }
     if (run.modal.datum != s.modal.datum) set_datum(run, s.modal.datum);

@@ -19,12 +19,17 @@ void compare_length(Run& run, const shop::Tool& t) {
     constexpr double same = 1e-6;  // mm
     const auto job = std::find_if(run.env.tools.begin(), run.env.tools.end(),
                                   [&](const shop::Tool& x) { return x.number == t.number && x.edge == t.edge; });
+    const double length = t.length + t.delta_length;
     if (run.env.tell_settings || job == run.env.tools.end() || job->length == 0 ||
-        std::abs(t.length - job->length) < same)
+        std::abs(length - job->length - job->delta_length) < same)
         return;
+    const std::string parts =
+        t.delta_length == job->delta_length
+            ? ""
+            : " (" + base::fixed(t.length, 3) + " mm and wear of " + base::fixed(t.delta_length, 3) + " mm)";
     unchecked(run, codes::unknown_value, run.here(),
-              "the program sets the length of tool " + std::to_string(t.number) + " to " + base::fixed(t.length, 3) +
-                  " mm, and the tool list gives " + base::fixed(job->length, 3) +
+              "the program sets the length of tool " + std::to_string(t.number) + " to " + base::fixed(length, 3) +
+                  " mm" + parts + ", and the tool list gives " + base::fixed(job->length + job->delta_length, 3) +
                   " mm: which of them the tool has is not known, the program's is taken",
               "give the tool the length that it has, or take that out of the program");
 }
@@ -144,7 +149,7 @@ Axes measured(const Run& run, const Axes& table, bool in_ninth) {
 
 void set_tool_data(Run& run, int l) {
     shop::Tool* t = tool_of_block(run);
-    if (t == nullptr || run.capture != nullptr) return;
+    if (t == nullptr) return;
     const BlockWords& b = run.block;
     const double unit = length_unit(run.modal);
     if (!t->table) t->table.emplace();
@@ -215,7 +220,7 @@ void write_tool_offset(Run& run, program::DataTable table) {
     using program::DataTable;
     if (!run.block.has(Code::radius)) return refuse(run, "R, the value, is missing");
     shop::Tool* t = tool_of_offset(run);
-    if (t == nullptr || run.capture != nullptr) return;
+    if (t == nullptr) return;
     flush_path(run);
     const bool diameter = table == DataTable::tool_diameter || table == DataTable::tool_diameter_wear;
     double* value = table == DataTable::tool_length                                        ? &t->length

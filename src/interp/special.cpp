@@ -10,6 +10,7 @@
 #include "base/number.hpp"
 #include "cl/spline.hpp"
 #include "interp/capture.hpp"
+#include "interp/complaints.hpp"
 #include "interp/path_stage.hpp"
 #include "path/smooth_approach.hpp"
 
@@ -131,7 +132,9 @@ void departure(Run& run, const Special& s) {
     const Vec3 at = run.programmed_position;
     // Only LCT leads to a point; of the others the words of one stay unused and are said.
     const Vec3 target = s.kind == SpecialKind::departure_arc_line ? programmed_target(run) : at;
-    const path::Setting compensation = compensation_setting(run);
+    path::Setting compensation = compensation_setting(run);
+    if (!run.path->active())
+        compensation = {};  // selected, but it never came into force: the tool stands on the contour
     path::ContourEnd contour;
     contour.at = in_plane(at, a);
     contour.direction = run.last_direction;
@@ -171,14 +174,14 @@ void check_start(Run& run, const cl::Spline& spline) {
         unchecked(run, codes::unknown_value, run.here(), "where the tool stands before this spline is not known");
         return;
     }
-    run.diagnostics.add({base::Severity::error,
-                         codes::spline_start,
-                         run.here(),
-                         "the spline starts " + base::fixed(geom::length(gap), 4) +
-                             " mm beside the end of the last contour element, more than 0.001 mm along an axis",
-                         "let the coefficients K1, K2, K3 and the end point add up to where the last block ended",
-                         run.stacks.sites(run.top().stack),
-                         {}});
+    raise(run, {base::Severity::error,
+                codes::spline_start,
+                run.here(),
+                "the spline starts " + base::fixed(geom::length(gap), 4) +
+                    " mm beside the end of the last contour element, more than 0.001 mm along an axis",
+                "let the coefficients K1, K2, K3 and the end point add up to where the last block ended",
+                run.stacks.sites(run.top().stack),
+                {}});
 }
 
 void spline(Run& run, const Special& s) {

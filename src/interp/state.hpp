@@ -22,6 +22,7 @@
 #include "interp/modes.hpp"
 #include "interp/value.hpp"
 #include "interp/variables.hpp"
+#include "program/modal_group.hpp"
 
 namespace obrys::interp {
 
@@ -61,6 +62,8 @@ struct BlockWords {
     int retract = 0;                    ///< M140: 1 by its distance, 2 to the limit; 0: none
     int surface_word = 0;               ///< 96 or 97 where the block says it
     bool acted = false;                 ///< F, S, T and M have acted already (Code::act)
+    std::optional<double> feed_alone;   ///< FB, as written
+    bool stops_run = false;             ///< STOP without a function
     bool rapid = false;                 ///< its arc, approach or departure is run in rapid (C … FMAX)
     bool says_straight = false;         ///< G0 or G1 stands in the block
     bool changes_plane = false;         ///< to another one
@@ -134,6 +137,7 @@ struct Activation {
     std::size_t own_bindings = 0;       ///< bindings that are parameters; the rest goes with each run
     std::uint32_t arguments_given = 0;  ///< bit per parameter, for $P_SUBPAR
     bool from_modal_call = false;
+    bool is_text = false;  ///< of EXECSTRING: a block, not a program
     bool saves = false;
     ModalState saved;
 };
@@ -208,6 +212,10 @@ struct ToolState {
     std::uint32_t prepared_edge = 1;
     bool waiting = false;
     const shop::Tool* data = nullptr;
+    // What nobody has said is not 0: the control holds it from before.
+    bool known = false;                       ///< program or job have said which tool is in the spindle
+    bool edge_known = false;                  ///< … and which of its edges is in force
+    std::optional<std::uint32_t> selected{};  ///< number of the tool that T has prepared last
     double delta_length = 0, delta_radius = 0, delta_corner = 0;  ///< allowances of the call, mm
     double feed = 0;                                              ///< given with the tool (F AUTO), mm/min; 0: none
 };
@@ -235,40 +243,67 @@ struct SurfaceMode {
 };
 
 class PathStage;
+class Complaints;
 struct Captured;
 struct ContourElement;
 struct FreeContour;
 
-struct Run {
-    Run(const Environment& e, cl::CallStacks& s, cl::Sink k, base::Diagnostics& d, std::uint32_t parameter_count);
-    ~Run();
+/// The tools that the run knows, and the one in the spindle, which points into their list: also in a copy.
+struct ToolRack {
+    ToolState tool;
+    std::vector<shop::Tool> tools;  ///< of the job, with what the program writes to $TC_DPn
 
-    const Environment& env;
-    const program::Traits* traits = nullptr;  ///< of the main program
-    cl::CallStacks& stacks;
-    cl::Sink sink;
-    base::Diagnostics& diagnostics;
+    explicit ToolRack(const std::vector<shop::Tool>& listed) : tools(listed) {}
+    ToolRack(const ToolRack& other) : tool(other.tool), tools(other.tools) { point_into_list(other); }
+    ToolRack(ToolRack&&) noexcept = default;
+    ToolRack& operator=(const ToolRack& other) {
+        if (this == &other) return *this;
+        tool = other.tool;
+        tools = other.tools;
+        point_into_list(other);
+        return *this;
+    }
+    ToolRack& operator=(ToolRack&&) noexcept = default;
+    ~ToolRack() = default;
+
+private:
+    void point_into_list(const ToolRack& other) {
+        if (tool.data != nullptr) tool.data = tools.data() + (tool.data - other.tools.data());
+    }
+};
+
+/// Why blocks are looked at without being run (capture.hpp).
+enum class Look : std::uint8_t {
+    no,                 ///< they are run
+    next_element,       ///< what comes behind the block being run, and is run then
+    milled_contour,     ///< of a contour cycle
+    turned_subprogram,  ///< the contour of a turning cycle: U and W are steps along X and Z, A and C belong to the
+                        ///< corner
+    turned_blocks,      ///< the same in the program's own blocks
+};
+
+/// All that running a block changes and that the next one depends on. A copy is a place to go back to: whoever looks
+/// ahead copies it whole (capture.hpp). Programs that it points to do not change; what variables hold is shared by
+/// calls and scopes and therefore is not in the copy (values_of in capture.cpp).
+struct RunState : ToolRack {
+    RunState(const std::vector<shop::Tool>& listed, std::uint32_t parameter_count, const geom::Vec3& start)
+        : ToolRack(listed), parameters(parameter_count), position(start), programmed_position(start) {}
 
     std::vector<Activation> calls;
     Scope globals;
-    shop::GivenValues given;  ///< what the job and backups of the control give
     Undefined undefined;
     Parameters parameters;
-    std::unordered_map<program::NameId, double> overrides_by_name;
-    std::vector<std::uint8_t> parameter_overridden;
-    std::vector<double> parameter_override;
-    std::set<std::string> overrides_met;                      ///< names whose constant was replaced
     std::unordered_map<std::uint64_t, Value> system_written;  ///< system variables the program wrote itself
 
     ModalState modal;
     Offsets offsets;
     BlockWords block;
-    ToolState tool;
-    std::vector<shop::Tool> tools;  ///< of the job, with what the program writes to $TC_DPn
     SpindleState spindle;
+    OtherSpindles spindles;
     bool coolant_on = false, mist = false, flood = false;
     Overrides overrides;
     std::array<std::array<double, 6>, 2> rounding_said{};  ///< what note_rounding has looked at last, feed and rapid
+    std::map<std::string, base::Span> underway;            ///< axes that POSA has sent, and nothing waited for yet
     std::map<std::string, double> axis_feeds;              ///< FA[axis], mm/min or degrees/min
     double feed = 0;                                       ///< mm/min, mm/rev or 1/min by modal.feed_mode
     FeedShape feed_shape;
@@ -282,11 +317,10 @@ struct Run {
     std::vector<std::string> contour_labels;  ///< of the contour that contour cycles work on
     CannedState canned;
     ControlCurve curve;
-    geom::Vec3 last_spline_end;           ///< P and Q of the last G5, mm
-    const Unit* contour_unit = nullptr;   ///< the program whose labels these are
-    std::string datum_table;              ///< selected by the program; empty: the one that is active on the control
-    std::set<std::string> printed_files;  ///< that the program has begun to print to
-    std::string open_table;               ///< freely definable table (FN 26)
+    geom::Vec3 last_spline_end;          ///< P and Q of the last G5, mm
+    const Unit* contour_unit = nullptr;  ///< the program whose labels these are
+    std::string datum_table;             ///< selected by the program; empty: the one that is active on the control
+    std::string open_table;              ///< freely definable table (FN 26)
     ActiveCycle contour_data, contour_train_data;
     std::unordered_map<std::uint32_t, double> global_values;  ///< of GLOBAL DEF, by parameter
     CallPattern pattern;
@@ -301,6 +335,7 @@ struct Run {
     geom::Vec3 tool_axis{0, 0, 1};        ///< in the stream's frame: normal to a tilted working plane
     std::uint32_t reference_datum = 500;  ///< the datum in which the stream's coordinates are
     bool datum_known = true;              ///< the active datum's place against it is known
+    bool datum_complained = false;        ///< that it is not is said since the program selected it
     bool moved = false;
     bool datum_emitted = false;
     bool probed = false;  ///< a probing move was run to its end, where the probe may have stopped before
@@ -310,33 +345,58 @@ struct Run {
     std::array<double, 3> tilted_axes{std::numeric_limits<double>::quiet_NaN(),
                                       std::numeric_limits<double>::quiet_NaN(),
                                       std::numeric_limits<double>::quiet_NaN()};  ///< of A, B, C in degrees
-    std::uint64_t known_axes = 0;  ///< bit per Code of X … W: the machine has it
-    geom::Vec2 last_direction;     ///< of the last move in the working plane, for CT
-    std::unique_ptr<PathStage> path;
-    /// Where it is set, elements go there and nothing is emitted or complained about (capture.hpp).
+    geom::Vec2 last_direction;  ///< of the last move in the working plane, for CT
+    Look look = Look::no;
+    /// Where it is set, elements go there and nothing is emitted (capture.hpp).
     std::vector<Captured>* capture = nullptr;
+    /// Set with `capture`: what is complained about goes there (complaints.hpp).
+    Complaints* complaints = nullptr;
     /// Where it is set, records come from there instead of the block being run (contour_cycle.hpp).
     const ContourElement* along = nullptr;
     std::shared_ptr<FreeContour> free_contour;  ///< being solved
     std::optional<geom::Vec2> free_pole;        ///< FPOL
-    bool turned_contour = false;                ///< the contour of a turning cycle is being collected
     /// Values of turning cycles that stay with the control (CycleDefinition::store), mm, by store and role.
     std::map<std::pair<int, program::CycleRole>, double> cycle_store;
-    /// Where it is set, complaints made while `capture` is set go there.
-    std::vector<base::Diagnostic>* silenced = nullptr;
 
     const program::Statement* statement = nullptr;  ///< being run
     bool stopped = false;                           ///< alarm, budget or program end
     Ending ending = Ending::regular;
     std::uint64_t blocks = 0;
+    std::uint64_t steps = 0;   ///< statements gone through, those of rehearsals too
+    bool out_of_time = false;  ///< the clock has said so: every step ends the run
+    /// Of programs that jump to a computed block number: statements by it.
+    mutable std::unordered_map<const Unit*, std::unordered_map<std::int64_t, std::vector<std::uint32_t>>> block_numbers;
     std::uint64_t unknown_conditions = 0;  ///< that were met
+    std::string last_message;              ///< of MSG
+    std::string log_file;                  ///< that the program has opened; empty: none
+    cl::Record record;
+};
+
+/// What a run works with: its state, what stands around it, and what it hands out.
+struct Run : RunState {
+    Run(const Environment& e, cl::CallStacks& s, cl::Sink k, base::Diagnostics& d, std::uint32_t parameter_count);
+    ~Run();
+
+    // Around it; settled before the first block.
+    const Environment& env;
+    const program::Traits* traits = nullptr;  ///< of the main program
+    std::uint64_t known_axes = 0;             ///< bit per Code of X … W: the machine has it
+    shop::GivenValues given;                  ///< what the job and backups of the control give
+    std::unordered_map<program::NameId, double> overrides_by_name;
+    std::vector<std::uint8_t> parameter_overridden;
+    std::vector<double> parameter_override;
     std::chrono::steady_clock::time_point started;
+
+    // Handed out, or kept so that it is handed out once.
+    cl::CallStacks& stacks;
+    cl::Sink sink;
+    base::Diagnostics& diagnostics;
+    std::unique_ptr<PathStage> path;             ///< holds back what is to come out
+    std::set<std::string> overrides_met;         ///< names whose constant was replaced
+    std::set<std::string> printed_files;         ///< that the program has begun to print to
     std::unordered_set<std::uint64_t> reported;  ///< complaints already made, by place and code
     std::set<std::string> assumed;
-    std::string last_message;  ///< of MSG
-    std::string log_file;      ///< that the program has opened; empty: none
     std::unordered_set<const Unit*> entered;
-    cl::Record record;
 
     [[nodiscard]] Activation& top() { return calls.back(); }
     [[nodiscard]] const Unit& unit() const { return *calls.back().unit; }

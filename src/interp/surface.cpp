@@ -174,7 +174,12 @@ void end(Run& run) {
 
 void set_surface(Run& run, Modal m) {
     flush_path(run);
-    if (run.capture != nullptr) return;
+    if (run.capture != nullptr) {
+        if (run.look != Look::next_element)
+            unchecked(run, base::codes::unsupported, run.here(),
+                      "polar and cylindrical interpolation are not run in a contour");
+        return;
+    }
     if (m == Modal::interpolation_off) return end(run);
     end(run);
     if (!run.stopped) begin(run, m == Modal::polar_face ? Kind::polar : Kind::cylinder);

@@ -33,12 +33,16 @@ struct Access {
     }
 };
 
-Value unknown_value(const Access& a, const std::string& why) {
-    const bool has_key = a.name().starts_with('$') || a.name().starts_with('#');
-    const std::string key = has_key ? variable_key(a.run, a.e) : std::string{};
+constexpr const char* first_tool_tells = "first_tool of the job tells it";
+
+/// `also`: what tells it besides its own key.
+Value unknown_value(const Access& a, const std::string& why, const std::string& also = {}) {
+    const bool numbered = a.name().starts_with('#'), has_key = numbered || a.name().starts_with('$');
+    const std::string key = numbered ? a.name() : has_key ? variable_key(a.run, a.e) : std::string{};
     if (auto given = given_value(a.run, key)) return *given;
     unchecked(a.run, codes::unknown_value, a.where(), a.name() + ": " + why,
-              std::string("what is computed from it is unknown too") + (has_key ? "; " + given_remedy(key) : ""));
+              std::string("what is computed from it is unknown too") + (also.empty() ? "" : "; " + also) +
+                  (has_key ? "; " + given_remedy(key) : ""));
     return Value::unknown();
 }
 
@@ -70,13 +74,20 @@ Value tool_length(const Access& a) {
     if (t == nullptr) return unknown_value(a, "no tool data");
     if (const auto p = t->parameters.find(2 + base::cut<int>(n, 0, 9).value_or(-3)); p != t->parameters.end())
         return Value::real(p->second);
-    return Value::real(n == 1 ? t->length : 0);
+    if (n == 1 && t->length != 0) return Value::real(t->length);
+    return unknown_value(a, "the tool list does not say it");
 }
 
-double tool_radius(const shop::Tool& t) {
-    return t.kind == shop::ToolKind::turning  ? t.nose_radius
-           : t.kind == shop::ToolKind::groove ? t.corner_radius
-                                              : t.radius;
+/// Without its wear; nothing where the list does not say it.
+std::optional<double> tool_radius(const shop::Tool& t) {
+    if (t.kind == shop::ToolKind::turning) return t.nose_radius;
+    if (t.kind == shop::ToolKind::groove) return t.corner_radius;
+    return mill_radius(t) ? std::optional(t.radius) : std::nullopt;
+}
+
+Value tool_radius(const Access& a) {
+    const auto radius = a.run.tool.data == nullptr ? std::nullopt : tool_radius(*a.run.tool.data);
+    return radius ? Value::real(*radius) : unknown_value(a, "no tool data");
 }
 
 const shop::Tool* addressed_tool(const Access& a) {
@@ -95,9 +106,9 @@ Value tool_parameter(const Access& a) {
         return written->second;
     if (t == nullptr) return unknown_value(a, "this tool is not in the tool list");
     if (const auto p = t->parameters.find(n); p != t->parameters.end()) return Value::real(p->second);
-    if (n == 6) return Value::real(tool_radius(*t));
-    if (n == 3) return Value::real(t->length);
-    if (n == 2) return Value::real(t->orientation);
+    if (const auto radius = tool_radius(*t); n == 6 && radius) return Value::real(*radius);
+    if (n == 3 && t->length != 0) return Value::real(t->length);
+    if (n == 2 && t->orientation != 0) return Value::real(t->orientation);
     return unknown_value(a, "the tool list does not say it");
 }
 
@@ -129,8 +140,26 @@ int speed_number(int word) {
     }
 }
 
+/// The words that say a G group; nothing of groups in which a control begins as obrys does.
+std::optional<program::ModalGroup> words_of_group(int group) {
+    using program::ModalGroup;
+    switch (group) {
+        case 1: return ModalGroup::motion;
+        case 6: return ModalGroup::plane;
+        case 8: return ModalGroup::datum;
+        case 13: return ModalGroup::unit;
+        case 14: return ModalGroup::dimension;
+        case 15: return ModalGroup::feed;
+        case 29: return ModalGroup::diameter;
+        default: return std::nullopt;
+    }
+}
+
 Value active_g(const Access& a) {
     const ModalState& m = a.run.modal;
+    const auto words = words_of_group(base::cut<int>(a.index(0)).value_or(0));
+    if (words && !is_said(a.run, *words))
+        return unknown_value(a, "no block before says a function of this group: it is as the control was left");
     switch (base::cut<int>(a.index(0)).value_or(0)) {
         case 1: return Value::integer(motion_number(m.motion));
         case 6: return Value::integer(m.plane - 16);
@@ -204,8 +233,8 @@ Value tool_name(const Access& a) {
     if (n < 0 || a.run.tools.empty())
         return unknown_value(a, "the job gives no tool list, or which tool is meant is not known");
     for (const shop::Tool& t : a.run.tools)
-        if (t.number == n) return Value::string(t.name);
-    return Value::string({});
+        if (t.number == n && !t.name.empty()) return Value::string(t.name);
+    return unknown_value(a, "the tool list has no such tool, or no name of it");
 }
 
 Value indexed_parameter(const Access& a) {
@@ -230,20 +259,38 @@ Value setting_value(const Access& a) {
     return Value::unknown();
 }
 
+/// Spindle and tool, which the control holds from before: unknown until program or job say them.
+Value held_from_before(const Access& a, SystemVariable v) {
+    const SpindleState& s = a.run.spindle;
+    const ToolState& t = a.run.tool;
+    const bool named_only = t.number == 0 && !t.name.empty();  // no list gives its number
+    switch (v) {
+        case SystemVariable::spindle_speed:
+            if (!s.speed_known || std::isnan(s.speed)) return unknown_value(a, "no S that is known stands before it");
+            return Value::real(s.speed);
+        case SystemVariable::spindle_direction:
+            if (!s.direction_known) return unknown_value(a, "no M3, M4 or M5 stands before it");
+            return Value::integer(s.direction > 0 ? 3 : s.direction < 0 ? 4 : 5);
+        case SystemVariable::tool_number:
+            if (!t.known || named_only) return unknown_value(a, no_tool_said, first_tool_tells);
+            return Value::integer(t.number);
+        default:
+            if (!t.edge_known) return unknown_value(a, no_tool_said, first_tool_tells);
+            return Value::integer(t.edge);
+    }
+}
+
 Value run_state(const Access& a, SystemVariable v) {
     const Run& run = a.run;
     switch (v) {
         case SystemVariable::feed:
             return run.feed_unknown || !run.feed_valid ? unknown_value(a, "no feed is known here")
                                                        : Value::real(run.feed);
-        case SystemVariable::spindle_speed: return Value::real(run.spindle.speed);
+        case SystemVariable::spindle_speed:
         case SystemVariable::spindle_direction:
-            return Value::integer(run.spindle.direction > 0 ? 3 : run.spindle.direction < 0 ? 4 : 5);
-        case SystemVariable::tool_number: return Value::integer(run.tool.number);
-        case SystemVariable::tool_edge: return Value::integer(run.tool.edge);
-        case SystemVariable::tool_radius:
-            return run.tool.data == nullptr ? unknown_value(a, "no tool data")
-                                            : Value::real(tool_radius(*run.tool.data));
+        case SystemVariable::tool_number:
+        case SystemVariable::tool_edge: return held_from_before(a, v);
+        case SystemVariable::tool_radius: return tool_radius(a);
         case SystemVariable::argument_given: {
             const double n = a.index(0);
             const bool given =
@@ -283,6 +330,14 @@ Value frame_component(const Access& a, SystemVariable v) {
     return whole.type == Type::frame ? read_component(a.run, a.e, whole.as_frame()) : whole;
 }
 
+/// #4001 …: the code itself, or one of two by what it says.
+Value shown_code(const Access& a) {
+    const auto q = static_cast<program::StateQuery>(base::clipped<int>(a.index(0), 0, 255));
+    const auto code = code_in_force(a.run, q, a.index(1), a.index(2));
+    return code ? Value::real(*code)
+                : unknown_value(a, "no block before says a code of this group: it is as the control was left");
+}
+
 /// Date and time of the run: the job may give them.
 Value clock_value(const Access& a) {
     const std::string key = variable_key(a.run, a.e);
@@ -306,10 +361,11 @@ Value read_system(Run& run, const Expr& e) {
     const auto v = static_cast<SystemVariable>(e.op);
     if (v == SystemVariable::ini_value) return setting_value(a);
     if (is_frame(v) && is_component(run, e)) return frame_component(a, v);
-    if (v >= SystemVariable::state) return live_value(run, v, a.index(0), a.where());
+    if (v == SystemVariable::code_in_force) return shown_code(a);
+    if (v >= SystemVariable::state) return live_value(run, v, a.index(0), a.name(), a.where());
     if (v >= SystemVariable::inch_program) {
         const auto value = tool_or_frame(run, e);
-        return value ? Value::real(*value) : unknown_value(a, "neither the job nor the machine file says it");
+        return value ? Value::real(*value) : unknown_value(a, "neither program, job nor machine file says it");
     }
     switch (v) {
         case SystemVariable::numbered_parameter: return indexed_parameter(a);

@@ -24,10 +24,12 @@ const shop::Tool* tool_of(Run& run, const Expr& e) {
     return nullptr;
 }
 
+std::optional<double> not_zero(double v) { return v != 0 ? std::optional(v) : std::nullopt; }
+
 std::optional<double> column(const shop::Tool& t, SystemVariable v) {
     switch (v) {
-        case SystemVariable::table_length: return t.length;
-        case SystemVariable::table_radius: return t.radius;
+        case SystemVariable::table_length: return not_zero(t.length);
+        case SystemVariable::table_radius: return t.has_no_radius ? std::optional(t.radius) : not_zero(t.radius);
         case SystemVariable::table_corner_radius: return t.corner_radius;
         case SystemVariable::table_delta_length: return t.delta_length;
         case SystemVariable::table_delta_radius: return t.delta_radius;
@@ -39,13 +41,15 @@ std::optional<double> column(const shop::Tool& t, SystemVariable v) {
 std::optional<double> known(double v) { return std::isnan(v) ? std::nullopt : std::optional(v); }
 
 std::optional<double> of_tool(const Run& run, SystemVariable v) {
+    const auto of_call = [&](double delta) { return run.tool.known ? std::optional(delta) : std::nullopt; };
     switch (v) {
-        case SystemVariable::prepared_tool: return run.tool.prepared;
-        case SystemVariable::call_delta_length: return run.tool.delta_length;
-        case SystemVariable::call_delta_radius: return run.tool.delta_radius;
-        case SystemVariable::call_delta_corner: return run.tool.delta_corner;
+        case SystemVariable::prepared_tool:
+            return run.tool.selected ? std::optional<double>(*run.tool.selected) : std::nullopt;
+        case SystemVariable::call_delta_length: return of_call(run.tool.delta_length);
+        case SystemVariable::call_delta_radius: return of_call(run.tool.delta_radius);
+        case SystemVariable::call_delta_corner: return of_call(run.tool.delta_corner);
         case SystemVariable::active_radius: return known(active_radius(run));
-        case SystemVariable::active_length: return known(active_length(run));
+        case SystemVariable::active_length: return known(gauge_length(run));
         default: return std::nullopt;
     }
 }
@@ -70,9 +74,9 @@ std::optional<double> of_axis(Run& run, const Expr& e, SystemVariable v) {
 std::optional<double> of_run(const Run& run, SystemVariable v) {
     switch (v) {
         case SystemVariable::inch_program: return run.modal.inch_geometry ? 1 : 0;
-        case SystemVariable::tool_axis: return control_value(run, program::ControlValue::tool_axis);
-        case SystemVariable::spindle_state: return control_value(run, program::ControlValue::spindle_state);
-        case SystemVariable::coolant_state: return control_value(run, program::ControlValue::coolant_state);
+        case SystemVariable::tool_axis: return known(control_value(run, program::ControlValue::tool_axis));
+        case SystemVariable::spindle_state: return known(control_value(run, program::ControlValue::spindle_state));
+        case SystemVariable::coolant_state: return known(control_value(run, program::ControlValue::coolant_state));
         case SystemVariable::active_rotation:
             for (const Transform& t : run.modal.transforms)
                 if (t.kind == TransformKind::rotation) {

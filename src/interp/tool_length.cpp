@@ -5,6 +5,8 @@
 
 #include "base/codes.hpp"
 #include "base/number.hpp"
+#include "interp/complaints.hpp"
+#include "interp/motion.hpp"
 #include "interp/run.hpp"
 
 namespace obrys::interp {
@@ -67,11 +69,11 @@ void finding(Run& run, const shop::Tool& t, double low) {
     d.text = text + ": " + where;
     d.remedy = std::move(remedy);
     d.stack = run.stacks.sites(run.top().stack);
-    run.diagnostics.add(std::move(d));
+    raise(run, std::move(d));
 }
 
-/// Without compensation, and where the tip is then is not known.
-void judge_uncompensated(Run& run, const shop::Tool& t) {
+/// Without compensation, and where the tip is then is not known; true where it was said.
+bool judge_uncompensated(Run& run, const shop::Tool& t) {
     const Offsets& o = run.offsets;
     const double length = length_of(t);
     const std::string tool = tool_text(t.number);
@@ -94,7 +96,7 @@ void judge_uncompensated(Run& run, const shop::Tool& t) {
                       with_length(zero->tool, zero->offset[2]) + ": where its tip is is not known",
                   keys);
     } else if (zero != nullptr) {
-        return;
+        return false;
     } else if (run.env.tool_lengths == ToolLengths::not_said && length != 0) {
         unchecked(run, codes::unknown_value, run.here(),
                   tool + " is " + millimetres(length) +
@@ -104,20 +106,40 @@ void judge_uncompensated(Run& run, const shop::Tool& t) {
         assume(run, run.here(), "no tool length is compensated: the zero is taken to be set with " + tool,
                "say tool_length = \"touched-off\" in the job");
     }
+    return true;
 }
 
-/// With a compensation that is not that of this tool as far as is known.
-void judge_compensated(Run& run, const shop::Tool& t) {
+/// With a compensation that is not that of this tool as far as is known; true where it was said.
+bool judge_compensated(Run& run, const shop::Tool& t) {
     const Offsets& o = run.offsets;
     const Offsets::TouchedOff* zero = zero_of(run);
     const bool own = o.length != Length::of_tool || o.length_tool == t.number;
-    if (own && (zero == nullptr || zero->compensated)) return;
+    if (own && (zero == nullptr || zero->compensated)) return false;
     unchecked(run, codes::unknown_value, run.here(),
               own ? tool_text(t.number) + " moves with length compensation by the zero that " + tool_text(zero->tool) +
                         " was set with uncompensated: where its tip is is not known"
                   : tool_text(t.number) + " moves with the length compensation of H" + std::to_string(o.length_tool) +
                         ": where its tip is is not known",
               "give the lengths of both tools, or program G43 H" + std::to_string(t.number));
+    return true;
+}
+
+/// The block says a height of the workpiece; from home, whose place nobody knows, a step leads nowhere known.
+bool names_height(const Run& run) {
+    const BlockWords& b = run.block;
+    if (!b.has(Code::z) || std::isnan(b.peek(Code::z))) return false;
+    return !is_incremental(run, b.ref(Code::z)) || !std::isnan(run.programmed_position.z);
+}
+
+/// A rapid move to a height: where lengths are compensated in this program, or the zero is another tool's, nobody knows
+/// where its tip comes to stand. A zero is not taken by it.
+void judge_rapid(Run& run, const shop::Tool& t) {
+    Offsets& o = run.offsets;
+    if (o.tip_known || o.length_said || !names_height(run)) return;
+    if (o.length != Length::none)
+        o.length_said = judge_compensated(run, t);
+    else if (run.env.tool_lengths != ToolLengths::at_change && (o.compensates || zero_of(run) != nullptr))
+        o.length_said = judge_uncompensated(run, t);
 }
 
 /// The first tool that cuts by a zero says how it is meant.
@@ -163,7 +185,7 @@ void zero_set_here(Run& run) {
     if (t == nullptr || !keeps_offsets(run)) return;
     Offsets& o = run.offsets;
     o.zeros[run.modal.datum] = {t->number, axes_of(*t), o.length != Length::none};
-    o.length_judged = false;
+    judge_anew(o);
 }
 
 void judge_length(Run& run) {
@@ -173,21 +195,22 @@ void judge_length(Run& run) {
     if (run.env.tell_settings) return;  // the calls of LinuxCNC's interpreter, which does not judge
     const bool machine = run.block.suppress != Modal::linear || run.block.special == Modal::home;
     if (run.env.machine.kind != shop::MachineKind::mill || t == nullptr || machine || run.capture != nullptr) return;
-    if (m == Modal::rapid || m == Modal::canned_off || m == Modal::probe)
-        return;  // a probe may be what finds the length
+    if (m == Modal::canned_off || m == Modal::probe) return;  // a probe may be what finds the length
+    if (m == Modal::rapid) return judge_rapid(run, *t);
     o.length_judged = true;
     const bool at_change = run.env.tool_lengths == ToolLengths::at_change;
     if (o.length == Length::none && at_change) return;
     const bool first = zero_of(run) == nullptr;
-    if (first && o.length == Length::none && !o.tip_known) judge_uncompensated(run, *t);
+    if (first && o.length == Length::none && !o.tip_known && !o.length_said)
+        static_cast<void>(judge_uncompensated(run, *t));
     if (first) take_zero(run, *t);
     const double low = o.tip_known ? o.tip[2] - o.tool[2] : 0;
     if (std::abs(low) > same && o.length != Length::by_values) return finding(run, *t, low);
-    if (o.tip_known) return;
+    if (o.tip_known || o.length_said) return;
     if (o.length != Length::none)
-        judge_compensated(run, *t);
+        static_cast<void>(judge_compensated(run, *t));
     else if (!first)
-        judge_uncompensated(run, *t);
+        static_cast<void>(judge_uncompensated(run, *t));
 }
 
 }  // namespace obrys::interp

@@ -60,6 +60,7 @@ void tool_into_spindle(Run& run) {
     run.tool.number = run.tool.prepared;
     run.tool.name = run.tool.prepared_name;
     run.tool.waiting = false;
+    run.tool.known = run.tool.edge_known = true;
     if (run.tool.number == 0) {  // T="NAME": the list may know its number
         ToolState any = run.tool;
         any.edge = 0;
@@ -75,7 +76,7 @@ bool changes_on_m6(const Run& run) {
 void emit_tool(Run& run) {
     run.tool.data = find_tool(run, run.tool);
     emit(run, cl::ToolChange{run.tool.number, run.tool.edge, run.tool.name, run.tool.delta_length});
-    run.offsets.length_judged = false;
+    judge_anew(run.offsets);
     take_tip(run);
     control_sets(run, {ControlValue::tool_axis});
 }
@@ -84,81 +85,13 @@ void emit_tool(Run& run) {
 
 void begin_with_tool(Run& run, std::uint32_t number) {
     run.tool.prepared = number;
+    run.tool.selected = number;
     tool_into_spindle(run);
     if (run.traits->edge_is_offset_number) run.tool.edge = number;
     emit_tool(run);
 }
 
-void emit_spindle(Run& run) {
-    control_sets(run, {ControlValue::spindle_state});
-    cl::Spindle s;
-    if (std::isnan(run.spindle.speed) && run.spindle.direction != 0) return;  // the stream keeps the last known one
-    s.speed = run.spindle.direction == 0 && std::isnan(run.spindle.speed) ? 0 : run.spindle.speed;
-    s.mode = run.modal.surface_speed ? cl::SpindleMode::surface : cl::SpindleMode::rpm;
-    s.direction = static_cast<std::int8_t>(run.spindle.direction);
-    s.limit = run.modal.surface_speed ? run.spindle.limit : 0;
-    emit(run, s);
-}
-
 namespace {
-
-/// F and S of the block say how long it dwells.
-bool dwells_by_words(const Run& run) { return run.block.special == Modal::dwell && run.traits->dwell_in_feed_words; }
-
-/// A tool change stops the spindle, on machines where it does; `same`: the tool was in the spindle already.
-void stop_for_change(Run& run, bool same) {
-    const bool by_control = run.traits->tool_change_stops_spindle;
-    const bool stops = run.env.machine.tool_change_stops_spindle.value_or(by_control || run.env.machine.kind ==
-                                                                                            shop::MachineKind::mill);
-    if (!stops || run.spindle.direction == 0 || (same && !by_control)) return;
-    run.spindle.direction = 0;
-    emit_spindle(run);
-}
-
-bool spindle_words(Run& run) {
-    BlockWords& b = run.block;
-    bool changed = false;
-    if (run.spindle.mode_changed) {
-        run.spindle.mode_changed = false;
-        changed = run.spindle.direction != 0 || !b.has(Code::spindle);
-    }
-    if (b.has(Code::spindle) && !dwells_by_words(run) && std::isnan(b.get(Code::spindle))) {
-        unchecked(run, codes::unknown_value, run.here(),
-                  "the spindle speed depends on a value that is not known: the last one is kept");
-    } else if (b.has(Code::spindle) && !dwells_by_words(run)) {
-        const double s = b.get(Code::spindle);
-        if (s < 0) return alarm(run, codes::value_range, run.here(), "the spindle speed S is negative"), false;
-        const bool feet = run.modal.surface_speed && run.modal.inch_geometry;  // cutting speed in ft/min
-        run.spindle.speed = s * (feet ? 0.3048 : 1);
-        changed = true;
-    }
-    if (b.has(Code::speed_limit)) {
-        run.spindle.limit = b.get(Code::speed_limit);
-        changed = true;
-    }
-    const auto has = [&](int m) { return std::find(b.m.begin(), b.m.end(), m) != b.m.end(); };
-    if (has(3) && has(4))
-        unchecked(run, codes::repeated_word, run.here(),
-                  "M3 and M4 stand in one block: which of them acts is not certain, the later one is run",
-                  "write one of them");
-    for (const int m : b.m) {
-        if (m == 3 || m == 4) {
-            run.spindle.direction = run.spindle.last = m == 3 ? 1 : -1;
-            changed = true;
-        }
-    }
-    if (b.has(Code::spindle_position)) {
-        b.use(Code::spindle_position);
-        run.spindle.direction = 0;
-        changed = true;
-    }
-    if (std::isnan(run.spindle.speed) && changed)
-        assume(run, run.here(),
-               "the spindle keeps the speed that G96 gave it, and where X stands is not known here: the speed is not "
-               "judged until the next S",
-               "position X before, or program S");
-    return changed;
-}
 
 /// FU, FZ and F AUTO become a plain feed of their mode, which the next F ends.
 void special_feeds(Run& run) {
@@ -195,6 +128,7 @@ void feed_word(Run& run) {
     double f = run.block.get(Code::feed);
     f *= feed_factor(run);
     run.feed_unknown = std::isnan(f);
+    run.modal.feed_said = !run.feed_unknown;
     if (std::isnan(f)) {
         unchecked(run, codes::unknown_value, run.here(),
                   "the feed depends on a value that is not known: the last one is kept");
@@ -211,13 +145,34 @@ void feed_word(Run& run) {
     emit(run, cl::Feed{f, run.modal.feed_mode});
 }
 
+/// FB: the path of this block is run at another feed.
+void begin_feed_alone(Run& run) {
+    const double f = *run.block.feed_alone * feed_factor(run);
+    if (std::isnan(f) || f < 0 || run.modal.motion == Modal::rapid) run.block.feed_alone.reset();
+    if (std::isnan(f))
+        return unchecked(run, codes::unknown_value, run.here(),
+                         "the feed FB depends on a value that is not known: the last feed is kept");
+    if (f < 0) return alarm(run, codes::value_range, run.here(), "the feed FB is negative");
+    if (!run.block.feed_alone) return assume(run, run.here(), "FB= beside a rapid does nothing");
+    run.feed_dropped = false;
+    emit(run, cl::Feed{f, run.modal.feed_mode});
+}
+
 }  // namespace
+
+void end_feed_alone(Run& run) {
+    run.block.feed_alone.reset();
+    run.feed_dropped = !run.feed_valid;
+    if (run.feed_valid) emit(run, cl::Feed{run.feed, run.modal.feed_mode});
+}
 
 void coolant(Run& run, int m) {
     const auto state = m == 7 ? cl::CoolantState::mist : m == 8 ? cl::CoolantState::flood : cl::CoolantState::off;
     run.coolant_on = state != cl::CoolantState::off;
     run.mist = m == 9 ? false : run.mist || m == 7;
     run.flood = m == 9 ? false : run.flood || m == 8;
+    run.modal.mist_said = run.modal.mist_said || m != 8;
+    run.modal.flood_said = run.modal.flood_said || m != 7;
     control_sets(run, {ControlValue::coolant_state});
     emit(run, cl::Coolant{state});
 }
@@ -225,7 +180,7 @@ void coolant(Run& run, int m) {
 bool is_standard_function(const Run& run, int m) {
     const auto own = run.traits->own_functions;
     if (std::find(own.begin(), own.end(), m) != own.end()) return true;
-    return (m >= 0 && m <= 9) || m == 17 || m == 30 || m == 19 || m == 70 || (m >= 40 && m <= 45);
+    return (m >= 0 && m <= 9) || m == 17 || m == 30 || m == 19 || (m >= 40 && m <= 45);
 }
 
 namespace {
@@ -240,20 +195,6 @@ void machine_functions(Run& run) {
             "M" + std::to_string(m) + " is a function of the machine builder: taken as having no effect on the path");
     }
     for (const int h : run.block.h) emit(run, cl::Auxiliary{'H', h});
-}
-
-}  // namespace
-
-namespace {
-
-/// M5, M19 and M9.
-void stop_function(Run& run, int m) {
-    if (m == 5 || m == 19) {
-        run.spindle.direction = 0;
-        emit_spindle(run);
-    } else if (m == 9) {
-        coolant(run, m);
-    }
 }
 
 }  // namespace
@@ -319,6 +260,7 @@ void define_tool(Run& run) {
     if (b.has(Code::tool_length)) found->length = b.get(Code::tool_length) * unit;
     if (b.has(Code::tool_radius)) found->radius = b.get(Code::tool_radius) * unit;
     if (b.has(Code::tool_radius)) found->has_no_radius = found->radius == 0;
+    if (b.has(Code::tool_length) && run.env.machine.kind == shop::MachineKind::mill) compare_length(run, *found);
     run.tool.data = find_tool(run, run.tool);
 }
 
@@ -367,6 +309,7 @@ void number_tool(Run& run, int m) {
     run.tool.number = base::clipped<std::uint32_t>(q, 0, 4294967295);
     run.tool.name.clear();
     run.tool.edge = 1;
+    run.tool.known = run.tool.edge_known = true;
     emit_tool(run);
     control_sets(run, {ControlValue::tool_radius, ControlValue::tool_length});
 }
@@ -396,6 +339,8 @@ void select_tool(Run& run) {
         const double t = b.get(Code::tool);
         if (!b.tool_named && std::isnan(t)) {
             unchecked(run, codes::unknown_value, run.here(), "which tool this is depends on a value that is not known");
+            run.tool.known = false;
+            run.tool.selected.reset();
             return;
         }
         const auto number =
@@ -407,6 +352,7 @@ void select_tool(Run& run) {
         run.tool.prepared = number->first;
         run.tool.prepared_edge = number->second;
         run.tool.prepared_name = b.tool_named ? b.tool_name : std::string{};
+        run.tool.selected = b.tool_named || b.has(Code::tool_change) ? std::nullopt : std::optional(number->first);
         run.tool.waiting = true;
         if (!changes_on_m6(run) && !b.has(Code::tool_change)) {
             tool_into_spindle(run);
@@ -430,15 +376,17 @@ void select_tool(Run& run) {
         if (std::isnan(d)) {
             unchecked(run, codes::unknown_value, run.here(),
                       "which cutting edge this is depends on a value that is not known");
+            run.tool.edge_known = false;
             return;
         }
-        if (!(d >= 0 && d <= 32000)) {
+        if (!base::whole<int>(d, 0, 32'000)) {
             alarm(run, codes::value_range, run.here(), "D" + printed(Value::real(d)) + " is no cutting edge");
             return;
         }
         const auto edge = base::clipped<std::uint32_t>(d, 0, 32'000);
         changed = changed || edge != run.tool.edge;
         run.tool.edge = edge;
+        run.tool.edge_known = true;
     }
     if (changed) emit_tool(run);
     if (changed || b.has(Code::tool_change)) control_sets(run, {ControlValue::tool_radius, ControlValue::tool_length});
@@ -451,7 +399,8 @@ void technology(Run& run) {
                                     bit(Code::edge) | bit(Code::spindle_position) | bit(Code::round_modal) |
                                     bit(Code::corner_feed_modal) | bit(Code::tool_change) | bit(Code::feed_auto) |
                                     bit(Code::feed_per_rev) | bit(Code::feed_per_tooth);
-    if ((b.present & words) == 0 && b.m.empty() && b.h.empty() && !run.spindle.mode_changed && b.surface_word == 0)
+    if ((b.present & words) == 0 && b.m.empty() && b.h.empty() && !run.spindle.mode_changed && b.surface_word == 0 &&
+        !b.feed_alone)
         return;
     tell_technology(run);
     if (b.has(Code::round_modal) && std::isnan(b.get(Code::round_modal)))
@@ -464,9 +413,9 @@ void technology(Run& run) {
     if (run.stopped) return;
     if (spindle_words(run)) emit_spindle(run);
     feed_word(run);
+    if (!run.stopped && b.feed_alone) begin_feed_alone(run);
     if (!run.stopped) machine_functions(run);
-    if (run.traits->stops_before_motion)
-        for (const int m : b.m) stop_function(run, m);
+    for (const int m : b.m) stop_function(run, m, true);
 }
 
 void take_offset_radius(Run& run, double number) {
@@ -515,13 +464,18 @@ void end_of_program(Run& run, int m) {
 }  // namespace
 
 void after_motion(Run& run) {
+    if (run.block.stops_run) {
+        run.spindle.doubtful = true;
+        emit(run, cl::Stop{cl::StopKind::program});
+    }
     if (run.block.m.empty()) return;
-    const std::vector<int> functions = run.block.m;
+    std::vector<int> functions = run.block.m;
+    // The end comes last, wherever it stands in the block.
+    std::stable_partition(functions.begin(), functions.end(), [](int m) { return m != 2 && m != 30 && m != 17; });
     for (const int m : functions) {
         if (run.stopped) return;
-        if (m == 5 || m == 19 || m == 9) {
-            if (!run.traits->stops_before_motion) stop_function(run, m);
-        } else if (m == 0 || m == 1) {
+        stop_function(run, m, false);
+        if (m == 0 || m == 1) {
             emit(run, cl::Stop{m == 0 ? cl::StopKind::program : cl::StopKind::optional});
         } else if (m == 2 || m == 30 || m == 17) {
             flush_path(run);

@@ -163,19 +163,6 @@ std::optional<ContourBlocks> find_contour(Run& run, const CycleDefinition& d, st
 
 namespace {
 
-/// Complaints of a rehearsal, made as those of the cycle's run. False where it ended with an alarm.
-bool make_complaints(Run& run, const CycleDefinition& d, const std::vector<base::Diagnostic>& all) {
-    for (const base::Diagnostic& c : all) {
-        if (c.severity == base::Severity::error) {
-            alarm(run, c.code, c.where, d.name + ": " + c.text, c.remedy);
-            return false;
-        }
-        c.severity == base::Severity::note ? assume(run, c.where, c.text, c.remedy)
-                                           : unchecked(run, c.code, c.where, c.text, c.remedy);
-    }
-    return true;
-}
-
 /// The first block must go to the contour's start by a straight move.
 bool check_start(Run& run, const CycleDefinition& d, const ContourBlocks& c, const std::vector<Captured>& all) {
     const Unit& unit = run.unit();
@@ -227,14 +214,13 @@ bool check_elements(Run& run, const CycleDefinition& d, const std::vector<Captur
 }  // namespace
 
 std::optional<TurnedContour> turned_contour(Run& run, const CycleDefinition& d, const ContourBlocks& c) {
-    const BlockRehearsal r = elements_of_blocks(run, c.first, c.last);
-    if (!make_complaints(run, d, r.complaints)) return std::nullopt;
-    const std::vector<Captured>& all = r.elements;
-    if (!r.ended) {
+    const auto looked = elements_of_blocks(run, c.first, c.last).said(run, d.name);
+    if (!looked) {
         alarm(run, codes::contour, d.where, d.name + ": the run leaves the blocks of the contour before their end",
               "jumps must stay within the contour");
         return std::nullopt;
     }
+    const std::vector<Captured>& all = *looked;
     if (!check_start(run, d, c, all) || !check_elements(run, d, all)) return std::nullopt;
     TurnedContour out;
     path::CornerStage corners;

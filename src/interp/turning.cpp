@@ -50,7 +50,7 @@ std::optional<std::vector<TurningElement>> contour(Run& run, const program::Cann
                   (q >= 0 ? ", and there is no " + name : ""));
         return std::nullopt;
     }
-    const auto elements = elements_of_turned_contour(run, *unit, from);
+    const auto elements = elements_of_turned_contour(run, *unit, from).said(run, std::string(c.name));
     if (!elements) {
         alarm(run, codes::contour, run.here(), std::string(c.name) + ": the contour " + name + " does not end");
         return std::nullopt;

@@ -60,8 +60,11 @@ bool says_nothing(const BlockWords& b, Code c) {
 
 void report_unused(Run& run) {
     BlockWords& b = run.block;
+    if (b.feed_alone && !b.complained && !run.stopped && run.capture == nullptr)
+        unchecked(run, codes::unknown_word, run.here(), "FB= has no meaning in this block and is not run",
+                  "write it in the block of the path that it is for");
     std::uint64_t left = b.present & ~b.used & ~bare_words;
-    if (left == 0 || b.complained || run.stopped || run.capture != nullptr) return;
+    if (left == 0 || b.complained || run.stopped) return;
     if (!b.m.empty()) take_function_words(run);
     left &= ~b.used;
     for (; left != 0; left &= left - 1) {
@@ -75,7 +78,6 @@ void report_unused(Run& run) {
 }
 
 void repeated_words(Run& run) {
-    if (run.capture != nullptr) return;
     for (std::uint64_t left = run.block.twice; left != 0 && !run.stopped; left &= left - 1) {
         const auto code = static_cast<Code>(std::countr_zero(left));
         const base::Span where = place_of(run, code, 1);
@@ -98,7 +100,7 @@ void repeated_group(Run& run, const Word& w) {
     const std::uint32_t mark = std::uint32_t{1} << static_cast<unsigned>(group);
     const bool again = (run.block.groups & mark) != 0;
     run.block.groups |= mark;
-    if (!again || run.capture != nullptr) return;
+    if (!again) return;
     const base::Span where = run.unit().span(*run.statement, w);
     const std::string what = text_of(run, where) + " stands in one block with another word of its group";
     if (run.traits->repeated_groups == Repeated::stops)

@@ -55,6 +55,9 @@ std::optional<StlFile> read_stl(std::uint32_t file, std::string_view bytes, base
         return refuse(base::codes::mesh_file, "STL files of 4 GiB and more are not read");
     StlFile stl;
     stl.binary = !is_ascii(bytes);
+    // Counts and numbers of a binary file are no text.
+    if (stl.binary && bytes.find('\0') == std::string_view::npos && base::is_utf8(bytes))
+        return refuse(base::codes::mesh_file, "this is no STL file: it is text that does not begin with \"solid\"");
     Soup soup(options.weld);
     const bool ok = stl.binary ? read_binary_stl(file, bytes, soup, out) : read_ascii_stl(file, bytes, soup, out);
     if (!ok) return std::nullopt;

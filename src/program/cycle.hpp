@@ -273,7 +273,7 @@ enum class CycleRole : std::uint8_t {
     feed_out,         ///< 1: feed over the whole way out; 0: to the retract plane, from there rapid
     length_unit,      ///< mm per unit in which the control adds up infeeds as binary numbers; none: it adds exactly
     retract_every,    ///< depth after which chip breaking goes out to the retract plane
-    starts_spindle,   ///< 1: the cycle turns the spindle on by itself
+    starts_spindle,   ///< 1: the cycle turns the spindle on by itself; 2: that it does is assumed
     manual_retract,   ///< 1: the path holds the operator's move out
     // Turning: u along the axis (Z), v the radius (X); all lengths in X are radii.
     escape,    ///< how far the tool goes away after a cut or a peck

@@ -223,7 +223,7 @@ enum class SystemVariable : std::uint8_t {
     inch_program,  ///< 0 mm, 1 inch
     prepared_tool,
     tool_axis,      ///< 0 X, 1 Y, 2 Z
-    spindle_state,  ///< 0 M3, 1 M4, 2 M5 behind M3, 3 M5 behind M4, -1 not yet
+    spindle_state,  ///< 0 M3, 1 M4, 2 M5 behind M3, 3 M5 behind M4
     coolant_state,  ///< 0 off, 1 on
     table_length,
     table_radius,
@@ -253,6 +253,7 @@ enum class SystemVariable : std::uint8_t {
     input_value,         ///< of the last M66
     ini_value,           ///< [section, key] of the control's settings
     sub_argument,        ///< [n] of G65
+    code_in_force,  ///< [StateQuery, code where it is so, code where not]: of the group, as the program has said it
 };
 
 struct Expr {

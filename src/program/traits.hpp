@@ -113,6 +113,21 @@ enum class Repeated : std::uint8_t {
     last_or_stop  ///< as a machine parameter says
 };
 
+/// An M function that stops the spindle, besides M5 and M19.
+struct SpindleStop {
+    std::int16_t function = 0;
+    bool before_motion = false;
+    bool certain = true;   ///< else machine or operator say whether it does
+    bool coolant = false;  ///< which it switches off, too
+};
+
+/// How the names of variables are written that the control has beside its numbered parameters.
+enum class NamedVariables : std::uint8_t {
+    none,
+    plain,     ///< MY_I[2], $A_IN[1]
+    in_angles  ///< #<_gap>
+};
+
 struct Traits {
     /// An address that a block has twice.
     Repeated repeated_words = Repeated::stops;
@@ -122,10 +137,14 @@ struct Traits {
     Equality equality{};
     /// Numbers of later banks follow those of the first: QL0 is the number behind the last Q.
     std::array<ParameterBank, 3> banks{ParameterBank{"R", 1000}, {}, {}};
+    NamedVariables named_variables = NamedVariables::plain;
     /// A jump to a block number (GOTOF N100) is allowed.
     bool jump_to_block_number = true;
     /// M2 and M30 end the whole run, also in a called program; else they return from it.
     bool end_stops_all = false;
+    /// A text that ends without its end (Unit::unended) is run up to there, and said, of called programs, too; else it
+    /// is an alarm of the main program.
+    bool text_may_end = false;
     /// With end_stops_all: that is how a program may end; else it is said as a fault of the called program.
     bool may_end_anywhere = false;
     /// A unit of length (inch, mm) holds for its program alone and comes back behind a call.
@@ -163,7 +182,7 @@ struct Traits {
     bool empty_parameters = false;
     /// Not known until the job gives them or the program sets them.
     std::span<const KeptParameters> kept{};
-    std::span<const LiveParameters> live{};
+    std::span<const LiveParameters> live{};  ///< by rising numbers
     OffsetParameters offsets{};
     /// M5 and M9 act before the block's motion; else behind it.
     bool stops_before_motion = false;
@@ -181,6 +200,7 @@ struct Traits {
     bool feed_mode_ends_surface_speed = true;
     /// M functions that the control itself knows and that do nothing to the path.
     std::span<const std::int16_t> own_functions{};
+    std::span<const SpindleStop> spindle_stops{};
     /// Radius compensation holds one move back and refuses what it cannot join (path::Method::held_move).
     bool compensation_holds_move = false;
     /// Radius compensation keeps its side and its plane until it is switched off: another one is an alarm.
@@ -241,6 +261,9 @@ struct Traits {
     bool refuses_unready = false;
     /// G80 leaves no motion in force, so that axis words alone are an error; else rapid.
     bool cancel_leaves_no_motion = false;
+    /// G98: a hole ends at the level where its series began or at R, whichever is higher; else at that level also where
+    /// it lies below R.
+    bool hole_ends_at_least_at_retract_plane = false;
     /// A tapping cycle without its own dwell (P) takes that of the last cycle that had one.
     bool tap_keeps_dwell = false;
     /// M function whose Q says which tool is in the spindle, without a change; 0: there is none.

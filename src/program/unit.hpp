@@ -174,10 +174,16 @@ struct CycleDefinition {
     std::span<const CycleDefault> otherwise{};
 };
 
+/// BLK FORM CYLINDER: about the tool axis through the datum, from `top` down by `length`, mm.
+struct BlankCylinder {
+    double radius = 0, length = 0, top = 0;
+};
+
 /// The stock as the program itself states it (BLK FORM): a block in the program's coordinates and unit.
 struct Blank {
     int tool_axis = 2;  ///< 0 = x …
     std::array<double, 3> min{}, max{};
+    std::optional<BlankCylinder> cylinder{};  ///< instead of the box
     base::Span where;
 };
 
@@ -215,6 +221,7 @@ enum class Procedure : std::uint8_t {
     message,         ///< MSG(text): shown to the operator
     alarm,           ///< SETAL(number): the program stops itself
     master_spindle,  ///< SETMS(n)
+    wait_axes,       ///< WAITP(axis, …): until they have come where POSA sends them
     select_datums,   ///< the datum table that shifts by number refer to: its name
     set_datum,       ///< letter of an axis, coordinate, what it shall be from now on (FN 25)
     print_form,      ///< file with the form, file that the filled form goes to (FN 16)
@@ -277,6 +284,7 @@ enum class NamedKind : std::uint8_t {
     position,                 ///< POS[axis]=: an axis moves on its own, and the block waits for it
     position_meanwhile,       ///< POSA[axis]=: the program goes on while it moves
     axis_feed,                ///< FA[axis]=
+    block_feed,               ///< FB=: feed of the block's path alone
 };
 /// A word with a computed or extended address: AX[expr]=, X1=, S2=, F[X]=.
 struct Named {
@@ -319,8 +327,9 @@ struct Unit {
     bool inch =
         false;  ///< lengths are inches from its first block on, whatever the caller uses (with unit_per_program)
     std::string
-        unended;        ///< not empty: the text has no end that the control wants, and what it says when it comes there
-    bool save = false;  ///< SAVE: the caller's modal G codes and frames come back at the end
+        unended;  ///< not empty: the text has no end that the control wants, and what it says when it comes there
+    std::string unbegun;  ///< not empty: the text has no first block that the control wants, and what is not said so
+    bool save = false;    ///< SAVE: the caller's modal G codes and frames come back at the end
     std::vector<Parameter> parameters;
 
     std::vector<Statement> statements;

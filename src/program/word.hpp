@@ -150,7 +150,7 @@ enum class Modal : std::uint16_t {
     diameter_on,
     diameter_off,
     diameter_absolute_only,
-    pole_given,  ///< CC: the pole by its coordinates, or where the tool stands
+    pole_given,   ///< CC: the pole by its coordinates, or where the tool stands
     rapid_block,  ///< this block: its arc, approach or departure in rapid (C … FMAX)
     paraxial,     ///< this block: along its axis alone
     paraxial_longer,
@@ -223,6 +223,7 @@ enum class Modal : std::uint16_t {
     polar_face,         ///< G12.1: X and Y lie on the face of the turning workpiece, run by X and C
     cylinder_face,      ///< G7.1, radius P: Y is the way on the cylinder, run by C
     interpolation_off,  ///< G13.1: the axes as they are
+    program_stop,       ///< this block's end: STOP without the function of its own
 };
 
 /// How the payload is to be read.

@@ -57,7 +57,8 @@ void add_findings(MillingPage& page, const Subject& s, Texts& texts,
         for (const check::Amount& a : f.amounts) {
             if (a.key == "x_mm" || a.key == "y_mm" || a.key == "z_mm") continue;  // the place says it
             const AmountWords w = amount_words(a.key);
-            p.amounts.push_back({w.label, base::fixed(a.value, 3), w.unit});
+            // Of milling there is no contour to be normal to.
+            p.amounts.push_back({a.key == "depth_mm" ? "depth" : w.label, base::fixed(a.value, 3), w.unit});
         }
         page.findings.push_back(std::move(p));
     }

@@ -11,6 +11,7 @@ struct TextOptions {
     bool colours = false;  ///< ANSI escapes
     bool listed = true;    ///< also what is listed without effect on the verdict
     bool all = false;      ///< every move of a finding that several moves make
+    bool quiet = false;    ///< verdict, findings and what was not checked only
 };
 /// The verdict line first, then findings as `file:line:col: severity: message [code]` with source line and call stack;
 /// those of one cause (check/group.hpp) are one.

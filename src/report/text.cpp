@@ -148,6 +148,7 @@ std::string to_text(const Subject& s, const TextOptions& options) {
     for (const check::Group& g : check::groups_of(r)) out += "\n" + finding(g, s, options);
     if (r.findings_dropped > 0) out += "\n" + count_of(r.findings_dropped, "further finding") + " not shown\n";
     out += notes("not checked", r.unchecked, s);
+    if (options.quiet) return out;
     out += notes("assumed", r.assumptions, s);
     if (options.listed) out += notes("without effect", r.listed, s);
     return out + figures(r);

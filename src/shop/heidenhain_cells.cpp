@@ -6,6 +6,7 @@
 #include "base/number.hpp"
 #include "base/text.hpp"
 #include "base/whole.hpp"
+#include "shop/size_range.hpp"
 
 namespace obrys::shop {
 
@@ -94,10 +95,18 @@ std::optional<double> Cells::real(std::string_view column) {
     return std::nullopt;
 }
 
-std::optional<double> Cells::length(std::string_view column) {
+std::optional<double> Cells::sized(std::string_view column, bool radius) {
     const auto v = real(column);
-    return v && t_.unit == TableUnit::inch ? std::optional(*v * mm_per_inch) : v;
+    if (!v) return v;
+    const double size = t_.unit == TableUnit::inch ? *v * mm_per_inch : *v;
+    const std::string problem = size_problem(size, radius);
+    if (problem.empty()) return size;
+    complain(*find_column(t_, column), "the value " + problem + " mm", {});
+    return std::nullopt;
 }
+
+std::optional<double> Cells::length(std::string_view column) { return sized(column, false); }
+std::optional<double> Cells::radius(std::string_view column) { return sized(column, true); }
 
 std::optional<std::int64_t> Cells::integer(std::string_view column, std::int64_t least, std::int64_t most) {
     const auto v = real(column);

@@ -30,6 +30,7 @@ public:
     /// Nothing where the column or a value is missing, `-` stands there, or the value was reported.
     std::optional<double> real(std::string_view column);
     std::optional<double> length(std::string_view column);  ///< mm
+    std::optional<double> radius(std::string_view column);  ///< mm, of a tool
     std::optional<std::int64_t> integer(std::string_view column, std::int64_t least, std::int64_t most);
     [[nodiscard]] std::string text(std::string_view column) const;
     [[nodiscard]] bool filled(std::string_view column) const { return !text(column).empty(); }
@@ -38,6 +39,7 @@ public:
     [[nodiscard]] base::Span where() const { return cell_span(t_, row_, 0); }
 
 private:
+    std::optional<double> sized(std::string_view column, bool radius);
     void complain(std::size_t column, std::string what, std::string remedy);
     bool runs_over(std::size_t column) const;
 

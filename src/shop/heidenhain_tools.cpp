@@ -77,7 +77,7 @@ void take_kind(Tool& tool) {
 
 void dimensions(Cells& row, Tool& tool) {
     const auto needed = [&](std::string_view column, std::string_view what) {
-        const auto v = row.length(column);
+        const auto v = column == "R" ? row.radius(column) : row.length(column);
         if (!v && !row.filled(column)) assume(tool.assumed, std::string(what) + " 0 mm");
         return v.value_or(0);
     };

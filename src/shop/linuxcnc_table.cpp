@@ -11,6 +11,7 @@
 #include "base/text.hpp"
 #include "base/whole.hpp"
 #include "shop/heidenhain_header.hpp"
+#include "shop/size_range.hpp"
 
 namespace obrys::shop {
 
@@ -65,6 +66,7 @@ public:
 private:
     void words(LinuxcncLine& line, std::size_t end);
     bool word(LinuxcncLine& line, const Token& token);
+    bool field(LinuxcncLine& line, char letter, const Token& whole, const Token& number);
     void columns(LinuxcncLine& line);
     void check(LinuxcncLine& line, LinuxcncLine::Form form);
     void tell(base::Severity severity, std::string_view code, const Token& where, std::string text,
@@ -112,6 +114,24 @@ void TableReader::line(const TableLine& text) {
     words(line, semicolon);
 }
 
+/// A value that stands in `whole`; false where the line is lost by it.
+bool TableReader::field(LinuxcncLine& line, char letter, const Token& whole, const Token& number) {
+    const auto value = number_of(number.text, is_whole(letter));
+    if (!value) {
+        error(whole, std::string(1, letter) + (is_whole(letter) ? " needs a whole number" : " needs a number"),
+              "LinuxCNC reads as far as it understands, or passes over the line");
+        return false;
+    }
+    const std::string problem = is_whole(letter) ? "" : size_problem(*value, letter == 'D');
+    if (!problem.empty()) {
+        error(whole, std::string(1, letter) + " " + problem, "");
+        return false;
+    }
+    if (value_of(line, letter)) warning(whole, std::string("the line has two words ") + letter, "the last one counts");
+    line.fields.push_back(field_at(letter, number, *value));
+    return true;
+}
+
 /// One word; false where the line is lost by it.
 bool TableReader::word(LinuxcncLine& line, const Token& token) {
     const char letter = base::upper(token.text[0]);
@@ -121,16 +141,7 @@ bool TableReader::word(LinuxcncLine& line, const Token& token) {
               "the letters are T P X Y Z A B C U V W D I J Q, a comment begins with ;");
         return false;
     }
-    const Token number{token.text.substr(1), token.at + 1};
-    const auto value = number_of(number.text, is_whole(letter));
-    if (!value) {
-        error(token, std::string(1, letter) + (is_whole(letter) ? " needs a whole number" : " needs a number"),
-              "LinuxCNC reads as far as it understands, or passes over the line");
-        return false;
-    }
-    if (value_of(line, letter)) warning(token, std::string("the line has two words ") + letter, "the last one counts");
-    line.fields.push_back(field_at(letter, number, *value));
-    return true;
+    return field(line, letter, token, {token.text.substr(1), token.at + 1});
 }
 
 void TableReader::words(LinuxcncLine& line, std::size_t end) {
@@ -158,7 +169,7 @@ void TableReader::columns(LinuxcncLine& line) {
                      "a tool is written T1 P1 D6.0 Z-20.5 ; comment");
     }
     for (std::size_t i = 0; i < names.size(); ++i)
-        line.fields.push_back(field_at(names[i], tokens[i], *number_of(tokens[i].text, is_whole(names[i]))));
+        if (!field(line, names[i], tokens[i], tokens[i])) return;
     line.comment =
         tokens.size() > names.size() ? tokens[names.size()].at : static_cast<std::uint32_t>(line.text.size());
     if (line.comment < line.text.size() && line.text[line.comment] == ';') ++line.comment;

@@ -220,6 +220,11 @@ TEST(MillingJob, DimensionsThatMakeNoToolAreSaidWithTheirPlace) {
               "7:17: two corner radii of 1.5 mm do not fit on a width of 2 mm");
     EXPECT_EQ(tool_fault("end-mill", "diameter = 8\nshank = [{diameter = 8}, {diameter = 0, length = 1}]"),
               "5:10: a body of 'shank' has no 'length'; 5:38: 'diameter' must be greater than 0, not 0");
+    const std::string bodies =
+        "diameter = 8\nshank = [{diameter = 8, length = 20}]\nholder = [{diameter = 60, length = 40}]\n";
+    EXPECT_EQ(tool_fault("end-mill", bodies + "length = 60"),
+              "7:10: the length (60 mm) leaves nothing for the edges: shank and holder are 60 mm long together");
+    EXPECT_EQ(tool_fault("end-mill", bodies + "cutting_length = 15\nlength = 75"), "NOT LEFT OUT ");
     EXPECT_EQ(tool_fault("tap", "diameter = 8\npitch = 0"), "5:9: 'pitch' must be greater than 0, not 0");
     EXPECT_EQ(tool_fault("tap", "diameter = inf"), "4:12: 'diameter' must be a finite number");
 }

@@ -5,13 +5,12 @@
 #include <numeric>
 
 #include "base/number.hpp"
+#include "shop/size_range.hpp"
 #include "shop/tool.hpp"
 
 namespace obrys::shop {
 
 namespace {
-
-constexpr double largest_radius = 1e5;  ///< mm
 
 constexpr double same = 1e-9;  ///< mm; dimensions that differ by less are the same
 
@@ -76,6 +75,14 @@ DimensionFault length_fault(const Tool& t) {
     return {};
 }
 
+/// Where the length of the edges is not given, something of the tool's length must be left for them.
+DimensionFault room_fault(const Tool& t) {
+    const double bodies = height_of(t.shank) + height_of(t.holder);
+    if (!(t.length > 0) || bodies == 0 || cutting_height(t)) return {};
+    return {"length", "the length (" + mm(t.length) + ") leaves nothing for the edges: shank and holder are " +
+                          mm(bodies) + " long together"};
+}
+
 }  // namespace
 
 std::string_view kind_word(ToolKind kind) {
@@ -95,6 +102,9 @@ DimensionFault dimension_fault(const Tool& tool) {
     if (!is_milling(tool.kind)) return {};
     if (tool.kind == ToolKind::form && tool.profile.size() < 2) return {"profile", "a form tool needs a profile"};
     if (!(tool.radius > 0)) return {"diameter", "the diameter must be greater than 0"};
+    for (const double size : {tool.length, tool.cutting_length.value_or(0), tool.corner_radius, tool.width})
+        if (const std::string problem = size_problem(size, false); !problem.empty())
+            return {"length", "a size of " + mm(size) + " " + problem};
     if (tool.radius > largest_radius) return {"diameter", "no tool has a diameter of " + mm(2 * tool.radius)};
     for (const auto fault : {cone_fault, disc_fault, corner_fault, length_fault})
         if (DimensionFault found = fault(tool); !found.ok()) return found;
@@ -103,7 +113,7 @@ DimensionFault dimension_fault(const Tool& tool) {
             if (!(b.lower_diameter > 0 && b.upper_diameter > 0 && b.length > 0))
                 return {key, std::string("the diameters and the length of each body of the ") + key +
                                  " must be greater than 0"};
-    return {};
+    return room_fault(tool);
 }
 
 double point_height(const Tool& tool) {

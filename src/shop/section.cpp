@@ -6,12 +6,12 @@
 #include "base/codes.hpp"
 #include "base/number.hpp"
 #include "base/text.hpp"
+#include "shop/size_range.hpp"
 
 namespace obrys::shop {
 
 namespace {
 
-constexpr double largest_size = 1e6, smallest_size = 1e-6;
 constexpr double largest_value = 1e12;  ///< squares of it stay exact enough
 
 void complain(base::Diagnostics& diagnostics, std::string_view code, base::Span where, std::string text,

@@ -253,7 +253,8 @@ std::map<std::uint32_t, geom::Vec3> read_datums(Section& file) {
         const auto n = datum_number(datum.key);
         if (!n) {
             file.error(base::codes::job_file, datum.where, "unknown key '" + datum.key + "' in [datum]",
-                       "G54 … G59, \"G59.1\" … \"G59.3\", \"G54.1 P1\" … \"G54.1 P300\", G505 … G599, preset0 … preset99999, active_preset, diameter");
+                       "G54 … G59, \"G59.1\" … \"G59.3\", \"G54.1 P1\" … \"G54.1 P300\", G505 … G599, preset0 … "
+                       "preset99999, active_preset, diameter");
             continue;
         }
         Section s(datum.value, "'" + datum.key + "'", file.diagnostics());

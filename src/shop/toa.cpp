@@ -11,6 +11,7 @@
 #include "base/text.hpp"
 #include "base/whole.hpp"
 #include "shop/dropped.hpp"
+#include "shop/size_range.hpp"
 #include "shop/toa_mills.hpp"
 #include "shop/tool.hpp"
 
@@ -20,7 +21,7 @@ namespace {
 
 constexpr std::int64_t largest_tool = 999'999'999, largest_edge = 99;
 constexpr int largest_type = 9999;
-constexpr int parameters = 25;
+constexpr int parameters = 25, radius_parameter = 6;
 
 /// One text of the file while it is taken apart, with the offset of its first byte.
 struct Piece {
@@ -140,6 +141,8 @@ void Reader::tool_parameter(int n, Piece indices, Piece value) {
     if (n == 1 && !base::whole<int>(*v, 0, largest_type))
         return complain(base::codes::job_value, value,
                         "the tool type ($TC_DP1) is a whole number from 0 to " + std::to_string(largest_type));
+    if (const std::string problem = size_problem(*v, n == radius_parameter); !problem.empty())
+        return complain(base::codes::job_value, value, "$TC_DP" + std::to_string(n) + " " + problem);
     const auto t = static_cast<std::uint32_t>(*tool), d = static_cast<std::uint32_t>(*edge);
     auto [found, is_new] = tools_.try_emplace({t, d});
     if (is_new) {

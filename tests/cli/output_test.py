@@ -94,6 +94,26 @@ class Outputs(Folder):
             self.assertIn("linear", (self.path / name).read_text())
         self.assertEqual((self.path / "target").stat().st_mode & 0o777, 0o640)
 
+    def test_hard_links_stay_links(self):
+        text = "BEGIN PGM A MM\nL  X+1\nEND PGM A MM\n"
+        self.write("A.H", text)
+        os.link(self.path / "A.H", self.path / "other name")
+        os.chmod(self.path / "A.H", 0o640)
+        self.assertEqual(self.obrys("fmt", "-i", "A.H")[0], 0)
+        formatted = (self.path / "A.H").read_text()
+        self.assertNotEqual(formatted, text)
+        self.assertEqual((self.path / "other name").read_text(), formatted)
+        self.assertEqual((self.path / "A.H").stat().st_nlink, 2)
+        self.assertEqual((self.path / "A.H").stat().st_mode & 0o777, 0o640)
+        self.assertEqual(sorted(n for n in self.names() if n.endswith(".part")), [])
+
+    @unittest.skipUnless(os.path.exists("/proc/self/mem"), "needs /proc")
+    def test_a_window_into_the_system_is_no_empty_file(self):
+        for name in ("/proc/self/mem", "/proc/self/status"):
+            code, _, err = self.obrys("check", name)
+            self.assertEqual(code, 2)
+            self.assertIn("cannot be read", err)
+
     def test_devices_are_written_through(self):
         before = os.stat("/dev/null")
         self.assertEqual(self.obrys("run", "MAIN.MPF", "-o", "/dev/null")[0], 0)

@@ -34,7 +34,7 @@ def write_job(folder, case, tolerance, scale):
         for key, value in keys.items():
             text.append(f"{key} = " + (f'"{value}"' if isinstance(value, str) else str(value).lower()))
     text += ["[stock]", f"box = {{ min = [{box[0]}, {box[1]}, {box[2]}], max = [{box[3]}, {box[4]}, {box[5]}] }}",
-             "[part]", 'file = "part.stl"', "[check]", f"tolerance = {tolerance}"]
+             "[part]", 'file = "part.stl"', "[check]", f"tolerance = {tolerance}", f"gouge = {tolerance}", f"rest_material = {tolerance}"]
     (folder / "part.job.toml").write_text("\n".join(text) + "\n")
 
 

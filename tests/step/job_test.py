@@ -34,7 +34,7 @@ class Job(unittest.TestCase):
         done = subprocess.run([OBRYS, "check", "plate.job.toml", "--format", "json"], cwd=self.folder, capture_output=True,
                               text=True, timeout=120, check=False)
         self.assertEqual(done.returncode, exit_code, done.stdout + done.stderr)
-        return json.loads(done.stdout)
+        return done.stderr if exit_code == 2 else json.loads(done.stdout)
 
     def test_the_plate_is_what_the_program_leaves(self):
         for unit, name in (("MM", "part.step"), ("INCH", "PART.STP")):
@@ -64,9 +64,10 @@ class Job(unittest.TestCase):
 
     def test_surfaces_are_refused(self):
         self.step("shell", "MM")
-        result = json.dumps(self.check('[part]\nfile = "part.step"\n', 3))
-        self.assertIn("mesh-file", result)
-        self.assertIn("no solid", result)
+        said = self.check('[part]\nfile = "part.step"\n', 2)
+        self.assertIn("plate.job.toml:33:8: error: part.step: ", said)
+        self.assertIn("[mesh-file]", said)
+        self.assertIn("no solid", said)
 
 
 if __name__ == "__main__":

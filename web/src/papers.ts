@@ -52,7 +52,7 @@ export class Findings {
     const card = el("div", "finding " + f.severity), title = el("div");
     card.tabIndex = 0;
     card.setAttribute("role", "button");
-    title.append(el("b", "", f.no), el("span", "code", f.code + ": "), f.text);
+    title.append(el("b", "", f.no + "."), el("span", "code", f.code + ": "), f.text);
     card.append(title);
     const place = el("div", "place");
     if (f.where) place.append(siteLink(f.where, open));

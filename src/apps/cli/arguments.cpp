@@ -3,6 +3,7 @@
 #include <CLI/CLI.hpp>
 #include <cmath>
 #include <cstdio>
+#include <filesystem>
 #include <iostream>
 #include <map>
 #include <sstream>
@@ -218,6 +219,7 @@ Commands add_commands(CLI::App& app, Arguments& a) {
         })
         ->type_name("FILE");
     c.check->add_flag("--all", a.all, "also what every move of a finding did that several moves make");
+    c.check->add_flag("-q,--quiet", a.quiet, "text: verdict, findings and what was not checked only");
     c.check->add_flag("--no-list", a.no_list, "text: leave out what has no effect on the verdict");
     c.check->add_flag("!--no-color,!--no-colour", a.colours, "text without colours (also: NO_COLOR)");
     c.run = app.add_subcommand("run", run_help);
@@ -227,7 +229,7 @@ Commands add_commands(CLI::App& app, Arguments& a) {
         ->check(CLI::IsMember({"text", "csv", "json"}))
         ->type_name("FORMAT");
     c.run->add_flag("--canon", a.request.canon, "print LinuxCNC's canonical calls instead of the moves");
-    c.run->add_flag("--quiet", a.quiet, "print one line of counts instead of the moves");
+    c.run->add_flag("-q,--quiet", a.quiet, "print one line of counts instead of the moves");
     c.run->add_flag("--parameters", a.parameters, "print the numbered parameters at the end instead of the moves");
     c.plot = app.add_subcommand("plot", plot_help);
     add_input(*c.plot, a);
@@ -276,6 +278,19 @@ void refuse_empty_names(const Commands& c) {
 
 }  // namespace
 
+namespace {
+
+/// A file whose name begins with - is read as options.
+void explain_dashes(int argc, char** argv) {
+    std::error_code error;
+    for (int i = 1; i < argc; ++i)
+        if (argv[i][0] == '-' && std::filesystem::exists(argv[i], error))
+            std::cerr << "  there is a file " << argv[i] << ", but a word with - before it is an option: write ./"
+                      << argv[i] << "\n";
+}
+
+}  // namespace
+
 std::vector<driver::Wanted> outputs_of(const Arguments& a) {
     std::vector<driver::Wanted> all;
     const bool only_picture = a.command == Command::plot && !(a.interpolation > 0) && !a.svg.empty();
@@ -313,6 +328,7 @@ Arguments parse(int argc, char** argv) {
     } catch (const CLI::ParseError& e) {
         std::ostringstream text;  // standard output is written, and looked after, in one way only
         a.exit = app.exit(e, text, std::cerr) == 0 ? 0 : 2;
+        if (a.exit != 0) explain_dashes(argc, argv);
         std::fputs(text.str().c_str(), stdout);
         return a;
     }

@@ -28,8 +28,8 @@ struct Arguments {
     std::string engagement;                       ///< of check: table of the milling moves, .csv or .json
     driver::MillingRequest milling;               ///< of check
     double interpolation = 0;                     ///< of plot: basic length unit, mm; 0: none given
-    bool quiet = false;                           ///< of run: counts only
-    bool parameters = false;                      ///< of run: numbered parameters at the end
+    bool quiet = false;       ///< of run: counts only; of check: verdict, findings, what was not checked
+    bool parameters = false;  ///< of run: numbered parameters at the end
     bool colours = true;
     bool all = false;                ///< of check: what every move of a finding did
     bool no_list = false;            ///< of check: leave out what has no effect on the verdict

@@ -45,7 +45,7 @@ std::string document(const Arguments& a, const report::Subject& subject) {
     if (a.format == "sarif") return report::to_sarif(subject, a.all);
     const bool colours =
         a.colours && a.output.empty() && standard_output_is_terminal() && std::getenv("NO_COLOR") == nullptr;
-    return report::to_text(subject, {colours, !a.no_list, a.all});
+    return report::to_text(subject, {colours, !a.no_list, a.all, a.quiet});
 }
 
 /// Whether a finding is one of those that --fail-on names, and new.

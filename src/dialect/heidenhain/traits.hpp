@@ -32,11 +32,16 @@ inline constexpr auto control_parameters = [] {
 inline constexpr std::array kept_parameters{program::KeptParameters{0, 1999, {}, false},
                                             program::KeptParameters{2500, 2999, {}, false}};
 
+/// iTNC 530 User's Manual, "M functions for program run control, spindle and coolant".
+inline constexpr std::array spindle_stops{program::SpindleStop{0, false, true, true},
+                                          program::SpindleStop{1, false, false}, program::SpindleStop{6}};
+
 /// Parameters: iTNC 530 pilot (NC software 340 49x-07), Q Q0-Q1999, QL0-QL499 local, QR0-QR499. Equality: the control
 /// computes with a limited number of digits; two values that differ by less than 1e-9 count as equal (docs).
 inline constexpr program::Traits traits{
     .equality = {1e-12, 1e-9},
     .banks = {program::ParameterBank{"Q", 2000}, {"QL", 500, true}, {"QR", 500}},
+    .named_variables = program::NamedVariables::none,
     .jump_to_block_number = false,
     .end_stops_all = true,
     .unit_per_program = true,
@@ -56,6 +61,7 @@ inline constexpr program::Traits traits{
     .machine_words_are_gauge_point = true,
     .kept = kept_parameters,
     .indexed_tools = true,
+    .spindle_stops = spindle_stops,
     .compensation_keeps_side = true,
     .calls_end_compensation = true,
     .feed_at_tool_first = true,

@@ -46,22 +46,32 @@ constexpr std::array haas_shifts{CannedWord{Code::q, CycleRole::shift_u, true, 1
 constexpr std::array unshifted{CycleValue{CycleRole::shift_u, 0}, CycleValue{CycleRole::shift_v, 0}};  ///< but by Q
 constexpr std::array chip_break{CycleValue{CycleRole::chip_break_distance, 1}};
 constexpr std::array stop_above{CycleValue{CycleRole::stop_distance_first, 1}};
+constexpr std::array by_hand{CycleValue{CycleRole::manual_retract, 1}};
 constexpr std::array right{CycleValue{CycleRole::spindle_direction, 1}, CycleValue{CycleRole::starts_spindle, 1}};
 constexpr std::array left{CycleValue{CycleRole::spindle_direction, -1}, CycleValue{CycleRole::starts_spindle, 1}};
 
+/// Without M29 the program turns the spindle on before the cycle; with it the cycle does ("rigid tapping").
+constexpr std::array turned_right{CycleValue{CycleRole::spindle_direction, 1},
+                                  CycleValue{CycleRole::starts_spindle, 2}};
+constexpr std::array turned_left{CycleValue{CycleRole::spindle_direction, -1},
+                                 CycleValue{CycleRole::starts_spindle, 2}};
+
+/// Of two with one number the last one is that behind M29.
 constexpr std::array mill{
     CannedCycle{730, CycleKind::canned_chip_break, "G73", pecks, chip_break},
-    CannedCycle{740, CycleKind::canned_tap_floating, "G74", dwells, left},
+    CannedCycle{740, CycleKind::canned_tap_floating, "G74", dwells, turned_left},
     CannedCycle{760, CycleKind::canned_bore_orient, "G76", shifts, unshifted},
     CannedCycle{810, CycleKind::canned_drill, "G81", plain, {}},
     CannedCycle{820, CycleKind::canned_drill, "G82", dwells, {}},
     CannedCycle{830, CycleKind::canned_peck, "G83", pecks, stop_above},
-    CannedCycle{840, CycleKind::canned_tap_floating, "G84", dwells, right},
+    CannedCycle{840, CycleKind::canned_tap_floating, "G84", dwells, turned_right},
     CannedCycle{850, CycleKind::canned_bore_feed, "G85", plain, {}},
     CannedCycle{860, CycleKind::canned_bore_stop, "G86", plain, {}},
     CannedCycle{870, CycleKind::canned_back_bore, "G87", back, unshifted},
-    CannedCycle{880, CycleKind::canned_bore_manual, "G88", dwells, {}},
+    CannedCycle{880, CycleKind::canned_bore_manual, "G88", dwells, by_hand},
     CannedCycle{890, CycleKind::canned_bore_feed, "G89", dwells, {}},
+    CannedCycle{740, CycleKind::canned_tap_floating, "G74", dwells, left},
+    CannedCycle{840, CycleKind::canned_tap_floating, "G84", dwells, right},
 };
 /// Haas G77 is FANUC's G87; its G86, G87 and G88 stop the spindle at the bottom.
 constexpr std::array haas{
@@ -74,7 +84,7 @@ constexpr std::array haas{
     CannedCycle{840, CycleKind::canned_tap_floating, "G84", haas_taps, right},
     CannedCycle{850, CycleKind::canned_bore_feed, "G85", plain, {}},
     CannedCycle{860, CycleKind::canned_bore_stop, "G86", plain, {}},
-    CannedCycle{880, CycleKind::canned_bore_manual, "G88", dwells, {}},
+    CannedCycle{880, CycleKind::canned_bore_manual, "G88", dwells, by_hand},
     CannedCycle{890, CycleKind::canned_bore_feed, "G89", dwells, {}},
 };
 

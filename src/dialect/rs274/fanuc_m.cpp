@@ -24,7 +24,7 @@ constexpr std::array common{
     FanucM{9, function, {}},
     FanucM{10, accepted, "clamp"},
     FanucM{11, accepted, "unclamp"},
-    FanucM{19, accepted, "spindle orientation"},
+    FanucM{19, function, {}},  // spindle orientation: it stands
     FanucM{29, accepted, "rigid tapping"},
     FanucM{30, function, {}},
     FanucM{98, call, {}},

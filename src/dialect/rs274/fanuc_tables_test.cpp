@@ -1,9 +1,11 @@
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <array>
 #include <set>
 
 #include "dialect/rs274/fanuc.hpp"
+#include "dialect/rs274/linuxcnc.hpp"
 
 namespace obrys::dialect::rs274 {
 
@@ -21,6 +23,15 @@ Modal modal_of(int code, const FanucControl& c) {
 }
 
 }  // namespace
+
+TEST(FanucTables, LiveParametersRise) {
+    const auto rises = [](const program::LiveParameters& a, const program::LiveParameters& b) {
+        return a.first < b.first;
+    };
+    for (const program::Traits* t :
+         {&fanuc_traits(mill), &fanuc_traits(haas), &fanuc_traits(lathe(GSystem::a)), &linuxcnc_traits})
+        EXPECT_TRUE(std::is_sorted(t->live.begin(), t->live.end(), rises));
+}
 
 TEST(FanucTables, NoCodeStandsTwice) {
     const auto check = [](std::span<const FanucG> table) {

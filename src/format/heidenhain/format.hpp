@@ -24,7 +24,8 @@ struct Options {
     LineEnds line_ends = LineEnds::keep;
 };
 
-/// A block whose words stay byte for byte, because something in it is not understood.
+/// A block whose words stay byte for byte, because something in it is not understood; in a text without block numbers
+/// no block gets one then, and lines of a cycle behind it stay, too.
 struct Left {
     std::uint32_t line = 1;  ///< counted from 1
     std::string text;        ///< its first line, as written

@@ -109,6 +109,16 @@ TEST(Format, what_is_not_understood_stays_and_is_named) {
     EXPECT_EQ(block("LBL \"open"), "LBL \"open");
 }
 
+TEST(Format, what_stays_is_no_other_block_than_before) {  // numbers would make Q202 a word of the cycle
+    const std::string text =
+        "BEGIN PGM P MM\nl x1\nCYCL DEF 200 X ~\n  Q200=2 ~\n  Q2X\x01=5 ~\x1a  Q338=0\nQ202=5 ~\n  Q206=1\nL Y2\n";
+    EXPECT_EQ(klartext(text),
+              "BEGIN PGM P MM\nL X+1\nCYCL DEF 200 X ~\n  Q200=2 ~\n  Q2X\x01=5 ~\x1a  Q338=0\nQ202=5 ~\n"
+              "  Q206=1\nL Y+2\n");
+    EXPECT_EQ(iso("%P G71 *\nG01 x1 *\nG01 FOO *\nG01 y2 *\nN99999999 %P G71 *\n"),
+              "%P G71 *\nG01 X+1 *\nG01 FOO *\nG01 Y+2 *\nN99999999 %P G71 *\n");
+}
+
 TEST(Format, iso_blocks) {
     EXPECT_EQ(iso("%P G71 *\nN5 G30 g17 X0 Y+0 Z-40*\n"
                   "N6 G200 Drilling\nQ200 = 2 ;abc\nQ201=-5*\nN7 g98 L1 *\nN8 D09 P01 +Q1 P02  +0 P03 5*\n"

@@ -82,6 +82,7 @@ Text iso_code(std::string_view code, Decimal decimal) {
     std::string parameter, out;
     if (in.parameter(parameter)) {
         in.go_to(0);
+        if (code.find('=') == std::string_view::npos) return std::nullopt;
         if (formula_words(in, out)) return out;
         return base::upper(code[1]) == 'S' ? collapsed(code, true) : std::nullopt;
     }
@@ -100,6 +101,10 @@ public:
         : lines_(split_lines(text)), options_(options), writer_(out_.text, options.line_ends) {
         out_.text.reserve(text.size() + text.size() / 8);
     }
+
+    /// No block gets a number that has none.
+    void keep_numbers() { count_.keep(); }
+    [[nodiscard]] bool numbered() const { return first_numbered_; }
 
     Formatted run() {
         for (at_ = 0; at_ < lines_.size(); ++at_) {
@@ -186,6 +191,14 @@ private:
 
 }  // namespace
 
-Formatted formatted_iso(std::string_view text, const Options& options) { return Iso(text, options).run(); }
+/// As of Klartext: where something stays as it is, no block gets a number that had none.
+Formatted formatted_iso(std::string_view text, const Options& options) {
+    Iso program(text, options);
+    Formatted f = program.run();
+    if (f.left.empty() || program.numbered()) return f;
+    Iso again(text, options);
+    again.keep_numbers();
+    return again.run();
+}
 
 }  // namespace obrys::format::heidenhain

@@ -33,6 +33,10 @@ public:
         skip_preface(text);
     }
 
+    /// No block gets a number that has none.
+    void keep_numbers() { count_.keep(); }
+    [[nodiscard]] bool numbered() const { return first_numbered_; }
+
     Formatted run() {
         out_.numbers_kept = refers_to_blocks();
         if (out_.numbers_kept) count_.keep();
@@ -78,6 +82,10 @@ private:
         }
     }
 
+    void copy_lines(std::size_t end) {
+        while (at_ < end) copy_line();
+    }
+
     void copy_line() {
         writer_.line(lines_[at_].text, lines_[at_].end);
         ++at_;
@@ -102,6 +110,8 @@ private:
         Numbered n = split_number(line, false);
         if (blocks_++ == 0) first_numbered_ = n.number;
         if (n.body.starts_with(';') || n.body.starts_with('*')) return comment_block(n, end);
+        if (!n.number && behind_left_ && is_cycle_line(n.body)) return copy_lines(end);
+        behind_left_ = false;
         if (!n.number && first_numbered_ && in_cycle_ && is_cycle_line(n.body)) return cycle_lines(end);
         if (!n.body.empty() && !n.body.starts_with('~')) in_cycle_ = opens_cycle(n.body);
         if (base::to_upper(n.body.substr(0, 5)) == "BEGIN") count_.restart();
@@ -171,26 +181,28 @@ private:
                 p.code.empty() ? std::optional<std::string>(std::string{}) : cycle_line(p.code, options_.decimal);
             if (!code || has_control_characters(p.code)) {
                 leave();
-                while (at_ < end) copy_line();
-                return;
+                return copy_lines(end);
             }
             out.push_back(joined(std::move(*code), p));
         }
         write(out, "  ", end);
     }
 
-    void leave() { out_.left.push_back({static_cast<std::uint32_t>(at_ + 1), std::string(lines_[at_].text)}); }
+    void leave() {
+        behind_left_ = true;
+        out_.left.push_back({static_cast<std::uint32_t>(at_ + 1), std::string(lines_[at_].text)});
+    }
 
     void raw_block(const Numbered& n, std::size_t end) {
         leave();
         // Where a reader ends such a block is not certain: one of its lines may define a cycle.
         for (std::size_t i = at_ + 1; i < end; ++i)
             in_cycle_ = in_cycle_ || opens_cycle(split_number(lines_[i].text, false).body);
-        if (n.understood) {
+        if (n.understood && n.number) {
             writer_.line(count_.next(n).append(n.body), lines_[at_].end);
             ++at_;
         }
-        while (at_ < end) copy_line();
+        copy_lines(end);
     }
 
     std::vector<Line> lines_;
@@ -200,12 +212,22 @@ private:
     Counter count_{"", 0, 1};
     std::size_t at_ = 0, blocks_ = 0;
     bool first_numbered_ = false;
-    bool open_ = false;      ///< `~` ends the last line that is not empty
-    bool in_cycle_ = false;  ///< a cycle's definition came last, but for comments
+    bool open_ = false;         ///< `~` ends the last line that is not empty
+    bool in_cycle_ = false;     ///< a cycle's definition came last, but for comments
+    bool behind_left_ = false;  ///< a block that stays as it is came last, but for comments
 };
 
 }  // namespace
 
-Formatted formatted_klartext(std::string_view text, const Options& options) { return Klartext(text, options).run(); }
+/// Numbers in a text that had none would make lines that stay as they are, and so get none, parts of the cycle before
+/// them: where something stays, no block gets one.
+Formatted formatted_klartext(std::string_view text, const Options& options) {
+    Klartext program(text, options);
+    Formatted f = program.run();
+    if (f.left.empty() || program.numbered()) return f;
+    Klartext again(text, options);
+    again.keep_numbers();
+    return again.run();
+}
 
 }  // namespace obrys::format::heidenhain

@@ -80,6 +80,10 @@ Text tool_block(Scan& in, Decimal decimal, Block& block) {
 Text blank_block(Scan& in, Decimal decimal, Block& block) {
     if (!in.take_word("FORM")) return std::nullopt;
     in.skip_blanks();
+    if (in.take_word("CYLINDER")) {
+        block = {Shape::generic, WordKind::path};
+        return words(in, "BLK FORM CYLINDER", block, decimal);
+    }
     const bool corner =
         in.peek() == '0' && (in.peek(1) == '.' || in.peek(1) == ',') && (in.peek(2) == '1' || in.peek(2) == '2');
     if (!corner || is_digit(in.peek(3)) || in.peek(3) == '.') return std::nullopt;
@@ -152,6 +156,7 @@ Text assignment(std::string_view code, Decimal decimal, Block& block) {
     block = {Shape::formula, WordKind::path};
     Scan in(code, decimal);
     std::string out;
+    if (code.find('=') == std::string_view::npos) return std::nullopt;
     if (formula_words(in, out)) return out;
     return base::upper(code[1]) == 'S' ? names(code, true) : std::nullopt;
 }

@@ -59,17 +59,59 @@ void end_program(State& s) {
          "END PGM " + s.name + (s.build.unit().inch ? " INCH" : " MM"));
 }
 
+/// One of D R L DIST DI RI and its value; false behind a complaint.
+bool cylinder_word(State& s, program::BlankCylinder& c, double& inner) {
+    const std::uint32_t begin = s.in.at();
+    std::string word;
+    for (; base::is_letter(s.in.peek()); s.in.step()) word += base::upper(s.in.peek());
+    double* const to = word == "R" || word == "D"     ? &c.radius
+                       : word == "L"                  ? &c.length
+                       : word == "DIST"               ? &c.top
+                       : word == "RI" || word == "DI" ? &inner
+                                                      : nullptr;
+    if (to == nullptr) {
+        s.in.go_to(begin);
+        return fail_here(s, "R or D, L, DIST, RI or DI is due here, found " + here(s)), false;
+    }
+    const Value v = read_value(s);
+    if (!v.found || !v.is_literal()) return fail_here(s, "a number is due here, found " + here(s)), false;
+    *to = word.starts_with('D') && word != "DIST" ? v.number() / 2 : v.number();
+    return true;
+}
+
+/// BLK FORM CYLINDER Z R50 L105 DIST+5 RI10. Source: TNC 640 User's Manual, "Defining the blank"; that it goes down
+/// from DIST is read from its example.
+void read_cylinder(State& s, std::uint32_t begin) {
+    program::Blank blank;
+    blank.where = s.build.span(begin, s.in.at());
+    const auto axis = std::string_view("XYZ").find(base::upper(s.in.peek()));
+    if (axis == std::string_view::npos) return fail_here(s, "X, Y or Z is due here, found " + here(s));
+    s.in.step();
+    s.in.skip_blanks();
+    blank.tool_axis = static_cast<int>(axis);
+    double inner = 0;
+    program::BlankCylinder& c = blank.cylinder.emplace();
+    while (!s.failed && !s.in.at_end())
+        if (!cylinder_word(s, c, inner)) return;
+    if (s.failed) return;
+    if (!(c.radius > 0 && c.length > 0)) return fail_here(s, "BLK FORM CYLINDER needs R or D, and L, above 0");
+    if (inner != 0) return s.build.problem(Code::unsupported, begin, s.in.at(), "a hollow blank is not taken as stock");
+    s.build.unit().blank = blank;
+}
+
 /// BLK FORM 0.1 Z X+0 Y+0 Z-40 and 0.2 X+100 Y+100 Z+0; in the second IX counts from the least point.
 void read_blank(State& s) {
     const std::uint32_t begin = s.block;
     s.build.statement(StatementKind::block, s.block);
     if (!s.in.take_word("FORM")) return fail_here(s, "FORM is due behind BLK, found " + here(s));
     s.in.skip_blanks();
+    if (s.in.take_word("CYLINDER")) return s.in.skip_blanks(), read_cylinder(s, begin);
     const base::NumberScan n = s.in.number();
     const int corner = n.decimal && n.decimal->decimals == 1 ? static_cast<int>(n.decimal->mantissa) : 0;
     if (corner != 1 && corner != 2) {
         s.in.skip_block();
-        return s.build.problem(Code::unsupported, begin, s.in.at(), "a blank of this shape is not read");
+        return s.build.problem(Code::unsupported, begin, s.in.at(),
+                               "a blank by a turned contour or a file is not taken as stock");
     }
     program::Blank& blank = blank_of(s.build.unit());
     blank.where = s.build.span(begin, s.in.at());
@@ -98,7 +140,11 @@ void read_stop(State& s) {
     s.build.statement(StatementKind::block, s.block);
     s.in.step(4);
     const std::size_t words = s.build.unit().words.size();
-    read_functions(s);
+    s.in.skip_blanks();
+    if (base::upper(s.in.peek()) == 'F')
+        fail_here(s, "an M function stands behind STOP and nothing else, found " + here(s));
+    else
+        read_functions(s);
     stop_here(s, words, begin, begin + 4);
 }
 
@@ -181,7 +227,7 @@ void stop_here(State& s, std::size_t words, std::uint32_t begin, std::uint32_t e
         stops = stops || (program::code_of(w) == Code::m && program::is_literal(w) &&
                           (w.payload == 0 || w.payload == 2 || w.payload == 30));
     }
-    if (!stops) s.build.literal(Code::m, 0, begin, end);
+    if (!stops) s.build.modal(Modal::program_stop, begin, end);
     s.after_stop = true;
 }
 

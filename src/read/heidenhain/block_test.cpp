@@ -161,15 +161,16 @@ TEST(KlartextBlock, BlankForm) {
 }
 
 TEST(KlartextBlock, StopStopsAndShowsTheCommentBehindIt) {
-    EXPECT_EQ(one("STOP"), "M0");
+    EXPECT_EQ(one("STOP"), modal(Modal::program_stop));
     EXPECT_EQ(one("STOP M0"), "M0");
     EXPECT_EQ(one("STOP M30"), "M30");
-    EXPECT_EQ(one("STOP M8"), "M8 M0");
+    EXPECT_EQ(one("STOP M8"), "M8 " + modal(Modal::program_stop));
     EXPECT_EQ(Reading("1 STOP\n2 ; tool \xFC"
                       "ber\n3 ; not shown\n4 L X+1\n5 ; nor this\n")
                   .tree(),
-              "0 M0\n1 procedure 0(\"tool \xC3\xBC"
-              "ber\")\n2 " +
+              "0 " + modal(Modal::program_stop) +
+                  "\n1 procedure 0(\"tool \xC3\xBC"
+                  "ber\")\n2 " +
                   line + " X1\n");
 }
 

@@ -82,11 +82,20 @@ void read_call(State& s) {
     if (!s.failed && s.iso.incremental) modal_statement(s, Modal::incremental);
 }
 
+/// The last block has the name and the unit of the first.
+void end_program(State& s, const std::string& name, const IsoBlock& b) {
+    s.ended = s.begun;
+    if (!s.begun || (name == s.name && b.has_g(70) == s.build.unit().inch)) return;
+    s.build.statement(StatementKind::block, s.block);
+    fail(s, s.block, "the last block does not have the name and the unit of the first",
+         "%" + s.name + (s.build.unit().inch ? " G70" : " G71"));
+}
+
 /// `%NAME G71 *` at the beginning and at the end; `%NAME *` calls a program.
 void read_percent(State& s) {
     s.in.step();
     const std::uint32_t behind = s.in.at();
-    static_cast<void>(s.in.path());
+    const std::string name = base::to_upper(s.in.path());
     const IsoBlock b = look_over(s);
     const bool first = s.build.unit().statements.empty() && !s.begun;
     const bool frame = b.has_g(70) || b.has_g(71);
@@ -95,8 +104,11 @@ void read_percent(State& s) {
         return read_call(s);
     }
     s.in.skip_block();
-    if (!first) return static_cast<void>(s.ended = s.begun);
+    if (!first) return end_program(s, name, b);
     s.begun = true;
+    s.name = name;
+    if (!frame)
+        fail(s, s.block, "G70 or G71 is due behind the program's name", "it says what every length of the program is");
     s.build.unit().inch = b.has_g(70);
     s.build.statement(StatementKind::block, s.block);
     s.build.modal(b.has_g(70) ? Modal::inch_all : Modal::metric_all, s.block, s.in.at());
@@ -114,6 +126,9 @@ void read_label_call(State& s) {
             return fail_here(s, "a number of repeats is due behind the comma, found " + here(s),
                              "L1,0 calls a subprogram");
         if (!v.is_literal() || v.literal.value != 0) repeats = as_expr(s, v);
+    } else {
+        return fail_here(s, "a comma and a number of repeats are due behind the label, found " + here(s),
+                         "L1,0 calls a subprogram, L1,5 repeats a section");
     }
     call_label(s, label, repeats);
     s.iso.motion = -1;
@@ -226,7 +241,10 @@ void read_smooth(State& s, bool departure) {
         s.iso.departure = radius;
         s.iso.departure_feed = feed;
     } else {
-        if (feed != program::no_expr) s.build.expression(Code::corner_feed, feed, begin, s.in.at());
+        if (feed != program::no_expr)
+            s.build.expression(Code::corner_feed, feed, begin, s.in.at());
+        else if (s.iso.motion == 0 || s.iso.motion == 10)  // all of it, as APPR with FMAX
+            s.build.modal(Modal::rapid_block, begin, s.in.at());
         add_smooth(s, false, radius, begin);
     }
     s.build.statement(StatementKind::block, s.block);  // the block itself, which counts as one

@@ -46,7 +46,7 @@ program::Unit read_iso(std::uint32_t file, const base::Sources& sources, program
         if (s.in.at() - aside > base::Store::piece) aside = lay_aside(s, sources);
         read_iso_block(s);
     }
-    check_end(s, "N99999999 %NAME", diagnostics);
+    check_end(s, "%NAME G71", "N99999999 %NAME", diagnostics);
     s.block = s.in.at();
     flush_pending(s);
     resolve_labels(s);

@@ -88,10 +88,13 @@ void read_pole(State& s) {
                 static_cast<void>(read_text(s));
             else
                 static_cast<void>(read_value(s));
+        } else if (c == '.' || base::is_digit(c)) {  // what is left of a number that is none
+            s.in.go_to(begin);
+            fail_here(s, "unexpected " + here(s));
         }
     }
     s.build.end_statement(s.in.at());
-    s.in.go_to(from);
+    if (!s.failed) s.in.go_to(from);
 }
 
 /// The path function of the block; true where it moves.
@@ -217,9 +220,12 @@ private:
         switch (n) {
             case 7:
             case 29:
-            case 38:
+            case 38: return;
             case 43:
-            case 44: return;
+            case 44:
+                if (!b_.has_g(7))
+                    s_.build.modal(n == 43 ? Modal::paraxial_longer : Modal::paraxial_shorter, begin, end);
+                return;
             case 17: return s_.build.modal(Modal::plane_xy, begin, end);
             case 18: return s_.build.modal(Modal::plane_zx, begin, end);
             case 19: return s_.build.modal(Modal::plane_yz, begin, end);
@@ -268,6 +274,8 @@ void depart(State& s) {
         return fail(s, s.block, "a straight block is due behind G27", "G00 or G01 to the point off the contour");
     const ExprId feed = std::exchange(s.iso.departure_feed, program::no_expr);
     if (feed != program::no_expr) s.build.expression(Code::corner_feed, feed, s.block, s.in.at());
+    const bool rapid = s.iso.motion == 0 || s.iso.motion == 10;  // G00, G10: all of it, as DEP with FMAX
+    if (rapid && feed == program::no_expr) s.build.modal(Modal::rapid_block, s.block, s.in.at());
     add_smooth(s, true, radius, s.block);
     s.last_path = program::no_target;  // no corner may follow
 }

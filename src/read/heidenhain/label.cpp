@@ -1,5 +1,7 @@
 /// Labels and calls: LBL, CALL LBL … REP, CALL PGM, GOTO LBL.
 
+#include <algorithm>
+
 #include "read/heidenhain/state.hpp"
 
 namespace obrys::read::heidenhain {
@@ -38,8 +40,13 @@ Label read_label(State& s) {
     l.text = read_text(s);
     if (l.text == no_expr) return l;
     const program::Expr& e = s.build.unit().exprs[l.text];
-    if (e.kind == program::ExprKind::text) l.name = s.build.unit().texts[e.a];
-    if (e.kind == program::ExprKind::text && l.name.empty()) fail(s, begin, "a label's name is empty");
+    if (e.kind != program::ExprKind::text) return l;
+    l.name = s.build.unit().texts[e.a];
+    if (l.name.empty()) fail(s, begin, "a label's name is empty");
+    if (std::all_of(l.name.begin(), l.name.end(), base::is_digit)) {  // LBL "1" is another one than LBL 1
+        l.name = '"' + l.name + '"';
+        l.text = s.build.text(l.name, begin, s.in.at());
+    }
     return l;
 }
 

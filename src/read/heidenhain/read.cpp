@@ -22,7 +22,7 @@ void skip_preface(State& s, std::size_t begin, std::string_view mark, base::Diag
     s.in.go_to(static_cast<std::uint32_t>(line));
 }
 
-void check_end(State& s, std::string_view last, base::Diagnostics& diagnostics) {
+void check_end(State& s, std::string_view first, std::string_view last, base::Diagnostics& diagnostics) {
     base::Diagnostic d;
     if (s.ended && s.in.next_line()) {
         const std::uint32_t begin = s.in.at();
@@ -37,6 +37,11 @@ void check_end(State& s, std::string_view last, base::Diagnostics& diagnostics) 
         d.code = base::codes::unclosed;
         d.where = s.build.span(s.block, s.in.at());
         d.text = std::string(last) + " is missing: the program may be cut off here";
+    } else if (!s.begun) {
+        s.build.unit().unbegun = std::string(first) +
+                                 " is missing: whether millimetres or inches are meant is not said, and the "
+                                 "beginning of the program may be cut off";
+        return;
     } else {
         return;
     }
@@ -73,7 +78,7 @@ program::Unit read(std::uint32_t file, const base::Sources& sources, program::Na
         if (first) s.first_numbered = s.numbered;
         first = false;
     }
-    check_end(s, "END PGM", diagnostics);
+    check_end(s, "BEGIN PGM", "END PGM", diagnostics);
     resolve_labels(s);
     lay_aside(s, sources);
     return unit;

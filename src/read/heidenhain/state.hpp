@@ -95,7 +95,7 @@ std::uint32_t lay_aside(State& s, const base::Sources& sources);                
 /// there is none).
 void skip_preface(State& s, std::size_t begin, std::string_view mark, base::Diagnostics& diagnostics);
 /// A program that was cut off on its way here has no last block; what an editor has left behind it is not run.
-void check_end(State& s, std::string_view last, base::Diagnostics& diagnostics);
+void check_end(State& s, std::string_view first, std::string_view last, base::Diagnostics& diagnostics);
 void read_comment(State& s, bool after_stop);  ///< block.cpp: behind STOP it is a message, else nothing
 /// A stop of the program, unless an M0, M2 or M30 stands among the words from `words` on.
 void stop_here(State& s, std::size_t words, std::uint32_t begin, std::uint32_t end);

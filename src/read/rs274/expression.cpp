@@ -62,7 +62,8 @@ const FunctionName* function_here(const State& s, bool& named) {
     return nullptr;
 }
 
-/// `[#…]`: 1 for what the control has anyway, a question for a parameter with a name of the program's own.
+/// `[#…]`: 1 for what the control has anyway, a question for a parameter with a name of the program's own, for pins and
+/// for settings.
 ExprId read_exists(State& s, const FunctionName& f, std::uint32_t begin, int depth) {
     s.line.step();
     if (s.line.peek() != '#') {
@@ -76,7 +77,10 @@ ExprId read_exists(State& s, const FunctionName& f, std::uint32_t begin, int dep
         return no_expr;
     }
     const program::Expr e = s.unit().exprs[asked];
-    if (e.kind != program::ExprKind::variable) return s.build().number(1, true, begin, s.line.behind());
+    const auto what = static_cast<program::SystemVariable>(e.op);
+    const bool of_machine = e.kind == program::ExprKind::system &&
+                            (what == program::SystemVariable::unknown || what == program::SystemVariable::ini_value);
+    if (e.kind != program::ExprKind::variable && !of_machine) return s.build().number(1, true, begin, s.line.behind());
     const ExprId name = s.build().text(s.names.text(e.a), e.begin, e.end);
     return s.build().function(f.function, {name}, begin, s.line.behind());
 }

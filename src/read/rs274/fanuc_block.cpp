@@ -1,4 +1,5 @@
 #include <algorithm>
+#include <cmath>
 
 #include "read/rs274/fanuc_state.hpp"
 
@@ -240,11 +241,42 @@ void read_slashed(FanucState& s) {
     s.unit().jumps[to_end].target = here();
 }
 
+/// Macro statements and NC words stand in blocks of their own.
+void end_macro_statement(FanucState& s) {
+    while (!s.failed && s.line.peek() == '(') static_cast<void>(take_comment(s));
+    if (s.failed || s.line.at_end()) return;
+    fail(s, s.line.here(), s.line.end(), "this stands behind a macro statement, which needs a block of its own",
+         "write it in a block before or behind it");
+}
+
+bool calls_macro(const FanucState& s) {
+    return std::any_of(s.addresses.begin(), s.addresses.end(), [](const Address& a) {
+        const auto g = g_tenths(a);
+        return g && (*g == 650 || *g == 660 || *g == 661);
+    });
+}
+
+/// Numbers of functions, tools and offsets have no decimal point; as arguments of a macro they are values as others.
+/// FANUC, decimal point programming: X Y Z U V W A B C I J K Q R F may have one; alarm 7.
+void refuse_points(FanucState& s) {
+    if (calls_macro(s)) return;
+    const std::string_view letters = s.control.is_lathe() ? "MT" : "MTHD";
+    for (const Address& a : s.addresses) {
+        if (a.comma || letters.find(a.letter) == std::string_view::npos || !a.value.is_literal()) continue;
+        if (a.value.number() == std::floor(a.value.number())) continue;  // posts for FANUC write M251. as well
+        return fail(
+            s, a.begin, a.end,
+            s.control.haas ? "a whole number stands behind this letter" : "a decimal point cannot stand here (alarm 7)",
+            "write a whole number");
+    }
+}
+
 }  // namespace
 
 void read_rest(FanucState& s) {
     s.condition = no_expr;
-    if (read_macro_statement(s) || s.failed) return;
+    if (read_macro_statement(s)) return end_macro_statement(s);
+    if (s.failed) return;
     if (s.control.haas && s.line.peek() == '[') {  // [#1 LT 10] M99 P20
         s.operators = 0;
         s.condition = read_bracket(s);
@@ -255,6 +287,8 @@ void read_rest(FanucState& s) {
     if (s.failed) return;
     if (s.condition != no_expr && !jumps(s)) return fail(s, begin, s.line.end(), "expected M99 P behind the condition");
     if (s.addresses.empty()) return;
+    refuse_points(s);
+    if (s.failed) return;
     if (s.slash) return read_slashed(s);
     if (read_calls(s) || s.failed) return;
     if (!s.called.empty())

@@ -52,10 +52,10 @@ TEST(FanucMacro, Loops) {
 }
 
 TEST(FanucMacro, AlarmsAndStops) {
-    EXPECT_EQ(on_mill("#3000=7 (TOO FAR)"), "procedure 10((f44((7 + 3000),0) << \" TOO FAR\"))");
-    EXPECT_EQ(on_haas("#3000=7 (TOO FAR)"), "procedure 10((f44((7 + 1000),0) << \" TOO FAR\"))");
+    EXPECT_EQ(on_mill("#3000=7 (TOO FAR)"), "procedure 11((f44((7 + 3000),0) << \" TOO FAR\"))");
+    EXPECT_EQ(on_haas("#3000=7 (TOO FAR)"), "procedure 11((f44((7 + 1000),0) << \" TOO FAR\"))");
     EXPECT_EQ(on_mill("#3006=1 (LOOK)"), "procedure 0(\"LOOK\")\n+M0");
-    EXPECT_EQ(on_mill("DPRNT[X#1[53]**END]"), "procedure 11(((\"X\" << f44(#1,3)) << \"  END\"))");
+    EXPECT_EQ(on_mill("DPRNT[X#1[53]**END]"), "procedure 12(((\"X\" << f44(#1,3)) << \"  END\"))");
     const Reading r = fanuc(program("POPEN\n#3003=1\nPCLOS"));
     EXPECT_EQ(r.messages(), "");
     EXPECT_EQ(r.unit().ignored.size(), 3U);
@@ -63,11 +63,11 @@ TEST(FanucMacro, AlarmsAndStops) {
 
 TEST(FanucMacro, SystemVariablesAreWhatTheyMean) {
     const auto what = [](program::SystemVariable v) { return "#" + std::to_string(static_cast<int>(v)); };
-    const std::string state = what(program::SystemVariable::state);
+    const std::string code = what(program::SystemVariable::code_in_force);
     EXPECT_EQ(on_mill("#1=#5042"), "#1=#5042" + what(program::SystemVariable::coordinate) + "[2]");
     EXPECT_EQ(on_mill("#1=#5023"), "#1=#5023" + what(program::SystemVariable::machine_coordinate) + "[3]");
-    EXPECT_EQ(on_mill("#1=#4003"), "#1=(91 + (#4003" + state + "[8] * -1))");
-    EXPECT_EQ(on_mill("#1=#4001"), "#1=(#4001" + state + "[3] / 10)");
+    EXPECT_EQ(on_mill("#1=#4003"), "#1=#4003" + code + "[8,90,91]") << "one reading, that the job can give";
+    EXPECT_EQ(on_mill("#1=#4001"), "#1=#4001" + code + "[3,0,0]");
     EXPECT_EQ(on_mill("#1=#1000"), "#1=#1000") << "a parameter that is not known until the job gives it";
     EXPECT_EQ(on_mill("#1=#5221"), "#1=#5221");
     EXPECT_EQ(on_mill("#500=1"), "#500=1");

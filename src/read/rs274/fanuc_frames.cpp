@@ -189,8 +189,24 @@ void polar(const Writer& w) {
 
 }  // namespace
 
+namespace {
+
+/// The plane, the unit and the zero offset that stand beside the G code ("G18 G68 X Z R") hold for it.
+void emit_base(FanucState& s) {
+    const auto first = std::stable_partition(s.words.begin(), s.words.end(), [](const BlockWord& w) {
+        return w.code != Code::modal || (w.order != Order::plane && w.order != Order::units && w.order != Order::datum);
+    });
+    if (first == s.words.end()) return;
+    const std::vector<BlockWord> beside(first, s.words.end());
+    s.words.erase(first, s.words.end());
+    emit_words(s, beside);
+}
+
+}  // namespace
+
 void frame_special(FanucState& s, const FanucG& g, const Address& a) {
     const Writer w{s, a.begin, a.end};
+    emit_base(s);
     switch (g.special) {
         case FanucSpecial::rotation: return rotation(w);
         case FanucSpecial::rotation_off: return cancel(w, TransformationKind::rotation);

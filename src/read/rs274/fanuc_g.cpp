@@ -49,6 +49,7 @@ void follow(FanucState& s, const FanucG& g) {
         case Modal::canned_off:
             if (s.hole != 0 || s.turning != 0) s.motion = Modal::rapid;
             s.hole = 0;
+            s.rigid = false;
             if (s.turning < 900) s.turning = 0;  // hole cycles of lathes
             return;
         case Modal::retract_initial:
@@ -62,6 +63,7 @@ void follow(FanucState& s, const FanucG& g) {
     if (!moves) return;
     s.hole = 0;
     s.turning = 0;
+    s.cleared_cycle = false;
     s.own_motion = true;
     if (g.modal != Modal::turning_cycle) s.motion = g.modal;
 }
@@ -144,8 +146,10 @@ void position(FanucState& s, const FanucG& g, const Address& a) {
 void hole_cycle(FanucState& s, const FanucG& g, const Address& a) {
     const bool counts_up = g.number == 870 && s.incremental && !s.control.haas;  // Z from R, R from the start
     const auto& table = s.variant.traits->canned;
+    std::optional<std::size_t> found;
     for (std::size_t i = 0; i < table.size() && !counts_up; ++i)
-        if (table[i].number == g.number) return add_modal(s, g.order, g.modal, static_cast<int>(i), a.begin, a.end);
+        if (table[i].number == g.number && (!found || s.rigid)) found = i;
+    if (found) return add_modal(s, g.order, g.modal, static_cast<int>(*found), a.begin, a.end);
     add_problem(s, Code::unsupported, a.begin, a.end, "a hole cycle: the holes are not made");
     use_letters(s, "ZRQPKLIJ");
 }
@@ -164,15 +168,20 @@ bool interpolation_ends(FanucState& s, int code) {
     return ends;
 }
 
-/// The lead stands in F (E for inches with many digits): along Z, or along X where Z is not programmed.
-void thread(FanucState& s, const FanucG& g, const Address& a) {
+/// The lead stands in F (E for inches with many digits): along Z, or along X where Z is not programmed. False where the
+/// block has none and none stands before it.
+bool thread_lead(FanucState& s, const Address& a) {
     if (Address* e = find_address(s, 'E')) {
         e->used = true;
-        return add_problem(s, Code::unsupported, e->begin, e->end, "a thread's lead or number of threads in E");
+        add_problem(s, Code::unsupported, e->begin, e->end, "a thread's lead or number of threads in E");
+        return false;
     }
     const bool along_z = find_address(s, 'Z') != nullptr || find_address(s, 'W') != nullptr;
     Address* f = find_address(s, 'F');
-    if (f == nullptr && !s.lead) return fail(s, a.begin, a.end, "the lead of the thread is missing", "write it as F");
+    if (f == nullptr && !s.lead) {
+        fail(s, a.begin, a.end, "the lead of the thread is missing", "write it as F");
+        return false;
+    }
     Address lead = f != nullptr ? *f : a;
     const Value v = f != nullptr ? scaled(s, f->value, Quantity::feed) : *s.lead;
     put_value(s, Order::value, along_z ? Code::k : Code::i, v, lead);
@@ -180,7 +189,18 @@ void thread(FanucState& s, const FanucG& g, const Address& a) {
         q->used = true;
         add_problem(s, Code::unsupported, q->begin, q->end, "the starting angle of a thread");
     }
-    add_modal(s, g.order, g.modal, 0, a.begin, a.end);
+    return true;
+}
+
+void thread(FanucState& s, const FanucG& g, const Address& a) {
+    if (thread_lead(s, a)) add_modal(s, g.order, g.modal, 0, a.begin, a.end);
+}
+
+/// Blocks without a G code go on with the thread of the one before, with its lead or one of their own.
+void continued_thread(FanucState& s) {
+    if (s.own_motion || s.motion != Modal::thread) return;
+    for (const char letter : {'Z', 'W', 'X', 'U'})
+        if (const Address* a = find_address(s, letter)) return static_cast<void>(thread_lead(s, Address(*a)));
 }
 
 /// A hole at a place given from the last one.
@@ -352,12 +372,11 @@ void read_m_code(FanucState& s, Address& a) {
     }
     const dialect::rs274::FanucM m = dialect::rs274::find_fanuc_m(*n, s.control);
     switch (m.use) {
-        case FanucMUse::accepted:
-            if (*n == 19) use_letters(s, "SPR");
-            return accept(s, a);
+        case FanucMUse::accepted: s.rigid = s.rigid || *n == 29; return accept(s, a);
         case FanucMUse::refused: return add_problem(s, Code::unsupported, a.begin, a.end, m.says);
         default: break;
     }
+    if (*n == 19) use_letters(s, "SPR");  // the angle, and how fast it is taken
     const Order order = *n == 6               ? Order::m_tool
                         : *n >= 3 && *n <= 5  ? Order::m_spindle
                         : *n >= 7 && *n <= 9  ? Order::m_coolant
@@ -368,6 +387,7 @@ void read_m_code(FanucState& s, Address& a) {
 
 void run_specials(FanucState& s) {
     datum_with_number(s);
+    continued_thread(s);
     for (const Special& x : std::vector<Special>(s.special)) {
         if (s.failed) return;
         switch (x.g->special) {

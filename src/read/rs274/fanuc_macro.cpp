@@ -91,9 +91,12 @@ void read_print(FanucState& s) {
     add_control(s, StatementKind::procedure, s.unit().procedures.size() - 1);
 }
 
-void ignore_line(FanucState& s, std::string_view word) {
+/// The word with what stands in its brackets.
+void ignore_statement(FanucState& s, std::string_view word) {
     s.build().ignored(word, s.line.begin(), s.line.end());
-    s.line.step(s.line.rest().size());
+    const std::size_t bracket = s.line.rest().rfind(']');
+    const bool has_text = word == "BPRNT" || word == "SETVN";
+    s.line.step(has_text && bracket != std::string_view::npos ? bracket + 1 : word.size());
 }
 
 bool is_loop_word(const FanucState& s, std::string_view word) {
@@ -115,7 +118,7 @@ bool read_macro_statement(FanucState& s) {
     if (s.line.take("ELSE")) return read_else(s), true;
     if (s.line.take("DPRNT")) return read_print(s), true;
     for (const std::string_view word : {"POPEN", "PCLOS", "BPRNT", "SETVN"})
-        if (s.line.rest().starts_with(word)) return ignore_line(s, word), true;
+        if (s.line.rest().starts_with(word)) return ignore_statement(s, word), true;
     return false;
 }
 

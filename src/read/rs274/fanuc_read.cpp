@@ -174,6 +174,7 @@ void begin_program(FanucState& s, std::string name, std::size_t at) {
     s.unit().startable = true;
     s.unit().begin = s.unit().end = static_cast<std::uint32_t>(at);
     s.hole = s.turning = 0;
+    s.cleared_cycle = false;
     s.surface = Surface::none;
     s.lost = false;
     s.lead.reset();  // its expressions belong to the program before

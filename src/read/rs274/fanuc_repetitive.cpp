@@ -175,6 +175,7 @@ void repetitive_cycle(FanucState& s, const FanucG& g, const Address& a) {
     const Format format = format_of(s, c);
     const Writer w{s, d};
     s.turning = 0;
+    s.cleared_cycle = false;
     if (c.number < 740 && format != Format::data) {
         d.first_block = w.block_number('P');
         d.last_block = w.block_number('Q');

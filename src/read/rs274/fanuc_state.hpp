@@ -80,14 +80,16 @@ struct FanucState : State {
     bool polar = false;
     int plane = 17;
     std::vector<Transformation> frames;
-    int hole = 0;       ///< G number * 10 of the hole cycle in force; 0: none
-    int turning = 0;    ///< of the turning cycle in force
-    bool lost = false;  ///< within polar or cylindrical interpolation, which are not run
+    int hole = 0;        ///< G number * 10 of the hole cycle in force; 0: none
+    bool rigid = false;  ///< M29 stood before: the next taps are rigid
+    int turning = 0;     ///< of the turning cycle in force
+    bool lost = false;   ///< within polar or cylindrical interpolation, which are not run
     Surface surface = Surface::none;
-    int surface_plane = 18;     ///< G17 … G19 when it was switched on
-    double cylinder = 0;        ///< its radius, in the program's unit
-    bool to_clearance = false;  ///< G99 of hole cycles in systems B and C
-    bool new_cycle = false;     ///< nothing of the turning cycle has been run yet
+    int surface_plane = 18;      ///< G17 … G19 when it was switched on
+    double cylinder = 0;         ///< its radius, in the program's unit
+    bool to_clearance = false;   ///< G99 of hole cycles in systems B and C
+    bool cleared_cycle = false;  ///< a turning cycle is in force, but a code that acts once has cleared its data
+    bool new_cycle = false;      ///< nothing of the turning cycle has been run yet
     Modal motion = Modal::rapid;
     std::optional<Value> lead;  ///< the F last written as a number: the lead of threads without F
     bool whole_number_said = false;

@@ -28,30 +28,23 @@ struct Writer {
     [[nodiscard]] ExprId query(StateQuery q) const {
         return system(SystemVariable::state, {constant(static_cast<double>(q))});
     }
-    [[nodiscard]] ExprId combine(Operator op, ExprId a, ExprId b) const {
-        return s.build().binary(op, a, b, begin, end);
-    }
-    /// The queries count G numbers times ten.
-    [[nodiscard]] ExprId g_number(StateQuery q) const { return combine(Operator::divide, query(q), constant(10)); }
-    /// `no`, or `yes` where the state is so.
-    [[nodiscard]] ExprId either(StateQuery q, int yes, int no) const {
-        return combine(Operator::add, constant(no), combine(Operator::multiply, query(q), constant(yes - no)));
+    /// `no`, or `yes` where the state is so; without both the number of the code itself.
+    [[nodiscard]] ExprId code(StateQuery q, int yes = 0, int no = 0) const {
+        return system(SystemVariable::code_in_force, {constant(static_cast<double>(q)), constant(yes), constant(no)});
     }
 };
 
 ExprId group(const Writer& w, FanucGroup g, bool minutes_98) {
     switch (g) {
-        case FanucGroup::motion: return w.g_number(StateQuery::motion_mode);
-        case FanucGroup::plane: return w.g_number(StateQuery::plane);
-        case FanucGroup::compensation: return w.g_number(StateQuery::compensation);
-        case FanucGroup::datum: return w.g_number(StateQuery::coordinate_system);
-        case FanucGroup::distance: return w.either(StateQuery::absolute, 90, 91);
-        case FanucGroup::units: return w.either(StateQuery::imperial, 20, 21);
-        case FanucGroup::surface_speed: return w.either(StateQuery::spindle_surface_mode, 96, 97);
+        case FanucGroup::motion: return w.code(StateQuery::motion_mode);
+        case FanucGroup::plane: return w.code(StateQuery::plane);
+        case FanucGroup::compensation: return w.code(StateQuery::compensation);
+        case FanucGroup::datum: return w.code(StateQuery::coordinate_system);
+        case FanucGroup::distance: return w.code(StateQuery::absolute, 90, 91);
+        case FanucGroup::units: return w.code(StateQuery::imperial, 20, 21);
+        case FanucGroup::surface_speed: return w.code(StateQuery::spindle_surface_mode, 96, 97);
         case FanucGroup::feed_mode:
-            return minutes_98 ? w.either(StateQuery::feed_per_rev, 99, 98)
-                              : w.combine(Operator::subtract, w.either(StateQuery::feed_per_rev, 95, 94),
-                                          w.query(StateQuery::inverse_time));
+            return minutes_98 ? w.code(StateQuery::feed_per_rev, 99, 98) : w.code(StateQuery::feed_per_rev, 95, 94);
     }
     return no_expr;
 }

@@ -142,6 +142,7 @@ void turning_special(FanucState& s, const FanucG& g, const Address& a) {
     if (g.special == FanucSpecial::repetitive) return repetitive_cycle(s, g, a);
     if (g.special != FanucSpecial::turning_cycle) return;
     s.turning = g.number;
+    s.cleared_cycle = false;
     s.new_cycle = true;
     s.own_motion = false;  // a block with coordinates runs it, this one or a later one
 }
@@ -157,22 +158,40 @@ bool acts_once(const FanucState& s) {
     });
 }
 
+const Address* first_axis(FanucState& s) {
+    for (const char letter : {'X', 'U', 'Z', 'W'})
+        if (const Address* a = find_address(s, letter)) return a;
+    return nullptr;
+}
+
+/// The cycle is still in force, but of its data only those of this block are known.
+void refuse_cleared(FanucState& s) {
+    const Address* a = first_axis(s);
+    if (a == nullptr || acts_once(s)) return;
+    s.facts.refused = true;
+    add_problem(
+        s, Code::unsupported, a->begin, a->end,
+        "G90, G92 or G94 is still in force, but the block before has cleared its data: write the motion, or the "
+        "cycle anew");
+}
+
 }  // namespace
 
 bool turning_block(FanucState& s) {
+    if (s.cleared_cycle && !s.own_motion) refuse_cleared(s);
     if (s.turning == 0 || s.own_motion) return false;
     if (acts_once(s)) {
         // "G90, G92 and G94 are cleared when a one-shot G code other than G04 is specified" (operator's manual).
         const bool dwells = std::any_of(s.words.begin(), s.words.end(), [](const BlockWord& w) {
             return w.code == Code::modal && w.modal == Modal::dwell;
         });
-        if (s.turning >= 900 && !dwells) s.turning = 0;
+        if (s.turning < 900 || dwells) return false;
+        s.turning = 0;
+        s.cleared_cycle = true;
         return false;
     }
-    bool axes = false;
     if (s.turning < 900) return lathe_hole(s);
-    for (const char letter : {'X', 'U', 'Z', 'W'}) axes = axes || find_address(s, letter) != nullptr;
-    if (!axes) return false;
+    if (first_axis(s) == nullptr) return false;
     single_cycle(s, s.new_cycle);
     s.new_cycle = false;
     return true;

@@ -36,6 +36,21 @@ void read_percent(State& s) {
     s.stopped = true;
 }
 
+/// A block behind M2 or M30 that nothing leads to; what stands behind an O number is a program of its own.
+void say_unreached(State& s) {
+    Part& main = *s.part;
+    if (main.kind != Part::Kind::main || main.told_unreached || !s.numbers.empty() || s.line.at_end()) return;
+    if (s.line.peek() == '(' || s.line.peek() == ';') return;
+    main.told_unreached = true;
+    base::Diagnostic d;
+    d.code = base::codes::not_run;
+    d.severity = base::Severity::warning;
+    d.where = {s.file, s.line.begin(), s.line.end()};
+    d.text = "this block and those behind it are never run: the program ends before them";
+    d.remedy = "take that end out, or these blocks";
+    s.diagnostics.add(std::move(d));
+}
+
 void read_line(State& s) {
     s.failed = false;
     begin_words(s);
@@ -46,7 +61,7 @@ void read_line(State& s) {
     read_block_head(s);
     if (s.failed) return;
     if (s.variant.o_words && s.line.peek() == 'O') return read_o_line(s);
-    if (s.part->ended) return;
+    if (s.part->ended) return say_unreached(s);
     const int call = s.variant.o_words ? call_number(s) : 0;
     if (call == 98) return read_m98(s);
     if (call == 99) return read_m99(s);

@@ -109,6 +109,7 @@ struct Part {
     std::string refused;    ///< label of a definition within it
     bool dropped = false;   ///< defined a second time: read, but not kept
     bool ended = false;     ///< what follows is not reached
+    bool told_unreached = false;
     std::vector<Opened> opened;
     std::map<std::string, LabelUse> labels;  ///< of structures
     base::Span word;                         ///< `o100 sub`
@@ -214,6 +215,8 @@ void check_block(State& s);  ///< checks.cpp: what a block may not hold together
 // --- words.cpp
 /// Puts the words of the block in order into the tree: one statement, or two where it dwells before it moves.
 void emit_block(State& s);
+/// Words of the block that act before the rest of it: a statement of their own.
+void emit_words(State& s, std::vector<BlockWord> words);
 void add_modal(State& s, Order order, Modal m, int number, std::uint32_t begin, std::uint32_t end);
 void add_value(State& s, Order order, Code code, const Value& v, std::uint32_t begin, std::uint32_t end);
 void add_problem(State& s, Code code, std::uint32_t begin, std::uint32_t end, std::string_view reason);

@@ -131,6 +131,11 @@ std::optional<BlockWord> take_letter(State& s, Code code) {
     return w;
 }
 
+void emit_words(State& s, std::vector<BlockWord> words) {
+    put_in_order(words);
+    statement(s, words);
+}
+
 void emit_block(State& s) {
     if (s.failed) return;
     s.build().begin_block(s.skip);

@@ -102,8 +102,25 @@ bool is_odd_variable(State& s, std::string_view name) {
     return behind.at_assignment() || behind.take('[');
 }
 
+/// Several conditional jumps may follow each other in a block.
+bool is_next_condition(const State& s) {
+    const program::Statement& last = s.unit.statements.back();
+    return last.kind == program::StatementKind::jump && s.unit.jumps.back().condition != program::no_expr &&
+           base::equals_ignoring_case(s.cursor.name(), "IF");
+}
+
+/// Words behind a jump, call or structure word would never be run, or run behind the return (NC programming 12/2019,
+/// "Program jumps", "Subprogram call": they stand in a block of their own).
+void refuse_rest(State& s) {
+    const char* from = s.cursor.p;
+    skip_line(s);
+    fail(s, from, s.cursor.p, "this stands behind a jump, a call or a structure word, which needs a block of its own",
+         "write it in a block before or behind it");
+}
+
 void read_item(State& s) {
     Cursor& c = s.cursor;
+    if (s.block_of_its_own && !is_next_condition(s)) return refuse_rest(s);
     const char first = *c.p;
     if (first == '$') return read_assignment(s);
     const std::string_view name = c.name();
@@ -130,7 +147,7 @@ bool read_tape_header(State& s) {
 }
 
 void begin_line(State& s) {
-    s.failed = s.failure_kept = s.line_has_statement = s.block_open = s.declares = false;
+    s.failed = s.failure_kept = s.line_has_statement = s.block_open = s.declares = s.block_of_its_own = false;
     s.skip = 0;
     s.items = 0;
 }

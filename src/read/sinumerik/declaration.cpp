@@ -79,6 +79,16 @@ bool read_initialiser(State& s, program::Variable& variable) {
     return true;
 }
 
+/// One letter is an address wherever it is written (NC programming 12/2019: names begin with two letters or
+/// underscores).
+bool is_address(State& s, std::string_view name) {
+    if (name.size() != 1) return false;
+    fail(s, s.cursor.p, s.cursor.p + 1,
+         "a name begins with two letters or underscores: " + std::string(name) + " alone is an address",
+         "give the variable a longer name");
+    return true;
+}
+
 bool read_variable(State& s, program::Define& define) {
     Cursor& c = s.cursor;
     c.skip_blanks();
@@ -87,6 +97,7 @@ bool read_variable(State& s, program::Define& define) {
         fail_here(s, "DEF needs the name of a variable, found " + here(s));
         return false;
     }
+    if (is_address(s, name)) return false;
     program::Variable variable;
     const std::string upper = base::to_upper(name);
     variable.name = s.names.id(upper);
@@ -139,6 +150,7 @@ bool read_parameter(State& s, program::Parameter& parameter) {
         fail_here(s, "expected the name of a parameter, found " + here(s));
         return false;
     }
+    if (is_address(s, name)) return false;
     const std::string upper = base::to_upper(name);
     parameter.name = s.names.id(upper);
     c.p += name.size();

@@ -12,17 +12,17 @@ TEST(SinumerikDeclaration, Variables) {
     EXPECT_EQ(one("DEF REAL A1,B2=1.5,C3[2,3]"), "define 3 A1 B2=1(1.5r) C3[2][3]");
     EXPECT_EQ(one("N10DEF INT VAR=0;comment"), "define 2 VAR=1(0)");
     EXPECT_EQ(one("DEF STRING[12] NAME=\"x\""), "define 4[12] NAME=1(\"x\")");
-    EXPECT_EQ(one("DEF REAL V[4]=(0.6,0.7), W[9]=SET(0), U[2]=REP(5)"),
-              "define 3 V[4]=2(0.6r,0.7r) W[9]=2(0) U[2]=3(5)");
-    EXPECT_EQ(one("DEF NCK APW 5 APR 7 REAL PHU 5 LLI -100.0 ULI +100.0 V[3,3]=SET(1,0)"),
-              "define global 3 V[3][3]=2(1,0)");
+    EXPECT_EQ(one("DEF REAL VV[4]=(0.6,0.7), WW[9]=SET(0), UU[2]=REP(5)"),
+              "define 3 VV[4]=2(0.6r,0.7r) WW[9]=2(0) UU[2]=3(5)");
+    EXPECT_EQ(one("DEF NCK APW 5 APR 7 REAL PHU 5 LLI -100.0 ULI +100.0 VV[3,3]=SET(1,0)"),
+              "define global 3 VV[3][3]=2(1,0)");
     EXPECT_EQ(one("DEF AXIS AX_W,AX_V"), "define 5 AX_W AX_V");
     EXPECT_EQ(one("DEF FRAME F1=CTRANS(X,1)"), "define 6 F1=1(f31(X,1))");
     EXPECT_EQ(one("DEF BOOL B1=TRUE"), "define 0 B1=1(TRUE)");
 }
 
 TEST(SinumerikDeclaration, Proc) {
-    const Reading r("N10 PROC SUB(REAL A, VAR INT B[], STRING[32] C=\"x\", AXIS D, REAL E[3]) SAVE DISPLOF\nX1\n",
+    const Reading r("N10 PROC SUB(REAL AA, VAR INT BB[], STRING[32] CC=\"x\", AXIS DD, REAL EE[3]) SAVE DISPLOF\nX1\n",
                     "other.spf");
     EXPECT_EQ(r.messages(), "");
     const program::Unit& u = r.unit();
@@ -30,7 +30,7 @@ TEST(SinumerikDeclaration, Proc) {
     EXPECT_TRUE(u.has_proc);
     EXPECT_TRUE(u.save);
     ASSERT_EQ(u.parameters.size(), 5u);
-    EXPECT_EQ(r.names.text(u.parameters[0].name), "A");
+    EXPECT_EQ(r.names.text(u.parameters[0].name), "AA");
     EXPECT_EQ(u.parameters[0].type, Type::real);
     EXPECT_TRUE(u.parameters[1].by_reference);
     EXPECT_TRUE(u.parameters[1].is_array);

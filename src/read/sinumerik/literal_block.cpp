@@ -61,6 +61,7 @@ bool read_word(State& s, const char*& p, const char* line) {
     std::uint32_t form = n.decimals;
     std::int32_t payload = n.mantissa;
     if (code == Code::modal) {
+        if (!base::is_digit(p[1])) return false;  // G-0 is none
         form = static_cast<std::uint32_t>(Form::index);
         if (!modal_payload(n, payload)) return false;
     }

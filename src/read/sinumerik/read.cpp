@@ -59,6 +59,7 @@ program::Unit read_unit(std::uint32_t file, const base::Sources& sources, const 
     unit.end = part.end;
     unit.startable = part.kind == "MPF" || part.kind == "SPF";  // an archive's programs are there to be run
     unit.traits = &dialect::sinumerik::traits;
+    unit.unended = "the program ends without M30, M2, M17 or RET: the text may be cut off";
     unit.reserve(part.end - part.begin);
     State s{.unit = unit, .names = names, .diagnostics = diagnostics, .text = source.text, .cursor = {}};
     read_lines(s, sources);

@@ -142,6 +142,7 @@ void add_control(State& s, StatementKind kind, std::size_t index, const char* fr
     s.block_open = true;
     add_word(s, Code::control, Form::index, static_cast<std::int32_t>(index), from);
     s.block_open = false;
+    if (kind != StatementKind::frame) s.block_of_its_own = true;
 }
 
 void open_block(State& s, const char* from) {

@@ -101,6 +101,7 @@ struct State {
     bool declares = false;    ///< this line is PROC, EXTERN or DEFINE: no block of its own
     int operators = 0;        ///< of the expression at hand
     int items = 0;            ///< words and statements read from this line so far
+    bool block_of_its_own = false;  ///< a jump, call, RET or structure word stands in this line: nothing follows it
     base::Span failure{};
     std::string failure_text{};
 

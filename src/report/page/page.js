@@ -58,6 +58,8 @@ function bounds() {
   let b = null;
   const add = (x, y) => b = b ? [Math.min(b[0], x), Math.min(b[1], y), Math.max(b[2], x), Math.max(b[3], y)] : [x, y, x, y];
   for (const id of ["before", "part"]) if ($(id).getAttribute("d")) { const r = $(id).getBBox(); add(r.x, r.y); add(r.x + r.width, r.y + r.height); }
+  // Rapids may come from far away: of them the way in is enough. What is cut is shown, wherever it lies.
+  if (b) for (let i = 0; i < M.n; ++i) if (M.kind[i] !== "r") for (const p of [M.start[i] || endOf(i - 1), endOf(i)]) if (known(p)) add(p[0], p[1]);
   const fixed = b && b.slice(), size = b ? Math.max(b[2] - b[0], b[3] - b[1]) * 0.12 : 0;
   for (let i = 0; i < M.n; ++i) {
     const p = endOf(i);
@@ -316,7 +318,7 @@ $("found").textContent = D.findings.length ? `Findings (${D.findings.length}), t
 if (!D.findings.length) $("findings").append(el("div", "none", D.unchecked.length ? "Nothing was found in what could be checked." : "Nothing was found."));
 for (const f of D.findings) {
   const card = el("div", "finding " + f.severity), head = el("div");
-  head.append(el("b", "", f.no), el("span", "code", f.code + ": "), f.text);
+  head.append(el("b", "", f.no + "."), el("span", "code", f.code + ": "), f.text);
   card.append(head);
   if (f.where) { const at = el("div", "place"); at.append(lineLink(f.where)); if (f.move !== null) at.append(", move " + f.move); for (const s of f.stack) at.append(" ← ", lineLink(s)); card.append(at, el("pre", "", f.where.t)); }
   if (f.passes) {

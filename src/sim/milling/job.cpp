@@ -59,7 +59,9 @@ Job make_job(const Shape& shape, const Orientation& frame, const Track& track, V
     job.main = a.z >= a.x && a.z >= a.y ? 2 : a.y >= a.x ? 1 : 0;
     const geom::Vec2 flat{track.v.x, track.v.y};
     const double way = geom::length(flat);
-    if (way > 0) job.heading = (1 / way) * flat;
+    // Along the axis but for what turning the frame rounds: there is no side.
+    constexpr double rounding = 1e-9;
+    if (way > rounding * std::abs(track.v.z)) job.heading = (1 / way) * flat;
     // An arc of at most a quarter turn stands off its chord by this much.
     const double bulge =
         track.circular ? track.radius - std::sqrt(std::max(0.0, track.radius * track.radius - way * way / 4)) : 0;

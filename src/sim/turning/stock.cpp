@@ -134,15 +134,18 @@ void Stock::drop_slivers(const std::vector<Slot>& touched) {
     for (const Slot first : touched) {
         if (!at(first).used) continue;
         std::vector<Slot> loop;
-        double area = 0, around = 0;
-        Slot s = first;
+        Slot next = first;
         do {
-            loop.push_back(s);
+            loop.push_back(next);
+            next = at(next).next;
+        } while (next != first && loop.size() < most);
+        if (next != first) continue;
+        double area = 0, around = 0;
+        for (const Slot s : loop) {
             area += geom::area_term(geom::moved(at(s).edge, -at(first).edge.a));
             around += geom::length(at(s).edge);
-            s = at(s).next;
-        } while (s != first && loop.size() < most);
-        if (s != first || std::abs(area) > 0.5 * geom::snap * around) continue;
+        }
+        if (std::abs(area) > 0.5 * geom::snap * around) continue;
         for (const Slot dropped : loop) erase(dropped);
     }
 }

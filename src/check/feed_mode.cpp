@@ -1,0 +1,46 @@
+#include "check/feed_mode.hpp"
+
+#include <algorithm>
+
+#include "base/codes.hpp"
+#include "base/number.hpp"
+#include "check/words.hpp"
+
+namespace obrys::check {
+
+namespace {
+
+constexpr double most = 10, most_of_any = 50;  ///< mm a revolution
+constexpr double least_per_minute = 1;         ///< mm
+
+Finding implausible(std::string text) {
+    Finding f;
+    f.code = base::codes::feed_implausible;
+    f.severity = base::Severity::warning;
+    f.text = std::move(text);
+    f.remedy = "see whether the feed counts per minute or per revolution here, and where its decimal point stands";
+    return f;
+}
+
+}  // namespace
+
+double widest_feed(const shop::Tool* tool, shop::MachineKind machine) {
+    if (tool == nullptr) return machine == shop::MachineKind::lathe ? most : most_of_any;
+    return shop::is_milling(shop::assumed_kind(*tool)) ? std::max(most, 2 * tool->radius) : most;
+}
+
+std::optional<Finding> too_fast(double feed_per_rev, double widest) {
+    if (!(feed_per_rev > widest)) return std::nullopt;
+    Finding f = implausible("the feed of " + plain(feed_per_rev) + " mm counts per revolution: no tool cuts so fast");
+    f.amounts = {{"feed_mm_per_rev", feed_per_rev}, {"limit_mm_per_rev", widest}};
+    return f;
+}
+
+std::optional<Finding> too_slow(double feed_per_minute, double feed_per_rev, double finest) {
+    if (!(feed_per_minute > 0 && feed_per_minute < least_per_minute && feed_per_rev < finest)) return std::nullopt;
+    Finding f = implausible("the feed of " + plain(feed_per_minute) + " mm counts per minute: no tool cuts so slowly");
+    f.amounts = {{"feed_mm_per_min", feed_per_minute}, {"feed_mm_per_rev", feed_per_rev}};
+    return f;
+}
+
+}  // namespace obrys::check
