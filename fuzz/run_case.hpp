@@ -2,6 +2,9 @@
 /// What was read is run: a program and its job, in a folder of this process alone, opened and run as the command line
 /// does it. What must hold of every stream and every result, whatever the program says, is required here.
 
+#include <fcntl.h>
+#include <sys/file.h>
+#include <tbb/global_control.h>
 #include <unistd.h>
 
 #include <cmath>
@@ -28,15 +31,23 @@ inline void require(bool holds, std::string_view what) {
     std::abort();
 }
 
-/// Emptied when the process ends.
+/// The first of a row of folders that no running process holds, so that a run alone always has the same name in its
+/// texts and the same seed leads to the same inputs. Emptied when the process ends.
 class Folder {
 public:
-    Folder() : path_(std::filesystem::temp_directory_path() / ("obrys-fuzz-" + std::to_string(getpid()))) {
-        std::filesystem::create_directories(path_);
+    Folder() {
+        for (int n = 0; lock_ < 0; ++n) {
+            require(n < 1000, "a folder for the files can be had");
+            path_ = std::filesystem::temp_directory_path() / ("obrys-fuzz-" + std::to_string(n));
+            std::filesystem::create_directories(path_);
+            hold();
+        }
     }
     ~Folder() {
         std::error_code ignored;
-        std::filesystem::remove_all(path_, ignored);
+        for (const auto& entry : std::filesystem::directory_iterator(path_, ignored))
+            std::filesystem::remove_all(entry.path(), ignored);
+        close(lock_);
     }
     Folder(const Folder&) = delete;
     Folder& operator=(const Folder&) = delete;
@@ -47,12 +58,22 @@ public:
     }
 
 private:
+    void hold() {
+        lock_ = ::open(path_.c_str(), O_RDONLY | O_DIRECTORY | O_CLOEXEC);
+        if (lock_ < 0 || flock(lock_, LOCK_EX | LOCK_NB) == 0) return;
+        close(lock_);
+        lock_ = -1;
+    }
     std::filesystem::path path_;
+    int lock_ = -1;
 };
 inline const Folder& folder() {
     static const Folder own;
     return own;
 }
+
+/// One thread: which branches an input takes, and with it what is tried next, is then the same in every run.
+inline const tbb::global_control one_thread(tbb::global_control::max_allowed_parallelism, 1);
 
 /// Limits of every run here, as a job says them.
 inline constexpr std::string_view limits = "[budget]\nblocks = 2000\nloop_passes = 1000\nseconds = 20\n";
