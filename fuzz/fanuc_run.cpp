@@ -4,39 +4,10 @@
 
 using namespace obrys;
 
-namespace {
-
-constexpr std::string_view tools = R"([[tool]]
-number = 1
-kind = "end-mill"
-diameter = 6.0
-length = 40.0
-cutting_length = 20.0
-holder = [{ diameter = 30.0, length = 30.0 }]
-[[tool]]
-number = 2
-kind = "drill"
-diameter = 5.0
-length = 50.0
-[[tool]]
-number = 3
-kind = "tap"
-diameter = 6.0
-pitch = 1.0
-length = 50.0
-)";
-
-std::string job(std::string_view control, std::string_view machine) {
-    return "program = \"FUZZ.NC\"\ncontrol = \"" + std::string(control) + "\"\nmachine = \"" + std::string(machine) +
-           "\"\n" + std::string(fuzz::limits) + std::string(tools);
-}
-
-}  // namespace
-
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
     const std::string text(reinterpret_cast<const char*>(data), size);
-    (void)fuzz::run_text("FUZZ.NC", text, job("fanuc", "mill-generic"));
-    (void)fuzz::run_text("FUZZ.NC", text, job("fanuc", "lathe-generic"));
-    (void)fuzz::run_text("FUZZ.NC", text, job("haas", "mill-generic"));
+    (void)fuzz::run_text("FUZZ.NC", text, fuzz::mill_job("FUZZ.NC", "fanuc"));
+    (void)fuzz::run_text("FUZZ.NC", text, fuzz::job_of("FUZZ.NC", "fanuc", "lathe-generic"));
+    (void)fuzz::run_text("FUZZ.NC", text, fuzz::mill_job("FUZZ.NC", "haas"));
     return 0;
 }

@@ -6,37 +6,12 @@ using namespace obrys;
 
 namespace {
 
-constexpr std::string_view tools = R"([[tool]]
-number = 1
-kind = "end-mill"
-diameter = 6.0
-length = 40.0
-cutting_length = 20.0
-holder = [{ diameter = 30.0, length = 30.0 }]
-[[tool]]
-number = 2
-kind = "drill"
-diameter = 5.0
-length = 50.0
-[[tool]]
-number = 3
-kind = "tap"
-diameter = 6.0
-pitch = 1.0
-length = 50.0
-)";
-
-std::string job(std::string_view name) {
-    return "program = \"" + std::string(name) + "\"\ncontrol = \"heidenhain-itnc530\"\nmachine = \"mill-generic\"\n" +
-           std::string(fuzz::limits) + std::string(tools);
-}
-
 void compare(std::string_view name, const std::string& text) {
     const auto language = format::heidenhain::language_of(text, name);
     if (!language) return;  // fmt refuses it
-    const std::string first = fuzz::run_text(name, text, job(name));
+    const std::string first = fuzz::run_text(name, text, fuzz::mill_job(name, "heidenhain-itnc530"));
     const format::heidenhain::Formatted tidy = format::heidenhain::formatted(text, *language, {});
-    const std::string second = fuzz::run_text(name, tidy.text, job(name));
+    const std::string second = fuzz::run_text(name, tidy.text, fuzz::mill_job(name, "heidenhain-itnc530"));
     if (first == second) return;
     std::cerr << first << "-- formatted\n" << tidy.text << "-- gives\n" << second;
     fuzz::require(false, "the formatted program runs as it did");

@@ -3,37 +3,9 @@
 
 using namespace obrys;
 
-namespace {
-
-constexpr std::string_view tools = R"([[tool]]
-number = 1
-kind = "end-mill"
-diameter = 6.0
-length = 40.0
-cutting_length = 20.0
-holder = [{ diameter = 30.0, length = 30.0 }]
-[[tool]]
-number = 2
-kind = "drill"
-diameter = 5.0
-length = 50.0
-[[tool]]
-number = 3
-kind = "tap"
-diameter = 6.0
-pitch = 1.0
-length = 50.0
-)";
-
-std::string job(std::string_view name) {
-    return "program = \"" + std::string(name) + "\"\ncontrol = \"heidenhain-itnc530\"\nmachine = \"mill-generic\"\n" +
-           std::string(fuzz::limits) + std::string(tools);
-}
-
-}  // namespace
-
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
     const std::string text(reinterpret_cast<const char*>(data), size);
-    for (const std::string_view name : {"FUZZ.H", "FUZZ.I"}) (void)fuzz::run_text(name, text, job(name));
+    for (const std::string_view name : {"FUZZ.H", "FUZZ.I"})
+        (void)fuzz::run_text(name, text, fuzz::mill_job(name, "heidenhain-itnc530"));
     return 0;
 }

@@ -6,26 +6,6 @@ using namespace obrys;
 
 namespace {
 
-constexpr std::string_view tools = R"([[tool]]
-number = 1
-kind = "end-mill"
-diameter = 6.0
-length = 40.0
-cutting_length = 20.0
-holder = [{ diameter = 30.0, length = 30.0 }]
-[[tool]]
-number = 2
-kind = "drill"
-diameter = 5.0
-length = 50.0
-[[tool]]
-number = 3
-kind = "tap"
-diameter = 6.0
-pitch = 1.0
-length = 50.0
-)";
-
 constexpr std::string_view shop = R"([stock]
 box = { min = [0.0, 0.0, -8.0], max = [30.0, 20.0, 0.0] }
 [[clamp]]
@@ -34,9 +14,7 @@ box = { min = [-10.0, 0.0, -8.0], max = [0.0, 20.0, -4.0] }
 )";
 
 std::string job(std::string_view name, std::string_view control) {
-    return "program = \"" + std::string(name) + "\"\ncontrol = \"" + std::string(control) +
-           "\"\nmachine = \"mill-generic\"\n" + std::string(fuzz::limits) + "[check]\ntolerance = 0.2\n" +
-           std::string(tools) + std::string(shop);
+    return fuzz::mill_job(name, control) + "[check]\ntolerance = 0.2\n" + std::string(shop);
 }
 
 }  // namespace

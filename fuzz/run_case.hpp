@@ -78,6 +78,38 @@ inline const tbb::global_control one_thread(tbb::global_control::max_allowed_par
 /// Limits of every run here, as a job says them.
 inline constexpr std::string_view limits = "[budget]\nblocks = 2000\nloop_passes = 1000\nseconds = 20\n";
 
+inline constexpr std::string_view tools = R"([[tool]]
+number = 1
+kind = "end-mill"
+diameter = 6.0
+length = 40.0
+cutting_length = 20.0
+holder = [{ diameter = 30.0, length = 30.0 }]
+[[tool]]
+number = 2
+kind = "drill"
+diameter = 5.0
+length = 50.0
+[[tool]]
+number = 3
+kind = "tap"
+diameter = 6.0
+pitch = 1.0
+length = 50.0
+)";
+
+/// The text of a job: the program of that name on a control and machine, with the tools above.
+inline std::string job_of(std::string_view name, std::string_view control, std::string_view machine) {
+    const auto line = [](std::string_view key, std::string_view value) {
+        return std::string(key) + " = \"" + std::string(value) + "\"\n";
+    };
+    return line("program", name) + line("control", control) + line("machine", machine) + std::string(limits) +
+           std::string(tools);
+}
+inline std::string mill_job(std::string_view name, std::string_view control) {
+    return job_of(name, control, "mill-generic");
+}
+
 /// `job` is the text of a job file that names the program `name`. False where they cannot be used at all.
 inline bool open(driver::Session& session, std::string_view name, std::string_view text, std::string_view job) {
     folder().put(name, text);

@@ -3,38 +3,9 @@
 
 using namespace obrys;
 
-namespace {
-
-constexpr std::string_view tools = R"([[tool]]
-number = 1
-kind = "end-mill"
-diameter = 6.0
-length = 40.0
-cutting_length = 20.0
-holder = [{ diameter = 30.0, length = 30.0 }]
-[[tool]]
-number = 2
-kind = "drill"
-diameter = 5.0
-length = 50.0
-[[tool]]
-number = 3
-kind = "tap"
-diameter = 6.0
-pitch = 1.0
-length = 50.0
-)";
-
-std::string job(std::string_view machine) {
-    return "program = \"FUZZ.MPF\"\ncontrol = \"sinumerik-840d\"\nmachine = \"" + std::string(machine) + "\"\n" +
-           std::string(fuzz::limits) + std::string(tools);
-}
-
-}  // namespace
-
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
     const std::string text(reinterpret_cast<const char*>(data), size);
     for (const std::string_view machine : {"mill-generic", "lathe-generic"})
-        (void)fuzz::run_text("FUZZ.MPF", text, job(machine));
+        (void)fuzz::run_text("FUZZ.MPF", text, fuzz::job_of("FUZZ.MPF", "sinumerik-840d", machine));
     return 0;
 }
