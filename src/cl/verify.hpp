@@ -9,8 +9,11 @@
 
 namespace obrys::cl {
 
+/// mm that the radii at both ends of an arc may differ
+inline constexpr double circle_tolerance = 0.01;
+
 struct VerifyOptions {
-    double circle_tolerance = 0.01;  ///< mm the radii at both ends of an arc may differ
+    double circle_tolerance = cl::circle_tolerance;
     double spline_tolerance = 0.01;  ///< mm a spline may start beside the position
 };
 

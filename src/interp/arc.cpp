@@ -8,6 +8,7 @@
 #include "base/codes.hpp"
 #include "base/number.hpp"
 #include "base/whole.hpp"
+#include "cl/verify.hpp"
 #include "interp/path_stage.hpp"
 #include "path/arc_input.hpp"
 #include "program/modal_group.hpp"
@@ -244,6 +245,19 @@ bool stays(Run& run, const path::ArcResult& arc) {
     return true;
 }
 
+/// A control that moves the centre takes an end beside the circle within a part of its radius. Where the end lies
+/// nearly in line with centre and start no centre fits, and what path it runs is not known.
+bool no_centre_fits(Run& run, const path::ArcResult& arc, Vec2 from, const path::ArcTolerance& t) {
+    const double gap = std::abs(geom::distance(from, arc.centre) - geom::distance(arc.to, arc.centre));
+    if (t.keep_centre || gap <= cl::circle_tolerance) return false;
+    unchecked(run, codes::arc_radius, run.here(),
+              "the end point lies " + base::fixed(gap, 3) +
+                  " mm beside the circle through the start point, and no centre near the programmed one fits: how the "
+                  "control runs this arc is not known, it is run as a straight move",
+              "correct the end point or the centre");
+    return true;
+}
+
 }  // namespace
 
 bool arc_motion(Run& run, const Vec3& target) {
@@ -294,6 +308,8 @@ bool arc_motion(Run& run, const Vec3& target) {
         if (stays(run, arc)) return straight_motion(run, target, false), true;
         arc_alarm(run, arc);
         return false;
+    } else if (no_centre_fits(run, arc, e.from, tolerance(run))) {
+        return straight_motion(run, target, false), true;
     } else {
         e.to = arc.to;
         e.centre = arc.centre;
