@@ -174,14 +174,21 @@ void check_start(Run& run, const cl::Spline& spline) {
         unchecked(run, codes::unknown_value, run.here(), "where the tool stands before this spline is not known");
         return;
     }
-    raise(run, {base::Severity::error,
-                codes::spline_start,
-                run.here(),
-                "the spline starts " + base::fixed(geom::length(gap), 4) +
-                    " mm beside the end of the last contour element, more than 0.001 mm along an axis",
-                "let the coefficients K1, K2, K3 and the end point add up to where the last block ended",
-                run.stacks.sites(run.top().stack),
-                {}});
+    alarm(run, codes::spline_start, run.here(),
+          "the spline starts " + base::fixed(geom::length(gap), 4) +
+              " mm beside the end of the last contour element, more than 0.001 mm along an axis",
+          "let the coefficients K1, K2, K3 and the end point add up to where the last block ended");
+}
+
+/// The stream's splines have two additional axes at most, the control's five axes in all.
+bool has_too_many_axes(Run& run, const cl::Spline& spline) {
+    if (spline.axes.size() <= 2) return false;
+    unchecked(run, codes::unsupported, run.here(),
+              "a spline with more than two axes besides X, Y and Z is not followed: it is run straight");
+    for (const cl::SplineAxis& a : spline.axes)
+        emit(run, axis_record(std::string_view(a.name.data()), a.to, a.rotary, false));
+    emit(run, cl::Linear{spline.to, run.tool_axis, false});
+    return true;
 }
 
 void spline(Run& run, const Special& s) {
@@ -221,15 +228,16 @@ void spline(Run& run, const Special& s) {
     require_feed(run);
     begin_motion(run);
     check_start(run, record);
+    if (run.stopped) return;
     const PlaneAxes a = plane_axes(run.modal.plane);
     run.last_direction = -1.0 * in_plane(k[0], a);  // at t = 0 the curve runs against its parameter
     arrive(run, to);
-    emit(run, std::move(record));
+    if (!has_too_many_axes(run, record)) emit(run, std::move(record));
 }
 
-void act(Run& run, const Special& s, std::uint32_t index) {
+void act(Run& run, const Special& s, std::uint32_t index, Modal compensation_before) {
     if (s.kind <= SpecialKind::approach_arc_line) return approach(run, s);
-    if (s.kind <= SpecialKind::departure_arc_line) return departure(run, s);
+    if (s.kind <= SpecialKind::departure_arc_line) return departure(run, s, compensation_before);
     if (s.kind == SpecialKind::spline) return spline(run, s);
     if (s.kind <= SpecialKind::free_select) return free_contour(run, s, index);
     plane(run, s);
