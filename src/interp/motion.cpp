@@ -156,6 +156,19 @@ double thread_pitch(const Run& run, const geom::Vec3& from, const geom::Vec3& to
     return pitch * length_unit(run.modal);
 }
 
+/// The sign of G331's pitch is the sense in which the spindle turns, and G332 reverses that by itself (SINUMERIK
+/// Fundamentals, "Rigid tapping (G331, G332)"); the stream's is that of the thread. Both are the same on the way in
+/// with G331 and on the way out with G332: another way along the tool axis makes a thread of the other hand. On a
+/// lathe, where taps work from either side, nothing tells the way in.
+double pitch_of_thread(const Run& run, double pitch, const geom::Vec3& from, const geom::Vec3& to) {
+    const Modal m = run.modal.motion;
+    if ((m != Modal::tap && m != Modal::tap_retract) || run.env.machine.kind != shop::MachineKind::mill) return pitch;
+    const geom::Vec3 way = run.frame_is_identity ? to - from : geom::apply_direction(run.frame, to - from);
+    const double out = geom::dot(way, run.tool_axis);
+    const bool turned = m == Modal::tap ? out > 0 : out < 0;
+    return turned ? -pitch : pitch;
+}
+
 }  // namespace
 
 void require_feed(Run& run) {
@@ -244,7 +257,7 @@ bool path_motion(Run& run) {
         return false;
     }
     cl::Thread t;
-    t.pitch = thread_pitch(run, run.programmed_position, to);
+    t.pitch = pitch_of_thread(run, thread_pitch(run, run.programmed_position, to), run.programmed_position, to);
     if (t.pitch == 0) {
         unchecked(run, codes::value_range, run.here(),
                   "no pitch stands in this block of a thread: it is run as a straight line",
