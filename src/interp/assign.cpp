@@ -189,9 +189,13 @@ void assign_parameter(Run& run, const Expr& target, const program::Assign& a) {
     const double index = target.kind == ExprKind::parameter ? target.a : number(run, target.a);
     if (run.stopped) return;
     const auto n = writable(run, index, a);
-    if (n && is_empty(run, a.value)) return run.parameters.set_empty_by_control(*n);
+    if (n && is_empty(run, a.value)) {
+        if (is_of_control(run, *n, run.unit().span(a.target))) return;
+        run.parameters.set_empty_by_control(*n);
+        return note_written(run, *n, run.unit().span(a.target));
+    }
     const double v = n ? number(run, a.value) : 0;
-    if (!n || run.stopped) return;
+    if (!n || run.stopped || is_of_control(run, *n, run.unit().span(a.target))) return;
     assign_number(run, *n, a.value, v, run.unit().span(a.target));
     note_written(run, *n, run.unit().span(a.target));
 }

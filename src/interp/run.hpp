@@ -354,6 +354,8 @@ void note_written(Run&, std::uint32_t parameter, const base::Span& where);
 [[nodiscard]] bool is_live(const Run&, std::uint32_t parameter);
 /// What probing and inputs leave there can be overwritten.
 [[nodiscard]] bool may_be_written(const Run&, std::uint32_t parameter);
+/// The control alone says what the parameter shows: writing it is an alarm, and a timer runs on from where it is set.
+[[nodiscard]] bool is_of_control(Run&, std::uint32_t parameter, const base::Span& where);
 /// What the program wrote over live parameters of this kind no longer holds: the control has written them.
 void forget_live(Run&, program::SystemVariable what);
 [[nodiscard]] double live_parameter(Run&, std::uint32_t parameter, const base::Span& where);

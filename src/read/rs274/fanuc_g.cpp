@@ -50,11 +50,15 @@ void follow(FanucState& s, const FanucG& g) {
             if (s.hole != 0 || s.turning != 0) s.motion = Modal::rapid;
             s.hole = 0;
             s.rigid = false;
+            s.lost_motion = false;
             if (s.turning < 900) s.turning = 0;  // hole cycles of lathes
             return;
         case Modal::retract_initial:
         case Modal::retract_clearance: s.to_clearance = g.modal == Modal::retract_clearance; return;
-        case Modal::canned: s.hole = g.number; return;
+        case Modal::canned:
+            s.hole = g.number;
+            s.lost_motion = false;
+            return;
         default: break;
     }
     if (!is_motion(g.modal) || g.special == FanucSpecial::repetitive) return;
@@ -63,7 +67,7 @@ void follow(FanucState& s, const FanucG& g) {
     if (!moves) return;
     s.hole = 0;
     s.turning = 0;
-    s.cleared_cycle = false;
+    s.cleared_cycle = s.lost_motion = false;
     s.own_motion = true;
     if (g.modal != Modal::turning_cycle) s.motion = g.modal;
 }
@@ -151,7 +155,8 @@ void hole_cycle(FanucState& s, const FanucG& g, const Address& a) {
         if (table[i].number == g.number && (!found || s.rigid)) found = i;
     if (found) return add_modal(s, g.order, g.modal, static_cast<int>(*found), a.begin, a.end);
     add_problem(s, Code::unsupported, a.begin, a.end, "a hole cycle: the holes are not made");
-    use_letters(s, "ZRQPKLIJ");
+    use_letters(s, "XYZABCUVWRQPKLIJ");
+    s.facts.refused = s.lost_motion = true;
 }
 
 /// Polar (G12.1, G112) and cylindrical (G7.1, G107) interpolation: within them coordinates are those of another plane.
@@ -174,6 +179,7 @@ bool thread_lead(FanucState& s, const Address& a) {
     if (Address* e = find_address(s, 'E')) {
         e->used = true;
         add_problem(s, Code::unsupported, e->begin, e->end, "a thread's lead or number of threads in E");
+        s.facts.refused = s.lost_motion = true;
         return false;
     }
     const bool along_z = find_address(s, 'Z') != nullptr || find_address(s, 'W') != nullptr;
@@ -229,9 +235,11 @@ void hole_pattern(FanucState& s, const FanucG& g, const Address& a) {
     };
     const auto radius = literal('I', 0), start = literal('J', 0), count = literal('L', 0), step = literal('K', 0);
     const bool axes = find_address(s, 'X') != nullptr || find_address(s, 'Y') != nullptr;
-    if (!radius || !start || !count || !step || g.code == 720 || axes)
+    if (!radius || !start || !count || !step || g.code == 720 || axes) {
+        s.facts.refused = true;
         return add_problem(s, Code::unsupported, a.begin, s.line.end(),
                            g.code == 720 ? "holes along a line" : "a hole pattern with computed values or a centre");
+    }
     if (s.hole == 0) return fail(s, a.begin, a.end, "the hole pattern needs a hole cycle before it");
     if (!(*count >= 1) || *count > most) return fail(s, a.begin, a.end, "L is the number of holes, 1 to 1000");
     double x = 0, y = 0;
@@ -350,6 +358,7 @@ void read_g_code(FanucState& s, Address& a) {
         s.lost = s.lost || is_interpolation(*code);
         // Codes that change how a way is made, not where it ends, keep their block's coordinates.
         s.facts.refused = s.facts.refused || g->order == Order::motion;
+        s.lost_motion = s.lost_motion || g->modal == Modal::canned;
         return add_problem(s, Code::unsupported, a.begin, a.end, g->says);
     }
     if (refused_on_surface(s, *g, a)) return;
