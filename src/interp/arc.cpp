@@ -425,7 +425,43 @@ void tell_programmed(Run& run, const path::Element& e) {
                               cl::Record{std::move(*step), run.here(), run.top().stack});
 }
 
+namespace {
+
+constexpr double joined = 1e-6;  ///< mm; an arc begins where the stream stands if it is no farther off
+
+/// An arc has no start of its own in the stream: where what was refused, or a new frame, has left the tool beside it, a
+/// straight move leads to it. Every arc of the working plane passes here, whoever made it.
+void lead_to_arc(Run& run, const path::Element& e, bool rapid, bool in_stream_already) {
+    const PlaneAxes a = plane_axes(run.modal.plane);
+    const auto in_its_frame = [&](Vec2 p, double w) {
+        return in_stream_already ? in_axes(a, p, w) : in_stream(run, p, w);
+    };
+    const Vec3 start = in_its_frame(e.from, e.w_from), gap = run.sent - start;
+    const Vec3 along = in_its_frame(e.from, e.w_from + 1) - start;  // how far the arc rises is no matter of its circle
+    const Vec3 beside = gap - (geom::dot(gap, along) / geom::dot(along, along)) * along;
+    if (!(geom::length(beside) > joined)) return;
+    run.record.step = cl::Linear{start, run.tool_axis, rapid};
+    send(run, run.record);
+}
+
+/// The radii at both ends differ by no more than the control lets those of a programmed arc, and by what moved ends
+/// add.
+bool is_on_its_circle(const Run& run, const path::Element& e) {
+    const path::ArcTolerance t = tolerance(run);
+    const double start = geom::distance(e.from, e.centre), end = geom::distance(e.to, e.centre);
+    return !(std::abs(start - end) > 2 * std::max(t.absolute, t.relative * std::max(start, end)));
+}
+
+}  // namespace
+
 void emit_element(Run& run, const path::Element& e, bool rapid, bool in_stream) {
+    if (path::is_arc(e) && !is_on_its_circle(run, e)) {
+        unchecked(run, codes::unsupported, run.record.from,
+                  "what radius compensation leaves of this arc does not begin on its circle: it is run straight",
+                  "switch the compensation off and on again where the contour is broken");
+        return emit_element(run, path::line(e.from, e.to, e.w_to), rapid, in_stream);
+    }
+    if (path::is_arc(e)) lead_to_arc(run, e, rapid, in_stream);
     auto step = plane_move(run, e, rapid, in_stream);
     if (!step) return circle_alarm(run, run.record.from);
     run.record.step = std::move(*step);

@@ -1,6 +1,7 @@
 #pragma once
 /// What works on the state of one run, by concern; each section names its files. Private to interp.
 
+#include "cl/totals.hpp"
 #include "interp/state.hpp"
 
 namespace obrys::interp {
@@ -416,6 +417,7 @@ void shape_feed_from_here(Run&);
 void shape_feed(Run&, const cl::Record& record);
 /// Hands a record to whoever takes the stream.
 inline void send(Run& run, const cl::Record& record) {
+    run.sent = cl::position_after(run.sent, record.step);
     if (run.surface.kind != SurfaceMode::Kind::none) return send_on_surface(run, record);
     if (run.feed_shape.on) shape_feed(run, record);
     run.sink(record);
