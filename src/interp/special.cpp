@@ -120,6 +120,9 @@ void approach(Run& run, const Special& s) {
     leave_contour_before(run);
     const Vec3 start = run.programmed_position;
     const Vec3 target = programmed_target(run);
+    // Who looks ahead wants an element of the contour. An approach has none for him, and must not look ahead in its
+    // turn: of a row of them each would look through all that follow.
+    if (run.look == Look::next_element) return arrive(run, target);
     const std::optional<Captured> next = next_element(run, target);
     const path::Setting compensation = compensation_setting(run);
     path::ContourEnd contour;
