@@ -9,6 +9,7 @@
 #include <string_view>
 #include <vector>
 
+#include "base/codes.hpp"
 #include "cl/verify.hpp"
 #include "driver/golden_cases_testing.hpp"
 

@@ -152,7 +152,7 @@ void put_value(FanucState& s, Order order, Code code, const Value& v, const Addr
 /// C of a lathe's program is an axis by how the text uses it.
 [[nodiscard]] bool uses_c_axis(std::string_view text);
 
-// fanuc_g.cpp
+// fanuc_g.cpp, fanuc_special.cpp
 void read_g_code(FanucState& s, Address& a);
 void read_m_code(FanucState& s, Address& a);
 /// G number * 10; nothing where it is computed.
