@@ -107,6 +107,7 @@ private:
     void judge_tapping(const Move& move, const MilledMove& milled);
     void judge_pitch_out(const MilledMove& milled);
     void judge_tap_out(const Move& move, const MilledMove& milled);
+    void keep_in_thread(const Move& move);
     void queue_core(const geom::PathElement& element, bool feed, bool straight_down);
     void judge_cores();
     [[nodiscard]] bool meets_core(const CoreDescent::Steep& steep, geom::Vec3 axis) const;
@@ -168,6 +169,8 @@ private:
     std::int8_t spindle_ = 0;
     bool tool_ready_ = false, complete_ = true, stopped_reported_ = false;
     std::optional<geom::Vec3> tap_bottom_;  ///< where a tap has stopped in its thread
+    std::optional<geom::Vec3> tap_mouth_;   ///< where it set out into it
+    std::int8_t tap_sense_ = 0;             ///< MilledMove::thread of its way in
     double tap_way_ = NAN;                  ///< mm a revolution that it went there; NaN: not coupled to the spindle
     double slow_feed_ = NAN;                ///< mm/min, found last
     std::pair<std::uint32_t, std::int8_t> turned_wrong_{};  ///< tool and sense of the spindle that were found last

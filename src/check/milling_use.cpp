@@ -48,6 +48,17 @@ void Milling::judge_tapping(const Move& move, const MilledMove& milled) {
     if (!(milled.sinking > 0)) return;
     tap_bottom_ = move.to;
     tap_way_ = milled.thread != 0 ? milled.feed_per_rev_mm : NAN;
+    tap_sense_ = milled.thread;
+    if (!tap_mouth_) tap_mouth_ = move.from;
+}
+
+/// Where a way out has ended: a tap that came out a little only, as to break the chip, is in its thread still.
+void Milling::keep_in_thread(const Move& move) {
+    const double deep = geom::dot(*tap_mouth_ - move.from, axis_), left = geom::dot(*tap_mouth_ - move.to, axis_);
+    if (left > 0.5 * deep)
+        tap_bottom_ = move.to;
+    else
+        tap_mouth_.reset();
 }
 
 /// Coupled to the spindle a tap comes out as it went in.
@@ -70,14 +81,18 @@ void Milling::judge_tap_out(const Move& move, const MilledMove& milled) {
     const bool from_thread = geom::length(move.from - *tap_bottom_) < same;
     tap_bottom_.reset();
     const bool tap = tool_ != nullptr && tool_->kind == ToolKind::tap;
-    const bool reversed = tap && milled.spindle == (tool_->left_hand ? 1 : -1);
-    if (!from_thread || !tap) return;
-    if (!move.rapid && milled.thread != 0) return judge_pitch_out(milled);
+    if (!from_thread || !tap) return tap_mouth_.reset();
+    keep_in_thread(move);
+    const auto* thread = std::get_if<cl::Thread>(&move.record.step);
+    const bool positioned = thread != nullptr && thread->rigid_tap;  // the pitch's sign says how the spindle turns
+    const bool reversed =
+        positioned ? tap_sense_ == 0 || milled.thread == tap_sense_ : milled.spindle == (tool_->left_hand ? 1 : -1);
+    if (!move.rapid && reversed && thread != nullptr) return judge_pitch_out(milled);
     if (!move.rapid && reversed) return;
     Finding f;
     f.code = codes::wrong_rotation;
     f.text = std::string("the tap is drawn out of its thread ") + (move.rapid ? "by a rapid move"
-                                                                   : milled.spindle == 0
+                                                                   : milled.spindle == 0 && !positioned
                                                                        ? "while the spindle stands"
                                                                        : "while the spindle turns on as it cut");
     f.remedy = "reverse the spindle at the bottom and feed it out, or take the control's tapping cycle";

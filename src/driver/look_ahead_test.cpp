@@ -1,64 +1,23 @@
 /// Looking ahead leaves no trace: with some statements tried before every one that is run, each golden program makes
-/// the same moves, the same parameters and the same complaints.
+/// the same moves, the same parameters and the same complaints. Nor does it repeat itself.
 
 #include <gtest/gtest.h>
 
-#include <algorithm>
-#include <filesystem>
-#include <fstream>
-#include <sstream>
 #include <string>
 #include <string_view>
 
 #include "cl/text.hpp"
-#include "driver/session.hpp"
+#include "driver/golden_cases_testing.hpp"
 
 namespace obrys::driver {
 namespace {
 
-namespace fs = std::filesystem;
-
-struct Case {
-    std::string name, file, text;
-};
-
-/// The file of a golden case that is run: the first one behind its command.
-Case read_case(const fs::path& path) {
-    std::ifstream in(path);
-    Case c;
-    c.name = path.stem().string();
-    bool inside = false;
-    for (std::string line; std::getline(in, line);) {
-        if (line.starts_with("--- ")) {
-            if (inside) break;
-            inside = line.starts_with("--- in") || line.starts_with("--- file ");
-            if (inside) c.file = line.starts_with("--- in") ? "in" : line.substr(9, line.find(' ', 9) - 9);
-        } else if (inside) {
-            c.text += line + "\n";
-        }
-    }
-    return c;
-}
+using testing::Case;
 
 std::string outcome(const Case& c, std::string_view of, shop::MachineKind kind, std::uint32_t ahead) {
     Session s;
-    const Control* control = find_control(std::string(of));
-    const auto file = s.sources.add(c.file, c.text, language_of(*control, c.text, c.file).numbers);
-    s.programs = std::make_unique<Programs>(*control, s.sources, s.diagnostics);
-    s.job.machine.kind = kind;
-    s.programs->set_machine(&s.job.machine);
-    s.job.budgets.blocks = 150;
     s.looked_ahead_in_vain = ahead;
-    s.main = s.programs->read(file);
-    if (s.main == nullptr) return {};
-    for (const std::uint32_t number : {1U, 2U, 3U}) {
-        shop::Tool tool;
-        tool.number = number;
-        tool.kind = kind == shop::MachineKind::lathe ? shop::ToolKind::turning : shop::ToolKind::end_mill;
-        tool.radius = number;
-        tool.length = 100 + 10 * number;
-        s.job.tools.push_back(tool);
-    }
+    if (!testing::open_case(s, c, of, kind)) return {};
     std::string out;
     const auto end = interpret(s, [&](const cl::Record& r) {
         const std::string line = cl::to_text(r);
@@ -71,14 +30,8 @@ std::string outcome(const Case& c, std::string_view of, shop::MachineKind kind, 
 
 /// Compares every case of a folder; the number of those that made something.
 int compare(const std::string& folder, std::string_view control, shop::MachineKind kind) {
-    const fs::path all = fs::path(OBRYS_SOURCE_DIR) / "tests/golden" / folder;
-    std::vector<fs::path> paths;
-    for (const auto& entry : fs::directory_iterator(all))
-        if (entry.path().extension() == ".txt") paths.push_back(entry.path());
-    std::sort(paths.begin(), paths.end());
     int compared = 0;
-    for (const fs::path& path : paths) {
-        const Case c = read_case(path);
+    for (const Case& c : testing::golden_cases(folder)) {
         const std::string plain = outcome(c, control, kind, 0);
         if (plain.empty()) continue;
         EXPECT_EQ(plain, outcome(c, control, kind, 7)) << c.name;
@@ -104,6 +57,23 @@ TEST(LookAhead, LeavesNoTraceOnFanuc) {
 TEST(LookAhead, LeavesNoTraceOnLinuxCnc) {
     EXPECT_GT(compare("linuxcnc", "linuxcnc", shop::MachineKind::mill), 20);
     EXPECT_GT(compare("linuxcnc", "linuxcnc", shop::MachineKind::lathe), 20);
+}
+
+/// A row of approaches, each of which wants the element behind itself.
+std::uint64_t statements_of_a_row(int approaches) {
+    std::string text = "0 BEGIN PGM A MM\n1 TOOL CALL 1 Z S1000\n2 L X-50 Y-50 Z+5 R0 FMAX M3\n";
+    for (int i = 0; i < approaches; ++i) text += "APPR LT X+0 Y+" + std::to_string(i) + " LEN5 RL F100\n";
+    text += "L X+50\nL X+60 Y+60 R0\nL Z+50 FMAX M30\nEND PGM A MM\n";
+    Session s;
+    EXPECT_TRUE(testing::open_case(s, {"row", "A.H", text}, "heidenhain-itnc530", shop::MachineKind::mill));
+    return interpret(s, [](const cl::Record&) {}).statements;
+}
+
+TEST(LookAhead, IsNotRepeatedByWhatIsLookedAt) {
+    const std::uint64_t one = statements_of_a_row(1), many = statements_of_a_row(22);
+    EXPECT_GT(one, 5U);
+    // Every approach looks through those behind it once: 22 of them through 22 * 21 / 2 and the contour's first block.
+    EXPECT_LE(many, one + 21 * 2 + 22 * 21 / 2 + 22);
 }
 
 }  // namespace

@@ -1,4 +1,4 @@
-/// Arcs: from the words of the block to centre and sweep, and out into the stream.
+/// Arcs: from the words of the block to centre and sweep. Out into the stream: plane_element.cpp.
 
 #include <algorithm>
 #include <array>
@@ -19,6 +19,12 @@ namespace codes = base::codes;
 using geom::Vec2;
 using geom::Vec3;
 
+path::ArcTolerance arc_tolerance(const Run& run) {
+    const program::Traits& t = *run.traits;
+    const double own = run.modal.inch_geometry ? t.arc_tolerance_inch : t.arc_tolerance;
+    return {own > 0 ? own : run.env.machine.defaults.circle_tolerance, 0.001, own > 0};
+}
+
 namespace {
 
 constexpr Code centre_words[3] = {Code::i, Code::j, Code::k};
@@ -37,12 +43,6 @@ Vec2 centre_of(const Run& run, const PlaneAxes& a) {
         return absolute ? b.get(code) * length_factor(run, k, false) : start + b.get(code) * unit;
     };
     return {along(a.u), along(a.v)};
-}
-
-path::ArcTolerance tolerance(const Run& run) {
-    const program::Traits& t = *run.traits;
-    const double own = run.modal.inch_geometry ? t.arc_tolerance_inch : t.arc_tolerance;
-    return {own > 0 ? own : run.env.machine.defaults.circle_tolerance, 0.001, own > 0};
 }
 
 /// A centre along the axis across the plane in force: it was meant for another plane.
@@ -91,7 +91,7 @@ path::ArcResult about_pole(const Run& run, Vec2 from, Vec2 to, path::Sense sense
     const BlockWords& b = run.block;
     b.use(Code::centre_at_pole);
     const Vec2 centre = in_plane(run.modal.pole, a);
-    if (!b.has(Code::pole_angle)) return path::arc_by_centre(from, to, centre, sense, 0, tolerance(run));
+    if (!b.has(Code::pole_angle)) return path::arc_by_centre(from, to, centre, sense, 0, arc_tolerance(run));
     const double turns = std::abs(b.get(Code::pole_angle)) / 360;
     const double whole = std::max(0.0, std::ceil(turns) - 1);
     return path::arc_about_centre(from, centre, geom::radians((turns - whole) * 360), sense,
@@ -150,15 +150,15 @@ path::ArcResult planar_arc(Run& run, Vec2 from, Vec2 to, bool end_given, const P
     if (b.has(Code::radius) && centre && run.traits->radius_before_centre) pass_over_centre(run);
     if (b.has(Code::radius))
         return path::arc_by_radius(from, to, b.get(Code::radius) * length_unit(run.modal), sense, turns,
-                                   tolerance(run));
+                                   arc_tolerance(run));
     if (b.has(Code::opening_angle)) {
         const double angle = geom::radians(b.get(Code::opening_angle));
         return end_given ? path::arc_by_angle(from, to, angle, sense, turns)
                          : path::arc_about_centre(from, centre_of(run, a), angle, sense, turns);
     }
     if (!centre && (b.has(Code::polar_angle) || b.has(Code::polar_radius)))
-        return path::arc_by_centre(from, to, in_plane(run.modal.pole, a), sense, turns, tolerance(run));
-    if (centre) return path::arc_by_centre(from, to, centre_of(run, a), sense, turns, tolerance(run));
+        return path::arc_by_centre(from, to, in_plane(run.modal.pole, a), sense, turns, arc_tolerance(run));
+    if (centre) return path::arc_by_centre(from, to, centre_of(run, a), sense, turns, arc_tolerance(run));
     path::ArcResult none;
     none.failure = path::ArcFailure::points_coincide;
     alarm(run, codes::arc_radius, run.here(),
@@ -171,10 +171,6 @@ bool has_unknown_circle_word(const Run& run) {
                          Code::turns, Code::pole_angle})
         if (run.block.has(c) && std::isnan(run.block.peek(c))) return true;
     return run.traits->arc_turns_in_p && run.block.has(Code::p) && std::isnan(run.block.peek(Code::p));
-}
-
-void remember_direction(Run& run, const path::Element& e) {
-    if (path::moves_in_plane(e)) run.last_direction = path::end_direction(e);
 }
 
 bool tilted_arc(Run& run, const Vec3& to) {
@@ -319,133 +315,6 @@ bool arc_motion(Run& run, const Vec3& target) {
     }
     plane_element(run, std::move(e), to, false);
     return true;
-}
-
-namespace {
-
-Vec3 in_axes(const PlaneAxes& a, Vec2 p, double w) {
-    Vec3 v;
-    coordinate(v, a.u) = p.x;
-    coordinate(v, a.v) = p.y;
-    coordinate(v, a.w) = w;
-    return v;
-}
-
-/// A point of the working plane in the stream's frame.
-Vec3 in_stream(const Run& run, Vec2 p, double w) {
-    const Vec3 v = in_axes(plane_axes(run.modal.plane), p, w);
-    return run.frame_is_identity ? v : geom::apply(run.frame, v);
-}
-
-}  // namespace
-
-bool compensates_in_fixed_plane(const Run& run) {
-    if (!run.traits->compensates_in_fixed_plane || run.frame_is_identity || run.modal.compensation_in_frame)
-        return false;
-    if (run.modal.compensation == Modal::compensation_off && !run.path->in_fixed_plane()) return false;
-    const auto w = static_cast<std::size_t>(plane_axes(run.modal.plane).w);
-    double tilt = 0;
-    for (std::size_t k = 0; k < 3; ++k)
-        if (k != w) tilt += std::abs(run.frame.linear[3 * w + k]) + std::abs(run.frame.linear[3 * k + w]);
-    return tilt > 1e-12;
-}
-
-namespace {
-
-/// The element as seen in the plane that frames do not turn. An arc is no circle there.
-path::Element in_fixed_plane(Run& run, const path::Element& e) {
-    const PlaneAxes a = plane_axes(run.modal.plane);
-    if (path::is_arc(e))
-        unchecked(run, codes::unsupported, run.here(),
-                  "with CUT2D an arc in a plane that a frame turns is not compensated: it is run as a straight move",
-                  "write CUT2DF where the tool stands square to the turned plane");
-    if (run.block.has(Code::round) || run.block.has(Code::chamfer_length) || run.block.has(Code::chamfer_leg))
-        unchecked(run, codes::unsupported, run.here(),
-                  "with CUT2D a chamfer or rounding in a plane that a frame turns is not run as the control does",
-                  "write CUT2DF where the tool stands square to the turned plane");
-    path::Element out;
-    const Vec3 from = in_stream(run, e.from, e.w_from), to = in_stream(run, e.to, e.w_to);
-    out.from = in_plane(from, a);
-    out.to = in_plane(to, a);
-    out.w_from = coordinate(from, a.w);
-    out.w_to = coordinate(to, a.w);
-    return out;
-}
-
-void push_element(Run& run, path::Element e, bool rapid) {
-    const bool fixed = compensates_in_fixed_plane(run);
-    if (fixed != run.path->in_fixed_plane() && run.path->active()) flush_path(run);
-    run.path->set_fixed_plane(fixed);
-    run.path->push(run, fixed ? in_fixed_plane(run, e) : std::move(e), rapid);
-}
-
-}  // namespace
-
-void plane_element(Run& run, path::Element e, const Vec3& to, bool rapid) {
-    rapid = rapid || run.block.rapid;
-    remember_direction(run, e);
-    if (path::is_arc(e) && run.modal.feed_mode == cl::FeedMode::inverse_time)
-        tell_inverse_feed(run, std::hypot(e.sweep * geom::length(e.from - e.centre), e.w_to - e.w_from));
-    run.free_contour.reset();
-    if (run.capture != nullptr)
-        capture(run, e, rapid);
-    else if (needs_path_stage(run)) {
-        if (!rapid) tell_programmed(run, e);
-        push_element(run, std::move(e), rapid);
-    } else {
-        run.record.from = run.here();
-        run.record.stack = run.top().stack;
-        run.feed_shape.plunge = run.modal.plunge_part;
-        run.feed_shape.arc = 1;
-        emit_element(run, e, rapid);
-    }
-    run.programmed_position = to;
-    run.position = run.frame_is_identity ? to : geom::apply(run.frame, to);
-}
-
-namespace {
-
-cl::Step move_in_stream(const Run& run, const path::Element& e, bool rapid) {
-    const PlaneAxes a = plane_axes(run.modal.plane);
-    const Vec3 to = in_axes(a, e.to, e.w_to);
-    if (!path::is_arc(e)) return cl::Linear{to, run.tool_axis, rapid};
-    return cl::Arc{to, in_axes(a, e.centre, e.w_from), in_axes(a, {}, 1), e.sweep, rapid};
-}
-
-}  // namespace
-
-std::optional<cl::Step> plane_move(const Run& run, const path::Element& e, bool rapid, bool in_stream_already) {
-    if (in_stream_already) return move_in_stream(run, e, rapid);
-    const Vec3 to = in_stream(run, e.to, e.w_to);
-    if (!path::is_arc(e)) return cl::Linear{to, run.tool_axis, rapid};
-    if (run.frame_is_identity || geom::is_shift_only(run.frame)) {
-        Vec3 normal;
-        coordinate(normal, plane_axes(run.modal.plane).w) = 1;
-        return cl::Arc{to, in_stream(run, e.centre, e.w_from), normal, e.sweep, rapid};
-    }
-    const Vec3 zero = in_stream(run, {}, 0);
-    const Vec3 u = in_stream(run, {1, 0}, 0) - zero, v = in_stream(run, {0, 1}, 0) - zero;
-    if (std::abs(geom::length(u) - geom::length(v)) > 1e-9) return std::nullopt;
-    const Vec3 normal = geom::cross(u, v);
-    return cl::Arc{to, in_stream(run, e.centre, e.w_from), (1 / geom::length(normal)) * normal, e.sweep, rapid};
-}
-
-void circle_alarm(Run& run, const base::Span& where) {
-    alarm(run, codes::value_range, where, "a circle cannot be run with different scale factors in its plane");
-}
-
-void tell_programmed(Run& run, const path::Element& e) {
-    if (run.env.programmed == nullptr) return;
-    if (auto step = plane_move(run, e, false))
-        (*run.env.programmed)(in_stream(run, e.from, e.w_from),
-                              cl::Record{std::move(*step), run.here(), run.top().stack});
-}
-
-void emit_element(Run& run, const path::Element& e, bool rapid, bool in_stream) {
-    auto step = plane_move(run, e, rapid, in_stream);
-    if (!step) return circle_alarm(run, run.record.from);
-    run.record.step = std::move(*step);
-    send(run, run.record);
 }
 
 }  // namespace obrys::interp

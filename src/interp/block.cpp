@@ -42,17 +42,33 @@ double word_value(Run& run, const Word& w) {
     return 0;
 }
 
-/// Number of an M or H function; out of the control's range: alarm, unknown: reported and left out. M functions have
-/// whole numbers without a sign, H functions may have any value.
-void function_number(Run& run, const base::Span& where, double v, std::vector<int>& functions, bool any = false) {
-    if (std::isnan(v))
+/// Number of an M or H function; nothing after a complaint. M functions have whole numbers without a sign. H functions
+/// may have any value (SINUMERIK: REAL), of which the stream has the whole part.
+std::optional<int> function_number(Run& run, Code letter, const base::Span& where, double v) {
+    constexpr double whole_enough = 1e-4;
+    constexpr int most = 99'999'999;
+    if (std::isnan(v)) {
         unchecked(run, codes::unknown_value, where, "which function this is depends on a value that is not known");
-    else if (const auto n = any                                  ? base::cut<int>(v)
-                            : std::abs(v - std::round(v)) < 1e-4 ? base::whole<int>(std::round(v), 0, 99'999'999)
-                                                                 : std::nullopt)
-        functions.push_back(*n);
-    else
-        alarm(run, codes::value_range, where, "no function has this number: a whole number without a sign is due");
+        return std::nullopt;
+    }
+    const bool is_whole = std::abs(v - std::round(v)) < whole_enough;
+    if (letter == Code::h) {
+        const auto n = base::cut<int>(is_whole ? std::round(v) : v);
+        if (!n) alarm(run, codes::value_range, where, "no function has this number: it is too large");
+        if (n && !is_whole)
+            assume(run, where,
+                   "H" + printed(Value::real(v)) + " is told as H" + std::to_string(*n) +
+                       ": what the machine does with it is not followed");
+        return n;
+    }
+    const auto n = is_whole ? base::whole<int>(std::round(v), 0, most) : std::nullopt;
+    if (!n) alarm(run, codes::value_range, where, "no function has this number: a whole number without a sign is due");
+    return n;
+}
+
+void add_function(Run& run, Code letter, const base::Span& where, double v) {
+    if (const auto n = function_number(run, letter, where, v))
+        (letter == Code::h ? run.block.h : run.block.m).push_back(*n);
 }
 
 void tool_word(Run& run, const Word& w) {
@@ -91,7 +107,7 @@ void named_value(Run& run, const program::Named& n) {
     if (!first && (letter == "M" || letter == "S" || letter == "SPOS")) other_spindle(run, letter, extension, value);
     if (extension == 1 && !first) return;  // SETMS has been said
     if (letter == "M" && first)
-        function_number(run, run.here(), value, run.block.m);
+        add_function(run, Code::m, run.here(), value);
     else if (letter == "M")
         assume(run, run.here(),
                "M" + printed(Value::real(extension)) + "= is for another spindle than the first and is not followed");
@@ -100,7 +116,7 @@ void named_value(Run& run, const program::Named& n) {
     else if (letter == "SPOS" && first)
         run.block.put(Code::spindle_position, value);
     else if (letter == "H")
-        function_number(run, run.here(), value, run.block.h, true);
+        add_function(run, Code::h, run.here(), value);
     else
         assume(run, run.here(),
                letter + printed(Value::real(extension)) +
@@ -193,8 +209,8 @@ void gather(Run& run, const program::Statement& s, const Word& w) {
             return emit(run, cl::Comment{run.unit().texts[static_cast<std::size_t>(w.payload)], false, false});
         case Code::unsupported:
         case Code::unknown: problem_word(run, w); return;
-        case Code::m: function_number(run, run.unit().span(s, w), word_value(run, w), run.block.m); return;
-        case Code::h: function_number(run, run.unit().span(s, w), word_value(run, w), run.block.h, true); return;
+        case Code::m:
+        case Code::h: return add_function(run, code, run.unit().span(s, w), word_value(run, w));
         case Code::tool: tool_word(run, w); return;
         case Code::named_axis:
             named_axis(run, run.unit().named[static_cast<std::size_t>(w.payload)], run.unit().span(s, w));

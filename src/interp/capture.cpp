@@ -1,5 +1,6 @@
 #include "interp/capture.hpp"
 
+#include <cassert>
 #include <utility>
 
 #include "base/text.hpp"
@@ -37,6 +38,8 @@ Rehearsal::Rehearsal(Run& r, Look purpose)
 }
 
 Rehearsal::~Rehearsal() {
+    saved_.steps = run_.steps;  // a run in which much is looked at comes to the end of its time, too
+    saved_.out_of_time = run_.out_of_time;
     static_cast<RunState&>(run_) = std::move(saved_);
     for (auto& [array, value] : values_) *array = std::move(value);
     run_.path = std::move(path_);
@@ -49,6 +52,7 @@ std::optional<std::vector<Captured>> Looked::said(Run& run, const std::string& o
 }
 
 std::optional<Captured> next_element(Run& run, const geom::Vec3& from) {
+    assert(run.look != Look::next_element);  // looking ahead within looking ahead repeats it 2^n times
     const Rehearsal rehearsal(run, Look::next_element);
     run.programmed_position = from;
     run.position = geom::apply(run.frame, from);

@@ -64,7 +64,7 @@ private:
 
 /// The next element of the working plane that the program makes behind the block being run; nothing where it makes none
 /// within a few hundred statements. `from`: where the tool will stand, programmed frame. These blocks are run behind
-/// the one at hand and complain then.
+/// the one at hand and complain then. Blocks that are looked at so (Look::next_element) must not call it.
 [[nodiscard]] std::optional<Captured> next_element(Run&, const geom::Vec3& from);
 
 /// The elements that a label of a program makes from the label to its end, in the order of motion; no end where there

@@ -212,7 +212,7 @@ Value read_variable(Run& run, const Expr& e, ExprId id) {
         unchecked(run, codes::unknown_value, unit.span(id),
                   text + " is read before the program sets it: what it holds then is not known",
                   "set it in the program");
-        return Value::string({});
+        return Value::unknown(Type::string);
     }
     for (const shop::MachineAxis& axis : run.env.machine.axes)
         if (axis.name == text && e.count == 0) return Value::axis(text);

@@ -200,7 +200,7 @@ Outcome run(const program::Unit& main, const Environment& environment, cl::CallS
     take_overrides(run, *main.traits);
     define_globals(run);
     take_given(run);
-    if (run.stopped) return {run.ending, 0, {}, {}, {}};
+    if (run.stopped) return {run.ending, 0, {}, {}, {}, 0};
     choose_reference_datum(run, main);
     enter(run, main, nullptr, {});
     if (!run.unit().statements.empty()) run.statement = run.unit().statements.data();
@@ -215,7 +215,8 @@ Outcome run(const program::Unit& main, const Environment& environment, cl::CallS
         }
     while (!run.stopped) step(run);
     flush_path(run);
-    Outcome outcome{run.ending, run.blocks, {}, {run.entered.begin(), run.entered.end()}, std::move(run.overrides_met)};
+    Outcome outcome{run.ending, run.blocks, {}, {run.entered.begin(), run.entered.end()}, std::move(run.overrides_met),
+                    run.steps};
     for (std::uint32_t n = 0; n < run.parameters.count(); ++n)
         if (run.parameters.is_assigned(n))
             outcome.parameters.push_back({program::parameter_name(*main.traits, n), run.parameters.get(n)});

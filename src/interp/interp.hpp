@@ -87,6 +87,7 @@ struct Outcome {
     std::vector<ParameterValue> parameters;     ///< those that were assigned
     std::vector<const program::Unit*> entered;  ///< programs of which something was run, the main one's too
     std::set<std::string> replaced;             ///< names of which Environment::overrides replaced a constant
+    std::uint64_t statements = 0;               ///< gone through, those that were looked at ahead as well
 };
 
 /// Runs `main` and passes every record to `sink`. Complaints, assumptions and ignored words go to `diagnostics`.

@@ -181,8 +181,7 @@ Unknown why_unknown(const Run& run, SystemVariable v, double index) {
 /// `name`: of a parameter that the job can give; empty: it cannot.
 double report_unknown(Run& run, const std::string& name, const base::Span& where, const Unknown& u) {
     unchecked(run, codes::unknown_value, where, u.why,
-              "what is computed from it is unknown too" + u.also +
-                  (name.empty() ? "" : "; " + given_remedy(name)));
+              "what is computed from it is unknown too" + u.also + (name.empty() ? "" : "; " + given_remedy(name)));
     return unknown;
 }
 
@@ -211,6 +210,14 @@ bool may_be_written(const Run& run, std::uint32_t n) {
     const program::LiveParameters* l = live_range(run, n);
     return l == nullptr || l->value == SystemVariable::probed_coordinate || l->value == SystemVariable::probe_success ||
            l->value == SystemVariable::input_value || l->value == SystemVariable::unknown;
+}
+
+bool is_of_control(Run& run, std::uint32_t n, const base::Span& where) {
+    const program::LiveParameters* l = live_range(run, n);
+    if (l == nullptr || run.traits->assigns_together) return false;
+    if (l->value == SystemVariable::timer) return true;
+    alarm(run, codes::value_range, where, program::parameter_name(*run.traits, n) + " can only be read");
+    return true;
 }
 
 void forget_live(Run& run, SystemVariable what) {

@@ -135,29 +135,6 @@ void arrive(Run& run, const geom::Vec3& target) {
     run.position = run.frame_is_identity ? target : geom::apply(run.frame, target);
 }
 
-namespace {
-
-double thread_pitch(const Run& run, const geom::Vec3& from, const geom::Vec3& to) {
-    const BlockWords& b = run.block;
-    double pitch = 0, longest = -1;
-    const Code pitches[3] = {Code::i, Code::j, Code::k};
-    for (int k = 0; k < 3; ++k) {
-        const double step = std::abs(coordinate(to, k) - coordinate(from, k));
-        if (b.has(pitches[k]) && step != 0 && !(step < longest)) {
-            pitch = b.get(pitches[k]);
-            longest = step;
-        }
-    }
-    for (int k = 0; k < 3 && longest < 0; ++k)  // a thread that goes nowhere has its pitch all the same
-        if (b.has(pitches[k])) {
-            pitch = b.get(pitches[k]);
-            break;
-        }
-    return pitch * length_unit(run.modal);
-}
-
-}  // namespace
-
 void require_feed(Run& run) {
     if (run.spindle.doubtful) judge_stop(run);
     if (run.feed_valid || !run.feed_dropped) return;
@@ -205,23 +182,6 @@ bool probe(Run& run) {
     return true;
 }
 
-/// G33.1: down with the spindle, and back with it reversed.
-bool rigid_tap(Run& run) {
-    flush_path(run);
-    const geom::Vec3 from = run.programmed_position, to = programmed_target(run);
-    cl::Thread t;
-    t.pitch = run.block.get(Code::k) * length_unit(run.modal);
-    t.rigid_tap = true;
-    tell(run, cl::SettingKind::synchronised, 1, {std::abs(t.pitch)});
-    for (const geom::Vec3& p : {to, from}) {
-        arrive(run, p);
-        t.to = run.position;
-        emit(run, t);
-        if (p == to) tell(run, cl::SettingKind::synchronised, 0);
-    }
-    return true;
-}
-
 bool path_motion(Run& run) {
     const BlockWords& b = run.block;
     const Modal m = run.modal.motion;
@@ -238,30 +198,7 @@ bool path_motion(Run& run) {
         straight_motion(run, to, m == Modal::rapid);
         return true;
     }
-    flush_path(run);
-    if (m > Modal::tap_retract) {
-        alarm(run, codes::value_range, run.here(), "coordinates without a motion that could run them");
-        return false;
-    }
-    cl::Thread t;
-    t.pitch = thread_pitch(run, run.programmed_position, to);
-    if (t.pitch == 0) {
-        unchecked(run, codes::value_range, run.here(),
-                  "no pitch stands in this block of a thread: it is run as a straight line",
-                  "write the pitch in every block of a thread");
-        straight_motion(run, to, false);
-        return true;
-    }
-    t.rigid_tap = m == Modal::tap || m == Modal::tap_retract;
-    if (m == Modal::thread_rising || m == Modal::thread_falling)
-        unchecked(run, codes::unsupported, run.here(),
-                  "the changing pitch of G34 and G35 is not followed: the thread is run with its first pitch");
-    tell(run, cl::SettingKind::synchronised, 1, {std::abs(t.pitch)});
-    arrive(run, to);
-    t.to = run.position;
-    emit(run, t);
-    tell(run, cl::SettingKind::synchronised, 0);
-    return true;
+    return thread_motion(run, to);
 }
 
 }  // namespace

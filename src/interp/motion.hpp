@@ -4,6 +4,7 @@
 #include <optional>
 
 #include "interp/run.hpp"
+#include "path/arc_input.hpp"
 #include "path/element.hpp"
 
 namespace obrys::interp {
@@ -49,6 +50,12 @@ void set_pole(Run&);
 /// M140: away along the tool axis.
 void retract_tool(Run&);
 
+/// G33.1: down with the spindle, and back with it reversed (thread.cpp).
+[[nodiscard]] bool rigid_tap(Run&);
+/// The block's thread to `to` (programmed frame).
+[[nodiscard]] bool thread_motion(Run&, const geom::Vec3& to);
+/// By how much the radii of a programmed arc may differ.
+[[nodiscard]] path::ArcTolerance arc_tolerance(const Run&);
 /// Runs the block's arc to `to` (programmed frame); false where it could not be resolved.
 [[nodiscard]] bool arc_motion(Run&, const geom::Vec3& to);
 /// An element of the working plane as a move of the stream; nothing where scaling leaves no circle of an arc.

@@ -254,9 +254,6 @@ void PathStage::output(Run& run, const path::Output& out) {
     const auto emit_one = [&](const path::Element& e) {
         emit_element(run, e, origin.rapid && (origin.rapid_arc || !path::is_arc(e)), origin.fixed_plane);
     };
-    // What was refused can leave the tool beside the next arc, which has no start of its own in the stream.
-    if (last_ && path::is_arc(out.element) && geom::distance(*last_, out.element.from) > path::same_point)
-        emit_one(path::line(*last_, out.element.from, out.element.w_from));
     last_ = out.element.to;
     if (out.kind != path::Kind::transition || !(origin.pulled_out > 0)) return emit_one(out.element);
     for (const path::Element& e : path::pulled_corner(out.element, origin.pulled_out)) emit_one(e);
@@ -296,6 +293,12 @@ void PathStage::stop(Run& run) {
     coordinate(to, a.u) = last_->x;
     coordinate(to, a.v) = last_->y;
     arrive(run, to);
+}
+
+void PathStage::end_compensation(Run& run) {
+    stop(run);
+    path_ = path::ContourPath();
+    forget();
 }
 
 void PathStage::switch_off(Run& run) {

@@ -29,6 +29,8 @@ public:
     void flush(Run&);
     /// The same; the tool stands where it is then, not at the contour's point.
     void stop(Run&);
+    /// As above, and compensation is in force no longer: the tool goes on from where its centre stands.
+    void end_compensation(Run&);
 
 private:
     /// What an element's tag stands for.

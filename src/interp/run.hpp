@@ -1,6 +1,7 @@
 #pragma once
 /// What works on the state of one run, by concern; each section names its files. Private to interp.
 
+#include "cl/totals.hpp"
 #include "interp/state.hpp"
 
 namespace obrys::interp {
@@ -53,7 +54,7 @@ void note_held(Run&, const Array&, std::size_t index, const base::Span& where);
 [[nodiscard]] double binary_number(Run&, const program::Expr&, double a, double b);
 [[nodiscard]] Value binary_value(Run&, const program::Expr&, const Value& a, const Value& b);
 
-// --- variables (assign.cpp, definitions.cpp)
+// --- variables (assign.cpp, assign_system.cpp, definitions.cpp)
 void assign(Run&, const program::Assign&);
 void create_variable(Run&, program::NameId, double value);
 /// An assignment whose right side, and the number of whose parameter, are known already.
@@ -115,7 +116,7 @@ void procedure(Run&, const program::ProcedureCall&);
 /// What the control says of itself, lengths in mm; NaN where it is not known here.
 [[nodiscard]] double control_value(const Run&, program::ControlValue);
 
-// --- blocks (block.cpp, modal_words.cpp, tools.cpp, motion.cpp, frame_words.cpp)
+// --- blocks (block.cpp, modal_words.cpp, technology.cpp, tools.cpp, motion.cpp, thread.cpp, frame_words.cpp)
 void run_block(Run&, const program::Statement&, std::uint32_t index);
 void modal_word(Run&, const program::Word&);
 /// What a word of the modal state does, without the block it stands in; false where `m` is none.
@@ -148,7 +149,7 @@ void other_spindle(Run&, std::string_view letter, double number, double value);
 void select_master(Run&, std::optional<double> number);
 /// Before a feed move behind a stop that may have stopped the spindle.
 void judge_stop(Run&);
-/// FB has acted for its block (tools.cpp).
+/// FB has acted for its block (technology.cpp).
 void end_feed_alone(Run&);
 /// The tool that is in use when the program begins, with its own offset.
 void begin_with_tool(Run&, std::uint32_t number);
@@ -354,6 +355,8 @@ void note_written(Run&, std::uint32_t parameter, const base::Span& where);
 [[nodiscard]] bool is_live(const Run&, std::uint32_t parameter);
 /// What probing and inputs leave there can be overwritten.
 [[nodiscard]] bool may_be_written(const Run&, std::uint32_t parameter);
+/// The control alone says what the parameter shows: writing it is an alarm, and a timer runs on from where it is set.
+[[nodiscard]] bool is_of_control(Run&, std::uint32_t parameter, const base::Span& where);
 /// What the program wrote over live parameters of this kind no longer holds: the control has written them.
 void forget_live(Run&, program::SystemVariable what);
 [[nodiscard]] double live_parameter(Run&, std::uint32_t parameter, const base::Span& where);
@@ -414,6 +417,7 @@ void shape_feed_from_here(Run&);
 void shape_feed(Run&, const cl::Record& record);
 /// Hands a record to whoever takes the stream.
 inline void send(Run& run, const cl::Record& record) {
+    run.sent = cl::position_after(run.sent, record.step);
     if (run.surface.kind != SurfaceMode::Kind::none) return send_on_surface(run, record);
     if (run.feed_shape.on) shape_feed(run, record);
     run.sink(record);

@@ -102,10 +102,27 @@ void push_approach(Run& run, const path::SmoothPath& p, const path::Setting& com
     }
 }
 
+/// The manuals know an approach from a point without compensation alone (P_S: "approached without radius compensation",
+/// iTNC 530 and TNC 640 User's Manual, "Important positions for approach and departure").
+void leave_contour_before(Run& run) {
+    if (run.capture != nullptr) return;
+    flush_path(run);
+    if (!run.path->active()) return;
+    unchecked(run, codes::unsupported, run.here(),
+              "an approach while radius compensation is still in force is not described: the compensation is taken to "
+              "end where the tool's centre stands, and the approach to begin there",
+              "move to the starting point of the approach without radius compensation (R0, G40)");
+    run.path->end_compensation(run);
+}
+
 void approach(Run& run, const Special& s) {
     const PlaneAxes a = plane_axes(run.modal.plane);
+    leave_contour_before(run);
     const Vec3 start = run.programmed_position;
     const Vec3 target = programmed_target(run);
+    // Who looks ahead wants an element of the contour. An approach has none for him, and must not look ahead in its
+    // turn: of a row of them each would look through all that follow.
+    if (run.look == Look::next_element) return arrive(run, target);
     const std::optional<Captured> next = next_element(run, target);
     const path::Setting compensation = compensation_setting(run);
     path::ContourEnd contour;
@@ -127,7 +144,21 @@ void approach(Run& run, const Special& s) {
     arrive(run, target);
 }
 
-void departure(Run& run, const Special& s) {
+/// DEP and G27 end the compensation themselves: RL and RR have no place there, R0 says what they do.
+bool ends_compensation(Run& run, Modal before) {
+    const Modal said = run.modal.compensation;
+    run.modal.compensation = before;
+    if (said == before && (run.block.groups >> static_cast<unsigned>(program::ModalGroup::compensation) & 1U) == 0)
+        return true;
+    if (said == Modal::compensation_off) return true;
+    alarm(run, codes::compensation, run.here(),
+          "a departure from the contour ends radius compensation: RL and RR (G41, G42) have no place in its block",
+          "write them in the block that leads to the next contour");
+    return false;
+}
+
+void departure(Run& run, const Special& s, Modal compensation_before) {
+    if (!ends_compensation(run, compensation_before)) return;
     const PlaneAxes a = plane_axes(run.modal.plane);
     const Vec3 at = run.programmed_position;
     // Only LCT leads to a point; of the others the words of one stay unused and are said.
@@ -160,11 +191,14 @@ void departure(Run& run, const Special& s) {
     coordinate(end, a.u) = p.path.back().to.x;
     coordinate(end, a.v) = p.path.back().to.y;
     coordinate(end, a.w) = p.path.back().w_to;
+    for (const path::Element& e : p.path)  // the tangent of what may follow is that of the way off the contour
+        if (path::moves_in_plane(e)) run.last_direction = path::end_direction(e);
     arrive(run, end);
 }
 
-/// The control refuses a spline that starts more than 1 um beside the end of the last contour element (iTNC 530 manual,
-/// spline interpolation); it is held to it axis by axis.
+/// The control refuses a spline that starts more than 1 um beside the end of the last contour element (iTNC 530 User's
+/// Manual, "Contour movements - spline interpolation": "larger deviations will provoke an error message"); it is held
+/// to it axis by axis.
 void check_start(Run& run, const cl::Spline& spline) {
     const Vec3 gap = cl::start_gap(run.position, spline);
     const double worst = std::max({std::abs(gap.x), std::abs(gap.y), std::abs(gap.z)});
@@ -174,14 +208,21 @@ void check_start(Run& run, const cl::Spline& spline) {
         unchecked(run, codes::unknown_value, run.here(), "where the tool stands before this spline is not known");
         return;
     }
-    raise(run, {base::Severity::error,
-                codes::spline_start,
-                run.here(),
-                "the spline starts " + base::fixed(geom::length(gap), 4) +
-                    " mm beside the end of the last contour element, more than 0.001 mm along an axis",
-                "let the coefficients K1, K2, K3 and the end point add up to where the last block ended",
-                run.stacks.sites(run.top().stack),
-                {}});
+    alarm(run, codes::spline_start, run.here(),
+          "the spline starts " + base::fixed(geom::length(gap), 4) +
+              " mm beside the end of the last contour element, more than 0.001 mm along an axis",
+          "let the coefficients K1, K2, K3 and the end point add up to where the last block ended");
+}
+
+/// The stream's splines have two additional axes at most, the control's five axes in all.
+bool has_too_many_axes(Run& run, const cl::Spline& spline) {
+    if (spline.axes.size() <= 2) return false;
+    unchecked(run, codes::unsupported, run.here(),
+              "a spline with more than two axes besides X, Y and Z is not followed: it is run straight");
+    for (const cl::SplineAxis& a : spline.axes)
+        emit(run, axis_record(std::string_view(a.name.data()), a.to, a.rotary, false));
+    emit(run, cl::Linear{spline.to, run.tool_axis, false});
+    return true;
 }
 
 void spline(Run& run, const Special& s) {
@@ -221,15 +262,16 @@ void spline(Run& run, const Special& s) {
     require_feed(run);
     begin_motion(run);
     check_start(run, record);
+    if (run.stopped) return;
     const PlaneAxes a = plane_axes(run.modal.plane);
     run.last_direction = -1.0 * in_plane(k[0], a);  // at t = 0 the curve runs against its parameter
     arrive(run, to);
-    emit(run, std::move(record));
+    if (!has_too_many_axes(run, record)) emit(run, std::move(record));
 }
 
-void act(Run& run, const Special& s, std::uint32_t index) {
+void act(Run& run, const Special& s, std::uint32_t index, Modal compensation_before) {
     if (s.kind <= SpecialKind::approach_arc_line) return approach(run, s);
-    if (s.kind <= SpecialKind::departure_arc_line) return departure(run, s);
+    if (s.kind <= SpecialKind::departure_arc_line) return departure(run, s, compensation_before);
     if (s.kind == SpecialKind::spline) return spline(run, s);
     if (s.kind <= SpecialKind::free_select) return free_contour(run, s, index);
     plane(run, s);
@@ -241,6 +283,7 @@ void run_special(Run& run, const program::Statement& statement, std::uint32_t in
     const Unit& unit = run.unit();
     const Special& s = unit.specials[static_cast<std::size_t>(unit.words[statement.first].payload)];
     run.block.clear();
+    const Modal compensation_before = run.modal.compensation;
     const std::uint32_t end = unit.words_end(index);
     for (std::uint32_t i = statement.first + 1; i < end; ++i) {
         gather(run, statement, unit.words[i]);
@@ -250,7 +293,7 @@ void run_special(Run& run, const program::Statement& statement, std::uint32_t in
     if (run.stopped) return;
     technology(run);
     if (!run.stopped && run.block.retract != 0) retract_tool(run);
-    if (!run.stopped) act(run, s, index);
+    if (!run.stopped) act(run, s, index, compensation_before);
     const bool called = run.block.has(Code::cycle_call), modal = run.block.has(Code::cycle_call_modal);
     const bool moves =
         s.kind <= SpecialKind::spline && s.kind != SpecialKind::free_pole && s.kind != SpecialKind::free_select;

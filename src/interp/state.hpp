@@ -328,9 +328,11 @@ struct RunState : ToolRack {
     /// What CONTOUR DEF, or DECLARE CONTOUR and formulas, say the contour is; empty: `contour_labels` do.
     std::vector<ContourChoice> contour_choices;
 
-    geom::Vec3 position;             ///< stream frame, mm; NaN where unknown
-    geom::Vec3 programmed_position;  ///< in the programmed frame
-    geom::Frame frame;               ///< programmed frame -> stream frame
+    geom::Vec3 position;  ///< stream frame, mm; NaN where unknown
+    geom::Vec3 sent{std::numeric_limits<double>::quiet_NaN(), std::numeric_limits<double>::quiet_NaN(),
+                    std::numeric_limits<double>::quiet_NaN()};  ///< end of the last move handed out, stream frame
+    geom::Vec3 programmed_position;                             ///< in the programmed frame
+    geom::Frame frame;                                          ///< programmed frame -> stream frame
     bool frame_is_identity = true;
     geom::Vec3 tool_axis{0, 0, 1};        ///< in the stream's frame: normal to a tilted working plane
     std::uint32_t reference_datum = 500;  ///< the datum in which the stream's coordinates are

@@ -150,7 +150,7 @@ void begin(Run& run, Kind kind) {
     Vec3 to = run.programmed_position;
     to.y = kind == Kind::polar ? 0 : geom::radians(s.angle) * s.radius;
     arrive(run, to);
-    s.at = run.position;
+    s.at = run.sent = run.position;
     run.surface = s;
     if (kind == Kind::polar) tell_place(run, true);
 }
@@ -163,7 +163,7 @@ void end(Run& run) {
     Vec3 to = run.position;
     if (s.kind == Kind::polar) to.x = std::hypot(to.x, to.y);
     to.y = 0;
-    run.position = to;
+    run.position = run.sent = to;
     run.programmed_position = geom::apply(geom::inverse(run.frame), to);
     run.extra_axes[axis] = s.angle;
     set_plane(run, s.plane);

@@ -109,9 +109,7 @@ void Compensation::add_approach(Element e, const Setting& s) {
     Item item;
     tip_ = s.tip;
     item.start = e.from - tip_;
-    item.e = std::move(e);
-    if (is_arc(item.e)) item.e.centre = item.e.centre - tip_;
-    item.e.to = s.approach == Approach::ready ? item.e.to - tip_ : item.e.to;
+    item.e = s.approach == Approach::ready ? moved_by(std::move(e), -1.0 * tip_) : std::move(e);
     item.s = s;
     item.role = Role::approach;
     window_.push_back(std::move(item));
@@ -149,9 +147,7 @@ void Compensation::add_retract(Element e, const Setting& s) {
     active_ = false;
     Item item;
     item.start = at_.value_or(e.from);
-    item.e = std::move(e);
-    item.e.to = item.e.to - tip_;
-    if (is_arc(item.e)) item.e.centre = item.e.centre - tip_;
+    item.e = moved_by(std::move(e), -1.0 * tip_);
     item.s = s;
     item.role = Role::retract;
     window_.push_back(std::move(item));
@@ -163,6 +159,7 @@ void Compensation::drop_selection(const Element& next, OutputSink out) {
     Item item = std::move(window_.front());
     window_.clear();
     active_ = false;
+    if (item.s.approach == Approach::ready) item.e = moved_by(std::move(item.e), tip_);
     tip_ = {};
     emit(std::move(item.e), Kind::passed, out);
     for (Element& e : item.after) emit(std::move(e), Kind::passed, out);
@@ -213,7 +210,10 @@ void Compensation::finish_last(OutputSink out) {
     const Item& a = window_.front();
     if (a.role == Role::approach) {
         offset_ = offset_of(a.s);
-        finish_front(a.e.to + offset_ * geom::left_of(end_direction(a.e)), 0, out);
+        if (a.s.approach == Approach::ready)
+            finish_front(a.e.to, std::abs(a.e.sweep), out);
+        else
+            finish_front(a.e.to + offset_ * geom::left_of(end_direction(a.e)), 0, out);
     } else {
         watch(extent(a.curve));
         if (a.role == Role::retract)
@@ -263,7 +263,9 @@ void Compensation::finish_front(Vec2 end, double place, OutputSink out) {
     Item item = std::move(window_.front());
     window_.pop_front();
     Element e = std::move(item.e);
-    e.from = item.start;
+    // An arc that was given as the centre's path keeps its circle, wherever the contour has ended: emit() leads there.
+    const bool own = is_arc(e) && (item.role == Role::approach || item.role == Role::retract);
+    if (!own) e.from = item.start;
     e.to = end;
     if (is_arc(e)) {
         e.sweep = std::copysign(place - item.begin, e.sweep);

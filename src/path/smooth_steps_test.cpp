@@ -60,6 +60,32 @@ TEST(smooth_steps, AnArcThatShrinksToAPointStillSelects) {
     EXPECT_LE(geom::distance(r.out[2].element.to, {9, 5}), 1e-12);
 }
 
+/// The last element is an inner arc tighter than the tool and is left out: the departure keeps its circle all the same.
+TEST(smooth_steps, ADepartureKeepsItsCircleWhereverTheContourEnded) {
+    const Element straight = line({0, 0}, {50, 0}), tight = arc({50, 0}, {50, 4}, pi / 2);
+    const ContourEnd end{tight.to, {0, 1}, Side::left, 5, 0};
+    const auto off = smooth_departure(end, {}, {.kind = SmoothKind::tangent_arc, .radius = 8, .angle = pi / 2});
+    const Result r = run(steps_of(smooth_approach({{-20, 5}, 0}, {{0, 0}, {1, 0}, Side::left, 5, 0},
+                                                  {.kind = SmoothKind::tangent_line, .length = 9}),
+                                  {straight, tight}, off, left(5)));
+    EXPECT_FALSE(r.faults.empty());
+    EXPECT_LE(largest_gap(r), 1e-12);
+    for (const Output& o : r.out)
+        if (is_arc(o.element))
+            EXPECT_NEAR(geom::distance(o.element.from, o.element.centre),
+                        geom::distance(o.element.to, o.element.centre), 1e-9);
+}
+
+/// Nothing follows an approach by an arc (a programmed stop): it ends where it was to end.
+TEST(smooth_steps, AnApproachAloneEndsOnTheContour) {
+    const auto on = smooth_approach({{-20, 30}, 0}, {{0, 0}, {1, 0}, Side::left, 5, 0},
+                                    {.kind = SmoothKind::tangent_arc, .radius = 8, .angle = pi / 2});
+    const Result r = run(steps_of(on, {}, {}, left(5)));
+    ASSERT_FALSE(r.out.empty());
+    EXPECT_LE(geom::distance(r.out.back().element.to, {0, 5}), 1e-12);
+    EXPECT_NEAR(std::abs(r.out.back().element.sweep), pi / 2, 1e-12);
+}
+
 /// Whatever the shape: the path holds together, and the elements of approach and departure come out as they went in.
 TEST(smooth_steps, HoldTogetherWithTheContour) {
     const std::uint32_t seed = 20251125;

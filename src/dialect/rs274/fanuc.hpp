@@ -68,7 +68,7 @@ enum class FanucSpecial : std::uint8_t {
 struct FanucG {
     std::int16_t code = 0;  ///< G number * 10
     FanucUse use = FanucUse::modal;
-    program::Modal modal = program::Modal::linear;
+    program::Modal modal = program::Modal::linear;  ///< of refused ones `canned`: in force until another motion
     std::int16_t number = 0;
     Order order = Order::motion;
     FanucSpecial special = FanucSpecial::none;

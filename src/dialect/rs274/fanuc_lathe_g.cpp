@@ -32,6 +32,10 @@ constexpr LatheG no_effect(int code, std::string_view says) {
 constexpr LatheG not_run(int code, std::string_view says) {
     return row(code, code, code, refused, Modal::linear, Order::motion, 0, Special::none, says);
 }
+/// In force for the blocks behind it until another motion.
+constexpr LatheG motion_not_run(int code, std::string_view says) {
+    return row(code, code, code, refused, Modal::canned, Order::motion, 0, Special::none, says);
+}
 constexpr LatheG cycle(int a, int b, int c, Special s, std::string_view says, int number) {
     return row(a, b, c, special, Modal::turning_cycle, Order::special, number, s, says);
 }
@@ -71,8 +75,8 @@ constexpr std::array lathe{
     not_run(301, "return to the floating reference position"),
     more(310, Special::probe, Order::motion, Modal::probe, 1),
     row(320, 330, 330, special, Modal::thread, Order::motion, 0, Special::thread),
-    not_run(340, "thread with a variable lead"),
-    not_run(350, "circular thread"),
+    motion_not_run(340, "thread with a variable lead"),
+    motion_not_run(350, "circular thread"),
     not_run(360, "automatic measuring of the tool offset along X"),
     not_run(370, "automatic measuring of the tool offset along Z"),
     not_run(390, "corner arc of the compensation"),
@@ -139,13 +143,16 @@ constexpr FanucG haas_hole(int code) {
 constexpr FanucG haas_not_run(int code, std::string_view says) {
     return {static_cast<std::int16_t>(code), refused, Modal::linear, 0, Order::motion, Special::none, says};
 }
+constexpr FanucG haas_motion_not_run(int code, std::string_view says) {
+    return {static_cast<std::int16_t>(code), refused, Modal::canned, 0, Order::motion, Special::none, says};
+}
 constexpr std::array haas_lathe{
     haas_not_run(71, "not a G code of this control"),
     haas_hole(810),
     haas_hole(820),
-    haas_not_run(860, "boring with a stop of the spindle"),
-    haas_not_run(870, "boring with a way back by hand"),
-    haas_not_run(880, "boring with a way back by hand"),
+    haas_motion_not_run(860, "boring with a stop of the spindle"),
+    haas_motion_not_run(870, "boring with a way back by hand"),
+    haas_motion_not_run(880, "boring with a way back by hand"),
     haas_hole(890),
     haas_not_run(1070, "cylindrical mapping"),
     haas_not_run(1120, "polar coordinate interpolation"),
@@ -154,10 +161,10 @@ constexpr std::array haas_lathe{
     haas_not_run(131, "not a G code of this control"),
     haas_not_run(1950, "tapping with a driven tool"),
     haas_not_run(1960, "tapping with a driven tool, to the left"),
-    haas_not_run(2410, "drilling along X with a driven tool"),
-    haas_not_run(2420, "drilling along X with a driven tool"),
-    haas_not_run(2430, "drilling along X with a driven tool"),
-    haas_not_run(2450, "boring along X with a driven tool"),
+    haas_motion_not_run(2410, "drilling along X with a driven tool"),
+    haas_motion_not_run(2420, "drilling along X with a driven tool"),
+    haas_motion_not_run(2430, "drilling along X with a driven tool"),
+    haas_motion_not_run(2450, "boring along X with a driven tool"),
 };
 
 }  // namespace

@@ -26,6 +26,10 @@ constexpr FanucG no_effect(int code, std::string_view says) {
 constexpr FanucG not_run(int code, std::string_view says) {
     return {static_cast<std::int16_t>(code), refused, Modal::linear, 0, Order::motion, Special::none, says};
 }
+/// Not run, and in force for the blocks behind it until another motion or G80.
+constexpr FanucG motion_not_run(int code, std::string_view says) {
+    return {static_cast<std::int16_t>(code), refused, Modal::canned, 0, Order::motion, Special::none, says};
+}
 /// Not run, but the block ends where its coordinates say.
 constexpr FanucG not_applied(int code, std::string_view says) {
     return {static_cast<std::int16_t>(code), refused, Modal::linear, 0, Order::tool_length, Special::none, says};
@@ -36,15 +40,15 @@ constexpr std::array mill{
     word(10, Modal::linear, Order::motion),
     word(20, Modal::arc_cw, Order::motion),
     word(30, Modal::arc_ccw, Order::motion),
-    not_run(22, "involute interpolation"),
-    not_run(32, "involute interpolation"),
-    not_run(23, "exponential interpolation"),
-    not_run(33, "exponential interpolation"),
+    motion_not_run(22, "involute interpolation"),
+    motion_not_run(32, "involute interpolation"),
+    motion_not_run(23, "exponential interpolation"),
+    motion_not_run(33, "exponential interpolation"),
     more(40, Special::dwell, Order::dwell, Modal::dwell),
     no_effect(50, "high-speed machining"),
     no_effect(51, "look-ahead control of contours"),
     no_effect(54, "high-speed machining"),
-    not_run(62, "NURBS interpolation"),
+    motion_not_run(62, "NURBS interpolation"),
     not_run(70, "interpolation with a hypothetical axis"),
     not_run(71, "cylindrical interpolation"),
     not_run(1070, "cylindrical interpolation"),
@@ -132,8 +136,8 @@ constexpr std::array mill{
     hole(820),
     hole(830),
     hole(840),
-    not_run(842, "rigid tapping, old form"),
-    not_run(843, "rigid tapping to the left, old form"),
+    motion_not_run(842, "rigid tapping, old form"),
+    motion_not_run(843, "rigid tapping to the left, old form"),
     hole(850),
     hole(860),
     hole(870),
@@ -201,16 +205,16 @@ constexpr std::array haas{
     not_applied(1410, "compensation of the cutter in space"),
     not_applied(1430, "tool length along five axes"),
     not_run(1500, "general purpose pocket milling"),
-    not_run(1530, "high-speed peck drilling along five axes"),
+    motion_not_run(1530, "high-speed peck drilling along five axes"),
     more(1540, Special::datum_number, Order::datum, Modal::datum),
-    not_run(1550, "left-hand tapping along five axes"),
-    not_run(1610, "drilling along five axes"),
-    not_run(1620, "spot drilling along five axes"),
-    not_run(1630, "peck drilling along five axes"),
-    not_run(1640, "tapping along five axes"),
-    not_run(1650, "boring along five axes"),
-    not_run(1660, "boring along five axes"),
-    not_run(1690, "boring along five axes"),
+    motion_not_run(1550, "left-hand tapping along five axes"),
+    motion_not_run(1610, "drilling along five axes"),
+    motion_not_run(1620, "spot drilling along five axes"),
+    motion_not_run(1630, "peck drilling along five axes"),
+    motion_not_run(1640, "tapping along five axes"),
+    motion_not_run(1650, "boring along five axes"),
+    motion_not_run(1660, "boring along five axes"),
+    motion_not_run(1690, "boring along five axes"),
     not_run(1740, "rigid tapping along any line"),
     not_run(1840, "rigid tapping along any line"),
     no_effect(1870, "smoothness of the surface"),

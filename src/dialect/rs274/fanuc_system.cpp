@@ -36,7 +36,8 @@ constexpr std::array ranges{
     Range{2000, 2999, unknown},  // tool offsets
     Range{3000, 3000, alarm},    Range{3001, 3002, timer},   Range{3003, 3005, option},
     Range{3006, 3006, stop},     Range{3007, 3007, unknown},  // mirror image
-    Range{3008, 3010, option},   Range{3011, 3028, timer},    // date, time, timers of the machine
+    Range{3008, 3010, option},   Range{3011, 3012, unknown},  // date and time
+    Range{3013, 3028, timer},                                 // timers of the machine
     Range{3030, 3033, option},   Range{3201, 3399, unknown}, Range{3901, 3902, unknown},
     Range{4000, 4999, unknown},  // modal information: those known are in the table below
     Range{5001, 5009, position}, Range{5021, 5029, machine}, Range{5041, 5049, position},

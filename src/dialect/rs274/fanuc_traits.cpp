@@ -16,7 +16,8 @@ using program::SystemVariable;
 /// are ordinary parameters.
 constexpr std::array live{
     LiveParameters{3001, 2, SystemVariable::timer},
-    LiveParameters{3011, 18, SystemVariable::timer},
+    LiveParameters{3011, 2, SystemVariable::unknown},  // date and time: can only be read (B-63684EN, 16.2)
+    LiveParameters{3013, 16, SystemVariable::timer},
     LiveParameters{4000, 1000, SystemVariable::unknown},
     LiveParameters{5001, 9, SystemVariable::coordinate},
     LiveParameters{5021, 9, SystemVariable::machine_coordinate},
@@ -26,7 +27,8 @@ constexpr std::array live{
 /// Lathes count X, Z, C: only what is written as a number is known.
 constexpr std::array lathe_live{
     LiveParameters{3001, 2, SystemVariable::timer},
-    LiveParameters{3011, 18, SystemVariable::timer},
+    LiveParameters{3011, 2, SystemVariable::unknown},
+    LiveParameters{3013, 16, SystemVariable::timer},
     LiveParameters{4000, 1150, SystemVariable::unknown},
 };
 
@@ -37,6 +39,11 @@ constexpr KeptParameters retained{500, 999}, signals{1000, 1199, {}, true}, tool
     mirror{3007, 3007, {}, true}, kept_3200{3201, 3399, {}, true}, parts{3901, 3902, {}, true},
     in_force{5081, 5149, {}, true}, datums{5201, 5328}, more_datums{7001, 7960}, tool_data{8000, 97999, {}, true},
     extended{98000, 98499};
+/// Between them: not there on every control, and what writing them does is not known.
+constexpr KeptParameters after_signals{1200, 1999, {}, true}, before_3200{3034, 3200, {}, true},
+    after_3200{3400, 3900, {}, true}, after_parts{3903, 3999, {}, true}, after_block_end{5010, 5020, {}, true},
+    after_machine{5030, 5040, {}, true}, after_place{5050, 5060, {}, true}, after_skip{5070, 5080, {}, true},
+    before_datums{5150, 5200, {}, true}, after_datums{5329, 7000, {}, true}, before_tools{7961, 7999, {}, true};
 constexpr std::array fanuc_kept{KeptParameters{100, 199, "bit CCV of parameter 6001 = 0"},
                                 retained,
                                 signals,
@@ -48,7 +55,18 @@ constexpr std::array fanuc_kept{KeptParameters{100, 199, "bit CCV of parameter 6
                                 datums,
                                 more_datums,
                                 tool_data,
-                                extended};
+                                extended,
+                                after_signals,
+                                before_3200,
+                                after_3200,
+                                after_parts,
+                                after_block_end,
+                                after_machine,
+                                after_place,
+                                after_skip,
+                                before_datums,
+                                after_datums,
+                                before_tools};
 constexpr std::array haas_kept{KeptParameters{100, 199},
                                retained,
                                signals,
@@ -61,7 +79,18 @@ constexpr std::array haas_kept{KeptParameters{100, 199},
                                more_datums,
                                KeptParameters{8000, 9999, {}, true},
                                KeptParameters{10000, 10999},
-                               KeptParameters{11000, 98499, {}, true}};
+                               KeptParameters{11000, 98499, {}, true},
+                               after_signals,
+                               before_3200,
+                               after_3200,
+                               after_parts,
+                               after_block_end,
+                               after_machine,
+                               after_place,
+                               after_skip,
+                               before_datums,
+                               after_datums,
+                               before_tools};
 
 constexpr program::Traits common{
     // Parameter 3403#6 (AD2): alarm 5074, or the last address counts (series 30i/31i/32i parameter manual B-64310EN).

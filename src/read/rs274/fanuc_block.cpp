@@ -1,6 +1,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "program/modal_group.hpp"
 #include "read/rs274/fanuc_state.hpp"
 
 namespace obrys::read::rs274 {
@@ -177,6 +178,16 @@ void judge_corner(FanucState& s) {
         s.corner_waits = *corner;
 }
 
+/// Coordinates of a block that goes on with a motion which is not run: no other one takes them.
+bool goes_on_with_lost_motion(const FanucState& s) {
+    if (!s.lost_motion || s.own_motion || !s.special.empty()) return false;
+    const bool once = std::any_of(s.words.begin(), s.words.end(), [](const BlockWord& w) {
+        return w.code == Code::modal && program::group_of(w.modal) == program::ModalGroup::suppression;
+    });
+    return !once && std::any_of(s.words.begin(), s.words.end(),
+                                [](const BlockWord& w) { return w.code >= Code::x && w.code <= Code::w; });
+}
+
 /// G10 of the block.
 bool sets_data(const FanucState& s) {
     return std::any_of(s.special.begin(), s.special.end(),
@@ -203,7 +214,7 @@ void emit_addresses(FanucState& s) {
     s.hole = s.hole == 0 ? hole : s.hole;
     if (s.failed) return;
     judge_corner(s);
-    s.facts.refused = s.facts.refused || s.lost;
+    s.facts.refused = s.facts.refused || s.lost || goes_on_with_lost_motion(s);
     emit_block(s);
     if (!s.restore_motion) return;
     s.build().statement(StatementKind::block, s.line.begin());

@@ -176,7 +176,7 @@ void begin_program(FanucState& s, std::string name, std::size_t at) {
     s.hole = s.turning = 0;
     s.cleared_cycle = false;
     s.surface = Surface::none;
-    s.lost = false;
+    s.lost = s.lost_motion = false;
     s.lead.reset();  // its expressions belong to the program before
 }
 

@@ -80,10 +80,11 @@ struct FanucState : State {
     bool polar = false;
     int plane = 17;
     std::vector<Transformation> frames;
-    int hole = 0;        ///< G number * 10 of the hole cycle in force; 0: none
-    bool rigid = false;  ///< M29 stood before: the next taps are rigid
-    int turning = 0;     ///< of the turning cycle in force
-    bool lost = false;   ///< within polar or cylindrical interpolation, which are not run
+    int hole = 0;              ///< G number * 10 of the hole cycle in force; 0: none
+    bool rigid = false;        ///< M29 stood before: the next taps are rigid
+    int turning = 0;           ///< of the turning cycle in force
+    bool lost = false;         ///< within polar or cylindrical interpolation, which are not run
+    bool lost_motion = false;  ///< a motion or hole cycle is in force that is not run
     Surface surface = Surface::none;
     int surface_plane = 18;      ///< G17 … G19 when it was switched on
     double cylinder = 0;         ///< its radius, in the program's unit
@@ -151,7 +152,7 @@ void put_value(FanucState& s, Order order, Code code, const Value& v, const Addr
 /// C of a lathe's program is an axis by how the text uses it.
 [[nodiscard]] bool uses_c_axis(std::string_view text);
 
-// fanuc_g.cpp
+// fanuc_g.cpp, fanuc_special.cpp
 void read_g_code(FanucState& s, Address& a);
 void read_m_code(FanucState& s, Address& a);
 /// G number * 10; nothing where it is computed.

@@ -1,0 +1,72 @@
+#pragma once
+/// Test side only: the programs of the golden cases, and sessions in which they are run.
+
+#include <algorithm>
+#include <filesystem>
+#include <fstream>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "driver/session.hpp"
+
+namespace obrys::driver::testing {
+
+namespace fs = std::filesystem;
+
+struct Case {
+    std::string name, file, text;
+};
+
+/// The file of a golden case that is run: the first one behind its command.
+inline Case read_case(const fs::path& path) {
+    std::ifstream in(path);
+    Case c;
+    c.name = path.stem().string();
+    bool inside = false;
+    for (std::string line; std::getline(in, line);) {
+        if (line.starts_with("--- ")) {
+            if (inside) break;
+            inside = line.starts_with("--- in") || line.starts_with("--- file ");
+            if (inside) c.file = line.starts_with("--- in") ? "in" : line.substr(9, line.find(' ', 9) - 9);
+        } else if (inside) {
+            c.text += line + "\n";
+        }
+    }
+    return c;
+}
+
+/// The cases of a folder in the order of their names.
+inline std::vector<Case> golden_cases(const std::string& folder) {
+    std::vector<fs::path> paths;
+    for (const auto& entry : fs::directory_iterator(fs::path(OBRYS_SOURCE_DIR) / "tests/golden" / folder))
+        if (entry.path().extension() == ".txt") paths.push_back(entry.path());
+    std::sort(paths.begin(), paths.end());
+    std::vector<Case> cases;
+    for (const fs::path& path : paths) cases.push_back(read_case(path));
+    return cases;
+}
+
+/// Reads the case's program as one of the control; false where there is none. Tools 1, 2 and 3 have a radius of 1, 2
+/// and 3 mm.
+inline bool open_case(Session& s, const Case& c, std::string_view of, shop::MachineKind kind) {
+    const Control* control = find_control(std::string(of));
+    const auto file = s.sources.add(c.file, c.text, language_of(*control, c.text, c.file).numbers);
+    s.programs = std::make_unique<Programs>(*control, s.sources, s.diagnostics);
+    s.job.machine.kind = kind;
+    s.programs->set_machine(&s.job.machine);
+    s.job.budgets.blocks = 150;
+    s.main = s.programs->read(file);
+    if (s.main == nullptr) return false;
+    for (const std::uint32_t number : {1U, 2U, 3U}) {
+        shop::Tool tool;
+        tool.number = number;
+        tool.kind = kind == shop::MachineKind::lathe ? shop::ToolKind::turning : shop::ToolKind::end_mill;
+        tool.radius = number;
+        tool.length = 100 + 10 * number;
+        s.job.tools.push_back(tool);
+    }
+    return true;
+}
+
+}  // namespace obrys::driver::testing

@@ -1,0 +1,188 @@
+/// Elements of the working plane on their way out: to whoever looks ahead, to the path stage, or as moves of the
+/// stream.
+
+#include <algorithm>
+#include <cmath>
+
+#include "base/codes.hpp"
+#include "interp/path_stage.hpp"
+#include "path/arc_input.hpp"
+
+namespace obrys::interp {
+
+namespace codes = base::codes;
+using geom::Vec2;
+using geom::Vec3;
+
+namespace {
+
+void remember_direction(Run& run, const path::Element& e) {
+    if (path::moves_in_plane(e)) run.last_direction = path::end_direction(e);
+}
+
+}  // namespace
+
+namespace {
+
+Vec3 in_axes(const PlaneAxes& a, Vec2 p, double w) {
+    Vec3 v;
+    coordinate(v, a.u) = p.x;
+    coordinate(v, a.v) = p.y;
+    coordinate(v, a.w) = w;
+    return v;
+}
+
+/// A point of the working plane in the stream's frame.
+Vec3 in_stream(const Run& run, Vec2 p, double w) {
+    const Vec3 v = in_axes(plane_axes(run.modal.plane), p, w);
+    return run.frame_is_identity ? v : geom::apply(run.frame, v);
+}
+
+}  // namespace
+
+bool compensates_in_fixed_plane(const Run& run) {
+    if (!run.traits->compensates_in_fixed_plane || run.frame_is_identity || run.modal.compensation_in_frame)
+        return false;
+    if (run.modal.compensation == Modal::compensation_off && !run.path->in_fixed_plane()) return false;
+    const auto w = static_cast<std::size_t>(plane_axes(run.modal.plane).w);
+    double tilt = 0;
+    for (std::size_t k = 0; k < 3; ++k)
+        if (k != w) tilt += std::abs(run.frame.linear[3 * w + k]) + std::abs(run.frame.linear[3 * k + w]);
+    return tilt > 1e-12;
+}
+
+namespace {
+
+/// The element as seen in the plane that frames do not turn. An arc is no circle there.
+path::Element in_fixed_plane(Run& run, const path::Element& e) {
+    const PlaneAxes a = plane_axes(run.modal.plane);
+    if (path::is_arc(e))
+        unchecked(run, codes::unsupported, run.here(),
+                  "with CUT2D an arc in a plane that a frame turns is not compensated: it is run as a straight move",
+                  "write CUT2DF where the tool stands square to the turned plane");
+    if (run.block.has(Code::round) || run.block.has(Code::chamfer_length) || run.block.has(Code::chamfer_leg))
+        unchecked(run, codes::unsupported, run.here(),
+                  "with CUT2D a chamfer or rounding in a plane that a frame turns is not run as the control does",
+                  "write CUT2DF where the tool stands square to the turned plane");
+    path::Element out;
+    const Vec3 from = in_stream(run, e.from, e.w_from), to = in_stream(run, e.to, e.w_to);
+    out.from = in_plane(from, a);
+    out.to = in_plane(to, a);
+    out.w_from = coordinate(from, a.w);
+    out.w_to = coordinate(to, a.w);
+    return out;
+}
+
+void push_element(Run& run, path::Element e, bool rapid) {
+    const bool fixed = compensates_in_fixed_plane(run);
+    if (fixed != run.path->in_fixed_plane() && run.path->active()) flush_path(run);
+    run.path->set_fixed_plane(fixed);
+    run.path->push(run, fixed ? in_fixed_plane(run, e) : std::move(e), rapid);
+}
+
+}  // namespace
+
+void plane_element(Run& run, path::Element e, const Vec3& to, bool rapid) {
+    rapid = rapid || run.block.rapid;
+    remember_direction(run, e);
+    if (path::is_arc(e) && run.modal.feed_mode == cl::FeedMode::inverse_time)
+        tell_inverse_feed(run, std::hypot(e.sweep * geom::length(e.from - e.centre), e.w_to - e.w_from));
+    run.free_contour.reset();
+    if (run.capture != nullptr)
+        capture(run, e, rapid);
+    else if (needs_path_stage(run)) {
+        if (!rapid) tell_programmed(run, e);
+        push_element(run, std::move(e), rapid);
+    } else {
+        run.record.from = run.here();
+        run.record.stack = run.top().stack;
+        run.feed_shape.plunge = run.modal.plunge_part;
+        run.feed_shape.arc = 1;
+        emit_element(run, e, rapid);
+    }
+    run.programmed_position = to;
+    run.position = run.frame_is_identity ? to : geom::apply(run.frame, to);
+}
+
+namespace {
+
+cl::Step move_in_stream(const Run& run, const path::Element& e, bool rapid) {
+    const PlaneAxes a = plane_axes(run.modal.plane);
+    const Vec3 to = in_axes(a, e.to, e.w_to);
+    if (!path::is_arc(e)) return cl::Linear{to, run.tool_axis, rapid};
+    return cl::Arc{to, in_axes(a, e.centre, e.w_from), in_axes(a, {}, 1), e.sweep, rapid};
+}
+
+}  // namespace
+
+std::optional<cl::Step> plane_move(const Run& run, const path::Element& e, bool rapid, bool in_stream_already) {
+    if (in_stream_already) return move_in_stream(run, e, rapid);
+    const Vec3 to = in_stream(run, e.to, e.w_to);
+    if (!path::is_arc(e)) return cl::Linear{to, run.tool_axis, rapid};
+    if (run.frame_is_identity || geom::is_shift_only(run.frame)) {
+        Vec3 normal;
+        coordinate(normal, plane_axes(run.modal.plane).w) = 1;
+        return cl::Arc{to, in_stream(run, e.centre, e.w_from), normal, e.sweep, rapid};
+    }
+    const Vec3 zero = in_stream(run, {}, 0);
+    const Vec3 u = in_stream(run, {1, 0}, 0) - zero, v = in_stream(run, {0, 1}, 0) - zero;
+    if (std::abs(geom::length(u) - geom::length(v)) > 1e-9) return std::nullopt;
+    const Vec3 normal = geom::cross(u, v);
+    return cl::Arc{to, in_stream(run, e.centre, e.w_from), (1 / geom::length(normal)) * normal, e.sweep, rapid};
+}
+
+void circle_alarm(Run& run, const base::Span& where) {
+    alarm(run, codes::value_range, where, "a circle cannot be run with different scale factors in its plane");
+}
+
+void tell_programmed(Run& run, const path::Element& e) {
+    if (run.env.programmed == nullptr) return;
+    if (auto step = plane_move(run, e, false))
+        (*run.env.programmed)(in_stream(run, e.from, e.w_from),
+                              cl::Record{std::move(*step), run.here(), run.top().stack});
+}
+
+namespace {
+
+constexpr double joined = 1e-6;  ///< mm; an arc begins where the stream stands if it is no farther off
+
+/// An arc has no start of its own in the stream: where what was refused, or a new frame, has left the tool beside it, a
+/// straight move leads to it. Every arc of the working plane passes here, whoever made it.
+void lead_to_arc(Run& run, const path::Element& e, bool rapid, bool in_stream_already) {
+    const PlaneAxes a = plane_axes(run.modal.plane);
+    const auto in_its_frame = [&](Vec2 p, double w) {
+        return in_stream_already ? in_axes(a, p, w) : in_stream(run, p, w);
+    };
+    const Vec3 start = in_its_frame(e.from, e.w_from), gap = run.sent - start;
+    const Vec3 along = in_its_frame(e.from, e.w_from + 1) - start;  // how far the arc rises is no matter of its circle
+    const Vec3 beside = gap - (geom::dot(gap, along) / geom::dot(along, along)) * along;
+    if (!(geom::length(beside) > joined)) return;
+    run.record.step = cl::Linear{start, run.tool_axis, rapid};
+    send(run, run.record);
+}
+
+/// The radii at both ends differ by no more than the control lets those of a programmed arc, and by what moved ends
+/// add.
+bool is_on_its_circle(const Run& run, const path::Element& e) {
+    const path::ArcTolerance t = arc_tolerance(run);
+    const double start = geom::distance(e.from, e.centre), end = geom::distance(e.to, e.centre);
+    return !(std::abs(start - end) > 2 * std::max(t.absolute, t.relative * std::max(start, end)));
+}
+
+}  // namespace
+
+void emit_element(Run& run, const path::Element& e, bool rapid, bool in_stream) {
+    if (path::is_arc(e) && !is_on_its_circle(run, e)) {
+        unchecked(run, codes::unsupported, run.record.from,
+                  "what radius compensation leaves of this arc does not begin on its circle: it is run straight",
+                  "switch the compensation off and on again where the contour is broken");
+        return emit_element(run, path::line(e.from, e.to, e.w_to), rapid, in_stream);
+    }
+    if (path::is_arc(e)) lead_to_arc(run, e, rapid, in_stream);
+    auto step = plane_move(run, e, rapid, in_stream);
+    if (!step) return circle_alarm(run, run.record.from);
+    run.record.step = std::move(*step);
+    send(run, run.record);
+}
+
+}  // namespace obrys::interp

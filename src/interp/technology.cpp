@@ -1,0 +1,201 @@
+/// Feed, coolant and machine functions of a block, the order in which its words act before the motion, and what acts
+/// behind it: stops and the program's end. Tools: tools.cpp.
+
+#include <algorithm>
+#include <cmath>
+
+#include "base/codes.hpp"
+#include "interp/run.hpp"
+
+namespace obrys::interp {
+
+namespace codes = base::codes;
+using program::ControlValue;
+
+namespace {
+
+/// FU, FZ and F AUTO become a plain feed of their mode, which the next F ends.
+void special_feeds(Run& run) {
+    BlockWords& b = run.block;
+    if (b.has(Code::feed_per_tooth)) {
+        const shop::Tool* t = run.tool.data;
+        if (t == nullptr || t->teeth <= 0) {
+            unchecked(run, codes::unknown_value, run.here(),
+                      "the feed per tooth FZ needs the number of teeth of the tool, which is not known: the last feed "
+                      "is kept",
+                      "give the tool in a tool table with its column CUT.");
+            return;
+        }
+        b.put(Code::feed_per_rev, b.get(Code::feed_per_tooth) * t->teeth);
+    }
+    const bool per_rev = b.has(Code::feed_per_rev);
+    if (b.has(Code::feed_auto)) {
+        if (run.tool.feed > 0)
+            b.put(Code::feed, run.tool.feed / feed_factor(run));
+        else
+            unchecked(run, codes::unknown_value, run.here(), "F AUTO: TOOL CALL gives no feed: the last one is kept",
+                      "write F in TOOL CALL, or a feed here");
+    }
+    if (per_rev) b.put(Code::feed, b.get(Code::feed_per_rev));
+    if (!b.has(Code::feed) || per_rev == run.modal.feed_by_word) return;
+    run.modal.feed_by_word = per_rev;
+    run.modal.feed_mode = per_rev ? cl::FeedMode::per_rev : cl::FeedMode::per_minute;
+    run.feed_valid = false;
+}
+
+void feed_word(Run& run) {
+    special_feeds(run);
+    if (!run.block.has(Code::feed) || dwells_by_words(run)) return;
+    double f = run.block.get(Code::feed);
+    f *= feed_factor(run);
+    run.feed_unknown = std::isnan(f);
+    run.modal.feed_said = !run.feed_unknown;
+    if (std::isnan(f)) {
+        unchecked(run, codes::unknown_value, run.here(),
+                  "the feed depends on a value that is not known: the last one is kept");
+        return;
+    }
+    if (f < 0) {
+        alarm(run, codes::value_range, run.here(), "the feed F is negative");
+        return;
+    }
+    run.feed_number = run.block.get(Code::feed);
+    if (run.feed_valid && f == run.feed) return;
+    run.feed = f;
+    run.feed_valid = f > 0;
+    emit(run, cl::Feed{f, run.modal.feed_mode});
+}
+
+/// FB: the path of this block is run at another feed.
+void begin_feed_alone(Run& run) {
+    const double f = *run.block.feed_alone * feed_factor(run);
+    if (std::isnan(f) || f < 0 || run.modal.motion == Modal::rapid) run.block.feed_alone.reset();
+    if (std::isnan(f))
+        return unchecked(run, codes::unknown_value, run.here(),
+                         "the feed FB depends on a value that is not known: the last feed is kept");
+    if (f < 0) return alarm(run, codes::value_range, run.here(), "the feed FB is negative");
+    if (!run.block.feed_alone) return assume(run, run.here(), "FB= beside a rapid does nothing");
+    run.feed_dropped = false;
+    emit(run, cl::Feed{f, run.modal.feed_mode});
+}
+
+}  // namespace
+
+void end_feed_alone(Run& run) {
+    run.block.feed_alone.reset();
+    run.feed_dropped = !run.feed_valid;
+    if (run.feed_valid) emit(run, cl::Feed{run.feed, run.modal.feed_mode});
+}
+
+void coolant(Run& run, int m) {
+    const auto state = m == 7 ? cl::CoolantState::mist : m == 8 ? cl::CoolantState::flood : cl::CoolantState::off;
+    run.coolant_on = state != cl::CoolantState::off;
+    run.mist = m == 9 ? false : run.mist || m == 7;
+    run.flood = m == 9 ? false : run.flood || m == 8;
+    run.modal.mist_said = run.modal.mist_said || m != 8;
+    run.modal.flood_said = run.modal.flood_said || m != 7;
+    control_sets(run, {ControlValue::coolant_state});
+    emit(run, cl::Coolant{state});
+}
+
+bool is_standard_function(const Run& run, int m) {
+    const auto own = run.traits->own_functions;
+    if (std::find(own.begin(), own.end(), m) != own.end()) return true;
+    return (m >= 0 && m <= 9) || m == 17 || m == 30 || m == 19 || (m >= 40 && m <= 45);
+}
+
+namespace {
+
+void machine_functions(Run& run) {
+    for (const int m : run.block.m) {
+        if (m == 7 || m == 8) coolant(run, m);
+        if (is_standard_function(run, m)) continue;
+        emit(run, cl::Auxiliary{'M', m});
+        assume(
+            run, run.here(),
+            "M" + std::to_string(m) + " is a function of the machine builder: taken as having no effect on the path");
+    }
+    for (const int h : run.block.h) emit(run, cl::Auxiliary{'H', h});
+}
+
+}  // namespace
+
+double feed_factor(const Run& run) {
+    if (!run.modal.inch_feed || run.modal.feed_mode == cl::FeedMode::inverse_time) return 1;
+    return run.modal.feed_mode == cl::FeedMode::per_minute ? run.unit().traits->inch_feed : 25.4;
+}
+
+void technology(Run& run) {
+    BlockWords& b = run.block;
+    constexpr auto bit = [](Code c) { return std::uint64_t{1} << static_cast<unsigned>(c); };
+    constexpr std::uint64_t words = bit(Code::feed) | bit(Code::spindle) | bit(Code::speed_limit) | bit(Code::tool) |
+                                    bit(Code::edge) | bit(Code::spindle_position) | bit(Code::round_modal) |
+                                    bit(Code::corner_feed_modal) | bit(Code::tool_change) | bit(Code::feed_auto) |
+                                    bit(Code::feed_per_rev) | bit(Code::feed_per_tooth);
+    if ((b.present & words) == 0 && b.m.empty() && b.h.empty() && !run.spindle.mode_changed && b.surface_word == 0 &&
+        !b.feed_alone)
+        return;
+    tell_technology(run);
+    if (b.has(Code::round_modal) && std::isnan(b.get(Code::round_modal)))
+        unchecked(run, codes::unknown_value, run.here(),
+                  "the size of this rounding depends on a value that is not known: the last one is kept");
+    else if (b.has(Code::round_modal))
+        run.modal.round_modal = b.get(Code::round_modal) * length_unit(run.modal);
+    if (b.has(Code::corner_feed_modal)) run.modal.corner_feed_modal = b.get(Code::corner_feed_modal);
+    select_tool(run);
+    if (run.stopped) return;
+    if (spindle_words(run)) emit_spindle(run);
+    feed_word(run);
+    if (!run.stopped && b.feed_alone) begin_feed_alone(run);
+    if (!run.stopped) machine_functions(run);
+    for (const int m : b.m) stop_function(run, m, true);
+}
+
+namespace {
+
+/// M2 and M30 return from a called program, or end the run where the control says so.
+void end_of_program(Run& run, int m) {
+    const bool called = run.calls.size() > 1;
+    if (called && run.unit().traits->may_end_anywhere) {
+        tell_end(run, m);
+        emit(run, cl::Stop{cl::StopKind::end});
+        run.stopped = true;
+        return;
+    }
+    if (called && run.unit().traits->end_stops_all) {
+        alarm(run, codes::program_alarm, run.here(),
+              "the called program " + run.unit().name + " ends the whole run here with M" + std::to_string(m) +
+                  (run.last_message.empty() ? "" : ": " + run.last_message));
+        return;
+    }
+    if (!called) tell_end(run, m);
+    if (!called) say_blocks_behind(run, m);
+    if (!called) emit(run, cl::Stop{cl::StopKind::end});
+    leave(run);
+}
+
+}  // namespace
+
+void after_motion(Run& run) {
+    if (run.block.stops_run) {
+        run.spindle.doubtful = true;
+        emit(run, cl::Stop{cl::StopKind::program});
+    }
+    if (run.block.m.empty()) return;
+    std::vector<int> functions = run.block.m;
+    // The end comes last, wherever it stands in the block.
+    std::stable_partition(functions.begin(), functions.end(), [](int m) { return m != 2 && m != 30 && m != 17; });
+    for (const int m : functions) {
+        if (run.stopped) return;
+        stop_function(run, m, false);
+        if (m == 0 || m == 1) {
+            emit(run, cl::Stop{m == 0 ? cl::StopKind::program : cl::StopKind::optional});
+        } else if (m == 2 || m == 30 || m == 17) {
+            flush_path(run);
+            end_of_program(run, m);
+            return;
+        }
+    }
+}
+
+}  // namespace obrys::interp

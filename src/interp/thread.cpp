@@ -1,0 +1,93 @@
+/// Moves coupled to the spindle: threads and rigid tapping.
+
+#include <cmath>
+
+#include "base/codes.hpp"
+#include "interp/motion.hpp"
+
+namespace obrys::interp {
+
+namespace codes = base::codes;
+
+namespace {
+
+double thread_pitch(const Run& run, const geom::Vec3& from, const geom::Vec3& to) {
+    const BlockWords& b = run.block;
+    double pitch = 0, longest = -1;
+    const Code pitches[3] = {Code::i, Code::j, Code::k};
+    for (int k = 0; k < 3; ++k) {
+        const double step = std::abs(coordinate(to, k) - coordinate(from, k));
+        if (b.has(pitches[k]) && step != 0 && !(step < longest)) {
+            pitch = b.get(pitches[k]);
+            longest = step;
+        }
+    }
+    for (int k = 0; k < 3 && longest < 0; ++k)  // a thread that goes nowhere has its pitch all the same
+        if (b.has(pitches[k])) {
+            pitch = b.get(pitches[k]);
+            break;
+        }
+    return pitch * length_unit(run.modal);
+}
+
+/// The sign of G331's pitch is the sense in which the spindle turns, and G332 reverses that by itself (SINUMERIK
+/// Fundamentals, "Rigid tapping (G331, G332)"); the stream's is that of the thread. Both are the same on the way in
+/// with G331 and on the way out with G332: another way along the tool axis makes a thread of the other hand. On a
+/// lathe, where taps work from either side, nothing tells the way in.
+double pitch_of_thread(const Run& run, double pitch, const geom::Vec3& from, const geom::Vec3& to) {
+    const Modal m = run.modal.motion;
+    if ((m != Modal::tap && m != Modal::tap_retract) || run.env.machine.kind != shop::MachineKind::mill) return pitch;
+    const geom::Vec3 way = run.frame_is_identity ? to - from : geom::apply_direction(run.frame, to - from);
+    const double out = geom::dot(way, run.tool_axis);
+    const bool turned = m == Modal::tap ? out > 0 : out < 0;
+    return turned ? -pitch : pitch;
+}
+
+}  // namespace
+
+/// G33.1: down with the spindle, and back with it reversed.
+bool rigid_tap(Run& run) {
+    flush_path(run);
+    const geom::Vec3 from = run.programmed_position, to = programmed_target(run);
+    cl::Thread t;
+    t.pitch = run.block.get(Code::k) * length_unit(run.modal);
+    t.rigid_tap = true;
+    tell(run, cl::SettingKind::synchronised, 1, {std::abs(t.pitch)});
+    for (const geom::Vec3& p : {to, from}) {
+        arrive(run, p);
+        t.to = run.position;
+        emit(run, t);
+        if (p == to) tell(run, cl::SettingKind::synchronised, 0);
+    }
+    return true;
+}
+
+bool thread_motion(Run& run, const geom::Vec3& to) {
+    const Modal m = run.modal.motion;
+    flush_path(run);
+    if (m > Modal::tap_retract) {
+        alarm(run, codes::value_range, run.here(), "coordinates without a motion that could run them");
+        return false;
+    }
+    cl::Thread t;
+    t.pitch = pitch_of_thread(run, thread_pitch(run, run.programmed_position, to), run.programmed_position, to);
+    if (t.pitch == 0) {
+        unchecked(run, codes::value_range, run.here(),
+                  "no pitch stands in this block of a thread: it is run as a straight line",
+                  "write the pitch in every block of a thread");
+        straight_motion(run, to, false);
+        return true;
+    }
+    t.rigid_tap = m == Modal::tap || m == Modal::tap_retract;
+    if (m == Modal::thread_rising || m == Modal::thread_falling)
+        unchecked(run, codes::unsupported, run.here(),
+                  "the changing pitch of G34 and G35 is not followed: the thread is run with its first pitch");
+    tell(run, cl::SettingKind::synchronised, 1, {std::abs(t.pitch)});
+    arrive(run, to);
+    t.to = run.position;
+    emit(run, t);
+    tell(run, cl::SettingKind::synchronised, 0);
+    return true;
+}
+
+}  // namespace obrys::interp
