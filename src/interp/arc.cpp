@@ -208,6 +208,7 @@ bool tilted_arc(Run& run, const Vec3& to) {
     if (run.modal.compensation != Modal::compensation_off)
         unchecked(run, codes::unsupported, run.here(),
                   "radius compensation of an arc that is not in the working plane is not run");
+    lead_to_place(run);
     run.programmed_position = to;
     run.position = geom::apply(run.frame, to);
     const Vec3 n = geom::apply_direction(run.frame, arc.normal);

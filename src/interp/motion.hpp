@@ -63,6 +63,8 @@ void retract_tool(Run&);
 [[nodiscard]] std::optional<cl::Step> plane_move(const Run&, const path::Element& element, bool rapid,
                                                  bool in_stream = false);
 void circle_alarm(Run&, const base::Span& where);
+/// Before an arc that no path stage makes: to where the program stands, if compensation has left the tool beside it.
+void lead_to_place(Run&);
 /// Keeps an element for whoever rehearses the run (capture.hpp).
 void capture(Run&, const path::Element& element, bool rapid);
 /// Runs an element of the working plane that ends at `to` (programmed frame), through the path stage where it is at

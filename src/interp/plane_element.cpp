@@ -146,6 +146,14 @@ namespace {
 
 constexpr double joined = 1e-6;  ///< mm; an arc begins where the stream stands if it is no farther off
 
+}  // namespace
+
+void lead_to_place(Run& run) {
+    if (geom::length(run.sent - run.position) > joined) emit(run, cl::Linear{run.position, run.tool_axis, false});
+}
+
+namespace {
+
 /// An arc has no start of its own in the stream: where what was refused, or a new frame, has left the tool beside it, a
 /// straight move leads to it. Every arc of the working plane passes here, whoever made it.
 void lead_to_arc(Run& run, const path::Element& e, bool rapid, bool in_stream_already) {

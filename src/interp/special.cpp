@@ -152,8 +152,8 @@ bool ends_compensation(Run& run, Modal before) {
         return true;
     if (said == Modal::compensation_off) return true;
     alarm(run, codes::compensation, run.here(),
-          "a departure from the contour ends radius compensation: RL and RR (G41, G42) have no place in its block",
-          "write them in the block that leads to the next contour");
+          "a departure from the contour ends radius compensation: no side of it can stand in its block",
+          "write it in the block that leads to the next contour");
     return false;
 }
 

@@ -70,10 +70,11 @@ TEST(smooth_steps, ADepartureKeepsItsCircleWhereverTheContourEnded) {
                                   {straight, tight}, off, left(5)));
     EXPECT_FALSE(r.faults.empty());
     EXPECT_LE(largest_gap(r), 1e-12);
-    for (const Output& o : r.out)
-        if (is_arc(o.element))
-            EXPECT_NEAR(geom::distance(o.element.from, o.element.centre),
-                        geom::distance(o.element.to, o.element.centre), 1e-9);
+    for (const Output& o : r.out) {
+        const Element& e = o.element;
+        if (!is_arc(e)) continue;
+        EXPECT_NEAR(geom::distance(e.from, e.centre), geom::distance(e.to, e.centre), 1e-9);
+    }
 }
 
 /// Nothing follows an approach by an arc (a programmed stop): it ends where it was to end.
