@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include "base/codes.hpp"
+#include "cl/verify.hpp"
 #include "interp/path_stage.hpp"
 #include "path/arc_input.hpp"
 
@@ -169,12 +170,14 @@ void lead_to_arc(Run& run, const path::Element& e, bool rapid, bool in_stream_al
     send(run, run.record);
 }
 
-/// The radii at both ends differ by no more than the control lets those of a programmed arc, and by what moved ends
-/// add.
+/// The radii at both ends differ by no more than those of a programmed arc may (arc.cpp), and by what moved ends add
+/// where the control keeps its centre (path::HeldMoveLimits).
 bool is_on_its_circle(const Run& run, const path::Element& e) {
     const path::ArcTolerance t = arc_tolerance(run);
     const double start = geom::distance(e.from, e.centre), end = geom::distance(e.to, e.centre);
-    return !(std::abs(start - end) > 2 * std::max(t.absolute, t.relative * std::max(start, end)));
+    const double allowed =
+        t.keep_centre ? 2 * std::max(t.absolute, t.relative * std::max(start, end)) : cl::circle_tolerance + joined;
+    return !(std::abs(start - end) > allowed);
 }
 
 }  // namespace
