@@ -305,7 +305,7 @@ bool arc_motion(Run& run, const Vec3& target) {
         if (stays(run, arc)) return straight_motion(run, target, false), true;
         arc_alarm(run, arc);
         return false;
-    } else if (no_centre_fits(run, arc, e.from, tolerance(run))) {
+    } else if (no_centre_fits(run, arc, e.from, arc_tolerance(run))) {
         return straight_motion(run, target, false), true;
     } else {
         e.to = arc.to;
