@@ -225,6 +225,9 @@ void gather(Run& run, const program::Statement& s, const Word& w) {
     }
     const auto id = static_cast<ExprId>(w.payload);
     const double v = program::form_of(w) == Form::expression ? number(run, id) : 0;
+    if (std::isnan(v) && run.clock_asked && run.capture == nullptr)
+        unchecked_once(run, codes::unknown_value, run.unit().span(s, w),
+                       "this word depends on a value that is not known: the program asks for the date or the time");
     run.block.put(code, v,
                   program::form_of(w) == Form::expression ? reference_of(run.unit().exprs[id]) : std::uint8_t{0});
 }

@@ -33,6 +33,7 @@ void path_tolerance(Run& run, const Call& call) {
     const auto tolerance = plain(run, call, 0);
     if (run.stopped) return;
     if (!tolerance) return unchecked(run, codes::unknown_value, call.where, "the tolerance of this cycle is not known");
+    run.modal.tolerance_by = "CYCLE832";
     run.modal.tolerance_cycle = std::abs(*tolerance) * length_unit(run.modal);
 }
 

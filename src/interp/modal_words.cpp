@@ -160,6 +160,7 @@ void set_path_mode(Run& run, Modal m) {
     state.path_mode = m;
     state.blend = m == Modal::path_blend && b.has(Code::p) ? b.get(Code::p) * unit : 0;
     state.merge = m == Modal::path_blend && b.has(Code::q) ? b.get(Code::q) * unit : state.blend;
+    state.blend_free = m == Modal::path_blend && !b.has(Code::p) && run.traits->blends_without_limit;
     tell_path_mode(run);
 }
 

@@ -6,6 +6,7 @@
 #include <limits>
 #include <map>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "cl/record.hpp"
@@ -56,6 +57,7 @@ struct ModalState {
     bool clear_to_retract_plane = false;  ///< G99
     bool centre_absolute = false;         ///< G90.1
     double blend = 0, merge = 0;          ///< G64 P Q, mm
+    bool blend_free = false;              ///< G64 without P (Traits::blends_without_limit)
     Modal path_mode = Modal::path_blend;
     double compensation_radius = std::numeric_limits<double>::quiet_NaN();  ///< G41 D, G41.1; NaN: of the tool, mm
     /// D programmed last (Traits::offset_numbers_stay); NaN: none yet.
@@ -63,7 +65,8 @@ struct ModalState {
     int compensation_orientation = -1;   ///< G41.1 L: where the tip lies on the nose; -1: of the tool
     bool feed_by_word = false;           ///< feed_mode was chosen by a word of its own (FU) until the next F
     double round_modal = 0;              ///< RNDM, mm
-    double tolerance_cycle = 0;          ///< mm that CYCLE832 allows the path; 0: off
+    double tolerance_cycle = 0;          ///< mm that CYCLE832 or CYCL DEF 32 allows the path; 0: off
+    std::string_view tolerance_by{};     ///< which of them
     bool compensation_in_frame = false;  ///< CUT2DF
     bool compressor = false;             ///< COMPON, COMPCURV, COMPCAD
     int smoothing = 0;                   ///< 64, 641 … 645; 0: exact stop

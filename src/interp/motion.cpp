@@ -1,5 +1,6 @@
 /// Motion blocks: where the axes go and by which path.
 
+#include <algorithm>
 #include <cmath>
 #include <limits>
 
@@ -24,6 +25,11 @@ constexpr std::uint64_t polar = bit(Code::polar_angle) | bit(Code::polar_radius)
 constexpr std::uint64_t circle = bit(Code::i) | bit(Code::j) | bit(Code::k) | bit(Code::radius) |
                                  bit(Code::opening_angle) | bit(Code::i1) | bit(Code::j1) | bit(Code::k1) |
                                  bit(Code::turns) | bit(Code::pole_angle) | bit(Code::centre_at_pole);
+
+/// R beside M19 is the spindle's angle.
+std::uint64_t words_of_orientation(const BlockWords& b) {
+    return std::find(b.m.begin(), b.m.end(), 19) != b.m.end() ? bit(Code::radius) : 0;
+}
 
 /// An axis the machine file does not list: moved all the same, but said.
 void require_axis(Run& run, const std::string& name) {
@@ -189,7 +195,8 @@ bool path_motion(Run& run) {
     if (b.has(Code::line_angle) && !line_by_angle(run, to)) return false;
     if (b.paraxial == Modal::paraxial_longer || b.paraxial == Modal::paraxial_shorter) to = lengthened(run, to);
     if (m != Modal::rapid && !b.rapid) require_feed(run);
-    if (run.modal.smoothing > 64 || run.modal.compressor || run.modal.tolerance_cycle > 0 || run.modal.blend > 0)
+    if (run.modal.smoothing != 0 || run.modal.compressor || run.modal.tolerance_cycle > 0 || run.modal.blend > 0 ||
+        run.modal.blend_free)
         note_rounding(run);
     const bool arc = m == Modal::arc_cw || m == Modal::arc_ccw || m == Modal::arc_via || m == Modal::arc_tangent;
     const bool by_radius = b.has(Code::radius) && run.traits->radius_makes_arc;
@@ -295,7 +302,7 @@ bool motion(Run& run) {
     if (b.retract != 0) retract_tool(run);
     if (run.stopped) return false;
     const bool moves = (b.present & (linear_axes | polar | bit(Code::line_angle))) != 0;
-    const bool turns = (b.present & circle) != 0 && run.modal.motion != Modal::linear &&
+    const bool turns = (b.present & circle & ~words_of_orientation(b)) != 0 && run.modal.motion != Modal::linear &&
                        run.modal.motion != Modal::rapid && run.modal.motion != Modal::canned_off;
     const bool others = (b.present & other_axes) != 0 || !b.axes.empty();
     if (b.special == Modal::pole_from_position || b.special == Modal::pole_from_zero ||

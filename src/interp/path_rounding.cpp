@@ -1,7 +1,7 @@
 /// By how much the control itself leaves the programmed path: continuous-path mode with rounding, compressors,
-/// CYCLE832. The run follows the programmed path; where the deviation may exceed what the check looks at, it is said
-/// with its amount. Source: SINUMERIK Fundamentals 10.2004, p. 5-8 (ADIS, ADISPOS), Basic Functions 01/2015, p. 193
-/// (G642, G643).
+/// CYCLE832, CYCL DEF 32, LinuxCNC's G64. The run follows the programmed path; where the deviation may exceed what the
+/// check looks at, it is said with its amount. Source: SINUMERIK Fundamentals 10.2004, p. 5-8 (ADIS, ADISPOS), Basic
+/// Functions 01/2015, p. 193 (G642, G643).
 
 #include <array>
 #include <cmath>
@@ -18,8 +18,10 @@ constexpr double unknown = std::numeric_limits<double>::quiet_NaN();
 
 struct Rounding {
     std::string word;   ///< as programmed
-    double amount = 0;  ///< mm; NaN: what the machine's data allow
+    double amount = 0;  ///< mm; NaN: not known, `because` says why
     bool at_corners = true;
+    std::string because = "by what the machine's data allow, which are not known here (MD33100, CTOL)";
+    std::string remedy{};  ///< where the amount is not known
 };
 
 std::string shown(double mm) { return base::fixed(mm, 3) + " mm"; }
@@ -34,16 +36,20 @@ double tolerance_of_machine(const Run& run) {
 Rounding rounding_of(const Run& run) {
     const ModalState& m = run.modal;
     const bool rapid = m.motion == Modal::rapid;
-    if (m.tolerance_cycle > 0) return {"CYCLE832", m.tolerance_cycle, false};
+    if (m.tolerance_cycle > 0) return {std::string(m.tolerance_by), m.tolerance_cycle, false};
     if (m.compressor && !rapid) return {"the compressor (COMPON, COMPCURV, COMPCAD)", tolerance_of_machine(run), false};
     const double distance = rapid ? m.rounding_distance_rapid : m.rounding_distance;
     const std::string by = rapid ? "ADISPOS" : "ADIS";
     const std::string word = "G" + std::to_string(m.smoothing);
     if (m.smoothing == 641) return {word + " with " + by, distance};
     if (m.smoothing == 643 && distance > 0) return {word + " with " + by, distance};
+    if (m.smoothing == 64) return {word, unknown, true, "at corners as far as its axes' speeds and accelerations need"};
     if (m.smoothing == 644) return {word, unknown};
     if (m.smoothing > 641) return {word, tolerance_of_machine(run)};
     if (m.path_mode == Modal::path_blend && m.blend > 0) return {"G64 with P", m.blend, false};
+    if (m.path_mode == Modal::path_blend && m.blend_free)
+        return {"G64 without P", unknown, true, "without a limit, as far as its speed needs",
+                "write G64 P and the tolerance"};
     return {};
 }
 
@@ -52,24 +58,25 @@ Rounding rounding_of(const Run& run) {
 void note_rounding(Run& run) {
     const ModalState& m = run.modal;
     const bool rapid = m.motion == Modal::rapid;
-    const std::array<double, 6> mode{static_cast<double>(m.smoothing),
+    const std::array<double, 7> mode{static_cast<double>(m.smoothing),
                                      rapid ? m.rounding_distance_rapid : m.rounding_distance,
                                      m.compressor ? 1.0 : 0.0,
                                      std::isnan(m.contour_tolerance) ? -1 : m.contour_tolerance,
                                      m.tolerance_cycle,
-                                     m.path_mode == Modal::path_blend ? m.blend : 0};
+                                     m.path_mode == Modal::path_blend ? m.blend : 0,
+                                     m.blend_free ? 1.0 : 0.0};
     auto& said = run.rounding_said[rapid ? 1 : 0];
     if (run.capture != nullptr || said == mode) return;
     said = mode;
     const Rounding r = rounding_of(run);
     if (!(r.amount > run.env.contour_tolerance || std::isnan(r.amount))) return;
-    const std::string how_far =
-        std::isnan(r.amount) ? "by what the machine's data allow, which are not known here (MD33100, CTOL)"
-        : r.at_corners       ? "from up to " + shown(r.amount) + " before a corner to as far behind it"
-                             : "by up to " + shown(r.amount);
+    const std::string how_far = std::isnan(r.amount) ? r.because
+                                : r.at_corners
+                                    ? "from up to " + shown(r.amount) + " before a corner to as far behind it"
+                                    : "by up to " + shown(r.amount);
     assume(run, run.here(),
            r.word + " lets the control leave the programmed path " + how_far + ": the run follows the programmed one",
-           std::isnan(r.amount) ? "" : "what is checked holds to that amount");
+           std::isnan(r.amount) ? r.remedy : "what is checked holds to that amount");
 }
 
 }  // namespace obrys::interp

@@ -7,6 +7,7 @@
 #include "base/codes.hpp"
 #include "base/text.hpp"
 #include "interp/motion.hpp"
+#include "program/modal_group.hpp"
 
 namespace obrys::interp {
 
@@ -19,7 +20,17 @@ constexpr std::uint64_t letters = bit(Code::i) | bit(Code::j) | bit(Code::k) | b
                                   bit(Code::q) | bit(Code::e) | bit(Code::radius) | bit(Code::offset_d) |
                                   bit(Code::offset_h);
 
+/// Coordinates, centres or a word of its own make the motion in force run; another letter alone does not.
+bool moves(const Run& run) {
+    constexpr std::uint64_t places = bit(Code::x) | bit(Code::y) | bit(Code::z) | bit(Code::a) | bit(Code::b) |
+                                     bit(Code::c) | bit(Code::u) | bit(Code::v) | bit(Code::w) | bit(Code::i) |
+                                     bit(Code::j) | bit(Code::k) | bit(Code::polar_angle) | bit(Code::polar_radius);
+    const bool by_word = (run.block.groups >> static_cast<unsigned>(program::ModalGroup::motion) & 1u) != 0;
+    return by_word || (run.block.present & places) != 0;
+}
+
 std::uint64_t used_by_motion(const Run& run) {
+    if (!moves(run)) return 0;
     switch (run.modal.motion) {
         case Modal::arc_cw:
         case Modal::arc_ccw: return bit(Code::i) | bit(Code::j) | bit(Code::k) | bit(Code::p) | bit(Code::radius);

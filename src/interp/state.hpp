@@ -302,7 +302,8 @@ struct RunState : ToolRack {
     OtherSpindles spindles;
     bool coolant_on = false, mist = false, flood = false;
     Overrides overrides;
-    std::array<std::array<double, 6>, 2> rounding_said{};  ///< what note_rounding has looked at last, feed and rapid
+    bool clock_asked = false;  ///< a value was the date or the time, which texts may show and no way may depend on
+    std::array<std::array<double, 7>, 2> rounding_said{};  ///< what note_rounding has looked at last, feed and rapid
     std::map<std::string, base::Span> underway;            ///< axes that POSA has sent, and nothing waited for yet
     std::map<std::string, double> axis_feeds;              ///< FA[axis], mm/min or degrees/min
     double feed = 0;                                       ///< mm/min, mm/rev or 1/min by modal.feed_mode

@@ -344,6 +344,7 @@ Value clock_value(const Access& a) {
     if (auto given = given_value(a.run, key)) return *given;
     assume(a.run, a.where(), a.name() + ": when the program will run is not known, and so this value",
            "[variables] of the job can give it: " + job_key(key) + " = …");
+    a.run.clock_asked = true;
     return Value::unknown();
 }
 

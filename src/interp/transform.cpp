@@ -189,6 +189,8 @@ bool tolerance(Run& run, const ActiveCycle& c) {
         return true;
     }
     emit(run, t);
+    run.modal.tolerance_cycle = t.contour;
+    run.modal.tolerance_by = "CYCL DEF 32";
     return true;
 }
 

@@ -232,6 +232,8 @@ struct Traits {
     /// Coordinates while G2 or G3 is in force, without centre and radius, are a straight move at feed: by this setting
     /// of the control; empty: they are an alarm.
     std::string_view line_without_centre{};
+    /// G64 without a tolerance lets the path be left as far as its speed needs.
+    bool blends_without_limit = false;
     /// An arc by its radius to where it starts is no move; else an alarm.
     bool radius_to_start_stays = false;
     /// R in a block of a straight move makes it an arc in the last sense of rotation; else it belongs to other words.

@@ -141,6 +141,7 @@ constexpr program::Traits traits{
     .compensation_holds_move = true,
     .modulo_is_positive = true,
     .radius_at_start = true,
+    .blends_without_limit = true,
     .arc_turns_in_p = true,
     .clearance_at_start = true,
     .arc_tolerance = 0.02828427125,

@@ -80,10 +80,20 @@ void accept(FanucState& s, const Address& a) {
 /// Polar (G12.1, G112) and cylindrical (G7.1, G107) interpolation: within them coordinates are those of another plane.
 bool is_interpolation(int code) { return code == 121 || code == 1120 || code == 71 || code == 1070; }
 
+/// G107 with any of its words maps onto a cylinder, alone it ends the mapping (Haas, Mill Operator's Manual 96-8000,
+/// June 1999, pages 203 and 204): A0 there is where the rotary axis goes first, not a radius.
+bool mapping_ends(FanucState& s) {
+    for (const char letter : std::string_view("XYZABCQR"))
+        if (find_address(s, letter) != nullptr) return false;
+    return true;
+}
+
 /// G13.1, G113; G7.1 C0: the axis of the cylinder with the radius 0.
 bool interpolation_ends(FanucState& s, int code) {
     bool ends = code == 131 || code == 1130;
-    if (code == 71 || code == 1070)
+    if (s.control.haas && code == 1070)
+        ends = mapping_ends(s);
+    else if (code == 71 || code == 1070)
         for (const char axis : {'A', 'B', 'C'})
             if (Address* a = find_address(s, axis); a != nullptr && a->value.is_literal() && a->value.number() == 0)
                 a->used = ends = true;
