@@ -38,6 +38,7 @@ bool goes_to(const std::vector<cl::Record>& records, double x) {
 /// Codes that are not run and own the coordinates of their block. Those that hold on own the next block's, too.
 void hold(const FanucG& g, int code, bool haas, bool lathe) {
     if (g.use != dialect::rs274::FanucUse::refused || g.order != dialect::rs274::Order::motion || code < 0) return;
+    if (code == 131 || code == 1130) return;  // G13.1, G113: what they end was not run, and they are
     const std::string name = code_name(code);
     const std::string third = lathe ? "" : " Y71.";
     read::rs274::FanucOptions options;

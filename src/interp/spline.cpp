@@ -90,6 +90,17 @@ bool quadratic(Run& run) {
     return true;
 }
 
+/// Blocks between G5.2 and G5.3 may have moved the tool, and G6.2 names its first point itself.
+void begin_at(Run& run, const Vec3& start) {
+    constexpr double joined = 1e-6;  // mm
+    if (!(geom::length(run.sent - start) > joined)) return;
+    unchecked(run, codes::unsupported, run.here(),
+              "this curve does not begin where the tool stands: how the control comes to its first point is not known, "
+              "a straight move is taken",
+              "move to the first control point before the curve, and nowhere else until it ends");
+    emit(run, cl::Linear{start, run.tool_axis, false});
+}
+
 /// The whole curve into the stream.
 bool finish(Run& run) {
     ControlCurve& n = run.curve;
@@ -110,6 +121,7 @@ bool finish(Run& run) {
     if (pieces->deviation > 0)
         assume(run, run.here(), "rational curves are run as cubics that leave them by 0.001 mm at most");
     tell(run, SettingKind::curve, static_cast<int>(n.curve.points.size()));
+    begin_at(run, placed.points.front().p);
     arrive(run, n.curve.points.back().p);
     for (const auto& piece : pieces->pieces) emit_curve(run, piece.curve);
     return true;
