@@ -57,6 +57,8 @@ public:
     [[nodiscard]] std::uint32_t cut(std::size_t body) const { return body == 0 ? 0 : sweeps_[body - 1].cut; }
     /// Direction out of a body at a point near its surface; not of body 0.
     [[nodiscard]] geom::Vec3 normal(std::size_t body, geom::Vec3 p) const;
+    /// One of them; not of body 0.
+    [[nodiscard]] const Sweep& sweep(std::size_t body) const { return sweeps_[body - 1]; }
     /// False: nothing can be told, the stock's mesh is not closed.
     [[nodiscard]] bool known() const { return stock_->closed(); }
 

@@ -129,6 +129,8 @@ private:
     [[nodiscard]] const Shape& shape_of(const Sweep& sweep) const;
     [[nodiscard]] Track track_of(const Sweep& sweep) const;
     [[nodiscard]] Box3 rays_box() const;  ///< from the first to the last node
+    void index_runs();
+    [[nodiscard]] std::vector<std::uint32_t> cuts_in(const Box3& box) const;  ///< indices in `sweeps_`
     [[nodiscard]] std::vector<Job> jobs_in(const Box3& box) const;
     [[nodiscard]] const StockBody& body() const;  ///< made when it is asked for
 
@@ -143,6 +145,7 @@ private:
     std::vector<Orientation> orientations_;
     std::vector<geom::Vec3> axes_;  ///< as given, of `orientations_`
     std::vector<Sweep> sweeps_;
+    std::vector<Box3> runs_;  ///< boxes around so many sweeps after each other
     std::vector<Circle> circles_;
     std::vector<Engagement> engagements_;
     std::size_t done_ = 0;  ///< sweeps carried out
