@@ -102,7 +102,7 @@ TEST(Bodies, AHolderThatClipsThePartIsFoundWithItsDepth) {
         shop::Tool t = mill(1, 6, 10, 60);
         t.shank = {{6, 6, 10}};
         t.holder = {{30, 30, 40}};
-        Setup s = setup_of({t}, sim::milling::Box3{{0, 0, -30}, {60, 40, 0}}, 0.01);
+        check::Setup s = setup_of({t}, sim::milling::Box3{{0, 0, -30}, {60, 40, 0}}, 0.01);
         s.milling->part = std::make_shared<const mesh::Distance>(mesh::box({0, 0, -30}, {60, 40, 0}));
         s.scope = shop::Scope::all;
         const Vec3 out{-std::cos(turn), -std::sin(turn), 0}, way{-out.y, out.x, 0};
@@ -137,7 +137,7 @@ TEST(Bodies, AShankThatRubsAWallThatWasCutIsFound) {
         const double turn = std::uniform_real_distribution(0.0, 3.0)(random);
         shop::Tool thin = mill(2, 6, 5, 90);
         thin.shank = {{8, 8, 60}};
-        Setup s = setup_of({mill(1, 10, 40), thin}, sim::milling::CylinderStock{2, {0, 0, -30}, 40, 30}, 0.01);
+        check::Setup s = setup_of({mill(1, 10, 40), thin}, sim::milling::CylinderStock{2, {0, 0, -30}, 40, 30}, 0.01);
         Program p(s, turn);
         p.tool(1);
         p.rapid({-60, 0, 40});
@@ -162,7 +162,9 @@ TEST(Bodies, AShankThatRubsAWallThatWasCutIsFound) {
         const Deepest d = deepest(r, base::codes::holder_in_stock);
         EXPECT_NEAR(d.depth, std::max(0.0, deep), std::max(0.002, 0.12 * deep)) << d.text;
         EXPECT_FALSE(says(r, "not decided"));
-        if (!misses) EXPECT_LE(d.line, guilty);
+        if (!misses) {
+            EXPECT_LE(d.line, guilty);
+        }
     }
 }
 
@@ -174,7 +176,7 @@ TEST(Bodies, ADeepPocketIsCutWithoutAlarm) {
         SCOPED_TRACE("seed " + std::to_string(seed) + ", case " + std::to_string(n));
         const double turn = std::uniform_real_distribution(0.0, 3.0)(random);
         const double a = std::uniform_real_distribution(8.0, 14.0)(random), b = 7, r = 2;
-        Setup s = setup_of({mill(1, 10, 9, 120)}, sim::milling::Box3{{-40, -40, -40}, {40, 40, 0}}, 0.01);
+        check::Setup s = setup_of({mill(1, 10, 9, 120)}, sim::milling::Box3{{-40, -40, -40}, {40, 40, 0}}, 0.01);
         Program p(s, turn);
         p.tool(1);
         p.rapid({0, 0, 30});
@@ -206,7 +208,7 @@ TEST(Bodies, ADeepPocketIsCutWithoutAlarm) {
 
 /// Time that is up ends the check with what it has, and says where.
 TEST(Bodies, TheTimeForACheckEndsIt) {
-    Setup s = setup_of({mill(1, 10, 40)}, sim::milling::Box3{{0, 0, -30}, {60, 40, 0}}, 0.05);
+    check::Setup s = setup_of({mill(1, 10, 40)}, sim::milling::Box3{{0, 0, -30}, {60, 40, 0}}, 0.05);
     s.out_of_time = [] { return true; };
     Program p(s);
     p.tool(1);

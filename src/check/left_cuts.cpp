@@ -229,9 +229,10 @@ bool goes_on(milling::Air::Sweep& a, const milling::Air::Sweep& b) {
     }
     const Vec2 over{a.track.v.x, a.track.v.y};
     constexpr double half = 0.1;  // of a sine: nearly half a turn
+    const double sine = a.track.turn * geom::cross(a.track.first, b.track.last);
     const bool whole = geom::length(a.track.centre - over - b.track.centre) <= same && a.track.turn == b.track.turn &&
                        std::abs(a.track.radius - b.track.radius) <= same &&
-                       a.track.turn * geom::cross(a.track.first, b.track.last) > half;
+                       (sine > half || (sine > 0 && geom::dot(a.track.first, b.track.last) > 0));
     if (!whole) return false;
     a.track.v = a.track.v + b.track.v;
     a.track.last = b.track.last;

@@ -56,6 +56,12 @@ Vec3 middle_of(const LeftBody& b) {
     return middle;
 }
 
+double widest(const LeftBody& b) {
+    double r = 0;
+    for (const Vec2& at : b.profile) r = std::max(r, at.x);
+    return r;
+}
+
 class Search {
 public:
     Search(const LeftSearch& s, const LeftBody& whole);
@@ -74,6 +80,7 @@ private:
     [[nodiscard]] std::vector<std::array<LeftBody, 2>> halves(const LeftBody& b) const;
     [[nodiscard]] LeftBody boxed(const LeftBody& b) const;
     [[nodiscard]] bool outside(const LeftBody& box) const;
+    [[nodiscard]] bool middle_is_clear(const Cell& cell) const;
     [[nodiscard]] double threshold() const { return std::max(s_.allowed, near_enough * best_.depth); }
 
     const LeftSearch& s_;
@@ -138,9 +145,7 @@ std::vector<std::array<LeftBody, 2>> Search::halves(const LeftBody& b) const {
 
 /// A parallelepiped around it, on a straight way, so that its discs can be cut, too.
 LeftBody Search::boxed(const LeftBody& b) const {
-    double r = 0;
-    for (const Vec2& at : b.profile) r = std::max(r, at.x);
-    const double low = b.profile.front().y, high = b.profile.back().y;
+    const double r = widest(b), low = b.profile.front().y, high = b.profile.back().y;
     LeftBody box;
     box.axis = b.axis;
     const Vec3 way = b.edges[0];
@@ -268,6 +273,14 @@ void Search::look(const Cell& cell) {
     }
 }
 
+/// Whether one cut alone has taken the disc in the middle: then it took those beside it, too, as far as it went.
+bool Search::middle_is_clear(const Cell& cell) const {
+    const Disc disc{middle_of(cell.body), widest(cell.body)};
+    const double most = threshold();
+    return std::any_of(cell.cuts->begin(), cell.cuts->end(),
+                       [&](std::uint32_t cut) { return s_.cuts[cut].farthest(disc, cell.body.axis) <= most; });
+}
+
 /// In two so that a half is done with; else so that it becomes less deep or shorter; discs as boxes where neither half
 /// is.
 void Search::split(const Cell& cell) {
@@ -295,9 +308,8 @@ void Search::split(const Cell& cell) {
         chosen = std::move(cells);
         done = one;
     }
-    double r = 0;
-    for (const Vec2& at : cell.body.profile) r = std::max(r, at.x);
-    if (cell.solid() && own_ && !done && r > 0 && 2 * longest <= 4 * r) return push(made(boxed(cell.body), cell));
+    if (cell.solid() && own_ && !done && longest <= 2 * widest(cell.body) && !middle_is_clear(cell))
+        return push(made(boxed(cell.body), cell));
     if (!chosen) return;
     for (Cell& half : *chosen) push(std::move(half));
 }

@@ -125,7 +125,9 @@ TEST(LeftSearch, APropertyOfRandomCuts) {
         const LeftDepth d = w.deepest(body);
         ASSERT_TRUE(d.decided) << d.depth << " way " << body.edges[0].x << ' ' << body.edges[0].y << ' '
                                << body.edges[0].z << " r " << body.profile[0].x;
-        if (d.depth > 0) EXPECT_NEAR(w.depth(d.at), d.depth, 1e-5);
+        if (d.depth > 0) {
+            EXPECT_NEAR(w.depth(d.at), d.depth, 1e-5);
+        }
         double most = 0;
         for (int k = 0; k < 4000; ++k) {
             const double turn = in(0, 2 * geom::pi), r = body.profile[0].x * std::sqrt(in(0, 1));

@@ -21,7 +21,9 @@ constexpr double hidden = 4;                ///< times the rays' distance: what 
 constexpr double chords = 0.1;              ///< of the tolerance: curves were cut as chords
 constexpr double chord_share = 1.0 / 40;    ///< of the tolerance: chords of a way that is looked at
 constexpr std::size_t together = 256;       ///< moves that are looked at as one, at most
-constexpr std::size_t cells_of_many = 200;  ///< for them
+constexpr std::size_t worth_it = 8;         ///< so many moves
+constexpr std::size_t cells_of_many = 24;   ///< for them
+constexpr std::size_t cells_of_arc = 60;    ///< for a level quarter of a circle as it is
 constexpr std::size_t cells_of_one = 6000;  ///< for one straight way and part of a tool
 constexpr std::size_t most_refined = 1000;  ///< depths of clipped edges
 constexpr double most_chords = 4096;        ///< of one way
@@ -188,7 +190,7 @@ void StockGuard::judge_range(Group& g, std::size_t first, std::size_t end) const
         if (!v.decided || v.hit.depth > 0) g.done.push_back({queued_[first].number, v});
         return;
     }
-    if (clear_together(g, first, end)) return;
+    if (end - first >= worth_it && clear_together(g, first, end)) return;
     const std::size_t middle = (first + end) / 2;
     judge_range(g, first, middle);
     judge_range(g, middle, end);
@@ -279,7 +281,7 @@ StockGuard::Verdict StockGuard::judge_one(Group& g, const Queued& q) const {
                 bulge = ((radius - far) / far) * bulge;
                 const LeftBody body{from, {chord, bulge, {}}, q.axis, {}, ArcWay{circle->centre, radius, from, to}};
                 LeftSearch quick = search;
-                quick.most_cells = cells_of_many;
+                quick.most_cells = cells_of_arc;
                 if (all_clear(body, *q.part, quick)) continue;
             }
         }
