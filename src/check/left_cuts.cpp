@@ -48,7 +48,8 @@ double least_on_way(F&& f) {
     constexpr double share = 0.6180339887498949;
     double a = 0, b = 1, best = std::min(f(0.0), f(1.0));
     double s = b - share * (b - a), t = a + share * (b - a), at_s = f(s), at_t = f(t);
-    for (int i = 0; i < 48 && best > 0; ++i) {
+    constexpr int steps = 30;  // to a millionth of the way
+    for (int i = 0; i < steps && best > 0; ++i) {
         best = std::min({best, at_s, at_t});
         if (at_s <= at_t)
             b = t, t = s, at_t = at_s, at_s = f(s = b - share * (b - a));
@@ -141,6 +142,11 @@ double LeftCut::farthest(const Disc& disc, Vec3 axis) const {
 
 /// A distance from a circle is not convex within it: what it may be more between two places is said of the chord.
 double LeftCut::farthest(std::span<const Disc> discs, Vec3 axis, double enough) const {
+    for (const Disc& d : discs) {  // as far from the box as that: cheap, and true of most
+        const Vec3 &p = d.centre, &lo = box_.lo, &hi = box_.hi;
+        const double off = std::max({lo.x - p.x, p.x - hi.x, lo.y - p.y, p.y - hi.y, lo.z - p.z, p.z - hi.z});
+        if (off >= enough) return off;
+    }
     double most = 0, chord = 0, inner = std::numeric_limits<double>::infinity();
     const milling::Track& track = sweep_->track;
     if (track.circular) {

@@ -17,10 +17,11 @@ using geom::Vec3;
 
 namespace {
 
-constexpr double near_enough = 1.1;   ///< times the depth that is reached: no deeper
-constexpr std::size_t few_cuts = 12;  ///< that are not sorted out further
-constexpr double thin = 1e-9;         ///< mm
-constexpr double slim = 8;            ///< times as long as wide: then it is made shorter
+constexpr double near_enough = 1.1;    ///< times the depth that is reached: no deeper
+constexpr std::size_t few_cuts = 12;   ///< that are not sorted out further
+constexpr double thin = 1e-9;          ///< mm
+constexpr std::size_t refining = 400;  ///< cells, once something is found
+constexpr double slim = 8;             ///< times as long as wide: then it is made shorter
 constexpr double longest_counts = 0.1;
 
 using Numbers = std::shared_ptr<const std::vector<std::uint32_t>>;
@@ -93,7 +94,7 @@ private:
     };
     std::priority_queue<Cell, std::vector<Cell>, Less> open_;
     LeftDepth best_;
-    std::size_t cells_ = 0;
+    std::size_t cells_ = 0, found_at_ = 0;
 };
 
 Search::Search(const LeftSearch& s, const LeftBody& whole) : s_(s), whole_(whole) {
@@ -325,7 +326,8 @@ LeftDepth Search::run(bool sample) {
     push(std::move(first));
     while (!open_.empty()) {
         if (open_.top().bound <= threshold() || best_.depth >= s_.enough / near_enough) break;
-        if (cells_ >= s_.most_cells) {
+        if (best_.depth > 0 && found_at_ == 0) found_at_ = cells_;
+        if (cells_ >= s_.most_cells || (found_at_ > 0 && cells_ >= found_at_ + refining)) {
             best_.decided = best_.depth > 0;
             return best_;
         }

@@ -32,7 +32,7 @@ struct LeftSearch {
 
 struct LeftDepth {
     bool decided = false;  ///< nothing is deeper than allowed, or `depth` is more than that
-    double depth = 0;      ///< reached, within a tenth of the deepest; 0: none deeper than allowed
+    double depth = 0;      ///< reached, as a rule within a tenth of the deepest; 0: none deeper than allowed
     geom::Vec3 at;
 };
 [[nodiscard]] LeftDepth deepest_left(const LeftBody& body, const LeftSearch& search);

@@ -18,13 +18,14 @@ namespace {
 
 constexpr double round_share = 0.25;        ///< of what is allowed: chords of a round stock
 constexpr double hidden = 4;                ///< times the rays' distance: what is deeper they see
+constexpr double seen = 0.5;                ///< of the rays' distance: a depth that they have found
 constexpr double chords = 0.1;              ///< of the tolerance: curves were cut as chords
 constexpr double chord_share = 1.0 / 40;    ///< of the tolerance: chords of a way that is looked at
 constexpr std::size_t together = 256;       ///< moves that are looked at as one, at most
 constexpr std::size_t worth_it = 8;         ///< so many moves
 constexpr std::size_t cells_of_many = 24;   ///< for them
 constexpr std::size_t cells_of_arc = 60;    ///< for a level quarter of a circle as it is
-constexpr std::size_t cells_of_one = 6000;  ///< for one straight way and part of a tool
+constexpr std::size_t cells_of_one = 3000;  ///< for one straight way and part of a tool
 constexpr std::size_t most_refined = 1000;  ///< depths of clipped edges
 constexpr double most_chords = 4096;        ///< of one way
 
@@ -313,8 +314,13 @@ StockGuard::Hit StockGuard::refined(const Queued& q, Hit hit, const milling::Sim
 
 void StockGuard::carry_out(const milling::Simulation& simulation, const std::function<bool()>& stop) {
     std::vector<char> clear(queued_.size());
+    const auto met = simulation.engagements();
     for_all(queued_.size(), threads_, [&](std::size_t i) {
-        clear[i] = judge_.is_clear({queued_[i].path, queued_[i].axis, &queued_[i].part->shape}) ? 1 : 0;
+        // What the rays see so deep they measure well enough.
+        clear[i] = met[queued_[i].number].depth > seen * apart_ ||
+                           judge_.is_clear({queued_[i].path, queued_[i].axis, &queued_[i].part->shape})
+                       ? 1
+                       : 0;
     });
     std::size_t kept = 0;
     for (std::size_t i = 0; i < queued_.size(); ++i)
