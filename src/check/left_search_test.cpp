@@ -108,7 +108,7 @@ TEST(LeftSearch, APropertyOfRandomCuts) {
     const std::uint32_t seed = std::random_device{}();
     std::mt19937 random(seed);
     const auto in = [&](double low, double high) { return std::uniform_real_distribution(low, high)(random); };
-    for (int n = 0; n < 60; ++n) {
+    for (int n = 0; n < 40; ++n) {
         SCOPED_TRACE("seed " + std::to_string(seed) + ", case " + std::to_string(n));
         World w(n % 3 == 0 ? milling::Stock(milling::CylinderStock{2, {30, 20, -20}, 20, 20})
                            : milling::Stock(milling::Box3{{0, 0, -20}, {60, 40, 0}}));
