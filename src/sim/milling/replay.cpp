@@ -11,23 +11,52 @@ namespace {
 
 using geom::Vec3;
 
-/// False where the sweep surely misses the box; long tools make it worth to be asked before a Job is made.
-bool may_meet(const Simulation::Sweep& s, const Shape& shape, Vec3 axis, const Box3& box) {
+/// Around what a sweep takes.
+Box3 box_around(const Simulation::Sweep& s, const Shape& shape, Vec3 axis) {
     // A quarter of a circle stands off its chord by less than a quarter of that.
     const double bulge = s.circle == 0 ? 0 : 0.25 * geom::distance(s.from, s.to);
+    Box3 box;
     for (int k = 0; k < 3; ++k) {
         const double along = component(axis, k);
         const double beside = shape.radius * std::sqrt(std::max(0.0, 1 - along * along)) + bulge;
         const double from = component(s.from, k), to = component(s.to, k);
         const double one = shape.bottom * along, other = shape.top * along;
-        if (std::max(from, to) + std::max(one, other) + beside < component(box.min, k) ||
-            std::min(from, to) + std::min(one, other) - beside > component(box.max, k))
-            return false;
+        set_component(box.min, k, std::min(from, to) + std::min(one, other) - beside);
+        set_component(box.max, k, std::max(from, to) + std::max(one, other) + beside);
     }
-    return true;
+    return box;
+}
+
+/// False where the sweep surely misses the box; long tools make it worth to be asked before a Job is made.
+bool may_meet(const Simulation::Sweep& s, const Shape& shape, Vec3 axis, const Box3& box) {
+    const Box3 own = box_around(s, shape, axis);
+    return own.max.x >= box.min.x && own.min.x <= box.max.x && own.max.y >= box.min.y && own.min.y <= box.max.y &&
+           own.max.z >= box.min.z && own.min.z <= box.max.z;
 }
 
 }  // namespace
+
+Air::Sweep Simulation::body_of(std::uint32_t cut) const {
+    const Sweep& s = sweeps_[cut - 1];
+    return {&shape_of(s), orientations_[s.orientation], track_of(s), s.from, cut};
+}
+
+Job Simulation::job_of(std::uint32_t cut) const {
+    const Sweep& s = sweeps_[cut - 1];
+    Job job = make_job(shape_of(s), orientations_[s.orientation], track_of(s), s.from, rays_box());
+    job.cut = cut;
+    return job;
+}
+
+const Shape* Simulation::cutting_of(std::uint32_t cut) const {
+    const Sweep& s = sweeps_[cut - 1];
+    return !s.cut || cut > done_ || shape_of(s).pieces.empty() ? nullptr : &shape_of(s);
+}
+
+Box3 Simulation::reach_of(std::uint32_t cut) const {
+    const Sweep& s = sweeps_[cut - 1];
+    return box_around(s, shape_of(s), orientations_[s.orientation].z);
+}
 
 std::vector<Job> Simulation::jobs_in(const Box3& box) const {
     std::vector<Job> jobs;
