@@ -22,6 +22,10 @@
 #include "check/time_up.hpp"
 #include "sim/milling/simulation.hpp"
 
+namespace obrys::sim::milling {
+struct Refined;
+}
+
 namespace obrys::check {
 
 /// One part of a tool on its way, queued in the simulation; what it met is known when the queue has been carried out.
@@ -118,6 +122,7 @@ private:
     [[nodiscard]] bool meets_core(const CoreDescent::Steep& steep, geom::Vec3 axis) const;
     void judge_plunge(const QueuedPass& pass, const MilledMove& move, const sim::milling::Engagement& met);
     void keep_thread(const Move& move);
+    void judge_open(const sim::milling::Refined& refined);
     void judge_surface(Milled& milled);
     void judge_place(const Milled& milled, const mesh::Place& place, bool gouge);
     void judge_gouge(const Milled& milled, const Gouge& gouge);

@@ -134,6 +134,21 @@ void Milling::judge_no_contact(const Milled& milled) {
                    "see whether stock, part and program use the same zero point (docs/job-file.md)");
 }
 
+/// Where the surface is not known to be within the tolerance.
+void Milling::judge_open(const milling::Refined& refined) {
+    if (refined.open.empty()) return;
+    milling::Box3 box = refined.open.front();
+    for (const milling::Box3& b : refined.open)
+        for (int k = 0; k < 3; ++k) {
+            milling::set_component(box.min, k, std::min(milling::component(box.min, k), milling::component(b.min, k)));
+            milling::set_component(box.max, k, std::max(milling::component(box.max, k), milling::component(b.max, k)));
+        }
+    out_.unchecked("the surface is too fine in itself to be followed within " + mm(figures_.tolerance_mm) +
+                       " everywhere: in " + std::to_string(refined.open.size()) + " places between " + place(box.min) +
+                       " and " + place(box.max) + " narrow rest material may not be seen",
+                   "take a larger tolerance (--tolerance)");
+}
+
 void Milling::judge_surface(Milled& milled) {
     const MillingSetup& m = *setup_.milling;
     if (out_.result().stats.feed_moves > 0 && figures_.contact_length_mm == 0 && complete_) judge_no_contact(milled);
@@ -153,6 +168,9 @@ void Milling::judge_surface(Milled& milled) {
     for (std::uint32_t& tag : surface.mesh.tags) tag = tag_of(tag);
     milled.surface = std::move(surface.mesh);
     milled.thin = surface.thin;
+    milled.figures.refined_cells = surface.refined.cells;
+    milled.figures.finest_mm = surface.refined.finest;
+    judge_open(surface.refined);
     if (!judged || time_up_.up()) return;
     mesh::CompareOptions options;
     options.gouge = std::max(setup_.tolerances.gouge, m.tolerance);

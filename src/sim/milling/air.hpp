@@ -37,6 +37,9 @@ private:
 [[nodiscard]] double outside_sweep(const Shape& shape, const Track& track, geom::Vec3 p,
                                    double enough = std::numeric_limits<double>::infinity());
 
+/// Distance from a tool at rest, 0 inside.
+[[nodiscard]] double distance_from(const Shape& shape, geom::Vec3 p);
+
 class Air {
 public:
     struct Sweep {

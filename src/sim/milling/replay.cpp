@@ -68,13 +68,31 @@ std::vector<std::uint32_t> Simulation::cuts_in(const Box3& box) const {
     return found;
 }
 
+Air::Sweep Simulation::body_of(std::uint32_t cut) const {
+    const Sweep& s = sweeps_[cut - 1];
+    return {&shape_of(s), orientations_[s.orientation], track_of(s), s.from, cut};
+}
+
+Job Simulation::job_of(std::uint32_t cut) const {
+    const Sweep& s = sweeps_[cut - 1];
+    Job job = make_job(shape_of(s), orientations_[s.orientation], track_of(s), s.from, rays_box());
+    job.cut = cut;
+    return job;
+}
+
+const Shape* Simulation::cutting_of(std::uint32_t cut) const {
+    const Sweep& s = sweeps_[cut - 1];
+    return !s.cut || cut > done_ || shape_of(s).pieces.empty() ? nullptr : &shape_of(s);
+}
+
+Box3 Simulation::reach_of(std::uint32_t cut) const {
+    const Sweep& s = sweeps_[cut - 1];
+    return box_of(s, shape_of(s), orientations_[s.orientation].z);
+}
+
 std::vector<Job> Simulation::jobs_in(const Box3& box) const {
     std::vector<Job> jobs;
-    for (const std::uint32_t i : cuts_in(box)) {
-        const Sweep& s = sweeps_[i];
-        jobs.push_back(make_job(shape_of(s), orientations_[s.orientation], track_of(s), s.from, rays_box()));
-        jobs.back().cut = i + 1;
-    }
+    for (const std::uint32_t i : cuts_in(box)) jobs.push_back(job_of(i + 1));
     return jobs;
 }
 
@@ -85,10 +103,7 @@ const StockBody& Simulation::body() const {
 
 Air Simulation::air_in(const Box3& box) const {
     std::vector<Air::Sweep> sweeps;
-    for (const std::uint32_t i : cuts_in(box)) {
-        const Sweep& s = sweeps_[i];
-        sweeps.push_back({&shape_of(s), orientations_[s.orientation], track_of(s), s.from, i + 1});
-    }
+    for (const std::uint32_t i : cuts_in(box)) sweeps.push_back(body_of(i + 1));
     return {body(), std::move(sweeps)};
 }
 
