@@ -67,6 +67,16 @@ TEST(Certified, what_touches_all_along_is_clear) {
     }
 }
 
+TEST(Certified, a_place_level_with_the_ring_of_a_bull_nose_lies_outside_of_it) {
+    const Swept ring{bull(6, 1).front(), {0, 0, 0}, {0, 0, 0}, {0, 0, 1}};
+    EXPECT_NEAR(geom::distance(nearest_within(ring, {20, 0, 1}), {6, 0, 1}), 0, 1e-9);
+    // A cut into the wall of a block: where the search comes by such a place it found the block's own thickness.
+    const mesh::Distance block(mesh::box({-40, -20, -30}, {0, 20, 0}));
+    const Judge judge(block, 0.01);
+    const Vec3 start{5.9, -3, -20};
+    EXPECT_NEAR(depth_of(judge, bull(6, 1), start, start + Vec3{0, 6, 5}).depth, 0.1, 0.002);
+}
+
 TEST(Certified, a_wall_cut_into_is_as_deep_as_the_tool_went_past_it) {
     const Judge judge(plate(), 0.01);
     const Depth d = depth_of(judge, end_mill(5), {-20, -4.98, -15}, {80, -4.98, -15});
