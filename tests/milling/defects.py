@@ -1,7 +1,7 @@
 #!/usr/bin/env python3
 """Random marks of all kinds of tools, feed and rapid, in three axes and swivelled: scratches, edges and corners taken off, clips of
-clamps, rapids in the stock. Each that is deeper than the tolerance must be found, with its depth to a tenth or the tolerance, at
-a line that made it; what only touches must not be.
+clamps, rapids in the stock; and what is left thin or cut through: fins, webs, crests, ribs. Each that is deeper than the
+tolerance must be found, with its depth to a tenth or the tolerance, at a line that made it; what only touches must not be.
 
 usage: defects.py OBRYS [--count 60] [--first 0] [--seed 1] [--tolerances 0.05,0.01,0.002] [--kinds scratch,edge,…] [--keep FOLDER]
 Each complaint names its number; --first NUMBER --count 1 --keep FOLDER makes it again and leaves the job.
@@ -12,7 +12,9 @@ import sys
 
 import jobs
 import marks
+import rests
 
+KINDS = {**marks.KINDS, **rests.KINDS}
 # What such marks may bring with them, rightly.
 BESIDE = {"sideways-cut", "plunging-cut", "edges-too-short"}
 
@@ -20,7 +22,7 @@ BESIDE = {"sideways-cut", "plunging-cut", "edges-too-short"}
 def made(kind, seed, number, tolerance):
     random = randoms.Random(f"{seed}.{kind}.{number}")
     while True:
-        mark = marks.KINDS[kind](random, tolerance)
+        mark = KINDS[kind](random, tolerance)
         if mark is not None:
             return mark
 
@@ -36,8 +38,7 @@ def wrong_with(mark, result, tolerance):
         if mark.depth > 1.001 * mark.least:
             out.append(f"MISSED ({result['verdict']})")
     else:
-        deepest = max(found, key=lambda f: f["depth_mm"])
-        depth = deepest["depth_mm"]
+        depth = max(jobs.depths(result, mark.code))
         if mark.depth == 0:
             out.append(f"FALSE ALARM {depth:.4f}")
         else:
@@ -63,7 +64,7 @@ def main():
     parser.add_argument("--first", type=int, default=0)
     parser.add_argument("--seed", default="1")
     parser.add_argument("--tolerances", default="0.05,0.01,0.002")
-    parser.add_argument("--kinds", default=",".join(marks.KINDS))
+    parser.add_argument("--kinds", default=",".join(KINDS))
     parser.add_argument("--keep")
     options = parser.parse_args()
     failed = 0

@@ -254,8 +254,8 @@ def edge(random, tolerance, code="gouge"):
 
 
 KINDS = {
-    "scratch": lambda random, tolerance: scratch(random, tolerance),
-    "edge": lambda random, tolerance: edge(random, tolerance),
+    "scratch": scratch,
+    "edge": edge,
     "rapid": lambda random, tolerance: scratch(random, tolerance, "rapid-in-stock"),
     "rapid-edge": lambda random, tolerance: edge(random, tolerance, "rapid-in-stock"),
     "clamp": lambda random, tolerance: scratch(random, tolerance, "clamp-collision"),
