@@ -85,6 +85,12 @@ class Setting:
         return self.a != 0 or self.b != 0
 
 
+def swivelling(folder):
+    """What a job needs for the machine with two rotary axes."""
+    (folder / "five.toml").write_text(MACHINE)
+    return {"machine": "five.toml", "tables": ["[datum]", "G54 = { x = 0.0, y = 0.0, z = 0.0 }"]}
+
+
 def number(v):
     return f"{v:.6f}".rstrip("0").rstrip(".") if abs(v) >= 5e-7 else "0"
 
@@ -162,13 +168,10 @@ class Program:
                 continue
             stl_parts.write(folder / f"clamp{n}.stl", s.mesh(clamp))
             fixtures.append({"name": f"clamp {n}", "file": f"clamp{n}.stl"})
-        machine = "mill-generic"
         if s.swivels:
-            (folder / "five.toml").write_text(MACHINE)
-            machine = "five.toml"
-            more["tables"] = ["[datum]", "G54 = { x = 0.0, y = 0.0, z = 0.0 }"]
+            more = {**more, **swivelling(folder)}
         jobs.write(folder, [t for t, _ in self.lines], [(n + 1, t.keys) for n, t in enumerate(self.tools)], stock,
-                   s.mesh(part) if part is not None else None, fixtures, machine, check=check, **more)
+                   s.mesh(part) if part is not None else None, fixtures, check=check, **more)
 
     def scene(self, stock):
         """For exact/, in the workpiece's frame; the stock an upright box there."""

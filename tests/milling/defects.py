@@ -3,7 +3,8 @@
 clamps, rapids in the stock; and what is left thin or cut through: fins, webs, crests, ribs. Each that is deeper than the
 tolerance must be found, with its depth to a tenth or the tolerance, at a line that made it; what only touches must not be.
 
-usage: defects.py OBRYS [--count 60] [--first 0] [--seed 1] [--tolerances 0.05,0.01,0.002] [--kinds scratch,edge,…] [--keep FOLDER]
+usage: defects.py OBRYS [--count 60] [--first 0] [--seed 1] [--tolerances 0.05,0.01,0.002] [--kinds scratch,edge,…]
+                  [--strict] [--keep FOLDER]
 Each complaint names its number; --first NUMBER --count 1 --keep FOLDER makes it again and leaves the job.
 """
 import argparse
@@ -27,7 +28,7 @@ def made(kind, seed, number, tolerance):
             return mark
 
 
-def wrong_with(mark, result, tolerance):
+def wrong_with(mark, result, tolerance, strict):
     if result["verdict"] == "none":
         return result["unchecked"][0]["message"]
     guilty, named = mark.program.guilty()
@@ -42,8 +43,8 @@ def wrong_with(mark, result, tolerance):
         if mark.depth == 0:
             out.append(f"FALSE ALARM {depth:.4f}")
         else:
-            slack = max(tolerance, 0.1 * mark.depth)
-            if not mark.depth - slack <= depth <= mark.deepest + max(tolerance, 0.1 * mark.deepest):
+            slack = lambda d: tolerance / 10 if strict and mark.what.find(" on face ") > 0 else max(tolerance, 0.1 * d)
+            if not mark.depth - slack(mark.depth) <= depth <= mark.deepest + slack(mark.deepest):
                 out.append(f"DEPTH {depth:.4f}")
             lines = {f["where"]["line"] for f in found}
             if not lines <= named or not lines & guilty:
@@ -65,6 +66,7 @@ def main():
     parser.add_argument("--seed", default="1")
     parser.add_argument("--tolerances", default="0.05,0.01,0.002")
     parser.add_argument("--kinds", default=",".join(KINDS))
+    parser.add_argument("--strict", action="store_true", help="depths on faces to a tenth of the tolerance")
     parser.add_argument("--keep")
     options = parser.parse_args()
     failed = 0
@@ -76,7 +78,7 @@ def main():
                 with jobs.folder_of(options.keep) as folder:
                     mark.program.write(folder, mark.stock, mark.part, mark.clamps, mark.check)
                     result = jobs.check(options.obrys, folder)
-                wrong = wrong_with(mark, result, tolerance)
+                wrong = wrong_with(mark, result, tolerance, options.strict)
                 if wrong:
                     complaints += 1
                     print(f"{tolerance} {kind} {number}: {wrong}: {mark.depth:.5f} deep, {mark.what}", flush=True)
