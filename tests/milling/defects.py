@@ -43,7 +43,7 @@ def wrong_with(mark, result, tolerance, strict):
         if mark.depth == 0:
             out.append(f"FALSE ALARM {depth:.4f}")
         else:
-            slack = lambda d: tolerance / 10 if strict and mark.what.find(" on face ") > 0 else max(tolerance, 0.1 * d)
+            slack = lambda d: tolerance / 10 if strict else max(tolerance, 0.1 * d)
             if not mark.depth - slack(mark.depth) <= depth <= mark.deepest + slack(mark.deepest):
                 out.append(f"DEPTH {depth:.4f}")
             lines = {f["where"]["line"] for f in found}
@@ -66,7 +66,7 @@ def main():
     parser.add_argument("--seed", default="1")
     parser.add_argument("--tolerances", default="0.05,0.01,0.002")
     parser.add_argument("--kinds", default=",".join(KINDS))
-    parser.add_argument("--strict", action="store_true", help="depths on faces to a tenth of the tolerance")
+    parser.add_argument("--strict", action="store_true", help="depths to a tenth of the tolerance")
     parser.add_argument("--keep")
     options = parser.parse_args()
     failed = 0

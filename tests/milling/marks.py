@@ -199,17 +199,18 @@ def smooth_direction(random, tool, normals, along):
                 half = math.acos(-lift * along[2] / (level * size))
                 m = max(((level * math.cos(middle + s * half), level * math.sin(middle + s * half), lift) for s in (1, -1)),
                         key=lambda v: dot(v, m))
-        if inside_cone(m, normals, along):
+        weights = weights_of(m, normals, along)
+        if min(weights) > 0.2 and sum(weights) < 3.8:  # of flatter cuts only a part of the depth is promised
             return m
     return None
 
 
-def inside_cone(m, normals, along):
-    """Whether it is a sum of the normals with weights that are not small."""
+def weights_of(m, normals, along):
+    """Of which weights of the normals it is the sum; that of all is how much deeper the edge lies in the tool than it in the body."""
     rows = list(normals) + ([along] if along is not None else [])
     c = [cross(rows[1], rows[2]), cross(rows[2], rows[0]), cross(rows[0], rows[1])]
     k = dot(rows[0], c[0])
-    return all(dot(m, c[i]) / k > 0.2 for i in range(len(normals)))
+    return [dot(m, c[i]) / k for i in range(len(normals))]
 
 
 def edge(random, tolerance, code="gouge"):

@@ -93,6 +93,23 @@ TEST(Certified, a_chamfer_that_nobody_wanted_is_said_of_the_edge) {
     EXPECT_NEAR(d.depth, 0.1 / std::sqrt(2), 0.002);
 }
 
+TEST(Certified, a_sharp_edge_is_as_deep_as_what_is_taken_off_it) {
+    // A roof whose faces meet at the angle along x; an end mill's floor takes its ridge off. In the part it lies only
+    // the sine of half that angle as deep, or less: the floor's middle is as far from both faces.
+    for (const double degrees : {40.0, 60.0, 90.0})
+        for (const double off : {0.0101, 0.03, 0.2}) {
+            const double run = 20 * std::tan(geom::radians(degrees) / 2);
+            mesh::Mesh roof{{{-30, -run, -20}, {30, -run, -20}, {30, run, -20}, {-30, run, -20}, {-30, 0, 0}, {30, 0, 0}},
+                            {{0, 2, 1}, {0, 3, 2}, {0, 1, 5}, {0, 5, 4}, {2, 3, 4}, {2, 4, 5}, {0, 4, 3}, {1, 2, 5}},
+                            {}};
+            const mesh::Distance part(roof);
+            const Judge judge(part, 0.01);
+            const Depth d = depth_of(judge, end_mill(5), {-10, 1, -off}, {10, 2, -off});
+            EXPECT_NEAR(d.depth, off, 0.001) << degrees << ' ' << off;
+            EXPECT_GT(d.depth, 0.01);
+        }
+}
+
 TEST(Certified, a_vertical_edge_that_is_clipped_is_found_from_its_corner_on) {
     for (const double allowed : {0.001, 0.01})
         for (const double clip : {0.0, 0.012, 0.02, 0.05, 0.3}) {
