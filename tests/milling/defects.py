@@ -1,7 +1,7 @@
 #!/usr/bin/env python3
 """Random marks of all kinds of tools, feed and rapid, in three axes and swivelled: scratches, edges and corners taken off, clips of
-clamps, rapids in the stock; and what is left thin or cut through: fins, webs, crests, ribs. Each that is deeper than the
-tolerance must be found, with its depth to a tenth or the tolerance, at a line that made it; what only touches must not be.
+clamps, rapids in the stock, bumps in slots; and what is left thin or cut through: fins, webs, crests, ribs. Each that is deeper
+than the tolerance must be found, with its depth to a tenth or the tolerance, at a line that made it; what only touches must not be.
 
 usage: defects.py OBRYS [--count 60] [--first 0] [--seed 1] [--tolerances 0.05,0.01,0.002] [--kinds scratch,edge,…]
                   [--strict] [--keep FOLDER]
@@ -33,7 +33,7 @@ def wrong_with(mark, result, tolerance, strict):
         return result["unchecked"][0]["message"]
     guilty, named = mark.program.guilty()
     found = [f for f in result["findings"] if f["code"] == mark.code]
-    others = sorted({f["code"] for f in result["findings"]} - BESIDE - {mark.code})
+    others = sorted({f["code"] for f in result["findings"]} - BESIDE - mark.beside - {mark.code})
     out = []
     if not found:
         if mark.depth > 1.001 * mark.least:

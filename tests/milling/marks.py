@@ -18,6 +18,7 @@ class Mark:
         self.program, self.stock, self.code, self.depth, self.what = program, stock, code, depth, what
         self.part, self.clamps = None, []
         self.check = {}
+        self.beside = set()   # codes of findings that belong to it
         self.deepest = depth  # depths up to this one are right, too
         self.least = 0.0      # depths above it must be found
 
@@ -154,6 +155,8 @@ def scratch(random, tolerance, code="gouge"):
     face = random.choice([0, 0, 0, 1, 2, 3, 4])
     out = block.planes[face][0]
     tool = tools.any_tool(random, undercut=True)
+    if code == "clamp-collision" and random.random() < 0.25:
+        tool = tools.stepped(*random.choice([(6.0, 10.0, 8.0), (4.0, 6.0, 5.0)]))
     if out[2] < -1e-9 and not tool.keys["kind"] in ("t-slot", "form"):
         return None
     rapid = begin_with(random, program, tool, code)

@@ -102,4 +102,53 @@ def rib(random, tolerance):
     return mark_of(program, part, part, "gouge", thin, tolerance, f"rib {thin:.5f} thin, {tool.keys}")
 
 
-KINDS = {"fin": fin, "web": web, "crests": crests, "plunges": plunges, "rib": rib}
+def bump(random, tolerance):
+    """A slot as wide as its tool, open or with a roof, in which the tool touches all round; at one place it goes aside by a
+    little, on a way from very short to long."""
+    program, depth = begin(random), marks.depth_of(random, tolerance)
+    roof, half = random.random() < 0.4, random.choice([0.02, 0.3, 2.0, 5.0])
+    d, width, neck, corner = random.choice([(12.0, 3.0, 6.0, 0.0), (16.0, 4.0, 8.0, 0.5)])
+    r, floor = d / 2, -9.0
+    tool = tools.t_slot(d, width, neck, corner) if roof else tools.end_mill(d)
+    lo, hi = (-20.0, -12.0, -16.0), (20.0, 12.0, 0.0)
+    top = [(lo[0], lo[2]), (hi[0], lo[2]), (hi[0], 0.0)]
+    if roof:
+        n = neck / 2 + 1.0  # the slot that carries the neck is wider and there before
+        top += [(n, 0.0), (n, floor + width), (r, floor + width), (r, floor), (-r, floor), (-r, floor + width), (-n, floor + width), (-n, 0.0)]
+        if corner > 0:  # the corners that the cutter leaves are round
+            return None
+    else:
+        top += [(r, 0.0), (r, floor), (-r, floor), (-r, 0.0)]
+    part = extruded(top + [(lo[0], 0.0)], lo[1], hi[1])
+    program.tool(tool)
+    way = random.choice([(1, 0), (-1, 0), (0, -1)] + ([(0, 1)] if roof else []))
+    y = random.uniform(-5, 5)
+    program.rapid((0.0, -30.0, floor))
+    program.line((0.0, y - half, floor))
+    program.line((way[0] * depth, y, floor + way[1] * depth), mark="*")
+    program.line((0.0, y + half, floor), mark="*")
+    program.line((0.0, 30.0, floor))
+    whole = not roof and random.random() < 0.5
+    mark = mark_of(program, (lo, hi) if whole else part, part, "gouge", depth, tolerance, f"bump of {half} towards {way} with {tool.keys}")
+    if whole and way[1] == 0:
+        mark.beside = {"rest-material"}  # on the wall across
+    return mark
+
+
+def rapid_through(random, tolerance):
+    """A rapid through what two slots have left between them."""
+    program, thin, d = begin(random), width_of(random, tolerance), random.choice([4.0, 6.0, 8.0])
+    depth, deep = round(random.uniform(2, 4), 3), round(random.uniform(0.5, 1.5), 3)
+    lo, hi = (-20.0, -12.0, -12.0), (20.0, 12.0, 0.0)
+    program.tool(tools.end_mill(d))
+    x = d / 2 + thin / 2
+    pass_along(program, -x, -depth)
+    pass_along(program, x, -depth)
+    program.rapid((-x, random.uniform(-5, 5), -deep))
+    program.line((x, program.at[1], -deep), rapid=True, mark="*")
+    mark = mark_of(program, (lo, hi), None, "rapid-in-stock", deep, tolerance, f"fin {thin:.5f} thin, {deep} deep, end mill {d}")
+    mark.check = {"scope": "collisions", "tolerance": tolerance}
+    return mark
+
+
+KINDS = {"bump": bump, "rapid-fin": rapid_through, "fin": fin, "web": web, "crests": crests, "plunges": plunges, "rib": rib}

@@ -56,6 +56,12 @@ def end_mill(d):
     return Tool({"kind": "end-mill", "diameter": d, "cutting_length": CUTTING}, [(d / 2, 0, d / 2, CUTTING, 0)])
 
 
+def stepped(d, shank, cutting):
+    """An end mill with a shank that is thicker than it."""
+    return Tool({"kind": "end-mill", "diameter": d, "cutting_length": cutting, "shank": [{"diameter": shank, "length": 40.0}]},
+                [(d / 2, 0, d / 2, cutting, 0), (shank / 2, cutting, shank / 2, cutting + 40.0, 0)])
+
+
 def ball(d):
     r = d / 2
     return Tool({"kind": "ball", "diameter": d, "cutting_length": CUTTING}, [(0, r, 0, r, r), (r, r, r, CUTTING, 0)])
