@@ -2,7 +2,8 @@
 """Random programs of all tools, in three axes and swivelled, lines, arcs and helices: the surface that obrys writes as STL against
 the exact one, both ways, by exact/ (a program of its own that shares nothing with src/).
 
-usage: surfaces.py OBRYS EXACT [--count 60] [--first 0] [--seed 1] [--tolerance 0.01] [--times 1] [--keep FOLDER]
+usage: surfaces.py OBRYS EXACT [--count 60] [--first 0] [--seed 1] [--tolerance 0.01] [--times 1] [--plain]
+                   [--keep FOLDER]
 --times: how many tolerances count as beyond. Each complaint names its number; --first NUMBER --count 1 --keep FOLDER makes it again.
 """
 import argparse
@@ -45,6 +46,18 @@ def swept_arc(random, program, at, low):
     if turn == 2 * math.pi:
         to = at[:2]
     program.arc((*to, z), centre, counter)
+
+
+def plain(random):
+    """A few straight moves of one round tool, three axes: what held when the stock did not adapt yet."""
+    program = Program(Setting())
+    program.tool(random.choice([lambda: tools.ball(6.0), lambda: tools.bull(8.0, 1.0), lambda: tools.lollipop(8.0, 4.0)])())
+    spot = lambda: tuple(round(random.uniform(4, SIZE - 4), 4) for _ in range(2)) + (-2.0137,)
+    program.rapid(spot())
+    for _ in range(random.randint(0, 2)):
+        program.line(spot())
+    program.end()
+    return program, ((0.0, 0.0, -12.0), (SIZE, SIZE, 0.0))
 
 
 def made(random):
@@ -98,11 +111,12 @@ def main():
     parser.add_argument("--times", type=float, default=1.0)
     parser.add_argument("--each", type=int, default=60)
     parser.add_argument("--most", type=int, default=60000)
+    parser.add_argument("--plain", action="store_true", help="a few straight moves of round tools")
     parser.add_argument("--keep")
     options = parser.parse_args()
     failed, worst = 0, {}
     for number in range(options.first, options.first + options.count):
-        program, stock = made(randoms.Random(f"{options.seed}.{number}"))
+        program, stock = (plain if options.plain else made)(randoms.Random(f"{options.seed}.{number}"))
         with jobs.folder_of(options.keep) as folder:
             found = measured(options, program, stock, folder, number)
         if isinstance(found, str):
