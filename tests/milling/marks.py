@@ -161,6 +161,8 @@ def scratch(random, tolerance, code="gouge"):
         return None
     rapid = begin_with(random, program, tool, code)
     offset, _ = contact(random, tool, out)
+    if tool.keys["kind"] in ("t-slot", "form") and offset[2] > tool.bodies[0][3] + tool.bodies[0][4] + 1e-9:
+        return None  # its neck, which does not cut
     u0, v0, u1, v1 = (random.uniform(0.25, 0.75) for _ in range(4))
     ends = block.face_at(face, u0, v0), block.face_at(face, u1, v1)
     short = min(1.0, random.uniform(0.2, 14) / max(0.2, math.dist(*ends)))
