@@ -46,7 +46,7 @@ def wrong_with(mark, result, tolerance, strict):
             slack = lambda d: tolerance / 10 if strict else max(tolerance, 0.1 * d)
             if not mark.depth - slack(mark.depth) <= depth <= mark.deepest + slack(mark.deepest):
                 out.append(f"DEPTH {depth:.4f}")
-            lines = {f["where"]["line"] for f in found}
+            lines = {f["where"]["line"] or 0 for f in found}  # 0: none was named
             if not lines <= named or not lines & guilty:
                 out.append(f"LINE {sorted(lines)} where {sorted(guilty)} did it")
     if others:

@@ -205,7 +205,7 @@ def smooth_direction(random, tool, normals, along):
                 m = max(((level * math.cos(middle + s * half), level * math.sin(middle + s * half), lift) for s in (1, -1)),
                         key=lambda v: dot(v, m))
         weights = weights_of(m, normals, along)
-        if min(weights) > 0.2 and sum(weights) < 3.8:  # of flatter cuts only a part of the depth is promised
+        if min(weights) > 0.2 and sum(weights) < 1.9:  # of flatter cuts only a part of the depth is promised
             return m
     return None
 

@@ -93,10 +93,10 @@ TEST(Certified, a_chamfer_that_nobody_wanted_is_said_of_the_edge) {
     EXPECT_NEAR(d.depth, 0.1 / std::sqrt(2), 0.002);
 }
 
-TEST(Certified, a_sharp_edge_is_as_deep_as_what_is_taken_off_it) {
+TEST(Certified, an_edge_is_as_deep_as_what_is_taken_off_it) {
     // A roof whose faces meet at the angle along x; an end mill's floor takes its ridge off. In the part it lies only
     // the sine of half that angle as deep, or less: the floor's middle is as far from both faces.
-    for (const double degrees : {40.0, 60.0, 90.0})
+    for (const double degrees : {70.0, 90.0, 120.0})
         for (const double off : {0.0101, 0.03, 0.2}) {
             const double run = 20 * std::tan(geom::radians(degrees) / 2);
             mesh::Mesh roof{{{-30, -run, -20}, {30, -run, -20}, {30, run, -20}, {-30, run, -20}, {-30, 0, 0}, {30, 0, 0}},

@@ -19,9 +19,9 @@ constexpr std::size_t climbs = 3;        ///< searches that are brought to their
 constexpr std::size_t most_pieces = 24;
 constexpr int most_steps = 60;
 constexpr double edge_accuracy = 0.002;  ///< of what is allowed: how deep an edge lies in the tool
-/// Times as deep as the tool in the part an edge may lie in the tool: that of an edge of 30 degrees. What goes through
-/// something thin has all of its surface in the tool: there no more than its thickness.
-constexpr double sharpest = 4, thin = 2;
+/// Times as deep as the tool in the part an edge may lie in the tool: that of an edge of 60 degrees. What goes through
+/// something thin has all of its surface in the tool; twice its deepest place is its thickness, and no more than that.
+constexpr double sharpest = 2;
 constexpr double edge_from = 1.1;  ///< times as deep as the tool in the part lies the part's surface in the tool
 
 Vec3 unit(Vec3 v) {
@@ -265,12 +265,10 @@ Depth Judge::deepest(const Move& move) const {
     out.normal = unit(best.place.at - best.at);
     const double through =
         reach_along(piece->whole, best.at, out.normal) + reach_along(piece->whole, best.at, -1.0 * out.normal);
-    const bool goes_through = through > best.depth + 4 * accuracy * allowed_;
-    out.depth = goes_through ? through : best.depth;
+    out.depth = through > best.depth + 4 * accuracy * allowed_ ? through : best.depth;
     const bool in_stock = best.depth > 0.999 * best.place.distance;
     for (const Piece& p : pieces) {
-        const double most = (goes_through ? thin : sharpest) * best.depth;
-        const double d = in_stock ? edge_depth(p.whole, out.depth, most) : out.depth;
+        const double d = in_stock ? edge_depth(p.whole, out.depth, sharpest * best.depth) : out.depth;
         if (d > out.depth * edge_from) out.edge = true;
         out.depth = std::max(out.depth, d);
     }
