@@ -144,8 +144,8 @@ void Milling::judge_open(const milling::Refined& refined) {
             milling::set_component(box.max, k, std::max(milling::component(box.max, k), milling::component(b.max, k)));
         }
     out_.unchecked("the surface is too fine in itself to be followed within " + mm(figures_.tolerance_mm) +
-                       " everywhere: in " + std::to_string(refined.open.size()) + " places between " + place(box.min) +
-                       " and " + place(box.max) + " narrow rest material may not be seen",
+                       " everywhere: in " + std::to_string(refined.open.size()) + " places between " + point(box.min) +
+                       " and " + point(box.max) + " narrow rest material may not be seen",
                    "take a larger tolerance (--tolerance)");
 }
 
