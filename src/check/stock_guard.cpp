@@ -18,7 +18,8 @@ namespace {
 
 constexpr double round_share = 0.25;        ///< of what is allowed: chords of a round stock
 constexpr double hidden = 4;                ///< times the rays' distance: what is deeper they see
-constexpr double seen = 0.5;                ///< of the rays' distance: a depth that they have found
+constexpr double seen = 0.5;                ///< times that: a depth of a shank or holder that they have found
+constexpr std::size_t most_bodies = 600;    ///< moves of shanks and holders beside material that are searched
 constexpr double chords = 0.1;              ///< of the tolerance: curves were cut as chords
 constexpr double chord_share = 1.0 / 40;    ///< of the tolerance: chords of a way that is looked at
 constexpr std::size_t together = 256;       ///< moves that are looked at as one, at most
@@ -129,7 +130,8 @@ void StockGuard::add(std::uint32_t number, const milling::Pass& pass) {
     if (pass.tool >= tools_.size()) return;
     const Part& part = tools_[pass.tool][static_cast<std::size_t>(pass.part)];
     const double size = geom::length(pass.axis);
-    if (!part.profiles.empty() && size > 0) queued_.push_back({number, pass.path, (1 / size) * pass.axis, &part});
+    if (!part.profiles.empty() && size > 0)
+        queued_.push_back({number, pass.path, (1 / size) * pass.axis, &part, pass.part != milling::Part::cutting});
 }
 
 /// Around what they sweep.
@@ -312,19 +314,25 @@ StockGuard::Hit StockGuard::refined(const Queued& q, Hit hit, const milling::Sim
     return alone ? Hit{d.depth, d.at} : hit;
 }
 
+bool StockGuard::is_worth_search(const Queued& q) {
+    if (!q.body || searched_++ < most_bodies) return true;
+    if (!rays_from_) rays_from_ = q.number;
+    return false;
+}
+
 void StockGuard::carry_out(const milling::Simulation& simulation, const std::function<bool()>& stop) {
     std::vector<char> clear(queued_.size());
     const auto met = simulation.engagements();
     for_all(queued_.size(), threads_, [&](std::size_t i) {
         // What the rays see so deep they measure well enough.
-        clear[i] = met[queued_[i].number].depth > seen * apart_ ||
+        clear[i] = met[queued_[i].number].depth > (queued_[i].body ? seen : hidden) * apart_ ||
                            judge_.is_clear({queued_[i].path, queued_[i].axis, &queued_[i].part->shape})
                        ? 1
                        : 0;
     });
     std::size_t kept = 0;
     for (std::size_t i = 0; i < queued_.size(); ++i)
-        if (clear[i] == 0) {
+        if (clear[i] == 0 && is_worth_search(queued_[i])) {
             if (kept != i) queued_[kept] = std::move(queued_[i]);
             ++kept;
         }

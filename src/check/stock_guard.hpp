@@ -11,6 +11,7 @@
 #include <deque>
 #include <functional>
 #include <map>
+#include <optional>
 #include <set>
 #include <vector>
 
@@ -41,6 +42,8 @@ public:
     [[nodiscard]] Hit hit_by(std::uint32_t number) const;
     /// Whether it could not be decided, or was not looked at.
     [[nodiscard]] bool is_open(std::uint32_t number) const { return undecided_.contains(number); }
+    /// Pass from which on shanks and holders are left to the rays, since so many were searched before.
+    [[nodiscard]] std::optional<std::uint32_t> rays_from() const { return rays_from_; }
 
 private:
     struct Part {
@@ -53,6 +56,7 @@ private:
         geom::PathElement path;
         geom::Vec3 axis;  ///< unit length
         const Part* part = nullptr;
+        bool body = false;  ///< a shank or holder
     };
     struct Verdict {
         bool decided = true;
@@ -62,6 +66,7 @@ private:
         double low = 0, high = 0;
     };
     struct Group;
+    [[nodiscard]] bool is_worth_search(const Queued& q);
     [[nodiscard]] Part made(const sim::milling::Shape& shape) const;
     [[nodiscard]] sim::milling::Box3 box_of(std::size_t first, std::size_t end) const;
     [[nodiscard]] bool clear_together(Group& g, std::size_t first, std::size_t end) const;
@@ -81,7 +86,8 @@ private:
     std::vector<Queued> queued_;
     std::map<std::uint32_t, Hit> hits_;
     std::set<std::uint32_t> undecided_;
-    std::size_t refined_ = 0;
+    std::size_t refined_ = 0, searched_ = 0;
+    std::optional<std::uint32_t> rays_from_;
 };
 
 }  // namespace obrys::check
