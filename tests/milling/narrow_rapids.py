@@ -5,16 +5,16 @@ clip an upright edge of it, at random places; and the same beside the stock, whi
 usage: narrow_rapids.py OBRYS [--count 100] [--seed 1] [--tolerance 0.01] [--keep FOLDER]
 """
 import argparse
-import json
 import math
-import pathlib
 import random as randoms
-import subprocess
 import sys
-import tempfile
 
-TOOLS = {1: 'kind = "countersink"\ndiameter = 8.0\npoint_angle = 90.0', 2: 'kind = "drill"\ndiameter = 6.0', 3: 'kind = "end-mill"\ndiameter = 10.0',
-         4: 'kind = "end-mill"\ndiameter = 20.0'}
+import jobs
+
+TOOLS = [(1, {"kind": "countersink", "diameter": 8.0, "point_angle": 90.0, "length": 90.0}),
+         (2, {"kind": "drill", "diameter": 6.0, "length": 90.0}),
+         (3, {"kind": "end-mill", "diameter": 10.0, "length": 90.0}),
+         (4, {"kind": "end-mill", "diameter": 20.0, "length": 90.0})]
 
 
 def case_of(random):
@@ -61,19 +61,12 @@ def main():
     failed = 0
     for number in range(options.first, options.first + options.count):
         lines, depth, what = case_of(randoms.Random(f"{options.seed}.{number}"))
-        with tempfile.TemporaryDirectory() as scratch:
-            folder = pathlib.Path(options.keep or scratch)
-            (folder / "p.ngc").write_text("\n".join(["G21 G90 G17 G40 G80 G94", *lines, "M2"]) + "\n")
-            job = 'program = "p.ngc"\ncontrol = "linuxcnc"\nmachine = "mill-generic"\n'
-            for n, keys in TOOLS.items():
-                job += f"[[tool]]\nnumber = {n}\n{keys}\nlength = 90.0\n"
-            job += "[stock]\nbox = { min = [0, 0, -20], max = [60, 40, 0] }\n"
-            (folder / "p.job.toml").write_text(job + f'[check]\nscope = "collisions"\ntolerance = {options.tolerance}\n')
-            done = subprocess.run([options.obrys, "check", "--format", "json", str(folder / "p.job.toml")], capture_output=True,
-                                  text=True, timeout=300)
-        found = [f["depth_mm"] for f in json.loads(done.stdout)["findings"] if f["code"] == "rapid-in-stock"]
-        most = max(found, default=0.0)
-        wrong = most > 0 if depth == 0 else abs(most - depth) > max(options.tolerance, 0.1 * depth) or most == 0
+        with jobs.folder_of(options.keep) as folder:
+            jobs.write(folder, ["G21 G90 G17 G40 G80 G94", *lines, "M2"], TOOLS, ((0, 0, -20), (60, 40, 0)),
+                       check={"scope": "collisions", "tolerance": options.tolerance})
+            result = jobs.check(options.obrys, folder)
+        most = max(jobs.depths(result, "rapid-in-stock"), default=0.0 if result["verdict"] != "none" else math.nan)
+        wrong = most != 0 if depth == 0 else not abs(most - depth) <= max(options.tolerance, 0.1 * depth) or most == 0
         if wrong:
             failed += 1
             print(f"{number}: {most} for {depth}: {what}", flush=True)

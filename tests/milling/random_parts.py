@@ -8,14 +8,11 @@ the parts are a quarter of the size; --scale says another. What is found of a fa
 codes, their amounts within the tolerance or a fifth, and the line.
 """
 import argparse
-import json
-import pathlib
 import random as randoms
-import subprocess
 import sys
-import tempfile
 
 import cases
+import jobs
 import stl_parts
 
 FINDINGS = ("gouge", "rest-material")
@@ -24,26 +21,10 @@ FINDINGS = ("gouge", "rest-material")
 def write_job(folder, case, tolerance, scale):
     triangles = (stl_parts.cone_end(case.centre, case.rings, case.tip) if case.tip is not None
                  else stl_parts.build(case.centre, case.rings, case.through))
-    stl_parts.write(folder / "part.stl", [tuple(tuple(v * scale for v in p) for p in t) for t in triangles])
     case.scaled(scale)
-    (folder / "part.ngc").write_text("\n".join(t for t, _ in case.lines) + "\nM2\n")
-    box = case.box
-    text = ['program = "part.ngc"', 'control = "linuxcnc"', 'machine = "mill-generic"']
-    for number, keys in case.tools:
-        text += ["[[tool]]", f"number = {number}"]
-        for key, value in keys.items():
-            text.append(f"{key} = " + (f'"{value}"' if isinstance(value, str) else str(value).lower()))
-    text += ["[stock]", f"box = {{ min = [{box[0]}, {box[1]}, {box[2]}], max = [{box[3]}, {box[4]}, {box[5]}] }}",
-             "[part]", 'file = "part.stl"', "[check]", f"tolerance = {tolerance}", f"gouge = {tolerance}", f"rest_material = {tolerance}"]
-    (folder / "part.job.toml").write_text("\n".join(text) + "\n")
-
-
-def check(obrys, folder):
-    done = subprocess.run([obrys, "check", "--format", "json", str(folder / "part.job.toml")], capture_output=True, text=True, timeout=600)
-    try:
-        return json.loads(done.stdout)
-    except ValueError:
-        return {"verdict": "none", "findings": [], "unchecked": [{"message": done.stderr[-300:]}]}
+    jobs.write(folder, [*(t for t, _ in case.lines), "M2"], case.tools, (case.box[:3], case.box[3:]),
+               [tuple(tuple(v * scale for v in p) for p in t) for t in triangles],
+               check={"tolerance": tolerance, "gouge": tolerance, "rest_material": tolerance})
 
 
 def summary(result):
@@ -81,11 +62,10 @@ def run(options, tolerance, number):
     size = options.amount if tolerance < 0.02 else 3 * tolerance
     scale = options.scale or (0.25 if tolerance < 0.005 else 1.0)
     complaints = []
-    with tempfile.TemporaryDirectory() as scratch:
-        folder = pathlib.Path(options.keep or scratch)
+    with jobs.folder_of(options.keep) as folder:
         case = maker(randoms.Random(seed), tolerance / 20 / scale, None, 0.0)
         write_job(folder, case, tolerance, scale)
-        result = check(options.obrys, folder)
+        result = jobs.check(options.obrys, folder)
         if result["verdict"] != "clean":
             complaints.append(f"{tolerance} {number} {kind} correct: {summary(result)}")
         fault = random.choice(faults)
@@ -95,7 +75,7 @@ def run(options, tolerance, number):
             case = maker(randoms.Random(seed), tolerance / 20 / scale, "floor", amount / scale)
             fault = "floor"
         write_job(folder, case, tolerance, scale)
-        result = check(options.obrys, folder)
+        result = jobs.check(options.obrys, folder)
         wrong = judge_fault(case, result, tolerance)
         if wrong:
             complaints.append(f"{tolerance} {number} {kind} {fault} {amount}: {wrong}; {summary(result)}")

@@ -7,13 +7,11 @@ not below b, pitch asin(b / r) / (2 pi b) > tan(30 degrees); on a narrower one t
 usage: random_ramps.py OBRYS [--count 200] [--seed 1] [--keep FOLDER]
 """
 import argparse
-import json
 import math
-import pathlib
 import random as randoms
-import subprocess
 import sys
-import tempfile
+
+import jobs
 
 STEEPEST = math.tan(math.radians(30))
 
@@ -99,14 +97,10 @@ def write(folder, lines, keys):
     if hole:
         text += ["T2 M6", "G0 G43 H2 Z30", "M3 S1000", "G0 X40 Y30", "G0 Z2", "G1 Z-70", "G0 Z30"]
     text += ["T1 M6", "G0 G43 H1 Z30", "M3 S3000", *lines, "G0 Z30", "M2"]
-    (folder / "p.ngc").write_text("\n".join(text) + "\n")
-    job = ['program = "p.ngc"', 'control = "linuxcnc"', 'machine = "mill-generic"', "[[tool]]", "number = 1"]
-    say = lambda v: f'"{v}"' if isinstance(v, str) else str(v).lower()
-    job += [f"{k} = {say(v)}" for k, v in keys.items()]
+    tools = [(1, keys)]
     if hole:
-        job += ["[[tool]]", "number = 2", 'kind = "end-mill"', f"diameter = {hole}", "length = 120.0", "cutting_length = 100.0"]
-    job += ["[stock]", "box = { min = [0, 0, -80], max = [110, 60, 0] }", "[check]", 'scope = "collisions"', "tolerance = 0.02"]
-    (folder / "p.job.toml").write_text("\n".join(job) + "\n")
+        tools.append((2, {"kind": "end-mill", "diameter": hole, "length": 120.0, "cutting_length": 100.0}))
+    jobs.write(folder, text, tools, ((0, 0, -80), (110, 60, 0)), check={"scope": "collisions", "tolerance": 0.02})
 
 
 def main():
@@ -120,15 +114,12 @@ def main():
     failed = 0
     for number in range(options.first, options.first + options.count):
         lines, keys, expected, what = case_of(randoms.Random(f"{options.seed}.{number}"))
-        with tempfile.TemporaryDirectory() as scratch:
-            folder = pathlib.Path(options.keep or scratch)
+        with jobs.folder_of(options.keep) as folder:
             write(folder, lines, keys)
-            done = subprocess.run([options.obrys, "check", "--format", "json", str(folder / "p.job.toml")], capture_output=True,
-                                  text=True, timeout=300)
-        try:
-            found = any(f["code"] == "plunging-cut" for f in json.loads(done.stdout)["findings"])
-        except ValueError:
-            found = done.stderr[-200:]
+            result = jobs.check(options.obrys, folder)
+        found = any(f["code"] == "plunging-cut" for f in result["findings"])
+        if result["verdict"] == "none":
+            found = result["unchecked"][0]["message"]
         if found != expected:
             failed += 1
             print(f"{number}: {found} where {expected} is right: {keys['kind']}, {what}", flush=True)

@@ -5,13 +5,11 @@ with flat, round and pointed tools; and rapids that pass a thousandth of a milli
 usage: random_rapids.py OBRYS [--count 100] [--seed 1] [--keep FOLDER]
 """
 import argparse
-import json
 import math
-import pathlib
 import random as randoms
-import subprocess
 import sys
-import tempfile
+
+import jobs
 
 SAFE = 40.0
 
@@ -65,11 +63,7 @@ def case_of(random):
 
 def write(folder, lines, tool):
     text = ["G21 G90 G17 G40 G80 G94", "T1 M6", f"G0 G43 H1 Z{SAFE}", "M3 S3000 F800", *lines, "M2"]
-    (folder / "p.ngc").write_text("\n".join(text) + "\n")
-    job = ['program = "p.ngc"', 'control = "linuxcnc"', 'machine = "mill-generic"', "[[tool]]", "number = 1"]
-    job += [f"{k} = " + (f'"{v}"' if isinstance(v, str) else str(v)) for k, v in tool.items()]
-    job += ["[stock]", "box = { min = [0, 0, -40], max = [60, 40, 0] }", "[check]", 'scope = "collisions"', "tolerance = 0.01"]
-    (folder / "p.job.toml").write_text("\n".join(job) + "\n")
+    jobs.write(folder, text, [(1, tool)], ((0, 0, -40), (60, 40, 0)), check={"scope": "collisions", "tolerance": 0.01})
 
 
 def main():
@@ -82,14 +76,11 @@ def main():
     failed = 0
     for number in range(options.count):
         lines, tool, depth = case_of(randoms.Random(f"{options.seed}.{number}"))
-        with tempfile.TemporaryDirectory() as scratch:
-            folder = pathlib.Path(options.keep or scratch)
+        with jobs.folder_of(options.keep) as folder:
             write(folder, lines, tool)
-            done = subprocess.run([options.obrys, "check", "--format", "json", str(folder / "p.job.toml")], capture_output=True,
-                                  text=True, timeout=300)
-        found = [f["depth_mm"] for f in json.loads(done.stdout)["findings"] if f["code"] == "rapid-in-stock"]
-        most = max(found, default=0.0)
-        if abs(most - depth) > max(0.002, 0.002 * depth):
+            result = jobs.check(options.obrys, folder)
+        most = max(jobs.depths(result, "rapid-in-stock"), default=0.0 if result["verdict"] != "none" else math.nan)
+        if not abs(most - depth) <= max(0.002, 0.002 * depth):
             failed += 1
             print(f"{number}: {most} for {depth}: {tool} {lines[-3:]}", flush=True)
     print(f"{options.count} rapids, {failed} not as deep as they are")

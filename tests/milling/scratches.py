@@ -5,23 +5,13 @@ the tolerance, as one finding of the block that made it; each that is not as dee
 usage: scratches.py OBRYS [--count 40] [--seed 1] [--tolerances 0.05,0.01,0.002]
 """
 import argparse
-import json
 import math
-import pathlib
 import random as randoms
-import subprocess
 import sys
-import tempfile
 
-import stl_parts
+import jobs
 
 LENGTH, WIDTH, FACE = 60, 40, -1.0
-
-
-def box(lo, hi):
-    corners = [(x, y, z) for z in (lo[2], hi[2]) for x, y in ((lo[0], lo[1]), (hi[0], lo[1]), (hi[0], hi[1]), (lo[0], hi[1]))]
-    faces = ((0, 3, 2, 1), (4, 5, 6, 7), (0, 1, 5, 4), (1, 2, 6, 5), (2, 3, 7, 6), (3, 0, 4, 7))
-    return [tuple(corners[i] for i in t) for a, b, c, d in faces for t in ((a, b, c), (a, c, d))]
 
 
 def facing():
@@ -33,15 +23,10 @@ def facing():
 
 
 def write_job(folder, tool, lines, tolerance):
-    stl_parts.write(folder / "part.stl", box((0, 0, -20), (LENGTH, WIDTH, FACE)))
     program = ["G21 G90 G17 G40 G94", "F800", *facing(), "T2 M6", "G0 G43 H2 Z30", "M3 S3000", *lines, "G0 Z30", "M2"]
-    (folder / "part.ngc").write_text("\n".join(program) + "\n")
-    (folder / "part.job.toml").write_text("\n".join([
-        'program = "part.ngc"', 'control = "linuxcnc"', 'machine = "mill-generic"',
-        "[[tool]]", "number = 1", 'kind = "end-mill"', "diameter = 10.0", "length = 90.0",
-        "[[tool]]", "number = 2", "length = 90.0", *tool,
-        "[stock]", f"box = {{ min = [0.0, 0.0, -20.0], max = [{LENGTH}.0, {WIDTH}.0, 0.0] }}",
-        "[part]", 'file = "part.stl"', "[check]", f"tolerance = {tolerance}"]) + "\n")
+    tools = [(1, {"kind": "end-mill", "diameter": 10.0, "length": 90.0}), (2, tool)]
+    jobs.write(folder, program, tools, ((0, 0, -20), (LENGTH, WIDTH, 0)), jobs.box((0, 0, -20), (LENGTH, WIDTH, FACE)),
+               check={"tolerance": tolerance})
     return [n + 1 for n, text in enumerate(program) if text in lines]
 
 
@@ -51,24 +36,24 @@ def scratch(random, tolerance):
     x, y, way, length = random.uniform(5, 55), random.uniform(5, 35), random.uniform(0, 2 * math.pi), random.uniform(0.2, 12)
     to = min(max(x + length * math.cos(way), 3), 57), min(max(y + length * math.sin(way), 3), 37)
     angle = random.choice([30, 60, 90])
-    tool = ['kind = "chamfer"', "diameter = 10.0", "tip_diameter = 0.0", f"point_angle = {angle}"]
+    tool = {"kind": "chamfer", "diameter": 10.0, "length": 90.0, "tip_diameter": 0.0, "point_angle": angle}
     lines = [f"G0 X{x:.4f} Y{y:.4f}", "G0 Z0", f"G1 Z{FACE - deep:.6f} F200", f"G1 X{to[0]:.4f} Y{to[1]:.4f} F800"]
     return tool, lines, deep
 
 
 def judge(obrys, random, tolerance):
     tool, lines, deep = scratch(random, tolerance)
-    with tempfile.TemporaryDirectory() as name:
-        folder = pathlib.Path(name)
+    with jobs.folder_of(None) as folder:
         guilty = write_job(folder, tool, lines, tolerance)
-        done = subprocess.run([obrys, "check", "--format", "json", str(folder / "part.job.toml")], capture_output=True, text=True)
-    result = json.loads(done.stdout)
+        result = jobs.check(obrys, folder)
     found = result["findings"]
+    if result["verdict"] == "none" or result["unchecked"]:
+        return f"not checked: {result['unchecked'][0]['message']}"
     if deep <= tolerance:
         return f"false alarm at {deep}: {found[0]['message']}" if found else ""
     gouges = [f for f in found if f["code"] == "gouge"]
     if not gouges:
-        return f"missed: {deep} deep with {tool[-1]}"
+        return f"missed: {deep} deep with a point of {tool['point_angle']} degrees"
     if len(found) > 1:
         return f"{len(found)} findings of one scratch {deep} deep"
     if abs(gouges[0]["depth_mm"] - deep) > tolerance / 10:
