@@ -5,15 +5,14 @@
 #include "base/codes.hpp"
 #include "base/number.hpp"
 #include "base/text.hpp"
+#include "driver/choose.hpp"
 #include "driver/contours.hpp"
 #include "driver/first_tool.hpp"
-#include "driver/machine_guess.hpp"
 #include "driver/not_run.hpp"
 #include "driver/overrides.hpp"
-#include "shop/fusion_tools.hpp"
+#include "driver/tool_files.hpp"
 #include "shop/linuxcnc_ini.hpp"
 #include "shop/linuxcnc_parameters.hpp"
-#include "shop/linuxcnc_table.hpp"
 
 namespace obrys::driver {
 
@@ -23,10 +22,6 @@ namespace {
 
 void complain(Session& s, std::string_view code, const base::Span& where, std::string text, std::string remedy = {}) {
     s.diagnostics.add({base::Severity::error, code, where, std::move(text), std::move(remedy), {}, {}});
-}
-
-void assume(Session& s, std::string text, std::string remedy = {}) {
-    s.diagnostics.add({base::Severity::note, codes::assumption, nowhere, std::move(text), std::move(remedy), {}, {}});
 }
 
 bool is_job(const fs::path& path) { return base::equals_ignoring_case(path.extension().string(), ".toml"); }
@@ -47,19 +42,6 @@ std::string program_beside(const fs::path& job) {
             found.push_back(e.path().filename().string());
     }
     return found.size() == 1 ? found.front() : std::string{};
-}
-
-std::string control_names() {
-    std::string list;
-    for (const Control& c : all_controls()) list += (list.empty() ? "" : ", ") + std::string(c.name);
-    return list;
-}
-
-bool known_control(Session& s, const std::string& name, const base::Span& where) {
-    if (name.empty() || find_control(name) != nullptr) return true;
-    complain(s, codes::job_value, where, "there is no control \"" + name + "\"",
-             "controls that can be read: " + control_names());
-    return false;
 }
 
 /// R3=150 of the command line.
@@ -90,45 +72,6 @@ bool load_machine(Session& s, const fs::path& base_path, const std::string& name
     return true;
 }
 
-/// A tool list (.toml), a HEIDENHAIN (.t) or LinuxCNC (.tbl) tool table, a Fusion tool library (.json, or what begins
-/// like JSON), or SINUMERIK tool data (any other ending).
-std::vector<shop::Tool> read_tool_file(const fs::path& path, std::uint32_t file, Session& s) {
-    if (is_job(path)) return shop::read_tools(file, s.sources, s.diagnostics);
-    if (base::equals_ignoring_case(path.extension().string(), ".tbl"))
-        return shop::read_tbl(file, s.sources, s.machine_unit, s.diagnostics);
-    if (base::equals_ignoring_case(path.extension().string(), ".t"))
-        return shop::read_tool_t(file, s.sources, s.diagnostics);
-    const std::string_view text = base::trim(s.sources[file].text);
-    if (base::equals_ignoring_case(path.extension().string(), ".json") || text.starts_with('{'))
-        return shop::read_fusion_tools(file, s.sources, s.diagnostics);
-    return shop::read_toa(file, s.sources, s.diagnostics);
-}
-
-void load_tool_file(Session& s, const fs::path& path, const base::Span& where) {
-    const auto file = load(path, s.sources, s.diagnostics, where);
-    if (file) s.job.tools = shop::merge_tools(std::move(s.job.tools), read_tool_file(path, *file, s));
-}
-
-/// Canonical calls are compared with those of the control's stand-alone interpreter, which knows some tools.
-void take_example_tools(Session& s) {
-    const std::string_view table = find_control(s.control)->interpreter_tools;
-    if (table.empty()) return;
-    s.job.tools =
-        shop::read_tbl(s.sources.add("tool.tbl", std::string(table)), s.sources, s.machine_unit, s.diagnostics);
-    if (selects_tool(*s.main))
-        assume(s, "no tools are given: those of LinuxCNC's stand-alone interpreter are taken (T1, T2, T3, T99999)",
-               "give the tool table with --tools");
-}
-
-void load_tools(Session& s, const Request& request, const fs::path& base_path) {
-    for (const shop::NamedFile& f : s.job.tool_files) load_tool_file(s, beside(base_path, f.path), f.where);
-    for (const std::string& name : request.tools) load_tool_file(s, name, nowhere);
-    if (s.canon && s.job.tools.empty()) take_example_tools(s);
-    for (const shop::Tool& t : s.job.tools)
-        if (!t.assumed.empty())
-            s.diagnostics.add({base::Severity::note, codes::assumption, t.where, t.assumed, {}, {}, {}});
-}
-
 /// The machine that the call or the job names; false where it cannot be read. `named`: there is one.
 bool load_named_machine(Session& s, const Request& request, const fs::path& job_path, bool& named) {
     const std::string name = !request.machine.empty() ? request.machine
@@ -136,80 +79,6 @@ bool load_named_machine(Session& s, const Request& request, const fs::path& job_
                                                       : std::string{};
     named = !name.empty() || (s.has_job && !s.job.machine_name.empty());
     return name.empty() || load_machine(s, request.machine.empty() ? job_path : fs::path{}, name);
-}
-
-/// Where none is named, one for what the program is.
-void choose_machine(Session& s, const Request& request) {
-    const MachineGuess guess = guess_machine(*s.main);
-    const bool lathe_job = s.job.machine.kind == shop::MachineKind::lathe;
-    const bool told = s.has_job && (lathe_job || s.job.solid_stock || s.job.solid_part);
-    const bool turning = told ? lathe_job : guess.turning;
-    const std::string generic = turning ? "lathe-generic" : "mill-generic";
-    shop::use_machine(s.job, *shop::shipped_machine(generic));
-    s.job.machine.more_axes = true;
-    const bool diameters = turning && !s.main->traits->radius_at_start, words = s.main->traits->has_diameter_words;
-    const bool reasons = !told && (turning || !guess.against.empty());
-    const std::string for_it = reasons && !guess.signs.empty() ? " for " + guess.signs : "";
-    const std::string against = reasons && !guess.against.empty() ? " in spite of " + guess.against : "";
-    assume(s,
-           "no machine is named: " + generic + " is taken" + for_it + against +
-               (diameters ? ", X words are diameters" + std::string(words ? " until DIAMOF" : "") : ""),
-           "name one with --machine or in the job");
-    const bool told_x = request.diameter || s.job.defaults.diameter_programming;
-    if (told || told_x || guess.doubtful == base::Span{}) return;
-    s.diagnostics.add({base::Severity::warning,
-                       codes::unknown_value,
-                       guess.doubtful,
-                       "whether X is a diameter or not depends on the machine, and the program does not say which it "
-                       "is for: X words are taken as " +
-                           std::string(diameters ? "diameters" : "they stand"),
-                       std::string("name the machine with --machine or in a job") +
-                           (words ? ", or write DIAMON or DIAMOF before the first X" : ""),
-                       {},
-                       {}});
-}
-
-std::string read_as(const Guess& guess) {
-    std::string text = "read as " + std::string(guess.control->name);
-    for (std::size_t i = 0; i < guess.signs.size() && i < 4; ++i) text += (i == 0 ? ": " : ", ") + guess.signs[i];
-    if (guess.next != nullptr && guess.next_likelihood > 0) text += "; next likely: " + std::string(guess.next->name);
-    return text;
-}
-
-/// What speaks for the control that is taken, and what would be different with another one.
-void say_guess(Session& s, const Guess& guess, const base::Span& where, int certain) {
-    const std::string remedy = "name the control with --control or in the job", name(guess.control->name);
-    const auto doubt = [&](std::string text) {
-        s.diagnostics.add({base::Severity::warning, codes::unknown_value, where, std::move(text), remedy, {}, {}});
-    };
-    if (!guess.foreign.empty())
-        doubt("this looks like a program of " + guess.foreign + ", which obrys does not read: it is " + read_as(guess));
-    else if (guess.likelihood < certain)
-        doubt("nothing in this text says for which control it is: it is " + read_as(guess));
-    else if (!guess.difference.empty())
-        doubt("this text does not say for certain for which control it is: it is " + read_as(guess) + "; " +
-              guess.difference);
-    else if (!guess.by_suffix)
-        assume(s, "no control is named: " + read_as(guess), remedy);
-}
-
-/// The control that the call or the job names; else what the text looks like.
-const Control* choose_control(Session& s, const Request& request, std::uint32_t file) {
-    constexpr int foreign = 3,
-                  certain = 30;  // of 100: corpus programs of other controls reach 29, own ones 53 and more
-    s.control = !request.control.empty() ? request.control : s.job.control;
-    if (!s.control.empty()) return find_control(s.control);
-    const base::Source& source = s.sources[file];
-    const Guess guess = guess_control(source.text, source.name);
-    s.control = guess.control->name;
-    const base::Span where{file, 0, 0};
-    if (guess.likelihood < foreign) {
-        complain(s, codes::job_value, where, "this looks like a program for another control than can be read",
-                 "controls that can be read: " + control_names() + "; --control NAME reads it all the same");
-        return nullptr;
-    }
-    say_guess(s, guess, where, certain);
-    return guess.control;
 }
 
 /// Tables and forms lie where called programs do, or where the job says.

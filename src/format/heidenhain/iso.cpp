@@ -191,14 +191,8 @@ private:
 
 }  // namespace
 
-/// As of Klartext: where something stays as it is, no block gets a number that had none.
 Formatted formatted_iso(std::string_view text, const Options& options) {
-    Iso program(text, options);
-    Formatted f = program.run();
-    if (f.left.empty() || program.numbered()) return f;
-    Iso again(text, options);
-    again.keep_numbers();
-    return again.run();
+    return without_new_numbers<Iso>(text, options);
 }
 
 }  // namespace obrys::format::heidenhain

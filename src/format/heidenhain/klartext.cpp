@@ -219,15 +219,8 @@ private:
 
 }  // namespace
 
-/// Numbers in a text that had none would make lines that stay as they are, and so get none, parts of the cycle before
-/// them: where something stays, no block gets one.
 Formatted formatted_klartext(std::string_view text, const Options& options) {
-    Klartext program(text, options);
-    Formatted f = program.run();
-    if (f.left.empty() || program.numbered()) return f;
-    Klartext again(text, options);
-    again.keep_numbers();
-    return again.run();
+    return without_new_numbers<Klartext>(text, options);
 }
 
 }  // namespace obrys::format::heidenhain

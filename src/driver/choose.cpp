@@ -1,0 +1,107 @@
+#include "driver/choose.hpp"
+
+#include "base/codes.hpp"
+#include "driver/machine_guess.hpp"
+
+namespace obrys::driver {
+
+namespace codes = base::codes;
+
+namespace {
+
+void complain(Session& s, std::string_view code, const base::Span& where, std::string text, std::string remedy = {}) {
+    s.diagnostics.add({base::Severity::error, code, where, std::move(text), std::move(remedy), {}, {}});
+}
+
+void assume(Session& s, std::string text, std::string remedy = {}) {
+    s.diagnostics.add({base::Severity::note, codes::assumption, nowhere, std::move(text), std::move(remedy), {}, {}});
+}
+
+std::string control_names() {
+    std::string list;
+    for (const Control& c : all_controls()) list += (list.empty() ? "" : ", ") + std::string(c.name);
+    return list;
+}
+
+std::string read_as(const Guess& guess) {
+    std::string text = "read as " + std::string(guess.control->name);
+    for (std::size_t i = 0; i < guess.signs.size() && i < 4; ++i) text += (i == 0 ? ": " : ", ") + guess.signs[i];
+    if (guess.next != nullptr && guess.next_likelihood > 0) text += "; next likely: " + std::string(guess.next->name);
+    return text;
+}
+
+/// What speaks for the control that is taken, and what would be different with another one.
+void say_guess(Session& s, const Guess& guess, const base::Span& where, int certain) {
+    const std::string remedy = "name the control with --control or in the job", name(guess.control->name);
+    const auto doubt = [&](std::string text) {
+        s.diagnostics.add({base::Severity::warning, codes::unknown_value, where, std::move(text), remedy, {}, {}});
+    };
+    if (!guess.foreign.empty())
+        doubt("this looks like a program of " + guess.foreign + ", which obrys does not read: it is " + read_as(guess));
+    else if (guess.likelihood < certain)
+        doubt("nothing in this text says for which control it is: it is " + read_as(guess));
+    else if (!guess.difference.empty())
+        doubt("this text does not say for certain for which control it is: it is " + read_as(guess) + "; " +
+              guess.difference);
+    else if (!guess.by_suffix)
+        assume(s, "no control is named: " + read_as(guess), remedy);
+}
+
+}  // namespace
+
+bool known_control(Session& s, const std::string& name, const base::Span& where) {
+    if (name.empty() || find_control(name) != nullptr) return true;
+    complain(s, codes::job_value, where, "there is no control \"" + name + "\"",
+             "controls that can be read: " + control_names());
+    return false;
+}
+
+const Control* choose_control(Session& s, const Request& request, std::uint32_t file) {
+    constexpr int foreign = 3,
+                  certain = 30;  // of 100: corpus programs of other controls reach 29, own ones 53 and more
+    s.control = !request.control.empty() ? request.control : s.job.control;
+    if (!s.control.empty()) return find_control(s.control);
+    const base::Source& source = s.sources[file];
+    const Guess guess = guess_control(source.text, source.name);
+    s.control = guess.control->name;
+    const base::Span where{file, 0, 0};
+    if (guess.likelihood < foreign) {
+        complain(s, codes::job_value, where, "this looks like a program for another control than can be read",
+                 "controls that can be read: " + control_names() + "; --control NAME reads it all the same");
+        return nullptr;
+    }
+    say_guess(s, guess, where, certain);
+    return guess.control;
+}
+
+void choose_machine(Session& s, const Request& request) {
+    const MachineGuess guess = guess_machine(*s.main);
+    const bool lathe_job = s.job.machine.kind == shop::MachineKind::lathe;
+    const bool told = s.has_job && (lathe_job || s.job.solid_stock || s.job.solid_part);
+    const bool turning = told ? lathe_job : guess.turning;
+    const std::string generic = turning ? "lathe-generic" : "mill-generic";
+    shop::use_machine(s.job, *shop::shipped_machine(generic));
+    s.job.machine.more_axes = true;
+    const bool diameters = turning && !s.main->traits->radius_at_start, words = s.main->traits->has_diameter_words;
+    const bool reasons = !told && (turning || !guess.against.empty());
+    const std::string for_it = reasons && !guess.signs.empty() ? " for " + guess.signs : "";
+    const std::string against = reasons && !guess.against.empty() ? " in spite of " + guess.against : "";
+    assume(s,
+           "no machine is named: " + generic + " is taken" + for_it + against +
+               (diameters ? ", X words are diameters" + std::string(words ? " until DIAMOF" : "") : ""),
+           "name one with --machine or in the job");
+    const bool told_x = request.diameter || s.job.defaults.diameter_programming;
+    if (told || told_x || guess.doubtful == base::Span{}) return;
+    s.diagnostics.add({base::Severity::warning,
+                       codes::unknown_value,
+                       guess.doubtful,
+                       "whether X is a diameter or not depends on the machine, and the program does not say which it "
+                       "is for: X words are taken as " +
+                           std::string(diameters ? "diameters" : "they stand"),
+                       std::string("name the machine with --machine or in a job") +
+                           (words ? ", or write DIAMON or DIAMOF before the first X" : ""),
+                       {},
+                       {}});
+}
+
+}  // namespace obrys::driver
