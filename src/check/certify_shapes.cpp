@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "mesh/distance.hpp"
 #include "mesh/primitives.hpp"
 
 namespace obrys::check {
@@ -56,6 +57,24 @@ mesh::Mesh mesh_of(const milling::Stock& body, double off) {
     mesh::Mesh mesh{m.vertices, {m.triangles.begin(), m.triangles.end()}, {}};
     if (mesh::volume(mesh) < 0) mesh::turn_over(mesh);
     return mesh;
+}
+
+std::function<double(Vec3)> depth_in(const milling::Stock& stock) {
+    if (const auto* b = std::get_if<milling::Box3>(&stock))
+        return [box = *b](Vec3 p) {
+            const Vec3 low = p - box.min, high = box.max - p;
+            return std::min({low.x, low.y, low.z, high.x, high.y, high.z});
+        };
+    if (const auto* c = std::get_if<milling::CylinderStock>(&stock))
+        return [bar = *c](Vec3 p) {
+            const Vec3 off = p - bar.centre;
+            const double along = milling::component(off, bar.axis);
+            const double out = std::sqrt(std::max(0.0, dot(off, off) - along * along));
+            return std::min({bar.radius - out, along, bar.length - along});
+        };
+    return [distance = std::make_shared<const mesh::Distance>(mesh_of(stock, 0))](Vec3 p) {
+        return -distance->signed_distance(p);
+    };
 }
 
 }  // namespace obrys::check

@@ -6,6 +6,7 @@
 #include <tbb/task_arena.h>
 
 #include <cstddef>
+#include <functional>
 
 #include "mesh/mesh.hpp"
 #include "sim/certify/body.hpp"
@@ -19,14 +20,18 @@ namespace obrys::check {
 /// A body as a mesh whose outside is outside; round ones within `off` mm.
 [[nodiscard]] mesh::Mesh mesh_of(const sim::milling::Stock& body, double off);
 
+/// How deep a place lies in a stock; negative beside it.
+[[nodiscard]] std::function<double(geom::Vec3)> depth_in(const sim::milling::Stock& stock);
+
 /// Calls `body(i)` for 0 … n - 1, on so many threads; 0: as many as there are processors.
 template <class Body>
-void for_all(std::size_t n, int threads, Body&& body) {
+void for_all(std::size_t n, int threads, Body&& body, std::size_t grain = 16) {
     tbb::task_arena arena(threads > 0 ? threads : tbb::task_arena::automatic);
     arena.execute([&] {
-        tbb::parallel_for(tbb::blocked_range<std::size_t>(0, n, 16), [&](const tbb::blocked_range<std::size_t>& some) {
-            for (std::size_t i = some.begin(); i < some.end(); ++i) body(i);
-        });
+        tbb::parallel_for(tbb::blocked_range<std::size_t>(0, n, grain),
+                          [&](const tbb::blocked_range<std::size_t>& some) {
+                              for (std::size_t i = some.begin(); i < some.end(); ++i) body(i);
+                          });
     });
 }
 

@@ -59,6 +59,8 @@ struct Setup {
     shop::Scope scope = shop::Scope::all;
     /// Told from time to time how many moves are simulated; may be empty.
     std::function<void(std::uint64_t moves)> progress;
+    /// Whether the check is to come to its end with what it has; asked now and then, from any thread; may be empty.
+    std::function<bool()> out_of_time;
     std::size_t keep_moves = 0;            ///< how many moves Result::moves keeps, for pictures
     std::size_t findings_per_code = 1000;  ///< the others are counted only
 };

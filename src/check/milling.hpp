@@ -10,16 +10,21 @@
 #include <utility>
 #include <vector>
 
+#include "check/body_guard.hpp"
 #include "check/check.hpp"
-#include "check/clamp_guard.hpp"
 #include "check/collect.hpp"
 #include "check/milling_certify.hpp"
 #include "check/milling_core.hpp"
-#include "check/milling_rapids.hpp"
 #include "check/open_way.hpp"
 #include "check/stand.hpp"
+#include "check/stock_guard.hpp"
 #include "check/thread_band.hpp"
+#include "check/time_up.hpp"
 #include "sim/milling/simulation.hpp"
+
+namespace obrys::sim::milling {
+struct Refined;
+}
 
 namespace obrys::check {
 
@@ -35,6 +40,9 @@ struct QueuedPass {
     geom::Vec3 axis;          ///< unit vector
     bool down = false;        ///< straight down along it
 };
+
+/// Straight down along the axis all the way: a full turn of a helix ends below its start, too.
+[[nodiscard]] bool leads_down(const geom::PathElement& e, geom::Vec3 axis);
 
 class Milling {
 public:
@@ -62,7 +70,7 @@ private:
     struct Clamp {
         std::string name;
         sim::milling::Simulation simulation;
-        std::unique_ptr<ClampGuard> guard;
+        std::unique_ptr<BodyGuard> guard;
     };
     void begin();
     /// `left`: bytes that they may take together.
@@ -75,8 +83,6 @@ private:
     void queue_pass(QueuedPass::Kind kind, sim::milling::Part part, bool cut, const geom::PathElement& element);
     void require(sim::milling::Taken taken);
     void queue_clamps(const geom::PathElement& element);
-    [[nodiscard]] std::optional<std::array<double, 3>> needs_of_rapid(geom::Vec3 way) const;
-    [[nodiscard]] std::vector<geom::Vec3> corners_of_rapid(const Move& move) const;
     void queue_rapid(const Move& move, const MilledMove& m, const Stand::View& view,
                      const std::vector<shop::ToolPose>& swing);
     [[nodiscard]] double seconds_of(const Move& move, double way) const;
@@ -95,8 +101,12 @@ private:
     [[nodiscard]] Reach reach_of(const QueuedPass& pass) const;
     [[nodiscard]] Reach ray_reach_of(const QueuedPass& pass) const;
     [[nodiscard]] Reach deepest_reach(std::size_t queued) const;
+    [[nodiscard]] sim::certify::Depth deepest_in_part(std::size_t queued) const;
     void judge(std::size_t queued);
-    void judge_reach(const QueuedPass& pass, const Reach& reach);
+    void say_undecided(std::size_t queued);
+    void say_left_to_rays();
+    void judge_reach(const QueuedPass& pass, const MilledMove& move, Reach reach, const sim::certify::Depth& in_part);
+    void judge_entered_part(const std::vector<MilledMove>& moves);
     void judge_cut(const QueuedPass& pass, MilledMove& move, const sim::milling::Engagement& met);
     void judge_use(const MilledMove& move);
     void judge_tap(const Move& at, const MilledMove& move, const shop::Tool& tool);
@@ -113,6 +123,7 @@ private:
     [[nodiscard]] bool meets_core(const CoreDescent::Steep& steep, geom::Vec3 axis) const;
     void judge_plunge(const QueuedPass& pass, const MilledMove& move, const sim::milling::Engagement& met);
     void keep_thread(const Move& move);
+    void judge_open(const sim::milling::Refined& refined);
     void judge_surface(Milled& milled);
     void judge_place(const Milled& milled, const mesh::Place& place, bool gouge);
     void judge_gouge(const Milled& milled, const Gouge& gouge);
@@ -138,6 +149,12 @@ private:
         double radius = 0;    ///< of the core
         bool leaves = false;  ///< a rapid
     };
+    /// A shank or holder that has entered the finished part, and how deep it is in the stock.
+    struct Entered {
+        QueuedPass pass;
+        Reach stock;
+        sim::certify::Depth part;
+    };
     const Setup& setup_;
     Collector& out_;
     std::optional<sim::milling::Simulation> simulation_;
@@ -147,7 +164,9 @@ private:
     std::vector<geom::Vec3> points_;
     std::size_t moves_with_points_ = 0;
     std::vector<QueuedPass> queued_;
-    std::optional<RapidGuard> rapid_guard_;
+    std::optional<StockGuard> stock_guard_;
+    std::optional<BodyGuard> part_guard_;  ///< for what does not cut, where there is a part to be held to
+    std::vector<Entered> entered_part_;
     std::vector<CorePiece> core_pieces_;
     CoreDescent core_descent_;
     std::uint32_t core_tool_ = 0;   ///< that `core_descent_` was begun for
@@ -167,7 +186,7 @@ private:
     cl::Feed feed_;
     double speed_ = NAN;  ///< 1/min
     std::int8_t spindle_ = 0;
-    bool tool_ready_ = false, complete_ = true, stopped_reported_ = false;
+    bool tool_ready_ = false, complete_ = true, stopped_reported_ = false, left_to_rays_ = false;
     std::optional<geom::Vec3> tap_bottom_;  ///< where a tap has stopped in its thread
     std::optional<geom::Vec3> tap_mouth_;   ///< where it set out into it
     std::int8_t tap_sense_ = 0;             ///< MilledMove::thread of its way in
@@ -176,6 +195,7 @@ private:
     std::pair<std::uint32_t, std::int8_t> turned_wrong_{};  ///< tool and sense of the spindle that were found last
     std::uint64_t start_moves_ = 0;
     Whereabouts whereabouts_;
+    TimeUp time_up_;
 };
 
 }  // namespace obrys::check

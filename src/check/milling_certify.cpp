@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <functional>
 #include <map>
 #include <numeric>
 #include <utility>
@@ -22,25 +21,6 @@ constexpr double chord_share = 0.02;    ///< of what is allowed: chords that sta
 constexpr std::size_t looked_at = 400;  ///< moves whose depth is found to the end
 constexpr double same_depth = 0.1;      ///< of what is allowed: no deeper
 constexpr double similar = 1.2;         ///< times as deep: still the same place
-
-/// How deep a place lies in a stock; negative beside it.
-std::function<double(Vec3)> depth_in(const milling::Stock& stock) {
-    if (const auto* b = std::get_if<milling::Box3>(&stock))
-        return [box = *b](Vec3 p) {
-            const Vec3 low = p - box.min, high = box.max - p;
-            return std::min({low.x, low.y, low.z, high.x, high.y, high.z});
-        };
-    if (const auto* c = std::get_if<milling::CylinderStock>(&stock))
-        return [bar = *c](Vec3 p) {
-            const Vec3 off = p - bar.centre;
-            const double along = milling::component(off, bar.axis);
-            const double out = std::sqrt(std::max(0.0, dot(off, off) - along * along));
-            return std::min({bar.radius - out, along, bar.length - along});
-        };
-    return [distance = std::make_shared<const mesh::Distance>(mesh_of(stock, 0))](Vec3 p) {
-        return -distance->signed_distance(p);
-    };
-}
 
 /// Length of a way as it is seen along a direction.
 double way_beside(const geom::PathElement& path, Vec3 direction) {
@@ -112,11 +92,13 @@ void Certificate::carry_out() {
 }
 
 /// Of very many moves that are too deep only the deepest are looked at to the end.
-std::vector<Certificate::Found> Certificate::depths(const ThreadBands& threads) const {
+std::vector<Certificate::Found> Certificate::depths(const ThreadBands& threads,
+                                                    const std::function<bool()>& stop) const {
     std::vector<Found> found(suspects_.size());
     const bool many = suspects_.size() > looked_at;
     for_all(found.size(), threads_, [&](std::size_t i) {
         found[i].move = suspects_[i].move;
+        if (stop && stop()) return;
         found[i].depth.depth = many ? judge_.rough(move_of(suspects_[i])) : INFINITY;
     });
     std::vector<std::size_t> order(found.size());
@@ -125,6 +107,8 @@ std::vector<Certificate::Found> Certificate::depths(const ThreadBands& threads) 
                      [&](std::size_t a, std::size_t b) { return found[a].depth.depth > found[b].depth.depth; });
     for_all(order.size(), threads_, [&](std::size_t i) {
         Found& f = found[order[i]];
+        if (stop && stop()) f.depth.depth = 0;
+        if (!(f.depth.depth > 0)) return;
         if (i >= looked_at && f.depth.depth > allowed_) return;
         f.depth = judge_.deepest(move_of(suspects_[order[i]]));
         f.beside = way_beside(suspects_[order[i]].path, f.depth.normal);
@@ -278,8 +262,8 @@ std::vector<Gouge> Places::taken() {
 }  // namespace
 
 std::vector<Gouge> Certificate::gouges(const std::vector<MilledMove>& moves, const std::vector<mesh::Place>& rays,
-                                       const ThreadBands& threads) const {
-    const std::vector<Found> found = depths(threads);
+                                       const ThreadBands& threads, const std::function<bool()>& stop) const {
+    const std::vector<Found> found = depths(threads, stop);
     Places places(found, rays, allowed_);
     places.join(moves);
     places.measure();

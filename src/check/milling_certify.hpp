@@ -1,6 +1,7 @@
 #pragma once
 /// Gouges by geometry (sim/certify): every move of the tool against the part, whatever lies between the rays.
 
+#include <functional>
 #include <memory>
 #include <optional>
 #include <string>
@@ -38,9 +39,9 @@ public:
     /// Judges what has been added.
     void carry_out();
     /// All gouges. `rays`: what was found on the simulated surface; those that no move has made are left out, those
-    /// where no move has cut stay.
+    /// where no move has cut stay. What was not measured when it is told to `stop` is left out.
     [[nodiscard]] std::vector<Gouge> gouges(const std::vector<MilledMove>& moves, const std::vector<mesh::Place>& rays,
-                                            const ThreadBands& threads) const;
+                                            const ThreadBands& threads, const std::function<bool()>& stop) const;
 
 private:
     struct Queued {
@@ -49,7 +50,7 @@ private:
         geom::Vec3 axis;
     };
     [[nodiscard]] sim::certify::Move move_of(const Queued& q) const { return {q.path, q.axis, &shapes_[q.tool]}; }
-    [[nodiscard]] std::vector<Found> depths(const ThreadBands& threads) const;
+    [[nodiscard]] std::vector<Found> depths(const ThreadBands& threads, const std::function<bool()>& stop) const;
 
     int threads_ = 0;
     double allowed_ = 0;

@@ -103,7 +103,7 @@ bool is_worse(const mesh::Place& a, const mesh::Place& b) { return std::abs(a.de
 Proof::Outcome outcome_of(mesh::Place& p, const milling::Box3& box, const Machined& m, double allowed, bool gouge,
                           double cells) {
     const milling::Air air = m.simulation.air_in(box);
-    Claim claim{m.part, air, gouge, allowed};
+    Claim claim{m.part, air, gouge, allowed, {}, m.stop};
     if (!m.threads.empty())
         claim.more = [&](geom::Vec3 at, double radius) { return m.threads.more(at, radius, gouge); };
     const Proof proof = decide(claim, box, static_cast<std::size_t>(cells));
@@ -124,6 +124,7 @@ void add_doubtful(std::vector<mesh::Place>& places, std::vector<mesh::Place>& do
     const std::size_t most = std::min(most_doubtful, 1 + most_looks / (1 + m.simulation.sweeps()));
     doubtful.resize(std::min(doubtful.size(), most));
     for (mesh::Place& p : doubtful) {
+        if (m.stop && m.stop()) break;
         const geom::Vec3 around{2 * allowed, 2 * allowed, 2 * allowed};
         const milling::Box3 box{p.extent.lo - around, p.extent.hi + around};
         const double fine = step_in(box, std::min({step.x, step.y, step.z}));
@@ -214,7 +215,7 @@ bool confirm_patches(mesh::Place& p, const std::vector<Patch>& patches, const Ma
     for (const Patch& patch : patches) {
         if (patch.claimed <= std::max(std::abs(best.deviation), open) + as_good * allowed) break;
         const double fine = step_in(patch.box, std::min({step.x, step.y, step.z}));
-        if (budget == 0 || !(fine > 0)) {
+        if (budget == 0 || !(fine > 0) || (m.stop && m.stop())) {
             open = patch.claimed;
             break;
         }
@@ -259,6 +260,10 @@ std::vector<mesh::Box> confirm_places(const mesh::Comparison& found, std::vector
     std::vector<mesh::Box> dropped;
     std::vector<mesh::Place> kept;
     for (mesh::Place& p : places) {
+        if (m.stop && m.stop()) {
+            kept.push_back(std::move(p));
+            continue;
+        }
         const milling::Box3 box{p.extent.lo - step, p.extent.hi + step};
         const double fine = step_in(box, std::min({step.x, step.y, step.z}));
         if (fine > 0) {

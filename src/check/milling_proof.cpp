@@ -51,7 +51,10 @@ public:
             cells_.pop_back();
             if (found() && c.bound <= best_.deviation + near_worst * claim_.allowed) continue;
             if (found() && !refined) cells = std::min(cells, refining), refined = true;
-            if (cells-- == 0) return found() ? best_ : Proof{};
+            constexpr std::size_t some = 64;
+            if (claim_.stop && cells % some == 0 && claim_.stop()) cells = 0;
+            if (cells == 0) return found() ? best_ : Proof{};
+            --cells;
             split(c);
         }
         if (!found() && !left_open_) best_.outcome = Proof::Outcome::absent;

@@ -18,6 +18,7 @@ struct Claim {
     double allowed = 0;  ///< mm
     /// How much more is allowed in a ball about a point, at least (threads). Empty: nothing.
     std::function<double(geom::Vec3 p, double radius)> more = {};
+    std::function<bool()> stop = {};  ///< asked now and then; what is not decided then is open
 };
 
 struct Proof {

@@ -55,7 +55,7 @@ bool beside_in_z(double a, double b, const Box& tool, const Box& stock) {
 
 }  // namespace
 
-Removal::Removal(const Setup& setup, Collector& out) : setup_(setup), out_(out) {
+Removal::Removal(const Setup& setup, Collector& out) : setup_(setup), out_(out), time_up_(setup.out_of_time) {
     if (!setup.stock || setup.stock->empty() || setup.machine.kind != shop::MachineKind::lathe) return;
     work_.emplace(*setup.stock);
     if (setup.part && judges_part(setup.scope)) part_.emplace(*setup.part);
@@ -219,6 +219,9 @@ Removed Removal::take(const Move& move) {
         judge_clamps(move);
         if (misses(move)) {
             r.simulated = true;
+        } else if (time_up_.before(move.index)) {
+            complete_ = false;
+            out_.unchecked(move.record, time_up_.text(), TimeUp::remedy);
         } else if (std::optional<std::string> why = obstacle(move)) {
             skipped(move, std::move(*why));
         } else if (!known(move.from) || !known(move.to)) {

@@ -7,6 +7,7 @@
 #include "check/collect.hpp"
 #include "check/open_way.hpp"
 #include "check/rest.hpp"
+#include "check/time_up.hpp"
 #include "check/turned_thread.hpp"
 #include "check/words.hpp"
 #include "sim/turning/turning.hpp"
@@ -103,6 +104,7 @@ private:
     double removed_area_ = 0;        ///< mm2, of all cuts
     bool complete_ = true;           ///< no removal was left out
     LastCuts last_cuts_;
+    TimeUp time_up_;
 };
 
 }  // namespace obrys::check

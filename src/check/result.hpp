@@ -144,6 +144,10 @@ struct MillingFigures {
     double before_mm3 = 0, after_mm3 = 0;
     double contact_length_mm = 0;    ///< way of feed moves over which material was removed
     double contact_accuracy_mm = 0;  ///< pieces in which that way was measured
+    /// Of the surface: cells of the lattice that were halved, once or more often, and the width of the smallest: the
+    /// narrowest wall or gap that is seen. The lattice's own where none was.
+    std::size_t refined_cells = 0;
+    double finest_mm = 0;
 };
 
 /// How far merged flat faces may leave the simulated surface, of the simulation's tolerance.

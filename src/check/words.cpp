@@ -10,6 +10,9 @@ namespace obrys::check {
 std::string mm(double value) { return base::fixed(value, 3) + " mm"; }
 std::string mm2(double value) { return base::fixed(value, 3) + " mm2"; }
 std::string point(geom::Vec2 p) { return "Z " + base::fixed(p.x, 3) + " X " + base::fixed(p.y, 3) + " (radius)"; }
+std::string point(geom::Vec3 p) {
+    return "X " + base::fixed(p.x, 3) + " Y " + base::fixed(p.y, 3) + " Z " + base::fixed(p.z, 3);
+}
 std::string plain(double value) { return base::fixed(value, std::abs(value - std::round(value)) < 5e-4 ? 0 : 3); }
 
 void Box::add(geom::Vec2 p) {

@@ -11,6 +11,8 @@ namespace obrys::check {
 [[nodiscard]] std::string mm2(double value);  ///< "5.328 mm2"
 /// "Z 166.908 X 46.500 (radius)", a point of the (z, x) plane.
 [[nodiscard]] std::string point(geom::Vec2 p);
+/// "X 1.000 Y 2.000 Z 3.000"
+[[nodiscard]] std::string point(geom::Vec3 p);
 /// A whole number where it is one, else three decimals.
 [[nodiscard]] std::string plain(double value);
 

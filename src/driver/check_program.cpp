@@ -1,5 +1,7 @@
 #include "driver/check_program.hpp"
 
+#include <chrono>
+
 #include "driver/contours.hpp"
 #include "driver/program_tools.hpp"
 #include "driver/wording.hpp"
@@ -30,6 +32,11 @@ Checked check_program(Session& session, std::size_t keep_moves, const MillingReq
     else
         setup.milling = milling_setup(session, milling);
     if (setup.milling) setup.progress = progress;  // reading is fast, removing is what takes time
+    const auto started = std::chrono::steady_clock::now();
+    if (session.job.budgets.bounds_check)
+        setup.out_of_time = [started, seconds = session.job.budgets.seconds] {
+            return std::chrono::duration<double>(std::chrono::steady_clock::now() - started).count() > seconds;
+        };
 
     // 2. Program tree -> CL stream -> removal and findings, record by record (interp, check, sim/turning).
     check::Check check(setup, session.stacks);

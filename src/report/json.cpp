@@ -124,6 +124,10 @@ Json milling(const check::Milled& m) {
            {"after_mm3", f.after_mm3},
            {"contact_length_mm", f.contact_length_mm},
            {"contact_accuracy_mm", f.contact_accuracy_mm}};
+    if (!m.surface.empty()) {
+        j["refined_cells"] = f.refined_cells;
+        j["finest_mm"] = f.finest_mm;
+    }
     if (m.comparison) {
         j["largest_gouge_mm"] = m.comparison->largest_gouge;
         j["largest_excess_mm"] = m.comparison->largest_excess;

@@ -27,9 +27,9 @@ def box(lo, hi):
     return [tuple(corners[i] for i in t) for a, b, c, d in faces for t in ((a, b, c), (a, c, d))]
 
 
-def write(folder, lines, tools, stock, part=None, clamps=(), machine="mill-generic", control="linuxcnc", check=None, more=()):
+def write(folder, lines, tools, stock, part=None, clamps=(), machine="mill-generic", control="linuxcnc", check=None, more=(), tables=()):
     """A job p.job.toml in `folder`. tools: [(number, keys)]; stock: (lo, hi) or keys; part: triangles; clamps: [keys];
-    check: keys of [check]; more: lines for the top of the job."""
+    check: keys of [check]; more: lines for the top of the job, tables: for its end."""
     (folder / "p.ngc").write_text("\n".join(lines) + "\n")
     text = ['program = "p.ngc"', f'control = "{control}"', f'machine = "{machine}"', *more]
     for number, keys in tools:
@@ -43,6 +43,7 @@ def write(folder, lines, tools, stock, part=None, clamps=(), machine="mill-gener
     for keys in clamps:
         text += ["[[clamp]]"] + [f"{k} = {toml(v)}" for k, v in keys.items()]
     text += ["[check]"] + [f"{k} = {toml(v)}" for k, v in (check or {}).items()]
+    text += tables
     (folder / "p.job.toml").write_text("\n".join(text) + "\n")
 
 

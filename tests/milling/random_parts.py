@@ -2,15 +2,17 @@
 """Random correct programs against parts made from formulas must be clean; with one fault each they must be found, on the line at
 fault. The parts (stl_parts.py) know nothing of the simulation.
 
-usage: random_parts.py OBRYS [--count 200] [--seed 1] [--tolerances 0.05,0.01,0.002] [--amount 0.03] [--kind K] [--keep FOLDER]
+usage: random_parts.py OBRYS [--count 200] [--seed 1] [--tolerances 0.05,0.01,0.002] [--amount 0.03] [--kind K] [--swivel]
+                       [--keep FOLDER]
 A fault must be larger than the tolerance to be seen: at a tolerance of 0.02 or more it is three times the tolerance. Below 0.005
-the parts are a quarter of the size; --scale says another. What is found of a fault must be what formulas say of it: its code or
+the parts are a quarter of the size; --scale says another. --swivel: on a machine with two rotary axes, each case swivelled. What is found of a fault must be what formulas say of it: its code or
 codes, their amounts within the tolerance or a fifth, and the line.
 """
 import argparse
 import random as randoms
 import sys
 
+import blocks
 import cases
 import jobs
 import stl_parts
@@ -18,13 +20,20 @@ import stl_parts
 FINDINGS = ("gouge", "rest-material")
 
 
-def write_job(folder, case, tolerance, scale):
+def write_job(folder, case, tolerance, scale, setting):
     triangles = (stl_parts.cone_end(case.centre, case.rings, case.tip) if case.tip is not None
                  else stl_parts.build(case.centre, case.rings, case.through))
     case.scaled(scale)
-    jobs.write(folder, [*(t for t, _ in case.lines), "M2"], case.tools, (case.box[:3], case.box[3:]),
-               [tuple(tuple(v * scale for v in p) for p in t) for t in triangles],
-               check={"tolerance": tolerance, "gouge": tolerance, "rest_material": tolerance})
+    part = [tuple(tuple(v * scale for v in p) for p in t) for t in triangles]
+    stock, more = (case.box[:3], case.box[3:]), {}
+    if setting is not None:
+        first = next(i for i, (t, _) in enumerate(case.lines) if " G43 " in t)  # where the tool stands is not known before
+        case.lines[first] = (case.lines[first][0] + f" A{setting.a} B{setting.b}", case.lines[first][1])
+        part = setting.mesh(part)
+        stl_parts.write(folder / "stock.stl", setting.mesh(jobs.box(*stock)))
+        stock, more = {"file": "stock.stl"}, blocks.swivelling(folder)
+    jobs.write(folder, [*(t for t, _ in case.lines), "M2"], case.tools, stock, part,
+               check={"tolerance": tolerance, "gouge": tolerance, "rest_material": tolerance}, **more)
 
 
 def summary(result):
@@ -59,12 +68,13 @@ def run(options, tolerance, number):
     kind = options.kind or sorted(cases.MAKERS)[number % len(cases.MAKERS)]
     maker, faults = cases.MAKERS[kind]
     seed = random.random()
+    setting = blocks.Setting(0.0, round(random.uniform(-60, 60), 3), round(random.uniform(-60, 60), 3)) if options.swivel else None
     size = options.amount if tolerance < 0.02 else 3 * tolerance
     scale = options.scale or (0.25 if tolerance < 0.005 else 1.0)
     complaints = []
     with jobs.folder_of(options.keep) as folder:
         case = maker(randoms.Random(seed), tolerance / 20 / scale, None, 0.0)
-        write_job(folder, case, tolerance, scale)
+        write_job(folder, case, tolerance, scale, setting)
         result = jobs.check(options.obrys, folder)
         if result["verdict"] != "clean":
             complaints.append(f"{tolerance} {number} {kind} correct: {summary(result)}")
@@ -74,7 +84,7 @@ def run(options, tolerance, number):
         if case is None:
             case = maker(randoms.Random(seed), tolerance / 20 / scale, "floor", amount / scale)
             fault = "floor"
-        write_job(folder, case, tolerance, scale)
+        write_job(folder, case, tolerance, scale, setting)
         result = jobs.check(options.obrys, folder)
         wrong = judge_fault(case, result, tolerance)
         if wrong:
@@ -92,6 +102,7 @@ def main():
     parser.add_argument("--amount", type=float, default=0.03)
     parser.add_argument("--scale", type=float)
     parser.add_argument("--kind")
+    parser.add_argument("--swivel", action="store_true")
     parser.add_argument("--keep")
     options = parser.parse_args()
     failed = 0

@@ -39,7 +39,9 @@ Vec2 nearest_on(const Body& b, Vec2 p) {
     if (b.r0 == 0 && b.r1 == 0) return {0, std::clamp(p.y, b.z0, b.z1)};
     const std::array<Vec2, 4> corners{{{0, b.z0}, {b.r0, b.z0}, {b.r1, b.z1}, {0, b.z1}}};
     const Vec2 side = corners[2] - corners[1];
-    if (p.y >= b.z0 && p.y <= b.z1 && geom::cross(side, p - corners[1]) >= 0) return p;
+    // A disc without height has no flank to be on the inner side of.
+    const bool inner = side == Vec2{} ? p.x <= b.r0 : geom::cross(side, p - corners[1]) >= 0;
+    if (p.y >= b.z0 && p.y <= b.z1 && inner) return p;
     Vec2 best = corners[0];
     double least = INFINITY;
     for (std::size_t i = 0; i < 3; ++i) {

@@ -67,6 +67,16 @@ TEST(Certified, what_touches_all_along_is_clear) {
     }
 }
 
+TEST(Certified, a_place_level_with_the_ring_of_a_bull_nose_lies_outside_of_it) {
+    const Swept ring{bull(6, 1).front(), {0, 0, 0}, {0, 0, 0}, {0, 0, 1}};
+    EXPECT_NEAR(geom::distance(nearest_within(ring, {20, 0, 1}), {6, 0, 1}), 0, 1e-9);
+    // A cut into the wall of a block: where the search comes by such a place it found the block's own thickness.
+    const mesh::Distance block(mesh::box({-40, -20, -30}, {0, 20, 0}));
+    const Judge judge(block, 0.01);
+    const Vec3 start{5.9, -3, -20};
+    EXPECT_NEAR(depth_of(judge, bull(6, 1), start, start + Vec3{0, 6, 5}).depth, 0.1, 0.002);
+}
+
 TEST(Certified, a_wall_cut_into_is_as_deep_as_the_tool_went_past_it) {
     const Judge judge(plate(), 0.01);
     const Depth d = depth_of(judge, end_mill(5), {-20, -4.98, -15}, {80, -4.98, -15});
@@ -81,6 +91,23 @@ TEST(Certified, a_chamfer_that_nobody_wanted_is_said_of_the_edge) {
     const Depth d = depth_of(judge, cone(5, 90), {-20, -1.9, -2}, {80, -1.9, -2});
     EXPECT_TRUE(d.edge);
     EXPECT_NEAR(d.depth, 0.1 / std::sqrt(2), 0.002);
+}
+
+TEST(Certified, an_edge_is_as_deep_as_what_is_taken_off_it) {
+    // A roof whose faces meet at the angle along x; an end mill's floor takes its ridge off. In the part it lies only
+    // the sine of half that angle as deep, or less: the floor's middle is as far from both faces.
+    for (const double degrees : {70.0, 90.0, 120.0})
+        for (const double off : {0.0101, 0.03, 0.2}) {
+            const double run = 20 * std::tan(geom::radians(degrees) / 2);
+            mesh::Mesh roof{{{-30, -run, -20}, {30, -run, -20}, {30, run, -20}, {-30, run, -20}, {-30, 0, 0}, {30, 0, 0}},
+                            {{0, 2, 1}, {0, 3, 2}, {0, 1, 5}, {0, 5, 4}, {2, 3, 4}, {2, 4, 5}, {0, 4, 3}, {1, 2, 5}},
+                            {}};
+            const mesh::Distance part(roof);
+            const Judge judge(part, 0.01);
+            const Depth d = depth_of(judge, end_mill(5), {-10, 1, -off}, {10, 2, -off});
+            EXPECT_NEAR(d.depth, off, 0.001) << degrees << ' ' << off;
+            EXPECT_GT(d.depth, 0.01);
+        }
 }
 
 TEST(Certified, a_vertical_edge_that_is_clipped_is_found_from_its_corner_on) {

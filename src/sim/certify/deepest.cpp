@@ -18,6 +18,10 @@ constexpr std::size_t most_starts = 12;  ///< triangles from which a search begi
 constexpr std::size_t climbs = 3;        ///< searches that are brought to their end
 constexpr std::size_t most_pieces = 24;
 constexpr int most_steps = 60;
+constexpr double edge_accuracy = 0.002;  ///< of what is allowed: how deep an edge lies in the tool
+/// Times as deep as the tool in the part an edge may lie in the tool: that of an edge of 60 degrees. What goes through
+/// something thin has all of its surface in the tool; twice its deepest place is its thickness, and no more than that.
+constexpr double sharpest = 2;
 constexpr double edge_from = 1.1;  ///< times as deep as the tool in the part lies the part's surface in the tool
 
 Vec3 unit(Vec3 v) {
@@ -206,14 +210,14 @@ double Judge::edge_depth(const Swept& whole, double depth, double most) const {
             return geom::distance(p, nearest_within(inner, p)) < 1e-6;
         });
     };
-    double low = depth + accuracy * allowed_, high = most;
+    double low = depth + edge_accuracy * allowed_, high = most;
     if (high <= low || !reached(low)) return depth;
     if (reached(high)) return high;
-    while (high - low > accuracy * allowed_) {
+    while (high - low > edge_accuracy * allowed_) {
         const double middle = (low + high) / 2;
         (reached(middle) ? low : high) = middle;
     }
-    return low;
+    return high;  // what may be too deep is not left out
 }
 
 /// How far tool and material reach together along a line from a place: through what is thin.
@@ -264,7 +268,7 @@ Depth Judge::deepest(const Move& move) const {
     out.depth = through > best.depth + 4 * accuracy * allowed_ ? through : best.depth;
     const bool in_stock = best.depth > 0.999 * best.place.distance;
     for (const Piece& p : pieces) {
-        const double d = in_stock ? edge_depth(p.whole, out.depth, 2 * best.depth) : out.depth;
+        const double d = in_stock ? edge_depth(p.whole, out.depth, sharpest * best.depth) : out.depth;
         if (d > out.depth * edge_from) out.edge = true;
         out.depth = std::max(out.depth, d);
     }

@@ -109,6 +109,12 @@ double outside_sweep(const Shape& shape, const Track& track, Vec3 p, double enou
     return std::max(foot.outside, nearest);
 }
 
+double distance_from(const Shape& shape, Vec3 p) {
+    double nearest = std::numeric_limits<double>::infinity();
+    for (const Piece& piece : shape.pieces) nearest = std::min(nearest, from_piece(piece, p));
+    return nearest;
+}
+
 StockBody::StockBody(const Stock& stock) {
     if (const auto* box = std::get_if<Box3>(&stock)) {
         body_ = *box;

@@ -37,6 +37,9 @@ private:
 [[nodiscard]] double outside_sweep(const Shape& shape, const Track& track, geom::Vec3 p,
                                    double enough = std::numeric_limits<double>::infinity());
 
+/// Distance from a tool at rest, 0 inside.
+[[nodiscard]] double distance_from(const Shape& shape, geom::Vec3 p);
+
 class Air {
 public:
     struct Sweep {
@@ -57,6 +60,8 @@ public:
     [[nodiscard]] std::uint32_t cut(std::size_t body) const { return body == 0 ? 0 : sweeps_[body - 1].cut; }
     /// Direction out of a body at a point near its surface; not of body 0.
     [[nodiscard]] geom::Vec3 normal(std::size_t body, geom::Vec3 p) const;
+    /// One of them; not of body 0.
+    [[nodiscard]] const Sweep& sweep(std::size_t body) const { return sweeps_[body - 1]; }
     /// False: nothing can be told, the stock's mesh is not closed.
     [[nodiscard]] bool known() const { return stock_->closed(); }
 

@@ -30,8 +30,17 @@ public:
           lo_(lattice.node(i, j, k)),
           hi_(lattice.node(i + 1, j + 1, k + 1)) {}
 
-    [[nodiscard]] Vec3 vertex(const Sheets& sheets, std::uint8_t sheet) const {
+    [[nodiscard]] Vec3 vertex(const Sheets& sheets, std::uint8_t sheet, double tolerance, bool& rough) const {
         PlaneFit fit;
+        const Vec3 v = vertex_of(sheets, sheet, fit);
+        // On the smallest radius that the step is made for, planes of crossings a cell's diagonal apart stand off each
+        // other by four times the sagitta, which is 0.75 of the tolerance (step_for).
+        rough = tolerance > 0 && (fit.spread() > 3 * tolerance || fit.miss(v) > 0.5 * tolerance);
+        return v;
+    }
+
+private:
+    [[nodiscard]] Vec3 vertex_of(const Sheets& sheets, std::uint8_t sheet, PlaneFit& fit) const {
         for (int edge = 0; edge < 12; ++edge)
             if (sheets.of_edge[static_cast<std::size_t>(edge)] == sheet) add(fit, edge);
         // The tip of an edge or corner may reach into a neighbouring cell without moving one of its nodes, or an edge
@@ -45,7 +54,6 @@ public:
         return wide_miss < exact * step || (held_miss > worth * step && wide_miss < 0.5 * held_miss) ? wide : held;
     }
 
-private:
     /// In this cell, or in a neighbour that has no surface as far as its nodes tell.
     [[nodiscard]] bool is_free(Vec3 p) const {
         std::array<int, 3> cell = at_;
@@ -87,9 +95,12 @@ private:
 
 }  // namespace
 
-CellVertices::CellVertices(const Lattice& lattice, const NodeBits& nodes, const Crossings& crossings) : nodes_(nodes) {
+CellVertices::CellVertices(const Lattice& lattice, const NodeBits& nodes, const Crossings& crossings,
+                           double tolerance)
+    : nodes_(nodes) {
     find_cells();
-    place(lattice, crossings);
+    if (tolerance > 0) rough_.resize(vertices_.size());
+    place(lattice, crossings, tolerance);
 }
 
 CellVertices::Cell CellVertices::describe(int i, int j, int k) const {
@@ -135,7 +146,7 @@ void CellVertices::find_cells() {
     vertices_.resize(first);
 }
 
-void CellVertices::place(const Lattice& lattice, const Crossings& crossings) {
+void CellVertices::place(const Lattice& lattice, const Crossings& crossings, double tolerance) {
     tbb::parallel_for(Range(0, nodes_.rows(), 16), [&](const Range& some) {
         for (std::size_t row = some.begin(); row < some.end(); ++row) {
             std::uint32_t number = row_first_[row];
@@ -146,7 +157,11 @@ void CellVertices::place(const Lattice& lattice, const Crossings& crossings) {
                     const Cell& cell = cells_[number++];
                     const CellFit fit(lattice, nodes_, crossings, i, nodes_.j(row), nodes_.k(row));
                     const Sheets& s = sheets(cell.corners, cell.joined);
-                    for (std::uint8_t n = 0; n < s.count; ++n) vertices_[cell.first + n] = fit.vertex(s, n);
+                    for (std::uint8_t n = 0; n < s.count; ++n) {
+                        bool rough = false;
+                        vertices_[cell.first + n] = fit.vertex(s, n, tolerance, rough);
+                        if (rough) rough_[cell.first + n] = 1;
+                    }
                 }
         }
     });

@@ -43,6 +43,14 @@ Vec3 place_near(const Track& track, Vec2 p) {
     return geom::length(p) <= geom::distance(p, {track.v.x, track.v.y}) ? Vec3{} : track.v;
 }
 
+/// How far a point lies outside of a moving piece at least: beside all places of its axis, below or above all of it.
+double least_outside(const Piece& piece, const Track& track, Vec3 p) {
+    const Vec3 place = place_near(track, {p.x, p.y});
+    const double beside = geom::length(Vec2{p.x - place.x, p.y - place.y}) -
+                          std::max({piece.r0, piece.r1, piece.ring + piece.arc});
+    return std::max({beside, piece.z0 + std::min(0.0, track.v.z) - p.z, p.z - piece.z1 - std::max(0.0, track.v.z)});
+}
+
 }  // namespace
 
 /// The least value of a convex function of time, which is piecewise smooth: between two moments the tangents' meeting
@@ -93,6 +101,8 @@ Foot foot_on(const Shape& shape, const Track& track, Vec3 p) {
             const double t = std::clamp(dot(q, track.v) / dot(track.v, track.v), 0.0, 1.0);
             foot.place = t * track.v;
             foot.outside = outside(piece, p - foot.place, foot.normal);
+        } else if (least_outside(piece, track, p) >= best.outside) {
+            continue;
         } else {
             foot = foot_on(piece, track.v, p);
         }

@@ -80,7 +80,11 @@ bool is_between(Vec3 p, Vec3 lo, Vec3 hi) {
 
 void PlaneFit::add(Vec3 p, Vec3 within, Vec3 unit_normal) {
     add(within);
-    planes_[count_++] = {p, unit_normal};
+    if (count_ < few)
+        planes_[count_] = {p, unit_normal};
+    else
+        more_.push_back({p, unit_normal});
+    ++count_;
 }
 
 void PlaneFit::add(Vec3 within) {
@@ -90,7 +94,7 @@ void PlaneFit::add(Vec3 within) {
 
 bool PlaneFit::is_flat() const {
     for (std::size_t i = 1; i < count_; ++i) {
-        const Vec3 apart = planes_[i].normal - planes_[0].normal;
+        const Vec3 apart = plane(i).normal - planes_[0].normal;
         if (dot(apart, apart) > flat * flat) return false;
     }
     return count_ == crossings_;
@@ -102,8 +106,8 @@ Vec3 PlaneFit::vertex(Vec3 lo, Vec3 hi) const {
     System s;
     s.planes = std::max(1.0, static_cast<double>(count_));
     for (std::size_t i = 0; i < count_; ++i) {
-        const Row n = row_of(planes_[i].normal);
-        const double offset = dot(planes_[i].normal, planes_[i].point - middle);
+        const Row n = row_of(plane(i).normal);
+        const double offset = dot(plane(i).normal, plane(i).point - middle);
         for (std::size_t r = 0; r < 3; ++r) {
             for (std::size_t c = 0; c < 3; ++c) s.a[r][c] += n[r] * n[c];
             s.b[r] += n[r] * offset;
@@ -128,10 +132,19 @@ Vec3 PlaneFit::vertex(Vec3 lo, Vec3 hi) const {
     return {held(middle.x + d[0], lo.x, hi.x), held(middle.y + d[1], lo.y, hi.y), held(middle.z + d[2], lo.z, hi.z)};
 }
 
+double PlaneFit::spread() const {
+    if (count_ != crossings_) return HUGE_VAL;
+    double most = 0;
+    for (std::size_t i = 0; i < count_; ++i)
+        for (std::size_t k = 0; k < count_; ++k)
+            most = std::max(most, std::abs(dot(plane(i).normal, plane(k).point - plane(i).point)));
+    return most;
+}
+
 double PlaneFit::miss(Vec3 p) const {
     double most = 0;
     for (std::size_t i = 0; i < count_; ++i)
-        most = std::max(most, std::abs(dot(planes_[i].normal, p - planes_[i].point)));
+        most = std::max(most, std::abs(dot(plane(i).normal, p - plane(i).point)));
     return most;
 }
 

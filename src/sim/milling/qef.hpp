@@ -4,6 +4,7 @@
 
 #include <array>
 #include <cstddef>
+#include <vector>
 
 #include "geom/vec.hpp"
 
@@ -22,12 +23,18 @@ public:
     /// The largest distance of a point from one of the planes.
     [[nodiscard]] double miss(geom::Vec3 p) const;
 
+    /// The largest distance of a crossing from the plane of another one; infinite where a plane is not known.
+    [[nodiscard]] double spread() const;
+
 private:
     [[nodiscard]] bool is_flat() const;
     struct Plane {
         geom::Vec3 point, normal;
     };
-    std::array<Plane, 12> planes_;
+    [[nodiscard]] const Plane& plane(std::size_t i) const { return i < few ? planes_[i] : more_[i - few]; }
+    static constexpr std::size_t few = 12;  ///< a cell of a lattice has no more edges
+    std::array<Plane, few> planes_;
+    std::vector<Plane> more_;
     std::size_t count_ = 0, crossings_ = 0;
     geom::Vec3 sum_;
 };

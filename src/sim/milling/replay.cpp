@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 #include "sim/milling/job.hpp"
 #include "sim/milling/simulation.hpp"
@@ -11,33 +12,87 @@ namespace {
 
 using geom::Vec3;
 
-/// False where the sweep surely misses the box; long tools make it worth to be asked before a Job is made.
-bool may_meet(const Simulation::Sweep& s, const Shape& shape, Vec3 axis, const Box3& box) {
+constexpr std::size_t in_run = 32;  ///< sweeps after each other that share a box: they lie near each other as a rule
+
+/// Around all that the sweep takes.
+Box3 box_of(const Simulation::Sweep& s, const Shape& shape, Vec3 axis) {
     // A quarter of a circle stands off its chord by less than a quarter of that.
     const double bulge = s.circle == 0 ? 0 : 0.25 * geom::distance(s.from, s.to);
+    Box3 box;
     for (int k = 0; k < 3; ++k) {
         const double along = component(axis, k);
         const double beside = shape.radius * std::sqrt(std::max(0.0, 1 - along * along)) + bulge;
         const double from = component(s.from, k), to = component(s.to, k);
         const double one = shape.bottom * along, other = shape.top * along;
-        if (std::max(from, to) + std::max(one, other) + beside < component(box.min, k) ||
-            std::min(from, to) + std::min(one, other) - beside > component(box.max, k))
-            return false;
+        set_component(box.max, k, std::max(from, to) + std::max(one, other) + beside);
+        set_component(box.min, k, std::min(from, to) + std::min(one, other) - beside);
     }
-    return true;
+    return box;
+}
+
+bool meet(const Box3& a, const Box3& b) {
+    return a.max.x >= b.min.x && a.min.x <= b.max.x && a.max.y >= b.min.y && a.min.y <= b.max.y && a.max.z >= b.min.z &&
+           a.min.z <= b.max.z;
 }
 
 }  // namespace
 
+/// Boxes of the runs that are complete.
+void Simulation::index_runs() {
+    constexpr double never = std::numeric_limits<double>::infinity();
+    for (std::size_t first = runs_.size() * in_run; first + in_run <= done_; first += in_run) {
+        Box3 all{{never, never, never}, {-never, -never, -never}};
+        for (std::size_t i = first; i < first + in_run; ++i) {
+            const Sweep& s = sweeps_[i];
+            if (!s.cut || shape_of(s).pieces.empty()) continue;
+            const Box3 own = box_of(s, shape_of(s), orientations_[s.orientation].z);
+            all.min = {std::min(all.min.x, own.min.x), std::min(all.min.y, own.min.y), std::min(all.min.z, own.min.z)};
+            all.max = {std::max(all.max.x, own.max.x), std::max(all.max.y, own.max.y), std::max(all.max.z, own.max.z)};
+        }
+        runs_.push_back(all);
+    }
+}
+
+std::vector<std::uint32_t> Simulation::cuts_in(const Box3& box) const {
+    std::vector<std::uint32_t> found;
+    for (std::size_t i = 0; i < done_; ++i) {
+        if (i % in_run == 0 && i / in_run < runs_.size() && !meet(runs_[i / in_run], box)) {
+            i += in_run - 1;
+            continue;
+        }
+        const Sweep& s = sweeps_[i];
+        if (!s.cut || shape_of(s).pieces.empty()) continue;
+        if (meet(box_of(s, shape_of(s), orientations_[s.orientation].z), box))
+            found.push_back(static_cast<std::uint32_t>(i));
+    }
+    return found;
+}
+
+Air::Sweep Simulation::body_of(std::uint32_t cut) const {
+    const Sweep& s = sweeps_[cut - 1];
+    return {&shape_of(s), orientations_[s.orientation], track_of(s), s.from, cut};
+}
+
+Job Simulation::job_of(std::uint32_t cut) const {
+    const Sweep& s = sweeps_[cut - 1];
+    Job job = make_job(shape_of(s), orientations_[s.orientation], track_of(s), s.from, rays_box());
+    job.cut = cut;
+    return job;
+}
+
+const Shape* Simulation::cutting_of(std::uint32_t cut) const {
+    const Sweep& s = sweeps_[cut - 1];
+    return !s.cut || cut > done_ || shape_of(s).pieces.empty() ? nullptr : &shape_of(s);
+}
+
+Box3 Simulation::reach_of(std::uint32_t cut) const {
+    const Sweep& s = sweeps_[cut - 1];
+    return box_of(s, shape_of(s), orientations_[s.orientation].z);
+}
+
 std::vector<Job> Simulation::jobs_in(const Box3& box) const {
     std::vector<Job> jobs;
-    for (std::size_t i = 0; i < done_; ++i) {
-        const Sweep& s = sweeps_[i];
-        if (!s.cut || shape_of(s).pieces.empty() || !may_meet(s, shape_of(s), orientations_[s.orientation].z, box))
-            continue;
-        jobs.push_back(make_job(shape_of(s), orientations_[s.orientation], track_of(s), s.from, rays_box()));
-        jobs.back().cut = static_cast<std::uint32_t>(i + 1);
-    }
+    for (const std::uint32_t i : cuts_in(box)) jobs.push_back(job_of(i + 1));
     return jobs;
 }
 
@@ -48,12 +103,7 @@ const StockBody& Simulation::body() const {
 
 Air Simulation::air_in(const Box3& box) const {
     std::vector<Air::Sweep> sweeps;
-    for (std::size_t i = 0; i < done_; ++i) {
-        const Sweep& s = sweeps_[i];
-        const Orientation& frame = orientations_[s.orientation];
-        if (!s.cut || shape_of(s).pieces.empty() || !may_meet(s, shape_of(s), frame.z, box)) continue;
-        sweeps.push_back({&shape_of(s), frame, track_of(s), s.from, static_cast<std::uint32_t>(i + 1)});
-    }
+    for (const std::uint32_t i : cuts_in(box)) sweeps.push_back(body_of(i + 1));
     return {body(), std::move(sweeps)};
 }
 

@@ -211,6 +211,7 @@ void Simulation::flush() {
         }
         done_ = end;
     }
+    index_runs();
 }
 
 Vec3 Simulation::normal_at(std::uint32_t cut, Vec3 p) const {

@@ -105,6 +105,15 @@ public:
     [[nodiscard]] std::size_t sweeps() const { return sweeps_.size(); }
     /// What has been taken, and what was never there, as far as it may lie in a box. The simulation must outlive it.
     [[nodiscard]] Air air_in(const Box3& box) const;
+    /// Sweeps by the number of their cut: what cuts (null: nothing), the body, the same made ready to be cut, and a box
+    /// around it.
+    [[nodiscard]] const Shape* cutting_of(std::uint32_t cut) const;
+    [[nodiscard]] Air::Sweep body_of(std::uint32_t cut) const;
+    [[nodiscard]] Job job_of(std::uint32_t cut) const;
+    [[nodiscard]] Box3 reach_of(std::uint32_t cut) const;
+    [[nodiscard]] const StockBody& stock_body() const { return body(); }
+    [[nodiscard]] double tolerance() const { return tolerance_; }
+    [[nodiscard]] int threads() const { return threads_; }
     /// Material on the line along `axis` through a point, as rays have it, between two of its coordinates: cut again.
     [[nodiscard]] std::vector<Interval> line(int axis, geom::Vec3 through, double low, double high) const;
     [[nodiscard]] std::size_t bytes() const;
@@ -129,6 +138,8 @@ private:
     [[nodiscard]] const Shape& shape_of(const Sweep& sweep) const;
     [[nodiscard]] Track track_of(const Sweep& sweep) const;
     [[nodiscard]] Box3 rays_box() const;  ///< from the first to the last node
+    void index_runs();
+    [[nodiscard]] std::vector<std::uint32_t> cuts_in(const Box3& box) const;  ///< indices in `sweeps_`
     [[nodiscard]] std::vector<Job> jobs_in(const Box3& box) const;
     [[nodiscard]] const StockBody& body() const;  ///< made when it is asked for
 
@@ -143,6 +154,7 @@ private:
     std::vector<Orientation> orientations_;
     std::vector<geom::Vec3> axes_;  ///< as given, of `orientations_`
     std::vector<Sweep> sweeps_;
+    std::vector<Box3> runs_;  ///< boxes around so many sweeps after each other
     std::vector<Circle> circles_;
     std::vector<Engagement> engagements_;
     std::size_t done_ = 0;  ///< sweeps carried out

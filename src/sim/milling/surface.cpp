@@ -7,6 +7,8 @@
 #include <cmath>
 
 #include "sim/milling/cell_vertices.hpp"
+#include "sim/milling/coarse.hpp"
+#include "sim/milling/fine.hpp"
 
 namespace obrys::sim::milling {
 
@@ -51,10 +53,9 @@ struct Quad {
 
 class Builder {
 public:
-    Builder(const Lattice& lattice, const NodeBits& nodes, const Crossings& crossings)
-        : lattice_(lattice), nodes_(nodes), crossings_(crossings), cells_(lattice, nodes, crossings) {}
-
-    [[nodiscard]] mesh::Mesh build() {
+    Builder(const Lattice& lattice, const NodeBits& nodes, const Crossings& crossings, double tolerance)
+        : lattice_(lattice), nodes_(nodes), crossings_(crossings), cells_(lattice, nodes, crossings, tolerance) {
+        rough_.resize(nodes.rows());
         const auto total = crossings_.along(0).size() + crossings_.along(1).size() + crossings_.along(2).size();
         mesh_.vertices = cells_.take();
         mesh_.triangles.resize(2 * total);
@@ -62,12 +63,40 @@ public:
         tbb::parallel_for(Range(0, nodes_.rows(), 16), [&](const Range& some) {
             for (std::size_t row = some.begin(); row < some.end(); ++row) quads_of(row);
         });
-        return std::move(mesh_);
+    }
+
+    [[nodiscard]] const CellVertices& cells() const { return cells_; }
+    [[nodiscard]] mesh::Mesh& mesh() { return mesh_; }
+    /// Edges beside rough cells.
+    [[nodiscard]] std::vector<CoarseQuad> rough() const {
+        std::vector<CoarseQuad> all;
+        for (const std::vector<CoarseQuad>& row : rough_) all.insert(all.end(), row.begin(), row.end());
+        return all;
+    }
+    /// Leaves out what belongs to edges that touch a fine cell.
+    void leave_to(const Fine& fine) {
+        std::size_t kept = 0;
+        for (std::size_t row = 0; row < nodes_.rows(); ++row)
+            each_quad(row, [&](int axis, std::array<int, 3> node, std::size_t, std::size_t triangle) {
+                for (const auto& q : Leaves::quadrants) {
+                    std::array<int, 3> cell = node;
+                    cell[static_cast<std::size_t>(first_across(axis))] -= q[0];
+                    cell[static_cast<std::size_t>(second_across(axis))] -= q[1];
+                    if (fine.is_fine(cell[0], cell[1], cell[2])) return;
+                }
+                for (const std::size_t t : {triangle, triangle + 1}) {
+                    mesh_.triangles[kept] = mesh_.triangles[t];
+                    mesh_.tags[kept++] = mesh_.tags[t];
+                }
+            });
+        mesh_.triangles.resize(kept);
+        mesh_.tags.resize(kept);
     }
 
 private:
     /// Triangles come row by row, in each along x, then y, then z.
-    void quads_of(std::size_t row) {
+    template <class Take>
+    void each_quad(std::size_t row, Take&& take) const {
         std::size_t triangle = 0;
         for (int axis = 0; axis < 3; ++axis) triangle += 2 * std::size_t{crossings_.first(axis, row)};
         for (int axis = 0; axis < 3; ++axis) {
@@ -76,16 +105,24 @@ private:
             for (std::size_t w = 0; w < nodes_.words(); ++w)
                 for (std::uint64_t mask = nodes_.crossed(axis, row, w); mask != 0; mask &= mask - 1) {
                     const int i = static_cast<int>(64 * w) + std::countr_zero(mask);
-                    quad(axis, {i, nodes_.j(row), nodes_.k(row)}, number++, triangle);
+                    take(axis, std::array<int, 3>{i, nodes_.j(row), nodes_.k(row)}, number++, triangle);
                     triangle += 2;
                 }
         }
     }
 
-    void quad(int axis, std::array<int, 3> node, std::size_t number, std::size_t triangle) {
+    void quads_of(std::size_t row) {
+        each_quad(row, [&](int axis, std::array<int, 3> node, std::size_t number, std::size_t triangle) {
+            if (quad(axis, node, number, triangle)) rough_[row].push_back({node, axis, triangle});
+        });
+    }
+
+    /// True where one of its cells is rough.
+    bool quad(int axis, std::array<int, 3> node, std::size_t number, std::size_t triangle) {
         const Crossing& c = crossings_.along(axis)[number];
         // Cells before and behind the edge, counter-clockwise in the plane (first across, second across).
-        constexpr std::array<std::array<int, 2>, 4> round{{{1, 1}, {0, 1}, {0, 0}, {1, 0}}};
+        constexpr auto round = Leaves::quadrants;
+        bool rough = false;
         const auto u = static_cast<std::size_t>(first_across(axis)), v = static_cast<std::size_t>(second_across(axis));
         const Vec3 foot = lattice_.node(node[0], node[1], node[2]);
         std::array<std::uint32_t, 4> vertex{};
@@ -95,6 +132,7 @@ private:
             cell[u] -= round[n][0];
             cell[v] -= round[n][1];
             vertex[n] = cells_.vertex(cell[0], cell[1], cell[2], cell_edge(axis, round[n][0], round[n][1]));
+            rough = rough || cells_.is_rough(vertex[n]);
             const Vec3 p = mesh_.vertices[vertex[n]];
             q.at[n] = {component(p, first_across(axis)) - component(foot, first_across(axis)),
                        component(p, second_across(axis)) - component(foot, second_across(axis))};
@@ -109,6 +147,7 @@ private:
         mesh_.triangles[triangle] = one;
         mesh_.triangles[triangle + 1] = two;
         mesh_.tags[triangle] = mesh_.tags[triangle + 1] = c.cut;
+        return rough;
     }
 
     const Lattice& lattice_;
@@ -116,7 +155,25 @@ private:
     const Crossings& crossings_;
     CellVertices cells_;
     mesh::Mesh mesh_;
+    std::vector<std::vector<CoarseQuad>> rough_;  ///< by row
 };
+
+/// Without the vertices that no triangle has.
+void drop_unused(mesh::Mesh& mesh) {
+    constexpr std::uint32_t unused = 0xFFFFFFFF;
+    std::vector<std::uint32_t> number(mesh.vertices.size(), unused);
+    for (const mesh::Triangle& t : mesh.triangles)
+        for (const std::uint32_t v : t) number[v] = 0;
+    std::uint32_t next = 0;
+    for (std::size_t v = 0; v < number.size(); ++v) {
+        if (number[v] == unused) continue;
+        mesh.vertices[next] = mesh.vertices[v];
+        number[v] = next++;
+    }
+    mesh.vertices.resize(next);
+    for (mesh::Triangle& t : mesh.triangles)
+        for (std::uint32_t& v : t) v = number[v];
+}
 
 }  // namespace
 
@@ -125,7 +182,7 @@ Surface extract_surface(const Lattice& lattice, Rays rays, Normal normal, const 
     const NodeBits nodes(lattice, rays);
     if (nodes.rows() == 0) return s;
     const Crossings crossings(lattice, nodes, rays, normal, line);
-    s.mesh = Builder(lattice, nodes, crossings).build();
+    s.mesh = std::move(Builder(lattice, nodes, crossings, 0).mesh());
     s.thin = count_thin(lattice, rays);
     s.unmatched = crossings.unmatched();
     return s;
@@ -137,13 +194,38 @@ Surface extract_surface(const Dexels& dexels, Normal normal) {
 }
 
 Surface extract_surface(const Simulation& simulation) {
-    const Dexels& dexels = simulation.dexels();
+    Surface s;
+    const Lattice& lattice = simulation.dexels().lattice();
+    const auto rays = [&](int axis, int a, int b) { return simulation.dexels().ray(axis, a, b); };
     const auto normal = [&](std::uint32_t cut, Vec3 p, int, double) { return simulation.normal_at(cut, p); };
     const Line line = [&](int axis, Vec3 through, double low, double high) {
         return simulation.line(axis, through, low, high);
     };
-    return extract_surface(
-        dexels.lattice(), [&](int axis, int a, int b) { return dexels.ray(axis, a, b); }, normal, line);
+    const NodeBits nodes(lattice, rays);
+    if (nodes.rows() == 0) return s;
+    const Crossings crossings(lattice, nodes, rays, normal, line);
+    Builder builder(lattice, nodes, crossings, simulation.tolerance());
+    s.thin = count_thin(lattice, rays);
+    s.unmatched = crossings.unmatched();
+    Exact exact(simulation, lattice);
+    std::vector<Place> coarse = cells_with_narrow_edges(simulation);
+    for (const Place& cell : cells_with_points(simulation, exact)) coarse.push_back(cell);
+    for (const Place& cell : cells_off(builder.mesh(), builder.rough(), exact, simulation.tolerance()))
+        coarse.push_back(cell);
+    Fine fine(exact, simulation.tolerance(), lattice, nodes, crossings, builder.cells(), builder.mesh().vertices);
+    fine.refine(coarse);
+    s.refined = fine.figures();
+    if (s.refined.cells > 0) {
+        builder.leave_to(fine);
+        mesh::Mesh& mesh = builder.mesh();
+        mesh::Mesh added = fine.mesh();
+        mesh.vertices.insert(mesh.vertices.end(), added.vertices.begin(), added.vertices.end());
+        mesh.triangles.insert(mesh.triangles.end(), added.triangles.begin(), added.triangles.end());
+        mesh.tags.insert(mesh.tags.end(), added.tags.begin(), added.tags.end());
+        drop_unused(mesh);
+    }
+    s.mesh = std::move(builder.mesh());
+    return s;
 }
 
 }  // namespace obrys::sim::milling

@@ -1,8 +1,10 @@
 #pragma once
-/// Collisions with a clamp by geometry (sim/certify): a corner that is clipped by hundredths lies between the rays.
+/// Collisions with a body that nothing may enter, by geometry (sim/certify): a clamp; the finished part, for what of a
+/// tool does not cut. What is clipped by hundredths lies between the rays.
 
 #include <array>
 #include <cstdint>
+#include <functional>
 #include <map>
 #include <memory>
 #include <vector>
@@ -16,42 +18,40 @@
 
 namespace obrys::check {
 
-class ClampGuard {
+class BodyGuard {
 public:
-    struct Hit {
-        double depth = 0;  ///< mm
-        geom::Vec3 at;
-    };
     /// `body` has no problem; `allowed`: mm, deeper is a hit.
-    ClampGuard(const sim::milling::Stock& body, double allowed, int threads);
+    BodyGuard(const sim::milling::Stock& body, double allowed, int threads);
+    /// A closed mesh. `within`: how deep a place lies in the material there was at all, negative beside it.
+    BodyGuard(std::shared_ptr<const mesh::Distance> body, double allowed, int threads,
+              std::function<double(geom::Vec3)> within);
 
-    ClampGuard(const ClampGuard&) = delete;
-    ClampGuard& operator=(const ClampGuard&) = delete;
+    BodyGuard(const BodyGuard&) = delete;
+    BodyGuard& operator=(const BodyGuard&) = delete;
 
     /// By the tool's number in the simulation, in that order.
     void add_tool(const sim::milling::ToolShape& tool);
-    /// Queues a pass; passes are numbered from 0.
-    void add(const sim::milling::Pass& pass);
+    /// Queues a pass under a number.
+    void add(std::uint32_t number, const sim::milling::Pass& pass);
     void carry_out();
     /// What a pass that was carried out hit; no depth: nothing.
-    [[nodiscard]] Hit hit_by(std::uint32_t pass) const;
+    [[nodiscard]] sim::certify::Depth hit_by(std::uint32_t number) const;
 
 private:
     struct Queued {
-        std::uint32_t pass = 0;
+        std::uint32_t number = 0;
         geom::PathElement path;
         geom::Vec3 axis;
         const sim::certify::Shape* shape = nullptr;
     };
-    mesh::Distance clamp_;
+    std::shared_ptr<const mesh::Distance> body_;
     double allowed_ = 0;
     int threads_ = 0;
     sim::certify::Judge judge_;
     /// Of each tool what cuts, its shank, its holder; as long as the guard.
     std::vector<std::unique_ptr<const std::array<sim::certify::Shape, 3>>> tools_;
     std::vector<Queued> queued_;
-    std::uint32_t passes_ = 0;
-    std::map<std::uint32_t, Hit> hits_;
+    std::map<std::uint32_t, sim::certify::Depth> hits_;
 };
 
 }  // namespace obrys::check

@@ -1,0 +1,349 @@
+#include "check/left_search.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <memory>
+#include <queue>
+
+#include "sim/milling/track.hpp"
+
+namespace obrys::check {
+
+namespace milling = sim::milling;
+
+using geom::Vec2;
+using geom::Vec3;
+
+namespace {
+
+constexpr double near_enough = 1.1;    ///< times the depth that is reached: no deeper
+constexpr std::size_t few_cuts = 12;   ///< that are not sorted out further
+constexpr double thin = 1e-9;          ///< mm
+constexpr std::size_t refining = 400;  ///< cells, once something is found
+constexpr double slim = 8;             ///< times as long as wide: then it is made shorter
+constexpr double longest_counts = 0.1;
+
+using Numbers = std::shared_ptr<const std::vector<std::uint32_t>>;
+
+/// A part of the body: all of its discs between two heights with the tip in a parallelepiped; without a profile just
+/// the parallelepiped.
+struct Cell {
+    LeftBody body;
+    double bound = 0;  ///< nothing in it is deeper
+    Numbers cuts;      ///< that may matter
+    std::uint32_t best = 0;
+    bool solid() const { return !body.profile.empty(); }
+};
+
+std::vector<Disc> discs_of(const LeftBody& b) {
+    std::vector<Vec3> tips{b.corner};
+    for (const Vec3& edge : b.edges) {
+        if (edge == Vec3{}) continue;
+        const std::size_t n = tips.size();
+        for (std::size_t i = 0; i < n; ++i) tips.push_back(tips[i] + edge);
+    }
+    std::vector<Disc> discs;
+    for (const Vec3& tip : tips) {
+        if (b.profile.empty()) discs.push_back({tip, 0});
+        for (const Vec2& at : b.profile) discs.push_back({tip + at.y * b.axis, at.x});
+    }
+    return discs;
+}
+
+Vec3 middle_of(const LeftBody& b) {
+    Vec3 middle = b.corner + 0.5 * (b.edges[0] + b.edges[1] + b.edges[2]);
+    if (!b.profile.empty()) middle = middle + (0.5 * (b.profile.front().y + b.profile.back().y)) * b.axis;
+    return middle;
+}
+
+double widest(const LeftBody& b) {
+    double r = 0;
+    for (const Vec2& at : b.profile) r = std::max(r, at.x);
+    return r;
+}
+
+class Search {
+public:
+    Search(const LeftSearch& s, const LeftBody& whole);
+    LeftDepth run(bool sample);
+
+private:
+    void push(Cell cell);
+    [[nodiscard]] Cell made(LeftBody body, const Cell& parent) const;
+    void sort_out(Cell& cell) const;
+    void bound(Cell& cell) const;
+    [[nodiscard]] double bound_by(const Cell& cell, std::uint32_t cut, std::span<const Disc> discs,
+                                  double enough) const;
+    void split(const Cell& cell);
+    void look(const Cell& cell);
+    void look_at(Vec3 p, const Cell& cell);
+    [[nodiscard]] std::vector<std::array<LeftBody, 2>> halves(const LeftBody& b) const;
+    [[nodiscard]] LeftBody boxed(const LeftBody& b) const;
+    [[nodiscard]] bool outside(const LeftBody& box) const;
+    [[nodiscard]] bool middle_is_clear(const Cell& cell) const;
+    [[nodiscard]] double threshold() const { return std::max(s_.allowed, near_enough * best_.depth); }
+
+    const LeftSearch& s_;
+    const LeftBody& whole_;
+    milling::Shape shape_;
+    milling::Air::Sweep sweep_;
+    std::optional<LeftCut> own_;  ///< what the body itself takes, where it goes straight
+    struct Less {
+        bool operator()(const Cell& a, const Cell& b) const { return a.bound < b.bound; }
+    };
+    std::priority_queue<Cell, std::vector<Cell>, Less> open_;
+    LeftDepth best_;
+    std::size_t cells_ = 0, found_at_ = 0;
+};
+
+Search::Search(const LeftSearch& s, const LeftBody& whole) : s_(s), whole_(whole) {
+    if (whole.arc || !(whole.edges[1] == Vec3{}) || !(whole.edges[2] == Vec3{})) return;
+    std::vector<milling::Piece> pieces;
+    for (std::size_t i = 0; i + 1 < whole.profile.size(); ++i) {
+        const Vec2 low = whole.profile[i], high = whole.profile[i + 1];
+        if (high.y - low.y > thin) pieces.push_back(milling::cone(low.y, high.y, low.x, high.x));
+    }
+    if (pieces.empty()) return;
+    shape_ = milling::make_shape(std::move(pieces));
+    sweep_.shape = &shape_;
+    sweep_.frame = milling::orientation_of(whole.axis);
+    sweep_.track.v = sweep_.frame.to_tool(whole.edges[0]);
+    sweep_.from = whole.corner;
+    own_.emplace(sweep_, 0, shape_.pieces.size());
+}
+
+/// Its length and height, each in two.
+std::vector<std::array<LeftBody, 2>> Search::halves(const LeftBody& b) const {
+    std::vector<std::array<LeftBody, 2>> all;
+    for (std::size_t k = 0; k < 3; ++k) {
+        if (!(geom::length(b.edges[k]) > thin)) continue;
+        std::array<LeftBody, 2> two{b, b};
+        two[0].edges[k] = two[1].edges[k] = 0.5 * b.edges[k];
+        two[1].corner = two[1].corner + two[0].edges[k];
+        all.push_back(std::move(two));
+    }
+    if (b.profile.size() < 2 || !(b.profile.back().y - b.profile.front().y > thin)) return all;
+    const double middle = 0.5 * (b.profile.front().y + b.profile.back().y);
+    std::array<LeftBody, 2> two{b, b};
+    two[0].profile.clear(), two[1].profile.clear();
+    for (std::size_t i = 0; i < b.profile.size(); ++i) {
+        const Vec2 at = b.profile[i];
+        if (i > 0 && b.profile[i - 1].y < middle && at.y >= middle) {
+            const Vec2 low = b.profile[i - 1];
+            const Vec2 cut{low.x + (at.x - low.x) * (middle - low.y) / (at.y - low.y), middle};
+            two[0].profile.push_back(cut);
+            two[1].profile.push_back(cut);
+        }
+        if (at.y < middle) two[0].profile.push_back(at);
+        if (at.y > middle) two[1].profile.push_back(at);
+    }
+    for (const LeftBody& half : two)
+        if (half.profile.empty()) return all;
+    all.push_back(std::move(two));
+    return all;
+}
+
+/// A parallelepiped around it, on a straight way, so that its discs can be cut, too.
+LeftBody Search::boxed(const LeftBody& b) const {
+    const double r = widest(b), low = b.profile.front().y, high = b.profile.back().y;
+    LeftBody box;
+    box.axis = b.axis;
+    const Vec3 way = b.edges[0];
+    const double rise = geom::dot(way, b.axis);
+    const Vec3 flat = way - rise * b.axis;
+    const double size = geom::length(flat);
+    const milling::Orientation frame = milling::orientation_of(b.axis);
+    const Vec3 along = size > thin ? (1 / size) * flat : frame.x;
+    const Vec3 across = geom::cross(b.axis, along);
+    const double slope = size > thin ? rise / size : 0;  // the box leans with the way
+    const Vec3 leaning = along + slope * b.axis;
+    const double more = std::abs(slope) * r, straight_up = size > thin ? 0 : rise;
+    box.edges = {(size + 2 * r) * leaning, 2 * r * across, (high - low + 2 * more + std::abs(straight_up)) * b.axis};
+    box.corner = b.corner - r * leaning - r * across + (low - more + std::min(0.0, straight_up)) * b.axis;
+    return box;
+}
+
+/// Whether no place of a parallelepiped lies in the body.
+bool Search::outside(const LeftBody& box) const {
+    double half = 0;  // from its middle to its corners
+    for (const double s : {-1.0, 1.0})
+        for (const double u : {-1.0, 1.0})
+            half = std::max(half, 0.5 * geom::length(box.edges[0] + s * box.edges[1] + u * box.edges[2]));
+    return own_ && own_->farthest({middle_of(box), 0}, box.axis) > half;
+}
+
+double Search::bound_by(const Cell& cell, std::uint32_t cut, std::span<const Disc> discs, double enough) const {
+    const LeftCut& c = s_.cuts[cut];
+    if (cell.solid() && cell.body.arc) {
+        double far = 0;
+        for (const Vec2& at : cell.body.profile)
+            far = std::max(
+                far, c.farthest({cell.body.corner + at.y * cell.body.axis, at.x}, *cell.body.arc, cell.body.axis));
+        if (far < enough) return far;
+    }
+    return c.farthest(discs, cell.body.axis, enough);
+}
+
+void Search::bound(Cell& cell) const {
+    const std::vector<Disc> discs = discs_of(cell.body);
+    cell.bound = std::min(s_.enough, deepest_in(s_.stock, s_.air, discs, cell.body.axis, middle_of(cell.body)));
+    const auto attempt = [&](std::uint32_t cut) {
+        const double far = bound_by(cell, cut, discs, cell.bound);
+        if (far < cell.bound) cell.bound = far, cell.best = cut + 1;
+        return cell.bound <= s_.allowed;
+    };
+    if (cell.bound <= s_.allowed) return;
+    const std::uint32_t first = cell.best > 0 ? cell.best - 1 : s_.hint != nullptr ? *s_.hint : 0;
+    if (first < s_.cuts.size() && attempt(first)) return;
+    for (const std::uint32_t cut : *cell.cuts)
+        if (cut != first && attempt(cut)) return;
+}
+
+/// Leaves out cuts that are too far off to matter.
+void Search::sort_out(Cell& cell) const {
+    if (cell.cuts->size() <= few_cuts) return;
+    mesh::Box own;
+    const Vec3 a = cell.body.axis;
+    for (const Disc& d : discs_of(cell.body)) {
+        const auto reach = [&](double along) {
+            return d.radius * std::sqrt(std::max(0.0, 1 - along * along)) + s_.enough;
+        };
+        const Vec3 more{reach(a.x), reach(a.y), reach(a.z)};
+        own.add(d.centre - more);
+        own.add(d.centre + more);
+    }
+    auto some = std::make_shared<std::vector<std::uint32_t>>();
+    for (const std::uint32_t c : *cell.cuts) {
+        const mesh::Box& b = s_.cuts[c].box();
+        if (b.lo.x <= own.hi.x && b.hi.x >= own.lo.x && b.lo.y <= own.hi.y && b.hi.y >= own.lo.y &&
+            b.lo.z <= own.hi.z && b.hi.z >= own.lo.z)
+            some->push_back(c);
+    }
+    cell.cuts = std::move(some);
+}
+
+Cell Search::made(LeftBody body, const Cell& parent) const {
+    Cell cell;
+    cell.body = std::move(body);
+    cell.cuts = parent.cuts;
+    cell.best = parent.best;
+    if (!cell.solid() && outside(cell.body)) return cell;
+    sort_out(cell);
+    bound(cell);
+    return cell;
+}
+
+void Search::push(Cell cell) {
+    ++cells_;
+    if (s_.hint != nullptr && cell.best > 0) *s_.hint = cell.best - 1;
+    if (cell.bound > threshold()) open_.push(std::move(cell));
+}
+
+void Search::look_at(Vec3 p, const Cell& cell) {
+    double depth = std::min(s_.enough, s_.air.outside(0, p));
+    const double least = std::max(s_.allowed, best_.depth);
+    const auto deeper = [&](std::uint32_t cut) {
+        depth = std::min(depth, s_.cuts[cut].farthest({p, 0}, cell.body.axis));
+        return depth > least;
+    };
+    if (!(depth > least) || (cell.best > 0 && !deeper(cell.best - 1))) return;
+    for (const std::uint32_t cut : *cell.cuts)
+        if (!deeper(cut)) return;
+    best_.depth = depth, best_.at = p;
+}
+
+/// Places of the body in a cell: where the cut that takes most of it leaves most.
+void Search::look(const Cell& cell) {
+    if (!cell.solid()) {
+        const Vec3 p = middle_of(cell.body);
+        const double off = own_ ? own_->farthest({p, 0}, cell.body.axis) : thin;
+        const Vec3 within = off > thin ? p - (off + thin) * own_->outwards({p, 0}) : p;
+        if (own_ && own_->farthest({within, 0}, cell.body.axis) <= thin) look_at(within, cell);
+        return;
+    }
+    const LeftBody& b = cell.body;
+    const Vec3 middle = b.corner + 0.5 * (b.edges[0] + b.edges[1] + b.edges[2]);
+    for (const Vec2& at : {b.profile.front(), b.profile.back()}) {
+        const Disc disc{middle + at.y * b.axis, at.x};
+        look_at(disc.centre, cell);
+        if (cell.best == 0 || at.x == 0) continue;
+        const Vec3 out = s_.cuts[cell.best - 1].outwards(disc);
+        look_at(disc.centre + at.x * out, cell);
+        look_at(disc.centre - at.x * out, cell);
+    }
+}
+
+/// Whether one cut alone has taken the disc in the middle: then it took those beside it, too, as far as it went.
+bool Search::middle_is_clear(const Cell& cell) const {
+    const Disc disc{middle_of(cell.body), widest(cell.body)};
+    const double most = threshold();
+    return std::any_of(cell.cuts->begin(), cell.cuts->end(),
+                       [&](std::uint32_t cut) { return s_.cuts[cut].farthest(disc, cell.body.axis) <= most; });
+}
+
+/// In two so that a half is done with; else so that it becomes less deep or shorter; discs as boxes where neither half
+/// is.
+void Search::split(const Cell& cell) {
+    const std::vector<std::array<LeftBody, 2>> choices = halves(cell.body);
+    const auto length_of = [](const std::array<LeftBody, 2>& two) {
+        return geom::distance(middle_of(two[0]), middle_of(two[1]));
+    };
+    double longest = 0, least = std::numeric_limits<double>::infinity();
+    for (const auto& two : choices) longest = std::max(longest, length_of(two));
+    std::optional<std::array<Cell, 2>> chosen;
+    bool done = false;
+    for (const auto& two : choices) {
+        std::array<Cell, 2> cells{made(two[0], cell), made(two[1], cell)};
+        double score = longest_counts * (1 - length_of(two) / longest);
+        bool one = false;
+        for (const Cell& half : cells) {
+            if (half.bound <= threshold())
+                one = true;
+            else
+                score += half.bound / cell.bound;
+        }
+        if (!one && length_of(two) * slim < longest) score += 1;
+        if (score >= least) continue;
+        least = score;
+        chosen = std::move(cells);
+        done = one;
+    }
+    if (cell.solid() && own_ && !done && longest <= 2 * widest(cell.body) && !middle_is_clear(cell))
+        return push(made(boxed(cell.body), cell));
+    if (!chosen) return;
+    for (Cell& half : *chosen) push(std::move(half));
+}
+
+LeftDepth Search::run(bool sample) {
+    Cell first;
+    first.body = whole_;
+    auto all = std::make_shared<std::vector<std::uint32_t>>(s_.cuts.size());
+    for (std::uint32_t i = 0; i < all->size(); ++i) (*all)[i] = i;
+    first.cuts = std::move(all);
+    sort_out(first);
+    bound(first);
+    push(std::move(first));
+    while (!open_.empty()) {
+        if (open_.top().bound <= threshold() || best_.depth >= s_.enough / near_enough) break;
+        if (best_.depth > 0 && found_at_ == 0) found_at_ = cells_;
+        if (cells_ >= s_.most_cells || (found_at_ > 0 && cells_ >= found_at_ + refining)) {
+            best_.decided = best_.depth > 0;
+            return best_;
+        }
+        const Cell cell = open_.top();
+        open_.pop();
+        if (sample) look(cell);
+        if (cell.bound > threshold()) split(cell);
+    }
+    best_.decided = true;
+    return best_;
+}
+
+}  // namespace
+
+LeftDepth deepest_left(const LeftBody& body, const LeftSearch& search) { return Search(search, body).run(true); }
+
+bool surely_clear(const LeftBody& body, const LeftSearch& search) { return Search(search, body).run(false).decided; }
+
+}  // namespace obrys::check

@@ -1,0 +1,43 @@
+#pragma once
+/// The deepest place of a moving body in what is left of a stock: branch and bound over the body's own places, each
+/// bounded by what single cuts have taken (left_cuts.hpp). What is clear is proved to be so. Millimetres.
+
+#include <array>
+#include <cstdint>
+#include <optional>
+#include <vector>
+
+#include "check/left_cuts.hpp"
+
+namespace obrys::check {
+
+/// A body whose tip is anywhere in a parallelepiped: its corner and three edges, some of which have no length.
+struct LeftBody {
+    geom::Vec3 corner;
+    std::array<geom::Vec3, 3> edges;
+    geom::Vec3 axis{0, 0, 1};         ///< unit length
+    std::vector<geom::Vec2> profile;  ///< convex half section: radius and height, upwards, two points at least
+    std::optional<ArcWay> arc;        ///< the way lies on it, and the parallelepiped around that piece
+};
+
+struct LeftSearch {
+    const sim::milling::Stock& stock;
+    const sim::milling::Air& air;
+    const std::vector<LeftCut>& cuts;
+    double allowed = 0;             ///< no deeper is clear
+    double enough = 0;              ///< deeper is not asked for
+    std::size_t most_cells = 0;     ///< looked at
+    std::uint32_t* hint = nullptr;  ///< number of a cut that is tried first, and found last
+};
+
+struct LeftDepth {
+    bool decided = false;  ///< nothing is deeper than allowed, or `depth` is more than that
+    double depth = 0;      ///< reached, as a rule within a tenth of the deepest; 0: none deeper than allowed
+    geom::Vec3 at;
+};
+[[nodiscard]] LeftDepth deepest_left(const LeftBody& body, const LeftSearch& search);
+
+/// Whether it is clear for sure, without looking for depths: for many moves at once.
+[[nodiscard]] bool surely_clear(const LeftBody& body, const LeftSearch& search);
+
+}  // namespace obrys::check

@@ -1,0 +1,196 @@
+/// How far parts of a tool reached into what they may not meet: stock, clamps, the finished part.
+
+#include <algorithm>
+#include <cmath>
+
+#include "base/codes.hpp"
+#include "check/milling.hpp"
+#include "check/milling_tool.hpp"
+#include "check/words.hpp"
+
+namespace obrys::check {
+
+namespace certify = sim::certify;
+namespace codes = base::codes;
+namespace milling = sim::milling;
+
+bool Milling::assumed_body(const MilledMove& move) const {
+    const auto listed = out_.result().tools[move.tool - 1].listed;
+    return listed && has_assumed_body(setup_.tools[*listed]);
+}
+
+const milling::Engagement& Milling::met_by(const QueuedPass& pass) const {
+    return (pass.clamp == 0 ? *simulation_ : clamps_[pass.clamp - 1].simulation).engagements()[pass.pass];
+}
+
+/// As far as the material reaches into the swept part; of a way straight down into which the part's axis dips, as far
+/// as it stands above the lower end. Of rapids as high as material stands above the lower side of the tool, but for its
+/// rim. By geometry, too: clamps, and what of the stock lies between the rays.
+Milling::Reach Milling::reach_of(const QueuedPass& pass) const {
+    const Reach rays = ray_reach_of(pass);
+    const auto deeper = [&](double depth, geom::Vec3 at) { return depth > rays.depth ? Reach{depth, at} : rays; };
+    if (pass.clamp > 0) {
+        const certify::Depth hit = clamps_[pass.clamp - 1].guard->hit_by(pass.pass);
+        return deeper(hit.depth, hit.at);
+    }
+    if (!stock_guard_) return rays;
+    const StockGuard::Hit hit = stock_guard_->hit_by(pass.pass);
+    return deeper(hit.depth, hit.at);
+}
+
+Milling::Reach Milling::ray_reach_of(const QueuedPass& pass) const {
+    const milling::Engagement& met = met_by(pass);
+    if (!met.touched) return {};
+    const Reach reach{met.depth, met.deepest};
+    if (pass.kind == QueuedPass::Kind::rapid_probe)
+        return met.stack > reach.depth ? Reach{met.stack, met.stack_foot} : reach;
+    const geom::Vec3 step =
+        (pass.clamp == 0 ? *simulation_ : clamps_[pass.clamp - 1].simulation).dexels().lattice().step;
+    const double wide = std::max({step.x, step.y, step.z});
+    if (!pass.down || !(met.rightmost <= wide)) return reach;
+    // The rays stand beside the axis, so a point reaches lower than they say.
+    const bool tip = pass.kind != QueuedPass::Kind::shank && pass.kind != QueuedPass::Kind::holder;
+    const double low = tip && met.lowest - pass.low < 2 * wide ? pass.low : met.lowest;
+    if (!(met.highest - low > reach.depth)) return reach;
+    return {met.highest - low, reach.at + (low - geom::dot(reach.at, pass.axis)) * pass.axis};
+}
+
+/// Of all parts of a move's way in which the same part of the tool meets the same thing.
+Milling::Reach Milling::deepest_reach(std::size_t queued) const {
+    const QueuedPass& pass = queued_[queued];
+    Reach deepest;
+    for (std::size_t i = queued; i < queued_.size() && queued_[i].move == pass.move; ++i) {
+        if (queued_[i].kind != pass.kind || queued_[i].clamp != pass.clamp) continue;
+        const Reach reach = reach_of(queued_[i]);
+        if (reach.depth > deepest.depth) deepest = reach;
+    }
+    return deepest;
+}
+
+namespace {
+
+std::string_view name_of(QueuedPass::Kind kind) {
+    return kind == QueuedPass::Kind::shank ? "shank" : kind == QueuedPass::Kind::holder ? "holder" : "tool";
+}
+
+}  // namespace
+
+/// The deepest place in the finished part, of the same ones.
+certify::Depth Milling::deepest_in_part(std::size_t queued) const {
+    const QueuedPass& pass = queued_[queued];
+    certify::Depth deepest;
+    if (!part_guard_ || pass.clamp > 0 || pass.kind == QueuedPass::Kind::rapid_probe) return deepest;
+    for (std::size_t i = queued; i < queued_.size() && queued_[i].move == pass.move; ++i) {
+        if (queued_[i].kind != pass.kind || queued_[i].clamp != 0) continue;
+        const certify::Depth depth = part_guard_->hit_by(queued_[i].pass);
+        if (depth.depth > deepest.depth) deepest = depth;
+    }
+    return deepest;
+}
+
+void Milling::judge(std::size_t queued) {
+    const QueuedPass& pass = queued_[queued];
+    if (pass.clamp == 0 && pass.kind == QueuedPass::Kind::cut) return judge_cut(pass, moves_[pass.move], met_by(pass));
+    // Said once for a move, at the first of its parts.
+    for (std::size_t i = queued; i > 0 && queued_[i - 1].move == pass.move; --i)
+        if (queued_[i - 1].kind == pass.kind && queued_[i - 1].clamp == pass.clamp) return;
+    const Reach reach = deepest_reach(queued);
+    if (!(reach.depth > setup_.tolerances.rapid)) say_undecided(queued);
+    const certify::Depth in_part = deepest_in_part(queued);
+    // Whether a thread that the part shows excuses it is known at the end.
+    if (in_part.depth > 0) return entered_part_.push_back({pass, reach, in_part});
+    if (reach.depth > setup_.tolerances.rapid) judge_reach(pass, moves_[pass.move], reach, {});
+}
+
+/// Said once: some hundreds of moves beside material are searched, no more.
+void Milling::say_left_to_rays() {
+    if (left_to_rays_ || !stock_guard_ || !stock_guard_->rays_from()) return;
+    const auto first = std::find_if(queued_.begin(), queued_.end(),
+                                    [&](const QueuedPass& q) { return q.pass == *stock_guard_->rays_from(); });
+    if (first == queued_.end()) return;
+    left_to_rays_ = true;
+    const MilledMove& move = moves_[first->move];
+    const geom::Vec3 step = simulation_->dexels().lattice().step;
+    out_.assumption("from move " + std::to_string(move.index) +
+                        " on, shanks and holders are held to what is left of the stock by the rays alone, " +
+                        mm(std::max({step.x, step.y, step.z})) + " apart: what they touch by less may not be seen",
+                    move.where);
+}
+
+/// What was looked for between the rays without an end is no "clear".
+void Milling::say_undecided(std::size_t queued) {
+    const QueuedPass& pass = queued_[queued];
+    if (!stock_guard_ || pass.clamp > 0) return;
+    for (std::size_t i = queued; i < queued_.size() && queued_[i].move == pass.move; ++i) {
+        if (queued_[i].kind != pass.kind || queued_[i].clamp != 0 || !stock_guard_->is_open(queued_[i].pass)) continue;
+        const MilledMove& move = moves_[pass.move];
+        const cl::Record record{cl::Linear{move.to, {0, 0, 1}, move.rapid}, move.where, move.stack};
+        return out_.unchecked(record,
+                              "whether the " + std::string(name_of(pass.kind)) +
+                                  " touches what is left of the stock between the rays was not decided",
+                              "look at this move, or give the check more time ([budget] seconds)");
+    }
+}
+
+void Milling::judge_entered_part(const std::vector<MilledMove>& moves) {
+    for (Entered& e : entered_part_) {
+        certify::Depth& d = e.part;
+        if (!thread_bands_.empty()) {
+            d.depth = std::abs(thread_bands_.judged(d.at, -geom::distance(d.at, d.surface)));
+            d.edge = false;
+        }
+        if (!(d.depth > std::max(setup_.tolerances.gouge, setup_.milling->tolerance))) d.depth = 0;
+        if (d.depth > 0 || e.stock.depth > setup_.tolerances.rapid) judge_reach(e.pass, moves[e.pass.move], e.stock, d);
+    }
+    entered_part_.clear();
+}
+
+namespace {
+
+std::string deep_at(double depth, geom::Vec3 at) { return mm(depth) + " deep at " + point(at); }
+
+/// What a shank or a holder runs into: the finished part by geometry, if the stock says no more.
+std::string into_text(double stock, geom::Vec3 at, const certify::Depth& part, double same) {
+    const std::string in_part = std::string(part.edge ? "an edge of " : "") + "the finished part";
+    if (!(part.depth > 0)) return "the stock: " + deep_at(stock, at);
+    if (stock <= part.depth + same) return in_part + ": " + deep_at(part.depth, part.at);
+    return "the stock: " + deep_at(stock, at) + ", " + mm(part.depth) + " of it in " + in_part;
+}
+
+}  // namespace
+
+void Milling::judge_reach(const QueuedPass& pass, const MilledMove& move, Reach reach, const certify::Depth& in_part) {
+    using Kind = QueuedPass::Kind;
+    Finding f;
+    const std::string part(name_of(pass.kind));
+    const std::string into = into_text(reach.depth, reach.at, in_part, setup_.milling->tolerance);
+    if (in_part.depth + setup_.milling->tolerance >= reach.depth && in_part.depth > 0)
+        reach = {in_part.depth, in_part.at};
+    f.amounts = {{"depth_mm", reach.depth}, {"x_mm", reach.at.x}, {"y_mm", reach.at.y}, {"z_mm", reach.at.z}};
+    f.place = reach.at;
+    const std::string deep = deep_at(reach.depth, reach.at);
+    if (pass.clamp > 0) {
+        f.code = codes::clamp_collision;
+        f.text = "the " + part + " runs into the clamp " + clamps_[pass.clamp - 1].name + ": " + deep;
+    } else if (pass.kind == Kind::rapid_probe) {
+        f.code = codes::rapid_in_stock;
+        f.text = "rapid move goes through the stock: " + deep;
+    } else if (pass.kind == Kind::shank && move.tool > 0 && assumed_body(move)) {
+        constexpr double up = -1 + 1e-9;
+        if (move.rapid && move.sinking <= up) return;  // out of the cut that has said it
+        const shop::Tool& tool = setup_.tools[*out_.result().tools[move.tool - 1].listed];
+        f.code = codes::edges_too_short;
+        f.text = "the cutting edges are " + mm(*tool.cutting_length) + " long, the cut reaches above them, at " +
+                 point(reach.at);
+        f.remedy = "take a tool with longer cutting edges, or cut less deep; give the tool's shank if it is thinner";
+        f.cause = "tool " + std::to_string(move.tool);
+    } else {
+        f.code = codes::holder_in_stock;
+        f.cause = "tool " + std::to_string(move.tool) + " " + part;
+        f.text = "the " + part + " runs into " + into;
+        if (pass.kind == Kind::shank) f.remedy = "take a tool with longer cutting edges, or cut less deep";
+    }
+    found(move, std::move(f));
+}
+
+}  // namespace obrys::check

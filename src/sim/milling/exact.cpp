@@ -1,0 +1,207 @@
+#include "sim/milling/exact.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include "base/whole.hpp"
+#include "sim/milling/nearest.hpp"
+
+namespace obrys::sim::milling {
+
+namespace {
+
+using geom::Vec3;
+
+constexpr double beyond = 0.05;  ///< of a line's length
+
+/// One ray of a row, as rows of tiles are made (tile_cut.cpp).
+Row row_of(const Job& job, int axis, Vec3 from, const Lattice& lattice) {
+    const Orientation& f = job.frame;
+    const Aims& aims = job.aims[static_cast<std::size_t>(axis)];
+    Row row;
+    row.d = {component(f.x, axis), component(f.y, axis), component(f.z, axis)};
+    const auto normal_part = [&](Vec3 p) { return aims.lie == Lie::skew ? p - dot(p, row.d) * row.d : p; };
+    Vec3 start = from - job.from;
+    set_component(start, axis, 0);
+    // Rows of rays across the tool must be of one height.
+    const bool along_b = aims.lie == Lie::across && f.along == first_across(axis);
+    const int across = along_b ? second_across(axis) : first_across(axis);
+    Vec3 step;
+    set_component(step, across, component(lattice.step, across));
+    row.p = normal_part(f.to_tool(start));
+    row.step = normal_part(f.to_tool(step));
+    row.count = 1;
+    return row;
+}
+
+}  // namespace
+
+Exact::Exact(const Simulation& simulation, const Lattice& lattice)
+    : simulation_(simulation), stock_(simulation.stock_body()), lattice_(lattice) {}
+
+void Exact::prepare(const std::vector<Place>& cells) {
+    const std::size_t known = sweeps_.size();
+    Place low{INT32_MAX, INT32_MAX, INT32_MAX}, high{-1, -1, -1};
+    for (const Place& c : cells) {
+        const Place b = block_of(c);
+        const auto number = static_cast<std::uint32_t>(sweeps_.size());
+        if (blocks_.add(key_of(b), number) != number) continue;
+        sweeps_.emplace_back();
+        for (std::size_t a = 0; a < 3; ++a) low[a] = std::min(low[a], b[a]), high[a] = std::max(high[a], b[a]);
+    }
+    if (sweeps_.size() == known) return;
+    for (std::uint32_t cut = 1; cut <= simulation_.sweeps(); ++cut) {
+        if (simulation_.cutting_of(cut) == nullptr) continue;
+        const Box3 box = simulation_.reach_of(cut);
+        Place from{}, to{};
+        for (int a = 0; a < 3; ++a) {
+            const auto n = static_cast<std::size_t>(a);
+            const double first = component(lattice_.origin, a), step = component(lattice_.step, a);
+            // A block wider on both sides by what `near` looks around.
+            from[n] = base::clipped<std::int32_t>(
+                std::floor(((component(box.min, a) - first) / step - 2) / block), low[n], high[n] + 1);
+            to[n] = base::clipped<std::int32_t>(std::floor(((component(box.max, a) - first) / step + 2) / block),
+                                                low[n] - 1, high[n]);
+        }
+        for (std::int32_t z = from[2]; z <= to[2]; ++z)
+            for (std::int32_t y = from[1]; y <= to[1]; ++y)
+                for (std::int32_t x = from[0]; x <= to[0]; ++x) {
+                    const std::uint32_t b = blocks_.find(key_of({x, y, z}));
+                    if (b != KeyMap::none && b >= known) sweeps_[b].push_back(cut);
+                }
+    }
+}
+
+Exact::Near Exact::near(const Place& cell, bool lines) const {
+    Near near;
+    const Vec3 low = lattice_.node(cell[0], cell[1], cell[2]), step = lattice_.step;
+    const Vec3 centre = low + 0.5 * step;
+    const double reach = 0.5 * length(step) + std::max({step.x, step.y, step.z});
+    const double within = stock_.within(centre);
+    near.stock = std::abs(within) < reach;
+    near.blank = within > 0;
+    for (const std::uint32_t cut : sweeps_[blocks_.find(key_of(block_of(cell)))]) {
+        const Box3 box = simulation_.reach_of(cut);
+        if (centre.x < box.min.x - reach || centre.x > box.max.x + reach || centre.y < box.min.y - reach ||
+            centre.y > box.max.y + reach || centre.z < box.min.z - reach || centre.z > box.max.z + reach)
+            continue;
+        const Air::Sweep s = simulation_.body_of(cut);
+        if (!(foot_on(*s.shape, s.track, s.frame.to_tool(centre - s.from)).outside < reach)) continue;
+        near.sweeps.push_back(s);
+        if (lines) near.jobs.push_back(simulation_.job_of(cut));
+    }
+    return near;
+}
+
+Exact::Near Exact::within(const Near& near, Vec3 centre, double radius) const {
+    Near fewer;
+    fewer.stock = near.stock;
+    fewer.blank = near.blank;
+    for (const Air::Sweep& s : near.sweeps)
+        if (foot_on(*s.shape, s.track, s.frame.to_tool(centre - s.from)).outside < radius) fewer.sweeps.push_back(s);
+    return fewer;
+}
+
+bool Exact::is_material(const Near& near, Vec3 p) const {
+    if (near.stock ? !(stock_.within(p) > 0) : !near.blank) return false;
+    return std::none_of(near.sweeps.begin(), near.sweeps.end(), [&](const Air::Sweep& s) {
+        return foot_on(*s.shape, s.track, s.frame.to_tool(p - s.from)).outside < 0;
+    });
+}
+
+/// In air as far as one body alone says.
+bool Exact::is_on_surface(const Near& near, Vec3 p, double allowed) const {
+    if (!near.stock && !near.blank) return false;
+    const double within = near.stock ? stock_.within(p) : HUGE_VAL;
+    if (within < -allowed) return false;
+    bool close = within <= allowed;
+    for (const Air::Sweep& s : near.sweeps) {
+        const Vec3 own = s.frame.to_tool(p - s.from);
+        const Foot foot = foot_on(*s.shape, s.track, own);
+        if (foot.outside > allowed) continue;
+        if (!(foot.outside > 0)) {
+            if (foot.outside < -allowed || depth_in(*s.shape, own - foot.place) > allowed) return false;
+            close = true;
+        } else if (!close) {
+            // Where the tool is when a face of it is nearest is mostly, beside its edges not quite, where it is.
+            close = distance_from(*s.shape, own - foot.place) <= allowed ||
+                    outside_sweep(*s.shape, s.track, own) <= allowed;
+        }
+    }
+    return close;
+}
+
+bool Exact::is_clear(const Near& near, Vec3 p, double radius) const {
+    if (!near.stock && !near.blank) return true;
+    const double within = near.stock ? stock_.within(p) : HUGE_VAL;
+    bool clear = within > radius;
+    if (within < -radius) return true;
+    for (const Air::Sweep& s : near.sweeps) {
+        const double outside = foot_on(*s.shape, s.track, s.frame.to_tool(p - s.from)).outside;
+        if (outside < -radius) return true;
+        clear = clear && outside > radius;
+    }
+    return clear;
+}
+
+void Exact::gaps(const Job& job, int axis, Vec3 from, double low, double high, std::vector<Interval>& out) const {
+    const int u = first_across(axis), v = second_across(axis);
+    if (component(from, u) < component(job.box.min, u) || component(from, u) > component(job.box.max, u) ||
+        component(from, v) < component(job.box.min, v) || component(from, v) > component(job.box.max, v) ||
+        component(job.box.max, axis) < low || component(job.box.min, axis) > high)
+        return;
+    const double base = component(job.from, axis);
+    cut_row(*job.shape, job.track, row_of(job, axis, from, lattice_), job.aims[static_cast<std::size_t>(axis)],
+            [](int, double, double) { return true; },
+            [&](const Spans& spans) {
+                const double begin = base + spans.low[0], end = base + spans.high[0];
+                if (end - begin > thinnest && end > low && begin < high) out.push_back({begin, end, job.cut, job.cut});
+            });
+}
+
+/// A blank's face on the line, as a gap. Thin parts of it within one line are not seen.
+void Exact::stock_ends(const Near& near, int axis, Vec3 from, double low, double high,
+                       std::vector<Interval>& out) const {
+    if (!near.stock && near.blank) return;
+    const auto inside = [&](double at) {
+        Vec3 p = from;
+        set_component(p, axis, at);
+        return stock_.within(p) > 0;
+    };
+    const bool first = near.stock && inside(low), last = near.stock && inside(high);
+    if (first && last) return;
+    if (!first && !last) {
+        out.push_back({low - 1, high + 1, 0, 0});
+        return;
+    }
+    double a = low, b = high;
+    for (int i = 0; i < 60 && b - a > 1e-12; ++i) {
+        const double middle = 0.5 * (a + b);
+        (inside(middle) == first ? a : b) = middle;
+    }
+    const double face = 0.5 * (a + b);
+    out.push_back(first ? Interval{face, high + 1, 0, 0} : Interval{low - 1, face, 0, 0});
+}
+
+void Exact::ends(const Near& near, int axis, Vec3 from, double high, std::vector<LineEnd>& out) const {
+    out.clear();
+    double low = component(from, axis);
+    const double more = beyond * (high - low);
+    low -= more, high += more;
+    std::vector<Interval> air;
+    stock_ends(near, axis, from, low, high, air);
+    for (const Job& job : near.jobs) gaps(job, axis, from, low, high, air);
+    std::sort(air.begin(), air.end(), [](const Interval& a, const Interval& b) { return a.begin < b.begin; });
+    double reached = -HUGE_VAL;
+    std::uint32_t last = 0;
+    for (const Interval& gap : air) {
+        if (gap.begin - reached > thinnest) {  // material between them
+            if (reached > low) out.push_back({reached, last, true});
+            if (gap.begin > low) out.push_back({gap.begin, gap.begin_cut, false});
+        }
+        if (gap.end > reached) reached = gap.end, last = gap.end_cut;
+    }
+    if (reached > low && reached < high) out.push_back({reached, last, true});
+}
+
+}  // namespace obrys::sim::milling

@@ -1,0 +1,66 @@
+#pragma once
+/// The exact surface near cells of a lattice: where material is, how far a point lies from it, where it ends on a line.
+/// From the sweeps themselves, not from rays. Frame of the stock, millimetres.
+
+#include <vector>
+
+#include "sim/milling/job.hpp"
+#include "sim/milling/key_map.hpp"
+#include "sim/milling/leaves.hpp"
+#include "sim/milling/simulation.hpp"
+
+namespace obrys::sim::milling {
+
+/// Material begins (`rising`) or ends on a line.
+struct LineEnd {
+    double at = 0;
+    std::uint32_t cut = 0;  ///< as of Interval
+    bool rising = false;
+};
+
+class Exact {
+public:
+    Exact(const Simulation& simulation, const Lattice& lattice);
+
+    [[nodiscard]] const Lattice& lattice() const { return lattice_; }
+    /// What lies near a cell of the lattice: no farther from it than about a step.
+    struct Near {
+        std::vector<Air::Sweep> sweeps;
+        std::vector<Job> jobs;  ///< the same
+        bool stock = false;     ///< the stock's own face is near
+        bool blank = true;      ///< else: within the stock
+    };
+    /// Finds the sweeps near these cells; `near` is asked of such cells alone, from several threads at once.
+    void prepare(const std::vector<Place>& cells);
+    /// `lines`: they are made ready for `ends`.
+    [[nodiscard]] Near near(const Place& cell, bool lines) const;
+
+    /// What of it lies within a ball; for points, not for lines.
+    [[nodiscard]] Near within(const Near& near, geom::Vec3 centre, double radius) const;
+    [[nodiscard]] bool is_material(const Near& near, geom::Vec3 p) const;
+    [[nodiscard]] double in_blank(geom::Vec3 p) const { return stock_.within(p); }
+    /// The surface lies no farther from a point than so.
+    [[nodiscard]] bool is_on_surface(const Near& near, geom::Vec3 p, double allowed) const;
+    /// It lies farther from it; false where that is not known.
+    [[nodiscard]] bool is_clear(const Near& near, geom::Vec3 p, double radius) const;
+    /// Where material ends on a line along `axis` from a point up to `high`, ascending; a little beyond both ends.
+    void ends(const Near& near, int axis, geom::Vec3 from, double high, std::vector<LineEnd>& out) const;
+    [[nodiscard]] geom::Vec3 normal(std::uint32_t cut, geom::Vec3 p) const { return simulation_.normal_at(cut, p); }
+
+private:
+    static constexpr std::int32_t block = 8;  ///< cells, along each axis
+    [[nodiscard]] static Place block_of(const Place& cell) {
+        return {cell[0] / block, cell[1] / block, cell[2] / block};
+    }
+    void gaps(const Job& job, int axis, geom::Vec3 from, double low, double high, std::vector<Interval>& out) const;
+    void stock_ends(const Near& near, int axis, geom::Vec3 from, double low, double high,
+                    std::vector<Interval>& out) const;
+
+    const Simulation& simulation_;
+    const StockBody& stock_;
+    Lattice lattice_;
+    KeyMap blocks_;                                  ///< number in `sweeps_`
+    std::vector<std::vector<std::uint32_t>> sweeps_;  ///< cuts, by block
+};
+
+}  // namespace obrys::sim::milling
