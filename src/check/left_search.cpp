@@ -329,6 +329,7 @@ LeftDepth Search::run(bool sample) {
         if (best_.depth > 0 && found_at_ == 0) found_at_ = cells_;
         if (cells_ >= s_.most_cells || (found_at_ > 0 && cells_ >= found_at_ + refining)) {
             best_.decided = best_.depth > 0;
+            best_.bound = open_.top().bound;
             return best_;
         }
         const Cell cell = open_.top();
