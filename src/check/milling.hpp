@@ -82,6 +82,8 @@ private:
     void queue(const geom::PathElement& element, const MilledMove& move, bool feed);
     void queue_pass(QueuedPass::Kind kind, sim::milling::Part part, bool cut, const geom::PathElement& element);
     void require(sim::milling::Taken taken);
+    [[nodiscard]] std::string name_of(const QueuedPass& pass, const MilledMove& move) const;
+    [[nodiscard]] bool holder_is_above(const geom::PathElement& element) const;
     void queue_clamps(const geom::PathElement& element);
     void queue_rapid(const Move& move, const MilledMove& m, const Stand::View& view,
                      const std::vector<shop::ToolPose>& swing);
@@ -135,6 +137,7 @@ private:
     struct KnownTool {
         std::uint32_t number = 0;  ///< in the simulation
         bool shank = false, holder = false;
+        double holder_from = 0;    ///< mm above the tip
         std::uint32_t core = 0;  ///< the number of its end that does not cut, if that is so on slants
         double core_radius = 0;  ///< of that; 0: it cuts everywhere
     };
@@ -178,6 +181,7 @@ private:
     const shop::Tool* tool_ = nullptr;
     std::vector<std::optional<KnownTool>> known_tools_;  ///< by index in Setup::tools
     KnownTool tool_parts_;
+    mesh::Box all_;  ///< around stock and part
     std::uint32_t sim_tool_ = 0;
     std::uint32_t passes_ = 0, pieces_left_ = 0;
     geom::Vec3 axis_{0, 0, 1};

@@ -75,6 +75,12 @@ std::string_view name_of(QueuedPass::Kind kind) {
 
 }  // namespace
 
+std::string Milling::name_of(const QueuedPass& pass, const MilledMove& move) const {
+    const auto listed = move.tool > 0 ? out_.result().tools[move.tool - 1].listed : std::nullopt;
+    const bool none = listed && setup_.tools[*listed].holder.empty();
+    return pass.kind == QueuedPass::Kind::holder && none ? "spindle nose" : std::string(check::name_of(pass.kind));
+}
+
 /// The deepest place in the finished part, of the same ones.
 certify::Depth Milling::deepest_in_part(std::size_t queued) const {
     const QueuedPass& pass = queued_[queued];
@@ -111,7 +117,7 @@ void Milling::say_undecided(std::size_t queued) {
         const MilledMove& move = moves_[pass.move];
         const cl::Record record{cl::Linear{move.to, {0, 0, 1}, move.rapid}, move.where, move.stack};
         return out_.unchecked(record,
-                              "whether the " + std::string(name_of(pass.kind)) +
+                              "whether the " + name_of(pass, move) +
                                   " touches what is left of the stock between the rays was not decided",
                               "look at this move, or give the check more time ([budget] seconds)");
     }
@@ -147,7 +153,7 @@ std::string into_text(double stock, geom::Vec3 at, const certify::Depth& part, d
 void Milling::judge_reach(const QueuedPass& pass, const MilledMove& move, Reach reach, const certify::Depth& in_part) {
     using Kind = QueuedPass::Kind;
     Finding f;
-    const std::string part(name_of(pass.kind));
+    const std::string part = name_of(pass, move);
     const std::string into = into_text(reach.depth, reach.at, in_part, setup_.milling->tolerance);
     if (in_part.depth + setup_.milling->tolerance >= reach.depth && in_part.depth > 0)
         reach = {in_part.depth, in_part.at};
