@@ -237,9 +237,7 @@ void read_line(FanucState& s, const base::Source& source, std::size_t begin, std
 
 /// All programs of the text, between as many pairs of `%` as there are; the last part.
 Extent read_extents(FanucState& s, const base::Source& source) {
-    std::string_view text = s.text;
-    while (!text.empty() && (text.back() == '\x1A' || text.back() == '\0'))
-        text.remove_suffix(1);  // CP/M's end of file
+    const std::string_view text = base::without_end_signs(s.text);
     Extent e = extent_of(text, 0);
     for (bool first = true;; first = false) {
         const bool goes_on = e.has_rest && find_header(text, e.end) != std::string_view::npos;
