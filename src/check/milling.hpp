@@ -55,12 +55,17 @@ public:
     void take(const cl::Record& record, const cl::ToolChange& tool);
     void take(const cl::Feed& feed) { feed_ = feed; }
     void take(const cl::Spindle& spindle) {
+        const std::int8_t turns = spindle.speed != 0 ? spindle.direction : std::int8_t{0};
+        edge_away_ = is_placed(cycle_) && turns == 0 && (edge_away_ || spindle_ != 0);
         speed_ = spindle.mode == cl::SpindleMode::rpm ? spindle.speed : NAN;
-        spindle_ = spindle.speed != 0 ? spindle.direction : std::int8_t{0};
+        spindle_ = turns;
     }
     /// The brackets of a cycle; moves inside that come from elsewhere run along an element of its contour.
     void begin_cycle(const base::Span& call) { cycle_ = call; }
-    void end_cycle() { cycle_ = nowhere; }
+    void end_cycle() {
+        cycle_ = nowhere;
+        edge_away_ = false;
+    }
     /// `use`: index in Result::tools + 1. Queues the move; findings come later, in the order of the moves.
     void take(const Move& move, std::uint32_t use, const Stand::View& view, const std::vector<shop::ToolPose>& swing);
     /// Carries out what is queued, judges the surface and fills in Result::milling.
@@ -83,6 +88,7 @@ private:
     void queue_pass(QueuedPass::Kind kind, sim::milling::Part part, bool cut, const geom::PathElement& element);
     void require(sim::milling::Taken taken);
     [[nodiscard]] std::string name_of(const QueuedPass& pass, const MilledMove& move) const;
+    void queue_cutting(const geom::PathElement& element, const MilledMove& move, bool feed);
     [[nodiscard]] bool holder_is_above(const geom::PathElement& element) const;
     void queue_clamps(const geom::PathElement& element);
     void queue_rapid(const Move& move, const MilledMove& m, const Stand::View& view,
@@ -137,7 +143,7 @@ private:
     struct KnownTool {
         std::uint32_t number = 0;  ///< in the simulation
         bool shank = false, holder = false;
-        double holder_from = 0;    ///< mm above the tip
+        double holder_from = 0;  ///< mm above the tip
         std::uint32_t core = 0;  ///< the number of its end that does not cut, if that is so on slants
         double core_radius = 0;  ///< of that; 0: it cuts everywhere
     };
@@ -186,6 +192,7 @@ private:
     std::uint32_t passes_ = 0, pieces_left_ = 0;
     geom::Vec3 axis_{0, 0, 1};
     base::Span cycle_ = nowhere;  ///< call of the cycle being run
+    bool edge_away_ = false;      ///< the cycle has stopped the spindle: of a boring bar the edge leaves the wall
     cl::Feed feed_;
     double speed_ = NAN;  ///< 1/min
     std::int8_t spindle_ = 0;
