@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <span>
 
 #include "base/whole.hpp"
 #include "check/certify_shapes.hpp"
@@ -16,9 +17,11 @@ using geom::Vec3;
 
 namespace {
 
-constexpr double round_share = 0.25;        ///< of what is allowed: chords of a round stock
-constexpr double hidden = 4;                ///< times the rays' distance: what is deeper they see
-constexpr double seen = 0.5;                ///< times that: a depth of a shank or holder that they have found
+constexpr double round_share = 0.25;  ///< of what is allowed: chords of a round stock
+constexpr double hidden = 4;          ///< times the rays' distance: what is deeper they see
+constexpr double seen = 0.5;          ///< times that: a depth of a shank or holder that they have found
+constexpr std::size_t most_deep =
+    200;  ///< rapids that the rays see deep in the stock and that are searched all the same
 constexpr std::size_t most_bodies = 600;    ///< moves of shanks and holders beside material that are searched
 constexpr double chords = 0.1;              ///< of the tolerance: curves were cut as chords
 constexpr double chord_share = 1.0 / 40;    ///< of the tolerance: chords of a way that is looked at
@@ -95,6 +98,7 @@ struct StockGuard::Group {
 StockGuard::StockGuard(const milling::Stock& stock, double allowed, double apart, double tolerance, int threads)
     : body_(stock),
       stock_(mesh_of(stock, round_share * allowed)),
+      planes_(planes_of(stock)),
       allowed_(allowed),
       apart_(apart),
       tolerance_(tolerance),
@@ -183,6 +187,11 @@ bool StockGuard::clear_together(Group& g, std::size_t first, std::size_t end) co
     return all_clear(body, *q.part, search);
 }
 
+/// A rapid that meets something on rays: it may be thinner than what can be searched for.
+bool StockGuard::has_met(const milling::Simulation& simulation, const Queued& q) const {
+    return !q.body && simulation.engagements()[q.number].depth > allowed_;
+}
+
 void StockGuard::judge_range(Group& g, std::size_t first, std::size_t end) const {
     if (end - first == 1) {
         Verdict v;
@@ -193,7 +202,10 @@ void StockGuard::judge_range(Group& g, std::size_t first, std::size_t end) const
         if (!v.decided || v.hit.depth > 0) g.done.push_back({queued_[first].number, v});
         return;
     }
-    if (end - first >= worth_it && clear_together(g, first, end)) return;
+    const auto met = [&](const Queued& q) { return has_met(g.simulation, q); };
+    const auto range = std::span(queued_).subspan(first, end - first);
+    if (end - first >= worth_it && std::none_of(range.begin(), range.end(), met) && clear_together(g, first, end))
+        return;
     const std::size_t middle = (first + end) / 2;
     judge_range(g, first, middle);
     judge_range(g, middle, end);
@@ -263,7 +275,9 @@ void StockGuard::judge_piece(Verdict& verdict, const LeftBody& way, const Part& 
 StockGuard::Verdict StockGuard::judge_one(Group& g, const Queued& q) const {
     Verdict verdict;
     const LeftCuts cuts(g.air, g.simulation, q.number);
-    const LeftSearch search{body_, g.air, cuts.all(), least_, hidden * apart_, cells_of_one, &g.hint};
+    LeftSearch search{body_, g.air, cuts.all(), least_, hidden * apart_, cells_of_one, &g.hint};
+    search.planes = &planes_;
+    search.met = has_met(g.simulation, q);
     const auto* circle = std::get_if<geom::Circular>(&q.path);
     const bool level = circle != nullptr && is_level(*circle, q.axis);
     const std::size_t quarters =
@@ -323,12 +337,14 @@ bool StockGuard::is_worth_search(const Queued& q) {
 void StockGuard::carry_out(const milling::Simulation& simulation, const std::function<bool()>& stop) {
     std::vector<char> clear(queued_.size());
     const auto met = simulation.engagements();
+    for (std::size_t i = 0; i < queued_.size(); ++i) {
+        // What the rays see so deep they measure well enough; of rapids the first ones better.
+        const bool deep = met[queued_[i].number].depth > (queued_[i].body ? seen : hidden) * apart_;
+        clear[i] = deep && (queued_[i].body || deep_rapids_++ >= most_deep) ? 1 : 0;
+    }
     for_all(queued_.size(), threads_, [&](std::size_t i) {
-        // What the rays see so deep they measure well enough.
-        clear[i] = met[queued_[i].number].depth > (queued_[i].body ? seen : hidden) * apart_ ||
-                           judge_.is_clear({queued_[i].path, queued_[i].axis, &queued_[i].part->shape})
-                       ? 1
-                       : 0;
+        clear[i] =
+            clear[i] != 0 || judge_.is_clear({queued_[i].path, queued_[i].axis, &queued_[i].part->shape}) ? 1 : 0;
     });
     std::size_t kept = 0;
     for (std::size_t i = 0; i < queued_.size(); ++i)

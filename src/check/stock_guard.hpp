@@ -15,7 +15,7 @@
 #include <set>
 #include <vector>
 
-#include "check/left_search.hpp"
+#include "check/left_inside.hpp"
 #include "sim/certify/certify.hpp"
 #include "sim/milling/simulation.hpp"
 
@@ -66,6 +66,7 @@ private:
         double low = 0, high = 0;
     };
     struct Group;
+    [[nodiscard]] bool has_met(const sim::milling::Simulation& simulation, const Queued& q) const;
     [[nodiscard]] bool is_worth_search(const Queued& q);
     [[nodiscard]] Part made(const sim::milling::Shape& shape) const;
     [[nodiscard]] sim::milling::Box3 box_of(std::size_t first, std::size_t end) const;
@@ -79,6 +80,7 @@ private:
 
     const sim::milling::Stock& body_;
     mesh::Distance stock_;
+    StockPlanes planes_;
     double allowed_ = 0, apart_ = 0, tolerance_ = 0, least_ = 0;
     int threads_ = 0;
     sim::certify::Judge judge_;
@@ -86,7 +88,7 @@ private:
     std::vector<Queued> queued_;
     std::map<std::uint32_t, Hit> hits_;
     std::set<std::uint32_t> undecided_;
-    std::size_t refined_ = 0, searched_ = 0;
+    std::size_t refined_ = 0, searched_ = 0, deep_rapids_ = 0;
     std::optional<std::uint32_t> rays_from_;
 };
 
