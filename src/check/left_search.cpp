@@ -334,6 +334,7 @@ LeftDepth Search::run(bool sample) {
         if (best_.depth > 0 && found_at_ == 0) found_at_ = cells_;
         if (cells_ >= s_.most_cells || (found_at_ > 0 && cells_ >= found_at_ + refining)) {
             best_.decided = best_.depth > 0;
+            best_.bound = open_.top().bound;
             return best_;
         }
         const Cell cell = open_.top();
@@ -358,7 +359,7 @@ LeftDepth deepest_left(const LeftBody& body, const LeftSearch& search) {
                                                much * search.enough, thin_share * search.allowed, most_inside});
     if (!in.decided && !(d.decided && d.depth > 0)) {
         d = Search(search, body).run(true);
-        if (d.depth == 0 && search.met) d.decided = false;
+        if (d.depth == 0 && search.met) d.decided = false, d.bound = search.enough;
         return d;
     }
     // One is how deep the body lies in what is left, the other how deep that lies in the body.

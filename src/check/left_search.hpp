@@ -38,6 +38,7 @@ struct LeftDepth {
     bool decided = false;  ///< nothing is deeper than allowed, or `depth` is more than that
     double depth = 0;      ///< reached, as a rule within a tenth of the deepest; 0: none deeper than allowed
     geom::Vec3 at;
+    double bound = 0;  ///< where it is not decided: nothing is deeper
 };
 [[nodiscard]] LeftDepth deepest_left(const LeftBody& body, const LeftSearch& search);
 

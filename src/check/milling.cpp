@@ -261,7 +261,6 @@ void Milling::carry_out() {
     if (certificate_) certificate_->carry_out();
     if (part_guard_) part_guard_->carry_out();
     if (stock_guard_) stock_guard_->carry_out(*simulation_, setup_.out_of_time);
-    say_left_to_rays();
     for (Clamp& c : clamps_) {
         c.simulation.flush();
         c.guard->carry_out();

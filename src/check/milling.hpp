@@ -106,7 +106,6 @@ private:
     [[nodiscard]] sim::certify::Depth deepest_in_part(std::size_t queued) const;
     void judge(std::size_t queued);
     void say_undecided(std::size_t queued);
-    void say_left_to_rays();
     void judge_reach(const QueuedPass& pass, const MilledMove& move, Reach reach, const sim::certify::Depth& in_part);
     void judge_entered_part(const std::vector<MilledMove>& moves);
     void judge_cut(const QueuedPass& pass, MilledMove& move, const sim::milling::Engagement& met);
@@ -189,7 +188,7 @@ private:
     cl::Feed feed_;
     double speed_ = NAN;  ///< 1/min
     std::int8_t spindle_ = 0;
-    bool tool_ready_ = false, complete_ = true, stopped_reported_ = false, left_to_rays_ = false;
+    bool tool_ready_ = false, complete_ = true, stopped_reported_ = false;
     std::optional<geom::Vec3> tap_bottom_;  ///< where a tap has stopped in its thread
     std::optional<geom::Vec3> tap_mouth_;   ///< where it set out into it
     std::int8_t tap_sense_ = 0;             ///< MilledMove::thread of its way in

@@ -34,7 +34,7 @@ Milling::Reach Milling::reach_of(const QueuedPass& pass) const {
         return deeper(hit.depth, hit.at);
     }
     if (!stock_guard_) return rays;
-    const StockGuard::Hit hit = stock_guard_->hit_by(pass.pass);
+    const StockHit hit = stock_guard_->hit_by(pass.pass);
     return deeper(hit.depth, hit.at);
 }
 
@@ -100,21 +100,6 @@ void Milling::judge(std::size_t queued) {
     // Whether a thread that the part shows excuses it is known at the end.
     if (in_part.depth > 0) return entered_part_.push_back({pass, reach, in_part});
     if (reach.depth > setup_.tolerances.rapid) judge_reach(pass, moves_[pass.move], reach, {});
-}
-
-/// Said once: some hundreds of moves beside material are searched, no more.
-void Milling::say_left_to_rays() {
-    if (left_to_rays_ || !stock_guard_ || !stock_guard_->rays_from()) return;
-    const auto first = std::find_if(queued_.begin(), queued_.end(),
-                                    [&](const QueuedPass& q) { return q.pass == *stock_guard_->rays_from(); });
-    if (first == queued_.end()) return;
-    left_to_rays_ = true;
-    const MilledMove& move = moves_[first->move];
-    const geom::Vec3 step = simulation_->dexels().lattice().step;
-    out_.assumption("from move " + std::to_string(move.index) +
-                        " on, shanks and holders are held to what is left of the stock by the rays alone, " +
-                        mm(std::max({step.x, step.y, step.z})) + " apart: what they touch by less may not be seen",
-                    move.where);
 }
 
 /// What was looked for between the rays without an end is no "clear".
