@@ -28,6 +28,8 @@ struct Refined;
 
 namespace obrys::check {
 
+struct Machined;
+
 /// One part of a tool on its way, queued in the simulation; what it met is known when the queue has been carried out.
 struct QueuedPass {
     enum class Kind : std::uint8_t { cut, rapid_probe, shank, holder };
@@ -131,6 +133,7 @@ private:
     void judge_plunge(const QueuedPass& pass, const MilledMove& move, const sim::milling::Engagement& met);
     void keep_thread(const Move& move);
     void judge_open(const sim::milling::Refined& refined);
+    void add_thin(mesh::Comparison& found, const Machined& machined, const mesh::CompareOptions& options);
     void judge_surface(Milled& milled);
     void judge_place(const Milled& milled, const mesh::Place& place, bool gouge);
     void judge_gouge(const Milled& milled, const Gouge& gouge);

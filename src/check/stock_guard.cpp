@@ -22,6 +22,7 @@ constexpr double seen = 0.5;                ///< times that: a depth of a shank 
 constexpr double chords = 0.1;              ///< of the tolerance: curves were cut as chords
 constexpr double columns = 4;               ///< times the rays' distance: the least of emptied columns
 constexpr int most_halvings = 3;            ///< of a profile that is no cylinder
+constexpr std::size_t most_deep = 200;      ///< rapids deep in the stock that are searched all the same
 constexpr std::size_t most_searched = 600;  ///< rapids; and as many moves of shanks and holders
 constexpr std::size_t deepest_each = 4;     ///< of those that touch, of each batch
 constexpr std::size_t deepest_in_all = 32;  ///< of them
@@ -108,18 +109,23 @@ Zone StockGuard::heights_along(Vec3 axis) const {
 void StockGuard::sort_out(const milling::Simulation& simulation) {
     std::vector<char> clear(queued_.size());
     const auto met = simulation.engagements();
+    for (std::size_t i = 0; i < queued_.size(); ++i) {
+        // What the rays see so deep they measure well enough; of rapids the first ones better.
+        const bool deep = met[queued_[i].number].depth > (queued_[i].body ? seen : hidden) * apart_;
+        clear[i] = deep && (queued_[i].body || deep_rapids_++ >= most_deep) ? 1 : 0;
+    }
     for_all(queued_.size(), threads_, [&](std::size_t i) {
-        // What the rays see so deep they measure well enough.
-        clear[i] = met[queued_[i].number].depth > (queued_[i].body ? seen : hidden) * apart_ ||
-                           judge_.is_clear({queued_[i].path, queued_[i].axis, &queued_[i].part->shape})
-                       ? 1
-                       : 0;
+        clear[i] =
+            clear[i] != 0 || judge_.is_clear({queued_[i].path, queued_[i].axis, &queued_[i].part->shape}) ? 1 : 0;
     });
     std::vector<double> depths;  // of what is left in the queue
     std::size_t kept = 0;
     for (std::size_t i = 0; i < queued_.size(); ++i) {
         const StockPass& q = queued_[i];
-        if (clear[i] != 0 || in_emptied(q, simulation)) continue;
+        if (clear[i] != 0) continue;
+        // What is thinner than the columns' walls only rays meet.
+        const bool emptied = in_emptied(q, simulation), met_by_rays = !q.body && met[q.number].depth > least_;
+        if (emptied && !met_by_rays) continue;
         const Touched t = touch(cleared_, {q.path, q.axis, q.part->profiles, heights_along(q.axis), hidden * apart_});
         const bool touches = t.depth > least_;
         if (touches) hits_[q.number] = {t.depth, t.at};

@@ -60,7 +60,7 @@ private:
     std::vector<StockPass> queued_;
     std::map<std::uint32_t, StockHit> hits_;
     std::set<std::uint32_t> undecided_;
-    std::size_t refined_ = 0, searched_bodies_ = 0, searched_rapids_ = 0, deepest_searched_ = 0;
+    std::size_t refined_ = 0, searched_bodies_ = 0, searched_rapids_ = 0, deepest_searched_ = 0, deep_rapids_ = 0;
 };
 
 }  // namespace obrys::check

@@ -109,6 +109,11 @@ bool StockSearch::clear_together(Group& g, std::size_t first, std::size_t end) c
     return all_clear(body, *q.part, search);
 }
 
+/// A rapid that meets something on rays: it may be thinner than what can be searched for.
+bool StockSearch::has_met(const milling::Simulation& simulation, const StockPass& q) const {
+    return !q.body && simulation.engagements()[q.number].depth > limits_.allowed;
+}
+
 void StockSearch::judge_range(Group& g, std::size_t first, std::size_t end) const {
     if (end - first == 1) {
         Verdict v;
@@ -119,7 +124,9 @@ void StockSearch::judge_range(Group& g, std::size_t first, std::size_t end) cons
         if (!v.decided || v.hit.depth > 0) g.done.push_back({g.passes[first].number, v});
         return;
     }
-    if (end - first >= worth_it && clear_together(g, first, end)) return;
+    const auto range = g.passes.subspan(first, end - first);
+    const bool met = std::any_of(range.begin(), range.end(), [&](const auto& q) { return has_met(g.simulation, q); });
+    if (end - first >= worth_it && !met && clear_together(g, first, end)) return;
     const std::size_t middle = (first + end) / 2;
     judge_range(g, first, middle);
     judge_range(g, middle, end);
@@ -171,7 +178,9 @@ void StockSearch::judge_piece(Verdict& verdict, const LeftBody& way, const Stock
 StockSearch::Verdict StockSearch::judge_one(Group& g, const StockPass& q) const {
     Verdict verdict;
     const LeftCuts cuts(*g.air, g.simulation, q.number);
-    const LeftSearch search{stock_, *g.air, cuts.all(), limits_.allowed, limits_.enough, cells_of_one, &g.hint};
+    LeftSearch search{stock_, *g.air, cuts.all(), limits_.allowed, limits_.enough, cells_of_one, &g.hint};
+    search.planes = &planes_;
+    search.met = has_met(g.simulation, q);
     const auto* circle = std::get_if<geom::Circular>(&q.path);
     const bool level = circle != nullptr && is_level(*circle, q.axis);
     const std::size_t quarters =

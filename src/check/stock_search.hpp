@@ -8,6 +8,7 @@
 
 #include "check/left_search.hpp"
 #include "check/stock_parts.hpp"
+#include "check/stock_planes.hpp"
 #include "sim/milling/simulation.hpp"
 
 namespace obrys::check {
@@ -26,7 +27,7 @@ public:
     using Verdicts = std::vector<std::pair<std::uint32_t, Verdict>>;  ///< by numbers of passes; others are clear
 
     StockSearch(const sim::milling::Stock& stock, Limits limits, int threads)
-        : stock_(stock), limits_(limits), threads_(threads) {}
+        : stock_(stock), planes_(planes_of(stock)), limits_(limits), threads_(threads) {}
     /// `passes` in their order, of the same part one after the other; until it is told to stop.
     [[nodiscard]] Verdicts search(const std::vector<StockPass>& passes, const sim::milling::Simulation& simulation,
                                   const std::function<bool()>& stop) const;
@@ -36,6 +37,7 @@ private:
         double low = 0, high = 0;
     };
     struct Group;
+    [[nodiscard]] bool has_met(const sim::milling::Simulation& simulation, const StockPass& q) const;
     [[nodiscard]] sim::milling::Box3 box_of(const Group& g) const;
     [[nodiscard]] bool clear_together(Group& g, std::size_t first, std::size_t end) const;
     void judge_range(Group& g, std::size_t first, std::size_t end) const;
@@ -45,6 +47,7 @@ private:
     void judge_piece(Verdict& verdict, const LeftBody& way, const StockPart& part, const LeftSearch& search) const;
 
     const sim::milling::Stock& stock_;
+    StockPlanes planes_;
     Limits limits_;
     int threads_ = 0;
 };
