@@ -368,8 +368,8 @@ LeftDepth Search::run() {
         const Cell cell = open_.top();
         if (cell.bound <= threshold() || best_.depth >= s_.enough) break;
         if (cells_ >= s_.most_cells) {
-            best_.decided = best_.depth > 0;
-            return best_;
+            best_.bound = cell.bound;
+            return best_;  // something deeper may be there
         }
         open_.pop();
         ++cells_;

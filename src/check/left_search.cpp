@@ -357,13 +357,15 @@ LeftDepth deepest_left(const LeftBody& body, const LeftSearch& search) {
     if (d.decided && d.depth == 0 && !search.met) return d;
     const LeftDepth in = deepest_inside(body, {search.stock, *search.planes, search.air, search.cuts, search.allowed,
                                                much * search.enough, thin_share * search.allowed, most_inside});
-    if (!in.decided && !(d.decided && d.depth > 0)) {
+    if (!in.decided && in.depth == 0 && !(d.decided && d.depth > 0)) {
         d = Search(search, body).run(true);
         if (d.depth == 0 && search.met) d.decided = false, d.bound = search.enough;
         return d;
     }
     // One is how deep the body lies in what is left, the other how deep that lies in the body.
-    return in.decided && (in.depth > d.depth || d.depth == 0) ? in : d;
+    LeftDepth deepest = in.depth > d.depth || d.depth == 0 ? in : d;
+    deepest.decided = in.decided || deepest.depth > 0;
+    return deepest;
 }
 
 bool surely_clear(const LeftBody& body, const LeftSearch& search) { return Search(search, body).run(false).decided; }

@@ -67,7 +67,7 @@ void Milling::queue_rapid(const Move& move, const MilledMove& m, const Stand::Vi
 }
 
 void Milling::queue(const geom::PathElement& element, const MilledMove& move, bool feed) {
-    if (edge_away_)
+    if (edge_away_ && shop::assumed_kind(*tool_) != shop::ToolKind::tap)
         out_.assumption(
             "the cycle stops the spindle and moves the tool: its edge is taken to leave the wall, and the side "
             "opposite to it to have room in the hole",

@@ -11,6 +11,7 @@ namespace milling = sim::milling;
 
 namespace {
 
+constexpr double least_nose = 20;          ///< mm: the flange of an HSK-E 20 (DIN 69893-5)
 constexpr double least_gauge_length = 10;  ///< mm; a shorter tool is none: its length was measured from elsewhere
 
 milling::CutterKind cutter_kind(shop::ToolKind kind) {
@@ -104,12 +105,12 @@ double core_on_slant(const shop::Tool& tool) {
 
 namespace {
 
-/// Above its gauge plane no tool ends in the air: at least as wide as what stands below.
+/// Above its gauge plane no tool ends in the air: at least as wide as what stands below, and as the smallest taper.
 std::optional<milling::Body> spindle_nose(const shop::Tool& tool, const milling::Cutter& c) {
     if (!(tool.length >= least_gauge_length)) return std::nullopt;
-    double height = std::min(c.cutting_length, tool.length), widest = c.diameter;
+    double height = std::min(c.cutting_length, tool.length), widest = std::max(c.diameter, least_nose);
     for (const auto* bodies : {&c.shank, &c.holder})
-        for (const milling::Body& b : *bodies) height += b.length, widest = b.upper_diameter;
+        for (const milling::Body& b : *bodies) height += b.length, widest = std::max(b.upper_diameter, least_nose);
     constexpr double same = 1e-6;  // mm
     if (std::abs(height - tool.length) > same) return std::nullopt;
     return milling::Body{widest, widest, unknown_height};
