@@ -120,7 +120,8 @@ TEST(FanucWords, HaasPatternsOfHoles) {
 
 TEST(FanucWords, WhatIsNotRunIsNamed) {
     EXPECT_EQ(on_mill("G43.4 H1 Z5."), "unsupported{G43.4|tool centre point control} H-offset1 Z5");
-    EXPECT_EQ(on_haas("G150 X1. Y1."), "unsupported{G150|general purpose pocket milling}");
+    EXPECT_EQ(on_haas("G150 X1. Y1."),
+              "unsupported{G150|general purpose pocket milling: the manual does not have the order of its rows}");
     EXPECT_EQ(on_haas("G12 I1. D1 F10."), "F10 I1 D-offset1 act " + m(Modal::circle_pocket));
     EXPECT_EQ(on_mill("G777 X1."), "unknown{G777|}");
     EXPECT_EQ(on_mill("G#1 X1."), "unsupported{G#1|a G code that is computed}");
