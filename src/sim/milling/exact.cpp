@@ -12,7 +12,8 @@ namespace {
 
 using geom::Vec3;
 
-constexpr double beyond = 0.05;  ///< of a line's length
+constexpr double beyond = 0.05;          ///< of a line's length
+constexpr std::size_t most_around = 24;  ///< bodies that are asked together how far material is from a point in air
 
 /// One ray of a row, as rows of tiles are made (tile_cut.cpp).
 Row row_of(const Job& job, int axis, Vec3 from, const Lattice& lattice) {
@@ -74,9 +75,8 @@ void Exact::prepare(const std::vector<Place>& cells) {
 
 Exact::Near Exact::near(const Place& cell, bool lines) const {
     Near near;
-    const Vec3 low = lattice_.node(cell[0], cell[1], cell[2]), step = lattice_.step;
-    const Vec3 centre = low + 0.5 * step;
-    const double reach = 0.5 * length(step) + std::max({step.x, step.y, step.z});
+    const Vec3 centre = middle_of(cell);
+    const double reach = this->reach();
     const double within = stock_.within(centre);
     near.stock = std::abs(within) < reach;
     near.blank = within > 0;
@@ -92,6 +92,8 @@ Exact::Near Exact::near(const Place& cell, bool lines) const {
     }
     return near;
 }
+
+bool Exact::reaches(const Place& cell, Vec3 p) const { return geom::distance(p, middle_of(cell)) < 0.98 * reach(); }
 
 Exact::Near Exact::within(const Near& near, Vec3 centre, double radius) const {
     Near fewer;
@@ -109,16 +111,20 @@ bool Exact::is_material(const Near& near, Vec3 p) const {
     });
 }
 
-/// In air as far as one body alone says.
 bool Exact::is_on_surface(const Near& near, Vec3 p, double allowed) const {
     if (!near.stock && !near.blank) return false;
     const double within = near.stock ? stock_.within(p) : HUGE_VAL;
     if (within < -allowed) return false;
-    bool close = within <= allowed;
+    bool close = within <= allowed, in_air = within < 0;
+    std::array<Side, most_around> around;
+    std::size_t count = 0;
+    if (close) around[count++] = side(near, 0, p);
     for (const Air::Sweep& s : near.sweeps) {
         const Vec3 own = s.frame.to_tool(p - s.from);
         const Foot foot = foot_on(*s.shape, s.track, own);
         if (foot.outside > allowed) continue;
+        in_air = in_air || foot.outside < 0;
+        if (count < most_around) around[count++] = {foot.outside, s.frame.to_stock(foot.gradient)};
         if (!(foot.outside > 0)) {
             if (foot.outside < -allowed || depth_in(*s.shape, own - foot.place) > allowed) return false;
             close = true;
@@ -128,7 +134,7 @@ bool Exact::is_on_surface(const Near& near, Vec3 p, double allowed) const {
                     outside_sweep(*s.shape, s.track, own) <= allowed;
         }
     }
-    return close;
+    return close && (!in_air || count < 2 || is_left({around.data(), count}, allowed));
 }
 
 bool Exact::is_clear(const Near& near, Vec3 p, double radius) const {

@@ -57,10 +57,48 @@ Fine::Fine(Exact& exact, double tolerance, const Lattice& lattice, const NodeBit
       exact_(exact) {}
 
 void Fine::refine(const std::vector<Place>& cells) {
-    if (leaves_.unit() == 1 || cells.empty()) return;
+    if (leaves_.unit() == 1) return;
     std::vector<Leaf> next;
     for (const Place& c : cells)
         next.push_back({{c[0] * leaves_.unit(), c[1] * leaves_.unit(), c[2] * leaves_.unit()}, leaves_.unit()});
+    halve(std::move(next));
+}
+
+std::vector<Unshown> Fine::show(const std::vector<Unshown>& places) {
+    std::vector<Leaf> next;
+    std::vector<Unshown> left;
+    for (const Unshown& u : places) {
+        bool halved = false;
+        for (const Vec3 p : {u.at, u.nearest})
+            if (Leaf leaf; leaf_of(p, leaf) && leaf.size > 1) next.push_back(leaf), halved = true;
+        if (!halved) left.push_back(u);
+    }
+    if (known_.size() >= most_known) return places;
+    halve(std::move(next));
+    return left;
+}
+
+bool Fine::leaf_of(Vec3 p, Leaf& leaf) const {
+    Place at{};
+    for (int a = 0; a < 3; ++a) {
+        const auto n = static_cast<std::size_t>(a);
+        const double step = component(lattice_.step, a) / leaves_.unit();
+        const double cell = std::floor((component(p, a) - component(lattice_.origin, a)) / step);
+        if (!(cell >= 0 && cell < static_cast<double>(lattice_.count[n] - 1) * leaves_.unit())) return false;
+        at[n] = static_cast<std::int32_t>(cell);
+    }
+    leaf = leaves_.leaf_at(at);
+    return true;
+}
+
+void Fine::leave_open(Vec3 p) {
+    Leaf leaf;
+    if (!leaf_of(p, leaf)) return;
+    const std::int32_t s = leaf.size;
+    open_.push_back({leaves_.node(leaf.at), leaves_.node({leaf.at[0] + s, leaf.at[1] + s, leaf.at[2] + s})});
+}
+
+void Fine::halve(std::vector<Leaf> next) {
     while (!next.empty()) {
         ++round_;
         dirty_.clear();
