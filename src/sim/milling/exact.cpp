@@ -73,10 +73,10 @@ void Exact::prepare(const std::vector<Place>& cells) {
     }
 }
 
-Exact::Near Exact::near(const Place& cell, bool lines) const {
+Exact::Near Exact::near(const Place& cell, bool lines) const { return near(cell, middle_of(cell), reach(), lines); }
+
+Exact::Near Exact::near(const Place& cell, Vec3 centre, double reach, bool lines) const {
     Near near;
-    const Vec3 centre = middle_of(cell);
-    const double reach = this->reach();
     const double within = stock_.within(centre);
     near.stock = std::abs(within) < reach;
     near.blank = within > 0;

@@ -37,6 +37,11 @@ public:
     /// `lines`: they are made ready for `ends`.
     [[nodiscard]] Near near(const Place& cell, bool lines) const;
 
+    /// What lies no farther than so from a point in the block of a cell that was made ready; no more than two steps beyond
+    /// that block.
+    [[nodiscard]] Near near(const Place& cell, geom::Vec3 centre, double reach, bool lines) const;
+    /// Cells, along each axis, in whose boxes sweeps are kept.
+    static constexpr std::int32_t block = 8;
     /// All that lies at a point belongs to what is near a cell.
     [[nodiscard]] bool reaches(const Place& cell, geom::Vec3 p) const;
     /// What of it lies within a ball; for points, not for lines.
@@ -53,8 +58,6 @@ public:
     [[nodiscard]] Side side(const Near& near, std::size_t body, geom::Vec3 p) const;
     /// Moves a point to where the faces of two or three bodies meet, the shortest way; false where that is not found.
     [[nodiscard]] bool meet(const Near& near, std::span<const std::size_t> of, geom::Vec3& p) const;
-    /// No body but for these reaches farther over a point than so.
-    [[nodiscard]] bool is_bare(const Near& near, geom::Vec3 p, std::span<const std::size_t> but, double allowed) const;
     /// The surface lies no farther from a point than so.
     [[nodiscard]] bool is_on_surface(const Near& near, geom::Vec3 p, double allowed) const;
     /// It lies farther from it; false where that is not known.
@@ -73,7 +76,6 @@ private:
         return 0.5 * length(lattice_.step) + std::max({lattice_.step.x, lattice_.step.y, lattice_.step.z});
     }
     [[nodiscard]] static bool is_left(std::span<const Side> around, double allowed);
-    static constexpr std::int32_t block = 8;  ///< cells, along each axis
     [[nodiscard]] static Place block_of(const Place& cell) {
         return {cell[0] / block, cell[1] / block, cell[2] / block};
     }

@@ -60,18 +60,6 @@ bool Exact::meet(const Near& near, std::span<const std::size_t> of, Vec3& p) con
     return false;
 }
 
-bool Exact::is_bare(const Near& near, Vec3 p, std::span<const std::size_t> but, double allowed) const {
-    if (near.stock ? stock_.within(p) < -allowed : !near.blank) return false;
-    for (std::size_t body = 1; body < bodies(near); ++body) {
-        if (std::find(but.begin(), but.end(), body) != but.end()) continue;
-        const Air::Sweep& s = near.sweeps[body - 1];
-        const Vec3 own = s.frame.to_tool(p - s.from);
-        const Foot foot = foot_on(*s.shape, s.track, own);
-        if (foot.outside < -allowed || (foot.outside < 0 && depth_in(*s.shape, own - foot.place) > allowed)) return false;
-    }
-    return true;
-}
-
 /// From a point in air with these bodies around it there is a way out of all of them no longer than so. Distances are
 /// convex, so what their tangents leave is outside of them. The way: of least length to all planes, by corrections of
 /// one after the other (C. Hildreth, "A quadratic programming procedure", 1957).

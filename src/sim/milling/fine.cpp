@@ -7,6 +7,8 @@
 
 #include <algorithm>
 #include <bit>
+#include <cstdio>
+#include <ctime>
 #include <cmath>
 #include <tuple>
 
@@ -117,6 +119,7 @@ void Fine::halve(std::vector<Leaf> next) {
         join();
         place_vertices();
         next = leaves_to_split();
+        std::fprintf(stderr, "  halve: next %zu known %zu vertices %zu open %zu t %.2f\n", next.size(), known_.size(), vertices_.size(), open_.size(), double(std::clock())/CLOCKS_PER_SEC);
     }
 }
 

@@ -5,6 +5,8 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstdio>
+#include <ctime>
 
 #include "mesh/distance.hpp"
 #include "sim/milling/unseen.hpp"
@@ -92,19 +94,20 @@ void show_all(const Simulation& simulation, const NodeBits& nodes, Exact& exact,
     const double tolerance = simulation.tolerance();
     const Lattice& lattice = exact.lattice();
     std::vector<Vec3> places = rims(simulation, exact, nodes);
+    std::fprintf(stderr, "rims %zu t %.2f\n", places.size(), double(std::clock())/CLOCKS_PER_SEC);
     KeyMap known;
     std::vector<Place> cells = mixed_cells(nodes);
-    for (const Place& c : cells) known.add(key_of(c), 1);
     for (int round = 0; round < most_rounds; ++round) {
-        for (const Place& c : new_cells(fine, known)) cells.push_back(c);
-        const std::vector<Vec3> edges = edges_in(cells, exact, tolerance);
+        if (round > 0) cells = new_cells(fine, known);
+        const std::vector<Vec3> edges = edges_in(cells, exact, tolerance, round == 0 ? 4 : 2);
         places.insert(places.end(), edges.begin(), edges.end());
-        cells.clear();
         if (places.empty()) return;
         const std::vector<Unshown> wrong = unshown(mesh(), places, lattice, wanted * tolerance);
-        if (wrong.empty()) return;
+        std::fprintf(stderr, "round %d: %zu places (%zu edges), %zu wrong, fine cells %zu; t %.2f\n", round, places.size(), edges.size(), wrong.size(), fine.cells().size(), double(std::clock())/CLOCKS_PER_SEC);
+        for (std::size_t i = 0; i < wrong.size() && i < 600; i += 100) std::fprintf(stderr, "   %.4f %.4f %.4f off %.4f\n", wrong[i].at.x, wrong[i].at.y, wrong[i].at.z, geom::distance(wrong[i].at, wrong[i].nearest));
+        if (wrong.empty() && (round > 0 || fine.cells().empty())) return;
         const std::vector<Unshown> left = fine.show(wrong);
-        if (left.size() == wrong.size()) break;
+        if (!wrong.empty() && left.size() == wrong.size()) break;
     }
     for (const Unshown& u : unshown(mesh(), places, lattice, tolerance)) fine.leave_open(u.at);
 }

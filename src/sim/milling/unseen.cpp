@@ -13,19 +13,22 @@ namespace {
 
 using geom::Vec3;
 
-constexpr double blunt = 0.6;      ///< cosine between two faces' directions from which on planes alone tell of an edge
+constexpr double blunt = 0.9;      ///< cosine between two faces' directions from which on planes alone tell of an edge
 constexpr double bare = 0.3;       ///< of the tolerance: how far other bodies may reach over a place of the surface
-constexpr std::size_t most_faces = 14, most_pairs = 40;  ///< that are looked at in a cell
+constexpr std::size_t most_faces = 20, most_pairs = 60;  ///< that are looked at in a cell
 
-/// Edges and corners near one cell.
+/// Edges and corners near one cell, or some together.
 class CellEdges {
 public:
-    CellEdges(const Exact& exact, const Place& cell, double allowed)
-        : exact_(exact), cell_(cell), near_(exact.near(cell, false)), allowed_(allowed) {
+    CellEdges(const Exact& exact, const Place& low, const Place& cell, std::int32_t together, double allowed)
+        : exact_(exact), allowed_(allowed) {
         const Lattice& l = exact.lattice();
-        middle_ = l.node(cell[0], cell[1], cell[2]) + 0.5 * l.step;
+        middle_ = l.node(low[0], low[1], low[2]) + (0.5 * together) * l.step;
         step_ = std::min({l.step.x, l.step.y, l.step.z});
-        const double reach = 0.5 * length(l.step) + step_;
+        steps_ = together;
+        const double reach = 0.5 * together * length(l.step) + 0.5 * step_;
+        reach_ = 0.99 * reach;
+        near_ = exact.near(cell, middle_, reach, false);
         for (std::size_t body = near_.stock ? 0 : 1; body < Exact::bodies(near_); ++body) {
             const Exact::Side side = exact.side(near_, body, middle_);
             if (side.outside < -reach) {
@@ -40,7 +43,8 @@ public:
         if (faces_.size() > most_faces) faces_.resize(most_faces);
     }
 
-    void find(std::vector<Vec3>& out) const {
+    void find(std::vector<Vec3>& out) {
+        if (near_.sweeps.empty()) return;
         std::size_t pairs = 0;
         for (std::size_t i = 1; i < faces_.size(); ++i)
             for (std::size_t k = 0; k < i && pairs < most_pairs; ++k) {
@@ -56,32 +60,71 @@ private:
         Exact::Side side;
     };
 
-    void edge(std::size_t i, std::size_t k, std::vector<Vec3>& out) const {
+    void edge(std::size_t i, std::size_t k, std::vector<Vec3>& out) {
         const std::array<std::size_t, 2> two{faces_[i].body, faces_[k].body};
         Vec3 p = middle_;
-        if (!exact_.meet(near_, two, p) || !exact_.reaches(cell_, p)) return;
-        offer(p, two, out);
-        const Vec3 along = cross(exact_.side(near_, two[0], p).in, exact_.side(near_, two[1], p).in);
-        const double size = length(along);
-        for (const double share : {-0.6, -0.3, 0.3, 0.6})
-            if (Vec3 q = p + (share * step_ / size) * along; size > 0 && exact_.meet(near_, two, q)) offer(q, two, out);
-        for (std::size_t n = 0; n < faces_.size(); ++n) {
-            if (n == i || n == k) continue;
-            const std::array<std::size_t, 3> three{two[0], two[1], faces_[n].body};
-            if (Vec3 q = p; exact_.meet(near_, three, q)) offer(q, three, out);
+        if (!exact_.meet(near_, two, p) || !is_here(p) || was_tried(p)) return;
+        const Exact::Side one = exact_.side(near_, two[0], p), other = exact_.side(near_, two[1], p);
+        if (!is_edge(two, p, one.in, other.in)) return;
+        if (!is_bare(p)) {
+            // Another body ends the edge not far from here, or takes all of it.
+            if (over_ < step_) corner({two[0], two[1], last_}, p, out);
+            return;
         }
+        out.push_back(p);
+        const Vec3 along = cross(one.in, other.in);
+        const double size = length(along);
+        for (const double share : {-0.6, -0.4, -0.2, 0.2, 0.4, 0.6})
+            if (Vec3 q = p + (share * steps_ * step_ / size) * along; size > 0 && exact_.meet(near_, two, q)) {
+                if (!is_here(q)) continue;
+                if (is_bare(q))
+                    out.push_back(q);
+                else if (over_ < step_)
+                    corner({two[0], two[1], last_}, q, out);
+            }
     }
 
-    void offer(Vec3 p, std::span<const std::size_t> of, std::vector<Vec3>& out) const {
-        if (exact_.reaches(cell_, p) && exact_.is_bare(near_, p, of, allowed_)) out.push_back(p);
+    void corner(const std::array<std::size_t, 3>& three, Vec3 p, std::vector<Vec3>& out) {
+        if (three[2] == three[0] || three[2] == three[1] || !exact_.meet(near_, three, p)) return;
+        if (is_here(p) && is_bare(p)) out.push_back(p);
     }
+
+    /// Both bodies end there, none of them in the other's face: a little beside the edge each alone takes the material.
+    [[nodiscard]] bool is_edge(const std::array<std::size_t, 2>& two, Vec3 p, Vec3 one, Vec3 other) const {
+        const Vec3 aside = (0.02 * step_) * (one - other);
+        return exact_.side(near_, two[0], p - aside).outside < 0 && exact_.side(near_, two[1], p + aside).outside < 0;
+    }
+
+    [[nodiscard]] bool was_tried(Vec3 p) {
+        for (const Vec3& t : tried_)
+            if (geom::distance(t, p) < 0.02 * step_) return true;
+        tried_.push_back(p);
+        return false;
+    }
+
+    /// No body reaches over a place; the one that does is asked first the next time.
+    [[nodiscard]] bool is_bare(Vec3 p) {
+        over_ = -exact_.side(near_, last_, p).outside;
+        if (over_ > allowed_) return false;
+        for (std::size_t body = near_.stock ? 0 : 1; body < Exact::bodies(near_); ++body) {
+            const double over = -exact_.side(near_, body, p).outside;
+            if (over <= allowed_) continue;
+            last_ = body, over_ = over;
+            return false;
+        }
+        return near_.stock || near_.blank;
+    }
+
+    [[nodiscard]] bool is_here(Vec3 p) const { return geom::distance(p, middle_) < reach_; }
 
     const Exact& exact_;
-    Place cell_;
     Exact::Near near_;
-    double allowed_ = 0, step_ = 0;
+    double allowed_ = 0, step_ = 0, steps_ = 1, reach_ = 0;
     Vec3 middle_;
     std::vector<Face> faces_;
+    std::vector<Vec3> tried_;
+    std::size_t last_ = 1;  ///< the body that was found over a place last, and how far
+    double over_ = 0;
 };
 
 /// A sharp ring of a tool's outline, convex, with the directions out of the faces that meet there: along the radius and
@@ -169,10 +212,14 @@ bool is_left_behind(const Rim& rim, geom::Vec2 out, Vec3 way) {
 
 class RimPlaces {
 public:
-    RimPlaces(ByCell& places, double apart) : places_(places), apart_(apart) {}
+    RimPlaces(ByCell& places, const Lattice& lattice, double apart) : places_(places), apart_(apart) {
+        box_.min = lattice.origin;
+        box_.max = lattice.node(lattice.count[0] - 1, lattice.count[1] - 1, lattice.count[2] - 1);
+    }
 
     /// Where the tool stands, between two moves; either way may be zero.
     void standing(const Air::Sweep& s, const Rim& rim, Vec3 at, Vec3 came, Vec3 goes) {
+        if (is_far(s, rim, at)) return;
         const double count = std::ceil(2 * geom::pi * rim.r / apart_);
         for (double i = 0; i < count; ++i) {
             const double turn = 2 * geom::pi * i / count;
@@ -200,11 +247,22 @@ public:
     }
 
 private:
+    /// The rim of a tool that stands there lies beside the lattice.
+    [[nodiscard]] bool is_far(const Air::Sweep& s, const Rim& rim, Vec3 at) const {
+        const Vec3 p = s.from + s.frame.to_stock(at + Vec3{0, 0, rim.z}), axis = s.frame.z;
+        for (int a = 0; a < 3; ++a) {
+            const double along = component(axis, a), half = rim.r * std::sqrt(std::max(0.0, 1 - along * along));
+            if (component(p, a) + half < component(box_.min, a) || component(p, a) - half > component(box_.max, a))
+                return true;
+        }
+        return false;
+    }
     void add(const Air::Sweep& s, const Rim& rim, Vec3 at, geom::Vec2 out) {
         places_.add(s.from + s.frame.to_stock(at + Vec3{rim.r * out.x, rim.r * out.y, rim.z}));
     }
     ByCell& places_;
     double apart_;
+    Box3 box_;
 };
 
 /// A move of the same tool begins where another ends.
@@ -224,13 +282,24 @@ std::vector<Place> mixed_cells(const NodeBits& nodes) {
     return all;
 }
 
-std::vector<Vec3> edges_in(const std::vector<Place>& cells, Exact& exact, double tolerance) {
+std::vector<Vec3> edges_in(const std::vector<Place>& cells, Exact& exact, double tolerance, std::int32_t together) {
+    static_assert(Exact::block % 4 == 0);
     exact.prepare(cells);
-    constexpr std::size_t some = 64;
-    std::vector<std::vector<Vec3>> found((cells.size() + some - 1) / some);
-    tbb::parallel_for(std::size_t{0}, found.size(), [&](std::size_t n) {
-        for (std::size_t c = n * some; c < std::min(cells.size(), (n + 1) * some); ++c)
-            CellEdges(exact, cells[c], bare * tolerance).find(found[n]);
+    struct Some {
+        Place low, cell;
+    };
+    std::vector<Some> groups;
+    KeyMap known;
+    for (const Place& c : cells) {
+        const Place low{c[0] - c[0] % together, c[1] - c[1] % together, c[2] - c[2] % together};
+        const std::size_t before = known.size();
+        known.add(key_of(low), 1);
+        if (known.size() > before) groups.push_back({low, c});
+    }
+    std::vector<std::vector<Vec3>> found(groups.size());
+    tbb::parallel_for(tbb::blocked_range<std::size_t>(0, groups.size(), 16), [&](const auto& some) {
+        for (std::size_t n = some.begin(); n < some.end(); ++n)
+            CellEdges(exact, groups[n].low, groups[n].cell, together, bare * tolerance).find(found[n]);
     });
     std::vector<Vec3> all;
     for (const std::vector<Vec3>& f : found) all.insert(all.end(), f.begin(), f.end());
@@ -240,7 +309,7 @@ std::vector<Vec3> edges_in(const std::vector<Place>& cells, Exact& exact, double
 std::vector<Vec3> rims(const Simulation& simulation, Exact& exact, const NodeBits& nodes) {
     const Lattice& l = exact.lattice();
     ByCell by_cell(l, nodes);
-    RimPlaces places(by_cell, 0.5 * std::min({l.step.x, l.step.y, l.step.z}));
+    RimPlaces places(by_cell, l, 0.5 * std::min({l.step.x, l.step.y, l.step.z}));
     const Shape* last_shape = nullptr;
     std::vector<Rim> rims;
     bool joined = false;  // to the sweep before
