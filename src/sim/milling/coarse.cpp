@@ -15,19 +15,6 @@ using geom::Vec3;
 /// Of the tolerance: how far points looked at may be off, for those between them. The lattice's step leaves chords 0.75.
 constexpr double sampled = 0.8;
 
-/// Of a wedge between two faces that a line passes through: how far from the line it ends. Infinity where it does not.
-double to_tip(Vec3 first, Vec3 second, int axis, double apart) {
-    Vec3 aside = first + second;
-    set_component(aside, axis, 0);
-    const double size = length(aside);
-    if (!(size > 0)) return HUGE_VAL;
-    aside = (1 / size) * aside;
-    const double n1a = component(first, axis), n2a = component(second, axis), n1w = dot(first, aside),
-                 n2w = dot(second, aside);
-    const double slope = n2w * n1a - n2a * n1w;
-    return slope == 0 ? HUGE_VAL : std::abs(n1a * n2a * apart / slope);
-}
-
 void add_cells(const Lattice& lattice, const std::array<int, 3>& node, int axis, std::vector<Place>& out) {
     const auto u = static_cast<std::size_t>(first_across(axis)), v = static_cast<std::size_t>(second_across(axis));
     for (const auto& q : Leaves::quadrants) {
@@ -54,6 +41,18 @@ struct End {
 };
 
 }  // namespace
+
+double to_tip(Vec3 first, Vec3 second, int axis, double apart) {
+    Vec3 aside = first + second;
+    set_component(aside, axis, 0);
+    const double size = length(aside);
+    if (!(size > 0)) return HUGE_VAL;
+    aside = (1 / size) * aside;
+    const double n1a = component(first, axis), n2a = component(second, axis), n1w = dot(first, aside),
+                 n2w = dot(second, aside);
+    const double slope = n2w * n1a - n2a * n1w;
+    return slope == 0 ? HUGE_VAL : std::abs(n1a * n2a * apart / slope);
+}
 
 bool is_worth(Vec3 first, Vec3 second, int axis, double apart, double tolerance) {
     if (apart <= 0.5 * tolerance) return false;

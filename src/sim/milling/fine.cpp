@@ -22,6 +22,7 @@ namespace {
 using geom::Vec3;
 
 constexpr double sampled = 0.5;   ///< of the tolerance: how far points looked at may be off, for those between them
+constexpr double small = 8;       ///< tolerances: a leaf's diagonal below which it is not asked what it may hide
 constexpr int most_levels = 6;
 constexpr std::size_t most_known = 6'000'000;  ///< edges looked at, in all: some 500 MB with what belongs to them
 
@@ -219,6 +220,8 @@ bool Fine::needs_split(const Near& near, const Leaf& leaf) const {
         narrow = narrow || (k != nullptr && k->narrow);
     });
     if (narrow) return true;
+    // In small leaves vertices reach out to what is left of tips, and what was looked for (shown.hpp) tells of the rest.
+    if (length(leaves_.node({leaf.size, leaf.size, leaf.size}) - leaves_.node({0, 0, 0})) < small * tolerance_) return false;
     if (material == 8) return !is_plain(near, leaf);
     return material == 0 && !is_covered(near, leaf);
 }

@@ -14,6 +14,8 @@ namespace {
 
 using geom::Vec3;
 
+constexpr double small = 8;  ///< tolerances: a leaf's diagonal below which tips are left to vertices
+
 Place corner_of(const Leaf& leaf, int c) {
     return {leaf.at[0] + (c & 1) * leaf.size, leaf.at[1] + (c >> 1 & 1) * leaf.size, leaf.at[2] + (c >> 2) * leaf.size};
 }
@@ -80,7 +82,12 @@ bool Fine::is_narrow(const std::vector<LineEnd>& ends, const ShortEdge& e) const
         Vec3 p = leaves_.node(e.at), q = p;
         set_component(p, e.axis, a.at);
         set_component(q, e.axis, b.at);
-        if (!is_worth(exact_.normal(a.cut, p), exact_.normal(b.cut, q), e.axis, b.at - a.at, tolerance_)) continue;
+        const Vec3 one = exact_.normal(a.cut, p), other = exact_.normal(b.cut, q);
+        if (!is_worth(one, other, e.axis, b.at - a.at, tolerance_)) continue;
+        // A vertex of the cell beside it reaches out to the tip (vertex_of).
+        if (3 * (high - low) * (high - low) < small * small * tolerance_ * tolerance_ &&
+            to_tip(one, other, e.axis, b.at - a.at) < 2 * (high - low))
+            continue;
         return true;
     }
     return false;

@@ -151,6 +151,8 @@ std::vector<Rim> rims_of(const Shape& shape, double tolerance) {
         if (r > tolerance && cross(below, above) > 0 && dot(below, above) < smooth) all.push_back({r, z, below, above});
     };
     const std::vector<Piece>& p = shape.pieces;
+    if (!p.empty() && p[0].kind == PieceKind::cone && p[0].r0 <= tolerance && p[0].r1 > p[0].r0)
+        all.push_back({0, p[0].z0, {0, -1}, out_of(p[0], p[0].z0)});  // the point
     for (std::size_t i = 0; i < p.size(); ++i) {
         const bool first = i == 0, last = i + 1 == p.size();
         const geom::Vec2 low = out_of(p[i], p[i].z0), high = out_of(p[i], p[i].z1);
@@ -220,7 +222,7 @@ public:
     /// Where the tool stands, between two moves; either way may be zero.
     void standing(const Air::Sweep& s, const Rim& rim, Vec3 at, Vec3 came, Vec3 goes) {
         if (is_far(s, rim, at)) return;
-        const double count = std::ceil(2 * geom::pi * rim.r / apart_);
+        const double count = std::max(1.0, std::ceil(2 * geom::pi * rim.r / apart_));
         for (double i = 0; i < count; ++i) {
             const double turn = 2 * geom::pi * i / count;
             const geom::Vec2 out{std::cos(turn), std::sin(turn)};
