@@ -12,7 +12,8 @@ namespace {
 
 using geom::Vec3;
 
-/// Of the tolerance: how far points looked at may be off, for those between them. The lattice's step leaves chords 0.75.
+/// Of the tolerance: how far points looked at may be off, for those between them. The lattice's step leaves chords
+/// 0.75.
 constexpr double sampled = 0.8;
 
 void add_cells(const Lattice& lattice, const std::array<int, 3>& node, int axis, std::vector<Place>& out) {
@@ -25,14 +26,6 @@ void add_cells(const Lattice& lattice, const std::array<int, 3>& node, int axis,
         for (std::size_t a = 0; a < 3; ++a) inside = inside && cell[a] >= 0 && cell[a] + 1 < lattice.count[a];
         if (inside) out.push_back(cell);
     }
-}
-
-/// Of a circle by its angle's chord: between its ends, though not evenly.
-Vec3 point_on(const Track& track, double share) {
-    if (!track.circular) return share * track.v;
-    const geom::Vec2 across = (1 - share) * track.first + share * track.last;
-    const geom::Vec2 p = track.centre + (track.radius / geom::length(across)) * across;
-    return {p.x, p.y, 0};
 }
 
 struct End {
@@ -104,16 +97,11 @@ std::vector<Place> cells_with_points(const Simulation& simulation, Exact& exact)
     std::vector<std::vector<Vec3>> points;
     KeyMap number;
     const auto add = [&](Vec3 p) {
-        Place cell{};
-        for (int a = 0; a < 3; ++a) {
-            const auto n = static_cast<std::size_t>(a);
-            const double at = std::floor((component(p, a) - component(l.origin, a)) / component(l.step, a));
-            if (!(at >= 0 && at + 1 < l.count[n])) return;
-            cell[n] = static_cast<std::int32_t>(at);
-        }
-        const std::uint32_t n = number.add(key_of(cell), static_cast<std::uint32_t>(cells.size()));
+        const std::optional<Place> cell = cell_at(l, p);
+        if (!cell) return;
+        const std::uint32_t n = number.add(key_of(*cell), static_cast<std::uint32_t>(cells.size()));
         if (n == cells.size()) {
-            cells.push_back(cell);
+            cells.push_back(*cell);
             points.emplace_back();
         }
         points[n].push_back(p);

@@ -59,8 +59,8 @@ void Exact::prepare(const std::vector<Place>& cells) {
             const auto n = static_cast<std::size_t>(a);
             const double first = component(lattice_.origin, a), step = component(lattice_.step, a);
             // A block wider on both sides by what `near` looks around.
-            from[n] = base::clipped<std::int32_t>(
-                std::floor(((component(box.min, a) - first) / step - 2) / block), low[n], high[n] + 1);
+            from[n] = base::clipped<std::int32_t>(std::floor(((component(box.min, a) - first) / step - 2) / block),
+                                                  low[n], high[n] + 1);
             to[n] = base::clipped<std::int32_t>(std::floor(((component(box.max, a) - first) / step + 2) / block),
                                                 low[n] - 1, high[n]);
         }
@@ -157,12 +157,13 @@ void Exact::gaps(const Job& job, int axis, Vec3 from, double low, double high, s
         component(job.box.max, axis) < low || component(job.box.min, axis) > high)
         return;
     const double base = component(job.from, axis);
-    cut_row(*job.shape, job.track, row_of(job, axis, from, lattice_), job.aims[static_cast<std::size_t>(axis)],
-            [](int, double, double) { return true; },
-            [&](const Spans& spans) {
-                const double begin = base + spans.low[0], end = base + spans.high[0];
-                if (end - begin > thinnest && end > low && begin < high) out.push_back({begin, end, job.cut, job.cut});
-            });
+    cut_row(
+        *job.shape, job.track, row_of(job, axis, from, lattice_), job.aims[static_cast<std::size_t>(axis)],
+        [](int, double, double) { return true; },
+        [&](const Spans& spans) {
+            const double begin = base + spans.low[0], end = base + spans.high[0];
+            if (end - begin > thinnest && end > low && begin < high) out.push_back({begin, end, job.cut, job.cut});
+        });
 }
 
 /// A blank's face on the line, as a gap. Thin parts of it within one line are not seen.

@@ -37,8 +37,8 @@ public:
     /// `lines`: they are made ready for `ends`.
     [[nodiscard]] Near near(const Place& cell, bool lines) const;
 
-    /// What lies no farther than so from a point in the block of a cell that was made ready; no more than two steps beyond
-    /// that block.
+    /// What lies no farther than so from a point in the block of a cell that was made ready; no more than two steps
+    /// beyond that block.
     [[nodiscard]] Near near(const Place& cell, geom::Vec3 centre, double reach, bool lines) const;
     /// Cells, along each axis, in whose boxes sweeps are kept.
     static constexpr std::int32_t block = 8;
@@ -48,7 +48,8 @@ public:
     [[nodiscard]] Near within(const Near& near, geom::Vec3 centre, double radius) const;
     [[nodiscard]] bool is_material(const Near& near, geom::Vec3 p) const;
     [[nodiscard]] double in_blank(geom::Vec3 p) const { return stock_.within(p); }
-    /// How far a point lies outside of a body of air, and the direction from that into the material, along which this grows.
+    /// How far a point lies outside of a body of air, and the direction from that into the material, along which this
+    /// grows.
     struct Side {
         double outside = 0;
         geom::Vec3 in;
@@ -86,7 +87,7 @@ private:
     const Simulation& simulation_;
     const StockBody& stock_;
     Lattice lattice_;
-    KeyMap blocks_;                                  ///< number in `sweeps_`
+    KeyMap blocks_;                                   ///< number in `sweeps_`
     std::vector<std::vector<std::uint32_t>> sweeps_;  ///< cuts, by block
 };
 

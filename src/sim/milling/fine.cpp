@@ -7,8 +7,6 @@
 
 #include <algorithm>
 #include <bit>
-#include <cstdio>
-#include <ctime>
 #include <cmath>
 #include <tuple>
 
@@ -21,8 +19,8 @@ namespace {
 
 using geom::Vec3;
 
-constexpr double sampled = 0.5;   ///< of the tolerance: how far points looked at may be off, for those between them
-constexpr double small = 8;       ///< tolerances: a leaf's diagonal below which it is not asked what it may hide
+constexpr double sampled = 0.5;  ///< of the tolerance: how far points looked at may be off, for those between them
+constexpr double small = 8;      ///< tolerances: a leaf's diagonal below which it is not asked what it may hide
 constexpr int most_levels = 6;
 constexpr std::size_t most_known = 6'000'000;  ///< edges looked at, in all: some 500 MB with what belongs to them
 
@@ -120,7 +118,6 @@ void Fine::halve(std::vector<Leaf> next) {
         join();
         place_vertices();
         next = leaves_to_split();
-        std::fprintf(stderr, "  halve: next %zu known %zu vertices %zu open %zu t %.2f\n", next.size(), known_.size(), vertices_.size(), open_.size(), double(std::clock())/CLOCKS_PER_SEC);
     }
 }
 
@@ -206,6 +203,12 @@ bool Fine::is_covered(const Near& near, const Leaf& leaf) const {
     return false;
 }
 
+/// In small leaves vertices reach out to what is left of tips (vertex_of), and what was looked for in the exact surface
+/// (shown.hpp) tells of the rest: they are not asked what they may hide.
+bool Fine::is_small(std::int32_t size) const {
+    return length(leaves_.node({size, size, size}) - leaves_.node({0, 0, 0})) < small * tolerance_;
+}
+
 bool Fine::needs_split(const Near& near, const Leaf& leaf) const {
     if (is_far(near, leaf)) return false;
     bool narrow = false;
@@ -220,8 +223,7 @@ bool Fine::needs_split(const Near& near, const Leaf& leaf) const {
         narrow = narrow || (k != nullptr && k->narrow);
     });
     if (narrow) return true;
-    // In small leaves vertices reach out to what is left of tips, and what was looked for (shown.hpp) tells of the rest.
-    if (length(leaves_.node({leaf.size, leaf.size, leaf.size}) - leaves_.node({0, 0, 0})) < small * tolerance_) return false;
+    if (is_small(leaf.size)) return false;
     if (material == 8) return !is_plain(near, leaf);
     return material == 0 && !is_covered(near, leaf);
 }
@@ -255,8 +257,8 @@ std::vector<Leaf> Fine::leaves_to_split() {
         if (!own && edges[n].empty()) return;
         const Near near = exact_.near(all_[n], false);
         const auto give_up = [&](const Leaf& leaf) {
-            open[n].push_back({leaves_.node(leaf.at), leaves_.node({leaf.at[0] + leaf.size, leaf.at[1] + leaf.size,
-                                                                    leaf.at[2] + leaf.size})});
+            open[n].push_back({leaves_.node(leaf.at),
+                               leaves_.node({leaf.at[0] + leaf.size, leaf.at[1] + leaf.size, leaf.at[2] + leaf.size})});
         };
         if (own)
             leaves_.each_leaf(all_[n], [&](const Leaf& leaf) {
@@ -289,8 +291,8 @@ std::vector<Leaf> Fine::leaves_to_split() {
     split.erase(std::unique(split.begin(), split.end()), split.end());
     if (known_.size() < most_known) return split;
     for (const Leaf& leaf : split)
-        open_.push_back({leaves_.node(leaf.at), leaves_.node({leaf.at[0] + leaf.size, leaf.at[1] + leaf.size,
-                                                              leaf.at[2] + leaf.size})});
+        open_.push_back({leaves_.node(leaf.at),
+                         leaves_.node({leaf.at[0] + leaf.size, leaf.at[1] + leaf.size, leaf.at[2] + leaf.size})});
     return {};
 }
 

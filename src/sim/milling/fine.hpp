@@ -30,8 +30,8 @@ public:
 
     /// Halves cells of the lattice, and these again where that is needed.
     void refine(const std::vector<Place>& cells);
-    /// Halves what lies about places of the exact surface that the mesh does not show, each with the mesh's place nearest
-    /// to it. Places about which nothing could be halved are left.
+    /// Halves what lies about places of the exact surface that the mesh does not show, each with the mesh's place
+    /// nearest to it. Places about which nothing could be halved are left.
     [[nodiscard]] std::vector<Unshown> show(const std::vector<Unshown>& places);
     /// A place that could not be made right.
     void leave_open(geom::Vec3 p);
@@ -39,7 +39,9 @@ public:
     [[nodiscard]] const std::vector<Place>& cells() const { return all_; }
     /// True for the cells that are halved and those that share an edge with one: triangles about their edges come from
     /// here.
-    [[nodiscard]] bool is_fine(int i, int j, int k) const { return fine_cells_.find(key_of({i, j, k})) != KeyMap::none; }
+    [[nodiscard]] bool is_fine(int i, int j, int k) const {
+        return fine_cells_.find(key_of({i, j, k})) != KeyMap::none;
+    }
     /// Triangles by numbers that count the coarse vertices first; the vertices without these.
     [[nodiscard]] mesh::Mesh mesh() const;
     [[nodiscard]] Refined figures() const;
@@ -66,6 +68,7 @@ private:
     };
 
     void halve(std::vector<Leaf> next);
+    [[nodiscard]] bool is_small(std::int32_t size) const;
     void find_fine_cells();
     void find_signs();
     void find_known();
@@ -112,13 +115,13 @@ private:
     double tolerance_;
     Leaves leaves_;
     Exact& exact_;
-    KeyMap signs_;            ///< 1: material
+    KeyMap signs_;                    ///< 1: material
     std::array<KeyMap, 3> known_of_;  ///< number in `known_`, by axis and node
     std::vector<Known> known_;
     std::uint32_t round_ = 0;
     std::array<KeyMap, 3> tested_;  ///< what triangles about an edge were like when they were found to be right
-    std::vector<Place> dirty_;  ///< cells of the lattice in which something was split last
-    std::vector<Place> all_;    ///< those in `fine_cells_`
+    std::vector<Place> dirty_;      ///< cells of the lattice in which something was split last
+    std::vector<Place> all_;        ///< those in `fine_cells_`
     KeyMap fine_cells_;
     std::vector<Edge> edges_;
     std::array<KeyMap, 3> edge_of_;      ///< number in `edges_`, by axis and node

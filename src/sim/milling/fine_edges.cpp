@@ -14,8 +14,6 @@ namespace {
 
 using geom::Vec3;
 
-constexpr double small = 8;  ///< tolerances: a leaf's diagonal below which tips are left to vertices
-
 Place corner_of(const Leaf& leaf, int c) {
     return {leaf.at[0] + (c & 1) * leaf.size, leaf.at[1] + (c >> 1 & 1) * leaf.size, leaf.at[2] + (c >> 2) * leaf.size};
 }
@@ -84,10 +82,7 @@ bool Fine::is_narrow(const std::vector<LineEnd>& ends, const ShortEdge& e) const
         set_component(q, e.axis, b.at);
         const Vec3 one = exact_.normal(a.cut, p), other = exact_.normal(b.cut, q);
         if (!is_worth(one, other, e.axis, b.at - a.at, tolerance_)) continue;
-        // A vertex of the cell beside it reaches out to the tip (vertex_of).
-        if (3 * (high - low) * (high - low) < small * small * tolerance_ * tolerance_ &&
-            to_tip(one, other, e.axis, b.at - a.at) < 2 * (high - low))
-            continue;
+        if (is_small(e.size) && to_tip(one, other, e.axis, b.at - a.at) < 2 * (high - low)) continue;
         return true;
     }
     return false;
@@ -176,8 +171,8 @@ void Fine::find_edges() {
                 edge.around = leaves_.around(e.at, e.axis);
                 edge.leaves = leaves;
                 if (e.size == unit)
-                    edge.crossing = crossings_.along(e.axis)[crossings_.number(e.axis, e.at[0] / unit, e.at[1] / unit,
-                                                                               e.at[2] / unit)];
+                    edge.crossing = crossings_.along(
+                        e.axis)[crossings_.number(e.axis, e.at[0] / unit, e.at[1] / unit, e.at[2] / unit)];
                 else if (const Known* k = known(e); k != nullptr)
                     edge.crossing = k->crossing;
                 own.add(key_of(e.at), static_cast<std::uint32_t>(edges_.size()));

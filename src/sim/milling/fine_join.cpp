@@ -146,8 +146,7 @@ void Fine::place_vertices() {
         static_cast<void>(root(s));
         slots.push_back(s);
     }
-    std::stable_sort(slots.begin(), slots.end(),
-                     [&](std::uint32_t x, std::uint32_t y) { return root(x) < root(y); });
+    std::stable_sort(slots.begin(), slots.end(), [&](std::uint32_t x, std::uint32_t y) { return root(x) < root(y); });
     vertex_.assign(parent_.size(), none);
     std::vector<std::size_t> first;
     for (std::size_t i = 0; i < slots.size(); ++i) {

@@ -12,9 +12,9 @@ namespace {
 
 using geom::Vec3;
 
-constexpr double sharp = 0.5;   ///< cosine between normals from which on a vertex is looked for beyond its leaf
-constexpr double like = 0.85;   ///< cosine between normals of one face of a body
-constexpr double room = 4;      ///< how far beyond, in leaves: the tip of an edge of 15 degrees
+constexpr double sharp = 0.5;      ///< cosine between normals from which on a vertex is looked for beyond its leaf
+constexpr double like = 0.85;      ///< cosine between normals of one face of a body
+constexpr double room = 4;         ///< how far beyond, in leaves: the tip of an edge of 15 degrees
 constexpr double exactly = 0.125;  ///< of the tolerance
 
 Vec3 normal_of(const Crossing& c) { return {c.normal[0], c.normal[1], c.normal[2]}; }

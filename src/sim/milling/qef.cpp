@@ -150,8 +150,7 @@ double PlaneFit::sharpest() const {
 
 double PlaneFit::miss(Vec3 p) const {
     double most = 0;
-    for (std::size_t i = 0; i < count_; ++i)
-        most = std::max(most, std::abs(dot(plane(i).normal, p - plane(i).point)));
+    for (std::size_t i = 0; i < count_; ++i) most = std::max(most, std::abs(dot(plane(i).normal, p - plane(i).point)));
     return most;
 }
 

@@ -5,8 +5,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <cstdio>
-#include <ctime>
 
 #include "mesh/distance.hpp"
 #include "sim/milling/unseen.hpp"
@@ -37,7 +35,8 @@ public:
         Place c{};
         for (int a = 0; a < 3; ++a)  // one aside, so that what lies around has a number
             c[static_cast<std::size_t>(a)] = static_cast<std::int32_t>(std::clamp(
-                std::floor((component(p, a) - component(lattice_.origin, a)) / component(lattice_.step, a)) + 2, 1.0, 2e6));
+                std::floor((component(p, a) - component(lattice_.origin, a)) / component(lattice_.step, a)) + 2, 1.0,
+                2e6));
         return c;
     }
 
@@ -91,20 +90,18 @@ std::vector<Place> new_cells(const Fine& fine, KeyMap& known) {
 
 void show_all(const Simulation& simulation, const NodeBits& nodes, Exact& exact, Fine& fine,
               base::FunctionRef<mesh::Mesh()> mesh) {
+    constexpr std::int32_t together = 4, fine_together = 2;  // cells, along each axis
     const double tolerance = simulation.tolerance();
     const Lattice& lattice = exact.lattice();
     std::vector<Vec3> places = rims(simulation, exact, nodes);
-    std::fprintf(stderr, "rims %zu t %.2f\n", places.size(), double(std::clock())/CLOCKS_PER_SEC);
     KeyMap known;
     std::vector<Place> cells = mixed_cells(nodes);
     for (int round = 0; round < most_rounds; ++round) {
         if (round > 0) cells = new_cells(fine, known);
-        const std::vector<Vec3> edges = edges_in(cells, exact, tolerance, round == 0 ? 4 : 2);
+        const std::vector<Vec3> edges = edges_in(cells, exact, tolerance, round == 0 ? together : fine_together);
         places.insert(places.end(), edges.begin(), edges.end());
         if (places.empty()) return;
         const std::vector<Unshown> wrong = unshown(mesh(), places, lattice, wanted * tolerance);
-        std::fprintf(stderr, "round %d: %zu places (%zu edges), %zu wrong, fine cells %zu; t %.2f\n", round, places.size(), edges.size(), wrong.size(), fine.cells().size(), double(std::clock())/CLOCKS_PER_SEC);
-        for (std::size_t i = 0; i < wrong.size() && i < 600; i += 100) std::fprintf(stderr, "   %.4f %.4f %.4f off %.4f\n", wrong[i].at.x, wrong[i].at.y, wrong[i].at.z, geom::distance(wrong[i].at, wrong[i].nearest));
         if (wrong.empty() && (round > 0 || fine.cells().empty())) return;
         const std::vector<Unshown> left = fine.show(wrong);
         if (!wrong.empty() && left.size() == wrong.size()) break;

@@ -12,8 +12,8 @@ namespace obrys::sim::milling {
 /// The cells whose nodes differ.
 [[nodiscard]] std::vector<Place> mixed_cells(const NodeBits& nodes);
 
-/// Places on edges and at corners of the material in or near these cells, in their order. `together`: so many cells, along
-/// each axis, are looked at as one; 1, 2 or 4.
+/// Places on edges and at corners of the material in or near these cells, in their order. `together`: so many cells,
+/// along each axis, are looked at as one; 1, 2 or 4.
 [[nodiscard]] std::vector<geom::Vec3> edges_in(const std::vector<Place>& cells, Exact& exact, double tolerance,
                                                std::int32_t together);
 

@@ -95,7 +95,8 @@ TEST(Unseen, the_tip_of_a_sharp_edge_is_in_the_surface) {
         const Vec3 n{std::cos(turn), std::sin(turn), 0}, along{-n.y, n.x, 0}, c{6, 6, 1};
         // Two grooves whose flanks meet above between them.
         const double beside = (tip - 1) * std::tan(half);
-        for (const double side : {-beside, beside}) cut(s, tool, c + side * n - 20.0 * along, c + side * n + 20.0 * along);
+        for (const double side : {-beside, beside})
+            cut(s, tool, c + side * n - 20.0 * along, c + side * n + 20.0 * along);
         const Surface surface = surface_of(s);
         const mesh::Distance distance(surface.mesh);
         for (const double way : {-2.0, -0.7, 0.0, 0.61, 2.3}) {
