@@ -108,6 +108,18 @@ std::string csv_field(std::string_view s) {
     return out + "\"";
 }
 
+std::string_view without_end_signs(std::string_view text) {
+    std::size_t end = text.size();
+    for (std::size_t i = text.size(); i > 0; --i) {
+        const char c = text[i - 1];
+        if (c == '\x1A' || c == '\0')
+            end = i - 1;
+        else if (!is_blank(c) && c != '\r' && c != '\n')
+            break;
+    }
+    return text.substr(0, end);
+}
+
 bool looks_binary(std::string_view s) {
     const auto odd = [](char c) {
         const auto byte = static_cast<unsigned char>(c);

@@ -22,6 +22,9 @@ namespace obrys::base {
 [[nodiscard]] std::size_t character_count(std::string_view s);
 /// A field of a CSV row: in quotes where it needs them (RFC 4180).
 [[nodiscard]] std::string csv_field(std::string_view s);
+/// A program's text without what old editors leave behind its last line: Ctrl-Z (CP/M's end of text) and NUL, with the
+/// blanks and line ends around them. Behind them nothing is left out that says something.
+[[nodiscard]] std::string_view without_end_signs(std::string_view text);
 /// True where the text holds bytes no NC program holds (NUL and most control characters).
 [[nodiscard]] bool looks_binary(std::string_view s);
 

@@ -55,4 +55,14 @@ TEST(Number, PrintsWithoutLocaleAndMinusZero) {
 }
 
 }  // namespace
+TEST(Text, EndSignsOfOldEditorsAreNoText) {
+    EXPECT_EQ(without_end_signs("M30\n\x1A"), "M30\n");
+    EXPECT_EQ(without_end_signs("M30\x1A\x1A\r\n"), "M30");
+    EXPECT_EQ(without_end_signs(std::string_view("M30\n\x1A\0\0", 7)), "M30\n");
+    EXPECT_EQ(without_end_signs("M30\n \r\n"), "M30\n \r\n");
+    EXPECT_EQ(without_end_signs("M2\n\x1A\nX1\n"), "M2\n\x1A\nX1\n") << "what is behind it still is text";
+    EXPECT_EQ(without_end_signs("\x1A"), "");
+    EXPECT_EQ(without_end_signs(""), "");
+}
+
 }  // namespace obrys::base

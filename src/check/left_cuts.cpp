@@ -200,6 +200,37 @@ double LeftCut::farthest(const Disc& disc, const ArcWay& way, Vec3 axis) const {
     return beside(std::abs(way.radius - t.radius) + off + disc.radius, p.z);
 }
 
+/// Along a circle it lies as far from that as its farthest and its nearest place do.
+bool LeftCut::holds(const std::array<Vec3, 8>& corners, double off) const {
+    std::array<Vec3, 8> at;
+    std::array<Vec2, 8> from_centre;
+    const milling::Track& t = sweep_->track;
+    bool beside_ends = t.circular;
+    double farthest_off = 0, low = INFINITY, high = -INFINITY;
+    for (std::size_t i = 0; i < corners.size(); ++i) {
+        at[i] = sweep_->frame.to_tool(corners[i] - sweep_->from);
+        from_centre[i] = Vec2{at[i].x, at[i].y} - t.centre;
+        beside_ends = beside_ends && in_wedge(from_centre[i]);
+        farthest_off = std::max(farthest_off, geom::length(from_centre[i]) - t.radius);
+        low = std::min(low, at[i].z), high = std::max(high, at[i].z);
+    }
+    if (beside_ends) {
+        for (const Vec2& a : from_centre)
+            for (const Vec2& b : from_centre) farthest_off = std::max(farthest_off, t.radius - from_segment(a, b, {}));
+        return beside(farthest_off, low) <= off && beside(farthest_off, high) <= off;
+    }
+    const Vec2 end{t.v.x, t.v.y};
+    const auto all = [&](auto&& f) { return std::all_of(at.begin(), at.end(), f); };
+    if (t.circular)
+        return all([&](Vec3 p) {
+                   return beside(geom::length(Vec2{p.x, p.y}), p.z) <= off;
+               }) ||
+               all([&](Vec3 p) {
+                   return beside(geom::length(Vec2{p.x, p.y} - end), p.z) <= off;
+               });
+    return all([&](Vec3 p) { return on_way(p, 0) <= off; });
+}
+
 Vec3 LeftCut::outwards(const Disc& disc) const {
     const Vec3 p = sweep_->frame.to_tool(disc.centre - sweep_->from);
     const milling::Track& t = sweep_->track;

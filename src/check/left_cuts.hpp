@@ -2,6 +2,7 @@
 /// What cuts have taken of a stock, as far as a body is to be held to it: how far discs and points lie outside of each
 /// cut, and what of the stock as it was lies around them. Exact or on the safe side: no rays, no samples. Millimetres.
 
+#include <array>
 #include <cstdint>
 #include <deque>
 #include <span>
@@ -40,6 +41,9 @@ public:
     [[nodiscard]] double farthest(const Disc& disc, const ArcWay& way, geom::Vec3 axis) const;
     /// Towards the point of the disc that lies farthest outside.
     [[nodiscard]] geom::Vec3 outwards(const Disc& disc) const;
+    /// Whether it took all of a box but for what lies no more than `off` outside.
+    [[nodiscard]] bool holds(const std::array<geom::Vec3, 8>& corners, double off) const;
+    [[nodiscard]] geom::Vec3 axis() const { return sweep_->frame.z; }
     [[nodiscard]] const mesh::Box& box() const { return box_; }
 
 private:

@@ -6,6 +6,7 @@
 #include <memory>
 #include <queue>
 
+#include "check/left_inside.hpp"
 #include "sim/milling/track.hpp"
 
 namespace obrys::check {
@@ -23,6 +24,10 @@ constexpr double thin = 1e-9;          ///< mm
 constexpr std::size_t refining = 400;  ///< cells, once something is found
 constexpr double slim = 8;             ///< times as long as wide: then it is made shorter
 constexpr double longest_counts = 0.1;
+constexpr std::size_t quick_cells = 300;  ///< before it is looked at from within
+constexpr std::size_t most_inside = 800;  ///< cells of that
+constexpr double much = 16;               ///< times what is asked for: so deep is known from within
+constexpr double thin_share = 0.05;       ///< of what is allowed: half as thick as what is thinner is nothing
 
 using Numbers = std::shared_ptr<const std::vector<std::uint32_t>>;
 
@@ -329,6 +334,7 @@ LeftDepth Search::run(bool sample) {
         if (best_.depth > 0 && found_at_ == 0) found_at_ = cells_;
         if (cells_ >= s_.most_cells || (found_at_ > 0 && cells_ >= found_at_ + refining)) {
             best_.decided = best_.depth > 0;
+            best_.bound = open_.top().bound;
             return best_;
         }
         const Cell cell = open_.top();
@@ -342,7 +348,23 @@ LeftDepth Search::run(bool sample) {
 
 }  // namespace
 
-LeftDepth deepest_left(const LeftBody& body, const LeftSearch& search) { return Search(search, body).run(true); }
+LeftDepth deepest_left(const LeftBody& body, const LeftSearch& search) {
+    const bool straight = !body.arc && body.edges[1] == Vec3{} && body.edges[2] == Vec3{};
+    if (search.planes == nullptr || !straight) return Search(search, body).run(true);
+    LeftSearch quick = search;
+    quick.most_cells = std::min(search.most_cells, quick_cells);
+    LeftDepth d = Search(quick, body).run(true);
+    if (d.decided && d.depth == 0 && !search.met) return d;
+    const LeftDepth in = deepest_inside(body, {search.stock, *search.planes, search.air, search.cuts, search.allowed,
+                                               much * search.enough, thin_share * search.allowed, most_inside});
+    if (!in.decided && !(d.decided && d.depth > 0)) {
+        d = Search(search, body).run(true);
+        if (d.depth == 0 && search.met) d.decided = false, d.bound = search.enough;
+        return d;
+    }
+    // One is how deep the body lies in what is left, the other how deep that lies in the body.
+    return in.decided && (in.depth > d.depth || d.depth == 0) ? in : d;
+}
 
 bool surely_clear(const LeftBody& body, const LeftSearch& search) { return Search(search, body).run(false).decided; }
 

@@ -75,6 +75,10 @@ void Milling::begin() {
     figures_.tolerance_mm = m.tolerance;
     figures_.step = lattice->step;
     figures_.before_mm3 = milling::volume(*simulation_);
+    const milling::Box3 stock = milling::box_of(m.stock);
+    all_ = m.part != nullptr ? mesh::bounds(m.part->mesh()) : mesh::Box{};
+    all_.add(stock.min);
+    all_.add(stock.max);
     if (m.part != nullptr && judges_part(setup_.scope)) {
         const double allowed = std::max(setup_.tolerances.gouge, m.tolerance);
         certificate_.emplace(m, allowed);
@@ -173,11 +177,11 @@ bool Milling::tool_in_use(const Move& move) {
             return false;
         }
         require_fine_enough(move, made.shape.cutting.radius);
-        if (!cutter.holder.empty() && !(tool_->length > 0) && cutter.cutting_length >= unknown_height)
+        if (!tool_->holder.empty() && !(tool_->length > 0) && cutter.cutting_length >= unknown_height)
             out_.unchecked(move.record, "tool " + tool_name_ + ": where its holder is is not known: it is not checked",
                            "give the tool's length");
         const bool shank = !cutter.shank.empty() || tool_->kind == shop::ToolKind::t_slot;
-        known = KnownTool{add_tool(made.shape), shank, !cutter.holder.empty()};
+        known = KnownTool{add_tool(made.shape), shank, !cutter.holder.empty(), made.shape.holder.bottom};
         // A thin disc, narrower by the tolerance: a hole as wide is not met.
         const double thin = setup_.milling->tolerance, radius = core_on_slant(*tool_);
         if (radius > 2 * thin) {
@@ -261,7 +265,6 @@ void Milling::carry_out() {
     if (certificate_) certificate_->carry_out();
     if (part_guard_) part_guard_->carry_out();
     if (stock_guard_) stock_guard_->carry_out(*simulation_, setup_.out_of_time);
-    say_left_to_rays();
     for (Clamp& c : clamps_) {
         c.simulation.flush();
         c.guard->carry_out();

@@ -28,6 +28,8 @@ struct Refined;
 
 namespace obrys::check {
 
+struct Machined;
+
 /// One part of a tool on its way, queued in the simulation; what it met is known when the queue has been carried out.
 struct QueuedPass {
     enum class Kind : std::uint8_t { cut, rapid_probe, shank, holder };
@@ -55,12 +57,17 @@ public:
     void take(const cl::Record& record, const cl::ToolChange& tool);
     void take(const cl::Feed& feed) { feed_ = feed; }
     void take(const cl::Spindle& spindle) {
+        const std::int8_t turns = spindle.speed != 0 ? spindle.direction : std::int8_t{0};
+        edge_away_ = is_placed(cycle_) && turns == 0 && (edge_away_ || spindle_ != 0);
         speed_ = spindle.mode == cl::SpindleMode::rpm ? spindle.speed : NAN;
-        spindle_ = spindle.speed != 0 ? spindle.direction : std::int8_t{0};
+        spindle_ = turns;
     }
     /// The brackets of a cycle; moves inside that come from elsewhere run along an element of its contour.
     void begin_cycle(const base::Span& call) { cycle_ = call; }
-    void end_cycle() { cycle_ = nowhere; }
+    void end_cycle() {
+        cycle_ = nowhere;
+        edge_away_ = false;
+    }
     /// `use`: index in Result::tools + 1. Queues the move; findings come later, in the order of the moves.
     void take(const Move& move, std::uint32_t use, const Stand::View& view, const std::vector<shop::ToolPose>& swing);
     /// Carries out what is queued, judges the surface and fills in Result::milling.
@@ -82,6 +89,9 @@ private:
     void queue(const geom::PathElement& element, const MilledMove& move, bool feed);
     void queue_pass(QueuedPass::Kind kind, sim::milling::Part part, bool cut, const geom::PathElement& element);
     void require(sim::milling::Taken taken);
+    [[nodiscard]] std::string name_of(const QueuedPass& pass, const MilledMove& move) const;
+    void queue_cutting(const geom::PathElement& element, const MilledMove& move, bool feed);
+    [[nodiscard]] bool holder_is_above(const geom::PathElement& element) const;
     void queue_clamps(const geom::PathElement& element);
     void queue_rapid(const Move& move, const MilledMove& m, const Stand::View& view,
                      const std::vector<shop::ToolPose>& swing);
@@ -104,7 +114,6 @@ private:
     [[nodiscard]] sim::certify::Depth deepest_in_part(std::size_t queued) const;
     void judge(std::size_t queued);
     void say_undecided(std::size_t queued);
-    void say_left_to_rays();
     void judge_reach(const QueuedPass& pass, const MilledMove& move, Reach reach, const sim::certify::Depth& in_part);
     void judge_entered_part(const std::vector<MilledMove>& moves);
     void judge_cut(const QueuedPass& pass, MilledMove& move, const sim::milling::Engagement& met);
@@ -124,6 +133,7 @@ private:
     void judge_plunge(const QueuedPass& pass, const MilledMove& move, const sim::milling::Engagement& met);
     void keep_thread(const Move& move);
     void judge_open(const sim::milling::Refined& refined);
+    void add_thin(mesh::Comparison& found, const Machined& machined, const mesh::CompareOptions& options);
     void judge_surface(Milled& milled);
     void judge_place(const Milled& milled, const mesh::Place& place, bool gouge);
     void judge_gouge(const Milled& milled, const Gouge& gouge);
@@ -136,6 +146,7 @@ private:
     struct KnownTool {
         std::uint32_t number = 0;  ///< in the simulation
         bool shank = false, holder = false;
+        double holder_from = 0;  ///< mm above the tip
         std::uint32_t core = 0;  ///< the number of its end that does not cut, if that is so on slants
         double core_radius = 0;  ///< of that; 0: it cuts everywhere
     };
@@ -179,14 +190,16 @@ private:
     const shop::Tool* tool_ = nullptr;
     std::vector<std::optional<KnownTool>> known_tools_;  ///< by index in Setup::tools
     KnownTool tool_parts_;
+    mesh::Box all_;  ///< around stock and part
     std::uint32_t sim_tool_ = 0;
     std::uint32_t passes_ = 0, pieces_left_ = 0;
     geom::Vec3 axis_{0, 0, 1};
     base::Span cycle_ = nowhere;  ///< call of the cycle being run
+    bool edge_away_ = false;      ///< the cycle has stopped the spindle: of a boring bar the edge leaves the wall
     cl::Feed feed_;
     double speed_ = NAN;  ///< 1/min
     std::int8_t spindle_ = 0;
-    bool tool_ready_ = false, complete_ = true, stopped_reported_ = false, left_to_rays_ = false;
+    bool tool_ready_ = false, complete_ = true, stopped_reported_ = false;
     std::optional<geom::Vec3> tap_bottom_;  ///< where a tap has stopped in its thread
     std::optional<geom::Vec3> tap_mouth_;   ///< where it set out into it
     std::int8_t tap_sense_ = 0;             ///< MilledMove::thread of its way in

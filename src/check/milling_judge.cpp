@@ -2,11 +2,13 @@
 
 #include <algorithm>
 #include <cmath>
+#include <iterator>
 
 #include "base/codes.hpp"
 #include "base/number.hpp"
 #include "check/milling.hpp"
 #include "check/milling_confirm.hpp"
+#include "check/milling_thin.hpp"
 #include "check/milling_tool.hpp"
 #include "check/words.hpp"
 #include "sim/milling/surface.hpp"
@@ -149,6 +151,24 @@ void Milling::judge_open(const milling::Refined& refined) {
                    "take a larger tolerance (--tolerance)");
 }
 
+/// What is thinner than the surface's cells.
+void Milling::add_thin(mesh::Comparison& found, const Machined& machined, const mesh::CompareOptions& options) {
+    ThinRest thin = thin_rest(machined, options, found.excesses);
+    found.excess_count += thin.places.size();
+    std::move(thin.places.begin(), thin.places.end(), std::back_inserter(found.excesses));
+    std::stable_sort(found.excesses.begin(), found.excesses.end(),
+                     [](const mesh::Place& a, const mesh::Place& b) { return a.deviation > b.deviation; });
+    if (!found.excesses.empty())
+        found.largest_excess = std::max(found.largest_excess, found.excesses.front().deviation);
+    if (found.excesses.size() > options.places) found.excesses.resize(options.places);
+    if (thin.open.empty()) return;
+    const milling::Box3& first = thin.open.front();
+    out_.unchecked("in " + std::to_string(thin.open.size()) + (thin.open.size() == 1 ? " place" : " places") +
+                       ", the first between " + point(first.min) + " and " + point(first.max) +
+                       ", material stands so thin that it is not known whether it is left at all",
+                   "let the cuts overlap by more, or take a smaller tolerance (--tolerance)");
+}
+
 void Milling::judge_surface(Milled& milled) {
     const MillingSetup& m = *setup_.milling;
     if (out_.result().stats.feed_moves > 0 && figures_.contact_length_mm == 0 && complete_) judge_no_contact(milled);
@@ -183,8 +203,9 @@ void Milling::judge_surface(Milled& milled) {
         options.judged = [&](geom::Vec3 p, double deviation) { return thread_bands_.judged(p, deviation); };
     }
     milled.comparison = mesh::compare(milled.surface, *m.part, options);
-    confirm(*milled.comparison, {milled.surface, *simulation_, *m.part, thread_bands_, tag_of, setup_.out_of_time},
-            options);
+    const Machined machined{milled.surface, *simulation_, *m.part, thread_bands_, tag_of, setup_.out_of_time};
+    confirm(*milled.comparison, machined, options);
+    add_thin(*milled.comparison, machined, options);
     const std::vector<Gouge> gouges =
         certificate_->gouges(milled.moves, milled.comparison->gouges, thread_bands_, setup_.out_of_time);
     if (time_up_.now())

@@ -67,6 +67,21 @@ void Milling::queue_rapid(const Move& move, const MilledMove& m, const Stand::Vi
 }
 
 void Milling::queue(const geom::PathElement& element, const MilledMove& move, bool feed) {
+    if (edge_away_)
+        out_.assumption(
+            "the cycle stops the spindle and moves the tool: its edge is taken to leave the wall, and the side "
+            "opposite to it to have room in the hole",
+            move.where);
+    else
+        queue_cutting(element, move, feed);
+    if (tool_parts_.shank) queue_pass(QueuedPass::Kind::shank, milling::Part::shank, false, element);
+    if (tool_parts_.holder && !holder_is_above(element))
+        queue_pass(QueuedPass::Kind::holder, milling::Part::holder, false, element);
+    queue_clamps(element);
+}
+
+/// What the cutting part meets and takes.
+void Milling::queue_cutting(const geom::PathElement& element, const MilledMove& move, bool feed) {
     using Kind = QueuedPass::Kind;
     if (!feed) queue_pass(Kind::rapid_probe, milling::Part::cutting, false, element);
     if (certificate_) certificate_->add(static_cast<std::uint32_t>(moves_.size() - 1), element, axis_, sim_tool_);
@@ -93,9 +108,19 @@ void Milling::queue(const geom::PathElement& element, const MilledMove& move, bo
         queued_.back().length = static_cast<float>(way / pieces);
         if (feed) figures_.contact_accuracy_mm = std::max(figures_.contact_accuracy_mm, way / pieces);
     }
-    if (tool_parts_.shank) queue_pass(Kind::shank, milling::Part::shank, false, element);
-    if (tool_parts_.holder) queue_pass(Kind::holder, milling::Part::holder, false, element);
-    queue_clamps(element);
+}
+
+/// Above all that there is, wherever the straight or level way leads: nothing to look for.
+bool Milling::holder_is_above(const geom::PathElement& element) const {
+    const geom::Vec3 from = geom::point_at(element, 0), to = geom::point_at(element, 1);
+    const auto* circle = std::get_if<geom::Circular>(&element);
+    const double size = geom::length(axis_);
+    const bool level = circle != nullptr && geom::length(geom::cross(circle->normal, axis_)) <= 1e-12 * size;
+    if (!level && !std::holds_alternative<geom::Straight>(element)) return false;
+    const double low = std::min(geom::dot(from, axis_), geom::dot(to, axis_)) / size + tool_parts_.holder_from;
+    const geom::Vec3 top{axis_.x > 0 ? all_.hi.x : all_.lo.x, axis_.y > 0 ? all_.hi.y : all_.lo.y,
+                         axis_.z > 0 ? all_.hi.z : all_.lo.z};
+    return geom::dot(top, axis_) / size < low;
 }
 
 /// What the simulation does not take is not simulated: said, once each reason.

@@ -34,7 +34,7 @@ Milling::Reach Milling::reach_of(const QueuedPass& pass) const {
         return deeper(hit.depth, hit.at);
     }
     if (!stock_guard_) return rays;
-    const StockGuard::Hit hit = stock_guard_->hit_by(pass.pass);
+    const StockHit hit = stock_guard_->hit_by(pass.pass);
     return deeper(hit.depth, hit.at);
 }
 
@@ -75,6 +75,12 @@ std::string_view name_of(QueuedPass::Kind kind) {
 
 }  // namespace
 
+std::string Milling::name_of(const QueuedPass& pass, const MilledMove& move) const {
+    const auto listed = move.tool > 0 ? out_.result().tools[move.tool - 1].listed : std::nullopt;
+    const bool none = listed && setup_.tools[*listed].holder.empty();
+    return pass.kind == QueuedPass::Kind::holder && none ? "spindle nose" : std::string(check::name_of(pass.kind));
+}
+
 /// The deepest place in the finished part, of the same ones.
 certify::Depth Milling::deepest_in_part(std::size_t queued) const {
     const QueuedPass& pass = queued_[queued];
@@ -102,21 +108,6 @@ void Milling::judge(std::size_t queued) {
     if (reach.depth > setup_.tolerances.rapid) judge_reach(pass, moves_[pass.move], reach, {});
 }
 
-/// Said once: some hundreds of moves beside material are searched, no more.
-void Milling::say_left_to_rays() {
-    if (left_to_rays_ || !stock_guard_ || !stock_guard_->rays_from()) return;
-    const auto first = std::find_if(queued_.begin(), queued_.end(),
-                                    [&](const QueuedPass& q) { return q.pass == *stock_guard_->rays_from(); });
-    if (first == queued_.end()) return;
-    left_to_rays_ = true;
-    const MilledMove& move = moves_[first->move];
-    const geom::Vec3 step = simulation_->dexels().lattice().step;
-    out_.assumption("from move " + std::to_string(move.index) +
-                        " on, shanks and holders are held to what is left of the stock by the rays alone, " +
-                        mm(std::max({step.x, step.y, step.z})) + " apart: what they touch by less may not be seen",
-                    move.where);
-}
-
 /// What was looked for between the rays without an end is no "clear".
 void Milling::say_undecided(std::size_t queued) {
     const QueuedPass& pass = queued_[queued];
@@ -126,7 +117,7 @@ void Milling::say_undecided(std::size_t queued) {
         const MilledMove& move = moves_[pass.move];
         const cl::Record record{cl::Linear{move.to, {0, 0, 1}, move.rapid}, move.where, move.stack};
         return out_.unchecked(record,
-                              "whether the " + std::string(name_of(pass.kind)) +
+                              "whether the " + name_of(pass, move) +
                                   " touches what is left of the stock between the rays was not decided",
                               "look at this move, or give the check more time ([budget] seconds)");
     }
@@ -162,7 +153,7 @@ std::string into_text(double stock, geom::Vec3 at, const certify::Depth& part, d
 void Milling::judge_reach(const QueuedPass& pass, const MilledMove& move, Reach reach, const certify::Depth& in_part) {
     using Kind = QueuedPass::Kind;
     Finding f;
-    const std::string part(name_of(pass.kind));
+    const std::string part = name_of(pass, move);
     const std::string into = into_text(reach.depth, reach.at, in_part, setup_.milling->tolerance);
     if (in_part.depth + setup_.milling->tolerance >= reach.depth && in_part.depth > 0)
         reach = {in_part.depth, in_part.at};

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
 #include <optional>
 
 namespace obrys::check {
@@ -9,6 +10,8 @@ namespace obrys::check {
 namespace milling = sim::milling;
 
 namespace {
+
+constexpr double least_gauge_length = 10;  ///< mm; a shorter tool is none: its length was measured from elsewhere
 
 milling::CutterKind cutter_kind(shop::ToolKind kind) {
     using shop::ToolKind;
@@ -99,6 +102,21 @@ double core_on_slant(const shop::Tool& tool) {
     return known_core(tool).value_or((tool.radius + tool.delta_radius) / 5);
 }
 
+namespace {
+
+/// Above its gauge plane no tool ends in the air: at least as wide as what stands below.
+std::optional<milling::Body> spindle_nose(const shop::Tool& tool, const milling::Cutter& c) {
+    if (!(tool.length >= least_gauge_length)) return std::nullopt;
+    double height = std::min(c.cutting_length, tool.length), widest = c.diameter;
+    for (const auto* bodies : {&c.shank, &c.holder})
+        for (const milling::Body& b : *bodies) height += b.length, widest = b.upper_diameter;
+    constexpr double same = 1e-6;  // mm
+    if (std::abs(height - tool.length) > same) return std::nullopt;
+    return milling::Body{widest, widest, unknown_height};
+}
+
+}  // namespace
+
 milling::Cutter cutter_of(const shop::Tool& tool, double rub) {
     milling::Cutter c;
     const shop::ToolKind kind = shop::assumed_kind(tool);
@@ -121,6 +139,7 @@ milling::Cutter cutter_of(const shop::Tool& tool, double rub) {
         for (const milling::Body& b : c.holder) left -= b.length;
         if (left > 0) c.shank.push_back({diameter, diameter, left});
     }
+    if (const auto nose = spindle_nose(tool, c)) c.holder.push_back(*nose);
     return c;
 }
 

@@ -123,7 +123,7 @@ std::optional<std::string> Removal::obstacle(const Move& move) const {
     if (!selected_any_) return "no tool is selected: removal not simulated";
     if (tool_ == nullptr) return tool + " is not known: its removal is not simulated";
     if (!move.rapid && std::get<cl::ToolChange>(selected_.step).edge == 0)
-        return tool + " cuts without its offset (D0): where its edge is is not known: removal not simulated";
+        return tool + " cuts without its offset (D0): where its edge stands is not known: removal not simulated";
     if (outline_.vertices.empty()) return tool + " has no outline: its removal is not simulated";
     if (works_off_axis(move)) return tool + stands_off;
     if (std::holds_alternative<cl::Spline>(move.record.step)) return "spline: removal not simulated";

@@ -2,31 +2,28 @@
 /// What of a tool may not meet material, against what is left of the stock, by geometry: its cutting part by rapid, its
 /// shank and holder at any feed. Rays see what is wide; a tip, a clipped edge, a wall that is rubbed lie between them.
 ///
-/// What is clear of the stock as it was before anything was cut is clear (sim/certify). Of the rest the deepest place
-/// in what no cut before has taken is looked for (left_search.hpp), several moves at once where these are clear. What
-/// the search could not decide is said, not passed over.
+/// What is clear of the stock as it was before anything was cut is clear (sim/certify), and so is what stays in columns
+/// that cuts before have emptied (cleared.hpp). Of the rest some places are looked at (touch.hpp); where none of these
+/// touches, the deepest place in what no cut before has taken is looked for (left_search.hpp), several moves at once
+/// where these are clear; so it is for the deepest of those that touch. What the search could not decide, or was not
+/// looked at since so many were before, is said, not passed over.
 
 #include <array>
 #include <cstdint>
 #include <deque>
 #include <functional>
 #include <map>
-#include <optional>
 #include <set>
 #include <vector>
 
-#include "check/left_search.hpp"
+#include "check/cleared.hpp"
+#include "check/stock_search.hpp"
 #include "sim/certify/certify.hpp"
-#include "sim/milling/simulation.hpp"
 
 namespace obrys::check {
 
 class StockGuard {
 public:
-    struct Hit {
-        double depth = 0;  ///< mm; 0: none
-        geom::Vec3 at;
-    };
     /// `allowed`: mm; `apart`: of the rays; `tolerance`: of the simulation.
     StockGuard(const sim::milling::Stock& stock, double allowed, double apart, double tolerance, int threads);
 
@@ -39,55 +36,31 @@ public:
     void add(std::uint32_t number, const sim::milling::Pass& pass);
     /// Judges what is queued and was carried out in the simulation, until it is told to stop.
     void carry_out(const sim::milling::Simulation& simulation, const std::function<bool()>& stop);
-    [[nodiscard]] Hit hit_by(std::uint32_t number) const;
+    [[nodiscard]] StockHit hit_by(std::uint32_t number) const;
     /// Whether it could not be decided, or was not looked at.
     [[nodiscard]] bool is_open(std::uint32_t number) const { return undecided_.contains(number); }
-    /// Pass from which on shanks and holders are left to the rays, since so many were searched before.
-    [[nodiscard]] std::optional<std::uint32_t> rays_from() const { return rays_from_; }
 
 private:
-    struct Part {
-        sim::certify::Shape shape;
-        std::vector<std::vector<geom::Vec2>> profiles;  ///< convex ones
-        double radius = 0, bottom = 0, top = 0;
-    };
-    struct Queued {
-        std::uint32_t number = 0;
-        geom::PathElement path;
-        geom::Vec3 axis;  ///< unit length
-        const Part* part = nullptr;
-        bool body = false;  ///< a shank or holder
-    };
-    struct Verdict {
-        bool decided = true;
-        Hit hit;
-    };
-    struct Heights {
-        double low = 0, high = 0;
-    };
-    struct Group;
-    [[nodiscard]] bool is_worth_search(const Queued& q);
-    [[nodiscard]] Part made(const sim::milling::Shape& shape) const;
-    [[nodiscard]] sim::milling::Box3 box_of(std::size_t first, std::size_t end) const;
-    [[nodiscard]] bool clear_together(Group& g, std::size_t first, std::size_t end) const;
-    void judge_range(Group& g, std::size_t first, std::size_t end) const;
-    [[nodiscard]] Verdict judge_one(Group& g, const Queued& q) const;
-    [[nodiscard]] Heights heights_in_stock(const LeftBody& body) const;
-    [[nodiscard]] bool all_clear(const LeftBody& way, const Part& part, const LeftSearch& search) const;
-    void judge_piece(Verdict& verdict, const LeftBody& way, const Part& part, const LeftSearch& search) const;
-    [[nodiscard]] Hit refined(const Queued& q, Hit hit, const sim::milling::Simulation& simulation) const;
+    [[nodiscard]] bool in_emptied(const StockPass& q, const sim::milling::Simulation& simulation);
+    [[nodiscard]] bool profile_is_clear(const StockPass& q, const Upright& way, const std::vector<geom::Vec2>& profile,
+                                        int halvings);
+    [[nodiscard]] Zone heights_along(geom::Vec3 axis) const;
+    void sort_out(const sim::milling::Simulation& simulation);
+    void keep_deepest(std::vector<double> depths);
+    [[nodiscard]] StockHit refined(const StockPass& q, StockHit hit, const sim::milling::Simulation& simulation) const;
 
-    const sim::milling::Stock& body_;
     mesh::Distance stock_;
-    double allowed_ = 0, apart_ = 0, tolerance_ = 0, least_ = 0;
+    double apart_ = 0, least_ = 0, allowed_ = 0;
     int threads_ = 0;
     sim::certify::Judge judge_;
-    std::deque<std::array<Part, 3>> tools_;  ///< of each what cuts, its shank, its holder
-    std::vector<Queued> queued_;
-    std::map<std::uint32_t, Hit> hits_;
+    sim::milling::Box3 box_;
+    Cleared cleared_;
+    StockSearch search_;
+    std::deque<std::array<StockPart, 3>> tools_;  ///< of each what cuts, its shank, its holder
+    std::vector<StockPass> queued_;
+    std::map<std::uint32_t, StockHit> hits_;
     std::set<std::uint32_t> undecided_;
-    std::size_t refined_ = 0, searched_ = 0;
-    std::optional<std::uint32_t> rays_from_;
+    std::size_t refined_ = 0, searched_bodies_ = 0, searched_rapids_ = 0, deepest_searched_ = 0, deep_rapids_ = 0;
 };
 
 }  // namespace obrys::check

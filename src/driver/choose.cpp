@@ -75,10 +75,11 @@ const Control* choose_control(Session& s, const Request& request, std::uint32_t 
 }
 
 void choose_machine(Session& s, const Request& request) {
-    const MachineGuess guess = guess_machine(*s.main);
+    const MachineGuess guess = guess_machine(*s.main, s.sources);
     const bool lathe_job = s.job.machine.kind == shop::MachineKind::lathe;
     const bool told = s.has_job && (lathe_job || s.job.solid_stock || s.job.solid_part);
-    const bool turning = told ? lathe_job : guess.turning;
+    const bool drives_lathes = s.main->traits->guessed_machine != program::GuessedMachine::mill;
+    const bool turning = told ? lathe_job && drives_lathes : guess.turning;
     const std::string generic = turning ? "lathe-generic" : "mill-generic";
     shop::use_machine(s.job, *shop::shipped_machine(generic));
     s.job.machine.more_axes = true;

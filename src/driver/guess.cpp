@@ -75,7 +75,7 @@ std::string difference(const Control& a, const Control& b, std::string_view text
     if (const std::string word = length_without_point(code); !word.empty())
         return word + " without a point is " + word.substr(1) + " mm on " + std::string(units.name) +
                " and may be a thousandth of it on " + std::string(increments.name);
-    const bool turns = read::rs274::guess_machine(text) == dialect::rs274::FanucMachine::lathe;
+    const bool turns = read::rs274::guess_machine(text).machine == dialect::rs274::FanucMachine::lathe;
     if (const std::string word = first_x(code); turns && !word.empty() && !says_diameter(code))
         return word + " is a diameter on a lathe with " + std::string(increments.name) + " and a radius on " +
                std::string(units.name);

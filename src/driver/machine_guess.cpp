@@ -1,8 +1,11 @@
 #include "driver/machine_guess.hpp"
 
-#include <array>
+#include <algorithm>
 #include <optional>
-#include <string_view>
+#include <string>
+#include <vector>
+
+#include "base/text.hpp"
 
 namespace obrys::driver {
 
@@ -15,6 +18,7 @@ namespace {
 enum class Sign : std::uint8_t {
     none,
     lathe_for_certain,  ///< no mill has it
+    lathe_alone,        ///< LIMS: for certain where no word of a mill stands beside it
     lathe_likely,       ///< a mill may have it in some blocks: G18 for an arc
     mill_likely,        ///< a lathe may have it: M6, G17
     mill_for_certain,   ///< Y beside no word of a lathe
@@ -37,7 +41,7 @@ Sign sign_of(Modal m, bool radius_at_start) {
 
 Sign sign_of(const program::Unit& unit, const program::Word& w) {
     switch (program::code_of(w)) {
-        case Code::speed_limit: return Sign::lathe_for_certain;
+        case Code::speed_limit: return Sign::lathe_alone;
         case Code::x: return Sign::x;
         case Code::y: return Sign::mill_for_certain;
         case Code::m: return program::is_literal(w) && unit.literal(w) == 6 ? Sign::mill_likely : Sign::none;
@@ -52,38 +56,14 @@ bool tells_diameter(const program::Word& w) {
     return m == Modal::diameter_on || m == Modal::diameter_off || m == Modal::diameter_absolute_only;
 }
 
-/// What the words name for each sign, the first one of each kind.
+/// The words of each sign.
 struct Found {
-    std::array<std::string, 2> likely;  ///< lathe, mill: what to name in a message
-    bool lathe = false, mill = false;   ///< for certain
-    std::optional<base::Span> x;        ///< the first X word before a word that tells what it means
+    program::MachineSigns signs;
+    bool lathe = false, mill = false;  ///< for certain
+    bool lathe_alone = false;
+    std::optional<base::Span> x;  ///< the first X word before a word that tells what it means
     bool told = false;
-
-    void name(bool mill_side, const std::string& text) {
-        std::string& list = likely[mill_side ? 1 : 0];
-        if ((", " + list + ",").find(", " + text + ",") == std::string::npos) list += (list.empty() ? "" : ", ") + text;
-    }
 };
-
-/// The name of a word in a message.
-std::string name_of(const program::Word& w) {
-    switch (program::code_of(w)) {
-        case Code::speed_limit: return "a limit of the spindle speed";
-        case Code::y: return "Y words";
-        case Code::m: return "M6";
-        default: break;
-    }
-    switch (program::modal_of(w)) {
-        case Modal::plane_xy: return "G17";
-        case Modal::plane_yz: return "G19";
-        case Modal::plane_zx: return "G18";
-        case Modal::surface_speed_on: return "G96";
-        case Modal::diameter_on: return "DIAMON";
-        case Modal::diameter_off: return "DIAMOF";
-        case Modal::diameter_absolute_only: return "DIAM90";
-        default: return "turning cycles";
-    }
-}
 
 /// Whether a word can still tell anything. Nearly every block has X and Y words, and only the first ones tell.
 bool tells_more(const Found& found, Code code) {
@@ -98,34 +78,65 @@ bool tells_more(const Found& found, Code code) {
 }
 
 void take(Found& found, const program::Unit& unit, const program::Statement& s, const program::Word& w) {
+    constexpr std::size_t enough = 64;  // words of a sign
     const Sign sign = sign_of(unit, w);
+    const base::Span at = unit.span(s, w);
+    if (sign == Sign::none || at.begin == at.end) return;  // what a reader adds says nothing
     found.told = found.told || tells_diameter(w);
-    if (sign == Sign::none) return;
     if (sign == Sign::x) {
-        found.x = unit.span(s, w);
+        found.x = at;
         return;
     }
     found.lathe = found.lathe || sign == Sign::lathe_for_certain;
+    found.lathe_alone = found.lathe_alone || sign == Sign::lathe_alone;
     found.mill = found.mill || sign == Sign::mill_for_certain;
-    found.name(sign == Sign::mill_likely || sign == Sign::mill_for_certain, name_of(w));
+    const bool mills = sign == Sign::mill_likely || sign == Sign::mill_for_certain;
+    std::vector<base::Span>& places = mills ? found.signs.mill : found.signs.lathe;
+    if (places.size() < enough) places.push_back(at);
 }
 
-}  // namespace
-
-MachineGuess guess_machine(const program::Unit& unit) {
+Found find_signs(const program::Unit& unit) {
     Found found;
     for (std::uint32_t i = 0; i < unit.statements.size(); ++i) {
         const program::Statement& s = unit.statements[i];
         for (std::uint32_t k = s.first, end = unit.words_end(i); k < end; ++k)
             if (tells_more(found, program::code_of(unit.words[k]))) take(found, unit, s, unit.words[k]);
     }
+    return found;
+}
+
+/// "G18 (line 2), LIMS=3000 (line 4)": each as the program writes it, where it stands first.
+std::string list_of(const std::vector<base::Span>& places, const base::Sources& sources) {
+    constexpr std::size_t most = 4, longest = 24;
+    std::vector<std::string> words;
+    std::string list;
+    for (const base::Span& place : places) {
+        if (words.size() == most) break;
+        std::string word = base::as_utf8(base::trim(sources.text(place)));
+        if (word.size() > longest || std::find(words.begin(), words.end(), word) != words.end()) continue;
+        list += (list.empty() ? "" : ", ") + word + " (line " + std::to_string(sources.position(place).line) + ")";
+        words.push_back(std::move(word));
+    }
+    return list;
+}
+
+}  // namespace
+
+MachineGuess guess_machine(const program::Unit& unit, const base::Sources& sources) {
+    using program::GuessedMachine;
+    const Found found = find_signs(unit);
+    const bool weighed = unit.traits->guessed_machine == GuessedMachine::by_words;
+    const program::MachineSigns& signs = weighed ? found.signs : unit.machine_signs;
+    const bool hinted = !signs.lathe.empty(), vetoed = !signs.mill.empty();
     MachineGuess guess;
-    const bool hinted = !found.likely[0].empty(), vetoed = !found.likely[1].empty();
-    guess.turning = found.lathe || (hinted && !vetoed);
-    guess.signs = found.likely[guess.turning ? 0 : 1];
-    guess.against = found.likely[guess.turning ? 1 : 0];
-    const bool proven = guess.turning ? found.lathe : found.mill || !hinted;
-    if (!proven && found.x && !unit.traits->radius_at_start) guess.doubtful = *found.x;
+    guess.turning =
+        weighed ? found.lathe || (hinted && !vetoed) : unit.traits->guessed_machine == GuessedMachine::lathe;
+    guess.signs = list_of(guess.turning ? signs.lathe : signs.mill, sources);
+    guess.against = list_of(guess.turning ? signs.mill : signs.lathe, sources);
+    const bool proven = guess.turning ? (found.lathe || found.lathe_alone) && !found.mill
+                                      : !hinted || (found.mill && !found.lathe_alone);
+    const bool doubtful = weighed ? !proven : signs.doubtful;
+    if (doubtful && found.x && !unit.traits->radius_at_start) guess.doubtful = *found.x;
     return guess;
 }
 

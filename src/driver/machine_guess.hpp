@@ -11,13 +11,14 @@ namespace obrys::driver {
 
 struct MachineGuess {
     bool turning = false;
-    std::string signs;    ///< the words that speak for it: "G18, LIMS="; empty: none does
-    std::string against;  ///< the words that speak for the other kind; empty: none does
+    /// The program's own words that speak for it, with their lines: "G18, LIMS=3000 (line 2)"; empty: none does.
+    std::string signs;
+    std::string against;  ///< those that speak for the other kind; empty: none does
     /// The first X word whose meaning follows from the guess alone: nothing proves the kind, and no DIAMON or DIAMOF
     /// stands before it. length 0: there is none.
     base::Span doubtful{};
 };
 
-[[nodiscard]] MachineGuess guess_machine(const program::Unit& unit);
+[[nodiscard]] MachineGuess guess_machine(const program::Unit& unit, const base::Sources& sources);
 
 }  // namespace obrys::driver

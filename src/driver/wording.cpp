@@ -24,6 +24,11 @@ constexpr std::string_view both_axes = "ANG= with both of the plane's axes";
 constexpr std::string_view no_axis = "ANG= with none of the plane's axes";
 constexpr std::string_view angle_before = "or write the line before it with ANG= alone";
 constexpr std::string_view angle_next = "the next block needs ANG= and the end point";
+constexpr std::string_view no_offset = " cuts without its offset (D0)";
+constexpr std::string_view no_offset_own = " cuts without its offset";
+constexpr std::string_view plane_axes =
+    "let PLANE position them (TURN, MOVE), or do so before the first move in the plane";
+constexpr std::string_view plane_axes_own = "position them before the first move in the plane";
 constexpr std::string_view no_tool_own = "radius compensation without a tool";
 
 constexpr std::array phrases{
@@ -33,16 +38,22 @@ constexpr std::array phrases{
     Phrase{"heidenhain", spindle, "start the spindle with M3 or M4; its speed S stands in TOOL CALL"},
     Phrase{"heidenhain", tool, "call a tool with TOOL CALL before it (DIN/ISO: T … G17)"},
     Phrase{"heidenhain", diameters, ""},
+    Phrase{"heidenhain", no_offset, no_offset_own},
     Phrase{"heidenhain", no_tool, no_tool_own},
     Phrase{"heidenhain", "zero offset", "preset"},
     Phrase{"heidenhain", " D0, which selects no radius", ", whose radius is not known"},
     Phrase{"heidenhain", " D0, whose radius is 0", ", whose radius is 0"},
+    Phrase{"sinumerik", plane_axes, plane_axes_own},
     Phrase{"linuxcnc", circle, rs274_circle},
+    Phrase{"linuxcnc", no_offset, no_offset_own},
+    Phrase{"linuxcnc", plane_axes, plane_axes_own},
     Phrase{"linuxcnc", tool, "select a tool with T and M6 before it"},
     Phrase{"linuxcnc", diameters, ""},
     Phrase{"linuxcnc", no_tool, no_tool_own},
     Phrase{"linuxcnc", unknown_tool, no_tool_own},
     Phrase{"fanuc", circle, rs274_circle},
+    Phrase{"fanuc", no_offset, no_offset_own},
+    Phrase{"fanuc", plane_axes, plane_axes_own},
     Phrase{"fanuc", tool, "select a tool before it: T and M6 on mills, T0101 on lathes"},
     Phrase{"fanuc", diameters, ", X words are diameters"},
     Phrase{"fanuc", no_tool, no_tool_own},
@@ -52,6 +63,8 @@ constexpr std::array phrases{
     Phrase{"fanuc", angle_before, "or write the line before it with the angle alone"},
     Phrase{"fanuc", angle_next, "the next block needs an angle (A, ,A) and the end point"},
     Phrase{"haas", circle, rs274_circle},
+    Phrase{"haas", no_offset, no_offset_own},
+    Phrase{"haas", plane_axes, plane_axes_own},
     Phrase{"haas", tool, "select a tool before it: T and M6 on mills, T101 on lathes"},
     Phrase{"haas", diameters, ", X words are diameters"},
     Phrase{"haas", no_tool, no_tool_own},
@@ -111,12 +124,14 @@ std::string edges_in_words_of(std::string_view control, std::string remedy) {
 
 }  // namespace
 
+void reword(std::string& text, std::string& remedy, std::string_view control, bool offset_numbers) {
+    text = in_words_of(control, tools_in_words_of(control, offset_numbers, std::move(text)));
+    remedy = in_words_of(control, edges_in_words_of(control, std::move(remedy)));
+}
+
 void reword(check::Result& result, std::string_view control, bool offset_numbers) {
     const auto each = [control, offset_numbers](auto& list) {
-        for (auto& item : list) {
-            item.text = in_words_of(control, tools_in_words_of(control, offset_numbers, std::move(item.text)));
-            item.remedy = in_words_of(control, edges_in_words_of(control, std::move(item.remedy)));
-        }
+        for (auto& item : list) reword(item.text, item.remedy, control, offset_numbers);
     };
     each(result.findings);
     each(result.unchecked);

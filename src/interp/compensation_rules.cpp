@@ -12,7 +12,7 @@ void refuse_other_side(Run& run, Modal m) {
     if (now == Modal::compensation_off || m == Modal::compensation_off || m == now) return;
     alarm(run, base::codes::compensation, run.here(),
           "radius compensation changes its side without being switched off in between",
-          "program a straight block without radius compensation (R0, G40) before it");
+          "program a straight block without radius compensation (R0; DIN/ISO: G40) before it");
 }
 
 /// R+ and R- lengthen and shorten the way of a block of a single axis. In a contour with RL or RR they are another
@@ -21,7 +21,7 @@ void compensate_along_axis(Run& run, Modal m) {
     if (run.modal.compensation != Modal::compensation_off && run.capture == nullptr)
         return alarm(run, base::codes::compensation, run.here(),
                      "compensation along an axis, longer or shorter, while radius compensation is in force",
-                     "program a straight block without radius compensation (R0, G40) before it");
+                     "program a straight block without radius compensation (R0; DIN/ISO: G40) before it");
     if (run.block.paraxial != Modal::linear) {
         run.block.paraxial = m;
         return;
@@ -37,7 +37,7 @@ void leave_compensation(Run& run, const std::string& because) {
         return;
     if (state.look_ahead == 0)
         return alarm(run, base::codes::compensation, run.here(), because + " while radius compensation is in force",
-                     "switch it off before (R0, G40)");
+                     "switch it off before (R0; DIN/ISO: G40)");
     // iTNC 530 manual, "The PLANE function": with M120 active it rescinds radius compensation, and M120 with it.
     flush_path(run);
     state.compensation = Modal::compensation_off;

@@ -111,7 +111,7 @@ void leave_contour_before(Run& run) {
     unchecked(run, codes::unsupported, run.here(),
               "an approach while radius compensation is still in force is not described: the compensation is taken to "
               "end where the tool's centre stands, and the approach to begin there",
-              "move to the starting point of the approach without radius compensation (R0, G40)");
+              "move to the starting point of the approach without radius compensation (R0; DIN/ISO: G40)");
     run.path->end_compensation(run);
 }
 

@@ -128,7 +128,15 @@ enum class NamedVariables : std::uint8_t {
     in_angles  ///< #<_gap>
 };
 
+/// The kind of machine that a program is taken to be for where nobody names one. It decides whether X words are halved.
+enum class GuessedMachine : std::uint8_t {
+    mill,      ///< whatever the program writes: the control drives no lathe, or its reader has read it as a mill's
+    lathe,     ///< its reader has read it as a lathe's
+    by_words,  ///< what the program writes is weighed: DIAMON, G18, M6, Y
+};
+
 struct Traits {
+    GuessedMachine guessed_machine = GuessedMachine::mill;
     /// An address that a block has twice.
     Repeated repeated_words = Repeated::stops;
     /// Two words of one group (G0 G1).

@@ -316,11 +316,18 @@ struct Ignored {
     std::uint32_t count = 1;
 };
 
+/// What spoke for a kind of machine where the reader has taken one from the text (GuessedMachine::mill, lathe).
+struct MachineSigns {
+    std::vector<base::Span> lathe, mill;  ///< words of the text
+    bool doubtful = false;                ///< as much speaks for the other one
+};
+
 struct Unit {
     std::string name;  ///< upper case, without suffix: "PODPROG_ZL"
     std::uint32_t file = 0;
     std::uint32_t begin = 0, end = 0;  ///< its part of the source text (an archive holds several)
     const Traits* traits = nullptr;
+    MachineSigns machine_signs;
     /// The operator can start it: where it stands in the file of the main program and is never run, that is said.
     bool startable = false;
     bool has_proc = false;

@@ -10,6 +10,7 @@ HOUSE = pathlib.Path(__file__).parent
 sys.path.insert(0, str(HOUSE))
 sys.path.insert(0, str(HOUSE.parent / "golden"))
 import casts  # noqa: E402
+import own_words  # noqa: E402
 import run as golden  # noqa: E402
 import sizes  # noqa: E402
 
@@ -54,6 +55,31 @@ class Layers(InFolder):
         self.assertIn("is our own", self.check("#include <geom/g.hpp>\n")[1])
         self.assertIn("base uses geom, which does not stand below", self.check("", "base: geom\ngeom: \ncl: \n")[1])
         self.assertIn("stands in no declared folder", self.check("", "base: \ngeom: base\n")[1])
+
+
+class OwnWords(InFolder):
+    def faults(self, run, message, program="G1 X5.\n"):
+        self.write("golden/x/case.txt", f"--- run  obrys run {run} in\n--- file in\n{program}--- err\n{message}\n--- exit 1\n")
+        return [f for f in own_words.check_cases(self.folder / "golden") if "messages read" not in f]
+
+    def test_words_of_another_control(self):
+        self.assertEqual(self.faults("--control fanuc", "in:1:1: error: the circle needs R [arc-radius]"), [])
+        self.assertIn("'CR='", self.faults("--control fanuc", "in:1:1: error: the circle needs CR= [arc-radius]")[0])
+        self.assertIn("'R0'", self.faults("--control haas", "in:1:1: error: too late [x]\n  remedy: write R0 before it")[0])
+        self.assertIn("'FMAX'", self.faults("--control sinumerik-840d", "warning: FMAX is meant [x]")[0])
+        self.assertIn("'G41'", self.faults("--control heidenhain-itnc530", "warning: G41 is meant [x]", "BEGIN PGM\n")[0])
+        self.assertEqual(self.faults("--control heidenhain-itnc530", "warning: RL is meant (DIN/ISO: G41) [x]", "BEGIN PGM\n"), [])
+
+    def test_what_the_program_wrote_is_its_own(self):
+        self.assertEqual(self.faults("--control fanuc", "in:1:1: error: CR=5 is no word [x]", "G2 X5. CR=5\n"), [])
+
+    def test_messages_of_the_sources(self):
+        self.write("src/driver/wording.cpp", 'constexpr std::string_view circle = "by CR= or so";\n    Phrase{"fanuc", circle, "by R or so"},\n')
+        self.write("src/interp/arc.cpp", 'say("by CR= " "or so");  // GOTOF\n')
+        faults = own_words.check_sources(self.folder / "src")
+        self.assertEqual(sorted(f.split(" of ")[1].split(":")[0] for f in faults), ["haas", "heidenhain", "linuxcnc"])
+        self.write("src/interp/arc.cpp", 'say("by R or so");\n')
+        self.assertEqual(own_words.check_sources(self.folder / "src"), [])
 
 
 class Casts(InFolder):

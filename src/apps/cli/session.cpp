@@ -7,10 +7,10 @@
 namespace obrys::cli {
 
 void print_diagnostics(const driver::Session& s, base::Severity from) {
+    const bool offset_numbers = s.main != nullptr && s.main->traits->edge_is_offset_number;
     for (base::Diagnostic d : s.diagnostics.all()) {
         if (d.severity < from) continue;
-        d.text = driver::in_words_of(s.control, std::move(d.text));
-        d.remedy = driver::in_words_of(s.control, std::move(d.remedy));
+        driver::reword(d.text, d.remedy, s.control, offset_numbers);
         std::fputs(base::render(d, s.sources).c_str(), stderr);
     }
 }

@@ -39,6 +39,7 @@ inline constexpr std::array spindle_stops{program::SpindleStop{0, false, true, t
 /// Parameters: iTNC 530 pilot (NC software 340 49x-07), Q Q0-Q1999, QL0-QL499 local, QR0-QR499. Equality: the control
 /// computes with a limited number of digits; two values that differ by less than 1e-9 count as equal (docs).
 inline constexpr program::Traits traits{
+    .guessed_machine = program::GuessedMachine::mill,  // TOOL CALL 1 Y is a tool axis, not a lathe
     .equality = {1e-12, 1e-9},
     .banks = {program::ParameterBank{"Q", 2000}, {"QL", 500, true}, {"QR", 500}},
     .named_variables = program::NamedVariables::none,

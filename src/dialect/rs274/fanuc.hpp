@@ -62,7 +62,7 @@ enum class FanucSpecial : std::uint8_t {
     polar_face,
     cylinder_face,
     interpolation_off,  ///< G12.1, G7.1, G13.1 of FANUC
-    local_pattern,      ///< Haas G70, G71, G72 of mills: points for the hole cycle
+    local_pattern,      ///< Haas G70, G71 of mills: points for the hole cycle
 };
 
 struct FanucG {

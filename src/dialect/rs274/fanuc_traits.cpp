@@ -137,6 +137,7 @@ program::Traits traits_of(std::span<const program::CannedCycle> cycles, bool haa
     if (haas) t.kept = haas_kept;
     if (!haas) t.line_without_centre = "bit CIR of parameter 3403 = 0";  // operator's manual, circular interpolation
     t.radius_to_start_stays = !haas;                                     // the same: "G02 R: the cutter does not move"
+    t.guessed_machine = lathe ? program::GuessedMachine::lathe : program::GuessedMachine::mill;
     if (lathe) t.live = lathe_live;
     t.edge_is_offset_number = lathe;
     t.offset_numbers_stay = !lathe;  // on lathes T says the offset

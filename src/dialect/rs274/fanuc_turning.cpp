@@ -61,6 +61,10 @@ constexpr std::string_view no_relief =
 constexpr std::array pattern_parameters{CycleDefault{relief_v, 0, relief_v, no_relief},
                                         CycleDefault{relief_u, 0, relief_u, no_relief},
                                         CycleDefault{passes, 1, passes, no_relief}};
+constexpr std::string_view no_relief_haas = "relief and number of passes that are not programmed are taken as 0 and 1";
+constexpr std::array pattern_settings{CycleDefault{relief_v, 0, relief_v, no_relief_haas},
+                                      CycleDefault{relief_u, 0, relief_u, no_relief_haas},
+                                      CycleDefault{passes, 1, passes, no_relief_haas}};
 constexpr std::array peck_parameters{
     CycleDefault{escape, 1, infeed, "after a peck the tool goes back by 1 mm, taken for what parameter 5139 holds"}};
 constexpr std::array peck_settings{
@@ -87,7 +91,7 @@ constexpr std::array cycles{
     FanucTurningCycle{720, CycleKind::lathe_remove_across, 1, across_data, removal_call, removal_single, removal_haas,
                       removal_parameters, removal_settings},
     FanucTurningCycle{730, CycleKind::lathe_repeat_pattern, 2, pattern_data, removal_call, pattern_single,
-                      pattern_single, pattern_parameters, pattern_parameters},
+                      pattern_single, pattern_parameters, pattern_settings},
     FanucTurningCycle{740, CycleKind::lathe_peck_along, 3, peck_data, along_pecks, along_pecks, along_pecks,
                       peck_parameters, peck_settings},
     FanucTurningCycle{750, CycleKind::lathe_peck_across, 3, peck_data, across_pecks, across_pecks, across_pecks,

@@ -104,6 +104,7 @@ constexpr std::array kept{
 
 /// Comparisons hold within 0.000001 (measured). The last parameter is #5601.
 constexpr program::Traits traits{
+    .guessed_machine = program::GuessedMachine::by_words,
     .equality = {0, 1e-6, true},
     .banks = {program::ParameterBank{"#", 5602}, {}, {}},
     .named_variables = program::NamedVariables::in_angles,

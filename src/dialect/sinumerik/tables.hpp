@@ -94,6 +94,7 @@ inline constexpr std::array spindle_stops{program::SpindleStop{70, true}};
 
 /// Comparisons of REAL values hold within a relative 1e-12 (Job Planning manual, comparison operations).
 inline constexpr program::Traits traits{
+    .guessed_machine = program::GuessedMachine::by_words,
     .equality = {1e-12, 0},
     .text_may_end = true,
     .kept = kept_parameters,

@@ -29,7 +29,7 @@ double nearest(const std::string& text) {
 Scanner::Scanner(std::string_view text, bool star_ends)
     : base_(text.data()),
       p_(text.data()),
-      end_(text.data() + text.size()),
+      end_(text.data() + base::without_end_signs(text).size()),
       cr_alone_(text.find('\n') == std::string_view::npos),
       star_ends_(star_ends) {}
 
@@ -62,7 +62,7 @@ bool Scanner::at_star() const {
     if (!star_ends_ || peek() != '*') return false;
     const char* q = p_ + 1;
     while (q < end_ && base::is_blank(*q)) ++q;
-    if (q >= end_ || is_line_end(q, cr_alone_) || std::string_view(";%\x1A").find(*q) != std::string_view::npos)
+    if (q >= end_ || is_line_end(q, cr_alone_) || std::string_view(";%").find(*q) != std::string_view::npos)
         return true;
     return base::upper(*q) == 'N' && q + 1 < end_ && base::is_digit(q[1]);
 }
@@ -70,7 +70,7 @@ bool Scanner::at_star() const {
 bool Scanner::at_end() {
     for (;;) {
         skip_blanks();
-        if (p_ == end_ || is_line_end(p_, cr_alone_) || *p_ == '\x1A' || at_star()) return true;
+        if (p_ == end_ || is_line_end(p_, cr_alone_) || at_star()) return true;
         if (*p_ != ';') return false;
         const char* end = line_end(p_);
         const char* last = end;

@@ -39,8 +39,9 @@ void say_chamfer(FanucState& s, const Address& a) {
     d.severity = base::Severity::note;
     d.code = base::codes::assumption;
     d.where = s.build().span(a.begin, a.end);
-    d.text =
-        "C of straight blocks is taken as a chamfer (bit CCR of parameter 3405 = 1): nothing here uses C as an axis";
+    d.text = s.control.haas ? "C of straight blocks is taken as a chamfer: nothing here uses C as an axis"
+                            : "C of straight blocks is taken as a chamfer (bit CCR of parameter 3405 = 1): nothing "
+                              "here uses C as an axis";
     d.remedy = "name a machine file with the axis C where it is one";
     s.diagnostics.add(std::move(d));
 }

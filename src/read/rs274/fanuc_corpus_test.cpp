@@ -144,7 +144,7 @@ TEST(FanucCorpus, LathesAreRecognised) {
         if (!is_fanuc(file)) continue;
         const std::string path = file.generic_string();
         const bool lathe = path.find("NL1500Y") != std::string::npos || path.find("mazak") != std::string::npos;
-        EXPECT_EQ(guess_machine(content(file)) == dialect::rs274::FanucMachine::lathe, lathe) << file;
+        EXPECT_EQ(guess_machine(content(file)).machine == dialect::rs274::FanucMachine::lathe, lathe) << file;
     }
 }
 

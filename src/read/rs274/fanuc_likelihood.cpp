@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cstdlib>
 
 #include "base/text.hpp"
 #include "read/rs274/fanuc_read.hpp"
@@ -15,24 +16,30 @@ constexpr std::size_t looked_at = 65536;  ///< bytes of the text
 /// The text's words: upper case, without blanks and comments, each line ending with a line feed.
 struct Squeezed {
     std::string code, comments;
+    std::vector<std::uint32_t> from;  ///< byte of the text for each one of `code`
 };
 /// Block numbers are left out: a pattern for the begin of a line means the first word.
 Squeezed squeeze(std::string_view text) {
     Squeezed out;
     bool comment = false, number = false;
-    for (const char raw : text.substr(0, looked_at)) {
-        const char c = base::upper(raw);
+    const std::size_t size = std::min(text.size(), looked_at);
+    const auto take = [&out](char c, std::size_t at) {
+        out.code += c;
+        out.from.push_back(static_cast<std::uint32_t>(at));
+    };
+    for (std::size_t i = 0; i < size; ++i) {
+        const char c = base::upper(text[i]);
         const bool begins = out.code.empty() || out.code.back() == '\n';
         number = !comment && ((number && (base::is_digit(c) || base::is_blank(c))) || (begins && c == 'N'));
         if (number) continue;
         if (c == '\n' || c == '\r') {
             comment = false;
-            if (!out.code.empty() && out.code.back() != '\n') out.code += '\n';
+            if (!out.code.empty() && out.code.back() != '\n') take('\n', i);
         } else if (comment || c == '(') {
             comment = c != ')';
             out.comments += c;
         } else if (!base::is_blank(c)) {
-            out.code += c;
+            take(c, i);
         }
     }
     return out;
@@ -171,7 +178,31 @@ int haas_likelihood(std::string_view text, std::string_view file_name, std::vect
     return std::clamp(own_words > 0 ? std::min(score, 85) + own_words : std::min(score - 5, 90), 0, 100);
 }
 
-dialect::rs274::FanucMachine guess_machine(std::string_view text) {
+namespace {
+
+/// Where the first of the words stands that a pattern stands for, with all its digits.
+base::Span place_of(const Squeezed& t, std::uint32_t file, std::size_t at, std::string_view pattern) {
+    std::size_t end = at + pattern.size() - (pattern.ends_with('\n') ? 1 : 0);
+    while (end < t.code.size() && (base::is_digit(t.code[end]) || t.code[end] == '.')) ++end;
+    return {file, t.from[at], t.from[end - 1] + 1};
+}
+
+template <std::size_t n>
+int weigh(const Squeezed& t, std::uint32_t file, const std::array<Sign, n>& table, std::vector<base::Span>& places) {
+    int total = 0;
+    for (const Sign& s : table) {
+        std::size_t at = 0;
+        const int times = count(t.code, s.pattern, &at);
+        total += s.weight * times;
+        if (times > 0) places.push_back(place_of(t, file, at, s.pattern));
+    }
+    std::sort(places.begin(), places.end(), [](const auto& a, const auto& b) { return a.begin < b.begin; });
+    return total;
+}
+
+}  // namespace
+
+MachineByText guess_machine(std::string_view text, std::uint32_t file) {
     constexpr std::array lathe{
         Sign{"G50S", 6},    Sign{"G92S", 3}, Sign{"G96", 4},   Sign{"G28U", 6}, Sign{"G28W", 4}, Sign{"T0~0~", 3},
         Sign{"T~~~~\n", 2}, Sign{"U-", 2},   Sign{"W-", 1},    Sign{"G70P", 6}, Sign{"G71P", 6}, Sign{"G71U", 6},
@@ -183,9 +214,13 @@ dialect::rs274::FanucMachine guess_machine(std::string_view text) {
         Sign{"M6\n", 5}, Sign{"M6T", 5}, Sign{"G43", 5}, Sign{"G81", 2},     Sign{"G83", 1}, Sign{"J~", 1},
         Sign{"J-", 1},   Sign{"D~", 1},  Sign{"H~", 2},  Sign{"G91G28Z", 4},
     };
+    constexpr int clear_lead = 5;
     const Squeezed t = squeeze(text);
-    const bool turning = sum(t.code, lathe) > sum(t.code, mill);
-    return turning ? dialect::rs274::FanucMachine::lathe : dialect::rs274::FanucMachine::mill;
+    MachineByText guess;
+    const int turns = weigh(t, file, lathe, guess.signs.lathe), mills = weigh(t, file, mill, guess.signs.mill);
+    guess.machine = turns > mills ? dialect::rs274::FanucMachine::lathe : dialect::rs274::FanucMachine::mill;
+    guess.signs.doubtful = turns > 0 && mills > 0 && std::abs(turns - mills) < clear_lead;
+    return guess;
 }
 
 }  // namespace obrys::read::rs274

@@ -237,9 +237,7 @@ void read_line(FanucState& s, const base::Source& source, std::size_t begin, std
 
 /// All programs of the text, between as many pairs of `%` as there are; the last part.
 Extent read_extents(FanucState& s, const base::Source& source) {
-    std::string_view text = s.text;
-    while (!text.empty() && (text.back() == '\x1A' || text.back() == '\0'))
-        text.remove_suffix(1);  // CP/M's end of file
+    const std::string_view text = base::without_end_signs(s.text);
     Extent e = extent_of(text, 0);
     for (bool first = true;; first = false) {
         const bool goes_on = e.has_rest && find_header(text, e.end) != std::string_view::npos;
@@ -257,10 +255,20 @@ Extent read_extents(FanucState& s, const base::Source& source) {
     }
 }
 
+FanucControl control_of(const FanucOptions& options, const MachineByText& guessed, bool haas) {
+    FanucControl c;
+    c.haas = haas;
+    c.machine = options.machine.value_or(guessed.machine);
+    c.system = options.system;
+    c.whole_numbers = options.whole_numbers;
+    return c;
+}
+
 std::vector<program::Unit> read_text(std::uint32_t file, const base::Sources& sources, program::Names& names,
-                                     base::Diagnostics& diagnostics, const FanucControl& control,
-                                     const FanucOptions& options) {
+                                     base::Diagnostics& diagnostics, const FanucOptions& options, bool haas) {
     const base::Source& source = sources[file];
+    const MachineByText guessed = options.machine ? MachineByText{} : guess_machine(source.text, file);
+    const FanucControl control = control_of(options, guessed, haas);
     FanucState s(file, control, names, diagnostics, sources);
     s.system = system_parameter;
     s.whole_number_said = options.whole_numbers_known;
@@ -271,29 +279,23 @@ std::vector<program::Unit> read_text(std::uint32_t file, const base::Sources& so
     close_program(s);
     s.unit().end = static_cast<std::uint32_t>(std::max(e.end, std::size_t{s.unit().begin}));
     std::vector<program::Unit> units;
-    for (Part& part : s.parts) units.push_back(std::move(part.unit));
+    for (Part& part : s.parts) {
+        part.unit.machine_signs = guessed.signs;
+        units.push_back(std::move(part.unit));
+    }
     return units;
-}
-
-FanucControl control_of(const base::Source& source, const FanucOptions& options, bool haas) {
-    FanucControl c;
-    c.haas = haas;
-    c.machine = options.machine ? *options.machine : guess_machine(source.text);
-    c.system = options.system;
-    c.whole_numbers = options.whole_numbers;
-    return c;
 }
 
 }  // namespace
 
 std::vector<program::Unit> read_fanuc(std::uint32_t file, const base::Sources& sources, program::Names& names,
                                       base::Diagnostics& diagnostics, const FanucOptions& options) {
-    return read_text(file, sources, names, diagnostics, control_of(sources[file], options, false), options);
+    return read_text(file, sources, names, diagnostics, options, false);
 }
 
 std::vector<program::Unit> read_haas(std::uint32_t file, const base::Sources& sources, program::Names& names,
                                      base::Diagnostics& diagnostics, const FanucOptions& options) {
-    return read_text(file, sources, names, diagnostics, control_of(sources[file], options, true), options);
+    return read_text(file, sources, names, diagnostics, options, true);
 }
 
 std::vector<program::Unit> read_fanuc(std::uint32_t file, const base::Sources& sources, program::Names& names,

@@ -48,6 +48,11 @@ struct FanucOptions {
                                   std::vector<std::string>* signs = nullptr);
 
 /// The kind of machine that a program is for, by its words; a mill where nothing speaks for a lathe.
-[[nodiscard]] dialect::rs274::FanucMachine guess_machine(std::string_view text);
+struct MachineByText {
+    dialect::rs274::FanucMachine machine = dialect::rs274::FanucMachine::mill;
+    program::MachineSigns signs;
+};
+/// `file`: number of the text among the sources, for the places of the signs.
+[[nodiscard]] MachineByText guess_machine(std::string_view text, std::uint32_t file = 0);
 
 }  // namespace obrys::read::rs274

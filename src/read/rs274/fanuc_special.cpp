@@ -154,10 +154,10 @@ void hole_pattern(FanucState& s, const FanucG& g, const Address& a) {
     };
     const auto radius = literal('I', 0), start = literal('J', 0), count = literal('L', 0), step = literal('K', 0);
     const bool axes = find_address(s, 'X') != nullptr || find_address(s, 'Y') != nullptr;
-    if (!radius || !start || !count || !step || g.code == 720 || axes) {
+    if (!radius || !start || !count || !step || axes) {
         s.facts.refused = true;
         return add_problem(s, Code::unsupported, a.begin, s.line.end(),
-                           g.code == 720 ? "holes along a line" : "a hole pattern with computed values or a centre");
+                           "a hole pattern with computed values or a centre");
     }
     if (s.hole == 0) return fail(s, a.begin, a.end, "the hole pattern needs a hole cycle before it");
     if (!(*count >= 1) || *count > most) return fail(s, a.begin, a.end, "L is the number of holes, 1 to 1000");

@@ -114,6 +114,19 @@ TEST(Rs274Flow, WhatFollowsTheEndIsNotRead) {
     EXPECT_EQ(Reading("o1 if [#1]\nM2\no1 endif\nX[1\nM2").first_message(), "4:2 this bracket is not closed");
 }
 
+/// Its own interpreter has ended the program before it comes there.
+TEST(Rs274Flow, AnOldEditorsEndOfTextBehindM2IsNothing) {
+    for (const char* sign : {"\x1A", "\x1A\x1A\n", "\x1A\r\n", " \x1A"}) {
+        EXPECT_EQ(Reading("X1\nM2\n" + std::string(sign)).messages(), "");
+        EXPECT_EQ(Reading("X1\r\nM30\r\n" + std::string(sign)).messages(), "");
+        EXPECT_EQ(Reading("o1 sub\no1 endsub\nX1\nM2\n" + std::string(sign)).messages(), "");
+        EXPECT_EQ(Reading("X1\nM99\n" + std::string(sign)).messages(), "");
+        EXPECT_EQ(Reading("%\nX1\n%\n" + std::string(sign)).messages(), "");
+    }
+    EXPECT_NE(complaint("X1\nM2\n\x1A\nX2\n"), "") << "blocks that never run";
+    EXPECT_NE(complaint("X1\x1A\nM2\n"), "") << "a sign that LinuxCNC refuses";
+}
+
 TEST(Rs274Flow, WrongStructureIsRefusedWhereItStands) {
     EXPECT_EQ(complaint("o1 endif\n"), "1:1 o1 endif without o1 if");
     EXPECT_EQ(complaint("o1 while [1]\no1 endif\n"), "2:1 o1 endif belongs to no if: o1 is the label of a while");

@@ -16,6 +16,14 @@ std::string stem(std::string_view path) {
     return base::to_upper(path);
 }
 
+/// The text without what an old editor left on lines of its own behind the last one: M2 has ended the program before
+/// LinuxCNC comes to them. Beside a word such a sign is a fault there.
+std::string_view text_of(const base::Source& source) {
+    const std::string_view text = base::without_end_signs(source.text);
+    const std::size_t last = text.find_last_not_of(" \t");
+    return last == std::string_view::npos || text[last] == '\n' ? text : source.text;
+}
+
 bool is_percent(const State& s) { return s.line.rest() == "%"; }
 
 void complain_about_comment(State& s) {
@@ -154,6 +162,7 @@ std::vector<program::Unit> read_linuxcnc(std::uint32_t file, const base::Sources
                                          base::Diagnostics& diagnostics) {
     const base::Source& source = sources[file];
     State s(file, dialect::rs274::linuxcnc, names, diagnostics, sources);
+    s.text = text_of(source);
     s.part = &s.add_part(diagnostics);
     s.part->unit.name = stem(source.name);
     s.part->unit.end = static_cast<std::uint32_t>(source.text.size());

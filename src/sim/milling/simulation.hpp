@@ -6,6 +6,7 @@
 /// The result does not depend on the number of threads.
 
 #include <cstdint>
+#include <deque>
 #include <limits>
 #include <memory>
 #include <span>
@@ -86,6 +87,8 @@ public:
     Simulation(const Stock& stock, const Lattice& lattice, double tolerance, int threads = 0);
 
     [[nodiscard]] std::uint32_t add_tool(ToolShape shape);
+    /// Stays where it is as long as the simulation does.
+    [[nodiscard]] const ToolShape& tool(std::uint32_t number) const { return tools_[number]; }
     /// Queues a pass; passes take effect in this order. An Engagement belongs to every call, also to those not taken.
     Taken add(const Pass& pass);
     /// Carries out what is queued. What the members below say is right after it.
@@ -150,7 +153,7 @@ private:
     double tolerance_ = 0.01;
     int threads_ = 0;
     std::uint64_t open_rays_ = 0;
-    std::vector<ToolShape> tools_;
+    std::deque<ToolShape> tools_;  ///< their places stay
     std::vector<Orientation> orientations_;
     std::vector<geom::Vec3> axes_;  ///< as given, of `orientations_`
     std::vector<Sweep> sweeps_;
