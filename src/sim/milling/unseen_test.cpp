@@ -5,6 +5,7 @@
 #include "mesh/distance.hpp"
 #include "mesh/topology.hpp"
 #include "sim/milling/fine_testing.hpp"
+#include "sim/milling/nearest.hpp"
 #include "sim/milling/surface.hpp"
 
 namespace obrys::sim::milling {
@@ -105,6 +106,33 @@ TEST(Unseen, the_tip_of_a_sharp_edge_is_in_the_surface) {
             EXPECT_LE(distance.nearest(p).distance, tolerance) << i << " tip " << tip << " at " << way;
         }
     }
+}
+
+// Where one piece of a tool lies upon another, both end: taken for a face of the tool, that disc makes edges in the air.
+TEST(Unseen, pieces_of_a_tool_have_no_face_between_them) {
+    const std::vector<Piece> point{cone(0, 2, 0, 2), cylinder(2, 9, 2)}, dovetail{cone(0, 2, 3, 2), cylinder(2, 9, 2)},
+        double_angle{cone(0, 2, 1, 3), cone(2, 4, 3, 1)}, step{cylinder(0, 2, 1.5), cylinder(2, 9, 3)};
+    for (const std::vector<Piece>& pieces : {point, dovetail, double_angle, step}) {
+        const Shape shape = make_shape(pieces);
+        Track level, ramp;
+        level.v = {5, 1, 0}, ramp.v = {5, 1, -1e-3};
+        for (const Track& track : {level, ramp})
+            for (const double along : {0.0, 0.4, 1.0})
+                for (const double aside : {-1.0, 0.0, 0.9}) {
+                    const Vec3 p = along * track.v + Vec3{-0.2 * aside, aside, 2};
+                    const Foot foot = foot_on(shape, track, p);
+                    EXPECT_LT(foot.outside, -0.3) << aside;
+                    EXPECT_GE(foot.outside, -3);
+                }
+    }
+    Simulation s = blank();
+    testing::RoundTool t;
+    t.kind = testing::RoundTool::Kind::cone;
+    t.radius = 1.4;
+    const std::uint32_t tool = s.add_tool(testing::shape_of(t));
+    for (const double x : {5.0, 6.1})
+        for (const double y : {3.0, 7.0}) cut(s, tool, {x, y, 2}, {y, x, 2});  // cylinders from 3.4 on
+    surface_of(s);
 }
 
 }  // namespace
