@@ -124,7 +124,8 @@ def main():
             print(f"{number}: {found}", flush=True)
             continue
         beyond = {k: v for k, v in found.items() if v[0] > 1.001 * options.times * options.tolerance}
-        worst = {k: max(v[0], worst.get(k, 0.0)) for k, v in found.items()}
+        for k, v in found.items():
+            worst[k] = max(v[0], worst.get(k, 0.0))
         if beyond:
             failed += 1
             kinds = ", ".join(t.keys["kind"] for t in program.tools)

@@ -12,21 +12,9 @@ namespace {
 
 using geom::Vec3;
 
-/// Of the tolerance: how far points looked at may be off, for those between them. The lattice's step leaves chords 0.75.
+/// Of the tolerance: how far points looked at may be off, for those between them. The lattice's step leaves chords
+/// 0.75.
 constexpr double sampled = 0.8;
-
-/// Of a wedge between two faces that a line passes through: how far from the line it ends. Infinity where it does not.
-double to_tip(Vec3 first, Vec3 second, int axis, double apart) {
-    Vec3 aside = first + second;
-    set_component(aside, axis, 0);
-    const double size = length(aside);
-    if (!(size > 0)) return HUGE_VAL;
-    aside = (1 / size) * aside;
-    const double n1a = component(first, axis), n2a = component(second, axis), n1w = dot(first, aside),
-                 n2w = dot(second, aside);
-    const double slope = n2w * n1a - n2a * n1w;
-    return slope == 0 ? HUGE_VAL : std::abs(n1a * n2a * apart / slope);
-}
 
 void add_cells(const Lattice& lattice, const std::array<int, 3>& node, int axis, std::vector<Place>& out) {
     const auto u = static_cast<std::size_t>(first_across(axis)), v = static_cast<std::size_t>(second_across(axis));
@@ -40,20 +28,24 @@ void add_cells(const Lattice& lattice, const std::array<int, 3>& node, int axis,
     }
 }
 
-/// Of a circle by its angle's chord: between its ends, though not evenly.
-Vec3 point_on(const Track& track, double share) {
-    if (!track.circular) return share * track.v;
-    const geom::Vec2 across = (1 - share) * track.first + share * track.last;
-    const geom::Vec2 p = track.centre + (track.radius / geom::length(across)) * across;
-    return {p.x, p.y, 0};
-}
-
 struct End {
     double at = 0;
     std::uint32_t cut = 0;
 };
 
 }  // namespace
+
+double to_tip(Vec3 first, Vec3 second, int axis, double apart) {
+    Vec3 aside = first + second;
+    set_component(aside, axis, 0);
+    const double size = length(aside);
+    if (!(size > 0)) return HUGE_VAL;
+    aside = (1 / size) * aside;
+    const double n1a = component(first, axis), n2a = component(second, axis), n1w = dot(first, aside),
+                 n2w = dot(second, aside);
+    const double slope = n2w * n1a - n2a * n1w;
+    return slope == 0 ? HUGE_VAL : std::abs(n1a * n2a * apart / slope);
+}
 
 bool is_worth(Vec3 first, Vec3 second, int axis, double apart, double tolerance) {
     if (apart <= 0.5 * tolerance) return false;
@@ -105,16 +97,11 @@ std::vector<Place> cells_with_points(const Simulation& simulation, Exact& exact)
     std::vector<std::vector<Vec3>> points;
     KeyMap number;
     const auto add = [&](Vec3 p) {
-        Place cell{};
-        for (int a = 0; a < 3; ++a) {
-            const auto n = static_cast<std::size_t>(a);
-            const double at = std::floor((component(p, a) - component(l.origin, a)) / component(l.step, a));
-            if (!(at >= 0 && at + 1 < l.count[n])) return;
-            cell[n] = static_cast<std::int32_t>(at);
-        }
-        const std::uint32_t n = number.add(key_of(cell), static_cast<std::uint32_t>(cells.size()));
+        const std::optional<Place> cell = cell_at(l, p);
+        if (!cell) return;
+        const std::uint32_t n = number.add(key_of(*cell), static_cast<std::uint32_t>(cells.size()));
         if (n == cells.size()) {
-            cells.push_back(cell);
+            cells.push_back(*cell);
             points.emplace_back();
         }
         points[n].push_back(p);

@@ -31,4 +31,8 @@ struct CoarseQuad {
 /// from each other along `axis`.
 [[nodiscard]] bool is_worth(geom::Vec3 first, geom::Vec3 second, int axis, double apart, double tolerance);
 
+/// Of a wedge between two faces that a line along `axis` passes through, `apart` from each other: how far from the line
+/// it ends. Infinity where it does not.
+[[nodiscard]] double to_tip(geom::Vec3 first, geom::Vec3 second, int axis, double apart);
+
 }  // namespace obrys::sim::milling

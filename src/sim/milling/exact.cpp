@@ -12,7 +12,8 @@ namespace {
 
 using geom::Vec3;
 
-constexpr double beyond = 0.05;  ///< of a line's length
+constexpr double beyond = 0.05;          ///< of a line's length
+constexpr std::size_t most_around = 24;  ///< bodies that are asked together how far material is from a point in air
 
 /// One ray of a row, as rows of tiles are made (tile_cut.cpp).
 Row row_of(const Job& job, int axis, Vec3 from, const Lattice& lattice) {
@@ -58,8 +59,8 @@ void Exact::prepare(const std::vector<Place>& cells) {
             const auto n = static_cast<std::size_t>(a);
             const double first = component(lattice_.origin, a), step = component(lattice_.step, a);
             // A block wider on both sides by what `near` looks around.
-            from[n] = base::clipped<std::int32_t>(
-                std::floor(((component(box.min, a) - first) / step - 2) / block), low[n], high[n] + 1);
+            from[n] = base::clipped<std::int32_t>(std::floor(((component(box.min, a) - first) / step - 2) / block),
+                                                  low[n], high[n] + 1);
             to[n] = base::clipped<std::int32_t>(std::floor(((component(box.max, a) - first) / step + 2) / block),
                                                 low[n] - 1, high[n]);
         }
@@ -72,11 +73,10 @@ void Exact::prepare(const std::vector<Place>& cells) {
     }
 }
 
-Exact::Near Exact::near(const Place& cell, bool lines) const {
+Exact::Near Exact::near(const Place& cell, bool lines) const { return near(cell, middle_of(cell), reach(), lines); }
+
+Exact::Near Exact::near(const Place& cell, Vec3 centre, double reach, bool lines) const {
     Near near;
-    const Vec3 low = lattice_.node(cell[0], cell[1], cell[2]), step = lattice_.step;
-    const Vec3 centre = low + 0.5 * step;
-    const double reach = 0.5 * length(step) + std::max({step.x, step.y, step.z});
     const double within = stock_.within(centre);
     near.stock = std::abs(within) < reach;
     near.blank = within > 0;
@@ -92,6 +92,8 @@ Exact::Near Exact::near(const Place& cell, bool lines) const {
     }
     return near;
 }
+
+bool Exact::reaches(const Place& cell, Vec3 p) const { return geom::distance(p, middle_of(cell)) < 0.98 * reach(); }
 
 Exact::Near Exact::within(const Near& near, Vec3 centre, double radius) const {
     Near fewer;
@@ -109,16 +111,20 @@ bool Exact::is_material(const Near& near, Vec3 p) const {
     });
 }
 
-/// In air as far as one body alone says.
 bool Exact::is_on_surface(const Near& near, Vec3 p, double allowed) const {
     if (!near.stock && !near.blank) return false;
     const double within = near.stock ? stock_.within(p) : HUGE_VAL;
     if (within < -allowed) return false;
-    bool close = within <= allowed;
+    bool close = within <= allowed, in_air = within < 0;
+    std::array<Side, most_around> around;
+    std::size_t count = 0;
+    if (close) around[count++] = side(near, 0, p);
     for (const Air::Sweep& s : near.sweeps) {
         const Vec3 own = s.frame.to_tool(p - s.from);
         const Foot foot = foot_on(*s.shape, s.track, own);
         if (foot.outside > allowed) continue;
+        in_air = in_air || foot.outside < 0;
+        if (count < most_around) around[count++] = {foot.outside, s.frame.to_stock(foot.gradient)};
         if (!(foot.outside > 0)) {
             if (foot.outside < -allowed || depth_in(*s.shape, own - foot.place) > allowed) return false;
             close = true;
@@ -128,7 +134,7 @@ bool Exact::is_on_surface(const Near& near, Vec3 p, double allowed) const {
                     outside_sweep(*s.shape, s.track, own) <= allowed;
         }
     }
-    return close;
+    return close && (!in_air || count < 2 || is_left({around.data(), count}, allowed));
 }
 
 bool Exact::is_clear(const Near& near, Vec3 p, double radius) const {
@@ -151,12 +157,13 @@ void Exact::gaps(const Job& job, int axis, Vec3 from, double low, double high, s
         component(job.box.max, axis) < low || component(job.box.min, axis) > high)
         return;
     const double base = component(job.from, axis);
-    cut_row(*job.shape, job.track, row_of(job, axis, from, lattice_), job.aims[static_cast<std::size_t>(axis)],
-            [](int, double, double) { return true; },
-            [&](const Spans& spans) {
-                const double begin = base + spans.low[0], end = base + spans.high[0];
-                if (end - begin > thinnest && end > low && begin < high) out.push_back({begin, end, job.cut, job.cut});
-            });
+    cut_row(
+        *job.shape, job.track, row_of(job, axis, from, lattice_), job.aims[static_cast<std::size_t>(axis)],
+        [](int, double, double) { return true; },
+        [&](const Spans& spans) {
+            const double begin = base + spans.low[0], end = base + spans.high[0];
+            if (end - begin > thinnest && end > low && begin < high) out.push_back({begin, end, job.cut, job.cut});
+        });
 }
 
 /// A blank's face on the line, as a gap. Thin parts of it within one line are not seen.

@@ -2,6 +2,8 @@
 /// The exact surface near cells of a lattice: where material is, how far a point lies from it, where it ends on a line.
 /// From the sweeps themselves, not from rays. Frame of the stock, millimetres.
 
+#include <algorithm>
+#include <span>
 #include <vector>
 
 #include "sim/milling/job.hpp"
@@ -35,20 +37,46 @@ public:
     /// `lines`: they are made ready for `ends`.
     [[nodiscard]] Near near(const Place& cell, bool lines) const;
 
+    /// What lies no farther than so from a point in the block of a cell that was made ready; no more than two steps
+    /// beyond that block.
+    [[nodiscard]] Near near(const Place& cell, geom::Vec3 centre, double reach, bool lines) const;
+    /// Cells, along each axis, in whose boxes sweeps are kept.
+    static constexpr std::int32_t block = 8;
+    /// All that lies at a point belongs to what is near a cell.
+    [[nodiscard]] bool reaches(const Place& cell, geom::Vec3 p) const;
     /// What of it lies within a ball; for points, not for lines.
     [[nodiscard]] Near within(const Near& near, geom::Vec3 centre, double radius) const;
     [[nodiscard]] bool is_material(const Near& near, geom::Vec3 p) const;
     [[nodiscard]] double in_blank(geom::Vec3 p) const { return stock_.within(p); }
+    /// How far a point lies outside of a body of air, and the direction from that into the material, along which this
+    /// grows.
+    struct Side {
+        double outside = 0;
+        geom::Vec3 in;
+    };
+    /// Bodies of `near`: 0 is what lies beside the stock, the others are the sweeps.
+    [[nodiscard]] static std::size_t bodies(const Near& near) { return near.sweeps.size() + 1; }
+    [[nodiscard]] Side side(const Near& near, std::size_t body, geom::Vec3 p) const;
+    /// Moves a point to where the faces of two or three bodies meet, the shortest way; false where that is not found.
+    [[nodiscard]] bool meet(const Near& near, std::span<const std::size_t> of, geom::Vec3& p) const;
     /// The surface lies no farther from a point than so.
     [[nodiscard]] bool is_on_surface(const Near& near, geom::Vec3 p, double allowed) const;
     /// It lies farther from it; false where that is not known.
     [[nodiscard]] bool is_clear(const Near& near, geom::Vec3 p, double radius) const;
     /// Where material ends on a line along `axis` from a point up to `high`, ascending; a little beyond both ends.
     void ends(const Near& near, int axis, geom::Vec3 from, double high, std::vector<LineEnd>& out) const;
+    [[nodiscard]] Air::Sweep body(std::uint32_t cut) const { return simulation_.body_of(cut); }
     [[nodiscard]] geom::Vec3 normal(std::uint32_t cut, geom::Vec3 p) const { return simulation_.normal_at(cut, p); }
 
 private:
-    static constexpr std::int32_t block = 8;  ///< cells, along each axis
+    [[nodiscard]] geom::Vec3 middle_of(const Place& cell) const {
+        return lattice_.node(cell[0], cell[1], cell[2]) + 0.5 * lattice_.step;
+    }
+    /// How far from the middle of a cell `near` looks.
+    [[nodiscard]] double reach() const {
+        return 0.5 * length(lattice_.step) + std::max({lattice_.step.x, lattice_.step.y, lattice_.step.z});
+    }
+    [[nodiscard]] static bool is_left(std::span<const Side> around, double allowed);
     [[nodiscard]] static Place block_of(const Place& cell) {
         return {cell[0] / block, cell[1] / block, cell[2] / block};
     }
@@ -59,7 +87,7 @@ private:
     const Simulation& simulation_;
     const StockBody& stock_;
     Lattice lattice_;
-    KeyMap blocks_;                                  ///< number in `sweeps_`
+    KeyMap blocks_;                                   ///< number in `sweeps_`
     std::vector<std::vector<std::uint32_t>> sweeps_;  ///< cuts, by block
 };
 

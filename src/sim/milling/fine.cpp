@@ -19,7 +19,8 @@ namespace {
 
 using geom::Vec3;
 
-constexpr double sampled = 0.5;   ///< of the tolerance: how far points looked at may be off, for those between them
+constexpr double sampled = 0.5;  ///< of the tolerance: how far points looked at may be off, for those between them
+constexpr double small = 8;      ///< tolerances: a leaf's diagonal below which it is not asked what it may hide
 constexpr int most_levels = 6;
 constexpr std::size_t most_known = 6'000'000;  ///< edges looked at, in all: some 500 MB with what belongs to them
 
@@ -57,10 +58,48 @@ Fine::Fine(Exact& exact, double tolerance, const Lattice& lattice, const NodeBit
       exact_(exact) {}
 
 void Fine::refine(const std::vector<Place>& cells) {
-    if (leaves_.unit() == 1 || cells.empty()) return;
+    if (leaves_.unit() == 1) return;
     std::vector<Leaf> next;
     for (const Place& c : cells)
         next.push_back({{c[0] * leaves_.unit(), c[1] * leaves_.unit(), c[2] * leaves_.unit()}, leaves_.unit()});
+    halve(std::move(next));
+}
+
+std::vector<Unshown> Fine::show(const std::vector<Unshown>& places) {
+    std::vector<Leaf> next;
+    std::vector<Unshown> left;
+    for (const Unshown& u : places) {
+        bool halved = false;
+        for (const Vec3 p : {u.at, u.nearest})
+            if (Leaf leaf; leaf_of(p, leaf) && leaf.size > 1) next.push_back(leaf), halved = true;
+        if (!halved) left.push_back(u);
+    }
+    if (known_.size() >= most_known) return places;
+    halve(std::move(next));
+    return left;
+}
+
+bool Fine::leaf_of(Vec3 p, Leaf& leaf) const {
+    Place at{};
+    for (int a = 0; a < 3; ++a) {
+        const auto n = static_cast<std::size_t>(a);
+        const double step = component(lattice_.step, a) / leaves_.unit();
+        const double cell = std::floor((component(p, a) - component(lattice_.origin, a)) / step);
+        if (!(cell >= 0 && cell < static_cast<double>(lattice_.count[n] - 1) * leaves_.unit())) return false;
+        at[n] = static_cast<std::int32_t>(cell);
+    }
+    leaf = leaves_.leaf_at(at);
+    return true;
+}
+
+void Fine::leave_open(Vec3 p) {
+    Leaf leaf;
+    if (!leaf_of(p, leaf)) return;
+    const std::int32_t s = leaf.size;
+    open_.push_back({leaves_.node(leaf.at), leaves_.node({leaf.at[0] + s, leaf.at[1] + s, leaf.at[2] + s})});
+}
+
+void Fine::halve(std::vector<Leaf> next) {
     while (!next.empty()) {
         ++round_;
         dirty_.clear();
@@ -164,6 +203,12 @@ bool Fine::is_covered(const Near& near, const Leaf& leaf) const {
     return false;
 }
 
+/// In small leaves vertices reach out to what is left of tips (vertex_of), and what was looked for in the exact surface
+/// (shown.hpp) tells of the rest: they are not asked what they may hide.
+bool Fine::is_small(std::int32_t size) const {
+    return length(leaves_.node({size, size, size}) - leaves_.node({0, 0, 0})) < small * tolerance_;
+}
+
 bool Fine::needs_split(const Near& near, const Leaf& leaf) const {
     if (is_far(near, leaf)) return false;
     bool narrow = false;
@@ -178,6 +223,7 @@ bool Fine::needs_split(const Near& near, const Leaf& leaf) const {
         narrow = narrow || (k != nullptr && k->narrow);
     });
     if (narrow) return true;
+    if (is_small(leaf.size)) return false;
     if (material == 8) return !is_plain(near, leaf);
     return material == 0 && !is_covered(near, leaf);
 }
@@ -211,8 +257,8 @@ std::vector<Leaf> Fine::leaves_to_split() {
         if (!own && edges[n].empty()) return;
         const Near near = exact_.near(all_[n], false);
         const auto give_up = [&](const Leaf& leaf) {
-            open[n].push_back({leaves_.node(leaf.at), leaves_.node({leaf.at[0] + leaf.size, leaf.at[1] + leaf.size,
-                                                                    leaf.at[2] + leaf.size})});
+            open[n].push_back({leaves_.node(leaf.at),
+                               leaves_.node({leaf.at[0] + leaf.size, leaf.at[1] + leaf.size, leaf.at[2] + leaf.size})});
         };
         if (own)
             leaves_.each_leaf(all_[n], [&](const Leaf& leaf) {
@@ -245,8 +291,8 @@ std::vector<Leaf> Fine::leaves_to_split() {
     split.erase(std::unique(split.begin(), split.end()), split.end());
     if (known_.size() < most_known) return split;
     for (const Leaf& leaf : split)
-        open_.push_back({leaves_.node(leaf.at), leaves_.node({leaf.at[0] + leaf.size, leaf.at[1] + leaf.size,
-                                                              leaf.at[2] + leaf.size})});
+        open_.push_back({leaves_.node(leaf.at),
+                         leaves_.node({leaf.at[0] + leaf.size, leaf.at[1] + leaf.size, leaf.at[2] + leaf.size})});
     return {};
 }
 

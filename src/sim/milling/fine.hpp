@@ -12,9 +12,15 @@
 #include "mesh/mesh.hpp"
 #include "sim/milling/cell_vertices.hpp"
 #include "sim/milling/exact.hpp"
+#include "sim/milling/qef.hpp"
 #include "sim/milling/surface.hpp"
 
 namespace obrys::sim::milling {
+
+/// A place of the exact surface that a mesh does not show.
+struct Unshown {
+    geom::Vec3 at, nearest;  ///< `nearest`: on the mesh
+};
 
 class Fine {
 public:
@@ -24,9 +30,18 @@ public:
 
     /// Halves cells of the lattice, and these again where that is needed.
     void refine(const std::vector<Place>& cells);
+    /// Halves what lies about places of the exact surface that the mesh does not show, each with the mesh's place
+    /// nearest to it. Places about which nothing could be halved are left.
+    [[nodiscard]] std::vector<Unshown> show(const std::vector<Unshown>& places);
+    /// A place that could not be made right.
+    void leave_open(geom::Vec3 p);
+    /// The cells of which `is_fine` is true.
+    [[nodiscard]] const std::vector<Place>& cells() const { return all_; }
     /// True for the cells that are halved and those that share an edge with one: triangles about their edges come from
     /// here.
-    [[nodiscard]] bool is_fine(int i, int j, int k) const { return fine_cells_.find(key_of({i, j, k})) != KeyMap::none; }
+    [[nodiscard]] bool is_fine(int i, int j, int k) const {
+        return fine_cells_.find(key_of({i, j, k})) != KeyMap::none;
+    }
     /// Triangles by numbers that count the coarse vertices first; the vertices without these.
     [[nodiscard]] mesh::Mesh mesh() const;
     [[nodiscard]] Refined figures() const;
@@ -46,7 +61,14 @@ private:
         bool narrow = false;  ///< more ends than its nodes tell
     };
     using Near = Exact::Near;
+    /// What lies near the cell that was asked for last.
+    struct NearCell {
+        Place cell{-1, -1, -1};
+        Near near;
+    };
 
+    void halve(std::vector<Leaf> next);
+    [[nodiscard]] bool is_small(std::int32_t size) const;
     void find_fine_cells();
     void find_signs();
     void find_known();
@@ -55,6 +77,16 @@ private:
     void join_face(std::size_t edge, std::size_t side);
     [[nodiscard]] bool is_joined(const Leaf& small, const Place& low, std::size_t normal) const;
     void place_vertices();
+    /// Crossings of one piece of surface in a leaf: from `first` up to `last` in `slots`.
+    struct Piece {
+        const std::vector<std::uint32_t>& slots;
+        std::size_t first = 0, last = 0;
+        Leaf leaf;
+    };
+    [[nodiscard]] geom::Vec3 vertex_of(const Piece& piece, NearCell& near) const;
+    [[nodiscard]] PlaneFit planes_of(const Piece& piece) const;
+    [[nodiscard]] PlaneFit planes_at(const Piece& piece, geom::Vec3 p) const;
+    [[nodiscard]] bool leaf_of(geom::Vec3 p, Leaf& leaf) const;
     [[nodiscard]] std::vector<Leaf> leaves_to_split();
     [[nodiscard]] bool needs_split(const Near& near, const Leaf& leaf) const;
     [[nodiscard]] bool is_off(const Near& near, std::size_t edge, double allowed) const;
@@ -83,13 +115,13 @@ private:
     double tolerance_;
     Leaves leaves_;
     Exact& exact_;
-    KeyMap signs_;            ///< 1: material
+    KeyMap signs_;                    ///< 1: material
     std::array<KeyMap, 3> known_of_;  ///< number in `known_`, by axis and node
     std::vector<Known> known_;
     std::uint32_t round_ = 0;
     std::array<KeyMap, 3> tested_;  ///< what triangles about an edge were like when they were found to be right
-    std::vector<Place> dirty_;  ///< cells of the lattice in which something was split last
-    std::vector<Place> all_;    ///< those in `fine_cells_`
+    std::vector<Place> dirty_;      ///< cells of the lattice in which something was split last
+    std::vector<Place> all_;        ///< those in `fine_cells_`
     KeyMap fine_cells_;
     std::vector<Edge> edges_;
     std::array<KeyMap, 3> edge_of_;      ///< number in `edges_`, by axis and node

@@ -80,7 +80,9 @@ bool Fine::is_narrow(const std::vector<LineEnd>& ends, const ShortEdge& e) const
         Vec3 p = leaves_.node(e.at), q = p;
         set_component(p, e.axis, a.at);
         set_component(q, e.axis, b.at);
-        if (!is_worth(exact_.normal(a.cut, p), exact_.normal(b.cut, q), e.axis, b.at - a.at, tolerance_)) continue;
+        const Vec3 one = exact_.normal(a.cut, p), other = exact_.normal(b.cut, q);
+        if (!is_worth(one, other, e.axis, b.at - a.at, tolerance_)) continue;
+        if (is_small(e.size) && to_tip(one, other, e.axis, b.at - a.at) < 2 * (high - low)) continue;
         return true;
     }
     return false;
@@ -169,8 +171,8 @@ void Fine::find_edges() {
                 edge.around = leaves_.around(e.at, e.axis);
                 edge.leaves = leaves;
                 if (e.size == unit)
-                    edge.crossing = crossings_.along(e.axis)[crossings_.number(e.axis, e.at[0] / unit, e.at[1] / unit,
-                                                                               e.at[2] / unit)];
+                    edge.crossing = crossings_.along(
+                        e.axis)[crossings_.number(e.axis, e.at[0] / unit, e.at[1] / unit, e.at[2] / unit)];
                 else if (const Known* k = known(e); k != nullptr)
                     edge.crossing = k->crossing;
                 own.add(key_of(e.at), static_cast<std::uint32_t>(edges_.size()));

@@ -1,12 +1,12 @@
 // Which crossings belong to one piece of surface within a cell, the vertices, and the triangles.
 
+#include <tbb/blocked_range.h>
 #include <tbb/parallel_for.h>
 
 #include <algorithm>
 #include <cmath>
 
 #include "sim/milling/fine.hpp"
-#include "sim/milling/qef.hpp"
 
 namespace obrys::sim::milling {
 
@@ -146,8 +146,7 @@ void Fine::place_vertices() {
         static_cast<void>(root(s));
         slots.push_back(s);
     }
-    std::stable_sort(slots.begin(), slots.end(),
-                     [&](std::uint32_t x, std::uint32_t y) { return root(x) < root(y); });
+    std::stable_sort(slots.begin(), slots.end(), [&](std::uint32_t x, std::uint32_t y) { return root(x) < root(y); });
     vertex_.assign(parent_.size(), none);
     std::vector<std::size_t> first;
     for (std::size_t i = 0; i < slots.size(); ++i) {
@@ -156,25 +155,12 @@ void Fine::place_vertices() {
     }
     first.push_back(slots.size());
     vertices_.resize(first.size() - 1);
-    tbb::parallel_for(std::size_t{0}, vertices_.size(), [&](std::size_t v) {
-        const Leaf& leaf = edges_[slots[first[v]] / 4].around[slots[first[v]] % 4];
-        const Vec3 lo = leaves_.node(leaf.at),
-                   hi = leaves_.node({leaf.at[0] + leaf.size, leaf.at[1] + leaf.size, leaf.at[2] + leaf.size});
-        PlaneFit fit;
-        for (std::size_t i = first[v]; i < first[v + 1]; ++i) {
-            if (i > first[v] && slots[i] / 4 == slots[i - 1] / 4) continue;
-            const Edge& e = edges_[slots[i] / 4];
-            const Vec3 p = point_of(e);
-            Vec3 within = p;
-            set_component(within, e.edge.axis,
-                          std::clamp(e.crossing.at, component(lo, e.edge.axis), component(hi, e.edge.axis)));
-            const Vec3 normal{e.crossing.normal[0], e.crossing.normal[1], e.crossing.normal[2]};
-            if (normal == Vec3{})
-                fit.add(within);
-            else
-                fit.add(p, within, normal);
+    tbb::parallel_for(tbb::blocked_range<std::size_t>(0, vertices_.size(), 64), [&](const auto& some) {
+        NearCell near;
+        for (std::size_t v = some.begin(); v < some.end(); ++v) {
+            const Leaf& leaf = edges_[slots[first[v]] / 4].around[slots[first[v]] % 4];
+            vertices_[v] = vertex_of({slots, first[v], first[v + 1], leaf}, near);
         }
-        vertices_[v] = fit.vertex(lo, hi);
     });
 }
 

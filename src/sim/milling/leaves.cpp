@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <bit>
+#include <cmath>
 
 namespace obrys::sim::milling {
 
@@ -12,6 +13,17 @@ constexpr std::int64_t most_places = (std::int64_t{1} << 21) - 1;
 constexpr std::int32_t down_to(std::int32_t value, std::int32_t size) { return value & ~(size - 1); }
 
 }  // namespace
+
+std::optional<Place> cell_at(const Lattice& lattice, geom::Vec3 p) {
+    Place cell{};
+    for (int a = 0; a < 3; ++a) {
+        const auto n = static_cast<std::size_t>(a);
+        const double at = std::floor((component(p, a) - component(lattice.origin, a)) / component(lattice.step, a));
+        if (!(at >= 0 && at + 1 < lattice.count[n])) return std::nullopt;
+        cell[n] = static_cast<std::int32_t>(at);
+    }
+    return cell;
+}
 
 Leaves::Leaves(const Lattice& lattice, int levels) : lattice_(lattice) {
     const std::int64_t cells = std::max({lattice.count[0], lattice.count[1], lattice.count[2]});
@@ -67,8 +79,7 @@ std::vector<Place> Leaves::cells_beside() const {
                     if (dx * dy * dz != 0) continue;  // shares a node alone
                     const Place p{c[0] + dx, c[1] + dy, c[2] + dz};
                     bool inside = true;
-                    for (std::size_t a = 0; a < 3; ++a)
-                        inside = inside && p[a] >= 0 && p[a] + 1 < lattice_.count[a];
+                    for (std::size_t a = 0; a < 3; ++a) inside = inside && p[a] >= 0 && p[a] + 1 < lattice_.count[a];
                     if (!inside || is_split({p[0] * unit_, p[1] * unit_, p[2] * unit_}, unit_)) continue;
                     const std::size_t before = known.size();
                     known.add(key_of(p), 1);
@@ -89,9 +100,8 @@ void Leaves::each_leaf(const Place& cell, base::FunctionRef<void(const Leaf&)> t
         }
         const std::int32_t half = leaf.size / 2;
         for (int c = 8; c-- > 0;)
-            open.push_back({{leaf.at[0] + (c & 1) * half, leaf.at[1] + (c >> 1 & 1) * half,
-                             leaf.at[2] + (c >> 2) * half},
-                            half});
+            open.push_back(
+                {{leaf.at[0] + (c & 1) * half, leaf.at[1] + (c >> 1 & 1) * half, leaf.at[2] + (c >> 2) * half}, half});
     }
 }
 

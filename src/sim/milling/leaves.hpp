@@ -3,6 +3,7 @@
 
 #include <array>
 #include <cstdint>
+#include <optional>
 #include <vector>
 
 #include "base/function_ref.hpp"
@@ -19,6 +20,9 @@ using Place = std::array<std::int32_t, 3>;
     return static_cast<std::uint64_t>(p[0]) | static_cast<std::uint64_t>(p[1]) << 21U |
            static_cast<std::uint64_t>(p[2]) << 42U | kind << 63U;
 }
+
+/// The cell of a lattice that a point lies in.
+[[nodiscard]] std::optional<Place> cell_at(const Lattice& lattice, geom::Vec3 p);
 
 /// A cell that is not divided further.
 struct Leaf {

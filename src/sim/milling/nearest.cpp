@@ -11,16 +11,18 @@ using geom::Vec2;
 using geom::Vec3;
 
 constexpr double exact = 1e-12;  ///< mm
+constexpr double steep = 0.9;    ///< of a gradient along the axis: that of a piece's disc, not of its side
 
 struct Moment {
     double t = 0, slope = 0;
     Foot foot;
 };
 
-Moment moment(const Piece& piece, Vec3 v, Vec3 p, double t) {
+template <class Convex>
+Moment moment(const Convex& body, Vec3 v, Vec3 p, double t) {
     Moment m;
     m.t = t;
-    m.foot.outside = outside(piece, p - t * v, m.foot.normal);
+    m.foot.outside = outside(body, p - t * v, m.foot.normal);
     m.foot.gradient = m.foot.normal;
     m.foot.place = t * v;
     m.slope = -dot(m.foot.normal, v);
@@ -51,13 +53,12 @@ double least_outside(const Piece& piece, const Track& track, Vec3 p) {
     return std::max({beside, piece.z0 + std::min(0.0, track.v.z) - p.z, p.z - piece.z1 - std::max(0.0, track.v.z)});
 }
 
-}  // namespace
-
 /// The least value of a convex function of time, which is piecewise smooth: between two moments the tangents' meeting
 /// is a lower bound; it tells when to stop, and takes turns with the secant of the slopes as the next moment to look
 /// at.
-Foot foot_on(const Piece& piece, Vec3 v, Vec3 p) {
-    Moment a = moment(piece, v, p, 0), b = moment(piece, v, p, 1);
+template <class Convex>
+Foot foot_of(const Convex& body, Vec3 v, Vec3 p) {
+    Moment a = moment(body, v, p, 0), b = moment(body, v, p, 1);
     if (a.slope >= 0) return a.foot;
     if (b.slope <= 0) return b.foot;
     double weight_a = 1, weight_b = 1;
@@ -68,7 +69,7 @@ Foot foot_on(const Piece& piece, Vec3 v, Vec3 p) {
         const double sa = weight_a * a.slope, sb = weight_b * b.slope;
         double t = i % 3 == 2 ? meet : a.t + (b.t - a.t) * (sa / (sa - sb));
         if (!(t > a.t && t < b.t)) t = (a.t + b.t) / 2;
-        const Moment m = moment(piece, v, p, t);
+        const Moment m = moment(body, v, p, t);
         if (m.slope == 0) return m.foot;
         if (m.slope < 0) {
             a = m;
@@ -86,29 +87,49 @@ Foot foot_on(const Piece& piece, Vec3 v, Vec3 p) {
     return best;
 }
 
+/// A tool that keeps its height stands at `place` when it is nearest.
+template <class Convex>
+Foot foot_of(const Convex& body, const Track& track, Vec3 place, Vec3 p) {
+    if (!track.circular && !track.level()) return foot_of(body, track.v, p);
+    Foot foot;
+    foot.place = place;
+    foot.outside = outside(body, p - place, foot.normal);
+    foot.gradient = foot.normal;
+    return foot;
+}
+
+}  // namespace
+
+Foot foot_on(const Piece& piece, Vec3 v, Vec3 p) { return foot_of(piece, v, p); }
+
 Foot foot_on(const Shape& shape, const Track& track, Vec3 p) {
     Foot best;
     best.outside = std::numeric_limits<double>::infinity();
     const bool level = track.circular || track.level();
     const Vec3 place = level ? place_near(track, {p.x, p.y}) : Vec3{};
-    for (const Piece& piece : shape.pieces) {
+    std::size_t deepest = 0;
+    for (std::size_t i = 0; i < shape.pieces.size(); ++i) {
+        const Piece& piece = shape.pieces[i];
         Foot foot;
-        foot.place = place;
-        if (level) {
-            foot.outside = outside(piece, p - place, foot.normal);
-        } else if (piece.kind == PieceKind::round && piece.whole && piece.ring == 0) {
+        if (!level && piece.kind == PieceKind::round && piece.whole && piece.ring == 0) {
             const Vec3 q = p - Vec3{0, 0, piece.centre};
             const double t = std::clamp(dot(q, track.v) / dot(track.v, track.v), 0.0, 1.0);
             foot.place = t * track.v;
             foot.outside = outside(piece, p - foot.place, foot.normal);
-        } else if (least_outside(piece, track, p) >= best.outside) {
+            foot.gradient = foot.normal;
+        } else if (!level && least_outside(piece, track, p) >= best.outside) {
             continue;
         } else {
-            foot = foot_on(piece, track.v, p);
+            foot = foot_of(piece, track, place, p);
         }
-        if (level || foot.gradient == Vec3{}) foot.gradient = foot.normal;
-        if (foot.outside < best.outside) best = foot;
+        if (foot.outside < best.outside) best = foot, deepest = i;
     }
+    // At the disc between two pieces both end, but there is no surface.
+    if (!(best.outside > 0) && std::abs(best.gradient.z) > steep)
+        for (std::size_t i = std::max<std::size_t>(deepest, 1) - 1; i <= deepest && i < shape.bridges.size(); ++i) {
+            const Foot foot = foot_of(shape.bridges[i], track, place, p);
+            if (foot.outside < best.outside) best = foot;
+        }
     return best;
 }
 

@@ -141,10 +141,16 @@ double PlaneFit::spread() const {
     return most;
 }
 
+double PlaneFit::sharpest() const {
+    double least = 1;
+    for (std::size_t i = 1; i < count_; ++i)
+        for (std::size_t k = 0; k < i; ++k) least = std::min(least, dot(plane(i).normal, plane(k).normal));
+    return least;
+}
+
 double PlaneFit::miss(Vec3 p) const {
     double most = 0;
-    for (std::size_t i = 0; i < count_; ++i)
-        most = std::max(most, std::abs(dot(plane(i).normal, p - plane(i).point)));
+    for (std::size_t i = 0; i < count_; ++i) most = std::max(most, std::abs(dot(plane(i).normal, p - plane(i).point)));
     return most;
 }
 

@@ -23,6 +23,8 @@ public:
     /// The largest distance of a point from one of the planes.
     [[nodiscard]] double miss(geom::Vec3 p) const;
 
+    /// The cosine of the largest angle between two of the normals.
+    [[nodiscard]] double sharpest() const;
     /// The largest distance of a crossing from the plane of another one; infinite where a plane is not known.
     [[nodiscard]] double spread() const;
 

@@ -27,6 +27,26 @@ void find_whole(std::vector<Piece>& pieces) {
     }
 }
 
+/// From a piece's side alone, gone on with beyond its ends.
+double beside(const Piece& piece, geom::Vec3 p, geom::Vec3& normal) {
+    const double distance = std::sqrt(p.x * p.x + p.y * p.y);  // in the innermost loops; hypot takes five times as long
+    const geom::Vec3 out = distance > 0 ? geom::Vec3{p.x / distance, p.y / distance, 0} : geom::Vec3{1, 0, 0};
+    if (piece.kind == PieceKind::cone) {
+        const double rise = piece.z1 - piece.z0, growth = piece.r1 - piece.r0, slant = std::hypot(rise, growth);
+        normal = (rise / slant) * out + geom::Vec3{0, 0, -growth / slant};
+        return ((distance - piece.r0) * rise - (p.z - piece.z0) * growth) / slant;
+    }
+    const double beyond = std::max(0.0, distance - piece.ring), h = p.z - piece.centre,
+                 far = std::sqrt(beyond * beyond + h * h);
+    normal = far > 0 ? (beyond / far) * out + geom::Vec3{0, 0, h / far} : geom::Vec3{0, 0, -1};
+    return far - piece.arc;
+}
+
+void beyond_ends(double low, double high, double z, double& outside, geom::Vec3& normal) {
+    if (low - z > outside) outside = low - z, normal = {0, 0, -1};
+    if (z - high > outside) outside = z - high, normal = {0, 0, 1};
+}
+
 }  // namespace
 
 Piece cylinder(double z0, double z1, double r) { return cone(z0, z1, r, r); }
@@ -88,28 +108,16 @@ std::optional<Heights> heights_at(const Piece& piece, double distance) {
 }
 
 double outside(const Piece& piece, geom::Vec3 p, geom::Vec3& normal) {
-    const double distance = std::sqrt(p.x * p.x + p.y * p.y);  // in the innermost loops; hypot takes five times as long
-    const geom::Vec3 out = distance > 0 ? geom::Vec3{p.x / distance, p.y / distance, 0} : geom::Vec3{1, 0, 0};
-    double side = 0;
-    if (piece.kind == PieceKind::cone) {
-        const double rise = piece.z1 - piece.z0, growth = piece.r1 - piece.r0, slant = std::hypot(rise, growth);
-        side = ((distance - piece.r0) * rise - (p.z - piece.z0) * growth) / slant;
-        normal = (rise / slant) * out + geom::Vec3{0, 0, -growth / slant};
-    } else {
-        const double beyond = std::max(0.0, distance - piece.ring), h = p.z - piece.centre,
-                     far = std::sqrt(beyond * beyond + h * h);
-        side = far - piece.arc;
-        normal = far > 0 ? (beyond / far) * out + geom::Vec3{0, 0, h / far} : geom::Vec3{0, 0, -1};
-        if (piece.whole) return side;
-    }
-    if (piece.z0 - p.z > side) {
-        side = piece.z0 - p.z;
-        normal = {0, 0, -1};
-    }
-    if (p.z - piece.z1 > side) {
-        side = p.z - piece.z1;
-        normal = {0, 0, 1};
-    }
+    double side = beside(piece, p, normal);
+    if (!piece.whole) beyond_ends(piece.z0, piece.z1, p.z, side, normal);
+    return side;
+}
+
+double outside(const Bridge& bridge, geom::Vec3 p, geom::Vec3& normal) {
+    geom::Vec3 other;
+    double side = beside(bridge.lower, p, normal);
+    if (const double above = beside(bridge.upper, p, other); above > side) side = above, normal = other;
+    beyond_ends(bridge.lower.z0, bridge.upper.z1, p.z, side, normal);
     return side;
 }
 
@@ -129,6 +137,7 @@ Shape make_shape(std::vector<Piece> pieces) {
         shape.bottom = pieces.front().z0;
         shape.top = pieces.back().z1;
     }
+    for (std::size_t i = 0; i + 1 < pieces.size(); ++i) shape.bridges.push_back({pieces[i], pieces[i + 1]});
     shape.pieces = std::move(pieces);
     return shape;
 }

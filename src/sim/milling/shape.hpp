@@ -43,9 +43,17 @@ struct Heights {
 /// the nearest part of the solid; `normal`: its gradient, of unit length.
 [[nodiscard]] double outside(const Piece& piece, geom::Vec3 p, geom::Vec3& normal);
 
+/// What two pieces, one upon the other, hold of both their sides gone on with: convex, within the two. The disc between
+/// them is no surface of the tool; each piece alone ends there, this goes through it.
+struct Bridge {
+    Piece lower, upper;
+};
+[[nodiscard]] double outside(const Bridge& bridge, geom::Vec3 p, geom::Vec3& normal);
+
 /// Pieces from the tip upwards, without gaps or overlaps.
 struct Shape {
     std::vector<Piece> pieces;
+    std::vector<Bridge> bridges;  ///< between a piece and the next
     double bottom = 0, top = 0, radius = 0;
     bool rising =
         false;  ///< the radius never decreases upwards: what lies above the tool's lower side is cut up to its top

@@ -9,6 +9,7 @@
 #include "sim/milling/cell_vertices.hpp"
 #include "sim/milling/coarse.hpp"
 #include "sim/milling/fine.hpp"
+#include "sim/milling/shown.hpp"
 
 namespace obrys::sim::milling {
 
@@ -73,9 +74,12 @@ public:
         for (const std::vector<CoarseQuad>& row : rough_) all.insert(all.end(), row.begin(), row.end());
         return all;
     }
-    /// Leaves out what belongs to edges that touch a fine cell.
-    void leave_to(const Fine& fine) {
-        std::size_t kept = 0;
+    /// The mesh without what belongs to edges that touch a fine cell, with what `fine` has of these.
+    [[nodiscard]] mesh::Mesh with(const Fine& fine) const {
+        mesh::Mesh all = fine.mesh();
+        mesh::Mesh mesh;
+        mesh.vertices = mesh_.vertices;
+        mesh.vertices.insert(mesh.vertices.end(), all.vertices.begin(), all.vertices.end());
         for (std::size_t row = 0; row < nodes_.rows(); ++row)
             each_quad(row, [&](int axis, std::array<int, 3> node, std::size_t, std::size_t triangle) {
                 for (const auto& q : Leaves::quadrants) {
@@ -85,12 +89,13 @@ public:
                     if (fine.is_fine(cell[0], cell[1], cell[2])) return;
                 }
                 for (const std::size_t t : {triangle, triangle + 1}) {
-                    mesh_.triangles[kept] = mesh_.triangles[t];
-                    mesh_.tags[kept++] = mesh_.tags[t];
+                    mesh.triangles.push_back(mesh_.triangles[t]);
+                    mesh.tags.push_back(mesh_.tags[t]);
                 }
             });
-        mesh_.triangles.resize(kept);
-        mesh_.tags.resize(kept);
+        mesh.triangles.insert(mesh.triangles.end(), all.triangles.begin(), all.triangles.end());
+        mesh.tags.insert(mesh.tags.end(), all.tags.begin(), all.tags.end());
+        return mesh;
     }
 
 private:
@@ -214,15 +219,12 @@ Surface extract_surface(const Simulation& simulation) {
         coarse.push_back(cell);
     Fine fine(exact, simulation.tolerance(), lattice, nodes, crossings, builder.cells(), builder.mesh().vertices);
     fine.refine(coarse);
+    show_all(simulation, nodes, exact, fine, [&] { return builder.with(fine); });
     s.refined = fine.figures();
     if (s.refined.cells > 0) {
-        builder.leave_to(fine);
-        mesh::Mesh& mesh = builder.mesh();
-        mesh::Mesh added = fine.mesh();
-        mesh.vertices.insert(mesh.vertices.end(), added.vertices.begin(), added.vertices.end());
-        mesh.triangles.insert(mesh.triangles.end(), added.triangles.begin(), added.triangles.end());
-        mesh.tags.insert(mesh.tags.end(), added.tags.begin(), added.tags.end());
-        drop_unused(mesh);
+        s.mesh = builder.with(fine);
+        drop_unused(s.mesh);
+        return s;
     }
     s.mesh = std::move(builder.mesh());
     return s;

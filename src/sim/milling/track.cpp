@@ -35,6 +35,13 @@ Orientation orientation_of(geom::Vec3 axis) {
     return o;
 }
 
+geom::Vec3 point_on(const Track& track, double share) {
+    if (!track.circular) return share * track.v;
+    const geom::Vec2 across = (1 - share) * track.first + share * track.last;
+    const geom::Vec2 p = track.centre + (track.radius / geom::length(across)) * across;
+    return {p.x, p.y, 0};
+}
+
 Offset offset_from(const Track& track, geom::Vec2 p) {
     using geom::Vec2;
     if (!track.circular) {

@@ -30,6 +30,9 @@ struct Track {
     [[nodiscard]] bool upright() const { return !circular && v.x == 0 && v.y == 0; }
 };
 
+/// A place on it, from 0 to 1; of a circle by its chord: between its ends, though not evenly.
+[[nodiscard]] geom::Vec3 point_on(const Track& track, double share);
+
 /// Distance of a point (seen along the axis) from the track, and how far left of it the point lies; to the right
 /// negative, before the start and behind the end also the distance from the line or circle gone on with.
 struct Offset {

@@ -117,8 +117,8 @@ Off off_surface(const Solid& solid, V p, double enough, Random& random) {
         }
         q = q - (s.d + on / 2) * s.out;
     }
-    if (found <= 2 * value) return {found, best, false};
-    // It may have gone the long way round: nearer ones by chance, first far, then near.
+    if (found <= std::max(enough, 1.001 * value)) return {found, best, false};
+    // Between several cuts it may have gone the long way round: nearer ones by chance, first far, then near.
     double ring = std::min(found, 40 * enough);
     for (int in_vain = 0; in_vain < 100;) {
         const V there = p + (ring * std::cbrt(uniform(random, 0, 1))) * direction(random);

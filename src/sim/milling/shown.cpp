@@ -1,0 +1,112 @@
+#include "sim/milling/shown.hpp"
+
+#include <tbb/blocked_range.h>
+#include <tbb/parallel_for.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "mesh/distance.hpp"
+#include "sim/milling/unseen.hpp"
+
+namespace obrys::sim::milling {
+
+namespace {
+
+using geom::Vec3;
+
+constexpr double wanted = 0.7;  ///< of the tolerance: how far from the mesh places looked at may lie, for those between
+constexpr int most_rounds = 24;
+
+/// The cells that places lie in, and those around them.
+class Around {
+public:
+    Around(const Lattice& lattice, const std::vector<Vec3>& places) : lattice_(lattice) {
+        for (const Vec3& p : places) {
+            const Place c = cell_of(p);
+            if (!is_new(c)) continue;
+            for (int dz = -1; dz <= 1; ++dz)
+                for (int dy = -1; dy <= 1; ++dy)
+                    for (int dx = -1; dx <= 1; ++dx) all_.add(key_of({c[0] + dx, c[1] + dy, c[2] + dz}), 1);
+        }
+    }
+    [[nodiscard]] bool has(Vec3 p) const { return all_.find(key_of(cell_of(p))) != KeyMap::none; }
+    [[nodiscard]] Place cell_of(Vec3 p) const {
+        Place c{};
+        for (int a = 0; a < 3; ++a)  // one aside, so that what lies around has a number
+            c[static_cast<std::size_t>(a)] = static_cast<std::int32_t>(std::clamp(
+                std::floor((component(p, a) - component(lattice_.origin, a)) / component(lattice_.step, a)) + 2, 1.0,
+                2e6));
+        return c;
+    }
+
+private:
+    [[nodiscard]] bool is_new(const Place& c) {
+        const std::size_t before = done_.size();
+        done_.add(key_of(c), 1);
+        return done_.size() > before;
+    }
+    const Lattice& lattice_;
+    KeyMap done_, all_;
+};
+
+/// Of a mesh what lies near places, without vertices that are not needed.
+mesh::Mesh part_near(const mesh::Mesh& whole, const Around& around) {
+    mesh::Mesh part;
+    part.vertices = whole.vertices;
+    for (const mesh::Triangle& t : whole.triangles)
+        if (around.has(whole.vertices[t[0]]) || around.has(whole.vertices[t[1]]) || around.has(whole.vertices[t[2]]))
+            part.triangles.push_back(t);
+    return part;
+}
+
+std::vector<Unshown> unshown(const mesh::Mesh& whole, const std::vector<Vec3>& places, const Lattice& lattice,
+                             double allowed) {
+    const Around around(lattice, places);
+    const mesh::Distance mesh(part_near(whole, around));
+    std::vector<mesh::Nearest> nearest(places.size());
+    tbb::parallel_for(tbb::blocked_range<std::size_t>(0, places.size(), 256), [&](const auto& some) {
+        for (std::size_t i = some.begin(); i < some.end(); ++i) nearest[i] = mesh.nearest(places[i]);
+    });
+    std::vector<Unshown> found;
+    for (std::size_t i = 0; i < places.size(); ++i)
+        if (!(nearest[i].distance <= allowed))
+            found.push_back({places[i], std::isfinite(nearest[i].distance) ? nearest[i].at : places[i]});
+    return found;
+}
+
+/// Cells that were not looked through as fine ones.
+std::vector<Place> new_cells(const Fine& fine, KeyMap& known) {
+    std::vector<Place> cells;
+    for (const Place& c : fine.cells()) {
+        const std::size_t before = known.size();
+        known.add(key_of(c), 1);
+        if (known.size() > before) cells.push_back(c);
+    }
+    return cells;
+}
+
+}  // namespace
+
+void show_all(const Simulation& simulation, const NodeBits& nodes, Exact& exact, Fine& fine,
+              base::FunctionRef<mesh::Mesh()> mesh) {
+    constexpr std::int32_t together = 4, fine_together = 2;  // cells, along each axis
+    const double tolerance = simulation.tolerance();
+    const Lattice& lattice = exact.lattice();
+    std::vector<Vec3> places = rims(simulation, exact, nodes);
+    KeyMap known;
+    std::vector<Place> cells = mixed_cells(nodes);
+    for (int round = 0; round < most_rounds; ++round) {
+        if (round > 0) cells = new_cells(fine, known);
+        const std::vector<Vec3> edges = edges_in(cells, exact, tolerance, round == 0 ? together : fine_together);
+        places.insert(places.end(), edges.begin(), edges.end());
+        if (places.empty()) return;
+        const std::vector<Unshown> wrong = unshown(mesh(), places, lattice, wanted * tolerance);
+        if (wrong.empty() && (round > 0 || fine.cells().empty())) return;
+        const std::vector<Unshown> left = fine.show(wrong);
+        if (!wrong.empty() && left.size() == wrong.size()) break;
+    }
+    for (const Unshown& u : unshown(mesh(), places, lattice, tolerance)) fine.leave_open(u.at);
+}
+
+}  // namespace obrys::sim::milling
