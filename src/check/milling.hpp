@@ -58,7 +58,9 @@ public:
     void take(const cl::Feed& feed) { feed_ = feed; }
     void take(const cl::Spindle& spindle) {
         const std::int8_t turns = spindle.speed != 0 ? spindle.direction : std::int8_t{0};
-        edge_away_ = is_placed(cycle_) && turns == 0 && (edge_away_ || spindle_ != 0);
+        const bool stops = is_placed(cycle_) && turns == 0 && spindle_ != 0;
+        if (stops && !moves_.empty()) stopped_at_ = moves_.back().to;
+        edge_away_ = is_placed(cycle_) && turns == 0 && (edge_away_ || (stops && !moves_.empty()));
         speed_ = spindle.mode == cl::SpindleMode::rpm ? spindle.speed : NAN;
         spindle_ = turns;
     }
@@ -90,6 +92,7 @@ private:
     void queue_pass(QueuedPass::Kind kind, sim::milling::Part part, bool cut, const geom::PathElement& element);
     void require(sim::milling::Taken taken);
     [[nodiscard]] std::string name_of(const QueuedPass& pass, const MilledMove& move) const;
+    [[nodiscard]] bool leaves_the_wall(const geom::PathElement& element) const;
     void queue_cutting(const geom::PathElement& element, const MilledMove& move, bool feed);
     [[nodiscard]] bool holder_is_above(const geom::PathElement& element) const;
     void queue_clamps(const geom::PathElement& element);
@@ -196,6 +199,7 @@ private:
     geom::Vec3 axis_{0, 0, 1};
     base::Span cycle_ = nowhere;  ///< call of the cycle being run
     bool edge_away_ = false;      ///< the cycle has stopped the spindle: of a boring bar the edge leaves the wall
+    geom::Vec3 stopped_at_;       ///< the tip then
     cl::Feed feed_;
     double speed_ = NAN;  ///< 1/min
     std::int8_t spindle_ = 0;

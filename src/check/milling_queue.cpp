@@ -5,6 +5,7 @@
 
 #include "base/whole.hpp"
 #include "check/milling.hpp"
+#include "check/milling_tool.hpp"
 #include "check/rapid_way.hpp"
 
 namespace obrys::check {
@@ -15,6 +16,7 @@ namespace {
 
 constexpr double piece = 0.1;                   ///< mm in which the way in the material is measured
 constexpr double short_way = 1;                 ///< mm; moves up to that count as a whole
+constexpr double off_the_wall = 0.5;            ///< of a boring bar's radius
 constexpr std::uint32_t most_pieces = 200'000;  ///< of one move whose core goes down
 
 bool goes_down(const geom::PathElement& e, geom::Vec3 axis) {
@@ -66,8 +68,19 @@ void Milling::queue_rapid(const Move& move, const MilledMove& m, const Stand::Vi
     }
 }
 
+/// A boring bar whose cycle has stopped the spindle, as far beside its hole as its body may be thinner than the hole.
+bool Milling::leaves_the_wall(const geom::PathElement& element) const {
+    if (!edge_away_ || !may_bore(*tool_)) return false;
+    const double most = off_the_wall * (tool_->radius + tool_->delta_radius);
+    const auto beside = [&](double at) {
+        const geom::Vec3 way = geom::point_at(element, at) - stopped_at_, axis = (1 / geom::length(axis_)) * axis_;
+        return geom::length(way - geom::dot(way, axis) * axis);
+    };
+    return beside(0) <= most && beside(1) <= most;
+}
+
 void Milling::queue(const geom::PathElement& element, const MilledMove& move, bool feed) {
-    if (edge_away_ && shop::assumed_kind(*tool_) != shop::ToolKind::tap)
+    if (leaves_the_wall(element))
         out_.assumption(
             "the cycle stops the spindle and moves the tool: its edge is taken to leave the wall, and the side "
             "opposite to it to have room in the hole",

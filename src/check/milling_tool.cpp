@@ -49,6 +49,11 @@ bool has_assumed_body(const shop::Tool& tool) {
            kind != shop::ToolKind::form;
 }
 
+bool may_bore(const shop::Tool& tool) {
+    const shop::ToolKind kind = shop::assumed_kind(tool);
+    return kind == shop::ToolKind::reamer || (kind == shop::ToolKind::end_mill && !shop::may_plunge(tool));
+}
+
 double coarse_pitch(const shop::Tool& tap) {
     // ISO 261, coarse pitches: from this diameter on.
     constexpr std::array<std::array<double, 2>, 21> coarse{

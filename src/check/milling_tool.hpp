@@ -16,6 +16,9 @@ inline constexpr double unknown_height = 1000;
 /// The length of the edges is known and no shank is: what stands above them is taken to be as thick as they are.
 [[nodiscard]] bool has_assumed_body(const shop::Tool& tool);
 
+/// Boring bars are listed as reamers, or as mills that do not cut at their centre (docs/job-file.md).
+[[nodiscard]] bool may_bore(const shop::Tool& tool);
+
 /// Radius within which the tool's end does not cut, mm: what it meets there it cannot go straight down into. 0 where it
 /// may plunge anywhere. Of a tap the core of its thread, of a reamer four fifths: holes are made before; a flat tip or
 /// the beginning of a profile; of other mills that do not cut at their centre half the radius.
