@@ -17,26 +17,6 @@ constexpr int deepest_level = 5;            ///< a bin is quartered so often
 constexpr std::size_t most_columns = 2000;  ///< looked at for one body
 constexpr std::size_t most_axes = 16;       ///< cut with: beyond, depths are not told
 
-struct Around {
-    Patch patch;
-    Zone heights;
-};
-
-/// Around the stock, in a tool's frame.
-Around around_of(const milling::Stock& stock, const milling::Orientation& frame) {
-    const milling::Box3 box = milling::box_of(stock);
-    Around a{{{INFINITY, INFINITY}, {-INFINITY, -INFINITY}}, {INFINITY, -INFINITY}};
-    for (int corner = 0; corner < 8; ++corner) {
-        const Vec3 p =
-            frame.to_tool({(corner & 1) != 0 ? box.max.x : box.min.x, (corner & 2) != 0 ? box.max.y : box.min.y,
-                           (corner & 4) != 0 ? box.max.z : box.min.z});
-        a.patch.lo = {std::min(a.patch.lo.x, p.x), std::min(a.patch.lo.y, p.y)};
-        a.patch.hi = {std::max(a.patch.hi.x, p.x), std::max(a.patch.hi.y, p.y)};
-        a.heights = {std::min(a.heights.low, p.z), std::max(a.heights.high, p.z)};
-    }
-    return a;
-}
-
 std::optional<Patch> common(const Patch& a, const Patch& b) {
     const Patch p{{std::max(a.lo.x, b.lo.x), std::max(a.lo.y, b.lo.y)},
                   {std::min(a.hi.x, b.hi.x), std::min(a.hi.y, b.hi.y)}};
@@ -90,35 +70,34 @@ void Cleared::advance(const milling::Simulation& simulation, std::uint32_t pass)
 Cleared::Field& Cleared::field_for(const milling::Orientation& frame) {
     for (Field& f : fields_)
         if (are_same(f.frame, frame)) return f;
-    const Around a = around_of(stock_, frame);
-    fields_.push_back({frame, a.heights, Bins<Column>(a.patch, finest_, most_bins), {}, 0});
+    const milling::Box3 box = frame.box_in_tool(milling::box_of(stock_));
+    const Patch around{{box.min.x, box.min.y}, {box.max.x, box.max.y}};
+    fields_.push_back({frame, {box.min.z, box.max.z}, Bins<Column>(around, finest_, most_bins), {}, {}});
     return fields_.back();
 }
 
-void Cleared::fill(Field& field) const {
-    for (; field.taken < cuts_; ++field.taken) take(field, field.taken + 1);
+/// Columns that nobody asks for stay as they are.
+void Cleared::fill(Field& field, Column& column, const Patch& patch) const {
+    if (column.taken == cuts_) return;
+    const Zone z = field.heights;
+    const milling::Box3 box =
+        field.frame.box_in_stock({{patch.lo.x, patch.lo.y, z.low}, {patch.hi.x, patch.hi.y, z.high}});
+    for (const std::uint32_t number : simulation_->cuts_in(box, column.taken, cuts_))
+        take(field, column, patch, number);
+    column.taken = cuts_;
 }
 
-void Cleared::take(Field& field, std::uint32_t number) const {
-    const milling::Shape* cutting = simulation_->cutting_of(number);
-    if (cutting == nullptr) return;
+void Cleared::take(Field& field, Column& column, const Patch& patch, std::uint32_t number) const {
     const milling::Air::Sweep sweep = simulation_->body_of(number);
     if (!are_same(sweep.frame, field.frame)) return;
     const ClearingCut cut(sweep);
-    if (cut.heights().low > field.heights.high) return;
-    const auto at = static_cast<std::uint32_t>(field.cuts.size());
-    bool kept = false;
-    Bins<Column>::each(field.columns, cut.around(), [&](Column& column, const Patch& patch) {
-        if (column.empty.cover({cut.heights().low, std::min(cut.heights().high, field.heights.high)})) return true;
-        Zones all = column.empty;
-        cut.add_over(patch, 0, all);
-        const bool whole = all.cover({cut.heights().low, cut.heights().high});
-        column.empty = std::move(all);
-        if (whole && cut.is_flat()) return true;
-        column.cuts.push_back(at);
-        return kept = true;
-    });
-    if (kept) field.cuts.push_back({cut, number});
+    if (cut.heights().low > field.heights.high || !common(cut.around(), patch)) return;
+    if (column.empty.cover({cut.heights().low, std::min(cut.heights().high, field.heights.high)})) return;
+    cut.add_over(patch, 0, column.empty);
+    if (cut.is_flat() && column.empty.cover({cut.heights().low, cut.heights().high})) return;
+    const auto [at, is_new] = field.known.try_emplace(number, static_cast<std::uint32_t>(field.cuts.size()));
+    if (is_new) field.cuts.push_back({cut, number});
+    column.cuts.push_back(at->second);
 }
 
 bool Cleared::misses_stock(const Field& field, const Patch& patch) const {
@@ -166,7 +145,6 @@ bool Cleared::is_empty(Query& q, const Column& column, const Patch& patch, int l
 
 bool Cleared::is_clear(const Upright& given, Vec3 axis) {
     Field& field = field_for(milling::orientation_of(axis));
-    fill(field);
     Upright body = given;
     body.from = field.frame.to_tool(given.from);
     body.to = field.frame.to_tool(given.to);
@@ -175,26 +153,27 @@ bool Cleared::is_clear(const Upright& given, Vec3 axis) {
         {std::min(body.from.x, body.to.x) - body.radius, std::min(body.from.y, body.to.y) - body.radius},
         {std::max(body.from.x, body.to.x) + body.radius, std::max(body.from.y, body.to.y) + body.radius}};
     Query q{body, field, most_columns};
-    return Bins<Column>::each(std::as_const(field.columns), around, [&](const Column& column, const Patch& patch) {
+    return Bins<Column>::each(field.columns, around, [&](Column& column, const Patch& patch) {
         const std::optional<Patch> p = common(patch, around);
-        return !p || is_empty(q, column, *p, deepest_level);
+        if (!p) return true;
+        fill(field, column, patch);
+        return is_empty(q, column, *p, deepest_level);
     });
 }
 
 /// Fields of all axes that were cut with.
-bool Cleared::fill_all() {
+bool Cleared::know_axes() {
     for (; axes_from_ < cuts_ && fields_.size() <= most_axes; ++axes_from_)
         if (simulation_->cutting_of(axes_from_ + 1) != nullptr)
             static_cast<void>(field_for(simulation_->body_of(axes_from_ + 1).frame));
-    if (fields_.size() > most_axes) return false;
-    for (Field& f : fields_) fill(f);
-    return true;
+    return fields_.size() <= most_axes;
 }
 
-double Cleared::depth_in(const Field& field, Vec3 place, double depth) const {
+double Cleared::depth_in(Field& field, Vec3 place, double depth) const {
     const Vec3 p = field.frame.to_tool(place);
     const Vec2 at{p.x, p.y};
-    const auto look = [&](const Column& c, const Patch& patch) {
+    const auto look = [&](Column& c, const Patch& patch) {
+        fill(field, c, patch);
         for (const Zone& z : c.empty.all()) depth = std::min(depth, from_box(p, patch, z));
         for (auto k = c.cuts.rbegin(); k != c.cuts.rend() && depth > 0; ++k) {
             const Cut& cut = field.cuts[*k];
@@ -213,8 +192,8 @@ double Cleared::depth_in(const Field& field, Vec3 place, double depth) const {
 
 double Cleared::depth_at(Vec3 place, double enough) {
     double depth = std::min(enough, simulation_->stock_body().within(place));
-    if (!(depth > 0) || !fill_all()) return 0;
-    for (const Field& field : fields_) depth = std::min(depth, depth_in(field, place, depth));
+    if (!(depth > 0) || !know_axes()) return 0;
+    for (Field& field : fields_) depth = std::min(depth, depth_in(field, place, depth));
     return std::max(0.0, depth);
 }
 

@@ -8,6 +8,7 @@
 #include <cstdint>
 #include <deque>
 #include <optional>
+#include <unordered_map>
 #include <vector>
 
 #include "check/bins.hpp"
@@ -33,6 +34,7 @@ private:
     struct Column {
         Zones empty;                      ///< all over it
         std::vector<std::uint32_t> cuts;  ///< that took more of a part of it
+        std::uint32_t taken = 0;          ///< cuts of the simulation that were looked at
     };
     struct Cut {
         ClearingCut shape;
@@ -44,7 +46,7 @@ private:
         Zone heights;  ///< of the stock
         Bins<Column> columns;
         std::vector<Cut> cuts;
-        std::uint32_t taken = 0;  ///< cuts of the simulation that were looked at
+        std::unordered_map<std::uint32_t, std::uint32_t> known;  ///< cuts of the simulation: their places in `cuts`
     };
     struct Query {
         const Upright& body;  ///< in the field's frame
@@ -52,10 +54,11 @@ private:
         std::size_t left = 0;  ///< columns that may still be looked at
     };
     Field& field_for(const sim::milling::Orientation& frame);
-    void fill(Field& field) const;
-    [[nodiscard]] bool fill_all();
-    [[nodiscard]] double depth_in(const Field& field, geom::Vec3 p, double depth) const;
-    void take(Field& field, std::uint32_t number) const;
+    void fill(Field& field, Column& column, const Patch& patch) const;
+    void take(Field& field, Column& column, const Patch& patch, std::uint32_t number) const;
+    /// Makes fields of all axes that were cut with; false: too many.
+    [[nodiscard]] bool know_axes();
+    [[nodiscard]] double depth_in(Field& field, geom::Vec3 p, double depth) const;
     [[nodiscard]] bool is_empty(Query& q, const Column& column, const Patch& patch, int level) const;
     [[nodiscard]] bool misses_stock(const Field& field, const Patch& patch) const;
 

@@ -9,10 +9,7 @@
 
 namespace obrys::check {
 
-/// Heights along the axis.
-struct Zone {
-    double low = 0, high = 0;
-};
+using Zone = sim::milling::Heights;  ///< along the axis
 
 /// Heights between which all is empty: kept apart from each other, from below.
 class Zones {

@@ -103,21 +103,12 @@ private:
     std::size_t cells_ = 0;
 };
 
-double top_of(const LeftBody& body, const milling::Stock& stock, double sign) {
-    const milling::Box3 box = milling::box_of(stock);
-    double most = -INFINITY;
-    for (const double x : {box.min.x, box.max.x})
-        for (const double y : {box.min.y, box.max.y})
-            for (const double z : {box.min.z, box.max.z}) most = std::max(most, sign * geom::dot(body.axis, {x, y, z}));
-    return most;
-}
-
 /// Whether the body goes on beyond the stock on that side, all along its way.
 bool is_open(const LeftBody& body, const milling::Stock& stock, bool above) {
     const double sign = above ? 1 : -1, end = above ? body.profile.back().y : body.profile.front().y;
     const double from = sign * geom::dot(body.axis, body.corner),
                  to = from + sign * geom::dot(body.axis, body.edges[0]);
-    return std::min(from, to) + sign * end > top_of(body, stock, sign);
+    return std::min(from, to) + sign * end > milling::heights_along(sign * body.axis, milling::box_of(stock)).high;
 }
 
 Search::Search(const LeftBody& body, const InsideSearch& s)

@@ -131,9 +131,7 @@ bool Milling::holder_is_above(const geom::PathElement& element) const {
     const bool level = circle != nullptr && geom::length(geom::cross(circle->normal, axis_)) <= 1e-12 * size;
     if (!level && !std::holds_alternative<geom::Straight>(element)) return false;
     const double low = std::min(geom::dot(from, axis_), geom::dot(to, axis_)) / size + tool_parts_.holder_from;
-    const geom::Vec3 top{axis_.x > 0 ? all_.hi.x : all_.lo.x, axis_.y > 0 ? all_.hi.y : all_.lo.y,
-                         axis_.z > 0 ? all_.hi.z : all_.lo.z};
-    return geom::dot(top, axis_) / size < low;
+    return milling::heights_along(axis_, {all_.lo, all_.hi}).high / size < low;
 }
 
 /// What the simulation does not take is not simulated: said, once each reason.

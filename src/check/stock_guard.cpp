@@ -24,7 +24,8 @@ constexpr double columns = 4;               ///< times the rays' distance: the l
 constexpr int most_halvings = 3;            ///< of a profile that is no cylinder
 constexpr std::size_t most_deep = 200;      ///< rapids deep in the stock that are searched all the same
 constexpr std::size_t most_searched = 600;  ///< rapids; and as many moves of shanks and holders
-constexpr std::size_t deepest_each = 4;     ///< of those that touch, of each batch
+constexpr std::size_t most_touching = 300;  ///< rapids that touch whose whole depth is searched for
+constexpr std::size_t deepest_each = 4;     ///< of shanks and holders that touch, of each batch
 constexpr std::size_t deepest_in_all = 32;  ///< of them
 constexpr std::size_t most_refined = 1000;  ///< depths of clipped edges
 
@@ -93,18 +94,6 @@ bool StockGuard::in_emptied(const StockPass& q, const milling::Simulation& simul
     return true;
 }
 
-/// Along an axis, of the stock.
-Zone StockGuard::heights_along(Vec3 axis) const {
-    Zone z{INFINITY, -INFINITY};
-    for (const double x : {box_.min.x, box_.max.x})
-        for (const double y : {box_.min.y, box_.max.y})
-            for (const double height : {box_.min.z, box_.max.z}) {
-                const double at = geom::dot(axis, {x, y, height});
-                z = {std::min(z.low, at), std::max(z.high, at)};
-            }
-    return z;
-}
-
 /// Leaves what is neither clear nor touches, and the deepest of those that do.
 void StockGuard::sort_out(const milling::Simulation& simulation) {
     std::vector<char> clear(queued_.size());
@@ -126,7 +115,8 @@ void StockGuard::sort_out(const milling::Simulation& simulation) {
         // What is thinner than the columns' walls only rays meet.
         const bool emptied = in_emptied(q, simulation), met_by_rays = !q.body && met[q.number].depth > least_;
         if (emptied && !met_by_rays) continue;
-        const Touched t = touch(cleared_, {q.path, q.axis, q.part->profiles, heights_along(q.axis), hidden * apart_});
+        const Touched t =
+            touch(cleared_, {q.path, q.axis, q.part->profiles, milling::heights_along(q.axis, box_), hidden * apart_});
         const bool touches = t.depth > least_;
         if (touches) hits_[q.number] = {t.depth, t.at};
         depths.push_back(touches ? t.depth : 0);
@@ -137,14 +127,19 @@ void StockGuard::sort_out(const milling::Simulation& simulation) {
     keep_deepest(std::move(depths));
 }
 
+/// Of shanks and holders that touch, which go on rubbing where they began, the deepest few; rapids one by one.
 void StockGuard::keep_deepest(std::vector<double> depths) {
-    std::vector<double> deepest = depths;
+    std::vector<double> deepest;
+    for (std::size_t i = 0; i < queued_.size(); ++i)
+        if (queued_[i].body) deepest.push_back(depths[i]);
     std::sort(deepest.begin(), deepest.end(), std::greater<>());
     const std::size_t few = std::min({deepest_each, deepest_in_all - deepest_searched_, deepest.size()});
     const double least = few == 0 ? INFINITY : std::max(deepest[few - 1], least_);
     std::size_t kept = 0, taken = 0;
     for (std::size_t i = 0; i < queued_.size(); ++i) {
-        if (depths[i] > 0) {
+        if (depths[i] > 0 && !queued_[i].body) {
+            if (touching_rapids_++ >= most_touching) continue;
+        } else if (depths[i] > 0) {
             if (!(depths[i] >= least) || taken == few) continue;
             ++taken;
         } else if ((queued_[i].body ? searched_bodies_ : searched_rapids_)++ >= most_searched) {

@@ -44,7 +44,6 @@ private:
     [[nodiscard]] bool in_emptied(const StockPass& q, const sim::milling::Simulation& simulation);
     [[nodiscard]] bool profile_is_clear(const StockPass& q, const Upright& way, const std::vector<geom::Vec2>& profile,
                                         int halvings);
-    [[nodiscard]] Zone heights_along(geom::Vec3 axis) const;
     void sort_out(const sim::milling::Simulation& simulation);
     void keep_deepest(std::vector<double> depths);
     [[nodiscard]] StockHit refined(const StockPass& q, StockHit hit, const sim::milling::Simulation& simulation) const;
@@ -60,7 +59,8 @@ private:
     std::vector<StockPass> queued_;
     std::map<std::uint32_t, StockHit> hits_;
     std::set<std::uint32_t> undecided_;
-    std::size_t refined_ = 0, searched_bodies_ = 0, searched_rapids_ = 0, deepest_searched_ = 0, deep_rapids_ = 0;
+    std::size_t refined_ = 0, searched_bodies_ = 0, searched_rapids_ = 0, deepest_searched_ = 0, deep_rapids_ = 0,
+                touching_rapids_ = 0;
 };
 
 }  // namespace obrys::check

@@ -34,7 +34,6 @@ mesh::Box box_of(const geom::PathElement& path) {
     mesh::Box box;
     constexpr int stops = 16;
     double bulge = 0;
-    if (const auto* c = std::get_if<geom::Circular>(&path)) bulge = geom::length(c->from - c->centre) * 0.1;
     if (const auto* k = std::get_if<geom::Cubic>(&path))
         bulge = std::max(geom::length(2.0 * k->k2), geom::length(2.0 * k->k2 + 6.0 * k->k3)) / (8.0 * stops * stops);
     const bool straight = std::holds_alternative<geom::Straight>(path);
@@ -133,15 +132,9 @@ void StockSearch::judge_range(Group& g, std::size_t first, std::size_t end) cons
 }
 
 /// Of the profiles only what may reach into the stock: tools are taken to be as long as any cut.
-StockSearch::Heights StockSearch::heights_in_stock(const LeftBody& body) const {
-    const milling::Box3 box = milling::box_of(stock_);
-    double low = INFINITY, high = -INFINITY, first = INFINITY, last = -INFINITY;
-    for (const double x : {box.min.x, box.max.x})
-        for (const double y : {box.min.y, box.max.y})
-            for (const double z : {box.min.z, box.max.z}) {
-                const double at = geom::dot(body.axis, {x, y, z});
-                low = std::min(low, at), high = std::max(high, at);
-            }
+milling::Heights StockSearch::heights_in_stock(const LeftBody& body) const {
+    const milling::Heights stock = milling::heights_along(body.axis, milling::box_of(stock_));
+    double first = INFINITY, last = -INFINITY;
     for (int corner = 0; corner < 8; ++corner) {
         Vec3 tip = body.corner;
         for (int k = 0; k < 3; ++k)
@@ -149,12 +142,12 @@ StockSearch::Heights StockSearch::heights_in_stock(const LeftBody& body) const {
         const double at = geom::dot(body.axis, tip);
         first = std::min(first, at), last = std::max(last, at);
     }
-    return {low - last - 1, high - first + 1};
+    return {stock.low - last - 1, stock.high - first + 1};
 }
 
 bool StockSearch::all_clear(const LeftBody& way, const StockPart& part, const LeftSearch& search) const {
     LeftBody body = way;
-    const Heights heights = heights_in_stock(way);
+    const milling::Heights heights = heights_in_stock(way);
     return std::all_of(part.profiles.begin(), part.profiles.end(), [&](const std::vector<Vec2>& profile) {
         body.profile = clipped(profile, heights.low, heights.high);
         return body.profile.size() < 2 || surely_clear(body, search);
@@ -164,7 +157,7 @@ bool StockSearch::all_clear(const LeftBody& way, const StockPart& part, const Le
 void StockSearch::judge_piece(Verdict& verdict, const LeftBody& way, const StockPart& part,
                               const LeftSearch& search) const {
     LeftBody body = way;
-    const Heights heights = heights_in_stock(way);
+    const milling::Heights heights = heights_in_stock(way);
     for (const std::vector<Vec2>& profile : part.profiles) {
         body.profile = clipped(profile, heights.low, heights.high);
         if (body.profile.size() < 2) continue;

@@ -33,16 +33,13 @@ public:
                                   const std::function<bool()>& stop) const;
 
 private:
-    struct Heights {
-        double low = 0, high = 0;
-    };
     struct Group;
     [[nodiscard]] bool has_met(const sim::milling::Simulation& simulation, const StockPass& q) const;
     [[nodiscard]] sim::milling::Box3 box_of(const Group& g) const;
     [[nodiscard]] bool clear_together(Group& g, std::size_t first, std::size_t end) const;
     void judge_range(Group& g, std::size_t first, std::size_t end) const;
     [[nodiscard]] Verdict judge_one(Group& g, const StockPass& q) const;
-    [[nodiscard]] Heights heights_in_stock(const LeftBody& body) const;
+    [[nodiscard]] sim::milling::Heights heights_in_stock(const LeftBody& body) const;
     [[nodiscard]] bool all_clear(const LeftBody& way, const StockPart& part, const LeftSearch& search) const;
     void judge_piece(Verdict& verdict, const LeftBody& way, const StockPart& part, const LeftSearch& search) const;
 

@@ -1,7 +1,6 @@
 #include "check/touch.hpp"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 
 namespace obrys::check {

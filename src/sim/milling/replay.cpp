@@ -53,17 +53,18 @@ void Simulation::index_runs() {
     }
 }
 
-std::vector<std::uint32_t> Simulation::cuts_in(const Box3& box) const {
+std::vector<std::uint32_t> Simulation::cuts_in(const Box3& box, std::uint32_t behind, std::uint32_t last) const {
     std::vector<std::uint32_t> found;
-    for (std::size_t i = 0; i < done_; ++i) {
-        if (i % in_run == 0 && i / in_run < runs_.size() && !meet(runs_[i / in_run], box)) {
-            i += in_run - 1;
+    const std::size_t end = std::min<std::size_t>(last, done_);
+    for (std::size_t i = behind; i < end; ++i) {
+        if (i / in_run < runs_.size() && !meet(runs_[i / in_run], box)) {
+            i = (i / in_run + 1) * in_run - 1;
             continue;
         }
         const Sweep& s = sweeps_[i];
         if (!s.cut || shape_of(s).pieces.empty()) continue;
         if (meet(box_of(s, shape_of(s), orientations_[s.orientation].z), box))
-            found.push_back(static_cast<std::uint32_t>(i));
+            found.push_back(static_cast<std::uint32_t>(i + 1));
     }
     return found;
 }
@@ -92,7 +93,7 @@ Box3 Simulation::reach_of(std::uint32_t cut) const {
 
 std::vector<Job> Simulation::jobs_in(const Box3& box) const {
     std::vector<Job> jobs;
-    for (const std::uint32_t i : cuts_in(box)) jobs.push_back(job_of(i + 1));
+    for (const std::uint32_t cut : cuts_in(box)) jobs.push_back(job_of(cut));
     return jobs;
 }
 
@@ -103,7 +104,7 @@ const StockBody& Simulation::body() const {
 
 Air Simulation::air_in(const Box3& box) const {
     std::vector<Air::Sweep> sweeps;
-    for (const std::uint32_t i : cuts_in(box)) sweeps.push_back(body_of(i + 1));
+    for (const std::uint32_t cut : cuts_in(box)) sweeps.push_back(body_of(cut));
     return {body(), std::move(sweeps)};
 }
 

@@ -114,6 +114,11 @@ public:
     [[nodiscard]] Air::Sweep body_of(std::uint32_t cut) const;
     [[nodiscard]] Job job_of(std::uint32_t cut) const;
     [[nodiscard]] Box3 reach_of(std::uint32_t cut) const;
+    /// Numbers of the cuts behind one number and up to another that may reach into a box, upwards.
+    [[nodiscard]] std::vector<std::uint32_t> cuts_in(const Box3& box, std::uint32_t behind, std::uint32_t last) const;
+    [[nodiscard]] std::vector<std::uint32_t> cuts_in(const Box3& box) const {
+        return cuts_in(box, 0, static_cast<std::uint32_t>(done_));
+    }
     [[nodiscard]] const StockBody& stock_body() const { return body(); }
     [[nodiscard]] double tolerance() const { return tolerance_; }
     [[nodiscard]] int threads() const { return threads_; }
@@ -142,7 +147,6 @@ private:
     [[nodiscard]] Track track_of(const Sweep& sweep) const;
     [[nodiscard]] Box3 rays_box() const;  ///< from the first to the last node
     void index_runs();
-    [[nodiscard]] std::vector<std::uint32_t> cuts_in(const Box3& box) const;  ///< indices in `sweeps_`
     [[nodiscard]] std::vector<Job> jobs_in(const Box3& box) const;
     [[nodiscard]] const StockBody& body() const;  ///< made when it is asked for
 

@@ -12,7 +12,26 @@ geom::Vec3 unit(int axis, double sign) {
     return {axis == 0 ? sign : 0.0, axis == 1 ? sign : 0.0, axis == 2 ? sign : 0.0};
 }
 
+Box3 box_of(Heights x, Heights y, Heights z) { return {{x.low, y.low, z.low}, {x.high, y.high, z.high}}; }
+
 }  // namespace
+
+Heights heights_along(geom::Vec3 axis, const Box3& box) {
+    const auto ends = [](double share, double from, double to) { return std::minmax({share * from, share * to}); };
+    const auto [x0, x1] = ends(axis.x, box.min.x, box.max.x);
+    const auto [y0, y1] = ends(axis.y, box.min.y, box.max.y);
+    const auto [z0, z1] = ends(axis.z, box.min.z, box.max.z);
+    return {x0 + y0 + z0, x1 + y1 + z1};
+}
+
+Box3 Orientation::box_in_tool(const Box3& box) const {
+    return box_of(heights_along(x, box), heights_along(y, box), heights_along(z, box));
+}
+
+Box3 Orientation::box_in_stock(const Box3& box) const {
+    return box_of(heights_along({x.x, y.x, z.x}, box), heights_along({x.y, y.y, z.y}, box),
+                  heights_along({x.z, y.z, z.z}, box));
+}
 
 Orientation orientation_of(geom::Vec3 axis) {
     Orientation o;

@@ -4,6 +4,8 @@
 #include <cstdint>
 
 #include "geom/vec.hpp"
+#include "sim/milling/lattice.hpp"
+#include "sim/milling/shape.hpp"
 
 namespace obrys::sim::milling {
 
@@ -13,7 +15,12 @@ struct Orientation {
     int along = 2;  ///< axis of the stock that z runs along, either way; -1: none
     [[nodiscard]] geom::Vec3 to_tool(geom::Vec3 v) const { return {dot(x, v), dot(y, v), dot(z, v)}; }
     [[nodiscard]] geom::Vec3 to_stock(geom::Vec3 v) const { return v.x * x + v.y * y + v.z * z; }
+    /// Boxes around a box, of the other frame.
+    [[nodiscard]] Box3 box_in_tool(const Box3& box) const;
+    [[nodiscard]] Box3 box_in_stock(const Box3& box) const;
 };
+/// Of a box's corners along an axis: the dot products with it.
+[[nodiscard]] Heights heights_along(geom::Vec3 axis, const Box3& box);
 /// `axis` needs no unit length; it must be finite and not zero.
 [[nodiscard]] Orientation orientation_of(geom::Vec3 axis);
 
