@@ -15,6 +15,12 @@ std::string_view name(Severity s) {
     return "error";
 }
 
+bool is_this_or_worse(Severity s, std::string_view named) {
+    for (const Severity least : {Severity::note, Severity::warning, Severity::error})
+        if (named == name(least)) return s >= least;
+    return false;
+}
+
 void Diagnostics::add(Diagnostic d) {
     if (d.severity == Severity::error) ++errors_;
     if (++per_code_[d.code] > limit_) {

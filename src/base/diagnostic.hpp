@@ -14,6 +14,8 @@ namespace obrys::base {
 enum class Severity : std::uint8_t { note, warning, error };
 
 [[nodiscard]] std::string_view name(Severity s);
+/// Of a severity's name; false where there is none of this name.
+[[nodiscard]] bool is_this_or_worse(Severity s, std::string_view named);
 
 /// One more place that belongs to a complaint, e.g. where a loop that never ends begins.
 struct Related {

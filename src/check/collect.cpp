@@ -36,6 +36,7 @@ void Collector::finding(const cl::Record& record, Finding f) {
     }
     OfCode& known = per_code_[f.code];
     std::string key = cause_key(f);
+    if (!f.cause.empty()) note_site(key, f);
     const auto cause = known.causes.find(key);
     const std::size_t next = result_.findings.size();
     if (cause == known.causes.end()) {
@@ -59,6 +60,26 @@ void Collector::finding(const cl::Record& record, Finding f) {
         return;
     }
     result_.findings.push_back(std::move(f));
+}
+
+void Collector::note_site(const std::string& key, const Finding& f) {
+    const auto add = [](std::vector<std::uint64_t>& place, const base::Span& span) {
+        place.push_back(span.file);
+        place.push_back(span.begin);
+    };
+    std::vector<std::uint64_t> place;
+    add(place, f.where);
+    for (const base::Span& call : f.stack) add(place, call);
+    Sites& sites = result_.sites[key];
+    auto at = sites.all.find(place);
+    if (at == sites.all.end()) {
+        if (sites.all.size() >= Sites::most) {
+            sites.more = true;
+            return;
+        }
+        at = sites.all.emplace(std::move(place), Site{f.where, f.stack, {}}).first;
+    }
+    if (const Amount* a = chief_amount(f)) at->second.worst = std::max(at->second.worst.value_or(a->value), a->value);
 }
 
 void Collector::unchecked(const cl::Record& record, std::string text, std::string remedy) {

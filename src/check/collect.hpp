@@ -38,6 +38,8 @@ public:
     [[nodiscard]] const cl::CallStacks& stacks() const { return stacks_; }
 
 private:
+    void note_site(const std::string& key, const Finding& f);
+
     const cl::CallStacks& stacks_;
     std::size_t limit_;
     struct Kept {

@@ -55,6 +55,17 @@ bool finds_new(const Result& result) {
                        [&](const Finding& f) { return !result.known.contains(cause_key(f)); });
 }
 
+std::vector<Site> sites_of(const Result& result, const Group& group) {
+    const Finding& f = result.findings[group.worst];
+    const Amount* chief = chief_amount(f);
+    if (f.cause.empty()) return {{f.where, f.stack, chief == nullptr ? std::nullopt : std::optional(chief->value)}};
+    const auto known = result.sites.find(cause_key(f));
+    if (known == result.sites.end() || known->second.more) return {};
+    std::vector<Site> out;
+    for (const auto& [place, site] : known->second.all) out.push_back(site);
+    return out;
+}
+
 std::vector<base::Related> related_of(const Result& result, const Group& group) {
     if (group.first_move) return result.findings[group.worst].related;
     constexpr std::size_t most = 8;

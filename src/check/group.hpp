@@ -29,6 +29,9 @@ struct Group {
 /// Findings with equal keys belong together: code and Finding::cause, or code, source text and call sites.
 [[nodiscard]] std::string cause_key(const Finding& f);
 
+/// Where the findings of a group come up: their one line, or all lines of their cause. None where that is not known.
+[[nodiscard]] std::vector<Site> sites_of(const Result& result, const Group& group);
+
 /// Places that belong to a group: those of its worst, or, of what is no move, those of all.
 [[nodiscard]] std::vector<base::Related> related_of(const Result& result, const Group& group);
 

@@ -180,6 +180,7 @@ bool Milling::tool_in_use(const Move& move) {
         if (!tool_->holder.empty() && !(tool_->length > 0) && cutter.cutting_length >= unknown_height)
             out_.unchecked(move.record, "tool " + tool_name_ + ": where its holder is is not known: it is not checked",
                            "give the tool's length");
+        if (tool_->holder.empty() && !stands_in_spindle(*tool_)) in_nothing_ += (in_nothing_.empty() ? "" : ", ") + tool_name_;
         const bool shank = !cutter.shank.empty() || tool_->kind == shop::ToolKind::t_slot;
         known = KnownTool{add_tool(made.shape), shank, !cutter.holder.empty(), made.shape.holder.bottom};
         // A thin disc, narrower by the tolerance: a hole as wide is not met.
@@ -293,6 +294,9 @@ void Milling::finish(bool complete) {
     if (start_moves_ > 0)
         out_.assumption("start position not known: the first " + std::to_string(start_moves_) +
                         (start_moves_ == 1 ? " rapid move was" : " rapid moves were") + " not simulated");
+    if (!in_nothing_.empty())
+        out_.assumption("neither length nor holder of " + in_nothing_ +
+                        " is in the job: what holds it is taken to meet nothing");
     auto milled = std::make_shared<Milled>();
     figures_.after_mm3 = milling::volume(*simulation_);
     figures_.memory_mb = static_cast<double>(simulation_->bytes()) / 1e6;

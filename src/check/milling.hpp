@@ -5,6 +5,7 @@
 #include <array>
 #include <cmath>
 #include <deque>
+#include <map>
 #include <memory>
 #include <string>
 #include <utility>
@@ -92,7 +93,10 @@ private:
     void queue_pass(QueuedPass::Kind kind, sim::milling::Part part, bool cut, const geom::PathElement& element);
     void require(sim::milling::Taken taken);
     [[nodiscard]] std::string name_of(const QueuedPass& pass, const MilledMove& move) const;
-    [[nodiscard]] bool leaves_the_wall(const geom::PathElement& element) const;
+    [[nodiscard]] bool leaves_the_wall(const geom::Straight& way) const;
+    /// A tool of the simulation: a cylinder as high as the edges of the tool in use.
+    [[nodiscard]] std::uint32_t bar_of(double radius);
+    void queue_bar(const geom::Straight& way, const MilledMove& move);
     void queue_cutting(const geom::PathElement& element, const MilledMove& move, bool feed);
     [[nodiscard]] bool holder_is_above(const geom::PathElement& element) const;
     void queue_clamps(const geom::PathElement& element);
@@ -190,6 +194,7 @@ private:
     std::vector<std::uint32_t> move_of_pass_;  ///< of the stock's simulation
     MillingFigures figures_;
     std::string tool_name_;
+    std::string in_nothing_;  ///< tools of which neither holder nor length is known
     const shop::Tool* tool_ = nullptr;
     std::vector<std::optional<KnownTool>> known_tools_;  ///< by index in Setup::tools
     KnownTool tool_parts_;
@@ -200,6 +205,7 @@ private:
     base::Span cycle_ = nowhere;  ///< call of the cycle being run
     bool edge_away_ = false;      ///< the cycle has stopped the spindle: of a boring bar the edge leaves the wall
     geom::Vec3 stopped_at_;       ///< the tip then
+    std::map<std::pair<std::uint32_t, double>, std::uint32_t> bars_;  ///< by tool in the simulation and radius
     cl::Feed feed_;
     double speed_ = NAN;  ///< 1/min
     std::int8_t spindle_ = 0;

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 #include "base/whole.hpp"
 #include "check/milling.hpp"
@@ -68,23 +69,61 @@ void Milling::queue_rapid(const Move& move, const MilledMove& m, const Stand::Vi
     }
 }
 
+namespace {
+
+/// How far beside a point, seen along an axis.
+geom::Vec3 beside(geom::Vec3 p, geom::Vec3 point, geom::Vec3 axis) {
+    const geom::Vec3 way = p - point;
+    return way - (geom::dot(way, axis) / geom::dot(axis, axis)) * axis;
+}
+
+}  // namespace
+
 /// A boring bar whose cycle has stopped the spindle, as far beside its hole as its body may be thinner than the hole.
-bool Milling::leaves_the_wall(const geom::PathElement& element) const {
+bool Milling::leaves_the_wall(const geom::Straight& way) const {
     if (!edge_away_ || !may_bore(*tool_)) return false;
     const double most = off_the_wall * (tool_->radius + tool_->delta_radius);
-    const auto beside = [&](double at) {
-        const geom::Vec3 way = geom::point_at(element, at) - stopped_at_, axis = (1 / geom::length(axis_)) * axis_;
-        return geom::length(way - geom::dot(way, axis) * axis);
+    const double from = geom::length(beside(way.from, stopped_at_, axis_)),
+                 to = geom::length(beside(way.to, stopped_at_, axis_));
+    return std::max(from, to) > 1e-9 && from <= most && to <= most;
+}
+
+std::uint32_t Milling::bar_of(double radius) {
+    constexpr double steps = 1e6;  // 1e-6 mm: turned back and forth, a shift differs in its last digits
+    const double rounded = std::floor(radius * steps) / steps;
+    const auto [at, is_new] = bars_.try_emplace({sim_tool_, rounded}, 0);
+    if (is_new) {
+        milling::ToolShape bar;
+        const double height = shop::cutting_height(*tool_).value_or(unknown_height);
+        bar.cutting = milling::make_shape({milling::cylinder(0, height, rounded)});
+        at->second = add_tool(bar);
+    }
+    return at->second;
+}
+
+/// Its edge stands off the wall, in a hole that lets it pass; the body behind it is no thinner than half as wide as
+/// what the edge cuts.
+void Milling::queue_bar(const geom::Straight& way, const MilledMove& move) {
+    const double radius = tool_->radius + tool_->delta_radius;
+    const auto probe = [&](const geom::Straight& e, double r) {
+        const std::uint32_t own = std::exchange(sim_tool_, bar_of(r));
+        queue_pass(QueuedPass::Kind::rapid_probe, milling::Part::cutting, false, e);
+        if (certificate_) certificate_->add(static_cast<std::uint32_t>(moves_.size() - 1), e, axis_, sim_tool_);
+        sim_tool_ = own;
     };
-    return beside(0) <= most && beside(1) <= most;
+    const geom::Vec3 from = beside(way.from, stopped_at_, axis_), to = beside(way.to, stopped_at_, axis_);
+    probe(way, off_the_wall * radius);
+    if (geom::distance(from, to) < 1e-9) probe({way.from - from, way.to - from}, radius - geom::length(from));
+    out_.assumption(
+        "the cycle stops the spindle and moves the tool: its edge is taken to leave the wall, and the side opposite to "
+        "it to have room in the hole",
+        move.where);
 }
 
 void Milling::queue(const geom::PathElement& element, const MilledMove& move, bool feed) {
-    if (leaves_the_wall(element))
-        out_.assumption(
-            "the cycle stops the spindle and moves the tool: its edge is taken to leave the wall, and the side "
-            "opposite to it to have room in the hole",
-            move.where);
+    const auto* way = std::get_if<geom::Straight>(&element);
+    if (way != nullptr && leaves_the_wall(*way))
+        queue_bar(*way, move);
     else
         queue_cutting(element, move, feed);
     if (tool_parts_.shank) queue_pass(QueuedPass::Kind::shank, milling::Part::shank, false, element);

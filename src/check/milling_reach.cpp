@@ -165,7 +165,9 @@ void Milling::judge_reach(const QueuedPass& pass, const MilledMove& move, Reach 
         f.text = "the " + part + " runs into the clamp " + clamps_[pass.clamp - 1].name + ": " + deep;
     } else if (pass.kind == Kind::rapid_probe) {
         f.code = codes::rapid_in_stock;
-        f.text = "rapid move goes through the stock: " + deep;
+        f.text = (move.rapid ? "rapid move goes through the stock: "
+                             : "the tool is moved through the stock while the spindle stands: ") +
+                 deep;
     } else if (pass.kind == Kind::shank && move.tool > 0 && assumed_body(move)) {
         constexpr double up = -1 + 1e-9;
         if (move.rapid && move.sinking <= up) return;  // out of the cut that has said it
@@ -174,10 +176,10 @@ void Milling::judge_reach(const QueuedPass& pass, const MilledMove& move, Reach 
         f.text = "the cutting edges are " + mm(*tool.cutting_length) + " long, the cut reaches above them, at " +
                  point(reach.at);
         f.remedy = "take a tool with longer cutting edges, or cut less deep; give the tool's shank if it is thinner";
-        f.cause = "tool " + std::to_string(move.tool);
+        f.cause = tool_name(out_.result().tools[move.tool - 1]);
     } else {
         f.code = codes::holder_in_stock;
-        f.cause = "tool " + std::to_string(move.tool) + " " + part;
+        f.cause = (move.tool > 0 ? tool_name(out_.result().tools[move.tool - 1]) + " " : "") + part;
         f.text = "the " + part + " runs into " + into;
         if (pass.kind == Kind::shank) f.remedy = "take a tool with longer cutting edges, or cut less deep";
     }

@@ -49,6 +49,8 @@ bool has_assumed_body(const shop::Tool& tool) {
            kind != shop::ToolKind::form;
 }
 
+bool stands_in_spindle(const shop::Tool& tool) { return tool.length >= least_gauge_length; }
+
 bool may_bore(const shop::Tool& tool) {
     const shop::ToolKind kind = shop::assumed_kind(tool);
     return kind == shop::ToolKind::reamer || (kind == shop::ToolKind::end_mill && !shop::may_plunge(tool));
@@ -110,15 +112,29 @@ double core_on_slant(const shop::Tool& tool) {
 
 namespace {
 
-/// Above its gauge plane no tool ends in the air: at least as wide as what stands below, and as the smallest taper.
-std::optional<milling::Body> spindle_nose(const shop::Tool& tool, const milling::Cutter& c) {
-    if (!(tool.length >= least_gauge_length)) return std::nullopt;
+/// How wide the uppermost part is that the job tells; 0: not known.
+double width_at_top(const shop::Tool& tool, const milling::Cutter& c) {
+    if (!c.holder.empty()) return c.holder.back().upper_diameter;
+    if (!c.shank.empty()) return c.shank.back().upper_diameter;
+    if (c.kind == milling::CutterKind::t_slot) return c.neck_diameter;
+    if (c.kind == milling::CutterKind::form) return tool.profile.empty() ? 0 : 2 * tool.profile.back().p.x;
+    return c.diameter;
+}
+
+/// No tool ends in the air: up to its gauge plane it goes on as wide as what the job tells of it, and above stands the
+/// nose of the spindle, at least as wide as all below and as the smallest taper.
+void put_into_spindle(const shop::Tool& tool, milling::Cutter& c) {
+    if (!stands_in_spindle(tool)) return;
     double height = std::min(c.cutting_length, tool.length), widest = std::max(c.diameter, least_nose);
     for (const auto* bodies : {&c.shank, &c.holder})
-        for (const milling::Body& b : *bodies) height += b.length, widest = std::max(b.upper_diameter, least_nose);
+        for (const milling::Body& b : *bodies) {
+            height += b.length;
+            widest = std::max({widest, b.lower_diameter, b.upper_diameter});
+        }
     constexpr double same = 1e-6;  // mm
-    if (std::abs(height - tool.length) > same) return std::nullopt;
-    return milling::Body{widest, widest, unknown_height};
+    const double gap = tool.length - height, width = width_at_top(tool, c);
+    if (gap > same && width > 0) (c.holder.empty() ? c.shank : c.holder).push_back({width, width, gap});
+    c.holder.push_back({widest, widest, unknown_height});
 }
 
 }  // namespace
@@ -145,7 +161,7 @@ milling::Cutter cutter_of(const shop::Tool& tool, double rub) {
         for (const milling::Body& b : c.holder) left -= b.length;
         if (left > 0) c.shank.push_back({diameter, diameter, left});
     }
-    if (const auto nose = spindle_nose(tool, c)) c.holder.push_back(*nose);
+    put_into_spindle(tool, c);
     return c;
 }
 

@@ -9,10 +9,12 @@ namespace obrys::check {
 /// mm: cutting edges, or a body, as long as any cut, where nothing is said.
 inline constexpr double unknown_height = 1000;
 
-/// What cuts, the shank above it and the holder, and above the gauge plane of a tool whose length is known the nose of
-/// the spindle (of the holder the last body); dimensions that are not known are what ordinary tools have
+/// What cuts, the shank above it and the holder; of a tool whose length is known, up to its gauge plane as wide as the
+/// last of these, and above it the nose of the spindle (of the holder the last body); dimensions that are not known are what ordinary tools have
 /// (docs/job-file.md). `rub`: mm by which a body that is assumed stands out of the hole that its edges drill.
 [[nodiscard]] sim::milling::Cutter cutter_of(const shop::Tool& tool, double rub = 0);
+/// Whether its length says where the nose of the spindle stands.
+[[nodiscard]] bool stands_in_spindle(const shop::Tool& tool);
 /// The length of the edges is known and no shank is: what stands above them is taken to be as thick as they are.
 [[nodiscard]] bool has_assumed_body(const shop::Tool& tool);
 

@@ -4,6 +4,7 @@
 
 #include <cmath>
 #include <cstdint>
+#include <map>
 #include <memory>
 #include <optional>
 #include <set>
@@ -57,6 +58,20 @@ struct Finding {
     /// (check/group.hpp).
     std::string cause;
     std::uint64_t more = 0;  ///< further moves of the same cause that are only counted
+};
+
+/// A place in the program where findings of one cause come up.
+struct Site {
+    base::Span where = nowhere;
+    std::vector<base::Span> stack;  ///< call sites, innermost first
+    std::optional<double> worst;    ///< chief amount of the worst one there; none where findings have none
+};
+
+/// Of a cause that is no line (Finding::cause): every line and call that it comes up in, in the order of the text.
+struct Sites {
+    static constexpr std::size_t most = 10000;
+    std::map<std::vector<std::uint64_t>, Site> all;  ///< by files and places of `where` and `stack`
+    bool more = false;                               ///< there are others
 };
 
 /// Something that was not checked, was assumed, or is only listed.
@@ -171,6 +186,7 @@ struct Result {
     shop::Scope scope = shop::Scope::all;  ///< within which the verdict holds
     bool has_baseline = false;
     std::set<std::string> known;         ///< causes (cause_key) that a baseline knows already
+    std::map<std::string, Sites> sites;  ///< by cause_key, of findings that have a cause
     std::vector<Finding> findings;       ///< in the order in which they happen; rest material last
     std::uint64_t findings_dropped = 0;  ///< of causes past the limit per code: counted only
     std::vector<Note> unchecked, assumptions, listed;

@@ -72,11 +72,4 @@ Contour behind_blade(const shop::Tool& tool) {
                        face ? geom::Vec2{tool.cutting_depth, aside} : geom::Vec2{aside, tool.cutting_depth});
 }
 
-std::string tool_name(const cl::ToolChange& t) {
-    std::string out = "tool";
-    if (t.number != 0 || t.name.empty()) out += " T" + std::to_string(t.number);
-    if (!t.name.empty()) out += " \"" + t.name + "\"";
-    return out + (t.edge != 0 ? " D" + std::to_string(t.edge) : "");
-}
-
 }  // namespace obrys::check

@@ -17,7 +17,4 @@ namespace obrys::check {
 /// other tools, and for blades that go on into a bore.
 [[nodiscard]] geom::Contour behind_blade(const shop::Tool& tool);
 
-/// "tool T3 D1".
-[[nodiscard]] std::string tool_name(const cl::ToolChange& tool);
-
 }  // namespace obrys::check

@@ -15,6 +15,14 @@ std::string point(geom::Vec3 p) {
 }
 std::string plain(double value) { return base::fixed(value, std::abs(value - std::round(value)) < 5e-4 ? 0 : 3); }
 
+std::string tool_name(std::uint32_t number, std::string_view name, std::uint32_t edge) {
+    std::string out = "tool";
+    if (number != 0 || name.empty()) out += " T" + std::to_string(number);
+    if (!name.empty()) out += " \"" + std::string(name) + "\"";
+    return out + (edge != 0 ? " D" + std::to_string(edge) : "");
+}
+
+
 void Box::add(geom::Vec2 p) {
     min_z = std::min(min_z, p.x);
     max_z = std::max(max_z, p.x);

@@ -1,7 +1,9 @@
 #pragma once
 /// Figures as messages show them.
 
+#include <cstdint>
 #include <string>
+#include <string_view>
 
 #include "geom/vec.hpp"
 
@@ -15,6 +17,14 @@ namespace obrys::check {
 [[nodiscard]] std::string point(geom::Vec3 p);
 /// A whole number where it is one, else three decimals.
 [[nodiscard]] std::string plain(double value);
+
+/// "tool T3 D1".
+[[nodiscard]] std::string tool_name(std::uint32_t number, std::string_view name, std::uint32_t edge);
+/// Of a selection (cl::ToolChange) or a use (ToolUse).
+template <class Tool>
+[[nodiscard]] std::string tool_name(const Tool& tool) {
+    return tool_name(tool.number, tool.name, tool.edge);
+}
 
 /// Smallest box around points of the (z, x) plane; empty until a point is added.
 struct Box {

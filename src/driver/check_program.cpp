@@ -1,7 +1,6 @@
 #include "driver/check_program.hpp"
 
-#include <chrono>
-
+#include "base/work_time.hpp"
 #include "driver/contours.hpp"
 #include "driver/program_tools.hpp"
 #include "driver/wording.hpp"
@@ -32,11 +31,9 @@ Checked check_program(Session& session, std::size_t keep_moves, const MillingReq
     else
         setup.milling = milling_setup(session, milling);
     if (setup.milling) setup.progress = progress;  // reading is fast, removing is what takes time
-    const auto started = std::chrono::steady_clock::now();
+    const base::WorkTime time;
     if (session.job.budgets.bounds_check)
-        setup.out_of_time = [started, seconds = session.job.budgets.seconds] {
-            return std::chrono::duration<double>(std::chrono::steady_clock::now() - started).count() > seconds;
-        };
+        setup.out_of_time = [time, seconds = session.job.budgets.seconds] { return time.by_clock() > seconds; };
 
     // 2. Program tree -> CL stream -> removal and findings, record by record (interp, check, sim/turning).
     check::Check check(setup, session.stacks);

@@ -51,6 +51,10 @@ double farthest(const Edge& e, Vec2 p) {
     return d;
 }
 
+/// Of the radius: passes that only just meet leave a skin between them, on paper of no width (the two sides of the
+/// innermost ring of a pocket three tools wide).
+constexpr double overlap = 0.02;
+
 /// A place in the piece from which the tool covers all of it.
 bool one_place_covers(const Region& piece, double radius, Vec2& place) {
     const Box b = box(piece);
@@ -63,7 +67,7 @@ bool one_place_covers(const Region& piece, double radius, Vec2& place) {
 
 class Builder {
 public:
-    explicit Builder(const ClearingOptions& o) : o_(o) {}
+    explicit Builder(const ClearingOptions& o) : o_(o), reach_((1 - overlap) * o.radius) {}
 
     Clearing build(const Region& r) {
         if (!good(r, o_)) return failed(ClearingFault::bad_input);
@@ -144,24 +148,24 @@ private:
             group.insert(group.end(), q.rings.begin(), q.rings.end());
             inner.contours.insert(inner.contours.end(), q.region.contours.begin(), q.region.contours.end());
         }
-        if (o_.stepover > o_.radius || o_.rounding > 0) cover(p.region, inner, level, group);
+        if (o_.stepover > reach_ || o_.rounding > 0) cover(p.region, inner, level, group);
         link(group);
     }
 
     void cover(const Region& part, const Region& inner, std::uint32_t level, std::vector<std::size_t>& group) {
-        Region deeper = offset(part, -o_.radius);
-        if (!deeper.empty() && !inner.empty()) deeper = subtract(deeper, offset(inner, o_.radius));
+        Region deeper = offset(part, -reach_);
+        if (!deeper.empty() && !inner.empty()) deeper = subtract(deeper, offset(inner, reach_));
         std::vector<Region> left = wide_pieces(deeper);
         while (!left.empty() && out_.rings.size() <= o_.most) {
             const Region piece = std::move(left.back());
             left.pop_back();
             Vec2 place;
-            if (one_place_covers(piece, o_.radius, place)) {
+            if (one_place_covers(piece, reach_, place)) {
                 group.push_back(add_ring({{{place}}, true}, level, true));
                 continue;
             }
             for (const Contour& c : piece.contours) group.push_back(add_ring(c, level, true));
-            for (Region& rest : wide_pieces(offset(piece, -o_.radius))) left.push_back(std::move(rest));
+            for (Region& rest : wide_pieces(offset(piece, -reach_))) left.push_back(std::move(rest));
         }
     }
 
@@ -197,6 +201,7 @@ private:
     }
 
     ClearingOptions o_;
+    double reach_ = 0;  ///< of the tool, with which passes overlap
     Clearing out_;
     std::vector<std::vector<Edge>> chains_;  ///< of the rings
     std::vector<Box> boxes_;

@@ -83,6 +83,19 @@ TEST(Clearing, OfARectangle) {
     EXPECT_FALSE(tours[0].closed);
 }
 
+/// The innermost ring's two sides would only just meet.
+TEST(Clearing, PassesOverlap) {
+    for (const double stepover : {5.0, 10.0}) {
+        const Clearing c = clearing_rings({{rectangle(0, 0, 60, 30)}}, {.radius = 5, .stepover = stepover});
+        ASSERT_EQ(c.fault, ClearingFault::none);
+        double nearest = INFINITY;  // of the middle
+        for (const Ring& ring : c.rings)
+            for (const Edge& e : edges(ring.path))
+                nearest = std::min(nearest, distance(geom::nearest(e, {30, 15}), {30, 15}));
+        EXPECT_LE(nearest, 4.9 + 1e-9) << stepover;
+    }
+}
+
 TEST(Clearing, StepoverBeyondTheRadiusGetsItsCornersAndMiddle) {
     const Clearing c = clearing_rings({{rectangle(0, 0, 40, 40)}}, {.radius = 2, .stepover = 3.9});
     std::size_t added = 0;

@@ -99,12 +99,11 @@ void choose_reference_datum(Run& run, const Unit& main) {
 
 bool over_budget(Run& run, bool check_clock) {
     const shop::Budgets& b = run.env.budgets;
-    const double seconds =
-        check_clock ? std::chrono::duration<double>(std::chrono::steady_clock::now() - run.started).count() : 0;
-    run.out_of_time = run.out_of_time || seconds > b.seconds;
+    const auto seconds = [&] { return b.bounds_check ? run.time.by_clock() : run.time.by_processor(); };
+    run.out_of_time = run.out_of_time || (check_clock && seconds() > b.seconds);
     if (run.blocks <= b.blocks && !run.out_of_time) return false;
     const std::string limit =
-        run.blocks > b.blocks ? std::to_string(b.blocks) + " blocks" : base::shortest(b.seconds) + " s";
+        run.blocks > b.blocks ? std::to_string(b.blocks) + " blocks" : base::shortest(b.seconds) + (b.bounds_check ? " s" : " s of work");
     unchecked(run, codes::budget, run.here(), "the run was ended here after " + limit,
               "raise the limit in [budget] of the job if the program really needs more");
     run.ending = Ending::budget;
@@ -142,7 +141,6 @@ void end_of_section(Run& run) {
 Run::Run(const Environment& e, cl::CallStacks& s, cl::Sink k, base::Diagnostics& d, std::uint32_t parameter_count)
     : RunState(e.tools, parameter_count, start_position(e.machine)),
       env(e),
-      started(std::chrono::steady_clock::now()),
       stacks(s),
       sink(k),
       diagnostics(d) {

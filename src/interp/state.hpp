@@ -3,7 +3,6 @@
 
 #include <array>
 #include <bit>
-#include <chrono>
 #include <cstdint>
 #include <initializer_list>
 #include <limits>
@@ -16,6 +15,7 @@
 #include <unordered_set>
 #include <vector>
 
+#include "base/work_time.hpp"
 #include "geom/frame.hpp"
 #include "geom/nurbs.hpp"
 #include "interp/interp.hpp"
@@ -388,7 +388,7 @@ struct Run : RunState {
     std::unordered_map<program::NameId, double> overrides_by_name;
     std::vector<std::uint8_t> parameter_overridden;
     std::vector<double> parameter_override;
-    std::chrono::steady_clock::time_point started;
+    base::WorkTime time;  ///< since it began
 
     // Handed out, or kept so that it is handed out once.
     cl::CallStacks& stacks;

@@ -1,8 +1,11 @@
 #include "report/baseline.hpp"
 
+#include <algorithm>
 #include <cstdint>
+#include <filesystem>
 #include <nlohmann/json.hpp>
 
+#include "base/function_ref.hpp"
 #include "base/text.hpp"
 
 namespace obrys::report {
@@ -11,7 +14,7 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
-constexpr int baseline_version = 1;
+constexpr int baseline_version = 2;
 
 /// FNV-1a: the same on every machine.
 class Hash {
@@ -52,37 +55,83 @@ std::string plain(const Place& p) {
     return out;
 }
 
-void add(Hash& hash, const Subject& s, const base::Span& where, const std::vector<base::Span>& stack) {
+/// How a file is called: a log's results by its name, so that they outlive another folder; in a baseline, where two
+/// programs of one name may be, as it is found from the baseline.
+using Names = base::FunctionRef<std::string(const std::string&)>;
+
+constexpr auto own_name = [](const std::string& path) { return std::string(file_name(path)); };
+
+void add(Hash& hash, const Subject& s, Names name, const base::Span& where, const std::vector<base::Span>& stack) {
     const auto site = [&](const base::Span& span) {
         const Place p = place(s.sources, span);
-        hash.add(file_name(p.file));
+        hash.add(name(p.file));
         hash.add(plain(p));
     };
     site(where);
     for (const base::Span& span : stack) site(span);
 }
 
-std::optional<double> amount_of(const check::Finding& f) {
-    const check::Amount* a = check::chief_amount(f);
-    return a == nullptr ? std::nullopt : std::optional(a->value);
+/// Where equal ones come up in one run, they are numbered.
+class Prints {
+public:
+    std::string next(const Hash& made) {
+        Hash hash = made;
+        if (const int again = seen_[hash.digits()]++; again > 0) hash.add(std::to_string(again));
+        return hash.digits();
+    }
+
+private:
+    std::map<std::string, int> seen_;
+};
+
+/// What a baseline has of a group: each line that its cause comes up in.
+struct Entry {
+    std::string print;
+    check::Site site;
+};
+
+/// Of every group; none of one that nothing can be said of.
+std::vector<std::vector<Entry>> entries_of(const Subject& s, const std::vector<check::Group>& groups,
+                                           const std::string& folder) {
+    namespace fs = std::filesystem;
+    const auto from_folder = [&](const std::string& written) {
+        const fs::path whole = s.here.empty() ? fs::path(written) : fs::path(s.here) / written;
+        const fs::path name = folder.empty() ? whole : whole.lexically_normal().lexically_relative(folder);
+        return (name.empty() ? whole : name).generic_string();
+    };
+    Prints prints;
+    std::vector<std::vector<Entry>> out;
+    for (const check::Group& g : groups) {
+        const check::Finding& f = s.result.findings[g.worst];
+        std::vector<Entry>& of_group = out.emplace_back();
+        for (const check::Site& site : check::sites_of(s.result, g)) {
+            Hash hash;
+            hash.add(f.code);
+            hash.add(from_folder(s.input));
+            hash.add(from_folder(s.program));
+            hash.add(f.cause);
+            add(hash, s, from_folder, site.where, site.stack);
+            of_group.push_back({prints.next(hash), site});
+        }
+    }
+    return out;
 }
 
 }  // namespace
 
 std::vector<std::string> fingerprints(const Subject& s, const std::vector<check::Group>& groups) {
     std::vector<std::string> out;
-    std::map<std::string, int> seen;
+    Prints prints;
     for (const check::Group& g : groups) {
         const check::Finding& f = s.result.findings[g.worst];
         Hash hash;
         hash.add(f.code);
         hash.add(file_name(s.program));
         if (f.cause.empty())
-            add(hash, s, f.where, f.stack);
+            add(hash, s, own_name, f.where, f.stack);
         else
             hash.add(f.cause);
-        if (const int again = seen[hash.digits()]++; again > 0) hash.add(std::to_string(again));
-        out.push_back(hash.digits());
+        out.push_back(prints.next(hash));
     }
     return out;
 }
@@ -92,23 +141,24 @@ std::string fingerprint(const Subject& s, const check::Note& note) {
     hash.add(note.code);
     hash.add(file_name(s.program));
     hash.add(note.text);
-    add(hash, s, note.where, note.stack);
+    add(hash, s, own_name, note.where, note.stack);
     return hash.digits();
 }
 
-std::vector<std::string> baseline_entries(const Subject& s) {
+std::vector<std::string> baseline_entries(const Subject& s, const std::string& folder) {
     const std::vector<check::Group> groups = check::groups_of(s.result);
-    const std::vector<std::string> prints = fingerprints(s, groups);
+    const auto entries = entries_of(s, groups, folder);
     std::vector<std::string> out;
     for (std::size_t i = 0; i < groups.size(); ++i) {
         const check::Finding& f = s.result.findings[groups[i].worst];
-        const Place p = place(s.sources, f.where);
-        Json j{{"fingerprint", prints[i]}, {"code", f.code}, {"program", s.program}, {"file", p.file}};
-        j["line"] = p.line;
-        j["message"] = f.text;
-        const auto amount = amount_of(f);
-        j["amount"] = amount ? Json(*amount) : Json(nullptr);
-        out.push_back(j.dump(-1, ' ', false, Json::error_handler_t::replace));
+        for (const Entry& e : entries[i]) {
+            const Place p = place(s.sources, e.site.where);
+            Json j{{"fingerprint", e.print}, {"code", f.code}, {"program", s.program}, {"file", p.file}};
+            j["line"] = p.line;
+            j["message"] = f.text;
+            j["amount"] = e.site.worst ? Json(*e.site.worst) : Json(nullptr);
+            out.push_back(j.dump(-1, ' ', false, Json::error_handler_t::replace));
+        }
     }
     return out;
 }
@@ -140,18 +190,18 @@ std::optional<Baseline> read_baseline(std::string_view text) {
     return known;
 }
 
-void mark_known(const Subject& s, const Baseline& baseline, check::Result& result) {
+void mark_known(const Subject& s, const Baseline& baseline, const std::string& folder, check::Result& result) {
     const std::vector<check::Group> groups = check::groups_of(s.result);
-    const std::vector<std::string> prints = fingerprints(s, groups);
+    const auto entries = entries_of(s, groups, folder);
+    const auto is_known = [&](const Entry& e) {
+        const auto at = baseline.find(e.print);
+        if (at == baseline.end()) return false;
+        return !e.site.worst || !at->second || *e.site.worst <= *at->second + known_slack;
+    };
     result.has_baseline = true;
-    for (std::size_t i = 0; i < groups.size(); ++i) {
-        const auto at = baseline.find(prints[i]);
-        if (at == baseline.end()) continue;
-        const check::Finding& f = s.result.findings[groups[i].worst];
-        const auto amount = amount_of(f);
-        if (amount && at->second && *amount > *at->second + known_slack) continue;  // it has become worse
-        result.known.insert(check::cause_key(f));
-    }
+    for (std::size_t i = 0; i < groups.size(); ++i)
+        if (!entries[i].empty() && std::all_of(entries[i].begin(), entries[i].end(), is_known))
+            result.known.insert(check::cause_key(s.result.findings[groups[i].worst]));
 }
 
 }  // namespace obrys::report

@@ -82,7 +82,8 @@ Json head(const MillingPage& page) {
             {"verdict", check::name(page.verdict)},
             {"line", page.verdict_line},
             {"dropped", page.findings_dropped},
-            {"moves_all", std::max<std::uint64_t>(page.moves_all, page.path.moves.size())}};
+            {"moves_all", std::max<std::uint64_t>(page.moves_all, page.path.moves.size())},
+            {"moves_left_out", page.moves_left_out}};
 }
 
 Json all_of(const MillingPage& page) {

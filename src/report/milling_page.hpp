@@ -129,7 +129,8 @@ struct MillingPage {
     /// largest.
     double deviation_limit = 0;
     std::vector<PageFigure> figures;
-    std::uint64_t moves_all = 0;  ///< of the run, where path holds only its beginning
+    std::uint64_t moves_all = 0;       ///< of the run, with those that were not simulated
+    std::uint64_t moves_left_out = 0;  ///< simulated behind those that path holds
 };
 
 /// False where the library was built without node and npm (OBRYS_PAGE): milling_page() must not be called then.

@@ -90,6 +90,7 @@ void add_path(MillingPage& page, const Subject& s, Texts& texts) {
             {move.rapid, texts.site(move.where), number_of(s, move.tool), seconds, way, move.index});
     }
     page.moves_all = s.result.stats.moves;
+    page.moves_left_out = m.moves.size() - m.moves_with_points;
 }
 
 void add_tools(MillingPage& page, const Subject& s) {

@@ -23,6 +23,7 @@ struct Subject {
     std::string version;    ///< of obrys
     std::string date;       ///< as it is to be shown; empty: no date, so that equal runs give equal reports
     std::string root = {};  ///< absolute folder, a slash at its end, from which paths in logs count; empty: not said
+    std::string input = {};  ///< what the check was asked for: the job, or the program itself
     std::string here = {};  ///< absolute folder from which relative names of sources count; empty: as the root
 };
 

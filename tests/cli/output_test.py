@@ -209,6 +209,9 @@ class Verdicts(Folder):
         self.assertEqual(self.check(wrong, "--fail-on", "rest-material")[0], 0)
         self.assertEqual(self.check(wrong, "--fail-on", "gouge")[0], 1)
         self.assertEqual(self.check(wrong, "--fail-on", "warning")[0], 1)
+        code, result = self.check(self.holder_job("a", "G21 G90 G17 G94\nT1 M6\nG43 H1\nS3000 M3\nG0 X-10 Y-10\nG0 Z20\nG0 Z-40\nG1 F300 Y50\nM2\n"),
+                                  "--fail-on", "warning")  # errors are worse than that
+        self.assertEqual((code, {f["severity"] for f in result["findings"]}), (1, {"error"}))
         self.assertEqual(self.obrys("check", wrong, "--fail-on", "gauge")[0], 2)
 
     def test_known_findings_do_not_fail_until_they_get_worse(self):
@@ -230,6 +233,34 @@ class Verdicts(Folder):
         self.write("A.MPF", "; a comment\n\nN15 G90\nN25 SETAL(65000)\nN35 M30\n")
         code, out, _ = self.obrys("check", "A.MPF", "--baseline", "known.json")
         self.assertIn("known: the baseline has it", out, code)
+
+    def holder_job(self, folder, program):
+        (self.path / folder).mkdir(exist_ok=True)
+        self.write(f"{folder}/P.ngc", program)
+        self.write(f"{folder}/j.toml", 'program = "P.ngc"\ncontrol = "linuxcnc"\nmachine = "mill-generic"\n[[tool]]\nnumber = 1\n'
+                   'kind = "end-mill"\ndiameter = 10.0\nlength = 100.0\ncutting_length = 20.0\nshank = [{diameter = 10.0, length = 10.0}]\n'
+                   'holder = [{diameter = 40.0, length = 70.0}]\n[stock]\nbox = { min = [0.0, 0.0, -60.0], max = [60.0, 40.0, 0.0] }\n'
+                   '[check]\nscope = "collisions"\ntolerance = 0.1\n')
+        return f"{folder}/j.toml"
+
+    def test_a_known_collision_hides_no_other(self):
+        one = "G21 G90 G17 G94\nT1 M6\nG43 H1\nS3000 M3\nG0 X-10 Y-10\nG0 Z20\nG0 Z-40\nG1 F300 Y50\nG0 Z20\n"
+        job = self.holder_job("a", one + "M2\n")
+        self.assertEqual(self.check(job, "--write-baseline", "known.json")[0], 1)
+        self.assertEqual(self.check(job, "--baseline", "known.json")[0], 0)
+        moved = self.holder_job("a", one.replace("T1", "\n(moved)\nT1") + "M2\n")
+        self.assertEqual(self.check(moved, "--baseline", "known.json")[0], 0)
+        # The same holder, not as deep, in other lines, even where one reads as a known one does.
+        other = self.holder_job("a", one + "G0 X72 Y-10\nG0 Z-40\nG1 F300 Y50\nG0 Z20\nM2\n")
+        self.assertEqual(self.check(other, "--baseline", "known.json")[0], 1)
+        # Another program of this name.
+        self.assertEqual(self.check(self.holder_job("b", one + "M2\n"), "--baseline", "known.json")[0], 1)
+
+    def test_a_baseline_of_an_earlier_version_is_refused(self):
+        self.write("old.json", '{"format": "obrys-baseline", "version": 1, "findings": []}')
+        code, _, err = self.obrys("check", self.job("groove"), "--baseline", "old.json")
+        self.assertEqual(code, 2)
+        self.assertIn("write it anew", err)
 
     def test_several_inputs(self):
         code, results = self.check(self.job("groove"), self.job("groove_wrong"))

@@ -18,7 +18,7 @@ export type Vec = [number, number, number];
 export interface Box { min: Vec; max: Vec; name: string }
 export interface Head {
   program: string; control: string; machine: string; date: string; version: string;
-  verdict: string; line: string; dropped: number; moves_all: number;
+  verdict: string; line: string; dropped: number; moves_all: number; moves_left_out: number;
 }
 export interface Document {
   head: Head; findings: Finding[]; texts: { name: string; text: string }[]; tools: Tool[]; clamps: Box[];

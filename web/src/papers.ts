@@ -129,6 +129,6 @@ export function papers(doc: Document, moves: number, open: OpenSite) {
         t.volume === null ? "?" : (t.volume / 1000).toFixed(2)])), true);
   if (doc.assumptions.length) paper("Assumed", noteList(doc.assumptions, open));
   if (doc.figures.length) paper("Figures", table([["", false], ["", true], ["", false]], doc.figures));
-  if (doc.head.moves_all > moves)
-    paper("This page is not complete", el("p", "", `The picture shows the first ${moves} of ${doc.head.moves_all} moves; the check covered all of them.`), true);
+  if (doc.head.moves_left_out)
+    paper("This page is not complete", el("p", "", `The picture shows the first ${moves} moves; ${doc.head.moves_left_out} more were checked and are not in it.`), true);
 }

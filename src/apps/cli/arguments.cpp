@@ -156,7 +156,7 @@ void add_verdict(CLI::App& app, Arguments& a) {
            "what is judged: all; part (its shape); collisions (no part needed); motion (neither stock nor part needed)")
         ->check(CLI::IsMember({"all", "part", "collisions", "motion"}))
         ->type_name("SCOPE");
-    app.add_option("--fail-on", a.fail_on, "exit code 1 only for findings of this code or severity")
+    app.add_option("--fail-on", a.fail_on, "exit code 1 only for findings of this code, or as severe or worse")
         ->check(is_code_or_severity)
         ->type_name("CODE|SEVERITY")
         ->allow_extra_args(false)
@@ -221,7 +221,8 @@ Commands add_commands(CLI::App& app, Arguments& a) {
     c.check->add_flag("--all", a.all, "also what every move of a finding did that several moves make");
     c.check->add_flag("-q,--quiet", a.quiet, "text: verdict, findings and what was not checked only");
     c.check->add_flag("--no-list", a.no_list, "text: leave out what has no effect on the verdict");
-    c.check->add_flag("!--no-color,!--no-colour", a.colours, "text without colours (also: NO_COLOR)");
+    c.check->add_flag_function(
+        "--no-color,--no-colour", [&a](std::int64_t) { a.colours = false; }, "text without colours (also: NO_COLOR)");
     c.run = app.add_subcommand("run", run_help);
     add_input(*c.run, a);
     add_request(*c.run, a);
@@ -253,6 +254,8 @@ Commands add_commands(CLI::App& app, Arguments& a) {
 
 }  // namespace
 
+constexpr const char* all_commands = "check, run, plot, fmt, version, help";
+
 /// CLI11 only says that a command is required; this says which word is none.
 static bool is_unknown_command(int argc, char** argv) {
     if (argc < 2 || argv[1][0] == '-') return false;
@@ -260,7 +263,7 @@ static bool is_unknown_command(int argc, char** argv) {
     constexpr const char* commands[] = {"check", "run", "plot", "fmt", "version", "help"};
     for (const char* command : commands)
         if (word == command) return false;
-    std::cerr << "obrys: there is no command '" << word << "'; the commands are check, run, plot, fmt, version, help\n"
+    std::cerr << "obrys: there is no command '" << word << "'; the commands are " << all_commands << "\n"
               << "  to check a program: obrys check " << word << "\n";
     return true;
 }
@@ -287,6 +290,42 @@ void explain_dashes(int argc, char** argv) {
         if (argv[i][0] == '-' && std::filesystem::exists(argv[i], error))
             std::cerr << "  there is a file " << argv[i] << ", but a word with - before it is an option: write ./"
                       << argv[i] << "\n";
+}
+
+}  // namespace
+
+namespace {
+
+/// The parser names what follows an option that it does not know, too.
+std::string plain_error(const CLI::ParseError& e) {
+    const std::string text = e.what(), unexpected = "not expected: ";
+    const std::size_t at = text.find(unexpected);
+    if (at == std::string::npos) return text;
+    std::string options, all;
+    std::istringstream words(text.substr(at + unexpected.size()));
+    for (std::string word; words >> word;) {
+        all += " " + word;
+        if (word.size() > 1 && word[0] == '-') options += " " + word;
+    }
+    return options.empty() ? "not expected:" + all : "there is no option" + options;
+}
+
+void print_usage_error(const CLI::App& app, const CLI::ParseError& e) {
+    const std::vector<CLI::App*> used = app.get_subcommands();
+    const std::string command = used.empty() ? "" : " " + used.front()->get_name();
+    std::cerr << "obrys" << command << ": " << plain_error(e) << "\n  how it is called: obrys help" << command << "\n";
+}
+
+/// Of one command, or the overview; false where there is no such command.
+bool print_help(const std::string& topic) {
+    Arguments unused;
+    CLI::App app(main_help, "obrys");  // help of one that has parsed a command is that of the command
+    const Commands c = add_commands(app, unused);
+    if (topic.empty()) return std::fputs(app.help().c_str(), stdout) >= 0;
+    for (const CLI::App* command : {c.check, c.run, c.plot, c.fmt, c.version, c.help})
+        if (command->get_name() == topic) return std::fputs(command->help("obrys").c_str(), stdout) >= 0;
+    std::cerr << "obrys help: there is no command '" << topic << "'; the commands are " << all_commands << "\n";
+    return false;
 }
 
 }  // namespace
@@ -327,17 +366,14 @@ Arguments parse(int argc, char** argv) {
         app.parse(argc, argv);
     } catch (const CLI::ParseError& e) {
         std::ostringstream text;  // standard output is written, and looked after, in one way only
-        a.exit = app.exit(e, text, std::cerr) == 0 ? 0 : 2;
+        a.exit = e.get_exit_code() == 0 ? app.exit(e, text, std::cerr) : 2;
+        if (a.exit != 0) print_usage_error(app, e);
         if (a.exit != 0) explain_dashes(argc, argv);
         std::fputs(text.str().c_str(), stdout);
         return a;
     }
     if (c.help->parsed()) {
-        const CLI::App* about = &app;
-        for (const CLI::App* command : {c.check, c.run, c.plot, c.fmt, c.version})
-            if (command->get_name() == topic) about = command;
-        std::fputs(about->help().c_str(), stdout);
-        a.exit = 0;
+        a.exit = print_help(topic) ? 0 : 2;
     }
     a.command = c.check->parsed()  ? Command::check
                 : c.run->parsed()  ? Command::run

@@ -56,7 +56,7 @@ bool counts(const Arguments& a, const check::Result& r) {
     return std::any_of(groups.begin(), groups.end(), [&](const check::Group& g) {
         const check::Finding& f = r.findings[g.worst];
         return !g.known && std::any_of(a.fail_on.begin(), a.fail_on.end(), [&](const std::string& word) {
-            return word == f.code || word == base::name(f.severity);
+            return word == f.code || base::is_this_or_worse(f.severity, word);
         });
     });
 }
@@ -92,6 +92,11 @@ bool write_beside(const Arguments& a, driver::Session& s, const driver::Checked&
     return write_engagement(a, subject) && written && !s.files->failed();
 }
 
+std::string folder_of(const std::string& file) {
+    std::error_code error;
+    return (driver::fs::absolute(file, error).lexically_normal().parent_path() / "").generic_string();
+}
+
 Outcome check_one(const Arguments& a, const std::string& input, const std::optional<report::Baseline>& baseline) {
     driver::Session s;
     driver::Request request = a.request;
@@ -117,9 +122,10 @@ Outcome check_one(const Arguments& a, const std::string& input, const std::optio
         return unreadable(a, input, s);
     }
     const report::Subject subject = subject_of(s, checked);
-    if (baseline) report::mark_known(subject, *baseline, checked.result);
+    if (baseline) report::mark_known(subject, *baseline, folder_of(a.baseline), checked.result);
     if (!may_write(a, s)) return refused;  // what was called meanwhile is an input as well
-    Outcome o{exit_code(a, checked.result), false, document(a, subject), report::baseline_entries(subject)};
+    Outcome o{exit_code(a, checked.result), false, document(a, subject), {}};
+    if (!a.write_baseline.empty()) o.baseline = report::baseline_entries(subject, folder_of(a.write_baseline));
     if (!write_beside(a, s, checked, subject)) o.exit = 2;
     return o;
 }
@@ -149,7 +155,11 @@ bool load_baseline(const Arguments& a, std::optional<report::Baseline>& baseline
     if (!text) return false;
     baseline = report::read_baseline(*text);
     if (!baseline)
-        std::fprintf(stderr, "obrys: --baseline: %s was not written by --write-baseline\n", a.baseline.c_str());
+        std::fprintf(
+            stderr,
+            "obrys: --baseline: %s was not written by --write-baseline of this version\n  write it anew, after "
+            "a look at its findings\n",
+            a.baseline.c_str());
     return baseline.has_value();
 }
 
