@@ -48,6 +48,25 @@ bool beside_in_x(double a, double b, const Box& tool, const Box& stock) {
     return nearest >= stock.max_x || std::max(-low, high) <= stock.min_x;
 }
 
+/// How far a place lies beyond the stock's ends.
+double beyond_in_z(double z, const Box& stock) { return std::max({z - stock.max_z, stock.min_z - z, 0.0}); }
+
+/// A rapid that comes no nearer to the stock, in X and in Z, and ends in front of it, behind it or clear of its side: a
+/// way to where tools are changed. A place that is not known is home, away from the stock.
+bool leads_away(const Move& move, const Box& stock) {
+    constexpr double same = 1e-6, clear = 10;  // mm
+    const geom::Vec3 from = move.from, to = move.to;
+    const bool home_x = std::isnan(to.x), home_z = std::isnan(to.z);
+    if (!move.rapid || (std::isnan(from.x) && !home_x) || (std::isnan(from.z) && !home_z)) return false;
+    const double before = beyond_in_z(from.z, stock), behind = beyond_in_z(to.z, stock);
+    if ((!home_x && std::abs(to.x) < std::abs(from.x) - same) || (!home_z && behind < before - same)) return false;
+    if (home_x || home_z || std::abs(to.z - from.z) <= same) return true;
+    const bool passes =
+        (from.z >= stock.max_z && to.z <= stock.min_z) || (from.z <= stock.min_z && to.z >= stock.max_z);
+    if (behind > 0 && !passes) return true;
+    return std::abs(to.x) >= stock.max_x + clear && (!passes || std::abs(from.x) >= stock.max_x + clear);
+}
+
 bool beside_in_z(double a, double b, const Box& tool, const Box& stock) {
     return (a + tool.min_z >= stock.max_z && b + tool.min_z >= stock.max_z) ||
            (a + tool.max_z <= stock.min_z && b + tool.max_z <= stock.min_z);
@@ -113,6 +132,10 @@ void Removal::first_use(const Move& move) {
     out_.finding(move, std::move(f));
 }
 
+bool Removal::is_astray(const Move& move) const {
+    return selected_any_ && std::get<cl::ToolChange>(selected_.step).edge == 0 && !leads_away(move, stock_box_);
+}
+
 bool Removal::works_off_axis(const Move& move) const {
     return tool_ != nullptr && shop::is_milling(tool_->kind) && (is_off_axis(move.from.x) || is_off_axis(move.to.x));
 }
@@ -122,8 +145,12 @@ std::optional<std::string> Removal::obstacle(const Move& move) const {
     const std::string tool = selected_any_ ? tool_name(std::get<cl::ToolChange>(selected_.step)) : "";
     if (!selected_any_) return "no tool is selected: removal not simulated";
     if (tool_ == nullptr) return tool + " is not known: its removal is not simulated";
-    if (!move.rapid && std::get<cl::ToolChange>(selected_.step).edge == 0)
-        return tool + " cuts without its offset (D0): where its edge stands is not known: removal not simulated";
+    if (is_astray(move))
+        return tool + (move.rapid
+                           ? " comes to the stock without its offset: where its edge stands is not known: removal "
+                             "not simulated"
+                           : " cuts without its offset (D0): where its edge stands is not known: removal not "
+                             "simulated");
     if (outline_.vertices.empty()) return tool + " has no outline: its removal is not simulated";
     if (works_off_axis(move)) return tool + stands_off;
     if (std::holds_alternative<cl::Spline>(move.record.step)) return "spline: removal not simulated";
@@ -217,7 +244,12 @@ Removed Removal::take(const Move& move) {
     }
     if (work_) {
         judge_clamps(move);
-        if (misses(move)) {
+        const bool astray = is_astray(move);
+        if (selected_any_ && !astray && std::get<cl::ToolChange>(selected_.step).edge == 0)
+            out_.assumption(
+                "a tool without its offset is taken to be away from the stock on rapids that lead away from it",
+                move.record.from);
+        if (!astray && misses(move)) {
             r.simulated = true;
         } else if (time_up_.before(move.index)) {
             complete_ = false;

@@ -47,6 +47,8 @@ public:
 private:
     void first_use(const Move& move);
     std::optional<std::string> obstacle(const Move& move) const;
+    /// Without an offset (D0) the edge stands elsewhere than programmed, nobody knows where: on any way but one away.
+    [[nodiscard]] bool is_astray(const Move& move) const;
     /// A drill or mill on a lathe, beside the turning axis.
     [[nodiscard]] bool works_off_axis(const Move& move) const;
     [[nodiscard]] bool is_lathe() const { return setup_.machine.kind == shop::MachineKind::lathe; }

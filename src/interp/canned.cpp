@@ -34,6 +34,7 @@ void begin_cycle(Run& run, const program::CannedCycle& c) {
     if (s.active && run.traits->canned_words_stay) {
         next.retract = s.retract, next.has_retract = s.has_retract;
         next.bottom = s.bottom, next.has_bottom = s.has_bottom;
+        next.bottom_from_retract = s.bottom_from_retract;
         const auto& before = run.traits->canned[static_cast<std::size_t>(s.cycle)].words;
         for (std::size_t i = 0; i < c.words.size() && i < next.values.size(); ++i)
             for (std::size_t k = 0; k < before.size() && k < s.values.size(); ++k)
@@ -49,6 +50,28 @@ bool taps(program::CycleKind k) {
     return k == program::CycleKind::canned_tap_floating || k == program::CycleKind::canned_tap_rigid;
 }
 
+/// G91, and the control makes positions of what it says: R from the level of the series, Z from R.
+bool counts_on(const Run& run) { return run.traits->canned_positions_stay && !run.modal.absolute; }
+
+/// R and the coordinate of the tool axis.
+void take_heights(Run& run, const PlaneAxes& a) {
+    CannedState& s = run.canned;
+    const bool depth = run.block.has(axis_code(a.w));
+    if (run.block.has(Code::radius)) {
+        s.retract = run.block.get(Code::radius) * length_unit(run.modal) + (counts_on(run) ? s.initial_level : 0);
+        s.has_retract = true;
+        if (counts_on(run) && !depth && s.has_bottom && s.bottom_from_retract)
+            assume(run, run.here(),
+                   "R is written anew and the depth is not: what it said before from R is taken to stay where it is",
+                   "write the depth beside R");
+    }
+    if (!depth) return;
+    s.bottom = run.block.get(axis_code(a.w)) * length_factor(run, a.w, !run.modal.absolute);
+    if (counts_on(run)) s.bottom += s.retract;
+    s.has_bottom = true;
+    s.bottom_from_retract = !run.modal.absolute;
+}
+
 void take_words(Run& run, const program::CannedCycle& c, const PlaneAxes& a) {
     CannedState& s = run.canned;
     const double unit = length_unit(run.modal);
@@ -56,14 +79,7 @@ void take_words(Run& run, const program::CannedCycle& c, const PlaneAxes& a) {
         if (!s.active) s.initial_level = coordinate(run.programmed_position, a.w);
         begin_cycle(run, c);
     }
-    if (run.block.has(axis_code(a.w))) {
-        s.bottom = run.block.get(axis_code(a.w)) * length_factor(run, a.w, !run.modal.absolute);
-        s.has_bottom = true;
-    }
-    if (run.block.has(Code::radius)) {
-        s.retract = run.block.get(Code::radius) * unit;
-        s.has_retract = true;
-    }
+    take_heights(run, a);
     for (std::size_t i = 0; i < c.words.size() && i < s.values.size(); ++i) {
         const program::CannedWord& w = c.words[i];
         if (run.block.has(w.code)) {
@@ -91,12 +107,12 @@ cycles::Demand demand_at(const Run& run, const program::CannedCycle& c, const ge
     d.values.assign(c.fixed.begin(), c.fixed.end());
     for (program::CycleValue& v : d.values)
         if (v.role == CycleRole::rise_first) v.value = 2;  // begin_series does that
-    const double from = run.modal.absolute ? 0 : initial;
-    const double retract = s.retract + from;
+    const bool on = !run.modal.absolute && !run.traits->canned_positions_stay;  // what was written counts as it is read
+    const double retract = s.retract + (on ? initial : 0);
     d.values.push_back({CycleRole::target_u, target.x});
     d.values.push_back({CycleRole::target_v, target.y});
     if (s.has_retract) d.values.push_back({CycleRole::retract_plane, retract});
-    if (s.has_bottom) d.values.push_back({CycleRole::bottom, run.modal.absolute ? s.bottom : retract + s.bottom});
+    if (s.has_bottom) d.values.push_back({CycleRole::bottom, on ? retract + s.bottom : s.bottom});
     if (!run.modal.clear_to_retract_plane) {
         const bool raised = run.traits->hole_ends_at_least_at_retract_plane && s.has_retract;
         d.values.push_back({CycleRole::return_level, raised ? std::max(initial, retract) : initial});
@@ -190,6 +206,17 @@ void run_holes(Run& run, const program::CannedCycle& c, const PlaneAxes& a) {
     }
 }
 
+/// Heights of a back bore in force, said in G91: its R and Z count from elsewhere than those of other cycles.
+bool refuses_heights(Run& run, const program::CannedCycle& c, const PlaneAxes& a) {
+    if (c.kind != program::CycleKind::canned_back_bore || !counts_on(run)) return false;
+    if (!run.block.has(axis_code(a.w)) && !run.block.has(Code::e)) return false;
+    unchecked(run, codes::unsupported, run.here(),
+              std::string(c.name) + " is not run: R or Z of it in G91, where they count from other places",
+              "write R and Z in G90");
+    run.position = run.programmed_position = {NAN, NAN, NAN};
+    return true;
+}
+
 }  // namespace
 
 bool report_expansion(Run& run, std::string_view name, const cycles::Expansion& e) {
@@ -217,6 +244,7 @@ bool canned_motion(Run& run) {
         return false;
     }
     flush_path(run);
+    if (refuses_heights(run, c, a)) return true;
     take_words(run, c, a);
     cl::CycleBegin begin;
     begin.name = std::string(c.name);

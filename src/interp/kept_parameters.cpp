@@ -28,7 +28,9 @@ bool is_kept_unknown(Run& run, std::uint32_t n) {
     if (k->cleared_by.empty()) return true;
     assume(run, run.statement != nullptr ? run.here() : base::Span{},
            program::parameter_name(*run.traits, k->first) + " to " + program::parameter_name(*run.traits, k->last) +
-               " are empty when the program begins, as after a reset with " + std::string(k->cleared_by),
+               (run.traits->empty_parameters ? " are empty when the program begins, as after a reset with "
+                                             : " are taken to be 0 when the program begins, with ") +
+               std::string(k->cleared_by),
            "give what they hold in [variables] of the job if the control keeps them");
     return false;
 }

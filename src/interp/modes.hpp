@@ -143,7 +143,10 @@ struct Offsets {
     };
     std::map<std::uint32_t, TouchedOff> zeros{};  ///< by datum
     Axes reference{};                             ///< what the stream's coordinates are counted from, in the machine
-    bool reference_given = false;                 ///< job, file or program said where that lies before the first move
+    /// Job, file or program said where that lies, before the first move: by axis, and how it is turned about Z.
+    std::array<bool, 10> given{};
+    std::array<bool, 9> external_given{};  ///< the same of what is added to every zero offset
+    bool shift_said = false;               ///< the program itself has said which shift holds (not only moved it by G92)
     Axes total{};                                 ///< programmed -> stream, of A … W (3 … 8)
 };
 

@@ -237,6 +237,13 @@ void say_unknown_way(Run& run) {
             (example.empty() ? "" : " and ") + program::datum_key(t, datum) + " = " + (mill ? mill_place : lathe_place);
     };
     add(run.reference_datum, "{ x = 0.0, y = 0.0, z = -350.0 }", "{ x = 0.0, z = 120.0 }");
+    if (run.modal.datum == run.reference_datum)
+        return unchecked(run, codes::unknown_value, run.here(),
+                         active +
+                             ", or what is added to every zero offset, was written, and what it held before is not "
+                             "known: how far the zero has moved is not known, the value before is taken as 0",
+                         "give what it holds at the start of the program in [datum] of the job, e.g. " + example +
+                             ", or write it before the first move");
     add(run.modal.datum, "{ x = 100.0, y = 0.0, z = -350.0 }", "{ x = 0.0, z = 240.0 }");
     unchecked(run, codes::unknown_value, run.here(),
               "where " + active + " lies against " + reference + " is not known: both are taken as the same zero",

@@ -100,6 +100,24 @@ void say_unknown_return(Run& run) {
               "position the axes before their position is set");
 }
 
+/// G92.1, G92.2, G92.3 and G52 end the shift in force: where the program has not said which that is, it is the one from
+/// before it, which LinuxCNC keeps in its var file.
+void say_shift_from_before(Run& run, Modal m) {
+    const std::uint32_t first = run.traits->offsets.shift_first;
+    if (first == 0 || m == Modal::position_becomes) return;
+    const bool said = run.offsets.shift_said || run.env.stored != nullptr || run.env.tell_settings;
+    bool kept = true;
+    for (std::uint32_t k = 0; k < 3; ++k) kept = kept && run.parameters.is_set(first + k);
+    run.offsets.shift_said = true;
+    if (m == Modal::position_restore && !kept && !run.env.tell_settings && run.env.stored == nullptr)
+        return unchecked(run, codes::unknown_value, run.here(),
+                         "the shift that is brought back is from before the program and is not known: taken as none",
+                         "give the parameter file of the control with --var, or [variables] of the job");
+    if (!said && run.moved)
+        assume(run, run.here(), "no shift is taken to have been in force when the program began",
+               "cancel it before the first move");
+}
+
 /// G92: where the axis stands is `to` from now on. A machine whose place is not known stands there by definition.
 void becomes(Run& run, std::size_t k, double to) {
     const double at = axis_coordinate(run, k);
@@ -135,14 +153,50 @@ std::optional<std::uint32_t> first_of_datum(const Run& run, std::uint32_t number
     return std::nullopt;
 }
 
+constexpr std::size_t rotation_about_z = 9;  // behind the axes
+
+bool holds_all(const Run& run) { return run.env.stored != nullptr || run.env.tell_settings; }
+
+/// What a zero offset has for this axis (or as its rotation) is known; what the job leaves out is 0.
+bool holds(const Run& run, std::uint32_t datum, std::size_t axis) {
+    if (holds_all(run) || run.env.machine.datums.contains(datum)) return true;
+    const std::uint32_t behind =
+        axis == rotation_about_z ? run.traits->offsets.rotation : static_cast<std::uint32_t>(axis);
+    const auto first = first_of_datum(run, datum);
+    return first && (axis != rotation_about_z || behind != 0) && run.parameters.is_set(*first + behind);
+}
+
+bool holds_external(const Run& run, std::size_t axis) {
+    const std::uint32_t first = run.traits->offsets.external_first;
+    return holds_all(run) || (first != 0 && run.parameters.is_set(first + static_cast<std::uint32_t>(axis)));
+}
+
+/// What is known before anything has moved.
+void note_given(Run& run) {
+    Offsets& o = run.offsets;
+    for (std::size_t k = 0; k < o.given.size(); ++k) o.given[k] = holds(run, run.reference_datum, k);
+    for (std::size_t k = 0; k < o.external_given.size(); ++k) o.external_given[k] = holds_external(run, k);
+}
+
+/// How far the active zero offset lies from the one in which the moves before are. A value that is written over one
+/// that nobody knows says nothing about that, though both are offsets of the same name.
+bool is_place_known(const Run& run) {
+    const Offsets& o = run.offsets;
+    for (std::size_t k = 0; k < o.external_given.size(); ++k)
+        if (holds_external(run, k) && !o.external_given[k]) return false;
+    const bool same = run.modal.datum == run.reference_datum;
+    for (std::size_t k = 0; k < o.given.size() && same; ++k)
+        if (holds(run, run.modal.datum, k) && !o.given[k]) return false;
+    for (std::size_t k = 0; k < 3 && !same; ++k) {
+        if (k == 1 && run.env.machine.kind != shop::MachineKind::mill) continue;  // lathes are set in X and Z
+        if (!holds(run, run.modal.datum, k) || !o.given[k]) return false;
+    }
+    return true;
+}
+
 }  // namespace
 
-bool is_datum_given(const Run& run, std::size_t axis) {
-    if (run.env.stored != nullptr || run.env.tell_settings) return true;
-    if (run.env.machine.datums.contains(run.reference_datum)) return true;
-    const auto first = first_of_datum(run, run.reference_datum);
-    return first && run.parameters.is_set(*first + static_cast<std::uint32_t>(axis));
-}
+bool is_datum_given(const Run& run, std::size_t axis) { return holds(run, run.reference_datum, axis); }
 
 bool is_datum_given(const Run& run) {
     bool given = false;
@@ -180,14 +234,13 @@ void load_datum(Run& run) {
         for (std::size_t k = 0; k < 9; ++k)
             o.datum[k] = stored(run, first + static_cast<std::uint32_t>(k), k) + external(run, k);
         o.rotation = p.rotation == 0 ? 0 : run.parameters.get(first + p.rotation);
-        run.datum_known = (known && o.reference_given) || run.modal.datum == run.reference_datum;
+        run.datum_known = is_place_known(run);
         if (p.active_datum != 0) run.parameters.set(p.active_datum, place + 1);
         return;
     }
     o.datum = {};
     o.rotation = 0;
-    run.datum_known =
-        (job != run.env.machine.datums.end() && o.reference_given) || run.modal.datum == run.reference_datum;
+    run.datum_known = is_place_known(run);
     if (job == run.env.machine.datums.end()) return;
     for (int k = 0; k < 3; ++k)
         if (const double v = coordinate(job->second, k); !std::isnan(v))
@@ -238,7 +291,7 @@ geom::Frame offset_frame(Run& run) {
         for (std::size_t k = 3; k < 9; ++k) count_from(run, k, o.datum[k]);
         o.reference = o.datum;
         run.reference_datum = run.modal.datum;
-        o.reference_given = is_datum_given(run);
+        note_given(run);
         run.datum_known = true;
         // The job's bodies stand where its own zero is, whatever the program writes there before it moves.
         if (const auto job = run.env.machine.datums.find(run.modal.datum); job != run.env.machine.datums.end())
@@ -268,6 +321,7 @@ void shift_words(Run& run, Modal m) {
         if (v && m == Modal::local_shift) o.shift[k] = *v;
     }
     if (m != Modal::position_becomes) say_unknown_return(run);
+    say_shift_from_before(run, m);
     if (m == Modal::position_becomes || m == Modal::local_shift) keep_shift(run);
     if (m == Modal::position_reset || m == Modal::position_suspend) o.shift = {};
     if (m == Modal::position_reset) keep_shift(run);

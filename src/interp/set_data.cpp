@@ -95,9 +95,10 @@ void set_datum_data(Run& run, bool from_position) {
         const double unit = stored_unit(run, k);
         const auto v = axis_word(run, k);
         if (from_position)
-            run.parameters.set(n, run.parameters.get(n) + step[k] / unit);
-        else
-            run.parameters.set(n, v ? *v / unit : run.parameters.get(n));
+            run.parameters.add(n, step[k] / unit);
+        else if (v)
+            run.parameters.set(n, *v / unit);
+        if (from_position && place != active && v) run.parameters.mark_set(n);
     }
     if (place != active) return tell(run, SettingKind::datum_written, static_cast<int>(place));
     const double turned = run.offsets.rotation;
@@ -198,7 +199,8 @@ void write_datum(Run& run, program::DataTable table) {
         const auto v = axis_word(run, k);
         if (!v) continue;
         const std::uint32_t n = *first + static_cast<std::uint32_t>(k);
-        run.parameters.set(n, *v / stored_unit(run, k) + (run.modal.absolute ? 0 : run.parameters.get(n)));
+        const double written = *v / stored_unit(run, k);
+        run.modal.absolute ? run.parameters.set(n, written) : run.parameters.add(n, written);
     }
     datum_changed(run);
 }

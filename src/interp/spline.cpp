@@ -23,6 +23,12 @@ constexpr double curve_tolerance = 1e-3;
 
 void refuse(Run& run, std::string text) { alarm(run, codes::value_range, run.here(), std::move(text)); }
 
+/// Compensation that was switched off without a move leaves the tool where it was.
+bool stands_beside(const Run& run) {
+    constexpr double same = 1e-6;  // mm
+    return !run.env.tell_settings && geom::is_finite(run.sent) && geom::distance(run.sent, run.position) > same;
+}
+
 /// False after a complaint.
 bool allowed(Run& run) {
     if (run.modal.compensation != Modal::compensation_off)
@@ -30,6 +36,12 @@ bool allowed(Run& run) {
     else if (!geom::is_finite(run.programmed_position))
         unchecked(run, codes::unknown_value, run.here(),
                   "the spline starts at a position that is not known: it is left out", "position all axes before it");
+    else if (stands_beside(run))
+        unchecked(
+            run, codes::unsupported, run.here(),
+            "the spline starts where the program is, and radius compensation has left the tool beside it: how the "
+            "control comes to the spline is not known, it is left out",
+            "leave the compensation with a straight move before the spline");
     else
         return true;
     if (!run.stopped) arrive(run, programmed_target(run));

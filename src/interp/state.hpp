@@ -173,10 +173,11 @@ struct ControlCurve {
 struct CannedState {
     bool active = false;
     int cycle = -1;            ///< index in Traits::canned
-    double retract = 0;        ///< R as written, mm
-    double bottom = 0;         ///< coordinate of the tool axis as written, mm
+    double retract = 0;        ///< R, mm: a position where Traits::canned_positions_stay, else as written
+    double bottom = 0;         ///< coordinate of the tool axis, mm: the same
     double initial_level = 0;  ///< of the tool axis when the series began, mm
     bool has_retract = false, has_bottom = false;
+    bool bottom_from_retract = false;  ///< it was said in G91
     std::array<double, 12> values{};  ///< by word of the cycle; mm, degrees, s
     std::array<bool, 12> given{};
     std::optional<double> last_dwell;  ///< P of the last cycle that had one, s

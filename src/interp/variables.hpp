@@ -24,6 +24,8 @@ public:
         values_[n] = v;
         set_[n] = 1;
     }
+    /// It holds so much more than before: known or not, it stays that.
+    void add(std::uint32_t n, double by) { values_[n] += by; }
     void mark_set(std::uint32_t n) { set_[n] = 1; }
     /// As `set`, by the control itself: the program has not assigned it.
     void set_by_control(std::uint32_t n, double v) {

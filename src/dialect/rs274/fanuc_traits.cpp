@@ -128,6 +128,8 @@ constexpr program::Traits common{
     .rapid_at_start = true,  // parameter 3402, bit G01 = 0
     .radius_makes_arc = false,
     .canned_words_stay = true,
+    // Haas Mill Operator's Manual 96-8000, "Looping canned cycles" (G81 in G90, then G91 X1.0 L9: one depth).
+    .canned_positions_stay = true,
 };
 
 /// With the hole cycles of mills, or for a lathe.
