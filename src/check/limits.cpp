@@ -73,6 +73,12 @@ Finding error(std::string_view code, std::string text) {
     return f;
 }
 
+/// Rigid tapping: the control turns the spindle with the axis, whatever it did before.
+bool turns_spindle(const Move& move) {
+    const auto* thread = std::get_if<cl::Thread>(&move.record.step);
+    return thread != nullptr && thread->rigid_tap;
+}
+
 }  // namespace
 
 Limits::Limits(const shop::Machine& machine, const Stand& stand, Collector& out)
@@ -251,6 +257,7 @@ void Limits::check_feed_mode(const Move& move, bool cuts) {
 }
 
 void Limits::check_spindle(const Move& move, std::optional<bool> cuts) {
+    if (turns_spindle(move)) return;
     const bool stands = spindle_.direction == 0 || spindle_.speed == 0;
     const bool waits = feed_.mode == cl::FeedMode::per_rev && feed_.value > 0;
     if (!stands || stopped_reported_ || !(waits || cuts.value_or(true))) return;

@@ -155,6 +155,20 @@ TEST(Limits, ConstantCuttingSpeedAtTheSmallestRadius) {
     EXPECT_NEAR(amount(r.findings[0], "feed_mm_per_min"), 750, 1e-9);
 }
 
+TEST(Limits, RigidTappingTurnsTheSpindleItself) {
+    Script run(machine());
+    run.step(cl::ToolChange{5, 1, ""}).step(cl::Feed{0.2, cl::FeedMode::per_rev}).rapid(0, 50);
+    run.step(cl::Thread{{0, 0, 30}, 1, true}).step(cl::Thread{{0, 0, 50}, 1, true});
+    EXPECT_EQ(codes(run.finish()), Codes{});
+}
+
+TEST(Limits, ThreadWaitsForASpindleThatStands) {
+    Script run(machine());
+    run.step(cl::ToolChange{5, 1, ""}).step(cl::Feed{0.2, cl::FeedMode::per_rev}).rapid(10, 50);
+    run.step(cl::Thread{{10, 0, 30}, 1, false});
+    EXPECT_EQ(codes(run.finish()), Codes{"spindle-stopped@1"});
+}
+
 TEST(Limits, StandingSpindleMattersWhereMaterialIsCut) {
     check::Setup s = setup();
     Script run(s);

@@ -163,6 +163,9 @@ void Removal::judge_thread(const Move& move, const ThreadPass& pass) {
     const double allowed = setup_.tolerances.gouge;
     std::optional<ThreadFault> fault;
     if (ground_ && root_width(pass, *ground_) > ground_->lead) return say_too_wide(move, pass);
+    // What stands above the contour may be what a move that was not simulated takes away.
+    if (ground_ && ground_->shows_core() && !complete_)
+        return out_.unchecked(move.record, "the depth of the thread is not judged, since not every move was simulated");
     if (ground_) {
         fault = thread_fault(pass, *ground_, part_->region(), allowed);
     } else if (const auto d = part_->depth_inside(pass.band, allowed);

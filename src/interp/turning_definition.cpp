@@ -87,6 +87,23 @@ bool choose_type(Run& run, const CycleDefinition& d, const ContourBlocks& blocks
     return false;
 }
 
+/// Grooves, holes and threads know no compensation; cuts of one block (G90, G94) do, and contours when they are finished.
+bool cannot_be_compensated(CycleKind k) {
+    return k == CycleKind::lathe_peck_along || k == CycleKind::lathe_peck_across ||
+           k == CycleKind::lathe_thread_passes || k == CycleKind::lathe_box_thread;
+}
+
+/// "Tool nose radius compensation cannot be applied to G74, G75, G76 and G92" (operator's manual, canned cycles for
+/// turning [-]).
+bool refuse_compensated(Run& run, const CycleDefinition& d) {
+    if (!cannot_be_compensated(d.kind) || run.modal.compensation == Modal::compensation_off) return false;
+    const char* word = run.modal.compensation == Modal::compensation_left ? "G41" : "G42";
+    alarm(run, codes::compensation, d.where,
+          d.name + ": tool nose radius compensation cannot be applied to this cycle, and " + word + " is still in force",
+          "write G40 before it, in a block with a way of its own");
+    return true;
+}
+
 /// Where the fault lies: a setting, an element of the contour, or the cycle as such.
 base::Span place_of(const CycleDefinition& d, const cycles::Complaint& k, const TurnedContour* contour) {
     if (k.element && contour != nullptr && *k.element < contour->places.size()) return contour->places[*k.element];
@@ -188,6 +205,7 @@ void define_turning_cycle(Run& run, const ActiveCycle& c) {
     const auto self = static_cast<std::uint32_t>(run.statement - run.unit().statements.data());
     if (run.modal.plane != 18)
         return alarm(run, codes::value_range, d.where, d.name + " needs the plane of G18", "program G18 before it");
+    if (refuse_compensated(run, d)) return;
     begin_motion(run);
     if (d.kind == CycleKind::lathe_finish) return finish(run, d, self);
     flush_path(run);
