@@ -87,20 +87,22 @@ bool choose_type(Run& run, const CycleDefinition& d, const ContourBlocks& blocks
     return false;
 }
 
-/// Grooves, holes and threads know no compensation; cuts of one block (G90, G94) do, and contours when they are finished.
+/// Grooves, holes and threads know no compensation; cuts of one block (G90, G94) do, and contours when they are
+/// finished.
 bool cannot_be_compensated(CycleKind k) {
     return k == CycleKind::lathe_peck_along || k == CycleKind::lathe_peck_across ||
            k == CycleKind::lathe_thread_passes || k == CycleKind::lathe_box_thread;
 }
 
-/// "Tool nose radius compensation cannot be applied to G74, G75, G76 and G92" (operator's manual, canned cycles for
-/// turning [-]).
+/// Controls leave compensation off in these cycles; where the tool stands that comes in with it is not known here [-].
 bool refuse_compensated(Run& run, const CycleDefinition& d) {
     if (!cannot_be_compensated(d.kind) || run.modal.compensation == Modal::compensation_off) return false;
     const char* word = run.modal.compensation == Modal::compensation_left ? "G41" : "G42";
-    alarm(run, codes::compensation, d.where,
-          d.name + ": tool nose radius compensation cannot be applied to this cycle, and " + word + " is still in force",
-          "write G40 before it, in a block with a way of its own");
+    unchecked(run, codes::unsupported, d.where,
+              d.name + ": " + word +
+                  " is still in force, and this cycle knows no tool nose radius compensation: it is not run",
+              "write G40 before it, in a block with a way of its own");
+    run.position = run.programmed_position = {NAN, NAN, NAN};
     return true;
 }
 
