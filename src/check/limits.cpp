@@ -14,7 +14,8 @@ namespace obrys::check {
 
 namespace {
 
-constexpr double travel_tolerance = 1e-6;  ///< mm beyond a limit that rounding may make
+constexpr double farthest_place = 100'000;  ///< mm: HEIDENHAIN takes no more than 99999.9999; no machine is as long
+constexpr double travel_tolerance = 1e-6;   ///< mm beyond a limit that rounding may make
 
 /// Range of dot(along, point) on an arc: its ends and, where the sweep passes them, the extremes of the circle.
 std::pair<double, double> arc_range(geom::Vec3 from, const cl::Arc& arc, geom::Vec3 along) {
@@ -270,8 +271,38 @@ void Limits::check_spindle(const Move& move, std::optional<bool> cuts) {
     out_.finding(move, std::move(f));
 }
 
+/// Where limit or machine hold the speed already at the largest radius of the way, they do so nearer to the axis, too.
+void Limits::check_thread_speed(const Move& move) {
+    const auto* thread = std::get_if<cl::Thread>(&move.record.step);
+    if (thread == nullptr || thread->rigid_tap || spindle_.mode == cl::SpindleMode::rpm || spindle_.direction == 0)
+        return;
+    const double radius = std::fmax(std::abs(move.from.x), std::abs(move.to.x));
+    double cap = machine_.spindle.max;
+    if (spindle_.limit > 0) cap = std::min(cap, spindle_.limit);
+    if (spindle_.speed * 1000 >= 2 * geom::pi * radius * cap) return;
+    out_.assumption(
+        "a thread is cut under constant cutting speed (G96): the spindle's speed goes with X from pass to pass, and "
+        "the "
+        "turns are taken to meet all the same; G97 with a speed before it holds it",
+        move.record.from);
+}
+
+/// A point that was forgotten is no way of any machine, whatever the job says of the travels.
+void Limits::check_far(const Move& move) {
+    const double far = std::fmax(std::abs(move.to.x), std::fmax(std::abs(move.to.y), std::abs(move.to.z)));
+    if (!(far > farthest_place) || far_reported_) return;
+    far_reported_ = true;
+    Finding f =
+        error(base::codes::axis_limit, "the move goes " + plain(far) + " mm far from the zero: no machine does");
+    f.remedy = "look whether a decimal point is missing";
+    f.amounts = {{"excess_mm", far - farthest_place}};
+    out_.finding(move, std::move(f));
+}
+
 void Limits::take(const Move& move, std::optional<bool> cuts, bool driven) {
     check_travel(move);
+    check_far(move);
+    check_thread_speed(move);
     if (move.rapid) return;
     check_feed(move);
     check_feed_mode(move, cuts.value_or(false));

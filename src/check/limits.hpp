@@ -44,6 +44,8 @@ private:
     void check_feed(const Move& move);
     void check_feed_mode(const Move& move, bool cuts);
     void check_spindle(const Move& move, std::optional<bool> cuts);
+    void check_thread_speed(const Move& move);
+    void check_far(const Move& move);
     void follow_stand();
     static double excess(Travel& travel, double low, double high);
     double rpm(const Move& move) const;
@@ -58,7 +60,7 @@ private:
     cl::Spindle spindle_;
     double widest_feed_;  ///< mm a revolution that the tool in use can make
     bool feed_reported_ = false, feed_implausible_reported_ = false, feed_limit_reported_ = false,
-         stopped_reported_ = false, travel_noted_ = false;
+         stopped_reported_ = false, travel_noted_ = false, far_reported_ = false;
 };
 
 }  // namespace obrys::check
