@@ -7,6 +7,7 @@
 
 #include <random>
 
+#include "base/seed_testing.hpp"
 #include "sim/milling/cutter.hpp"
 
 namespace obrys::check {
@@ -117,7 +118,7 @@ TEST(Cleared, ARoundToolOnItsOwnWayIsClear) {
 }
 
 TEST(Cleared, WhatIsSaidToBeClearIsAndDepthsAreThoseOfTheSimulation) {
-    const std::uint32_t seed = std::random_device{}();
+    const std::uint32_t seed = base::testing_seed();
     std::mt19937 random(seed);
     const auto in = [&](double low, double high) { return std::uniform_real_distribution(low, high)(random); };
     int clear = 0;

@@ -5,6 +5,7 @@
 #include <random>
 
 #include "check/left_search.hpp"
+#include "base/seed_testing.hpp"
 #include "sim/milling/cutter.hpp"
 
 namespace obrys::check {
@@ -105,7 +106,7 @@ TEST(LeftSearch, AThickBodyInAPocketOfManyRows) {
 }
 
 TEST(LeftSearch, APropertyOfRandomCuts) {
-    const std::uint32_t seed = std::random_device{}();
+    const std::uint32_t seed = base::testing_seed();
     std::mt19937 random(seed);
     const auto in = [&](double low, double high) { return std::uniform_real_distribution(low, high)(random); };
     int undecided = 0;

@@ -281,9 +281,8 @@ void Limits::check_thread_speed(const Move& move) {
     if (spindle_.limit > 0) cap = std::min(cap, spindle_.limit);
     if (spindle_.speed * 1000 >= 2 * geom::pi * radius * cap) return;
     out_.assumption(
-        "a thread is cut under constant cutting speed (G96): the spindle's speed goes with X from pass to pass, and "
-        "the "
-        "turns are taken to meet all the same; G97 with a speed before it holds it",
+        "a thread is cut under constant cutting speed: the spindle's speed goes with X from pass to pass, and "
+        "the turns are taken to meet all the same; a constant speed of the spindle before it holds it",
         move.record.from);
 }
 

@@ -6,6 +6,7 @@
 
 #include <random>
 
+#include "base/seed_testing.hpp"
 #include "sim/milling/cutter.hpp"
 
 namespace obrys::check {
@@ -16,7 +17,7 @@ using geom::Vec3;
 
 /// A tool that goes back on the way it has cut, along its leaning axis or across it, touches nothing.
 TEST(Touch, BackOnTheWayThatWasCutNothingTouches) {
-    const std::uint32_t seed = std::random_device{}();
+    const std::uint32_t seed = base::testing_seed();
     std::mt19937 random(seed);
     const auto in = [&](double low, double high) { return std::uniform_real_distribution(low, high)(random); };
     for (int n = 0; n < 30; ++n) {

@@ -47,7 +47,6 @@ inline constexpr Silent silent[] = {
     {"", "M19", "S7", "how the spindle turns to its angle"},
     {"", "M19", "P7", "how the spindle turns to its angle"},
     {"", "M19", "R7", "how the spindle turns to its angle"},
-    {"haas", "G187", "", "a code without effect on the path, and its words"},
     {"haas", "G103", "", "a code without effect on the path, and its words"},
     {"", "N10 G0", "S7", "of a contour: acts in G70 alone (docs/dialects/fanuc.md)"},
     {"", "N10 G0", "T0202", "of a contour: acts in G70 alone (docs/dialects/fanuc.md)"},

@@ -96,6 +96,12 @@ void take_words(Run& run, const program::CannedCycle& c, const PlaneAxes& a) {
 std::optional<double> repeats(Run& run) {
     const double n = run.block.has(Code::l) ? run.block.get(Code::l) : 1;
     if (n >= 0 && n <= most_repeats && n == std::floor(n)) return n;
+    if (std::isnan(n)) {
+        unchecked(run, codes::unknown_value, run.here(),
+                  "how many holes these are depends on a value that is not known: none is made");
+        run.position = run.programmed_position = {NAN, NAN, NAN};
+        return std::nullopt;
+    }
     alarm(run, codes::value_range, run.here(), "L must be a whole number of repetitions");
     return std::nullopt;
 }

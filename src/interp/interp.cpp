@@ -102,8 +102,9 @@ bool over_budget(Run& run, bool check_clock) {
     const auto seconds = [&] { return b.bounds_check ? run.time.by_clock() : run.time.by_processor(); };
     run.out_of_time = run.out_of_time || (check_clock && seconds() > b.seconds);
     if (run.blocks <= b.blocks && !run.out_of_time) return false;
-    const std::string limit =
-        run.blocks > b.blocks ? std::to_string(b.blocks) + " blocks" : base::shortest(b.seconds) + (b.bounds_check ? " s" : " s of work");
+    const std::string limit = run.blocks > b.blocks
+                                  ? std::to_string(b.blocks) + " blocks"
+                                  : base::shortest(b.seconds) + (b.bounds_check ? " s" : " s of work");
     unchecked(run, codes::budget, run.here(), "the run was ended here after " + limit,
               "raise the limit in [budget] of the job if the program really needs more");
     run.ending = Ending::budget;
@@ -119,6 +120,13 @@ bool skipped(const Run& run, const program::Statement& s) {
     for (const int on : run.env.skip_levels)
         if (on == level) return true;
     return false;
+}
+
+/// A block with / is run: once a run it is said that its switch was taken to be off.
+void say_not_skipped(Run& run, const program::Statement& s) {
+    const int level = (s.flags & program::skip_mask) - 1;
+    assume(run, run.here(), "block skip is taken to be off: the blocks with / are run",
+           "where the machine skips them: skip = [" + std::to_string(level) + "] in the job");
 }
 
 /// Goes back to the start of a repeated section, or behind the REPEAT when it is done.
@@ -139,11 +147,7 @@ void end_of_section(Run& run) {
 }  // namespace
 
 Run::Run(const Environment& e, cl::CallStacks& s, cl::Sink k, base::Diagnostics& d, std::uint32_t parameter_count)
-    : RunState(e.tools, parameter_count, start_position(e.machine)),
-      env(e),
-      stacks(s),
-      sink(k),
-      diagnostics(d) {
+    : RunState(e.tools, parameter_count, start_position(e.machine)), env(e), stacks(s), sink(k), diagnostics(d) {
     path = std::make_unique<PathStage>();
     for (const shop::MachineAxis& axis : e.machine.axes)
         for (int i = 0; i < 9; ++i)
@@ -174,6 +178,7 @@ void step(Run& run) {
     if (s.flags != 0) {
         if ((s.flags & program::line_start) != 0) ++run.blocks;
         if (skipped(run, s)) return;
+        if ((s.flags & program::skip_mask) != 0) say_not_skipped(run, s);
     }
     const bool look = (++run.steps & 0xFF) == 0;
     if ((look || run.out_of_time || run.blocks > run.env.budgets.blocks) && over_budget(run, look)) return;

@@ -153,7 +153,16 @@ void set_compensation(Run& run, Modal m) {
     tell(run, SettingKind::compensation, state.compensation == Modal::compensation_off ? 0 : left ? 1 : 2);
 }
 
-void set_path_mode(Run& run, Modal m) {
+/// G187 of Haas: so much is a corner rounded at most; without E by the machine's setting 85.
+void set_corner_rounding(Run& run) {
+    const BlockWords& b = run.block;
+    const double e = b.has(Code::p) ? std::abs(b.get(Code::p)) * length_unit(run.modal) : HUGE_VAL;
+    run.modal.tolerance_by = b.has(Code::p) ? "the accuracy control with E" : "the accuracy control without E";
+    run.modal.tolerance_cycle = std::isnan(e) ? HUGE_VAL : e;
+}
+
+void set_path_mode(Run& run, Modal m, int number) {
+    if (m == Modal::path_blend && number == 187) return set_corner_rounding(run);
     ModalState& state = run.modal;
     const BlockWords& b = run.block;
     const double unit = length_unit(state);
@@ -324,7 +333,7 @@ bool apply_mode(Run& run, Modal m, int number) {
         case Modal::continuous: state.smoothing = m == Modal::continuous ? number : 0; return true;
         case Modal::path_exact:
         case Modal::path_stop:
-        case Modal::path_blend: set_path_mode(run, m); return true;
+        case Modal::path_blend: set_path_mode(run, m, number); return true;
         case Modal::save_modal:
         case Modal::save_modal_for_call: save_modes(run, m == Modal::save_modal_for_call); return true;
         case Modal::forget_saved_modal: forget_modes(run); return true;

@@ -42,6 +42,11 @@ const shop::Tool* listed_tool(const Run& run, double number) {
 std::optional<Axes> length_of_block(Run& run) {
     const std::optional<double> h = length_number(run);
     if (h && *h == 0) return Axes{};
+    if (h && std::isnan(*h)) {
+        unchecked(run, codes::unknown_value, run.here(),
+                  "which tool length offset H is meant depends on a value that is not known");
+        return std::nullopt;
+    }
     const shop::Tool* t = h ? listed_tool(run, *h) : run.tool.data;
     if (t != nullptr) return axes_of(*t);
     if (!h && run.tool.number == 0) return Axes{};

@@ -1,7 +1,7 @@
 /// By how much the control itself leaves the programmed path: continuous-path mode with rounding, compressors,
-/// CYCLE832, CYCL DEF 32, LinuxCNC's G64. The run follows the programmed path; where the deviation may exceed what the
-/// check looks at, it is said with its amount. Source: SINUMERIK Fundamentals 10.2004, p. 5-8 (ADIS, ADISPOS), Basic
-/// Functions 01/2015, p. 193 (G642, G643).
+/// CYCLE832, CYCL DEF 32, LinuxCNC's G64, G187 of Haas. The run follows the programmed path; where the deviation may
+/// exceed what the check looks at, it is said with its amount. Source: SINUMERIK Fundamentals 10.2004, p. 5-8 (ADIS,
+/// ADISPOS), Basic Functions 01/2015, p. 193 (G642, G643).
 
 #include <array>
 #include <cmath>
@@ -33,10 +33,18 @@ double tolerance_of_machine(const Run& run) {
     return found == run.env.machine.machine_data.end() ? unknown : found->second;
 }
 
+/// That of a cycle or G187; none while the control stops exactly at corners (G61). Infinite: how much is not known.
+double tolerance_in_force(const ModalState& m) { return m.path_mode == Modal::path_blend ? m.tolerance_cycle : 0; }
+
 Rounding rounding_of(const Run& run) {
     const ModalState& m = run.modal;
     const bool rapid = m.motion == Modal::rapid;
-    if (m.tolerance_cycle > 0) return {std::string(m.tolerance_by), m.tolerance_cycle, false};
+    if (const double most = tolerance_in_force(m); most > 0 && !std::isfinite(most))
+        return {std::string(m.tolerance_by), unknown, true,
+                "at corners by the machine's setting 85 or a value that is not known here",
+                "write E, the largest rounding of a corner"};
+    else if (most > 0)
+        return {std::string(m.tolerance_by), most, false};
     if (m.compressor && !rapid) return {"the compressor (COMPON, COMPCURV, COMPCAD)", tolerance_of_machine(run), false};
     const double distance = rapid ? m.rounding_distance_rapid : m.rounding_distance;
     const std::string by = rapid ? "ADISPOS" : "ADIS";
@@ -62,7 +70,7 @@ void note_rounding(Run& run) {
                                      rapid ? m.rounding_distance_rapid : m.rounding_distance,
                                      m.compressor ? 1.0 : 0.0,
                                      std::isnan(m.contour_tolerance) ? -1 : m.contour_tolerance,
-                                     m.tolerance_cycle,
+                                     tolerance_in_force(m),
                                      m.path_mode == Modal::path_blend ? m.blend : 0,
                                      m.blend_free ? 1.0 : 0.0};
     auto& said = run.rounding_said[rapid ? 1 : 0];

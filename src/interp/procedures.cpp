@@ -34,7 +34,15 @@ void stop_itself(Run& run, const program::ProcedureCall& p) {
 }
 
 void abort(Run& run, const program::ProcedureCall& p) {
-    const std::string text = text_of(run, p, 0);
+    const Value v = p.arguments.empty() || p.arguments[0] == program::no_expr ? Value{} : evaluate(run, p.arguments[0]);
+    if (!run.stopped && !p.arguments.empty() && v.is_unknown()) {
+        unchecked(run, codes::unknown_value, p.where,
+                  "with which alarm the program stops itself here depends on a value that is not known");
+        run.stopped = true;
+        run.ending = Ending::alarm;
+        return;
+    }
+    const std::string text = p.arguments.empty() || p.arguments[0] == program::no_expr ? std::string{} : printed(v);
     if (!run.stopped) alarm(run, codes::program_alarm, p.where, "the program stops itself: " + text);
 }
 

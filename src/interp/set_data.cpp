@@ -14,11 +14,33 @@ namespace obrys::interp {
 namespace codes = base::codes;
 using cl::SettingKind;
 
+namespace {
+
+/// Allowances are cut by a radius that the program writes: the job's is the tool's. Wear is none of it.
+void compare_radius(Run& run, const shop::Tool& t, const shop::Tool& job) {
+    constexpr double same = 1e-6;  // mm
+    const auto nominal = [](const shop::Tool& x) {
+        constexpr int wear = 15;  // $TC_DP15
+        const auto p = x.parameters.find(wear);
+        return x.radius - (p == x.parameters.end() ? 0 : p->second);
+    };
+    const double radius = nominal(t), given = nominal(job);
+    if (run.env.tell_settings || given == 0 || !(std::abs(radius - given) >= same)) return;
+    assume(run, run.here(),
+           "the program sets the radius of tool " + std::to_string(t.number) + " to " + base::fixed(radius, 3) +
+               " mm, and the tool list gives " + base::fixed(given, 3) +
+               " mm: the path is compensated by the program's, and the tool is taken to have the tool list's",
+           "give the tool the radius that it has, or write the difference as wear");
+}
+
+}  // namespace
+
 /// The job's length is what the tool has, and the program's is what the control compensates.
 void compare_length(Run& run, const shop::Tool& t) {
     constexpr double same = 1e-6;  // mm
     const auto job = std::find_if(run.env.tools.begin(), run.env.tools.end(),
                                   [&](const shop::Tool& x) { return x.number == t.number && x.edge == t.edge; });
+    if (job != run.env.tools.end() && run.env.machine.kind == shop::MachineKind::mill) compare_radius(run, t, *job);
     const double length = t.length + t.delta_length;
     if (run.env.tell_settings || job == run.env.tools.end() || job->length == 0 ||
         std::abs(length - job->length - job->delta_length) < same)
@@ -40,6 +62,10 @@ void refuse(Run& run, std::string text) { alarm(run, codes::value_range, run.her
 
 std::optional<int> whole(Run& run, Code code, const char* letter, int most) {
     const double v = run.block.has(code) ? run.block.get(code) : -1;
+    if (std::isnan(v))
+        return unchecked(run, codes::unknown_value, run.here(),
+                         "what G10 writes depends on a value that is not known: " + std::string(letter)),
+               std::nullopt;
     if (const auto n = base::whole<int>(v, 0, most)) return n;
     refuse(run, std::string(letter) + " must be a whole number from 0 to " + std::to_string(most));
     return std::nullopt;
@@ -160,8 +186,8 @@ void set_tool_data(Run& run, int l) {
     for (std::size_t k = 0; k < 9 && l == 1; ++k)
         if (const auto word = axis_word(run, k)) table.offset[k] = *word;
     t->length = table.offset[2];
-    if (l == 1) compare_length(run, *t);
     if (b.has(Code::radius)) table.diameter = 2 * (t->radius = b.get(Code::radius) * unit);
+    if (l == 1) compare_length(run, *t);
     if (b.has(Code::i)) table.front_angle = b.get(Code::i);
     if (b.has(Code::j)) table.back_angle = b.get(Code::j);
     if (const double q = b.has(Code::q) ? b.get(Code::q) : -1; q >= 0 && q <= 9)
@@ -221,6 +247,9 @@ shop::Tool* tool_of_offset(Run& run) {
 void write_tool_offset(Run& run, program::DataTable table) {
     using program::DataTable;
     if (!run.block.has(Code::radius)) return refuse(run, "R, the value, is missing");
+    if (std::isnan(run.block.get(Code::radius)))
+        return unchecked(run, codes::unknown_value, run.here(),
+                         "what G10 writes to the tool offset is a value that is not known: the offset stays as it was");
     shop::Tool* t = tool_of_offset(run);
     if (t == nullptr) return;
     flush_path(run);

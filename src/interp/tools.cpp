@@ -147,7 +147,8 @@ void define_tool(Run& run) {
     if (b.has(Code::tool_length)) found->length = b.get(Code::tool_length) * unit;
     if (b.has(Code::tool_radius)) found->radius = b.get(Code::tool_radius) * unit;
     if (b.has(Code::tool_radius)) found->has_no_radius = found->radius == 0;
-    if (b.has(Code::tool_length) && run.env.machine.kind == shop::MachineKind::mill) compare_length(run, *found);
+    const bool dimensions = b.has(Code::tool_length) || b.has(Code::tool_radius);
+    if (dimensions && run.env.machine.kind == shop::MachineKind::mill) compare_length(run, *found);
     run.tool.data = find_tool(run, run.tool);
 }
 

@@ -217,7 +217,7 @@ constexpr std::array haas{
     motion_not_run(1690, "boring along five axes"),
     not_run(1740, "rigid tapping along any line"),
     not_run(1840, "rigid tapping along any line"),
-    no_effect(1870, "smoothness of the surface"),
+    word(1870, Modal::path_blend, Order::path_control, 187),  // 96-8000: E is the largest rounding of corners
     not_applied(2340, "tool centre point control"),
     not_run(2530, "spindle normal to the feature"),
     not_run(2540, "dynamic work offset"),

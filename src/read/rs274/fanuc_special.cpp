@@ -199,6 +199,20 @@ void datum_with_number(FanucState& s) {
     }
 }
 
+/// G187 of Haas: P says how smooth, E by how much corners are rounded in place of setting 85 (Mill Operator's Manual
+/// 96-8000, "G187 Accuracy Control").
+void corner_rounding(FanucState& s) {
+    const auto is_g187 = [](const BlockWord& w) {
+        return w.code == Code::modal && w.payload == program::modal_word(Modal::path_blend, 187);
+    };
+    if (std::none_of(s.words.begin(), s.words.end(), is_g187)) return;
+    if (Address* p = find_address(s, 'P'); p != nullptr) p->used = true;
+    Address* e = find_address(s, 'E');
+    if (e == nullptr) return;
+    e->used = true;
+    put_value(s, Order::value, Code::p, scaled(s, e->value, Quantity::length), *e);
+}
+
 /// The block's coordinates are ways from where the tool is: G91, or U, V, W, H of lathes in system A.
 bool is_incremental_block(FanucState& s) {
     if (s.incremental) return true;
@@ -249,6 +263,7 @@ void machine_position(FanucState& s) {
 
 void run_specials(FanucState& s) {
     datum_with_number(s);
+    corner_rounding(s);
     continued_thread(s);
     for (const Special& x : std::vector<Special>(s.special)) {
         if (s.failed) return;
