@@ -33,7 +33,6 @@ public:
     void unchecked(std::string text, std::string remedy = {});
     void assumption(std::string text, base::Span where = nowhere);
 
-    [[nodiscard]] bool has_unchecked() const { return !result_.unchecked.empty(); }
     [[nodiscard]] Result& result() { return result_; }
     [[nodiscard]] const cl::CallStacks& stacks() const { return stacks_; }
 

@@ -39,10 +39,10 @@ struct RingLink {
 };
 
 /// Level k is the region inset by radius + allowance + k * stepover. What a level and the next one leave is known
-/// exactly: the points deeper than the radius in level k that are further than the radius from level k + 1, a radius less
-/// a fiftieth, so that passes overlap; the boundary of that set is added as rings, and of what these leave, until
-/// nothing is left (wider than 1e-6 mm). So every point that a tool inside ring 0 can reach is covered. Rings of one connected part of level 0 are connected by
-/// links, without circles.
+/// exactly: the points deeper than the radius in level k that are further than the radius from level k + 1, a radius
+/// less a fiftieth, so that passes overlap; the boundary of that set is added as rings, and of what these leave, until
+/// nothing is left (wider than 1e-6 mm). So every point that a tool inside ring 0 can reach is covered. Rings of one
+/// connected part of level 0 are connected by links, without circles.
 struct Clearing {
     ClearingFault fault = ClearingFault::none;
     std::vector<Ring> rings;  ///< by level
