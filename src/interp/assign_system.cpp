@@ -63,7 +63,7 @@ void write_tool_column(Run& run, const Expr& target, const program::Assign& a, d
         case SystemVariable::table_delta_radius: found->delta_radius = mm; break;
         default: found->delta_corner_radius = mm; break;
     }
-    if (run.env.machine.kind == shop::MachineKind::mill) compare_length(run, *found);
+    if (run.env.machine.kind == shop::MachineKind::mill) compare_with_job(run, *found);
 }
 
 /// Writing it may change what the control does, which is not followed: all but what is only read back.

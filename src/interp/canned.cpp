@@ -99,7 +99,7 @@ std::optional<double> repeats(Run& run) {
     if (std::isnan(n)) {
         unchecked(run, codes::unknown_value, run.here(),
                   "how many holes these are depends on a value that is not known: none is made");
-        run.position = run.programmed_position = {NAN, NAN, NAN};
+        lose_position(run);
         return std::nullopt;
     }
     alarm(run, codes::value_range, run.here(), "L must be a whole number of repetitions");
@@ -219,7 +219,7 @@ bool refuses_heights(Run& run, const program::CannedCycle& c, const PlaneAxes& a
     unchecked(run, codes::unsupported, run.here(),
               std::string(c.name) + " is not run: R or Z of it in G91, where they count from other places",
               "write R and Z in G90");
-    run.position = run.programmed_position = {NAN, NAN, NAN};
+    lose_position(run);
     return true;
 }
 
@@ -237,7 +237,7 @@ bool report_expansion(Run& run, std::string_view name, const cycles::Expansion& 
     if (!e.assumption.empty()) assume(run, run.here(), cycle + ": " + std::string(e.assumption));
     if (e.simulated) return true;
     unchecked(run, codes::unsupported, run.here(), cycle + " is not run: its path is not known here");
-    run.position = run.programmed_position = {NAN, NAN, NAN};
+    lose_position(run);
     return true;
 }
 

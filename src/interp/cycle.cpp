@@ -322,7 +322,7 @@ void call_cycle(Run& run, const CycleValues& instead) {
     const bool known = cycles::is_expanded(c.definition->kind) || cycles::is_contour_cycle(c.definition->kind);
     if (c.definition->use == CycleUse::refused || !known) {
         unchecked(run, codes::unsupported, run.here(), c.definition->name + " is called and not run");
-        run.position = run.programmed_position = {NAN, NAN, NAN};
+        lose_position(run);
     } else {
         say_unknown_words(run, c);
         ContourElements elements;

@@ -34,15 +34,16 @@ void stop_itself(Run& run, const program::ProcedureCall& p) {
 }
 
 void abort(Run& run, const program::ProcedureCall& p) {
-    const Value v = p.arguments.empty() || p.arguments[0] == program::no_expr ? Value{} : evaluate(run, p.arguments[0]);
-    if (!run.stopped && !p.arguments.empty() && v.is_unknown()) {
+    const bool given = !p.arguments.empty() && p.arguments[0] != program::no_expr;
+    const Value v = given ? evaluate(run, p.arguments[0]) : Value{};
+    if (!run.stopped && given && v.is_unknown()) {
         unchecked(run, codes::unknown_value, p.where,
                   "with which alarm the program stops itself here depends on a value that is not known");
         run.stopped = true;
         run.ending = Ending::alarm;
         return;
     }
-    const std::string text = p.arguments.empty() || p.arguments[0] == program::no_expr ? std::string{} : printed(v);
+    const std::string text = given ? printed(v) : std::string{};
     if (!run.stopped) alarm(run, codes::program_alarm, p.where, "the program stops itself: " + text);
 }
 

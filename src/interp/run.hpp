@@ -326,7 +326,9 @@ void zero_set_here(Run&);
 /// Before a move: whether the tip is where the program says (tool_length.cpp).
 void judge_length(Run&);
 /// The program has written the length of a tool: it is held to what the job gives.
-void compare_length(Run&, const shop::Tool&);
+void compare_with_job(Run&, const shop::Tool&);
+/// What was not run leaves the tool at a place that is not known.
+inline void lose_position(Run& run) { run.position = run.programmed_position = {NAN, NAN, NAN}; }
 /// G10.
 void set_data(Run&, program::DataTable table);
 /// G28, G30, G28.1, G30.1.

@@ -36,7 +36,7 @@ void compare_radius(Run& run, const shop::Tool& t, const shop::Tool& job) {
 }  // namespace
 
 /// The job's length is what the tool has, and the program's is what the control compensates.
-void compare_length(Run& run, const shop::Tool& t) {
+void compare_with_job(Run& run, const shop::Tool& t) {
     constexpr double same = 1e-6;  // mm
     const auto job = std::find_if(run.env.tools.begin(), run.env.tools.end(),
                                   [&](const shop::Tool& x) { return x.number == t.number && x.edge == t.edge; });
@@ -62,10 +62,11 @@ void refuse(Run& run, std::string text) { alarm(run, codes::value_range, run.her
 
 std::optional<int> whole(Run& run, Code code, const char* letter, int most) {
     const double v = run.block.has(code) ? run.block.get(code) : -1;
-    if (std::isnan(v))
-        return unchecked(run, codes::unknown_value, run.here(),
-                         "what G10 writes depends on a value that is not known: " + std::string(letter)),
-               std::nullopt;
+    if (std::isnan(v)) {
+        unchecked(run, codes::unknown_value, run.here(),
+                  "what G10 writes depends on a value that is not known: " + std::string(letter));
+        return std::nullopt;
+    }
     if (const auto n = base::whole<int>(v, 0, most)) return n;
     refuse(run, std::string(letter) + " must be a whole number from 0 to " + std::to_string(most));
     return std::nullopt;
@@ -187,7 +188,7 @@ void set_tool_data(Run& run, int l) {
         if (const auto word = axis_word(run, k)) table.offset[k] = *word;
     t->length = table.offset[2];
     if (b.has(Code::radius)) table.diameter = 2 * (t->radius = b.get(Code::radius) * unit);
-    if (l == 1) compare_length(run, *t);
+    if (l == 1) compare_with_job(run, *t);
     if (b.has(Code::i)) table.front_angle = b.get(Code::i);
     if (b.has(Code::j)) table.back_angle = b.get(Code::j);
     if (const double q = b.has(Code::q) ? b.get(Code::q) : -1; q >= 0 && q <= 9)
@@ -260,7 +261,7 @@ void write_tool_offset(Run& run, program::DataTable table) {
                                                                                            : &t->delta_radius;
     const double r = run.block.get(Code::radius) * length_unit(run.modal) * (diameter ? 0.5 : 1);
     *value = r + (run.modal.absolute ? 0 : *value);
-    compare_length(run, *t);
+    compare_with_job(run, *t);
     if (run.tool.data == t) take_tip(run);
 }
 

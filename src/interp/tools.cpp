@@ -119,7 +119,7 @@ void write_tool_parameter(Run& run, double number, double edge, int n, double va
         if (const auto v = shop::parameter(*found, k); v && *v != 0) found->parameters.emplace(k, *v);
     found->parameters[n] = value;
     take_shape(*found);
-    if (run.env.machine.kind == shop::MachineKind::mill) compare_length(run, *found);
+    if (run.env.machine.kind == shop::MachineKind::mill) compare_with_job(run, *found);
     run.tool.data = find_tool(run, run.tool);
 }
 
@@ -148,7 +148,7 @@ void define_tool(Run& run) {
     if (b.has(Code::tool_radius)) found->radius = b.get(Code::tool_radius) * unit;
     if (b.has(Code::tool_radius)) found->has_no_radius = found->radius == 0;
     const bool dimensions = b.has(Code::tool_length) || b.has(Code::tool_radius);
-    if (dimensions && run.env.machine.kind == shop::MachineKind::mill) compare_length(run, *found);
+    if (dimensions && run.env.machine.kind == shop::MachineKind::mill) compare_with_job(run, *found);
     run.tool.data = find_tool(run, run.tool);
 }
 

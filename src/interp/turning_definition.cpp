@@ -102,7 +102,7 @@ bool refuse_compensated(Run& run, const CycleDefinition& d) {
               d.name + ": " + word +
                   " is still in force, and this cycle knows no tool nose radius compensation: it is not run",
               "write G40 before it, in a block with a way of its own");
-    run.position = run.programmed_position = {NAN, NAN, NAN};
+    lose_position(run);
     return true;
 }
 
@@ -128,7 +128,7 @@ bool report_turning(Run& run, const CycleDefinition& d, const cycles::Expansion&
     if (!e.assumption.empty()) assume(run, d.where, d.name + ": " + std::string(e.assumption));
     if (e.simulated) return true;
     unchecked(run, codes::unsupported, d.where, d.name + " is not run: its path is not known here");
-    run.position = run.programmed_position = {NAN, NAN, NAN};
+    lose_position(run);
     return true;
 }
 
@@ -220,7 +220,7 @@ void define_turning_cycle(Run& run, const ActiveCycle& c) {
         if (blocks && choose_type(run, d, *blocks, demand.cycle)) contour = turned_contour(run, d, *blocks);
         if (run.stopped || !blocks) return;
         if (!contour) {
-            run.position = run.programmed_position = {NAN, NAN, NAN};
+            lose_position(run);
             return leave_out(run, d, self, *blocks);
         }
         demand.contour = contour->elements;
