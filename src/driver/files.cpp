@@ -10,6 +10,7 @@
 #include "base/text.hpp"
 #include "driver/large_text.hpp"
 #include "driver/output_file.hpp"
+#include "shop/nearest.hpp"
 
 namespace obrys::driver {
 
@@ -22,22 +23,6 @@ constexpr std::uintmax_t largest_file = 0xFFFFFFF0u;  // spans count bytes in 32
 void complain(base::Diagnostics& d, std::string_view code, const base::Span& where, std::string text,
               std::string remedy = {}) {
     d.add({base::Severity::error, code, where, std::move(text), std::move(remedy), {}, {}});
-}
-
-/// Edits that turn a into b, letter case ignored.
-std::size_t edit_distance(std::string_view a, std::string_view b) {
-    std::vector<std::size_t> row(b.size() + 1);
-    for (std::size_t j = 0; j <= b.size(); ++j) row[j] = j;
-    for (std::size_t i = 1; i <= a.size(); ++i) {
-        std::size_t diagonal = row[0];
-        row[0] = i;
-        for (std::size_t j = 1; j <= b.size(); ++j) {
-            const std::size_t change = diagonal + (base::upper(a[i - 1]) == base::upper(b[j - 1]) ? 0 : 1);
-            diagonal = row[j];
-            row[j] = std::min({change, row[j] + 1, row[j - 1] + 1});
-        }
-    }
-    return row[b.size()];
 }
 
 /// Why a file cannot be read, in the words of the system.
@@ -65,8 +50,10 @@ std::string similar_names(const fs::path& folder, std::string_view name) {
     std::vector<std::pair<std::size_t, std::string>> near;
     for (const fs::directory_entry& entry : fs::directory_iterator(folder.empty() ? fs::path(".") : folder, error)) {
         const std::string other = entry.path().filename().string();
-        const std::size_t distance = edit_distance(name, other);
-        if (distance <= std::max<std::size_t>(2, name.size() / 3)) near.emplace_back(distance, other);
+        if (entry.is_directory(error)) continue;
+        const std::size_t distance = shop::edit_distance(base::to_upper(name), base::to_upper(other));
+        const std::size_t stem = fs::path(name).stem().string().size();
+        if (distance <= std::max<std::size_t>(stem > 3 ? 2 : 1, stem / 3)) near.emplace_back(distance, other);
     }
     std::sort(near.begin(), near.end());
     std::string out;
@@ -146,7 +133,7 @@ bool is_text(std::string_view text, const std::string& shown, base::Diagnostics&
     }
     if (base::looks_binary(text)) {
         complain(diagnostics, codes::file_binary, where, shown + " is not a text file",
-                 "name an NC program or a job file");
+                 "programs, job files, tool lists and machine files are text");
         return false;
     }
     if (!base::trim(text).empty()) return true;

@@ -13,6 +13,7 @@
 #include "driver/tool_files.hpp"
 #include "shop/linuxcnc_ini.hpp"
 #include "shop/linuxcnc_parameters.hpp"
+#include "shop/machine_name.hpp"
 
 namespace obrys::driver {
 
@@ -61,12 +62,16 @@ bool take_override(Session& s, const std::string& text) {
     return true;
 }
 
-bool load_machine(Session& s, const fs::path& base_path, const std::string& name) {
+bool load_machine(Session& s, const fs::path& base_path, const std::string& name, const base::Span& where) {
     if (auto shipped = shop::shipped_machine(name)) {
         shop::use_machine(s.job, *shipped);
         return true;
     }
-    const auto file = load(beside(base_path, name), s.sources, s.diagnostics, s.job.machine_where);
+    if (!fs::exists(beside(base_path, name)) && !shop::names_machine_file(name)) {
+        complain(s, codes::job_value, where, shop::no_shipped_machine(name), shop::machine_name_remedy(name));
+        return false;
+    }
+    const auto file = load(beside(base_path, name), s.sources, s.diagnostics, where);
     if (!file) return false;
     shop::use_machine(s.job, shop::read_machine(*file, s.sources, s.diagnostics));
     return true;
@@ -78,7 +83,9 @@ bool load_named_machine(Session& s, const Request& request, const fs::path& job_
                              : s.job.machine_is_file  ? s.job.machine_name
                                                       : std::string{};
     named = !name.empty() || (s.has_job && !s.job.machine_name.empty());
-    return name.empty() || load_machine(s, request.machine.empty() ? job_path : fs::path{}, name);
+    const bool by_call = !request.machine.empty();
+    return name.empty() ||
+           load_machine(s, by_call ? fs::path{} : job_path, name, by_call ? nowhere : s.job.machine_where);
 }
 
 /// Tables and forms lie where called programs do, or where the job says.

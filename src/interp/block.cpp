@@ -5,6 +5,7 @@
 #include "base/codes.hpp"
 #include "base/text.hpp"
 #include "base/whole.hpp"
+#include "interp/path_stage.hpp"
 #include "interp/run.hpp"
 
 namespace obrys::interp {
@@ -273,8 +274,9 @@ void run_block(Run& run, const program::Statement& s, std::uint32_t index) {
     const Unit& unit = run.unit();
     run.block.clear();
     const std::uint32_t end = unit.words_end(index);
-    bool assigns_only = true;
+    bool assigns_only = true, says_only = true;
     for (std::uint32_t i = s.first; i < end; ++i) {
+        says_only = says_only && program::code_of(unit.words[i]) == Code::comment;
         assigns_only = assigns_only && program::code_of(unit.words[i]) == Code::assign;
         gather(run, s, unit.words[i]);
         if (run.stopped) return;
@@ -294,6 +296,7 @@ void run_block(Run& run, const program::Statement& s, std::uint32_t index) {
     if (run.stopped) return;
     if (run.block.changes_plane) hold_plane(run);
     const bool moved = !run.stopped && motion(run);
+    if (!says_only) run.path->end_block(run);
     if (run.block.feed_alone) end_feed_alone(run);
     if (!run.stopped && !run.underway.empty()) judge_underway(run, moved);
     if (!run.stopped && !run.block.positioned.empty()) position_axes(run, moved);

@@ -122,6 +122,15 @@ bool is_name_of_control(const program::Traits& t, std::string_view key) {
     return text && base::parse_integer(key.substr(t.text_letters.size()));
 }
 
+/// Number of the parameter that a key names, also R[1] for R1 where names have elements; past the last: none.
+std::uint32_t parameter_of_key(const program::Traits& t, std::string_view key) {
+    const auto bracket = key.find('[');
+    if (bracket == std::string_view::npos || !key.ends_with(']') || t.named_variables != program::NamedVariables::plain)
+        return program::find_parameter(t, key);
+    const std::string_view index = key.substr(bracket + 1, key.size() - bracket - 2);
+    return program::find_parameter(t, std::string(key.substr(0, bracket)) + std::string(index));
+}
+
 /// "#7" for R7: the number as this control writes it; else its names by an example.
 std::string nearest_variable(const program::Traits& t, std::string_view key) {
     const std::size_t digits = std::min(key.find_first_of("0123456789"), key.size());
@@ -136,15 +145,19 @@ std::string nearest_variable(const program::Traits& t, std::string_view key) {
 void refuse_foreign_keys(Run& run) {
     std::set<std::string_view> said;  // of an array one element
     for (const auto& [key, g] : run.env.variables) {
+        if (parameter_of_key(*run.traits, key) < run.parameters.count()) continue;
         const std::string_view bare = std::string_view(key).substr(0, key.ends_with(']') ? key.find('[') : key.size());
-        const bool numbered = program::find_parameter(*run.traits, bare) < run.parameters.count();
+        const bool bank = bare != key && program::find_parameter(*run.traits, std::string(bare) + "0") == 0;
+        const bool numbered = bank || program::find_parameter(*run.traits, bare) < run.parameters.count();
         const bool foreign = !numbered && !is_name_of_control(*run.traits, bare);
         if ((!foreign && (!numbered || bare == key)) || !said.insert(bare).second) continue;
         if (foreign)
             refuse(run, g, std::string(bare) + " is no variable of this control",
                    "write " + nearest_variable(*run.traits, bare) + ", as the program writes it");
         else
-            refuse(run, g, std::string(bare) + " is one number: it has no elements");
+            refuse(run, g,
+                   bank ? key + " is none of the parameters " + std::string(bare)
+                        : std::string(bare) + " is one number: it has no elements");
     }
 }
 
@@ -160,7 +173,7 @@ void take_given(Run& run) {
         for (const Unit* unit : *run.env.backups) take_backup(run, *unit);
     for (const auto& [key, g] : run.env.variables) run.given.insert_or_assign(key, g);
     for (const auto& [key, g] : run.given) {
-        const std::uint32_t n = program::find_parameter(*run.traits, key);
+        const std::uint32_t n = parameter_of_key(*run.traits, key);
         if (n < run.parameters.count()) {
             give_parameter(run, n, key, g);
             continue;

@@ -214,7 +214,36 @@ bool asks_corner(const BlockWords& b) {
 
 }  // namespace
 
+void PathStage::end_block(const Run& run) {
+    if (run.modal.compensation == Modal::compensation_off)
+        idle_blocks_ = 0;
+    else if (!block_moved_)
+        ++idle_blocks_;
+    block_moved_ = false;
+}
+
+void PathStage::judge_idle_blocks(Run& run, const path::Element& e, const path::Setting& s) {
+    if (!path::moves_in_plane(e)) return;
+    constexpr double straight_on = 1e-3;  // rad
+    const program::IdleBlocks& limit = run.traits->compensation_idle_blocks;
+    const bool joined = active_ && direction_ && s.side != path::Side::off && s.side == side_;
+    if (joined && limit.seen_past != 0 && idle_blocks_ > limit.seen_past &&
+        std::abs(path::turn_between(*direction_, path::start_direction(e))) > straight_on)
+        unchecked(
+            run, codes::compensation, run.here(),
+            std::to_string(idle_blocks_) +
+                " blocks without motion in the plane stand before this corner under radius compensation, which is " +
+                "run as if the control saw past them; by " + std::string(limit.setting) + " it sees past " +
+                std::to_string(limit.seen_past) + ", and behind more " + std::string(limit.beyond),
+            "write them beside a move, before the compensation or behind it");
+    idle_blocks_ = 0;
+    block_moved_ = true;
+    side_ = s.side;
+    direction_ = path::end_direction(e);
+}
+
 void PathStage::push(Run& run, path::Element e, const path::Setting& s, bool rapid) {
+    judge_idle_blocks(run, e, s);
     e.tag = origins_.size();
     e.before = std::move(waiting_);
     waiting_.clear();

@@ -21,6 +21,8 @@ public:
     void push(Run&, path::Element element, bool rapid);
     /// As above with a setting of its own.
     void push(Run&, path::Element element, const path::Setting& setting, bool rapid = false);
+    /// The block that was run is behind: whether it moved in the plane counts under radius compensation.
+    void end_block(const Run&);
     /// Keeps a record that must come out before the next element.
     void hold(const cl::Record& record);
     /// The block that ends compensation has been read.
@@ -49,6 +51,8 @@ private:
         bool asks_corner = false;  ///< by a word of its block
     };
 
+    /// Says where a corner is joined over more blocks without motion than the control sees past.
+    void judge_idle_blocks(Run&, const path::Element&, const path::Setting&);
     /// A chamfer or rounding of a block is left without the element that it leads to.
     void say_open_corner(Run& run) const;
     [[nodiscard]] static double arc_feed(const Origin& origin, const path::Output& out);
@@ -68,6 +72,10 @@ private:
     std::optional<geom::Vec2> last_;  ///< end of the last element that was emitted
     bool active_ = false, fixed_plane_ = false;
     bool flushing_ = false;
+    std::uint32_t idle_blocks_ = 0;  ///< without motion in the plane since the last element
+    bool block_moved_ = false;
+    path::Side side_ = path::Side::off;    ///< of the last element
+    std::optional<geom::Vec2> direction_;  ///< at its end
 };
 
 /// What the modal state says to radius compensation; a tool whose radius is not known is reported.

@@ -135,6 +135,13 @@ enum class GuessedMachine : std::uint8_t {
     by_words,  ///< what the program writes is weighed: DIAMON, G18, M6, Y
 };
 
+/// Blocks without motion, one behind the other, between two elements of a compensated contour.
+struct IdleBlocks {
+    std::uint32_t seen_past = 0;  ///< so many the control sees past to the corner behind them; 0: no limit
+    std::string_view setting{};   ///< that says how many
+    std::string_view beyond{};    ///< what the control does behind more of them
+};
+
 struct Traits {
     GuessedMachine guessed_machine = GuessedMachine::mill;
     /// An address that a block has twice.
@@ -226,6 +233,7 @@ struct Traits {
     bool modal_call_without_motion = false;
     /// A chamfer or rounding where the next element goes straight on is none, and no fault.
     bool corner_may_be_tangential = false;
+    IdleBlocks compensation_idle_blocks{};
     /// Radius compensation is made in the plane of G17 … G19 whatever frames turn, unless the program says otherwise
     /// (Modal::compensation_in_frame); else in the plane as frames turn it.
     bool compensates_in_fixed_plane = false;

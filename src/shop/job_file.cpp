@@ -5,6 +5,7 @@
 #include "base/text.hpp"
 #include "shop/job.hpp"
 #include "shop/job_tables.hpp"
+#include "shop/machine_name.hpp"
 #include "shop/profile.hpp"
 #include "shop/solid_file.hpp"
 #include "shop/tables.hpp"
@@ -150,18 +151,11 @@ void read_machine_name(Section& file, Job& job) {
     if (name) {
         job.machine_name = *name;
         job.machine_where = find(file.table(), "machine")->value.where;
-        job.machine_is_file =
-            base::to_upper(*name).ends_with(".TOML") || name->find_first_of("/\\") != std::string::npos;
+        job.machine_is_file = names_machine_file(*name);
     }
     auto machine = shipped_machine(name && !job.machine_is_file ? *name : generic);
     if (!machine) {
-        std::string list;
-        const auto names = shipped_machine_names();
-        for (const std::string& n : names) list += (list.empty() ? "" : ", ") + n;
-        const std::string near = nearest(*name, names);
-        file.error(base::codes::job_value, job.machine_where, "there is no shipped machine \"" + *name + "\"",
-                   (near.empty() ? "" : "did you mean \"" + near + "\"? ") + ("shipped: " + list) +
-                       "; the name of a machine file ends in .toml");
+        file.error(base::codes::job_value, job.machine_where, no_shipped_machine(*name), machine_name_remedy(*name));
         machine = shipped_machine(generic);
     }
     use_machine(job, machine.value_or(Machine{}));

@@ -71,7 +71,7 @@ TEST(MachineFile, Mistakes) {
                        r.sources, r.diagnostics);
     EXPECT_EQ(r.complaints(),
               "m.toml:1:8: error: 'kind' cannot be \"lath\" [job-value]\n  kind = \"lath\"\n         ^~~~~~\n  remedy: "
-              "one of: lathe, mill\n"
+              "did you mean \"lathe\"? one of: lathe, mill\n"
               "m.toml:3:7: error: 'min' must not be greater than 'max' [job-value]\n  min = 9\n        ^\n"
               "m.toml:8:7: error: 'max' must be greater than 'min' [job-value]\n  max = 5\n        ^\n"
               "m.toml:10:8: error: axis X is defined twice [job-value]\n  name = \"x\"\n         ^~~\n"

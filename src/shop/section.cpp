@@ -32,8 +32,9 @@ std::string joined(const std::vector<std::string>& words) {
     return out;
 }
 
-/// Edits (insert, delete, replace, swap of neighbours) between two words, ASCII case ignored.
-std::size_t edit_distance(const std::string& a, const std::string& b) {
+}  // namespace
+
+std::size_t edit_distance(std::string_view a, std::string_view b) {
     std::vector<std::vector<std::size_t>> d(a.size() + 1, std::vector<std::size_t>(b.size() + 1));
     for (std::size_t i = 0; i <= a.size(); ++i) d[i][0] = i;
     for (std::size_t j = 0; j <= b.size(); ++j) d[0][j] = j;
@@ -45,8 +46,6 @@ std::size_t edit_distance(const std::string& a, const std::string& b) {
         }
     return d[a.size()][b.size()];
 }
-
-}  // namespace
 
 std::string_view kind_name(ValueKind kind) {
     switch (kind) {
@@ -187,8 +186,9 @@ std::optional<std::size_t> Section::choice(std::string_view key, std::initialize
     const auto at = std::find(words.begin(), words.end(), e->value.text);
     if (at != words.end()) return static_cast<std::size_t>(at - words.begin());
     const std::vector<std::string> list(words.begin(), words.end());
+    const std::string near = nearest(e->value.text, list);
     error(base::codes::job_value, e->value.where, quoted(key) + " cannot be \"" + e->value.text + "\"",
-          "one of: " + joined(list));
+          (near.empty() ? "" : "did you mean \"" + near + "\"? ") + ("one of: " + joined(list)));
     return std::nullopt;
 }
 

@@ -138,7 +138,11 @@ program::Traits traits_of(std::span<const program::CannedCycle> cycles, bool haa
     t.canned = cycles;
     if (haas) t.kept = haas_kept;
     if (!haas) t.line_without_centre = "bit CIR of parameter 3403 = 0";  // operator's manual, circular interpolation
-    t.radius_to_start_stays = !haas;                                     // the same: "G02 R: the cutter does not move"
+    // B-63684EN, cutter compensation C, "block without tool movement". Haas looks 80 blocks ahead (96-8000).
+    if (!haas)
+        t.compensation_idle_blocks = {1, "the older series and parameter 19625 as delivered",
+                                      "the tool goes square to the element before, and into the corner"};
+    t.radius_to_start_stays = !haas;  // the same: "G02 R: the cutter does not move"
     t.guessed_machine = lathe ? program::GuessedMachine::lathe : program::GuessedMachine::mill;
     if (lathe) t.live = lathe_live;
     t.edge_is_offset_number = lathe;

@@ -102,6 +102,7 @@ inline constexpr program::Traits traits{
     .spindle_stops = spindle_stops,
     .modal_call_without_motion = true,
     .corner_may_be_tangential = true,
+    .compensation_idle_blocks = {3, "MD20250 CUTCOM_MAXNUM_DUMMY_BLOCKS as delivered", "it stops with alarm 10762"},
     .compensates_in_fixed_plane = true,
     .compensation_holds_plane = "10757",
     .exponent_is_ex = true,

@@ -1,11 +1,15 @@
 #include "read/heidenhain/state.hpp"
 
+#include "base/slip.hpp"
+
 namespace obrys::read::heidenhain {
 
 void fail(State& s, std::uint32_t begin, std::string text, std::string remedy) {
     if (s.failed) return;
     s.failed = true;
     if (s.build.unit().statements.size() == s.statements) s.build.statement(StatementKind::block, s.block);
+    const std::string_view read = s.in.between(0, begin + (s.in.between(begin, begin + 1)[0] == '\0' ? 1 : 2));
+    if (const auto slip = base::slip_in_number(read, begin); !slip.empty()) remedy = slip;
     s.build.fail(begin, s.in.at(), std::move(text), std::move(remedy));
 }
 

@@ -1,5 +1,6 @@
 #include <cmath>
 
+#include "base/slip.hpp"
 #include "base/whole.hpp"
 
 #include "read/rs274/state.hpp"
@@ -196,7 +197,9 @@ Value read_due_value(State& s, std::string_view word, std::uint32_t begin) {
     s.operators = 0;
     Value v = read_value(s);
     if (v.found || s.failed) return v;
-    fail(s, begin, s.line.behind(), std::string(word) + " has no value", "write a number behind it");
+    const auto slip = base::slip_in_number(s.text, s.line.here());
+    fail(s, begin, s.line.behind(), std::string(word) + " has no value",
+         slip.empty() ? "write a number behind it" : std::string(slip));
     return v;
 }
 

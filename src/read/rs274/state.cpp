@@ -2,6 +2,8 @@
 
 #include <algorithm>
 
+#include "base/slip.hpp"
+
 namespace obrys::read::rs274 {
 
 void fail(State& s, std::uint32_t begin, std::uint32_t end, std::string text, std::string remedy) {
@@ -9,6 +11,7 @@ void fail(State& s, std::uint32_t begin, std::uint32_t end, std::string text, st
     s.failed = true;
     s.words.clear();
     if (s.part->ended) return;
+    if (const auto slip = base::slip_in_number(s.text, begin); !slip.empty()) remedy = slip;
     program::Builder& build = s.build();
     build.begin_block(s.skip);
     build.statement(StatementKind::block, std::min(s.line.begin(), begin));

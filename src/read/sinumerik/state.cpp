@@ -2,6 +2,8 @@
 
 #include <algorithm>
 
+#include "base/slip.hpp"
+
 namespace obrys::read::sinumerik {
 
 using program::Code;
@@ -39,7 +41,8 @@ void fail(State& s, const char* from, const char* to, std::string text, std::str
     d.code = base::codes::syntax;
     d.where = s.failure;
     d.text = std::move(text);
-    d.remedy = std::move(remedy);
+    const auto slip = base::slip_in_number(s.text, s.failure.begin);
+    d.remedy = slip.empty() ? std::move(remedy) : std::string(slip);
     s.diagnostics.add(std::move(d));
 }
 

@@ -1,0 +1,24 @@
+#include "shop/machine_name.hpp"
+
+#include "base/text.hpp"
+#include "shop/machine.hpp"
+#include "shop/nearest.hpp"
+
+namespace obrys::shop {
+
+bool names_machine_file(const std::string& name) {
+    return base::to_upper(name).ends_with(".TOML") || name.find_first_of("/\\") != std::string::npos;
+}
+
+std::string no_shipped_machine(const std::string& name) { return "there is no shipped machine \"" + name + "\""; }
+
+std::string machine_name_remedy(const std::string& name) {
+    std::string list;
+    const auto names = shipped_machine_names();
+    for (const std::string& n : names) list += (list.empty() ? "" : ", ") + n;
+    const std::string near = nearest(name, names);
+    return (near.empty() ? "" : "did you mean \"" + near + "\"? ") + ("shipped: " + list) +
+           "; the name of a machine file ends in .toml";
+}
+
+}  // namespace obrys::shop
