@@ -230,7 +230,7 @@ void PathStage::judge_idle_blocks(Run& run, const path::Element& e, const path::
     if (joined && limit.seen_past != 0 && idle_blocks_ > limit.seen_past &&
         std::abs(path::turn_between(*direction_, path::start_direction(e))) > straight_on)
         unchecked(
-            run, codes::compensation, run.here(),
+            run, codes::unsupported, run.here(),
             std::to_string(idle_blocks_) +
                 " blocks without motion in the plane stand before this corner under radius compensation, which is " +
                 "run as if the control saw past them; by " + std::string(limit.setting) + " it sees past " +
