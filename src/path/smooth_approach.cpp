@@ -165,30 +165,4 @@ SmoothPath smooth_departure(const ContourEnd& contour, const OuterEnd& end, cons
     return r;
 }
 
-std::vector<SmoothStep> approach_steps(const SmoothPath& approach, Setting contour) {
-    std::vector<SmoothStep> steps;
-    for (const Element& e : approach.path) steps.push_back({e, {}});
-    if (steps.empty() || !moves_in_plane(steps.back().element)) {
-        const double w = steps.empty() ? 0 : steps.back().element.w_to;
-        steps.push_back({line(approach.contour, approach.contour, w), {}});
-    }
-    contour.approach = Approach::ready;
-    steps.back().setting = contour;
-    return steps;
-}
-
-std::vector<SmoothStep> departure_steps(const SmoothPath& departure) {
-    std::vector<SmoothStep> steps;
-    Setting off;
-    off.approach = Approach::ready;
-    for (const Element& e : departure.path) steps.push_back({e, off});
-    return steps;
-}
-
-double paraxial_end(double from, double to, double tool_radius, Paraxial how) {
-    if (how == Paraxial::off || !(std::abs(to - from) > 0)) return to;
-    const double out = std::copysign(tool_radius, to - from);
-    return how == Paraxial::lengthened ? to + out : to - out;
-}
-
 }  // namespace obrys::path

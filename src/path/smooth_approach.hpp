@@ -93,23 +93,4 @@ struct SmoothPath {
 [[nodiscard]] SmoothPath smooth_approach(const OuterEnd& start, const ContourEnd& contour, const SmoothShape& shape);
 [[nodiscard]] SmoothPath smooth_departure(const ContourEnd& contour, const OuterEnd& end, const SmoothShape& shape);
 
-/// An element and the setting to push it with into ContourPath or Compensation.
-struct SmoothStep {
-    Element element;
-    Setting setting;
-};
-/// The approach as steps; the contour's elements with `contour` as their setting follow. The last step selects the
-/// compensation, where need be by an element of no length.
-[[nodiscard]] std::vector<SmoothStep> approach_steps(const SmoothPath& approach, Setting contour);
-/// The departure as steps; the first that moves in the plane deselects the compensation.
-[[nodiscard]] std::vector<SmoothStep> departure_steps(const SmoothPath& departure);
-
-/// Paraxial compensation of a move along one axis (HEIDENHAIN R+ and R-, DIN/ISO G43 and G44; TNC 407 User's Manual,
-/// "Tool radius compensation in paraxial blocks"; TNC 360 ISO, 4.3): R+ lengthens the traverse by the tool's radius, R-
-/// shortens it.
-enum class Paraxial : std::uint8_t { off, lengthened, shortened };
-/// Coordinate of the centre at the end of a move from `from` to `to` (programmed coordinates; only their order counts);
-/// a move of no length has no direction and stays.
-[[nodiscard]] double paraxial_end(double from, double to, double tool_radius, Paraxial how);
-
 }  // namespace obrys::path

@@ -312,16 +312,5 @@ TEST(smooth_approach, MovesAndMirrorsWithItsInput) {
     }
 }
 
-TEST(paraxial, LengthensAndShortens) {
-    EXPECT_EQ(paraxial_end(0, 40, 5, Paraxial::lengthened), 45);
-    EXPECT_EQ(paraxial_end(0, 40, 5, Paraxial::shortened), 35);
-    EXPECT_EQ(paraxial_end(0, -40, 5, Paraxial::lengthened), -45);
-    EXPECT_EQ(paraxial_end(0, -40, 5, Paraxial::shortened), -35);
-    EXPECT_EQ(paraxial_end(0, 40, 5, Paraxial::off), 40);
-    EXPECT_EQ(paraxial_end(40, 40, 5, Paraxial::lengthened), 40);
-    EXPECT_TRUE(std::isnan(paraxial_end(0, std::nan(""), 5, Paraxial::lengthened)));
-    EXPECT_TRUE(std::isnan(paraxial_end(0, 9, std::nan(""), Paraxial::lengthened)));
-}
-
 }  // namespace
 }  // namespace obrys::path::test

@@ -13,12 +13,20 @@ namespace {
 
 constexpr double pi = geom::pi;
 
+/// Approach, contour and departure, as a run hands them to the compensation: the approach's last step selects it, where
+/// need be by an element of no length; the departure's first one deselects it.
 std::vector<Step> steps_of(const SmoothPath& on, const std::vector<Element>& contour, const SmoothPath& off,
                            const Setting& s) {
     std::vector<Step> steps;
-    for (const SmoothStep& step : approach_steps(on, s)) steps.push_back({step.element, step.setting});
+    for (const Element& e : on.path) steps.push_back({e, {}});
+    if (steps.empty() || !moves_in_plane(steps.back().element))
+        steps.push_back({line(on.contour, on.contour, steps.empty() ? 0 : steps.back().element.w_to), {}});
+    steps.back().setting = s;
+    steps.back().setting.approach = Approach::ready;
     for (const Element& e : contour) steps.push_back({e, s});
-    for (const SmoothStep& step : departure_steps(off)) steps.push_back({step.element, step.setting});
+    Setting away;
+    away.approach = Approach::ready;
+    for (const Element& e : off.path) steps.push_back({e, away});
     return steps;
 }
 

@@ -48,6 +48,8 @@ TEST(Iso, ComplaintsNamePlaceAndRemedy) {
         {"N20 G01 X *", "3:9 the word 'X' has no value: a number or a Q parameter must follow | "},
         {"N20 G01 H+30 *",
          "3:9 the polar angle H needs a polar path function | G10 to G16 move in polar coordinates, G00 to G06 do not"},
+        {"N20 G11 X+20 *",
+         "3:9 a polar path function stands here without R and H | write R and H, or G00 to G06 for X and Y"},
         {"N20 G01 X+5 R+3 *",
          "3:13 R has no meaning in this block | it is the radius of G02, G03, G05, of corners (G25) and of polar "
          "coordinates (G10 to G16)"},

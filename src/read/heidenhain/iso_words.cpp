@@ -141,7 +141,11 @@ private:
         if (const auto axis = axis_of(c)) {
             s_.in.step();
             coordinates_ = true;
-            return coordinate_word(s_, *axis, begin, behind_);
+            coordinate_word(s_, *axis, begin, behind_);
+            if (!s_.failed && lacks_polar_word(c))
+                fail(s_, begin, "a polar path function stands here without R and H",
+                     "write R and H, or G00 to G06 for X and Y");
+            return;
         }
         if (poles.find(c) != std::string_view::npos) {  // read_pole has them
             s_.in.step();
@@ -162,6 +166,15 @@ private:
         }
         fail_here(s_, "this is no word of a block that moves: " + here(s_),
                   "G, X Y Z A B C U V W, I J K, R, H, F, S, T, M; Q, D, L and % stand in blocks of their own");
+    }
+
+    /// G10 … G16 are written here, for X or Y alone.
+    [[nodiscard]] bool lacks_polar_word(char axis) const {
+        if (family_ < Family::polar_straight || b_.has('R') || b_.has('H') || (axis != 'X' && axis != 'Y'))
+            return false;
+        for (int n = 10; n <= 16; ++n)
+            if (b_.has_g(n)) return true;
+        return false;
     }
 
     [[nodiscard]] std::optional<Reference> polar_reference() const {
