@@ -6,12 +6,12 @@
 #include "check/collect.hpp"
 #include "check/limits.hpp"
 #include "check/milling.hpp"
-#include "check/position.hpp"
 #include "check/removal.hpp"
-#include "check/stand.hpp"
 #include "check/trace.hpp"
 #include "cl/spline.hpp"
 #include "cl/totals.hpp"
+#include "motion/cursor.hpp"
+#include "motion/stand.hpp"
 
 namespace obrys::check {
 
@@ -19,27 +19,27 @@ struct Check::State {
     State(Setup s, const cl::CallStacks& stacks)
         : setup(std::move(s)),
           out(stacks, setup.findings_per_code),
+          cursor(setup.tools),
           stand(setup.machine),
-          limits(setup.machine, stand, out),
-          removal(setup, out),
+          limits(setup.machine, stand, cursor.state(), out),
+          removal(setup, cursor.state(), out),
           trace(setup.keep_moves) {
         if (!setup.milling) return;
-        milling.emplace(setup, out);
+        milling.emplace(setup, cursor.state(), out);
         if (!milling->ready()) milling.reset();
     }
 
-    void move(const cl::Record& record);
+    void move(const motion::Step& step);
+    void take(const cl::Record& record);
     void take(const cl::Datum& datum) {
         stand.take(datum);
         limits.stand_changed();
-        position.take(datum);
     }
-    void take(const cl::Record& record, const cl::ToolChange& tool) {
-        removal.take(record, tool);
-        limits.take(removal.tool());
-        if (milling) milling->take(record, tool);
+    void take(const cl::ToolChange& tool) {
+        removal.tool_changed();
+        if (milling) milling->tool_changed();
         if (setup.machine.kind != shop::MachineKind::mill) return;
-        stand.take_tool(removal.tool(), tool.edge != 0, tool.raised);
+        stand.take_tool(cursor.state().tool, tool.edge != 0, tool.raised);
         limits.stand_changed();
     }
     void take(const cl::Record& record, const cl::Axis& to) {
@@ -50,25 +50,21 @@ struct Check::State {
         stand.take(to);
         limits.stand_changed();
     }
-    void take(const cl::Feed& feed) {
-        limits.take(feed);
-        if (milling) milling->take(feed);
-    }
-    void take(const cl::Record& record, const cl::Spindle& spindle) {
-        limits.take(record, spindle);
-        if (milling) milling->take(spindle);
+    void spindle_changed(const cl::Record& record, const cl::Spindle& before) {
+        limits.spindle_changed(record, before);
+        if (milling) milling->spindle_changed(before);
     }
     void keep(const Move& m, Removed removed);
 
     Setup setup;
     Collector out;
-    Stand stand;
+    motion::Cursor cursor;
+    motion::Stand stand;
     Limits limits;
     Removal removal;
     std::optional<Milling> milling;
     Trace trace;
     std::uint64_t cuts = 0;  ///< Stats::cuts
-    Position position;
     cl::Totals totals;
     cl::Record end{cl::Stop{}, nowhere, 0};  ///< place of the last record
     geom::Vec3 tip{NAN, NAN, NAN};           ///< of the tool, frame of the stock
@@ -127,19 +123,20 @@ constexpr geom::Vec3 upright{0, 0, 1};
 
 }  // namespace
 
-void Check::State::move(const cl::Record& record) {
-    const geom::Vec3 from = position.here(), to = cl::position_after(from, record.step), by = position.to_stock();
+void Check::State::move(const motion::Step& step) {
+    const cl::Record& record = step.record;
+    const geom::Vec3 from = step.from, to = step.to, by = step.to_stock;
     totals.position = from;  // not where the last move ended, if the zero offset has changed since
     const bool turning = stand.turning() || turns_rotary(record.step);
-    const Move programmed{record, totals.moves, from, to, cl::is_rapid(record.step), turning};
+    const Move programmed{record, step.index, from, to, step.rapid, turning};
     axis = axis_of(record.step, axis);
     const bool swivelled = !stand.plain() || !(axis == upright);
-    const Stand::View& view = stand.view(axis);
+    const motion::Stand::View& view = stand.view(axis);
     const Placing at{view.frame == geom::Frame{} ? nullptr : &view.frame, view.axis, by};
     // An arc does not say how the tool stands: as the last move that did.
     const cl::Record in_stock_frame = at.moves() ? placed(record, at) : cl::Record{};
     const Move m{at.moves() ? in_stock_frame : record,
-                 totals.moves,
+                 step.index,
                  swivelled || tip_swivelled || turning ? tip : from + by,
                  at.point(to),
                  programmed.rapid,
@@ -159,7 +156,6 @@ void Check::State::move(const cl::Record& record) {
                                     : std::nullopt,
                 removal.driven(m));
     if (trace.keeps_more()) keep(m, std::move(removed));
-    position.move_to(to);
     tip = view.problem.empty() ? m.to : geom::Vec3{NAN, NAN, NAN};
     tip_swivelled = swivelled;
     stand.moved();
@@ -200,29 +196,31 @@ Check& Check::operator=(Check&&) noexcept = default;
 
 const Setup& Check::setup() const { return state_->setup; }
 
-void Check::take(const cl::Record& record) {
-    State& s = *state_;
-    if (const auto* spline = std::get_if<cl::Spline>(&record.step)) s.limits.take(record, *spline);
-    if (cl::is_move(record.step))
-        s.move(record);
+void Check::State::take(const cl::Record& record) {
+    const cl::Spindle spindle = cursor.state().spindle;
+    if (const auto* spline = std::get_if<cl::Spline>(&record.step)) limits.take(record, *spline);
+    if (const auto step = cursor.take(record))
+        move(*step);
     else if (const auto* tool = std::get_if<cl::ToolChange>(&record.step))
-        s.take(record, *tool);
-    else if (const auto* feed = std::get_if<cl::Feed>(&record.step))
-        s.take(*feed);
-    else if (const auto* spindle = std::get_if<cl::Spindle>(&record.step))
-        s.take(record, *spindle);
+        take(*tool);
+    else if (std::holds_alternative<cl::Feed>(record.step))
+        limits.feed_changed();
+    else if (std::holds_alternative<cl::Spindle>(record.step))
+        spindle_changed(record, spindle);
     else if (const auto* datum = std::get_if<cl::Datum>(&record.step))
-        s.take(*datum);
-    else if (const auto* axis = std::get_if<cl::Axis>(&record.step))
-        s.take(record, *axis);
-    else if (std::holds_alternative<cl::CycleBegin>(record.step) && s.milling)
-        s.milling->begin_cycle(record.from);
-    else if (std::holds_alternative<cl::CycleEnd>(record.step) && s.milling)
-        s.milling->end_cycle();
-    s.totals(record);
-    s.end.from = record.from;
-    s.end.stack = record.stack;
+        take(*datum);
+    else if (const auto* to = std::get_if<cl::Axis>(&record.step))
+        take(record, *to);
+    else if (std::holds_alternative<cl::CycleBegin>(record.step) && milling)
+        milling->begin_cycle(record.from);
+    else if (std::holds_alternative<cl::CycleEnd>(record.step) && milling)
+        milling->end_cycle();
+    totals(record);
+    end.from = record.from;
+    end.stack = record.stack;
 }
+
+void Check::take(const cl::Record& record) { state_->take(record); }
 
 Result Check::finish() {
     State& s = *state_;

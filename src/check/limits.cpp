@@ -9,8 +9,11 @@
 #include "check/words.hpp"
 #include "cl/spline.hpp"
 #include "cl/totals.hpp"
+#include "motion/technology.hpp"
 
 namespace obrys::check {
+
+using motion::part_along;
 
 namespace {
 
@@ -82,15 +85,15 @@ bool turns_spindle(const Move& move) {
 
 }  // namespace
 
-Limits::Limits(const shop::Machine& machine, const Stand& stand, Collector& out)
-    : machine_(machine), out_(out), stand_(stand), widest_feed_(widest_feed(nullptr, machine.kind)) {}
+Limits::Limits(const shop::Machine& machine, const motion::Stand& stand, const motion::State& state, Collector& out)
+    : machine_(machine), out_(out), stand_(stand), state_(state) {}
 
 /// What was reached before counts on only where the axis follows the points as it did.
 void Limits::follow_stand() {
     changed_ = false;
     std::vector<Travel> before = std::move(travel_);
     travel_.clear();
-    for (const Stand::Way& way : stand_.ways()) {
+    for (const motion::Stand::Way& way : stand_.ways()) {
         const auto axis = std::find_if(machine_.axes.begin(), machine_.axes.end(), [&](const shop::MachineAxis& a) {
             return a.name == way.name && (a.min || a.max);
         });
@@ -183,12 +186,12 @@ void Limits::check_travel(const Move& move) {
     out_.finding(move, std::move(f));
 }
 
-void Limits::take(const cl::Record& record, const cl::Spindle& spindle) {
+void Limits::spindle_changed(const cl::Record& record, const cl::Spindle& before) {
+    const cl::Spindle& spindle = state_.spindle;
     stopped_reported_ = stopped_reported_ && spindle.direction == 0;
-    feed_limit_reported_ = feed_limit_reported_ && spindle == spindle_;
-    const bool changed = spindle_.speed != spindle.speed || spindle_.mode != spindle.mode ||
-                         spindle_.limit != spindle.limit || (spindle_.direction == 0) != (spindle.direction == 0);
-    spindle_ = spindle;
+    feed_limit_reported_ = feed_limit_reported_ && spindle == before;
+    const bool changed = before.speed != spindle.speed || before.mode != spindle.mode ||
+                         before.limit != spindle.limit || (before.direction == 0) != (spindle.direction == 0);
     if (!changed || spindle.direction == 0) return;
     const bool surface = spindle.mode == cl::SpindleMode::surface;
     const double speed = surface ? spindle.limit : spindle.speed;
@@ -203,27 +206,18 @@ void Limits::take(const cl::Record& record, const cl::Spindle& spindle) {
     out_.finding(record, std::move(f));
 }
 
-void Limits::take(const cl::Feed& feed) {
-    feed_ = feed;
-    feed_reported_ = feed_limit_reported_ = feed_implausible_reported_ = false;
-}
-
-void Limits::take(const shop::Tool* tool) { widest_feed_ = widest_feed(tool, machine_.kind); }
+void Limits::feed_changed() { feed_reported_ = feed_limit_reported_ = feed_implausible_reported_ = false; }
 
 /// Highest spindle speed along the move, 1/min; with constant cutting speed at its smaller radius. NaN: not known, at
 /// the axis without a limit.
 double Limits::rpm(const Move& move) const {
-    if (spindle_.mode == cl::SpindleMode::rpm) return spindle_.speed;
     const double radius = std::fmin(std::abs(move.from.x), std::abs(move.to.x));
-    double cap = machine_.spindle.max;
-    if (spindle_.limit > 0) cap = std::min(cap, spindle_.limit);
-    if (!(radius > 0)) return std::isfinite(cap) ? cap : NAN;
-    return std::min(cap, spindle_.speed * 1000 / (2 * geom::pi * radius));
+    return motion::spindle_speed(state_.spindle, radius, machine_.spindle.max);
 }
 
 void Limits::check_feed(const Move& move) {
     if (std::holds_alternative<cl::Thread>(move.record.step)) return;  // the pitch sets the feed
-    if (feed_.value == 0) {
+    if (state_.feed.value == 0) {
         if (!feed_reported_) {
             Finding f = error(base::codes::feed_missing, "feed move, but no feed is programmed");
             f.remedy = "program F before the first feed move";
@@ -233,9 +227,9 @@ void Limits::check_feed(const Move& move) {
         return;
     }
     if (machine_.max_feed <= 0 || feed_limit_reported_) return;
-    double per_minute = feed_.value;
-    if (feed_.mode == cl::FeedMode::per_rev) per_minute *= rpm(move);
-    if (feed_.mode == cl::FeedMode::inverse_time) per_minute *= cl::move_length(move.from, move.record.step);
+    double per_minute = state_.feed.value;
+    if (state_.feed.mode == cl::FeedMode::per_rev) per_minute *= rpm(move);
+    if (state_.feed.mode == cl::FeedMode::inverse_time) per_minute *= cl::move_length(move.from, move.record.step);
     if (!(per_minute > machine_.max_feed * (1 + 1e-9))) return;
     feed_limit_reported_ = true;
     Finding f = error(base::codes::feed_limit, "feed " + plain(per_minute) + " mm/min is above the machine's " +
@@ -249,9 +243,10 @@ void Limits::check_feed(const Move& move) {
 void Limits::check_feed_mode(const Move& move, bool cuts) {
     if (feed_implausible_reported_ || std::holds_alternative<cl::Thread>(move.record.step)) return;
     std::optional<Finding> f;
-    if (feed_.mode == cl::FeedMode::per_rev) f = too_fast(feed_.value, widest_feed_);
-    if (feed_.mode == cl::FeedMode::per_minute && cuts)
-        f = too_slow(feed_.value, feed_.value / rpm(move), finest_turned);
+    if (state_.feed.mode == cl::FeedMode::per_rev)
+        f = too_fast(state_.feed.value, widest_feed(state_.tool, machine_.kind));
+    if (state_.feed.mode == cl::FeedMode::per_minute && cuts)
+        f = too_slow(state_.feed.value, state_.feed.value / rpm(move), finest_turned);
     if (!f) return;
     feed_implausible_reported_ = true;
     out_.finding(move, std::move(*f));
@@ -259,8 +254,8 @@ void Limits::check_feed_mode(const Move& move, bool cuts) {
 
 void Limits::check_spindle(const Move& move, std::optional<bool> cuts) {
     if (turns_spindle(move)) return;
-    const bool stands = spindle_.direction == 0 || spindle_.speed == 0;
-    const bool waits = feed_.mode == cl::FeedMode::per_rev && feed_.value > 0;
+    const bool stands = state_.spindle.direction == 0 || state_.spindle.speed == 0;
+    const bool waits = state_.feed.mode == cl::FeedMode::per_rev && state_.feed.value > 0;
     if (!stands || stopped_reported_ || !(waits || cuts.value_or(true))) return;
     stopped_reported_ = true;
     Finding f = error(base::codes::spindle_stopped,
@@ -274,12 +269,13 @@ void Limits::check_spindle(const Move& move, std::optional<bool> cuts) {
 /// Where limit or machine hold the speed already at the largest radius of the way, they do so nearer to the axis, too.
 void Limits::check_thread_speed(const Move& move) {
     const auto* thread = std::get_if<cl::Thread>(&move.record.step);
-    if (thread == nullptr || thread->rigid_tap || spindle_.mode == cl::SpindleMode::rpm || spindle_.direction == 0)
+    if (thread == nullptr || thread->rigid_tap || state_.spindle.mode == cl::SpindleMode::rpm ||
+        state_.spindle.direction == 0)
         return;
     const double radius = std::fmax(std::abs(move.from.x), std::abs(move.to.x));
     double cap = machine_.spindle.max;
-    if (spindle_.limit > 0) cap = std::min(cap, spindle_.limit);
-    if (spindle_.speed * 1000 >= 2 * geom::pi * radius * cap) return;
+    if (state_.spindle.limit > 0) cap = std::min(cap, state_.spindle.limit);
+    if (state_.spindle.speed * 1000 >= 2 * geom::pi * radius * cap) return;
     out_.assumption(
         "a thread is cut under constant cutting speed: the spindle's speed goes with X from pass to pass, and "
         "the turns are taken to meet all the same; a constant speed of the spindle before it holds it",

@@ -6,7 +6,8 @@
 #include <vector>
 
 #include "check/collect.hpp"
-#include "check/stand.hpp"
+#include "motion/stand.hpp"
+#include "motion/state.hpp"
 #include "shop/machine.hpp"
 #include "shop/tool.hpp"
 
@@ -14,17 +15,17 @@ namespace obrys::check {
 
 class Limits {
 public:
-    Limits(const shop::Machine& machine, const Stand& stand, Collector& out);
+    /// `state`: what the moves that are taken are made with; it outlives this.
+    Limits(const shop::Machine& machine, const motion::Stand& stand, const motion::State& state, Collector& out);
 
     /// Zero, tool or rotary axes have changed.
     void stand_changed() { changed_ = true; }
     void take(const cl::Record& record, const cl::Axis& axis);
     /// Only its additional axes; the move itself comes as a move.
     void take(const cl::Record& record, const cl::Spline& spline);
-    void take(const cl::Record& record, const cl::Spindle& spindle);
-    void take(const cl::Feed& feed);
-    /// The tool that makes the moves from now on; null: not known.
-    void take(const shop::Tool* tool);
+    /// The spindle has been told something, in `before`'s place.
+    void spindle_changed(const cl::Record& record, const cl::Spindle& before);
+    void feed_changed();
     /// `cuts`: whether the move removes material; nothing where that was not simulated. `driven`: by a tool that its
     /// own spindle turns, of which the stream does not tell.
     void take(const Move& move, std::optional<bool> cuts, bool driven = false);
@@ -52,13 +53,11 @@ private:
 
     const shop::Machine& machine_;
     Collector& out_;
-    const Stand& stand_;
+    const motion::Stand& stand_;
+    const motion::State& state_;
     std::vector<Travel> travel_;
     std::map<std::string, double> other_worst_;  ///< of additional axes
     bool changed_ = true;
-    cl::Feed feed_;
-    cl::Spindle spindle_;
-    double widest_feed_;  ///< mm a revolution that the tool in use can make
     bool feed_reported_ = false, feed_implausible_reported_ = false, feed_limit_reported_ = false,
          stopped_reported_ = false, travel_noted_ = false, far_reported_ = false;
 };

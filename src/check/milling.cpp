@@ -12,6 +12,7 @@
 #include "cl/path_element.hpp"
 #include "cl/spline.hpp"
 #include "cl/totals.hpp"
+#include "motion/technology.hpp"
 
 namespace obrys::check {
 
@@ -46,8 +47,8 @@ bool on_the_spot(geom::Vec3 a, geom::Vec3 b) {
 
 }  // namespace
 
-Milling::Milling(const Setup& setup, Collector& out)
-    : setup_(setup), out_(out), pieces_left_(most_pieces), time_up_(setup.out_of_time) {
+Milling::Milling(const Setup& setup, const motion::State& state, Collector& out)
+    : setup_(setup), state_(state), out_(out), pieces_left_(most_pieces), time_up_(setup.out_of_time) {
     begin();
 }
 
@@ -115,21 +116,24 @@ void Milling::add_clamps(double left) {
     }
 }
 
-void Milling::take(const cl::Record& record, const cl::ToolChange& tool) {
+void Milling::spindle_changed(const cl::Spindle& before) {
+    const bool stands = motion::turning_sense(state_.spindle) == 0;
+    const bool stops = is_placed(cycle_) && stands && motion::turning_sense(before) != 0;
+    if (stops && !moves_.empty()) stopped_at_ = moves_.back().to;
+    edge_away_ = is_placed(cycle_) && stands && (edge_away_ || (stops && !moves_.empty()));
+}
+
+void Milling::tool_changed() {
     const shop::Tool* before = tool_;
-    tool_ = nullptr;
-    tool_name_ = tool.name.empty() ? "T" + std::to_string(tool.number) : "\"" + tool.name + "\"";
-    if (tool.number == 0 && tool.name.empty()) tool_name_.clear();
-    for (const shop::Tool& t : setup_.tools) {
-        const bool same = tool.number != 0 ? t.number == tool.number : !tool.name.empty() && t.name == tool.name;
-        if (!same || (tool.edge != 0 && t.edge != tool.edge)) continue;
-        tool_ = &t;
-        break;
-    }
+    const cl::ToolChange& tool = state_.change;
+    tool_ = state_.tool;
+    tool_name_ = !state_.any_tool    ? ""
+                 : tool.name.empty() ? "T" + std::to_string(tool.number)
+                                     : "\"" + tool.name + "\"";
     tool_ready_ = false;
     if (before != nullptr && tool_ != nullptr && before->length != tool_->length)
         out_.assumption("a new tool's tip is taken to be where the last one's was, until the program moves it",
-                        record.from);
+                        state_.changed);
 }
 
 /// A tool thinner than the rays' distance may go between them and take nothing.
@@ -180,7 +184,8 @@ bool Milling::tool_in_use(const Move& move) {
         if (!tool_->holder.empty() && !(tool_->length > 0) && cutter.cutting_length >= unknown_height)
             out_.unchecked(move.record, "tool " + tool_name_ + ": where its holder is is not known: it is not checked",
                            "give the tool's length");
-        if (tool_->holder.empty() && !stands_in_spindle(*tool_)) in_nothing_ += (in_nothing_.empty() ? "" : ", ") + tool_name_;
+        if (tool_->holder.empty() && !stands_in_spindle(*tool_))
+            in_nothing_ += (in_nothing_.empty() ? "" : ", ") + tool_name_;
         const bool shank = !cutter.shank.empty() || tool_->kind == shop::ToolKind::t_slot;
         known = KnownTool{add_tool(made.shape), shank, !cutter.holder.empty(), made.shape.holder.bottom};
         // A thin disc, narrower by the tolerance: a hole as wide is not met.
@@ -198,7 +203,7 @@ bool Milling::tool_in_use(const Move& move) {
     return true;
 }
 
-void Milling::take(const Move& move, std::uint32_t use, const Stand::View& view,
+void Milling::take(const Move& move, std::uint32_t use, const motion::Stand::View& view,
                    const std::vector<shop::ToolPose>& swing) {
     if (move.rapid && !move.turning && !(view.axis == axis_) && on_the_spot(move.from, move.to)) {
         axis_ = view.axis;

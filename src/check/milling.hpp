@@ -17,10 +17,11 @@
 #include "check/milling_certify.hpp"
 #include "check/milling_core.hpp"
 #include "check/open_way.hpp"
-#include "check/stand.hpp"
 #include "check/stock_guard.hpp"
 #include "check/thread_band.hpp"
 #include "check/time_up.hpp"
+#include "motion/stand.hpp"
+#include "motion/state.hpp"
 #include "sim/milling/simulation.hpp"
 
 namespace obrys::sim::milling {
@@ -51,20 +52,14 @@ class Milling {
 public:
     /// The stock must be there; what is wrong with it, or too fine for the memory, is said in `out` and `ready` is
     /// false.
-    Milling(const Setup& setup, Collector& out);
+    /// `state`: what the moves that are taken are made with; it outlives this.
+    Milling(const Setup& setup, const motion::State& state, Collector& out);
     ~Milling();
     [[nodiscard]] bool ready() const { return simulation_.has_value(); }
 
-    void take(const cl::Record& record, const cl::ToolChange& tool);
-    void take(const cl::Feed& feed) { feed_ = feed; }
-    void take(const cl::Spindle& spindle) {
-        const std::int8_t turns = spindle.speed != 0 ? spindle.direction : std::int8_t{0};
-        const bool stops = is_placed(cycle_) && turns == 0 && spindle_ != 0;
-        if (stops && !moves_.empty()) stopped_at_ = moves_.back().to;
-        edge_away_ = is_placed(cycle_) && turns == 0 && (edge_away_ || (stops && !moves_.empty()));
-        speed_ = spindle.mode == cl::SpindleMode::rpm ? spindle.speed : NAN;
-        spindle_ = turns;
-    }
+    void tool_changed();
+    /// The spindle has been told something, in `before`'s place.
+    void spindle_changed(const cl::Spindle& before);
     /// The brackets of a cycle; moves inside that come from elsewhere run along an element of its contour.
     void begin_cycle(const base::Span& call) { cycle_ = call; }
     void end_cycle() {
@@ -72,7 +67,8 @@ public:
         edge_away_ = false;
     }
     /// `use`: index in Result::tools + 1. Queues the move; findings come later, in the order of the moves.
-    void take(const Move& move, std::uint32_t use, const Stand::View& view, const std::vector<shop::ToolPose>& swing);
+    void take(const Move& move, std::uint32_t use, const motion::Stand::View& view,
+              const std::vector<shop::ToolPose>& swing);
     /// Carries out what is queued, judges the surface and fills in Result::milling.
     void finish(bool complete);
 
@@ -88,7 +84,7 @@ private:
     [[nodiscard]] bool tool_in_use(const Move& move);
     std::uint32_t add_tool(const sim::milling::ToolShape& shape);
     void require_fine_enough(const Move& move, double radius);
-    void take_open(const Move& move, std::uint32_t use, const Stand::View& view);
+    void take_open(const Move& move, std::uint32_t use, const motion::Stand::View& view);
     void queue(const geom::PathElement& element, const MilledMove& move, bool feed);
     void queue_pass(QueuedPass::Kind kind, sim::milling::Part part, bool cut, const geom::PathElement& element);
     void require(sim::milling::Taken taken);
@@ -100,7 +96,7 @@ private:
     void queue_cutting(const geom::PathElement& element, const MilledMove& move, bool feed);
     [[nodiscard]] bool holder_is_above(const geom::PathElement& element) const;
     void queue_clamps(const geom::PathElement& element);
-    void queue_rapid(const Move& move, const MilledMove& m, const Stand::View& view,
+    void queue_rapid(const Move& move, const MilledMove& m, const motion::Stand::View& view,
                      const std::vector<shop::ToolPose>& swing);
     [[nodiscard]] double seconds_of(const Move& move, double way) const;
     void keep_technology(const Move& move, double way, MilledMove& m) const;
@@ -174,6 +170,7 @@ private:
         sim::certify::Depth part;
     };
     const Setup& setup_;
+    const motion::State& state_;
     Collector& out_;
     std::optional<sim::milling::Simulation> simulation_;
     std::deque<Clamp> clamps_;
@@ -206,9 +203,6 @@ private:
     bool edge_away_ = false;      ///< the cycle has stopped the spindle: of a boring bar the edge leaves the wall
     geom::Vec3 stopped_at_;       ///< the tip then
     std::map<std::pair<std::uint32_t, double>, std::uint32_t> bars_;  ///< by tool in the simulation and radius
-    cl::Feed feed_;
-    double speed_ = NAN;  ///< 1/min
-    std::int8_t spindle_ = 0;
     bool tool_ready_ = false, complete_ = true, stopped_reported_ = false;
     std::optional<geom::Vec3> tap_bottom_;  ///< where a tap has stopped in its thread
     std::optional<geom::Vec3> tap_mouth_;   ///< where it set out into it

@@ -7,6 +7,7 @@
 #include "check/milling_tool.hpp"
 #include "cl/path_element.hpp"
 #include "cl/spline.hpp"
+#include "motion/technology.hpp"
 
 namespace obrys::check {
 
@@ -39,34 +40,31 @@ void Milling::keep_thread(const Move& move) {
     thread_bands_.add(move.from, move.to, axis_, core_radius(*tool_), tool_->radius + tool_->delta_radius);
 }
 
+namespace {
+
+/// 1/min; not known under constant cutting speed, which has no meaning for tools that turn.
+double speed_of(const cl::Spindle& spindle) { return spindle.mode == cl::SpindleMode::rpm ? spindle.speed : NAN; }
+
+}  // namespace
+
 /// At the programmed feed; rapids in straight lines at the slowest axis' rapid.
 double Milling::seconds_of(const Move& move, double way) const {
-    if (move.rapid) {
-        double slowest = INFINITY;
-        for (const shop::MachineAxis& a : setup_.machine.axes)
-            if (!a.rotary) slowest = std::min(slowest, a.rapid);
-        return std::isfinite(slowest) && slowest > 0 ? 60 * way / slowest : NAN;
-    }
-    switch (feed_.mode) {
-        case cl::FeedMode::per_minute: return feed_.value > 0 ? 60 * way / feed_.value : NAN;
-        case cl::FeedMode::per_rev: return feed_.value * speed_ > 0 ? 60 * way / (feed_.value * speed_) : NAN;
-        case cl::FeedMode::inverse_time: return feed_.value > 0 ? 60 / feed_.value : NAN;
-    }
-    return NAN;
+    return move.rapid ? motion::rapid_seconds(setup_.machine, way)
+                      : motion::feed_seconds(state_.feed, way, speed_of(state_.spindle));
 }
 
 /// What chip thickness follows from.
 void Milling::keep_technology(const Move& move, double way, MilledMove& m) const {
     m.sinking = way > 0 ? std::clamp(-geom::dot(move.to - move.from, axis_) / way, -1.0, 1.0) : 0;
-    m.spindle = spindle_;
-    m.speed_rpm = spindle_ == 0 ? 0 : speed_;
+    m.spindle = static_cast<std::int8_t>(motion::turning_sense(state_.spindle));
+    m.speed_rpm = m.spindle == 0 ? 0 : speed_of(state_.spindle);
     if (move.rapid) return;
     const auto* thread = std::get_if<cl::Thread>(&move.record.step);
     if (thread != nullptr) m.thread = thread->pitch < 0 ? -1 : 1;
     if (thread != nullptr)
         m.feed_per_rev_mm = std::abs(thread->pitch);
-    else if (feed_.mode == cl::FeedMode::per_rev)
-        m.feed_per_rev_mm = feed_.value > 0 ? feed_.value : NAN;
+    else if (state_.feed.mode == cl::FeedMode::per_rev)
+        m.feed_per_rev_mm = state_.feed.value > 0 ? state_.feed.value : NAN;
     else if (way > 0)
         m.feed_mm_per_min = 60 * way / m.seconds;
     if (std::isnan(m.feed_mm_per_min))

@@ -48,7 +48,7 @@ bool leads_down(const geom::PathElement& e, geom::Vec3 axis) {
     return down > 1e-9 && geom::length(way + down * axis) < 1e-9 * down;
 }
 
-void Milling::queue_rapid(const Move& move, const MilledMove& m, const Stand::View& view,
+void Milling::queue_rapid(const Move& move, const MilledMove& m, const motion::Stand::View& view,
                           const std::vector<shop::ToolPose>& swing) {
     const geom::Vec3 axis = axis_;
     for (std::size_t i = 1; i < swing.size(); ++i) {

@@ -20,7 +20,7 @@ double top_of(const MillingSetup& m) {
 }  // namespace
 
 /// What is known of the way is simulated; reports show its ends as far as they are known.
-void Milling::take_open(const Move& move, std::uint32_t use, const Stand::View& view) {
+void Milling::take_open(const Move& move, std::uint32_t use, const motion::Stand::View& view) {
     const bool upright = !move.turning && view.problem.empty() && geom::distance(view.axis, {0, 0, 1}) < 1e-9;
     const bool straight = std::holds_alternative<cl::Linear>(move.record.step);
     const geom::Vec3 away{NAN, NAN, upright ? top_of(*setup_.milling) : NAN};

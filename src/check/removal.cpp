@@ -23,14 +23,6 @@ bool is_off_axis(double x) {
 
 bool known(geom::Vec3 p) { return std::isfinite(p.x) && std::isfinite(p.z); }
 
-const shop::Tool* find(const std::vector<shop::Tool>& tools, const cl::ToolChange& wanted) {
-    for (const shop::Tool& t : tools) {
-        const bool same = wanted.number != 0 ? t.number == wanted.number : t.name == wanted.name;
-        if (same && (wanted.edge == 0 || t.edge == wanted.edge)) return &t;
-    }
-    return nullptr;
-}
-
 /// A tool that the list has with another edge alone is not to be added: its edge is to be given.
 std::string remedy_of_missing(const std::vector<shop::Tool>& tools, const cl::ToolChange& wanted) {
     for (const shop::Tool& t : tools)
@@ -74,7 +66,8 @@ bool beside_in_z(double a, double b, const Box& tool, const Box& stock) {
 
 }  // namespace
 
-Removal::Removal(const Setup& setup, Collector& out) : setup_(setup), out_(out), time_up_(setup.out_of_time) {
+Removal::Removal(const Setup& setup, const motion::State& state, Collector& out)
+    : setup_(setup), state_(state), out_(out), time_up_(setup.out_of_time) {
     if (!setup.stock || setup.stock->empty() || setup.machine.kind != shop::MachineKind::lathe) return;
     work_.emplace(*setup.stock);
     if (setup.part && judges_part(setup.scope)) part_.emplace(*setup.part);
@@ -86,14 +79,12 @@ Removal::Removal(const Setup& setup, Collector& out) : setup_(setup), out_(out),
     out_.result().before = StockFigures{work_->area(), work_->volume()};
 }
 
-void Removal::take(const cl::Record& record, const cl::ToolChange& tool) {
-    selected_ = record;
-    const bool any = tool.number != 0 || !tool.name.empty();
-    emptied_ = !any && (emptied_ || selected_any_);
-    selected_any_ = any;
+void Removal::tool_changed() {
+    emptied_ = !state_.any_tool && (emptied_ || had_tool_);
+    had_tool_ = state_.any_tool;
     changed_ = true;
     positioned_ = false;
-    tool_ = selected_any_ ? find(setup_.tools, tool) : nullptr;
+    tool_ = state_.tool;
     outline_ = tool_ != nullptr ? turning_outline(*tool_) : geom::Contour{};
     sure_ = tool_ != nullptr ? shop::sure_outline(*tool_) : geom::Contour{};
     behind_ = tool_ != nullptr ? behind_blade(*tool_) : geom::Contour{};
@@ -106,8 +97,8 @@ void Removal::take(const cl::Record& record, const cl::ToolChange& tool) {
 void Removal::first_use(const Move& move) {
     changed_ = false;
     use_ = 0;
-    if (!selected_any_) return;
-    const auto& tool = std::get<cl::ToolChange>(selected_.step);
+    if (!state_.any_tool) return;
+    const cl::ToolChange& tool = state_.change;
     auto& uses = out_.result().tools;
     for (std::size_t i = 0; i < uses.size() && use_ == 0; ++i)
         if (uses[i].number == tool.number && uses[i].edge == tool.edge && uses[i].name == tool.name)
@@ -120,20 +111,20 @@ void Removal::first_use(const Move& move) {
     if (tool_ != nullptr) return;
     if (!setup_.tools_given && setup_.scope == shop::Scope::motion) return;
     if (!setup_.tools_given)
-        return out_.unchecked(selected_, "no tool list is given: tools are not checked",
-                              "name the tools in a job file");
+        return out_.unchecked({state_.change, state_.changed, state_.changed_from},
+                              "no tool list is given: tools are not checked", "name the tools in a job file");
     Finding f;
     f.code = base::codes::tool_missing;
     f.text = tool_name(tool) + " is not in the tool list";
     f.remedy = remedy_of_missing(setup_.tools, tool);
-    f.where = selected_.from;
-    f.stack = out_.stacks().sites(selected_.stack);
-    if (!(move.record.from == selected_.from)) f.related.push_back({move.record.from, "first move with it"});
+    f.where = state_.changed;
+    f.stack = out_.stacks().sites(state_.changed_from);
+    if (!(move.record.from == state_.changed)) f.related.push_back({move.record.from, "first move with it"});
     out_.finding(move, std::move(f));
 }
 
 bool Removal::is_astray(const Move& move) const {
-    return selected_any_ && std::get<cl::ToolChange>(selected_.step).edge == 0 && !leads_away(move, stock_box_);
+    return state_.any_tool && state_.change.edge == 0 && !leads_away(move, stock_box_);
 }
 
 bool Removal::works_off_axis(const Move& move) const {
@@ -142,8 +133,8 @@ bool Removal::works_off_axis(const Move& move) const {
 
 /// Why the removal of a move cannot be computed.
 std::optional<std::string> Removal::obstacle(const Move& move) const {
-    const std::string tool = selected_any_ ? tool_name(std::get<cl::ToolChange>(selected_.step)) : "";
-    if (!selected_any_) return "no tool is selected: removal not simulated";
+    const std::string tool = state_.any_tool ? tool_name(state_.change) : "";
+    if (!state_.any_tool) return "no tool is selected: removal not simulated";
     if (tool_ == nullptr) return tool + " is not known: its removal is not simulated";
     if (is_astray(move))
         return tool + (move.rapid
@@ -174,7 +165,7 @@ bool Removal::misses(const Move& move) const {
 }
 
 void Removal::skipped(const Move& move, std::string why) {
-    if (move.rapid && (!whereabouts_.began() || (!selected_any_ && use_ == 0))) {
+    if (move.rapid && (!whereabouts_.began() || (!state_.any_tool && use_ == 0))) {
         ++start_moves_;
         return;
     }
@@ -218,7 +209,7 @@ Removed Removal::cut_open(const Move& move) {
     if (turns && ends) from = to + geom::Vec3{0, 0, geom::distance(from, to)};  // on its axis
     if (ends || open.way.kind == OpenWay::Kind::swept) {
         if (turns && (is_off_axis(from.x) || is_off_axis(to.x))) {
-            skipped(move, tool_name(std::get<cl::ToolChange>(selected_.step)) + stands_off);
+            skipped(move, tool_name(state_.change) + stands_off);
             return r;
         }
         cut(move, {{from.z, from.x}, {to.z, to.x}, {}, 0}, r);
@@ -231,13 +222,13 @@ Removed Removal::cut_open(const Move& move) {
 Removed Removal::take(const Move& move) {
     Removed r;
     if (changed_) first_use(move);
-    if (!selected_any_ && !move.rapid && !cut_without_tool_) {
+    if (!state_.any_tool && !move.rapid && !cut_without_tool_) {
         cut_without_tool_ = true;
         Finding f;
         f.code = base::codes::tool_missing;
         f.text = emptied_ ? "no tool is in use at this feed move: tool 0 has replaced the one before"
                           : "no tool is selected at the first feed move";
-        if (emptied_) f.related.push_back({selected_.from, "tool 0"});
+        if (emptied_) f.related.push_back({state_.changed, "tool 0"});
         f.remedy = emptied_ ? "select the tool that cuts before it"
                             : "select a tool with T and D before it, or name the one in use in the job: first_tool = 1";
         out_.finding(move, std::move(f));
@@ -245,7 +236,7 @@ Removed Removal::take(const Move& move) {
     if (work_) {
         judge_clamps(move);
         const bool astray = is_astray(move);
-        if (selected_any_ && !astray && std::get<cl::ToolChange>(selected_.step).edge == 0)
+        if (state_.any_tool && !astray && state_.change.edge == 0)
             out_.assumption(
                 "a tool without its offset is taken to be away from the stock on rapids that lead away from it",
                 move.record.from);

@@ -10,6 +10,7 @@
 #include "check/time_up.hpp"
 #include "check/turned_thread.hpp"
 #include "check/words.hpp"
+#include "motion/state.hpp"
 #include "sim/turning/turning.hpp"
 
 namespace obrys::check {
@@ -29,9 +30,10 @@ struct Removed {
 
 class Removal {
 public:
-    Removal(const Setup& setup, Collector& out);
+    /// `state`: what the moves that are taken are made with; it outlives this.
+    Removal(const Setup& setup, const motion::State& state, Collector& out);
 
-    void take(const cl::Record& record, const cl::ToolChange& tool);
+    void tool_changed();
     Removed take(const Move& move);
     /// Notes, rest material and the figures of the stock. `end`: the last record.
     void finish(const cl::Record& end);
@@ -42,7 +44,6 @@ public:
     [[nodiscard]] geom::Region stock() const { return work_ ? work_->region() : geom::Region{}; }
     /// Index in Result::tools + 1 of the tool in use; 0: none.
     [[nodiscard]] std::uint32_t tool_in_use() const { return use_; }
-    [[nodiscard]] const shop::Tool* tool() const { return tool_; }  ///< the one selected; null: not listed
 
 private:
     void first_use(const Move& move);
@@ -75,6 +76,7 @@ private:
     void require_balance(const StockFigures& before, const StockFigures& after);
 
     const Setup& setup_;
+    const motion::State& state_;
     Collector& out_;
     std::optional<sim::turning::Workpiece> work_;
     std::optional<sim::turning::Kept> part_, allowance_;
@@ -96,9 +98,8 @@ private:
     geom::Vec2 thread_along_{1, 0};  ///< its direction
     std::optional<ThreadGround> ground_;  ///< of the thread that the last move was part of
     bool in_front_ = false;               ///< a tool has stood in front of the stock's right face
-    cl::Record selected_;                 ///< the last tool change
     bool positioned_ = false;             ///< the workpiece is an axis
-    bool selected_any_ = false, changed_ = false, cut_without_tool_ = false;
+    bool had_tool_ = false, changed_ = false, cut_without_tool_ = false;
     bool emptied_ = false;  ///< tool 0 was selected behind another one
     std::uint32_t use_ = 0;
     Whereabouts whereabouts_;

@@ -81,7 +81,7 @@ void Removal::note_reach(const Move& move, const sim::turning::Move& way) {
     if (tool_->reach_given || !past || shop::is_milling(tool_->kind)) return;
     if (!(geom::area(work_->met(outline_, way)) > setup_.tolerances.rapid)) return;
     const bool blade = tool_->kind == shop::ToolKind::groove;
-    out_.assumption(tool_name(std::get<cl::ToolChange>(selected_.step)) + (blade ? ": its blade" : ": its insert") +
+    out_.assumption(tool_name(state_.change) + (blade ? ": its blade" : ": its insert") +
                         " is taken to end before the opposite wall of the bore, since its " +
                         (blade ? "cutting_depth" : "edge_length") + " is not given",
                     move.record.from);
@@ -103,7 +103,7 @@ void Removal::judge_blade(const Move& move, const sim::turning::Move& way) {
     const double high = tool_->direction == shop::BladeDirection::face ? b.max_z - b.min_z : b.max_x - b.min_x;
     Finding f;
     f.code = base::codes::edges_too_short;
-    f.cause = tool_name(std::get<cl::ToolChange>(selected_.step)) + " blade";
+    f.cause = tool_name(state_.change) + " blade";
     f.text = "the blade is " + mm(tool_->cutting_depth) + " long (cutting_depth), material stands beside it " +
              mm(high) + " above that, at " + point(d->deepest);
     f.remedy = "take a longer blade, or give the tool's holder if it is no wider";
@@ -124,7 +124,7 @@ void Removal::judge_holder(const Move& move, const sim::turning::Move& way) {
     if (!deepest) return;
     Finding f;
     f.code = base::codes::holder_in_stock;
-    f.cause = tool_name(std::get<cl::ToolChange>(selected_.step)) + " holder";
+    f.cause = tool_name(state_.change) + " holder";
     f.text = "the holder runs into the stock: " + mm(deepest->normal) + " deep at " + point(deepest->deepest) + ", " +
              mm2(deepest->area);
     f.remedy = "see that the way is clear for the holder, or take one that fits";

@@ -68,26 +68,23 @@ PathPlotter::PathPlotter(const PlotOptions& options, Rows rows) : options_(optio
 }
 
 void PathPlotter::operator()(const cl::Record& record) {
-    if (const auto* datum = std::get_if<cl::Datum>(&record.step)) position_.take(*datum);
-    if (!cl::is_move(record.step)) return;
-    const geom::Vec3 from = position_.here();
-    const bool rapid = cl::is_rapid(record.step);
-    const double length = cl::move_length(from, record.step);
-    if (std::isfinite(length)) (rapid ? plot_.rapid_length : plot_.feed_length) += length;
-    const bool drawn = draw(from, record);
+    const auto step = cursor_.take(record);
+    if (!step) return;
+    const double length = cl::move_length(step->from, record.step);
+    if (std::isfinite(length)) (step->rapid ? plot_.rapid_length : plot_.feed_length) += length;
+    const bool drawn = draw(*step);
     if (options_.unit > 0) {
-        if (rapid)
+        if (step->rapid)
             ++sums_.rapids;
         else
-            interpolate(from, record, drawn ? &plot_.moves.back() : nullptr);
+            interpolate(*step, drawn ? &plot_.moves.back() : nullptr);
     }
-    ++plot_.all_moves;
-    position_.move_to(cl::position_after(from, record.step));
+    plot_.all_moves = cursor_.moves();
 }
 
 void PathPlotter::programmed(geom::Vec3 from, const cl::Record& element) {
     if (plot_.contour.size() >= options_.keep_moves) return;
-    const geom::Vec3 by = position_.to_stock(), to = cl::position_after(from, element.step);
+    const geom::Vec3 by = cursor_.position().to_stock(), to = cl::position_after(from, element.step);
     if (!geom::is_finite(from + by) || !geom::is_finite(to + by) || geom::length(from) + geom::length(to) > drawable)
         return;
     report::PlotMove m;
@@ -98,11 +95,11 @@ void PathPlotter::programmed(geom::Vec3 from, const cl::Record& element) {
 }
 
 /// True where the move is in the picture.
-bool PathPlotter::draw(geom::Vec3 from, const cl::Record& record) {
+bool PathPlotter::draw(const motion::Step& step) {
     if (plot_.moves.size() + plot_.unplaced_moves >= options_.keep_moves) return false;
     report::PlotMove m;
-    m.rapid = cl::is_rapid(record.step);
-    const geom::Vec3 by = position_.to_stock(), to = cl::position_after(from, record.step);
+    m.rapid = step.rapid;
+    const geom::Vec3 by = step.to_stock, from = step.from, to = step.to;
     const geom::Vec2 first = report::project(options_.plane, from + by),
                      last = report::project(options_.plane, to + by);
     const double far = std::abs(first.x) + std::abs(first.y) + std::abs(last.x) + std::abs(last.y);
@@ -111,25 +108,26 @@ bool PathPlotter::draw(geom::Vec3 from, const cl::Record& record) {
         return false;
     }
     m.points.push_back(from + by);
-    cl::points_between(from, record.step, chord, chords, [&](geom::Vec3 p) { m.points.push_back(p + by); });
+    cl::points_between(from, step.record.step, chord, chords, [&](geom::Vec3 p) { m.points.push_back(p + by); });
     m.points.push_back(to + by);
     plot_.moves.push_back(std::move(m));
     return true;
 }
 
-void PathPlotter::interpolate(geom::Vec3 from, const cl::Record& record, report::PlotMove* drawn) {
+void PathPlotter::interpolate(const motion::Step& step, report::PlotMove* drawn) {
+    const cl::Record& record = step.record;
     report::InterpolatedMove row{
-        plot_.all_moves, record.from, kind_of(record.step), cl::move_length(from, record.step), {}};
-    const auto element = cl::element_of(from, record.step);
+        step.index, record.from, kind_of(record.step), cl::move_length(step.from, record.step), {}};
+    const auto element = cl::element_of(step.from, record.step);
     if (element) {
         const int pieces = plot_.moves.size() < 1000 ? 128 : 12;
         report::PlotMove unused;
-        Sides sides(geom::point_at(*element, 0), options_.plane, position_.to_stock(),
-                    drawn != nullptr ? *drawn : unused, pieces);
-        const auto step = [&](const geom::GridStep& s) {
+        Sides sides(geom::point_at(*element, 0), options_.plane, step.to_stock, drawn != nullptr ? *drawn : unused,
+                    pieces);
+        const auto add = [&](const geom::GridStep& s) {
             if (drawn != nullptr) sides.add(s);
         };
-        row.figures = geom::staircase(*element, options_.unit, step, options_.most_steps - steps_run_);
+        row.figures = geom::staircase(*element, options_.unit, add, options_.most_steps - steps_run_);
     }
     const geom::Staircase& f = row.figures;
     steps_run_ += f.steps;
@@ -146,7 +144,7 @@ void PathPlotter::interpolate(geom::Vec3 from, const cl::Record& record, report:
             if (sums_.moves == 1 || f.largest > sums_.worst.figures.largest + 1e-6 * options_.unit) {
                 sums_.worst = row;
                 worst_ = *element;
-                worst_shift_ = position_.to_stock();
+                worst_shift_ = step.to_stock;
             }
             break;
     }

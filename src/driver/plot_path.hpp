@@ -3,8 +3,8 @@
 /// interpolator's deviations. Memory is bounded by `keep_moves`.
 
 #include "base/function_ref.hpp"
-#include "check/position.hpp"
 #include "cl/record.hpp"
+#include "motion/cursor.hpp"
 #include "report/path_plot.hpp"
 
 namespace obrys::driver {
@@ -29,13 +29,13 @@ public:
     [[nodiscard]] report::PathPlot finish();
 
 private:
-    bool draw(geom::Vec3 from, const cl::Record& record);
-    void interpolate(geom::Vec3 from, const cl::Record& record, report::PlotMove* drawn);
+    bool draw(const motion::Step& step);
+    void interpolate(const motion::Step& step, report::PlotMove* drawn);
     void look_closer();
 
     PlotOptions options_;
     Rows rows_;
-    check::Position position_;
+    motion::Cursor cursor_;
     report::PathPlot plot_;
     report::Interpolation sums_;
     std::uint64_t steps_run_ = 0;  ///< also of moves that were not run to their end

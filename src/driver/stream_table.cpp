@@ -80,18 +80,18 @@ CsvWriter::CsvWriter(const base::Sources& sources, TextSink out) : sources_(sour
 }
 
 void CsvWriter::operator()(const cl::Record& r) {
-    if (const auto* feed = std::get_if<cl::Feed>(&r.step)) feed_ = feed->value;
+    const auto step = cursor_.take(r);
     Row row;
-    if (!row_of(r.step, row)) return;
+    if (!step || !row_of(r.step, row)) return;
     row_.clear();
-    row_ += std::to_string(index_++) + ',' + base::csv_field(sources_[r.from.file].name) + ',' +
+    row_ += std::to_string(step->index) + ',' + base::csv_field(sources_[r.from.file].name) + ',' +
             std::to_string(sources_.position(r.from).line) + ',';
     if (const auto block = sources_.block_number(r.from.file, r.from.begin)) row_ += std::to_string(*block);
     row_ += std::string(",") + row.kind;
     append_number(row_, row.to.x);
     append_number(row_, row.to.y);
     append_number(row_, row.to.z);
-    append_number(row_, row.rapid ? NAN : feed_);
+    append_number(row_, row.rapid ? NAN : step->state.feed.value);
     append_number(row_, row.arc != nullptr ? row.arc->centre.x : NAN);
     append_number(row_, row.arc != nullptr ? row.arc->centre.y : NAN);
     append_number(row_, row.arc != nullptr ? row.arc->centre.z : NAN);
@@ -100,11 +100,11 @@ void CsvWriter::operator()(const cl::Record& r) {
 }
 
 void JsonWriter::operator()(const cl::Record& r) {
-    if (const auto* feed = std::get_if<cl::Feed>(&r.step)) feed_ = feed->value;
+    const auto step = cursor_.take(r);
     Row row;
-    if (!row_of(r.step, row)) return;
+    if (!step || !row_of(r.step, row)) return;
     nlohmann::ordered_json j;
-    j["i"] = index_;
+    j["i"] = step->index;
     j["file"] = base::as_utf8(sources_[r.from.file].name);
     j["line"] = sources_.position(r.from).line;
     const auto block = sources_.block_number(r.from.file, r.from.begin);
@@ -113,16 +113,16 @@ void JsonWriter::operator()(const cl::Record& r) {
     j["x_mm"] = json_number(row.to.x);
     j["y_mm"] = json_number(row.to.y);
     j["z_mm"] = json_number(row.to.z);
-    if (!row.rapid) j["feed"] = feed_;
+    if (!row.rapid) j["feed"] = step->state.feed.value;
     if (row.arc != nullptr) {
         j["centre_mm"] = json_point(row.arc->centre);
         j["sense"] = sense_of(*row.arc);
         j["sweep_deg"] = geom::degrees(row.arc->sweep);
     }
     if (row.spline != nullptr) add_coefficients(j, *row.spline);
-    out_((index_++ == 0 ? "[\n" : ",\n") + j.dump());
+    out_((step->index == 0 ? "[\n" : ",\n") + j.dump());
 }
 
-void JsonWriter::finish() { out_(index_ == 0 ? "[]\n" : "\n]\n"); }
+void JsonWriter::finish() { out_(cursor_.moves() == 0 ? "[]\n" : "\n]\n"); }
 
 }  // namespace obrys::driver

@@ -6,7 +6,7 @@
 
 #include "base/function_ref.hpp"
 #include "base/source.hpp"
-#include "cl/record.hpp"
+#include "motion/cursor.hpp"
 
 namespace obrys::driver {
 
@@ -21,8 +21,7 @@ public:
 private:
     const base::Sources& sources_;
     TextSink out_;
-    std::uint64_t index_ = 0;
-    double feed_ = 0;
+    motion::Cursor cursor_;
     std::string row_;
 };
 
@@ -36,8 +35,7 @@ public:
 private:
     const base::Sources& sources_;
     TextSink out_;
-    std::uint64_t index_ = 0;
-    double feed_ = 0;
+    motion::Cursor cursor_;
 };
 
 }  // namespace obrys::driver

@@ -3,7 +3,7 @@
 
 #include "cl/record.hpp"
 
-namespace obrys::check {
+namespace obrys::motion {
 
 class Position {
 public:
@@ -24,4 +24,4 @@ private:
     geom::Vec3 shift_;
 };
 
-}  // namespace obrys::check
+}  // namespace obrys::motion

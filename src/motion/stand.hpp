@@ -11,7 +11,7 @@
 #include "shop/kinematics.hpp"
 #include "shop/tool.hpp"
 
-namespace obrys::check {
+namespace obrys::motion {
 
 /// dot(along, p); a coordinate of p that does not count need not be known.
 [[nodiscard]] double part_along(const geom::Vec3& along, const geom::Vec3& p);
@@ -89,4 +89,4 @@ private:
     bool viewed_ = false;
 };
 
-}  // namespace obrys::check
+}  // namespace obrys::motion

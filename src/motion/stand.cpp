@@ -1,11 +1,11 @@
-#include "check/stand.hpp"
+#include "motion/stand.hpp"
 
 #include <algorithm>
 #include <cmath>
 
 #include "base/whole.hpp"
 
-namespace obrys::check {
+namespace obrys::motion {
 
 using geom::Vec3;
 
@@ -180,4 +180,4 @@ std::vector<Stand::Way> Stand::ways() const {
     return out;
 }
 
-}  // namespace obrys::check
+}  // namespace obrys::motion

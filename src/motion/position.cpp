@@ -1,6 +1,6 @@
-#include "check/position.hpp"
+#include "motion/position.hpp"
 
-namespace obrys::check {
+namespace obrys::motion {
 
 namespace {
 
@@ -34,4 +34,4 @@ void Position::take(const cl::Datum& datum) {
 
 void Position::move_to(geom::Vec3 to) { here_ = to; }
 
-}  // namespace obrys::check
+}  // namespace obrys::motion

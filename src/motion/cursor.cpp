@@ -1,0 +1,72 @@
+#include "motion/cursor.hpp"
+
+#include "cl/totals.hpp"
+
+namespace obrys::motion {
+
+const shop::Tool* find_tool(std::span<const shop::Tool> tools, const cl::ToolChange& wanted) {
+    if (wanted.number == 0 && wanted.name.empty()) return nullptr;
+    for (const shop::Tool& t : tools) {
+        const bool same = wanted.number != 0 ? t.number == wanted.number : t.name == wanted.name;
+        if (same && (wanted.edge == 0 || t.edge == wanted.edge)) return &t;
+    }
+    return nullptr;
+}
+
+namespace {
+
+template <class... Fs>
+struct Visitor : Fs... {
+    using Fs::operator()...;
+};
+template <class... Fs>
+Visitor(Fs...) -> Visitor<Fs...>;
+
+}  // namespace
+
+/// All kinds are named: a new one stops this from compiling until somebody has said whether it holds on.
+void Cursor::take_modal(const cl::Record& record) {
+    State& s = state_;
+    std::visit(Visitor{
+                   [&](const cl::Feed& feed) { s.feed = feed; },
+                   [&](const cl::Spindle& spindle) { s.spindle = spindle; },
+                   [&](const cl::Coolant& coolant) { s.coolant = coolant; },
+                   [&](const cl::Tolerance& tolerance) { s.tolerance = tolerance; },
+                   [&](const cl::Datum& datum) {
+                       s.datum = datum;
+                       position_.take(datum);
+                   },
+                   [&](const cl::ToolChange& change) {
+                       s.change = change;
+                       s.changed = record.from;
+                       s.changed_from = record.stack;
+                       s.any_tool = change.number != 0 || !change.name.empty();
+                       s.tool = find_tool(tools_, change);
+                   },
+                   [&](const cl::CycleBegin&) { ++s.cycles; },
+                   [&](const cl::CycleEnd&) { s.cycles -= s.cycles > 0 ? 1 : 0; },
+                   [](const cl::Linear&) {},
+                   [](const cl::Arc&) {},
+                   [](const cl::Spline&) {},
+                   [](const cl::Thread&) {},
+                   [](const cl::Axis&) {},  // Stand
+                   [](const cl::Dwell&) {},
+                   [](const cl::Stop&) {},
+                   [](const cl::Comment&) {},
+                   [](const cl::Auxiliary&) {},
+                   [](const cl::Setting&) {},
+               },
+               record.step);
+}
+
+std::optional<Step> Cursor::take(const cl::Record& record) {
+    if (!cl::is_move(record.step)) {
+        take_modal(record);
+        return std::nullopt;
+    }
+    const geom::Vec3 from = position_.here(), to = cl::position_after(from, record.step);
+    position_.move_to(to);
+    return Step{record, moves_++, from, to, position_.to_stock(), cl::is_rapid(record.step), state_};
+}
+
+}  // namespace obrys::motion
