@@ -121,6 +121,7 @@ void Milling::spindle_changed(const cl::Spindle& before) {
     const bool stops = is_placed(cycle_) && stands && motion::turning_sense(before) != 0;
     if (stops && !moves_.empty()) stopped_at_ = moves_.back().to;
     edge_away_ = is_placed(cycle_) && stands && (edge_away_ || (stops && !moves_.empty()));
+    judge_reversal(before);
 }
 
 void Milling::tool_changed() {

@@ -127,6 +127,9 @@ private:
     void judge_rotation(const MilledMove& move, const shop::Tool& tool);
     void judge_feed(const MilledMove& move, const shop::Tool& tool);
     void judge_tapping(const Move& move, const MilledMove& milled);
+    void judge_no_tap(const Move& move, const MilledMove& milled);
+    void judge_reversal(const cl::Spindle& before);
+    void say_no_tap(const MilledMove& milled);
     void judge_pitch_out(const MilledMove& milled);
     void judge_tap_out(const Move& move, const MilledMove& milled);
     void keep_in_thread(const Move& move);
@@ -208,6 +211,7 @@ private:
     std::optional<geom::Vec3> tap_mouth_;   ///< where it set out into it
     std::int8_t tap_sense_ = 0;             ///< MilledMove::thread of its way in
     double tap_way_ = NAN;                  ///< mm a revolution that it went there; NaN: not coupled to the spindle
+    std::uint32_t no_tap_ = 0;              ///< MilledMove::tool that was found last
     double slow_feed_ = NAN;                ///< mm/min, found last
     std::pair<std::uint32_t, std::int8_t> turned_wrong_{};  ///< tool and sense of the spindle that were found last
     std::uint64_t start_moves_ = 0;

@@ -8,6 +8,7 @@
 #include "check/milling.hpp"
 #include "check/milling_tool.hpp"
 #include "check/words.hpp"
+#include "motion/technology.hpp"
 
 namespace obrys::check {
 
@@ -32,9 +33,35 @@ std::string_view word_of(ToolKind kind) {
 
 }  // namespace
 
+/// A way coupled to the spindle as for a tap, down into a hole, with a tool that cuts no thread so. Said once a tool.
+void Milling::judge_no_tap(const Move& move, const MilledMove& milled) {
+    const auto* thread = std::get_if<cl::Thread>(&move.record.step);
+    if (thread != nullptr && thread->rigid_tap) say_no_tap(milled);
+}
+
+/// A cycle that reverses the spindle where it has fed down is one of tapping.
+void Milling::judge_reversal(const cl::Spindle& before) {
+    const int was = motion::turning_sense(before);
+    const bool reverses = was != 0 && motion::turning_sense(state_.spindle) == -was;
+    if (is_placed(cycle_) && reverses && !moves_.empty() && !moves_.back().rapid) say_no_tap(moves_.back());
+}
+
+void Milling::say_no_tap(const MilledMove& milled) {
+    if (tool_ == nullptr || !(milled.sinking > along_axis) || no_tap_ == milled.tool) return;
+    if (!shop::is_milling(tool_->kind) || tool_->kind == ToolKind::tap || tool_->kind == ToolKind::form) return;
+    no_tap_ = milled.tool;
+    Finding f;
+    f.code = codes::tap_pitch;
+    f.text = "a thread is tapped here, " + mm(milled.feed_per_rev_mm) + " a revolution, and the tool is no tap";
+    f.remedy = "call the tap, or correct its kind in the tool list";
+    f.amounts = {{"way_mm", milled.feed_per_rev_mm}};
+    found(milled, std::move(f));
+}
+
 /// The core of a tap goes through a hole made before and may meet nothing: what it does is judged where it goes along
 /// its axis within the stock's box.
 void Milling::judge_tapping(const Move& move, const MilledMove& milled) {
+    judge_no_tap(move, milled);
     if (tool_ == nullptr || tool_->kind != ToolKind::tap || std::abs(milled.sinking) < along_axis) return;
     const sim::milling::Box3 box = sim::milling::box_of(setup_.milling->stock);
     const auto passes = [&](double geom::Vec3::*k) {

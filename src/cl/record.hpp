@@ -5,6 +5,7 @@
 
 #include <array>
 #include <cstdint>
+#include <optional>
 #include <string>
 #include <variant>
 #include <vector>
@@ -89,6 +90,8 @@ struct Spindle {
     SpindleMode mode = SpindleMode::rpm;
     std::int8_t direction = 0;  ///< +1 clockwise (M3), -1 counter-clockwise (M4), 0 standing
     double limit = 0;           ///< highest speed in 1/min while mode is surface; 0 = none
+    std::optional<double>
+        held{};  ///< degrees at which it is held, standing (M19 R, SPOS); NaN: where the machine is set to
     bool operator==(const Spindle&) const = default;
 };
 
@@ -108,9 +111,9 @@ struct Thread {
     bool operator==(const Thread&) const = default;
 };
 
-enum class CoolantState : std::uint8_t { off, flood, mist };
+/// What flows from here on.
 struct Coolant {
-    CoolantState state = CoolantState::off;
+    bool flood = false, mist = false;
     bool operator==(const Coolant&) const = default;
 };
 
@@ -219,9 +222,27 @@ struct CycleEnd {
     bool operator==(const CycleEnd&) const = default;
 };
 
+enum class PartKind : std::uint8_t {
+    call,        ///< of a program
+    label,       ///< of a section of the same program (CALL LBL)
+    repetition,  ///< of a section that has been run before (REP, REPEAT): its further passes
+};
+/// The records up to the matching PartEnd come from a part of the program that is called or repeated; parts lie one in
+/// another. A Stop that ends the program ends them all.
+struct PartBegin {
+    PartKind kind = PartKind::call;
+    std::string name;          ///< of the program or label, as the control names it; empty: it has none
+    std::uint64_t pass = 1;    ///< of a call that is repeated, from 1; of a repetition from 2
+    std::uint64_t passes = 1;  ///< of them all
+    bool operator==(const PartBegin&) const = default;
+};
+struct PartEnd {
+    bool operator==(const PartEnd&) const = default;
+};
+
 /// One step of the tool's life. Closed on purpose: a new kind must break every visitor that names all kinds.
 using Step = std::variant<Linear, Arc, Spline, Axis, Thread, Dwell, Feed, Spindle, ToolChange, Coolant, Stop, Comment,
-                          Datum, Tolerance, Auxiliary, Setting, CycleBegin, CycleEnd>;
+                          Datum, Tolerance, Auxiliary, Setting, CycleBegin, CycleEnd, PartBegin, PartEnd>;
 
 /// Identifies a call stack in `CallStacks`; 0 is the main program.
 using StackId = std::uint32_t;

@@ -246,6 +246,16 @@ Spindle spindle(Words& w) {
     s.direction = directions[w.choice<3>({"stop", "cw", "ccw"})];
     w.expect("limit");
     s.limit = w.number();
+    if (w.accept("held")) s.held = w.number();
+    return s;
+}
+
+Coolant coolant(Words& w) {
+    Coolant s;
+    if (w.accept("off")) return s;
+    s.flood = w.accept("flood");
+    s.mist = w.accept("mist");
+    if (!s.flood && !s.mist) w.choice<3>({"off", "flood", "mist"});
     return s;
 }
 
@@ -287,6 +297,17 @@ CycleBegin cycle(Words& w) {
     return s;
 }
 
+PartBegin part(Words& w, PartKind kind) {
+    PartBegin s;
+    s.kind = kind;
+    s.name = w.quoted();
+    w.expect("pass");
+    s.pass = w.integer<std::uint64_t>();
+    w.expect("of");
+    s.passes = w.integer<std::uint64_t>();
+    return s;
+}
+
 std::optional<Step> step(Words& w) {
     const std::string_view kind = w.word();
     if (kind == "rapid" || kind == "linear") return linear(w, kind == "rapid");
@@ -301,7 +322,7 @@ std::optional<Step> step(Words& w) {
     if (kind == "feed") return feed(w);
     if (kind == "spindle") return spindle(w);
     if (kind == "tool") return tool(w);
-    if (kind == "coolant") return Coolant{static_cast<CoolantState>(w.choice<3>({"off", "flood", "mist"}))};
+    if (kind == "coolant") return coolant(w);
     if (kind == "stop") return Stop{static_cast<StopKind>(w.choice<3>({"program", "optional", "end"}))};
     if (kind == "comment" || kind == "message") return Comment{w.quoted(), kind == "message", false};
     if (kind == "print") return Comment{w.quoted(), true, true};
@@ -311,6 +332,10 @@ std::optional<Step> step(Words& w) {
     if (kind == "aux") return auxiliary(w);
     if (kind == "cycle") return cycle(w);
     if (kind == "cycle-end") return CycleEnd{};
+    if (kind == "call") return part(w, PartKind::call);
+    if (kind == "label") return part(w, PartKind::label);
+    if (kind == "repeat") return part(w, PartKind::repetition);
+    if (kind == "part-end") return PartEnd{};
     w.fail("unknown record kind \"" + std::string(kind) + "\"");
     return std::nullopt;
 }

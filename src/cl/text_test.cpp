@@ -49,9 +49,10 @@ Step any_step(std::size_t kind) {
             return Feed{number(), *rc::gen::element(FeedMode::per_minute, FeedMode::per_rev, FeedMode::inverse_time)};
         case 6:
             return Spindle{number(), *rc::gen::element(SpindleMode::rpm, SpindleMode::surface),
-                           *rc::gen::element<std::int8_t>(-1, 0, 1), number()};
+                           *rc::gen::element<std::int8_t>(-1, 0, 1), number(),
+                           *rc::gen::arbitrary<bool>() ? std::optional(number()) : std::nullopt};
         case 7: return ToolChange{*rc::gen::arbitrary<std::uint32_t>(), *rc::gen::arbitrary<std::uint32_t>(), text()};
-        case 8: return Coolant{*rc::gen::element(CoolantState::off, CoolantState::flood, CoolantState::mist)};
+        case 8: return Coolant{*rc::gen::arbitrary<bool>(), *rc::gen::arbitrary<bool>()};
         case 9: return Stop{*rc::gen::element(StopKind::program, StopKind::optional, StopKind::end)};
         case 10: {
             const bool message = *rc::gen::arbitrary<bool>();
@@ -59,6 +60,10 @@ Step any_step(std::size_t kind) {
         }
         case 11: return Datum{*rc::gen::arbitrary<std::uint32_t>(), vec()};
         case 12: return Auxiliary{*rc::gen::arbitrary<char>(), *rc::gen::arbitrary<std::int64_t>()};
+        case 18:
+            return PartBegin{*rc::gen::element(PartKind::call, PartKind::label, PartKind::repetition), text(),
+                             *rc::gen::arbitrary<std::uint64_t>(), *rc::gen::arbitrary<std::uint64_t>()};
+        case 19: return PartEnd{};
         case 17: {
             Setting s{static_cast<SettingKind>(*rc::gen::inRange(0, static_cast<int>(SettingKind::pallet_change) + 1)),
                       *rc::gen::inRange(-1000, 1000),
@@ -110,7 +115,10 @@ struct Mark {
     void operator()(Thread& s) const { mark(s.to), mark(s.pitch); }
     void operator()(Dwell& s) const { mark(s.seconds), mark(s.revolutions); }
     void operator()(Feed& s) const { mark(s.value); }
-    void operator()(Spindle& s) const { mark(s.speed), mark(s.limit); }
+    void operator()(Spindle& s) const {
+        mark(s.speed), mark(s.limit);
+        if (s.held) mark(*s.held);
+    }
     void operator()(Datum& s) const { mark(s.origin); }
     void operator()(Setting& s) const {
         for (double& v : s.values) mark(v);

@@ -118,6 +118,9 @@ struct StepWriter {
         out += s.direction > 0 ? " cw" : s.direction < 0 ? " ccw" : " stop";
         out += " limit";
         number(out, s.limit);
+        if (!s.held) return;
+        out += " held";
+        number(out, *s.held);
     }
     void operator()(const ToolChange& s) const {
         out += "tool " + std::to_string(s.number) + " edge " + std::to_string(s.edge);
@@ -128,7 +131,9 @@ struct StepWriter {
     }
     void operator()(const Coolant& s) const {
         out += "coolant";
-        out += s.state == CoolantState::off ? " off" : s.state == CoolantState::flood ? " flood" : " mist";
+        if (!s.flood && !s.mist) out += " off";
+        if (s.flood) out += " flood";
+        if (s.mist) out += " mist";
     }
     void operator()(const Stop& s) const {
         out += "stop";
@@ -170,6 +175,12 @@ struct StepWriter {
         }
     }
     void operator()(const CycleEnd&) const { out += "cycle-end"; }
+    void operator()(const PartBegin& s) const {
+        out += s.kind == PartKind::call ? "call" : s.kind == PartKind::label ? "label" : "repeat";
+        quoted(out, s.name);
+        out += " pass " + std::to_string(s.pass) + " of " + std::to_string(s.passes);
+    }
+    void operator()(const PartEnd&) const { out += "part-end"; }
 };
 
 }  // namespace

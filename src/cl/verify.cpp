@@ -32,7 +32,10 @@ void Verifier::operator()(const Record& record) {
 void Verifier::finish() {
     for (const Record& r : open_)
         complain(r, base::codes::unclosed, "cycle " + std::get<CycleBegin>(r.step).name + " has no end");
+    for (const Record& r : parts_)
+        complain(r, base::codes::unclosed, "the part \"" + std::get<PartBegin>(r.step).name + "\" has no end");
     open_.clear();
+    parts_.clear();
 }
 
 void Verifier::check(const Record& r, const Linear& s) {
@@ -123,6 +126,22 @@ void Verifier::check(const Record& r, const CycleBegin&) { open_.push_back(r); }
 void Verifier::check(const Record& r, const CycleEnd&) {
     if (open_.empty()) return complain(r, base::codes::unclosed, "end of a cycle that was not begun");
     open_.pop_back();
+}
+
+void Verifier::check(const Record& r, const PartBegin& s) {
+    if (s.pass == 0 || s.pass > s.passes)
+        complain(r, base::codes::value_range,
+                 "pass " + std::to_string(s.pass) + " of " + std::to_string(s.passes) + " is none");
+    parts_.push_back(r);
+}
+
+void Verifier::check(const Record& r, const PartEnd&) {
+    if (parts_.empty()) return complain(r, base::codes::unclosed, "end of a part that was not begun");
+    parts_.pop_back();
+}
+
+void Verifier::check(const Record&, const Stop& s) {
+    if (s.kind == StopKind::end) parts_.clear();
 }
 
 }  // namespace obrys::cl

@@ -19,14 +19,14 @@ struct VerifyOptions {
 
 /// Adds one diagnostic for every record that breaks a rule: `arc-radius` where the ends do not lie on the circle,
 /// `spline-start` where a spline does not start at the position, `value-range` for values that no record may hold,
-/// `unclosed` for cycle brackets without their partner.
+/// `unclosed` for brackets of cycles and parts without their partner.
 class Verifier {
 public:
     explicit Verifier(base::Diagnostics& diagnostics, VerifyOptions options = {}, const CallStacks* stacks = nullptr)
         : diagnostics_(diagnostics), options_(options), stacks_(stacks) {}
 
     void operator()(const Record& record);
-    /// To be called after the last record: complains about cycles that are still open.
+    /// To be called after the last record: complains about brackets that are still open.
     void finish();
 
 private:
@@ -43,9 +43,11 @@ private:
     void check(const Record& r, const Tolerance& s);
     void check(const Record& r, const CycleBegin& s);
     void check(const Record& r, const CycleEnd& s);
+    void check(const Record& r, const PartBegin& s);
+    void check(const Record& r, const PartEnd& s);
+    void check(const Record& r, const Stop& s);
     void check(const Record&, const ToolChange&) {}
     void check(const Record&, const Coolant&) {}
-    void check(const Record&, const Stop&) {}
     void check(const Record&, const Comment&) {}
     void check(const Record&, const Auxiliary&) {}
     void check(const Record&, const Setting&) {}
@@ -54,7 +56,8 @@ private:
     VerifyOptions options_;
     const CallStacks* stacks_;
     geom::Vec3 position_{NAN, NAN, NAN};
-    std::vector<Record> open_;  ///< CycleBegin records without their end
+    std::vector<Record> open_;   ///< CycleBegin records without their end
+    std::vector<Record> parts_;  ///< the same of PartBegin
 };
 
 }  // namespace obrys::cl

@@ -160,11 +160,11 @@ void centre(Course& c, const Situation& s) {
 
 void machine_function(Course& c, double number) {
     if (number == 8)
-        c.add(cl::Coolant{cl::CoolantState::flood});
+        c.add(cl::Coolant{true, false});
     else if (number == 9)
-        c.add(cl::Coolant{cl::CoolantState::off});
+        c.add(cl::Coolant{});
     else if (number == 7)
-        c.add(cl::Coolant{cl::CoolantState::mist});
+        c.add(cl::Coolant{false, true});
     else if (const auto m = base::whole<std::int64_t>(number, 0, 99'999))
         c.add(cl::Auxiliary{'M', *m});
     else

@@ -146,6 +146,12 @@ path::ArcResult planar_arc(Run& run, Vec2 from, Vec2 to, bool end_given, const P
               "the angle of this arc is larger than " + std::to_string(most_turns) + " turns");
         return {};
     }
+    if (b.has(Code::centre_at_pole) && b.has(Code::pole_angle) && b.get(Code::pole_angle) != 0 &&
+        (b.get(Code::pole_angle) < 0) != (sense == path::Sense::clockwise))
+        // iTNC 530 manual, circular path CP: "with incremental coordinates, enter the same sign for DR and PA".
+        unchecked(run, codes::unsupported, run.here(),
+                  "the angle of this arc has another sign than its sense of rotation: it is run in that sense",
+                  "write the same sign for both");
     if (b.has(Code::centre_at_pole)) return about_pole(run, from, to, sense, a);
     if (b.has(Code::radius) && centre && run.traits->radius_before_centre) pass_over_centre(run);
     if (b.has(Code::radius))
@@ -225,6 +231,12 @@ bool runs_straight(Run& run) {
     for (const Code c : {Code::i, Code::j, Code::k, Code::radius, Code::opening_angle, Code::polar_angle,
                          Code::polar_radius, Code::centre_at_pole})
         if (run.block.has(c)) return false;
+    if (run.path->active() != (run.modal.compensation != Modal::compensation_off)) {
+        // B-63684EN, cutter compensation C: start-up and cancel want G0 or G1 (alarm 34).
+        alarm(run, codes::compensation, run.here(),
+              "radius compensation begins or ends while G2 or G3 is in force (alarm 34)", "write G1 in this block");
+        return true;
+    }
     assume(run, run.here(),
            "coordinates without I, J, K and R while G2 or G3 is in force are run straight, as with " +
                std::string(setting),

@@ -254,7 +254,7 @@ void return_arguments(Run& run, const Activation& callee) {
 
 }  // namespace
 
-void enter(Run& run, const Unit& unit, const Call* call, const base::Span& where) {
+void enter(Run& run, const Unit& unit, const Call* call, const base::Span& where, std::uint64_t repeats) {
     if (run.calls.size() >= run.env.budgets.call_depth) {
         unchecked(run, codes::budget, where,
                   "programs call each other more than " + std::to_string(run.env.budgets.call_depth) + " levels deep",
@@ -269,14 +269,15 @@ void enter(Run& run, const Unit& unit, const Call* call, const base::Span& where
     callee.saves = unit.save;
     callee.saved = run.modal;
     if (call != nullptr && run.traits->argument_parameters == 0) bind_arguments(run, unit, *call, callee);
-    const auto repeats = call != nullptr ? repeats_of(run, *call, where) : std::optional<std::uint64_t>(0);
-    if (!repeats || run.stopped) return;
-    callee.repeats_left = *repeats;
+    const auto more = call != nullptr ? repeats_of(run, *call, where) : std::optional(repeats);
+    if (!more || run.stopped) return;
+    callee.repeats = callee.repeats_left = *more;
     const double first = call != nullptr && call->first_block != program::no_expr ? number(run, call->first_block) : -1;
     const bool main = run.calls.empty();
     hide_locals(run, unit, callee);
     pass_arguments(run, call, callee);
     if (run.stopped) return;
+    if (!main) begin_part(run, cl::PartKind::call, unit.name, 1, callee.repeats + 1);
     run.calls.push_back(std::move(callee));
     if (call != nullptr && call->first_block != program::no_expr && !begin_at(run, first, where)) return;
     if (unit.traits->unit_per_program) run.modal.inch_geometry = run.modal.inch_feed = unit.inch;
@@ -332,6 +333,16 @@ std::uint32_t unended_label(const Activation& act) {
 
 }  // namespace
 
+namespace {
+
+/// What is repeated when the program is left.
+void end_sections(Run& run) {
+    for (const ActiveSection& s : run.top().sections)
+        if (s.pass > 1) end_part(run);
+}
+
+}  // namespace
+
 void leave(Run& run) {
     Activation& act = run.top();
     if (const std::uint32_t call = unended_label(act); call != program::no_target)
@@ -340,6 +351,9 @@ void leave(Run& run) {
     if (act.repeats_left > 0) {
         --act.repeats_left;
         act.pc = act.entry;
+        end_sections(run);
+        end_part(run);
+        begin_part(run, cl::PartKind::call, act.unit->name, act.repeats + 1 - act.repeats_left, act.repeats + 1);
         act.sections.clear();
         act.locals.truncate(act.own_bindings);
         return;
@@ -350,6 +364,8 @@ void leave(Run& run) {
         run.stopped = true;
         return;
     }
+    end_sections(run);
+    end_part(run);
     show_locals(run, act);
     if (act.from_modal_call) keep_modal_parameters(run);
     return_arguments(run, act);
@@ -451,11 +467,10 @@ void run_modal_call(Run& run) {
     for (const Activation& a : run.calls)
         if (a.from_modal_call) return;
     const std::size_t depth = run.calls.size();
-    enter(run, *modal.unit, nullptr, run.here());
+    enter(run, *modal.unit, nullptr, run.here(), modal.repeats);
     if (run.calls.size() == depth || run.stopped) return;
     Activation& act = run.top();
     act.from_modal_call = true;
-    act.repeats_left = modal.repeats;
     for (std::uint32_t n = 1; n <= modal.parameters.size(); ++n)
         if (modal.parameters[n - 1].second) run.parameters.set(n, modal.parameters[n - 1].first);
     for (std::size_t i = 0; i < modal.arguments.size() && !run.stopped; ++i) {

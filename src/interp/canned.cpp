@@ -112,7 +112,7 @@ cycles::Demand demand_at(const Run& run, const program::CannedCycle& c, const ge
     d.kind = c.kind;
     d.values.assign(c.fixed.begin(), c.fixed.end());
     for (program::CycleValue& v : d.values)
-        if (v.role == CycleRole::rise_first) v.value = 2;  // begin_series does that
+        if (v.role == CycleRole::rise_first) v.value = 2;                       // begin_series does that
     const bool on = !run.modal.absolute && !run.traits->canned_positions_stay;  // what was written counts as it is read
     const double retract = s.retract + (on ? initial : 0);
     d.values.push_back({CycleRole::target_u, target.x});

@@ -21,6 +21,12 @@ void emit(Run& run, cl::Step step) {
         send_plain(run, run.record);
 }
 
+void begin_part(Run& run, cl::PartKind kind, std::string name, std::uint64_t pass, std::uint64_t passes) {
+    emit(run, cl::PartBegin{kind, std::move(name), pass, passes});
+}
+
+void end_part(Run& run) { emit(run, cl::PartEnd{}); }
+
 void flush_path(Run& run) {
     if (run.capture == nullptr && run.path->active()) run.path->flush(run);
 }

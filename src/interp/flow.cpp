@@ -253,8 +253,7 @@ void repeat_section(Run& run, const program::Section& s, std::uint32_t index) {
     }
     active.back = index + 1;
     active.left = times_of(passes);
-    run.top().pc = active.first;
-    run.top().sections.push_back(active);
+    begin_repetition(run, std::move(active));
 }
 
 /// The count is taken once, at the start.
@@ -308,6 +307,26 @@ bool run_plain(Run& run, const Statement& s, std::uint32_t index) {
 
 }  // namespace
 
+namespace {
+
+/// A definition stands before the first block that does something (840D sl programming manual, "Definition of user
+/// variables (DEF)"; alarm 14500).
+void judge_place(Run& run, const Unit& unit, std::uint32_t index) {
+    for (std::uint32_t i = 0; i < index; ++i) {
+        const Statement& s = unit.statements[i];
+        if (s.kind == StatementKind::define) continue;
+        bool does = s.kind != StatementKind::block;
+        for (std::uint32_t w = s.first; w < unit.words_end(i) && !does; ++w)
+            does = program::code_of(unit.words[w]) != program::Code::comment;
+        if (!does) continue;
+        return unchecked(run, codes::unsupported, run.here(),
+                         "a definition stands behind a block that is run: the control stops here with alarm 14500",
+                         "write it at the beginning of the program");
+    }
+}
+
+}  // namespace
+
 void run_statement(Run& run, const Statement& s, std::uint32_t index) {
     const Unit& unit = run.unit();
     if (run.look > Look::next_element && say_foreign_statement(run, s)) return;
@@ -348,7 +367,10 @@ void run_statement(Run& run, const Statement& s, std::uint32_t index) {
         case StatementKind::contour: return contour_statement(run, unit.contours[table]);
         case StatementKind::call: call_program(run, unit.calls[table]); return;
         case StatementKind::procedure: procedure(run, unit.procedures[table]); return;
-        case StatementKind::define: define(run, unit.defines[table], run.top().locals, unit); return;
+        case StatementKind::define:
+            if (!run.top().is_text) judge_place(run, unit, index);
+            define(run, unit.defines[table], run.top().locals, unit);
+            return;
         default: return;
     }
 }

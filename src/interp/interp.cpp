@@ -133,9 +133,11 @@ void say_not_skipped(Run& run, const program::Statement& s) {
 void end_of_section(Run& run) {
     Activation& act = run.top();
     ActiveSection& section = act.sections.back();
+    if (section.pass > 1) end_part(run);
     if (section.left > 1) {
         --section.left;
         act.pc = section.first;
+        begin_part(run, cl::PartKind::repetition, section.name, ++section.pass, section.passes);
         return;
     }
     act.pc = section.back;
@@ -145,6 +147,14 @@ void end_of_section(Run& run) {
 }
 
 }  // namespace
+
+void begin_repetition(Run& run, ActiveSection section) {
+    section.pass = 2;
+    section.passes = section.left + 1;
+    begin_part(run, cl::PartKind::repetition, section.name, section.pass, section.passes);
+    run.top().pc = section.first;
+    run.top().sections.push_back(std::move(section));
+}
 
 Run::Run(const Environment& e, cl::CallStacks& s, cl::Sink k, base::Diagnostics& d, std::uint32_t parameter_count)
     : RunState(e.tools, parameter_count, start_position(e.machine)), env(e), stacks(s), sink(k), diagnostics(d) {
@@ -168,6 +178,8 @@ void step(Run& run) {
         const bool due = run.calls.size() == 1 || act.unit->startable || run.traits->text_may_end;
         if (due && !act.is_text && !act.unit->unended.empty()) refuse_end(run);
         if (run.stopped) return;
+        if (run.calls.size() == 1) flush_path(run);
+        if (run.calls.size() == 1 && run.traits->text_end_ends_program) emit(run, cl::Stop{cl::StopKind::end});
         leave(run);
         return;
     }

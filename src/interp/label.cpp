@@ -32,6 +32,11 @@ std::uint32_t target_of(Run& run, const program::LabelCall& c) {
     return program::no_target;
 }
 
+/// As the block names it.
+std::string label_name(Run& run, const program::LabelCall& c) {
+    return c.label != program::no_expr ? printed(evaluate(run, c.label)) : std::string();
+}
+
 void too_deep(Run& run, const std::string& text) {
     unchecked(run, codes::budget, run.here(), text, "the control allows no more");
     run.stopped = true;
@@ -55,8 +60,9 @@ void repeat(Run& run, std::uint32_t target, const program::LabelCall& c, std::ui
     }
     if (act.sections.size() >= run.env.budgets.call_depth)
         return too_deep(run, "repeated sections are nested too deep");
-    act.sections.push_back({target, index - 1, index + 1, times_of(passes)});
-    act.pc = target;
+    ActiveSection section{target, index - 1, index + 1, times_of(passes)};
+    section.name = label_name(run, c);
+    begin_repetition(run, std::move(section));
 }
 
 }  // namespace
@@ -70,6 +76,7 @@ void call_label(Run& run, const program::LabelCall& c, std::uint32_t index) {
     if (act.labels.size() >= depth)
         return too_deep(run, "labels are called more than " + std::to_string(depth) + " levels deep");
     act.labels.push_back({index + 1, act.stack});
+    begin_part(run, cl::PartKind::label, label_name(run, c), 1, 1);
     act.stack = run.stacks.push(act.stack, run.here());
     act.pc = target;
 }
@@ -77,6 +84,7 @@ void call_label(Run& run, const program::LabelCall& c, std::uint32_t index) {
 void end_label(Run& run) {
     Activation& act = run.top();
     if (act.labels.empty()) return;  // run through in passing: the label's text belongs to the program as well
+    end_part(run);
     act.pc = act.labels.back().pc;
     act.stack = act.labels.back().stack;
     act.labels.pop_back();

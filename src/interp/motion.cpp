@@ -300,6 +300,21 @@ void say_rapid_by_cancel(Run& run) {
 
 }  // namespace
 
+namespace {
+
+/// Under G93 a feed says how long its own block takes. Controls whose missing feed is an alarm have raised it.
+void judge_inverse_feed(Run& run) {
+    const BlockWords& b = run.block;
+    const Modal m = run.modal.motion;
+    const bool feeds = (m == Modal::linear || m == Modal::arc_cw || m == Modal::arc_ccw) && !b.rapid;
+    if (!feeds || b.has(Code::feed) || run.traits->needs_feed) return;
+    unchecked(run, codes::feed_missing, run.here(),
+              "under G93 every block has its own F: the control stops here, and the last F is taken",
+              "write F in the block, or G94 before it");
+}
+
+}  // namespace
+
 bool motion(Run& run) {
     const BlockWords& b = run.block;
     if (b.special == Modal::dwell) {
@@ -339,6 +354,7 @@ bool motion(Run& run) {
         return true;
     }
     if (!moves && !turns && !others) return false;
+    if (run.modal.feed_mode == cl::FeedMode::inverse_time) judge_inverse_feed(run);
     if (run.modal.rapid_by_cancel) say_rapid_by_cancel(run);
     if ((b.present & linear_axes & ~run.known_axes) != 0 && run.surface.kind == SurfaceMode::Kind::none)
         for (int k = 0; k < 3; ++k)

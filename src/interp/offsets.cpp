@@ -314,6 +314,12 @@ geom::Frame offset_frame(Run& run) {
     return f * geom::Frame::shift({o.shift[0], o.shift[1], o.shift[2]});
 }
 
+/// The word of the axis is an increment by its letter (U and W of lathes).
+bool adds(const Run& run, std::size_t k) {
+    return run.block.ref(axis_code(static_cast<int>(k))) ==
+           1 + static_cast<std::uint8_t>(program::Reference::incremental);
+}
+
 void shift_words(Run& run, Modal m) {
     flush_path(run);
     Offsets& o = run.offsets;
@@ -321,7 +327,7 @@ void shift_words(Run& run, Modal m) {
     if (m == Modal::position_becomes) say_unknown_places(run);
     for (std::size_t k = 0; k < 9; ++k) {
         const auto v = axis_word(run, k);
-        if (v && m == Modal::position_becomes) becomes(run, k, *v);
+        if (v && m == Modal::position_becomes) becomes(run, k, adds(run, k) ? axis_coordinate(run, k) + *v : *v);
         if (v && m == Modal::position_becomes && k == 2) zero_set_here(run);
         if (v && m == Modal::local_shift) o.shift[k] = *v;
     }

@@ -94,7 +94,8 @@ void call_program(Run&, const program::Call&);
 [[nodiscard]] bool find_file(Run&, const std::string& written);
 /// A cycle of the control itself that no program of the user stands in for (control_cycle.cpp).
 void control_cycle(Run&, const program::Call&);
-void enter(Run&, const Unit&, const program::Call* call, const base::Span& where);
+/// `repeats`: further runs of it, where no call says how many.
+void enter(Run&, const Unit&, const program::Call* call, const base::Span& where, std::uint64_t repeats = 0);
 void leave(Run&);
 /// M99 P: back to the caller, who goes on with another block; in a program that nobody called a jump.
 void return_to_block(Run&, const program::Jump&);
@@ -434,6 +435,11 @@ inline void send_plain(Run& run, const cl::Record& record) {
 
 // --- output (emit.cpp)
 void emit(Run&, cl::Step step);
+/// Brackets of the stream about what is called or repeated.
+void begin_part(Run&, cl::PartKind kind, std::string name, std::uint64_t pass, std::uint64_t passes);
+void end_part(Run&);
+/// Runs a section that has been run before once more, `section.left` times in all.
+void begin_repetition(Run&, ActiveSection section);
 /// Once, before the first move: the datum in which all coordinates of the stream are.
 void emit_datum(Run&);
 /// Zero of the stream's coordinates in the machine's; NaN where it is not known.

@@ -24,6 +24,13 @@ void stop_spindle(Run& run) {
     emit_spindle(run);
 }
 
+/// Degrees of SPOS, or of M19 where its R says so; of M19 alone the machine knows. Nothing: the block holds no spindle.
+std::optional<double> held_at(const Run& run) {
+    if (run.block.has(Code::spindle_position)) return run.block.peek(Code::spindle_position);
+    if (!in_block(run, 19)) return std::nullopt;
+    return run.block.has(Code::radius) ? run.block.peek(Code::radius) : NAN;
+}
+
 /// S; true where it changed something.
 bool speed_word(Run& run) {
     const BlockWords& b = run.block;
@@ -95,6 +102,7 @@ void emit_spindle(Run& run) {
     s.mode = run.modal.surface_speed ? cl::SpindleMode::surface : cl::SpindleMode::rpm;
     s.direction = static_cast<std::int8_t>(run.spindle.direction);
     s.limit = run.modal.surface_speed ? run.spindle.limit : 0;
+    if (s.direction == 0) s.held = held_at(run);
     emit(run, s);
 }
 

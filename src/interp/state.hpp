@@ -100,6 +100,8 @@ struct BlockWords {
 struct ActiveSection {
     std::uint32_t first = 0, last = 0, back = 0;
     std::uint64_t left = 0;
+    std::uint64_t pass = 1, passes = 1;             ///< the first was run before, where it is repeated
+    std::string name{};                             ///< of its label; empty: it has none
     const program::Statement* finishing = nullptr;  ///< the cycle whose contour it is; null: it is repeated only
     geom::Vec3 start{};                             ///< where that cycle began, programmed frame
 };
@@ -133,7 +135,8 @@ struct Activation {
     std::optional<SavedModes> saved_modes;                 ///< M70, M73
     bool restores_modes = false;                           ///< M73: they come back with the return
     std::uint32_t entry = 0;                               ///< statement with which every run of it begins
-    std::uint64_t repeats_left = 0;                        ///< of L123 P3: further runs
+    std::uint64_t repeats = 0;                             ///< of L123 P3: further runs
+    std::uint64_t repeats_left = 0;                        ///< of them
     std::size_t own_bindings = 0;       ///< bindings that are parameters; the rest goes with each run
     std::uint32_t arguments_given = 0;  ///< bit per parameter, for $P_SUBPAR
     bool from_modal_call = false;
@@ -178,7 +181,7 @@ struct CannedState {
     double initial_level = 0;  ///< of the tool axis when the series began, mm
     bool has_retract = false, has_bottom = false;
     bool bottom_from_retract = false;  ///< it was said in G91
-    std::array<double, 12> values{};  ///< by word of the cycle; mm, degrees, s
+    std::array<double, 12> values{};   ///< by word of the cycle; mm, degrees, s
     std::array<bool, 12> given{};
     std::optional<double> last_dwell;  ///< P of the last cycle that had one, s
 };

@@ -88,14 +88,13 @@ void end_feed_alone(Run& run) {
 }
 
 void coolant(Run& run, int m) {
-    const auto state = m == 7 ? cl::CoolantState::mist : m == 8 ? cl::CoolantState::flood : cl::CoolantState::off;
-    run.coolant_on = state != cl::CoolantState::off;
+    run.coolant_on = m != 9;
     run.mist = m == 9 ? false : run.mist || m == 7;
     run.flood = m == 9 ? false : run.flood || m == 8;
     run.modal.mist_said = run.modal.mist_said || m != 8;
     run.modal.flood_said = run.modal.flood_said || m != 7;
     control_sets(run, {ControlValue::coolant_state});
-    emit(run, cl::Coolant{state});
+    emit(run, cl::Coolant{run.flood, run.mist});
 }
 
 bool is_standard_function(const Run& run, int m) {

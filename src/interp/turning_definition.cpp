@@ -8,6 +8,7 @@
 #include "base/codes.hpp"
 #include "cycles/names.hpp"
 #include "interp/cycle_call.hpp"
+#include "interp/path_stage.hpp"
 #include "interp/turned_contour.hpp"
 
 namespace obrys::interp {
@@ -105,6 +106,26 @@ bool refuse_compensated(Run& run, const CycleDefinition& d) {
     lose_position(run);
     return true;
 }
+
+/// No tool nose radius compensation as long as this lives: the tool stands at the programmed point meanwhile, and the
+/// element behind it brings compensation in anew.
+class Uncompensated {
+public:
+    explicit Uncompensated(Run& run) : run_(run), before_(run.modal.compensation) {
+        if (before_ == Modal::compensation_off) return;
+        const geom::Vec3 start = run.programmed_position;
+        run.path->end_compensation(run);
+        run.modal.compensation = Modal::compensation_off;
+        arrive(run, start);
+    }
+    ~Uncompensated() { run_.modal.compensation = before_; }
+    Uncompensated(const Uncompensated&) = delete;
+    Uncompensated& operator=(const Uncompensated&) = delete;
+
+private:
+    Run& run_;
+    Modal before_;
+};
 
 /// Where the fault lies: a setting, an element of the contour, or the cycle as such.
 base::Span place_of(const CycleDefinition& d, const cycles::Complaint& k, const TurnedContour* contour) {
@@ -230,6 +251,8 @@ void define_turning_cycle(Run& run, const ActiveCycle& c) {
                        ": tool nose radius compensation does not act in this cycle, only where the contour is "
                        "finished");
     }
+    std::optional<Uncompensated> off;
+    if (takes_contour(d.kind)) off.emplace(run);
     demand.situation = situation_of(run);
     cycles::Expansion e = cycles::expand_turning(demand);
     if (!report_turning(run, d, e, contour ? &*contour : nullptr)) return;

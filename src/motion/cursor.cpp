@@ -45,6 +45,8 @@ void Cursor::take_modal(const cl::Record& record) {
                    },
                    [&](const cl::CycleBegin&) { ++s.cycles; },
                    [&](const cl::CycleEnd&) { s.cycles -= s.cycles > 0 ? 1 : 0; },
+                   [&](const cl::PartBegin&) { ++s.parts; },
+                   [&](const cl::PartEnd&) { s.parts -= s.parts > 0 ? 1 : 0; },
                    [](const cl::Linear&) {},
                    [](const cl::Arc&) {},
                    [](const cl::Spline&) {},

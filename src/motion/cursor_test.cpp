@@ -54,12 +54,12 @@ TEST(Cursor, WhatHoldsIsTheLastOfItsKind) {
     Cursor cursor;
     for (const cl::Step& s : std::vector<cl::Step>{cl::Feed{100}, cl::Feed{0.2, cl::FeedMode::per_rev},
                                                    cl::Spindle{900, cl::SpindleMode::rpm, 1, 0},
-                                                   cl::Coolant{cl::CoolantState::mist}, cl::Tolerance{0.02}})
+                                                   cl::Coolant{true, true}, cl::Tolerance{0.02}})
         cursor.take(rec(s));
     const State& s = cursor.state();
     EXPECT_EQ(s.feed, (cl::Feed{0.2, cl::FeedMode::per_rev}));
     EXPECT_EQ(s.spindle.speed, 900);
-    EXPECT_EQ(s.coolant.state, cl::CoolantState::mist);
+    EXPECT_EQ(s.coolant, (cl::Coolant{true, true}));
     EXPECT_EQ(s.tolerance.contour, 0.02);
 }
 

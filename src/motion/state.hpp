@@ -21,6 +21,7 @@ struct State {
     bool any_tool = false;             ///< a tool is in use, in the list or not
     const shop::Tool* tool = nullptr;  ///< that one; null: none, or not in the list
     std::uint32_t cycles = 0;          ///< brackets of cycles that are open
+    std::uint32_t parts = 0;           ///< the same of calls and repetitions
 };
 
 }  // namespace obrys::motion

@@ -160,6 +160,8 @@ struct Traits {
     /// A text that ends without its end (Unit::unended) is run up to there, and said, of called programs, too; else it
     /// is an alarm of the main program.
     bool text_may_end = false;
+    /// The last block of the text ends the program as M30 does (END PGM).
+    bool text_end_ends_program = false;
     /// With end_stops_all: that is how a program may end; else it is said as a fault of the called program.
     bool may_end_anywhere = false;
     /// A unit of length (inch, mm) holds for its program alone and comes back behind a call.

@@ -45,6 +45,7 @@ inline constexpr program::Traits traits{
     .named_variables = program::NamedVariables::none,
     .jump_to_block_number = false,
     .end_stops_all = true,
+    .text_end_ends_program = true,
     .unit_per_program = true,
     .compensation_window = 99,
     .text_letters = "QS",

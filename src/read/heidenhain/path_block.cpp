@@ -1,5 +1,6 @@
 /// Contour elements: L C CC CR CT LP CP CTP CHF RND, and axes alone (paraxial blocks).
 
+#include <algorithm>
 #include <array>
 
 #include "read/heidenhain/state.hpp"
@@ -295,7 +296,14 @@ bool read_path_block(State& s, std::string_view word) {
     if (c == 'M' || c == 'F') return read_functions(s), true;
     straight(s);
     s.build.modal(Modal::paraxial, s.block, s.in.at());
+    const std::size_t before = s.build.unit().words.size();
     read_words(s, false);
+    const auto& words = s.build.unit().words;
+    const auto axes =
+        std::count_if(words.begin() + static_cast<std::ptrdiff_t>(before), words.end(),
+                      [](const auto& w) { return program::code_of(w) >= Code::x && program::code_of(w) <= Code::z; });
+    if (axes > 1 && !s.failed)
+        fail(s, s.block, "a block without path function moves a single axis", "write L before the coordinates");
     return true;
 }
 

@@ -222,7 +222,11 @@ void frame_special(FanucState& s, const FanucG& g, const Address& a) {
 
 std::optional<Code> polar_code(const FanucState& s, char letter) {
     const std::string_view plane = s.plane == 17 ? "XY" : s.plane == 18 ? "ZX" : "YZ";
-    if (!s.polar || !s.special.empty()) return std::nullopt;
+    const bool otherwise = std::any_of(s.special.begin(), s.special.end(), [](const Special& x) {
+        return x.g->special != FanucSpecial::polar && x.g->special != FanucSpecial::polar_off &&
+               x.g->special != FanucSpecial::canned;
+    });
+    if (!s.polar || otherwise) return std::nullopt;
     if (letter == plane[0]) return Code::polar_radius;
     if (letter == plane[1]) return Code::polar_angle;
     return std::nullopt;
