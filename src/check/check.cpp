@@ -222,7 +222,7 @@ void Check::State::take(const cl::Record& record) {
 
 void Check::take(const cl::Record& record) { state_->take(record); }
 
-Result Check::finish() {
+Result Check::finish(bool whole) {
     State& s = *state_;
     Stats& stats = s.out.result().stats;
     stats.moves = s.totals.moves;
@@ -232,9 +232,9 @@ Result Check::finish() {
     stats.feed_length_mm = s.totals.feed_length_mm;
     stats.cuts = s.cuts;
     if (s.milling)
-        s.milling->finish(true);
+        s.milling->finish(whole);
     else
-        s.removal.finish(s.end);
+        s.removal.finish(s.end, whole);
     s.trace.finish(s.out.result());
     Result result = std::move(s.out.result());
     // Milling says what moves met after limits have judged later ones.

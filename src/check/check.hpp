@@ -76,7 +76,8 @@ public:
     void take(const cl::Record& record);
     void operator()(const cl::Record& record) { take(record); }
     /// Rest material and figures. To be called once, after the last record.
-    [[nodiscard]] Result finish();
+    /// `whole`: the program was run to its end. Else what is left is no fault of what was run.
+    [[nodiscard]] Result finish(bool whole = true);
     [[nodiscard]] const Setup& setup() const;
 
 private:

@@ -10,8 +10,9 @@ namespace obrys::check {
 
 namespace {
 
-constexpr double most = 10, most_of_any = 50;  ///< mm a revolution
-constexpr double least_per_minute = 1;         ///< mm
+constexpr double most = 10, most_of_any = 50;                         ///< mm a revolution
+constexpr double most_turned = 5, least_drilled = 1, drilled = 0.25;  ///< the last as a part of the diameter
+constexpr double least_per_minute = 1;                                ///< mm
 
 Finding implausible(std::string text) {
     Finding f;
@@ -26,12 +27,15 @@ Finding implausible(std::string text) {
 
 double widest_feed(const shop::Tool* tool, shop::MachineKind machine) {
     if (tool == nullptr) return machine == shop::MachineKind::lathe ? most : most_of_any;
+    if (tool->kind == shop::ToolKind::drill || tool->kind == shop::ToolKind::centre_drill)
+        return std::max(least_drilled, drilled * 2 * tool->radius);
+    if (tool->kind == shop::ToolKind::turning || tool->kind == shop::ToolKind::groove) return most_turned;
     return shop::is_milling(shop::assumed_kind(*tool)) ? std::max(most, 2 * tool->radius) : most;
 }
 
 std::optional<Finding> too_fast(double feed_per_rev, double widest) {
     if (!(feed_per_rev > widest)) return std::nullopt;
-    Finding f = implausible("the feed of " + plain(feed_per_rev) + " mm counts per revolution: no tool cuts so fast");
+    Finding f = implausible("the feed is " + plain(feed_per_rev) + " mm a revolution: no tool cuts so fast");
     f.amounts = {{"feed_mm_per_rev", feed_per_rev}, {"limit_mm_per_rev", widest}};
     return f;
 }

@@ -9,9 +9,10 @@
 
 namespace obrys::check {
 
-/// mm a revolution above which no tool cuts: 10, of a mill or drill its diameter where that is more; 50 where nobody
-/// says which tool it is. Face mills of high feed take 2 mm a tooth and so stay far below their diameter; turning ends
-/// at 3.
+/// mm a revolution above which no tool cuts: 10, of a mill its diameter where that is more; of a drill 1, or a quarter
+/// of its diameter where that is more; 5 of a turning or grooving tool; 50 where nobody says which tool it is. Face
+/// mills of high feed take 2 mm a tooth and so stay far below their diameter; drills take a thirtieth of theirs,
+/// turning ends at 3.
 [[nodiscard]] double widest_feed(const shop::Tool* tool, shop::MachineKind machine);
 /// A feed per revolution above `widest`.
 [[nodiscard]] std::optional<Finding> too_fast(double feed_per_rev, double widest);

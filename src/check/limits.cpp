@@ -282,6 +282,22 @@ void Limits::check_thread_speed(const Move& move) {
         move.record.from);
 }
 
+/// Constant cutting speed towards the axis without a limit: the machine turns as fast as it can, chuck and bar with it.
+void Limits::check_surface_speed(const Move& move) {
+    const cl::Spindle& s = state_.spindle;
+    if (surface_noted_ || s.mode != cl::SpindleMode::surface || s.limit > 0 || s.direction == 0) return;
+    constexpr double harmless = 6000;  // 1/min, above which no chuck of usual size may turn
+    const double radius = std::fmin(std::abs(move.from.x), std::abs(move.to.x));
+    const double most = std::isfinite(machine_.spindle.max) ? std::min(machine_.spindle.max, harmless) : harmless;
+    const double wanted = s.speed * 1000 / (2 * geom::pi * radius);
+    if (!(wanted > most)) return;
+    surface_noted_ = true;
+    out_.assumption("constant cutting speed without a limit of the speed asks for " +
+                        (radius > 0 ? plain(std::round(wanted)) + " 1/min" : std::string("any speed")) + " at X " +
+                        base::fixed(radius, 3) + " mm (radius): the machine's own limit is taken to be safe",
+                    move.record.from);
+}
+
 /// A point that was forgotten is no way of any machine, whatever the job says of the travels.
 void Limits::check_far(const Move& move) {
     const double far = std::fmax(std::abs(move.to.x), std::fmax(std::abs(move.to.y), std::abs(move.to.z)));
@@ -299,6 +315,7 @@ void Limits::take(const Move& move, std::optional<bool> cuts, bool driven) {
     check_far(move);
     check_thread_speed(move);
     if (move.rapid) return;
+    check_surface_speed(move);
     check_feed(move);
     check_feed_mode(move, cuts.value_or(false));
     if (!driven) check_spindle(move, cuts);

@@ -47,6 +47,7 @@ private:
     void check_spindle(const Move& move, std::optional<bool> cuts);
     void check_thread_speed(const Move& move);
     void check_far(const Move& move);
+    void check_surface_speed(const Move& move);
     void follow_stand();
     static double excess(Travel& travel, double low, double high);
     double rpm(const Move& move) const;
@@ -59,7 +60,7 @@ private:
     std::map<std::string, double> other_worst_;  ///< of additional axes
     bool changed_ = true;
     bool feed_reported_ = false, feed_implausible_reported_ = false, feed_limit_reported_ = false,
-         stopped_reported_ = false, travel_noted_ = false, far_reported_ = false;
+         stopped_reported_ = false, travel_noted_ = false, far_reported_ = false, surface_noted_ = false;
 };
 
 }  // namespace obrys::check

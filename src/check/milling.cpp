@@ -293,10 +293,10 @@ void Milling::balance() {
     for (ToolUse& t : out_.result().tools) t.volume_mm3 *= factor;
 }
 
-void Milling::finish(bool complete) {
+void Milling::finish(bool whole) {
     if (!simulation_) return;
     carry_out();
-    complete_ = complete_ && complete;
+    whole_ = whole;
     if (start_moves_ > 0)
         out_.assumption("start position not known: the first " + std::to_string(start_moves_) +
                         (start_moves_ == 1 ? " rapid move was" : " rapid moves were") + " not simulated");

@@ -61,7 +61,10 @@ public:
     /// The spindle has been told something, in `before`'s place.
     void spindle_changed(const cl::Spindle& before);
     /// The brackets of a cycle; moves inside that come from elsewhere run along an element of its contour.
-    void begin_cycle(const base::Span& call) { cycle_ = call; }
+    void begin_cycle(const base::Span& call) {
+        cycle_ = call;
+        cycle_sense_ = 0;
+    }
     void end_cycle() {
         cycle_ = nowhere;
         edge_away_ = false;
@@ -70,7 +73,7 @@ public:
     void take(const Move& move, std::uint32_t use, const motion::Stand::View& view,
               const std::vector<shop::ToolPose>& swing);
     /// Carries out what is queued, judges the surface and fills in Result::milling.
-    void finish(bool complete);
+    void finish(bool whole);
 
 private:
     struct Clamp {
@@ -206,11 +209,12 @@ private:
     bool edge_away_ = false;      ///< the cycle has stopped the spindle: of a boring bar the edge leaves the wall
     geom::Vec3 stopped_at_;       ///< the tip then
     std::map<std::pair<std::uint32_t, double>, std::uint32_t> bars_;  ///< by tool in the simulation and radius
-    bool tool_ready_ = false, complete_ = true, stopped_reported_ = false;
+    bool tool_ready_ = false, complete_ = true, whole_ = true, stopped_reported_ = false;
     std::optional<geom::Vec3> tap_bottom_;  ///< where a tap has stopped in its thread
     std::optional<geom::Vec3> tap_mouth_;   ///< where it set out into it
     std::int8_t tap_sense_ = 0;             ///< MilledMove::thread of its way in
     double tap_way_ = NAN;                  ///< mm a revolution that it went there; NaN: not coupled to the spindle
+    int cycle_sense_ = 0;                   ///< of the spindle, last in the cycle being run; 0: not told yet
     std::uint32_t no_tap_ = 0;              ///< MilledMove::tool that was found last
     double slow_feed_ = NAN;                ///< mm/min, found last
     std::pair<std::uint32_t, std::int8_t> turned_wrong_{};  ///< tool and sense of the spindle that were found last

@@ -41,9 +41,10 @@ void Milling::judge_no_tap(const Move& move, const MilledMove& milled) {
 
 /// A cycle that reverses the spindle where it has fed down is one of tapping.
 void Milling::judge_reversal(const cl::Spindle& before) {
-    const int was = motion::turning_sense(before);
-    const bool reverses = was != 0 && motion::turning_sense(state_.spindle) == -was;
-    if (is_placed(cycle_) && reverses && !moves_.empty() && !moves_.back().rapid) say_no_tap(moves_.back());
+    if (!is_placed(cycle_)) return;
+    const int was = motion::turning_sense(before), now = motion::turning_sense(state_.spindle);
+    if (was != 0) cycle_sense_ = was;
+    if (now != 0 && now == -cycle_sense_ && !moves_.empty() && !moves_.back().rapid) say_no_tap(moves_.back());
 }
 
 void Milling::say_no_tap(const MilledMove& milled) {
@@ -148,6 +149,7 @@ void Milling::judge_use(const MilledMove& move) {
 void Milling::judge_feed(const MilledMove& move, const shop::Tool& tool) {
     if (move.thread != 0 || !shop::is_milling(shop::assumed_kind(tool)) || move.feed_mm_per_min == slow_feed_) return;
     auto f = too_slow(move.feed_mm_per_min, move.feed_per_rev_mm, finest_milled);
+    if (!f) f = too_fast(move.feed_per_rev_mm, widest_feed(&tool, shop::MachineKind::mill));
     if (!f) return;
     slow_feed_ = move.feed_mm_per_min;
     found(move, std::move(*f));

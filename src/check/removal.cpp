@@ -72,8 +72,11 @@ Removal::Removal(const Setup& setup, const motion::State& state, Collector& out)
     work_.emplace(*setup.stock);
     if (setup.part && judges_part(setup.scope)) part_.emplace(*setup.part);
     if (setup.allowance && judges_part(setup.scope)) allowance_.emplace(*setup.allowance);
-    for (const TurnedClamp& c : setup.turned_clamps)
-        clamps_.push_back({c.name, c.body, sim::turning::Workpiece(c.body)});
+    for (const TurnedClamp& c : setup.turned_clamps) {
+        // What it holds is not it: inside of the bar a chuck has room for drills and boring bars.
+        const geom::Region body = geom::subtract(c.body, *setup.stock);
+        if (!body.empty()) clamps_.push_back({c.name, body, sim::turning::Workpiece(body)});
+    }
     stock_box_ = box_of(*setup.stock);
     last_cuts_ = LastCuts(stock_box_);
     out_.result().before = StockFigures{work_->area(), work_->volume()};
@@ -314,7 +317,7 @@ void Removal::require_room(const cl::Record& end) {
     out_.finding(end, std::move(f));
 }
 
-void Removal::finish(const cl::Record& end) {
+void Removal::finish(const cl::Record& end, bool whole) {
     Result& result = out_.result();
     if (!work_) {
         if (result.stats.moves == 0) return;
@@ -335,6 +338,8 @@ void Removal::finish(const cl::Record& end) {
     if (!setup_.part && !setup_.allowance)
         out_.unchecked("no part contour: gouges and rest material not checked",
                        "give the finished contour in the job file");
+    else if (!whole)
+        out_.assumption(rest_of_a_part_run);
     else if (complete_)
         find_rest(setup_, {result.stock_after, ridges_, in_front_}, last_cuts_, end, out_);
     else

@@ -36,7 +36,7 @@ public:
     void tool_changed();
     Removed take(const Move& move);
     /// Notes, rest material and the figures of the stock. `end`: the last record.
-    void finish(const cl::Record& end);
+    void finish(const cl::Record& end, bool whole);
     /// A rotary axis of a lathe moves: until the next tool, tools are taken to be driven ones.
     void take(const cl::Axis& axis) { positioned_ = positioned_ || (axis.rotary && is_lathe()); }
     /// Whether the move is made by a tool that a spindle of its own turns, of which the stream does not tell.

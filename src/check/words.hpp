@@ -9,6 +9,9 @@
 
 namespace obrys::check {
 
+/// What is left by a run that did not come to its end is not judged.
+inline constexpr const char* rest_of_a_part_run = "rest material is not judged: the run ended before the program's end";
+
 [[nodiscard]] std::string mm(double value);   ///< "9.475 mm"
 [[nodiscard]] std::string mm2(double value);  ///< "5.328 mm2"
 /// "Z 166.908 X 46.500 (radius)", a point of the (z, x) plane.

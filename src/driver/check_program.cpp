@@ -45,7 +45,7 @@ Checked check_program(Session& session, std::size_t keep_moves, const MillingReq
     const interp::Outcome outcome = interpret(session, sink);
 
     // 3. Rest material and figures; what reader and interpreter complained about joins the findings (check).
-    check::Result result = check.finish();
+    check::Result result = check.finish(outcome.ending == interp::Ending::regular);
     result.stats.blocks_executed = outcome.blocks_executed;
     check::merge(result, session.diagnostics);
     if (outcome.ending == interp::Ending::regular) check::require_cuts(result, session.program);

@@ -94,6 +94,8 @@ void go_home(Run& run) {
     arrive(run, by_way);
     emit(run, cl::Linear{run.position, run.tool_axis, true});
     to_home(run, !any);
+    if (run.traits->home_cancels_length && run.offsets.length != Offsets::Length::none)
+        tool_length_words(run, Modal::tool_length_off);
 }
 
 void store_home(Run& run) {

@@ -83,7 +83,15 @@ void call_label(Run& run, const program::LabelCall& c, std::uint32_t index) {
 
 void end_label(Run& run) {
     Activation& act = run.top();
-    if (act.labels.empty()) return;  // run through in passing: the label's text belongs to the program as well
+    auto& ended = act.ended_labels;
+    const bool known = std::find(ended.begin(), ended.end(), act.pc) != ended.end();
+    if (act.labels.empty()) {  // run through in passing: the label's text belongs to the program as well
+        if (known)
+            assume(run, run.here(), "the program runs on through a section that it has called before, up to this LBL 0",
+                   "see whether the end of the program (M30) is missing before the section");
+        return;
+    }
+    if (!known) ended.push_back(act.pc);
     end_part(run);
     act.pc = act.labels.back().pc;
     act.stack = act.labels.back().stack;

@@ -223,6 +223,12 @@ bool names_no_place(const Run& run) {
     return true;
 }
 
+/// The block's places are those of the machine, whatever zero offset is in force.
+bool goes_by_machine(const Run& run) {
+    return run.block.suppress == Modal::suppress_all || run.block.special == Modal::reference_point ||
+           run.block.special == Modal::fixed_point;
+}
+
 /// Once for each time that the program selects the zero offset.
 void say_unknown_way(Run& run) {
     run.datum_complained = run.capture == nullptr;
@@ -257,7 +263,7 @@ void begin_motion(Run& run) {
     run.moved = true;
     emit_datum(run);
     if (keeps_offsets(run) && !run.offsets.length_judged) judge_length(run);
-    if (!run.datum_known && !run.datum_complained) say_unknown_way(run);
+    if (!run.datum_known && !run.datum_complained && !goes_by_machine(run)) say_unknown_way(run);
 }
 
 bool is_incremental(const Run& run, std::uint8_t reference) {

@@ -130,6 +130,7 @@ struct Activation {
     std::vector<Passes> passes;  ///< of every backward branch taken, by its statement
     std::vector<ActiveSection> sections;
     std::vector<LabelReturn> labels;
+    std::vector<std::uint32_t> ended_labels;               ///< LBL 0 with which calls of this run have ended
     std::vector<std::pair<double, bool>> outer_locals;     ///< the caller's local parameters, and whether they are set
     std::vector<std::pair<double, bool>> outer_arguments;  ///< the same of Traits::argument_parameters
     std::optional<SavedModes> saved_modes;                 ///< M70, M73

@@ -258,6 +258,10 @@ void select_tool(Run& run) {
     changed = tool_functions(run) || changed;
     if (run.stopped) return;
     replaced = replaced || std::find(b.m.begin(), b.m.end(), 6) != b.m.end();
+    if (replaced && run.modal.compensation != Modal::compensation_off && run.capture == nullptr)
+        assume(run, run.here(),
+               "radius compensation is in force while the tool is changed: it goes on with the new tool's radius",
+               "switch it off before the change, where the contour ends");
     if (replaced) stop_for_change(run, before == std::pair{run.tool.number, run.tool.name});
     if (b.has(Code::edge)) {
         const double d = b.get(Code::edge);
@@ -272,6 +276,12 @@ void select_tool(Run& run) {
             return;
         }
         const auto edge = base::clipped<std::uint32_t>(d, 0, 32'000);
+        if (edge != 1 && run.tool.waiting && changes_on_m6(run) && !run.traits->edge_is_offset_number) {
+            run.tool.prepared_edge = edge;
+            return assume(run, run.here(),
+                          "D" + std::to_string(edge) + " between T and M6 is taken for the tool that M6 brings",
+                          "write D behind M6");
+        }
         changed = changed || edge != run.tool.edge;
         run.tool.edge = edge;
         run.tool.edge_known = true;

@@ -261,6 +261,8 @@ struct Traits {
     /// R and Z of a hole cycle are positions from the block on that says them: G90 and G91 of later blocks move them
     /// no more. Else what was written is read anew in every block, as G90 or G91 then has it.
     bool canned_positions_stay = false;
+    /// G28 and G30 end the compensation of the tool's length.
+    bool home_cancels_length = false;
     /// An arc by its radius has no use for I, J and K beside R, which are passed over; else they are words too many.
     bool radius_before_centre = false;
     /// H and D hold until other ones are programmed, also from one tool to the next: G43 and G41 without a number take

@@ -189,16 +189,15 @@ bool goes_on_with_lost_motion(const FanucState& s) {
 }
 
 /// "G codes related to reference position return (G27, G28, G29, G30) and those for changing the coordinate system
-/// (G52 to G59, G92) must not be specified" while G68 is in force (B-63684EN, coordinate system rotation).
+/// (G52 to G59, G92) must not be specified" while G68, G51 or G51.1 is in force (B-63684EN, coordinate system
+/// rotation, scaling, programmable mirror image).
 void refuse_in_rotation(FanucState& s) {
-    const bool turned = std::any_of(s.frames.begin(), s.frames.end(), [](const Transformation& t) {
-        return t.kind == TransformationKind::rotation;
-    });
-    if (!turned || s.control.haas) return;
+    if (s.frames.empty() || s.control.haas) return;
     for (const Address& a : s.addresses) {
         const auto g = a.letter == 'G' ? g_tenths(a) : std::nullopt;
         if (g && ((*g >= 270 && *g <= 300) || (*g >= 520 && *g <= 599) || *g == 920))
-            add_problem(s, Code::unsupported, a.begin, a.end, "G68 is in force, in which it must not be programmed");
+            add_problem(s, Code::unsupported, a.begin, a.end,
+                        "G68, G51 or G51.1 is in force, in which it must not be programmed");
     }
 }
 
@@ -288,7 +287,8 @@ void refuse_points(FanucState& s) {
     if (calls_macro(s)) return;
     const std::string_view letters = s.control.is_lathe() ? "MT" : "MTHD";
     for (const Address& a : s.addresses) {
-        if (a.letter == 'P' && !a.comma && a.value.is_literal() && !a.value.literal.integer && !s.control.haas)
+        if ((a.letter == 'P' || a.letter == 'L') && !a.comma && a.value.is_literal() && !a.value.literal.integer &&
+            !s.control.haas)
             return fail(s, a.begin, a.end, "a decimal point cannot stand here (alarm 7)",
                         "write a whole number: of dwells ms, of lengths the least input increment");
         if (a.comma || letters.find(a.letter) == std::string_view::npos || !a.value.is_literal()) continue;

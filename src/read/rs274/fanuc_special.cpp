@@ -86,6 +86,12 @@ void hole_cycle(FanucState& s, const FanucG& g, const Address& a) {
     std::optional<std::size_t> found;
     for (std::size_t i = 0; i < table.size() && !counts_up; ++i)
         if (table[i].number == g.number && (!found || s.rigid)) found = i;
+    // Haas 96-8000, G51: "scaling does not affect canned cycle Z axis movements"; FANUC B-63684EN, scaling: nor Q.
+    const bool scaled = std::any_of(s.frames.begin(), s.frames.end(),
+                                    [](const Transformation& t) { return t.kind == TransformationKind::scaling; });
+    if (scaled && (s.control.haas || find_address(s, 'Q') != nullptr))
+        add_problem(s, Code::unsupported, a.begin, a.end,
+                    "G51 is in force, and of a cycle's heights and depths the control does not scale all");
     if (found) return add_modal(s, g.order, g.modal, static_cast<int>(*found), a.begin, a.end);
     add_problem(s, Code::unsupported, a.begin, a.end, "a hole cycle: the holes are not made");
     use_letters(s, "XYZABCUVWRQPKLIJ");
