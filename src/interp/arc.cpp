@@ -234,7 +234,8 @@ bool runs_straight(Run& run) {
     if (run.path->active() != (run.modal.compensation != Modal::compensation_off)) {
         // B-63684EN, cutter compensation C: start-up and cancel want G0 or G1 (alarm 34).
         alarm(run, codes::compensation, run.here(),
-              "radius compensation begins or ends while G2 or G3 is in force (alarm 34)", "write G1 in this block");
+              "radius compensation begins or ends while a circle is in force (alarm 34)",
+              "write a straight move in this block");
         return true;
     }
     assume(run, run.here(),

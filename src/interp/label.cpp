@@ -87,7 +87,7 @@ void end_label(Run& run) {
     const bool known = std::find(ended.begin(), ended.end(), act.pc) != ended.end();
     if (act.labels.empty()) {  // run through in passing: the label's text belongs to the program as well
         if (known)
-            assume(run, run.here(), "the program runs on through a section that it has called before, up to this LBL 0",
+            assume(run, run.here(), "the program runs on through a section that it has called before, to its end here",
                    "see whether the end of the program (M30) is missing before the section");
         return;
     }

@@ -315,8 +315,8 @@ void judge_inverse_feed(Run& run) {
     const bool feeds = (m == Modal::linear || m == Modal::arc_cw || m == Modal::arc_ccw) && !b.rapid;
     if (!feeds || b.has(Code::feed) || run.traits->needs_feed) return;
     unchecked(run, codes::feed_missing, run.here(),
-              "under G93 every block has its own F: the control stops here, and the last F is taken",
-              "write F in the block, or G94 before it");
+              "in inverse time mode every block has its own F: the control stops here, and the last F is taken",
+              "write F in the block, or a feed per minute before it");
 }
 
 }  // namespace

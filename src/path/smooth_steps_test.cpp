@@ -19,10 +19,10 @@ std::vector<Step> steps_of(const SmoothPath& on, const std::vector<Element>& con
                            const Setting& s) {
     std::vector<Step> steps;
     for (const Element& e : on.path) steps.push_back({e, {}});
-    if (steps.empty() || !moves_in_plane(steps.back().element))
-        steps.push_back({line(on.contour, on.contour, steps.empty() ? 0 : steps.back().element.w_to), {}});
-    steps.back().setting = s;
-    steps.back().setting.approach = Approach::ready;
+    if (steps.empty() || !moves_in_plane(steps.back().e))
+        steps.push_back({line(on.contour, on.contour, steps.empty() ? 0 : steps.back().e.w_to), {}});
+    steps.back().s = s;
+    steps.back().s.approach = Approach::ready;
     for (const Element& e : contour) steps.push_back({e, s});
     Setting away;
     away.approach = Approach::ready;
