@@ -174,10 +174,10 @@ class Program:
                    s.mesh(part) if part is not None else None, fixtures, check=check, **more)
 
     def scene(self, stock):
-        """For exact/, in the workpiece's frame; the stock an upright box there."""
+        """For exact/, in the workpiece's frame; the stock an upright box there. The neck of a T-slot cutter does not cut."""
         text = ["box " + " ".join(repr(v) for p in stock for v in p)]
         for t in self.tools:
-            text += ["tool"] + ["body " + " ".join(repr(float(v)) for v in b) for b in t.bodies]
+            text += ["tool"] + ["body " + " ".join(repr(float(v)) for v in b) for b in t.bodies[:1 if t.keys["kind"] == "t-slot" else None]]
         say = lambda p: " ".join(repr(v) for v in self.setting.work(p))
         for kind, tool, a, b, *arc in self.moves:
             text.append(f"{kind} {tool} {say((0.0, 0.0, 1.0))} {say(a)} {say(b)}"

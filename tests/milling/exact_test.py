@@ -70,6 +70,19 @@ def cases():
     helix.line((0.0, 0.0, -5.5))
     helix.end()
     yield "helix", helix, bored(stl_parts.Circle(4.5, fine), -5.5), (off, off, off)
+    # A ridge of 20 degrees between two grooves whose tip is drawn 0.012 too high: seen from there each face is 0.002 away.
+    ridge = Program(Setting())
+    ridge.tool(tools.cone("chamfer", 4.0, 20.0))
+    slope = math.tan(math.radians(10))
+    for x in (-0.3, 0.3):
+        ridge.rapid((x, -30.0, -4.0))
+        ridge.line((x, 30.0, -4.0))
+    ridge.end()
+    tip = -4.0 + 0.3 / slope
+    for over, bound in ((0.0, zero), (0.012, (0.0119, 0.0121))):
+        section = [(LO[0], LO[2]), (HI[0], LO[2]), (HI[0], 0.0), (0.3 + 4 * slope, 0.0), (0.3, -4.0), (0.012 * slope, tip - 0.012),
+                   (0.0, tip + over), (-0.012 * slope, tip - 0.012), (-0.3, -4.0), (-0.3 - 4 * slope, 0.0), (LO[0], 0.0)]
+        yield f"ridge {over}", ridge, extruded(section, LO[1], HI[1]), (zero, bound, (0, over / 2 + 2e-6))
     pit = Program(Setting())
     pit.tool(tools.ball(8.0))
     pit.rapid((0.0, 0.0, 5.0))

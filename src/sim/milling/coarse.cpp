@@ -153,7 +153,6 @@ std::vector<Place> cells_off(const mesh::Mesh& mesh, const std::vector<CoarseQua
     exact.prepare(cells);
     std::vector<std::vector<Place>> found(cells.size());
     tbb::parallel_for(std::size_t{0}, cells.size(), [&](std::size_t n) {
-        const Exact::Near near = exact.near(cells[n], false);
         const auto triangle_off = [&](const Exact::Near& here, const mesh::Triangle& t) {
             const auto off = [&](Vec3 p) { return !exact.is_on_surface(here, p, sampled * tolerance); };
             const Vec3 a = mesh.vertices[t[0]], b = mesh.vertices[t[1]], c = mesh.vertices[t[2]];
@@ -166,8 +165,8 @@ std::vector<Place> cells_off(const mesh::Mesh& mesh, const std::vector<CoarseQua
             double radius = 0;
             for (const mesh::Triangle* t : {&one, &two})
                 for (const std::uint32_t v : *t) radius = std::max(radius, geom::distance(centre, mesh.vertices[v]));
-            const Exact::Near here = exact.within(near, centre, radius + tolerance);
-            if (triangle_off(here, one) || triangle_off(here, two))
+            const std::optional<Exact::Near> here = exact.about(cells[n], centre, radius + tolerance);
+            if (!here || triangle_off(*here, one) || triangle_off(*here, two))
                 add_cells(lattice, quads[q].node, quads[q].axis, found[n]);
         }
     });

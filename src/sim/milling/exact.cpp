@@ -59,9 +59,9 @@ void Exact::prepare(const std::vector<Place>& cells) {
             const auto n = static_cast<std::size_t>(a);
             const double first = component(lattice_.origin, a), step = component(lattice_.step, a);
             // A block wider on both sides by what `near` looks around.
-            from[n] = base::clipped<std::int32_t>(std::floor(((component(box.min, a) - first) / step - 2) / block),
+            from[n] = base::clipped<std::int32_t>(std::floor(((component(box.min, a) - first) / step - margin) / block),
                                                   low[n], high[n] + 1);
-            to[n] = base::clipped<std::int32_t>(std::floor(((component(box.max, a) - first) / step + 2) / block),
+            to[n] = base::clipped<std::int32_t>(std::floor(((component(box.max, a) - first) / step + margin) / block),
                                                 low[n] - 1, high[n]);
         }
         for (std::int32_t z = from[2]; z <= to[2]; ++z)
@@ -95,13 +95,15 @@ Exact::Near Exact::near(const Place& cell, Vec3 centre, double reach, bool lines
 
 bool Exact::reaches(const Place& cell, Vec3 p) const { return geom::distance(p, middle_of(cell)) < 0.98 * reach(); }
 
-Exact::Near Exact::within(const Near& near, Vec3 centre, double radius) const {
-    Near fewer;
-    fewer.stock = near.stock;
-    fewer.blank = near.blank;
-    for (const Air::Sweep& s : near.sweeps)
-        if (foot_on(*s.shape, s.track, s.frame.to_tool(centre - s.from)).outside < radius) fewer.sweeps.push_back(s);
-    return fewer;
+std::optional<Exact::Near> Exact::about(const Place& cell, Vec3 centre, double radius) const {
+    const Place low = block_of(cell);
+    for (int a = 0; a < 3; ++a) {
+        const double first = static_cast<double>(low[static_cast<std::size_t>(a)]) * block,
+                     step = component(lattice_.step, a),
+                     at = (component(centre, a) - component(lattice_.origin, a)) / step;
+        if (at - radius / step < first - margin || at + radius / step > first + block + margin) return std::nullopt;
+    }
+    return near(cell, centre, radius, false);
 }
 
 bool Exact::is_material(const Near& near, Vec3 p) const {

@@ -3,6 +3,7 @@
 /// From the sweeps themselves, not from rays. Frame of the stock, millimetres.
 
 #include <algorithm>
+#include <optional>
 #include <span>
 #include <vector>
 
@@ -37,15 +38,16 @@ public:
     /// `lines`: they are made ready for `ends`.
     [[nodiscard]] Near near(const Place& cell, bool lines) const;
 
-    /// What lies no farther than so from a point in the block of a cell that was made ready; no more than two steps
-    /// beyond that block.
+    /// What lies no farther than so from a point in the block of a cell that was made ready; no more than `margin`
+    /// steps beyond that block.
     [[nodiscard]] Near near(const Place& cell, geom::Vec3 centre, double reach, bool lines) const;
     /// Cells, along each axis, in whose boxes sweeps are kept.
     static constexpr std::int32_t block = 8;
+    static constexpr std::int32_t margin = 3;
+    /// The same; none where that may be more than is known there.
+    [[nodiscard]] std::optional<Near> about(const Place& cell, geom::Vec3 centre, double radius) const;
     /// All that lies at a point belongs to what is near a cell.
     [[nodiscard]] bool reaches(const Place& cell, geom::Vec3 p) const;
-    /// What of it lies within a ball; for points, not for lines.
-    [[nodiscard]] Near within(const Near& near, geom::Vec3 centre, double radius) const;
     [[nodiscard]] bool is_material(const Near& near, geom::Vec3 p) const;
     [[nodiscard]] double in_blank(geom::Vec3 p) const { return stock_.within(p); }
     /// How far a point lies outside of a body of air, and the direction from that into the material, along which this

@@ -130,12 +130,13 @@ void Fine::find_fine_cells() {
 }
 
 /// Points of the triangles about an edge against the exact surface.
-bool Fine::is_off(const Near& near, std::size_t edge, double allowed) const {
+bool Fine::is_off(const Place& cell, std::size_t edge, double allowed) const {
     const Vec3 middle = point_of(edges_[edge]);
     double radius = 0;
     for (std::size_t q = 0; q < 4; ++q) radius = std::max(radius, geom::distance(middle, position(vertex(edge, q))));
-    const Near here = exact_.within(near, middle, radius + tolerance_);
-    const auto off = [&](Vec3 p) { return !exact_.is_on_surface(here, p, allowed); };
+    const std::optional<Near> here = exact_.about(cell, middle, radius + tolerance_);
+    if (!here) return true;
+    const auto off = [&](Vec3 p) { return !exact_.is_on_surface(*here, p, allowed); };
     for (std::size_t q = 0; q < 4; ++q) {
         if (edges_[edge].around[q] == edges_[edge].around[(q + 1) % 4]) continue;
         const Vec3 a = position(vertex(edge, q)), b = position(vertex(edge, (q + 1) % 4));
@@ -255,24 +256,25 @@ std::vector<Leaf> Fine::leaves_to_split() {
     tbb::parallel_for(std::size_t{0}, all_.size(), [&](std::size_t n) {
         const bool own = dirty.find(key_of(all_[n])) != KeyMap::none;
         if (!own && edges[n].empty()) return;
-        const Near near = exact_.near(all_[n], false);
         const auto give_up = [&](const Leaf& leaf) {
             open[n].push_back({leaves_.node(leaf.at),
                                leaves_.node({leaf.at[0] + leaf.size, leaf.at[1] + leaf.size, leaf.at[2] + leaf.size})});
         };
-        if (own)
+        if (own) {
+            const Near near = exact_.near(all_[n], false);
             leaves_.each_leaf(all_[n], [&](const Leaf& leaf) {
                 if (leaf.size > 1 && leaves_.is_of(leaf, round_) && needs_split(near, leaf)) found[n].push_back(leaf);
             });
+        }
         for (const std::uint32_t e : edges[n]) {
-            if (!is_off(near, e, sampled * tolerance_)) {
+            if (!is_off(all_[n], e, sampled * tolerance_)) {
                 right[n].push_back(e);
                 continue;
             }
             const std::size_t before = found[n].size();
             for (const Leaf& leaf : edges_[e].around)
                 if (leaf.size > 1) found[n].push_back(leaf);
-            if (found[n].size() == before && is_off(near, e, tolerance_)) give_up(edges_[e].around[0]);
+            if (found[n].size() == before && is_off(all_[n], e, tolerance_)) give_up(edges_[e].around[0]);
         }
     });
     std::vector<Leaf> split;

@@ -6,6 +6,7 @@
 
 #include "mesh/distance.hpp"
 #include "mesh/topology.hpp"
+#include "sim/milling/exact.hpp"
 #include "sim/milling/fine_testing.hpp"
 #include "sim/milling/surface.hpp"
 
@@ -135,6 +136,25 @@ TEST(Fine, a_scratch_of_a_point_between_rays_is_in_the_surface) {
         EXPECT_LE(d.mesh, 0.01);
         EXPECT_LE(d.exact, std::max(0.01, 0.005 / std::tan(t.half_angle)));
     }
+}
+
+TEST(Fine, what_lies_by_a_quad_is_known_as_far_as_the_quad_reaches) {
+    RoundTool t;
+    t.radius = 1;
+    Reference r{{{0, 0, 0}, {10, 10, 5}}, {{t, {7, 7, 4}, {7, 7.5, 4}}}};
+    const Simulation s = simulate(r, 0.01, 1);
+    const Lattice& lattice = s.dexels().lattice();
+    Exact exact(s, lattice);
+    const double step = lattice.step.x;
+    const Place cell = *cell_at(lattice, {6 - 1.5 * step, 7.2, 4.5});
+    exact.prepare({cell});
+    const Vec3 middle = lattice.node(cell[0], cell[1], cell[2]) + 0.5 * lattice.step;
+    const Vec3 corner{6, 7.2, 4.5};
+    const auto about = exact.about(cell, 0.5 * (corner + middle), geom::distance(corner, middle));
+    ASSERT_TRUE(about.has_value());
+    EXPECT_EQ(about->sweeps.size(), 1U);
+    EXPECT_FALSE(exact.about(cell, middle + Vec3{20 * step, 0, 0}, step).has_value());
+    EXPECT_FALSE(exact.about(cell, middle, 20 * step).has_value());
 }
 
 TEST(Fine, does_not_depend_on_threads) {

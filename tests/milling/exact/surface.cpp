@@ -38,6 +38,25 @@ std::optional<V> meet(const Solid& solid, const std::vector<std::size_t>& of, V 
     return {};
 }
 
+/// The nearest of the places near `p` where one, two or three constraints are 0 and the solid is: at a sharp edge steps out
+/// of one cut after the other end far from it.
+void nearest_meeting(const Solid& solid, V p, double& found, V& best) {
+    constexpr std::size_t most = 8;
+    std::vector<std::size_t> near = solid.near(p, found);
+    if (near.size() > most) near.resize(most);
+    const auto look = [&](const std::vector<std::size_t>& of) {
+        const std::optional<V> q = meet(solid, of, p);
+        if (q && norm(*q - p) < found && solid.value(*q) <= on) found = norm(*q - p), best = *q;
+    };
+    for (std::size_t i = 0; i < near.size(); ++i) {
+        look({near[i]});
+        for (std::size_t j = 0; j < i; ++j) {
+            look({near[i], near[j]});
+            for (std::size_t k = 0; k < j; ++k) look({near[i], near[j], near[k]});
+        }
+    }
+}
+
 /// Somewhere on a body's surface, with the direction out of it; not even.
 V on_body(const Solid& solid, const Move& m, Random& random, V& out) {
     const Tool& tool = solid.tool(m);
@@ -118,7 +137,9 @@ Off off_surface(const Solid& solid, V p, double enough, Random& random) {
         q = q - (s.d + on / 2) * s.out;
     }
     if (found <= std::max(enough, 1.001 * value)) return {found, best, false};
-    // Between several cuts it may have gone the long way round: nearer ones by chance, first far, then near.
+    // Between several cuts it may have gone the long way round: edges and corners, then by chance, first far, then near.
+    nearest_meeting(solid, p, found, best);
+    if (found <= std::max(enough, 1.001 * value)) return {found, best, false};
     double ring = std::min(found, 40 * enough);
     for (int in_vain = 0; in_vain < 100;) {
         const V there = p + (ring * std::cbrt(uniform(random, 0, 1))) * direction(random);
