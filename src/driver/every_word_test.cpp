@@ -35,7 +35,7 @@ Way fanuc(std::string_view control) {
              "G54",
              "G17",
              "G18",
-             "G51 X1. Y1. P2.",
+             control == "haas" ? "G51 X1. Y1. P2." : "G51 X1. Y1. P2000",  // alarm 7: a point behind P
              "G68 X0. Y0. R30.",
              "G69",
              "G53 Z0.",

@@ -94,8 +94,11 @@ void go_home(Run& run) {
     arrive(run, by_way);
     emit(run, cl::Linear{run.position, run.tool_axis, true});
     to_home(run, !any);
-    if (run.traits->home_cancels_length && run.offsets.length != Offsets::Length::none)
-        tool_length_words(run, Modal::tool_length_off);
+    if (!run.traits->home_cancels_length || run.offsets.length == Offsets::Length::none) return;
+    if (run.block.has(Code::offset_h))
+        assume(run, run.here(), "H has no effect here: going home ends the compensation of the tool's length",
+               "write G43 and H where the length is to be compensated again");
+    tool_length_words(run, Modal::tool_length_off);
 }
 
 void store_home(Run& run) {

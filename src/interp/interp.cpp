@@ -179,7 +179,8 @@ void step(Run& run) {
         if (due && !act.is_text && !act.unit->unended.empty()) refuse_end(run);
         if (run.stopped) return;
         if (run.calls.size() == 1) flush_path(run);
-        if (run.calls.size() == 1 && run.traits->text_end_ends_program) emit(run, cl::Stop{cl::StopKind::end});
+        const bool ends = run.calls.size() == 1 && run.traits->text_end_ends_program && run.statement != nullptr;
+        if (ends) emit(run, cl::Stop{cl::StopKind::end});
         leave(run);
         return;
     }

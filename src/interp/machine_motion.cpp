@@ -72,6 +72,14 @@ bool goes_away(const Run& run) {
            run.block.peek(code) * word_factor(run, w, run.block.ref(code)) >= home - near_home;
 }
 
+void assume_away(Run& run) {
+    assume(run, run.here(),
+           "a position in machine coordinates is taken to lie away from the workpiece, as home does: where it is in "
+           "the workpiece is not known",
+           "give the offset in [datum] of the job, e.g. " + program::datum_key(*run.traits, run.reference_datum) +
+               " = { x = 0.0, y = 0.0, z = -350.0 }");
+}
+
 void unknown_machine_position(Run& run) {
     bool known = run.env.machine.datums.contains(run.reference_datum) || (keeps_offsets(run) && run.datum_known);
     for (int k = 0; k < 3 && known; ++k) known = !run.block.has(axis_code(k)) || !std::isnan(ahead(run, k));
@@ -81,12 +89,7 @@ void unknown_machine_position(Run& run) {
                       "machine coordinate 0 is taken as the home of its axis, away from the workpiece: where it is in "
                       "the workpiece is not known",
                       "give home of the axes in the machine file and the zero offset in [datum] of the job");
-    if (!keeps_offsets(run) && goes_away(run))
-        return assume(run, run.here(),
-                      "a position in machine coordinates is taken to lie away from the workpiece, as home does: where "
-                      "it is in the workpiece is not known",
-                      "give the offset in [datum] of the job, e.g. " +
-                          program::datum_key(*run.traits, run.reference_datum) + " = { x = 0.0, y = 0.0, z = -350.0 }");
+    if (!keeps_offsets(run) && goes_away(run)) return assume_away(run);
     unchecked(run, codes::unknown_value, run.here(),
               "this block moves in machine coordinates and " + program::datum_phrase(*run.traits, run.reference_datum) +
                   " is not known: where it ends in the workpiece is not known",
@@ -196,14 +199,16 @@ void retract_tool(Run& run) {
     const double way = limit ? way_to_limit(run) : b.get(Code::q) * length_unit(run.modal);
     if (!limit && way < 0)
         return alarm(run, codes::value_range, run.here(), "MB of M140 is negative: it says how far the tool goes away");
-    if (std::isnan(way))
+    const bool feeds = b.has(Code::e);
+    if (std::isnan(way) && limit && !feeds)
+        assume_away(run);  // it leads away as "L Z+0 FMAX M91" does
+    else if (std::isnan(way))
         unchecked(
             run, codes::unknown_value, run.here(),
             limit ? "M140 MB MAX goes to the limit of travel of the tool axis, which is not known in the workpiece: "
                     "where the tool then stands is not known"
                   : "how far M140 MB goes depends on a value that is not known",
             limit ? "name a machine with the limits of its axes, and the zero offset in [datum] of the job" : "");
-    const bool feeds = b.has(Code::e);
     geom::Vec3 to = run.position;
     for (int k = 0; k < 3; ++k)  // where the way is not known, the other axes still are
         if (coordinate(run.tool_axis, k) != 0) coordinate(to, k) += way * coordinate(run.tool_axis, k);

@@ -75,6 +75,7 @@ void plain_feed(Run& run, cl::FeedMode mode) {
 
 void change_plane(Run& run, int plane) {
     if (plane != run.modal.plane) leave_compensation(run, "the working plane changes");
+    run.modal.plane_said = true;
     if (!run.stopped) set_plane(run, plane);
 }
 
@@ -248,6 +249,18 @@ void tell_changed(Run& run, SettingKind kind, bool before, bool now) {
     if (before != now) tell(run, kind, now);
 }
 
+/// Sources: FANUC B-63944EN/02 page 192: at the beginning of the program, not to be switched during it; Haas: must be
+/// what Setting 9 says (96-8000, G20/G21).
+void say_changed_unit(Run& run, bool changes) {
+    const bool in_use = run.moved && (run.modal.unit_said || run.feed_valid);  // G28 before the first G21 is usual
+    run.modal.unit_said = true;
+    if (!changes || !in_use || !run.traits->unit_before_motion) return;
+    unchecked(run, base::codes::unsupported, run.here(),
+              "the unit of length changes behind moves, which this control does not allow: what its offsets then mean "
+              "is not known",
+              "say the unit at the beginning of the program, before it moves");
+}
+
 /// Units, absolute and incremental, diameters. False where `m` is none of them.
 bool dimension_word(Run& run, Modal m) {
     ModalState& state = run.modal;
@@ -261,10 +274,12 @@ bool dimension_word(Run& run, Modal m) {
         case Modal::inch_geometry: state.inch_geometry = true; return true;
         case Modal::metric_geometry: state.inch_geometry = state.metric_feed = false; return true;
         case Modal::inch_all:
+            say_changed_unit(run, !state.inch_geometry);
             state.inch_geometry = state.inch_feed = true;
             tell(run, SettingKind::unit, 1);
             return true;
         case Modal::metric_all:
+            say_changed_unit(run, state.inch_geometry);
             state.inch_geometry = state.inch_feed = false;
             state.metric_feed = true;
             tell(run, SettingKind::unit, 0);

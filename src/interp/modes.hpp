@@ -30,8 +30,10 @@ struct Transform {
 struct ModalState {
     Modal motion = Modal::linear;
     int plane = 17;
+    bool plane_said = false;  ///< by the program
     bool absolute = true;
     bool inch_geometry = false, inch_feed = false;
+    bool unit_said = false;  ///< by the program
     DiameterMode diameter = DiameterMode::off;
     cl::FeedMode feed_mode = cl::FeedMode::per_minute;
     bool surface_speed = false;

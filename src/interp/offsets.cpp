@@ -314,10 +314,11 @@ geom::Frame offset_frame(Run& run) {
     return f * geom::Frame::shift({o.shift[0], o.shift[1], o.shift[2]});
 }
 
-/// The word of the axis is an increment by its letter (U and W of lathes).
+/// The word of the axis is an increment: by its letter (U and W of lathes) or in G91.
 bool adds(const Run& run, std::size_t k) {
     return run.block.ref(axis_code(static_cast<int>(k))) ==
-           1 + static_cast<std::uint8_t>(program::Reference::incremental);
+               1 + static_cast<std::uint8_t>(program::Reference::incremental) ||
+           (run.traits->position_adds_in_increments && !run.modal.absolute);
 }
 
 void shift_words(Run& run, Modal m) {

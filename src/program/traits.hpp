@@ -261,6 +261,12 @@ struct Traits {
     /// R and Z of a hole cycle are positions from the block on that says them: G90 and G91 of later blocks move them
     /// no more. Else what was written is read anew in every block, as G90 or G91 then has it.
     bool canned_positions_stay = false;
+    /// Setting the position (G92) in G91 adds to the coordinates; else they become what the block says.
+    bool position_adds_in_increments = false;
+    /// The unit of length (G20, G21) is said before the first move and may not change behind it.
+    bool unit_before_motion = false;
+    /// The first tool in the spindle says which axis it lies along (TOOL CALL 1 Z).
+    bool first_tool_says_axis = false;
     /// G28 and G30 end the compensation of the tool's length.
     bool home_cancels_length = false;
     /// An arc by its radius has no use for I, J and K beside R, which are passed over; else they are words too many.

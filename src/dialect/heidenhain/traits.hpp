@@ -67,6 +67,7 @@ inline constexpr program::Traits traits{
     .compensation_keeps_side = true,
     .calls_end_compensation = true,
     .feed_at_tool_first = true,
+    .first_tool_says_axis = true,
     .set_by_control = control_parameters,
     .alarm_text = error_message,
 };

@@ -145,6 +145,8 @@ program::Traits traits_of(std::span<const program::CannedCycle> cycles, bool haa
     t.radius_to_start_stays = !haas;  // the same: "G02 R: the cutter does not move"
     // Haas Mill Operator's Manual 96-8000, G49: "An H0, G28, M30, and Reset will also cancel tool length compensation".
     t.home_cancels_length = haas && !lathe;
+    t.position_adds_in_increments = !haas;
+    t.unit_before_motion = true;
     t.guessed_machine = lathe ? program::GuessedMachine::lathe : program::GuessedMachine::mill;
     if (lathe) t.live = lathe_live;
     t.edge_is_offset_number = lathe;
