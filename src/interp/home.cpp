@@ -97,7 +97,7 @@ void go_home(Run& run) {
     if (!run.traits->home_cancels_length || run.offsets.length == Offsets::Length::none) return;
     if (run.block.has(Code::offset_h))
         assume(run, run.here(), "H has no effect here: going home ends the compensation of the tool's length",
-               "write G43 and H where the length is to be compensated again");
+               "compensate the length anew behind it, where the tool goes on");
     tool_length_words(run, Modal::tool_length_off);
 }
 

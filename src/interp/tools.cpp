@@ -251,7 +251,7 @@ void select_tool(Run& run) {
         if (run.traits->first_tool_says_axis && !run.modal.plane_said)
             assume(run, run.here(),
                    "the first tool call names no tool axis: it is taken to be Z, where the control wants one",
-                   "write it behind the tool: TOOL CALL 1 Z");
+                   "write X, Y or Z behind the tool");
         run.modal.plane_said = true;
         replaced = replaced || run.tool.waiting;
         if (run.tool.waiting) tool_into_spindle(run);
