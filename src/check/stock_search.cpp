@@ -22,6 +22,7 @@ constexpr std::size_t together = 256;       ///< moves that are looked at as one
 constexpr std::size_t worth_it = 8;         ///< so many moves
 constexpr std::size_t cells_of_many = 24;   ///< for them
 constexpr std::size_t cells_of_arc = 60;    ///< for a level quarter of a circle as it is
+constexpr double deeper_by = 1.1;           ///< of a depth found: as near as a depth is searched for
 constexpr std::size_t cells_of_one = 3000;  ///< for one straight way and part of a tool
 
 /// Level circles about the tool's axis.
@@ -161,7 +162,9 @@ void StockSearch::judge_piece(Verdict& verdict, const LeftBody& way, const Stock
     for (const std::vector<Vec2>& profile : part.profiles) {
         body.profile = clipped(profile, heights.low, heights.high);
         if (body.profile.size() < 2) continue;
-        const LeftDepth d = deepest_left(body, search);
+        LeftSearch here = search;  // where it is hardly deeper than what is found does not matter
+        here.allowed = std::max(search.allowed, deeper_by * verdict.hit.depth);
+        const LeftDepth d = deepest_left(body, here);
         verdict.decided = verdict.decided && (d.decided || d.bound <= limits_.tolerance);
         if (d.depth > verdict.hit.depth) verdict.hit = {d.depth, d.at};
     }
