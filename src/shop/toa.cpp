@@ -112,8 +112,8 @@ void Reader::report_other_lines() {
     if (data_lines_ == 0)
         return complain(base::codes::job_file, first_other_,
                         "this is no tool data: no line of the file is like $TC_DP1[1,1]=500",
-                        "lists of tools end in .toml, tables of HEIDENHAIN in .t, of LinuxCNC in .tbl, libraries of "
-                        "Fusion in .json; an NC program is the 'program' of a job");
+                        "lists of tools end in .toml, tables of controls in .t or .tbl, libraries of Fusion in "
+                        ".json; an NC program is the 'program' of a job");
     const std::size_t more = other_lines_ - 1;
     complain(base::codes::job_file, first_other_,
              "this is not a line of tool data ($TC_DP1[1,1]=500)" +
