@@ -41,7 +41,7 @@ Checked check_program(Session& session, std::size_t keep_moves, const MillingReq
     std::uint64_t moves = 0;
     const auto sink = [&](const cl::Record& record) {
         check.take(record);
-        if (progress && !setup.progress && cl::is_move(record.step) && (++moves & 0xFFF) == 0) progress(moves);
+        if (progress && !setup.progress && cl::is_move(record.step) && (++moves & 0x3F) == 0) progress(moves);
     };
     const interp::Outcome outcome = interpret(session, sink);
 

@@ -85,8 +85,11 @@ void step(Run&);  ///< the next statement of the program
 bool over_budget(Run&, bool check_clock);
 void run_statement(Run&, const program::Statement&, std::uint32_t index);
 void jump(Run&, const program::Jump&);
-/// Counts a backward branch of the statement being run; ends the run past the budget.
-void count_pass(Run&);
+/// Counts a backward branch of the statement being run to `target` (no_target: of another program); ends the run past
+/// the budget, and where the loop cannot end.
+void count_pass(Run&, std::uint32_t target);
+/// "the loop of N96 had run 8000000 passes": the innermost one with many; empty where there is none.
+[[nodiscard]] std::string loop_being_run(const Run&);
 void call_label(Run&, const program::LabelCall&, std::uint32_t index);
 void end_label(Run&);  ///< LBL 0
 void call_program(Run&, const program::Call&);
