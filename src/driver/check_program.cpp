@@ -2,7 +2,7 @@
 
 #include "base/work_time.hpp"
 #include "driver/contours.hpp"
-#include "driver/missing_points.hpp"
+#include "driver/hints.hpp"
 #include "driver/program_tools.hpp"
 #include "driver/wording.hpp"
 
@@ -51,6 +51,7 @@ Checked check_program(Session& session, std::size_t keep_moves, const MillingReq
     check::merge(result, session.diagnostics);
     if (outcome.ending == interp::Ending::regular) check::require_cuts(result, session.program);
     ask_for_points(session.programs->units(), session.sources, result);
+    name_carried_compensation(outcome, result);
     check::restrict_to(result, setup.scope);
     reword(result, session.control, session.main->traits->edge_is_offset_number);
     return {std::move(setup), std::move(result)};

@@ -238,6 +238,7 @@ Outcome run(const program::Unit& main, const Environment& environment, cl::CallS
     flush_path(run);
     Outcome outcome{run.ending, run.blocks, {}, {run.entered.begin(), run.entered.end()}, std::move(run.overrides_met),
                     run.steps};
+    outcome.carried = std::move(run.carried);
     for (std::uint32_t n = 0; n < run.parameters.count(); ++n)
         if (run.parameters.is_assigned(n))
             outcome.parameters.push_back({program::parameter_name(*main.traits, n), run.parameters.get(n)});

@@ -131,6 +131,11 @@ void set_plane(Run&, int plane);
 void leave_compensation(Run&, const std::string& because);
 /// Before radius compensation takes this side (compensation_rules.cpp, as the one above).
 void refuse_other_side(Run&, Modal side);
+/// The word of the statement being run says `m`: where compensation begins is kept, what was carried over ends.
+void note_compensation(Run&, Modal m);
+[[nodiscard]] std::string compensation_in_force(const Run&);  ///< "G42 of N150"
+/// At a tool change: that compensation goes on.
+void say_carried_compensation(Run&);
 /// R+ and R- (G43, G44) of a block along one axis.
 void compensate_along_axis(Run&, Modal);
 /// M70 and M73, M71, M72 (saved_modes.cpp).

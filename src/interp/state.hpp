@@ -301,6 +301,7 @@ struct RunState : ToolRack {
         std::uint64_t passes = 0;  ///< without having left it
     };
     WatchedLoop watched;
+    std::vector<CarriedCompensation> carried;
     std::vector<Activation> calls;
     Scope globals;
     Undefined undefined;

@@ -1,4 +1,4 @@
-#include "driver/missing_points.hpp"
+#include "driver/hints.hpp"
 
 #include <algorithm>
 
@@ -56,6 +56,18 @@ void ask_for_points(const std::vector<std::unique_ptr<program::Unit>>& units, co
             if (words.empty()) continue;
             f.remedy += (f.remedy.empty() ? "" : "; ") + words +
                         (words.find(',') == std::string::npos ? " is" : " are") + " read in increments (0.001 mm, 0.0001 inch): look whether a decimal point is missing";
+        }
+}
+
+void name_carried_compensation(const interp::Outcome& outcome, check::Result& result) {
+    for (check::Finding& f : result.findings)
+        for (const interp::CarriedCompensation& c : outcome.carried) {
+            if (f.where == check::nowhere || c.change.file != f.where.file || f.where.begin < c.change.begin ||
+                f.where.begin >= c.until)
+                continue;
+            f.remedy += (f.remedy.empty() ? "" : "; ") + c.word +
+                        " is still in force here: see whether it was to be switched off before the tool change";
+            break;
         }
 }
 

@@ -1,11 +1,12 @@
 #pragma once
-/// Findings at blocks with a number that may lack its decimal point.
+/// What findings most likely come from, where the program shows it: their remedies say so.
 
 #include <memory>
 #include <vector>
 
 #include "base/source.hpp"
 #include "check/result.hpp"
+#include "interp/interp.hpp"
 #include "program/unit.hpp"
 
 namespace obrys::driver {
@@ -14,5 +15,8 @@ namespace obrys::driver {
 /// than 1 mm asks for it.
 void ask_for_points(const std::vector<std::unique_ptr<program::Unit>>& units, const base::Sources& sources,
                     check::Result& result);
+
+/// Findings under a radius compensation that a tool change did not end name where it began.
+void name_carried_compensation(const interp::Outcome& outcome, check::Result& result);
 
 }  // namespace obrys::driver
