@@ -2,6 +2,7 @@
 
 #include "base/work_time.hpp"
 #include "driver/contours.hpp"
+#include "driver/hints.hpp"
 #include "driver/program_tools.hpp"
 #include "driver/wording.hpp"
 
@@ -40,7 +41,7 @@ Checked check_program(Session& session, std::size_t keep_moves, const MillingReq
     std::uint64_t moves = 0;
     const auto sink = [&](const cl::Record& record) {
         check.take(record);
-        if (progress && !setup.progress && cl::is_move(record.step) && (++moves & 0xFFF) == 0) progress(moves);
+        if (progress && !setup.progress && cl::is_move(record.step) && (++moves & 0x3F) == 0) progress(moves);
     };
     const interp::Outcome outcome = interpret(session, sink);
 
@@ -49,6 +50,8 @@ Checked check_program(Session& session, std::size_t keep_moves, const MillingReq
     result.stats.blocks_executed = outcome.blocks_executed;
     check::merge(result, session.diagnostics);
     if (outcome.ending == interp::Ending::regular) check::require_cuts(result, session.program);
+    ask_for_points(session.programs->units(), session.sources, result);
+    name_carried_compensation(outcome, result);
     check::restrict_to(result, setup.scope);
     reword(result, session.control, session.main->traits->edge_is_offset_number);
     return {std::move(setup), std::move(result)};

@@ -2,6 +2,7 @@
 
 #include "base/codes.hpp"
 #include "driver/machine_guess.hpp"
+#include "shop/nearest.hpp"
 
 namespace obrys::driver {
 
@@ -15,12 +16,6 @@ void complain(Session& s, std::string_view code, const base::Span& where, std::s
 
 void assume(Session& s, std::string text, std::string remedy = {}) {
     s.diagnostics.add({base::Severity::note, codes::assumption, nowhere, std::move(text), std::move(remedy), {}, {}});
-}
-
-std::string control_names() {
-    std::string list;
-    for (const Control& c : all_controls()) list += (list.empty() ? "" : ", ") + std::string(c.name);
-    return list;
 }
 
 std::string read_as(const Guess& guess) {
@@ -52,7 +47,7 @@ void say_guess(Session& s, const Guess& guess, const base::Span& where, int cert
 bool known_control(Session& s, const std::string& name, const base::Span& where) {
     if (name.empty() || find_control(name) != nullptr) return true;
     complain(s, codes::job_value, where, "there is no control \"" + name + "\"",
-             "controls that can be read: " + control_names());
+             shop::words_remedy(name, controls(), "controls that can be read"));
     return false;
 }
 
@@ -67,7 +62,7 @@ const Control* choose_control(Session& s, const Request& request, std::uint32_t 
     const base::Span where{file, 0, 0};
     if (guess.likelihood < foreign) {
         complain(s, codes::job_value, where, "this looks like a program for another control than can be read",
-                 "controls that can be read: " + control_names() + "; --control NAME reads it all the same");
+                 "controls that can be read: " + shop::joined(controls()) + "; --control NAME reads it all the same");
         return nullptr;
     }
     say_guess(s, guess, where, certain);

@@ -11,6 +11,7 @@
 #include "driver/not_run.hpp"
 #include "driver/overrides.hpp"
 #include "driver/tool_files.hpp"
+#include "shop/document.hpp"
 #include "shop/linuxcnc_ini.hpp"
 #include "shop/linuxcnc_parameters.hpp"
 #include "shop/machine_name.hpp"
@@ -26,6 +27,28 @@ void complain(Session& s, std::string_view code, const base::Span& where, std::s
 }
 
 bool is_job(const fs::path& path) { return base::equals_ignoring_case(path.extension().string(), ".toml"); }
+
+/// What a TOML file is, by its keys: somebody gave it as the program.
+std::string kind_of_toml(std::uint32_t file, const base::Sources& sources) {
+    base::Diagnostics unread;
+    const auto root = shop::parse_toml(file, sources, unread);
+    const auto has = [&](std::initializer_list<std::string_view> keys) {
+        return root && std::any_of(keys.begin(), keys.end(),
+                                   [&](std::string_view key) { return shop::find(*root, key) != nullptr; });
+    };
+    return has({"program", "stock", "part"}) ? "a job file"
+           : has({"axis", "kind"})           ? "a machine file"
+           : has({"tool"})                   ? "a list of tools"
+                                             : "a TOML file";
+}
+
+bool is_no_program(Session& s, const fs::path& path, std::uint32_t file) {
+    if (!is_job(path)) return false;
+    complain(s, codes::job_value, s.job.program_where,
+             s.sources[file].name + " is " + kind_of_toml(file, s.sources) + " and no NC program",
+             "name the NC program; a job file is checked by itself");
+    return true;
+}
 
 /// A job that names no program is about the one beside it that is called like it: ball.ngc of ball.job.toml.
 std::string program_beside(const fs::path& job) {
@@ -173,6 +196,7 @@ bool read_main(Session& s, const Request& request, const fs::path& path) {
     const auto file = load(path, s.sources, s.diagnostics, s.job.program_where);
     if (!file) return false;
     s.program = s.sources[*file].name;
+    if (is_no_program(s, path, *file)) return false;
     const Control* control = choose_control(s, request, *file);
     if (control == nullptr) return false;
     s.programs = std::make_unique<Programs>(*control, s.sources, s.diagnostics, request.folders);

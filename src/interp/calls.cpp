@@ -389,7 +389,7 @@ void return_to_block(Run& run, const program::Jump& j) {
             "the calling program " + run.unit().name + " has no block N" + printed(Value::real(n)) + " to go on with");
     const auto behind = std::find_if(at.begin(), at.end(), [&](std::uint32_t s) { return s >= run.top().pc; });
     const std::uint32_t target = behind != at.end() ? *behind : at.front();
-    if (target < run.top().pc) count_pass(run);
+    if (target < run.top().pc) count_pass(run, program::no_target);
     run.top().pc = target;
 }
 

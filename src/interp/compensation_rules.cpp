@@ -1,6 +1,7 @@
-/// What radius compensation does not survive on controls where it keeps its side and its plane.
+/// What radius compensation does not survive on controls where it keeps its side and its plane; where it was begun.
 
 #include "base/codes.hpp"
+#include "base/text.hpp"
 #include "interp/run.hpp"
 
 namespace obrys::interp {
@@ -42,6 +43,39 @@ void leave_compensation(Run& run, const std::string& because) {
     flush_path(run);
     state.compensation = Modal::compensation_off;
     state.look_ahead = 0;
+}
+
+void note_compensation(Run& run, Modal m) {
+    const Unit& unit = run.unit();
+    const base::Span here = run.here();
+    for (CarriedCompensation& c : run.carried)
+        if (c.until == CarriedCompensation{}.until && c.change.file == here.file && c.change.begin < here.begin)
+            c.until = here.begin;
+    if (run.modal.compensation == m) return;  // said again
+    run.modal.compensation_word = here;
+    const auto index = static_cast<std::uint32_t>(run.statement - unit.statements.data());
+    for (std::uint32_t w = run.statement->first; w < unit.words_end(index); ++w)
+        if (program::code_of(unit.words[w]) == program::Code::modal && program::modal_of(unit.words[w]) == m)
+            run.modal.compensation_word = unit.span(*run.statement, unit.words[w]);
+}
+
+std::string compensation_in_force(const Run& run) {
+    const base::Span at = run.modal.compensation_word;
+    const std::string_view text = run.env.sources[at.file].text;
+    const std::string word = base::to_upper(base::trim(text.substr(at.begin, at.end - at.begin)));
+    const auto number = run.env.sources.block_number(at.file, at.begin);
+    const std::string block = number ? "N" + std::to_string(*number)
+                                     : "line " + std::to_string(run.env.sources.position(at.file, at.begin).line);
+    return word + " of " + block;
+}
+
+void say_carried_compensation(Run& run) {
+    if (run.modal.compensation == Modal::compensation_off || run.capture != nullptr) return;
+    const std::string word = compensation_in_force(run);
+    assume(run, run.here(),
+           word + " is still in force while the tool is changed: it goes on with the new tool's radius",
+           "switch it off before the change, where the contour ends");
+    run.carried.push_back({run.here(), CarriedCompensation{}.until, word});
 }
 
 }  // namespace obrys::interp

@@ -105,8 +105,11 @@ bool over_budget(Run& run, bool check_clock) {
     const std::string limit = run.blocks > b.blocks
                                   ? std::to_string(b.blocks) + " blocks"
                                   : base::shortest(b.seconds) + (b.bounds_check ? " s" : " s of work");
-    unchecked(run, codes::budget, run.here(), "the run was ended here after " + limit,
-              "raise the limit in [budget] of the job if the program really needs more");
+    const std::string loop = loop_being_run(run);
+    unchecked(run, codes::budget, run.here(),
+              "the run was ended here after " + limit + (loop.empty() ? "" : "; " + loop),
+              std::string(loop.empty() ? "" : "see whether that loop ends; ") +
+                  "raise the limit in [budget] of the job if the program really needs more");
     run.ending = Ending::budget;
     run.stopped = true;
     return true;
@@ -188,6 +191,9 @@ void step(Run& run) {
     const std::uint32_t index = act.pc++;
     const program::Statement& s = act.unit->statements[index];
     run.statement = &s;
+    if (run.watched.depth != 0 && (index < run.watched.first || index > run.watched.last ||
+                                   run.calls.size() != run.watched.depth))
+        run.watched.depth = 0;
     if (s.flags != 0) {
         if ((s.flags & program::line_start) != 0) ++run.blocks;
         if (skipped(run, s)) return;
@@ -233,6 +239,7 @@ Outcome run(const program::Unit& main, const Environment& environment, cl::CallS
     flush_path(run);
     Outcome outcome{run.ending, run.blocks, {}, {run.entered.begin(), run.entered.end()}, std::move(run.overrides_met),
                     run.steps};
+    outcome.carried = std::move(run.carried);
     for (std::uint32_t n = 0; n < run.parameters.count(); ++n)
         if (run.parameters.is_assigned(n))
             outcome.parameters.push_back({program::parameter_name(*main.traits, n), run.parameters.get(n)});

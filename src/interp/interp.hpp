@@ -81,6 +81,13 @@ struct ParameterValue {
     double value = 0;
 };
 
+/// Radius compensation that was in force while the tool was changed, in the order of the text.
+struct CarriedCompensation {
+    base::Span change;
+    std::uint32_t until = 0xFFFFFFFF;  ///< byte of the file at which it ends
+    std::string word;                  ///< "G42 of N150"
+};
+
 struct Outcome {
     Ending ending = Ending::regular;
     std::uint64_t blocks_executed = 0;
@@ -88,6 +95,7 @@ struct Outcome {
     std::vector<const program::Unit*> entered;  ///< programs of which something was run, the main one's too
     std::set<std::string> replaced;             ///< names of which Environment::overrides replaced a constant
     std::uint64_t statements = 0;               ///< gone through, those that were looked at ahead as well
+    std::vector<CarriedCompensation> carried = {};
 };
 
 /// Runs `main` and passes every record to `sink`. Complaints, assumptions and ignored words go to `diagnostics`.

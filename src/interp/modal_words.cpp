@@ -138,6 +138,7 @@ void set_compensation(Run& run, Modal m) {
     refuse_other_side(run, m);
     if (run.stopped) return;
     if (m == Modal::compensation_off) state.look_ahead = 0;
+    note_compensation(run, m);
     const BlockWords& b = run.block;
     const double unit = length_unit(state);
     const bool given = m == Modal::compensation_left_by || m == Modal::compensation_right_by;

@@ -40,6 +40,7 @@ struct ModalState {
     int speed_word = 0;        ///< 96, 97, 961 … where it was the last of its G group
     bool metric_feed = false;  ///< G710 rather than G71
     Modal compensation = Modal::compensation_off;
+    base::Span compensation_word;  ///< that switched it on
     Modal approach = Modal::approach_normal;
     Modal corner = Modal::corner_arc;
     int look_ahead = 0;  ///< contour elements that compensation looks ahead (M120 LA)

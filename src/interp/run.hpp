@@ -85,8 +85,11 @@ void step(Run&);  ///< the next statement of the program
 bool over_budget(Run&, bool check_clock);
 void run_statement(Run&, const program::Statement&, std::uint32_t index);
 void jump(Run&, const program::Jump&);
-/// Counts a backward branch of the statement being run; ends the run past the budget.
-void count_pass(Run&);
+/// Counts a backward branch of the statement being run to `target` (no_target: of another program); ends the run past
+/// the budget, and where the loop cannot end.
+void count_pass(Run&, std::uint32_t target);
+/// "the loop of N96 had run 8000000 passes": the innermost one with many; empty where there is none.
+[[nodiscard]] std::string loop_being_run(const Run&);
 void call_label(Run&, const program::LabelCall&, std::uint32_t index);
 void end_label(Run&);  ///< LBL 0
 void call_program(Run&, const program::Call&);
@@ -128,6 +131,11 @@ void set_plane(Run&, int plane);
 void leave_compensation(Run&, const std::string& because);
 /// Before radius compensation takes this side (compensation_rules.cpp, as the one above).
 void refuse_other_side(Run&, Modal side);
+/// The word of the statement being run says `m`: where compensation begins is kept, what was carried over ends.
+void note_compensation(Run&, Modal m);
+[[nodiscard]] std::string compensation_in_force(const Run&);  ///< "G42 of N150"
+/// At a tool change: that compensation goes on.
+void say_carried_compensation(Run&);
 /// R+ and R- (G43, G44) of a block along one axis.
 void compensate_along_axis(Run&, Modal);
 /// M70 and M73, M71, M72 (saved_modes.cpp).

@@ -124,7 +124,7 @@ struct Activation {
     };
     std::vector<Counter> counters;  ///< of repeat_count loops that are being run
     struct Passes {
-        std::uint32_t statement = 0;
+        std::uint32_t statement = 0, target = 0;
         std::uint64_t count = 0;
     };
     std::vector<Passes> passes;  ///< of every backward branch taken, by its statement
@@ -294,6 +294,14 @@ struct RunState : ToolRack {
     RunState(const std::vector<shop::Tool>& listed, std::uint32_t parameter_count, const geom::Vec3& start)
         : ToolRack(listed), parameters(parameter_count), position(start), programmed_position(start) {}
 
+    /// A loop whose conditions nothing within it changes: while the run stays in it, it does not end.
+    struct WatchedLoop {
+        std::size_t depth = 0;  ///< of the call that runs it; 0: none is watched
+        std::uint32_t first = 0, last = 0;
+        std::uint64_t passes = 0;  ///< without having left it
+    };
+    WatchedLoop watched;
+    std::vector<CarriedCompensation> carried;
     std::vector<Activation> calls;
     Scope globals;
     Undefined undefined;

@@ -69,6 +69,10 @@ bool thread_motion(Run& run, const geom::Vec3& to) {
         alarm(run, codes::value_range, run.here(), "coordinates without a motion that could run them");
         return false;
     }
+    const bool taps = m == Modal::tap || m == Modal::tap_retract;
+    if (!taps && run.modal.compensation != Modal::compensation_off && run.capture == nullptr)
+        assume(run, run.here(), compensation_in_force(run) + " is still in force in a thread, which is run without it",
+               "switch it off before the thread, in a block with a way of its own");
     cl::Thread t;
     t.pitch = pitch_of_thread(run, thread_pitch(run, run.programmed_position, to), run.programmed_position, to);
     if (t.pitch == 0) {
@@ -78,7 +82,7 @@ bool thread_motion(Run& run, const geom::Vec3& to) {
         straight_motion(run, to, false);
         return true;
     }
-    t.rigid_tap = m == Modal::tap || m == Modal::tap_retract;
+    t.rigid_tap = taps;
     if (m == Modal::thread_rising || m == Modal::thread_falling)
         unchecked(run, codes::unsupported, run.here(),
                   "the changing pitch of G34 and G35 is not followed: the thread is run with its first pitch");

@@ -263,10 +263,7 @@ void select_tool(Run& run) {
     changed = tool_functions(run) || changed;
     if (run.stopped) return;
     replaced = replaced || std::find(b.m.begin(), b.m.end(), 6) != b.m.end();
-    if (replaced && run.modal.compensation != Modal::compensation_off && run.capture == nullptr)
-        assume(run, run.here(),
-               "radius compensation is in force while the tool is changed: it goes on with the new tool's radius",
-               "switch it off before the change, where the contour ends");
+    if (replaced) say_carried_compensation(run);
     if (replaced) stop_for_change(run, before == std::pair{run.tool.number, run.tool.name});
     if (b.has(Code::edge)) {
         const double d = b.get(Code::edge);

@@ -98,9 +98,8 @@ bool cannot_be_compensated(CycleKind k) {
 /// Controls leave compensation off in these cycles; where the tool stands that comes in with it is not known here [-].
 bool refuse_compensated(Run& run, const CycleDefinition& d) {
     if (!cannot_be_compensated(d.kind) || run.modal.compensation == Modal::compensation_off) return false;
-    const char* word = run.modal.compensation == Modal::compensation_left ? "G41" : "G42";
     unchecked(run, codes::unsupported, d.where,
-              d.name + ": " + word +
+              d.name + ": " + compensation_in_force(run) +
                   " is still in force, and this cycle knows no tool nose radius compensation: it is not run",
               "write G40 before it, in a block with a way of its own");
     lose_position(run);

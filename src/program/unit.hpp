@@ -364,6 +364,10 @@ struct Unit {
     std::vector<Named> named;
     std::vector<Problem> problems;
     std::vector<Ignored> ignored;
+    /// Lengths without a decimal point that are read as less than 1 mm (least input increments), in order: places of
+    /// the text from the number's begin to its end. And how many lengths have a point.
+    std::vector<std::pair<std::uint32_t, std::uint32_t>> small_lengths;
+    std::size_t lengths_with_point = 0;
     std::vector<std::uint32_t> tool_definitions;          ///< statements that say what a tool is, in order
     std::map<NameId, std::vector<std::uint32_t>> labels;  ///< statements, in order
 

@@ -5,6 +5,7 @@
 #include <algorithm>
 
 #include "base/codes.hpp"
+#include "base/slip.hpp"
 #include "base/text.hpp"
 
 namespace obrys::shop {
@@ -114,6 +115,10 @@ std::optional<Value> parse_toml(std::uint32_t file, const base::Sources& sources
         d.code = base::codes::job_file;
         d.where = places.span(error.source());
         d.text = "this is not valid TOML: " + std::string(error.description());
+        // Error places lie on the character that cannot be read, or just behind it.
+        const std::string_view bytes = sources[file].text;
+        d.remedy = base::slip_in_number(bytes, d.where.begin);
+        if (d.remedy.empty() && d.where.begin > 0) d.remedy = base::slip_in_number(bytes, d.where.begin - 1);
         diagnostics.add(std::move(d));
         return std::nullopt;
     }

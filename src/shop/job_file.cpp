@@ -110,7 +110,8 @@ void read_limits(Section& file, Job& job) {
                 job.scope = *scope;
             else
                 s->error(base::codes::job_value, find(s->table(), "scope")->value.where,
-                         "there is no scope \"" + *text + "\"", "all, part, collisions or motion");
+                         "there is no scope \"" + *text + "\"",
+                         words_remedy(*text, {"all", "part", "collisions", "motion"}));
         }
         s->finish();
     }
@@ -203,7 +204,6 @@ void read_all(Section& s, Job& job) {
     job.variables = read_variables(s);
     read_limits(s, job);
     read_machine_name(s, job);
-    s.finish();
 }
 
 }  // namespace
@@ -238,7 +238,7 @@ Job read_job(std::uint32_t file, const base::Sources& sources, base::Diagnostics
     base::Diagnostics found;
     Section s(*root, "the job file", found);
     read_all(s, job);
-    add_in_order(found, diagnostics);
+    s.finish_file(diagnostics);
     return job;
 }
 

@@ -200,8 +200,7 @@ Machine read_machine(std::uint32_t file, const base::Sources& sources, base::Dia
     read_control(s, machine);
     machine.datums = read_datums(s);
     read_machine_data(s, machine);
-    s.finish();
-    add_in_order(found, diagnostics);
+    s.finish_file(diagnostics);
     return machine;
 }
 

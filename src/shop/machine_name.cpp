@@ -13,12 +13,7 @@ bool names_machine_file(const std::string& name) {
 std::string no_shipped_machine(const std::string& name) { return "there is no shipped machine \"" + name + "\""; }
 
 std::string machine_name_remedy(const std::string& name) {
-    std::string list;
-    const auto names = shipped_machine_names();
-    for (const std::string& n : names) list += (list.empty() ? "" : ", ") + n;
-    const std::string near = nearest(name, names);
-    return (near.empty() ? "" : "did you mean \"" + near + "\"? ") + ("shipped: " + list) +
-           "; the name of a machine file ends in .toml";
+    return words_remedy(name, shipped_machine_names(), "shipped") + "; the name of a machine file ends in .toml";
 }
 
 }  // namespace obrys::shop

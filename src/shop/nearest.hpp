@@ -11,7 +11,14 @@ namespace obrys::shop {
 /// Edits (insert, delete, replace, swap of neighbours) that turn a into b.
 [[nodiscard]] std::size_t edit_distance(std::string_view a, std::string_view b);
 
-/// The word of `words` that `word` most likely stands for; empty where none is near.
+/// The word of `words` that `word` most likely stands for: few edits away, else one that begins like it. Empty where
+/// none is near.
 [[nodiscard]] std::string nearest(std::string_view word, const std::vector<std::string>& words);
+
+[[nodiscard]] std::string joined(const std::vector<std::string>& words);  ///< "a, b, c"
+
+/// What to do about a word that is none of `words`: the nearest, and all of them behind `lead`.
+[[nodiscard]] std::string words_remedy(std::string_view word, const std::vector<std::string>& words,
+                                       std::string_view lead = "one of");
 
 }  // namespace obrys::shop

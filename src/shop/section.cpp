@@ -26,26 +26,7 @@ void complain(base::Diagnostics& diagnostics, std::string_view code, base::Span 
 
 std::string quoted(std::string_view key) { return "'" + std::string(key) + "'"; }
 
-std::string joined(const std::vector<std::string>& words) {
-    std::string out;
-    for (const std::string& w : words) out += (out.empty() ? "" : ", ") + w;
-    return out;
-}
-
 }  // namespace
-
-std::size_t edit_distance(std::string_view a, std::string_view b) {
-    std::vector<std::vector<std::size_t>> d(a.size() + 1, std::vector<std::size_t>(b.size() + 1));
-    for (std::size_t i = 0; i <= a.size(); ++i) d[i][0] = i;
-    for (std::size_t j = 0; j <= b.size(); ++j) d[0][j] = j;
-    for (std::size_t i = 1; i <= a.size(); ++i)
-        for (std::size_t j = 1; j <= b.size(); ++j) {
-            d[i][j] = std::min({d[i - 1][j] + 1, d[i][j - 1] + 1, d[i - 1][j - 1] + (a[i - 1] == b[j - 1] ? 0U : 1U)});
-            if (i > 1 && j > 1 && a[i - 1] == b[j - 2] && a[i - 2] == b[j - 1])
-                d[i][j] = std::min(d[i][j], d[i - 2][j - 2] + 1);
-        }
-    return d[a.size()][b.size()];
-}
 
 std::string_view kind_name(ValueKind kind) {
     switch (kind) {
@@ -70,21 +51,6 @@ void add_in_order(const base::Diagnostics& from, base::Diagnostics& to) {
         return a.where.begin < b.where.begin;
     });
     for (base::Diagnostic& d : all) to.add(std::move(d));
-}
-
-std::string nearest(std::string_view word, const std::vector<std::string>& words) {
-    if (word.size() > 64) return {};
-    const std::string wanted = base::to_upper(word);
-    std::size_t best = std::max<std::size_t>(1, word.size() / 3) + 1;
-    std::string found;
-    for (const std::string& w : words) {
-        const std::size_t d = edit_distance(wanted, base::to_upper(w));
-        if (d < best) {
-            best = d;
-            found = w;
-        }
-    }
-    return found;
 }
 
 std::optional<double> finite_number(const Value& v, const std::string& what, Range range,
@@ -138,8 +104,16 @@ void Section::missing(std::string_view key) const {
     error(base::codes::job_value, head(table_), name_ + " has no " + quoted(key));
 }
 
-const Entry* Section::take(std::string_view key) {
-    known_.emplace_back(key);
+const Entry* Section::take(std::string_view key) { return know(key, false); }
+
+const Entry* Section::know(std::string_view key, bool is_table) {
+    auto& known = is_table ? known_tables_ : known_;
+    auto& other = is_table ? known_ : known_tables_;
+    if (is_table) std::erase(other, key);  // what asked for any value before knows better now
+    const auto has = [&](const std::vector<std::string>& keys) {
+        return std::find(keys.begin(), keys.end(), key) != keys.end();
+    };
+    if (!has(known) && !has(other)) known.emplace_back(key);
     return find(table_, key);
 }
 
@@ -186,9 +160,8 @@ std::optional<std::size_t> Section::choice(std::string_view key, std::initialize
     const auto at = std::find(words.begin(), words.end(), e->value.text);
     if (at != words.end()) return static_cast<std::size_t>(at - words.begin());
     const std::vector<std::string> list(words.begin(), words.end());
-    const std::string near = nearest(e->value.text, list);
     error(base::codes::job_value, e->value.where, quoted(key) + " cannot be \"" + e->value.text + "\"",
-          (near.empty() ? "" : "did you mean \"" + near + "\"? ") + ("one of: " + joined(list)));
+          words_remedy(e->value.text, list));
     return std::nullopt;
 }
 
@@ -215,13 +188,13 @@ std::vector<const Value*> Section::text_values(std::string_view key) {
 }
 
 const Entry* Section::sub_table(std::string_view key) {
-    const Entry* e = take(key);
+    const Entry* e = know(key, true);
     return e && expect(*e, ValueKind::table, "a table") ? e : nullptr;
 }
 
 std::vector<const Value*> Section::tables(std::string_view key) {
     std::vector<const Value*> out;
-    const Entry* e = take(key);
+    const Entry* e = know(key, true);
     if (!e) return out;
     if (e->value.kind == ValueKind::table) return {&e->value};
     if (!expect(*e, ValueKind::array, "a table")) return out;
@@ -229,13 +202,57 @@ std::vector<const Value*> Section::tables(std::string_view key) {
     return out;
 }
 
+std::vector<std::string> Section::known_keys() const {
+    std::vector<std::string> all = known_;
+    all.insert(all.end(), known_tables_.begin(), known_tables_.end());
+    return all;
+}
+
+/// A key of the same form as the one that is wrong, a value or a table, before any other.
+std::string Section::nearest_key(const Entry& e) const {
+    const bool table = e.value.kind == ValueKind::table ||
+                       (e.value.kind == ValueKind::array && !e.value.items.empty() &&
+                        e.value.items.front().kind == ValueKind::table);
+    const std::string near = nearest(e.key, table ? known_tables_ : known_);
+    return near.empty() ? nearest(e.key, known_keys()) : near;
+}
+
 void Section::finish() {
+    const std::vector<std::string> all = known_keys();
     for (const Entry& e : table_.entries) {
-        if (std::find(known_.begin(), known_.end(), e.key) != known_.end()) continue;
-        const std::string near = nearest(e.key, known_);
+        if (std::find(all.begin(), all.end(), e.key) != all.end()) continue;
+        const std::string near = nearest_key(e);
         error(base::codes::job_file, e.where, "unknown key " + quoted(e.key) + " in " + name_,
-              near.empty() ? "known keys: " + joined(known_) : "did you mean " + quoted(near) + "?");
+              near.empty() ? "known keys: " + joined(all) : "did you mean " + quoted(near) + "?");
     }
+}
+
+namespace {
+
+/// The key of this place in the tables of the file; null where there is none.
+const Entry* entry_at(const Value& table, base::Span where) {
+    for (const Entry& e : table.entries) {
+        if (e.where == where) return &e;
+        if (const Entry* inner = entry_at(e.value, where)) return inner;
+    }
+    for (const Value& item : table.items)
+        if (const Entry* inner = entry_at(item, where)) return inner;
+    return nullptr;
+}
+
+}  // namespace
+
+void Section::finish_file(base::Diagnostics& to) {
+    finish();
+    base::Diagnostics all;
+    for (base::Diagnostic d : diagnostics_.all()) {
+        const Entry* e = d.code == base::codes::job_file ? entry_at(table_, d.where) : nullptr;
+        const bool of_file = e != nullptr && find(table_, e->key) == nullptr &&
+                             std::find(known_.begin(), known_.end(), e->key) != known_.end();
+        if (of_file) d.remedy = quoted(e->key) + " is a key of the whole file: it belongs above the first [table]";
+        all.add(std::move(d));
+    }
+    add_in_order(all, to);
 }
 
 bool Section::one_of(std::initializer_list<std::string_view> keys, bool required) {

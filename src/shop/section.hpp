@@ -44,6 +44,9 @@ public:
 
     /// Reports keys that nobody took.
     void finish();
+    /// The same of a whole file, then hands on all complaints in the order of their places; a key of the file that was
+    /// written behind the first table is said to be one.
+    void finish_file(base::Diagnostics& to);
 
     void error(std::string_view code, base::Span where, std::string text, std::string remedy = {}) const;
     /// Reports a missing key at the table's own place.
@@ -53,11 +56,14 @@ public:
 
 private:
     bool expect(const Entry& e, ValueKind kind, std::string_view wanted) const;
+    const Entry* know(std::string_view key, bool is_table);
+    [[nodiscard]] std::vector<std::string> known_keys() const;
+    [[nodiscard]] std::string nearest_key(const Entry& e) const;
 
     const Value& table_;
     std::string name_;
     base::Diagnostics& diagnostics_;
-    std::vector<std::string> known_;
+    std::vector<std::string> known_, known_tables_;  ///< each key once; those of tables apart
 };
 
 [[nodiscard]] std::string_view kind_name(ValueKind kind);

@@ -11,6 +11,7 @@
 #include "base/text.hpp"
 #include "base/whole.hpp"
 #include "shop/dropped.hpp"
+#include "shop/section.hpp"
 #include "shop/size_range.hpp"
 #include "shop/toa_mills.hpp"
 #include "shop/tool.hpp"
@@ -44,10 +45,12 @@ public:
     void line(Piece line);
     [[nodiscard]] std::vector<Tool> tools() const;
     void report_dropped() const { dropped_.report(diagnostics_); }
+    void report_other_lines();
 
 private:
-    void complain(std::string_view code, Piece where, std::string text) {
+    void complain(std::string_view code, Piece where, std::string text, std::string remedy = {}) {
         base::Diagnostic d;
+        d.remedy = std::move(remedy);
         d.code = code;
         d.where = {file_, where.at, where.at + static_cast<std::uint32_t>(where.text.size())};
         d.text = std::move(text);
@@ -62,6 +65,8 @@ private:
     std::map<std::pair<std::uint32_t, std::uint32_t>, Tool> tools_;
     std::map<std::uint32_t, std::string> names_;
     Dropped dropped_;
+    std::size_t other_lines_ = 0, data_lines_ = 0;
+    Piece first_other_;
 };
 
 /// The line without its comment; a `;` inside quotes is text.
@@ -92,12 +97,27 @@ void Reader::line(Piece line) {
     if (line.text.empty() || is_frame(line.text)) return;
     const std::size_t open = line.text.find('['), shut = line.text.find(']'), equals = line.text.find('=');
     if (line.text[0] != '$' || equals == std::string_view::npos) {
-        complain(base::codes::job_file, line, "this is not a line of tool data ($TC_DP1[1,1]=500)");
+        if (other_lines_++ == 0) first_other_ = line;
         return;
     }
+    ++data_lines_;
     const bool indexed = open < shut && shut < equals;
     assignment(line.part(0, indexed ? open : equals), indexed ? line.part(open + 1, shut - open - 1) : Piece{},
                line.part(equals + 1));
+}
+
+/// Once for all of them: a program in place of tool data has as many as it has blocks.
+void Reader::report_other_lines() {
+    if (other_lines_ == 0) return;
+    if (data_lines_ == 0)
+        return complain(base::codes::job_file, first_other_,
+                        "this is no tool data: no line of the file is like $TC_DP1[1,1]=500",
+                        "lists of tools end in .toml, tables of controls in .t or .tbl, libraries of Fusion in "
+                        ".json; an NC program is the 'program' of a job");
+    const std::size_t more = other_lines_ - 1;
+    complain(base::codes::job_file, first_other_,
+             "this is not a line of tool data ($TC_DP1[1,1]=500)" +
+                 (more == 0 ? std::string{} : ", nor are " + std::to_string(more) + " others of the file"));
 }
 
 void Reader::assignment(Piece name, Piece indices, Piece value) {
@@ -193,7 +213,8 @@ std::vector<Tool> Reader::tools() const {
 }  // namespace
 
 std::vector<Tool> read_toa(std::uint32_t file, const base::Sources& sources, base::Diagnostics& diagnostics) {
-    Reader reader(file, diagnostics);
+    base::Diagnostics found;
+    Reader reader(file, found);
     const std::string_view text = sources[file].text;
     std::size_t begin = 0;
     while (begin < text.size()) {
@@ -201,7 +222,9 @@ std::vector<Tool> read_toa(std::uint32_t file, const base::Sources& sources, bas
         reader.line({text.substr(begin, end - begin), static_cast<std::uint32_t>(begin)});
         begin = end + 1;
     }
+    reader.report_other_lines();
     reader.report_dropped();
+    add_in_order(found, diagnostics);
     return reader.tools();
 }
 

@@ -10,8 +10,7 @@ std::vector<Tool> read_tools(std::uint32_t file, const base::Sources& sources, b
     base::Diagnostics found;
     Section s(*root, "the tool file", found);
     read_tool_tables(s, tools);
-    s.finish();
-    add_in_order(found, diagnostics);
+    s.finish_file(diagnostics);
     return tools;
 }
 

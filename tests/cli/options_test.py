@@ -1,5 +1,6 @@
 #!/usr/bin/env python3
-"""Every option that a command takes stands in the manual page and in docs/command-line.md, and no other one does.
+"""Every option that a command takes stands in the manual page and in docs/command-line.md, and no other one does;
+the machines of the folder beside DOCS are named wherever shipped ones are listed.
 
 usage: options_test.py OBRYS DOCS
 """
@@ -30,6 +31,12 @@ def main():
         said = {option for entry in re.findall(begins, text) for option in OPTION.findall(entry)} - EVERYWHERE
         faults += [f"{name} does not say {option}" for option in sorted(all_taken - said)]
         faults += [f"{name} says {option}, which no command takes" for option in sorted(said - all_taken)]
+    machines = ", ".join(sorted(file.stem for file in (docs.parent / "machines").glob("*.toml")))
+    for name in ("obrys.1.in", "command-line.md", "job-file.md", "machine-file.md"):
+        text = (docs / name).read_text(encoding="utf-8").replace("`", "").replace("\\-", "-")
+        lists = re.findall(r"shipped (?:machine|name) \(([^)]*)\)", text)
+        faults += [f"{name} names as shipped machines {said}, not {machines}" for said in lists if said != machines]
+        faults += [f"{name} does not name the machine {m}" for m in machines.split(", ") if m not in text]
     print("\n".join(faults))
     return 1 if faults else 0
 

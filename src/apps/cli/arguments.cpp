@@ -1,6 +1,7 @@
 #include "arguments.hpp"
 
 #include <CLI/CLI.hpp>
+#include <algorithm>
 #include <cmath>
 #include <cstdio>
 #include <filesystem>
@@ -10,6 +11,9 @@
 
 #include "base/codes.hpp"
 #include "base/number.hpp"
+#include "shop/machine.hpp"
+#include "shop/nearest.hpp"
+#include "words.hpp"
 
 namespace obrys::cli {
 
@@ -85,7 +89,7 @@ void add_format(CLI::App& app, Arguments& a) {
                a.style.decimal = word == "point" ? Decimal::point : word == "comma" ? Decimal::comma : Decimal::keep;
            },
            "decimal sign of values (keep)")
-        ->check(CLI::IsMember({"keep", "point", "comma"}))
+        ->check(only({"keep", "point", "comma"}))
         ->type_name("SIGN");
     app.add_option_function<std::string>(
            "--line-ends",
@@ -93,7 +97,7 @@ void add_format(CLI::App& app, Arguments& a) {
                a.style.line_ends = word == "lf" ? LineEnds::lf : word == "crlf" ? LineEnds::crlf : LineEnds::keep;
            },
            "ends of lines (keep)")
-        ->check(CLI::IsMember({"keep", "lf", "crlf"}))
+        ->check(only({"keep", "lf", "crlf"}))
         ->type_name("ENDS");
 }
 
@@ -105,10 +109,10 @@ void add_input(CLI::App& app, Arguments& a) {
 
 void add_request(CLI::App& app, Arguments& a) {
     app.add_option("--control", a.request.control,
-                   "control of the program: sinumerik-840d, heidenhain-itnc530, linuxcnc, fanuc, haas; else found from "
-                   "the text")
+                   "control of the program: " + shop::joined(driver::controls()) + "; else found from the text")
         ->type_name("NAME");
-    app.add_option("--machine", a.request.machine, "shipped machine (lathe-generic, mill-generic) or machine file")
+    app.add_option("--machine", a.request.machine,
+                   "shipped machine (" + shop::joined(shop::shipped_machine_names()) + ") or machine file")
         ->type_name("NAME|FILE");
     app.add_option("--set", a.request.set, "give a parameter another value: replaces its constant assignments")
         ->type_name("NAME=NUMBER")
@@ -140,21 +144,12 @@ void add_request(CLI::App& app, Arguments& a) {
     app.add_flag("--force", a.request.force, "replace files that are there (never the inputs)");
 }
 
-/// "" where findings can be told apart by it.
-std::string is_code_or_severity(const std::string& word) {
-    for (const char* severity : {"error", "warning", "note"})
-        if (word == severity) return "";
-    for (const base::Code& c : base::all_codes)
-        if (c.name == word && c.kind == base::CodeKind::finding) return "";
-    return "\"" + word + "\" is neither error, warning, note nor the code of a finding (docs/diagnostics.md)";
-}
-
 /// What the verdict and the exit code count.
 void add_verdict(CLI::App& app, Arguments& a) {
     app.add_option_function<std::string>(
            "--scope", [&a](const std::string& text) { a.request.scope = shop::scope_named(text); },
            "what is judged: all; part (its shape); collisions (no part needed); motion (neither stock nor part needed)")
-        ->check(CLI::IsMember({"all", "part", "collisions", "motion"}))
+        ->check(only({"all", "part", "collisions", "motion"}))
         ->type_name("SCOPE");
     app.add_option("--fail-on", a.fail_on, "exit code 1 only for findings of this code, or as severe or worse")
         ->check(is_code_or_severity)
@@ -184,7 +179,7 @@ Commands add_commands(CLI::App& app, Arguments& a) {
     add_request(*c.check, a);
     add_verdict(*c.check, a);
     c.check->add_option("--format", a.format, "text, json or sarif")
-        ->check(CLI::IsMember({"text", "json", "sarif"}))
+        ->check(only({"text", "json", "sarif"}))
         ->type_name("FORMAT");
     c.check->add_option("--html", a.html, "also write a page with picture and program text")->type_name("FILE");
     c.check->add_option("--svg", a.svg, "also write the picture")->type_name("FILE");
@@ -227,7 +222,7 @@ Commands add_commands(CLI::App& app, Arguments& a) {
     add_input(*c.run, a);
     add_request(*c.run, a);
     c.run->add_option("--format", a.format, "text, csv or json")
-        ->check(CLI::IsMember({"text", "csv", "json"}))
+        ->check(only({"text", "csv", "json"}))
         ->type_name("FORMAT");
     c.run->add_flag("--canon", a.request.canon, "print LinuxCNC's canonical calls instead of the moves");
     c.run->add_flag("-q,--quiet", a.quiet, "print one line of counts instead of the moves");
@@ -253,20 +248,6 @@ Commands add_commands(CLI::App& app, Arguments& a) {
 }
 
 }  // namespace
-
-constexpr const char* all_commands = "check, run, plot, fmt, version, help";
-
-/// CLI11 only says that a command is required; this says which word is none.
-static bool is_unknown_command(int argc, char** argv) {
-    if (argc < 2 || argv[1][0] == '-') return false;
-    const std::string word = argv[1];
-    constexpr const char* commands[] = {"check", "run", "plot", "fmt", "version", "help"};
-    for (const char* command : commands)
-        if (word == command) return false;
-    std::cerr << "obrys: there is no command '" << word << "'; the commands are " << all_commands << "\n"
-              << "  to check a program: obrys check " << word << "\n";
-    return true;
-}
 
 namespace {
 
@@ -296,24 +277,35 @@ void explain_dashes(int argc, char** argv) {
 
 namespace {
 
+/// Long names of all options of a command.
+std::vector<std::string> option_names(const CLI::App& command) {
+    std::vector<std::string> names;
+    for (const CLI::Option* option : command.get_options())
+        for (const std::string& name : option->get_lnames()) names.push_back("--" + name);
+    return names;
+}
+
 /// The parser names what follows an option that it does not know, too.
-std::string plain_error(const CLI::ParseError& e) {
+std::string plain_error(const CLI::ParseError& e, const CLI::App& command) {
     const std::string text = e.what(), unexpected = "not expected: ";
     const std::size_t at = text.find(unexpected);
     if (at == std::string::npos) return text;
-    std::string options, all;
+    std::string options, all, near;
     std::istringstream words(text.substr(at + unexpected.size()));
     for (std::string word; words >> word;) {
         all += " " + word;
-        if (word.size() > 1 && word[0] == '-') options += " " + word;
+        if (word.size() < 2 || word[0] != '-') continue;
+        options += " " + word;
+        if (word[1] == '-' && near.empty()) near = shop::nearest(word.substr(0, word.find('=')), option_names(command));
     }
-    return options.empty() ? "not expected:" + all : "there is no option" + options;
+    if (options.empty()) return "not expected:" + all;
+    return "there is no option" + options + (near.empty() ? "" : "\n  did you mean " + near + "?");
 }
 
 void print_usage_error(const CLI::App& app, const CLI::ParseError& e) {
     const std::vector<CLI::App*> used = app.get_subcommands();
     const std::string command = used.empty() ? "" : " " + used.front()->get_name();
-    std::cerr << "obrys" << command << ": " << plain_error(e) << "\n  how it is called: obrys help" << command << "\n";
+    std::cerr << "obrys" << command << ": " << plain_error(e, used.empty() ? app : *used.front()) << "\n  how it is called: obrys help" << command << "\n";
 }
 
 /// Of one command, or the overview; false where there is no such command.
@@ -324,7 +316,7 @@ bool print_help(const std::string& topic) {
     if (topic.empty()) return std::fputs(app.help().c_str(), stdout) >= 0;
     for (const CLI::App* command : {c.check, c.run, c.plot, c.fmt, c.version, c.help})
         if (command->get_name() == topic) return std::fputs(command->help("obrys").c_str(), stdout) >= 0;
-    std::cerr << "obrys help: there is no command '" << topic << "'; the commands are " << all_commands << "\n";
+    std::cerr << "obrys help: " << no_command(topic);
     return false;
 }
 
@@ -351,7 +343,8 @@ std::vector<driver::Wanted> outputs_of(const Arguments& a) {
 
 Arguments parse(int argc, char** argv) {
     Arguments a;
-    if (is_unknown_command(argc, argv)) {
+    if (argc > 1 && argv[1][0] != '-' && !is_command(argv[1])) {
+        std::cerr << "obrys: " << no_command(argv[1]);
         a.exit = 2;
         return a;
     }

@@ -115,6 +115,8 @@ TEST(KlartextBlock, ChamferAndRoundingBelongToTheElementBefore) {
     EXPECT_EQ(Reading("1 L X+1\n2 CHF 2,5\n").tree(), "0 " + line + " X1 CHR2.5\n1 \n");
     EXPECT_EQ(Reading("1 L X+1\n2 RND RQ3\n").tree(), "0 " + line + " X1 RND=Q3\n1 \n");
     EXPECT_EQ(complaint("1 Q1 = 1\n2 RND R5"), "a chamfer or rounding needs a contour element directly before it");
+    EXPECT_EQ(complaint("1 L X+1\n2 RND 10"), "RND has no R before its radius");
+    EXPECT_EQ(complaint("1 L X+1\n2 CHF R3"), "CHF has no R: its length stands behind it");
     EXPECT_EQ(complaint("1 L X+1\n2 RND R5 X+5"), "only a feed may follow here, found 'X+5'");
 }
 

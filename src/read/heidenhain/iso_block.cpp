@@ -206,8 +206,7 @@ void read_corner_code(State& s) {
         s.build.statement(StatementKind::block, s.block);
         return fail(s, begin, "a chamfer or rounding stands in a block of its own", "G24 R2 or G25 R5");
     }
-    s.in.take('R');
-    read_corner(s, n == 24, begin);
+    read_corner(s, n == 24, true, begin);
 }
 
 /// F of G26 and G27: that of the approach or departure.

@@ -62,14 +62,36 @@ bool has_rapid(State& s) {
     return found;
 }
 
-void read_corner(State& s, bool chamfer, std::uint32_t begin) {
+namespace {
+
+/// `RND 10`, `CHF R3`: the control's editor knows neither. False where no value stands behind the word.
+bool misplaced_radius(State& s, bool has_r, std::uint32_t begin) {
+    const std::string word = base::to_upper(base::trim(s.in.between(begin, s.in.at())));
+    s.in.skip_blanks();
+    const std::uint32_t from = s.in.at();
+    if (!has_r) s.in.take('R');
+    const std::uint32_t number = s.in.at();
+    const Value v = read_value(s);
+    const std::string value(s.in.between(number, v.end));
+    s.in.go_to(from);
+    if (!v.found) return false;
+    fail(s, begin, has_r ? word + " has no R before its radius" : word + " has no R: its length stands behind it",
+         "write " + word + (has_r ? " R" : " ") + value);
+    return true;
+}
+
+}  // namespace
+
+void read_corner(State& s, bool chamfer, bool has_r, std::uint32_t begin) {
     const bool joined = s.last_path != program::no_target && s.last_path + 1 == s.build.unit().statements.size();
     if (!joined) {
         s.build.statement(StatementKind::block, s.block);
         fail(s, begin, "a chamfer or rounding needs a contour element directly before it");
         return;
     }
-    if (!chamfer) s.in.take('R');
+    s.in.skip_blanks();
+    if (has_r != (base::upper(s.in.peek()) == 'R') && misplaced_radius(s, has_r, begin)) return;
+    if (has_r) s.in.take('R');
     value_word(s, chamfer ? Code::chamfer_leg : Code::round, begin);
     s.in.skip_blanks();
     const std::uint32_t word = s.in.at();
@@ -278,7 +300,7 @@ bool read_path_block(State& s, std::string_view word) {
         if (o.kind == Kind::about_pole && (next == '+' || next == '-' || base::is_digit(next))) break;  // axis C alone
         s.in.step(word.size());
         if (o.kind == Kind::chamfer || o.kind == Kind::rounding) {
-            read_corner(s, o.kind == Kind::chamfer, begin);
+            read_corner(s, o.kind == Kind::chamfer, o.kind == Kind::rounding, begin);
             return true;
         }
         if (o.kind == Kind::pole) {

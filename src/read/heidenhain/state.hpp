@@ -109,7 +109,7 @@ void no_exponent(State& s, std::uint32_t begin);
 void read_feed(State& s);                           ///< F and its relatives, the scanner stands on the F
 [[nodiscard]] bool has_rapid(State& s);             ///< the rest of the block holds F MAX: its motion is rapid
 /// CHF and RND belong to the corner behind the element before them: they become words of that element's block.
-void read_corner(State& s, bool chamfer, std::uint32_t begin);
+void read_corner(State& s, bool chamfer, bool has_r, std::uint32_t begin);  ///< `has_r`: R stands before the value
 void read_word(State& s, bool arc);                        ///< one of them
 bool read_special_block(State& s, std::string_view word);  ///< special_block.cpp: APPR DEP FL … SPL PLANE
 bool read_pattern_block(State& s, std::string_view word);  ///< pattern_block.cpp: PATTERN DEF, SEL PATTERN

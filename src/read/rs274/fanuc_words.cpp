@@ -1,6 +1,7 @@
 /// Numbers without decimal point, and what each letter of a block is.
 
 #include <algorithm>
+#include <cmath>
 
 #include "read/rs274/fanuc_state.hpp"
 
@@ -161,8 +162,22 @@ Quantity quantity_of(const FanucState& s, char letter) {
     }
 }
 
+namespace {
+
+/// Where most lengths have a point, those without one may lack it.
+void note_point(FanucState& s, const Value& v) {
+    constexpr double small = 1000;  // increments
+    if (!v.literal.integer)
+        ++s.unit().lengths_with_point;
+    else if (s.control.whole_numbers == WholeNumbers::increments && std::abs(v.number()) < small && v.number() != 0)
+        s.unit().small_lengths.emplace_back(v.begin, v.end);
+}
+
+}  // namespace
+
 Value scaled(FanucState& s, const Value& v, Quantity q) {
     if (q == Quantity::plain || !v.found) return v;
+    if (q == Quantity::length && v.is_literal()) note_point(s, v);
     const bool thousands = q == Quantity::milliseconds || q == Quantity::thousandths;
     if (!v.is_literal()) return q == Quantity::milliseconds ? divided(s, v) : v;
     if (!v.literal.integer || v.number() == 0) return v;

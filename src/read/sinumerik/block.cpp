@@ -88,8 +88,11 @@ bool complain_about_missing_sign(State& s, std::string_view name) {
     const char* behind = s.cursor.p + name.size();
     while (behind < s.cursor.end && base::is_blank(*behind)) ++behind;
     if (behind < s.cursor.end && (*behind == '=' || *behind == '(' || *behind == '[')) return false;
-    const std::string word(entry->name), value(name.substr(digits));
-    fail(s, s.cursor.p, s.cursor.p + name.size(), word + " needs '=' in front of its value",
+    const char* end = s.cursor.p + name.size();
+    if (end < s.cursor.end && *end == '.')  // the name ends at the point, the value does not
+        while (++end < s.cursor.end && base::is_digit(*end)) {}
+    const std::string word(entry->name), value(name.data() + digits, end);
+    fail(s, s.cursor.p, end, word + " needs '=' in front of its value",
          "write " + word + "=" + value);
     return true;
 }

@@ -34,6 +34,9 @@ TEST(SinumerikError, Words) {
     EXPECT_EQ(message("G1 X1 RND2\n"),
               "TEST.MPF:1:7: error: RND needs '=' in front of its value [syntax]\n  G1 X1 RND2\n        ^~~~\n  "
               "remedy: write RND=2\n");
+    EXPECT_EQ(message("G1 X1 CHR1.5 F2\n"),
+              "TEST.MPF:1:7: error: CHR needs '=' in front of its value [syntax]\n  G1 X1 CHR1.5 F2\n        ^~~~~~\n  "
+              "remedy: write CHR=1.5\n");
     EXPECT_EQ(message("G1 CR\n"),
               "TEST.MPF:1:4: error: CR has no value [syntax]\n  G1 CR\n     ^~\n  remedy: write CR=…\n");
     EXPECT_EQ(message("X1 # Y2\n"), "TEST.MPF:1:4: error: unexpected '#' [syntax]\n  X1 # Y2\n     ^\n");
