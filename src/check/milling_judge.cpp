@@ -148,7 +148,7 @@ void Milling::judge_open(const milling::Refined& refined) {
     out_.unchecked("the surface is too fine in itself to be followed within " + mm(figures_.tolerance_mm) +
                        " everywhere: in " + std::to_string(refined.open.size()) + " places between " + point(box.min) +
                        " and " + point(box.max) + " narrow rest material may not be seen",
-                   "take a larger tolerance (--tolerance)");
+                   "try another tolerance, smaller or larger (--tolerance), or look at these places (--html)");
 }
 
 /// What is thinner than the surface's cells.

@@ -61,6 +61,9 @@ public:
     [[nodiscard]] Side side(const Near& near, std::size_t body, geom::Vec3 p) const;
     /// Moves a point to where the faces of two or three bodies meet, the shortest way; false where that is not found.
     [[nodiscard]] bool meet(const Near& near, std::span<const std::size_t> of, geom::Vec3& p) const;
+    /// Two bodies of air touch at a point that lies no farther from both than so, with no material between them: cuts
+    /// side by side without a gap.
+    [[nodiscard]] bool is_touch(const Near& near, geom::Vec3 p, double allowed) const;
     /// The surface lies no farther from a point than so.
     [[nodiscard]] bool is_on_surface(const Near& near, geom::Vec3 p, double allowed) const;
     /// It lies farther from it; false where that is not known.

@@ -182,11 +182,12 @@ std::vector<Vec3> rims(const Simulation& simulation, Exact& exact, const NodeBit
         joined = goes, came = way_at(s.track, true);
     }
     exact.prepare(by_cell.cells);
+    const double allowed = bare * simulation.tolerance();
     std::vector<std::vector<Vec3>> found(by_cell.cells.size());
     tbb::parallel_for(std::size_t{0}, found.size(), [&](std::size_t n) {
         const Exact::Near near = exact.near(by_cell.cells[n], false);
         for (const Vec3& p : by_cell.places[n])
-            if (exact.is_on_surface(near, p, bare * simulation.tolerance())) found[n].push_back(p);
+            if (exact.is_on_surface(near, p, allowed) && !exact.is_touch(near, p, allowed)) found[n].push_back(p);
     });
     std::vector<Vec3> all;
     for (const std::vector<Vec3>& f : found) all.insert(all.end(), f.begin(), f.end());

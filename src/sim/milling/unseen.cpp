@@ -111,7 +111,7 @@ private:
             last_ = body, over_ = over;
             return false;
         }
-        return near_.stock || near_.blank;
+        return (near_.stock || near_.blank) && !exact_.is_touch(near_, p, allowed_);
     }
 
     [[nodiscard]] bool is_here(Vec3 p) const { return geom::distance(p, middle_) < reach_; }
