@@ -160,20 +160,16 @@ std::vector<Vec3> rims(const Simulation& simulation, Exact& exact, const NodeBit
     std::vector<Rim> rims;
     bool joined = false;  // to the sweep before
     Vec3 came;
-    for (std::uint32_t cut = 1; cut <= simulation.sweeps(); ++cut) {
-        const Shape* shape = simulation.cutting_of(cut);
-        if (shape == nullptr) {
-            joined = false;
-            continue;
-        }
+    const std::vector<Simulation::Whole>& wholes = exact.wholes();
+    for (std::size_t n = 0; n < wholes.size(); ++n) {
+        const Shape* shape = simulation.cutting_of(wholes[n].first);
         if (shape != last_shape) rims = rims_of(*shape, simulation.tolerance()), last_shape = shape;
         if (rims.empty()) {
             joined = false;
             continue;
         }
-        const Air::Sweep s = simulation.body_of(cut);
-        const bool goes = cut < simulation.sweeps() && simulation.cutting_of(cut + 1) == shape &&
-                          goes_on(s, simulation.body_of(cut + 1));
+        const Air::Sweep s = simulation.body_of(wholes[n]);
+        const bool goes = n + 1 < wholes.size() && goes_on(s, simulation.body_of(wholes[n + 1]));
         for (const Rim& rim : rims) {
             places.standing(s, rim, {}, joined ? came : Vec3{}, way_at(s.track, false));
             places.along(s, rim);
