@@ -204,8 +204,7 @@ void Milling::judge_surface(Milled& milled) {
     }
     milled.comparison = mesh::compare(milled.surface, *m.part, options);
     certificate_->measure(thread_bands_, setup_.out_of_time);
-    std::erase_if(milled.comparison->doubtful_gouges,
-                  [&](const mesh::Place& p) { return !certificate_->may_be(p); });
+    std::erase_if(milled.comparison->doubtful_gouges, [&](const mesh::Place& p) { return !certificate_->may_be(p); });
     const Machined machined{milled.surface, *simulation_, *m.part, thread_bands_, tag_of, setup_.out_of_time};
     confirm(*milled.comparison, machined, options);
     add_thin(*milled.comparison, machined, options);

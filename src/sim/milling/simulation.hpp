@@ -29,7 +29,7 @@ struct Pass {
     geom::Vec3 axis{0, 0, 1};  ///< from the tip to the holder, any length; the same all along the move
     std::uint32_t tool = 0;    ///< as `add_tool` gave it
     Part part = Part::cutting;
-    bool cut = true;  ///< false: nothing is taken away; the pass's Engagement says what it meets
+    bool cut = true;       ///< false: nothing is taken away; the pass's Engagement says what it meets
     bool goes_on = false;  ///< a piece of the same straight or circular move as the pass that cut before it
 };
 

@@ -1,5 +1,5 @@
-// Moves are added in pieces where the way in the material is to be measured. Their bodies are one: asked of the pieces, a
-// question costs as many times more, and between them lie faces that are none.
+// Moves are added in pieces where the way in the material is to be measured. Their bodies are one: asked of the pieces,
+// a question costs as many times more, and between them lie faces that are none.
 
 #include <cmath>
 #include <numeric>

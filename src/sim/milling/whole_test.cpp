@@ -28,7 +28,8 @@ void add(Work& w, const geom::PathElement& path, int pieces) {
 }
 
 TEST(Whole, pieces_of_a_move_are_one_body) {
-    const geom::PathElement level = geom::Straight{{3, 4, 5}, {31, 22, 5}}, ramp = geom::Straight{{31, 22, 5}, {8, 30, 2}},
+    const geom::PathElement level = geom::Straight{{3, 4, 5}, {31, 22, 5}},
+                            ramp = geom::Straight{{31, 22, 5}, {8, 30, 2}},
                             arc = geom::Circular{{30, 20, 3}, {20, 30, 3}, {20, 20, 3}, {0, 0, 1}, geom::pi / 2};
     for (const CutterKind kind : {CutterKind::end_mill, CutterKind::ball, CutterKind::bull_nose})
         for (const geom::PathElement& path : {level, ramp, arc}) {
@@ -44,7 +45,7 @@ TEST(Whole, pieces_of_a_move_are_one_body) {
             std::mt19937 random(1);
             std::uniform_real_distribution<double> in(0, 40);
             for (int i = 0; i < 300; ++i) {
-                const Vec3 p{in(random), in(random), in(random) * 0.3};
+                const Vec3 p{in(random), in(random), in(random)*0.3};
                 EXPECT_NEAR(whole.outside(1, p), same.outside(1, p), 1e-6);
             }
         }
