@@ -89,7 +89,8 @@ private:
     void require_fine_enough(const Move& move, double radius);
     void take_open(const Move& move, std::uint32_t use, const motion::Stand::View& view);
     void queue(const geom::PathElement& element, const MilledMove& move, bool feed);
-    void queue_pass(QueuedPass::Kind kind, sim::milling::Part part, bool cut, const geom::PathElement& element);
+    void queue_pass(QueuedPass::Kind kind, sim::milling::Part part, bool cut, const geom::PathElement& element,
+                    bool goes_on = false);
     void require(sim::milling::Taken taken);
     [[nodiscard]] std::string name_of(const QueuedPass& pass, const MilledMove& move) const;
     [[nodiscard]] bool leaves_the_wall(const geom::Straight& way) const;

@@ -92,8 +92,7 @@ void Certificate::carry_out() {
 }
 
 /// Of very many moves that are too deep only the deepest are looked at to the end.
-std::vector<Certificate::Found> Certificate::depths(const ThreadBands& threads,
-                                                    const std::function<bool()>& stop) const {
+void Certificate::measure(const ThreadBands& threads, const std::function<bool()>& stop) {
     std::vector<Found> found(suspects_.size());
     const bool many = suspects_.size() > looked_at;
     for_all(found.size(), threads_, [&](std::size_t i) {
@@ -121,7 +120,7 @@ std::vector<Certificate::Found> Certificate::depths(const ThreadBands& threads,
             f.depth.depth = std::abs(threads.judged(f.depth.at, -f.depth.depth));
         }
     std::erase_if(found, [&](const Found& f) { return !(f.depth.depth > allowed_); });
-    return found;
+    found_ = std::move(found);
 }
 
 namespace {
@@ -261,10 +260,21 @@ std::vector<Gouge> Places::taken() {
 
 }  // namespace
 
-std::vector<Gouge> Certificate::gouges(const std::vector<MilledMove>& moves, const std::vector<mesh::Place>& rays,
-                                       const ThreadBands& threads, const std::function<bool()>& stop) const {
-    const std::vector<Found> found = depths(threads, stop);
-    Places places(found, rays, allowed_);
+bool Certificate::may_be(const mesh::Place& rays) const {
+    const auto is_of = [&](std::uint32_t tag) {
+        return std::any_of(found_.begin(), found_.end(), [&](const Found& f) { return f.move + 1 == tag; });
+    };
+    bool moved = false;
+    for (const mesh::TagShare& s : rays.shares) {
+        if (s.tag > 0 && is_of(s.tag)) return true;
+        moved = moved || s.tag > 0;
+    }
+    return !moved;
+}
+
+std::vector<Gouge> Certificate::gouges(const std::vector<MilledMove>& moves,
+                                       const std::vector<mesh::Place>& rays) const {
+    Places places(found_, rays, allowed_);
     places.join(moves);
     places.measure();
     return places.taken();

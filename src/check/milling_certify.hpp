@@ -38,10 +38,14 @@ public:
     void add(std::uint32_t move, const geom::PathElement& path, geom::Vec3 axis, std::uint32_t tool);
     /// Judges what has been added.
     void carry_out();
-    /// All gouges. `rays`: what was found on the simulated surface; those that no move has made are left out, those
-    /// where no move has cut stay. What was not measured when it is told to `stop` is left out.
-    [[nodiscard]] std::vector<Gouge> gouges(const std::vector<MilledMove>& moves, const std::vector<mesh::Place>& rays,
-                                            const ThreadBands& threads, const std::function<bool()>& stop) const;
+    /// How deep all that was added goes. What was not measured when it is told to `stop` is left out.
+    void measure(const ThreadBands& threads, const std::function<bool()>& stop);
+    /// What the rays show of a gouge tells more of one that was measured, or is no move's.
+    [[nodiscard]] bool may_be(const mesh::Place& rays) const;
+    /// All gouges, measured before. `rays`: what was found on the simulated surface; those that no move has made are
+    /// left out, those where no move has cut stay.
+    [[nodiscard]] std::vector<Gouge> gouges(const std::vector<MilledMove>& moves,
+                                            const std::vector<mesh::Place>& rays) const;
 
 private:
     struct Queued {
@@ -50,7 +54,6 @@ private:
         geom::Vec3 axis;
     };
     [[nodiscard]] sim::certify::Move move_of(const Queued& q) const { return {q.path, q.axis, &shapes_[q.tool]}; }
-    [[nodiscard]] std::vector<Found> depths(const ThreadBands& threads, const std::function<bool()>& stop) const;
 
     int threads_ = 0;
     double allowed_ = 0;
@@ -58,6 +61,7 @@ private:
     sim::certify::Judge judge_;
     std::vector<sim::certify::Shape> shapes_;
     std::vector<Queued> queued_, suspects_;
+    std::vector<Found> found_;
 };
 
 }  // namespace obrys::check

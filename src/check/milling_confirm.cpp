@@ -102,7 +102,7 @@ bool is_worse(const mesh::Place& a, const mesh::Place& b) { return std::abs(a.de
 /// What rays do not show: whether it is there all the same, and how far off.
 Proof::Outcome outcome_of(mesh::Place& p, const milling::Box3& box, const Machined& m, double allowed, bool gouge,
                           double cells) {
-    const milling::Air air = m.simulation.air_in(box);
+    const milling::Air air = m.simulation.whole_air_in(box);
     Claim claim{m.part, air, gouge, allowed, {}, m.stop};
     if (!m.threads.empty())
         claim.more = [&](geom::Vec3 at, double radius) { return m.threads.more(at, radius, gouge); };

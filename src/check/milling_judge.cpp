@@ -148,7 +148,7 @@ void Milling::judge_open(const milling::Refined& refined) {
     out_.unchecked("the surface is too fine in itself to be followed within " + mm(figures_.tolerance_mm) +
                        " everywhere: in " + std::to_string(refined.open.size()) + " places between " + point(box.min) +
                        " and " + point(box.max) + " narrow rest material may not be seen",
-                   "take a larger tolerance (--tolerance)");
+                   "try another tolerance, smaller or larger (--tolerance), or look at these places (--html)");
 }
 
 /// What is thinner than the surface's cells.
@@ -203,11 +203,12 @@ void Milling::judge_surface(Milled& milled) {
         options.judged = [&](geom::Vec3 p, double deviation) { return thread_bands_.judged(p, deviation); };
     }
     milled.comparison = mesh::compare(milled.surface, *m.part, options);
+    certificate_->measure(thread_bands_, setup_.out_of_time);
+    std::erase_if(milled.comparison->doubtful_gouges, [&](const mesh::Place& p) { return !certificate_->may_be(p); });
     const Machined machined{milled.surface, *simulation_, *m.part, thread_bands_, tag_of, setup_.out_of_time};
     confirm(*milled.comparison, machined, options);
     add_thin(*milled.comparison, machined, options);
-    const std::vector<Gouge> gouges =
-        certificate_->gouges(milled.moves, milled.comparison->gouges, thread_bands_, setup_.out_of_time);
+    const std::vector<Gouge> gouges = certificate_->gouges(milled.moves, milled.comparison->gouges);
     if (time_up_.now())
         out_.unchecked(
             "the time for the check is up while what was cut is held to the part: not all places were looked at",

@@ -149,11 +149,15 @@ private:
         const double room = allowed - sum;  // the distances must bring so much
         const double part = claim_.gouge ? -claim_.part.signed_distance(out) : claim_.part.signed_distance(in);
         if (!(part < 0 && part <= room + distance(in, out))) return false;
-        double body = claim_.gouge ? -INFINITY : INFINITY;
-        for (const std::uint32_t k : bodies)
-            body =
-                claim_.gouge ? std::max(body, -claim_.air.outside(k, in)) : std::min(body, claim_.air.outside(k, out));
-        return body < 0 && part + body <= room;
+        if (claim_.gouge)
+            return std::all_of(bodies.begin(), bodies.end(), [&](std::uint32_t k) {
+                const double f = claim_.air.outside(k, in, std::max(thinnest, part - room));
+                return f > 0 && part - f <= room;
+            });
+        return std::any_of(bodies.begin(), bodies.end(), [&](std::uint32_t k) {
+            const double f = claim_.air.outside(k, out, 0);
+            return f < 0 && part + f <= room;
+        });
     }
 
     const Claim& claim_;

@@ -156,7 +156,7 @@ void Milling::queue_cutting(const geom::PathElement& element, const MilledMove& 
         const geom::PathElement part =
             pieces == 1 ? element : part_of(element, double(i) / pieces, double(i + 1) / pieces);
         if (core > 0) queue_core(part, feed, move.plunging);
-        queue_pass(Kind::cut, milling::Part::cutting, true, part);
+        queue_pass(Kind::cut, milling::Part::cutting, true, part, i > 0);
         queued_.back().length = static_cast<float>(way / pieces);
         if (feed) figures_.contact_accuracy_mm = std::max(figures_.contact_accuracy_mm, way / pieces);
     }
@@ -184,8 +184,9 @@ void Milling::require(milling::Taken taken) {
                                : "the way or the tool of this move is not known: it is not simulated");
 }
 
-void Milling::queue_pass(QueuedPass::Kind kind, milling::Part part, bool cut, const geom::PathElement& element) {
-    const milling::Pass pass{element, axis_, sim_tool_, part, cut};
+void Milling::queue_pass(QueuedPass::Kind kind, milling::Part part, bool cut, const geom::PathElement& element,
+                         bool goes_on) {
+    const milling::Pass pass{element, axis_, sim_tool_, part, cut, goes_on};
     require(simulation_->add(pass));
     if (part_guard_ && part != milling::Part::cutting) part_guard_->add(passes_, pass);
     if (stock_guard_ && kind != QueuedPass::Kind::cut) stock_guard_->add(passes_, pass);

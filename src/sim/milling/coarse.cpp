@@ -112,12 +112,10 @@ std::vector<Place> cells_with_points(const Simulation& simulation, Exact& exact)
         for (double i = 0; i <= count; ++i)
             add(s.from + s.frame.to_stock(point_on(s.track, i / count) + Vec3{0, 0, height}));
     };
-    for (std::uint32_t cut = 1; cut <= simulation.sweeps(); ++cut) {
-        const Shape* shape = simulation.cutting_of(cut);
-        if (shape == nullptr) continue;
-        const Piece& end = shape->pieces.front();
+    for (const Simulation::Whole& whole : exact.wholes()) {
+        const Piece& end = simulation.cutting_of(whole.first)->pieces.front();
         if (end.kind == PieceKind::cone && end.r0 < tolerance && end.r1 > end.r0 && end.z1 > end.z0)
-            along(simulation.body_of(cut), end.z0);
+            along(simulation.body_of(whole), end.z0);
     }
     exact.prepare(cells);
     std::vector<std::uint8_t> found(cells.size());

@@ -38,7 +38,15 @@ Row row_of(const Job& job, int axis, Vec3 from, const Lattice& lattice) {
 }  // namespace
 
 Exact::Exact(const Simulation& simulation, const Lattice& lattice)
-    : simulation_(simulation), stock_(simulation.stock_body()), lattice_(lattice) {}
+    : simulation_(simulation), stock_(simulation.stock_body()), lattice_(lattice), wholes_(simulation.wholes()) {
+    whole_of_.resize(simulation.sweeps() + 1);
+    for (std::uint32_t n = 0; n < wholes_.size(); ++n)
+        for (std::uint32_t cut = wholes_[n].first; cut <= wholes_[n].last; ++cut) whole_of_[cut] = n;
+}
+
+Vec3 Exact::normal(std::uint32_t cut, Vec3 p) const {
+    return cut == 0 ? simulation_.normal_at(0, p) : simulation_.normal_at(wholes_[whole_of_[cut]], p);
+}
 
 void Exact::prepare(const std::vector<Place>& cells) {
     const std::size_t known = sweeps_.size();
@@ -51,9 +59,8 @@ void Exact::prepare(const std::vector<Place>& cells) {
         for (std::size_t a = 0; a < 3; ++a) low[a] = std::min(low[a], b[a]), high[a] = std::max(high[a], b[a]);
     }
     if (sweeps_.size() == known) return;
-    for (std::uint32_t cut = 1; cut <= simulation_.sweeps(); ++cut) {
-        if (simulation_.cutting_of(cut) == nullptr) continue;
-        const Box3 box = simulation_.reach_of(cut);
+    for (std::uint32_t whole = 0; whole < wholes_.size(); ++whole) {
+        const Box3 box = simulation_.reach_of(wholes_[whole]);
         Place from{}, to{};
         for (int a = 0; a < 3; ++a) {
             const auto n = static_cast<std::size_t>(a);
@@ -68,7 +75,7 @@ void Exact::prepare(const std::vector<Place>& cells) {
             for (std::int32_t y = from[1]; y <= to[1]; ++y)
                 for (std::int32_t x = from[0]; x <= to[0]; ++x) {
                     const std::uint32_t b = blocks_.find(key_of({x, y, z}));
-                    if (b != KeyMap::none && b >= known) sweeps_[b].push_back(cut);
+                    if (b != KeyMap::none && b >= known) sweeps_[b].push_back(whole);
                 }
     }
 }
@@ -80,15 +87,16 @@ Exact::Near Exact::near(const Place& cell, Vec3 centre, double reach, bool lines
     const double within = stock_.within(centre);
     near.stock = std::abs(within) < reach;
     near.blank = within > 0;
-    for (const std::uint32_t cut : sweeps_[blocks_.find(key_of(block_of(cell)))]) {
-        const Box3 box = simulation_.reach_of(cut);
+    for (const std::uint32_t n : sweeps_[blocks_.find(key_of(block_of(cell)))]) {
+        const Simulation::Whole whole = wholes_[n];
+        const Box3 box = simulation_.reach_of(whole);
         if (centre.x < box.min.x - reach || centre.x > box.max.x + reach || centre.y < box.min.y - reach ||
             centre.y > box.max.y + reach || centre.z < box.min.z - reach || centre.z > box.max.z + reach)
             continue;
-        const Air::Sweep s = simulation_.body_of(cut);
+        const Air::Sweep s = simulation_.body_of(whole);
         if (!(foot_on(*s.shape, s.track, s.frame.to_tool(centre - s.from)).outside < reach)) continue;
         near.sweeps.push_back(s);
-        if (lines) near.jobs.push_back(simulation_.job_of(cut));
+        if (lines) near.jobs.push_back(simulation_.job_of(whole));
     }
     return near;
 }
@@ -201,14 +209,21 @@ void Exact::ends(const Near& near, int axis, Vec3 from, double high, std::vector
     stock_ends(near, axis, from, low, high, air);
     for (const Job& job : near.jobs) gaps(job, axis, from, low, high, air);
     std::sort(air.begin(), air.end(), [](const Interval& a, const Interval& b) { return a.begin < b.begin; });
-    double reached = -HUGE_VAL;
+    double reached = -HUGE_VAL, begun = -HUGE_VAL;
     std::uint32_t last = 0;
     for (const Interval& gap : air) {
         if (gap.begin - reached > thinnest) {  // material between them
             if (reached > low) out.push_back({reached, last, true});
             if (gap.begin > low) out.push_back({gap.begin, gap.begin_cut, false});
+            begun = gap.begin;
+        } else if (gap.begin - begun < thinnest && begun > low) {
+            out.back().cut = std::min(out.back().cut, gap.begin_cut);  // of several the first
         }
-        if (gap.end > reached) reached = gap.end, last = gap.end_cut;
+        if (std::abs(gap.end - reached) < thinnest)
+            last = std::min(last, gap.end_cut);
+        else if (gap.end > reached)
+            last = gap.end_cut;
+        reached = std::max(reached, gap.end);
     }
     if (reached > low && reached < high) out.push_back({reached, last, true});
 }

@@ -61,14 +61,21 @@ public:
     [[nodiscard]] Side side(const Near& near, std::size_t body, geom::Vec3 p) const;
     /// Moves a point to where the faces of two or three bodies meet, the shortest way; false where that is not found.
     [[nodiscard]] bool meet(const Near& near, std::span<const std::size_t> of, geom::Vec3& p) const;
+    /// Two bodies of air touch at a point that lies no farther from both than so, with no material between them: cuts
+    /// side by side without a gap.
+    [[nodiscard]] bool is_touch(const Near& near, geom::Vec3 p, double allowed) const;
     /// The surface lies no farther from a point than so.
     [[nodiscard]] bool is_on_surface(const Near& near, geom::Vec3 p, double allowed) const;
     /// It lies farther from it; false where that is not known.
     [[nodiscard]] bool is_clear(const Near& near, geom::Vec3 p, double radius) const;
     /// Where material ends on a line along `axis` from a point up to `high`, ascending; a little beyond both ends.
     void ends(const Near& near, int axis, geom::Vec3 from, double high, std::vector<LineEnd>& out) const;
-    [[nodiscard]] Air::Sweep body(std::uint32_t cut) const { return simulation_.body_of(cut); }
-    [[nodiscard]] geom::Vec3 normal(std::uint32_t cut, geom::Vec3 p) const { return simulation_.normal_at(cut, p); }
+    /// All bodies of air; moves that were cut in pieces are one.
+    [[nodiscard]] const std::vector<Simulation::Whole>& wholes() const { return wholes_; }
+    /// The one that a cut belongs to.
+    [[nodiscard]] Air::Sweep body(std::uint32_t cut) const { return simulation_.body_of(wholes_[whole_of_[cut]]); }
+    /// As of Simulation.
+    [[nodiscard]] geom::Vec3 normal(std::uint32_t cut, geom::Vec3 p) const;
 
 private:
     [[nodiscard]] geom::Vec3 middle_of(const Place& cell) const {
@@ -90,7 +97,9 @@ private:
     const StockBody& stock_;
     Lattice lattice_;
     KeyMap blocks_;                                   ///< number in `sweeps_`
-    std::vector<std::vector<std::uint32_t>> sweeps_;  ///< cuts, by block
+    std::vector<std::vector<std::uint32_t>> sweeps_;  ///< numbers in `wholes_`, by block
+    std::vector<Simulation::Whole> wholes_;
+    std::vector<std::uint32_t> whole_of_;  ///< by cut
 };
 
 }  // namespace obrys::sim::milling

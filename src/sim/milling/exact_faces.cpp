@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <vector>
 
 #include "sim/milling/exact.hpp"
 #include "sim/milling/nearest.hpp"
@@ -14,6 +15,8 @@ using geom::Vec3;
 
 constexpr double met = 1e-7;  ///< mm
 constexpr int most_steps = 12;
+constexpr double nothing = 1e-5;     ///< mm: material thinner than that is none
+constexpr double opposite = 0.9998;  ///< cosine of 1.1 degrees
 
 /// The shortest way onto two or three planes, each given by how far it is along its gradient.
 bool step_onto(std::span<const Exact::Side> sides, Vec3& way) {
@@ -56,6 +59,20 @@ bool Exact::meet(const Near& near, std::span<const std::size_t> of, Vec3& p) con
         if (!step_onto({sides.data(), of.size()}, way)) return false;
         p = p + way;
         if (!(geom::distance(p, start) < far)) return false;
+    }
+    return false;
+}
+
+bool Exact::is_touch(const Near& near, Vec3 p, double allowed) const {
+    std::vector<Side> close;  // with directions of length 1: of fine moves many
+    for (std::size_t body = near.stock ? 0 : 1; body < bodies(near); ++body) {
+        Side s = side(near, body, p);
+        const double size = length(s.in);
+        if (!(size > 0) || !(std::abs(s.outside) <= allowed * size)) continue;
+        s = {s.outside / size, (1 / size) * s.in};
+        for (const Side& other : close)
+            if (s.outside + other.outside < nothing && dot(s.in, other.in) < -opposite) return true;
+        close.push_back(s);
     }
     return false;
 }

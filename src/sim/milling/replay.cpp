@@ -69,25 +69,17 @@ std::vector<std::uint32_t> Simulation::cuts_in(const Box3& box, std::uint32_t be
     return found;
 }
 
-Air::Sweep Simulation::body_of(std::uint32_t cut) const {
-    const Sweep& s = sweeps_[cut - 1];
-    return {&shape_of(s), orientations_[s.orientation], track_of(s), s.from, cut};
-}
+Air::Sweep Simulation::body_of(std::uint32_t cut) const { return body_of(Whole{cut, cut}); }
 
-Job Simulation::job_of(std::uint32_t cut) const {
-    const Sweep& s = sweeps_[cut - 1];
-    Job job = make_job(shape_of(s), orientations_[s.orientation], track_of(s), s.from, rays_box());
-    job.cut = cut;
-    return job;
-}
+Job Simulation::job_of(std::uint32_t cut) const { return job_of(Whole{cut, cut}); }
 
 const Shape* Simulation::cutting_of(std::uint32_t cut) const {
     const Sweep& s = sweeps_[cut - 1];
     return !s.cut || cut > done_ || shape_of(s).pieces.empty() ? nullptr : &shape_of(s);
 }
 
-Box3 Simulation::reach_of(std::uint32_t cut) const {
-    const Sweep& s = sweeps_[cut - 1];
+Box3 Simulation::reach_of(Whole whole) const {
+    const Sweep s = sweep_of(whole);
     return box_of(s, shape_of(s), orientations_[s.orientation].z);
 }
 
@@ -105,6 +97,12 @@ const StockBody& Simulation::body() const {
 Air Simulation::air_in(const Box3& box) const {
     std::vector<Air::Sweep> sweeps;
     for (const std::uint32_t cut : cuts_in(box)) sweeps.push_back(body_of(cut));
+    return {body(), std::move(sweeps)};
+}
+
+Air Simulation::whole_air_in(const Box3& box) const {
+    std::vector<Air::Sweep> sweeps;
+    for (const Whole& whole : wholes(cuts_in(box))) sweeps.push_back(body_of(whole));
     return {body(), std::move(sweeps)};
 }
 

@@ -160,20 +160,16 @@ std::vector<Vec3> rims(const Simulation& simulation, Exact& exact, const NodeBit
     std::vector<Rim> rims;
     bool joined = false;  // to the sweep before
     Vec3 came;
-    for (std::uint32_t cut = 1; cut <= simulation.sweeps(); ++cut) {
-        const Shape* shape = simulation.cutting_of(cut);
-        if (shape == nullptr) {
-            joined = false;
-            continue;
-        }
+    const std::vector<Simulation::Whole>& wholes = exact.wholes();
+    for (std::size_t n = 0; n < wholes.size(); ++n) {
+        const Shape* shape = simulation.cutting_of(wholes[n].first);
         if (shape != last_shape) rims = rims_of(*shape, simulation.tolerance()), last_shape = shape;
         if (rims.empty()) {
             joined = false;
             continue;
         }
-        const Air::Sweep s = simulation.body_of(cut);
-        const bool goes = cut < simulation.sweeps() && simulation.cutting_of(cut + 1) == shape &&
-                          goes_on(s, simulation.body_of(cut + 1));
+        const Air::Sweep s = simulation.body_of(wholes[n]);
+        const bool goes = n + 1 < wholes.size() && goes_on(s, simulation.body_of(wholes[n + 1]));
         for (const Rim& rim : rims) {
             places.standing(s, rim, {}, joined ? came : Vec3{}, way_at(s.track, false));
             places.along(s, rim);
@@ -182,11 +178,12 @@ std::vector<Vec3> rims(const Simulation& simulation, Exact& exact, const NodeBit
         joined = goes, came = way_at(s.track, true);
     }
     exact.prepare(by_cell.cells);
+    const double allowed = bare * simulation.tolerance();
     std::vector<std::vector<Vec3>> found(by_cell.cells.size());
     tbb::parallel_for(std::size_t{0}, found.size(), [&](std::size_t n) {
         const Exact::Near near = exact.near(by_cell.cells[n], false);
         for (const Vec3& p : by_cell.places[n])
-            if (exact.is_on_surface(near, p, bare * simulation.tolerance())) found[n].push_back(p);
+            if (exact.is_on_surface(near, p, allowed) && !exact.is_touch(near, p, allowed)) found[n].push_back(p);
     });
     std::vector<Vec3> all;
     for (const std::vector<Vec3>& f : found) all.insert(all.end(), f.begin(), f.end());

@@ -109,6 +109,7 @@ Taken Simulation::add(const Pass& pass) {
             at = next;
         }
     }
+    if (pass.goes_on && sweeps_.size() > before) sweeps_[before].goes_on = true;
     if (sweeps_.size() - done_ >= batch) flush();
     return sweeps_.size() == before ? Taken::no_motion : Taken::taken;
 }
@@ -215,8 +216,11 @@ void Simulation::flush() {
 }
 
 Vec3 Simulation::normal_at(std::uint32_t cut, Vec3 p) const {
-    if (cut == 0) return faces_.normal_at(p);
-    const Sweep& s = sweeps_[cut - 1];
+    return cut == 0 ? faces_.normal_at(p) : normal_at(Whole{cut, cut}, p);
+}
+
+Vec3 Simulation::normal_at(Whole whole, Vec3 p) const {
+    const Sweep s = sweep_of(whole);
     const Orientation& frame = orientations_[s.orientation];
     const Foot foot = foot_on(shape_of(s), track_of(s), frame.to_tool(p - s.from));
     // Where an edge of the tool has swept the surface, the gradient is the surface's normal and no face's.

@@ -29,7 +29,8 @@ struct Pass {
     geom::Vec3 axis{0, 0, 1};  ///< from the tip to the holder, any length; the same all along the move
     std::uint32_t tool = 0;    ///< as `add_tool` gave it
     Part part = Part::cutting;
-    bool cut = true;  ///< false: nothing is taken away; the pass's Engagement says what it meets
+    bool cut = true;       ///< false: nothing is taken away; the pass's Engagement says what it meets
+    bool goes_on = false;  ///< a piece of the same straight or circular move as the pass that cut before it
 };
 
 /// What became of a pass.
@@ -108,12 +109,24 @@ public:
     [[nodiscard]] std::size_t sweeps() const { return sweeps_.size(); }
     /// What has been taken, and what was never there, as far as it may lie in a box. The simulation must outlive it.
     [[nodiscard]] Air air_in(const Box3& box) const;
+    /// The same, moves that were added in pieces in one.
+    [[nodiscard]] Air whole_air_in(const Box3& box) const;
+    /// Cuts after each other whose bodies are one: pieces of one straight way, or of a quarter of a circle.
+    struct Whole {
+        std::uint32_t first = 0, last = 0;
+    };
+    /// Of these cuts, which ascend; all that cut something.
+    [[nodiscard]] std::vector<Whole> wholes(std::span<const std::uint32_t> cuts) const;
+    [[nodiscard]] std::vector<Whole> wholes() const;
+    [[nodiscard]] Air::Sweep body_of(Whole whole) const;
+    [[nodiscard]] Job job_of(Whole whole) const;
+    [[nodiscard]] Box3 reach_of(Whole whole) const;
+    [[nodiscard]] geom::Vec3 normal_at(Whole whole, geom::Vec3 p) const;
     /// Sweeps by the number of their cut: what cuts (null: nothing), the body, the same made ready to be cut, and a box
     /// around it.
     [[nodiscard]] const Shape* cutting_of(std::uint32_t cut) const;
     [[nodiscard]] Air::Sweep body_of(std::uint32_t cut) const;
     [[nodiscard]] Job job_of(std::uint32_t cut) const;
-    [[nodiscard]] Box3 reach_of(std::uint32_t cut) const;
     /// Numbers of the cuts behind one number and up to another that may reach into a box, upwards.
     [[nodiscard]] std::vector<std::uint32_t> cuts_in(const Box3& box, std::uint32_t behind, std::uint32_t last) const;
     [[nodiscard]] std::vector<std::uint32_t> cuts_in(const Box3& box) const {
@@ -133,6 +146,7 @@ public:
         std::uint32_t circle = 0;  ///< number in `circles`, from 1; 0: straight
         Part part = Part::cutting;
         bool cut = true;
+        bool goes_on = false;  ///< as of Pass
     };
     struct Circle {
         geom::Vec3 centre;
@@ -145,6 +159,8 @@ private:
     std::uint32_t orientation_for(geom::Vec3 axis);
     [[nodiscard]] const Shape& shape_of(const Sweep& sweep) const;
     [[nodiscard]] Track track_of(const Sweep& sweep) const;
+    [[nodiscard]] Sweep sweep_of(Whole whole) const;
+    [[nodiscard]] bool is_one(Whole whole, std::uint32_t next) const;
     [[nodiscard]] Box3 rays_box() const;  ///< from the first to the last node
     void index_runs();
     [[nodiscard]] std::vector<Job> jobs_in(const Box3& box) const;

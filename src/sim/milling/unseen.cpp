@@ -111,7 +111,8 @@ private:
             last_ = body, over_ = over;
             return false;
         }
-        return near_.stock || near_.blank;
+        // At a feather edge a body that reaches over it a little has taken it back by many times that.
+        return exact_.is_on_surface(near_, p, allowed_) && !exact_.is_touch(near_, p, allowed_);
     }
 
     [[nodiscard]] bool is_here(Vec3 p) const { return geom::distance(p, middle_) < reach_; }
