@@ -7,6 +7,7 @@
 #include "base/codes.hpp"
 #include "base/number.hpp"
 #include "base/whole.hpp"
+#include "check/parting.hpp"
 #include "geom/boolean.hpp"
 #include "geom/region.hpp"
 #include "sim/turning/turning.hpp"
@@ -138,6 +139,10 @@ void find_rest(const Setup& setup, const Left& left, const LastCuts& cuts, const
     if (all.min_z < band.min_z - beside_margin || all.max_z > band.max_z + beside_margin)
         out.assumption("rest material is judged from Z " + base::fixed(band.min_z, 3) + " to Z " +
                        base::fixed(band.max_z, 3) + " mm, where the contour is given");
+    if (const auto neck = setup.part ? neck_behind(*setup.part, left.stock) : std::nullopt)
+        out.assumption("the part is not cut off: behind it, at Z " + base::fixed(neck->z, 3) + ", " +
+                       base::fixed(neck->thickness, 3) + " mm hold it, from X " + base::fixed(neck->inner, 3) +
+                       " to X " + base::fixed(neck->outer, 3) + " (radius)");
     geom::Region judged = within(left.stock, band);
     if (!left.ridges.empty()) judged = geom::subtract(judged, left.ridges);
     const auto pieces = sim::turning::pieces_outside(judged, wanted, setup.tolerances.rest_material);

@@ -58,6 +58,13 @@ TEST(Page, CurvesAreChainsOfPoints) {
     EXPECT_EQ(j["moves"]["arc"], json::object());
 }
 
+TEST(Page, ClampsOfALathe) {
+    sample::Sample s = sample::make();
+    EXPECT_EQ(json::parse(page_data(s.subject(), {}))["regions"]["clamp"], "");
+    s.setup.turned_clamps = {{"jaws", {{{{{{-30, 0}, 0}, {{5, 0}, 0}, {{5, 60}, 0}, {{-30, 60}, 0}}, true}}}}};
+    EXPECT_EQ(json::parse(page_data(s.subject(), {}))["regions"]["clamp"], "M-30 0L5 0L5 -60L-30 -60Z");
+}
+
 TEST(Page, LargeProgramsAreCutAndSaySo) {
     const sample::Sample s = sample::make();
     HtmlOptions options;

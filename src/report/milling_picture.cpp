@@ -46,6 +46,21 @@ mesh::Box shown(const MillingScene& scene) {
     return box;
 }
 
+/// The box and what of the clamps lies not far from it.
+mesh::Box with_clamps(const mesh::Box& box, const mesh::Mesh& clamps, double room) {
+    mesh::Box around = box;
+    if (clamps.empty()) return around;
+    const mesh::Box all = extent(clamps);
+    const Vec3 size = box.size();
+    const double most = room * std::max({size.x, size.y, size.z});
+    const auto reach = [&](double Vec3::*axis) {
+        around.lo.*axis = std::max(std::min(box.lo.*axis, all.lo.*axis), box.lo.*axis - most);
+        around.hi.*axis = std::min(std::max(box.hi.*axis, all.hi.*axis), box.hi.*axis + most);
+    };
+    for (const auto axis : {&Vec3::x, &Vec3::y, &Vec3::z}) reach(axis);
+    return around;
+}
+
 /// Every corner is a vertex.
 bool whole(const mesh::Mesh& m) {
     return std::all_of(m.triangles.begin(), m.triangles.end(), [&](const mesh::Triangle& t) {
@@ -74,7 +89,10 @@ std::string draw(SheetFormat format, MillingView view, const MillingScene& scene
     mesh::Shading normals;
     if (!scene.surface.empty() && whole(scene.surface)) box = shown(scene);
     if (!box.empty()) normals = relief_normals(scene.surface);
-    picture::Work work{scene, sheet, normals, box, double(width), double(height), 13, true};
+    // The projections stand close together.
+    const double room = view == MillingView::projections ? 0.05 : 0.35;
+    const mesh::Box around = box.empty() ? box : with_clamps(box, scene.clamps, room);
+    picture::Work work{scene, sheet, normals, box, around, double(width), double(height), 13, true};
     work.em = 13 * std::min(width / 1200.0, height / 900.0);
     if (box.empty())
         nothing(work);

@@ -253,5 +253,50 @@ TEST(MillingPicture, SizesAreHeldAndSmallOnesWork) {
     for (const MillingView view : views) EXPECT_FALSE(milling_png(view, s).empty());
 }
 
+/// Pixels that have the clamps' red in them, on paper or on the part.
+int reddish(const Png& p, int from = 0, int to = 1 << 20) {
+    int count = 0;
+    for (int j = 0; j < p.height; ++j)
+        for (int i = from; i < std::min(p.width, to); ++i) {
+            const Colour c = p.at(i, j);
+            count += c.red > c.green + 20 && c.blue > c.green + 4 && c.red < c.green + 90 ? 1 : 0;
+        }
+    return count;
+}
+
+TEST(MillingPicture, ClampsAreDrawnAndInTheLegend) {
+    const mesh::Mesh m = pocket();
+    for (const MillingView view : views) {
+        MillingScene s = scene(m);
+        constexpr int legend = 970;
+        const int before = reddish(decode(milling_png(view, s)));
+        s.clamps = mesh::box({40, 5, -15}, {60, 25, 6});
+        s.clamp_name = "clamp vice";
+        const Png p = decode(milling_png(view, s));
+        EXPECT_GT(reddish(p), before + 10'000);
+        EXPECT_GT(reddish(p, view == MillingView::projections ? 0 : legend), 100);
+    }
+}
+
+TEST(MillingPicture, ClampsReachIntoThePicture) {
+    const mesh::Mesh m = pocket();
+    MillingScene s = scene(m);
+    const Png alone = decode(milling_png(MillingView::plan, s));
+    s.clamps = mesh::box({-500, 5, -15}, {0, 25, 6});
+    const Png p = decode(milling_png(MillingView::plan, s));
+    const Extent block = extent(p, highest, 0, 1080);
+    EXPECT_LT(block.right - block.left, extent(alone, highest, 0, 1080).right - extent(alone, highest, 0, 1080).left);
+    EXPECT_GT(reddish(p, 0, block.left), 20'000);
+    EXPECT_GT(block.right - block.left, 400) << "a long clamp must not make the part small";
+}
+
+TEST(MillingPicture, ThePartHidesClampsBehindIt) {
+    const mesh::Mesh m = pocket();
+    MillingScene s = scene(m);
+    s.clamps = mesh::box({5, 5, -19}, {35, 25, -12});
+    EXPECT_EQ(reddish(decode(milling_png(MillingView::plan, s)), 0, 1000),
+              reddish(decode(milling_png(MillingView::plan, scene(m))), 0, 1000));
+}
+
 }  // namespace
 }  // namespace obrys::report

@@ -233,7 +233,10 @@ Json Data::regions() {
     Json snapshots = Json::array();
     for (const check::Snapshot& s : r_.snapshots)
         if (s.moves <= move_count()) snapshots.push_back({s.moves, path_of(s.stock, millimetres)});
+    std::string clamps;
+    for (const check::TurnedClamp& c : s_.setup.turned_clamps) clamps += path_of(c.body, millimetres);
     return {{"before", path(s_.setup.stock)},
+            {"clamp", std::move(clamps)},
             {"after", path_of(r_.stock_after, millimetres)},
             {"part", path(s_.setup.part)},
             {"allowance", path(s_.setup.allowance)},

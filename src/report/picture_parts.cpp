@@ -133,17 +133,29 @@ void datum(Work& work, const Shot& shot) {
     work.sheet.circle(at, r, {ink, 0.08 * work.em});
 }
 
+namespace {
+
+void legend_entry(Work& work, Vec2 at, mesh::Colour colour, const std::string& text) {
+    const Rect box{at.x, at.y - 0.85 * work.em, 1.5 * work.em, work.em};
+    work.sheet.area(
+        {{box.left, box.top}, {box.right(), box.top}, {box.right(), box.bottom()}, {box.left, box.bottom()}}, colour);
+    outline(work, box, {ink, 0.6});
+    work.sheet.text({at.x + 2.1 * work.em, at.y}, text, {work.em, ink});
+}
+
+}  // namespace
+
+void clamp_legend(Work& work, Vec2 at) {
+    if (!work.scene.clamps.empty()) legend_entry(work, at, clamp, work.scene.clamp_name);
+}
+
 void legend(Work& work, Vec2 at) {
     for (const PictureLegend& entry : work.scene.legend) {
         if (at.y > work.height - work.em) return;
-        const Rect box{at.x, at.y - 0.85 * work.em, 1.5 * work.em, work.em};
-        work.sheet.area(
-            {{box.left, box.top}, {box.right(), box.top}, {box.right(), box.bottom()}, {box.left, box.bottom()}},
-            entry.colour);
-        outline(work, box, {ink, 0.6});
-        work.sheet.text({at.x + 2.1 * work.em, at.y}, entry.text, {work.em, ink});
+        legend_entry(work, at, entry.colour, entry.text);
         at.y += 1.6 * work.em;
     }
+    if (at.y <= work.height - work.em) clamp_legend(work, at);
 }
 
 void heading(Work& work, const std::string& what) {

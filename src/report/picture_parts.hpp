@@ -24,7 +24,8 @@ struct Work {
     const MillingScene& scene;
     Sheet& sheet;
     const mesh::Shading& normals;
-    mesh::Box box;  ///< what is shown, finite
+    mesh::Box box;     ///< what is shown, finite
+    mesh::Box around;  ///< the same with the clamps, as far as there is room for them
     double width = 0, height = 0;
     double em = 13;        ///< size of ordinary words, px
     bool complete = true;  ///< as Visible says
@@ -52,8 +53,8 @@ struct Shot {
 using ColourOf = std::function<mesh::Colour(const Spot&)>;
 [[nodiscard]] mesh::Colour palette_colour(const MillingScene& scene, std::uint32_t triangle);
 
-/// Draws the surface with the middle of the box in the middle of `area`. `cut`: a plane through this point, facing the
-/// eye, opens it.
+/// Draws the surface with the middle of the box in the middle of `area`, and the clamps over it, which may reach beyond
+/// it. `cut`: a plane through this point, facing the eye, opens it.
 [[nodiscard]] Shot shoot(Work& work, const Look& look, const Rect& area, double px_per_mm, const ColourOf& colour,
                          double ambient, const geom::Vec3* cut = nullptr);
 
@@ -83,6 +84,8 @@ void datum(Work& work, const Shot& shot);
 void path(Work& work, const Shot& shot);
 void marks(Work& work, const Shot& shot);
 void legend(Work& work, geom::Vec2 at);
+/// The entry of the clamps alone; nothing where there are none.
+void clamp_legend(Work& work, geom::Vec2 at);
 void heading(Work& work, const std::string& what);
 
 /// At most three decimals.
@@ -92,6 +95,7 @@ void plan(Work& work);
 void projections(Work& work);
 void solid(Work& work);
 
-inline constexpr mesh::Colour ink{30, 34, 40}, faint{150, 156, 164}, blue{20, 80, 170}, red{200, 30, 40};
+inline constexpr mesh::Colour ink{30, 34, 40}, faint{150, 156, 164}, blue{20, 80, 170}, red{200, 30, 40},
+    clamp{207, 138, 153};
 
 }  // namespace obrys::report::picture

@@ -102,6 +102,8 @@ void height_legend(Work& work, const HeightScale& scale, const std::vector<doubl
     outline(work, swatch, {ink, 0.8});
     work.sheet.text({swatch.right() + 0.9 * work.em, swatch.bottom() - 0.2 * work.em}, "through",
                     {0.95 * work.em, ink});
+    const double longer = std::max(0.0, static_cast<double>(work.scene.clamp_name.size()) - 8);  // letters
+    clamp_legend(work, {bar.left - 0.55 * work.em * longer, swatch.bottom() + 2 * work.em});
 }
 
 }  // namespace
@@ -110,8 +112,10 @@ void plan(Work& work) {
     const double em = work.em;
     const Vec3 size = work.box.size();
     const double free_width = work.width - 18 * em, free_height = work.height - 14 * em;
-    const double scale = std::min(free_width / size.x, free_height / size.y);
-    const Rect area{5 * em + (free_width - scale * size.x) / 2, 7 * em + (free_height - scale * size.y) / 2,
+    const Vec3 whole = work.around.size();
+    const double scale = std::min(free_width / whole.x, free_height / whole.y);
+    const Rect area{5 * em + (free_width - scale * whole.x) / 2 + scale * (work.box.lo.x - work.around.lo.x),
+                    7 * em + (free_height - scale * whole.y) / 2 + scale * (work.around.hi.y - work.box.hi.y),
                     scale * size.x, scale * size.y};
     hatch(work, area, {{214, 218, 224}, 0.8});
     const HeightScale colours = heights(work, area, scale);

@@ -29,11 +29,68 @@ mesh::Colour palette_colour(const MillingScene& scene, std::uint32_t triangle) {
     return scene.palette[std::min(index, scene.palette.size() - 1)];
 }
 
+namespace {
+
+/// The image on the sheet: the area, and what of the clamps lies beside it.
+Rect framed(const Work& work, const Look& look, const Rect& area, double px_per_mm) {
+    const double margin = std::ceil(0.5 * work.em);
+    Rect out{area.left - margin, area.top - margin, area.width + 2 * margin, area.height + 2 * margin};
+    if (work.scene.clamps.empty()) return out;
+    double left = out.left, top = out.top, right = out.right(), bottom = out.bottom();
+    for (unsigned k = 0; k < 8; ++k) {
+        const mesh::Box& b = work.around;
+        const Vec3 corner{(k & 1U) != 0 ? b.hi.x : b.lo.x, (k & 2U) != 0 ? b.hi.y : b.lo.y,
+                          (k & 4U) != 0 ? b.hi.z : b.lo.z};
+        const Vec3 from = corner - work.box.centre();
+        const double x = area.centre().x + px_per_mm * dot(from, look.right),
+                     y = area.centre().y - px_per_mm * dot(from, look.up);
+        left = std::min(left, x - 1), right = std::max(right, x + 1);
+        top = std::min(top, y - 1), bottom = std::max(bottom, y + 1);
+    }
+    left = std::max(left, 0.0), top = std::max(top, 0.0);
+    return {left, top, std::min(right, work.width) - left, std::min(bottom, work.height) - top};
+}
+
+/// The pixels of the clamps, as far as nothing stands before them, as glass.
+void make_glass(Relief& seen, const Visible& before, int finer) {
+    constexpr std::uint32_t opaque = 150;  // of 255
+    for (int j = 0; j < seen.image.height; ++j)
+        for (int i = 0; i < seen.image.width; ++i) {
+            std::uint32_t shown = 0;
+            for (int k = 0; k < finer * finer; ++k) {
+                const std::size_t at = before.at(finer * i + k % finer, finer * j + k / finer);
+                shown += seen.visible.depth[at] > before.depth[at] ? 1 : 0;
+            }
+            const std::uint32_t share = opaque * shown / static_cast<std::uint32_t>(finer * finer);
+            std::uint32_t& pixel = seen.image.pixels[static_cast<std::size_t>(j) *
+                                                         static_cast<std::size_t>(seen.image.width) +
+                                                     static_cast<std::size_t>(i)];
+            std::uint32_t thin = 0;
+            for (const unsigned shift : {0U, 8U, 16U, 24U}) thin |= ((pixel >> shift & 0xFFU) * share / 255) << shift;
+            pixel = thin;
+        }
+}
+
+void shoot_clamps(Work& work, const Shot& shot) {
+    const mesh::Mesh& clamps = work.scene.clamps;
+    if (clamps.empty()) return;
+    ReliefStyle style;
+    style.colour = [](const Spot&) { return clamp; };
+    style.ambient = 0.5;
+    style.finer = shot.finer;
+    Relief seen = relief(clamps, relief_normals(clamps), shot.camera, style);
+    work.complete = work.complete && seen.visible.complete;
+    make_glass(seen, shot.visible, shot.finer);
+    work.sheet.image(shot.corner, seen.image);
+}
+
+}  // namespace
+
 Shot shoot(Work& work, const Look& look, const Rect& area, double px_per_mm, const ColourOf& colour, double ambient,
            const Vec3* cut) {
     Shot shot;
-    const double margin = std::ceil(0.5 * work.em);
-    shot.corner = {std::floor(area.left - margin), std::floor(area.top - margin)};
+    const Rect frame = framed(work, look, area, px_per_mm);
+    shot.corner = {std::floor(frame.left), std::floor(frame.top)};
     Camera& c = shot.camera;
     c.right = look.right;
     c.up = look.up;
@@ -42,8 +99,8 @@ Shot shoot(Work& work, const Look& look, const Rect& area, double px_per_mm, con
     c.px_per_mm = px_per_mm;
     c.x = area.centre().x - shot.corner.x;
     c.y = area.centre().y - shot.corner.y;
-    c.width = base::clipped<int>(std::ceil(area.right() + margin - shot.corner.x), 0, most_pixels);
-    c.height = base::clipped<int>(std::ceil(area.bottom() + margin - shot.corner.y), 0, most_pixels);
+    c.width = base::clipped<int>(std::ceil(frame.right() - shot.corner.x), 0, most_pixels);
+    c.height = base::clipped<int>(std::ceil(frame.bottom() - shot.corner.y), 0, most_pixels);
     if (cut != nullptr) c.nearest = dot(*cut - c.centre, look.toward);
     ReliefStyle style;
     style.colour = colour;
@@ -55,6 +112,7 @@ Shot shoot(Work& work, const Look& look, const Rect& area, double px_per_mm, con
     work.sheet.image(shot.corner, seen.image);
     work.complete = work.complete && seen.visible.complete;
     shot.visible = std::move(seen.visible);
+    shoot_clamps(work, shot);
     return shot;
 }
 
@@ -147,7 +205,7 @@ std::vector<Pin> pins(const Work& work, const Shot& shot) {
 
 void marks(Work& work, const Shot& shot) {
     const Rect r = shot.frame();
-    work.sheet.clip({r.left - 3 * work.em, r.top - 3 * work.em}, {r.width + 6 * work.em, r.height + 6 * work.em});
+    work.sheet.clip({r.left - 5 * work.em, r.top - 5 * work.em}, {r.width + 10 * work.em, r.height + 10 * work.em});
     const std::vector<Pin> all = pins(work, shot);
     const mesh::Colour white{255, 255, 255};
     for (const Pin& pin : all) {

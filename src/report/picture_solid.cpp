@@ -62,11 +62,11 @@ void solid(Work& work) {
     const Look look = from_corner();
     double right = 0, up = 0;  // half the extent seen, mm
     const Vec3 centre = work.box.centre();
-    for (const Vec3 c : corners_of(work.box)) {
+    for (const Vec3 c : corners_of(work.around)) {
         right = std::max(right, std::abs(dot(c - centre, look.right)));
         up = std::max(up, std::abs(dot(c - centre, look.up)));
     }
-    const double beside = work.scene.legend.empty() ? 4 * em : 16 * em;
+    const double beside = work.scene.legend.empty() && work.scene.clamps.empty() ? 4 * em : 19 * em;
     const double free_width = work.width - 4.5 * em - beside, free_height = work.height - 11 * em;
     const double scale = std::min(free_width / (2 * right), free_height / (2 * up));
     const Rect area{4.5 * em + free_width / 2 - scale * right, 5 * em + free_height / 2 - scale * up, 2 * scale * right,
@@ -78,7 +78,7 @@ void solid(Work& work) {
     path(work, shot);
     datum(work, shot);
     marks(work, shot);
-    legend(work, {work.width - 14 * em, 7 * em});
+    legend(work, {work.width - 17 * em, 7 * em});
     axes(work, look, {3 * em, work.height - 2.6 * em});
     const Vec3 size = work.box.size();
     heading(work,

@@ -38,7 +38,13 @@ check::Box bounds(const Subject& s) {
     if (box.empty()) add(box, path);
     if (box.empty()) add(box, {0, 100, 0, 50});
     const double around = 0.12 * size_of(box), air = 0.03 * size_of(box);
-    const check::Box limit = grown(box, around);
+    check::Box limit = grown(box, 3 * around);  // a chuck is seen as one where it cannot be shown whole
+    for (const check::TurnedClamp& c : s.setup.turned_clamps) {
+        const check::Box clamp = check::box_of(c.body);
+        add(box, {std::max(clamp.min_z, limit.min_z), std::min(clamp.max_z, limit.max_z),
+                  std::max(clamp.min_x, limit.min_x), std::min(clamp.max_x, limit.max_x)});
+    }
+    limit = grown(box, around);
     if (!path.empty())
         add(box,
             {std::clamp(path.min_z, limit.min_z, box.min_z + 0.0), std::clamp(path.max_z, box.max_z, limit.max_z),
@@ -74,6 +80,7 @@ std::string legend(const Subject& s, double y) {
         entry("before", patch, "removed stock", 130);
         entry("after", patch, "stock at the end", 140);
     }
+    if (!s.setup.turned_clamps.empty()) entry("clamp", patch, "clamp", 90);
     if (s.setup.part) entry("part", stroke, "finished part", 124);
     if (s.setup.allowance) entry("allowance", stroke, "allowance", 106);
     if (!s.result.moves.empty()) {

@@ -98,6 +98,19 @@ TEST(Svg, ShowsStockPartPathAndFinding) {
     EXPECT_NE(svg.find("1  with blank/SUB.SPF:2 [gouge] cuts into the finished part"), std::string::npos);
 }
 
+TEST(Svg, ShowsClampsBelowTheStock) {
+    sample::Sample s = sample::make();
+    EXPECT_EQ(to_svg(s.subject()).find("<path class=\"clamp\""), std::string::npos);
+    s.setup.turned_clamps = {{"jaws", {{{{{{-30, 0}, 0}, {{5, 0}, 0}, {{5, 60}, 0}, {{-30, 60}, 0}}, true}}}},
+                             {"far away", {{{{{{-900, 0}, 0}, {{-800, 0}, 0}, {{-800, 9}, 0}}, true}}}}};
+    const std::string svg = to_svg(s.subject());
+    const std::size_t clamp = svg.find("<path class=\"clamp\""), stock = svg.find("<path class=\"before\"");
+    ASSERT_NE(clamp, std::string::npos);
+    EXPECT_LT(clamp, stock);
+    EXPECT_NE(svg.find(">clamp<"), std::string::npos);
+    EXPECT_EQ(svg.find(">-200<"), std::string::npos) << "the picture is about the workpiece";
+}
+
 TEST(Svg, AnEmptyResultIsStillAPicture) {
     sample::Sample s = sample::make();
     s.result = {};

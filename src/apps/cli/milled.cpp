@@ -3,11 +3,12 @@
 #include <cmath>
 #include <cstdio>
 
-#include "base/number.hpp"
 #include "driver/files.hpp"
 #include "mesh/export.hpp"
 #include "mesh/merge_flat.hpp"
 #include "mesh/stl.hpp"
+#include "report/clamp_bodies.hpp"
+#include "report/deviation_legend.hpp"
 #include "report/engagement_table.hpp"
 #include "report/milling_picture.hpp"
 #include "sim/milling/stock.hpp"
@@ -64,19 +65,11 @@ mesh::DeviationColours colour(const check::Milled& milled, mesh::Mesh& surface, 
 
 /// What the colours mean.
 std::vector<report::PictureLegend> legend_of(const check::Result& result, const mesh::DeviationColours& colours) {
-    std::vector<report::PictureLegend> out;
     if (result.milled->comparison) {
-        const double allowed = result.milled->figures.tolerance_mm, full = full_deviation * allowed;
-        const std::size_t steps = (colours.palette.size() - 1) / 2;
-        out.push_back({colours.palette[0], "within " + base::shortest(allowed) + " mm"});
-        for (const bool gouge : {true, false})
-            for (std::size_t i = 0; i < steps; i += i == 0 ? steps / 2 : steps - 1 - steps / 2) {
-                const double from = allowed + static_cast<double>(i) / static_cast<double>(steps) * (full - allowed);
-                out.push_back({colours.palette[1 + i + (gouge ? 0 : steps)],
-                               std::string(gouge ? "too deep" : "too high") + " by " + base::fixed(from, 3) + " mm"});
-            }
-        return out;
+        const double allowed = result.milled->figures.tolerance_mm;
+        return report::deviation_legend(colours, allowed, full_deviation * allowed);
     }
+    std::vector<report::PictureLegend> out;
     out.push_back({tool_colours[0], "not cut"});
     for (std::size_t k = 0; k < result.tools.size(); ++k) {
         const check::ToolUse& tool = result.tools[k];
@@ -104,6 +97,9 @@ bool write_pictures(const Arguments& a, driver::Session& s, const driver::Checke
         const auto box = sim::milling::box_of(checked.setup.milling->stock);
         scene.stock.add(box.min);
         scene.stock.add(box.max);
+        report::ClampBodies clamps = report::clamp_bodies(*checked.setup.milling);
+        scene.clamps = std::move(clamps.mesh);
+        scene.clamp_name = std::move(clamps.name);
     }
     scene.palette = colours.palette;
     scene.legend = legend;

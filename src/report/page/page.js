@@ -54,10 +54,15 @@ $("foot").textContent = "obrys " + D.head.version + ". Lengths in mm, X is a rad
 const view = { s: 1, x: 0, y: 0 };
 let box = null;
 function bounds() {
-  $("before").setAttribute("d", R.before); $("part").setAttribute("d", R.part); $("allowance").setAttribute("d", R.allowance);
+  $("before").setAttribute("d", R.before); $("clamp").setAttribute("d", R.clamp); $("part").setAttribute("d", R.part); $("allowance").setAttribute("d", R.allowance);
   let b = null;
   const add = (x, y) => b = b ? [Math.min(b[0], x), Math.min(b[1], y), Math.max(b[2], x), Math.max(b[3], y)] : [x, y, x, y];
   for (const id of ["before", "part"]) if ($(id).getAttribute("d")) { const r = $(id).getBBox(); add(r.x, r.y); add(r.x + r.width, r.y + r.height); }
+  if (b && R.clamp) {  // a chuck is seen as one where it cannot be shown whole
+    const r = $("clamp").getBBox(), e = Math.max(b[2] - b[0], b[3] - b[1]) * 0.36, l = [b[0] - e, b[1] - e, b[2] + e, b[3] + e];
+    const x = [Math.max(r.x, l[0]), Math.min(r.x + r.width, l[2])], y = [Math.max(r.y, l[1]), Math.min(r.y + r.height, l[3])];
+    if (x[0] < x[1] && y[0] < y[1]) { add(x[0], y[0]); add(x[1], y[1]); }
+  }
   // Rapids may come from far away: of them the way in is enough. What is cut is shown, wherever it lies.
   if (b) for (let i = 0; i < M.n; ++i) if (M.kind[i] !== "r") for (const p of [M.start[i] || endOf(i - 1), endOf(i)]) if (known(p)) add(p[0], p[1]);
   const fixed = b && b.slice(), size = b ? Math.max(b[2] - b[0], b[3] - b[1]) * 0.12 : 0;
@@ -127,7 +132,7 @@ function drawMarks() {
 
 // ---- stock, path and tool after `done` moves
 let done = M.n;
-const layers = { stock: true, part: true, allowance: true, feed: true, rapid: true, "path only so far": false, tool: true };
+const layers = { stock: true, clamp: true, part: true, allowance: true, feed: true, rapid: true, "path only so far": false, tool: true };
 function show(n) {
   done = Math.max(0, Math.min(M.n, n));
   $("slider").value = done;
@@ -296,9 +301,9 @@ $("play").onclick = () => {
   if (done >= M.n) show(0);
   last = performance.now(); owed = 0; $("play").textContent = "stop"; timer = requestAnimationFrame(tick);
 };
-const parts = { stock: ["before", "stock", "removed"], part: ["part"], allowance: ["allowance"], feed: ["feed"], rapid: ["rapid"], tool: [], "path only so far": [] };
+const parts = { stock: ["before", "stock", "removed"], clamp: ["clamp"], part: ["part"], allowance: ["allowance"], feed: ["feed"], rapid: ["rapid"], tool: [], "path only so far": [] };
 for (const name in layers) {
-  if ((name === "allowance" && !R.allowance) || (name === "part" && !R.part) || (name === "stock" && !R.before)) continue;
+  if ((name === "allowance" && !R.allowance) || (name === "part" && !R.part) || (name === "clamp" && !R.clamp) || (name === "stock" && !R.before)) continue;
   const label = el("label"), check = el("input"); check.type = "checkbox"; check.checked = layers[name];
   check.onchange = () => { layers[name] = check.checked; for (const id of parts[name]) $(id).style.display = check.checked ? "" : "none"; drawnTo = -1; show(done); };
   label.append(check, name); $("layers").append(label);
@@ -308,6 +313,7 @@ function legend(draw, text) {
   s.append(draw); span.append(s, text); $("legend").append(span);
 }
 if (R.before) { legend(sv("rect", { x: 1, y: 1, width: 28, height: 12, fill: "#c9d3dc", stroke: "#4a5560" }), "stock"); legend(sv("rect", { x: 1, y: 1, width: 28, height: 12, fill: "#f6f1e4", stroke: "#8a8a8a", "stroke-dasharray": "2 3" }), "removed"); }
+if (R.clamp) legend(sv("rect", { x: 1, y: 1, width: 28, height: 12, fill: "#e2b9c2", stroke: "#7a3040" }), "clamp");
 if (R.part) legend(sv("path", { d: "M0 7H30", stroke: "#000", "stroke-width": 2 }), "finished part");
 if (R.allowance) legend(sv("path", { d: "M0 7H30", stroke: "#000", "stroke-dasharray": "9 4" }), "allowance");
 if (M.n) { legend(sv("path", { d: "M0 7H30", stroke: "#0a8f3c", "stroke-width": 1.6 }), "feed"); legend(sv("path", { d: "M0 7H30", stroke: "#d40000", "stroke-width": 1.4, "stroke-dasharray": "5 3" }), "rapid"); }
