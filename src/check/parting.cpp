@@ -10,10 +10,10 @@ namespace obrys::check {
 
 namespace {
 
-constexpr double slice = 1e-3;         ///< mm
-constexpr double reach = 20;           ///< mm behind the part in which it is cut off
-constexpr std::size_t most = 1000;     ///< places that are looked at
-constexpr double through = 0.01;       ///< mm: a skin of rounding, not of a cut that stopped
+constexpr double slice = 1e-3;      ///< mm
+constexpr double reach = 20;        ///< mm behind the part in which it is cut off
+constexpr std::size_t most = 1000;  ///< places that are looked at
+constexpr double through = 0.01;    ///< mm: a skin of rounding, not of a cut that stopped
 
 Neck section_at(const geom::Region& body, double z) {
     const Box all = box_of(body);

@@ -9,7 +9,7 @@ namespace obrys::check {
 
 /// The thinnest section behind the part's left end.
 struct Neck {
-    double z = 0, thickness = 0;     ///< mm, along the radius
+    double z = 0, thickness = 0;  ///< mm, along the radius
     double inner = 0, outer = 0;  ///< radii
 };
 

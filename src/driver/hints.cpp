@@ -55,7 +55,8 @@ void ask_for_points(const std::vector<std::unique_ptr<program::Unit>>& units, co
             const std::string words = words_without_point(*unit, sources[f.where.file].text, f.where.begin);
             if (words.empty()) continue;
             f.remedy += (f.remedy.empty() ? "" : "; ") + words +
-                        (words.find(',') == std::string::npos ? " is" : " are") + " read in increments (0.001 mm, 0.0001 inch): look whether a decimal point is missing";
+                        (words.find(',') == std::string::npos ? " is" : " are") +
+                        " read in increments (0.001 mm, 0.0001 inch): look whether a decimal point is missing";
         }
 }
 

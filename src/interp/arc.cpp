@@ -148,7 +148,7 @@ path::ArcResult planar_arc(Run& run, Vec2 from, Vec2 to, bool end_given, const P
     }
     if (b.has(Code::centre_at_pole) && b.has(Code::pole_angle) && b.get(Code::pole_angle) != 0 &&
         (b.get(Code::pole_angle) < 0) != (sense == path::Sense::clockwise))
-        // iTNC 530 manual, circular path CP: "with incremental coordinates, enter the same sign for DR and PA".
+        // iTNC 530 manual, circular path CP: DR and an incremental PA want one sign.
         unchecked(run, codes::unsupported, run.here(),
                   "the angle of this arc has another sign than its sense of rotation: it is run in that sense",
                   "write the same sign for both");
@@ -232,9 +232,10 @@ bool runs_straight(Run& run) {
                          Code::polar_radius, Code::centre_at_pole})
         if (run.block.has(c)) return false;
     if (run.path->active() != (run.modal.compensation != Modal::compensation_off)) {
-        // B-63684EN, cutter compensation C: start-up and cancel want G0 or G1 (alarm 34).
+        // B-63684EN, cutter compensation C: start-up and cancel want G0 or G1.
         alarm(run, codes::compensation, run.here(),
-              "radius compensation begins or ends while a circle is in force (alarm 34)",
+              "radius compensation begins or ends while a circle is in force" +
+                  of_alarm(run.traits->alarms.circle_compensates),
               "write a straight move in this block");
         return true;
     }

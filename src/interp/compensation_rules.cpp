@@ -63,10 +63,7 @@ std::string compensation_in_force(const Run& run) {
     const base::Span at = run.modal.compensation_word;
     const std::string_view text = run.env.sources[at.file].text;
     const std::string word = base::to_upper(base::trim(text.substr(at.begin, at.end - at.begin)));
-    const auto number = run.env.sources.block_number(at.file, at.begin);
-    const std::string block = number ? "N" + std::to_string(*number)
-                                     : "line " + std::to_string(run.env.sources.position(at.file, at.begin).line);
-    return word + " of " + block;
+    return word + " of " + block_name(run, at);
 }
 
 void say_carried_compensation(Run& run) {

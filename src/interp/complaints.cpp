@@ -73,6 +73,10 @@ void alarm(Run& run, std::string_view code, const base::Span& where, std::string
                    {{Severity::error, code, where, std::move(text), std::move(remedy), {}, {}}, true, false, false});
 }
 
+std::string of_alarm(std::string_view number) {
+    return number.empty() ? std::string() : " (alarm " + std::string(number) + ")";
+}
+
 void unchecked(Run& run, std::string_view code, const base::Span& where, std::string text, std::string remedy) {
     run.block.complained = true;
     if (run.stopped) return;

@@ -71,7 +71,26 @@ std::optional<std::size_t> text_length(Run& run, const program::Define& d, const
     return std::nullopt;
 }
 
+/// Unit, statement: it does something, so that a definition may not follow it.
+bool is_run(const Unit& unit, std::uint32_t index) {
+    const program::Statement& s = unit.statements[index];
+    if (s.kind != program::StatementKind::block) return s.kind != program::StatementKind::define;
+    for (std::uint32_t w = s.first; w < unit.words_end(index); ++w)
+        if (program::code_of(unit.words[w]) != program::Code::comment) return true;
+    return false;
+}
+
 }  // namespace
+
+void judge_place_of_definition(Run& run, const Unit& unit, std::uint32_t index) {
+    std::uint32_t first = 0;
+    while (first < index && !is_run(unit, first)) ++first;
+    if (first == index) return;
+    unchecked(run, codes::unsupported, run.here(),
+              "a definition stands behind a block that is run: the control stops here" +
+                  of_alarm(run.traits->alarms.late_definition),
+              "write it at the beginning of the program");
+}
 
 void define(Run& run, const program::Define& d, Scope& scope, const Unit& unit) {
     for (const program::Variable& v : d.variables) {

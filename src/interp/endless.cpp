@@ -19,12 +19,6 @@ namespace {
 /// Numbered parameters and variables, by the kind and number of their expressions.
 using Names = std::set<std::pair<ExprKind, std::uint32_t>>;
 
-/// Parameters in which the control keeps something of its own: #1000 and above, Q100 to Q199.
-bool is_of_control(const Unit& unit, std::uint32_t parameter) {
-    const std::string name = program::parameter_name(*unit.traits, parameter);
-    return (name[0] == '#' && parameter >= 1000) || (name[0] == 'Q' && parameter >= 100 && parameter < 200);
-}
-
 /// Adds what an expression asks for; false where that cannot be told from the text.
 bool add_asked(const Unit& unit, ExprId id, Names& asked) {
     if (id == program::no_expr) return true;
@@ -38,12 +32,11 @@ bool add_asked(const Unit& unit, ExprId id, Names& asked) {
         case ExprKind::number:
         case ExprKind::boolean:
         case ExprKind::text: return true;
-        case ExprKind::parameter: asked.insert({e.kind, e.a}); return !is_of_control(unit, e.a);
+        case ExprKind::parameter: asked.insert({e.kind, e.a}); return !program::is_of_control(*unit.traits, e.a);
         case ExprKind::variable: asked.insert({e.kind, e.a}); return children();
         case ExprKind::unary: return add_asked(unit, e.a, asked);
         case ExprKind::binary: return add_asked(unit, e.a, asked) && add_asked(unit, e.b, asked);
-        case ExprKind::function:
-            return e.op != static_cast<std::uint8_t>(program::Function::file_exists) && children();
+        case ExprKind::function: return e.op != static_cast<std::uint8_t>(program::Function::file_exists) && children();
         default: return false;
     }
 }
@@ -118,7 +111,9 @@ bool Body::statement(std::uint32_t i) {
         case StatementKind::block: return block(i);
         case StatementKind::if_:
         case StatementKind::while_:
-        case StatementKind::until: conditions_.emplace_back(i, unit_.branches[table_of(unit_, s)].condition); return true;
+        case StatementKind::until:
+            conditions_.emplace_back(i, unit_.branches[table_of(unit_, s)].condition);
+            return true;
         case StatementKind::else_:
         case StatementKind::endif:
         case StatementKind::endwhile:
@@ -145,8 +140,9 @@ bool Body::statement(std::uint32_t i) {
 std::string list(const Unit& unit, const Names& asked, const program::Names& names) {
     std::string all;
     for (const auto& [kind, number] : asked)
-        all += (all.empty() ? "" : " or ") + (kind == ExprKind::parameter ? program::parameter_name(*unit.traits, number)
-                                                                           : std::string(names.text(number)));
+        all +=
+            (all.empty() ? "" : " or ") + (kind == ExprKind::parameter ? program::parameter_name(*unit.traits, number)
+                                                                       : std::string(names.text(number)));
     return all;
 }
 

@@ -15,8 +15,8 @@ struct Loop {
 };
 
 struct Endless {
-    std::string why;             ///< "nothing in it changes R1"
-    std::string remedy;          ///< where to look
+    std::string why;              ///< "nothing in it changes R1"
+    std::string remedy;           ///< where to look
     std::uint32_t condition = 0;  ///< the statement that asks whether it goes on
 };
 

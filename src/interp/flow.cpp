@@ -7,7 +7,6 @@
 #include "base/number.hpp"
 #include "base/text.hpp"
 #include "base/whole.hpp"
-#include "interp/endless.hpp"
 #include "interp/run.hpp"
 
 namespace obrys::interp {
@@ -15,76 +14,6 @@ namespace obrys::interp {
 using program::Statement;
 using program::StatementKind;
 namespace codes = base::codes;
-
-namespace {
-
-/// A loop is looked at after so many passes, and ended after so many more that cannot have been the last.
-constexpr std::uint64_t passes_before_look = 100, passes_between_looks = 1000;
-
-void end_by_budget(Run& run, const base::Span& where, std::string text, std::string remedy) {
-    unchecked(run, codes::budget, where, std::move(text), std::move(remedy));
-    run.stopped = true;
-    run.ending = Ending::budget;
-}
-
-/// Watches the loop from now on where nothing in it changes what its conditions ask for.
-void watch(Run& run, const Loop& loop) {
-    const RunState::WatchedLoop& w = run.watched;
-    if (w.depth == run.calls.size() && w.first == loop.first && w.last == loop.last) return;  // it is
-    const bool calls_between = run.modal_call.unit != nullptr;  // a program that may change anything
-    if (!calls_between && why_endless(run.unit(), loop, run.env.names))
-        run.watched = {run.calls.size(), loop.first, loop.last, 0};
-}
-
-/// True where the loop was watched long enough: the run ends.
-bool ends_endless(Run& run, const Loop& loop, std::uint64_t passes) {
-    RunState::WatchedLoop& w = run.watched;
-    const std::uint64_t most = run.env.budgets.loop_passes;
-    if (w.depth == 0 || w.first != loop.first || w.last != loop.last) return false;
-    if (++w.passes < passes_between_looks && passes <= most) return false;
-    const auto endless = why_endless(run.unit(), loop, run.env.names);
-    end_by_budget(run, run.unit().span(run.unit().statements[endless->condition]),
-                  "this loop does not end: " + endless->why + "; the run was ended after " +
-                      std::to_string(std::min(passes, most)) + " passes",
-                  endless->remedy);
-    return true;
-}
-
-}  // namespace
-
-void count_pass(Run& run, std::uint32_t target) {
-    Activation& act = run.top();
-    const auto index = static_cast<std::uint32_t>(run.statement - act.unit->statements.data());
-    auto it = std::find_if(act.passes.begin(), act.passes.end(),
-                           [&](const auto& p) { return p.statement == index && p.target == target; });
-    if (it == act.passes.end()) it = act.passes.insert(act.passes.end(), {index, target, 0});
-    ++it->count;
-    if (ends_endless(run, {target, index}, it->count)) return;
-    if (target <= index && (it->count == passes_before_look || it->count % passes_between_looks == 0))
-        watch(run, {target, index});
-    const std::uint64_t most = run.env.budgets.loop_passes;
-    if (it->count <= most) return;
-    end_by_budget(run, run.here(), "this loop ran " + std::to_string(most) + " passes without ending",
-                  "check its condition; raise loop_passes in [budget] of the job if it really needs more");
-}
-
-std::string loop_being_run(const Run& run) {
-    for (auto act = run.calls.rbegin(); act != run.calls.rend(); ++act) {
-        const Activation::Passes* most = nullptr;
-        for (const Activation::Passes& p : act->passes)
-            if (p.target < act->pc && act->pc <= p.statement + 1 && p.count >= passes_between_looks &&
-                (most == nullptr || p.count > most->count))
-                most = &p;
-        if (most == nullptr) continue;
-        const base::Span at = act->unit->span(act->unit->statements[most->target]);
-        const auto number = run.env.sources.block_number(at.file, at.begin);
-        return "the loop of " +
-               (number ? "N" + std::to_string(*number)
-                       : "line " + std::to_string(run.env.sources.position(at.file, at.begin).line)) +
-               " had run " + std::to_string(most->count) + " passes";
-    }
-    return {};
-}
 
 namespace {
 
@@ -365,26 +294,6 @@ bool run_plain(Run& run, const Statement& s, std::uint32_t index) {
 
 }  // namespace
 
-namespace {
-
-/// A definition stands before the first block that does something (840D sl programming manual, "Definition of user
-/// variables (DEF)"; alarm 14500).
-void judge_place(Run& run, const Unit& unit, std::uint32_t index) {
-    for (std::uint32_t i = 0; i < index; ++i) {
-        const Statement& s = unit.statements[i];
-        if (s.kind == StatementKind::define) continue;
-        bool does = s.kind != StatementKind::block;
-        for (std::uint32_t w = s.first; w < unit.words_end(i) && !does; ++w)
-            does = program::code_of(unit.words[w]) != program::Code::comment;
-        if (!does) continue;
-        return unchecked(run, codes::unsupported, run.here(),
-                         "a definition stands behind a block that is run: the control stops here with alarm 14500",
-                         "write it at the beginning of the program");
-    }
-}
-
-}  // namespace
-
 void run_statement(Run& run, const Statement& s, std::uint32_t index) {
     const Unit& unit = run.unit();
     if (run.look > Look::next_element && say_foreign_statement(run, s)) return;
@@ -426,9 +335,8 @@ void run_statement(Run& run, const Statement& s, std::uint32_t index) {
         case StatementKind::call: call_program(run, unit.calls[table]); return;
         case StatementKind::procedure: procedure(run, unit.procedures[table]); return;
         case StatementKind::define:
-            if (!run.top().is_text) judge_place(run, unit, index);
-            define(run, unit.defines[table], run.top().locals, unit);
-            return;
+            if (!run.top().is_text) judge_place_of_definition(run, unit, index);
+            return define(run, unit.defines[table], run.top().locals, unit);
         default: return;
     }
 }

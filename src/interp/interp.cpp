@@ -191,8 +191,8 @@ void step(Run& run) {
     const std::uint32_t index = act.pc++;
     const program::Statement& s = act.unit->statements[index];
     run.statement = &s;
-    if (run.watched.depth != 0 && (index < run.watched.first || index > run.watched.last ||
-                                   run.calls.size() != run.watched.depth))
+    if (run.watched.depth != 0 &&
+        (index < run.watched.first || index > run.watched.last || run.calls.size() != run.watched.depth))
         run.watched.depth = 0;
     if (s.flags != 0) {
         if ((s.flags & program::line_start) != 0) ++run.blocks;

@@ -393,8 +393,7 @@ bool apply_mode(Run& run, Modal m, int number) {
 void hold_plane(Run& run) {
     if (run.traits->compensation_holds_plane.empty() || run.modal.compensation == Modal::compensation_off) return;
     alarm(run, base::codes::compensation, run.here(),
-          "the plane changes while radius compensation is on (alarm " +
-              std::string(run.traits->compensation_holds_plane) + ")",
+          "the plane changes while radius compensation is on" + of_alarm(run.traits->compensation_holds_plane),
           "write G40 before it");
 }
 

@@ -150,7 +150,7 @@ struct Offsets {
     std::array<bool, 10> given{};
     std::array<bool, 9> external_given{};  ///< the same of what is added to every zero offset
     bool shift_said = false;               ///< the program itself has said which shift holds (not only moved it by G92)
-    Axes total{};                                 ///< programmed -> stream, of A … W (3 … 8)
+    Axes total{};                          ///< programmed -> stream, of A … W (3 … 8)
 };
 
 /// Overrides that the program allows (M48 … M53).

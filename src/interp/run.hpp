@@ -9,6 +9,7 @@ namespace obrys::interp {
 // --- complaints (complaints.cpp)
 /// The control would stop here: the run ends.
 void alarm(Run&, std::string_view code, const base::Span& where, std::string text, std::string remedy = {});
+[[nodiscard]] std::string of_alarm(std::string_view number);  ///< " (alarm 34)"; nothing without a number
 /// Something obrys does not know or run: reported once per place; the run goes on.
 void unchecked(Run&, std::string_view code, const base::Span& where, std::string text, std::string remedy = {});
 /// As `unchecked`, once per text wherever it comes up.
@@ -67,6 +68,9 @@ void assign_number(Run&, std::uint32_t parameter, ExprId value, double v, const 
 void assign_text(Run&, ExprId target, const std::string& text);
 void store(Run&, Array& array, std::size_t index, Value v, const base::Span& where);
 void define(Run&, const program::Define&, Scope& scope, const Unit& unit);
+/// A definition stands before the first block that does something (840D sl programming manual, "Definition of user
+/// variables (DEF)").
+void judge_place_of_definition(Run&, const Unit&, std::uint32_t index);
 /// A number, perhaps with a sign.
 [[nodiscard]] bool is_constant(const Unit&, ExprId);
 [[nodiscard]] const Binding* find_variable(const Run&, program::NameId);
@@ -79,7 +83,7 @@ void define(Run&, const program::Define&, Scope& scope, const Unit& unit);
 [[nodiscard]] bool is_character_access(const Binding&, const program::Expr&);
 [[nodiscard]] Value read_character(Run&, const Binding&, const program::Expr&);
 
-// --- flow (interp.cpp, flow.cpp, calls.cpp)
+// --- flow (interp.cpp, flow.cpp, passes.cpp, calls.cpp)
 void step(Run&);  ///< the next statement of the program
 /// Ends the run where it has made too many blocks or, if the clock is looked at, taken too long.
 bool over_budget(Run&, bool check_clock);
@@ -90,6 +94,8 @@ void jump(Run&, const program::Jump&);
 void count_pass(Run&, std::uint32_t target);
 /// "the loop of N96 had run 8000000 passes": the innermost one with many; empty where there is none.
 [[nodiscard]] std::string loop_being_run(const Run&);
+/// "N150", or "line 12" where the block has no number.
+[[nodiscard]] std::string block_name(const Run&, const base::Span&);
 void call_label(Run&, const program::LabelCall&, std::uint32_t index);
 void end_label(Run&);  ///< LBL 0
 void call_program(Run&, const program::Call&);

@@ -1,5 +1,7 @@
 #include "program/traits.hpp"
 
+#include <algorithm>
+
 #include "base/number.hpp"
 
 namespace obrys::program {
@@ -22,6 +24,32 @@ std::uint32_t find_parameter(const Traits& t, std::string_view upper) {
         first += b.count;
     }
     return parameter_count(t);
+}
+
+namespace {
+
+constexpr std::uint32_t axes = 9;  ///< X Y Z A B C U V W
+
+bool within(std::uint32_t n, std::uint32_t first, std::uint32_t count) {
+    return first != 0 && n >= first && n - first < count;
+}
+
+bool holds_offset(const OffsetParameters& o, std::uint32_t n) {
+    return within(n, o.datum_first, o.datum_step * o.datum_count) || within(n, o.active_datum, 1) ||
+           within(n, o.shift_first, axes) || within(n, o.shift_active, 1) || within(n, o.home_first, axes) ||
+           within(n, o.home_second, axes) || within(n, o.external_first, axes) ||
+           within(n, o.extended_first, o.datum_step * o.extended_count);
+}
+
+}  // namespace
+
+bool is_of_control(const Traits& t, std::uint32_t number) {
+    const auto is_number = [&](const ControlParameter& p) { return p.number == number; };
+    const auto shows = [&](const LiveParameters& l) { return within(number, l.first, l.count); };
+    const auto acts = [&](const KeptParameters& k) { return k.acts && number >= k.first && number <= k.last; };
+    return holds_offset(t.offsets, number) ||
+           std::any_of(t.set_by_control.begin(), t.set_by_control.end(), is_number) ||
+           std::any_of(t.live.begin(), t.live.end(), shows) || std::any_of(t.kept.begin(), t.kept.end(), acts);
 }
 
 namespace {

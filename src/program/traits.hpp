@@ -38,6 +38,12 @@ struct DatumNames {
     bool none_is_machine_zero = true;  ///< without one coordinates are the machine's; else they are in one not known
 };
 
+/// The control's own numbers of alarms, which its operator looks up: "34". Empty: it has none, or it is not known.
+struct AlarmNumbers {
+    std::string_view late_definition{};     ///< a definition behind a block that is run
+    std::string_view circle_compensates{};  ///< radius compensation begins or ends on a circle
+};
+
 /// What the control itself writes into numbered parameters while a program runs.
 enum class ControlValue : std::uint8_t {
     tool_radius,     ///< with all allowances
@@ -303,6 +309,7 @@ struct Traits {
     /// Turning cycles, by the number of their block's word (Modal::turning_cycle).
     std::span<const CannedCycle> turning{};
     std::span<const ControlParameter> set_by_control{};
+    AlarmNumbers alarms{};
     /// What the control shows when a program stops itself with this number; null: the number and the program's own
     /// text.
     std::string (*alarm_text)(int) = nullptr;
@@ -317,6 +324,9 @@ struct Traits {
 [[nodiscard]] std::string parameter_name(const Traits& t, std::uint32_t number);
 /// Number of the parameter called `upper`; one past the last where there is none.
 [[nodiscard]] std::uint32_t find_parameter(const Traits& t, std::string_view upper);
+
+/// True where the control keeps something of its own in the parameter: it may change without an assignment.
+[[nodiscard]] bool is_of_control(const Traits& t, std::uint32_t number);
 
 /// "G54", "preset 5", "the active preset".
 [[nodiscard]] std::string datum_name(const Traits& t, std::uint32_t number);

@@ -28,8 +28,7 @@ struct AsMesh {
 void add_body(mesh::Mesh& all, const mesh::Mesh& body) {
     const auto first = static_cast<std::uint32_t>(all.vertices.size());
     all.vertices.insert(all.vertices.end(), body.vertices.begin(), body.vertices.end());
-    for (const mesh::Triangle& t : body.triangles)
-        all.triangles.push_back({t[0] + first, t[1] + first, t[2] + first});
+    for (const mesh::Triangle& t : body.triangles) all.triangles.push_back({t[0] + first, t[1] + first, t[2] + first});
 }
 
 }  // namespace

@@ -8,8 +8,9 @@
 
 namespace obrys::report {
 
-/// Of each way, too deep and too high, the smallest and the largest deviation that there is, as the range in millimetres
-/// that its colour stands for; no entry for what is not there. `allowed` and `full` as of mesh::deviation_colours.
+/// Of each way, too deep and too high, the smallest and the largest deviation that there is, as the range in
+/// millimetres that its colour stands for; no entry for what is not there. `allowed` and `full` as of
+/// mesh::deviation_colours.
 [[nodiscard]] std::vector<PictureLegend> deviation_legend(const mesh::DeviationColours& colours, double allowed,
                                                           double full);
 

@@ -47,8 +47,8 @@ struct MillingScene {
     std::span<const PictureLegend> legend = {};  ///< of the palette; the plan view has its heights instead
     std::span<const PictureMark> marks = {};
     std::span<const PicturePath> path = {};
-    std::string title = {};  ///< the program; UTF-8
-    mesh::Mesh clamps = {};  ///< drawn so that the part is seen through them
+    std::string title = {};       ///< the program; UTF-8
+    mesh::Mesh clamps = {};       ///< drawn so that the part is seen through them
     std::string clamp_name = {};  ///< of their entry in the legend; UTF-8
     /// The projections' cuts are at this y (front) and x (side); NaN: through the middle of the stock.
     geom::Vec2 cut{std::numeric_limits<double>::quiet_NaN(), std::numeric_limits<double>::quiet_NaN()};

@@ -62,9 +62,9 @@ void make_glass(Relief& seen, const Visible& before, int finer) {
                 shown += seen.visible.depth[at] > before.depth[at] ? 1 : 0;
             }
             const std::uint32_t share = opaque * shown / static_cast<std::uint32_t>(finer * finer);
-            std::uint32_t& pixel = seen.image.pixels[static_cast<std::size_t>(j) *
-                                                         static_cast<std::size_t>(seen.image.width) +
-                                                     static_cast<std::size_t>(i)];
+            std::uint32_t& pixel =
+                seen.image.pixels[static_cast<std::size_t>(j) * static_cast<std::size_t>(seen.image.width) +
+                                  static_cast<std::size_t>(i)];
             std::uint32_t thin = 0;
             for (const unsigned shift : {0U, 8U, 16U, 24U}) thin |= ((pixel >> shift & 0xFFU) * share / 255) << shift;
             pixel = thin;

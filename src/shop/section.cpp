@@ -210,9 +210,9 @@ std::vector<std::string> Section::known_keys() const {
 
 /// A key of the same form as the one that is wrong, a value or a table, before any other.
 std::string Section::nearest_key(const Entry& e) const {
-    const bool table = e.value.kind == ValueKind::table ||
-                       (e.value.kind == ValueKind::array && !e.value.items.empty() &&
-                        e.value.items.front().kind == ValueKind::table);
+    const bool table =
+        e.value.kind == ValueKind::table ||
+        (e.value.kind == ValueKind::array && !e.value.items.empty() && e.value.items.front().kind == ValueKind::table);
     const std::string near = nearest(e.key, table ? known_tables_ : known_);
     return near.empty() ? nearest(e.key, known_keys()) : near;
 }

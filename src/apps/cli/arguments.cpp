@@ -305,7 +305,8 @@ std::string plain_error(const CLI::ParseError& e, const CLI::App& command) {
 void print_usage_error(const CLI::App& app, const CLI::ParseError& e) {
     const std::vector<CLI::App*> used = app.get_subcommands();
     const std::string command = used.empty() ? "" : " " + used.front()->get_name();
-    std::cerr << "obrys" << command << ": " << plain_error(e, used.empty() ? app : *used.front()) << "\n  how it is called: obrys help" << command << "\n";
+    std::cerr << "obrys" << command << ": " << plain_error(e, used.empty() ? app : *used.front())
+              << "\n  how it is called: obrys help" << command << "\n";
 }
 
 /// Of one command, or the overview; false where there is no such command.

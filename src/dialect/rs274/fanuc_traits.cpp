@@ -138,12 +138,13 @@ program::Traits traits_of(std::span<const program::CannedCycle> cycles, bool haa
     t.canned = cycles;
     if (haas) t.kept = haas_kept;
     if (!haas) t.line_without_centre = "bit CIR of parameter 3403 = 0";  // operator's manual, circular interpolation
+    if (!haas) t.alarms.circle_compensates = "34";
     // B-63684EN, cutter compensation C, "block without tool movement". Haas looks 80 blocks ahead (96-8000).
     if (!haas)
         t.compensation_idle_blocks = {1, "the older series and parameter 19625 as delivered",
                                       "the tool goes square to the element before, and into the corner"};
-    t.radius_to_start_stays = !haas;  // the same: "G02 R: the cutter does not move"
-    // Haas Mill Operator's Manual 96-8000, G49: "An H0, G28, M30, and Reset will also cancel tool length compensation".
+    t.radius_to_start_stays = !haas;  // the same, circular interpolation: no move where start and end are one point
+    // Haas Mill Operator's Manual 96-8000, G49: H0, G28, M30 and reset end tool length compensation, too.
     t.home_cancels_length = haas && !lathe;
     t.position_adds_in_increments = !haas;
     t.unit_before_motion = true;

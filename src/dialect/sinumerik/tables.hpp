@@ -108,6 +108,7 @@ inline constexpr program::Traits traits{
     .exponent_is_ex = true,
     .has_diameter_words = true,
     .radius_makes_arc = false,
+    .alarms = {.late_definition = "14500"},
 };
 
 }  // namespace obrys::dialect::sinumerik

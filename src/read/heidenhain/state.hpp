@@ -43,7 +43,7 @@ struct State {
     bool machine_counts = false;  ///< M91 in it, too
     bool rapid_said = false, feed_said = false;  ///< FMAX and a feed in numbers in the block at hand
     bool exponents = false;                      ///< the block's numbers may have one (splines)
-    std::string name{};                            ///< of BEGIN PGM
+    std::string name{};                          ///< of BEGIN PGM
     bool begun = false;                          ///< BEGIN PGM or %NAME G71 was read
     bool ended = false;  ///< … and its END PGM or last %NAME: what follows is no part of the program
     std::uint32_t last_path = program::no_target;   ///< the block before, where it is a contour element
@@ -110,7 +110,7 @@ void read_feed(State& s);                           ///< F and its relatives, th
 [[nodiscard]] bool has_rapid(State& s);             ///< the rest of the block holds F MAX: its motion is rapid
 /// CHF and RND belong to the corner behind the element before them: they become words of that element's block.
 void read_corner(State& s, bool chamfer, bool has_r, std::uint32_t begin);  ///< `has_r`: R stands before the value
-void read_word(State& s, bool arc);                        ///< one of them
+void read_word(State& s, bool arc);                                         ///< one of them
 bool read_special_block(State& s, std::string_view word);  ///< special_block.cpp: APPR DEP FL … SPL PLANE
 bool read_pattern_block(State& s, std::string_view word);  ///< pattern_block.cpp: PATTERN DEF, SEL PATTERN
 /// contour_block.cpp: CONTOUR DEF, SEL CONTOUR, DECLARE CONTOUR, QC1 = …
@@ -142,10 +142,10 @@ void read_call_block(State& s);                                       ///< label
 void call_label(State& s, ExprId label, ExprId repeats);
 /// The name of a program, and the call; `suffix` is what the language adds to a name without one.
 void read_program_call(State& s, std::string_view behind, std::string_view suffix);
-void read_cycle_block(State& s);                  ///< cycle.cpp: CYCL DEF, CYCL CALL
-void read_global_values(State& s);                ///< cycle.cpp: GLOBAL DEF
-bool read_cycle_line(State& s);                   ///< a further line of the open cycle; false where it is none
-void read_named(State& s);  ///< Q200=2 … of the open cycle
+void read_cycle_block(State& s);    ///< cycle.cpp: CYCL DEF, CYCL CALL
+void read_global_values(State& s);  ///< cycle.cpp: GLOBAL DEF
+bool read_cycle_line(State& s);     ///< a further line of the open cycle; false where it is none
+void read_named(State& s);          ///< Q200=2 … of the open cycle
 void start_cycle(State& s, int number, const dialect::heidenhain::Cycle* cycle, std::uint32_t begin);
 void add_setting(State& s, const dialect::heidenhain::CycleParameter& p, ExprId value, bool incremental,
                  std::uint32_t begin);

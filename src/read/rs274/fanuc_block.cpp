@@ -188,9 +188,8 @@ bool goes_on_with_lost_motion(const FanucState& s) {
                                 [](const BlockWord& w) { return w.code >= Code::x && w.code <= Code::w; });
 }
 
-/// "G codes related to reference position return (G27, G28, G29, G30) and those for changing the coordinate system
-/// (G52 to G59, G92) must not be specified" while G68, G51 or G51.1 is in force (B-63684EN, coordinate system
-/// rotation, scaling, programmable mirror image).
+/// While G68, G51 or G51.1 is in force the control takes no G27 to G30 (reference position) and no G52 to G59 or G92
+/// (coordinate systems). Source: B-63684EN, coordinate system rotation, scaling, programmable mirror image.
 void refuse_in_rotation(FanucState& s) {
     if (s.frames.empty() || s.control.haas) return;
     for (const Address& a : s.addresses) {

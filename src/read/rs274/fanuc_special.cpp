@@ -86,7 +86,7 @@ void hole_cycle(FanucState& s, const FanucG& g, const Address& a) {
     std::optional<std::size_t> found;
     for (std::size_t i = 0; i < table.size() && !counts_up; ++i)
         if (table[i].number == g.number && (!found || s.rigid)) found = i;
-    // Haas 96-8000, G51: "scaling does not affect canned cycle Z axis movements"; FANUC B-63684EN, scaling: nor Q.
+    // Haas 96-8000, G51: a cycle keeps its heights and depths along Z; FANUC B-63684EN, scaling: nor Q.
     const bool scaled = std::any_of(s.frames.begin(), s.frames.end(),
                                     [](const Transformation& t) { return t.kind == TransformationKind::scaling; });
     if (scaled && (s.control.haas || find_address(s, 'Q') != nullptr))

@@ -90,10 +90,10 @@ bool complain_about_missing_sign(State& s, std::string_view name) {
     if (behind < s.cursor.end && (*behind == '=' || *behind == '(' || *behind == '[')) return false;
     const char* end = s.cursor.p + name.size();
     if (end < s.cursor.end && *end == '.')  // the name ends at the point, the value does not
-        while (++end < s.cursor.end && base::is_digit(*end)) {}
+        while (++end < s.cursor.end && base::is_digit(*end)) {
+        }
     const std::string word(entry->name), value(name.data() + digits, end);
-    fail(s, s.cursor.p, end, word + " needs '=' in front of its value",
-         "write " + word + "=" + value);
+    fail(s, s.cursor.p, end, word + " needs '=' in front of its value", "write " + word + "=" + value);
     return true;
 }
 

@@ -62,8 +62,9 @@ Deviation deviation(const Reference& r, const mesh::Mesh& m, std::mt19937& rando
     for (int i = 0; i < lines; ++i) {
         Vec3 p;
         for (int a = 0; a < 3; ++a)
-            set_component(p, a, component(r.block.min, a) +
-                                    share(random) * (component(r.block.max, a) - component(r.block.min, a)));
+            set_component(
+                p, a,
+                component(r.block.min, a) + share(random) * (component(r.block.max, a) - component(r.block.min, a)));
         const int axis = i % 3;
         for (const double at : r.ends(p, axis)) {
             set_component(p, axis, at);
