@@ -128,6 +128,12 @@ TEST(Format, iso_blocks) {
               "N50 Q5 = Q1 * 2 *\nN60 L1,5 * ;call\nN70 G54 X10 FOO*\n;c\nN80 %SUB *\nN99999999 %P G71 *\n");
 }
 
+TEST(Format, iso_beginning_without_its_unit_is_no_block) {  // numbered it would be a call of a program
+    EXPECT_EQ(iso("%P Q201=-5 *  \n%P G71 *\nN7 G0 x1 *\n"), "%P Q201=-5 *\n%P G71 *\nN10 G0 X+1 *\n");
+    EXPECT_EQ(iso("sent by  DNC \n %P\nG0 x1 *\n"), "sent by  DNC\n %P\nN10 G0 X+1 *\n");
+    EXPECT_EQ(iso("N7 G0 x1 *\n%P *\n"), "N10 G0 X+1 *\n%P *\n");
+}
+
 TEST(Format, iso_lines_behind_a_tilde) {
     EXPECT_EQ(iso("%P G71 *\nN5 G200 Drilling~\nQ200 = 2 ;abc ~\n Q201=-5 *\nN7 G01 X1 ~\n  Y2 *\nN8 ;a ~\n N9 x\nN9 "
                   "G0 X1*\n"),

@@ -95,10 +95,24 @@ bool frames_program(std::string_view body) {
            (body.find("G71") != std::string_view::npos || body.find("G70") != std::string_view::npos);
 }
 
+/// How many lines stand before the first block: up to the `%` that begins the program, whatever stands behind its name,
+/// with the text in front of it that the control leaves out. None where a numbered block comes first.
+std::size_t heading(const std::vector<Line>& lines) {
+    for (std::size_t i = 0; i < lines.size(); ++i) {
+        const Numbered n = split_number(lines[i].text, true);
+        if (n.number) return 0;
+        if (trim_left(lines[i].text).starts_with('%')) return i + 1;
+    }
+    return 0;
+}
+
 class Iso {
 public:
     Iso(std::string_view text, const Options& options)
-        : lines_(split_lines(text)), options_(options), writer_(out_.text, options.line_ends) {
+        : lines_(split_lines(text)),
+          options_(options),
+          writer_(out_.text, options.line_ends),
+          heading_(heading(lines_)) {
         out_.text.reserve(text.size() + text.size() / 8);
     }
 
@@ -109,6 +123,10 @@ public:
     Formatted run() {
         for (at_ = 0; at_ < lines_.size(); ++at_) {
             const std::string_view text = lines_[at_].text;
+            if (at_ < heading_) {
+                write(has_control_characters(text) ? text : trim_right(text));
+                continue;
+            }
             if (open_)
                 further_line(text);
             else
@@ -184,7 +202,7 @@ private:
     Formatted out_;
     Writer writer_;
     Counter count_{"N", 10, 10};
-    std::size_t at_ = 0, blocks_ = 0;
+    std::size_t at_ = 0, heading_ = 0, blocks_ = 0;
     bool first_numbered_ = false, in_cycle_ = false;
     bool open_ = false;  ///< `~` ends the last line that is not empty
 };
