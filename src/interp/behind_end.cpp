@@ -31,7 +31,6 @@ bool may_be_reached(const Run& run) {
     const Unit& unit = run.unit();
     for (const program::Call& call : unit.calls)  // M98 P Q may begin there
         if (call.first_block != program::no_expr) return true;
-    if (run.traits->may_end_anywhere) return !unit.jumps.empty() || !unit.label_calls.empty() || !unit.cycles.empty();
     // A jump may name a block's number; one whose place is known already names a label.
     return std::any_of(unit.jumps.begin(), unit.jumps.end(), [](const program::Jump& j) {
         return j.target == program::no_target && j.destination != program::no_expr;
@@ -102,6 +101,12 @@ bool is_jumped_to(const Unit& unit, std::uint32_t i) {
     return std::any_of(unit.jumps.begin(), unit.jumps.end(), [&](const program::Jump& j) { return j.target == i; });
 }
 
+/// Where the call of a section leads that names its block (M97).
+bool is_called(const Unit& unit, std::uint32_t i) {
+    return std::any_of(unit.label_calls.begin(), unit.label_calls.end(),
+                       [&](const program::LabelCall& c) { return c.target == i; });
+}
+
 /// Behind the label_end that the label called at `i` runs to.
 std::uint32_t behind_label(const Unit& unit, std::uint32_t i) {
     while (i < unit.statements.size() && unit.statements[i].kind != StatementKind::label_end) ++i;
@@ -118,7 +123,8 @@ void say_blocks_behind(Run& run, int m) {
         const program::Statement& s = unit.statements[i];
         const Labels labels = labels_at(run, i);
         if (closes(s.kind) || is_jumped_to(unit, i)) return;
-        if (labels.any && (labels.named || by_value)) {
+        if (is_called(unit, i) || (labels.any && (labels.named || by_value))) {
+            if (run.traits->may_end_anywhere) return;  // no block marks where what is run from here ends
             i = behind_label(unit, i);
             continue;
         }
