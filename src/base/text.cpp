@@ -125,9 +125,16 @@ bool looks_binary(std::string_view s) {
         const auto byte = static_cast<unsigned char>(c);
         return byte < 0x20 && c != '\t' && c != '\n' && c != '\r' && c != '\f' && c != '\x1A';
     };
-    const std::string_view head = s.substr(0, 65536);
+    const std::string_view head = s.substr(0, telling_bytes);
     const auto odds = static_cast<std::size_t>(std::count_if(head.begin(), head.end(), odd));
     return head.find('\0') != std::string_view::npos || odds * 100 > head.size();
+}
+
+std::string_view stem(std::string_view path) {
+    if (const std::size_t slash = path.find_last_of("/\\"); slash != std::string_view::npos)
+        path.remove_prefix(slash + 1);
+    if (const std::size_t dot = path.rfind('.'); dot != std::string_view::npos && dot > 0) path = path.substr(0, dot);
+    return path;
 }
 
 }  // namespace obrys::base

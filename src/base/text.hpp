@@ -27,5 +27,8 @@ namespace obrys::base {
 [[nodiscard]] std::string_view without_end_signs(std::string_view text);
 /// True where the text holds bytes no NC program holds (NUL and most control characters).
 [[nodiscard]] bool looks_binary(std::string_view s);
+inline constexpr std::size_t telling_bytes = 65536;  ///< of a text, at its begin, that tell what it is
+/// The name of a file without its folders, which / and \ part, and without its suffix.
+[[nodiscard]] std::string_view stem(std::string_view path);
 
 }  // namespace obrys::base

@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "check/check.hpp"
+#include "check/result_testing.hpp"
 
 namespace obrys::check::bench_part {
 
@@ -91,10 +92,6 @@ inline std::vector<std::string> codes(const Result& r) {
     return out;
 }
 
-inline double amount(const Finding& f, std::string_view key) {
-    for (const Amount& a : f.amounts)
-        if (a.key == key) return a.value;
-    return NAN;
-}
+using testing::amount;
 
 }  // namespace obrys::check::bench_part

@@ -9,11 +9,13 @@
 #include "base/codes.hpp"
 #include "base/seed_testing.hpp"
 #include "check/check.hpp"
+#include "check/result_testing.hpp"
 #include "mesh/primitives.hpp"
 
 namespace obrys::check {
 
 using geom::Vec3;
+using testing::says;
 
 namespace {
 
@@ -82,11 +84,6 @@ Deepest deepest(const Result& r, std::string_view code) {
         for (const Amount& a : f.amounts)
             if (f.code == code && a.key == "depth_mm" && a.value > d.depth) d = {a.value, f.where.begin, f.text};
     return d;
-}
-
-bool says(const Result& r, std::string_view words) {
-    return std::any_of(r.unchecked.begin(), r.unchecked.end(),
-                       [&](const Note& n) { return n.text.find(words) != std::string::npos; });
 }
 
 }  // namespace

@@ -9,8 +9,7 @@ namespace milling = sim::milling;
 
 namespace {
 
-constexpr double round_share = 0.25;    ///< of what is allowed: chords of a round clamp, and of a form tool's arcs
-constexpr std::size_t looked_at = 200;  ///< hits of one batch whose depth is found to the end
+constexpr std::size_t hits_looked_at = 200;  ///< hits of one batch whose depth is found to the end
 
 }  // namespace
 
@@ -42,7 +41,7 @@ void BodyGuard::carry_out() {
         if (clear[i] == 0) met.push_back(i);
     std::vector<certify::Depth> hits(met.size());
     for_all(met.size(), threads_, [&](std::size_t i) {
-        if (i < looked_at) {
+        if (i < hits_looked_at) {
             hits[i] = judge_.deepest(move(met[i]));
             return;
         }

@@ -20,6 +20,9 @@ namespace obrys::check {
 /// A body as a mesh whose outside is outside; round ones within `off` mm.
 [[nodiscard]] mesh::Mesh mesh_of(const sim::milling::Stock& body, double off);
 
+/// Of what is allowed: how far chords of round bodies and of a form tool's arcs may leave them.
+inline constexpr double round_share = 0.25;
+
 /// How deep a place lies in a stock; negative beside it.
 [[nodiscard]] std::function<double(geom::Vec3)> depth_in(const sim::milling::Stock& stock);
 

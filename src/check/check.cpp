@@ -74,9 +74,6 @@ struct Check::State {
 
 namespace {
 
-constexpr double drawn_chord = 0.01;  ///< mm the picture of a curve that is no arc in its plane may leave it
-constexpr int drawn_chords = 256;     ///< more are not kept, however long the curve
-
 /// From the programmed frame into the stock's: as the tool stands, then by the way between their zeros.
 struct Placing {
     const geom::Frame* frame = nullptr;  ///< none: as programmed
@@ -119,7 +116,7 @@ bool turns_rotary(const cl::Step& step) {
            std::any_of(spline->axes.begin(), spline->axes.end(), [](const cl::SplineAxis& a) { return a.rotary; });
 }
 
-constexpr geom::Vec3 upright{0, 0, 1};
+constexpr geom::Vec3 z_axis{0, 0, 1};
 
 }  // namespace
 
@@ -130,7 +127,7 @@ void Check::State::move(const motion::Step& step) {
     const bool turning = stand.turning() || turns_rotary(record.step);
     const Move programmed{record, step.index, from, to, step.rapid, turning};
     axis = axis_of(record.step, axis);
-    const bool swivelled = !stand.plain() || !(axis == upright);
+    const bool swivelled = !stand.plain() || !(axis == z_axis);
     const motion::Stand::View& view = stand.view(axis);
     const Placing at{view.frame == geom::Frame{} ? nullptr : &view.frame, view.axis, by};
     // An arc does not say how the tool stands: as the last move that did.

@@ -8,48 +8,32 @@
 #include <random>
 
 #include "base/seed_testing.hpp"
-#include "sim/milling/cutter.hpp"
+#include "check/cut_world_testing.hpp"
 
 namespace obrys::check {
 
 namespace milling = sim::milling;
 
 using geom::Vec3;
+using testing::straight;
 
 namespace {
 
-constexpr double slack = 0.001, enough = 2;
+constexpr double cleared_slack = 0.001, cleared_enough = 2;
 
-struct World {
-    milling::Stock stock;
-    milling::Simulation simulation;
-    std::uint32_t passes = 0;
-    explicit World(milling::Stock s = milling::Box3{{0, 0, -20}, {60, 40, 0}})
-        : stock(std::move(s)), simulation(stock, *milling::make_lattice(milling::box_of(stock), 1), 0.01, 1) {}
-    std::uint32_t tool(double diameter, milling::CutterKind kind = milling::CutterKind::end_mill, double edges = 60) {
-        milling::Cutter c;
-        c.kind = kind;
-        c.diameter = diameter;
-        c.corner_radius = diameter / 8;
-        c.point_angle = 2;
-        c.cutting_length = edges;
-        return simulation.add_tool(milling::shape_of(c).shape);
-    }
-    void cut(std::uint32_t tool, const geom::PathElement& path, Vec3 axis = {0, 0, 1}) {
-        ASSERT_NE(simulation.add({path, axis, tool}), milling::Taken::not_known);
-        ++passes;
-    }
+struct ClearedWorld : testing::CutWorld {
+    using CutWorld::CutWorld;
     [[nodiscard]] Cleared cleared() {
         simulation.flush();
-        Cleared c(stock, slack, 1);
+        Cleared c(stock, cleared_slack, 1);
         c.advance(simulation, passes);
         return c;
     }
     /// How deep a place lies in what is left.
     [[nodiscard]] double depth(Vec3 p) const {
-        const Vec3 around{enough, enough, enough};
+        const Vec3 around{cleared_enough, cleared_enough, cleared_enough};
         const milling::Air air = simulation.air_in({p - around, p + around});
-        double depth = enough;
+        double depth = cleared_enough;
         for (std::size_t body = 0; body < air.bodies(); ++body) depth = std::min(depth, air.outside(body, p));
         return std::max(0.0, depth);
     }
@@ -59,10 +43,8 @@ Upright body(Vec3 from, Vec3 to, double radius, double bottom, double top) {
     return {from, to, radius, bottom, top, nullptr};
 }
 
-geom::Straight line(Vec3 from, Vec3 to) { return {from, to}; }
-
 /// The largest depth of places of a body.
-double deepest(const World& w, const Upright& b, Vec3 axis, std::mt19937& random, int places) {
+double deepest_in(const ClearedWorld& w, const Upright& b, Vec3 axis, std::mt19937& random, int places) {
     const auto in = [&](double low, double high) { return std::uniform_real_distribution(low, high)(random); };
     const milling::Orientation frame = milling::orientation_of(axis);
     double most = 0;
@@ -80,9 +62,9 @@ constexpr Vec3 up{0, 0, 1};
 }  // namespace
 
 TEST(Cleared, AShankAsThickAsItsCutterIsClearAlongItsWayAndNotBesideIt) {
-    World w;
+    ClearedWorld w;
     const std::uint32_t mill = w.tool(10, milling::CutterKind::end_mill, 6);
-    for (const double z : {-5.0, -10.0, -15.0}) w.cut(mill, line({-10, 18, z}, {70, 22, z}));
+    for (const double z : {-5.0, -10.0, -15.0}) w.cut(mill, straight({-10, 18, z}, {70, 22, z}));
     Cleared c = w.cleared();
     EXPECT_TRUE(c.is_clear(body({-10, 18, -15}, {70, 22, -15}, 5, 6, 60), up));
     EXPECT_TRUE(c.is_clear(body({30, 20, -15}, {30, 20, 5}, 5, 6, 60), up));
@@ -93,10 +75,10 @@ TEST(Cleared, AShankAsThickAsItsCutterIsClearAlongItsWayAndNotBesideIt) {
 }
 
 TEST(Cleared, AThickBodyInThePocketThatRowsHaveMade) {
-    World w;
+    ClearedWorld w;
     const std::uint32_t mill = w.tool(6);
-    for (int row = 0; row < 8; ++row) w.cut(mill, line({15, 8.0 + 3 * row, -12}, {45, 8.0 + 3 * row, -12}));
-    w.cut(mill, line({45, 8, -12}, {45, 29, -12}));
+    for (int row = 0; row < 8; ++row) w.cut(mill, straight({15, 8.0 + 3 * row, -12}, {45, 8.0 + 3 * row, -12}));
+    w.cut(mill, straight({45, 8, -12}, {45, 29, -12}));
     Cleared c = w.cleared();
     EXPECT_TRUE(c.is_clear(body({28, 18, -12}, {33, 20, -12}, 9, 0, 60), up));
     EXPECT_FALSE(c.is_clear(body({28, 18, -12}, {39.1, 20, -12}, 9, 0, 60), up));
@@ -104,9 +86,9 @@ TEST(Cleared, AThickBodyInThePocketThatRowsHaveMade) {
 
 /// Retracting from a groove that a ball has made, and going back along a ramp.
 TEST(Cleared, ARoundToolOnItsOwnWayIsClear) {
-    World w;
+    ClearedWorld w;
     const std::uint32_t ball = w.tool(6, milling::CutterKind::ball, 30);
-    w.cut(ball, line({10, 20, 2}, {40, 22, -6}));
+    w.cut(ball, straight({10, 20, 2}, {40, 22, -6}));
     Cleared c = w.cleared();
     Upright b = body({40, 22, -6}, {10, 20, 2}, 3, 0, 30);
     b.shape = &w.simulation.tool(ball).cutting;
@@ -124,8 +106,8 @@ TEST(Cleared, WhatIsSaidToBeClearIsAndDepthsAreThoseOfTheSimulation) {
     int clear = 0;
     for (int n = 0; n < 24; ++n) {
         SCOPED_TRACE("seed " + std::to_string(seed) + ", case " + std::to_string(n));
-        World w(n % 3 == 0 ? milling::Stock(milling::CylinderStock{2, {30, 20, -20}, 20, 20})
-                           : milling::Stock(milling::Box3{{0, 0, -20}, {60, 40, 0}}));
+        ClearedWorld w(n % 3 == 0 ? milling::Stock(milling::CylinderStock{2, {30, 20, -20}, 20, 20})
+                                  : milling::Stock(milling::Box3{{0, 0, -20}, {60, 40, 0}}));
         const Vec3 axis = n % 5 == 4 ? Vec3{0.1, 0.62, 0.81} : up;
         const std::array tools{w.tool(16), w.tool(12, milling::CutterKind::ball),
                                w.tool(14, milling::CutterKind::bull_nose), w.tool(9, milling::CutterKind::drill)};
@@ -142,7 +124,7 @@ TEST(Cleared, WhatIsSaidToBeClearIsAndDepthsAreThoseOfTheSimulation) {
                                               out.x * std::sin(turn) + out.y * std::cos(turn), 0};
                 w.cut(tool, geom::Circular{from, to, centre, up, turn});
             } else {
-                w.cut(tool, line(a, k % 2 == 0 ? Vec3{b.x, b.y, a.z} : b), k % 7 == 3 ? up : axis);
+                w.cut(tool, straight(a, k % 2 == 0 ? Vec3{b.x, b.y, a.z} : b), k % 7 == 3 ? up : axis);
             }
             ends.push_back(a);
         }
@@ -152,11 +134,11 @@ TEST(Cleared, WhatIsSaidToBeClearIsAndDepthsAreThoseOfTheSimulation) {
             const Upright shank = body(a, k % 2 == 0 ? a + 20.0 * axis : a + 0.1 * (b - a), in(0.5, 5), in(0, 5), 30);
             if (!c.is_clear(shank, axis)) continue;
             ++clear;
-            EXPECT_LE(deepest(w, shank, axis, random, 300), 1.5 * slack);
+            EXPECT_LE(deepest_in(w, shank, axis, random, 300), 1.5 * cleared_slack);
         }
         for (int k = 0; k < 200; ++k) {
             const Vec3 p = place(-19);
-            EXPECT_NEAR(c.depth_at(p, enough), w.depth(p), 1e-6) << p.x << ' ' << p.y << ' ' << p.z;
+            EXPECT_NEAR(c.depth_at(p, cleared_enough), w.depth(p), 1e-6) << p.x << ' ' << p.y << ' ' << p.z;
         }
     }
     EXPECT_GT(clear, 40);

@@ -15,7 +15,7 @@ namespace {
 
 constexpr double joined = 1e-6;  ///< mm between zones that are one
 
-Vec2 flat(Vec3 p) { return {p.x, p.y}; }
+Vec2 in_plane(Vec3 p) { return {p.x, p.y}; }
 
 /// Where on a way, 0 … 1, a place is nearest.
 double nearest_at(Vec2 from, Vec2 way, Vec2 p) {
@@ -71,7 +71,7 @@ ClearingCut::ClearingCut(const milling::Air::Sweep& sweep)
       from_(sweep.frame.to_tool(sweep.from)),
       way_(sweep.track.v),
       circular_(sweep.track.circular),
-      centre_(flat(from_) + sweep.track.centre),
+      centre_(in_plane(from_) + sweep.track.centre),
       first_(sweep.track.first),
       last_(sweep.track.last),
       radius_(sweep.track.radius),
@@ -80,7 +80,7 @@ ClearingCut::ClearingCut(const milling::Air::Sweep& sweep)
             shape_->pieces[0].r0 == shape_->pieces[0].r1;
     const Vec3 to = from_ + way_;
     // At most a quarter of a circle stands off its chord by less than half of that.
-    const double more = shape_->radius + (circular_ ? 0.5 * geom::length(flat(way_)) : 0);
+    const double more = shape_->radius + (circular_ ? 0.5 * geom::length(in_plane(way_)) : 0);
     around_ = {{std::min(from_.x, to.x) - more, std::min(from_.y, to.y) - more},
                {std::max(from_.x, to.x) + more, std::max(from_.y, to.y) + more}};
     heights_ = {std::min(from_.z, to.z) + shape_->bottom, std::max(from_.z, to.z) + shape_->top};
@@ -101,15 +101,15 @@ ClearingCut::Beside ClearingCut::beside(const Patch& patch) const {
         for (const Vec2& c : corners) {
             all = all && in_wedge(c - centre_);
             most = std::max(most, geom::length(c - centre_));
-            to_from = std::max(to_from, geom::length(c - flat(from_)));
-            to_end = std::max(to_end, geom::length(c - flat(from_ + way_)));
+            to_from = std::max(to_from, geom::length(c - in_plane(from_)));
+            to_end = std::max(to_end, geom::length(c - in_plane(from_ + way_)));
         }
         least = from_patch(patch, centre_);
         b.distance = all ? std::max(most - radius_, radius_ - least) : std::min(to_from, to_end);
         b.low = b.high = from_.z;
         return b;
     }
-    const Vec2 from = flat(from_), way = flat(way_);
+    const Vec2 from = in_plane(from_), way = in_plane(way_);
     double first = 1, last = 0;
     for (const Vec2& c : corners) {
         const double u = nearest_at(from, way, c);
@@ -126,7 +126,7 @@ ClearingCut::Beside ClearingCut::beside(const Patch& patch) const {
 ClearingCut::Beside ClearingCut::beside(Vec3 a, Vec3 b) const {
     Beside r;
     if (circular_) {
-        const Vec2 p = flat(a) - centre_, q = flat(b) - centre_;
+        const Vec2 p = in_plane(a) - centre_, q = in_plane(b) - centre_;
         r.low = r.high = from_.z;
         if (in_wedge(p) && in_wedge(q)) {
             const Vec2 way = q - p;
@@ -135,14 +135,15 @@ ClearingCut::Beside ClearingCut::beside(Vec3 a, Vec3 b) const {
             return r;
         }
         const auto from_end = [&](Vec2 end) {
-            return std::max(geom::length(flat(a) - end), geom::length(flat(b) - end));
+            return std::max(geom::length(in_plane(a) - end), geom::length(in_plane(b) - end));
         };
-        r.distance = std::min(from_end(flat(from_)), from_end(flat(from_ + way_)));
+        r.distance = std::min(from_end(in_plane(from_)), from_end(in_plane(from_ + way_)));
         return r;
     }
-    const Vec2 from = flat(from_), way = flat(way_);
-    double first = nearest_at(from, way, flat(a)), last = nearest_at(from, way, flat(b));
-    r.distance = std::max(geom::length(flat(a) - (from + first * way)), geom::length(flat(b) - (from + last * way)));
+    const Vec2 from = in_plane(from_), way = in_plane(way_);
+    double first = nearest_at(from, way, in_plane(a)), last = nearest_at(from, way, in_plane(b));
+    r.distance =
+        std::max(geom::length(in_plane(a) - (from + first * way)), geom::length(in_plane(b) - (from + last * way)));
     if (way == Vec2{}) first = 0, last = 1;
     const double at_first = from_.z + first * way_.z, at_last = from_.z + last * way_.z;
     r.low = std::min(at_first, at_last), r.high = std::max(at_first, at_last);
@@ -168,7 +169,7 @@ void ClearingCut::add_along(const Upright& body, double slack, Zones& zones) con
         // The same tool on this way or above it is within what it took.
         const auto above = [&](Vec3 tip) {
             const bool upright = way_.x == 0 && way_.y == 0;
-            const double u = nearest_at(flat(from_), flat(way_), flat(tip));
+            const double u = nearest_at(in_plane(from_), in_plane(way_), in_plane(tip));
             return tip.z >= (circular_ ? from_.z
                              : upright ? std::min(from_.z, from_.z + way_.z)
                                        : tip_at(u).z) -

@@ -14,7 +14,7 @@ using geom::pi;
 
 namespace {
 
-constexpr double straight_down = 1 - 1e-9;  ///< part of the way along the axis from which a move counts as plunging
+constexpr double plunges_along = 1 - 1e-9;  ///< part of the way along the axis from which a move counts as plunging
 constexpr double least_reach = 1e-9;        ///< mm above the tip
 
 double lean_of_round(const milling::Piece& p, double z) {
@@ -91,7 +91,7 @@ EdgeEngagement engagement_of(const MilledMove& move, const CuttingEdges& edges, 
     if (edges.teeth() > 0) e.feed_per_tooth = move.feed_per_rev_mm / edges.teeth();
     const double radius = edges.radius(move.reach_mm);
     if (!(move.volume_mm3 > 0) || !(move.rightmost_mm <= move.leftmost_mm) || !(radius > 0)) return e;
-    const bool plunging = std::abs(move.sinking) >= straight_down;
+    const bool plunging = std::abs(move.sinking) >= plunges_along;
     const double right = -outer(-move.rightmost_mm, plunging ? 0 : radius, ray_distance);
     const double left = std::max(outer(move.leftmost_mm, radius, ray_distance), right);
     e.radial_depth = left - right;

@@ -10,7 +10,7 @@ namespace obrys::check {
 
 namespace {
 
-constexpr double most = 10, most_of_any = 50;                         ///< mm a revolution
+constexpr double most_a_turn = 10, most_a_turn_of_any = 50;           ///< mm a revolution
 constexpr double most_turned = 5, least_drilled = 1, drilled = 0.25;  ///< the last as a part of the diameter
 constexpr double least_per_minute = 1;                                ///< mm
 
@@ -26,11 +26,11 @@ Finding implausible(std::string text) {
 }  // namespace
 
 double widest_feed(const shop::Tool* tool, shop::MachineKind machine) {
-    if (tool == nullptr) return machine == shop::MachineKind::lathe ? most : most_of_any;
+    if (tool == nullptr) return machine == shop::MachineKind::lathe ? most_a_turn : most_a_turn_of_any;
     if (tool->kind == shop::ToolKind::drill || tool->kind == shop::ToolKind::centre_drill)
         return std::max(least_drilled, drilled * 2 * tool->radius);
     if (tool->kind == shop::ToolKind::turning || tool->kind == shop::ToolKind::groove) return most_turned;
-    return shop::is_milling(shop::assumed_kind(*tool)) ? std::max(most, 2 * tool->radius) : most;
+    return shop::is_milling(shop::assumed_kind(*tool)) ? std::max(most_a_turn, 2 * tool->radius) : most_a_turn;
 }
 
 std::optional<Finding> too_fast(double feed_per_rev, double widest) {

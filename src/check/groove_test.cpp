@@ -116,7 +116,7 @@ void expect_events(const Case& c) {
     EXPECT_EQ(lines_with_finding, lines_with_event);  // in these cases rest material also lies beside one of them
 }
 
-class Groove : public testing::TestWithParam<const char*> {};
+class Groove : public ::testing::TestWithParam<const char*> {};
 
 TEST_P(Groove, FindsExactlyTheEventsOfTheSampledModel) {
     if (!std::ifstream(expected_folder + GetParam() + ".json")) GTEST_SKIP() << "needs ../shared";
@@ -135,8 +135,8 @@ TEST_P(Groove, FindsExactlyTheEventsOfTheSampledModel) {
 }
 
 INSTANTIATE_TEST_SUITE_P(Cases, Groove,
-                         testing::Values("kod1", "zp_R3_150", "both_R3_80", "kod1__fixed2", "zp_R3_150__fixed2",
-                                         "both_R3_80__fixed1"));
+                         ::testing::Values("kod1", "zp_R3_150", "both_R3_80", "kod1__fixed2", "zp_R3_150__fixed2",
+                                           "both_R3_80__fixed1"));
 
 }  // namespace
 }  // namespace obrys::check

@@ -13,8 +13,8 @@ using geom::Vec3;
 
 namespace {
 
-constexpr double same = 1e-9;           ///< mm
-constexpr double parallel = 1 - 1e-15;  ///< cosine of axes that are one
+constexpr double same_place = 1e-9;     ///< mm
+constexpr double one_axis = 1 - 1e-15;  ///< cosine of axes that are one
 
 double from_segment(Vec2 a, Vec2 b, Vec2 p) {
     const Vec2 v = b - a, q = p - a;
@@ -70,8 +70,8 @@ std::size_t convex_end(const std::vector<milling::Piece>& pieces, std::size_t fi
     std::size_t end = first + 1;
     for (; end < pieces.size(); ++end) {
         const milling::Piece &low = pieces[end - 1], &high = pieces[end];
-        if (std::abs(low.r1 - high.r0) > same || std::abs(low.z1 - high.z0) > same) break;
-        if (!(steepness(high, high.z0) <= steepness(low, low.z1) + same)) break;
+        if (std::abs(low.r1 - high.r0) > same_place || std::abs(low.z1 - high.z0) > same_place) break;
+        if (!(steepness(high, high.z0) <= steepness(low, low.z1) + same_place)) break;
     }
     return end;
 }
@@ -103,7 +103,7 @@ double LeftCut::beside(double radial, double height) const {
 
 bool LeftCut::in_wedge(Vec2 q) const {
     const milling::Track& t = sweep_->track;
-    const double least = -same * geom::length(q);
+    const double least = -same_place * geom::length(q);
     return t.turn * geom::cross(t.first, q) >= least && t.turn * geom::cross(q, t.last) >= least;
 }
 
@@ -137,7 +137,7 @@ double LeftCut::farthest(const Disc& disc, Vec3 axis) const {
     const Vec3 p = sweep_->frame.to_tool(disc.centre - sweep_->from);
     if (disc.radius == 0) return on_way(p, 0);
     const double along = std::abs(geom::dot(axis, sweep_->frame.z));
-    return along > parallel ? on_way(p, disc.radius) : on_way(p, 0) + disc.radius;
+    return along > one_axis ? on_way(p, disc.radius) : on_way(p, 0) + disc.radius;
 }
 
 /// A distance from a circle is not convex within it: what it may be more between two places is said of the chord.
@@ -161,7 +161,7 @@ double LeftCut::farthest(std::span<const Disc> discs, Vec3 axis, double enough) 
             high = {std::max(high.x, p.x), std::max(high.y, p.y)};
         }
         chord = geom::length(high - low);
-        if (!all && chord > same) {  // beside the wedge: from one of its ends
+        if (!all && chord > same_place) {  // beside the wedge: from one of its ends
             double least = std::numeric_limits<double>::infinity();
             for (const Vec2 end : {Vec2{}, Vec2{track.v.x, track.v.y}}) {
                 double far = 0;
@@ -171,13 +171,13 @@ double LeftCut::farthest(std::span<const Disc> discs, Vec3 axis, double enough) 
                 }
                 least = std::min(least, far);
             }
-            if (std::abs(geom::dot(axis, sweep_->frame.z)) > parallel) return least;
+            if (std::abs(geom::dot(axis, sweep_->frame.z)) > one_axis) return least;
             return std::numeric_limits<double>::infinity();
         }
     }
     // What is no farther from one of the discs than the chord, or by the circle's bend (over a triangle of that size).
     const double clear = inner - chord;
-    const double bend = chord > same ? std::min(chord, clear > 0 ? chord * chord / (6 * clear) : INFINITY) : 0;
+    const double bend = chord > same_place ? std::min(chord, clear > 0 ? chord * chord / (6 * clear) : INFINITY) : 0;
     for (const Disc& d : discs) {
         most = std::max(most, farthest(d, axis));
         if (most + bend >= enough) return most + bend;
@@ -188,7 +188,7 @@ double LeftCut::farthest(std::span<const Disc> discs, Vec3 axis, double enough) 
 double LeftCut::farthest(const Disc& disc, const ArcWay& way, Vec3 axis) const {
     constexpr double no = std::numeric_limits<double>::infinity();
     const milling::Track& t = sweep_->track;
-    if (!t.circular || std::abs(geom::dot(axis, sweep_->frame.z)) <= parallel) return no;
+    if (!t.circular || std::abs(geom::dot(axis, sweep_->frame.z)) <= one_axis) return no;
     const auto flat = [&](Vec3 p) {
         const Vec3 q = sweep_->frame.to_tool(p - sweep_->from);
         return Vec2{q.x, q.y} - t.centre;
@@ -246,7 +246,7 @@ Vec3 LeftCut::outwards(const Disc& disc) const {
         off = at - u * flat;
     }
     const double size = geom::length(off);
-    return size > same ? sweep_->frame.to_stock({off.x / size, off.y / size, 0}) : Vec3{};
+    return size > same_place ? sweep_->frame.to_stock({off.x / size, off.y / size, 0}) : Vec3{};
 }
 
 namespace {
@@ -255,11 +255,11 @@ namespace {
 bool goes_on(milling::Air::Sweep& a, const milling::Air::Sweep& b) {
     const Vec3 way = a.frame.to_stock(a.track.v), end = a.from + way;
     if (a.shape != b.shape || a.track.circular != b.track.circular || geom::distance(a.frame.z, b.frame.z) > 0 ||
-        geom::distance(end, b.from) > same)
+        geom::distance(end, b.from) > same_place)
         return false;
     if (!a.track.circular) {
         const double size = geom::length(a.track.v);
-        if (geom::length(geom::cross(a.track.v, b.track.v)) > same * size || geom::dot(a.track.v, b.track.v) < 0)
+        if (geom::length(geom::cross(a.track.v, b.track.v)) > same_place * size || geom::dot(a.track.v, b.track.v) < 0)
             return false;
         a.track.v = a.track.v + b.track.v;
         return true;
@@ -267,8 +267,8 @@ bool goes_on(milling::Air::Sweep& a, const milling::Air::Sweep& b) {
     const Vec2 over{a.track.v.x, a.track.v.y};
     constexpr double half = 0.1;  // of a sine: nearly half a turn
     const double sine = a.track.turn * geom::cross(a.track.first, b.track.last);
-    const bool whole = geom::length(a.track.centre - over - b.track.centre) <= same && a.track.turn == b.track.turn &&
-                       std::abs(a.track.radius - b.track.radius) <= same &&
+    const bool whole = geom::length(a.track.centre - over - b.track.centre) <= same_place &&
+                       a.track.turn == b.track.turn && std::abs(a.track.radius - b.track.radius) <= same_place &&
                        (sine > half || (sine > 0 && geom::dot(a.track.first, b.track.last) > 0));
     if (!whole) return false;
     a.track.v = a.track.v + b.track.v;
@@ -320,7 +320,7 @@ double deepest_in(const milling::Stock& stock, const milling::Air& air, std::spa
         Vec3 out = middle - bar->centre;
         milling::set_component(out, bar->axis, 0);
         const double far = geom::length(out);
-        if (!(far > same)) return std::min(least, bar->radius);
+        if (!(far > same_place)) return std::min(least, bar->radius);
         const Vec3 inwards = (-1 / far) * out;
         return std::min(least, bar->radius + along(inwards) - geom::dot(inwards, bar->centre));
     }

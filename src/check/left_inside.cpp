@@ -22,19 +22,19 @@ constexpr double least_gap = 1e-7;        ///< mm: the same
 constexpr int most_planes = 40;           ///< of the body, for one cell
 constexpr std::ptrdiff_t most_near = 12;  ///< of them, that parts of it begin with
 constexpr std::size_t most_holding = 6;   ///< cuts that are weighed against each other
-constexpr double back = 0.4;              ///< of the way to a round wall: so far before it a box has its face
+constexpr double before_wall = 0.4;       ///< of the way to a round wall: so far before it a box has its face
 constexpr double least_share = 0.5;       ///< of what is allowed: the same, no less; of what is thin: ways
 constexpr double flat_enough = 0.5;       ///< width of a box's face at a wall, of one before it
-constexpr double aside = 1e-4;            ///< mm, for slopes
+constexpr double slope_step = 1e-4;       ///< mm, for slopes
 constexpr double on_face = 5e-5;          ///< mm: so near the stock's face counts as in the stock
 
-struct Cell {
+struct InsideCell {
     std::vector<Halfspace<3>> planes;
     std::vector<Halfspace<4>> near;  ///< planes of the body that bound it
     double bound = 0;                ///< nothing in it is deeper
     bool held = false;               ///< as deep as that the place lies in the body
     Vec3 at;                         ///< where that would be
-    bool operator<(const Cell& other) const { return bound < other.bound; }
+    bool operator<(const InsideCell& other) const { return bound < other.bound; }
 };
 
 /// A box about a place.
@@ -66,17 +66,17 @@ std::array<Vec3, 3> axes_of(Vec3 first, Vec3 second) {
     return {first, next, geom::cross(first, next)};
 }
 
-class Search {
+class PlaneSearch {
 public:
-    Search(const LeftBody& body, const InsideSearch& s);
+    PlaneSearch(const LeftBody& body, const InsideSearch& s);
     LeftDepth run();
 
 private:
-    [[nodiscard]] bool bounded(Cell& cell);
-    void keep_near(Cell& cell) const;
-    void push(Cell cell);
-    void split(const Cell& cell);
-    void leave_out(const Cell& cell, const Room& room);
+    [[nodiscard]] bool bounded(InsideCell& cell);
+    void keep_near(InsideCell& cell) const;
+    void push(InsideCell cell);
+    void split(const InsideCell& cell);
+    void leave_out(const InsideCell& cell, const Room& room);
     void look(Vec3 p);
     [[nodiscard]] double beside_stock(Vec3 p) const;
     [[nodiscard]] bool round_stock(Vec3 p);
@@ -98,7 +98,7 @@ private:
     SweptDepth swept_;
     std::vector<Halfspace<4>> stock_rows_;
     std::vector<Halfspace<4>> rows_;  ///< of the program that is solved
-    std::priority_queue<Cell> open_;
+    std::priority_queue<InsideCell> open_;
     LeftDepth best_;
     std::size_t cells_ = 0;
 };
@@ -111,7 +111,7 @@ bool is_open(const LeftBody& body, const milling::Stock& stock, bool above) {
     return std::min(from, to) + sign * end > milling::heights_along(sign * body.axis, milling::box_of(stock)).high;
 }
 
-Search::Search(const LeftBody& body, const InsideSearch& s)
+PlaneSearch::PlaneSearch(const LeftBody& body, const InsideSearch& s)
     : s_(s),
       axis_(body.axis),
       middle_(body.corner + 0.5 * body.edges[0] + (0.5 * (body.profile.front().y + body.profile.back().y)) * body.axis),
@@ -125,10 +125,10 @@ Search::Search(const LeftBody& body, const InsideSearch& s)
 }
 
 /// How far a place lies outside of the stock; 0: not.
-double Search::beside_stock(Vec3 p) const { return s_.planes.whole ? 0 : std::max(0.0, -s_.air.outside(0, p)); }
+double PlaneSearch::beside_stock(Vec3 p) const { return s_.planes.whole ? 0 : std::max(0.0, -s_.air.outside(0, p)); }
 
 /// Beside a round stock: one more plane of it.
-bool Search::round_stock(Vec3 p) {
+bool PlaneSearch::round_stock(Vec3 p) {
     const auto* bar = std::get_if<milling::CylinderStock>(&s_.stock);
     if (bar == nullptr) return false;
     Vec3 out = p - bar->centre;
@@ -141,7 +141,7 @@ bool Search::round_stock(Vec3 p) {
 }
 
 /// Finds the bound of a cell. False: nothing in it is deep enough.
-bool Search::bounded(Cell& cell) {
+bool PlaneSearch::bounded(InsideCell& cell) {
     rows_.clear();
     for (const Halfspace<3>& h : cell.planes) rows_.push_back({{h.a[0], h.a[1], h.a[2], 0}, h.c});
     rows_.insert(rows_.end(), stock_rows_.begin(), stock_rows_.end());
@@ -168,7 +168,7 @@ bool Search::bounded(Cell& cell) {
 }
 
 /// Of the body's planes those that come next to the cell's deepest place.
-void Search::keep_near(Cell& cell) const {
+void PlaneSearch::keep_near(InsideCell& cell) const {
     const Vec3 p = cell.at - middle_;
     const auto room = [&](const Halfspace<4>& h) {
         return h.c - h.a[0] * p.x - h.a[1] * p.y - h.a[2] * p.z - h.a[3] * cell.bound;
@@ -182,18 +182,18 @@ void Search::keep_near(Cell& cell) const {
     cell.near.resize(std::size_t{most_near});
 }
 
-void Search::push(Cell cell) {
+void PlaneSearch::push(InsideCell cell) {
     if (bounded(cell)) open_.push(std::move(cell));
 }
 
-bool Search::takes(const LeftCut& cut, Vec3 p) const {
+bool PlaneSearch::takes(const LeftCut& cut, Vec3 p) const {
     const mesh::Box& b = cut.box();
     const double t = s_.thin;
     return p.x >= b.lo.x - t && p.y >= b.lo.y - t && p.z >= b.lo.z - t && p.x <= b.hi.x + t && p.y <= b.hi.y + t &&
            p.z <= b.hi.z + t && cut.farthest({p, 0}, axis_) <= least_share * t;
 }
 
-void Search::look(Vec3 p) {
+void PlaneSearch::look(Vec3 p) {
     if (s_.air.outside(0, p) < -on_face) return;
     const double depth = swept_.nearest(p).depth;
     if (!(depth > std::max(s_.allowed, best_.depth))) return;
@@ -202,7 +202,7 @@ void Search::look(Vec3 p) {
 }
 
 /// How far it goes on within a cut.
-double Search::way_out(const LeftCut& cut, Vec3 p, Vec3 along) const {
+double PlaneSearch::way_out(const LeftCut& cut, Vec3 p, Vec3 along) const {
     constexpr int steps = 40;
     double in = 0, out = 2 * size_;
     if (takes(cut, p + out * along)) return out;
@@ -214,7 +214,7 @@ double Search::way_out(const LeftCut& cut, Vec3 p, Vec3 along) const {
 }
 
 /// Of the cuts that took the place the one whose walls are farthest.
-const LeftCut* Search::roomiest(Vec3 p) const {
+const LeftCut* PlaneSearch::roomiest(Vec3 p) const {
     const LeftCut* best = nullptr;
     double most = -1;
     std::size_t n = 0;
@@ -231,11 +231,11 @@ const LeftCut* Search::roomiest(Vec3 p) const {
 }
 
 /// Of the distance from a cut, beside it.
-Vec3 Search::slope(const LeftCut& cut, Vec3 p) const {
+Vec3 PlaneSearch::slope(const LeftCut& cut, Vec3 p) const {
     Vec3 g;
     for (int k = 0; k < 3; ++k) {
         Vec3 more;
-        milling::set_component(more, k, aside);
+        milling::set_component(more, k, slope_step);
         milling::set_component(g, k, cut.farthest({p + more, 0}, axis_) - cut.farthest({p - more, 0}, axis_));
     }
     const double size = geom::length(g);
@@ -243,14 +243,14 @@ Vec3 Search::slope(const LeftCut& cut, Vec3 p) const {
 }
 
 /// Direction and how far it is.
-StockPlane Search::nearest_face(const LeftCut& cut, Vec3 p) const {
+StockPlane PlaneSearch::nearest_face(const LeftCut& cut, Vec3 p) const {
     const Vec3 out = cut.outwards({p, 0}), up = cut.axis();
     const Vec3 first = out == Vec3{} ? milling::orientation_of(up).x : out;
     StockPlane best{first, INFINITY};
     for (const Vec3& along : {first, -1.0 * first, -1.0 * up, up}) {
         const double far = way_out(cut, p, along);
         if (!(far < 2 * size_)) continue;
-        const Vec3 n = slope(cut, p + (far + 2 * aside) * along);
+        const Vec3 n = slope(cut, p + (far + 2 * slope_step) * along);
         const double off = far * geom::dot(n, along);
         if (!(n == Vec3{}) && off >= 0 && off < best.at) best = {n, off};
     }
@@ -259,7 +259,7 @@ StockPlane Search::nearest_face(const LeftCut& cut, Vec3 p) const {
 
 /// A side as far out as it may be.
 template <class Holds>
-void Search::grow(Room& room, std::size_t axis, std::size_t side, double most, const Holds& holds) const {
+void PlaneSearch::grow(Room& room, std::size_t axis, std::size_t side, double most, const Holds& holds) const {
     double& size = room.size[axis][side];
     double in = size, out = most;
     size = most;
@@ -274,7 +274,7 @@ void Search::grow(Room& room, std::size_t axis, std::size_t side, double most, c
 
 /// All sides but the first one's, in turn and by and by, so that none takes the room of the others.
 template <class Holds>
-void Search::widen(Room& room, double first, double most, const Holds& holds) const {
+void PlaneSearch::widen(Room& room, double first, double most, const Holds& holds) const {
     constexpr std::array<std::array<std::size_t, 2>, 5> sides{{{0, 0}, {1, 0}, {1, 1}, {2, 0}, {2, 1}}};
     const auto next = [&](double size) { return std::min(most, std::max(first, 2 * size)); };
     bool any = true;
@@ -296,7 +296,7 @@ void Search::widen(Room& room, double first, double most, const Holds& holds) co
 }
 
 /// A box as large as can be within a cut, flush with the face that is nearest.
-Room Search::room_in(const LeftCut& cut, Vec3 p) const {
+Room PlaneSearch::room_in(const LeftCut& cut, Vec3 p) const {
     const auto holds = [&](const Room& r) { return cut.holds(r.corners(), s_.thin); };
     const StockPlane face = nearest_face(cut, p);
     const double all = 4 * size_, to = std::min(all, face.at);
@@ -309,7 +309,7 @@ Room Search::room_in(const LeftCut& cut, Vec3 p) const {
         return room;
     };
     Room flush = grown(to);
-    const double gap = std::max(least_share * s_.allowed, back * to);
+    const double gap = std::max(least_share * s_.allowed, before_wall * to);
     if (!(gap < to)) return flush;
     Room behind = grown(to - gap);
     const auto as_wide = [&](std::size_t k) {
@@ -320,13 +320,13 @@ Room Search::room_in(const LeftCut& cut, Vec3 p) const {
 }
 
 /// What lies beyond the faces of a room, each piece once.
-void Search::leave_out(const Cell& cell, const Room& room) {
+void PlaneSearch::leave_out(const InsideCell& cell, const Room& room) {
     std::vector<Halfspace<3>> planes = cell.planes;
     for (std::size_t k = 0; k < 3; ++k)
         for (const std::size_t side : {0U, 1U}) {
             const Vec3 n = (side == 1 ? 1.0 : -1.0) * room.axes[k];
             const double at = geom::dot(n, room.at - middle_) + room.size[k][side];
-            Cell beyond;
+            InsideCell beyond;
             beyond.planes = planes;
             beyond.near = cell.near;
             beyond.planes.push_back({{-n.x, -n.y, -n.z}, -at});
@@ -335,7 +335,7 @@ void Search::leave_out(const Cell& cell, const Room& room) {
         }
 }
 
-void Search::split(const Cell& cell) {
+void PlaneSearch::split(const InsideCell& cell) {
     const Vec3 p = cell.at;
     if (const double off = beside_stock(p); off > on_face) {
         Room room{p, {Vec3{1, 0, 0}, Vec3{0, 1, 0}, Vec3{0, 0, 1}}, {}};
@@ -353,10 +353,10 @@ void Search::split(const Cell& cell) {
     leave_out(cell, room_in(*cut, p));
 }
 
-LeftDepth Search::run() {
+LeftDepth PlaneSearch::run() {
     push({});
     while (!open_.empty()) {
-        const Cell cell = open_.top();
+        const InsideCell cell = open_.top();
         if (cell.bound <= threshold() || best_.depth >= s_.enough) break;
         if (cells_ >= s_.most_cells) {
             best_.bound = cell.bound;
@@ -374,7 +374,7 @@ LeftDepth Search::run() {
 
 LeftDepth deepest_inside(const LeftBody& body, const InsideSearch& search) {
     if (body.profile.size() < 2) return {true, 0, {}};
-    return Search(body, search).run();
+    return PlaneSearch(body, search).run();
 }
 
 }  // namespace obrys::check

@@ -4,44 +4,31 @@
 
 #include <random>
 
-#include "check/left_inside.hpp"
 #include "base/seed_testing.hpp"
+#include "check/cut_world_testing.hpp"
+#include "check/left_inside.hpp"
 #include "check/swept_depth.hpp"
-#include "sim/milling/cutter.hpp"
 
 namespace obrys::check {
 
 namespace milling = sim::milling;
 
 using geom::Vec3;
+using testing::straight;
 
 namespace {
 
-constexpr double allowed = 0.001, thin = 0.00005;
+constexpr double inside_allowed = 0.001, inside_thin = 0.00005;
 
-struct World {
-    milling::Stock stock;
-    milling::Simulation simulation;
+struct InsideWorld : testing::CutWorld {
     StockPlanes planes;
-    explicit World(milling::Stock s = milling::Box3{{0, 0, -20}, {60, 40, 0}})
-        : stock(s), simulation(s, *milling::make_lattice(milling::box_of(s), 1), 0.01, 1), planes(planes_of(stock)) {}
-    std::uint32_t tool(double diameter, milling::CutterKind kind = milling::CutterKind::end_mill) {
-        milling::Cutter c;
-        c.kind = kind;
-        c.diameter = diameter;
-        c.corner_radius = kind == milling::CutterKind::ball ? diameter / 2 : diameter / 8;
-        c.point_angle = 2;
-        c.cutting_length = 60;
-        return simulation.add_tool(milling::shape_of(c).shape);
-    }
-    void cut(std::uint32_t tool, const geom::PathElement& path, Vec3 axis = {0, 0, 1}) {
-        ASSERT_NE(simulation.add({path, axis, tool}), milling::Taken::not_known);
-    }
+    explicit InsideWorld(milling::Stock s = milling::Box3{{0, 0, -20}, {60, 40, 0}})
+        : CutWorld(std::move(s)), planes(planes_of(stock)) {}
     [[nodiscard]] LeftDepth inside(const LeftBody& body, std::size_t cells = 800) {
         simulation.flush();
         const milling::Air air = simulation.air_in({{-100, -100, -100}, {200, 200, 200}});
         const LeftCuts cuts(air, simulation, 1'000'000);
-        return deepest_inside(body, {stock, planes, air, cuts.all(), allowed, 50, thin, cells});
+        return deepest_inside(body, {stock, planes, air, cuts.all(), inside_allowed, 50, inside_thin, cells});
     }
     [[nodiscard]] bool is_left(Vec3 p) const {
         const milling::Air air = simulation.air_in({p - Vec3{2, 2, 2}, p + Vec3{2, 2, 2}});
@@ -51,57 +38,55 @@ struct World {
     }
 };
 
-LeftBody mill(Vec3 from, Vec3 to, double radius, Vec3 axis = {0, 0, 1}) {
+LeftBody milled(Vec3 from, Vec3 to, double radius, Vec3 axis = {0, 0, 1}) {
     return {from, {to - from, {}, {}}, axis, {{radius, 0}, {radius, 60}}, {}};
 }
-
-geom::Straight line(Vec3 from, Vec3 to) { return {from, to}; }
 
 }  // namespace
 
 TEST(LeftInside, AFinIsAsDeepAsItStandsHoweverThin) {
     for (const double width : {0.0004, 0.002, 0.03, 1.0}) {
         SCOPED_TRACE(width);
-        World w;
+        InsideWorld w;
         const std::uint32_t tool = w.tool(6);
         const double x = 3 + width / 2;
-        w.cut(tool, line({20 - x, -10, -3}, {20 - x, 50, -3}));
-        w.cut(tool, line({20 + x, -10, -3}, {20 + x, 50, -3}));
-        const LeftDepth d = w.inside(mill({20 - x, 18, -1.3}, {20 + x, 18, -1.3}, 3));
+        w.cut(tool, straight({20 - x, -10, -3}, {20 - x, 50, -3}));
+        w.cut(tool, straight({20 + x, -10, -3}, {20 + x, 50, -3}));
+        const LeftDepth d = w.inside(milled({20 - x, 18, -1.3}, {20 + x, 18, -1.3}, 3));
         EXPECT_TRUE(d.decided);
         EXPECT_NEAR(d.depth, 1.3, 0.03);
     }
 }
 
 TEST(LeftInside, SlotsThatTouchLeaveNothing) {
-    World w;
+    InsideWorld w;
     const std::uint32_t tool = w.tool(6);
-    w.cut(tool, line({17, -10, -3}, {17, 50, -3}));
-    w.cut(tool, line({23, -10, -3}, {23, 50, -3}));
-    const LeftDepth d = w.inside(mill({17, 18, -1.3}, {23, 18, -1.3}, 3));
+    w.cut(tool, straight({17, -10, -3}, {17, 50, -3}));
+    w.cut(tool, straight({23, -10, -3}, {23, 50, -3}));
+    const LeftDepth d = w.inside(milled({17, 18, -1.3}, {23, 18, -1.3}, 3));
     EXPECT_TRUE(d.decided);
     EXPECT_EQ(d.depth, 0);
 }
 
 TEST(LeftInside, TheOwnCutIsLeftWithoutContact) {
-    World w;
+    InsideWorld w;
     const std::uint32_t tool = w.tool(10);
-    w.cut(tool, line({10, -4.5, -12}, {40, -4.5, -12}));
+    w.cut(tool, straight({10, -4.5, -12}, {40, -4.5, -12}));
     for (const Vec3& to : {Vec3{40, -8, -12}, Vec3{40, -4.5, 5}, Vec3{10, -4.5, -12}, Vec3{50, -30, 4}}) {
-        const LeftDepth d = w.inside(mill({40, -4.5, -12}, to, 5));
+        const LeftDepth d = w.inside(milled({40, -4.5, -12}, to, 5));
         EXPECT_TRUE(d.decided) << to.x << ' ' << to.y << ' ' << to.z;
         EXPECT_EQ(d.depth, 0) << to.x << ' ' << to.y << ' ' << to.z;
     }
-    const LeftDepth d = w.inside(mill({40, -4.5, -12}, {41, -4.5, -12}, 5));
+    const LeftDepth d = w.inside(milled({40, -4.5, -12}, {41, -4.5, -12}, 5));
     EXPECT_TRUE(d.decided);
     EXPECT_NEAR(d.depth, 0.348, 0.01);  // where its end has not been, on the stock's face
 }
 
 TEST(LeftInside, AnEdgeIsAsDeepAsItLiesInTheBody) {
-    World w;
+    InsideWorld w;
     // The upright edge at (0, 0), taken off by 0.2 along the diagonal.
     const double at = -(5 - 0.2) / std::sqrt(2.0);
-    const LeftDepth d = w.inside(mill({at, at, -8}, {at, at, -8}, 5));
+    const LeftDepth d = w.inside(milled({at, at, -8}, {at, at, -8}, 5));
     EXPECT_TRUE(d.decided);
     EXPECT_NEAR(d.depth, 0.2, 0.005);
 }
@@ -115,8 +100,8 @@ TEST(LeftInside, APropertyOfRandomCuts) {
     int decided = 0;
     for (int n = 0; n < cases; ++n) {
         SCOPED_TRACE("seed " + std::to_string(seed) + ", case " + std::to_string(n));
-        World w(n % 3 == 0 ? milling::Stock(milling::CylinderStock{2, {30, 20, -20}, 20, 20})
-                           : milling::Stock(milling::Box3{{0, 0, -20}, {60, 40, 0}}));
+        InsideWorld w(n % 3 == 0 ? milling::Stock(milling::CylinderStock{2, {30, 20, -20}, 20, 20})
+                                 : milling::Stock(milling::Box3{{0, 0, -20}, {60, 40, 0}}));
         const std::array tools{w.tool(10), w.tool(8, milling::CutterKind::ball),
                                w.tool(12, milling::CutterKind::bull_nose), w.tool(9, milling::CutterKind::drill)};
         const auto place = [&](double low) { return Vec3{in(10, 50), in(8, 32), in(low, -2)}; };
@@ -124,13 +109,13 @@ TEST(LeftInside, APropertyOfRandomCuts) {
         for (int k = 0; k < 6; ++k) {
             const Vec3 a = place(-16), b = place(-16);
             const bool level = k % 2 == 0;
-            w.cut(tools[static_cast<std::size_t>(k % 4)], line(a, level ? Vec3{b.x, b.y, a.z} : b));
+            w.cut(tools[static_cast<std::size_t>(k % 4)], straight(a, level ? Vec3{b.x, b.y, a.z} : b));
             if (k == 0) first = a, last = {b.x, b.y, a.z};
         }
         // Some follow the first cut, where it is only a little narrower, as wide or wider.
         const Vec3 a = n % 2 == 0 ? first : place(-12), b = n % 2 == 0 ? last : place(-12);
         const double r = n % 4 == 0 ? 5 : n % 4 == 2 ? 5.01 : in(1, 5);
-        const LeftBody body = mill(a, b, r);
+        const LeftBody body = milled(a, b, r);
         const LeftDepth d = w.inside(body);
         if (!d.decided) continue;  // all along a curved wall: left_search.hpp knows that at once
         ++decided;
@@ -146,7 +131,7 @@ TEST(LeftInside, APropertyOfRandomCuts) {
             const double depth = swept.nearest(p).depth;
             if (depth > most && w.is_left(p)) most = depth;
         }
-        EXPECT_LE(most, std::max(allowed, 1.05 * d.depth) + 1e-6);
+        EXPECT_LE(most, std::max(inside_allowed, 1.05 * d.depth) + 1e-6);
         if (d.depth > 0) {
             EXPECT_NEAR(swept.nearest(d.at).depth, d.depth, 1e-6);
         }

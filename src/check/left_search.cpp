@@ -18,22 +18,22 @@ using geom::Vec3;
 
 namespace {
 
-constexpr double near_enough = 1.1;    ///< times the depth that is reached: no deeper
-constexpr std::size_t few_cuts = 12;   ///< that are not sorted out further
-constexpr double thin = 1e-9;          ///< mm
-constexpr std::size_t refining = 400;  ///< cells, once something is found
-constexpr double slim = 8;             ///< times as long as wide: then it is made shorter
+constexpr double near_enough = 1.1;          ///< times the depth that is reached: no deeper
+constexpr std::size_t few_cuts = 12;         ///< that are not sorted out further
+constexpr double thin_piece = 1e-9;          ///< mm
+constexpr std::size_t parts_refining = 400;  ///< cells, once something is found
+constexpr double slim = 8;                   ///< times as long as wide: then it is made shorter
 constexpr double longest_counts = 0.1;
 constexpr std::size_t quick_cells = 300;  ///< before it is looked at from within
 constexpr std::size_t most_inside = 800;  ///< cells of that
-constexpr double much = 16;               ///< times what is asked for: so deep is known from within
+constexpr double much_deeper = 16;        ///< times what is asked for: so deep is known from within
 constexpr double thin_share = 0.05;       ///< of what is allowed: half as thick as what is thinner is nothing
 
 using Numbers = std::shared_ptr<const std::vector<std::uint32_t>>;
 
 /// A part of the body: all of its discs between two heights with the tip in a parallelepiped; without a profile just
 /// the parallelepiped.
-struct Cell {
+struct LeftPart {
     LeftBody body;
     double bound = 0;  ///< nothing in it is deeper
     Numbers cuts;      ///< that may matter
@@ -68,25 +68,25 @@ double widest(const LeftBody& b) {
     return r;
 }
 
-class Search {
+class PartSearch {
 public:
-    Search(const LeftSearch& s, const LeftBody& whole);
+    PartSearch(const LeftSearch& s, const LeftBody& whole);
     LeftDepth run(bool sample);
 
 private:
-    void push(Cell cell);
-    [[nodiscard]] Cell made(LeftBody body, const Cell& parent) const;
-    void sort_out(Cell& cell) const;
-    void bound(Cell& cell) const;
-    [[nodiscard]] double bound_by(const Cell& cell, std::uint32_t cut, std::span<const Disc> discs,
+    void push(LeftPart cell);
+    [[nodiscard]] LeftPart made(LeftBody body, const LeftPart& parent) const;
+    void sort_out(LeftPart& cell) const;
+    void bound(LeftPart& cell) const;
+    [[nodiscard]] double bound_by(const LeftPart& cell, std::uint32_t cut, std::span<const Disc> discs,
                                   double enough) const;
-    void split(const Cell& cell);
-    void look(const Cell& cell);
-    void look_at(Vec3 p, const Cell& cell);
+    void split(const LeftPart& cell);
+    void look(const LeftPart& cell);
+    void look_at(Vec3 p, const LeftPart& cell);
     [[nodiscard]] std::vector<std::array<LeftBody, 2>> halves(const LeftBody& b) const;
     [[nodiscard]] LeftBody boxed(const LeftBody& b) const;
     [[nodiscard]] bool outside(const LeftBody& box) const;
-    [[nodiscard]] bool middle_is_clear(const Cell& cell) const;
+    [[nodiscard]] bool middle_is_clear(const LeftPart& cell) const;
     [[nodiscard]] double threshold() const { return std::max(s_.allowed, near_enough * best_.depth); }
 
     const LeftSearch& s_;
@@ -95,19 +95,19 @@ private:
     milling::Air::Sweep sweep_;
     std::optional<LeftCut> own_;  ///< what the body itself takes, where it goes straight
     struct Less {
-        bool operator()(const Cell& a, const Cell& b) const { return a.bound < b.bound; }
+        bool operator()(const LeftPart& a, const LeftPart& b) const { return a.bound < b.bound; }
     };
-    std::priority_queue<Cell, std::vector<Cell>, Less> open_;
+    std::priority_queue<LeftPart, std::vector<LeftPart>, Less> open_;
     LeftDepth best_;
     std::size_t cells_ = 0, found_at_ = 0;
 };
 
-Search::Search(const LeftSearch& s, const LeftBody& whole) : s_(s), whole_(whole) {
+PartSearch::PartSearch(const LeftSearch& s, const LeftBody& whole) : s_(s), whole_(whole) {
     if (whole.arc || !(whole.edges[1] == Vec3{}) || !(whole.edges[2] == Vec3{})) return;
     std::vector<milling::Piece> pieces;
     for (std::size_t i = 0; i + 1 < whole.profile.size(); ++i) {
         const Vec2 low = whole.profile[i], high = whole.profile[i + 1];
-        if (high.y - low.y > thin) pieces.push_back(milling::cone(low.y, high.y, low.x, high.x));
+        if (high.y - low.y > thin_piece) pieces.push_back(milling::cone(low.y, high.y, low.x, high.x));
     }
     if (pieces.empty()) return;
     shape_ = milling::make_shape(std::move(pieces));
@@ -119,16 +119,16 @@ Search::Search(const LeftSearch& s, const LeftBody& whole) : s_(s), whole_(whole
 }
 
 /// Its length and height, each in two.
-std::vector<std::array<LeftBody, 2>> Search::halves(const LeftBody& b) const {
+std::vector<std::array<LeftBody, 2>> PartSearch::halves(const LeftBody& b) const {
     std::vector<std::array<LeftBody, 2>> all;
     for (std::size_t k = 0; k < 3; ++k) {
-        if (!(geom::length(b.edges[k]) > thin)) continue;
+        if (!(geom::length(b.edges[k]) > thin_piece)) continue;
         std::array<LeftBody, 2> two{b, b};
         two[0].edges[k] = two[1].edges[k] = 0.5 * b.edges[k];
         two[1].corner = two[1].corner + two[0].edges[k];
         all.push_back(std::move(two));
     }
-    if (b.profile.size() < 2 || !(b.profile.back().y - b.profile.front().y > thin)) return all;
+    if (b.profile.size() < 2 || !(b.profile.back().y - b.profile.front().y > thin_piece)) return all;
     const double middle = 0.5 * (b.profile.front().y + b.profile.back().y);
     std::array<LeftBody, 2> two{b, b};
     two[0].profile.clear(), two[1].profile.clear();
@@ -150,7 +150,7 @@ std::vector<std::array<LeftBody, 2>> Search::halves(const LeftBody& b) const {
 }
 
 /// A parallelepiped around it, on a straight way, so that its discs can be cut, too.
-LeftBody Search::boxed(const LeftBody& b) const {
+LeftBody PartSearch::boxed(const LeftBody& b) const {
     const double r = widest(b), low = b.profile.front().y, high = b.profile.back().y;
     LeftBody box;
     box.axis = b.axis;
@@ -159,18 +159,18 @@ LeftBody Search::boxed(const LeftBody& b) const {
     const Vec3 flat = way - rise * b.axis;
     const double size = geom::length(flat);
     const milling::Orientation frame = milling::orientation_of(b.axis);
-    const Vec3 along = size > thin ? (1 / size) * flat : frame.x;
+    const Vec3 along = size > thin_piece ? (1 / size) * flat : frame.x;
     const Vec3 across = geom::cross(b.axis, along);
-    const double slope = size > thin ? rise / size : 0;  // the box leans with the way
+    const double slope = size > thin_piece ? rise / size : 0;  // the box leans with the way
     const Vec3 leaning = along + slope * b.axis;
-    const double more = std::abs(slope) * r, straight_up = size > thin ? 0 : rise;
+    const double more = std::abs(slope) * r, straight_up = size > thin_piece ? 0 : rise;
     box.edges = {(size + 2 * r) * leaning, 2 * r * across, (high - low + 2 * more + std::abs(straight_up)) * b.axis};
     box.corner = b.corner - r * leaning - r * across + (low - more + std::min(0.0, straight_up)) * b.axis;
     return box;
 }
 
 /// Whether no place of a parallelepiped lies in the body.
-bool Search::outside(const LeftBody& box) const {
+bool PartSearch::outside(const LeftBody& box) const {
     double half = 0;  // from its middle to its corners
     for (const double s : {-1.0, 1.0})
         for (const double u : {-1.0, 1.0})
@@ -178,7 +178,7 @@ bool Search::outside(const LeftBody& box) const {
     return own_ && own_->farthest({middle_of(box), 0}, box.axis) > half;
 }
 
-double Search::bound_by(const Cell& cell, std::uint32_t cut, std::span<const Disc> discs, double enough) const {
+double PartSearch::bound_by(const LeftPart& cell, std::uint32_t cut, std::span<const Disc> discs, double enough) const {
     const LeftCut& c = s_.cuts[cut];
     if (cell.solid() && cell.body.arc) {
         double far = 0;
@@ -190,7 +190,7 @@ double Search::bound_by(const Cell& cell, std::uint32_t cut, std::span<const Dis
     return c.farthest(discs, cell.body.axis, enough);
 }
 
-void Search::bound(Cell& cell) const {
+void PartSearch::bound(LeftPart& cell) const {
     const std::vector<Disc> discs = discs_of(cell.body);
     cell.bound = std::min(s_.enough, deepest_in(s_.stock, s_.air, discs, cell.body.axis, middle_of(cell.body)));
     const auto attempt = [&](std::uint32_t cut) {
@@ -206,7 +206,7 @@ void Search::bound(Cell& cell) const {
 }
 
 /// Leaves out cuts that are too far off to matter.
-void Search::sort_out(Cell& cell) const {
+void PartSearch::sort_out(LeftPart& cell) const {
     if (cell.cuts->size() <= few_cuts) return;
     mesh::Box own;
     const Vec3 a = cell.body.axis;
@@ -228,8 +228,8 @@ void Search::sort_out(Cell& cell) const {
     cell.cuts = std::move(some);
 }
 
-Cell Search::made(LeftBody body, const Cell& parent) const {
-    Cell cell;
+LeftPart PartSearch::made(LeftBody body, const LeftPart& parent) const {
+    LeftPart cell;
     cell.body = std::move(body);
     cell.cuts = parent.cuts;
     cell.best = parent.best;
@@ -239,13 +239,13 @@ Cell Search::made(LeftBody body, const Cell& parent) const {
     return cell;
 }
 
-void Search::push(Cell cell) {
+void PartSearch::push(LeftPart cell) {
     ++cells_;
     if (s_.hint != nullptr && cell.best > 0) *s_.hint = cell.best - 1;
     if (cell.bound > threshold()) open_.push(std::move(cell));
 }
 
-void Search::look_at(Vec3 p, const Cell& cell) {
+void PartSearch::look_at(Vec3 p, const LeftPart& cell) {
     double depth = std::min(s_.enough, s_.air.outside(0, p));
     const double least = std::max(s_.allowed, best_.depth);
     const auto deeper = [&](std::uint32_t cut) {
@@ -259,12 +259,12 @@ void Search::look_at(Vec3 p, const Cell& cell) {
 }
 
 /// Places of the body in a cell: where the cut that takes most of it leaves most.
-void Search::look(const Cell& cell) {
+void PartSearch::look(const LeftPart& cell) {
     if (!cell.solid()) {
         const Vec3 p = middle_of(cell.body);
-        const double off = own_ ? own_->farthest({p, 0}, cell.body.axis) : thin;
-        const Vec3 within = off > thin ? p - (off + thin) * own_->outwards({p, 0}) : p;
-        if (own_ && own_->farthest({within, 0}, cell.body.axis) <= thin) look_at(within, cell);
+        const double off = own_ ? own_->farthest({p, 0}, cell.body.axis) : thin_piece;
+        const Vec3 within = off > thin_piece ? p - (off + thin_piece) * own_->outwards({p, 0}) : p;
+        if (own_ && own_->farthest({within, 0}, cell.body.axis) <= thin_piece) look_at(within, cell);
         return;
     }
     const LeftBody& b = cell.body;
@@ -280,7 +280,7 @@ void Search::look(const Cell& cell) {
 }
 
 /// Whether one cut alone has taken the disc in the middle: then it took those beside it, too, as far as it went.
-bool Search::middle_is_clear(const Cell& cell) const {
+bool PartSearch::middle_is_clear(const LeftPart& cell) const {
     const Disc disc{middle_of(cell.body), widest(cell.body)};
     const double most = threshold();
     return std::any_of(cell.cuts->begin(), cell.cuts->end(),
@@ -289,20 +289,20 @@ bool Search::middle_is_clear(const Cell& cell) const {
 
 /// In two so that a half is done with; else so that it becomes less deep or shorter; discs as boxes where neither half
 /// is.
-void Search::split(const Cell& cell) {
+void PartSearch::split(const LeftPart& cell) {
     const std::vector<std::array<LeftBody, 2>> choices = halves(cell.body);
     const auto length_of = [](const std::array<LeftBody, 2>& two) {
         return geom::distance(middle_of(two[0]), middle_of(two[1]));
     };
     double longest = 0, least = std::numeric_limits<double>::infinity();
     for (const auto& two : choices) longest = std::max(longest, length_of(two));
-    std::optional<std::array<Cell, 2>> chosen;
+    std::optional<std::array<LeftPart, 2>> chosen;
     bool done = false;
     for (const auto& two : choices) {
-        std::array<Cell, 2> cells{made(two[0], cell), made(two[1], cell)};
+        std::array<LeftPart, 2> cells{made(two[0], cell), made(two[1], cell)};
         double score = longest_counts * (1 - length_of(two) / longest);
         bool one = false;
-        for (const Cell& half : cells) {
+        for (const LeftPart& half : cells) {
             if (half.bound <= threshold())
                 one = true;
             else
@@ -317,11 +317,11 @@ void Search::split(const Cell& cell) {
     if (cell.solid() && own_ && !done && longest <= 2 * widest(cell.body) && !middle_is_clear(cell))
         return push(made(boxed(cell.body), cell));
     if (!chosen) return;
-    for (Cell& half : *chosen) push(std::move(half));
+    for (LeftPart& half : *chosen) push(std::move(half));
 }
 
-LeftDepth Search::run(bool sample) {
-    Cell first;
+LeftDepth PartSearch::run(bool sample) {
+    LeftPart first;
     first.body = whole_;
     auto all = std::make_shared<std::vector<std::uint32_t>>(s_.cuts.size());
     for (std::uint32_t i = 0; i < all->size(); ++i) (*all)[i] = i;
@@ -332,12 +332,12 @@ LeftDepth Search::run(bool sample) {
     while (!open_.empty()) {
         if (open_.top().bound <= threshold() || best_.depth >= s_.enough / near_enough) break;
         if (best_.depth > 0 && found_at_ == 0) found_at_ = cells_;
-        if (cells_ >= s_.most_cells || (found_at_ > 0 && cells_ >= found_at_ + refining)) {
+        if (cells_ >= s_.most_cells || (found_at_ > 0 && cells_ >= found_at_ + parts_refining)) {
             best_.decided = best_.depth > 0;
             best_.bound = open_.top().bound;
             return best_;
         }
-        const Cell cell = open_.top();
+        const LeftPart cell = open_.top();
         open_.pop();
         if (sample) look(cell);
         if (cell.bound > threshold()) split(cell);
@@ -350,15 +350,15 @@ LeftDepth Search::run(bool sample) {
 
 LeftDepth deepest_left(const LeftBody& body, const LeftSearch& search) {
     const bool straight = !body.arc && body.edges[1] == Vec3{} && body.edges[2] == Vec3{};
-    if (search.planes == nullptr || !straight) return Search(search, body).run(true);
+    if (search.planes == nullptr || !straight) return PartSearch(search, body).run(true);
     LeftSearch quick = search;
     quick.most_cells = std::min(search.most_cells, quick_cells);
-    LeftDepth d = Search(quick, body).run(true);
+    LeftDepth d = PartSearch(quick, body).run(true);
     if (d.decided && d.depth == 0 && !search.met) return d;
     const LeftDepth in = deepest_inside(body, {search.stock, *search.planes, search.air, search.cuts, search.allowed,
-                                               much * search.enough, thin_share * search.allowed, most_inside});
+                                               much_deeper * search.enough, thin_share * search.allowed, most_inside});
     if (!in.decided && in.depth == 0 && !(d.decided && d.depth > 0)) {
-        d = Search(search, body).run(true);
+        d = PartSearch(search, body).run(true);
         if (d.depth == 0 && search.met) d.decided = false, d.bound = search.enough;
         return d;
     }
@@ -368,6 +368,8 @@ LeftDepth deepest_left(const LeftBody& body, const LeftSearch& search) {
     return deepest;
 }
 
-bool surely_clear(const LeftBody& body, const LeftSearch& search) { return Search(search, body).run(false).decided; }
+bool surely_clear(const LeftBody& body, const LeftSearch& search) {
+    return PartSearch(search, body).run(false).decided;
+}
 
 }  // namespace obrys::check

@@ -4,48 +4,34 @@
 
 #include <random>
 
-#include "check/left_search.hpp"
 #include "base/seed_testing.hpp"
-#include "sim/milling/cutter.hpp"
+#include "check/cut_world_testing.hpp"
+#include "check/left_search.hpp"
 
 namespace obrys::check {
 
 namespace milling = sim::milling;
 
 using geom::Vec3;
+using testing::straight;
 
 namespace {
 
-constexpr double allowed = 0.001, enough = 1;
+constexpr double search_allowed = 0.001, search_enough = 1;
 
-struct World {
-    milling::Stock stock = milling::Box3{{0, 0, -20}, {60, 40, 0}};
-    milling::Simulation simulation;
-    explicit World(milling::Stock s = milling::Box3{{0, 0, -20}, {60, 40, 0}})
-        : stock(s), simulation(s, *milling::make_lattice(milling::box_of(s), 1), 0.01, 1) {}
-    std::uint32_t tool(double diameter, milling::CutterKind kind = milling::CutterKind::end_mill) {
-        milling::Cutter c;
-        c.kind = kind;
-        c.diameter = diameter;
-        c.corner_radius = kind == milling::CutterKind::ball ? diameter / 2 : diameter / 8;
-        c.point_angle = 2;
-        c.cutting_length = 60;
-        return simulation.add_tool(milling::shape_of(c).shape);
-    }
-    void cut(std::uint32_t tool, const geom::PathElement& path, Vec3 axis = {0, 0, 1}) {
-        ASSERT_NE(simulation.add({path, axis, tool}), milling::Taken::not_known);
-    }
+struct SearchWorld : testing::CutWorld {
+    using CutWorld::CutWorld;
     [[nodiscard]] LeftDepth deepest(const LeftBody& body, std::size_t cells = 20'000) {
         simulation.flush();
         const milling::Air air = simulation.air_in({{-100, -100, -100}, {200, 200, 200}});
         const LeftCuts cuts(air, simulation, 1'000'000);
         std::uint32_t hint = 0;
-        return deepest_left(body, {stock, air, cuts.all(), allowed, enough, cells, &hint});
+        return deepest_left(body, {stock, air, cuts.all(), search_allowed, search_enough, cells, &hint});
     }
     /// How deep a place lies, by distances of the simulation's own.
     [[nodiscard]] double depth(Vec3 p) const {
         const milling::Air air = simulation.air_in({p - Vec3{2, 2, 2}, p + Vec3{2, 2, 2}});
-        double depth = enough;
+        double depth = search_enough;
         for (std::size_t body = 0; body < air.bodies(); ++body) depth = std::min(depth, air.outside(body, p));
         return depth;
     }
@@ -55,14 +41,12 @@ LeftBody shank(Vec3 from, Vec3 to, double radius, double low, double high, Vec3 
     return {from, {to - from, {}, {}}, axis, {{radius, low}, {radius, high}}, {}};
 }
 
-geom::Straight line(Vec3 from, Vec3 to) { return {from, to}; }
-
 }  // namespace
 
 TEST(LeftSearch, AShankAsThickAsTheCutterTouchesAndIsClear) {
-    World w;
+    SearchWorld w;
     const std::uint32_t mill = w.tool(10);
-    for (const double z : {-5.0, -10.0, -15.0}) w.cut(mill, line({-10, 18, z}, {70, 22, z}));
+    for (const double z : {-5.0, -10.0, -15.0}) w.cut(mill, straight({-10, 18, z}, {70, 22, z}));
     const LeftDepth d = w.deepest(shank({-10, 18, -15}, {70, 22, -15}, 5, 5, 60));
     EXPECT_TRUE(d.decided);
     EXPECT_EQ(d.depth, 0);
@@ -72,7 +56,7 @@ TEST(LeftSearch, AShankAsThickAsTheCutterTouchesAndIsClear) {
 }
 
 TEST(LeftSearch, AnArcAsTheCutterWentIsClear) {
-    World w;
+    SearchWorld w;
     const std::uint32_t mill = w.tool(10);
     const geom::Circular arc{{20, 20, -10}, {30, 30, -10}, {30, 20, -10}, {0, 0, 1}, -geom::pi / 2};
     w.cut(mill, arc);
@@ -85,17 +69,17 @@ TEST(LeftSearch, AnArcAsTheCutterWentIsClear) {
     w.simulation.flush();
     const milling::Air air = w.simulation.air_in({{-100, -100, -100}, {200, 200, 200}});
     const LeftCuts cuts(air, w.simulation, 1'000'000);
-    EXPECT_TRUE(surely_clear(body, {w.stock, air, cuts.all(), allowed, enough, 100, nullptr}));
+    EXPECT_TRUE(surely_clear(body, {w.stock, air, cuts.all(), search_allowed, search_enough, 100, nullptr}));
     body.profile = {{5.02, 5}, {5.02, 60}};
-    EXPECT_FALSE(surely_clear(body, {w.stock, air, cuts.all(), allowed, enough, 1000, nullptr}));
+    EXPECT_FALSE(surely_clear(body, {w.stock, air, cuts.all(), search_allowed, search_enough, 1000, nullptr}));
 }
 
 /// A pocket in rows, a thicker body in its middle, and beside it.
 TEST(LeftSearch, AThickBodyInAPocketOfManyRows) {
-    World w;
+    SearchWorld w;
     const std::uint32_t mill = w.tool(6);
-    for (int row = 0; row < 8; ++row) w.cut(mill, line({15, 8.0 + 3 * row, -12}, {45, 8.0 + 3 * row, -12}));
-    w.cut(mill, line({45, 8, -12}, {45, 29, -12}));
+    for (int row = 0; row < 8; ++row) w.cut(mill, straight({15, 8.0 + 3 * row, -12}, {45, 8.0 + 3 * row, -12}));
+    w.cut(mill, straight({45, 8, -12}, {45, 29, -12}));
     EXPECT_EQ(w.deepest(shank({28, 18, -12}, {33, 20, -12}, 9, 2, 60)).depth, 0);
     EXPECT_TRUE(w.deepest(shank({28, 18, -12}, {33, 20, -12}, 9, 2, 60)).decided);
     // The far wall lies at X 48.
@@ -112,15 +96,15 @@ TEST(LeftSearch, APropertyOfRandomCuts) {
     int undecided = 0;
     for (int n = 0; n < 40; ++n) {
         SCOPED_TRACE("seed " + std::to_string(seed) + ", case " + std::to_string(n));
-        World w(n % 3 == 0 ? milling::Stock(milling::CylinderStock{2, {30, 20, -20}, 20, 20})
-                           : milling::Stock(milling::Box3{{0, 0, -20}, {60, 40, 0}}));
+        SearchWorld w(n % 3 == 0 ? milling::Stock(milling::CylinderStock{2, {30, 20, -20}, 20, 20})
+                                 : milling::Stock(milling::Box3{{0, 0, -20}, {60, 40, 0}}));
         const std::array tools{w.tool(10), w.tool(8, milling::CutterKind::ball),
                                w.tool(12, milling::CutterKind::bull_nose), w.tool(9, milling::CutterKind::drill)};
         const auto place = [&](double low) { return Vec3{in(10, 50), in(8, 32), in(low, -2)}; };
         for (int k = 0; k < 12; ++k) {
             const Vec3 a = place(-16), b = place(-16);
             const bool level = k % 2 == 0;
-            w.cut(tools[static_cast<std::size_t>(k % 4)], line(a, level ? Vec3{b.x, b.y, a.z} : b));
+            w.cut(tools[static_cast<std::size_t>(k % 4)], straight(a, level ? Vec3{b.x, b.y, a.z} : b));
         }
         const Vec3 a = place(-12), b = place(-12);
         const LeftBody body = shank(a, n % 2 == 0 ? Vec3{b.x, b.y, a.z} : b, in(1, 5), in(0, 5), in(10, 40));
@@ -136,7 +120,7 @@ TEST(LeftSearch, APropertyOfRandomCuts) {
                            Vec3{r * std::cos(turn), r * std::sin(turn), in(body.profile[0].y, body.profile[1].y)};
             most = std::max(most, w.depth(p));
         }
-        EXPECT_LE(most, (d.decided ? std::max(allowed, 1.25 * d.depth) : d.bound) + 1e-6);
+        EXPECT_LE(most, (d.decided ? std::max(search_allowed, 1.25 * d.depth) : d.bound) + 1e-6);
     }
     EXPECT_LE(undecided, 2) << "seed " << seed;
 }

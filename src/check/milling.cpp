@@ -20,10 +20,10 @@ namespace milling = sim::milling;
 
 namespace {
 
-constexpr std::uint32_t most_pieces = 200'000;  ///< in all; the moves behind them count as a whole
-constexpr std::size_t batch = 32'768;           ///< passes that wait for the simulation
-constexpr double rub = 0.02;                    ///< mm by which the assumed body of a drill stands out of its hole
-constexpr double fallback_radius = 1;           ///< mm, where no tool of the list has a shape
+constexpr std::uint32_t most_pieces_in_all = 200'000;  ///< in all; the moves behind them count as a whole
+constexpr std::size_t batch = 32'768;                  ///< passes that wait for the simulation
+constexpr double drill_rub = 0.02;     ///< mm by which the assumed body of a drill stands out of its hole
+constexpr double fallback_radius = 1;  ///< mm, where no tool of the list has a shape
 
 /// The smallest radius that a tool of the list can leave: what the lattice must resolve.
 double smallest_radius(const Setup& setup) {
@@ -48,7 +48,7 @@ bool on_the_spot(geom::Vec3 a, geom::Vec3 b) {
 }  // namespace
 
 Milling::Milling(const Setup& setup, const motion::State& state, Collector& out)
-    : setup_(setup), state_(state), out_(out), pieces_left_(most_pieces), time_up_(setup.out_of_time) {
+    : setup_(setup), state_(state), out_(out), pieces_left_(most_pieces_in_all), time_up_(setup.out_of_time) {
     begin();
 }
 
@@ -175,7 +175,7 @@ bool Milling::tool_in_use(const Move& move) {
     }
     auto& known = known_tools_[static_cast<std::size_t>(tool_ - setup_.tools.data())];
     if (!known) {
-        const milling::Cutter cutter = cutter_of(*tool_, rub + 2 * setup_.tolerances.rapid);
+        const milling::Cutter cutter = cutter_of(*tool_, drill_rub + 2 * setup_.tolerances.rapid);
         milling::MadeShape made = milling::shape_of(cutter);
         if (!made.ok()) {
             out_.unchecked(move.record, "tool " + tool_name_ + ": " + made.problem + ": its removal is not simulated");

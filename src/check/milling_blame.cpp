@@ -40,9 +40,9 @@ std::string share_text(const BlockShare& block, bool area) {
            (area ? mm2(block.area) : mm(block.area) + " deep");
 }
 
-constexpr double farthest = 10;   ///< tolerances: farther off no tool was to take what is left
-constexpr double parallel = 0.9;  ///< cosine between surfaces along each other
-constexpr double shared = 0.6;    ///< of the largest area: blocks that share a place evenly
+constexpr double farthest = 10;        ///< tolerances: farther off no tool was to take what is left
+constexpr double along_surface = 0.9;  ///< cosine between surfaces along each other
+constexpr double shared = 0.6;         ///< of the largest area: blocks that share a place evenly
 
 /// The move that cut most of the surface that lies nearly as far off as the worst point, of the block that did so. (The
 /// worst point itself may as well belong to the block before, whose surface ends in it.) Of what is left between two
@@ -99,7 +99,7 @@ const MilledMove* Milling::left_by(const Milled& milled, const mesh::Place& p, c
         if (visits.empty() || move > visits.back().last + 1) visits.push_back({});
         Visit& v = visits.back();
         v.last = move;
-        const bool along = geom::dot(air.normal(body, p.at), way) < -parallel * geom::length(way);
+        const bool along = geom::dot(air.normal(body, p.at), way) < -along_surface * geom::length(way);
         if (along && off < v.distance && !taps(move)) v.distance = off, v.move = move;
     }
     constexpr double again = 1e-6;  // mm: it went the same way once more

@@ -17,10 +17,10 @@ using geom::Vec3;
 
 namespace {
 
-constexpr double chord_share = 0.02;    ///< of what is allowed: chords that stand for a form tool's arcs
-constexpr std::size_t looked_at = 400;  ///< moves whose depth is found to the end
-constexpr double same_depth = 0.1;      ///< of what is allowed: no deeper
-constexpr double similar = 1.2;         ///< times as deep: still the same place
+constexpr double chord_share = 0.02;          ///< of what is allowed: chords that stand for a form tool's arcs
+constexpr std::size_t moves_looked_at = 400;  ///< moves whose depth is found to the end
+constexpr double same_depth = 0.1;            ///< of what is allowed: no deeper
+constexpr double similar = 1.2;               ///< times as deep: still the same place
 
 /// Length of a way as it is seen along a direction.
 double way_beside(const geom::PathElement& path, Vec3 direction) {
@@ -94,7 +94,7 @@ void Certificate::carry_out() {
 /// Of very many moves that are too deep only the deepest are looked at to the end.
 void Certificate::measure(const ThreadBands& threads, const std::function<bool()>& stop) {
     std::vector<Found> found(suspects_.size());
-    const bool many = suspects_.size() > looked_at;
+    const bool many = suspects_.size() > moves_looked_at;
     for_all(found.size(), threads_, [&](std::size_t i) {
         found[i].move = suspects_[i].move;
         if (stop && stop()) return;
@@ -108,7 +108,7 @@ void Certificate::measure(const ThreadBands& threads, const std::function<bool()
         Found& f = found[order[i]];
         if (stop && stop()) f.depth.depth = 0;
         if (!(f.depth.depth > 0)) return;
-        if (i >= looked_at && f.depth.depth > allowed_) return;
+        if (i >= moves_looked_at && f.depth.depth > allowed_) return;
         f.depth = judge_.deepest(move_of(suspects_[order[i]]));
         f.beside = way_beside(suspects_[order[i]].path, f.depth.normal);
     });

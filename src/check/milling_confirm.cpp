@@ -23,15 +23,15 @@ namespace milling = sim::milling;
 
 namespace {
 
-constexpr double most_rays = 40'000;  ///< for a place
-constexpr double finest = 1.0 / 16;   ///< of the lattice's step
-constexpr double coarsest = 0.5;      ///< the same; a place so large is not an edge's
+constexpr double most_rays = 40'000;      ///< for a place
+constexpr double finest_step = 1.0 / 16;  ///< of the lattice's step
+constexpr double coarsest = 0.5;          ///< the same; a place so large is not an edge's
 
 /// How far apart rays may be in a box; 0: too many would be needed.
 double step_in(const milling::Box3& box, double step) {
     const geom::Vec3 s = box.max - box.min;
     const double fine = std::sqrt((s.x * s.y + s.y * s.z + s.x * s.z) / most_rays);
-    return fine > coarsest * step ? 0 : std::max(fine, finest * step);
+    return fine > coarsest * step ? 0 : std::max(fine, finest_step * step);
 }
 
 constexpr double most_cells = 2'000'000;       ///< of all proofs
@@ -44,7 +44,7 @@ constexpr double patch_steps = 6;          ///< of the lattice: side of a patch
 constexpr std::size_t most_patches = 200;  ///< of a kind
 constexpr double as_good = 0.05;           ///< of what is allowed: no worse
 
-constexpr double near_worst = 0.9;
+constexpr double among_worst = 0.9;
 constexpr double as_worst = 0.999;
 constexpr double as_large = 0.01;
 
@@ -90,7 +90,7 @@ Worst worst_of(const std::vector<milling::SurfacePoint>& points, const Machined&
     worst.at = middle_of(points, off, worst);
     std::map<std::uint32_t, double> tags;
     for (std::size_t i = 0; i < points.size(); ++i)
-        if (std::isfinite(off[i]) && off[i] / worst.deviation >= near_worst) ++tags[m.tag_of(points[i].cut)];
+        if (std::isfinite(off[i]) && off[i] / worst.deviation >= among_worst) ++tags[m.tag_of(points[i].cut)];
     for (const auto& [tag, count] : tags) worst.peak.push_back({tag, count});
     std::stable_sort(worst.peak.begin(), worst.peak.end(),
                      [](const mesh::TagShare& a, const mesh::TagShare& b) { return a.area > b.area; });

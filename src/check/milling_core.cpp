@@ -10,14 +10,14 @@ using geom::Vec3;
 
 namespace {
 
-constexpr double together = 1.0 / 16;     ///< of the core: pieces so short are one
-constexpr std::size_t most_pieces = 400;  ///< looked at together
-constexpr double room = 1e-9;             ///< mm
+constexpr double one_piece = 1.0 / 16;         ///< of the core: pieces so short are one
+constexpr std::size_t most_pieces_kept = 400;  ///< looked at together
+constexpr double disc_slack = 1e-9;            ///< mm
 
 struct Disc {
     Vec2 centre;
     double radius = -1;
-    [[nodiscard]] bool holds(Vec2 p) const { return geom::length(p - centre) <= radius + room; }
+    [[nodiscard]] bool holds(Vec2 p) const { return geom::length(p - centre) <= radius + disc_slack; }
 };
 
 Disc of_two(Vec2 a, Vec2 b) { return {0.5 * (a + b), 0.5 * geom::length(b - a)}; }
@@ -80,11 +80,11 @@ bool CoreDescent::take(std::span<const Vec3> points, bool met, std::uint32_t num
     const double piece_down = piece.down;
     const auto is_short = [&](const Piece& p) {
         return std::all_of(p.points.begin(), p.points.end(),
-                           [&](Vec2 q) { return geom::length(q - p.points.front()) < together * core_; });
+                           [&](Vec2 q) { return geom::length(q - p.points.front()) < one_piece * core_; });
     };
     const bool joins = !pieces_.empty() && is_short(piece) && is_short(pieces_.back()) &&
-                       geom::length(piece.points.back() - pieces_.back().points.front()) < together * core_ &&
-                       pieces_.back().down + piece.down < together * core_;
+                       geom::length(piece.points.back() - pieces_.back().points.front()) < one_piece * core_ &&
+                       pieces_.back().down + piece.down < one_piece * core_;
     if (joins) {
         Piece& last = pieces_.back();
         last.down += piece.down;
@@ -93,7 +93,7 @@ bool CoreDescent::take(std::span<const Vec3> points, bool met, std::uint32_t num
     } else {
         pieces_.push_back(std::move(piece));
     }
-    if (pieces_.size() > most_pieces) pieces_.erase(pieces_.begin(), pieces_.end() - most_pieces / 2);
+    if (pieces_.size() > most_pieces_kept) pieces_.erase(pieces_.begin(), pieces_.end() - most_pieces_kept / 2);
     return piece_down > 0 && is_steep();
 }
 

@@ -5,18 +5,12 @@
 
 #include "check/milling.hpp"
 #include "check/milling_tool.hpp"
+#include "check/trace.hpp"
 #include "cl/path_element.hpp"
 #include "cl/spline.hpp"
 #include "motion/technology.hpp"
 
 namespace obrys::check {
-
-namespace {
-
-constexpr double drawn_chord = 0.01;  ///< mm the picture of a curve may leave it
-constexpr int most_chords = 256;
-
-}  // namespace
 
 /// Chained to the move before; a gap between them (moves that were left out) is a point that is not known.
 void Milling::keep_points(const Move& move, MilledMove& m) {
@@ -24,7 +18,7 @@ void Milling::keep_points(const Move& move, MilledMove& m) {
     const bool begins = points_.empty() || geom::distance(points_.back(), move.from) > 1e-6;
     if (begins && !points_.empty()) points_.push_back({NAN, NAN, NAN});
     if (begins) points_.push_back(move.from);
-    cl::points_between(move.from, move.record.step, drawn_chord, most_chords,
+    cl::points_between(move.from, move.record.step, drawn_chord, drawn_chords,
                        [this](geom::Vec3 p) { points_.push_back(p); });
     points_.push_back(move.to);
     m.points_end = static_cast<std::uint32_t>(points_.size());

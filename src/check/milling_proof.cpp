@@ -23,23 +23,23 @@ using geom::Vec3;
 using sim::milling::component;
 using sim::milling::set_component;
 
-constexpr double finest = 1.0 / 64;      ///< half a box's diagonal, of what is allowed: smaller ones are left open
-constexpr double thinnest = 1e-9;        ///< mm; as in the simulation: thinner material or cuts are none
-constexpr std::size_t refining = 3000;   ///< boxes to look at for the worst once one is found
-constexpr double near_worst = 1.0 / 20;  ///< of what is allowed: how well the worst is known
+constexpr double finest_box = 1.0 / 64;       ///< half a box's diagonal, of what is allowed: smaller ones are left open
+constexpr double thinnest_proved = 1e-9;      ///< mm; as in the simulation: thinner material or cuts are none
+constexpr std::size_t boxes_refining = 3000;  ///< boxes to look at for the worst once one is found
+constexpr double worst_known_to = 1.0 / 20;   ///< of what is allowed: how well the worst is known
 constexpr std::array<double, 3> balls{24, 8, 3};  ///< radii, in half a box's diagonal
 
 using Bodies = std::vector<std::uint32_t>;
 
-struct Cell {
+struct ProofBox {
     Vec3 centre, half;
     double bound = 0;  ///< no point of it deviates more
     std::shared_ptr<const Bodies> bodies;
 };
 
-class Search {
+class ProofSearch {
 public:
-    explicit Search(const Claim& claim) : claim_(claim) {}
+    explicit ProofSearch(const Claim& claim) : claim_(claim) {}
 
     Proof run(const sim::milling::Box3& box, std::size_t cells) {
         auto all = std::make_shared<Bodies>(claim_.air.bodies());
@@ -47,10 +47,10 @@ public:
         take({0.5 * (box.min + box.max), 0.5 * (box.max - box.min), 0, std::move(all)});
         bool refined = false;
         while (!cells_.empty()) {
-            const Cell c = std::move(cells_.back());
+            const ProofBox c = std::move(cells_.back());
             cells_.pop_back();
-            if (found() && c.bound <= best_.deviation + near_worst * claim_.allowed) continue;
-            if (found() && !refined) cells = std::min(cells, refining), refined = true;
+            if (found() && c.bound <= best_.deviation + worst_known_to * claim_.allowed) continue;
+            if (found() && !refined) cells = std::min(cells, boxes_refining), refined = true;
             constexpr std::size_t some = 64;
             if (claim_.stop && cells % some == 0 && claim_.stop()) cells = 0;
             if (cells == 0) return found() ? best_ : Proof{};
@@ -66,11 +66,11 @@ private:
 
     /// Depth first, where more can be found: what is there is found after few cells, and what is not takes all of them
     /// in any order.
-    void split(const Cell& c) {
+    void split(const ProofBox& c) {
         int axis = 0;
         for (int k = 1; k < 3; ++k)
             if (component(c.half, k) > component(c.half, axis)) axis = k;
-        Cell part = c;
+        ProofBox part = c;
         set_component(part.half, axis, component(c.half, axis) / 2);
         const std::size_t before = cells_.size();
         for (const double sign : {-1.0, 1.0}) {
@@ -82,7 +82,7 @@ private:
     }
 
     /// Puts a cell back in if it is not decided.
-    void take(Cell c) {
+    void take(ProofBox c) {
         const double h = length(c.half);
         const double more = claim_.more ? claim_.more(c.centre, h) : 0;
         const double off = deviation(c.centre), allowed = claim_.allowed + more;
@@ -95,13 +95,13 @@ private:
             const double f = claim_.air.outside(k, c.centre, h);
             if (f >= h) continue;
             near->push_back(k);
-            if (f < (claim_.gouge ? -thinnest : thinnest) && !inside) inside = true, first = k;
+            if (f < (claim_.gouge ? -thinnest_proved : thinnest_proved) && !inside) inside = true, first = k;
             nearest = std::min(nearest, f);
         }
         if (claim_.gouge ? near->empty() : nearest <= -h) return;
         if (inside == claim_.gouge) note(c.centre, off, first);
         if (between_balls(c, h, *near, allowed)) return;
-        if (h < finest * claim_.allowed) {
+        if (h < finest_box * claim_.allowed) {
             left_open_ = true;
             return;
         }
@@ -122,7 +122,7 @@ private:
         best_ = {Proof::Outcome::present, p, beyond, claim_.gouge ? claim_.air.cut(body) : 0};
     }
 
-    [[nodiscard]] bool between_balls(const Cell& c, double h, const Bodies& bodies, double allowed) const {
+    [[nodiscard]] bool between_balls(const ProofBox& c, double h, const Bodies& bodies, double allowed) const {
         const mesh::Nearest q = claim_.part.nearest(c.centre);
         if (!(q.distance < 3 * h)) return false;
         Vec3 out = c.centre - q.at;
@@ -138,7 +138,7 @@ private:
     }
 
     /// `in` is to lie in the part, `out` in the air.
-    [[nodiscard]] bool is_between(const Cell& c, Vec3 in, Vec3 out, const Bodies& bodies, double allowed) const {
+    [[nodiscard]] bool is_between(const ProofBox& c, Vec3 in, Vec3 out, const Bodies& bodies, double allowed) const {
         double sum = 0;
         for (const double x : {-1.0, 1.0})
             for (const double y : {-1.0, 1.0})
@@ -151,7 +151,7 @@ private:
         if (!(part < 0 && part <= room + distance(in, out))) return false;
         if (claim_.gouge)
             return std::all_of(bodies.begin(), bodies.end(), [&](std::uint32_t k) {
-                const double f = claim_.air.outside(k, in, std::max(thinnest, part - room));
+                const double f = claim_.air.outside(k, in, std::max(thinnest_proved, part - room));
                 return f > 0 && part - f <= room;
             });
         return std::any_of(bodies.begin(), bodies.end(), [&](std::uint32_t k) {
@@ -161,7 +161,7 @@ private:
     }
 
     const Claim& claim_;
-    std::vector<Cell> cells_;  ///< the last one is the next one
+    std::vector<ProofBox> cells_;  ///< the last one is the next one
     Proof best_;
     bool left_open_ = false;
 };
@@ -170,7 +170,7 @@ private:
 
 Proof decide(const Claim& claim, const sim::milling::Box3& box, std::size_t cells) {
     if (!claim.air.known()) return {};
-    return Search(claim).run(box, cells);
+    return ProofSearch(claim).run(box, cells);
 }
 
 }  // namespace obrys::check

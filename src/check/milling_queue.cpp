@@ -15,10 +15,10 @@ namespace milling = sim::milling;
 
 namespace {
 
-constexpr double piece = 0.1;                   ///< mm in which the way in the material is measured
-constexpr double short_way = 1;                 ///< mm; moves up to that count as a whole
-constexpr double off_the_wall = 0.5;            ///< of a boring bar's radius
-constexpr std::uint32_t most_pieces = 200'000;  ///< of one move whose core goes down
+constexpr double piece_length = 0.1;                    ///< mm in which the way in the material is measured
+constexpr double short_way = 1;                         ///< mm; moves up to that count as a whole
+constexpr double off_the_wall = 0.5;                    ///< of a boring bar's radius
+constexpr std::uint32_t most_pieces_of_move = 200'000;  ///< of one move whose core goes down
 
 bool goes_down(const geom::PathElement& e, geom::Vec3 axis) {
     return geom::dot(geom::point_at(e, 1) - geom::point_at(e, 0), axis) < -1e-9;
@@ -144,14 +144,14 @@ void Milling::queue_cutting(const geom::PathElement& element, const MilledMove& 
         way = geom::length(geom::Vec2{radius * c->sweep, geom::dot(c->to - c->from, c->normal)});
     }
     std::uint32_t pieces = 1;
-    if (feed && !std::holds_alternative<geom::Cubic>(element) && way > short_way && way / piece < pieces_left_) {
-        pieces = base::clipped<std::uint32_t>(std::ceil(way / piece), 1, pieces_left_);
+    if (feed && !std::holds_alternative<geom::Cubic>(element) && way > short_way && way / piece_length < pieces_left_) {
+        pieces = base::clipped<std::uint32_t>(std::ceil(way / piece_length), 1, pieces_left_);
         pieces_left_ -= pieces;
     }
     const double core = tool_parts_.core_radius;
     if (feed && core > 0 && !move.plunging && !std::holds_alternative<geom::Cubic>(element) &&
         goes_down(element, axis_))
-        pieces = std::max(pieces, base::clipped<std::uint32_t>(std::ceil(2 * way / core), 1, most_pieces));
+        pieces = std::max(pieces, base::clipped<std::uint32_t>(std::ceil(2 * way / core), 1, most_pieces_of_move));
     for (std::uint32_t i = 0; i < pieces; ++i) {
         const geom::PathElement part =
             pieces == 1 ? element : part_of(element, double(i) / pieces, double(i + 1) / pieces);

@@ -7,11 +7,14 @@
 
 #include "base/codes.hpp"
 #include "check/check.hpp"
+#include "check/result_testing.hpp"
 #include "mesh/primitives.hpp"
 
 namespace obrys::check {
 
 namespace {
+
+using testing::amount;
 
 Setup face_setup() {
     Setup s;
@@ -62,12 +65,6 @@ std::vector<const Finding*> of(const Result& r, std::string_view code) {
     for (const Finding& f : r.findings)
         if (f.code == code) found.push_back(&f);
     return found;
-}
-
-double amount(const Finding& f, std::string_view key) {
-    for (const Amount& a : f.amounts)
-        if (a.key == key) return a.value;
-    return NAN;
 }
 
 }  // namespace

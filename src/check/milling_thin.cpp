@@ -20,10 +20,10 @@ using geom::Vec3;
 namespace {
 
 constexpr double thick = 2;               ///< tolerances: what is thicker the surface holds
-constexpr double least = 0.1;             ///< tolerances: what is thinner may be the error of chords
+constexpr double thinner_is_error = 0.1;  ///< tolerances: what is thinner may be the error of chords
 constexpr double nothing = 1e-5;          ///< mm: thinner is none
 constexpr std::size_t most_climbs = 100;  ///< places whose highest point is looked for
-constexpr double finest = 0.1;            ///< tolerances: step at which that ends
+constexpr double last_climb = 0.1;        ///< tolerances: step at which that ends
 constexpr std::size_t most_samples = 2'000'000;
 
 /// A ray through something thin.
@@ -124,7 +124,7 @@ std::vector<std::vector<std::size_t>> Thin::groups() const {
 Sample Thin::climbed(Sample s) const {
     const int axis = s.axis, u = milling::first_across(axis), v = milling::second_across(axis);
     const double wide = std::max({step_.x, step_.y, step_.z});
-    for (double h = 0.5 * wide; h > finest * tolerance_;) {
+    for (double h = 0.5 * wide; h > last_climb * tolerance_;) {
         Sample best = s;
         for (int way = 0; way < 8; ++way) {
             const double turn = geom::pi / 4 * way;
@@ -184,7 +184,7 @@ ThinRest Thin::places(std::vector<mesh::Place>& known) {
     for (const std::vector<std::size_t>& group : groups()) {
         double widest = 0;
         for (const std::size_t i : group) widest = std::max(widest, samples_[i].width);
-        const bool open = widest < least * tolerance_;
+        const bool open = widest < thinner_is_error * tolerance_;
         const mesh::Place p = place_of(group, !open && climbs < most_climbs && !(m_.stop && m_.stop()));
         if (open) {
             rest.open.push_back({p.extent.lo, p.extent.hi});

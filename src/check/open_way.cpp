@@ -6,7 +6,7 @@ namespace obrys::check {
 
 namespace {
 
-constexpr double hair = 1e-3;  ///< mm before an end that stand for it: a move needs a length
+constexpr double end_step = 1e-3;  ///< mm before an end that stand for it: a move needs a length
 
 using Coordinates = std::array<double, 3>;
 
@@ -33,7 +33,7 @@ OpenWay open_way(geom::Vec3 from, geom::Vec3 to, geom::Vec3 away) {
     if (!geom::is_finite(to)) return {};
     f = t;
     const std::size_t back = !std::isnan(level[2]) ? 2 : 0;
-    f[back] += hair;
+    f[back] += end_step;
     return {OpenWay::Kind::end, vector_of(f), to};
 }
 

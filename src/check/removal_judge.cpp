@@ -15,7 +15,7 @@ using sim::turning::Depth;
 namespace {
 
 constexpr double beyond_gouge = 1e-6;  ///< mm2 an allowance cut must have besides the gouge to be told apart
-constexpr double run_out = 2;          ///< pitches along which a rapid may lead out of a thread
+constexpr double rapid_run_out = 2;    ///< pitches along which a rapid may lead out of a thread
 
 /// Not of work on the far side of the axis.
 bool from_above(const Move& move) { return move.from.x > 0 || move.to.x > 0; }
@@ -224,7 +224,7 @@ void Removal::add_to_threads(const geom::Region& band) {
 /// is excused on its way out of a thread, not along it.
 Cut Removal::beside_threads(const Move& move, const Cut& cut) const {
     const geom::Vec2 way{move.to.z - move.from.z, move.to.x - move.from.x};
-    const bool along = move.rapid && std::abs(geom::dot(way, thread_along_)) > run_out * pitch_;
+    const bool along = move.rapid && std::abs(geom::dot(way, thread_along_)) > rapid_run_out * pitch_;
     if (threads_.empty() || along || !box_of(threads_).meets(box_of(cut.removed), 0)) return cut;
     Cut out = cut;
     out.removed = {};

@@ -7,12 +7,14 @@
 
 #include "base/codes.hpp"
 #include "check/check.hpp"
+#include "check/result_testing.hpp"
 
 namespace obrys::check {
 
 namespace {
 
 using geom::Vec3;
+using testing::says;
 
 shop::MachineAxis axis(const char* name, Vec3 direction, bool rotary = false, Vec3 centre = {}) {
     shop::MachineAxis a;
@@ -38,7 +40,7 @@ shop::Machine table() {
     return m;
 }
 
-Setup setup(shop::Machine machine = table()) {
+Setup stand_setup(shop::Machine machine = table()) {
     Setup s;
     s.machine = std::move(machine);
     shop::Tool t;
@@ -55,18 +57,18 @@ Setup setup(shop::Machine machine = table()) {
     return s;
 }
 
-struct Script {
-    explicit Script(Setup s) : check(std::move(s), stacks) {
+struct StandScript {
+    explicit StandScript(Setup s) : check(std::move(s), stacks) {
         take(cl::ToolChange{1, 1, ""});
         take(cl::Spindle{3000, cl::SpindleMode::rpm, 1, 0});
         take(cl::Feed{500, cl::FeedMode::per_minute});
     }
-    Script& take(cl::Step step) {
+    StandScript& take(cl::Step step) {
         check.take({std::move(step), {0, at, at + 1}, 0});
         ++at;
         return *this;
     }
-    Script& turn(char name, double to, bool counted) {
+    StandScript& turn(char name, double to, bool counted) {
         cl::Axis a;
         a.name[0] = name;
         a.to = to;
@@ -74,7 +76,7 @@ struct Script {
         a.counted = counted;
         return take(a);
     }
-    Script& go(Vec3 to, Vec3 tool = {0, 0, 1}, bool rapid = false) { return take(cl::Linear{to, tool, rapid}); }
+    StandScript& go(Vec3 to, Vec3 tool = {0, 0, 1}, bool rapid = false) { return take(cl::Linear{to, tool, rapid}); }
 
     const cl::CallStacks stacks;
     Check check;
@@ -102,19 +104,13 @@ std::vector<std::string> unchecked(const Result& r) {
     return out;
 }
 
-bool says(const Result& r, const std::string& what) {
-    for (const std::string& t : unchecked(r))
-        if (t.find(what) != std::string::npos) return true;
-    return false;
-}
-
 }  // namespace
 
 TEST(Stand, ACutIsTheSameToldOnTheWorkpieceAndInTheMachinesDirections) {
     constexpr double a = 25, c = 40;
     const Vec3 way[]{{30, 20, 30}, {30, 20, -4}, {50, 30, -6}, {20, 35, -3}};
-    Script planned(setup()), plain(setup());
-    for (Script* s : {&planned, &plain}) s->take(cl::Datum{54, zero});
+    StandScript planned(stand_setup()), plain(stand_setup());
+    for (StandScript* s : {&planned, &plain}) s->take(cl::Datum{54, zero});
     planned.turn('A', a, true).turn('C', c, true);
     plain.turn('A', a, false).turn('C', c, false);
     for (std::size_t i = 0; i < std::size(way); ++i) {
@@ -149,8 +145,8 @@ TEST(Stand, TravelIsJudgedThroughTheChain) {
     // x:
     // (-30, 40, -30). Machine: y -110, z -430; the gauge point 80 above it: z -350, 50 above the limit's end.
     for (const double y : {50.0, 120.0}) {
-        check::Setup s = setup(m);
-        Script run(s);
+        check::Setup s = stand_setup(m);
+        StandScript run(s);
         run.take(cl::Datum{54, zero}).turn('A', 90, true).go({0, y, 0}, tool, true);
         const Result r = run.check.finish();
         std::vector<const Finding*> found;
@@ -166,7 +162,7 @@ TEST(Stand, TheGaugePointIsWhatTheTravelIsOf) {
     shop::Machine m = table();
     m.axes[2].min = -400;
     m.axes[2].max = 0;
-    Script run(setup(m));
+    StandScript run(stand_setup(m));
     // The tip 85 above the top of travel less the tool: 5 mm too high; without the tool's length it would be inside.
     run.take(cl::Datum{54, zero}).go({0, 0, 360 - length + 5}, {0, 0, 1}, true);
     const Result r = run.check.finish();
@@ -177,7 +173,7 @@ TEST(Stand, TheGaugePointIsWhatTheTravelIsOf) {
 TEST(Stand, WhatIsNotKnownIsSaid) {
     const Vec3 in{30, 20, -4}, over{30, 20, 30};
     {
-        Script run(setup());  // no zero
+        StandScript run(stand_setup());  // no zero
         run.turn('A', 25, false).go(over, {0, 0, 1}, true).go(in);
         const Result r = run.check.finish();
         EXPECT_EQ(r.verdict, Verdict::not_fully_checked);
@@ -185,29 +181,29 @@ TEST(Stand, WhatIsNotKnownIsSaid) {
         EXPECT_EQ(r.milled->figures.before_mm3, r.milled->figures.after_mm3);
     }
     {
-        check::Setup s = setup();
+        check::Setup s = stand_setup();
         s.tools[0].length = 0;
-        Script run(s);
+        StandScript run(s);
         run.take(cl::Datum{54, zero}).turn('A', 25, false).go(over, {0, 0, 1}, true).go(in);
         EXPECT_TRUE(says(run.check.finish(), "the tool's length, which is not known"));
     }
     {
-        Script run(setup());
+        StandScript run(stand_setup());
         run.take(cl::Datum{54, zero}).go(over, {0, 0, 1}, true).turn('B', 10, false).go(in);
         EXPECT_TRUE(says(run.check.finish(), "the rotary axis B turns workpiece or tool"));
     }
     {
-        Script run(setup());  // the plane asks for A 25, the axis stands at 0
+        StandScript run(stand_setup());  // the plane asks for A 25, the axis stands at 0
         run.take(cl::Datum{54, zero}).go(over, tool_axis(25, 0), true).go(in, tool_axis(25, 0));
         EXPECT_TRUE(says(run.check.finish(), "do not stand as the tilted plane asks"));
     }
     {
-        Script run(setup());
+        StandScript run(stand_setup());
         run.take(cl::Datum{54, zero}).go(over, {0, 0, 1}, true).turn('C', 90, false).go(in);
         EXPECT_TRUE(says(run.check.finish(), "rotary axes turn on the way"));
     }
     {
-        Script run(setup());  // back at 0: as if it had never turned
+        StandScript run(stand_setup());  // back at 0: as if it had never turned
         run.take(cl::Datum{54, zero}).turn('B', 10, false).turn('B', 0, false).go(over, {0, 0, 1}, true).go(in);
         const Result r = run.check.finish();
         EXPECT_EQ(r.unchecked.size(), 1U) << "no part";
@@ -216,8 +212,8 @@ TEST(Stand, WhatIsNotKnownIsSaid) {
 }
 
 TEST(Stand, WithoutOffsetsTheGaugePointGoesWhereTheProgramSays) {
-    Script with(setup()), without(setup());
-    for (Script* s : {&with, &without}) s->take(cl::Datum{54, zero});
+    StandScript with(stand_setup()), without(stand_setup());
+    for (StandScript* s : {&with, &without}) s->take(cl::Datum{54, zero});
     without.take(cl::ToolChange{1, 0, ""});
     const Vec3 way[]{{30, 20, 30}, {30, 20, -4}, {50, 20, -4}};
     for (std::size_t i = 0; i < std::size(way); ++i) {
@@ -233,7 +229,7 @@ TEST(Stand, ARapidSwingIsFollowed) {
     // The stock's corners pass where the tool stands: 36 mm from the pivot line, corners up to 36.1 mm from it; beside
     // the stock before and after the turn.
     for (const bool low : {true, false}) {
-        Script run(setup());
+        StandScript run(stand_setup());
         run.take(cl::Datum{54, zero});
         const Vec3 at{30, 20 + 28, low ? -10.0 : 30.0};  // the workpiece's y ends at 40, the tool's radius is 4
         run.turn('A', 0, false).turn('C', 0, false).go(at + Vec3{0, 0, 50}, {0, 0, 1}, true).go(at, {0, 0, 1}, true);
@@ -249,28 +245,28 @@ TEST(Stand, ARapidSwingIsFollowed) {
 TEST(Stand, ATurnThatIsNotKnownAnArcInAPlaneAndAParallelAxisAreNotCalledClean) {
     const Vec3 over{30, 20, 30};
     {
-        Script run(setup());  // no zero
+        StandScript run(stand_setup());  // no zero
         run.go(over, {0, 0, 1}, true).turn('C', 90, true).go(over, {0, 0, 1}, true);
         EXPECT_TRUE(says(run.check.finish(), "rotary axes turn on the way"));
     }
     {
-        Script run(setup());  // the plane is told on the spot, then only an arc runs in it
+        StandScript run(stand_setup());  // the plane is told on the spot, then only an arc runs in it
         run.take(cl::Datum{54, zero}).go(over, {0, 0, 1}, true).go(over, tool_axis(25, 0), true);
         run.take(cl::Arc{{30, 30, 30}, {30, 25, 30}, tool_axis(25, 0), geom::pi});
         EXPECT_TRUE(says(run.check.finish(), "do not stand as the tilted plane asks"));
     }
     {
-        Script run(setup());
+        StandScript run(stand_setup());
         cl::Axis w;
         w.name[0] = 'W';
         run.take(cl::Datum{54, zero}).go(over, {0, 0, 1}, true).take(w).go({30, 20, -2});
         EXPECT_TRUE(says(run.check.finish(), "the axis W moves tool or workpiece, too"));
     }
     {
-        Script run(setup());  // gauge point where the program says, and no length
-        check::Setup s = setup();
+        StandScript run(stand_setup());  // gauge point where the program says, and no length
+        check::Setup s = stand_setup();
         s.tools[0].length = 0;
-        Script unknown(s);
+        StandScript unknown(s);
         unknown.take(cl::ToolChange{1, 0, ""}).take(cl::Datum{54, zero}).go(over, {0, 0, 1}, true).go({30, 20, -2});
         EXPECT_TRUE(says(unknown.check.finish(), "no offset is selected and the tool's length is not known"));
     }

@@ -16,7 +16,6 @@ using geom::Vec3;
 
 namespace {
 
-constexpr double round_share = 0.25;        ///< of what is allowed: chords of a round stock
 constexpr double hidden = 4;                ///< times the rays' distance: what is deeper they see
 constexpr double seen = 0.5;                ///< times that: a depth of a shank or holder that they have found
 constexpr double chords = 0.1;              ///< of the tolerance: curves were cut as chords

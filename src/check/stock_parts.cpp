@@ -16,10 +16,10 @@ using geom::Vec3;
 
 namespace {
 
-constexpr double most_chords = 4096;  ///< of one way
+constexpr double most_way_chords = 4096;  ///< of one way
 
 /// Points around a round piece, so that their hull holds it and stands off by no more than `off`.
-void add_round(std::vector<Vec2>& profile, const milling::Piece& p, double off) {
+void add_round_hull(std::vector<Vec2>& profile, const milling::Piece& p, double off) {
     const auto angle_at = [&](double z) { return std::asin(std::clamp((z - p.centre) / p.arc, -1.0, 1.0)); };
     const double from = angle_at(p.z0), to = angle_at(p.z1), step = 2 * std::acos(p.arc / (p.arc + off));
     const auto n = base::clipped<std::size_t>(std::ceil((to - from) / step), 1, 1000);
@@ -42,7 +42,7 @@ StockPart stock_part_of(const milling::Shape& shape, double off, double certifie
         for (; first < end; ++first) {
             const milling::Piece& p = shape.pieces[first];
             if (p.kind == milling::PieceKind::round) {
-                add_round(profile, p, off);
+                add_round_hull(profile, p, off);
                 continue;
             }
             profile.push_back({p.r0, p.z0});
@@ -62,7 +62,8 @@ std::size_t chords_of(const geom::PathElement& path, double off) {
     } else if (const auto* k = std::get_if<geom::Cubic>(&path)) {
         bend = std::max(geom::length(2.0 * k->k2), geom::length(2.0 * k->k2 + 6.0 * k->k3));
     }
-    return base::clipped<std::size_t>(std::ceil(std::sqrt(bend / (8 * off))), 1, static_cast<std::size_t>(most_chords));
+    return base::clipped<std::size_t>(std::ceil(std::sqrt(bend / (8 * off))), 1,
+                                      static_cast<std::size_t>(most_way_chords));
 }
 
 std::vector<Vec2> clipped(const std::vector<Vec2>& profile, double low, double high) {

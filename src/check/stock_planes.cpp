@@ -11,8 +11,8 @@ using geom::Vec3;
 
 namespace {
 
-constexpr std::size_t most_corners = 4000;  ///< of a mesh that may be convex
-constexpr std::size_t most_faces = 100;     ///< of one
+constexpr std::size_t most_box_corners = 4000;  ///< of a mesh that may be convex
+constexpr std::size_t most_faces = 100;         ///< of one
 
 StockPlane outer_plane(const milling::MeshStock& m, const std::array<std::uint32_t, 3>& t, double least, bool& outer) {
     const Vec3 a = m.vertices[t[0]];
@@ -42,7 +42,7 @@ StockPlanes planes_of(const milling::Stock& stock) {
     }
     const auto* m = std::get_if<milling::MeshStock>(&stock);
     all.whole = m == nullptr;
-    if (m == nullptr || m->vertices.size() > most_corners) return all;
+    if (m == nullptr || m->vertices.size() > most_box_corners) return all;
     const double least = 1e-7 * geom::distance(box.min, box.max);
     std::vector<StockPlane> planes;
     for (const auto& t : m->triangles) {

@@ -17,13 +17,13 @@ using geom::Vec3;
 
 namespace {
 
-constexpr double chord_share = 1.0 / 40;    ///< of the tolerance: chords of a way that is looked at
-constexpr std::size_t together = 256;       ///< moves that are looked at as one, at most
-constexpr std::size_t worth_it = 8;         ///< so many moves
-constexpr std::size_t cells_of_many = 24;   ///< for them
-constexpr std::size_t cells_of_arc = 60;    ///< for a level quarter of a circle as it is
-constexpr double deeper_by = 1.1;           ///< of a depth found: as near as a depth is searched for
-constexpr std::size_t cells_of_one = 3000;  ///< for one straight way and part of a tool
+constexpr double way_chord_share = 1.0 / 40;  ///< of the tolerance: chords of a way that is looked at
+constexpr std::size_t most_together = 256;    ///< moves that are looked at as one, at most
+constexpr std::size_t worth_it = 8;           ///< so many moves
+constexpr std::size_t cells_of_many = 24;     ///< for them
+constexpr std::size_t cells_of_arc = 60;      ///< for a level quarter of a circle as it is
+constexpr double deeper_by = 1.1;             ///< of a depth found: as near as a depth is searched for
+constexpr std::size_t cells_of_one = 3000;    ///< for one straight way and part of a tool
 
 /// Level circles about the tool's axis.
 bool is_level(const geom::Circular& c, Vec3 axis) {
@@ -31,7 +31,7 @@ bool is_level(const geom::Circular& c, Vec3 axis) {
            std::abs(geom::dot(c.to - c.from, axis)) <= 1e-9;
 }
 
-mesh::Box box_of(const geom::PathElement& path) {
+mesh::Box box_of_way(const geom::PathElement& path) {
     mesh::Box box;
     constexpr int stops = 16;
     double bulge = 0;
@@ -65,7 +65,7 @@ struct StockSearch::Group {
 milling::Box3 StockSearch::box_of(const Group& g) const {
     mesh::Box box;
     for (const StockPass& q : g.passes) {
-        const mesh::Box way = check::box_of(q.path);
+        const mesh::Box way = box_of_way(q.path);
         const auto reach = [&](double a) { return q.part->radius * std::sqrt(std::max(0.0, 1 - a * a)); };
         const Vec3 around{reach(q.axis.x), reach(q.axis.y), reach(q.axis.z)};
         for (const double z : {q.part->bottom, q.part->top}) {
@@ -90,7 +90,7 @@ bool StockSearch::clear_together(Group& g, std::size_t first, std::size_t end) c
     const milling::Orientation frame = milling::orientation_of(q.axis);
     mesh::Box tips;  // in the tool's frame
     for (std::size_t i = first; i < end; ++i) {
-        const mesh::Box way = check::box_of(g.passes[i].path);
+        const mesh::Box way = box_of_way(g.passes[i].path);
         const bool upright = frame.along == 2;
         if (std::holds_alternative<geom::Straight>(g.passes[i].path)) {
             tips.add(frame.to_tool(geom::point_at(g.passes[i].path, 0)));
@@ -181,7 +181,7 @@ StockSearch::Verdict StockSearch::judge_one(Group& g, const StockPass& q) const 
     const bool level = circle != nullptr && is_level(*circle, q.axis);
     const std::size_t quarters =
         level ? base::clipped<std::size_t>(std::ceil(std::abs(circle->sweep) / (geom::pi / 2) - 1e-9), 1, 64) : 1;
-    const std::size_t n = chords_of(q.path, chord_share * limits_.tolerance), each = (n + quarters - 1) / quarters;
+    const std::size_t n = chords_of(q.path, way_chord_share * limits_.tolerance), each = (n + quarters - 1) / quarters;
     for (std::size_t k = 0; k < quarters && verdict.hit.depth < limits_.enough / 2; ++k) {
         const auto place = [&](std::size_t i) {
             return geom::point_at(q.path,
@@ -217,7 +217,7 @@ StockSearch::Verdicts StockSearch::search(const std::vector<StockPass>& passes, 
     for (std::size_t i = 0; i < passes.size(); ++i) {
         const std::size_t first = ends.empty() ? 0 : ends.back();
         const bool same = i > first && passes[i].part == passes[first].part && passes[i].axis == passes[first].axis;
-        if (i > 0 && (!same || i - first >= together)) ends.push_back(i);
+        if (i > 0 && (!same || i - first >= most_together)) ends.push_back(i);
     }
     if (passes.empty()) return {};
     ends.push_back(passes.size());

@@ -12,7 +12,7 @@ using geom::Vec3;
 
 namespace {
 
-constexpr double same = 1e-12;
+constexpr double no_length = 1e-12;
 
 Vec2 unit(Vec2 v) { return (1 / geom::length(v)) * v; }
 
@@ -21,11 +21,11 @@ Vec2 unit(Vec2 v) { return (1 / geom::length(v)) * v; }
 SweptDepth::SweptDepth(const std::vector<Vec2>& profile, Vec3 axis, Vec3 from, Vec3 way, bool open_below,
                        bool open_above)
     : profile_(profile), frame_(sim::milling::orientation_of(axis)), from_(from), way_(frame_.to_tool(way)) {
-    slants_ = std::abs(way_.z) > same;
+    slants_ = std::abs(way_.z) > no_length;
     if (!open_below) slopes_.push_back({0, -1});
     for (std::size_t i = 0; i + 1 < profile.size(); ++i) {
         const Vec2 along = profile[i + 1] - profile[i];
-        if (geom::length(along) > same && along.y > same) slopes_.push_back(unit({along.y, -along.x}));
+        if (geom::length(along) > no_length && along.y > no_length) slopes_.push_back(unit({along.y, -along.x}));
     }
     if (!open_above) slopes_.push_back({0, 1});
 }
@@ -40,9 +40,9 @@ SweptDepth::Nearest SweptDepth::at_slope(Vec2 slope, Vec3 p) const {
     const double at_first = reach - slope.y * p.z, at_last = reach - slope.y * (p.z - way_.z);
     std::array<Vec2, 4> turns{Vec2{1, 0}, Vec2{1, 0}, Vec2{1, 0}, Vec2{1, 0}};
     std::size_t n = 1;
-    if (geom::length(first) > same) turns[0] = unit(first);
-    if (geom::length(last) > same) turns[n++] = unit(last);
-    if (const double size = geom::length(way); c > same && size > same) {
+    if (geom::length(first) > no_length) turns[0] = unit(first);
+    if (geom::length(last) > no_length) turns[n++] = unit(last);
+    if (const double size = geom::length(way); c > no_length && size > no_length) {
         const double along = -slope.y * way_.z / (c * size);
         if (std::abs(along) <= 1) {
             const Vec2 u = (1 / size) * way;

@@ -10,9 +10,9 @@ using geom::Vec3;
 
 namespace {
 
-constexpr double same = 1e-6;         ///< mm
-constexpr std::size_t samples = 512;  ///< of a hole's wall
-constexpr double most_upright = 0.3;  ///< of a wall's normal along the axis
+constexpr double one_axis_within = 1e-6;  ///< mm
+constexpr std::size_t samples = 512;      ///< of a hole's wall
+constexpr double most_upright = 0.3;      ///< of a wall's normal along the axis
 
 /// Half the width along x of a round body about a straight piece.
 double left_of(Vec3 foot, Vec3 axis, double height, double radius) {
@@ -71,7 +71,9 @@ void ThreadBands::add(Vec3 from, Vec3 to, Vec3 axis, double core, double outer) 
     for (std::size_t i = bands_.size(); i > 0 && i + looked_at > bands_.size(); --i) {
         Band& other = bands_[i - 1];
         const Place place = place_in(other, from);
-        if (geom::distance(other.axis, axis) > same || place.radius > same || other.outer != outer) continue;
+        if (geom::distance(other.axis, axis) > one_axis_within || place.radius > one_axis_within ||
+            other.outer != outer)
+            continue;
         const double low = std::min(0.0, place.height), high = std::max(other.height, place.height + band.height);
         other.foot = other.foot + low * axis;
         other.height = high - low;

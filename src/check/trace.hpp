@@ -5,6 +5,9 @@
 
 namespace obrys::check {
 
+constexpr double drawn_chord = 0.01;  ///< mm the picture of a curve that is no arc in its plane may leave it
+constexpr int drawn_chords = 256;     ///< more are not kept, however long the curve
+
 class Trace {
 public:
     /// At most `limit` moves are kept.

@@ -19,14 +19,14 @@ namespace {
 // Shares of the pitch.
 constexpr double turned_off = 0.15;     ///< that a turned diameter may be off what the contour shows
 constexpr double root_tolerance = 0.1;  ///< of the root below a core that the contour shows: 6g has 0.08 there
-constexpr double run_out = 2.5;         ///< where a thread ends in a shaft; DIN 76-1, x1
+constexpr double din_run_out = 2.5;     ///< where a thread ends in a shaft; DIN 76-1, x1
 constexpr double root = 0.05;           ///< height in which an insert's width at the bottom is looked at
 
-constexpr double flat = 0.1;    ///< slope against the pass of what runs beside it
-constexpr double step = 0.002;  ///< mm between two pieces of one surface
-constexpr double steep = 0.36;  ///< slope from which a pass leads in or out: tan 20 degrees
-constexpr double far = 1e5;     ///< mm
-constexpr double hair = 1e-6;   ///< mm
+constexpr double beside_slope = 0.1;       ///< slope against the pass of what runs beside it
+constexpr double step = 0.002;             ///< mm between two pieces of one surface
+constexpr double steep = 0.36;             ///< slope from which a pass leads in or out: tan 20 degrees
+constexpr double far = 1e5;                ///< mm
+constexpr double thinnest_surface = 1e-6;  ///< mm
 
 Vec2 mirrored(Vec2 p) { return {p.x, -p.y}; }
 
@@ -115,11 +115,12 @@ std::optional<Run> first_run(const Columns& band, const Columns& part, std::vect
     Surface last;
     for (std::size_t i = 0; i + 1 < corners.size(); ++i) {
         const double s0 = corners[i], s1 = corners[i + 1];
-        if (s1 - s0 <= 3 * hair) continue;
-        const Surface a = surface_at(band, part, s0 + hair), b = surface_at(band, part, s1 - hair);
+        if (s1 - s0 <= 3 * thinnest_surface) continue;
+        const Surface a = surface_at(band, part, s0 + thinnest_surface),
+                      b = surface_at(band, part, s1 - thinnest_surface);
         if (run.length > 0 && !goes_on(last, a, 0, 0)) run = {};
         last = b;
-        if (!goes_on(a, b, flat, s1 - s0)) {
+        if (!goes_on(a, b, beside_slope, s1 - s0)) {
             run = {};
             continue;
         }
@@ -173,7 +174,8 @@ Region in_shoulder(const Region& met, const ThreadGround& g, double tip, double 
     Region all;
     for (const Region& piece : geom::pieces(geom::intersect(met, block(g, -far, far, skin, far)))) {
         const Extent e = extent_of(piece, g);
-        const bool runs_out = e.s1 - e.s0 <= run_out * g.lead && e.high - tip <= deepest_thread * g.lead + tolerance;
+        const bool runs_out =
+            e.s1 - e.s0 <= din_run_out * g.lead && e.high - tip <= deepest_thread * g.lead + tolerance;
         if (runs_out) continue;
         const Region part = geom::intersect(met, block(g, e.s0, e.s1, -far, far));
         all = all.empty() ? part : geom::unite(all, part);
@@ -200,7 +202,7 @@ Vec2 thread_direction(const sim::turning::Move& way) {
 std::optional<ThreadGround> thread_ground(const ThreadPass& pass, const Region& part,
                                           const std::optional<ThreadGround>& before) {
     const sim::turning::Move line = line_of(pass.way);
-    if (geom::distance(line.from, line.to) < hair || pass.lead <= 0 || before) return before;
+    if (geom::distance(line.from, line.to) < thinnest_surface || pass.lead <= 0 || before) return before;
     ThreadGround g;
     g.along = thread_direction(pass.way);
     g.out = out_of(pass, g.along);

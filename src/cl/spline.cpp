@@ -9,12 +9,6 @@ namespace obrys::cl {
 
 namespace {
 
-/// Way along one coordinate; none where it was never given.
-double travel(double from, double to) { return std::isnan(from) && std::isnan(to) ? 0.0 : to - from; }
-geom::Vec3 travel(geom::Vec3 from, geom::Vec3 to) {
-    return {travel(from.x, to.x), travel(from.y, to.y), travel(from.z, to.z)};
-}
-
 geom::Vec3 unit(geom::Vec3 v) {
     const double l = geom::length(v);
     return l == 0 ? v : (1 / l) * v;

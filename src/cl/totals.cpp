@@ -6,12 +6,7 @@ namespace obrys::cl {
 
 namespace {
 
-/// Difference along one coordinate; one that was never given does not move.
-double travel(double from, double to) { return std::isnan(from) && std::isnan(to) ? 0.0 : to - from; }
-
-double straight(geom::Vec3 from, geom::Vec3 to) {
-    return geom::length({travel(from.x, to.x), travel(from.y, to.y), travel(from.z, to.z)});
-}
+double straight(geom::Vec3 from, geom::Vec3 to) { return geom::length(travel(from, to)); }
 
 /// `v` with 0 for the coordinates along which the circle does not lie and that are not known.
 geom::Vec3 known(geom::Vec3 v) {
@@ -24,7 +19,7 @@ double curved(geom::Vec3 from, const Arc& arc) {
                       (std::isnan(spoke.y) && std::abs(arc.normal.y) < 1) ||
                       (std::isnan(spoke.z) && std::abs(arc.normal.z) < 1);
     if (lost) return NAN;
-    const geom::Vec3 chord{travel(from.x, arc.to.x), travel(from.y, arc.to.y), travel(from.z, arc.to.z)};
+    const geom::Vec3 chord = travel(from, arc.to);
     const double rise = geom::dot(known(chord), arc.normal);
     const geom::Vec3 s = known(spoke);
     const double radius = geom::length(s - geom::dot(s, arc.normal) * arc.normal);

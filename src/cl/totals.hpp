@@ -1,11 +1,20 @@
 #pragma once
 /// Counts of a stream: a sink that keeps numbers only.
 
+#include <cmath>
 #include <cstdint>
 
 #include "cl/record.hpp"
 
 namespace obrys::cl {
+
+/// Way along one coordinate, or along all; none where it was never given.
+[[nodiscard]] inline double travel(double from, double to) {
+    return std::isnan(from) && std::isnan(to) ? 0.0 : to - from;
+}
+[[nodiscard]] inline geom::Vec3 travel(geom::Vec3 from, geom::Vec3 to) {
+    return {travel(from.x, to.x), travel(from.y, to.y), travel(from.z, to.z)};
+}
 
 /// Length of a move in mm, arcs with their helix. A coordinate unknown (NaN) at both ends has not moved;
 /// unknown at one end only makes the length unknown: NaN. A spline's length is that of its polynomial, whatever `from`.

@@ -9,10 +9,10 @@ namespace obrys::cycles {
 
 namespace {
 
-constexpr double same = 1e-4;      ///< mm that a stretch along an element may come nearer or go farther
-constexpr double alike = 1e-9;     ///< mm; rounding is not to decide between elements that meet
-constexpr std::size_t few = 4;     ///< elements of a leaf
-constexpr double shortest = 1e-9;  ///< mm; below that it is a point
+constexpr double one_distance = 1e-4;  ///< mm that a stretch along an element may come nearer or go farther
+constexpr double alike = 1e-9;         ///< mm; rounding is not to decide between elements that meet
+constexpr std::size_t few = 4;         ///< elements of a leaf
+constexpr double shortest = 1e-9;      ///< mm; below that it is a point
 
 }  // namespace
 
@@ -65,7 +65,7 @@ std::optional<std::size_t> Along::find(const geom::Edge& stretch) const {
     if (!std::isfinite(best.distance)) return std::nullopt;
     const geom::Edge& e = elements_[best.element];
     for (const geom::Vec2 p : {stretch.a, stretch.b})
-        if (!(std::abs(geom::distance(e, p) - best.distance) <= same)) return std::nullopt;
+        if (!(std::abs(geom::distance(e, p) - best.distance) <= one_distance)) return std::nullopt;
     return best.element;
 }
 

@@ -11,11 +11,7 @@ namespace obrys::cycles {
 
 namespace {
 
-using Role = program::CycleRole;
-using Kind = program::CycleKind;
-
 constexpr double disengagement = 0.2;  ///< mm, cycle 202
-constexpr double most_turns = 10'000;
 
 void ream(Course& c) {
     const Heights h = read_heights(c);
@@ -111,7 +107,7 @@ void bore_mill(Course& c, const Situation& s) {
         c.fault(Role::diameter, "the hole is larger than twice the tool and not roughed out: a core would stay",
                 "take a larger tool or enter the roughed-out diameter");
     const double turns = (h.clearance - h.bottom) / per_turn;
-    if (turns > most_turns) c.fault(Role::infeed_per_turn, "the infeed per helix is too small for the depth");
+    if (turns > most_helix_turns) c.fault(Role::infeed_per_turn, "the infeed per helix is too small for the depth");
     if (!c.ready()) return;
     c.rapid_w(h.clearance);
     const geom::Vec2 centre{c.at().x, c.at().y};

@@ -14,11 +14,6 @@
 
 namespace obrys::cycles {
 
-namespace {
-using Role = program::CycleRole;
-using Kind = program::CycleKind;
-}  // namespace
-
 geom::Vec2 read_target(Course& c, const Situation& s) {
     const geom::Vec2 target{c.maybe(Role::target_u, s.at.x), c.maybe(Role::target_v, s.at.y)};
     c.known(target.x + target.y, "the position of the hole");

@@ -22,9 +22,6 @@ namespace obrys::cycles {
 
 namespace {
 
-using Role = program::CycleRole;
-using Kind = program::CycleKind;
-
 void bore_feed(Course& c, const Demand& demand, const Situation& s) {
     const Hole h = read_hole(c, s);
     c.maybe_at_least(Role::dwell_bottom, 0, 0);

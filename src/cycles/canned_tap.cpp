@@ -22,8 +22,6 @@ namespace obrys::cycles {
 
 namespace {
 
-using Role = program::CycleRole;
-
 /// The spindle as the thread wants it before the tool goes in.
 Turning read_tap(Course& c, const Situation& s) {
     const Turning t = read_turning(c, s);

@@ -3,44 +3,46 @@
 namespace obrys::cycles::test {
 namespace {
 
-const Values hole = {{Role::target_u, 11}, {Role::target_v, 22}, {Role::retract_plane, 2}, {Role::bottom, -10}};
-const Values rising = with(hole, {{Role::rise_first, 1}});
+const Values canned_hole = {{Role::target_u, 11}, {Role::target_v, 22}, {Role::retract_plane, 2}, {Role::bottom, -10}};
+const Values rising = with(canned_hole, {{Role::rise_first, 1}});
 
 Situation standing(double w) { return situation(w); }
 
 TEST(canned, DrillGoesOverTheHoleThenDown) {
-    EXPECT_EQ(run(Kind::canned_drill, hole, standing(20)), "R u11 v22 R w2 L w-10 R w2");
-    EXPECT_EQ(run(Kind::canned_drill, with(hole, {{Role::return_level, 20}, {Role::dwell_bottom, 0.5}}), standing(20)),
-              "R u11 v22 R w2 L w-10 D0.5 R w20");
+    EXPECT_EQ(run(Kind::canned_drill, canned_hole, standing(20)), "R u11 v22 R w2 L w-10 R w2");
+    EXPECT_EQ(
+        run(Kind::canned_drill, with(canned_hole, {{Role::return_level, 20}, {Role::dwell_bottom, 0.5}}), standing(20)),
+        "R u11 v22 R w2 L w-10 D0.5 R w20");
 }
 
 TEST(canned, BelowTheRetractPlane) {
     EXPECT_EQ(run(Kind::canned_drill, with(rising, {{Role::return_level, 2}}), standing(-3)),
               "R w2 R u11 v22 L w-10 R w2");
-    EXPECT_EQ(run(Kind::canned_drill, with(hole, {{Role::return_level, -3}}), standing(-3)),
+    EXPECT_EQ(run(Kind::canned_drill, with(canned_hole, {{Role::return_level, -3}}), standing(-3)),
               "R u11 v22 R w2 L w-10 R w-3");
-    EXPECT_EQ(run(Kind::canned_bore_feed, with(hole, {{Role::return_level, 1}}), standing(1)),
+    EXPECT_EQ(run(Kind::canned_bore_feed, with(canned_hole, {{Role::return_level, 1}}), standing(1)),
               "R u11 v22 R w2 L w-10 L w2 R w1");
-    EXPECT_EQ(run(Kind::canned_drill, hole, standing(-3)), "R u11 v22 R w2 L w-10 R w2");
+    EXPECT_EQ(run(Kind::canned_drill, canned_hole, standing(-3)), "R u11 v22 R w2 L w-10 R w2");
 }
 
 TEST(canned, FromAnUnknownPlaceInThePlane) {
     Situation s = standing(20);
     s.at.x = unknown;
-    const Expansion e = expand({Kind::canned_drill, hole}, s);
+    const Expansion e = expand({Kind::canned_drill, canned_hole}, s);
     ASSERT_TRUE(e.ok()) << complaints(e);
     EXPECT_EQ(std::get<cl::Linear>(e.steps.front()).to, (geom::Vec3{11, 22, 20}));
     s.at.z = unknown;
-    EXPECT_TRUE(expand({Kind::canned_drill, hole}, s).ok());
+    EXPECT_TRUE(expand({Kind::canned_drill, canned_hole}, s).ok());
     EXPECT_FALSE(expand({Kind::canned_drill, rising}, s).ok());
-    EXPECT_FALSE(expand({Kind::canned_drill, with(hole, {{Role::target_u, unknown}})}, s).ok());
+    EXPECT_FALSE(expand({Kind::canned_drill, with(canned_hole, {{Role::target_u, unknown}})}, s).ok());
 }
 
 TEST(canned, Pecks) {
-    const Values peck = with(hole, {{Role::infeed, 5}, {Role::stop_distance_first, 0.5}, {Role::return_level, 20}});
+    const Values peck =
+        with(canned_hole, {{Role::infeed, 5}, {Role::stop_distance_first, 0.5}, {Role::return_level, 20}});
     EXPECT_EQ(run(Kind::canned_peck, peck, standing(20)),
               "R u11 v22 R w2 L w-3 R w2 R w-2.5 L w-8 R w2 R w-7.5 L w-10 R w20");
-    const Values breaking = with(hole, {{Role::infeed, 5}, {Role::chip_break_distance, 0.5}});
+    const Values breaking = with(canned_hole, {{Role::infeed, 5}, {Role::chip_break_distance, 0.5}});
     EXPECT_EQ(run(Kind::canned_chip_break, breaking, standing(20)),
               "R u11 v22 R w2 L w-3 R w-2.5 L w-8 R w-7.5 L w-10 R w2");
     EXPECT_EQ(
@@ -63,7 +65,7 @@ TEST(canned, BinaryInfeedsKeepTheirRoundingError) {
 }
 
 TEST(canned, FloatingTap) {
-    const Values right = with(hole, {{Role::spindle_direction, 1}, {Role::return_level, 20}});
+    const Values right = with(canned_hole, {{Role::spindle_direction, 1}, {Role::return_level, 20}});
     EXPECT_EQ(run(Kind::canned_tap_floating, with(right, {{Role::feed_out, 1}, {Role::dwell, 0}}), standing(20)),
               "R u11 v22 R w2 L w-10 S0 S-1000 D0 L w20 S0 S1000");
     EXPECT_EQ(
@@ -79,7 +81,7 @@ TEST(canned, FloatingTap) {
 }
 
 TEST(canned, RigidTap) {
-    const Values tap = with(hole, {{Role::spindle_direction, 1}, {Role::return_level, 20}});
+    const Values tap = with(canned_hole, {{Role::spindle_direction, 1}, {Role::return_level, 20}});
     Situation s = standing(20);
     s.feed = 1250;
     EXPECT_EQ(run(Kind::canned_tap_rigid, tap, s), "R u11 v22 R w2 S1000 T1.25 w-10 S-1000 T1.25 w2 S0 R w20");
@@ -95,7 +97,7 @@ TEST(canned, RigidTap) {
 }
 
 TEST(canned, Boring) {
-    const Values bore = with(hole, {{Role::return_level, 20}});
+    const Values bore = with(canned_hole, {{Role::return_level, 20}});
     EXPECT_EQ(run(Kind::canned_bore_feed, bore, standing(20)), "R u11 v22 R w2 L w-10 L w2 R w20");
     EXPECT_EQ(run(Kind::canned_bore_feed, with(bore, {{Role::feed_out, 1}, {Role::dwell_bottom, 0}}), standing(20)),
               "R u11 v22 R w2 L w-10 D0 L w20");

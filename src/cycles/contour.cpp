@@ -20,10 +20,7 @@ namespace {
 using geom::Contour;
 using geom::Region;
 using geom::Vec2;
-using Role = program::CycleRole;
-using Kind = program::CycleKind;
 
-constexpr double inf = std::numeric_limits<double>::infinity();
 constexpr double ridge = 1e-6;  // mm
 
 /// Contour data (20). Heights absolute.
@@ -61,7 +58,7 @@ Cuts cuts_of(const Data& d) {
             .levels = {},
             .lift = d.clearance - d.top,
             .direct = false,
-            .retract = inf,
+            .retract = rapid_retract,
             .safe = d.safe};
 }
 

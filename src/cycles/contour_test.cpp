@@ -23,14 +23,15 @@ using testing::expect_sound;
 using testing::milled_levels;
 using testing::Move;
 using testing::moves_of;
+using testing::with;
 using Kind = program::CycleKind;
 using Role = program::CycleRole;
 
-constexpr Vec3 start{0, 0, 100};
+constexpr Vec3 contour_start{0, 0, 100};
 
-Situation mill(double radius) {
+Situation contour_mill(double radius) {
     Situation s;
-    s.at = start;
+    s.at = contour_start;
     s.tool_radius = radius;
     s.tool_plunge_angle = 4;
     return s;
@@ -55,10 +56,6 @@ Demand demand(Kind kind) {
              {Role::feed_reciprocate, 0},
              {Role::feed_retract, 0},
              {Role::allowance_left, 0}}};
-}
-Demand with(Demand d, Role role, double value) {
-    d.values.push_back({role, value});
-    return d;
 }
 
 Region plate() {
@@ -98,10 +95,10 @@ TEST(Contours, ClassifiedByRunAndSide) {
 
 TEST(RoughOut, PocketWithIslands) {
     const Region region = plate();
-    const Expansion e = expand_contour(demand(Kind::rough_out), mill(5), {.area = region, .train = {}});
+    const Expansion e = expand_contour(demand(Kind::rough_out), contour_mill(5), {.area = region, .train = {}});
     ASSERT_TRUE(e.ok());
     EXPECT_FALSE(e.assumption.empty());
-    const auto moves = moves_of(e, start);
+    const auto moves = moves_of(e, contour_start);
     expect_sound(moves, region, {.surface = 5, .bottom = -3.8, .plunge = 120, .mill = 400, .away = 5.3});
     EXPECT_EQ(milled_levels(moves), (std::set<double>{1, -3, -3.8}));
     for (const double level : {1.0, -3.0, -3.8}) expect_covers(moves, region, 0.3, 5, level, 1.3);
@@ -110,29 +107,30 @@ TEST(RoughOut, PocketWithIslands) {
 
 TEST(RoughOut, PlungesByHelixWhereThereIsRoom) {
     const Demand d = with(demand(Kind::rough_out), Role::feed_reciprocate, 90);
-    const Expansion e = expand_contour(d, mill(5), {.area = plate(), .train = {}});
+    const Expansion e = expand_contour(d, contour_mill(5), {.area = plate(), .train = {}});
     ASSERT_TRUE(e.ok());
-    const auto moves = moves_of(e, start);
+    const auto moves = moves_of(e, contour_start);
     expect_sound(moves, plate(), {.surface = 5, .bottom = -3.8, .plunge = 90, .mill = 400, .away = 5.3});
     bool oblique = false;
     for (const Move& m : moves) oblique |= !m.rapid && !m.vertical() && m.from > m.to;
     EXPECT_TRUE(oblique);
-    Situation s = mill(5);
+    Situation s = contour_mill(5);
     s.tool_plunge_angle = 0;
     EXPECT_FALSE(expand_contour(d, s, {.area = plate(), .train = {}}).ok());
 }
 
 TEST(RoughOut, FineRoughingMillsTheRestOnly) {
     const Region region = plate();
-    const auto coarse =
-        moves_of(expand_contour(demand(Kind::rough_out), mill(8), {.area = region, .train = {}}), start);
-    const Expansion e = expand_contour(with(demand(Kind::rough_out), Role::coarse_tool, 3), mill(3),
+    const auto coarse = moves_of(
+        expand_contour(demand(Kind::rough_out), contour_mill(8), {.area = region, .train = {}}), contour_start);
+    const Expansion e = expand_contour(with(demand(Kind::rough_out), Role::coarse_tool, 3), contour_mill(3),
                                        {.area = region, .train = {}, .other_radius = 8});
     ASSERT_TRUE(e.ok());
-    const auto fine = moves_of(e, start);
+    const auto fine = moves_of(e, contour_start);
     expect_sound(fine, region, {.surface = 5, .bottom = -3.8, .plunge = 120, .mill = 400, .away = 3.3});
     double way = 0, whole = 0;
-    const auto all = moves_of(expand_contour(demand(Kind::rough_out), mill(3), {.area = region, .train = {}}), start);
+    const auto all = moves_of(expand_contour(demand(Kind::rough_out), contour_mill(3), {.area = region, .train = {}}),
+                              contour_start);
     for (const Move& m : fine) way += m.rapid ? 0 : static_cast<double>(m.samples.size());
     for (const Move& m : all) whole += m.rapid ? 0 : static_cast<double>(m.samples.size());
     EXPECT_LT(way, 0.6 * whole);
@@ -143,9 +141,9 @@ TEST(RoughOut, FineRoughingMillsTheRestOnly) {
             if (geom::contains(reach, {u, v})) {
                 EXPECT_TRUE(covered(coarse, {u, v}, 8, -3.8) || covered(fine, {u, v}, 3, -3.8)) << u << ' ' << v;
             }
-    EXPECT_FALSE(
-        expand_contour(with(demand(Kind::rough_out), Role::coarse_tool, 3), mill(3), {.area = region, .train = {}})
-            .simulated);
+    EXPECT_FALSE(expand_contour(with(demand(Kind::rough_out), Role::coarse_tool, 3), contour_mill(3),
+                                {.area = region, .train = {}})
+                     .simulated);
 }
 
 TEST(RoughOut, ATooLargeToolNamesThePlace) {
@@ -156,33 +154,35 @@ TEST(RoughOut, ATooLargeToolNamesThePlace) {
         return e.complaints.empty() ? std::string() : e.complaints.front().text;
     };
     const Region small{{placed(disc(4), 0, {30, -20})}};
-    EXPECT_NE(complaint(demand(Kind::rough_out), mill(5), small).find("u 30.000 v -20.000"), std::string::npos);
-    EXPECT_NE(complaint(demand(Kind::side_finish), mill(5), small).find("u 30.000 v -20.000"), std::string::npos);
+    EXPECT_NE(complaint(demand(Kind::rough_out), contour_mill(5), small).find("u 30.000 v -20.000"), std::string::npos);
+    EXPECT_NE(complaint(demand(Kind::side_finish), contour_mill(5), small).find("u 30.000 v -20.000"),
+              std::string::npos);
     for (const double infeed : {0.0, 1e-9})
-        EXPECT_NE(complaint(with(demand(Kind::rough_out), Role::infeed, infeed), mill(5), plate()), "");
-    EXPECT_NE(complaint(with(demand(Kind::rough_out), Role::overlap, 1e-9), mill(5), plate()), "");
-    EXPECT_NE(complaint(with(demand(Kind::rough_out), Role::clearance_height, 1), mill(5), plate()), "");
-    EXPECT_NE(complaint(demand(Kind::rough_out), mill(5), {}), "");
-    EXPECT_FALSE(expand_contour(demand(Kind::rough_out), mill(unknown), {.area = plate(), .train = {}}).simulated);
+        EXPECT_NE(complaint(with(demand(Kind::rough_out), Role::infeed, infeed), contour_mill(5), plate()), "");
+    EXPECT_NE(complaint(with(demand(Kind::rough_out), Role::overlap, 1e-9), contour_mill(5), plate()), "");
+    EXPECT_NE(complaint(with(demand(Kind::rough_out), Role::clearance_height, 1), contour_mill(5), plate()), "");
+    EXPECT_NE(complaint(demand(Kind::rough_out), contour_mill(5), {}), "");
+    EXPECT_FALSE(
+        expand_contour(demand(Kind::rough_out), contour_mill(unknown), {.area = plate(), .train = {}}).simulated);
     // One part too narrow: the other is milled, the narrow one named.
     Region two = plate();
     two.contours.push_back(placed(disc(4), 0, {100, 0}));
-    const Expansion e = expand_contour(demand(Kind::rough_out), mill(5), {.area = two, .train = {}});
+    const Expansion e = expand_contour(demand(Kind::rough_out), contour_mill(5), {.area = two, .train = {}});
     ASSERT_TRUE(e.ok());
     ASSERT_EQ(e.complaints.size(), 1U);
     EXPECT_NE(e.complaints[0].text.find("u 100.000 v 0.000"), std::string::npos);
 }
 
 TEST(PilotDrill, DrillsWhereRoughingGoesDown) {
-    const auto rough =
-        moves_of(expand_contour(demand(Kind::rough_out), mill(5), {.area = plate(), .train = {}}), start);
-    Situation drill = mill(3);
+    const auto rough = moves_of(
+        expand_contour(demand(Kind::rough_out), contour_mill(5), {.area = plate(), .train = {}}), contour_start);
+    Situation drill = contour_mill(3);
     const Expansion e =
         expand_contour(demand(Kind::pilot_drill), drill, {.area = plate(), .train = {}, .other_radius = 5});
     ASSERT_TRUE(e.ok());
     std::vector<Vec2> holes;
     double deepest = 1e9;
-    for (const Move& m : moves_of(e, start)) {
+    for (const Move& m : moves_of(e, contour_start)) {
         if (!m.rapid && m.vertical() && m.to < 5) holes.push_back(m.samples[0]);
         deepest = std::min(deepest, m.to);
     }
@@ -198,16 +198,16 @@ TEST(PilotDrill, DrillsWhereRoughingGoesDown) {
 
 TEST(Finishing, FloorAndSides) {
     const Region region = plate();
-    const auto floor =
-        moves_of(expand_contour(demand(Kind::floor_finish), mill(5), {.area = region, .train = {}}), start);
+    const auto floor = moves_of(
+        expand_contour(demand(Kind::floor_finish), contour_mill(5), {.area = region, .train = {}}), contour_start);
     expect_sound(floor, region, {.surface = -3.8 + 1e-9, .bottom = -4, .plunge = 120, .mill = 400, .away = 5.3});
     EXPECT_EQ(milled_levels(floor), (std::set<double>{-4}));
     expect_covers(floor, region, 0.3, 5, -4, 1.3);
     for (const double sense : {1.0, -1.0}) {
-        const Expansion e = expand_contour(with(demand(Kind::side_finish), Role::direction, sense), mill(4),
+        const Expansion e = expand_contour(with(demand(Kind::side_finish), Role::direction, sense), contour_mill(4),
                                            {.area = region, .train = {}});
         ASSERT_TRUE(e.ok());
-        const auto moves = moves_of(e, start);
+        const auto moves = moves_of(e, contour_start);
         expect_sound(moves, region, {.surface = 5, .bottom = -4, .plunge = 120, .mill = 400, .away = 4});
         EXPECT_EQ(milled_levels(moves), (std::set<double>{1, -3, -4}));
         // Every wall is run along, at the tool's radius.
@@ -219,7 +219,7 @@ TEST(Finishing, FloorAndSides) {
             EXPECT_LT(near, 0.25);
         }
     }
-    const Expansion e = expand_contour(with(demand(Kind::side_finish), Role::allowance_left, 1.5), mill(4),
+    const Expansion e = expand_contour(with(demand(Kind::side_finish), Role::allowance_left, 1.5), contour_mill(4),
                                        {.area = region, .train = {}, .other_radius = 5});
     EXPECT_FALSE(e.ok());
 }
@@ -243,14 +243,14 @@ TEST(RoughOutRandom, NoGougeAllCovered) {
         d = with(d, Role::direction, random.below(2) ? 1 : -1);
         d = with(d, Role::feed_reciprocate, random.below(2) ? 0 : 120);
         const double radius = random.between(0.8, 3), side = d.get(Role::allowance_side);
-        const Expansion e = expand_contour(d, mill(radius), {.area = r, .train = {}});
+        const Expansion e = expand_contour(d, contour_mill(radius), {.area = r, .train = {}});
         if (geom::offset(r, -radius - side).empty()) {
             EXPECT_FALSE(e.ok());
             continue;
         }
         ASSERT_TRUE(e.ok());
         ++milled;
-        const auto moves = moves_of(e, start);
+        const auto moves = moves_of(e, contour_start);
         expect_sound(moves, r, {.surface = 5, .bottom = -3.8, .plunge = 120, .mill = 400, .away = radius + side});
         if (d.get(Role::rounding_radius) == 0) expect_covers(moves, r, side, radius, -3.8, 1.7);
     }
@@ -272,7 +272,7 @@ TEST(Contours, NonsenseIsBounded) {
             const auto role = d.values[static_cast<std::size_t>(random.below(static_cast<int>(d.values.size())))].role;
             d = with(d, role, random.one_of(nasty));
         }
-        Situation s = mill(random.below(4) ? 5 : random.one_of(nasty));
+        Situation s = contour_mill(random.below(4) ? 5 : random.one_of(nasty));
         if (random.below(4) == 0) s.tool_plunge_angle = random.one_of(nasty);
         if (random.below(4) == 0) s.tool_cutting_length = random.one_of(nasty);
         ContourTask task{.area = plate(), .train = {path, random.below(3) - 1}, .other_radius = 6};
@@ -283,10 +283,10 @@ TEST(Contours, NonsenseIsBounded) {
         EXPECT_LE(e.steps.size(), most_steps);
         EXPECT_TRUE(e.ok() || e.steps.empty());
         EXPECT_TRUE(e.ok() || !e.complaints.empty());
-        for (const Move& m : moves_of(e, start))
+        for (const Move& m : moves_of(e, contour_start))
             for (const Vec2 p : m.samples) EXPECT_TRUE(std::isfinite(p.x + p.y + m.to));
     }
-    EXPECT_FALSE(expand_contour(demand(Kind::drill), mill(5), {}).simulated);
+    EXPECT_FALSE(expand_contour(demand(Kind::drill), contour_mill(5), {}).simulated);
 }
 
 }  // namespace

@@ -19,7 +19,6 @@ namespace {
 using geom::Contour;
 using geom::Edge;
 using geom::Vec2;
-using Role = program::CycleRole;
 
 struct Train {
     double top = 0, bottom = 0, safe = 0, infeed = 0, plunge = 0, mill = 0;

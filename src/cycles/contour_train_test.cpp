@@ -17,13 +17,14 @@ using geom::testing::Random;
 using testing::milled_levels;
 using testing::Move;
 using testing::moves_of;
+using testing::with;
 using Role = program::CycleRole;
 
-constexpr Vec3 start{0, 0, 100};
+constexpr Vec3 train_start{0, 0, 100};
 
-Situation mill(double radius) {
+Situation train_mill(double radius) {
     Situation s;
-    s.at = start;
+    s.at = train_start;
     s.tool_radius = radius;
     return s;
 }
@@ -38,12 +39,8 @@ Demand train_25() {
              {Role::feed_mill, 350},
              {Role::direction, 1}}};
 }
-Demand with(Demand d, Role role, double value) {
-    d.values.push_back({role, value});
-    return d;
-}
 Expansion run(const Demand& d, double radius, const Contour& c, int side) {
-    return expand_contour(d, mill(radius), {.area = {}, .train = {c, side}});
+    return expand_contour(d, train_mill(radius), {.area = {}, .train = {c, side}});
 }
 double distance_to(const std::vector<geom::Edge>& chain, Vec2 p) {
     double d = 1e300;
@@ -67,7 +64,7 @@ TEST(ContourTrain, OpenOnBothSidesAndInEverySense) {
             SCOPED_TRACE(::testing::Message() << "side " << side << " sense " << sense);
             const Expansion e = run(with(train_25(), Role::direction, sense), 4, open_contour, side);
             ASSERT_TRUE(e.ok());
-            const auto moves = moves_of(e, start);
+            const auto moves = moves_of(e, train_start);
             EXPECT_EQ(milled_levels(moves), (std::set<double>{-3, -6, -7}));
             bool forward = side == 0 || (sense >= 0) == (side > 0);
             for (const double level : {-3.0, -6.0, -7.0}) {
@@ -97,7 +94,7 @@ TEST(ContourTrain, ClosedStartsBesideItsStart) {
     for (const int side : {1, -1}) {
         const Expansion e = run(train_25(), 3, c, side);
         ASSERT_TRUE(e.ok());
-        const auto way = samples_at(moves_of(e, start), -7);
+        const auto way = samples_at(moves_of(e, train_start), -7);
         EXPECT_LT(geom::distance(way.front(), {10 - side * 3.5, 0}), 1e-9);
         EXPECT_LT(geom::distance(way.back(), way.front()), 1e-9);
         for (const Vec2 p : way) {
@@ -106,7 +103,7 @@ TEST(ContourTrain, ClosedStartsBesideItsStart) {
         }
         EXPECT_GT((way[1].y - way[0].y) * side, 0) << "climb: the tool on the left of its way";
     }
-    EXPECT_EQ(milled_levels(moves_of(run(train_25(), 3, c, 0), start)), (std::set<double>{-3, -6, -7}));
+    EXPECT_EQ(milled_levels(moves_of(run(train_25(), 3, c, 0), train_start)), (std::set<double>{-3, -6, -7}));
 }
 
 TEST(ContourTrain, ApproachesByItsData) {
@@ -115,13 +112,14 @@ TEST(ContourTrain, ApproachesByItsData) {
         d = with(with(d, Role::approach_angle, 90), Role::auxiliary_distance, 5);
         const Expansion e = run(d, 4, open_contour, 1);
         ASSERT_TRUE(e.ok()) << kind;
-        const auto way = samples_at(moves_of(e, start), -7);
+        const auto way = samples_at(moves_of(e, train_start), -7);
         for (const Vec2 p : way) EXPECT_GE(distance_to(geom::edges(open_contour), p), 4.5 - 1e-6);
         const Vec2 from = kind == 1 ? Vec2{-6, 10.5} : kind == 2 ? Vec2{-5, 4.5} : Vec2{0, 9.5};
         EXPECT_LT(geom::distance(way.front(), from), 1e-9) << kind;
     }
     // Compensation of the data counts: right instead of left.
-    const auto way = samples_at(moves_of(run(with(train_25(), Role::compensation, 2), 4, open_contour, 1), start), -7);
+    const auto way =
+        samples_at(moves_of(run(with(train_25(), Role::compensation, 2), 4, open_contour, 1), train_start), -7);
     EXPECT_LT(way.back().y, 0);
 }
 
@@ -171,7 +169,7 @@ TEST(ContourTrainRandom, KeepsItsDistanceOrSaysWhereItCannot) {
             continue;
         }
         ++ok;
-        for (const Move& m : moves_of(e, start))
+        for (const Move& m : moves_of(e, train_start))
             for (const Vec2 p : m.samples) {
                 if (std::min(m.from, m.to) >= 0) break;
                 EXPECT_GE(distance_to(geom::edges(c), p), radius + 0.5 - 1e-6);

@@ -11,8 +11,8 @@
 namespace obrys::cycles {
 
 namespace {
+
 constexpr double no_length = 1e-9;  ///< mm; a shorter move is none
-constexpr double largest = 1e7;     ///< beyond every control's input range
 
 /// False where a coordinate is not known (geom::length may overlook a NaN).
 bool same_place(geom::Vec3 a, geom::Vec3 b) {
@@ -36,7 +36,7 @@ double Course::checked(Role role, double value) {
     if (std::isnan(value)) {
         not_simulated(std::string(name(role)) + " is not known");
         out_.complaints.back().role = role;
-    } else if (std::abs(value) > largest) {
+    } else if (std::abs(value) > largest_input) {
         fault(role, std::string(name(role)) + " is out of range");
         return unknown;
     }
@@ -119,13 +119,13 @@ double Course::known(double value, const std::string& what) {
 
 double Course::tool_radius(const Situation& situation) {
     const double radius = known(situation.tool_radius, "the tool radius");
-    if (radius < 0 || radius > largest) fault("the tool radius is out of range");
+    if (radius < 0 || radius > largest_input) fault("the tool radius is out of range");
     return radius;
 }
 
 double Course::spindle_speed(const Situation& situation) {
     const double speed = known(situation.spindle_speed, "the spindle speed");
-    if (speed < 0 || speed > largest) fault("the spindle speed is out of range");
+    if (speed < 0 || speed > largest_input) fault("the spindle speed is out of range");
     return speed;
 }
 
@@ -235,7 +235,6 @@ Expansion Course::finish() {
 }
 
 Heights read_heights(Course& course) {
-    using Role = program::CycleRole;
     Heights h;
     h.surface = course.need(Role::surface);
     const double clearance = course.at_least(Role::clearance, 0);

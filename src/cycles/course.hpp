@@ -10,12 +10,16 @@
 
 namespace obrys::cycles {
 
+using Kind = program::CycleKind;
+using Role = program::CycleRole;
+
+inline constexpr double largest_input = 1e7;        ///< beyond every control's input range
+inline constexpr double most_helix_turns = 10'000;  ///< of one helix; more are a complaint
+
 /// One expansion in the making. A parameter that is missing, out of its range or not known is complained of once; the
 /// family asks `ready()` before it makes the first step.
 class Course {
 public:
-    using Role = program::CycleRole;
-
     Course(const Demand& demand, const Situation& situation);
     /// `anywhere`: the cycle goes to its place by itself, where it comes from need not be known.
     Course(const Demand& demand, const Situation& situation, bool anywhere);

@@ -9,7 +9,6 @@ namespace obrys::cycles {
 
 namespace {
 
-using Kind = program::CycleKind;
 using Family = void (*)(Course&, const Demand&, const Situation&);
 
 /// The family that expands a kind; none for kinds that are no machining of their own or not simulated.

@@ -13,9 +13,6 @@ namespace obrys::cycles {
 
 namespace {
 
-using Role = program::CycleRole;
-using Kind = program::CycleKind;
-
 /// How much deeper the point must go so that the full diameter reaches the depth.
 double point_length(Course& c, const Situation& s) {
     if (c.maybe(Role::depth_reference, 0) == 0) return 0;

@@ -4,8 +4,6 @@
 
 namespace obrys::cycles {
 
-using Role = program::CycleRole;
-
 double Infeeds::of(int step) const {
     return decrement > 0 ? std::min(first, std::max(first - step * decrement, least)) : first;
 }

@@ -15,7 +15,6 @@ using geom::Contour;
 using geom::Edge;
 using geom::Region;
 using geom::Vec2;
-using Role = program::CycleRole;
 
 double milling_radius(Course& c, const Situation& s) {
     constexpr double largest = 1e4;

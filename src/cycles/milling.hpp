@@ -5,6 +5,7 @@
 /// tool's radius and the allowance. No path here leaves it below the surface.
 
 #include <cstdint>
+#include <limits>
 #include <string>
 #include <vector>
 
@@ -31,6 +32,8 @@ void check_size(Course& course, const geom::Region& region);
 /// 90 degrees: straight down.
 void set_angle(Course& course, const Situation& situation, Descent& descent);
 
+inline constexpr double rapid_retract = std::numeric_limits<double>::infinity();
+
 /// The heights of one machining, absolute w.
 struct Cuts {
     double top = 0;              ///< of the material
@@ -38,7 +41,7 @@ struct Cuts {
     std::vector<double> levels;  ///< downwards
     double lift = 0;      ///< above a level that is cut, at which the tool may move at rapid traverse within the room
     bool direct = false;  ///< the room is convex: the tool returns to its start within it, not above the clearance
-    double retract = 0;   ///< feed of the retraction; infinity: rapid
+    double retract = 0;   ///< feed of the retraction; or rapid_retract
     double safe =
         -std::numeric_limits<double>::infinity();  ///< height of the ways between parts, if above the clearance
 };

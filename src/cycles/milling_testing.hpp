@@ -16,6 +16,12 @@ namespace obrys::cycles::testing {
 using geom::Vec2;
 using geom::Vec3;
 
+/// A value added later counts.
+inline Demand with(Demand d, program::CycleRole role, double value) {
+    d.values.push_back({role, value});
+    return d;
+}
+
 struct Move {
     geom::Edge way;  ///< in the plane; a == b for a vertical move
     std::vector<Vec2> samples;

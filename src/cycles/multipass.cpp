@@ -15,19 +15,17 @@ namespace obrys::cycles {
 namespace {
 
 using geom::Vec3;
-using Role = program::CycleRole;
-using Kind = program::CycleKind;
 
-constexpr int most_passes = 20'000;
+constexpr int most_surface_passes = 20'000;
 
 double sign(double value) { return value < 0 ? -1 : 1; }
 
 /// A whole number of cuts from 1 on.
 int read_cuts(Course& c) {
     const double cuts = c.need(Role::passes);
-    if (cuts < 1 || cuts > most_passes || (std::isfinite(cuts) && cuts != std::floor(cuts)))
+    if (cuts < 1 || cuts > most_surface_passes || (std::isfinite(cuts) && cuts != std::floor(cuts)))
         c.fault(Role::passes, "the number of cuts must be a whole number from 1 on");
-    return c.ready() ? base::clipped<int>(cuts, 0, most_passes) : 0;
+    return c.ready() ? base::clipped<int>(cuts, 0, most_surface_passes) : 0;
 }
 
 void multipass(Course& c, const Situation& s) {
@@ -111,8 +109,8 @@ void read_passes(Course& c, Face& f, double corner_radius) {
     const double flat = f.radius - corner_radius;
     if (flat <= 0) c.fault("face milling needs a tool with a flat front");
     const double passes = std::ceil(std::abs(f.width) / (overlap * flat) - 1e-9);
-    if (passes > most_passes) c.fault(Role::overlap, "the path overlap is too small for the width");
-    if (c.ready()) f.passes = base::clipped<int>(passes, 1, most_passes);
+    if (passes > most_surface_passes) c.fault(Role::overlap, "the path overlap is too small for the width");
+    if (c.ready()) f.passes = base::clipped<int>(passes, 1, most_surface_passes);
 }
 
 Face read_face(Course& c, const Situation& s) {

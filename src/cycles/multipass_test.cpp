@@ -5,19 +5,19 @@
 namespace obrys::cycles::test {
 namespace {
 
-const Values lines = {{Role::start_u, 0},       {Role::start_v, 0},     {Role::start_w, 3},
-                      {Role::length, 100},      {Role::width, 30},      {Role::clearance, 2},
-                      {Role::feed_plunge, 150}, {Role::feed_mill, 500}, {Role::feed_step, 200}};
+const Values line_passes = {{Role::start_u, 0},       {Role::start_v, 0},     {Role::start_w, 3},
+                            {Role::length, 100},      {Role::width, 30},      {Role::clearance, 2},
+                            {Role::feed_plunge, 150}, {Role::feed_mill, 500}, {Role::feed_step, 200}};
 
 // Tool radius 5: along u from -5 to 105, across v from 5 to 25.
 TEST(multipass, LinesBackAndForth) {
-    EXPECT_EQ(run(Kind::multipass, with(lines, {{Role::passes, 3}})),
+    EXPECT_EQ(run(Kind::multipass, with(line_passes, {{Role::passes, 3}})),
               "R u-5 v5 R w5 F150 L w3 F500 L u105 F200 L v15 F500 L u-5 F200 L v25 F500 L u105 R w5");
-    EXPECT_EQ(
-        run(Kind::multipass, with(lines, {{Role::passes, 2}, {Role::length, -100}, {Role::width, -30}}), situation(1)),
-        "R w5 R u5 v-5 F150 L w3 F500 L u-105 F200 L v-25 F500 L u5 R w5");
-    EXPECT_FALSE(expand({Kind::multipass, with(lines, {{Role::passes, 0}})}, situation()).ok());
-    EXPECT_FALSE(expand({Kind::multipass, with(lines, {{Role::passes, 2.5}})}, situation()).ok());
+    EXPECT_EQ(run(Kind::multipass, with(line_passes, {{Role::passes, 2}, {Role::length, -100}, {Role::width, -30}}),
+                  situation(1)),
+              "R w5 R u5 v-5 F150 L w3 F500 L u-105 F200 L v-25 F500 L u5 R w5");
+    EXPECT_FALSE(expand({Kind::multipass, with(line_passes, {{Role::passes, 0}})}, situation()).ok());
+    EXPECT_FALSE(expand({Kind::multipass, with(line_passes, {{Role::passes, 2.5}})}, situation()).ok());
 }
 
 TEST(multipass, RuledSurface) {  // a quarter of the way up with every pass; retract by the tool's diameter
@@ -30,7 +30,7 @@ TEST(multipass, RuledSurface) {  // a quarter of the way up with every pass; ret
               "w6 R w16");
 }
 
-const Values face = {
+const Values face_mill = {
     {Role::start_u, 0},       {Role::start_v, 0},   {Role::start_w, 3},           {Role::length, 100},
     {Role::width, 30},        {Role::clearance, 2}, {Role::second_clearance, 20}, {Role::feed_mill, 500},
     {Role::end_surface, 0},   {Role::infeed, 2},    {Role::overlap, 1.5},         {Role::feed_position, 2000},
@@ -38,7 +38,7 @@ const Values face = {
 
 // Overlap 1.5 * 5 = 7.5: four passes, edges at 7.5, 15, 22.5, 30, centres 5 below. Two levels, 1.5 and 0.
 TEST(multipass, FaceOutside) {
-    EXPECT_EQ(run(Kind::face_mill, with(face, {{Role::strategy, 0}})),
+    EXPECT_EQ(run(Kind::face_mill, with(face_mill, {{Role::strategy, 0}})),
               "R u-6 v2.5 R w23 F2000 L w1.5 F500 L u106 F2000 L v10 F500 L u-6 F2000 L v17.5 F500 L u106 F2000 L v25 "
               "F500 L u-6 "
               "F2000 L w0 F500 L u106 F2000 L v17.5 F500 L u-6 F2000 L v10 F500 L u106 F2000 L v2.5 F500 L u-6 R w23");
@@ -46,25 +46,25 @@ TEST(multipass, FaceOutside) {
 
 TEST(multipass, FaceInside) {
     EXPECT_EQ(run(Kind::face_mill,
-                  with(face, {{Role::strategy, 1}, {Role::infeed, 3}, {Role::overlap, 1.99}, {Role::width, 19}})),
+                  with(face_mill, {{Role::strategy, 1}, {Role::infeed, 3}, {Role::overlap, 1.99}, {Role::width, 19}})),
               "R u-6 v4.5 R w23 F2000 L w0 F500 L u95 L v14 L u-6 R w23");
 }
 
 TEST(multipass, FaceOneWay) {
     EXPECT_EQ(run(Kind::face_mill,
-                  with(face, {{Role::strategy, 2}, {Role::infeed, 3}, {Role::overlap, 1.99}, {Role::width, 19}})),
+                  with(face_mill, {{Role::strategy, 2}, {Role::infeed, 3}, {Role::overlap, 1.99}, {Role::width, 19}})),
               "R u-6 v4.5 R w23 F2000 L w0 F500 L u106 F2000 L w2 L u-6 v14 L w0 F500 L u106 R w23");
 }
 
 TEST(multipass, FaceLeavesAllowanceForTheLastInfeed) {
-    const Values v =
-        with(face, {{Role::strategy, 0}, {Role::width, 7}, {Role::allowance_floor, 0.5}, {Role::feed_finish, 300}});
+    const Values v = with(
+        face_mill, {{Role::strategy, 0}, {Role::width, 7}, {Role::allowance_floor, 0.5}, {Role::feed_finish, 300}});
     EXPECT_EQ(run(Kind::face_mill, v),
               "R u-6 v2 R w23 F2000 L w1.75 F500 L u106 F2000 L w0.5 F500 L u-6 F2000 L w0 F300 L u106 R w23");
 }
 
 TEST(multipass, FaceComplaints) {
-    const Values v = with(face, {{Role::strategy, 0}});
+    const Values v = with(face_mill, {{Role::strategy, 0}});
     EXPECT_FALSE(expand({Kind::face_mill, with(v, {{Role::end_surface, 4}})}, situation()).ok());
     EXPECT_FALSE(expand({Kind::face_mill, with(v, {{Role::strategy, 3}})}, situation()).ok());
     EXPECT_FALSE(expand({Kind::face_mill, with(v, {{Role::overlap, 2}})}, situation()).ok());
@@ -83,11 +83,11 @@ TEST(multipass, FaceCoversTheSurface) {
     Random random(seed);
     for (int round = 0; round < 300; ++round) {
         const double length = random.in(-200, 200), width = random.in(-200, 200);
-        const Values v = with(face, {{Role::strategy, random.upto(1) == 0 ? 0.0 : 2.0},
-                                     {Role::length, length},
-                                     {Role::width, width},
-                                     {Role::infeed, random.in(0.5, 5)},
-                                     {Role::overlap, random.in(0.2, 1.999)}});
+        const Values v = with(face_mill, {{Role::strategy, random.upto(1) == 0 ? 0.0 : 2.0},
+                                          {Role::length, length},
+                                          {Role::width, width},
+                                          {Role::infeed, random.in(0.5, 5)},
+                                          {Role::overlap, random.in(0.2, 1.999)}});
         const Situation s = situation();
         const Expansion e = expand({Kind::face_mill, v}, s);
         ASSERT_TRUE(e.ok()) << complaints(e) << "seed " << seed << " round " << round;

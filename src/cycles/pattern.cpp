@@ -5,6 +5,7 @@
 #include <utility>
 
 #include "base/whole.hpp"
+#include "cycles/course.hpp"
 #include "cycles/names.hpp"
 
 namespace obrys::cycles {
@@ -12,7 +13,6 @@ namespace obrys::cycles {
 namespace {
 
 using geom::Vec2;
-using Role = program::CycleRole;
 
 /// Exact for quarter turns.
 Vec2 direction(double degrees) {

@@ -18,8 +18,8 @@ void expect_at(const Positions& p, const std::vector<Vec2>& expected) {
 
 const Values circle = {
     {Role::centre_u, 50}, {Role::centre_v, 40}, {Role::pitch_circle, 20}, {Role::start_angle, 0}, {Role::count, 4}};
-const Values grid = {{Role::start_u, 10}, {Role::start_v, 5}, {Role::spacing_u, 10}, {Role::spacing_v, 8},
-                     {Role::columns, 3},  {Role::rows, 2},    {Role::rotation, 0}};
+const Values point_grid = {{Role::start_u, 10}, {Role::start_v, 5}, {Role::spacing_u, 10}, {Role::spacing_v, 8},
+                           {Role::columns, 3},  {Role::rows, 2},    {Role::rotation, 0}};
 
 TEST(pattern, FullCircle) {
     expect_at(pattern_positions({Kind::pattern_circle, with(circle, {{Role::end_angle, 360}})}),
@@ -47,18 +47,19 @@ TEST(pattern, TraverseIsHandedOn) {
 }
 
 TEST(pattern, LinesBackAndForth) {
-    expect_at(pattern_positions({Kind::pattern_lines, grid}),
+    expect_at(pattern_positions({Kind::pattern_lines, point_grid}),
               {{10, 5}, {20, 5}, {30, 5}, {30, 13}, {20, 13}, {10, 13}});
-    expect_at(pattern_positions({Kind::pattern_lines, with(grid, {{Role::rotation, 90}, {Role::columns, 2}})}),
+    expect_at(pattern_positions({Kind::pattern_lines, with(point_grid, {{Role::rotation, 90}, {Role::columns, 2}})}),
               {{10, 5}, {10, 15}, {2, 15}, {2, 5}});
 }
 
 TEST(pattern, BadInput) {
-    EXPECT_FALSE(pattern_positions({Kind::pattern_lines, with(grid, {{Role::columns, 0}})}).ok());
-    EXPECT_FALSE(pattern_positions({Kind::pattern_lines, with(grid, {{Role::columns, 2.5}})}).ok());
-    EXPECT_FALSE(pattern_positions({Kind::pattern_lines, with(grid, {{Role::columns, 1e9}})}).ok());
-    EXPECT_FALSE(pattern_positions({Kind::pattern_lines, with(grid, {{Role::columns, 9e4}, {Role::rows, 9e4}})}).ok());
-    EXPECT_FALSE(pattern_positions({Kind::pattern_lines, with(grid, {{Role::start_u, unknown}})}).ok());
+    EXPECT_FALSE(pattern_positions({Kind::pattern_lines, with(point_grid, {{Role::columns, 0}})}).ok());
+    EXPECT_FALSE(pattern_positions({Kind::pattern_lines, with(point_grid, {{Role::columns, 2.5}})}).ok());
+    EXPECT_FALSE(pattern_positions({Kind::pattern_lines, with(point_grid, {{Role::columns, 1e9}})}).ok());
+    EXPECT_FALSE(
+        pattern_positions({Kind::pattern_lines, with(point_grid, {{Role::columns, 9e4}, {Role::rows, 9e4}})}).ok());
+    EXPECT_FALSE(pattern_positions({Kind::pattern_lines, with(point_grid, {{Role::start_u, unknown}})}).ok());
     EXPECT_FALSE(pattern_positions({Kind::pattern_circle, circle}).ok());  // no stopping angle
     EXPECT_FALSE(pattern_positions({Kind::pattern_circle, with(circle, {{Role::end_angle, 0}})}).ok());
 }

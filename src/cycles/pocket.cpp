@@ -11,8 +11,6 @@ namespace obrys::cycles {
 namespace {
 
 using geom::Vec2;
-using Role = program::CycleRole;
-using Kind = program::CycleKind;
 
 constexpr std::string_view rings =
     "the path in the pocket: equidistant rings from the inside outwards, one radius or what the overlap says apart";

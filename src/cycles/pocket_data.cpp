@@ -14,11 +14,9 @@ namespace obrys::cycles {
 
 using geom::Contour;
 using geom::Vec2;
-using Role = program::CycleRole;
 
 namespace {
 
-constexpr double inf = std::numeric_limits<double>::infinity();
 /// mm: a room narrower than this is a line.
 constexpr double no_room = 1e-6;
 
@@ -62,11 +60,11 @@ Cuts cuts_of(const PocketData& p, bool convex) {
     cuts.clearance = p.h.clearance;
     cuts.lift = p.lift;
     cuts.direct = convex;
-    cuts.retract = inf;
+    cuts.retract = rapid_retract;
     return cuts;
 }
 
-AreaPaths paths_of(Course& c, const PocketData& p, const Figure& f, double side) {
+AreaPaths paths_of(Course& c, const PocketData& p, const PocketFigure& f, double side) {
     if (!f.middle.vertices.empty() && geom::offset(f.region, -p.radius - side - no_room).empty())
         return {{placed(f.middle, f.where)}, {}};
     AreaPaths paths = area_paths(
@@ -77,14 +75,14 @@ AreaPaths paths_of(Course& c, const PocketData& p, const Figure& f, double side)
     return paths;
 }
 
-void rough(Course& c, const PocketData& p, const Figure& f) {
+void rough(Course& c, const PocketData& p, const PocketFigure& f) {
     Cuts cuts = cuts_of(p, f.convex);
     cuts.levels = even_levels(c, p.h.surface, p.h.bottom + p.floor, p.infeed);
     const AreaPaths paths = paths_of(c, p, f, p.side);
     if (c.ready()) mill_tours(c, paths, cuts, p.radius, p.descent, p.mill);
 }
 
-void finish(Course& c, const PocketData& p, const Figure& f) {
+void finish(Course& c, const PocketData& p, const PocketFigure& f) {
     if (p.side > 0) {
         Cuts cuts = cuts_of(p, f.convex);
         cuts.levels =
@@ -106,7 +104,7 @@ void finish(Course& c, const PocketData& p, const Figure& f) {
 
 }  // namespace
 
-void mill_pocket(Course& c, const PocketData& p, const Figure& f) {
+void mill_pocket(Course& c, const PocketData& p, const PocketFigure& f) {
     if (p.h.bottom + p.floor > p.h.surface)
         c.fault(Role::allowance_floor, "the finishing allowance for floor is larger than the depth");
     check_size(c, placed(f.region, f.where));

@@ -27,7 +27,7 @@ struct PocketData {
 [[nodiscard]] PocketData read_pocket(Course& course, const Situation& situation, bool with_overlap);
 
 /// A figure in coordinates of its own.
-struct Figure {
+struct PocketFigure {
     geom::Region region;
     Placement where;
     geom::Vec2 start;  ///< where the tool goes down when it roughs; used where `convex`
@@ -35,7 +35,7 @@ struct Figure {
     geom::Contour middle = {};  ///< of a slot: the path of a tool as wide as the slot; empty otherwise
 };
 /// Roughing from the inside outwards and finishing, walls first, then the floor, as the operation says.
-void mill_pocket(Course& course, const PocketData& p, const Figure& figure);
+void mill_pocket(Course& course, const PocketData& p, const PocketFigure& figure);
 
 void expand_pocket(Course& course, const Demand& demand, const Situation& situation);
 void expand_slot(Course& course, const Demand& demand, const Situation& situation);

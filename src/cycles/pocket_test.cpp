@@ -14,17 +14,18 @@ using testing::expect_sound;
 using testing::milled_levels;
 using testing::Move;
 using testing::moves_of;
+using testing::with;
 using Kind = program::CycleKind;
 using Role = program::CycleRole;
 using geom::Region;
 using geom::Vec2;
 using geom::Vec3;
 
-constexpr Vec3 start{50, 40, 60};
+constexpr Vec3 pocket_start{50, 40, 60};
 
-Situation mill(double radius) {
+Situation pocket_mill(double radius) {
     Situation s;
-    s.at = start;
+    s.at = pocket_start;
     s.tool_radius = radius;
     s.spindle_speed = 2000;
     s.spindle_direction = 1;
@@ -40,10 +41,6 @@ Demand pocket_251() {
              {Role::feed_plunge, 150},     {Role::finish_infeed, 6}, {Role::clearance, 2}, {Role::surface, 10},
              {Role::second_clearance, 50}, {Role::overlap, 1},       {Role::plunge, 0},    {Role::feed_finish, 400}}};
 }
-Demand with(Demand d, Role role, double value) {
-    d.values.push_back({role, value});
-    return d;
-}
 
 const Region pocket{{placed(rectangle(60, 40, 6), geom::radians(30), {50, 40})}};
 
@@ -58,10 +55,10 @@ void expect_covers(const std::vector<Move>& moves, const Region& region, double 
 }
 
 TEST(Pocket, RoughingKeepsItsAllowances) {
-    const Expansion e = expand(pocket_251(), mill(5));
+    const Expansion e = expand(pocket_251(), pocket_mill(5));
     ASSERT_TRUE(e.ok()) << (e.complaints.empty() ? "" : e.complaints[0].text);
     EXPECT_FALSE(e.assumption.empty());
-    const auto moves = moves_of(e, start);
+    const auto moves = moves_of(e, pocket_start);
     expect_sound(moves, pocket, {.surface = 10, .bottom = -1.8, .plunge = 150, .mill = 500, .away = 5.4});
     EXPECT_EQ(milled_levels(moves), (std::set<double>{5, 0, -1.8}));
     for (const double level : {5.0, 0.0, -1.8}) expect_covers(moves, pocket, 0.4, 5, level);
@@ -73,9 +70,9 @@ TEST(Pocket, RoughingKeepsItsAllowances) {
 
 TEST(Pocket, GoesDownInTheCentre) {
     for (const double how : {0.0, 1.0, 2.0}) {
-        const Expansion e = expand(with(pocket_251(), Role::plunge, how), mill(5));
+        const Expansion e = expand(with(pocket_251(), Role::plunge, how), pocket_mill(5));
         ASSERT_TRUE(e.ok());
-        const auto moves = moves_of(e, start);
+        const auto moves = moves_of(e, pocket_start);
         expect_sound(moves, pocket, {.surface = 10, .bottom = -1.8, .plunge = 150, .mill = 500, .away = 5.4});
         double steepest = 0;
         bool oblique = false;
@@ -94,9 +91,9 @@ TEST(Pocket, GoesDownInTheCentre) {
 }
 
 TEST(Pocket, RoughingAndFinishingReachTheContour) {
-    const Expansion e = expand(with(pocket_251(), Role::operation, 0), mill(5));
+    const Expansion e = expand(with(pocket_251(), Role::operation, 0), pocket_mill(5));
     ASSERT_TRUE(e.ok());
-    const auto moves = moves_of(e, start);
+    const auto moves = moves_of(e, pocket_start);
     expect_sound(moves, pocket, {.surface = 10, .bottom = -2, .plunge = 150, .mill = 0, .away = 5 - 1e-6});
     EXPECT_EQ(*milled_levels(moves).begin(), -2);
     expect_covers(moves, pocket, 0, 5, -2);
@@ -111,7 +108,7 @@ TEST(Pocket, RoughingAndFinishingReachTheContour) {
 TEST(Pocket, FinishingWithoutAllowanceDoesNothing) {
     Demand d = with(pocket_251(), Role::operation, 2);
     d = with(with(d, Role::allowance_side, 0), Role::allowance_floor, 0);
-    const auto moves = moves_of(expand(d, mill(5)), start);
+    const auto moves = moves_of(expand(d, pocket_mill(5)), pocket_start);
     EXPECT_TRUE(milled_levels(moves).empty());
 }
 
@@ -128,9 +125,9 @@ TEST(Pocket, CircularAndItsHelix) {
                     {Role::overlap, 1.4},
                     {Role::plunge, 1},
                     {Role::operation, 1}}};
-    const Expansion e = expand(d, mill(4));
+    const Expansion e = expand(d, pocket_mill(4));
     ASSERT_TRUE(e.ok());
-    const auto moves = moves_of(e, start);
+    const auto moves = moves_of(e, pocket_start);
     const Region region{{placed(disc(15), 0, {50, 40})}};
     expect_sound(moves, region, {.surface = 0, .bottom = -7, .plunge = 150, .mill = 500, .away = 4.5});
     EXPECT_EQ(milled_levels(moves), (std::set<double>{-4, -7}));
@@ -138,7 +135,7 @@ TEST(Pocket, CircularAndItsHelix) {
 }
 
 TEST(Pocket, OldForms) {
-    Situation s = mill(5);
+    Situation s = pocket_mill(5);
     s.at.z = 2;
     const Demand d{Kind::rectangular_pocket_simple,
                    {{Role::clearance, -2},
@@ -178,22 +175,24 @@ TEST(Pocket, BadInputIsComplainedOf) {
         EXPECT_TRUE(e.steps.empty());
         return e.complaints.empty() ? std::string() : e.complaints.front().text;
     };
-    EXPECT_NE(complaint(pocket_251(), mill(20.5)).find("u 50.000 v 40.000"), std::string::npos);
-    EXPECT_NE(complaint(with(pocket_251(), Role::infeed, 0), mill(5)), "");
-    EXPECT_NE(complaint(with(pocket_251(), Role::infeed, -3), mill(5)), "");
-    EXPECT_NE(complaint(with(pocket_251(), Role::overlap, 0), mill(5)), "");
-    EXPECT_NE(complaint(with(pocket_251(), Role::overlap, 1e-9), mill(5)), "");
-    EXPECT_NE(complaint(with(pocket_251(), Role::corner_radius, 21), mill(5)), "");
-    EXPECT_NE(complaint(with(pocket_251(), Role::operation, 7), mill(5)), "");
-    EXPECT_NE(complaint(with(pocket_251(), Role::depth, 12), mill(5)), "");
-    EXPECT_NE(complaint(mill(5).tool_radius > 0 ? with(pocket_251(), Role::infeed, 1e-9) : pocket_251(), mill(5)), "");
-    Situation unknown_radius = mill(5);
+    EXPECT_NE(complaint(pocket_251(), pocket_mill(20.5)).find("u 50.000 v 40.000"), std::string::npos);
+    EXPECT_NE(complaint(with(pocket_251(), Role::infeed, 0), pocket_mill(5)), "");
+    EXPECT_NE(complaint(with(pocket_251(), Role::infeed, -3), pocket_mill(5)), "");
+    EXPECT_NE(complaint(with(pocket_251(), Role::overlap, 0), pocket_mill(5)), "");
+    EXPECT_NE(complaint(with(pocket_251(), Role::overlap, 1e-9), pocket_mill(5)), "");
+    EXPECT_NE(complaint(with(pocket_251(), Role::corner_radius, 21), pocket_mill(5)), "");
+    EXPECT_NE(complaint(with(pocket_251(), Role::operation, 7), pocket_mill(5)), "");
+    EXPECT_NE(complaint(with(pocket_251(), Role::depth, 12), pocket_mill(5)), "");
+    EXPECT_NE(complaint(pocket_mill(5).tool_radius > 0 ? with(pocket_251(), Role::infeed, 1e-9) : pocket_251(),
+                        pocket_mill(5)),
+              "");
+    Situation unknown_radius = pocket_mill(5);
     unknown_radius.tool_radius = unknown;
     const Expansion e = expand(pocket_251(), unknown_radius);
     EXPECT_FALSE(e.simulated);
     EXPECT_TRUE(e.steps.empty());
-    EXPECT_FALSE(expand(with(pocket_251(), Role::length, unknown), mill(5)).simulated);
-    Situation no_angle = mill(5);
+    EXPECT_FALSE(expand(with(pocket_251(), Role::length, unknown), pocket_mill(5)).simulated);
+    Situation no_angle = pocket_mill(5);
     no_angle.tool_plunge_angle = 0;
     EXPECT_FALSE(expand(with(pocket_251(), Role::plunge, 1), no_angle).ok());
     no_angle.tool_plunge_angle = unknown;
@@ -217,9 +216,9 @@ TEST(Slot, NarrowAndWide) {
                         {Role::clearance, 2},
                         {Role::surface, 0},
                         {Role::plunge, 2}}};
-        const Expansion e = expand(d, mill(5));
+        const Expansion e = expand(d, pocket_mill(5));
         ASSERT_TRUE(e.ok()) << width;
-        const auto moves = moves_of(e, start);
+        const auto moves = moves_of(e, pocket_start);
         const Region region{{placed(long_slot(70, width), geom::radians(20), {50, 40})}};
         expect_sound(moves, region, {.surface = 0, .bottom = -8, .plunge = 150, .mill = 500, .away = 5});
         EXPECT_EQ(*milled_levels(moves).begin(), -8);
@@ -245,9 +244,9 @@ TEST(Slot, OnAnArcSeveral) {
                     {Role::feed_plunge, 150},
                     {Role::clearance, 2},
                     {Role::surface, 0}}};
-    const Expansion e = expand(d, mill(4));
+    const Expansion e = expand(d, pocket_mill(4));
     ASSERT_TRUE(e.ok());
-    const auto moves = moves_of(e, start);
+    const auto moves = moves_of(e, pocket_start);
     Region all;
     for (const double turn : {0.0, 120.0, 240.0}) {
         geom::Contour c = round_slot(40, 12, geom::radians(30 + turn), geom::radians(50)).contours.front();
@@ -275,7 +274,7 @@ TEST(Slot, PlacesOfTheFigure) {
                         {Role::clearance, 2},
                         {Role::surface, 0}}};
         double least = 1e9;
-        for (const Move& m : moves_of(expand(d, mill(5)), start))
+        for (const Move& m : moves_of(expand(d, pocket_mill(5)), pocket_start))
             if (!m.rapid)
                 for (const Vec2 p : m.samples) least = std::min(least, p.x - 5);
         EXPECT_NEAR(least, lefts[position], 1e-9) << position;
@@ -298,14 +297,14 @@ TEST(Slot, Reciprocating) {
                     {Role::rotation, 90},
                     {Role::finish_infeed, 0},
                     {Role::feed_plunge, 150}}};
-    const Expansion e = expand(d, mill(5));
+    const Expansion e = expand(d, pocket_mill(5));
     ASSERT_TRUE(e.ok());
-    const auto moves = moves_of(e, start);
+    const auto moves = moves_of(e, pocket_start);
     const Region region{{placed(long_slot(60, 12), geom::pi / 2, {30, 10})}};
     expect_sound(moves, region, {.surface = 0, .bottom = -9, .plunge = 150, .mill = 300, .away = 5});
     expect_covers(moves, region, 0, 5, -9);
-    EXPECT_FALSE(expand(with(d, Role::width, 9), mill(5)).ok());
-    EXPECT_FALSE(expand(with(d, Role::width, 40), mill(5)).ok());
+    EXPECT_FALSE(expand(with(d, Role::width, 9), pocket_mill(5)).ok());
+    EXPECT_FALSE(expand(with(d, Role::width, 40), pocket_mill(5)).ok());
     const Demand round{Kind::round_slot_reciprocating,
                        {{Role::clearance, 2},
                         {Role::depth, -9},
@@ -320,7 +319,7 @@ TEST(Slot, Reciprocating) {
                         {Role::start_angle, -20},
                         {Role::angle_length, 200},
                         {Role::feed_plunge, 150}}};
-    const auto round_moves = moves_of(expand(round, mill(5)), start);
+    const auto round_moves = moves_of(expand(round, pocket_mill(5)), pocket_start);
     Region bent = round_slot(35, 12, geom::radians(-20), geom::radians(200));
     for (auto& c : bent.contours) c = geom::moved(c, {30, 10});
     expect_sound(round_moves, bent, {.surface = 0, .bottom = -9, .plunge = 150, .mill = 300, .away = 5});
@@ -349,9 +348,9 @@ TEST(Stud, RectangularFromItsBlank) {
                     {Role::surface, 0},
                     {Role::second_clearance, 30},
                     {Role::overlap, 1}}};
-    const Expansion e = expand(d, mill(6));
+    const Expansion e = expand(d, pocket_mill(6));
     ASSERT_TRUE(e.ok());
-    const auto moves = moves_of(e, start);
+    const auto moves = moves_of(e, pocket_start);
     const geom::Contour stud = placed(rectangle(40, 30, 3), geom::radians(15), {50, 40});
     expect_sound(moves, outside_of(stud), {.surface = 0, .bottom = -10, .plunge = 150, .mill = 500, .away = 6.2});
     EXPECT_EQ(milled_levels(moves), (std::set<double>{-4, -8, -10}));
@@ -363,7 +362,7 @@ TEST(Stud, RectangularFromItsBlank) {
             if (geom::contains(left, {u, v}) && !geom::contains(kept, {u, v})) {
                 EXPECT_TRUE(covered(moves, {u, v}, 6, -10)) << u << ' ' << v;
             }
-    EXPECT_FALSE(expand(with(d, Role::blank_length, 30), mill(6)).ok());
+    EXPECT_FALSE(expand(with(d, Role::blank_length, 30), pocket_mill(6)).ok());
 }
 
 TEST(Stud, CircularClimbsClockwise) {
@@ -378,9 +377,9 @@ TEST(Stud, CircularClimbsClockwise) {
                     {Role::clearance, 2},
                     {Role::surface, 0},
                     {Role::overlap, 1}}};
-    const Expansion e = expand(d, mill(6));
+    const Expansion e = expand(d, pocket_mill(6));
     ASSERT_TRUE(e.ok());
-    expect_sound(moves_of(e, start), outside_of(placed(disc(20), 0, {50, 40})),
+    expect_sound(moves_of(e, pocket_start), outside_of(placed(disc(20), 0, {50, 40})),
                  {.surface = 0, .bottom = -4, .plunge = 150, .mill = 500, .away = 6});
     double turned = 0;
     for (const cl::Step& s : e.steps)
@@ -405,9 +404,9 @@ TEST(Finishing, PocketsAndStuds) {
                                          {Role::diameter, 50}};
     const geom::Contour box = placed(rectangle(60, 40, 8), 0, {10, 5}), round = placed(disc(25), 0, {10, 5});
     const auto check = [&](Kind kind, const Region& region) {
-        const Expansion e = expand({kind, common}, mill(5));
+        const Expansion e = expand({kind, common}, pocket_mill(5));
         ASSERT_TRUE(e.ok());
-        const auto moves = moves_of(e, start);
+        const auto moves = moves_of(e, pocket_start);
         expect_sound(moves, region, {.surface = 0, .bottom = -9, .plunge = 150, .mill = 500, .away = 5});
         EXPECT_EQ(milled_levels(moves), (std::set<double>{-4, -8, -9}));
         EXPECT_NEAR(moves.back().samples.back().x, 10, 1e-9);
@@ -421,7 +420,7 @@ TEST(Finishing, PocketsAndStuds) {
     check(Kind::rectangular_stud_finish, outside_of(box));
     check(Kind::circular_pocket_finish, {{round}});
     check(Kind::circular_stud_finish, outside_of(round));
-    EXPECT_FALSE(expand({Kind::circular_pocket_finish, common}, mill(26)).ok());
+    EXPECT_FALSE(expand({Kind::circular_pocket_finish, common}, pocket_mill(26)).ok());
 }
 
 }  // namespace

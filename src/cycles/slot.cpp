@@ -15,8 +15,6 @@ namespace {
 
 using geom::Contour;
 using geom::Vec2;
-using Role = program::CycleRole;
-using Kind = program::CycleKind;
 
 constexpr std::string_view slot_rings =
     "the path in a slot wider than the tool: equidistant rings from the inside outwards, one tool radius apart";

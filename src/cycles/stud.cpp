@@ -16,11 +16,8 @@ namespace {
 using geom::Contour;
 using geom::Region;
 using geom::Vec2;
-using Role = program::CycleRole;
-using Kind = program::CycleKind;
 
-constexpr double inf = std::numeric_limits<double>::infinity();
-constexpr double most_passes = 10'000;
+constexpr double most_stepovers = 10'000;
 constexpr std::string_view beside =
     "where beside the figure the tool goes down, and the arcs to and from it: quarter "
     "circles of the tool's radius at most, in the middle of the longest element";
@@ -30,7 +27,7 @@ void mill_stud(Course& c, const PocketData& p, const Region& stud, double farthe
     const Placement where{p.rotation, p.called};
     const double passes = std::max(1.0, std::ceil((farthest - p.side) / p.stepover - 1e-9));
     check_size(c, placed(stud, where));
-    if (passes > most_passes) c.fault(Role::overlap, "the stepover is too small for the blank");
+    if (passes > most_stepovers) c.fault(Role::overlap, "the stepover is too small for the blank");
     if (!c.ready()) return;
     const std::vector<double> levels = even_levels(c, p.h.surface, p.h.bottom, p.infeed);
     if (!c.ready()) return;
@@ -42,7 +39,7 @@ void mill_stud(Course& c, const PocketData& p, const Region& stud, double farthe
                         .levels = {level},
                         .lift = p.lift,
                         .direct = false,
-                        .retract = inf};
+                        .retract = rapid_retract};
         for (double i = passes - 1; i >= 0 && c.room(); --i) {
             const Region path = geom::offset(stud, p.radius + p.side + i * p.stepover);
             mill_walls(c, walls_around(path, {.arc = p.radius, .climb = p.climb, .where = where}), cuts, p.plunge,
@@ -113,7 +110,12 @@ void run_along(Course& c, const Finishing& f, const Contour& figure, bool outsid
     if (path.empty())
         c.fault("tool radius too large: the tool does not fit into the pocket at " + place_text(f.centre),
                 "use a smaller tool");
-    Cuts cuts{.top = f.h.surface, .clearance = f.h.clearance, .levels = {}, .lift = 0, .direct = false, .retract = inf};
+    Cuts cuts{.top = f.h.surface,
+              .clearance = f.h.clearance,
+              .levels = {},
+              .lift = 0,
+              .direct = false,
+              .retract = rapid_retract};
     cuts.levels = even_levels(c, f.h.surface, f.h.bottom, f.infeed);
     if (!c.ready()) return;
     c.assume(beside);

@@ -11,9 +11,6 @@ namespace obrys::cycles {
 
 namespace {
 
-using Role = program::CycleRole;
-using Kind = program::CycleKind;
-
 /// Speed of the spindle; a standing one is a complaint where the program must have started it.
 double turning(Course& c, const Situation& s) {
     const double speed = c.spindle_speed(s);

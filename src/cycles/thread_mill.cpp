@@ -17,10 +17,6 @@ namespace obrys::cycles {
 
 namespace {
 
-using Role = program::CycleRole;
-using Kind = program::CycleKind;
-
-constexpr double most_turns = 10'000;
 constexpr double pi = geom::pi;
 
 struct Job {
@@ -79,7 +75,8 @@ Job read_job(Course& c, const Situation& s, bool outside) {
     j.feed = c.feed(Role::feed_mill);
     j.positioning = c.feed(Role::feed_position);
     j.approach = c.feed_or(Role::feed_approach, j.feed);
-    if (std::abs(j.depth / j.pitch) > most_turns) c.fault(Role::pitch, "the thread has too many turns for its pitch");
+    if (std::abs(j.depth / j.pitch) > most_helix_turns)
+        c.fault(Role::pitch, "the thread has too many turns for its pitch");
     j.axis = {s.at.x, s.at.y};
     if (c.ready()) place_start(c, j, tool, diameter, outside);
     return j;

@@ -8,13 +8,11 @@ namespace obrys::cycles {
 
 namespace {
 
-using Kind = program::CycleKind;
-using Family = void (*)(TurningPath&, const TurningDemand&);
+using TurningFamily = void (*)(TurningPath&, const TurningDemand&);
 
-constexpr double largest = 1e7;              ///< mm; beyond every control's input range
 constexpr std::size_t most_elements = 5000;  ///< of a contour
 
-Family family_of(Kind kind) {
+TurningFamily turning_family_of(Kind kind) {
     switch (kind) {
         case Kind::lathe_finish_offset: return lathe_offset_passes;
         case Kind::lathe_rough_along:
@@ -34,7 +32,7 @@ Family family_of(Kind kind) {
     }
 }
 
-bool in_range(double v) { return std::abs(v) <= largest; }
+bool in_range(double v) { return std::abs(v) <= largest_input; }
 bool in_range(geom::Vec2 p) { return in_range(p.x) && in_range(p.y); }
 
 void check_contour(Course& c, const std::vector<TurningElement>& contour) {
@@ -51,11 +49,11 @@ void check_contour(Course& c, const std::vector<TurningElement>& contour) {
 
 }  // namespace
 
-bool is_turning_cycle(Kind kind) { return family_of(kind) != nullptr; }
+bool is_turning_cycle(Kind kind) { return turning_family_of(kind) != nullptr; }
 
 Expansion expand_turning(const TurningDemand& demand) {
     Course course(demand.cycle, demand.situation, true);
-    const Family family = family_of(demand.cycle.kind);
+    const TurningFamily family = turning_family_of(demand.cycle.kind);
     if (family == nullptr) {
         course.not_simulated("this cycle is not simulated");
         return course.finish();

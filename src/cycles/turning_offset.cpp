@@ -119,7 +119,6 @@ Fault lay_for_finishing(Profile& p) {
 }  // namespace
 
 void lathe_offset_passes(TurningPath& path, const TurningDemand& demand) {
-    using Role = program::CycleRole;
     Course& c = path.course();
     const ContourStart start = read_contour_start(path, demand);
     const double first = c.maybe(Role::allowance_first, 0) / start.unit;

@@ -12,13 +12,13 @@ namespace {
 
 using geom::Vec2;
 
-bool is_step(const Call& c) {
+bool is_turning_step(const Call& c) {
     return c.name == "STRAIGHT_TRAVERSE" || c.name == "STRAIGHT_FEED" || c.name == "ARC_FEED" ||
            c.name == "START_SPEED_FEED_SYNC" || c.name == "STOP_SPEED_FEED_SYNCH";
 }
 
 /// Steps as calls in the program's unit.
-struct ToCalls {
+struct ToTurningCalls {
     double unit;
     std::vector<Call> calls;
     double pitch = 0;  ///< of the coupling in force
@@ -51,13 +51,13 @@ struct ToCalls {
     }
 };
 
-std::string text(const Call& c) {
+std::string turning_text(const Call& c) {
     std::string t = c.name;
     for (std::size_t i = 0; i < c.numbers.size() && i < 5; ++i) t += " " + base::fixed(c.numbers[i], 4);
     return t;
 }
 
-bool same(const Call& ours, const Call& theirs) {
+bool same_turning(const Call& ours, const Call& theirs) {
     if (ours.name != theirs.name || theirs.numbers.size() < ours.numbers.size()) return false;
     for (std::size_t i = 0; i < ours.numbers.size(); ++i)
         if (!(std::abs(ours.numbers[i] - theirs.numbers[i]) < 2.01e-4)) return false;
@@ -66,7 +66,7 @@ bool same(const Call& ours, const Call& theirs) {
 
 std::size_t first_difference(const std::vector<Call>& ours, const std::vector<Call>& theirs) {
     for (std::size_t i = 0; i < std::max(ours.size(), theirs.size()); ++i)
-        if (i >= ours.size() || i >= theirs.size() || !same(ours[i], theirs[i])) return i;
+        if (i >= ours.size() || i >= theirs.size() || !same_turning(ours[i], theirs[i])) return i;
     return std::string::npos;
 }
 
@@ -126,7 +126,7 @@ std::string compare(const Sheet& s, const std::string& label) {
     std::vector<Call> theirs;
     std::string error;
     for (const Call& c : referee(s.lines, "turning")) {
-        if (is_step(c)) theirs.push_back(c);
+        if (is_turning_step(c)) theirs.push_back(c);
         if (error.empty() && c.name.rfind("error", 0) == 0 && c.name.find("Oops") == std::string::npos) error = c.name;
     }
     if (error.find("Segmentation") != std::string::npos || error.find("exit") != std::string::npos) return "crash";
@@ -136,15 +136,15 @@ std::string compare(const Sheet& s, const std::string& label) {
     }
     EXPECT_TRUE(e.ok()) << label << ": " << complaints(e) << '\n' << s.lines;
     if (!e.ok()) return "failed";
-    ToCalls ours{s.unit, {}};
+    ToTurningCalls ours{s.unit, {}};
     for (const cl::Step& step : e.steps) std::visit(ours, step);
     theirs.erase(theirs.begin());  // to where the cycle begins
     const std::size_t differs = first_difference(ours.calls, theirs);
     if (differs == std::string::npos) return "same";
     if (first_difference(simplified(ours.calls), simplified(theirs)) == std::string::npos) return "same path";
     ADD_FAILURE() << label << " call " << differs << ": ours "
-                  << (differs < ours.calls.size() ? text(ours.calls[differs]) : "none") << ", theirs "
-                  << (differs < theirs.size() ? text(theirs[differs]) : "none") << '\n'
+                  << (differs < ours.calls.size() ? turning_text(ours.calls[differs]) : "none") << ", theirs "
+                  << (differs < theirs.size() ? turning_text(theirs[differs]) : "none") << '\n'
                   << s.lines;
     return "failed";
 }
@@ -304,8 +304,8 @@ void expect_corpus(const std::string& name, const std::vector<TurningDemand>& de
     std::vector<Call> theirs;
     for (std::string line; std::getline(file, line);)
         if (const std::size_t at = line.find("N..... "); at != std::string::npos)
-            if (const Call c = call_of(std::string_view(line).substr(at + 7)); is_step(c)) theirs.push_back(c);
-    ToCalls ours{1, {}};
+            if (const Call c = call_of(std::string_view(line).substr(at + 7)); is_turning_step(c)) theirs.push_back(c);
+    ToTurningCalls ours{1, {}};
     for (const TurningDemand& d : demands) {
         const Expansion e = expand_turning(d);
         EXPECT_TRUE(e.ok()) << complaints(e);
@@ -316,8 +316,8 @@ void expect_corpus(const std::string& name, const std::vector<TurningDemand>& de
     theirs.resize(count);
     ours.calls.resize(count);
     const std::size_t differs = first_difference(ours.calls, theirs);
-    EXPECT_EQ(differs, std::string::npos)
-        << text(ours.calls[std::min(differs, count - 1)]) << " against " << text(theirs[std::min(differs, count - 1)]);
+    EXPECT_EQ(differs, std::string::npos) << turning_text(ours.calls[std::min(differs, count - 1)]) << " against "
+                                          << turning_text(theirs[std::min(differs, count - 1)]);
 }
 
 TurningDemand corpus_demand(Kind kind, const std::vector<TurningElement>& contour, Vec2 start, Values values) {

@@ -14,12 +14,10 @@
 namespace obrys::cycles {
 
 using geom::Vec2;
-using Role = program::CycleRole;
-using Kind = program::CycleKind;
 
 namespace {
 
-constexpr double same = 1e-6;  ///< mm
+constexpr double rise_slack = 1e-6;  ///< mm
 
 void along_contour(TurningPath& path, const std::vector<TurningElement>& contour, Vec2 shift, bool finishing) {
     for (const TurningElement& e : contour) path.element(e, shift, finishing);
@@ -71,7 +69,7 @@ bool arc_rises(const Piece& p) {
     return !over_top && !through_bottom;
 }
 
-bool rises(const Piece& p) { return p.to.y >= p.from.y - same && (p.turn == 0 || arc_rises(p)); }
+bool rises(const Piece& p) { return p.to.y >= p.from.y - rise_slack && (p.turn == 0 || arc_rises(p)); }
 
 struct Removal {
     double infeed = 0, escape = 0;
@@ -99,10 +97,10 @@ void cuts(ProfilePath& out, const Profile& p, const Removal& r) {
     const auto infeed_to = [&](double v) { r.rapid_infeed ? out.rapid({r.start.x, v}) : out.feed({r.start.x, v}); };
     for (int k = 1; out.path().course().room(); ++k) {
         const double v = r.start.y - k * r.infeed;
-        if (v <= bottom + same) return;
+        if (v <= bottom + rise_slack) return;
         infeed_to(v);
         const double u = end_of_cut(p, v);
-        if (u > r.start.x - same) continue;
+        if (u > r.start.x - rise_slack) continue;
         out.feed({u, v});
         out.rapid({u + r.escape, v + r.escape});
         out.rapid({r.start.x, v + r.escape});
@@ -157,7 +155,7 @@ bool check_direction(Course& c, const Profile& p, bool pockets) {
 /// write it: the cuts end before it. Controls that check every block stop there (alarm 64 or 329).
 void leave_way_out(Course& c, Profile& p) {
     const Piece& last = p.pieces.back();
-    if (p.pieces.size() < 3 || last.turn != 0 || falls(last) || !(last.to.y > last.from.y + same)) return;
+    if (p.pieces.size() < 3 || last.turn != 0 || falls(last) || !(last.to.y > last.from.y + rise_slack)) return;
     c.remark(
         "the contour's last block goes back along the cuts: it is taken for the way off the contour, and the cuts end "
         "before it",

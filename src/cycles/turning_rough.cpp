@@ -12,7 +12,6 @@ namespace obrys::cycles {
 
 using geom::Vec2;
 using profile::touch;
-using Role = program::CycleRole;
 
 ContourStart read_contour_start(TurningPath& path, const TurningDemand& demand) {
     Course& c = path.course();

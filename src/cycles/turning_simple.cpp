@@ -9,8 +9,6 @@
 namespace obrys::cycles {
 
 using geom::Vec2;
-using Role = program::CycleRole;
-using Kind = program::CycleKind;
 
 namespace {
 
@@ -29,15 +27,15 @@ void box(TurningPath& path, const TurningDemand& demand) {
 }
 
 /// Pecks in the one axis, steps in the other: x is the axis of the pecks here.
-struct Pecks {
+struct TurningPecks {
     bool along = true;
     Vec2 start, target;
     double infeed = 0, step = 0, escape = 0, relief = 0;
     [[nodiscard]] Vec2 place(Vec2 p) const { return along ? p : Vec2{p.y, p.x}; }
 };
 
-Pecks read_pecks(Course& c, const TurningDemand& demand) {
-    Pecks p;
+TurningPecks read_turning_pecks(Course& c, const TurningDemand& demand) {
+    TurningPecks p;
     p.along = demand.cycle.kind == Kind::lathe_peck_along;
     const Ends e = read_ends(c, demand.situation);
     c.need(p.along ? Role::target_u : Role::target_v);
@@ -58,7 +56,7 @@ Pecks read_pecks(Course& c, const TurningDemand& demand) {
 }
 
 /// Where the pecks are made.
-std::vector<double> steps_of(const Pecks& p) {
+std::vector<double> steps_of(const TurningPecks& p) {
     std::vector<double> all{p.start.y};
     const double across = p.target.y - p.start.y, sign = across < 0 ? -1 : 1;
     if (across == 0) return all;
@@ -68,7 +66,7 @@ std::vector<double> steps_of(const Pecks& p) {
     return all;
 }
 
-void peck_down(TurningPath& path, const Pecks& p, double y) {
+void peck_down(TurningPath& path, const TurningPecks& p, double y) {
     const double deep = std::abs(p.target.x - p.start.x), sign = p.target.x < p.start.x ? -1 : 1;
     for (int k = 1; p.infeed > 0 && k * p.infeed < deep - 1e-9 && path.course().room(); ++k) {
         const double x = p.start.x + sign * k * p.infeed;
@@ -78,9 +76,9 @@ void peck_down(TurningPath& path, const Pecks& p, double y) {
     path.feed(p.place({p.target.x, y}));
 }
 
-void pecks(TurningPath& path, const TurningDemand& demand) {
+void turning_pecks(TurningPath& path, const TurningDemand& demand) {
     Course& c = path.course();
-    const Pecks p = read_pecks(c, demand);
+    const TurningPecks p = read_turning_pecks(c, demand);
     if (!c.ready()) return;
     if (p.relief > 0) c.assume("the first peck has no relief at its bottom");
     const double back = p.target.y < p.start.y ? 1 : -1;
@@ -100,7 +98,7 @@ void pecks(TurningPath& path, const TurningDemand& demand) {
 void lathe_simple(TurningPath& path, const TurningDemand& demand) {
     const Kind kind = demand.cycle.kind;
     if (kind == Kind::lathe_box_along || kind == Kind::lathe_box_across) return box(path, demand);
-    pecks(path, demand);
+    turning_pecks(path, demand);
 }
 
 }  // namespace obrys::cycles

@@ -9,15 +9,14 @@
 namespace obrys::cycles {
 
 using geom::Vec2;
-using Role = program::CycleRole;
 
 namespace {
 
-constexpr double most_passes = 10'000;
+constexpr double most_thread_passes = 10'000;
 
 double whole_passes(Course& c, Role role, double otherwise) {
     const double n = std::floor(c.maybe(role, otherwise));
-    if (n > most_passes) c.fault(role, "the number of passes is too large");
+    if (n > most_thread_passes) c.fault(role, "the number of passes is too large");
     return n;
 }
 
@@ -61,7 +60,7 @@ Degressive read_degressive(Course& c, const TurningDemand& demand) {
     if (d.crest == 0) c.fault(Role::crest_offset, "the offset of the thread's crest must not be 0");
     if (d.first <= 0) c.fault(Role::first_depth, "the depth of the first cut must be greater than 0");
     if (d.depth <= d.first) c.fault(Role::thread_depth, "the thread must be deeper than its first cut");
-    if (std::pow(d.depth / d.first, d.degression) > most_passes)
+    if (std::pow(d.depth / d.first, d.degression) > most_thread_passes)
         c.fault(Role::first_depth, "the depth of the first cut is too small");
     if (demand.situation.spindle_direction == 0)
         c.fault("the spindle does not turn", "program M3 or M4 before the cycle");
@@ -174,7 +173,7 @@ std::vector<double> depths_of(Course& c, const Depths& d) {
     std::vector<double> depths;
     double depth = d.first;
     for (int n = 2; depth < d.whole - d.left - 1e-9; ++n) {
-        if (double(depths.size()) > most_passes) {
+        if (double(depths.size()) > most_thread_passes) {
             c.fault(Role::first_depth, "the depth of the first cut is too small");
             return {};
         }

@@ -10,10 +10,6 @@ namespace codes = base::codes;
 
 namespace {
 
-void complain(Session& s, std::string_view code, const base::Span& where, std::string text, std::string remedy = {}) {
-    s.diagnostics.add({base::Severity::error, code, where, std::move(text), std::move(remedy), {}, {}});
-}
-
 void assume(Session& s, std::string text, std::string remedy = {}) {
     s.diagnostics.add({base::Severity::note, codes::assumption, nowhere, std::move(text), std::move(remedy), {}, {}});
 }
@@ -46,7 +42,7 @@ void say_guess(Session& s, const Guess& guess, const base::Span& where, int cert
 
 bool known_control(Session& s, const std::string& name, const base::Span& where) {
     if (name.empty() || find_control(name) != nullptr) return true;
-    complain(s, codes::job_value, where, "there is no control \"" + name + "\"",
+    complain(s.diagnostics, codes::job_value, where, "there is no control \"" + name + "\"",
              shop::words_remedy(name, controls(), "controls that can be read"));
     return false;
 }
@@ -61,7 +57,8 @@ const Control* choose_control(Session& s, const Request& request, std::uint32_t 
     s.control = guess.control->name;
     const base::Span where{file, 0, 0};
     if (guess.likelihood < foreign) {
-        complain(s, codes::job_value, where, "this looks like a program for another control than can be read",
+        complain(s.diagnostics, codes::job_value, where,
+                 "this looks like a program for another control than can be read",
                  "controls that can be read: " + shop::joined(controls()) + "; --control NAME reads it all the same");
         return nullptr;
     }

@@ -7,6 +7,7 @@
 #include <map>
 
 #include "base/diagnostic.hpp"
+#include "base/files_testing.hpp"
 #include "driver/control.hpp"
 #include "driver/programs.hpp"
 
@@ -14,12 +15,9 @@ namespace obrys::driver {
 
 namespace {
 
-const fs::path shared = fs::path(OBRYS_SOURCE_DIR) / ".." / "shared";
+using base::testing::content;
 
-std::string content(const fs::path& file) {
-    std::ifstream in(file, std::ios::binary);
-    return {std::istreambuf_iterator<char>(in), {}};
-}
+const fs::path shared_folder = fs::path(OBRYS_SOURCE_DIR) / ".." / "shared";
 
 void store_text(const fs::path& file, std::string_view text) { std::ofstream(file, std::ios::binary) << text; }
 
@@ -29,7 +27,7 @@ TEST(Control, IsFoundFromTheTextOfEveryProgramOfTheCorpora) {
     const std::pair<const char*, const char*> corpora[]{
         {"sinumerik", "sinumerik-840d"}, {"klartext", "heidenhain-itnc530"}, {"rs274", "linuxcnc"}};
     for (const auto& [folder, control] : corpora) {
-        const fs::path corpus = shared / "corpus" / folder;
+        const fs::path corpus = shared_folder / "corpus" / folder;
         if (!fs::exists(corpus)) GTEST_SKIP() << "needs ../shared";
         for (const auto& entry : fs::recursive_directory_iterator(corpus)) {
             if (!entry.is_regular_file() || entry.path().extension() == ".txt") continue;
@@ -83,7 +81,7 @@ TEST(Control, AGuessSaysItsReasonsAndItsDoubt) {
 
 /// The folders of the corpora tell the truth; what is printed is the table of docs/dialects/detection.md.
 TEST(Control, ConfusionOverTheCorpora) {
-    const fs::path corpus = shared / "corpus";
+    const fs::path corpus = shared_folder / "corpus";
     if (!fs::exists(corpus)) GTEST_SKIP() << "needs ../shared";
     struct Truth {
         const char *folder, *name_part, *control;  // control: what it is; "": one that is not read

@@ -19,7 +19,7 @@ struct Text {
 };
 
 /// Steps of the first program; complaints of the run fail the test.
-std::vector<cl::Step> run(const std::vector<Text>& texts, const std::string& about) {
+std::vector<cl::Step> run_texts(const std::vector<Text>& texts, const std::string& about) {
     base::Sources sources;
     base::Diagnostics diagnostics;
     program::Names names;
@@ -118,9 +118,9 @@ TEST(CyclePlaces, APatternIsItsPointsOneByOne) {
         const auto head = std::string(begin) + drill;
         const auto about = "seed " + std::to_string(seed);
         const auto pattern =
-            holes(run({{"A", head + "PATTERN DEF " + figures + "\nCYCL CALL PAT FMAX\nEND PGM A MM\n"}}, about));
-        EXPECT_EQ(pattern, holes(run({{"A", head + positions + "END PGM A MM\n"}}, about))) << about;
-        const auto written = holes(run({{"A", head + single + "END PGM A MM\n"}}, about));
+            holes(run_texts({{"A", head + "PATTERN DEF " + figures + "\nCYCL CALL PAT FMAX\nEND PGM A MM\n"}}, about));
+        EXPECT_EQ(pattern, holes(run_texts({{"A", head + positions + "END PGM A MM\n"}}, about))) << about;
+        const auto written = holes(run_texts({{"A", head + single + "END PGM A MM\n"}}, about));
         ASSERT_EQ(pattern.size(), written.size()) << about;
         for (std::size_t i = 0; i < pattern.size(); ++i) {
             EXPECT_EQ(pattern[i].x, written[i].x) << about;
@@ -146,7 +146,7 @@ TEST(CyclePlaces, AFormulaKeepsTheToolInItsArea) {
         const std::string main = std::string(begin) + "SEL CONTOUR \"M\"\n" + rough;
         const auto about = "seed " + std::to_string(seed) + " " + first + " " + second;
         const auto steps =
-            run({{"A", main}, {"M", model}, {"B1", a.text()}, {"B2", b.text()}, {"B3", c.text()}}, about);
+            run_texts({{"A", main}, {"M", model}, {"B1", a.text()}, {"B2", b.text()}, {"B3", c.text()}}, about);
         cut += cuts_inside(
             steps, 2,
             [&](double x, double y) {
@@ -170,7 +170,7 @@ TEST(CyclePlaces, IslandsAreLeftOut) {
         const std::string main =
             std::string(begin) + "CONTOUR DEF P1 = \"B1\" P2 = \"B2\" DEPTH5 I3 = \"B3\" DEPTH0\n" + rough;
         const auto about = "seed " + std::to_string(seed);
-        const auto steps = run({{"A", main}, {"B1", a.text()}, {"B2", b.text()}, {"B3", island.text()}}, about);
+        const auto steps = run_texts({{"A", main}, {"B1", a.text()}, {"B2", b.text()}, {"B3", island.text()}}, about);
         cuts_inside(
             steps, 2, [&](double x, double y) { return (a.holds(x, y) || b.holds(x, y)) && !island.holds(x, y); },
             about);

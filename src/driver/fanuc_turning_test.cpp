@@ -14,9 +14,9 @@ namespace {
 
 using testing::Ran;
 
-constexpr read::rs274::FanucOptions lathe{.machine = dialect::rs274::FanucMachine::lathe};
+constexpr read::rs274::FanucOptions on_lathe{.machine = dialect::rs274::FanucMachine::lathe};
 
-Ran turn(const std::string& lines, const read::rs274::FanucOptions& options = lathe, bool haas = false) {
+Ran turn(const std::string& lines, const read::rs274::FanucOptions& options = on_lathe, bool haas = false) {
     return testing::run("%\nO1\n" + lines + "\nM30\n%\n", options, haas);
 }
 
@@ -71,7 +71,7 @@ TEST(FanucTurning, StockRemovalAndFinishing) {
 
 /// The numbers of the codes in systems B and C; there G90 is a word of its own.
 TEST(FanucTurning, SystemsBAndC) {
-    auto options = lathe;
+    auto options = on_lathe;
     const std::string wanted =
         "r 26.000 2.000\n{\n" + shaft_roughed + "}\n{\n" + shaft_finished + "}\nr 30.000 2.000\n";
     const auto without_names = [](std::string s) {
@@ -106,7 +106,7 @@ TEST(FanucTurning, OneBlock) {
 /// I and K of a Haas: the cuts leave 0.5 mm and 0.3 mm more, which the last pass takes: cuts at 22.2, 18.2, 14.2 end
 /// at -24.9 + 0.3, at -19.6 - sqrt(25 - 2.5^2) = -23.930 and at -9.6 - 2 * 3.5 = -16.6.
 TEST(FanucTurning, HaasLeavesAPassOfItsOwn) {
-    const Ran r = turn("G21\nG0 X52. Z2.\nG71 P10 Q20 U0.4 W0.1 D4. I0.5 K0.3 F0.3\n" + shaft, lathe, true);
+    const Ran r = turn("G21\nG0 X52. Z2.\nG71 P10 Q20 U0.4 W0.1 D4. I0.5 K0.3 F0.3\n" + shaft, on_lathe, true);
     EXPECT_NE(r.messages.find("0.05 inch, taken for setting 73"), std::string::npos) << r.messages;
     std::string ends;
     const std::string all = path(r);
@@ -252,7 +252,7 @@ TEST(FanucTurning, FirstBlockSaysTheType) {
     EXPECT_NE(path(r).find("f 22.000 -20.000"), std::string::npos) << "the first cut lies one infeed below the start";
     EXPECT_EQ(path(r).find("f 26.000 -20.000\nr"), path(r).rfind("f 26.000 -20.000\nr")) << path(r);
     EXPECT_NE(path(r).find("f 8.000 -20.000"), std::string::npos) << "the pocket's bottom";
-    r = turn("G21\nG0 X52. Z2.\nG71 P10 Q20 D4. R1 F0.3\nN10 G0 X20.\n" + pocket, lathe, true);
+    r = turn("G21\nG0 X52. Z2.\nG71 P10 Q20 D4. R1 F0.3\nN10 G0 X20.\n" + pocket, on_lathe, true);
     EXPECT_NE(path(r).find("f 8.000 -20.000"), std::string::npos) << "Haas: R1 says it" << r.messages;
 }
 

@@ -20,11 +20,6 @@ namespace {
 
 constexpr std::uintmax_t largest_file = 0xFFFFFFF0u;  // spans count bytes in 32 bits
 
-void complain(base::Diagnostics& d, std::string_view code, const base::Span& where, std::string text,
-              std::string remedy = {}) {
-    d.add({base::Severity::error, code, where, std::move(text), std::move(remedy), {}, {}});
-}
-
 /// Why a file cannot be read, in the words of the system.
 std::string cannot(const std::string& shown, int error) {
     return shown + " cannot be read: " + std::generic_category().message(error == 0 ? EIO : error);
@@ -44,6 +39,11 @@ int read_text(const fs::path& path, std::uintmax_t size, std::string& text) {
 }
 
 }  // namespace
+
+void complain(base::Diagnostics& diagnostics, std::string_view code, const base::Span& where, std::string text,
+              std::string remedy) {
+    diagnostics.add({base::Severity::error, code, where, std::move(text), std::move(remedy), {}, {}});
+}
 
 std::string similar_names(const fs::path& folder, std::string_view name) {
     std::error_code error;

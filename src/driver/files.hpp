@@ -16,6 +16,10 @@ namespace fs = std::filesystem;
 /// A place that is no place: complaints about the command line.
 inline constexpr base::Span nowhere{0xFFFFFFFF, 0, 0};
 
+/// Adds an error.
+void complain(base::Diagnostics& diagnostics, std::string_view code, const base::Span& where, std::string text,
+              std::string remedy = {});
+
 /// Adds the file's text to `sources`. A missing, empty, binary or too large file is a complaint at `where`, naming the
 /// nearest file names of the folder, and nothing is returned.
 std::optional<std::uint32_t> load(const fs::path& path, base::Sources& sources, base::Diagnostics& diagnostics,

@@ -12,7 +12,7 @@ using program::Code;
 namespace {
 
 /// T, TOOL CALL, TOOL DEF, M6, M61 Q: a word that has to do with which tool is in use.
-bool selects_tool(const program::Unit& unit, const program::Word& w) {
+bool word_selects_tool(const program::Unit& unit, const program::Word& w) {
     const Code code = program::code_of(w);
     if (code == Code::tool || code == Code::tool_change || code == Code::tool_definition) return true;
     if (code != Code::m) return false;
@@ -25,7 +25,7 @@ bool selects_tool(const program::Unit& unit, const program::Word& w) {
 
 bool selects_tool(const program::Unit& unit) {
     return std::any_of(unit.words.begin(), unit.words.end(),
-                       [&](const program::Word& w) { return selects_tool(unit, w); });
+                       [&](const program::Word& w) { return word_selects_tool(unit, w); });
 }
 
 std::uint32_t first_tool(const shop::Job& job, const program::Unit& main, base::Diagnostics& diagnostics) {

@@ -11,7 +11,7 @@ namespace {
 void write(const fs::path& path) { std::ofstream(path) << "M30\n"; }
 
 TEST(Folders, AreListedOnceAndAgainWhenTheyHaveChanged) {
-    const fs::path folder = fs::path(testing::TempDir()) / "obrys_folders";
+    const fs::path folder = fs::path(::testing::TempDir()) / "obrys_folders";
     fs::remove_all(folder);
     fs::create_directory(folder);
     write(folder / "b.nc");

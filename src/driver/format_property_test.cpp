@@ -8,6 +8,7 @@
 #include <fstream>
 #include <iterator>
 
+#include "base/files_testing.hpp"
 #include "base/text.hpp"
 #include "cl/text.hpp"
 #include "driver/programs.hpp"
@@ -17,17 +18,21 @@
 namespace obrys::driver {
 namespace {
 
+using base::testing::content;
+
 namespace fmt = format::heidenhain;
 
 /// What a program does: the records without source places, and the codes of all complaints.
-struct Run {
+struct FormattedRun {
     std::string records, codes;
-    bool operator==(const Run&) const = default;
+    bool operator==(const FormattedRun&) const = default;
 };
 
-std::ostream& operator<<(std::ostream& out, const Run& run) { return out << run.records << "---\n" << run.codes; }
+std::ostream& operator<<(std::ostream& out, const FormattedRun& run_klartext) {
+    return out << run_klartext.records << "---\n" << run_klartext.codes;
+}
 
-Run run(const std::string& text, const fs::path& folder, const char* name = "PART.H") {
+FormattedRun run_klartext(const std::string& text, const fs::path& folder, const char* name = "PART.H") {
     Session s;
     const auto file = s.sources.add(name, text, base::BlockNumbers::leading);
     const Control* control = find_control("heidenhain-itnc530");
@@ -35,7 +40,7 @@ Run run(const std::string& text, const fs::path& folder, const char* name = "PAR
     if (!folder.empty()) s.programs->add_folder(folder);
     s.main = s.programs->read(file);
     s.job.budgets.blocks = 200000;
-    Run out;
+    FormattedRun out;
     std::string all;
     const auto collect = [&](std::string_view piece) { all += piece; };
     cl::TextWriter writer(collect);
@@ -67,13 +72,8 @@ void expect_same_program(const std::string& text, const fs::path& folder, const 
         const std::string once = fmt::formatted(text, fmt::Language::klartext, options).text;
         EXPECT_EQ(fmt::formatted(once, fmt::Language::klartext, options).text, once) << name;
         EXPECT_EQ(comments(once), comments(text)) << name;
-        EXPECT_EQ(run(once, folder), run(text, folder)) << name;
+        EXPECT_EQ(run_klartext(once, folder), run_klartext(text, folder)) << name;
     }
-}
-
-std::string content(const fs::path& file) {
-    std::ifstream in(file, std::ios::binary);
-    return {std::istreambuf_iterator<char>(in), {}};
 }
 
 TEST(FormatProperty, programs_of_others_run_the_same) {
@@ -211,7 +211,7 @@ RC_GTEST_PROP(FormatProperty, untidy_programs_run_the_same, ()) {
     RC_LOG(text + "=== formatted ===\n" + once);
     RC_ASSERT(fmt::formatted(once, fmt::Language::klartext, options).text == once);
     RC_ASSERT(comments(once) == comments(text));
-    RC_ASSERT(run(once, {}) == run(text, {}));
+    RC_ASSERT(run_klartext(once, {}) == run_klartext(text, {}));
 }
 
 // --- DIN/ISO
@@ -259,7 +259,7 @@ RC_GTEST_PROP(FormatProperty, untidy_iso_programs_run_the_same, ()) {
     RC_LOG(text + "=== formatted ===\n" + once);
     RC_ASSERT(fmt::formatted(once, fmt::Language::iso, options).text == once);
     RC_ASSERT(comments(once) == comments(text));
-    RC_ASSERT(run(once, {}, "PART.I") == run(text, {}, "PART.I"));
+    RC_ASSERT(run_klartext(once, {}, "PART.I") == run_klartext(text, {}, "PART.I"));
 }
 
 }  // namespace

@@ -66,9 +66,9 @@ void write_all(int to, std::string_view bytes) {
 #else
     (void)parent;
 #endif
-    const int nowhere = open("/dev/null", O_RDWR);
+    const int null_device = ::open("/dev/null", O_RDWR);
     for (const int stream : {STDIN_FILENO, STDOUT_FILENO, STDERR_FILENO})
-        if (nowhere >= 0) dup2(nowhere, stream);
+        if (null_device >= 0) dup2(null_device, stream);
     for (const int s : {SIGSEGV, SIGBUS, SIGFPE, SIGILL, SIGABRT, SIGPIPE, SIGINT, SIGTERM}) std::signal(s, SIG_DFL);
     limit(RLIMIT_CORE, 0);
     if (space > 0) limit(RLIMIT_AS, space + guard.memory_bytes);
@@ -93,7 +93,7 @@ Guarded::End read_answer(const Guard& guard, int from, std::string& answer) {
     while (Clock::now() < end) {
         pollfd ready{from, POLLIN, 0};
         if (poll(&ready, 1, milliseconds_to(end)) <= 0) continue;
-        const ssize_t n = read(from, buffer.data(), buffer.size());
+        const ssize_t n = ::read(from, buffer.data(), buffer.size());
         if (n < 0 && (errno == EINTR || errno == EAGAIN)) continue;
         if (n <= 0) return Guarded::End::done;
         answer.append(buffer.data(), static_cast<std::size_t>(n));

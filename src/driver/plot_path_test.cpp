@@ -21,7 +21,7 @@ struct Plotted {
     std::vector<report::InterpolatedMove> rows;
     report::PathPlot plot;
 };
-Plotted run(const std::vector<cl::Record>& records, const PlotOptions& options) {
+Plotted run_plot(const std::vector<cl::Record>& records, const PlotOptions& options) {
     Plotted out;
     const auto take = [&out](const report::InterpolatedMove& m) { out.rows.push_back(m); };
     PathPlotter plotter(options, take);
@@ -34,7 +34,7 @@ TEST(PlotPath, SplinesOfTheManual) {
     PlotOptions options;
     options.plane = report::PlotPlane::xy;
     options.unit = 0.001;
-    const Plotted r = run(spl_001, options);
+    const Plotted r = run_plot(spl_001, options);
     ASSERT_EQ(r.rows.size(), 2u);
     EXPECT_STREQ(r.rows[0].kind, "spline");
     EXPECT_EQ(r.rows[0].index, 1u);
@@ -67,7 +67,7 @@ TEST(PlotPath, SplinesOfTheManual) {
 }
 
 TEST(PlotPath, WithoutAUnitThePathOnly) {
-    const Plotted r = run(spl_001, {.plane = report::PlotPlane::xy});
+    const Plotted r = run_plot(spl_001, {.plane = report::PlotPlane::xy});
     EXPECT_TRUE(r.rows.empty());
     EXPECT_FALSE(r.plot.interpolation);
     EXPECT_EQ(r.plot.moves.size(), 2u);
@@ -81,7 +81,7 @@ TEST(PlotPath, WhatIsNotRunIsCounted) {
     options.keep_moves = 1;
     std::vector<cl::Record> records = spl_001;
     records.insert(records.begin(), {cl::Linear{{1, NAN, NAN}, {0, 0, 1}, false}, {}, 0});
-    const Plotted r = run(records, options);
+    const Plotted r = run_plot(records, options);
     const report::Interpolation& all = *r.plot.interpolation;
     ASSERT_EQ(r.rows.size(), 3u);
     EXPECT_EQ(all.not_known, 1u);
@@ -94,9 +94,9 @@ TEST(PlotPath, WhatIsNotRunIsCounted) {
 
 TEST(PlotPath, AnotherZeroOffsetMovesThePicture) {
     const cl::Linear a{{0, 0, 0}, {0, 0, 1}, false}, b{{10, 0, 0}, {0, 0, 1}, false};
-    const Plotted r =
-        run({{cl::Datum{54, {0, 0, 0}}, {}, 0}, {a, {}, 0}, {b, {}, 0}, {cl::Datum{55, {5, 7, 0}}, {}, 0}, {b, {}, 0}},
-            {.plane = report::PlotPlane::xy});
+    const Plotted r = run_plot(
+        {{cl::Datum{54, {0, 0, 0}}, {}, 0}, {a, {}, 0}, {b, {}, 0}, {cl::Datum{55, {5, 7, 0}}, {}, 0}, {b, {}, 0}},
+        {.plane = report::PlotPlane::xy});
     ASSERT_EQ(r.plot.moves.size(), 2u);
     EXPECT_EQ(r.plot.moves[1].points.front(), (geom::Vec3{10, 0, 0}));
     EXPECT_EQ(r.plot.moves[1].points.back(), (geom::Vec3{15, 7, 0}));

@@ -71,7 +71,7 @@ TEST(RefusedCodes, AHoleCycleInOtherCoordinatesKeepsTheBlocksBehindIt) {
     EXPECT_TRUE(goes_to(ran.records, 10));
 }
 
-std::vector<cl::Record> run(const std::string& file, const std::string& text, std::string_view control) {
+std::vector<cl::Record> run_refused(const std::string& file, const std::string& text, std::string_view control) {
     Session s;
     EXPECT_TRUE(testing::open_case(s, {file, file, text}, control, shop::MachineKind::mill));
     std::vector<cl::Record> records;
@@ -87,7 +87,7 @@ TEST(RefusedCodes, KeepTheirCoordinatesOnSinumerik) {
         if (!g || g->use != dialect::sinumerik::Use::unsupported_block) continue;
         const std::string text =
             "T1 D1 S500 M3\nG0 X10 Y0 Z5\nG1 X20 F100\nG" + std::to_string(n) + " X70 Y71 Z-3\nG0 X10\nM30\n";
-        EXPECT_FALSE(goes_to(run("A.MPF", text, "sinumerik-840d"), 70)) << text;
+        EXPECT_FALSE(goes_to(run_refused("A.MPF", text, "sinumerik-840d"), 70)) << text;
         ++looked_at;
     }
     EXPECT_GT(looked_at, 10);
@@ -101,7 +101,7 @@ TEST(RefusedCodes, KeepTheirCoordinatesOnHeidenhain) {
         const std::string text =
             "%A G71 *\nN10 T1 G17 S500*\nN20 G00 G40 G90 X+10 Y+0 Z+5 M3*\nN30 G01 X+20 F100*\nN40 G" +
             std::to_string(n) + " X+70 Y+71 Z-3*\nN50 G00 X+10*\nN60 M30*\nN99999999 %A G71 *\n";
-        EXPECT_FALSE(goes_to(run("A.I", text, "heidenhain-itnc530"), 70)) << text;
+        EXPECT_FALSE(goes_to(run_refused("A.I", text, "heidenhain-itnc530"), 70)) << text;
         ++looked_at;
     }
     EXPECT_GT(looked_at, 5);

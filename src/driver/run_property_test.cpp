@@ -17,7 +17,7 @@ namespace {
 
 using geom::Vec3;
 
-std::vector<cl::Record> run(const std::string& text, const shop::Machine& machine = {}) {
+std::vector<cl::Record> run_sinumerik(const std::string& text, const shop::Machine& machine = {}) {
     base::Sources sources;
     base::Diagnostics diagnostics;
     program::Names names;
@@ -137,14 +137,14 @@ RC_GTEST_PROP(Run, TransMovesTheStream, ()) {
     const std::string text = start + written(contour, {});
     const std::string trans =
         "TRANS X" + base::fixed(by.x, 3) + " Y" + base::fixed(by.y, 3) + " Z" + base::fixed(by.z, 3) + "\n";
-    same(moves(run(text)), moves(run(trans + text)), geom::Frame::shift(by));
+    same(moves(run_sinumerik(text)), moves(run_sinumerik(trans + text)), geom::Frame::shift(by));
 }
 
 RC_GTEST_PROP(Run, RotTurnsTheStream, ()) {
     const auto contour = any_contour();
     const double angle = *rc::gen::inRange(-360'000, 360'000) / 1000.0;
     const std::string text = start + written(contour, {});
-    same(moves(run(text)), moves(run("G17 ROT RPL=" + base::fixed(angle, 3) + "\n" + text)),
+    same(moves(run_sinumerik(text)), moves(run_sinumerik("G17 ROT RPL=" + base::fixed(angle, 3) + "\n" + text)),
          geom::Frame::rotation(2, geom::radians(angle)));
 }
 
@@ -152,30 +152,32 @@ RC_GTEST_PROP(Run, DiametersAreDoubledRadii, ()) {
     const auto contour = any_contour();
     const bool incremental = *rc::gen::arbitrary<bool>();
     const std::string relative = incremental ? "G91\n" : "";
-    const auto radii = moves(run(lathe_start + relative + written(contour, {1, incremental, true, 1})));
+    const auto radii = moves(run_sinumerik(lathe_start + relative + written(contour, {1, incremental, true, 1})));
     const auto diameters =
-        moves(run("DIAMON\n" + lathe_start + relative + written(contour, {1, incremental, true, 2})));
+        moves(run_sinumerik("DIAMON\n" + lathe_start + relative + written(contour, {1, incremental, true, 2})));
     same(radii, diameters);
     const double factor = incremental ? 1 : 2;  // DIAM90: only absolute words are diameters
-    same(radii, moves(run("DIAM90\n" + lathe_start + relative + written(contour, {1, incremental, true, factor}))));
+    same(radii,
+         moves(run_sinumerik("DIAM90\n" + lathe_start + relative + written(contour, {1, incremental, true, factor}))));
 }
 
 RC_GTEST_PROP(Run, IncrementalIsAbsolute, ()) {
     const auto contour = any_contour();
-    same(moves(run(start + written(contour, {}))), moves(run(start + "G91\n" + written(contour, {1, true, false, 1}))));
+    same(moves(run_sinumerik(start + written(contour, {}))),
+         moves(run_sinumerik(start + "G91\n" + written(contour, {1, true, false, 1}))));
 }
 
 RC_GTEST_PROP(Run, InchesAreMillimetres, ()) {
     const auto contour = any_contour();
     const std::string inch = *rc::gen::element<std::string>("G70\n", "G700\n");
-    same(moves(run(start + written(contour, {}))),
-         moves(run(inch + start + written(contour, {25.4, false, false, 1}))));
+    same(moves(run_sinumerik(start + written(contour, {}))),
+         moves(run_sinumerik(inch + start + written(contour, {25.4, false, false, 1}))));
 }
 
 /// Written contour in, end points out, computed here from the numbers alone.
 RC_GTEST_PROP(Run, BlocksEndWhereTheySay, ()) {
     const auto contour = any_contour();
-    const auto out = moves(run(start + written(contour, {})));
+    const auto out = moves(run_sinumerik(start + written(contour, {})));
     RC_ASSERT(out.size() == contour.size() + 1);
     for (std::size_t i = 0; i < contour.size(); ++i) {
         const Block& b = contour[i];
@@ -190,7 +192,7 @@ RC_GTEST_PROP(Run, BlocksEndWhereTheySay, ()) {
 }
 
 RC_GTEST_PROP(Run, TextFormReadsBack, ()) {
-    const auto records = run(start + written(any_contour(), {}) + "M30\n");
+    const auto records = run_sinumerik(start + written(any_contour(), {}) + "M30\n");
     base::Sources sources;
     base::Diagnostics diagnostics;
     const auto back = cl::read_text(sources, sources.add("a.cl", cl::to_text(records)), diagnostics);

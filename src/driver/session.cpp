@@ -22,10 +22,6 @@ namespace codes = base::codes;
 
 namespace {
 
-void complain(Session& s, std::string_view code, const base::Span& where, std::string text, std::string remedy = {}) {
-    s.diagnostics.add({base::Severity::error, code, where, std::move(text), std::move(remedy), {}, {}});
-}
-
 bool is_job(const fs::path& path) { return base::equals_ignoring_case(path.extension().string(), ".toml"); }
 
 /// What a TOML file is, by its keys: somebody gave it as the program.
@@ -44,7 +40,7 @@ std::string kind_of_toml(std::uint32_t file, const base::Sources& sources) {
 
 bool is_no_program(Session& s, const fs::path& path, std::uint32_t file) {
     if (!is_job(path)) return false;
-    complain(s, codes::job_value, s.job.program_where,
+    complain(s.diagnostics, codes::job_value, s.job.program_where,
              s.sources[file].name + " is " + kind_of_toml(file, s.sources) + " and no NC program",
              "name the NC program; a job file is checked by itself");
     return true;
@@ -75,7 +71,7 @@ bool take_override(Session& s, const std::string& text) {
     const auto value =
         equal == std::string::npos ? std::nullopt : base::parse_double(std::string_view(text).substr(equal + 1));
     if (name.empty() || !value) {
-        complain(s, codes::job_value, nowhere, "--set " + text + " is not of the form NAME=NUMBER",
+        complain(s.diagnostics, codes::job_value, nowhere, "--set " + text + " is not of the form NAME=NUMBER",
                  "write for example --set R3=150");
         return false;
     }
@@ -91,7 +87,8 @@ bool load_machine(Session& s, const fs::path& base_path, const std::string& name
         return true;
     }
     if (!fs::exists(beside(base_path, name)) && !shop::names_machine_file(name)) {
-        complain(s, codes::job_value, where, shop::no_shipped_machine(name), shop::machine_name_remedy(name));
+        complain(s.diagnostics, codes::job_value, where, shop::no_shipped_machine(name),
+                 shop::machine_name_remedy(name));
         return false;
     }
     const auto file = load(beside(base_path, name), s.sources, s.diagnostics, where);
@@ -160,7 +157,7 @@ bool start_with_named(Session& s) {
         }
         all += (all.empty() ? "" : ", ") + unit->name;
     }
-    complain(s, codes::job_value, s.job.start_where, "the program's file holds no \"" + s.job.start + '"',
+    complain(s.diagnostics, codes::job_value, s.job.start_where, "the program's file holds no \"" + s.job.start + '"',
              "programs in it: " + all);
     return false;
 }
@@ -212,7 +209,7 @@ bool read_main(Session& s, const Request& request, const fs::path& path) {
     s.main = s.programs->read(*file);
     if (s.main != nullptr && !s.job.start.empty() && !start_with_named(s)) return false;
     s.programs->read_definitions();
-    if (s.main == nullptr) complain(s, codes::syntax, {*file, 0, 0}, "this file holds no program");
+    if (s.main == nullptr) complain(s.diagnostics, codes::syntax, {*file, 0, 0}, "this file holds no program");
     if (s.main != nullptr && !named) choose_machine(s, request);
     return s.main != nullptr;
 }
@@ -222,7 +219,7 @@ bool folders_are_there(Session& s, const Request& request, const fs::path& input
     bool good = true;
     const auto require = [&](const fs::path& folder, const base::Span& where, const std::string& what) {
         if (fs::is_directory(folder)) return;
-        complain(s, codes::file_missing, where, what + " is not a folder");
+        complain(s.diagnostics, codes::file_missing, where, what + " is not a folder");
         good = false;
     };
     for (const std::string& folder : request.search) require(folder, nowhere, "--search " + folder);
@@ -240,11 +237,11 @@ bool folders_are_there(Session& s, const Request& request, const fs::path& input
 bool fits_machine(Session& s) {
     const bool lathe = s.job.machine.kind == shop::MachineKind::lathe;
     if (lathe && s.job.solid_stock)
-        complain(s, codes::job_value, s.job.solid_stock->where,
+        complain(s.diagnostics, codes::job_value, s.job.solid_stock->where,
                  "this stock is one of milling, and the machine is a lathe",
                  "describe it with bar, tube, cone or profile");
     else if (!lathe && s.job.stock)
-        complain(s, codes::job_value, s.job.stock->where, "this stock is turned, and the machine is a mill",
+        complain(s.diagnostics, codes::job_value, s.job.stock->where, "this stock is turned, and the machine is a mill",
                  "describe it with box, cylinder or file, or name a lathe as the machine");
     else
         return true;
@@ -270,7 +267,7 @@ bool open(const Request& request, Session& s) {
         s.has_job = true;
         if (s.job.program.empty()) s.job.program = program_beside(input);
         if (s.job.program.empty() && !s.diagnostics.has_errors())
-            complain(s, codes::job_value, s.job.program_where, "the job file has no 'program'",
+            complain(s.diagnostics, codes::job_value, s.job.program_where, "the job file has no 'program'",
                      "name it, or put one program with the job's name beside the job");
         if (s.job.program.empty() || s.diagnostics.has_errors()) return false;
         program = beside(input, s.job.program);

@@ -12,9 +12,9 @@ using testing::Random;
 using testing::turned;
 
 #ifdef NDEBUG
-constexpr unsigned many = 6000;
+constexpr unsigned many_booleans = 6000;
 #else
-constexpr unsigned many = 2000;
+constexpr unsigned many_booleans = 2000;
 #endif
 
 /// x is what odd crossings make of the loop, which needs no arrangement.
@@ -36,7 +36,7 @@ void expect_membership(const Contour& x, const Contour& y, Random& random, int p
 }
 
 TEST(BooleanRandom, MembershipAndAreasAreThoseOfTheDrawnLoops) {
-    for (unsigned number = 0; number < many && !HasFailure(); ++number) {
+    for (unsigned number = 0; number < many_booleans && !HasFailure(); ++number) {
         SCOPED_TRACE(number);
         Random random(number);
         const Contour x = lattice_loop(random, 6), y = lattice_loop(random, 6);
@@ -45,7 +45,7 @@ TEST(BooleanRandom, MembershipAndAreasAreThoseOfTheDrawnLoops) {
 }
 
 TEST(BooleanRandom, RigidMotionOfInputIsRigidMotionOfResult) {
-    for (unsigned number = 0; number < many / 6 && !HasFailure(); ++number) {
+    for (unsigned number = 0; number < many_booleans / 6 && !HasFailure(); ++number) {
         SCOPED_TRACE(number);
         Random random(number);
         const Region a = lattice_region(random, 6), b = lattice_region(random, 6);
@@ -59,7 +59,7 @@ TEST(BooleanRandom, RigidMotionOfInputIsRigidMotionOfResult) {
 }
 
 TEST(BooleanRandom, NearlyCoincidentRegionsDifferByNearlyNothing) {
-    for (unsigned number = 0; number < many / 3 && !HasFailure(); ++number) {
+    for (unsigned number = 0; number < many_booleans / 3 && !HasFailure(); ++number) {
         SCOPED_TRACE(number);
         Random random(number);
         const Region a = lattice_region(random, 6), b = lattice_region(random, 6);
@@ -76,7 +76,7 @@ TEST(BooleanRandom, NearlyCoincidentRegionsDifferByNearlyNothing) {
 }
 
 TEST(BooleanRandom, ArcsThatAreNearlyStraight) {
-    for (unsigned number = 0; number < many / 6 && !HasFailure(); ++number) {
+    for (unsigned number = 0; number < many_booleans / 6 && !HasFailure(); ++number) {
         SCOPED_TRACE(number);
         Random random(number);
         Contour x = lattice_loop(random, 6), y = lattice_loop(random, 6);
@@ -89,8 +89,8 @@ TEST(BooleanRandom, ArcsThatAreNearlyStraight) {
 }
 
 TEST(BooleanRandom, RepeatedCutsLoseNothing) {
-    // As in turning: one region, many cuts each of which shares an edge with what the last one left.
-    for (unsigned number = 0; number < many / 40 && !HasFailure(); ++number) {
+    // As in turning: one region, many_booleans cuts each of which shares an edge with what the last one left.
+    for (unsigned number = 0; number < many_booleans / 40 && !HasFailure(); ++number) {
         SCOPED_TRACE(number);
         Random random(number);
         Region rest{{testing::rectangle(0, 0, 100, 40)}};

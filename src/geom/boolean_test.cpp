@@ -3,15 +3,14 @@
 #include <gtest/gtest.h>
 #include <rapidcheck/gtest.h>
 
+#include "geom/random_cases_testing.hpp"
 #include "geom/random_contours_testing.hpp"
 
 namespace obrys::geom {
 namespace {
 
-Contour rectangle(double x0, double y0, double x1, double y1) {
-    return {{{{x0, y0}}, {{x1, y0}}, {{x1, y1}}, {{x0, y1}}}, true};
-}
-Contour disc(double x, double y, double r) { return {{{{x - r, y}, 1}, {{x + r, y}, 1}}, true}; }
+using testing::disc;
+using testing::rectangle;
 
 TEST(Measures, OfRectangleDiscAndHalfDisc) {
     EXPECT_DOUBLE_EQ(area(rectangle(1, 2, 4, 6)), 12);

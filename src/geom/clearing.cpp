@@ -53,7 +53,7 @@ double farthest(const Edge& e, Vec2 p) {
 
 /// Of the radius: passes that only just meet leave a skin between them, on paper of no width (the two sides of the
 /// innermost ring of a pocket three tools wide).
-constexpr double overlap = 0.02;
+constexpr double pass_overlap = 0.02;
 
 /// A place in the piece from which the tool covers all of it.
 bool one_place_covers(const Region& piece, double radius, Vec2& place) {
@@ -67,7 +67,7 @@ bool one_place_covers(const Region& piece, double radius, Vec2& place) {
 
 class Builder {
 public:
-    explicit Builder(const ClearingOptions& o) : o_(o), reach_((1 - overlap) * o.radius) {}
+    explicit Builder(const ClearingOptions& o) : o_(o), reach_((1 - pass_overlap) * o.radius) {}
 
     Clearing build(const Region& r) {
         if (!good(r, o_)) return failed(ClearingFault::bad_input);

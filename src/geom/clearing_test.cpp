@@ -12,21 +12,16 @@ namespace obrys::geom {
 namespace {
 
 using testing::disc;
+using testing::distance_to;
 using testing::lattice_region;
 using testing::Random;
 using testing::rectangle;
 
 #ifdef NDEBUG
-constexpr unsigned many = 3000;
+constexpr unsigned many_clearings = 3000;
 #else
-constexpr unsigned many = 200;
+constexpr unsigned many_clearings = 200;
 #endif
-
-double distance_to(const std::vector<Edge>& edges, Vec2 p) {
-    double d = std::numeric_limits<double>::infinity();
-    for (const Edge& e : edges) d = std::min(d, distance(e, p));
-    return d;
-}
 
 TEST(Nearest, OfEdges) {
     EXPECT_NEAR(nearest_points(Edge{{0, 0}, {4, 0}}, Edge{{2, 1}, {3, 5}}).length, 1, 1e-12);
@@ -164,7 +159,7 @@ void expect_tours_run_all_rings(const Clearing& c, const std::vector<Contour>& t
 
 TEST(ClearingRandom, NoGougeNoRidgeOnePathEach) {
     Totals totals;
-    for (unsigned number = 0; number < many && !HasFailure(); ++number) {
+    for (unsigned number = 0; number < many_clearings && !HasFailure(); ++number) {
         SCOPED_TRACE(number);
         Random random(number);
         const Region r = lattice_region(random, 10);
@@ -188,8 +183,8 @@ TEST(ClearingRandom, NoGougeNoRidgeOnePathEach) {
         expect_clear_of_the_contour(r, tours, o.radius + o.allowance);
         expect_covered(r, c, tours, o.radius, random, totals);
     }
-    std::printf("seeds 0..%u: %zu pockets, %zu rings, %zu of them added, %zu points covered\n", many - 1, totals.cases,
-                totals.rings, totals.added, totals.covered);
+    std::printf("seeds 0..%u: %zu pockets, %zu rings, %zu of them added, %zu points covered\n", many_clearings - 1,
+                totals.cases, totals.rings, totals.added, totals.covered);
 }
 
 }  // namespace

@@ -8,22 +8,17 @@
 namespace obrys::geom {
 namespace {
 
+using testing::distance_to;
 using testing::lattice_loop;
 using testing::Random;
 
 #ifdef NDEBUG
-constexpr unsigned many = 10'000;
+constexpr unsigned many_equidistants = 10'000;
 #else
-constexpr unsigned many = 1'000;
+constexpr unsigned many_equidistants = 1'000;
 #endif
 
 Contour chain(std::vector<Vertex> v) { return {std::move(v), false}; }
-
-double distance_to(const std::vector<Edge>& edges, Vec2 p) {
-    double d = std::numeric_limits<double>::infinity();
-    for (const Edge& e : edges) d = std::min(d, distance(e, p));
-    return d;
-}
 
 TEST(Equidistant, OfALine) {
     const Contour line = chain({{{0, 0}}, {{10, 0}}});
@@ -150,7 +145,7 @@ void expect_equidistant(const Contour& c, double by, Count& count) {
 TEST(EquidistantRandom, AtTheDistanceOnItsSideAndNothingMissing) {
     constexpr double distances[] = {0.05, 0.4, 0.5, 1, 1.25, 2};
     Count count;
-    for (unsigned number = 0; number < many && !HasFailure(); ++number) {
+    for (unsigned number = 0; number < many_equidistants && !HasFailure(); ++number) {
         SCOPED_TRACE(number);
         Random random(number);
         const Contour loop = random.below(2) ? lattice_loop(random, 6) : lattice_loop(random, 12);
@@ -163,9 +158,9 @@ TEST(EquidistantRandom, AtTheDistanceOnItsSideAndNothingMissing) {
         expect_equidistant(placed, d, count);
         expect_equidistant(placed, -d, count);
     }
-    std::printf("seeds 0..%u: %u points on equidistants, side told of %u, %u expected points found\n", many - 1,
-                count.points, count.sided, count.expected);
-    EXPECT_GT(count.expected, 10 * many / 5);
+    std::printf("seeds 0..%u: %u points on equidistants, side told of %u, %u expected points found\n",
+                many_equidistants - 1, count.points, count.sided, count.expected);
+    EXPECT_GT(count.expected, 10 * many_equidistants / 5);
 }
 
 }  // namespace

@@ -34,7 +34,7 @@ Vec3 by_definition(const Nurbs& c, double u) {
     return (1 / weight) * sum;
 }
 
-struct Random {
+struct RandomCurves {
     std::mt19937 engine;
     double in(double low, double high) { return std::uniform_real_distribution<double>(low, high)(engine); }
     int whole(int low, int high) { return std::uniform_int_distribution<int>(low, high)(engine); }
@@ -102,7 +102,7 @@ TEST(Nurbs, ClampedKnots) {
 TEST(Nurbs, DeBoorIsTheDefinition) {
     for (unsigned seed = 1; seed <= 300; ++seed) {
         SCOPED_TRACE(seed);
-        Random r{std::mt19937(seed)};
+        RandomCurves r{std::mt19937(seed)};
         const Nurbs c = r.curve(2, 6, seed % 2 == 0);
         ASSERT_TRUE(is_valid(c));
         const double end = c.knots.back();
@@ -119,7 +119,7 @@ TEST(Nurbs, DeBoorIsTheDefinition) {
 TEST(Nurbs, PolynomialPiecesAreTheCurve) {
     for (unsigned seed = 1; seed <= 300; ++seed) {
         SCOPED_TRACE(seed);
-        Random r{std::mt19937(seed)};
+        RandomCurves r{std::mt19937(seed)};
         const Nurbs c = r.curve(2, 4, true);
         const auto p = cubic_pieces(c, 1000);
         ASSERT_TRUE(p);
@@ -139,7 +139,7 @@ TEST(Nurbs, PolynomialPiecesAreTheCurve) {
 TEST(Nurbs, OtherPiecesStayWithinTheTolerance) {
     for (unsigned seed = 1; seed <= 200; ++seed) {
         SCOPED_TRACE(seed);
-        Random r{std::mt19937(seed)};
+        RandomCurves r{std::mt19937(seed)};
         const bool equal = seed % 4 == 0;
         const Nurbs c = r.curve(equal ? 5 : 2, 6, equal);
         const double tolerance = std::pow(10.0, -r.whole(0, 5));
@@ -207,7 +207,7 @@ TEST(Nurbs, LinuxcncTakesTheSamePoints) {
 
 /// Weights are relative: all of them times two is the same curve.
 RC_GTEST_PROP(Nurbs, WeightsAreRelative, (unsigned seed)) {
-    Random r{std::mt19937(seed)};
+    RandomCurves r{std::mt19937(seed)};
     const Nurbs c = r.curve(2, 5, false);
     Nurbs d = c;
     for (NurbsPoint& p : d.points) p.weight *= 4;
@@ -217,7 +217,7 @@ RC_GTEST_PROP(Nurbs, WeightsAreRelative, (unsigned seed)) {
 }
 
 TEST(Nurbs, TheNumberOfPiecesIsLimited) {
-    Random r{std::mt19937(7)};
+    RandomCurves r{std::mt19937(7)};
     Nurbs c = r.curve(5, 5, false);
     const auto free = cubic_pieces(c, 1e-9), held = cubic_pieces(c, 1e-9, 12);
     ASSERT_TRUE(free && held);

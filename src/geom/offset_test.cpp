@@ -15,9 +15,9 @@ using testing::rectangle;
 using testing::turned;
 
 #ifdef NDEBUG
-constexpr unsigned many = 2000;
+constexpr unsigned many_offsets = 2000;
 #else
-constexpr unsigned many = 500;
+constexpr unsigned many_offsets = 500;
 #endif
 
 TEST(Offset, OfRectangle) {
@@ -83,7 +83,7 @@ void expect_offset(const Region& r, double by, Random& random, Vec2 far) {
 
 TEST(OffsetRandom, PointsNearerThanTheDistanceAndNoOthers) {
     constexpr double distances[] = {0.05, 0.4, 0.5, 1, 1.25, 2};
-    for (unsigned number = 0; number < many && !HasFailure(); ++number) {
+    for (unsigned number = 0; number < many_offsets && !HasFailure(); ++number) {
         SCOPED_TRACE(number);
         Random random(number);
         const Vec2 far = random.below(2) ? Vec2{400, -250} : Vec2{};

@@ -49,4 +49,10 @@ inline Contour rectangle(double x0, double y0, double x1, double y1) {
 }
 inline Contour disc(double x, double y, double r) { return {{{{x - r, y}, 1}, {{x + r, y}, 1}}, true}; }
 
+inline double distance_to(const std::vector<Edge>& edges, Vec2 p) {
+    double d = std::numeric_limits<double>::infinity();
+    for (const Edge& e : edges) d = std::min(d, distance(e, p));
+    return d;
+}
+
 }  // namespace obrys::geom::testing

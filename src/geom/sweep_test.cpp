@@ -15,9 +15,9 @@ using testing::Random;
 using testing::rectangle;
 
 #ifdef NDEBUG
-constexpr unsigned many = 150;
+constexpr unsigned many_sweeps = 150;
 #else
-constexpr unsigned many = 25;
+constexpr unsigned many_sweeps = 25;
 #endif
 
 /// Corners of a regular polygon, some moved in: convex or not, simple, with some sides bent outward.
@@ -87,7 +87,7 @@ TEST(Sweep, RoundOfADiscIsAThickArc) {
 }
 
 TEST(SweepRandom, StraightCoversTheShiftedOutlinesAndNoMore) {
-    for (unsigned number = 0; number < many && !HasFailure(); ++number) {
+    for (unsigned number = 0; number < many_sweeps && !HasFailure(); ++number) {
         SCOPED_TRACE(number);
         Random random(number);
         const Contour outline = outline_of(random);
@@ -99,7 +99,7 @@ TEST(SweepRandom, StraightCoversTheShiftedOutlinesAndNoMore) {
 }
 
 TEST(SweepRandom, RoundCoversTheShiftedOutlinesAndNoMore) {
-    for (unsigned number = 0; number < many && !HasFailure(); ++number) {
+    for (unsigned number = 0; number < many_sweeps && !HasFailure(); ++number) {
         SCOPED_TRACE(number);
         Random random(number);
         const Contour outline = outline_of(random);

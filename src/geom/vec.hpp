@@ -6,6 +6,7 @@
 namespace obrys::geom {
 
 inline constexpr double pi = 3.14159265358979323846;
+inline constexpr double full_turn = 2 * pi;
 [[nodiscard]] constexpr double radians(double degrees) { return degrees * (pi / 180.0); }
 [[nodiscard]] constexpr double degrees(double radians) { return radians * (180.0 / pi); }
 

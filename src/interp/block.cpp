@@ -32,10 +32,6 @@ void BlockWords::clear() {
 
 namespace {
 
-std::uint8_t reference_of(const program::Expr& e) {
-    return e.kind == program::ExprKind::qualified ? static_cast<std::uint8_t>(e.op + 1) : std::uint8_t{0};
-}
-
 /// Value of a word that needs a number.
 double word_value(Run& run, const Word& w) {
     if (program::is_literal(w)) return run.unit().literal(w);

@@ -17,7 +17,7 @@ using program::CycleRole;
 
 namespace {
 
-constexpr double most_repeats = 100'000;
+constexpr double most_holes = 100'000;
 
 const program::CannedCycle& cycle_of(const Run& run) {
     return run.traits->canned[static_cast<std::size_t>(run.modal.motion_number)];
@@ -95,7 +95,7 @@ void take_words(Run& run, const program::CannedCycle& c, const PlaneAxes& a) {
 
 std::optional<double> repeats(Run& run) {
     const double n = run.block.has(Code::l) ? run.block.get(Code::l) : 1;
-    if (n >= 0 && n <= most_repeats && n == std::floor(n)) return n;
+    if (n >= 0 && n <= most_holes && n == std::floor(n)) return n;
     if (std::isnan(n)) {
         unchecked(run, codes::unknown_value, run.here(),
                   "how many holes these are depends on a value that is not known: none is made");

@@ -24,14 +24,14 @@ struct Pocket {
     double sense = 1;  ///< +1 counter-clockwise
 };
 
-bool refuse(Run& run, std::string text, std::string remedy = {}) {
+bool refuse_pocket(Run& run, std::string text, std::string remedy = {}) {
     alarm(run, codes::value_range, run.here(), std::string(run.block.special_number == 1 ? "G13: " : "G12: ") + text,
           std::move(remedy));
     return false;
 }
 
 /// Radius by which the circles are smaller, mm: of offset D, of the last D, of the tool; nothing where none is known.
-std::optional<double> tool_radius(Run& run) {
+std::optional<double> radius_taken_off(Run& run) {
     if (run.block.has(Code::offset_d))
         take_offset_radius(run, run.block.get(Code::offset_d));
     else if (run.traits->offset_numbers_stay && !std::isnan(run.modal.offset_d))
@@ -51,15 +51,15 @@ bool take_circles(Run& run, double tool, Pocket& pocket) {
     const double unit = length_unit(run.modal);
     const double first = b.has(Code::i) ? std::abs(b.get(Code::i)) * unit : 0;
     if (!(first > tool))
-        return refuse(run, "I, the radius of the first circle, must be greater than the tool's radius");
+        return refuse_pocket(run, "I, the radius of the first circle, must be greater than the tool's radius");
     if (!b.has(Code::k)) {
         pocket.circles = {first - tool};
         return true;
     }
     const double last = std::abs(b.get(Code::k)) * unit, by = b.has(Code::q) ? std::abs(b.get(Code::q)) * unit : 0;
-    if (!(last > first)) return refuse(run, "K, the radius of the finished circle, must be greater than I");
+    if (!(last > first)) return refuse_pocket(run, "K, the radius of the finished circle, must be greater than I");
     if (!(by > 0) || (last - first) / by > most_passes)
-        return refuse(run, "Q, by which the circles grow, must be greater than 0");
+        return refuse_pocket(run, "Q, by which the circles grow, must be greater than 0");
     for (double r = first; r < last - 1e-9; r += by) pocket.circles.push_back(r - tool);
     pocket.circles.push_back(last - tool);
     return true;
@@ -68,7 +68,7 @@ bool take_circles(Run& run, double tool, Pocket& pocket) {
 bool take_levels(Run& run, const geom::Vec3& target, Pocket& pocket) {
     const double n = run.block.has(Code::l) ? run.block.get(Code::l) : 1;
     const auto passes = base::whole<int>(n, 1, most_passes);
-    if (!passes) return refuse(run, "L must be a whole number of passes");
+    if (!passes) return refuse_pocket(run, "L must be a whole number of passes");
     pocket.passes = *passes;
     pocket.from = target.z;
     pocket.step = run.modal.absolute ? 0 : target.z - run.programmed_position.z;
@@ -102,15 +102,16 @@ void pass(Run& run, const Pocket& p, double level) {
 }  // namespace
 
 bool circle_pocket(Run& run) {
-    if (run.modal.plane != 17) return refuse(run, "circular pockets lie in the plane of G17", "write G17 before it");
+    if (run.modal.plane != 17)
+        return refuse_pocket(run, "circular pockets lie in the plane of G17", "write G17 before it");
     if (run.modal.compensation != Modal::compensation_off)
-        return refuse(run, "the pocket has a compensation of its own", "write G40 before it");
+        return refuse_pocket(run, "the pocket has a compensation of its own", "write G40 before it");
     flush_path(run);
     Pocket pocket;
     const geom::Vec3 target = programmed_target(run);
     pocket.centre = {target.x, target.y, run.programmed_position.z};
     pocket.sense = run.block.special_number == 1 ? 1 : -1;
-    const auto tool = tool_radius(run);
+    const auto tool = radius_taken_off(run);
     if (!tool || !take_circles(run, *tool, pocket) || !take_levels(run, target, pocket)) return false;
     require_feed(run);
     if (run.stopped) return false;

@@ -18,7 +18,7 @@ using geom::Vec2;
 
 namespace {
 
-constexpr double joined = 1e-3;  ///< mm; ends nearer than this close a contour
+constexpr double closing_gap = 1e-3;  ///< mm; ends nearer than this close a contour
 
 /// The element in the frame of the cycle's call, where the label has one of its own (datum shifts in contours).
 path::Element in_frame(const Captured& c, const geom::Frame& frame, const PlaneAxes& a) {
@@ -83,7 +83,8 @@ geom::Contour contour_of(Run& run, const std::vector<Captured>& all, ContourElem
                       "this chamfer or rounding of the contour cannot be made: it is left out");
     }
     corners.flush(take);
-    if (contour.vertices.size() > 2 && geom::distance(contour.vertices.front().p, contour.vertices.back().p) < joined) {
+    if (contour.vertices.size() > 2 &&
+        geom::distance(contour.vertices.front().p, contour.vertices.back().p) < closing_gap) {
         contour.vertices.pop_back();
         contour.closed = true;
     }

@@ -40,9 +40,9 @@ ContourChoice choice_of(Run& run, const ContourStatement& s) {
 }
 
 /// Reads contours of parts; a complaint makes it `failed`.
-class Parts {
+class PartsOfFormula {
 public:
-    Parts(Run& run, ContourElements& elements) : run_(run), elements_(elements) {}
+    PartsOfFormula(Run& run, ContourElements& elements) : run_(run), elements_(elements) {}
 
     [[nodiscard]] bool failed() const { return failed_; }
     [[nodiscard]] Region area(const ContourChoice& c, std::size_t i) {
@@ -111,7 +111,7 @@ ContourLayer layer_of(Region area, double surface, const Extent& e) {
 /// The layers between all tops and bottoms; one of them where no contour has a depth of its own.
 std::optional<std::vector<ContourLayer>> of_parts(Run& run, const ContourChoice& c, const cycles::Demand& d,
                                                   ContourElements& elements) {
-    Parts parts(run, elements);
+    PartsOfFormula parts(run, elements);
     const double floor = std::abs(d.get(program::CycleRole::depth));
     std::vector<Region> areas;
     std::vector<Extent> extents;
@@ -176,7 +176,7 @@ std::optional<Region> of_formula(Run& run, const ContourStatement& s, const Area
 
 /// The contour is that of the last formula; where there is none, the one declared last.
 std::optional<Region> of_choices(Run& run, double floor, ContourElements& elements) {
-    Parts parts(run, elements);
+    PartsOfFormula parts(run, elements);
     Areas areas;
     std::optional<std::uint32_t> declared, computed;
     const std::vector<ContourChoice> choices = run.contour_choices;

@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 
 #include "interp/run.hpp"
 
@@ -12,15 +11,13 @@ using program::ControlValue;
 
 namespace {
 
-constexpr double unknown = std::numeric_limits<double>::quiet_NaN();
-
 bool no_tool(const Run& run) {  // TOOL CALL 0
     return run.tool.data == nullptr && run.tool.number == 0 && run.tool.name.empty() && run.tool.edge != 0;
 }
 
 double spindle_state(const SpindleState& s) {
     if (s.direction != 0) return s.direction > 0 ? 0 : 1;
-    return s.last == 0 ? unknown : s.last > 0 ? 2 : 3;  // which sense it had before the program: not known
+    return s.last == 0 ? unknown_number : s.last > 0 ? 2 : 3;  // which sense it had before the program: not known
 }
 
 void write(Run& run, const program::ControlParameter& p, double v) {
@@ -44,18 +41,18 @@ std::optional<double> mill_radius(const shop::Tool& t) {
 
 double active_radius(const Run& run) {
     const auto own = run.tool.data == nullptr ? std::nullopt : mill_radius(*run.tool.data);
-    return own.value_or(no_tool(run) ? 0 : unknown) + run.tool.delta_radius;
+    return own.value_or(no_tool(run) ? 0 : unknown_number) + run.tool.delta_radius;
 }
 
 double active_length(const Run& run) {
     const shop::Tool* t = run.tool.data;
-    const double own = t != nullptr ? t->length + t->delta_length : no_tool(run) ? 0 : unknown;
+    const double own = t != nullptr ? t->length + t->delta_length : no_tool(run) ? 0 : unknown_number;
     return own + run.tool.delta_length;
 }
 
 double gauge_length(const Run& run) {
     const shop::Tool* t = run.tool.data;
-    return t != nullptr && t->length == 0 ? unknown : active_length(run);
+    return t != nullptr && t->length == 0 ? unknown_number : active_length(run);
 }
 
 double control_value(const Run& run, ControlValue v) {
@@ -63,16 +60,16 @@ double control_value(const Run& run, ControlValue v) {
         case ControlValue::tool_radius: return active_radius(run);
         case ControlValue::tool_length: return gauge_length(run);
         case ControlValue::tool_axis:
-            if (!run.tool.known) return unknown;
+            if (!run.tool.known) return unknown_number;
             return run.modal.plane == 17 ? 2 : run.modal.plane == 18 ? 1 : 0;
         case ControlValue::spindle_state: return spindle_state(run.spindle);
         case ControlValue::coolant_state:
-            return !run.modal.mist_said && !run.modal.flood_said ? unknown : run.coolant_on ? 1 : 0;
+            return !run.modal.mist_said && !run.modal.flood_said ? unknown_number : run.coolant_on ? 1 : 0;
         case ControlValue::tilted_a: return run.tilted_axes[0];
         case ControlValue::tilted_b: return run.tilted_axes[1];
         case ControlValue::tilted_c: return run.tilted_axes[2];
         case ControlValue::main_unit: return run.calls.front().unit->inch ? 1 : 0;
-        default: return unknown;  // of the machine's settings, its kinematics, or measured
+        default: return unknown_number;  // of the machine's settings, its kinematics, or measured
     }
 }
 

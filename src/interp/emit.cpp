@@ -1,7 +1,5 @@
 /// Records out of the run.
 
-#include <limits>
-
 #include "base/codes.hpp"
 #include "interp/contour_cycle.hpp"
 #include "interp/path_stage.hpp"
@@ -41,14 +39,13 @@ cl::Axis axis_record(std::string_view name, double to, bool is_rotary, bool coun
 }
 
 geom::Vec3 stream_origin(const Run& run) {
-    constexpr double unknown = std::numeric_limits<double>::quiet_NaN();
-    geom::Vec3 origin{unknown, unknown, unknown};
+    geom::Vec3 origin{unknown_number, unknown_number, unknown_number};
     const auto& known = run.env.machine.datums;
     if (const auto found = known.find(run.reference_datum); found != known.end())
         origin = found->second;
     else if (run.reference_datum == program::no_datum && run.traits->datum.none_is_machine_zero && !known.empty())
         origin = {};  // the machine's own zero
-    if (run.env.machine.datum_rotations.contains(run.reference_datum)) origin.x = origin.y = unknown;
+    if (run.env.machine.datum_rotations.contains(run.reference_datum)) origin.x = origin.y = unknown_number;
     return origin;
 }
 

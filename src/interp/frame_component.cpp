@@ -2,7 +2,6 @@
 
 #include <array>
 #include <cmath>
-#include <limits>
 #include <optional>
 
 #include "base/codes.hpp"
@@ -32,24 +31,22 @@ std::optional<Component> component_of(Run& run, ExprId id) {
 }
 
 /// What a frame is made of. NaN: it cannot be told from the whole.
-struct Parts {
+struct FrameParts {
     std::array<double, 3> rotation{}, scale{1, 1, 1}, mirror{};  // rad, factors, 0 or 1
 };
-
-constexpr double unknown = std::numeric_limits<double>::quiet_NaN();
 
 Vec3 column(const Frame& f, std::size_t k) { return {f.linear[k], f.linear[3 + k], f.linear[6 + k]}; }
 
 /// Mirroring of a frame whose axes keep their directions; two mirrored axes might be half a turn as well.
-void take_straight(const Frame& f, Parts& p) {
+void take_straight(const Frame& f, FrameParts& p) {
     int mirrored = 0;
     for (std::size_t k = 0; k < 3; ++k) mirrored += f.linear[4 * k] < 0 ? 1 : 0;
-    for (std::size_t k = 0; k < 3; ++k) p.mirror[k] = mirrored >= 2 ? unknown : f.linear[4 * k] < 0 ? 1 : 0;
-    if (mirrored >= 2) p.rotation = {unknown, unknown, unknown};
+    for (std::size_t k = 0; k < 3; ++k) p.mirror[k] = mirrored >= 2 ? unknown_number : f.linear[4 * k] < 0 ? 1 : 0;
+    if (mirrored >= 2) p.rotation = {unknown_number, unknown_number, unknown_number};
 }
 
-Parts parts_of(const Frame& f) {
-    Parts p;
+FrameParts parts_of(const Frame& f) {
+    FrameParts p;
     const std::array<Vec3, 3> c{column(f, 0), column(f, 1), column(f, 2)};
     for (std::size_t k = 0; k < 3; ++k) p.scale[k] = geom::length(c[k]);
     bool straight = true;
@@ -62,7 +59,7 @@ Parts parts_of(const Frame& f) {
         return std::abs(geom::dot(c[a], c[b])) <= 1e-9 * p.scale[a] * p.scale[b];
     };
     if (!square(0, 1) || !square(0, 2) || !square(1, 2) || !(geom::determinant(f) > 0)) {
-        p.rotation = p.mirror = {unknown, unknown, unknown};
+        p.rotation = p.mirror = {unknown_number, unknown_number, unknown_number};
         if (!square(0, 1) || !square(0, 2) || !square(1, 2)) p.scale = p.rotation;
         return p;
     }
@@ -71,7 +68,7 @@ Parts parts_of(const Frame& f) {
     return p;
 }
 
-Frame frame_of(const Parts& p, Vec3 shift) {
+Frame frame_of(const FrameParts& p, Vec3 shift) {
     const auto factor = [&](std::size_t k) { return p.mirror[k] == 0 ? p.scale[k] : -p.scale[k]; };
     return Frame::shift(shift) * Frame::rotation(2, p.rotation[2]) * Frame::rotation(1, p.rotation[1]) *
            Frame::rotation(0, p.rotation[0]) * Frame::scaling({factor(0), factor(1), factor(2)});
@@ -95,7 +92,7 @@ std::optional<Place> place_of(Run& run, const Expr& e) {
     return std::nullopt;
 }
 
-double& part(Parts& p, const Place& place) {
+double& part(FrameParts& p, const Place& place) {
     const auto k = static_cast<std::size_t>(place.axis);
     return place.component == Component::rotation ? p.rotation[k]
            : place.component == Component::scale  ? p.scale[k]
@@ -122,7 +119,7 @@ Value read_component(Run& run, const Expr& e, const Frame& frame) {
     if (!place) return Value::unknown();
     if (place->component == Component::shift)
         return Value::real(coordinate(frame.origin, place->axis) / length_unit(run.modal));
-    Parts p = parts_of(frame);
+    FrameParts p = parts_of(frame);
     const double v = part(p, *place);
     if (std::isnan(v)) not_told(run, e);
     if (place->component == Component::mirror) return std::isnan(v) ? Value::unknown() : Value::boolean(v != 0);
@@ -141,7 +138,7 @@ void write_component(Run& run, const Expr& e, Frame& frame, ExprId value) {
         coordinate(frame.origin, place->axis) = v * length_unit(run.modal);
         return;
     }
-    Parts p = parts_of(frame);
+    FrameParts p = parts_of(frame);
     part(p, *place) = place->component == Component::rotation ? geom::radians(v) : v;
     for (std::size_t k = 0; k < 3; ++k)
         if (std::isnan(p.rotation[k] + p.scale[k] + p.mirror[k])) return not_told(run, e);

@@ -26,7 +26,7 @@ Value value_of(const GivenValue& g) {
 }
 
 /// A value that cannot be used: the run does not begin.
-void refuse(Run& run, const GivenValue& g, std::string text, std::string remedy = {}) {
+void refuse_given(Run& run, const GivenValue& g, std::string text, std::string remedy = {}) {
     run.stopped = true;
     run.diagnostics.add({base::Severity::error,
                          codes::job_value,
@@ -42,8 +42,8 @@ void give_parameter(Run& run, std::uint32_t n, const std::string& key, const Giv
     if (g.kind == GivenKind::text && empties)
         run.parameters.set_empty_by_control(n);
     else if (g.kind == GivenKind::text)
-        refuse(run, g, key + " holds a number, not a text",
-               run.traits->empty_parameters ? "write \"empty\" for one that holds nothing" : "");
+        refuse_given(run, g, key + " holds a number, not a text",
+                     run.traits->empty_parameters ? "write \"empty\" for one that holds nothing" : "");
     else
         run.parameters.set_by_control(n, g.number);
 }
@@ -72,7 +72,7 @@ void give_element(Run& run, Array& array, const std::string& key, const GivenVal
         for (int k = 0; k < array.rank; ++k)
             sizes += (k > 0 ? "," : "") + std::to_string(array.dimensions[static_cast<std::size_t>(k)]);
         const std::string name = key.substr(0, bracket);
-        return refuse(
+        return refuse_given(
             run, g,
             key + (array.rank == 0 ? ": " + name + " is no array" : ": " + name + " is defined with [" + sizes + "]"),
             array.rank == 0 ? "give " + name + " without an index"
@@ -82,7 +82,7 @@ void give_element(Run& run, Array& array, const std::string& key, const GivenVal
     if (convert(v, array.type, array.string_length) == Conversion::ok)
         array.set(index, v);
     else
-        refuse(run, g, key + " does not fit its definition as " + std::string(name(array.type)));
+        refuse_given(run, g, key + " does not fit its definition as " + std::string(name(array.type)));
 }
 
 /// A name that no definition file holds: the value gives the type.
@@ -152,12 +152,12 @@ void refuse_foreign_keys(Run& run) {
         const bool foreign = !numbered && !is_name_of_control(*run.traits, bare);
         if ((!foreign && (!numbered || bare == key)) || !said.insert(bare).second) continue;
         if (foreign)
-            refuse(run, g, std::string(bare) + " is no variable of this control",
-                   "write " + nearest_variable(*run.traits, bare) + ", as the program writes it");
+            refuse_given(run, g, std::string(bare) + " is no variable of this control",
+                         "write " + nearest_variable(*run.traits, bare) + ", as the program writes it");
         else
-            refuse(run, g,
-                   bank ? key + " is none of the parameters " + std::string(bare)
-                        : std::string(bare) + " is one number: it has no elements");
+            refuse_given(run, g,
+                         bank ? key + " is none of the parameters " + std::string(bare)
+                              : std::string(bare) + " is one number: it has no elements");
     }
 }
 

@@ -12,8 +12,6 @@ namespace codes = base::codes;
 
 namespace {
 
-constexpr double unknown = std::numeric_limits<double>::quiet_NaN();
-
 std::uint32_t first_of(const Run& run) {
     const program::OffsetParameters& p = run.traits->offsets;
     return run.block.special_number >= 2 ? p.home_second : p.home_first;
@@ -27,7 +25,7 @@ double home_of(const Run& run, std::size_t axis) {
             return run.parameters.get(n) * stored_unit(run, axis);
     }
     const shop::MachineAxis* known = machine_axis(run, axis_name(axis));
-    return known != nullptr && known->home && run.block.special_number < 2 ? *known->home : unknown;
+    return known != nullptr && known->home && run.block.special_number < 2 ? *known->home : unknown_number;
 }
 
 void emit_other_axis(Run& run, std::size_t k, double to) {

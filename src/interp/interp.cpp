@@ -1,7 +1,6 @@
 #include "interp/interp.hpp"
 
 #include <cmath>
-#include <limits>
 
 #include "base/codes.hpp"
 #include "base/number.hpp"
@@ -16,11 +15,9 @@ namespace codes = base::codes;
 
 namespace {
 
-constexpr double unknown = std::numeric_limits<double>::quiet_NaN();
-
 /// The coordinates the machine starts with: unknown, except axes a lathe or mill does not have.
 geom::Vec3 start_position(const shop::Machine& machine) {
-    geom::Vec3 p{unknown, unknown, unknown};
+    geom::Vec3 p{unknown_number, unknown_number, unknown_number};
     if (machine.axes.empty()) {
         if (machine.kind == shop::MachineKind::lathe) p.y = 0;
         return p;

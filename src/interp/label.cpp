@@ -15,7 +15,7 @@ namespace codes = base::codes;
 
 namespace {
 
-constexpr double most_repeats = 65534;
+constexpr double most_label_repeats = 65534;
 
 std::uint32_t target_of(Run& run, const program::LabelCall& c) {
     if (c.target != program::no_target) return c.target;
@@ -48,7 +48,7 @@ void repeat(Run& run, std::uint32_t target, const program::LabelCall& c, std::ui
     if (std::isnan(passes))
         unchecked(run, codes::unknown_value, run.here(),
                   "how often this section is repeated depends on a value that is not known: it is not repeated");
-    if (passes < 0 || passes > most_repeats)
+    if (passes < 0 || passes > most_label_repeats)
         alarm(run, codes::value_range, run.unit().span(c.repeats),
               "REP needs a number from 0 to 65534, this is " + base::shortest(passes));
     if (run.stopped || !(passes >= 1)) return;

@@ -16,8 +16,6 @@ namespace codes = base::codes;
 
 namespace {
 
-constexpr double unknown = std::numeric_limits<double>::quiet_NaN();
-
 /// mm of a length that the program reads: its own unit, and diameters where it programs these.
 double in_program_unit(const Run& run, std::size_t axis, double v) {
     if (axis >= 3 && axis < 6) return v;
@@ -33,16 +31,16 @@ double axis_value(const Run& run, std::size_t axis, bool machine) {
 /// Machine coordinates count from the machine's zero: how far the workpiece lies from it must be known.
 double machine_value(const Run& run, std::size_t axis) {
     const bool placed = !keeps_offsets(run) || axis >= 3 || (run.datum_known && is_datum_given(run, axis));
-    return placed ? axis_value(run, axis, true) : unknown;
+    return placed ? axis_value(run, axis, true) : unknown_number;
 }
 
 double table_column(const Run& run, std::size_t column) {
     const shop::Tool* t = run.tool.data;
-    if (!run.tool.known) return unknown;
+    if (!run.tool.known) return unknown_number;
     if (column == 0) return run.tool.number;
-    if (t == nullptr) return run.tools.empty() && run.tool.number != 0 ? unknown : 0;
+    if (t == nullptr) return run.tools.empty() && run.tool.number != 0 ? unknown_number : 0;
     const bool listed = t->table.has_value() || run.env.tell_settings;  // else 0 says that nobody gave it
-    if (!listed && ((column == 3 && t->length == 0) || (column == 10 && t->radius == 0))) return unknown;
+    if (!listed && ((column == 3 && t->length == 0) || (column == 10 && t->radius == 0))) return unknown_number;
     if (column == 3) return in_program_unit(run, 2, t->length);
     if (column == 10) return in_program_unit(run, 1, 2 * t->radius);
     if (!t->table) return 0;
@@ -61,7 +59,7 @@ double motion_mode(const Run& run) {
         case Modal::probe: return 380 + m.motion_number;
         case Modal::canned: return run.traits->canned[static_cast<std::size_t>(m.motion_number)].number;
         case Modal::canned_off: return 800;
-        default: return unknown;
+        default: return unknown_number;
     }
 }
 
@@ -95,12 +93,12 @@ double mode(const Run& run, StateQuery q) {
         case StateQuery::arc_centre_absolute: return m.centre_absolute ? 1 : 0;
         case StateQuery::diameter_mode: return m.diameter == DiameterMode::off ? 0 : 1;
         case StateQuery::radius_mode: return m.diameter == DiameterMode::off ? 1 : 0;
-        default: return unknown;
+        default: return unknown_number;
     }
 }
 
 /// What nobody has said the control holds from before.
-double if_said(bool said, double v) { return said ? v : unknown; }
+double if_said(bool said, double v) { return said ? v : unknown_number; }
 
 double state(const Run& run, StateQuery q) {
     if (q >= StateQuery::x && q <= StateQuery::w)
@@ -148,7 +146,7 @@ double known_live_value(const Run& run, SystemVariable v, double index) {
         case SystemVariable::coordinate: return axis_value(run, axis, false);
         case SystemVariable::machine_coordinate: return machine_value(run, axis);
         case SystemVariable::tool_table_column: return table_column(run, base::clipped<std::size_t>(index, 0, 13));
-        default: return unknown;
+        default: return unknown_number;
     }
 }
 
@@ -182,7 +180,7 @@ Unknown why_unknown(const Run& run, SystemVariable v, double index) {
 double report_unknown(Run& run, const std::string& name, const base::Span& where, const Unknown& u) {
     unchecked(run, codes::unknown_value, where, u.why,
               "what is computed from it is unknown too" + u.also + (name.empty() ? "" : "; " + given_remedy(name)));
-    return unknown;
+    return unknown_number;
 }
 
 /// The group of the words that say a state; nothing: a control begins as obrys does.

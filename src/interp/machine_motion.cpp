@@ -1,7 +1,6 @@
 /// Motion in machine coordinates: G74, G75, SUPA, G53, G153.
 
 #include <cmath>
-#include <limits>
 
 #include "base/codes.hpp"
 #include "interp/path_stage.hpp"
@@ -13,8 +12,6 @@ namespace codes = base::codes;
 
 namespace {
 
-constexpr double unknown = std::numeric_limits<double>::quiet_NaN();
-
 /// What machine coordinates lie ahead of stream coordinates; NaN where the datum is not known, or is turned against the
 /// machine.
 double ahead(const Run& run, int k) {
@@ -22,10 +19,10 @@ double ahead(const Run& run, int k) {
     if (keeps_offsets(run)) {
         const Offsets& o = run.offsets;
         const auto axis = static_cast<std::size_t>(k);
-        return run.datum_known && is_datum_given(run, axis) ? o.reference[axis] + tip_in_use(o)[axis] : unknown;
+        return run.datum_known && is_datum_given(run, axis) ? o.reference[axis] + tip_in_use(o)[axis] : unknown_number;
     }
     const auto known = m.datums.find(run.reference_datum);
-    if (known == m.datums.end() || (k < 2 && m.datum_rotations.contains(run.reference_datum))) return unknown;
+    if (known == m.datums.end() || (k < 2 && m.datum_rotations.contains(run.reference_datum))) return unknown_number;
     return coordinate(known->second, k);
 }
 
@@ -139,7 +136,7 @@ bool reference_point(Run& run) {
         run.block.use(axis_code(k));
         const shop::MachineAxis* axis = machine_axis(run, std::string(1, "XYZ"[k]));
         const bool home = run.block.special == Modal::reference_point && axis != nullptr && axis->home;
-        coordinate(target, k) = home ? from_machine(run, k, *axis->home) : unknown;
+        coordinate(target, k) = home ? from_machine(run, k, *axis->home) : unknown_number;
     }
     if (!geom::is_finite(target) && run.block.special == Modal::fixed_point)
         assume(run, run.here(),
@@ -182,7 +179,7 @@ double way_to_limit(const Run& run) {
     const shop::MachineAxis* axis = machine_axis(run, axis_name(static_cast<std::size_t>(w)));
     geom::Vec3 along;
     coordinate(along, w) = 1;
-    if (axis == nullptr || !axis->max || !(run.tool_axis == along)) return unknown;
+    if (axis == nullptr || !axis->max || !(run.tool_axis == along)) return unknown_number;
     return from_machine(run, w, *axis->max) - coordinate(run.position, w);
 }
 

@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 
 #include "base/codes.hpp"
 #include "interp/capture.hpp"
@@ -16,9 +15,6 @@ using program::Reference;
 
 namespace {
 
-constexpr double unknown = std::numeric_limits<double>::quiet_NaN();
-constexpr std::uint64_t bit(Code c) { return std::uint64_t{1} << static_cast<unsigned>(c); }
-constexpr std::uint64_t linear_axes = bit(Code::x) | bit(Code::y) | bit(Code::z);
 constexpr std::uint64_t other_axes =
     bit(Code::a) | bit(Code::b) | bit(Code::c) | bit(Code::u) | bit(Code::v) | bit(Code::w);
 constexpr std::uint64_t polar = bit(Code::polar_angle) | bit(Code::polar_radius);
@@ -50,7 +46,7 @@ void extra_axis(Run& run, const std::string& name, double value, std::uint8_t re
     const auto at = run.extra_axes.find(name);
     const auto k = name.size() == 1 ? std::string_view("XYZABCUVW").find(name[0]) : std::string_view::npos;
     if (is_incremental(run, reference))
-        to += at == run.extra_axes.end() ? unknown : at->second;
+        to += at == run.extra_axes.end() ? unknown_number : at->second;
     else if (k != std::string_view::npos)
         to += run.offsets.total[k];
     if (std::isnan(to))
@@ -443,7 +439,7 @@ double programmed_coordinate(const Run& run, const std::string& axis) {
         if (axis.size() == 1 && axis[0] == "XYZ"[k])
             return coordinate(run.programmed_position, k) / length_factor(run, k, false);
     const auto found = run.extra_axes.find(axis);
-    return found == run.extra_axes.end() ? unknown : found->second;
+    return found == run.extra_axes.end() ? unknown_number : found->second;
 }
 
 }  // namespace obrys::interp

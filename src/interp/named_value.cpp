@@ -33,10 +33,6 @@ std::optional<std::string> machine_axis_name(const Run& run, const std::string& 
 
 namespace {
 
-std::uint8_t reference_of(const program::Expr& e) {
-    return e.kind == program::ExprKind::qualified ? static_cast<std::uint8_t>(e.op + 1) : std::uint8_t{0};
-}
-
 /// POS[X]=, POSA[C]=: linear axes move on their own, others are additional axes as if they stood in the block.
 void position(Run& run, const program::Named& n) {
     const std::string written = axis_of(run, n.index);

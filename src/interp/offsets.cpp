@@ -16,8 +16,6 @@ using cl::SettingKind;
 
 namespace {
 
-constexpr double unknown = std::numeric_limits<double>::quiet_NaN();
-
 /// mm (degrees) of a parameter that holds a coordinate of this axis.
 double stored(const Run& run, std::uint32_t parameter, std::size_t axis) {
     return run.parameters.get(parameter) * stored_unit(run, axis);
@@ -407,7 +405,7 @@ std::optional<double> axis_word(const Run& run, std::size_t axis) {
 double axis_coordinate(const Run& run, std::size_t axis) {
     if (axis < 3) return coordinate(run.programmed_position, static_cast<int>(axis));
     const auto found = run.extra_axes.find(axis_name(axis));
-    return found == run.extra_axes.end() ? unknown : found->second - run.offsets.total[axis];
+    return found == run.extra_axes.end() ? unknown_number : found->second - run.offsets.total[axis];
 }
 
 double machine_coordinate(const Run& run, std::size_t axis) {

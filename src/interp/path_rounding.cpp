@@ -5,7 +5,6 @@
 
 #include <array>
 #include <cmath>
-#include <limits>
 
 #include "base/number.hpp"
 #include "interp/run.hpp"
@@ -13,8 +12,6 @@
 namespace obrys::interp {
 
 namespace {
-
-constexpr double unknown = std::numeric_limits<double>::quiet_NaN();
 
 struct Rounding {
     std::string word;   ///< as programmed
@@ -30,7 +27,7 @@ std::string shown(double mm) { return base::fixed(mm, 3) + " mm"; }
 double tolerance_of_machine(const Run& run) {
     if (!std::isnan(run.modal.contour_tolerance)) return run.modal.contour_tolerance;
     const auto found = run.env.machine.machine_data.find("$MA_COMPRESS_POS_TOL");
-    return found == run.env.machine.machine_data.end() ? unknown : found->second;
+    return found == run.env.machine.machine_data.end() ? unknown_number : found->second;
 }
 
 /// That of a cycle or G187; none while the control stops exactly at corners (G61). Infinite: how much is not known.
@@ -40,7 +37,7 @@ Rounding rounding_of(const Run& run) {
     const ModalState& m = run.modal;
     const bool rapid = m.motion == Modal::rapid;
     if (const double most = tolerance_in_force(m); most > 0 && !std::isfinite(most))
-        return {std::string(m.tolerance_by), unknown, true,
+        return {std::string(m.tolerance_by), unknown_number, true,
                 "at corners by the machine's setting 85 or a value that is not known here",
                 "write E, the largest rounding of a corner"};
     else if (most > 0)
@@ -51,12 +48,13 @@ Rounding rounding_of(const Run& run) {
     const std::string word = "G" + std::to_string(m.smoothing);
     if (m.smoothing == 641) return {word + " with " + by, distance};
     if (m.smoothing == 643 && distance > 0) return {word + " with " + by, distance};
-    if (m.smoothing == 64) return {word, unknown, true, "at corners as far as its axes' speeds and accelerations need"};
-    if (m.smoothing == 644) return {word, unknown};
+    if (m.smoothing == 64)
+        return {word, unknown_number, true, "at corners as far as its axes' speeds and accelerations need"};
+    if (m.smoothing == 644) return {word, unknown_number};
     if (m.smoothing > 641) return {word, tolerance_of_machine(run)};
     if (m.path_mode == Modal::path_blend && m.blend > 0) return {"G64 with P", m.blend, false};
     if (m.path_mode == Modal::path_blend && m.blend_free)
-        return {"G64 without P", unknown, true, "without a limit, as far as its speed needs",
+        return {"G64 without P", unknown_number, true, "without a limit, as far as its speed needs",
                 "write G64 P and the tolerance"};
     return {};
 }

@@ -143,14 +143,9 @@ void tell_programmed(Run& run, const path::Element& e) {
                               cl::Record{std::move(*step), run.here(), run.top().stack});
 }
 
-namespace {
-
-constexpr double joined = 1e-6;  ///< mm; an arc begins where the stream stands if it is no farther off
-
-}  // namespace
-
 void lead_to_place(Run& run) {
-    if (geom::length(run.sent - run.position) > joined) emit(run, cl::Linear{run.position, run.tool_axis, false});
+    if (geom::length(run.sent - run.position) > stream_joined)
+        emit(run, cl::Linear{run.position, run.tool_axis, false});
 }
 
 namespace {
@@ -165,7 +160,7 @@ void lead_to_arc(Run& run, const path::Element& e, bool rapid, bool in_stream_al
     const Vec3 start = in_its_frame(e.from, e.w_from), gap = run.sent - start;
     const Vec3 along = in_its_frame(e.from, e.w_from + 1) - start;  // how far the arc rises is no matter of its circle
     const Vec3 beside = gap - (geom::dot(gap, along) / geom::dot(along, along)) * along;
-    if (!(geom::length(beside) > joined)) return;
+    if (!(geom::length(beside) > stream_joined)) return;
     run.record.step = cl::Linear{start, run.tool_axis, rapid};
     send(run, run.record);
 }
@@ -175,8 +170,8 @@ void lead_to_arc(Run& run, const path::Element& e, bool rapid, bool in_stream_al
 bool is_on_its_circle(const Run& run, const path::Element& e) {
     const path::ArcTolerance t = arc_tolerance(run);
     const double start = geom::distance(e.from, e.centre), end = geom::distance(e.to, e.centre);
-    const double allowed =
-        t.keep_centre ? 2 * std::max(t.absolute, t.relative * std::max(start, end)) : cl::circle_tolerance + joined;
+    const double allowed = t.keep_centre ? 2 * std::max(t.absolute, t.relative * std::max(start, end))
+                                         : cl::circle_tolerance + stream_joined;
     return !(std::abs(start - end) > allowed);
 }
 

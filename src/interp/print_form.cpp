@@ -11,11 +11,11 @@ namespace obrys::interp {
 
 namespace {
 
-constexpr int widest = 200;
+constexpr int widest_field = 200;
 constexpr double largest_shown = 1e15;
-constexpr std::size_t longest = 1'000'000;  ///< bytes that one form may become
+constexpr std::size_t longest_form = 1'000'000;  ///< bytes that one form may become
 
-struct Format {
+struct PrintFormat {
     bool left = false, plus = false, zeros = false;
     int width = 0, decimals = -1;
     char kind = 0;  ///< F, D, S; 0: none that is known
@@ -23,13 +23,13 @@ struct Format {
 
 int digits(std::string_view s, std::size_t& at) {
     int n = 0;
-    for (; at < s.size() && base::is_digit(s[at]); ++at) n = std::min(n * 10 + (s[at] - '0'), widest);
+    for (; at < s.size() && base::is_digit(s[at]); ++at) n = std::min(n * 10 + (s[at] - '0'), widest_field);
     return n;
 }
 
 /// Behind the `%`; moves `at` behind the format.
-Format read_format(std::string_view s, std::size_t& at) {
-    Format f;
+PrintFormat read_print_format(std::string_view s, std::size_t& at) {
+    PrintFormat f;
     for (; at < s.size() && std::string_view("-+0 ").find(s[at]) != std::string_view::npos; ++at) {
         f.left = f.left || s[at] == '-';
         f.plus = f.plus || s[at] == '+';
@@ -45,7 +45,7 @@ Format read_format(std::string_view s, std::size_t& at) {
     return f;
 }
 
-std::string shown(const Format& f, const Value& v) {
+std::string printed_as(const PrintFormat& f, const Value& v) {
     std::string text;
     if (f.kind == 'S' || !v.is_number())
         text = printed(v);
@@ -133,7 +133,7 @@ private:
                 result.text += text[i++];
                 continue;
             }
-            const Format f = read_format(text, i);
+            const PrintFormat f = read_print_format(text, i);
             if (f.kind == 0) {
                 problem("a format of this kind is not known");
                 result.text += '?';
@@ -143,7 +143,7 @@ private:
                 problem("there are more formats than values");
                 result.text += '?';
             } else {
-                result.text += shown(f, argument(names[used++]));
+                result.text += printed_as(f, argument(names[used++]));
             }
         }
         if (used < names.size()) problem("there are more values than formats");
@@ -160,7 +160,7 @@ private:
 
 FilledForm fill_form(std::string_view form, base::FunctionRef<Value(std::string_view)> value, std::string_view path) {
     Filler filler(value, path);
-    while (!form.empty() && filler.result.text.size() < longest) {
+    while (!form.empty() && filler.result.text.size() < longest_form) {
         const std::size_t end = std::min(form.find('\n'), form.size());
         filler.line(form.substr(0, end));
         form.remove_prefix(std::min(end + 1, form.size()));

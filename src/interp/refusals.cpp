@@ -14,10 +14,8 @@ namespace codes = base::codes;
 
 namespace {
 
-constexpr std::uint64_t bit(Code c) { return std::uint64_t{1} << static_cast<unsigned>(c); }
 constexpr std::uint64_t rotary_axes = bit(Code::a) | bit(Code::b) | bit(Code::c);
 constexpr std::uint64_t parallel_axes = bit(Code::u) | bit(Code::v) | bit(Code::w);
-constexpr std::uint64_t linear_axes = bit(Code::x) | bit(Code::y) | bit(Code::z);
 
 /// The word of the block for which `is` holds; the block where it has none such.
 template <class Is>
@@ -40,10 +38,6 @@ base::Span word_of(const Run& run, Modal m) {
 
 bool compensates(const Run& run) {
     return run.traits->compensation_holds_move && run.modal.compensation != Modal::compensation_off;
-}
-
-bool has_m(const Run& run, int number) {
-    return std::find(run.block.m.begin(), run.block.m.end(), number) != run.block.m.end();
 }
 
 void refuse_under_compensation(Run& run, const base::Span& where, std::string what) {
@@ -140,7 +134,7 @@ void refuse_signals(Run& run) {
 void refuse_tool(Run& run) {
     const bool by_t = run.block.has(Code::tool) && !run.block.tool_named;
     const double t = by_t ? run.block.peek(Code::tool) : 0;
-    if (compensates(run) && has_m(run, 6))
+    if (compensates(run) && run.block.has_m(6))
         return refuse_under_compensation(run, word_of(run, Code::m), "the tool is changed");
     if (!(t > 0) || run.tools.empty()) return;
     for (const shop::Tool& tool : run.tools)
@@ -161,7 +155,7 @@ void refuse_machine_move(Run& run) {
 }
 
 bool spindle_turns(const Run& run) {
-    return has_m(run, 3) || has_m(run, 4) || (run.spindle.direction != 0 && !has_m(run, 5));
+    return run.block.has_m(3) || run.block.has_m(4) || (run.spindle.direction != 0 && !run.block.has_m(5));
 }
 
 void refuse_still_spindle(Run& run, Modal m, std::string_view what) {
@@ -287,7 +281,7 @@ void refuse_block(Run& run) {
     const BlockWords& b = run.block;
     if (run.capture != nullptr) return refuse_letters(run);  // a contour is only read
     refuse_axes(run);
-    if (!run.stopped && (b.has(Code::tool) || has_m(run, 6))) refuse_tool(run);
+    if (!run.stopped && (b.has(Code::tool) || run.block.has_m(6))) refuse_tool(run);
     if (!run.stopped && !b.m.empty() && compensates(run)) refuse_functions(run);
     if (!run.stopped && !b.m.empty()) refuse_signals(run);
     if (!run.stopped && b.suppress != Modal::linear) refuse_machine_move(run);

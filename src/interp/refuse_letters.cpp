@@ -15,7 +15,6 @@ namespace codes = base::codes;
 
 namespace {
 
-constexpr std::uint64_t bit(Code c) { return std::uint64_t{1} << static_cast<unsigned>(c); }
 constexpr std::uint64_t letters = bit(Code::i) | bit(Code::j) | bit(Code::k) | bit(Code::l) | bit(Code::p) |
                                   bit(Code::q) | bit(Code::e) | bit(Code::radius) | bit(Code::offset_d) |
                                   bit(Code::offset_h);

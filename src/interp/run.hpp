@@ -197,6 +197,10 @@ void technology(Run&);
 [[nodiscard]] double feed_factor(const Run&);
 void after_motion(Run&);
 [[nodiscard]] bool motion(Run&);  ///< true where the block moved
+/// What qualifies a value, as BlockWords::reference has it.
+[[nodiscard]] inline std::uint8_t reference_of(const program::Expr& e) {
+    return e.kind == program::ExprKind::qualified ? static_cast<std::uint8_t>(e.op + 1) : std::uint8_t{0};
+}
 /// Words with a value and a name of their own: ADIS, CTOL, DISC, DL, POS, FA … (named_value.cpp).
 void special_value(Run&, const program::Named&);
 /// The axis of the program that a machine axis called X1, AX1 or MX1 is; nothing where the name is none such.
@@ -449,6 +453,7 @@ inline void send_plain(Run& run, const cl::Record& record) {
 
 // --- output (emit.cpp)
 void emit(Run&, cl::Step step);
+inline constexpr double stream_joined = 1e-6;  ///< mm; no farther off a curve begins where the stream stands
 /// Brackets of the stream about what is called or repeated.
 void begin_part(Run&, cl::PartKind kind, std::string name, std::uint64_t pass, std::uint64_t passes);
 void end_part(Run&);

@@ -58,7 +58,7 @@ void compare_with_job(Run& run, const shop::Tool& t) {
 
 namespace {
 
-void refuse(Run& run, std::string text) { alarm(run, codes::value_range, run.here(), "G10: " + std::move(text)); }
+void refuse_g10(Run& run, std::string text) { alarm(run, codes::value_range, run.here(), "G10: " + std::move(text)); }
 
 std::optional<int> whole(Run& run, Code code, const char* letter, int most) {
     const double v = run.block.has(code) ? run.block.get(code) : -1;
@@ -68,7 +68,7 @@ std::optional<int> whole(Run& run, Code code, const char* letter, int most) {
         return std::nullopt;
     }
     if (const auto n = base::whole<int>(v, 0, most)) return n;
-    refuse(run, std::string(letter) + " must be a whole number from 0 to " + std::to_string(most));
+    refuse_g10(run, std::string(letter) + " must be a whole number from 0 to " + std::to_string(most));
     return std::nullopt;
 }
 
@@ -148,7 +148,7 @@ shop::Tool* tool_of_block(Run& run) {
         return t.number == static_cast<std::uint32_t>(*number);
     });
     if (found != run.tools.end()) return &*found;
-    refuse(run, "tool " + std::to_string(*number) + " is not in the tool table");
+    refuse_g10(run, "tool " + std::to_string(*number) + " is not in the tool table");
     return nullptr;
 }
 
@@ -214,7 +214,7 @@ std::optional<std::uint32_t> row_of_datum(Run& run, program::DataTable table) {
     const std::uint32_t count = extended ? p.extended_count : p.datum_count;
     const auto row = whole(run, Code::p, "P", static_cast<int>(count));
     if (!row) return std::nullopt;
-    if (*row == 0) return refuse(run, "P must be the number of a zero offset"), std::nullopt;
+    if (*row == 0) return refuse_g10(run, "P must be the number of a zero offset"), std::nullopt;
     return (extended ? p.extended_first : p.datum_first) + (static_cast<std::uint32_t>(*row) - 1) * p.datum_step;
 }
 
@@ -236,7 +236,7 @@ void write_datum(Run& run, program::DataTable table) {
 shop::Tool* tool_of_offset(Run& run) {
     const auto number = whole(run, Code::p, "P", 99'999);
     if (!number) return nullptr;
-    if (*number == 0) return refuse(run, "P must be the number of a tool offset"), nullptr;
+    if (*number == 0) return refuse_g10(run, "P must be the number of a tool offset"), nullptr;
     const auto n = static_cast<std::uint32_t>(*number);
     for (shop::Tool& t : run.tools)
         if (t.number == n) return &t;
@@ -247,7 +247,7 @@ shop::Tool* tool_of_offset(Run& run) {
 
 void write_tool_offset(Run& run, program::DataTable table) {
     using program::DataTable;
-    if (!run.block.has(Code::radius)) return refuse(run, "R, the value, is missing");
+    if (!run.block.has(Code::radius)) return refuse_g10(run, "R, the value, is missing");
     if (std::isnan(run.block.get(Code::radius)))
         return unchecked(run, codes::unknown_value, run.here(),
                          "what G10 writes to the tool offset is a value that is not known: the offset stays as it was");
@@ -274,7 +274,7 @@ void set_data(Run& run, program::DataTable table) {
     if (table == DataTable::external_datum || table == DataTable::datum || table == DataTable::extended_datum)
         return write_datum(run, table);
     if (table != DataTable::by_l) return write_tool_offset(run, table);
-    if (!run.block.has(Code::l)) return refuse(run, "L is missing");
+    if (!run.block.has(Code::l)) return refuse_g10(run, "L is missing");
     const double l = run.block.get(Code::l);
     switch (l >= 0 ? base::cut<int>(l, 0, 99).value_or(-1) : -1) {
         case 1:

@@ -21,7 +21,7 @@ namespace {
 /// mm that a rational curve may be left by, where the stream has only cubics.
 constexpr double curve_tolerance = 1e-3;
 
-void refuse(Run& run, std::string text) { alarm(run, codes::value_range, run.here(), std::move(text)); }
+void refuse_curve(Run& run, std::string text) { alarm(run, codes::value_range, run.here(), std::move(text)); }
 
 /// Compensation that was switched off without a move leaves the tool where it was.
 bool stands_beside(const Run& run) {
@@ -32,7 +32,7 @@ bool stands_beside(const Run& run) {
 /// False after a complaint.
 bool allowed(Run& run) {
     if (run.modal.compensation != Modal::compensation_off)
-        refuse(run, "a spline cannot be run with radius compensation on");
+        refuse_curve(run, "a spline cannot be run with radius compensation on");
     else if (!geom::is_finite(run.programmed_position))
         unchecked(run, codes::unknown_value, run.here(),
                   "the spline starts at a position that is not known: it is left out", "position all axes before it");
@@ -59,15 +59,15 @@ Vec3 offset_of(const Run& run, Code x, Code y) {
 bool cubic(Run& run) {
     const BlockWords& b = run.block;
     if (run.modal.plane != 17) {
-        refuse(run, "splines must be in the plane of G17");
+        refuse_curve(run, "splines must be in the plane of G17");
         return false;
     }
     if (b.has(Code::i) != b.has(Code::j)) {
-        refuse(run, "G5 needs both I and J, or neither");
+        refuse_curve(run, "G5 needs both I and J, or neither");
         return false;
     }
     if (!b.has(Code::p) || !b.has(Code::q)) {
-        refuse(run, "G5 needs both P and Q");
+        refuse_curve(run, "G5 needs both P and Q");
         return false;
     }
     const Vec3 from = run.programmed_position, to = programmed_target(run);
@@ -85,11 +85,11 @@ bool cubic(Run& run) {
 
 bool quadratic(Run& run) {
     if (run.modal.plane != 17) {
-        refuse(run, "splines must be in the plane of G17");
+        refuse_curve(run, "splines must be in the plane of G17");
         return false;
     }
     if (!run.block.has(Code::i) || !run.block.has(Code::j)) {
-        refuse(run, "G5.1 needs both I and J");
+        refuse_curve(run, "G5.1 needs both I and J");
         return false;
     }
     const Vec3 from = run.programmed_position, to = programmed_target(run);
@@ -104,8 +104,7 @@ bool quadratic(Run& run) {
 
 /// Blocks between G5.2 and G5.3 may have moved the tool, and G6.2 names its first point itself.
 void begin_at(Run& run, const Vec3& start) {
-    constexpr double joined = 1e-6;  // mm
-    if (!(geom::length(run.sent - start) > joined)) return;
+    if (!(geom::length(run.sent - start) > stream_joined)) return;
     unchecked(run, codes::unsupported, run.here(),
               "this curve does not begin where the tool stands: how the control comes to its first point is not known, "
               "a straight move is taken",
@@ -119,15 +118,15 @@ bool finish(Run& run) {
     n.open = false;
     if (!n.own_knots) n.curve.knots = geom::clamped_knots(n.curve.points.size(), n.curve.order);
     if (n.curve.points.size() < static_cast<std::size_t>(n.curve.order) || !geom::is_valid(n.curve)) {
-        refuse(run, "this curve of order " + std::to_string(n.curve.order) +
-                        " has too few control points, or weights or knots that make no curve");
+        refuse_curve(run, "this curve of order " + std::to_string(n.curve.order) +
+                              " has too few control points, or weights or knots that make no curve");
         return false;
     }
     geom::Nurbs placed = n.curve;
     for (geom::NurbsPoint& p : placed.points) p.p = geom::apply(run.frame, p.p);
     const auto pieces = geom::cubic_pieces(placed, curve_tolerance);
     if (!pieces || !(pieces->deviation <= 10 * curve_tolerance)) {
-        refuse(run, "this curve cannot be run within " + printed(Value::real(curve_tolerance)) + " mm");
+        refuse_curve(run, "this curve cannot be run within " + printed(Value::real(curve_tolerance)) + " mm");
         return false;
     }
     if (pieces->deviation > 0)
@@ -163,7 +162,7 @@ bool add_point(Run& run) {
     const Code weight = n.own_knots ? Code::radius : Code::p;
     const double w = b.has(weight) ? b.get(weight) : 1;
     if (!(w > 0)) {
-        refuse(run, "every control point needs a weight above 0");
+        refuse_curve(run, "every control point needs a weight above 0");
         return false;
     }
     const Code order_word = n.own_knots ? Code::p : Code::l;
@@ -189,7 +188,7 @@ bool spline_motion(Run& run) {
     if (run.block.special == Modal::nurbs_end) {
         run.modal.motion = Modal::canned_off;
         if (run.curve.open) return finish(run);
-        refuse(run, "G5.3 without G5.2 before it");
+        refuse_curve(run, "G5.3 without G5.2 before it");
         return false;
     }
     if (!run.curve.open) begin_curve(run, run.modal.motion_number == 62);

@@ -1,6 +1,7 @@
 #pragma once
 /// The state of one run: values only. Private to interp; what works on it is declared in run.hpp.
 
+#include <algorithm>
 #include <array>
 #include <bit>
 #include <cstdint>
@@ -30,6 +31,9 @@ using program::Code;
 using program::ExprId;
 using program::Modal;
 using program::Unit;
+
+inline constexpr std::uint64_t linear_axes =
+    bit(Code::x) | bit(Code::y) | bit(Code::z);  ///< words, as BlockWords::present
 
 /// An assignment whose value is known and that waits for the block's other expressions (Traits::assigns_together).
 struct PendingAssign {
@@ -84,7 +88,8 @@ struct BlockWords {
     }
     /// The value of a word that is only looked at; something else has to use it.
     [[nodiscard]] double peek(Code c) const { return value[static_cast<std::size_t>(c)]; }
-    void use(Code c) const { used |= std::uint64_t{1} << static_cast<unsigned>(c); }
+    void use(Code c) const { used |= bit(c); }
+    [[nodiscard]] bool has_m(int number) const { return std::find(m.begin(), m.end(), number) != m.end(); }
     [[nodiscard]] std::uint8_t ref(Code c) const { return reference[static_cast<std::size_t>(c)]; }
     void put(Code c, double v, std::uint8_t r = 0) {
         const auto i = static_cast<std::size_t>(c);

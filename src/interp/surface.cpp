@@ -13,13 +13,13 @@ namespace obrys::interp {
 
 namespace codes = base::codes;
 using geom::Vec3;
-using Kind = SurfaceMode::Kind;
+using SurfaceKind = SurfaceMode::Kind;
 
 namespace {
 
-constexpr double chord = 0.001;  ///< mm between an arc on the cylinder and the straight ways that tell it
-constexpr double centre = 1e-9;  ///< mm from the turning axis where C may be anything
-constexpr const char* axis = "C";
+constexpr double chord = 0.001;   ///< mm between an arc on the cylinder and the straight ways that tell it
+constexpr double at_axis = 1e-9;  ///< mm from the turning axis where C may be anything
+constexpr const char* turned_axis = "C";
 
 double degrees(double radians) { return radians * 180 / geom::pi; }
 
@@ -30,7 +30,7 @@ Vec3 turned(const Vec3& p, double by) {
 
 /// By how far C turns on the straight way between two points of the plane, degrees.
 double turn_between(const Vec3& a, const Vec3& b) {
-    if (std::hypot(a.x, a.y) < centre || std::hypot(b.x, b.y) < centre) return 0;
+    if (std::hypot(a.x, a.y) < at_axis || std::hypot(b.x, b.y) < at_axis) return 0;
     return degrees(std::atan2(a.x * b.y - a.y * b.x, a.x * b.x + a.y * b.y));
 }
 
@@ -50,14 +50,14 @@ double turn_on_arc(const Vec3& from, const cl::Arc& arc) {
 
 /// From the centre C stands where the way leads.
 double after(const SurfaceMode& s, double turn, const Vec3& to) {
-    if (std::hypot(s.at.x, s.at.y) >= centre || std::hypot(to.x, to.y) < centre) return s.angle + turn;
+    if (std::hypot(s.at.x, s.at.y) >= at_axis || std::hypot(to.x, to.y) < at_axis) return s.angle + turn;
     const double wanted = s.start + degrees(std::atan2(to.y, to.x));
     return wanted + 360 * std::round((s.angle - wanted) / 360);
 }
 
 void tell_axis(Run& run, const cl::Record& record, double angle, bool counted) {
     run.surface.angle = angle;
-    run.sink({axis_record(axis, angle, true, counted), record.from, record.stack});
+    run.sink({axis_record(turned_axis, angle, true, counted), record.from, record.stack});
 }
 
 void send_polar(Run& run, cl::Record record) {
@@ -110,7 +110,7 @@ void send_cylinder(Run& run, const cl::Record& record) {
 
 /// Where C stands; said where that is not known.
 double begin_angle(Run& run) {
-    const auto at = run.extra_axes.find(axis);
+    const auto at = run.extra_axes.find(turned_axis);
     if (at != run.extra_axes.end() && !std::isnan(at->second)) return at->second;
     unchecked(run, codes::unknown_value, run.here(),
               "where C stands when the interpolation is switched on is not known: C0 is taken",
@@ -135,39 +135,39 @@ void tell_place(Run& run, bool counted) {
     run.sink(here);
 }
 
-void begin(Run& run, Kind kind) {
+void begin(Run& run, SurfaceKind kind) {
     if (compensates(run, "on")) return;
     SurfaceMode s;
     s.kind = kind;
     s.plane = run.modal.plane;
     s.radius = run.block.has(Code::p) ? run.block.get(Code::p) * length_unit(run.modal) : 0;
-    if (kind == Kind::cylinder && !(s.radius > 0))
+    if (kind == SurfaceKind::cylinder && !(s.radius > 0))
         return alarm(run, codes::value_range, run.here(), "the radius of the cylinder must be greater than 0");
     begin_motion(run);
     s.angle = begin_angle(run);
-    s.start = kind == Kind::polar ? s.angle : 0;
-    set_plane(run, kind == Kind::polar ? 17 : 19);
+    s.start = kind == SurfaceKind::polar ? s.angle : 0;
+    set_plane(run, kind == SurfaceKind::polar ? 17 : 19);
     Vec3 to = run.programmed_position;
-    to.y = kind == Kind::polar ? 0 : geom::radians(s.angle) * s.radius;
+    to.y = kind == SurfaceKind::polar ? 0 : geom::radians(s.angle) * s.radius;
     arrive(run, to);
     s.at = run.sent = run.position;
     run.surface = s;
-    if (kind == Kind::polar) tell_place(run, true);
+    if (kind == SurfaceKind::polar) tell_place(run, true);
 }
 
 void end(Run& run) {
-    if (run.surface.kind == Kind::none || compensates(run, "off")) return;
+    if (run.surface.kind == SurfaceKind::none || compensates(run, "off")) return;
     const SurfaceMode s = run.surface;
     run.surface = {};
     run.surface.angle = s.angle;
     Vec3 to = run.position;
-    if (s.kind == Kind::polar) to.x = std::hypot(to.x, to.y);
+    if (s.kind == SurfaceKind::polar) to.x = std::hypot(to.x, to.y);
     to.y = 0;
     run.position = run.sent = to;
     run.programmed_position = geom::apply(geom::inverse(run.frame), to);
-    run.extra_axes[axis] = s.angle;
+    run.extra_axes[turned_axis] = s.angle;
     set_plane(run, s.plane);
-    if (s.kind == Kind::polar) tell_place(run, false);
+    if (s.kind == SurfaceKind::polar) tell_place(run, false);
 }
 
 }  // namespace
@@ -182,11 +182,11 @@ void set_surface(Run& run, Modal m) {
     }
     if (m == Modal::interpolation_off) return end(run);
     end(run);
-    if (!run.stopped) begin(run, m == Modal::polar_face ? Kind::polar : Kind::cylinder);
+    if (!run.stopped) begin(run, m == Modal::polar_face ? SurfaceKind::polar : SurfaceKind::cylinder);
 }
 
 void send_on_surface(Run& run, const cl::Record& record) {
-    run.surface.kind == Kind::polar ? send_polar(run, record) : send_cylinder(run, record);
+    run.surface.kind == SurfaceKind::polar ? send_polar(run, record) : send_cylinder(run, record);
 }
 
 }  // namespace obrys::interp

@@ -126,7 +126,6 @@ double feed_factor(const Run& run) {
 
 void technology(Run& run) {
     BlockWords& b = run.block;
-    constexpr auto bit = [](Code c) { return std::uint64_t{1} << static_cast<unsigned>(c); };
     constexpr std::uint64_t words = bit(Code::feed) | bit(Code::spindle) | bit(Code::speed_limit) | bit(Code::tool) |
                                     bit(Code::edge) | bit(Code::spindle_position) | bit(Code::round_modal) |
                                     bit(Code::corner_feed_modal) | bit(Code::tool_change) | bit(Code::feed_auto) |

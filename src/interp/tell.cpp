@@ -94,8 +94,6 @@ namespace {
 /// A number as a whole one; 0 where it is none that fits.
 int whole(double v) { return base::cut<int>(v, -1'000'000'000, 1'000'000'000).value_or(0); }
 
-bool has_m(const Run& run, int m) { return std::find(run.block.m.begin(), run.block.m.end(), m) != run.block.m.end(); }
-
 /// Place in the tool list, 1 the first; 0 where it is not there.
 int place_of(const Run& run, std::uint32_t number) {
     for (std::size_t i = 0; i < run.tools.size(); ++i)
@@ -105,10 +103,10 @@ int place_of(const Run& run, std::uint32_t number) {
 
 void tell_tool(Run& run) {
     const BlockWords& b = run.block;
-    const bool changes = has_m(run, 6);
+    const bool changes = run.block.has_m(6);
     if (b.has(Code::tool)) tell(run, SettingKind::tool_selected, whole(b.peek(Code::tool)));
     const int numbers = run.traits->tool_number_function;
-    if (numbers != 0 && has_m(run, numbers) && b.has(Code::q) && b.peek(Code::q) >= 0)
+    if (numbers != 0 && run.block.has_m(numbers) && b.has(Code::q) && b.peek(Code::q) >= 0)
         tell(run, SettingKind::tool_numbered,
              place_of(run, static_cast<std::uint32_t>(std::max(0, whole(b.peek(Code::q))))));
     if (changes)

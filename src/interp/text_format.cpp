@@ -17,7 +17,7 @@ namespace codes = base::codes;
 
 namespace {
 
-struct Format {
+struct TextFormat {
     std::size_t width = 0;
     std::optional<int> places;
     char letter = 0;
@@ -31,8 +31,8 @@ std::size_t read_digits(std::string_view text, std::size_t& at) {
 }
 
 /// What stands behind `%`; `at` is moved behind it.
-Format read_format(std::string_view text, std::size_t& at) {
-    Format f;
+TextFormat read_text_format(std::string_view text, std::size_t& at) {
+    TextFormat f;
     f.width = read_digits(text, at);
     if (at < text.size() && text[at] == '.') {
         ++at;
@@ -66,7 +66,7 @@ std::string hexadecimal(double v) {
 }
 
 /// The value as the format says; nothing where they do not fit.
-std::optional<std::string> shown(const Format& f, const Value& v) {
+std::optional<std::string> formatted(const TextFormat& f, const Value& v) {
     if (f.letter == 'S') return f.places ? printed(v).substr(0, static_cast<std::size_t>(*f.places)) : printed(v);
     if (v.is_unknown()) return "?";
     if (f.letter == 'B')
@@ -100,12 +100,12 @@ Value format_text(Run& run, const program::Expr& e) {
             out += text[at++];
             continue;
         }
-        const Format f = read_format(text, ++at);
+        const TextFormat f = read_text_format(text, ++at);
         if (f.letter == '%') {
             out += '%';
             continue;
         }
-        const auto value = next < e.count ? shown(f, argument(next)) : std::nullopt;
+        const auto value = next < e.count ? formatted(f, argument(next)) : std::nullopt;
         ++next;
         if (!value) {
             alarm(run, codes::bad_argument, where,

@@ -18,7 +18,7 @@ namespace {
 using Length = Offsets::Length;
 using shop::ToolLengths;
 
-constexpr double same = 1e-6;  ///< mm
+constexpr double same_length = 1e-6;  ///< mm
 
 double length_of(const shop::Tool& t) { return axes_of(t)[2]; }
 
@@ -205,7 +205,7 @@ void judge_length(Run& run) {
         static_cast<void>(judge_uncompensated(run, *t));
     if (first) take_zero(run, *t);
     const double low = o.tip_known ? o.tip[2] - o.tool[2] : 0;
-    if (std::abs(low) > same && o.length != Length::by_values) return finding(run, *t, low);
+    if (std::abs(low) > same_length && o.length != Length::by_values) return finding(run, *t, low);
     if (o.tip_known || o.length_said) return;
     if (o.length != Length::none)
         static_cast<void>(judge_compensated(run, *t));

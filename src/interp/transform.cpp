@@ -32,8 +32,8 @@ Written find(const Run& run, const ActiveCycle& c, CycleRole role) {
 }
 
 constexpr CycleRole axis_roles[3] = {CycleRole::axis_x, CycleRole::axis_y, CycleRole::axis_z};
-constexpr CycleRole other_axes[6] = {CycleRole::axis_a, CycleRole::axis_b, CycleRole::axis_c,
-                                     CycleRole::axis_u, CycleRole::axis_v, CycleRole::axis_w};
+constexpr CycleRole offset_roles[6] = {CycleRole::axis_a, CycleRole::axis_b, CycleRole::axis_c,
+                                       CycleRole::axis_u, CycleRole::axis_v, CycleRole::axis_w};
 constexpr CycleRole centre_roles[3] = {CycleRole::centre_x, CycleRole::centre_y, CycleRole::centre_z};
 
 /// Transformations act in the order in which they were programmed: what stands behind a tilted plane moves within it,
@@ -95,7 +95,7 @@ bool shift(Run& run, const ActiveCycle& c) {
     for (int k = 0; k < 3; ++k)
         if (const Written w = find(run, c, axis_roles[k]); w.set)
             coordinate(by, k) = w.incremental ? coordinate(by, k) + w.value : w.value;
-    for (const CycleRole other : other_axes)
+    for (const CycleRole other : offset_roles)
         if (const Written w = find(run, c, other); w.set && w.value != 0)
             unchecked(run, codes::unsupported, c.definition->where,
                       c.definition->name + ": the shift of a rotary or secondary axis is not run");
@@ -107,7 +107,7 @@ bool mirror(Run& run, const ActiveCycle& c) {
     geom::Vec3 factors{1, 1, 1};
     for (int k = 0; k < 3; ++k)
         if (find(run, c, axis_roles[k]).set) coordinate(factors, k) = -1;
-    for (const CycleRole other : other_axes)
+    for (const CycleRole other : offset_roles)
         if (find(run, c, other).set)
             unchecked(run, codes::unsupported, c.definition->where,
                       c.definition->name + ": the mirror image of a rotary or secondary axis is not run");
@@ -163,7 +163,7 @@ bool working_plane(Run& run, const ActiveCycle& c) {
     geom::Frame plane;
     bool any = false;
     for (int k = 0; k < 3; ++k)
-        if (const Written w = find(run, c, other_axes[k]); w.set && w.value != 0) {
+        if (const Written w = find(run, c, offset_roles[k]); w.set && w.value != 0) {
             plane = geom::Frame::rotation(k, geom::radians(w.value)) * plane;
             any = true;
         }

@@ -23,7 +23,7 @@ const program::CannedCycle* find_cycle(const Run& run) {
     return nullptr;
 }
 
-bool takes_contour(program::CycleKind k) {
+bool takes_roughed_contour(program::CycleKind k) {
     return k == program::CycleKind::lathe_finish_offset || k == program::CycleKind::lathe_rough_along ||
            k == program::CycleKind::lathe_rough_across;
 }
@@ -111,7 +111,7 @@ bool turning_cycle(Run& run) {
     const geom::Vec3 start = programmed_target(run), target = into_plane(start, a);
     if (run.block.has(Code::z)) demand.cycle.values.push_back({CycleRole::target_u, target.x});
     if (run.block.has(Code::x)) demand.cycle.values.push_back({CycleRole::target_v, target.y});
-    if (takes_contour(c->kind)) {
+    if (takes_roughed_contour(c->kind)) {
         auto elements = contour(run, *c, start);
         if (!elements) return false;
         demand.contour = std::move(*elements);

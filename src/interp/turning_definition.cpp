@@ -21,7 +21,7 @@ using program::CycleSetting;
 
 namespace {
 
-bool takes_contour(CycleKind k) {
+bool takes_defined_contour(CycleKind k) {
     return k == CycleKind::lathe_finish || k == CycleKind::lathe_remove_along || k == CycleKind::lathe_remove_across ||
            k == CycleKind::lathe_repeat_pattern;
 }
@@ -235,7 +235,7 @@ void define_turning_cycle(Run& run, const ActiveCycle& c) {
     demand.cycle = demand_of_turning(run, c);
     std::optional<ContourBlocks> blocks;
     std::optional<TurnedContour> contour;
-    if (takes_contour(d.kind)) {
+    if (takes_defined_contour(d.kind)) {
         blocks = find_contour(run, d, self);
         if (blocks && choose_type(run, d, *blocks, demand.cycle)) contour = turned_contour(run, d, *blocks);
         if (run.stopped || !blocks) return;
@@ -251,7 +251,7 @@ void define_turning_cycle(Run& run, const ActiveCycle& c) {
                        "finished");
     }
     std::optional<Uncompensated> off;
-    if (takes_contour(d.kind)) off.emplace(run);
+    if (takes_defined_contour(d.kind)) off.emplace(run);
     demand.situation = situation_of(run);
     cycles::Expansion e = cycles::expand_turning(demand);
     if (!report_turning(run, d, e, contour ? &*contour : nullptr)) return;

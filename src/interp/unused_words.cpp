@@ -17,8 +17,6 @@ using program::Word;
 
 namespace {
 
-constexpr std::uint64_t bit(Code c) { return std::uint64_t{1} << static_cast<unsigned>(c); }
-
 /// Words that act by standing there: they have no value to take.
 constexpr std::uint64_t bare_words = bit(Code::tool_change) | bit(Code::tool_definition) | bit(Code::feed_auto) |
                                      bit(Code::cycle_call) | bit(Code::cycle_call_modal);

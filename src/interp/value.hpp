@@ -3,6 +3,7 @@
 
 #include <array>
 #include <cstdint>
+#include <limits>
 #include <memory>
 #include <string>
 #include <vector>
@@ -14,6 +15,8 @@
 namespace obrys::interp {
 
 using program::Type;
+
+inline constexpr double unknown_number = std::numeric_limits<double>::quiet_NaN();
 
 /// One value. `number` holds booleans (0, 1), characters, integers and reals; strings and axis names are text.
 struct Value {

@@ -12,8 +12,6 @@ using geom::Vec3;
 
 namespace {
 
-constexpr double full_turn = 2 * geom::pi;
-
 double sign(Sense s) { return s == Sense::counter_clockwise ? 1.0 : -1.0; }
 
 ArcResult failed(ArcFailure f, double difference = 0) {
@@ -23,12 +21,14 @@ ArcResult failed(ArcFailure f, double difference = 0) {
     return r;
 }
 
-double with_turns(double sweep, int turns, Sense sense) { return sweep + sign(sense) * full_turn * std::max(turns, 0); }
+double with_turns(double sweep, int turns, Sense sense) {
+    return sweep + sign(sense) * geom::full_turn * std::max(turns, 0);
+}
 
 double sweep_between(Vec2 from, Vec2 to, Vec2 centre, Sense sense) {
-    if (geom::distance(from, to) <= same_point) return sign(sense) * full_turn;
+    if (geom::distance(from, to) <= same_point) return sign(sense) * geom::full_turn;
     const double a = sign(sense) * turn_between(from - centre, to - centre);
-    return sign(sense) * (a <= 0 ? a + full_turn : a);
+    return sign(sense) * (a <= 0 ? a + geom::full_turn : a);
 }
 
 /// The centre moved along the chord to be equally far from both ends.
@@ -80,7 +80,7 @@ ArcResult arc_by_radius(Vec2 from, Vec2 to, double radius, Sense sense, int turn
 }
 
 ArcResult arc_by_angle(Vec2 from, Vec2 to, double angle, Sense sense, int turns) {
-    if (!(angle > 0 && angle < full_turn)) return failed(ArcFailure::bad_angle);
+    if (!(angle > 0 && angle < geom::full_turn)) return failed(ArcFailure::bad_angle);
     const double half = 0.5 * geom::distance(from, to);
     if (half <= 0.5 * same_point) return failed(ArcFailure::points_coincide);
     // cot(angle / 2) changes sign at half a turn, where the centre crosses the chord.
@@ -91,11 +91,11 @@ ArcResult arc_by_angle(Vec2 from, Vec2 to, double angle, Sense sense, int turns)
 }
 
 ArcResult arc_about_centre(Vec2 from, Vec2 centre, double angle, Sense sense, int turns) {
-    if (!(angle > 0 && angle <= full_turn)) return failed(ArcFailure::bad_angle);
+    if (!(angle > 0 && angle <= geom::full_turn)) return failed(ArcFailure::bad_angle);
     if (geom::distance(from, centre) <= same_point) return failed(ArcFailure::no_radius);
     ArcResult r;
     r.centre = centre;
-    r.to = angle == full_turn ? from : centre + rotated(from - centre, sign(sense) * angle);
+    r.to = angle == geom::full_turn ? from : centre + rotated(from - centre, sign(sense) * angle);
     r.sweep = with_turns(sign(sense) * angle, turns, sense);
     return r;
 }
@@ -126,7 +126,7 @@ ArcInSpace arc_through(const Vec3& from, const Vec3& via, const Vec3& to, const 
     if (geom::length(b) <= same_point) {
         r.centre = 0.5 * (from + via);
         r.normal = plane_normal;
-        r.sweep = full_turn;
+        r.sweep = geom::full_turn;
         return r;
     }
     const Vec3 n = geom::cross(a, b);
@@ -141,7 +141,7 @@ ArcInSpace arc_through(const Vec3& from, const Vec3& via, const Vec3& to, const 
     r.normal = (1.0 / area) * n;
     const Vec3 start = from - r.centre, end = to - r.centre;
     r.sweep = std::atan2(geom::dot(r.normal, geom::cross(start, end)), geom::dot(start, end));
-    if (r.sweep <= 0) r.sweep += full_turn;
+    if (r.sweep <= 0) r.sweep += geom::full_turn;
     return r;
 }
 

@@ -11,12 +11,7 @@
 namespace obrys::path::test {
 namespace {
 
-constexpr double pi = geom::pi;
 constexpr Sense ccw = Sense::counter_clockwise, cw = Sense::clockwise;
-
-void expect_near(Vec2 actual, Vec2 expected, double tolerance = 1e-9) {
-    EXPECT_NEAR(geom::distance(actual, expected), 0, tolerance) << actual.x << ' ' << actual.y;
-}
 
 TEST(arc_input, ByCentre) {
     EXPECT_NEAR(arc_by_centre({10, 0}, {0, 10}, {0, 0}, ccw).sweep, pi / 2, 1e-12);

@@ -10,9 +10,7 @@
 namespace obrys::path::test {
 namespace {
 
-constexpr double pi = geom::pi;
-
-struct Sample {
+struct JaggedSample {
     std::vector<Element> contour;
     double radius = 0;  ///< positive: tool left
 };
@@ -28,8 +26,8 @@ std::vector<Vec2> bottle(Random& random, Vec2 p) {
 
 /// A contour that does not meet itself, between straight leads longer than the tool is wide: the graph of a function
 /// with teeth, steps, half-round grooves and beads, and bottles hanging from it.
-Sample jagged(Random& random) {
-    Sample s;
+JaggedSample jagged(Random& random) {
+    JaggedSample s;
     s.radius = random.in(0.2, 4);
     Vec2 p{-40, 0};
     const auto to = [&](Vec2 q) {
@@ -60,19 +58,19 @@ Sample jagged(Random& random) {
     return s;
 }
 
-Setting setting(const Sample& s, Clearance c, std::size_t window = 99) {
+Setting setting(const JaggedSample& s, Clearance c, std::size_t window = 99) {
     Setting r = left(s.radius);
     r.clearance = c;
     r.window = window;
     return r;
 }
 
-Result compensated(const Sample& s, const Setting& with) {
+Result compensated(const JaggedSample& s, const Setting& with) {
     return run(contour_steps(s.contour.front().from + Vec2{-1, 3 * s.radius}, s.contour, with));
 }
 
 /// Smallest and largest distance of the path, without its approach, to the contour.
-std::pair<double, double> distances(const Sample& s, const Result& r) {
+std::pair<double, double> distances(const JaggedSample& s, const Result& r) {
     double least = 1e9, most = 0;
     for (std::size_t k = 1; k < r.out.size(); ++k)
         for (int i = 0; i <= 8; ++i) {
@@ -89,7 +87,7 @@ TEST(clearance_property, LookAheadKeepsTheRadiusToTheWholeWindow) {
     Random random(seed);
     int left_out = 0;
     for (int i = 0; i < 10000; ++i) {
-        const Sample s = jagged(random);
+        const JaggedSample s = jagged(random);
         const Result avoided = compensated(s, setting(s, Clearance::avoided));
         const Result reported = compensated(s, setting(s, Clearance::reported));
         SCOPED_TRACE(i);
@@ -124,7 +122,7 @@ TEST(clearance_property, MovesAndMirrorsWithTheContour) {
     std::cout << "seed " << seed << '\n';
     Random random(seed);
     for (int i = 0; i < 10000; ++i) {
-        const Sample s = jagged(random);
+        const JaggedSample s = jagged(random);
         const double angle = random.in(-4, 4), flip = random.upto(1) == 0 ? 1 : -1;
         const Vec2 shift{random.in(-100, 100), random.in(-100, 100)};
         const auto moved = [&](Vec2 p) { return rotated({p.x, flip * p.y}, angle) + shift; };
@@ -154,7 +152,7 @@ TEST(clearance_property, MovesAndMirrorsWithTheContour) {
 }
 
 /// A star-shaped closed contour, counter-clockwise, from the middle of an edge on; pocket (left) or island (right).
-Sample star(Random& random) {
+JaggedSample star(Random& random) {
     const int n = 4 + random.upto(20);
     std::vector<Vec2> corner;
     for (int i = 0; i < n; ++i)
@@ -171,7 +169,7 @@ TEST(clearance_property, LookAheadGoesRoundClosedContours) {
     Random random(seed);
     int tried = 0, left_out = 0;
     for (int i = 0; i < 10000; ++i) {
-        const Sample s = star(random);
+        const JaggedSample s = star(random);
         const double radius = std::abs(s.radius);
         const Vec2 start = s.contour.front().from + s.radius * geom::left_of(start_direction(s.contour.front()));
         if (distance_to(s.contour, start) < radius - 1e-9) continue;  // the tool has no room there
@@ -203,7 +201,7 @@ TEST(clearance_property, ALargerWindowLeavesNoMoreFaults) {
     std::cout << "seed " << seed << '\n';
     Random random(seed);
     for (int i = 0; i < 2000; ++i) {
-        const Sample s = jagged(random);
+        const JaggedSample s = jagged(random);
         const std::size_t all = s.contour.size();
         const Result whole = compensated(s, setting(s, Clearance::avoided, all)),
                      more = compensated(s, setting(s, Clearance::avoided, all + 50));

@@ -8,8 +8,6 @@
 namespace obrys::path::test {
 namespace {
 
-constexpr double pi = geom::pi;
-
 Setting reported(double radius, std::size_t window = 99) {
     Setting s = left(radius);
     s.clearance = Clearance::reported;
@@ -21,18 +19,6 @@ Setting avoided(double radius, std::size_t window = 99) {
     Setting s = reported(radius, window);
     s.clearance = Clearance::avoided;
     return s;
-}
-
-/// End points and kinds in order.
-void expect_path(const Result& r, const std::vector<std::pair<Vec2, Kind>>& expected) {
-    ASSERT_EQ(r.out.size(), expected.size());
-    for (std::size_t i = 0; i < expected.size(); ++i) {
-        SCOPED_TRACE(i);
-        EXPECT_NEAR(r.out[i].element.to.x, expected[i].first.x, 1e-9);
-        EXPECT_NEAR(r.out[i].element.to.y, expected[i].first.y, 1e-9);
-        EXPECT_EQ(r.out[i].kind, expected[i].second);
-    }
-    EXPECT_LE(largest_gap(r), 1e-9);
 }
 
 void expect_faults(const Result& r, Reason why, const std::vector<std::uint64_t>& tags, bool bridged) {
@@ -130,10 +116,10 @@ TEST(clearance, TheArticlesPart) {
 }
 
 /// A slot 6 mm wide and a tool of radius 5.
-const std::vector<Element> slot = polyline({{0, 0}, {50, 0}, {50, -30}, {56, -30}, {56, 0}, {100, 0}});
+const std::vector<Element> narrow_slot = polyline({{0, 0}, {50, 0}, {50, -30}, {56, -30}, {56, 0}, {100, 0}});
 
 TEST(clearance, LookAheadPassesOverASlot) {
-    const Result r = run(contour_steps({0, 20}, slot, avoided(5)));
+    const Result r = run(contour_steps({0, 20}, narrow_slot, avoided(5)));
     expect_faults(r, Reason::element_vanishes, {2, 3, 4}, true);
     expect_path(r, {{{0, 5}, Kind::approach},
                     {{50, 5}, Kind::contour},
@@ -143,35 +129,35 @@ TEST(clearance, LookAheadPassesOverASlot) {
 }
 
 TEST(clearance, TheWindowLimitsTheLookAhead) {
-    const Result enough = run(contour_steps({0, 20}, slot, avoided(5, 4)));
+    const Result enough = run(contour_steps({0, 20}, narrow_slot, avoided(5, 4)));
     expect_faults(enough, Reason::element_vanishes, {2, 3, 4}, true);
-    const Result small = run(contour_steps({0, 20}, slot, avoided(5, 1)));
+    const Result small = run(contour_steps({0, 20}, narrow_slot, avoided(5, 1)));
     ASSERT_FALSE(small.faults.empty());
     EXPECT_FALSE(small.faults[0].bridged);
-    const Result none = run(contour_steps({0, 20}, slot, reported(5)));
+    const Result none = run(contour_steps({0, 20}, narrow_slot, reported(5)));
     ASSERT_EQ(none.faults.size(), 1u) << "the neighbours' fault is enough";
     EXPECT_EQ(none.faults[0].reason, Reason::element_vanishes);
     EXPECT_EQ(none.faults[0].tag, 3u);
 }
 
 /// A chamber of 48 by 40 mm behind a neck 8 mm wide: every neighbour can be reached, but not through the neck.
-const std::vector<Element> bottle =
+const std::vector<Element> bottle_path =
     polyline({{0, 0}, {50, 0}, {50, -5}, {30, -5}, {30, -45}, {78, -45}, {78, -5}, {58, -5}, {58, 0}, {100, 0}});
 
 TEST(clearance, AnUndercutIsReportedThoughNeighboursAreSound) {
-    const Result r = run(contour_steps({0, 20}, bottle, reported(5)));
+    const Result r = run(contour_steps({0, 20}, bottle_path, reported(5)));
     ASSERT_FALSE(r.faults.empty());
     for (const Fault& f : r.faults) EXPECT_EQ(f.reason, Reason::interference);
     EXPECT_EQ(r.faults[0].tag, 2u) << "on the arc before element 2";
     EXPECT_EQ(r.faults[0].other, 9u);
     EXPECT_NEAR(r.faults[0].at.x, 54, 1e-9);
     EXPECT_NEAR(r.faults[0].at.y, 3, 1e-9);
-    EXPECT_TRUE(run(contour_steps({0, 20}, bottle, reported(3.9))).faults.empty());
-    EXPECT_TRUE(run(contour_steps({0, 20}, bottle, left(5))).faults.empty()) << "neighbours alone do not see it";
+    EXPECT_TRUE(run(contour_steps({0, 20}, bottle_path, reported(3.9))).faults.empty());
+    EXPECT_TRUE(run(contour_steps({0, 20}, bottle_path, left(5))).faults.empty()) << "neighbours alone do not see it";
 }
 
 TEST(clearance, LookAheadPassesOverABottleneck) {
-    const Result r = run(contour_steps({0, 20}, bottle, avoided(5)));
+    const Result r = run(contour_steps({0, 20}, bottle_path, avoided(5)));
     expect_faults(r, Reason::element_vanishes, {2, 3, 4, 5, 6, 7, 8}, true);
     expect_path(r, {{{0, 5}, Kind::approach},
                     {{50, 5}, Kind::contour},
@@ -197,7 +183,7 @@ TEST(clearance, ArcsTighterThanTheTool) {
 }
 
 TEST(clearance, EventsAndPlungesOfWhatIsLeftOutStayInOrder) {
-    auto steps = contour_steps({0, 20}, slot, avoided(5));
+    auto steps = contour_steps({0, 20}, narrow_slot, avoided(5));
     for (std::size_t i = 0; i < steps.size(); ++i) steps[i].e.before = {static_cast<int>(i)};
     Element down = line({50, -30}, {50, -30});
     down.w_to = -4;

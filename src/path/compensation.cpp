@@ -15,7 +15,7 @@ using Role = Item::Role;
 
 namespace {
 
-double offset_of(const Setting& s) {
+double side_offset(const Setting& s) {
     if (s.side == Side::off) return 0;
     return s.side == Side::left ? s.radius : -s.radius;
 }
@@ -122,7 +122,7 @@ void Compensation::add_contour(Element e, const Setting& s, OutputSink out) {
     const bool first = !window_.empty() && window_.back().role == Role::approach;
     Item item;
     item.s = s;
-    item.d1 = s.side == Side::off ? offset_ : offset_of(s);
+    item.d1 = s.side == Side::off ? offset_ : side_offset(s);
     item.d0 = first ? item.d1 : offset_;
     if (is_arc(e) && std::abs(item.d1 - item.d0) > same_point) {
         faults_.push_back({Reason::arc_needs_line_at_start, e.tag, e.tag, e.from, false});
@@ -209,7 +209,7 @@ bool Compensation::settled(const Join& j, bool may_wait) {
 void Compensation::finish_last(OutputSink out) {
     const Item& a = window_.front();
     if (a.role == Role::approach) {
-        offset_ = offset_of(a.s);
+        offset_ = side_offset(a.s);
         if (a.s.approach == Approach::ready)
             finish_front(a.e.to, std::abs(a.e.sweep), out);
         else

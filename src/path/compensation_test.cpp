@@ -10,24 +10,6 @@
 namespace obrys::path::test {
 namespace {
 
-constexpr double pi = geom::pi;
-
-void expect_point(Vec2 actual, Vec2 expected, double tolerance = 1e-9) {
-    EXPECT_NEAR(actual.x, expected.x, tolerance);
-    EXPECT_NEAR(actual.y, expected.y, tolerance);
-}
-
-/// End points and kinds in order.
-void expect_path(const Result& r, const std::vector<std::pair<Vec2, Kind>>& expected) {
-    ASSERT_EQ(r.out.size(), expected.size());
-    for (std::size_t i = 0; i < expected.size(); ++i) {
-        SCOPED_TRACE(i);
-        expect_point(r.out[i].element.to, expected[i].first);
-        EXPECT_EQ(r.out[i].kind, expected[i].second);
-    }
-    EXPECT_LE(largest_gap(r), 1e-9);
-}
-
 const std::vector<Element> square = polyline({{0, 0}, {10, 0}, {10, 10}, {0, 10}, {0, 0}});
 
 TEST(compensation, SquareOutsideWithTransitionArcs) {

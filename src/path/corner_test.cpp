@@ -13,10 +13,6 @@
 namespace obrys::path::test {
 namespace {
 
-void expect_near(Vec2 actual, Vec2 expected) {
-    EXPECT_NEAR(geom::distance(actual, expected), 0, 1e-9) << actual.x << ' ' << actual.y;
-}
-
 const Element along = line({0, 0}, {10, 0});
 const Element up = line({10, 0}, {10, 10});
 

@@ -10,8 +10,6 @@ using geom::Vec2;
 
 namespace {
 
-constexpr double full_turn = 2 * geom::pi;
-
 bool is_arc(const Curve& c) { return c.sweep != 0; }
 
 struct Points {
@@ -61,8 +59,10 @@ Points carrier_points(const Curve& a, const Curve& b) {
 /// Angle from p to q about the curve's centre in the sense of its sweep, 0 … 2π; a full turn less rounding is 0.
 double angle_along(const Curve& c, Vec2 p, Vec2 q) {
     double a = std::copysign(1.0, c.sweep) * turn_between(p - c.centre, q - c.centre);
-    if (a < 0) a += full_turn;
-    return full_turn - a < std::max(1e-12, same_point / std::max(1.0, std::abs(c.radius_to))) ? a - full_turn : a;
+    if (a < 0) a += geom::full_turn;
+    return geom::full_turn - a < std::max(1e-12, same_point / std::max(1.0, std::abs(c.radius_to)))
+               ? a - geom::full_turn
+               : a;
 }
 
 /// Place of p counted back from the end: exact near the end, one turn wide.

@@ -6,7 +6,6 @@ namespace obrys::path::test {
 
 namespace {
 
-constexpr double nan = std::numeric_limits<double>::quiet_NaN();
 constexpr double inf = std::numeric_limits<double>::infinity();
 
 FkFault fault_of(FkRun& run) {
@@ -152,7 +151,7 @@ TEST(FkFaults, ValuesThatAreNotKnown) {
         EXPECT_EQ(run.fault->datum, d);
         EXPECT_TRUE(run.out.empty());
     };
-    for (const double bad : {nan, inf, -inf}) {
+    for (const double bad : {not_given, inf, -inf}) {
         for (const auto& [datum, member] : values) {
             Block b = fc(1).dr(+1).to(20, 0).cc(10, 0).about(1, 1);
             b.*member = FkValue{bad};
@@ -164,7 +163,7 @@ TEST(FkFaults, ValuesThatAreNotKnown) {
         expect(fl(1).to(5, 5).near(1, 2, bad), FkDatum::pd);
         expect(fl(1).to(5, 5).p1(bad, 2), FkDatum::p1);
     }
-    FkRun lost({nan, 0});
+    FkRun lost({not_given, 0});
     lost.push(fl(1).to(5, 5));
     ASSERT_TRUE(lost.fault);
     EXPECT_EQ(lost.fault->reason, FkReason::not_known);

@@ -8,8 +8,6 @@ namespace obrys::path::test {
 
 namespace {
 
-constexpr double nan = std::numeric_limits<double>::quiet_NaN();
-
 std::vector<bool> some(Random& r, const RandomContour& c, int of_ten) {
     std::vector<bool> chosen(c.data.size());
     for (std::size_t i = 0; i < chosen.size(); ++i) chosen[i] = r.upto(9) < of_ten;
@@ -231,7 +229,7 @@ TEST(FkProperty, ANumberNotKnownNeverGivesAContour) {
         std::vector<bool> chosen = some(r, c, 7);
         chosen[which] = true;
         std::vector<FkElement> blocks = described(c, chosen);
-        c.data[which].spoil(blocks[c.data[which].element], nan);
+        c.data[which].spoil(blocks[c.data[which].element], not_given);
         const Solved s = solve(c.start, blocks);
         ASSERT_TRUE(s.fault) << i;
         EXPECT_TRUE(s.contours.empty());

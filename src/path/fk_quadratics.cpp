@@ -75,14 +75,14 @@ FkSolver::Progress FkSolver::cancel(FkBranch& b) const {
 namespace {
 
 /// a x² + b x y + c y² + d x + e y + f, x and y divided by their weights.
-struct Conic {
+struct ConicEquation {
     double a = 0, b = 0, c = 0, d = 0, e = 0, f = 0;
     [[nodiscard]] double at(double x, double y) const { return a * x * x + b * x * y + c * y * y + d * x + e * y + f; }
     [[nodiscard]] geom::Vec2 slope(double x, double y) const { return {2 * a * x + b * y + d, b * x + 2 * c * y + e}; }
 };
 
-Conic conic_of(const FkEquation& eq, int x, int y, double wx, double wy) {
-    Conic k;
+ConicEquation conic_of(const FkEquation& eq, int x, int y, double wx, double wy) {
+    ConicEquation k;
     for (const FkTerm& t : eq.poly.terms) {
         const double f = t.factor / eq.size;
         if (t.b < 0)
@@ -113,7 +113,7 @@ std::vector<double> minus(std::vector<double> p, const std::vector<double>& q) {
 }
 
 /// y eliminated from both: (a1 c2 - a2 c1)² = (a1 b2 - a2 b1)(b1 c2 - b2 c1), with the polynomials in x at y², y, 1.
-std::vector<double> resultant(const Conic& p, const Conic& q) {
+std::vector<double> resultant(const ConicEquation& p, const ConicEquation& q) {
     const std::vector<double> a1{p.c}, a2{q.c}, b1{p.e, p.b}, b2{q.e, q.b}, c1{p.f, p.d, p.a}, c2{q.f, q.d, q.a};
     const auto ac = minus(times(a1, c2), times(a2, c1));
     const auto ab = minus(times(a1, b2), times(a2, b1));
@@ -122,7 +122,7 @@ std::vector<double> resultant(const Conic& p, const Conic& q) {
 }
 
 /// Newton from (x, y); false where it does not come to rest on both near by.
-bool polish(const Conic& p, const Conic& q, double& x, double& y) {
+bool polish(const ConicEquation& p, const ConicEquation& q, double& x, double& y) {
     for (int i = 0; i < 20; ++i) {
         const double f = p.at(x, y), g = q.at(x, y);
         const geom::Vec2 s = p.slope(x, y), t = q.slope(x, y);
@@ -138,7 +138,7 @@ bool polish(const Conic& p, const Conic& q, double& x, double& y) {
     return std::abs(p.at(x, y)) <= 1e-11 * scale && std::abs(q.at(x, y)) <= 1e-11 * scale;
 }
 
-std::vector<geom::Vec2> meet(const Conic& p, const Conic& q, double far_x, double far_y) {
+std::vector<geom::Vec2> meet(const ConicEquation& p, const ConicEquation& q, double far_x, double far_y) {
     std::vector<double> r = resultant(p, q);
     double size = 0;
     for (const double c : r) size = std::max(size, std::abs(c));
@@ -147,7 +147,7 @@ std::vector<geom::Vec2> meet(const Conic& p, const Conic& q, double far_x, doubl
     while (!r.empty() && std::abs(r.back()) < 1e-13 * size) r.pop_back();
     for (double& c : r) c /= size;
     for (const double root : real_roots(r, far_x, 1e-12)) {
-        for (const Conic& k : {p, q})
+        for (const ConicEquation& k : {p, q})
             for (double y : real_roots({k.a * root * root + k.d * root + k.f, k.b * root + k.e, k.c}, far_y, 1e-9)) {
                 double x = root;
                 if (!polish(p, q, x, y)) continue;
@@ -175,7 +175,7 @@ FkSolver::Progress FkSolver::two_unknowns(FkBranch& b) {
             if (b.open[j].poly.is_affine() || unknowns(b.open[j]) != ids) continue;
             const int x = *ids.begin(), y = *ids.rbegin();
             const double wx = weight(x), wy = weight(y);
-            const Conic p = conic_of(b.open[i], x, y, wx, wy), q = conic_of(b.open[j], x, y, wx, wy);
+            const ConicEquation p = conic_of(b.open[i], x, y, wx, wy), q = conic_of(b.open[j], x, y, wx, wy);
             const double size = [r = resultant(p, q)] {
                 double s = 0;
                 for (const double c : r) s = std::max(s, std::abs(c));

@@ -14,6 +14,8 @@
 
 namespace obrys::path::test {
 
+constexpr double not_given = std::numeric_limits<double>::quiet_NaN();
+
 /// An FK block as it is written: FL(11).an(60).beside(30, 30, 10). Degrees.
 struct Block : FkElement {
     Block& to_x(double v) { return x = FkValue{v}, *this; }

@@ -9,10 +9,10 @@ namespace {
 
 constexpr double noise = 1e-11;  // of an equation's size: a term below it is what rounding left
 constexpr double weak = 1e-7;    // an unknown is not eliminated by a term below it: nearly parallel, nearly concentric
-constexpr double touching = 2e-13;  // of an equation's size: the two roots are one
+constexpr double one_root = 2e-13;  // of an equation's size: the two roots are one
 constexpr double lenient = 50;      // times the tolerance, where only the check of the original equation is exact
 constexpr double plain_contradiction = 1e-2;  // of a direction, where the element's length is not known yet
-constexpr double farthest = 1e4;              // of the scale: no root beyond
+constexpr double farthest_root = 1e4;         // of the scale: no root beyond
 constexpr std::size_t most_work = 400'000;    // terms touched in one call
 
 }  // namespace
@@ -252,7 +252,7 @@ FkSolver::Progress FkSolver::expand_polar(FkBranch& b) const {
 std::optional<std::vector<double>> FkSolver::roots(const FkEquation& e, int id) const {
     double a = 0, b = 0, c = 0;
     for (const FkTerm& t : e.poly.terms) (t.b < 0 ? c : t.a < 0 ? b : a) = t.factor;
-    const double w = weight(id), far = is_direction(id) ? 1 + 1e-6 : farthest;
+    const double w = weight(id), far = is_direction(id) ? 1 + 1e-6 : farthest_root;
     a *= w * w;
     b *= w;
     const double vertex = -b / (2 * a), lowest = c - b * b / (4 * a);
@@ -260,7 +260,7 @@ std::optional<std::vector<double>> FkSolver::roots(const FkEquation& e, int id) 
     const auto keep = [&](double x) {
         if (std::abs(x) <= far) found_here.push_back(x * w);
     };
-    if (std::abs(lowest) <= touching * e.size || (lowest * a > 0 && in_mm(e, lowest) <= fk_tolerance)) {
+    if (std::abs(lowest) <= one_root * e.size || (lowest * a > 0 && in_mm(e, lowest) <= fk_tolerance)) {
         keep(vertex);
     } else if (lowest * a < 0) {
         const double q = -0.5 * (b + std::copysign(std::sqrt(b * b - 4 * a * c), b));

@@ -10,7 +10,7 @@ using geom::Vec2;
 
 namespace {
 
-double offset_of(const Setting& s) {
+double known_offset(const Setting& s) {
     if (s.side == Side::off || !(std::abs(s.radius) > 0)) return 0;
     return s.side == Side::left ? s.radius : -s.radius;
 }
@@ -22,7 +22,7 @@ double turns_more(double sweep) { return std::max(0.0, std::ceil(std::abs(sweep)
 
 /// The sweep from one point to another about a centre in the direction of `programmed` and with its number of turns;
 /// no way at all is a full turn.
-double sweep_between(Vec2 from, Vec2 centre, Vec2 to, double programmed) {
+double turned_sweep(Vec2 from, Vec2 centre, Vec2 to, double programmed) {
     const double turn = programmed > 0 ? 1 : -1;
     double angle = turn * turn_between(from - centre, to - centre);
     if (angle <= 0) angle += 2 * geom::pi;
@@ -33,7 +33,7 @@ double sweep_between(Vec2 from, Vec2 centre, Vec2 to, double programmed) {
 /// nothing of becomes one: so do LinuxCNC's motion controller and its interpreter's ARC_FEED.
 double sweep_run(const Element& e, double programmed) {
     constexpr double nothing = 1e-6;
-    const double sweep = sweep_between(e.from, e.centre, e.to, programmed);
+    const double sweep = turned_sweep(e.from, e.centre, e.to, programmed);
     const double part = std::abs(sweep) - 2 * geom::pi * turns_more(programmed);
     return part < nothing ? std::copysign(2 * geom::pi * (turns_more(programmed) + 1), programmed) : sweep;
 }
@@ -43,7 +43,7 @@ double sweep_run(const Element& e, double programmed) {
 std::vector<Fault> HeldMove::push(Element&& e, const Setting& s, OutputSink out) {
     tag_ = e.tag;
     point_ = e.from;
-    if (offset_of(s) != 0)
+    if (known_offset(s) != 0)
         take(std::move(e), s, out);
     else
         pass(std::move(e), out);
@@ -83,7 +83,7 @@ void HeldMove::pass(Element&& e, OutputSink out) {
 void HeldMove::take(Element&& e, const Setting& s, OutputSink out) {
     if (stopped_) return;
     if (queue_.empty()) carry(e);
-    const double offset = offset_of(s);
+    const double offset = known_offset(s);
     if (active_ && offset != offset_) {
         refuse(Refusal::already_on);
     } else if (exit_ && is_arc(e)) {
@@ -148,7 +148,7 @@ void HeldMove::enter_arc(Element&& e, const Setting& s) {
         queue(std::move(shift), Kind::approach, s.rapid, {});
     }
     centre_ = end;
-    const double programmed = sweep_between(e.from, e.centre, end, e.sweep);
+    const double programmed = turned_sweep(e.from, e.centre, end, e.sweep);
     queue(std::move(e), Kind::approach, s.rapid, {});
     queue_.back().programmed = programmed;
     active_ = true;
@@ -248,7 +248,7 @@ bool HeldMove::move_end(Queued& q, Vec2 to) {
             faults_.back().radius_is = is;
             return false;
         }
-        const double sweep = sweep_between(start_, e.centre, to, q.programmed);
+        const double sweep = turned_sweep(start_, e.centre, to, q.programmed);
         if (start_known_ && std::abs(sweep) > std::abs(q.programmed) + limits_.sweep_growth)
             return refuse(Refusal::arc_unreachable);
     } else if (start_known_ && geom::dot(q.direction, to - start_) < 0) {

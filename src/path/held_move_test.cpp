@@ -14,8 +14,6 @@
 namespace obrys::path::test {
 namespace {
 
-constexpr double pi = geom::pi;
-
 Setting with(Side side, double radius) {
     Setting s = held_move_preset(1);
     s.side = side;

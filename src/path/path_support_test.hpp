@@ -1,6 +1,8 @@
 #pragma once
 /// Shared by the tests of this folder: running the stage, distances computed independently of it, random contours.
 
+#include <gtest/gtest.h>
+
 #include <algorithm>
 #include <cmath>
 #include <limits>
@@ -11,7 +13,16 @@
 
 namespace obrys::path::test {
 
+using geom::pi;
 using geom::Vec2;
+
+inline void expect_point(Vec2 actual, Vec2 expected, double tolerance = 1e-9) {
+    EXPECT_NEAR(actual.x, expected.x, tolerance);
+    EXPECT_NEAR(actual.y, expected.y, tolerance);
+}
+inline void expect_near(Vec2 actual, Vec2 expected, double tolerance = 1e-9) {
+    EXPECT_NEAR(geom::distance(actual, expected), 0, tolerance) << actual.x << ' ' << actual.y;
+}
 
 struct Result {
     std::vector<Output> out;
@@ -91,5 +102,16 @@ public:
 private:
     std::mt19937 engine_;
 };
+
+/// End points and kinds in order.
+inline void expect_path(const Result& r, const std::vector<std::pair<Vec2, Kind>>& expected) {
+    ASSERT_EQ(r.out.size(), expected.size());
+    for (std::size_t i = 0; i < expected.size(); ++i) {
+        SCOPED_TRACE(i);
+        expect_point(r.out[i].element.to, expected[i].first);
+        EXPECT_EQ(r.out[i].kind, expected[i].second);
+    }
+    EXPECT_LE(largest_gap(r), 1e-9);
+}
 
 }  // namespace obrys::path::test

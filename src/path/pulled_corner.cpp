@@ -18,7 +18,7 @@ constexpr int most_halvings = 10;                       ///< of its parameter
 constexpr double half_turn = geom::pi - geom::pi / 90;  ///< from here on the crossing lies too far out, rad
 
 /// Quadratic curve with a weight on its middle point.
-struct Conic {
+struct WeightedConic {
     Vec2 start, middle, end;
     double weight = 1;
 
@@ -47,7 +47,7 @@ double beside(const Element& e, Vec2 p) {
     return length > 0 ? std::abs(geom::cross(d, p - e.from)) / length : geom::distance(p, e.from);
 }
 
-void add(const Conic& c, double from, double to, int halvings, std::vector<Element>& out) {
+void add(const WeightedConic& c, double from, double to, int halvings, std::vector<Element>& out) {
     const double mid = 0.5 * (from + to);
     const Element e = through(c.at(from), c.at(mid), c.at(to));
     const double off = std::max(beside(e, c.at(0.5 * (from + mid))), beside(e, c.at(0.5 * (mid + to))));
@@ -69,7 +69,7 @@ std::vector<Element> pulled_corner(const Element& arc, double part) {
     if (crossing - top <= allowed) {
         way = {line(arc.from, corner), line(corner, arc.to)};
     } else {
-        const Conic c{arc.from, corner, arc.to, (top - chord) / (crossing - top)};
+        const WeightedConic c{arc.from, corner, arc.to, (top - chord) / (crossing - top)};
         add(c, 0, 0.5, most_halvings, way);
         add(c, 0.5, 1, most_halvings, way);
     }

@@ -10,8 +10,6 @@ using geom::Vec2;
 
 namespace {
 
-constexpr double full_turn = 2 * geom::pi;
-
 /// The contour's end in terms of the centre.
 struct Frame {
     Vec2 point;       ///< compensated P_A
@@ -40,7 +38,7 @@ SmoothFailure check(const OuterEnd& outer, const ContourEnd& c, const SmoothShap
     if (geom::length(c.direction) <= 0) return SmoothFailure::bad_direction;
     if (!arc) return s.length > 0 ? SmoothFailure::none : SmoothFailure::bad_length;
     if (s.radius == 0 || (s.kind == SmoothKind::arc_and_line && s.radius < 0)) return SmoothFailure::bad_radius;
-    const bool angle_fits = s.angle > 0 && s.angle <= full_turn + 1e-12;
+    const bool angle_fits = s.angle > 0 && s.angle <= geom::full_turn + 1e-12;
     if (s.kind == SmoothKind::tangent_arc && !angle_fits) return SmoothFailure::bad_angle;
     return SmoothFailure::none;
 }
@@ -54,7 +52,7 @@ double centre_radius(const Frame& f, const SmoothShape& s, double turn) {
 /// Angle from `from` to `to` in the sense of `turn`, 0 … 2π; a full turn less rounding is 0.
 double angle_to(Vec2 from, Vec2 to, double turn) {
     const double a = turn * turn_between(from, to);
-    return a < -1e-12 ? a + full_turn : std::max(a, 0.0);
+    return a < -1e-12 ? a + geom::full_turn : std::max(a, 0.0);
 }
 
 /// The part that touches the contour, as the path of the centre towards it, and P_H; empty where it shrinks to a point.
@@ -81,7 +79,7 @@ Onto tangent_arc(const Frame& f, const SmoothShape& s) {
     const double turn = s.radius > 0 ? f.side : -f.side;
     const double radius = centre_radius(f, s, turn);
     if (radius < -same_point) return {SmoothFailure::tool_too_large, {}, {}};
-    return along_arc(f, std::max(radius, 0.0), turn, std::min(s.angle, full_turn));
+    return along_arc(f, std::max(radius, 0.0), turn, std::min(s.angle, geom::full_turn));
 }
 
 Onto arc_and_line(const Frame& f, const SmoothShape& s, Vec2 outer) {

@@ -11,24 +11,17 @@
 namespace obrys::path::test {
 namespace {
 
-constexpr double pi = geom::pi;
-
-void expect_point(Vec2 actual, Vec2 expected, double tolerance = 1e-9) {
-    EXPECT_NEAR(actual.x, expected.x, tolerance);
-    EXPECT_NEAR(actual.y, expected.y, tolerance);
-}
-
 /// The examples of the iTNC 530 manual start at X40 Y10 and go from P_A X10 Y20 to X20 Y35 with RR (LT: from X20 Y20
 /// to X35 Y35); tool radius 5 and w 3 are ours.
-const OuterEnd start{{40, 10}, 3};
-const ContourEnd contour{{10, 20}, {10, 15}, Side::right, 5, -10};
+const OuterEnd manual_start{{40, 10}, 3};
+const ContourEnd manual_contour{{10, 20}, {10, 15}, Side::right, 5, -10};
 const double unit = std::sqrt(325.0);
 const Vec2 right_of{15 / unit, -10 / unit};
 const Vec2 centre_at_contour = Vec2{10, 20} + 5 * right_of;
 
 TEST(smooth_approach, ManualExampleLine) {
     const ContourEnd c{{20, 20}, {15, 15}, Side::right, 5, -10};
-    const auto r = smooth_approach(start, c, {.kind = SmoothKind::tangent_line, .length = 15});
+    const auto r = smooth_approach(manual_start, c, {.kind = SmoothKind::tangent_line, .length = 15});
     ASSERT_TRUE(r.ok());
     const double half = std::sqrt(0.5);
     const Vec2 p_a{20 + 5 * half, 20 - 5 * half}, p_h{p_a.x - 15 * half, p_a.y - 15 * half};
@@ -44,17 +37,17 @@ TEST(smooth_approach, ManualExampleLine) {
 }
 
 TEST(smooth_approach, ManualExampleNormal) {
-    const auto r = smooth_approach(start, contour, {.kind = SmoothKind::normal_line, .length = 15});
+    const auto r = smooth_approach(manual_start, manual_contour, {.kind = SmoothKind::normal_line, .length = 15});
     ASSERT_EQ(r.path.size(), 3u);
     expect_point(r.auxiliary, Vec2{10, 20} + 20 * right_of);
-    EXPECT_NEAR(geom::distance(r.auxiliary, contour.at), 15 + 5, 1e-12) << "LEN plus tool radius";
+    EXPECT_NEAR(geom::distance(r.auxiliary, manual_contour.at), 15 + 5, 1e-12) << "LEN plus tool radius";
     expect_point(r.path[2].to, centre_at_contour);
     EXPECT_FALSE(is_arc(r.path[2]));
 }
 
 TEST(smooth_approach, ManualExampleArc) {
     const SmoothShape shape{.kind = SmoothKind::tangent_arc, .radius = 10, .angle = pi};
-    const auto r = smooth_approach(start, contour, shape);
+    const auto r = smooth_approach(manual_start, manual_contour, shape);
     ASSERT_EQ(r.path.size(), 3u);
     // Half a turn clockwise: P_H of the contour is a diameter to the right, and the tool stands inside.
     expect_point(r.path[2].centre, Vec2{10, 20} + 10 * right_of);
@@ -63,26 +56,27 @@ TEST(smooth_approach, ManualExampleArc) {
     expect_point(r.path[2].to, centre_at_contour);
     SmoothShape other = shape;
     other.radius = -10;
-    const auto from_workpiece = smooth_approach(start, contour, other);
+    const auto from_workpiece = smooth_approach(manual_start, manual_contour, other);
     EXPECT_NEAR(from_workpiece.path[2].sweep, pi, 1e-12);
     expect_point(from_workpiece.path[2].centre, Vec2{10, 20} - 10 * right_of);
     EXPECT_NEAR(geom::distance(from_workpiece.auxiliary, from_workpiece.path[2].centre), 15, 1e-12);
     other = shape;
     other.arc_of = ArcOf::centre;
-    expect_point(smooth_approach(start, contour, other).path[2].centre, Vec2{10, 20} + 15 * right_of);
+    expect_point(smooth_approach(manual_start, manual_contour, other).path[2].centre, Vec2{10, 20} + 15 * right_of);
 }
 
 TEST(smooth_approach, ManualExampleArcAndLine) {
-    const auto r = smooth_approach(start, contour, {.kind = SmoothKind::arc_and_line, .radius = 10});
+    const auto r = smooth_approach(manual_start, manual_contour, {.kind = SmoothKind::arc_and_line, .radius = 10});
     ASSERT_EQ(r.path.size(), 3u);
     const Vec2 centre = Vec2{10, 20} + 10 * right_of;
     expect_point(r.path[2].centre, centre);
     EXPECT_LT(r.path[2].sweep, 0);
     expect_point(r.path[2].to, centre_at_contour);
     EXPECT_NEAR(geom::distance(r.auxiliary, centre), 5, 1e-12);
-    EXPECT_NEAR(geom::dot(r.auxiliary - start.at, r.auxiliary - centre), 0, 1e-9) << "line tangential to the arc";
-    const auto together =
-        smooth_approach(start, contour, {.kind = SmoothKind::arc_and_line, .radius = 10, .w_move = WMove::together});
+    EXPECT_NEAR(geom::dot(r.auxiliary - manual_start.at, r.auxiliary - centre), 0, 1e-9)
+        << "line tangential to the arc";
+    const auto together = smooth_approach(manual_start, manual_contour,
+                                          {.kind = SmoothKind::arc_and_line, .radius = 10, .w_move = WMove::together});
     ASSERT_EQ(together.path.size(), 2u);
     EXPECT_EQ(together.path[0].w_to, -10);
 }
@@ -150,18 +144,18 @@ TEST(smooth_departure, WhereTheMotionAlongWTakesPlace) {
 }
 
 TEST(smooth_approach, OffIsRightWithRadiusZero) {
-    ContourEnd off = contour, zero = contour;
+    ContourEnd off = manual_contour, zero = manual_contour;
     off.side = Side::off;
     zero.tool_radius = 0;
     for (const auto kind : {SmoothKind::tangent_line, SmoothKind::normal_line, SmoothKind::tangent_arc}) {
         const SmoothShape s{.kind = kind, .length = 15, .radius = 10, .angle = 1};
-        EXPECT_EQ(smooth_approach(start, off, s).path, smooth_approach(start, zero, s).path);
-        EXPECT_EQ(smooth_departure(off, start, s).path, smooth_departure(zero, start, s).path);
+        EXPECT_EQ(smooth_approach(manual_start, off, s).path, smooth_approach(manual_start, zero, s).path);
+        EXPECT_EQ(smooth_departure(off, manual_start, s).path, smooth_departure(zero, manual_start, s).path);
     }
 }
 
 TEST(smooth_approach, Faults) {
-    const auto failure = [](const SmoothShape& s, const OuterEnd& from = start, ContourEnd c = contour) {
+    const auto failure = [](const SmoothShape& s, const OuterEnd& from = manual_start, ContourEnd c = manual_contour) {
         const auto r = smooth_approach(from, c, s);
         EXPECT_TRUE(r.path.empty());
         EXPECT_EQ(smooth_departure(c, from, s).failure, r.failure);
@@ -180,17 +174,18 @@ TEST(smooth_approach, Faults) {
     EXPECT_EQ(failure({.kind = K::tangent_arc, .radius = 4.9, .angle = 1}), tool_too_large);
     EXPECT_EQ(failure({.kind = K::arc_and_line, .radius = -9}), bad_radius);
     EXPECT_EQ(failure({.kind = K::arc_and_line, .radius = 4}), tool_too_large);
-    const Vec2 inside = contour.at + 11 * right_of;
+    const Vec2 inside = manual_contour.at + 11 * right_of;
     EXPECT_EQ(failure({.kind = K::arc_and_line, .radius = 10}, {inside, 3}), inside_of_circle);
     EXPECT_EQ(failure({.kind = K::arc_and_line, .radius = 9}, {{nan, 0}, 0}), not_a_number);
-    ContourEnd still = contour;
+    ContourEnd still = manual_contour;
     still.direction = {};
-    EXPECT_EQ(failure({.kind = K::tangent_line, .length = 9}, start, still), bad_direction);
-    EXPECT_TRUE(smooth_approach(start, contour, {.kind = K::tangent_arc, .radius = -1, .angle = 1}).ok());
+    EXPECT_EQ(failure({.kind = K::tangent_line, .length = 9}, manual_start, still), bad_direction);
+    EXPECT_TRUE(smooth_approach(manual_start, manual_contour, {.kind = K::tangent_arc, .radius = -1, .angle = 1}).ok());
 }
 
 TEST(smooth_approach, AnArcOfTheToolsRadiusIsAPoint) {
-    const auto r = smooth_approach(start, contour, {.kind = SmoothKind::tangent_arc, .radius = 5, .angle = 2});
+    const auto r =
+        smooth_approach(manual_start, manual_contour, {.kind = SmoothKind::tangent_arc, .radius = 5, .angle = 2});
     ASSERT_TRUE(r.ok());
     ASSERT_EQ(r.path.size(), 2u);
     expect_point(r.path[1].to, centre_at_contour);

@@ -11,8 +11,6 @@
 namespace obrys::path::test {
 namespace {
 
-constexpr double pi = geom::pi;
-
 /// Approach, contour and departure, as a run hands them to the compensation: the approach's last step selects it, where
 /// need be by an element of no length; the departure's first one deselects it.
 std::vector<Step> steps_of(const SmoothPath& on, const std::vector<Element>& contour, const SmoothPath& off,

@@ -270,6 +270,8 @@ static_assert(sizeof(Word) == 8);
     return static_cast<int>(static_cast<std::uint32_t>(w.payload) >> 16);
 }
 [[nodiscard]] constexpr Code code_of(const Word& w) { return static_cast<Code>(w.code); }
+/// For sets of codes.
+[[nodiscard]] constexpr std::uint64_t bit(Code c) { return std::uint64_t{1} << static_cast<unsigned>(c); }
 [[nodiscard]] constexpr Form form_of(const Word& w) { return static_cast<Form>(w.form); }
 [[nodiscard]] constexpr bool is_literal(const Word& w) { return w.form <= 10; }
 

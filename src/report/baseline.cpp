@@ -3,16 +3,14 @@
 #include <algorithm>
 #include <cstdint>
 #include <filesystem>
-#include <nlohmann/json.hpp>
 
 #include "base/function_ref.hpp"
 #include "base/text.hpp"
+#include "report/json_parts.hpp"
 
 namespace obrys::report {
 
 namespace {
-
-using Json = nlohmann::ordered_json;
 
 constexpr int baseline_version = 2;
 

@@ -13,13 +13,13 @@ namespace obrys::report {
 
 namespace {
 
-constexpr int decimals = 6;
+constexpr int table_decimals = 6;
 
 /// The figures of a row, in the order of `names`.
-constexpr std::array names{"seconds",           "speed_rpm",       "feed_mm_per_min", "volume_mm3", "contact_mm",
-                           "axial_depth_mm",    "reach_mm",        "radial_depth_mm", "from_deg",   "to_deg",
-                           "feed_per_tooth_mm", "chip_largest_mm", "chip_mean_mm"};
-using Figures = std::array<double, names.size()>;
+constexpr std::array figure_names{"seconds",           "speed_rpm",       "feed_mm_per_min", "volume_mm3", "contact_mm",
+                                  "axial_depth_mm",    "reach_mm",        "radial_depth_mm", "from_deg",   "to_deg",
+                                  "feed_per_tooth_mm", "chip_largest_mm", "chip_mean_mm"};
+using Figures = std::array<double, figure_names.size()>;
 
 Figures figures_of(const check::MilledMove& m, const check::EdgeEngagement& e) {
     return {m.seconds,        m.speed_rpm,    m.feed_mm_per_min, m.volume_mm3,          m.contact_length_mm,
@@ -74,7 +74,7 @@ const char* spindle_of(const check::MilledMove& m) { return m.spindle > 0 ? "cw"
 
 void engagement_csv(const Subject& subject, TextSink out) {
     std::string row = "move,file,line,block,tool,edge,kind,spindle";
-    for (const char* name : names) (row += ',') += name;
+    for (const char* name : figure_names) (row += ',') += name;
     out(row += '\n');
     Rows rows(subject);
     for (const check::MilledMove& m : subject.result.milled->moves) {
@@ -91,7 +91,7 @@ void engagement_csv(const Subject& subject, TextSink out) {
         (((row += ',') += kind_of(m)) += ',') += spindle_of(m);
         for (const double figure : rows.figures(m)) {
             row += ',';
-            if (std::isfinite(figure)) base::append_fixed(row, figure, decimals);
+            if (std::isfinite(figure)) base::append_fixed(row, figure, table_decimals);
         }
         out(row += '\n');
     }
@@ -116,10 +116,10 @@ void engagement_json(const Subject& subject, TextSink out) {
                ", \"edge\": " + (tool != nullptr ? std::to_string(tool->edge) : "null") + ", \"kind\": \"" +
                kind_of(m) + "\", \"spindle\": \"" + spindle_of(m) + "\"";
         const Figures figures = rows.figures(m);
-        for (std::size_t i = 0; i < names.size(); ++i) {
-            ((row += ", \"") += names[i]) += "\": ";
+        for (std::size_t i = 0; i < figure_names.size(); ++i) {
+            ((row += ", \"") += figure_names[i]) += "\": ";
             if (std::isfinite(figures[i]))
-                base::append_fixed(row, figures[i], decimals);
+                base::append_fixed(row, figures[i], table_decimals);
             else
                 row += "null";
         }

@@ -1,16 +1,13 @@
-#include <nlohmann/json.hpp>
-
+#include "report/json_parts.hpp"
 #include "report/report.hpp"
 
 namespace obrys::report {
 
 namespace {
 
-using Json = nlohmann::ordered_json;
-
-/// A number, or null where it is not known.
-Json number(double v) { return std::isfinite(v) ? Json(v) : Json(nullptr); }
-Json point(geom::Vec3 p) { return {{"x", number(p.x)}, {"y", number(p.y)}, {"z", number(p.z)}}; }
+Json point(geom::Vec3 p) {
+    return {{"x", number_or_null(p.x)}, {"y", number_or_null(p.y)}, {"z", number_or_null(p.z)}};
+}
 
 Json site(const base::Sources& sources, const base::Span& span) {
     const Place p = place(sources, span);
@@ -36,7 +33,7 @@ void add_move(Json& j, const check::Finding& f) {
     j["move"] = f.move ? Json(*f.move) : Json(nullptr);
     if (f.from) j["from_mm"] = point(*f.from);
     if (f.to) j["to_mm"] = point(*f.to);
-    for (const check::Amount& a : f.amounts) j[std::string(a.key)] = number(a.value);
+    for (const check::Amount& a : f.amounts) j[std::string(a.key)] = number_or_null(a.value);
 }
 
 /// What each move of a group did.
@@ -115,7 +112,7 @@ Json tools(const Subject& s) {
     return all;
 }
 
-Json milling(const check::Milled& m) {
+Json milled_json(const check::Milled& m) {
     const check::MillingFigures& f = m.figures;
     Json j{{"tolerance_mm", f.tolerance_mm},
            {"step_mm", {f.step.x, f.step.y, f.step.z}},
@@ -162,7 +159,7 @@ std::string to_json(const Subject& s, bool all) {
     j["stats"] = stats(r.stats);
     j["stock"] = {{"before", figures(r.before)}, {"after", figures(r.after)}};
     j["tools"] = tools(s);
-    if (r.milled != nullptr) j["milling"] = milling(*r.milled);
+    if (r.milled != nullptr) j["milling"] = milled_json(*r.milled);
     return j.dump(2, ' ', false, Json::error_handler_t::replace) + "\n";
 }
 

@@ -2,9 +2,9 @@
 
 #include <algorithm>
 #include <cmath>
-#include <nlohmann/json.hpp>
 
 #include "base/text.hpp"
+#include "report/json_parts.hpp"
 #include "report/milling_arrays.hpp"
 #include "report/page_parts.hpp"
 #include "report/path.hpp"
@@ -14,32 +14,28 @@ namespace obrys::report {
 
 namespace {
 
-using Json = nlohmann::ordered_json;
-
-/// null where not known
-Json number(double v) { return std::isfinite(v) ? Json(v) : Json(nullptr); }
-Json number(const std::optional<double>& v) { return v ? number(*v) : Json(nullptr); }
-Json point(geom::Vec3 p) { return {number(p.x), number(p.y), number(p.z)}; }
+Json number_or_null(const std::optional<double>& v) { return v ? number_or_null(*v) : Json(nullptr); }
+Json page_point(geom::Vec3 p) { return {number_or_null(p.x), number_or_null(p.y), number_or_null(p.z)}; }
 
 /// {f: text of the page or -1, l: line, n: the text's name}; null: nowhere
-Json site(const MillingPage& page, const PageSite& where) {
+Json page_site(const MillingPage& page, const PageSite& where) {
     if (where.file >= page.texts.size()) return nullptr;
     return {{"f", where.file}, {"l", where.line}, {"n", base::as_utf8(page.texts[where.file].name)}};
 }
 
-Json box(const PageBox& b) { return {{"min", point(b.min)}, {"max", point(b.max)}, {"name", b.name}}; }
+Json box(const PageBox& b) { return {{"min", page_point(b.min)}, {"max", page_point(b.max)}, {"name", b.name}}; }
 
 Json finding(const MillingPage& page, const PageFinding& f, std::size_t number_of) {
     Json j{{"no", number_of}, {"code", f.code}, {"severity", base::name(f.severity)}, {"text", f.text}};
     j["remedy"] = f.remedy;
-    j["where"] = site(page, f.where);
+    j["where"] = page_site(page, f.where);
     j["move"] = f.move && *f.move < page.path.moves.size() ? Json(*f.move) : Json(nullptr);
     j["passes"] = f.passes;
     j["moves"] = Json::array();
     for (const std::uint32_t m : f.moves)
         if (m < page.path.moves.size()) j["moves"].push_back(m);
     const bool placed = f.place && std::isfinite(f.place->x + f.place->y + f.place->z);
-    j["at"] = placed ? point(*f.place) : Json(nullptr);
+    j["at"] = placed ? page_point(*f.place) : Json(nullptr);
     j["amounts"] = Json::array();
     for (const PageAmount& a : f.amounts) j["amounts"].push_back({a.label, a.value, a.unit});
     return j;
@@ -49,9 +45,9 @@ Json tool(const PageTool& t) {
     Json j{{"number", t.number},
            {"name", t.name},
            {"kind", t.kind},
-           {"radius", number(t.radius)},
-           {"corner", number(t.corner_radius)},
-           {"cutting", number(t.cutting_length)}};
+           {"radius", number_or_null(t.radius)},
+           {"corner", number_or_null(t.corner_radius)},
+           {"cutting", number_or_null(t.cutting_length)}};
     j["outline"] = Json::array();
     for (const geom::Vec2 p : t.outline)
         if (std::isfinite(p.x + p.y)) j["outline"].push_back({p.x, p.y});
@@ -59,17 +55,17 @@ Json tool(const PageTool& t) {
     for (const PageToolBody& b : t.bodies)
         if (std::isfinite(b.from + b.to + b.radius_from + b.radius_to))
             j["bodies"].push_back({b.from, b.to, b.radius_from, b.radius_to, b.holder});
-    j["volume"] = number(t.volume_mm3);
+    j["volume"] = number_or_null(t.volume_mm3);
     j["moves"] = t.moves;
-    j["feed"] = number(t.feed_mm);
-    j["rapid"] = number(t.rapid_mm);
+    j["feed"] = number_or_null(t.feed_mm);
+    j["rapid"] = number_or_null(t.rapid_mm);
     return j;
 }
 
 Json notes(const MillingPage& page, const std::vector<PageNote>& list) {
     Json all = Json::array();
     for (const PageNote& n : list)
-        all.push_back({{"text", n.text}, {"remedy", n.remedy}, {"where", site(page, n.where)}});
+        all.push_back({{"text", n.text}, {"remedy", n.remedy}, {"where", page_site(page, n.where)}});
     return all;
 }
 
@@ -98,8 +94,8 @@ Json all_of(const MillingPage& page) {
     j["unchecked"] = notes(page, page.unchecked);
     j["assumptions"] = notes(page, page.assumptions);
     j["stock"] = page.stock ? box(*page.stock) : Json(nullptr);
-    j["tolerance"] = number(page.tolerance);
-    j["deviation_limit"] = number(page.deviation_limit);
+    j["tolerance"] = number_or_null(page.tolerance);
+    j["deviation_limit"] = number_or_null(page.deviation_limit);
     return j;
 }
 

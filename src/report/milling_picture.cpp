@@ -11,8 +11,8 @@ using geom::Vec3;
 
 namespace {
 
-constexpr int smallest = 200, largest = 4000;  ///< px
-constexpr double furthest = 1e6;               ///< mm from zero that a picture can show
+constexpr int smallest_picture = 200, largest_picture = 4000;  ///< px
+constexpr double furthest = 1e6;                               ///< mm from zero that a picture can show
 constexpr double beyond = 4;  ///< stocks: a surface that reaches farther out is shown as far as the stock goes
 
 bool usable(Vec3 p) { return std::max({std::abs(p.x), std::abs(p.y), std::abs(p.z)}) < furthest && is_finite(p); }
@@ -83,7 +83,8 @@ void nothing(picture::Work& work) {
 }
 
 std::string draw(SheetFormat format, MillingView view, const MillingScene& scene, PictureSize size) {
-    const int width = std::clamp(size.width, smallest, largest), height = std::clamp(size.height, smallest, largest);
+    const int width = std::clamp(size.width, smallest_picture, largest_picture),
+              height = std::clamp(size.height, smallest_picture, largest_picture);
     Sheet sheet(format, width, height);
     mesh::Box box;
     mesh::Shading normals;

@@ -117,7 +117,7 @@ MillingScene scene(const mesh::Mesh& m) {
 }
 
 constexpr MillingView views[] = {MillingView::plan, MillingView::projections, MillingView::solid};
-constexpr Colour highest{248, 244, 226}, deepest{18, 34, 88};
+constexpr Colour highest_colour{248, 244, 226}, deepest_colour{18, 34, 88};
 
 TEST(MillingPicture, ThePlanShowsAPocketDarkerAtItsPlace) {
     const mesh::Mesh m = pocket();
@@ -125,7 +125,7 @@ TEST(MillingPicture, ThePlanShowsAPocketDarkerAtItsPlace) {
     ASSERT_EQ(p.width, 1200);
     ASSERT_EQ(p.height, 900);
     constexpr int legend = 1080;
-    const Extent block = extent(p, highest, 0, legend), deep = extent(p, deepest, 0, legend);
+    const Extent block = extent(p, highest_colour, 0, legend), deep = extent(p, deepest_colour, 0, legend);
     const double scale = (block.right - block.left) / 40.0;
     EXPECT_GT(scale, 15);
     EXPECT_NEAR(block.bottom - block.top, 30 * scale, 3);
@@ -211,7 +211,7 @@ TEST(MillingPicture, WithoutASurfaceItSaysSo) {
             const Png p = decode(milling_png(view, scene(*m)));
             EXPECT_EQ(p.width, 1200);
             EXPECT_GT(extent(p, {150, 156, 164}).count, 200);
-            EXPECT_EQ(extent(p, highest).count, 0);
+            EXPECT_EQ(extent(p, highest_colour).count, 0);
         }
 }
 
@@ -227,7 +227,7 @@ TEST(MillingPicture, StrayCoordinatesDoNoHarm) {
         s.title = std::string("\xc3\xa9 \xed\xa0\x80 \xf8 \0 end", 14);
         for (const MillingView view : views) {
             const Png p = decode(milling_png(view, s, {400, 300}));
-            EXPECT_GT(extent(p, view == MillingView::plan ? deepest : tool_colour, 0, 360).count,
+            EXPECT_GT(extent(p, view == MillingView::plan ? deepest_colour : tool_colour, 0, 360).count,
                       view == MillingView::solid ? -1 : 100)
                 << stray;
         }
@@ -284,8 +284,9 @@ TEST(MillingPicture, ClampsReachIntoThePicture) {
     const Png alone = decode(milling_png(MillingView::plan, s));
     s.clamps = mesh::box({-500, 5, -15}, {0, 25, 6});
     const Png p = decode(milling_png(MillingView::plan, s));
-    const Extent block = extent(p, highest, 0, 1080);
-    EXPECT_LT(block.right - block.left, extent(alone, highest, 0, 1080).right - extent(alone, highest, 0, 1080).left);
+    const Extent block = extent(p, highest_colour, 0, 1080);
+    EXPECT_LT(block.right - block.left,
+              extent(alone, highest_colour, 0, 1080).right - extent(alone, highest_colour, 0, 1080).left);
     EXPECT_GT(reddish(p, 0, block.left), 20'000);
     EXPECT_GT(block.right - block.left, 400) << "a long clamp must not make the part small";
 }

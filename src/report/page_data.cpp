@@ -2,12 +2,12 @@
 
 #include <cmath>
 #include <map>
-#include <nlohmann/json.hpp>
 #include <set>
 
 #include "base/number.hpp"
 #include "base/text.hpp"
 #include "check/turning_tool.hpp"
+#include "report/json_parts.hpp"
 #include "report/page_parts.hpp"
 #include "report/path.hpp"
 #include "report/svg_window.hpp"
@@ -15,8 +15,6 @@
 namespace obrys::report {
 
 namespace {
-
-using Json = nlohmann::ordered_json;
 
 /// The page draws in millimetres with y downwards.
 constexpr Projection millimetres{1, 0, 0, 4};

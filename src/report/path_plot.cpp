@@ -11,9 +11,8 @@ namespace obrys::report {
 
 namespace {
 
-constexpr double margin = 62, margin_right = 26, top = 78, axis_room = 46, legend_room = 30;
-constexpr double most_height = 640, lower_height = 240;  ///< of the view from above, and of the one from the side
-constexpr double detail_width = 300, widest_detail = 420, detail_gap = 70;
+constexpr double lower_height = 240;  ///< of the view from the side
+constexpr double widest_detail = 420;
 constexpr double wanted_band = 10;  ///< picture units that the largest deviation is drawn high, at most
 
 const Scales turning{}, from_above{"X mm →", "↑ Y mm", false}, from_side{"X mm →", "↑ Z mm", false};
@@ -118,7 +117,7 @@ std::string detail(const Interpolation& i, const Window& window, const base::Sou
 
 std::string legend(const PathPlot& plot, double times, double y) {
     std::string out;
-    double x = margin;
+    double x = svg::margin;
     const auto entry = [&](const char* cls, const char* shape, const std::string& label, double width) {
         out += std::string("<path class=\"") + cls + "\" d=\"M" + number(x, 1) + " " + number(y, 1) + shape + "\"/>\n" +
                svg::text("", x + 34, y + 5, label);
@@ -148,7 +147,7 @@ std::string heading(const PathPlot& plot) {
     if (missing > plot.unplaced_moves)
         below += " The first " + std::to_string(plot.all_moves - missing + plot.unplaced_moves) + " moves are drawn.";
     if (plot.unplaced_moves > 0) below += " Without a known place: " + count_of(plot.unplaced_moves, "move") + ".";
-    return svg::text("title", margin, 30, first) + svg::text("small", margin, 50, below);
+    return svg::text("title", svg::margin, 30, first) + svg::text("small", svg::margin, 50, below);
 }
 
 }  // namespace
@@ -159,8 +158,9 @@ std::string to_svg(const PathPlot& plot, const base::Sources& sources, double wi
     const bool lathe = plot.plane == PlotPlane::zx;
     const View view = lathe ? zx : xy;
     const bool zoomed = plot.interpolation && !plot.interpolation->stairs.empty();
-    const double room = width - margin - margin_right - (zoomed ? detail_width + detail_gap : 0);
-    const Window main("drawing", bounds(plot, view), margin, top, room, most_height, lathe ? turning : from_above);
+    const double room = width - svg::margin - svg::margin_right - (zoomed ? svg::detail_width + svg::detail_gap : 0);
+    const Window main("drawing", bounds(plot, view), svg::margin, svg::top_of_window, room, svg::most_height,
+                      lathe ? turning : from_above);
     const double times = magnification(plot, main.projection().scale);
     std::string out = heading(plot);
     out += main.frame(bands_of(plot, times, main.projection()) + moves_of(plot, view, main.projection()));
@@ -168,24 +168,24 @@ std::string to_svg(const PathPlot& plot, const base::Sources& sources, double wi
     const check::Box heights = extent(plot, xz);
     if (!lathe && heights.max_x > heights.min_x) {
         const check::Box above = bounds(plot, view), side = bounds(plot, xz);
-        const Window lower("side", {above.min_z, above.max_z, side.min_x, side.max_x}, margin, bottom + axis_room + 24,
-                           main.right() - main.left(), lower_height, from_side);
+        const Window lower("side", {above.min_z, above.max_z, side.min_x, side.max_x}, svg::margin,
+                           bottom + svg::axis_room + 24, main.right() - main.left(), lower_height, from_side);
         out += lower.frame(moves_of(plot, xz, lower.projection()));
         bottom = lower.bottom();
     }
     if (zoomed) {
         const Interpolation& i = *plot.interpolation;
-        const double half = 8 * i.unit, left = main.right() + detail_gap;
-        const Window near("detail", {i.place.x - half, i.place.x + half, i.place.y - half, i.place.y + half}, left, top,
-                          std::min(width - margin_right - left, widest_detail), most_height,
-                          lathe ? turning : from_above);
+        const double half = 8 * i.unit, left = main.right() + svg::detail_gap;
+        const Window near("detail", {i.place.x - half, i.place.x + half, i.place.y - half, i.place.y + half}, left,
+                          svg::top_of_window, std::min(width - svg::margin_right - left, widest_detail),
+                          svg::most_height, lathe ? turning : from_above);
         const geom::Vec2 at = main.projection()(i.place);
         out += svg::line("zoomed", at.x, at.y, near.left(), near.bottom()) +
-               svg::line("zoomed", at.x, at.y, near.left(), top) + detail(i, near, sources);
+               svg::line("zoomed", at.x, at.y, near.left(), svg::top_of_window) + detail(i, near, sources);
         bottom = std::max(bottom, near.bottom() + 36);
     }
-    const double y = bottom + axis_room + 12;
-    return svg::document(width, y + legend_room, out + legend(plot, times, y));
+    const double y = bottom + svg::axis_room + 12;
+    return svg::document(width, y + svg::legend_room, out + legend(plot, times, y));
 }
 
 }  // namespace obrys::report

@@ -67,7 +67,7 @@ private:
     double samples_ = 0;
 };
 
-bool usable(Vec3 p) { return std::abs(p.x) < far_off && std::abs(p.y) < far_off && std::abs(p.z) < 1e30; }
+bool drawable(Vec3 p) { return std::abs(p.x) < far_off && std::abs(p.y) < far_off && std::abs(p.z) < 1e30; }
 
 }  // namespace
 
@@ -89,7 +89,7 @@ Visible rasterise(const mesh::Mesh& m, const Camera& camera) {
     for (std::size_t t = 0; t < m.triangles.size(); ++t) {
         const auto [a, b, c] = m.triangles[t];
         if (a >= seen.size() || b >= seen.size() || c >= seen.size()) continue;
-        if (usable(seen[a]) && usable(seen[b]) && usable(seen[c]))
+        if (drawable(seen[a]) && drawable(seen[b]) && drawable(seen[c]))
             filler.fill(static_cast<std::uint32_t>(t), seen[a], seen[b], seen[c]);
     }
     return out;

@@ -15,7 +15,7 @@ namespace {
 
 constexpr double crease = geom::radians(30);       ///< sharper edges of the mesh are not smoothed over
 const double drawn = std::cos(geom::radians(22));  ///< normals of neighbouring pixels farther apart make a line
-constexpr double step = 2.5;                       ///< px: a jump of the depth that makes a line
+constexpr double depth_step = 2.5;                 ///< px: a jump of the depth that makes a line
 constexpr double line_share = 0.3;                 ///< what a line leaves of the colour
 constexpr Colour cut_light{236, 214, 170}, cut_dark{196, 150, 80};
 constexpr int hatch_pitch = 12;  ///< px of the image between the hatch's lines
@@ -129,7 +129,7 @@ private:
         if (cosine(after) < drawn) return true;
         // Of a plane the middle one of three depths is the mean of the others.
         const double bend = double(visible_.depth[before]) + visible_.depth[after] - 2 * double(visible_.depth[at]);
-        return std::abs(bend) * camera_.px_per_mm > step;
+        return std::abs(bend) * camera_.px_per_mm > depth_step;
     }
 
     const mesh::Mesh& mesh_;

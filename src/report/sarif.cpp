@@ -1,16 +1,14 @@
 #include <filesystem>
-#include <nlohmann/json.hpp>
 
 #include "base/codes.hpp"
 #include "base/text.hpp"
 #include "report/baseline.hpp"
+#include "report/json_parts.hpp"
 #include "report/report.hpp"
 
 namespace obrys::report {
 
 namespace {
-
-using Json = nlohmann::ordered_json;
 
 constexpr const char* fingerprint_name = "obrysCause/v1";
 

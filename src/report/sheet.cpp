@@ -14,21 +14,12 @@ using geom::Vec2;
 
 namespace {
 
-constexpr double furthest = 30'000;  ///< px; cairo's coordinates are fixed point with 24 bits before the point
+constexpr double furthest_px = 30'000;  ///< px; cairo's coordinates are fixed point with 24 bits before the point
 
 cairo_status_t append(void* to, const unsigned char* bytes, unsigned int count) {
     static_cast<std::string*>(to)->append(bytes, bytes + count);
     return CAIRO_STATUS_SUCCESS;
 }
-
-struct SurfaceEnd {
-    void operator()(cairo_surface_t* s) const { cairo_surface_destroy(s); }
-};
-struct ContextEnd {
-    void operator()(cairo_t* c) const { cairo_destroy(c); }
-};
-using Surface = std::unique_ptr<cairo_surface_t, SurfaceEnd>;
-using Context = std::unique_ptr<cairo_t, ContextEnd>;
 
 void use(cairo_t* c, mesh::Colour colour) {
     cairo_set_source_rgb(c, colour.red / 255.0, colour.green / 255.0, colour.blue / 255.0);
@@ -43,7 +34,7 @@ void use(cairo_t* c, const Pen& pen) {
 void follow(cairo_t* c, const std::vector<Vec2>& points) {
     for (const Vec2 p : points)
         if (std::isfinite(p.x) && std::isfinite(p.y))
-            cairo_line_to(c, std::clamp(p.x, -furthest, furthest), std::clamp(p.y, -furthest, furthest));
+            cairo_line_to(c, std::clamp(p.x, -furthest_px, furthest_px), std::clamp(p.y, -furthest_px, furthest_px));
 }
 
 /// How many bytes of a letter follow its first one; 0 … 3, or -1 where it can be none.
@@ -104,6 +95,15 @@ std::string renumbered(const std::string& svg) {
 }  // namespace
 
 struct Sheet::Inside {
+    struct SurfaceEnd {
+        void operator()(cairo_surface_t* s) const { cairo_surface_destroy(s); }
+    };
+    struct ContextEnd {
+        void operator()(cairo_t* c) const { cairo_destroy(c); }
+    };
+    using Surface = std::unique_ptr<cairo_surface_t, SurfaceEnd>;
+    using Context = std::unique_ptr<cairo_t, ContextEnd>;
+
     SheetFormat format;
     std::string bytes;
     Surface surface;
@@ -159,7 +159,7 @@ void Sheet::circle(Vec2 centre, double radius, const Pen& pen) {
 
 void Sheet::image(Vec2 corner, const Image& image) {
     if (image.width <= 0 || image.height <= 0) return;
-    const Surface pixels(cairo_image_surface_create(CAIRO_FORMAT_ARGB32, image.width, image.height));
+    const Inside::Surface pixels(cairo_image_surface_create(CAIRO_FORMAT_ARGB32, image.width, image.height));
     if (cairo_surface_status(pixels.get()) != CAIRO_STATUS_SUCCESS) throw std::bad_alloc();
     cairo_surface_flush(pixels.get());
     unsigned char* const data = cairo_image_surface_get_data(pixels.get());
@@ -188,7 +188,7 @@ void Sheet::unclip() { cairo_restore(inside_->context.get()); }
 
 void Sheet::text(Vec2 at, const std::string& content, const Words& words) {
     // A context of its own: an error of the font's must not end the drawing.
-    const Context own(cairo_create(inside_->surface.get()));
+    const Inside::Context own(cairo_create(inside_->surface.get()));
     cairo_t* c = own.get();
     const std::string shown = readable(content);
     cairo_select_font_face(c, "sans-serif", CAIRO_FONT_SLANT_NORMAL,

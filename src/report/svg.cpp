@@ -9,9 +9,6 @@ namespace obrys::report {
 
 namespace {
 
-constexpr double margin = 62, margin_right = 26, top = 78, axis_room = 46, legend_room = 30;
-constexpr double most_height = 640;  ///< of a drawing
-constexpr double detail_width = 300, detail_gap = 70;
 constexpr std::size_t most_marks = 40;     ///< marks in the picture
 constexpr std::size_t most_entries = 14;   ///< findings listed below it
 constexpr std::size_t widest_entry = 136;  ///< characters
@@ -59,7 +56,7 @@ std::optional<check::Box> detail_of(const Subject& s, const check::Box& whole) {
     if (box.empty()) return std::nullopt;
     box = grown(box, 0.15 * size_of(box));
     // As tall and wide as the room it gets, so that nothing of it stays empty.
-    const double ratio = detail_width / most_height, z = box.max_z - box.min_z, x = box.max_x - box.min_x;
+    const double ratio = svg::detail_width / svg::most_height, z = box.max_z - box.min_z, x = box.max_x - box.min_x;
     const double missing_z = std::max(0.0, x * ratio - z), missing_x = std::max(0.0, z * 0.6 - x);
     box = {box.min_z - missing_z / 2, box.max_z + missing_z / 2, box.min_x - missing_x / 2, box.max_x + missing_x / 2};
     if (size_of(box) > 0.45 * size_of(whole)) return std::nullopt;
@@ -68,7 +65,7 @@ std::optional<check::Box> detail_of(const Subject& s, const check::Box& whole) {
 
 std::string legend(const Subject& s, double y) {
     std::string out;
-    double x = margin;
+    double x = svg::margin;
     const auto entry = [&](const char* cls, const char* shape, const char* label, double width) {
         out += std::string("<path class=\"") + cls + "\" d=\"M" + number(x, 1) + " " + number(y, 1) + shape + "\"/>\n" +
                svg::text("", x + 34, y + 5, label);
@@ -109,7 +106,7 @@ std::string entry_of(const Subject& s, const check::Group& group, std::size_t i)
 std::string list(const Subject& s, double& y) {
     std::string out;
     const auto line = [&](const char* cls, const std::string& text) {
-        out += svg::text(cls, margin, y, text);
+        out += svg::text(cls, svg::margin, y, text);
         y += 16;
     };
     const check::Result& r = s.result;
@@ -127,8 +124,8 @@ std::string title(const Subject& s) {
     std::string below = "machine " + s.setup.machine.name;
     if (!s.control.empty()) below = "control " + s.control + ", " + below;
     if (!s.date.empty()) below += ", " + s.date;
-    return svg::text("title", margin, 30, s.program + ": " + verdict_line(s.result)) +
-           svg::text("small", margin, 50, below + ". All figures in mm, X is a radius. Profiles are exact.");
+    return svg::text("title", svg::margin, 30, s.program + ": " + verdict_line(s.result)) +
+           svg::text("small", svg::margin, 50, below + ". All figures in mm, X is a radius. Profiles are exact.");
 }
 
 }  // namespace
@@ -138,24 +135,25 @@ std::string to_svg(const Subject& s, const SvgOptions& options) {
     const std::optional<check::Box> part = detail_of(s, whole);
     std::vector<Mark> marks = marks_of(s.result);
     if (marks.size() > most_marks) marks.resize(most_marks);
-    const double room = options.width - margin - margin_right - (part ? detail_width + detail_gap : 0);
-    const Window main("drawing", whole, margin, top, room, most_height);
+    const double room =
+        options.width - svg::margin - svg::margin_right - (part ? svg::detail_width + svg::detail_gap : 0);
+    const Window main("drawing", whole, svg::margin, svg::top_of_window, room, svg::most_height);
     std::string out = title(s) + main.draw(s, part ? std::vector<Mark>{} : marks);
     double bottom = main.bottom();
     if (part) {
-        const Window detail("detail", *part, main.right() + detail_gap, top,
-                            options.width - margin_right - main.right() - detail_gap, most_height);
+        const Window detail("detail", *part, main.right() + svg::detail_gap, svg::top_of_window,
+                            options.width - svg::margin_right - main.right() - svg::detail_gap, svg::most_height);
         const geom::Vec2 a = main.projection()({part->min_z, part->max_x}),
                          b = main.projection()({part->max_z, part->min_x});
         out += "<rect class=\"zoomed\" x=\"" + number(a.x, 2) + "\" y=\"" + number(a.y, 2) + "\" width=\"" +
                number(b.x - a.x, 2) + "\" height=\"" + number(b.y - a.y, 2) + "\"/>\n" +
-               svg::line("zoomed", b.x, a.y, detail.left(), top) +
+               svg::line("zoomed", b.x, a.y, detail.left(), svg::top_of_window) +
                svg::line("zoomed", b.x, b.y, detail.left(), detail.bottom()) + detail.draw(s, marks);
         bottom = std::max(bottom, detail.bottom());
     }
-    double y = bottom + axis_room + 12;
+    double y = bottom + svg::axis_room + 12;
     out += legend(s, y);
-    y += legend_room;
+    y += svg::legend_room;
     out += list(s, y);
     return svg::document(options.width, y + 6, out);
 }

@@ -52,6 +52,10 @@ private:
 };
 
 namespace svg {
+// How a picture is laid out, in its units.
+inline constexpr double margin = 62, margin_right = 26, top_of_window = 78, axis_room = 46, legend_room = 30;
+inline constexpr double most_height = 640;  ///< of a drawing
+inline constexpr double detail_width = 300, detail_gap = 70;
 /// A step of 1, 2 or 5 times a power of ten, not less than `least`.
 [[nodiscard]] double round_step(double least);
 /// The document round a content drawn with the classes of the house's style, `width` wide.

@@ -11,7 +11,7 @@ namespace {
 
 using geom::Vec2;
 
-constexpr double near = 1e-7;  ///< mm; points closer than this are one point
+constexpr double one_point = 1e-7;  ///< mm; points closer than this are one point
 
 struct Edge {
     Vec2 a, b;
@@ -46,14 +46,14 @@ double angle_along(const Edge& e, Vec2 p) {
 }
 
 bool lies_on(const Edge& e, Vec2 p) {
-    if (geom::distance(e.a, p) < near || geom::distance(e.b, p) < near) return true;
+    if (geom::distance(e.a, p) < one_point || geom::distance(e.b, p) < one_point) return true;
     if (e.sweep == 0) {
         const Vec2 d = e.b - e.a;
         const double l = geom::length(d);
         const double t = geom::dot(d, p - e.a) / l;
-        return std::abs(geom::cross(d, p - e.a)) / l < near && t > 0 && t < l;
+        return std::abs(geom::cross(d, p - e.a)) / l < one_point && t > 0 && t < l;
     }
-    return std::abs(geom::distance(e.centre, p) - e.radius) < near && angle_along(e, p) < std::abs(e.sweep);
+    return std::abs(geom::distance(e.centre, p) - e.radius) < one_point && angle_along(e, p) < std::abs(e.sweep);
 }
 
 void meet_lines(const Edge& e, const Edge& f, std::vector<Vec2>& out) {
@@ -68,7 +68,7 @@ void meet_line_arc(const Edge& line, const Edge& arc, std::vector<Vec2>& out) {
     const double t = geom::dot(arc.centre - line.a, d);
     const Vec2 foot = line.a + t * d;
     const double h = geom::distance(foot, arc.centre);
-    if (h > arc.radius + near) return;
+    if (h > arc.radius + one_point) return;
     const double half = std::sqrt(std::max(0.0, arc.radius * arc.radius - h * h));
     out.push_back(foot + half * d);
     out.push_back(foot - half * d);
@@ -77,7 +77,7 @@ void meet_line_arc(const Edge& line, const Edge& arc, std::vector<Vec2>& out) {
 void meet_arcs(const Edge& e, const Edge& f, std::vector<Vec2>& out) {
     const Vec2 d = f.centre - e.centre;
     const double l = geom::length(d);
-    if (l < near || l > e.radius + f.radius + near || l < std::abs(e.radius - f.radius) - near) return;
+    if (l < one_point || l > e.radius + f.radius + one_point || l < std::abs(e.radius - f.radius) - one_point) return;
     const double t = (l * l + e.radius * e.radius - f.radius * f.radius) / (2 * l);
     const double half = std::sqrt(std::max(0.0, e.radius * e.radius - t * t));
     const Vec2 u = (1 / l) * d;
@@ -86,8 +86,8 @@ void meet_arcs(const Edge& e, const Edge& f, std::vector<Vec2>& out) {
 }
 
 bool boxes_meet(const Edge& e, const Edge& f) {
-    return e.low.x <= f.high.x + near && f.low.x <= e.high.x + near && e.low.y <= f.high.y + near &&
-           f.low.y <= e.high.y + near;
+    return e.low.x <= f.high.x + one_point && f.low.x <= e.high.x + one_point && e.low.y <= f.high.y + one_point &&
+           f.low.y <= e.high.y + one_point;
 }
 
 /// True where the edges share a point that is not in `corners`, the corners they share by construction.
@@ -104,7 +104,7 @@ bool meet(const Edge& e, const Edge& f, const std::vector<Vec2>& corners) {
         meet_arcs(e, f, points);
     return std::any_of(points.begin(), points.end(), [&](Vec2 p) {
         const bool shared =
-            std::any_of(corners.begin(), corners.end(), [&](Vec2 c) { return geom::distance(c, p) < 10 * near; });
+            std::any_of(corners.begin(), corners.end(), [&](Vec2 c) { return geom::distance(c, p) < 10 * one_point; });
         return !shared && lies_on(e, p) && lies_on(f, p);
     });
 }

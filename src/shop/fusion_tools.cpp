@@ -25,61 +25,61 @@ namespace {
 
 /// What a `type` stands for. Kinds that are not here (probe, thread mill, barrel …) are `other`; turning tools, holders
 /// and what cuts without an edge are no tools of a mill.
-struct Type {
+struct FusionType {
     std::string_view name;
     ToolKind kind;
 };
-constexpr std::array types{Type{"flat end mill", ToolKind::end_mill},
-                           Type{"ball end mill", ToolKind::ball},
-                           Type{"bull nose end mill", ToolKind::bull_nose},
-                           Type{"face mill", ToolKind::end_mill},
-                           Type{"drill", ToolKind::drill},
-                           Type{"spot drill", ToolKind::centre_drill},
-                           Type{"center drill", ToolKind::centre_drill},
-                           Type{"counter sink", ToolKind::countersink},
-                           Type{"counter bore", ToolKind::end_mill},
-                           Type{"chamfer mill", ToolKind::chamfer},
-                           Type{"tap right hand", ToolKind::tap},
-                           Type{"tap left hand", ToolKind::tap},
-                           Type{"reamer", ToolKind::reamer},
-                           Type{"boring bar", ToolKind::reamer},
-                           Type{"boring head", ToolKind::reamer},
-                           Type{"slot mill", ToolKind::t_slot},
-                           Type{"tapered mill", ToolKind::form},
-                           Type{"dovetail mill", ToolKind::form},
-                           Type{"lollipop mill", ToolKind::form},
-                           Type{"radius mill", ToolKind::form}};
+constexpr std::array fusion_types{FusionType{"flat end mill", ToolKind::end_mill},
+                                  FusionType{"ball end mill", ToolKind::ball},
+                                  FusionType{"bull nose end mill", ToolKind::bull_nose},
+                                  FusionType{"face mill", ToolKind::end_mill},
+                                  FusionType{"drill", ToolKind::drill},
+                                  FusionType{"spot drill", ToolKind::centre_drill},
+                                  FusionType{"center drill", ToolKind::centre_drill},
+                                  FusionType{"counter sink", ToolKind::countersink},
+                                  FusionType{"counter bore", ToolKind::end_mill},
+                                  FusionType{"chamfer mill", ToolKind::chamfer},
+                                  FusionType{"tap right hand", ToolKind::tap},
+                                  FusionType{"tap left hand", ToolKind::tap},
+                                  FusionType{"reamer", ToolKind::reamer},
+                                  FusionType{"boring bar", ToolKind::reamer},
+                                  FusionType{"boring head", ToolKind::reamer},
+                                  FusionType{"slot mill", ToolKind::t_slot},
+                                  FusionType{"tapered mill", ToolKind::form},
+                                  FusionType{"dovetail mill", ToolKind::form},
+                                  FusionType{"lollipop mill", ToolKind::form},
+                                  FusionType{"radius mill", ToolKind::form}};
 constexpr std::array<std::string_view, 7> no_mills{"turning", "holder",     "laser", "waterjet",
                                                    "plasma",  "deposition", "block"};
 
 /// Keys that are taken, or that say nothing about the tool itself.
-const std::set<std::string, std::less<>> taken{"type",
-                                               "unit",
-                                               "description",
-                                               "geometry",
-                                               "holder",
-                                               "shaft",
-                                               "post-process",
-                                               "geometry.DC",
-                                               "geometry.RE",
-                                               "geometry.SIG",
-                                               "geometry.LCF",
-                                               "geometry.LB",
-                                               "geometry.SFDM",
-                                               "geometry.NOF",
-                                               "geometry.TA",
-                                               "geometry.TP",
-                                               "geometry.HAND",
-                                               "geometry.tip-diameter",
-                                               "geometry.shoulder-length",
-                                               "geometry.shoulder-diameter",
-                                               "geometry.assemblyGaugeLength",
-                                               "holder.segments",
-                                               "holder.gaugeLength",
-                                               "holder.unit",
-                                               "shaft.segments",
-                                               "shaft.type",
-                                               "post-process.number"};
+const std::set<std::string, std::less<>> keys_taken{"type",
+                                                    "unit",
+                                                    "description",
+                                                    "geometry",
+                                                    "holder",
+                                                    "shaft",
+                                                    "post-process",
+                                                    "geometry.DC",
+                                                    "geometry.RE",
+                                                    "geometry.SIG",
+                                                    "geometry.LCF",
+                                                    "geometry.LB",
+                                                    "geometry.SFDM",
+                                                    "geometry.NOF",
+                                                    "geometry.TA",
+                                                    "geometry.TP",
+                                                    "geometry.HAND",
+                                                    "geometry.tip-diameter",
+                                                    "geometry.shoulder-length",
+                                                    "geometry.shoulder-diameter",
+                                                    "geometry.assemblyGaugeLength",
+                                                    "holder.segments",
+                                                    "holder.gaugeLength",
+                                                    "holder.unit",
+                                                    "shaft.segments",
+                                                    "shaft.type",
+                                                    "post-process.number"};
 
 const Value* member(const Value& table, std::string_view key, ValueKind kind) {
     const Entry* e = find(table, key);
@@ -110,9 +110,9 @@ struct Geometry {
     [[nodiscard]] double plain(std::string_view key) const { return number_of(table, key).value_or(0); }
 };
 
-class Reader {
+class FusionReader {
 public:
-    explicit Reader(base::Diagnostics& diagnostics) : diagnostics_(diagnostics) {}
+    explicit FusionReader(base::Diagnostics& diagnostics) : diagnostics_(diagnostics) {}
 
     void library(const Value& root);
     std::vector<Tool> tools;
@@ -146,12 +146,6 @@ std::vector<ToolBody> segments(const Value* of, double unit) {
         if (b.lower_diameter > 0 && b.upper_diameter > 0 && b.length > 0) out.push_back(b);
     }
     return out;
-}
-
-double height_of(const std::vector<ToolBody>& bodies) {
-    double sum = 0;
-    for (const ToolBody& b : bodies) sum += b.length;
-    return sum;
 }
 
 /// Neck, shaft and plain shank from the end of the cutting edges up to the holder.
@@ -218,7 +212,7 @@ void take_dimensions(Tool& t, const Geometry& g, std::string_view type) {
     if (!(t.neck_diameter > 0)) t.neck_diameter = g.length("SFDM");
 }
 
-double Reader::unit_of(const Value& table, double otherwise, std::string& assumed) const {
+double FusionReader::unit_of(const Value& table, double otherwise, std::string& assumed) const {
     std::string unit = text_of(table, "unit");
     const Value* expressions = member(table, "expressions", ValueKind::table);
     if (unit.empty() && expressions) unit = text_of(*expressions, "tool_unit");
@@ -228,7 +222,7 @@ double Reader::unit_of(const Value& table, double otherwise, std::string& assume
     return otherwise == 0 ? 1 : otherwise;
 }
 
-std::optional<std::uint32_t> Reader::number(const Value& tool) {
+std::optional<std::uint32_t> FusionReader::number(const Value& tool) {
     const Value* post = member(tool, "post-process", ValueKind::table);
     const auto n = post ? number_of(*post, "number") : std::nullopt;
     const base::Span where = head(tool);
@@ -244,17 +238,17 @@ std::optional<std::uint32_t> Reader::number(const Value& tool) {
     return std::nullopt;
 }
 
-void Reader::count_dropped(const Value& tool) {
+void FusionReader::count_dropped(const Value& tool) {
     for (const Entry& e : tool.entries) {
-        if (!taken.contains(e.key)) dropped_.add(e.key, e.where);
-        if (e.value.kind != ValueKind::table || !taken.contains(e.key)) continue;
+        if (!keys_taken.contains(e.key)) dropped_.add(e.key, e.where);
+        if (e.value.kind != ValueKind::table || !keys_taken.contains(e.key)) continue;
         for (const Entry& inner : e.value.entries)
-            if (const std::string name = e.key + "." + inner.key; !taken.contains(name))
+            if (const std::string name = e.key + "." + inner.key; !keys_taken.contains(name))
                 dropped_.add(name, inner.where);
     }
 }
 
-void Reader::item(const Value& v) {
+void FusionReader::item(const Value& v) {
     if (v.kind != ValueKind::table)
         return warn(v.where, "a tool must be an object, not " + std::string(kind_name(v.kind)));
     const std::string type = text_of(v, "type");
@@ -270,8 +264,9 @@ void Reader::item(const Value& v) {
     t.name = text_of(v, "description");
     t.type = type;
     t.where = head(v);
-    const auto known = std::find_if(types.begin(), types.end(), [&](const Type& o) { return o.name == type; });
-    if (known != types.end()) t.kind = known->kind;
+    const auto known =
+        std::find_if(fusion_types.begin(), fusion_types.end(), [&](const FusionType& o) { return o.name == type; });
+    if (known != fusion_types.end()) t.kind = known->kind;
     const Geometry g{*geometry, unit_of(v, 0, t.assumed)};
     take_dimensions(t, g, type);
     const Value* holder = member(v, "holder", ValueKind::table);
@@ -288,7 +283,7 @@ void Reader::item(const Value& v) {
     tools.push_back(std::move(t));
 }
 
-void Reader::library(const Value& root) {
+void FusionReader::library(const Value& root) {
     const Value* list = root.kind == ValueKind::array ? &root : member(root, "data", ValueKind::array);
     if (!list) {
         base::Diagnostic d;
@@ -309,7 +304,7 @@ std::vector<Tool> read_fusion_tools(std::uint32_t file, const base::Sources& sou
     const auto root = parse_json(file, sources, diagnostics);
     if (!root) return {};
     base::Diagnostics found;
-    Reader reader(found);
+    FusionReader reader(found);
     reader.library(*root);
     add_in_order(found, diagnostics);
     return std::move(reader.tools);

@@ -9,7 +9,7 @@
 namespace obrys::shop {
 
 /// Not a number: a value that the table does not say.
-inline constexpr double not_said = std::numeric_limits<double>::quiet_NaN();
+inline constexpr double no_entry = std::numeric_limits<double>::quiet_NaN();
 
 class Cells {
 public:

@@ -64,7 +64,7 @@ std::optional<std::string> utf8_to_cp1252(std::string_view s) {
     return out;
 }
 
-bool is_comment(std::string_view line) {
+bool holds_no_row(std::string_view line) {
     const std::string_view s = base::trim(line);
     return s.empty() || s.front() == ';' || s.front() == '*' || s.front() == '#';
 }
@@ -91,7 +91,7 @@ private:
 
 void RowReader::row(const TableLine& line) {
     t_.rows.push_back({std::string(line.text), std::string(line.end), line.at, false});
-    if (t_.columns.empty() || is_comment(line.text)) return;
+    if (t_.columns.empty() || holds_no_row(line.text)) return;
     const auto size = static_cast<std::uint32_t>(line.text.size());
     if (const std::size_t tab = line.text.find('\t'); tab != std::string_view::npos) {
         const std::uint32_t at = line.at + static_cast<std::uint32_t>(tab);

@@ -16,41 +16,41 @@ namespace obrys::shop {
 
 namespace {
 
-constexpr std::uint32_t largest_tool = 32'767, largest_index = 9;  // T 0 … 32767.9
+constexpr std::uint32_t largest_t = 32'767, largest_index = 9;  // T 0 … 32767.9
 constexpr std::uint32_t largest_pocket = 9'999;
 
 /// Columns that a tool is made of.
-constexpr std::array<std::string_view, 20> taken{"T",    "NAME", "L",    "R",     "R2",    "DL",    "DR",
-                                                 "DR2",  "TL",   "RT",   "LCUTS", "ANGLE", "PITCH", "T-ANGLE",
-                                                 "CUT.", "CUT",  "NMAX", "TYP",   "TMAT",  "CDT"};
+constexpr std::array<std::string_view, 20> columns_taken{"T",    "NAME", "L",    "R",     "R2",    "DL",    "DR",
+                                                         "DR2",  "TL",   "RT",   "LCUTS", "ANGLE", "PITCH", "T-ANGLE",
+                                                         "CUT.", "CUT",  "NMAX", "TYP",   "TMAT",  "CDT"};
 
 /// What a TYP stands for. Thread mills, turning tools, probes and back boring tools are not here: `other`.
-struct Type {
+struct TypRow {
     std::string_view name;
     int number;
     ToolKind kind;
 };
-constexpr std::array types{Type{"MILL", 0, ToolKind::end_mill},
-                           Type{"DRILL", 1, ToolKind::drill},
-                           Type{"TAP", 2, ToolKind::tap},
-                           Type{"REAM", 3, ToolKind::reamer},
-                           Type{"CENT", 4, ToolKind::centre_drill},
-                           Type{"CSINK", 5, ToolKind::countersink},
-                           Type{"TSINK", 6, ToolKind::end_mill},
-                           Type{"BOR", 7, ToolKind::reamer},
-                           Type{"MILL_R", 9, ToolKind::end_mill},
-                           Type{"MILL_F", 10, ToolKind::end_mill},
-                           Type{"MILL_RF", 11, ToolKind::end_mill},
-                           Type{"MILL_FD", 12, ToolKind::end_mill},
-                           Type{"MILL_FS", 13, ToolKind::end_mill},
-                           Type{"MILL_FACE", 14, ToolKind::end_mill},
-                           Type{"BALL", -1, ToolKind::ball},
-                           Type{"TORUS", -1, ToolKind::bull_nose},
-                           Type{"MILL_CHAMFER", -1, ToolKind::chamfer}};
+constexpr std::array typ_rows{TypRow{"MILL", 0, ToolKind::end_mill},
+                              TypRow{"DRILL", 1, ToolKind::drill},
+                              TypRow{"TAP", 2, ToolKind::tap},
+                              TypRow{"REAM", 3, ToolKind::reamer},
+                              TypRow{"CENT", 4, ToolKind::centre_drill},
+                              TypRow{"CSINK", 5, ToolKind::countersink},
+                              TypRow{"TSINK", 6, ToolKind::end_mill},
+                              TypRow{"BOR", 7, ToolKind::reamer},
+                              TypRow{"MILL_R", 9, ToolKind::end_mill},
+                              TypRow{"MILL_F", 10, ToolKind::end_mill},
+                              TypRow{"MILL_RF", 11, ToolKind::end_mill},
+                              TypRow{"MILL_FD", 12, ToolKind::end_mill},
+                              TypRow{"MILL_FS", 13, ToolKind::end_mill},
+                              TypRow{"MILL_FACE", 14, ToolKind::end_mill},
+                              TypRow{"BALL", -1, ToolKind::ball},
+                              TypRow{"TORUS", -1, ToolKind::bull_nose},
+                              TypRow{"MILL_CHAMFER", -1, ToolKind::chamfer}};
 
 ToolKind kind_of(std::string_view type) {
     const auto number = base::parse_integer(type);
-    for (const Type& t : types)
+    for (const TypRow& t : typ_rows)
         if (number ? t.number == *number : base::equals_ignoring_case(t.name, type)) return t.kind;
     return ToolKind::other;
 }
@@ -99,7 +99,7 @@ void properties(Cells& row, Tool& tool) {
     tool.teeth = static_cast<int>(row.integer(row.has("CUT.") ? "CUT." : "CUT", 0, 99).value_or(0));
     tool.max_speed = row.real("NMAX");
     tool.locked = row.marked("TL");
-    if (const auto rt = row.integer("RT", 0, largest_tool)) tool.replacement = static_cast<std::uint32_t>(*rt);
+    if (const auto rt = row.integer("RT", 0, largest_t)) tool.replacement = static_cast<std::uint32_t>(*rt);
     tool.cutter_material = row.text("TMAT");
     tool.cutting_data = row.text("CDT");
 }
@@ -110,7 +110,7 @@ Dropped dropped_columns(const HeidenhainTable& table) {
     for (std::size_t column = 0; column < table.columns.size(); ++column) {
         const std::string& name = table.columns[column].name;
         const auto same = [&](std::string_view t) { return base::equals_ignoring_case(t, name); };
-        if (std::any_of(taken.begin(), taken.end(), same)) continue;
+        if (std::any_of(columns_taken.begin(), columns_taken.end(), same)) continue;
         for (std::size_t row = 0; row < table.rows.size(); ++row)
             if (table.rows[row].data && !cell(table, row, column).empty())
                 dropped.add(base::as_utf8(name), cell_span(table, row, column));
@@ -125,7 +125,7 @@ std::vector<Tool> tools_of(const HeidenhainTable& table, base::Diagnostics& diag
     Cells row(table, diagnostics);
     if (!row.need({"T", "L", "R"})) return tools;
     while (row.next()) {
-        const auto number = row.number(largest_tool, largest_index);
+        const auto number = row.number(largest_t, largest_index);
         if (!number) continue;
         Tool tool;
         tool.number = number->whole;
@@ -164,7 +164,7 @@ std::vector<Pocket> pockets_of(const HeidenhainTable& table, base::Diagnostics& 
         const bool has_magazine = row.text("P").find('.') != std::string::npos;
         p.magazine = has_magazine ? number->whole : 0;
         p.pocket = has_magazine ? number->part : number->whole;
-        if (const auto t = row.integer("T", 0, largest_tool)) p.tool = static_cast<std::uint32_t>(*t);
+        if (const auto t = row.integer("T", 0, largest_t)) p.tool = static_cast<std::uint32_t>(*t);
         p.tool_name = row.text("TNAME");
         p.special = row.marked("ST");
         p.fixed = row.marked("F");

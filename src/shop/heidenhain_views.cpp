@@ -13,11 +13,11 @@ constexpr std::uint32_t largest_row = 99'999'999;
 
 double angle(Cells& row, std::string_view column) {
     const auto v = row.real(column);
-    return v ? geom::radians(*v) : not_said;
+    return v ? geom::radians(*v) : no_entry;
 }
 
 geom::Vec3 position(Cells& row) {
-    return {row.length("X").value_or(not_said), row.length("Y").value_or(not_said), row.length("Z").value_or(not_said)};
+    return {row.length("X").value_or(no_entry), row.length("Y").value_or(no_entry), row.length("Z").value_or(no_entry)};
 }
 
 /// The name of the column that numbers the rows differs: D, NR, NO.
@@ -37,8 +37,8 @@ std::map<std::uint32_t, DatumRow> datums_of(const HeidenhainTable& table, base::
         DatumRow d;
         d.position = position(row);
         d.rotary = {angle(row, "A"), angle(row, "B"), angle(row, "C")};
-        d.secondary = {row.length("U").value_or(not_said), row.length("V").value_or(not_said),
-                       row.length("W").value_or(not_said)};
+        d.secondary = {row.length("U").value_or(no_entry), row.length("V").value_or(no_entry),
+                       row.length("W").value_or(no_entry)};
         const double rotation = angle(row, "ROT");
         d.rotation = std::isnan(rotation) && !row.filled("ROT") ? 0 : rotation;
         d.comment = row.text("DOC");
@@ -59,7 +59,7 @@ std::vector<PatternPoint> points_of(const HeidenhainTable& table, base::Diagnost
         p.number = *number;
         p.position = position(row);
         p.hidden = base::equals_ignoring_case(row.text("FADE"), "Y");
-        p.clearance = row.length("CLEARANCE").value_or(not_said);
+        p.clearance = row.length("CLEARANCE").value_or(no_entry);
         p.where = row.where();
         points.push_back(p);
     }
@@ -77,8 +77,8 @@ std::vector<CuttingData> cutting_data_of(const HeidenhainTable& table, base::Dia
         data.work_material = row.text("WMAT");
         data.cutter_material = row.text("TMAT");
         for (std::size_t n = 1; n <= pairs; ++n)
-            data.pairs.push_back({row.real("Vc" + std::to_string(n)).value_or(not_said),
-                                  row.real("F" + std::to_string(n)).value_or(not_said)});
+            data.pairs.push_back({row.real("Vc" + std::to_string(n)).value_or(no_entry),
+                                  row.real("F" + std::to_string(n)).value_or(no_entry)});
         all.push_back(std::move(data));
     }
     return all;
@@ -98,8 +98,8 @@ std::optional<CuttingData::Pair> find_cutting_data(const std::vector<CuttingData
 }
 
 SpindleAndFeed spindle_and_feed(const CuttingData::Pair& pair, const Tool& tool) {
-    const double speed = tool.radius > 0 ? 1000 * pair.speed / (2 * geom::pi * tool.radius) : not_said;
-    return {speed, tool.teeth > 0 ? speed * tool.teeth * pair.feed : not_said};
+    const double speed = tool.radius > 0 ? 1000 * pair.speed / (2 * geom::pi * tool.radius) : no_entry;
+    return {speed, tool.teeth > 0 ? speed * tool.teeth * pair.feed : no_entry};
 }
 
 std::vector<Material> materials_of(const HeidenhainTable& table) {

@@ -7,15 +7,15 @@
 namespace obrys::shop {
 namespace {
 
-struct TableOf : Reading {
+struct ToolTable : Reading {
     HeidenhainTable table;
-    explicit TableOf(const std::string& text, const std::string& name = "TOOL.T") {
+    explicit ToolTable(const std::string& text, const std::string& name = "TOOL.T") {
         table = read_heidenhain_table(add(text, name), sources, diagnostics);
     }
 };
 
 TEST(HeidenhainViews, Tools) {
-    TableOf t(
+    ToolTable t(
         "BEGIN TOOL .T MM\n"
         "T     NAME          L        R        R2      DL      DR     DR2    TL RT TIME1 CUR.TIME TYP   LCUTS ANGLE "
         "CUT. T-ANGLE PITCH TMAT     CDT  NMAX\n"
@@ -62,7 +62,7 @@ TEST(HeidenhainViews, Tools) {
 }
 
 TEST(HeidenhainViews, InchAndMistakes) {
-    TableOf t(
+    ToolTable t(
         "BEGIN TOOL .T INCH\nT      L        R    DR\n1      +2       +0.5 0\n40000  1        1    1\n2      1x       "
         "+1   0\n3      +123,45678,5 1\n4.10   1        1    0\n6      1        2    0\n[END]\n");
     const auto tools = tools_of(t.table, t.diagnostics);
@@ -84,14 +84,14 @@ TEST(HeidenhainViews, InchAndMistakes) {
     EXPECT_DOUBLE_EQ(tools[0].length, 50.8);
     EXPECT_DOUBLE_EQ(tools[0].radius, 12.7);
     EXPECT_EQ(tools.back().number, 6U);
-    TableOf columns("BEGIN TOOL .T MM\nT  NAME\n1  A\n[END]\n");
+    ToolTable columns("BEGIN TOOL .T MM\nT  NAME\n1  A\n[END]\n");
     EXPECT_TRUE(tools_of(columns.table, columns.diagnostics).empty());
     EXPECT_EQ(columns.diagnostics.all().at(0).text, "the table has no column L");
     EXPECT_EQ(columns.diagnostics.all().at(0).remedy, "its columns are: T NAME");
 }
 
 TEST(HeidenhainViews, Pockets) {
-    TableOf t(
+    ToolTable t(
         "BEGIN TOOL_P .TCH MM\nP     T      TNAME   ST F L PLC\n0     5      BALL         \n1     7              S  F "
         "L %00000000\n2.13\n[END]\n");
     const auto p = pockets_of(t.table, t.diagnostics);
@@ -107,7 +107,7 @@ TEST(HeidenhainViews, Pockets) {
 }
 
 TEST(HeidenhainViews, DatumsAndPresets) {
-    TableOf t(
+    ToolTable t(
         "BEGIN NULL .D MM\nD    X          Y          Z          C          W     DOC\n0    +0         +0         "
         "+0\n12   +25,5      -12.25                +90        +3    links\n[END]\n",
         "NULL.D");
@@ -122,7 +122,7 @@ TEST(HeidenhainViews, DatumsAndPresets) {
     EXPECT_EQ(d.at(12).secondary[2], 3);
     EXPECT_EQ(d.at(12).comment, "links");
     EXPECT_EQ(d.at(0).rotation, 0);
-    TableOf p(
+    ToolTable p(
         "BEGIN PRESET .PR MM\nNR  DOC    ROT     X       Y\n1   Z 3    -45     +1      -\n2   bad    4x      +1      "
         "+2\n[END]\n",
         "PRESET.PR");
@@ -134,7 +134,7 @@ TEST(HeidenhainViews, DatumsAndPresets) {
 }
 
 TEST(HeidenhainViews, Points) {
-    TableOf t(
+    ToolTable t(
         "BEGIN A .PNT MM\nNR   X     Y     Z     FADE CLEARANCE\n0    +10   +20   +0    N    +50\n1    +11   +21       "
         "  Y\n[END]\n",
         "A.PNT");
@@ -149,7 +149,7 @@ TEST(HeidenhainViews, Points) {
 }
 
 TEST(HeidenhainViews, CuttingData) {
-    TableOf t(
+    ToolTable t(
         "BEGIN A.CDT\nNR  WMAT      TMAT       Vc1   F1    Vc2   F2\n0   St 33-1   HSSE/TiN   40    0,016 55\n1   C 15 "
         "     HC-P35     70    0,040 100   0,050\n[END]\n",
         "A.CDT");
@@ -170,7 +170,7 @@ TEST(HeidenhainViews, CuttingData) {
     EXPECT_NEAR(s.speed, 3183.0988618379069, 1e-9);  // 100 m/min on a circumference of 31.4159 mm
     EXPECT_NEAR(s.feed, 636.61977236758138, 1e-9);
     EXPECT_TRUE(std::isnan(spindle_and_feed({.speed = 100, .feed = 0.05}, Tool{}).speed));
-    TableOf w("BEGIN WMAT.TAB\nNR  NAME      DOC\n0   St 33-1   Baustahl\n1\n[END]\n", "WMAT.TAB");
+    ToolTable w("BEGIN WMAT.TAB\nNR  NAME      DOC\n0   St 33-1   Baustahl\n1\n[END]\n", "WMAT.TAB");
     const auto m = materials_of(w.table);
     ASSERT_EQ(m.size(), 1U);
     EXPECT_EQ(m[0].comment, "Baustahl");

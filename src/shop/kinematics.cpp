@@ -16,7 +16,7 @@ using geom::Vec3;
 constexpr double parallel =
     1e-7;                        ///< sine below which two directions are the same line; its square is rounding already
 constexpr double beside = 1e-9;  ///< how far a unit vector may miss a cone and still lie on it
-constexpr double slack = 1e-9;   ///< mm, radians: a limit that is met exactly is kept
+constexpr double limit_slack = 1e-9;  ///< mm, radians: a limit that is met exactly is kept
 constexpr Vec3 spindle_axis{0, 0, 1};
 
 /// Rotation about a unit vector through the origin (Rodrigues).
@@ -96,7 +96,7 @@ double nearest_turn(double angle, const Joint& j, double near) {
     const double base = angle + turn * std::round((within - angle) / turn);
     double best = base, distance = std::numeric_limits<double>::infinity();
     for (const double a : {base, base - turn, base + turn}) {
-        if (a < j.min - slack || a > j.max + slack || std::abs(a - near) >= distance) continue;
+        if (a < j.min - limit_slack || a > j.max + limit_slack || std::abs(a - near) >= distance) continue;
         best = a;
         distance = std::abs(a - near);
     }
@@ -111,7 +111,7 @@ bool place_tip(const Chain& chain, Vec3 tip, double tool_length, std::vector<dou
     return !all.empty();
 }
 
-double turning(const AxisPosition& p, const Chain& chain, std::span<const double> near) {
+double turn_to(const AxisPosition& p, const Chain& chain, std::span<const double> near) {
     double sum = 0;
     for (std::size_t i = 0; i < chain.joints.size(); ++i)
         if (chain.joints[i].rotary) sum += std::abs(p.values[i] - value_at(near, i));
@@ -121,7 +121,7 @@ double turning(const AxisPosition& p, const Chain& chain, std::span<const double
 /// A value that is not known is outside.
 std::string first_outside(const Chain& chain, const std::vector<double>& values) {
     for (std::size_t i = 0; i < values.size(); ++i)
-        if (!(values[i] >= chain.joints[i].min - slack && values[i] <= chain.joints[i].max + slack))
+        if (!(values[i] >= chain.joints[i].min - limit_slack && values[i] <= chain.joints[i].max + limit_slack))
             return chain.joints[i].name;
     return {};
 }
@@ -211,7 +211,7 @@ AxisPositions positions_for(const Chain& chain, const ToolPose& pose, double too
     }
     std::stable_sort(out.positions.begin(), out.positions.end(), [&](const AxisPosition& a, const AxisPosition& b) {
         if (a.in_limits() != b.in_limits()) return a.in_limits();
-        return turning(a, chain, near) < turning(b, chain, near);
+        return turn_to(a, chain, near) < turn_to(b, chain, near);
     });
     out.reach = out.positions.empty() ? Reach::not_inclined : Reach::reached;
     return out;

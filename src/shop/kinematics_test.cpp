@@ -11,16 +11,19 @@ namespace {
 using geom::radians;
 using geom::Vec3;
 
-const Joint x{"X", false, {1, 0, 0}, {}}, y{"Y", false, {0, 1, 0}, {}}, z{"Z", false, {0, 0, 1}, {}};
+const Joint x_joint{"X", false, {1, 0, 0}, {}}, y_joint{"Y", false, {0, 1, 0}, {}}, z_joint{"Z", false, {0, 0, 1}, {}};
 
 /// C in A, both lines through (10, 20, -300).
-Chain table_ac() { return {{{"C", true, {0, 0, 1}, {10, 20, -300}}, {"A", true, {1, 0, 0}, {10, 20, -300}}, x, y, z}}; }
+Chain table_ac() {
+    return {
+        {{"C", true, {0, 0, 1}, {10, 20, -300}}, {"A", true, {1, 0, 0}, {10, 20, -300}}, x_joint, y_joint, z_joint}};
+}
 /// B at the spindle, its line 80 mm above the gauge point.
-Chain head_b() { return {{x, y, z, {"B", true, {0, 1, 0}, {0, 0, 80}}}}; }
+Chain head_b() { return {{x_joint, y_joint, z_joint, {"B", true, {0, 1, 0}, {0, 0, 80}}}}; }
 /// C of the table, B of the head inclined by 45 degrees (nutating head).
 Chain table_c_head_b() {
     const double s = std::sqrt(0.5);
-    return {{{"C", true, {0, 0, 1}, {100, 50, 0}}, x, y, z, {"B", true, {0, s, s}, {0, 0, 60}}}};
+    return {{{"C", true, {0, 0, 1}, {100, 50, 0}}, x_joint, y_joint, z_joint, {"B", true, {0, s, s}, {0, 0, 60}}}};
 }
 
 void expect_near(Vec3 a, Vec3 b, const std::string& what, double by = 1e-7) {
@@ -30,7 +33,7 @@ void expect_near(Vec3 a, Vec3 b, const std::string& what, double by = 1e-7) {
 }
 
 TEST(Kinematics, ThreeAxesMoveTheTipByTheToolsLength) {
-    const Chain c{{x, y, z}};
+    const Chain c{{x_joint, y_joint, z_joint}};
     const std::vector<double> at{5, 6, -70};
     const ToolPose p = pose_of(c, at, 30);
     expect_near(p.tip, {5, 6, -100}, "tip");
@@ -105,8 +108,9 @@ TEST(Kinematics, WhereTheToolStandsInTheRotaryAxisThatOneStays) {
 TEST(Kinematics, ThereAndBack) {
     std::mt19937 random(7);
     std::uniform_real_distribution<double> angle(-3, 3), place(-400, 400);
-    for (const Chain& c : {table_ac(), head_b(), table_c_head_b(), Chain{{x, y, z}},
-                           Chain{{z, {"A", true, {1, 0, 0}, {0, 5, 6}}, y, x, {"B", true, {0, 1, 0}, {1, 2, 90}}}}})
+    for (const Chain& c :
+         {table_ac(), head_b(), table_c_head_b(), Chain{{x_joint, y_joint, z_joint}},
+          Chain{{z_joint, {"A", true, {1, 0, 0}, {0, 5, 6}}, y_joint, x_joint, {"B", true, {0, 1, 0}, {1, 2, 90}}}}})
         for (int n = 0; n < 500; ++n) {
             std::vector<double> v;
             for (const Joint& j : c.joints) v.push_back(j.rotary ? angle(random) : place(random));
@@ -128,13 +132,13 @@ TEST(Kinematics, ThereAndBack) {
 
 TEST(Kinematics, WhatIsNotKnownIsNotInTheLimits) {
     const double nan = std::numeric_limits<double>::quiet_NaN();
-    const AxisPositions found = positions_for({{x, y, z}}, {{1, nan, 0}, {0, 0, 1}}, 0);
+    const AxisPositions found = positions_for({{x_joint, y_joint, z_joint}}, {{1, nan, 0}, {0, 0, 1}}, 0);
     ASSERT_EQ(found.positions.size(), 1U);
     EXPECT_FALSE(found.positions[0].in_limits());
     EXPECT_EQ(positions_for(table_ac(), {{0, 0, 0}, {nan, 0, 1}}, 0).reach, Reach::unsuitable);
     EXPECT_EQ(positions_for(table_ac(), {{0, 0, 0}, {0, 0, 0}}, 0).reach, Reach::unsuitable);
-    EXPECT_EQ(positions_for({{x, y}}, {}, 0).reach, Reach::unsuitable);
-    EXPECT_EQ(positions_for({{x, y, x}}, {}, 0).reach, Reach::unsuitable);
+    EXPECT_EQ(positions_for({{x_joint, y_joint}}, {}, 0).reach, Reach::unsuitable);
+    EXPECT_EQ(positions_for({{x_joint, y_joint, x_joint}}, {}, 0).reach, Reach::unsuitable);
 }
 
 TEST(Kinematics, ShippedMachinesReachWhatTheyShould) {
@@ -156,7 +160,7 @@ TEST(Kinematics, ShippedMachinesReachWhatTheyShould) {
 TEST(Kinematics, FollowersBringTheTipThere) {
     std::mt19937 random(7);
     std::uniform_real_distribution<double> any(-300, 300), angle(-3, 3);
-    for (const Chain& c : {table_ac(), head_b(), table_c_head_b(), Chain{{x, y, z}}}) {
+    for (const Chain& c : {table_ac(), head_b(), table_c_head_b(), Chain{{x_joint, y_joint, z_joint}}}) {
         for (int n = 0; n < 50; ++n) {
             std::vector<double> values;
             for (const Joint& j : c.joints) values.push_back(j.rotary ? angle(random) : any(random));
@@ -167,14 +171,15 @@ TEST(Kinematics, FollowersBringTheTipThere) {
             expect_near(pose_of(c, values, 55).tip, tip, "tip of case " + std::to_string(n));
         }
     }
-    EXPECT_TRUE(followers(Chain{{x, y}}, {}, 0).empty());
-    for (const double v : joints_at(Chain{{x, y}}, {}, true, {1, 2, 3}, 0)) EXPECT_TRUE(std::isnan(v));
+    EXPECT_TRUE(followers(Chain{{x_joint, y_joint}}, {}, 0).empty());
+    for (const double v : joints_at(Chain{{x_joint, y_joint}}, {}, true, {1, 2, 3}, 0)) EXPECT_TRUE(std::isnan(v));
     const std::vector<double> swivelled{0.3, 0.4, 9, 9, 9};
     expect_near(pose_of(table_ac(), joints_at(table_ac(), swivelled, true, {1, 2, 3}, 70), 70).tip, {1, 2, 3},
                 "counted");
     const std::vector<double> as_at_0 = joints_at(table_ac(), swivelled, false, {1, 2, 3}, 70);
     expect_near({as_at_0[2], as_at_0[3], as_at_0[4]}, {1, 2, 73}, "not counted");
-    EXPECT_TRUE(followers(Chain{{x, y, {"W", false, {1, 0, 0}, {}}}}, {}, 0).empty()) << "two in one direction";
+    EXPECT_TRUE(followers(Chain{{x_joint, y_joint, {"W", false, {1, 0, 0}, {}}}}, {}, 0).empty())
+        << "two in one direction";
 }
 
 }  // namespace

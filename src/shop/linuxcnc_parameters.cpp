@@ -21,7 +21,7 @@ std::string_view word(std::string_view line, std::size_t from) {
     return line.substr(std::min(from, line.size()), stop - from);
 }
 
-bool is_comment(std::string_view line) {
+bool holds_no_parameter(std::string_view line) {
     const std::string_view s = base::trim(line);
     return s.empty() || s.front() == ';' || s.front() == '#' || s.front() == '(';
 }
@@ -49,7 +49,7 @@ void FileReader::line(const TableLine& text) {
     l.text = text.text;
     l.line_end = text.end;
     l.at = text.at;
-    if (is_comment(l.text)) return;
+    if (holds_no_parameter(l.text)) return;
     const std::string_view name = word(l.text, 0);
     const auto name_at = static_cast<std::uint32_t>(name.data() - l.text.data());
     const std::string_view digits = word(l.text, name_at + name.size());

@@ -9,9 +9,9 @@
 namespace obrys::shop {
 namespace {
 
-struct TableOf : Reading {
+struct TblTable : Reading {
     LinuxcncTable table;
-    explicit TableOf(const std::string& text) {
+    explicit TblTable(const std::string& text) {
         table = read_linuxcnc_table(add(text, "tool.tbl"), sources, diagnostics);
     }
     std::vector<Tool> tools(double mm_per_unit = 1) { return tools_of(table, mm_per_unit, diagnostics); }
@@ -25,7 +25,7 @@ const std::string mill =
     "T0 P0 ;no tool\r\n";
 
 TEST(LinuxcncTable, WordsInAnyOrder) {
-    TableOf t(mill);
+    TblTable t(mill);
     const auto tools = t.tools();
     EXPECT_EQ(t.complaints(), "");
     ASSERT_EQ(tools.size(), 2U);
@@ -49,7 +49,7 @@ TEST(LinuxcncTable, WordsInAnyOrder) {
 }
 
 TEST(LinuxcncTable, LengthsAreConvertedAnglesNot) {
-    TableOf t("T1 P1 X1 A30 W-2 D.5 Z.1 I95 J155 Q1\n");
+    TblTable t("T1 P1 X1 A30 W-2 D.5 Z.1 I95 J155 Q1\n");
     const auto tools = t.tools(25.4);
     ASSERT_EQ(tools.size(), 1U);
     EXPECT_DOUBLE_EQ(tools[0].nose_radius, 6.35);
@@ -66,7 +66,7 @@ TEST(LinuxcncTable, LengthsAreConvertedAnglesNot) {
 
 /// The place in the control's list as `rs274` names it in CHANGE_TOOL: every P counts, also of lines it passes over.
 TEST(LinuxcncTable, IndexCountsEveryPocket) {
-    TableOf t("T1 P1\nT2 P2\nT4 P4 Z\nT6 P6 K3\nT8 D1\nT9 P9\nP13 D1\nT14 P14\n");
+    TblTable t("T1 P1\nT2 P2\nT4 P4 Z\nT6 P6 K3\nT8 D1\nT9 P9\nP13 D1\nT14 P14\n");
     std::string seen;
     for (const Tool& tool : t.tools())
         seen += std::to_string(tool.number) + "@" + std::to_string(tool.table->index) + " ";
@@ -109,8 +109,8 @@ TEST(LinuxcncTable, LatheToolsPointWhereTheTableSays) {
     for (const Case& c :
          {Case{1, 95, 155, -1, 1}, Case{2, 85, 25, 1, 1}, Case{3, 275, 335, 1, -1}, Case{4, 265, 205, -1, -1},
           Case{5, 210, 150, -1, 0}, Case{6, 120, 60, 0, 1}, Case{7, -30, 30, 1, 0}, Case{8, 240, 300, 0, -1}}) {
-        TableOf t("T1 P1 D0.8 I" + std::to_string(c.i) + " J" + std::to_string(c.j) + " Q" + std::to_string(c.q) +
-                  "\n");
+        TblTable t("T1 P1 D0.8 I" + std::to_string(c.i) + " J" + std::to_string(c.j) + " Q" + std::to_string(c.q) +
+                   "\n");
         const auto tools = t.tools();
         ASSERT_EQ(tools.size(), 1U);
         EXPECT_EQ(tools[0].kind, ToolKind::turning);
@@ -129,7 +129,7 @@ TEST(LinuxcncTable, LatheToolsPointWhereTheTableSays) {
 }
 
 TEST(LinuxcncTable, WhatALatheToolDoesNotSayIsAssumed) {
-    TableOf t("T1 P1 D0.8 Q2\nT2 P2 D0.8 Q6\nT3 P3 Q9 D2\nT4 P4 Q2 I10 J350\n");
+    TblTable t("T1 P1 D0.8 Q2\nT2 P2 D0.8 Q6\nT3 P3 Q9 D2\nT4 P4 Q2 I10 J350\n");
     const auto tools = t.tools();
     ASSERT_EQ(tools.size(), 4U);
     EXPECT_EQ(tools[0].assumed, "tip angle 80 degrees, entering angle 95 degrees, edge length 12 mm");
@@ -141,7 +141,8 @@ TEST(LinuxcncTable, WhatALatheToolDoesNotSayIsAssumed) {
 }
 
 TEST(LinuxcncTable, ColumnsOfOldFiles) {
-    TableOf mills("TOOLNO POCKET LENGTH DIAMETER COMMENT\n\n  1  2  +0.511000 0.125 1/8 end mill\n20 21\t4.299\t1.0\n");
+    TblTable mills(
+        "TOOLNO POCKET LENGTH DIAMETER COMMENT\n\n  1  2  +0.511000 0.125 1/8 end mill\n20 21\t4.299\t1.0\n");
     auto tools = mills.tools(25.4);
     ASSERT_EQ(tools.size(), 2U);
     EXPECT_EQ(tools[0].name, "1/8 end mill");
@@ -152,7 +153,7 @@ TEST(LinuxcncTable, ColumnsOfOldFiles) {
     ASSERT_EQ(mills.diagnostics.all().size(), 1U);
     EXPECT_EQ(mills.diagnostics.all()[0].text, "a tool table in columns, as LinuxCNC before 2.4 wrote it");
     EXPECT_EQ(mills.diagnostics.all()[0].severity, base::Severity::warning);
-    TableOf lathes("POC FMS ZOFFSET XOFFSET DIAM FRONT BACK ORIENT COMMENT\n3 4 1.5 -2 0.8 85 25 2 ;finish\n");
+    TblTable lathes("POC FMS ZOFFSET XOFFSET DIAM FRONT BACK ORIENT COMMENT\n3 4 1.5 -2 0.8 85 25 2 ;finish\n");
     tools = lathes.tools();
     ASSERT_EQ(tools.size(), 1U);
     EXPECT_EQ(tools[0].number, 3U);
@@ -165,7 +166,7 @@ TEST(LinuxcncTable, ColumnsOfOldFiles) {
 }
 
 TEST(LinuxcncTable, MistakesArePlacedAndTheRestIsRead) {
-    TableOf t(
+    TblTable t(
         "T1 P1 Dx\nT2 P2 K3\nT3.5 P3\nT4\nP5 D1\nT17P17 D3\n12 text\nT6 P6 Z+-5\nT7 P7 D1 D2\nT7 P8\nT-1 P1\nT9\tP9 "
         "Q12\n"
         "T10 P10 Z1e999\n");
@@ -205,7 +206,7 @@ TEST(LinuxcncTable, MistakesArePlacedAndTheRestIsRead) {
 }
 
 TEST(LinuxcncTable, OneWordChangesAlone) {
-    TableOf t(mill);
+    TblTable t(mill);
     EXPECT_EQ(set_field(t.table, 1, 'Z', -20.25), std::nullopt);
     EXPECT_EQ(set_field(t.table, 3, 'D', 12), std::nullopt);
     EXPECT_EQ(set_field(t.table, 3, 'X', 0.125), std::nullopt);
@@ -221,7 +222,7 @@ TEST(LinuxcncTable, OneWordChangesAlone) {
     EXPECT_TRUE(set_field(t.table, 1, 'K', 1));
     EXPECT_TRUE(set_field(t.table, 1, 'Q', 1.5));
     EXPECT_TRUE(set_field(t.table, 1, 'D', std::numeric_limits<double>::quiet_NaN()));
-    TableOf old("1 2 +0.5 0.25 ;c\n");
+    TblTable old("1 2 +0.5 0.25 ;c\n");
     EXPECT_EQ(set_field(old.table, 0, 'Z', 2), std::nullopt);
     EXPECT_EQ(write_linuxcnc_table(old.table), "1 2 +2 0.25 ;c\n");
     EXPECT_EQ(comment_of(old.table.lines[0]), "c");
@@ -229,16 +230,16 @@ TEST(LinuxcncTable, OneWordChangesAlone) {
 }
 
 TEST(LinuxcncTable, ToolsAreAdded) {
-    TableOf t("T1 P1\r\n; end");
+    TblTable t("T1 P1\r\n; end");
     EXPECT_EQ(add_tool(t.table, 5, 3), std::nullopt);
     EXPECT_TRUE(add_tool(t.table, 1, 4));
     EXPECT_TRUE(add_tool(t.table, -2, 4));
     EXPECT_EQ(set_field(t.table, 1, 'D', 6), std::nullopt);
     EXPECT_EQ(write_linuxcnc_table(t.table), "T1 P1\r\nT5 P3 D6\r\n; end");
-    TableOf open("T1 P1");
+    TblTable open("T1 P1");
     EXPECT_EQ(add_tool(open.table, 2, 2), std::nullopt);
     EXPECT_EQ(write_linuxcnc_table(open.table), "T1 P1\nT2 P2");
-    TableOf none("");
+    TblTable none("");
     EXPECT_EQ(add_tool(none.table, 2, 2), std::nullopt);
     EXPECT_EQ(write_linuxcnc_table(none.table), "T2 P2\n");
     EXPECT_EQ(none.tools().at(0).where, (base::Span{0, 0, 0}));
@@ -252,21 +253,21 @@ RC_GTEST_PROP(LinuxcncTable, AnyTextComesBack, (const std::string& noise)) {
     std::string text = noise;
     for (int i = *rc::gen::inRange(0, 20); i > 0; --i)
         text += alphabet[*rc::gen::inRange<std::size_t>(0, std::size(alphabet))];
-    TableOf t(text);
+    TblTable t(text);
     RC_ASSERT(write_linuxcnc_table(t.table) == text);
     (void)t.tools();
 }
 
 /// A value that is set is read again as it was set, and no other value or comment of the table changes by it.
 RC_GTEST_PROP(LinuxcncTable, WhatIsSetIsReadAgain, ()) {
-    TableOf t(*rc::gen::element(mill, std::string("1 2 +0.5 0.25 ;c\n3 4 1 -2 0.8 85 25 2 finish\n")));
+    TblTable t(*rc::gen::element(mill, std::string("1 2 +0.5 0.25 ;c\n3 4 1 -2 0.8 85 25 2 finish\n")));
     const auto line = *rc::gen::inRange<std::size_t>(0, t.table.lines.size());
     const char letter = *rc::gen::elementOf(std::string("XYZABCUVWDIJ"));
     const double value = *rc::gen::inRange(-1'000'000, 1'000'000) / 4096.0;
     LinuxcncTable after = t.table;
     const auto problem = set_field(after, line, letter, value);
     if (problem) RC_ASSERT(write_linuxcnc_table(after) == write_linuxcnc_table(t.table));
-    const TableOf again(write_linuxcnc_table(after));
+    const TblTable again(write_linuxcnc_table(after));
     RC_ASSERT(again.table.lines.size() == t.table.lines.size());
     for (std::size_t i = 0; i < again.table.lines.size(); ++i) {
         RC_ASSERT(comment_of(again.table.lines[i]) == comment_of(t.table.lines[i]));

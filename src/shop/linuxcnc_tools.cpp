@@ -24,16 +24,16 @@ struct Turned {
     int orientation = 3;
     double turn = 0, sign = 1;  ///< degrees: an edge at angle a then lies at turn + sign * a
 };
-constexpr std::array<Turned, 10> turned{{{3, 0, 1},
-                                         {4, 180, -1},
-                                         {3, 0, 1},
-                                         {2, 0, -1},
-                                         {1, 180, 1},
-                                         {5, -90, 1},
-                                         {8, 0, 1},
-                                         {7, 90, -1},
-                                         {6, 0, -1},
-                                         {9, 0, 1}}};
+constexpr std::array<Turned, 10> turned_tools{{{3, 0, 1},
+                                               {4, 180, -1},
+                                               {3, 0, 1},
+                                               {2, 0, -1},
+                                               {1, 180, 1},
+                                               {5, -90, 1},
+                                               {8, 0, 1},
+                                               {7, 90, -1},
+                                               {6, 0, -1},
+                                               {9, 0, 1}}};
 
 double within_turn(double degrees) {
     const double d = std::fmod(degrees, 360);
@@ -42,7 +42,7 @@ double within_turn(double degrees) {
 
 /// Tip and entering angle from the directions of both edges; false where they make no insert.
 bool take_angles(Tool& t, const TableTool& row) {
-    const Turned& way = turned[static_cast<std::size_t>(row.orientation)];
+    const Turned& way = turned_tools[static_cast<std::size_t>(row.orientation)];
     const double a = within_turn(way.turn + way.sign * row.front_angle),
                  b = within_turn(way.turn + way.sign * row.back_angle);
     const double main = std::max(a, b), tip = main - std::min(a, b);
@@ -106,7 +106,7 @@ void shape(Tool& t, const TableTool& row) {
     if (row.orientation == 0) return mill_shape(t, row);
     t.kind = ToolKind::turning;
     t.nose_radius = std::abs(row.diameter) / 2;
-    t.orientation = turned[static_cast<std::size_t>(row.orientation)].orientation;
+    t.orientation = turned_tools[static_cast<std::size_t>(row.orientation)].orientation;
     if (!take_angles(t, row)) {
         if (t.orientation >= 5) t.entering_angle = 90 - t.tip_angle / 2;
         t.assumed = "tip angle " + base::shortest(t.tip_angle) + " degrees, entering angle " +

@@ -29,11 +29,6 @@ constexpr std::array some_kinds{Key{"corner_radius", {bull_nose, t_slot, other, 
                                 Key{"profile", {form, other, other, other}}};
 constexpr std::array all_kinds{"diameter", "cutting_length", "teeth", "plunges", "rotation", "shank", "holder"};
 
-base::Span place(const Section& s, std::string_view key) {
-    const Entry* e = find(s.table(), key);
-    return e ? e->value.where : head(s.table());
-}
-
 void foreign(const Section& s, std::string_view key, std::string_view kind) {
     if (const Entry* e = find(s.table(), key))
         s.error(job_value, e->where,

@@ -12,26 +12,21 @@ namespace obrys::shop {
 
 namespace {
 
-constexpr double same = 1e-9;  ///< mm; dimensions that differ by less are the same
+constexpr double size_slack = 1e-9;  ///< mm; dimensions that differ by less are the same
 
 bool has_cone(ToolKind kind) {
     return kind == ToolKind::drill || kind == ToolKind::centre_drill || kind == ToolKind::countersink ||
            kind == ToolKind::chamfer;
 }
 
-double height_of(const std::vector<ToolBody>& bodies) {
-    return std::accumulate(bodies.begin(), bodies.end(), 0.0,
-                           [](double sum, const ToolBody& b) { return sum + b.length; });
-}
-
 std::string mm(double v) { return base::shortest(v) + " mm"; }
 
 DimensionFault corner_fault(const Tool& t) {
     if (!(t.corner_radius >= 0)) return {"corner_radius", "the corner radius is negative"};
-    if (t.corner_radius > t.radius + same)
+    if (t.corner_radius > t.radius + size_slack)
         return {"corner_radius", "the corner radius (" + mm(t.corner_radius) + ") is greater than the tool's radius (" +
                                      mm(t.radius) + ")"};
-    if (t.kind == ToolKind::t_slot && 2 * t.corner_radius > t.width + same)
+    if (t.kind == ToolKind::t_slot && 2 * t.corner_radius > t.width + size_slack)
         return {"corner_radius",
                 "two corner radii of " + mm(t.corner_radius) + " do not fit on a width of " + mm(t.width)};
     return {};
@@ -69,7 +64,7 @@ DimensionFault length_fault(const Tool& t) {
         return {"cutting_length", "the cutting length (" + mm(*t.cutting_length) +
                                       ") is shorter than the point, which is " + base::fixed(point, 3) + " mm high"};
     const double round = t.kind == ToolKind::ball ? t.radius : t.kind == ToolKind::bull_nose ? t.corner_radius : 0;
-    if (round > *t.cutting_length + same)
+    if (round > *t.cutting_length + size_slack)
         return {"cutting_length", "the cutting length (" + mm(*t.cutting_length) +
                                       ") is shorter than the corner radius (" + mm(round) + ")"};
     return {};
@@ -85,6 +80,11 @@ DimensionFault room_fault(const Tool& t) {
 
 }  // namespace
 
+double height_of(const std::vector<ToolBody>& bodies) {
+    return std::accumulate(bodies.begin(), bodies.end(), 0.0,
+                           [](double sum, const ToolBody& b) { return sum + b.length; });
+}
+
 std::string_view kind_word(ToolKind kind) {
     static constexpr std::array<std::string_view, 14> words{
         "groove",       "turning",     "other", "end-mill", "ball",    "bull-nose", "drill",
@@ -95,7 +95,7 @@ std::string_view kind_word(ToolKind kind) {
 ToolKind assumed_kind(const Tool& tool) {
     if (tool.kind != ToolKind::other || !(tool.radius > 0)) return tool.kind;
     if (!(tool.corner_radius > 0)) return ToolKind::end_mill;
-    return tool.corner_radius < tool.radius - same ? ToolKind::bull_nose : ToolKind::ball;
+    return tool.corner_radius < tool.radius - size_slack ? ToolKind::bull_nose : ToolKind::ball;
 }
 
 DimensionFault dimension_fault(const Tool& tool) {

@@ -82,7 +82,7 @@ Contour insert(const Tool& t, Vec2 centre) {
     return c;
 }
 
-Contour turning(const Tool& t) {
+Contour turning_insert(const Tool& t) {
     if (t.nose_radius < 0 || !(t.edge_length > 0) || !(t.tip_angle > 0 && t.tip_angle < 180)) return {};
     const double r = t.nose_radius;
     const Contour corner = insert(t, {r, r}), axis = insert(t, {0, r});
@@ -105,7 +105,7 @@ Contour turning(const Tool& t) {
 Contour outline(const Tool& tool) {
     switch (tool.kind) {
         case ToolKind::groove: return grooving(tool);
-        case ToolKind::turning: return turning(tool);
+        case ToolKind::turning: return turning_insert(tool);
         default: return {};
     }
 }

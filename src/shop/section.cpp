@@ -24,7 +24,7 @@ void complain(base::Diagnostics& diagnostics, std::string_view code, base::Span 
     diagnostics.add(std::move(d));
 }
 
-std::string quoted(std::string_view key) { return "'" + std::string(key) + "'"; }
+std::string in_quotes(std::string_view key) { return "'" + std::string(key) + "'"; }
 
 }  // namespace
 
@@ -101,7 +101,7 @@ void Section::error(std::string_view code, base::Span where, std::string text, s
 
 void Section::missing(std::string_view key) const {
     if (table_.kind != ValueKind::table) return;  // already reported
-    error(base::codes::job_value, head(table_), name_ + " has no " + quoted(key));
+    error(base::codes::job_value, head(table_), name_ + " has no " + in_quotes(key));
 }
 
 const Entry* Section::take(std::string_view key) { return know(key, false); }
@@ -120,13 +120,13 @@ const Entry* Section::know(std::string_view key, bool is_table) {
 bool Section::expect(const Entry& e, ValueKind kind, std::string_view wanted) const {
     if (e.value.kind == kind) return true;
     error(base::codes::job_value, e.value.where,
-          quoted(e.key) + " must be " + std::string(wanted) + ", not " + std::string(kind_name(e.value.kind)));
+          in_quotes(e.key) + " must be " + std::string(wanted) + ", not " + std::string(kind_name(e.value.kind)));
     return false;
 }
 
 std::optional<double> Section::number(std::string_view key, Range range) {
     const Entry* e = take(key);
-    return e ? finite_number(e->value, quoted(key), range, diagnostics_) : std::nullopt;
+    return e ? finite_number(e->value, in_quotes(key), range, diagnostics_) : std::nullopt;
 }
 
 std::optional<std::int64_t> Section::integer(std::string_view key, std::int64_t least, std::int64_t most) {
@@ -135,7 +135,7 @@ std::optional<std::int64_t> Section::integer(std::string_view key, std::int64_t 
     const std::int64_t v = e->value.integer;
     if (v >= least && v <= most) return v;
     error(base::codes::job_value, e->value.where,
-          quoted(key) + " must lie between " + std::to_string(least) + " and " + std::to_string(most) + ", it is " +
+          in_quotes(key) + " must lie between " + std::to_string(least) + " and " + std::to_string(most) + ", it is " +
               std::to_string(v));
     return std::nullopt;
 }
@@ -150,7 +150,7 @@ std::optional<std::string> Section::text(std::string_view key) {
     const Entry* e = take(key);
     if (!e || !expect(*e, ValueKind::text, "text")) return std::nullopt;
     if (!e->value.text.empty()) return e->value.text;
-    error(base::codes::job_value, e->value.where, quoted(key) + " is empty");
+    error(base::codes::job_value, e->value.where, in_quotes(key) + " is empty");
     return std::nullopt;
 }
 
@@ -160,7 +160,7 @@ std::optional<std::size_t> Section::choice(std::string_view key, std::initialize
     const auto at = std::find(words.begin(), words.end(), e->value.text);
     if (at != words.end()) return static_cast<std::size_t>(at - words.begin());
     const std::vector<std::string> list(words.begin(), words.end());
-    error(base::codes::job_value, e->value.where, quoted(key) + " cannot be \"" + e->value.text + "\"",
+    error(base::codes::job_value, e->value.where, in_quotes(key) + " cannot be \"" + e->value.text + "\"",
           words_remedy(e->value.text, list));
     return std::nullopt;
 }
@@ -182,7 +182,7 @@ std::vector<const Value*> Section::text_values(std::string_view key) {
             out.push_back(&v);
         else
             error(base::codes::job_value, v.where,
-                  "an item of " + quoted(key) + " must be text, not " + std::string(kind_name(v.kind)));
+                  "an item of " + in_quotes(key) + " must be text, not " + std::string(kind_name(v.kind)));
     }
     return out;
 }
@@ -222,8 +222,8 @@ void Section::finish() {
     for (const Entry& e : table_.entries) {
         if (std::find(all.begin(), all.end(), e.key) != all.end()) continue;
         const std::string near = nearest_key(e);
-        error(base::codes::job_file, e.where, "unknown key " + quoted(e.key) + " in " + name_,
-              near.empty() ? "known keys: " + joined(all) : "did you mean " + quoted(near) + "?");
+        error(base::codes::job_file, e.where, "unknown key " + in_quotes(e.key) + " in " + name_,
+              near.empty() ? "known keys: " + joined(all) : "did you mean " + in_quotes(near) + "?");
     }
 }
 
@@ -249,7 +249,7 @@ void Section::finish_file(base::Diagnostics& to) {
         const Entry* e = d.code == base::codes::job_file ? entry_at(table_, d.where) : nullptr;
         const bool of_file = e != nullptr && find(table_, e->key) == nullptr &&
                              std::find(known_.begin(), known_.end(), e->key) != known_.end();
-        if (of_file) d.remedy = quoted(e->key) + " is a key of the whole file: it belongs above the first [table]";
+        if (of_file) d.remedy = in_quotes(e->key) + " is a key of the whole file: it belongs above the first [table]";
         all.add(std::move(d));
     }
     add_in_order(all, to);
@@ -261,12 +261,18 @@ bool Section::one_of(std::initializer_list<std::string_view> keys, bool required
     for (const std::string_view key : keys) {
         const Entry* e = take(key);
         if (e && first)
-            error(base::codes::job_value, e->where, name_ + " has both " + quoted(first->key) + " and " + quoted(key));
+            error(base::codes::job_value, e->where,
+                  name_ + " has both " + in_quotes(first->key) + " and " + in_quotes(key));
         if (e && !first) first = e;
     }
     if (!first && required && table_.kind == ValueKind::table)
         error(base::codes::job_value, head(table_), name_ + " says nothing", "give one of: " + joined(names));
     return first != nullptr;
+}
+
+base::Span place(const Section& s, std::string_view key) {
+    const Entry* e = find(s.table(), key);
+    return e ? e->value.where : head(s.table());
 }
 
 }  // namespace obrys::shop

@@ -69,6 +69,8 @@ private:
 [[nodiscard]] std::string_view kind_name(ValueKind kind);
 /// The place of a table in messages: its header or brace, not its whole text.
 [[nodiscard]] base::Span head(const Value& table);
+/// The place of a key's value; where it is missing, of the table.
+[[nodiscard]] base::Span place(const Section& s, std::string_view key);
 /// Adds complaints in the order of their places, whatever order the reader met them in.
 void add_in_order(const base::Diagnostics& from, base::Diagnostics& to);
 /// A finite number, or a complaint about `what`.

@@ -12,11 +12,6 @@ namespace {
 
 constexpr std::array<std::string_view, 3> axis_names{"x", "y", "z"};
 
-base::Span place(const Section& s, std::string_view key) {
-    const Entry* e = find(s.table(), key);
-    return e ? e->value.where : head(s.table());
-}
-
 /// So many numbers in an array; nothing where the key is missing or was reported.
 std::optional<std::vector<double>> read_numbers(Section& s, std::string_view key, std::size_t count,
                                                 std::string_view say) {

@@ -55,11 +55,6 @@ void read_insert(Section& s, Tool& t) {
     set(t.edge_length, s.number("edge_length", Range::positive));
 }
 
-base::Span place(const Section& s, std::string_view key) {
-    const Entry* e = find(s.table(), key);
-    return e ? e->value.where : head(s.table());
-}
-
 void check_blade(const Section& s, const Tool& t) {
     refuse(s, turning_keys, "groove");
     refuse(s, std::array{"radius"}, "groove");

@@ -6,7 +6,7 @@
 namespace obrys::shop {
 
 namespace {
-constexpr double same = 1e-9;  ///< mm
+constexpr double no_height = 1e-9;  ///< mm
 
 bool positive(double v) { return std::isfinite(v) && v > 0; }
 }  // namespace
@@ -19,15 +19,15 @@ std::vector<geom::Vertex> tapered_profile(double radius, double corner, double a
     if (corner > 0) {
         const double turn = geom::pi / 2 - a;  // from the bottom's direction into the flank's
         const double tangent = corner * std::tan(turn / 2);
-        if (tangent > radius + same || tangent * std::cos(a) > height) return {};
+        if (tangent > radius + no_height || tangent * std::cos(a) > height) return {};
         const double flat = std::max(0.0, radius - tangent);
-        if (flat < same) out.clear();
-        out.push_back({{flat < same ? 0 : flat, 0}, std::tan(turn / 4)});
+        if (flat < no_height) out.clear();
+        out.push_back({{flat < no_height ? 0 : flat, 0}, std::tan(turn / 4)});
         out.push_back({{radius + tangent * std::sin(a), tangent * std::cos(a)}, 0});
     } else {
         out.push_back({{radius, 0}, 0});
     }
-    if (height > out.back().p.y + same) out.push_back({{top, height}, 0});
+    if (height > out.back().p.y + no_height) out.push_back({{top, height}, 0});
     return out;
 }
 
@@ -44,7 +44,7 @@ std::vector<geom::Vertex> hollow_profile(double tip, double corner, double heigh
     if (tip > 0) out.push_back({{0, 0}, 0});
     out.push_back({{tip, 0}, -std::tan(geom::pi / 8)});
     out.push_back({{tip + corner, corner}, 0});
-    if (height > corner + same) out.push_back({{tip + corner, height}, 0});
+    if (height > corner + no_height) out.push_back({{tip + corner, height}, 0});
     return out;
 }
 

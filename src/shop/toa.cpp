@@ -20,7 +20,7 @@ namespace obrys::shop {
 
 namespace {
 
-constexpr std::int64_t largest_tool = 999'999'999, largest_edge = 99;
+constexpr std::int64_t largest_toa_tool = 999'999'999, largest_edge = 99;
 constexpr int largest_type = 9999;
 constexpr int parameters = 25, radius_parameter = 6;
 
@@ -38,9 +38,9 @@ struct Piece {
     }
 };
 
-class Reader {
+class ToaReader {
 public:
-    Reader(std::uint32_t file, base::Diagnostics& diagnostics) : file_(file), diagnostics_(diagnostics) {}
+    ToaReader(std::uint32_t file, base::Diagnostics& diagnostics) : file_(file), diagnostics_(diagnostics) {}
 
     void line(Piece line);
     [[nodiscard]] std::vector<Tool> tools() const;
@@ -86,7 +86,7 @@ bool is_frame(std::string_view line) {
            s == "RET";
 }
 
-void Reader::line(Piece line) {
+void ToaReader::line(Piece line) {
     line = Piece{without_comment(line.text), line.at}.part(0);
     if (!line.text.empty() && base::upper(line.text[0]) == 'N' && line.text.size() > 1 &&
         base::is_digit(line.text[1])) {
@@ -107,7 +107,7 @@ void Reader::line(Piece line) {
 }
 
 /// Once for all of them: a program in place of tool data has as many as it has blocks.
-void Reader::report_other_lines() {
+void ToaReader::report_other_lines() {
     if (other_lines_ == 0) return;
     if (data_lines_ == 0)
         return complain(base::codes::job_file, first_other_,
@@ -120,12 +120,12 @@ void Reader::report_other_lines() {
                  (more == 0 ? std::string{} : ", nor are " + std::to_string(more) + " others of the file"));
 }
 
-void Reader::assignment(Piece name, Piece indices, Piece value) {
+void ToaReader::assignment(Piece name, Piece indices, Piece value) {
     const std::string upper = base::to_upper(name.text);
     const auto n = upper.starts_with("$TC_DP") ? base::parse_integer(std::string_view(upper).substr(6)) : std::nullopt;
     if (n && *n >= 1 && *n <= parameters) return tool_parameter(static_cast<int>(*n), indices, value);
     if (upper == "$TC_TP2") {
-        const auto tool = index(indices, largest_tool, "tool number");
+        const auto tool = index(indices, largest_toa_tool, "tool number");
         if (!tool) return;
         if (value.text.size() < 2 || value.text.front() != '"' || value.text.back() != '"')
             return complain(base::codes::job_value, value, "a tool name stands in quotes");
@@ -139,18 +139,18 @@ void Reader::assignment(Piece name, Piece indices, Piece value) {
     complain(base::codes::job_file, name, "this is not a name of tool data ($TC_DP1 … $TC_DP25, $TC_TP2)");
 }
 
-std::optional<std::int64_t> Reader::index(Piece text, std::int64_t most, const std::string& what) {
+std::optional<std::int64_t> ToaReader::index(Piece text, std::int64_t most, const std::string& what) {
     const auto n = base::parse_integer(text.text);
     if (n && *n >= 1 && *n <= most) return n;
     complain(base::codes::job_value, text, "the " + what + " is a whole number from 1 to " + std::to_string(most));
     return std::nullopt;
 }
 
-void Reader::tool_parameter(int n, Piece indices, Piece value) {
+void ToaReader::tool_parameter(int n, Piece indices, Piece value) {
     const std::size_t comma = indices.text.find(',');
     if (comma == std::string_view::npos)
         return complain(base::codes::job_value, indices, "tool data need a tool and an edge: [T,D]");
-    const auto tool = index(indices.part(0, comma), largest_tool, "tool number");
+    const auto tool = index(indices.part(0, comma), largest_toa_tool, "tool number");
     const auto edge = index(indices.part(comma + 1), largest_edge, "edge number");
     if (!tool || !edge) return;
     const auto v = base::parse_double(value.text);
@@ -200,7 +200,7 @@ void shape(Tool& t) {
                  base::shortest(t.entering_angle) + " degrees, edge length " + base::shortest(t.edge_length) + " mm";
 }
 
-std::vector<Tool> Reader::tools() const {
+std::vector<Tool> ToaReader::tools() const {
     std::vector<Tool> out;
     for (const auto& [key, tool] : tools_) {
         out.push_back(tool);
@@ -214,7 +214,7 @@ std::vector<Tool> Reader::tools() const {
 
 std::vector<Tool> read_toa(std::uint32_t file, const base::Sources& sources, base::Diagnostics& diagnostics) {
     base::Diagnostics found;
-    Reader reader(file, found);
+    ToaReader reader(file, found);
     const std::string_view text = sources[file].text;
     std::size_t begin = 0;
     while (begin < text.size()) {

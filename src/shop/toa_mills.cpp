@@ -15,20 +15,23 @@ namespace obrys::shop {
 
 namespace {
 
-struct Type {
+struct MillType {
     int number;
     ToolKind kind;
     double point_angle;  ///< degrees, assumed; 0: it has none
 };
-constexpr std::array types{
-    Type{100, ToolKind::end_mill, 0},  Type{110, ToolKind::ball, 0},          Type{111, ToolKind::ball, 0},
-    Type{120, ToolKind::end_mill, 0},  Type{121, ToolKind::bull_nose, 0},     Type{130, ToolKind::end_mill, 0},
-    Type{131, ToolKind::bull_nose, 0}, Type{140, ToolKind::end_mill, 0},      Type{150, ToolKind::t_slot, 0},
-    Type{151, ToolKind::t_slot, 0},    Type{155, ToolKind::form, 0},          Type{156, ToolKind::form, 0},
-    Type{157, ToolKind::form, 0},      Type{200, ToolKind::drill, 118},       Type{205, ToolKind::drill, 180},
-    Type{210, ToolKind::reamer, 0},    Type{220, ToolKind::centre_drill, 90}, Type{230, ToolKind::countersink, 90},
-    Type{231, ToolKind::end_mill, 0},  Type{240, ToolKind::tap, 0},           Type{241, ToolKind::tap, 0},
-    Type{242, ToolKind::tap, 0},       Type{250, ToolKind::reamer, 0}};
+constexpr std::array mill_types{MillType{100, ToolKind::end_mill, 0},      MillType{110, ToolKind::ball, 0},
+                                MillType{111, ToolKind::ball, 0},          MillType{120, ToolKind::end_mill, 0},
+                                MillType{121, ToolKind::bull_nose, 0},     MillType{130, ToolKind::end_mill, 0},
+                                MillType{131, ToolKind::bull_nose, 0},     MillType{140, ToolKind::end_mill, 0},
+                                MillType{150, ToolKind::t_slot, 0},        MillType{151, ToolKind::t_slot, 0},
+                                MillType{155, ToolKind::form, 0},          MillType{156, ToolKind::form, 0},
+                                MillType{157, ToolKind::form, 0},          MillType{200, ToolKind::drill, 118},
+                                MillType{205, ToolKind::drill, 180},       MillType{210, ToolKind::reamer, 0},
+                                MillType{220, ToolKind::centre_drill, 90}, MillType{230, ToolKind::countersink, 90},
+                                MillType{231, ToolKind::end_mill, 0},      MillType{240, ToolKind::tap, 0},
+                                MillType{241, ToolKind::tap, 0},           MillType{242, ToolKind::tap, 0},
+                                MillType{250, ToolKind::reamer, 0}};
 
 double sum(const Tool& t, std::initializer_list<int> numbers) {
     double s = 0;
@@ -73,8 +76,9 @@ void take_cone(Tool& t, int type, double corner, double angle) {
 }  // namespace
 
 void take_mill(Tool& t, int type) {
-    const auto found = std::find_if(types.begin(), types.end(), [&](const Type& o) { return o.number == type; });
-    if (found == types.end() || !(t.radius > 0)) return;
+    const auto found =
+        std::find_if(mill_types.begin(), mill_types.end(), [&](const MillType& o) { return o.number == type; });
+    if (found == mill_types.end() || !(t.radius > 0)) return;
     const double corner = std::max(0.0, sum(t, {7, 16}));
     t.kind = found->kind;
     if (found->point_angle > 0) {

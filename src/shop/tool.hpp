@@ -58,6 +58,7 @@ struct TableTool {
 struct ToolBody {
     double lower_diameter = 0, upper_diameter = 0, length = 0;
 };
+[[nodiscard]] double height_of(const std::vector<ToolBody>& bodies);
 
 struct Tool {
     std::uint32_t number = 0;
@@ -115,8 +116,8 @@ struct Tool {
 /// A blade without cutting depth is 1000 mm long. With corner radii the programmed point is the sharp corner without
 /// them.
 [[nodiscard]] geom::Contour outline(const Tool& tool);
-/// The part of the outline that is there whatever was left to defaults: where `reach_given` is false, of blades inside a
-/// bore and of inserts, the corners or the nose alone. Other blades go on until their holder begins.
+/// The part of the outline that is there whatever was left to defaults: where `reach_given` is false, of blades inside
+/// a bore and of inserts, the corners or the nose alone. Other blades go on until their holder begins.
 [[nodiscard]] geom::Contour sure_outline(const Tool& tool);
 
 /// Kind by which a tool's removal is computed: its own; of `other` with a radius end mill, bull nose or ball by its

@@ -98,10 +98,6 @@ bool says_its_unit(STEPControl_Reader& reader) {
     return said;
 }
 
-std::string with(std::string text, const std::string& detail) {
-    return detail.empty() ? text : std::move(text) + ": " + detail;
-}
-
 }  // namespace
 
 ReadShape read_shape(const char* bytes, std::size_t size) {

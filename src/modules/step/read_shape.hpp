@@ -5,6 +5,7 @@
 #include <cstddef>
 #include <cstdint>
 #include <string>
+#include <utility>
 
 #include "mesh/step_module.hpp"
 
@@ -21,6 +22,11 @@ struct ReadShape {
     TopoDS_Shape shape;
     std::uint64_t complaints = 0;  ///< entries of the file that Open CASCADE did not take as they are
 };
+
+/// A text with what Open CASCADE says of it, where it says anything.
+[[nodiscard]] inline std::string with(std::string text, const std::string& detail) {
+    return detail.empty() ? text : std::move(text) + ": " + detail;
+}
 
 /// Throws Refusal, and whatever Open CASCADE throws.
 [[nodiscard]] ReadShape read_shape(const char* bytes, std::size_t size);

@@ -18,10 +18,6 @@ namespace obrys::modules::step {
 
 namespace {
 
-std::string with(std::string text, const std::string& detail) {
-    return detail.empty() ? text : std::move(text) + ": " + detail;
-}
-
 std::uint64_t count(const TopoDS_Shape& shape, TopAbs_ShapeEnum what, TopAbs_ShapeEnum outside = TopAbs_SHAPE) {
     std::uint64_t n = 0;
     for (TopExp_Explorer e(shape, what, outside); e.More(); e.Next()) ++n;

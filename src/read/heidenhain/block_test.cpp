@@ -12,16 +12,16 @@ using testing::one;
 using testing::Reading;
 
 namespace {
-const std::string line = modal(Modal::linear);
+const std::string straight = modal(Modal::linear);
 const std::string rapid = modal(Modal::rapid);
 }  // namespace
 
 TEST(KlartextBlock, StraightLines) {
-    EXPECT_EQ(one("5 L X+10 Y-2.5 Z+0"), line + " X10 Y-2.5 Z0");
-    EXPECT_EQ(one("5 L  X10   Y.5"), line + " X10 Y0.5");
-    EXPECT_EQ(one("L X+1 A-30 C+90"), line + " X1 A-30 C90");
-    EXPECT_EQ(one("5 L U+1 V+2 W+3"), line + " U1 V2 W3");
-    EXPECT_EQ(one("5 L"), line);
+    EXPECT_EQ(one("5 L X+10 Y-2.5 Z+0"), straight + " X10 Y-2.5 Z0");
+    EXPECT_EQ(one("5 L  X10   Y.5"), straight + " X10 Y0.5");
+    EXPECT_EQ(one("L X+1 A-30 C+90"), straight + " X1 A-30 C90");
+    EXPECT_EQ(one("5 L U+1 V+2 W+3"), straight + " U1 V2 W3");
+    EXPECT_EQ(one("5 L"), straight);
 }
 
 TEST(KlartextBlock, CommaAndPointAreTheSame) {
@@ -39,41 +39,41 @@ TEST(KlartextBlock, LowerCaseIsRead) {
 
 TEST(KlartextBlock, BlockNumbersAreNoMatter) {
     for (const char* number : {"", "0 ", "5 ", "0010 ", "99999 ", "  7 "})
-        EXPECT_EQ(one(std::string(number) + "L X+1"), line + " X1") << number;
-    EXPECT_EQ(one("5L X+1"), line + " X1");
+        EXPECT_EQ(one(std::string(number) + "L X+1"), straight + " X1") << number;
+    EXPECT_EQ(one("5L X+1"), straight + " X1");
     EXPECT_EQ(one("5CC X+1 Y+2"), one("5 CC X+1 Y+2"));
 }
 
 TEST(KlartextBlock, SkippedBlocks) {
-    EXPECT_EQ(one("/5 L X+1"), "/0 " + line + " X1");
-    EXPECT_EQ(one("5 /L X+1"), "/0 " + line + " X1");
-    EXPECT_EQ(one("5/ L X+1"), "/0 " + line + " X1");
-    EXPECT_EQ(Reading("/5 L X+1\n6 L X+2\n").tree(), "0 /0 " + line + " X1\n1 " + line + " X2\n");
+    EXPECT_EQ(one("/5 L X+1"), "/0 " + straight + " X1");
+    EXPECT_EQ(one("5 /L X+1"), "/0 " + straight + " X1");
+    EXPECT_EQ(one("5/ L X+1"), "/0 " + straight + " X1");
+    EXPECT_EQ(Reading("/5 L X+1\n6 L X+2\n").tree(), "0 /0 " + straight + " X1\n1 " + straight + " X2\n");
 }
 
 TEST(KlartextBlock, FeedForms) {
     for (const char* f : {"F MAX", "FMAX", "f max", "F  MAX"})
         EXPECT_EQ(one(std::string("L X+1 ") + f), rapid + " X1") << f;
-    EXPECT_EQ(one("L X+1 F 100"), line + " X1 F100");
-    EXPECT_EQ(one("L X+1 FQ5"), line + " X1 F=Q5");
-    EXPECT_EQ(one("L X+1 F AUTO"), line + " X1 F-auto");
+    EXPECT_EQ(one("L X+1 F 100"), straight + " X1 F100");
+    EXPECT_EQ(one("L X+1 FQ5"), straight + " X1 F=Q5");
+    EXPECT_EQ(one("L X+1 F AUTO"), straight + " X1 F-auto");
     EXPECT_EQ(one("L X+1 FAUTO"), one("L X+1 F AUTO"));
-    EXPECT_EQ(one("L X+1 FZ0.1"), line + " X1 FZ0.1");
-    EXPECT_EQ(one("L X+1 FU0,2"), line + " X1 FU0.2");
+    EXPECT_EQ(one("L X+1 FZ0.1"), straight + " X1 FZ0.1");
+    EXPECT_EQ(one("L X+1 FU0,2"), straight + " X1 FU0.2");
     EXPECT_EQ(one("F100"), "F100");
-    EXPECT_EQ(one("L X+1 F M"), line + " X1");  // keys pressed, nothing entered
+    EXPECT_EQ(one("L X+1 F M"), straight + " X1");  // keys pressed, nothing entered
 }
 
 TEST(KlartextBlock, IncrementalWords) {
-    EXPECT_EQ(one("L IX+10 Y-2 IZQ5"), line + " X=q1(10) Y-2 Z=q1(Q5)");
-    EXPECT_EQ(one("L IX-Q5"), line + " X=q1((neg Q5))");
-    EXPECT_EQ(one("IZ-3"), line + " " + modal(Modal::paraxial) + " Z=q1(-3)");
+    EXPECT_EQ(one("L IX+10 Y-2 IZQ5"), straight + " X=q1(10) Y-2 Z=q1(Q5)");
+    EXPECT_EQ(one("L IX-Q5"), straight + " X=q1((neg Q5))");
+    EXPECT_EQ(one("IZ-3"), straight + " " + modal(Modal::paraxial) + " Z=q1(-3)");
 }
 
 TEST(KlartextBlock, PolarWords) {
-    EXPECT_EQ(one("LP PR+10 PA+30"), line + " RP10 AP30");
-    EXPECT_EQ(one("LP IPA+30"), line + " AP=q1(30)");
-    EXPECT_EQ(one("LP IPR-1"), line + " RP=q1(-1)");
+    EXPECT_EQ(one("LP PR+10 PA+30"), straight + " RP10 AP30");
+    EXPECT_EQ(one("LP IPA+30"), straight + " AP=q1(30)");
+    EXPECT_EQ(one("LP IPR-1"), straight + " RP=q1(-1)");
     const std::string arc = modal(Modal::arc_same_sense) + " about-pole";
     EXPECT_EQ(one("CP PA+90 DR+"), arc + " AP90 " + modal(Modal::arc_ccw));
     EXPECT_EQ(one("CP IPA-720 IZ-5 DR-"), arc + " pole-angle-720 Z=q1(-5) " + modal(Modal::arc_cw));
@@ -94,26 +94,26 @@ TEST(KlartextBlock, Arcs) {
     EXPECT_EQ(one("CR X+1 Y+2 R5 R0 DR+"), same + " X1 Y2 CR5 " + modal(Modal::compensation_off) + " " + ccw);
     EXPECT_EQ(one("CT X+1 Y+2"), modal(Modal::arc_tangent) + " X1 Y2");
     EXPECT_EQ(complaint("C X+1 Y+2 DR"), "DR needs the sense of rotation");
-    EXPECT_EQ(one("C+90"), line + " " + modal(Modal::paraxial) + " C90");  // the axis C alone
+    EXPECT_EQ(one("C+90"), straight + " " + modal(Modal::paraxial) + " C90");  // the axis C alone
 }
 
 TEST(KlartextBlock, Compensation) {
-    EXPECT_EQ(one("L X+1 R0"), line + " X1 " + modal(Modal::compensation_off));
-    EXPECT_EQ(one("L X+1 RL"), line + " X1 " + modal(Modal::compensation_left));
-    EXPECT_EQ(one("L X+1 RR"), line + " X1 " + modal(Modal::compensation_right));
+    EXPECT_EQ(one("L X+1 R0"), straight + " X1 " + modal(Modal::compensation_off));
+    EXPECT_EQ(one("L X+1 RL"), straight + " X1 " + modal(Modal::compensation_left));
+    EXPECT_EQ(one("L X+1 RR"), straight + " X1 " + modal(Modal::compensation_right));
     EXPECT_EQ(one("L X+1 R F MAX"), rapid + " X1");
-    EXPECT_EQ(one("X+1 R+"), line + " " + modal(Modal::paraxial) + " X1 " + modal(Modal::paraxial_longer));
+    EXPECT_EQ(one("X+1 R+"), straight + " " + modal(Modal::paraxial) + " X1 " + modal(Modal::paraxial_longer));
     EXPECT_EQ(one("X+1 R- F100"),
-              line + " " + modal(Modal::paraxial) + " X1 " + modal(Modal::paraxial_shorter) + " F100");
+              straight + " " + modal(Modal::paraxial) + " X1 " + modal(Modal::paraxial_shorter) + " F100");
     EXPECT_EQ(one("X+1 R0 FMAX"), rapid + " " + modal(Modal::paraxial) + " X1 " + modal(Modal::compensation_off));
     EXPECT_EQ(complaint("L X+1 RX"), "R0, RL, RR, R+ or R- is due here, found 'X'");
 }
 
 TEST(KlartextBlock, ChamferAndRoundingBelongToTheElementBefore) {
     EXPECT_EQ(Reading("1 L X+1\n2 RND R5 F20\n3 L Y+1\n").tree(),
-              "0 " + line + " X1 RND5 FRC20\n1 \n2 " + line + " Y1\n");
-    EXPECT_EQ(Reading("1 L X+1\n2 CHF 2,5\n").tree(), "0 " + line + " X1 CHR2.5\n1 \n");
-    EXPECT_EQ(Reading("1 L X+1\n2 RND RQ3\n").tree(), "0 " + line + " X1 RND=Q3\n1 \n");
+              "0 " + straight + " X1 RND5 FRC20\n1 \n2 " + straight + " Y1\n");
+    EXPECT_EQ(Reading("1 L X+1\n2 CHF 2,5\n").tree(), "0 " + straight + " X1 CHR2.5\n1 \n");
+    EXPECT_EQ(Reading("1 L X+1\n2 RND RQ3\n").tree(), "0 " + straight + " X1 RND=Q3\n1 \n");
     EXPECT_EQ(complaint("1 Q1 = 1\n2 RND R5"), "a chamfer or rounding needs a contour element directly before it");
     EXPECT_EQ(complaint("1 L X+1\n2 RND 10"), "RND has no R before its radius");
     EXPECT_EQ(complaint("1 L X+1\n2 CHF R3"), "CHF has no R: its length stands behind it");
@@ -121,15 +121,15 @@ TEST(KlartextBlock, ChamferAndRoundingBelongToTheElementBefore) {
 }
 
 TEST(KlartextBlock, MFunctions) {
-    EXPECT_EQ(one("L X+1 M3"), line + " X1 M3");
-    EXPECT_EQ(one("L M03"), line + " M3");
+    EXPECT_EQ(one("L X+1 M3"), straight + " X1 M3");
+    EXPECT_EQ(one("L M03"), straight + " M3");
     EXPECT_EQ(one("M5 M9"), "M5 M9");
-    EXPECT_EQ(one("L X+1 M13"), line + " X1 M3 M8");
-    EXPECT_EQ(one("L X+1 M14"), line + " X1 M4 M8");
-    EXPECT_EQ(one("L Z-1 M91"), line + " Z-1 " + modal(Modal::suppress_all));
-    EXPECT_EQ(one("L X+1 M99"), line + " X1 cycle-call");
-    EXPECT_EQ(one("L X+1 MQ5"), line + " X1 M=Q5");
-    EXPECT_EQ(one("L X+1 M"), line + " X1");
+    EXPECT_EQ(one("L X+1 M13"), straight + " X1 M3 M8");
+    EXPECT_EQ(one("L X+1 M14"), straight + " X1 M4 M8");
+    EXPECT_EQ(one("L Z-1 M91"), straight + " Z-1 " + modal(Modal::suppress_all));
+    EXPECT_EQ(one("L X+1 M99"), straight + " X1 cycle-call");
+    EXPECT_EQ(one("L X+1 MQ5"), straight + " X1 M=Q5");
+    EXPECT_EQ(one("L X+1 M"), straight + " X1");
     EXPECT_EQ(complaint("L X+1 M3.5"), "M needs the whole number of a function");
 }
 
@@ -173,19 +173,19 @@ TEST(KlartextBlock, StopStopsAndShowsTheCommentBehindIt) {
               "0 " + modal(Modal::program_stop) +
                   "\n1 procedure 0(\"tool \xC3\xBC"
                   "ber\")\n2 " +
-                  line + " X1\n");
+                  straight + " X1\n");
 }
 
 TEST(KlartextBlock, CommentsAndStructureBlocks) {
     EXPECT_EQ(Reading("1 ; X+5\n;\n3 * - chapter\n* another\n").tree(), "");
-    EXPECT_EQ(one("L X+1 ; Y+2"), line + " X1");
-    EXPECT_EQ(one("L X+1;Y+2"), line + " X1");
+    EXPECT_EQ(one("L X+1 ; Y+2"), straight + " X1");
+    EXPECT_EQ(one("L X+1;Y+2"), straight + " X1");
     EXPECT_EQ(Reading("1 * - chapter\n2 L X+1\n").messages(), "");
 }
 
 TEST(KlartextBlock, MisspeltWordsAreSaidWithTheirPlace) {
     EXPECT_EQ(Reading("5 L X+1\n6 LINE X+5\n").tree(),
-              "0 " + line + " X1\n1 unknown{LINE X+5|no block begins with 'LINE'}\n");
+              "0 " + straight + " X1\n1 unknown{LINE X+5|no block begins with 'LINE'}\n");
     EXPECT_EQ(Reading("5 CALLL LBL 1\n").tree(), "0 unknown{CALLL LBL 1|no block begins with 'CALLL'}\n");
     EXPECT_EQ(Reading("5 XYZ+5\n").tree(), "0 unknown{XYZ+5|no block begins with 'XYZ+5'}\n");
     EXPECT_EQ(Reading("5 FMXA\n").tree(), "0 unknown{FMXA|no block begins with 'FMXA'}\n");
@@ -205,8 +205,8 @@ TEST(KlartextBlock, NumbersTheControlCannotHold) {
     EXPECT_EQ(one("Q1 = 1E-999"), "Q1=0r");
     EXPECT_EQ(one("Q1 = 2.5E+2"), "Q1=250r");
     EXPECT_EQ(one("Q1 = 2.5E-002"), "Q1=0.025r");
-    EXPECT_EQ(one("L X+12345678901.25"), line + " X12345678901.25");
-    EXPECT_EQ(one("L X+1.12345678901"), line + " X1.12345678901");
+    EXPECT_EQ(one("L X+12345678901.25"), straight + " X12345678901.25");
+    EXPECT_EQ(one("L X+1.12345678901"), straight + " X1.12345678901");
 }
 
 }  // namespace obrys::read::heidenhain

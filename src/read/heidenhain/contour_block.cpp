@@ -11,7 +11,7 @@ using program::ContourOperator;
 using program::ContourPart;
 using program::ContourStatement;
 using program::no_expr;
-using Kind = ContourStatement::Kind;
+using ContourKind = ContourStatement::Kind;
 
 namespace {
 
@@ -46,7 +46,7 @@ void read_part(State& s, ContourStatement& c) {
 }
 
 /// The number of QC1; -1 after a complaint.
-int read_number(State& s) {
+int read_contour_number(State& s) {
     if (!s.in.take_prefix("QC")) {
         fail_here(s, "a contour (QC with a number) is due here, found " + here(s));
         return -1;
@@ -75,7 +75,7 @@ std::uint32_t read_operand(State& s, ContourStatement& c, int depth) {
     s.in.skip_blanks();
     const std::uint32_t begin = s.in.at();
     if (!s.in.take('(')) {
-        const int number = read_number(s);
+        const int number = read_contour_number(s);
         return add(c, {ContourOperator::contour, static_cast<std::uint32_t>(std::max(number, 0)), 0, 0});
     }
     if (depth >= most_nested) fail(s, begin, "the parentheses of this formula are nested too deep");
@@ -101,28 +101,30 @@ std::uint32_t read_formula(State& s, ContourStatement& c, int depth) {
 
 void read_own(State& s, ContourStatement& c) {
     switch (c.kind) {
-        case Kind::definition:
+        case ContourKind::definition:
             if (s.in.at_end()) return fail_here(s, "CONTOUR DEF needs a contour: P1 = LBL 1, P1 = \"NAME.H\"");
             while (!s.failed && !s.in.at_end()) read_part(s, c);
             return;
-        case Kind::selection: c.program = read_file_name(s, "the name of a program is due behind SEL CONTOUR"); return;
-        case Kind::declaration:
-        case Kind::formula: break;
+        case ContourKind::selection:
+            c.program = read_file_name(s, "the name of a program is due behind SEL CONTOUR");
+            return;
+        case ContourKind::declaration:
+        case ContourKind::formula: break;
     }
     s.in.skip_blanks();
     const std::uint32_t begin = s.in.at();
-    const int number = read_number(s);
+    const int number = read_contour_number(s);
     if (s.failed) return;
     c.number = static_cast<std::uint32_t>(number);
     if (!s.in.take('=')) return fail_here(s, "'=' is due here, found " + here(s));
-    if (c.kind == Kind::formula) return static_cast<void>(read_formula(s, c, 0));
+    if (c.kind == ContourKind::formula) return static_cast<void>(read_formula(s, c, 0));
     ContourPart part;
     part.number = c.number;
     read_source(s, part, begin);
     c.parts.push_back(part);
 }
 
-void read_statement(State& s, Kind kind) {
+void read_statement(State& s, ContourKind kind) {
     ContourStatement c;
     c.kind = kind;
     const std::size_t index = s.build.unit().contours.size();
@@ -139,12 +141,13 @@ void read_statement(State& s, Kind kind) {
 
 bool read_contour_block(State& s, std::string_view word) {
     const std::uint32_t begin = s.in.at();
-    if (base::equals_ignoring_case(word, "QC")) return read_statement(s, Kind::formula), true;
-    if (s.in.take_word("CONTOUR") && s.in.take_word("DEF")) return read_statement(s, Kind::definition), true;
+    if (base::equals_ignoring_case(word, "QC")) return read_statement(s, ContourKind::formula), true;
+    if (s.in.take_word("CONTOUR") && s.in.take_word("DEF")) return read_statement(s, ContourKind::definition), true;
     s.in.go_to(begin);
-    if (s.in.take_word("SEL") && s.in.take_word("CONTOUR")) return read_statement(s, Kind::selection), true;
+    if (s.in.take_word("SEL") && s.in.take_word("CONTOUR")) return read_statement(s, ContourKind::selection), true;
     s.in.go_to(begin);
-    if (s.in.take_word("DECLARE") && s.in.take_word("CONTOUR")) return read_statement(s, Kind::declaration), true;
+    if (s.in.take_word("DECLARE") && s.in.take_word("CONTOUR"))
+        return read_statement(s, ContourKind::declaration), true;
     s.in.go_to(begin);
     return false;
 }

@@ -10,27 +10,21 @@
 
 namespace obrys::read::heidenhain {
 
-namespace dialect = obrys::dialect::heidenhain;
 using program::no_expr;
 
-namespace {
-
-program::CycleDefinition& open_cycle(State& s) { return s.build.unit().cycles[s.open_cycle]; }
-
-}  // namespace
-
-void add_setting(State& s, const dialect::CycleParameter& p, ExprId value, bool incremental, std::uint32_t begin) {
+void add_setting(State& s, const dialect::heidenhain::CycleParameter& p, ExprId value, bool incremental,
+                 std::uint32_t begin) {
     program::CycleSetting setting;
     setting.role = p.role;
     setting.value = value;
     setting.incremental = incremental;
-    setting.scales = p.unit == dialect::CycleUnit::length;
-    setting.is_feed = p.unit == dialect::CycleUnit::feed;
+    setting.scales = p.unit == dialect::heidenhain::CycleUnit::length;
+    setting.is_feed = p.unit == dialect::heidenhain::CycleUnit::feed;
     setting.where = s.build.span(begin, s.in.at());
     open_cycle(s).settings.push_back(setting);
 }
 
-void start_cycle(State& s, int number, const dialect::Cycle* cycle, std::uint32_t begin) {
+void start_cycle(State& s, int number, const dialect::heidenhain::Cycle* cycle, std::uint32_t begin) {
     program::CycleDefinition c;
     c.name = "CYCL DEF " + std::to_string(number);
     c.where = s.build.span(begin, s.in.at());
@@ -78,7 +72,7 @@ void read_setting(State& s, program::CycleSetting& setting) {
 /// A value of GLOBAL DEF, in the unit that the parameter has in the cycles.
 void add_global(State& s, program::CycleSetting setting) {
     program::CycleDefinition& c = open_cycle(s);
-    if (!dialect::is_global_value(number_of(c), static_cast<int>(setting.parameter)))
+    if (!dialect::heidenhain::is_global_value(number_of(c), static_cast<int>(setting.parameter)))
         s.build.problem(Code::unsupported, setting.where.begin, setting.where.end,
                         "this parameter does not belong to " + c.name);
     c.settings.push_back(setting);
@@ -101,15 +95,15 @@ bool read_parameter_line(State& s) {
     setting.parameter = e.a;
     setting.where = s.build.span(begin, s.in.at());
     if (c.kind == program::CycleKind::global_values) return add_global(s, setting), true;
-    const dialect::Cycle* known = dialect::find_cycle(number_of(c));
-    const dialect::CycleParameter* p =
-        known == nullptr ? nullptr : dialect::find_parameter(*known, static_cast<int>(e.a));
+    const dialect::heidenhain::Cycle* known = dialect::heidenhain::find_cycle(number_of(c));
+    const dialect::heidenhain::CycleParameter* p =
+        known == nullptr ? nullptr : dialect::heidenhain::find_parameter(*known, static_cast<int>(e.a));
     if (std::any_of(c.settings.begin(), c.settings.end(), [&](const auto& x) { return x.parameter == e.a; }))
         return fail(s, begin, "this parameter stands twice in " + c.name), true;
     if (p != nullptr) {
         setting.role = p->role;
-        setting.scales = p->unit == dialect::CycleUnit::length;
-        setting.is_feed = p->unit == dialect::CycleUnit::feed;
+        setting.scales = p->unit == dialect::heidenhain::CycleUnit::length;
+        setting.is_feed = p->unit == dialect::heidenhain::CycleUnit::feed;
         c.settings.push_back(setting);
         return true;
     }
@@ -148,7 +142,7 @@ void read_name_word(State& s) {
 }
 
 /// The cycle has a value for this already.
-bool stands_twice(State& s, const dialect::CycleParameter& p, std::uint32_t begin) {
+bool stands_twice(State& s, const dialect::heidenhain::CycleParameter& p, std::uint32_t begin) {
     const auto& settings = open_cycle(s).settings;
     if (std::none_of(settings.begin(), settings.end(), [&](const auto& x) { return x.role == p.role; })) return false;
     fail(s, begin, "this value stands twice in " + open_cycle(s).name);
@@ -196,11 +190,12 @@ std::string read_keyword(State& s) {
 }
 
 /// Axes without values: CYCL DEF 8.1 X Y.
-void read_axes_alone(State& s, const dialect::Cycle& cycle, int line, const std::string& words, std::uint32_t begin) {
+void read_axes_alone(State& s, const dialect::heidenhain::Cycle& cycle, int line, const std::string& words,
+                     std::uint32_t begin) {
     for (const char c : words) {
         if (base::is_blank(c)) continue;
         const auto* p = cycle.kind == program::CycleKind::mirror
-                            ? dialect::find_parameter(cycle, line, std::string_view(&c, 1))
+                            ? dialect::heidenhain::find_parameter(cycle, line, std::string_view(&c, 1))
                             : nullptr;
         if (p == nullptr)
             return fail(s, begin, "the word '" + words + "' has no value: a number or a Q parameter must follow");
@@ -248,7 +243,7 @@ ExprId read_sense(State& s) {
     return s.build.number(sign == '+' ? 1 : -1, true, begin, s.in.at());
 }
 
-void read_numbered_line(State& s, const dialect::Cycle& cycle, int line) {
+void read_numbered_line(State& s, const dialect::heidenhain::Cycle& cycle, int line) {
     using program::CycleKind;
     while (line == 0 && !s.failed && !s.in.at_end()) read_name_word(s);
     if (line == 0) return s.in.skip_block();
@@ -258,11 +253,11 @@ void read_numbered_line(State& s, const dialect::Cycle& cycle, int line) {
         const std::uint32_t begin = s.in.at();
         std::string word = read_keyword(s);
         if (s.in.at_end()) return read_axes_alone(s, cycle, line, word, begin);
-        const dialect::CycleParameter* p = dialect::find_parameter(cycle, line, word);
+        const dialect::heidenhain::CycleParameter* p = dialect::heidenhain::find_parameter(cycle, line, word);
         const bool incremental = p == nullptr && word.size() > 1 && word[0] == 'I' &&
-                                 dialect::find_parameter(cycle, line, word.substr(1)) != nullptr;
-        if (incremental) p = dialect::find_parameter(cycle, line, word.substr(1));
-        if (p == nullptr) p = dialect::find_parameter_at(cycle, line, n);
+                                 dialect::heidenhain::find_parameter(cycle, line, word.substr(1)) != nullptr;
+        if (incremental) p = dialect::heidenhain::find_parameter(cycle, line, word.substr(1));
+        if (p == nullptr) p = dialect::heidenhain::find_parameter_at(cycle, line, n);
         const ExprId value = p != nullptr && p->role == program::CycleRole::direction ? read_sense(s) : value_expr(s);
         if (s.failed || (p != nullptr && stands_twice(s, *p, begin))) return;
         if (p != nullptr)
@@ -272,7 +267,7 @@ void read_numbered_line(State& s, const dialect::Cycle& cycle, int line) {
     }
 }
 
-void read_definition(State& s, std::uint32_t begin) {
+void read_cycle_definition(State& s, std::uint32_t begin) {
     s.in.skip_blanks();
     const base::NumberScan n = s.in.number();
     if (n.length == 0 || !n.decimal || n.value >= 1000) {
@@ -281,7 +276,7 @@ void read_definition(State& s, std::uint32_t begin) {
         return;
     }
     const int number = base::clipped<int>(n.value, 0, 999);
-    const dialect::Cycle* cycle = dialect::find_cycle(number);
+    const dialect::heidenhain::Cycle* cycle = dialect::heidenhain::find_cycle(number);
     if (n.integer) {
         start_cycle(s, number, cycle, begin);
         return read_named(s);
@@ -303,7 +298,7 @@ void read_definition(State& s, std::uint32_t begin) {
     read_numbered_line(s, *cycle, line);
 }
 
-void read_call(State& s, std::uint32_t begin) {
+void read_cycle_call(State& s, std::uint32_t begin) {
     s.build.statement(StatementKind::block, s.block);
     const bool pattern = s.in.take_word("PAT");
     if (pattern || s.in.take_word("POS")) {
@@ -334,7 +329,7 @@ void read_global_values(State& s) {
     start_cycle(s, number, nullptr, begin);
     program::CycleDefinition& c = open_cycle(s);
     c.name = "GLOBAL DEF " + std::to_string(number);
-    if (!dialect::global_values_name(number).empty()) {
+    if (!dialect::heidenhain::global_values_name(number).empty()) {
         c.kind = program::CycleKind::global_values;
         c.use = program::CycleUse::run;
     }
@@ -343,8 +338,8 @@ void read_global_values(State& s) {
 
 void read_cycle_block(State& s) {
     const std::uint32_t begin = s.block;
-    if (s.in.take_word("DEF")) return read_definition(s, begin);
-    if (s.in.take_word("CALL")) return read_call(s, s.in.at());
+    if (s.in.take_word("DEF")) return read_cycle_definition(s, begin);
+    if (s.in.take_word("CALL")) return read_cycle_call(s, s.in.at());
     s.build.statement(StatementKind::block, s.block);
     fail_here(s, "DEF or CALL is due behind CYCL, found " + here(s));
 }

@@ -9,14 +9,12 @@ using program::Function;
 using program::Modal;
 using program::SystemVariable;
 using testing::complaint;
+using testing::f;
 using testing::modal;
 using testing::one;
 using testing::Reading;
 
 namespace {
-std::string f(Function name, const std::string& arguments) {
-    return "f" + std::to_string(static_cast<int>(name)) + "(" + arguments + ")";
-}
 std::string system(const std::string& words, program::SystemVariable v, const std::string& index) {
     return "SYSREAD " + words + "#" + std::to_string(static_cast<int>(v)) + index;
 }

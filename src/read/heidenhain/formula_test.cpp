@@ -6,14 +6,12 @@
 namespace obrys::read::heidenhain {
 
 using testing::complaint;
+using testing::f;
 using testing::one;
 using testing::Reading;
 
 namespace {
 
-std::string f(program::Function name, const std::string& arguments) {
-    return "f" + std::to_string(static_cast<int>(name)) + "(" + arguments + ")";
-}
 /// The right side of an assignment.
 std::string value(const std::string& formula) {
     const std::string tree = one("5 Q1 = " + formula);

@@ -15,12 +15,6 @@ using program::Operator;
 
 namespace {
 
-bool expect(State& s, std::string_view word) {
-    if (s.in.take_prefix(word)) return true;
-    fail_here(s, "'" + std::string(word) + "' is due here, found " + here(s));
-    return false;
-}
-
 /// The parameter that is assigned, and `=`.
 ExprId target(State& s) {
     s.in.skip_blanks();

@@ -7,16 +7,16 @@
 
 namespace obrys::read::heidenhain {
 
-namespace dialect = obrys::dialect::heidenhain;
-
 bool IsoBlock::has_any(std::string_view any) const {
     return std::any_of(any.begin(), any.end(), [&](char c) { return has(c); });
 }
 bool IsoBlock::has_g(int number) const { return std::find(g.begin(), g.end(), number) != g.end(); }
 
-const dialect::GCode* IsoBlock::cycle() const {
+const dialect::heidenhain::GCode* IsoBlock::cycle() const {
     for (const int n : g)
-        if (const dialect::GCode* code = dialect::find_g(n); code != nullptr && code->cycle != 0) return code;
+        if (const dialect::heidenhain::GCode* code = dialect::heidenhain::find_g(n);
+            code != nullptr && code->cycle != 0)
+            return code;
     return nullptr;
 }
 
@@ -61,7 +61,7 @@ void modal_statement(State& s, Modal m) {
 }
 
 /// `N10`, `/N10` and `N10 /`.
-void read_number(State& s) {
+void read_iso_number(State& s) {
     std::uint8_t skip = s.in.take('/') ? 1 : 0;
     s.in.skip_blanks();
     s.numbered = base::upper(s.in.peek()) == 'N' && base::is_digit(s.in.peek(1));
@@ -115,7 +115,7 @@ void read_percent(State& s) {
 }
 
 /// L1,0 calls a subprogram, L1,5 repeats a section five times more.
-void read_label_call(State& s) {
+void read_iso_label_call(State& s) {
     s.in.step();
     const ExprId label = read_label_name(s);
     if (s.failed) return;
@@ -135,7 +135,7 @@ void read_label_call(State& s) {
 }
 
 /// G30 G17 X+0 Y+0 Z-40, G31 G90 X+100 Y+100 Z+0.
-void read_blank(State& s, const IsoBlock& b) {
+void read_iso_blank(State& s, const IsoBlock& b) {
     const bool least = b.has_g(30);
     s.build.statement(StatementKind::block, s.block);
     program::Blank& blank = blank_of(s.build.unit());
@@ -250,7 +250,7 @@ void read_smooth(State& s, bool departure) {
 }
 
 /// A measuring block: its words are its own.
-void read_refused(State& s, const dialect::GCode& g) {
+void read_refused(State& s, const dialect::heidenhain::GCode& g) {
     const std::uint32_t begin = s.in.at();
     s.build.statement(StatementKind::block, s.block);
     s.in.skip_block();
@@ -261,12 +261,12 @@ void read_by_codes(State& s, const IsoBlock& b) {
     if (b.has_g(98)) return read_label(s, b);
     if (b.has_g(24) || b.has_g(25)) return read_corner_code(s);
     if (b.has_g(26) || b.has_g(27)) return read_smooth(s, b.has_g(27));
-    if (b.has_g(30) || b.has_g(31)) return read_blank(s, b);
+    if (b.has_g(30) || b.has_g(31)) return read_iso_blank(s, b);
     if (b.has_g(51) || b.has_g(99)) return read_tool_definition(s, b.has_g(51));
-    if (const dialect::GCode* g = b.cycle()) return read_iso_cycle(s, *g);
+    if (const dialect::heidenhain::GCode* g = b.cycle()) return read_iso_cycle(s, *g);
     for (const int n : b.g)
-        if (const dialect::GCode* g = dialect::find_g(n);
-            g != nullptr && g->use == dialect::Use::refused && g->block_only)
+        if (const dialect::heidenhain::GCode* g = dialect::heidenhain::find_g(n);
+            g != nullptr && g->use == dialect::heidenhain::Use::refused && g->block_only)
             return read_refused(s, *g);
     read_iso_words(s, b);
 }
@@ -274,7 +274,7 @@ void read_by_codes(State& s, const IsoBlock& b) {
 void read_content(State& s, const IsoBlock& b) {
     const char c = base::upper(s.in.peek());
     if (c == '%') return read_percent(s);
-    if (c == 'L') return read_label_call(s);
+    if (c == 'L') return read_iso_label_call(s);
     if (c == 'D') return read_iso_function(s);
     if (c == 'Q' && stands_parameter(s)) return read_assignment(s);
     if (base::equals_ignoring_case(s.in.letters(), "PLANE"))  // written as in Klartext
@@ -305,7 +305,7 @@ void read_iso_block(State& s) {
     s.statements = s.build.unit().statements.size();
     const std::uint32_t last_path = s.last_path;
     const bool after_stop = s.after_stop, ended_by_star = s.iso.ended_by_star;
-    read_number(s);
+    read_iso_number(s);
     s.iso.ended_by_star = false;
     if (s.in.peek() == ';') return read_comment(s, after_stop);
     s.after_stop = false;

@@ -6,13 +6,10 @@
 
 namespace obrys::read::heidenhain {
 
-namespace dialect = obrys::dialect::heidenhain;
 using program::CycleKind;
 using program::CycleRole;
 
 namespace {
-
-program::CycleDefinition& open_cycle(State& s) { return s.build.unit().cycles[s.open_cycle]; }
 
 /// Letter, or P and its two digits; moves behind it.
 std::string word_name(State& s) {
@@ -30,10 +27,10 @@ void not_of_cycle(State& s, std::uint32_t begin, const std::string& word) {
 }
 
 /// An axis: with its value, or alone (mirror image).
-void read_axis(State& s, const dialect::Cycle& cycle, char letter, std::uint32_t begin) {
-    const dialect::CycleParameter* p = nullptr;
+void read_axis(State& s, const dialect::heidenhain::Cycle& cycle, char letter, std::uint32_t begin) {
+    const dialect::heidenhain::CycleParameter* p = nullptr;
     for (int line = 0; line < 10 && p == nullptr; ++line)
-        p = dialect::find_parameter(cycle, line, std::string_view(&letter, 1));
+        p = dialect::heidenhain::find_parameter(cycle, line, std::string_view(&letter, 1));
     if (p == nullptr) return not_of_cycle(s, begin, std::string(1, letter));
     if (cycle.kind == CycleKind::mirror)
         return add_setting(s, *p, s.build.number(1, true, begin, s.in.at()), false, begin);
@@ -43,9 +40,9 @@ void read_axis(State& s, const dialect::Cycle& cycle, char letter, std::uint32_t
 }
 
 /// P05 X+80: a side of a pocket says its axis.
-void read_word(State& s, const dialect::Cycle& cycle, std::uint32_t begin) {
+void read_word(State& s, const dialect::heidenhain::Cycle& cycle, std::uint32_t begin) {
     const std::string name = word_name(s);
-    const dialect::CycleParameter* p = dialect::find_iso_parameter(cycle, name);
+    const dialect::heidenhain::CycleParameter* p = dialect::heidenhain::find_iso_parameter(cycle, name);
     if (p == nullptr) {
         if (axis_of(name[0])) return read_axis(s, cycle, name[0], begin);
         return not_of_cycle(s, begin, name);
@@ -85,7 +82,7 @@ void read_program(State& s) {
     open_cycle(s).texts.push_back(s.build.text(called_name(path, ".I"), begin, s.in.at()));
 }
 
-void read_words(State& s, const dialect::Cycle& cycle) {
+void read_words(State& s, const dialect::heidenhain::Cycle& cycle) {
     while (!s.failed && !s.in.at_end()) {
         const std::uint32_t begin = s.in.at();
         const char c = base::upper(s.in.peek());
@@ -107,12 +104,12 @@ void read_words(State& s, const dialect::Cycle& cycle) {
 }
 
 /// G75 … G78, G58, G59 say the sense of rotation, which Klartext asks for among the other values.
-void add_direction(State& s, const dialect::GCode& g, const dialect::Cycle& cycle) {
-    const auto known = dialect::find_iso_cycle(g.number);
+void add_direction(State& s, const dialect::heidenhain::GCode& g, const dialect::heidenhain::Cycle& cycle) {
+    const auto known = dialect::heidenhain::find_iso_cycle(g.number);
     if (!known || known->direction == 0) return;
     auto& settings = open_cycle(s).settings;
     bool behind = false;
-    for (const dialect::CycleParameter& p : cycle.parameters) {
+    for (const dialect::heidenhain::CycleParameter& p : cycle.parameters) {
         if (p.role == CycleRole::direction) {
             const std::uint32_t at = s.in.at();
             add_setting(s, p, s.build.number(known->direction, true, s.block, at), false, s.block);
@@ -126,13 +123,15 @@ void add_direction(State& s, const dialect::GCode& g, const dialect::Cycle& cycl
     }
 }
 
-bool is_named(const dialect::Cycle& cycle) { return !cycle.parameters.empty() && cycle.parameters.front().q >= 0; }
+bool is_named(const dialect::heidenhain::Cycle& cycle) {
+    return !cycle.parameters.empty() && cycle.parameters.front().q >= 0;
+}
 
 }  // namespace
 
-void read_iso_cycle(State& s, const dialect::GCode& g) {
+void read_iso_cycle(State& s, const dialect::heidenhain::GCode& g) {
     const std::uint32_t begin = s.in.at();
-    const dialect::Cycle* cycle = dialect::find_cycle(g.cycle);
+    const dialect::heidenhain::Cycle* cycle = dialect::heidenhain::find_cycle(g.cycle);
     while (base::upper(s.in.peek()) == 'G') {  // G90 and G91 may stand in front
         const std::uint32_t word = s.in.at();
         const int n = read_code(s);

@@ -55,7 +55,7 @@ void assignment(State& s, int n) {
 }
 
 /// D18 Q1 P01 210 P02 4 P03 3: ID, NR and, where one is needed, IDX.
-void system_read(State& s) {
+void iso_system_read(State& s) {
     s.build.statement(StatementKind::block, s.block);
     s.in.skip_blanks();
     const ExprId to = read_parameter(s);
@@ -72,7 +72,7 @@ void system_read(State& s) {
     read_assigned(s, to, system_datum(s, numbers[0], numbers[1], numbers[2], begin));
 }
 
-void condition(State& s, int n) {
+void iso_condition(State& s, int n) {
     if (!take_p(s, 1)) return;
     s.in.skip_blanks();
     const std::uint32_t begin = s.in.at();
@@ -84,7 +84,7 @@ void condition(State& s, int n) {
     if (take_p(s, 3)) read_goto(s, test);
 }
 
-void error(State& s, std::uint32_t begin) {
+void iso_error(State& s, std::uint32_t begin) {
     if (!take_p(s, 1)) return;
     const ExprId number = value_expr(s);
     if (!s.failed) stop_with_error(s, number, begin);
@@ -108,9 +108,9 @@ void read_iso_function(State& s) {
         return read_numbered(s, n, begin);
     }
     if (values_of(n) > 0) return assignment(s, n);
-    if (comparison_of(n)) return condition(s, n);
-    if (n == 14) return error(s, begin);
-    if (n == 18) return system_read(s);
+    if (comparison_of(n)) return iso_condition(s, n);
+    if (n == 14) return iso_error(s, begin);
+    if (n == 18) return iso_system_read(s);
     s.build.statement(StatementKind::block, s.block);
     leave_function(s, n, begin);
 }

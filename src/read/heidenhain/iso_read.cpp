@@ -56,7 +56,7 @@ program::Unit read_iso(std::uint32_t file, const base::Sources& sources, program
 
 int iso_likelihood(std::string_view text, std::string_view file_name, std::vector<std::string>* signs) {
     int score = base::to_upper(file_name).ends_with(".I") ? 30 : 0;
-    const std::string upper = base::to_upper(text.substr(0, 65536));
+    const std::string upper = base::to_upper(text.substr(0, base::telling_bytes));
     int lines = 0, stars = 0, own = 0;
     for (std::size_t at = 0; at < upper.size();) {
         const std::size_t end = std::min(upper.find('\n', at), upper.size());

@@ -12,23 +12,31 @@ using program::Reference;
 
 namespace {
 
-enum class Family : std::uint8_t { unknown, straight, arc, tangential, polar_straight, polar_arc, polar_tangential };
+enum class MotionFamily : std::uint8_t {
+    unknown,
+    straight,
+    arc,
+    tangential,
+    polar_straight,
+    polar_arc,
+    polar_tangential
+};
 
-Family family_of(int motion) {
+MotionFamily family_of(int motion) {
     switch (motion) {
         case 0:
-        case 1: return Family::straight;
+        case 1: return MotionFamily::straight;
         case 2:
         case 3:
-        case 5: return Family::arc;
-        case 6: return Family::tangential;
+        case 5: return MotionFamily::arc;
+        case 6: return MotionFamily::tangential;
         case 10:
-        case 11: return Family::polar_straight;
+        case 11: return MotionFamily::polar_straight;
         case 12:
         case 13:
-        case 15: return Family::polar_arc;
-        case 16: return Family::polar_tangential;
-        default: return Family::unknown;
+        case 15: return MotionFamily::polar_arc;
+        case 16: return MotionFamily::polar_tangential;
+        default: return MotionFamily::unknown;
     }
 }
 
@@ -48,13 +56,13 @@ Modal modal_of(int motion, bool rapid) {
     }
 }
 
-constexpr std::string_view axes = "XYZABCUVW", poles = "IJK";
+constexpr std::string_view axis_letters = "XYZABCUVW", pole_letters = "IJK";
 
 /// G codes that hold for the block's words wherever they stand in it. True where one says how the tool moves.
 bool take_modal_codes(State& s, const IsoBlock& b) {
     bool moves = false;
     for (const int g : b.g) {
-        if (family_of(g) != Family::unknown) {
+        if (family_of(g) != MotionFamily::unknown) {
             s.iso.motion = g;
             moves = true;
         }
@@ -74,7 +82,7 @@ void read_pole(State& s) {
     while (!s.failed && !s.in.at_end()) {
         const std::uint32_t begin = s.in.at();
         const char c = base::upper(s.in.peek());
-        const auto k = poles.find(c);
+        const auto k = pole_letters.find(c);
         s.in.step();
         if (k != std::string_view::npos) {
             coordinate_word(s, static_cast<Code>(static_cast<std::size_t>(Code::x) + k), begin,
@@ -99,8 +107,8 @@ void read_pole(State& s) {
 
 /// The path function of the block; true where it moves.
 bool write_motion(State& s, const IsoBlock& b, bool given) {
-    const Family family = family_of(s.iso.motion);
-    const bool moves = b.has_any(axes) || b.has('H') || (b.has('R') && family > Family::straight);
+    const MotionFamily family = family_of(s.iso.motion);
+    const bool moves = b.has_any(axis_letters) || b.has('H') || (b.has('R') && family > MotionFamily::straight);
     const std::uint32_t end = s.in.at();
     if (b.has_g(7)) {
         s.build.modal(b.rapid ? Modal::rapid : Modal::linear, s.block, end);
@@ -109,14 +117,14 @@ bool write_motion(State& s, const IsoBlock& b, bool given) {
         return false;
     }
     if (!moves && !given) return false;
-    if (family == Family::unknown) {
+    if (family == MotionFamily::unknown) {
         if (b.rapid) s.build.modal(Modal::rapid, s.block, end);
         return moves;
     }
     s.build.modal(modal_of(s.iso.motion, b.rapid), s.block, end);
-    if (b.rapid && family != Family::straight && family != Family::polar_straight)
+    if (b.rapid && family != MotionFamily::straight && family != MotionFamily::polar_straight)
         s.build.modal(Modal::rapid_block, s.block, end);
-    const bool about_pole = family == Family::polar_arc || (family == Family::arc && !b.has('R'));
+    const bool about_pole = family == MotionFamily::polar_arc || (family == MotionFamily::arc && !b.has('R'));
     if (moves && about_pole) s.build.bare(Code::centre_at_pole, s.block, end);
     return moves;
 }
@@ -147,7 +155,7 @@ private:
                      "write R and H, or G00 to G06 for X and Y");
             return;
         }
-        if (poles.find(c) != std::string_view::npos) {  // read_pole has them
+        if (pole_letters.find(c) != std::string_view::npos) {  // read_pole has them
             s_.in.step();
             coordinates_ = true;
             return static_cast<void>(read_value(s_));
@@ -170,7 +178,7 @@ private:
 
     /// G10 … G16 are written here, for X or Y alone.
     [[nodiscard]] bool lacks_polar_word(char axis) const {
-        if (family_ < Family::polar_straight || b_.has('R') || b_.has('H') || (axis != 'X' && axis != 'Y'))
+        if (family_ < MotionFamily::polar_straight || b_.has('R') || b_.has('H') || (axis != 'X' && axis != 'Y'))
             return false;
         for (int n = 10; n <= 16; ++n)
             if (b_.has_g(n)) return true;
@@ -184,25 +192,26 @@ private:
     void read_angle(std::uint32_t begin) {
         s_.in.step();
         coordinates_ = true;
-        const bool polar = family_ >= Family::polar_straight || family_ == Family::unknown;
+        const bool polar = family_ >= MotionFamily::polar_straight || family_ == MotionFamily::unknown;
         if (!polar) {
             static_cast<void>(read_value(s_));
             return fail(s_, begin, "the polar angle H needs a polar path function",
                         "G10 to G16 move in polar coordinates, G00 to G06 do not");
         }
         // An arc's incremental angle says how far it sweeps, whole turns included; a line's where it ends.
-        if (family_ == Family::polar_arc && s_.iso.incremental) return value_word(s_, Code::pole_angle, begin);
+        if (family_ == MotionFamily::polar_arc && s_.iso.incremental) return value_word(s_, Code::pole_angle, begin);
         coordinate_word(s_, Code::polar_angle, begin, polar_reference());
     }
 
     void read_radius(std::uint32_t begin) {
         s_.in.step();
-        const bool polar = family_ >= Family::polar_straight || (family_ == Family::unknown && b_.has('H'));
+        const bool polar = family_ >= MotionFamily::polar_straight || (family_ == MotionFamily::unknown && b_.has('H'));
         if (polar) {
             coordinates_ = true;
             return coordinate_word(s_, Code::polar_radius, begin, polar_reference());
         }
-        if (family_ == Family::arc || family_ == Family::unknown) return value_word(s_, Code::radius, begin);
+        if (family_ == MotionFamily::arc || family_ == MotionFamily::unknown)
+            return value_word(s_, Code::radius, begin);
         static_cast<void>(read_value(s_));
         fail(s_, begin, "R has no meaning in this block",
              "it is the radius of G02, G03, G05, of corners (G25) and of polar coordinates (G10 to G16)");
@@ -221,14 +230,14 @@ private:
         s_.in.take(':');
         if (s_.in.take_word("PAT"))
             s_.build.modal(Modal::cycle_pattern, begin, s_.in.at());
-        else if (b_.has_any(axes))
+        else if (b_.has_any(axis_letters))
             s_.build.modal(Modal::cycle_position, begin, s_.in.at());
         s_.build.bare(Code::cycle_call, begin, s_.in.at());
     }
 
     void read_g(std::uint32_t begin) {
         const int n = read_code(s_);
-        if (n < 0 || family_of(n) != Family::unknown) return;
+        if (n < 0 || family_of(n) != MotionFamily::unknown) return;
         const std::uint32_t end = s_.in.at();
         switch (n) {
             case 7:
@@ -273,7 +282,7 @@ private:
 
     State& s_;
     const IsoBlock& b_;
-    Family family_;
+    MotionFamily family_;
     bool coordinates_ = false;         ///< one was read
     std::optional<Reference> behind_;  ///< G90 or G91 came behind a coordinate: what holds for the ones that follow
 };
@@ -282,8 +291,8 @@ private:
 void depart(State& s) {
     const ExprId radius = std::exchange(s.iso.departure, program::no_expr);
     if (radius == program::no_expr || s.failed) return;
-    const Family family = family_of(s.iso.motion);
-    if (family != Family::straight && family != Family::polar_straight)
+    const MotionFamily family = family_of(s.iso.motion);
+    if (family != MotionFamily::straight && family != MotionFamily::polar_straight)
         return fail(s, s.block, "a straight block is due behind G27", "G00 or G01 to the point off the contour");
     const ExprId feed = std::exchange(s.iso.departure_feed, program::no_expr);
     if (feed != program::no_expr) s.build.expression(Code::corner_feed, feed, s.block, s.in.at());
@@ -326,12 +335,12 @@ int read_code(State& s) {
 
 void read_iso_words(State& s, const IsoBlock& b) {
     const bool given = take_modal_codes(s, b);
-    if (b.has_any(poles) || b.has_g(29)) {
+    if (b.has_any(pole_letters) || b.has_g(29)) {
         read_pole(s);
         if (s.failed || is_pole_alone(b)) return s.in.skip_block();
     }
     s.build.statement(StatementKind::block, s.block);
-    if (std::count_if(b.g.begin(), b.g.end(), [](int g) { return family_of(g) != Family::unknown; }) > 1) {
+    if (std::count_if(b.g.begin(), b.g.end(), [](int g) { return family_of(g) != MotionFamily::unknown; }) > 1) {
         const std::uint32_t from = s.in.at();
         s.in.skip_block();
         return fail(s, from, "two path functions stand in one block", "write one of them");

@@ -24,7 +24,7 @@ int count(std::string_view text, std::string_view what) {
 int likelihood(std::string_view text, std::string_view file_name, std::vector<std::string>* signs) {
     const std::string name = base::to_upper(file_name);
     int score = name.ends_with(".H") ? 30 : 0;
-    const std::string upper = base::to_upper(text.substr(0, 65536));
+    const std::string upper = base::to_upper(text.substr(0, base::telling_bytes));
     if (upper.find("BEGIN PGM") != std::string::npos) score += 50;
     for (const std::string_view w : own) {
         const int n = count(upper, w);

@@ -11,7 +11,7 @@ using program::Word;
 
 namespace {
 
-constexpr std::array<Code, 256> letters = [] {
+constexpr std::array<Code, 256> codes_of_letters = [] {
     std::array<Code, 256> t{};
     t.fill(Code::control);
     const auto set = [&](char c, Code code) { t[static_cast<unsigned char>(c)] = code; };
@@ -71,7 +71,7 @@ bool read_literal_block(State& s) {
             last = p = off;
             continue;
         }
-        const Code code = letters[static_cast<unsigned char>(*p)];
+        const Code code = codes_of_letters[static_cast<unsigned char>(*p)];
         if (code == Code::control) return give_up();
         const Literal n = base::scan_short_number(p + 1, true);
         if (n.end == nullptr || !ends_word(*n.end)) return give_up();

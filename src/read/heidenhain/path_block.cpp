@@ -176,7 +176,7 @@ void pole(State& s) {
     }
 }
 
-enum class Kind : std::uint8_t {
+enum class PathKind : std::uint8_t {
     straight,
     polar_straight,
     about_pole,
@@ -188,29 +188,30 @@ enum class Kind : std::uint8_t {
     chamfer,
     rounding
 };
-struct Opener {
+struct PathOpener {
     std::string_view word;
-    Kind kind;
+    PathKind kind;
 };
-constexpr std::array openers{
-    Opener{"L", Kind::straight},           Opener{"LP", Kind::polar_straight}, Opener{"C", Kind::about_pole},
-    Opener{"CR", Kind::by_radius},         Opener{"CT", Kind::tangential},     Opener{"CP", Kind::polar_arc},
-    Opener{"CTP", Kind::polar_tangential}, Opener{"CC", Kind::pole},           Opener{"CHF", Kind::chamfer},
-    Opener{"RND", Kind::rounding},
+constexpr std::array path_openers{
+    PathOpener{"L", PathKind::straight},           PathOpener{"LP", PathKind::polar_straight},
+    PathOpener{"C", PathKind::about_pole},         PathOpener{"CR", PathKind::by_radius},
+    PathOpener{"CT", PathKind::tangential},        PathOpener{"CP", PathKind::polar_arc},
+    PathOpener{"CTP", PathKind::polar_tangential}, PathOpener{"CC", PathKind::pole},
+    PathOpener{"CHF", PathKind::chamfer},          PathOpener{"RND", PathKind::rounding},
 };
 
-void read_element(State& s, Kind kind) {
-    const bool arc = kind != Kind::straight && kind != Kind::polar_straight;
+void read_element(State& s, PathKind kind) {
+    const bool arc = kind != PathKind::straight && kind != PathKind::polar_straight;
     s.build.statement(StatementKind::block, s.block);
     if (!arc) straight(s);
     s.rapid_is_word = arc;
-    if (kind == Kind::tangential || kind == Kind::polar_tangential)
+    if (kind == PathKind::tangential || kind == PathKind::polar_tangential)
         s.build.modal(Modal::arc_tangent, s.block, s.in.at());
-    if (kind == Kind::about_pole || kind == Kind::polar_arc) {
+    if (kind == PathKind::about_pole || kind == PathKind::polar_arc) {
         s.build.modal(Modal::arc_same_sense, s.block, s.in.at());
         s.build.bare(Code::centre_at_pole, s.block, s.in.at());
     }
-    if (kind == Kind::by_radius) s.build.modal(Modal::arc_same_sense, s.block, s.in.at());
+    if (kind == PathKind::by_radius) s.build.modal(Modal::arc_same_sense, s.block, s.in.at());
     read_words(s, arc);
 }
 
@@ -293,17 +294,18 @@ bool opens_with_word(std::string_view word) {
 }  // namespace
 
 bool read_path_block(State& s, std::string_view word) {
-    for (const Opener& o : openers) {
+    for (const PathOpener& o : path_openers) {
         if (!base::equals_ignoring_case(o.word, word)) continue;
         const std::uint32_t begin = s.in.at();
         const char next = s.in.peek(static_cast<std::ptrdiff_t>(word.size()));
-        if (o.kind == Kind::about_pole && (next == '+' || next == '-' || base::is_digit(next))) break;  // axis C alone
+        if (o.kind == PathKind::about_pole && (next == '+' || next == '-' || base::is_digit(next)))
+            break;  // axis C alone
         s.in.step(word.size());
-        if (o.kind == Kind::chamfer || o.kind == Kind::rounding) {
-            read_corner(s, o.kind == Kind::chamfer, o.kind == Kind::rounding, begin);
+        if (o.kind == PathKind::chamfer || o.kind == PathKind::rounding) {
+            read_corner(s, o.kind == PathKind::chamfer, o.kind == PathKind::rounding, begin);
             return true;
         }
-        if (o.kind == Kind::pole) {
+        if (o.kind == PathKind::pole) {
             s.build.statement(StatementKind::block, s.block);
             pole(s);
             return true;

@@ -14,27 +14,30 @@ using program::no_expr;
 
 namespace {
 
-struct Word {
+struct PatternWord {
     std::string_view text;
     FigureRole role;
 };
 // Longer words before their beginnings.
-constexpr std::array position_words{Word{"X", FigureRole::x}, Word{"Y", FigureRole::y}, Word{"Z", FigureRole::z}};
-constexpr std::array row_words{Word{"NUM", FigureRole::count}, Word{"ROT", FigureRole::rotation},
-                               Word{"D", FigureRole::spacing}};
-constexpr std::array grid_words{Word{"NUMX", FigureRole::columns},    Word{"NUMY", FigureRole::rows},
-                                Word{"ROTX", FigureRole::rotation_x}, Word{"ROTY", FigureRole::rotation_y},
-                                Word{"ROT", FigureRole::rotation},    Word{"DX", FigureRole::spacing_x},
-                                Word{"DY", FigureRole::spacing_y}};
-constexpr std::array circle_words{Word{"START", FigureRole::start_angle}, Word{"NUM", FigureRole::count},
-                                  Word{"D", FigureRole::diameter}};
-constexpr std::array arc_words{Word{"START", FigureRole::start_angle}, Word{"STEP", FigureRole::angle_step},
-                               Word{"NUM", FigureRole::count}, Word{"D", FigureRole::diameter}};
+constexpr std::array position_words{PatternWord{"X", FigureRole::x}, PatternWord{"Y", FigureRole::y},
+                                    PatternWord{"Z", FigureRole::z}};
+constexpr std::array row_words{PatternWord{"NUM", FigureRole::count}, PatternWord{"ROT", FigureRole::rotation},
+                               PatternWord{"D", FigureRole::spacing}};
+constexpr std::array grid_words{
+    PatternWord{"NUMX", FigureRole::columns},    PatternWord{"NUMY", FigureRole::rows},
+    PatternWord{"ROTX", FigureRole::rotation_x}, PatternWord{"ROTY", FigureRole::rotation_y},
+    PatternWord{"ROT", FigureRole::rotation},    PatternWord{"DX", FigureRole::spacing_x},
+    PatternWord{"DY", FigureRole::spacing_y}};
+constexpr std::array circle_words{PatternWord{"START", FigureRole::start_angle}, PatternWord{"NUM", FigureRole::count},
+                                  PatternWord{"D", FigureRole::diameter}};
+constexpr std::array arc_words{PatternWord{"START", FigureRole::start_angle},
+                               PatternWord{"STEP", FigureRole::angle_step}, PatternWord{"NUM", FigureRole::count},
+                               PatternWord{"D", FigureRole::diameter}};
 
 struct Form {
     std::string_view name;
     FigureKind kind;
-    std::span<const Word> words;
+    std::span<const PatternWord> words;
 };
 constexpr std::array forms{
     Form{"PITCHCIRC", FigureKind::arc, arc_words}, Form{"CIRC", FigureKind::circle, circle_words},
@@ -48,11 +51,11 @@ bool is_needed(FigureRole r) {
 }
 
 /// One value of the figure; false where none stands here.
-bool read_setting(State& s, program::PatternFigure& figure, std::span<const Word> words, bool first) {
+bool read_setting(State& s, program::PatternFigure& figure, std::span<const PatternWord> words, bool first) {
     const std::uint32_t begin = s.in.at();
     const bool incremental = base::upper(s.in.peek()) == 'I';
     if (incremental) s.in.step();
-    for (const Word& w : words) {
+    for (const PatternWord& w : words) {
         if (!s.in.take_prefix(w.text)) continue;
         const bool place = w.role == FigureRole::x || w.role == FigureRole::y;
         if (incremental && (!place || first)) {
@@ -72,8 +75,8 @@ bool read_setting(State& s, program::PatternFigure& figure, std::span<const Word
     return false;
 }
 
-void require(State& s, const program::PatternFigure& figure, std::span<const Word> words, std::uint32_t begin) {
-    for (const Word& w : words) {
+void require(State& s, const program::PatternFigure& figure, std::span<const PatternWord> words, std::uint32_t begin) {
+    for (const PatternWord& w : words) {
         const bool given = std::any_of(figure.settings.begin(), figure.settings.end(),
                                        [&](const program::FigureSetting& have) { return have.role == w.role; });
         if (!given && is_needed(w.role) && !s.failed)
@@ -106,7 +109,7 @@ void read_figure(State& s, program::Pattern& pattern) {
     pattern.figures.push_back(std::move(figure));
 }
 
-void read_definition(State& s) {
+void read_pattern_definition(State& s) {
     s.build.control(StatementKind::pattern, s.build.unit().patterns.size(), s.block, s.in.at());
     s.build.unit().patterns.push_back({});
     program::Pattern pattern;
@@ -142,7 +145,7 @@ ExprId read_file_name(State& s, std::string_view due) {
 
 bool read_pattern_block(State& s, std::string_view word) {
     const std::uint32_t begin = s.in.at();
-    if (base::equals_ignoring_case(word, "PATTERN")) return s.in.step(word.size()), read_definition(s), true;
+    if (base::equals_ignoring_case(word, "PATTERN")) return s.in.step(word.size()), read_pattern_definition(s), true;
     if (s.in.take_word("SEL") && s.in.take_word("PATTERN")) return read_selection(s), true;
     s.in.go_to(begin);
     return false;

@@ -59,4 +59,9 @@ inline std::string modal(program::Modal m, int number = 0) {
     return "m" + std::to_string(static_cast<int>(m)) + (number != 0 ? "." + std::to_string(number) : "");
 }
 
+/// A function as TreeText shows it.
+inline std::string f(program::Function name, const std::string& arguments) {
+    return "f" + std::to_string(static_cast<int>(name)) + "(" + arguments + ")";
+}
+
 }  // namespace obrys::read::heidenhain::testing

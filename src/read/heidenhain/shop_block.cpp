@@ -7,7 +7,6 @@
 
 namespace obrys::read::heidenhain {
 
-namespace dialect = obrys::dialect::heidenhain;
 using program::no_expr;
 using program::Procedure;
 
@@ -21,12 +20,6 @@ void add_procedure(State& s, Procedure what, std::vector<ExprId> arguments, std:
     call.where = s.build.span(begin, s.in.at());
     s.build.unit().procedures.push_back(std::move(call));
     s.build.control(StatementKind::procedure, s.build.unit().procedures.size() - 1, s.block, s.in.at());
-}
-
-bool expect(State& s, std::string_view word) {
-    if (s.in.take_prefix(word)) return true;
-    fail_here(s, "'" + std::string(word) + "' is due here, found " + here(s));
-    return false;
 }
 
 /// The name of a file without its folders: TNC:\DIR\NAME.TAB, "NAME.TAB" or a QS parameter. A `/` ends it.
@@ -151,14 +144,15 @@ void read_table(State& s, std::uint32_t begin) {
 
 /// A datum shift as cycle 7 makes it, under the name of its block.
 program::CycleDefinition& start_shift(State& s, std::uint32_t begin) {
-    start_cycle(s, 7, dialect::find_cycle(7), begin);
+    start_cycle(s, 7, dialect::heidenhain::find_cycle(7), begin);
     program::CycleDefinition& c = s.build.unit().cycles.back();
     c.name = "TRANS DATUM";
     return c;
 }
 
 void add_axis(State& s, char letter, ExprId value, bool incremental, std::uint32_t begin) {
-    if (const auto* p = dialect::find_parameter(*dialect::find_cycle(7), 1, std::string_view(&letter, 1)))
+    if (const auto* p =
+            dialect::heidenhain::find_parameter(*dialect::heidenhain::find_cycle(7), 1, std::string_view(&letter, 1)))
         add_setting(s, *p, value, incremental, begin);
 }
 

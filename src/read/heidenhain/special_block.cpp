@@ -16,59 +16,59 @@ using program::SpecialKind;
 
 namespace {
 
-struct Word {
+struct SpecialWord {
     std::string_view text;
     Datum datum;
 };
 
 // Longer words before their beginnings.
-constexpr std::array approach_words{Word{"LEN", Datum::length}, Word{"CCA", Datum::centre_angle}};
+constexpr std::array approach_words{SpecialWord{"LEN", Datum::length}, SpecialWord{"CCA", Datum::centre_angle}};
 constexpr std::array free_words{
-    Word{"RCCPR", Datum::block_of_centre_radius},
-    Word{"RCCPA", Datum::block_of_centre_angle},
-    Word{"RCCX", Datum::block_of_centre_x},
-    Word{"RCCY", Datum::block_of_centre_y},
-    Word{"RPR", Datum::block_of_polar_radius},
-    Word{"RPA", Datum::block_of_polar_angle},
-    Word{"RAN", Datum::block_of_gradient},
-    Word{"RX", Datum::block_of_x},
-    Word{"RY", Datum::block_of_y},
-    Word{"CLSD", Datum::closed},
-    Word{"CCPR", Datum::centre_radius},
-    Word{"CCPA", Datum::centre_polar_angle},
-    Word{"CCX", Datum::centre_x},
-    Word{"CCY", Datum::centre_y},
-    Word{"CCA", Datum::centre_angle},
-    Word{"P1X", Datum::point1_x},
-    Word{"P1Y", Datum::point1_y},
-    Word{"P2X", Datum::point2_x},
-    Word{"P2Y", Datum::point2_y},
-    Word{"P3X", Datum::point3_x},
-    Word{"P3Y", Datum::point3_y},
-    Word{"PDX", Datum::beside_x},
-    Word{"PDY", Datum::beside_y},
-    Word{"PAR", Datum::parallel},
-    Word{"PR", Datum::polar_radius},
-    Word{"PA", Datum::polar_angle},
-    Word{"LEN", Datum::length},
-    Word{"AN", Datum::gradient},
-    Word{"DP", Datum::parallel_distance},
-    Word{"DR", Datum::sense},
-    Word{"X", Datum::x},
-    Word{"Y", Datum::y},
-    Word{"D", Datum::beside_distance},
+    SpecialWord{"RCCPR", Datum::block_of_centre_radius},
+    SpecialWord{"RCCPA", Datum::block_of_centre_angle},
+    SpecialWord{"RCCX", Datum::block_of_centre_x},
+    SpecialWord{"RCCY", Datum::block_of_centre_y},
+    SpecialWord{"RPR", Datum::block_of_polar_radius},
+    SpecialWord{"RPA", Datum::block_of_polar_angle},
+    SpecialWord{"RAN", Datum::block_of_gradient},
+    SpecialWord{"RX", Datum::block_of_x},
+    SpecialWord{"RY", Datum::block_of_y},
+    SpecialWord{"CLSD", Datum::closed},
+    SpecialWord{"CCPR", Datum::centre_radius},
+    SpecialWord{"CCPA", Datum::centre_polar_angle},
+    SpecialWord{"CCX", Datum::centre_x},
+    SpecialWord{"CCY", Datum::centre_y},
+    SpecialWord{"CCA", Datum::centre_angle},
+    SpecialWord{"P1X", Datum::point1_x},
+    SpecialWord{"P1Y", Datum::point1_y},
+    SpecialWord{"P2X", Datum::point2_x},
+    SpecialWord{"P2Y", Datum::point2_y},
+    SpecialWord{"P3X", Datum::point3_x},
+    SpecialWord{"P3Y", Datum::point3_y},
+    SpecialWord{"PDX", Datum::beside_x},
+    SpecialWord{"PDY", Datum::beside_y},
+    SpecialWord{"PAR", Datum::parallel},
+    SpecialWord{"PR", Datum::polar_radius},
+    SpecialWord{"PA", Datum::polar_angle},
+    SpecialWord{"LEN", Datum::length},
+    SpecialWord{"AN", Datum::gradient},
+    SpecialWord{"DP", Datum::parallel_distance},
+    SpecialWord{"DR", Datum::sense},
+    SpecialWord{"X", Datum::x},
+    SpecialWord{"Y", Datum::y},
+    SpecialWord{"D", Datum::beside_distance},
 };
 constexpr std::array plane_words{
-    Word{"PROPR", Datum::angle_a}, Word{"PROMIN", Datum::angle_b}, Word{"EULPR", Datum::angle_a},
-    Word{"EULNU", Datum::angle_b}, Word{"EULROT", Datum::angle_c}, Word{"SPA", Datum::angle_a},
-    Word{"SPB", Datum::angle_b},   Word{"SPC", Datum::angle_c},    Word{"ROT", Datum::angle_c},
-    Word{"P1X", Datum::point1_x},  Word{"P1Y", Datum::point1_y},   Word{"P1Z", Datum::point1_z},
-    Word{"P2X", Datum::point2_x},  Word{"P2Y", Datum::point2_y},   Word{"P2Z", Datum::point2_z},
-    Word{"P3X", Datum::point3_x},  Word{"P3Y", Datum::point3_y},   Word{"P3Z", Datum::point3_z},
-    Word{"BX", Datum::vector_x},   Word{"BY", Datum::vector_y},    Word{"BZ", Datum::vector_z},
-    Word{"NX", Datum::normal_x},   Word{"NY", Datum::normal_y},    Word{"NZ", Datum::normal_z},
-    Word{"DIST", Datum::distance}, Word{"SEQ", Datum::side},       Word{"A", Datum::angle_a},
-    Word{"B", Datum::angle_b},     Word{"C", Datum::angle_c},
+    SpecialWord{"PROPR", Datum::angle_a}, SpecialWord{"PROMIN", Datum::angle_b}, SpecialWord{"EULPR", Datum::angle_a},
+    SpecialWord{"EULNU", Datum::angle_b}, SpecialWord{"EULROT", Datum::angle_c}, SpecialWord{"SPA", Datum::angle_a},
+    SpecialWord{"SPB", Datum::angle_b},   SpecialWord{"SPC", Datum::angle_c},    SpecialWord{"ROT", Datum::angle_c},
+    SpecialWord{"P1X", Datum::point1_x},  SpecialWord{"P1Y", Datum::point1_y},   SpecialWord{"P1Z", Datum::point1_z},
+    SpecialWord{"P2X", Datum::point2_x},  SpecialWord{"P2Y", Datum::point2_y},   SpecialWord{"P2Z", Datum::point2_z},
+    SpecialWord{"P3X", Datum::point3_x},  SpecialWord{"P3Y", Datum::point3_y},   SpecialWord{"P3Z", Datum::point3_z},
+    SpecialWord{"BX", Datum::vector_x},   SpecialWord{"BY", Datum::vector_y},    SpecialWord{"BZ", Datum::vector_z},
+    SpecialWord{"NX", Datum::normal_x},   SpecialWord{"NY", Datum::normal_y},    SpecialWord{"NZ", Datum::normal_z},
+    SpecialWord{"DIST", Datum::distance}, SpecialWord{"SEQ", Datum::side},       SpecialWord{"A", Datum::angle_a},
+    SpecialWord{"B", Datum::angle_b},     SpecialWord{"C", Datum::angle_c},
 };
 
 void add(State& s, Special& special, Datum datum, ExprId value, bool incremental, std::uint32_t begin, char axis = 0) {
@@ -122,11 +122,11 @@ bool belongs(SpecialKind kind, std::string_view word) {
 }
 
 /// One of `words`; false and nothing moved where none stands here.
-bool read_datum(State& s, Special& special, std::span<const Word> words) {
+bool read_datum(State& s, Special& special, std::span<const SpecialWord> words) {
     const std::uint32_t begin = s.in.at();
     const bool incremental = base::upper(s.in.peek()) == 'I';
     if (incremental) s.in.step();
-    for (const Word& w : words) {
+    for (const SpecialWord& w : words) {
         if (!belongs(special.kind, w.text) || !s.in.take_prefix(w.text)) continue;
         if (read_sign(s, special, w.datum, begin)) return true;
         s.in.skip_blanks();
@@ -213,26 +213,26 @@ bool not_of_plane(State& s) {
     return true;
 }
 
-enum class Family : std::uint8_t { approach, free_contour, spline, plane };
+enum class SpecialFamily : std::uint8_t { approach, free_contour, spline, plane };
 
-bool read_own(State& s, Special& special, Family family) {
+bool read_own(State& s, Special& special, SpecialFamily family) {
     switch (family) {
-        case Family::approach: {
+        case SpecialFamily::approach: {
             const bool arc = !belongs(special.kind, "LEN");
             return read_datum(s, special, approach_words) || (arc && read_radius(s, special));
         }
-        case Family::free_contour:
+        case SpecialFamily::free_contour:
             return read_datum(s, special, free_words) ||
                    ((special.kind == SpecialKind::free_arc || special.kind == SpecialKind::free_arc_tangential) &&
                     read_radius(s, special));
-        case Family::spline: return read_coefficient(s, special);
-        case Family::plane:
+        case SpecialFamily::spline: return read_coefficient(s, special);
+        case SpecialFamily::plane:
             return read_positioning(s, special) || read_datum(s, special, plane_words) || not_of_plane(s);
     }
     return false;
 }
 
-void read_special(State& s, SpecialKind kind, Family family, std::uint32_t begin) {
+void read_special(State& s, SpecialKind kind, SpecialFamily family, std::uint32_t begin) {
     Special special;
     special.kind = kind;
     special.block_number = s.number;
@@ -240,42 +240,42 @@ void read_special(State& s, SpecialKind kind, Family family, std::uint32_t begin
     program::Unit& unit = s.build.unit();
     s.build.control(StatementKind::special, unit.specials.size(), s.block, s.in.at());
     unit.specials.push_back({});
-    s.rapid_counts = family == Family::plane;
-    s.exponents = family == Family::spline;
-    s.rapid_is_word = family == Family::approach || family == Family::free_contour;
-    if (family == Family::spline) s.build.modal(Modal::linear, s.block, s.in.at());
+    s.rapid_counts = family == SpecialFamily::plane;
+    s.exponents = family == SpecialFamily::spline;
+    s.rapid_is_word = family == SpecialFamily::approach || family == SpecialFamily::free_contour;
+    if (family == SpecialFamily::spline) s.build.modal(Modal::linear, s.block, s.in.at());
     while (!s.failed && !s.in.at_end())
         if (!read_own(s, special, family)) read_word(s, false);
     special.where.end = s.in.at();
     unit.specials.back() = std::move(special);
 }
 
-struct Opener {
+struct SpecialOpener {
     std::string_view word;
     SpecialKind kind;
-    Family family;
+    SpecialFamily family;
 };
-constexpr std::array openers{
-    Opener{"FPOL", SpecialKind::free_pole, Family::free_contour},
-    Opener{"FL", SpecialKind::free_line, Family::free_contour},
-    Opener{"FLT", SpecialKind::free_line_tangential, Family::free_contour},
-    Opener{"FC", SpecialKind::free_arc, Family::free_contour},
-    Opener{"FCT", SpecialKind::free_arc_tangential, Family::free_contour},
-    Opener{"SPL", SpecialKind::spline, Family::spline},
+constexpr std::array special_openers{
+    SpecialOpener{"FPOL", SpecialKind::free_pole, SpecialFamily::free_contour},
+    SpecialOpener{"FL", SpecialKind::free_line, SpecialFamily::free_contour},
+    SpecialOpener{"FLT", SpecialKind::free_line_tangential, SpecialFamily::free_contour},
+    SpecialOpener{"FC", SpecialKind::free_arc, SpecialFamily::free_contour},
+    SpecialOpener{"FCT", SpecialKind::free_arc_tangential, SpecialFamily::free_contour},
+    SpecialOpener{"SPL", SpecialKind::spline, SpecialFamily::spline},
 };
 constexpr std::array planes{
-    Opener{"SPATIAL", SpecialKind::plane_spatial, Family::plane},
-    Opener{"PROJECTED", SpecialKind::plane_projected, Family::plane},
-    Opener{"EULER", SpecialKind::plane_euler, Family::plane},
-    Opener{"VECTOR", SpecialKind::plane_vector, Family::plane},
-    Opener{"POINTS", SpecialKind::plane_points, Family::plane},
-    Opener{"RELATIV", SpecialKind::plane_relative, Family::plane},
-    Opener{"AXIAL", SpecialKind::plane_axial, Family::plane},
-    Opener{"RESET", SpecialKind::plane_reset, Family::plane},
+    SpecialOpener{"SPATIAL", SpecialKind::plane_spatial, SpecialFamily::plane},
+    SpecialOpener{"PROJECTED", SpecialKind::plane_projected, SpecialFamily::plane},
+    SpecialOpener{"EULER", SpecialKind::plane_euler, SpecialFamily::plane},
+    SpecialOpener{"VECTOR", SpecialKind::plane_vector, SpecialFamily::plane},
+    SpecialOpener{"POINTS", SpecialKind::plane_points, SpecialFamily::plane},
+    SpecialOpener{"RELATIV", SpecialKind::plane_relative, SpecialFamily::plane},
+    SpecialOpener{"AXIAL", SpecialKind::plane_axial, SpecialFamily::plane},
+    SpecialOpener{"RESET", SpecialKind::plane_reset, SpecialFamily::plane},
 };
 
 void read_plane(State& s, std::uint32_t begin) {
-    for (const Opener& o : planes)
+    for (const SpecialOpener& o : planes)
         if (s.in.take_prefix(o.word)) {
             if (o.kind == SpecialKind::plane_relative) s.in.take_prefix("E");  // RELATIVE
             return read_special(s, o.kind, o.family, begin);
@@ -303,7 +303,8 @@ void read_smooth(State& s, bool departure, std::uint32_t begin) {
     constexpr std::array<SpecialKind, 4> away{SpecialKind::departure_arc_line, SpecialKind::departure_arc,
                                               SpecialKind::departure_tangent, SpecialKind::departure_normal};
     for (std::size_t i = 0; i < kinds.size(); ++i)
-        if (s.in.take_word(kinds[i])) return read_special(s, departure ? away[i] : towards[i], Family::approach, begin);
+        if (s.in.take_word(kinds[i]))
+            return read_special(s, departure ? away[i] : towards[i], SpecialFamily::approach, begin);
     s.build.statement(StatementKind::block, s.block);
     fail_here(s, std::string(polar ? "P" : "") + "LT, LN, CT or LCT is due behind " + (departure ? "DEP" : "APPR") +
                      ", found " + here(s));
@@ -331,11 +332,11 @@ bool read_special_block(State& s, std::string_view word) {
     if (is("APPR") || is("DEP")) return s.in.step(word.size()), read_smooth(s, is("DEP"), begin), true;
     if (is("PLANE")) return s.in.step(word.size()), read_plane(s, begin), true;
     if (is("FSELECT")) return s.in.step(word.size()), read_select(s, begin), true;
-    for (const Opener& o : openers)
+    for (const SpecialOpener& o : special_openers)
         if (is(o.word)) {
             s.in.step(word.size());
             read_special(s, o.kind, o.family, begin);
-            const bool element = o.family == Family::free_contour && o.kind != SpecialKind::free_pole;
+            const bool element = o.family == SpecialFamily::free_contour && o.kind != SpecialKind::free_pole;
             if (element) s.last_path = static_cast<std::uint32_t>(s.build.unit().statements.size() - 1);
             return true;
         }

@@ -29,4 +29,10 @@ void fail_here(State& s, std::string text, std::string remedy) {
     fail(s, from, std::move(text), std::move(remedy));
 }
 
+bool expect(State& s, std::string_view word) {
+    if (s.in.take_prefix(word)) return true;
+    fail_here(s, "'" + std::string(word) + "' is due here, found " + here(s));
+    return false;
+}
+
 }  // namespace obrys::read::heidenhain

@@ -52,10 +52,14 @@ struct State {
     IsoState iso;
 };
 
+[[nodiscard]] inline program::CycleDefinition& open_cycle(State& s) { return s.build.unit().cycles[s.open_cycle]; }
+
 /// Complains about the text from `begin` to the scanner, or about what stands there; once a block.
 void fail(State& s, std::uint32_t begin, std::string text, std::string remedy = {});
 /// About the thing that stands at the scanner, which is passed over.
 void fail_here(State& s, std::string text, std::string remedy = {});
+/// Takes the word, or complains that it is due.
+bool expect(State& s, std::string_view word);
 /// What stands here as the programmer wrote it; "end of block" at the end.
 [[nodiscard]] std::string here(State& s);
 

@@ -13,7 +13,7 @@ using testing::Reading;
 
 namespace {
 
-const std::string line = modal(Modal::linear);
+const std::string straight_word = modal(Modal::linear);
 
 std::string with_line_ends(std::string text, const std::string& ends) {
     std::string out;
@@ -39,23 +39,25 @@ TEST(KlartextText, EveryLineEndGivesTheSameTree) {
 }
 
 TEST(KlartextText, ALoneCarriageReturnInALineIsABlank) {
-    EXPECT_EQ(Reading("1 L X+1\r Y+2\n2 L X+3\n").tree(), "0 " + line + " X1 Y2\n1 " + line + " X3\n");
-    EXPECT_EQ(Reading("1 L X+1\rY+2 M3\n").tree(), "0 " + line + " X1 Y2 M3\n");
-    EXPECT_EQ(Reading("1 L X+1 Y+2\r\n2 L\rX+3\r\n").tree(), "0 " + line + " X1 Y2\n1 " + line + " X3\n");
+    EXPECT_EQ(Reading("1 L X+1\r Y+2\n2 L X+3\n").tree(),
+              "0 " + straight_word + " X1 Y2\n1 " + straight_word + " X3\n");
+    EXPECT_EQ(Reading("1 L X+1\rY+2 M3\n").tree(), "0 " + straight_word + " X1 Y2 M3\n");
+    EXPECT_EQ(Reading("1 L X+1 Y+2\r\n2 L\rX+3\r\n").tree(),
+              "0 " + straight_word + " X1 Y2\n1 " + straight_word + " X3\n");
 }
 
 TEST(KlartextText, TildeGoesOnInTheNextLine) {
-    EXPECT_EQ(one("1 L X+1 ~\n  Y+2"), line + " X1 Y2");
-    EXPECT_EQ(one("1 L X+1 ~ \r\n  Y+2 ~\r\n  Z+3"), line + " X1 Y2 Z3");
-    EXPECT_EQ(one("1 L X+1 ; a comment ~\n Y+2"), line + " X1 Y2");
-    EXPECT_EQ(Reading("1 ; a comment ~\n goes on X+5\n2 L X+1\n").tree(), "0 " + line + " X1\n");
+    EXPECT_EQ(one("1 L X+1 ~\n  Y+2"), straight_word + " X1 Y2");
+    EXPECT_EQ(one("1 L X+1 ~ \r\n  Y+2 ~\r\n  Z+3"), straight_word + " X1 Y2 Z3");
+    EXPECT_EQ(one("1 L X+1 ; a comment ~\n Y+2"), straight_word + " X1 Y2");
+    EXPECT_EQ(Reading("1 ; a comment ~\n goes on X+5\n2 L X+1\n").tree(), "0 " + straight_word + " X1\n");
     EXPECT_EQ(Reading("1 Q1 = Q2 ~\n  + Q3\n2 Q4 = 1\n").tree(), "0 Q1=(Q2 + Q3)\n1 Q4=1\n");
-    EXPECT_EQ(Reading("1 L X+1 ~").tree(), "0 " + line + " X1\n");  // nothing follows
+    EXPECT_EQ(Reading("1 L X+1 ~").tree(), "0 " + straight_word + " X1\n");  // nothing follows
     EXPECT_EQ(complaint("1 L X+1 ~ Y+2"), "this is no word of a path block: '~'");
 }
 
 TEST(KlartextText, BytesThatDoNotBelong) {
-    EXPECT_EQ(Reading("1 L X+1\n\x1A").tree(), "0 " + line + " X1\n");
+    EXPECT_EQ(Reading("1 L X+1\n\x1A").tree(), "0 " + straight_word + " X1\n");
     EXPECT_EQ(Reading(std::string("1 L X+1\n\0\0", 10)).messages(), "");
     EXPECT_NE(Reading(std::string("1 L X+1\0Y+2\n", 12)).messages(), "");
     EXPECT_EQ(Reading("\xEF\xBB\xBF"
@@ -70,12 +72,12 @@ TEST(KlartextText, BytesThatDoNotBelong) {
 TEST(KlartextText, WhatStandsInFrontOfTheProgramIsLeftOut) {
     const Reading r("written by a postprocessor\n===\n0 BEGIN PGM T MM\n1 L X+1\n2 END PGM T MM\n");
     EXPECT_EQ(r.codes(), std::vector<std::string>{"no-effect"});
-    EXPECT_EQ(r.tree(), "0 " + modal(Modal::metric_all) + "\n1 " + line + " X1\n");
+    EXPECT_EQ(r.tree(), "0 " + modal(Modal::metric_all) + "\n1 " + straight_word + " X1\n");
 }
 
 TEST(KlartextText, WhatStandsBehindTheProgramIsNotRun) {
     const Reading r("0 BEGIN PGM T MM\n1 L X+1\n2 END PGM T MM\n3 L X+2\nrubbish\n");
-    EXPECT_EQ(r.tree(), "0 " + modal(Modal::metric_all) + "\n1 " + line + " X1\n");
+    EXPECT_EQ(r.tree(), "0 " + modal(Modal::metric_all) + "\n1 " + straight_word + " X1\n");
     EXPECT_EQ(r.messages(),
               "TEST.H:4:1: warning: the text behind END PGM is no part of the program and is not run [not-run]\n"
               "  3 L X+2\n  ^~~~~~~\n"

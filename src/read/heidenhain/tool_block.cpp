@@ -55,7 +55,7 @@ void feed_of_tool(State& s, std::uint32_t begin) {
     value_word(s, Code::feed, begin);
 }
 
-void read_call(State& s, std::uint32_t begin) {
+void read_tool_call(State& s, std::uint32_t begin) {
     read_tool(s);
     s.build.bare(Code::tool_change, begin, s.in.at());
     while (!s.failed && !s.in.at_end()) {
@@ -79,7 +79,7 @@ void read_call(State& s, std::uint32_t begin) {
     }
 }
 
-void read_definition(State& s, std::uint32_t begin) {
+void read_tool_definition(State& s, std::uint32_t begin) {
     read_tool(s);
     if (s.in.at_end()) return preselect_tool(s, begin);
     s.build.bare(Code::tool_definition, begin, s.in.at());
@@ -101,8 +101,8 @@ void read_definition(State& s, std::uint32_t begin) {
 
 void read_tool_block(State& s, std::uint32_t begin) {
     s.build.statement(StatementKind::block, s.block);
-    if (s.in.take_word("CALL")) return read_call(s, begin);
-    if (s.in.take_word("DEF")) return read_definition(s, begin);
+    if (s.in.take_word("CALL")) return read_tool_call(s, begin);
+    if (s.in.take_word("DEF")) return read_tool_definition(s, begin);
     fail_here(s, "CALL or DEF is due behind TOOL, found " + here(s));
 }
 

@@ -5,17 +5,9 @@
 namespace obrys::read::rs274 {
 
 using program::Modal;
+using testing::m;
 using testing::one;
 using testing::Reading;
-
-namespace {
-
-/// A modal word as TreeText shows it.
-std::string m(Modal modal, int number = 0) {
-    return "m" + std::to_string(static_cast<int>(modal)) + (number != 0 ? "." + std::to_string(number) : "");
-}
-
-}  // namespace
 
 TEST(Rs274Block, WordsComeInTheOrderOfExecution) {
     EXPECT_EQ(one("G1 X1 Y2.5 F100"), "F100 X1 Y2.5 " + m(Modal::linear));

@@ -5,15 +5,8 @@
 namespace obrys::read::rs274 {
 
 using program::Modal;
+using testing::m;
 using testing::one;
-
-namespace {
-
-std::string m(Modal modal, int number = 0) {
-    return "m" + std::to_string(static_cast<int>(modal)) + (number != 0 ? "." + std::to_string(number) : "");
-}
-
-}  // namespace
 
 // Each of these rs274 (LinuxCNC 2.9) refuses too.
 TEST(Rs274Check, CoordinatesHaveOneUser) {

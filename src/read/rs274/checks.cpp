@@ -9,13 +9,12 @@ namespace obrys::read::rs274 {
 
 namespace {
 
-constexpr std::uint64_t bit(Code c) { return std::uint64_t{1} << static_cast<unsigned>(c); }
 constexpr std::uint64_t straight_axes = (bit(Code::w) << 1) - 1;
-constexpr std::uint64_t polar = bit(Code::polar_angle) | bit(Code::polar_radius);
-constexpr std::uint64_t centre = bit(Code::i) | bit(Code::j) | bit(Code::k);
+constexpr std::uint64_t polar_words = bit(Code::polar_angle) | bit(Code::polar_radius);
+constexpr std::uint64_t centre_words = bit(Code::i) | bit(Code::j) | bit(Code::k);
 static_assert(static_cast<unsigned>(Code::x) == 0 && static_cast<unsigned>(Code::w) == 8);
 
-bool has_axes(const State& s) { return (s.facts.letters & (straight_axes | polar)) != 0; }
+bool has_axes(const State& s) { return (s.facts.letters & (straight_axes | polar_words)) != 0; }
 
 /// Complains about the letter's word.
 void fail_letter(State& s, Code code, const std::string& text) {
@@ -66,7 +65,7 @@ bool uses(const State& s, const dialect::rs274::LetterUse& use) {
 /// Letters that no code of the block uses. Where the motion is the modal one it may be that which uses them.
 void check_letters(State& s) {
     const bool modal_motion =
-        s.facts.motion == nullptr && s.facts.own == nullptr && (has_axes(s) || (s.facts.letters & centre) != 0);
+        s.facts.motion == nullptr && s.facts.own == nullptr && (has_axes(s) || (s.facts.letters & centre_words) != 0);
     if (modal_motion || s.facts.refused || s.facts.has_m(100, 199)) return;
     for (const auto& use : s.variant.letters)
         if (s.facts.has(use.code) && !uses(s, use))
@@ -107,7 +106,7 @@ void check_required(State& s) {
 }
 
 void check_polar(State& s) {
-    if ((s.facts.letters & polar) == 0) return;
+    if ((s.facts.letters & polar_words) == 0) return;
     if (s.facts.has(Code::x)) return fail_letter(s, Code::x, "X and a polar coordinate in one block");
     if (s.facts.has(Code::y)) return fail_letter(s, Code::y, "Y and a polar coordinate in one block");
     if (s.facts.own != nullptr) fail_g(s, s.facts.own->number, "polar coordinates are for motions only");

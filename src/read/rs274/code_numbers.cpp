@@ -9,7 +9,7 @@ namespace obrys::read::rs274 {
 
 namespace {
 
-constexpr std::size_t most = 12;
+constexpr std::size_t most_unknown = 12;
 constexpr int longest = 4;  ///< digits of a code
 
 /// Digits behind the letter at `at`, times ten with one digit behind the point; -1: it is no such number.
@@ -27,7 +27,7 @@ int code_at(std::string_view code, std::size_t at) {
 
 int count_unknown_codes(std::string_view code, const dialect::rs274::Dialect& dialect, bool m_codes) {
     std::vector<int> unknown;
-    for (std::size_t i = 0; i < code.size() && unknown.size() < most; ++i) {
+    for (std::size_t i = 0; i < code.size() && unknown.size() < most_unknown; ++i) {
         if (code[i] != 'G' && !(m_codes && code[i] == 'M')) continue;
         if (i > 0 && base::is_letter(code[i - 1])) continue;  // a part of a word
         const int n = code_at(code, i);

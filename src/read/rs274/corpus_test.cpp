@@ -7,29 +7,19 @@
 #include <iostream>
 #include <iterator>
 
+#include "base/files_testing.hpp"
 #include "read/rs274/reading.hpp"
 
 namespace obrys::read::rs274 {
 
 namespace fs = std::filesystem;
+using base::testing::content;
+using base::testing::files_below;
 using testing::Reading;
 
 namespace {
 
 const fs::path shared = fs::path(OBRYS_SOURCE_DIR) / ".." / "shared";
-
-std::vector<fs::path> files_below(const fs::path& folder) {
-    std::vector<fs::path> files;
-    for (const auto& entry : fs::recursive_directory_iterator(folder))
-        if (entry.is_regular_file()) files.push_back(entry.path());
-    std::sort(files.begin(), files.end());
-    return files;
-}
-
-std::string content(const fs::path& file) {
-    std::ifstream in(file, std::ios::binary);
-    return {std::istreambuf_iterator<char>(in), {}};
-}
 
 }  // namespace
 

@@ -7,29 +7,19 @@
 #include <iterator>
 #include <map>
 
+#include "base/files_testing.hpp"
 #include "read/rs274/fanuc_reading.hpp"
 
 namespace obrys::read::rs274 {
 
 namespace fs = std::filesystem;
+using base::testing::content;
+using base::testing::files_below;
 using testing::Reading;
 
 namespace {
 
 const fs::path corpus = fs::path(OBRYS_SOURCE_DIR) / ".." / "shared" / "corpus";
-
-std::vector<fs::path> files_below(const fs::path& folder) {
-    std::vector<fs::path> files;
-    for (const auto& entry : fs::recursive_directory_iterator(folder))
-        if (entry.is_regular_file()) files.push_back(entry.path());
-    std::sort(files.begin(), files.end());
-    return files;
-}
-
-std::string content(const fs::path& file) {
-    std::ifstream in(file, std::ios::binary);
-    return {std::istreambuf_iterator<char>(in), {}};
-}
 
 /// Every problem has its text and lies in the file; the last program reaches to the end of what is read.
 void check_complete(const Reading& r, const fs::path& file) {

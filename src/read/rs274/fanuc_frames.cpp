@@ -13,9 +13,9 @@ using program::Operator;
 
 namespace {
 
-constexpr std::string_view axes = "XYZ";
+constexpr std::string_view frame_axes = "XYZ";
 
-struct Writer {
+struct FrameWriter {
     FanucState& s;
     std::uint32_t begin = 0, end = 0;
 
@@ -46,7 +46,7 @@ struct Writer {
 };
 
 /// All transformations anew.
-void emit_frames(const Writer& w) {
+void emit_frames(const FrameWriter& w) {
     FanucState& s = w.s;
     const bool foreign = std::any_of(s.frames.begin(), s.frames.end(), [&](const auto& f) { return f.part != s.part; });
     if (foreign) {
@@ -60,7 +60,7 @@ void emit_frames(const Writer& w) {
         std::vector<std::pair<Code, ExprId>> there, back;
         for (std::size_t k = 0; k < 3; ++k) {
             if (t.centre[k] == no_expr) continue;
-            const Code code = dialect::rs274::letter_code(axes[k]);
+            const Code code = dialect::rs274::letter_code(frame_axes[k]);
             there.emplace_back(code, t.centre[k]);
             back.emplace_back(code, s.build().unary(Operator::negate, t.centre[k], w.begin, w.end));
         }
@@ -69,7 +69,7 @@ void emit_frames(const Writer& w) {
         for (std::size_t k = 0; k < 3; ++k)
             if (t.values[k] != no_expr)
                 words.emplace_back(t.kind == TransformationKind::rotation ? Code::plane_rotation
-                                                                          : dialect::rs274::letter_code(axes[k]),
+                                                                          : dialect::rs274::letter_code(frame_axes[k]),
                                    t.values[k]);
         w.frame(t.kind == TransformationKind::rotation  ? FrameOp::rotate
                 : t.kind == TransformationKind::scaling ? FrameOp::scale
@@ -80,10 +80,10 @@ void emit_frames(const Writer& w) {
 }
 
 /// The centre that the block's axis words name; where there is none, the place where the tool stands.
-void take_centre(const Writer& w, Transformation& t, int axis_count) {
+void take_centre(const FrameWriter& w, Transformation& t, int axis_count) {
     bool any = false;
     for (std::size_t k = 0; k < 3; ++k)
-        if (Address* a = find_address(w.s, axes[k])) {
+        if (Address* a = find_address(w.s, frame_axes[k])) {
             a->used = true;
             any = true;
             t.centre[k] = as_expr(w.s, scaled(w.s, a->value, Quantity::length));
@@ -92,9 +92,9 @@ void take_centre(const Writer& w, Transformation& t, int axis_count) {
     program::Builder& b = w.s.build();
     b.statement(StatementKind::block, w.s.line.begin());
     for (std::size_t k = 0; k < static_cast<std::size_t>(axis_count); ++k) {
-        const ExprId target = w.variable(axes[k]);
+        const ExprId target = w.variable(frame_axes[k]);
         b.assign(target, w.coordinate(k), w.begin, w.end);
-        t.centre[k] = w.variable(axes[k]);
+        t.centre[k] = w.variable(frame_axes[k]);
     }
     b.end_statement(w.s.line.end());
 }
@@ -103,7 +103,7 @@ void forget(FanucState& s, TransformationKind kind) {
     std::erase_if(s.frames, [&](const Transformation& t) { return t.kind == kind; });
 }
 
-void rotation(const Writer& w) {
+void rotation(const FrameWriter& w) {
     FanucState& s = w.s;
     Address* r = find_address(s, 'R');
     if (r == nullptr) return fail(s, w.begin, w.end, "the angle of the rotation is missing", "write it as R");
@@ -118,7 +118,7 @@ void rotation(const Writer& w) {
     emit_frames(w);
 }
 
-void scaling(const Writer& w) {
+void scaling(const FrameWriter& w) {
     FanucState& s = w.s;
     Transformation t;
     t.kind = TransformationKind::scaling;
@@ -143,11 +143,11 @@ void scaling(const Writer& w) {
 }
 
 /// G51.1 X10.: about X = 10. One entry an axis.
-void mirror(const Writer& w, bool on) {
+void mirror(const FrameWriter& w, bool on) {
     FanucState& s = w.s;
     bool any = false;
     for (std::size_t k = 0; k < 3; ++k) {
-        Address* a = find_address(s, axes[k]);
+        Address* a = find_address(s, frame_axes[k]);
         if (a == nullptr) continue;
         a->used = any = true;
         std::erase_if(s.frames, [&](const Transformation& t) {
@@ -166,7 +166,7 @@ void mirror(const Writer& w, bool on) {
     emit_frames(w);
 }
 
-void cancel(const Writer& w, TransformationKind kind) {
+void cancel(const FrameWriter& w, TransformationKind kind) {
     const std::size_t before = w.s.frames.size();
     forget(w.s, kind);
     // Where nothing of it was seen in this text a caller may have begun it.
@@ -174,7 +174,7 @@ void cancel(const Writer& w, TransformationKind kind) {
 }
 
 /// Polar coordinates about the zero of the workpiece coordinates.
-void polar(const Writer& w) {
+void begin_polar(const FrameWriter& w) {
     FanucState& s = w.s;
     if (s.incremental)
         return add_problem(s, Code::unsupported, w.begin, w.end, "polar coordinates about where the tool stands (G91)");
@@ -205,7 +205,7 @@ void emit_base(FanucState& s) {
 }  // namespace
 
 void frame_special(FanucState& s, const FanucG& g, const Address& a) {
-    const Writer w{s, a.begin, a.end};
+    const FrameWriter w{s, a.begin, a.end};
     emit_base(s);
     switch (g.special) {
         case FanucSpecial::rotation: return rotation(w);
@@ -214,7 +214,7 @@ void frame_special(FanucState& s, const FanucG& g, const Address& a) {
         case FanucSpecial::scaling_off: return cancel(w, TransformationKind::scaling);
         case FanucSpecial::mirror: return mirror(w, true);
         case FanucSpecial::mirror_off: return mirror(w, false);
-        case FanucSpecial::polar: return polar(w);
+        case FanucSpecial::polar: return begin_polar(w);
         case FanucSpecial::polar_off: s.polar = false; return;
         default: return;
     }

@@ -11,9 +11,10 @@ using program::Operator;
 
 namespace {
 
-constexpr std::string_view level = "_HOLE_LEVEL", stop = "_HOLE_R", bottom = "_HOLE_BOTTOM", dwell = "_HOLE_DWELL";
+constexpr std::string_view hole_level = "_HOLE_LEVEL", hole_stop = "_HOLE_R", hole_bottom = "_HOLE_BOTTOM",
+                           hole_dwell = "_HOLE_DWELL";
 
-struct Writer {
+struct HoleWriter {
     FanucState& s;
     std::uint32_t begin = 0, end = 0;
 
@@ -58,34 +59,34 @@ bool counts_from_level(const FanucState& s) {
 }
 
 /// R, a radius where the hole goes along X.
-ExprId clearance(const Writer& w, Address& r) {
+ExprId clearance(const HoleWriter& w, Address& r) {
     const ExprId v = w.value(r, Quantity::length);
     if (!w.in_side() || !counts_from_level(w.s)) return v;
     return w.s.build().binary(Operator::multiply, w.s.build().number(2, false, w.begin, w.end), v, w.begin, w.end);
 }
 
-void keep_words(const Writer& w, bool fresh) {
+void keep_words(const HoleWriter& w, bool fresh) {
     FanucState& s = w.s;
-    if (fresh) w.assign(level, w.height());
+    if (fresh) w.assign(hole_level, w.height());
     if (Address* r = find_address(s, 'R')) {
         const ExprId v = clearance(w, *r);
-        counts_from_level(s) ? w.assign_from(stop, level, v) : w.assign(stop, v);
+        counts_from_level(s) ? w.assign_from(hole_stop, hole_level, v) : w.assign(hole_stop, v);
     } else if (fresh) {
-        w.assign(stop, w.variable(level));
+        w.assign(hole_stop, w.variable(hole_level));
     }
     if (Address* to = find_address(s, w.in_side() ? 'X' : 'Z')) {
         const ExprId v = w.value(*to, Quantity::length);
-        s.incremental ? w.assign_from(bottom, stop, v) : w.assign(bottom, v);
+        s.incremental ? w.assign_from(hole_bottom, hole_stop, v) : w.assign(hole_bottom, v);
     } else if (Address* by = find_address(s, w.in_side() ? 'U' : 'W')) {
-        w.assign_from(bottom, stop, w.value(*by, Quantity::length));
+        w.assign_from(hole_bottom, hole_stop, w.value(*by, Quantity::length));
     } else if (fresh) {
-        w.assign(bottom, w.variable(stop));
+        w.assign(hole_bottom, w.variable(hole_stop));
     }
     Address* p = find_address(s, 'P');
     if (p != nullptr)
-        w.assign(dwell, w.value(*p, Quantity::milliseconds));
+        w.assign(hole_dwell, w.value(*p, Quantity::milliseconds));
     else if (fresh)
-        w.assign(dwell, s.build().number(0, true, w.begin, w.end));
+        w.assign(hole_dwell, s.build().number(0, true, w.begin, w.end));
 }
 
 /// K (L on Haas): how often the position and its hole are made; nothing where that is not written.
@@ -115,31 +116,31 @@ void pass_over(FanucState& s) {
     }
 }
 
-void dwell_at_bottom(const Writer& w) {
+void dwell_at_bottom(const HoleWriter& w) {
     w.open();
-    w.s.build().expression(Code::p, w.variable(dwell), w.begin, w.end);
+    w.s.build().expression(Code::p, w.variable(hole_dwell), w.begin, w.end);
     w.s.build().modal(Modal::dwell, w.begin, w.end);
     w.close();
 }
 
-void make_hole(const Writer& w, int code) {
+void make_hole(const HoleWriter& w, int code) {
     FanucState& s = w.s;
-    w.way(Modal::rapid, stop);
+    w.way(Modal::rapid, hole_stop);
     const bool taps = code == 840 || (code == 880 && !s.control.haas);
     const bool rapid_back = code == 830 || code == 870 || code == 810 || code == 820;
     const std::optional<Value> lead = taps && s.per_rev ? s.lead : std::nullopt;
-    w.way(lead ? Modal::thread : Modal::linear, bottom, lead);
+    w.way(lead ? Modal::thread : Modal::linear, hole_bottom, lead);
     dwell_at_bottom(w);
-    if (!rapid_back) w.way(lead ? Modal::thread : Modal::linear, stop, lead);
-    w.way(Modal::rapid, s.to_clearance ? stop : level);
+    if (!rapid_back) w.way(lead ? Modal::thread : Modal::linear, hole_stop, lead);
+    w.way(Modal::rapid, s.to_clearance ? hole_stop : hole_level);
 }
 
-bool is_position(const Writer& w, char letter) {
+bool is_position(const HoleWriter& w, char letter) {
     return std::string_view(w.in_side() ? "ZWCH" : "XUCH").find(letter) != std::string_view::npos;
 }
 
 /// To where the block says, at rapid.
-void to_position(const Writer& w, const std::vector<Address>& position) {
+void to_position(const HoleWriter& w, const std::vector<Address>& position) {
     FanucState& s = w.s;
     if (position.empty()) return;
     begin_words(s);
@@ -149,7 +150,7 @@ void to_position(const Writer& w, const std::vector<Address>& position) {
     s.words.clear();
 }
 
-std::vector<Address> take_position(const Writer& w) {
+std::vector<Address> take_position(const HoleWriter& w) {
     std::vector<Address> position;
     for (Address& a : w.s.addresses) {
         if (a.used || a.comma || !is_position(w, a.letter)) continue;
@@ -165,7 +166,7 @@ bool lathe_hole(FanucState& s) {
     bool axes = false;
     for (const char letter : {'X', 'U', 'Z', 'W', 'C', 'H'}) axes = axes || find_address(s, letter) != nullptr;
     if (!axes) return false;
-    const Writer w{s, s.line.begin(), s.line.end()};
+    const HoleWriter w{s, s.line.begin(), s.line.end()};
     const bool fresh = s.new_cycle;
     s.new_cycle = false;
     for (Address& a : s.addresses)

@@ -11,8 +11,6 @@ namespace obrys::read::rs274 {
 
 namespace {
 
-constexpr std::size_t looked_at = 65536;  ///< bytes of the text
-
 /// The text's words: upper case, without blanks and comments, each line ending with a line feed.
 struct Squeezed {
     std::string code, comments;
@@ -22,7 +20,7 @@ struct Squeezed {
 Squeezed squeeze(std::string_view text) {
     Squeezed out;
     bool comment = false, number = false;
-    const std::size_t size = std::min(text.size(), looked_at);
+    const std::size_t size = std::min(text.size(), base::telling_bytes);
     const auto take = [&out](char c, std::size_t at) {
         out.code += c;
         out.from.push_back(static_cast<std::uint32_t>(at));
@@ -75,7 +73,7 @@ struct Sign {
     int weight;
 };
 
-constexpr std::array own{
+constexpr std::array own_signs{
     Sign{"@O~~~~", 12}, Sign{"@:~~~~", 12},  Sign{"@%\n", 4},   Sign{"M98P", 5},    Sign{"G65P", 10},
     Sign{"IF[#", 6},    Sign{"]GOTO", 6},    Sign{"]THEN#", 6}, Sign{"]DO~", 6},    Sign{"#3000=", 10},
     Sign{"G54.1P", 8},  Sign{"G28U0", 8},    Sign{"G28W0", 8},  Sign{"G50S", 8},    Sign{"@T0~0~", 14},
@@ -87,7 +85,7 @@ constexpr std::array own{
     Sign{"G28G91", 8},  Sign{"@T~~~~\n", 6}, Sign{"G12.1", 8},  Sign{"G112", 6},    Sign{"G5.1Q", 8},
     Sign{"G05.1Q", 8},  Sign{"G92S", 4},     Sign{"G68.2", 8},
 };
-constexpr std::array foreign{
+constexpr std::array foreign_signs{
     Sign{"#<", 20},      Sign{"O<", 20},       Sign{"SUB\n", 12},    Sign{"ENDSUB", 20},  Sign{"ENDWHILE", 20},
     Sign{"O~IF", 10},    Sign{"O~~IF", 10},    Sign{"O~~~IF", 10},   Sign{"O~~CALL", 10}, Sign{"O~~~CALL", 10},
     Sign{"G38.", 8},     Sign{"G33.1", 10},    Sign{"G64P", 4},      Sign{"G92.1", 4},    Sign{"G5.2", 6},
@@ -158,7 +156,7 @@ int suffix_score(std::string_view file_name) {
 }
 
 int plain_score(const Squeezed& t, std::string_view file_name, std::vector<std::string>* signs) {
-    return 8 + sum(t.code, own, signs) - sum(t.code, foreign) + points(t.code) + suffix_score(file_name);
+    return 8 + sum(t.code, own_signs, signs) - sum(t.code, foreign_signs) + points(t.code) + suffix_score(file_name);
 }
 
 }  // namespace

@@ -10,13 +10,6 @@ using dialect::rs274::FanucMachine;
 
 namespace {
 
-std::string stem(std::string_view path) {
-    if (const std::size_t slash = path.find_last_of("/\\"); slash != std::string_view::npos)
-        path.remove_prefix(slash + 1);
-    if (const std::size_t dot = path.rfind('.'); dot != std::string_view::npos && dot > 0) path = path.substr(0, dot);
-    return base::to_upper(path);
-}
-
 std::size_t line_end(std::string_view text, std::size_t at) {
     const std::size_t end = text.find_first_of("\r\n", at);
     return end == std::string_view::npos ? text.size() : end;
@@ -199,7 +192,7 @@ void power_on(FanucState& s) {
 
 void due_program(FanucState& s, const base::Source& source, std::size_t at) {
     if (s.part != nullptr) return;
-    begin_program(s, stem(source.name), at);
+    begin_program(s, base::to_upper(base::stem(source.name)), at);
     power_on(s);
 }
 

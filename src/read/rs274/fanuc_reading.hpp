@@ -39,9 +39,4 @@ inline std::string body(const Reading& r) {
 inline std::string on_mill(const std::string& lines) { return body(fanuc(program(lines))); }
 inline std::string on_haas(const std::string& lines) { return body(haas(program(lines))); }
 
-/// A modal word as TreeText shows it.
-inline std::string m(program::Modal modal, int number = 0) {
-    return "m" + std::to_string(static_cast<int>(modal)) + (number != 0 ? "." + std::to_string(number) : "");
-}
-
 }  // namespace obrys::read::rs274::testing

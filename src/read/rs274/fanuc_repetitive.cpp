@@ -56,7 +56,7 @@ Value value_of(FanucState& s, const Address& a, TurningNumber number) {
 }
 
 /// One definition in the making.
-struct Writer {
+struct DefinitionWriter {
     FanucState& s;
     program::CycleDefinition& d;
 
@@ -139,7 +139,7 @@ struct Writer {
 };
 
 /// The lead that was written last.
-void lead_before(FanucState& s, const Writer& w, const Address& g) {
+void lead_before(FanucState& s, const DefinitionWriter& w, const Address& g) {
     for (const CycleSetting& x : w.d.settings)
         if (x.role == CycleRole::pitch) return;
     if (s.lead) w.add(CycleRole::pitch, as_expr(s, *s.lead), g, true);
@@ -173,7 +173,7 @@ void repetitive_cycle(FanucState& s, const FanucG& g, const Address& a) {
     d.where = s.build().span(a.begin, a.end);
     d.store = c.store;
     const Format format = format_of(s, c);
-    const Writer w{s, d};
+    const DefinitionWriter w{s, d};
     s.turning = 0;
     s.cleared_cycle = false;
     if (c.number < 740 && format != Format::data) {

@@ -12,7 +12,7 @@ using program::SystemVariable;
 
 namespace {
 
-struct Writer {
+struct SystemWriter {
     State& s;
     std::uint32_t number = 0, begin = 0, end = 0;
 
@@ -34,7 +34,7 @@ struct Writer {
     }
 };
 
-ExprId group(const Writer& w, FanucGroup g, bool minutes_98) {
+ExprId group(const SystemWriter& w, FanucGroup g, bool minutes_98) {
     switch (g) {
         case FanucGroup::motion: return w.code(StateQuery::motion_mode);
         case FanucGroup::plane: return w.code(StateQuery::plane);
@@ -76,7 +76,7 @@ void add_procedure(FanucState& s, program::Procedure p, ExprId text) {
 ExprId system_parameter(State& state, std::uint32_t number, std::uint32_t begin) {
     auto& s = static_cast<FanucState&>(state);
     const auto v = dialect::rs274::system_variable(number, s.control);
-    const Writer w{s, number, begin, s.line.behind()};
+    const SystemWriter w{s, number, begin, s.line.behind()};
     const bool minutes_98 = s.control.is_lathe() && s.control.system == dialect::rs274::GSystem::a;
     switch (v.system) {
         case FanucSystem::storage:

@@ -16,7 +16,7 @@ constexpr std::string_view start_x = "_CYCLE_START_X", start_z = "_CYCLE_START_Z
                            end_z = "_CYCLE_END_Z", taper = "_CYCLE_TAPER";
 
 /// Expressions about the line at hand.
-struct Writer {
+struct LineWriter {
     FanucState& s;
     std::uint32_t begin = 0, end = 0;
 
@@ -46,13 +46,13 @@ struct Writer {
     void modal(Modal m) const { s.build().modal(m, begin, end); }
 };
 
-void keep_start(const Writer& w) {
+void keep_start(const LineWriter& w) {
     w.assign(start_x, w.coordinate(1));
     w.assign(start_z, w.coordinate(3));
 }
 
 /// The end point: X or U and Z or W as written; what a repeated block leaves out stays.
-void keep_end(const Writer& w, char absolute, char incremental, std::string_view start, std::string_view name) {
+void keep_end(const LineWriter& w, char absolute, char incremental, std::string_view start, std::string_view name) {
     for (const char letter : {absolute, incremental})
         if (Address* a = find_address(w.s, letter)) {
             a->used = true;
@@ -61,7 +61,7 @@ void keep_end(const Writer& w, char absolute, char incremental, std::string_view
         }
 }
 
-void keep_taper(const Writer& w, bool fresh) {
+void keep_taper(const LineWriter& w, bool fresh) {
     if (Address* r = find_address(w.s, 'R')) {
         r->used = true;
         w.assign(taper, as_expr(w.s, scaled(w.s, r->value, Quantity::length)));
@@ -70,7 +70,7 @@ void keep_taper(const Writer& w, bool fresh) {
     }
 }
 
-void way(const Writer& w, Modal m, ExprId x, ExprId z, std::optional<Value> lead = std::nullopt) {
+void way(const LineWriter& w, Modal m, ExprId x, ExprId z, std::optional<Value> lead = std::nullopt) {
     w.open();
     if (x != no_expr) w.word(Code::x, x);
     if (z != no_expr) w.word(Code::z, z);
@@ -81,7 +81,7 @@ void way(const Writer& w, Modal m, ExprId x, ExprId z, std::optional<Value> lead
 
 /// The cycle's four ways. G90: in along X, cut along Z, out, back. G92: the same with a thread. G94: in along Z, cut
 /// along X, out, back. A taper makes the cut begin elsewhere: in radius along X, in length along Z.
-void ways(const Writer& w, int code, std::optional<Value> lead) {
+void ways(const LineWriter& w, int code, std::optional<Value> lead) {
     const ExprId x = w.variable(end_x), z = w.variable(end_z);
     program::Builder& b = w.s.build();
     if (code == 940) {
@@ -111,7 +111,7 @@ void other_words(FanucState& s) {
 }
 
 void single_cycle(FanucState& s, bool fresh) {
-    const Writer w{s, s.line.begin(), s.line.end()};
+    const LineWriter w{s, s.line.begin(), s.line.end()};
     std::optional<Value> lead = s.lead;
     if (Address* f = find_address(s, 'F')) {
         const Value v = scaled(s, f->value, Quantity::feed);

@@ -11,13 +11,11 @@ namespace obrys::read::rs274 {
 
 namespace {
 
-constexpr std::size_t looked_at = 65536;
-
 /// The text in upper case without blanks and comments, its begin.
 std::string code_of(std::string_view text) {
     std::string out;
     bool to_end = false, comment = false;
-    for (const char c : text.substr(0, looked_at)) {
+    for (const char c : text.substr(0, base::telling_bytes)) {
         if (c == '\n') to_end = comment = false;
         to_end = to_end || (c == ';' && !comment);
         comment = (comment || c == '(') && c != ')';
@@ -110,7 +108,7 @@ int linuxcnc_likelihood(std::string_view text, std::string_view file_name, std::
         score += 20;
         sign("#<name>");
     }
-    const std::string upper = base::to_upper(text.substr(0, looked_at));
+    const std::string upper = base::to_upper(text.substr(0, base::telling_bytes));
     for (const std::string_view active : {"(DEBUG,", "(PRINT,", "(LOGOPEN,", "(ABORT,"})
         if (upper.find(active) != std::string::npos) {
             score += 10;

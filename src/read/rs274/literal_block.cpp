@@ -32,7 +32,6 @@ struct Plain {
     Word g{}, feed{};
 };
 
-constexpr std::uint64_t bit(Code c) { return 1ULL << static_cast<unsigned>(c); }
 constexpr std::uint64_t of_arcs = bit(Code::i) | bit(Code::j) | bit(Code::k) | bit(Code::radius);
 static_assert(arc_letters > static_cast<unsigned>(Code::w));
 

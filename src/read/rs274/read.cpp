@@ -9,13 +9,6 @@ namespace obrys::read::rs274 {
 
 namespace {
 
-std::string stem(std::string_view path) {
-    if (const std::size_t slash = path.find_last_of("/\\"); slash != std::string_view::npos)
-        path.remove_prefix(slash + 1);
-    if (const std::size_t dot = path.rfind('.'); dot != std::string_view::npos && dot > 0) path = path.substr(0, dot);
-    return base::to_upper(path);
-}
-
 /// The text without what an old editor left on lines of its own behind the last one: M2 has ended the program before
 /// LinuxCNC comes to them. Beside a word such a sign is a fault there.
 std::string_view text_of(const base::Source& source) {
@@ -164,7 +157,7 @@ std::vector<program::Unit> read_linuxcnc(std::uint32_t file, const base::Sources
     State s(file, dialect::rs274::linuxcnc, names, diagnostics, sources);
     s.text = text_of(source);
     s.part = &s.add_part(diagnostics);
-    s.part->unit.name = stem(source.name);
+    s.part->unit.name = base::to_upper(base::stem(source.name));
     s.part->unit.end = static_cast<std::uint32_t>(source.text.size());
     s.part->unit.reserve(s.text.size());
     read_lines(s, skip_percent(s));

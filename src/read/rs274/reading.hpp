@@ -50,4 +50,9 @@ inline std::string one(const std::string& line) {
     return r.unit().statements.size() == 1 ? program::testing::TreeText(r.unit(), r.names).statement(0) : r.tree();
 }
 
+/// A modal word as TreeText shows it.
+inline std::string m(program::Modal modal, int number = 0) {
+    return "m" + std::to_string(static_cast<int>(modal)) + (number != 0 ? "." + std::to_string(number) : "");
+}
+
 }  // namespace obrys::read::rs274::testing

@@ -20,7 +20,7 @@ struct Binary {
 };
 
 // Longer signs before their beginnings.
-constexpr std::array signs{
+constexpr std::array binary_signs{
     Binary{"==", Operator::equal, Level::compare},      Binary{"<>", Operator::not_equal, Level::compare},
     Binary{"<=", Operator::less_equal, Level::compare}, Binary{">=", Operator::greater_equal, Level::compare},
     Binary{"<<", Operator::concat, Level::concat},      Binary{"<", Operator::less, Level::compare},
@@ -46,7 +46,7 @@ std::optional<Binary> operator_here(State& s) {
         return std::nullopt;
     }
     const std::string_view rest(c.p, static_cast<std::size_t>(c.end - c.p));
-    for (const Binary& b : signs)
+    for (const Binary& b : binary_signs)
         if (rest.starts_with(b.text)) return b;
     return std::nullopt;
 }

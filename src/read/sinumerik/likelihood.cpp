@@ -41,7 +41,7 @@ bool assigns_parameter(std::string_view text) {
 std::string code_of(std::string_view text) {
     std::string out;
     bool comment = false;
-    for (const char c : text.substr(0, 65536)) {
+    for (const char c : text.substr(0, base::telling_bytes)) {
         if (c == ';') comment = true;
         if (c == '\n' || c == '\r') comment = false;
         if (!comment) out += base::upper(c);

@@ -11,13 +11,6 @@ namespace obrys::read::sinumerik {
 
 namespace {
 
-std::string stem(std::string_view path) {
-    if (const std::size_t slash = path.find_last_of("/\\"); slash != std::string_view::npos)
-        path.remove_prefix(slash + 1);
-    if (const std::size_t dot = path.rfind('.'); dot != std::string_view::npos && dot > 0) path = path.substr(0, dot);
-    return plain_name(path);
-}
-
 /// Goes through the lines; the text behind is laid aside.
 void read_lines(State& s, const base::Sources& sources) {
     const char* p = s.text.data() + s.unit.begin;
@@ -102,7 +95,7 @@ program::Unit refuse_dialog(std::uint32_t file, const base::Source& source, base
     d.text = "this is a dialog of the operator panel, not a program";
     diagnostics.add(std::move(d));
     program::Unit unit;
-    unit.name = stem(source.name);
+    unit.name = plain_name(base::stem(source.name));
     unit.file = file;
     unit.traits = &dialect::sinumerik::traits;
     return unit;
@@ -123,7 +116,7 @@ std::vector<program::Unit> read(std::uint32_t file, const base::Sources& sources
     const std::uint32_t head = members.empty() ? size : members.front().header;
     if (members.empty() || has_text(std::string_view(source.text).substr(0, head))) {
         ArchiveMember whole;
-        whole.name = stem(source.name);
+        whole.name = plain_name(base::stem(source.name));
         whole.end = head;
         members.insert(members.begin(), whole);
     }

@@ -11,7 +11,7 @@ using geom::Vec3;
 
 namespace {
 
-constexpr int most_steps = 48;
+constexpr int closest_steps = 48;
 constexpr double gain = 1e-9;  ///< of the distance; less is no gain
 
 /// A point of the difference of the two sets, and those that it is the difference of.
@@ -135,7 +135,7 @@ Apart closest(const Swept& swept, std::span<const Vec3> others, double reach) {
     Apart out{0, INFINITY, {}, {}};
     s.c[0] = corner(others[0] - swept.from);
     s.n = 1;
-    for (int step = 0; step < most_steps; ++step) {
+    for (int step = 0; step < closest_steps; ++step) {
         reduce(s);
         const bool within = s.n == 4;
         const Vec3 v = s.sum(&Corner::w);

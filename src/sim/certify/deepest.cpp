@@ -17,7 +17,7 @@ constexpr double accuracy = 0.02;        ///< of what is allowed: the last steps
 constexpr std::size_t most_starts = 12;  ///< triangles from which a search begins
 constexpr std::size_t climbs = 3;        ///< searches that are brought to their end
 constexpr std::size_t most_pieces = 24;
-constexpr int most_steps = 60;
+constexpr int climb_steps = 60;
 constexpr double edge_accuracy = 0.002;  ///< of what is allowed: how deep an edge lies in the tool
 /// Times as deep as the tool in the part an edge may lie in the tool: that of an edge of 60 degrees. What goes through
 /// something thin has all of its surface in the tool; twice its deepest place is its thickness, and no more than that.
@@ -170,12 +170,12 @@ Judge::Spot Judge::deepest_of(const Swept& whole, mesh::Box& extent) const {
     const std::vector<Spot> starts = starts_in(whole, most_starts, extent);
     Spot best;
     for (std::size_t i = 0; i < std::min(climbs, starts.size()); ++i) {
-        const Spot s = climb(whole, starts[i], most_steps);
+        const Spot s = climb(whole, starts[i], climb_steps);
         if (s.depth > best.depth) best = s;
     }
     if (best.depth > allowed_) return best;
     for (const Spot& s : around(whole, starts)) {
-        const Spot deeper = climb(whole, s, most_steps);
+        const Spot deeper = climb(whole, s, climb_steps);
         if (deeper.depth > best.depth) best = deeper;
     }
     return best;
@@ -224,7 +224,7 @@ double Judge::edge_depth(const Swept& whole, double depth, double most) const {
 double Judge::reach_along(const Swept& whole, Vec3 from, Vec3 direction) const {
     const auto within = [&](Vec3 p) { return geom::distance(p, nearest_within(whole, p)) <= 1e-7; };
     double way = 0;
-    for (int i = 0; i < most_steps; ++i) {
+    for (int i = 0; i < climb_steps; ++i) {
         const Vec3 p = from + way * direction;
         const double deep = spot_at(p).depth;
         if (!(deep > accuracy * allowed_) || !within(p)) break;
@@ -254,7 +254,7 @@ Depth Judge::deepest(const Move& move) const {
         for (const Piece& p : failing) {
             const Spot start = spot_at(nearest_within(p.whole, best.at));
             if (!(start.depth > 0.5 * best.depth)) continue;
-            const Spot s = climb(p.whole, start, most_steps);
+            const Spot s = climb(p.whole, start, climb_steps);
             if (s.depth > best.depth) best = s, piece = &p;
         }
     best = polished(piece->whole, best);

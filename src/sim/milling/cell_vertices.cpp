@@ -17,7 +17,7 @@ using Range = tbb::blocked_range<std::size_t>;
 
 /// Distances of a vertex from its planes, in steps: plane faces that meet in one point; what makes it worth leaving the
 /// cell. Found by trial on boxes, bores and rows of ball trenches in all directions.
-constexpr double exact = 5e-4, worth = 0.02;
+constexpr double meets = 5e-4, worth_leaving = 0.02;
 
 /// The pieces of surface in one cell, and where they cross its edges.
 class CellFit {
@@ -51,7 +51,8 @@ private:
         const Vec3 held = fit.vertex(lo_, hi_);
         const double step = std::max({lattice_.step.x, lattice_.step.y, lattice_.step.z});
         const double wide_miss = fit.miss(wide), held_miss = fit.miss(held);
-        return wide_miss < exact * step || (held_miss > worth * step && wide_miss < 0.5 * held_miss) ? wide : held;
+        return wide_miss < meets * step || (held_miss > worth_leaving * step && wide_miss < 0.5 * held_miss) ? wide
+                                                                                                             : held;
     }
 
     /// In this cell, or in a neighbour that has no surface as far as its nodes tell.
@@ -95,8 +96,7 @@ private:
 
 }  // namespace
 
-CellVertices::CellVertices(const Lattice& lattice, const NodeBits& nodes, const Crossings& crossings,
-                           double tolerance)
+CellVertices::CellVertices(const Lattice& lattice, const NodeBits& nodes, const Crossings& crossings, double tolerance)
     : nodes_(nodes) {
     find_cells();
     if (tolerance > 0) rough_.resize(vertices_.size());

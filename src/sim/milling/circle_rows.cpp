@@ -12,11 +12,11 @@ struct Line {
     Vec2 p, d;
 };
 
-struct Part {
+struct Stretch {
     double low = 1, high = 0;
 };
 
-Part through_disc(const Line& line, Vec2 centre, double radius) {
+Stretch through_disc(const Line& line, Vec2 centre, double radius) {
     const Vec2 to = centre - line.p;
     const double beside = cross(line.d, to), square = radius * radius - beside * beside;
     if (!(square > 0)) return {};
@@ -25,7 +25,7 @@ Part through_disc(const Line& line, Vec2 centre, double radius) {
 }
 
 /// Keeps of [low, high] where a + s b >= 0.
-void clip(Part& part, double a, double b) {
+void clip(Stretch& part, double a, double b) {
     if (b > 0)
         part.low = std::max(part.low, -a / b);
     else if (b < 0)
@@ -43,12 +43,14 @@ void cut_circle_across(const Track& track, const Row& row, double radius, base::
     for (int i = 0; i < row.count; ++i) {
         const geom::Vec3 p = row.p + i * row.step;
         const Line line{{p.x, p.y}, {row.d.x, row.d.y}};
-        std::array<Part, 4> parts{through_disc(line, {}, radius), through_disc(line, {track.v.x, track.v.y}, radius)};
-        Part ring = through_disc(line, track.centre, track.radius + radius);
+        std::array<Stretch, 4> parts{through_disc(line, {}, radius),
+                                     through_disc(line, {track.v.x, track.v.y}, radius)};
+        Stretch ring = through_disc(line, track.centre, track.radius + radius);
         const Vec2 q = line.p - track.centre;
         clip(ring, track.turn * cross(track.first, q), track.turn * cross(track.first, line.d));
         clip(ring, track.turn * cross(q, track.last), track.turn * cross(line.d, track.last));
-        const Part hole = radius < track.radius ? through_disc(line, track.centre, track.radius - radius) : Part{};
+        const Stretch hole =
+            radius < track.radius ? through_disc(line, track.centre, track.radius - radius) : Stretch{};
         if (hole.low < hole.high) {
             parts[2] = {ring.low, std::min(ring.high, hole.low)};
             parts[3] = {std::max(ring.low, hole.high), ring.high};

@@ -14,7 +14,7 @@ using geom::Vec3;
 
 /// Of the tolerance: how far points looked at may be off, for those between them. The lattice's step leaves chords
 /// 0.75.
-constexpr double sampled = 0.8;
+constexpr double coarse_sampled = 0.8;
 
 void add_cells(const Lattice& lattice, const std::array<int, 3>& node, int axis, std::vector<Place>& out) {
     const auto u = static_cast<std::size_t>(first_across(axis)), v = static_cast<std::size_t>(second_across(axis));
@@ -152,7 +152,7 @@ std::vector<Place> cells_off(const mesh::Mesh& mesh, const std::vector<CoarseQua
     std::vector<std::vector<Place>> found(cells.size());
     tbb::parallel_for(std::size_t{0}, cells.size(), [&](std::size_t n) {
         const auto triangle_off = [&](const Exact::Near& here, const mesh::Triangle& t) {
-            const auto off = [&](Vec3 p) { return !exact.is_on_surface(here, p, sampled * tolerance); };
+            const auto off = [&](Vec3 p) { return !exact.is_on_surface(here, p, coarse_sampled * tolerance); };
             const Vec3 a = mesh.vertices[t[0]], b = mesh.vertices[t[1]], c = mesh.vertices[t[2]];
             return off(a) || off(b) || off(c) || off((1.0 / 3) * (a + b + c)) || off(0.5 * (a + b)) ||
                    off(0.5 * (b + c)) || off(0.5 * (c + a));

@@ -35,11 +35,11 @@ struct Found {
 
 /// Ends so far beyond an edge's nodes belong to it, in its lengths: of a face nearly along the ray a rounding error
 /// moves them far.
-constexpr double beyond = 0.05;
+constexpr double beyond_edge = 0.05;
 
 /// The one nearest to an edge's middle.
 Found nearest_end(std::span<const Interval> ray, const Edge& e) {
-    const double length = e.high - e.low, low = e.low - beyond * length, high = e.high + beyond * length;
+    const double length = e.high - e.low, low = e.low - beyond_edge * length, high = e.high + beyond_edge * length;
     const double middle = 0.5 * (e.low + e.high);
     auto m = std::partition_point(ray.begin(), ray.end(), [&](const Interval& x) { return x.end < low; });
     Found best;
@@ -64,7 +64,7 @@ double doubtful_node(std::span<const Interval> ray, const Edge& e) {
     return low == e.rising ? e.low : e.high;
 }
 
-constexpr double aside = 1e-6;  ///< mm
+constexpr double beside_slack = 1e-6;  ///< mm
 
 /// The end on a line beside the edge on which it has one.
 Found end_beside(Vec3 node, int axis, const Edge& e, const Line& line) {
@@ -74,8 +74,8 @@ Found end_beside(Vec3 node, int axis, const Edge& e, const Line& line) {
     const int u = first_across(axis), v = second_across(axis);
     for (const auto& way : ways) {
         Vec3 p = node;
-        set_component(p, u, component(p, u) + way[0] * aside);
-        set_component(p, v, component(p, v) + way[1] * aside);
+        set_component(p, u, component(p, u) + way[0] * beside_slack);
+        set_component(p, v, component(p, v) + way[1] * beside_slack);
         const std::vector<Interval> beside = line(axis, p, e.low, e.high);
         Found f = nearest_end(beside, e);
         f.through = p;

@@ -12,7 +12,7 @@ namespace {
 
 using geom::Vec3;
 
-constexpr double beyond = 0.05;          ///< of a line's length
+constexpr double beyond_line = 0.05;     ///< of a line's length
 constexpr std::size_t most_around = 24;  ///< bodies that are asked together how far material is from a point in air
 
 /// One ray of a row, as rows of tiles are made (tile_cut.cpp).
@@ -203,7 +203,7 @@ void Exact::stock_ends(const Near& near, int axis, Vec3 from, double low, double
 void Exact::ends(const Near& near, int axis, Vec3 from, double high, std::vector<LineEnd>& out) const {
     out.clear();
     double low = component(from, axis);
-    const double more = beyond * (high - low);
+    const double more = beyond_line * (high - low);
     low -= more, high += more;
     std::vector<Interval> air;
     stock_ends(near, axis, from, low, high, air);

@@ -13,10 +13,10 @@ namespace {
 
 using geom::Vec3;
 
-constexpr double met = 1e-7;  ///< mm
-constexpr int most_steps = 12;
-constexpr double nothing = 1e-5;     ///< mm: material thinner than that is none
-constexpr double opposite = 0.9998;  ///< cosine of 1.1 degrees
+constexpr double on_plane = 1e-7;  ///< mm
+constexpr int most_plane_steps = 12;
+constexpr double no_material = 1e-5;  ///< mm: material thinner than that is none
+constexpr double opposite = 0.9998;   ///< cosine of 1.1 degrees
 
 /// The shortest way onto two or three planes, each given by how far it is along its gradient.
 bool step_onto(std::span<const Exact::Side> sides, Vec3& way) {
@@ -48,13 +48,13 @@ bool Exact::meet(const Near& near, std::span<const std::size_t> of, Vec3& p) con
     const double far = 4 * length(lattice_.step);
     const Vec3 start = p;
     std::array<Side, 3> sides;
-    for (int i = 0; i < most_steps; ++i) {
+    for (int i = 0; i < most_plane_steps; ++i) {
         double worst = 0;
         for (std::size_t n = 0; n < of.size(); ++n) {
             sides[n] = side(near, of[n], p);
             worst = std::max(worst, std::abs(sides[n].outside));
         }
-        if (worst < met) return true;
+        if (worst < on_plane) return true;
         Vec3 way;
         if (!step_onto({sides.data(), of.size()}, way)) return false;
         p = p + way;
@@ -71,7 +71,7 @@ bool Exact::is_touch(const Near& near, Vec3 p, double allowed) const {
         if (!(size > 0) || !(std::abs(s.outside) <= allowed * size)) continue;
         s = {s.outside / size, (1 / size) * s.in};
         for (const Side& other : close)
-            if (s.outside + other.outside < nothing && dot(s.in, other.in) < -opposite) return true;
+            if (s.outside + other.outside < no_material && dot(s.in, other.in) < -opposite) return true;
         close.push_back(s);
     }
     return false;

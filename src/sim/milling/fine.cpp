@@ -19,8 +19,8 @@ namespace {
 
 using geom::Vec3;
 
-constexpr double sampled = 0.5;  ///< of the tolerance: how far points looked at may be off, for those between them
-constexpr double small = 8;      ///< tolerances: a leaf's diagonal below which it is not asked what it may hide
+constexpr double fine_sampled = 0.5;  ///< of the tolerance: how far points looked at may be off, for those between them
+constexpr double small_leaf = 8;      ///< tolerances: a leaf's diagonal below which it is not asked what it may hide
 constexpr int most_levels = 6;
 constexpr std::size_t most_known = 6'000'000;  ///< edges looked at, in all: some 500 MB with what belongs to them
 
@@ -207,7 +207,7 @@ bool Fine::is_covered(const Near& near, const Leaf& leaf) const {
 /// In small leaves vertices reach out to what is left of tips (vertex_of), and what was looked for in the exact surface
 /// (shown.hpp) tells of the rest: they are not asked what they may hide.
 bool Fine::is_small(std::int32_t size) const {
-    return length(leaves_.node({size, size, size}) - leaves_.node({0, 0, 0})) < small * tolerance_;
+    return length(leaves_.node({size, size, size}) - leaves_.node({0, 0, 0})) < small_leaf * tolerance_;
 }
 
 bool Fine::needs_split(const Near& near, const Leaf& leaf) const {
@@ -267,7 +267,7 @@ std::vector<Leaf> Fine::leaves_to_split() {
             });
         }
         for (const std::uint32_t e : edges[n]) {
-            if (!is_off(all_[n], e, sampled * tolerance_)) {
+            if (!is_off(all_[n], e, fine_sampled * tolerance_)) {
                 right[n].push_back(e);
                 continue;
             }

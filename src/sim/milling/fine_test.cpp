@@ -18,7 +18,7 @@ using testing::Move;
 using testing::Reference;
 using testing::RoundTool;
 
-struct Deviation {
+struct BothWays {
     double mesh = 0;   ///< of points of triangles from the exact surface, at least
     double exact = 0;  ///< of exact points from the mesh
     Vec3 mesh_at, exact_at;
@@ -43,8 +43,8 @@ void expect_closed(const mesh::Mesh& m) {
     EXPECT_EQ(t.turned.count, 0U);
 }
 
-Deviation deviation(const Reference& r, const mesh::Mesh& m, std::mt19937& random, int lines) {
-    Deviation d;
+BothWays both_ways(const Reference& r, const mesh::Mesh& m, std::mt19937& random, int lines) {
+    BothWays d;
     std::uniform_real_distribution<double> share(0, 1);
     const auto judge = [&](Vec3 p) {
         const double off = std::abs(r.depth(p));
@@ -90,7 +90,7 @@ TEST(Fine, a_fin_thinner_than_the_lattice_stays) {
             expect_closed(surface.mesh);
             EXPECT_EQ(surface.refined.open.size(), 0U);
             std::mt19937 random(1);
-            const Deviation d = deviation(r, surface.mesh, random, 300);
+            const BothWays d = both_ways(r, surface.mesh, random, 300);
             EXPECT_LE(d.mesh, tolerance);
             EXPECT_LE(d.exact, tolerance);
             EXPECT_NEAR(mesh::volume(surface.mesh), 10 * 14 * 6 - 2 * 10 * 6 * 3, 10 * 3 * tolerance);
@@ -111,7 +111,7 @@ TEST(Fine, a_web_below_a_drill_stays) {
     EXPECT_EQ(surface.refined.open.size(), 0U);
     EXPECT_NEAR(mesh::volume(surface.mesh), 12 * 12 * 8 - geom::pi * 9 * 7.9, geom::pi * 9 * tolerance);
     std::mt19937 random(2);
-    const Deviation d = deviation(r, surface.mesh, random, 300);
+    const BothWays d = both_ways(r, surface.mesh, random, 300);
     EXPECT_LE(d.mesh, tolerance);
     EXPECT_LE(d.exact, tolerance);
 }
@@ -133,7 +133,7 @@ TEST(Fine, a_scratch_of_a_point_between_rays_is_in_the_surface) {
             // Above its very point a cone is narrower than the tolerance.
             EXPECT_LE(distance.nearest(p).distance, std::max(0.01, 0.005 / std::tan(t.half_angle))) << half << p.x;
         std::mt19937 random(3);
-        const Deviation d = deviation(r, surface.mesh, random, 300);
+        const BothWays d = both_ways(r, surface.mesh, random, 300);
         EXPECT_LE(d.mesh, 0.01);
         EXPECT_LE(d.exact, std::max(0.01, 0.005 / std::tan(t.half_angle)));
     }
@@ -206,7 +206,7 @@ TEST(Fine, random_programs_are_within_the_tolerance) {
         const Simulation s = simulate(r, tolerance, std::max(smallest, 0.5));
         const Surface surface = extract_surface(s);
         expect_closed(surface.mesh);
-        const Deviation d = deviation(r, surface.mesh, random, 600);
+        const BothWays d = both_ways(r, surface.mesh, random, 600);
         EXPECT_EQ(surface.refined.open.size(), 0U) << "seed " << seed;
         EXPECT_LE(d.mesh, tolerance) << "seed " << seed << " at " << d.mesh_at.x << " " << d.mesh_at.y << " "
                                      << d.mesh_at.z;

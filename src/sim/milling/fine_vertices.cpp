@@ -12,10 +12,10 @@ namespace {
 
 using geom::Vec3;
 
-constexpr double sharp = 0.5;      ///< cosine between normals from which on a vertex is looked for beyond its leaf
-constexpr double like = 0.85;      ///< cosine between normals of one face of a body
-constexpr double room = 4;         ///< how far beyond, in leaves: the tip of an edge of 15 degrees
-constexpr double exactly = 0.125;  ///< of the tolerance
+constexpr double sharp = 0.5;        ///< cosine between normals from which on a vertex is looked for beyond its leaf
+constexpr double like = 0.85;        ///< cosine between normals of one face of a body
+constexpr double leaves_beyond = 4;  ///< how far beyond, in leaves: the tip of an edge of 15 degrees
+constexpr double exactly = 0.125;    ///< of the tolerance
 
 Vec3 normal_of(const Crossing& c) { return {c.normal[0], c.normal[1], c.normal[2]}; }
 
@@ -73,8 +73,9 @@ Vec3 Fine::vertex_of(const Piece& piece, NearCell& near) const {
     const PlaneFit fit = planes_of(piece);
     const Vec3 held = fit.vertex(lo, hi);
     if (fit.sharpest() > sharp) return held;
-    const Vec3 more{std::min(room * (hi.x - lo.x), lattice_.step.x), std::min(room * (hi.y - lo.y), lattice_.step.y),
-                    std::min(room * (hi.z - lo.z), lattice_.step.z)};
+    const Vec3 more{std::min(leaves_beyond * (hi.x - lo.x), lattice_.step.x),
+                    std::min(leaves_beyond * (hi.y - lo.y), lattice_.step.y),
+                    std::min(leaves_beyond * (hi.z - lo.z), lattice_.step.z)};
     Vec3 wide = fit.vertex(lo - more, hi + more);
     for (int i = 0; i < 3; ++i) wide = planes_at(piece, wide).vertex(lo - more, hi + more);
     if (planes_at(piece, wide).miss(wide) > exactly * tolerance_) return held;

@@ -17,29 +17,31 @@ namespace {
 
 using geom::Vec3;
 
-constexpr Box3 block{{0, 0, -20}, {60, 40, 0}};
-constexpr double radius = 3;
+constexpr Box3 plate_block{{0, 0, -20}, {60, 40, 0}};
+constexpr double mill_radius = 3;
 
 double beyond(double v, double low, double high) { return std::max({low - v, v - high}); }
 
 /// Distance from the surface of the block with a pocket of sharp floor edges, tool radius in its corners. Positive:
 /// outside of the material.
 double distance_from(Vec3 p, const Box3& pocket) {
-    const double u = std::max({pocket.min.x + radius - p.x, p.x - pocket.max.x + radius, 0.0}),
-                 v = std::max({pocket.min.y + radius - p.y, p.y - pocket.max.y + radius, 0.0});
+    const double u = std::max({pocket.min.x + mill_radius - p.x, p.x - pocket.max.x + mill_radius, 0.0}),
+                 v = std::max({pocket.min.y + mill_radius - p.y, p.y - pocket.max.y + mill_radius, 0.0});
     const double wall =
-        u > 0 && v > 0 ? std::hypot(u, v) - radius
+        u > 0 && v > 0 ? std::hypot(u, v) - mill_radius
                        : std::max(beyond(p.x, pocket.min.x, pocket.max.x), beyond(p.y, pocket.min.y, pocket.max.y));
     const double floor = pocket.min.z - p.z;
     const double outside_pocket = wall > 0 && floor > 0 ? std::hypot(wall, floor) : std::max(wall, floor);
-    const double box = std::max({beyond(p.x, block.min.x, block.max.x), beyond(p.y, block.min.y, block.max.y),
-                                 beyond(p.z, block.min.z, block.max.z)});
+    const double box =
+        std::max({beyond(p.x, plate_block.min.x, plate_block.max.x), beyond(p.y, plate_block.min.y, plate_block.max.y),
+                  beyond(p.z, plate_block.min.z, plate_block.max.z)});
     return std::max(box, -outside_pocket);
 }
 
 /// Mills the pocket ring by ring from its middle, then once along its walls.
 void mill(Work& w, const Box3& pocket) {
-    const Vec3 low = pocket.min + Vec3{radius, radius, 0}, high = pocket.max - Vec3{radius, radius, 0};
+    const Vec3 low = pocket.min + Vec3{mill_radius, mill_radius, 0},
+               high = pocket.max - Vec3{mill_radius, mill_radius, 0};
     const double half = std::min(high.x - low.x, high.y - low.y) / 2;
     w.start({(low.x + high.x) / 2, (low.y + high.y) / 2, 2});
     for (double in = half; in > -3.5; in -= 3.5) {
@@ -54,9 +56,9 @@ void mill(Work& w, const Box3& pocket) {
 
 /// The worst distance of the surface's corners and centres, both ways.
 double worst_of(const Lattice& lattice, const Box3& pocket) {
-    Work w(block, 0.25, tool_of(CutterKind::end_mill, 2 * radius));
-    w.simulation = Simulation(block, lattice, 0.01);
-    w.tool = w.simulation.add_tool(tool_of(CutterKind::end_mill, 2 * radius));
+    Work w(plate_block, 0.25, tool_of(CutterKind::end_mill, 2 * mill_radius));
+    w.simulation = Simulation(plate_block, lattice, 0.01);
+    w.tool = w.simulation.add_tool(tool_of(CutterKind::end_mill, 2 * mill_radius));
     mill(w, pocket);
     w.simulation.flush();
     const Surface s = extract_surface(w.simulation);
@@ -70,10 +72,10 @@ double worst_of(const Lattice& lattice, const Box3& pocket) {
     return worst;
 }
 
-constexpr double tolerance = 0.01;
+constexpr double flats_tolerance = 0.01;
 
 TEST(Flats, AtAndBesideNodesOfTheLattice) {
-    const Lattice lattice = make_lattice(block, step_for(tolerance, 3)).value();
+    const Lattice lattice = make_lattice(plate_block, step_for(flats_tolerance, 3)).value();
     const Vec3 node = lattice.node(20, 16, 50);
     // Decimals lie on no node (below); what was turned or computed may.
     for (const double size : {0.0, 1e-16, 1e-15, 1e-14, 5e-14, 1e-13, 1e-12, 1e-11, 1e-10, 1e-9, 1.0000001e-9, 1e-8,
@@ -82,9 +84,9 @@ TEST(Flats, AtAndBesideNodesOfTheLattice) {
             const Box3 floor{{5.3, 4.7, node.z + off}, {54.1, 35.2, 1}},
                 low{{node.x + off, node.y + off, -10.3}, {54.1, 35.2, 1}},
                 high{{5.3, 4.7, -9.1}, {lattice.node(220, 0, 0).x + off, lattice.node(0, 140, 0).y + off, 1}};
-            EXPECT_LE(worst_of(lattice, floor), tolerance) << "floor " << off;
-            EXPECT_LE(worst_of(lattice, low), tolerance) << "lower walls " << off;
-            EXPECT_LE(worst_of(lattice, high), tolerance) << "upper walls " << off;
+            EXPECT_LE(worst_of(lattice, floor), flats_tolerance) << "floor " << off;
+            EXPECT_LE(worst_of(lattice, low), flats_tolerance) << "lower walls " << off;
+            EXPECT_LE(worst_of(lattice, high), flats_tolerance) << "upper walls " << off;
         }
 }
 
@@ -93,7 +95,7 @@ constexpr std::array<double, 20> sizes{0,    1e-16, 1e-15, 1e-14, 5e-14, 1e-13, 
 
 /// Floor and all four walls at nodes, each hardly beside them by another amount.
 TEST(Flats, AllFacesOfAPocketAtNodes) {
-    const Lattice lattice = make_lattice(block, step_for(tolerance, 3)).value();
+    const Lattice lattice = make_lattice(plate_block, step_for(flats_tolerance, 3)).value();
     std::mt19937 random(7);
     const auto off = [&] { return (random() % 2 == 0 ? 1 : -1) * sizes[random() % sizes.size()]; };
     const auto at = [&](int low, int high) {
@@ -103,13 +105,13 @@ TEST(Flats, AllFacesOfAPocketAtNodes) {
         const Vec3 low = lattice.node(at(10, 40), at(10, 30), at(20, 60));
         const Vec3 high = lattice.node(at(150, 230), at(100, 150), 0);
         const Box3 pocket{low + Vec3{off(), off(), off()}, {high.x + off(), high.y + off(), 1}};
-        EXPECT_LE(worst_of(lattice, pocket), tolerance) << low.x << " " << low.y << " " << low.z;
+        EXPECT_LE(worst_of(lattice, pocket), flats_tolerance) << low.x << " " << low.y << " " << low.z;
     }
 }
 
 /// The stock's own faces at nodes: of a box, and of the same as a mesh.
 TEST(Flats, FacesOfTheStockAtNodes) {
-    const Lattice lattice = make_lattice(block, 0.5).value();
+    const Lattice lattice = make_lattice(plate_block, 0.5).value();
     std::mt19937 random(8);
     const auto off = [&] { return (random() % 2 == 0 ? 1 : -1) * sizes[random() % sizes.size()]; };
     for (int i = 0; i < 200; ++i) {

@@ -10,27 +10,25 @@ namespace {
 
 using geom::Vec3;
 
-constexpr double never = std::numeric_limits<double>::infinity();
-
 /// Half the width of the shape's shadow beside its axis, seen along x, y or z.
 double spread(const Shape& shape, Vec3 axis, int of) {
     const double along = component(axis, of);
     return shape.radius * std::sqrt(std::max(0.0, 1 - along * along));
 }
 
-struct Range {
+struct Reach {
     double low = 0, high = 0;
 };
 
 /// Extent of the shape's heights along a direction, from the tip.
-Range extent(Range heights, double axis_along, double beside) {
+Reach extent(Reach heights, double axis_along, double beside) {
     const double a = heights.low * axis_along, b = heights.high * axis_along;
     return {std::min(a, b) - beside, std::max(a, b) + beside};
 }
 
 /// Heights of the shape that can lie in the box at some time of its way; of a long tool that leans a small part.
-Range heights_in(const Box3& box, const Job& job, double bulge) {
-    Range heights{job.shape->bottom, job.shape->top};
+Reach heights_in(const Box3& box, const Job& job, double bulge) {
+    Reach heights{job.shape->bottom, job.shape->top};
     for (int axis = 0; axis < 3; ++axis) {
         const double lean = component(job.frame.z, axis);
         if (std::abs(lean) < 1e-6) continue;
@@ -65,13 +63,13 @@ Job make_job(const Shape& shape, const Orientation& frame, const Track& track, V
     // An arc of at most a quarter turn stands off its chord by this much.
     const double bulge =
         track.circular ? track.radius - std::sqrt(std::max(0.0, track.radius * track.radius - way * way / 4)) : 0;
-    const Range heights = heights_in(stock, job, bulge);
+    const Reach heights = heights_in(stock, job, bulge);
     for (int axis = 0; axis < 3; ++axis) {
         Vec3 unit;
         set_component(unit, axis, 1);
         const Lie lie = frame.along < 0 ? Lie::skew : frame.along == axis ? Lie::along : Lie::across;
         job.aims[static_cast<std::size_t>(axis)] = aims_of(track, frame.to_tool(unit), lie);
-        const Range r = extent(heights, component(frame.z, axis), spread(shape, frame.z, axis));
+        const Reach r = extent(heights, component(frame.z, axis), spread(shape, frame.z, axis));
         const double at = component(from, axis), moved = at + component(job.way, axis);
         const double room = bulge * std::sqrt(std::max(0.0, 1 - component(frame.z, axis) * component(frame.z, axis)));
         set_component(job.box.min, axis, std::min(at, moved) + r.low - room);
@@ -128,7 +126,7 @@ bool may_touch(const Job& job, const Lattice& lattice, int axis, int ta, int tb)
     const double at =
         (middle(first, ta) - component(job.from, first)) * nu + (middle(second, tb) - component(job.from, second)) * nv;
     const double lean = component(job.frame.z, first) * nu + component(job.frame.z, second) * nv;
-    const Range r = extent({job.shape->bottom, job.shape->top}, lean, job.shape->radius);
+    const Reach r = extent({job.shape->bottom, job.shape->top}, lean, job.shape->radius);
     return at + tile_half >= r.low && at - tile_half <= r.high;
 }
 

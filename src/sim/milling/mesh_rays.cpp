@@ -11,10 +11,10 @@ namespace {
 using geom::Vec2;
 using geom::Vec3;
 
-struct Crossing {
+struct RayCrossing {
     std::uint32_t ray = 0;
     double at = 0;
-    auto operator<=>(const Crossing&) const = default;
+    auto operator<=>(const RayCrossing&) const = default;
 };
 
 /// Whether the half line from p towards +x crosses the edge; lower end counted in, upper end out. Both triangles of an
@@ -43,20 +43,20 @@ double height_at(const Projected& t, Vec2 p) {
     return std::isfinite(h) ? std::clamp(h, low, high) : low;
 }
 
-struct Range {
+struct NodeRange {
     int from = 0, to = -1;
 };
-Range nodes_between(double low, double high, double origin, double step, int count) {
+NodeRange nodes_between(double low, double high, double origin, double step, int count) {
     return {base::clipped<int>(std::ceil((low - origin) / step), 0, count),
             base::clipped<int>(std::floor((high - origin) / step), -1, count - 1)};
 }
 
-std::vector<Crossing> crossings(const Dexels& dexels, const MeshStock& mesh, int axis) {
+std::vector<RayCrossing> crossings(const Dexels& dexels, const MeshStock& mesh, int axis) {
     const Lattice& l = dexels.lattice();
     const int first = first_across(axis), second = second_across(axis);
     const double u0 = component(l.origin, first), du = component(l.step, first);
     const double v0 = component(l.origin, second), dv = component(l.step, second);
-    std::vector<Crossing> all;
+    std::vector<RayCrossing> all;
     for (const auto& corners : mesh.triangles) {
         Projected t;
         for (std::size_t i = 0; i < 3; ++i) {
@@ -66,8 +66,8 @@ std::vector<Crossing> crossings(const Dexels& dexels, const MeshStock& mesh, int
         }
         const auto [left, right] = std::minmax({t.p[0].x, t.p[1].x, t.p[2].x});
         const auto [down, up] = std::minmax({t.p[0].y, t.p[1].y, t.p[2].y});
-        const Range a = nodes_between(left, right, u0, du, dexels.rays_a(axis));
-        const Range b = nodes_between(down, up, v0, dv, dexels.rays_b(axis));
+        const NodeRange a = nodes_between(left, right, u0, du, dexels.rays_a(axis));
+        const NodeRange b = nodes_between(down, up, v0, dv, dexels.rays_b(axis));
         for (int j = b.from; j <= b.to; ++j) {
             for (int i = a.from; i <= a.to; ++i) {
                 const Vec2 p{u0 + i * du, v0 + j * dv};
@@ -102,7 +102,7 @@ std::uint64_t fill_mesh(Dexels& dexels, const MeshStock& mesh) {
     std::uint64_t open = 0;
     std::vector<Interval> intervals;
     for (int axis = 0; axis < 3; ++axis) {
-        const std::vector<Crossing> all = crossings(dexels, mesh, axis);
+        const std::vector<RayCrossing> all = crossings(dexels, mesh, axis);
         const auto across = static_cast<std::uint32_t>(dexels.rays_a(axis));
         for (std::size_t i = 0; i < all.size();) {
             std::size_t end = i;

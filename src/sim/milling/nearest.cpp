@@ -10,8 +10,8 @@ namespace {
 using geom::Vec2;
 using geom::Vec3;
 
-constexpr double exact = 1e-12;  ///< mm
-constexpr double steep = 0.9;    ///< of a gradient along the axis: that of a piece's disc, not of its side
+constexpr double meeting_slack = 1e-12;  ///< mm
+constexpr double steep = 0.9;            ///< of a gradient along the axis: that of a piece's disc, not of its side
 
 struct Moment {
     double t = 0, slope = 0;
@@ -48,8 +48,8 @@ Vec3 place_near(const Track& track, Vec2 p) {
 /// How far a point lies outside of a moving piece at least: beside all places of its axis, below or above all of it.
 double least_outside(const Piece& piece, const Track& track, Vec3 p) {
     const Vec3 place = place_near(track, {p.x, p.y});
-    const double beside = geom::length(Vec2{p.x - place.x, p.y - place.y}) -
-                          std::max({piece.r0, piece.r1, piece.ring + piece.arc});
+    const double beside =
+        geom::length(Vec2{p.x - place.x, p.y - place.y}) - std::max({piece.r0, piece.r1, piece.ring + piece.arc});
     return std::max({beside, piece.z0 + std::min(0.0, track.v.z) - p.z, p.z - piece.z1 - std::max(0.0, track.v.z)});
 }
 
@@ -65,7 +65,7 @@ Foot foot_of(const Convex& body, Vec3 v, Vec3 p) {
     for (int i = 0; i < 80; ++i) {
         const double fa = a.foot.outside, fb = b.foot.outside;
         const double meet = (fb - fa + a.slope * a.t - b.slope * b.t) / (a.slope - b.slope);
-        if (std::min(fa, fb) - (fa + a.slope * (meet - a.t)) < exact) break;
+        if (std::min(fa, fb) - (fa + a.slope * (meet - a.t)) < meeting_slack) break;
         const double sa = weight_a * a.slope, sb = weight_b * b.slope;
         double t = i % 3 == 2 ? meet : a.t + (b.t - a.t) * (sa / (sa - sb));
         if (!(t > a.t && t < b.t)) t = (a.t + b.t) / 2;

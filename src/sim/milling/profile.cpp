@@ -10,8 +10,8 @@ namespace {
 
 using geom::Vec2;
 
-constexpr double flat = 1e-9;        ///< mm
-constexpr int most_chords = 10'000;  ///< of one arc
+constexpr double flat_height = 1e-9;  ///< mm
+constexpr int most_chords = 10'000;   ///< of one arc
 
 struct ArcEdge {
     Vec2 centre;
@@ -34,7 +34,7 @@ ArcEdge arc_of(const geom::Vertex& from, Vec2 to) {
 Vec2 on(const ArcEdge& arc, double angle) { return arc.centre + arc.radius * Vec2{std::cos(angle), std::sin(angle)}; }
 
 void add_straight(std::vector<Piece>& pieces, Vec2 from, Vec2 to) {
-    if (to.y - from.y > flat) pieces.push_back(cone(from.y, to.y, std::max(0.0, from.x), std::max(0.0, to.x)));
+    if (to.y - from.y > flat_height) pieces.push_back(cone(from.y, to.y, std::max(0.0, from.x), std::max(0.0, to.x)));
 }
 
 void add_chords(std::vector<Piece>& pieces, const ArcEdge& arc, Vec2 to, double deviation) {
@@ -50,7 +50,7 @@ void add_chords(std::vector<Piece>& pieces, const ArcEdge& arc, Vec2 to, double 
 
 /// Of an edge from one corner to the next: whether it rises all the way.
 bool rises(const geom::Vertex& from, Vec2 to) {
-    if (to.y < from.p.y - flat) return false;
+    if (to.y < from.p.y - flat_height) return false;
     if (from.bulge == 0) return true;
     const ArcEdge arc = arc_of(from, to);
     // Counter-clockwise rising means an angle between -90 and 90 degrees, clockwise between 90 and 270.
@@ -82,7 +82,7 @@ std::vector<Piece> pieces_of_profile(const std::vector<geom::Vertex>& profile, d
             continue;
         }
         const ArcEdge arc = arc_of(from, to);
-        if (arc.sweep > 0 && arc.centre.x >= -flat && to.y - from.p.y > flat)
+        if (arc.sweep > 0 && arc.centre.x >= -flat_height && to.y - from.p.y > flat_height)
             pieces.push_back(round(from.p.y, to.y, std::max(0.0, arc.centre.x), arc.centre.y, arc.radius));
         else
             add_chords(pieces, arc, to, deviation);

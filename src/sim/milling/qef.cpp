@@ -10,32 +10,32 @@ namespace obrys::sim::milling {
 namespace {
 
 using geom::Vec3;
-using Row = std::array<double, 3>;
+using Triple = std::array<double, 3>;
 
 /// Directions along which the planes' normals spread by less than the root of this (radians) are hardly determined.
 constexpr double weak = 1e-3;
 /// Normals nearer to each other than this (radians) belong to one plane face: most of a stock's surface.
-constexpr double flat = 1e-6;
+constexpr double one_plane = 1e-6;
 /// Each step takes a direction's error down to weak / (weak + spread^2) of what it was.
 constexpr int steps = 4;
 
 /// Least squares A d = b in the directions that are not fixed, drawn towards 0.
 struct System {
-    std::array<Row, 3> a{};
-    Row b{};
+    std::array<Triple, 3> a{};
+    Triple b{};
     double planes = 0;
     std::array<bool, 3> fixed{};
-    Row at{};  ///< where a direction is fixed
+    Triple at{};  ///< where a direction is fixed
 
-    [[nodiscard]] Row solve() const;
+    [[nodiscard]] Triple solve() const;
 
 private:
-    [[nodiscard]] std::array<Row, 3> factor() const;
+    [[nodiscard]] std::array<Triple, 3> factor() const;
 };
 
 /// Cholesky's factor of A + weak * planes * 1, with the rows of fixed directions replaced by those of the unit matrix.
-std::array<Row, 3> System::factor() const {
-    std::array<Row, 3> l{};
+std::array<Triple, 3> System::factor() const {
+    std::array<Triple, 3> l{};
     for (std::size_t r = 0; r < 3; ++r)
         for (std::size_t c = 0; c <= r; ++c) {
             double sum = r == c ? 1.0 : 0.0;
@@ -46,13 +46,13 @@ std::array<Row, 3> System::factor() const {
     return l;
 }
 
-Row System::solve() const {
-    const std::array<Row, 3> l = factor();
-    Row d{};
+Triple System::solve() const {
+    const std::array<Triple, 3> l = factor();
+    Triple d{};
     for (std::size_t i = 0; i < 3; ++i)
         if (fixed[i]) d[i] = at[i];
     for (int step = 0; step < steps; ++step) {
-        Row r{};
+        Triple r{};
         for (std::size_t i = 0; i < 3; ++i) {
             if (fixed[i]) continue;
             r[i] = b[i] - a[i][0] * d[0] - a[i][1] * d[1] - a[i][2] * d[2];
@@ -70,7 +70,7 @@ Row System::solve() const {
     return d;
 }
 
-Row row_of(Vec3 v) { return {v.x, v.y, v.z}; }
+Triple numbers_of(Vec3 v) { return {v.x, v.y, v.z}; }
 
 bool is_between(Vec3 p, Vec3 lo, Vec3 hi) {
     return p.x >= lo.x && p.x <= hi.x && p.y >= lo.y && p.y <= hi.y && p.z >= lo.z && p.z <= hi.z;
@@ -95,7 +95,7 @@ void PlaneFit::add(Vec3 within) {
 bool PlaneFit::is_flat() const {
     for (std::size_t i = 1; i < count_; ++i) {
         const Vec3 apart = plane(i).normal - planes_[0].normal;
-        if (dot(apart, apart) > flat * flat) return false;
+        if (dot(apart, apart) > one_plane * one_plane) return false;
     }
     return count_ == crossings_;
 }
@@ -106,15 +106,15 @@ Vec3 PlaneFit::vertex(Vec3 lo, Vec3 hi) const {
     System s;
     s.planes = std::max(1.0, static_cast<double>(count_));
     for (std::size_t i = 0; i < count_; ++i) {
-        const Row n = row_of(plane(i).normal);
+        const Triple n = numbers_of(plane(i).normal);
         const double offset = dot(plane(i).normal, plane(i).point - middle);
         for (std::size_t r = 0; r < 3; ++r) {
             for (std::size_t c = 0; c < 3; ++c) s.a[r][c] += n[r] * n[c];
             s.b[r] += n[r] * offset;
         }
     }
-    const Row low = row_of(lo - middle), high = row_of(hi - middle);
-    Row d = s.solve();
+    const Triple low = numbers_of(lo - middle), high = numbers_of(hi - middle);
+    Triple d = s.solve();
     // Beyond the cell: to the best point of the face it leaves by, and so on.
     for (int round = 0; round < 3; ++round) {
         std::size_t worst = 3;

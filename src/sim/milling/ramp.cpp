@@ -12,8 +12,6 @@ namespace {
 using geom::Vec2;
 using geom::Vec3;
 
-constexpr double never = std::numeric_limits<double>::infinity();
-
 struct Slope {
     Vec2 e;           ///< direction of the way, seen along the axis
     double way = 0;   ///< its length

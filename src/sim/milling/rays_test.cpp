@@ -79,7 +79,7 @@ Brute brute(const Piece& piece, Vec3 v, Vec3 p, Vec3 d) {
 
 const auto always = [](int, double, double) { return true; };
 
-class Rays : public testing::Test {
+class Rays : public ::testing::Test {
 protected:
     std::mt19937_64 random;
     std::uint64_t seed = 0;

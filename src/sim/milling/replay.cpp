@@ -39,7 +39,6 @@ bool meet(const Box3& a, const Box3& b) {
 
 /// Boxes of the runs that are complete.
 void Simulation::index_runs() {
-    constexpr double never = std::numeric_limits<double>::infinity();
     for (std::size_t first = runs_.size() * in_run; first + in_run <= done_; first += in_run) {
         Box3 all{{never, never, never}, {-never, -never, -never}};
         for (std::size_t i = first; i < first + in_run; ++i) {

@@ -13,8 +13,6 @@ namespace {
 
 using geom::Vec3;
 
-constexpr double bare = 0.3;  ///< of the tolerance: how far other bodies may reach over a place of the surface
-
 /// A sharp ring of a tool's outline, convex, with the directions out of the faces that meet there: along the radius and
 /// along the axis.
 struct Rim {
@@ -178,7 +176,7 @@ std::vector<Vec3> rims(const Simulation& simulation, Exact& exact, const NodeBit
         joined = goes, came = way_at(s.track, true);
     }
     exact.prepare(by_cell.cells);
-    const double allowed = bare * simulation.tolerance();
+    const double allowed = bare_share * simulation.tolerance();
     std::vector<std::vector<Vec3>> found(by_cell.cells.size());
     tbb::parallel_for(std::size_t{0}, found.size(), [&](std::size_t n) {
         const Exact::Near near = exact.near(by_cell.cells[n], false);

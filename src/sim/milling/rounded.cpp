@@ -16,9 +16,9 @@ namespace {
 
 using geom::Vec3;
 
-constexpr double exact = 1e-12;   ///< mm
-constexpr double grazing = 1e-3;  ///< a ray's slope to the surface below which Newton's method is left
-constexpr int most_steps = 24;    ///< of Newton's method; four are usual
+constexpr double newton_slack = 1e-12;  ///< mm
+constexpr double grazing = 1e-3;        ///< a ray's slope to the surface below which Newton's method is left
+constexpr int newton_steps = 24;        ///< of Newton's method; four are usual
 
 /// The distance from a whole piece and its derivatives along the ray and in time.
 struct Slopes {
@@ -61,11 +61,11 @@ Below below(const Slopes& f, double s, double t) { return {s, f.f + std::min(-t 
 /// F is nowhere 0: lines that fall and rise meet above 0, or one rises from above 0 where the search begins.
 bool above_zero(const Below& falls, const Below& rises, double start) {
     if (!(rises.value > 0)) return false;
-    if (rises.value + rises.slope * (start - rises.s) > exact) return true;
+    if (rises.value + rises.slope * (start - rises.s) > newton_slack) return true;
     if (!(falls.value > 0)) return false;
     const double meet =
         (rises.value - falls.value + falls.slope * falls.s - rises.slope * rises.s) / (falls.slope - rises.slope);
-    return falls.value + falls.slope * (meet - falls.s) > exact;
+    return falls.value + falls.slope * (meet - falls.s) > newton_slack;
 }
 
 /// Where a ray across the axis enters the piece where that stands at the move's beginning or end; else `s` as it is.
@@ -82,7 +82,7 @@ Met enter(const Piece& piece, Vec3 v, Vec3 p, Vec3 d, double start, Spot& spot) 
     auto& [s, t] = spot;
     const double way = std::sqrt(dot(v, v));
     Below falls, rises;
-    for (int i = 0; i < most_steps; ++i) {
+    for (int i = 0; i < newton_steps; ++i) {
         s = at_rest(piece, v, p, d, spot);
         const Slopes f = slopes_at(piece, p + s * d - t * v, d, v);
         if (f.f > 0) {
@@ -97,7 +97,7 @@ Met enter(const Piece& piece, Vec3 v, Vec3 p, Vec3 d, double start, Spot& spot) 
         const double moved = std::abs(step) + std::abs(next - t) * way;
         s = std::max(start, s + step);
         t = next;
-        if (f.s < -grazing && moved * moved <= exact * piece.arc * -f.s) return Met::yes;
+        if (f.s < -grazing && moved * moved <= newton_slack * piece.arc * -f.s) return Met::yes;
     }
     return Met::unsure;
 }
@@ -118,7 +118,7 @@ void keep(std::array<Spot, 2>& spots, Spot spot) {
 bool approach(const Piece& piece, Vec3 v, Vec3 p, Vec3 d, double sign, double& s) {
     for (int i = 0; i < 200; ++i) {
         const Foot foot = foot_on(piece, v, p + s * d);
-        if (foot.outside <= exact) return true;
+        if (foot.outside <= newton_slack) return true;
         const double slope = dot(foot.gradient, d);
         if (sign * slope >= -1e-9) return foot.outside <= 1e-9;
         s -= foot.outside / slope;
@@ -155,7 +155,7 @@ bool cut_round(const Piece& piece, Vec3 v, Vec3 p, Vec3 d, Ends& ends, double& l
 bool cut_round(const Piece& piece, Vec3 v, Vec3 p, Vec3 d, double& low, double& high) {
     const double bottom = piece.whole ? piece.centre - piece.arc : piece.z0;
     const double top = piece.whole ? piece.centre + piece.arc : piece.z1;
-    const double reach = std::hypot(piece.ring + piece.arc, (top - bottom) / 2) + length(v) / 2 + exact;
+    const double reach = std::hypot(piece.ring + piece.arc, (top - bottom) / 2) + length(v) / 2 + newton_slack;
     const Vec3 middle = Vec3{0, 0, (bottom + top) / 2} + 0.5 * v;
     const double s = dot(middle - p, d);
     const Vec3 beside = p + s * d - middle;

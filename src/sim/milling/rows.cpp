@@ -10,7 +10,6 @@ using geom::Vec2;
 using geom::Vec3;
 
 constexpr double barely = 1e-9;  ///< mm
-constexpr double never = std::numeric_limits<double>::infinity();
 
 [[nodiscard]] bool is_ball(const Piece& p) { return p.kind == PieceKind::round && p.whole && p.ring == 0; }
 [[nodiscard]] bool is_round(const Piece& p) { return p.kind == PieceKind::round && (p.ring > 0 || p.whole); }

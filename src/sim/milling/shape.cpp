@@ -7,7 +7,7 @@
 namespace obrys::sim::milling {
 namespace {
 
-constexpr double same = 1e-12;  ///< mm
+constexpr double same_size = 1e-12;  ///< mm
 
 /// The whole ball, or disc with a round rim, stays inside the piece and cylinders above and below it.
 void find_whole(std::vector<Piece>& pieces) {
@@ -16,14 +16,14 @@ void find_whole(std::vector<Piece>& pieces) {
         if (p.kind != PieceKind::round) continue;
         const auto hides = [&](std::size_t n, double reach) {
             const Piece& other = pieces[n];
-            return other.z1 - other.z0 >= reach - same && other.kind == PieceKind::cone &&
-                   std::min(other.r0, other.r1) >= p.ring + p.arc - same;
+            return other.z1 - other.z0 >= reach - same_size && other.kind == PieceKind::cone &&
+                   std::min(other.r0, other.r1) >= p.ring + p.arc - same_size;
         };
         const double above = p.centre + p.arc - p.z1, below = p.z0 - (p.centre - p.arc);
-        p.whole =
-            (above <= same ||
-             (i + 1 < pieces.size() && p.z1 <= p.centre + same && p.z1 >= p.centre - same && hides(i + 1, above))) &&
-            (below <= same || (i > 0 && p.z0 >= p.centre - same && p.z0 <= p.centre + same && hides(i - 1, below)));
+        p.whole = (above <= same_size || (i + 1 < pieces.size() && p.z1 <= p.centre + same_size &&
+                                          p.z1 >= p.centre - same_size && hides(i + 1, above))) &&
+                  (below <= same_size ||
+                   (i > 0 && p.z0 >= p.centre - same_size && p.z0 <= p.centre + same_size && hides(i - 1, below)));
     }
 }
 
@@ -127,10 +127,11 @@ Shape make_shape(std::vector<Piece> pieces) {
     shape.rising = !pieces.empty();
     for (std::size_t i = 0; i < pieces.size(); ++i) {
         Piece& p = pieces[i];
-        p.covered = i > 0 && pieces[i - 1].r1 >= p.r0 - same && std::abs(pieces[i - 1].z1 - p.z0) <= same;
+        p.covered = i > 0 && pieces[i - 1].r1 >= p.r0 - same_size && std::abs(pieces[i - 1].z1 - p.z0) <= same_size;
         shape.radius = std::max(shape.radius, widest_between(p, p.z0, p.z1));
-        const bool grows = p.r1 >= widest_between(p, p.z0, p.z1) - same;
-        const bool continues = i == 0 || (p.r0 >= pieces[i - 1].r1 - same && std::abs(pieces[i - 1].z1 - p.z0) <= same);
+        const bool grows = p.r1 >= widest_between(p, p.z0, p.z1) - same_size;
+        const bool continues =
+            i == 0 || (p.r0 >= pieces[i - 1].r1 - same_size && std::abs(pieces[i - 1].z1 - p.z0) <= same_size);
         shape.rising = shape.rising && grows && continues;
     }
     if (!pieces.empty()) {

@@ -10,6 +10,9 @@
 
 namespace obrys::sim::milling {
 
+/// A height, or a place on a ray, that is not met.
+inline constexpr double never = std::numeric_limits<double>::infinity();
+
 enum class PieceKind : std::uint8_t {
     cone,   ///< radius r0 at z0 to r1 at z1, straight: cylinder, frustum, cone
     round,  ///< radius ring + sqrt(arc^2 - (z - centre)^2): zone of a ball (ring 0) or the outer half of a torus

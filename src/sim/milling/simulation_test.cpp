@@ -73,11 +73,11 @@ void each_ray(const Dexels& d, Visit&& visit) {
             for (int a = 0; a < d.rays_a(axis); ++a) visit(axis, a, b, d.ray(axis, a, b));
 }
 
-const Box3 block{{0, 0, -10}, {30, 20, 0}};
+const Box3 bed{{0, 0, -10}, {30, 20, 0}};
 
 TEST(Simulation, NumberOfThreadsChangesNothing) {
     for (const double tilt : {0.0, 0.7}) {
-        Simulation one(block, *make_lattice(block, 0.35), 0.01, 1), four(block, *make_lattice(block, 0.35), 0.01, 4);
+        Simulation one(bed, *make_lattice(bed, 0.35), 0.01, 1), four(bed, *make_lattice(bed, 0.35), 0.01, 4);
         machine(one, {}, 7, tilt, 12);
         machine(four, {}, 7, tilt, 12);
         std::size_t cuts = 0;
@@ -97,7 +97,7 @@ TEST(Simulation, NumberOfThreadsChangesNothing) {
 }
 
 TEST(Simulation, IntervalsAreInOrderAndNormalsPointOut) {
-    Simulation s(block, *make_lattice(block, 0.35), 0.01);
+    Simulation s(bed, *make_lattice(bed, 0.35), 0.01);
     machine(s, {}, 11, 0.5, 12);
     std::size_t wrong = 0, ends = 0;
     each_ray(s.dexels(), [&](int axis, int a, int b, std::span<const Interval> ray) {
@@ -130,12 +130,12 @@ TEST(Simulation, QuarterTurnAboutXChangesNothing) {
     const Turn turn{geom::Frame::rotation(0, pi / 2)};
     const Box3 turned{{0, 0, 0}, {30, 10, 20}};  // (x, y, z) becomes (x, -z, y)
     for (const std::uint64_t seed : {3U, 4U, 5U}) {
-        const Lattice lattice = *make_lattice(block, 0.35);
+        const Lattice lattice = *make_lattice(bed, 0.35);
         const Vec3 far = lattice.node(lattice.count[0] - 1, lattice.count[1] - 1, lattice.count[2] - 1);
         const Lattice other_lattice{{lattice.origin.x, -far.z, lattice.origin.y},
                                     {lattice.step.x, lattice.step.z, lattice.step.y},
                                     {lattice.count[0], lattice.count[2], lattice.count[1]}};
-        Simulation a(block, lattice, 0.01), b(turned, other_lattice, 0.01);
+        Simulation a(bed, lattice, 0.01), b(turned, other_lattice, 0.01);
         machine(a, {}, seed, 0, 10);
         machine(b, turn, seed, 0, 10);
         const int last = a.dexels().lattice().count[2] - 1;
@@ -214,7 +214,7 @@ TEST(Simulation, ThirtyDegreesAboutZWithLeaningToolsChangesNothing) {
 }
 
 TEST(Simulation, WhatCannotBeTakenIsRefusedByValue) {
-    Work w(block, 0.5, tool_of(CutterKind::end_mill, 6));
+    Work w(bed, 0.5, tool_of(CutterKind::end_mill, 6));
     const double nan = std::numeric_limits<double>::quiet_NaN(), inf = std::numeric_limits<double>::infinity();
     w.start({1, 1, 1});
     EXPECT_EQ(w.to({1, 1, 1}), Taken::no_motion);
@@ -267,7 +267,7 @@ TEST(Simulation, PassesThatDoNotCutSayWhatTheyMeet) {
     c.diameter = 6;
     c.cutting_length = 8;
     c.holder = {{20, 20, 5}, {20, 30, 10}};
-    Work w(block, 0.4, shape_of(c).shape);
+    Work w(bed, 0.4, shape_of(c).shape);
     const auto probe = [&](Part part, Vec3 from, Vec3 to) {
         w.simulation.add({geom::Straight{from, to}, {0, 0, 1}, 0, part, false});
         w.simulation.flush();

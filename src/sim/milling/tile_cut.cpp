@@ -14,24 +14,24 @@ namespace {
 using geom::Vec2;
 using geom::Vec3;
 
-constexpr double nothing = -std::numeric_limits<double>::infinity();
+constexpr double lower_than_all = -std::numeric_limits<double>::infinity();
 
 /// A tile and where its rays lie.
-struct Place {
+struct TilePlace {
     Tile& tile;
     int axis = 2;
-    int count_a = 0, count_b = 0;          ///< rays of this tile that the lattice has
-    Vec3 node, step_a, step_b;             ///< ray (0, 0) where its own coordinate is 0, and the ways to the next rays
-    double lowest = 0, highest = nothing;  ///< of the material
+    int count_a = 0, count_b = 0;  ///< rays of this tile that the lattice has
+    Vec3 node, step_a, step_b;     ///< ray (0, 0) where its own coordinate is 0, and the ways to the next rays
+    double lowest = 0, highest = lower_than_all;  ///< of the material
 };
 
 struct Window {
     int a0 = 0, a1 = 0, b0 = 0, b1 = 0;  ///< first, and one past the last
 };
 
-Place place_of(Tile& tile, const Lattice& l, int axis, int ta, int tb) {
+TilePlace place_of(Tile& tile, const Lattice& l, int axis, int ta, int tb) {
     const int first = first_across(axis), second = second_across(axis);
-    Place p{tile, axis, 0, 0, {}, {}, {}};
+    TilePlace p{tile, axis, 0, 0, {}, {}, {}};
     p.count_a = std::min(Tile::edge, l.count[static_cast<std::size_t>(first)] - ta * Tile::edge);
     p.count_b = std::min(Tile::edge, l.count[static_cast<std::size_t>(second)] - tb * Tile::edge);
     set_component(p.node, first, component(l.origin, first) + ta * Tile::edge * component(l.step, first));
@@ -47,7 +47,7 @@ Place place_of(Tile& tile, const Lattice& l, int axis, int ta, int tb) {
 }
 
 /// Rays of the tile inside the job's box.
-Window window_of(const Place& p, const Job& job) {
+Window window_of(const TilePlace& p, const Job& job) {
     const auto range = [&](int across, Vec3 step, int count) {
         const double at = component(p.node, across), s = component(step, across);
         const double low = std::ceil((component(job.box.min, across) - at) / s);
@@ -60,14 +60,14 @@ Window window_of(const Place& p, const Job& job) {
 }
 
 /// A row of rays and where its rays are in the tile.
-struct Course {
+struct RayRow {
     Row row;
     int local = 0, stride = 1;
 };
 
 class Worker {
 public:
-    Worker(const Place& place, const Job& job, Tally& tally)
+    Worker(const TilePlace& place, const Job& job, Tally& tally)
         : place_(place),
           job_(job),
           tally_(tally),
@@ -101,7 +101,7 @@ public:
             for (; count > 0 && is_empty(local + (count - 1) * stride);) --count;
             if (count == 0) continue;
             (along_b ? b : a) += skipped;
-            const Course c = course(a, b, count, along_b);
+            const RayRow c = course(a, b, count, along_b);
             const auto worth = [&](int n, double low, double high) {
                 return place_.tile.first_met(c.local + n * c.stride, base_ + low, base_ + high) >= 0;
             };
@@ -118,8 +118,8 @@ private:
                component(job_.box.max, place_.axis) <= place_.tile.gaps_high()[local];
     }
 
-    [[nodiscard]] Course course(int a, int b, int count, bool along_b) const {
-        Course c;
+    [[nodiscard]] RayRow course(int a, int b, int count, bool along_b) const {
+        RayRow c;
         c.local = b * Tile::edge + a;
         c.stride = along_b ? Tile::edge : 1;
         c.row.p = start_ + a * step_a_ + b * step_b_;
@@ -135,11 +135,11 @@ private:
         Spans spans;
         for (int b = w.b0; b < w.b1; ++b) {
             const double* upper = place_.tile.uppers() + b * Tile::edge;
-            double highest = nothing;
+            double highest = lower_than_all;
             for (int a = w.a0; a < w.a1; ++a) highest = upper[a] > highest ? upper[a] : highest;
             if (highest <= level + job_.shape->bottom + thinnest) continue;
             if (highest <= level + lower_side(*job_.shape, least_distance(w, b)) + thinnest) continue;
-            const Course c = course(w.a0, b, w.a1 - w.a0, false);
+            const RayRow c = course(w.a0, b, w.a1 - w.a0, false);
             cut_row_from_above(*job_.shape, job_.track, c.row, aims_, spans);
             apply(c, spans);
         }
@@ -160,7 +160,7 @@ private:
         return std::sqrt(du * du + dv * dv);
     }
 
-    void apply(const Course& c, const Spans& spans) {
+    void apply(const RayRow& c, const Spans& spans) {
         std::array<int, Row::most> rays;
         const double* low_gaps = place_.tile.gaps_low() + c.local;
         const double* high_gaps = place_.tile.gaps_high() + c.local;
@@ -250,7 +250,7 @@ private:
 
     static constexpr double rim = 0.9;  ///< of the radius: what lies farther out may be a wall along which it rubs
 
-    const Place& place_;
+    const TilePlace& place_;
     const Job& job_;
     Tally& tally_;
     const Aims& aims_;
@@ -264,7 +264,7 @@ private:
 
 void cut_tile(Tile& tile, const Lattice& lattice, int axis, int ta, int tb, std::span<const Job> jobs,
               std::span<const std::uint32_t> order, std::span<Tally> tallies) {
-    const Place place = place_of(tile, lattice, axis, ta, tb);
+    const TilePlace place = place_of(tile, lattice, axis, ta, tb);
     for (std::size_t i = 0; i < order.size(); ++i) {
         const Job& job = jobs[order[i]];
         if (component(job.box.min, axis) >= place.highest || component(job.box.max, axis) <= place.lowest) continue;

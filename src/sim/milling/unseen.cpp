@@ -14,7 +14,6 @@ namespace {
 using geom::Vec3;
 
 constexpr double blunt = 0.9;  ///< cosine between two faces' directions from which on planes alone tell of an edge
-constexpr double bare = 0.3;   ///< of the tolerance: how far other bodies may reach over a place of the surface
 constexpr std::size_t most_faces = 20, most_pairs = 60;  ///< that are looked at in a cell
 
 /// Edges and corners near one cell, or some together.
@@ -155,7 +154,7 @@ std::vector<Vec3> edges_in(const std::vector<Place>& cells, Exact& exact, double
     std::vector<std::vector<Vec3>> found(groups.size());
     tbb::parallel_for(tbb::blocked_range<std::size_t>(0, groups.size(), 16), [&](const auto& some) {
         for (std::size_t n = some.begin(); n < some.end(); ++n)
-            CellEdges(exact, groups[n].low, groups[n].cell, together, bare * tolerance).find(found[n]);
+            CellEdges(exact, groups[n].low, groups[n].cell, together, bare_share * tolerance).find(found[n]);
     });
     std::vector<Vec3> all;
     for (const std::vector<Vec3>& f : found) all.insert(all.end(), f.begin(), f.end());

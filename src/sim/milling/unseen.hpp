@@ -9,6 +9,9 @@
 
 namespace obrys::sim::milling {
 
+/// Of the tolerance: how far other bodies may reach over a place of the surface.
+inline constexpr double bare_share = 0.3;
+
 /// The cells whose nodes differ.
 [[nodiscard]] std::vector<Place> mixed_cells(const NodeBits& nodes);
 

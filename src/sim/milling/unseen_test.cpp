@@ -13,10 +13,12 @@ namespace {
 
 using geom::Vec3;
 
-constexpr double tolerance = 0.01;
-const Box3 block{{0, 0, 0}, {12, 12, 6}};
+constexpr double unseen_tolerance = 0.01;
+const Box3 unseen_block{{0, 0, 0}, {12, 12, 6}};
 
-Simulation blank() { return Simulation(block, *make_lattice(block, step_for(tolerance, 3)), tolerance); }
+Simulation blank() {
+    return Simulation(unseen_block, *make_lattice(unseen_block, step_for(unseen_tolerance, 3)), unseen_tolerance);
+}
 
 void cut(Simulation& s, std::uint32_t tool, Vec3 from, Vec3 to) {
     Pass pass;
@@ -59,7 +61,7 @@ TEST(Unseen, a_needle_between_all_rays_is_in_the_surface) {
         for (Vec3 p : corners)
             for (const double z : {3.5, 4.7, 6.0}) {
                 p.z = z;
-                EXPECT_LE(distance.nearest(p).distance, tolerance) << i << " thick " << thick << " at " << z;
+                EXPECT_LE(distance.nearest(p).distance, unseen_tolerance) << i << " thick " << thick << " at " << z;
             }
     }
 }
@@ -77,7 +79,8 @@ TEST(Unseen, the_groove_of_a_sharp_rim_is_in_the_surface) {
         cut(s, s.add_tool(disc), at + Vec3{0, 0, 20}, at);
         cut(s, s.add_tool(disc), at, at + Vec3{-2, 0, 0});
         const Surface surface = surface_of(s);
-        EXPECT_LE(mesh::Distance(surface.mesh).nearest({deep, y, z}).distance, tolerance) << i << " deep " << deep;
+        EXPECT_LE(mesh::Distance(surface.mesh).nearest({deep, y, z}).distance, unseen_tolerance)
+            << i << " deep " << deep;
     }
 }
 
@@ -103,12 +106,13 @@ TEST(Unseen, the_tip_of_a_sharp_edge_is_in_the_surface) {
         for (const double way : {-2.0, -0.7, 0.0, 0.61, 2.3}) {
             Vec3 p = c + way * along;
             p.z = tip;
-            EXPECT_LE(distance.nearest(p).distance, tolerance) << i << " tip " << tip << " at " << way;
+            EXPECT_LE(distance.nearest(p).distance, unseen_tolerance) << i << " tip " << tip << " at " << way;
         }
     }
 }
 
-// Where one piece of a tool lies upon another, both end: taken for a face of the tool, that disc makes edges in the air.
+// Where one piece of a tool lies upon another, both end: taken for a face of the tool, that disc makes edges in the
+// air.
 TEST(Unseen, pieces_of_a_tool_have_no_face_between_them) {
     const std::vector<Piece> point{cone(0, 2, 0, 2), cylinder(2, 9, 2)}, dovetail{cone(0, 2, 3, 2), cylinder(2, 9, 2)},
         double_angle{cone(0, 2, 1, 3), cone(2, 4, 3, 1)}, step{cylinder(0, 2, 1.5), cylinder(2, 9, 3)};

@@ -19,7 +19,7 @@ namespace {
 using geom::Vec3;
 
 /// What an end of an interval says about the cell around the nearest node.
-struct Part {
+struct EndPart {
     std::uint64_t node = 0;
     int axis = 0;
     double share = 0;     ///< how much of the cell's axis is material
@@ -27,12 +27,12 @@ struct Part {
     double sign = 0;      ///< 1 where the ray leaves the material, -1 where it enters; 0: two ends in this cell
     bool inside = false;  ///< the node itself is material
     std::uint32_t cut = 0;
-    [[nodiscard]] bool before(const Part& p) const {
+    [[nodiscard]] bool before(const EndPart& p) const {
         return node != p.node ? node < p.node : axis != p.axis ? axis < p.axis : at < p.at;
     }
 };
 
-struct Course {
+struct Ray {
     int axis = 0;
     std::uint64_t base = 0, stride = 0;  ///< node i of the ray is base + i * stride
     double origin = 0, step = 1;
@@ -40,7 +40,7 @@ struct Course {
 };
 
 /// The parts of one interval; returns how many nodes it holds.
-double parts_of(const Interval& v, const Course& ray, std::vector<Part>& parts) {
+double parts_of(const Interval& v, const Ray& ray, std::vector<EndPart>& parts) {
     const double begin = (v.begin - ray.origin) / ray.step, end = (v.end - ray.origin) / ray.step;
     const double last = ray.count - 1;
     const double i = std::clamp(std::floor(begin + 0.5), 0.0, last), j = std::clamp(std::floor(end + 0.5), 0.0, last);
@@ -56,13 +56,13 @@ double parts_of(const Interval& v, const Course& ray, std::vector<Part>& parts) 
     return std::max(0.0, std::floor(end) - std::ceil(begin) + 1);
 }
 
-using Parts = std::span<const Part>;
+using Parts = std::span<const EndPart>;
 
 /// The product of the parts' shares, or one less the product of their complements: exact for edges and corners of
 /// faces normal to the axes.
 double by_shares(Parts parts, bool inside) {
     std::array<double, 3> share{-1, -1, -1};
-    for (const Part& p : parts) {
+    for (const EndPart& p : parts) {
         double& s = share[static_cast<std::size_t>(p.axis)];
         s = std::max(s, 0.0) + p.share;
     }
@@ -85,7 +85,7 @@ public:
         std::array<Vec3, 3> normals;
         double sum = inside ? 1 : 0;
         for (std::size_t i = 0; i < parts.size(); ++i) {
-            const Part& p = parts[i];
+            const EndPart& p = parts[i];
             if (p.sign == 0 || (i > 0 && parts[i - 1].axis == p.axis)) return by_shares(parts, inside);
             Vec3 at = node;
             set_component(at, p.axis, component(at, p.axis) + p.at * component(lattice_.step, p.axis));
@@ -140,11 +140,11 @@ double volume_by(const Dexels& dexels, const Cells& cells) {
     const std::array<std::uint64_t, 3> stride{
         1, static_cast<std::uint64_t>(lattice.count[0]),
         static_cast<std::uint64_t>(lattice.count[0]) * static_cast<std::uint64_t>(lattice.count[1])};
-    std::vector<Part> parts;
+    std::vector<EndPart> parts;
     double nodes = 0;
     for (int axis = 0; axis < 3; ++axis) {
         const auto own = static_cast<std::size_t>(axis);
-        Course ray{
+        Ray ray{
             axis, 0, stride[own], component(lattice.origin, axis), component(lattice.step, axis), lattice.count[own]};
         for (int b = 0; b < dexels.rays_b(axis); ++b) {
             for (int a = 0; a < dexels.rays_a(axis); ++a) {
@@ -157,7 +157,7 @@ double volume_by(const Dexels& dexels, const Cells& cells) {
             }
         }
     }
-    tbb::parallel_sort(parts.begin(), parts.end(), [](const Part& a, const Part& b) { return a.before(b); });
+    tbb::parallel_sort(parts.begin(), parts.end(), [](const EndPart& a, const EndPart& b) { return a.before(b); });
     return (nodes + corrections(parts, cells)) * lattice.step.x * lattice.step.y * lattice.step.z;
 }
 

@@ -13,7 +13,7 @@ namespace {
 
 using geom::Vec3;
 
-constexpr double same = 1e-9;  ///< mm
+constexpr double same_place = 1e-9;  ///< mm
 
 }  // namespace
 
@@ -21,16 +21,16 @@ constexpr double same = 1e-9;  ///< mm
 bool Simulation::is_one(Whole whole, std::uint32_t next) const {
     const Sweep &first = sweeps_[whole.first - 1], &last = sweeps_[whole.last - 1], &s = sweeps_[next - 1];
     if (!s.goes_on || s.tool != first.tool || s.part != first.part || s.orientation != first.orientation ||
-        (s.circle == 0) != (first.circle == 0) || geom::distance(s.from, last.to) > same)
+        (s.circle == 0) != (first.circle == 0) || geom::distance(s.from, last.to) > same_place)
         return false;
     if (s.circle == 0) {
         const Vec3 way = s.to - first.from, on = s.from - first.from;
-        return dot(way, on) > 0 && dot(s.to - s.from, on) > 0 && length(cross(way, on)) <= same * length(way);
+        return dot(way, on) > 0 && dot(s.to - s.from, on) > 0 && length(cross(way, on)) <= same_place * length(way);
     }
     const Circle &own = circles_[s.circle - 1], &begun = circles_[first.circle - 1];
     const Vec3 from = first.from - begun.centre, to = s.to - begun.centre;
-    return own.turn == begun.turn && geom::distance(own.centre, begun.centre) <= same &&
-           std::abs(length(from) - length(to)) <= same && dot(from, to) >= -same * length(to);
+    return own.turn == begun.turn && geom::distance(own.centre, begun.centre) <= same_place &&
+           std::abs(length(from) - length(to)) <= same_place && dot(from, to) >= -same_place * length(to);
 }
 
 std::vector<Simulation::Whole> Simulation::wholes(std::span<const std::uint32_t> cuts) const {

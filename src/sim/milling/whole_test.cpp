@@ -11,7 +11,7 @@ namespace {
 
 using geom::Vec3;
 
-const Box3 block{{0, 0, 0}, {40, 40, 12}};
+const Box3 whole_block{{0, 0, 0}, {40, 40, 12}};
 
 /// The same way in one and in pieces.
 void add(Work& w, const geom::PathElement& path, int pieces) {
@@ -33,14 +33,14 @@ TEST(Whole, pieces_of_a_move_are_one_body) {
                             arc = geom::Circular{{30, 20, 3}, {20, 30, 3}, {20, 20, 3}, {0, 0, 1}, geom::pi / 2};
     for (const CutterKind kind : {CutterKind::end_mill, CutterKind::ball, CutterKind::bull_nose})
         for (const geom::PathElement& path : {level, ramp, arc}) {
-            Work one(block, 0.5, tool_of(kind, 8, kind == CutterKind::bull_nose ? 1 : 0)),
-                many(block, 0.5, tool_of(kind, 8, kind == CutterKind::bull_nose ? 1 : 0));
+            Work one(whole_block, 0.5, tool_of(kind, 8, kind == CutterKind::bull_nose ? 1 : 0)),
+                many(whole_block, 0.5, tool_of(kind, 8, kind == CutterKind::bull_nose ? 1 : 0));
             add(one, path, 1);
             add(many, path, 70);
             one.simulation.flush();
             many.simulation.flush();
             EXPECT_EQ(many.simulation.wholes().size(), 1U);
-            const Air whole = many.simulation.whole_air_in(block), same = one.simulation.air_in(block);
+            const Air whole = many.simulation.whole_air_in(whole_block), same = one.simulation.air_in(whole_block);
             ASSERT_EQ(whole.bodies(), 2U);
             std::mt19937 random(1);
             std::uniform_real_distribution<double> in(0, 40);
@@ -52,7 +52,7 @@ TEST(Whole, pieces_of_a_move_are_one_body) {
 }
 
 TEST(Whole, what_turns_or_is_another_move_is_not) {
-    Work w(block, 0.5, tool_of(CutterKind::end_mill, 8));
+    Work w(whole_block, 0.5, tool_of(CutterKind::end_mill, 8));
     const auto take = [&](Vec3 from, Vec3 to, bool goes_on) {
         Pass pass{geom::Straight{from, to}, w.axis, w.tool};
         pass.goes_on = goes_on;
@@ -67,7 +67,7 @@ TEST(Whole, what_turns_or_is_another_move_is_not) {
     add(w, geom::Circular{{30, 20, 3}, {20, 10, 3}, {20, 20, 3}, {0, 0, 1}, 1.5 * geom::pi}, 30);
     w.simulation.flush();
     EXPECT_EQ(w.simulation.wholes().size(), 5U + 3U);
-    EXPECT_EQ(w.simulation.whole_air_in(block).bodies(), 1U + 5U + 3U);
+    EXPECT_EQ(w.simulation.whole_air_in(whole_block).bodies(), 1U + 5U + 3U);
 }
 
 }  // namespace

@@ -81,9 +81,9 @@ struct Feature {
 };
 
 /// For points between others no distance is larger than what these convex functions say at the others.
-class Bound {
+class ConvexBound {
 public:
-    Bound(const Feature& f, const std::vector<Vec2>& corners, Vec2 middle) : f_(f) {
+    ConvexBound(const Feature& f, const std::vector<Vec2>& corners, Vec2 middle) : f_(f) {
         if (!f.arc) return;
         double by_a = 0, by_b = 0, by_arc = 0;
         const Vec2 out = middle - f.circle.centre;
@@ -201,7 +201,7 @@ private:
         std::vector<std::pair<double, std::uint32_t>> reach;  // nearest corner of the part to each wall
         const geom::Box b = box_of(corners);
         const double size = geom::distance(b.lo, b.hi);
-        std::vector<Bound> bounds;
+        std::vector<ConvexBound> bounds;
         for (const std::uint32_t w : c.walls) {
             bounds.emplace_back(walls_[w], corners, 0.5 * (b.lo + b.hi));
             double far = 0, near = std::numeric_limits<double>::infinity();
@@ -221,7 +221,7 @@ private:
             }
         if (bound <= depth + depth_error) return;
         c.walls.clear();
-        std::vector<Bound> kept;
+        std::vector<ConvexBound> kept;
         for (std::size_t i = 0; i < reach.size(); ++i) {
             if (reach[i].first > bound + size) continue;
             c.walls.push_back(reach[i].second);
@@ -234,7 +234,7 @@ private:
         return geom::contains(piece_, p) || geom::distance(piece_, p) <= 2 * chord_error;
     }
     /// Between two walls no point is farther from the nearer one than half the sum of the distances.
-    [[nodiscard]] static double between_two(const std::vector<Bound>& walls, const std::vector<Vec2>& corners) {
+    [[nodiscard]] static double between_two(const std::vector<ConvexBound>& walls, const std::vector<Vec2>& corners) {
         double bound = std::numeric_limits<double>::infinity();
         if (walls.size() > 12) return bound;
         for (std::size_t i = 0; i < walls.size(); ++i)
