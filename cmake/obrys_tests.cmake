@@ -6,6 +6,8 @@ include(GoogleTest)
 function(obrys_unit_tests folder)
   string(REPLACE / _ name ${folder})
   add_executable(test_${name} ${ARGN})
+  obrys_unity(test_${name})
+  obrys_optimise(test_${name} -O1)  # half the compilation; what is tested stays as it is shipped
   target_link_libraries(test_${name} PRIVATE obrys_${name} obrys_warnings GTest::gtest_main rapidcheck)
   target_compile_definitions(test_${name} PRIVATE OBRYS_SOURCE_DIR="${PROJECT_SOURCE_DIR}")
   gtest_discover_tests(test_${name} TEST_PREFIX "${folder}." DISCOVERY_TIMEOUT 60
