@@ -116,6 +116,13 @@ std::uint32_t behind_label(const Unit& unit, std::uint32_t i) {
 }  // namespace
 
 void say_blocks_behind(Run& run, int m) {
+    if (run.top().is_piece) {  // of the program below, in which the blocks stand
+        Activation piece = std::move(run.calls.back());
+        run.calls.pop_back();
+        say_blocks_behind(run, m);
+        run.calls.push_back(std::move(piece));
+        return;
+    }
     const Unit& unit = run.unit();
     if (may_be_reached(run)) return;
     const bool by_value = names_labels_by_value(unit);

@@ -345,6 +345,11 @@ void end_sections(Run& run) {
 
 void leave(Run& run) {
     Activation& act = run.top();
+    if (act.is_piece) {
+        run.calls.pop_back();
+        run.statement = &run.unit().statements[run.top().pc - 1];
+        return;
+    }
     if (const std::uint32_t call = unended_label(act); call != program::no_target)
         return alarm(run, codes::missing_label, act.unit->span(act.unit->statements[call]),
                      "the program ends before the LBL 0 of the label that is called here");
@@ -381,6 +386,7 @@ void return_to_block(Run& run, const program::Jump& j) {
     if (run.stopped) return;
     if (run.top().repeats_left > 0) return leave(run);
     leave(run);
+    while (!run.stopped && run.top().is_piece) leave(run);
     if (run.stopped) return;
     const std::vector<std::uint32_t> at = numbered_statements(run, n);
     if (std::isnan(n) || at.empty())

@@ -191,15 +191,32 @@ void step(Run& run) {
     if (run.watched.depth != 0 &&
         (index < run.watched.first || index > run.watched.last || run.calls.size() != run.watched.depth))
         run.watched.depth = 0;
+    const bool passed_over = s.flags != 0 && skipped(run, s);
+    if (!passed_over && !act.unit->modes.spans.empty() && runs_read_again(run, index)) return;
+    if (run.stopped) return;
     if (s.flags != 0) {
         if ((s.flags & program::line_start) != 0) ++run.blocks;
-        if (skipped(run, s)) return;
+        if (passed_over) return;
         if ((s.flags & program::skip_mask) != 0) say_not_skipped(run, s);
     }
     const bool look = (++run.steps & 0xFF) == 0;
     if ((look || run.out_of_time || run.blocks > run.env.budgets.blocks) && over_budget(run, look)) return;
     run_statement(run, s, index);
 }
+
+namespace {
+
+/// Diameters, the plane of X and Z, feed per revolution; they count as said.
+void begin_as_lathe(ModalState& m) {
+    m.diameter = DiameterMode::on;
+    m.plane = 18;
+    m.plane_said = true;
+    m.feed_mode = cl::FeedMode::per_rev;
+    for (const Modal word : {Modal::diameter_on, Modal::plane_zx, Modal::feed_per_rev})
+        m.groups_said |= std::uint32_t{1} << static_cast<unsigned>(program::group_of(word));
+}
+
+}  // namespace
 
 Outcome run(const program::Unit& main, const Environment& environment, cl::CallStacks& stacks, cl::Sink sink,
             base::Diagnostics& diagnostics) {
@@ -210,6 +227,8 @@ Outcome run(const program::Unit& main, const Environment& environment, cl::CallS
         run.modal.plane = 17;
         run.modal.feed_mode = cl::FeedMode::per_minute;
     }
+    if (main.traits->begins_as_lathe) begin_as_lathe(run.modal);
+    run.modes = main.modes.begin;
     run.modal.clear_to_retract_plane = main.traits->clearance_at_start;
     if (main.traits->feed_at_tool_first) run.modal.feed_reference = Modal::feed_at_tool;
     if (main.traits->rapid_at_start) run.modal.motion = Modal::rapid;

@@ -79,6 +79,13 @@ void change_plane(Run& run, int plane) {
     if (!run.stopped) set_plane(run, plane);
 }
 
+/// G53 whose coordinates are ways (G91), where the control takes no notice of it.
+void say_ignored_machine_position(Run& run, const program::Word& w) {
+    unchecked(run, base::codes::assumption, run.unit().span(*run.statement, w),
+              "G53 with incremental coordinates is ignored by the control: the block moves from where the tool is",
+              "write G90 before it, or absolute coordinates");
+}
+
 /// Motion, plane and what acts in this block only. False where `m` is none of them.
 bool motion_word(Run& run, Modal m, const program::Word& w) {
     if (m <= Modal::tap_retract) {
@@ -109,8 +116,10 @@ bool motion_word(Run& run, Modal m, const program::Word& w) {
         case Modal::look_ahead: run.modal.look_ahead = program::modal_number(w); return true;
         case Modal::retract_tool: run.block.retract = 1 + program::modal_number(w); return true;
         case Modal::arc_same_sense: run.modal.motion = run.modal.last_sense; return true;
-        case Modal::suppress_frames:
-        case Modal::suppress_all: run.block.suppress = m; return true;
+        case Modal::suppress_all:
+            if (program::modal_number(w) != 0) return say_ignored_machine_position(run, w), true;
+            [[fallthrough]];
+        case Modal::suppress_frames: run.block.suppress = m; return true;
         case Modal::plane_xy: change_plane(run, 17); return true;
         case Modal::plane_zx: change_plane(run, 18); return true;
         case Modal::plane_yz: change_plane(run, 19); return true;
@@ -193,6 +202,15 @@ bool offset_word(Run& run, Modal m, int number) {
         case Modal::position_reset:
         case Modal::position_suspend:
         case Modal::position_restore: shift_words(run, m); return true;
+        case Modal::scaling_on:
+        case Modal::scaling_off:
+        case Modal::mirror_on:
+        case Modal::mirror_off:
+        case Modal::rotation_on:
+        case Modal::rotation_off:
+            b.special = m;
+            transform_about_centre(run, m);
+            return true;
         case Modal::home:
             b.special = m;
             b.special_number = number;

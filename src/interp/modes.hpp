@@ -24,6 +24,7 @@ enum class TransformKind : std::uint8_t { shift, mirror, rotation, scaling, axis
 struct Transform {
     TransformKind kind = TransformKind::shift;
     geom::Frame frame;
+    int axis = -1;  ///< of mirror images that each axis has of its own (centred.cpp)
 };
 
 /// What stays in force from block to block; SAVE brings it back at the end of a subprogram.

@@ -262,6 +262,14 @@ void select_preset(Run&, const program::CycleDefinition&, double number);
 /// The tilted working plane in force.
 [[nodiscard]] geom::Frame active_plane(const Run&);
 
+/// G51, G51.1, G68 and their ends: the words of the block (centred.cpp).
+void transform_about_centre(Run&, Modal);
+
+// --- blocks read anew for the state of the run (read_again.cpp)
+/// The statement was read in another state than the run's, and has been run as it is read in this one; else what it
+/// sets is in force.
+[[nodiscard]] bool runs_read_again(Run&, std::uint32_t index);
+
 // --- what is refused though each word is good (refusals.cpp, refuse_letters.cpp); they end the run
 void refuse_letters(Run&);
 /// Before a modal word acts.

@@ -146,7 +146,9 @@ struct Activation {
     std::size_t own_bindings = 0;       ///< bindings that are parameters; the rest goes with each run
     std::uint32_t arguments_given = 0;  ///< bit per parameter, for $P_SUBPAR
     bool from_modal_call = false;
-    bool is_text = false;  ///< of EXECSTRING: a block, not a program
+    bool is_text = false;         ///< of EXECSTRING: a block, not a program
+    bool is_piece = false;        ///< … of the program below, read anew (read_again.cpp)
+    std::uint32_t mode_span = 0;  ///< in Unit::modes: where the run is about
     bool saves = false;
     ModalState saved;
 };
@@ -314,6 +316,7 @@ struct RunState : ToolRack {
     std::unordered_map<std::uint64_t, Value> system_written;  ///< system variables the program wrote itself
 
     ModalState modal;
+    program::Modes modes{};  ///< what words of the program mean by, where its reader asks for that
     Offsets offsets;
     BlockWords block;
     SpindleState spindle;
@@ -393,6 +396,17 @@ struct RunState : ToolRack {
     cl::Record record;
 };
 
+/// Pieces of programs as they are read in other states than that of the text (read_again.cpp).
+struct ReadPieces {
+    struct Key {
+        const Unit* unit = nullptr;
+        std::uint32_t statement = 0;
+        program::Modes relied{};  ///< 0 where the piece does not ask
+        auto operator<=>(const Key&) const = default;
+    };
+    std::map<Key, program::PieceRead> pieces;
+};
+
 /// What a run works with: its state, what stands around it, and what it hands out.
 struct Run : RunState {
     Run(const Environment& e, cl::CallStacks& s, cl::Sink k, base::Diagnostics& d, std::uint32_t parameter_count);
@@ -418,6 +432,7 @@ struct Run : RunState {
     std::unordered_set<std::uint64_t> reported;  ///< complaints already made, by place and code
     std::set<std::string> assumed;
     std::unordered_set<const Unit*> entered;
+    std::unique_ptr<ReadPieces> read_pieces = std::make_unique<ReadPieces>();
 
     [[nodiscard]] Activation& top() { return calls.back(); }
     [[nodiscard]] const Unit& unit() const { return *calls.back().unit; }

@@ -212,10 +212,34 @@ bool tool_functions(Run& run) {
     return true;
 }
 
+/// T203 of a turret whose value is computed: tool 2 with offset 3. What the number cannot say is said as where it is
+/// written.
+void part_turret_number(Run& run) {
+    BlockWords& b = run.block;
+    const double t = b.peek(Code::tool);
+    constexpr std::uint32_t hundred = 100, most = 9999;
+    const auto whole = base::whole<std::uint32_t>(t);
+    if (!whole) return;  // said as no tool number
+    const std::uint64_t tool = std::uint64_t{1} << static_cast<unsigned>(Code::tool);
+    if (*whole < hundred && *whole > 0)
+        return unchecked(run, codes::unsupported, run.here(),
+                         "T" + printed(Value::real(t)) + " is one number for tool and offset: which it is (T0003, T0303) "
+                         "depends on the machine",
+                         "compute a number with the digits of both: 100 times the tool, and the offset");
+    if (*whole > most)
+        unchecked(run, codes::unsupported, run.here(),
+                  "T" + printed(Value::real(t)) +
+                      " has more than four digits: which of them are the tool depends on the machine");
+    if (*whole == 0) b.present &= ~(tool | std::uint64_t{1} << static_cast<unsigned>(Code::tool_change));
+    b.value[static_cast<std::size_t>(Code::tool)] = *whole / hundred;
+    b.put(Code::edge, *whole % hundred);
+}
+
 }  // namespace
 
 void select_tool(Run& run) {
     BlockWords& b = run.block;
+    if (b.has(Code::tool_change) && b.has(Code::tool) && b.peek(Code::tool_change) != 0) part_turret_number(run);
     bool changed = false, replaced = false;
     const std::pair before{run.tool.number, run.tool.name};
     if (b.has(Code::tool_definition)) {

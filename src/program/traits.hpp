@@ -251,6 +251,11 @@ struct Traits {
     bool exponent_is_ex = false;
     /// DIAMON and DIAMOF say in a program whether X words are diameters.
     bool has_diameter_words = false;
+    /// A run begins with diameters, the plane of X and Z and feed per revolution, whatever the machine's file says.
+    bool begins_as_lathe = false;
+    /// A centre of rotation or scaling of which the block names one axis: that the other is where the tool stands is no
+    /// more than likely.
+    bool assumes_rest_of_centre = false;
     /// The motion in force before the program has said one is rapid; else at feed.
     bool rapid_at_start = false;
     /// Coordinates while G2 or G3 is in force, without centre and radius, are a straight move at feed: by this setting

@@ -14,6 +14,7 @@
 #include "base/source.hpp"
 #include "program/cycle.hpp"
 #include "program/expr.hpp"
+#include "program/modes.hpp"
 #include "program/names.hpp"
 #include "program/pattern.hpp"
 #include "program/special.hpp"
@@ -370,6 +371,7 @@ struct Unit {
     std::size_t lengths_with_point = 0;
     std::vector<std::uint32_t> tool_definitions;          ///< statements that say what a tool is, in order
     std::map<NameId, std::vector<std::uint32_t>> labels;  ///< statements, in order
+    ModeTable modes;                                      ///< of controls whose words mean what the state says
 
     [[nodiscard]] std::uint32_t words_end(std::uint32_t statement) const {
         return statement + 1 < statements.size() ? statements[statement + 1].first

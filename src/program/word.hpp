@@ -57,7 +57,8 @@ enum class Code : std::uint8_t {
     control,      ///< of a statement that is no block: payload = index into the kind's table
     // bare words: something the block does besides its values
     centre_at_pole,    ///< the arc is about the pole (C, CP)
-    tool_change,       ///< the block's tool comes into the spindle at once (TOOL CALL)
+    tool_change,       ///< the block's tool comes into the spindle at once (TOOL CALL); as a literal: its number is that
+                       ///< of the tool and, in the last two digits, of the offset (T0203 of turrets)
     tool_definition,   ///< the block says what the tool is (TOOL DEF)
     feed_auto,         ///< the feed given with the tool
     cycle_call,        ///< the cycle defined last, behind the block's motion (CYCL CALL, M99)
@@ -124,7 +125,7 @@ enum class Modal : std::uint16_t {
     compensation_right,
     datum,            ///< number: 54…57, 505…599; 500 = off
     suppress_frames,  ///< this block: no datum and no programmed frame (G53)
-    suppress_all,     ///< this block: machine coordinates (SUPA, G153)
+    suppress_all,     ///< this block: machine coordinates (SUPA, G153); number 1: the control takes no notice of it
     exact_stop,
     exact_stop_block,
     continuous,    ///< number of continuous: 64, 641…645

@@ -148,6 +148,8 @@ program::Traits traits_of(std::span<const program::CannedCycle> cycles, bool haa
     t.home_cancels_length = haas && !lathe;
     t.position_adds_in_increments = !haas;
     t.unit_before_motion = true;
+    t.begins_as_lathe = lathe;
+    t.assumes_rest_of_centre = !haas;
     t.guessed_machine = lathe ? program::GuessedMachine::lathe : program::GuessedMachine::mill;
     if (lathe) t.live = lathe_live;
     t.edge_is_offset_number = lathe;

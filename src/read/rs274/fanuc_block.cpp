@@ -85,7 +85,10 @@ Address* find_address(FanucState& s, char letter) {
 std::string take_comment(FanucState& s) {
     if (s.line.peek() != '(') return {};
     const std::string_view rest = s.line.rest();
-    const bool pairs = std::count(rest.begin(), rest.end(), '(') <= std::count(rest.begin(), rest.end(), ')');
+    // Whether they match is asked once: of each comment anew, a block of many would take as many times as long.
+    if (!s.brackets_match)
+        s.brackets_match = std::count(rest.begin(), rest.end(), '(') <= std::count(rest.begin(), rest.end(), ')');
+    const bool pairs = *s.brackets_match;
     std::size_t end = 0;
     for (int depth = 0; end < rest.size(); ++end) {
         if (rest[end] == '(' && (pairs || depth == 0)) ++depth;
@@ -146,14 +149,15 @@ namespace {
 
 /// An address whose first one a G code has taken: the second one would be left.
 void refuse_repeated(FanucState& s) {
-    for (std::size_t i = 1; i < s.addresses.size(); ++i) {
-        Address& a = s.addresses[i];
-        const auto same = [&](const Address& x) { return x.letter == a.letter && !x.comma && x.used; };
-        const auto end = s.addresses.begin() + static_cast<std::ptrdiff_t>(i);
-        if (a.used || a.comma || a.letter == 'G' || a.letter == 'M' || std::none_of(s.addresses.begin(), end, same))
-            continue;
-        a.used = true;
-        add_problem(s, Code::unsupported, a.begin, a.end, "the address stands twice in the block");
+    std::uint32_t taken = 0;  // bit per letter
+    for (Address& a : s.addresses) {
+        const std::uint32_t bit = 1U << static_cast<unsigned>(a.letter - 'A');
+        const bool again = !a.used && !a.comma && a.letter != 'G' && a.letter != 'M' && (taken & bit) != 0;
+        if (again) {
+            a.used = true;
+            add_problem(s, Code::unsupported, a.begin, a.end, "the address stands twice in the block");
+        }
+        if (a.used && !a.comma) taken |= bit;
     }
 }
 
@@ -165,22 +169,24 @@ void judge_corner(FanucState& s) {
         return !a.comma && std::string_view("XYZUVW").find(a.letter) != std::string_view::npos;
     };
     const auto is_corner = [](const Address& a) { return a.comma && (a.letter == 'C' || a.letter == 'R'); };
-    const bool rapid = s.motion == Modal::rapid || s.hole != 0;
-    const bool moves = std::any_of(s.addresses.begin(), s.addresses.end(), is_axis);
-    if (moves && s.corner_waits && rapid)
-        add_problem(s, Code::unsupported, s.corner_waits->begin, s.corner_waits->end, lone);
-    if (moves) s.corner_waits.reset();
+    const auto is_rapid = [&] { return s.motion == Modal::rapid || hole_of(s) != 0; };
+    const auto axis = std::find_if(s.addresses.begin(), s.addresses.end(), is_axis);
+    const bool moves = axis != s.addresses.end();
+    if (moves && s.corner_waits) {
+        if (is_rapid()) add_problem(s, Code::unsupported, axis->begin, axis->end, lone);
+        s.corner_waits = false;
+    }
     const auto corner = std::find_if(s.addresses.begin(), s.addresses.end(), is_corner);
     if (corner == s.addresses.end()) return;
-    if (rapid)
+    if (is_rapid())
         add_problem(s, Code::unsupported, corner->begin, corner->end, lone);
     else
-        s.corner_waits = *corner;
+        s.corner_waits = true;
 }
 
 /// Coordinates of a block that goes on with a motion which is not run: no other one takes them.
 bool goes_on_with_lost_motion(const FanucState& s) {
-    if (!s.lost_motion || s.own_motion || !s.special.empty()) return false;
+    if (s.own_motion || !s.special.empty() || !s.lost_motion) return false;
     const bool once = std::any_of(s.words.begin(), s.words.end(), [](const BlockWord& w) {
         return w.code == Code::modal && program::group_of(w.modal) == program::ModalGroup::suppression;
     });
@@ -191,10 +197,10 @@ bool goes_on_with_lost_motion(const FanucState& s) {
 /// While G68, G51 or G51.1 is in force the control takes no G27 to G30 (reference position) and no G52 to G59 or G92
 /// (coordinate systems). Source: B-63684EN, coordinate system rotation, scaling, programmable mirror image.
 void refuse_in_rotation(FanucState& s) {
-    if (s.frames.empty() || s.control.haas) return;
+    if (s.control.haas) return;
     for (const Address& a : s.addresses) {
         const auto g = a.letter == 'G' ? g_tenths(a) : std::nullopt;
-        if (g && ((*g >= 270 && *g <= 300) || (*g >= 520 && *g <= 599) || *g == 920))
+        if (g && ((*g >= 270 && *g <= 300) || (*g >= 520 && *g <= 599) || *g == 920) && s.transformed != 0)
             add_problem(s, Code::unsupported, a.begin, a.end,
                         "G68, G51 or G51.1 is in force, in which it must not be programmed");
     }
@@ -208,31 +214,47 @@ bool sets_data(const FanucState& s) {
 
 }  // namespace
 
-void emit_addresses(FanucState& s) {
+void as_piece(FanucState& s, base::FunctionRef<void()> make) {
+    const auto count = [&] { return static_cast<std::uint32_t>(s.unit().statements.size()); };
+    const std::uint32_t first = count();
+    s.modes.begin_piece();
+    make();
+    if (s.modes.has_written() && count() == first) empty_block(s);  // M29, G15: words that leave nothing in the tree
+    s.modes.end_piece(s.unit().modes, {first, count()}, !s.failed);
+}
+
+namespace {
+
+void emit_all(FanucState& s) {
     begin_words(s);
     s.special.clear();
-    s.own_motion = s.restore_motion = false;
+    s.own_motion = s.restore_motion = s.hole_apart = false;
     for (Address& a : s.addresses)
         if (a.letter == 'G' && !a.used) read_g_code(s, a);
     for (Address& a : s.addresses)
         if (a.letter == 'M' && !a.used) read_m_code(s, a);
-    const int hole = s.hole;
-    if (sets_data(s)) s.hole = 0;  // P, K, R are not those of the cycle
+    s.hole_apart = sets_data(s);  // P, K, R are not those of the cycle
     refuse_in_rotation(s);
     if (!s.failed) run_specials(s);
     refuse_repeated(s);
     if (!s.failed && turning_block(s)) return;
     for (Address& a : s.addresses)
         if (!s.failed && !a.used) emit_address(s, a);
-    s.hole = s.hole == 0 ? hole : s.hole;
+    s.hole_apart = false;
     if (s.failed) return;
     judge_corner(s);
-    s.facts.refused = s.facts.refused || s.lost || goes_on_with_lost_motion(s);
+    if (s.lost || goes_on_with_lost_motion(s)) s.facts.refused = true;
     emit_block(s);
     if (!s.restore_motion) return;
     s.build().statement(StatementKind::block, s.line.begin());
     s.build().modal(s.motion, s.line.begin(), s.line.end());
     s.build().end_statement(s.line.end());
+}
+
+}  // namespace
+
+void emit_addresses(FanucState& s) {
+    as_piece(s, [&] { emit_all(s); });
 }
 
 namespace {
@@ -257,10 +279,12 @@ void read_slashed(FanucState& s) {
         if (!read_calls(s) && !s.failed) emit_addresses(s);
     };
     const std::size_t to_whole = open_jump(s, s.slash->second), words = s.slash->first;
+    const program::Modes before = s.modes.all();
     s.build().begin_block();
     emit(words);
     const std::size_t to_end = open_jump(s, 0);
     s.unit().jumps[to_whole].target = here();
+    s.modes.put_all(before);  // the other way, not a block behind it
     if (!s.failed) emit(all.size());
     s.unit().jumps[to_end].target = here();
 }
@@ -303,6 +327,9 @@ void refuse_points(FanucState& s) {
 
 void read_rest(FanucState& s) {
     s.condition = no_expr;
+    if (++s.depth > deepest)
+        return fail(s, s.line.here(), s.line.end(), "IF … THEN is nested too deeply in one block",
+                    "write blocks of their own");
     if (read_macro_statement(s)) return end_macro_statement(s);
     if (s.failed) return;
     if (s.control.haas && s.line.peek() == '[') {  // [#1 LT 10] M99 P20
@@ -326,6 +353,10 @@ void read_rest(FanucState& s) {
 
 void read_fanuc_block(FanucState& s, std::uint32_t begin, std::uint32_t end) {
     s.failed = false;
+    s.depth = 0;
+    s.hole_apart = false;
+    s.brackets_match.reset();
+    s.modes.begin_block();
     // A comment ends at the bracket that belongs to its own; where there is none, at the first one.
     s.line.load(s.text, begin, end, true, false);
     if (s.line.fault() == CommentFault::unclosed) s.line.load(s.text, begin, end, false, false);

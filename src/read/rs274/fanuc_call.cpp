@@ -149,13 +149,12 @@ bool macro_call(FanucState& s) {
         l->used = true;
         call.passes = as_expr(s, l->value);
     }
-    const int hole = s.hole;
-    s.hole = 0;  // K and P are arguments here
+    s.hole_apart = true;  // K and P are arguments here
     const bool good = read_arguments(s, call, here);
-    s.hole = hole;
+    s.hole_apart = false;
     if (!good) return true;
     emit_before(s, here.begin);
-    if (!s.failed) add_call(s, std::move(call));
+    if (!s.failed) as_piece(s, [&] { add_call(s, std::move(call)); });
     return true;
 }
 

@@ -94,17 +94,19 @@ bool has_word(std::string_view line, char letter) {
 }  // namespace
 
 bool corner_word(FanucState& s, const Address& a) {
-    const bool straight = s.motion == Modal::linear && s.special.empty() && s.hole == 0;
+    const auto straight = [&] { return s.special.empty() && s.motion == Modal::linear && hole_of(s) == 0; };
     if (a.comma) {
         if (a.letter == 'C')
             return put_value(s, Order::value, Code::chamfer_leg, scaled(s, a.value, Quantity::length), a), true;
         if (a.letter == 'R')
             return put_value(s, Order::value, Code::round, scaled(s, a.value, Quantity::length), a), true;
-        if (a.letter == 'A' && straight)
+        if (a.letter == 'A' && straight())
             return put_value(s, Order::value, Code::line_angle, scaled(s, a.value, Quantity::angle), a), true;
         return add_problem(s, Code::unsupported, a.begin, a.end, "a word of direct drawing input"), true;
     }
-    return straight && s.control.is_lathe() && s.turning == 0 && s.surface == Surface::none && lathe_corner(s, a);
+    constexpr std::string_view letters = "IKRAC";
+    if (!s.control.is_lathe() || letters.find(a.letter) == std::string_view::npos) return false;
+    return straight() && s.turning == 0 && s.surface == Surface::none && lathe_corner(s, a);
 }
 
 bool uses_c_axis(std::string_view text) {

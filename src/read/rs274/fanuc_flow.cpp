@@ -184,7 +184,6 @@ void read_end(FanucState& s) {
 void close_program(FanucState& s) {
     s.build().begin_block();
     program::Unit& unit = s.unit();
-    s.corner_waits.reset();
     unit.unended = s.control.haas ? "the program ends without M30, M2 or M99"
                                   : "the program ends without M30, M2 or M99 (alarm 5010)";
     while (!s.loops.empty() || !s.ifs.empty()) {

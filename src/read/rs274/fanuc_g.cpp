@@ -36,8 +36,8 @@ bool is_motion(Modal m) {
 /// What the reader itself must know of what holds from here on.
 void follow(FanucState& s, const FanucG& g) {
     switch (g.modal) {
-        case Modal::inch_all: s.inch = true; return;
-        case Modal::metric_all: s.inch = false; return;
+        case Modal::inch_all: s.inch.say(true); return;
+        case Modal::metric_all: s.inch.say(false); return;
         case Modal::feed_per_rev: s.per_rev = true; return;
         case Modal::feed_per_minute:
         case Modal::feed_inverse_time: s.per_rev = false; return;
@@ -67,7 +67,8 @@ void follow(FanucState& s, const FanucG& g) {
     if (!moves) return;
     s.hole = 0;
     s.turning = 0;
-    s.cleared_cycle = s.lost_motion = false;
+    s.cleared_cycle = false;
+    s.lost_motion = false;
     s.own_motion = true;
     if (g.modal != Modal::turning_cycle) s.motion = g.modal;
 }
@@ -130,10 +131,10 @@ void read_g_code(FanucState& s, Address& a) {
         return accept(s, a);
     }
     if (g->use == FanucUse::refused) {
-        s.lost = s.lost || is_interpolation(*code);
+        if (is_interpolation(*code)) s.lost = true;
         // Codes that change how a way is made, not where it ends, keep their block's coordinates.
         s.facts.refused = s.facts.refused || g->order == Order::motion;
-        s.lost_motion = s.lost_motion || g->modal == Modal::canned;
+        if (g->modal == Modal::canned) s.lost_motion = true;
         return add_problem(s, Code::unsupported, a.begin, a.end, g->says);
     }
     if (refused_on_surface(s, *g, a)) return;
@@ -156,7 +157,9 @@ void read_m_code(FanucState& s, Address& a) {
     }
     const dialect::rs274::FanucM m = dialect::rs274::find_fanuc_m(*n, s.control);
     switch (m.use) {
-        case FanucMUse::accepted: s.rigid = s.rigid || *n == 29; return accept(s, a);
+        case FanucMUse::accepted:
+            if (*n == 29) s.rigid = true;
+            return accept(s, a);
         case FanucMUse::refused: return add_problem(s, Code::unsupported, a.begin, a.end, m.says);
         default: break;
     }

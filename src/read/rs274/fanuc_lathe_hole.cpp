@@ -128,7 +128,8 @@ void make_hole(const HoleWriter& w, int code) {
     w.way(Modal::rapid, hole_stop);
     const bool taps = code == 840 || (code == 880 && !s.control.haas);
     const bool rapid_back = code == 830 || code == 870 || code == 810 || code == 820;
-    const std::optional<Value> lead = taps && s.per_rev ? s.lead : std::nullopt;
+    const std::optional<Value> lead =
+        taps && s.per_rev ? std::optional(feed_in_force(s, w.begin, w.end)) : std::nullopt;
     w.way(lead ? Modal::thread : Modal::linear, hole_bottom, lead);
     dwell_at_bottom(w);
     if (!rapid_back) w.way(lead ? Modal::thread : Modal::linear, hole_stop, lead);

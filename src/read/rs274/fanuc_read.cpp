@@ -158,6 +158,7 @@ void note_extent(FanucState& s, const Extent& e) {
 }
 
 void begin_program(FanucState& s, std::string name, std::size_t at) {
+    const bool first = s.part == nullptr;
     if (s.part != nullptr) {
         close_program(s);
         s.unit().end = static_cast<std::uint32_t>(at);
@@ -166,34 +167,28 @@ void begin_program(FanucState& s, std::string name, std::size_t at) {
     s.unit().name = std::move(name);
     s.unit().startable = true;
     s.unit().begin = s.unit().end = static_cast<std::uint32_t>(at);
-    s.hole = s.turning = 0;
-    s.cleared_cycle = false;
-    s.surface = Surface::none;
-    s.lost = s.lost_motion = false;
-    s.lead.reset();  // its expressions belong to the program before
-}
-
-/// What holds on a lathe when it is switched on: diameters, the plane of X and Z, feed per revolution.
-void power_on(FanucState& s) {
-    if (!s.control.is_lathe()) return;
-    s.per_rev = true;
-    const auto ends = [&](std::string_view word) { return base::to_upper(s.text).find(word) != std::string::npos; };
-    if (!ends("M30") && !ends("M02")) return;  // a subprogram: its caller's state holds
-    const std::uint32_t at = s.unit().begin;
-    program::Builder& b = s.build();
-    b.begin_block();
-    b.statement(StatementKind::block, at);
-    b.modal(Modal::feed_per_rev, at, at);
-    b.modal(Modal::plane_zx, at, at);
-    b.modal(Modal::diameter_on, at, at);
-    b.end_statement(at);
-    s.unit().statements.back().flags = 0;
+    program::Modes modes = modes_at_start(s.control);
+    // A subprogram's numbers in the unit that the text said before it need no question to the run where that holds.
+    if (!first) modes[static_cast<std::size_t>(Mode::inch)] = s.modes.all()[static_cast<std::size_t>(Mode::inch)];
+    s.unit().modes.begin = modes_at_start(s.control);
+    s.unit().modes.reader = s.parts.front().unit.modes.reader;
+    if (first) s.unit().modes.reader = reader_of_pieces(s);
+    s.modes.begin_program(modes);
 }
 
 void due_program(FanucState& s, const base::Source& source, std::size_t at) {
     if (s.part != nullptr) return;
     begin_program(s, base::to_upper(base::stem(source.name)), at);
-    power_on(s);
+}
+
+/// `[BILLET X100 Y50 Z20` in front of a program's first block. Behind it stands nothing but what the control reads: a
+/// line in brackets may be a condition there.
+bool is_for_simulator(const FanucState& s, std::string_view line) {
+    if (line[0] != '[' || (s.part != nullptr && !s.unit().statements.empty())) return false;
+    const std::string upper = base::to_upper(line.substr(1, 10));
+    for (const std::string_view word : {"BILLET", "EDGEMOVE", "TOOLDEF"})
+        if (upper.starts_with(word) && !base::is_letter(upper[std::min(word.size(), upper.size() - 1)])) return true;
+    return false;
 }
 
 /// A block without line end and `;`: a program's number, or what the control is to do.
@@ -201,13 +196,11 @@ void read_piece(FanucState& s, const base::Source& source, std::size_t begin, st
     while (begin < end && base::is_blank(s.text[begin])) ++begin;
     const std::string_view piece = s.text.substr(begin, end - begin);
     if (const std::size_t n = header_length(piece); n > 0) {
-        const bool first = s.part == nullptr;
         begin_program(s, program_name(piece.substr(0, n)), begin);
-        if (first) power_on(s);
         begin += n;
     }
     if (base::trim(s.text.substr(begin, end - begin)).empty()) return;
-    if (s.text[begin] == '[' && begin + 1 < end && base::is_letter(s.text[begin + 1]))  // [BILLET X100 Y50 Z20
+    if (is_for_simulator(s, s.text.substr(begin, end - begin)))
         return note(s, begin, end, base::codes::no_effect, "a line for a simulator, not for the control, is not read");
     due_program(s, source, begin);
     read_fanuc_block(s, static_cast<std::uint32_t>(begin), static_cast<std::uint32_t>(end));

@@ -88,7 +88,6 @@ struct DefinitionWriter {
             if (x.role == w.role) return;  // said by another word: this one stays, and is said
         const Value v = value_of(s, *a, w.number);
         if (w.number == TurningNumber::lead) {  // it is the feed from here on, too
-            if (v.is_literal()) s.lead = v;
             put_value(s, Order::technology, Code::feed, v, *a);
         }
         a->used = true;
@@ -142,7 +141,7 @@ struct DefinitionWriter {
 void lead_before(FanucState& s, const DefinitionWriter& w, const Address& g) {
     for (const CycleSetting& x : w.d.settings)
         if (x.role == CycleRole::pitch) return;
-    if (s.lead) w.add(CycleRole::pitch, as_expr(s, *s.lead), g, true);
+    w.add(CycleRole::pitch, as_expr(s, feed_in_force(s, g.begin, g.end)), g, true);
 }
 
 /// What is no word of the cycle: F, S, T act before it, the rest is not known.

@@ -87,34 +87,31 @@ void hole_cycle(FanucState& s, const FanucG& g, const Address& a) {
     for (std::size_t i = 0; i < table.size() && !counts_up; ++i)
         if (table[i].number == g.number && (!found || s.rigid)) found = i;
     // Haas 96-8000, G51: a cycle keeps its heights and depths along Z; FANUC B-63684EN, scaling: nor Q.
-    const bool scaled = std::any_of(s.frames.begin(), s.frames.end(),
-                                    [](const Transformation& t) { return t.kind == TransformationKind::scaling; });
+    const bool scaled = (s.transformed & enlarged) != 0;
     if (scaled && (s.control.haas || find_address(s, 'Q') != nullptr))
         add_problem(s, Code::unsupported, a.begin, a.end,
                     "G51 is in force, and of a cycle's heights and depths the control does not scale all");
     if (found) return add_modal(s, g.order, g.modal, static_cast<int>(*found), a.begin, a.end);
     add_problem(s, Code::unsupported, a.begin, a.end, "a hole cycle: the holes are not made");
     use_letters(s, "XYZABCUVWRQPKLIJ");
-    s.facts.refused = s.lost_motion = true;
+    s.facts.refused = true;
+    s.lost_motion = true;
 }
 
-/// The lead stands in F (E for inches with many digits): along Z, or along X where Z is not programmed. False where the
-/// block has none and none stands before it.
+/// The lead stands in F (E for inches with many digits), or is the F before: along Z, or along X where Z is not
+/// programmed. False where it is not run.
 bool thread_lead(FanucState& s, const Address& a) {
     if (Address* e = find_address(s, 'E')) {
         e->used = true;
         add_problem(s, Code::unsupported, e->begin, e->end, "a thread's lead or number of threads in E");
-        s.facts.refused = s.lost_motion = true;
+        s.facts.refused = true;
+        s.lost_motion = true;
         return false;
     }
     const bool along_z = find_address(s, 'Z') != nullptr || find_address(s, 'W') != nullptr;
     Address* f = find_address(s, 'F');
-    if (f == nullptr && !s.lead) {
-        fail(s, a.begin, a.end, "the lead of the thread is missing", "write it as F");
-        return false;
-    }
     Address lead = f != nullptr ? *f : a;
-    const Value v = f != nullptr ? scaled(s, f->value, Quantity::feed) : *s.lead;
+    const Value v = f != nullptr ? scaled(s, f->value, Quantity::feed) : feed_in_force(s, a.begin, a.end);
     put_value(s, Order::value, along_z ? Code::k : Code::i, v, lead);
     if (Address* q = find_address(s, 'Q')) {
         q->used = true;
@@ -129,7 +126,7 @@ void thread(FanucState& s, const FanucG& g, const Address& a) {
 
 /// Blocks without a G code go on with the thread of the one before, with its lead or one of their own.
 void continued_thread(FanucState& s) {
-    if (s.own_motion || s.motion != Modal::thread) return;
+    if (s.own_motion || !s.motion.is_thread()) return;
     for (const char letter : {'Z', 'W', 'X', 'U'})
         if (const Address* a = find_address(s, letter)) return static_cast<void>(thread_lead(s, Address(*a)));
 }
@@ -156,6 +153,7 @@ void hole_pattern(FanucState& s, const FanucG& g, const Address& a) {
         x->used = true;
         const Value v =
             letter == 'L' ? x->value : scaled(s, x->value, letter == 'I' ? Quantity::length : Quantity::angle);
+        if (!v.is_literal()) s.inch.rely();
         return v.is_literal() ? std::optional(v.number()) : std::nullopt;
     };
     const auto radius = literal('I', 0), start = literal('J', 0), count = literal('L', 0), step = literal('K', 0);
@@ -165,7 +163,10 @@ void hole_pattern(FanucState& s, const FanucG& g, const Address& a) {
         return add_problem(s, Code::unsupported, a.begin, s.line.end(),
                            "a hole pattern with computed values or a centre");
     }
-    if (s.hole == 0) return fail(s, a.begin, a.end, "the hole pattern needs a hole cycle before it");
+    if (hole_of(s) == 0) {
+        s.facts.refused = true;
+        return add_problem(s, Code::unsupported, a.begin, a.end, "the hole pattern needs a hole cycle before it");
+    }
     if (!(*count >= 1) || *count > most) return fail(s, a.begin, a.end, "L is the number of holes, 1 to 1000");
     double x = 0, y = 0;
     const int holes = base::clipped<int>(*count, 1, most);
@@ -193,7 +194,7 @@ void extended_datum(FanucState& s, int number, const Address& a) {
 
 /// G54 P1 is G54.1 P1.
 void datum_with_number(FanucState& s) {
-    if (s.hole != 0 || s.control.is_lathe() || find_address(s, 'P') == nullptr || !s.special.empty()) return;
+    if (s.control.is_lathe() || find_address(s, 'P') == nullptr || !s.special.empty() || hole_of(s) != 0) return;
     for (std::size_t i = 0; i < s.words.size(); ++i) {
         const BlockWord w = s.words[i];
         if (w.code != Code::modal || w.payload != program::modal_word(Modal::datum, 54)) continue;
@@ -231,20 +232,12 @@ bool is_incremental_block(FanucState& s) {
 
 /// "When an incremental command is specified, the G53 command is ignored" (FANUC B-63684EN, machine coordinate system);
 /// what Haas does was not to be found.
-void drop_machine_position(FanucState& s, std::size_t word) {
-    const BlockWord w = s.words[word];
-    s.words.erase(s.words.begin() + static_cast<std::ptrdiff_t>(word));
-    if (s.control.haas) {
-        s.facts.refused = true;
-        return add_problem(s, Code::unsupported, w.begin, w.end, "machine coordinates as ways from where the tool is");
-    }
-    base::Diagnostic d;
-    d.severity = base::Severity::warning;
-    d.code = base::codes::assumption;
-    d.where = s.build().span(w.begin, w.end);
-    d.text = "G53 with incremental coordinates is ignored by the control: the block moves from where the tool is";
-    d.remedy = "write G90 before it, or absolute coordinates";
-    s.diagnostics.add(std::move(d));
+void drop_machine_position(FanucState& s, BlockWord& word) {
+    constexpr int ignored = 1;
+    word.payload = program::modal_word(Modal::suppress_all, ignored);  // said when it is run
+    if (!s.control.haas) return;
+    s.facts.refused = true;
+    add_problem(s, Code::unsupported, word.begin, word.end, "machine coordinates as ways from where the tool is");
 }
 
 /// G53 moves in rapid traverse whatever holds; what held comes back behind it.
@@ -253,12 +246,12 @@ void machine_position(FanucState& s) {
         return w.code == Code::modal && w.modal == Modal::suppress_all;
     });
     if (found == s.words.end()) return;
-    if (s.hole != 0) {
+    if (hole_of(s) != 0) {
         s.facts.refused = true;
         return add_problem(s, Code::unsupported, found->begin, found->end,
                            "machine coordinates while a hole cycle is in force: write G80 before them");
     }
-    if (is_incremental_block(s)) return drop_machine_position(s, static_cast<std::size_t>(found - s.words.begin()));
+    if (is_incremental_block(s)) return drop_machine_position(s, *found);
     if (s.own_motion || s.motion == Modal::rapid) return;
     const std::uint32_t begin = found->begin, end = found->end;
     add_modal(s, Order::motion, Modal::rapid, 0, begin, end);

@@ -1,11 +1,13 @@
 #pragma once
-/// What the parts of the FANUC reader share with each other only. Where a word's meaning depends on what stands earlier
-/// in the program (units, hole cycles, systems), the order of the text is taken for the order of execution.
+/// What the parts of the FANUC reader share with each other only. What a word means may depend on what stands earlier in
+/// the program (units, hole cycles, systems): that is asked through FanucModes alone, which notes it for the run.
 
 #include <array>
 #include <map>
 
+#include "base/function_ref.hpp"
 #include "dialect/rs274/fanuc.hpp"
+#include "read/rs274/fanuc_modes.hpp"
 #include "read/rs274/state.hpp"
 
 namespace obrys::read::rs274 {
@@ -25,15 +27,6 @@ struct Address {
     bool used = false;
     Value value;
     std::uint32_t begin = 0, end = 0;
-};
-
-enum class TransformationKind : std::uint8_t { mirror, scaling, rotation };  ///< in the order in which they act
-/// One that is in force, as expressions of the program where it stands.
-struct Transformation {
-    TransformationKind kind = TransformationKind::rotation;
-    std::array<ExprId, 3> centre{no_expr, no_expr, no_expr};
-    std::array<ExprId, 3> values{no_expr, no_expr, no_expr};  ///< factors; the angle; which axis is mirrored
-    const Part* part = nullptr;
 };
 
 /// A G code that is more than a word, where it stands.
@@ -73,31 +66,32 @@ struct FanucState : State {
 
     FanucControl control;
 
-    // The text so far.
-    std::optional<bool> inch;
-    bool per_rev = false;
-    bool incremental = false;
-    bool polar = false;
-    int plane = 17;
-    std::vector<Transformation> frames;
-    int hole = 0;              ///< G number * 10 of the hole cycle in force; 0: none
-    bool rigid = false;        ///< M29 stood before: the next taps are rigid
-    int turning = 0;           ///< of the turning cycle in force
-    bool lost = false;         ///< within polar or cylindrical interpolation, which are not run
-    bool lost_motion = false;  ///< a motion or hole cycle is in force that is not run
-    Surface surface = Surface::none;
-    int surface_plane = 18;      ///< G17 … G19 when it was switched on
-    double cylinder = 0;         ///< its radius, in the program's unit
-    bool to_clearance = false;   ///< G99 of hole cycles in systems B and C
-    bool cleared_cycle = false;  ///< a turning cycle is in force, but a code that acts once has cleared its data
-    bool new_cycle = false;      ///< nothing of the turning cycle has been run yet
-    Modal motion = Modal::rapid;
-    std::optional<Value> lead;  ///< the F last written as a number: the lead of threads without F
+    // In force where the text stands.
+    FanucModes modes{};
+    UnitMode inch{modes};
+    ModeField<bool, Mode::per_rev> per_rev{modes};
+    ModeField<bool, Mode::incremental> incremental{modes};
+    ModeField<bool, Mode::polar> polar{modes};
+    ModeField<int, Mode::plane> plane{modes};
+    HoleMode hole{modes};
+    ModeField<bool, Mode::rigid> rigid{modes};
+    ModeField<int, Mode::turning> turning{modes};
+    ModeField<bool, Mode::lost> lost{modes};
+    ModeField<bool, Mode::lost_motion> lost_motion{modes};
+    ModeField<Surface, Mode::surface> surface{modes};
+    ModeField<int, Mode::surface_plane> surface_plane{modes};
+    RadiusMode cylinder{modes};
+    ModeField<bool, Mode::to_clearance> to_clearance{modes};
+    ModeField<bool, Mode::cleared_cycle> cleared_cycle{modes};
+    ModeField<bool, Mode::new_cycle> new_cycle{modes};
+    MotionMode motion{modes};
+    ModeField<bool, Mode::corner_waits> corner_waits{modes};
+    ModeField<int, Mode::transformed> transformed{modes};
+
+    // Of the text as a whole.
     bool whole_number_said = false;
     bool c_is_axis = false;  ///< of lathes: C is no chamfer
     bool corner_said = false;
-    std::optional<Address> corner_waits;  ///< ,C or ,R of the last block with coordinates
-    bool units_said = false;
 
     // The block at hand.
     std::vector<Address> addresses;
@@ -106,6 +100,9 @@ struct FanucState : State {
     std::string called;  ///< `<NAME>` behind M98, G65, G66; empty: none
     std::uint32_t called_begin = 0, called_end = 0;
     std::vector<Special> special;
+    bool hole_apart = false;              ///< its P, K and R are not those of the hole cycle in force
+    std::optional<bool> brackets_match;   ///< ( and ) of its comments
+    int depth = 0;                        ///< of IF … THEN within it
     bool own_motion = false;              ///< a G code of the motion group stands in it
     bool restore_motion = false;          ///< `motion` holds again behind it
     std::vector<Address> behind;          ///< M functions that act behind the motion
@@ -122,6 +119,15 @@ struct FanucState : State {
     bool calls_labels = false;                  ///< M97 stands in it: M99 ends a section
 };
 
+/// The hole cycle whose words the block's are; 0: none.
+[[nodiscard]] inline int hole_of(const FanucState& s) { return s.hole_apart ? 0 : s.hole; }
+/// In which the control begins a run.
+[[nodiscard]] program::Modes modes_at_start(const FanucControl& control);
+
+// fanuc_again.cpp
+/// Reads pieces of the text's units anew.
+[[nodiscard]] std::shared_ptr<const program::ReadAgain> reader_of_pieces(const FanucState& s);
+
 // fanuc_block.cpp
 void read_fanuc_block(FanucState& s, std::uint32_t begin, std::uint32_t end);
 /// The addresses from here to the block's end, put into `addresses`.
@@ -130,6 +136,8 @@ void read_addresses(FanucState& s);
 [[nodiscard]] Address* find_address(FanucState& s, char letter);
 /// Puts what `addresses` hold into the tree; the words of the line's statements begin at its begin.
 void emit_addresses(FanucState& s);
+/// What `make` adds to the tree depends on what it asks of the modes, and changes them, as one piece.
+void as_piece(FanucState& s, base::FunctionRef<void()> make);
 /// A statement whose entry is `index` of its kind's table, covering the line.
 void add_control(FanucState& s, StatementKind kind, std::size_t index);
 
@@ -164,6 +172,8 @@ void run_specials(FanucState& s);
 void frame_special(FanucState& s, const FanucG& g, const Address& a);
 /// Radius or angle for an axis letter while polar coordinates hold.
 [[nodiscard]] std::optional<Code> polar_code(const FanucState& s, char letter);
+/// F as the program has written it last.
+[[nodiscard]] Value feed_in_force(FanucState& s, std::uint32_t begin, std::uint32_t end);
 
 /// A number in least input increments: so many decimals in mm and in inches.
 [[nodiscard]] Value in_increments(FanucState& s, const Value& v, int metric, int inch);

@@ -61,7 +61,7 @@ const Refusals& refusals(const FanucState& s) {
 /// Y of the unrolled cylinder: the way that its circumference makes.
 Value unrolled(FanucState& s, const Value& degrees) {
     Value v = degrees;
-    const ExprId factor = s.build().number(pi / 180 * s.cylinder, false, v.begin, v.end);
+    const ExprId factor = s.build().number(pi / 180 * s.cylinder.get(), false, v.begin, v.end);
     v.expr = s.build().binary(Operator::multiply, as_expr(s, degrees), factor, v.begin, v.end);
     return v;
 }
@@ -69,14 +69,14 @@ Value unrolled(FanucState& s, const Value& degrees) {
 }  // namespace
 
 bool refused_on_surface(FanucState& s, const FanucG& g, const Address& a) {
-    if (s.surface == Surface::none || may_stand_within(g)) return false;
+    if (may_stand_within(g) || s.surface == Surface::none) return false;
     s.facts.refused = true;
     add_problem(s, Code::unsupported, a.begin, a.end, refusals(s).code);
     return true;
 }
 
 FanucG as_seen_on_surface(const FanucState& s, FanucG g) {
-    if (s.surface != Surface::cylinder || s.surface_plane == 19 || g.special != FanucSpecial::none) return g;
+    if (g.special != FanucSpecial::none || s.surface != Surface::cylinder || s.surface_plane == 19) return g;
     switch (g.modal) {
         case Modal::arc_cw: g.modal = Modal::arc_ccw; break;
         case Modal::arc_ccw: g.modal = Modal::arc_cw; break;
@@ -96,28 +96,31 @@ void surface_special(FanucState& s, const FanucG& g, const Address& a) {
         Address* c = find_address(s, 'C');
         const Value r = c != nullptr ? scaled(s, c->value, Quantity::length) : Value{};
         if (c == nullptr || !c->value.is_literal() || r.expr != no_expr) {
+            s.inch.rely();
             use_letters(s, "C");
-            s.lost = s.facts.refused = true;
+            s.lost = true;
+            s.facts.refused = true;
             return add_problem(s, Code::unsupported, a.begin, a.end,
                                "cylindrical interpolation whose radius is not written as C with a number, in inch or "
                                "mm that this text says");
         }
         c->used = true;
-        s.cylinder = r.number();
+        s.cylinder.set(r.number());
         if (r.number() == 0) {
             s.surface = Surface::none;
             s.lost = false;
             return add_modal(s, g.order, Modal::interpolation_off, 0, a.begin, a.end);
         }
         s.surface = Surface::cylinder;
-        s.surface_plane = s.plane;
+        s.surface_plane = static_cast<int>(s.plane);
         put_value(s, Order::value, Code::p, r, *c);
     }
     add_modal(s, g.order, g.modal, 0, a.begin, a.end);
 }
 
 bool surface_word(FanucState& s, const Address& a) {
-    if (s.surface == Surface::none || a.comma) return false;
+    constexpr std::string_view letters = "XYZUVWCHIJK";
+    if (a.comma || letters.find(a.letter) == std::string_view::npos || s.surface == Surface::none) return false;
     const bool axis = std::string_view("XYZUVWCH").find(a.letter) != std::string_view::npos;
     if (axis && s.motion == Modal::rapid && !s.facts.refused) {
         s.facts.refused = true;

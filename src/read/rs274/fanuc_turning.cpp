@@ -112,15 +112,14 @@ void other_words(FanucState& s) {
 
 void single_cycle(FanucState& s, bool fresh) {
     const LineWriter w{s, s.line.begin(), s.line.end()};
-    std::optional<Value> lead = s.lead;
+    std::optional<Value> lead;
     if (Address* f = find_address(s, 'F')) {
         const Value v = scaled(s, f->value, Quantity::feed);
-        if (v.is_literal()) s.lead = v;
         lead = v;
         f->used = true;
         put_value(s, Order::technology, Code::feed, v, *f);
     }
-    if (s.turning == 920 && !lead) return fail(s, w.begin, w.end, "the lead of the thread is missing", "write it as F");
+    if (s.turning == 920 && !lead) lead = feed_in_force(s, w.begin, w.end);
     // The words that are no part of the cycle act first.
     for (Address& a : s.addresses)
         if (!a.used && (a.letter == 'S' || a.letter == 'T')) emit_address(s, a);
@@ -178,8 +177,9 @@ void refuse_cleared(FanucState& s) {
 }  // namespace
 
 bool turning_block(FanucState& s) {
-    if (s.cleared_cycle && !s.own_motion) refuse_cleared(s);
-    if (s.turning == 0 || s.own_motion) return false;
+    if (s.own_motion) return false;
+    if (s.cleared_cycle) refuse_cleared(s);
+    if (s.turning == 0) return false;
     if (acts_once(s)) {
         // "G90, G92 and G94 are cleared when a one-shot G code other than G04 is specified" (operator's manual).
         const bool dwells = std::any_of(s.words.begin(), s.words.end(), [](const BlockWord& w) {

@@ -63,8 +63,24 @@ Value by_unit(FanucState& s, const Value& v, int metric, int inch) {
 
 Value in_increments(FanucState& s, const Value& v, int metric, int inch) {
     if (metric == inch) return shifted(v, metric);
-    if (!s.inch) return by_unit(s, v, metric, inch);
-    return shifted(v, *s.inch ? inch : metric);
+    const auto in_inches = s.inch.said();
+    if (!in_inches) return by_unit(s, v, metric, inch);
+    return shifted(v, *in_inches ? inch : metric);
+}
+
+Value feed_in_force(FanucState& s, std::uint32_t begin, std::uint32_t end) {
+    program::Builder& b = s.build();
+    program::Expr query;
+    query.kind = program::ExprKind::system;
+    query.op = static_cast<std::uint8_t>(program::SystemVariable::state);
+    query.a = b.name("F");
+    b.adopt(query, {b.number(static_cast<double>(program::StateQuery::feed), true, begin, end)});
+    Value v;
+    v.found = true;
+    v.expr = b.add(query, begin, end);
+    v.begin = begin;
+    v.end = end;
+    return v;
 }
 
 namespace {
@@ -87,9 +103,11 @@ Value divided(FanucState& s, const Value& v) {
 
 /// Words of G10, G68 and hole cycles keep their letters; the rest of the alphabet by machine.
 Code code_of(const FanucState& s, char letter) {
-    if (s.hole != 0 && letter == 'K' && !s.control.is_lathe() && !s.control.haas) return Code::l;  // repeats
-    if (s.hole == 870 && !s.control.haas && letter == 'Z') return Code::e;  // see fanuc_canned.cpp
-    if (s.hole == 870 && !s.control.haas && letter == 'R') return Code::z;
+    const bool fanuc_mill = !s.control.is_lathe() && !s.control.haas;
+    if (letter == 'K' && fanuc_mill && hole_of(s) != 0) return Code::l;  // repeats
+    // Of G87, see fanuc_canned.cpp.
+    if ((letter == 'Z' || letter == 'R') && fanuc_mill && !s.hole_apart && s.hole.is_back_bore())
+        return letter == 'Z' ? Code::e : Code::z;
     return dialect::rs274::letter_code(letter);
 }
 
@@ -105,10 +123,25 @@ std::optional<Code> incremental_code(const FanucState& s, char letter) {
     }
 }
 
+/// The tool comes in at once. `parted`: else its number holds the offset, too.
+void add_change(FanucState& s, const Address& a, bool parted) {
+    BlockWord w;
+    w.order = Order::technology;
+    w.code = Code::tool_change;
+    w.form = parted ? program::Form::bare : program::Form::expression;
+    w.value.literal = base::scan_decimal("1");
+    w.begin = a.begin;
+    w.end = a.end;
+    s.words.push_back(w);
+}
+
 /// T0203 of a lathe: tool 2 with offset 3, which acts at once.
 void turret(FanucState& s, const Address& a) {
     const auto n = as_integer(a.value);
-    if (!n) return put_value(s, Order::technology, Code::tool, a.value, a);
+    if (!n) {  // T#1: parted when the block is run
+        put_value(s, Order::technology, Code::tool, a.value, a);
+        return add_change(s, a, false);
+    }
     const auto whole = [&](int x) {
         Value v = a.value;
         v.negative = false;
@@ -128,13 +161,7 @@ void turret(FanucState& s, const Address& a) {
         put_value(s, Order::technology, Code::tool, whole(*n / 100), a);
         put_value(s, Order::technology, Code::edge, whole(*n % 100), a);
     }
-    BlockWord w;
-    w.order = Order::technology;
-    w.code = Code::tool_change;
-    w.form = program::Form::bare;
-    w.begin = a.begin;
-    w.end = a.end;
-    s.words.push_back(w);
+    add_change(s, a, true);
 }
 
 }  // namespace
@@ -146,8 +173,9 @@ Quantity quantity_of(const FanucState& s, char letter) {
         case 'C': return Quantity::angle;
         case 'H': return s.control.is_lathe() ? Quantity::angle : Quantity::plain;
         case 'F': return Quantity::feed;
-        case 'K': return s.hole != 0 && !s.control.is_lathe() && !s.control.haas ? Quantity::plain : Quantity::length;
-        case 'P': return s.hole != 0 ? Quantity::milliseconds : Quantity::plain;
+        case 'K':
+            return !s.control.is_lathe() && !s.control.haas && hole_of(s) != 0 ? Quantity::plain : Quantity::length;
+        case 'P': return hole_of(s) != 0 ? Quantity::milliseconds : Quantity::plain;
         case 'X':
         case 'Y':
         case 'Z':
@@ -182,7 +210,7 @@ Value scaled(FanucState& s, const Value& v, Quantity q) {
     if (!v.is_literal()) return q == Quantity::milliseconds ? divided(s, v) : v;
     if (!v.literal.integer || v.number() == 0) return v;
     if (thousands) return shifted(v, 3);
-    const bool whole_feed = q == Quantity::feed && !s.control.haas && !s.per_rev && s.inch == false;
+    const bool whole_feed = q == Quantity::feed && !s.control.haas && !s.per_rev && s.inch.said() == false;
     if (whole_feed) return v;  // 1 mm/min either way
     say_whole_numbers(s, v);
     if (s.control.whole_numbers == WholeNumbers::units) return v;
@@ -228,8 +256,9 @@ void round_in(FanucState& s, ExprId id, const Value& one, bool angle, int depth)
 }  // namespace
 
 void round_to_increments(FanucState& s, const Address& a) {
+    if (a.value.expr == no_expr) return;
     const Quantity q = quantity_of(s, a.letter);
-    if (a.value.expr == no_expr || (q != Quantity::length && q != Quantity::angle)) return;
+    if (q != Quantity::length && q != Quantity::angle) return;
     Value one;
     one.found = true;
     one.literal = base::scan_decimal("1");
@@ -258,7 +287,6 @@ void emit_address(FanucState& s, Address& a) {
         by.expr = s.build().with_reference(Reference::incremental, as_expr(s, v), a.begin, a.end);
         return put_value(s, Order::value, *code, by, a);
     }
-    if (a.letter == 'F' && a.value.is_literal()) s.lead = v;
     const Code code = code_of(s, a.letter);
     const bool technology = code == Code::feed || code == Code::spindle || code == Code::tool;
     put_value(s, technology ? Order::technology : Order::value, code, v, a);

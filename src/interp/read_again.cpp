@@ -1,0 +1,104 @@
+/// Blocks that the run comes to with another state than that in which they were read: they are read anew.
+
+#include <algorithm>
+
+#include "base/codes.hpp"
+#include "interp/run.hpp"
+
+namespace obrys::interp {
+
+namespace codes = base::codes;
+using program::ModeSpan;
+using program::ModeUse;
+using program::StatementKind;
+
+namespace {
+
+/// Past this many pieces are not read anew: no program of a workpiece has as many.
+constexpr std::size_t most_read = 200'000;
+
+/// What stands here alone, without the program around it.
+bool stands_alone(StatementKind k) {
+    return k == StatementKind::block || k == StatementKind::call || k == StatementKind::cycle_definition;
+}
+
+bool can_be_run(const Unit& unit, std::uint32_t first) {
+    for (std::uint32_t i = first; i < unit.statements.size(); ++i)
+        if (!stands_alone(unit.statements[i].kind)) return false;
+    // The contour of a cycle is looked for in the program around it.
+    return std::all_of(unit.cycles.begin(), unit.cycles.end(),
+                       [](const program::CycleDefinition& c) { return c.first_block == program::no_expr; });
+}
+
+/// The piece as it is read in the state at hand; null where it cannot be run so. Read once for each state.
+const program::PieceRead* piece_at(Run& run, std::uint32_t index, const ModeUse& use) {
+    const Unit& unit = run.unit();
+    ReadPieces::Key key{&unit, index, {}};
+    for (std::size_t i = 0; i < program::mode_count; ++i)
+        if ((use.relied >> i & 1U) != 0) key.relied[i] = run.modes[i];
+    const auto found = run.read_pieces->pieces.find(key);
+    if (found != run.read_pieces->pieces.end())
+        return found->second.unit == nullptr ? nullptr : &found->second;
+    if (run.read_pieces->pieces.size() >= most_read) return nullptr;
+    program::PieceRead read = unit.modes.reader->read(unit, index, use, run.modes, run.env.sources, run.env.names,
+                                                      run.diagnostics);
+    if (read.unit != nullptr && !can_be_run(*read.unit, read.first)) read.unit.reset();
+    const program::PieceRead& kept = run.read_pieces->pieces.emplace(key, std::move(read)).first->second;
+    return kept.unit == nullptr ? nullptr : &kept;
+}
+
+/// The span of the statement; null where it neither depends on modes nor sets them.
+const ModeSpan* span_of(Activation& act, std::uint32_t index) {
+    const std::vector<ModeSpan>& spans = act.unit->modes.spans;
+    if (act.mode_span < spans.size() && index >= spans[act.mode_span].last) ++act.mode_span;  // the usual way
+    const auto holds = [&](std::size_t i) { return i < spans.size() && index >= spans[i].first && index < spans[i].last; };
+    if (holds(act.mode_span)) return &spans[act.mode_span];
+    const bool between = (act.mode_span == spans.size() || index < spans[act.mode_span].first) &&
+                         (act.mode_span == 0 || index >= spans[act.mode_span - 1].last);
+    if (between) return nullptr;
+    const auto behind = std::upper_bound(spans.begin(), spans.end(), index,
+                                         [](std::uint32_t i, const ModeSpan& s) { return i < s.last; });
+    act.mode_span = static_cast<std::uint32_t>(behind - spans.begin());
+    return holds(act.mode_span) ? &*behind : nullptr;
+}
+
+void run_piece(Run& run, const program::PieceRead& piece) {
+    const std::size_t depth = run.calls.size();
+    Activation block;
+    block.unit = piece.unit.get();
+    block.pc = piece.first;
+    block.stack = run.top().stack;
+    block.locals = run.top().locals;  // the variables themselves are shared
+    block.own_bindings = block.locals.size();
+    block.is_text = block.is_piece = true;
+    run.calls.push_back(std::move(block));
+    const bool calls = piece.unit->statements.back().kind == StatementKind::call;
+    while (!calls && run.calls.size() > depth && !run.stopped) step(run);
+}
+
+}  // namespace
+
+bool runs_read_again(Run& run, std::uint32_t index) {
+    const ModeSpan* span = span_of(run.top(), index);
+    if (span == nullptr) return false;
+    const program::ModeTable& table = run.unit().modes;
+    const ModeUse& use = table.uses[span->use];
+    if (use.whole && index != span->first) return false;
+    if (program::different(table.states[use.before], run.modes, use.relied) != 0) {
+        if (const program::PieceRead* piece = piece_at(run, index, use)) {
+            run.top().pc = use.whole ? span->last : index + 1;
+            run_piece(run, *piece);
+            return true;
+        }
+        unchecked(run, codes::unsupported, run.here(),
+                  table.reader->difference(table.states[use.before], run.modes, use.relied) +
+                      ": it is run as it stands in the text",
+                  "say in the block, or before it where every way to it comes by, what is to hold");
+    }
+    const program::Modes& after = table.states[use.after];
+    for (std::size_t i = 0; i < program::mode_count; ++i)
+        if ((use.written >> i & 1U) != 0) run.modes[i] = after[i];
+    return false;
+}
+
+}  // namespace obrys::interp
