@@ -104,7 +104,9 @@ void alike(const Blocks& from, dialect::rs274::FanucMachine machine, bool haas) 
     add_items(p, text, from, 0, false);
     add_items(p, text, from, 0, false);
     const std::string head = "%\nO1\nG21\nG54\n", macro = "O9\nG1 X#1 F#9\nM99\n";
-    const read::rs274::FanucOptions options{.machine = machine, .whole_numbers_known = true};
+    // Whether C is an axis is a question to the whole text, which is not the same here.
+    const bool c_axis = *rc::gen::arbitrary<bool>();
+    const read::rs274::FanucOptions options{.machine = machine, .c_axis = c_axis, .whole_numbers_known = true};
     const std::string one = head + text + "G0 X99. Z99.\nM30\n" + p.subs + macro + "%\n";
     const std::string two = head + p.inlined + "G0 X99. Z99.\nM30\n" + macro + "%\n";
     const testing::Ran ran = testing::run(one, options, haas), straight = testing::run(two, options, haas);

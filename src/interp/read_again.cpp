@@ -30,21 +30,35 @@ bool can_be_run(const Unit& unit, std::uint32_t first) {
                        [](const program::CycleDefinition& c) { return c.first_block == program::no_expr; });
 }
 
+/// It was read in a state like that of the run: where other words of it count, it may ask for more than in the text.
+bool fits(const Run& run, const program::PieceRead& read) {
+    const program::ModeTable& table = read.unit->modes;
+    for (const ModeSpan& span : table.spans) {
+        if (span.first != read.first) continue;
+        const ModeUse& use = table.uses[span.use];
+        return program::different(table.states[use.before], run.modes, use.relied) == 0;
+    }
+    return true;
+}
+
 /// The piece as it is read in the state at hand; null where it cannot be run so. Read once for each state.
 const program::PieceRead* piece_at(Run& run, std::uint32_t index, const ModeUse& use) {
     const Unit& unit = run.unit();
+    ReadPieces& kept = *run.read_pieces;
     ReadPieces::Key key{&unit, index, {}};
     for (std::size_t i = 0; i < program::mode_count; ++i)
         if ((use.relied >> i & 1U) != 0) key.relied[i] = run.modes[i];
-    const auto found = run.read_pieces->pieces.find(key);
-    if (found != run.read_pieces->pieces.end())
-        return found->second.unit == nullptr ? nullptr : &found->second;
-    if (run.read_pieces->pieces.size() >= most_read) return nullptr;
+    std::deque<program::PieceRead>& readings = kept.pieces[key];
+    for (const program::PieceRead& read : readings) {
+        if (read.unit == nullptr) return nullptr;
+        if (fits(run, read)) return &read;
+    }
+    if (unit.modes.reader == nullptr || ++kept.count > most_read) return nullptr;
     program::PieceRead read = unit.modes.reader->read(unit, index, use, run.modes, run.env.sources, run.env.names,
                                                       run.diagnostics);
-    if (read.unit != nullptr && !can_be_run(*read.unit, read.first)) read.unit.reset();
-    const program::PieceRead& kept = run.read_pieces->pieces.emplace(key, std::move(read)).first->second;
-    return kept.unit == nullptr ? nullptr : &kept;
+    if (read.unit != nullptr && (!can_be_run(*read.unit, read.first) || !fits(run, read))) read.unit.reset();
+    readings.push_back(std::move(read));
+    return readings.back().unit == nullptr ? nullptr : &readings.back();
 }
 
 /// The span of the statement; null where it neither depends on modes nor sets them.
@@ -90,9 +104,11 @@ bool runs_read_again(Run& run, std::uint32_t index) {
             run_piece(run, *piece);
             return true;
         }
-        unchecked(run, codes::unsupported, run.here(),
-                  table.reader->difference(table.states[use.before], run.modes, use.relied) +
-                      ": it is run as it stands in the text",
+        const std::string why =
+            table.reader == nullptr
+                ? std::string("the block means something else in the state in which the run comes to it")
+                : table.reader->difference(table.states[use.before], run.modes, use.relied);
+        unchecked(run, codes::unsupported, run.here(), why + ": it is run as it stands in the text",
                   "say in the block, or before it where every way to it comes by, what is to hold");
     }
     const program::Modes& after = table.states[use.after];

@@ -5,6 +5,7 @@
 #include <array>
 #include <bit>
 #include <cstdint>
+#include <deque>
 #include <initializer_list>
 #include <limits>
 #include <map>
@@ -404,7 +405,8 @@ struct ReadPieces {
         program::Modes relied{};  ///< 0 where the piece does not ask
         auto operator<=>(const Key&) const = default;
     };
-    std::map<Key, program::PieceRead> pieces;
+    std::map<Key, std::deque<program::PieceRead>> pieces;
+    std::size_t count = 0;
 };
 
 /// What a run works with: its state, what stands around it, and what it hands out.

@@ -203,6 +203,10 @@ void refuse_in_rotation(FanucState& s) {
         if (g && ((*g >= 270 && *g <= 300) || (*g >= 520 && *g <= 599) || *g == 920) && s.transformed != 0)
             add_problem(s, Code::unsupported, a.begin, a.end,
                         "G68, G51 or G51.1 is in force, in which it must not be programmed");
+        // The same, programmable mirror image: not within scaling or rotation.
+        if (g && (*g == 501 || *g == 511) && (s.transformed & (rotated | enlarged)) != 0)
+            add_problem(s, Code::unsupported, a.begin, a.end,
+                        "G68 or G51 is in force, in which it must not be programmed");
     }
 }
 
@@ -219,7 +223,8 @@ void as_piece(FanucState& s, base::FunctionRef<void()> make) {
     const std::uint32_t first = count();
     s.modes.begin_piece();
     make();
-    if (s.modes.has_written() && count() == first) empty_block(s);  // M29, G15: words that leave nothing in the tree
+    // Words that leave nothing in the tree, as M29 and G15, or nothing in this state.
+    if ((s.modes.has_written() || s.facts.refused) && count() == first) empty_block(s);
     s.modes.end_piece(s.unit().modes, {first, count()}, !s.failed);
 }
 
