@@ -16,10 +16,13 @@ namespace fs = std::filesystem;
 /// A place that is no place: complaints about the command line.
 inline constexpr base::Span nowhere{0xFFFFFFFF, 0, 0};
 
+/// Of a transfer, in front of a program and behind it (Ctrl-Z, NUL, ETX …): `keep` for who writes the text again.
+enum class Signs : std::uint8_t { blank, keep };
+
 /// Adds the file's text to `sources`. A missing, empty, binary or too large file is a complaint at `where`, naming the
 /// nearest file names of the folder, and nothing is returned.
 std::optional<std::uint32_t> load(const fs::path& path, base::Sources& sources, base::Diagnostics& diagnostics,
-                                  const base::Span& where = nowhere);
+                                  const base::Span& where = nowhere, Signs signs = Signs::blank);
 
 /// Complains at `where` about a file that is not there or no file.
 void check_readable(const fs::path& path, base::Diagnostics& diagnostics, const base::Span& where);
