@@ -112,7 +112,7 @@ std::string_view without_end_signs(std::string_view text) {
     std::size_t end = text.size();
     for (std::size_t i = text.size(); i > 0; --i) {
         const char c = text[i - 1];
-        if (c == '\x1A' || c == '\0')
+        if (c == '\x1A' || c == '\0' || c == '\x03' || c == '\x04')
             end = i - 1;
         else if (!is_blank(c) && c != '\r' && c != '\n')
             break;

@@ -12,6 +12,7 @@
 #include "cl/totals.hpp"
 #include "motion/cursor.hpp"
 #include "motion/stand.hpp"
+#include "sim/milling/lattice.hpp"
 
 namespace obrys::check {
 
@@ -24,10 +25,12 @@ struct Check::State {
           limits(setup.machine, stand, cursor.state(), out),
           removal(setup, cursor.state(), out),
           trace(setup.keep_moves) {
-        if (!setup.milling) return;
-        milling.emplace(setup, cursor.state(), out);
-        if (!milling->ready()) milling.reset();
+        if (setup.milling) waiting.emplace();
     }
+
+    bool waits(const cl::Record& record);
+    void begin_milling();
+    void coarsen();
 
     void move(const motion::Step& step);
     void take(const cl::Record& record);
@@ -65,6 +68,7 @@ struct Check::State {
     std::optional<Milling> milling;
     Trace trace;
     std::uint64_t cuts = 0;  ///< Stats::cuts
+    std::optional<std::vector<cl::Record>> waiting;  ///< from before the first tool that can cut
     cl::Totals totals;
     cl::Record end{cl::Stop{}, nowhere, 0};  ///< place of the last record
     geom::Vec3 tip{NAN, NAN, NAN};           ///< of the tool, frame of the stock
@@ -217,10 +221,48 @@ void Check::State::take(const cl::Record& record) {
     end.stack = record.stack;
 }
 
-void Check::take(const cl::Record& record) { state_->take(record); }
+/// The rays of a stock cost memory and time: they are made when a tool is in use that can take something from it.
+bool Check::State::waits(const cl::Record& record) {
+    constexpr std::size_t most_waiting = 20'000;
+    if (!waiting) return false;
+    const auto* tool = std::get_if<cl::ToolChange>(&record.step);
+    const bool cuts_now = tool != nullptr && motion::find_tool(setup.tools, *tool) != nullptr;
+    if (cuts_now || waiting->size() >= most_waiting) {
+        begin_milling();
+        return false;
+    }
+    waiting->push_back(record);
+    return true;
+}
+
+void Check::State::begin_milling() {
+    const std::vector<cl::Record> before = std::move(*waiting);
+    waiting.reset();
+    milling.emplace(setup, cursor.state(), out);
+    if (!milling->ready()) milling.reset();
+    for (const cl::Record& record : before) take(record);
+}
+
+/// No tool can cut: the rays only say how large the stock is. Against a part they also show where it stands out.
+void Check::State::coarsen() {
+    constexpr double enough = 5e7, coarsest = 1;  // bytes, mm
+    MillingSetup& m = *setup.milling;
+    if (m.part != nullptr) return;
+    const sim::milling::Box3 box = sim::milling::box_of(m.stock);
+    while (m.tolerance < coarsest && !(sim::milling::resolve(box, m.tolerance, 1, m.memory_bytes).bytes < enough))
+        m.tolerance *= 2;
+}
+
+void Check::take(const cl::Record& record) {
+    if (!state_->waits(record)) state_->take(record);
+}
 
 Result Check::finish(bool whole) {
     State& s = *state_;
+    if (s.waiting) {
+        s.coarsen();
+        s.begin_milling();
+    }
     Stats& stats = s.out.result().stats;
     stats.moves = s.totals.moves;
     stats.rapid_moves = s.totals.rapid_moves;

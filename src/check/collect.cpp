@@ -22,7 +22,8 @@ void add_once(std::vector<Note>& notes, Note note) {
 void Collector::finding(const Move& move, Finding f) {
     if (move.index != last_move_) of_last_move_.clear();
     last_move_ = move.index;
-    if (!of_last_move_.insert(f.code).second) return;
+    const bool each_axis = f.code == base::codes::axis_limit;  // one move may leave the travel of several
+    if (!of_last_move_.insert(f.code).second && !each_axis) return;
     f.move = move.index;
     f.from = move.from;
     f.to = move.to;

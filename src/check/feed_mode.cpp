@@ -40,6 +40,20 @@ std::optional<Finding> too_fast(double feed_per_rev, double widest) {
     return f;
 }
 
+std::optional<Finding> too_fine(double feed_per_rev, const shop::Tool* tool) {
+    constexpr double finest = 0.005, part_of_diameter = 0.01;
+    if (tool == nullptr) return std::nullopt;
+    const shop::ToolKind kind = shop::assumed_kind(*tool);
+    const bool turns = kind == shop::ToolKind::turning || kind == shop::ToolKind::groove;
+    if (!turns && !(shop::is_milling(kind) && tool->radius > 0)) return std::nullopt;
+    const double least = turns ? finest : std::min(finest, part_of_diameter * 2 * tool->radius);
+    if (!(feed_per_rev > 0 && feed_per_rev < least)) return std::nullopt;
+    Finding f =
+        implausible("the feed is " + base::shortest(feed_per_rev) + " mm a revolution: no tool cuts so finely");
+    f.amounts = {{"feed_mm_per_rev", feed_per_rev}, {"limit_mm_per_rev", least}};
+    return f;
+}
+
 std::optional<Finding> too_slow(double feed_per_minute, double feed_per_rev, double finest) {
     if (!(feed_per_minute > 0 && feed_per_minute < least_per_minute && feed_per_rev < finest)) return std::nullopt;
     Finding f = implausible("the feed of " + plain(feed_per_minute) + " mm counts per minute: no tool cuts so slowly");

@@ -16,6 +16,9 @@ namespace obrys::check {
 [[nodiscard]] double widest_feed(const shop::Tool* tool, shop::MachineKind machine);
 /// A feed per revolution above `widest`.
 [[nodiscard]] std::optional<Finding> too_fast(double feed_per_rev, double widest);
+/// A cut at a feed per revolution below what any machine for metal cuts: 0.005 mm, of drills and mills a hundredth of
+/// their diameter where that is less.
+[[nodiscard]] std::optional<Finding> too_fine(double feed_per_rev, const shop::Tool* tool);
 /// A cut below 1 mm a minute, at less than `finest` mm a revolution.
 [[nodiscard]] std::optional<Finding> too_slow(double feed_per_minute, double feed_per_rev, double finest);
 

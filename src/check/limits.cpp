@@ -154,11 +154,20 @@ double Limits::excess(Travel& t, double low, double high) {
     return axis.min && axis.max ? (t.high - t.low) - (*axis.max - *axis.min) : 0.0;
 }
 
+namespace {
+
+/// "axis X goes 12.000 mm outside its travel: to -512.000, which ends at -500.000" of the machine.
+std::string outside(const shop::MachineAxis& axis, double over, double low, double high) {
+    const bool above = axis.max && high - *axis.max >= over - travel_tolerance;
+    return "axis " + axis.name + " goes " + mm(over) + " outside its travel: to " + base::fixed(above ? high : low, 3) +
+           " of the machine, and it ends at " + base::fixed(above ? *axis.max : *axis.min, 3);
+}
+
+}  // namespace
+
 void Limits::check_travel(const Move& move) {
     const bool fresh = changed_;
     if (changed_) follow_stand();
-    std::string text, cause;
-    double worst = 0;
     for (Travel& t : travel_) {
         const auto [low, high] = stand_.on_face() ? range_on_face(move, t.along, fresh) : range(move, t.along, fresh);
         if (std::isnan(low)) continue;
@@ -171,19 +180,17 @@ void Limits::check_travel(const Move& move) {
             out_.assumption("zero offset of axis " + t.axis->name +
                             " is not known: only the length of its way was held to its travel");
         if (over > travel_tolerance && over > t.worst) {
-            text += (text.empty() ? "" : "; ") + ("axis " + t.axis->name) +
-                    (absolute ? " goes " + mm(over) + " outside its travel"
-                              : " needs " + mm(t.high - t.low) + " of way, " + mm(over) + " more than its travel");
-            worst = std::max(worst, over);
-            cause += t.axis->name + " " + base::fixed(t.from_zero, 3) + " ";
+            const double at = t.known + t.from_zero;
+            Finding f =
+                error(base::codes::axis_limit, absolute ? outside(*t.axis, over, low + at, high + at)
+                                                        : "axis " + t.axis->name + " needs " + mm(t.high - t.low) +
+                                                              " of way, " + mm(over) + " more than its travel");
+            f.amounts = {{"excess_mm", over}};
+            f.cause = t.axis->name + " " + base::fixed(t.from_zero, 3);  // one zero that is wrong sends every move out
+            out_.finding(move, std::move(f));
         }
         t.worst = absolute ? over : std::max(over, t.worst);
     }
-    if (text.empty()) return;
-    Finding f = error(base::codes::axis_limit, std::move(text));
-    f.amounts = {{"excess_mm", worst}};
-    f.cause = std::move(cause);  // one zero that is wrong sends every move out
-    out_.finding(move, std::move(f));
 }
 
 void Limits::spindle_changed(const cl::Record& record, const cl::Spindle& before) {
@@ -196,7 +203,7 @@ void Limits::spindle_changed(const cl::Record& record, const cl::Spindle& before
     const bool surface = spindle.mode == cl::SpindleMode::surface;
     const double speed = surface ? spindle.limit : spindle.speed;
     const double low = machine_.spindle.min, high = machine_.spindle.max;
-    if (speed <= 0 || (speed <= high && (speed >= low || surface))) return;
+    if (!(speed > 0) || (speed <= high && (speed >= low || surface))) return;
     const bool above = speed > high;
     Finding f =
         error(base::codes::spindle_limit,
@@ -245,6 +252,7 @@ void Limits::check_feed_mode(const Move& move, bool cuts) {
     std::optional<Finding> f;
     if (state_.feed.mode == cl::FeedMode::per_rev)
         f = too_fast(state_.feed.value, widest_feed(state_.tool, machine_.kind));
+    if (!f && state_.feed.mode == cl::FeedMode::per_rev && cuts) f = too_fine(state_.feed.value, state_.tool);
     if (state_.feed.mode == cl::FeedMode::per_minute && cuts)
         f = too_slow(state_.feed.value, state_.feed.value / rpm(move), finest_turned);
     if (!f) return;

@@ -12,6 +12,7 @@
 #include "cl/path_element.hpp"
 #include "cl/spline.hpp"
 #include "cl/totals.hpp"
+#include "cl/unknown_tool.hpp"
 #include "motion/technology.hpp"
 
 namespace obrys::check {
@@ -129,6 +130,7 @@ void Milling::tool_changed() {
     const cl::ToolChange& tool = state_.change;
     tool_ = state_.tool;
     tool_name_ = !state_.any_tool    ? ""
+                 : cl::is_unknown(tool)      ? "?"
                  : tool.name.empty() ? "T" + std::to_string(tool.number)
                                      : "\"" + tool.name + "\"";
     tool_ready_ = false;
@@ -168,7 +170,8 @@ std::uint32_t Milling::add_tool(const milling::ToolShape& shape) {
 bool Milling::tool_in_use(const Move& move) {
     if (tool_ready_) return true;
     if (tool_ == nullptr) {
-        out_.unchecked(move.record, tool_name_.empty()
+        out_.unchecked(move.record, cl::is_unknown(state_.change) ? "which tool is in use is not known: removal not simulated"
+                                    : tool_name_.empty()
                                         ? "no tool is selected: removal not simulated"
                                         : "tool " + tool_name_ + " is not known: its removal is not simulated");
         return false;

@@ -7,6 +7,7 @@
 #include "base/number.hpp"
 #include "check/turning_tool.hpp"
 #include "cl/totals.hpp"
+#include "cl/unknown_tool.hpp"
 #include "geom/boolean.hpp"
 
 namespace obrys::check {
@@ -100,7 +101,7 @@ void Removal::tool_changed() {
 void Removal::first_use(const Move& move) {
     changed_ = false;
     use_ = 0;
-    if (!state_.any_tool) return;
+    if (!state_.any_tool || cl::is_unknown(state_.change)) return;
     const cl::ToolChange& tool = state_.change;
     auto& uses = out_.result().tools;
     for (std::size_t i = 0; i < uses.size() && use_ == 0; ++i)
@@ -138,6 +139,7 @@ bool Removal::works_off_axis(const Move& move) const {
 std::optional<std::string> Removal::obstacle(const Move& move) const {
     const std::string tool = state_.any_tool ? tool_name(state_.change) : "";
     if (!state_.any_tool) return "no tool is selected: removal not simulated";
+    if (cl::is_unknown(state_.change)) return "which tool is in use is not known: removal not simulated";
     if (tool_ == nullptr) return tool + " is not known: its removal is not simulated";
     if (is_astray(move))
         return tool + (move.rapid

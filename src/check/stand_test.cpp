@@ -154,7 +154,7 @@ TEST(Stand, TravelIsJudgedThroughTheChain) {
             if (f.code == base::codes::axis_limit) found.push_back(&f);
         EXPECT_EQ(found.size(), y > 100 ? 1U : 0U) << y;
         // z of the tip: pivot z - (y - 20) = -400 - 100, gauge -420: 20 outside.
-        for (const Finding* f : found) EXPECT_EQ(f->text, "axis Z goes 20.000 mm outside its travel");
+        for (const Finding* f : found) EXPECT_TRUE(f->text.starts_with("axis Z goes 20.000 mm outside its travel"));
     }
 }
 
@@ -167,7 +167,7 @@ TEST(Stand, TheGaugePointIsWhatTheTravelIsOf) {
     run.take(cl::Datum{54, zero}).go({0, 0, 360 - length + 5}, {0, 0, 1}, true);
     const Result r = run.check.finish();
     ASSERT_EQ(r.findings.size(), 1U);
-    EXPECT_EQ(r.findings[0].text, "axis Z goes 5.000 mm outside its travel");
+    EXPECT_TRUE(r.findings[0].text.starts_with("axis Z goes 5.000 mm outside its travel"));
 }
 
 TEST(Stand, WhatIsNotKnownIsSaid) {

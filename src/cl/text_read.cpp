@@ -8,6 +8,7 @@
 #include "base/text.hpp"
 #include "base/whole.hpp"
 #include "cl/text.hpp"
+#include "cl/unknown_tool.hpp"
 
 namespace obrys::cl {
 
@@ -261,9 +262,9 @@ Coolant coolant(Words& w) {
 
 ToolChange tool(Words& w) {
     ToolChange s;
-    s.number = w.integer<std::uint32_t>();
+    s.number = w.accept("?") ? unknown_tool : w.integer<std::uint32_t>();
     w.expect("edge");
-    s.edge = w.integer<std::uint32_t>();
+    s.edge = w.accept("?") ? unknown_tool : w.integer<std::uint32_t>();
     s.name = w.quoted();
     if (w.accept("raised")) s.raised = w.number();
     return s;

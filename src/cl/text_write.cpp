@@ -3,6 +3,7 @@
 #include "base/number.hpp"
 #include "base/text.hpp"
 #include "cl/text.hpp"
+#include "cl/unknown_tool.hpp"
 
 namespace obrys::cl {
 
@@ -123,7 +124,8 @@ struct StepWriter {
         number(out, *s.held);
     }
     void operator()(const ToolChange& s) const {
-        out += "tool " + std::to_string(s.number) + " edge " + std::to_string(s.edge);
+        const auto number_of = [](std::uint32_t n) { return n == unknown_tool ? "?" : std::to_string(n); };
+        out += "tool " + number_of(s.number) + " edge " + number_of(s.edge);
         quoted(out, s.name);
         if (s.raised == 0) return;
         out += " raised";

@@ -98,12 +98,12 @@ void Verifier::check(const Record& r, const Dwell& s) {
 }
 
 void Verifier::check(const Record& r, const Feed& s) {
-    if (!(s.value >= 0) || std::isinf(s.value))
+    if (s.value < 0 || std::isinf(s.value))
         complain(r, base::codes::value_range, "feed must be finite and not negative");
 }
 
 void Verifier::check(const Record& r, const Spindle& s) {
-    if (!(s.speed >= 0) || std::isinf(s.speed))
+    if (s.speed < 0 || std::isinf(s.speed))
         complain(r, base::codes::value_range,
                  "spindle speed must be finite and not negative; the direction is a field of its own");
     if (!(s.limit >= 0) || std::isinf(s.limit))

@@ -43,7 +43,7 @@ TEST(Verify, NoRecordHoldsTheseValues) {
     EXPECT_EQ(complaints({Linear{{0, 0, 0}, {0, 0, 1.1}, true}}), Codes{"value-range"});
     EXPECT_EQ(complaints({Spindle{-1, SpindleMode::rpm, 1, 0}}), Codes{"value-range"});
     EXPECT_EQ(complaints({Spindle{1, SpindleMode::rpm, 3, 0}}), Codes{"value-range"});
-    EXPECT_EQ(complaints({Feed{NAN, FeedMode::per_minute}}), Codes{"value-range"});
+    EXPECT_EQ(complaints({Feed{INFINITY, FeedMode::per_minute}}), Codes{"value-range"});
     EXPECT_EQ(complaints({Dwell{-1, 0}}), Codes{"value-range"});
     EXPECT_EQ(complaints({Thread{{0, 0, 0}, 0, false}}), Codes{"value-range"});
     EXPECT_EQ(complaints({Axis{{}, 0, true}}), Codes{"value-range"});

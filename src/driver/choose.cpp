@@ -97,4 +97,22 @@ void choose_machine(Session& s, const Request& request) {
                        {}});
 }
 
+void settle_diameters(Session& s, const Request& request) {
+    bool& diameters = s.job.machine.defaults.diameter_programming;
+    const program::Traits& t = *s.main->traits;
+    const bool lathe = s.job.machine.kind == shop::MachineKind::lathe;
+    if (!diameters || (lathe && !t.radius_at_start)) return;
+    const std::string asked = request.diameter ? "--diameter" : "diameter_programming";
+    if (t.has_diameter_words)
+        return assume(s, asked + " on a mill: X words are taken as diameters, half of each is run",
+                      "leave it out where X of this mill is a length");
+    diameters = false;
+    const bool here = request.diameter.has_value() || s.job.defaults.diameter_programming.has_value();
+    if (t.radius_at_start && !here) return;  // the machine file is for other controls, too
+    if (t.radius_at_start)
+        return assume(s, asked + " does not apply: this control begins with radii, X words are diameters behind G7 only",
+                      "write G7 in the program");
+    assume(s, asked + " does not apply: it is for lathes, and the machine is a mill; X words are run as they stand");
+}
+
 }  // namespace obrys::driver

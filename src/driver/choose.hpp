@@ -15,5 +15,7 @@ namespace obrys::driver {
 [[nodiscard]] const Control* choose_control(Session& s, const Request& request, std::uint32_t file);
 /// Where none is named, one for what the program is.
 void choose_machine(Session& s, const Request& request);
+/// Diameters that were asked for where the control has none (Traits::has_diameter_words) are not taken, and said.
+void settle_diameters(Session& s, const Request& request);
 
 }  // namespace obrys::driver

@@ -125,6 +125,20 @@ bool is_utf16(std::string_view text) {
     return n >= 4 && ((even == 0 && odd == n / 2) || (odd == 0 && even == n / 2));
 }
 
+/// What a DNC link and punched tape leave in front of a text and behind it, each a blank for the readers: NUL, the marks
+/// of a transmission (SOH to EOT), device control (DC1 to DC4, XON and XOFF) and Ctrl-Z.
+void blank_transfer_signs(std::string& text) {
+    const auto is_sign = [](char c) {
+        return (c >= '\0' && c <= '\x04') || (c >= '\x11' && c <= '\x14') || c == '\x1A';
+    };
+    const auto is_spare = [&](char c) { return is_sign(c) || base::is_blank(c) || c == '\r' || c == '\n'; };
+    const auto first = std::find_if_not(text.begin(), text.end(), is_spare);
+    if (first == text.end()) return;  // nothing but signs is no program
+    const auto last = std::find_if_not(text.rbegin(), text.rend(), is_spare).base();
+    std::replace_if(text.begin(), first, is_sign, ' ');
+    std::replace_if(last, text.end(), is_sign, ' ');
+}
+
 bool is_text(std::string_view text, const std::string& shown, base::Diagnostics& diagnostics, const base::Span& where) {
     if (is_utf16(text)) {
         complain(diagnostics, codes::file_binary, where, shown + " is UTF-16 text, which no control reads",
@@ -144,7 +158,7 @@ bool is_text(std::string_view text, const std::string& shown, base::Diagnostics&
 }  // namespace
 
 std::optional<std::uint32_t> load(const fs::path& path, base::Sources& sources, base::Diagnostics& diagnostics,
-                                  const base::Span& where) {
+                                  const base::Span& where, Signs signs) {
     const std::string shown = path.generic_string();
     const auto known = size_of(path, diagnostics, where);
     if (!known) return std::nullopt;
@@ -156,8 +170,11 @@ std::optional<std::uint32_t> load(const fs::path& path, base::Sources& sources, 
         complain(diagnostics, codes::file_missing, where, cannot(shown, failed));
         return std::nullopt;
     }
-    const std::string_view text = large == nullptr ? std::string_view(small) : large->bytes();
+    std::string blanked = small;
+    if (!is_utf16(small)) blank_transfer_signs(blanked);
+    const std::string_view text = large == nullptr ? std::string_view(blanked) : large->bytes();
     if (!is_text(text, shown, diagnostics, where)) return std::nullopt;
+    if (signs == Signs::blank) small = std::move(blanked);
     return large == nullptr ? sources.add(shown, std::move(small)) : sources.add(shown, std::move(large));
 }
 

@@ -279,6 +279,7 @@ bool open(const Request& request, Session& s) {
     s.job.skip_levels.insert(s.job.skip_levels.end(), request.skip.begin(), request.skip.end());
     if (request.scope) s.job.scope = *request.scope;
     if (request.diameter) s.job.machine.defaults.diameter_programming = *request.diameter;
+    settle_diameters(s, request);
     load_configuration(s, request);
     load_backups(s, request);
     load_tools(s, request, input);

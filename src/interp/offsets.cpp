@@ -7,6 +7,7 @@
 
 #include "base/codes.hpp"
 #include "base/whole.hpp"
+#include "cl/unknown_tool.hpp"
 #include "interp/motion.hpp"
 
 namespace obrys::interp {
@@ -47,6 +48,7 @@ std::optional<Axes> length_of_block(Run& run) {
     }
     const shop::Tool* t = h ? listed_tool(run, *h) : run.tool.data;
     if (t != nullptr) return axes_of(*t);
+    if (!h && run.tool.number == cl::unknown_tool) return std::nullopt;
     if (!h && run.tool.number == 0) return Axes{};
     if (run.tools.empty()) {
         assume(run, run.here(),
@@ -223,6 +225,18 @@ void take_job_datums(Run& run) {
 
 }  // namespace
 
+namespace {
+
+/// As say_unknown_way says: a zero whose way from the one before is not known is that one.
+void take_as_reference(Run& run) {
+    Offsets& o = run.offsets;
+    if (!run.moved || run.datum_known || run.modal.datum == run.reference_datum) return;
+    for (std::size_t k = 0; k < 3; ++k)
+        if (!holds(run, run.modal.datum, k) || !o.given[k]) o.datum[k] = o.reference[k];
+}
+
+}  // namespace
+
 void load_datum(Run& run) {
     const program::OffsetParameters& p = run.traits->offsets;
     const std::uint32_t place = place_of_datum(run.modal.datum) - 1;
@@ -238,13 +252,14 @@ void load_datum(Run& run) {
             o.datum[k] = stored(run, first + static_cast<std::uint32_t>(k), k) + external(run, k);
         o.rotation = p.rotation == 0 ? 0 : run.parameters.get(first + p.rotation);
         run.datum_known = is_place_known(run);
+        take_as_reference(run);
         if (p.active_datum != 0) run.parameters.set(p.active_datum, place + 1);
         return;
     }
     o.datum = {};
     o.rotation = 0;
     run.datum_known = is_place_known(run);
-    if (job == run.env.machine.datums.end()) return;
+    if (job == run.env.machine.datums.end()) return take_as_reference(run);
     for (int k = 0; k < 3; ++k)
         if (const double v = coordinate(job->second, k); !std::isnan(v))
             o.datum[static_cast<std::size_t>(k)] = v + external(run, static_cast<std::size_t>(k));

@@ -4,6 +4,7 @@
 
 #include "base/codes.hpp"
 #include "base/number.hpp"
+#include "cl/unknown_tool.hpp"
 #include "interp/complaints.hpp"
 #include "path/nose.hpp"
 #include "path/preset.hpp"
@@ -59,6 +60,7 @@ path::Setting held_move_setting(Run& run, double radius) {
 namespace {
 
 std::string active_edge(const Run& run) {
+    if (run.tool.number == cl::unknown_tool) return "this tool";
     return "tool T" + std::to_string(run.tool.number) + " D" + std::to_string(run.tool.edge);
 }
 

@@ -38,9 +38,10 @@ bool speed_word(Run& run) {
     const double s = b.get(Code::spindle);
     if (std::isnan(s)) {
         unchecked(run, codes::unknown_value, run.here(),
-                  "the spindle speed depends on a value that is not known: the last one is kept");
+                  "the spindle speed depends on a value that is not known: it is not judged until the next S");
+        run.spindle.speed = s;
         run.spindle.speed_known = false;
-        return false;
+        return run.spindle.direction != 0;
     }
     if (s < 0) return alarm(run, codes::value_range, run.here(), "the spindle speed S is negative"), false;
     const bool feet = run.modal.surface_speed && run.modal.inch_geometry;  // cutting speed in ft/min
@@ -96,7 +97,6 @@ bool dwells_by_words(const Run& run) { return run.block.special == Modal::dwell 
 
 void emit_spindle(Run& run) {
     control_sets(run, {ControlValue::spindle_state});
-    if (std::isnan(run.spindle.speed) && run.spindle.direction != 0) return;  // the stream keeps the last known one
     cl::Spindle s;
     s.speed = run.spindle.direction == 0 && std::isnan(run.spindle.speed) ? 0 : run.spindle.speed;
     s.mode = run.modal.surface_speed ? cl::SpindleMode::surface : cl::SpindleMode::rpm;
@@ -135,7 +135,7 @@ bool spindle_words(Run& run) {
         run.spindle.direction_known = true;
         changed = true;
     }
-    if (std::isnan(run.spindle.speed) && changed)
+    if (std::isnan(run.spindle.speed) && run.spindle.speed_known && changed)
         assume(run, run.here(),
                "the spindle keeps the speed that G96 gave it, and where X stands is not known here: the speed is not "
                "judged until the next S",

@@ -19,18 +19,18 @@ void special_feeds(Run& run) {
     BlockWords& b = run.block;
     if (b.has(Code::feed_per_tooth)) {
         const shop::Tool* t = run.tool.data;
-        if (t == nullptr || t->teeth <= 0) {
+        double teeth = NAN;
+        if (t != nullptr && t->teeth > 0) teeth = t->teeth;
+        if (std::isnan(teeth))
             unchecked(run, codes::unknown_value, run.here(),
-                      "the feed per tooth FZ needs the number of teeth of the tool, which is not known: the last feed "
-                      "is kept",
+                      "the feed per tooth FZ needs the number of teeth of the tool, which is not known: so the feed is "
+                      "not",
                       "give the tool in a tool table with its column CUT.");
-            return;
-        }
-        b.put(Code::feed_per_rev, b.get(Code::feed_per_tooth) * t->teeth);
+        b.put(Code::feed_per_rev, b.get(Code::feed_per_tooth) * teeth);
     }
     const bool per_rev = b.has(Code::feed_per_rev);
     if (b.has(Code::feed_auto)) {
-        if (run.tool.feed > 0)
+        if (run.tool.feed > 0 || std::isnan(run.tool.feed))
             b.put(Code::feed, run.tool.feed / feed_factor(run));
         else
             unchecked(run, codes::unknown_value, run.here(), "F AUTO: TOOL CALL gives no feed: the last one is kept",
@@ -50,11 +50,9 @@ void feed_word(Run& run) {
     f *= feed_factor(run);
     run.feed_unknown = std::isnan(f);
     run.modal.feed_said = !run.feed_unknown;
-    if (std::isnan(f)) {
+    if (run.feed_unknown && !run.block.has(Code::feed_per_tooth))
         unchecked(run, codes::unknown_value, run.here(),
-                  "the feed depends on a value that is not known: the last one is kept");
-        return;
-    }
+                  "the feed depends on a value that is not known: it is not judged until the next F");
     if (f < 0) {
         alarm(run, codes::value_range, run.here(), "the feed F is negative");
         return;
@@ -62,17 +60,18 @@ void feed_word(Run& run) {
     run.feed_number = run.block.get(Code::feed);
     if (run.feed_valid && f == run.feed) return;
     run.feed = f;
-    run.feed_valid = f > 0;
+    run.feed_valid = f > 0 || run.feed_unknown;  // unknown is not missing
+    if (run.feed_unknown) run.feed_dropped = false;
     emit(run, cl::Feed{f, run.modal.feed_mode});
 }
 
 /// FB: the path of this block is run at another feed.
 void begin_feed_alone(Run& run) {
     const double f = *run.block.feed_alone * feed_factor(run);
-    if (std::isnan(f) || f < 0 || run.modal.motion == Modal::rapid) run.block.feed_alone.reset();
+    if (f < 0 || run.modal.motion == Modal::rapid) run.block.feed_alone.reset();
     if (std::isnan(f))
-        return unchecked(run, codes::unknown_value, run.here(),
-                         "the feed FB depends on a value that is not known: the last feed is kept");
+        unchecked(run, codes::unknown_value, run.here(),
+                  "the feed FB depends on a value that is not known: it is not judged in this block");
     if (f < 0) return alarm(run, codes::value_range, run.here(), "the feed FB is negative");
     if (!run.block.feed_alone) return assume(run, run.here(), "FB= beside a rapid does nothing");
     run.feed_dropped = false;

@@ -6,6 +6,7 @@
 #include "base/codes.hpp"
 #include "base/text.hpp"
 #include "base/whole.hpp"
+#include "cl/unknown_tool.hpp"
 #include "interp/run.hpp"
 
 namespace obrys::interp {
@@ -39,6 +40,7 @@ void take_shape(shop::Tool& t) {
 }
 
 const shop::Tool* find_tool(const Run& run, const ToolState& t) {
+    if (t.number == cl::unknown_tool) return nullptr;
     for (const shop::Tool& tool : run.tools) {
         const bool same =
             t.number != 0 ? tool.number == t.number : !t.name.empty() && base::equals_ignoring_case(tool.name, t.name);
@@ -52,7 +54,7 @@ const shop::Tool* find_tool(const Run& run, const ToolState& t) {
 std::optional<std::pair<std::uint32_t, std::uint32_t>> tool_number(const Run& run, double t) {
     const double index = run.traits->indexed_tools ? std::round((t - std::floor(t + 1e-9)) * 10) : 0;
     const auto number = base::whole<std::uint32_t>(std::round((t - index / 10) * 1e9) / 1e9);
-    if (!(t >= 0) || !number) return std::nullopt;
+    if (!(t >= 0) || !number || *number == cl::unknown_tool) return std::nullopt;
     return std::pair{*number, 1 + base::clipped<std::uint32_t>(index, 0, 9)};
 }
 
@@ -60,7 +62,7 @@ void tool_into_spindle(Run& run) {
     run.tool.number = run.tool.prepared;
     run.tool.name = run.tool.prepared_name;
     run.tool.waiting = false;
-    run.tool.known = run.tool.edge_known = true;
+    run.tool.known = run.tool.edge_known = run.tool.number != cl::unknown_tool;
     if (run.tool.number == 0) {  // T="NAME": the list may know its number
         ToolState any = run.tool;
         any.edge = 0;
@@ -185,10 +187,15 @@ void number_tool(Run& run, int m) {
     const BlockWords& b = run.block;
     const double q = b.has(Code::q) ? std::round(b.get(Code::q)) : -1;
     const std::string word = "M" + std::to_string(m);
-    if (std::isnan(q))
-        return unchecked(run, codes::unknown_value, run.here(),
-                         "which tool " + word + " means depends on a value that is not known");
-    if (q < 0 || q > 4294967295.0)
+    if (std::isnan(q)) {
+        unchecked(run, codes::unknown_value, run.here(),
+                  "which tool " + word + " means depends on a value that is not known");
+        run.tool.number = cl::unknown_tool;
+        run.tool.name.clear();
+        run.tool.known = run.tool.edge_known = false;
+        return emit_tool(run);
+    }
+    if (q < 0 || q >= cl::unknown_tool)
         return alarm(run, codes::value_range, run.here(),
                      word + " needs Q, the number of the tool in the spindle, 0 or more");
     if (q > 0 && !run.tools.empty() && !is_listed(run, q))
@@ -249,14 +256,11 @@ void select_tool(Run& run) {
     }
     if (b.has(Code::tool)) {
         const double t = b.get(Code::tool);
-        if (!b.tool_named && std::isnan(t)) {
+        const bool unknown = !b.tool_named && std::isnan(t);
+        if (unknown)
             unchecked(run, codes::unknown_value, run.here(), "which tool this is depends on a value that is not known");
-            run.tool.known = false;
-            run.tool.selected.reset();
-            return;
-        }
-        const auto number =
-            b.tool_named ? std::optional(std::pair<std::uint32_t, std::uint32_t>{0, 1}) : tool_number(run, t);
+        const std::pair<std::uint32_t, std::uint32_t> by_other{unknown ? cl::unknown_tool : 0, 1};
+        const auto number = b.tool_named || unknown ? std::optional(by_other) : tool_number(run, t);
         if (!number) {
             alarm(run, codes::value_range, run.here(), "T" + printed(Value::real(t)) + " is no tool number");
             return;
@@ -264,7 +268,8 @@ void select_tool(Run& run) {
         run.tool.prepared = number->first;
         run.tool.prepared_edge = number->second;
         run.tool.prepared_name = b.tool_named ? b.tool_name : std::string{};
-        run.tool.selected = b.tool_named || b.has(Code::tool_change) ? std::nullopt : std::optional(number->first);
+        run.tool.selected =
+            b.tool_named || unknown || b.has(Code::tool_change) ? std::nullopt : std::optional(number->first);
         run.tool.waiting = true;
         if (!changes_on_m6(run) && !b.has(Code::tool_change)) {
             tool_into_spindle(run);
@@ -288,14 +293,15 @@ void select_tool(Run& run) {
     if (run.stopped) return;
     replaced = replaced || std::find(b.m.begin(), b.m.end(), 6) != b.m.end();
     if (replaced) say_carried_compensation(run);
-    if (replaced) stop_for_change(run, before == std::pair{run.tool.number, run.tool.name});
+    if (replaced) stop_for_change(run, run.tool.known && before == std::pair{run.tool.number, run.tool.name});
     if (b.has(Code::edge)) {
         const double d = b.get(Code::edge);
         if (std::isnan(d)) {
             unchecked(run, codes::unknown_value, run.here(),
                       "which cutting edge this is depends on a value that is not known");
             run.tool.edge_known = false;
-            return;
+            run.tool.edge = cl::unknown_tool;
+            return emit_tool(run);
         }
         if (!base::whole<int>(d, 0, 32'000)) {
             alarm(run, codes::value_range, run.here(), "D" + printed(Value::real(d)) + " is no cutting edge");

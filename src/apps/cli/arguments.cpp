@@ -221,16 +221,21 @@ Commands add_commands(CLI::App& app, Arguments& a) {
     c.run = app.add_subcommand("run", run_help);
     add_input(*c.run, a);
     add_request(*c.run, a);
-    c.run->add_option("--format", a.format, "text, csv or json")
-        ->check(only({"text", "csv", "json"}))
-        ->type_name("FORMAT");
-    c.run->add_flag("--canon", a.request.canon, "print LinuxCNC's canonical calls instead of the moves");
+    auto* format = c.run->add_option("--format", a.format, "text, csv or json")
+                       ->check(only({"text", "csv", "json"}))
+                       ->type_name("FORMAT");
+    c.run->add_flag("--canon", a.request.canon, "print LinuxCNC's canonical calls instead of the moves")
+        ->excludes(format);
     c.run->add_flag("-q,--quiet", a.quiet, "print one line of counts instead of the moves");
     c.run->add_flag("--parameters", a.parameters, "print the numbered parameters at the end instead of the moves");
     c.plot = app.add_subcommand("plot", plot_help);
     add_input(*c.plot, a);
     add_request(*c.plot, a);
     c.plot->add_option("--svg", a.svg, "write the picture to this file")->type_name("FILE");
+    c.plot->final_callback([&a] {
+        if (!(a.interpolation > 0) && !a.svg.empty() && !a.output.empty())
+            throw CLI::ValidationError("--svg and --output both name a file for the one picture");
+    });
     c.plot
         ->add_option_function<std::string>(
             "--interpolation", [&a](const std::string& text) { a.interpolation = *base::parse_double(text); },

@@ -146,8 +146,14 @@ constexpr FanucG haas_not_run(int code, std::string_view says) {
 constexpr FanucG haas_motion_not_run(int code, std::string_view says) {
     return {static_cast<std::int16_t>(code), refused, Modal::canned, 0, Order::motion, Special::none, says};
 }
+constexpr std::string_view haas_foreign = "not a G code of this control";
+
 constexpr std::array haas_lathe{
-    haas_not_run(71, "not a G code of this control"),
+    haas_motion_not_run(50, "fine motion of the spindle together with the axes"),
+    haas_not_run(51, haas_foreign),
+    haas_not_run(71, haas_foreign),
+    haas_not_run(80, haas_foreign),
+    haas_not_run(110, haas_foreign),
     haas_hole(810),
     haas_hole(820),
     haas_motion_not_run(860, "boring with a stop of the spindle"),
@@ -157,8 +163,15 @@ constexpr std::array haas_lathe{
     haas_not_run(1070, "cylindrical mapping"),
     haas_not_run(1120, "polar coordinate interpolation"),
     FanucG{1130, accepted, Modal::linear, 0, Order::motion, Special::none, "end of polar coordinate interpolation"},
-    haas_not_run(121, "not a G code of this control"),
-    haas_not_run(131, "not a G code of this control"),
+    haas_not_run(121, haas_foreign),
+    haas_not_run(131, haas_foreign),
+    haas_not_run(220, haas_foreign),
+    haas_not_run(230, haas_foreign),
+    haas_not_run(250, haas_foreign),
+    haas_not_run(260, haas_foreign),
+    haas_not_run(502, haas_foreign),
+    haas_not_run(690, haas_foreign),
+    haas_not_run(2500, haas_foreign),
     haas_not_run(1950, "tapping with a driven tool"),
     haas_not_run(1960, "tapping with a driven tool, to the left"),
     haas_motion_not_run(2410, "drilling along X with a driven tool"),

@@ -85,6 +85,17 @@ TEST(FanucTables, SystemsOfLathes) {
     EXPECT_EQ(find_fanuc_g(720, lathe(GSystem::c))->special, FanucSpecial::repetitive);
 }
 
+/// A code of FANUC's that has no effect there, and that a Haas has not, is no word that a Haas runs over in silence.
+TEST(FanucTables, HaasAcceptsWhatItsOwnTableAcceptsAlone) {
+    const auto own = [](std::span<const FanucG> table, int code) {
+        return std::any_of(table.begin(), table.end(), [code](const FanucG& g) { return g.code == code; });
+    };
+    for (const FanucG& g : mill_g_table())
+        EXPECT_TRUE(g.use != FanucUse::accepted || own(haas_mill_g_table(), g.code)) << g.code;
+    for (const LatheG& g : lathe_g_table())
+        EXPECT_TRUE(g.meaning.use != FanucUse::accepted || own(haas_lathe_g_table(), g.a)) << g.a;
+}
+
 TEST(FanucTables, HaasDiffers) {
     EXPECT_EQ(find_fanuc_g(1540, mill), nullptr);
     EXPECT_EQ(find_fanuc_g(1540, haas)->special, FanucSpecial::datum_number);

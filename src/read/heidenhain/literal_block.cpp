@@ -60,6 +60,7 @@ bool read_literal_block(State& s) {
         if (*p == '\n' || (*p == '\r' && p[1] == '\n') || (*p == '\0' && p == s.in.text_end())) break;
         if (p - line > 4000) return give_up();
         if (const char* rapid = fixed_word(p, "FMAX")) {
+            if (rapid_said) return give_up();
             unit.words[first].payload = program::modal_word(Modal::rapid);
             rapid_said = true;
             last = p = rapid;

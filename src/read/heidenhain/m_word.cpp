@@ -79,7 +79,8 @@ bool path_function(State& s, int m, std::uint32_t begin, const dialect::heidenha
 }  // namespace
 
 void read_m(State& s, std::uint32_t begin) {
-    if (base::is_blank(s.in.peek()) || s.in.at_end()) return;  // M alone: the key was pressed and nothing entered
+    if (base::is_blank(s.in.peek()) || s.in.at_end())
+        return s.build.ignored("M without a value", begin, s.in.at());  // the key alone was pressed
     const Value v = read_value(s);
     if (!v.found || (v.is_literal() && !v.literal.integer)) {
         fail(s, begin, "M needs the whole number of a function");

@@ -17,6 +17,7 @@ void read_feed(State& s) {
     const std::uint32_t begin = s.in.at();
     s.in.step();
     if (s.in.take_word("MAX")) {  // the block's motion has it
+        if (s.rapid_said) return fail(s, begin, "FMAX stands twice in the block", "leave one of them");
         s.rapid_said = true;
         if (s.feed_said) return fail(s, begin, "two feeds stand in the block", "leave FMAX or the feed in numbers");
         if (s.rapid_is_word)
@@ -41,7 +42,7 @@ void read_feed(State& s) {
     }
     if (base::is_blank(s.in.peek()) || s.in.at_end()) {
         const Value v = read_value(s);
-        if (!v.found) return;  // the key was pressed and nothing entered
+        if (!v.found) return s.build.ignored("F without a value", begin, begin + 1);  // the key alone was pressed
         s.in.go_to(begin + 1);
     }
     value_word(s, Code::feed, begin);
@@ -145,7 +146,8 @@ void radius_word(State& s, bool circle_by_radius) {
         s.in.step();
         return s.build.modal(c == '+' ? Modal::paraxial_longer : Modal::paraxial_shorter, begin, s.in.at());
     }
-    if (!v.found && (base::is_blank(c) || s.in.at_end())) return;  // R alone: nothing is said
+    if (!v.found && (base::is_blank(c) || s.in.at_end()))
+        return s.build.ignored("R without a value", begin, behind);  // what holds goes on
     fail_here(s, "R0, RL, RR, R+ or R- is due here, found " + here(s));
 }
 
@@ -200,6 +202,17 @@ constexpr std::array path_openers{
     PathOpener{"CHF", PathKind::chamfer},          PathOpener{"RND", PathKind::rounding},
 };
 
+/// Points by the pole are LP's, CP's and CTP's. User's Manual Conversational Programming, "Path contours: polar
+/// coordinates" (340 49x, page 249: `14 LP PR+25 PA+120`).
+void refuse_polar(State& s, std::size_t first_word) {
+    const auto& words = s.build.unit().words;
+    const bool polar = std::any_of(words.begin() + static_cast<std::ptrdiff_t>(first_word), words.end(), [](auto w) {
+        return program::code_of(w) == Code::polar_radius || program::code_of(w) == Code::polar_angle;
+    });
+    if (polar && !s.failed)
+        fail(s, s.block, "PR and PA are no words of this block", "write LP before them for a straight line by the pole");
+}
+
 void read_element(State& s, PathKind kind) {
     const bool arc = kind != PathKind::straight && kind != PathKind::polar_straight;
     s.build.statement(StatementKind::block, s.block);
@@ -212,7 +225,9 @@ void read_element(State& s, PathKind kind) {
         s.build.bare(Code::centre_at_pole, s.block, s.in.at());
     }
     if (kind == PathKind::by_radius) s.build.modal(Modal::arc_same_sense, s.block, s.in.at());
+    const std::size_t first = s.build.unit().words.size();
     read_words(s, arc);
+    if (kind == PathKind::straight) refuse_polar(s, first);
 }
 
 }  // namespace
@@ -322,6 +337,7 @@ bool read_path_block(State& s, std::string_view word) {
     s.build.modal(Modal::paraxial, s.block, s.in.at());
     const std::size_t before = s.build.unit().words.size();
     read_words(s, false);
+    refuse_polar(s, before);
     const auto& words = s.build.unit().words;
     const auto axes =
         std::count_if(words.begin() + static_cast<std::ptrdiff_t>(before), words.end(),

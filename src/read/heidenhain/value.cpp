@@ -75,6 +75,7 @@ Value read_value(State& s) {
     v.found = v.literal.length > 0;
     v.end = s.in.at();
     if (v.found) limit(s, v.literal, v.begin);
+    no_exponent(s, v.begin);
     if (!v.found) s.in.go_to(v.begin);
     return v;
 }
