@@ -63,10 +63,10 @@ void add_call(Pair& p, std::string& text, const Blocks& from, int depth) {
 void add_loop(Pair& p, std::string& text, const Blocks& from, int depth) {
     const std::string counter = "#" + std::to_string(20 + depth);
     text += counter + "=0\nWHILE [" + counter + " LT 2] DO 1\n";
-    const std::size_t from = p.inlined.size();
+    const std::size_t at = p.inlined.size();
     add_items(p, text, from, depth + 1, true);
     text += counter + "=" + counter + "+1\nEND 1\n";
-    p.inlined += p.inlined.substr(from);
+    p.inlined += p.inlined.substr(at);
 }
 
 void add_item(Pair& p, std::string& text, const Blocks& from, int depth, bool in_loop) {
