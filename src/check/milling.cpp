@@ -23,6 +23,7 @@ namespace {
 constexpr std::uint32_t most_pieces = 200'000;  ///< in all; the moves behind them count as a whole
 constexpr std::size_t batch = 32'768;           ///< passes that wait for the simulation
 constexpr double rub = 0.02;                    ///< mm by which the assumed body of a drill stands out of its hole
+constexpr double stock_chords = 0.02;           ///< of what is allowed: of a round stock
 constexpr double fallback_radius = 1;           ///< mm, where no tool of the list has a shape
 
 /// The smallest radius that a tool of the list can leave: what the lattice must resolve.
@@ -83,7 +84,7 @@ void Milling::begin() {
     if (m.part != nullptr && judges_part(setup_.scope)) {
         const double allowed = std::max(setup_.tolerances.gouge, m.tolerance);
         certificate_.emplace(m, allowed);
-        part_guard_.emplace(m.part, allowed, m.threads, depth_in(m.stock));
+        part_guard_.emplace(m.part, allowed, m.threads, before_of(m.stock, stock_chords * allowed));
     }
     if (simulation_->open_rays() == 0)
         stock_guard_.emplace(m.stock, setup_.tolerances.rapid,
