@@ -2,6 +2,8 @@
 
 #include <algorithm>
 #include <cmath>
+#include <functional>
+#include <memory>
 
 #include "mesh/distance.hpp"
 #include "mesh/primitives.hpp"
@@ -59,7 +61,10 @@ mesh::Mesh mesh_of(const milling::Stock& body, double off) {
     return mesh;
 }
 
-std::function<double(Vec3)> depth_in(const milling::Stock& stock) {
+namespace {
+
+std::function<double(Vec3)> depth_in_stock(const milling::Stock& stock,
+                                           const std::shared_ptr<const mesh::Distance>& surface) {
     if (const auto* b = std::get_if<milling::Box3>(&stock))
         return [box = *b](Vec3 p) {
             const Vec3 low = p - box.min, high = box.max - p;
@@ -72,9 +77,19 @@ std::function<double(Vec3)> depth_in(const milling::Stock& stock) {
             const double out = std::sqrt(std::max(0.0, dot(off, off) - along * along));
             return std::min({bar.radius - out, along, bar.length - along});
         };
-    return [distance = std::make_shared<const mesh::Distance>(mesh_of(stock, 0))](Vec3 p) {
-        return -distance->signed_distance(p);
-    };
+    return [surface](Vec3 p) { return -surface->signed_distance(p); };
+}
+
+}  // namespace
+
+certify::Before before_of(const milling::Stock& stock, double off) {
+    const bool round = std::holds_alternative<milling::CylinderStock>(stock);
+    certify::Before before;
+    before.surface = std::make_shared<const mesh::Distance>(mesh_of(stock, off));
+    before.depth = depth_in_stock(stock, before.surface);
+    before.off = round ? off : 0;
+    before.convex = !std::holds_alternative<milling::MeshStock>(stock);
+    return before;
 }
 
 }  // namespace obrys::check

@@ -12,7 +12,6 @@
 #include "cl/path_element.hpp"
 #include "cl/spline.hpp"
 #include "cl/totals.hpp"
-#include "cl/unknown_tool.hpp"
 #include "motion/technology.hpp"
 
 namespace obrys::check {
@@ -22,9 +21,10 @@ namespace milling = sim::milling;
 namespace {
 
 constexpr std::uint32_t most_pieces_in_all = 200'000;  ///< in all; the moves behind them count as a whole
-constexpr std::size_t batch = 32'768;                  ///< passes that wait for the simulation
-constexpr double drill_rub = 0.02;     ///< mm by which the assumed body of a drill stands out of its hole
-constexpr double fallback_radius = 1;  ///< mm, where no tool of the list has a shape
+constexpr std::size_t batch = 32'768;           ///< passes that wait for the simulation
+constexpr double drill_rub = 0.02;                    ///< mm by which the assumed body of a drill stands out of its hole
+constexpr double stock_chords = 0.02;           ///< of what is allowed: of a round stock
+constexpr double fallback_radius = 1;           ///< mm, where no tool of the list has a shape
 
 /// The smallest radius that a tool of the list can leave: what the lattice must resolve.
 double smallest_radius(const Setup& setup) {
@@ -84,7 +84,7 @@ void Milling::begin() {
     if (m.part != nullptr && judges_part(setup_.scope)) {
         const double allowed = std::max(setup_.tolerances.gouge, m.tolerance);
         certificate_.emplace(m, allowed);
-        part_guard_.emplace(m.part, allowed, m.threads, depth_in(m.stock));
+        part_guard_.emplace(m.part, allowed, m.threads, before_of(m.stock, stock_chords * allowed));
     }
     if (simulation_->open_rays() == 0)
         stock_guard_.emplace(m.stock, setup_.tolerances.rapid,
@@ -130,7 +130,6 @@ void Milling::tool_changed() {
     const cl::ToolChange& tool = state_.change;
     tool_ = state_.tool;
     tool_name_ = !state_.any_tool    ? ""
-                 : cl::is_unknown(tool)      ? "?"
                  : tool.name.empty() ? "T" + std::to_string(tool.number)
                                      : "\"" + tool.name + "\"";
     tool_ready_ = false;
@@ -170,8 +169,7 @@ std::uint32_t Milling::add_tool(const milling::ToolShape& shape) {
 bool Milling::tool_in_use(const Move& move) {
     if (tool_ready_) return true;
     if (tool_ == nullptr) {
-        out_.unchecked(move.record, cl::is_unknown(state_.change) ? "which tool is in use is not known: removal not simulated"
-                                    : tool_name_.empty()
+        out_.unchecked(move.record, tool_name_.empty()
                                         ? "no tool is selected: removal not simulated"
                                         : "tool " + tool_name_ + " is not known: its removal is not simulated");
         return false;

@@ -102,12 +102,15 @@ void Milling::judge_place(const Milled& milled, const mesh::Place& p, bool gouge
 /// By geometry, to a tenth of the tolerance; the area is that which the rays saw.
 void Milling::judge_gouge(const Milled& milled, const Gouge& gouge) {
     const mesh::Place& p = gouge.place;
-    if (p.area > 0 && !gouge.edge) return judge_place(milled, p, true);
+    if (p.area > 0 && !gouge.edge && !gouge.lacks) return judge_place(milled, p, true);
     Finding f;
     f.code = codes::gouge;
     f.place = p.at;
-    f.text = std::string("cuts into ") + (gouge.edge ? "an edge of " : "") + "the finished part: " + mm(-p.deviation) +
-             " deep at " + point(p.at);
+    if (gouge.lacks)
+        f.text = "the stock lacks " + mm(-p.deviation) + " of the finished part at " + point(p.at);
+    else
+        f.text = std::string("cuts into ") + (gouge.edge ? "an edge of " : "") +
+                 "the finished part: " + mm(-p.deviation) + " deep at " + point(p.at);
     f.amounts = {{"depth_mm", -p.deviation}};
     if (p.area > 0) {
         f.text += ", over " + mm2(p.area);
@@ -169,6 +172,18 @@ void Milling::add_thin(mesh::Comparison& found, const Machined& machined, const 
                    "let the cuts overlap by more, or take a smaller tolerance (--tolerance)");
 }
 
+/// Moves that are neither proved to be clear of the part nor found in it.
+void Milling::judge_undecided(const Milled& milled) {
+    const std::vector<Certificate::Open>& open = certificate_->open();
+    if (open.empty()) return;
+    const MilledMove& move = milled.moves[open.front().move];
+    const cl::Record record{cl::Linear{move.to, {0, 0, 1}, move.rapid}, move.where, move.stack};
+    out_.unchecked(record,
+                   "whether the tool cuts into the finished part was not decided in " + std::to_string(open.size()) +
+                       (open.size() == 1 ? " place, at " : " places, the first at ") + point(open.front().at),
+                   "look at this place (--html), or try another tolerance (--tolerance)");
+}
+
 void Milling::judge_surface(Milled& milled) {
     const MillingSetup& m = *setup_.milling;
     if (out_.result().stats.feed_moves > 0 && figures_.contact_length_mm == 0 && complete_) judge_no_contact(milled);
@@ -218,6 +233,7 @@ void Milling::judge_surface(Milled& milled) {
         milled.comparison->largest_gouge = std::max(milled.comparison->largest_gouge, -g.place.deviation);
         judge_gouge(milled, g);
     }
+    judge_undecided(milled);
     judge_entered_part(milled.moves);
     if (!whole_) return out_.assumption(rest_of_a_part_run);
     if (!complete_) return out_.unchecked("rest material not judged, since not every move was simulated");
