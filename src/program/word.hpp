@@ -125,7 +125,8 @@ enum class Modal : std::uint16_t {
     compensation_right,
     datum,            ///< number: 54…57, 505…599; 500 = off
     suppress_frames,  ///< this block: no datum and no programmed frame (G53)
-    suppress_all,     ///< this block: machine coordinates (SUPA, G153); number 1: the control takes no notice of it
+    suppress_all,     ///< this block: machine coordinates (SUPA, G153); number `position_ignored`: the control takes no
+                      ///< notice of it
     exact_stop,
     exact_stop_block,
     continuous,    ///< number of continuous: 64, 641…645
@@ -260,6 +261,9 @@ static_assert(sizeof(Word) == 8);
             .length = length & 0xFF,
             .payload = payload};
 }
+
+/// With Modal::suppress_all: G53 whose coordinates are ways. Other numbers are those of G codes.
+inline constexpr int position_ignored = 1;
 
 [[nodiscard]] constexpr std::int32_t modal_word(Modal m, int number = 0) {
     return static_cast<std::int32_t>((static_cast<std::uint32_t>(number) << 16) | static_cast<std::uint32_t>(m));

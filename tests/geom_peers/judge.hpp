@@ -6,12 +6,6 @@
 
 namespace obrys::geom::testing {
 
-inline double distance_to(const std::vector<Edge>& edges, Vec2 p) {
-    double d = std::numeric_limits<double>::infinity();
-    for (const Edge& e : edges) d = std::min(d, distance(e, p));
-    return d;
-}
-
 struct Verdict {
     unsigned ours_wrong = 0, theirs_wrong = 0, points = 0;
 };

@@ -140,9 +140,9 @@ TEST(FanucPrograms, SignsNamesAndSkips) {
 TEST(FanucTurning, LathesBeginWithDiametersAndFeedPerRevolution) {
     const Reading r = testing::lathe("%\nO1\nG21\nG0 X40. W-5.\nT0203\nG50 S2000\nM30\n%\n");
     EXPECT_EQ(r.messages(), "");
-    EXPECT_EQ(r.tree(), "0 +" + m(Modal::feed_per_rev) + " " + m(Modal::plane_zx) + " " + m(Modal::diameter_on) +
-                            "\n1 " + m(Modal::metric_all) + "\n2 X40 Z=q1(-5r) " + m(Modal::rapid) +
-                            "\n3 T2 D3 tool-change\n4 LIMS2000\n5 M30\n");
+    EXPECT_EQ(r.tree(), "0 " + m(Modal::metric_all) + "\n1 X40 Z=q1(-5r) " + m(Modal::rapid) +
+                            "\n2 T2 D3 tool-change\n3 LIMS2000\n4 M30\n");
+    EXPECT_TRUE(r.unit().traits->begins_as_lathe);
     EXPECT_EQ(testing::lathe("%\nO1\nG0 X40.\nM99\n%\n").tree(), "0 X40 " + m(Modal::rapid) + "\n1 return\n");
 }
 

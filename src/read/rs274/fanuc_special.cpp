@@ -233,8 +233,7 @@ bool is_incremental_block(FanucState& s) {
 /// "When an incremental command is specified, the G53 command is ignored" (FANUC B-63684EN, machine coordinate system);
 /// what Haas does was not to be found.
 void drop_machine_position(FanucState& s, BlockWord& word) {
-    constexpr int ignored = 1;
-    word.payload = program::modal_word(Modal::suppress_all, ignored);  // said when it is run
+    word.payload = program::modal_word(Modal::suppress_all, program::position_ignored);  // said when it is run
     if (!s.control.haas) return;
     s.facts.refused = true;
     add_problem(s, Code::unsupported, word.begin, word.end, "machine coordinates as ways from where the tool is");

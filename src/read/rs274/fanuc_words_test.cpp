@@ -113,8 +113,7 @@ TEST(FanucWords, HaasPatternsOfHoles) {
     EXPECT_NE(tree.find("X=q1(0"), std::string::npos) << tree;
     EXPECT_NE(tree.find("Y=q1(5"), std::string::npos) << tree;
     EXPECT_NE(tree.find("Y=q1(-10"), std::string::npos) << tree;
-    EXPECT_EQ(testing::haas(program("G70 I5. J90. L2")).first_message(),
-              "4:1 the hole pattern needs a hole cycle before it");
+    EXPECT_EQ(on_haas("G70 I5. J90. L2"), "unsupported{G70|the hole pattern needs a hole cycle before it}");
     EXPECT_EQ(on_haas("G81 Z-1. R1. F50. L0\nG72 I5. J90. L2").find("holes along a line") == std::string::npos, false);
 }
 
@@ -134,13 +133,11 @@ TEST(FanucWords, WhatIsNotRunIsNamed) {
 
 TEST(FanucWords, Transformations) {
     EXPECT_EQ(on_mill("G68 X1. Y2. R30.\nG69"),
-              "frame 0\n+aframe 0 X=1r Y=2r\n+aframe 1 RPL=30r\n+aframe 0 X=(neg 1r) Y=(neg 2r)\nframe 0");
-    EXPECT_EQ(on_mill("G51 X0 Y0 Z0 P2000"),
-              "frame 0\n+aframe 0 X=0 Y=0 Z=0\n+aframe 2 X=2r Y=2r Z=2r\n+aframe 0 "
-              "X=(neg 0) Y=(neg 0) Z=(neg 0)");
-    EXPECT_EQ(on_mill("G51.1 X5.\nG50.1 X0"), "frame 0\n+aframe 0 X=5r\n+aframe 3 X=0r\n+aframe 0 X=(neg 5r)\nframe 0");
+              "X=1r Y=2r RPL=30r " + m(Modal::rotation_on) + "\n" + m(Modal::rotation_off));
+    EXPECT_EQ(on_mill("G51 X0 Y0 Z0 P2000"), "X=0 Y=0 Z=0 P=2r " + m(Modal::scaling_on));
+    EXPECT_EQ(on_mill("G51.1 X5.\nG50.1 X0"), "X=5r " + m(Modal::mirror_on) + "\nX=0 " + m(Modal::mirror_off));
     EXPECT_EQ(on_mill("G16\nG1 X10. Y45. F5\nG15\nX1."),
-              "X0 Y0 " + m(Modal::pole_from_zero) + "\nF5 RP10 AP45 " + m(Modal::linear) + "\nX1");
+              "X0 Y0 " + m(Modal::pole_from_zero) + "\nF5 RP10 AP45 " + m(Modal::linear) + "\n\nX1");
 }
 
 TEST(FanucWords, ErrorsMarkTheWord) {
