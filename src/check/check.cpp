@@ -67,7 +67,7 @@ struct Check::State {
     Removal removal;
     std::optional<Milling> milling;
     Trace trace;
-    std::uint64_t cuts = 0;  ///< Stats::cuts
+    std::uint64_t cuts = 0;                          ///< Stats::cuts
     std::optional<std::vector<cl::Record>> waiting;  ///< from before the first tool that can cut
     cl::Totals totals;
     cl::Record end{cl::Stop{}, nowhere, 0};  ///< place of the last record

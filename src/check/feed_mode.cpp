@@ -48,8 +48,7 @@ std::optional<Finding> too_fine(double feed_per_rev, const shop::Tool* tool) {
     if (!turns && !(shop::is_milling(kind) && tool->radius > 0)) return std::nullopt;
     const double least = turns ? finest : std::min(finest, part_of_diameter * 2 * tool->radius);
     if (!(feed_per_rev > 0 && feed_per_rev < least)) return std::nullopt;
-    Finding f =
-        implausible("the feed is " + base::shortest(feed_per_rev) + " mm a revolution: no tool cuts so finely");
+    Finding f = implausible("the feed is " + base::shortest(feed_per_rev) + " mm a revolution: no tool cuts so finely");
     f.amounts = {{"feed_mm_per_rev", feed_per_rev}, {"limit_mm_per_rev", least}};
     return f;
 }

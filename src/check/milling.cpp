@@ -129,9 +129,10 @@ void Milling::tool_changed() {
     const shop::Tool* before = tool_;
     const cl::ToolChange& tool = state_.change;
     tool_ = state_.tool;
-    tool_name_ = !state_.any_tool    ? ""
-                 : tool.name.empty() ? "T" + std::to_string(tool.number)
-                                     : "\"" + tool.name + "\"";
+    tool_name_ = !state_.any_tool       ? ""
+                 : cl::is_unknown(tool) ? "?"
+                 : tool.name.empty()    ? "T" + std::to_string(tool.number)
+                                        : "\"" + tool.name + "\"";
     tool_ready_ = false;
     if (before != nullptr && tool_ != nullptr && before->length != tool_->length)
         out_.assumption("a new tool's tip is taken to be where the last one's was, until the program moves it",
@@ -169,9 +170,10 @@ std::uint32_t Milling::add_tool(const milling::ToolShape& shape) {
 bool Milling::tool_in_use(const Move& move) {
     if (tool_ready_) return true;
     if (tool_ == nullptr) {
-        out_.unchecked(move.record, tool_name_.empty()
-                                        ? "no tool is selected: removal not simulated"
-                                        : "tool " + tool_name_ + " is not known: its removal is not simulated");
+        out_.unchecked(move.record,
+                       cl::is_unknown(state_.change) ? "which tool is in use is not known: removal not simulated"
+                       : tool_name_.empty()          ? "no tool is selected: removal not simulated"
+                                            : "tool " + tool_name_ + " is not known: its removal is not simulated");
         return false;
     }
     auto& known = known_tools_[static_cast<std::size_t>(tool_ - setup_.tools.data())];

@@ -110,7 +110,8 @@ void settle_diameters(Session& s, const Request& request) {
     const bool here = request.diameter.has_value() || s.job.defaults.diameter_programming.has_value();
     if (t.radius_at_start && !here) return;  // the machine file is for other controls, too
     if (t.radius_at_start)
-        return assume(s, asked + " does not apply: this control begins with radii, X words are diameters behind G7 only",
+        return assume(s,
+                      asked + " does not apply: this control begins with radii, X words are diameters behind G7 only",
                       "write G7 in the program");
     assume(s, asked + " does not apply: it is for lathes, and the machine is a mill; X words are run as they stand");
 }

@@ -125,8 +125,8 @@ bool is_utf16(std::string_view text) {
     return n >= 4 && ((even == 0 && odd == n / 2) || (odd == 0 && even == n / 2));
 }
 
-/// What a DNC link and punched tape leave in front of a text and behind it, each a blank for the readers: NUL, the marks
-/// of a transmission (SOH to EOT), device control (DC1 to DC4, XON and XOFF) and Ctrl-Z.
+/// What a DNC link and punched tape leave in front of a text and behind it, each a blank for the readers: NUL, the
+/// marks of a transmission (SOH to EOT), device control (DC1 to DC4, XON and XOFF) and Ctrl-Z.
 void blank_transfer_signs(std::string& text) {
     const auto is_sign = [](char c) {
         return (c >= '\0' && c <= '\x04') || (c >= '\x11' && c <= '\x14') || c == '\x1A';

@@ -161,6 +161,13 @@ void add_verdict(CLI::App& app, Arguments& a) {
     app.add_option("--write-baseline", a.write_baseline, "write the findings as such a file")->type_name("FILE");
 }
 
+void refuse_two_pictures(CLI::App& plot, const Arguments& a) {
+    plot.final_callback([&a] {
+        if (!(a.interpolation > 0) && !a.svg.empty() && !a.output.empty())
+            throw CLI::ValidationError("--svg and --output both name a file for the one picture");
+    });
+}
+
 struct Commands {
     CLI::App* check;
     CLI::App* run;
@@ -232,10 +239,7 @@ Commands add_commands(CLI::App& app, Arguments& a) {
     add_input(*c.plot, a);
     add_request(*c.plot, a);
     c.plot->add_option("--svg", a.svg, "write the picture to this file")->type_name("FILE");
-    c.plot->final_callback([&a] {
-        if (!(a.interpolation > 0) && !a.svg.empty() && !a.output.empty())
-            throw CLI::ValidationError("--svg and --output both name a file for the one picture");
-    });
+    refuse_two_pictures(*c.plot, a);
     c.plot
         ->add_option_function<std::string>(
             "--interpolation", [&a](const std::string& text) { a.interpolation = *base::parse_double(text); },

@@ -210,7 +210,8 @@ void refuse_polar(State& s, std::size_t first_word) {
         return program::code_of(w) == Code::polar_radius || program::code_of(w) == Code::polar_angle;
     });
     if (polar && !s.failed)
-        fail(s, s.block, "PR and PA are no words of this block", "write LP before them for a straight line by the pole");
+        fail(s, s.block, "PR and PA are no words of this block",
+             "write LP before them for a straight line by the pole");
 }
 
 void read_element(State& s, PathKind kind) {
