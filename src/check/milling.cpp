@@ -12,6 +12,7 @@
 #include "cl/path_element.hpp"
 #include "cl/spline.hpp"
 #include "cl/totals.hpp"
+#include "cl/unknown_tool.hpp"
 #include "motion/technology.hpp"
 
 namespace obrys::check {
