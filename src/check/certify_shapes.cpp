@@ -5,6 +5,7 @@
 #include <functional>
 #include <memory>
 
+#include "base/whole.hpp"
 #include "mesh/distance.hpp"
 #include "mesh/primitives.hpp"
 
@@ -23,8 +24,7 @@ void add_round(certify::Shape& shape, const milling::Piece& p, double off) {
     if (p.whole) return shape.push_back({p.ring, p.centre, p.ring, p.centre, p.arc});
     const auto angle_at = [&](double z) { return std::asin(std::clamp((z - p.centre) / p.arc, -1.0, 1.0)); };
     const double from = angle_at(p.z0), to = angle_at(p.z1), step = 2 * std::acos(std::max(0.0, 1 - off / p.arc));
-    const std::size_t n =
-        std::clamp<std::size_t>(static_cast<std::size_t>(std::ceil((to - from) / step)), 1, most_arc_chords);
+    const auto n = base::clipped<std::size_t>(std::ceil((to - from) / step), 1, most_arc_chords);
     double low = p.z0;
     for (std::size_t i = 1; i <= n; ++i) {
         const double part = static_cast<double>(i) / static_cast<double>(n);

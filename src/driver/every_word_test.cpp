@@ -124,8 +124,23 @@ TEST(EveryWord, OfLinuxcncIsActedOnOrSaid) {
     EXPECT_EQ(without_effect(way), "");
 }
 
+/// Every address with a value behind =, and with the extension of the first spindle and of another one.
+std::vector<std::string> extended_words() {
+    std::vector<std::string> words;
+    std::vector<std::string> names{"SPOS", "SPOSA", "LIMS"};
+    for (char c = 'A'; c <= 'Z'; ++c) names.emplace_back(1, c);
+    for (const std::string& name : names) {
+        words.push_back(name + "=7");
+        for (const char* extension : {"1=", "[1]=", "2=", "[2]="}) words.push_back(name + extension + "7");
+    }
+    words.insert(words.end(), {"M1=3", "M[1]=4", "M2=3", "M[2]=5", "T1=2", "T[1]=2", "D1=2"});
+    return words;
+}
+
 TEST(EveryWord, OfSinumerikIsActedOnOrSaid) {
     std::vector<std::string_view> words = letters;
+    const std::vector<std::string> extended = extended_words();
+    words.insert(words.end(), extended.begin(), extended.end());
     for (const std::string_view w :
          {"X=IC(7)", "I=AC(7)", "AP=7",   "RP=7",  "CR=7",   "AR=7",   "TURN=2",  "I1=7",   "ANG=7", "CHF=1",
           "CHR=1",   "RND=1",   "RNDM=1", "FRC=7", "FRCM=7", "SPOS=7", "LIMS=7",  "S2=7",   "M2=3",  "H2=7",

@@ -13,7 +13,7 @@ namespace {
 
 /// T, TOOL CALL, TOOL DEF, M6, M61 Q: a word that has to do with which tool is in use.
 bool word_selects_tool(const program::Unit& unit, const program::Word& w) {
-    const Code code = program::code_of(w);
+    const Code code = unit.address(w);
     if (code == Code::tool || code == Code::tool_change || code == Code::tool_definition) return true;
     if (code != Code::m) return false;
     if (!program::is_literal(w)) return true;

@@ -40,7 +40,7 @@ Sign sign_of(Modal m, bool radius_at_start) {
 }
 
 Sign sign_of(const program::Unit& unit, const program::Word& w) {
-    switch (program::code_of(w)) {
+    switch (unit.address(w)) {
         case Code::speed_limit: return Sign::lathe_alone;
         case Code::x: return Sign::x;
         case Code::y: return Sign::mill_for_certain;
@@ -100,7 +100,7 @@ Found find_signs(const program::Unit& unit) {
     for (std::uint32_t i = 0; i < unit.statements.size(); ++i) {
         const program::Statement& s = unit.statements[i];
         for (std::uint32_t k = s.first, end = unit.words_end(i); k < end; ++k)
-            if (tells_more(found, program::code_of(unit.words[k]))) take(found, unit, s, unit.words[k]);
+            if (tells_more(found, unit.address(unit.words[k]))) take(found, unit, s, unit.words[k]);
     }
     return found;
 }

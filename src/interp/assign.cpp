@@ -176,7 +176,7 @@ std::optional<std::uint32_t> writable(Run& run, double index, const program::Ass
                   "which parameter this is depends on a value that is not known");
         return std::nullopt;
     }
-    const double least = run.traits->argument_parameters > 0 ? 1 : 0;  // #0 is always empty
+    const double least = run.traits->parameters_begin_at_one ? 1 : 0;
     if (!(index >= least) || index >= run.parameters.count()) {
         alarm(run, codes::index_range, run.unit().span(a.target),
               "there is no parameter " + printed(Value::real(index)) + " that could be assigned");

@@ -81,69 +81,6 @@ void tool_word(Run& run, const Word& w) {
     b.put(Code::tool, word_value(run, w));
 }
 
-/// S2=, M2=, H1=, F[X]=: extended addresses. Those of the first spindle act as without extension.
-void named_value(Run& run, const program::Named& n) {
-    const std::string& letter = run.env.names.text(n.name);
-    if (n.kind != program::NamedKind::extended) return special_value(run, n);
-    const Value index = n.index == program::no_expr ? Value::real(0) : evaluate(run, n.index);
-    if (run.stopped) return;
-    if (index.is_unknown()) {
-        unchecked(run, codes::unknown_value, run.here(),
-                  "which spindle or axis " + letter + "[…]= is for depends on a value that is not known");
-        return;
-    }
-    if (index.is_text()) {  // F[X]=, FA[C]=: an axis that is positioned on its own
-        static_cast<void>(n.value == program::no_expr ? 0 : number(run, n.value));
-        assume(run, run.here(), letter + "[" + index.as_text() + "]= is the feed of a single axis and is not followed");
-        return;
-    }
-    const double extension = index.number;
-    const double value = n.value == program::no_expr ? 0 : number(run, n.value);
-    if (run.stopped) return;
-    const bool first = extension == 0 || extension == run.spindles.master;
-    if (!first && (letter == "M" || letter == "S" || letter == "SPOS")) other_spindle(run, letter, extension, value);
-    if (extension == 1 && !first) return;  // SETMS has been said
-    if (letter == "M" && first)
-        add_function(run, Code::m, run.here(), value);
-    else if (letter == "M")
-        assume(run, run.here(),
-               "M" + printed(Value::real(extension)) + "= is for another spindle than the first and is not followed");
-    else if (letter == "S" && first)
-        run.block.put(Code::spindle, value);
-    else if (letter == "SPOS" && first)
-        run.block.put(Code::spindle_position, value);
-    else if (letter == "H")
-        add_function(run, Code::h, run.here(), value);
-    else
-        assume(run, run.here(),
-               letter + printed(Value::real(extension)) +
-                   "= belongs to another spindle or axis than the first and is not followed");
-}
-
-void named_axis(Run& run, const program::Named& n, const base::Span& where) {
-    const std::string& written = run.env.names.text(n.name);
-    std::string axis = written;
-    if (written == "AX" && n.index != program::no_expr) axis = axis_of(run, n.index);
-    if (run.stopped || n.value == program::no_expr) return;
-    if (axis == "?") {
-        unchecked(run, codes::unknown_value, where, "which axis this is depends on a value that is not known");
-        return;
-    }
-    const double v = number(run, n.value);
-    const std::uint8_t reference = reference_of(run.unit().exprs[n.value]);
-    if (const auto machine = machine_axis_name(run, axis)) {
-        run.block.machine_axis = run.block.machine_axis || axis.size() > 2;
-        axis = *machine;
-    }
-    if (axis.size() == 1) {
-        if (const auto k = std::string_view("XYZABCUVW").find(axis[0]); k != std::string_view::npos) {
-            run.block.put(axis_code(static_cast<int>(k)), v, reference);
-            return;
-        }
-    }
-    run.block.axes.push_back({axis, v, reference, where});
-}
-
 bool complained(const Run& run, const base::Span& where) {
     for (const base::Diagnostic& d : run.diagnostics.all())
         if (d.code == codes::syntax && d.where.file == where.file && d.where.begin == where.begin) return true;
@@ -212,7 +149,7 @@ void gather(Run& run, const program::Statement& s, const Word& w) {
         case Code::named_axis:
             named_axis(run, run.unit().named[static_cast<std::size_t>(w.payload)], run.unit().span(s, w));
             return;
-        case Code::named_value: named_value(run, run.unit().named[static_cast<std::size_t>(w.payload)]); return;
+        case Code::named_value: named_value(run, s, w); return;
         case Code::control: return;
         default: break;
     }
@@ -268,6 +205,7 @@ bool calls_without_motion(const Run& run) {
 
 void run_block(Run& run, const program::Statement& s, std::uint32_t index) {
     const Unit& unit = run.unit();
+    settle_motion(run);
     run.block.clear();
     const std::uint32_t end = unit.words_end(index);
     bool assigns_only = true, says_only = true;

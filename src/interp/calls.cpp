@@ -254,6 +254,26 @@ void return_arguments(Run& run, const Activation& callee) {
 
 }  // namespace
 
+namespace {
+
+/// Traits::dimensions_per_program.
+void begin_dimensions(Run& run) {
+    run.modal.absolute = true;
+    run.modal.cartesian_path = false;
+    run.modal.paraxial = Modal::paraxial;
+}
+
+void end_dimensions(Run& run, const ModalState& caller) {
+    settle_motion(run);
+    run.modal.absolute = caller.absolute;
+    run.modal.paraxial = caller.paraxial;
+    run.modal.motion = caller.motion;
+    run.modal.motion_number = caller.motion_number;
+    run.modal.cartesian_path = caller.cartesian_path;
+}
+
+}  // namespace
+
 void enter(Run& run, const Unit& unit, const Call* call, const base::Span& where, std::uint64_t repeats) {
     if (run.calls.size() >= run.env.budgets.call_depth) {
         unchecked(run, codes::budget, where,
@@ -263,6 +283,7 @@ void enter(Run& run, const Unit& unit, const Call* call, const base::Span& where
         run.ending = Ending::budget;
         return;
     }
+    settle_motion(run);
     Activation callee;
     callee.unit = &unit;
     callee.stack = run.calls.empty() ? 0 : run.stacks.push(run.top().stack, where);
@@ -281,6 +302,7 @@ void enter(Run& run, const Unit& unit, const Call* call, const base::Span& where
     run.calls.push_back(std::move(callee));
     if (call != nullptr && call->first_block != program::no_expr && !begin_at(run, first, where)) return;
     if (unit.traits->unit_per_program) run.modal.inch_geometry = run.modal.inch_feed = unit.inch;
+    if (unit.traits->dimensions_per_program && !main) begin_dimensions(run);
     if (main) bind_main_arguments(run, unit);
     bind_presets(run, unit);
     run.top().own_bindings = run.top().locals.size();
@@ -372,6 +394,7 @@ void leave(Run& run) {
     end_sections(run);
     end_part(run);
     show_locals(run, act);
+    if (run.traits->dimensions_per_program) end_dimensions(run, act.saved);
     if (act.from_modal_call) keep_modal_parameters(run);
     return_arguments(run, act);
     run.calls.pop_back();
@@ -417,7 +440,7 @@ void call_program(Run& run, const Call& call) {
         if (v.is_unknown())
             return unchecked(run, codes::unknown_value, run.unit().span(call.target),
                              "which program is called depends on a value that is not known: the call is left out");
-        if (!v.is_text() && run.traits->argument_parameters == 0)
+        if (!v.is_text() && !run.traits->programs_by_number)
             return alarm(run, codes::type_mismatch, run.unit().span(call.target),
                          "CALL needs a text that names a program");
         name = v.is_text() ? program_name(v.as_text()) : "O" + printed(Value::real(std::trunc(v.number)));
@@ -449,7 +472,7 @@ void set_modal_parameters(Run& run, const Call& call, ModalCall& modal) {
 }  // namespace
 
 void set_modal_call(Run& run, const Unit& unit, const Call& call) {
-    if (run.traits->argument_parameters > 0 && run.modal_call.unit != nullptr)
+    if (run.traits->modal_calls_nest && run.modal_call.unit != nullptr)
         unchecked(run, codes::unsupported, call.where,
                   "a second modal call while one is in force is not run as the control nests them: it replaces the "
                   "first");

@@ -19,6 +19,7 @@ void refuse_other_side(Run& run, Modal m) {
 /// R+ and R- lengthen and shorten the way of a block of a single axis. In a contour with RL or RR they are another
 /// compensation, which wants a block without one before it (iTNC 530 manual DIN/ISO 606 42x-03, page 205).
 void compensate_along_axis(Run& run, Modal m) {
+    run.modal.paraxial = m;
     if (run.modal.compensation != Modal::compensation_off && run.capture == nullptr)
         return alarm(run, base::codes::compensation, run.here(),
                      "compensation along an axis, longer or shorter, while radius compensation is in force",

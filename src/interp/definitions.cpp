@@ -92,6 +92,31 @@ void judge_place_of_definition(Run& run, const Unit& unit, std::uint32_t index) 
               "write it at the beginning of the program");
 }
 
+namespace {
+
+std::size_t elements_of(const Scope& scope) {
+    std::size_t sum = 0;
+    for (const Binding& b : scope.bindings()) sum += b.element ? 0 : b.array->size();
+    return sum;
+}
+
+/// All arrays together hold no more than one may: a control has a few thousand kilobytes for them.
+bool fits(Run& run, double size, const base::Span& where) {
+    constexpr double small = 1000;  // not worth counting
+    if (size <= small) return true;
+    std::size_t sum = elements_of(run.globals);
+    for (const Activation& a : run.calls) sum += elements_of(a.locals);
+    if (static_cast<double>(sum) + size <= static_cast<double>(largest_array)) return true;
+    unchecked(run, codes::budget, where,
+              "the arrays of this run have more than " + std::to_string(largest_array) + " elements together",
+              "no control has as much memory for them: define what is needed");
+    run.stopped = true;
+    run.ending = Ending::budget;
+    return false;
+}
+
+}  // namespace
+
 void define(Run& run, const program::Define& d, Scope& scope, const Unit& unit) {
     for (const program::Variable& v : d.variables) {
         const Binding* known = scope.find(v.name);
@@ -125,6 +150,7 @@ void define(Run& run, const program::Define& d, Scope& scope, const Unit& unit) 
             array->dimensions[k] = base::clipped<std::uint32_t>(n, 1, largest_array);
             array->rank = static_cast<int>(k) + 1;
         }
+        if (!fits(run, total, v.where)) return;
         allocate(run, *array, v, &scope == &run.globals);
         if (run.stopped) return;
         scope.bind({v.name, std::move(array), 0, false, &v});

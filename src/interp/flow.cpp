@@ -142,7 +142,8 @@ namespace {
 
 /// M99 of the main program: it would begin anew, or at an earlier block.
 void end_of_pass(Run& run) {
-    assume(run, run.here(), "M99 repeats the main program without end: one pass is run");
+    assume(run, run.here(),
+           std::string(run.traits->repeats_program) + " repeats the main program without end: one pass is run");
     flush_path(run);
     tell_end(run, 2);
     emit(run, cl::Stop{cl::StopKind::end});
@@ -191,7 +192,7 @@ std::uint32_t computed_target(Run& run, const program::Jump& j) {
 void jump(Run& run, const program::Jump& j) {
     if (j.condition != program::no_expr && !truth(run, j.condition)) return;
     if (run.stopped) return;
-    if (j.direction == program::JumpDirection::start && run.traits->argument_parameters > 0) return end_of_pass(run);
+    if (j.direction == program::JumpDirection::start && !run.traits->repeats_program.empty()) return end_of_pass(run);
     if (j.direction == program::JumpDirection::start) {
         go_back(run, 0);
         return;

@@ -137,6 +137,20 @@ bool further_numeric(const Arguments& a, Function f, double& result) {
     }
 }
 
+/// Traits::angles_from_zero, or as the machine file says.
+double from_zero(const Arguments& a, double degrees, std::string_view function) {
+    const std::string_view setting = a.run.traits->angles_from_zero;
+    if (setting.empty() || !(degrees < 0)) return degrees;
+    const std::optional<bool>& said = a.run.env.machine.control.angles_from_zero;
+    if (said) return *said ? degrees + 360 : degrees;
+    if (a.run.capture == nullptr)
+        assume(a.run, a.whole(),
+               std::string(function) + " of a negative angle is " + (function == "ATAN" ? "180 … 360" : "270 … 360") +
+                   " degrees, as with " + std::string(setting) + "; with 1 it is a full turn less",
+               "say which in [control] of the machine file: angles = \"0-360\" or \"180\"");
+    return degrees + 360;
+}
+
 /// Numeric functions; nothing where `f` is not one.
 bool numeric(const Arguments& a, Function f, double& result) {
     switch (f) {
@@ -144,8 +158,10 @@ bool numeric(const Arguments& a, Function f, double& result) {
         case Function::cos: result = std::cos(geom::radians(a[0])); return true;
         case Function::tan: result = tangent(a); return true;
         case Function::asin:
-            result = arc_function(
-                a, [](double x) { return std::asin(x); }, "ASIN");
+            result = from_zero(a,
+                               arc_function(
+                                   a, [](double x) { return std::asin(x); }, "ASIN"),
+                               "ASIN");
             return true;
         case Function::acos:
             result = arc_function(
@@ -153,7 +169,7 @@ bool numeric(const Arguments& a, Function f, double& result) {
             return true;
         case Function::atan2: {
             const double y = a[0], x = a[1];
-            result = geom::degrees(std::atan2(y, x));
+            result = from_zero(a, geom::degrees(std::atan2(y, x)), "ATAN");
             return true;
         }
         case Function::sqrt: result = square_root(a); return true;

@@ -86,11 +86,32 @@ void say_ignored_machine_position(Run& run, const program::Word& w) {
               "write G90 before it, or absolute coordinates");
 }
 
+/// The block moves so, whatever is in force, and what is in force stays.
+void move_once(Run& run, Modal m) {
+    if (!run.block.motion_behind) run.block.motion_behind = run.modal.motion;
+    run.modal.motion = m;
+}
+
+/// `straight`: a straight block is a rapid then; else the block is an arc, or says so itself.
+void rapid_block(Run& run, bool straight) {
+    if (straight && run.modal.motion == Modal::linear) return move_once(run, Modal::rapid);
+    run.block.rapid = true;
+}
+
+/// `number` is 0 (Klartext: the block says all of it), or made of program::paraxial_… (DIN/ISO G07).
+void paraxial_block(Run& run, int number) {
+    run.block.paraxial = Modal::paraxial;
+    if (number == 0) return;
+    move_once(run, (number & program::paraxial_rapid) != 0 ? Modal::rapid : Modal::linear);
+    if ((number & program::paraxial_alone) == 0) run.block.paraxial = run.modal.paraxial;
+}
+
 /// Motion, plane and what acts in this block only. False where `m` is none of them.
 bool motion_word(Run& run, Modal m, const program::Word& w) {
     if (m <= Modal::tap_retract) {
         run.modal.motion = m;
         run.modal.rapid_by_cancel = false;
+        run.modal.cartesian_path = program::modal_number(w) == program::cartesian_path;
         run.block.says_straight = run.block.says_straight || m <= Modal::linear;
         run.canned.active = false;
         if (m == Modal::arc_cw || m == Modal::arc_ccw) run.modal.last_sense = m;
@@ -106,8 +127,8 @@ bool motion_word(Run& run, Modal m, const program::Word& w) {
         case Modal::pole_given:
         case Modal::cycle_position:
         case Modal::cycle_pattern: run.block.special = m; return true;
-        case Modal::rapid_block: run.block.rapid = true; return true;
-        case Modal::paraxial: run.block.paraxial = m; return true;
+        case Modal::rapid_block: rapid_block(run, program::modal_number(w) == program::whole_block); return true;
+        case Modal::paraxial: paraxial_block(run, program::modal_number(w)); return true;
         case Modal::paraxial_longer:
         case Modal::paraxial_shorter: compensate_along_axis(run, m); return true;
         case Modal::program_stop: run.block.stops_run = true; return true;
@@ -144,6 +165,7 @@ bool take_orientation(Run& run) {
 
 void set_compensation(Run& run, Modal m) {
     ModalState& state = run.modal;
+    state.paraxial = Modal::paraxial;
     refuse_other_side(run, m);
     if (run.stopped) return;
     if (m == Modal::compensation_off) state.look_ahead = 0;
@@ -406,6 +428,11 @@ bool apply_mode(Run& run, Modal m, int number) {
             return true;
         default: return false;  // exact stop and continuous path of other controls: no effect on the path itself
     }
+}
+
+void settle_motion(Run& run) {
+    if (run.block.motion_behind) run.modal.motion = *run.block.motion_behind;
+    run.block.motion_behind.reset();
 }
 
 void hold_plane(Run& run) {

@@ -54,10 +54,12 @@ struct ModalState {
     geom::Vec3 datum_offset;  ///< of a datum that the program sets itself (FN 25), in the selected one, mm
     geom::Frame programmed;   ///< TRANS, ROT, SCALE, MIRROR; product of `transforms` where there are any
     std::vector<Transform> transforms;
-    Modal last_sense = Modal::linear;     ///< of the last arc; linear: none yet
-    Modal before_cycle = Modal::rapid;    ///< motion that the hole cycle in force took the place of
-    bool rapid_by_cancel = false;         ///< … and G80 left rapid in its place
-    int motion_number = 0;                ///< which canned cycle, which kind of probing
+    Modal last_sense = Modal::linear;   ///< of the last arc; linear: none yet
+    bool cartesian_path = false;        ///< the path function in force takes no polar coordinates (DIN/ISO G00 … G06)
+    Modal paraxial = Modal::paraxial;   ///< G43, G44 of DIN/ISO: paraxial_longer, paraxial_shorter; paraxial: neither
+    Modal before_cycle = Modal::rapid;  ///< motion that the hole cycle in force took the place of
+    bool rapid_by_cancel = false;       ///< … and G80 left rapid in its place
+    int motion_number = 0;              ///< which canned cycle, which kind of probing
     bool clear_to_retract_plane = false;  ///< G99
     bool centre_absolute = false;         ///< G90.1
     double blend = 0, merge = 0;          ///< G64 P Q, mm

@@ -325,6 +325,7 @@ bool motion(Run& run) {
     }
     if (b.retract != 0) retract_tool(run);
     if (run.stopped) return false;
+    complete_arc(run);
     const bool moves = (b.present & (linear_axes | polar | bit(Code::line_angle))) != 0;
     const bool turns = (b.present & circle & ~words_of_orientation(b)) != 0 && run.modal.motion != Modal::linear &&
                        run.modal.motion != Modal::rapid && run.modal.motion != Modal::canned_off;
@@ -419,12 +420,10 @@ void straight_motion(Run& run, const geom::Vec3& to, bool rapid) {
     const bool known = std::isfinite(coordinate(to, a.u)) && std::isfinite(coordinate(to, a.v));
     if (!rapid && run.modal.feed_mode == cl::FeedMode::inverse_time) tell_inverse_feed(run, geom::length(to - at));
     if (!known) flush_path(run);
-    if (!known)
+    if (!known)  // there is no corner to put them on
         for (const Code c : {Code::chamfer_length, Code::chamfer_leg, Code::round, Code::corner_feed}) run.block.use(c);
     if (!known || !needs_path_stage(run)) {
         const geom::Vec2 step{coordinate(to, a.u) - coordinate(at, a.u), coordinate(to, a.v) - coordinate(at, a.v)};
-        if (!known)  // there is no corner to put them on
-            for (const Code c : {Code::round, Code::chamfer_length, Code::chamfer_leg}) run.block.use(c);
         if (step.x != 0 || step.y != 0) run.last_direction = step;
         run.free_contour.reset();
         if (run.capture != nullptr) capture(run, straight_element(at, to, a), rapid);

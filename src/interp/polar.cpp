@@ -40,6 +40,27 @@ bool has_pole(Run& run) {
     return false;
 }
 
+void complete_arc(Run& run) {
+    BlockWords& b = run.block;
+    constexpr auto bit = [](Code c) { return std::uint64_t{1} << static_cast<unsigned>(c); };
+    constexpr std::uint64_t polar = bit(Code::polar_angle) | bit(Code::polar_radius);
+    constexpr std::uint64_t sized = bit(Code::radius) | bit(Code::opening_angle) | bit(Code::i) | bit(Code::j) |
+                                    bit(Code::k) | bit(Code::pole_angle);
+    constexpr std::uint64_t axes = bit(Code::w) * 2 - bit(Code::x);
+    if (!run.traits->arcs_about_pole || b.special != Modal::linear || (b.present & (axes | polar)) == 0) return;
+    if ((b.present & polar) != 0 && run.modal.cartesian_path && !b.motion_behind)
+        unchecked(run, codes::unknown_word, run.here(),
+                  "polar coordinates need a polar path function, and the one in force here takes none",
+                  "G10 to G16 move in polar coordinates, G00 to G06 do not");
+    const Modal m = run.modal.motion;
+    if ((m != Modal::arc_cw && m != Modal::arc_ccw) || (b.present & sized) != 0) return;
+    if (!b.has(Code::centre_at_pole)) b.put(Code::centre_at_pole, 0);
+    if (!b.has(Code::polar_angle) || !is_incremental(run, b.ref(Code::polar_angle))) return;
+    const double angle = b.get(Code::polar_angle);
+    b.present &= ~bit(Code::polar_angle);
+    b.put(Code::pole_angle, angle);
+}
+
 geom::Vec3 polar_target(Run& run, geom::Vec3 to) {
     if (!has_pole(run)) return to;
     const BlockWords& b = run.block;

@@ -15,7 +15,7 @@ namespace codes = base::codes;
 
 namespace {
 
-constexpr std::uint64_t letters = bit(Code::i) | bit(Code::j) | bit(Code::k) | bit(Code::l) | bit(Code::p) |
+constexpr std::uint64_t held_letters = bit(Code::i) | bit(Code::j) | bit(Code::k) | bit(Code::l) | bit(Code::p) |
                                   bit(Code::q) | bit(Code::e) | bit(Code::radius) | bit(Code::offset_d) |
                                   bit(Code::offset_h);
 
@@ -44,7 +44,7 @@ std::uint64_t used_by_motion(const Run& run) {
         case Modal::linear:
         case Modal::probe:
         case Modal::canned_off: return 0;
-        default: return letters;
+        default: return held_letters;
     }
 }
 
@@ -63,7 +63,7 @@ std::uint64_t used_by_mode(Modal m) {
 }
 
 std::uint64_t used_by_function(int m) {
-    if (m >= 100) return letters;
+    if (m >= 100) return held_letters;
     if (m == 19) return bit(Code::p) | bit(Code::q) | bit(Code::radius);
     if (m >= 50 && m <= 53) return bit(Code::p);
     if (m == 61) return bit(Code::q);
@@ -76,7 +76,7 @@ std::uint64_t used_by_function(int m) {
 
 void refuse_letters(Run& run) {
     const BlockWords& b = run.block;
-    std::uint64_t left = b.present & letters;
+    std::uint64_t left = b.present & held_letters;
     if (left == 0 || b.special != Modal::linear || run.curve.open) return;
     left &= ~used_by_motion(run);
     if (left == 0) return;

@@ -159,7 +159,7 @@ void stop_for_change(Run&, bool same);
 /// M5, M9, M19 and what else stops spindle and coolant, before the block's motion or behind it.
 void stop_function(Run&, int m, bool before_motion);
 /// S2=, M2=, SPOS[2]= for a spindle that S and M3 are not for.
-void other_spindle(Run&, std::string_view letter, double number, double value);
+void other_spindle(Run&, Code word, double number, double value);
 /// SETMS: S, M3, G95 and G96 are for this spindle; nothing: the first one.
 void select_master(Run&, std::optional<double> number);
 /// Before a feed move behind a stop that may have stopped the spindle.
@@ -197,12 +197,12 @@ void technology(Run&);
 [[nodiscard]] double feed_factor(const Run&);
 void after_motion(Run&);
 [[nodiscard]] bool motion(Run&);  ///< true where the block moved
-/// What qualifies a value, as BlockWords::reference has it.
-[[nodiscard]] inline std::uint8_t reference_of(const program::Expr& e) {
-    return e.kind == program::ExprKind::qualified ? static_cast<std::uint8_t>(e.op + 1) : std::uint8_t{0};
-}
-/// Words with a value and a name of their own: ADIS, CTOL, DISC, DL, POS, FA … (named_value.cpp).
-void special_value(Run&, const program::Named&);
+/// Words with a value and a name or an extension of their own: ADIS, CTOL, DISC, DL, POS, FA …, T1=, S[2]=
+/// (named_value.cpp).
+void named_value(Run&, const program::Statement&, const program::Word&);
+void named_axis(Run&, const program::Named&, const base::Span& where);  ///< AX[…]=, X2=
+/// Reference::… and one that a value says of itself (IC, AC …), else 0.
+[[nodiscard]] std::uint8_t reference_of(const program::Expr&);
 /// The axis of the program that a machine axis called X1, AX1 or MX1 is; nothing where the name is none such.
 [[nodiscard]] std::optional<std::string> machine_axis_name(const Run&, const std::string& name);
 /// Linear axes that move on their own, behind the block's path (positioning.cpp).
@@ -223,6 +223,10 @@ void run_text(Run&, const program::ProcedureCall&);
 void write_component(Run&, const program::Expr&, geom::Frame&, ExprId value);
 /// Gathers one word into the block; shared by blocks and frame statements.
 void gather(Run&, const program::Statement&, const program::Word&);
+/// Behind a block with a motion of its own, the one from before it (modal_words.cpp).
+void settle_motion(Run&);
+/// Traits::arcs_about_pole (polar.cpp).
+void complete_arc(Run&);
 
 // --- words of a block that nothing acted on, or that stand twice (unused_words.cpp)
 /// To be called when the block has acted: words that nothing used are said.

@@ -151,14 +151,14 @@ void stop_function(Run& run, int m, bool before_motion) {
     stop_by_list(run, m, before_motion);
 }
 
-void other_spindle(Run& run, std::string_view letter, double number, double value) {
+void other_spindle(Run& run, Code word, double number, double value) {
     const auto n = base::whole<int>(number, 1, 999);
     if (!n || std::isnan(value)) return;
     OtherSpindles::Other& other = run.spindles.others[*n];
-    if (letter == "S") other.speed = value;
-    if (letter == "SPOS" || letter == "SPOSA") other.direction = 0;
-    if (letter == "M" && (value == 3 || value == 4)) other.direction = value == 3 ? 1 : -1;
-    if (letter == "M" && (value == 5 || value == 19 || value == 70)) other.direction = 0;
+    if (word == Code::spindle) other.speed = value;
+    if (word == Code::spindle_position) other.direction = 0;
+    if (word == Code::m && (value == 3 || value == 4)) other.direction = value == 3 ? 1 : -1;
+    if (word == Code::m && (value == 5 || value == 19 || value == 70)) other.direction = 0;
 }
 
 void select_master(Run& run, std::optional<double> number) {

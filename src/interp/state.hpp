@@ -76,10 +76,11 @@ struct BlockWords {
     std::vector<NamedAxis> positioned;  ///< linear axes that move on their own (POS, POSA); name: of the axis
     bool goes_on = false;               ///< … and the program does not wait for one of them
     std::vector<PendingAssign> pending;
-    Modal special = Modal::linear;     ///< dwell, reference point, fixed point, pole; linear: none
-    Modal suppress = Modal::linear;    ///< suppress_frames, suppress_all; linear: none
-    Modal corner_end = Modal::linear;  ///< corner_crossing, corner_open; linear: none
-    Modal paraxial = Modal::linear;    ///< paraxial, paraxial_longer, paraxial_shorter; linear: none
+    Modal special = Modal::linear;       ///< dwell, reference point, fixed point, pole; linear: none
+    Modal suppress = Modal::linear;      ///< suppress_frames, suppress_all; linear: none
+    Modal corner_end = Modal::linear;    ///< corner_crossing, corner_open; linear: none
+    std::optional<Modal> motion_behind;  ///< the motion in force from the next block on: this one has its own
+    Modal paraxial = Modal::linear;      ///< paraxial, paraxial_longer, paraxial_shorter; linear: none
 
     [[nodiscard]] bool has(Code c) const { return (present >> static_cast<unsigned>(c)) & 1u; }
     /// The value of a word that acts now: it counts as used (unused_words.cpp).

@@ -7,6 +7,7 @@
 #include <cmath>
 
 #include "base/codes.hpp"
+#include "base/whole.hpp"
 #include "interp/motion.hpp"
 
 namespace obrys::interp {
@@ -97,7 +98,7 @@ void send_cylinder(Run& run, const cl::Record& record) {
     const Vec3 from = run.surface.at;
     const double y = from.y - arc->centre.y, z = from.z - arc->centre.z, radius = std::hypot(y, z);
     const double most = radius > chord ? 2 * std::acos(1 - chord / radius) : geom::pi / 2;
-    const int steps = static_cast<int>(std::clamp(std::ceil(std::abs(arc->sweep) / most), 1.0, 100'000.0));
+    const int steps = base::clipped<int>(std::ceil(std::abs(arc->sweep) / most), 1, 100'000);
     const double sense = arc->normal.x < 0 ? -1 : 1;
     for (int i = 1; i < steps; ++i) {
         const double part = static_cast<double>(i) / steps, t = sense * arc->sweep * part;

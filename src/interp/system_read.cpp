@@ -298,9 +298,7 @@ Value run_state(const Access& a, SystemVariable v) {
                 ((run.calls.back().arguments_given >> (base::clipped<unsigned>(n, 1, 32) - 1)) & 1u) != 0;
             if (n < 0 || (run.calls.size() == 1 && !given))
                 return unknown_value(a, "this program is run without its call");
-            return Value::boolean(
-                n >= 1 && n <= 32 &&
-                ((run.calls.back().arguments_given >> (base::clipped<unsigned>(n, 1, 32) - 1)) & 1u) != 0);
+            return Value::boolean(given);
         }
         case SystemVariable::stack_depth: return Value::integer(static_cast<double>(run.calls.size()) - 1);
         case SystemVariable::program_name: {

@@ -26,7 +26,8 @@ Written find(const Run& run, const ActiveCycle& c, CycleRole role) {
     for (std::size_t i = 0; i < c.values.size(); ++i) {
         const program::CycleSetting& s = c.definition->settings[i];
         if (s.role != role) continue;
-        w = {true, s.incremental, c.values[i] * (s.scales ? length_unit(run.modal) : 1)};
+        w = {true, s.incremental || (s.as_modal && !run.modal.absolute),
+             c.values[i] * (s.scales ? length_unit(run.modal) : 1)};
     }
     return w;
 }

@@ -34,19 +34,40 @@ base::Span place_of(const Run& run, Code code, int n) {
     return run.here();
 }
 
-/// Words that belong to an M function: of outputs, inputs, orientation and overrides (LinuxCNC, M-codes), and whatever
-/// the machine builder's own ones take.
+std::uint64_t codes_of(std::string_view letters) {
+    std::uint64_t codes = 0;
+    for (const char c : letters)
+        codes |= bit(c == 'P' ? Code::p : c == 'Q' ? Code::q : c == 'E' ? Code::e : c == 'L' ? Code::l : Code::radius);
+    return codes;
+}
+
+/// Words that belong to one of the control's own M functions.
 std::uint64_t words_of_function(const Run& run, int m) {
-    if (m == 19) return bit(Code::p) | bit(Code::q) | bit(Code::radius);
-    if ((m >= 48 && m <= 53) || (m >= 62 && m <= 65)) return bit(Code::p);
-    if (m == 66) return bit(Code::p) | bit(Code::e) | bit(Code::l) | bit(Code::q);
-    if (m == 67 || m == 68) return bit(Code::e) | bit(Code::q);
-    if (m < 10 || m == 17 || m == 30 || is_standard_function(run, m)) return 0;
-    return bit(Code::p) | bit(Code::q) | bit(Code::l) | bit(Code::e) | bit(Code::radius) | bit(Code::k) | bit(Code::j);
+    for (const program::FunctionLetters& f : run.traits->function_letters)
+        if (m >= f.first && m <= f.last) return codes_of(f.letters);
+    return 0;
+}
+
+bool is_builders(const Run& run, int m) { return m >= 10 && m != 17 && m != 30 && !is_standard_function(run, m); }
+
+/// A word that the block's motion has left may be meant for an M function of the machine builder: it is listed.
+void give_to_builder(Run& run, int m, std::uint64_t words) {
+    for (; words != 0; words &= words - 1) {
+        const auto code = static_cast<Code>(std::countr_zero(words));
+        run.block.use(code);
+        const base::Span where = place_of(run, code, 0);
+        assume(run, where,
+               text_of(run, where) + " is taken as a word of M" + std::to_string(m) +
+                   ", a function of the machine builder");
+    }
 }
 
 void take_function_words(Run& run) {
-    for (const int m : run.block.m) run.block.used |= run.block.present & words_of_function(run, m);
+    const BlockWords& b = run.block;
+    for (const int m : b.m) b.used |= b.present & words_of_function(run, m);
+    const std::uint64_t letters = codes_of(run.traits->builders_letters);
+    for (const int m : b.m)
+        if (is_builders(run, m)) give_to_builder(run, m, b.present & ~b.used & letters);
 }
 
 /// I, J, K of 0 that an arc does not need say nothing that could be missed.

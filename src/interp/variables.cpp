@@ -5,9 +5,22 @@
 namespace obrys::interp {
 
 const Binding* Scope::find(program::NameId name) const {
-    for (const Binding& b : bindings_)
-        if (b.name == name) return &b;
-    return nullptr;
+    constexpr std::size_t few = 16;
+    if (bindings_.size() <= few) {
+        for (const Binding& b : bindings_)
+            if (b.name == name) return &b;
+        return nullptr;
+    }
+    for (; indexed_ < bindings_.size(); ++indexed_) first_.try_emplace(bindings_[indexed_].name, indexed_);
+    const auto found = first_.find(name);
+    return found == first_.end() ? nullptr : &bindings_[found->second];
+}
+
+void Scope::truncate(std::size_t n) {
+    bindings_.resize(n);
+    if (n >= indexed_) return;
+    first_.clear();
+    indexed_ = 0;
 }
 
 bool element_index(const Array& a, const double* indices, std::size_t count, std::size_t& result) {

@@ -57,17 +57,19 @@ struct Binding {
     const program::Variable* definition = nullptr;  ///< the DEF that made it
 };
 
-/// Names of one call, or the global ones. Few names a scope: looked through in order.
+/// Names of one call, or the global ones. Few names are looked through in order, many by an index.
 class Scope {
 public:
     [[nodiscard]] const Binding* find(program::NameId name) const;
     void bind(Binding b) { bindings_.push_back(std::move(b)); }
     [[nodiscard]] std::size_t size() const { return bindings_.size(); }
     [[nodiscard]] const std::vector<Binding>& bindings() const { return bindings_; }
-    void truncate(std::size_t n) { bindings_.resize(n); }
+    void truncate(std::size_t n);
 
 private:
     std::vector<Binding> bindings_;
+    mutable std::unordered_map<program::NameId, std::size_t> first_;  ///< of the first `indexed_` bindings
+    mutable std::size_t indexed_ = 0;
 };
 
 /// Index of an element in its array; `indices` has `count` entries. False where an index lies outside.

@@ -25,6 +25,7 @@ public:
 
     /// From here on statements belong to a new block; `skip` is its block skip level + 1, or 0.
     void begin_block(std::uint8_t skip = 0) { first_of_block_ = true, skip_ = skip; }
+    [[nodiscard]] std::uint8_t skip() const { return skip_; }
     /// A new statement; words that follow are its own.
     void statement(StatementKind kind, std::uint32_t begin);
     /// A statement whose first word is its entry in the kind's table.

@@ -127,6 +127,12 @@ struct SpindleStop {
     bool coolant = false;  ///< which it switches off, too
 };
 
+/// Letters that belong to an M function, where its block has them: "PQ".
+struct FunctionLetters {
+    std::int16_t first = 0, last = 0;  ///< M functions, inclusive
+    std::string_view letters;
+};
+
 /// How the names of variables are written that the control has beside its numbered parameters.
 enum class NamedVariables : std::uint8_t {
     none,
@@ -179,6 +185,10 @@ struct Traits {
     std::string_view text_letters{};
     /// How deep calls of labels may be nested within one program.
     std::uint32_t label_depth = 0;
+    /// Each program begins in absolute coordinates, and leaves its caller's dimensions and motion as they were.
+    bool dimensions_per_program = false;
+    /// An arc without a radius is about the pole, and its incremental polar angle says how far it sweeps.
+    bool arcs_about_pole = false;
     /// mm/min of a feed of 1 in a program in inches.
     double inch_feed = 25.4;
     /// Polar coordinates and arcs about the pole are an alarm before the program has set one; else it is the zero
@@ -198,6 +208,18 @@ struct Traits {
     /// Numbered parameters from 1 to this are every program's own: those of a called one begin with the arguments of
     /// the call (argument 0 is parameter 1) and 0 where there is none. 0: arguments go to declared parameters.
     std::uint32_t argument_parameters = 0;
+    /// There is no parameter 0 that could be written.
+    bool parameters_begin_at_one = false;
+    /// Programs are called by number, O100; else by a text that names them.
+    bool programs_by_number = false;
+    /// Of modal calls one is in force at a time here, and the control nests them; else a new one replaces the last.
+    bool modal_calls_nest = false;
+    /// The word for a jump to the program's beginning (M99 of the main program) repeats it without end: one pass is
+    /// run. Empty: such a jump is an ordinary one.
+    std::string_view repeats_program{};
+    /// Arc tangent and arc sine that would be negative are a full turn more, by this setting of the control; empty:
+    /// they are -180 … 180 and -90 … 90 degrees.
+    std::string_view angles_from_zero{};
     /// Parameters hold 0 until they are set, and the control says so itself: reading one is no assumption.
     bool parameters_begin_at_zero = false;
     /// A parameter that nobody has set is empty, and #0 always is: it counts as 0, but EQ and NE tell it from 0, a word
@@ -224,6 +246,9 @@ struct Traits {
     /// M functions that the control itself knows and that do nothing to the path.
     std::span<const std::int16_t> own_functions{};
     std::span<const SpindleStop> spindle_stops{};
+    std::span<const FunctionLetters> function_letters{};  ///< of the control's own M functions
+    /// Letters that an M function of the machine builder may take; empty: none, M functions stand alone.
+    std::string_view builders_letters{};
     /// Radius compensation holds one move back and refuses what it cannot join (path::Method::held_move).
     bool compensation_holds_move = false;
     /// Radius compensation keeps its side and its plane until it is switched off: another one is an alarm.

@@ -139,8 +139,9 @@ struct CycleSetting {
     std::uint32_t parameter = no_target;
     ExprId value = no_expr;
     bool incremental = false;
-    bool scales = false;   ///< a length in the program's unit
-    bool is_feed = false;  ///< a feed in the program's unit
+    bool as_modal = false;  ///< incremental where G91 holds when it is defined
+    bool scales = false;    ///< a length in the program's unit
+    bool is_feed = false;   ///< a feed in the program's unit
     base::Span where;
     bool across = false;  ///< a diameter where the program has diameters
     SettingGiven given = SettingGiven::number;
@@ -293,6 +294,7 @@ struct Named {
     ExprId index = no_expr;  ///< extension: 2 of S2=, the expression in brackets
     ExprId value = no_expr;
     NamedKind kind = NamedKind::extended;
+    Code plain = Code::named_value;  ///< of an extended address: what it is without its extension
 };
 
 /// A word that is not run. `text` names it in the programmer's spelling; `reason` may be empty.
@@ -385,6 +387,10 @@ struct Unit {
     void reserve(std::size_t bytes);
     /// Value of a literal word.
     [[nodiscard]] double literal(const Word& w) const;
+    /// What a word is; of an extended address (T1=) what it is without its extension.
+    [[nodiscard]] Code address(const Word& w) const {
+        return code_of(w) == Code::named_value ? named[static_cast<std::size_t>(w.payload)].plain : code_of(w);
+    }
 };
 
 }  // namespace obrys::program

@@ -264,6 +264,11 @@ static_assert(sizeof(Word) == 8);
 
 /// With Modal::suppress_all: G53 whose coordinates are ways. Other numbers are those of G codes.
 inline constexpr int position_ignored = 1;
+/// Numbers that go with words of motion. `cartesian_path`: the path function takes no polar coordinates;
+/// `whole_block`: of rapid_block, also of a straight block.
+inline constexpr int cartesian_path = 1, whole_block = 1;
+/// Of Modal::paraxial, where R+ and R- hold from block to block: what the block does, and that none of them holds.
+inline constexpr int paraxial_feed = 1, paraxial_rapid = 2, paraxial_alone = 4;
 
 [[nodiscard]] constexpr std::int32_t modal_word(Modal m, int number = 0) {
     return static_cast<std::int32_t>((static_cast<std::uint32_t>(number) << 16) | static_cast<std::uint32_t>(m));

@@ -36,7 +36,7 @@ enum class RapidPath : std::uint8_t { straight, dog_leg };
 
 struct MachineSpindle {
     double min = 0, max = std::numeric_limits<double>::infinity();  ///< 1/min; infinite: not limited
-    std::optional<double> power;  ///< kW
+    std::optional<double> power;                                    ///< kW
 };
 
 /// State of the control at the start of a program.
@@ -52,6 +52,7 @@ struct ControlDefaults {
 struct ControlSettings {
     std::optional<char> g_code_system;        ///< of FANUC lathes: 'A', 'B', 'C'
     std::optional<bool> whole_numbers_count;  ///< lengths without a point count increments; false: mm, inches, degrees
+    std::optional<bool> angles_from_zero;  ///< ATAN is 0 … 360 degrees, ASIN 270 … 90; false: -180 … 180, -90 … 90
 };
 
 struct Machine {

@@ -89,6 +89,7 @@ void read_control(Section& file, Machine& machine) {
     if (const auto system = s.choice("g_code_system", {"A", "B", "C"})) machine.control.g_code_system = "ABC"[*system];
     if (const auto whole = s.choice("whole_numbers", {"increments", "units"}))
         machine.control.whole_numbers_count = *whole == 0;
+    if (const auto angles = s.choice("angles", {"0-360", "180"})) machine.control.angles_from_zero = *angles == 0;
     s.finish();
 }
 

@@ -50,6 +50,8 @@ inline constexpr program::Traits traits{
     .compensation_window = 99,
     .text_letters = "QS",
     .label_depth = 19,
+    .dimensions_per_program = true,
+    .arcs_about_pole = true,
     .inch_feed = 2.54,  // 1/10 inch/min: iTNC 530 manual 60642x-03, page 506 (M116)
     .needs_pole = true,
     .polar_from_position = true,

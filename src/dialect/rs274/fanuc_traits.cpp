@@ -92,6 +92,9 @@ constexpr std::array haas_kept{KeptParameters{100, 199},
                                after_datums,
                                before_tools};
 
+/// Angle of M19 by P or R; builders' M functions take P and Q at most [-].
+constexpr std::array function_letters{program::FunctionLetters{19, 19, "RP"}};
+
 constexpr program::Traits common{
     // Parameter 3403#6 (AD2): alarm 5074, or the last address counts (series 30i/31i/32i parameter manual B-64310EN).
     .repeated_words = program::Repeated::last_or_stop,
@@ -112,6 +115,10 @@ constexpr program::Traits common{
               .none_is_machine_zero = false},
     .variables_by_assignment = true,
     .argument_parameters = 33,
+    .parameters_begin_at_one = true,  // #0 is always empty
+    .programs_by_number = true,
+    .modal_calls_nest = true,
+    .repeats_program = "M99",
     .parameters_begin_at_zero = true,
     .empty_parameters = true,
     .kept = fanuc_kept,
@@ -124,6 +131,8 @@ constexpr program::Traits common{
                 .extended_count = 48},
     .dwell_in_feed_words = false,
     .feed_mode_ends_surface_speed = false,
+    .function_letters = function_letters,
+    .builders_letters = "PQ",
     .compensation_holds_plane = "37",
     .rapid_at_start = true,  // parameter 3402, bit G01 = 0
     .radius_makes_arc = false,
@@ -138,6 +147,7 @@ program::Traits traits_of(std::span<const program::CannedCycle> cycles, bool haa
     t.canned = cycles;
     if (haas) t.kept = haas_kept;
     if (!haas) t.line_without_centre = "bit CIR of parameter 3403 = 0";  // operator's manual, circular interpolation
+    if (!haas) t.angles_from_zero = "bit NAT of parameter 6004 = 0";     // operator's manual, custom macro, arithmetic
     if (!haas) t.alarms.circle_compensates = "34";
     // B-63684EN, cutter compensation C, "block without tool movement". Haas looks 80 blocks ahead (96-8000).
     if (!haas)

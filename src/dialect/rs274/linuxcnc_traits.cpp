@@ -103,6 +103,13 @@ constexpr std::array kept{
     program::KeptParameters{5210, 5390},  // G92, the active system, G54 to G59.3
 };
 
+/// LinuxCNC, M-codes: orientation, overrides, outputs and inputs; M100 … M199 take P and Q.
+constexpr std::array function_letters{
+    program::FunctionLetters{19, 19, "RPQ"}, program::FunctionLetters{48, 53, "P"},
+    program::FunctionLetters{62, 65, "P"},   program::FunctionLetters{66, 66, "PELQ"},
+    program::FunctionLetters{67, 68, "EQ"},
+};
+
 /// Comparisons hold within 0.000001 (measured). The last parameter is #5601.
 constexpr program::Traits traits{
     .guessed_machine = program::GuessedMachine::by_words,
@@ -122,6 +129,10 @@ constexpr program::Traits traits{
     .assigns_together = true,
     .variables_by_assignment = true,
     .argument_parameters = 30,
+    .parameters_begin_at_one = true,
+    .programs_by_number = true,
+    .modal_calls_nest = true,
+    .repeats_program = "M99",
     .parameters_begin_at_zero = true,
     .kept = kept,
     .live = live,
@@ -140,6 +151,8 @@ constexpr program::Traits traits{
     .tool_change_stops_spindle = true,
     .feed_mode_ends_surface_speed = false,
     .own_functions = own_functions,
+    .function_letters = function_letters,
+    .builders_letters = "PQ",
     .compensation_holds_move = true,
     .modulo_is_positive = true,
     .radius_at_start = true,

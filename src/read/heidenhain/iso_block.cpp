@@ -74,12 +74,9 @@ void read_iso_number(State& s) {
     s.build.begin_block(skip);
 }
 
-/// Each program begins with G90 and leaves its caller's G90 or G91 as it was.
 void read_call(State& s) {
     s.in.take(':');
-    if (s.iso.uses_incremental) modal_statement(s, Modal::absolute);
     read_program_call(s, "%", ".I");
-    if (!s.failed && s.iso.incremental) modal_statement(s, Modal::incremental);
 }
 
 /// The last block has the name and the unit of the first.
@@ -139,7 +136,10 @@ void read_iso_blank(State& s, const IsoBlock& b) {
     const bool least = b.has_g(30);
     s.build.statement(StatementKind::block, s.block);
     program::Blank& blank = blank_of(s.build.unit());
-    bool incremental = s.iso.incremental;
+    if (!least && s.iso.uses_incremental && !b.has_g(90) && !b.has_g(91))
+        return fail_here(s, "whether the blank's second corner is absolute or incremental is not certain here",
+                         "write G90 or G91 in this block");
+    bool incremental = false;
     unsigned given = 0;
     while (!s.failed && !s.in.at_end()) {
         const char c = base::upper(s.in.peek());
@@ -222,7 +222,7 @@ void read_smooth(State& s, bool departure) {
     const int n = base::upper(s.in.peek()) == 'G' ? read_code(s) : 0;
     const bool joined = s.last_path != program::no_target && s.last_path + 1 == s.build.unit().statements.size();
     const bool straight = s.iso.motion == 0 || s.iso.motion == 1 || s.iso.motion == 10 || s.iso.motion == 11;
-    const bool good = n == (departure ? 27 : 26) && (departure || (joined && straight));
+    const bool good = n == (departure ? 27 : 26) && (departure || (joined && straight && skipped_with_last(s)));
     if (!good) {
         s.build.statement(StatementKind::block, s.block);
         return fail(s, begin,
@@ -239,6 +239,7 @@ void read_smooth(State& s, bool departure) {
     if (departure) {
         s.iso.departure = radius;
         s.iso.departure_feed = feed;
+        s.iso.departure_skip = s.build.skip();
     } else {
         if (feed != program::no_expr)
             s.build.expression(Code::corner_feed, feed, begin, s.in.at());
@@ -271,8 +272,21 @@ void read_by_codes(State& s, const IsoBlock& b) {
     read_iso_words(s, b);
 }
 
+/// The block behind G27 moves: behind a label, a call or a jump it is not that one, or not always.
+void keep_departure(State& s, char first, const IsoBlock& b) {
+    if (s.iso.departure == program::no_expr ||
+        (std::string_view("%LD").find(first) == std::string_view::npos && !b.has_g(98)))
+        return;
+    s.build.statement(StatementKind::block, s.block);
+    fail(s, s.block, "a straight block is due directly behind G27", "G00 or G01 to the point off the contour");
+    s.build.end_statement(s.in.at());
+    s.iso.departure = s.iso.departure_feed = program::no_expr;
+    s.failed = false;
+}
+
 void read_content(State& s, const IsoBlock& b) {
     const char c = base::upper(s.in.peek());
+    keep_departure(s, c, b);
     if (c == '%') return read_percent(s);
     if (c == 'L') return read_iso_label_call(s);
     if (c == 'D') return read_iso_function(s);
@@ -304,6 +318,8 @@ void read_iso_block(State& s) {
     if (!corner) flush_pending(s);  // a corner belongs to the block before it
     s.statements = s.build.unit().statements.size();
     const std::uint32_t last_path = s.last_path;
+    const int motion = s.iso.motion;
+    s.iso.incremental.reset();
     const bool after_stop = s.after_stop, ended_by_star = s.iso.ended_by_star;
     read_iso_number(s);
     s.iso.ended_by_star = false;
@@ -317,6 +333,7 @@ void read_iso_block(State& s) {
     }
     if (!s.failed && !s.in.at_end()) fail_here(s, "this is left over at the end of the block: " + here(s));
     s.in.skip_block();
+    if (s.build.skip() != 0 && s.iso.motion != motion) s.iso.motion = -1;  // the run may not come by it
     if (s.last_path == last_path && !corner) s.last_path = program::no_target;
     if (s.build.unit().statements.size() > s.statements) s.build.end_statement(s.in.at());
     s.iso.ended_by_star = s.in.at_star();

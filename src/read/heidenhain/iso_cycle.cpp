@@ -26,6 +26,12 @@ void not_of_cycle(State& s, std::uint32_t begin, const std::string& word) {
               "take it out, or write it in a block of its own");
 }
 
+/// A value that G90 and G91 concern where `counts`: those of this very block, else those that the run has in force.
+void add_dimension(State& s, const dialect::heidenhain::CycleParameter& p, ExprId value, bool counts, std::uint32_t begin) {
+    add_setting(s, p, value, counts && s.iso.incremental.value_or(false), begin);
+    if (counts && !s.iso.incremental && !open_cycle(s).settings.empty()) open_cycle(s).settings.back().as_modal = true;
+}
+
 /// An axis: with its value, or alone (mirror image).
 void read_axis(State& s, const dialect::heidenhain::Cycle& cycle, char letter, std::uint32_t begin) {
     const dialect::heidenhain::CycleParameter* p = nullptr;
@@ -36,7 +42,7 @@ void read_axis(State& s, const dialect::heidenhain::Cycle& cycle, char letter, s
         return add_setting(s, *p, s.build.number(1, true, begin, s.in.at()), false, begin);
     const bool shifts = cycle.kind == CycleKind::datum_shift;
     const ExprId value = value_expr(s);
-    if (!s.failed) add_setting(s, *p, value, shifts && s.iso.incremental, begin);
+    if (!s.failed) add_dimension(s, *p, value, shifts, begin);
 }
 
 /// P05 X+80: a side of a pocket says its axis.
@@ -54,7 +60,7 @@ void read_word(State& s, const dialect::heidenhain::Cycle& cycle, std::uint32_t 
         return read_axis(s, cycle, letter, begin);
     }
     const ExprId value = value_expr(s);
-    if (!s.failed) add_setting(s, *p, value, cycle.kind == CycleKind::rotation && s.iso.incremental, begin);
+    if (!s.failed) add_dimension(s, *p, value, cycle.kind == CycleKind::rotation, begin);
 }
 
 /// G37 P01 1 P02 "POCKET": the labels of a contour.

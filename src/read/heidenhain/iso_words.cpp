@@ -40,7 +40,7 @@ MotionFamily family_of(int motion) {
     }
 }
 
-Modal modal_of(int motion, bool rapid) {
+Modal modal_of(int motion) {
     switch (motion) {
         case 0:
         case 10: return Modal::rapid;
@@ -52,7 +52,7 @@ Modal modal_of(int motion, bool rapid) {
         case 15: return Modal::arc_same_sense;
         case 6:
         case 16: return Modal::arc_tangent;
-        default: return rapid ? Modal::rapid : Modal::linear;
+        default: return Modal::linear;
     }
 }
 
@@ -66,9 +66,6 @@ bool take_modal_codes(State& s, const IsoBlock& b) {
             s.iso.motion = g;
             moves = true;
         }
-        if (g >= 40 && g <= 42) s.iso.paraxial = Modal::paraxial;
-        if (g == 43) s.iso.paraxial = Modal::paraxial_longer;
-        if (g == 44) s.iso.paraxial = Modal::paraxial_shorter;
     }
     return moves;
 }
@@ -78,18 +75,17 @@ void read_pole(State& s) {
     const std::uint32_t from = s.in.at();
     s.build.statement(StatementKind::block, s.block);
     s.build.modal(Modal::pole_given, s.block, from);
-    bool incremental = s.iso.incremental;
+    std::optional<Reference> reference;  // that of a G90 or G91 in this very block
     while (!s.failed && !s.in.at_end()) {
         const std::uint32_t begin = s.in.at();
         const char c = base::upper(s.in.peek());
         const auto k = pole_letters.find(c);
         s.in.step();
         if (k != std::string_view::npos) {
-            coordinate_word(s, static_cast<Code>(static_cast<std::size_t>(Code::x) + k), begin,
-                            incremental ? Reference::incremental : Reference::absolute);
+            coordinate_word(s, static_cast<Code>(static_cast<std::size_t>(Code::x) + k), begin, reference);
         } else if (c == 'G') {
             const int n = s.in.integer();
-            if (n == 90 || n == 91) incremental = n == 91;
+            if (n == 90 || n == 91) reference = n == 91 ? Reference::incremental : Reference::absolute;
         } else if (base::is_letter(c)) {
             while (base::is_letter(s.in.peek())) s.in.step();
             if (s.in.peek() == '"')
@@ -105,25 +101,32 @@ void read_pole(State& s) {
     if (!s.failed) s.in.go_to(from);
 }
 
+/// G07: this block alone, along its axis; with G43 or G44 of this block or one before it longer or shorter.
+void write_paraxial(State& s, const IsoBlock& b) {
+    const std::uint32_t end = s.in.at();
+    const bool alone = b.has_g(40) || b.has_g(41) || b.has_g(42);
+    s.build.modal(Modal::paraxial, s.block, end,
+                  (b.rapid ? program::paraxial_rapid : program::paraxial_feed) | (alone ? program::paraxial_alone : 0));
+    if (b.has_g(43)) s.build.modal(Modal::paraxial_longer, s.block, end);
+    if (b.has_g(44)) s.build.modal(Modal::paraxial_shorter, s.block, end);
+}
+
 /// The path function of the block; true where it moves.
 bool write_motion(State& s, const IsoBlock& b, bool given) {
     const MotionFamily family = family_of(s.iso.motion);
     const bool moves = b.has_any(axis_letters) || b.has('H') || (b.has('R') && family > MotionFamily::straight);
     const std::uint32_t end = s.in.at();
     if (b.has_g(7)) {
-        s.build.modal(b.rapid ? Modal::rapid : Modal::linear, s.block, end);
-        s.build.modal(Modal::paraxial, s.block, end);
-        if (s.iso.paraxial != Modal::paraxial) s.build.modal(s.iso.paraxial, s.block, end);
+        write_paraxial(s, b);
         return false;
     }
     if (!moves && !given) return false;
     if (family == MotionFamily::unknown) {
-        if (b.rapid) s.build.modal(Modal::rapid, s.block, end);
+        if (b.rapid) s.build.modal(Modal::rapid_block, s.block, end, program::whole_block);
         return moves;
     }
-    s.build.modal(modal_of(s.iso.motion, b.rapid), s.block, end);
-    if (b.rapid && family != MotionFamily::straight && family != MotionFamily::polar_straight)
-        s.build.modal(Modal::rapid_block, s.block, end);
+    s.build.modal(modal_of(s.iso.motion), s.block, end, family < MotionFamily::polar_straight ? program::cartesian_path : 0);
+    if (b.rapid) s.build.modal(Modal::rapid_block, s.block, end, program::whole_block);
     const bool about_pole = family == MotionFamily::polar_arc || (family == MotionFamily::arc && !b.has('R'));
     if (moves && about_pole) s.build.bare(Code::centre_at_pole, s.block, end);
     return moves;
@@ -185,10 +188,6 @@ private:
         return false;
     }
 
-    [[nodiscard]] std::optional<Reference> polar_reference() const {
-        return s_.iso.incremental ? std::optional(Reference::incremental) : std::nullopt;
-    }
-
     void read_angle(std::uint32_t begin) {
         s_.in.step();
         coordinates_ = true;
@@ -198,9 +197,7 @@ private:
             return fail(s_, begin, "the polar angle H needs a polar path function",
                         "G10 to G16 move in polar coordinates, G00 to G06 do not");
         }
-        // An arc's incremental angle says how far it sweeps, whole turns included; a line's where it ends.
-        if (family_ == MotionFamily::polar_arc && s_.iso.incremental) return value_word(s_, Code::pole_angle, begin);
-        coordinate_word(s_, Code::polar_angle, begin, polar_reference());
+        coordinate_word(s_, Code::polar_angle, begin, behind_);
     }
 
     void read_radius(std::uint32_t begin) {
@@ -208,7 +205,7 @@ private:
         const bool polar = family_ >= MotionFamily::polar_straight || (family_ == MotionFamily::unknown && b_.has('H'));
         if (polar) {
             coordinates_ = true;
-            return coordinate_word(s_, Code::polar_radius, begin, polar_reference());
+            return coordinate_word(s_, Code::polar_radius, begin, behind_);
         }
         if (family_ == MotionFamily::arc || family_ == MotionFamily::unknown)
             return value_word(s_, Code::radius, begin);
@@ -291,6 +288,8 @@ private:
 void depart(State& s) {
     const ExprId radius = std::exchange(s.iso.departure, program::no_expr);
     if (radius == program::no_expr || s.failed) return;
+    if (s.iso.departure_skip != s.build.skip())
+        return fail(s, s.block, "G27 and the block behind it are not skipped together", "write / before both");
     const MotionFamily family = family_of(s.iso.motion);
     if (family != MotionFamily::straight && family != MotionFamily::polar_straight)
         return fail(s, s.block, "a straight block is due behind G27", "G00 or G01 to the point off the contour");

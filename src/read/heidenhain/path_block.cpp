@@ -83,12 +83,21 @@ bool misplaced_radius(State& s, bool has_r, std::uint32_t begin) {
 
 }  // namespace
 
+bool skipped_with_last(State& s) {
+    return (s.build.unit().statements.back().flags & program::skip_mask) == s.build.skip();
+}
+
 void read_corner(State& s, bool chamfer, bool has_r, std::uint32_t begin) {
     const bool joined = s.last_path != program::no_target && s.last_path + 1 == s.build.unit().statements.size();
     if (!joined) {
         s.build.statement(StatementKind::block, s.block);
         fail(s, begin, "a chamfer or rounding needs a contour element directly before it");
         return;
+    }
+    if (!skipped_with_last(s)) {
+        s.build.statement(StatementKind::block, s.block);
+        return fail(s, begin, "a chamfer or rounding and its contour element are not skipped together",
+                    "write / before both");
     }
     s.in.skip_blanks();
     if (has_r != (base::upper(s.in.peek()) == 'R') && misplaced_radius(s, has_r, begin)) return;

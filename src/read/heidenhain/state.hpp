@@ -17,15 +17,16 @@ using program::ExprId;
 using program::Modal;
 using program::StatementKind;
 
-/// What holds from block to block in DIN/ISO, as the text has it.
+/// What holds from block to block in DIN/ISO, as the text has it. A block may be reached by another way than through
+/// the text, so that G90 and G91, G43 and G44 and, behind a label, the path function are the run's alone.
 struct IsoState {
     int motion = -1;                      ///< G00 … G06, G10 … G16; -1: not known here, what the run did last holds
-    bool incremental = false;             ///< G91
     bool uses_incremental = false;        ///< G91 stood somewhere before
-    Modal paraxial = Modal::paraxial;     ///< G43, G44
+    std::optional<bool> incremental;      ///< G91 or G90 stands in the block at hand, before the scanner
     std::optional<Modal> pending;         ///< G90 or G91 behind the coordinates of its block: from the next one on
     ExprId departure = program::no_expr;  ///< G27: radius of the departure that the next block makes
     ExprId departure_feed = program::no_expr;
+    std::uint8_t departure_skip = 0;
     bool ended_by_star = false;  ///< the block before
 };
 
@@ -114,7 +115,9 @@ void read_feed(State& s);                           ///< F and its relatives, th
 [[nodiscard]] bool has_rapid(State& s);             ///< the rest of the block holds F MAX: its motion is rapid
 /// CHF and RND belong to the corner behind the element before them: they become words of that element's block.
 void read_corner(State& s, bool chamfer, bool has_r, std::uint32_t begin);  ///< `has_r`: R stands before the value
-void read_word(State& s, bool arc);                                         ///< one of them
+/// The block at hand, whose words go to the last statement, is left out by the switch that leaves out that one.
+[[nodiscard]] bool skipped_with_last(State& s);
+void read_word(State& s, bool arc);                        ///< one of them
 bool read_special_block(State& s, std::string_view word);  ///< special_block.cpp: APPR DEP FL … SPL PLANE
 bool read_pattern_block(State& s, std::string_view word);  ///< pattern_block.cpp: PATTERN DEF, SEL PATTERN
 /// contour_block.cpp: CONTOUR DEF, SEL CONTOUR, DECLARE CONTOUR, QC1 = …

@@ -7,6 +7,7 @@
 #include <optional>
 #include <set>
 #include <string>
+#include <unordered_map>
 #include <vector>
 
 #include "base/codes.hpp"
@@ -86,7 +87,8 @@ struct Opened {
 /// Where a label of a structure was used first.
 struct LabelUse {
     std::uint32_t begin = 0;
-    std::vector<std::uint64_t> path;  ///< the branches around it
+    std::size_t depth = 0;     ///< branches around it
+    std::uint64_t branch = 0;  ///< the innermost one (branch_at in structure.cpp)
 };
 
 /// A unit that grows.
@@ -111,8 +113,9 @@ struct Part {
     bool ended = false;     ///< what follows is not reached
     bool told_unreached = false;
     std::vector<Opened> opened;
-    std::map<std::string, LabelUse> labels;  ///< of structures
-    base::Span word;                         ///< `o100 sub`
+    std::unordered_map<std::string, std::vector<std::size_t>> opened_by_label;  ///< places in `opened`
+    std::map<std::string, LabelUse> labels;                                     ///< of structures
+    base::Span word;                                                            ///< `o100 sub`
 };
 
 /// `O1234` alone in its block.

@@ -49,9 +49,21 @@ StatementKind closer_of(StatementKind opener) {
 std::string shown(const std::string& label) { return "o" + base::as_utf8(label); }
 
 Opened* find_opened(const State& s, const std::string& label) {
-    auto& all = s.part->opened;
-    const auto found = std::find_if(all.rbegin(), all.rend(), [&](const Opened& o) { return o.label == label; });
-    return found == all.rend() ? nullptr : &*found;
+    const auto found = s.part->opened_by_label.find(label);
+    const bool is_open = found != s.part->opened_by_label.end() && !found->second.empty();
+    return is_open ? &s.part->opened[found->second.back()] : nullptr;
+}
+
+void push_opened(State& s, Opened o) {
+    s.part->opened_by_label[o.label].push_back(s.part->opened.size());
+    s.part->opened.push_back(std::move(o));
+}
+
+Opened pop_opened(State& s) {
+    Opened o = std::move(s.part->opened.back());
+    s.part->opened.pop_back();
+    s.part->opened_by_label[o.label].pop_back();
+    return o;
 }
 
 void tie_if(State& s, const Opened& o, std::uint32_t begin, std::uint32_t end) {
@@ -79,8 +91,7 @@ void tie(State& s, const Opened& o, ExprId condition, bool once, std::uint32_t b
 
 /// Closes the innermost structure, which has no end of its own, and says so; its body is run once.
 void close_missing(State& s) {
-    const Opened o = s.part->opened.back();
-    s.part->opened.pop_back();
+    const Opened o = pop_opened(s);
     const bool runs_on = o.kind == StatementKind::repeat_;  // LinuxCNC looks for no end of a do
     base::Diagnostic d;
     d.severity = runs_on ? base::Severity::note : base::Severity::error;
@@ -113,21 +124,20 @@ Opened* find_for(State& s, const std::string& label, StatementKind kind, std::st
     return o;
 }
 
-/// The branches in which a structure stands, outermost first.
-std::vector<std::uint64_t> path_here(const State& s) {
-    std::vector<std::uint64_t> path;
-    for (const Opened& o : s.part->opened) path.push_back(std::uint64_t{o.openers.front()} << 32 | o.elses.size());
-    return path;
-}
+/// The branch that a structure is in: its first statement and which of its branches. No other one has that number, and
+/// the branches around it go without saying.
+std::uint64_t branch_at(const Opened& o) { return std::uint64_t{o.openers.front()} << 32 | o.elses.size(); }
 
 /// A label belongs to one structure, where the run has come by that before: it stands in the same branch, or in one
 /// around it.
 bool claim(State& s, const std::string& label, std::uint32_t begin) {
-    const std::vector<std::uint64_t> path = path_here(s);
-    const auto [at, is_new] = s.part->labels.try_emplace(label, LabelUse{begin, path});
+    const std::vector<Opened>& around = s.part->opened;
+    const LabelUse here{begin, around.size(), around.empty() ? 0 : branch_at(around.back())};
+    const auto [at, is_new] = s.part->labels.try_emplace(label, here);
     if (is_new) return true;
     const LabelUse& first = at->second;
-    if (first.path.size() > path.size() || !std::equal(first.path.begin(), first.path.end(), path.begin())) return true;
+    if (first.depth > around.size() || (first.depth > 0 && first.branch != branch_at(around[first.depth - 1])))
+        return true;
     const std::uint32_t line = s.sources.position(s.file, first.begin).line;
     fail(s, begin, s.line.behind(),
          "the label " + shown(label) + " belongs to the structure of line " + std::to_string(line) + " already",
@@ -164,7 +174,7 @@ void open_structure(State& s, StatementKind kind, const std::string& label, Expr
     o.label = label;
     o.word = s.build().span(begin, end);
     o.openers.push_back(add_branch(s, kind, condition, program::no_target, begin, end));
-    s.part->opened.push_back(std::move(o));
+    push_opened(s, std::move(o));
 }
 
 void read_else(State& s, const std::string& label, std::uint32_t begin) {
@@ -188,8 +198,7 @@ void read_elseif(State& s, const std::string& label, ExprId condition, std::uint
 void close_structure(State& s, StatementKind kind, const std::string& label, ExprId condition, std::string_view word,
                      std::uint32_t begin) {
     if (find_for(s, label, kind, word, begin) == nullptr) return;
-    const Opened o = s.part->opened.back();
-    s.part->opened.pop_back();
+    const Opened o = pop_opened(s);
     if (kind == StatementKind::repeat_ && s.broke_while) tell_single_pass(s, label, begin);
     tie(s, o, condition, false, begin, s.line.behind());
 }

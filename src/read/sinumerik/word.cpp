@@ -27,8 +27,8 @@ void add_literal(State& s, Code code, const Number& n, bool negative, const char
 }
 
 void add_named(State& s, Code code, std::string_view name, ExprId index, ExprId value, const char* from,
-               program::NamedKind kind = program::NamedKind::extended) {
-    s.unit.named.push_back({intern(s, name), index, value, kind});
+               program::NamedKind kind = program::NamedKind::extended, Code plain = Code::named_value) {
+    s.unit.named.push_back({intern(s, name), index, value, kind, plain});
     add_word(s, code, Form::index, static_cast<std::int32_t>(s.unit.named.size() - 1), from);
 }
 
@@ -91,7 +91,8 @@ void read_extended(State& s, char letter, const Number& number, const char* from
     c.p = from + 1;
     const ExprId index = read_expression(s, Level::unary);
     c.p = behind;
-    add_named(s, Code::named_value, name.substr(0, 1), index, value, from);
+    add_named(s, Code::named_value, name.substr(0, 1), index, value, from, program::NamedKind::extended,
+              words::address_code(letter));
 }
 
 /// F[X]=, S[2]=, X[1]=: an address with an index in brackets.
@@ -106,7 +107,7 @@ void read_bracketed(State& s, std::string_view name, Code plain, const char* fro
     const ExprId value = read_expression(s);
     if (value == no_expr) return;
     const bool is_axis = plain == Code::named_axis || (plain >= Code::x && plain <= Code::w);
-    add_named(s, is_axis ? Code::named_axis : Code::named_value, name, index, value, from, kind);
+    add_named(s, is_axis ? Code::named_axis : Code::named_value, name, index, value, from, kind, plain);
 }
 
 void read_literal(State& s, char letter, const char* from) {
