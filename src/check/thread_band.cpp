@@ -151,6 +151,12 @@ double ThreadBands::more(Vec3 p, double radius, bool gouge) const {
     return most;
 }
 
+bool ThreadBands::touch(Vec3 p) const {
+    bool any = false;
+    each_near(p, [&](std::size_t) { any = true; });
+    return any;
+}
+
 double ThreadBands::judged(Vec3 p, double deviation) const {
     double left = deviation;
     each_near(p, [&](std::size_t b) {
