@@ -8,6 +8,7 @@
 #include "base/number.hpp"
 #include "check/milling.hpp"
 #include "check/milling_confirm.hpp"
+#include "check/milling_filled.hpp"
 #include "check/milling_thin.hpp"
 #include "check/milling_tool.hpp"
 #include "check/words.hpp"
@@ -21,6 +22,17 @@ namespace milling = sim::milling;
 namespace {
 
 constexpr double doubtful_from = 0.6;  ///< of what is allowed
+
+/// Rest material beside what the surface has shown; of all so many, the worst.
+void add_places(mesh::Comparison& found, std::vector<mesh::Place> places, std::size_t most) {
+    found.excess_count += places.size();
+    std::move(places.begin(), places.end(), std::back_inserter(found.excesses));
+    std::stable_sort(found.excesses.begin(), found.excesses.end(),
+                     [](const mesh::Place& a, const mesh::Place& b) { return a.deviation > b.deviation; });
+    if (!found.excesses.empty())
+        found.largest_excess = std::max(found.largest_excess, found.excesses.front().deviation);
+    if (found.excesses.size() > most) found.excesses.resize(most);
+}
 
 }  // namespace
 
@@ -157,13 +169,7 @@ void Milling::judge_open(const milling::Refined& refined) {
 /// What is thinner than the surface's cells.
 void Milling::add_thin(mesh::Comparison& found, const Machined& machined, const mesh::CompareOptions& options) {
     ThinRest thin = thin_rest(machined, options, found.excesses);
-    found.excess_count += thin.places.size();
-    std::move(thin.places.begin(), thin.places.end(), std::back_inserter(found.excesses));
-    std::stable_sort(found.excesses.begin(), found.excesses.end(),
-                     [](const mesh::Place& a, const mesh::Place& b) { return a.deviation > b.deviation; });
-    if (!found.excesses.empty())
-        found.largest_excess = std::max(found.largest_excess, found.excesses.front().deviation);
-    if (found.excesses.size() > options.places) found.excesses.resize(options.places);
+    add_places(found, std::move(thin.places), options.places);
     if (thin.open.empty()) return;
     const milling::Box3& first = thin.open.front();
     out_.unchecked("in " + std::to_string(thin.open.size()) + (thin.open.size() == 1 ? " place" : " places") +
@@ -182,6 +188,16 @@ void Milling::judge_undecided(const Milled& milled) {
                    "whether the tool cuts into the finished part was not decided in " + std::to_string(open.size()) +
                        (open.size() == 1 ? " place, at " : " places, the first at ") + point(open.front().at),
                    "look at this place (--html), or try another tolerance (--tolerance)");
+}
+
+/// What stands in features of the part that are narrower than the surface's cells.
+void Milling::add_filled(mesh::Comparison& found, const Machined& machined, const mesh::CompareOptions& options) {
+    FilledRest rest = filled_rest(found, machined, options, found.excesses);
+    add_places(found, std::move(rest.places), options.places);
+    if (!rest.whole)
+        out_.unchecked(
+            "the part has too many narrow places for its size: whether material is left in them is not known",
+            "try a smaller tolerance (--tolerance), or check a smaller part of it");
 }
 
 void Milling::judge_surface(Milled& milled) {
@@ -223,6 +239,7 @@ void Milling::judge_surface(Milled& milled) {
     const Machined machined{milled.surface, *simulation_, *m.part, thread_bands_, tag_of, setup_.out_of_time};
     confirm(*milled.comparison, machined, options);
     add_thin(*milled.comparison, machined, options);
+    if (whole_ && complete_) add_filled(*milled.comparison, machined, options);
     const std::vector<Gouge> gouges = certificate_->gouges(milled.moves, milled.comparison->gouges);
     if (time_up_.now())
         out_.unchecked(

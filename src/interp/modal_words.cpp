@@ -138,7 +138,8 @@ bool motion_word(Run& run, Modal m, const program::Word& w) {
         case Modal::retract_tool: run.block.retract = 1 + program::modal_number(w); return true;
         case Modal::arc_same_sense: run.modal.motion = run.modal.last_sense; return true;
         case Modal::suppress_all:
-            if (program::modal_number(w) == program::position_ignored) return say_ignored_machine_position(run, w), true;
+            if (program::modal_number(w) == program::position_ignored)
+                return say_ignored_machine_position(run, w), true;
             [[fallthrough]];
         case Modal::suppress_frames: run.block.suppress = m; return true;
         case Modal::plane_xy: change_plane(run, 17); return true;

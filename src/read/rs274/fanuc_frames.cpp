@@ -1,6 +1,6 @@
-/// Rotation (G68), scaling (G51) and mirror image (G51.1) about their centres, and polar coordinates (G16). Which of them
-/// are in force, and how they act together, is the run's to know (interp/centred.cpp). Source: FANUC series 16i/18i-M
-/// operator's manual, functions to simplify programming.
+/// Rotation (G68), scaling (G51) and mirror image (G51.1) about their centres, and polar coordinates (G16). Which of
+/// them are in force, and how they act together, is the run's to know (interp/centred.cpp). Source: FANUC series
+/// 16i/18i-M operator's manual, functions to simplify programming.
 
 #include <algorithm>
 
