@@ -214,6 +214,7 @@ Value scaled(FanucState& s, const Value& v, Quantity q) {
     if (whole_feed) return v;  // 1 mm/min either way
     say_whole_numbers(s, v);
     if (s.control.whole_numbers == WholeNumbers::units) return v;
+    if (q == Quantity::feed && !s.control.haas) note_point(s, v);  // per revolution: a hundredth and less
     switch (q) {
         case Quantity::length: return in_increments(s, v, 3, 4);
         case Quantity::angle: return shifted(v, 3);
