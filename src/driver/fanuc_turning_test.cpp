@@ -330,8 +330,13 @@ TEST(FanucTurning, RefusedAsTheControlDoes) {
     EXPECT_EQ(alarm(call, "N10 G0 X20.\nG1 Z-5.\nN20 X52. ,C1."), "G71: the contour ends with a chamfer or rounding");
     EXPECT_EQ(alarm("G73 U2. R0\nG73 P10 Q20"), "G73: the number of passes must be a whole number from 1 to 10000");
     EXPECT_EQ(alarm("G76 X18. Z-20. P0 Q400 F1.5"), "G76: depth of the thread must be greater than 0");
-    EXPECT_EQ(alarm("G76 X18. Z-20. P1000 Q400"), "G76: thread pitch is not given");
     EXPECT_EQ(alarm("G75 X40. Z-3. P2000 Q0"), "G75: the step must not be 0 where the other axis moves");
+}
+
+TEST(FanucTurning, ALeadFromBeforeTheProgramIsNotKnown) {  // F is modal: the control has the last one it was given
+    const Ran r = turn("G21\nG0 X52. Z2.\nG76 X18. Z-20. P1000 Q400");
+    EXPECT_NE(r.messages.find("no F stands before it, and the control keeps the last one it had"), std::string::npos);
+    EXPECT_NE(r.messages.find("G76 is not run: its path is not known here"), std::string::npos) << r.messages;
 }
 
 }  // namespace obrys::driver

@@ -6,6 +6,7 @@
 #include <iterator>
 #include <random>
 
+#include "base/codes.hpp"
 #include "driver/every_word_testing.hpp"
 
 namespace obrys::driver {
@@ -117,29 +118,42 @@ std::string with_labels(Random& random, const std::vector<Body>& bodies) {
     return ended(w);
 }
 
-/// The stream without places and without what says that a label is run.
-std::string stream_of(const std::string& text, bool* regular) {
+struct Outcome {
+    std::string stream;      ///< without places and without what says that a label is run
+    bool regular = false;    ///< the run came to its end
+    bool unread = false;     ///< the reader complained
+    bool complains = false;  ///< anybody did
+};
+
+Outcome outcome_of(const std::string& text) {
     Session s;
     const Control* control = find_control("heidenhain-itnc530");
     const auto file = s.sources.add("in.I", text, base::BlockNumbers::n_word);
     s.programs = std::make_unique<Programs>(*control, s.sources, s.diagnostics);
     s.job.machine.kind = shop::MachineKind::mill;
     s.main = s.programs->read(file);
-    if (s.main == nullptr) return "no program";
+    if (s.main == nullptr) return {};
     shop::Tool tool;
     tool.number = 1;
     tool.kind = shop::ToolKind::end_mill;
     tool.radius = 2;
     s.job.tools.push_back(tool);
-    std::string out;
+    Outcome out;
     const auto outcome = interpret(s, [&](const cl::Record& r) {
         const std::string line = cl::to_text(r);
-        if (!line.starts_with("label") && !line.starts_with("part-end")) out += line.substr(0, line.find(" @")) + "\n";
+        if (!line.starts_with("label") && !line.starts_with("part-end"))
+            out.stream += line.substr(0, line.find(" @")) + "\n";
     });
-    *regular = outcome.ending == interp::Ending::regular;
+    out.regular = outcome.ending == interp::Ending::regular;
+    for (const base::Diagnostic& d : s.diagnostics.all()) {
+        out.unread = out.unread || d.code == base::codes::syntax;
+        out.complains = out.complains || d.severity != base::Severity::note;
+    }
     return out;
 }
 
+/// A block that the reader refuses where it knows the path function is one that the run refuses behind a label: what it
+/// then makes of the rest of the block may differ.
 TEST(IsoLabels, ACalledLabelIsRunAsIfItStoodThere) {
     constexpr unsigned cases = 4000;
     unsigned to_their_end = 0;
@@ -149,11 +163,14 @@ TEST(IsoLabels, ACalledLabelIsRunAsIfItStoodThere) {
         std::vector<Body> bodies;
         for (int k = 0; k <= labels; ++k) bodies.push_back(body(random, labels, k));
         const std::string called = with_labels(random, bodies), placed = in_place(bodies);
-        bool regular = false, placed_regular = false;
-        const std::string a = stream_of(called, &regular), b = stream_of(placed, &placed_regular);
-        ASSERT_EQ(a, b) << "seed " << seed << "\n" << called << "\n" << placed;
-        ASSERT_EQ(regular, placed_regular) << "seed " << seed;
-        if (regular) ++to_their_end;
+        const Outcome a = outcome_of(called), b = outcome_of(placed);
+        if (b.unread) {
+            ASSERT_TRUE(a.complains) << "seed " << seed << "\n" << called << "\n" << placed;
+            continue;
+        }
+        ASSERT_EQ(a.stream, b.stream) << "seed " << seed << "\n" << called << "\n" << placed;
+        ASSERT_EQ(a.regular, b.regular) << "seed " << seed;
+        if (a.regular) ++to_their_end;
     }
     EXPECT_GT(to_their_end, cases / 4) << "most programs show nothing, since they stop early";
 }

@@ -205,7 +205,6 @@ bool calls_without_motion(const Run& run) {
 
 void run_block(Run& run, const program::Statement& s, std::uint32_t index) {
     const Unit& unit = run.unit();
-    settle_motion(run);
     run.block.clear();
     const std::uint32_t end = unit.words_end(index);
     bool assigns_only = true, says_only = true;

@@ -296,6 +296,7 @@ bool run_plain(Run& run, const Statement& s, std::uint32_t index) {
 }  // namespace
 
 void run_statement(Run& run, const Statement& s, std::uint32_t index) {
+    settle_motion(run);
     const Unit& unit = run.unit();
     if (run.look > Look::next_element && say_foreign_statement(run, s)) return;
     if (run_plain(run, s, index)) return;

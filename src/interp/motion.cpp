@@ -2,6 +2,8 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
+#include <utility>
 
 #include "base/codes.hpp"
 #include "interp/capture.hpp"
@@ -70,7 +72,8 @@ void extra_axes(Run& run) {
         for (int k = 3; k < 9; ++k)
             if (b.has(axis_code(k))) extra_axis(run, axis_name(k), b.get(axis_code(k)), b.ref(axis_code(k)), k < 6);
     }
-    const std::vector<BlockWords::NamedAxis> named = b.axes;
+    const std::vector<BlockWords::NamedAxis> named = std::move(run.block.axes);
+    run.block.axes.clear();  // what is left there is said behind the block
     for (const auto& axis : named)
         extra_axis(run, axis.name, axis.value, axis.reference, axis.name[0] >= 'A' && axis.name[0] <= 'C');
     if (before) recount(run, *before);

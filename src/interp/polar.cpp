@@ -48,10 +48,13 @@ void complete_arc(Run& run) {
                                     bit(Code::k) | bit(Code::pole_angle);
     constexpr std::uint64_t axes = bit(Code::w) * 2 - bit(Code::x);
     if (!run.traits->arcs_about_pole || b.special != Modal::linear || (b.present & (axes | polar)) == 0) return;
-    if ((b.present & polar) != 0 && run.modal.cartesian_path && !b.motion_behind)
-        unchecked(run, codes::unknown_word, run.here(),
-                  "polar coordinates need a polar path function, and the one in force here takes none",
-                  "G10 to G16 move in polar coordinates, G00 to G06 do not");
+    if ((b.present & polar) != 0 && run.modal.cartesian_path) {
+        unchecked(
+            run, codes::unknown_word, run.here(),
+            "polar coordinates need a polar path function, and the one in force here takes none: they are not run",
+            "G10 to G16 move in polar coordinates, G00 to G06 do not");
+        b.present &= ~polar;
+    }
     const Modal m = run.modal.motion;
     if ((m != Modal::arc_cw && m != Modal::arc_ccw) || (b.present & sized) != 0) return;
     if (!b.has(Code::centre_at_pole)) b.put(Code::centre_at_pole, 0);

@@ -54,8 +54,10 @@ const program::PieceRead* piece_at(Run& run, std::uint32_t index, const ModeUse&
         if (fits(run, read)) return &read;
     }
     if (unit.modes.reader == nullptr || ++kept.count > most_read) return nullptr;
-    program::PieceRead read = unit.modes.reader->read(unit, index, use, run.modes, run.env.sources, run.env.names,
-                                                      run.diagnostics);
+    base::Diagnostics said;
+    program::PieceRead read =
+        unit.modes.reader->read(unit, index, use, run.modes, run.env.sources, run.env.names, said);
+    read.said = std::move(said);
     if (read.unit != nullptr && (!can_be_run(*read.unit, read.first) || !fits(run, read))) read.unit.reset();
     readings.push_back(std::move(read));
     return readings.back().unit == nullptr ? nullptr : &readings.back();
@@ -76,7 +78,20 @@ const ModeSpan* span_of(Activation& act, std::uint32_t index) {
     return holds(act.mode_span) ? &*behind : nullptr;
 }
 
+/// What the reader said of the piece, once; each time it is run, so that looking ahead does not say it for the run.
+void say_of(Run& run, const program::PieceRead& piece) {
+    for (const base::Diagnostic& d : piece.said.all()) {
+        const auto& all = run.diagnostics.all();
+        const bool known = std::any_of(all.begin(), all.end(), [&](const base::Diagnostic& other) {
+            return other.code == d.code && other.where.file == d.where.file && other.where.begin == d.where.begin &&
+                   other.text == d.text;
+        });
+        if (!known) run.diagnostics.add(d);
+    }
+}
+
 void run_piece(Run& run, const program::PieceRead& piece) {
+    say_of(run, piece);
     const std::size_t depth = run.calls.size();
     Activation block;
     block.unit = piece.unit.get();

@@ -75,6 +75,14 @@ bool says_nothing(const BlockWords& b, Code c) {
     return (c == Code::i || c == Code::j || c == Code::k) && b.peek(c) == 0;
 }
 
+/// X2=, AX[…]= and their like, beside words that no axis goes with.
+void say_unused_axes(Run& run) {
+    for (const BlockWords::NamedAxis& axis : run.block.axes)
+        unchecked(run, codes::unknown_word, axis.where,
+                  text_of(run, axis.where) + " has no meaning beside the other words of this block and is not run",
+                  "take it out, or write the function that it belongs to");
+}
+
 }  // namespace
 
 void report_unused(Run& run) {
@@ -82,6 +90,7 @@ void report_unused(Run& run) {
     if (b.feed_alone && !b.complained && !run.stopped && run.capture == nullptr)
         unchecked(run, codes::unknown_word, run.here(), "FB= has no meaning in this block and is not run",
                   "write it in the block of the path that it is for");
+    if (!b.axes.empty() && !b.complained && !run.stopped) say_unused_axes(run);
     std::uint64_t left = b.present & ~b.used & ~bare_words;
     if (left == 0 || b.complained || run.stopped) return;
     if (!b.m.empty()) take_function_words(run);

@@ -44,6 +44,7 @@ struct ModeSpan {
 struct PieceRead {
     std::unique_ptr<const Unit> unit;  ///< null: there is no such piece
     std::uint32_t first = 0;           ///< statement with which it begins; the unit ends with the piece
+    base::Diagnostics said;            ///< by its reader, about this reading
 };
 
 class ReadAgain {

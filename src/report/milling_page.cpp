@@ -14,7 +14,7 @@ namespace obrys::report {
 
 namespace {
 
-Json number_or_null(const std::optional<double>& v) { return v ? number_or_null(*v) : Json(nullptr); }
+Json value_or_null(const std::optional<double>& v) { return v ? number_or_null(*v) : Json(nullptr); }
 Json page_point(geom::Vec3 p) { return {number_or_null(p.x), number_or_null(p.y), number_or_null(p.z)}; }
 
 /// {f: text of the page or -1, l: line, n: the text's name}; null: nowhere
@@ -45,9 +45,9 @@ Json tool(const PageTool& t) {
     Json j{{"number", t.number},
            {"name", t.name},
            {"kind", t.kind},
-           {"radius", number_or_null(t.radius)},
-           {"corner", number_or_null(t.corner_radius)},
-           {"cutting", number_or_null(t.cutting_length)}};
+           {"radius", value_or_null(t.radius)},
+           {"corner", value_or_null(t.corner_radius)},
+           {"cutting", value_or_null(t.cutting_length)}};
     j["outline"] = Json::array();
     for (const geom::Vec2 p : t.outline)
         if (std::isfinite(p.x + p.y)) j["outline"].push_back({p.x, p.y});
@@ -55,10 +55,10 @@ Json tool(const PageTool& t) {
     for (const PageToolBody& b : t.bodies)
         if (std::isfinite(b.from + b.to + b.radius_from + b.radius_to))
             j["bodies"].push_back({b.from, b.to, b.radius_from, b.radius_to, b.holder});
-    j["volume"] = number_or_null(t.volume_mm3);
+    j["volume"] = value_or_null(t.volume_mm3);
     j["moves"] = t.moves;
-    j["feed"] = number_or_null(t.feed_mm);
-    j["rapid"] = number_or_null(t.rapid_mm);
+    j["feed"] = value_or_null(t.feed_mm);
+    j["rapid"] = value_or_null(t.rapid_mm);
     return j;
 }
 

@@ -101,6 +101,7 @@ OF_ONE = {
     "no tools are given: those of LinuxCNC's": ["linuxcnc"],  # Control::interpreter_tools
     "bit CCV of parameter": ["fanuc"],  # of the table that Haas has another one for
     "bit CIR of parameter": ["fanuc"],
+    "bit NAT of parameter": ["fanuc"],  # Traits::angles_from_zero
     "as with bit DPI of parameter": ["fanuc"],
     "C of straight blocks is taken as a chamfer (bit": ["fanuc"],
     "the depth of cut is not programmed: 1 mm": ["fanuc"],

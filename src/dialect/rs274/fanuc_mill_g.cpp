@@ -172,7 +172,6 @@ constexpr std::array haas{
     not_run(80, foreign),
     not_run(110, foreign),
     not_run(131, foreign),
-    not_run(1130, foreign),
     not_run(150, foreign),
     not_run(160, foreign),
     not_run(220, foreign),

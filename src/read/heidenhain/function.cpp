@@ -102,7 +102,11 @@ void condition(State& s, std::string_view word, int n) {
     const ExprId b = read_compared(s);
     if (s.failed) return;
     const ExprId test = s.build.binary(*comparison_of(n), a, b, begin, s.in.at());
-    if (expect(s, "GOTO")) read_goto(s, test);
+    if (!expect(s, "GOTO")) return;
+    s.in.skip_blanks();
+    if (!base::equals_ignoring_case(s.in.letters(), "LBL"))
+        return fail_here(s, "LBL is due behind GOTO, found " + here(s));
+    read_goto(s, test);
 }
 
 /// FN 14: ERROR = 1005: the program stops itself.

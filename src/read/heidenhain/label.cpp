@@ -73,8 +73,7 @@ void read_label_block(State& s) {
 }
 
 void read_goto(State& s, ExprId condition) {
-    s.in.skip_blanks();
-    if (!s.in.take_word("LBL")) return fail_here(s, "LBL is due behind GOTO, found " + here(s));
+    s.in.take_word("LBL");
     const Label l = read_label(s);
     if (s.failed) return;
     program::Jump j;

@@ -10,14 +10,14 @@ namespace obrys::read::rs274 {
 namespace {
 
 constexpr std::size_t most_unknown = 12;
-constexpr int longest = 4;  ///< digits of a code
+constexpr int longest_code = 4;  ///< digits of a code
 
 /// Digits behind the letter at `at`, times ten with one digit behind the point; -1: it is no such number.
 int code_at(std::string_view code, std::size_t at) {
     int n = 0, digits = 0;
     std::size_t k = at + 1;
-    for (; k < code.size() && base::is_digit(code[k]) && digits < longest; ++k, ++digits) n = 10 * n + (code[k] - '0');
-    if (digits == 0 || digits == longest) return -1;
+    for (; k < code.size() && base::is_digit(code[k]) && digits < longest_code; ++k, ++digits) n = 10 * n + (code[k] - '0');
+    if (digits == 0 || digits == longest_code) return -1;
     n *= 10;
     if (k + 1 < code.size() && code[k] == '.' && base::is_digit(code[k + 1])) n += code[k + 1] - '0';
     return n;

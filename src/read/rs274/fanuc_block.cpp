@@ -102,7 +102,7 @@ std::string take_comment(FanucState& s) {
 namespace {
 
 /// `<NAME>`: a program by its name (series 30i and 0i-F).
-void read_name(FanucState& s) {
+void read_program_name(FanucState& s) {
     const std::size_t length = s.line.rest().find('>');
     if (length == std::string_view::npos || length < 2 || !s.called.empty())
         return fail_here(s, here(s) + " cannot stand here");
@@ -130,7 +130,7 @@ void read_addresses(FanucState& s) {
         if (c == '(') {
             static_cast<void>(take_comment(s));
         } else if (c == '<' && !s.addresses.empty() && !s.control.haas) {
-            read_name(s);
+            read_program_name(s);
         } else if (c == ',' && base::is_letter(s.line.peek(1))) {
             s.line.step();
             read_address(s, true);
