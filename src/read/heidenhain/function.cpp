@@ -3,6 +3,7 @@
 #include <array>
 #include <optional>
 
+#include "base/text.hpp"
 #include "base/whole.hpp"
 #include "dialect/heidenhain/functions.hpp"
 #include "read/heidenhain/state.hpp"

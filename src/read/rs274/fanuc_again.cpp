@@ -62,7 +62,7 @@ public:
             read.words.resize(read.statements[piece.last].first);
             read.statements.resize(piece.last);
         }
-        return {std::make_unique<const program::Unit>(std::move(read)), piece.first};
+        return {std::make_unique<const program::Unit>(std::move(read)), piece.first, {}};
     }
 
     [[nodiscard]] std::string difference(const Modes& text, const Modes& run, ModeSet among) const override {
