@@ -145,12 +145,6 @@ void ThreadBands::fit_one(Band& band, const std::vector<Vec3>& wall, const mesh:
     if (radius >= band.core - allowed && radius <= band.outer + allowed) band.shown = shown;
 }
 
-bool ThreadBands::holds(Vec3 p) const {
-    bool held = false;
-    each_near(p, [&](std::size_t) { held = true; });
-    return held;
-}
-
 double ThreadBands::more(Vec3 p, double radius, bool gouge) const {
     double most = 0;
     each_near(p, [&](std::size_t b) {

@@ -26,8 +26,6 @@ public:
              const std::function<bool(std::uint32_t)>& tapped = {});
     /// How much more than else the surface may lie within the part (`gouge`) or outside of it, everywhere in a ball.
     [[nodiscard]] double more(geom::Vec3 p, double radius, bool gouge) const;
-    /// Whether a place lies in a thread.
-    [[nodiscard]] bool holds(geom::Vec3 p) const;
     /// What is left of the deviation at a place of the surface. From several threads at once.
     [[nodiscard]] double judged(geom::Vec3 p, double deviation) const;
 

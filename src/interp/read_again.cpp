@@ -80,6 +80,7 @@ const ModeSpan* span_of(Activation& act, std::uint32_t index) {
 
 /// What the reader said of the piece, once; each time it is run, so that looking ahead does not say it for the run.
 void say_of(Run& run, const program::PieceRead& piece) {
+    if (run.complaints != nullptr) return;
     for (const base::Diagnostic& d : piece.said.all()) {
         const auto& all = run.diagnostics.all();
         const bool known = std::any_of(all.begin(), all.end(), [&](const base::Diagnostic& other) {
