@@ -101,11 +101,11 @@ OF_ONE = {
     "no tools are given: those of LinuxCNC's": ["linuxcnc"],  # Control::interpreter_tools
     "bit CCV of parameter": ["fanuc"],  # of the table that Haas has another one for
     "bit CIR of parameter": ["fanuc"],
-    "X words are diameters behind G7 only": ["linuxcnc"],
+    " does not apply: this control begins with radii": ["linuxcnc"],
     "write G7 in the program": ["linuxcnc"],
     "G53 with incremental coordinates": ["fanuc", "haas"],
     "write G90 before it, or absolute coordinates": ["fanuc", "haas"],
-    "is one number for tool and offset": ["fanuc", "haas"],
+    " is one number for tool and offset": ["fanuc", "haas"],
     "bit NAT of parameter": ["fanuc"],  # Traits::angles_from_zero
     "as with bit DPI of parameter": ["fanuc"],
     "C of straight blocks is taken as a chamfer (bit": ["fanuc"],
