@@ -134,6 +134,7 @@ void bind_presets(Run& run, const Unit& unit) {
 
 /// Complaints and lists that belong to a program as a whole, once when it is first entered.
 void note_unit(Run& run, const Unit& unit) {
+    if (run.look == Look::next_element) return;  // the run comes here again
     if (!run.entered.insert(&unit).second) return;
     for (const program::Ignored& i : unit.ignored)
         run.diagnostics.add(
