@@ -18,7 +18,7 @@ void expect_ends(const std::vector<Element>& out, const std::vector<Vec2>& ends,
     }
 }
 
-double turn_at(const Element& a, const Element& b) { return turn_between(end_direction(a), start_direction(b)); }
+double corner_turn(const Element& a, const Element& b) { return turn_between(end_direction(a), start_direction(b)); }
 
 }  // namespace
 
@@ -109,8 +109,8 @@ TEST(FkExamples, DirectionRelativeToABlock) {
     ASSERT_TRUE(run.fault);  // 105 + 220 = 325 degrees lead away from X-30
     EXPECT_EQ(run.fault->reason, FkReason::contradictory);
     ASSERT_EQ(run.out.size(), 4U);
-    EXPECT_NEAR(turn_at(run.out[1], run.out[2]), geom::radians(90), 1e-12);
-    EXPECT_NEAR(turn_at(run.out[2], run.out[3]), geom::radians(95), 1e-12);
+    EXPECT_NEAR(corner_turn(run.out[1], run.out[2]), geom::radians(90), 1e-12);
+    EXPECT_NEAR(corner_turn(run.out[2], run.out[3]), geom::radians(95), 1e-12);
 }
 
 // The next three follow FK examples 1 to 3 of the iTNC 530 manual, 6.6, from memory: the pages were not at hand, so the
@@ -126,7 +126,7 @@ TEST(FkExamples, ThreeDiscsJoinedByTangents) {
     double turned = 0;
     for (std::size_t i = 0; i < 7; ++i) {
         turned += run.out[i].sweep;
-        EXPECT_NEAR(turn_at(run.out[i], run.out[(i + 1) % 7]), 0, 1e-9);
+        EXPECT_NEAR(corner_turn(run.out[i], run.out[(i + 1) % 7]), 0, 1e-9);
         if (i > 0) {
             EXPECT_EQ(run.out[i].from, run.out[i - 1].to);
         }
@@ -183,7 +183,7 @@ TEST(FkExamples, Spanner) {
     ASSERT_EQ(run.out.size(), 17U);
     for (std::size_t i = 1; i < run.out.size(); ++i) EXPECT_EQ(run.out[i].from, run.out[i - 1].to);
     for (const std::size_t i : {1U, 2U, 3U, 4U, 5U, 6U, 7U, 8U, 9U, 10U, 15U, 16U})
-        EXPECT_NEAR(turn_at(run.out[i - 1], run.out[i]), 0, 1e-9) << i;
+        EXPECT_NEAR(corner_turn(run.out[i - 1], run.out[i]), 0, 1e-9) << i;
     EXPECT_NEAR(run.out[5].centre.y, std::sqrt(18.0 * 18 - 6 * 6), 1e-9);  // R24 holds both discs R6
     EXPECT_NEAR(run.out[9].centre.x, 44 + std::sqrt(41.0 * 41 - 30 * 30), 1e-9);
     EXPECT_NEAR(run.out[11].to.y, -15, 1e-9);

@@ -15,8 +15,8 @@ namespace {
 /// to X35 Y35); tool radius 5 and w 3 are ours.
 const OuterEnd manual_start{{40, 10}, 3};
 const ContourEnd manual_contour{{10, 20}, {10, 15}, Side::right, 5, -10};
-const double unit = std::sqrt(325.0);
-const Vec2 right_of{15 / unit, -10 / unit};
+const double diagonal = std::sqrt(325.0);
+const Vec2 right_of{15 / diagonal, -10 / diagonal};
 const Vec2 centre_at_contour = Vec2{10, 20} + 5 * right_of;
 
 TEST(smooth_approach, ManualExampleLine) {

@@ -10,6 +10,7 @@ HOUSE = pathlib.Path(__file__).parent
 sys.path.insert(0, str(HOUSE))
 sys.path.insert(0, str(HOUSE.parent / "golden"))
 import casts  # noqa: E402
+import hidden_names  # noqa: E402
 import own_words  # noqa: E402
 import run as golden  # noqa: E402
 import sizes  # noqa: E402
@@ -92,8 +93,44 @@ class Casts(InFolder):
 
     def test_objects_that_cast(self):
         lines = ("build/src/shop/libobrys_shop.a:toa.cpp.o:                 U __ubsan_handle_float_cast_overflow\n"
-                 "build/src/shop/libobrys_shop.a:tool.cpp.o:                 U __ubsan_handle_add_overflow\n")
-        self.assertEqual(casts.casting(lines), {"shop/toa.cpp"})
+                 "build/src/shop/libobrys_shop.a:tool.cpp.o:                 U __ubsan_handle_add_overflow\n"
+                 "build/src/geom/libobrys_geom.a:unity_0_cxx.cxx.o:           U __ubsan_handle_float_cast_overflow_abort\n"
+                 "build/src/base/libobrys_base.a:text.cpp.o:                  U __ubsan_handle_add_overflow_abort\n")
+        self.assertEqual(casts.casting(lines), {"build/src/shop/libobrys_shop.a", "build/src/geom/libobrys_geom.a"})
+
+    def test_places_of_casts(self):
+        listing = ("unity_0_cxx.cxx.o:     file format elf64-x86-64\n0000 <f(double)>:\nf(double):\n/a/src/shop/toa.cpp:7\n"
+                   "   4:\tcall 9 <x>\n\t\t\t5: R_X86_64_PLT32\t__ubsan_handle_add_overflow-0x4\n"
+                   "/a/src/shop/tool.cpp:12 (discriminator 3)\n"
+                   "   a:\tcall f <x>\n\t\t\tb: R_X86_64_PLT32\t__ubsan_handle_float_cast_overflow_abort-0x4\n"
+                   "page.cpp.o:     file format elf64-x86-64\n\t\t\tb: R_X86_64_PLT32\t__ubsan_handle_float_cast_overflow-0x4\n")
+        self.assertEqual(casts.places(listing), {"/a/src/shop/tool.cpp:12", "page.cpp.o"})
+        self.write("src/shop/tool.cpp", "")
+        self.assertEqual(casts.in_source("/a/src/shop/tool.cpp:12", self.folder / "src"), "shop/tool.cpp:12")
+        self.assertEqual(casts.in_source("/usr/include/x.h:12", self.folder / "src"), "/usr/include/x.h:12")
+
+
+class HiddenNames(InFolder):
+    def found(self, header, source):
+        self.write("a/a.hpp", header)
+        self.write("a/b/b.cpp", source)
+        return list(hidden_names.complaints(self.folder))
+
+    def test_a_name_of_a_namespace_around_is_hidden(self):
+        for kind in ("double longest(int a);", "constexpr int longest = 3;", "struct longest {\n    int a;\n};",
+                     "using longest = int;", "template <class T>\nT longest(T a);", "[[nodiscard]] std::vector<int> longest(int a);"):
+            found = self.found(f"namespace obrys::a {{\n{kind}\n}}  // namespace obrys::a\n",
+                               "namespace obrys::a::b {\nnamespace {\nconst int longest = 2;\n}  // namespace\n}  // namespace obrys::a::b\n")
+            self.assertEqual(len(found), 1, kind)
+            self.assertTrue(found[0].startswith("a/b/b.cpp:3: longest hides that of a/a.hpp:"), found)
+
+    def test_names_that_hide_nothing(self):
+        header = "namespace obrys::c {\ndouble longest(int a);\n}  // namespace obrys::c\n"
+        source = "namespace obrys::a::b {\nnamespace {\nint longest(int) {\n    return 0;\n}\n}  // namespace\n}  // namespace obrys::a::b\n"
+        self.assertEqual(self.found(header, source), [])
+        self.assertEqual(self.found(header.replace("::c", "::a::b"), source), [])
+        self.assertEqual(self.found(header.replace("::c", "::a"), source.replace("namespace {", "namespace detail {")), [])
+        self.assertEqual(self.found(header.replace("::c", "::a").replace("longest", "shortest"), source), [])
 
 
 class Sizes(InFolder):

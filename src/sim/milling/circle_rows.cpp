@@ -8,7 +8,7 @@ namespace {
 
 using geom::Vec2;
 
-struct Line {
+struct Ray {
     Vec2 p, d;
 };
 
@@ -16,7 +16,7 @@ struct Stretch {
     double low = 1, high = 0;
 };
 
-Stretch through_disc(const Line& line, Vec2 centre, double radius) {
+Stretch through_disc(const Ray& line, Vec2 centre, double radius) {
     const Vec2 to = centre - line.p;
     const double beside = cross(line.d, to), square = radius * radius - beside * beside;
     if (!(square > 0)) return {};
@@ -42,7 +42,7 @@ void cut_circle_across(const Track& track, const Row& row, double radius, base::
     std::array<Spans, 4> spans;
     for (int i = 0; i < row.count; ++i) {
         const geom::Vec3 p = row.p + i * row.step;
-        const Line line{{p.x, p.y}, {row.d.x, row.d.y}};
+        const Ray line{{p.x, p.y}, {row.d.x, row.d.y}};
         std::array<Stretch, 4> parts{through_disc(line, {}, radius),
                                      through_disc(line, {track.v.x, track.v.y}, radius)};
         Stretch ring = through_disc(line, track.centre, track.radius + radius);
