@@ -105,7 +105,8 @@ void run(const char* name, const certify::Judge& judge, const certify::Shape& to
     const std::size_t looked_at = std::min<std::size_t>(met.size(), 1000);
     const double before = now();
     double deepest = 0;
-    for (std::size_t i = 0; i < looked_at; ++i) deepest = std::max(deepest, judge.deepest(move(met[i])).depth);
+    for (std::size_t i = 0; i < looked_at; ++i)
+        if (const auto found = judge.deepest(move(met[i]))) deepest = std::max(deepest, found->depth);
     std::printf("%-24s %8zu moves %7.3f s, %7.3f s on all cores; %zu not clear", name, clear.size(), one, all,
                 met.size());
     if (looked_at > 0)

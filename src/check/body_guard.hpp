@@ -4,9 +4,10 @@
 
 #include <array>
 #include <cstdint>
-#include <functional>
 #include <map>
 #include <memory>
+#include <optional>
+#include <set>
 #include <vector>
 
 #include "geom/interpolation.hpp"
@@ -22,9 +23,8 @@ class BodyGuard {
 public:
     /// `body` has no problem; `allowed`: mm, deeper is a hit.
     BodyGuard(const sim::milling::Stock& body, double allowed, int threads);
-    /// A closed mesh. `within`: how deep a place lies in the material there was at all, negative beside it.
-    BodyGuard(std::shared_ptr<const mesh::Distance> body, double allowed, int threads,
-              std::function<double(geom::Vec3)> within);
+    /// A closed mesh. `before`: the material there was at all.
+    BodyGuard(std::shared_ptr<const mesh::Distance> body, double allowed, int threads, sim::certify::Before before);
 
     BodyGuard(const BodyGuard&) = delete;
     BodyGuard& operator=(const BodyGuard&) = delete;
@@ -34,8 +34,10 @@ public:
     /// Queues a pass under a number.
     void add(std::uint32_t number, const sim::milling::Pass& pass);
     void carry_out();
-    /// What a pass that was carried out hit; no depth: nothing.
-    [[nodiscard]] sim::certify::Depth hit_by(std::uint32_t number) const;
+    /// What a pass that was carried out hit, if anything.
+    [[nodiscard]] std::optional<sim::certify::Depth> hit_by(std::uint32_t number) const;
+    /// Whether it was not decided if that pass hits the body.
+    [[nodiscard]] bool is_open(std::uint32_t number) const { return open_.contains(number); }
 
 private:
     struct Queued {
@@ -44,6 +46,9 @@ private:
         geom::Vec3 axis;
         const sim::certify::Shape* shape = nullptr;
     };
+    [[nodiscard]] static sim::certify::Move move_of(const Queued& q) { return {q.path, q.axis, q.shape}; }
+    [[nodiscard]] std::vector<std::optional<sim::certify::Depth>> depths() const;
+
     std::shared_ptr<const mesh::Distance> body_;
     double allowed_ = 0;
     int threads_ = 0;
@@ -52,6 +57,7 @@ private:
     std::vector<std::unique_ptr<const std::array<sim::certify::Shape, 3>>> tools_;
     std::vector<Queued> queued_;
     std::map<std::uint32_t, sim::certify::Depth> hits_;
+    std::set<std::uint32_t> open_;
 };
 
 }  // namespace obrys::check

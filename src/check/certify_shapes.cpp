@@ -2,7 +2,10 @@
 
 #include <algorithm>
 #include <cmath>
+#include <functional>
+#include <memory>
 
+#include "base/whole.hpp"
 #include "mesh/distance.hpp"
 #include "mesh/primitives.hpp"
 
@@ -21,8 +24,7 @@ void add_round(certify::Shape& shape, const milling::Piece& p, double off) {
     if (p.whole) return shape.push_back({p.ring, p.centre, p.ring, p.centre, p.arc});
     const auto angle_at = [&](double z) { return std::asin(std::clamp((z - p.centre) / p.arc, -1.0, 1.0)); };
     const double from = angle_at(p.z0), to = angle_at(p.z1), step = 2 * std::acos(std::max(0.0, 1 - off / p.arc));
-    const std::size_t n =
-        std::clamp<std::size_t>(static_cast<std::size_t>(std::ceil((to - from) / step)), 1, most_arc_chords);
+    const auto n = base::clipped<std::size_t>(std::ceil((to - from) / step), 1, most_arc_chords);
     double low = p.z0;
     for (std::size_t i = 1; i <= n; ++i) {
         const double part = static_cast<double>(i) / static_cast<double>(n);
@@ -59,7 +61,10 @@ mesh::Mesh mesh_of(const milling::Stock& body, double off) {
     return mesh;
 }
 
-std::function<double(Vec3)> depth_in(const milling::Stock& stock) {
+namespace {
+
+std::function<double(Vec3)> depth_in_stock(const milling::Stock& stock,
+                                           const std::shared_ptr<const mesh::Distance>& surface) {
     if (const auto* b = std::get_if<milling::Box3>(&stock))
         return [box = *b](Vec3 p) {
             const Vec3 low = p - box.min, high = box.max - p;
@@ -72,9 +77,19 @@ std::function<double(Vec3)> depth_in(const milling::Stock& stock) {
             const double out = std::sqrt(std::max(0.0, dot(off, off) - along * along));
             return std::min({bar.radius - out, along, bar.length - along});
         };
-    return [distance = std::make_shared<const mesh::Distance>(mesh_of(stock, 0))](Vec3 p) {
-        return -distance->signed_distance(p);
-    };
+    return [surface](Vec3 p) { return -surface->signed_distance(p); };
+}
+
+}  // namespace
+
+certify::Before before_of(const milling::Stock& stock, double off) {
+    const bool round = std::holds_alternative<milling::CylinderStock>(stock);
+    certify::Before before;
+    before.surface = std::make_shared<const mesh::Distance>(mesh_of(stock, off));
+    before.depth = depth_in_stock(stock, before.surface);
+    before.off = round ? off : 0;
+    before.convex = !std::holds_alternative<milling::MeshStock>(stock);
+    return before;
 }
 
 }  // namespace obrys::check

@@ -6,10 +6,9 @@
 #include <tbb/task_arena.h>
 
 #include <cstddef>
-#include <functional>
 
 #include "mesh/mesh.hpp"
-#include "sim/certify/body.hpp"
+#include "sim/certify/certify.hpp"
 #include "sim/milling/shape.hpp"
 #include "sim/milling/stock.hpp"
 
@@ -23,8 +22,8 @@ namespace obrys::check {
 /// Of what is allowed: how far chords of round bodies and of a form tool's arcs may leave them.
 inline constexpr double round_share = 0.25;
 
-/// How deep a place lies in a stock; negative beside it.
-[[nodiscard]] std::function<double(geom::Vec3)> depth_in(const sim::milling::Stock& stock);
+/// A stock as what there was before anything was cut; its surface within `off` mm.
+[[nodiscard]] sim::certify::Before before_of(const sim::milling::Stock& stock, double off);
 
 /// Calls `body(i)` for 0 … n - 1, on so many threads; 0: as many as there are processors.
 template <class Body>

@@ -22,9 +22,10 @@ namespace milling = sim::milling;
 namespace {
 
 constexpr std::uint32_t most_pieces_in_all = 200'000;  ///< in all; the moves behind them count as a whole
-constexpr std::size_t batch = 32'768;                  ///< passes that wait for the simulation
-constexpr double drill_rub = 0.02;     ///< mm by which the assumed body of a drill stands out of its hole
-constexpr double fallback_radius = 1;  ///< mm, where no tool of the list has a shape
+constexpr std::size_t batch = 32'768;           ///< passes that wait for the simulation
+constexpr double drill_rub = 0.02;                    ///< mm by which the assumed body of a drill stands out of its hole
+constexpr double stock_chords = 0.02;           ///< of what is allowed: of a round stock
+constexpr double fallback_radius = 1;           ///< mm, where no tool of the list has a shape
 
 /// The smallest radius that a tool of the list can leave: what the lattice must resolve.
 double smallest_radius(const Setup& setup) {
@@ -84,7 +85,7 @@ void Milling::begin() {
     if (m.part != nullptr && judges_part(setup_.scope)) {
         const double allowed = std::max(setup_.tolerances.gouge, m.tolerance);
         certificate_.emplace(m, allowed);
-        part_guard_.emplace(m.part, allowed, m.threads, depth_in(m.stock));
+        part_guard_.emplace(m.part, allowed, m.threads, before_of(m.stock, stock_chords * allowed));
     }
     if (simulation_->open_rays() == 0)
         stock_guard_.emplace(m.stock, setup_.tolerances.rapid,
@@ -129,10 +130,10 @@ void Milling::tool_changed() {
     const shop::Tool* before = tool_;
     const cl::ToolChange& tool = state_.change;
     tool_ = state_.tool;
-    tool_name_ = !state_.any_tool    ? ""
-                 : cl::is_unknown(tool)      ? "?"
-                 : tool.name.empty() ? "T" + std::to_string(tool.number)
-                                     : "\"" + tool.name + "\"";
+    tool_name_ = !state_.any_tool       ? ""
+                 : cl::is_unknown(tool) ? "?"
+                 : tool.name.empty()    ? "T" + std::to_string(tool.number)
+                                        : "\"" + tool.name + "\"";
     tool_ready_ = false;
     if (before != nullptr && tool_ != nullptr && before->length != tool_->length)
         out_.assumption("a new tool's tip is taken to be where the last one's was, until the program moves it",
@@ -170,10 +171,10 @@ std::uint32_t Milling::add_tool(const milling::ToolShape& shape) {
 bool Milling::tool_in_use(const Move& move) {
     if (tool_ready_) return true;
     if (tool_ == nullptr) {
-        out_.unchecked(move.record, cl::is_unknown(state_.change) ? "which tool is in use is not known: removal not simulated"
-                                    : tool_name_.empty()
-                                        ? "no tool is selected: removal not simulated"
-                                        : "tool " + tool_name_ + " is not known: its removal is not simulated");
+        out_.unchecked(move.record,
+                       cl::is_unknown(state_.change) ? "which tool is in use is not known: removal not simulated"
+                       : tool_name_.empty()          ? "no tool is selected: removal not simulated"
+                                            : "tool " + tool_name_ + " is not known: its removal is not simulated");
         return false;
     }
     auto& known = known_tools_[static_cast<std::size_t>(tool_ - setup_.tools.data())];

@@ -7,6 +7,7 @@
 #include <deque>
 #include <map>
 #include <memory>
+#include <optional>
 #include <string>
 #include <utility>
 #include <vector>
@@ -118,10 +119,12 @@ private:
     [[nodiscard]] Reach reach_of(const QueuedPass& pass) const;
     [[nodiscard]] Reach ray_reach_of(const QueuedPass& pass) const;
     [[nodiscard]] Reach deepest_reach(std::size_t queued) const;
-    [[nodiscard]] sim::certify::Depth deepest_in_part(std::size_t queued) const;
+    [[nodiscard]] std::optional<sim::certify::Depth> deepest_in_part(std::size_t queued) const;
     void judge(std::size_t queued);
     void say_undecided(std::size_t queued);
-    void judge_reach(const QueuedPass& pass, const MilledMove& move, Reach reach, const sim::certify::Depth& in_part);
+    [[nodiscard]] std::string open_of(const QueuedPass& pass) const;
+    void judge_reach(const QueuedPass& pass, const MilledMove& move, Reach reach,
+                     const std::optional<sim::certify::Depth>& in_part);
     void judge_entered_part(const std::vector<MilledMove>& moves);
     void judge_cut(const QueuedPass& pass, MilledMove& move, const sim::milling::Engagement& met);
     void judge_use(const MilledMove& move);
@@ -144,9 +147,11 @@ private:
     void keep_thread(const Move& move);
     void judge_open(const sim::milling::Refined& refined);
     void add_thin(mesh::Comparison& found, const Machined& machined, const mesh::CompareOptions& options);
+    void add_filled(mesh::Comparison& found, const Machined& machined, const mesh::CompareOptions& options);
     void judge_surface(Milled& milled);
     void judge_place(const Milled& milled, const mesh::Place& place, bool gouge);
     void judge_gouge(const Milled& milled, const Gouge& gouge);
+    void judge_undecided(const Milled& milled);
     void judge_no_contact(const Milled& milled);
     [[nodiscard]] const MilledMove* left_by(const Milled& milled, const mesh::Place& place,
                                             const MilledMove* owner) const;

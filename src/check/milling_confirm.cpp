@@ -8,6 +8,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <limits>
 #include <map>
 #include <numeric>
 #include <utility>
@@ -24,6 +25,8 @@ namespace milling = sim::milling;
 namespace {
 
 constexpr double most_rays = 40'000;      ///< for a place
+constexpr double fewer_rays = 4'000;      ///< for those behind the worst
+constexpr std::size_t worst_places = 24;  ///< of a kind
 constexpr double finest_step = 1.0 / 16;  ///< of the lattice's step
 constexpr double coarsest = 0.5;          ///< the same; a place so large is not an edge's
 
@@ -34,14 +37,22 @@ double step_in(const milling::Box3& box, double step) {
     return fine > coarsest * step ? 0 : std::max(fine, finest_step * step);
 }
 
+constexpr double patch_steps = 6;          ///< of the lattice: side of a patch
+constexpr std::size_t most_patches = 200;  ///< of a kind
+
+/// How far apart for the n-th of many places, the worst first: its amount matters less.
+double step_of(const milling::Box3& box, double step, std::size_t n) {
+    const double fine = step_in(box, step);
+    if (n < worst_places || !(fine > 0)) return fine;
+    return std::min(fine * std::sqrt(most_rays / fewer_rays), coarsest * step);
+}
+
 constexpr double most_cells = 2'000'000;       ///< of all proofs
 constexpr double doubtful_cells = 10'000;      ///< of each of those that decide about a doubtful place
 constexpr std::size_t most_doubtful = 40;      ///< of a kind
 constexpr std::size_t most_looks = 4'000'000;  ///< at sweeps, for all doubtful places of a kind
 constexpr double least_cells = 20'000;         ///< of each
 
-constexpr double patch_steps = 6;          ///< of the lattice: side of a patch
-constexpr std::size_t most_patches = 200;  ///< of a kind
 constexpr double as_good = 0.05;           ///< of what is allowed: no worse
 
 constexpr double among_worst = 0.9;
@@ -106,7 +117,7 @@ Proof::Outcome outcome_of(mesh::Place& p, const milling::Box3& box, const Machin
     Claim claim{m.part, air, gouge, allowed, {}, m.stop};
     if (!m.threads.empty())
         claim.more = [&](geom::Vec3 at, double radius) { return m.threads.more(at, radius, gouge); };
-    const Proof proof = decide(claim, box, static_cast<std::size_t>(cells));
+    const Proof proof = decide(claim, box, base::clipped<std::size_t>(cells, 0, std::numeric_limits<std::size_t>::max()));
     if (proof.outcome == Proof::Outcome::present) {
         p.deviation = gouge ? -proof.deviation : proof.deviation;
         p.at = proof.at;
@@ -214,7 +225,7 @@ bool confirm_patches(mesh::Place& p, const std::vector<Patch>& patches, const Ma
     double open = 0;  // what could not be decided
     for (const Patch& patch : patches) {
         if (patch.claimed <= std::max(std::abs(best.deviation), open) + as_good * allowed) break;
-        const double fine = step_in(patch.box, std::min({step.x, step.y, step.z}));
+        const double fine = step_of(patch.box, std::min({step.x, step.y, step.z}), most_patches - budget);
         if (budget == 0 || !(fine > 0) || (m.stop && m.stop())) {
             open = patch.claimed;
             break;
@@ -259,13 +270,14 @@ std::vector<mesh::Box> confirm_places(const mesh::Comparison& found, std::vector
     const double cells = std::max(least_cells, most_cells / static_cast<double>(places.size() + 1));
     std::vector<mesh::Box> dropped;
     std::vector<mesh::Place> kept;
-    for (mesh::Place& p : places) {
+    for (std::size_t n = 0; n < places.size(); ++n) {
+        mesh::Place& p = places[n];
         if (m.stop && m.stop()) {
             kept.push_back(std::move(p));
             continue;
         }
         const milling::Box3 box{p.extent.lo - step, p.extent.hi + step};
-        const double fine = step_in(box, std::min({step.x, step.y, step.z}));
+        const double fine = step_of(box, std::min({step.x, step.y, step.z}), n);
         if (fine > 0) {
             const Worst worst = worst_of(m.simulation.surface_points(box, fine), m, options, gouges);
             if (std::abs(worst.deviation) > 0) p.peak = worst.peak;

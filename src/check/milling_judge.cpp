@@ -8,6 +8,7 @@
 #include "base/number.hpp"
 #include "check/milling.hpp"
 #include "check/milling_confirm.hpp"
+#include "check/milling_filled.hpp"
 #include "check/milling_thin.hpp"
 #include "check/milling_tool.hpp"
 #include "check/words.hpp"
@@ -21,6 +22,17 @@ namespace milling = sim::milling;
 namespace {
 
 constexpr double doubtful_from = 0.6;  ///< of what is allowed
+
+/// Rest material beside what the surface has shown; of all so many, the worst.
+void add_places(mesh::Comparison& found, std::vector<mesh::Place> places, std::size_t most) {
+    found.excess_count += places.size();
+    std::move(places.begin(), places.end(), std::back_inserter(found.excesses));
+    std::stable_sort(found.excesses.begin(), found.excesses.end(),
+                     [](const mesh::Place& a, const mesh::Place& b) { return a.deviation > b.deviation; });
+    if (!found.excesses.empty())
+        found.largest_excess = std::max(found.largest_excess, found.excesses.front().deviation);
+    if (found.excesses.size() > most) found.excesses.resize(most);
+}
 
 }  // namespace
 
@@ -102,12 +114,15 @@ void Milling::judge_place(const Milled& milled, const mesh::Place& p, bool gouge
 /// By geometry, to a tenth of the tolerance; the area is that which the rays saw.
 void Milling::judge_gouge(const Milled& milled, const Gouge& gouge) {
     const mesh::Place& p = gouge.place;
-    if (p.area > 0 && !gouge.edge) return judge_place(milled, p, true);
+    if (p.area > 0 && !gouge.edge && !gouge.lacks) return judge_place(milled, p, true);
     Finding f;
     f.code = codes::gouge;
     f.place = p.at;
-    f.text = std::string("cuts into ") + (gouge.edge ? "an edge of " : "") + "the finished part: " + mm(-p.deviation) +
-             " deep at " + point(p.at);
+    if (gouge.lacks)
+        f.text = "the stock lacks " + mm(-p.deviation) + " of the finished part at " + point(p.at);
+    else
+        f.text = std::string("cuts into ") + (gouge.edge ? "an edge of " : "") +
+                 "the finished part: " + mm(-p.deviation) + " deep at " + point(p.at);
     f.amounts = {{"depth_mm", -p.deviation}};
     if (p.area > 0) {
         f.text += ", over " + mm2(p.area);
@@ -154,19 +169,35 @@ void Milling::judge_open(const milling::Refined& refined) {
 /// What is thinner than the surface's cells.
 void Milling::add_thin(mesh::Comparison& found, const Machined& machined, const mesh::CompareOptions& options) {
     ThinRest thin = thin_rest(machined, options, found.excesses);
-    found.excess_count += thin.places.size();
-    std::move(thin.places.begin(), thin.places.end(), std::back_inserter(found.excesses));
-    std::stable_sort(found.excesses.begin(), found.excesses.end(),
-                     [](const mesh::Place& a, const mesh::Place& b) { return a.deviation > b.deviation; });
-    if (!found.excesses.empty())
-        found.largest_excess = std::max(found.largest_excess, found.excesses.front().deviation);
-    if (found.excesses.size() > options.places) found.excesses.resize(options.places);
+    add_places(found, std::move(thin.places), options.places);
     if (thin.open.empty()) return;
     const milling::Box3& first = thin.open.front();
     out_.unchecked("in " + std::to_string(thin.open.size()) + (thin.open.size() == 1 ? " place" : " places") +
                        ", the first between " + point(first.min) + " and " + point(first.max) +
                        ", material stands so thin that it is not known whether it is left at all",
                    "let the cuts overlap by more, or take a smaller tolerance (--tolerance)");
+}
+
+/// Moves that are neither proved to be clear of the part nor found in it.
+void Milling::judge_undecided(const Milled& milled) {
+    const std::vector<Certificate::Open>& open = certificate_->open();
+    if (open.empty()) return;
+    const MilledMove& move = milled.moves[open.front().move];
+    const cl::Record record{cl::Linear{move.to, {0, 0, 1}, move.rapid}, move.where, move.stack};
+    out_.unchecked(record,
+                   "whether the tool cuts into the finished part was not decided in " + std::to_string(open.size()) +
+                       (open.size() == 1 ? " place, at " : " places, the first at ") + point(open.front().at),
+                   "look at this place (--html), or try another tolerance (--tolerance)");
+}
+
+/// What stands in features of the part that are narrower than the surface's cells.
+void Milling::add_filled(mesh::Comparison& found, const Machined& machined, const mesh::CompareOptions& options) {
+    FilledRest rest = filled_rest(found, machined, options, found.excesses);
+    add_places(found, std::move(rest.places), options.places);
+    if (!rest.whole)
+        out_.unchecked(
+            "the part has too many narrow places for its size: whether material is left in them is not known",
+            "try a smaller tolerance (--tolerance), or check a smaller part of it");
 }
 
 void Milling::judge_surface(Milled& milled) {
@@ -208,6 +239,7 @@ void Milling::judge_surface(Milled& milled) {
     const Machined machined{milled.surface, *simulation_, *m.part, thread_bands_, tag_of, setup_.out_of_time};
     confirm(*milled.comparison, machined, options);
     add_thin(*milled.comparison, machined, options);
+    if (whole_ && complete_) add_filled(*milled.comparison, machined, options);
     const std::vector<Gouge> gouges = certificate_->gouges(milled.moves, milled.comparison->gouges);
     if (time_up_.now())
         out_.unchecked(
@@ -218,6 +250,7 @@ void Milling::judge_surface(Milled& milled) {
         milled.comparison->largest_gouge = std::max(milled.comparison->largest_gouge, -g.place.deviation);
         judge_gouge(milled, g);
     }
+    judge_undecided(milled);
     judge_entered_part(milled.moves);
     if (!whole_) return out_.assumption(rest_of_a_part_run);
     if (!complete_) return out_.unchecked("rest material not judged, since not every move was simulated");

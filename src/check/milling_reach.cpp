@@ -30,8 +30,8 @@ Milling::Reach Milling::reach_of(const QueuedPass& pass) const {
     const Reach rays = ray_reach_of(pass);
     const auto deeper = [&](double depth, geom::Vec3 at) { return depth > rays.depth ? Reach{depth, at} : rays; };
     if (pass.clamp > 0) {
-        const certify::Depth hit = clamps_[pass.clamp - 1].guard->hit_by(pass.pass);
-        return deeper(hit.depth, hit.at);
+        const auto hit = clamps_[pass.clamp - 1].guard->hit_by(pass.pass);
+        return hit ? deeper(hit->depth, hit->at) : rays;
     }
     if (!stock_guard_) return rays;
     const StockHit hit = stock_guard_->hit_by(pass.pass);
@@ -82,14 +82,14 @@ std::string Milling::name_of(const QueuedPass& pass, const MilledMove& move) con
 }
 
 /// The deepest place in the finished part, of the same ones.
-certify::Depth Milling::deepest_in_part(std::size_t queued) const {
+std::optional<certify::Depth> Milling::deepest_in_part(std::size_t queued) const {
     const QueuedPass& pass = queued_[queued];
-    certify::Depth deepest;
+    std::optional<certify::Depth> deepest;
     if (!part_guard_ || pass.clamp > 0 || pass.kind == QueuedPass::Kind::rapid_probe) return deepest;
     for (std::size_t i = queued; i < queued_.size() && queued_[i].move == pass.move; ++i) {
         if (queued_[i].kind != pass.kind || queued_[i].clamp != 0) continue;
-        const certify::Depth depth = part_guard_->hit_by(queued_[i].pass);
-        if (depth.depth > deepest.depth) deepest = depth;
+        const auto hit = part_guard_->hit_by(queued_[i].pass);
+        if (hit && (!deepest || hit->depth > deepest->depth)) deepest = hit;
     }
     return deepest;
 }
@@ -101,37 +101,48 @@ void Milling::judge(std::size_t queued) {
     for (std::size_t i = queued; i > 0 && queued_[i - 1].move == pass.move; --i)
         if (queued_[i - 1].kind == pass.kind && queued_[i - 1].clamp == pass.clamp) return;
     const Reach reach = deepest_reach(queued);
-    if (!(reach.depth > setup_.tolerances.rapid)) say_undecided(queued);
-    const certify::Depth in_part = deepest_in_part(queued);
+    const std::optional<certify::Depth> in_part = deepest_in_part(queued);
+    if (!(reach.depth > setup_.tolerances.rapid) && !in_part) say_undecided(queued);
     // Whether a thread that the part shows excuses it is known at the end.
-    if (in_part.depth > 0) return entered_part_.push_back({pass, reach, in_part});
+    if (in_part) return entered_part_.push_back({pass, reach, *in_part});
     if (reach.depth > setup_.tolerances.rapid) judge_reach(pass, moves_[pass.move], reach, {});
 }
 
-/// What was looked for between the rays without an end is no "clear".
+/// What was looked for without an end is no "clear".
 void Milling::say_undecided(std::size_t queued) {
     const QueuedPass& pass = queued_[queued];
-    if (!stock_guard_ || pass.clamp > 0) return;
     for (std::size_t i = queued; i < queued_.size() && queued_[i].move == pass.move; ++i) {
-        if (queued_[i].kind != pass.kind || queued_[i].clamp != 0 || !stock_guard_->is_open(queued_[i].pass)) continue;
+        const QueuedPass& q = queued_[i];
+        if (q.kind != pass.kind || q.clamp != pass.clamp) continue;
+        const std::string what = open_of(q);
+        if (what.empty()) continue;
         const MilledMove& move = moves_[pass.move];
         const cl::Record record{cl::Linear{move.to, {0, 0, 1}, move.rapid}, move.where, move.stack};
-        return out_.unchecked(record,
-                              "whether the " + name_of(pass, move) +
-                                  " touches what is left of the stock between the rays was not decided",
+        return out_.unchecked(record, "whether the " + name_of(pass, move) + " touches " + what + " was not decided",
                               "look at this move, or give the check more time ([budget] seconds)");
     }
+}
+
+/// What it is not decided of whether a pass enters it; empty: nothing.
+std::string Milling::open_of(const QueuedPass& pass) const {
+    if (pass.clamp > 0) {
+        const Clamp& clamp = clamps_[pass.clamp - 1];
+        return clamp.guard->is_open(pass.pass) ? "the clamp " + clamp.name : "";
+    }
+    if (stock_guard_ && stock_guard_->is_open(pass.pass)) return "what is left of the stock between the rays";
+    return part_guard_ && part_guard_->is_open(pass.pass) ? "the finished part" : "";
 }
 
 void Milling::judge_entered_part(const std::vector<MilledMove>& moves) {
     for (Entered& e : entered_part_) {
         certify::Depth& d = e.part;
-        if (!thread_bands_.empty()) {
+        if (thread_bands_.holds(d.at)) {
             d.depth = std::abs(thread_bands_.judged(d.at, -geom::distance(d.at, d.surface)));
             d.edge = false;
         }
-        if (!(d.depth > std::max(setup_.tolerances.gouge, setup_.milling->tolerance))) d.depth = 0;
-        if (d.depth > 0 || e.stock.depth > setup_.tolerances.rapid) judge_reach(e.pass, moves[e.pass.move], e.stock, d);
+        const bool in_part = d.depth > std::max(setup_.tolerances.gouge, setup_.milling->tolerance);
+        if (in_part || e.stock.depth > setup_.tolerances.rapid)
+            judge_reach(e.pass, moves[e.pass.move], e.stock, in_part ? std::optional{d} : std::nullopt);
     }
     entered_part_.clear();
 }
@@ -141,22 +152,22 @@ namespace {
 std::string deep_at(double depth, geom::Vec3 at) { return mm(depth) + " deep at " + point(at); }
 
 /// What a shank or a holder runs into: the finished part by geometry, if the stock says no more.
-std::string into_text(double stock, geom::Vec3 at, const certify::Depth& part, double same) {
-    const std::string in_part = std::string(part.edge ? "an edge of " : "") + "the finished part";
-    if (!(part.depth > 0)) return "the stock: " + deep_at(stock, at);
-    if (stock <= part.depth + same) return in_part + ": " + deep_at(part.depth, part.at);
-    return "the stock: " + deep_at(stock, at) + ", " + mm(part.depth) + " of it in " + in_part;
+std::string into_text(double stock, geom::Vec3 at, const std::optional<certify::Depth>& part, double same) {
+    if (!part) return "the stock: " + deep_at(stock, at);
+    const std::string in_part = std::string(part->edge ? "an edge of " : "") + "the finished part";
+    if (stock <= part->depth + same) return in_part + ": " + deep_at(part->depth, part->at);
+    return "the stock: " + deep_at(stock, at) + ", " + mm(part->depth) + " of it in " + in_part;
 }
 
 }  // namespace
 
-void Milling::judge_reach(const QueuedPass& pass, const MilledMove& move, Reach reach, const certify::Depth& in_part) {
+void Milling::judge_reach(const QueuedPass& pass, const MilledMove& move, Reach reach,
+                          const std::optional<certify::Depth>& in_part) {
     using Kind = QueuedPass::Kind;
     Finding f;
     const std::string part = name_of(pass, move);
     const std::string into = into_text(reach.depth, reach.at, in_part, setup_.milling->tolerance);
-    if (in_part.depth + setup_.milling->tolerance >= reach.depth && in_part.depth > 0)
-        reach = {in_part.depth, in_part.at};
+    if (in_part && in_part->depth + setup_.milling->tolerance >= reach.depth) reach = {in_part->depth, in_part->at};
     f.amounts = {{"depth_mm", reach.depth}, {"x_mm", reach.at.x}, {"y_mm", reach.at.y}, {"z_mm", reach.at.z}};
     f.place = reach.at;
     const std::string deep = deep_at(reach.depth, reach.at);

@@ -156,9 +156,10 @@ void StockGuard::keep_deepest(std::vector<double> depths) {
 StockHit StockGuard::refined(const StockPass& q, StockHit hit, const milling::Simulation& simulation) const {
     const double most = hidden * apart_;
     const certify::Move move{q.path, q.axis, &q.part->shape};
-    if (judge_.rough(move) > most) return hit;
-    const certify::Depth d = judge_.deepest(move);
-    if (!(d.depth > hit.depth) || !(2 * d.depth < most)) return hit;
+    if (const auto about = judge_.rough(move); about && about->depth > most) return hit;
+    const std::optional<certify::Depth> found = judge_.deepest(move);
+    if (!found || !(found->depth > hit.depth) || !(2 * found->depth < most)) return hit;
+    const certify::Depth& d = *found;
     const Vec3 around{most, most, most};
     const milling::Air air = simulation.air_in({d.at - around, d.at + around});
     const LeftCuts cuts(air, simulation, q.number);

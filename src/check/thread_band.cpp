@@ -94,6 +94,17 @@ bool ThreadBands::holds(const Band& band, Vec3 p, double ball) const {
            place.radius <= band.outer + beyond;
 }
 
+/// The nearest to the axis is that of its shadow on a plane across it.
+bool ThreadBands::holds(const Band& band, const std::array<Vec3, 3>& triangle) const {
+    std::array<Vec3, 3> shadow;
+    for (std::size_t i = 0; i < triangle.size(); ++i) {
+        const Place place = place_in(band, triangle[i]);
+        if (!holds(band, triangle[i])) return false;
+        shadow[i] = triangle[i] - place.height * band.axis;
+    }
+    return mesh::nearest_on_triangle(band.foot, shadow).distance >= band.core - allowed_;
+}
+
 template <class Visit>
 void ThreadBands::each_near(Vec3 p, Visit&& visit) const {
     auto at = std::lower_bound(bands_.begin(), bands_.end(), p.x - widest_,
@@ -145,10 +156,24 @@ void ThreadBands::fit_one(Band& band, const std::vector<Vec3>& wall, const mesh:
     if (radius >= band.core - allowed && radius <= band.outer + allowed) band.shown = shown;
 }
 
+bool ThreadBands::holds(Vec3 p) const {
+    bool held = false;
+    each_near(p, [&](std::size_t) { held = true; });
+    return held;
+}
+
 double ThreadBands::more(Vec3 p, double radius, bool gouge) const {
     double most = 0;
     each_near(p, [&](std::size_t b) {
         if (holds(bands_[b], p, radius)) most = std::max(most, gouge ? -bands_[b].shown : bands_[b].shown);
+    });
+    return most;
+}
+
+double ThreadBands::deeper(const std::array<Vec3, 3>& triangle) const {
+    double most = 0;
+    each_near((1.0 / 3) * (triangle[0] + triangle[1] + triangle[2]), [&](std::size_t b) {
+        if (-bands_[b].shown > most && holds(bands_[b], triangle)) most = -bands_[b].shown;
     });
     return most;
 }

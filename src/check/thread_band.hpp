@@ -6,6 +6,7 @@
 /// before, about its own. So a hole beside its thread, which the tap then cuts on one side, does not pass for another
 /// thread.
 
+#include <array>
 #include <functional>
 #include <vector>
 
@@ -26,6 +27,10 @@ public:
              const std::function<bool(std::uint32_t)>& tapped = {});
     /// How much more than else the surface may lie within the part (`gouge`) or outside of it, everywhere in a ball.
     [[nodiscard]] double more(geom::Vec3 p, double radius, bool gouge) const;
+    /// How much deeper than else a tool may go into the part all over a triangle of it.
+    [[nodiscard]] double deeper(const std::array<geom::Vec3, 3>& triangle) const;
+    /// Whether a place lies in a thread.
+    [[nodiscard]] bool holds(geom::Vec3 p) const;
     /// What is left of the deviation at a place of the surface. From several threads at once.
     [[nodiscard]] double judged(geom::Vec3 p, double deviation) const;
 
@@ -43,6 +48,7 @@ private:
     [[nodiscard]] static Place place_in(const Band& band, geom::Vec3 p);
     static void fit_one(Band& band, const std::vector<geom::Vec3>& wall, const mesh::Distance& part, double allowed);
     [[nodiscard]] bool holds(const Band& band, geom::Vec3 p, double ball = 0) const;
+    [[nodiscard]] bool holds(const Band& band, const std::array<geom::Vec3, 3>& triangle) const;
     template <class Visit>
     void each_near(geom::Vec3 p, Visit&& visit) const;
 

@@ -2,6 +2,7 @@
 
 #include <gtest/gtest.h>
 
+#include <array>
 #include <cmath>
 
 namespace obrys::check {
@@ -67,6 +68,23 @@ TEST(ThreadBands, WhatTheTapCutsOfAHoleBesideItsThreadDoesNotTellHowThePartShows
     const mesh::Distance part(wall(1.621, 0, 4));
     bands.fit(result, part, 0.002, [](std::uint32_t tag) { return tag == 2; });
     EXPECT_NEAR(bands.judged({1.77, 0, -7}, 1.621 - 1.77), -0.12, 1e-3);
+}
+
+/// M6 in a hole of 5 mm that the part shows with its core: only what lies in the thread all over excuses the drill.
+TEST(ThreadBands, ATriangleIsExcusedThatLiesInTheThreadAllOver) {
+    ThreadBands bands;
+    bands.add({0, 0, 3}, {0, 0, -20}, {0, 0, 1}, 2.459, 3);
+    const mesh::Distance part(wall(2.459, 0, 4));
+    bands.fit(wall(2.5, 0, 50), part, 0.01);
+    const auto at = [](double radius, double angle, double z) {
+        return Vec3{radius * std::cos(angle), radius * std::sin(angle), z};
+    };
+    const std::array<Vec3, 3> on_wall{at(2.46, 0, 0), at(2.46, 0, -19), at(2.46, 0.03, -10)};
+    EXPECT_NEAR(bands.deeper(on_wall), 0.041, 1e-3);
+    const std::array<Vec3, 3> across{at(2.46, 0, -5), at(2.46, 2, -5), at(2.46, 4, -5)};
+    EXPECT_EQ(bands.deeper(across), 0);
+    const std::array<Vec3, 3> beyond{at(2.46, 0, 0), at(2.46, 0, -20.02), at(2.46, 0.03, -10)};
+    EXPECT_EQ(bands.deeper(beyond), 0);
 }
 
 TEST(ThreadBands, WhatIsNoThreadStays) {

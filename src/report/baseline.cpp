@@ -174,8 +174,8 @@ std::string to_baseline(const std::vector<std::string>& entries) {
 
 std::optional<Baseline> read_baseline(std::string_view text) {
     const Json j = Json::parse(text, nullptr, false);
-    if (!j.is_object() || j.value("format", "") != "obrys-baseline" || j.value("version", 0) != baseline_version)
-        return std::nullopt;
+    const auto is = [&](const char* key, const Json& value) { return j.value(key, Json()) == value; };
+    if (!j.is_object() || !is("format", "obrys-baseline") || !is("version", baseline_version)) return std::nullopt;
     const auto findings = j.find("findings");
     if (findings == j.end() || !findings->is_array()) return std::nullopt;
     Baseline known;

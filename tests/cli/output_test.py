@@ -226,6 +226,11 @@ class Verdicts(Folder):
         (self.path / "known.json").write_text(json.dumps(known))
         self.assertEqual(self.check(wrong, "--baseline", "known.json")[0], 1)
         self.assertEqual(self.obrys("check", wrong, "--baseline", "MAIN.MPF")[0], 2)
+        for version in ("1e300", "-1e300", '"1"', "null", "[]"):
+            (self.path / "known.json").write_text(f'{{"format": "obrys-baseline", "version": {version}, "findings": []}}')
+            self.assertEqual(self.obrys("check", wrong, "--baseline", "known.json")[0], 2, version)
+        (self.path / "known.json").write_text('{"format": 1}')
+        self.assertEqual(self.obrys("check", wrong, "--baseline", "known.json")[0], 2)
 
     def test_a_baseline_outlives_moved_lines(self):
         self.write("A.MPF", "N10 G90\nN20 SETAL(65000)\nN30 M30\n")

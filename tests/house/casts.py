@@ -1,11 +1,12 @@
 #!/usr/bin/env python3
 """Holds numbers to the one checked way from a double to an integer, base/whole.hpp.
 
-usage: casts.py <src> [<build> <nm>]
+usage: casts.py <src> [<build> <nm> <objdump>]
 
 A cast of a double that does not fit its target is undefined, and a text search cannot see which casts are of doubles. The
 compiler can: with -fsanitize=float-cast-overflow it calls a handler for each one. So, where the sanitizer build is given, no
-object of ours may name that handler; what a header of others brings in stands in FOREIGN with its reason. The functions
+object of ours may name that handler; which source does is told by the line that the call belongs to, as an object may hold
+many sources (OBRYS_UNITY). What a header of others brings in stands in FOREIGN with its reason. The functions
 that round or read straight to an integer, and hide what does not fit, are found by their names.
 """
 import pathlib
@@ -13,12 +14,15 @@ import re
 import subprocess
 import sys
 
-HANDLER = "__ubsan_handle_float_cast_overflow"
+# With -fno-sanitize-recover it ends in _abort.
+HANDLER = re.compile(r"__ubsan_handle_float_cast_overflow(?:_abort)?\b")
 BY_NAME = re.compile(r"\b(?:l?lround|l?lrint)[fl]?\s*\(|\b(?:std::)?(?:stoi|stoll?|stoull?|atoi|atoll?|strtoll?|strtoull?|sscanf)\s*\(")
+OBJECT = re.compile(r"(\S+):\s+file format ")
+LINE = re.compile(r"(/[^\s()]*:\d+)(?: \(discriminator \d+\))?$")
 COMMENT = re.compile(r"//[^\n]*")
 
-# Object -> why a header of others casts a double there.
-FOREIGN = {}
+# End of the path of the file that holds the cast -> why a header of others does so.
+FOREIGN = {"/bits/chrono.h": "driver/guarded.cpp bounds the seconds before it"}
 
 
 def by_name(src):
@@ -34,29 +38,50 @@ def by_name(src):
 
 
 def casting(symbols):
-    """Objects that name the handler, from the lines of `nm -A -u`: "libobrys_shop.a:toa.cpp.o: U name"."""
-    found = set()
-    for line in symbols.split("\n"):
-        if line.endswith(HANDLER):
-            archive, member = line.split(":")[:2]
-            found.add(f"{pathlib.PurePath(archive).stem.removeprefix('libobrys_')}/{member.removesuffix('.o')}")
+    """Archives of which an object names the handler, from the lines of `nm -A -u`: "libobrys_shop.a:toa.cpp.o: U name"."""
+    return {line.split(":")[0] for line in symbols.split("\n") if HANDLER.search(line)}
+
+
+def places(listing):
+    """File and line of each call of the handler, from `objdump -dlr`; the object where it has no lines."""
+    found, member, place = set(), "?", None
+    for line in listing.split("\n"):
+        if match := OBJECT.match(line):
+            member, place = match.group(1), None
+        elif match := LINE.match(line):
+            place = match.group(1)
+        elif "R_" in line and HANDLER.search(line):
+            found.add(place or member)
     return found
 
 
-def by_object(build, nm):
+def in_source(place, src):
+    """A place with its path from the sources' folder on, where it lies below that. A compiler cache may have written
+    another way to that folder."""
+    own = place.rpartition(f"/{src.name}/")[2]
+    return own if (src / own.partition(":")[0]).is_file() else place
+
+
+def by_object(src, build, nm, objdump):
     archives = sorted(build.glob("src/**/libobrys_*.a"))
     if not archives:
         return [f"{build}: no libraries"], 0
-    done = subprocess.run([nm, "-A", "-u", *map(str, archives)], capture_output=True, text=True, check=True)
-    found = casting(done.stdout)
-    return [f"{o}: casts a double to an integer: use base/whole.hpp" for o in sorted(found - set(FOREIGN))], len(archives)
+
+    def said_by(*command):
+        return subprocess.run([*map(str, command)], capture_output=True, text=True, check=True).stdout
+
+    found = set()
+    for archive in sorted(casting(said_by(nm, "-A", "-u", *archives))):
+        found |= {in_source(p, src.resolve()) for p in places(said_by(objdump, "-dlr", archive)) or {archive}}
+    found = {p for p in found if not p.split(":")[0].endswith(tuple(FOREIGN))}
+    return [f"{p}: casts a double to an integer: use base/whole.hpp" for p in sorted(found)], len(archives)
 
 
 def main():
     src, *rest = sys.argv[1:]
     complaints, archives = by_name(pathlib.Path(src)), 0
     if rest:
-        more, archives = by_object(pathlib.Path(rest[0]), rest[1])
+        more, archives = by_object(pathlib.Path(src), pathlib.Path(rest[0]), *rest[1:])
         complaints += more
     print("\n".join([*complaints, f"{archives} libraries, {len(complaints)} complaints"]))
     return 1 if complaints else 0

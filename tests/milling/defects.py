@@ -1,7 +1,8 @@
 #!/usr/bin/env python3
 """Random marks of all kinds of tools, feed and rapid, in three axes and swivelled: scratches, edges and corners taken off, clips of
-clamps, rapids in the stock, bumps in slots; and what is left thin or cut through: fins, webs, crests, ribs. Each that is deeper
-than the tolerance must be found, with its depth to a tenth or the tolerance, at a line that made it; what only touches must not be.
+clamps, rapids in the stock, bumps in slots; and what is left thin or cut through: fins, webs, crests, ribs, narrow
+features of the part that nobody cuts; what hides beside other gouges. Each that is deeper than the tolerance must be found, with its
+depth to a tenth or the tolerance, at a line that made it; what only touches must not be.
 
 usage: defects.py OBRYS [--count 60] [--first 0] [--seed 1] [--tolerances 0.05,0.01,0.002] [--kinds scratch,edge,…]
                   [--strict] [--keep FOLDER]
@@ -11,11 +12,12 @@ import argparse
 import random as randoms
 import sys
 
+import hidden
 import jobs
 import marks
 import rests
 
-KINDS = {**marks.KINDS, **rests.KINDS}
+KINDS = {**marks.KINDS, **rests.KINDS, **hidden.KINDS}
 # What such marks may bring with them, rightly.
 BESIDE = {"sideways-cut", "plunging-cut", "edges-too-short"}
 
@@ -47,8 +49,10 @@ def wrong_with(mark, result, tolerance, strict):
             if not mark.depth - slack(mark.depth) <= depth <= mark.deepest + slack(mark.deepest):
                 out.append(f"DEPTH {depth:.4f}")
             lines = {f["where"]["line"] or 0 for f in found}  # 0: none was named
-            if not lines <= named or not lines & guilty:
+            if not mark.no_line and (not lines <= named | ({0} if mark.at_faces else set()) or not lines & guilty):
                 out.append(f"LINE {sorted(lines)} where {sorted(guilty)} did it")
+        if mark.also and not any(abs(d - mark.also) <= max(tolerance, 0.1 * mark.also) for d in jobs.depths(result, mark.code)):
+            out.append(f"ALSO MISSED {mark.also:.4f}")
     if others:
         out.append("ALSO " + ", ".join(others))
     # What goes in by less than a ray sees counts as nothing met.

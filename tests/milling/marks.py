@@ -20,7 +20,10 @@ class Mark:
         self.check = {}
         self.beside = set()   # codes of findings that belong to it
         self.deepest = depth  # depths up to this one are right, too
+        self.at_faces = False  # it ends at faces that no move has cut, so no line need be named there
         self.least = 0.0      # depths above it must be found
+        self.also = 0.0       # depth of another one
+        self.no_line = False  # no block is to blame
 
 
 def depth_of(random, tolerance):

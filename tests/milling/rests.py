@@ -1,4 +1,5 @@
-"""Random programs that leave something thin, or cut something thin through: fins, webs, crests on floors and walls, ribs. How far
+"""Random programs that leave something thin, or cut something thin through: fins, webs, crests on floors and walls, ribs, slots and
+engravings of the part that nobody cuts. How far
 it stands out of the part is known by formulas. Every maker takes (random, tolerance) and gives a Mark, or None.
 """
 import math
@@ -135,6 +136,49 @@ def bump(random, tolerance):
     return mark
 
 
+def uncut(random, tolerance):
+    """A slot, an engraving or a hole of the part, narrower than the tools are, that nobody cuts."""
+    program, kind, d = begin(random), random.choice(["slot", "slot", "engraving", "hole"]), random.choice([6.0, 10.0, 16.0, 50.0])
+    # A gap deeper than three tolerances counts however narrow; one as wide as a tenth of the tolerance is none.
+    width = tolerance * math.exp(random.uniform(math.log(0.3), math.log(30)))
+    lo, hi, top, x = (-10.0, -6.0, -8.0), (10.0, 6.0, 0.0), -1.0, round(random.uniform(-3, 3), 4)
+    depth = round(random.uniform(0.5, 5), 3)
+    if kind == "engraving":
+        width = max(width, 8 * tolerance)
+        depth = width / 2 * random.choice([0.8, 1.0, 2.0])
+    if kind == "hole":  # square, as deep as it is
+        part = block_with_hole(lo, hi, top, x, random.uniform(-2, 2), width, depth)
+    else:
+        cut = [(x + width / 2, top), (x, top - depth), (x - width / 2, top)] if kind == "engraving" else [
+            (x + width / 2, top), (x + width / 2, top - depth), (x - width / 2, top - depth), (x - width / 2, top)]
+        part = extruded([(lo[0], lo[2]), (hi[0], lo[2]), (hi[0], top), *cut, (lo[0], top)], lo[1], hi[1])
+    program.tool(tools.end_mill(d))
+    rows = math.ceil(20 / d) + 1
+    for k in range(rows + 1):
+        pass_along(program, -10 + 20 * k / rows, top, 40.0, mark="*")
+    mark = mark_of(program, (lo, hi), part, "rest-material", depth, tolerance, f"{kind} {width:.5f} wide that nobody cuts, end mill {d}")
+    mark.at_faces = kind != "hole"
+    if kind == "engraving":  # seen by chance it is as high as material stands off the part
+        mark.depth = depth * math.sin(math.atan2(width / 2, depth))
+        mark.deepest = depth
+    return mark
+
+
+def block_with_hole(lo, hi, top, x, y, width, depth):
+    ring = lambda x0, y0, x1, y1, z: [(x0, y0, z), (x1, y0, z), (x1, y1, z), (x0, y1, z)]
+    foot, rim = ring(lo[0], lo[1], hi[0], hi[1], lo[2]), ring(lo[0], lo[1], hi[0], hi[1], top)
+    h = width / 2
+    mouth, floor = ring(x - h, y - h, x + h, y + h, top), ring(x - h, y - h, x + h, y + h, top - depth)
+    out = []
+    for k in range(4):
+        n = (k + 1) % 4
+        for a, b, c, d in ((foot[k], foot[n], rim[n], rim[k]), (rim[k], rim[n], mouth[n], mouth[k]), (mouth[k], mouth[n], floor[n], floor[k])):
+            out += [(a, b, c), (a, c, d)]
+    for a, b, c, d in (floor, foot[::-1]):
+        out += [(a, b, c), (a, c, d)]
+    return out
+
+
 def rapid_through(random, tolerance):
     """A rapid through what two slots have left between them."""
     program, thin, d = begin(random), width_of(random, tolerance), random.choice([4.0, 6.0, 8.0])
@@ -151,4 +195,4 @@ def rapid_through(random, tolerance):
     return mark
 
 
-KINDS = {"bump": bump, "rapid-fin": rapid_through, "fin": fin, "web": web, "crests": crests, "plunges": plunges, "rib": rib}
+KINDS = {"bump": bump, "rapid-fin": rapid_through, "fin": fin, "web": web, "uncut": uncut, "crests": crests, "plunges": plunges, "rib": rib}

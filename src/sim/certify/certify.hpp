@@ -8,9 +8,12 @@
 /// tool. Or it does: then the depth is looked for. Curved ways are cut into chords until what lies between is a
 /// twentieth of what is allowed; that counts as depth.
 
+#include <array>
 #include <cstdint>
 #include <functional>
 #include <limits>
+#include <memory>
+#include <optional>
 #include <vector>
 
 #include "geom/interpolation.hpp"
@@ -26,68 +29,113 @@ struct Move {
     const Shape* shape = nullptr;
 };
 
-/// How deep, and where.
+/// How deep, and where: there is no depth without a place.
 struct Depth {
-    /// How far the tool went past the surface along its normal, to `accuracy`; 0: nothing is deeper than allowed.
-    double depth = 0;
-    double upper = std::numeric_limits<double>::infinity();  ///< certainly nothing is deeper
-    geom::Vec3 at;                                           ///< the deepest place of the tool
-    geom::Vec3 surface;                                      ///< the part's surface nearest to it
-    geom::Vec3 normal;                                       ///< out of the part there
-    std::uint32_t triangle = 0;
-    double width = 0;   ///< of the tool in the surface there, across the way where it moves along the surface
-    double along = 0;   ///< of the way, 0 … 1: where the tool stands
-    bool edge = false;  ///< an edge of the part is taken off; `depth` is that of the edge in the tool
-    mesh::Box extent;   ///< around what of the part's surface the tool was found in
+    Depth(double how_deep, geom::Vec3 deepest, geom::Vec3 nearest, geom::Vec3 out_of_part)
+        : depth(how_deep), at(deepest), surface(nearest), normal(out_of_part) {}
+    double depth;        ///< how far the tool went past the surface along its normal
+    geom::Vec3 at;       ///< the deepest place of the tool
+    geom::Vec3 surface;  ///< the part's surface nearest to it
+    geom::Vec3 normal;   ///< out of the part there
+    double width = 0;    ///< of the tool in the surface there, across the way where it moves along the surface
+    bool edge = false;   ///< an edge of the part is taken off; `depth` is that of the edge in the tool
+};
+
+/// The material there was before anything was cut: what lies beside it cannot be cut.
+struct Before {
+    std::function<double(geom::Vec3)> depth = {};        ///< of a place in it, negative beside it; empty: everywhere
+    std::shared_ptr<const mesh::Distance> surface = {};  ///< closed
+    double off = 0;                                      ///< how far that may lie within the material
+    bool convex = false;                                 ///< known to be
 };
 
 class Judge {
 public:
-    /// The part must be closed and outlives the judge. `within` says of a place how deep it lies in the material there
-    /// was before anything was cut, negative beside it; empty: everywhere.
-    Judge(const mesh::Distance& part, double allowed, std::function<double(geom::Vec3)> within = {});
+    /// The part must be closed and outlives the judge.
+    Judge(const mesh::Distance& part, double allowed, Before before = {});
 
-    /// Whether certainly nothing is deeper than allowed; in a microsecond or so. Of moves that are not finite: false.
-    [[nodiscard]] bool is_clear(const Move& move) const;
-    /// Of moves that are not clear. From several threads at once, like `is_clear`.
-    [[nodiscard]] Depth deepest(const Move& move) const;
-    /// A depth that is reached, found in a tenth of the time; 0 where none was found.
-    [[nodiscard]] double rough(const Move& move) const;
+    /// Where the part is known to be another one than its mesh. Both from several threads at once.
+    using Triangle = std::array<geom::Vec3, 3>;
+    struct Known {
+        std::function<double(geom::Vec3, double)> judged;  ///< what counts of a deviation (negative within the part)
+        std::function<double(const Triangle&)> more;       ///< how much deeper a tool may go, all over a triangle
+    };
+    void judge_by(Known known) { known_ = std::move(known); }
+
+    enum class Of : std::uint8_t { part, part_in_stock };
+    /// Whether certainly nothing is deeper than allowed in the part, or in what of it there was before; in a
+    /// microsecond or so. Of moves that are not finite: false.
+    [[nodiscard]] bool is_clear(const Move& move, Of of = Of::part) const { return is_clear(move, allowed_, of); }
+    /// The same of another depth.
+    [[nodiscard]] bool is_clear(const Move& move, double depth, Of of) const;
+    /// The same of moves that go through something thinner than allowed, which is met however small the body is made:
+    /// nothing is deeper than half of what is allowed. `normal`: about that of the thin thing. Takes milliseconds;
+    /// false where it would take too long.
+    [[nodiscard]] bool is_thin(const Move& move, geom::Vec3 normal) const;
+    /// Of moves that are not clear; nothing where no place in the part was found. `from`: a place that is known to be
+    /// deep, or near one. From several threads at once, like `is_clear`.
+    [[nodiscard]] std::optional<Depth> deepest(const Move& move, std::optional<geom::Vec3> from = {}) const;
+    /// A place that is reached, found in a tenth of the time.
+    [[nodiscard]] std::optional<Depth> rough(const Move& move) const;
     [[nodiscard]] double allowed() const { return allowed_; }
 
 private:
     /// A chord of the way and one of the tool's bodies, which are not clear.
-    struct Piece {
-        Swept whole;
-        double u0 = 0, u1 = 1;
-        double off = 0;  ///< how far the way may lie from the chord
-    };
+    using Piece = Swept;
     struct Spot {
         double depth = -std::numeric_limits<double>::infinity();
         geom::Vec3 at;
         mesh::Nearest place;
-        std::size_t piece = 0;
+        const Piece* piece = nullptr;
     };
-    [[nodiscard]] bool clear_between(const Move& move, double u0, double u1, double depth,
+    struct Effort {
+        std::size_t starts = 0, climbs = 0;
+        int steps = 0, vain = 0;
+        std::size_t pieces = 0, more = 0;
+    };
+    struct Met {
+        bool clear = false;
+        std::vector<std::uint32_t> triangles;
+        Swept inner;
+    };
+    static const Effort whole_effort, rough_effort;
+
+    struct Asked {
+        double depth = 0;
+        Of of = Of::part;
+    };
+    [[nodiscard]] bool clear_between(const Move& move, double u0, double u1, Asked asked,
                                      std::vector<Piece>* failing) const;
-    [[nodiscard]] bool clear_piece(const Swept& whole, double depth) const;
+    [[nodiscard]] bool clear_piece(const Swept& whole, Asked asked) const;
+    [[nodiscard]] bool is_excused(const Swept& inner, std::uint32_t triangle) const;
     [[nodiscard]] bool meets(const Swept& inner) const;
     [[nodiscard]] std::vector<std::uint32_t> met_by(const Swept& inner) const;
-    [[nodiscard]] double upper_bound(const Move& move, double from) const;
+    [[nodiscard]] Met fewest_met(const Swept& whole, double depth) const;
     [[nodiscard]] Spot spot_at(geom::Vec3 p) const;
     [[nodiscard]] geom::Vec3 inwards_at(const Spot& spot) const;
     [[nodiscard]] Spot climb(const Swept& whole, Spot from, int steps) const;
-    [[nodiscard]] std::vector<Spot> starts_in(const Swept& whole, std::size_t most, mesh::Box& extent) const;
+    [[nodiscard]] std::vector<std::vector<std::uint32_t>> patches_of(const std::vector<std::uint32_t>& met) const;
+    [[nodiscard]] std::vector<Spot> starts_in(const Swept& whole, const Met& met, double depth,
+                                              const Effort& effort) const;
     [[nodiscard]] Spot polished(const Swept& whole, Spot best) const;
-    [[nodiscard]] std::vector<Spot> around(const Swept& whole, const std::vector<Spot>& starts) const;
-    [[nodiscard]] Spot deepest_of(const Swept& whole, mesh::Box& extent) const;
+    [[nodiscard]] Spot around(const Swept& whole, const std::vector<Spot>& starts, Spot best) const;
+    [[nodiscard]] double more_than(double depth) const;
+    [[nodiscard]] Spot risen(const Piece& whole, Spot best, const Effort& effort) const;
+    [[nodiscard]] Spot deepest_of(const std::vector<Piece>& pieces, Spot best, const Effort& effort) const;
+    [[nodiscard]] bool is_shallow(const Piece& whole, geom::Vec3 normal, std::size_t& cells) const;
     [[nodiscard]] double edge_depth(const Swept& whole, double depth, double most) const;
-    [[nodiscard]] double reach_along(const Swept& whole, geom::Vec3 from, geom::Vec3 direction) const;
+    [[nodiscard]] double reach_along(const Swept& whole, geom::Vec3 from, geom::Vec3 direction, double most) const;
+    [[nodiscard]] double through(const Spot& spot) const;
+    [[nodiscard]] double through_any(const std::vector<Piece>& pieces, const Spot& best) const;
+    [[nodiscard]] Spot climbed_from(const std::vector<Piece>& pieces, geom::Vec3 from) const;
+    [[nodiscard]] static Depth at_spot(const Spot& spot);
+    void measure_edge(const std::vector<Piece>& pieces, const Spot& best, Depth& out) const;
 
     const mesh::Distance& part_;
-    mesh::Box box_;
+    mesh::Box box_, stock_box_;
     double allowed_ = 0.01;
-    std::function<double(geom::Vec3)> within_;
+    Before before_;
+    Known known_;
 };
 
 }  // namespace obrys::sim::certify

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <optional>
 #include <random>
 #include <string>
 
@@ -28,9 +29,14 @@ Shape cone(double r, double degrees, double height = 30) {
     return {{0, 0, r, h, 0}, {r, h, r, h + height, 0}};
 }
 
-Depth depth_of(const Judge& judge, const Shape& shape, Vec3 from, Vec3 to, Vec3 axis = {0, 0, 1}) {
+std::optional<Depth> found_in(const Judge& judge, const Shape& shape, Vec3 from, Vec3 to, Vec3 axis = {0, 0, 1}) {
     const Move move{geom::Straight{from, to}, axis, &shape};
-    return judge.is_clear(move) ? Depth{} : judge.deepest(move);
+    return judge.is_clear(move) ? std::nullopt : judge.deepest(move);
+}
+
+double depth_of(const Judge& judge, const Shape& shape, Vec3 from, Vec3 to, Vec3 axis = {0, 0, 1}) {
+    const std::optional<Depth> found = found_in(judge, shape, from, to, axis);
+    return found ? found->depth : 0;
 }
 
 const mesh::Distance& plate() {
@@ -44,26 +50,25 @@ TEST(Certified, scratches_of_pointed_tools_are_as_deep_as_they_are_however_narro
             for (const double times : {0.5, 1.2, 3.0, 15.0}) {
                 const Judge judge(plate(), allowed);
                 const Shape tool = cone(5, angle);
-                const Depth d =
-                    depth_of(judge, tool, {10.123, 11.07, -times * allowed}, {50.3, 29.9, -times * allowed});
+                const auto d = found_in(judge, tool, {10.123, 11.07, -times * allowed}, {50.3, 29.9, -times * allowed});
                 if (times < 1) {
-                    EXPECT_FALSE(d.depth > allowed) << allowed << ' ' << angle;
+                    EXPECT_FALSE(d && d->depth > allowed) << allowed << ' ' << angle;
                     continue;
                 }
-                EXPECT_NEAR(d.depth, times * allowed, allowed / 10) << allowed << ' ' << angle << ' ' << times;
-                EXPECT_GE(d.upper, d.depth);
-                EXPECT_NEAR(d.width, 2 * times * allowed * std::tan(geom::radians(angle) / 2), 1e-3 * allowed);
-                EXPECT_NEAR(d.normal.z, 1, 1e-6);
+                ASSERT_TRUE(d) << allowed << ' ' << angle << ' ' << times;
+                EXPECT_NEAR(d->depth, times * allowed, allowed / 10) << allowed << ' ' << angle << ' ' << times;
+                EXPECT_NEAR(d->width, 2 * times * allowed * std::tan(geom::radians(angle) / 2), 1e-3 * allowed);
+                EXPECT_NEAR(d->normal.z, 1, 1e-6);
             }
 }
 
 TEST(Certified, what_touches_all_along_is_clear) {
     const Judge judge(plate(), 0.01);
     for (const Shape& tool : {end_mill(5), ball(3), bull(6, 1), cone(5, 90)}) {
-        EXPECT_EQ(depth_of(judge, tool, {-20, 20, 0}, {80, 20, 0}).depth, 0);  // on the face
+        EXPECT_EQ(depth_of(judge, tool, {-20, 20, 0}, {80, 20, 0}), 0);  // on the face
         const double r = tool.back().r1;
-        EXPECT_EQ(depth_of(judge, tool, {-20, -r, -15}, {80, -r, -15}).depth, 0);       // along the wall
-        EXPECT_EQ(depth_of(judge, tool, {60 + r, 20, 5}, {60 + r, 20, -30}).depth, 0);  // down beside it
+        EXPECT_EQ(depth_of(judge, tool, {-20, -r, -15}, {80, -r, -15}), 0);       // along the wall
+        EXPECT_EQ(depth_of(judge, tool, {60 + r, 20, 5}, {60 + r, 20, -30}), 0);  // down beside it
     }
 }
 
@@ -74,23 +79,25 @@ TEST(Certified, a_place_level_with_the_ring_of_a_bull_nose_lies_outside_of_it) {
     const mesh::Distance block(mesh::box({-40, -20, -30}, {0, 20, 0}));
     const Judge judge(block, 0.01);
     const Vec3 start{5.9, -3, -20};
-    EXPECT_NEAR(depth_of(judge, bull(6, 1), start, start + Vec3{0, 6, 5}).depth, 0.1, 0.002);
+    EXPECT_NEAR(depth_of(judge, bull(6, 1), start, start + Vec3{0, 6, 5}), 0.1, 0.002);
 }
 
 TEST(Certified, a_wall_cut_into_is_as_deep_as_the_tool_went_past_it) {
     const Judge judge(plate(), 0.01);
-    const Depth d = depth_of(judge, end_mill(5), {-20, -4.98, -15}, {80, -4.98, -15});
-    EXPECT_NEAR(d.depth, 0.02, 0.001);
-    EXPECT_NEAR(d.normal.y, -1, 1e-6);
-    EXPECT_FALSE(d.edge);
+    const auto d = found_in(judge, end_mill(5), {-20, -4.98, -15}, {80, -4.98, -15});
+    ASSERT_TRUE(d);
+    EXPECT_NEAR(d->depth, 0.02, 0.001);
+    EXPECT_NEAR(d->normal.y, -1, 1e-6);
+    EXPECT_FALSE(d->edge);
 }
 
 TEST(Certified, a_chamfer_that_nobody_wanted_is_said_of_the_edge) {
     const Judge judge(plate(), 0.01);
     // 0.1 x 45 degrees: the flank passes the edge at 0.1 / sqrt 2.
-    const Depth d = depth_of(judge, cone(5, 90), {-20, -1.9, -2}, {80, -1.9, -2});
-    EXPECT_TRUE(d.edge);
-    EXPECT_NEAR(d.depth, 0.1 / std::sqrt(2), 0.002);
+    const auto d = found_in(judge, cone(5, 90), {-20, -1.9, -2}, {80, -1.9, -2});
+    ASSERT_TRUE(d);
+    EXPECT_TRUE(d->edge);
+    EXPECT_NEAR(d->depth, 0.1 / std::sqrt(2), 0.002);
 }
 
 TEST(Certified, an_edge_is_as_deep_as_what_is_taken_off_it) {
@@ -99,14 +106,15 @@ TEST(Certified, an_edge_is_as_deep_as_what_is_taken_off_it) {
     for (const double degrees : {70.0, 90.0, 120.0})
         for (const double off : {0.0101, 0.03, 0.2}) {
             const double run = 20 * std::tan(geom::radians(degrees) / 2);
-            mesh::Mesh roof{{{-30, -run, -20}, {30, -run, -20}, {30, run, -20}, {-30, run, -20}, {-30, 0, 0}, {30, 0, 0}},
-                            {{0, 2, 1}, {0, 3, 2}, {0, 1, 5}, {0, 5, 4}, {2, 3, 4}, {2, 4, 5}, {0, 4, 3}, {1, 2, 5}},
-                            {}};
+            mesh::Mesh roof{
+                {{-30, -run, -20}, {30, -run, -20}, {30, run, -20}, {-30, run, -20}, {-30, 0, 0}, {30, 0, 0}},
+                {{0, 2, 1}, {0, 3, 2}, {0, 1, 5}, {0, 5, 4}, {2, 3, 4}, {2, 4, 5}, {0, 4, 3}, {1, 2, 5}},
+                {}};
             const mesh::Distance part(roof);
             const Judge judge(part, 0.01);
-            const Depth d = depth_of(judge, end_mill(5), {-10, 1, -off}, {10, 2, -off});
-            EXPECT_NEAR(d.depth, off, 0.001) << degrees << ' ' << off;
-            EXPECT_GT(d.depth, 0.01);
+            const double d = depth_of(judge, end_mill(5), {-10, 1, -off}, {10, 2, -off});
+            EXPECT_NEAR(d, off, 0.001) << degrees << ' ' << off;
+            EXPECT_GT(d, 0.01);
         }
 }
 
@@ -117,23 +125,22 @@ TEST(Certified, a_vertical_edge_that_is_clipped_is_found_from_its_corner_on) {
             const Judge judge(jaw, allowed);
             const Vec3 out{std::sqrt(0.5), std::sqrt(0.5), 0}, way{out.y, -out.x, 0};
             const Vec3 middle = Vec3{20, 30, 5} + (5 - clip) * out;
-            const Depth d = depth_of(judge, end_mill(5), middle - 20.0 * way, middle + 20.0 * way);
-            EXPECT_NEAR(d.depth, clip, 0.001 + 0.1 * clip) << allowed << ' ' << clip;
+            const double d = depth_of(judge, end_mill(5), middle - 20.0 * way, middle + 20.0 * way);
+            EXPECT_NEAR(d, clip, 0.001 + 0.1 * clip) << allowed << ' ' << clip;
         }
 }
 
 TEST(Certified, what_goes_through_a_sheet_is_as_deep_as_it_is_thick) {
     const mesh::Distance sheet(mesh::box({0, 0, -1}, {60, 40, 0}));
     const Judge judge(sheet, 0.01);
-    EXPECT_NEAR(depth_of(judge, end_mill(5), {-20, 20, -3}, {80, 20, -3}).depth, 1, 0.01);
-    EXPECT_NEAR(depth_of(judge, ball(3), {30, 20, 10}, {30, 20, -8}).depth, 1, 0.01);
+    EXPECT_NEAR(depth_of(judge, end_mill(5), {-20, 20, -3}, {80, 20, -3}), 1, 0.01);
+    EXPECT_NEAR(depth_of(judge, ball(3), {30, 20, 10}, {30, 20, -8}), 1, 0.01);
 }
 
 TEST(Certified, a_tool_wholly_inside_is_found) {
     const mesh::Distance block(mesh::box({-50, -50, -50}, {50, 50, 50}));
     const Judge judge(block, 0.01);
-    const Depth d = depth_of(judge, ball(2, 10), {0, 0, 0}, {1, 0, 0});
-    EXPECT_GT(d.depth, 39);
+    EXPECT_GT(depth_of(judge, ball(2, 10), {0, 0, 0}, {1, 0, 0}), 39);
 }
 
 TEST(Certified, arcs_and_helices_are_judged_like_lines) {
@@ -146,7 +153,7 @@ TEST(Certified, arcs_and_helices_are_judged_like_lines) {
         if (dip == 0)
             EXPECT_TRUE(judge.is_clear(move));
         else
-            EXPECT_NEAR(judge.deepest(move).depth, dip, 0.001);
+            EXPECT_NEAR(judge.deepest(move).value().depth, dip, 0.001);
     }
     // Around a round post of the same circle: nothing; 0.02 nearer: a gouge of that.
     const mesh::Distance post(mesh::cylinder({0, 0, -10}, 8, 10, 2000));
@@ -157,15 +164,15 @@ TEST(Certified, arcs_and_helices_are_judged_like_lines) {
         const Move move{c, {0, 0, 1}, &mill};
         EXPECT_EQ(beside.is_clear(move), near == 0);
         if (near > 0) {
-            EXPECT_NEAR(beside.deepest(move).depth, near, 0.001);
+            EXPECT_NEAR(beside.deepest(move).value().depth, near, 0.001);
         }
     }
 }
 
 TEST(Certified, nothing_is_said_beside_the_stock) {
-    const Judge judge(plate(), 0.01, [](Vec3 p) { return -1 - p.z; });  // the stock ends at -1
-    EXPECT_FALSE(depth_of(judge, end_mill(5), {-20, 20, -0.5}, {80, 20, -0.5}).depth > 0.01);
-    EXPECT_NEAR(depth_of(judge, end_mill(5), {-20, 20, -1.5}, {80, 20, -1.5}).depth, 0.5, 0.01);
+    const Judge judge(plate(), 0.01, {[](Vec3 p) { return -1 - p.z; }, {}, 0, true});  // the stock ends at -1
+    EXPECT_FALSE(depth_of(judge, end_mill(5), {-20, 20, -0.5}, {80, 20, -0.5}) > 0.01);
+    EXPECT_NEAR(depth_of(judge, end_mill(5), {-20, 20, -1.5}, {80, 20, -1.5}), 0.5, 0.01);
 }
 
 mesh::Mesh mesh_of(const testing::BlockCase& c) {
@@ -250,12 +257,9 @@ TEST(Certified, no_point_of_the_tool_is_deeper_than_what_is_certified) {
         const Case c = random_case(random);
         const mesh::Distance part(c.part);
         const Judge judge(part, allowed);
-        const Depth d = depth_of(judge, c.tool, c.from, c.to, c.axis);
+        const double d = depth_of(judge, c.tool, c.from, c.to, c.axis);
         const double found = sampled(c, part, random, 2000);
-        EXPECT_LE(found, std::max(d.depth, allowed) + allowed / 10 + 0.02 * found) << "case " << number;
-        if (d.depth > 0) {
-            EXPECT_LE(d.depth, d.upper) << "case " << number;
-        }
+        EXPECT_LE(found, std::max(d, allowed) + allowed / 10 + 0.02 * found) << "case " << number;
     }
 }
 
@@ -267,8 +271,8 @@ TEST(Certified, depth_grows_with_the_radius_and_does_not_change_when_all_is_move
         const double r = random.between(1, 4);
         const mesh::Distance part(c.part);
         const Judge judge(part, allowed);
-        const double small = depth_of(judge, end_mill(r, 20), c.from, c.to, c.axis).depth;
-        const double large = depth_of(judge, end_mill(r * 1.1, 20), c.from, c.to, c.axis).depth;
+        const double small = depth_of(judge, end_mill(r, 20), c.from, c.to, c.axis);
+        const double large = depth_of(judge, end_mill(r * 1.1, 20), c.from, c.to, c.axis);
         if (large < 1) {
             EXPECT_LE(small, std::max(large, allowed) + allowed / 5) << "case " << number;
         }
@@ -277,8 +281,7 @@ TEST(Certified, depth_grows_with_the_radius_and_does_not_change_when_all_is_move
         const mesh::Distance turned_part(transformed(c.part, turn));
         const Judge turned(turned_part, allowed);
         const double there =
-            depth_of(turned, end_mill(r, 20), apply(turn, c.from), apply(turn, c.to), apply_direction(turn, c.axis))
-                .depth;
+            depth_of(turned, end_mill(r, 20), apply(turn, c.from), apply(turn, c.to), apply_direction(turn, c.axis));
         if (small > allowed && small < 1) {
             EXPECT_NEAR(there, small, allowed / 5 + 0.01 * small) << "case " << number;
         }

@@ -1,5 +1,5 @@
-/// What another program worked out in closed form, by search and by sampling (../shared/spec/oracle/surfaces): heights at
-/// which tools touch meshes, blocks with their greatest gouge, finishing paths over a wave.
+/// What another program worked out in closed form, by search and by sampling (../shared/spec/oracle/surfaces): heights
+/// at which tools touch meshes, blocks with their greatest gouge, finishing paths over a wave.
 
 #include <gtest/gtest.h>
 
@@ -129,17 +129,15 @@ TEST(CertifiedOracle, finishing_paths_over_a_wave_gouge_as_much_as_they_do) {
         const double gouge = c.at("gouge_max"), sampled = 2e-6, meshed = 6e-6;
         const Judge at_most(part, gouge + 2 * (sampled + meshed)), at_least(part, gouge - 2 * (sampled + meshed));
         const json& path = c.at("centre_path_xz");
-        double deepest = 0, upper = 0;
+        double deepest = 0;
         for (std::size_t i = 0; i + 1 < path.size(); ++i) {
             const auto tip = [&](const json& p) { return Vec3{p.at(0), 0, p.at(1).get<double>() - r}; };
             const Move move{geom::Straight{tip(path[i]), tip(path[i + 1])}, {0, 0, 1}, &tool};
             EXPECT_TRUE(at_most.is_clear(move)) << c.at("chord_tolerance") << " block " << i;
             if (at_least.is_clear(move)) continue;
-            const Depth d = at_least.deepest(move);
-            deepest = std::max(deepest, d.depth), upper = std::max(upper, d.upper);
+            if (const auto d = at_least.deepest(move)) deepest = std::max(deepest, d->depth);
         }
         EXPECT_NEAR(deepest, gouge, gouge / 10) << c.at("chord_tolerance");
-        EXPECT_GE(upper, gouge - sampled - meshed) << c.at("chord_tolerance");
     }
 }
 

@@ -6,6 +6,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "base/whole.hpp"
+
 namespace obrys::sim::milling {
 
 namespace {
@@ -68,9 +70,10 @@ std::vector<Place> cells_with_narrow_edges(const Simulation& simulation) {
             for (const Interval& m : dexels.ray(axis, a, b))
                 for (const End end : {End{m.begin, m.begin_cut}, End{m.end, m.end_cut}}) {
                     const double edge = std::floor((end.at - origin) / step);
-                    if (edge == last_edge && edge >= 0 && edge + 1 < l.count[own]) {
+                    const auto whole = base::whole<int>(edge, 0);
+                    if (edge == last_edge && whole && edge + 1 < l.count[own]) {
                         std::array<int, 3> node{};
-                        node[u] = a, node[v] = b, node[own] = static_cast<int>(edge);
+                        node[u] = a, node[v] = b, node[own] = *whole;
                         Vec3 p = l.node(node[0], node[1], node[2]), q = p;
                         set_component(p, axis, last.at);
                         set_component(q, axis, end.at);

@@ -85,8 +85,9 @@ bool Fine::leaf_of(Vec3 p, Leaf& leaf) const {
         const auto n = static_cast<std::size_t>(a);
         const double step = component(lattice_.step, a) / leaves_.unit();
         const double cell = std::floor((component(p, a) - component(lattice_.origin, a)) / step);
-        if (!(cell >= 0 && cell < static_cast<double>(lattice_.count[n] - 1) * leaves_.unit())) return false;
-        at[n] = static_cast<std::int32_t>(cell);
+        const auto whole = base::whole<std::int32_t>(cell, 0);
+        if (!whole || !(cell < static_cast<double>(lattice_.count[n] - 1) * leaves_.unit())) return false;
+        at[n] = *whole;
     }
     leaf = leaves_.leaf_at(at);
     return true;

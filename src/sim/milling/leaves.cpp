@@ -4,6 +4,8 @@
 #include <bit>
 #include <cmath>
 
+#include "base/whole.hpp"
+
 namespace obrys::sim::milling {
 
 namespace {
@@ -19,8 +21,9 @@ std::optional<Place> cell_at(const Lattice& lattice, geom::Vec3 p) {
     for (int a = 0; a < 3; ++a) {
         const auto n = static_cast<std::size_t>(a);
         const double at = std::floor((component(p, a) - component(lattice.origin, a)) / component(lattice.step, a));
-        if (!(at >= 0 && at + 1 < lattice.count[n])) return std::nullopt;
-        cell[n] = static_cast<std::int32_t>(at);
+        const auto whole = base::whole<std::int32_t>(at, 0);
+        if (!whole || !(at + 1 < lattice.count[n])) return std::nullopt;
+        cell[n] = *whole;
     }
     return cell;
 }

@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "base/whole.hpp"
 #include "mesh/distance.hpp"
 #include "sim/milling/unseen.hpp"
 
@@ -34,9 +35,9 @@ public:
     [[nodiscard]] Place cell_of(Vec3 p) const {
         Place c{};
         for (int a = 0; a < 3; ++a)  // one aside, so that what lies around has a number
-            c[static_cast<std::size_t>(a)] = static_cast<std::int32_t>(std::clamp(
-                std::floor((component(p, a) - component(lattice_.origin, a)) / component(lattice_.step, a)) + 2, 1.0,
-                2e6));
+            c[static_cast<std::size_t>(a)] = base::clipped<std::int32_t>(
+                std::floor((component(p, a) - component(lattice_.origin, a)) / component(lattice_.step, a)) + 2, 1,
+                2'000'000);
         return c;
     }
 

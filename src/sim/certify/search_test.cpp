@@ -1,0 +1,105 @@
+/// What a search for the deepest place may not be led away from: something small beside something large, thin walls.
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <memory>
+#include <vector>
+
+#include "mesh/primitives.hpp"
+#include "sim/certify/certify.hpp"
+
+namespace obrys::sim::certify {
+namespace {
+
+using geom::Vec3;
+
+Shape mill_of(double r) { return {{r, 0, r, 30, 0}}; }
+
+const mesh::Distance& slab() {
+    static const mesh::Distance part(mesh::box({0, 0, -20}, {60, 40, 0}));
+    return part;
+}
+
+/// A floor at -1 of very many triangles, on it a wall along y from x0 to x1 that is 1 high.
+mesh::Mesh walled_floor(double step, double x0, double x1) {
+    std::vector<double> xs{x0, x0 + 1e-3, x1 - 1e-3, x1}, ys;
+    for (double v = -20; v <= 20; v += step) xs.push_back(v), ys.push_back(v);
+    std::sort(xs.begin(), xs.end());
+    const auto rows = static_cast<std::uint32_t>(ys.size()), columns = static_cast<std::uint32_t>(xs.size());
+    mesh::Mesh m;
+    for (const double low : {0.0, 1.0})
+        for (const double x : xs)
+            for (const double y : ys) m.vertices.push_back({x, y, low > 0 ? -10 : x > x0 && x < x1 ? 0.0 : -1.0});
+    const auto quad = [&](std::uint32_t a, std::uint32_t b, std::uint32_t c, std::uint32_t d) {
+        m.triangles.push_back({a, b, c});
+        m.triangles.push_back({a, c, d});
+    };
+    const std::uint32_t foot = rows * columns;
+    const auto at = [&](std::uint32_t i, std::uint32_t j) { return i * rows + j; };
+    for (std::uint32_t i = 0; i + 1 < columns; ++i) {
+        for (std::uint32_t j = 0; j + 1 < rows; ++j) {
+            quad(at(i, j), at(i + 1, j), at(i + 1, j + 1), at(i, j + 1));
+            quad(foot + at(i, j), foot + at(i, j + 1), foot + at(i + 1, j + 1), foot + at(i + 1, j));
+        }
+        const std::uint32_t end = rows - 1;
+        quad(foot + at(i, 0), foot + at(i + 1, 0), at(i + 1, 0), at(i, 0));
+        quad(foot + at(i + 1, end), foot + at(i, end), at(i, end), at(i + 1, end));
+    }
+    for (std::uint32_t j = 0; j + 1 < rows; ++j) {
+        const std::uint32_t end = columns - 1;
+        quad(foot + at(0, j + 1), foot + at(0, j), at(0, j), at(0, j + 1));
+        quad(foot + at(end, j), foot + at(end, j + 1), at(end, j + 1), at(end, j));
+    }
+    return m;
+}
+
+TEST(CertifiedSearch, a_wall_on_a_floor_of_many_triangles_that_is_too_deep_itself_is_found) {
+    constexpr double allowed = 0.01, wall = 0.6;
+    for (const double step : {0.2, 5.0})
+        for (const double off : {0.008, 0.02}) {
+            const mesh::Distance part(walled_floor(step, 7.03, 7.03 + wall));
+            const Judge judge(part, allowed);
+            const Shape mill = mill_of(2);
+            const auto d = judge.deepest({geom::Straight{{-30, 0.1, -1 - off}, {30, 0.1, -1 - off}}, {0, 0, 1}, &mill});
+            ASSERT_TRUE(d) << step << ' ' << off;
+            EXPECT_NEAR(d->depth, wall, 0.01) << step << ' ' << off;
+            EXPECT_NEAR(d->at.x, 7.03 + wall / 2, 0.05);
+        }
+}
+
+TEST(CertifiedSearch, a_wall_cut_off_on_an_arc_is_as_deep_as_it_is_thick_wherever_it_lies) {
+    constexpr double allowed = 0.01, wall = 0.6;
+    const Shape mill = mill_of(2);
+    for (const double x : {-5.0, -1.0, 3.0, 6.0}) {
+        const mesh::Distance part(walled_floor(5, x, x + wall));
+        const Judge judge(part, allowed);
+        const geom::Circular c{{15, 0, -1.02}, {-15, 0, -1.02}, {0, 0, -1.02}, {0, 0, 1}, geom::pi};
+        const auto d = judge.deepest({c, {0, 0, 1}, &mill});
+        ASSERT_TRUE(d) << x;
+        EXPECT_NEAR(d->depth, wall, 0.01) << x;
+    }
+}
+
+TEST(CertifiedSearch, a_search_begins_where_it_is_told) {
+    const Judge judge(slab(), 0.01);
+    const Shape mill = mill_of(5);
+    const Move move{geom::Straight{{-20, 20, -0.3}, {80, 20, -0.3}}, {0, 0, 1}, &mill};
+    const auto d = judge.deepest(move, Vec3{41, 21, -0.3});
+    ASSERT_TRUE(d);
+    EXPECT_NEAR(d->depth, 0.3, 0.001);
+    EXPECT_NEAR(d->at.x, 41, 1);
+}
+
+TEST(CertifiedSearch, what_goes_through_air_of_the_stock_is_clear_of_the_part_in_it) {
+    const auto stock = std::make_shared<const mesh::Distance>(mesh::box({0, 0, -20}, {60, 40, -1}));
+    const Judge judge(slab(), 0.01, {[](Vec3 p) { return -1 - p.z; }, stock, 0, true});
+    const Shape mill = mill_of(5);
+    const auto move = [&](double z) { return Move{geom::Straight{{-20, 20, z}, {80, 20, z}}, {0, 0, 1}, &mill}; };
+    EXPECT_FALSE(judge.is_clear(move(-1.005)));
+    EXPECT_TRUE(judge.is_clear(move(-1.005), Judge::Of::part_in_stock));
+    EXPECT_FALSE(judge.is_clear(move(-1.02), Judge::Of::part_in_stock));
+}
+
+}  // namespace
+}  // namespace obrys::sim::certify
