@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <utility>
 
 #include "base/number.hpp"
 #include "base/whole.hpp"
@@ -218,6 +219,7 @@ void Milling::take(const Move& move, std::uint32_t use, const motion::Stand::Vie
         complete_ = false;
         return out_.unchecked(move.record, time_up_.text(), TimeUp::remedy);
     }
+    if (moves_.size() >= setup_.milling->most_simulated) return leave_to_memory(move);
     if (!geom::is_finite(move.from) || !geom::is_finite(move.to)) return take_open(move, use, view);
     whereabouts_.known(move.to);
     const auto leave_out = [&](std::string why, std::string remedy = {}) {
@@ -269,6 +271,15 @@ void Milling::take(const Move& move, std::uint32_t use, const motion::Stand::Vie
         judge_tapping(move, m);
     }
     if (queued_.size() >= batch) carry_out();
+}
+
+void Milling::leave_to_memory(const Move& move) {
+    if (std::exchange(memory_full_, true)) return;
+    complete_ = false;
+    out_.unchecked(move.record,
+                   std::to_string(moves_.size()) + " moves are simulated: from move " + std::to_string(move.index) +
+                       " on nothing is, so that the memory suffices",
+                   "raise simulated_moves in [budget] of the job: a thousand moves take about half a megabyte");
 }
 
 void Milling::carry_out() {

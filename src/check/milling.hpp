@@ -77,6 +77,7 @@ public:
     void finish(bool whole);
 
 private:
+    void leave_to_memory(const Move& move);
     struct Clamp {
         std::string name;
         sim::milling::Simulation simulation;
@@ -215,7 +216,7 @@ private:
     bool edge_away_ = false;      ///< the cycle has stopped the spindle: of a boring bar the edge leaves the wall
     geom::Vec3 stopped_at_;       ///< the tip then
     std::map<std::pair<std::uint32_t, double>, std::uint32_t> bars_;  ///< by tool in the simulation and radius
-    bool tool_ready_ = false, complete_ = true, whole_ = true, stopped_reported_ = false;
+    bool tool_ready_ = false, complete_ = true, memory_full_ = false, whole_ = true, stopped_reported_ = false;
     std::optional<geom::Vec3> tap_bottom_;  ///< where a tap has stopped in its thread
     std::optional<geom::Vec3> tap_mouth_;   ///< where it set out into it
     std::int8_t tap_sense_ = 0;             ///< MilledMove::thread of its way in

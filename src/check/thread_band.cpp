@@ -11,7 +11,8 @@ using geom::Vec3;
 namespace {
 
 constexpr double one_axis_within = 1e-6;  ///< mm
-constexpr std::size_t samples = 512;      ///< of a hole's wall
+constexpr std::size_t samples = 2048;     ///< of a hole's wall
+constexpr std::size_t held_to_part = 4;   ///< one of so many
 constexpr double most_upright = 0.3;      ///< of a wall's normal along the axis
 
 /// Half the width along x of a round body about a straight piece.
@@ -19,46 +20,16 @@ double left_of(Vec3 foot, Vec3 axis, double height, double radius) {
     return std::min(foot.x, foot.x + height * axis.x) - radius;
 }
 
-double middle(std::vector<double> v) {
-    std::nth_element(v.begin(), v.begin() + static_cast<std::ptrdiff_t>(v.size() / 2), v.end());
-    return v[v.size() / 2];
-}
-
 /// Centres of so many triangles of a wall.
-std::vector<Vec3> some_centres(const mesh::Mesh& m, const std::vector<std::uint32_t>& wall) {
-    std::vector<Vec3> some;
+std::vector<WallPoint> some_centres(const mesh::Mesh& m, const std::vector<std::uint32_t>& wall) {
+    std::vector<WallPoint> some;
     const std::size_t stride = std::max<std::size_t>(1, wall.size() / samples);
     for (std::size_t i = 0; i < wall.size(); i += stride) {
         // Spread within the stride: a hole's wall repeats itself along its axis, layer by layer.
         const std::size_t within = (i * 2654435761U >> 7U) % std::min(stride, wall.size() - i);
-        some.push_back(mesh::centre(m, wall[i + within]));
+        some.push_back({mesh::centre(m, wall[i + within]), m.tag(wall[i + within])});
     }
     return some;
-}
-
-/// Of the cylinder along `axis` on which points lie: the circle of least squares, u2 + v2 = 2 a u + 2 b v + c. Nothing
-/// where half of them lie farther off it than allowed.
-std::optional<double> radius_of(const std::vector<Vec3>& points, Vec3 axis, double allowed) {
-    const Vec3 aside = std::abs(axis.x) < 0.6 ? Vec3{1, 0, 0} : Vec3{0, 1, 0};
-    const Vec3 first = geom::cross(axis, aside), u = (1 / geom::length(first)) * first, v = geom::cross(axis, u);
-    Vec3 centre;
-    for (const Vec3& p : points) centre = centre + (1.0 / static_cast<double>(points.size())) * p;
-    double uu = 0, uv = 0, vv = 0, us = 0, vs = 0, sum = 0;
-    for (const Vec3& p : points) {
-        const double x = geom::dot(p - centre, u), y = geom::dot(p - centre, v), s = x * x + y * y;
-        uu += x * x, uv += x * y, vv += y * y, us += x * s, vs += y * s, sum += s;
-    }
-    const double det = uu * vv - uv * uv;
-    if (!(det > 1e-6 * uu * vv)) return std::nullopt;
-    const double a = (us * vv - vs * uv) / (2 * det), b = (vs * uu - us * uv) / (2 * det);
-    const double radius = std::sqrt(a * a + b * b + sum / static_cast<double>(points.size()));
-    std::vector<double> off;
-    for (const Vec3& p : points) {
-        const Vec3 spoke = p - centre - a * u - b * v;
-        off.push_back(std::abs(geom::length(spoke - geom::dot(spoke, axis) * axis) - radius));
-    }
-    if (!(middle(off) <= allowed)) return std::nullopt;
-    return radius;
 }
 
 }  // namespace
@@ -139,10 +110,11 @@ void ThreadBands::fit(const mesh::Mesh& result, const mesh::Distance& part, doub
 }
 
 /// By the radii of the part's wall about the thread's axis and of the hole about its own.
-void ThreadBands::fit_one(Band& band, const std::vector<Vec3>& wall, const mesh::Distance& part, double allowed) {
+void ThreadBands::fit_one(Band& band, const std::vector<WallPoint>& wall, const mesh::Distance& part, double allowed) {
     if (wall.empty()) return;
     std::vector<double> off, own, radii;
-    for (const Vec3& p : wall) {
+    for (std::size_t i = 0; i < wall.size(); i += held_to_part) {
+        const Vec3 p = wall[i].at;
         const mesh::Nearest nearest = part.nearest(p);
         if (!std::isfinite(nearest.distance)) continue;
         off.push_back(part.is_inside(p, nearest) ? -nearest.distance : nearest.distance);
@@ -150,10 +122,12 @@ void ThreadBands::fit_one(Band& band, const std::vector<Vec3>& wall, const mesh:
         radii.push_back(place_in(band, nearest.at).radius);
     }
     if (off.empty()) return;
-    const std::optional<double> hole = radius_of(wall, band.axis, allowed);
-    const double shown = hole ? middle(radii) - *hole : middle(off);
+    const std::optional<HoleRadii> hole = radii_of(wall, {band.foot, band.axis}, allowed);
+    const double shown = hole ? middle(radii) - hole->fitted : middle(off);
     const double radius = hole ? middle(radii) : middle(own) + shown;
-    if (radius >= band.core - allowed && radius <= band.outer + allowed) band.shown = shown;
+    if (!(radius >= band.core - allowed && radius <= band.outer + allowed)) return;
+    band.left_over = std::max(0.0, shown);
+    band.deeper = std::max(0.0, hole ? hole->least - middle(radii) : -shown);
 }
 
 bool ThreadBands::holds(Vec3 p) const {
@@ -165,7 +139,7 @@ bool ThreadBands::holds(Vec3 p) const {
 double ThreadBands::more(Vec3 p, double radius, bool gouge) const {
     double most = 0;
     each_near(p, [&](std::size_t b) {
-        if (holds(bands_[b], p, radius)) most = std::max(most, gouge ? -bands_[b].shown : bands_[b].shown);
+        if (holds(bands_[b], p, radius)) most = std::max(most, gouge ? bands_[b].deeper : bands_[b].left_over);
     });
     return most;
 }
@@ -173,7 +147,7 @@ double ThreadBands::more(Vec3 p, double radius, bool gouge) const {
 double ThreadBands::deeper(const std::array<Vec3, 3>& triangle) const {
     double most = 0;
     each_near((1.0 / 3) * (triangle[0] + triangle[1] + triangle[2]), [&](std::size_t b) {
-        if (-bands_[b].shown > most && holds(bands_[b], triangle)) most = -bands_[b].shown;
+        if (bands_[b].deeper > most && holds(bands_[b], triangle)) most = bands_[b].deeper;
     });
     return most;
 }
@@ -181,8 +155,7 @@ double ThreadBands::deeper(const std::array<Vec3, 3>& triangle) const {
 double ThreadBands::judged(Vec3 p, double deviation) const {
     double left = deviation;
     each_near(p, [&](std::size_t b) {
-        const double shown = bands_[b].shown;
-        const double off = deviation - std::clamp(deviation, std::min(0.0, shown), std::max(0.0, shown));
+        const double off = deviation - std::clamp(deviation, -bands_[b].deeper, bands_[b].left_over);
         if (std::abs(off) < std::abs(left)) left = off;
     });
     return left;

@@ -4,12 +4,14 @@
 /// same amount within the thread's depth, that is how the part shows the thread and no rest material or gouge. That
 /// amount is the difference of two radii: of the part's wall about the tap's axis, and of the hole that was made
 /// before, about its own. So a hole beside its thread, which the tap then cuts on one side, does not pass for another
-/// thread.
+/// thread; nor does one that a move has made wider on some sides only: of the circles that moves have cut the narrowest
+/// is the hole.
 
 #include <array>
 #include <functional>
 #include <vector>
 
+#include "check/hole_wall.hpp"
 #include "geom/vec.hpp"
 #include "mesh/distance.hpp"
 #include "mesh/mesh.hpp"
@@ -38,7 +40,7 @@ private:
     struct Band {
         geom::Vec3 foot, axis;  ///< lower end on the axis; unit vector
         double height = 0, core = 0, outer = 0;
-        double shown = 0;  ///< how far the part's wall lies outside of the simulated one
+        double left_over = 0, deeper = 0;  ///< how far the part's wall lies outside, or inside, of the hole's
         double left = 0;   ///< of the box around it: smallest x
     };
     /// A place as a band sees it.
@@ -46,7 +48,7 @@ private:
         double height = 0, radius = 0;
     };
     [[nodiscard]] static Place place_in(const Band& band, geom::Vec3 p);
-    static void fit_one(Band& band, const std::vector<geom::Vec3>& wall, const mesh::Distance& part, double allowed);
+    static void fit_one(Band& band, const std::vector<WallPoint>& wall, const mesh::Distance& part, double allowed);
     [[nodiscard]] bool holds(const Band& band, geom::Vec3 p, double ball = 0) const;
     [[nodiscard]] bool holds(const Band& band, const std::array<geom::Vec3, 3>& triangle) const;
     template <class Visit>

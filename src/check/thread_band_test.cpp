@@ -87,6 +87,46 @@ TEST(ThreadBands, ATriangleIsExcusedThatLiesInTheThreadAllOver) {
     EXPECT_EQ(bands.deeper(beyond), 0);
 }
 
+/// M10 in a hole of 8.5 mm that the part shows as it is; another move has made it wider over an arc.
+TEST(ThreadBands, AHoleThatIsMadeWiderOverAnArcIsNoWiderHole) {
+    for (const double arc : {0.5, 2.0, 3.5, 4.5, 5.9})
+        for (const double more : {0.03, 0.2, 0.5}) {
+            mesh::Mesh result = wall(4.25, 0, 50);
+            result.tags.assign(result.triangles.size(), 1);
+            const auto cut = [&](Vec3 p) { return std::atan2(p.y, p.x) + geom::pi < arc; };
+            for (std::size_t t = 0; t < result.triangles.size(); ++t)
+                if (cut(mesh::centre(result, t))) result.tags[t] = 2;
+            for (Vec3& v : result.vertices)
+                if (cut(v)) v.x *= (4.25 + more) / 4.25, v.y *= (4.25 + more) / 4.25;
+            ThreadBands bands;
+            bands.add({0, 0, 3}, {0, 0, -20}, {0, 0, 1}, 4.188, 5);
+            const mesh::Distance part(wall(4.25, 0, 4));
+            bands.fit(result, part, 0.02);
+            const double at = -geom::pi + arc / 2, radius = 4.25 + more;
+            EXPECT_NEAR(bands.judged({radius * std::cos(at), radius * std::sin(at), -7}, -more), -more, 0.1 * more)
+                << arc << " " << more;
+        }
+}
+
+/// Two strokes of the same drill to either side.
+TEST(ThreadBands, StrokesBesideAHoleAreNoWiderHole) {
+    for (const double off : {0.025, 0.1, 0.3}) {
+        mesh::Mesh result = wall(4.25, 0, 50);
+        for (Vec3& v : result.vertices) {
+            const double c = std::abs(v.x) / 4.25, out = off * c + std::sqrt(4.25 * 4.25 - off * off * (1 - c * c));
+            v.x *= out / 4.25, v.y *= out / 4.25;
+        }
+        result.tags.assign(result.triangles.size(), 1);
+        for (std::size_t t = 0; t < result.triangles.size(); ++t)
+            if (mesh::centre(result, t).x > 0) result.tags[t] = 2;
+        ThreadBands bands;
+        bands.add({0, 0, 3}, {0, 0, -20}, {0, 0, 1}, 4.188, 5);
+        const mesh::Distance part(wall(4.25, 0, 4));
+        bands.fit(result, part, 0.02);
+        EXPECT_NEAR(bands.judged({4.25 + off, 0, -7}, -off), -off, 0.1 * off) << off;
+    }
+}
+
 TEST(ThreadBands, WhatIsNoThreadStays) {
     EXPECT_DOUBLE_EQ(left_of_it(0, 12, 50, {4.25, 0, -7}), 1.75);   // wider than any thread of this size
     EXPECT_DOUBLE_EQ(left_of_it(0, 10, 50, {4.25, 0, -23}), 0.75);  // below it

@@ -31,6 +31,7 @@ Checked check_program(Session& session, std::size_t keep_moves, const MillingReq
         setup.stock.reset();  // nothing is removed
     else
         setup.milling = milling_setup(session, milling);
+    if (setup.milling) setup.milling->most_simulated = session.job.budgets.simulated_moves;
     if (setup.milling) setup.progress = progress;  // reading is fast, removing is what takes time
     const base::WorkTime time;
     if (session.job.budgets.bounds_check)

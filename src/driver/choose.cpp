@@ -47,13 +47,13 @@ bool known_control(Session& s, const std::string& name, const base::Span& where)
     return false;
 }
 
-const Control* choose_control(Session& s, const Request& request, std::uint32_t file) {
+const Control* choose_control(Session& s, const Request& request, std::uint32_t file, std::optional<bool> turns) {
     constexpr int foreign = 3,
                   certain = 30;  // of 100: corpus programs of other controls reach 29, own ones 53 and more
     s.control = !request.control.empty() ? request.control : s.job.control;
     if (!s.control.empty()) return find_control(s.control);
     const base::Source& source = s.sources[file];
-    const Guess guess = guess_control(source.text, source.name);
+    const Guess guess = guess_control(source.text, source.name, turns);
     s.control = guess.control->name;
     const base::Span where{file, 0, 0};
     if (guess.likelihood < foreign) {

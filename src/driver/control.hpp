@@ -1,6 +1,7 @@
 #pragma once
 /// The controls whose programs can be read, one entry each: this table is all that ties a reader to the rest.
 
+#include <optional>
 #include <span>
 #include <string>
 #include <string_view>
@@ -58,7 +59,7 @@ struct Guess {
     std::string difference;
     std::string foreign;  ///< a control that cannot be read and whose words stand in the text; empty: none
 };
-/// The control for which the text was most likely written.
-[[nodiscard]] Guess guess_control(std::string_view text, std::string_view file_name);
+/// The control for which the text was most likely written. `turns`: whether the machine is a lathe, where that is known.
+[[nodiscard]] Guess guess_control(std::string_view text, std::string_view file_name, std::optional<bool> turns = {});
 
 }  // namespace obrys::driver

@@ -53,6 +53,8 @@ TEST(Control, WordsOfFanucAndHaasAreKnown) {
     EXPECT_EQ(taken("T0101\nG97 S500 M3\nG0 X50. Z2.\nG1 Z-20. F0.2\nM30\n", "c.nc"), "fanuc");
     EXPECT_EQ(taken("N1 T0101\nG0 X50. Z2.\nG71 U2. R1.\nG71 P10 Q20 U0.5 W0.1 F0.2\nN10 G0 X20.\nM30\n", "d.nc"),
               "fanuc");
+    EXPECT_EQ(taken("G21 G90 G17\nT2 M6\nM3 S1000\nG43 H2 Z50.\nG0 X10. Y5.\nM30\n", "a.nc"), "fanuc") << "G43 Z first";
+    EXPECT_EQ(taken("%\nO1234 (PART)\nG21 G90 G17\nT2 M6\nG43 H2 Z50\nG0 X10 Y5\nM30\n%\n", "a.nc"), "fanuc");
     EXPECT_EQ(taken("G54 G90\nG0 X10. Y10.\nG13 I10. F100. D1\nM30\n", "e.nc"), "haas");
     EXPECT_EQ(taken("G54 G90\nG13 D1 I10. F100.\nM30\n", "e.nc"), "haas");
     EXPECT_EQ(taken("G90\nG154 P5\nG187 P1\nG0 X10. Y10.\nM97 P100\nM30\n", "f.nc"), "haas");
@@ -68,6 +70,16 @@ TEST(Control, AGuessSaysItsReasonsAndItsDoubt) {
     EXPECT_EQ(points.difference, "") << "with points all read the same";
     const Guess lathe = guess_of("T1\nG96 S200 M3\nG0 X50. Z2.\nG1 Z-20. F0.2\nM30\n", "a.nc");
     EXPECT_NE(lathe.difference.find("X50. is a diameter"), std::string::npos) << lathe.difference;
+    const std::string changed = "G21 G18 G90\nT1 M6\nG97 S500 M3\nG0 X40. Z2.\nG1 X24. F100.\nM30\n";
+    EXPECT_NE(guess_of(changed, "a.nc").difference.find("X40. is a diameter"), std::string::npos) << "M6 on a lathe";
+    const std::string bare = "G21 G90\nT1 M6\nS500 M3\nG0 X40. Z2.\nG1 X24. F100.\nM30\n";
+    EXPECT_NE(guess_control(bare, "a.nc", true).difference.find("X40. is a diameter"), std::string::npos);
+    EXPECT_EQ(guess_control(bare, "a.nc", false).difference, "");
+    EXPECT_EQ(guess_control(changed, "a.nc", false).difference, "");
+    const Guess pecks = guess_of("G21 G90 G17\nT2 M6\nG0 G43 H2 Z50.\nG83 X10. Y5. Z-10. R2. Q5 F100.\nM30\n", "a.nc");
+    EXPECT_NE(pecks.difference.find("Q5 without a point is 5 mm"), std::string::npos) << pecks.difference;
+    const Guess rotary = guess_of("G21 G90 G17\nT2 M6\nG0 X5. A45\nM30\n", "a.nc");
+    EXPECT_NE(rotary.difference.find("A45 without a point is 45 degrees"), std::string::npos) << rotary.difference;
     const Guess named = guess_of("G21\nG0 X10 Y10\nM2\n", "a.ngc");
     EXPECT_TRUE(named.by_suffix);
     EXPECT_EQ(named.difference, "");

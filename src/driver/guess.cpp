@@ -32,9 +32,16 @@ std::string code_of(std::string_view text) {
     return out;
 }
 
-/// A length other than 0 that is written without a point, with its letter; empty: there is none.
+/// Q is a depth of pecks or a shift.
+bool pecks(std::string_view code) {
+    for (const std::string_view cycle : {"G83", "G73", "G76", "G87"})
+        if (code.find(cycle) != std::string_view::npos) return true;
+    return false;
+}
+
+/// A length or angle other than 0 that is written without a point, with its letter; empty: there is none.
 std::string length_without_point(std::string_view code) {
-    constexpr std::string_view letters = "XYZIJKRUVW";
+    const std::string_view letters = pecks(code) ? "XYZIJKRUVWABCQ" : "XYZIJKRUVWABC";
     for (std::size_t i = 0; i + 1 < code.size(); ++i) {
         if (letters.find(code[i]) == std::string_view::npos || (i > 0 && base::is_letter(code[i - 1]))) continue;
         std::size_t k = i + 1;
@@ -66,16 +73,24 @@ bool says_diameter(std::string_view code) {
     return false;
 }
 
+/// Also where nothing but the plane speaks for a lathe, and no word of a third axis against it.
+bool may_turn(std::string_view code, std::string_view text) {
+    if (read::rs274::guess_machine(text).machine == dialect::rs274::FanucMachine::lathe) return true;
+    const auto has = [&](std::string_view s) { return code.find(s) != std::string_view::npos; };
+    return has("G18") && !has("Y") && !has("J") && !has("G17") && !has("G43");
+}
+
 /// What the two would read as different lengths.
-std::string difference(const Control& a, const Control& b, std::string_view text) {
+std::string difference(const Control& a, const Control& b, std::string_view text, std::optional<bool> lathe) {
     if (a.counts_increments == b.counts_increments) return {};
     const Control& units = a.counts_increments ? b : a;
     const Control& increments = a.counts_increments ? a : b;
     const std::string code = code_of(text);
     if (const std::string word = length_without_point(code); !word.empty())
-        return word + " without a point is " + word.substr(1) + " mm on " + std::string(units.name) +
+        return word + " without a point is " + word.substr(1) + (word.find_first_of("ABC") == 0 ? " degrees" : " mm") +
+               " on " + std::string(units.name) +
                " and may be a thousandth of it on " + std::string(increments.name);
-    const bool turns = read::rs274::guess_machine(text).machine == dialect::rs274::FanucMachine::lathe;
+    const bool turns = lathe ? *lathe : may_turn(code, text);
     if (const std::string word = first_x(code); turns && !word.empty() && !says_diameter(code))
         return word + " is a diameter on a lathe with " + std::string(increments.name) + " and a radius on " +
                std::string(units.name);
@@ -146,7 +161,7 @@ bool has_suffix_of_its_own(const Control& c, std::string_view file_name) {
 
 }  // namespace
 
-Guess guess_control(std::string_view text, std::string_view file_name) {
+Guess guess_control(std::string_view text, std::string_view file_name, std::optional<bool> turns) {
     Guess g;
     for (const Control& c : all_controls()) {
         const int n = likelihood_of(c, text, file_name, nullptr);
@@ -169,7 +184,7 @@ Guess guess_control(std::string_view text, std::string_view file_name) {
         if (clear || &c == g.control || c.counts_increments == g.control->counts_increments) continue;
         const bool plain = g.signs.empty() && c.counts_increments;
         if ((plain || g.likelihood - likelihood_of(c, text, file_name, nullptr) < clear_lead) && g.difference.empty())
-            g.difference = difference(*g.control, c, text);
+            g.difference = difference(*g.control, c, text, turns);
     }
     return g;
 }

@@ -194,13 +194,13 @@ bool read_main(Session& s, const Request& request, const fs::path& path) {
     if (!file) return false;
     s.program = s.sources[*file].name;
     if (is_no_program(s, path, *file)) return false;
-    const Control* control = choose_control(s, request, *file);
-    if (control == nullptr) return false;
-    s.programs = std::make_unique<Programs>(*control, s.sources, s.diagnostics, request.folders);
     bool named = false;
     if (!load_named_machine(s, request, request.input, named)) return false;
     // A job with turned stock, part or tools says that it is for a lathe.
-    const bool told = named || (s.has_job && s.job.machine.kind == shop::MachineKind::lathe);
+    const bool lathe = s.job.machine.kind == shop::MachineKind::lathe, told = named || (s.has_job && lathe);
+    const Control* control = choose_control(s, request, *file, told ? std::optional(lathe) : std::nullopt);
+    if (control == nullptr) return false;
+    s.programs = std::make_unique<Programs>(*control, s.sources, s.diagnostics, request.folders);
     s.programs->set_machine(told ? &s.job.machine : nullptr);
     s.programs->add_folder(path.parent_path());
     for (const std::string& folder : request.search) s.programs->add_folder(folder);

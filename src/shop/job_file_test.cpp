@@ -73,6 +73,7 @@ rapid = 0.03
 [budget]
 blocks = 1000
 loop_passes = 500
+simulated_moves = 700
 call_depth = 12
 seconds = 2.5
 [variables]
@@ -128,6 +129,7 @@ TEST(JobFile, EveryKeyIsRead) {
     EXPECT_EQ(j.tolerances.rapid, 0.03);
     EXPECT_EQ(j.budgets.blocks, 1000U);
     EXPECT_EQ(j.budgets.loop_passes, 500U);
+    EXPECT_EQ(j.budgets.simulated_moves, 700U);
     EXPECT_EQ(j.budgets.call_depth, 12U);
     EXPECT_EQ(j.budgets.seconds, 2.5);
     EXPECT_EQ(as_text(j.variables), "#517=3.2 COUNT=3 FLAG=true1 MY[0,0]=1 MY[0,1]=2 MY[1,0]='x' WORD='abc' _GUD=1.5 ");

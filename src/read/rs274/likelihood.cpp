@@ -1,5 +1,6 @@
 #include <algorithm>
 #include <array>
+#include <initializer_list>
 
 #include "base/number.hpp"
 #include "base/text.hpp"
@@ -72,6 +73,37 @@ Lines count_lines(std::string_view code) {
     return n;
 }
 
+bool has_any(std::string_view line, std::initializer_list<std::string_view> words) {
+    return std::any_of(words.begin(), words.end(), [&](std::string_view w) { return line.find(w) != line.npos; });
+}
+
+bool is_number(std::string_view s) { return s.find_first_not_of("0123456789") == std::string_view::npos; }
+
+/// Of the digits behind a G.
+bool selects_motion(std::string_view digits) {
+    int g = 0;
+    for (std::size_t i = 0; i < digits.size() && i < 3 && base::is_digit(digits[i]); ++i) g = 10 * g + (digits[i] - '0');
+    return g <= 3 || g == 5 || g == 33 || g == 38 || g == 73 || g == 76 || (g > 80 && g < 90);
+}
+
+/// Coordinates before any motion was selected: LinuxCNC begins with G80 and refuses them, others begin with G0.
+bool moves_before_motion(std::string_view code) {
+    while (!code.empty()) {
+        const std::size_t end = std::min(code.find('\n'), code.size());
+        const std::string_view line = code.substr(0, end);
+        code.remove_prefix(std::min(end + 1, code.size()));
+        if (line.starts_with('O') && !is_number(line.substr(1))) return false;
+        if (has_any(line, {"#", "[", "=", "M98", "G65", "G10", "G28", "G30", "G52", "G92"})) return false;
+        for (std::size_t i = 0; i + 1 < line.size(); ++i) {
+            if (line[i] == 'G' && base::is_digit(line[i + 1])) {
+                if (selects_motion(line.substr(i + 1))) return false;
+            }
+            if (std::string_view("XYZ").find(line[i]) != std::string_view::npos && begins_value(line[i + 1])) return true;
+        }
+    }
+    return false;
+}
+
 /// What other controls write and LinuxCNC does not.
 int foreign(std::string_view code) {
     constexpr std::array<std::string_view, 28> words{
@@ -117,8 +149,9 @@ int linuxcnc_likelihood(std::string_view text, std::string_view file_name, std::
     for (const std::string_view own : {"G64P", "G38.", "G33.1", "G5.2", "G5.3", "G92.1", "G92.2", "G61.1", "G41.1",
                                        "G42.1", "G43.1Z", "M66P", "M62P", "M64P"})
         if (code.find(own) != std::string::npos) sign(own);
+    const int early = moves_before_motion(code) ? 1 : 0;
     const int unknown = std::min(3, count_unknown_codes(code, dialect::rs274::linuxcnc, true));
-    return std::clamp(score - 20 * foreign(code) - 15 * unknown, 0, 100);
+    return std::clamp(score - 20 * (foreign(code) + early) - 15 * unknown, 0, 100);
 }
 
 }  // namespace obrys::read::rs274
