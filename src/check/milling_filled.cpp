@@ -95,6 +95,7 @@ private:
     [[nodiscard]] Top top_of(const milling::Air& air, const Deepest& d, double reach) const;
     void measure(Covered& c, const std::vector<Deep>& deep, const Some& some) const;
     [[nodiscard]] bool stands_off(const Covered& c) const;
+    [[nodiscard]] Vec3 before(const mesh::NarrowFace& f) const;
     [[nodiscard]] bool is_rest(const Covered& c);
     void mark_known();
     [[nodiscard]] bool is_known(const Covered& c, std::vector<mesh::Place>& known);
@@ -178,11 +179,13 @@ milling::Box3 Filled::box_of(const Some& some, double more) const {
     return {box.lo - around, box.hi + around};
 }
 
-/// What lies before the face is outside of the part, and no thread's.
-bool Filled::counts(const mesh::NarrowFace& f) const {
-    const Vec3 before = middle_of(f) + narrowest * options_.excess * m_.part.normal(f.triangle);
-    return !m_.threads.holds(before) && mesh::winding(m_.part, before) == 0;
+/// A place that lies in what the face bounds.
+Vec3 Filled::before(const mesh::NarrowFace& f) const {
+    return middle_of(f) + narrowest * options_.excess * m_.part.normal(f.triangle);
 }
+
+/// What lies before the face is outside of the part.
+bool Filled::counts(const mesh::NarrowFace& f) const { return mesh::winding(m_.part, before(f)) == 0; }
 
 /// Of each triangle the deepest of these places.
 std::vector<Filled::Deepest> Filled::deepest_of(const milling::Air& air, const std::vector<Deep>& deep,
@@ -245,12 +248,14 @@ std::optional<Covered> Filled::look(const Some& some) const {
     const milling::Air air = m_.simulation.whole_air_in(box_of(some, enough));
     std::vector<Deep> deep;
     std::size_t first = 0;
-    for (const std::uint32_t f : some)
+    for (const std::uint32_t f : some) {
+        if (!m_.threads.empty() && m_.threads.holds(before(faces_[f]))) continue;
         for (const Vec3& p : places_of(faces_[f])) {
             const FilledDepth d = depth_at(air, p, allowed, enough, first);
             first = d.body;
             if (d.depth > allowed) deep.push_back({p, f});
         }
+    }
     Covered c;
     c.cube = cube_of(middle_of(faces_[some.front()]));
     // Mostly all faces count, or none: then one is enough to tell.
