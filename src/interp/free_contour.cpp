@@ -101,7 +101,8 @@ private:
     }
     /// A block nobody handed over gets a tag that the solver does not know.
     std::uint64_t tag_of(double number) const {
-        const auto found = contour_.by_number.find(base::clipped<std::uint32_t>(number, 0, 4'000'000'000));
+        const auto whole = base::whole<std::uint32_t>(number);
+        const auto found = whole ? contour_.by_number.find(*whole) : contour_.by_number.end();
         return found == contour_.by_number.end() ? ~std::uint64_t{0} : found->second;
     }
     std::optional<path::FkValue> value(const Field& f) {
@@ -152,7 +153,7 @@ bool hand_over(Run& run, FreeContour& c) {
     if (s->kind == SpecialKind::free_pole) set_pole(run, *s);
     if (s->kind == SpecialKind::free_select) {
         const double n = datum_of(run, *s, Datum::number);
-        take(c, c.solver.select(base::cut<std::size_t>(n, 1, 1000).value_or(0)));
+        take(c, c.solver.select(base::whole<std::size_t>(n, 1, 1000).value_or(0)));
     }
     if (!is_element(s->kind)) return true;
     if (s->block_number != 0) c.by_number[s->block_number] = tag;

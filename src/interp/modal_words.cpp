@@ -153,12 +153,13 @@ bool motion_word(Run& run, Modal m, const program::Word& w) {
 bool take_orientation(Run& run) {
     const BlockWords& b = run.block;
     const double l = b.has(Code::l) ? b.get(Code::l) : 0;
-    run.modal.compensation_orientation = l >= 0 ? base::cut<int>(l, 0, 9).value_or(0) : 0;
+    const auto orientation = base::whole<int>(l, 0, 9);
+    if (orientation) run.modal.compensation_orientation = *orientation;
     std::string fault;
     if (b.has(Code::l) && run.modal.plane != 18)
         fault = "L (orientation of a lathe tool) beside radius compensation is for the plane of G18";
-    else if (b.has(Code::l) && l != std::floor(l))
-        fault = "L, the orientation of the tool, must be a whole number";
+    else if (!orientation)
+        fault = "L, the orientation of the tool, must be a whole number from 0 to 9";
     if (fault.empty()) return true;
     alarm(run, base::codes::value_range, run.here(), std::move(fault));
     return false;

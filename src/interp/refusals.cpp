@@ -7,6 +7,7 @@
 
 #include "base/codes.hpp"
 #include "interp/motion.hpp"
+#include "interp/refuse_signals.hpp"
 
 namespace obrys::interp {
 
@@ -111,24 +112,6 @@ void refuse_functions(Run& run) {
     for (const int m : run.block.m)
         if ((m >= 48 && m <= 53) || (m >= 62 && m <= 68))
             return refuse_under_compensation(run, word_of(run, Code::m), "M" + std::to_string(m) + " acts");
-}
-
-/// Of LinuxCNC's motion module: num_dio and num_aio are at most 64.
-constexpr double most_signals = 64;
-
-void refuse_signal(Run& run, Code word, int m) {
-    const double n = run.block.has(word) ? run.block.peek(word) : 0;
-    if (n < most_signals - 0.5 || std::isnan(n)) return;  // it is rounded
-    alarm(run, codes::value_range, word_of(run, word),
-          "M" + std::to_string(m) + " names number " + printed(Value::real(n)) + ": inputs and outputs go up to " +
-              printed(Value::real(most_signals - 1)));
-}
-
-void refuse_signals(Run& run) {
-    for (const int m : run.block.m) {
-        if (m >= 62 && m <= 66) refuse_signal(run, Code::p, m);
-        if (m >= 66 && m <= 68) refuse_signal(run, Code::e, m);
-    }
 }
 
 void refuse_tool(Run& run) {

@@ -191,8 +191,8 @@ void set_tool_data(Run& run, int l) {
     if (l == 1) compare_with_job(run, *t);
     if (b.has(Code::i)) table.front_angle = b.get(Code::i);
     if (b.has(Code::j)) table.back_angle = b.get(Code::j);
-    if (const double q = b.has(Code::q) ? b.get(Code::q) : -1; q >= 0 && q <= 9)
-        table.orientation = base::clipped<int>(q, 0, 9);
+    if (b.has(Code::q))
+        if (const auto q = whole(run, Code::q, "Q, the orientation of a lathe tool,", 9)) table.orientation = *q;
     const auto place = static_cast<int>(t - run.tools.data()) + 1;
     // The control's list begins with the tool in the spindle; before the first change its first tool stands there.
     const bool loaded = run.tool.data == t || (run.tool.number == 0 && place == 1);

@@ -155,6 +155,25 @@ void begin_curve(Run& run, bool own_knots) {
     if (!own_knots) run.curve.curve.points.push_back({run.programmed_position, 1});
 }
 
+/// P of G6.2, L of G5.2, which takes the largest one and none below 3; false after a complaint.
+bool take_order(Run& run) {
+    ControlCurve& n = run.curve;
+    const Code word = n.own_knots ? Code::p : Code::l;
+    if (!run.block.has(word)) return true;
+    const double v = run.block.get(word);
+    const int least = n.own_knots ? 2 : 0;
+    const std::string letter = n.own_knots ? "P" : "L";
+    const auto order = base::whole<int>(v, least, geom::largest_order);
+    if (std::isnan(v))
+        unchecked(run, codes::unknown_value, run.here(),
+                  "the order of this curve depends on a value that is not known");
+    else if (!order)
+        refuse_curve(run, letter + printed(Value::real(v)) + " is no order of a curve: whole numbers from " +
+                              std::to_string(least) + " to " + std::to_string(geom::largest_order) + " are run here");
+    if (order) n.curve.order = n.own_knots ? *order : std::max(n.curve.order, *order);
+    return !run.stopped;
+}
+
 bool add_point(Run& run) {
     const BlockWords& b = run.block;
     ControlCurve& n = run.curve;
@@ -165,9 +184,7 @@ bool add_point(Run& run) {
         refuse_curve(run, "every control point needs a weight above 0");
         return false;
     }
-    const Code order_word = n.own_knots ? Code::p : Code::l;
-    if (const auto order = base::cut<int>(b.has(order_word) ? b.get(order_word) : 0, 2, geom::largest_order))
-        n.curve.order = n.own_knots ? *order : std::max(n.curve.order, *order);
+    if (!take_order(run)) return false;
     if (n.own_knots) b.use(Code::q);  // how the control steps along the curve, which stays the same
     if (n.own_knots && b.has(Code::k)) n.curve.knots.push_back(b.get(Code::k));
     if (!point && !n.own_knots && n.curve.points.size() == 1 && b.has(Code::p)) n.curve.points.front().weight = w;

@@ -27,9 +27,10 @@ Value read_values(State& s, std::string_view letters) {
 /// M120 LA10: how many blocks are looked ahead.
 void look_ahead(State& s, std::uint32_t begin, const dialect::heidenhain::MFunction& known) {
     const Value v = read_values(s, known.parameters);
-    const double n = v.found && v.is_literal() ? v.number() : 0;
-    s.build.modal(Modal::look_ahead, begin, s.in.at(), base::clipped<int>(n, 0, 99));
+    const auto n = base::whole<int>(v.found && v.is_literal() ? v.number() : 0, 0, 99);
+    s.build.modal(Modal::look_ahead, begin, s.in.at(), n.value_or(0));
     if (v.found && !v.is_literal()) s.build.problem(Code::unsupported, begin, s.in.at(), "LA must be a number here");
+    if (!n) s.build.problem(Code::unsupported, begin, s.in.at(), "LA is a whole number from 0 to 99");
 }
 
 /// M103 F20: percent of F that is left along the tool axis; without F all of it again.

@@ -23,9 +23,9 @@ std::string mode_text(const FanucControl& control, Mode m, const Modes& modes) {
         case Mode::polar: return either("G16", "G15");
         case Mode::plane: return "G" + std::to_string(v);
         case Mode::hole:
-        case Mode::back_bore: return modes[static_cast<std::size_t>(Mode::hole)] == 0
-                                         ? std::string("no hole cycle")
-                                         : code(modes[static_cast<std::size_t>(Mode::hole)]);
+        case Mode::back_bore:
+            return modes[static_cast<std::size_t>(Mode::hole)] == 0 ? std::string("no hole cycle")
+                                                                    : code(modes[static_cast<std::size_t>(Mode::hole)]);
         case Mode::turning: return v == 0 ? std::string("no cycle") : code(v);
         case Mode::rigid: return either("M29", "no M29");
         case Mode::to_clearance: return either("G99", "G98");
@@ -38,7 +38,7 @@ std::string mode_text(const FanucControl& control, Mode m, const Modes& modes) {
 
 class FanucAgain : public program::ReadAgain {
 public:
-    explicit FanucAgain(const FanucState& s) : control_(s.control), c_is_axis_(s.c_is_axis) {}
+    explicit FanucAgain(const FanucState& s) : control_(s.control), c_is_axis_(s.c_is_axis), draws_(s.draws) {}
 
     [[nodiscard]] PieceRead read(const program::Unit& unit, std::uint32_t statement, const program::ModeUse& use,
                                  const Modes& modes, const base::Sources& sources, program::Names& names,
@@ -51,6 +51,7 @@ public:
         s.system = system_parameter;
         s.whole_number_said = s.corner_said = true;
         s.c_is_axis = c_is_axis_;
+        s.draws = draws_;
         s.part = &s.parts.emplace_back(s.file, s.variant, s.names, s.diagnostics, s.text);
         s.unit().name = unit.name;
         s.modes.begin_program(modes);
@@ -68,13 +69,13 @@ public:
     [[nodiscard]] std::string difference(const Modes& text, const Modes& run, ModeSet among) const override {
         const ModeSet found = program::different(text, run, among);
         const auto first = static_cast<Mode>(std::countr_zero(found == 0 ? among : found));
-        return "the block stands in the text behind " + mode_text(control_, first, text) +
-               ", but is run while " + mode_text(control_, first, run) + " is in force";
+        return "the block stands in the text behind " + mode_text(control_, first, text) + ", but is run while " +
+               mode_text(control_, first, run) + " is in force";
     }
 
 private:
     FanucControl control_;
-    bool c_is_axis_ = false;
+    bool c_is_axis_ = false, draws_ = false;
 };
 
 }  // namespace

@@ -22,8 +22,14 @@ void read_head(FanucState& s) {
             s.line.step();
         } else if (s.line.peek() == 'N' && base::is_digit(s.line.peek(1)) && !s.number) {
             std::uint32_t n = 0;
-            for (s.line.step(); base::is_digit(s.line.peek()); s.line.step())
-                n = std::min<std::uint32_t>(n * 10 + static_cast<std::uint32_t>(s.line.peek() - '0'), 99'999'999);
+            const std::uint32_t begin = s.line.here();
+            constexpr std::uint32_t most = 99'999'999;
+            bool fits = true;
+            for (s.line.step(); base::is_digit(s.line.peek()); s.line.step()) {
+                n = std::min(n * 10 + static_cast<std::uint32_t>(s.line.peek() - '0'), most + 1);
+                fits = fits && n <= most;
+            }
+            if (!fits) return fail(s, begin, s.line.behind(), "a block number has eight digits at most");
             s.number = n;
         } else {
             return;
@@ -161,29 +167,6 @@ void refuse_repeated(FanucState& s) {
     }
 }
 
-/// ,C and ,R stand between straight and circular blocks; else the control stops ("Optional chamfering and corner R",
-/// B-63944EN/02; alarms 51 and 52 [-]).
-void judge_corner(FanucState& s) {
-    constexpr std::string_view lone = "a corner needs a straight or circular block at feed before and behind it";
-    const auto is_axis = [](const Address& a) {
-        return !a.comma && std::string_view("XYZUVW").find(a.letter) != std::string_view::npos;
-    };
-    const auto is_corner = [](const Address& a) { return a.comma && (a.letter == 'C' || a.letter == 'R'); };
-    const auto is_rapid = [&] { return s.motion == Modal::rapid || hole_of(s) != 0; };
-    const auto axis = std::find_if(s.addresses.begin(), s.addresses.end(), is_axis);
-    const bool moves = axis != s.addresses.end();
-    if (moves && s.corner_waits) {
-        if (is_rapid()) add_problem(s, Code::unsupported, axis->begin, axis->end, lone);
-        s.corner_waits = false;
-    }
-    const auto corner = std::find_if(s.addresses.begin(), s.addresses.end(), is_corner);
-    if (corner == s.addresses.end()) return;
-    if (is_rapid())
-        add_problem(s, Code::unsupported, corner->begin, corner->end, lone);
-    else
-        s.corner_waits = true;
-}
-
 /// Coordinates of a block that goes on with a motion which is not run: no other one takes them.
 bool goes_on_with_lost_motion(const FanucState& s) {
     if (s.own_motion || !s.special.empty() || !s.lost_motion) return false;
@@ -234,6 +217,7 @@ void emit_all(FanucState& s) {
     begin_words(s);
     s.special.clear();
     s.own_motion = s.restore_motion = s.hole_apart = false;
+    s.corner.reset();
     for (Address& a : s.addresses)
         if (a.letter == 'G' && !a.used) read_g_code(s, a);
     for (Address& a : s.addresses)
@@ -242,6 +226,7 @@ void emit_all(FanucState& s) {
     refuse_in_rotation(s);
     if (!s.failed) run_specials(s);
     refuse_repeated(s);
+    if (!s.failed) judge_block_behind_corner(s);
     if (!s.failed && turning_block(s)) return;
     for (Address& a : s.addresses)
         if (!s.failed && !a.used) emit_address(s, a);
@@ -369,6 +354,7 @@ void read_fanuc_block(FanucState& s, std::uint32_t begin, std::uint32_t end) {
     if (s.line.fault() == CommentFault::unclosed)
         return fail(s, s.line.fault_begin(), s.line.end(), "the comment is not closed", "add )");
     read_head(s);
+    if (s.failed) return;
     note_number(s);
     s.build().begin_block(s.skip);
     const std::size_t before = s.unit().statements.size();

@@ -33,7 +33,7 @@ enum class Mode : std::uint8_t {
     new_cycle,      ///< nothing of the turning cycle has been run yet
     motion,
     threading,      ///< … is a thread
-    corner_waits,   ///< ,C or ,R stood in the last block with coordinates
+    corner_waits,   ///< a chamfer or corner R stood in the last block, as what it asks of this one
     transformed,    ///< bits of Transformed
     count
 };

@@ -258,6 +258,7 @@ std::vector<program::Unit> read_text(std::uint32_t file, const base::Sources& so
     FanucState s(file, control, names, diagnostics, sources);
     s.system = system_parameter;
     s.whole_number_said = options.whole_numbers_known;
+    s.draws = control.is_lathe() && uses_line_angles(s.text);
     s.c_is_axis = options.c_axis ? *options.c_axis : control.is_lathe() && uses_c_axis(s.text);
     s.corner_said = options.c_axis.has_value();
     const Extent e = read_extents(s, source);

@@ -1,6 +1,6 @@
 #pragma once
-/// What the parts of the FANUC reader share with each other only. What a word means may depend on what stands earlier in
-/// the program (units, hole cycles, systems): that is asked through FanucModes alone, which notes it for the run.
+/// What the parts of the FANUC reader share with each other only. What a word means may depend on what stands earlier
+/// in the program (units, hole cycles, systems): that is asked through FanucModes alone, which notes it for the run.
 
 #include <array>
 #include <map>
@@ -59,6 +59,9 @@ struct PendingLabel {
 /// What C means: an axis, or part of a plane that the control makes of two axes.
 enum class Surface : std::uint8_t { none, polar, cylinder };
 
+/// What the block behind a corner has to be: any way at feed; straight along X alone, or along Z alone.
+enum class Corner : std::uint8_t { none, at_feed, then_x, then_z };
+
 struct FanucState : State {
     FanucState(std::uint32_t file_number, const FanucControl& c, program::Names& n, base::Diagnostics& d,
                const base::Sources& all)
@@ -85,13 +88,14 @@ struct FanucState : State {
     ModeField<bool, Mode::cleared_cycle> cleared_cycle{modes};
     ModeField<bool, Mode::new_cycle> new_cycle{modes};
     MotionMode motion{modes};
-    ModeField<bool, Mode::corner_waits> corner_waits{modes};
+    ModeField<Corner, Mode::corner_waits> corner_waits{modes};
     ModeField<int, Mode::transformed> transformed{modes};
 
     // Of the text as a whole.
     bool whole_number_said = false;
     bool c_is_axis = false;  ///< of lathes: C is no chamfer
     bool corner_said = false;
+    bool draws = false;  ///< of lathes: A is an angle, so that R and C are words of direct drawing input
 
     // The block at hand.
     std::vector<Address> addresses;
@@ -103,6 +107,7 @@ struct FanucState : State {
     bool hole_apart = false;              ///< its P, K and R are not those of the hole cycle in force
     std::optional<bool> brackets_match;   ///< ( and ) of its comments
     int depth = 0;                        ///< of IF … THEN within it
+    std::optional<Address> corner;        ///< its chamfer or corner R, with or without comma
     bool own_motion = false;              ///< a G code of the motion group stands in it
     bool restore_motion = false;          ///< `motion` holds again behind it
     std::vector<Address> behind;          ///< M functions that act behind the motion
@@ -157,6 +162,11 @@ void put_value(FanucState& s, Order order, Code code, const Value& v, const Addr
 // fanuc_corner.cpp
 /// Chamfers, roundings and angles of straight blocks; false where the address is none of them.
 [[nodiscard]] bool corner_word(FanucState& s, const Address& a);
+/// A chamfer or corner R before this block and in it: which blocks it may stand between, and what else in its block.
+void judge_block_behind_corner(FanucState& s);
+void judge_corner(FanucState& s);
+/// A of a lathe's program is the angle of a straight line.
+[[nodiscard]] bool uses_line_angles(std::string_view text);
 /// C of a lathe's program is an axis by how the text uses it.
 [[nodiscard]] bool uses_c_axis(std::string_view text);
 

@@ -73,7 +73,8 @@ TEST(FanucWords, WordsComeInTheOrderOfExecution) {
     EXPECT_EQ(on_mill("G30 P3 Z0"), "Z0 " + m(Modal::home, 3));
     EXPECT_EQ(on_mill("G92 S3000"), "LIMS3000");
     EXPECT_EQ(on_mill("G92 X0 Y0"), "X0 Y0 " + m(Modal::position_becomes));
-    EXPECT_EQ(on_mill("G1 X1. ,C2. ,R3. F100\nX5."), "F100 X1 CHR2 RND3 " + m(Modal::linear) + "\nX5");
+    EXPECT_EQ(on_mill("G1 X1. ,C2. ,R3. F100\nX5."),
+              "F100 X1 CHR2 unsupported{,R3.|the block has two corners (alarm 53)} " + m(Modal::linear) + "\nX5");
 }
 
 TEST(FanucWords, WorkOffsets) {
