@@ -28,8 +28,8 @@ void take_shape(shop::Tool& t) {
     t.length = sum({3, 12, 21});
     if (type >= 500 && type < 600) {
         if (t.kind == shop::ToolKind::other && !(type >= 520 && type < 540)) t.kind = shop::ToolKind::turning;
-        if (const auto p = t.parameters.find(2); p != t.parameters.end() && p->second >= 1 && p->second <= 9)
-            t.orientation = base::clipped<int>(p->second, 1, 9);
+        if (const auto p = t.parameters.find(2); p != t.parameters.end())
+            if (const auto n = base::whole<int>(p->second, 1, 9)) t.orientation = *n;
     }
     if (t.kind == shop::ToolKind::turning)
         t.nose_radius = std::max(0.0, radius);
@@ -37,6 +37,13 @@ void take_shape(shop::Tool& t) {
         t.corner_radius = std::max(0.0, radius);
     else
         t.radius = radius;
+}
+
+/// Of turning tools; 0: none is given.
+bool has_position_of_no_kind(const shop::Tool& t) {
+    const auto type = t.parameters.find(1), position = t.parameters.find(2);
+    return type != t.parameters.end() && type->second >= 500 && type->second < 600 && position != t.parameters.end() &&
+           !base::whole<int>(position->second, 0, 9);
 }
 
 const shop::Tool* find_tool(const Run& run, const ToolState& t) {
@@ -121,6 +128,9 @@ void write_tool_parameter(Run& run, double number, double edge, int n, double va
         if (const auto v = shop::parameter(*found, k); v && *v != 0) found->parameters.emplace(k, *v);
     found->parameters[n] = value;
     take_shape(*found);
+    if (n <= 2 && has_position_of_no_kind(*found))
+        unchecked(run, codes::unknown_value, run.here(),
+                  "the cutting edge position ($TC_DP2) of a turning tool is a whole number from 1 to 9");
     if (run.env.machine.kind == shop::MachineKind::mill) compare_with_job(run, *found);
     run.tool.data = find_tool(run, run.tool);
 }

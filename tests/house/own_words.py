@@ -58,6 +58,7 @@ OF_ONE = {
     "assign it before it is read, or ask with EXISTS": ["linuxcnc"],
     " or #<name>": ["linuxcnc"],
     "the fixed point of G75": ["sinumerik"],
+    "the cutting edge position ($TC_DP2) of a": ["sinumerik"],
     "G94 and G95 end the constant": ["sinumerik", "linuxcnc", "fanuc", "haas"],  # G96
     "write G96 behind them": ["sinumerik", "linuxcnc", "fanuc", "haas"],
     "L (orientation of a lathe tool)": ["linuxcnc"],  # G41.1 L
