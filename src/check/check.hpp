@@ -42,8 +42,8 @@ struct MillingSetup {
     std::shared_ptr<const mesh::Distance> part;  ///< the finished part, closed
     bool surface = false;                        ///< the surface is asked for without a part, too
     std::uint64_t most_simulated = std::numeric_limits<std::uint64_t>::max();  ///< moves
-    std::size_t keep_moves = 0;                  ///< how many moves keep their way, for pages
-    int threads = 0;                             ///< 0: as many as there are processors; the result is the same
+    std::size_t keep_moves = 0;  ///< how many moves keep their way, for pages
+    int threads = 0;             ///< 0: as many as there are processors; the result is the same
 };
 
 /// What the program is held to. Regions lie in the (z, x) plane, x a radius, mm, and are closed to the axis.

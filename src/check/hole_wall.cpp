@@ -6,16 +6,18 @@
 #include <limits>
 #include <map>
 
+#include "base/whole.hpp"
+
 namespace obrys::check {
 
 using geom::Vec3;
 
 namespace {
 
-constexpr std::size_t hole_directions = 36;      ///< about the axis
-constexpr std::size_t wide_from = 10;       ///< directions of an arc that has a circle of its own
-constexpr std::size_t least_points = 8;     ///< of an arc
-constexpr double no_circle_from = 0.5;      ///< of what is allowed: farther off than this nearly all must not be
+constexpr std::size_t hole_directions = 36;  ///< about the axis
+constexpr std::size_t wide_from = 10;        ///< directions of an arc that has a circle of its own
+constexpr std::size_t least_points = 8;      ///< of an arc
+constexpr double no_circle_from = 0.5;       ///< of what is allowed: farther off than this nearly all must not be
 constexpr double nearly_all = 0.98;
 
 /// The circle of least squares, u2 + v2 = 2 a u + 2 b v + c, and how far points lie off it.
@@ -25,9 +27,9 @@ struct Circle {
 };
 
 double share(std::vector<double> v, double part) {
-    const auto n = static_cast<std::ptrdiff_t>(part * static_cast<double>(v.size() - 1));
-    std::nth_element(v.begin(), v.begin() + n, v.end());
-    return v[static_cast<std::size_t>(n)];
+    const auto n = base::clipped<std::size_t>(part * static_cast<double>(v.size()), 0, v.size() - 1);
+    std::nth_element(v.begin(), v.begin() + static_cast<std::ptrdiff_t>(n), v.end());
+    return v[n];
 }
 
 std::optional<Circle> circle_of(const std::vector<WallPoint>& points, Vec3 axis) {

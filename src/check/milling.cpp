@@ -23,10 +23,10 @@ namespace milling = sim::milling;
 namespace {
 
 constexpr std::uint32_t most_pieces_in_all = 200'000;  ///< in all; the moves behind them count as a whole
-constexpr std::size_t batch = 32'768;           ///< passes that wait for the simulation
-constexpr double drill_rub = 0.02;                    ///< mm by which the assumed body of a drill stands out of its hole
-constexpr double stock_chords = 0.02;           ///< of what is allowed: of a round stock
-constexpr double fallback_radius = 1;           ///< mm, where no tool of the list has a shape
+constexpr std::size_t batch = 32'768;                  ///< passes that wait for the simulation
+constexpr double drill_rub = 0.02;     ///< mm by which the assumed body of a drill stands out of its hole
+constexpr double stock_chords = 0.02;  ///< of what is allowed: of a round stock
+constexpr double fallback_radius = 1;  ///< mm, where no tool of the list has a shape
 
 /// The smallest radius that a tool of the list can leave: what the lattice must resolve.
 double smallest_radius(const Setup& setup) {

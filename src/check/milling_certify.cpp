@@ -18,9 +18,9 @@ using geom::Vec3;
 
 namespace {
 
-constexpr double chord_share = 0.02;    ///< of what is allowed: chords that stand for arcs of a form tool or a bar
+constexpr double chord_share = 0.02;  ///< of what is allowed: chords that stand for arcs of a form tool or a bar
 constexpr std::size_t moves_looked_at = 400;  ///< moves whose depth is found to the end, and the deepest of each place
-constexpr double proved = 1.1;          ///< of what is allowed: what is no deeper and was measured as less is clear
+constexpr double proved = 1.1;  ///< of what is allowed: what is no deeper and was measured as less is clear
 /// A depth of the rays is looked for again if it is so much more than what was found: of that, and of what is allowed.
 constexpr double again_deeper_by = 0.1, again_deeper_more = 0.5;
 constexpr std::size_t most_again = 12;  ///< moves of one place that are searched again
@@ -161,7 +161,8 @@ void Certificate::settle(const mesh::Place& rays) {
     const double claimed = -rays.deviation;
     const auto reached = [&] {
         return std::any_of(all.begin(), all.end(), [&](const Suspect* s) {
-            return s->state == State::found && s->depth->depth * (1 + again_deeper_by) + again_deeper_more * allowed_ >= claimed;
+            return s->state == State::found &&
+                   s->depth->depth * (1 + again_deeper_by) + again_deeper_more * allowed_ >= claimed;
         });
     };
     std::size_t again = 0;

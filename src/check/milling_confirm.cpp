@@ -53,7 +53,7 @@ constexpr std::size_t most_doubtful = 40;      ///< of a kind
 constexpr std::size_t most_looks = 4'000'000;  ///< at sweeps, for all doubtful places of a kind
 constexpr double least_cells = 20'000;         ///< of each
 
-constexpr double as_good = 0.05;           ///< of what is allowed: no worse
+constexpr double as_good = 0.05;  ///< of what is allowed: no worse
 
 constexpr double among_worst = 0.9;
 constexpr double as_worst = 0.999;
@@ -117,7 +117,8 @@ Proof::Outcome outcome_of(mesh::Place& p, const milling::Box3& box, const Machin
     Claim claim{m.part, air, gouge, allowed, {}, m.stop};
     if (!m.threads.empty())
         claim.more = [&](geom::Vec3 at, double radius) { return m.threads.more(at, radius, gouge); };
-    const Proof proof = decide(claim, box, base::clipped<std::size_t>(cells, 0, std::numeric_limits<std::size_t>::max()));
+    const Proof proof =
+        decide(claim, box, base::clipped<std::size_t>(cells, 0, std::numeric_limits<std::size_t>::max()));
     if (proof.outcome == Proof::Outcome::present) {
         p.deviation = gouge ? -proof.deviation : proof.deviation;
         p.at = proof.at;

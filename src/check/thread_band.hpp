@@ -41,7 +41,7 @@ private:
         geom::Vec3 foot, axis;  ///< lower end on the axis; unit vector
         double height = 0, core = 0, outer = 0;
         double left_over = 0, deeper = 0;  ///< how far the part's wall lies outside, or inside, of the hole's
-        double left = 0;   ///< of the box around it: smallest x
+        double left = 0;                   ///< of the box around it: smallest x
     };
     /// A place as a band sees it.
     struct Place {

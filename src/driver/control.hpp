@@ -59,7 +59,8 @@ struct Guess {
     std::string difference;
     std::string foreign;  ///< a control that cannot be read and whose words stand in the text; empty: none
 };
-/// The control for which the text was most likely written. `turns`: whether the machine is a lathe, where that is known.
+/// The control for which the text was most likely written. `turns`: whether the machine is a lathe, where that is
+/// known.
 [[nodiscard]] Guess guess_control(std::string_view text, std::string_view file_name, std::optional<bool> turns = {});
 
 }  // namespace obrys::driver

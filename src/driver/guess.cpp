@@ -88,8 +88,7 @@ std::string difference(const Control& a, const Control& b, std::string_view text
     const std::string code = code_of(text);
     if (const std::string word = length_without_point(code); !word.empty())
         return word + " without a point is " + word.substr(1) + (word.find_first_of("ABC") == 0 ? " degrees" : " mm") +
-               " on " + std::string(units.name) +
-               " and may be a thousandth of it on " + std::string(increments.name);
+               " on " + std::string(units.name) + " and may be a thousandth of it on " + std::string(increments.name);
     const bool turns = lathe ? *lathe : may_turn(code, text);
     if (const std::string word = first_x(code); turns && !word.empty() && !says_diameter(code))
         return word + " is a diameter on a lathe with " + std::string(increments.name) + " and a radius on " +

@@ -238,10 +238,11 @@ void part_turret_number(Run& run) {
     const auto whole = base::whole<std::uint32_t>(t);
     if (!whole) return;  // said as no tool number
     const std::uint64_t tool = std::uint64_t{1} << static_cast<unsigned>(Code::tool);
-    if (*whole < hundred && *whole > 0)
+    if (*whole<hundred&& * whole> 0)
         return unchecked(run, codes::unsupported, run.here(),
-                         "T" + printed(Value::real(t)) + " is one number for tool and offset: which it is (T0003, T0303) "
-                         "depends on the machine",
+                         "T" + printed(Value::real(t)) +
+                             " is one number for tool and offset: which it is (T0003, T0303) "
+                             "depends on the machine",
                          "compute a number with the digits of both: 100 times the tool, and the offset");
     if (*whole > most)
         unchecked(run, codes::unsupported, run.here(),

@@ -13,17 +13,17 @@
 namespace obrys::read::rs274 {
 
 enum class Mode : std::uint8_t {
-    inch,           ///< -1: not said, 0, 1
+    inch,  ///< -1: not said, 0, 1
     per_rev,
     incremental,
-    polar,          ///< G16
+    polar,  ///< G16
     plane,
-    hole,           ///< G number * 10 of the hole cycle in force; 0: none
-    back_bore,      ///< … is G87
-    rigid,          ///< M29 stood before: the next taps are rigid
-    turning,        ///< of the turning cycle in force
-    lost,           ///< within polar or cylindrical interpolation, which are not run
-    lost_motion,    ///< a motion or hole cycle is in force that is not run
+    hole,         ///< G number * 10 of the hole cycle in force; 0: none
+    back_bore,    ///< … is G87
+    rigid,        ///< M29 stood before: the next taps are rigid
+    turning,      ///< of the turning cycle in force
+    lost,         ///< within polar or cylindrical interpolation, which are not run
+    lost_motion,  ///< a motion or hole cycle is in force that is not run
     surface,
     surface_plane,  ///< G17 … G19 when it was switched on
     cylinder_low,
@@ -32,9 +32,9 @@ enum class Mode : std::uint8_t {
     cleared_cycle,  ///< a turning cycle is in force, but a code that acts once has cleared its data
     new_cycle,      ///< nothing of the turning cycle has been run yet
     motion,
-    threading,      ///< … is a thread
-    corner_waits,   ///< a chamfer or corner R stood in the last block, as what it asks of this one
-    transformed,    ///< bits of Transformed
+    threading,     ///< … is a thread
+    corner_waits,  ///< a chamfer or corner R stood in the last block, as what it asks of this one
+    transformed,   ///< bits of Transformed
     count
 };
 static_assert(static_cast<std::size_t>(Mode::count) <= program::mode_count);
@@ -68,7 +68,8 @@ public:
     void put_all(const program::Modes& values) { values_ = values; }
 
 private:
-    template <class T, Mode M> friend class ModeField;
+    template <class T, Mode M>
+    friend class ModeField;
     friend class UnitMode;
     friend class HoleMode;
     friend class MotionMode;
@@ -96,7 +97,8 @@ private:
     std::uint32_t last_state_ = 0, last_use_ = 0;
 };
 
-template <class T, Mode M> class ModeField {
+template <class T, Mode M>
+class ModeField {
 public:
     explicit ModeField(FanucModes& all) : all_(all) {}
     ModeField(const ModeField&) = delete;

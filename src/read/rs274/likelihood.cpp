@@ -82,7 +82,8 @@ bool is_number(std::string_view s) { return s.find_first_not_of("0123456789") ==
 /// Of the digits behind a G.
 bool selects_motion(std::string_view digits) {
     int g = 0;
-    for (std::size_t i = 0; i < digits.size() && i < 3 && base::is_digit(digits[i]); ++i) g = 10 * g + (digits[i] - '0');
+    for (std::size_t i = 0; i < digits.size() && i < 3 && base::is_digit(digits[i]); ++i)
+        g = 10 * g + (digits[i] - '0');
     return g <= 3 || g == 5 || g == 33 || g == 38 || g == 73 || g == 76 || (g > 80 && g < 90);
 }
 
@@ -98,7 +99,8 @@ bool moves_before_motion(std::string_view code) {
             if (line[i] == 'G' && base::is_digit(line[i + 1])) {
                 if (selects_motion(line.substr(i + 1))) return false;
             }
-            if (std::string_view("XYZ").find(line[i]) != std::string_view::npos && begins_value(line[i + 1])) return true;
+            if (std::string_view("XYZ").find(line[i]) != std::string_view::npos && begins_value(line[i + 1]))
+                return true;
         }
     }
     return false;

@@ -263,7 +263,8 @@ private:
         std::vector<Feature> out;
         for (const Wall& w : all_) {
             if (apart(w.box, b) > far + geom::snap) continue;
-            const int quarters = w.arc ? 1 + base::clipped<int>(std::abs(geom::sweep_angle(w.edge)) / (geom::pi / 2), 0, 4) : 1;
+            const int quarters =
+                w.arc ? 1 + base::clipped<int>(std::abs(geom::sweep_angle(w.edge)) / (geom::pi / 2), 0, 4) : 1;
             for (int i = 0; i < quarters; ++i)
                 out.emplace_back(quarters == 1 ? w.edge
                                                : geom::part(w.edge, static_cast<double>(i) / quarters,
