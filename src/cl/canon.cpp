@@ -4,8 +4,10 @@
 #include <cmath>
 #include <cstdarg>
 #include <cstdio>
+#include <utility>
 
 #include "base/whole.hpp"
+#include "cl/totals.hpp"
 #include "geom/vec.hpp"
 
 namespace obrys::cl {
@@ -93,6 +95,7 @@ bool CanonWriter::offsets(const Setting& s) {
             call("COMMENT(\"interpreter: setting coordinate system origin\")");
             return true;
         case SettingKind::tool_offset:
+            for (std::size_t k = 0; k < 3; ++k) moved_[k] += length_[k] - v[k], length_[k] = v[k];
             call("USE_TOOL_LENGTH_OFFSET(" + axes(v, 0, 3, " ") + ", " + axes(v, 3, 6, " ") + ", " +
                  axes(v, 6, 9, " ") + ")");
             return true;
@@ -213,6 +216,15 @@ void CanonWriter::setting(const Setting& s) {
     if (!offsets(s) && !modes(s)) technology(s);
 }
 
+/// Another length has moved the zero under a tool that stands still: in the stream a line leads to where the next arc
+/// begins, which the control does not call.
+bool CanonWriter::only_leads(const Linear& l) const {
+    constexpr double same_place = 1e-6;  // mm
+    if (l.rapid || moved_ == std::array<double, 3>{}) return false;
+    const geom::Vec3 stands = geom::apply(into_program_, at_) + geom::Vec3{moved_[0], moved_[1], moved_[2]};
+    return geom::distance(stands, geom::apply(into_program_, l.to)) < same_place;
+}
+
 void CanonWriter::move(std::string_view name, const geom::Vec3& to) {
     const geom::Vec3 p = programmed(to);
     call(std::string(name) + text("(%.4f, %.4f, %.4f, %.4f, %.4f, %.4f)", p.x, p.y, p.z,
@@ -275,6 +287,17 @@ void CanonWriter::stop(const Stop& s) {
 }
 
 void CanonWriter::operator()(const Record& r) {
+    if (const std::optional<Record> lead = std::exchange(lead_, std::nullopt)) {
+        if (!std::holds_alternative<Arc>(r.step) || !(r.from == lead->from)) print(*lead);
+    } else if (const auto* l = std::get_if<Linear>(&r.step); l != nullptr && only_leads(*l)) {
+        lead_ = r;
+        return;
+    }
+    print(r);
+}
+
+void CanonWriter::print(const Record& r) {
+    if (is_move(r.step)) at_ = position_after(at_, r.step), moved_ = {};
     const std::string n = block_number_(r.from);
     prefix_ = n.empty() ? "N..... " : "N" + n + (n.size() < 6 ? std::string(6 - n.size(), ' ') : "");
     if (const auto* s = std::get_if<Setting>(&r.step)) return setting(*s);
@@ -297,6 +320,7 @@ void CanonWriter::operator()(const Record& r) {
 }
 
 void CanonWriter::finish(int percents, int resets, bool refused) {
+    if (const std::optional<Record> lead = std::exchange(lead_, std::nullopt)) print(*lead);
     prefix_ = "N..... ";
     if (lines_ > 0 && !begun_) begin();
     if (ended_ && percents == 1) call("COMMENT(\"interpreter: percent sign missing from end of file\")");

@@ -4,6 +4,7 @@
 /// program, in its unit. Source: LinuxCNC 2.9 and 2.10, what `rs274 -g` prints.
 
 #include <array>
+#include <optional>
 #include <string>
 #include <string_view>
 
@@ -26,6 +27,8 @@ public:
     void finish(int percents, int resets, bool refused);
 
 private:
+    void print(const Record& record);
+    [[nodiscard]] bool only_leads(const Linear& l) const;
     void call(std::string text);
     void begin();
     void setting(const Setting& s);
@@ -49,6 +52,9 @@ private:
     std::string prefix_ = "N..... ";
     geom::Frame into_program_;
     std::array<double, 9> offset_{}, stream_{};  ///< of A … W
+    std::array<double, 3> length_{}, moved_{};   ///< the tool's, mm; how far it has moved the zero since the last move
+    geom::Vec3 at_;                              ///< end of the last move, in the stream
+    std::optional<Record> lead_;                 ///< a line that may do no more than lead to an arc
     double unit_ = 1;                            ///< mm
     int plane_ = 17;
     bool mist_ = false, flood_ = false, feed_override_ = true, speed_override_ = true;
