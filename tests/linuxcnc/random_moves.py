@@ -181,6 +181,8 @@ def differs(obrys, path, setting=None):
     said = first_difference(wanted[0], printed[0]) or first_difference(wanted[1], printed[1])
     refused = [f"rs274: {there.refused}"] if there.refused else []
     refused += [f"obrys: {endpoint.first_error(here.err)}"] if here.code else []
+    if said and "the control feeds along the wrong axes" in here.err and "ARC_FEED" in said[1] and "STRAIGHT_FEED" in said[2]:
+        refused.append("obrys: the control feeds along the wrong axes, and a line leads to the arc behind")
     if said:
         return refused + said, False
     if bool(there.refused) != bool(endpoint.refusal(here.err)):
