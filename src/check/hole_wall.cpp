@@ -66,14 +66,12 @@ std::size_t width_of(const std::vector<WallPoint>& arc, const HoleAxis& axis) {
     for (const WallPoint& p : arc) {
         const Vec3 spoke = spoke_to(axis, p.at);
         const double turn = std::atan2(dot(spoke, v), dot(spoke, u)) / (2 * geom::pi) + 0.5;
-        const auto n = static_cast<double>(hole_directions) * std::clamp(turn, 0.0, 1.0);
-        for (std::size_t i = 0; i < hole_directions; ++i)
-            if (n >= static_cast<double>(i) && n <= static_cast<double>(i + 1)) seen[i] = true;
+        seen[base::clipped<std::size_t>(turn * static_cast<double>(hole_directions), 0, hole_directions - 1)] = true;
     }
     return static_cast<std::size_t>(std::count(seen.begin(), seen.end(), true));
 }
 
-double mean_about(const HoleAxis& axis, const std::vector<WallPoint>& arc) {
+double middle_about(const HoleAxis& axis, const std::vector<WallPoint>& arc) {
     std::vector<double> radii;
     for (const WallPoint& p : arc) radii.push_back(length(spoke_to(axis, p.at)));
     return middle(std::move(radii));
@@ -99,7 +97,7 @@ std::optional<HoleRadii> radii_of(const std::vector<WallPoint>& wall, const Hole
     for (const auto& [tag, arc] : arcs) {
         if (arc.size() < least_points) continue;
         if (width_of(arc, axis) < wide_from) {
-            if (no_circle) radii.least = std::min(radii.least, mean_about(axis, arc));
+            if (no_circle) radii.least = std::min(radii.least, middle_about(axis, arc));
             continue;
         }
         const std::optional<Circle> own = circle_of(arc, axis.along);

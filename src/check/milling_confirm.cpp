@@ -37,9 +37,6 @@ double step_in(const milling::Box3& box, double step) {
     return fine > coarsest * step ? 0 : std::max(fine, finest_step * step);
 }
 
-constexpr double patch_steps = 6;          ///< of the lattice: side of a patch
-constexpr std::size_t most_patches = 200;  ///< of a kind
-
 /// How far apart for the n-th of many places, the worst first: its amount matters less.
 double step_of(const milling::Box3& box, double step, std::size_t n) {
     const double fine = step_in(box, step);
@@ -53,7 +50,9 @@ constexpr std::size_t most_doubtful = 40;      ///< of a kind
 constexpr std::size_t most_looks = 4'000'000;  ///< at sweeps, for all doubtful places of a kind
 constexpr double least_cells = 20'000;         ///< of each
 
-constexpr double as_good = 0.05;  ///< of what is allowed: no worse
+constexpr double patch_steps = 6;          ///< of the lattice: side of a patch
+constexpr std::size_t most_patches = 200;  ///< of a kind
+constexpr double as_good = 0.05;           ///< of what is allowed: no worse
 
 constexpr double among_worst = 0.9;
 constexpr double as_worst = 0.999;

@@ -238,7 +238,7 @@ void part_turret_number(Run& run) {
     const auto whole = base::whole<std::uint32_t>(t);
     if (!whole) return;  // said as no tool number
     const std::uint64_t tool = std::uint64_t{1} << static_cast<unsigned>(Code::tool);
-    if (*whole<hundred&& * whole> 0)
+    if (*whole > 0 && *whole < hundred)
         return unchecked(run, codes::unsupported, run.here(),
                          "T" + printed(Value::real(t)) +
                              " is one number for tool and offset: which it is (T0003, T0303) "
