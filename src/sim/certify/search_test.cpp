@@ -81,6 +81,28 @@ TEST(CertifiedSearch, a_wall_cut_off_on_an_arc_is_as_deep_as_it_is_thick_whereve
     }
 }
 
+/// A tall tool through a wall as thin as a hair: however the boxes of the proof come to lie about it.
+TEST(CertifiedSearch, a_wall_of_less_than_what_is_allowed_is_proved_to_be_thin_wherever_it_lies) {
+    constexpr double allowed = 0.01;
+    const Shape cone{{0, 0, 4, 80, 0}};
+    for (int i = 0; i < 12; ++i) {
+        const double x = 0.1 + 0.00117 * i, wall = 0.0005 + 0.0008 * i;
+        const mesh::Distance part(mesh::box({x, -12, -10}, {x + wall, 12, 5}));
+        const Judge judge(part, allowed);
+        const double y = 0.7 * i - 3;
+        const Move move{geom::Straight{{-17, y - 4, 0.5}, {17, y + 4, 0.5}}, {0, 0, 1}, &cone};
+        EXPECT_FALSE(judge.is_clear(move));
+        EXPECT_TRUE(judge.is_thin(move, {1, 0, 0})) << i;
+    }
+}
+
+TEST(CertifiedSearch, a_wall_as_thick_as_is_allowed_is_not_thin) {
+    const Shape mill = mill_of(2);
+    const mesh::Distance part(mesh::box({0, -12, -10}, {0.0105, 12, 5}));
+    const Judge judge(part, 0.01);
+    EXPECT_FALSE(judge.is_thin({geom::Straight{{-17, 0, 0.5}, {17, 0, 0.5}}, {0, 0, 1}, &mill}, {1, 0, 0}));
+}
+
 TEST(CertifiedSearch, a_search_begins_where_it_is_told) {
     const Judge judge(slab(), 0.01);
     const Shape mill = mill_of(5);

@@ -12,12 +12,14 @@ using geom::Vec3;
 
 namespace {
 
-constexpr std::size_t most_cells = 100'000;  ///< of a move
-constexpr double smallest_cell = 0.125;      ///< of the depth
+constexpr std::size_t most_cells = 100'000;   ///< of a move
+constexpr double smallest_cell = 0.125;       ///< of the depth
+constexpr double smallest_across = 1.0 / 16;  ///< of the depth
 
-/// A box along three unit vectors.
+/// A box along three unit vectors, half its size along each.
 struct Cell {
-    Vec3 centre, half;
+    Vec3 centre;
+    std::array<double, 3> half{};
 };
 
 using Axes = std::array<Vec3, 3>;
@@ -28,37 +30,89 @@ Axes axes_along(Vec3 normal) {
     return {normal, u, cross(normal, u)};
 }
 
+double reach_of(const Cell& c) { return std::hypot(c.half[0], c.half[1], c.half[2]); }
+
 std::array<Vec3, 8> corners_of(const Cell& c, const Axes& axes) {
     std::array<Vec3, 8> all;
-    for (std::size_t i = 0; i < all.size(); ++i)
-        all[i] = c.centre + (i % 2 == 0 ? -c.half.x : c.half.x) * axes[0] +
-                 (i / 2 % 2 == 0 ? -c.half.y : c.half.y) * axes[1] + (i < 4 ? -c.half.z : c.half.z) * axes[2];
+    for (std::size_t i = 0; i < all.size(); ++i) {
+        all[i] = c.centre;
+        for (std::size_t k = 0; k < 3; ++k) all[i] = all[i] + (i >> k & 1 ? c.half[k] : -c.half[k]) * axes[k];
+    }
     return all;
 }
 
 /// Around a swept body.
 Cell around_body(const Swept& whole, const Axes& axes) {
     Cell cell;
-    const auto set = [&](std::size_t k, double& half) {
+    for (std::size_t k = 0; k < 3; ++k) {
         const double high = extent(whole, axes[k]), low = -extent(whole, -1.0 * axes[k]);
-        half = (high - low) / 2;
+        cell.half[k] = (high - low) / 2;
         cell.centre = cell.centre + ((high + low) / 2) * axes[k];
-    };
-    set(0, cell.half.x), set(1, cell.half.y), set(2, cell.half.z);
+    }
     return cell;
 }
 
-/// Across what is thin until it is as thin, then where it is longest.
+/// Across what is thin until it is much thinner, then where it is longest.
 std::array<Cell, 2> halves_of(const Cell& c, const Axes& axes, double depth) {
-    const bool across = c.half.x > depth / 2 || (c.half.x >= c.half.y && c.half.x >= c.half.z);
-    const std::size_t k = across ? 0 : c.half.y >= c.half.z ? 1 : 2;
+    const auto longest = static_cast<std::size_t>(std::max_element(c.half.begin(), c.half.end()) - c.half.begin());
+    const std::size_t k = c.half[0] > smallest_across * depth ? 0 : longest;
     Cell low = c;
-    double& half = k == 0 ? low.half.x : k == 1 ? low.half.y : low.half.z;
-    half /= 2;
+    low.half[k] /= 2;
     Cell high = low;
-    low.centre = c.centre - half * axes[k];
-    high.centre = c.centre + half * axes[k];
+    low.centre = c.centre - low.half[k] * axes[k];
+    high.centre = c.centre + low.half[k] * axes[k];
     return {low, high};
+}
+
+/// How far a box along the coordinates reaches from its centre along a unit vector.
+double reach_along(const mesh::Box& box, Vec3 u) {
+    const Vec3 half = 0.5 * box.size();
+    return std::abs(u.x) * half.x + std::abs(u.y) * half.y + std::abs(u.z) * half.z;
+}
+
+bool lies_apart(const Cell& c, const Axes& axes, const mesh::Box& box) {
+    for (std::size_t k = 0; k < 3; ++k)
+        if (std::abs(dot(axes[k], box.centre() - c.centre)) > c.half[k] + reach_along(box, axes[k])) return true;
+    return false;
+}
+
+/// For certain: along the box's axes or the triangle's normal.
+bool lies_apart(const Cell& c, const Axes& axes, const Judge::Triangle& t, Vec3 normal) {
+    double reach = 0;
+    for (std::size_t k = 0; k < 3; ++k) {
+        const auto at = [&](Vec3 p) { return dot(axes[k], p - c.centre); };
+        const auto [low, high] = std::minmax({at(t[0]), at(t[1]), at(t[2])});
+        if (low > c.half[k] || high < -c.half[k]) return true;
+        reach += std::abs(dot(axes[k], normal)) * c.half[k];
+    }
+    return std::abs(dot(normal, t[0] - c.centre)) > reach;
+}
+
+/// All of it, for certain.
+bool is_outside(const mesh::Distance& part, const Cell& c, const Axes& axes) {
+    if (part.is_inside(c.centre, part.nearest(c.centre))) return false;
+    bool met = false;
+    part.visit([&](const mesh::Box& box) { return !lies_apart(c, axes, box); },
+               [&](std::uint32_t t) {
+                   met = !lies_apart(c, axes, corners(part.mesh(), t), part.normal(t));
+                   return !met;
+               });
+    return !met;
+}
+
+/// Whether it lies outside of the part, or a plane beside it does that is no farther from any place in it than `depth`:
+/// then none is deeper, since the way there leads through the surface.
+bool is_outside_or_near(const mesh::Distance& part, const Cell& c, const Axes& axes, double depth) {
+    if (is_outside(part, c, axes)) return true;
+    if (c.half[0] > depth / 2) return false;
+    Cell side = c;
+    side.half[0] = 0;
+    const Vec3 way = (depth - c.half[0]) * axes[0];
+    for (const Vec3& centre : {c.centre - way, c.centre + way}) {
+        side.centre = centre;
+        if (is_outside(part, side, axes)) return true;
+    }
+    return false;
 }
 
 }  // namespace
@@ -72,11 +126,12 @@ bool Judge::is_shallow(const Piece& whole, Vec3 normal, std::size_t& cells) cons
         const Cell cell = open.back();
         open.pop_back();
         if (cells-- == 0) return cells = 0, false;
-        const double reach = length(cell.half);
+        const double reach = reach_of(cell);
         if (geom::distance(cell.centre, nearest_within(whole, cell.centre)) > reach) continue;
         const mesh::Nearest place = part_.nearest(cell.centre);
         const bool inside = part_.is_inside(cell.centre, place);
         if ((inside ? place.distance : -place.distance) + reach <= depth) continue;
+        if (is_outside_or_near(part_, cell, axes, depth)) continue;
         const auto triangle = corners(part_.mesh(), place.triangle);
         const auto all = corners_of(cell, axes);
         if (std::all_of(all.begin(), all.end(),
