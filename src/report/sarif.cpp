@@ -84,12 +84,11 @@ Json rules() {
         const bool info = c.kind == base::CodeKind::info;
         const char* level = info ? "note" : c.kind == base::CodeKind::unchecked ? "warning" : "error";
         const std::string name(c.name);
-        Json rule{{"id", name},
-                  {"shortDescription", {{"text", sentence(c.meaning)}}},
-                  {"help", {{"text", help_of(c)}}},
-                  {"defaultConfiguration", {{"level", level}}}};
-        if (!std::string_view(OBRYS_DOCS_URL).empty()) rule["helpUri"] = OBRYS_DOCS_URL "#" + name;
-        all.push_back(std::move(rule));
+        all.push_back({{"id", name},
+                       {"shortDescription", {{"text", sentence(c.meaning)}}},
+                       {"help", {{"text", help_of(c)}}},
+                       {"helpUri", OBRYS_DOCS_URL "#" + name},
+                       {"defaultConfiguration", {{"level", level}}}});
     }
     return all;
 }

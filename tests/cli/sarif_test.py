@@ -37,7 +37,7 @@ def problems(log):
     for run in log["runs"]:
         rules = run["tool"]["driver"]["rules"]
         for rule in rules:
-            if not rule["help"]["text"] or not re.match(r"https?:", rule.get("helpUri", "https:")):
+            if not rule["help"]["text"] or not re.match(r"(https?|file)://.*#" + rule["id"] + "$", rule["helpUri"]):
                 yield f"rule {rule['id']} has no help"
         for r in run["results"]:
             if rules[r["ruleIndex"]]["id"] != r["ruleId"]:
