@@ -3,18 +3,35 @@
 /// modal [-].
 
 #include <cmath>
+#include <cstdint>
+#include <string>
 
 #include "base/codes.hpp"
+#include "base/whole.hpp"
 #include "interp/run.hpp"
 
 namespace obrys::interp {
 
 namespace codes = base::codes;
 
+namespace {
+
+/// What an expression gives for H or D may be no number of an offset.
+double offset_number(Run& run, Code letter) {
+    const double n = run.block.get(letter);
+    if (std::isfinite(n) && !base::whole<std::int32_t>(n))
+        alarm(run, codes::value_range, run.here(),
+              "there is no offset " + std::string(letter == Code::offset_h ? "H" : "D") + printed(Value::real(n)) +
+                  ": a whole number of at most 9 digits is due");
+    return n;
+}
+
+}  // namespace
+
 std::optional<double> length_number(Run& run) {
     const BlockWords& b = run.block;
     double& kept = run.offsets.number;
-    if (b.has(Code::offset_h)) return kept = b.get(Code::offset_h);
+    if (b.has(Code::offset_h)) return kept = offset_number(run, Code::offset_h);
     if (!run.traits->offset_numbers_stay) return std::nullopt;
     if (!std::isnan(kept)) return kept;
     unchecked(run, codes::unknown_value, run.here(),
@@ -28,7 +45,7 @@ void take_radius_number(Run& run) {
     const BlockWords& b = run.block;
     double& kept = run.modal.offset_d;
     if (b.has(Code::offset_d)) {
-        kept = b.get(Code::offset_d);
+        kept = offset_number(run, Code::offset_d);
         return take_offset_radius(run, kept);
     }
     if (!run.traits->offset_numbers_stay) return;
@@ -43,10 +60,10 @@ void keep_offset_numbers(Run& run) {
     BlockWords& b = run.block;
     const auto waits = [&](Code c) { return b.has(c) && (b.used >> static_cast<unsigned>(c) & 1u) == 0; };
     if (waits(Code::offset_d) && run.modal.compensation == Modal::compensation_off)
-        run.modal.offset_d = b.get(Code::offset_d);
+        run.modal.offset_d = offset_number(run, Code::offset_d);
     if (!waits(Code::offset_h)) return;
     if (run.offsets.length == Offsets::Length::none)
-        run.offsets.number = b.get(Code::offset_h);
+        run.offsets.number = offset_number(run, Code::offset_h);
     else
         tool_length_words(run, run.offsets.subtracts ? Modal::tool_length_negative : Modal::tool_length);
 }

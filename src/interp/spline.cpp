@@ -50,6 +50,21 @@ bool allowed(Run& run) {
 
 void emit_curve(Run& run, const geom::Cubic& c) { emit(run, cl::spline_of(c)); }
 
+bool has_axes_beside_plane(const Run& run) {
+    for (int k = 2; k < 9; ++k)
+        if (run.block.has(axis_code(k))) return true;
+    return false;
+}
+
+/// What G5 and G5.1 want of their block: the plane, and not one word of another axis, be it where it stands.
+bool is_in_plane(Run& run) {
+    if (run.modal.plane != 17)
+        refuse_curve(run, "splines must be in the plane of G17");
+    else if (has_axes_beside_plane(run))
+        refuse_curve(run, "splines move X and Y alone: no other axis may stand in the block");
+    return !run.stopped;
+}
+
 Vec3 offset_of(const Run& run, Code x, Code y) {
     const double unit = length_unit(run.modal);
     const BlockWords& b = run.block;
@@ -58,10 +73,7 @@ Vec3 offset_of(const Run& run, Code x, Code y) {
 
 bool cubic(Run& run) {
     const BlockWords& b = run.block;
-    if (run.modal.plane != 17) {
-        refuse_curve(run, "splines must be in the plane of G17");
-        return false;
-    }
+    if (!is_in_plane(run)) return false;
     if (b.has(Code::i) != b.has(Code::j)) {
         refuse_curve(run, "G5 needs both I and J, or neither");
         return false;
@@ -84,10 +96,7 @@ bool cubic(Run& run) {
 }
 
 bool quadratic(Run& run) {
-    if (run.modal.plane != 17) {
-        refuse_curve(run, "splines must be in the plane of G17");
-        return false;
-    }
+    if (!is_in_plane(run)) return false;
     if (!run.block.has(Code::i) || !run.block.has(Code::j)) {
         refuse_curve(run, "G5.1 needs both I and J");
         return false;
@@ -174,10 +183,34 @@ bool take_order(Run& run) {
     return !run.stopped;
 }
 
-bool add_point(Run& run) {
+/// What G5.2 wants of the blocks of its control points; `opens`: it stands in the block itself, which may leave out P.
+bool is_point_of_plane(Run& run, bool opens) {
+    const BlockWords& b = run.block;
+    if (b.has(Code::x) != b.has(Code::y))
+        refuse_curve(run, "a control point needs both X and Y");
+    else if (b.has(Code::x) && !b.has(Code::p) && !opens)
+        refuse_curve(run, "every control point needs its weight P");
+    else if (!b.has(Code::x) && b.has(Code::p) && !opens)
+        refuse_curve(run, "P without X and Y is the weight of the first control point alone");
+    else if (has_axes_beside_plane(run))
+        unchecked(run, codes::unknown_word, run.here(),
+                  "control points have X and Y alone: the control passes over the other axes",
+                  "take them out, and move these axes before G5.2");
+    return !run.stopped;
+}
+
+/// Of a plane: other axes stay where they are.
+Vec3 point_target(Run& run) {
+    Vec3 to = programmed_target(run);
+    if (!run.curve.own_knots) to.z = run.programmed_position.z;
+    return to;
+}
+
+bool add_point(Run& run, bool opens) {
     const BlockWords& b = run.block;
     ControlCurve& n = run.curve;
-    const bool point = b.has(Code::x) || b.has(Code::y) || b.has(Code::z);
+    if (!n.own_knots && !is_point_of_plane(run, opens)) return false;
+    const bool point = b.has(Code::x) || b.has(Code::y) || (n.own_knots && b.has(Code::z));
     const Code weight = n.own_knots ? Code::radius : Code::p;
     const double w = b.has(weight) ? b.get(weight) : 1;
     if (!(w > 0)) {
@@ -188,7 +221,7 @@ bool add_point(Run& run) {
     if (n.own_knots) b.use(Code::q);  // how the control steps along the curve, which stays the same
     if (n.own_knots && b.has(Code::k)) n.curve.knots.push_back(b.get(Code::k));
     if (!point && !n.own_knots && n.curve.points.size() == 1 && b.has(Code::p)) n.curve.points.front().weight = w;
-    if (point) n.curve.points.push_back({programmed_target(run), w});
+    if (point) n.curve.points.push_back({point_target(run), w});
     if (n.own_knots && point) run.programmed_position = n.curve.points.back().p;
     return !n.own_knots || !knots_complete(n.curve) || finish(run);
 }
@@ -208,8 +241,9 @@ bool spline_motion(Run& run) {
         refuse_curve(run, "G5.3 without G5.2 before it");
         return false;
     }
-    if (!run.curve.open) begin_curve(run, run.modal.motion_number == 62);
-    return add_point(run);
+    const bool opens = !run.curve.open;
+    if (opens) begin_curve(run, run.modal.motion_number == 62);
+    return add_point(run, opens);
 }
 
 }  // namespace obrys::interp
