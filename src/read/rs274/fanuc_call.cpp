@@ -154,6 +154,7 @@ bool macro_call(FanucState& s) {
     s.hole_apart = false;
     if (!good) return true;
     emit_before(s, here.begin);
+    if (!s.failed) judge_call_behind_corner(s, here);
     if (!s.failed) as_piece(s, [&] { add_call(s, std::move(call)); });
     return true;
 }
@@ -164,9 +165,11 @@ Address* find_m(FanucState& s, int number) {
     return nullptr;
 }
 
-void emit_others(FanucState& s) {
+/// What stands beside a call or a return acts before it.
+void emit_others(FanucState& s, const Address& here) {
     if (std::any_of(s.addresses.begin(), s.addresses.end(), [](const Address& a) { return !a.used; }))
         emit_addresses(s);
+    if (!s.failed) judge_call_behind_corner(s, here);
 }
 
 /// M98 P L, behind the block's motion. Q: the block of that program with which it begins (parameter 6005, bit SQC = 1
@@ -192,7 +195,7 @@ void subprogram(FanucState& s, Address& m) {
         q->used = true;
         call.first_block = as_expr(s, q->value);
     }
-    emit_others(s);
+    emit_others(s, here);
     if (!s.failed) add_call(s, std::move(call));
 }
 
@@ -210,7 +213,7 @@ void local_subprogram(FanucState& s, Address& m) {
         l->used = true;
         count = as_expr(s, l->value);
     }
-    emit_others(s);
+    emit_others(s, here);
     if (s.failed) return;
     program::Unit& unit = s.unit();
     const auto opener = static_cast<std::uint32_t>(unit.statements.size());
@@ -250,7 +253,7 @@ void go_back(FanucState& s, Address& m) {
     const std::optional<Address> to = p != nullptr ? std::optional(*p) : std::nullopt;
     const std::optional<Address> count = l != nullptr ? std::optional(*l) : std::nullopt;
     const ExprId condition = std::exchange(s.condition, no_expr);
-    emit_others(s);
+    emit_others(s, here);
     if (s.failed) return;
     if (count) {
         s.build().statement(StatementKind::block, s.line.begin());

@@ -235,6 +235,18 @@ void judge_block_behind_corner(FanucState& s) {
     if (waits != Corner::at_feed && !goes_along(s, waits)) refuse_word(s, *way, due_behind(s, waits));
 }
 
+void judge_call_behind_corner(FanucState& s, const Address& call) {
+    as_piece(s, [&] {
+        if (s.corner_waits == Corner::none) return;
+        s.corner_waits = Corner::none;
+        s.build().statement(program::StatementKind::block, s.line.begin());
+        s.build().problem(Code::unsupported, call.begin, call.end,
+                          "a corner waits for the next block: which one of another program the control takes for it is "
+                          "not known");
+        s.build().end_statement(s.line.end());
+    });
+}
+
 void judge_corner(FanucState& s) {
     if (!s.corner) return;
     if (!goes_at_feed(s)) return refuse_word(s, *s.corner, lone);

@@ -165,6 +165,8 @@ void put_value(FanucState& s, Order order, Code code, const Value& v, const Addr
 /// A chamfer or corner R before this block and in it: which blocks it may stand between, and what else in its block.
 void judge_block_behind_corner(FanucState& s);
 void judge_corner(FanucState& s);
+/// The same before a call and a return.
+void judge_call_behind_corner(FanucState& s, const Address& call);
 /// A of a lathe's program is the angle of a straight line.
 [[nodiscard]] bool uses_line_angles(std::string_view text);
 /// C of a lathe's program is an axis by how the text uses it.
