@@ -182,7 +182,9 @@ std::optional<std::uint32_t> writable(Run& run, double index, const program::Ass
               "there is no parameter " + printed(Value::real(index)) + " that could be assigned");
         return std::nullopt;
     }
-    return base::cut<std::uint32_t>(index);
+    const auto n = base::cut<std::uint32_t>(index);
+    if (n && refuse_absent(run, *n, run.unit().span(a.target))) return std::nullopt;
+    return n;
 }
 
 void assign_parameter(Run& run, const Expr& target, const program::Assign& a) {

@@ -43,6 +43,7 @@ double parameter_value(Run& run, double index, const base::Span& where) {
         return 0;
     }
     const auto n = base::clipped<std::uint32_t>(index, 0, run.parameters.count() - 1);
+    if (refuse_absent(run, n, where)) return 0;
     if (!run.traits->live.empty() && is_live(run, n)) return live_parameter(run, n, where);
     if (run.parameters.is_set(n)) return held_value(run, n, where);
     if (run.parameter_overridden[n] != 0) {
@@ -76,7 +77,7 @@ bool is_empty(Run& run, ExprId id) {
     const double index = e.kind == ExprKind::parameter ? e.a : number(run, e.a);
     if (run.stopped || !(index >= 0) || index >= run.parameters.count()) return false;
     const auto n = base::clipped<std::uint32_t>(index, 0, run.parameters.count() - 1);
-    return n == 0 || (!run.parameters.is_set(n) && !is_live(run, n) && !is_kept_unknown(run, n));
+    return n == 0 || (!run.parameters.is_set(n) && !is_absent(run, n) && !is_live(run, n) && !is_kept_unknown(run, n));
 }
 
 namespace {

@@ -20,6 +20,19 @@ const program::KeptParameters* range_of(const Run& run, std::uint32_t n) {
 
 }  // namespace
 
+bool is_absent(const Run& run, std::uint32_t n) {
+    return n >= run.traits->absent_first && n <= run.traits->absent_last && n != 0;
+}
+
+bool refuse_absent(Run& run, std::uint32_t n, const base::Span& where) {
+    if (!is_absent(run, n)) return false;
+    const auto name = [&](std::uint32_t k) { return program::parameter_name(*run.traits, k); };
+    alarm(run, codes::index_range, where,
+          "the control has no " + name(n) + ": " + name(run.traits->absent_first) + " to " +
+              name(run.traits->absent_last) + " are no parameters");
+    return true;
+}
+
 bool is_kept_unknown(Run& run, std::uint32_t n) {
     if (run.traits->kept.empty() || run.parameters.is_set(n) || run.parameters.is_known_empty(n)) return false;
     if (run.env.stored != nullptr || run.env.tell_settings) return false;  // the control's file: what it lacks is 0

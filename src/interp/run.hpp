@@ -378,6 +378,9 @@ void store_home(Run&);
 // --- what parameters hold from before the program (kept_parameters.cpp)
 /// One of Traits::kept that nobody has given or set.
 [[nodiscard]] bool is_kept_unknown(Run&, std::uint32_t parameter);
+/// The control has no parameter of this number; true after a complaint.
+[[nodiscard]] bool is_absent(const Run&, std::uint32_t parameter);
+[[nodiscard]] bool refuse_absent(Run&, std::uint32_t parameter, const base::Span& where);
 /// Its value where it is known; else NaN after a complaint that names its key in the job.
 [[nodiscard]] double kept_parameter(Run&, std::uint32_t parameter, const base::Span& where);
 /// Behind an assignment: the zero offset in force may stand there, else it is said where writing does more than keep a

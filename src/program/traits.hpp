@@ -227,6 +227,8 @@ struct Traits {
     bool empty_parameters = false;
     /// Not known until the job gives them or the program sets them.
     std::span<const KeptParameters> kept{};
+    /// Numbers between those of parameters that the control does not have. 0: there are none.
+    std::uint32_t absent_first = 0, absent_last = 0;
     std::span<const LiveParameters> live{};  ///< by rising numbers
     OffsetParameters offsets{};
     /// M5 and M9 act before the block's motion; else behind it.

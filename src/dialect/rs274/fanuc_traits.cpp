@@ -16,8 +16,11 @@ using program::SystemVariable;
 /// are ordinary parameters.
 constexpr std::array live{
     LiveParameters{3001, 2, SystemVariable::timer},
+    LiveParameters{3003, 3, SystemVariable::timer},  // what the machine's settings make of it
+    LiveParameters{3008, 3, SystemVariable::timer},
     LiveParameters{3011, 2, SystemVariable::unknown},  // date and time: can only be read (B-63684EN, 16.2)
     LiveParameters{3013, 16, SystemVariable::timer},
+    LiveParameters{3030, 4, SystemVariable::timer},
     LiveParameters{4000, 1000, SystemVariable::unknown},
     LiveParameters{5001, 9, SystemVariable::coordinate},
     LiveParameters{5021, 9, SystemVariable::machine_coordinate},
@@ -27,8 +30,11 @@ constexpr std::array live{
 /// Lathes count X, Z, C: only what is written as a number is known.
 constexpr std::array lathe_live{
     LiveParameters{3001, 2, SystemVariable::timer},
+    LiveParameters{3003, 3, SystemVariable::timer},  // what the machine's settings make of it
+    LiveParameters{3008, 3, SystemVariable::timer},
     LiveParameters{3011, 2, SystemVariable::unknown},
     LiveParameters{3013, 16, SystemVariable::timer},
+    LiveParameters{3030, 4, SystemVariable::timer},
     LiveParameters{4000, 1150, SystemVariable::unknown},
 };
 
@@ -122,6 +128,8 @@ constexpr program::Traits common{
     .parameters_begin_at_zero = true,
     .empty_parameters = true,
     .kept = fanuc_kept,
+    .absent_first = 34,  // B-63684EN, 16.1: #1 … #33, #100 …; the control: alarm 115; Haas 96-8000, page 93
+    .absent_last = 99,
     .live = live,
     .offsets = {.datum_first = 5221,
                 .datum_step = 20,

@@ -79,11 +79,11 @@ ExprId system_parameter(State& state, std::uint32_t number, std::uint32_t begin)
     const SystemWriter w{s, number, begin, s.line.behind()};
     const bool minutes_98 = s.control.is_lathe() && s.control.system == dialect::rs274::GSystem::a;
     switch (v.system) {
-        case FanucSystem::storage:
-        case FanucSystem::option: return no_expr;
+        case FanucSystem::storage: return no_expr;
         case FanucSystem::unknown:
             if (number < 4000 || number >= 5000) return no_expr;  // Traits::kept
             return w.system(SystemVariable::unknown, {});
+        case FanucSystem::option: return w.system(SystemVariable::unknown, {});  // what the machine makes of it
         case FanucSystem::timer: return w.system(SystemVariable::timer, {});
         case FanucSystem::position: return w.system(SystemVariable::coordinate, {w.constant(v.index)});
         case FanucSystem::machine: return w.system(SystemVariable::machine_coordinate, {w.constant(v.index)});
