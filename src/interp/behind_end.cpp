@@ -1,6 +1,7 @@
-/// Blocks behind the end of the program (M2, M30), which nothing can lead to.
+/// Blocks behind the end of a program (M2, M30, M99, RET), which nothing can lead to.
 
 #include <algorithm>
+#include <string>
 
 #include "base/codes.hpp"
 #include "base/text.hpp"
@@ -26,19 +27,23 @@ bool closes(StatementKind kind) {
     }
 }
 
-/// Whether jumps, sections and contours may lead behind the end, or be run from there, where no label tells it.
-bool may_be_reached(const Run& run) {
-    const Unit& unit = run.unit();
-    for (const program::Call& call : unit.calls)  // M98 P Q may begin there
-        if (call.first_block != program::no_expr) return true;
-    // A jump may name a block's number; one whose place is known already names a label.
-    return std::any_of(unit.jumps.begin(), unit.jumps.end(), [](const program::Jump& j) {
-        return j.target == program::no_target && j.destination != program::no_expr;
-    });
-}
-
 bool is_text(const Unit& unit, program::ExprId id) {
     return id == program::no_expr || unit.exprs[id].kind == program::ExprKind::text;
+}
+
+/// Where a jump leads whose word stands in the text: a label, or a block by its number.
+bool is_written(const Run& run, const Unit& unit, const program::Jump& j) {
+    if (j.target != program::no_target || j.destination == program::no_expr) return true;
+    if (!is_text(unit, j.destination)) return false;
+    return unit.labels.contains(run.env.names.id(base::to_upper(unit.texts[unit.exprs[j.destination].a])));
+}
+
+/// Whether jumps, sections and contours may lead behind the end, or be run from there, where no label tells it.
+bool may_be_reached(const Run& run, const Unit& unit) {
+    for (const program::Call& call : unit.calls)  // M98 P Q may begin there
+        if (call.first_block != program::no_expr) return true;
+    return !std::all_of(unit.jumps.begin(), unit.jumps.end(),
+                        [&](const program::Jump& j) { return is_written(run, unit, j); });
 }
 
 /// Something names a label by a value that only running it would tell.
@@ -67,8 +72,7 @@ bool names(std::string_view text, std::string_view name) {
 }
 
 /// Any text of the program outside of the label's own block `at` may name it to a call, a jump or a cycle.
-bool is_named(const Run& run, program::NameId label, const program::Statement& at) {
-    const Unit& unit = run.unit();
+bool is_named(const Run& run, const Unit& unit, program::NameId label, const program::Statement& at) {
     const auto stands_there = [&](const program::Expr& e) {
         return e.begin >= at.begin && e.begin < at.begin + at.length;
     };
@@ -86,19 +90,24 @@ bool is_named(const Run& run, program::NameId label, const program::Statement& a
 struct Labels {
     bool any = false, named = false;
 };
-Labels labels_at(const Run& run, std::uint32_t i) {
+Labels labels_at(const Run& run, const Unit& unit, std::uint32_t i) {
     Labels l;
-    for (const auto& [name, places] : run.unit().labels) {
+    for (const auto& [name, places] : unit.labels) {
         if (std::find(places.begin(), places.end(), i) == places.end()) continue;
         l.any = true;
-        l.named = l.named || is_named(run, name, run.unit().statements[i]);
+        l.named = l.named || is_named(run, unit, name, unit.statements[i]);
     }
     return l;
 }
 
 /// Where a jump leads.
 bool is_jumped_to(const Unit& unit, std::uint32_t i) {
-    return std::any_of(unit.jumps.begin(), unit.jumps.end(), [&](const program::Jump& j) { return j.target == i; });
+    const auto leads_there = [&](const program::Jump& j) { return j.target == i; };
+    return std::any_of(unit.jumps.begin(), unit.jumps.end(), leads_there) ||
+           std::any_of(unit.cases.begin(), unit.cases.end(), [&](const program::Case& c) {
+               return std::any_of(c.arms.begin(), c.arms.end(),
+                                  [&](const program::CaseArm& arm) { return leads_there(arm.jump); });
+           });
 }
 
 /// Where the call of a section leads that names its block (M97).
@@ -113,43 +122,88 @@ std::uint32_t behind_label(const Unit& unit, std::uint32_t i) {
     return i + 1;
 }
 
-}  // namespace
-
-void say_blocks_behind(Run& run, int m) {
-    if (run.top().is_piece) {  // of the program below, in which the blocks stand
-        Activation piece = std::move(run.calls.back());
-        run.calls.pop_back();
-        say_blocks_behind(run, m);
-        run.calls.push_back(std::move(piece));
-        return;
+/// What it is no loss not to run: nothing, or another end.
+bool is_idle(const Unit& unit, std::uint32_t i) {
+    const program::Statement& s = unit.statements[i];
+    if (s.kind == StatementKind::return_) return true;
+    for (std::uint32_t k = i + 1; k < unit.statements.size() && (unit.statements[k].flags & program::line_start) == 0;)
+        if (unit.statements[k++].kind == StatementKind::return_) return true;  // what it hands back
+    if (s.kind != StatementKind::block) return false;
+    for (std::uint32_t w = s.first; w < unit.words_end(i); ++w) {
+        const program::Word& word = unit.words[w];
+        if (program::code_of(word) != Code::m || !program::is_literal(word)) return false;
+        if (const double m = unit.literal(word); m != 2 && m != 30 && m != 99) return false;
     }
-    const Unit& unit = run.unit();
-    if (may_be_reached(run)) return;
+    return true;
+}
+
+/// Where a program will not go on.
+struct Rest {
+    const Unit* unit = nullptr;
+    std::uint32_t first = 0;   ///< statement
+    std::uint32_t behind = 0;  ///< in the text: the block that ends it comes once more
+    std::string why;           ///< "the program ends before it with M30"
+};
+
+/// The first block of it that nothing leads to.
+void say_rest(Run& run, const Rest& rest) {
+    const Unit& unit = *rest.unit;
+    if (may_be_reached(run, unit)) return;
     const bool by_value = names_labels_by_value(unit);
-    for (std::uint32_t i = run.top().pc; i < unit.statements.size();) {
+    for (std::uint32_t i = rest.first; i < unit.statements.size();) {
         const program::Statement& s = unit.statements[i];
-        const Labels labels = labels_at(run, i);
+        const Labels labels = labels_at(run, unit, i);
         if (closes(s.kind) || is_jumped_to(unit, i)) return;
         if (is_called(unit, i) || (labels.any && (labels.named || by_value))) {
             if (run.traits->may_end_anywhere) return;  // no block marks where what is run from here ends
             i = behind_label(unit, i);
             continue;
         }
-        const bool empty = s.kind == StatementKind::block && unit.words_end(i) == s.first;
-        // The block that ends it comes once more.
-        if ((empty && !labels.any) || s.begin <= run.statement->begin) {
+        const bool same_block = i == rest.first && (s.flags & program::line_start) == 0;
+        if ((is_idle(unit, i) && !labels.any) || same_block || s.begin <= rest.behind) {
             ++i;
             continue;
         }
-        const std::string end = "the program ends before it with M" + std::to_string(m);
         if (labels.any)
             return unchecked(run, base::codes::not_run, unit.span(s),
-                             "nothing calls this label, and " + end + ": its blocks are never run",
+                             "nothing calls this label, and " + rest.why + ": its blocks are never run",
                              "call it, or take it out");
-        return unchecked(
-            run, base::codes::not_run, unit.span(s),
-            "this block and those behind it are never run: the program ends before them with M" + std::to_string(m),
-            "take that end out, or these blocks");
+        return unchecked(run, base::codes::not_run, unit.span(s),
+                         "this block and those behind it are never run: " + rest.why,
+                         "take that end out, or these blocks");
+    }
+}
+
+/// A block that is skipped where the switch says so ends nothing then; and what is run often ends as often.
+bool is_told(Run& run, const Unit& unit, std::uint32_t first) {
+    const bool skipped = run.statement != nullptr && (run.statement->flags & program::skip_mask) != 0;
+    return skipped || !run.ends_told.emplace(&unit, first).second;
+}
+
+/// Of the program that is run, not of a piece that was read anew.
+std::size_t program_at(const Run& run) {
+    std::size_t at = run.calls.size() - 1;
+    while (at > 0 && run.calls[at].is_piece) --at;
+    return at;
+}
+
+}  // namespace
+
+void say_blocks_behind(Run& run, const std::string& end) {
+    const Activation& act = run.calls[program_at(run)];
+    if (is_told(run, *act.unit, act.pc)) return;
+    say_rest(run, {act.unit, act.pc, run.statement->begin, "the program ends before it with " + end});
+}
+
+void say_callers_rest(Run& run, const std::string& end) {
+    const std::size_t ending = program_at(run);
+    for (std::size_t k = ending + 1; k-- > 0;) {
+        const Activation& act = run.calls[k];
+        const std::string why =
+            (k < ending ? "a called program ends the run before it with " : "the program ends before it with ") + end;
+        if (k < ending && !act.is_piece && !is_told(run, *act.unit, act.pc)) say_rest(run, {act.unit, act.pc, 0, why});
+        for (const LabelReturn& back : act.labels)
+            if (!is_told(run, *act.unit, back.pc)) say_rest(run, {act.unit, back.pc, 0, why});
     }
 }
 

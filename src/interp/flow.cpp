@@ -141,9 +141,10 @@ std::uint32_t find_destination(Run& run, const std::string& name, program::JumpD
 namespace {
 
 /// M99 of the main program: it would begin anew, or at an earlier block.
-void end_of_pass(Run& run) {
+void end_of_pass(Run& run, const program::Jump& j) {
     assume(run, run.here(),
            std::string(run.traits->repeats_program) + " repeats the main program without end: one pass is run");
+    if (j.condition == program::no_expr) say_blocks_behind(run, std::string(run.traits->repeats_program));
     flush_path(run);
     tell_end(run, 2);
     emit(run, cl::Stop{cl::StopKind::end});
@@ -192,7 +193,8 @@ std::uint32_t computed_target(Run& run, const program::Jump& j) {
 void jump(Run& run, const program::Jump& j) {
     if (j.condition != program::no_expr && !truth(run, j.condition)) return;
     if (run.stopped) return;
-    if (j.direction == program::JumpDirection::start && !run.traits->repeats_program.empty()) return end_of_pass(run);
+    if (j.direction == program::JumpDirection::start && !run.traits->repeats_program.empty())
+        return end_of_pass(run, j);
     if (j.direction == program::JumpDirection::start) {
         go_back(run, 0);
         return;
@@ -201,7 +203,7 @@ void jump(Run& run, const program::Jump& j) {
     if (target == program::no_target) target = computed_target(run, j);
     if (run.stopped || target == program::no_target) return;
     if (target >= run.top().pc) return go(run, target);
-    if (j.direction == program::JumpDirection::again && run.calls.size() == 1) return end_of_pass(run);
+    if (j.direction == program::JumpDirection::again && run.calls.size() == 1) return end_of_pass(run, j);
     go_back(run, target);
 }
 
@@ -277,6 +279,13 @@ void cycle_definition(Run& run, const program::Statement& s, std::uint32_t index
 
 namespace {
 
+/// What the program has written to end: "M99", "RET", "return" of `o100 return`.
+std::string return_word(const Run& run, const Statement& s) {
+    const std::string text(run.env.sources.text(run.unit().span(s, run.unit().words[s.first])));
+    const std::string word = base::to_upper(text.substr(0, text.find_first_of(" \t(;")));
+    return word.starts_with('O') ? "return" : word;
+}
+
 /// Kinds that are run elsewhere and have no entry in a table; false where `s` is none of them.
 bool run_plain(Run& run, const Statement& s, std::uint32_t index) {
     switch (s.kind) {
@@ -285,6 +294,7 @@ bool run_plain(Run& run, const Statement& s, std::uint32_t index) {
         case StatementKind::special: run_special(run, s, index); return true;
         case StatementKind::return_: {
             const auto to = static_cast<std::size_t>(run.unit().words[s.first].payload);
+            say_blocks_behind(run, return_word(run, s));
             if (to == 0) return leave(run), true;
             return return_to_block(run, run.unit().jumps[to - 1]), true;
         }

@@ -282,8 +282,10 @@ void refuse_modal(Run&, const program::Word&);
 void refuse_block(Run&);
 /// A subprogram that is nowhere (Traits::missing_program_stops).
 void refuse_call(Run&, const std::string& name, const program::Call* call);
-/// Blocks behind M2 or M30 of the main program that nothing leads to (behind_end.cpp).
-void say_blocks_behind(Run&, int m);
+/// Blocks behind the end of the program that is run, which nothing leads to (behind_end.cpp). `end`: its word.
+void say_blocks_behind(Run&, const std::string& end);
+/// The same of what a program, ending the run, has called it, and of calls of labels that do not come back.
+void say_callers_rest(Run&, const std::string& end);
 /// The main program runs past its last block (Unit::unended).
 void refuse_end(Run&);
 void say_missing_beginning(Run&);  ///< of a program that is entered

@@ -392,6 +392,7 @@ struct RunState : ToolRack {
     bool out_of_time = false;  ///< the clock has said so: every step ends the run
     /// Of programs that jump to a computed block number: statements by it.
     mutable std::unordered_map<const Unit*, std::unordered_map<std::int64_t, std::vector<std::uint32_t>>> block_numbers;
+    std::set<std::pair<const Unit*, std::uint32_t>> ends_told;  ///< behind which blocks are said that are never run
     std::uint64_t unknown_conditions = 0;  ///< that were met
     std::string last_message;              ///< of MSG
     std::string log_file;                  ///< that the program has opened; empty: none

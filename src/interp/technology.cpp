@@ -153,6 +153,9 @@ namespace {
 /// M2 and M30 return from a called program, or end the run where the control says so.
 void end_of_program(Run& run, int m) {
     const bool called = run.calls.size() > 1;
+    const std::string word = "M" + std::to_string(m);
+    say_blocks_behind(run, word);
+    if (!called || run.unit().traits->may_end_anywhere) say_callers_rest(run, word);
     if (called && run.unit().traits->may_end_anywhere) {
         tell_end(run, m);
         emit(run, cl::Stop{cl::StopKind::end});
@@ -166,7 +169,6 @@ void end_of_program(Run& run, int m) {
         return;
     }
     if (!called) tell_end(run, m);
-    if (!called) say_blocks_behind(run, m);
     if (!called) emit(run, cl::Stop{cl::StopKind::end});
     leave(run);
 }
