@@ -29,6 +29,8 @@ public:
     void print_to(const fs::path& folder) { prints_ = folder; }
     /// Whether the program's prints may replace files that were there before; behind them they are put in any case.
     void set_force(bool force) { force_ = force; }
+    /// Files that the call writes itself.
+    void set_outputs(const std::vector<std::string>& outputs) { outputs_.assign(outputs.begin(), outputs.end()); }
     /// Writes what was printed, and forgets it. False (and a complaint) where that fails.
     bool write_printed();
     [[nodiscard]] bool failed() const { return failed_; }
@@ -58,6 +60,7 @@ private:
     [[nodiscard]] bool may_write(const fs::path& path, const Printed& printed);
 
     std::map<std::string, Printed> printed_;
+    std::vector<fs::path> outputs_;
     bool force_ = false, failed_ = false;
 };
 
