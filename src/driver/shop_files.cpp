@@ -125,7 +125,7 @@ bool ShopFiles::print(std::string_view name, std::string_view text, bool again) 
 
 /// A program may print into any file of the folder, but not over what the run was made of.
 bool ShopFiles::may_write(const fs::path& path, const Printed& printed) {
-    std::vector<fs::path> inputs;
+    std::vector<fs::path> inputs = inputs_;
     for (std::uint32_t i = 0; i < sources_.size(); ++i) inputs.emplace_back(sources_[i].name);
     auto why = refusals({{"printing", path.generic_string()}}, inputs, force_ || !printed.replaces);
     for (const fs::path& output : outputs_)

@@ -180,6 +180,14 @@ class Outputs(Folder):
         self.obrys("check", "P.H", "--prints", ".", "--force")
         self.assertEqual((self.path / "P.H").read_text(), text)
 
+    def test_prints_do_not_replace_another_input(self):
+        self.write("P.H", '0 BEGIN PGM P MM\n1 FN 16: F-PRINT M.A / Q.H\n2 END PGM P MM\n')
+        self.write("Q.H", '0 BEGIN PGM Q MM\n1 END PGM Q MM\n')
+        self.write("M.A", '"hello";\nM_TRUNCATE;\n')
+        text = (self.path / "Q.H").read_text()
+        code, _, _ = self.obrys("check", "P.H", "Q.H", "--prints", ".", "--force")
+        self.assertEqual((code, (self.path / "Q.H").read_text()), (2, text))
+
     def test_prints_and_outputs_do_not_share_a_file(self):
         self.write("P.H", '0 BEGIN PGM P MM\n1 FN 16: F-PRINT M.A / X.TXT\n2 END PGM P MM\n')
         self.write("M.A", '"hello";\n')

@@ -27,6 +27,7 @@ bool may_write(const Arguments& a, const driver::Session& s) {
 
 driver::Request with_outputs(const Arguments& a) {
     driver::Request request = a.request;
+    request.inputs = a.inputs;
     for (const driver::Wanted& w : outputs_of(a))
         if (!driver::is_standard_output(w.path)) request.outputs.push_back(w.path);
     return request;
