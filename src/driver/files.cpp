@@ -76,6 +76,12 @@ std::optional<std::uintmax_t> size_of(const fs::path& path, base::Diagnostics& d
         complain(diagnostics, codes::file_missing, where, cannot(shown, error.value()));
         return std::nullopt;
     }
+    if (!fs::exists(status) && fs::is_symlink(fs::symlink_status(path, error))) {
+        complain(diagnostics, codes::file_missing, where,
+                 shown + " is a link that leads nowhere: there is no file " +
+                     fs::read_symlink(path, error).generic_string());
+        return std::nullopt;
+    }
     if (!fs::exists(status)) {
         const std::string near = similar_names(path.parent_path(), path.filename().string());
         complain(diagnostics, codes::file_missing, where, "there is no file " + shown,
@@ -111,7 +117,8 @@ std::optional<std::string> load_bytes(const fs::path& path, base::Diagnostics& d
 }
 
 void check_readable(const fs::path& path, base::Diagnostics& diagnostics, const base::Span& where) {
-    static_cast<void>(size_of(path, diagnostics, where));
+    if (size_of(path, diagnostics, where) == std::uintmax_t{0})
+        complain(diagnostics, codes::file_empty, where, path.generic_string() + " is empty");
 }
 
 namespace {
@@ -171,7 +178,7 @@ std::optional<std::uint32_t> load(const fs::path& path, base::Sources& sources, 
         return std::nullopt;
     }
     std::string blanked = small;
-    if (!is_utf16(small)) blank_transfer_signs(blanked);
+    if (!is_utf16(small) && signs != Signs::refuse) blank_transfer_signs(blanked);
     const std::string_view text = large == nullptr ? std::string_view(blanked) : large->bytes();
     if (!is_text(text, shown, diagnostics, where)) return std::nullopt;
     if (signs == Signs::blank) small = std::move(blanked);

@@ -20,15 +20,16 @@ inline constexpr base::Span nowhere{0xFFFFFFFF, 0, 0};
 void complain(base::Diagnostics& diagnostics, std::string_view code, const base::Span& where, std::string text,
               std::string remedy = {});
 
-/// Of a transfer, in front of a program and behind it (Ctrl-Z, NUL, ETX …): `keep` for who writes the text again.
-enum class Signs : std::uint8_t { blank, keep };
+/// Of a transfer, in front of a program and behind it (Ctrl-Z, NUL, ETX …): `keep` for who writes the text again,
+/// `refuse` for a text that no transfer brings.
+enum class Signs : std::uint8_t { blank, keep, refuse };
 
 /// Adds the file's text to `sources`. A missing, empty, binary or too large file is a complaint at `where`, naming the
 /// nearest file names of the folder, and nothing is returned.
 std::optional<std::uint32_t> load(const fs::path& path, base::Sources& sources, base::Diagnostics& diagnostics,
                                   const base::Span& where = nowhere, Signs signs = Signs::blank);
 
-/// Complains at `where` about a file that is not there or no file.
+/// Complains at `where` about a file that is not there, no file or empty.
 void check_readable(const fs::path& path, base::Diagnostics& diagnostics, const base::Span& where);
 
 /// The bytes of a file that is no text (STL); nothing after a complaint at `where`.

@@ -72,13 +72,6 @@ bool is_special(const fs::path& path) {
     return fs::exists(status) && !fs::is_regular_file(status) && !fs::is_directory(status);
 }
 
-bool is_same_file(const fs::path& a, const fs::path& b) {
-    std::error_code error;
-    if (fs::equivalent(a, b, error)) return true;
-    const fs::path x = without_links(a), y = without_links(b);
-    return x.filename() == y.filename() && fs::equivalent(folder_of(x), folder_of(y), error);
-}
-
 std::string words_of(int error) { return std::generic_category().message(error); }
 
 /// Why this file may not be written; empty where it may.
@@ -105,6 +98,13 @@ std::string refusal(const Wanted& w, const std::vector<fs::path>& inputs, bool f
 }
 
 }  // namespace
+
+bool is_same_file(const fs::path& a, const fs::path& b) {
+    std::error_code error;
+    if (fs::equivalent(a, b, error)) return true;
+    const fs::path x = without_links(a), y = without_links(b);
+    return x.filename() == y.filename() && fs::equivalent(folder_of(x), folder_of(y), error);
+}
 
 bool is_standard_output(std::string_view path) { return path.empty() || path == "-" || path == "/dev/stdout"; }
 
@@ -217,7 +217,13 @@ std::vector<fs::path> inputs_of(const Session& s) {
     if (s.job.solid_stock) add(s.job.solid_stock->solid);
     if (s.job.solid_part) all.push_back(beside(s.input, s.job.solid_part->file.path));
     for (const shop::Clamp& c : s.job.clamps) add(c.solid);
-    for (const shop::NamedFile& f : s.job.datum_tables) all.push_back(beside(s.input, f.path));
+    // Where the job cannot be used, these were not loaded.
+    for (const auto* files : {&s.job.datum_tables, &s.job.preset_tables, &s.job.tool_files, &s.job.variables_files})
+        for (const shop::NamedFile& f : *files) all.push_back(beside(s.input, f.path));
+    if (!s.job.program.empty()) all.push_back(beside(s.input, s.job.program));
+    if (s.job.machine_is_file) all.push_back(beside(s.input, s.job.machine_name));
+    if (s.job.part_program) all.push_back(beside(s.input, s.job.part_program->program));
+    if (s.job.allowance && s.job.allowance->program) all.push_back(beside(s.input, s.job.allowance->program->program));
     return all;
 }
 

@@ -45,6 +45,9 @@ void clean_up_on_signals();
 
 [[nodiscard]] bool is_standard_output(std::string_view path);
 
+/// One file by two names, or what would be one if it were there.
+[[nodiscard]] bool is_same_file(const fs::path& a, const fs::path& b);
+
 /// A file that was asked for.
 struct Wanted {
     std::string option;  ///< "--html"

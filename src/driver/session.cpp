@@ -116,6 +116,7 @@ void find_shop_files(Session& s, const Request& request, const fs::path& program
     for (const shop::NamedFile& folder : s.job.search) s.files->add_folder(beside(request.input, folder.path));
     for (const shop::NamedFile& f : s.job.datum_tables) s.files->add_file(beside(request.input, f.path));
     s.files->set_force(request.force);
+    s.files->keep(request.inputs, request.outputs);
     if (!request.prints.empty())
         s.files->print_to(request.prints);
     else if (!s.job.prints.empty())
@@ -261,7 +262,7 @@ bool open(const Request& request, Session& s) {
     s.input = request.input;
     fs::path program = input;
     if (is_job(input)) {
-        const auto file = load(input, s.sources, s.diagnostics);
+        const auto file = load(input, s.sources, s.diagnostics, nowhere, Signs::refuse);
         if (!file) return false;
         s.job = shop::read_job(*file, s.sources, s.diagnostics);
         s.has_job = true;

@@ -30,6 +30,8 @@ struct Request {
     std::string stored;                ///< its parameter file (.var)
     std::optional<shop::Scope> scope;  ///< else as the job says
     bool force = false;                ///< files that are there may be replaced
+    std::vector<std::string> outputs;  ///< files that the call writes itself: no program prints into them
+    std::vector<std::string> inputs;   ///< all of the call: nor into these
     std::shared_ptr<Folders> folders = std::make_shared<Folders>();  ///< of all inputs of a call
     bool canon = false;  ///< settings are told, and the machine stands at its zero at the start
 };

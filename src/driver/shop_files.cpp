@@ -125,9 +125,13 @@ bool ShopFiles::print(std::string_view name, std::string_view text, bool again) 
 
 /// A program may print into any file of the folder, but not over what the run was made of.
 bool ShopFiles::may_write(const fs::path& path, const Printed& printed) {
-    std::vector<fs::path> inputs;
+    std::vector<fs::path> inputs = inputs_;
     for (std::uint32_t i = 0; i < sources_.size(); ++i) inputs.emplace_back(sources_[i].name);
-    const auto why = refusals({{"printing", path.generic_string()}}, inputs, force_ || !printed.replaces);
+    auto why = refusals({{"printing", path.generic_string()}}, inputs, force_ || !printed.replaces);
+    for (const fs::path& output : outputs_)
+        if (is_same_file(path, output))
+            why.push_back("printing: " + path.generic_string() + " is an output of this call (" +
+                          output.generic_string() + "), which would replace the print");
     for (const std::string& text : why)
         diagnostics_.add({base::Severity::error, codes::file_missing, nowhere, text, {}, {}, {}});
     return why.empty();

@@ -29,6 +29,11 @@ public:
     void print_to(const fs::path& folder) { prints_ = folder; }
     /// Whether the program's prints may replace files that were there before; behind them they are put in any case.
     void set_force(bool force) { force_ = force; }
+    /// Files that the call reads besides what was loaded here, and those that it writes itself: no print goes there.
+    void keep(const std::vector<std::string>& inputs, const std::vector<std::string>& outputs) {
+        inputs_.assign(inputs.begin(), inputs.end());
+        outputs_.assign(outputs.begin(), outputs.end());
+    }
     /// Writes what was printed, and forgets it. False (and a complaint) where that fails.
     bool write_printed();
     [[nodiscard]] bool failed() const { return failed_; }
@@ -58,6 +63,7 @@ private:
     [[nodiscard]] bool may_write(const fs::path& path, const Printed& printed);
 
     std::map<std::string, Printed> printed_;
+    std::vector<fs::path> inputs_, outputs_;
     bool force_ = false, failed_ = false;
 };
 

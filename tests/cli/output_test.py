@@ -71,6 +71,26 @@ class Outputs(Folder):
         self.write("OTHER.MPF", PROGRAM)
         self.assert_refused("input", "check", "MAIN.MPF", "OTHER.MPF", "--force", "-o", "OTHER.MPF")
 
+    def test_an_input_that_cannot_be_read_is_not_overwritten(self):
+        self.write("bad.toml", "program = \n")
+        self.write("bad2.toml", "program = \n")
+        self.write("nomachine.toml", 'program = "MAIN.MPF"\nmachine = "no-such"\n')
+        self.write("mine.json", "mine")
+        for words, out in ((("bad.toml", "bad2.toml"), "bad2.toml"), (("MAIN.MPF", "bad.toml"), "bad.toml"),
+                           (("nomachine.toml", "bad.toml"), "MAIN.MPF"), (("nomachine.toml", "bad.toml"), "SUB.SPF")):
+            for force in (("--force",), ()):
+                for option in ("-o", "--write-baseline"):
+                    if out == "SUB.SPF" and force:
+                        continue  # nobody has read who calls it
+                    before = (self.path / out).read_bytes()
+                    code, _, err = self.obrys("check", *words, "--format", "json", option, out, *force)
+                    self.assertEqual((code, (self.path / out).read_bytes()), (2, before), (words, option, force, err))
+        code, _, err = self.obrys("check", "bad.toml", "bad2.toml", "--format", "json", "-o", "mine.json")
+        self.assertEqual((code, (self.path / "mine.json").read_text()), (2, "mine"), err)
+        code, _, err = self.obrys("check", "bad.toml", "bad2.toml", "--format", "json", "-o", "mine.json", "--force")
+        self.assertEqual(code, 2, err)
+        self.assertIn("bad2.toml", (self.path / "mine.json").read_text())
+
     def test_a_file_that_is_there_needs_force(self):
         self.write("report.html", "mine")
         self.assert_refused("--force", "check", "MAIN.MPF", "--html", "report.html")
@@ -160,6 +180,26 @@ class Outputs(Folder):
         self.obrys("check", "P.H", "--prints", ".", "--force")
         self.assertEqual((self.path / "P.H").read_text(), text)
 
+    def test_prints_do_not_replace_another_input(self):
+        self.write("P.H", '0 BEGIN PGM P MM\n1 FN 16: F-PRINT M.A / Q.H\n2 END PGM P MM\n')
+        self.write("Q.H", '0 BEGIN PGM Q MM\n1 END PGM Q MM\n')
+        self.write("M.A", '"hello";\nM_TRUNCATE;\n')
+        text = (self.path / "Q.H").read_text()
+        code, _, _ = self.obrys("check", "P.H", "Q.H", "--prints", ".", "--force")
+        self.assertEqual((code, (self.path / "Q.H").read_text()), (2, text))
+
+    def test_prints_and_outputs_do_not_share_a_file(self):
+        self.write("P.H", '0 BEGIN PGM P MM\n1 FN 16: F-PRINT M.A / X.TXT\n2 END PGM P MM\n')
+        self.write("M.A", '"hello";\n')
+        os.symlink("X.TXT", self.path / "link")
+        for name in ("X.TXT", "link"):
+            for words in (("run", "P.H", "-o", name), ("check", "P.H", "--html", name), ("plot", "P.H", "-o", name)):
+                code, out, err = self.obrys(*words, "--prints", ".", "--force")
+                self.assertEqual(code, 2, (words, err))
+                self.assertIn("X.TXT is an output of this call", out + err)
+        code, _, err = self.obrys("run", "P.H", "-o", "y.txt", "--prints", ".", "--force")
+        self.assertNotEqual(code, 2, err)
+
 
 class Jobs(Folder):
     def test_a_file_that_is_missing_is_said_at_its_line(self):
@@ -169,6 +209,29 @@ class Jobs(Folder):
             code, _, err = self.obrys("check", "j.toml")
             self.assertEqual(code, 2, (key, err))
             self.assertTrue(err.startswith(f"j.toml:{line}:"), (key, err))
+
+
+    def test_an_empty_body_is_said_at_its_line(self):
+        self.write("e.stl", "")
+        for key in ('[part]\nfile = "e.stl"', '[stock]\nfile = "e.stl"'):
+            self.write("j.toml", 'program = "MAIN.MPF"\nmachine = "mill-generic"\n' + key + '\n[check]\nscope = "motion"\n')
+            code, _, err = self.obrys("check", "j.toml")
+            self.assertEqual(code, 2, (key, err))
+            self.assertTrue(err.startswith("j.toml:4:"), (key, err))
+            self.assertIn("[file-empty]", err)
+
+    def test_a_job_file_with_zero_bytes_is_no_text(self):
+        self.write("j.toml", 'program = "MAIN.MPF"\n\0\0')
+        code, _, err = self.obrys("check", "j.toml")
+        self.assertEqual(code, 2, err)
+        self.assertIn("[file-binary]", err)
+
+    def test_a_link_that_leads_nowhere(self):
+        os.symlink("gone.nc", self.path / "dangling.nc")
+        code, _, err = self.obrys("check", "dangling.nc")
+        self.assertEqual(code, 2, err)
+        self.assertIn("dangling.nc is a link that leads nowhere: there is no file gone.nc", err)
+        self.assertNotIn("did you mean", err)
 
 
 class Verdicts(Folder):

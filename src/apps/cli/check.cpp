@@ -99,13 +99,13 @@ std::string folder_of(const std::string& file) {
 
 Outcome check_one(const Arguments& a, const std::string& input, const std::optional<report::Baseline>& baseline) {
     driver::Session s;
-    driver::Request request = a.request;
+    driver::Request request = with_outputs(a);
     request.input = input;
+    const Outcome refused{2, true, {}, {}};
     if (!driver::open(request, s)) {
         print_diagnostics(s, base::Severity::warning);
-        return unreadable(a, input, s);
+        return may_write(a, s) ? unreadable(a, input, s) : refused;
     }
-    const Outcome refused{2, true, {}, {}};
     if (!may_write(a, s)) return refused;
     const bool pictures = !a.html.empty() || !a.svg.empty();
     driver::MillingRequest milling = a.milling;
@@ -119,7 +119,7 @@ Outcome check_one(const Arguments& a, const std::string& input, const std::optio
     }
     if (driver::refused(s)) {
         print_diagnostics(s, base::Severity::warning);
-        return unreadable(a, input, s);
+        return may_write(a, s) ? unreadable(a, input, s) : refused;
     }
     const report::Subject subject = subject_of(s, checked);
     if (baseline) report::mark_known(subject, *baseline, folder_of(a.baseline), checked.result);

@@ -101,15 +101,16 @@ int plot_path(const Arguments& a, driver::Session& s) {
     print_diagnostics(s, base::Severity::warning);
     if (!may_write(a, s)) return 2;
     if (table && !deliver(a.output, out)) return 2;
-    if (table && a.svg.empty()) return 0;
-    return deliver(a.svg.empty() ? a.output : a.svg, report::to_svg(plot, s.sources)) ? 0 : 2;
+    const int done = s.files->failed() ? 2 : 0;
+    if (table && a.svg.empty()) return done;
+    return deliver(a.svg.empty() ? a.output : a.svg, report::to_svg(plot, s.sources)) ? done : 2;
 }
 
 }  // namespace
 
 int plot(const Arguments& a) {
     driver::Session s;
-    if (!open(a, a.request, s)) return 2;
+    if (!open(a, s)) return 2;
     if (a.interpolation > 0 || s.job.machine.kind != shop::MachineKind::lathe) return plot_path(a, s);
     const driver::Checked checked = driver::check_program(s, moves_on_page);
     if (driver::refused(s)) {
@@ -118,12 +119,13 @@ int plot(const Arguments& a) {
     }
     std::fputs((report::verdict_line(checked.result) + "\n").c_str(), stderr);
     if (!may_write(a, s)) return 2;
-    return deliver(a.svg.empty() ? a.output : a.svg, report::to_svg(subject_of(s, checked))) ? 0 : 2;
+    const bool written = deliver(a.svg.empty() ? a.output : a.svg, report::to_svg(subject_of(s, checked)));
+    return written && !s.files->failed() ? 0 : 2;
 }
 
 int run(const Arguments& a) {
     driver::Session s;
-    if (!open(a, a.request, s)) return 2;
+    if (!open(a, s)) return 2;
     driver::OutputFile out(a.output);
     cl::Totals totals;
     if (a.quiet || a.parameters) {

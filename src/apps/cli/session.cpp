@@ -17,6 +17,7 @@ void print_diagnostics(const driver::Session& s, base::Severity from) {
 
 bool may_write(const Arguments& a, const driver::Session& s) {
     std::vector<driver::fs::path> inputs = driver::inputs_of(s);
+    inputs.insert(inputs.end(), a.inputs.begin(), a.inputs.end());  // those of a call share its outputs
     // A baseline may be brought up to date.
     if (!a.baseline.empty() && a.baseline != a.write_baseline) inputs.emplace_back(a.baseline);
     const auto refused = driver::refusals(outputs_of(a), inputs, a.request.force);
@@ -24,7 +25,16 @@ bool may_write(const Arguments& a, const driver::Session& s) {
     return refused.empty();
 }
 
-bool open(const Arguments& a, const driver::Request& request, driver::Session& s) {
+driver::Request with_outputs(const Arguments& a) {
+    driver::Request request = a.request;
+    request.inputs = a.inputs;
+    for (const driver::Wanted& w : outputs_of(a))
+        if (!driver::is_standard_output(w.path)) request.outputs.push_back(w.path);
+    return request;
+}
+
+bool open(const Arguments& a, driver::Session& s) {
+    const driver::Request request = with_outputs(a);
     if (driver::open(request, s)) return may_write(a, s);
     print_diagnostics(s, base::Severity::warning);
     return false;

@@ -12,10 +12,13 @@ inline constexpr std::size_t moves_on_page = 20'000;
 void print_diagnostics(const driver::Session& s, base::Severity from = base::Severity::note);
 
 /// The session, unless the input cannot be used or an output may not be written: then it has been said.
-bool open(const Arguments& a, const driver::Request& request, driver::Session& s);
+bool open(const Arguments& a, driver::Session& s);
 
 /// Whether the outputs may be written, now that all is known that was read. False: it has been said.
 bool may_write(const Arguments& a, const driver::Session& s);
+
+/// The request with what the call writes: no program prints into that.
+[[nodiscard]] driver::Request with_outputs(const Arguments& a);
 
 [[nodiscard]] report::Subject subject_of(const driver::Session& s, const driver::Checked& c);
 

@@ -72,7 +72,8 @@ struct FanucG {
     std::int16_t number = 0;
     Order order = Order::motion;
     FanucSpecial special = FanucSpecial::none;
-    std::string_view says;  ///< of refused and accepted ones: what the control does
+    std::string_view says;       ///< of refused and accepted ones: what the control does
+    std::string_view letters{};  ///< of accepted ones: words of its own
 };
 /// The entry of G number * 10; null where the control's manuals have none.
 [[nodiscard]] const FanucG* find_fanuc_g(int code, const FanucControl& control);

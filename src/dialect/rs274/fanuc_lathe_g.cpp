@@ -26,8 +26,10 @@ constexpr LatheG word(int code, Modal m, Order order, int number = 0) {
 constexpr LatheG more(int code, Special s, Order order, Modal m, int number = 0) {
     return row(code, code, code, special, m, order, number, s);
 }
-constexpr LatheG no_effect(int code, std::string_view says) {
-    return row(code, code, code, accepted, Modal::linear, Order::motion, 0, Special::none, says);
+constexpr LatheG no_effect(int code, std::string_view says, std::string_view letters = {}) {
+    LatheG g = row(code, code, code, accepted, Modal::linear, Order::motion, 0, Special::none, says);
+    g.meaning.letters = letters;
+    return g;
 }
 constexpr LatheG not_run(int code, std::string_view says) {
     return row(code, code, code, refused, Modal::linear, Order::motion, 0, Special::none, says);
@@ -46,12 +48,12 @@ constexpr std::array lathe{
     word(20, Modal::arc_cw, Order::motion),
     word(30, Modal::arc_ccw, Order::motion),
     more(40, Special::dwell, Order::dwell, Modal::dwell),
-    no_effect(50, "high-speed machining"),
-    no_effect(51, "look-ahead control of contours"),
+    no_effect(50, "high-speed machining", "P"),
+    no_effect(51, "look-ahead control of contours", "QR"),
     not_run(70, "interpolation with a hypothetical axis"),
     more(71, Special::cylinder_face, Order::special, Modal::cylinder_face),
     more(1070, Special::cylinder_face, Order::special, Modal::cylinder_face),
-    no_effect(80, "look-ahead control"),
+    no_effect(80, "look-ahead control", "P"),
     word(90, Modal::exact_stop_block, Order::path_control),
     more(100, Special::set_data, Order::special, Modal::set_data),
     no_effect(110, "end of data setting"),
@@ -64,10 +66,10 @@ constexpr std::array lathe{
     word(190, Modal::plane_yz, Order::plane),
     row(200, 200, 700, modal, Modal::inch_all, Order::units),
     row(210, 210, 710, modal, Modal::metric_all, Order::units),
-    no_effect(220, "stored stroke check on"),
+    no_effect(220, "stored stroke check on", "XYZIJK"),
     no_effect(230, "stored stroke check off"),
     no_effect(250, "watching of the spindle speed off"),
-    no_effect(260, "watching of the spindle speed on"),
+    no_effect(260, "watching of the spindle speed on", "PQRI"),
     not_run(270, "check of the reference position"),
     more(280, Special::home, Order::special, Modal::home, 1),
     not_run(290, "way back from the reference position"),

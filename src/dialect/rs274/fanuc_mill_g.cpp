@@ -20,8 +20,8 @@ constexpr FanucG more(int code, Special s, Order order, Modal m = Modal::linear,
     return {static_cast<std::int16_t>(code), special, m, static_cast<std::int16_t>(number), order, s, {}};
 }
 constexpr FanucG hole(int code) { return more(code, Special::canned, Order::motion, Modal::canned, code); }
-constexpr FanucG no_effect(int code, std::string_view says) {
-    return {static_cast<std::int16_t>(code), accepted, Modal::linear, 0, Order::motion, Special::none, says};
+constexpr FanucG no_effect(int code, std::string_view says, std::string_view letters = {}) {
+    return {static_cast<std::int16_t>(code), accepted, Modal::linear, 0, Order::motion, Special::none, says, letters};
 }
 constexpr FanucG not_run(int code, std::string_view says) {
     return {static_cast<std::int16_t>(code), refused, Modal::linear, 0, Order::motion, Special::none, says};
@@ -45,14 +45,14 @@ constexpr std::array mill{
     motion_not_run(23, "exponential interpolation"),
     motion_not_run(33, "exponential interpolation"),
     more(40, Special::dwell, Order::dwell, Modal::dwell),
-    no_effect(50, "high-speed machining"),
-    no_effect(51, "look-ahead control of contours"),
-    no_effect(54, "high-speed machining"),
+    no_effect(50, "high-speed machining", "P"),
+    no_effect(51, "look-ahead control of contours", "QR"),
+    no_effect(54, "high-speed machining", "Q"),
     motion_not_run(62, "NURBS interpolation"),
     not_run(70, "interpolation with a hypothetical axis"),
     not_run(71, "cylindrical interpolation"),
     not_run(1070, "cylindrical interpolation"),
-    no_effect(80, "look-ahead control"),
+    no_effect(80, "look-ahead control", "P"),
     word(90, Modal::exact_stop_block, Order::path_control),
     more(100, Special::set_data, Order::special, Modal::set_data),
     not_run(106, "retract and recovery of the tool"),
@@ -68,10 +68,10 @@ constexpr std::array mill{
     word(190, Modal::plane_yz, Order::plane),
     word(200, Modal::inch_all, Order::units),
     word(210, Modal::metric_all, Order::units),
-    no_effect(220, "stored stroke check on"),
+    no_effect(220, "stored stroke check on", "XYZIJK"),
     no_effect(230, "stored stroke check off"),
     no_effect(250, "watching of the spindle speed off"),
-    no_effect(260, "watching of the spindle speed on"),
+    no_effect(260, "watching of the spindle speed on", "PQRI"),
     not_run(270, "check of the reference position"),
     more(280, Special::home, Order::special, Modal::home, 1),
     not_run(290, "way back from the reference position"),
@@ -194,7 +194,7 @@ constexpr std::array haas{
     more(1000, Special::mirror_off, Order::special),
     more(1010, Special::mirror, Order::special),
     no_effect(1020, "output of the positions"),
-    no_effect(1030, "limit of the look-ahead"),
+    no_effect(1030, "limit of the look-ahead", "P"),
     not_run(1070, "cylindrical mapping"),
     zero(1),
     zero(2),

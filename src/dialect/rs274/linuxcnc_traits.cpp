@@ -94,10 +94,10 @@ constexpr std::array turning{
 
 }  // namespace
 
-/// Manual "Parameters", numbered parameters: those that the machine keeps in its parameter file. #31 to #5000 are
-/// volatile: 0 when LinuxCNC is started, and then what the last program has left there.
+/// Manual "Parameters", numbered parameters: those that the machine keeps in its parameter file. #1 to #5000 are
+/// volatile: 0 when LinuxCNC is started, and then what the last program has left there. A call sets #1 to #30.
 constexpr std::array kept{
-    program::KeptParameters{31, 5000, "nothing left there since LinuxCNC was started"},
+    program::KeptParameters{1, 5000, "nothing left there since LinuxCNC was started"},
     program::KeptParameters{5161, 5169},  // G28
     program::KeptParameters{5181, 5189},  // G30
     program::KeptParameters{5210, 5390},  // G92, the active system, G54 to G59.3

@@ -43,6 +43,12 @@ TEST(Format, path_words) {
     EXPECT_EQ(block("FC DR- R18 CLSD+ CCX+20 x5"), "FC DR- R18 CLSD+ CCX+20 X+5");
 }
 
+TEST(Format, TheNameOfTheProgramIsKept) {
+    EXPECT_EQ(klartext("0 begin pgm c mm\n1 l x1\n2 end pgm c mm\n"), "0 BEGIN PGM c MM\n1 L X+1\n2 END PGM c MM\n");
+    EXPECT_EQ(klartext("0 begin pgm mm inch\n1 end pgm mm inch\n"), "0 BEGIN PGM mm INCH\n1 END PGM mm INCH\n");
+    EXPECT_EQ(klartext("0 begin pgm mm\n1 end pgm mm\n"), "0 BEGIN PGM mm\n1 END PGM mm\n");
+}
+
 TEST(Format, tools_blanks_and_calls) {
     EXPECT_EQ(block("tool call 5.1 zS800 F 200 dl0.1 DR2 0,5"), "TOOL CALL 5.1 Z S800 F200 DL+0.1 DR2+0,5");
     EXPECT_EQ(block("TOOL CALL \"Mill a\"  Z"), "TOOL CALL \"Mill a\" Z");

@@ -1,5 +1,6 @@
 #include "format/heidenhain/structure.hpp"
 
+#include <algorithm>
 #include <array>
 
 #include "base/number.hpp"
@@ -173,11 +174,31 @@ Text label_block(Scan& in) {
     return "LBL " + *rest;
 }
 
+/// BEGIN PGM name MM: the name is kept as it is written, and the blanks.
+std::string program_bounds(std::string_view code) {
+    std::string out(code);
+    const auto raise = [&](std::size_t begin, std::size_t end) {
+        std::transform(out.begin() + static_cast<std::ptrdiff_t>(begin), out.begin() + static_cast<std::ptrdiff_t>(end),
+                       out.begin() + static_cast<std::ptrdiff_t>(begin), base::upper);
+    };
+    const auto next = [&](std::size_t from, bool blank) {
+        while (from < out.size() && base::is_blank(out[from]) == blank) ++from;
+        return from;
+    };
+    const std::size_t first = next(0, false), second = next(first, true), behind = next(second, false);
+    if (base::to_upper(out.substr(second, behind - second)) != "PGM") return out;
+    raise(0, behind);
+    const std::size_t last = out.find_last_of(" \t") + 1;
+    const std::string unit = base::to_upper(out.substr(last));
+    if (last > next(next(behind, true), false) && (unit == "MM" || unit == "INCH")) raise(last, out.size());
+    return out;
+}
+
 /// Blocks with a word of their own; `known` says whether this was one.
 Text special_block(Scan& in, const std::string& word, std::string_view code, Decimal decimal, Block& block,
                    bool& known) {
     known = true;
-    if (word == "BEGIN" || word == "END") return block.shape = Shape::kept, std::string(code);
+    if (word == "BEGIN" || word == "END") return block.shape = Shape::kept, program_bounds(code);
     if (word == "TOOL") return tool_block(in, decimal, block);
     if (word == "BLK") return blank_block(in, decimal, block);
     if (word == "CYCL" || word == "CYCLE") return cycle_block(in, word, decimal, block);

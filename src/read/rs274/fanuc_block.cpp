@@ -216,6 +216,7 @@ namespace {
 void emit_all(FanucState& s) {
     begin_words(s);
     s.special.clear();
+    s.own_words.clear();
     s.own_motion = s.restore_motion = s.hole_apart = false;
     s.corner.reset();
     for (Address& a : s.addresses)
@@ -225,6 +226,7 @@ void emit_all(FanucState& s) {
     s.hole_apart = sets_data(s);  // P, K, R are not those of the cycle
     refuse_in_rotation(s);
     if (!s.failed) run_specials(s);
+    if (!s.failed) take_own_words(s);
     refuse_repeated(s);
     if (!s.failed) judge_block_behind_corner(s);
     if (!s.failed && turning_block(s)) return;

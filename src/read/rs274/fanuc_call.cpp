@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <array>
+#include <set>
 #include <utility>
 
 #include "read/rs274/fanuc_state.hpp"
@@ -66,6 +67,7 @@ void add_call(FanucState& s, Call call) {
 /// Argument specification I and II: I, J, K count up in sets of three whose letters come in this order.
 struct Arguments {
     std::vector<ExprId> values;
+    std::set<char> letters;
     int set = 0, last = 3;
 
     int parameter(char letter) {
@@ -91,17 +93,28 @@ Quantity argument_quantity(const FanucState& s, char letter) {
     return (letter == 'E' || letter == 'F') && !s.control.haas ? Quantity::feed : Quantity::plain;
 }
 
+void say_twice(FanucState& s, const Address& a) {
+    base::Diagnostic d;
+    d.severity = base::Severity::warning;
+    d.code = base::codes::repeated_word;
+    d.where = s.build().span(a.begin, a.end);
+    d.text = std::string("the argument ") + a.letter + " stands twice: the macro gets the last one";
+    d.remedy = "leave one of them in the block";
+    s.diagnostics.add(std::move(d));
+}
+
 bool read_arguments(FanucState& s, Call& call, const Address& from) {
     Arguments arguments;
     for (Address& a : s.addresses) {
-        if (a.used || a.comma || a.begin < from.begin) continue;
-        const int n = arguments.parameter(a.letter);
+        if (a.used || a.begin < from.begin) continue;
+        const int n = a.comma ? 0 : arguments.parameter(a.letter);
         if (n == 0) {
-            fail(s, a.begin, a.end, std::string(1, a.letter) + " is no argument of a macro",
+            fail(s, a.begin, a.end, (a.comma ? "," : "") + std::string(1, a.letter) + " is no argument of a macro",
                  "G, L, N, O and P have a meaning of their own; I, J, K may stand ten times");
             return false;
         }
         a.used = true;
+        if (!arguments.letters.insert(a.letter).second && (a.letter < 'I' || a.letter > 'K')) say_twice(s, a);
         arguments.put(n, as_expr(s, scaled(s, a.value, argument_quantity(s, a.letter))));
     }
     call.arguments = std::move(arguments.values);

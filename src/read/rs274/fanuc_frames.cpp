@@ -26,8 +26,8 @@ struct Transformer {
         s.build().expression(code, as_expr(s, v), a.begin, a.end);
     }
     /// The centre, as far as the block names it.
-    void centre() const {
-        for (const char axis : frame_axes)
+    void centre(std::string_view axes = frame_axes) const {
+        for (const char axis : axes)
             if (Address* a = find_address(s, axis)) {
                 a->used = true;
                 word(dialect::rs274::letter_code(axis), scaled(s, a->value, Quantity::length), *a);
@@ -41,10 +41,11 @@ void rotation(const Transformer& t) {
     if (r == nullptr) return fail(s, t.begin, t.end, "the angle of the rotation is missing", "write it as R");
     r->used = true;
     t.open();
-    t.centre();
+    t.centre(s.plane == 17 ? "XY" : s.plane == 18 ? "ZX" : "YZ");
     t.word(Code::plane_rotation, scaled(s, r->value, Quantity::angle), *r);
     t.close(Modal::rotation_on);
     s.transformed = s.transformed | rotated;
+    refuse_axes(s, "G68 takes the axes of its plane alone");
 }
 
 void scaling(const Transformer& t) {
@@ -121,8 +122,38 @@ void emit_base(FanucState& s) {
 
 }  // namespace
 
+namespace {
+
+/// A cycle, an arc or a G code that acts once reads words of the same block that are the transformation's, too.
+bool is_beside_others(const FanucState& s, const FanucG& g) {
+    if (g.special != FanucSpecial::rotation && g.special != FanucSpecial::scaling && g.special != FanucSpecial::mirror)
+        return false;
+    if (s.own_motion && s.motion != Modal::rapid && s.motion != Modal::linear) return true;
+    return std::any_of(s.special.begin(), s.special.end(), [](const Special& x) {
+        switch (x.g->special) {
+            case FanucSpecial::dwell:
+            case FanucSpecial::home:
+            case FanucSpecial::probe:
+            case FanucSpecial::set_data:
+            case FanucSpecial::position:
+            case FanucSpecial::canned:
+            case FanucSpecial::thread:
+            case FanucSpecial::local_pattern: return true;
+            default: return false;
+        }
+    });
+}
+
+}  // namespace
+
 void frame_special(FanucState& s, const FanucG& g, const Address& a) {
     const Transformer w{s, a.begin, a.end};
+    if (is_beside_others(s, g)) {
+        s.facts.refused = true;
+        s.lost_motion = s.lost_motion || s.hole != 0;
+        add_problem(s, Code::unsupported, a.begin, a.end,
+                    "it stands in one block with another function that reads coordinates: write two blocks");
+    }
     emit_base(s);
     switch (g.special) {
         case FanucSpecial::rotation: return rotation(w);

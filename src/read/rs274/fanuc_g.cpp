@@ -109,6 +109,15 @@ void use_letters(FanucState& s, std::string_view letters) {
         if (!a.comma && letters.find(a.letter) != std::string_view::npos) a.used = true;
 }
 
+void refuse_axes(FanucState& s, std::string_view why) {
+    for (Address& a : s.addresses) {
+        if (a.used || a.comma || std::string_view("XYZABCUVW").find(a.letter) == std::string_view::npos) continue;
+        a.used = true;
+        s.facts.refused = true;
+        add_problem(s, Code::unsupported, a.begin, a.end, why);
+    }
+}
+
 std::optional<int> g_tenths(const Address& a) {
     return a.letter == 'G' && !a.comma ? tenths_of(a.value) : std::nullopt;
 }
@@ -127,7 +136,7 @@ void read_g_code(FanucState& s, Address& a) {
     }
     if (g->use != FanucUse::special && interpolation_ends(s, *code)) return accept(s, a);
     if (g->use == FanucUse::accepted) {
-        use_letters(s, *code == 220 ? "XYZIJK" : "PQRE");
+        if (!g->letters.empty()) s.own_words.push_back({g->letters, a.begin, a.end});
         return accept(s, a);
     }
     if (g->use == FanucUse::refused) {
@@ -163,7 +172,7 @@ void read_m_code(FanucState& s, Address& a) {
         case FanucMUse::refused: return add_problem(s, Code::unsupported, a.begin, a.end, m.says);
         default: break;
     }
-    if (*n == 19) use_letters(s, "SPR");  // the angle, and how fast it is taken
+    if (*n == 19) s.own_words.push_back({"SPR", a.begin, a.end});  // the angle, and how fast it is taken
     const Order order = *n == 6               ? Order::m_tool
                         : *n >= 3 && *n <= 5  ? Order::m_spindle
                         : *n >= 7 && *n <= 9  ? Order::m_coolant

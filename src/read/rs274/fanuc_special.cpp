@@ -11,16 +11,17 @@ namespace obrys::read::rs274 {
 namespace {
 
 void dwell(FanucState& s, const FanucG& g, const Address& a) {
-    for (const char letter : {'P', 'X', 'U'})
-        if (Address* time = find_address(s, letter)) {
-            time->used = true;
-            // P counts milliseconds, X and U seconds, or thousandths of a second where there is no point.
-            const bool increments = letter == 'P' || s.control.whole_numbers == WholeNumbers::increments;
-            const auto q = letter == 'P' ? Quantity::milliseconds
-                           : increments  ? Quantity::thousandths
-                                         : Quantity::plain;
-            put_value(s, Order::value, Code::p, scaled(s, time->value, q), *time);
-        }
+    for (const char letter : {'P', 'X', 'U'}) {
+        Address* time = find_address(s, letter);
+        if (time == nullptr) continue;
+        time->used = true;
+        // P counts milliseconds, X and U seconds, or thousandths of a second where there is no point.
+        const bool increments = letter == 'P' || s.control.whole_numbers == WholeNumbers::increments;
+        const auto q = letter == 'P' ? Quantity::milliseconds : increments ? Quantity::thousandths : Quantity::plain;
+        put_value(s, Order::value, Code::p, scaled(s, time->value, q), *time);
+        break;
+    }
+    refuse_axes(s, "G4 takes its time from P, X or U: what the control does with this word is not known");
     add_modal(s, g.order, Modal::dwell, 0, a.begin, a.end);
 }
 
@@ -195,9 +196,13 @@ void extended_datum(FanucState& s, int number, const Address& a) {
 /// G54 P1 is G54.1 P1.
 void datum_with_number(FanucState& s) {
     if (s.control.is_lathe() || find_address(s, 'P') == nullptr || !s.special.empty() || hole_of(s) != 0) return;
+    const auto other = std::find_if(s.own_words.begin(), s.own_words.end(), [](const OwnWords& own) {
+        return own.letters.find('P') != std::string_view::npos;
+    });
     for (std::size_t i = 0; i < s.words.size(); ++i) {
         const BlockWord w = s.words[i];
         if (w.code != Code::modal || w.payload != program::modal_word(Modal::datum, 54)) continue;
+        if (other != s.own_words.end()) return add_problem(s, Code::unsupported, other->begin, other->end, read_twice);
         s.words.erase(s.words.begin() + static_cast<std::ptrdiff_t>(i));
         Address a;
         a.begin = w.begin;

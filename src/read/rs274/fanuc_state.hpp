@@ -35,6 +35,14 @@ struct Special {
     Address address;
 };
 
+/// Words of its own that a function without effect on the path has in the block: G5.1 Q1, M19 R90.
+struct OwnWords {
+    std::string_view letters;
+    std::uint32_t begin = 0, end = 0;  ///< of the function
+};
+inline constexpr std::string_view read_twice =
+    "a motion, cycle or function of the block reads one of its letters, too: write two blocks";
+
 struct FanucLoop {
     int number = 0;  ///< m of DO m
     std::uint32_t statement = 0;
@@ -104,6 +112,7 @@ struct FanucState : State {
     std::string called;  ///< `<NAME>` behind M98, G65, G66; empty: none
     std::uint32_t called_begin = 0, called_end = 0;
     std::vector<Special> special;
+    std::vector<OwnWords> own_words;
     bool hole_apart = false;              ///< its P, K and R are not those of the hole cycle in force
     std::optional<bool> brackets_match;   ///< ( and ) of its comments
     int depth = 0;                        ///< of IF … THEN within it
@@ -157,6 +166,8 @@ void emit_address(FanucState& s, Address& a);
 void round_to_increments(FanucState& s, const Address& a);
 /// Marks addresses as used.
 void use_letters(FanucState& s, std::string_view letters);
+/// Axis words that nobody has taken, beside a G code that does not take them: said, and the block does not move.
+void refuse_axes(FanucState& s, std::string_view why);
 void put_value(FanucState& s, Order order, Code code, const Value& v, const Address& a);
 
 // fanuc_corner.cpp
@@ -179,6 +190,8 @@ void read_m_code(FanucState& s, Address& a);
 [[nodiscard]] std::optional<int> g_tenths(const Address& a);
 /// The G codes that are more than a word, in the order of the block.
 void run_specials(FanucState& s);
+/// `own_words` of the block, as far as its motion or cycle leaves them.
+void take_own_words(FanucState& s);
 
 // fanuc_frames.cpp
 void frame_special(FanucState& s, const FanucG& g, const Address& a);

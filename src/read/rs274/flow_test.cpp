@@ -105,8 +105,11 @@ TEST(Rs274Flow, ANumberAtTheBeginIsNoProgramOfItsOwn) {
 TEST(Rs274Flow, M99InTheMainProgramBeginsAnew) { EXPECT_EQ(Reading("X1\nM99\nX2\n").tree(), "0 X1\n1 jump start\n"); }
 
 TEST(Rs274Flow, WhatFollowsTheEndIsNotRead) {
-    EXPECT_EQ(tree("%\nX1\nM2\nnonsense\n%\nmore\n"), "0 X1\n1 M2\n");
+    const Reading remarks("%\nX1\nM2\nnonsense\n%\nmore\n");
+    EXPECT_EQ(remarks.messages() + remarks.tree(), "0 X1\n1 M2\n");
     EXPECT_EQ(Reading("%\nX1\n%\nnonsense\n").messages(), "");
+    EXPECT_EQ(complaint("%\nX1\n%\n(remark)\nX2\nX3\n"),
+              "5:1 this block stands behind the % that ends the program and is never run");
     EXPECT_EQ(complaint("X1\n%\n"), "2:1 a % at the end needs one at the begin of the program");
     EXPECT_EQ(Reading("X1\n").unit().unended, "the program ends without M2 or M30");
     EXPECT_EQ(Reading("%\nX1\n").unit().unended, "the program ends without M2, M30 or its second %");

@@ -26,9 +26,31 @@ void complain_about_comment(State& s) {
          nested ? "end the first one in front of it" : "add )");
 }
 
+/// The first block behind the `%` that ends the text: LinuxCNC does not come to it.
+void say_behind_percent(State& s) {
+    Part& main = s.parts.front();
+    for (std::size_t at = s.line.end(); at < s.text.size() && !main.told_unreached;) {
+        const std::size_t end = std::min(s.text.find('\n', at), s.text.size());
+        const std::string_view line = base::trim(s.text.substr(at, end - at));
+        const std::size_t begin = static_cast<std::size_t>(line.data() - s.text.data());
+        at = end + 1;
+        const bool prose = line.size() > 1 && base::is_letter(line[0]) && base::is_letter(line[1]);
+        if (line.empty() || line[0] == '%' || line[0] == '(' || line[0] == ';' || prose) continue;
+        main.told_unreached = true;
+        base::Diagnostic d;
+        d.code = base::codes::not_run;
+        d.severity = base::Severity::warning;
+        d.where = {s.file, static_cast<std::uint32_t>(begin), static_cast<std::uint32_t>(begin + line.size())};
+        d.text = "this block stands behind the % that ends the program and is never run";
+        d.remedy = "take the % out, or this block and those behind it";
+        s.diagnostics.add(std::move(d));
+    }
+}
+
 /// The last `%`: the text ends here.
 void read_percent(State& s) {
     if (s.percent || !s.variant.percent_needs_begin) {
+        say_behind_percent(s);
         s.stopped = true;
         return;
     }
