@@ -140,9 +140,10 @@ void corner_words(Run& run) {
     }
     for (const Code c : {Code::corner_feed, Code::corner_feed_modal}) {
         if (!b.has(c)) continue;
-        if (b.get(c) < 0)
+        const double feed = b.value[static_cast<std::size_t>(c)];  // looked at; what acts on it says that it is used
+        if (feed < 0)
             return alarm(run, codes::value_range, run.here(), "the feed of a chamfer or rounding is negative");
-        if (std::isnan(b.get(c)))
+        if (std::isnan(feed))
             unchecked(run, codes::unknown_value, run.here(),
                       "the feed of a chamfer or rounding depends on a value that is not known: it is run at F");
     }
