@@ -24,7 +24,7 @@ void BlockWords::clear() {
     tool_named = false;
     special = suppress = paraxial = corner_end = Modal::linear;
     special_number = surface_word = retract = 0;
-    acted = stops_run = rapid = says_straight = changes_plane = machine_axis = goes_on = false;
+    acted = stops_run = rapid = says_straight = polar_path = changes_plane = machine_axis = goes_on = false;
     feed_alone.reset();
     positioned.clear();
     pending.clear();
@@ -170,6 +170,8 @@ namespace {
 
 /// CYCL CALL POS and CYCL CALL PAT. Their feed is that of the way to the points and ends with the block.
 void call_at_places(Run& run) {
+    if (run.block.twice != 0) repeated_words(run);
+    if (run.stopped) return;
     const double feed = run.feed;
     const bool valid = run.feed_valid;
     run.cycle.modal = false;

@@ -48,24 +48,33 @@ void set_loop_variable(Run& run, const program::For& f, double v) {
     alarm(run, codes::type_mismatch, run.unit().span(f.variable), "FOR needs a number variable that is defined");
 }
 
-void begin_for(Run& run, const program::For& f) {
+void say_unknown_passes(Run& run, const char* then) {
+    const std::string text = "how often this loop runs depends on a value that is not known: ";
+    unchecked(run, codes::unknown_value, run.here(), text + then);
+}
+
+void begin_for(Run& run, const program::For& f, std::uint32_t index) {
+    auto& unknown = run.top().unknown_loops;
+    std::erase(unknown, index);
     set_loop_variable(run, f, number(run, f.from));
     if (run.stopped) return;
     const double last = number(run, f.to);
     if (std::isnan(last) || std::isnan(loop_variable(run, f))) {
-        unchecked(run, codes::unknown_value, run.here(),
-                  "how often this loop runs depends on a value that is not known: it is run once");
-        return;
+        unknown.push_back(index);
+        return say_unknown_passes(run, "it is run once");
     }
     if (loop_variable(run, f) > last) go(run, f.target == program::no_target ? f.target : f.target + 1);
 }
 
 void end_for(Run& run, const program::For& f) {
-    if (f.target == program::no_target) return;
+    if (f.target == program::no_target || std::erase(run.top().unknown_loops, f.target) != 0) return;
     const Unit& unit = run.unit();
     const program::For& head = unit.fors[static_cast<std::size_t>(unit.words[unit.statements[f.target].first].payload)];
     set_loop_variable(run, head, loop_variable(run, head) + 1);
-    if (!run.stopped && loop_variable(run, head) <= number(run, head.to)) go_back(run, f.target + 1);
+    if (run.stopped) return;
+    const double at = loop_variable(run, head), last = number(run, head.to);
+    if (std::isnan(at) || std::isnan(last)) return say_unknown_passes(run, "it ends here");
+    if (at <= last) go_back(run, f.target + 1);
 }
 
 void run_case(Run& run, const program::Case& c) {
@@ -335,7 +344,7 @@ void run_statement(Run& run, const Statement& s, std::uint32_t index) {
         }
         case StatementKind::repeat_count: begin_repeat(run, unit.branches[table], index); return;
         case StatementKind::end_repeat_count: end_repeat(run, unit.branches[table]); return;
-        case StatementKind::for_: begin_for(run, unit.fors[table]); return;
+        case StatementKind::for_: begin_for(run, unit.fors[table], index); return;
         case StatementKind::endfor: end_for(run, unit.fors[table]); return;
         case StatementKind::case_: run_case(run, unit.cases[table]); return;
         case StatementKind::jump: jump(run, unit.jumps[table]); return;

@@ -108,6 +108,8 @@ void paraxial_block(Run& run, int number) {
 
 /// Motion, plane and what acts in this block only. False where `m` is none of them.
 bool motion_word(Run& run, Modal m, const program::Word& w) {
+    const bool of_path = m <= Modal::tap_retract || m == Modal::arc_same_sense;
+    if (of_path && program::modal_number(w) == program::polar_path) run.block.polar_path = true;
     if (m <= Modal::tap_retract) {
         run.modal.motion = m;
         run.modal.rapid_by_cancel = false;
@@ -294,10 +296,11 @@ void tell_changed(Run& run, SettingKind kind, bool before, bool now) {
 
 /// Sources: FANUC B-63944EN/02 page 192: at the beginning of the program, not to be switched during it; Haas: must be
 /// what Setting 9 says (96-8000, G20/G21).
-void say_changed_unit(Run& run, bool changes) {
+/// HEIDENHAIN: the head says the unit of the whole program. `inside`: a G70 or G71 elsewhere.
+void say_changed_unit(Run& run, bool changes, bool inside) {
     const bool in_use = run.moved && (run.modal.unit_said || run.feed_valid);  // G28 before the first G21 is usual
     run.modal.unit_said = true;
-    if (!changes || !in_use || !run.traits->unit_before_motion) return;
+    if (!changes || !in_use || (!inside && !run.traits->unit_before_motion)) return;
     unchecked(run, base::codes::unsupported, run.here(),
               "the unit of length changes behind moves, which this control does not allow: what its offsets then mean "
               "is not known",
@@ -305,7 +308,7 @@ void say_changed_unit(Run& run, bool changes) {
 }
 
 /// Units, absolute and incremental, diameters. False where `m` is none of them.
-bool dimension_word(Run& run, Modal m) {
+bool dimension_word(Run& run, Modal m, int number) {
     ModalState& state = run.modal;
     switch (m) {
         case Modal::arc_centre_absolute:
@@ -317,12 +320,12 @@ bool dimension_word(Run& run, Modal m) {
         case Modal::inch_geometry: state.inch_geometry = true; return true;
         case Modal::metric_geometry: state.inch_geometry = state.metric_feed = false; return true;
         case Modal::inch_all:
-            say_changed_unit(run, !state.inch_geometry);
+            say_changed_unit(run, !state.inch_geometry, number == program::unit_inside);
             state.inch_geometry = state.inch_feed = true;
             tell(run, SettingKind::unit, 1);
             return true;
         case Modal::metric_all:
-            say_changed_unit(run, state.inch_geometry);
+            say_changed_unit(run, state.inch_geometry, number == program::unit_inside);
             state.inch_geometry = state.inch_feed = false;
             state.metric_feed = true;
             tell(run, SettingKind::unit, 0);
@@ -375,7 +378,7 @@ void set_datum(Run& run, std::uint32_t number) {
 
 bool apply_mode(Run& run, Modal m, int number) {
     ModalState& state = run.modal;
-    if (dimension_word(run, m)) return true;
+    if (dimension_word(run, m, number)) return true;
     if (m >= Modal::canned && (offset_word(run, m, number) || numbered_motion_word(run, m, number))) return true;
     switch (m) {
         case Modal::compensation_off:

@@ -64,6 +64,10 @@ void axis_feed(Run& run, const program::Named& n) {
     const double feed = number(run, n.value);
     if (run.stopped) return;
     const std::string axis = machine_axis_name(run, written).value_or(written);
+    if (feed < 0) return alarm(run, codes::value_range, run.here(), "the feed FA[" + axis + "] is negative");
+    if (std::isnan(feed))
+        unchecked(run, codes::unknown_value, run.here(),
+                  "the feed FA[" + axis + "] depends on a value that is not known: it is not judged");
     run.axis_feeds[axis] = feed * (run.modal.inch_feed ? 25.4 : 1);
     if (axis != "X" && axis != "Y" && axis != "Z")
         assume(run, run.here(), "FA[" + axis + "]= is the feed of a single axis and is not followed");

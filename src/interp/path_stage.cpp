@@ -214,6 +214,13 @@ bool asks_corner(const BlockWords& b) {
     return b.has(Code::chamfer_length) || b.has(Code::chamfer_leg) || b.has(Code::round);
 }
 
+/// A chamfer or rounding that no corner was found for. SINUMERIK leaves it out without an alarm.
+void say_no_corner(Run& run, const base::Span& where, const char* text, const char* remedy) {
+    if (run.capture != nullptr) return;
+    if (run.traits->corner_may_be_tangential) return assume(run, where, text, remedy);
+    unchecked(run, codes::unsupported, where, text, remedy);
+}
+
 }  // namespace
 
 void PathStage::end_block(const Run& run) {
@@ -256,6 +263,11 @@ void PathStage::push(Run& run, path::Element e, const path::Setting& s, bool rap
     if (!active_) last_.reset();
     active_ = true;
     const path::CornerRequest corner = corner_request(run);
+    if (asks_corner(run.block) && corner.kind != path::CornerKind::none && !path::moves_in_plane(e))
+        say_no_corner(run, run.here(),
+                      "there is no corner for this chamfer or rounding, which is left out: the block that it belongs "
+                      "to does not move in the plane",
+                      "write it behind an element of the contour");
     report(run, path_.push(std::move(e), s, corner, [&](const path::Output& out) { output(run, out); }));
     if (path_.idle())
         forget();
@@ -294,14 +306,11 @@ void PathStage::hold(const cl::Record& record) { waiting_.push_back(keep(record)
 
 void PathStage::say_open_corner(Run& run) const {
     const auto tag = path_.open_corner();
-    if (!tag || !origins_[*tag].asks_corner || run.capture != nullptr) return;
-    const char* text =
-        "no corner follows this chamfer or rounding, which is left out: what comes behind it is no move in the plane";
-    if (run.traits->corner_may_be_tangential)  // SINUMERIK leaves it out without an alarm
-        assume(run, origins_[*tag].from, text, "write the next element of the contour behind it");
-    else
-        unchecked(run, codes::unsupported, origins_[*tag].from, text,
-                  "write the next element of the contour behind it");
+    if (!tag || !origins_[*tag].asks_corner) return;
+    say_no_corner(
+        run, origins_[*tag].from,
+        "no corner follows this chamfer or rounding, which is left out: what comes behind it is no move in the plane",
+        "write the next element of the contour behind it");
 }
 
 void PathStage::flush(Run& run) {

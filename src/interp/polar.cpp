@@ -40,6 +40,21 @@ bool has_pole(Run& run) {
     return false;
 }
 
+namespace {
+
+/// LP X+70: LP, CP and CTP have PR, PA and the tool axis, no coordinates of the plane. DIN/ISO: its reader says so.
+void say_missing_polar_words(Run& run, std::uint64_t polar) {
+    const BlockWords& b = run.block;
+    const PlaneAxes plane = plane_axes(run.modal.plane);
+    if (!b.polar_path || (b.present & polar) != 0 || (!b.has(axis_code(plane.u)) && !b.has(axis_code(plane.v)))) return;
+    unchecked(run, codes::unknown_word, run.here(),
+              "the path function of this block takes polar coordinates, and coordinates of the plane stand here: it is "
+              "run by them",
+              "write PR and PA, or L, C or CT for coordinates of the plane");
+}
+
+}  // namespace
+
 void complete_arc(Run& run) {
     BlockWords& b = run.block;
     constexpr auto bit = [](Code c) { return std::uint64_t{1} << static_cast<unsigned>(c); };
@@ -55,6 +70,7 @@ void complete_arc(Run& run) {
             "G10 to G16 move in polar coordinates, G00 to G06 do not");
         b.present &= ~polar;
     }
+    say_missing_polar_words(run, polar);
     const Modal m = run.modal.motion;
     if ((m != Modal::arc_cw && m != Modal::arc_ccw) || (b.present & sized) != 0) return;
     if (!b.has(Code::centre_at_pole)) b.put(Code::centre_at_pole, 0);

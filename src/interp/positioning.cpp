@@ -30,7 +30,7 @@ void position_axis(Run& run, const BlockWords::NamedAxis& axis) {
     geom::Vec3 to = run.programmed_position;
     coordinate(to, k) = incremental ? coordinate(to, k) + v : v;
     const auto feed = run.axis_feeds.find(axis.name);
-    const bool rapid = feed == run.axis_feeds.end() || !(feed->second > 0);
+    const bool rapid = feed == run.axis_feeds.end() || feed->second <= 0;  // one that is not known is no rapid
     if (!rapid) emit(run, cl::Feed{feed->second, cl::FeedMode::per_minute});
     arrive(run, to);
     emit(run, cl::Linear{run.position, run.tool_axis, rapid});

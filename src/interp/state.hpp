@@ -71,6 +71,7 @@ struct BlockWords {
     bool stops_run = false;             ///< STOP without a function
     bool rapid = false;                 ///< its arc, approach or departure is run in rapid (C … FMAX)
     bool says_straight = false;         ///< G0 or G1 stands in the block
+    bool polar_path = false;            ///< its path function takes polar coordinates alone (LP, CP, CTP)
     bool changes_plane = false;         ///< to another one
     bool machine_axis = false;          ///< a linear axis by the name it has in the machine
     std::vector<NamedAxis> positioned;  ///< linear axes that move on their own (POS, POSA); name: of the axis
@@ -129,7 +130,8 @@ struct Activation {
         std::uint32_t statement = 0;
         std::uint64_t left = 0;
     };
-    std::vector<Counter> counters;  ///< of repeat_count loops that are being run
+    std::vector<Counter> counters;             ///< of repeat_count loops that are being run
+    std::vector<std::uint32_t> unknown_loops;  ///< FOR statements whose passes were said not to be known: run once
     struct Passes {
         std::uint32_t statement = 0, target = 0;
         std::uint64_t count = 0;

@@ -123,22 +123,47 @@ double feed_factor(const Run& run) {
     return run.modal.feed_mode == cl::FeedMode::per_minute ? run.unit().traits->inch_feed : 25.4;
 }
 
+namespace {
+
+/// RNDM, FRCM and FRC.
+void corner_words(Run& run) {
+    const BlockWords& b = run.block;
+    if (b.has(Code::round_modal)) {
+        const double size = b.get(Code::round_modal) * length_unit(run.modal);
+        if (size < 0)
+            return alarm(run, codes::value_range, run.here(), "a rounding needs a size above 0, or 0 to end RNDM");
+        if (std::isnan(size))
+            unchecked(run, codes::unknown_value, run.here(),
+                      "the size of this rounding depends on a value that is not known: the last one is kept");
+        else
+            run.modal.round_modal = size;
+    }
+    for (const Code c : {Code::corner_feed, Code::corner_feed_modal}) {
+        if (!b.has(c)) continue;
+        const double feed = b.value[static_cast<std::size_t>(c)];  // looked at; what acts on it says that it is used
+        if (feed < 0)
+            return alarm(run, codes::value_range, run.here(), "the feed of a chamfer or rounding is negative");
+        if (std::isnan(feed))
+            unchecked(run, codes::unknown_value, run.here(),
+                      "the feed of a chamfer or rounding depends on a value that is not known: it is run at F");
+    }
+    if (b.has(Code::corner_feed_modal)) run.modal.corner_feed_modal = b.get(Code::corner_feed_modal);
+}
+
+}  // namespace
+
 void technology(Run& run) {
     BlockWords& b = run.block;
     constexpr std::uint64_t words = bit(Code::feed) | bit(Code::spindle) | bit(Code::speed_limit) | bit(Code::tool) |
                                     bit(Code::edge) | bit(Code::spindle_position) | bit(Code::round_modal) |
-                                    bit(Code::corner_feed_modal) | bit(Code::tool_change) | bit(Code::feed_auto) |
-                                    bit(Code::feed_per_rev) | bit(Code::feed_per_tooth);
+                                    bit(Code::corner_feed) | bit(Code::corner_feed_modal) | bit(Code::tool_change) |
+                                    bit(Code::feed_auto) | bit(Code::feed_per_rev) | bit(Code::feed_per_tooth);
     if ((b.present & words) == 0 && b.m.empty() && b.h.empty() && !run.spindle.mode_changed && b.surface_word == 0 &&
         !b.feed_alone)
         return;
     tell_technology(run);
-    if (b.has(Code::round_modal) && std::isnan(b.get(Code::round_modal)))
-        unchecked(run, codes::unknown_value, run.here(),
-                  "the size of this rounding depends on a value that is not known: the last one is kept");
-    else if (b.has(Code::round_modal))
-        run.modal.round_modal = b.get(Code::round_modal) * length_unit(run.modal);
-    if (b.has(Code::corner_feed_modal)) run.modal.corner_feed_modal = b.get(Code::corner_feed_modal);
+    corner_words(run);
+    if (run.stopped) return;
     select_tool(run);
     if (run.stopped) return;
     if (spindle_words(run)) emit_spindle(run);

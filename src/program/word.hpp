@@ -265,8 +265,10 @@ static_assert(sizeof(Word) == 8);
 /// With Modal::suppress_all: G53 whose coordinates are ways. Other numbers are those of G codes.
 inline constexpr int position_ignored = 1;
 /// Numbers that go with words of motion. `cartesian_path`: the path function takes no polar coordinates;
-/// `whole_block`: of rapid_block, also of a straight block.
-inline constexpr int cartesian_path = 1, whole_block = 1;
+/// `polar_path`: it takes no others in the plane; `whole_block`: of rapid_block, also of a straight block.
+inline constexpr int cartesian_path = 1, polar_path = 2, whole_block = 1;
+/// With Modal::inch_all and metric_all: not by the program's head, which says the unit of all of it.
+inline constexpr int unit_inside = 1;
 /// Of Modal::paraxial, where R+ and R- hold from block to block: what the block does, and that none of them holds.
 inline constexpr int paraxial_feed = 1, paraxial_rapid = 2, paraxial_alone = 4;
 

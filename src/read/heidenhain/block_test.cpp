@@ -70,14 +70,15 @@ TEST(KlartextBlock, IncrementalWords) {
     EXPECT_EQ(one("IZ-3"), straight + " " + modal(Modal::paraxial) + " Z=q1(-3)");
 }
 
-TEST(KlartextBlock, PolarWords) {
-    EXPECT_EQ(one("LP PR+10 PA+30"), straight + " RP10 AP30");
-    EXPECT_EQ(one("LP IPA+30"), straight + " AP=q1(30)");
-    EXPECT_EQ(one("LP IPR-1"), straight + " RP=q1(-1)");
-    const std::string arc = modal(Modal::arc_same_sense) + " about-pole";
+TEST(KlartextBlock, PolarWords) {  // the path function says that it takes no coordinates of the plane
+    const std::string line = modal(Modal::linear, program::polar_path);
+    EXPECT_EQ(one("LP PR+10 PA+30"), line + " RP10 AP30");
+    EXPECT_EQ(one("LP IPA+30"), line + " AP=q1(30)");
+    EXPECT_EQ(one("LP IPR-1"), line + " RP=q1(-1)");
+    const std::string arc = modal(Modal::arc_same_sense, program::polar_path) + " about-pole";
     EXPECT_EQ(one("CP PA+90 DR+"), arc + " AP90 " + modal(Modal::arc_ccw));
     EXPECT_EQ(one("CP IPA-720 IZ-5 DR-"), arc + " pole-angle-720 Z=q1(-5) " + modal(Modal::arc_cw));
-    EXPECT_EQ(one("CTP PR+5 PA-30"), modal(Modal::arc_tangent) + " RP5 AP-30");
+    EXPECT_EQ(one("CTP PR+5 PA-30"), modal(Modal::arc_tangent, program::polar_path) + " RP5 AP-30");
 }
 
 TEST(KlartextBlock, Arcs) {

@@ -12,8 +12,21 @@ namespace obrys::read::heidenhain {
 
 using program::no_expr;
 
+namespace {
+
+/// The cycle has a value for this already.
+bool stands_twice(State& s, const dialect::heidenhain::CycleParameter& p, std::uint32_t begin) {
+    const auto& settings = open_cycle(s).settings;
+    if (std::none_of(settings.begin(), settings.end(), [&](const auto& x) { return x.role == p.role; })) return false;
+    fail(s, begin, "this value stands twice in " + open_cycle(s).name);
+    return true;
+}
+
+}  // namespace
+
 void add_setting(State& s, const dialect::heidenhain::CycleParameter& p, ExprId value, bool incremental,
                  std::uint32_t begin) {
+    if (stands_twice(s, p, begin)) return;
     program::CycleSetting setting;
     setting.role = p.role;
     setting.value = value;
@@ -94,12 +107,12 @@ bool read_parameter_line(State& s) {
     program::CycleDefinition& c = open_cycle(s);
     setting.parameter = e.a;
     setting.where = s.build.span(begin, s.in.at());
-    if (c.kind == program::CycleKind::global_values) return add_global(s, setting), true;
     const dialect::heidenhain::Cycle* known = dialect::heidenhain::find_cycle(number_of(c));
     const dialect::heidenhain::CycleParameter* p =
         known == nullptr ? nullptr : dialect::heidenhain::find_parameter(*known, static_cast<int>(e.a));
     if (std::any_of(c.settings.begin(), c.settings.end(), [&](const auto& x) { return x.parameter == e.a; }))
         return fail(s, begin, "this parameter stands twice in " + c.name), true;
+    if (c.kind == program::CycleKind::global_values) return add_global(s, setting), true;
     if (p != nullptr) {
         setting.role = p->role;
         setting.scales = p->unit == dialect::heidenhain::CycleUnit::length;
@@ -139,14 +152,6 @@ void read_name_word(State& s) {
     else if (is_coordinate(word))
         fail(s, begin, std::string(word.substr(0, word.find('*'))) + " has no meaning behind the name of a cycle",
              "write it in a line of its own");
-}
-
-/// The cycle has a value for this already.
-bool stands_twice(State& s, const dialect::heidenhain::CycleParameter& p, std::uint32_t begin) {
-    const auto& settings = open_cycle(s).settings;
-    if (std::none_of(settings.begin(), settings.end(), [&](const auto& x) { return x.role == p.role; })) return false;
-    fail(s, begin, "this value stands twice in " + open_cycle(s).name);
-    return true;
 }
 
 }  // namespace
@@ -199,8 +204,8 @@ void read_axes_alone(State& s, const dialect::heidenhain::Cycle& cycle, int line
                             : nullptr;
         if (p == nullptr)
             return fail(s, begin, "the word '" + words + "' has no value: a number or a Q parameter must follow");
-        if (stands_twice(s, *p, begin)) return;
         add_setting(s, *p, s.build.number(1, true, begin, s.in.at()), false, begin);
+        if (s.failed) return;
     }
 }
 
@@ -253,13 +258,15 @@ void read_numbered_line(State& s, const dialect::heidenhain::Cycle& cycle, int l
         const std::uint32_t begin = s.in.at();
         std::string word = read_keyword(s);
         if (s.in.at_end()) return read_axes_alone(s, cycle, line, word, begin);
+        if (cycle.kind == CycleKind::mirror)
+            return fail(s, begin, "the axes of a mirror image have no values", "CYCL DEF 8.1 X Y");
         const dialect::heidenhain::CycleParameter* p = dialect::heidenhain::find_parameter(cycle, line, word);
         const bool incremental = p == nullptr && word.size() > 1 && word[0] == 'I' &&
                                  dialect::heidenhain::find_parameter(cycle, line, word.substr(1)) != nullptr;
         if (incremental) p = dialect::heidenhain::find_parameter(cycle, line, word.substr(1));
         if (p == nullptr) p = dialect::heidenhain::find_parameter_at(cycle, line, n);
         const ExprId value = p != nullptr && p->role == program::CycleRole::direction ? read_sense(s) : value_expr(s);
-        if (s.failed || (p != nullptr && stands_twice(s, *p, begin))) return;
+        if (s.failed) return;
         if (p != nullptr)
             add_setting(s, *p, value, incremental, begin);
         else

@@ -1,6 +1,7 @@
 /// Cycles of DIN/ISO: `G200 Q200=2 …` as in Klartext, the older ones by letters and P numbers (`G83 P01 2 P02 -20`).
 
 #include <algorithm>
+#include <bitset>
 
 #include "read/heidenhain/iso.hpp"
 
@@ -27,8 +28,10 @@ void not_of_cycle(State& s, std::uint32_t begin, const std::string& word) {
 }
 
 /// A value that G90 and G91 concern where `counts`: those of this very block, else those that the run has in force.
-void add_dimension(State& s, const dialect::heidenhain::CycleParameter& p, ExprId value, bool counts, std::uint32_t begin) {
+void add_dimension(State& s, const dialect::heidenhain::CycleParameter& p, ExprId value, bool counts,
+                   std::uint32_t begin) {
     add_setting(s, p, value, counts && s.iso.incremental.value_or(false), begin);
+    if (s.failed) return;
     if (counts && !s.iso.incremental && !open_cycle(s).settings.empty()) open_cycle(s).settings.back().as_modal = true;
 }
 
@@ -63,10 +66,13 @@ void read_word(State& s, const dialect::heidenhain::Cycle& cycle, std::uint32_t 
     if (!s.failed) add_dimension(s, *p, value, cycle.kind == CycleKind::rotation, begin);
 }
 
-/// G37 P01 1 P02 "POCKET": the labels of a contour.
-void read_label_word(State& s, std::uint32_t begin) {
+/// G37 P01 1 P02 "POCKET": the labels of a contour. `taken`: the numbers behind P before it, a bit each.
+void read_label_word(State& s, std::bitset<100>& taken, std::uint32_t begin) {
     const std::string name = word_name(s);
     if (name[0] != 'P') return not_of_cycle(s, begin, name);
+    const auto number = static_cast<std::size_t>(10 * (name[1] - '0') + name[2] - '0');
+    if (taken.test(number)) return fail(s, begin, name + " stands twice in " + open_cycle(s).name);
+    taken.set(number);
     s.in.skip_blanks();
     const ExprId label = read_label_name(s);
     if (!s.failed) open_cycle(s).texts.push_back(label);
@@ -89,6 +95,7 @@ void read_program(State& s) {
 }
 
 void read_words(State& s, const dialect::heidenhain::Cycle& cycle) {
+    std::bitset<100> labels;
     while (!s.failed && !s.in.at_end()) {
         const std::uint32_t begin = s.in.at();
         const char c = base::upper(s.in.peek());
@@ -103,7 +110,7 @@ void read_words(State& s, const dialect::heidenhain::Cycle& cycle) {
         if (!base::is_letter(c))
             return fail_here(s, "a word of " + open_cycle(s).name + " is due here, found " + here(s));
         if (cycle.kind == CycleKind::contour_definition)
-            read_label_word(s, begin);
+            read_label_word(s, labels, begin);
         else
             read_word(s, cycle, begin);
     }

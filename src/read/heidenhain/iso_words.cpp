@@ -125,7 +125,8 @@ bool write_motion(State& s, const IsoBlock& b, bool given) {
         if (b.rapid) s.build.modal(Modal::rapid_block, s.block, end, program::whole_block);
         return moves;
     }
-    s.build.modal(modal_of(s.iso.motion), s.block, end, family < MotionFamily::polar_straight ? program::cartesian_path : 0);
+    s.build.modal(modal_of(s.iso.motion), s.block, end,
+                  family < MotionFamily::polar_straight ? program::cartesian_path : 0);
     if (b.rapid) s.build.modal(Modal::rapid_block, s.block, end, program::whole_block);
     const bool about_pole = family == MotionFamily::polar_arc || (family == MotionFamily::arc && !b.has('R'));
     if (moves && about_pole) s.build.bare(Code::centre_at_pole, s.block, end);
@@ -254,8 +255,8 @@ private:
                 return;
             case 41: return s_.build.modal(Modal::compensation_left, begin, end);
             case 42: return s_.build.modal(Modal::compensation_right, begin, end);
-            case 70: return s_.build.modal(Modal::inch_all, begin, end);
-            case 71: return s_.build.modal(Modal::metric_all, begin, end);
+            case 70: return s_.build.modal(Modal::inch_all, begin, end, program::unit_inside);
+            case 71: return s_.build.modal(Modal::metric_all, begin, end, program::unit_inside);
             case 79: return read_cycle_call(begin);
             case 90:
             case 91:

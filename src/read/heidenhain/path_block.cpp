@@ -173,9 +173,9 @@ bool sense(State& s) {
     return true;
 }
 
-void straight(State& s) {
+void straight(State& s, int path) {
     s.rapid_counts = s.machine_counts = true;
-    s.build.modal(has_rapid(s) ? Modal::rapid : Modal::linear, s.block, s.in.at());
+    s.build.modal(has_rapid(s) ? Modal::rapid : Modal::linear, s.block, s.in.at(), path);
 }
 
 void pole(State& s) {
@@ -226,12 +226,15 @@ void refuse_polar(State& s, std::size_t first_word) {
 void read_element(State& s, PathKind kind) {
     const bool arc = kind != PathKind::straight && kind != PathKind::polar_straight;
     s.build.statement(StatementKind::block, s.block);
-    if (!arc) straight(s);
+    const bool polar =
+        kind == PathKind::polar_straight || kind == PathKind::polar_arc || kind == PathKind::polar_tangential;
+    const int path = polar ? program::polar_path : 0;
+    if (!arc) straight(s, path);
     s.rapid_is_word = arc;
     if (kind == PathKind::tangential || kind == PathKind::polar_tangential)
-        s.build.modal(Modal::arc_tangent, s.block, s.in.at());
+        s.build.modal(Modal::arc_tangent, s.block, s.in.at(), path);
     if (kind == PathKind::about_pole || kind == PathKind::polar_arc) {
-        s.build.modal(Modal::arc_same_sense, s.block, s.in.at());
+        s.build.modal(Modal::arc_same_sense, s.block, s.in.at(), path);
         s.build.bare(Code::centre_at_pole, s.block, s.in.at());
     }
     if (kind == PathKind::by_radius) s.build.modal(Modal::arc_same_sense, s.block, s.in.at());
@@ -343,7 +346,7 @@ bool read_path_block(State& s, std::string_view word) {
     if (!opens_with_word(word)) return false;
     s.build.statement(StatementKind::block, s.block);
     if (c == 'M' || c == 'F') return read_functions(s), true;
-    straight(s);
+    straight(s, 0);
     s.build.modal(Modal::paraxial, s.block, s.in.at());
     const std::size_t before = s.build.unit().words.size();
     read_words(s, false);
