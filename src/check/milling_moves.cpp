@@ -27,11 +27,12 @@ void Milling::keep_points(const Move& move, MilledMove& m) {
 
 /// Where a tap has been, the part may show the thread by any of its diameters.
 void Milling::keep_thread(const Move& move) {
-    if (tool_ == nullptr || shop::assumed_kind(*tool_) != shop::ToolKind::tap) return;
+    if (tool_ == nullptr || shop::assumed_kind(*tool_) != shop::ToolKind::tap || move.rapid) return;
     const geom::Vec3 way = move.to - move.from;
     const double along = std::abs(geom::dot(way, axis_));
     if (!(along > 0) || geom::length(way) - along > 1e-9 * along) return;
-    thread_bands_.add(move.from, move.to, axis_, core_radius(*tool_), tool_->radius + tool_->delta_radius);
+    thread_bands_.add(move.from, move.to, axis_,
+                      {core_radius(*tool_), tool_->radius + tool_->delta_radius, widest_hole_radius(*tool_)});
 }
 
 namespace {

@@ -4,6 +4,10 @@
 #include <array>
 #include <cmath>
 #include <optional>
+#include <string>
+#include <string_view>
+
+#include "base/text.hpp"
 
 namespace obrys::check {
 
@@ -74,6 +78,31 @@ double core_radius(const shop::Tool& tap) {
     const double diameter = 2 * (tap.radius + tap.delta_radius);
     const double core = diameter - depth * tap.pitch.value_or(coarse_pitch(tap));
     return 0.5 * std::max(core, 0.5 * diameter);
+}
+
+namespace {
+
+/// By its type or its name: no table of a control has a mark for it.
+bool is_forming(const shop::Tool& tap) {
+    const std::string said = base::to_upper(tap.type + " " + tap.name);
+    constexpr std::array signs{"FORMING", "FORM TAP", "ROLL TAP", "THREAD FORMER", "GEWINDEFORM"};
+    return std::any_of(signs.begin(), signs.end(),
+                       [&](std::string_view sign) { return said.find(sign) != std::string::npos; });
+}
+
+/// ISO 965-1: tolerance TD1 of the minor diameter of internal threads, mm; grade 7 is 1.25 times grade 6.
+double minor_tolerance(double pitch) {
+    const double grade_6 = pitch < 0.9 ? 0.433 * pitch - 0.19 * std::pow(pitch, 1.22) : 0.23 * std::pow(pitch, 0.7);
+    return 1.25 * grade_6;
+}
+
+}  // namespace
+
+double widest_hole_radius(const shop::Tool& tap) {
+    constexpr double formed = 0.4;  // pitches; makers of forming taps ask for 0.45 (M10: 9.3)
+    const double pitch = tap.pitch.value_or(coarse_pitch(tap));
+    if (is_forming(tap)) return tap.radius + tap.delta_radius - 0.5 * formed * pitch;
+    return core_radius(tap) + 0.5 * minor_tolerance(pitch);
 }
 
 namespace {

@@ -10,8 +10,9 @@ namespace obrys::check {
 inline constexpr double unknown_height = 1000;
 
 /// What cuts, the shank above it and the holder; of a tool whose length is known, up to its gauge plane as wide as the
-/// last of these, and above it the nose of the spindle (of the holder the last body); dimensions that are not known are what ordinary tools have
-/// (docs/job-file.md). `rub`: mm by which a body that is assumed stands out of the hole that its edges drill.
+/// last of these, and above it the nose of the spindle (of the holder the last body); dimensions that are not known are
+/// what ordinary tools have (docs/job-file.md). `rub`: mm by which a body that is assumed stands out of the hole that
+/// its edges drill.
 [[nodiscard]] sim::milling::Cutter cutter_of(const shop::Tool& tool, double rub = 0);
 /// Whether its length says where the nose of the spindle stands.
 [[nodiscard]] bool stands_in_spindle(const shop::Tool& tool);
@@ -32,5 +33,7 @@ inline constexpr double unknown_height = 1000;
 [[nodiscard]] double core_on_slant(const shop::Tool& tool);
 /// Of a tap: radius of its thread's core, by its pitch, or that of the coarse thread where it is not said. ISO 68-1.
 [[nodiscard]] double core_radius(const shop::Tool& tap);
+/// Of a tap: radius of the widest hole that its thread may be cut or formed in.
+[[nodiscard]] double widest_hole_radius(const shop::Tool& tap);
 
 }  // namespace obrys::check

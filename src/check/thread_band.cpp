@@ -34,16 +34,19 @@ std::vector<WallPoint> some_centres(const mesh::Mesh& m, const std::vector<std::
 
 }  // namespace
 
-void ThreadBands::add(Vec3 from, Vec3 to, Vec3 axis, double core, double outer) {
+void ThreadBands::add(Vec3 from, Vec3 to, Vec3 axis, const ThreadRadii& radii) {
     axis = (1 / geom::length(axis)) * axis;
     if (geom::dot(to - from, axis) < 0) std::swap(from, to);
-    const Band band{from, axis, geom::dot(to - from, axis), core, outer};
+    const Band band{from, axis, geom::dot(to - from, axis), radii};
     constexpr std::size_t looked_at = 4;  // pecks and the way back follow each other
     for (std::size_t i = bands_.size(); i > 0 && i + looked_at > bands_.size(); --i) {
         Band& other = bands_[i - 1];
         const Place place = place_in(other, from);
-        if (geom::distance(other.axis, axis) > one_axis_within || place.radius > one_axis_within ||
-            other.outer != outer)
+        const bool one_thread = other.radii.outer == radii.outer && other.radii.core == radii.core;
+        const bool meet = place.height <= other.height + one_axis_within &&
+                          place.height + band.height >= -one_axis_within;  // a plain bore may lie in a gap
+        if (geom::distance(other.axis, axis) > one_axis_within || place.radius > one_axis_within || !one_thread ||
+            !meet)
             continue;
         const double low = std::min(0.0, place.height), high = std::max(other.height, place.height + band.height);
         other.foot = other.foot + low * axis;
@@ -61,8 +64,8 @@ ThreadBands::Place ThreadBands::place_in(const Band& band, Vec3 p) {
 bool ThreadBands::holds(const Band& band, Vec3 p, double ball) const {
     const Place place = place_in(band, p);
     const double beyond = allowed_ - ball;
-    return place.height >= -beyond && place.height <= band.height + beyond && place.radius >= band.core - beyond &&
-           place.radius <= band.outer + beyond;
+    return place.height >= -beyond && place.height <= band.height + beyond &&
+           place.radius >= band.radii.core - beyond && place.radius <= band.radii.outer + beyond;
 }
 
 /// The nearest to the axis is that of its shadow on a plane across it.
@@ -73,7 +76,7 @@ bool ThreadBands::holds(const Band& band, const std::array<Vec3, 3>& triangle) c
         if (!holds(band, triangle[i])) return false;
         shadow[i] = triangle[i] - place.height * band.axis;
     }
-    return mesh::nearest_on_triangle(band.foot, shadow).distance >= band.core - allowed_;
+    return mesh::nearest_on_triangle(band.foot, shadow).distance >= band.radii.core - allowed_;
 }
 
 template <class Visit>
@@ -88,7 +91,7 @@ void ThreadBands::fit(const mesh::Mesh& result, const mesh::Distance& part, doub
                       const std::function<bool(std::uint32_t)>& tapped) {
     allowed_ = allowed;
     for (Band& b : bands_) {
-        const double radius = b.outer + allowed;
+        const double radius = b.radii.outer + allowed;
         b.left = left_of(b.foot, b.axis, b.height, radius) - allowed;
         widest_ = std::max(widest_, std::abs(b.height * b.axis.x) + 2 * (radius + allowed));
     }
@@ -125,7 +128,8 @@ void ThreadBands::fit_one(Band& band, const std::vector<WallPoint>& wall, const 
     const std::optional<HoleRadii> hole = radii_of(wall, {band.foot, band.axis}, allowed);
     const double shown = hole ? middle(radii) - hole->fitted : middle(off);
     const double radius = hole ? middle(radii) : middle(own) + shown;
-    if (!(radius >= band.core - allowed && radius <= band.outer + allowed)) return;
+    if (!(radius >= band.radii.core - allowed && radius <= band.radii.outer + allowed)) return;
+    if ((hole ? hole->least : middle(own)) > band.radii.widest_hole + allowed) return;
     band.left_over = std::max(0.0, shown);
     band.deeper = std::max(0.0, hole ? hole->least - middle(radii) : -shown);
 }

@@ -5,7 +5,7 @@
 /// amount is the difference of two radii: of the part's wall about the tap's axis, and of the hole that was made
 /// before, about its own. So a hole beside its thread, which the tap then cuts on one side, does not pass for another
 /// thread; nor does one that a move has made wider on some sides only: of the circles that moves have cut the narrowest
-/// is the hole.
+/// is the hole. A hole too wide for its thread is none: it is held to the part as it is.
 
 #include <array>
 #include <functional>
@@ -18,10 +18,16 @@
 
 namespace obrys::check {
 
+/// Radii of a thread, mm.
+struct ThreadRadii {
+    double core = 0, outer = 0;
+    double widest_hole = 0;  ///< before tapping: a wider one leaves too little of the thread
+};
+
 class ThreadBands {
 public:
-    /// A tap's way along its axis; radii of the thread, mm. Strokes in one hole become one.
-    void add(geom::Vec3 from, geom::Vec3 to, geom::Vec3 axis, double core, double outer);
+    /// A tap's way along its axis. Strokes of one thread that meet become one.
+    void add(geom::Vec3 from, geom::Vec3 to, geom::Vec3 axis, const ThreadRadii& radii);
     [[nodiscard]] bool empty() const { return bands_.empty(); }
     /// Finds out how the part shows each hole; `allowed`: what a wall may stand off anyway, mm; `tapped`: whether a
     /// triangle with this tag is a tap's.
@@ -39,7 +45,8 @@ public:
 private:
     struct Band {
         geom::Vec3 foot, axis;  ///< lower end on the axis; unit vector
-        double height = 0, core = 0, outer = 0;
+        double height = 0;
+        ThreadRadii radii;
         double left_over = 0, deeper = 0;  ///< how far the part's wall lies outside, or inside, of the hole's
         double left = 0;                   ///< of the box around it: smallest x
     };

@@ -28,14 +28,14 @@ mesh::Mesh wall(double radius, double x, int layers) {
     return m;
 }
 
-/// Deviation of the wall at a point, of M10 in a hole of 8.5 mm, drilled `off` mm beside the thread, against a part
+/// Deviation of the wall at a point, of M10 in a hole of `made` mm, drilled `off` mm beside the thread, against a part
 /// that shows `shown` mm of diameter.
-double left_of_it(double off, double shown, int layers, Vec3 p) {
+double left_of_it(double off, double shown, int layers, Vec3 p, double made = 8.5) {
     ThreadBands bands;
-    bands.add({0, 0, 3}, {0, 0, -20}, {0, 0, 1}, 4.188, 5);
-    bands.add({0, 0, -20}, {0, 0, 3}, {0, 0, 1}, 4.188, 5);
+    bands.add({0, 0, 3}, {0, 0, -20}, {0, 0, 1}, {4.188, 5, 4.376});
+    bands.add({0, 0, -20}, {0, 0, 3}, {0, 0, 1}, {4.188, 5, 4.376});
     const mesh::Distance part(wall(shown / 2, 0, 4));
-    bands.fit(wall(4.25, off, layers), part, 0.01);
+    bands.fit(wall(made / 2, off, layers), part, 0.01);
     return bands.judged(p, shown / 2 - std::hypot(p.x, p.y));
 }
 
@@ -64,7 +64,7 @@ TEST(ThreadBands, WhatTheTapCutsOfAHoleBesideItsThreadDoesNotTellHowThePartShows
     for (Vec3& v : result.vertices)
         if (const double r = std::hypot(v.x, v.y); r < 1.621) v.x *= 1.621 / r, v.y *= 1.621 / r;
     ThreadBands bands;
-    bands.add({0, 0, 3}, {0, 0, -20}, {0, 0, 1}, 1.621, 2);
+    bands.add({0, 0, 3}, {0, 0, -20}, {0, 0, 1}, {1.621, 2, 1.733});
     const mesh::Distance part(wall(1.621, 0, 4));
     bands.fit(result, part, 0.002, [](std::uint32_t tag) { return tag == 2; });
     EXPECT_NEAR(bands.judged({1.77, 0, -7}, 1.621 - 1.77), -0.12, 1e-3);
@@ -73,7 +73,7 @@ TEST(ThreadBands, WhatTheTapCutsOfAHoleBesideItsThreadDoesNotTellHowThePartShows
 /// M6 in a hole of 5 mm that the part shows with its core: only what lies in the thread all over excuses the drill.
 TEST(ThreadBands, ATriangleIsExcusedThatLiesInTheThreadAllOver) {
     ThreadBands bands;
-    bands.add({0, 0, 3}, {0, 0, -20}, {0, 0, 1}, 2.459, 3);
+    bands.add({0, 0, 3}, {0, 0, -20}, {0, 0, 1}, {2.459, 3, 2.607});
     const mesh::Distance part(wall(2.459, 0, 4));
     bands.fit(wall(2.5, 0, 50), part, 0.01);
     const auto at = [](double radius, double angle, double z) {
@@ -99,7 +99,7 @@ TEST(ThreadBands, AHoleThatIsMadeWiderOverAnArcIsNoWiderHole) {
             for (Vec3& v : result.vertices)
                 if (cut(v)) v.x *= (4.25 + more) / 4.25, v.y *= (4.25 + more) / 4.25;
             ThreadBands bands;
-            bands.add({0, 0, 3}, {0, 0, -20}, {0, 0, 1}, 4.188, 5);
+            bands.add({0, 0, 3}, {0, 0, -20}, {0, 0, 1}, {4.188, 5, 4.376});
             const mesh::Distance part(wall(4.25, 0, 4));
             bands.fit(result, part, 0.02);
             const double at = -geom::pi + arc / 2, radius = 4.25 + more;
@@ -120,11 +120,40 @@ TEST(ThreadBands, StrokesBesideAHoleAreNoWiderHole) {
         for (std::size_t t = 0; t < result.triangles.size(); ++t)
             if (mesh::centre(result, t).x > 0) result.tags[t] = 2;
         ThreadBands bands;
-        bands.add({0, 0, 3}, {0, 0, -20}, {0, 0, 1}, 4.188, 5);
+        bands.add({0, 0, 3}, {0, 0, -20}, {0, 0, 1}, {4.188, 5, 4.376});
         const mesh::Distance part(wall(4.25, 0, 4));
         bands.fit(result, part, 0.02);
         EXPECT_NEAR(bands.judged({4.25 + off, 0, -7}, -off), -off, 0.1 * off) << off;
     }
+}
+
+/// 8.376 is the core of M10, 8.751 the widest that 7H allows.
+TEST(ThreadBands, AHoleTooWideForItsThreadIsHeldToThePart) {
+    for (const double shown : {8.376, 8.5, 8.7, 10.0})
+        for (const double made : {8.376, 8.5, 8.6, 8.7, 8.75, 8.8, 9.0, 9.5, 9.9}) {
+            const double off = (shown - made) / 2, left = made < 8.76 ? 0 : off;
+            EXPECT_NEAR(left_of_it(0, shown, 50, {made / 2, 0, -7}, made), left, 2e-3) << made << " in " << shown;
+        }
+}
+
+/// M10x1.5 in 8.5 mm below, M10x1 in 9 mm above, and a bore of 9 mm between them that the part shows with 8.5 mm.
+TEST(ThreadBands, ThreadsOfOneAxisThatDoNotMeetOrHaveAnotherPitchExcuseNothingBetweenThem) {
+    for (const double upper_core : {4.188, 4.459}) {
+        ThreadBands bands;
+        bands.add({0, 0, -13}, {0, 0, -20}, {0, 0, 1}, {4.188, 5, 4.376});
+        bands.add({0, 0, 3}, {0, 0, -7}, {0, 0, 1}, {upper_core, 5, upper_core + 0.188});
+        const mesh::Distance part(wall(5, 0, 40));
+        bands.fit(wall(upper_core + 0.05, 0, 40), part, 0.01);
+        EXPECT_NEAR(bands.judged({upper_core + 0.05, 0, -5}, 4.95 - upper_core), 0, 2e-3);
+        EXPECT_NEAR(bands.judged({upper_core + 0.05, 0, -10}, 4.95 - upper_core), 4.95 - upper_core, 1e-9);
+    }
+    ThreadBands meeting;
+    meeting.add({0, 0, -9}, {0, 0, -20}, {0, 0, 1}, {4.188, 5, 4.376});
+    meeting.add({0, 0, 3}, {0, 0, -9}, {0, 0, 1}, {4.459, 5, 4.609});
+    const mesh::Distance part(wall(5, 0, 40));
+    meeting.fit(wall(4.25, 0, 40), part, 0.01);
+    EXPECT_NEAR(meeting.judged({4.25, 0, -15}, 0.75), 0, 2e-3);
+    EXPECT_NEAR(meeting.judged({4.25, 0, -5}, 0.75), 0.75, 1e-9);  // within the core of M10x1
 }
 
 TEST(ThreadBands, WhatIsNoThreadStays) {

@@ -7,6 +7,7 @@
 #include "base/codes.hpp"
 #include "base/whole.hpp"
 #include "interp/motion.hpp"
+#include "interp/nose_of_tool.hpp"
 
 namespace obrys::interp {
 
@@ -43,7 +44,9 @@ double table_column(const Run& run, std::size_t column) {
     if (!listed && ((column == 3 && t->length == 0) || (column == 10 && t->radius == 0))) return unknown_number;
     if (column == 3) return in_program_unit(run, 2, t->length);
     if (column == 10) return in_program_unit(run, 1, 2 * t->radius);
-    if (!t->table) return 0;
+    if (column == 13) return table_orientation(*t).value_or(0);
+    // The edges of an insert that the job describes have angles; they are not asked for often enough to be computed.
+    if (!t->table) return column > 10 && t->kind == shop::ToolKind::turning ? unknown_number : 0;
     if (column <= 9) return in_program_unit(run, column - 1, t->table->offset[column - 1]);
     return column == 11 ? t->table->front_angle : column == 12 ? t->table->back_angle : t->table->orientation;
 }

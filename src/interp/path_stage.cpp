@@ -6,21 +6,18 @@
 #include "base/number.hpp"
 #include "cl/unknown_tool.hpp"
 #include "interp/complaints.hpp"
+#include "interp/nose_of_tool.hpp"
 #include "path/nose.hpp"
 #include "path/preset.hpp"
 #include "path/pulled_corner.hpp"
 #include "path/refusal.hpp"
+#include "shop/linuxcnc_table.hpp"
 
 namespace obrys::interp {
 
 namespace codes = base::codes;
 
 namespace {
-
-int nose_orientation(const shop::Tool& t) {
-    if (t.kind == shop::ToolKind::turning) return t.orientation;
-    return t.reference == shop::ReferenceCorner::left ? 3 : 4;
-}
 
 /// The contour is compensated in programmed coordinates: the tool, which no frame turns or scales, is brought there.
 void into_frame(const Run& run, path::Setting& s) {
@@ -40,6 +37,33 @@ void into_frame(const Run& run, path::Setting& s) {
 
 namespace {
 
+/// The nose of a tool of no kind: outside turning towards the chuck, as of an insert whose orientation is not given.
+constexpr int usual_nose = 3;
+
+/// A lathe's path depends on where the nose lies; on other machines a tool without that is a mill.
+void say_missing_nose(Run& run) {
+    if (run.env.machine.kind != shop::MachineKind::lathe) return;
+    unchecked_once(run, codes::unknown_value, run.here(),
+                   "radius compensation with T" + std::to_string(run.tool.number) +
+                       ": where the programmed point lies on its nose is not known, orientation 3 is taken",
+                   "give the tool as a turning insert (kind = \"turning\") with its orientation in the job");
+}
+
+int nose_of(Run& run, const shop::Tool& tool) {
+    const std::optional<int> nose = nose_orientation(tool);
+    if (!nose) say_missing_nose(run);
+    return nose.value_or(usual_nose);
+}
+
+/// As the tool table counts: of G41.1 L, of the tool that D names, or of the tool in use.
+int table_nose_of(Run& run, double radius) {
+    if (run.modal.compensation_orientation >= 0) return run.modal.compensation_orientation;
+    if (run.tool.data == nullptr) return 0;
+    const std::optional<int> nose = table_orientation(*run.tool.data);
+    if (nose || radius == 0 || run.env.machine.kind != shop::MachineKind::lathe) return nose.value_or(0);
+    return shop::table_orientation(nose_of(run, *run.tool.data));
+}
+
 /// Compensation that holds one move back: the radius may be negative, nothing is looked ahead.
 path::Setting held_move_setting(Run& run, double radius) {
     path::Setting s = path::held_move_preset(length_unit(run.modal));
@@ -47,11 +71,9 @@ path::Setting held_move_setting(Run& run, double radius) {
     s.side = run.modal.compensation == Modal::compensation_left ? path::Side::left : path::Side::right;
     s.radius = radius;
     s.rapid = run.modal.motion == Modal::rapid;
-    const shop::Tool* tool = run.tool.data;
-    const int of_tool = tool != nullptr && tool->table ? tool->table->orientation : 0;
-    const int orientation = run.modal.compensation_orientation < 0 ? of_tool : run.modal.compensation_orientation;
     // Also in a turned system the control counts the tip's place along the programmed axes.
-    if (run.modal.plane == 18) s.tip = path::table_nose_offset(orientation, std::abs(radius)).value_or(geom::Vec2{});
+    if (run.modal.plane == 18)
+        s.tip = path::table_nose_offset(table_nose_of(run, radius), std::abs(radius)).value_or(geom::Vec2{});
     return s;
 }
 
@@ -122,8 +144,8 @@ path::Setting compensation_setting(Run& run) {
     const double size = radius ? *radius : 0;
     if (run.traits->compensation_holds_move) return held_move_setting(run, size);
     s.radius = size + run.tool.delta_radius;
-    if (tool != nullptr && run.modal.plane == 18 && run.env.machine.kind == shop::MachineKind::lathe)
-        s.tip = path::nose_offset(nose_orientation(*tool), s.radius).value_or(geom::Vec2{});
+    if (tool != nullptr && s.radius != 0 && run.modal.plane == 18 && run.env.machine.kind == shop::MachineKind::lathe)
+        s.tip = path::nose_offset(nose_of(run, *tool), s.radius).value_or(geom::Vec2{});
     into_frame(run, s);
     return s;
 }

@@ -8,6 +8,7 @@
 #include "base/number.hpp"
 #include "base/whole.hpp"
 #include "interp/motion.hpp"
+#include "interp/nose_of_tool.hpp"
 
 namespace obrys::interp {
 
@@ -175,24 +176,49 @@ Axes measured(const Run& run, const Axes& table, bool in_ninth) {
     return beyond;
 }
 
+/// Half of the table's diameter; of an insert that is its nose, which compensation works with.
+void set_radius(shop::Tool& t, double radius) {
+    t.table->diameter = 2 * radius;
+    t.radius = radius;
+    if (t.kind == shop::ToolKind::turning) t.nose_radius = radius;
+}
+
+/// What is cut goes by the insert of the tool list.
+void compare_nose(Run& run, const shop::Tool& t) {
+    const auto job = std::find_if(run.env.tools.begin(), run.env.tools.end(),
+                                  [&](const shop::Tool& x) { return x.number == t.number && x.edge == t.edge; });
+    if (run.env.tell_settings || job == run.env.tools.end() || job->kind != shop::ToolKind::turning) return;
+    constexpr double same = 1e-6;  // mm
+    if (std::abs(t.nose_radius - job->nose_radius) < same && table_orientation(t) == table_orientation(*job)) return;
+    assume(run, run.here(),
+           "the program gives the nose of tool " + std::to_string(t.number) +
+               " another radius R or orientation Q than the tool list: the path is compensated by the program's, and "
+               "the tool is taken to have the tool list's",
+           "give the tool the nose that it has");
+}
+
 void set_tool_data(Run& run, int l) {
     shop::Tool* t = tool_of_block(run);
     if (t == nullptr) return;
     const BlockWords& b = run.block;
     const double unit = length_unit(run.modal);
-    if (!t->table) t->table.emplace();
+    if (!t->table) {
+        const int orientation = table_orientation(*t).value_or(0);
+        t->table.emplace().orientation = orientation;
+    }
     auto& table = *t->table;
     table.offset[2] = t->length;
     if (l != 1) table.offset = measured(run, table.offset, l == 11);
     for (std::size_t k = 0; k < 9 && l == 1; ++k)
         if (const auto word = axis_word(run, k)) table.offset[k] = *word;
     t->length = table.offset[2];
-    if (b.has(Code::radius)) table.diameter = 2 * (t->radius = b.get(Code::radius) * unit);
+    if (b.has(Code::radius)) set_radius(*t, b.get(Code::radius) * unit);
     if (l == 1) compare_with_job(run, *t);
     if (b.has(Code::i)) table.front_angle = b.get(Code::i);
     if (b.has(Code::j)) table.back_angle = b.get(Code::j);
     if (b.has(Code::q))
         if (const auto q = whole(run, Code::q, "Q, the orientation of a lathe tool,", 9)) table.orientation = *q;
+    if (l == 1) compare_nose(run, *t);
     const auto place = static_cast<int>(t - run.tools.data()) + 1;
     // The control's list begins with the tool in the spindle; before the first change its first tool stands there.
     const bool loaded = run.tool.data == t || (run.tool.number == 0 && place == 1);

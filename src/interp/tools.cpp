@@ -7,6 +7,7 @@
 #include "base/text.hpp"
 #include "base/whole.hpp"
 #include "cl/unknown_tool.hpp"
+#include "interp/nose_of_tool.hpp"
 #include "interp/run.hpp"
 
 namespace obrys::interp {
@@ -342,9 +343,10 @@ void take_offset_radius(Run& run, double number) {
                   "D" + printed(Value::real(number)) +
                       " names a tool whose radius is not known: the contour is run without compensation",
                   "give the tool with its radius in the job");
-    if (known != run.tools.end())
+    if (known != run.tools.end()) {
         run.modal.compensation_radius = radius.value_or(0);
-    else if (std::isnan(number))
+        run.modal.compensation_orientation = table_orientation(*known).value_or(-1);
+    } else if (std::isnan(number))
         unchecked(run, codes::unknown_value, run.here(),
                   "which tool offset D is meant depends on a value that is not known");
     else if (number == 0)

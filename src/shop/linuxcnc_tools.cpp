@@ -171,6 +171,10 @@ std::vector<Tool> tools_of(const LinuxcncTable& table, double mm_per_unit, base:
     return out;
 }
 
+int table_orientation(int orientation) {
+    return turned_tools[base::clipped<std::size_t>(orientation, 0, turned_tools.size() - 1)].orientation;
+}
+
 std::vector<Tool> read_tbl(std::uint32_t file, const base::Sources& sources, double mm_per_unit,
                            base::Diagnostics& diagnostics) {
     return tools_of(read_linuxcnc_table(file, sources, diagnostics), mm_per_unit, diagnostics);

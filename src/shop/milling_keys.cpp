@@ -26,6 +26,7 @@ constexpr std::array some_kinds{Key{"corner_radius", {bull_nose, t_slot, other, 
                                 Key{"width", {t_slot, other, other, other}},
                                 Key{"neck_diameter", {t_slot, other, other, other}},
                                 Key{"pitch", {tap, form, other, other}},
+                                Key{"forming", {tap, other, other, other}},
                                 Key{"profile", {form, other, other, other}}};
 constexpr std::array all_kinds{"diameter", "cutting_length", "teeth", "plunges", "rotation", "shank", "holder"};
 
@@ -84,6 +85,7 @@ void read_milling_keys(Section& s, Tool& t) {
     t.cutting_length = s.number("cutting_length", Range::positive);
     if (const auto n = s.integer("teeth", 1, 99)) t.teeth = static_cast<int>(*n);
     t.plunges = s.boolean("plunges");
+    if (s.boolean("forming").value_or(false)) t.type = "FORMING TAP";  // as tables name one
     t.left_hand = s.choice("rotation", {"right", "left"}) == std::optional<std::size_t>(1);
     t.profile = read_form_profile(s);
     t.shank = read_bodies(s, "shank");
