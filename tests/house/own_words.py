@@ -79,6 +79,7 @@ OF_ONE = {
     "polar coordinates that add (G91)": ["linuxcnc"],
     "move away from the origin first": ["linuxcnc"],
     "write CC with its coordinates": ["heidenhain"],  # Traits::needs_pole
+    "write PR and PA, or L, C or CT": ["heidenhain"],  # LP, CP, CTP
     "only G0 and G1 move in machine": ["linuxcnc", "fanuc", "haas"],  # Traits::refuses_unready
     "write G0 or G1 in the block": ["linuxcnc", "fanuc", "haas"],
     "machine coordinates cannot be incremental": ["linuxcnc", "fanuc", "haas"],
