@@ -1,6 +1,7 @@
 #include "interp/path_stage.hpp"
 
 #include <cmath>
+#include <utility>
 
 #include "base/codes.hpp"
 #include "base/number.hpp"
@@ -284,6 +285,7 @@ void PathStage::push(Run& run, path::Element e, const path::Setting& s, bool rap
                         run.block.rapid, pulled_out(run), asks_corner(run.block)});
     if (!active_) last_.reset();
     active_ = true;
+    if (path::moves(e) && !path::moves_in_plane(e)) say_open_corner(run);
     const path::CornerRequest corner = corner_request(run);
     if (asks_corner(run.block) && corner.kind != path::CornerKind::none && !path::moves_in_plane(e))
         say_no_corner(run, run.here(),
@@ -326,9 +328,9 @@ void PathStage::output(Run& run, const path::Output& out) {
 
 void PathStage::hold(const cl::Record& record) { waiting_.push_back(keep(record)); }
 
-void PathStage::say_open_corner(Run& run) const {
+void PathStage::say_open_corner(Run& run) {
     const auto tag = path_.open_corner();
-    if (!tag || !origins_[*tag].asks_corner) return;
+    if (!tag || !std::exchange(origins_[*tag].asks_corner, false)) return;
     say_no_corner(
         run, origins_[*tag].from,
         "no corner follows this chamfer or rounding, which is left out: what comes behind it is no move in the plane",

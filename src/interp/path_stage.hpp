@@ -54,7 +54,7 @@ private:
     /// Says where a corner is joined over more blocks without motion than the control sees past.
     void judge_idle_blocks(Run&, const path::Element&, const path::Setting&);
     /// A chamfer or rounding of a block is left without the element that it leads to.
-    void say_open_corner(Run& run) const;
+    void say_open_corner(Run& run);
     [[nodiscard]] static double arc_feed(const Origin& origin, const path::Output& out);
     [[nodiscard]] path::CornerRequest corner_request(Run&);
     [[nodiscard]] int keep(const cl::Record& record);
