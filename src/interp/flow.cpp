@@ -303,7 +303,8 @@ bool run_plain(Run& run, const Statement& s, std::uint32_t index) {
         case StatementKind::special: run_special(run, s, index); return true;
         case StatementKind::return_: {
             const auto to = static_cast<std::size_t>(run.unit().words[s.first].payload);
-            say_blocks_behind(run, return_word(run, s));
+            // Often the same one comes again: the program's text is not asked then.
+            if (!run.ends_told.contains({run.top().unit, run.top().pc})) say_blocks_behind(run, return_word(run, s));
             if (to == 0) return leave(run), true;
             return return_to_block(run, run.unit().jumps[to - 1]), true;
         }

@@ -88,22 +88,25 @@ bool lies_apart(const Cell& c, const Axes& axes, const Judge::Triangle& t, Vec3 
     return std::abs(dot(normal, t[0] - c.centre)) > reach;
 }
 
-/// All of it, for certain.
-bool is_outside(const mesh::Distance& part, const Cell& c, const Axes& axes) {
-    if (part.is_inside(c.centre, part.nearest(c.centre))) return false;
+/// False: it certainly does not, and lies on one side of it.
+bool may_meet_surface(const mesh::Distance& part, const Cell& c, const Axes& axes) {
     bool met = false;
     part.visit([&](const mesh::Box& box) { return !lies_apart(c, axes, box); },
                [&](std::uint32_t t) {
                    met = !lies_apart(c, axes, corners(part.mesh(), t), part.normal(t));
                    return !met;
                });
-    return !met;
+    return met;
 }
 
-/// Whether it lies outside of the part, or a plane beside it does that is no farther from any place in it than `depth`:
-/// then none is deeper, since the way there leads through the surface.
-bool is_outside_or_near(const mesh::Distance& part, const Cell& c, const Axes& axes, double depth) {
-    if (is_outside(part, c, axes)) return true;
+/// All of it, for certain.
+bool is_outside(const mesh::Distance& part, const Cell& c, const Axes& axes) {
+    return !part.is_inside(c.centre, part.nearest(c.centre)) && !may_meet_surface(part, c, axes);
+}
+
+/// Whether a plane beside it lies outside of the part that is no farther from any place in it than `depth`: then none
+/// is deeper, since the way there leads through the surface.
+bool is_near_outside(const mesh::Distance& part, const Cell& c, const Axes& axes, double depth) {
     if (c.half[0] > depth / 2) return false;
     Cell side = c;
     side.half[0] = 0;
@@ -131,7 +134,8 @@ bool Judge::is_shallow(const Piece& whole, Vec3 normal, std::size_t& cells) cons
         const mesh::Nearest place = part_.nearest(cell.centre);
         const bool inside = part_.is_inside(cell.centre, place);
         if ((inside ? place.distance : -place.distance) + reach <= depth) continue;
-        if (is_outside_or_near(part_, cell, axes, depth)) continue;
+        if (!inside && !may_meet_surface(part_, cell, axes)) continue;
+        if (is_near_outside(part_, cell, axes, depth)) continue;
         const auto triangle = corners(part_.mesh(), place.triangle);
         const auto all = corners_of(cell, axes);
         if (std::all_of(all.begin(), all.end(),
