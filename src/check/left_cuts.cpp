@@ -284,14 +284,17 @@ LeftCuts::LeftCuts(const milling::Air& air, const milling::Simulation& simulatio
         if (simulation.pass_of(sweep.cut) >= before) break;
         if (sweeps_.empty() || !goes_on(sweeps_.back(), sweep)) sweeps_.push_back(sweep);
     }
-    for (const milling::Air::Sweep& sweep : sweeps_) {
-        const auto& pieces = sweep.shape->pieces;
-        for (std::size_t first = 0; first < pieces.size();) {
-            const std::size_t end = convex_end(pieces, first);
-            all_.emplace_back(sweep, first, end);
-            first = end;
+    // First what holds most.
+    turns_ = turns_of(sweeps_);
+    for (const auto* sweeps : {&turns_.sweeps, &sweeps_})
+        for (const milling::Air::Sweep& sweep : *sweeps) {
+            const auto& pieces = sweep.shape->pieces;
+            for (std::size_t first = 0; first < pieces.size();) {
+                const std::size_t end = convex_end(pieces, first);
+                all_.emplace_back(sweep, first, end);
+                first = end;
+            }
         }
-    }
 }
 
 double deepest_in(const milling::Stock& stock, const milling::Air& air, std::span<const Disc> discs, Vec3 axis,

@@ -8,6 +8,7 @@
 #include <span>
 #include <vector>
 
+#include "check/left_turns.hpp"
 #include "mesh/mesh.hpp"
 #include "sim/milling/air.hpp"
 #include "sim/milling/simulation.hpp"
@@ -61,7 +62,8 @@ private:
 /// The end of the pieces from `first` on that are convex together: no neck, no step.
 [[nodiscard]] std::size_t convex_end(const std::vector<sim::milling::Piece>& pieces, std::size_t first);
 
-/// Those of a simulation's that were made before a pass; ways that go on as the one before are one.
+/// Those of a simulation's that were made before a pass; ways that go on as the one before are one, and full turns are
+/// bodies, too.
 class LeftCuts {
 public:
     LeftCuts(const sim::milling::Air& air, const sim::milling::Simulation& simulation, std::uint32_t before);
@@ -71,6 +73,7 @@ public:
 
 private:
     std::deque<sim::milling::Air::Sweep> sweeps_;
+    LeftTurns turns_;
     std::vector<LeftCut> all_;
 };
 

@@ -14,21 +14,21 @@ constexpr double one_piece = 1.0 / 16;         ///< of the core: pieces so short
 constexpr std::size_t most_pieces_kept = 400;  ///< looked at together
 constexpr double disc_slack = 1e-9;            ///< mm
 
-struct Disc {
+struct Enclosing {
     Vec2 centre;
     double radius = -1;
     [[nodiscard]] bool holds(Vec2 p) const { return geom::length(p - centre) <= radius + disc_slack; }
 };
 
-Disc of_two(Vec2 a, Vec2 b) { return {0.5 * (a + b), 0.5 * geom::length(b - a)}; }
+Enclosing of_two(Vec2 a, Vec2 b) { return {0.5 * (a + b), 0.5 * geom::length(b - a)}; }
 
-Disc of_three(Vec2 a, Vec2 b, Vec2 c) {
+Enclosing of_three(Vec2 a, Vec2 b, Vec2 c) {
     const Vec2 u = b - a, v = c - a;
     const double d = 2 * geom::cross(u, v);
     if (!(std::abs(d) > 1e-12)) {
-        const Disc all[] = {of_two(a, b), of_two(a, c), of_two(b, c)};
+        const Enclosing all[] = {of_two(a, b), of_two(a, c), of_two(b, c)};
         return *std::max_element(std::begin(all), std::end(all),
-                                 [](const Disc& x, const Disc& y) { return x.radius < y.radius; });
+                                 [](const Enclosing& x, const Enclosing& y) { return x.radius < y.radius; });
     }
     const double uu = geom::dot(u, u), vv = geom::dot(v, v);
     const Vec2 off{(v.y * uu - u.y * vv) / d, (u.x * vv - v.x * uu) / d};
@@ -36,9 +36,9 @@ Disc of_three(Vec2 a, Vec2 b, Vec2 c) {
 }
 
 /// The smallest disc around points, one of which, the last, lies on its rim (Welzl).
-Disc with_last(const std::vector<Vec2>& points) {
+Enclosing with_last(const std::vector<Vec2>& points) {
     const Vec2 last = points.back();
-    Disc disc{last, 0};
+    Enclosing disc{last, 0};
     for (std::size_t i = 0; i + 1 < points.size(); ++i) {
         if (disc.holds(points[i])) continue;
         disc = of_two(points[i], last);
@@ -60,7 +60,7 @@ public:
 
 private:
     std::vector<Vec2> points_;
-    Disc disc_;
+    Enclosing disc_;
 };
 
 }  // namespace
