@@ -61,21 +61,6 @@ double least_on_way(F&& f) {
 
 }  // namespace
 
-std::size_t convex_end(const std::vector<milling::Piece>& pieces, std::size_t first) {
-    const auto steepness = [](const milling::Piece& p, double z) {
-        if (p.kind == milling::PieceKind::cone) return (p.r1 - p.r0) / (p.z1 - p.z0);
-        const double h = z - p.centre, across = std::sqrt(std::max(0.0, p.arc * p.arc - h * h));
-        return across > 0 ? -h / across : -std::copysign(std::numeric_limits<double>::infinity(), h);
-    };
-    std::size_t end = first + 1;
-    for (; end < pieces.size(); ++end) {
-        const milling::Piece &low = pieces[end - 1], &high = pieces[end];
-        if (std::abs(low.r1 - high.r0) > same_place || std::abs(low.z1 - high.z0) > same_place) break;
-        if (!(steepness(high, high.z0) <= steepness(low, low.z1) + same_place)) break;
-    }
-    return end;
-}
-
 LeftCut::LeftCut(const milling::Air::Sweep& sweep, std::size_t first, std::size_t end)
     : sweep_(&sweep), pieces_(std::span(sweep.shape->pieces).subspan(first, end - first)) {
     for (const milling::Piece& p : pieces_) widest_ = std::max(widest_, widest_between(p, p.z0, p.z1));
@@ -290,7 +275,7 @@ LeftCuts::LeftCuts(const milling::Air& air, const milling::Simulation& simulatio
         for (const milling::Air::Sweep& sweep : *sweeps) {
             const auto& pieces = sweep.shape->pieces;
             for (std::size_t first = 0; first < pieces.size();) {
-                const std::size_t end = convex_end(pieces, first);
+                const std::size_t end = milling::convex_end(pieces, first);
                 all_.emplace_back(sweep, first, end);
                 first = end;
             }

@@ -59,9 +59,6 @@ private:
     mesh::Box box_;
 };
 
-/// The end of the pieces from `first` on that are convex together: no neck, no step.
-[[nodiscard]] std::size_t convex_end(const std::vector<sim::milling::Piece>& pieces, std::size_t first);
-
 /// Those of a simulation's that were made before a pass; ways that go on as the one before are one, and full turns are
 /// bodies, too.
 class LeftCuts {

@@ -58,6 +58,26 @@ double from_way(const Piece& piece, Vec3 v, Vec3 p) {
     return std::max(0.0, std::min(at_s, at_t) - (b - a) * way);
 }
 
+/// Whether it comes as near as that on its way.
+bool comes_within(const Piece& piece, Vec3 v, Vec3 p, double allowed) {
+    constexpr double golden = 0.6180339887498949;
+    constexpr double fine = 1e-7;  // mm of way
+    const double way = length(v);
+    double a = 0, b = 1, s = 1 - golden, t = golden;
+    double at_s = from_piece(piece, p - s * v), at_t = from_piece(piece, p - t * v);
+    while (std::min(at_s, at_t) > allowed) {
+        if ((b - a) * way <= fine || std::min(at_s, at_t) - (b - a) * way > allowed) return false;
+        if (at_s < at_t) {
+            b = t, t = s, at_t = at_s, s = b - golden * (b - a);
+            at_s = from_piece(piece, p - s * v);
+        } else {
+            a = s, s = t, at_s = at_t, t = a + golden * (b - a);
+            at_t = from_piece(piece, p - t * v);
+        }
+    }
+    return true;
+}
+
 double within_box(const Box3& box, Vec3 p) {
     Vec3 beyond;
     double nearest = std::numeric_limits<double>::infinity();
@@ -109,6 +129,15 @@ double outside_sweep(const Shape& shape, const Track& track, Vec3 p, double enou
     return std::max(foot.outside, nearest);
 }
 
+bool sweeps_within(const Shape& shape, const Track& track, Vec3 p, double allowed) {
+    const Foot foot = foot_on(shape, track, p);
+    if (foot.outside > allowed) return false;
+    if (!(foot.outside > 0) || distance_from(shape, p - foot.place) <= allowed) return true;
+    return !track.circular && !track.level() &&
+           std::any_of(shape.pieces.begin(), shape.pieces.end(),
+                       [&](const Piece& piece) { return comes_within(piece, track.v, p, allowed); });
+}
+
 double distance_from(const Shape& shape, Vec3 p) {
     double nearest = std::numeric_limits<double>::infinity();
     for (const Piece& piece : shape.pieces) nearest = std::min(nearest, from_piece(piece, p));
@@ -139,6 +168,37 @@ double StockBody::within(Vec3 p) const {
     if (const auto* bar = std::get_if<CylinderStock>(&body_)) return within_cylinder(*bar, p);
     const Mesh& m = *std::get<std::shared_ptr<const Mesh>>(body_);
     return -m.outwards * m.distance.signed_distance(p);
+}
+
+double StockBody::most_within(std::span<const Vec3> corners) const {
+    double least = std::numeric_limits<double>::infinity();
+    const auto beside = [&](auto&& depth) {  // a plane's side: the depth grows evenly
+        double most = -std::numeric_limits<double>::infinity();
+        for (const Vec3& p : corners) most = std::max(most, depth(p));
+        least = std::min(least, most);
+    };
+    if (const auto* box = std::get_if<Box3>(&body_)) {
+        for (int axis = 0; axis < 3; ++axis) {
+            beside([&](Vec3 p) { return component(p, axis) - component(box->min, axis); });
+            beside([&](Vec3 p) { return component(box->max, axis) - component(p, axis); });
+        }
+        return least;
+    }
+    Vec3 middle;
+    for (const Vec3& p : corners) middle = middle + (1.0 / static_cast<double>(corners.size())) * p;
+    if (const auto* bar = std::get_if<CylinderStock>(&body_)) {
+        const double low = component(bar->centre, bar->axis), high = low + bar->length;
+        beside([&](Vec3 p) { return component(p, bar->axis) - low; });
+        beside([&](Vec3 p) { return high - component(p, bar->axis); });
+        Vec3 out = middle - bar->centre;
+        set_component(out, bar->axis, 0);
+        const double far = length(out);
+        // The plane that touches the bar where the middle lies.
+        beside([&](Vec3 p) { return bar->radius - (far > 0 ? dot(p - bar->centre, out) / far : 0); });
+        return least;
+    }
+    beside([&](Vec3 p) { return within(p); });
+    return std::max(least, within(middle));
 }
 
 double Air::outside(std::size_t body, Vec3 p, double enough) const {

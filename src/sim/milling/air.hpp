@@ -6,6 +6,7 @@
 #include <limits>
 #include <memory>
 #include <optional>
+#include <span>
 #include <vector>
 
 #include "mesh/distance.hpp"
@@ -21,6 +22,8 @@ public:
     explicit StockBody(const Stock& stock);
     /// Distance from its surface, negative outside of it. The sign of a mesh that is not closed means nothing.
     [[nodiscard]] double within(geom::Vec3 p) const;
+    /// No place of the hull of some points lies deeper; of a mesh what the points and their middle tell, not proved.
+    [[nodiscard]] double most_within(std::span<const geom::Vec3> corners) const;
     [[nodiscard]] bool closed() const { return closed_; }
 
 private:
@@ -36,6 +39,9 @@ private:
 /// `enough` or more, it is not looked at further.
 [[nodiscard]] double outside_sweep(const Shape& shape, const Track& track, geom::Vec3 p,
                                    double enough = std::numeric_limits<double>::infinity());
+
+/// Whether a point lies outside of that by no more than `allowed`, which is not negative.
+[[nodiscard]] bool sweeps_within(const Shape& shape, const Track& track, geom::Vec3 p, double allowed);
 
 /// Distance from a tool at rest, 0 inside.
 [[nodiscard]] double distance_from(const Shape& shape, geom::Vec3 p);

@@ -121,18 +121,19 @@ bool Exact::is_material(const Near& near, Vec3 p) const {
     });
 }
 
-bool Exact::is_on_surface(const Near& near, Vec3 p, double allowed) const {
+bool Exact::is_on_surface(const Near& near, Vec3 p, double allowed, double in_material) const {
     if (!near.stock && !near.blank) return false;
     const double within = near.stock ? stock_.within(p) : HUGE_VAL;
     if (within < -allowed) return false;
-    bool close = within <= allowed, in_air = within < 0;
+    bool close = within <= in_material, in_air = within < 0;
     std::array<Side, most_around> around;
+    std::vector<const Air::Sweep*> beside;
     std::size_t count = 0;
     if (close) around[count++] = side(near, 0, p);
     for (const Air::Sweep& s : near.sweeps) {
         const Vec3 own = s.frame.to_tool(p - s.from);
         const Foot foot = foot_on(*s.shape, s.track, own);
-        if (foot.outside > allowed) continue;
+        if (foot.outside > in_material) continue;
         in_air = in_air || foot.outside < 0;
         if (count < most_around) around[count++] = {foot.outside, s.frame.to_stock(foot.gradient)};
         if (!(foot.outside > 0)) {
@@ -140,10 +141,13 @@ bool Exact::is_on_surface(const Near& near, Vec3 p, double allowed) const {
             close = true;
         } else if (!close) {
             // Where the tool is when a face of it is nearest is mostly, beside its edges not quite, where it is.
-            close = distance_from(*s.shape, own - foot.place) <= allowed ||
-                    outside_sweep(*s.shape, s.track, own) <= allowed;
+            close = distance_from(*s.shape, own - foot.place) <= in_material;
+            if (!close && !s.track.circular && !s.track.level()) beside.push_back(&s);
         }
     }
+    close = close || std::any_of(beside.begin(), beside.end(), [&](const Air::Sweep* s) {
+                return sweeps_within(*s->shape, s->track, s->frame.to_tool(p - s->from), in_material);
+            });
     return close && (!in_air || count < 2 || is_left({around.data(), count}, allowed));
 }
 

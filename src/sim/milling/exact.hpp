@@ -50,6 +50,10 @@ public:
     [[nodiscard]] bool reaches(const Place& cell, geom::Vec3 p) const;
     [[nodiscard]] bool is_material(const Near& near, geom::Vec3 p) const;
     [[nodiscard]] double in_blank(geom::Vec3 p) const { return stock_.within(p); }
+    /// No place between these lies deeper in the stock as it was.
+    [[nodiscard]] double most_in_blank(std::span<const geom::Vec3> corners) const {
+        return stock_.most_within(corners);
+    }
     /// How far a point lies outside of a body of air, and the direction from that into the material, along which this
     /// grows.
     struct Side {
@@ -64,8 +68,11 @@ public:
     /// Two bodies of air touch at a point that lies no farther from both than so, with no material between them: cuts
     /// side by side without a gap.
     [[nodiscard]] bool is_touch(const Near& near, geom::Vec3 p, double allowed) const;
-    /// The surface lies no farther from a point than so.
-    [[nodiscard]] bool is_on_surface(const Near& near, geom::Vec3 p, double allowed) const;
+    /// The surface lies no farther from a point than so; from one in the material no farther than `in_material`.
+    [[nodiscard]] bool is_on_surface(const Near& near, geom::Vec3 p, double allowed, double in_material) const;
+    [[nodiscard]] bool is_on_surface(const Near& near, geom::Vec3 p, double allowed) const {
+        return is_on_surface(near, p, allowed, allowed);
+    }
     /// It lies farther from it; false where that is not known.
     [[nodiscard]] bool is_clear(const Near& near, geom::Vec3 p, double radius) const;
     /// Where material ends on a line along `axis` from a point up to `high`, ascending; a little beyond both ends.

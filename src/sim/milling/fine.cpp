@@ -19,8 +19,10 @@ namespace {
 
 using geom::Vec3;
 
-constexpr double fine_sampled = 0.5;  ///< of the tolerance: how far points looked at may be off, for those between them
-constexpr double small_leaf = 8;      ///< tolerances: a leaf's diagonal below which it is not asked what it may hide
+/// Of the tolerance: how far points looked at may be off, for those between them. How deep any lie in the material is
+/// proved afterwards (within.hpp).
+constexpr double fine_sampled = 0.5, fine_within = 0.8;
+constexpr double small_leaf = 8;  ///< tolerances: a leaf's diagonal below which it is not asked what it may hide
 constexpr int most_levels = 6;
 constexpr std::size_t most_known = 6'000'000;  ///< edges looked at, in all: some 500 MB with what belongs to them
 
@@ -131,13 +133,13 @@ void Fine::find_fine_cells() {
 }
 
 /// Points of the triangles about an edge against the exact surface.
-bool Fine::is_off(const Place& cell, std::size_t edge, double allowed) const {
+bool Fine::is_off(const Place& cell, std::size_t edge, double allowed, double in_material) const {
     const Vec3 middle = point_of(edges_[edge]);
     double radius = 0;
     for (std::size_t q = 0; q < 4; ++q) radius = std::max(radius, geom::distance(middle, position(vertex(edge, q))));
     const std::optional<Near> here = exact_.about(cell, middle, radius + tolerance_);
     if (!here) return true;
-    const auto off = [&](Vec3 p) { return !exact_.is_on_surface(*here, p, allowed); };
+    const auto off = [&](Vec3 p) { return !exact_.is_on_surface(*here, p, allowed, in_material); };
     for (std::size_t q = 0; q < 4; ++q) {
         if (edges_[edge].around[q] == edges_[edge].around[(q + 1) % 4]) continue;
         const Vec3 a = position(vertex(edge, q)), b = position(vertex(edge, (q + 1) % 4));
@@ -268,14 +270,14 @@ std::vector<Leaf> Fine::leaves_to_split() {
             });
         }
         for (const std::uint32_t e : edges[n]) {
-            if (!is_off(all_[n], e, fine_sampled * tolerance_)) {
+            if (!is_off(all_[n], e, fine_sampled * tolerance_, fine_within * tolerance_)) {
                 right[n].push_back(e);
                 continue;
             }
             const std::size_t before = found[n].size();
             for (const Leaf& leaf : edges_[e].around)
                 if (leaf.size > 1) found[n].push_back(leaf);
-            if (found[n].size() == before && is_off(all_[n], e, tolerance_)) give_up(edges_[e].around[0]);
+            if (found[n].size() == before && is_off(all_[n], e, tolerance_, tolerance_)) give_up(edges_[e].around[0]);
         }
     });
     std::vector<Leaf> split;

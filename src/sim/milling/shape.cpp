@@ -81,6 +81,22 @@ double radius_at(const Piece& piece, double z) {
     return piece.ring + std::sqrt(std::max(0.0, piece.arc * piece.arc - h * h));
 }
 
+std::size_t convex_end(const std::vector<Piece>& pieces, std::size_t first) {
+    constexpr double same_place = 1e-9;  // mm
+    const auto steepness = [](const Piece& p, double z) {
+        if (p.kind == PieceKind::cone) return (p.r1 - p.r0) / (p.z1 - p.z0);
+        const double h = z - p.centre, across = std::sqrt(std::max(0.0, p.arc * p.arc - h * h));
+        return across > 0 ? -h / across : -std::copysign(std::numeric_limits<double>::infinity(), h);
+    };
+    std::size_t end = first + 1;
+    for (; end < pieces.size(); ++end) {
+        const Piece &low = pieces[end - 1], &high = pieces[end];
+        if (std::abs(low.r1 - high.r0) > same_place || std::abs(low.z1 - high.z0) > same_place) break;
+        if (!(steepness(high, high.z0) <= steepness(low, low.z1) + same_place)) break;
+    }
+    return end;
+}
+
 double widest_between(const Piece& piece, double low, double high) {
     low = std::max(low, piece.z0);
     high = std::min(high, piece.z1);

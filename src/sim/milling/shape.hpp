@@ -35,6 +35,8 @@ struct Piece {
 
 /// Radius at a height between z0 and z1.
 [[nodiscard]] double radius_at(const Piece& piece, double z);
+/// The end of the pieces from `first` on that are convex together: no neck, no step.
+[[nodiscard]] std::size_t convex_end(const std::vector<Piece>& pieces, std::size_t first);
 /// Largest radius between two heights; negative where the piece does not reach there.
 [[nodiscard]] double widest_between(const Piece& piece, double low, double high);
 struct Heights {

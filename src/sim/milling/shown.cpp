@@ -9,6 +9,7 @@
 #include "base/whole.hpp"
 #include "mesh/distance.hpp"
 #include "sim/milling/unseen.hpp"
+#include "sim/milling/within.hpp"
 
 namespace obrys::sim::milling {
 
@@ -17,6 +18,10 @@ namespace {
 using geom::Vec3;
 
 constexpr double wanted = 0.7;  ///< of the tolerance: how far from the mesh places looked at may lie, for those between
+/// Of the tolerance: how deep in the material the mesh may lie; it is proved to 1.03 times that.
+constexpr double wanted_within = 0.95;
+constexpr std::size_t some_parts = 150;     ///< of a triangle: what is harder to show to be right is halved
+constexpr std::size_t many_parts = 20'000;  ///< of one that could not be halved
 constexpr int most_rounds = 24;
 
 /// The cells that places lie in, and those around them.
@@ -97,17 +102,21 @@ void show_all(const Simulation& simulation, const NodeBits& nodes, Exact& exact,
     std::vector<Vec3> places = rims(simulation, exact, nodes);
     KeyMap known;
     std::vector<Place> cells = mixed_cells(nodes);
+    WithinMaterial within(exact);
     for (int round = 0; round < most_rounds; ++round) {
         if (round > 0) cells = new_cells(fine, known);
         const std::vector<Vec3> edges = edges_in(cells, exact, tolerance, round == 0 ? together : fine_together);
         places.insert(places.end(), edges.begin(), edges.end());
-        if (places.empty()) return;
-        const std::vector<Unshown> wrong = unshown(mesh(), places, lattice, wanted * tolerance);
+        const mesh::Mesh now = mesh();
+        std::vector<Unshown> wrong = unshown(now, places, lattice, wanted * tolerance);
+        for (const Vec3& p : within.places(now, wanted_within * tolerance, some_parts)) wrong.push_back({p, p});
         if (wrong.empty() && (round > 0 || fine.cells().empty())) return;
         const std::vector<Unshown> left = fine.show(wrong);
         if (!wrong.empty() && left.size() == wrong.size()) break;
     }
-    for (const Unshown& u : unshown(mesh(), places, lattice, tolerance)) fine.leave_open(u.at);
+    const mesh::Mesh now = mesh();
+    for (const Unshown& u : unshown(now, places, lattice, tolerance)) fine.leave_open(u.at);
+    for (const Vec3& p : within.places(now, tolerance, many_parts)) fine.leave_open(p);
 }
 
 }  // namespace obrys::sim::milling
