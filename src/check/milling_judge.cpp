@@ -214,7 +214,7 @@ void Milling::judge_surface(Milled& milled) {
         judge_entered_part(milled.moves);
     }
     if ((!judged || time_up_.up()) && !m.surface) return;
-    milling::Surface surface = milling::extract_surface(*simulation_);
+    milling::Surface surface = milling::extract_surface(*simulation_, setup_.out_of_time);
     const auto tag_of = [&](std::uint32_t cut) { return cut == 0 ? 0 : move_of_pass_[simulation_->pass_of(cut)] + 1; };
     for (std::uint32_t& tag : surface.mesh.tags) tag = tag_of(tag);
     milled.surface = std::move(surface.mesh);
@@ -222,6 +222,13 @@ void Milling::judge_surface(Milled& milled) {
     milled.figures.refined_cells = surface.refined.cells;
     milled.figures.finest_mm = surface.refined.finest;
     judge_open(surface.refined);
+    if (time_up_.now()) {
+        out_.unchecked(
+            "the time for the check is up while the surface was made: it may be off by more than the tolerance" +
+                std::string(judged ? ", and was not held to the part" : ""),
+            TimeUp::remedy);
+        judge_entered_part(milled.moves);
+    }
     if (!judged || time_up_.up()) return;
     mesh::CompareOptions options;
     options.gouge = std::max(setup_.tolerances.gouge, m.tolerance);

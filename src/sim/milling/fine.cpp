@@ -49,13 +49,14 @@ std::array<Vec3, 8> corners_of(Vec3 low, Vec3 size) {
 }  // namespace
 
 Fine::Fine(Exact& exact, double tolerance, const Lattice& lattice, const NodeBits& nodes, const Crossings& crossings,
-           const CellVertices& cells, const std::vector<Vec3>& coarse)
+           const CellVertices& cells, const std::vector<Vec3>& coarse, const Stop& stop)
     : lattice_(lattice),
       nodes_(nodes),
       crossings_(crossings),
       cells_(cells),
       coarse_(coarse),
       tolerance_(tolerance),
+      stop_(stop),
       leaves_(lattice, levels_for(lattice, tolerance)),
       exact_(exact) {}
 
@@ -103,7 +104,7 @@ void Fine::leave_open(Vec3 p) {
 }
 
 void Fine::halve(std::vector<Leaf> next) {
-    while (!next.empty()) {
+    while (!next.empty() && !(stop_ && stop_())) {
         ++round_;
         dirty_.clear();
         KeyMap seen;

@@ -26,7 +26,7 @@ class Fine {
 public:
     /// `coarse`: vertices of the lattice's own cells.
     Fine(Exact& exact, double tolerance, const Lattice& lattice, const NodeBits& nodes, const Crossings& crossings,
-         const CellVertices& cells, const std::vector<geom::Vec3>& coarse);
+         const CellVertices& cells, const std::vector<geom::Vec3>& coarse, const Stop& stop);
 
     /// Halves cells of the lattice, and these again where that is needed.
     void refine(const std::vector<Place>& cells);
@@ -113,6 +113,7 @@ private:
     const CellVertices& cells_;
     const std::vector<geom::Vec3>& coarse_;
     double tolerance_;
+    const Stop& stop_;
     Leaves leaves_;
     Exact& exact_;
     KeyMap signs_;                    ///< 1: material

@@ -95,7 +95,7 @@ std::vector<Place> new_cells(const Fine& fine, KeyMap& known) {
 }  // namespace
 
 void show_all(const Simulation& simulation, const NodeBits& nodes, Exact& exact, Fine& fine,
-              base::FunctionRef<mesh::Mesh()> mesh) {
+              base::FunctionRef<mesh::Mesh()> mesh, const Stop& stop) {
     constexpr std::int32_t together = 4, fine_together = 2;  // cells, along each axis
     const double tolerance = simulation.tolerance();
     const Lattice& lattice = exact.lattice();
@@ -104,6 +104,7 @@ void show_all(const Simulation& simulation, const NodeBits& nodes, Exact& exact,
     std::vector<Place> cells = mixed_cells(nodes);
     WithinMaterial within(exact);
     for (int round = 0; round < most_rounds; ++round) {
+        if (stop && stop()) return;
         if (round > 0) cells = new_cells(fine, known);
         const std::vector<Vec3> edges = edges_in(cells, exact, tolerance, round == 0 ? together : fine_together);
         places.insert(places.end(), edges.begin(), edges.end());

@@ -10,6 +10,6 @@ namespace obrys::sim::milling {
 /// Halves cells until edges, corners and rims (unseen.hpp) lie no farther from the mesh than the tolerance; where that
 /// cannot be had, the place is left open. `mesh`: as it is now.
 void show_all(const Simulation& simulation, const NodeBits& nodes, Exact& exact, Fine& fine,
-              base::FunctionRef<mesh::Mesh()> mesh);
+              base::FunctionRef<mesh::Mesh()> mesh, const Stop& stop);
 
 }  // namespace obrys::sim::milling

@@ -198,7 +198,7 @@ Surface extract_surface(const Dexels& dexels, Normal normal) {
         dexels.lattice(), [&](int axis, int a, int b) { return dexels.ray(axis, a, b); }, normal);
 }
 
-Surface extract_surface(const Simulation& simulation) {
+Surface extract_surface(const Simulation& simulation, const Stop& stop) {
     Surface s;
     const Lattice& lattice = simulation.dexels().lattice();
     const auto rays = [&](int axis, int a, int b) { return simulation.dexels().ray(axis, a, b); };
@@ -217,9 +217,10 @@ Surface extract_surface(const Simulation& simulation) {
     for (const Place& cell : cells_with_points(simulation, exact)) coarse.push_back(cell);
     for (const Place& cell : cells_off(builder.mesh(), builder.rough(), exact, simulation.tolerance()))
         coarse.push_back(cell);
-    Fine fine(exact, simulation.tolerance(), lattice, nodes, crossings, builder.cells(), builder.mesh().vertices);
+    Fine fine(exact, simulation.tolerance(), lattice, nodes, crossings, builder.cells(), builder.mesh().vertices, stop);
     fine.refine(coarse);
-    show_all(simulation, nodes, exact, fine, [&] { return builder.with(fine); });
+    show_all(
+        simulation, nodes, exact, fine, [&] { return builder.with(fine); }, stop);
     s.refined = fine.figures();
     if (s.refined.cells > 0) {
         s.mesh = builder.with(fine);

@@ -4,6 +4,7 @@
 /// Frame of the stock, millimetres.
 
 #include <cstddef>
+#include <functional>
 
 #include "mesh/mesh.hpp"
 #include "sim/milling/crossings.hpp"
@@ -12,11 +13,14 @@
 
 namespace obrys::sim::milling {
 
+/// Asked now and then; empty: never.
+using Stop = std::function<bool()>;
+
 /// What was done about cells too coarse for what lies in them.
 struct Refined {
-    std::size_t cells = 0;      ///< of the lattice: halved once or more often
-    double finest = 0;          ///< mm: the smallest cells' width
-    std::vector<Box3> open;     ///< where the surface is not proved to be within the tolerance all the same
+    std::size_t cells = 0;   ///< of the lattice: halved once or more often
+    double finest = 0;       ///< mm: the smallest cells' width
+    std::vector<Box3> open;  ///< where the surface is not proved to be within the tolerance all the same
 };
 
 struct Surface {
@@ -35,7 +39,7 @@ struct Surface {
 [[nodiscard]] Surface extract_surface(const Lattice& lattice, Rays rays, Normal normal, const Line& line = {});
 [[nodiscard]] Surface extract_surface(const Dexels& dexels, Normal normal);
 /// Of what a simulation has left, which also knows what lies beside its rays: cells of the lattice are halved where it
-/// would be off by more than the simulation's tolerance.
-[[nodiscard]] Surface extract_surface(const Simulation& simulation);
+/// would be off by more than the simulation's tolerance; until it is told to stop, then what is left to do is not done.
+[[nodiscard]] Surface extract_surface(const Simulation& simulation, const Stop& stop = {});
 
 }  // namespace obrys::sim::milling

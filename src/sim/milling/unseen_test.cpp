@@ -139,5 +139,23 @@ TEST(Unseen, pieces_of_a_tool_have_no_face_between_them) {
     surface_of(s);
 }
 
+// What is asked for but not done is not done by half: the mesh is closed, only coarser.
+TEST(Unseen, a_surface_that_is_told_to_stop_is_closed) {
+    Simulation s = blank();
+    testing::RoundTool t;
+    t.kind = testing::RoundTool::Kind::cone;
+    const std::uint32_t tool = s.add_tool(testing::shape_of(t));
+    cut(s, tool, {-3, 5.3, 5.1}, {15, 6.1, 5.1});
+    s.flush();
+    EXPECT_GT(extract_surface(s).refined.cells, 0U);
+    for (int after = 0; after < 12; ++after) {
+        int asked = 0;
+        const Surface surface = extract_surface(s, [&] { return ++asked > after; });
+        const mesh::Topology topology = mesh::topology(surface.mesh);
+        EXPECT_EQ(topology.open.count, 0U) << after;
+        EXPECT_GT(surface.mesh.triangles.size(), 1000U);
+    }
+}
+
 }  // namespace
 }  // namespace obrys::sim::milling
