@@ -153,12 +153,12 @@ void Fine::find_known() {
         }
 }
 
-/// All edges of halved cells and of those beside them that the surface crosses.
-void Fine::find_edges() {
+/// All edges that the surface crosses: of halved cells and of those beside them.
+void Fine::find_edges(const std::vector<Place>& cells) {
     edges_.clear();
     edge_of_ = {};
     const std::int32_t unit = leaves_.unit();
-    for (const Place& cell : all_)
+    for (const Place& cell : cells)
         leaves_.each_leaf(cell, [&](const Leaf& leaf) {
             each_edge_of(leaf, [&](const ShortEdge& e) {
                 const bool leaves = is_material(e.at);

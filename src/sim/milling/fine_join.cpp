@@ -138,11 +138,15 @@ bool Fine::is_joined(const Leaf& small, const Place& low, std::size_t normal) co
            doubtful_face(nodes_.corners(before[0], before[1], before[2])) == face + 1;
 }
 
+bool Fine::is_placed(const Leaf& leaf) const {
+    return placed_.size() == 0 || placed_.find(key_of(leaves_.cell_of(leaf.at))) != KeyMap::none;
+}
+
 void Fine::place_vertices() {
     std::vector<std::uint32_t> slots;
     for (std::uint32_t s = 0; s < parent_.size(); ++s) {
         const Edge& e = edges_[s / 4];
-        if (!is_special(e.around[s % 4])) continue;
+        if (!is_special(e.around[s % 4]) || !is_placed(e.around[s % 4])) continue;
         static_cast<void>(root(s));
         slots.push_back(s);
     }
