@@ -77,7 +77,17 @@ private:
     void find_known();
     void find_edges(const std::vector<Place>& cells);
     void join();
-    void join_face(std::size_t edge, std::size_t side);
+    /// An edge on a face's rim that the surface crosses.
+    struct Crossed {
+        std::uint32_t edge = 0;
+        bool enters = false;  ///< material, on the way round
+    };
+    /// A face's rim, kept for its memory.
+    struct Rim {
+        std::vector<ShortEdge> all, part;
+        std::vector<Crossed> crossed;
+    };
+    void join_face(std::size_t edge, std::size_t side, Rim& rim);
     [[nodiscard]] bool is_joined(const Leaf& small, const Place& low, std::size_t normal) const;
     void place_vertices();
     /// Crossings of one piece of surface in a leaf: from `first` up to `last` in `slots`.
