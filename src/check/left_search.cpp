@@ -87,10 +87,12 @@ private:
     [[nodiscard]] LeftBody boxed(const LeftBody& b) const;
     [[nodiscard]] bool outside(const LeftBody& box) const;
     [[nodiscard]] bool middle_is_clear(const LeftPart& cell) const;
+    [[nodiscard]] std::vector<Disc> discs_in_stock(const LeftBody& b) const;
     [[nodiscard]] double threshold() const { return std::max(s_.allowed, near_enough * best_.depth); }
 
     const LeftSearch& s_;
     const LeftBody& whole_;
+    milling::Heights stock_;  ///< along the body's axis
     milling::Shape shape_;
     milling::Air::Sweep sweep_;
     std::optional<LeftCut> own_;  ///< what the body itself takes, where it goes straight
@@ -102,7 +104,8 @@ private:
     std::size_t cells_ = 0, found_at_ = 0;
 };
 
-PartSearch::PartSearch(const LeftSearch& s, const LeftBody& whole) : s_(s), whole_(whole) {
+PartSearch::PartSearch(const LeftSearch& s, const LeftBody& whole)
+    : s_(s), whole_(whole), stock_(milling::heights_along(whole.axis, milling::box_of(s.stock))) {
     if (whole.arc || !(whole.edges[1] == Vec3{}) || !(whole.edges[2] == Vec3{})) return;
     std::vector<milling::Piece> pieces;
     for (std::size_t i = 0; i + 1 < whole.profile.size(); ++i) {
@@ -178,6 +181,22 @@ bool PartSearch::outside(const LeftBody& box) const {
     return own_ && own_->farthest({middle_of(box), 0}, box.axis) > half;
 }
 
+/// Discs around what of it may lie in the stock: beyond the stock's ends nothing is left. A cut that ends where the
+/// stock does would else leave cells as thin as what is allowed, all over its end. None: it lies beside the stock.
+std::vector<Disc> PartSearch::discs_in_stock(const LeftBody& b) const {
+    std::vector<Disc> discs = discs_of(b);
+    const auto height = [&](const Disc& d) { return geom::dot(b.axis, d.centre); };
+    double low = INFINITY, high = -INFINITY;
+    for (const Disc& d : discs) low = std::min(low, height(d)), high = std::max(high, height(d));
+    if (low >= stock_.low && high <= stock_.high) return discs;
+    low = std::max(low, stock_.low), high = std::min(high, stock_.high);
+    std::vector<Disc> within;
+    if (!(low <= high)) return within;
+    for (const Disc& d : discs)
+        for (const double to : {low, high}) within.push_back({d.centre + (to - height(d)) * b.axis, d.radius});
+    return within;
+}
+
 double PartSearch::bound_by(const LeftPart& cell, std::uint32_t cut, std::span<const Disc> discs, double enough) const {
     const LeftCut& c = s_.cuts[cut];
     if (cell.solid() && cell.body.arc) {
@@ -193,8 +212,10 @@ double PartSearch::bound_by(const LeftPart& cell, std::uint32_t cut, std::span<c
 void PartSearch::bound(LeftPart& cell) const {
     const std::vector<Disc> discs = discs_of(cell.body);
     cell.bound = std::min(s_.enough, deepest_in(s_.stock, s_.air, discs, cell.body.axis, middle_of(cell.body)));
+    const std::vector<Disc> within = discs_in_stock(cell.body);
+    if (within.empty()) cell.bound = 0;
     const auto attempt = [&](std::uint32_t cut) {
-        const double far = bound_by(cell, cut, discs, cell.bound);
+        const double far = bound_by(cell, cut, within, cell.bound);
         if (far < cell.bound) cell.bound = far, cell.best = cut + 1;
         return cell.bound <= s_.allowed;
     };
@@ -282,7 +303,8 @@ void PartSearch::look(const LeftPart& cell) {
 /// Whether one cut alone has taken the disc in the middle: then it took those beside it, too, as far as it went.
 bool PartSearch::middle_is_clear(const LeftPart& cell) const {
     const Disc disc{middle_of(cell.body), widest(cell.body)};
-    const double most = threshold();
+    const double most = threshold(), height = geom::dot(cell.body.axis, disc.centre);
+    if (height - most > stock_.high || height + most < stock_.low) return true;  // beside the stock
     return std::any_of(cell.cuts->begin(), cell.cuts->end(),
                        [&](std::uint32_t cut) { return s_.cuts[cut].farthest(disc, cell.body.axis) <= most; });
 }

@@ -24,6 +24,10 @@ constexpr std::size_t cells_of_many = 24;     ///< for them
 constexpr std::size_t cells_of_arc = 60;      ///< for a level quarter of a circle as it is
 constexpr double deeper_by = 1.1;             ///< of a depth found: as near as a depth is searched for
 constexpr std::size_t cells_of_one = 3000;    ///< for one straight way and part of a tool
+constexpr double deeper_tolerances = 0.5;     ///< the same: more than so many are asked for
+constexpr std::size_t open_in_full = 4;       ///< pieces of a curve that were not decided: then shorter searches
+constexpr std::size_t open_at_all = 32;       ///< the same: then none
+constexpr std::size_t cells_when_open = 300;  ///< of a shorter search
 
 /// Level circles about the tool's axis.
 bool is_level(const geom::Circular& c, Vec3 axis) {
@@ -163,7 +167,10 @@ void StockSearch::judge_piece(Verdict& verdict, const LeftBody& way, const Stock
         body.profile = clipped(profile, heights.low, heights.high);
         if (body.profile.size() < 2) continue;
         LeftSearch here = search;  // where it is hardly deeper than what is found does not matter
-        here.allowed = std::max(search.allowed, deeper_by * verdict.hit.depth);
+        if (verdict.hit.depth > 0)
+            here.allowed =
+                std::max({search.allowed, deeper_by * verdict.hit.depth,
+                          std::min(limits_.enough, verdict.hit.depth + deeper_tolerances * limits_.tolerance)});
         const LeftDepth d = deepest_left(body, here);
         verdict.decided = verdict.decided && (d.decided || d.bound <= limits_.tolerance);
         if (d.depth > verdict.hit.depth) verdict.hit = {d.depth, d.at};
@@ -182,6 +189,7 @@ StockSearch::Verdict StockSearch::judge_one(Group& g, const StockPass& q) const 
     const std::size_t quarters =
         level ? base::clipped<std::size_t>(std::ceil(std::abs(circle->sweep) / (geom::pi / 2) - 1e-9), 1, 64) : 1;
     const std::size_t n = chords_of(q.path, way_chord_share * limits_.tolerance), each = (n + quarters - 1) / quarters;
+    std::size_t open = 0;
     for (std::size_t k = 0; k < quarters && verdict.hit.depth < limits_.enough / 2; ++k) {
         const auto place = [&](std::size_t i) {
             return geom::point_at(q.path,
@@ -202,9 +210,13 @@ StockSearch::Verdict StockSearch::judge_one(Group& g, const StockPass& q) const 
             }
         }
         for (std::size_t i = 0; i < each && verdict.hit.depth < limits_.enough / 2; ++i) {
-            if (g.stop && g.stop()) return {false, verdict.hit};
+            if ((g.stop && g.stop()) || open >= open_at_all) return {verdict.hit.depth > 0, verdict.hit};
             const Vec3 a = place(i);
-            judge_piece(verdict, {a, {place(i + 1) - a, {}, {}}, q.axis, {}, {}}, *q.part, search);
+            Verdict piece{true, verdict.hit};
+            judge_piece(piece, {a, {place(i + 1) - a, {}, {}}, q.axis, {}, {}}, *q.part, search);
+            verdict = {verdict.decided && piece.decided, piece.hit};
+            // Of a curve that rubs all along no piece is decided: more of them tell no more.
+            if (!piece.decided && ++open == open_in_full) search.planes = nullptr, search.most_cells = cells_when_open;
         }
     }
     if (verdict.hit.depth > 0) verdict.decided = true;

@@ -13,7 +13,8 @@ using geom::Vec3;
 
 namespace {
 
-constexpr std::uint32_t in_leaf = 4;  ///< triangles at most
+constexpr std::uint32_t in_leaf = 4;                ///< triangles at most
+constexpr double surely_farther = 1 + 1e-9;         ///< times a distance, whatever was rounded
 
 double axis_value(Vec3 v, int axis) { return axis == 0 ? v.x : axis == 1 ? v.y : v.z; }
 
@@ -119,6 +120,9 @@ void Distance::weigh_normals() {
 void Distance::visit_leaf(const Node& node, Vec3 p, Nearest& best) const {
     for (std::uint32_t i = node.first; i < node.first + node.count; ++i) {
         const std::uint32_t t = order_[i];
+        // Its plane alone is farther off: so with most of a few large triangles.
+        const double off = std::abs(dot(p - mesh_.vertices[mesh_.triangles[t][0]], face_[t]));
+        if (off > surely_farther * best.distance + 1e-9) continue;
         Nearest found = nearest_on_triangle(p, corners(mesh_, t));
         found.triangle = t;
         const bool nearer = found.distance < best.distance || (found.distance == best.distance && t < best.triangle);

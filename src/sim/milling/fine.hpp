@@ -70,11 +70,24 @@ private:
     void halve(std::vector<Leaf> next);
     [[nodiscard]] bool is_small(std::int32_t size) const;
     void find_fine_cells();
+    void find_changed();
+    void find_surface(const std::vector<Place>& cells);
+    [[nodiscard]] bool is_placed(const Leaf& leaf) const;
     void find_signs();
     void find_known();
-    void find_edges();
+    void find_edges(const std::vector<Place>& cells);
     void join();
-    void join_face(std::size_t edge, std::size_t side);
+    /// An edge on a face's rim that the surface crosses.
+    struct Crossed {
+        std::uint32_t edge = 0;
+        bool enters = false;  ///< material, on the way round
+    };
+    /// A face's rim, kept for its memory.
+    struct Rim {
+        std::vector<ShortEdge> all, part;
+        std::vector<Crossed> crossed;
+    };
+    void join_face(std::size_t edge, std::size_t side, Rim& rim);
     [[nodiscard]] bool is_joined(const Leaf& small, const Place& low, std::size_t normal) const;
     void place_vertices();
     /// Crossings of one piece of surface in a leaf: from `first` up to `last` in `slots`.
@@ -123,6 +136,8 @@ private:
     std::array<KeyMap, 3> tested_;  ///< what triangles about an edge were like when they were found to be right
     std::vector<Place> dirty_;      ///< cells of the lattice in which something was split last
     std::vector<Place> all_;        ///< those in `fine_cells_`
+    std::vector<Place> changed_;    ///< of them those whose edges and vertices the last halving may have changed
+    KeyMap placed_;                 ///< cells whose vertices are asked for; empty: all
     KeyMap fine_cells_;
     std::vector<Edge> edges_;
     std::array<KeyMap, 3> edge_of_;      ///< number in `edges_`, by axis and node

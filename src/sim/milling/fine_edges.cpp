@@ -153,19 +153,23 @@ void Fine::find_known() {
         }
 }
 
-/// All edges of halved cells and of those beside them that the surface crosses.
-void Fine::find_edges() {
+/// All edges that the surface crosses: of halved cells and of those beside them.
+void Fine::find_edges(const std::vector<Place>& cells) {
     edges_.clear();
     edge_of_ = {};
     const std::int32_t unit = leaves_.unit();
-    for (const Place& cell : all_)
+    for (const Place& cell : cells)
         leaves_.each_leaf(cell, [&](const Leaf& leaf) {
+            std::array<bool, 8> material{};
+            for (std::size_t c = 0; c < 8; ++c) material[c] = is_material(corner_of(leaf, static_cast<int>(c)));
+            if (std::all_of(material.begin(), material.end(), [&](bool m) { return m == material[0]; })) return;
             each_edge_of(leaf, [&](const ShortEdge& e) {
-                const bool leaves = is_material(e.at);
+                std::size_t low = 0;
+                for (std::size_t a = 0; a < 3; ++a) low |= std::size_t{e.at[a] > leaf.at[a]} << a;
+                const bool leaves = material[low];
+                if (leaves == material[low | std::size_t{1} << static_cast<unsigned>(e.axis)]) return;
                 KeyMap& own = edge_of_[static_cast<std::size_t>(e.axis)];
-                if (leaves == is_material(end_of(e)) || own.find(key_of(e.at)) != KeyMap::none ||
-                    !leaves_.is_short(e.at, e.size, e.axis))
-                    return;
+                if (own.find(key_of(e.at)) != KeyMap::none || !leaves_.is_short(e.at, e.size, e.axis)) return;
                 Edge edge;
                 edge.edge = e;
                 edge.around = leaves_.around(e.at, e.axis);

@@ -56,13 +56,14 @@ void Fine::join() {
     for (std::size_t e = 0; e < edges_.size(); ++e)
         for (std::size_t q = 0; q < 4; ++q)
             if (edges_[e].around[q] == edges_[e].around[(q + 1) % 4]) unite(slot_of(e, q), slot_of(e, (q + 1) % 4));
+    Rim rim;
     for (std::size_t e = 0; e < edges_.size(); ++e)
-        for (std::size_t side = 0; side < 4; ++side) join_face(e, side);
+        for (std::size_t side = 0; side < 4; ++side) join_face(e, side, rim);
 }
 
 /// Joins this crossing with the other one of its trace on a face between two leaves: around a run of nodes in material,
 /// which so are kept apart from others.
-void Fine::join_face(std::size_t edge, std::size_t side) {
+void Fine::join_face(std::size_t edge, std::size_t side, Rim& own) {
     const Edge& here = edges_[edge];
     const Leaf &a = here.around[side], &b = here.around[(side + 1) % 4];
     if (a == b || mate_[slot_of(edge, side)] != none || !(is_special(a) || is_special(b))) return;
@@ -73,7 +74,8 @@ void Fine::join_face(std::size_t edge, std::size_t side) {
     Place low = small.at;
     low[n] = here.edge.at[n];
     // Its rim, one round: along, aside, back, back.
-    std::vector<ShortEdge> rim, part;
+    std::vector<ShortEdge>&rim = own.all, &part = own.part;
+    rim.clear();
     const auto add = [&](Place at, std::size_t axis, bool back) {
         part.clear();
         leaves_.pieces(at, small.size, static_cast<int>(axis), part);
@@ -90,11 +92,8 @@ void Fine::join_face(std::size_t edge, std::size_t side) {
     }();
     add(far_aside, along, true);
     add(low, m, true);
-    struct Crossed {
-        std::uint32_t edge = 0;
-        bool enters = false;  ///< material, on the way round
-    };
-    std::vector<Crossed> crossed;
+    std::vector<Crossed>& crossed = own.crossed;
+    crossed.clear();
     for (std::size_t i = 0; i < rim.size(); ++i) {
         const std::uint32_t e = edge_of_[static_cast<std::size_t>(rim[i].axis)].find(key_of(rim[i].at));
         if (e == none || edges_[e].edge.size != rim[i].size) continue;
@@ -138,11 +137,15 @@ bool Fine::is_joined(const Leaf& small, const Place& low, std::size_t normal) co
            doubtful_face(nodes_.corners(before[0], before[1], before[2])) == face + 1;
 }
 
+bool Fine::is_placed(const Leaf& leaf) const {
+    return placed_.size() == 0 || placed_.find(key_of(leaves_.cell_of(leaf.at))) != KeyMap::none;
+}
+
 void Fine::place_vertices() {
     std::vector<std::uint32_t> slots;
     for (std::uint32_t s = 0; s < parent_.size(); ++s) {
         const Edge& e = edges_[s / 4];
-        if (!is_special(e.around[s % 4])) continue;
+        if (!is_special(e.around[s % 4]) || !is_placed(e.around[s % 4])) continue;
         static_cast<void>(root(s));
         slots.push_back(s);
     }

@@ -121,9 +121,16 @@ std::array<Leaf, 4> Leaves::around(const Place& at, int axis) const {
 }
 
 bool Leaves::is_short(const Place& at, std::int32_t size, int axis) const {
-    // A leaf as long as the stretch that reaches its first part reaches all of it: both are aligned.
-    const std::array<Leaf, 4> leaves = around(at, axis);
-    return std::all_of(leaves.begin(), leaves.end(), [&](const Leaf& l) { return l.size >= size; });
+    // A leaf as long as the stretch that reaches its first part reaches all of it: both are aligned. It is shorter where
+    // a cell of that size is halved.
+    if (size == 1) return true;
+    const auto u = static_cast<std::size_t>(first_across(axis)), v = static_cast<std::size_t>(second_across(axis));
+    return std::none_of(quadrants.begin(), quadrants.end(), [&](const std::array<int, 2>& q) {
+        Place p = at;
+        p[u] -= q[0];
+        p[v] -= q[1];
+        return is_split({down_to(p[0], size), down_to(p[1], size), down_to(p[2], size)}, size);
+    });
 }
 
 void Leaves::pieces(const Place& at, std::int32_t size, int axis, std::vector<ShortEdge>& out) const {

@@ -13,6 +13,7 @@ namespace {
 using geom::Vec3;
 
 constexpr double still = 1e-9;          ///< mm
+constexpr double no_way = 1e-11;        ///< mm: rounding
 constexpr int most_pieces = 1'000'000;  ///< of one pass
 constexpr std::size_t most_sweeps = 0xFFFFFFFE;
 constexpr std::size_t batch = 2048;  ///< sweeps carried out together: enough to share out, few enough for the cache
@@ -154,6 +155,10 @@ Track Simulation::track_of(const Sweep& sweep) const {
     const Orientation& frame = orientations_[sweep.orientation];
     Track track;
     track.v = frame.to_tool(sweep.to - sweep.from);
+    // Turned through rotary axes, ways across or along the tool's axis are so but for their last digits; asked as
+    // slanting ones, their bodies cost many times more.
+    if (std::abs(track.v.z) <= no_way) track.v.z = 0;
+    if (std::abs(track.v.x) <= no_way && std::abs(track.v.y) <= no_way) track.v.x = track.v.y = 0;
     if (sweep.circle == 0) return track;
     const Circle& circle = circles_[sweep.circle - 1];
     const Vec3 centre = frame.to_tool(circle.centre - sweep.from);
