@@ -126,49 +126,6 @@ void Fine::halve(std::vector<Leaf> next) {
     if (changed_.size() < all_.size()) find_surface(all_);
 }
 
-void Fine::find_surface(const std::vector<Place>& cells) {
-    find_edges(cells);
-    join();
-    place_vertices();
-}
-
-namespace {
-
-/// Cells and those about them.
-std::vector<Place> grown(const std::vector<Place>& cells) {
-    std::vector<Place> all;
-    KeyMap known;
-    for (const Place& c : cells)
-        for (int dz = -1; dz <= 1; ++dz)
-            for (int dy = -1; dy <= 1; ++dy)
-                for (int dx = -1; dx <= 1; ++dx) {
-                    const Place p{c[0] + dx, c[1] + dy, c[2] + dz};
-                    const std::size_t before = known.size();
-                    if (p[0] < 0 || p[1] < 0 || p[2] < 0) continue;
-                    known.add(key_of(p), 1);
-                    if (known.size() > before) all.push_back(p);
-                }
-    return all;
-}
-
-}  // namespace
-
-/// What halving goes on from: it runs along edges of the part cell by cell, and to find all of the surface each time
-/// would cost the square of their length. Edges are tested that have a leaf in a cell beside the halved ones; their
-/// vertices lie one cell farther, and what these are made of one more: found in the same order as in all cells, so that
-/// they are the same.
-void Fine::find_changed() {
-    constexpr std::size_t most_of_them = 8;  // so many times as many cells: then most are about them
-    placed_ = {};
-    changed_ = all_;
-    if (most_of_them * dirty_.size() >= all_.size()) return;
-    const std::vector<Place> asked = grown(grown(dirty_));
-    for (const Place& c : asked) placed_.add(key_of(c), 1);
-    KeyMap about;
-    for (const Place& c : grown(asked)) about.add(key_of(c), 1);
-    std::erase_if(changed_, [&](const Place& c) { return about.find(key_of(c)) == KeyMap::none; });
-}
-
 void Fine::find_fine_cells() {
     all_ = leaves_.split_cells();
     for (const Place& p : leaves_.cells_beside()) all_.push_back(p);
