@@ -22,6 +22,7 @@ constexpr double near_enough = 1.1;          ///< times the depth that is reache
 constexpr std::size_t few_cuts = 12;         ///< that are not sorted out further
 constexpr double thin_piece = 1e-9;          ///< mm
 constexpr std::size_t parts_refining = 400;  ///< cells, once something is found
+constexpr double much_more = 1.3;            ///< times the depth found: what may still be there is looked for longer
 constexpr double slim = 8;                   ///< times as long as wide: then it is made shorter
 constexpr double longest_counts = 0.1;
 constexpr std::size_t quick_cells = 300;  ///< before it is looked at from within
@@ -66,6 +67,16 @@ double widest(const LeftBody& b) {
     double r = 0;
     for (const Vec2& at : b.profile) r = std::max(r, at.x);
     return r;
+}
+
+/// At a height between the ends of its profile.
+double radius_of(const LeftBody& b, double height) {
+    for (std::size_t i = 1; i < b.profile.size(); ++i) {
+        const Vec2 low = b.profile[i - 1], high = b.profile[i];
+        if (height > high.y || !(high.y - low.y > thin_piece)) continue;
+        return low.x + (high.x - low.x) * std::clamp((height - low.y) / (high.y - low.y), 0.0, 1.0);
+    }
+    return b.profile.back().x;
 }
 
 class PartSearch {
@@ -290,13 +301,17 @@ void PartSearch::look(const LeftPart& cell) {
     }
     const LeftBody& b = cell.body;
     const Vec3 middle = b.corner + 0.5 * (b.edges[0] + b.edges[1] + b.edges[2]);
-    for (const Vec2& at : {b.profile.front(), b.profile.back()}) {
-        const Disc disc{middle + at.y * b.axis, at.x};
+    // Beyond the stock's ends there is nothing to be found.
+    const double tip = geom::dot(b.axis, middle), low = stock_.low - tip, high = stock_.high - tip;
+    for (const double height : {b.profile.front().y, b.profile.back().y}) {
+        const double at = std::clamp(std::clamp(height, low, high), b.profile.front().y, b.profile.back().y);
+        const double radius = radius_of(b, at);
+        const Disc disc{middle + at * b.axis, radius};
         look_at(disc.centre, cell);
-        if (cell.best == 0 || at.x == 0) continue;
+        if (cell.best == 0 || radius == 0) continue;
         const Vec3 out = s_.cuts[cell.best - 1].outwards(disc);
-        look_at(disc.centre + at.x * out, cell);
-        look_at(disc.centre - at.x * out, cell);
+        look_at(disc.centre + radius * out, cell);
+        look_at(disc.centre - radius * out, cell);
     }
 }
 
@@ -354,7 +369,9 @@ LeftDepth PartSearch::run(bool sample) {
     while (!open_.empty()) {
         if (open_.top().bound <= threshold() || best_.depth >= s_.enough / near_enough) break;
         if (best_.depth > 0 && found_at_ == 0) found_at_ = cells_;
-        if (cells_ >= s_.most_cells || (found_at_ > 0 && cells_ >= found_at_ + parts_refining)) {
+        const bool far_apart = open_.top().bound > much_more * best_.depth;
+        const std::size_t refining = far_apart ? 20 * parts_refining : parts_refining;
+        if (cells_ >= s_.most_cells || (found_at_ > 0 && cells_ >= found_at_ + refining)) {
             best_.decided = best_.depth > 0;
             best_.bound = open_.top().bound;
             return best_;
