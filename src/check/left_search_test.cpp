@@ -55,6 +55,19 @@ TEST(LeftSearch, AShankAsThickAsTheCutterTouchesAndIsClear) {
     EXPECT_NEAR(deeper.depth, 0.02, 0.003);
 }
 
+/// Flutes that end where the stock does: all over the end of their cut it is nearly as deep in the one as off the other.
+TEST(LeftSearch, AShankGoesDownInACutThatEndsWithTheStock) {
+    SearchWorld w;
+    const std::uint32_t mill = w.tool(24, milling::CutterKind::end_mill, 10);
+    w.cut(mill, straight({30, 20, -10}, {30, 20.5, -10}));
+    constexpr std::size_t few = 200;
+    const LeftDepth d = w.deepest(shank({33, 20, -10.5}, {33, 20.1, -10.508}, 6, 10, 40), few);
+    EXPECT_TRUE(d.decided);
+    EXPECT_EQ(d.depth, 0);
+    const LeftDepth beside = w.deepest(shank({39, 20, -10.5}, {39, 20.1, -10.508}, 6, 10, 40));
+    EXPECT_GT(beside.depth, 0.1);
+}
+
 TEST(LeftSearch, AnArcAsTheCutterWentIsClear) {
     SearchWorld w;
     const std::uint32_t mill = w.tool(10);
