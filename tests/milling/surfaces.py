@@ -2,7 +2,7 @@
 """Random programs of all tools, in three axes and swivelled, lines, arcs and helices: the surface that obrys writes as STL against
 the exact one, both ways, by exact/ (a program of its own that shares nothing with src/).
 
-usage: surfaces.py OBRYS EXACT [--count 60] [--first 0] [--seed 1] [--tolerance 0.01] [--times 1] [--plain]
+usage: surfaces.py OBRYS EXACT [--count 60] [--first 0] [--seed 1] [--tolerance 0.01] [--times 1] [--plain] [--cases S.N,S.N]
                    [--keep FOLDER]
 --times: how many tolerances count as beyond. Each complaint names its number; --first NUMBER --count 1 --keep FOLDER makes it again.
 """
@@ -115,16 +115,21 @@ def main():
     parser.add_argument("--each", type=int, default=60)
     parser.add_argument("--most", type=int, default=60000)
     parser.add_argument("--plain", action="store_true", help="a few straight moves of round tools")
+    parser.add_argument("--cases", help="these instead: seed.number,seed.number,...")
     parser.add_argument("--keep")
     options = parser.parse_args()
     failed, worst, named, in_vain = 0, {}, 0, 0
-    for number in range(options.first, options.first + options.count):
-        program, stock = (plain if options.plain else made)(randoms.Random(f"{options.seed}.{number}"))
+    cases = [f"{options.seed}.{n}" for n in range(options.first, options.first + options.count)]
+    if options.cases:
+        cases = options.cases.split(",")
+    for case in cases:
+        number = int(case.rsplit(".", 1)[1])
+        program, stock = (plain if options.plain else made)(randoms.Random(case))
         with jobs.folder_of(options.keep) as folder:
             found = measured(options, program, stock, folder, number)
         if isinstance(found, str):
             failed += 1
-            print(f"{number}: {found}", flush=True)
+            print(f"{case}: {found}", flush=True)
             continue
         found, places = found
         beyond = {k: v for k, v in found.items() if v[0] > 1.001 * options.times * options.tolerance}
@@ -133,11 +138,11 @@ def main():
         kinds = ", ".join(t.keys["kind"] for t in program.tools)
         if places:
             named, in_vain = named + 1, in_vain + (not beyond)
-            print(f"{number}: {places} places named as not followed" + (", in vain" if not beyond else "") + f" ({kinds})", flush=True)
+            print(f"{case}: {places} places named as not followed" + (", in vain" if not beyond else "") + f" ({kinds})", flush=True)
         if beyond:
             failed += not places
-            print(f"{number}: " + "; ".join(f"{k} {v[0]:.4f} at {v[1]}" for k, v in beyond.items()) + f" ({kinds})", flush=True)
-    print(f"{options.count} programs at {options.tolerance}, {failed} with surfaces more than {options.times:g} times that off unsaid, "
+            print(f"{case}: " + "; ".join(f"{k} {v[0]:.4f} at {v[1]}" for k, v in beyond.items()) + f" ({kinds})", flush=True)
+    print(f"{len(cases)} programs at {options.tolerance}, {failed} with surfaces more than {options.times:g} times that off unsaid, "
           f"{named} with places named as not followed, {in_vain} of these in vain; worst "
           + ", ".join(f"{k} {v:.4f}" for k, v in sorted(worst.items())), flush=True)
     return 1 if failed or in_vain else 0

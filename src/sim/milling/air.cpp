@@ -201,6 +201,33 @@ double StockBody::most_within(std::span<const Vec3> corners) const {
     return std::max(least, within(middle));
 }
 
+std::vector<StockBody::Face> StockBody::faces_at(Vec3 p, double deep) const {
+    std::vector<Face> faces;
+    const auto add = [&](double within, Vec3 in) {
+        if (within <= deep) faces.push_back({within, in});
+    };
+    const auto along = [](int axis, double sign) {
+        Vec3 v;
+        set_component(v, axis, sign);
+        return v;
+    };
+    if (const auto* box = std::get_if<Box3>(&body_))
+        for (int axis = 0; axis < 3; ++axis) {
+            add(component(p, axis) - component(box->min, axis), along(axis, 1));
+            add(component(box->max, axis) - component(p, axis), along(axis, -1));
+        }
+    if (const auto* bar = std::get_if<CylinderStock>(&body_)) {
+        Vec3 out = p - bar->centre;
+        const double height = component(out, bar->axis);
+        set_component(out, bar->axis, 0);
+        const double far = length(out);
+        add(height, along(bar->axis, 1));
+        add(bar->length - height, along(bar->axis, -1));
+        if (far > 0) add(bar->radius - far, (-1 / far) * out);
+    }
+    return faces;
+}
+
 double Air::outside(std::size_t body, Vec3 p, double enough) const {
     if (body == 0) return stock_->within(p);
     const Sweep& s = sweeps_[body - 1];

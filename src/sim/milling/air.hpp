@@ -24,6 +24,14 @@ public:
     [[nodiscard]] double within(geom::Vec3 p) const;
     /// No place of the hull of some points lies deeper; of a mesh what the points and their middle tell, not proved.
     [[nodiscard]] double most_within(std::span<const geom::Vec3> corners) const;
+    /// One of its faces: how deep a point lies behind its plane, and the direction into the stock.
+    struct Face {
+        double within = 0;
+        geom::Vec3 in;
+    };
+    /// Those that a point in or near the stock lies no deeper behind than so: at an edge two, at a corner three. Of a
+    /// mesh none is told.
+    [[nodiscard]] std::vector<Face> faces_at(geom::Vec3 p, double deep) const;
     [[nodiscard]] bool closed() const { return closed_; }
 
 private:

@@ -150,7 +150,12 @@ bool Exact::is_on_surface(const Near& near, Vec3 p, double allowed, double in_ma
                 return sweeps_within(*s->shape, s->track, s->frame.to_tool(p - s->from), in_material);
             });
     if (!close || !in_air || count < 2) return close;
-    if (blank_too) around[0] = side(near, 0, p);  // asks a mesh for its normal: where it is needed alone
+    if (blank_too) {
+        around[0] = side(near, 0, p);  // asks a mesh for its normal: where it is needed alone
+        // The way out of the other bodies must not leave the stock over an edge.
+        for (const StockBody::Face& f : stock_.faces_at(p, allowed))
+            if (count < most_around) around[count++] = {f.within, f.in};
+    }
     return is_left({around.data(), count}, allowed);
 }
 

@@ -112,7 +112,8 @@ public:
                                ? s.track.radius * std::acos(std::clamp(dot(s.track.first, s.track.last), -1.0, 1.0))
                                : length(s.track.v);
         if (s.track.upright() || !(v.x * v.x + v.y * v.y > 0)) return;
-        const double count = std::ceil(way / apart_);
+        // A point leaves a groove whose bottom no face beside it bounds.
+        const double count = std::ceil(way / (rim.r > 0 ? apart_ : 0.2 * apart_));
         for (double i = 0; i <= count; ++i) {
             const Vec3 at = point_on(s.track, i / count);
             geom::Vec2 side{-v.y, v.x};
