@@ -62,13 +62,13 @@ Vec3 spoke_to(const HoleAxis& axis, Vec3 p) {
 /// In how many directions from the axis points lie.
 std::size_t width_of(const std::vector<WallPoint>& arc, const HoleAxis& axis) {
     const Vec3 u = spoke_to(axis, arc.front().at), v = cross(axis.along, u);
-    std::array<bool, hole_directions> seen{};
+    std::array<bool, hole_directions> met{};
     for (const WallPoint& p : arc) {
         const Vec3 spoke = spoke_to(axis, p.at);
         const double turn = std::atan2(dot(spoke, v), dot(spoke, u)) / (2 * geom::pi) + 0.5;
-        seen[base::clipped<std::size_t>(turn * static_cast<double>(hole_directions), 0, hole_directions - 1)] = true;
+        met[base::clipped<std::size_t>(turn * static_cast<double>(hole_directions), 0, hole_directions - 1)] = true;
     }
-    return static_cast<std::size_t>(std::count(seen.begin(), seen.end(), true));
+    return static_cast<std::size_t>(std::count(met.begin(), met.end(), true));
 }
 
 double middle_about(const HoleAxis& axis, const std::vector<WallPoint>& arc) {

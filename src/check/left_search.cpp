@@ -20,7 +20,6 @@ namespace {
 
 constexpr double near_enough = 1.1;          ///< times the depth that is reached: no deeper
 constexpr std::size_t few_cuts = 12;         ///< that are not sorted out further
-constexpr double thin_piece = 1e-9;          ///< mm
 constexpr std::size_t parts_refining = 400;  ///< cells, once something is found
 constexpr double much_more = 1.3;            ///< times the depth found: what may still be there is looked for longer
 constexpr double slim = 8;                   ///< times as long as wide: then it is made shorter
@@ -42,43 +41,6 @@ struct LeftPart {
     bool solid() const { return !body.profile.empty(); }
 };
 
-std::vector<Disc> discs_of(const LeftBody& b) {
-    std::vector<Vec3> tips{b.corner};
-    for (const Vec3& edge : b.edges) {
-        if (edge == Vec3{}) continue;
-        const std::size_t n = tips.size();
-        for (std::size_t i = 0; i < n; ++i) tips.push_back(tips[i] + edge);
-    }
-    std::vector<Disc> discs;
-    for (const Vec3& tip : tips) {
-        if (b.profile.empty()) discs.push_back({tip, 0});
-        for (const Vec2& at : b.profile) discs.push_back({tip + at.y * b.axis, at.x});
-    }
-    return discs;
-}
-
-Vec3 middle_of(const LeftBody& b) {
-    Vec3 middle = b.corner + 0.5 * (b.edges[0] + b.edges[1] + b.edges[2]);
-    if (!b.profile.empty()) middle = middle + (0.5 * (b.profile.front().y + b.profile.back().y)) * b.axis;
-    return middle;
-}
-
-double widest(const LeftBody& b) {
-    double r = 0;
-    for (const Vec2& at : b.profile) r = std::max(r, at.x);
-    return r;
-}
-
-/// At a height between the ends of its profile.
-double radius_of(const LeftBody& b, double height) {
-    for (std::size_t i = 1; i < b.profile.size(); ++i) {
-        const Vec2 low = b.profile[i - 1], high = b.profile[i];
-        if (height > high.y || !(high.y - low.y > thin_piece)) continue;
-        return low.x + (high.x - low.x) * std::clamp((height - low.y) / (high.y - low.y), 0.0, 1.0);
-    }
-    return b.profile.back().x;
-}
-
 class PartSearch {
 public:
     PartSearch(const LeftSearch& s, const LeftBody& whole);
@@ -94,8 +56,6 @@ private:
     void split(const LeftPart& cell);
     void look(const LeftPart& cell);
     void look_at(Vec3 p, const LeftPart& cell);
-    [[nodiscard]] std::vector<std::array<LeftBody, 2>> halves(const LeftBody& b) const;
-    [[nodiscard]] LeftBody boxed(const LeftBody& b) const;
     [[nodiscard]] bool outside(const LeftBody& box) const;
     [[nodiscard]] bool middle_is_clear(const LeftPart& cell) const;
     [[nodiscard]] std::vector<Disc> discs_in_stock(const LeftBody& b) const;
@@ -130,57 +90,6 @@ PartSearch::PartSearch(const LeftSearch& s, const LeftBody& whole)
     sweep_.track.v = sweep_.frame.to_tool(whole.edges[0]);
     sweep_.from = whole.corner;
     own_.emplace(sweep_, 0, shape_.pieces.size());
-}
-
-/// Its length and height, each in two.
-std::vector<std::array<LeftBody, 2>> PartSearch::halves(const LeftBody& b) const {
-    std::vector<std::array<LeftBody, 2>> all;
-    for (std::size_t k = 0; k < 3; ++k) {
-        if (!(geom::length(b.edges[k]) > thin_piece)) continue;
-        std::array<LeftBody, 2> two{b, b};
-        two[0].edges[k] = two[1].edges[k] = 0.5 * b.edges[k];
-        two[1].corner = two[1].corner + two[0].edges[k];
-        all.push_back(std::move(two));
-    }
-    if (b.profile.size() < 2 || !(b.profile.back().y - b.profile.front().y > thin_piece)) return all;
-    const double middle = 0.5 * (b.profile.front().y + b.profile.back().y);
-    std::array<LeftBody, 2> two{b, b};
-    two[0].profile.clear(), two[1].profile.clear();
-    for (std::size_t i = 0; i < b.profile.size(); ++i) {
-        const Vec2 at = b.profile[i];
-        if (i > 0 && b.profile[i - 1].y < middle && at.y >= middle) {
-            const Vec2 low = b.profile[i - 1];
-            const Vec2 cut{low.x + (at.x - low.x) * (middle - low.y) / (at.y - low.y), middle};
-            two[0].profile.push_back(cut);
-            two[1].profile.push_back(cut);
-        }
-        if (at.y < middle) two[0].profile.push_back(at);
-        if (at.y > middle) two[1].profile.push_back(at);
-    }
-    for (const LeftBody& half : two)
-        if (half.profile.empty()) return all;
-    all.push_back(std::move(two));
-    return all;
-}
-
-/// A parallelepiped around it, on a straight way, so that its discs can be cut, too.
-LeftBody PartSearch::boxed(const LeftBody& b) const {
-    const double r = widest(b), low = b.profile.front().y, high = b.profile.back().y;
-    LeftBody box;
-    box.axis = b.axis;
-    const Vec3 way = b.edges[0];
-    const double rise = geom::dot(way, b.axis);
-    const Vec3 flat = way - rise * b.axis;
-    const double size = geom::length(flat);
-    const milling::Orientation frame = milling::orientation_of(b.axis);
-    const Vec3 along = size > thin_piece ? (1 / size) * flat : frame.x;
-    const Vec3 across = geom::cross(b.axis, along);
-    const double slope = size > thin_piece ? rise / size : 0;  // the box leans with the way
-    const Vec3 leaning = along + slope * b.axis;
-    const double more = std::abs(slope) * r, straight_up = size > thin_piece ? 0 : rise;
-    box.edges = {(size + 2 * r) * leaning, 2 * r * across, (high - low + 2 * more + std::abs(straight_up)) * b.axis};
-    box.corner = b.corner - r * leaning - r * across + (low - more + std::min(0.0, straight_up)) * b.axis;
-    return box;
 }
 
 /// Whether no place of a parallelepiped lies in the body.
@@ -327,7 +236,7 @@ bool PartSearch::middle_is_clear(const LeftPart& cell) const {
 /// In two so that a half is done with; else so that it becomes less deep or shorter; discs as boxes where neither half
 /// is.
 void PartSearch::split(const LeftPart& cell) {
-    const std::vector<std::array<LeftBody, 2>> choices = halves(cell.body);
+    const std::vector<std::array<LeftBody, 2>> choices = halves_of(cell.body);
     const auto length_of = [](const std::array<LeftBody, 2>& two) {
         return geom::distance(middle_of(two[0]), middle_of(two[1]));
     };

@@ -7,18 +7,9 @@
 #include <optional>
 #include <vector>
 
-#include "check/left_cuts.hpp"
+#include "check/left_body.hpp"
 
 namespace obrys::check {
-
-/// A body whose tip is anywhere in a parallelepiped: its corner and three edges, some of which have no length.
-struct LeftBody {
-    geom::Vec3 corner;
-    std::array<geom::Vec3, 3> edges;
-    geom::Vec3 axis{0, 0, 1};         ///< unit length
-    std::vector<geom::Vec2> profile;  ///< convex half section: radius and height, upwards, two points at least
-    std::optional<ArcWay> arc;        ///< the way lies on it, and the parallelepiped around that piece
-};
 
 struct StockPlanes;
 

@@ -150,7 +150,7 @@ void add_doubtful(std::vector<mesh::Place>& places, std::vector<mesh::Place>& do
 }
 
 /// A part of a place that is too large to be looked at in one.
-struct Patch {
+struct SurfacePatch {
     milling::Box3 box;
     double claimed = 0;  ///< by its triangles
 };
@@ -170,7 +170,7 @@ public:
         }
     }
     /// Of a place, in cubes of a side, the worst first.
-    [[nodiscard]] std::vector<Patch> patches(const mesh::Place& p, geom::Vec3 step) {
+    [[nodiscard]] std::vector<SurfacePatch> patches(const mesh::Place& p, geom::Vec3 step) {
         const std::uint32_t own = root(surface_.triangles[p.triangle][0]);
         std::map<std::array<long, 3>, std::pair<mesh::Box, double>> cubes;
         for (const auto& [t, off] : all_) {
@@ -184,10 +184,11 @@ public:
             for (const geom::Vec3& c : mesh::corners(surface_, t)) box.add(c);
             claimed = std::max(claimed, off);
         }
-        std::vector<Patch> all;
+        std::vector<SurfacePatch> all;
         for (const auto& [cube, patch] : cubes)
             all.push_back({{patch.first.lo - step, patch.first.hi + step}, patch.second});
-        std::stable_sort(all.begin(), all.end(), [](const Patch& a, const Patch& b) { return a.claimed > b.claimed; });
+        std::stable_sort(all.begin(), all.end(),
+                         [](const SurfacePatch& a, const SurfacePatch& b) { return a.claimed > b.claimed; });
         return all;
     }
 
@@ -202,28 +203,28 @@ private:
 };
 
 /// Of the patches, the worst first, that claim at least so much.
-const Patch& middle_patch(const std::vector<Patch>& patches, double least) {
+const SurfacePatch& middle_patch(const std::vector<SurfacePatch>& patches, double least) {
     const auto end =
-        std::find_if(patches.begin() + 1, patches.end(), [&](const Patch& p) { return p.claimed < least; });
-    const auto centre = [](const Patch& p) { return 0.5 * (p.box.min + p.box.max); };
+        std::find_if(patches.begin() + 1, patches.end(), [&](const SurfacePatch& p) { return p.claimed < least; });
+    const auto centre = [](const SurfacePatch& p) { return 0.5 * (p.box.min + p.box.max); };
     geom::Vec3 sum;
     for (auto p = patches.begin(); p != end; ++p) sum = sum + centre(*p);
     const geom::Vec3 middle = (1 / static_cast<double>(end - patches.begin())) * sum;
-    return *std::min_element(patches.begin(), end, [&](const Patch& a, const Patch& b) {
+    return *std::min_element(patches.begin(), end, [&](const SurfacePatch& a, const SurfacePatch& b) {
         return geom::distance(centre(a), middle) < geom::distance(centre(b), middle);
     });
 }
 
 /// Of a place too large to be looked at in one: patch by patch, until no other one claims more than was found. False:
 /// it is not there.
-bool confirm_patches(mesh::Place& p, const std::vector<Patch>& patches, const Machined& m,
+bool confirm_patches(mesh::Place& p, const std::vector<SurfacePatch>& patches, const Machined& m,
                      const mesh::CompareOptions& options, bool gouges, std::size_t& budget) {
     const geom::Vec3 step = m.simulation.dexels().lattice().step;
     const double allowed = gouges ? options.gouge : options.excess;
     if (patches.empty()) return true;
     Worst best;
     double open = 0;  // what could not be decided
-    for (const Patch& patch : patches) {
+    for (const SurfacePatch& patch : patches) {
         if (patch.claimed <= std::max(std::abs(best.deviation), open) + as_good * allowed) break;
         const double fine = step_of(patch.box, std::min({step.x, step.y, step.z}), most_patches - budget);
         if (budget == 0 || !(fine > 0) || (m.stop && m.stop())) {
@@ -243,7 +244,7 @@ bool confirm_patches(mesh::Place& p, const std::vector<Patch>& patches, const Ma
     }
     const bool there = std::abs(best.deviation) > allowed;
     if (there && budget > 0) {  // of many that are as bad the one in their middle
-        const Patch& middle = middle_patch(patches, std::abs(best.deviation) - as_good * allowed);
+        const SurfacePatch& middle = middle_patch(patches, std::abs(best.deviation) - as_good * allowed);
         const double fine = step_in(middle.box, std::min({step.x, step.y, step.z}));
         Worst worst;
         if (fine > 0) worst = worst_of(m.simulation.surface_points(middle.box, fine), m, options, gouges);
