@@ -99,8 +99,7 @@ bool Fine::leaf_of(Vec3 p, Leaf& leaf) const {
 void Fine::leave_open(Vec3 p) {
     Leaf leaf;
     if (!leaf_of(p, leaf)) return;
-    const std::int32_t s = leaf.size;
-    open_.push_back({leaves_.node(leaf.at), leaves_.node({leaf.at[0] + s, leaf.at[1] + s, leaf.at[2] + s})});
+    open_.push_back(box_of(leaf));
 }
 
 void Fine::halve(std::vector<Leaf> next) {
@@ -256,15 +255,11 @@ std::vector<Leaf> Fine::leaves_to_split() {
     KeyMap dirty;
     for (const Place& c : dirty_) dirty.add(key_of(c), 1);
     std::vector<std::vector<Leaf>> found(all_.size());
-    std::vector<std::vector<Box3>> open(all_.size());
+    std::vector<std::vector<Leaf>> given_up(all_.size());
     std::vector<std::vector<std::uint32_t>> right(all_.size());
     tbb::parallel_for(std::size_t{0}, all_.size(), [&](std::size_t n) {
         const bool own = dirty.find(key_of(all_[n])) != KeyMap::none;
         if (!own && edges[n].empty()) return;
-        const auto give_up = [&](const Leaf& leaf) {
-            open[n].push_back({leaves_.node(leaf.at),
-                               leaves_.node({leaf.at[0] + leaf.size, leaf.at[1] + leaf.size, leaf.at[2] + leaf.size})});
-        };
         if (own) {
             const Near near = exact_.near(all_[n], false);
             leaves_.each_leaf(all_[n], [&](const Leaf& leaf) {
@@ -279,13 +274,14 @@ std::vector<Leaf> Fine::leaves_to_split() {
             const std::size_t before = found[n].size();
             for (const Leaf& leaf : edges_[e].around)
                 if (leaf.size > 1) found[n].push_back(leaf);
-            if (found[n].size() == before && is_off(all_[n], e, tolerance_, tolerance_)) give_up(edges_[e].around[0]);
+            if (found[n].size() == before && is_off(all_[n], e, tolerance_, tolerance_))
+                given_up[n].push_back(edges_[e].around[0]);
         }
     });
     std::vector<Leaf> split;
     for (std::size_t n = 0; n < all_.size(); ++n) {
         split.insert(split.end(), found[n].begin(), found[n].end());
-        open_.insert(open_.end(), open[n].begin(), open[n].end());
+        given_up_.insert(given_up_.end(), given_up[n].begin(), given_up[n].end());
         for (const std::uint32_t e : right[n]) {
             const ShortEdge& at = edges_[e].edge;
             tested_[static_cast<std::size_t>(at.axis)].set(key_of(at.at), likeness(e));
@@ -297,10 +293,25 @@ std::vector<Leaf> Fine::leaves_to_split() {
     std::sort(split.begin(), split.end(), before);
     split.erase(std::unique(split.begin(), split.end()), split.end());
     if (known_.size() < most_known) return split;
-    for (const Leaf& leaf : split)
-        open_.push_back({leaves_.node(leaf.at),
-                         leaves_.node({leaf.at[0] + leaf.size, leaf.at[1] + leaf.size, leaf.at[2] + leaf.size})});
+    for (const Leaf& leaf : split) open_.push_back(box_of(leaf));
     return {};
+}
+
+/// What was too fine once may have become right with its neighbours.
+void Fine::settle() {
+    KeyMap given_up;
+    for (const Leaf& leaf : given_up_) given_up.add(key_of(leaf.at), 1);
+    given_up_.clear();
+    for (std::size_t e = 0; e < edges_.size() && given_up.size() > 0; ++e)
+        for (const Leaf& leaf : edges_[e].around)
+            if (given_up.find(key_of(leaf.at)) != KeyMap::none &&
+                is_off(leaves_.cell_of(leaf.at), e, tolerance_, tolerance_))
+                open_.push_back(box_of(leaf));
+}
+
+Box3 Fine::box_of(const Leaf& leaf) const {
+    const std::int32_t s = leaf.size;
+    return {leaves_.node(leaf.at), leaves_.node({leaf.at[0] + s, leaf.at[1] + s, leaf.at[2] + s})};
 }
 
 Refined Fine::figures() const {

@@ -35,6 +35,8 @@ public:
     [[nodiscard]] std::vector<Unshown> show(const std::vector<Unshown>& places);
     /// A place that could not be made right.
     void leave_open(geom::Vec3 p);
+    /// Of what could not be made right, keeps what is not right now. To be called once nothing is halved any more.
+    void settle();
     /// The cells of which `is_fine` is true.
     [[nodiscard]] const std::vector<Place>& cells() const { return all_; }
     /// True for the cells that are halved and those that share an edge with one: triangles about their edges come from
@@ -68,6 +70,7 @@ private:
     };
 
     void halve(std::vector<Leaf> next);
+    [[nodiscard]] Box3 box_of(const Leaf& leaf) const;
     [[nodiscard]] bool is_small(std::int32_t size) const;
     void find_fine_cells();
     void find_changed();
@@ -145,7 +148,8 @@ private:
     std::vector<std::uint32_t> mate_;    ///< of sides: the other side of the same trace
     std::vector<std::uint32_t> vertex_;  ///< of slots, counted from the coarse vertices on
     std::vector<geom::Vec3> vertices_;
-    std::vector<Box3> open_;  ///< what could not be made fine enough
+    std::vector<Leaf> given_up_;  ///< smallest ones whose triangles were off
+    std::vector<Box3> open_;      ///< what could not be made fine enough
 };
 
 }  // namespace obrys::sim::milling

@@ -221,6 +221,7 @@ Surface extract_surface(const Simulation& simulation, const Stop& stop) {
     fine.refine(coarse);
     show_all(
         simulation, nodes, exact, fine, [&] { return builder.with(fine); }, stop);
+    fine.settle();
     s.refined = fine.figures();
     if (s.refined.cells > 0) {
         s.mesh = builder.with(fine);
