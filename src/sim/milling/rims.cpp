@@ -151,7 +151,7 @@ bool goes_on(const Air::Sweep& a, const Air::Sweep& b) {
 
 }  // namespace
 
-std::vector<Vec3> rims(const Simulation& simulation, Exact& exact, const NodeBits& nodes) {
+std::vector<Vec3> rims(const Simulation& simulation, Exact& exact, const NodeBits& nodes, Sharp sharp) {
     const Lattice& l = exact.lattice();
     ByCell by_cell(l, nodes);
     RimPlaces places(by_cell, l, 0.5 * std::min({l.step.x, l.step.y, l.step.z}));
@@ -170,6 +170,7 @@ std::vector<Vec3> rims(const Simulation& simulation, Exact& exact, const NodeBit
         const Air::Sweep s = simulation.body_of(wholes[n]);
         const bool goes = n + 1 < wholes.size() && goes_on(s, simulation.body_of(wholes[n + 1]));
         for (const Rim& rim : rims) {
+            if ((rim.r > 0) != (sharp == Sharp::rims)) continue;
             places.standing(s, rim, {}, joined ? came : Vec3{}, way_at(s.track, false));
             places.along(s, rim);
             if (!goes) places.standing(s, rim, s.track.v, way_at(s.track, true), {});

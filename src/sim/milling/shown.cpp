@@ -22,6 +22,10 @@ constexpr double wanted = 0.7;  ///< of the tolerance: how far from the mesh pla
 constexpr double wanted_within = 0.95;
 constexpr std::size_t some_parts = 150;     ///< of a triangle: what is harder to show to be right is halved
 constexpr std::size_t many_parts = 20'000;  ///< of one that could not be halved
+/// Tolerances by which the bottom of a groove of a tool's point may be filled in unsaid: no rest material is lost
+/// there, and gouges are found by the tool itself.
+constexpr double points_left = 2;
+constexpr double within_left = 1.25;  ///< tolerances: how deep a place may lie that could not be halved, unsaid
 constexpr int most_rounds = 24;
 
 /// The cells that places lie in, and those around them.
@@ -99,7 +103,8 @@ void show_all(const Simulation& simulation, const NodeBits& nodes, Exact& exact,
     constexpr std::int32_t together = 4, fine_together = 2;  // cells, along each axis
     const double tolerance = simulation.tolerance();
     const Lattice& lattice = exact.lattice();
-    std::vector<Vec3> places = rims(simulation, exact, nodes);
+    std::vector<Vec3> places = rims(simulation, exact, nodes, Sharp::rims);
+    const std::vector<Vec3> points = rims(simulation, exact, nodes, Sharp::points);
     KeyMap known;
     std::vector<Place> cells = mixed_cells(nodes);
     WithinMaterial within(exact);
@@ -110,6 +115,7 @@ void show_all(const Simulation& simulation, const NodeBits& nodes, Exact& exact,
         places.insert(places.end(), edges.begin(), edges.end());
         const mesh::Mesh now = mesh();
         std::vector<Unshown> wrong = unshown(now, places, lattice, wanted * tolerance);
+        for (const Unshown& u : unshown(now, points, lattice, wanted * tolerance)) wrong.push_back(u);
         for (const Vec3& p : within.places(now, wanted_within * tolerance, some_parts)) wrong.push_back({p, p});
         if (wrong.empty() && (round > 0 || fine.cells().empty())) return;
         const std::vector<Unshown> left = fine.show(wrong);
@@ -117,7 +123,8 @@ void show_all(const Simulation& simulation, const NodeBits& nodes, Exact& exact,
     }
     const mesh::Mesh now = mesh();
     for (const Unshown& u : unshown(now, places, lattice, tolerance)) fine.leave_open(u.at);
-    for (const Vec3& p : within.places(now, tolerance, many_parts)) fine.leave_open(p);
+    for (const Unshown& u : unshown(now, points, lattice, points_left * tolerance)) fine.leave_open(u.at);
+    for (const Vec3& p : within.places(now, within_left * tolerance, many_parts)) fine.leave_open(p);
 }
 
 }  // namespace obrys::sim::milling

@@ -2,6 +2,7 @@
 /// Places of the exact surface that the nodes of a lattice may not tell of: edges and corners of the material where
 /// faces of several cuts meet, and the sharp rims of tools that ended or passed in the material.
 
+#include <cstdint>
 #include <vector>
 
 #include "sim/milling/exact.hpp"
@@ -20,7 +21,9 @@ inline constexpr double bare_share = 0.3;
 [[nodiscard]] std::vector<geom::Vec3> edges_in(const std::vector<Place>& cells, Exact& exact, double tolerance,
                                                std::int32_t together);
 
-/// Places where a tool's rim is part of the surface, in cells with nodes in material.
-[[nodiscard]] std::vector<geom::Vec3> rims(const Simulation& simulation, Exact& exact, const NodeBits& nodes);
+/// Places where a tool's rim, or its point, is part of the surface, in cells with nodes in material.
+enum class Sharp : std::uint8_t { rims, points };
+[[nodiscard]] std::vector<geom::Vec3> rims(const Simulation& simulation, Exact& exact, const NodeBits& nodes,
+                                           Sharp sharp);
 
 }  // namespace obrys::sim::milling
