@@ -39,14 +39,22 @@ double from_piece(const Piece& piece, Vec3 p) {
                      from_segment({0, piece.z1}, {piece.r1, piece.z1}, at)});
 }
 
-/// The least on its way, less the error of the search: convex in time, and it changes no faster than the way goes.
-double from_way(const Piece& piece, Vec3 v, Vec3 p) {
+/// How near a piece comes on its way: the least that was met, and how long the part of the way is that may hold less.
+struct Approach {
+    double least = 0, open = 0;  ///< mm
+};
+
+/// Golden section: convex in time. Ends where `enough(approach)` says so.
+template <class Enough>
+Approach approach_on_way(const Piece& piece, Vec3 v, Vec3 p, Enough&& enough) {
     constexpr double golden = 0.6180339887498949;
     constexpr double fine = 1e-7;  // mm of way
     const double way = length(v);
     double a = 0, b = 1, s = 1 - golden, t = golden;
     double at_s = from_piece(piece, p - s * v), at_t = from_piece(piece, p - t * v);
-    while ((b - a) * way > fine && std::min(at_s, at_t) > 0) {
+    while (true) {
+        const Approach now{std::min(at_s, at_t), (b - a) * way};
+        if (now.open <= fine || enough(now)) return now;
         if (at_s < at_t) {
             b = t, t = s, at_t = at_s, s = b - golden * (b - a);
             at_s = from_piece(piece, p - s * v);
@@ -55,27 +63,18 @@ double from_way(const Piece& piece, Vec3 v, Vec3 p) {
             at_t = from_piece(piece, p - t * v);
         }
     }
-    return std::max(0.0, std::min(at_s, at_t) - (b - a) * way);
+}
+
+/// The least on its way, less the error of the search: it changes no faster than the way goes.
+double from_way(const Piece& piece, Vec3 v, Vec3 p) {
+    const Approach a = approach_on_way(piece, v, p, [](const Approach& now) { return !(now.least > 0); });
+    return std::max(0.0, a.least - a.open);
 }
 
 /// Whether it comes as near as that on its way.
 bool comes_within(const Piece& piece, Vec3 v, Vec3 p, double allowed) {
-    constexpr double golden = 0.6180339887498949;
-    constexpr double fine = 1e-7;  // mm of way
-    const double way = length(v);
-    double a = 0, b = 1, s = 1 - golden, t = golden;
-    double at_s = from_piece(piece, p - s * v), at_t = from_piece(piece, p - t * v);
-    while (std::min(at_s, at_t) > allowed) {
-        if ((b - a) * way <= fine || std::min(at_s, at_t) - (b - a) * way > allowed) return false;
-        if (at_s < at_t) {
-            b = t, t = s, at_t = at_s, s = b - golden * (b - a);
-            at_s = from_piece(piece, p - s * v);
-        } else {
-            a = s, s = t, at_s = at_t, t = a + golden * (b - a);
-            at_t = from_piece(piece, p - t * v);
-        }
-    }
-    return true;
+    const auto enough = [&](const Approach& now) { return now.least <= allowed || now.least - now.open > allowed; };
+    return approach_on_way(piece, v, p, enough).least <= allowed;
 }
 
 double within_box(const Box3& box, Vec3 p) {

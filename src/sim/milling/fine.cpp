@@ -6,7 +6,6 @@
 #include <tbb/parallel_for.h>
 
 #include <algorithm>
-#include <bit>
 #include <cmath>
 #include <tuple>
 
@@ -151,12 +150,9 @@ bool Fine::is_off(const Place& cell, std::size_t edge, double allowed, double in
 
 /// Of the triangles about an edge, by their corners: the same where these are the same.
 std::uint32_t Fine::likeness(std::size_t edge) const {
-    std::uint64_t mixed = static_cast<std::uint64_t>(edges_[edge].edge.size);
-    for (std::size_t q = 0; q < 4; ++q) {
-        const Vec3 p = position(vertex(edge, q));
-        for (const double v : {p.x, p.y, p.z})
-            mixed = (mixed ^ std::bit_cast<std::uint64_t>(v)) * 0x9E3779B97F4A7C15U, mixed ^= mixed >> 29U;
-    }
+    std::array<Vec3, 4> corners;
+    for (std::size_t q = 0; q < 4; ++q) corners[q] = position(vertex(edge, q));
+    const std::uint64_t mixed = mixed_of(corners, static_cast<std::uint64_t>(edges_[edge].edge.size));
     return static_cast<std::uint32_t>(mixed >> 32U) & 0x7FFFFFFFU;
 }
 

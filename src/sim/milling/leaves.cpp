@@ -16,6 +16,14 @@ constexpr std::int32_t down_to(std::int32_t value, std::int32_t size) { return v
 
 }  // namespace
 
+std::uint64_t mixed_of(std::span<const geom::Vec3> points, std::uint64_t with) {
+    std::uint64_t mixed = with;
+    for (const geom::Vec3& p : points)
+        for (const double v : {p.x, p.y, p.z})
+            mixed = (mixed ^ std::bit_cast<std::uint64_t>(v)) * 0x9E3779B97F4A7C15U, mixed ^= mixed >> 29U;
+    return mixed;
+}
+
 std::optional<Place> cell_at(const Lattice& lattice, geom::Vec3 p) {
     Place cell{};
     for (int a = 0; a < 3; ++a) {
@@ -121,8 +129,8 @@ std::array<Leaf, 4> Leaves::around(const Place& at, int axis) const {
 }
 
 bool Leaves::is_short(const Place& at, std::int32_t size, int axis) const {
-    // A leaf as long as the stretch that reaches its first part reaches all of it: both are aligned. It is shorter where
-    // a cell of that size is halved.
+    // A leaf as long as the stretch that reaches its first part reaches all of it: both are aligned. It is shorter
+    // where a cell of that size is halved.
     if (size == 1) return true;
     const auto u = static_cast<std::size_t>(first_across(axis)), v = static_cast<std::size_t>(second_across(axis));
     return std::none_of(quadrants.begin(), quadrants.end(), [&](const std::array<int, 2>& q) {

@@ -4,6 +4,7 @@
 #include <array>
 #include <cstdint>
 #include <optional>
+#include <span>
 #include <vector>
 
 #include "base/function_ref.hpp"
@@ -20,6 +21,9 @@ using Place = std::array<std::int32_t, 3>;
     return static_cast<std::uint64_t>(p[0]) | static_cast<std::uint64_t>(p[1]) << 21U |
            static_cast<std::uint64_t>(p[2]) << 42U | kind << 63U;
 }
+
+/// One number of points, the same where these are the same to the last digit.
+[[nodiscard]] std::uint64_t mixed_of(std::span<const geom::Vec3> points, std::uint64_t with);
 
 /// The cell of a lattice that a point lies in.
 [[nodiscard]] std::optional<Place> cell_at(const Lattice& lattice, geom::Vec3 p);

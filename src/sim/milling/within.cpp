@@ -7,7 +7,6 @@
 #include <tbb/parallel_for.h>
 
 #include <algorithm>
-#include <bit>
 #include <cmath>
 
 namespace obrys::sim::milling {
@@ -124,13 +123,7 @@ Corners corners_of(const mesh::Mesh& mesh, std::uint32_t triangle) {
     return {mesh.vertices[t[0]], mesh.vertices[t[1]], mesh.vertices[t[2]]};
 }
 
-std::uint64_t likeness(const Corners& t) {
-    std::uint64_t mixed = 0;
-    for (const Vec3& p : t)
-        for (const double v : {p.x, p.y, p.z})
-            mixed = (mixed ^ std::bit_cast<std::uint64_t>(v)) * 0x9E3779B97F4A7C15U, mixed ^= mixed >> 29U;
-    return mixed >> 1U;
-}
+std::uint64_t key_of_corners(const Corners& t) { return mixed_of(t, 0) >> 1U; }
 
 /// The cuts that made the triangles about each vertex, up to a few.
 class CutsAbout {
@@ -224,7 +217,7 @@ std::vector<std::uint32_t> WithinMaterial::not_held_by_own(const mesh::Mesh& mes
 std::vector<Vec3> WithinMaterial::places(const mesh::Mesh& mesh, double allowed, std::size_t parts) {
     std::vector<std::uint32_t> asked;
     for (std::uint32_t t = 0; t < mesh.triangles.size(); ++t)
-        if (proved_.find(likeness(corners_of(mesh, t))) == KeyMap::none) asked.push_back(t);
+        if (proved_.find(key_of_corners(corners_of(mesh, t))) == KeyMap::none) asked.push_back(t);
     const std::vector<std::uint32_t> left = not_held_by_own(mesh, asked, allowed, parts);
     std::vector<Place> cells(left.size());
     for (std::size_t i = 0; i < left.size(); ++i)
@@ -244,7 +237,7 @@ std::vector<Vec3> WithinMaterial::places(const mesh::Mesh& mesh, double allowed,
         if (looked_at && found[next])
             places.push_back(*found[next]);
         else
-            proved_.add(likeness(corners_of(mesh, t)), 1);
+            proved_.add(key_of_corners(corners_of(mesh, t)), 1);
         if (looked_at) ++next;
     }
     return places;
