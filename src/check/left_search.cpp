@@ -25,7 +25,6 @@ constexpr double much_more = 1.3;            ///< times the depth found: what ma
 constexpr double slim = 8;                   ///< times as long as wide: then it is made shorter
 constexpr double longest_counts = 0.1;
 constexpr std::size_t quick_cells = 300;  ///< before it is looked at from within
-constexpr std::size_t most_inside = 800;  ///< cells of that
 constexpr double much_deeper = 16;        ///< times what is asked for: so deep is known from within
 constexpr double thin_share = 0.05;       ///< of what is allowed: half as thick as what is thinner is nothing
 
@@ -303,8 +302,9 @@ LeftDepth deepest_left(const LeftBody& body, const LeftSearch& search) {
     quick.most_cells = std::min(search.most_cells, quick_cells);
     LeftDepth d = PartSearch(quick, body).run(true);
     if (d.decided && d.depth == 0 && !search.met) return d;
-    const LeftDepth in = deepest_inside(body, {search.stock, *search.planes, search.air, search.cuts, search.allowed,
-                                               much_deeper * search.enough, thin_share * search.allowed, most_inside});
+    const LeftDepth in =
+        deepest_inside(body, {search.stock, *search.planes, search.air, search.cuts, search.allowed,
+                              much_deeper * search.enough, thin_share * search.allowed, search.most_inside});
     if (!in.decided && in.depth == 0 && !(d.decided && d.depth > 0)) {
         d = PartSearch(search, body).run(true);
         if (d.depth == 0 && search.met) d.decided = false, d.bound = search.enough;

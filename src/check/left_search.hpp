@@ -23,6 +23,7 @@ struct LeftSearch {
     std::uint32_t* hint = nullptr;        ///< number of a cut that is tried first, and found last
     const StockPlanes* planes = nullptr;  ///< of the stock; with them depths are decided by left_inside.hpp, too
     bool met = false;                     ///< rays met something: then what is thin counts, too
+    std::size_t most_inside = 800;        ///< cells that left_inside.hpp looks at
 };
 
 struct LeftDepth {

@@ -18,6 +18,7 @@
 #include <optional>
 
 #include "base/whole.hpp"
+#include "check/filled_known.hpp"
 #include "check/milling_proof.hpp"
 #include "mesh/narrow.hpp"
 
@@ -51,6 +52,7 @@ struct Covered {
     Vec3 at, top;  ///< on the part; where the material above it ends
     double depth = 0, area = 0;
     std::uint32_t cut = 0, face = 0;
+    mesh::Box faces;  ///< that are covered
 };
 
 /// A place in material, and the face it is on.
@@ -97,9 +99,7 @@ private:
     [[nodiscard]] bool stands_off(const Covered& c) const;
     [[nodiscard]] Vec3 before(const mesh::NarrowFace& f) const;
     [[nodiscard]] bool is_rest(const Covered& c);
-    void mark_known();
-    [[nodiscard]] bool is_known(const Covered& c, std::vector<mesh::Place>& known);
-    [[nodiscard]] mesh::Place place_of(const std::vector<const Covered*>& group) const;
+    [[nodiscard]] FilledPlace place_of(const std::vector<const Covered*>& group) const;
 
     const mesh::Comparison& found_;
     const Machined& m_;
@@ -108,8 +108,6 @@ private:
     double wide_;
     std::vector<mesh::NarrowFace> faces_;
     std::vector<Covered> covered_;
-    std::optional<mesh::Distance> known_;  ///< what of the result leaves the part
-    std::vector<double> shown_;            ///< how far off what is known was said to be
     std::size_t proofs_ = 0;
 };
 
@@ -145,11 +143,6 @@ Vec3 way_out(const milling::Air& air, std::size_t body, Vec3 p) {
     }
     const double size = length(way);
     return size > 0 ? (1 / size) * way : way;
-}
-
-bool lies_near(const mesh::Box& box, Vec3 p, Vec3 around) {
-    return p.x >= box.lo.x - around.x && p.y >= box.lo.y - around.y && p.z >= box.lo.z - around.z &&
-           p.x <= box.hi.x + around.x && p.y <= box.hi.y + around.y && p.z <= box.hi.z + around.z;
 }
 
 bool Filled::find_faces() {
@@ -268,6 +261,7 @@ std::optional<Covered> Filled::look(const Some& some) const {
     for (const Deep& p : deep) {
         const auto& [a, b, d] = faces_[p.face].corners;
         c.area += 0.5 * length(cross(b - a, d - a)) / 4;
+        for (const Vec3& corner : faces_[p.face].corners) c.faces.add(corner);
     }
     return c;
 }
@@ -303,55 +297,30 @@ bool Filled::is_rest(const Covered& c) {
     return proofs_++ < most_proofs && stands_off(c);
 }
 
-void Filled::mark_known() {
-    mesh::Mesh high;
-    const mesh::Mesh& surface = m_.surface;
-    for (std::size_t t = 0; t < found_.deviation.size(); ++t) {
-        if (!(found_.deviation[t] > options_.excess)) continue;
-        const auto n = static_cast<std::uint32_t>(high.vertices.size());
-        for (const std::uint32_t v : surface.triangles[t]) high.vertices.push_back(surface.vertices[v]);
-        high.triangles.push_back({n, n + 1, n + 2});
-    }
-    if (!high.empty()) known_.emplace(std::move(high));
-}
-
-/// The material ends where the result is known to leave the part. What is known of a gap that cells cannot hold is no
-/// more than chance.
-bool Filled::is_known(const Covered& c, std::vector<mesh::Place>& known) {
-    if (!known_ || !(known_->nearest(c.top, wide_).distance <= wide_)) return false;
-    for (std::size_t i = 0; i < known.size(); ++i) {
-        mesh::Place& p = known[i];
-        if (!lies_near(p.extent, c.top, step_)) continue;
-        const bool by_chance = shown_[i] < 0.5 * facing_steps * wide_ && shown_[i] < 0.5 * c.depth;
-        if (by_chance && p.deviation < c.depth) p.deviation = c.depth, p.at = c.top;
-        break;
-    }
-    return true;
-}
-
-mesh::Place Filled::place_of(const std::vector<const Covered*>& group) const {
-    mesh::Place p;
+FilledPlace Filled::place_of(const std::vector<const Covered*>& group) const {
+    FilledPlace whole;
+    mesh::Place& p = whole.place;
     std::map<std::uint32_t, double> tags;
     for (const Covered* c : group) {
         if (c->depth > p.deviation) p.deviation = c->depth, p.at = c->top;
         p.area += c->area;
         tags[m_.tag_of(c->cut)] += c->area;
         p.extent.add(c->at), p.extent.add(c->top);
+        whole.tops.push_back(c->top), whole.faces.push_back(c->faces);
     }
     for (const auto& [tag, area] : tags) p.shares.push_back({tag, area});
     std::stable_sort(p.shares.begin(), p.shares.end(),
                      [](const mesh::TagShare& a, const mesh::TagShare& b) { return a.area > b.area; });
     p.peak = p.shares;
     p.tag = p.shares.front().tag;
-    return p;
+    return whole;
 }
 
-/// Cubes that touch each other are one place, and known where one of them is.
+/// Cubes that touch each other are one place.
 std::vector<mesh::Place> Filled::places(std::vector<mesh::Place>& known) {
     std::vector<mesh::Place> out;
     if (covered_.empty()) return out;
-    mark_known();
-    for (const mesh::Place& p : known) shown_.push_back(p.deviation);
+    KnownRest rest(found_, m_.surface, options_.excess, step_, known);
     std::map<Cube, const Covered*> cubes;
     for (const Covered& c : covered_) cubes.emplace(c.cube, &c);
     while (!cubes.empty()) {
@@ -368,10 +337,9 @@ std::vector<mesh::Place> Filled::places(std::vector<mesh::Place>& known) {
                 for (long j = -1; j <= 1; ++j)
                     for (long k = -1; k <= 1; ++k) next.push_back({at[0] + i, at[1] + j, at[2] + k});
         }
-        const auto is_one = [&](const Covered* c) { return is_known(*c, known); };
-        if (std::count_if(group.begin(), group.end(), is_one) > 0) continue;
-        std::erase_if(group, [&](const Covered* c) { return !is_rest(*c); });
-        if (!group.empty()) out.push_back(place_of(group));
+        if (rest.joins(place_of(group))) continue;
+        std::erase_if(group, [&](const Covered* c) { return rest.ends_at(c->top) || !is_rest(*c); });
+        if (!group.empty()) out.push_back(place_of(group).place);
     }
     std::stable_sort(out.begin(), out.end(),
                      [](const mesh::Place& a, const mesh::Place& b) { return a.deviation > b.deviation; });

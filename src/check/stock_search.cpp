@@ -28,6 +28,8 @@ constexpr double deeper_tolerances = 0.5;     ///< the same: more than so many a
 constexpr std::size_t open_in_full = 4;       ///< pieces of a curve that were not decided: then shorter searches
 constexpr std::size_t open_at_all = 32;       ///< the same: then none
 constexpr std::size_t cells_when_open = 300;  ///< of a shorter search
+constexpr std::size_t most_again = 8;         ///< moves that were not decided: they are looked at again
+constexpr std::size_t patience = 10;          ///< times as long
 
 /// Level circles about the tool's axis.
 bool is_level(const geom::Circular& c, Vec3 axis) {
@@ -61,6 +63,7 @@ struct StockSearch::Group {
     const std::function<bool()>& stop;
     std::optional<milling::Air> air;
     std::optional<LeftCuts> cuts;  ///< made before the first of them
+    std::size_t patience = 1;
     std::uint32_t hint = 0;
     Verdicts done;
 };
@@ -181,7 +184,8 @@ void StockSearch::judge_piece(Verdict& verdict, const LeftBody& way, const Stock
 StockSearch::Verdict StockSearch::judge_one(Group& g, const StockPass& q) const {
     Verdict verdict;
     const LeftCuts cuts(*g.air, g.simulation, q.number);
-    LeftSearch search{stock_, *g.air, cuts.all(), limits_.allowed, limits_.enough, cells_of_one, &g.hint};
+    LeftSearch search{stock_, *g.air, cuts.all(), limits_.allowed, limits_.enough, g.patience * cells_of_one, &g.hint};
+    search.most_inside *= g.patience;
     search.planes = &planes_;
     search.met = has_met(g.simulation, q);
     const auto* circle = std::get_if<geom::Circular>(&q.path);
@@ -223,6 +227,39 @@ StockSearch::Verdict StockSearch::judge_one(Group& g, const StockPass& q) const 
     return verdict;
 }
 
+StockSearch::Verdicts StockSearch::judged(std::span<const StockPass> passes, const milling::Simulation& simulation,
+                                          const std::function<bool()>& stop, std::size_t patience) const {
+    Group g{simulation, passes, stop, {}, {}, patience, 0, {}};
+    g.air.emplace(simulation.air_in(box_of(g)));
+    if (!g.air->known()) {  // nothing can be told
+        for (const StockPass& q : g.passes) g.done.push_back({q.number, {false, {}}});
+        return std::move(g.done);
+    }
+    g.cuts.emplace(*g.air, simulation, passes.front().number);
+    judge_range(g, 0, g.passes.size());
+    return std::move(g.done);
+}
+
+/// The first of them that were not decided, for longer: a tool that has cut and leaves along its own wall touches it
+/// all the way.
+void StockSearch::look_again(Verdicts& verdicts, const std::vector<StockPass>& passes,
+                             const milling::Simulation& simulation, const std::function<bool()>& stop) const {
+    std::vector<std::size_t> open;
+    for (std::size_t i = 0; i < verdicts.size() && open.size() < most_again; ++i)
+        if (!verdicts[i].second.decided) open.push_back(i);
+    for_all(
+        open.size(), threads_,
+        [&](std::size_t n) {
+            auto& [number, verdict] = verdicts[open[n]];
+            const auto pass = std::find_if(passes.begin(), passes.end(),
+                                           [&, wanted = number](const StockPass& q) { return q.number == wanted; });
+            const Verdicts again = judged({&*pass, 1}, simulation, stop, patience);
+            verdict = again.empty() ? Verdict{} : again.front().second;
+        },
+        1);
+    std::erase_if(verdicts, [](const auto& v) { return v.second.decided && !(v.second.hit.depth > 0); });
+}
+
 StockSearch::Verdicts StockSearch::search(const std::vector<StockPass>& passes, const milling::Simulation& simulation,
                                           const std::function<bool()>& stop) const {
     std::vector<std::size_t> ends;
@@ -239,19 +276,12 @@ StockSearch::Verdicts StockSearch::search(const std::vector<StockPass>& passes, 
         ends.size(), threads_,
         [&](std::size_t n) {
             const std::size_t first = n == 0 ? 0 : ends[n - 1];
-            Group g{simulation, std::span(passes).subspan(first, ends[n] - first), stop, {}, {}, 0, {}};
-            g.air.emplace(simulation.air_in(box_of(g)));
-            if (!g.air->known()) {  // nothing can be told
-                for (const StockPass& q : g.passes) found[n].push_back({q.number, {false, {}}});
-                return;
-            }
-            g.cuts.emplace(*g.air, simulation, passes[first].number);
-            judge_range(g, 0, g.passes.size());
-            found[n] = std::move(g.done);
+            found[n] = judged(std::span(passes).subspan(first, ends[n] - first), simulation, stop, 1);
         },
         1);
     Verdicts all;
     for (const Verdicts& group : found) all.insert(all.end(), group.begin(), group.end());
+    look_again(all, passes, simulation, stop);
     return all;
 }
 

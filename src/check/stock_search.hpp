@@ -3,6 +3,7 @@
 /// (left_search.hpp). Frame of the stock, millimetres.
 
 #include <functional>
+#include <span>
 #include <utility>
 #include <vector>
 
@@ -34,6 +35,10 @@ public:
 
 private:
     struct Group;
+    [[nodiscard]] Verdicts judged(std::span<const StockPass> passes, const sim::milling::Simulation& simulation,
+                                  const std::function<bool()>& stop, std::size_t patience) const;
+    void look_again(Verdicts& verdicts, const std::vector<StockPass>& passes,
+                    const sim::milling::Simulation& simulation, const std::function<bool()>& stop) const;
     [[nodiscard]] bool has_met(const sim::milling::Simulation& simulation, const StockPass& q) const;
     [[nodiscard]] sim::milling::Box3 box_of(const Group& g) const;
     [[nodiscard]] bool clear_together(Group& g, std::size_t first, std::size_t end) const;
