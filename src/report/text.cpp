@@ -115,6 +115,9 @@ std::string milled(const check::Result& r) {
                       " mm of feed\nsimulated to " + base::shortest(m.tolerance_mm) + " mm on rays " +
                       base::fixed(m.step.x, 3) + " x " + base::fixed(m.step.y, 3) + " x " + base::fixed(m.step.z, 3) +
                       " mm apart, " + base::fixed(m.memory_mb, 0) + " MB\n";
+    if (m.refined_cells > 0)
+        out += "surface made finer in " + count_of(m.refined_cells, "cell") + ", down to " +
+               base::fixed(m.finest_mm, 4) + " mm wide\n";
     for (const check::ToolUse& t : r.tools)
         if (t.volume_mm3 > 0)
             out += "  tool " + (t.name.empty() ? "T" + std::to_string(t.number) : "\"" + t.name + "\"") + ": " +
