@@ -260,6 +260,20 @@ bool confirm_patches(mesh::Place& p, const std::vector<SurfacePatch>& patches, c
     return there || open > 0;
 }
 
+bool holds(const mesh::Box& b, geom::Vec3 p) {
+    return p.x >= b.lo.x && p.y >= b.lo.y && p.z >= b.lo.z && p.x <= b.hi.x && p.y <= b.hi.y && p.z <= b.hi.z;
+}
+
+/// Of a place lower than cells are wide the triangles know its corners alone: over the middle of a groove that was not
+/// cut more may stand. What is a worse place of its own does not count.
+bool is_more_of_place(const Worst& worst, const mesh::Place& place, const std::vector<mesh::Place>& worse, double wide,
+                      double allowed) {
+    if (!(std::abs(place.deviation) < wide) ||
+        !(std::abs(worst.deviation) > std::abs(place.deviation) + as_good * allowed) || !holds(place.extent, worst.at))
+        return false;
+    return std::none_of(worse.begin(), worse.end(), [&](const mesh::Place& p) { return holds(p.extent, worst.at); });
+}
+
 /// Gives back the boxes of the places that are not there.
 std::vector<mesh::Box> confirm_places(const mesh::Comparison& found, std::vector<mesh::Place>& places,
                                       const Machined& m, const mesh::CompareOptions& options, bool gouges) {
@@ -287,7 +301,8 @@ std::vector<mesh::Box> confirm_places(const mesh::Comparison& found, std::vector
                     dropped.push_back(p.extent);
                     continue;
                 }
-            } else if (std::abs(worst.deviation) < std::abs(p.deviation)) {
+            } else if (std::abs(worst.deviation) < std::abs(p.deviation) ||
+                       is_more_of_place(worst, p, kept, std::max({step.x, step.y, step.z}), allowed)) {
                 // What lies beside the place may be worse and is a place of its own.
                 p.deviation = worst.deviation, p.at = worst.at;
             }
@@ -313,9 +328,7 @@ void confirm(mesh::Comparison& found, const Machined& m, const mesh::CompareOpti
     found.gouge_count -= deep.size();
     found.excess_count -= high.size();
     const auto in_one = [](const std::vector<mesh::Box>& boxes, geom::Vec3 p) {
-        return std::any_of(boxes.begin(), boxes.end(), [&](const mesh::Box& b) {
-            return p.x >= b.lo.x && p.y >= b.lo.y && p.z >= b.lo.z && p.x <= b.hi.x && p.y <= b.hi.y && p.z <= b.hi.z;
-        });
+        return std::any_of(boxes.begin(), boxes.end(), [&](const mesh::Box& b) { return holds(b, p); });
     };
     found.largest_gouge = found.largest_excess = 0;
     for (std::size_t t = 0; t < found.deviation.size(); ++t) {
