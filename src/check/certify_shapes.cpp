@@ -19,6 +19,7 @@ using geom::Vec3;
 namespace {
 
 constexpr std::size_t most_arc_chords = 1000;  ///< of one of them
+constexpr double tip_radius = 50;              ///< of how far chords may stand off: of the body that is a point
 
 void add_round(certify::Shape& shape, const milling::Piece& p, double off) {
     if (p.whole) return shape.push_back({p.ring, p.centre, p.ring, p.centre, p.arc});
@@ -34,13 +35,25 @@ void add_round(certify::Shape& shape, const milling::Piece& p, double off) {
     }
 }
 
+/// A point is moved along the axis only, which moves the flank beside it by less: it is a body of its own.
+void add_cone(certify::Shape& shape, const milling::Piece& p, double off) {
+    const double tip = tip_radius * off;
+    if (p.r0 == 0 && p.r1 > 2 * tip) {
+        const double z = p.z0 + tip / p.r1 * (p.z1 - p.z0);
+        shape.push_back({0, p.z0, tip, z, 0});
+        shape.push_back({tip, z, p.r1, p.z1, 0});
+    } else {
+        shape.push_back({p.r0, p.z0, p.r1, p.z1, 0});
+    }
+}
+
 }  // namespace
 
 certify::Shape certified_shape(const milling::Shape& of, double off) {
     certify::Shape shape;
     for (const milling::Piece& p : of.pieces)
         if (p.kind == milling::PieceKind::cone)
-            shape.push_back({p.r0, p.z0, p.r1, p.z1, 0});
+            add_cone(shape, p, off);
         else
             add_round(shape, p, off);
     return shape;

@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "check/left_turns.hpp"
+#include "geom/interpolation.hpp"
 #include "mesh/mesh.hpp"
 #include "sim/milling/air.hpp"
 #include "sim/milling/simulation.hpp"
@@ -67,6 +68,10 @@ public:
     LeftCuts(const LeftCuts&) = delete;
     LeftCuts& operator=(const LeftCuts&) = delete;
     [[nodiscard]] const std::vector<LeftCut>& all() const { return all_; }
+    /// Whether one straight cut of a tool has taken all that the same tool comes through on a straight way: on the
+    /// cut's own or over it, as far as the stock goes up along the axis.
+    [[nodiscard]] bool hold_way(const sim::milling::Shape& own, const geom::Straight& way, geom::Vec3 axis,
+                                double stock_top) const;
 
 private:
     std::deque<sim::milling::Air::Sweep> sweeps_;

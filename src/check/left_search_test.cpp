@@ -55,7 +55,8 @@ TEST(LeftSearch, AShankAsThickAsTheCutterTouchesAndIsClear) {
     EXPECT_NEAR(deeper.depth, 0.02, 0.003);
 }
 
-/// Flutes that end where the stock does: all over the end of their cut it is nearly as deep in the one as off the other.
+/// Flutes that end where the stock does: all over the end of their cut it is nearly as deep in the one as off the
+/// other.
 TEST(LeftSearch, AShankGoesDownInACutThatEndsWithTheStock) {
     SearchWorld w;
     const std::uint32_t mill = w.tool(24, milling::CutterKind::end_mill, 10);

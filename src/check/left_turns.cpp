@@ -166,7 +166,7 @@ void Turns::add(const milling::Piece& piece, const Stretch& turn) {
     body.first = made_.sweeps.size();
     make(body);
     body.count = made_.sweeps.size() - body.first;
-    bodies_.push_back(body);
+    if (body.count > 0) bodies_.push_back(body);
 }
 
 /// The tool's cylinder, grown by the circle where it reaches over the middle, else on a circle by quarters.

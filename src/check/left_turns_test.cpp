@@ -60,6 +60,24 @@ TEST(LeftTurns, AHelixThatLeavesACoreIsARing) {
     for (const milling::Air::Sweep& s : turns.sweeps) EXPECT_TRUE(s.track.circular);
 }
 
+/// Around a circle with so many corners, at one depth after the other.
+void polygons(TurnWorld& w, std::uint32_t mill, Vec3 centre, double radius, int corners, double start, int levels) {
+    for (int level = 1; level <= levels; ++level)
+        for (int i = 0; i < corners; ++i) {
+            const auto at = [&](int k) {
+                const double angle = start + 2 * geom::pi * k / corners;
+                return centre + Vec3{radius * std::cos(angle), radius * std::sin(angle), -2.5 * level};
+            };
+            w.cut(mill, geom::Straight{at(i), at(i + 1)});
+        }
+}
+
+TEST(LeftTurns, ARectangleIsNoTurn) {
+    TurnWorld w;
+    polygons(w, w.tool(6, milling::CutterKind::end_mill, 20), {30, 20, 0}, 12, 4, 0.4, 3);
+    EXPECT_TRUE(turns_of(w.sweeps()).sweeps.empty());
+}
+
 TEST(LeftTurns, NothingOfThemIsMaterial) {
     const std::uint32_t seed = base::testing_seed();
     std::mt19937 random(seed);
@@ -68,7 +86,10 @@ TEST(LeftTurns, NothingOfThemIsMaterial) {
     for (int n = 0; n < 20; ++n) {
         TurnWorld w;
         const std::uint32_t mill = w.tool(any(4, 14), milling::CutterKind::end_mill, any(4, 20));
-        w.cut(mill, turns_down({30, 20, 0}, any(1, 10), any(1, 4), any(0, 6)));
+        if (n % 2 == 0)
+            w.cut(mill, turns_down({30, 20, 0}, any(1, 10), any(1, 4), any(0, 6)));
+        else
+            polygons(w, mill, {30, 20, 0}, any(1, 10), static_cast<int>(any(3, 12)), any(0, 6), 3);
         const auto sweeps = w.sweeps();
         const LeftTurns turns = turns_of(sweeps);
         const milling::Air air = w.simulation.air_in({{-100, -100, -100}, {200, 200, 200}});

@@ -140,6 +140,11 @@ bool Certificate::may_be(const mesh::Place& rays) const {
     return !moved;
 }
 
+bool Certificate::is_none(const mesh::Place& rays) const {
+    const auto by_a_move = [&](const mesh::TagShare& s) { return s.tag > 0 && !beside_.contains(s.tag - 1); };
+    return rays.tag > 0 && std::all_of(rays.shares.begin(), rays.shares.end(), by_a_move) && !may_be(rays);
+}
+
 /// Of the moves that have a share in a place: those of its worst point first.
 std::vector<Certificate::Suspect*> Certificate::suspects_in(const mesh::Place& rays) {
     std::vector<Suspect*> all;

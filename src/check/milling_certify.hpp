@@ -54,6 +54,8 @@ public:
     void measure(const ThreadBands& threads, const std::function<bool()>& stop);
     /// What the rays show of a gouge tells more of one that was measured or is not decided, or is no move's.
     [[nodiscard]] bool may_be(const mesh::Place& rays) const;
+    /// What the rays show of a gouge is nothing: its moves are proved to be clear, not only where the stock lacks it.
+    [[nodiscard]] bool is_none(const mesh::Place& rays) const;
     /// All gouges, measured before. `rays`: what was found on the simulated surface. Of these only places are left out
     /// whose moves are proved to be clear.
     [[nodiscard]] std::vector<Gouge> gouges(const std::vector<MilledMove>& moves, const std::vector<mesh::Place>& rays);

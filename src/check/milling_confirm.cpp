@@ -291,6 +291,10 @@ std::vector<mesh::Box> confirm_places(const mesh::Comparison& found, std::vector
             kept.push_back(std::move(p));
             continue;
         }
+        if (gouges && m.is_none && m.is_none(p)) {
+            dropped.push_back(p.extent);
+            continue;
+        }
         const milling::Box3 box{p.extent.lo - step, p.extent.hi + step};
         const double fine = step_of(box, std::min({step.x, step.y, step.z}), n);
         if (fine > 0) {

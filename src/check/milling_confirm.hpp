@@ -17,6 +17,7 @@ struct Machined {
     const ThreadBands& threads;
     std::function<std::uint32_t(std::uint32_t cut)> tag_of;
     std::function<bool()> stop;  ///< told to: what was not looked at stays as it is; may be empty
+    std::function<bool(const mesh::Place& gouge)> is_none{};  ///< known otherwise not to be there; may be empty
 };
 
 /// Takes out what is proved (milling_proof.hpp) not to be there, and gives what stays its depth from exact points where

@@ -243,7 +243,8 @@ void Milling::judge_surface(Milled& milled) {
     milled.comparison = mesh::compare(milled.surface, *m.part, options);
     certificate_->measure(thread_bands_, setup_.out_of_time);
     std::erase_if(milled.comparison->doubtful_gouges, [&](const mesh::Place& p) { return !certificate_->may_be(p); });
-    const Machined machined{milled.surface, *simulation_, *m.part, thread_bands_, tag_of, setup_.out_of_time};
+    Machined machined{milled.surface, *simulation_, *m.part, thread_bands_, tag_of, setup_.out_of_time};
+    machined.is_none = [&](const mesh::Place& p) { return certificate_->is_none(p); };
     confirm(*milled.comparison, machined, options);
     add_thin(*milled.comparison, machined, options);
     if (whole_ && complete_) add_filled(*milled.comparison, machined, options);

@@ -180,10 +180,38 @@ void StockSearch::judge_piece(Verdict& verdict, const LeftBody& way, const Stock
     }
 }
 
+/// The part of a straight way on which a tool's part may be in the stock's box; none: it passes beside it.
+std::optional<geom::Straight> StockSearch::at_stock(const geom::Straight& way, const StockPass& q) const {
+    const milling::Box3 box = milling::box_of(stock_);
+    double first = 0, last = 1;
+    for (int k = 0; k < 3; ++k) {
+        const double a = milling::component(q.axis, k), around = q.part->radius * std::sqrt(std::max(0.0, 1 - a * a));
+        const double low = milling::component(box.min, k) - around - std::max(a * q.part->bottom, a * q.part->top);
+        const double high = milling::component(box.max, k) + around - std::min(a * q.part->bottom, a * q.part->top);
+        const double from = milling::component(way.from, k), by = milling::component(way.to, k) - from;
+        if (by == 0 && (from < low || from > high)) return std::nullopt;
+        if (by == 0) continue;
+        first = std::max(first, std::min((low - from) / by, (high - from) / by));
+        last = std::min(last, std::max((low - from) / by, (high - from) / by));
+    }
+    if (!(first <= last)) return std::nullopt;
+    return geom::Straight{geom::point_at(way, first), geom::point_at(way, last)};
+}
+
+/// A tool that goes back the way it has cut: it touches the material all along, and takes none.
+bool StockSearch::retraces(const Group& g, const StockPass& q, const LeftCuts& cuts) const {
+    const auto* way = std::get_if<geom::Straight>(&q.path);
+    if (q.body || way == nullptr) return false;
+    const std::optional<geom::Straight> there = at_stock(*way, q);
+    const double top = milling::heights_along(q.axis, milling::box_of(stock_)).high;
+    return !there || cuts.hold_way(g.simulation.tool(q.tool).cutting, *there, q.axis, top);
+}
+
 /// Level circles first as they are, by quarters; what is not clear as its chords.
 StockSearch::Verdict StockSearch::judge_one(Group& g, const StockPass& q) const {
     Verdict verdict;
     const LeftCuts cuts(*g.air, g.simulation, q.number);
+    if (retraces(g, q, cuts)) return verdict;
     LeftSearch search{stock_, *g.air, cuts.all(), limits_.allowed, limits_.enough, g.patience * cells_of_one, &g.hint};
     search.most_inside *= g.patience;
     search.planes = &planes_;

@@ -3,6 +3,7 @@
 /// (left_search.hpp). Frame of the stock, millimetres.
 
 #include <functional>
+#include <optional>
 #include <span>
 #include <utility>
 #include <vector>
@@ -43,6 +44,8 @@ private:
     [[nodiscard]] sim::milling::Box3 box_of(const Group& g) const;
     [[nodiscard]] bool clear_together(Group& g, std::size_t first, std::size_t end) const;
     void judge_range(Group& g, std::size_t first, std::size_t end) const;
+    [[nodiscard]] std::optional<geom::Straight> at_stock(const geom::Straight& way, const StockPass& q) const;
+    [[nodiscard]] bool retraces(const Group& g, const StockPass& q, const LeftCuts& cuts) const;
     [[nodiscard]] Verdict judge_one(Group& g, const StockPass& q) const;
     [[nodiscard]] sim::milling::Heights heights_in_stock(const LeftBody& body) const;
     [[nodiscard]] bool all_clear(const LeftBody& way, const StockPart& part, const LeftSearch& search) const;

@@ -22,7 +22,6 @@ std::string tool_name(std::uint32_t number, std::string_view name, std::uint32_t
     return out + (edge != 0 ? " D" + std::to_string(edge) : "");
 }
 
-
 void Box::add(geom::Vec2 p) {
     min_z = std::min(min_z, p.x);
     max_z = std::max(max_z, p.x);

@@ -21,6 +21,7 @@ Vec2 inwards(double radius, Vec2 side, double up, Inwards how) {
     if (how == Inwards::across) return {-std::cos(slant), up * std::sin(slant)};
     const double size = geom::length(side);
     if (!(size > 0)) return {-1, 0};
+    if (how == Inwards::flank) return (up / size) * Vec2{-side.y, side.x};
     const Vec2 sum = Vec2{-1, 0} + (1 / size) * side;
     const double both = geom::length(sum);
     return both > 1e-9 ? (1 / both) * sum : Vec2{0, up};
@@ -67,7 +68,8 @@ Body shrunk(const Body& body, double depth, Inwards how) {
     const Vec2 l = moved(low, inwards(b.r0, high - low, 1, how), way);
     const Vec2 h = moved(high, inwards(b.r1, low - high, -1, how), way);
     b = {l.x, l.y, h.x, h.y, soft * left};
-    if (b.z0 > b.z1) b.z0 = b.z1 = (body.z0 + body.z1) / 2;
+    // Ends that pass each other meet, neither farther off than it was moved.
+    if (b.z0 > b.z1) b.z0 = b.z1 = std::clamp((body.z0 + body.z1) / 2, b.z1, b.z0);
     return b;
 }
 

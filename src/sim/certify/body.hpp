@@ -23,8 +23,9 @@ enum class Inwards : std::uint8_t {
     middle,  ///< halfway between the faces that meet there
     along,   ///< nearly along the axis
     across,  ///< nearly towards the axis
+    flank,   ///< off the flank: that moves as far as it may, the ends along it
 };
-/// A body within `body` that covers it again when it is grown by a ball of radius `depth`, and stands off its faces.
+/// A body that covers `body` again when it is grown by a ball of radius `depth`, and stands off its faces.
 [[nodiscard]] Body shrunk(const Body& body, double depth, Inwards how);
 /// What lies at least `depth` deep in a body; nothing where it is nowhere so thick.
 [[nodiscard]] std::optional<Body> core_of(const Body& body, double depth);

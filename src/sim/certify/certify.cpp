@@ -93,7 +93,7 @@ bool lies_outside(const mesh::Distance& surface, const mesh::Box& box, const Swe
     return !holds(box, box_of(inner)) || !(surface.signed_distance(p) < 0);
 }
 
-constexpr std::array<Inwards, 3> all_ways{Inwards::middle, Inwards::along, Inwards::across};
+constexpr std::array<Inwards, 4> all_ways{Inwards::middle, Inwards::along, Inwards::across, Inwards::flank};
 
 /// Certainly nothing of it is deeper than `depth`: with one way or another of making it smaller it meets nothing and is
 /// not inside.

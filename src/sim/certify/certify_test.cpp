@@ -72,6 +72,23 @@ TEST(Certified, what_touches_all_along_is_clear) {
     }
 }
 
+TEST(Certified, a_needle_that_cuts_into_a_wall_by_less_than_is_allowed_is_clear) {
+    for (const double angle : {20.0, 45.0, 90.0, 135.0}) {
+        const double half = geom::radians(angle) / 2;
+        const double tip = 0.01 / std::tan(half);  // a body of its own
+        const Shape tool{{0, 0, 0.01, tip, 0}, {0.01, tip, 5, 5 / std::tan(half), 0}};
+        // Along an edge of the plate, the flank 0.7 of what is allowed into it.
+        const double height = 2 / std::tan(half), off = 0.7 * 0.01 / std::cos(half);
+        const Judge judge(plate(), 0.0105);
+        const Vec3 at{-2 + off, 5, -height};
+        const Move less{geom::Straight{at, at + Vec3{0, 30, 0}}, {0, 0, 1}, &tool};
+        EXPECT_TRUE(judge.is_clear(less)) << angle;
+        const Vec3 in{-2 + 2 * off, 5, -height};
+        const Move more{geom::Straight{in, in + Vec3{0, 30, 0}}, {0, 0, 1}, &tool};
+        EXPECT_FALSE(judge.is_clear(more)) << angle;
+    }
+}
+
 TEST(Certified, a_place_level_with_the_ring_of_a_bull_nose_lies_outside_of_it) {
     const Swept ring{bull(6, 1).front(), {0, 0, 0}, {0, 0, 0}, {0, 0, 1}};
     EXPECT_NEAR(geom::distance(nearest_within(ring, {20, 0, 1}), {6, 0, 1}), 0, 1e-9);
@@ -284,6 +301,32 @@ TEST(Certified, depth_grows_with_the_radius_and_does_not_change_when_all_is_move
             depth_of(turned, end_mill(r, 20), apply(turn, c.from), apply(turn, c.to), apply_direction(turn, c.axis));
         if (small > allowed && small < 1) {
             EXPECT_NEAR(there, small, allowed / 5 + 0.01 * small) << "case " << number;
+        }
+    }
+}
+
+/// What proofs rest on, whichever way the corners are moved.
+TEST(Certified, a_smaller_body_grown_by_the_depth_covers_the_body) {
+    for (unsigned number = 1; number <= 400; ++number) {
+        Random random(number);
+        const auto radius = [&] { return random.below(3) == 0 ? 0.0 : random.between(0, 5); };
+        const Body body{radius(), 0, radius(), random.between(0, 1) * random.between(0, 1) * 20,
+                        random.below(2) == 0 ? 0.0 : random.between(0, 1)};
+        const double depth = random.between(0.001, 2);
+        for (const Inwards how : {Inwards::middle, Inwards::along, Inwards::across, Inwards::flank}) {
+            const Body inner = shrunk(body, depth, how);
+            EXPECT_GE(inner.rounding, 0);
+            for (int i = 0; i < 50; ++i) {
+                const Vec3 u = direction(random);
+                // The farthest point of the body that way, and all of it: convex bodies with support functions.
+                const Vec3 at = support({body, {}, {}, {0, 0, 1}}, u) + body.rounding * u;
+                const Vec3 near = nearest_within({inner, {}, {}, {0, 0, 1}}, at);
+                ASSERT_LE(geom::distance(at, near), depth * (1 + 1e-9))
+                    << "case " << number << " way " << static_cast<int>(how) << " body " << body.r0 << ' ' << body.r1
+                    << ' ' << body.z1 << ' ' << body.rounding << " inner " << inner.r0 << ' ' << inner.z0 << ' '
+                    << inner.r1 << ' ' << inner.z1 << ' ' << inner.rounding << " at " << at.x << ' ' << at.y << ' '
+                    << at.z;
+            }
         }
     }
 }
