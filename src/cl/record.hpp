@@ -12,6 +12,7 @@
 
 #include "base/function_ref.hpp"
 #include "base/source.hpp"
+#include "geom/frame.hpp"
 #include "geom/vec.hpp"
 
 namespace obrys::cl {
@@ -131,11 +132,33 @@ struct Comment {
     bool operator==(const Comment&) const = default;
 };
 
-/// Zero of the workpiece frame in machine coordinates, from here on; NaN where it is not known.
+/// Zero of the workpiece frame in machine coordinates, from here on, as the program selects it or as it is set anew;
+/// NaN where it is not known: along such an axis it is taken to lie where the zero before lay.
 struct Datum {
     std::uint32_t number = 0;  ///< 54, 505; 500: none selected; 1000 …: presets 0 …; 0 = machine frame itself
     geom::Vec3 origin;
     bool operator==(const Datum&) const = default;
+};
+
+enum class FrameKind : std::uint8_t {
+    datum,       ///< what the selected zero has besides its place: a turn
+    shift,       ///< G52, G92, TRANS, cycle 7
+    rotation,    ///< G68, ROT, cycle 10
+    mirror,      ///< G51.1, MIRROR, cycle 8
+    scaling,     ///< G51, SCALE, cycle 11; of all axes or of each
+    plane,       ///< a tilted working plane
+    programmed,  ///< several of these, which the control keeps as one frame
+};
+struct FramePart {
+    FrameKind kind = FrameKind::shift;
+    geom::Frame frame;
+    bool operator==(const FramePart&) const = default;
+};
+/// How coordinates are programmed from here on: the product of the parts, the first the outermost, takes them into the
+/// workpiece frame, where the points of the stream are all the same. No part: they are programmed there.
+struct Frame {
+    std::vector<FramePart> parts;
+    bool operator==(const Frame&) const = default;
 };
 
 enum class Filter : std::uint8_t { none, finishing, semi_finishing, roughing, precision };
@@ -242,7 +265,7 @@ struct PartEnd {
 
 /// One step of the tool's life. Closed on purpose: a new kind must break every visitor that names all kinds.
 using Step = std::variant<Linear, Arc, Spline, Axis, Thread, Dwell, Feed, Spindle, ToolChange, Coolant, Stop, Comment,
-                          Datum, Tolerance, Auxiliary, Setting, CycleBegin, CycleEnd, PartBegin, PartEnd>;
+                          Datum, Frame, Tolerance, Auxiliary, Setting, CycleBegin, CycleEnd, PartBegin, PartEnd>;
 
 /// Identifies a call stack in `CallStacks`; 0 is the main program.
 using StackId = std::uint32_t;

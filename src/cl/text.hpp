@@ -1,6 +1,7 @@
 #pragma once
 /// Text form of the CL stream: one record a line, reads back to exactly the same records. Format: docs/cl-stream.md.
 
+#include <array>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -14,6 +15,10 @@ namespace obrys::cl {
 
 /// First line of every text; the number is the format's version.
 inline constexpr std::string_view text_header = "obrys-cl 1";
+
+/// Words for FrameKind.
+inline constexpr std::array<std::string_view, 7> frame_kinds{"datum",   "shift", "rotation",  "mirror",
+                                                             "scaling", "plane", "programmed"};
 
 /// The record as one line without its line end. Numbers are the shortest that read back to the same double.
 void append_text(std::string& out, const Record& record);

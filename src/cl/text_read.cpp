@@ -277,6 +277,19 @@ Datum datum(Words& w) {
     return s;
 }
 
+Frame frame(Words& w) {
+    Frame s;
+    while (w.ok() && !w.peek().empty() && w.peek().front() >= 'a') {
+        FramePart p;
+        p.kind = static_cast<FrameKind>(w.choice(frame_kinds));
+        p.frame.origin = w.vec();
+        if (w.accept("by"))
+            for (double& v : p.frame.linear) v = w.number();
+        s.parts.push_back(p);
+    }
+    return s;
+}
+
 Auxiliary auxiliary(Words& w) {
     Auxiliary s;
     const std::string letter = w.quoted();
@@ -328,6 +341,7 @@ std::optional<Step> step(Words& w) {
     if (kind == "comment" || kind == "message") return Comment{w.quoted(), kind == "message", false};
     if (kind == "print") return Comment{w.quoted(), true, true};
     if (kind == "datum") return datum(w);
+    if (kind == "frame") return frame(w);
     if (kind == "tolerance") return tolerance(w);
     if (kind == "setting") return setting(w);
     if (kind == "aux") return auxiliary(w);

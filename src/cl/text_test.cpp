@@ -38,6 +38,18 @@ std::array<char, 8> axis_name() {
     return out;
 }
 
+Frame any_frame() {
+    Frame s;
+    for (int n = *rc::gen::inRange(0, 4); n > 0; --n) {
+        FramePart p{static_cast<FrameKind>(*rc::gen::inRange(0, static_cast<int>(FrameKind::programmed) + 1)), {}};
+        p.frame.origin = vec();
+        if (*rc::gen::arbitrary<bool>())
+            for (double& v : p.frame.linear) v = number();
+        s.parts.push_back(p);
+    }
+    return s;
+}
+
 Step any_step(std::size_t kind) {
     switch (kind) {
         case 0: return Linear{vec(), vec(), *rc::gen::arbitrary<bool>()};
@@ -59,6 +71,7 @@ Step any_step(std::size_t kind) {
             return Comment{text(), message, message && *rc::gen::arbitrary<bool>()};
         }
         case 11: return Datum{*rc::gen::arbitrary<std::uint32_t>(), vec()};
+        case 20: return any_frame();
         case 12: return Auxiliary{*rc::gen::arbitrary<char>(), *rc::gen::arbitrary<std::int64_t>()};
         case 18:
             return PartBegin{*rc::gen::element(PartKind::call, PartKind::label, PartKind::repetition), text(),
@@ -120,6 +133,12 @@ struct Mark {
         if (s.held) mark(*s.held);
     }
     void operator()(Datum& s) const { mark(s.origin); }
+    void operator()(Frame& s) const {
+        for (FramePart& p : s.parts) {
+            mark(p.frame.origin);
+            for (double& v : p.frame.linear) mark(v);
+        }
+    }
     void operator()(Setting& s) const {
         for (double& v : s.values) mark(v);
     }

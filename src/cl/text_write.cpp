@@ -149,6 +149,17 @@ struct StepWriter {
         out += "datum " + std::to_string(s.number);
         vec(out, s.origin);
     }
+    void operator()(const Frame& s) const {
+        out += "frame";
+        for (const FramePart& p : s.parts) {
+            out += ' ';
+            out += frame_kinds[static_cast<std::size_t>(p.kind)];
+            vec(out, p.frame.origin);
+            if (p.frame.linear == geom::Frame{}.linear) continue;
+            out += " by";
+            for (const double v : p.frame.linear) number(out, v);
+        }
+    }
     void operator()(const Tolerance& s) const {
         constexpr std::array<const char*, 5> filters{" none", " finishing", " semi-finishing", " roughing",
                                                      " precision"};

@@ -1,6 +1,7 @@
 #include "cl/totals.hpp"
 
 #include "cl/spline.hpp"
+#include "cl/zero.hpp"
 
 namespace obrys::cl {
 
@@ -44,6 +45,7 @@ double move_length(geom::Vec3 from, const Step& move) {
 
 void Totals::operator()(const Record& record) {
     ++records;
+    if (const auto* datum = std::get_if<Datum>(&record.step)) change(zero, *datum, position);
     if (!is_move(record.step)) return;
     ++moves;
     const bool rapid = is_rapid(record.step);

@@ -3,6 +3,7 @@
 
 #include <cmath>
 #include <cstdint>
+#include <optional>
 
 #include "cl/record.hpp"
 
@@ -27,7 +28,8 @@ struct Totals {
     std::uint64_t moves = 0;  ///< Linear, Arc, Spline and Thread
     std::uint64_t rapid_moves = 0, feed_moves = 0;
     double rapid_length_mm = 0, feed_length_mm = 0;  ///< of the moves whose both ends are known
-    geom::Vec3 position{NAN, NAN, NAN};              ///< after the last move
+    geom::Vec3 position{NAN, NAN, NAN};              ///< after the last move, seen from the zero in force
+    std::optional<Datum> zero{};                     ///< in force
 
     void operator()(const Record& record);
 };

@@ -33,6 +33,15 @@ TEST(Totals, ACoordinateThatWasNeverGivenDoesNotMove) {
     EXPECT_DOUBLE_EQ(t.feed_length_mm, 4);
 }
 
+TEST(Totals, AnotherZeroMovesNothing) {
+    Totals t;
+    t({Datum{54, {100, 0, NAN}}, {}, 0});
+    t(rapid({10, 0, 5}));
+    t({Datum{55, {130, 0, -20}}, {}, 0});  // where they lie along z is not known: at the same place
+    t(feed({-20, 4, 5}));
+    EXPECT_DOUBLE_EQ(t.feed_length_mm, 4);
+}
+
 TEST(Totals, ArcsAndHelices) {
     Totals t;
     t(rapid({10, 0, 0}));

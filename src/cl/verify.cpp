@@ -1,9 +1,13 @@
 #include "cl/verify.hpp"
 
+#include <algorithm>
+#include <array>
+
 #include "base/codes.hpp"
 #include "base/number.hpp"
 #include "cl/spline.hpp"
 #include "cl/totals.hpp"
+#include "cl/zero.hpp"
 
 namespace obrys::cl {
 
@@ -114,6 +118,16 @@ void Verifier::check(const Record& r, const Spindle& s) {
 
 void Verifier::check(const Record& r, const Datum& s) {
     if (infinite(s.origin)) complain(r, base::codes::value_range, "zero offset is not finite");
+    change(zero_, s, position_);
+}
+
+void Verifier::check(const Record& r, const Frame& s) {
+    for (const FramePart& p : s.parts) {
+        const auto& l = p.frame.linear;
+        if (infinite(p.frame.origin) || std::any_of(l.begin(), l.end(), [](double v) { return std::isinf(v); }))
+            return complain(r, base::codes::value_range, "a frame is not finite");
+        if (determinant(p.frame) == 0) return complain(r, base::codes::value_range, "a frame has no inverse");
+    }
 }
 
 void Verifier::check(const Record& r, const Tolerance& s) {

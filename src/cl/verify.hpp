@@ -40,6 +40,7 @@ private:
     void check(const Record& r, const Feed& s);
     void check(const Record& r, const Spindle& s);
     void check(const Record& r, const Datum& s);
+    void check(const Record& r, const Frame& s);
     void check(const Record& r, const Tolerance& s);
     void check(const Record& r, const CycleBegin& s);
     void check(const Record& r, const CycleEnd& s);
@@ -56,6 +57,7 @@ private:
     VerifyOptions options_;
     const CallStacks* stacks_;
     geom::Vec3 position_{NAN, NAN, NAN};
+    std::optional<Datum> zero_;  ///< in force
     std::vector<Record> open_;   ///< CycleBegin records without their end
     std::vector<Record> parts_;  ///< the same of PartBegin
 };

@@ -38,6 +38,13 @@ TEST(Verify, ArcsMustEndOnTheirCircle) {
     EXPECT_EQ(complaints({start, Arc{{0, 10, 0}, {0, 0, 0}, {0, 0, 2}, 1}}), Codes{"value-range"});
 }
 
+TEST(Verify, ArcsStartWhereTheToolStandsInTheZeroInForce) {
+    const Linear start{{15, 0, 0}, {0, 0, 1}, true};
+    const Arc arc{{0, 10, 0}, {0, 0, 0}, {0, 0, 1}, geom::pi / 2};
+    EXPECT_EQ(complaints({Datum{54, {0, 0, 0}}, start, Datum{55, {5, 0, 0}}, arc}), Codes{});
+    EXPECT_EQ(complaints({Datum{54, {0, 0, 0}}, start, Datum{55, {4, 0, 0}}, arc}), Codes{"arc-radius"});
+}
+
 TEST(Verify, NoRecordHoldsTheseValues) {
     EXPECT_EQ(complaints({Linear{{INFINITY, 0, 0}, {0, 0, 1}, true}}), Codes{"value-range"});
     EXPECT_EQ(complaints({Linear{{0, 0, 0}, {0, 0, 1.1}, true}}), Codes{"value-range"});
@@ -47,6 +54,8 @@ TEST(Verify, NoRecordHoldsTheseValues) {
     EXPECT_EQ(complaints({Dwell{-1, 0}}), Codes{"value-range"});
     EXPECT_EQ(complaints({Thread{{0, 0, 0}, 0, false}}), Codes{"value-range"});
     EXPECT_EQ(complaints({Axis{{}, 0, true}}), Codes{"value-range"});
+    EXPECT_EQ(complaints({Frame{{{FrameKind::scaling, geom::Frame::scaling({1, 0, 1})}}}}), Codes{"value-range"});
+    EXPECT_EQ(complaints({Frame{{{FrameKind::mirror, geom::Frame::scaling({-1, 1, 1})}}}}), Codes{});
 }
 
 TEST(Verify, SplinesStartAtThePosition) {

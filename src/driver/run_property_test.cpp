@@ -191,6 +191,48 @@ RC_GTEST_PROP(Run, BlocksEndWhereTheySay, ()) {
     }
 }
 
+/// What stands in the stream before a move takes the programmed numbers to its point, and that to the machine.
+RC_GTEST_PROP(Run, ZerosAndFramesTellHowPointsAreProgrammed, ()) {
+    shop::Machine machine;
+    machine.datums = {{54, {100, 20, -300}}, {55, {-40, 7, -250}}, {56, {0, 0, 1}}};
+    const std::vector<std::string> frames{"TRANS X10 Y-3 Z2",
+                                          "ATRANS X1 Z5",
+                                          "ROT RPL=30",
+                                          "AROT Z-40",
+                                          "AMIRROR X0",
+                                          "ASCALE X2 Y2 Z2",
+                                          "TRANS",
+                                          "G54",
+                                          "G55",
+                                          "G56",
+                                          ""};
+    const auto contour = any_contour();
+    std::string text = "G54 G17 G90 G94 F100\n";
+    std::vector<Vec3> programmed;
+    for (const Block& b : contour) {
+        text += *rc::gen::elementOf(frames) + "\n";
+        programmed.push_back({b.x / 1000.0, b.y / 1000.0, b.z / 1000.0});
+        text += "G1 X" + base::shortest(programmed.back().x) + " Y" + base::shortest(programmed.back().y) + " Z" +
+                base::shortest(programmed.back().z) + "\n";
+    }
+    cl::Datum datum;
+    geom::Frame frame;
+    std::size_t n = 0;
+    for (const cl::Record& r : run_sinumerik(text, machine)) {
+        if (const auto* d = std::get_if<cl::Datum>(&r.step)) datum = *d;
+        if (const auto* f = std::get_if<cl::Frame>(&r.step)) {
+            frame = {};
+            for (const cl::FramePart& p : f->parts) frame = frame * p.frame;
+        }
+        const auto* line = std::get_if<cl::Linear>(&r.step);
+        if (line == nullptr) continue;
+        RC_ASSERT(n < programmed.size());
+        near(line->to, geom::apply(frame, programmed[n++]));
+        RC_ASSERT(datum.origin == machine.datums.at(datum.number));
+    }
+    RC_ASSERT(n == programmed.size());
+}
+
 RC_GTEST_PROP(Run, TextFormReadsBack, ()) {
     const auto records = run_sinumerik(start + written(any_contour(), {}) + "M30\n");
     base::Sources sources;

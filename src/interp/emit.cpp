@@ -1,5 +1,8 @@
 /// Records out of the run.
 
+#include <algorithm>
+#include <cmath>
+
 #include "base/codes.hpp"
 #include "interp/contour_cycle.hpp"
 #include "interp/path_stage.hpp"
@@ -45,7 +48,22 @@ geom::Vec3 stream_origin(const Run& run) {
         origin = found->second;
     else if (run.reference_datum == program::no_datum && run.traits->datum.none_is_machine_zero && !known.empty())
         origin = {};  // the machine's own zero
+    for (int k = 0; k < 3 && keeps_offsets(run) && !run.env.tell_settings; ++k)
+        if (is_datum_given(run, static_cast<std::size_t>(k)) && run.offsets.given[static_cast<std::size_t>(k)])
+            coordinate(origin, k) = run.offsets.reference[static_cast<std::size_t>(k)];
     if (run.env.machine.datum_rotations.contains(run.reference_datum)) origin.x = origin.y = unknown_number;
+    return origin;
+}
+
+geom::Vec3 selected_origin(const Run& run) {
+    geom::Vec3 origin{unknown_number, unknown_number, unknown_number};
+    if (!run.datum_known) return origin;
+    for (int k = 0; k < 3 && keeps_offsets(run); ++k)
+        if (is_datum_given(run, run.modal.datum, static_cast<std::size_t>(k)))
+            coordinate(origin, k) = run.offsets.datum[static_cast<std::size_t>(k)];
+    if (!keeps_offsets(run)) origin = datum_origin(run);
+    const bool turned = run.offsets.rotation != 0 || run.env.machine.datum_rotations.contains(run.modal.datum);
+    if (turned) origin.x = origin.y = unknown_number;
     return origin;
 }
 
@@ -68,11 +86,45 @@ void say_foreign_datum(Run& run) {
 
 }  // namespace
 
+namespace {
+
+bool same(double a, double b) { return a == b || (std::isnan(a) && std::isnan(b)); }
+
+bool same(const cl::FramePart& a, const cl::FramePart& b) {
+    const auto& l = a.frame.linear;
+    const geom::Vec3 p = a.frame.origin, q = b.frame.origin;
+    return a.kind == b.kind && same(p.x, q.x) && same(p.y, q.y) && same(p.z, q.z) &&
+           std::equal(l.begin(), l.end(), b.frame.linear.begin(), [](double x, double y) { return same(x, y); });
+}
+
+/// The first zero is that in which the run reckons.
 void emit_datum(Run& run) {
-    if (run.datum_emitted) return;
-    run.datum_emitted = true;
-    say_foreign_datum(run);
-    emit(run, cl::Datum{run.reference_datum, stream_origin(run)});
+    StreamFrame& told = run.told;
+    if (!told.begun) {
+        told.begun = true;
+        say_foreign_datum(run);
+        told.first = told.datum = {run.reference_datum, stream_origin(run)};
+        emit(run, told.first);
+        if (run.modal.datum == program::no_datum) told.datum.number = run.modal.datum;
+    }
+    const cl::Datum selected{run.modal.datum, selected_origin(run)};
+    const bool again = selected.number == told.datum.number && cl::way(told.datum, selected) == geom::Vec3{};
+    if (again || run.env.tell_settings) return;
+    told.datum = selected;
+    emit(run, selected);
+}
+
+}  // namespace
+
+void emit_frame(Run& run) {
+    if (run.told.current) return;
+    run.told.current = true;
+    emit_datum(run);
+    std::vector<cl::FramePart> parts = frame_parts(run);
+    const auto alike = [](const cl::FramePart& a, const cl::FramePart& b) { return same(a, b); };
+    if (std::equal(parts.begin(), parts.end(), run.told.parts.begin(), run.told.parts.end(), alike)) return;
+    run.told.parts = std::move(parts);
+    emit(run, cl::Frame{run.told.parts});
 }
 
 }  // namespace obrys::interp

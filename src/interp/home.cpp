@@ -69,7 +69,7 @@ void to_home(Run& run, bool all) {
                "give home of the axes in the machine file and the zero offset in [datum] of the job, or the parameter "
                "file of the control");
     run.offsets.lost = run.offsets.lost || !geom::is_finite(to);
-    if (geom::is_finite(to)) emit_datum(run);  // it is a place in that frame
+    if (geom::is_finite(to)) emit_frame(run);  // it is a place in that frame
     run.position = to;
     run.programmed_position = geom::apply(geom::inverse(run.frame), to);
     emit(run, cl::Linear{to, run.tool_axis, true});

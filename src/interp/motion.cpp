@@ -260,7 +260,7 @@ void say_unknown_way(Run& run) {
 void begin_motion(Run& run) {
     if (names_no_place(run)) return;
     run.moved = true;
-    emit_datum(run);
+    emit_frame(run);
     if (keeps_offsets(run) && !run.offsets.length_judged) judge_length(run);
     if (!run.datum_known && !run.datum_complained && !goes_by_machine(run)) say_unknown_way(run);
 }

@@ -201,6 +201,8 @@ bool is_place_known(const Run& run) {
 
 }  // namespace
 
+bool is_datum_given(const Run& run, std::uint32_t datum, std::size_t axis) { return holds(run, datum, axis); }
+
 bool is_datum_given(const Run& run, std::size_t axis) { return holds(run, run.reference_datum, axis); }
 
 bool is_datum_given(const Run& run) {
@@ -300,6 +302,15 @@ void begin_offsets(Run& run) {
     update_frame(run);
 }
 
+geom::Frame datum_frame(const Run& run) {
+    const Offsets& o = run.offsets;
+    const Axes tip = tip_in_use(o);
+    const geom::Frame f = geom::Frame::shift({o.datum[0] - o.reference[0] + o.tool[0] - tip[0],
+                                              o.datum[1] - o.reference[1] + o.tool[1] - tip[1],
+                                              o.datum[2] - o.reference[2] + o.tool[2] - tip[2]});
+    return o.rotation == 0 ? f : f * geom::Frame::rotation(2, geom::radians(o.rotation));
+}
+
 geom::Frame offset_frame(Run& run) {
     Offsets& o = run.offsets;
     if (!run.moved) {  // nothing is in the stream yet: it is counted from here
@@ -317,14 +328,8 @@ geom::Frame offset_frame(Run& run) {
                 if (const double v = coordinate(job->second, k); !std::isnan(v) && !run.env.tell_settings)
                     o.reference[static_cast<std::size_t>(k)] = v;
     }
-    const Axes tip = tip_in_use(o);
     for (std::size_t k = 0; k < 9; ++k) o.total[k] = o.datum[k] + o.shift[k] + o.tool[k] - o.reference[k];
-    const geom::Vec3 origin{o.datum[0] - o.reference[0] + o.tool[0] - tip[0],
-                            o.datum[1] - o.reference[1] + o.tool[1] - tip[1],
-                            o.datum[2] - o.reference[2] + o.tool[2] - tip[2]};
-    geom::Frame f = geom::Frame::shift(origin);
-    if (o.rotation != 0) f = f * geom::Frame::rotation(2, geom::radians(o.rotation));
-    return f * geom::Frame::shift({o.shift[0], o.shift[1], o.shift[2]});
+    return datum_frame(run) * geom::Frame::shift({o.shift[0], o.shift[1], o.shift[2]});
 }
 
 /// The word of the axis is an increment: by its letter (U and W of lathes) or in G91.

@@ -138,9 +138,11 @@ void circle_alarm(Run& run, const base::Span& where) {
 
 void tell_programmed(Run& run, const path::Element& e) {
     if (run.env.programmed == nullptr) return;
-    if (auto step = plane_move(run, e, false))
-        (*run.env.programmed)(in_stream(run, e.from, e.w_from),
-                              cl::Record{std::move(*step), run.here(), run.top().stack});
+    auto step = plane_move(run, e, false);
+    if (!step) return;
+    cl::shift(*step, run.zero.by());
+    (*run.env.programmed)(in_stream(run, e.from, e.w_from) + run.zero.by(),
+                          cl::Record{std::move(*step), run.here(), run.top().stack});
 }
 
 void lead_to_place(Run& run) {

@@ -330,10 +330,13 @@ void read_table(Run&, const program::ProcedureCall&);
 [[nodiscard]] inline bool keeps_offsets(const Run& run) { return run.traits->offsets.datum_first != 0; }
 /// Takes what the parameters hold at the start of the run.
 void begin_offsets(Run&);
+/// From the selected zero, turned as it is, to that of the run.
+[[nodiscard]] geom::Frame datum_frame(const Run&);
 /// Programmed frame -> stream; also sets Offsets::total.
 [[nodiscard]] geom::Frame offset_frame(Run&);
 /// Where the zero that the stream's coordinates count from lies in the machine is told by job, file or program.
 [[nodiscard]] bool is_datum_given(const Run&, std::size_t axis);
+[[nodiscard]] bool is_datum_given(const Run&, std::uint32_t datum, std::size_t axis);
 /// … of any linear axis.
 [[nodiscard]] bool is_datum_given(const Run&);
 /// The active zero offset anew from its parameters.
@@ -476,10 +479,14 @@ void begin_part(Run&, cl::PartKind kind, std::string name, std::uint64_t pass, s
 void end_part(Run&);
 /// Runs a section that has been run before once more, `section.left` times in all.
 void begin_repetition(Run&, ActiveSection section);
-/// Once, before the first move: the datum in which all coordinates of the stream are.
-void emit_datum(Run&);
-/// Zero of the stream's coordinates in the machine's; NaN where it is not known.
+/// Before a move: the zero that is selected and the frame in which coordinates are programmed, as far as the stream does
+/// not have them yet.
+void emit_frame(Run&);
+/// That frame, from the selected zero inwards (frame_words.cpp).
+[[nodiscard]] std::vector<cl::FramePart> frame_parts(const Run&);
+/// Zero of the run's coordinates in the machine's, and that of the selected datum; NaN where it is not known.
 [[nodiscard]] geom::Vec3 stream_origin(const Run&);
+[[nodiscard]] geom::Vec3 selected_origin(const Run&);
 [[nodiscard]] cl::Axis axis_record(std::string_view name, double to, bool is_rotary, bool counted);
 /// Emits what a path stage (compensation, rounding) still holds back.
 void flush_path(Run&);

@@ -22,6 +22,7 @@
 #include "geom/nurbs.hpp"
 #include "interp/interp.hpp"
 #include "interp/modes.hpp"
+#include "interp/selected_zero.hpp"
 #include "interp/value.hpp"
 #include "interp/variables.hpp"
 #include "program/modal_group.hpp"
@@ -288,6 +289,14 @@ private:
     }
 };
 
+/// The zero and the frame that the stream has been told, before its moves.
+struct StreamFrame {
+    bool begun = false;
+    bool current = false;  ///< nothing has changed since
+    cl::Datum first, datum;
+    std::vector<cl::FramePart> parts;
+};
+
 /// Why blocks are looked at without being run (capture.hpp).
 enum class Look : std::uint8_t {
     no,                 ///< they are run
@@ -365,7 +374,7 @@ struct RunState : ToolRack {
     bool datum_known = true;              ///< the active datum's place against it is known
     bool datum_complained = false;        ///< that it is not is said since the program selected it
     bool moved = false;
-    bool datum_emitted = false;
+    StreamFrame told;
     bool probed = false;  ///< a probing move was run to its end, where the probe may have stopped before
     std::unordered_map<std::string, double> extra_axes;
     std::vector<double>
@@ -395,9 +404,9 @@ struct RunState : ToolRack {
     /// Of programs that jump to a computed block number: statements by it.
     mutable std::unordered_map<const Unit*, std::unordered_map<std::int64_t, std::vector<std::uint32_t>>> block_numbers;
     std::set<std::pair<const Unit*, std::uint32_t>> ends_told;  ///< behind which blocks are said that are never run
-    std::uint64_t unknown_conditions = 0;  ///< that were met
-    std::string last_message;              ///< of MSG
-    std::string log_file;                  ///< that the program has opened; empty: none
+    std::uint64_t unknown_conditions = 0;                       ///< that were met
+    std::string last_message;                                   ///< of MSG
+    std::string log_file;                                       ///< that the program has opened; empty: none
     cl::Record record;
 };
 
@@ -430,6 +439,7 @@ struct Run : RunState {
 
     // Handed out, or kept so that it is handed out once.
     cl::CallStacks& stacks;
+    SelectedZero zero;  ///< what records go through
     cl::Sink sink;
     base::Diagnostics& diagnostics;
     std::unique_ptr<PathStage> path;             ///< holds back what is to come out

@@ -206,7 +206,7 @@ void tell_rotary(Run& run, const Vec3& axis_before) {
             emit(run, axis_record(at->first, at->second, true, tilted(run)));
     }
     if (run.tool_axis == axis_before) return;
-    emit_datum(run);
+    emit_frame(run);
     emit(run, cl::Linear{run.position, run.tool_axis, true});
 }
 

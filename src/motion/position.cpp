@@ -1,25 +1,12 @@
 #include "motion/position.hpp"
 
+#include "cl/zero.hpp"
+
 namespace obrys::motion {
-
-namespace {
-
-/// Way from one zero to another, mm: none within the same offset even where it is not known.
-double way(double from, double to, bool same_number) {
-    return same_number && std::isnan(from) && std::isnan(to) ? 0 : to - from;
-}
-
-geom::Vec3 way(const cl::Datum& from, const cl::Datum& to) {
-    const bool same = from.number == to.number;
-    return {way(from.origin.x, to.origin.x, same), way(from.origin.y, to.origin.y, same),
-            way(from.origin.z, to.origin.z, same)};
-}
-
-}  // namespace
 
 void Position::take(const cl::Datum& datum) {
     if (datum_set_)
-        here_ = here_ - way(datum_, datum);
+        here_ = here_ - cl::way(datum_, datum);
     else
         here_ = {NAN, NAN, NAN};
     datum_ = datum;
@@ -29,7 +16,7 @@ void Position::take(const cl::Datum& datum) {
         fixed_ = true;
     }
     datum_set_ = true;
-    shift_ = fixed_ ? way(stock_, datum_) : geom::Vec3{};
+    shift_ = fixed_ ? cl::way(stock_, datum_) : geom::Vec3{};
 }
 
 void Position::move_to(geom::Vec3 to) { here_ = to; }

@@ -13,7 +13,7 @@ public:
     void move_to(geom::Vec3 to);
 
     [[nodiscard]] geom::Vec3 here() const { return here_; }  ///< in the frame in force
-    /// From the frame in force to the stock's frame; NaN where the offsets are not known.
+    /// From the frame in force to the stock's frame.
     [[nodiscard]] geom::Vec3 to_stock() const { return shift_; }
 
 private:

@@ -15,6 +15,7 @@ struct State {
     cl::Coolant coolant;
     cl::Tolerance tolerance;
     cl::Datum datum{0, {NAN, NAN, NAN}};
+    cl::Frame frame;                   ///< in which coordinates are programmed
     cl::ToolChange change;             ///< the last one
     base::Span changed{};              ///< its place
     cl::StackId changed_from = 0;      ///< its stack

@@ -1,0 +1,29 @@
+#include "cl/zero.hpp"
+
+#include <cmath>
+
+namespace obrys::cl {
+
+namespace {
+
+double way(double from, double to) { return std::isnan(from) || std::isnan(to) ? 0 : to - from; }
+
+}  // namespace
+
+geom::Vec3 way(const Datum& from, const Datum& to) {
+    return {way(from.origin.x, to.origin.x), way(from.origin.y, to.origin.y), way(from.origin.z, to.origin.z)};
+}
+
+void change(std::optional<Datum>& zero, const Datum& next, geom::Vec3& place) {
+    if (zero) place = place - way(*zero, next);
+    zero = next;
+}
+
+void shift(Step& step, const geom::Vec3& by) {
+    if (auto* linear = std::get_if<Linear>(&step)) linear->to = linear->to + by;
+    if (auto* arc = std::get_if<Arc>(&step)) arc->to = arc->to + by, arc->centre = arc->centre + by;
+    if (auto* spline = std::get_if<Spline>(&step)) spline->to = spline->to + by;
+    if (auto* thread = std::get_if<Thread>(&step)) thread->to = thread->to + by;
+}
+
+}  // namespace obrys::cl

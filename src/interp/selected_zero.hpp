@@ -1,0 +1,25 @@
+#pragma once
+/// The run reckons in the frame of one workpiece zero; the stream counts from the zero that the program has selected.
+/// Private to interp.
+
+#include "cl/zero.hpp"
+
+namespace obrys::interp {
+
+/// Stands before whoever takes the stream: moves the points of what passes into the frame of the last Datum.
+class SelectedZero {
+public:
+    explicit SelectedZero(cl::Sink out) : out_(out) {}
+    void operator()(const cl::Record& record);
+    /// From the frame that the run reckons in into that of the stream.
+    [[nodiscard]] geom::Vec3 by() const { return by_; }
+
+private:
+    cl::Sink out_;
+    std::optional<cl::Datum> first_;
+    geom::Vec3 by_;
+    bool moved_ = false;  ///< `by_` is not 0
+    cl::Record record_;
+};
+
+}  // namespace obrys::interp
