@@ -11,6 +11,7 @@ namespace {
 
 constexpr double held_by_cells = 1;  ///< steps: what is lower than that may have been seen by chance
 constexpr double much_less = 0.5;    ///< of a depth: what is known to be no higher is not that place
+constexpr double of_a_gap = 3;       ///< times as deep as material stands off: no corner that a tool has left round
 
 mesh::Mesh triangles_beyond(const mesh::Comparison& found, const mesh::Mesh& surface, double allowed) {
     mesh::Mesh high;
@@ -58,7 +59,7 @@ bool KnownRest::joins(const FilledPlace& filled) {
         const bool as_high = !(shown_[i] < much_less * depth);
         const bool here = std::any_of(filled.faces.begin(), filled.faces.end(),
                                       [&](const mesh::Box& box) { return holds(box, p.at, step_); });
-        const bool by_chance = here && !as_high && shown_[i] < held_by_cells * wide_;
+        const bool by_chance = here && !as_high && (shown_[i] < held_by_cells * wide_ || depth > of_a_gap * shown_[i]);
         joined = joined || (here && as_high) || by_chance;
         if (by_chance && raised) {
             places_[*raised] = widened(p, places_[*raised]);

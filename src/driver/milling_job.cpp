@@ -7,6 +7,7 @@
 #include "base/codes.hpp"
 #include "driver/mesh_file.hpp"
 #include "driver/program_blank.hpp"
+#include "mesh/primitives.hpp"
 
 namespace obrys::driver {
 
@@ -31,7 +32,9 @@ struct Reading {
     Guard guard;
 };
 
+/// What is a box is taken as one: its faces are known exactly.
 sim::milling::Stock stock_of_mesh(mesh::Mesh mesh) {
+    if (const auto box = mesh::as_box(mesh)) return sim::milling::Box3{box->lo, box->hi};
     return sim::milling::MeshStock{std::move(mesh.vertices), std::move(mesh.triangles)};
 }
 

@@ -33,10 +33,19 @@ double judged(Vec3 p, double deviation, const CompareOptions& options) {
     return options.judged(p, deviation);
 }
 
+/// From a place one can be no farther off than from another one, and the way between them.
+double farthest_after(double deviation, Vec3 before, Vec3 place) {
+    return std::nextafter((std::abs(deviation) + distance(before, place)) * (1 + 1e-12), HUGE_VAL);
+}
+
 std::vector<double> of_vertices(const Mesh& result, const Distance& part) {
     std::vector<double> d(result.vertices.size());
     tbb::parallel_for(Range(0, d.size(), 1024), [&](const Range& some) {
-        for (std::size_t v = some.begin(); v < some.end(); ++v) d[v] = part.signed_distance(result.vertices[v]);
+        double reach = HUGE_VAL;  // as far as the vertex before, and the way from there: they follow each other
+        for (std::size_t v = some.begin(); v < some.end(); ++v) {
+            if (v > some.begin()) reach = farthest_after(d[v - 1], result.vertices[v - 1], result.vertices[v]);
+            d[v] = part.signed_distance(result.vertices[v], reach);
+        }
     });
     return d;
 }
@@ -45,9 +54,7 @@ Extremes extremes_of(const Mesh& result, std::size_t triangle, std::span<const d
                      const CompareOptions& options) {
     const Triangle& t = result.triangles[triangle];
     const Vec3 middle = centre(result, triangle);
-    // The centre can be no farther than a corner is, and the way to it.
-    const double reach = std::abs(vertices[t[0]]) + distance(result.vertices[t[0]], middle);
-    const double off = part.signed_distance(middle, std::nextafter(reach * (1 + 1e-12), HUGE_VAL));
+    const double off = part.signed_distance(middle, farthest_after(vertices[t[0]], result.vertices[t[0]], middle));
     const double there = judged(middle, off, options);
     Extremes e{there, there, 3, 3};
     for (std::uint8_t c = 0; c < 3; ++c) {

@@ -126,5 +126,31 @@ TEST(Welding, of_many_points_finds_each_again) {
             ASSERT_EQ(w.add({i * 0.25, i % 7 * 1.5, -i * 1.0}), static_cast<std::uint32_t>(i));
 }
 
+TEST(Primitives, ABoxIsKnownAsOneHoweverItsFacesAreCut) {
+    const Vec3 lo{-1, 2, 0.3}, hi{4, 2.5, 7};
+    Mesh m = box(lo, hi);
+    ASSERT_TRUE(as_box(m));
+    EXPECT_EQ(as_box(m)->lo, lo);
+    EXPECT_EQ(as_box(m)->hi, hi);
+    turn_over(m);
+    EXPECT_TRUE(as_box(m)) << "inside out it is the same body";
+    // A face in three by a place in its middle.
+    Mesh fan = box(lo, hi);
+    const Triangle t = fan.triangles[0];
+    const auto middle = static_cast<std::uint32_t>(fan.vertices.size());
+    fan.vertices.push_back({1, 2.2, 0.3});
+    fan.triangles[0] = {t[0], t[1], middle};
+    fan.triangles.push_back({t[1], t[2], middle});
+    fan.triangles.push_back({t[2], t[0], middle});
+    EXPECT_TRUE(as_box(fan));
+    fan.vertices[middle].z = 0.4;
+    EXPECT_FALSE(as_box(fan)) << "a dent";
+    Mesh open = box(lo, hi);
+    open.triangles.pop_back();
+    EXPECT_FALSE(as_box(open));
+    EXPECT_FALSE(as_box(cylinder({0, 0, 0}, 3, 5, 16)));
+    EXPECT_FALSE(as_box(Mesh{}));
+}
+
 }  // namespace
 }  // namespace obrys::mesh

@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "base/whole.hpp"
+#include "mesh/topology.hpp"
 
 namespace obrys::mesh {
 
@@ -18,6 +19,26 @@ Mesh box(Vec3 lo, Vec3 hi) {
     m.triangles = {{0, 2, 3}, {0, 3, 1}, {4, 5, 7}, {4, 7, 6}, {0, 1, 5}, {0, 5, 4},
                    {2, 6, 7}, {2, 7, 3}, {0, 4, 6}, {0, 6, 2}, {1, 3, 7}, {1, 7, 5}};
     return m;
+}
+
+std::optional<Box> as_box(const Mesh& m) {
+    constexpr double same_volume = 1e-9;  // of it
+    if (m.triangles.empty() || !topology(m).closed()) return std::nullopt;
+    const Box b = bounds(m);
+    const auto lies_in = [&](const Triangle& t, auto&& coordinate) {
+        const auto all_at = [&](double side) {
+            return std::all_of(t.begin(), t.end(), [&](std::uint32_t v) { return coordinate(m.vertices[v]) == side; });
+        };
+        return all_at(coordinate(b.lo)) || all_at(coordinate(b.hi));
+    };
+    const bool on_faces = std::all_of(m.triangles.begin(), m.triangles.end(), [&](const Triangle& t) {
+        return lies_in(t, [](Vec3 p) { return p.x; }) || lies_in(t, [](Vec3 p) { return p.y; }) ||
+               lies_in(t, [](Vec3 p) { return p.z; });
+    });
+    const Vec3 size = b.size();
+    const double whole = size.x * size.y * size.z;
+    if (!on_faces || !(std::abs(std::abs(volume(m)) - whole) <= same_volume * whole)) return std::nullopt;
+    return b;
 }
 
 int circle_sides(double radius, double tolerance) {
