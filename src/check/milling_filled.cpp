@@ -39,6 +39,7 @@ constexpr double coarsest_steps = 2;  ///< steps
 constexpr double side = 8;            ///< steps: places are looked at together in cubes of this size
 constexpr std::size_t batch_of_cubes = 256;
 constexpr std::size_t most_measured = 12;  ///< places of a cube
+constexpr int looks = 16;                  ///< on a way out
 constexpr int most_steps = 200;
 constexpr std::size_t proof_cells = 3000;
 constexpr std::size_t most_proofs = 100;
@@ -94,8 +95,6 @@ private:
         std::size_t body = 0;
     };
     [[nodiscard]] Top top_of(const milling::Air& air, const Deepest& d, double reach) const;
-    [[nodiscard]] double stride(Vec3 p) const;
-    [[nodiscard]] bool leads_through_part(Vec3 from, Vec3 to) const;
     void measure(Covered& c, const std::vector<Deep>& deep, const Some& some) const;
     [[nodiscard]] bool stands_off(const Covered& c) const;
     [[nodiscard]] Vec3 before(const mesh::NarrowFace& f) const;
@@ -200,34 +199,22 @@ std::vector<Filled::Deepest> Filled::deepest_of(const milling::Air& air, const s
     return all;
 }
 
-/// How far one may go without a step over the part, from a place that is not in it.
-double Filled::stride(Vec3 p) const { return std::max(options_.excess / 4, m_.part.signed_distance(p)); }
-
-bool Filled::leads_through_part(Vec3 from, Vec3 to) const {
-    const double all = geom::distance(from, to);
-    int steps = 0;
-    for (double way = 0; way < all && steps < most_steps; ++steps) {
-        const Vec3 p = from + (way / all) * (to - from);
-        if (m_.part.signed_distance(p) < -options_.excess) return true;
-        way += stride(p);
-    }
-    return steps == most_steps;
-}
-
 /// Where the material above a place ends: the shortest way out, or, where that leads through the part, the way along
-/// the face's normal, unless that ends at the part, too: from wall to wall nothing is high.
+/// the face's normal.
 Filled::Top Filled::top_of(const milling::Air& air, const Deepest& d, double reach) const {
     const Vec3 at = d.place.at, out = at + d.depth.depth * way_out(air, d.depth.body, at);
-    if (!leads_through_part(at, out)) return {out, d.depth.body};
+    bool through = false;
+    for (int k = 1; k < looks && !through; ++k)
+        through = m_.part.signed_distance(at + (static_cast<double>(k) / looks) * (out - at)) < -options_.excess;
+    if (!through) return {out, d.depth.body};
     const Vec3 normal = m_.part.normal(faces_[d.place.face].triangle);
     const double least = options_.excess / 4;
     double way = 0;
     for (int k = 0; k < most_steps && way < reach; ++k) {
         const Vec3 p = at + way * normal;
         const double depth = depth_at(air, p, 0, reach, 0).depth;
-        if (way > least && m_.part.signed_distance(p) < -least) return {out, d.depth.body};
-        if (!(depth > 0)) break;
-        way += std::min(std::max(depth, least), stride(p));
+        if (!(depth > 0) || (way > least && m_.part.signed_distance(p) < -least)) break;
+        way += std::max(depth, least);
     }
     return {at + way * normal, depth_at(air, at + way * normal, -HUGE_VAL, reach, 0).body};
 }
