@@ -157,7 +157,12 @@ void begin_repetition(Run& run, ActiveSection section) {
 }
 
 Run::Run(const Environment& e, cl::CallStacks& s, cl::Sink k, base::Diagnostics& d, std::uint32_t parameter_count)
-    : RunState(e.tools, parameter_count, start_position(e.machine)), env(e), stacks(s), zero(k), sink(zero), diagnostics(d) {
+    : RunState(e.tools, parameter_count, start_position(e.machine)),
+      env(e),
+      stacks(s),
+      zero(k),
+      sink(zero),
+      diagnostics(d) {
     path = std::make_unique<PathStage>();
     for (const shop::MachineAxis& axis : e.machine.axes)
         for (int i = 0; i < 9; ++i)

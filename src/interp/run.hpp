@@ -479,8 +479,8 @@ void begin_part(Run&, cl::PartKind kind, std::string name, std::uint64_t pass, s
 void end_part(Run&);
 /// Runs a section that has been run before once more, `section.left` times in all.
 void begin_repetition(Run&, ActiveSection section);
-/// Before a move: the zero that is selected and the frame in which coordinates are programmed, as far as the stream does
-/// not have them yet.
+/// Before a move: the zero that is selected and the frame in which coordinates are programmed, as far as the stream
+/// does not have them yet.
 void emit_frame(Run&);
 /// That frame, from the selected zero inwards (frame_words.cpp).
 [[nodiscard]] std::vector<cl::FramePart> frame_parts(const Run&);
