@@ -41,6 +41,7 @@ struct MillingSetup {
     std::vector<Clamp> clamps;
     std::shared_ptr<const mesh::Distance> part;  ///< the finished part, closed
     bool surface = false;                        ///< the surface is asked for without a part, too
+    std::optional<std::uint64_t> at;  ///< the move after which Milled::at_move is the surface, as Finding::move counts
     std::uint64_t most_simulated = std::numeric_limits<std::uint64_t>::max();  ///< moves
     std::size_t keep_moves = 0;  ///< how many moves keep their way, for pages
     int threads = 0;             ///< 0: as many as there are processors; the result is the same

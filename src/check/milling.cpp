@@ -328,6 +328,7 @@ void Milling::finish(bool whole) {
     milled->points = std::move(points_);
     milled->moves_with_points = moves_with_points_;
     judge_surface(*milled);
+    if (setup_.milling->at) keep_at_move(*milled, *setup_.milling->at);
     out_.result().milled = std::move(milled);
 }
 

@@ -149,6 +149,7 @@ private:
     void judge_open(const sim::milling::Refined& refined);
     void add_thin(mesh::Comparison& found, const Machined& machined, const mesh::CompareOptions& options);
     void add_filled(mesh::Comparison& found, const Machined& machined, const mesh::CompareOptions& options);
+    void keep_at_move(Milled& milled, std::uint64_t index);
     void judge_surface(Milled& milled);
     void judge_place(const Milled& milled, const mesh::Place& place, bool gouge);
     void judge_gouge(const Milled& milled, const Gouge& gouge);

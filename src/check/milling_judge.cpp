@@ -200,6 +200,15 @@ void Milling::add_filled(mesh::Comparison& found, const Machined& machined, cons
             "try a smaller tolerance (--tolerance), or check a smaller part of it");
 }
 
+/// What was left when one of the moves had been made.
+void Milling::keep_at_move(Milled& milled, std::uint64_t index) {
+    std::size_t passes = 0;
+    while (passes < move_of_pass_.size() && milled.moves[move_of_pass_[passes]].index <= index) ++passes;
+    const milling::Simulation then = simulation_->at(passes);
+    milled.at_move = milling::extract_surface(then, setup_.out_of_time).mesh;
+    for (std::uint32_t& tag : milled.at_move->tags) tag = tag == 0 ? 0 : move_of_pass_[simulation_->pass_of(tag)] + 1;
+}
+
 void Milling::judge_surface(Milled& milled) {
     const MillingSetup& m = *setup_.milling;
     if (out_.result().stats.feed_moves > 0 && figures_.contact_length_mm == 0 && complete_) judge_no_contact(milled);

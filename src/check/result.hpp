@@ -179,6 +179,8 @@ struct Milled {
     mesh::Mesh surface;    ///< empty where nobody asked for it; tags: index in `moves` + 1, 0 the stock's own face
     std::size_t thin = 0;  ///< walls thinner than a step, which the surface leaves out
     std::optional<mesh::Comparison> comparison;  ///< with the part
+    /// As it was when MillingSetup::at was made, with tags as of `surface`; none: not asked for, or made in no stock.
+    std::optional<mesh::Mesh> at_move;
 };
 
 struct Result {

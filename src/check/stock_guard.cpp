@@ -96,7 +96,7 @@ bool StockGuard::in_emptied(const StockPass& q, const milling::Simulation& simul
 /// Leaves what is neither clear nor touches, and the deepest of those that do.
 void StockGuard::sort_out(const milling::Simulation& simulation) {
     std::vector<char> clear(queued_.size());
-    const auto met = simulation.engagements();
+    const auto& met = simulation.engagements();
     for (std::size_t i = 0; i < queued_.size(); ++i) {
         // What the rays see so deep they measure well enough; of rapids the first ones better.
         const bool deep = met[queued_[i].number].depth > (queued_[i].body ? seen : hidden) * apart_;

@@ -104,6 +104,7 @@ std::optional<check::MillingSetup> milling_setup(Session& s, const MillingReques
     if (!stock) return std::nullopt;
     m.stock = std::move(*stock);
     m.surface = request.surface;
+    m.at = request.at;
     m.keep_moves = request.keep_moves;
     for (const shop::Clamp& c : s.job.clamps) add_clamp(s, c, reading, m);
     if (!s.job.solid_part) return m;

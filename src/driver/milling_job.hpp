@@ -12,6 +12,7 @@ namespace obrys::driver {
 struct MillingRequest {
     std::optional<double> tolerance;     ///< mm; not said: as the job says, else 0.01
     bool surface = false;                ///< the surface is wanted for a file or picture
+    std::optional<std::uint64_t> at;     ///< the move after which it is wanted; not said: the last
     std::size_t keep_moves = 0;          ///< whose way is kept for the page
     std::optional<double> memory_bytes;  ///< that the stock may take; not said: half of what the machine has
 };

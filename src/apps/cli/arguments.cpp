@@ -11,6 +11,7 @@
 
 #include "base/codes.hpp"
 #include "base/number.hpp"
+#include "milled.hpp"
 #include "shop/machine.hpp"
 #include "shop/nearest.hpp"
 #include "words.hpp"
@@ -177,6 +178,33 @@ struct Commands {
     CLI::App* help;
 };
 
+/// The machined surface as file or picture, and when.
+void add_surface_outputs(CLI::App& check, Arguments& a) {
+    check.add_option("--stl", a.stl, "milling: also write the machined surface as binary STL")->type_name("FILE");
+    check.add_option("--3mf", a.three_mf, "milling: the same as 3MF, coloured by tool or deviation")->type_name("FILE");
+    check.add_option("--gltf", a.gltf, "milling: the same as binary glTF (.glb)")->type_name("FILE");
+    const auto picture = [&](const char* name, std::string& file, const char* what) {
+        check.add_option(name, file, what)
+            ->check([](const std::string& path) {
+                return path.ends_with(".png") || path.ends_with(".svg") ? "" : "must end with .png or .svg";
+            })
+            ->type_name("FILE");
+    };
+    picture("--plan", a.plan_view, "milling: also draw the part from above, the deeper the darker (.png, .svg)");
+    picture("--projections", a.projections, "milling: the same from front, left and above, cut open");
+    picture("--picture", a.picture, "milling: the same in 3D");
+    check
+        .add_option_function<std::uint64_t>(
+            "--at", [&a](const std::uint64_t& move) { a.milling.at = move; },
+            "milling: surface and pictures as they are after this move (numbers: obrys run --format csv)")
+        ->type_name("MOVE");
+    check.callback([&a] {
+        if (a.milling.at && !wants_surface(a))
+            throw CLI::ValidationError(
+                "--at", "says when; what to write is said by --stl, --3mf, --gltf, --plan, --projections or --picture");
+    });
+}
+
 Commands add_commands(CLI::App& app, Arguments& a) {
     Commands c{};
     c.check = app.add_subcommand("check", check_help);
@@ -201,20 +229,7 @@ Commands add_commands(CLI::App& app, Arguments& a) {
                        : "must be a length in mm above 0, at most 1";
         })
         ->type_name("MM");
-    c.check->add_option("--stl", a.stl, "milling: also write the machined surface as binary STL")->type_name("FILE");
-    c.check->add_option("--3mf", a.three_mf, "milling: the same as 3MF, coloured by tool or deviation")
-        ->type_name("FILE");
-    c.check->add_option("--gltf", a.gltf, "milling: the same as binary glTF (.glb)")->type_name("FILE");
-    const auto picture = [&](const char* name, std::string& file, const char* what) {
-        c.check->add_option(name, file, what)
-            ->check([](const std::string& path) {
-                return path.ends_with(".png") || path.ends_with(".svg") ? "" : "must end with .png or .svg";
-            })
-            ->type_name("FILE");
-    };
-    picture("--plan", a.plan_view, "milling: also draw the part from above, the deeper the darker (.png, .svg)");
-    picture("--projections", a.projections, "milling: the same from front, left and above, cut open");
-    picture("--picture", a.picture, "milling: the same in 3D");
+    add_surface_outputs(*c.check, a);
     c.check->add_option("--engagement", a.engagement, "milling: also write how every move was engaged (.csv, .json)")
         ->check([](const std::string& path) {
             return path.ends_with(".csv") || path.ends_with(".json") ? "" : "must end with .csv or .json";

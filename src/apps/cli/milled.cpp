@@ -48,7 +48,7 @@ constexpr std::uint32_t tool_colour_count = sizeof(tool_colours) / sizeof(tool_c
 /// By deviation where there is a part, else by the tool that cut last.
 mesh::DeviationColours colour(const check::Milled& milled, mesh::Mesh& surface, double tolerance) {
     mesh::DeviationColours c;
-    if (milled.comparison) {
+    if (milled.comparison && !milled.at_move) {
         mesh::CompareOptions allowed;
         allowed.gouge = allowed.excess = tolerance;
         c = mesh::deviation_colours(milled.comparison->deviation, allowed, full_deviation * tolerance);
@@ -65,7 +65,7 @@ mesh::DeviationColours colour(const check::Milled& milled, mesh::Mesh& surface, 
 
 /// What the colours mean.
 std::vector<report::PictureLegend> legend_of(const check::Result& result, const mesh::DeviationColours& colours) {
-    if (result.milled->comparison) {
+    if (result.milled->comparison && !result.milled->at_move) {
         const double allowed = result.milled->figures.tolerance_mm;
         return report::deviation_legend(colours, allowed, full_deviation * allowed);
     }
@@ -90,8 +90,9 @@ bool write_pictures(const Arguments& a, driver::Session& s, const driver::Checke
     std::vector<report::PictureMark> marks;
     const std::vector<check::Group> groups = check::groups_of(checked.result);
     for (std::size_t k = 0; k < groups.size(); ++k)
-        if (const auto& place = checked.result.findings[groups[k].worst].place)
-            marks.push_back({std::to_string(k + 1), *place});
+        if (const check::Finding& f = checked.result.findings[groups[k].worst];
+            f.place && !(a.milling.at && f.move > a.milling.at))
+            marks.push_back({std::to_string(k + 1), *f.place});
     report::MillingScene scene{surface};
     if (checked.setup.milling) {
         const auto box = sim::milling::box_of(checked.setup.milling->stock);
@@ -130,14 +131,21 @@ bool write_surface(const Arguments& a, driver::Session& s, const driver::Checked
                    stderr);
         return false;
     }
+    if (a.milling.at && *a.milling.at >= checked.result.stats.moves) {
+        std::fprintf(stderr, "obrys: --at %llu: the program makes %llu moves, numbered from 0\n",
+                     static_cast<unsigned long long>(*a.milling.at),
+                     static_cast<unsigned long long>(checked.result.stats.moves));
+        return false;
+    }
     const double flat = check::flat_share * milled->figures.tolerance_mm;
+    const mesh::Mesh& machined = milled->at_move ? *milled->at_move : milled->surface;
     bool written = true;
     if (!a.stl.empty()) {
-        const mesh::Mesh plain{milled->surface.vertices, milled->surface.triangles, {}};
+        const mesh::Mesh plain{machined.vertices, machined.triangles, {}};
         written = deliver(a.stl, mesh::write_stl(mesh::merge_flat(plain, flat)));
     }
     if (a.three_mf.empty() && a.gltf.empty() && !wants_pictures(a)) return written;
-    mesh::Mesh surface = milled->surface;
+    mesh::Mesh surface = machined;
     const mesh::DeviationColours colours = colour(*milled, surface, milled->figures.tolerance_mm);
     if (wants_pictures(a)) written = write_pictures(a, s, checked, surface, colours) && written;
     if (a.three_mf.empty() && a.gltf.empty()) return written;

@@ -158,7 +158,8 @@ std::vector<Place> cells_off(const mesh::Mesh& mesh, const std::vector<CoarseQua
             const auto off = [&](Vec3 p) { return !exact.is_on_surface(here, p, coarse_sampled * tolerance); };
             const Vec3 a = mesh.vertices[t[0]], b = mesh.vertices[t[1]], c = mesh.vertices[t[2]];
             return off(a) || off(b) || off(c) || off((1.0 / 3) * (a + b + c)) || off(0.5 * (a + b)) ||
-                   off(0.5 * (b + c)) || off(0.5 * (c + a));
+                   off(0.5 * (b + c)) || off(0.5 * (c + a)) ||
+                   !exact.is_beside_material(here, {a, b, c}, beside_share * tolerance, most_beside_parts);
         };
         for (const std::uint32_t q : of_cell[n]) {
             const mesh::Triangle &one = mesh.triangles[quads[q].triangle], &two = mesh.triangles[quads[q].triangle + 1];

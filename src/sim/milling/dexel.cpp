@@ -109,18 +109,27 @@ void Tile::measure(int local, double begin, double end, Removed& found) const {
 }
 
 Dexels::Dexels(const Lattice& lattice) : lattice_(lattice) {
+    const auto empty = std::make_shared<Tile>();
     for (int axis = 0; axis < 3; ++axis) {
         Tiles& t = tiles_[static_cast<std::size_t>(axis)];
         t.across = (rays_a(axis) + Tile::edge - 1) / Tile::edge;
         t.down = (rays_b(axis) + Tile::edge - 1) / Tile::edge;
-        t.all.resize(static_cast<std::size_t>(t.across) * static_cast<std::size_t>(t.down));
+        t.all.assign(static_cast<std::size_t>(t.across) * static_cast<std::size_t>(t.down), empty);
     }
 }
 
 std::size_t Dexels::bytes() const {
     std::size_t sum = 0;
     for (const Tiles& t : tiles_)
-        for (const Tile& tile : t.all) sum += tile.bytes();
+        for (const auto& tile : t.all) sum += tile->bytes();
+    return sum;
+}
+
+std::size_t Dexels::bytes_apart_from(const Dexels& other) const {
+    std::size_t sum = 0;
+    for (std::size_t axis = 0; axis < 3; ++axis)
+        for (std::size_t n = 0; n < tiles_[axis].all.size(); ++n)
+            if (tiles_[axis].all[n] != other.tiles_[axis].all[n]) sum += tiles_[axis].all[n]->bytes();
     return sum;
 }
 

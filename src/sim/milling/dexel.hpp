@@ -8,6 +8,7 @@
 #include <array>
 #include <cstdint>
 #include <limits>
+#include <memory>
 #include <span>
 #include <vector>
 
@@ -33,7 +34,7 @@ struct Removed {
     double highest = -std::numeric_limits<double>::infinity();  ///< largest
 };
 
-/// A square of rays of one direction, kept together: what one task works on.
+/// A square of rays of one direction, kept together: what one task works on, and what copies of a stock share.
 class Tile {
 public:
     static constexpr int edge = 16;
@@ -89,6 +90,7 @@ private:
     std::size_t live_ = 0;  ///< intervals of pool_ that a slot holds or has reserved
 };
 
+/// A copy costs a pointer for each tile; tiles part from those of copies when they are changed.
 class Dexels {
 public:
     explicit Dexels(const Lattice& lattice = {});
@@ -106,20 +108,29 @@ public:
 
     [[nodiscard]] int tiles_a(int axis) const { return tiles_[static_cast<std::size_t>(axis)].across; }
     [[nodiscard]] int tiles_b(int axis) const { return tiles_[static_cast<std::size_t>(axis)].down; }
+    /// To be changed. Tiles of their own may be asked for by several threads at once.
     [[nodiscard]] Tile& tile(int axis, int ta, int tb) {
         Tiles& t = tiles_[static_cast<std::size_t>(axis)];
-        return t.all[static_cast<std::size_t>(tb) * static_cast<std::size_t>(t.across) + static_cast<std::size_t>(ta)];
+        std::shared_ptr<Tile>& own = t.all[t.number(ta, tb)];
+        if (own.use_count() > 1) own = std::make_shared<Tile>(*own);
+        return *own;
     }
     [[nodiscard]] const Tile& tile(int axis, int ta, int tb) const {
-        return const_cast<Dexels*>(this)->tile(axis, ta, tb);
+        const Tiles& t = tiles_[static_cast<std::size_t>(axis)];
+        return *t.all[t.number(ta, tb)];
     }
     [[nodiscard]] static constexpr int local(int a, int b) { return (b % Tile::edge) * Tile::edge + a % Tile::edge; }
     [[nodiscard]] std::size_t bytes() const;
+    /// Of the tiles that another, with the same lattice, does not share.
+    [[nodiscard]] std::size_t bytes_apart_from(const Dexels& other) const;
 
 private:
     struct Tiles {
         int across = 0, down = 0;
-        std::vector<Tile> all;
+        std::vector<std::shared_ptr<Tile>> all;
+        [[nodiscard]] std::size_t number(int ta, int tb) const {
+            return static_cast<std::size_t>(tb) * static_cast<std::size_t>(across) + static_cast<std::size_t>(ta);
+        }
     };
     Lattice lattice_;
     std::array<Tiles, 3> tiles_;

@@ -39,6 +39,7 @@ Row row_of(const Job& job, int axis, Vec3 from, const Lattice& lattice) {
 
 Exact::Exact(const Simulation& simulation, const Lattice& lattice)
     : simulation_(simulation), stock_(simulation.stock_body()), lattice_(lattice), wholes_(simulation.wholes()) {
+    for (const Simulation::Whole& whole : wholes_) parts_.add(simulation.cutting_of(whole.first));
     whole_of_.resize(simulation.sweeps() + 1);
     for (std::uint32_t n = 0; n < wholes_.size(); ++n)
         for (std::uint32_t cut = wholes_[n].first; cut <= wholes_[n].last; ++cut) whole_of_[cut] = n;

@@ -7,6 +7,7 @@
 #include <span>
 #include <vector>
 
+#include "sim/milling/convex_parts.hpp"
 #include "sim/milling/job.hpp"
 #include "sim/milling/key_map.hpp"
 #include "sim/milling/leaves.hpp"
@@ -20,6 +21,11 @@ struct LineEnd {
     std::uint32_t cut = 0;  ///< as of Interval
     bool rising = false;
 };
+
+/// Of the tolerance: how far a triangle may lie in the air beside the material, which is proved to 1.02 times that;
+/// chords of what was swept take a twentieth.
+inline constexpr double beside_share = 0.93;
+inline constexpr std::size_t most_beside_parts = 150;  ///< of one triangle
 
 class Exact {
 public:
@@ -73,18 +79,26 @@ public:
     [[nodiscard]] bool is_on_surface(const Near& near, geom::Vec3 p, double allowed) const {
         return is_on_surface(near, p, allowed, allowed);
     }
+    using Corners = std::array<geom::Vec3, 3>;
+    /// Every place of a triangle that lies in air has material no farther from it than 1.02 times so. `near`: what lies
+    /// no farther from its places. False where so many parts of the triangle do not show it.
+    [[nodiscard]] bool is_beside_material(const Near& near, const Corners& triangle, double allowed,
+                                          std::size_t parts) const;
     /// It lies farther from it; false where that is not known.
     [[nodiscard]] bool is_clear(const Near& near, geom::Vec3 p, double radius) const;
     /// Where material ends on a line along `axis` from a point up to `high`, ascending; a little beyond both ends.
     void ends(const Near& near, int axis, geom::Vec3 from, double high, std::vector<LineEnd>& out) const;
     /// All bodies of air; moves that were cut in pieces are one.
     [[nodiscard]] const std::vector<Simulation::Whole>& wholes() const { return wholes_; }
+    /// Convex parts of a tool that has cut something.
+    [[nodiscard]] const std::vector<const Shape*>& parts_of(const Shape* shape) const { return parts_.of(shape); }
     /// The one that a cut belongs to.
     [[nodiscard]] Air::Sweep body(std::uint32_t cut) const { return simulation_.body_of(wholes_[whole_of_[cut]]); }
     /// As of Simulation.
     [[nodiscard]] geom::Vec3 normal(std::uint32_t cut, geom::Vec3 p) const;
 
 private:
+    class BesideSearch;
     [[nodiscard]] geom::Vec3 middle_of(const Place& cell) const {
         return lattice_.node(cell[0], cell[1], cell[2]) + 0.5 * lattice_.step;
     }
@@ -107,6 +121,7 @@ private:
     std::vector<std::vector<std::uint32_t>> sweeps_;  ///< numbers in `wholes_`, by block
     std::vector<Simulation::Whole> wholes_;
     std::vector<std::uint32_t> whole_of_;  ///< by cut
+    ConvexParts parts_;
 };
 
 }  // namespace obrys::sim::milling

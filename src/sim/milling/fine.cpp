@@ -21,10 +21,7 @@ using geom::Vec3;
 /// Of the tolerance: how far points looked at may be off, for those between them. How deep any lie in the material is
 /// proved afterwards (within.hpp).
 constexpr double fine_sampled = 0.5, fine_within = 0.8;
-constexpr double fine_plain = 0.35;  ///< of the tolerance: off so little, a triangle needs no more looks than four
-constexpr double fine_apart = 0.8;   ///< tolerances between places looked at, else
-constexpr int fine_rows = 6;         ///< at most so many along a side
-constexpr double small_leaf = 8;     ///< tolerances: a leaf's diagonal below which it is not asked what it may hide
+constexpr double small_leaf = 8;  ///< tolerances: a leaf's diagonal below which it is not asked what it may hide
 constexpr int most_levels = 6;
 constexpr std::size_t most_known = 6'000'000;  ///< edges looked at, in all: some 500 MB with what belongs to them
 
@@ -135,28 +132,11 @@ void Fine::find_fine_cells() {
     exact_.prepare(all_);
 }
 
-/// Points of a triangle against the exact surface: four of them, and where these are not nearer than a face without
-/// edges would leave them, many.
-bool Fine::is_off(const Near& here, const TriangleAbout& t, double allowed, double in_material) const {
-    const auto any = [&](double air, double material) {
-        const auto off = [&](Vec3 p) { return !exact_.is_on_surface(here, p, air, material); };
-        return off(t.a) || off(0.5 * (t.a + t.b)) || off((1.0 / 3) * (t.a + t.b + t.middle)) ||
-               off(0.5 * (t.a + t.middle));
-    };
-    const double plain = fine_plain * tolerance_;
-    if (!any(std::min(allowed, plain), std::min(in_material, plain))) return false;
-    if (any(allowed, in_material)) return true;
-    const double most = std::max(allowed, fine_within * tolerance_);
-    const double side =
-        std::max({geom::distance(t.a, t.b), geom::distance(t.b, t.middle), geom::distance(t.middle, t.a)});
-    const int rows = base::clipped<int>(std::ceil(side / (fine_apart * tolerance_)), 1, fine_rows);
-    for (int i = 0; i <= rows; ++i)
-        for (int k = 0; k <= rows - i; ++k) {
-            const Vec3 p = t.a + (static_cast<double>(i) / rows) * (t.b - t.a) +
-                           (static_cast<double>(k) / rows) * (t.middle - t.a);
-            if (!exact_.is_on_surface(here, p, most, std::max(in_material, most))) return true;
-        }
-    return false;
+/// Four places of a triangle against the exact surface; what lies in air, every place.
+bool Fine::is_off(const Near& here, const Exact::Corners& t, double allowed, double in_material) const {
+    const auto off = [&](Vec3 p) { return !exact_.is_on_surface(here, p, allowed, in_material); };
+    return off(t[0]) || off(0.5 * (t[0] + t[1])) || off((1.0 / 3) * (t[0] + t[1] + t[2])) || off(0.5 * (t[0] + t[2])) ||
+           !exact_.is_beside_material(here, t, beside_share * tolerance_, most_beside_parts);
 }
 
 /// The triangles about an edge against the exact surface.
@@ -168,7 +148,7 @@ bool Fine::is_off(const Place& cell, std::size_t edge, double allowed, double in
     if (!here) return true;
     for (std::size_t q = 0; q < 4; ++q) {
         if (edges_[edge].around[q] == edges_[edge].around[(q + 1) % 4]) continue;
-        const TriangleAbout t{position(vertex(edge, q)), position(vertex(edge, (q + 1) % 4)), middle};
+        const Exact::Corners t{position(vertex(edge, q)), position(vertex(edge, (q + 1) % 4)), middle};
         if (is_off(*here, t, allowed, in_material)) return true;
     }
     return false;

@@ -48,7 +48,7 @@ struct Work {
     [[nodiscard]] double summed() {
         simulation.flush();
         double sum = 0;
-        for (const Engagement& e : simulation.engagements()) sum += e.volume;
+        for (std::size_t i = 0; i < simulation.engagements().size(); ++i) sum += simulation.engagements()[i].volume;
         return sum;
     }
 };

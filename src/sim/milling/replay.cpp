@@ -12,8 +12,6 @@ namespace {
 
 using geom::Vec3;
 
-constexpr std::size_t in_run = 32;  ///< sweeps after each other that share a box: they lie near each other as a rule
-
 /// Around all that the sweep takes.
 Box3 box_of(const Simulation::Sweep& s, const Shape& shape, Vec3 axis) {
     // A quarter of a circle stands off its chord by less than a quarter of that.

@@ -82,7 +82,7 @@ std::uint32_t Simulation::orientation_for(Vec3 axis) {
 }
 
 Taken Simulation::add(const Pass& pass) {
-    engagements_.emplace_back();
+    engagements_.push_back({});
     if (!known(pass.path) || !geom::is_finite(pass.axis) || !(length(pass.axis) > 0)) return Taken::not_known;
     if (pass.tool >= tools_.size()) return Taken::no_tool;
     const double deviation = tolerance_ / 20;
@@ -110,7 +110,7 @@ Taken Simulation::add(const Pass& pass) {
             at = next;
         }
     }
-    if (pass.goes_on && sweeps_.size() > before) sweeps_[before].goes_on = true;
+    if (pass.goes_on && sweeps_.size() > before) sweeps_.edit(before).goes_on = true;
     if (sweeps_.size() - done_ >= batch) flush();
     return sweeps_.size() == before ? Taken::no_motion : Taken::taken;
 }
@@ -140,7 +140,7 @@ void Simulation::add_circle(const Pass& pass, const geom::Circular& arc, int pie
             const Vec3 chord = next - at, off = arc.centre - 0.5 * (at + next);
             const Vec3 centre = arc.centre - (dot(off, chord) / dot(chord, chord)) * chord;
             circles_.push_back({centre, turn});
-            sweeps_.back().circle = static_cast<std::uint32_t>(circles_.size());
+            sweeps_.edit(before).circle = static_cast<std::uint32_t>(circles_.size());
         }
         at = next;
     }
@@ -178,20 +178,48 @@ Box3 Simulation::rays_box() const {
     return {l.origin, l.node(l.count[0] - 1, l.count[1] - 1, l.count[2] - 1)};
 }
 
-void Simulation::flush() {
+std::vector<Job> Simulation::jobs_of(std::size_t first, std::size_t end) const {
     const Box3 box = rays_box();
+    std::vector<Job> jobs;
+    jobs.reserve(end - first);
+    for (std::size_t i = first; i < end; ++i) {
+        const Sweep& s = sweeps_[i];
+        if (shape_of(s).pieces.empty()) continue;
+        jobs.push_back(make_job(shape_of(s), orientations_[s.orientation], track_of(s), s.from, box));
+        jobs.back().cut = static_cast<std::uint32_t>(i + 1);
+        jobs.back().pass = s.pass;
+        jobs.back().cuts = s.cut;
+    }
+    return jobs;
+}
+
+Simulation Simulation::at(std::size_t passes) const {
+    // Sweeps ascend by their passes.
+    std::size_t low = 0, end = done_;
+    while (low < end) {
+        const std::size_t middle = low + (end - low) / 2;
+        (sweeps_[middle].pass < passes ? low : end) = sweeps_[middle].pass < passes ? middle + 1 : middle;
+    }
+    Simulation then = *this;
+    const States::State* state = states_.before(end);
+    then.dexels_ = state != nullptr ? state->dexels : fill(*stock_, dexels_.lattice()).dexels;
+    for (std::size_t first = state != nullptr ? state->sweeps : 0; first < end; first += batch) {
+        const std::vector<Job> jobs = jobs_of(first, std::min(end, first + batch));
+        std::vector<Tally> tallies(jobs.size());
+        cut_all(then.dexels_, jobs, tallies, threads_);
+    }
+    then.sweeps_.cut_to(end);
+    then.runs_.cut_to(end / in_run);
+    then.engagements_.cut_to(passes);
+    then.done_ = end;
+    then.states_.cut_to(end);
+    return then;
+}
+
+void Simulation::flush() {
     while (done_ < sweeps_.size()) {
         const std::size_t end = std::min(sweeps_.size(), done_ + batch);
-        std::vector<Job> jobs;
-        jobs.reserve(end - done_);
-        for (std::size_t i = done_; i < end; ++i) {
-            const Sweep& s = sweeps_[i];
-            if (shape_of(s).pieces.empty()) continue;
-            jobs.push_back(make_job(shape_of(s), orientations_[s.orientation], track_of(s), s.from, box));
-            jobs.back().cut = static_cast<std::uint32_t>(i + 1);
-            jobs.back().pass = s.pass;
-            jobs.back().cuts = s.cut;
-        }
+        const std::vector<Job> jobs = jobs_of(done_, end);
         std::vector<Tally> tallies(jobs.size());
         cut_all(dexels_, jobs, tallies, threads_);
         const Vec3 step = dexels_.lattice().step;
@@ -199,7 +227,7 @@ void Simulation::flush() {
         for (std::size_t i = 0; i < jobs.size(); ++i) {
             const Tally& t = tallies[i];
             if (!t.touched) continue;
-            Engagement& e = engagements_[jobs[i].pass];
+            Engagement& e = engagements_.edit(jobs[i].pass);
             e.touched = true;
             e.volume += t.length * cell / component(step, jobs[i].main);
             e.lowest = std::min(e.lowest, t.lowest);
@@ -216,6 +244,7 @@ void Simulation::flush() {
             }
         }
         done_ = end;
+        states_.add(done_, dexels_);
     }
     index_runs();
 }
@@ -234,8 +263,7 @@ Vec3 Simulation::normal_at(Whole whole, Vec3 p) const {
 }
 
 std::size_t Simulation::bytes() const {
-    return dexels_.bytes() + sweeps_.capacity() * sizeof(Sweep) + circles_.capacity() * sizeof(Circle) +
-           engagements_.capacity() * sizeof(Engagement);
+    return dexels_.bytes() + sweeps_.bytes() + circles_.bytes() + engagements_.bytes();
 }
 
 Angles engaged_angles(const Engagement& e, double radius) {

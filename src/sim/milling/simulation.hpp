@@ -12,10 +12,12 @@
 #include <span>
 #include <vector>
 
+#include "base/shared_log.hpp"
 #include "geom/interpolation.hpp"
 #include "sim/milling/air.hpp"
 #include "sim/milling/cutter.hpp"
 #include "sim/milling/dexel.hpp"
+#include "sim/milling/states.hpp"
 #include "sim/milling/stock.hpp"
 #include "sim/milling/track.hpp"
 
@@ -82,6 +84,8 @@ struct SurfacePoint {
     std::uint32_t cut = 0;
 };
 
+/// A value: copies share tiles of rays and what was added, as far as neither has gone on since. Bodies and shapes that
+/// one hands out live as long as it does.
 class Simulation {
 public:
     /// `stock` has no problem. `tolerance`: of chords, a twentieth; `threads` 0: as many as there are processors.
@@ -98,7 +102,7 @@ public:
     [[nodiscard]] const Dexels& dexels() const { return dexels_; }
     [[nodiscard]] std::uint64_t open_rays() const { return open_rays_; }  ///< of a mesh stock that is not closed
     /// In the order of `add`.
-    [[nodiscard]] std::span<const Engagement> engagements() const { return engagements_; }
+    [[nodiscard]] const base::SharedLog<Engagement>& engagements() const { return engagements_; }
     /// Number of the pass (from 0) that a cut of an Interval belongs to; `cut` is not 0.
     [[nodiscard]] std::uint32_t pass_of(std::uint32_t cut) const { return sweeps_[cut - 1].pass; }
     /// Unit normal out of the material at a point that sweep `cut` made, or of the stock's own face where cut is 0.
@@ -107,6 +111,10 @@ public:
     /// again there. None where the box has no size.
     [[nodiscard]] std::vector<SurfacePoint> surface_points(const Box3& box, double step) const;
     [[nodiscard]] std::size_t sweeps() const { return sweeps_.size(); }
+    /// From here on keeps states between which `at` cuts again: at most so many bytes beside `bytes`.
+    void keep_states(std::size_t bytes) { states_ = States(bytes); }
+    /// What it was when so many passes were carried out. `flush` has been called.
+    [[nodiscard]] Simulation at(std::size_t passes) const;
     /// What has been taken, and what was never there, as far as it may lie in a box. The simulation must outlive it.
     [[nodiscard]] Air air_in(const Box3& box) const;
     /// The same, moves that were added in pieces in one.
@@ -163,6 +171,7 @@ private:
     [[nodiscard]] bool is_one(Whole whole, std::uint32_t next) const;
     [[nodiscard]] Box3 rays_box() const;  ///< from the first to the last node
     void index_runs();
+    [[nodiscard]] std::vector<Job> jobs_of(std::size_t first, std::size_t end) const;
     [[nodiscard]] std::vector<Job> jobs_in(const Box3& box) const;
     [[nodiscard]] const StockBody& body() const;  ///< made when it is asked for
 
@@ -175,12 +184,15 @@ private:
     std::uint64_t open_rays_ = 0;
     std::deque<ToolShape> tools_;  ///< their places stay
     std::vector<Orientation> orientations_;
-    std::vector<geom::Vec3> axes_;  ///< as given, of `orientations_`
-    std::vector<Sweep> sweeps_;
-    std::vector<Box3> runs_;  ///< boxes around so many sweeps after each other
-    std::vector<Circle> circles_;
-    std::vector<Engagement> engagements_;
+    std::vector<geom::Vec3> axes_;             ///< as given, of `orientations_`
+    static constexpr std::size_t in_run = 32;  ///< sweeps that share a box: they lie near each other as a rule
+
+    base::SharedLog<Sweep> sweeps_;
+    base::SharedLog<Box3> runs_;  ///< boxes around so many sweeps after each other
+    base::SharedLog<Circle> circles_;
+    base::SharedLog<Engagement> engagements_;
     std::size_t done_ = 0;  ///< sweeps carried out
+    States states_;
 };
 
 /// Volume of the material, mm3. Around each node of the lattice lies a cell of one step; what rays of the three axes

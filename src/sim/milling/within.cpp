@@ -156,28 +156,10 @@ private:
 
 }  // namespace
 
-WithinMaterial::WithinMaterial(Exact& exact) : exact_(exact) {
-    for (const Simulation::Whole& whole : exact.wholes()) {
-        const Shape* shape = exact.body(whole.first).shape;
-        const auto [at, is_new] = parts_.try_emplace(shape);
-        if (!is_new) continue;
-        const std::vector<Piece>& pieces = shape->pieces;
-        for (std::size_t first = 0; first < pieces.size();) {
-            const std::size_t end = convex_end(pieces, first);
-            if (first == 0 && end == pieces.size()) {
-                at->second.push_back(shape);
-                break;
-            }
-            const auto from = pieces.begin() + static_cast<std::ptrdiff_t>(first);
-            shapes_.push_back(make_shape({from, pieces.begin() + static_cast<std::ptrdiff_t>(end)}));
-            at->second.push_back(&shapes_.back());
-            first = end;
-        }
-    }
-}
+WithinMaterial::WithinMaterial(Exact& exact) : exact_(exact) {}
 
 void WithinMaterial::add(const Air::Sweep& sweep, std::vector<Body>& bodies) const {
-    for (const Shape* part : parts_.at(sweep.shape)) {
+    for (const Shape* part : exact_.parts_of(sweep.shape)) {
         bodies.push_back({sweep, false});
         bodies.back().sweep.shape = part;
     }

@@ -2,8 +2,6 @@
 /// Triangles of a mesh that lie in the material: proved for every place of them, by distances from what was swept and
 /// from the stock's outside, which are convex. Frame of the stock, millimetres.
 
-#include <deque>
-#include <map>
 #include <span>
 #include <vector>
 
@@ -38,9 +36,7 @@ private:
                                                              std::size_t parts) const;
 
     Exact& exact_;
-    std::deque<Shape> shapes_;                                 ///< convex parts of tools that are not
-    std::map<const Shape*, std::vector<const Shape*>> parts_;  ///< of those
-    KeyMap proved_;                                            ///< triangles by their corners
+    KeyMap proved_;  ///< triangles by their corners
 };
 
 }  // namespace obrys::sim::milling

@@ -1,0 +1,143 @@
+// Triangles in air: proved to have material beside every place of them. A convex body lies behind its tangent plane.
+// Where from each corner some way leads out of the planes of all bodies near, a way between these does from each place
+// between the corners, and is no longer than theirs.
+
+#include <algorithm>
+#include <cmath>
+
+#include "sim/milling/exact.hpp"
+#include "sim/milling/nearest.hpp"
+
+namespace obrys::sim::milling {
+
+namespace {
+
+using geom::Vec3;
+
+constexpr std::size_t most_sides = 24;
+constexpr double one_plane = 1e-3;  ///< between directions
+constexpr double smallest = 0.1;    ///< of what is allowed: a triangle's size from which on its middle tells
+
+}  // namespace
+
+class Exact::BesideSearch {
+public:
+    BesideSearch(const Exact& exact, const Near& near, double allowed, std::size_t parts)
+        : exact_(exact), near_(near), allowed_(allowed), left_(parts) {}
+
+    [[nodiscard]] bool run(const Corners& t) {
+        std::vector<Body> all;
+        for (const Air::Sweep& s : near_.sweeps)
+            for (const Shape* part : exact_.parts_of(s.shape)) all.push_back({&s, part});
+        return is_beside(t, all);
+    }
+
+private:
+    struct Body {
+        const Air::Sweep* sweep = nullptr;
+        const Shape* part = nullptr;
+    };
+
+    [[nodiscard]] bool is_beside(const Corners& t, const std::vector<Body>& bodies) {
+        if (left_ == 0) return false;
+        --left_;
+        const Vec3 middle = (1.0 / 3) * (t[0] + t[1] + t[2]);
+        const double reach =
+            std::max({geom::distance(t[0], middle), geom::distance(t[1], middle), geom::distance(t[2], middle)});
+        std::vector<Body> about;
+        std::vector<Plane> planes;
+        for (const Body& b : bodies) {
+            const Plane plane = plane_at(b, middle, t);
+            if (plane.side.outside >= reach + allowed_) continue;
+            about.push_back(b);
+            planes.push_back(plane.least < 0 ? best_plane(b, t, plane) : plane);
+        }
+        if (std::all_of(t.begin(), t.end(), [&](Vec3 p) { return is_left_from(p, planes); })) return true;
+        if (reach <= smallest * allowed_)
+            return exact_.is_on_surface(near_, middle, allowed_ - reach, std::numeric_limits<double>::max());
+        std::size_t longest = 0;
+        for (std::size_t i = 1; i < 3; ++i)
+            if (geom::distance(t[i], t[(i + 1) % 3]) > geom::distance(t[longest], t[(longest + 1) % 3])) longest = i;
+        const std::size_t next = (longest + 1) % 3;
+        Corners one = t, two = t;
+        one[next] = two[longest] = 0.5 * (t[longest] + t[next]);
+        return is_beside(one, about) && is_beside(two, about);
+    }
+
+    /// A body lies behind it, about a triangle.
+    struct Plane {
+        Vec3 at;
+        Side side;         ///< of `at`
+        double least = 0;  ///< how far the triangle's corners are before it, at least
+    };
+    [[nodiscard]] Plane plane_at(const Body& b, Vec3 at, const Corners& t) const {
+        const Air::Sweep& s = *b.sweep;
+        const Foot foot = foot_on(*b.part, s.track, s.frame.to_tool(at - s.from));
+        Plane plane{at, {foot.outside, s.frame.to_stock(foot.gradient)}, HUGE_VAL};
+        double far = 0;
+        for (const Vec3& p : t) far = std::max(far, geom::distance(p, at));
+        if (s.track.circular) plane.side.outside -= bend_of(s, at, far + 2 * allowed_);
+        for (const Vec3& p : t) plane.least = std::min(plane.least, before(plane, p));
+        return plane;
+    }
+    /// Where a body ends beside a triangle's middle, its face along the triangle is told at a corner.
+    [[nodiscard]] Plane best_plane(const Body& b, const Corners& t, Plane best) const {
+        for (const Vec3& p : t) {
+            const Plane other = plane_at(b, p, t);
+            if (other.least > best.least) best = other;
+        }
+        return best;
+    }
+    [[nodiscard]] static double before(const Plane& plane, Vec3 p) {
+        return plane.side.outside + dot(plane.side.in, p - plane.at);
+    }
+
+    /// How far a body that was swept on a circle may stand out of its tangent planes within so much about a point: on
+    /// the side of the circle's axis.
+    [[nodiscard]] static double bend_of(const Air::Sweep& s, Vec3 p, double about) {
+        const Vec3 own = s.frame.to_tool(p - s.from);
+        const double inner = geom::length(geom::Vec2{own.x, own.y} - s.track.centre) - about;
+        return inner > about ? about * about / (2 * inner) : HUGE_VAL;
+    }
+
+    /// There is a way from a corner out of all planes, and not out of the stock.
+    [[nodiscard]] bool is_left_from(Vec3 p, const std::vector<Plane>& planes) const {
+        std::array<Side, most_sides> sides;
+        std::size_t count = 0;
+        bool in_air = false;
+        const auto add = [&](const Side& side) {
+            if (side.outside >= allowed_) return true;
+            in_air = in_air || side.outside < 0;
+            // Of a fine helix many bodies share a floor.
+            for (std::size_t n = 0; n < count; ++n)
+                if (geom::distance(sides[n].in, side.in) < one_plane) {
+                    sides[n].outside = std::min(sides[n].outside, side.outside);
+                    return true;
+                }
+            if (count == most_sides) return false;
+            sides[count++] = side;
+            return true;
+        };
+        for (const Plane& plane : planes)
+            if (!add({before(plane, p), plane.side.in})) return false;
+        if (near_.stock) {
+            const std::vector<StockBody::Face> faces = exact_.stock_.faces_at(p, allowed_);
+            for (const StockBody::Face& f : faces)
+                if (!add({f.within, f.in})) return false;
+            if (faces.empty() && !add(exact_.side(near_, 0, p))) return false;
+        }
+        return !in_air || is_left({sides.data(), count}, allowed_);
+    }
+
+    const Exact& exact_;
+    const Near& near_;
+    double allowed_ = 0;
+    std::size_t left_ = 0;  ///< parts that may still be looked at
+};
+
+bool Exact::is_beside_material(const Near& near, const Corners& triangle, double allowed, std::size_t parts) const {
+    if (!near.stock && !near.blank) return false;
+    return BesideSearch(*this, near, allowed, parts).run(triangle);
+}
+
+}  // namespace obrys::sim::milling
