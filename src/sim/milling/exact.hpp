@@ -25,6 +25,7 @@ struct LineEnd {
 /// Of the tolerance: how far a triangle may lie in the air beside the material, which is proved to 1.02 times that;
 /// chords of what was swept take a twentieth.
 inline constexpr double beside_share = 0.93;
+inline constexpr double beside_left = 0.98;            ///< the same, of what could not be halved
 inline constexpr std::size_t most_beside_parts = 150;  ///< of one triangle
 
 class Exact {

@@ -14,9 +14,8 @@ namespace {
 
 using geom::Vec3;
 
-constexpr std::size_t most_sides = 24;
-constexpr double one_plane = 1e-3;  ///< between directions
-constexpr double smallest = 0.1;    ///< of what is allowed: a triangle's size from which on its middle tells
+constexpr double one_plane = 1e-3;             ///< between directions
+constexpr double small = 0.7, smallest = 0.1;  ///< of what is allowed: sizes of triangles
 
 }  // namespace
 
@@ -53,8 +52,11 @@ private:
             planes.push_back(plane.least < 0 ? best_plane(b, t, plane) : plane);
         }
         if (std::all_of(t.begin(), t.end(), [&](Vec3 p) { return is_left_from(p, planes); })) return true;
-        if (reach <= smallest * allowed_)
-            return exact_.is_on_surface(near_, middle, allowed_ - reach, std::numeric_limits<double>::max());
+        // Small ones the middle tells for: where planes do not, inside a circle's bend.
+        if (reach <= small * allowed_ &&
+            exact_.is_on_surface(near_, middle, allowed_ - reach, std::numeric_limits<double>::max()))
+            return true;
+        if (reach <= smallest * allowed_) return false;
         std::size_t longest = 0;
         for (std::size_t i = 1; i < 3; ++i)
             if (geom::distance(t[i], t[(i + 1) % 3]) > geom::distance(t[longest], t[(longest + 1) % 3])) longest = i;
@@ -101,38 +103,34 @@ private:
     }
 
     /// There is a way from a corner out of all planes, and not out of the stock.
-    [[nodiscard]] bool is_left_from(Vec3 p, const std::vector<Plane>& planes) const {
-        std::array<Side, most_sides> sides;
-        std::size_t count = 0;
+    [[nodiscard]] bool is_left_from(Vec3 p, const std::vector<Plane>& planes) {
+        sides_.clear();
         bool in_air = false;
         const auto add = [&](const Side& side) {
-            if (side.outside >= allowed_) return true;
+            if (side.outside >= allowed_) return;
             in_air = in_air || side.outside < 0;
             // Of a fine helix many bodies share a floor.
-            for (std::size_t n = 0; n < count; ++n)
-                if (geom::distance(sides[n].in, side.in) < one_plane) {
-                    sides[n].outside = std::min(sides[n].outside, side.outside);
-                    return true;
+            for (Side& other : sides_)
+                if (geom::distance(other.in, side.in) < one_plane) {
+                    other.outside = std::min(other.outside, side.outside);
+                    return;
                 }
-            if (count == most_sides) return false;
-            sides[count++] = side;
-            return true;
+            sides_.push_back(side);
         };
-        for (const Plane& plane : planes)
-            if (!add({before(plane, p), plane.side.in})) return false;
+        for (const Plane& plane : planes) add({before(plane, p), plane.side.in});
         if (near_.stock) {
             const std::vector<StockBody::Face> faces = exact_.stock_.faces_at(p, allowed_);
-            for (const StockBody::Face& f : faces)
-                if (!add({f.within, f.in})) return false;
-            if (faces.empty() && !add(exact_.side(near_, 0, p))) return false;
+            for (const StockBody::Face& f : faces) add({f.within, f.in});
+            if (faces.empty()) add(exact_.side(near_, 0, p));
         }
-        return !in_air || is_left({sides.data(), count}, allowed_);
+        return !in_air || is_left(sides_, allowed_);
     }
 
     const Exact& exact_;
     const Near& near_;
     double allowed_ = 0;
-    std::size_t left_ = 0;  ///< parts that may still be looked at
+    std::size_t left_ = 0;     ///< parts that may still be looked at
+    std::vector<Side> sides_;  ///< kept for its memory
 };
 
 bool Exact::is_beside_material(const Near& near, const Corners& triangle, double allowed, std::size_t parts) const {

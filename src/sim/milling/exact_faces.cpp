@@ -82,13 +82,14 @@ bool Exact::is_touch(const Near& near, Vec3 p, double allowed) const {
 /// one after the other (C. Hildreth, "A quadratic programming procedure", 1957).
 bool Exact::is_left(std::span<const Side> around, double allowed) {
     constexpr int rounds = 40;
-    constexpr std::size_t most = 24;
     const double fine = 0.02 * allowed;
-    std::array<double, most> pull{};
+    std::array<double, 24> few{};
+    std::vector<double> many(around.size() > few.size() ? around.size() : 0);
+    double* const pull = many.empty() ? few.data() : many.data();
     Vec3 way;
     for (int i = 0; i < rounds; ++i) {
         double most_missing = 0;
-        for (std::size_t n = 0; n < around.size() && n < most; ++n) {
+        for (std::size_t n = 0; n < around.size(); ++n) {
             const double square = dot(around[n].in, around[n].in);
             if (!(square > 1e-12)) continue;
             const double missing = -(around[n].outside + dot(around[n].in, way));

@@ -136,7 +136,8 @@ void Fine::find_fine_cells() {
 bool Fine::is_off(const Near& here, const Exact::Corners& t, double allowed, double in_material) const {
     const auto off = [&](Vec3 p) { return !exact_.is_on_surface(here, p, allowed, in_material); };
     return off(t[0]) || off(0.5 * (t[0] + t[1])) || off((1.0 / 3) * (t[0] + t[1] + t[2])) || off(0.5 * (t[0] + t[2])) ||
-           !exact_.is_beside_material(here, t, beside_share * tolerance_, most_beside_parts);
+           !exact_.is_beside_material(here, t, (allowed < tolerance_ ? beside_share : beside_left) * tolerance_,
+                                      most_beside_parts);
 }
 
 /// The triangles about an edge against the exact surface.
