@@ -16,7 +16,6 @@ namespace milling = sim::milling;
 namespace {
 
 constexpr double least_nose = 20;          ///< mm: the flange of an HSK-E 20 (DIN 69893-5)
-constexpr double least_gauge_length = 10;  ///< mm; a shorter tool is none: its length was measured from elsewhere
 
 milling::CutterKind cutter_kind(shop::ToolKind kind) {
     using shop::ToolKind;
@@ -53,7 +52,7 @@ bool has_assumed_body(const shop::Tool& tool) {
            kind != shop::ToolKind::form;
 }
 
-bool stands_in_spindle(const shop::Tool& tool) { return tool.length >= least_gauge_length; }
+bool stands_in_spindle(const shop::Tool& tool) { return tool.length >= shop::least_gauge_length; }
 
 bool may_bore(const shop::Tool& tool) {
     const shop::ToolKind kind = shop::assumed_kind(tool);

@@ -225,6 +225,10 @@ TEST(MillingJob, DimensionsThatMakeNoToolAreSaidWithTheirPlace) {
     EXPECT_EQ(tool_fault("end-mill", bodies + "length = 60"),
               "7:10: the length (60 mm) leaves nothing for the edges: shank and holder are 60 mm long together");
     EXPECT_EQ(tool_fault("end-mill", bodies + "cutting_length = 15\nlength = 75"), "NOT LEFT OUT ");
+    EXPECT_EQ(tool_fault("end-mill", "diameter = 8\ncutting_length = 65\nlength = 40"),
+              "5:18: the cutting edges (65 mm) are longer than the tool, which reaches 40 mm from the gauge plane to the "
+              "tip ('length')");
+    EXPECT_EQ(tool_fault("end-mill", "diameter = 8\ncutting_length = 40\nlength = 40"), "NOT LEFT OUT ");
     EXPECT_EQ(tool_fault("tap", "diameter = 8\npitch = 0"), "5:9: 'pitch' must be greater than 0, not 0");
     EXPECT_EQ(tool_fault("tap", "diameter = inf"), "4:12: 'diameter' must be a finite number");
 }

@@ -111,6 +111,11 @@ void check_milling_keys(const Section& s, Tool& t, bool plain) {
 }
 
 void check_dimensions(const Section& s, const Tool& t) {
+    if (is_milling(t.kind) && t.length >= least_gauge_length && t.cutting_length.value_or(0) > t.length)
+        s.error(job_value, place(s, "cutting_length"),
+                "the cutting edges (" + base::shortest(*t.cutting_length) +
+                    " mm) are longer than the tool, which reaches " + base::shortest(t.length) +
+                    " mm from the gauge plane to the tip ('length')");
     const DimensionFault fault = dimension_fault(t);
     if (fault.ok()) return;
     const std::string_view key = fault.key == "diameter" && s.has("radius") ? "radius" : fault.key;

@@ -31,6 +31,8 @@ enum class ToolKind : std::uint8_t {
     t_slot,        ///< radius, width of the disc, corner_radius on both its rims, neck_diameter above it
     form,          ///< profile
 };
+/// mm; the length of a shorter tool was not measured from the gauge plane.
+inline constexpr double least_gauge_length = 10;
 [[nodiscard]] constexpr bool is_milling(ToolKind kind) { return kind > ToolKind::other; }
 enum class ReferenceCorner : std::uint8_t {
     left,
