@@ -1,12 +1,9 @@
 #pragma once
 /// Tools and bodies of the milling simulation as sim/certify takes them.
 
-#include <tbb/blocked_range.h>
-#include <tbb/parallel_for.h>
-#include <tbb/task_arena.h>
-
 #include <cstddef>
 
+#include "base/parallel.hpp"
 #include "mesh/mesh.hpp"
 #include "sim/certify/certify.hpp"
 #include "sim/milling/shape.hpp"
@@ -28,12 +25,10 @@ inline constexpr double round_share = 0.25;
 /// Calls `body(i)` for 0 … n - 1, on so many threads; 0: as many as there are processors.
 template <class Body>
 void for_all(std::size_t n, int threads, Body&& body, std::size_t grain = 16) {
-    tbb::task_arena arena(threads > 0 ? threads : tbb::task_arena::automatic);
-    arena.execute([&] {
-        tbb::parallel_for(tbb::blocked_range<std::size_t>(0, n, grain),
-                          [&](const tbb::blocked_range<std::size_t>& some) {
-                              for (std::size_t i = some.begin(); i < some.end(); ++i) body(i);
-                          });
+    base::with_threads(threads, [&] {
+        base::in_pieces(n, grain, [&](const base::Piece& some) {
+            for (std::size_t i = some.begin(); i < some.end(); ++i) body(i);
+        });
     });
 }
 

@@ -2,9 +2,6 @@
 // than the rays' distance lies in a cell. So what was found is looked at again on rays that lie nearer to each other:
 // points on rays are exact. What they do not show either is thrown away only where it is proved not to be there.
 
-#include <tbb/blocked_range.h>
-#include <tbb/parallel_for.h>
-
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -14,6 +11,7 @@
 #include <utility>
 #include <vector>
 
+#include "base/parallel.hpp"
 #include "base/whole.hpp"
 #include "check/milling_confirm.hpp"
 #include "check/milling_proof.hpp"
@@ -84,13 +82,12 @@ geom::Vec3 middle_of(const std::vector<milling::SurfacePoint>& points, const std
 Worst worst_of(const std::vector<milling::SurfacePoint>& points, const Machined& m, const mesh::CompareOptions& options,
                bool gouge) {
     std::vector<double> off(points.size());
-    tbb::parallel_for(tbb::blocked_range<std::size_t>(0, points.size(), 256),
-                      [&](const tbb::blocked_range<std::size_t>& some) {
-                          for (std::size_t i = some.begin(); i < some.end(); ++i) {
-                              const double d = m.part.signed_distance(points[i].at);
-                              off[i] = options.judged ? options.judged(points[i].at, d) : d;
-                          }
-                      });
+    base::in_pieces(points.size(), 256, [&](const base::Piece& some) {
+        for (std::size_t i = some.begin(); i < some.end(); ++i) {
+            const double d = m.part.signed_distance(points[i].at);
+            off[i] = options.judged ? options.judged(points[i].at, d) : d;
+        }
+    });
     Worst worst;
     for (std::size_t i = 0; i < points.size(); ++i) {
         if (!std::isfinite(off[i]) || !(gouge ? off[i] < worst.deviation : off[i] > worst.deviation)) continue;

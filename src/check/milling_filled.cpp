@@ -8,8 +8,6 @@
 
 #include "check/milling_filled.hpp"
 
-#include <tbb/parallel_for.h>
-
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -17,6 +15,7 @@
 #include <numeric>
 #include <optional>
 
+#include "base/parallel.hpp"
 #include "base/whole.hpp"
 #include "check/filled_known.hpp"
 #include "check/milling_proof.hpp"
@@ -274,7 +273,7 @@ bool Filled::find() {
     for (const auto& [cube, some] : cubes) all.push_back(&some);
     for (std::size_t from = 0; from < all.size() && !(m_.stop && m_.stop()); from += batch_of_cubes) {
         std::vector<std::optional<Covered>> some(std::min(batch_of_cubes, all.size() - from));
-        tbb::parallel_for(std::size_t{0}, some.size(), [&](std::size_t k) { some[k] = look(*all[from + k]); });
+        base::for_all(some.size(), [&](std::size_t k) { some[k] = look(*all[from + k]); });
         for (const auto& c : some)
             if (c) covered_.push_back(*c);
     }

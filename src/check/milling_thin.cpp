@@ -1,7 +1,5 @@
 #include "check/milling_thin.hpp"
 
-#include <tbb/parallel_for.h>
-
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -9,6 +7,7 @@
 #include <mutex>
 #include <numeric>
 
+#include "base/parallel.hpp"
 #include "base/whole.hpp"
 
 namespace obrys::check {
@@ -80,8 +79,7 @@ void Thin::find() {
     const milling::Dexels& dexels = m_.simulation.dexels();
     for (int axis = 0; axis < 3; ++axis) {
         std::vector<std::vector<Sample>> rows(static_cast<std::size_t>(dexels.rays_b(axis)));
-        tbb::parallel_for(std::size_t{0}, rows.size(),
-                          [&](std::size_t b) { find_in_row(axis, static_cast<int>(b), rows[b]); });
+        base::for_all(rows.size(), [&](std::size_t b) { find_in_row(axis, static_cast<int>(b), rows[b]); });
         for (const auto& row : rows)
             if (samples_.size() + row.size() <= most_samples) samples_.insert(samples_.end(), row.begin(), row.end());
     }

@@ -1,19 +1,15 @@
 #include "mesh/compare.hpp"
 
-#include <tbb/blocked_range.h>
-#include <tbb/parallel_for.h>
-
 #include <algorithm>
 #include <cmath>
 #include <numeric>
 
+#include "base/parallel.hpp"
 #include "base/whole.hpp"
 
 namespace obrys::mesh {
 
 using geom::Vec3;
-using Range = tbb::blocked_range<std::size_t>;
-
 namespace {
 
 /// The lowest and the highest of a triangle's deviations: of its corners (0 … 2) and its centre (3).
@@ -40,7 +36,7 @@ double farthest_after(double deviation, Vec3 before, Vec3 place) {
 
 std::vector<double> of_vertices(const Mesh& result, const Distance& part) {
     std::vector<double> d(result.vertices.size());
-    tbb::parallel_for(Range(0, d.size(), 1024), [&](const Range& some) {
+    base::in_pieces(d.size(), 1024, [&](const base::Piece& some) {
         double reach = HUGE_VAL;  // as far as the vertex before, and the way from there: they follow each other
         for (std::size_t v = some.begin(); v < some.end(); ++v) {
             if (v > some.begin()) reach = farthest_after(d[v - 1], result.vertices[v - 1], result.vertices[v]);
@@ -187,7 +183,7 @@ Colour mix(Colour a, Colour b, double t) {
 Comparison compare(const Mesh& result, const Distance& part, const CompareOptions& options) {
     const std::vector<double> vertices = of_vertices(result, part);
     std::vector<Extremes> extremes(result.triangles.size());
-    tbb::parallel_for(Range(0, extremes.size(), 512), [&](const Range& some) {
+    base::in_pieces(extremes.size(), 512, [&](const base::Piece& some) {
         for (std::size_t t = some.begin(); t < some.end(); ++t)
             extremes[t] = extremes_of(result, t, vertices, part, options);
     });

@@ -1,10 +1,10 @@
 #include "mesh/narrow.hpp"
 
-#include <tbb/parallel_for.h>
-
 #include <algorithm>
 #include <atomic>
 #include <cmath>
+
+#include "base/parallel.hpp"
 
 namespace obrys::mesh {
 
@@ -104,7 +104,7 @@ std::optional<std::vector<NarrowFace>> narrow_faces(const Distance& part, double
     std::vector<std::vector<NarrowFace>> found((n + chunk - 1) / chunk);
     std::atomic<std::size_t> count = 0;
     const Narrow narrow(part, reach, size);
-    tbb::parallel_for(std::size_t{0}, found.size(), [&](std::size_t k) {
+    base::for_all(found.size(), [&](std::size_t k) {
         for (std::size_t t = k * chunk; t < std::min(n, (k + 1) * chunk) && count <= most; ++t) {
             const std::size_t before = found[k].size();
             narrow.find(static_cast<std::uint32_t>(t), found[k]);

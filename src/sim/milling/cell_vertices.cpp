@@ -1,11 +1,9 @@
 #include "sim/milling/cell_vertices.hpp"
 
-#include <tbb/blocked_range.h>
-#include <tbb/parallel_for.h>
-
 #include <algorithm>
 #include <bit>
 
+#include "base/parallel.hpp"
 #include "sim/milling/qef.hpp"
 
 namespace obrys::sim::milling {
@@ -13,8 +11,6 @@ namespace obrys::sim::milling {
 namespace {
 
 using geom::Vec3;
-using Range = tbb::blocked_range<std::size_t>;
-
 /// Distances of a vertex from its planes, in steps: plane faces that meet in one point; what makes it worth leaving the
 /// cell. Found by trial on boxes, bores and rows of ball trenches in all directions.
 constexpr double meets = 5e-4, worth_leaving = 0.02;
@@ -119,7 +115,7 @@ void CellVertices::find_cells() {
     const std::size_t rows = nodes_.rows();
     ranks_.reserve(rows, nodes_.words());
     row_first_.assign(rows + 1, 0);
-    tbb::parallel_for(Range(0, rows, 64), [&](const Range& some) {
+    base::in_pieces(rows, 64, [&](const base::Piece& some) {
         for (std::size_t row = some.begin(); row < some.end(); ++row)
             for (std::size_t w = 0; w < nodes_.words(); ++w) {
                 ranks_.of(row, w) = row_first_[row + 1];
@@ -128,7 +124,7 @@ void CellVertices::find_cells() {
     });
     for (std::size_t row = 0; row < rows; ++row) row_first_[row + 1] += row_first_[row];
     cells_.resize(row_first_[rows]);
-    tbb::parallel_for(Range(0, rows, 16), [&](const Range& some) {
+    base::in_pieces(rows, 16, [&](const base::Piece& some) {
         for (std::size_t row = some.begin(); row < some.end(); ++row) {
             std::uint32_t number = row_first_[row];
             if (number == row_first_[row + 1]) continue;
@@ -147,7 +143,7 @@ void CellVertices::find_cells() {
 }
 
 void CellVertices::place(const Lattice& lattice, const Crossings& crossings, double tolerance) {
-    tbb::parallel_for(Range(0, nodes_.rows(), 16), [&](const Range& some) {
+    base::in_pieces(nodes_.rows(), 16, [&](const base::Piece& some) {
         for (std::size_t row = some.begin(); row < some.end(); ++row) {
             std::uint32_t number = row_first_[row];
             if (number == row_first_[row + 1]) continue;

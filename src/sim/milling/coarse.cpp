@@ -1,11 +1,9 @@
 #include "sim/milling/coarse.hpp"
 
-#include <tbb/blocked_range.h>
-#include <tbb/parallel_for.h>
-
 #include <algorithm>
 #include <cmath>
 
+#include "base/parallel.hpp"
 #include "base/whole.hpp"
 
 namespace obrys::sim::milling {
@@ -84,8 +82,8 @@ std::vector<Place> cells_with_narrow_edges(const Simulation& simulation) {
                     last = end, last_edge = edge;
                 }
         };
-        tbb::parallel_for(0, dexels.rays_b(axis), [&](int b) {
-            for (int a = 0; a < dexels.rays_a(axis); ++a) look(a, b);
+        base::for_all(found.size(), [&](std::size_t b) {
+            for (int a = 0; a < dexels.rays_a(axis); ++a) look(a, static_cast<int>(b));
         });
         for (const std::vector<Place>& some : found) all.insert(all.end(), some.begin(), some.end());
     }
@@ -122,7 +120,7 @@ std::vector<Place> cells_with_points(const Simulation& simulation, Exact& exact)
     }
     exact.prepare(cells);
     std::vector<std::uint8_t> found(cells.size());
-    tbb::parallel_for(std::size_t{0}, cells.size(), [&](std::size_t n) {
+    base::for_all(cells.size(), [&](std::size_t n) {
         const Exact::Near near = exact.near(cells[n], false);
         found[n] = std::any_of(points[n].begin(), points[n].end(),
                                [&](Vec3 p) { return exact.is_on_surface(near, p, 0.5 * tolerance); })
@@ -153,7 +151,7 @@ std::vector<Place> cells_off(const mesh::Mesh& mesh, const std::vector<CoarseQua
     }
     exact.prepare(cells);
     std::vector<std::vector<Place>> found(cells.size());
-    tbb::parallel_for(std::size_t{0}, cells.size(), [&](std::size_t n) {
+    base::for_all(cells.size(), [&](std::size_t n) {
         const auto triangle_off = [&](const Exact::Near& here, const mesh::Triangle& t) {
             const auto off = [&](Vec3 p) { return !exact.is_on_surface(here, p, coarse_sampled * tolerance); };
             const Vec3 a = mesh.vertices[t[0]], b = mesh.vertices[t[1]], c = mesh.vertices[t[2]];

@@ -1,9 +1,5 @@
 #include "sim/milling/crossings.hpp"
 
-#include <tbb/blocked_range.h>
-#include <tbb/parallel_for.h>
-#include <tbb/parallel_reduce.h>
-
 #include <algorithm>
 #include <atomic>
 #include <bit>
@@ -11,13 +7,13 @@
 #include <functional>
 #include <limits>
 
+#include "base/parallel.hpp"
+
 namespace obrys::sim::milling {
 
 namespace {
 
 using geom::Vec3;
-using Range = tbb::blocked_range<std::size_t>;
-
 /// An edge of the lattice: its nodes lie at `low` and `high` on its ray, material begins between them (`rising`) or
 /// ends.
 struct Edge {
@@ -133,7 +129,7 @@ void Crossings::count() {
         ranks_[a].reserve(nodes_.rows(), nodes_.words());
         row_first_[a].assign(nodes_.rows() + 1, 0);
     }
-    tbb::parallel_for(Range(0, nodes_.rows(), 64), [&](const Range& some) {
+    base::in_pieces(nodes_.rows(), 64, [&](const base::Piece& some) {
         for (std::size_t row = some.begin(); row < some.end(); ++row)
             for (std::size_t a = 0; a < 3; ++a) {
                 std::uint32_t in_row = 0;
@@ -170,7 +166,7 @@ void Crossings::fill(const Lattice& lattice, Rays rays, Normal normal, const Lin
                 if (!found) unmatched.fetch_add(1, std::memory_order_relaxed);
             }
     };
-    tbb::parallel_for(Range(0, nodes_.rows(), 16), [&](const Range& some) {
+    base::in_pieces(nodes_.rows(), 16, [&](const base::Piece& some) {
         for (std::size_t row = some.begin(); row < some.end(); ++row)
             for (int axis = 0; axis < 3; ++axis) fill_row(row, axis);
     });
@@ -189,14 +185,12 @@ std::size_t count_thin(const Lattice& lattice, Rays rays) {
         const auto size = [&](int other) { return lattice.count[static_cast<std::size_t>(other)]; };
         const int across = size(first_across(axis)), down = size(second_across(axis));
         const double origin = component(lattice.origin, axis), step = component(lattice.step, axis);
-        all += tbb::parallel_reduce(
-            tbb::blocked_range<int>(0, down, 8), std::size_t{0},
-            [&](const tbb::blocked_range<int>& some, std::size_t sum) {
-                for (int b = some.begin(); b < some.end(); ++b)
-                    for (int a = 0; a < across; ++a) sum += thin_on(rays(axis, a, b), origin, step);
-                return sum;
-            },
-            std::plus<>());
+        std::vector<std::size_t> rows(static_cast<std::size_t>(down));
+        base::in_pieces(rows.size(), 8, [&](const base::Piece& some) {
+            for (std::size_t b = some.begin(); b < some.end(); ++b)
+                for (int a = 0; a < across; ++a) rows[b] += thin_on(rays(axis, a, static_cast<int>(b)), origin, step);
+        });
+        for (const std::size_t thin : rows) all += thin;
     }
     return all;
 }

@@ -1,14 +1,9 @@
 // Which jobs concern which tile of rays, and tiles shared out among threads. A tile's jobs run in the program's order
 // and sums are formed in the order of the tiles, so that the number of threads changes nothing.
 
-#include <tbb/blocked_range.h>
-#include <tbb/global_control.h>
-#include <tbb/parallel_for.h>
-#include <tbb/task_arena.h>
-
 #include <algorithm>
-#include <optional>
 
+#include "base/parallel.hpp"
 #include "sim/milling/job.hpp"
 
 namespace obrys::sim::milling {
@@ -67,30 +62,18 @@ std::vector<Task> tasks_of(const std::array<Bins, 3>& bins) {
 
 void cut_all(Dexels& dexels, std::span<const Job> jobs, std::span<Tally> tallies, int threads) {
     std::array<Bins, 3> bins;
-    // Asked for more threads than there are processors, oneTBB would keep to the latter.
-    std::optional<tbb::global_control> more;
-    if (threads > tbb::this_task_arena::max_concurrency())
-        more.emplace(tbb::global_control::max_allowed_parallelism, static_cast<std::size_t>(threads));
-    tbb::task_arena arena(threads > 0 ? threads : tbb::task_arena::automatic);
-    arena.execute([&] {
-        tbb::parallel_for(0, 3,
-                          [&](int axis) { bins[static_cast<std::size_t>(axis)] = make_bins(dexels, axis, jobs); });
+    base::with_threads(threads, [&] {
+        base::one_by_one(3, [&](std::size_t axis) { bins[axis] = make_bins(dexels, static_cast<int>(axis), jobs); });
         const std::vector<Task> tasks = tasks_of(bins);
-        tbb::parallel_for(
-            tbb::blocked_range<std::size_t>(0, tasks.size(), 1),
-            [&](const tbb::blocked_range<std::size_t>& range) {
-                for (std::size_t i = range.begin(); i < range.end(); ++i) {
-                    const Task& task = tasks[i];
-                    Bins& b = bins[static_cast<std::size_t>(task.axis)];
-                    const auto across = static_cast<std::size_t>(dexels.tiles_a(task.axis));
-                    const int ta = static_cast<int>(task.tile % across), tb = static_cast<int>(task.tile / across);
-                    const std::size_t begin = b.begin[task.tile];
-                    cut_tile(dexels.tile(task.axis, ta, tb), dexels.lattice(), task.axis, ta, tb, jobs,
-                             std::span(b.order).subspan(begin, task.jobs),
-                             std::span(b.tallies).subspan(begin, task.jobs));
-                }
-            },
-            tbb::simple_partitioner());
+        base::one_by_one(tasks.size(), [&](std::size_t i) {
+            const Task& task = tasks[i];
+            Bins& b = bins[static_cast<std::size_t>(task.axis)];
+            const auto across = static_cast<std::size_t>(dexels.tiles_a(task.axis));
+            const int ta = static_cast<int>(task.tile % across), tb = static_cast<int>(task.tile / across);
+            const std::size_t begin = b.begin[task.tile];
+            cut_tile(dexels.tile(task.axis, ta, tb), dexels.lattice(), task.axis, ta, tb, jobs,
+                     std::span(b.order).subspan(begin, task.jobs), std::span(b.tallies).subspan(begin, task.jobs));
+        });
     });
     for (const Bins& b : bins)
         for (std::size_t i = 0; i < b.order.size(); ++i) join(tallies[b.order[i]], b.tallies[i]);

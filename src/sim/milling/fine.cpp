@@ -2,13 +2,11 @@
 
 #include "sim/milling/fine.hpp"
 
-#include <tbb/blocked_range.h>
-#include <tbb/parallel_for.h>
-
 #include <algorithm>
 #include <cmath>
 #include <tuple>
 
+#include "base/parallel.hpp"
 #include "base/whole.hpp"
 #include "sim/milling/nearest.hpp"
 
@@ -260,7 +258,7 @@ std::vector<Leaf> Fine::leaves_to_split() {
     std::vector<std::vector<Leaf>> found(all_.size());
     std::vector<std::vector<Leaf>> given_up(all_.size());
     std::vector<std::vector<std::uint32_t>> right(all_.size());
-    tbb::parallel_for(std::size_t{0}, all_.size(), [&](std::size_t n) {
+    base::for_all(all_.size(), [&](std::size_t n) {
         const bool own = dirty.find(key_of(all_[n])) != KeyMap::none;
         if (!own && edges[n].empty()) return;
         if (own) {

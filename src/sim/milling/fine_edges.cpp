@@ -1,10 +1,9 @@
 // What lies at nodes and edges of halved cells.
 
-#include <tbb/parallel_for.h>
-
 #include <algorithm>
 #include <cmath>
 
+#include "base/parallel.hpp"
 #include "sim/milling/coarse.hpp"
 #include "sim/milling/fine.hpp"
 
@@ -63,7 +62,7 @@ void Fine::find_signs() {
             }
         });
     std::vector<std::vector<std::uint8_t>> found(dirty_.size());
-    tbb::parallel_for(std::size_t{0}, dirty_.size(), [&](std::size_t n) {
+    base::for_all(dirty_.size(), [&](std::size_t n) {
         if (wanted[n].empty()) return;
         const Near near = exact_.near(dirty_[n], false);
         for (const Place& p : wanted[n]) found[n].push_back(exact_.is_material(near, leaves_.node(p)) ? 1 : 0);
@@ -131,7 +130,7 @@ bool Fine::is_far(const Near& near, const Leaf& leaf) const {
 /// Edges of leaves near the surface.
 void Fine::find_known() {
     std::vector<std::vector<std::pair<ShortEdge, Known>>> found(dirty_.size());
-    tbb::parallel_for(std::size_t{0}, dirty_.size(), [&](std::size_t n) {
+    base::for_all(dirty_.size(), [&](std::size_t n) {
         const Near near = exact_.near(dirty_[n], true);
         std::array<KeyMap, 3> asked;
         leaves_.each_leaf(dirty_[n], [&](const Leaf& leaf) {

@@ -1,11 +1,9 @@
 // Which crossings belong to one piece of surface within a cell, the vertices, and the triangles.
 
-#include <tbb/blocked_range.h>
-#include <tbb/parallel_for.h>
-
 #include <algorithm>
 #include <cmath>
 
+#include "base/parallel.hpp"
 #include "sim/milling/fine.hpp"
 
 namespace obrys::sim::milling {
@@ -158,7 +156,7 @@ void Fine::place_vertices() {
     }
     first.push_back(slots.size());
     vertices_.resize(first.size() - 1);
-    tbb::parallel_for(tbb::blocked_range<std::size_t>(0, vertices_.size(), 64), [&](const auto& some) {
+    base::in_pieces(vertices_.size(), 64, [&](const base::Piece& some) {
         NearCell near;
         for (std::size_t v = some.begin(); v < some.end(); ++v) {
             const Leaf& leaf = edges_[slots[first[v]] / 4].around[slots[first[v]] % 4];

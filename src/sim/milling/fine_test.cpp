@@ -1,9 +1,8 @@
 #include <gtest/gtest.h>
 
-#include <tbb/task_arena.h>
-
 #include <random>
 
+#include "base/parallel.hpp"
 #include "mesh/distance.hpp"
 #include "mesh/topology.hpp"
 #include "sim/milling/exact.hpp"
@@ -168,8 +167,8 @@ TEST(Fine, does_not_depend_on_threads) {
     r.moves.push_back({t, {1, 6.2, 3}, {5, 7.3, 3}});
     mesh::Mesh one, other;
     for (const int threads : {1, 4}) {
-        tbb::task_arena arena(threads);
-        arena.execute([&] { (threads == 1 ? one : other) = extract_surface(simulate(r, 0.01, 0.5, threads)).mesh; });
+        base::with_threads(
+            threads, [&] { (threads == 1 ? one : other) = extract_surface(simulate(r, 0.01, 0.5, threads)).mesh; });
     }
     EXPECT_EQ(one.vertices, other.vertices);
     EXPECT_EQ(one.triangles, other.triangles);

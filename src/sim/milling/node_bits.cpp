@@ -1,11 +1,9 @@
 #include "sim/milling/node_bits.hpp"
 
-#include <tbb/blocked_range.h>
-#include <tbb/parallel_for.h>
-
 #include <algorithm>
 #include <cmath>
 
+#include "base/parallel.hpp"
 #include "base/whole.hpp"
 
 namespace obrys::sim::milling {
@@ -28,8 +26,8 @@ NodeBits::NodeBits(const Lattice& lattice, Rays rays) : count_(lattice.count), w
     words_ = (static_cast<std::size_t>(count_[0]) + 63) / 64;
     rows_ = static_cast<std::size_t>(count_[1]) * static_cast<std::size_t>(count_[2]);
     bits_.assign(rows_ * words_, 0);
-    tbb::parallel_for(tbb::blocked_range<int>(1, count_[1] - 1, 4), [&](const tbb::blocked_range<int>& some) {
-        for (int j = some.begin(); j < some.end(); ++j) set_rows_of(j, lattice, rays);
+    base::in_pieces(static_cast<std::size_t>(count_[1] - 2), 4, [&](const base::Piece& some) {
+        for (std::size_t j = some.begin(); j < some.end(); ++j) set_rows_of(static_cast<int>(j) + 1, lattice, rays);
     });
 }
 

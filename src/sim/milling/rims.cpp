@@ -1,10 +1,9 @@
 // Places where a tool's sharp rim or point is part of the surface.
 
-#include <tbb/parallel_for.h>
-
 #include <algorithm>
 #include <cmath>
 
+#include "base/parallel.hpp"
 #include "sim/milling/unseen.hpp"
 
 namespace obrys::sim::milling {
@@ -180,7 +179,7 @@ std::vector<Vec3> rims(const Simulation& simulation, Exact& exact, const NodeBit
     exact.prepare(by_cell.cells);
     const double allowed = bare_share * simulation.tolerance();
     std::vector<std::vector<Vec3>> found(by_cell.cells.size());
-    tbb::parallel_for(std::size_t{0}, found.size(), [&](std::size_t n) {
+    base::for_all(found.size(), [&](std::size_t n) {
         const Exact::Near near = exact.near(by_cell.cells[n], false);
         for (const Vec3& p : by_cell.places[n])
             if (exact.is_on_surface(near, p, allowed) && !exact.is_touch(near, p, allowed)) found[n].push_back(p);

@@ -1,11 +1,9 @@
 #include "sim/milling/shown.hpp"
 
-#include <tbb/blocked_range.h>
-#include <tbb/parallel_for.h>
-
 #include <algorithm>
 #include <cmath>
 
+#include "base/parallel.hpp"
 #include "base/whole.hpp"
 #include "mesh/distance.hpp"
 #include "sim/milling/unseen.hpp"
@@ -75,7 +73,7 @@ std::vector<Unshown> unshown(const mesh::Mesh& whole, const std::vector<Vec3>& p
     const Around around(lattice, places);
     const mesh::Distance mesh(part_near(whole, around));
     std::vector<mesh::Nearest> nearest(places.size());
-    tbb::parallel_for(tbb::blocked_range<std::size_t>(0, places.size(), 256), [&](const auto& some) {
+    base::in_pieces(places.size(), 256, [&](const base::Piece& some) {
         for (std::size_t i = some.begin(); i < some.end(); ++i) nearest[i] = mesh.nearest(places[i]);
     });
     std::vector<Unshown> found;

@@ -1,11 +1,9 @@
 #include "sim/milling/surface.hpp"
 
-#include <tbb/blocked_range.h>
-#include <tbb/parallel_for.h>
-
 #include <bit>
 #include <cmath>
 
+#include "base/parallel.hpp"
 #include "sim/milling/cell_vertices.hpp"
 #include "sim/milling/coarse.hpp"
 #include "sim/milling/fine.hpp"
@@ -17,8 +15,6 @@ namespace {
 
 using geom::Vec2;
 using geom::Vec3;
-using Range = tbb::blocked_range<std::size_t>;
-
 /// The four vertices around a crossed edge, seen along it: the edge at the origin, one vertex in each quadrant,
 /// counter- clockwise; heights along the edge, counted from the crossing.
 struct Quad {
@@ -61,7 +57,7 @@ public:
         mesh_.vertices = cells_.take();
         mesh_.triangles.resize(2 * total);
         mesh_.tags.resize(2 * total);
-        tbb::parallel_for(Range(0, nodes_.rows(), 16), [&](const Range& some) {
+        base::in_pieces(nodes_.rows(), 16, [&](const base::Piece& some) {
             for (std::size_t row = some.begin(); row < some.end(); ++row) quads_of(row);
         });
     }

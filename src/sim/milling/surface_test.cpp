@@ -1,7 +1,7 @@
 #include "sim/milling/surface.hpp"
+#include "base/parallel.hpp"
 
 #include <gtest/gtest.h>
-#include <tbb/task_arena.h>
 
 #include <map>
 #include <random>
@@ -276,10 +276,9 @@ TEST(SurfaceOf, one_thread_and_four_give_the_same) {
     Faces faces;
     const Solid body = subtract(faces.box({0, 0, 0}, {3, 2, 1}, Frame::rotation(2, 0.3)), faces.ball({0.5, 0, 1}, 0.9));
     const Sampled sampled(around({-4, -4, -1.5}, {4, 4, 1.5}, 0.08), body);
-    tbb::task_arena one(1), four(4);
     Surface a, b;
-    one.execute([&] { a = sampled.surface(faces); });
-    four.execute([&] { b = sampled.surface(faces); });
+    base::with_threads(1, [&] { a = sampled.surface(faces); });
+    base::with_threads(4, [&] { b = sampled.surface(faces); });
     expect_sound(a);
     EXPECT_EQ(a.mesh.vertices, b.mesh.vertices);
     EXPECT_EQ(a.mesh.triangles, b.mesh.triangles);

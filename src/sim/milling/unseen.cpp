@@ -1,11 +1,10 @@
 #include "sim/milling/unseen.hpp"
 
-#include <tbb/blocked_range.h>
-#include <tbb/parallel_for.h>
-
 #include <algorithm>
 #include <bit>
 #include <cmath>
+
+#include "base/parallel.hpp"
 
 namespace obrys::sim::milling {
 
@@ -152,7 +151,7 @@ std::vector<Vec3> edges_in(const std::vector<Place>& cells, Exact& exact, double
         if (known.size() > before) groups.push_back({low, c});
     }
     std::vector<std::vector<Vec3>> found(groups.size());
-    tbb::parallel_for(tbb::blocked_range<std::size_t>(0, groups.size(), 16), [&](const auto& some) {
+    base::in_pieces(groups.size(), 16, [&](const base::Piece& some) {
         for (std::size_t n = some.begin(); n < some.end(); ++n)
             CellEdges(exact, groups[n].low, groups[n].cell, together, bare_share * tolerance).find(found[n]);
     });

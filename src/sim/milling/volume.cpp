@@ -1,14 +1,12 @@
 // The volume of a body held as rays: node by node, each with the cell of one step around it.
 
-#include <tbb/parallel_for.h>
-#include <tbb/parallel_sort.h>
-
 #include <algorithm>
 #include <cmath>
 #include <cstdint>
 #include <numeric>
 #include <vector>
 
+#include "base/parallel.hpp"
 #include "base/whole.hpp"
 #include "sim/milling/crossings.hpp"
 #include "sim/milling/simulation.hpp"
@@ -124,7 +122,7 @@ double corrections(Parts parts, const Cells& cells) {
         return i;
     };
     std::vector<double> sums(parts.size() / piece + 1, 0);
-    tbb::parallel_for(std::size_t{0}, sums.size(), [&](std::size_t k) {
+    base::for_all(sums.size(), [&](std::size_t k) {
         const std::size_t end = first_of(k + 1);
         for (std::size_t i = first_of(k), j = i; i < end; i = j) {
             bool inside = false;
@@ -157,7 +155,7 @@ double volume_by(const Dexels& dexels, const Cells& cells) {
             }
         }
     }
-    tbb::parallel_sort(parts.begin(), parts.end(), [](const EndPart& a, const EndPart& b) { return a.before(b); });
+    base::sort_all(parts, [](const EndPart& a, const EndPart& b) { return a.before(b); });
     return (nodes + corrections(parts, cells)) * lattice.step.x * lattice.step.y * lattice.step.z;
 }
 

@@ -3,11 +3,10 @@
 
 #include "sim/milling/within.hpp"
 
-#include <tbb/blocked_range.h>
-#include <tbb/parallel_for.h>
-
 #include <algorithm>
 #include <cmath>
+
+#include "base/parallel.hpp"
 
 namespace obrys::sim::milling {
 
@@ -177,7 +176,7 @@ std::vector<std::uint32_t> WithinMaterial::not_held_by_own(const mesh::Mesh& mes
                                                            double allowed, std::size_t parts) const {
     const CutsAbout cuts(mesh);
     std::vector<char> held(asked.size());
-    tbb::parallel_for(tbb::blocked_range<std::size_t>(0, asked.size(), 64), [&](const auto& some) {
+    base::in_pieces(asked.size(), 64, [&](const base::Piece& some) {
         TriangleSearch search(exact_, allowed, parts);
         std::vector<Body> bodies;
         for (std::size_t i = some.begin(); i < some.end(); ++i) {
@@ -206,7 +205,7 @@ std::vector<Vec3> WithinMaterial::places(const mesh::Mesh& mesh, double allowed,
         cells[i] = cell_at(exact_.lattice(), middle_of(corners_of(mesh, left[i]))).value_or(Place{});
     exact_.prepare(cells);
     std::vector<std::optional<Vec3>> found(left.size());
-    tbb::parallel_for(std::size_t{0}, left.size(), [&](std::size_t i) {
+    base::for_all(left.size(), [&](std::size_t i) {
         const Corners t = corners_of(mesh, left[i]);
         const Vec3 middle = middle_of(t);
         const std::optional<Exact::Near> near = exact_.about(cells[i], middle, reach_of(t, middle) + 2 * allowed);
