@@ -129,6 +129,11 @@ private:
     void judge_entered_part(const std::vector<MilledMove>& moves);
     void judge_cut(const QueuedPass& pass, MilledMove& move, const sim::milling::Engagement& met);
     void judge_use(const MilledMove& move);
+    void say_stopped(const MilledMove& move);
+    [[nodiscard]] bool may_not_cut(const MilledMove& move) const;
+    [[nodiscard]] bool asks_for_narrow_cuts(const std::vector<MilledMove>& moves) const;
+    void judge_narrow_cuts(const Milled& milled);
+    [[nodiscard]] sim::milling::Refined make_surface(Milled& milled) const;
     void judge_tap(const Move& at, const MilledMove& move, const shop::Tool& tool);
     void judge_driven_in(const MilledMove& move);
     void judge_pitch_not_given(const Move& at, const MilledMove& move, const shop::Tool& tool);

@@ -39,7 +39,7 @@ constexpr double side = 8;            ///< steps: places are looked at together 
 constexpr std::size_t batch_of_cubes = 256;
 constexpr std::size_t most_measured = 12;  ///< places of a cube
 constexpr int looks = 16;                  ///< on a way out
-constexpr int most_steps = 200;
+constexpr int most_steps = 2000;
 constexpr std::size_t proof_cells = 3000;
 constexpr std::size_t most_proofs = 100;
 
@@ -133,15 +133,21 @@ FilledDepth depth_at(const milling::Air& air, Vec3 p, double least, double enoug
 
 Vec3 way_out(const milling::Air& air, std::size_t body, Vec3 p) {
     constexpr double h = 1e-4;  // mm
-    Vec3 way;
+    Vec3 way, nearest;
+    double least = HUGE_VAL;
     for (int k = 0; k < 3; ++k) {
-        Vec3 low = p, high = p;
-        milling::set_component(low, k, milling::component(p, k) - h);
-        milling::set_component(high, k, milling::component(p, k) + h);
-        milling::set_component(way, k, air.outside(body, low) - air.outside(body, high));
+        std::array<double, 2> at{};
+        for (std::size_t i = 0; i < 2; ++i) {
+            Vec3 q = p;
+            milling::set_component(q, k, milling::component(p, k) + (i == 0 ? -h : h));
+            at[i] = air.outside(body, q);
+            if (at[i] < least) least = at[i], nearest = (1 / h) * (q - p);
+        }
+        milling::set_component(way, k, at[0] - at[1]);
     }
     const double size = length(way);
-    return size > 0 ? (1 / size) * way : way;
+    // Halfway between two sides of the stock it leads either way.
+    return size > 1e-3 * h ? (1 / size) * way : nearest;
 }
 
 bool Filled::find_faces() {
@@ -211,9 +217,9 @@ Filled::Top Filled::top_of(const milling::Air& air, const Deepest& d, double rea
     double way = 0;
     for (int k = 0; k < most_steps && way < reach; ++k) {
         const Vec3 p = at + way * normal;
-        const double depth = depth_at(air, p, 0, reach, 0).depth;
-        if (!(depth > 0) || (way > least && m_.part.signed_distance(p) < -least)) break;
-        way += std::max(depth, least);
+        const double depth = depth_at(air, p, 0, reach, 0).depth, off = m_.part.signed_distance(p);
+        if (!(depth > 0) || (way > least && off < -least)) break;
+        way += std::max(std::min(depth, off + least), least / 50);  // no wall is stepped over
     }
     return {at + way * normal, depth_at(air, at + way * normal, -HUGE_VAL, reach, 0).body};
 }
@@ -228,8 +234,8 @@ void Filled::measure(Covered& c, const std::vector<Deep>& deep, const Some& some
         for (const Deepest& d : all) {
             const Top top = top_of(air, d, reach);
             const double depth = geom::distance(top.at, d.place.at);
-            if (depth <= c.depth) continue;
-            c.depth = depth, c.at = d.place.at, c.top = top.at, c.face = d.place.face;
+            if (depth <= c.depth && c.depth > 0) continue;
+            c.depth = std::max(depth, options_.excess), c.at = d.place.at, c.top = top.at, c.face = d.place.face;
             c.cut = air.cut(top.body);
         }
     }

@@ -62,15 +62,17 @@ void Milling::judge_cut(const QueuedPass& pass, MilledMove& move, const milling:
     move.contact_length_mm += static_cast<double>(pass.length);
     judge_plunge(pass, move, met);
     if (!first) return;
-    if (move.spindle == 0 && !stopped_reported_) {
-        Finding f;
-        f.code = codes::spindle_stopped;
-        f.text = "the tool cuts while the spindle stands";
-        f.remedy = "start the spindle with M3 or M4 and a speed S";
-        found(move, std::move(f));
-    }
+    if (move.spindle == 0 && !stopped_reported_) say_stopped(move);
     stopped_reported_ = move.spindle == 0;
     judge_use(move);
+}
+
+void Milling::say_stopped(const MilledMove& move) {
+    Finding f;
+    f.code = codes::spindle_stopped;
+    f.text = "the tool cuts while the spindle stands";
+    f.remedy = "start the spindle with M3 or M4 and a speed S";
+    found(move, std::move(f));
 }
 
 /// What the end meets beside the part of it that does not cut is no plunge: a hole made before, a rim, a chamfer.
@@ -209,9 +211,21 @@ void Milling::keep_at_move(Milled& milled, std::uint64_t index) {
     for (std::uint32_t& tag : milled.at_move->tags) tag = tag == 0 ? 0 : move_of_pass_[simulation_->pass_of(tag)] + 1;
 }
 
+milling::Refined Milling::make_surface(Milled& milled) const {
+    milling::Surface surface = milling::extract_surface(*simulation_, setup_.out_of_time);
+    for (std::uint32_t& tag : surface.mesh.tags) tag = tag == 0 ? 0 : move_of_pass_[simulation_->pass_of(tag)] + 1;
+    milled.surface = std::move(surface.mesh);
+    milled.thin = surface.thin;
+    return surface.refined;
+}
+
 void Milling::judge_surface(Milled& milled) {
     const MillingSetup& m = *setup_.milling;
-    if (out_.result().stats.feed_moves > 0 && figures_.contact_length_mm == 0 && complete_) judge_no_contact(milled);
+    std::optional<milling::Refined> refined;
+    if (asks_for_narrow_cuts(milled.moves)) {
+        refined = make_surface(milled);
+        judge_narrow_cuts(milled);
+    }
     const bool judged = m.part != nullptr && judges_part(setup_.scope);
     if (m.part == nullptr && judges_part(setup_.scope))
         out_.unchecked("no part: gouges and rest material not checked", "give the finished part in the job file");
@@ -222,15 +236,15 @@ void Milling::judge_surface(Milled& milled) {
                        TimeUp::remedy);
         judge_entered_part(milled.moves);
     }
-    if ((!judged || time_up_.up()) && !m.surface) return;
-    milling::Surface surface = milling::extract_surface(*simulation_, setup_.out_of_time);
+    if ((!judged || time_up_.up()) && !m.surface) {
+        milled.surface = {};
+        return;
+    }
+    if (!refined) refined = make_surface(milled);
     const auto tag_of = [&](std::uint32_t cut) { return cut == 0 ? 0 : move_of_pass_[simulation_->pass_of(cut)] + 1; };
-    for (std::uint32_t& tag : surface.mesh.tags) tag = tag_of(tag);
-    milled.surface = std::move(surface.mesh);
-    milled.thin = surface.thin;
-    milled.figures.refined_cells = surface.refined.cells;
-    milled.figures.finest_mm = surface.refined.finest;
-    judge_open(surface.refined);
+    milled.figures.refined_cells = refined->cells;
+    milled.figures.finest_mm = refined->finest;
+    judge_open(*refined);
     if (time_up_.now()) {
         out_.unchecked(
             "the time for the check is up while the surface was made: it may be off by more than the tolerance" +

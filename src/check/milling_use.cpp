@@ -23,10 +23,6 @@ constexpr double along_axis = 1 - 1e-6;  ///< part of the way that leads along t
 
 std::string_view sense(bool left) { return left ? "left-hand" : "right-hand"; }
 
-bool cuts_along_axis_only(ToolKind kind) {
-    return kind == ToolKind::drill || kind == ToolKind::tap || kind == ToolKind::reamer;
-}
-
 std::string_view word_of(ToolKind kind) {
     return kind == ToolKind::drill ? "drill" : kind == ToolKind::tap ? "tap" : "reamer";
 }
