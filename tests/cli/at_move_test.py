@@ -76,6 +76,11 @@ class AtMove(unittest.TestCase):
         self.assertEqual(beyond.returncode, 2)
         self.assertIn("the program makes 5 moves, numbered from 0", beyond.stderr)
         self.assertFalse((self.at / "s.stl").exists())
+        for wrong in ("", "1.5", "x", "999999999999999999999"):
+            with self.subTest(wrong=wrong):
+                said = self.check(moves(3), "--stl", self.at / "s.stl", "--at", wrong)
+                self.assertEqual(said.returncode, 2)
+                self.assertIn("must be the number of a move", said.stderr)
         alone = self.check(moves(3), "--at", "2")
         self.assertEqual(alone.returncode, 2)
         self.assertIn("--stl", alone.stderr)

@@ -194,9 +194,13 @@ void add_surface_outputs(CLI::App& check, Arguments& a) {
     picture("--projections", a.projections, "milling: the same from front, left and above, cut open");
     picture("--picture", a.picture, "milling: the same in 3D");
     check
-        .add_option_function<std::uint64_t>(
-            "--at", [&a](const std::uint64_t& move) { a.milling.at = move; },
+        .add_option_function<std::string>(
+            "--at",
+            [&a](const std::string& move) { a.milling.at = static_cast<std::uint64_t>(*base::parse_integer(move)); },
             "milling: surface and pictures as they are after this move (numbers: obrys run --format csv)")
+        ->check([](const std::string& text) {
+            return base::parse_integer(text).value_or(-1) >= 0 ? "" : "must be the number of a move, counted from 0";
+        })
         ->type_name("MOVE");
     check.callback([&a] {
         if (a.milling.at && !wants_surface(a))

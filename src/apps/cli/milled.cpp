@@ -105,7 +105,7 @@ bool write_pictures(const Arguments& a, driver::Session& s, const driver::Checke
     scene.palette = colours.palette;
     scene.legend = legend;
     scene.marks = marks;
-    scene.title = s.program;
+    scene.title = s.program + (a.milling.at ? ", after move " + std::to_string(*a.milling.at) : "");
     const struct {
         const std::string& file;
         report::MillingView view;
