@@ -121,23 +121,6 @@ V direction(Random& random) {
     return {r * std::cos(a), r * std::sin(a), z};
 }
 
-/// Between two faces that meet at a few degrees chance does not hit what lies there: downhill by chance, a few times.
-static void nearest_downhill(const Solid& solid, V p, double enough, Random& random, double& found, V& best) {
-    for (int start = 0; start < 8; ++start) {
-        V q = p;
-        double value = solid.value(q), step = enough / 2;
-        for (int i = 0; i < 600 && value > on && step > 1e-9; ++i) {
-            const V next = q + (step * uniform(random, 0.3, 1)) * direction(random);
-            const double lower = solid.value(next);
-            if (lower < value && norm(next - p) < found)
-                q = next, value = lower;
-            else if (i % 8 == 7)
-                step *= 0.8;
-        }
-        if (value <= on && norm(q - p) < found) found = norm(q - p), best = q;
-    }
-}
-
 Off off_surface(const Solid& solid, V p, double enough, Random& random) {
     const double value = solid.value(p);
     if (value <= on) return {std::max(0.0, -value), p, true};
@@ -156,8 +139,6 @@ Off off_surface(const Solid& solid, V p, double enough, Random& random) {
     if (found <= std::max(enough, 1.001 * value)) return {found, best, false};
     // Between several cuts it may have gone the long way round: edges and corners, then by chance, first far, then near.
     nearest_meeting(solid, p, found, best);
-    if (found <= std::max(enough, 1.001 * value)) return {found, best, false};
-    nearest_downhill(solid, p, enough, random, found, best);
     if (found <= std::max(enough, 1.001 * value)) return {found, best, false};
     double ring = std::min(found, 40 * enough);
     for (int in_vain = 0; in_vain < 100;) {
