@@ -1,6 +1,7 @@
 #pragma once
 /// Values one behind the other, added at the end only, kept in pieces that copies share: a copy costs a pointer for
-/// each `piece` of them, and what is added to it afterwards the last piece once more.
+/// each `piece` of them, and what is added to it afterwards the last piece once more. Changed by one thread at a time,
+/// while none makes or drops a copy.
 
 #include <array>
 #include <cstddef>

@@ -224,7 +224,11 @@ void Milling::judge_surface(Milled& milled) {
     std::optional<milling::Refined> refined;
     if (asks_for_narrow_cuts(milled.moves)) {
         refined = make_surface(milled);
-        judge_narrow_cuts(milled);
+        if (time_up_.now())
+            out_.unchecked("the time for the check is up: whether moves that no ray has met cut is not known",
+                           TimeUp::remedy);
+        else
+            judge_narrow_cuts(milled);
     }
     const bool judged = m.part != nullptr && judges_part(setup_.scope);
     if (m.part == nullptr && judges_part(setup_.scope))

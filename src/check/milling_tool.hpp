@@ -36,6 +36,7 @@ inline constexpr double unknown_height = 1000;
 /// Of a tap: radius of the widest hole that its thread may be cut or formed in.
 [[nodiscard]] double widest_hole_radius(const shop::Tool& tap);
 
+inline constexpr double along_axis = 1 - 1e-6;  ///< MilledMove::sinking of a way along the axis
 [[nodiscard]] constexpr bool cuts_along_axis_only(shop::ToolKind kind) {
     return kind == shop::ToolKind::drill || kind == shop::ToolKind::tap || kind == shop::ToolKind::reamer;
 }

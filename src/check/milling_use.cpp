@@ -19,7 +19,6 @@ namespace {
 
 /// Of a revolution's way: F is rounded, and threads in inch are programmed in mm.
 constexpr double pitch_tolerance = 0.01;
-constexpr double along_axis = 1 - 1e-6;  ///< part of the way that leads along the axis
 
 std::string_view sense(bool left) { return left ? "left-hand" : "right-hand"; }
 

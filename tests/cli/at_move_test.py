@@ -34,7 +34,7 @@ HEAD = ["G21 G90 G17 G40 G80 G94", "F800", "T1 M6", "G43 H1", "M3 S3000", "G54 G
 
 
 def moves(count):
-    """Lines with one move each; they end beside the stock."""
+    """Lines with one move each."""
     chance = random.Random(5)
     lines = ["G0 Z-3"]
     for _ in range(count):

@@ -91,7 +91,7 @@ bool write_pictures(const Arguments& a, driver::Session& s, const driver::Checke
     const std::vector<check::Group> groups = check::groups_of(checked.result);
     for (std::size_t k = 0; k < groups.size(); ++k)
         if (const check::Finding& f = checked.result.findings[groups[k].worst];
-            f.place && !(a.milling.at && f.move > a.milling.at))
+            f.place && (!a.milling.at || (f.move && *f.move <= *a.milling.at)))
             marks.push_back({std::to_string(k + 1), *f.place});
     report::MillingScene scene{surface};
     if (checked.setup.milling) {

@@ -65,6 +65,10 @@ void cut_all(Dexels& dexels, std::span<const Job> jobs, std::span<Tally> tallies
     base::with_threads(threads, [&] {
         base::one_by_one(3, [&](std::size_t axis) { bins[axis] = make_bins(dexels, static_cast<int>(axis), jobs); });
         const std::vector<Task> tasks = tasks_of(bins);
+        for (const Task& task : tasks) {  // tiles part from those of copies before several threads ask for them
+            const auto across = static_cast<std::size_t>(dexels.tiles_a(task.axis));
+            (void)dexels.tile(task.axis, static_cast<int>(task.tile % across), static_cast<int>(task.tile / across));
+        }
         base::one_by_one(tasks.size(), [&](std::size_t i) {
             const Task& task = tasks[i];
             Bins& b = bins[static_cast<std::size_t>(task.axis)];

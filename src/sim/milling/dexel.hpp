@@ -108,7 +108,7 @@ public:
 
     [[nodiscard]] int tiles_a(int axis) const { return tiles_[static_cast<std::size_t>(axis)].across; }
     [[nodiscard]] int tiles_b(int axis) const { return tiles_[static_cast<std::size_t>(axis)].down; }
-    /// To be changed. Tiles of their own may be asked for by several threads at once.
+    /// To be changed. By several threads at once only where each was asked for before, since the last copy.
     [[nodiscard]] Tile& tile(int axis, int ta, int tb) {
         Tiles& t = tiles_[static_cast<std::size_t>(axis)];
         std::shared_ptr<Tile>& own = t.all[t.number(ta, tb)];

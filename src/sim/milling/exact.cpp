@@ -137,7 +137,8 @@ bool Exact::is_on_surface(const Near& near, Vec3 p, double allowed, double in_ma
         const Foot foot = foot_on(*s.shape, s.track, own);
         if (foot.outside > in_material) continue;
         in_air = in_air || foot.outside < 0;
-        if (count < most_around) around[count++] = {foot.outside, s.frame.to_stock(foot.gradient)};
+        if (foot.outside < allowed && count < most_around)
+            around[count++] = {foot.outside, s.frame.to_stock(foot.gradient)};
         if (!(foot.outside > 0)) {
             if (foot.outside < -allowed || depth_in(*s.shape, own - foot.place) > allowed) return false;
             close = true;

@@ -82,7 +82,8 @@ public:
     }
     using Corners = std::array<geom::Vec3, 3>;
     /// Every place of a triangle that lies in air has material no farther from it than 1.02 times so. `near`: what lies
-    /// no farther from its places. False where so many parts of the triangle do not show it.
+    /// no farther from its places. False where so many parts of the triangle do not show it. Beyond feather edges of
+    /// less than a degree it may be farther, and of a stock that is a mesh corners and middles alone are asked.
     [[nodiscard]] bool is_beside_material(const Near& near, const Corners& triangle, double allowed,
                                           std::size_t parts) const;
     /// It lies farther from it; false where that is not known.

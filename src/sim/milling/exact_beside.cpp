@@ -14,6 +14,7 @@ namespace {
 
 using geom::Vec3;
 
+constexpr double level_face = 1 - 1e-12;       ///< a tool's lower face on a circle: its plane has no bend
 constexpr double one_plane = 1e-3;             ///< between directions
 constexpr double small = 0.7, smallest = 0.1;  ///< of what is allowed: sizes of triangles
 
@@ -78,7 +79,8 @@ private:
         Plane plane{at, {foot.outside, s.frame.to_stock(foot.gradient)}, HUGE_VAL};
         double far = 0;
         for (const Vec3& p : t) far = std::max(far, geom::distance(p, at));
-        if (s.track.circular) plane.side.outside -= bend_of(s, at, far + 2 * allowed_);
+        if (s.track.circular && !(std::abs(foot.gradient.z) > level_face))
+            plane.side.outside -= bend_of(s, at, far + 2 * allowed_);
         for (const Vec3& p : t) plane.least = std::min(plane.least, before(plane, p));
         return plane;
     }
@@ -98,7 +100,11 @@ private:
     /// the side of the circle's axis.
     [[nodiscard]] static double bend_of(const Air::Sweep& s, Vec3 p, double about) {
         const Vec3 own = s.frame.to_tool(p - s.from);
-        const double inner = geom::length(geom::Vec2{own.x, own.y} - s.track.centre) - about;
+        const geom::Vec2 q = geom::Vec2{own.x, own.y} - s.track.centre;
+        // Beyond the centre a tool wider than its circle has stood at both ends: a kink lies between these.
+        const bool beside = s.track.turn * cross(s.track.first, q) < 0 || s.track.turn * cross(q, s.track.last) < 0;
+        if (beside && s.shape->radius > s.track.radius) return HUGE_VAL;
+        const double inner = geom::length(q) - about;
         return inner > about ? about * about / (2 * inner) : HUGE_VAL;
     }
 

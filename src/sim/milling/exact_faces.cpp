@@ -91,7 +91,10 @@ bool Exact::is_left(std::span<const Side> around, double allowed) {
         double most_missing = 0;
         for (std::size_t n = 0; n < around.size(); ++n) {
             const double square = dot(around[n].in, around[n].in);
-            if (!(square > 1e-12)) continue;
+            if (!(square > 1e-12)) {  // halfway between two faces no way is told
+                if (around[n].outside < -fine) return false;
+                continue;
+            }
             const double missing = -(around[n].outside + dot(around[n].in, way));
             const double more = std::max(missing / square, -pull[n]);
             pull[n] += more;
