@@ -154,6 +154,10 @@ private:
     void judge_open(const sim::milling::Refined& refined);
     void add_thin(mesh::Comparison& found, const Machined& machined, const mesh::CompareOptions& options);
     void add_filled(mesh::Comparison& found, const Machined& machined, const mesh::CompareOptions& options);
+    /// Of the move that made a cut: its index in `moves_` + 1; 0: the stock's own face.
+    [[nodiscard]] std::uint32_t tag_of(std::uint32_t cut) const {
+        return cut == 0 ? 0 : move_of_pass_[simulation_->pass_of(cut)] + 1;
+    }
     void keep_at_move(Milled& milled, std::uint64_t index);
     void judge_surface(Milled& milled);
     void judge_place(const Milled& milled, const mesh::Place& place, bool gouge);

@@ -208,12 +208,12 @@ void Milling::keep_at_move(Milled& milled, std::uint64_t index) {
     while (passes < move_of_pass_.size() && milled.moves[move_of_pass_[passes]].index <= index) ++passes;
     const milling::Simulation then = simulation_->at(passes);
     milled.at_move = milling::extract_surface(then, setup_.out_of_time).mesh;
-    for (std::uint32_t& tag : milled.at_move->tags) tag = tag == 0 ? 0 : move_of_pass_[simulation_->pass_of(tag)] + 1;
+    for (std::uint32_t& tag : milled.at_move->tags) tag = tag_of(tag);
 }
 
 milling::Refined Milling::make_surface(Milled& milled) const {
     milling::Surface surface = milling::extract_surface(*simulation_, setup_.out_of_time);
-    for (std::uint32_t& tag : surface.mesh.tags) tag = tag == 0 ? 0 : move_of_pass_[simulation_->pass_of(tag)] + 1;
+    for (std::uint32_t& tag : surface.mesh.tags) tag = tag_of(tag);
     milled.surface = std::move(surface.mesh);
     milled.thin = surface.thin;
     return surface.refined;
@@ -245,7 +245,6 @@ void Milling::judge_surface(Milled& milled) {
         return;
     }
     if (!refined) refined = make_surface(milled);
-    const auto tag_of = [&](std::uint32_t cut) { return cut == 0 ? 0 : move_of_pass_[simulation_->pass_of(cut)] + 1; };
     milled.figures.refined_cells = refined->cells;
     milled.figures.finest_mm = refined->finest;
     judge_open(*refined);
@@ -270,7 +269,9 @@ void Milling::judge_surface(Milled& milled) {
     milled.comparison = mesh::compare(milled.surface, *m.part, options);
     certificate_->measure(thread_bands_, setup_.out_of_time);
     std::erase_if(milled.comparison->doubtful_gouges, [&](const mesh::Place& p) { return !certificate_->may_be(p); });
-    Machined machined{milled.surface, *simulation_, *m.part, thread_bands_, tag_of, setup_.out_of_time};
+    Machined machined{
+        milled.surface,    *simulation_, *m.part, thread_bands_, [this](std::uint32_t cut) { return tag_of(cut); },
+        setup_.out_of_time};
     machined.is_none = [&](const mesh::Place& p) { return certificate_->is_none(p); };
     confirm(*milled.comparison, machined, options);
     add_thin(*milled.comparison, machined, options);

@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "sim/milling/convex_parts.hpp"
+#include "sim/milling/corners.hpp"
 #include "sim/milling/job.hpp"
 #include "sim/milling/key_map.hpp"
 #include "sim/milling/leaves.hpp"
@@ -80,7 +81,6 @@ public:
     [[nodiscard]] bool is_on_surface(const Near& near, geom::Vec3 p, double allowed) const {
         return is_on_surface(near, p, allowed, allowed);
     }
-    using Corners = std::array<geom::Vec3, 3>;
     /// Every place of a triangle that lies in air has material no farther from it than 1.02 times so. `near`: what lies
     /// no farther from its places. False where so many parts of the triangle do not show it. Beyond feather edges of
     /// less than a degree it may be farther, and of a stock that is a mesh corners and middles alone are asked.

@@ -41,9 +41,8 @@ private:
     [[nodiscard]] bool is_beside(const Corners& t, const std::vector<Body>& bodies) {
         if (left_ == 0) return false;
         --left_;
-        const Vec3 middle = (1.0 / 3) * (t[0] + t[1] + t[2]);
-        const double reach =
-            std::max({geom::distance(t[0], middle), geom::distance(t[1], middle), geom::distance(t[2], middle)});
+        const Vec3 middle = centroid_of(t);
+        const double reach = farthest_from(middle, t);
         std::vector<Body> about;
         std::vector<Plane> planes;
         for (const Body& b : bodies) {
@@ -58,12 +57,7 @@ private:
             exact_.is_on_surface(near_, middle, allowed_ - reach, std::numeric_limits<double>::max()))
             return true;
         if (reach <= smallest * allowed_) return false;
-        std::size_t longest = 0;
-        for (std::size_t i = 1; i < 3; ++i)
-            if (geom::distance(t[i], t[(i + 1) % 3]) > geom::distance(t[longest], t[(longest + 1) % 3])) longest = i;
-        const std::size_t next = (longest + 1) % 3;
-        Corners one = t, two = t;
-        one[next] = two[longest] = 0.5 * (t[longest] + t[next]);
+        const auto [one, two] = halves_of(t);
         return is_beside(one, about) && is_beside(two, about);
     }
 
@@ -77,10 +71,8 @@ private:
         const Air::Sweep& s = *b.sweep;
         const Foot foot = foot_on(*b.part, s.track, s.frame.to_tool(at - s.from));
         Plane plane{at, {foot.outside, s.frame.to_stock(foot.gradient)}, HUGE_VAL};
-        double far = 0;
-        for (const Vec3& p : t) far = std::max(far, geom::distance(p, at));
         if (s.track.circular && !(std::abs(foot.gradient.z) > level_face))
-            plane.side.outside -= bend_of(s, at, far + 2 * allowed_);
+            plane.side.outside -= bend_of(s, at, farthest_from(at, t) + 2 * allowed_);
         for (const Vec3& p : t) plane.least = std::min(plane.least, before(plane, p));
         return plane;
     }

@@ -131,7 +131,7 @@ void Fine::find_fine_cells() {
 }
 
 /// Four places of a triangle against the exact surface; what lies in air, every place.
-bool Fine::is_off(const Near& here, const Exact::Corners& t, double allowed, double in_material) const {
+bool Fine::is_off(const Near& here, const Corners& t, double allowed, double in_material) const {
     const auto off = [&](Vec3 p) { return !exact_.is_on_surface(here, p, allowed, in_material); };
     return off(t[0]) || off(0.5 * (t[0] + t[1])) || off((1.0 / 3) * (t[0] + t[1] + t[2])) || off(0.5 * (t[0] + t[2])) ||
            !exact_.is_beside_material(here, t, (allowed < tolerance_ ? beside_share : beside_left) * tolerance_,
@@ -147,7 +147,7 @@ bool Fine::is_off(const Place& cell, std::size_t edge, double allowed, double in
     if (!here) return true;
     for (std::size_t q = 0; q < 4; ++q) {
         if (edges_[edge].around[q] == edges_[edge].around[(q + 1) % 4]) continue;
-        const Exact::Corners t{position(vertex(edge, q)), position(vertex(edge, (q + 1) % 4)), middle};
+        const Corners t{position(vertex(edge, q)), position(vertex(edge, (q + 1) % 4)), middle};
         if (is_off(*here, t, allowed, in_material)) return true;
     }
     return false;

@@ -105,7 +105,7 @@ private:
     [[nodiscard]] bool leaf_of(geom::Vec3 p, Leaf& leaf) const;
     [[nodiscard]] std::vector<Leaf> leaves_to_split();
     [[nodiscard]] bool needs_split(const Near& near, const Leaf& leaf) const;
-    [[nodiscard]] bool is_off(const Near& here, const Exact::Corners& t, double allowed, double in_material) const;
+    [[nodiscard]] bool is_off(const Near& here, const Corners& t, double allowed, double in_material) const;
     [[nodiscard]] bool is_off(const Place& cell, std::size_t edge, double allowed, double in_material) const;
 
     [[nodiscard]] bool is_material(const Place& p) const;

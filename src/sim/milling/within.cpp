@@ -15,15 +15,8 @@ namespace {
 using geom::Vec2;
 using geom::Vec3;
 using Body = WithinMaterial::Body;
-using Corners = WithinMaterial::Corners;
 
 constexpr double smallest = 0.03;  ///< of what is allowed: half a triangle's size from which on its middle tells
-
-Vec3 middle_of(const Corners& t) { return (1.0 / 3) * (t[0] + t[1] + t[2]); }
-
-double reach_of(const Corners& t, Vec3 middle) {
-    return std::max({geom::distance(t[0], middle), geom::distance(t[1], middle), geom::distance(t[2], middle)});
-}
 
 double longest_side(const Corners& t) {
     return std::max({geom::distance(t[0], t[1]), geom::distance(t[1], t[2]), geom::distance(t[2], t[0])});
@@ -88,10 +81,10 @@ private:
     [[nodiscard]] std::optional<Vec3> find(const Corners& t, const std::vector<const Body*>& bodies) {
         if (std::any_of(bodies.begin(), bodies.end(), [&](const Body* b) { return is_held(*b, t); }))
             return std::nullopt;
-        const Vec3 middle = middle_of(t);
+        const Vec3 middle = centroid_of(t);
         if (left_ == 0) return middle;
         --left_;
-        const double reach = reach_of(t, middle);
+        const double reach = farthest_from(middle, t);
         std::vector<const Body*> near;
         bool deep = true;
         for (const Body* b : bodies) {
@@ -101,12 +94,7 @@ private:
         }
         if (deep) return middle;
         if (reach <= smallest * allowed_) return std::nullopt;
-        std::size_t longest = 0;
-        for (std::size_t i = 1; i < 3; ++i)
-            if (geom::distance(t[i], t[(i + 1) % 3]) > geom::distance(t[longest], t[(longest + 1) % 3])) longest = i;
-        const std::size_t next = (longest + 1) % 3;
-        Corners one = t, two = t;
-        one[next] = two[longest] = 0.5 * (t[longest] + t[next]);
+        const auto [one, two] = halves_of(t);
         if (const auto found = find(one, near)) return found;
         return find(two, near);
     }
@@ -202,13 +190,13 @@ std::vector<Vec3> WithinMaterial::places(const mesh::Mesh& mesh, double allowed,
     const std::vector<std::uint32_t> left = not_held_by_own(mesh, asked, allowed, parts);
     std::vector<Place> cells(left.size());
     for (std::size_t i = 0; i < left.size(); ++i)
-        cells[i] = cell_at(exact_.lattice(), middle_of(corners_of(mesh, left[i]))).value_or(Place{});
+        cells[i] = cell_at(exact_.lattice(), centroid_of(corners_of(mesh, left[i]))).value_or(Place{});
     exact_.prepare(cells);
     std::vector<std::optional<Vec3>> found(left.size());
     base::for_all(left.size(), [&](std::size_t i) {
         const Corners t = corners_of(mesh, left[i]);
-        const Vec3 middle = middle_of(t);
-        const std::optional<Exact::Near> near = exact_.about(cells[i], middle, reach_of(t, middle) + 2 * allowed);
+        const Vec3 middle = centroid_of(t);
+        const std::optional<Exact::Near> near = exact_.about(cells[i], middle, farthest_from(middle, t) + 2 * allowed);
         found[i] = near ? TriangleSearch(exact_, allowed, parts).find(t, bodies_near(*near)) : middle;
     });
     std::vector<Vec3> places;

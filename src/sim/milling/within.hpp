@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "mesh/mesh.hpp"
+#include "sim/milling/corners.hpp"
 #include "sim/milling/exact.hpp"
 #include "sim/milling/key_map.hpp"
 
@@ -26,7 +27,6 @@ public:
         Air::Sweep sweep;
         bool stock = false;  ///< what lies outside of the stock, instead
     };
-    using Corners = std::array<geom::Vec3, 3>;
 
 private:
     void add(const Air::Sweep& sweep, std::vector<Body>& bodies) const;
