@@ -102,7 +102,7 @@ TEST(Milling, WhatLiesAlongSeveralBlocksNamesThemAndTheContourElements) {
         take(cl::Spindle{3000, cl::SpindleMode::rpm, 1, 0}, 0);
         take(cl::Linear{{-20, 5, 20}, {0, 0, 1}, true}, 0);
         take(cl::Feed{500, cl::FeedMode::per_minute}, 0);
-        if (cycle) take(cl::CycleBegin{"CYCL DEF 25", {}}, 0);
+        if (cycle) take(cl::CycleBegin{}, 0);
         std::uint32_t at = 10;
         for (const auto& [y, z] : {std::pair{35.0, -5.0}, std::pair{20.0, -4.0}, std::pair{5.0, -4.0}}) {
             take(cl::Linear{{-20, y, z}, {0, 0, 1}, true}, 0);

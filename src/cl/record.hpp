@@ -11,7 +11,9 @@
 #include <vector>
 
 #include "base/function_ref.hpp"
+#include "base/shared_value.hpp"
 #include "base/source.hpp"
+#include "cl/cycle.hpp"
 #include "geom/frame.hpp"
 #include "geom/vec.hpp"
 
@@ -235,10 +237,29 @@ struct CycleParameter {
     double value = 0;
     bool operator==(const CycleParameter&) const = default;
 };
-/// The records up to the matching CycleEnd are the expansion of this cycle call.
+/// What a cycle does, the same at all its places.
+struct Cycle {
+    CycleKind kind = CycleKind::drill;
+    geom::Frame plane;                    ///< (u, v, w) of the working plane -> frame of the stream
+    std::vector<CycleValue> values;       ///< each role at most once; counted in `plane`
+    std::string name;                     ///< a remark: as the source spells it
+    std::vector<CycleParameter> written;  ///< a remark: its parameters there, in the source's own units
+    bool operator==(const Cycle&) const = default;
+};
+
+enum class CycleCall : std::uint8_t {
+    single,   ///< where it stands in the program
+    modal,    ///< by every block that positions, until it is cancelled (G81, M89)
+    pattern,  ///< at the points of a pattern
+};
+/// The records up to the matching CycleEnd are this cycle at one place; brackets may lie one in another (the points of
+/// a pattern). What lies inside: docs/cl-stream.md.
 struct CycleBegin {
-    std::string name;
-    std::vector<CycleParameter> parameters;
+    base::SharedValue<Cycle> cycle;
+    geom::Vec3 place;  ///< where the tool stands
+    CycleCall call = CycleCall::single;
+    std::uint64_t pass = 1;    ///< of a pattern's points, of the holes that one block makes
+    std::uint64_t passes = 1;  ///< of them all
     bool operator==(const CycleBegin&) const = default;
 };
 struct CycleEnd {

@@ -14,7 +14,7 @@
 namespace obrys::cl {
 
 /// First line of every text; the number is the format's version.
-inline constexpr std::string_view text_header = "obrys-cl 1";
+inline constexpr std::string_view text_header = "obrys-cl 2";
 
 /// Words for FrameKind.
 inline constexpr std::array<std::string_view, 7> frame_kinds{"datum",   "shift", "rotation",  "mirror",

@@ -1,144 +1,16 @@
-#include <charconv>
 #include <cmath>
-#include <limits>
 #include <optional>
 
 #include "base/codes.hpp"
-#include "base/number.hpp"
 #include "base/text.hpp"
 #include "base/whole.hpp"
 #include "cl/text.hpp"
+#include "cl/text_words.hpp"
 #include "cl/unknown_tool.hpp"
 
 namespace obrys::cl {
 
 namespace {
-
-/// Takes the words of one line from left to right. After the first wrong word everything fails and `wrong` holds it.
-class Words {
-public:
-    Words(std::string_view line) : line_(line) {}
-
-    [[nodiscard]] bool ok() const { return message_.empty(); }
-    [[nodiscard]] const std::string& message() const { return message_; }
-    [[nodiscard]] std::size_t wrong_begin() const { return begin_; }
-    [[nodiscard]] std::size_t wrong_end() const { return at_; }
-    [[nodiscard]] bool at_end() {
-        skip_blanks();
-        return at_ == line_.size();
-    }
-    void fail(std::string message) {
-        if (ok()) message_ = std::move(message);
-    }
-
-    std::string_view word() {
-        skip_blanks();
-        begin_ = at_;
-        while (at_ < line_.size() && !base::is_blank(line_[at_])) ++at_;
-        return line_.substr(begin_, at_ - begin_);
-    }
-    /// The next word without taking it.
-    std::string_view peek() {
-        skip_blanks();
-        std::size_t end = at_;
-        while (end < line_.size() && !base::is_blank(line_[end])) ++end;
-        return line_.substr(at_, end - at_);
-    }
-    void expect(std::string_view wanted) {
-        if (ok() && word() != wanted) fail("expected \"" + std::string(wanted) + "\"");
-    }
-    /// True and taken where the next word is `wanted`.
-    bool accept(std::string_view wanted) {
-        if (!ok() || peek() != wanted) return false;
-        word();
-        return true;
-    }
-    double number() {
-        if (!ok()) return 0;
-        const std::string_view w = word();
-        if (w == "?") return std::numeric_limits<double>::quiet_NaN();
-        if (w == "inf") return std::numeric_limits<double>::infinity();
-        if (w == "-inf") return -std::numeric_limits<double>::infinity();
-        const std::optional<double> value = base::parse_double(w);
-        if (!value) fail("expected a number or ?");
-        return value.value_or(0);
-    }
-    geom::Vec3 vec() {
-        const double x = number(), y = number(), z = number();
-        return {x, y, z};
-    }
-    template <class Integer>
-    Integer integer() {
-        if (!ok()) return 0;
-        return integer_of<Integer>(word());
-    }
-    template <class Integer>
-    Integer integer_of(std::string_view w) {
-        Integer value = 0;
-        const auto [end, error] = std::from_chars(w.data(), w.data() + w.size(), value);
-        if (w.empty() || error != std::errc{} || end != w.data() + w.size()) fail("expected a whole number");
-        return value;
-    }
-    /// The index of the next word in `words`.
-    template <std::size_t N>
-    std::size_t choice(const std::array<std::string_view, N>& words) {
-        if (!ok()) return 0;
-        const std::string_view w = word();
-        std::string all;
-        for (std::size_t i = 0; i < N; ++i) {
-            if (w == words[i]) return i;
-            all += (i == 0 ? "" : ", ") + std::string(words[i]);
-        }
-        fail("expected one of: " + all);
-        return 0;
-    }
-    std::string quoted();
-
-private:
-    void skip_blanks() {
-        while (at_ < line_.size() && base::is_blank(line_[at_])) ++at_;
-    }
-    char escape();
-
-    std::string_view line_;
-    std::size_t at_ = 0, begin_ = 0;
-    std::string message_;
-};
-
-/// The character an escape stands for; `at_` is behind the backslash.
-char Words::escape() {
-    const char c = at_ < line_.size() ? line_[at_++] : '\0';
-    if (c == '"' || c == '\\') return c;
-    if (c == 'n') return '\n';
-    unsigned value = 0;
-    const char* first = line_.data() + at_;
-    if (c == 'x' && at_ + 2 <= line_.size() && std::from_chars(first, first + 2, value, 16).ptr == first + 2) {
-        at_ += 2;
-        return static_cast<char>(value);
-    }
-    fail("unknown escape; known are \\\" \\\\ \\n \\xHH");
-    return 0;
-}
-
-std::string Words::quoted() {
-    std::string out;
-    if (!ok()) return out;
-    skip_blanks();
-    begin_ = at_;
-    if (at_ == line_.size() || line_[at_] != '"') {
-        word();
-        fail("expected a text in quotes");
-        return out;
-    }
-    ++at_;
-    while (ok() && at_ < line_.size() && line_[at_] != '"') {
-        const char c = line_[at_++];
-        out += c == '\\' ? escape() : c;
-    }
-    if (at_ == line_.size()) fail("the closing quote is missing");
-    if (ok()) ++at_;
-    return out;
-}
 
 Linear linear(Words& w, bool rapid) {
     Linear s;
@@ -277,14 +149,20 @@ Datum datum(Words& w) {
     return s;
 }
 
+geom::Frame affine(Words& w) {
+    geom::Frame f;
+    f.origin = w.vec();
+    if (w.accept("by"))
+        for (double& v : f.linear) v = w.number();
+    return f;
+}
+
 Frame frame(Words& w) {
     Frame s;
     while (w.ok() && !w.peek().empty() && w.peek().front() >= 'a') {
         FramePart p;
         p.kind = static_cast<FrameKind>(w.choice(frame_kinds));
-        p.frame.origin = w.vec();
-        if (w.accept("by"))
-            for (double& v : p.frame.linear) v = w.number();
+        p.frame = affine(w);
         s.parts.push_back(p);
     }
     return s;
@@ -299,15 +177,44 @@ Auxiliary auxiliary(Words& w) {
     return s;
 }
 
-CycleBegin cycle(Words& w) {
-    CycleBegin s;
-    s.name = w.quoted();
+template <class Enum>
+Enum spelt(Words& w, std::optional<Enum> (*find)(std::string_view), const char* what) {
+    const auto found = w.ok() ? find(w.word()) : std::nullopt;
+    if (!found) w.fail(std::string("there is no such ") + what);
+    return found.value_or(Enum{});
+}
+
+/// Behind `plane`: how it is called, the values by role, and what the source has written.
+void cycle_words(Words& w, CycleBegin& s, Cycle& cycle) {
+    s.call = w.accept("modal") ? CycleCall::modal : w.accept("pattern") ? CycleCall::pattern : CycleCall::single;
+    if (w.accept("pass")) {
+        s.pass = w.integer<std::uint64_t>();
+        w.expect("of");
+        s.passes = w.integer<std::uint64_t>();
+    }
+    while (w.ok() && !w.peek().empty() && w.peek().front() >= 'a' && w.peek() != "written") {
+        const CycleRole role = spelt(w, &cycle_role_spelt, "value of a cycle");
+        cycle.values.push_back({role, w.number()});
+    }
+    if (!w.accept("written")) return;
     while (w.ok() && w.peek().starts_with('"')) {
         CycleParameter p;
         p.name = w.quoted();
         p.value = w.number();
-        s.parameters.push_back(std::move(p));
+        cycle.written.push_back(std::move(p));
     }
+}
+
+CycleBegin cycle(Words& w) {
+    CycleBegin s;
+    Cycle cycle;
+    cycle.kind = spelt(w, &cycle_kind_spelt, "cycle");
+    cycle.name = w.quoted();
+    w.expect("at");
+    s.place = w.vec();
+    if (w.accept("plane")) cycle.plane = affine(w);
+    cycle_words(w, s, cycle);
+    s.cycle = std::move(cycle);
     return s;
 }
 
@@ -391,7 +298,7 @@ void read_text(const base::Sources& sources, std::uint32_t file, Sink sink, base
         const bool empty = base::trim(line).empty() || line.starts_with(';');
         if (!empty && !header) {
             if (line != text_header)
-                return complain(begin, begin + line.size(), "expected the first line \"obrys-cl 1\"");
+                return complain(begin, begin + line.size(), "expected the first line \"obrys-cl 2\"");
             header = true;
         } else if (!empty) {
             Words words(line);

@@ -38,15 +38,38 @@ std::array<char, 8> axis_name() {
     return out;
 }
 
+geom::Frame any_affine() {
+    geom::Frame f;
+    f.origin = vec();
+    if (*rc::gen::arbitrary<bool>())
+        for (double& v : f.linear) v = number();
+    return f;
+}
+
+template <class Enum>
+Enum any_of(Enum last) {
+    return static_cast<Enum>(*rc::gen::inRange(0, static_cast<int>(last) + 1));
+}
+
 Frame any_frame() {
     Frame s;
     for (int n = *rc::gen::inRange(0, 4); n > 0; --n) {
-        FramePart p{static_cast<FrameKind>(*rc::gen::inRange(0, static_cast<int>(FrameKind::programmed) + 1)), {}};
-        p.frame.origin = vec();
-        if (*rc::gen::arbitrary<bool>())
-            for (double& v : p.frame.linear) v = number();
-        s.parts.push_back(p);
+        const FrameKind kind = any_of(FrameKind::programmed);
+        s.parts.push_back({kind, any_affine()});
     }
+    return s;
+}
+
+CycleBegin any_cycle() {
+    Cycle c;
+    c.kind = any_of(CycleKind::probe);
+    if (*rc::gen::arbitrary<bool>()) c.plane = any_affine();
+    for (int i = *rc::gen::inRange(0, 4); i > 0; --i) c.values.push_back({any_of(CycleRole::turned_axes), number()});
+    c.name = text();
+    for (int i = *rc::gen::inRange(0, 4); i > 0; --i) c.written.push_back({text(), number()});
+    CycleBegin s{c, vec(), any_of(CycleCall::pattern)};
+    s.pass = *rc::gen::inRange(1, 3);
+    s.passes = *rc::gen::inRange(1, 3);
     return s;
 }
 
@@ -85,11 +108,7 @@ Step any_step(std::size_t kind) {
             for (double& v : s.values) v = number();
             return s;
         }
-        case 13: {
-            CycleBegin c{text(), {}};
-            for (int i = *rc::gen::inRange(0, 4); i > 0; --i) c.parameters.push_back({text(), number()});
-            return c;
-        }
+        case 13: return any_cycle();
         case 14: {
             Spline s{vec(), vec(), vec(), vec(), vec(), {}};
             for (int i = *rc::gen::inRange(0, 3); i > 0; --i)
@@ -116,6 +135,10 @@ Record any_record(std::size_t kind) {
 /// Puts a number in the place of NaN, which equals nothing, not even itself.
 void mark(double& v) { v = std::isnan(v) ? -987654321.125 : v; }
 void mark(geom::Vec3& v) { mark(v.x), mark(v.y), mark(v.z); }
+void mark(geom::Frame& f) {
+    mark(f.origin);
+    for (double& v : f.linear) mark(v);
+}
 struct Mark {
     void operator()(Linear& s) const { mark(s.to), mark(s.axis); }
     void operator()(Arc& s) const { mark(s.to), mark(s.centre), mark(s.normal), mark(s.sweep); }
@@ -134,16 +157,18 @@ struct Mark {
     }
     void operator()(Datum& s) const { mark(s.origin); }
     void operator()(Frame& s) const {
-        for (FramePart& p : s.parts) {
-            mark(p.frame.origin);
-            for (double& v : p.frame.linear) mark(v);
-        }
+        for (FramePart& p : s.parts) mark(p.frame);
     }
     void operator()(Setting& s) const {
         for (double& v : s.values) mark(v);
     }
     void operator()(CycleBegin& s) const {
-        for (CycleParameter& p : s.parameters) mark(p.value);
+        Cycle c = *s.cycle;
+        for (CycleValue& v : c.values) mark(v.value);
+        for (CycleParameter& p : c.written) mark(p.value);
+        mark(c.plane);
+        mark(s.place);
+        s.cycle = c;
     }
     template <class Other>
     void operator()(Other&) const {}
@@ -200,7 +225,7 @@ TEST(Text, TheWriterStreamsTheSameText) {
 
 TEST(Text, BlankLinesAndNotesAreSkipped) {
     base::Diagnostics diagnostics;
-    const auto records = read("; a note\r\n\r\nobrys-cl 1\r\n; more\r\ncycle-end @0:1-2\r\n", diagnostics);
+    const auto records = read("; a note\r\n\r\nobrys-cl 2\r\n; more\r\ncycle-end @0:1-2\r\n", diagnostics);
     EXPECT_TRUE(diagnostics.all().empty());
     ASSERT_EQ(records.size(), 1u);
     EXPECT_EQ(records[0].from, (base::Span{0, 1, 2}));
@@ -208,7 +233,7 @@ TEST(Text, BlankLinesAndNotesAreSkipped) {
 
 /// The complaint about the only wrong line, and the text under its caret.
 void expect_wrong(const std::string& line, const std::string& under, const std::string& part_of_message) {
-    const std::string text = "obrys-cl 1\ncycle-end @0:0-0\n" + line + "\ncycle-end @0:0-0\n";
+    const std::string text = "obrys-cl 2\ncycle-end @0:0-0\n" + line + "\ncycle-end @0:0-0\n";
     base::Diagnostics diagnostics;
     EXPECT_EQ(read(text, diagnostics).size(), 2u) << line;
     ASSERT_EQ(diagnostics.all().size(), 1u) << line;

@@ -48,6 +48,13 @@ void axis_name(std::string& out, const std::array<char, 8>& name) {
     quoted(out, {name.data(), length});
 }
 
+void affine(std::string& out, const geom::Frame& frame) {
+    vec(out, frame.origin);
+    if (frame.linear == geom::Frame{}.linear) return;
+    out += " by";
+    for (const double v : frame.linear) number(out, v);
+}
+
 struct StepWriter {
     std::string& out;
 
@@ -154,10 +161,7 @@ struct StepWriter {
         for (const FramePart& p : s.parts) {
             out += ' ';
             out += frame_kinds[static_cast<std::size_t>(p.kind)];
-            vec(out, p.frame.origin);
-            if (p.frame.linear == geom::Frame{}.linear) continue;
-            out += " by";
-            for (const double v : p.frame.linear) number(out, v);
+            affine(out, p.frame);
         }
     }
     void operator()(const Tolerance& s) const {
@@ -180,9 +184,26 @@ struct StepWriter {
         out += ' ' + std::to_string(s.number);
     }
     void operator()(const CycleBegin& s) const {
-        out += "cycle";
-        quoted(out, s.name);
-        for (const CycleParameter& p : s.parameters) {
+        const Cycle& c = *s.cycle;
+        out += "cycle ";
+        out += spelling(c.kind);
+        quoted(out, c.name);
+        out += " at";
+        vec(out, s.place);
+        if (c.plane != geom::Frame{}) {
+            out += " plane";
+            affine(out, c.plane);
+        }
+        if (s.call != CycleCall::single) out += s.call == CycleCall::modal ? " modal" : " pattern";
+        if (s.pass != 1 || s.passes != 1) out += " pass " + std::to_string(s.pass) + " of " + std::to_string(s.passes);
+        for (const CycleValue& v : c.values) {
+            out += ' ';
+            out += spelling(v.role);
+            number(out, v.value);
+        }
+        if (c.written.empty()) return;
+        out += " written";
+        for (const CycleParameter& p : c.written) {
             quoted(out, p.name);
             number(out, p.value);
         }

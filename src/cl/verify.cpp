@@ -14,6 +14,7 @@ namespace obrys::cl {
 namespace {
 
 constexpr double unit_tolerance = 1e-9;   ///< of the length of a unit vector
+constexpr double place_tolerance = 1e-6;  ///< mm between the tool and the place of a cycle
 constexpr double angle_tolerance = 1e-6;  ///< radians the sweep may differ from the end point's angle
 
 bool is_unit(geom::Vec3 v) { return std::abs(geom::length(v) - 1) <= unit_tolerance; }
@@ -35,7 +36,7 @@ void Verifier::operator()(const Record& record) {
 
 void Verifier::finish() {
     for (const Record& r : open_)
-        complain(r, base::codes::unclosed, "cycle " + std::get<CycleBegin>(r.step).name + " has no end");
+        complain(r, base::codes::unclosed, "cycle " + std::get<CycleBegin>(r.step).cycle->name + " has no end");
     for (const Record& r : parts_)
         complain(r, base::codes::unclosed, "the part \"" + std::get<PartBegin>(r.step).name + "\" has no end");
     open_.clear();
@@ -135,7 +136,26 @@ void Verifier::check(const Record& r, const Tolerance& s) {
         complain(r, base::codes::value_range, "tolerance must be finite and not negative");
 }
 
-void Verifier::check(const Record& r, const CycleBegin&) { open_.push_back(r); }
+void Verifier::check(const Record& r, const CycleBegin& s) {
+    const Cycle& c = *s.cycle;
+    open_.push_back(r);
+    if (s.pass == 0 || s.pass > s.passes)
+        complain(r, base::codes::value_range,
+                 "place " + std::to_string(s.pass) + " of " + std::to_string(s.passes) + " is none");
+    if (geom::distance(position_, s.place) > place_tolerance)  // false where either is not known
+        complain(r, base::codes::value_range,
+                 "cycle " + c.name + " begins " + base::fixed(geom::distance(position_, s.place), 4) +
+                     " mm beside the tool");
+    if (!is_invertible(c.plane)) complain(r, base::codes::value_range, "the plane of a cycle has no inverse");
+    for (auto v = c.values.begin(); v != c.values.end(); ++v) {
+        const bool twice =
+            std::any_of(c.values.begin(), v, [&](const CycleValue& other) { return other.role == v->role; });
+        const bool feed = v->role == CycleRole::feed_position || v->role == CycleRole::feed_retract;
+        if (twice) complain(r, base::codes::value_range, "a cycle says " + std::string(spelling(v->role)) + " twice");
+        if (std::isinf(v->value) && !(feed && v->value > 0))
+            complain(r, base::codes::value_range, std::string(spelling(v->role)) + " of a cycle is not finite");
+    }
+}
 
 void Verifier::check(const Record& r, const CycleEnd&) {
     if (open_.empty()) return complain(r, base::codes::unclosed, "end of a cycle that was not begun");

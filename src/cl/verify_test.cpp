@@ -22,9 +22,9 @@ using Codes = std::vector<std::string>;
 TEST(Verify, AGoodStreamPasses) {
     EXPECT_EQ(complaints({Linear{{10, 0, NAN}, {0, 0, 1}, true}, Linear{{10, 0, 0}, {0, 0, 1}, true},
                           Feed{0.2, FeedMode::per_rev}, Spindle{300, SpindleMode::surface, 1, 3000},
-                          CycleBegin{"CYCLE93", {}}, Arc{{0, 10, 0}, {0, 0, 0}, {0, 0, 1}, geom::pi / 2}, CycleEnd{},
-                          Arc{{10, 0, 5}, {0, 0, 0}, {0, 0, 1}, -2.5 * geom::pi}, Thread{{10, 0, 0}, -1.5, false},
-                          Dwell{0, 3}, Datum{54, {NAN, NAN, NAN}}}),
+                          CycleBegin{Cycle{}, {10, 0, NAN}}, Arc{{0, 10, 0}, {0, 0, 0}, {0, 0, 1}, geom::pi / 2},
+                          CycleEnd{}, Arc{{10, 0, 5}, {0, 0, 0}, {0, 0, 1}, -2.5 * geom::pi},
+                          Thread{{10, 0, 0}, -1.5, false}, Dwell{0, 3}, Datum{54, {NAN, NAN, NAN}}}),
               Codes{});
 }
 
@@ -83,8 +83,30 @@ TEST(Verify, SplinesAndTolerancesHoldNoOtherValues) {
 }
 
 TEST(Verify, CycleBracketsPairUp) {
-    EXPECT_EQ(complaints({CycleBegin{"A", {}}, CycleBegin{"B", {}}, CycleEnd{}}), Codes{"unclosed"});
+    EXPECT_EQ(complaints({CycleBegin{}, CycleBegin{}, CycleEnd{}}), Codes{"unclosed"});
     EXPECT_EQ(complaints({CycleEnd{}}), Codes{"unclosed"});
+}
+
+TEST(Verify, CyclesBeginWhereTheToolStands) {
+    const Linear over{{10, 20, 5}, {0, 0, 1}, true};
+    const auto at = [](geom::Vec3 place) { return CycleBegin{Cycle{}, place}; };
+    EXPECT_EQ(complaints({over, at({10, 20, 5}), CycleEnd{}}), Codes{});
+    EXPECT_EQ(complaints({over, at({10, 20, NAN}), CycleEnd{}}), Codes{});
+    EXPECT_EQ(complaints({over, at({10, 20.01, 5}), CycleEnd{}}), Codes{"value-range"});
+}
+
+TEST(Verify, CyclesSayEachValueOnceAndWithinReason) {
+    const auto with = [](std::vector<CycleValue> values) {
+        return CycleBegin{Cycle{CycleKind::drill, {}, std::move(values), {}, {}}, {}};
+    };
+    EXPECT_EQ(complaints({with({{CycleRole::depth, -5}, {CycleRole::clearance, NAN}}), CycleEnd{}}), Codes{});
+    EXPECT_EQ(complaints({with({{CycleRole::feed_retract, INFINITY}}), CycleEnd{}}), Codes{});
+    EXPECT_EQ(complaints({with({{CycleRole::depth, -5}, {CycleRole::depth, -6}}), CycleEnd{}}), Codes{"value-range"});
+    EXPECT_EQ(complaints({with({{CycleRole::depth, INFINITY}}), CycleEnd{}}), Codes{"value-range"});
+    Cycle flat;
+    flat.plane.linear = {};
+    EXPECT_EQ(complaints({CycleBegin{flat, {}}, CycleEnd{}}), Codes{"value-range"});
+    EXPECT_EQ(complaints({CycleBegin{Cycle{}, {}, CycleCall::pattern, 3, 2}, CycleEnd{}}), Codes{"value-range"});
 }
 
 }  // namespace

@@ -24,6 +24,12 @@ void shift(Step& step, const geom::Vec3& by) {
     if (auto* arc = std::get_if<Arc>(&step)) arc->to = arc->to + by, arc->centre = arc->centre + by;
     if (auto* spline = std::get_if<Spline>(&step)) spline->to = spline->to + by;
     if (auto* thread = std::get_if<Thread>(&step)) thread->to = thread->to + by;
+    if (auto* begin = std::get_if<CycleBegin>(&step)) {
+        Cycle moved = *begin->cycle;
+        moved.plane.origin = moved.plane.origin + by;
+        begin->cycle = std::move(moved);
+        begin->place = begin->place + by;
+    }
 }
 
 }  // namespace obrys::cl

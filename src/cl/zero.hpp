@@ -14,7 +14,7 @@ namespace obrys::cl {
 /// not move.
 void change(std::optional<Datum>& zero, const Datum& next, geom::Vec3& place);
 
-/// Moves the points of a move.
+/// Moves the points of a move, place and plane of a cycle.
 void shift(Step& step, const geom::Vec3& by);
 
 }  // namespace obrys::cl

@@ -44,7 +44,7 @@ TEST(bad_input, EveryKindHasASample) {
 
 TEST(bad_input, AnUnknownValueGivesNoPath) {
     for (const Sample& s : samples())
-        for (const program::CycleValue& v : s.values) {
+        for (const cl::CycleValue& v : s.values) {
             const Expansion e = expand({s.kind, with(s.values, {{v.role, unknown}})}, situation());
             EXPECT_FALSE(e.ok()) << label(s, v.role);
             EXPECT_TRUE(e.steps.empty()) << label(s, v.role);

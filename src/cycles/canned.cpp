@@ -40,6 +40,7 @@ void rapid_to_w(Course& c, double w) { c.straight({c.at().x, c.at().y, w}, true)
 void approach(Course& c, const Hole& h) {
     if (h.rise_first && !h.risen && c.at().z < h.retract) rapid_to_w(c, h.retract);
     c.straight({h.target.x, h.target.y, h.rise_first ? std::max(c.at().z, h.end) : c.at().z}, true);
+    c.over_place();
     if (c.at().z != h.retract) rapid_to_w(c, h.retract);
 }
 

@@ -34,7 +34,7 @@ void approach(Course& course, const Hole& hole);
 void feed_w(Course& course, double w);
 void rapid_to_w(Course& course, double w);
 /// The dwell of a role that is written; its value was read with maybe_at_least.
-void dwell_if(Course& course, const Demand& demand, program::CycleRole role);
+void dwell_if(Course& course, const Demand& demand, cl::CycleRole role);
 
 /// The way out at feed: to the retract plane and on at rapid, or to the end where feed_out is 1.
 void feed_out(Course& course, const Hole& hole, bool whole_way);

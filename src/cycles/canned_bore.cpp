@@ -107,6 +107,7 @@ void back_bore(Course& c, const Demand& demand, const Situation& s) {
         orient(c, t);
     } else {
         in_plane(c, b.hole.target);
+        c.over_place();
         orient(c, t);
         in_plane(c, b.beside);
     }

@@ -128,7 +128,7 @@ void rigid(Course& c, const Demand& demand, const Situation& s) {
 }  // namespace
 
 void canned_tap(Course& c, const Demand& demand, const Situation& situation) {
-    if (demand.kind == program::CycleKind::canned_tap_rigid) return rigid(c, demand, situation);
+    if (demand.kind == cl::CycleKind::canned_tap_rigid) return rigid(c, demand, situation);
     floating(c, demand, situation);
 }
 

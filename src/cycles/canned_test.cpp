@@ -134,7 +134,7 @@ TEST(canned, PathIsCarriedAlong) {
         b.at.x += 3;
         b.at.y -= 8;
         Values moved = s.values;
-        for (program::CycleValue& v : moved) {
+        for (cl::CycleValue& v : moved) {
             if (v.role == Role::target_u) v.value += 3;
             if (v.role == Role::target_v) v.value -= 8;
             for (const Role height : {Role::retract_plane, Role::bottom, Role::return_level, Role::counterbore_top})

@@ -34,7 +34,7 @@ struct ContourTask {
 
 /// The kinds that `expand_contour` knows: pilot_drill, rough_out, floor_finish, side_finish, contour_train. Values of
 /// the demand: those of contour_data (contour_train_data) first, then the cycle's own.
-[[nodiscard]] bool is_contour_cycle(program::CycleKind kind);
+[[nodiscard]] bool is_contour_cycle(cl::CycleKind kind);
 [[nodiscard]] Expansion expand_contour(const Demand& demand, const Situation& situation, const ContourTask& task);
 
 }  // namespace obrys::cycles

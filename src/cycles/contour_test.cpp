@@ -24,8 +24,8 @@ using testing::milled_levels;
 using testing::Move;
 using testing::moves_of;
 using testing::with;
-using Kind = program::CycleKind;
-using Role = program::CycleRole;
+using Kind = cl::CycleKind;
+using Role = cl::CycleRole;
 
 constexpr Vec3 contour_start{0, 0, 100};
 

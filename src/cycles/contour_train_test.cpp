@@ -18,7 +18,7 @@ using testing::milled_levels;
 using testing::Move;
 using testing::moves_of;
 using testing::with;
-using Role = program::CycleRole;
+using Role = cl::CycleRole;
 
 constexpr Vec3 train_start{0, 0, 100};
 
@@ -29,7 +29,7 @@ Situation train_mill(double radius) {
     return s;
 }
 Demand train_25() {
-    return {program::CycleKind::contour_train,
+    return {cl::CycleKind::contour_train,
             {{Role::depth, -7},
              {Role::allowance_side, 0.5},
              {Role::surface, 0},

@@ -20,8 +20,8 @@ bool same_place(geom::Vec3 a, geom::Vec3 b) {
 }
 
 /// Feeds that may be rapid traverse (FMAX).
-bool may_be_rapid(program::CycleRole role) {
-    return role == program::CycleRole::feed_position || role == program::CycleRole::feed_retract;
+bool may_be_rapid(cl::CycleRole role) {
+    return role == cl::CycleRole::feed_position || role == cl::CycleRole::feed_retract;
 }
 }  // namespace
 

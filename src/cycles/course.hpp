@@ -10,8 +10,8 @@
 
 namespace obrys::cycles {
 
-using Kind = program::CycleKind;
-using Role = program::CycleRole;
+using Kind = cl::CycleKind;
+using Role = cl::CycleRole;
 
 inline constexpr double largest_input = 1e7;        ///< beyond every control's input range
 inline constexpr double most_helix_turns = 10'000;  ///< of one helix; more are a complaint
@@ -79,6 +79,8 @@ public:
     void spindle(double speed, int direction);
     void thread_w(double w, double pitch, bool rigid);
     void add(cl::Step step);
+    /// The steps so far only lead to the place where the cycle begins.
+    void over_place() { out_.leads = out_.steps.size(); }
     /// After a move that was written with `add`.
     void moved_to(geom::Vec3 to) { at_ = to; }
     [[nodiscard]] geom::Vec3 at() const { return at_; }

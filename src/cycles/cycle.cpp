@@ -73,17 +73,17 @@ namespace {
 /// Where the tool stands in the plane does not matter: the cycle says its place itself, and goes there first.
 bool goes_by_itself(const Demand& demand, Family family) {
     if (family == &expand_canned || family == &expand_surface) return true;
-    const bool bent = demand.kind == Kind::round_slot && demand.get(program::CycleRole::position, 0) == 0;
+    const bool bent = demand.kind == Kind::round_slot && demand.get(cl::CycleRole::position, 0) == 0;
     const bool at_centre = bent || family == &expand_finish || demand.kind == Kind::slot_reciprocating ||
                            demand.kind == Kind::round_slot_reciprocating;
-    return at_centre && demand.find(program::CycleRole::centre_u) && demand.find(program::CycleRole::centre_v);
+    return at_centre && demand.find(cl::CycleRole::centre_u) && demand.find(cl::CycleRole::centre_v);
 }
 
 }  // namespace
 
-std::optional<double> Demand::find(program::CycleRole role) const {
+std::optional<double> Demand::find(cl::CycleRole role) const {
     const auto found =
-        std::find_if(values.rbegin(), values.rend(), [role](const program::CycleValue& v) { return v.role == role; });
+        std::find_if(values.rbegin(), values.rend(), [role](const cl::CycleValue& v) { return v.role == role; });
     return found == values.rend() ? std::nullopt : std::optional(found->value);
 }
 

@@ -11,9 +11,9 @@
 #include <string_view>
 #include <vector>
 
+#include "cl/cycle.hpp"
 #include "cl/record.hpp"
 #include "geom/vec.hpp"
-#include "program/cycle.hpp"
 
 namespace obrys::cycles {
 
@@ -33,12 +33,12 @@ struct Situation {
 };
 
 struct Demand {
-    program::CycleKind kind = program::CycleKind::drill;
-    std::vector<program::CycleValue> values;
+    cl::CycleKind kind = cl::CycleKind::drill;
+    std::vector<cl::CycleValue> values;
 
     /// What was written; nothing where it was not (the last one counts).
-    [[nodiscard]] std::optional<double> find(program::CycleRole role) const;
-    [[nodiscard]] double get(program::CycleRole role, double otherwise = unknown) const {
+    [[nodiscard]] std::optional<double> find(cl::CycleRole role) const;
+    [[nodiscard]] double get(cl::CycleRole role, double otherwise = unknown) const {
         return find(role).value_or(otherwise);
     }
 };
@@ -47,13 +47,14 @@ struct Demand {
 struct Complaint {
     bool fatal = true;  ///< the control stops with it; otherwise a remark
     std::string text;
-    std::string remedy;                      ///< may be empty
-    std::optional<program::CycleRole> role;  ///< the parameter at fault
-    std::optional<std::size_t> element{};    ///< the element of a turning cycle's contour at fault
+    std::string remedy;                    ///< may be empty
+    std::optional<cl::CycleRole> role;     ///< the parameter at fault
+    std::optional<std::size_t> element{};  ///< the element of a turning cycle's contour at fault
 };
 
 struct Expansion {
     std::vector<cl::Step> steps;  ///< Linear, Arc (normal +w), Dwell, Feed, Spindle, Thread, Coolant
+    std::size_t leads = 0;        ///< the first of them, which only lead over the place where the cycle begins
     std::vector<Complaint> complaints;
     /// Where the manuals leave the path in the material open: what was chosen. Empty: the path is as documented.
     std::string_view assumption;
@@ -70,7 +71,7 @@ struct Expansion {
 inline constexpr std::size_t most_steps = 200'000;
 
 /// True for cycles that `expand` knows.
-[[nodiscard]] bool is_expanded(program::CycleKind kind);
+[[nodiscard]] bool is_expanded(cl::CycleKind kind);
 
 /// The steps from the called position on. A fatal complaint leaves `steps` empty. The feed in force afterwards is the
 /// last Feed step; the caller restores its own where the control does.

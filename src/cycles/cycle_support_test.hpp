@@ -17,9 +17,9 @@
 
 namespace obrys::cycles::test {
 
-using Kind = program::CycleKind;
-using Role = program::CycleRole;
-using Values = std::vector<program::CycleValue>;
+using Kind = cl::CycleKind;
+using Role = cl::CycleRole;
+using Values = std::vector<cl::CycleValue>;
 
 inline Situation situation(double w = 100) {
     return {.at = {10, 20, w},

@@ -17,7 +17,7 @@ using geom::Vec2;
 using geom::Vec3;
 
 /// A value added later counts.
-inline Demand with(Demand d, program::CycleRole role, double value) {
+inline Demand with(Demand d, cl::CycleRole role, double value) {
     d.values.push_back({role, value});
     return d;
 }

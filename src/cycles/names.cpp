@@ -2,10 +2,10 @@
 
 namespace obrys::cycles {
 
-std::string_view name(program::CycleRole role) {
+std::string_view name(cl::CycleRole role) {
     // sizes: table
     switch (role) {
-        using enum program::CycleRole;
+        using enum cl::CycleRole;
         case surface: return "surface coordinate";
         case clearance: return "set-up clearance";
         case second_clearance: return "2nd set-up clearance";
@@ -60,6 +60,7 @@ std::string_view name(program::CycleRole role) {
         case pitch: return "thread pitch";
         case diameter: return "nominal diameter";
         case radius: return "radius";
+        case first_radius: return "radius of the first circle";
         case predrilled_diameter: return "roughed-out diameter";
         case blank_diameter: return "workpiece blank diameter";
         case centre_by_diameter: return "choice of diameter or depth";

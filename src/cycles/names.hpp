@@ -3,11 +3,11 @@
 
 #include <string_view>
 
-#include "program/cycle.hpp"
+#include "cl/cycle.hpp"
 
 namespace obrys::cycles {
 
 /// In words a programmer of any control knows: "set-up clearance", "plunging depth".
-[[nodiscard]] std::string_view name(program::CycleRole role);
+[[nodiscard]] std::string_view name(cl::CycleRole role);
 
 }  // namespace obrys::cycles

@@ -119,9 +119,9 @@ bool Positions::ok() const {
 }
 
 Positions pattern_positions(const Demand& demand) {
-    Positions p = demand.kind == program::CycleKind::pattern_circle ? on_circle(demand) : on_lines(demand);
+    Positions p = demand.kind == cl::CycleKind::pattern_circle ? on_circle(demand) : on_lines(demand);
     p.at_second_clearance = demand.get(Role::move_at_clearance, 1) != 0;
-    p.along_circle = demand.kind == program::CycleKind::pattern_circle && demand.get(Role::traverse, 0) == 1;
+    p.along_circle = demand.kind == cl::CycleKind::pattern_circle && demand.get(Role::traverse, 0) == 1;
     return p;
 }
 

@@ -8,15 +8,15 @@
 namespace obrys::cycles {
 namespace {
 
-using program::CycleValue;
+using cl::CycleValue;
 using testing::covered;
 using testing::expect_sound;
 using testing::milled_levels;
 using testing::Move;
 using testing::moves_of;
 using testing::with;
-using Kind = program::CycleKind;
-using Role = program::CycleRole;
+using Kind = cl::CycleKind;
+using Role = cl::CycleRole;
 using geom::Region;
 using geom::Vec2;
 using geom::Vec3;

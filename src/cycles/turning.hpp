@@ -63,7 +63,7 @@ struct TurningDemand {
     Situation situation;
 };
 
-[[nodiscard]] bool is_turning_cycle(program::CycleKind kind);
+[[nodiscard]] bool is_turning_cycle(cl::CycleKind kind);
 /// As `expand` for the kinds of this header.
 [[nodiscard]] Expansion expand_turning(const TurningDemand& demand);
 

@@ -30,7 +30,7 @@ void TurningPath::element(const TurningElement& e, geom::Vec2 shift, bool finish
 Ends read_ends(Course& c, const Situation& s) {
     Ends e;
     e.start = {c.known(s.at.x, "the tool's position"), c.known(s.at.y, "the tool's position")};
-    e.target = {c.maybe(program::CycleRole::target_u, e.start.x), c.maybe(program::CycleRole::target_v, e.start.y)};
+    e.target = {c.maybe(cl::CycleRole::target_u, e.start.x), c.maybe(cl::CycleRole::target_v, e.start.y)};
     return e;
 }
 

@@ -312,7 +312,7 @@ Fault prepare(Profile& p, const Roughing& r) {
 
 void lathe_rough(TurningPath& path, const TurningDemand& demand) {
     Course& c = path.course();
-    const bool across = demand.cycle.kind == program::CycleKind::lathe_rough_across;
+    const bool across = demand.cycle.kind == cl::CycleKind::lathe_rough_across;
     const ContourStart start = read_contour_start(path, demand);
     const Roughing r = read_roughing(c, start.unit);
     if (!c.ready()) return;

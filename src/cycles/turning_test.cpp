@@ -278,7 +278,7 @@ TEST(turning, EveryKindHasASample) {
 TEST(turning, UnknownsGiveNoPath) {
     for (const TurningSample& s : turning_samples()) {
         const Contour contour = s.contour ? shaft : Contour{};
-        for (const program::CycleValue& v : s.values) {
+        for (const cl::CycleValue& v : s.values) {
             const Expansion e = expand_turning(demand(s.kind, with(s.values, {{v.role, unknown}}), contour));
             EXPECT_FALSE(e.ok()) << int(s.kind) << ' ' << int(v.role);
             EXPECT_TRUE(e.steps.empty());

@@ -225,8 +225,8 @@ void passes(TurningPath& path, const TurningDemand& demand) {
 
 void lathe_thread(TurningPath& path, const TurningDemand& demand) {
     switch (demand.cycle.kind) {
-        case program::CycleKind::lathe_thread_degressive: return degressive(path, demand);
-        case program::CycleKind::lathe_box_thread: return single(path, demand);
+        case cl::CycleKind::lathe_thread_degressive: return degressive(path, demand);
+        case cl::CycleKind::lathe_box_thread: return single(path, demand);
         default: return passes(path, demand);
     }
 }

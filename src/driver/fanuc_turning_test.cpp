@@ -35,7 +35,7 @@ std::string path(const Ran& r) {
             put("a", a->to);
             out += " " + base::fixed(a->centre.x, 3) + " " + base::fixed(a->centre.z, 3);
         } else if (const auto* b = std::get_if<cl::CycleBegin>(&record.step))
-            out += b->name + " {";
+            out += b->cycle->name + " {";
         else if (std::holds_alternative<cl::CycleEnd>(record.step))
             out += "}";
         else
@@ -280,7 +280,7 @@ TEST(FanucTurning, WordsOfTheContourActInFinishing) {
     EXPECT_NE(r.messages.find("tool nose radius compensation does not act in this cycle"), std::string::npos);
     std::string order;
     for (const cl::Record& record : r.records) {
-        if (const auto* b = std::get_if<cl::CycleBegin>(&record.step)) order += b->name + " ";
+        if (const auto* b = std::get_if<cl::CycleBegin>(&record.step)) order += b->cycle->name + " ";
         if (const auto* f = std::get_if<cl::Feed>(&record.step)) order += "F" + base::shortest(f->value) + " ";
         if (const auto* s = std::get_if<cl::Spindle>(&record.step)) order += "S" + base::shortest(s->speed) + " ";
         if (std::holds_alternative<cl::CycleEnd>(record.step)) order += "} ";

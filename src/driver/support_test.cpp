@@ -35,8 +35,8 @@ std::string refused(const std::string& blocks) {
 TEST(SupportMatrix, CyclesThatRunOnCallHaveAnExpansion) {
     for (const dialect::Cycle& c : dialect::all_cycles()) {
         if (!c.call_active || c.use != dialect::Cycle::Use::run) continue;
-        const bool known = cycles::is_expanded(c.kind) || cycles::is_contour_cycle(c.kind) ||
-                           c.kind == program::CycleKind::program_call;
+        const bool known =
+            cycles::is_expanded(c.kind) || cycles::is_contour_cycle(c.kind) || c.kind == cl::CycleKind::program_call;
         EXPECT_TRUE(known) << "cycle " << c.number;
     }
 }

@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include "base/codes.hpp"
+#include "base/whole.hpp"
 #include "cycles/cycle.hpp"
 #include "interp/cycle_call.hpp"
 #include "interp/motion.hpp"
@@ -12,8 +13,8 @@
 namespace obrys::interp {
 
 namespace codes = base::codes;
+using cl::CycleRole;
 using cl::SettingKind;
-using program::CycleRole;
 
 namespace {
 
@@ -46,9 +47,7 @@ void begin_cycle(Run& run, const program::CannedCycle& c) {
     s = next;
 }
 
-bool taps(program::CycleKind k) {
-    return k == program::CycleKind::canned_tap_floating || k == program::CycleKind::canned_tap_rigid;
-}
+bool taps(cl::CycleKind k) { return k == cl::CycleKind::canned_tap_floating || k == cl::CycleKind::canned_tap_rigid; }
 
 /// G91, and the control makes positions of what it says: R from the level of the series, Z from R.
 bool counts_on(const Run& run) { return run.traits->canned_positions_stay && !run.modal.absolute; }
@@ -111,7 +110,7 @@ cycles::Demand demand_at(const Run& run, const program::CannedCycle& c, const ge
     cycles::Demand d;
     d.kind = c.kind;
     d.values.assign(c.fixed.begin(), c.fixed.end());
-    for (program::CycleValue& v : d.values)
+    for (cl::CycleValue& v : d.values)
         if (v.role == CycleRole::rise_first) v.value = 2;                       // begin_series does that
     const bool on = !run.modal.absolute && !run.traits->canned_positions_stay;  // what was written counts as it is read
     const double retract = s.retract + (on ? initial : 0);
@@ -137,11 +136,22 @@ void overrides(Run& run, int allowed) {
     if (allowed == 0 || run.overrides.speed) tell(run, SettingKind::speed_override, allowed);
 }
 
-/// The steps of one hole; overrides are off while a tap is in it.
-void emit_hole(Run& run, const program::CannedCycle& c, std::vector<cl::Step>& steps) {
+/// What the stream says of the cycle: its place says where the hole is.
+cycles::Demand told(cycles::Demand d) {
+    std::erase_if(d.values, [](const cl::CycleValue& v) {
+        return v.role == CycleRole::target_u || v.role == CycleRole::target_v || v.role == CycleRole::rise_first;
+    });
+    return d;
+}
+
+/// The steps of one hole; the cycle begins over it. Overrides are off while a tap is in it.
+void emit_hole(Run& run, const program::CannedCycle& c, const cycles::Demand& demand, cycles::Expansion& e,
+               const Calling& calling) {
     bool in_hole = false;
-    for (cl::Step& step : steps) {
+    for (std::size_t i = 0; i < e.steps.size(); ++i) {
         if (run.stopped) return;
+        cl::Step& step = e.steps[i];
+        if (i == e.leads) begin_bracket(run, told(demand), c.name, calling);
         const bool feeds = cl::is_move(step) && !cl::is_rapid(step);
         if (feeds && !in_hole && taps(c.kind)) overrides(run, 0);
         in_hole = in_hole || feeds;
@@ -154,6 +164,7 @@ void emit_hole(Run& run, const program::CannedCycle& c, std::vector<cl::Step>& s
         emit_step(run, std::move(step));
     }
     if (in_hole && taps(c.kind)) overrides(run, 1);
+    if (!run.stopped && e.leads < e.steps.size()) emit(run, cl::CycleEnd{});
 }
 
 void exact_path(Run& run) {
@@ -195,6 +206,7 @@ void run_holes(Run& run, const program::CannedCycle& c, const PlaneAxes& a) {
     const geom::Vec3 step = target - start;
     const double initial = run.canned.initial_level;
     const bool polar = run.block.has(Code::polar_radius) || run.block.has(Code::polar_angle);
+    const auto passes = base::clipped<std::uint64_t>(*count, 1, static_cast<std::uint64_t>(most_holes));
     for (double i = 0; i < *count && !run.stopped; ++i) {
         if (i > 0 && polar) target = programmed_target(run);  // turns and grows from hole to hole
         const geom::Vec3 at = run.modal.absolute || polar ? target : start + (i + 1) * step;
@@ -202,7 +214,7 @@ void run_holes(Run& run, const program::CannedCycle& c, const PlaneAxes& a) {
         if (i == 0 && !begin_series(run, c, demand, initial)) return;
         cycles::Expansion e = cycles::expand(demand, situation_of(run));
         if (!report_expansion(run, c.name, e)) return;
-        emit_hole(run, c, e.steps);
+        emit_hole(run, c, demand, e, {cl::CycleCall::modal, static_cast<std::uint64_t>(i) + 1, passes});
         if (c.turns_axes && run.modal.plane != 17) {  // the control takes itself to be where it should be
             const geom::Vec3 there = into_plane(at, a);
             const double level = demand.get(CycleRole::return_level, demand.get(CycleRole::retract_plane));
@@ -214,7 +226,7 @@ void run_holes(Run& run, const program::CannedCycle& c, const PlaneAxes& a) {
 
 /// Heights of a back bore in force, said in G91: its R and Z count from elsewhere than those of other cycles.
 bool refuses_heights(Run& run, const program::CannedCycle& c, const PlaneAxes& a) {
-    if (c.kind != program::CycleKind::canned_back_bore || !counts_on(run)) return false;
+    if (c.kind != cl::CycleKind::canned_back_bore || !counts_on(run)) return false;
     if (!run.block.has(axis_code(a.w)) && !run.block.has(Code::e)) return false;
     unchecked(run, codes::unsupported, run.here(),
               std::string(c.name) + " is not run: R or Z of it in G91, where they count from other places",
@@ -252,13 +264,9 @@ bool canned_motion(Run& run) {
     flush_path(run);
     if (refuses_heights(run, c, a)) return true;
     take_words(run, c, a);
-    cl::CycleBegin begin;
-    begin.name = std::string(c.name);
-    emit(run, begin);
     run_holes(run, c, a);
     if (run.stopped) return false;
     if (run.modal.path_mode != Modal::path_exact) tell_path_mode(run);
-    emit(run, cl::CycleEnd{});
     return true;
 }
 

@@ -99,6 +99,22 @@ void pass(Run& run, const Pocket& p, double level) {
     arc(run, p, {middle.x + before / 2, middle.y}, centre, geom::pi);
 }
 
+/// What the stream says of it.
+cycles::Demand demand_of(const Pocket& p, double tool) {
+    using Role = cl::CycleRole;
+    const std::size_t n = p.circles.size();
+    cycles::Demand d{cl::CycleKind::canned_circular_pocket,
+                     {{Role::radius, p.circles.back() + tool},
+                      {Role::bottom, p.from + (p.passes - 1) * p.step},
+                      {Role::passes, double(p.passes)},
+                      {Role::infeed, std::abs(p.step)},
+                      {Role::direction, p.sense}}};
+    if (n < 2) return d;
+    d.values.push_back({Role::first_radius, p.circles.front() + tool});
+    d.values.push_back({Role::stepover, p.circles[1] - p.circles[0]});
+    return d;
+}
+
 }  // namespace
 
 bool circle_pocket(Run& run) {
@@ -117,10 +133,8 @@ bool circle_pocket(Run& run) {
     if (run.stopped) return false;
     if (pocket.circles.size() > 1)
         assume(run, run.here(), "circular pocket: from one circle to the next the tool goes straight along +X");
-    cl::CycleBegin begin;
-    begin.name = run.block.special_number == 1 ? "G13" : "G12";
-    emit(run, begin);
     if (run.block.has(Code::x) || run.block.has(Code::y)) line(run, pocket.centre, true);
+    begin_bracket(run, demand_of(pocket, *tool), run.block.special_number == 1 ? "G13" : "G12");
     for (int i = 0; i < pocket.passes && !run.stopped; ++i) {
         pass(run, pocket, pocket.from + i * pocket.step);
         if (over_budget(run, false)) return false;

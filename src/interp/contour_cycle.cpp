@@ -116,7 +116,7 @@ void say_other_side(Run& run, const std::vector<Captured>& all, int side) {
                              "write RL or RR at the beginning of the contour alone");
 }
 
-double radius_of_tool(const Run& run, const cycles::Demand& d, program::CycleRole role) {
+double radius_of_tool(const Run& run, const cycles::Demand& d, cl::CycleRole role) {
     const auto number = d.find(role);
     if (!number || *number == 0) return cycles::unknown;
     for (const shop::Tool& t : run.tools)
@@ -197,7 +197,7 @@ std::optional<cycles::ContourTask> labelled_task(Run& run, bool train, ContourEl
 
 std::optional<std::vector<ContourLayer>> contour_layers(Run& run, const cycles::Demand& demand,
                                                         ContourElements& elements) {
-    const bool train = demand.kind == program::CycleKind::contour_train;
+    const bool train = demand.kind == cl::CycleKind::contour_train;
     std::optional<std::vector<ContourLayer>> layers;
     if (run.contour_choices.empty()) {
         if (auto task = labelled_task(run, train, elements)) layers = {{std::move(*task), {}}};
@@ -208,8 +208,8 @@ std::optional<std::vector<ContourLayer>> contour_layers(Run& run, const cycles::
     } else {
         layers = chosen_layers(run, demand, elements);
     }
-    const auto role = demand.kind == program::CycleKind::pilot_drill ? program::CycleRole::pilot_tool
-                                                                     : program::CycleRole::coarse_tool;
+    const auto role =
+        demand.kind == cl::CycleKind::pilot_drill ? cl::CycleRole::pilot_tool : cl::CycleRole::coarse_tool;
     if (layers)
         for (ContourLayer& l : *layers) l.task.other_radius = radius_of_tool(run, demand, role);
     return layers;

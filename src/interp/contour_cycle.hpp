@@ -14,7 +14,7 @@ namespace obrys::interp {
 /// above down, each with the values that stand for the cycle's own.
 struct ContourLayer {
     cycles::ContourTask task;
-    std::vector<program::CycleValue> instead;
+    std::vector<cl::CycleValue> instead;
 };
 /// An element as it ended up, chamfers and roundings apart (they belong to the block before them), and the block that
 /// makes it: called from the cycle's call.

@@ -104,7 +104,7 @@ Extent extent_of(const program::ContourPart& p, double depth, double floor) {
 ContourLayer layer_of(Region area, double surface, const Extent& e) {
     ContourLayer l;
     l.task.area = std::move(area);
-    l.instead = {{program::CycleRole::surface, surface - e.top}, {program::CycleRole::depth, e.top - e.bottom}};
+    l.instead = {{cl::CycleRole::surface, surface - e.top}, {cl::CycleRole::depth, e.top - e.bottom}};
     return l;
 }
 
@@ -112,7 +112,7 @@ ContourLayer layer_of(Region area, double surface, const Extent& e) {
 std::optional<std::vector<ContourLayer>> of_parts(Run& run, const ContourChoice& c, const cycles::Demand& d,
                                                   ContourElements& elements) {
     PartsOfFormula parts(run, elements);
-    const double floor = std::abs(d.get(program::CycleRole::depth));
+    const double floor = std::abs(d.get(cl::CycleRole::depth));
     std::vector<Region> areas;
     std::vector<Extent> extents;
     std::vector<ContourLayer> layers;
@@ -140,12 +140,12 @@ std::optional<std::vector<ContourLayer>> of_parts(Run& run, const ContourChoice&
             sum = sum.empty() ? areas[i] : geom::unite(sum, areas[i]);
         }
         Region area = islands.empty() ? std::move(pockets) : geom::subtract(pockets, islands);
-        if (!area.empty()) layers.push_back(layer_of(std::move(area), d.get(program::CycleRole::surface), e));
+        if (!area.empty()) layers.push_back(layer_of(std::move(area), d.get(cl::CycleRole::surface), e));
     }
     const bool one = levels.size() <= 2;
     if (one && !layers.empty()) layers.front().instead.clear();
     if (!one) assume(run, run.here(), "contours of different depth are milled in layers, from above down");
-    if (one || d.kind != program::CycleKind::floor_finish) return layers;
+    if (one || d.kind != cl::CycleKind::floor_finish) return layers;
     unchecked(run, codes::unsupported, run.here(), "floor finishing of contours of different depth is not run");
     return std::nullopt;
 }
@@ -224,7 +224,7 @@ std::optional<std::vector<ContourLayer>> chosen_layers(Run& run, const cycles::D
     const ContourChoice c = run.contour_choices.front();
     std::optional<std::vector<ContourLayer>> layers;
     if (c.statement->kind != Kind::definition) {
-        auto area = of_choices(run, std::abs(demand.get(program::CycleRole::depth)), elements);
+        auto area = of_choices(run, std::abs(demand.get(cl::CycleRole::depth)), elements);
         if (!area) return std::nullopt;
         layers.emplace(1);
         layers->front().task.area = std::move(*area);

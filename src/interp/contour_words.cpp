@@ -15,7 +15,7 @@
 namespace obrys::interp {
 
 namespace codes = base::codes;
-using program::CycleKind;
+using cl::CycleKind;
 using program::Statement;
 using program::StatementKind;
 

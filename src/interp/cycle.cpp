@@ -1,6 +1,7 @@
 /// Cycles: what a definition keeps, what a call makes of it, and how the steps come into the stream.
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <iterator>
 #include <limits>
@@ -60,8 +61,7 @@ void add_values(const Run& run, const ActiveCycle& c, cycles::Demand& d) {
         const CycleSetting& s = c.definition->settings[i];
         const double factor = s.is_feed ? feed_factor(run) : s.scales ? unit : 1;
         const double v = value_at_call(run, c, i) * factor;
-        const bool may_be_rapid =
-            s.role == program::CycleRole::feed_position || s.role == program::CycleRole::feed_retract;
+        const bool may_be_rapid = s.role == cl::CycleRole::feed_position || s.role == cl::CycleRole::feed_retract;
         d.values.push_back({s.role, may_be_rapid && v >= fastest_feed ? std::numeric_limits<double>::infinity() : v});
     }
 }
@@ -72,7 +72,7 @@ void add_values(const Run& run, const ActiveCycle& c, cycles::Demand& d) {
 cycles::Demand demand_of(const Run& run, const ActiveCycle& c, const CycleValues& instead) {
     cycles::Demand d;
     d.kind = c.definition->kind;
-    if (d.kind == program::CycleKind::contour_train)
+    if (d.kind == cl::CycleKind::contour_train)
         add_values(run, run.contour_train_data, d);
     else if (cycles::is_contour_cycle(d.kind))
         add_values(run, run.contour_data, d);
@@ -273,7 +273,7 @@ void call_program_of(Run& run, const ActiveCycle& c) {
 }  // namespace
 
 void define_cycle(Run& run, const CycleDefinition& d) {
-    if (d.kind == program::CycleKind::global_values) return set_globally(run, d);
+    if (d.kind == cl::CycleKind::global_values) return set_globally(run, d);
     ActiveCycle c = take(run, d);
     if (run.stopped) return;
     if (d.use == CycleUse::refused) {
@@ -290,24 +290,54 @@ void define_cycle(Run& run, const CycleDefinition& d) {
         unchecked(run, codes::unsupported, d.where, d.name + " is not run");
 }
 
-void begin_cycle(Run& run, const ActiveCycle& c) {
-    cl::CycleBegin begin;
-    begin.name = c.definition->name;
-    for (std::size_t i = 0; i < c.values.size(); ++i)
-        begin.parameters.push_back({parameter_name(run, c.definition->settings[i]), value_at_call(run, c, i)});
-    emit(run, begin);
+namespace {
+
+/// (u, v, w) of the working plane -> frame of the stream.
+geom::Frame plane_frame(const Run& run) {
+    const PlaneAxes a = plane_axes(run.modal.plane);
+    geom::Frame in_program;
+    in_program.linear = {};
+    const std::array<int, 3> axes{a.u, a.v, a.w};
+    for (std::size_t column = 0; column < 3; ++column)
+        in_program.linear[3 * static_cast<std::size_t>(axes[column]) + column] = 1;
+    return run.frame * in_program;
 }
 
-void call_cycle(Run& run) { call_cycle(run, {}); }
+/// The last word on each role, in the order in which they are named first.
+CycleValues said_once(const cycles::Demand& demand) {
+    CycleValues out;
+    for (const cl::CycleValue& v : demand.values)
+        if (std::none_of(out.begin(), out.end(), [&](const cl::CycleValue& o) { return o.role == v.role; }))
+            out.push_back({v.role, demand.get(v.role)});
+    return out;
+}
 
-void call_cycle(Run& run, const CycleValues& instead) {
+}  // namespace
+
+void begin_bracket(Run& run, cycles::Demand demand, std::string_view name, const Calling& calling,
+                   std::vector<cl::CycleParameter> written) {
+    cl::Cycle cycle{demand.kind, plane_frame(run), said_once(demand), std::string(name), std::move(written)};
+    if (*run.told.cycle != cycle) run.told.cycle = std::move(cycle);  // the holes of a series share one
+    emit(run, cl::CycleBegin{run.told.cycle, run.position, calling.call, calling.pass, calling.passes});
+}
+
+void begin_cycle(Run& run, const ActiveCycle& c, const CycleValues& instead, const Calling& calling) {
+    std::vector<cl::CycleParameter> written;
+    for (std::size_t i = 0; i < c.values.size(); ++i)
+        written.push_back({parameter_name(run, c.definition->settings[i]), value_at_call(run, c, i)});
+    begin_bracket(run, demand_of(run, c, instead), c.definition->name, calling, std::move(written));
+}
+
+void call_cycle(Run& run) { call_cycle(run, {}, {run.cycle.modal ? cl::CycleCall::modal : cl::CycleCall::single}); }
+
+void call_cycle(Run& run, const CycleValues& instead, const Calling& calling) {
     if (run.cycle.definition == nullptr) {
         alarm(run, codes::missing_label, run.here(), "no cycle is defined that could be called here",
               "define one with CYCL DEF before the call");
         return;
     }
     const ActiveCycle c = run.cycle;
-    if (c.definition->kind == program::CycleKind::program_call) return call_program_of(run, c);
+    if (c.definition->kind == cl::CycleKind::program_call) return call_program_of(run, c);
     if (run.look != Look::no) return;  // the others make no elements of a contour
     if (run.modal.compensation != Modal::compensation_off)
         unchecked(
@@ -318,7 +348,7 @@ void call_cycle(Run& run, const CycleValues& instead) {
             "position with R0 before the call");
     if (run.spindle.doubtful) judge_stop(run);
     flush_path(run);
-    begin_cycle(run, c);
+    begin_cycle(run, c, instead, calling);
     const bool known = cycles::is_expanded(c.definition->kind) || cycles::is_contour_cycle(c.definition->kind);
     if (c.definition->use == CycleUse::refused || !known) {
         unchecked(run, codes::unsupported, run.here(), c.definition->name + " is called and not run");

@@ -8,15 +8,24 @@
 
 namespace obrys::interp {
 
-using CycleValues = std::vector<program::CycleValue>;
+using CycleValues = std::vector<cl::CycleValue>;
+
+/// How a cycle is called, as the stream tells it.
+struct Calling {
+    cl::CycleCall call = cl::CycleCall::single;
+    std::uint64_t pass = 1, passes = 1;  ///< of a pattern's points, of the holes of one block
+};
 
 /// What the cycle's parameters say now; `instead` comes last and wins.
 [[nodiscard]] cycles::Demand demand_of(const Run&, const ActiveCycle&, const CycleValues& instead = {});
 /// The cycle defined last, where the tool stands.
-void call_cycle(Run&, const CycleValues& instead);
+void call_cycle(Run&, const CycleValues& instead, const Calling& calling);
 void report(Run&, const ActiveCycle&, const std::vector<cycles::Complaint>&);
-/// Opens the cycle's bracket in the stream.
-void begin_cycle(Run&, const ActiveCycle&);
+/// Opens the cycle's bracket in the stream: at the place where the tool stands, with what the call says.
+void begin_cycle(Run&, const ActiveCycle&, const CycleValues& instead = {}, const Calling& calling = {});
+/// As above, of a cycle that is no definition; `name` as the control writes it.
+void begin_bracket(Run&, cycles::Demand, std::string_view name, const Calling& calling = {},
+                   std::vector<cl::CycleParameter> written = {});
 /// What holds when a cycle is called.
 [[nodiscard]] cycles::Situation situation_of(const Run&);
 /// Says what is wrong with a cycle's call; false where that ends the run.

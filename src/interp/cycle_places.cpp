@@ -13,9 +13,9 @@
 namespace obrys::interp {
 
 namespace codes = base::codes;
+using cl::CycleKind;
 using geom::Vec3;
-using program::CycleKind;
-using Role = program::CycleRole;
+using Role = cl::CycleRole;
 
 namespace {
 
@@ -89,7 +89,7 @@ bool has_own_place(const cycles::Demand& d) {
 }
 
 /// Calls the cycle with the frame shifted; a program that it calls is run to its end.
-void call_shifted(Run& run, const Vec3& by, const CycleValues& instead) {
+void call_shifted(Run& run, const Vec3& by, const CycleValues& instead, const Calling& calling) {
     const Vec3 at = run.programmed_position;
     const bool shifted = by.x != 0 || by.y != 0 || by.z != 0;
     if (shifted) shift_for_call(run, by);
@@ -98,7 +98,7 @@ void call_shifted(Run& run, const Vec3& by, const CycleValues& instead) {
     const program::Statement* statement = run.statement;
     const BlockWords block = run.block;
     const ActiveCycle cycle = run.cycle;
-    call_cycle(run, instead);
+    call_cycle(run, instead, calling);
     const bool program = run.calls.size() > depth;
     while (!run.stopped && run.calls.size() > depth) step(run);
     if (run.stopped) return;
@@ -113,9 +113,9 @@ void call_shifted(Run& run, const Vec3& by, const CycleValues& instead) {
 }
 
 /// Calls the cycle at `place` (u, v, and the shift of its surface), where the tool stands already.
-void call_at(Run& run, const cycles::Demand& d, Vec3 place, const CycleValues& instead = {}) {
+void call_at(Run& run, const cycles::Demand& d, Vec3 place, const Calling& calling, const CycleValues& instead = {}) {
     if (!has_own_place(d)) place.x = place.y = 0;
-    call_shifted(run, out_of_plane(place, plane_axes(run.modal.plane)), instead);
+    call_shifted(run, out_of_plane(place, plane_axes(run.modal.plane)), instead, calling);
 }
 
 bool cycle_is_defined(Run& run) {
@@ -161,7 +161,7 @@ void run_point_cycle(Run& run, const ActiveCycle& c) {
         CycleValues instead = heights;
         if (!p.at_second_clearance && i + 1 < p.at.size())
             instead.push_back({Role::second_clearance, points.get(Role::clearance)});
-        call_at(run, cycle, place, instead);
+        call_at(run, cycle, place, {cl::CycleCall::pattern, i + 1, p.at.size()}, instead);
         if (over_budget(run, i % 64 == 63)) return;
     }
     if (!run.stopped) emit(run, cl::CycleEnd{});
@@ -173,7 +173,7 @@ void call_cycle_at_position(Run& run) {
     const cycles::Demand d = demand_of(run, run.cycle);
     Vec3 place = into_plane(programmed_target(run), a);
     if (!run.block.has(axis_code(a.w)) && d.find(Role::surface)) place.z = 0;
-    if (stands_alone(d.kind)) return call_at(run, d, place);
+    if (stands_alone(d.kind)) return call_at(run, d, place, {});
     Way way(run, run.modal.motion == Modal::rapid);
     const double now = way.at().z;
     if (!d.find(Role::surface)) {  // it counts from where the tool stands
@@ -185,7 +185,7 @@ void call_cycle_at_position(Run& run) {
     const Heights h = heights_of(d);
     if (!(now > h.surface + place.z)) way.to_height(h.second + place.z);
     way.to_place(place);
-    call_at(run, d, place);
+    call_at(run, d, place, {});
 }
 
 void call_cycle_at_pattern(Run& run) {
@@ -210,7 +210,7 @@ void call_cycle_at_pattern(Run& run) {
             way.to_height(std::fmax(start, h.second + (d.find(Role::clearance_height) ? 0 : place.z)));
         if (!stands_alone(d.kind)) way.to_place(place);
         if (!d.find(Role::surface) && d.kind != CycleKind::program_call) place.z = 0;
-        call_at(run, d, place);
+        call_at(run, d, place, {cl::CycleCall::pattern, i + 1, pattern.points.size()});
         if (over_budget(run, i % 64 == 63)) return;
     }
 }

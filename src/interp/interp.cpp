@@ -63,7 +63,7 @@ void define_globals(Run& run) {
 std::uint32_t first_preset(const Run& run, const Unit& main) {
     for (const program::CycleDefinition& c : main.cycles)
         for (const program::CycleSetting& s : c.settings) {
-            if (s.role != program::CycleRole::preset_number || main.exprs[s.value].kind != program::ExprKind::number)
+            if (s.role != cl::CycleRole::preset_number || main.exprs[s.value].kind != program::ExprKind::number)
                 continue;
             const double n = main.numbers[main.exprs[s.value].a];
             if (const auto preset = base::whole<std::uint32_t>(n, 0, 99'999)) return run.traits->datum.first + *preset;

@@ -185,7 +185,7 @@ void refuse_dwell(Run& run, const program::CannedCycle& c) {
     const bool goes_on = run.canned.active && run.canned.cycle == run.modal.motion_number;
     for (std::size_t i = 0; i < c.words.size() && i < run.canned.given.size(); ++i) {
         const program::CannedWord& w = c.words[i];
-        if (w.role != program::CycleRole::dwell_bottom) continue;
+        if (w.role != cl::CycleRole::dwell_bottom) continue;
         const bool given = run.block.has(w.code) ? !(run.block.peek(w.code) < 0) : goes_on && run.canned.given[i];
         if (!given)
             alarm(run, codes::value_range, run.block.has(w.code) ? word_of(run, w.code) : word_of(run, Modal::canned),

@@ -8,7 +8,8 @@ void SelectedZero::operator()(const cl::Record& record) {
         by_ = geom::Vec3{} - cl::way(*first_, *datum);
         moved_ = by_ != geom::Vec3{};
     }
-    if (!moved_ || !cl::is_move(record.step)) return out_(record);
+    if (!moved_ || !(cl::is_move(record.step) || std::holds_alternative<cl::CycleBegin>(record.step)))
+        return out_(record);
     record_ = record;
     cl::shift(record_.step, by_);
     out_(record_);

@@ -295,6 +295,7 @@ struct StreamFrame {
     bool current = false;  ///< nothing has changed since
     cl::Datum first, datum;
     std::vector<cl::FramePart> parts;
+    base::SharedValue<cl::Cycle> cycle;  ///< the last one
 };
 
 /// Why blocks are looked at without being run (capture.hpp).
@@ -393,7 +394,7 @@ struct RunState : ToolRack {
     std::shared_ptr<FreeContour> free_contour;  ///< being solved
     std::optional<geom::Vec2> free_pole;        ///< FPOL
     /// Values of turning cycles that stay with the control (CycleDefinition::store), mm, by store and role.
-    std::map<std::pair<int, program::CycleRole>, double> cycle_store;
+    std::map<std::pair<int, cl::CycleRole>, double> cycle_store;
 
     const program::Statement* statement = nullptr;  ///< being run
     bool stopped = false;                           ///< alarm, budget or program end

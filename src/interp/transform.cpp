@@ -10,8 +10,8 @@
 namespace obrys::interp {
 
 namespace codes = base::codes;
-using program::CycleKind;
-using program::CycleRole;
+using cl::CycleKind;
+using cl::CycleRole;
 
 namespace {
 

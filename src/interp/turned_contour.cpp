@@ -13,9 +13,9 @@
 namespace obrys::interp {
 
 namespace codes = base::codes;
+using cl::CycleKind;
 using cycles::TurningElement;
 using program::CycleDefinition;
-using program::CycleKind;
 using program::Statement;
 using program::StatementKind;
 using Places = std::vector<std::uint32_t>;

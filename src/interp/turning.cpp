@@ -11,9 +11,9 @@
 namespace obrys::interp {
 
 namespace codes = base::codes;
+using cl::CycleRole;
 using cl::SettingKind;
 using cycles::TurningElement;
-using program::CycleRole;
 
 namespace {
 
@@ -23,9 +23,9 @@ const program::CannedCycle* find_cycle(const Run& run) {
     return nullptr;
 }
 
-bool takes_roughed_contour(program::CycleKind k) {
-    return k == program::CycleKind::lathe_finish_offset || k == program::CycleKind::lathe_rough_along ||
-           k == program::CycleKind::lathe_rough_across;
+bool takes_roughed_contour(cl::CycleKind k) {
+    return k == cl::CycleKind::lathe_finish_offset || k == cl::CycleKind::lathe_rough_along ||
+           k == cl::CycleKind::lathe_rough_across;
 }
 
 TurningElement element_of(const Captured& c) {
@@ -119,9 +119,7 @@ bool turning_cycle(Run& run) {
     demand.situation = situation_of(run);
     cycles::Expansion e = cycles::expand_turning(demand);
     if (!report_expansion(run, c->name, e)) return false;
-    cl::CycleBegin begin;
-    begin.name = std::string(c->name);
-    emit(run, begin);
+    begin_bracket(run, demand.cycle, c->name);
     emit_turning_steps(run, e.steps);
     if (!run.stopped) emit(run, cl::CycleEnd{});
     return !run.stopped;

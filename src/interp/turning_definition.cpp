@@ -14,9 +14,9 @@
 namespace obrys::interp {
 
 namespace codes = base::codes;
+using cl::CycleKind;
+using cl::CycleRole;
 using program::CycleDefinition;
-using program::CycleKind;
-using program::CycleRole;
 using program::CycleSetting;
 
 namespace {
@@ -181,14 +181,6 @@ void leave_out(Run& run, const CycleDefinition& d, std::uint32_t self, const Con
     run.top().pc = c.last + 1;
 }
 
-void begin(Run& run, const CycleDefinition& d, const cycles::Demand& demand) {
-    cl::CycleBegin begin;
-    begin.name = d.name;
-    for (const program::CycleValue& v : demand.values)
-        if (demand.find(v.role) == v.value) begin.parameters.push_back({std::string(cycles::name(v.role)), v.value});
-    emit(run, begin);
-}
-
 void finish(Run& run, const CycleDefinition& d, std::uint32_t self) {
     const auto blocks = find_contour(run, d, self);
     if (!blocks) return;
@@ -199,7 +191,7 @@ void finish(Run& run, const CycleDefinition& d, std::uint32_t self) {
         return;
     }
     flush_path(run);
-    begin(run, d, {});
+    begin_bracket(run, {d.kind, {}}, d.name);
     ActiveSection section;
     section.first = blocks->first;
     section.last = blocks->last;
@@ -255,7 +247,7 @@ void define_turning_cycle(Run& run, const ActiveCycle& c) {
     demand.situation = situation_of(run);
     cycles::Expansion e = cycles::expand_turning(demand);
     if (!report_turning(run, d, e, contour ? &*contour : nullptr)) return;
-    begin(run, d, demand.cycle);
+    begin_bracket(run, demand.cycle, d.name);
     emit_turning_steps(run, e.steps);
     if (run.stopped) return;
     emit(run, cl::CycleEnd{});

@@ -7,7 +7,7 @@
 #include <string>
 #include <string_view>
 
-#include "program/cycle.hpp"
+#include "cl/cycle.hpp"
 #include "program/expr.hpp"
 #include "program/word.hpp"
 
@@ -96,7 +96,7 @@ struct OffsetParameters {
 /// A word of a canned cycle's block and what it says.
 struct CannedWord {
     Code code = Code::p;
-    CycleRole role = CycleRole::dwell_bottom;
+    cl::CycleRole role = cl::CycleRole::dwell_bottom;
     bool length = false;  ///< in the program's unit
     double factor = 1;    ///< dwell in milliseconds: 0.001
     bool across = false;  ///< a diameter where the program has diameters
@@ -104,12 +104,12 @@ struct CannedWord {
 /// A cycle that the words of motion blocks call (G81 X Y Z R).
 struct CannedCycle {
     int number = 0;  ///< G number * 10
-    CycleKind kind = CycleKind::drill;
-    std::string_view name;              ///< "G81"
-    std::span<const CannedWord> words;  ///< besides X Y Z, R and L; they hold until the cycle is cancelled
-    std::span<const CycleValue> fixed;  ///< what the control itself adds; mm, degrees, s
-    bool adds_in_units = false;         ///< it adds up infeeds as binary numbers of the program's unit
-    bool turns_axes = false;            ///< a fault of the control: outside G17 it feeds to another place
+    cl::CycleKind kind = cl::CycleKind::drill;
+    std::string_view name;                  ///< "G81"
+    std::span<const CannedWord> words;      ///< besides X Y Z, R and L; they hold until the cycle is cancelled
+    std::span<const cl::CycleValue> fixed;  ///< what the control itself adds; mm, degrees, s
+    bool adds_in_units = false;             ///< it adds up infeeds as binary numbers of the program's unit
+    bool turns_axes = false;                ///< a fault of the control: outside G17 it feeds to another place
 };
 
 /// What a control does with something that a block says twice.

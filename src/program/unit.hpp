@@ -12,7 +12,7 @@
 #include <vector>
 
 #include "base/source.hpp"
-#include "program/cycle.hpp"
+#include "cl/cycle.hpp"
 #include "program/expr.hpp"
 #include "program/modes.hpp"
 #include "program/names.hpp"
@@ -133,7 +133,7 @@ enum class SettingGiven : std::uint8_t {
     set_globally,  ///< PREDEF: what CycleKind::global_values says of the same parameter
 };
 struct CycleSetting {
-    CycleRole role = CycleRole::depth;
+    cl::CycleRole role = cl::CycleRole::depth;
     /// Numbered parameter that holds it: the definition assigns it, the call reads it. no_target: `value` alone counts,
     /// as it was at the definition.
     std::uint32_t parameter = no_target;
@@ -150,16 +150,17 @@ struct CycleSetting {
 /// What a turning cycle takes where neither it nor an earlier one says it: on the machine the control's own data hold
 /// it, which are not known here.
 struct CycleDefault {
-    CycleRole role = CycleRole::depth;
-    double value = 0;                    ///< mm, degrees
-    CycleRole needs = CycleRole::depth;  ///< matters only where this one is written; the same as `role`: matters always
-    std::string_view text;               ///< what is taken, for whom it concerns
+    cl::CycleRole role = cl::CycleRole::depth;
+    double value = 0;  ///< mm, degrees
+    cl::CycleRole needs =
+        cl::CycleRole::depth;  ///< matters only where this one is written; the same as `role`: matters always
+    std::string_view text;     ///< what is taken, for whom it concerns
 };
 
 /// How much of a cycle obrys runs.
 enum class CycleUse : std::uint8_t { run, accepted, refused };
 struct CycleDefinition {
-    CycleKind kind = CycleKind::drill;
+    cl::CycleKind kind = cl::CycleKind::drill;
     std::string name;          ///< as the control calls it: "CYCL DEF 25"
     bool call_active = false;  ///< runs where it is called; else it acts here
     CycleUse use = CycleUse::run;

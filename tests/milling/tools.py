@@ -4,7 +4,7 @@ A body is (r0, z0, r1, z1, rounding): the hull of two rings about the axis, grow
 """
 import math
 
-LENGTH = 90.0
+LENGTH = 100.0
 CUTTING = 60.0
 
 

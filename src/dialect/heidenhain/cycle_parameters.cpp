@@ -4,7 +4,7 @@ namespace obrys::dialect::heidenhain::parameters {
 
 namespace {
 
-using Role = program::CycleRole;
+using Role = cl::CycleRole;
 using P = CycleParameter;
 
 constexpr P length(int q, Role role) { return {q, {}, role, CycleUnit::length, 0}; }

@@ -10,7 +10,7 @@ namespace obrys::dialect::heidenhain {
 
 namespace {
 
-using Kind = program::CycleKind;
+using Kind = cl::CycleKind;
 using Use = Cycle::Use;
 
 constexpr bool at_call = true, at_definition = false;
@@ -225,7 +225,7 @@ std::optional<IsoCycle> find_iso_cycle(int g) {
 const CycleParameter* find_iso_parameter(const Cycle& cycle, int p) {
     int number = 0, side_line = 0;
     for (const CycleParameter& parameter : cycle.parameters) {
-        if (parameter.q >= 0 || parameter.role == program::CycleRole::direction) continue;
+        if (parameter.q >= 0 || parameter.role == cl::CycleRole::direction) continue;
         const bool side = parameter.word == "X" || parameter.word == "Y" || parameter.word == "Z";
         if (side && parameter.line == side_line) continue;
         side_line = side ? parameter.line : 0;
@@ -235,7 +235,7 @@ const CycleParameter* find_iso_parameter(const Cycle& cycle, int p) {
 }
 
 const CycleParameter* find_iso_parameter(const Cycle& cycle, std::string_view word) {
-    using Role = program::CycleRole;
+    using Role = cl::CycleRole;
     struct Letter {
         int cycle;
         std::string_view word;

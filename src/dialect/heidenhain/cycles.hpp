@@ -12,7 +12,7 @@
 #include <span>
 #include <string_view>
 
-#include "program/cycle.hpp"
+#include "cl/cycle.hpp"
 
 namespace obrys::dialect::heidenhain {
 
@@ -22,7 +22,7 @@ enum class CycleUnit : std::uint8_t { plain, length, feed };
 struct CycleParameter {
     int q = -1;             ///< Q number of the named form; -1 in the numbered form
     std::string_view word;  ///< numbered form: spellings in upper case, separated by '|'
-    program::CycleRole role = program::CycleRole::depth;
+    cl::CycleRole role = cl::CycleRole::depth;
     CycleUnit unit = CycleUnit::length;
     std::uint8_t line = 0;  ///< numbered form: 2 of CYCL DEF 1.2
 
@@ -36,7 +36,7 @@ struct Cycle {
         refused,   ///< not simulated; `text` says why
     };
     int number = 0;
-    program::CycleKind kind = program::CycleKind::drill;
+    cl::CycleKind kind = cl::CycleKind::drill;
     std::string_view name;     ///< English, as the control shows it
     bool call_active = false;  ///< runs on CYCL CALL, M99, M89; otherwise acts at its definition
     std::span<const CycleParameter> parameters;

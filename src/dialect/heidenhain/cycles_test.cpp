@@ -14,8 +14,8 @@
 namespace obrys::dialect::heidenhain {
 namespace {
 
-using Kind = program::CycleKind;
-using Role = program::CycleRole;
+using Kind = cl::CycleKind;
+using Role = cl::CycleRole;
 
 TEST(cycles, AllOfTheControlAreThere) {
     for (const int n : {1,   2,   3,   4,   5,   6,   7,   8,   9,   10,  11,  12,  13,  14,  15,  16,  17,  18,  19,

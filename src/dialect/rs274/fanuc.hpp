@@ -147,14 +147,14 @@ enum class TurningNumber : std::uint8_t {
 };
 struct TurningWord {
     char letter = 0;
-    program::CycleRole role = program::CycleRole::infeed;
+    cl::CycleRole role = cl::CycleRole::infeed;
     TurningNumber number = TurningNumber::length;
     bool across = false;  ///< a diameter
 };
 /// A multiple repetitive cycle of lathes: G70 … G76 of system A, by its number there * 10.
 struct FanucTurningCycle {
     int number = 0;
-    program::CycleKind kind = program::CycleKind::lathe_finish;
+    cl::CycleKind kind = cl::CycleKind::lathe_finish;
     std::uint8_t store = 0;                     ///< cycles with the same one share what their first blocks say
     std::span<const TurningWord> data, call;    ///< two blocks: the first, the second
     std::span<const TurningWord> single, haas;  ///< one block

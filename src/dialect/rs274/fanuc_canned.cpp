@@ -10,12 +10,12 @@ namespace obrys::dialect::rs274 {
 
 namespace {
 
+using cl::CycleKind;
+using cl::CycleRole;
+using cl::CycleValue;
 using program::CannedCycle;
 using program::CannedWord;
 using program::Code;
-using program::CycleKind;
-using program::CycleRole;
-using program::CycleValue;
 
 constexpr CannedWord dwell{Code::p, CycleRole::dwell_bottom, false, 1};
 constexpr CannedWord infeed{Code::q, CycleRole::infeed, true, 1};

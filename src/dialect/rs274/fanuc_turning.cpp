@@ -10,9 +10,9 @@ namespace obrys::dialect::rs274 {
 
 namespace {
 
+using cl::CycleKind;
 using program::CycleDefault;
-using program::CycleKind;
-using enum program::CycleRole;
+using enum cl::CycleRole;
 using Number = TurningNumber;
 using Word = TurningWord;
 

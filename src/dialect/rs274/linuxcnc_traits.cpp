@@ -22,11 +22,11 @@ constexpr std::array<std::int16_t, 17> own_functions{48, 49, 50, 51, 52, 53, 60,
                                                      63, 64, 65, 66, 67, 68, 70, 71};
 
 // Canned cycles: LinuxCNC, G-Codes, "Canned cycles"; what the control adds by itself is what its interpreter prints.
+using cl::CycleKind;
+using cl::CycleRole;
+using cl::CycleValue;
 using program::CannedWord;
 using program::Code;
-using program::CycleKind;
-using program::CycleRole;
-using program::CycleValue;
 constexpr double peck_clearance = 0.254;  // mm: 0.010 inch
 
 constexpr std::array dwell_word{CannedWord{Code::p, CycleRole::dwell_bottom, false, 1}};

@@ -49,7 +49,7 @@ void start_cycle(State& s, int number, const dialect::heidenhain::Cycle* cycle, 
         c.reason = cycle->text;
     } else {
         c.reason = "obrys does not know this cycle";
-        c.kind = program::CycleKind::probe;
+        c.kind = cl::CycleKind::probe;
     }
     s.build.unit().cycles.push_back(std::move(c));
     s.open_cycle = static_cast<std::uint32_t>(s.build.unit().cycles.size() - 1);
@@ -112,7 +112,7 @@ bool read_parameter_line(State& s) {
         known == nullptr ? nullptr : dialect::heidenhain::find_parameter(*known, static_cast<int>(e.a));
     if (std::any_of(c.settings.begin(), c.settings.end(), [&](const auto& x) { return x.parameter == e.a; }))
         return fail(s, begin, "this parameter stands twice in " + c.name), true;
-    if (c.kind == program::CycleKind::global_values) return add_global(s, setting), true;
+    if (c.kind == cl::CycleKind::global_values) return add_global(s, setting), true;
     if (p != nullptr) {
         setting.role = p->role;
         setting.scales = p->unit == dialect::heidenhain::CycleUnit::length;
@@ -123,7 +123,7 @@ bool read_parameter_line(State& s) {
     // The control refuses what does not belong to the cycle; an old or new software version may know it.
     if (known != nullptr)
         s.build.problem(Code::unsupported, begin, s.in.at(), "this parameter does not belong to " + c.name);
-    setting.role = program::CycleRole::probe_input;
+    setting.role = cl::CycleRole::probe_input;
     c.settings.push_back(setting);
     return true;
 }
@@ -199,7 +199,7 @@ void read_axes_alone(State& s, const dialect::heidenhain::Cycle& cycle, int line
                      std::uint32_t begin) {
     for (const char c : words) {
         if (base::is_blank(c)) continue;
-        const auto* p = cycle.kind == program::CycleKind::mirror
+        const auto* p = cycle.kind == cl::CycleKind::mirror
                             ? dialect::heidenhain::find_parameter(cycle, line, std::string_view(&c, 1))
                             : nullptr;
         if (p == nullptr)
@@ -249,7 +249,7 @@ ExprId read_sense(State& s) {
 }
 
 void read_numbered_line(State& s, const dialect::heidenhain::Cycle& cycle, int line) {
-    using program::CycleKind;
+    using cl::CycleKind;
     while (line == 0 && !s.failed && !s.in.at_end()) read_name_word(s);
     if (line == 0) return s.in.skip_block();
     if (cycle.kind == CycleKind::contour_definition) return read_names(s);
@@ -265,7 +265,7 @@ void read_numbered_line(State& s, const dialect::heidenhain::Cycle& cycle, int l
                                  dialect::heidenhain::find_parameter(cycle, line, word.substr(1)) != nullptr;
         if (incremental) p = dialect::heidenhain::find_parameter(cycle, line, word.substr(1));
         if (p == nullptr) p = dialect::heidenhain::find_parameter_at(cycle, line, n);
-        const ExprId value = p != nullptr && p->role == program::CycleRole::direction ? read_sense(s) : value_expr(s);
+        const ExprId value = p != nullptr && p->role == cl::CycleRole::direction ? read_sense(s) : value_expr(s);
         if (s.failed) return;
         if (p != nullptr)
             add_setting(s, *p, value, incremental, begin);
@@ -337,7 +337,7 @@ void read_global_values(State& s) {
     program::CycleDefinition& c = open_cycle(s);
     c.name = "GLOBAL DEF " + std::to_string(number);
     if (!dialect::heidenhain::global_values_name(number).empty()) {
-        c.kind = program::CycleKind::global_values;
+        c.kind = cl::CycleKind::global_values;
         c.use = program::CycleUse::run;
     }
     read_named(s);

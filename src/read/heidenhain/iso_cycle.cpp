@@ -7,8 +7,8 @@
 
 namespace obrys::read::heidenhain {
 
-using program::CycleKind;
-using program::CycleRole;
+using cl::CycleKind;
+using cl::CycleRole;
 
 namespace {
 

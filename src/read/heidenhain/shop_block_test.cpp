@@ -8,7 +8,7 @@
 namespace obrys::read::heidenhain {
 namespace {
 
-using program::CycleRole;
+using cl::CycleRole;
 using program::Procedure;
 using testing::Reading;
 
@@ -56,7 +56,7 @@ TEST(HeidenhainShopBlock, DatumShiftIsCycle7) {
     ASSERT_EQ(r.messages(), "");
     ASSERT_EQ(r.unit.cycles.size(), 1U);
     const program::CycleDefinition& c = r.unit.cycles.front();
-    EXPECT_EQ(c.kind, program::CycleKind::datum_shift);
+    EXPECT_EQ(c.kind, cl::CycleKind::datum_shift);
     ASSERT_EQ(c.settings.size(), 2U);
     EXPECT_EQ(c.settings[1].role, CycleRole::axis_y);
     EXPECT_TRUE(c.settings[1].incremental);

@@ -167,8 +167,8 @@ TEST(FanucTurning, RepetitiveCyclesAreDefinitions) {
     EXPECT_TRUE(r.unit().cycles[0].sets_only);
     EXPECT_EQ(r.unit().cycles[0].first_block, program::no_expr);
     EXPECT_FALSE(r.unit().cycles[1].sets_only);
-    EXPECT_EQ(r.unit().cycles[1].kind, program::CycleKind::lathe_remove_along);
-    EXPECT_EQ(r.unit().cycles[2].kind, program::CycleKind::lathe_finish);
+    EXPECT_EQ(r.unit().cycles[1].kind, cl::CycleKind::lathe_remove_along);
+    EXPECT_EQ(r.unit().cycles[2].kind, cl::CycleKind::lathe_finish);
     EXPECT_EQ(r.unit().labels.size(), 2U) << "N10 and N20";
 }
 

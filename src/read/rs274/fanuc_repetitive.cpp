@@ -7,10 +7,10 @@
 
 namespace obrys::read::rs274 {
 
+using cl::CycleRole;
 using dialect::rs274::FanucTurningCycle;
 using dialect::rs274::TurningNumber;
 using dialect::rs274::TurningWord;
-using program::CycleRole;
 using program::CycleSetting;
 using program::Operator;
 

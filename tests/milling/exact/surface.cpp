@@ -110,6 +110,11 @@ void edges_near(const Solid& solid, V p, std::vector<V>& found) {
         }
 }
 
+/// The nearest place of a box.
+V within(const Box& box, V p) {
+    return {std::clamp(p.x, box.lo.x, box.hi.x), std::clamp(p.y, box.lo.y, box.hi.y), std::clamp(p.z, box.lo.z, box.hi.z)};
+}
+
 }  // namespace
 
 double uniform(Random& random, double low, double high) {
@@ -140,13 +145,14 @@ Off off_surface(const Solid& solid, V p, double enough, Random& random) {
     // Between several cuts it may have gone the long way round: edges and corners, then by chance, first far, then near.
     nearest_meeting(solid, p, found, best);
     if (found <= std::max(enough, 1.001 * value)) return {found, best, false};
+    // Beside a feather edge little of what is near is material: the last ring is searched long, and on the stock's faces.
     double ring = std::min(found, 40 * enough);
-    for (int in_vain = 0; in_vain < 100;) {
-        const V there = p + (ring * std::cbrt(uniform(random, 0, 1))) * direction(random);
+    for (int in_vain = 0; in_vain < (found > enough && ring <= 2 * enough ? 3000 : 100);) {
+        const V there = within(solid.stock_box(), p + (ring * std::cbrt(uniform(random, 0, 1))) * direction(random));
         if (norm(there - p) < found && solid.value(there) <= on) {
             found = norm(there - p), best = there, ring = 0.9 * found, in_vain = 0;
         } else if (++in_vain == 100 && found > enough && ring > 2 * enough) {
-            ring /= 2, in_vain = 0;
+            ring = std::max(ring / 2, 2 * enough), in_vain = 0;
         }
     }
     return {found, best, false};

@@ -1,10 +1,14 @@
 #pragma once
 /// Machining cycles by meaning: what a cycle does and what each of its parameters says, whatever control spells it.
-/// A reader turns numbers and Q parameters into these, cycles/cycle.hpp expands them.
+/// A reader turns numbers and Q parameters into these, cycles/cycle.hpp expands them, CycleBegin tells them.
 
+#include <array>
+#include <cstddef>
 #include <cstdint>
+#include <optional>
+#include <string_view>
 
-namespace obrys::program {
+namespace obrys::cl {
 
 enum class CycleKind : std::uint8_t {
     // Holes.
@@ -41,6 +45,8 @@ enum class CycleKind : std::uint8_t {
     canned_bore_orient,   ///< feed down, oriented stop, sideways, rapid out
     canned_back_bore,     ///< through the hole beside its axis, counterbore from below
     canned_bore_manual,   ///< feed down, spindle stop, the operator retracts
+    // Milling by one block (Haas G12, G13).
+    canned_circular_pocket,  ///< out of the middle, circle by circle, back to it; level by level
     // Turning (cycles/turning.hpp).
     lathe_finish_offset,      ///< along a contour in passes at falling distance
     lathe_rough_along,        ///< cuts parallel to the axis down to a contour at a distance
@@ -172,6 +178,7 @@ enum class CycleRole : std::uint8_t {
     pitch,
     diameter,
     radius,
+    first_radius,  ///< of the first of several circles
     predrilled_diameter,
     blank_diameter,
     centre_by_diameter,
@@ -305,10 +312,16 @@ enum class CycleRole : std::uint8_t {
     turned_axes,    ///< fault of a control, tapping: 1 feeds to (v, w, u) of the place it means, 2 to (w, u, v)
 };
 
+/// Words of the stream's text form: "universal-drill", "chip-break-distance".
+[[nodiscard]] std::string_view spelling(CycleKind kind);
+[[nodiscard]] std::string_view spelling(CycleRole role);
+[[nodiscard]] std::optional<CycleKind> cycle_kind_spelt(std::string_view word);
+[[nodiscard]] std::optional<CycleRole> cycle_role_spelt(std::string_view word);
+
 struct CycleValue {
     CycleRole role = CycleRole::depth;
     double value = 0;  ///< NaN: written, but not known
     bool operator==(const CycleValue&) const = default;
 };
 
-}  // namespace obrys::program
+}  // namespace obrys::cl
