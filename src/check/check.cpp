@@ -146,7 +146,8 @@ void Check::State::move(const motion::Step& step) {
     Removed removed = removal.take(m);
     if (milling) {
         std::vector<shop::ToolPose> swing;
-        if (turning && programmed.rapid) swing = stand.swing(from, to);
+        if (turning && programmed.rapid && std::holds_alternative<cl::Linear>(record.step))
+            swing = stand.swing(from, to);
         for (shop::ToolPose& pose : swing) pose.tip = pose.tip + by;
         milling->take(m, removal.tool_in_use(), view, swing);
     }

@@ -264,7 +264,7 @@ void Milling::take(const Move& move, std::uint32_t use, const motion::Stand::Vie
     moves_.push_back(m);
     judge_tap_out(move, m);
     if (move.rapid) {
-        queue_rapid(move, m, view, swing);
+        queue_rapid(move, m, *element, view, swing);
     } else {
         queue(*element, m, true);
         keep_thread(move);

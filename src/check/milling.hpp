@@ -102,8 +102,8 @@ private:
     void queue_cutting(const geom::PathElement& element, const MilledMove& move, bool feed);
     [[nodiscard]] bool holder_is_above(const geom::PathElement& element) const;
     void queue_clamps(const geom::PathElement& element);
-    void queue_rapid(const Move& move, const MilledMove& m, const motion::Stand::View& view,
-                     const std::vector<shop::ToolPose>& swing);
+    void queue_rapid(const Move& move, const MilledMove& m, const geom::PathElement& way,
+                     const motion::Stand::View& view, const std::vector<shop::ToolPose>& swing);
     [[nodiscard]] double seconds_of(const Move& move, double way) const;
     void keep_technology(const Move& move, double way, MilledMove& m) const;
     void keep_points(const Move& move, MilledMove& m);

@@ -93,6 +93,8 @@ private:
         Vec3 at;
         std::size_t body = 0;
     };
+    [[nodiscard]] bool leads_through(Vec3 from, Vec3 to) const;
+    [[nodiscard]] std::optional<Top> beside_part(const milling::Air& air, Vec3 at, double reach) const;
     [[nodiscard]] Top top_of(const milling::Air& air, const Deepest& d, double reach) const;
     void measure(Covered& c, const std::vector<Deep>& deep, const Some& some) const;
     [[nodiscard]] bool stands_off(const Covered& c) const;
@@ -204,14 +206,32 @@ std::vector<Filled::Deepest> Filled::deepest_of(const milling::Air& air, const s
     return all;
 }
 
-/// Where the material above a place ends: the shortest way out, or, where that leads through the part, the way along
-/// the face's normal.
+/// Somewhere between two places is the part.
+bool Filled::leads_through(Vec3 from, Vec3 to) const {
+    for (int k = 1; k < looks; ++k)
+        if (m_.part.signed_distance(from + (static_cast<double>(k) / looks) * (to - from)) < -options_.excess)
+            return true;
+    return false;
+}
+
+/// The shortest way out that does not lead through the part, as through a wall into the pocket behind it.
+std::optional<Filled::Top> Filled::beside_part(const milling::Air& air, Vec3 at, double reach) const {
+    std::optional<Top> best;
+    double least = reach;
+    for (std::size_t body = 0; body < air.bodies(); ++body) {
+        const double outside = air.outside(body, at, least);
+        if (!(outside > 0 && outside < least)) continue;
+        const Vec3 out = at + outside * way_out(air, body, at);
+        if (!leads_through(at, out)) best = Top{out, body}, least = outside;
+    }
+    return best;
+}
+
+/// Where the material above a place ends: the shortest way out beside the part, else the way along the face's normal.
 Filled::Top Filled::top_of(const milling::Air& air, const Deepest& d, double reach) const {
     const Vec3 at = d.place.at, out = at + d.depth.depth * way_out(air, d.depth.body, at);
-    bool through = false;
-    for (int k = 1; k < looks && !through; ++k)
-        through = m_.part.signed_distance(at + (static_cast<double>(k) / looks) * (out - at)) < -options_.excess;
-    if (!through) return {out, d.depth.body};
+    if (!leads_through(at, out)) return {out, d.depth.body};
+    if (const auto beside = beside_part(air, at, reach)) return *beside;
     const Vec3 normal = m_.part.normal(faces_[d.place.face].triangle);
     const double least = options_.excess / 4;
     double way = 0;

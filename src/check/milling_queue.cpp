@@ -48,8 +48,10 @@ bool leads_down(const geom::PathElement& e, geom::Vec3 axis) {
     return down > 1e-9 && geom::length(way + down * axis) < 1e-9 * down;
 }
 
-void Milling::queue_rapid(const Move& move, const MilledMove& m, const motion::Stand::View& view,
-                          const std::vector<shop::ToolPose>& swing) {
+/// Only straight ways may bend or turn: a rapid arc (HEIDENHAIN's C with FMAX, a rounded corner of G0) is run as it is.
+void Milling::queue_rapid(const Move& move, const MilledMove& m, const geom::PathElement& way,
+                          const motion::Stand::View& view, const std::vector<shop::ToolPose>& swing) {
+    if (!std::holds_alternative<geom::Straight>(way)) return queue(way, m, false);
     const geom::Vec3 axis = axis_;
     for (std::size_t i = 1; i < swing.size(); ++i) {
         axis_ = swing[i].axis;

@@ -17,8 +17,11 @@ constexpr double soft = 0.05;  ///< of the depth: rounding left on corners, whic
 /// Unit vector from a corner of the half section inwards; `side`: towards the other corner.
 Vec2 inwards(double radius, Vec2 side, double up, Inwards how) {
     if (!(radius > 0)) return {0, up};
-    if (how == Inwards::along) return {-std::sin(slant), up * std::cos(slant)};
-    if (how == Inwards::across) return {-std::cos(slant), up * std::sin(slant)};
+    const auto off_axis = [&](double angle) { return Vec2{-std::sin(angle), up * std::cos(angle)}; };
+    if (how == Inwards::along) return off_axis(slant);
+    if (how == Inwards::across) return off_axis(geom::pi / 2 - slant);
+    if (how == Inwards::rather_along) return off_axis(geom::pi / 6);
+    if (how == Inwards::rather_across) return off_axis(geom::pi / 3);
     const double size = geom::length(side);
     if (!(size > 0)) return {-1, 0};
     if (how == Inwards::flank) return (up / size) * Vec2{-side.y, side.x};
@@ -33,6 +36,16 @@ Vec2 moved(Vec2 corner, Vec2 direction, double way) {
     if (p.x >= 0) return p;
     const double rest = std::sqrt(std::max(0.0, way * way - corner.x * corner.x));
     return {0, corner.y + std::copysign(rest, direction.y)};
+}
+
+/// Where ends meet that would pass each other: neither farther off than it was moved. Half a body goes that far up or
+/// down, as a point does: what lies below or above it is all that counts then.
+double meeting(const Body& whole, const Body& moved, Inwards how) {
+    const double highest = std::min(moved.z0, 2 * whole.z1 - moved.z1),
+                 lowest = std::max(moved.z1, 2 * whole.z0 - moved.z0);
+    if (how == Inwards::along || how == Inwards::rather_along) return highest;
+    if (how == Inwards::rather_across) return lowest;
+    return std::clamp((whole.z0 + whole.z1) / 2, moved.z1, moved.z0);
 }
 
 /// Nearest point of the half section's outline, as seen from outside; the point itself where it lies within.
@@ -68,8 +81,7 @@ Body shrunk(const Body& body, double depth, Inwards how) {
     const Vec2 l = moved(low, inwards(b.r0, high - low, 1, how), way);
     const Vec2 h = moved(high, inwards(b.r1, low - high, -1, how), way);
     b = {l.x, l.y, h.x, h.y, soft * left};
-    // Ends that pass each other meet, neither farther off than it was moved.
-    if (b.z0 > b.z1) b.z0 = b.z1 = std::clamp((body.z0 + body.z1) / 2, b.z1, b.z0);
+    if (b.z0 > b.z1) b.z0 = b.z1 = meeting(body, b, how);
     return b;
 }
 

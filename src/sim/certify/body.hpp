@@ -1,6 +1,8 @@
 #pragma once
 /// Convex bodies of revolution and what they sweep on straight ways. Millimetres.
 
+#include <array>
+#include <cstdint>
 #include <optional>
 #include <vector>
 
@@ -20,11 +22,15 @@ using Shape = std::vector<Body>;
 
 /// How a body's corners go inwards when it is made smaller.
 enum class Inwards : std::uint8_t {
-    middle,  ///< halfway between the faces that meet there
-    along,   ///< nearly along the axis
-    across,  ///< nearly towards the axis
-    flank,   ///< off the flank: that moves as far as it may, the ends along it
+    middle,         ///< halfway between the faces that meet there
+    along,          ///< nearly along the axis
+    across,         ///< nearly towards the axis
+    flank,          ///< off the flank: that moves as far as it may, the ends along it
+    rather_along,   ///< 30 degrees off the axis
+    rather_across,  ///< 60 degrees off it
 };
+inline constexpr std::array all_ways{Inwards::middle, Inwards::along,        Inwards::across,
+                                     Inwards::flank,  Inwards::rather_along, Inwards::rather_across};
 /// A body that covers `body` again when it is grown by a ball of radius `depth`, and stands off its faces.
 [[nodiscard]] Body shrunk(const Body& body, double depth, Inwards how);
 /// What lies at least `depth` deep in a body; nothing where it is nowhere so thick.

@@ -93,8 +93,6 @@ bool lies_outside(const mesh::Distance& surface, const mesh::Box& box, const Swe
     return !holds(box, box_of(inner)) || !(surface.signed_distance(p) < 0);
 }
 
-constexpr std::array<Inwards, 4> all_ways{Inwards::middle, Inwards::along, Inwards::across, Inwards::flank};
-
 /// Certainly nothing of it is deeper than `depth`: with one way or another of making it smaller it meets nothing and is
 /// not inside.
 template <class Meets>
@@ -103,7 +101,8 @@ bool is_clear_of(const mesh::Distance& surface, const mesh::Box& box, const Swep
     Swept inner = whole;
     for (const Inwards how : all_ways) {
         inner.body = shrunk(whole.body, depth, how);
-        if (!meets(inner)) return lies_outside(surface, box, inner);
+        if (!meets(inner) && lies_outside(surface, box, inner))
+            return true;                                 // one may lie inside where another does not
         if (whole.body.rounding >= depth) return false;  // all ways are one
     }
     return false;

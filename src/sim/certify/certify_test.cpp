@@ -313,7 +313,7 @@ TEST(Certified, a_smaller_body_grown_by_the_depth_covers_the_body) {
         const Body body{radius(), 0, radius(), random.between(0, 1) * random.between(0, 1) * 20,
                         random.below(2) == 0 ? 0.0 : random.between(0, 1)};
         const double depth = random.between(0.001, 2);
-        for (const Inwards how : {Inwards::middle, Inwards::along, Inwards::across, Inwards::flank}) {
+        for (const Inwards how : all_ways) {
             const Body inner = shrunk(body, depth, how);
             EXPECT_GE(inner.rounding, 0);
             for (int i = 0; i < 50; ++i) {
@@ -329,6 +329,34 @@ TEST(Certified, a_smaller_body_grown_by_the_depth_covers_the_body) {
             }
         }
     }
+}
+
+/// In a corner the floor may lie at most of the depth and the wall at some of it: there is a way that is off both.
+TEST(Certified, a_rim_moves_inwards_in_every_direction) {
+    constexpr double depth = 0.01, share = 0.8;
+    const Body mill{5, 0, 5, 20, 0};
+    for (double angle = 0; angle <= 90; angle += 1) {
+        const double up = share * depth * std::cos(geom::radians(angle)),
+                     in = share * depth * std::sin(geom::radians(angle));
+        EXPECT_TRUE(std::any_of(all_ways.begin(), all_ways.end(), [&](Inwards how) {
+            const Body b = shrunk(mill, depth, how);
+            return b.z0 - b.rounding >= up && mill.r0 - (b.r0 + b.rounding) >= in;
+        })) << angle;
+    }
+}
+
+TEST(Certified, a_tip_that_is_less_deep_than_allowed_is_clear_however_it_comes) {
+    const mesh::Distance part(mesh::box({-10, -10, -10}, {10, 10, 0}));
+    constexpr double allowed = 0.01;
+    const Judge judge(part, allowed);
+    const Shape v{{0, 0, allowed, allowed, 0}, {allowed, allowed, 4, 4, 0}};
+    const auto is_clear = [&](Vec3 from, Vec3 to) { return judge.is_clear({geom::Straight{from, to}, {0, 0, 1}, &v}); };
+    const double low = -0.9 * allowed, deep = -1.1 * allowed;
+    EXPECT_TRUE(is_clear({0, 0, 1}, {0, 0, low}));
+    EXPECT_TRUE(is_clear({0, 0, low}, {8, 0, low}));
+    EXPECT_TRUE(is_clear({0, 0, 1}, {8, 0, low}));
+    EXPECT_FALSE(is_clear({0, 0, 1}, {0, 0, deep}));
+    EXPECT_FALSE(is_clear({0, 0, deep}, {8, 0, deep}));
 }
 
 TEST(Certified, closest_agrees_with_a_search) {

@@ -65,15 +65,22 @@ bool Exact::meet(const Near& near, std::span<const std::size_t> of, Vec3& p) con
 
 bool Exact::is_touch(const Near& near, Vec3 p, double allowed) const {
     std::vector<Side> close;  // with directions of length 1: of fine moves many
-    for (std::size_t body = near.stock ? 0 : 1; body < bodies(near); ++body) {
-        Side s = side(near, body, p);
+    const auto touches = [&](Side s) {
         const double size = length(s.in);
-        if (!(size > 0) || !(std::abs(s.outside) <= allowed * size)) continue;
+        if (!(size > 0) || !(std::abs(s.outside) <= allowed * size)) return false;
         s = {s.outside / size, (1 / size) * s.in};
         for (const Side& other : close)
             if (s.outside + other.outside < no_material && dot(s.in, other.in) < -opposite) return true;
         close.push_back(s);
+        return false;
+    };
+    if (near.stock) {
+        touches(side(near, 0, p));
+        // On an edge of the stock each of its faces may be the one that a cut is flush with.
+        for (const StockBody::Face& f : stock_.faces_at(p, allowed)) touches({f.within, f.in});
     }
+    for (std::size_t body = 1; body < bodies(near); ++body)
+        if (touches(side(near, body, p))) return true;
     return false;
 }
 
