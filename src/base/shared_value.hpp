@@ -14,6 +14,8 @@ public:
 
     [[nodiscard]] const T& operator*() const { return *value_; }
     [[nodiscard]] const T* operator->() const { return value_.get(); }
+    /// Copies of one.
+    [[nodiscard]] bool is_same(const SharedValue& other) const { return value_ == other.value_; }
     /// Equal values, wherever they stand.
     bool operator==(const SharedValue& other) const { return value_ == other.value_ || *value_ == *other.value_; }
 

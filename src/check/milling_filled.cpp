@@ -38,7 +38,8 @@ constexpr double coarsest_steps = 2;  ///< steps
 constexpr double side = 8;            ///< steps: places are looked at together in cubes of this size
 constexpr std::size_t batch_of_cubes = 256;
 constexpr std::size_t most_measured = 12;  ///< places of a cube
-constexpr int looks = 16;                  ///< on a way out
+constexpr int most_looks_through = 2000;   ///< on a way out
+constexpr std::size_t most_ways_out = 40;  ///< of a place, the shortest first
 constexpr int most_steps = 2000;
 constexpr std::size_t proof_cells = 3000;
 constexpr std::size_t most_proofs = 100;
@@ -206,25 +207,31 @@ std::vector<Filled::Deepest> Filled::deepest_of(const milling::Air& air, const s
     return all;
 }
 
-/// Somewhere between two places is the part.
+/// Somewhere between two places is the part: by steps as long as nothing of it can lie in between.
 bool Filled::leads_through(Vec3 from, Vec3 to) const {
-    for (int k = 1; k < looks; ++k)
-        if (m_.part.signed_distance(from + (static_cast<double>(k) / looks) * (to - from)) < -options_.excess)
-            return true;
-    return false;
+    const double length = geom::distance(from, to), least = 2 * options_.excess;
+    double way = 0;
+    for (int k = 0; k < most_looks_through && way < length; ++k) {
+        const double off = m_.part.signed_distance(from + (way / length) * (to - from));
+        if (off < -options_.excess) return true;
+        way += std::max(off, least);
+    }
+    return way < length;
 }
 
 /// The shortest way out that does not lead through the part, as through a wall into the pocket behind it.
 std::optional<Filled::Top> Filled::beside_part(const milling::Air& air, Vec3 at, double reach) const {
-    std::optional<Top> best;
-    double least = reach;
-    for (std::size_t body = 0; body < air.bodies(); ++body) {
-        const double outside = air.outside(body, at, least);
-        if (!(outside > 0 && outside < least)) continue;
-        const Vec3 out = at + outside * way_out(air, body, at);
-        if (!leads_through(at, out)) best = Top{out, body}, least = outside;
+    std::vector<std::pair<double, std::size_t>> ways;
+    for (std::size_t body = 0; body < air.bodies(); ++body)
+        if (const double outside = air.outside(body, at, reach); outside > 0 && outside < reach)
+            ways.emplace_back(outside, body);
+    const std::size_t some = std::min(ways.size(), most_ways_out);
+    std::partial_sort(ways.begin(), ways.begin() + static_cast<std::ptrdiff_t>(some), ways.end());
+    for (std::size_t i = 0; i < some; ++i) {
+        const Vec3 out = at + ways[i].first * way_out(air, ways[i].second, at);
+        if (!leads_through(at, out)) return Top{out, ways[i].second};
     }
-    return best;
+    return std::nullopt;
 }
 
 /// Where the material above a place ends: the shortest way out beside the part, else the way along the face's normal.

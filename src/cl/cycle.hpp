@@ -34,7 +34,7 @@ enum class CycleKind : std::uint8_t {
     thread_mill_drill,
     thread_mill_helix,
     thread_mill_outside,
-    // Canned cycles of one hole (RS-274, Fanuc, Haas): from where the tool stands, with the moves to the hole.
+    // Canned cycles of one hole (RS-274, Fanuc, Haas).
     canned_drill,         ///< feed down, rapid out; with a dwell also counterboring
     canned_chip_break,    ///< infeeds, after each a little back
     canned_peck,          ///< infeeds, after each out to the retract plane
@@ -268,7 +268,8 @@ enum class CycleRole : std::uint8_t {
     setup_distance,
     probe_input,  ///< of a probing cycle: not looked at
     // Canned cycles; w as everywhere: absolute in the working plane's coordinates.
-    target_u,  ///< the hole
+    target_u,  ///< the hole, in a demand; the stream's brackets tell it by their place, as rise_first by the moves
+               ///< before
     target_v,
     retract_plane,  ///< w to which the tool goes at rapid (R)
     bottom,         ///< w of the hole's end (Z)
@@ -309,6 +310,7 @@ enum class CycleRole : std::uint8_t {
     runout,         ///< along the axis, where a thread leaves the material at 45 degrees
     runout_leads,   ///< as above, in leads of the thread
     infeed_method,  ///< of a thread: 1 equal areas on one flank, 2 on both; 3 equal depths on one flank, 4 on both
+    kept,           ///< not looked at by this cycle, held for the next of its series: no part of what it says
     turned_axes,    ///< fault of a control, tapping: 1 feeds to (v, w, u) of the place it means, 2 to (w, u, v)
 };
 

@@ -266,6 +266,47 @@ struct CycleEnd {
     bool operator==(const CycleEnd&) const = default;
 };
 
+enum class CompensationSide : std::uint8_t {
+    left,
+    right
+};  ///< of the contour, seen along it against the plane's normal
+/// How the tool comes to the contour.
+enum class Approach : std::uint8_t {
+    normal,  ///< to the point square to the contour's start (NORM)
+    around,  ///< the same, about the start where it lies behind it (KONT)
+    smooth,  ///< by a line or an arc that ends along the contour (APPR, G147)
+};
+/// Radius compensation is in force for the records up to the matching CompensationEnd. Their points are the tool's
+/// path; Programmed tells the contour.
+struct CompensationBegin {
+    CompensationSide side = CompensationSide::left;
+    double radius = 0;         ///< mm; negative: the other side
+    std::uint32_t offset = 0;  ///< D, or the tool's edge; 0: none
+    Approach approach = Approach::normal;
+    bool operator==(const CompensationBegin&) const = default;
+};
+struct CompensationEnd {
+    bool operator==(const CompensationEnd&) const = default;
+};
+
+enum class Corner : std::uint8_t {
+    none,
+    chamfer,      ///< by its length (CHF)
+    chamfer_leg,  ///< by its legs (CHR, ,C)
+    rounding,     ///< by its radius (RND, ,R)
+};
+/// An element of the contour as it is programmed, where compensation or a corner makes another path of it: the moves
+/// with its source up to the next Programmed. Straight where `sweep` is 0, else as Arc.
+struct Programmed {
+    geom::Vec3 from, to;
+    geom::Vec3 centre, normal{0, 0, 1};
+    double sweep = 0;
+    bool rapid = false;
+    Corner corner = Corner::none;  ///< at its end
+    double size = 0;               ///< of that, mm in the programmed frame
+    bool operator==(const Programmed&) const = default;
+};
+
 enum class PartKind : std::uint8_t {
     call,        ///< of a program
     label,       ///< of a section of the same program (CALL LBL)
@@ -286,7 +327,8 @@ struct PartEnd {
 
 /// One step of the tool's life. Closed on purpose: a new kind must break every visitor that names all kinds.
 using Step = std::variant<Linear, Arc, Spline, Axis, Thread, Dwell, Feed, Spindle, ToolChange, Coolant, Stop, Comment,
-                          Datum, Frame, Tolerance, Auxiliary, Setting, CycleBegin, CycleEnd, PartBegin, PartEnd>;
+                          Datum, Frame, Tolerance, Auxiliary, Setting, CycleBegin, CycleEnd, PartBegin, PartEnd,
+                          CompensationBegin, CompensationEnd, Programmed>;
 
 /// Identifies a call stack in `CallStacks`; 0 is the main program.
 using StackId = std::uint32_t;

@@ -229,6 +229,35 @@ PartBegin part(Words& w, PartKind kind) {
     return s;
 }
 
+CompensationBegin compensation(Words& w) {
+    CompensationBegin s;
+    s.side = static_cast<CompensationSide>(w.choice(sides));
+    w.expect("radius");
+    s.radius = w.number();
+    w.expect("offset");
+    s.offset = w.integer<std::uint32_t>();
+    s.approach = static_cast<Approach>(w.choice(approaches));
+    return s;
+}
+
+Programmed programmed(Words& w) {
+    Programmed s;
+    s.from = w.vec();
+    w.expect("to");
+    s.to = w.vec();
+    if (w.accept("centre")) {
+        s.centre = w.vec();
+        w.expect("normal");
+        s.normal = w.vec();
+        w.expect("sweep");
+        s.sweep = w.number();
+    }
+    s.rapid = w.accept("rapid");
+    for (std::size_t i = 0; i < corners.size() && s.corner == Corner::none; ++i)
+        if (w.accept(corners[i])) s.corner = static_cast<Corner>(i + 1), s.size = w.number();
+    return s;
+}
+
 std::optional<Step> step(Words& w) {
     const std::string_view kind = w.word();
     if (kind == "rapid" || kind == "linear") return linear(w, kind == "rapid");
@@ -258,6 +287,9 @@ std::optional<Step> step(Words& w) {
     if (kind == "label") return part(w, PartKind::label);
     if (kind == "repeat") return part(w, PartKind::repetition);
     if (kind == "part-end") return PartEnd{};
+    if (kind == "compensation") return compensation(w);
+    if (kind == "compensation-end") return CompensationEnd{};
+    if (kind == "programmed") return programmed(w);
     w.fail("unknown record kind \"" + std::string(kind) + "\"");
     return std::nullopt;
 }

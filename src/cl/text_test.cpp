@@ -73,6 +73,17 @@ CycleBegin any_cycle() {
     return s;
 }
 
+Programmed any_programmed() {
+    Programmed p;
+    p.from = vec(), p.to = vec();
+    if (*rc::gen::arbitrary<bool>()) p.centre = vec(), p.normal = vec(), p.sweep = number();
+    if (p.sweep == 0) p.centre = {}, p.normal = {0, 0, 1}, p.sweep = 0;
+    p.rapid = *rc::gen::arbitrary<bool>();
+    p.corner = any_of(Corner::rounding);
+    if (p.corner != Corner::none) p.size = number();
+    return p;
+}
+
 Step any_step(std::size_t kind) {
     switch (kind) {
         case 0: return Linear{vec(), vec(), *rc::gen::arbitrary<bool>()};
@@ -119,6 +130,11 @@ Step any_step(std::size_t kind) {
             return Tolerance{number(), number(),
                              *rc::gen::element(Filter::none, Filter::finishing, Filter::semi_finishing,
                                                Filter::roughing, Filter::precision)};
+        case 21:
+            return CompensationBegin{any_of(CompensationSide::right), number(), *rc::gen::arbitrary<std::uint32_t>(),
+                                     any_of(Approach::smooth)};
+        case 22: return CompensationEnd{};
+        case 23: return any_programmed();
         default: return CycleEnd{};
     }
 }
@@ -158,6 +174,10 @@ struct Mark {
     void operator()(Datum& s) const { mark(s.origin); }
     void operator()(Frame& s) const {
         for (FramePart& p : s.parts) mark(p.frame);
+    }
+    void operator()(CompensationBegin& s) const { mark(s.radius); }
+    void operator()(Programmed& s) const {
+        mark(s.from), mark(s.to), mark(s.centre), mark(s.normal), mark(s.sweep), mark(s.size);
     }
     void operator()(Setting& s) const {
         for (double& v : s.values) mark(v);

@@ -215,6 +215,34 @@ struct StepWriter {
         out += " pass " + std::to_string(s.pass) + " of " + std::to_string(s.passes);
     }
     void operator()(const PartEnd&) const { out += "part-end"; }
+    void operator()(const CompensationBegin& s) const {
+        out += "compensation ";
+        out += sides[static_cast<std::size_t>(s.side)];
+        out += " radius";
+        number(out, s.radius);
+        out += " offset " + std::to_string(s.offset) + ' ';
+        out += approaches[static_cast<std::size_t>(s.approach)];
+    }
+    void operator()(const CompensationEnd&) const { out += "compensation-end"; }
+    void operator()(const Programmed& s) const {
+        out += "programmed";
+        vec(out, s.from);
+        out += " to";
+        vec(out, s.to);
+        if (s.sweep != 0) {
+            out += " centre";
+            vec(out, s.centre);
+            out += " normal";
+            vec(out, s.normal);
+            out += " sweep";
+            number(out, s.sweep);
+        }
+        if (s.rapid) out += " rapid";
+        if (s.corner == Corner::none) return;
+        out += ' ';
+        out += corners[static_cast<std::size_t>(s.corner) - 1];
+        number(out, s.size);
+    }
 };
 
 }  // namespace

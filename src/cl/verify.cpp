@@ -39,8 +39,10 @@ void Verifier::finish() {
         complain(r, base::codes::unclosed, "cycle " + std::get<CycleBegin>(r.step).cycle->name + " has no end");
     for (const Record& r : parts_)
         complain(r, base::codes::unclosed, "the part \"" + std::get<PartBegin>(r.step).name + "\" has no end");
+    if (compensation_) complain(*compensation_, base::codes::unclosed, "radius compensation has no end");
     open_.clear();
     parts_.clear();
+    compensation_.reset();
 }
 
 void Verifier::check(const Record& r, const Linear& s) {
@@ -94,7 +96,7 @@ void Verifier::check(const Record& r, const Axis& s) {
 
 void Verifier::check(const Record& r, const Thread& s) {
     if (infinite(s.to)) complain(r, base::codes::value_range, "end point is not finite");
-    if (!std::isfinite(s.pitch) || s.pitch == 0) complain(r, base::codes::value_range, "thread without pitch");
+    if (std::isinf(s.pitch) || s.pitch == 0) complain(r, base::codes::value_range, "thread without pitch");
 }
 
 void Verifier::check(const Record& r, const Dwell& s) {
@@ -172,6 +174,26 @@ void Verifier::check(const Record& r, const PartBegin& s) {
 void Verifier::check(const Record& r, const PartEnd&) {
     if (parts_.empty()) return complain(r, base::codes::unclosed, "end of a part that was not begun");
     parts_.pop_back();
+}
+
+void Verifier::check(const Record& r, const CompensationBegin& s) {
+    if (compensation_) complain(r, base::codes::unclosed, "radius compensation begins while another one is in force");
+    if (!std::isfinite(s.radius)) complain(r, base::codes::value_range, "the radius of a compensation is not finite");
+    compensation_ = r;
+}
+
+void Verifier::check(const Record& r, const CompensationEnd&) {
+    if (!compensation_) complain(r, base::codes::unclosed, "end of a radius compensation that was not begun");
+    compensation_.reset();
+}
+
+void Verifier::check(const Record& r, const Programmed& s) {
+    if (infinite(s.from) || infinite(s.to) || infinite(s.centre) || !std::isfinite(s.sweep))
+        return complain(r, base::codes::value_range, "programmed element with a value that is not finite");
+    if (s.sweep != 0 && !is_unit(s.normal))
+        complain(r, base::codes::value_range, "normal of a programmed arc is not a unit vector");
+    if (s.corner != Corner::none && !std::isfinite(s.size))
+        complain(r, base::codes::value_range, "size of a chamfer or rounding is not finite");
 }
 
 void Verifier::check(const Record&, const Stop& s) {

@@ -19,7 +19,7 @@ struct VerifyOptions {
 
 /// Adds one diagnostic for every record that breaks a rule: `arc-radius` where the ends do not lie on the circle,
 /// `spline-start` where a spline does not start at the position, `value-range` for values that no record may hold,
-/// `unclosed` for brackets of cycles and parts without their partner.
+/// `unclosed` for brackets of cycles, parts and compensation without their partner.
 class Verifier {
 public:
     explicit Verifier(base::Diagnostics& diagnostics, VerifyOptions options = {}, const CallStacks* stacks = nullptr)
@@ -46,6 +46,9 @@ private:
     void check(const Record& r, const CycleEnd& s);
     void check(const Record& r, const PartBegin& s);
     void check(const Record& r, const PartEnd& s);
+    void check(const Record& r, const CompensationBegin& s);
+    void check(const Record& r, const CompensationEnd& s);
+    void check(const Record& r, const Programmed& s);
     void check(const Record& r, const Stop& s);
     void check(const Record&, const ToolChange&) {}
     void check(const Record&, const Coolant&) {}
@@ -57,9 +60,10 @@ private:
     VerifyOptions options_;
     const CallStacks* stacks_;
     geom::Vec3 position_{NAN, NAN, NAN};
-    std::optional<Datum> zero_;  ///< in force
-    std::vector<Record> open_;   ///< CycleBegin records without their end
-    std::vector<Record> parts_;  ///< the same of PartBegin
+    std::optional<Datum> zero_;           ///< in force
+    std::vector<Record> open_;            ///< CycleBegin records without their end
+    std::vector<Record> parts_;           ///< the same of PartBegin
+    std::optional<Record> compensation_;  ///< the same of CompensationBegin; one is in force at most
 };
 
 }  // namespace obrys::cl

@@ -87,6 +87,20 @@ TEST(Verify, CycleBracketsPairUp) {
     EXPECT_EQ(complaints({CycleEnd{}}), Codes{"unclosed"});
 }
 
+TEST(Verify, CompensationIsOneAtATimeAndEnds) {
+    const CompensationBegin left{CompensationSide::left, 5, 1, Approach::normal};
+    EXPECT_EQ(complaints({left, Programmed{{0, 0, 0}, {10, 0, 0}, {}}, CompensationEnd{}}), Codes{});
+    EXPECT_EQ(complaints({left}), Codes{"unclosed"});
+    EXPECT_EQ(complaints({CompensationEnd{}}), Codes{"unclosed"});
+    EXPECT_EQ(complaints({left, left, CompensationEnd{}}), Codes{"unclosed"});
+    EXPECT_EQ(complaints({CompensationBegin{CompensationSide::left, NAN, 1, Approach::normal}, CompensationEnd{}}),
+              Codes{"value-range"});
+    EXPECT_EQ(complaints({Programmed{{0, 0, 0}, {INFINITY, 0, 0}, {}}}), Codes{"value-range"});
+    EXPECT_EQ(complaints({Programmed{{0, 0, 0}, {10, 0, 0}, {5, 0, 0}, {0, 1, 1}, 3}}), Codes{"value-range"});
+    EXPECT_EQ(complaints({Programmed{{0, 0, 0}, {10, 0, 0}, {}, {0, 0, 1}, 0, false, Corner::rounding, NAN}}),
+              Codes{"value-range"});
+}
+
 TEST(Verify, CyclesBeginWhereTheToolStands) {
     const Linear over{{10, 20, 5}, {0, 0, 1}, true};
     const auto at = [](geom::Vec3 place) { return CycleBegin{Cycle{}, place}; };

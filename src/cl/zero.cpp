@@ -19,17 +19,18 @@ void change(std::optional<Datum>& zero, const Datum& next, geom::Vec3& place) {
     zero = next;
 }
 
+bool has_points(const Step& step) {
+    return is_move(step) || std::holds_alternative<CycleBegin>(step) || std::holds_alternative<Programmed>(step);
+}
+
 void shift(Step& step, const geom::Vec3& by) {
     if (auto* linear = std::get_if<Linear>(&step)) linear->to = linear->to + by;
     if (auto* arc = std::get_if<Arc>(&step)) arc->to = arc->to + by, arc->centre = arc->centre + by;
     if (auto* spline = std::get_if<Spline>(&step)) spline->to = spline->to + by;
     if (auto* thread = std::get_if<Thread>(&step)) thread->to = thread->to + by;
-    if (auto* begin = std::get_if<CycleBegin>(&step)) {
-        Cycle moved = *begin->cycle;
-        moved.plane.origin = moved.plane.origin + by;
-        begin->cycle = std::move(moved);
-        begin->place = begin->place + by;
-    }
+    if (auto* p = std::get_if<Programmed>(&step))
+        p->from = p->from + by, p->to = p->to + by, p->centre = p->centre + by;
+    if (auto* begin = std::get_if<CycleBegin>(&step)) begin->place = begin->place + by;
 }
 
 }  // namespace obrys::cl

@@ -14,7 +14,9 @@ namespace obrys::cl {
 /// not move.
 void change(std::optional<Datum>& zero, const Datum& next, geom::Vec3& place);
 
-/// Moves the points of a move, place and plane of a cycle.
+/// Moves the points of a move and of a programmed element, the place of a cycle; not its plane, which places share.
 void shift(Step& step, const geom::Vec3& by);
+/// Whether it has points that are so moved.
+[[nodiscard]] bool has_points(const Step& step);
 
 }  // namespace obrys::cl

@@ -186,6 +186,7 @@ std::string_view name(cl::CycleRole role) {
         case runout: return "length of the runout";
         case runout_leads: return "length of the runout in leads";
         case infeed_method: return "method of infeed";
+        case kept: return "value for a later cycle";
         case turned_axes: return "order of the axes";
     }
     return "parameter";

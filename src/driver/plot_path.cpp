@@ -69,6 +69,7 @@ PathPlotter::PathPlotter(const PlotOptions& options, Rows rows) : options_(optio
 
 void PathPlotter::operator()(const cl::Record& record) {
     const auto step = cursor_.take(record);
+    if (const auto* element = std::get_if<cl::Programmed>(&record.step)) programmed(*element);
     if (!step) return;
     const double length = cl::move_length(step->from, record.step);
     if (std::isfinite(length)) (step->rapid ? plot_.rapid_length : plot_.feed_length) += length;
@@ -82,14 +83,17 @@ void PathPlotter::operator()(const cl::Record& record) {
     plot_.all_moves = cursor_.moves();
 }
 
-void PathPlotter::programmed(geom::Vec3 from, const cl::Record& element) {
-    if (plot_.contour.size() >= options_.keep_moves) return;
-    const geom::Vec3 by = cursor_.position().to_stock(), to = cl::position_after(from, element.step);
+/// The contour where the tool's path is another one.
+void PathPlotter::programmed(const cl::Programmed& element) {
+    if (element.rapid || plot_.contour.size() >= options_.keep_moves) return;
+    const geom::Vec3 by = cursor_.position().to_stock(), from = element.from, to = element.to;
     if (!geom::is_finite(from + by) || !geom::is_finite(to + by) || geom::length(from) + geom::length(to) > drawable)
         return;
     report::PlotMove m;
     m.points.push_back(from + by);
-    cl::points_between(from, element.step, chord, chords, [&](geom::Vec3 p) { m.points.push_back(p + by); });
+    if (element.sweep != 0)
+        cl::points_between(from, cl::Arc{to, element.centre, element.normal, element.sweep}, chord, chords,
+                           [&](geom::Vec3 p) { m.points.push_back(p + by); });
     m.points.push_back(to + by);
     plot_.contour.push_back(std::move(m));
 }

@@ -23,12 +23,11 @@ public:
     PathPlotter(const PlotOptions& options, Rows rows);
 
     void operator()(const cl::Record& record);
-    /// An element as programmed, beside the tool's path.
-    void programmed(geom::Vec3 from, const cl::Record& element);
     /// Program, control and machine are left for the caller to name.
     [[nodiscard]] report::PathPlot finish();
 
 private:
+    void programmed(const cl::Programmed& element);
     bool draw(const motion::Step& step);
     void interpolate(const motion::Step& step, report::PlotMove* drawn);
     void look_closer();

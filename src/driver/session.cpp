@@ -317,7 +317,7 @@ int percent_lines(const Session& s) {
     return found;
 }
 
-interp::Outcome interpret(Session& s, cl::Sink sink, const interp::ContourSink* programmed) {
+interp::Outcome interpret(Session& s, cl::Sink sink) {
     const auto find = [&](std::string_view name) { return s.programs->find(name); };
     const std::function<const program::Unit*(const std::string&)> read_text = [&](const std::string& text) {
         return s.programs->read_text(text);
@@ -334,7 +334,6 @@ interp::Outcome interpret(Session& s, cl::Sink sink, const interp::ContourSink* 
                                           s.programs->definitions(),
                                           s.job.variables,
                                           s.files.get(),
-                                          programmed,
                                           s.canon,
                                           s.canon ? std::optional(geom::Vec3{}) : std::nullopt,
                                           s.has_stored ? &s.stored : nullptr,

@@ -57,16 +57,15 @@ struct Session {
     bool canon = false;
     bool has_job = false;
     std::uint32_t looked_ahead_in_vain = 0;  ///< for tests, as Environment says it
-    bool unusable = false;  ///< a file that the job names is not what it should be
+    bool unusable = false;                   ///< a file that the job names is not what it should be
 };
 
 /// Loads job, machine, tools and main program, and resolves the contours. False where the input cannot be used at all
 /// (exit code 2); what is wrong stands in the session's diagnostics.
 bool open(const Request& request, Session& session);
 
-/// Interprets the main program to `sink`; `programmed` is told contours as they are programmed where the tool's path
-/// differs from them.
-interp::Outcome interpret(Session& session, cl::Sink sink, const interp::ContourSink* programmed = nullptr);
+/// Interprets the main program to `sink`.
+interp::Outcome interpret(Session& session, cl::Sink sink);
 
 /// What the job or the command line says cannot be used, which only the run could tell (exit code 2).
 [[nodiscard]] bool refused(const Session& session);

@@ -31,9 +31,7 @@ std::string faults(const Case& c, std::string_view control, shop::MachineKind ki
     cl::Verifier verifier(found, options, &s.stacks);
     interpret(s, [&](const cl::Record& r) { verifier(r); });
     std::string out;
-    for (const base::Diagnostic& d : found.all())
-        if (d.code == base::codes::arc_radius || d.code == base::codes::spline_start)
-            out += base::render(d, s.sources) + "\n";
+    for (const base::Diagnostic& d : found.all()) out += base::render(d, s.sources) + "\n";
     return out;
 }
 

@@ -189,6 +189,13 @@ bool tilted_arc(Run& run, const Vec3& to) {
         const double v = run.block.get(via_words[k]) * length_factor(run, k, incremental);
         coordinate(via, k) = incremental ? coordinate(via, k) + v : v;
     }
+    if (!geom::is_finite(run.programmed_position) || !geom::is_finite(via) || !geom::is_finite(to)) {
+        unchecked(run, codes::unknown_value, run.here(),
+                  "a point of this circle in space is not known: it is run as a straight move",
+                  "move to a known place in all three axes before");
+        straight_motion(run, to, false);
+        return true;
+    }
     const PlaneAxes a = plane_axes(run.modal.plane);
     Vec3 normal;
     coordinate(normal, a.w) = 1;

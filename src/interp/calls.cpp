@@ -430,7 +430,7 @@ void call_program(Run& run, const Call& call) {
     }
     if (run.traits->calls_end_compensation && run.modal.compensation != Modal::compensation_off) {
         flush_path(run);
-        run.modal.compensation = Modal::compensation_off;
+        switch_compensation_off(run);
         run.modal.look_ahead = 0;
     }
     std::string name;

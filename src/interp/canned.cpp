@@ -139,7 +139,8 @@ void overrides(Run& run, int allowed) {
 /// What the stream says of the cycle: its place says where the hole is.
 cycles::Demand told(cycles::Demand d) {
     std::erase_if(d.values, [](const cl::CycleValue& v) {
-        return v.role == CycleRole::target_u || v.role == CycleRole::target_v || v.role == CycleRole::rise_first;
+        return v.role == CycleRole::target_u || v.role == CycleRole::target_v || v.role == CycleRole::rise_first ||
+               v.role == CycleRole::kept;
     });
     return d;
 }
@@ -148,6 +149,7 @@ cycles::Demand told(cycles::Demand d) {
 void emit_hole(Run& run, const program::CannedCycle& c, const cycles::Demand& demand, cycles::Expansion& e,
                const Calling& calling) {
     bool in_hole = false;
+    if (e.steps.empty()) begin_bracket(run, told(demand), c.name, calling);  // not simulated
     for (std::size_t i = 0; i < e.steps.size(); ++i) {
         if (run.stopped) return;
         cl::Step& step = e.steps[i];
@@ -164,7 +166,7 @@ void emit_hole(Run& run, const program::CannedCycle& c, const cycles::Demand& de
         emit_step(run, std::move(step));
     }
     if (in_hole && taps(c.kind)) overrides(run, 1);
-    if (!run.stopped && e.leads < e.steps.size()) emit(run, cl::CycleEnd{});
+    if (!run.stopped) end_bracket(run);
 }
 
 void exact_path(Run& run) {

@@ -139,7 +139,7 @@ bool circle_pocket(Run& run) {
         pass(run, pocket, pocket.from + i * pocket.step);
         if (over_budget(run, false)) return false;
     }
-    emit(run, cl::CycleEnd{});
+    end_bracket(run);
     return true;
 }
 

@@ -42,7 +42,7 @@ void leave_compensation(Run& run, const std::string& because) {
                      "switch it off before (R0; DIN/ISO: G40)");
     // iTNC 530 manual, "The PLANE function": with M120 active it rescinds radius compensation, and M120 with it.
     flush_path(run);
-    state.compensation = Modal::compensation_off;
+    switch_compensation_off(run);
     state.look_ahead = 0;
 }
 

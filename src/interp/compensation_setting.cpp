@@ -35,6 +35,18 @@ void into_frame(const Run& run, path::Setting& s) {
 
 }  // namespace
 
+double radius_in_stream(const Run& run, double radius) {
+    if (run.frame_is_identity || geom::is_shift_only(run.frame) || compensates_in_fixed_plane(run)) return radius;
+    geom::Vec3 unit;
+    coordinate(unit, plane_axes(run.modal.plane).u) = 1;
+    return radius * geom::length(geom::apply_direction(run.frame, unit));
+}
+
+void switch_compensation_off(Run& run) {
+    run.modal.compensation = Modal::compensation_off;
+    run.path->tell_end(run);
+}
+
 namespace {
 
 /// The nose of a tool of no kind: outside turning towards the chuck, as of an insert whose orientation is not given.

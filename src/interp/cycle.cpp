@@ -13,6 +13,7 @@
 #include "interp/complaints.hpp"
 #include "interp/contour_cycle.hpp"
 #include "interp/cycle_call.hpp"
+#include "interp/path_stage.hpp"
 
 namespace obrys::interp {
 
@@ -316,9 +317,19 @@ CycleValues said_once(const cycles::Demand& demand) {
 
 void begin_bracket(Run& run, cycles::Demand demand, std::string_view name, const Calling& calling,
                    std::vector<cl::CycleParameter> written) {
+    emit_frame(run);
     cl::Cycle cycle{demand.kind, plane_frame(run), said_once(demand), std::string(name), std::move(written)};
     if (*run.told.cycle != cycle) run.told.cycle = std::move(cycle);  // the holes of a series share one
-    emit(run, cl::CycleBegin{run.told.cycle, run.position, calling.call, calling.pass, calling.passes});
+    // Behind elements that are held back by compensation it is not known yet where the tool stands.
+    const geom::Vec3 place = run.path->holds() ? geom::Vec3{NAN, NAN, NAN} : run.sent;
+    ++run.told.open_cycles;
+    emit(run, cl::CycleBegin{run.told.cycle, place, calling.call, calling.pass, calling.passes});
+}
+
+void end_bracket(Run& run) {
+    if (run.told.open_cycles == 0 || run.capture != nullptr) return;
+    --run.told.open_cycles;
+    emit(run, cl::CycleEnd{});
 }
 
 void begin_cycle(Run& run, const ActiveCycle& c, const CycleValues& instead, const Calling& calling) {
@@ -362,7 +373,7 @@ void call_cycle(Run& run, const CycleValues& instead, const Calling& calling) {
         if (run.stopped) return;
         if (run.feed_valid) emit(run, cl::Feed{run.feed, run.modal.feed_mode});
     }
-    emit(run, cl::CycleEnd{});
+    end_bracket(run);
 }
 
 }  // namespace obrys::interp

@@ -26,6 +26,8 @@ void begin_cycle(Run&, const ActiveCycle&, const CycleValues& instead = {}, cons
 /// As above, of a cycle that is no definition; `name` as the control writes it.
 void begin_bracket(Run&, cycles::Demand, std::string_view name, const Calling& calling = {},
                    std::vector<cl::CycleParameter> written = {});
+/// Closes the bracket that was opened last.
+void end_bracket(Run&);
 /// What holds when a cycle is called.
 [[nodiscard]] cycles::Situation situation_of(const Run&);
 /// Says what is wrong with a cycle's call; false where that ends the run.

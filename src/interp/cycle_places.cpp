@@ -164,7 +164,7 @@ void run_point_cycle(Run& run, const ActiveCycle& c) {
         call_at(run, cycle, place, {cl::CycleCall::pattern, i + 1, p.at.size()}, instead);
         if (over_budget(run, i % 64 == 63)) return;
     }
-    if (!run.stopped) emit(run, cl::CycleEnd{});
+    if (!run.stopped) end_bracket(run);
 }
 
 void call_cycle_at_position(Run& run) {

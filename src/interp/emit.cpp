@@ -16,7 +16,7 @@ void emit(Run& run, cl::Step step) {
     run.record.step = std::move(step);
     run.record.from = run.along != nullptr ? run.along->where : run.here();
     run.record.stack = run.along != nullptr ? run.along->stack : run.top().stack;
-    if (run.path->active() && !cl::is_move(run.record.step))
+    if (run.path->holds() && !cl::is_move(run.record.step))
         run.path->hold(run.record);
     else
         send_plain(run, run.record);

@@ -1,4 +1,5 @@
 #include "interp/interp.hpp"
+#include "interp/cycle_call.hpp"
 
 #include <cmath>
 
@@ -258,6 +259,8 @@ Outcome run(const program::Unit& main, const Environment& environment, cl::CallS
         }
     while (!run.stopped) step(run);
     flush_path(run);
+    while (run.told.open_cycles > 0) end_bracket(run);  // an alarm ends cycles half-way
+    run.path->tell_end(run);
     Outcome outcome{run.ending, run.blocks, {}, {run.entered.begin(), run.entered.end()}, std::move(run.overrides_met),
                     run.steps};
     outcome.carried = std::move(run.carried);

@@ -22,8 +22,6 @@
 
 namespace obrys::interp {
 
-using ContourSink = base::FunctionRef<void(geom::Vec3 from, const cl::Record& element)>;
-
 /// Everything a run needs besides the program. References must outlive the run.
 struct Environment {
     const base::Sources& sources;
@@ -41,9 +39,6 @@ struct Environment {
     const shop::GivenValues& variables;
     /// Tables and forms that the program reads, and what it prints; null: there are none.
     ShopFiles* files = nullptr;
-    /// Told the elements of contours that compensation, chamfers or roundings change, as they are programmed: where the
-    /// element starts, and the move; stream frame. Null: nobody wants to know.
-    const ContourSink* programmed = nullptr;
     /// cl::Setting records are wanted: what the program sets besides moves, as often as it sets it.
     bool tell_settings = false;
     /// Where the machine stands at first, machine coordinates; nothing: not known.

@@ -183,6 +183,7 @@ void set_compensation(Run& run, Modal m) {
     state.compensation_radius = std::numeric_limits<double>::quiet_NaN();
     state.compensation_orientation = -1;
     if (m == Modal::compensation_off && run.traits->compensation_holds_move) run.path->switch_off(run);
+    if (m == Modal::compensation_off) switch_compensation_off(run);
     if (given && !take_orientation(run)) return;
     if (given && b.has(Code::offset_d)) state.compensation_radius = b.get(Code::offset_d) * unit / 2;
     if (!given && m != Modal::compensation_off) take_radius_number(run);

@@ -5,6 +5,7 @@
 
 #include "base/codes.hpp"
 #include "base/number.hpp"
+#include "base/whole.hpp"
 #include "interp/complaints.hpp"
 #include "path/preset.hpp"
 #include "path/pulled_corner.hpp"
@@ -91,7 +92,45 @@ double pulled_out(const Run& run) {
 }  // namespace
 
 void PathStage::push(Run& run, path::Element e, bool rapid) {
-    push(run, std::move(e), compensation_setting(run), rapid);
+    const path::Setting s = compensation_setting(run);
+    tell_begin(run, s);
+    tell_programmed(run, e, rapid);
+    push(run, std::move(e), s, rapid);
+}
+
+/// Compensation that begins or becomes another one.
+void PathStage::tell_begin(Run& run, const path::Setting& s) {
+    if (s.side == path::Side::off) return tell_end(run);
+    const double number = std::isnan(run.modal.offset_d) ? run.tool.edge : run.modal.offset_d;
+    cl::CompensationBegin begin;
+    begin.side = s.side == path::Side::left ? cl::CompensationSide::left : cl::CompensationSide::right;
+    begin.radius = radius_in_stream(run, s.radius);
+    begin.offset = base::whole<std::uint32_t>(number, 0).value_or(0);
+    begin.approach = static_cast<cl::Approach>(s.approach);
+    const bool goes_on = told_ && told_->side == begin.side && told_->radius == begin.radius;
+    if (goes_on) return;
+    tell_end(run);
+    told_ = begin;
+    hold({begin, run.here(), run.top().stack});
+}
+
+void PathStage::tell_end(Run& run) {
+    if (!told_ || run.capture != nullptr) return;
+    told_.reset();
+    const cl::Record end{cl::CompensationEnd{}, run.here(), run.top().stack};
+    if (holds_)
+        hold(end);
+    else
+        send_plain(run, end);
+}
+
+void PathStage::tell_programmed(Run& run, const path::Element& e, bool rapid) {
+    std::optional<cl::Programmed> p = programmed_element(run, e, rapid, fixed_plane_);
+    if (!p) return;
+    if (const path::CornerRequest corner = corner_of_block(run);
+        corner.kind != path::CornerKind::none && std::isfinite(corner.size))
+        p->corner = static_cast<cl::Corner>(corner.kind), p->size = corner.size;
+    hold({*p, run.here(), run.top().stack});
 }
 
 namespace {
@@ -139,6 +178,7 @@ void PathStage::judge_idle_blocks(Run& run, const path::Element& e, const path::
 
 void PathStage::push(Run& run, path::Element e, const path::Setting& s, bool rapid) {
     judge_idle_blocks(run, e, s);
+    tell_begin(run, s);
     e.tag = origins_.size();
     e.before = std::move(waiting_);
     waiting_.clear();
@@ -156,6 +196,7 @@ void PathStage::push(Run& run, path::Element e, const path::Setting& s, bool rap
                       "to does not move in the plane",
                       "write it behind an element of the contour");
     report(run, path_.push(std::move(e), s, corner, [&](const path::Output& out) { output(run, out); }));
+    holds_ = !path_.idle();
     if (path_.idle())
         forget();
     else if (s.side == path::Side::off && corner.kind == path::CornerKind::none)
@@ -207,8 +248,10 @@ void PathStage::flush(Run& run) {
     report(run, path_.flush([&](const path::Output& o) { output(run, o); }));
     for (const int event : waiting_) send(run, events_[static_cast<std::size_t>(event)]);
     waiting_.clear();
+    holds_ = false;
     forget();
     flushing_ = false;
+    if (run.modal.compensation == Modal::compensation_off) tell_end(run);
 }
 
 void PathStage::stop(Run& run) {
@@ -225,7 +268,9 @@ void PathStage::stop(Run& run) {
 void PathStage::end_compensation(Run& run) {
     stop(run);
     path_ = path::ContourPath();
+    holds_ = false;
     forget();
+    tell_end(run);
 }
 
 void PathStage::switch_off(Run& run) {

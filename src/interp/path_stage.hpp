@@ -14,12 +14,14 @@ class PathStage {
 public:
     /// True while anything is held back or compensation is at work.
     [[nodiscard]] bool active() const { return active_; }
+    /// An element is held back: what is told now comes behind it.
+    [[nodiscard]] bool holds() const { return holds_; }
     /// Its elements are in the stream's own frame, not in the programmed one (Traits::compensates_in_fixed_plane).
     [[nodiscard]] bool in_fixed_plane() const { return active_ && fixed_plane_; }
     void set_fixed_plane(bool fixed) { fixed_plane_ = fixed; }
     /// Takes one element of the block being run, in plane coordinates of the programmed frame.
     void push(Run&, path::Element element, bool rapid);
-    /// As above with a setting of its own.
+    /// As above with a setting of its own, of an element that nobody has programmed.
     void push(Run&, path::Element element, const path::Setting& setting, bool rapid = false);
     /// The block that was run is behind: whether it moved in the plane counts under radius compensation.
     void end_block(const Run&);
@@ -33,6 +35,8 @@ public:
     void stop(Run&);
     /// As above, and compensation is in force no longer: the tool goes on from where its centre stands.
     void end_compensation(Run&);
+    /// The program has switched compensation off: the stream is told before the next element, or at once.
+    void tell_end(Run&);
 
 private:
     /// What an element's tag stands for.
@@ -57,6 +61,8 @@ private:
     void say_open_corner(Run& run);
     [[nodiscard]] static double arc_feed(const Origin& origin, const path::Output& out);
     [[nodiscard]] path::CornerRequest corner_request(Run&);
+    void tell_begin(Run&, const path::Setting& s);
+    void tell_programmed(Run&, const path::Element& e, bool rapid);
     [[nodiscard]] int keep(const cl::Record& record);
     [[nodiscard]] int feed_event(const Run&, double feed);
     void output(Run&, const path::Output& out);
@@ -71,19 +77,26 @@ private:
     std::vector<int> waiting_;
     std::optional<geom::Vec2> last_;  ///< end of the last element that was emitted
     bool active_ = false, fixed_plane_ = false;
-    bool flushing_ = false;
+    bool flushing_ = false, holds_ = false;
     std::uint32_t idle_blocks_ = 0;  ///< without motion in the plane since the last element
     bool block_moved_ = false;
-    path::Side side_ = path::Side::off;    ///< of the last element
-    std::optional<geom::Vec2> direction_;  ///< at its end
+    path::Side side_ = path::Side::off;          ///< of the last element
+    std::optional<geom::Vec2> direction_;        ///< at its end
+    std::optional<cl::CompensationBegin> told_;  ///< what the stream, or a record that waits, has begun
 };
 
 /// What the modal state says to radius compensation; a tool whose radius is not known is reported.
 [[nodiscard]] path::Setting compensation_setting(Run&);
 /// The chamfer or rounding that the block asks for at its end, without feeds.
 [[nodiscard]] path::CornerRequest corner_of_block(const Run&);
-/// Hands an element as it is programmed to whoever wants it for a picture.
-void tell_programmed(Run&, const path::Element& element);
+/// An element as it is programmed; nothing where it has no place in the stream (a circle that a frame makes an
+/// ellipse).
+[[nodiscard]] std::optional<cl::Programmed> programmed_element(const Run&, const path::Element& element, bool rapid,
+                                                               bool in_stream);
+/// mm in the frame of the stream.
+[[nodiscard]] double radius_in_stream(const Run&, double radius);
+/// Radius compensation is in force no longer.
+void switch_compensation_off(Run&);
 /// Emits an element of the working plane as a record of the stream.
 /// `in_stream`: it is in the stream's own frame already.
 void emit_element(Run&, const path::Element& element, bool rapid, bool in_stream = false);

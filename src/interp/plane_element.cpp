@@ -92,7 +92,6 @@ void plane_element(Run& run, path::Element e, const Vec3& to, bool rapid) {
     if (run.capture != nullptr)
         capture(run, e, rapid);
     else if (needs_path_stage(run)) {
-        if (!rapid) tell_programmed(run, e);
         push_element(run, std::move(e), rapid);
     } else {
         run.record.from = run.here();
@@ -136,13 +135,19 @@ void circle_alarm(Run& run, const base::Span& where) {
     alarm(run, codes::value_range, where, "a circle cannot be run with different scale factors in its plane");
 }
 
-void tell_programmed(Run& run, const path::Element& e) {
-    if (run.env.programmed == nullptr) return;
-    auto step = plane_move(run, e, false);
-    if (!step) return;
-    cl::shift(*step, run.zero.by());
-    (*run.env.programmed)(in_stream(run, e.from, e.w_from) + run.zero.by(),
-                          cl::Record{std::move(*step), run.here(), run.top().stack});
+std::optional<cl::Programmed> programmed_element(const Run& run, const path::Element& e, bool rapid,
+                                                 bool in_stream_already) {
+    const std::optional<cl::Step> move = plane_move(run, e, rapid, in_stream_already);
+    if (!move) return std::nullopt;
+    cl::Programmed p;
+    p.rapid = rapid;
+    p.from =
+        in_stream_already ? in_axes(plane_axes(run.modal.plane), e.from, e.w_from) : in_stream(run, e.from, e.w_from);
+    if (const auto* arc = std::get_if<cl::Arc>(&*move))
+        p.to = arc->to, p.centre = arc->centre, p.normal = arc->normal, p.sweep = arc->sweep;
+    else
+        p.to = std::get<cl::Linear>(*move).to;
+    return p;
 }
 
 void lead_to_place(Run& run) {

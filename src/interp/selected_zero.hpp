@@ -20,6 +20,9 @@ private:
     geom::Vec3 by_;
     bool moved_ = false;  ///< `by_` is not 0
     cl::Record record_;
+    [[nodiscard]] const base::SharedValue<cl::Cycle>& moved_cycle(const base::SharedValue<cl::Cycle>& cycle);
+    base::SharedValue<cl::Cycle> cycle_from_, cycle_to_;  ///< the last one
+    geom::Vec3 cycle_by_;
 };
 
 }  // namespace obrys::interp

@@ -174,7 +174,7 @@ void departure(Run& run, const Special& s, Modal compensation_before) {
     contour.w = coordinate(at, a.w);
     const path::SmoothPath p =
         path::smooth_departure(contour, {in_plane(target, a), coordinate(target, a.w)}, shape(run, s));
-    run.modal.compensation = Modal::compensation_off;
+    switch_compensation_off(run);
     run.modal.look_ahead = 0;
     if (!p.ok()) complain(run, p.failure);
     if (run.stopped || !p.ok() || p.path.empty()) return;

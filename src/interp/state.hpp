@@ -296,6 +296,7 @@ struct StreamFrame {
     cl::Datum first, datum;
     std::vector<cl::FramePart> parts;
     base::SharedValue<cl::Cycle> cycle;  ///< the last one
+    std::uint32_t open_cycles = 0;       ///< brackets
 };
 
 /// Why blocks are looked at without being run (capture.hpp).

@@ -121,7 +121,7 @@ bool turning_cycle(Run& run) {
     if (!report_expansion(run, c->name, e)) return false;
     begin_bracket(run, demand.cycle, c->name);
     emit_turning_steps(run, e.steps);
-    if (!run.stopped) emit(run, cl::CycleEnd{});
+    if (!run.stopped) end_bracket(run);
     return !run.stopped;
 }
 

@@ -210,7 +210,7 @@ void end_finishing(Run& run, const ActiveSection& section) {
     run.block.clear();
     run.modal.motion = Modal::rapid;
     straight_motion(run, section.start, true);
-    if (!run.stopped) emit(run, cl::CycleEnd{});
+    if (!run.stopped) end_bracket(run);
 }
 
 void define_turning_cycle(Run& run, const ActiveCycle& c) {
@@ -250,7 +250,7 @@ void define_turning_cycle(Run& run, const ActiveCycle& c) {
     begin_bracket(run, demand.cycle, d.name);
     emit_turning_steps(run, e.steps);
     if (run.stopped) return;
-    emit(run, cl::CycleEnd{});
+    end_bracket(run);
     if (blocks) leave_out(run, d, self, *blocks);
 }
 

@@ -15,14 +15,15 @@ struct State {
     cl::Coolant coolant;
     cl::Tolerance tolerance;
     cl::Datum datum{0, {NAN, NAN, NAN}};
-    cl::Frame frame;                   ///< in which coordinates are programmed
-    cl::ToolChange change;             ///< the last one
-    base::Span changed{};              ///< its place
-    cl::StackId changed_from = 0;      ///< its stack
-    bool any_tool = false;             ///< a tool is in use, in the list or not
-    const shop::Tool* tool = nullptr;  ///< that one; null: none, or not in the list
-    std::uint32_t cycles = 0;          ///< brackets of cycles that are open
-    std::uint32_t parts = 0;           ///< the same of calls and repetitions
+    cl::Frame frame;                                    ///< in which coordinates are programmed
+    cl::ToolChange change;                              ///< the last one
+    base::Span changed{};                               ///< its place
+    cl::StackId changed_from = 0;                       ///< its stack
+    bool any_tool = false;                              ///< a tool is in use, in the list or not
+    const shop::Tool* tool = nullptr;                   ///< that one; null: none, or not in the list
+    std::optional<cl::CompensationBegin> compensation;  ///< radius compensation in force
+    std::uint32_t cycles = 0;                           ///< brackets of cycles that are open
+    std::uint32_t parts = 0;                            ///< the same of calls and repetitions
 };
 
 }  // namespace obrys::motion

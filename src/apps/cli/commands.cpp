@@ -86,9 +86,7 @@ int plot_path(const Arguments& a, driver::Session& s) {
     };
     driver::PathPlotter plotter(options, row);
     if (table) out.write(report::table_head(a.interpolation));
-    const auto programmed = [&](geom::Vec3 from, const cl::Record& element) { plotter.programmed(from, element); };
-    const interp::ContourSink contour(programmed);
-    static_cast<void>(driver::interpret(s, plotter, &contour));
+    static_cast<void>(driver::interpret(s, plotter));
     if (driver::refused(s)) {
         print_diagnostics(s, base::Severity::warning);
         return 2;

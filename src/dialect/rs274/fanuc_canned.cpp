@@ -23,9 +23,9 @@ constexpr CannedWord infeed{Code::q, CycleRole::infeed, true, 1};
 /// Words that a cycle itself does not look at: they hold for the next one of the series (Traits::canned_words_stay). Q
 /// of a tap says in which steps it goes down (bit PCP of parameter 5200), J of Haas how fast it comes back: the hole is
 /// the same.
-constexpr CannedWord kept_p{Code::p, CycleRole::stepover, false, 1};
-constexpr CannedWord kept_q{Code::q, CycleRole::stepover, true, 1};
-constexpr CannedWord kept_j{Code::j, CycleRole::stepover, false, 1};
+constexpr CannedWord kept_p{Code::p, CycleRole::kept, false, 1};
+constexpr CannedWord kept_q{Code::q, CycleRole::kept, true, 1};
+constexpr CannedWord kept_j{Code::j, CycleRole::kept, false, 1};
 
 constexpr std::array plain{kept_p, kept_q};
 constexpr std::array dwells{dwell, kept_q};
