@@ -129,12 +129,13 @@ std::optional<double> radius_in_force(const Run& run) {
 
 path::Setting compensation_setting(Run& run) {
     path::Setting s;
-    if (run.modal.compensation == Modal::compensation_off)
-        return run.traits->compensation_holds_move ? held_move_setting(run, 0) : s;
-    s.side = run.modal.compensation == Modal::compensation_left ? path::Side::left : path::Side::right;
+    // The way off goes round the contour's end as the way on goes round its start.
     s.approach = run.modal.approach == Modal::approach_contour ? path::Approach::around : path::Approach::normal;
     s.corner =
         run.modal.corner == Modal::corner_intersection ? path::OuterCorner::intersection : path::OuterCorner::arc;
+    if (run.modal.compensation == Modal::compensation_off)
+        return run.traits->compensation_holds_move ? held_move_setting(run, 0) : s;
+    s.side = run.modal.compensation == Modal::compensation_left ? path::Side::left : path::Side::right;
     if (run.modal.corner_overshoot > 0 && s.corner == path::OuterCorner::arc)
         assume(run, run.here(),
                "DISC=" + base::fixed(run.modal.corner_overshoot, 0) +

@@ -234,7 +234,7 @@ void emit_step(Run& run, cl::Step step) {
     } else if (auto* thread = std::get_if<cl::Thread>(&step)) {
         thread->to = place(thread->to);
     } else if (auto* arc = std::get_if<cl::Arc>(&step)) {
-        auto placed = plane_move(run, plane_arc(*arc), false);
+        auto placed = plane_move(run, plane_arc(*arc), arc->rapid);
         if (!placed) return circle_alarm(run, run.here());
         place(arc->to);
         step = std::move(*placed);

@@ -65,6 +65,7 @@ public:
         arc.to = {p.x, p.y, at().z};
         arc.centre = {centre.x, centre.y, at().z};
         arc.sweep = turn;
+        arc.rapid = rapid_;
         step(arc);
     }
 
@@ -149,15 +150,10 @@ void run_point_cycle(Run& run, const ActiveCycle& c) {
     for (std::size_t i = 0; i < p.at.size() && !run.stopped; ++i) {
         const Vec3 place{p.at[i].x, p.at[i].y, 0};
         way.to_height(i == 0 || p.at_second_clearance ? h.second : h.first);
-        if (i > 0 && p.along_circle) {
+        if (i > 0 && p.along_circle)
             way.along_circle(p.centre, place);
-            assume(
-                run, run.here(),
-                "between the points of " + c.definition->name +
-                    " the tool moves on the circle in rapid traverse: the stream holds the feed of the cycle before");
-        } else {
+        else
             way.to_place(place);
-        }
         CycleValues instead = heights;
         if (!p.at_second_clearance && i + 1 < p.at.size())
             instead.push_back({Role::second_clearance, points.get(Role::clearance)});

@@ -211,14 +211,23 @@ void set_path_mode(Run& run, Modal m, int number) {
     tell_path_mode(run);
 }
 
+bool names_axis(const Run& run) {
+    for (std::size_t k = 0; k < 9; ++k)
+        if (run.block.has(axis_code(static_cast<int>(k)))) return true;
+    return false;
+}
+
 /// Offsets and stored positions: they take the axis words of the block. False where `m` is none of them.
 bool offset_word(Run& run, Modal m, int number) {
     BlockWords& b = run.block;
     switch (m) {
+        case Modal::tool_length_added:
+            if (!b.has(Code::offset_h) && names_axis(run)) b.special = Modal::tool_length_by_axes;
+            tool_length_words(run, m);
+            return true;
         case Modal::tool_length_by_axes: b.special = m; [[fallthrough]];
         case Modal::tool_length:
         case Modal::tool_length_negative:
-        case Modal::tool_length_added:
         case Modal::tool_length_off: tool_length_words(run, m); return true;
         case Modal::set_data:
             b.special = m;

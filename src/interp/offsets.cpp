@@ -393,11 +393,14 @@ void take_length(Run& run, Modal m) {
 void tool_length_words(Run& run, Modal m) {
     std::optional<Axes> by;
     if (m == Modal::tool_length_off) by = Axes{};
-    if (m == Modal::tool_length || m == Modal::tool_length_negative || m == Modal::tool_length_added)
+    const bool adds_axes = m == Modal::tool_length_added && run.block.special == Modal::tool_length_by_axes;
+    if (adds_axes)
+        by = Axes{};
+    else if (m == Modal::tool_length || m == Modal::tool_length_negative || m == Modal::tool_length_added)
         by = length_of_block(run);
     if (run.stopped) return;
-    if (m == Modal::tool_length_by_axes) {
-        by = run.offsets.tool;
+    if (m == Modal::tool_length_by_axes || adds_axes) {
+        if (!adds_axes) by = run.offsets.tool;
         for (std::size_t k = 0; k < 9; ++k)
             if (const auto v = axis_word(run, k)) (*by)[k] = *v;
     }

@@ -185,7 +185,7 @@ void PathStage::push(Run& run, path::Element e, const path::Setting& s, bool rap
     const double offset = s.side == path::Side::off ? 0 : s.side == path::Side::left ? s.radius : -s.radius;
     origins_.push_back({run.here(), run.top().stack, rapid || run.block.rapid, s.radius, offset, run.modal.plunge_part,
                         run.modal.feed_reference, s.clearance == path::Clearance::avoided, fixed_plane_,
-                        run.block.rapid, pulled_out(run), asks_corner(run.block)});
+                        pulled_out(run), asks_corner(run.block)});
     if (!active_) last_.reset();
     active_ = true;
     if (path::moves(e) && !path::moves_in_plane(e)) say_open_corner(run);
@@ -222,10 +222,14 @@ void PathStage::output(Run& run, const path::Output& out) {
     run.record.stack = origin.stack;
     run.feed_shape.plunge = origin.plunge_part;
     run.feed_shape.arc = arc_feed(origin, out);
-    const auto emit_one = [&](const path::Element& e) {
-        emit_element(run, e, origin.rapid && (origin.rapid_arc || !path::is_arc(e)), origin.fixed_plane);
-    };
+    const auto emit_one = [&](const path::Element& e) { emit_element(run, e, origin.rapid, origin.fixed_plane); };
     last_ = out.element.to;
+    if (out.kind == path::Kind::transition && !run.traits->outer_corner_setting.empty() &&
+        !std::exchange(said_outer_corner_, true))
+        assume(run, origin.from,
+               "outer corners under radius compensation are run as arcs about the corner (" +
+                   std::string(run.traits->outer_corner_setting) +
+                   "); otherwise the control goes farther out, to where the parallels cross");
     if (out.kind != path::Kind::transition || !(origin.pulled_out > 0)) return emit_one(out.element);
     for (const path::Element& e : path::pulled_corner(out.element, origin.pulled_out)) emit_one(e);
 }

@@ -50,7 +50,6 @@ private:
         Modal feed_reference = Modal::feed_at_tool;
         bool avoids = false;  ///< looks ahead and leaves out what the tool does not fit into
         bool fixed_plane = false;
-        bool rapid_arc = false;    ///< rapid on arcs, too
         double pulled_out = 0;     ///< part of the way to the crossing that the corner before it goes farther out
         bool asks_corner = false;  ///< by a word of its block
     };
@@ -77,7 +76,7 @@ private:
     std::vector<int> waiting_;
     std::optional<geom::Vec2> last_;  ///< end of the last element that was emitted
     bool active_ = false, fixed_plane_ = false;
-    bool flushing_ = false, holds_ = false;
+    bool flushing_ = false, holds_ = false, said_outer_corner_ = false;
     std::uint32_t idle_blocks_ = 0;  ///< without motion in the plane since the last element
     bool block_moved_ = false;
     path::Side side_ = path::Side::off;          ///< of the last element

@@ -269,6 +269,9 @@ struct Traits {
     /// A chamfer or rounding where the next element goes straight on is none, and no fault.
     bool corner_may_be_tangential = false;
     IdleBlocks compensation_idle_blocks{};
+    /// Says whether outer corners are arcs about the corner, as they are run here, or go out to the crossing of the
+    /// parallels; empty: they are arcs, or as the program says.
+    std::string_view outer_corner_setting{};
     /// Radius compensation is made in the plane of G17 … G19 whatever frames turn, unless the program says otherwise
     /// (Modal::compensation_in_frame); else in the plane as frames turn it.
     bool compensates_in_fixed_plane = false;

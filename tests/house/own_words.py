@@ -102,6 +102,7 @@ OF_ONE = {
     "write SEL TABLE": ["heidenhain"],
     "no tools are given: those of LinuxCNC's": ["linuxcnc"],  # Control::interpreter_tools
     "bit CCV of parameter": ["fanuc"],  # of the table that Haas has another one for
+    "bit CCC of parameter": ["fanuc"],  # Traits::outer_corner_setting
     "bit CIR of parameter": ["fanuc"],
     " does not apply: this control begins with radii": ["linuxcnc"],
     "write G7 in the program": ["linuxcnc"],

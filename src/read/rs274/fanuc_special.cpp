@@ -244,6 +244,16 @@ void drop_machine_position(FanucState& s, BlockWord& word) {
     add_problem(s, Code::unsupported, word.begin, word.end, "machine coordinates as ways from where the tool is");
 }
 
+/// G1 of the block holds from the next one on.
+void run_as_rapid(FanucState& s) {
+    const auto own = std::find_if(s.words.begin(), s.words.end(),
+                                  [](const BlockWord& w) { return w.code == Code::modal && w.modal == Modal::linear; });
+    if (own == s.words.end()) return;
+    own->modal = Modal::rapid;
+    own->payload = program::modal_word(Modal::rapid, 0);
+    s.restore_motion = true;
+}
+
 /// G53 moves in rapid traverse whatever holds; what held comes back behind it.
 void machine_position(FanucState& s) {
     const auto found = std::find_if(s.words.begin(), s.words.end(), [](const BlockWord& w) {
@@ -256,7 +266,8 @@ void machine_position(FanucState& s) {
                            "machine coordinates while a hole cycle is in force: write G80 before them");
     }
     if (is_incremental_block(s)) return drop_machine_position(s, *found);
-    if (s.own_motion || s.motion == Modal::rapid) return;
+    if (s.motion == Modal::rapid || (s.own_motion && (s.control.haas || s.motion != Modal::linear))) return;
+    if (s.own_motion) return run_as_rapid(s);
     const std::uint32_t begin = found->begin, end = found->end;
     add_modal(s, Order::motion, Modal::rapid, 0, begin, end);
     s.restore_motion = true;
