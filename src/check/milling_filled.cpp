@@ -39,6 +39,7 @@ constexpr double side = 8;            ///< steps: places are looked at together 
 constexpr std::size_t batch_of_cubes = 256;
 constexpr std::size_t most_measured = 12;  ///< places of a cube
 constexpr int most_looks_through = 2000;   ///< on a way out
+constexpr double same_way = 1e-6;          ///< mm
 constexpr std::size_t most_ways_out = 40;  ///< of a place, the shortest first
 constexpr int most_steps = 2000;
 constexpr std::size_t proof_cells = 3000;
@@ -221,15 +222,17 @@ bool Filled::leads_through(Vec3 from, Vec3 to) const {
 
 /// The shortest way out that does not lead through the part, as through a wall into the pocket behind it.
 std::optional<Filled::Top> Filled::beside_part(const milling::Air& air, Vec3 at, double reach) const {
+    // Of bodies as far away as each other the first: a tool drawn back the way it came has cut nothing there.
     std::vector<std::pair<double, std::size_t>> ways;
     for (std::size_t body = 0; body < air.bodies(); ++body)
         if (const double outside = air.outside(body, at, reach); outside > 0 && outside < reach)
-            ways.emplace_back(outside, body);
+            ways.emplace_back(std::round(outside / same_way), body);
     const std::size_t some = std::min(ways.size(), most_ways_out);
     std::partial_sort(ways.begin(), ways.begin() + static_cast<std::ptrdiff_t>(some), ways.end());
     for (std::size_t i = 0; i < some; ++i) {
-        const Vec3 out = at + ways[i].first * way_out(air, ways[i].second, at);
-        if (!leads_through(at, out)) return Top{out, ways[i].second};
+        const std::size_t body = ways[i].second;
+        const Vec3 out = at + air.outside(body, at) * way_out(air, body, at);
+        if (!leads_through(at, out)) return Top{out, body};
     }
     return std::nullopt;
 }

@@ -4,13 +4,13 @@ A body is (r0, z0, r1, z1, rounding): the hull of two rings about the axis, grow
 """
 import math
 
-LENGTH = 100.0
+LENGTH = 90.0
 CUTTING = 60.0
 
 
 class Tool:
     def __init__(self, keys, bodies):
-        self.keys = {**keys, "length": LENGTH}
+        self.keys = {**keys, "length": max(LENGTH, keys.get("cutting_length", 0.0))}
         self.bodies = bodies
 
     def reach(self, way):
