@@ -16,7 +16,7 @@ SCALE, LEFT, TOP = 20.0, 40.0, 30.0  # px a mm; px
 def passes(obrys, folder):
     run = subprocess.run([obrys, "run", str(folder / "profile.job.toml")], capture_output=True, text=True, check=False)
     for line in run.stdout.splitlines():
-        if line.startswith('cycle "CYCL DEF 25"'):
+        if line.startswith('cycle contour-train "CYCL DEF 25"'):
             q = {name: float(value) for name, value in re.findall(r'"(Q\d+)" (\S+)', line)}
             yield q["Q3"] + TIP, q["Q1"] + TIP
 

@@ -57,7 +57,7 @@ class Shop:
     def passes(self, lines):
         """The calls of cycle 25 with their parameters; None in the list separates the sections (markers Q5)."""
         return [{q: float(v) for q, v in re.findall(r'"(Q\d+)" (\S+)', line)}
-                for line in self.obrys(lines).splitlines() if line.startswith('cycle "CYCL DEF 25"')]
+                for line in self.obrys(lines).splitlines() if line.startswith('cycle contour-train "CYCL DEF 25"')]
 
     def end(self, lines):
         return dict((name, float(value)) for name, value in
@@ -305,7 +305,7 @@ class Profile(unittest.TestCase):
         self.assertEqual([s.program for s in sections], ["BEVEL", "RADIUS", "RADIUS", "BEVEL"])
         done = subprocess.run([OBRYS, "run", str(FOLDER / "profile.job.toml")], capture_output=True, text=True, check=False)
         passes = [{q: float(v) for q, v in re.findall(r'"(Q\d+)" (\S+)', line)}
-                  for line in done.stdout.splitlines() if line.startswith('cycle "CYCL DEF 25"')]
+                  for line in done.stdout.splitlines() if line.startswith('cycle contour-train "CYCL DEF 25"')]
         self.assertNotIn("message", done.stdout)
         for section in sections:
             n = min(section.steps)

@@ -13,7 +13,7 @@ import tempfile
 TOLERANCE = 1e-9
 # How often the printed programs call the cycle can depend on the last bit of a sum: where the file lists comparisons of
 # nearly equal numbers, it gives the count of exact comparison and that of one with a tolerance.
-CYCLE = 'cycle "CYCL DEF 25" '
+CYCLE = 'cycle contour-train "CYCL DEF 25" '
 
 
 def run(command):
@@ -36,7 +36,7 @@ def calls(stream):
     found = []
     for line in stream.splitlines():
         if line.startswith(CYCLE):
-            words = line[len(CYCLE):].split()
+            words = line.split(" written ", 1)[1].split()
             found.append({k.strip('"'): float(v) for k, v in zip(words[::2], words[1::2]) if k.startswith('"')})
     return found
 

@@ -62,6 +62,7 @@ def web(random, tolerance):
 def crests(random, tolerance):
     """Rows of a ball, as far apart as leaves crests of a wanted height."""
     program, high, r = begin(random), width_of(random, tolerance), random.choice([3.0, 5.0, 8.0])
+    high = min(high, 0.95)  # the stock is 1 mm higher
     apart = 2 * math.sqrt(2 * r * high - high * high)
     half = min(10.0, 20 * apart)
     lo, hi = (-half, -8.0, -8.0), (half, 8.0, 0.0)
