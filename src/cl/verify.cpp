@@ -178,7 +178,7 @@ void Verifier::check(const Record& r, const PartEnd&) {
 
 void Verifier::check(const Record& r, const CompensationBegin& s) {
     if (compensation_) complain(r, base::codes::unclosed, "radius compensation begins while another one is in force");
-    if (!std::isfinite(s.radius)) complain(r, base::codes::value_range, "the radius of a compensation is not finite");
+    if (std::isinf(s.radius)) complain(r, base::codes::value_range, "the radius of a compensation is not finite");
     compensation_ = r;
 }
 

@@ -93,7 +93,7 @@ TEST(Verify, CompensationIsOneAtATimeAndEnds) {
     EXPECT_EQ(complaints({left}), Codes{"unclosed"});
     EXPECT_EQ(complaints({CompensationEnd{}}), Codes{"unclosed"});
     EXPECT_EQ(complaints({left, left, CompensationEnd{}}), Codes{"unclosed"});
-    EXPECT_EQ(complaints({CompensationBegin{CompensationSide::left, NAN, 1, Approach::normal}, CompensationEnd{}}),
+    EXPECT_EQ(complaints({CompensationBegin{CompensationSide::left, INFINITY, 1, Approach::normal}, CompensationEnd{}}),
               Codes{"value-range"});
     EXPECT_EQ(complaints({Programmed{{0, 0, 0}, {INFINITY, 0, 0}, {}}}), Codes{"value-range"});
     EXPECT_EQ(complaints({Programmed{{0, 0, 0}, {10, 0, 0}, {5, 0, 0}, {0, 1, 1}, 3}}), Codes{"value-range"});

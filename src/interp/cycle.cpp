@@ -310,6 +310,9 @@ CycleValues said_once(const cycles::Demand& demand) {
     for (const cl::CycleValue& v : demand.values)
         if (std::none_of(out.begin(), out.end(), [&](const cl::CycleValue& o) { return o.role == v.role; }))
             out.push_back({v.role, demand.get(v.role)});
+    for (cl::CycleValue& v : out)  // feeds may be rapid; beyond all numbers nothing is known
+        if (std::isinf(v.value) && v.role != cl::CycleRole::feed_position && v.role != cl::CycleRole::feed_retract)
+            v.value = NAN;
     return out;
 }
 

@@ -121,7 +121,14 @@ void PathStage::tell_end(Run& run) {
     if (holds_)
         hold(end);
     else
-        send_plain(run, end);
+        send_event(run, end);
+}
+
+/// An element that an alarm refuses takes its events with it: compensation ends only where it has begun.
+void PathStage::send_event(Run& run, const cl::Record& record) {
+    if (std::holds_alternative<cl::CompensationBegin>(record.step)) begun_ = true;
+    if (std::holds_alternative<cl::CompensationEnd>(record.step) && !std::exchange(begun_, false)) return;
+    send(run, record);
 }
 
 void PathStage::tell_programmed(Run& run, const path::Element& e, bool rapid) {
@@ -214,7 +221,7 @@ double PathStage::arc_feed(const Origin& origin, const path::Output& out) {
 }
 
 void PathStage::output(Run& run, const path::Output& out) {
-    for (const int event : out.element.before) send(run, events_[static_cast<std::size_t>(event)]);
+    for (const int event : out.element.before) send_event(run, events_[static_cast<std::size_t>(event)]);
     // A zero move only brings its events, but for controls that run it.
     if (!path::moves(out.element) && (!run.traits->compensation_holds_move || out.kind == path::Kind::events)) return;
     const Origin& origin = origins_[out.element.tag];
@@ -250,7 +257,7 @@ void PathStage::flush(Run& run) {
     flushing_ = true;
     say_open_corner(run);
     report(run, path_.flush([&](const path::Output& o) { output(run, o); }));
-    for (const int event : waiting_) send(run, events_[static_cast<std::size_t>(event)]);
+    for (const int event : waiting_) send_event(run, events_[static_cast<std::size_t>(event)]);
     waiting_.clear();
     holds_ = false;
     forget();

@@ -60,6 +60,7 @@ private:
     void say_open_corner(Run& run);
     [[nodiscard]] static double arc_feed(const Origin& origin, const path::Output& out);
     [[nodiscard]] path::CornerRequest corner_request(Run&);
+    void send_event(Run&, const cl::Record& record);
     void tell_begin(Run&, const path::Setting& s);
     void tell_programmed(Run&, const path::Element& e, bool rapid);
     [[nodiscard]] int keep(const cl::Record& record);
@@ -82,6 +83,7 @@ private:
     path::Side side_ = path::Side::off;          ///< of the last element
     std::optional<geom::Vec2> direction_;        ///< at its end
     std::optional<cl::CompensationBegin> told_;  ///< what the stream, or a record that waits, has begun
+    bool begun_ = false;                         ///< the stream has
 };
 
 /// What the modal state says to radius compensation; a tool whose radius is not known is reported.
