@@ -20,15 +20,21 @@ Linear linear(Words& w, bool rapid) {
     return s;
 }
 
-Arc arc(Words& w) {
-    Arc s;
-    s.to = w.vec();
-    w.expect("centre");
+/// Behind `centre`, of an Arc or a programmed one.
+template <class Circle>
+void circle(Words& w, Circle& s) {
     s.centre = w.vec();
     w.expect("normal");
     s.normal = w.vec();
     w.expect("sweep");
     s.sweep = w.number();
+}
+
+Arc arc(Words& w) {
+    Arc s;
+    s.to = w.vec();
+    w.expect("centre");
+    circle(w, s);
     s.rapid = w.accept("rapid");
     return s;
 }
@@ -245,13 +251,7 @@ Programmed programmed(Words& w) {
     s.from = w.vec();
     w.expect("to");
     s.to = w.vec();
-    if (w.accept("centre")) {
-        s.centre = w.vec();
-        w.expect("normal");
-        s.normal = w.vec();
-        w.expect("sweep");
-        s.sweep = w.number();
-    }
+    if (w.accept("centre")) circle(w, s);
     s.rapid = w.accept("rapid");
     for (std::size_t i = 0; i < corners.size() && s.corner == Corner::none; ++i)
         if (w.accept(corners[i])) s.corner = static_cast<Corner>(i + 1), s.size = w.number();

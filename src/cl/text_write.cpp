@@ -55,6 +55,17 @@ void affine(std::string& out, const geom::Frame& frame) {
     for (const double v : frame.linear) number(out, v);
 }
 
+/// Of an Arc or a programmed one.
+template <class Circle>
+void circle(std::string& out, const Circle& s) {
+    out += " centre";
+    vec(out, s.centre);
+    out += " normal";
+    vec(out, s.normal);
+    out += " sweep";
+    number(out, s.sweep);
+}
+
 struct StepWriter {
     std::string& out;
 
@@ -68,12 +79,7 @@ struct StepWriter {
     void operator()(const Arc& s) const {
         out += "arc";
         vec(out, s.to);
-        out += " centre";
-        vec(out, s.centre);
-        out += " normal";
-        vec(out, s.normal);
-        out += " sweep";
-        number(out, s.sweep);
+        circle(out, s);
         if (s.rapid) out += " rapid";
     }
     void operator()(const Spline& s) const {
@@ -229,14 +235,7 @@ struct StepWriter {
         vec(out, s.from);
         out += " to";
         vec(out, s.to);
-        if (s.sweep != 0) {
-            out += " centre";
-            vec(out, s.centre);
-            out += " normal";
-            vec(out, s.normal);
-            out += " sweep";
-            number(out, s.sweep);
-        }
+        if (s.sweep != 0) circle(out, s);
         if (s.rapid) out += " rapid";
         if (s.corner == Corner::none) return;
         out += ' ';

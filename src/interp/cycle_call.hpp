@@ -24,7 +24,7 @@ void report(Run&, const ActiveCycle&, const std::vector<cycles::Complaint>&);
 /// Opens the cycle's bracket in the stream: at the place where the tool stands, with what the call says.
 void begin_cycle(Run&, const ActiveCycle&, const CycleValues& instead = {}, const Calling& calling = {});
 /// As above, of a cycle that is no definition; `name` as the control writes it.
-void begin_bracket(Run&, cycles::Demand, std::string_view name, const Calling& calling = {},
+void begin_bracket(Run&, const cycles::Demand&, std::string_view name, const Calling& calling = {},
                    std::vector<cl::CycleParameter> written = {});
 /// Closes the bracket that was opened last.
 void end_bracket(Run&);

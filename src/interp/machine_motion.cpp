@@ -94,13 +94,6 @@ void unknown_machine_position(Run& run) {
                   " = { x = 0.0, y = 0.0, z = -350.0 }");
 }
 
-/// Sent at once: radius compensation, which holds nothing back here, would keep it for its next element.
-void send_now(Run& run, cl::Step step) {
-    if (run.capture != nullptr) return;
-    run.record = {std::move(step), run.here(), run.top().stack};
-    send_plain(run, run.record);
-}
-
 /// Radius compensation goes on from the contour's point in axes that a block in between did not move.
 class ContourPoint {
 public:
@@ -209,9 +202,9 @@ void retract_tool(Run& run) {
     geom::Vec3 to = run.position;
     for (int k = 0; k < 3; ++k)  // where the way is not known, the other axes still are
         if (coordinate(run.tool_axis, k) != 0) coordinate(to, k) += way * coordinate(run.tool_axis, k);
-    if (feeds) send_now(run, cl::Feed{b.get(Code::e) * feed_factor(run), run.modal.feed_mode});
+    if (feeds) emit(run, cl::Feed{b.get(Code::e) * feed_factor(run), run.modal.feed_mode});
     go_to(run, to, !feeds);
-    if (feeds && run.feed_valid) send_now(run, cl::Feed{run.feed, run.modal.feed_mode});
+    if (feeds && run.feed_valid) emit(run, cl::Feed{run.feed, run.modal.feed_mode});
     contour.keep(run, 1U << static_cast<unsigned>(plane_axes(run.modal.plane).w));
 }
 

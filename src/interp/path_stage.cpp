@@ -95,7 +95,12 @@ void PathStage::push(Run& run, path::Element e, bool rapid) {
     const path::Setting s = compensation_setting(run);
     tell_begin(run, s);
     tell_programmed(run, e, rapid);
-    push(run, std::move(e), s, rapid);
+    take(run, std::move(e), s, rapid);
+}
+
+void PathStage::push(Run& run, path::Element e, const path::Setting& s) {
+    tell_begin(run, s);
+    take(run, std::move(e), s, false);
 }
 
 /// Compensation that begins or becomes another one.
@@ -183,9 +188,8 @@ void PathStage::judge_idle_blocks(Run& run, const path::Element& e, const path::
     direction_ = path::end_direction(e);
 }
 
-void PathStage::push(Run& run, path::Element e, const path::Setting& s, bool rapid) {
+void PathStage::take(Run& run, path::Element e, const path::Setting& s, bool rapid) {
     judge_idle_blocks(run, e, s);
-    tell_begin(run, s);
     e.tag = origins_.size();
     e.before = std::move(waiting_);
     waiting_.clear();

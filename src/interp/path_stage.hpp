@@ -22,7 +22,7 @@ public:
     /// Takes one element of the block being run, in plane coordinates of the programmed frame.
     void push(Run&, path::Element element, bool rapid);
     /// As above with a setting of its own, of an element that nobody has programmed.
-    void push(Run&, path::Element element, const path::Setting& setting, bool rapid = false);
+    void push(Run&, path::Element element, const path::Setting& setting);
     /// The block that was run is behind: whether it moved in the plane counts under radius compensation.
     void end_block(const Run&);
     /// Keeps a record that must come out before the next element.
@@ -60,6 +60,7 @@ private:
     void say_open_corner(Run& run);
     [[nodiscard]] static double arc_feed(const Origin& origin, const path::Output& out);
     [[nodiscard]] path::CornerRequest corner_request(Run&);
+    void take(Run&, path::Element element, const path::Setting& setting, bool rapid);
     void send_event(Run&, const cl::Record& record);
     void tell_begin(Run&, const path::Setting& s);
     void tell_programmed(Run&, const path::Element& e, bool rapid);
