@@ -209,14 +209,16 @@ void run_holes(Run& run, const program::CannedCycle& c, const PlaneAxes& a) {
     const double initial = run.canned.initial_level;
     const bool polar = run.block.has(Code::polar_radius) || run.block.has(Code::polar_angle);
     const auto passes = base::clipped<std::uint64_t>(*count, 1, static_cast<std::uint64_t>(most_holes));
+    std::uint64_t pass = 0;
     for (double i = 0; i < *count && !run.stopped; ++i) {
+        ++pass;
         if (i > 0 && polar) target = programmed_target(run);  // turns and grows from hole to hole
         const geom::Vec3 at = run.modal.absolute || polar ? target : start + (i + 1) * step;
         const cycles::Demand demand = demand_at(run, c, into_plane(at, a), initial);
         if (i == 0 && !begin_series(run, c, demand, initial)) return;
         cycles::Expansion e = cycles::expand(demand, situation_of(run));
         if (!report_expansion(run, c.name, e)) return;
-        emit_hole(run, c, demand, e, {cl::CycleCall::modal, static_cast<std::uint64_t>(i) + 1, passes});
+        emit_hole(run, c, demand, e, {cl::CycleCall::modal, pass, passes});
         if (!e.simulated) return;  // nor is any hole behind it: where the tool stands is not known
         if (c.turns_axes && run.modal.plane != 17) {  // the control takes itself to be where it should be
             const geom::Vec3 there = into_plane(at, a);
