@@ -57,6 +57,8 @@ inline constexpr std::string_view bad_argument = "bad-argument";
 inline constexpr std::string_view compensation = "compensation";
 inline constexpr std::string_view contour = "contour";
 inline constexpr std::string_view repeated_word = "repeated-word";
+inline constexpr std::string_view not_written = "not-written";
+inline constexpr std::string_view runs_otherwise = "runs-otherwise";
 // not understood, or not run
 inline constexpr std::string_view syntax = "syntax";
 inline constexpr std::string_view unknown_word = "unknown-word";
@@ -77,6 +79,7 @@ inline constexpr std::string_view job_value = "job-value";
 inline constexpr std::string_view mesh_file = "mesh-file";
 // listed only
 inline constexpr std::string_view no_effect = "no-effect";
+inline constexpr std::string_view written_by_moves = "written-by-moves";
 inline constexpr std::string_view assumption = "assumption";
 }  // namespace codes
 
@@ -115,6 +118,10 @@ inline constexpr std::array all_codes{
     Code{codes::contour, CodeKind::finding,
          "contour elements that are not determined, contradict each other or do not join"},
     Code{codes::repeated_word, CodeKind::finding, "an address, or two words of one group, twice in a block"},
+    Code{codes::not_written, CodeKind::finding,
+         "what a translated program does not say, since its control or post cannot"},
+    Code{codes::runs_otherwise, CodeKind::finding,
+         "what a translated program does otherwise than the one it comes from"},
     Code{codes::syntax, CodeKind::unchecked, "text that does not follow the control's grammar"},
     Code{codes::undefined_name, CodeKind::unchecked,
          "a name that is not defined in the programs and definition files at hand"},
@@ -136,6 +143,7 @@ inline constexpr std::array all_codes{
     Code{codes::mesh_file, CodeKind::input,
          "a file of a body (STL, STEP) that cannot be read: damaged, cut off, without content or without its module"},
     Code{codes::no_effect, CodeKind::info, "a known word without effect on motion"},
+    Code{codes::written_by_moves, CodeKind::info, "what a translated program says by its moves alone"},
     Code{codes::assumption, CodeKind::info, "something assumed because the input does not say it"},
 };
 

@@ -4,6 +4,7 @@
 /// (the point the control moves). On lathes x is a radius. A coordinate that is not known yet is NaN.
 
 #include <array>
+#include <cmath>
 #include <cstdint>
 #include <optional>
 #include <string>
@@ -103,7 +104,39 @@ struct ToolChange {
     std::uint32_t edge = 0;    ///< cutting edge (D); 0 = no offsets
     std::string name;
     double raised = 0;  ///< mm by which the tip stands above the points of the moves, along the tool (HEIDENHAIN DL)
+    double wider = 0;   ///< mm that radius compensation takes its radius to be larger (HEIDENHAIN DR)
+    bool standing = false;  ///< it is in the spindle already: no change is made (M61; the job says so)
     bool operator==(const ToolChange&) const = default;
+};
+
+/// What the program itself says a tool is (TOOL DEF).
+struct ToolData {
+    std::uint32_t number = 0, edge = 1;
+    std::optional<double> length{}, radius{};  ///< mm
+    bool operator==(const ToolData&) const = default;
+};
+
+/// Compensation of the tool's length from here on, where a program says it apart from the tool (G43 H); points are
+/// those of the tip all the same.
+struct ToolLength {
+    std::int8_t sense = 0;           ///< +1 added (G43), -1 subtracted (G44), 0 off (G49)
+    std::uint32_t offset = 0;        ///< its number (H); 0: `by` says it
+    std::optional<geom::Vec3> by{};  ///< mm (G43.1)
+    bool operator==(const ToolLength&) const = default;
+};
+
+enum class PlaceKind : std::uint8_t {
+    coordinates,  ///< as the program says them (G53, SUPA, M91)
+    home,         ///< a reference point (G28, G74)
+    fixed,        ///< another place that the machine keeps (G75)
+};
+/// The next move leads to a place of the machine along these axes, however the workpiece lies.
+struct MachinePlace {
+    PlaceKind kind = PlaceKind::coordinates;
+    std::uint8_t number = 1;       ///< of reference points and fixed ones: which
+    std::array<bool, 3> axes{};    ///< X, Y, Z go there
+    geom::Vec3 to{NAN, NAN, NAN};  ///< machine coordinates as the control counts them, mm; NaN: not known
+    bool operator==(const MachinePlace&) const = default;
 };
 
 /// Synchronised thread pass: moves like Linear, spindle and axis coupled.
@@ -283,6 +316,8 @@ struct CompensationBegin {
     double radius = 0;         ///< mm; negative: the other side
     std::uint32_t offset = 0;  ///< D, or the tool's edge; 0: none
     Approach approach = Approach::normal;
+    bool sharp = false;          ///< outer corners go out to the crossing of the parallels (G451); else arcs
+    geom::Vec3 normal{0, 0, 1};  ///< of the plane in which it acts
     bool operator==(const CompensationBegin&) const = default;
 };
 struct CompensationEnd {
@@ -304,7 +339,30 @@ struct Programmed {
     bool rapid = false;
     Corner corner = Corner::none;  ///< at its end
     double size = 0;               ///< of that, mm in the programmed frame
+    double corner_feed = 0;        ///< of that alone (FRC, RND F), as Feed counts it; 0: none of its own
     bool operator==(const Programmed&) const = default;
+};
+
+enum class LeadKind : std::uint8_t {
+    tangent_line,  ///< along the contour's tangent (APPR LT)
+    normal_line,   ///< square to the contour (APPR LN)
+    tangent_arc,   ///< on an arc that ends along the contour (APPR CT)
+    arc_and_line,  ///< the same, with a line that is tangential to the arc (APPR LCT)
+};
+/// The records up to the matching LeadEnd are the control's own way onto a contour or off it.
+struct LeadBegin {
+    LeadKind kind = LeadKind::tangent_line;
+    bool onto = true;  ///< the contour; else off it
+    geom::Vec3 at;     ///< onto: the contour's first point; off by arc_and_line: the point to go to; else where it ends
+    double length = 0;  ///< of the line, mm
+    double radius = 0;  ///< of the arc that the tool's centre runs, mm; negative: on the other side
+    double angle = 0;   ///< of the arc, radians
+    bool rapid = false;
+    double feed = 0;  ///< of it alone, as Feed counts it; 0: none of its own
+    bool operator==(const LeadBegin&) const = default;
+};
+struct LeadEnd {
+    bool operator==(const LeadEnd&) const = default;
 };
 
 enum class PartKind : std::uint8_t {
@@ -326,9 +384,10 @@ struct PartEnd {
 };
 
 /// One step of the tool's life. Closed on purpose: a new kind must break every visitor that names all kinds.
-using Step = std::variant<Linear, Arc, Spline, Axis, Thread, Dwell, Feed, Spindle, ToolChange, Coolant, Stop, Comment,
-                          Datum, Frame, Tolerance, Auxiliary, Setting, CycleBegin, CycleEnd, PartBegin, PartEnd,
-                          CompensationBegin, CompensationEnd, Programmed>;
+using Step =
+    std::variant<Linear, Arc, Spline, Axis, MachinePlace, Thread, Dwell, Feed, Spindle, ToolChange, ToolData,
+                 ToolLength, Coolant, Stop, Comment, Datum, Frame, Tolerance, Auxiliary, Setting, CycleBegin, CycleEnd,
+                 PartBegin, PartEnd, CompensationBegin, CompensationEnd, Programmed, LeadBegin, LeadEnd>;
 
 /// Identifies a call stack in `CallStacks`; 0 is the main program.
 using StackId = std::uint32_t;

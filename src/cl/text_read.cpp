@@ -145,6 +145,54 @@ ToolChange tool(Words& w) {
     s.edge = w.accept("?") ? unknown_tool : w.integer<std::uint32_t>();
     s.name = w.quoted();
     if (w.accept("raised")) s.raised = w.number();
+    if (w.accept("wider")) s.wider = w.number();
+    s.standing = w.accept("standing");
+    return s;
+}
+
+ToolData tool_data(Words& w) {
+    ToolData s;
+    s.number = w.integer<std::uint32_t>();
+    w.expect("edge");
+    s.edge = w.integer<std::uint32_t>();
+    if (w.accept("length")) s.length = w.number();
+    if (w.accept("radius")) s.radius = w.number();
+    return s;
+}
+
+LeadBegin lead(Words& w) {
+    LeadBegin s;
+    s.onto = w.choice<2>({"onto", "off"}) == 0;
+    s.kind = static_cast<LeadKind>(w.choice(lead_kinds));
+    w.expect("at");
+    s.at = w.vec();
+    if (w.accept("length")) s.length = w.number();
+    if (w.accept("radius")) s.radius = w.number();
+    if (w.accept("angle")) s.angle = w.number();
+    if (w.accept("feed")) s.feed = w.number();
+    s.rapid = w.accept("rapid");
+    return s;
+}
+
+ToolLength tool_length(Words& w) {
+    ToolLength s;
+    constexpr std::array<std::int8_t, 3> senses{0, 1, -1};
+    s.sense = senses[w.choice<3>({"off", "added", "subtracted"})];
+    if (s.sense == 0) return s;
+    w.expect("offset");
+    s.offset = w.integer<std::uint32_t>();
+    if (w.accept("by")) s.by = w.vec();
+    return s;
+}
+
+MachinePlace machine_place(Words& w) {
+    MachinePlace s;
+    s.kind = static_cast<PlaceKind>(w.choice(place_kinds));
+    if (w.ok() && !w.peek().empty() && w.peek().front() >= '0' && w.peek().front() <= '9')
+        s.number = w.integer<std::uint8_t>();
+    if ((s.axes[0] = w.accept("x"))) s.to.x = w.number();
+    if ((s.axes[1] = w.accept("y"))) s.to.y = w.number();
+    if ((s.axes[2] = w.accept("z"))) s.to.z = w.number();
     return s;
 }
 
@@ -243,6 +291,8 @@ CompensationBegin compensation(Words& w) {
     w.expect("offset");
     s.offset = w.integer<std::uint32_t>();
     s.approach = static_cast<Approach>(w.choice(approaches));
+    s.sharp = w.accept("sharp");
+    if (w.accept("normal")) s.normal = w.vec();
     return s;
 }
 
@@ -255,6 +305,7 @@ Programmed programmed(Words& w) {
     s.rapid = w.accept("rapid");
     for (std::size_t i = 0; i < corners.size() && s.corner == Corner::none; ++i)
         if (w.accept(corners[i])) s.corner = static_cast<Corner>(i + 1), s.size = w.number();
+    if (s.corner != Corner::none && w.accept("feed")) s.corner_feed = w.number();
     return s;
 }
 
@@ -272,6 +323,11 @@ std::optional<Step> step(Words& w) {
     if (kind == "feed") return feed(w);
     if (kind == "spindle") return spindle(w);
     if (kind == "tool") return tool(w);
+    if (kind == "tool-data") return tool_data(w);
+    if (kind == "lead") return lead(w);
+    if (kind == "lead-end") return LeadEnd{};
+    if (kind == "length") return tool_length(w);
+    if (kind == "machine") return machine_place(w);
     if (kind == "coolant") return coolant(w);
     if (kind == "stop") return Stop{static_cast<StopKind>(w.choice<3>({"program", "optional", "end"}))};
     if (kind == "comment" || kind == "message") return Comment{w.quoted(), kind == "message", false};

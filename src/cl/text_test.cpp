@@ -80,9 +80,41 @@ Programmed any_programmed() {
     if (p.sweep == 0) p.centre = {}, p.normal = {0, 0, 1}, p.sweep = 0;
     p.rapid = *rc::gen::arbitrary<bool>();
     p.corner = any_of(Corner::rounding);
-    if (p.corner != Corner::none) p.size = number();
+    if (p.corner != Corner::none) p.size = number(), p.corner_feed = number();
     return p;
 }
+
+MachinePlace any_place() {
+    MachinePlace p;
+    p.kind = any_of(PlaceKind::fixed);
+    p.number = *rc::gen::inRange<std::uint8_t>(1, 4);
+    p.axes = {*rc::gen::arbitrary<bool>(), *rc::gen::arbitrary<bool>(), *rc::gen::arbitrary<bool>()};
+    if (p.axes[0]) p.to.x = number();
+    if (p.axes[1]) p.to.y = number();
+    if (p.axes[2]) p.to.z = number();
+    return p;
+}
+
+ToolLength any_length() {
+    ToolLength l{*rc::gen::element<std::int8_t>(-1, 0, 1), 0, {}};
+    if (l.sense == 0) return l;
+    l.offset = *rc::gen::arbitrary<std::uint32_t>();
+    if (*rc::gen::arbitrary<bool>()) l.by = vec();
+    return l;
+}
+
+LeadBegin any_lead() {
+    return {any_of(LeadKind::arc_and_line),
+            *rc::gen::arbitrary<bool>(),
+            vec(),
+            number(),
+            number(),
+            number(),
+            *rc::gen::arbitrary<bool>(),
+            number()};
+}
+
+std::optional<double> perhaps() { return *rc::gen::arbitrary<bool>() ? std::optional(number()) : std::nullopt; }
 
 Step any_step(std::size_t kind) {
     switch (kind) {
@@ -97,7 +129,10 @@ Step any_step(std::size_t kind) {
             return Spindle{number(), *rc::gen::element(SpindleMode::rpm, SpindleMode::surface),
                            *rc::gen::element<std::int8_t>(-1, 0, 1), number(),
                            *rc::gen::arbitrary<bool>() ? std::optional(number()) : std::nullopt};
-        case 7: return ToolChange{*rc::gen::arbitrary<std::uint32_t>(), *rc::gen::arbitrary<std::uint32_t>(), text()};
+        case 7:
+            return ToolChange{
+                *rc::gen::arbitrary<std::uint32_t>(), *rc::gen::arbitrary<std::uint32_t>(), text(), number(), number(),
+                *rc::gen::arbitrary<bool>()};
         case 8: return Coolant{*rc::gen::arbitrary<bool>(), *rc::gen::arbitrary<bool>()};
         case 9: return Stop{*rc::gen::element(StopKind::program, StopKind::optional, StopKind::end)};
         case 10: {
@@ -131,10 +166,18 @@ Step any_step(std::size_t kind) {
                              *rc::gen::element(Filter::none, Filter::finishing, Filter::semi_finishing,
                                                Filter::roughing, Filter::precision)};
         case 21:
-            return CompensationBegin{any_of(CompensationSide::right), number(), *rc::gen::arbitrary<std::uint32_t>(),
-                                     any_of(Approach::smooth)};
+            return CompensationBegin{any_of(CompensationSide::right),      number(),
+                                     *rc::gen::arbitrary<std::uint32_t>(), any_of(Approach::smooth),
+                                     *rc::gen::arbitrary<bool>(),          vec()};
         case 22: return CompensationEnd{};
         case 23: return any_programmed();
+        case 24: return any_place();
+        case 25: return any_length();
+        case 26:
+            return ToolData{*rc::gen::arbitrary<std::uint32_t>(), *rc::gen::arbitrary<std::uint32_t>(), perhaps(),
+                            perhaps()};
+        case 27: return any_lead();
+        case 28: return LeadEnd{};
         default: return CycleEnd{};
     }
 }
@@ -175,9 +218,19 @@ struct Mark {
     void operator()(Frame& s) const {
         for (FramePart& p : s.parts) mark(p.frame);
     }
-    void operator()(CompensationBegin& s) const { mark(s.radius); }
+    void operator()(CompensationBegin& s) const { mark(s.radius), mark(s.normal); }
+    void operator()(ToolChange& s) const { mark(s.raised), mark(s.wider); }
+    void operator()(ToolData& s) const {
+        if (s.length) mark(*s.length);
+        if (s.radius) mark(*s.radius);
+    }
+    void operator()(ToolLength& s) const {
+        if (s.by) mark(*s.by);
+    }
+    void operator()(MachinePlace& s) const { mark(s.to); }
+    void operator()(LeadBegin& s) const { mark(s.at), mark(s.length), mark(s.radius), mark(s.angle), mark(s.feed); }
     void operator()(Programmed& s) const {
-        mark(s.from), mark(s.to), mark(s.centre), mark(s.normal), mark(s.sweep), mark(s.size);
+        mark(s.from), mark(s.to), mark(s.centre), mark(s.normal), mark(s.sweep), mark(s.size), mark(s.corner_feed);
     }
     void operator()(Setting& s) const {
         for (double& v : s.values) mark(v);
@@ -222,6 +275,12 @@ TEST(Text, LooksAsDocumented) {
                        {1, 2, 3},
                        0}),
               "spline 1 2 3 k3 10 11 12 k2 7 8 9 k1 4 5 6 \"A\" 1 4 3 2 deg @1:2-3");
+    EXPECT_EQ(to_text({MachinePlace{PlaceKind::home, 2, {true, false, true}, {0, NAN, NAN}}, {}, 0}),
+              "machine home 2 x 0 z ? @0:0-0");
+    EXPECT_EQ(to_text({ToolLength{1, 5, {}}, {}, 0}), "length added offset 5 @0:0-0");
+    EXPECT_EQ(to_text({ToolData{3, 1, 0, 5}, {}, 0}), "tool-data 3 edge 1 length 0 radius 5 @0:0-0");
+    EXPECT_EQ(to_text({LeadBegin{LeadKind::tangent_arc, false, {1, 2, 3}, 0, 5, 1.5}, {}, 0}),
+              "lead off tangent-arc at 1 2 3 radius 5 angle 1.5 @0:0-0");
     EXPECT_EQ(to_text({Tolerance{0.05, 0.5, Filter::semi_finishing}, {}, 0}),
               "tolerance 0.05 rotary 0.5 semi-finishing @0:0-0");
 }

@@ -140,9 +140,31 @@ struct StepWriter {
         const auto number_of = [](std::uint32_t n) { return n == unknown_tool ? "?" : std::to_string(n); };
         out += "tool " + number_of(s.number) + " edge " + number_of(s.edge);
         quoted(out, s.name);
-        if (s.raised == 0) return;
-        out += " raised";
-        number(out, s.raised);
+        if (s.raised != 0) out += " raised", number(out, s.raised);
+        if (s.wider != 0) out += " wider", number(out, s.wider);
+        if (s.standing) out += " standing";
+    }
+    void operator()(const ToolData& s) const {
+        out += "tool-data " + std::to_string(s.number) + " edge " + std::to_string(s.edge);
+        if (s.length) out += " length", number(out, *s.length);
+        if (s.radius) out += " radius", number(out, *s.radius);
+    }
+    void operator()(const ToolLength& s) const {
+        out += s.sense > 0 ? "length added" : s.sense < 0 ? "length subtracted" : "length off";
+        if (s.sense == 0) return;
+        out += " offset " + std::to_string(s.offset);
+        if (!s.by) return;
+        out += " by";
+        vec(out, *s.by);
+    }
+    void operator()(const MachinePlace& s) const {
+        out += "machine ";
+        out += place_kinds[static_cast<std::size_t>(s.kind)];
+        if (s.number != 1) out += ' ' + std::to_string(s.number);
+        constexpr std::array<const char*, 3> names{" x", " y", " z"};
+        const std::array<double, 3> to{s.to.x, s.to.y, s.to.z};
+        for (std::size_t k = 0; k < 3; ++k)
+            if (s.axes[k]) out += names[k], number(out, to[k]);
     }
     void operator()(const Coolant& s) const {
         out += "coolant";
@@ -228,6 +250,10 @@ struct StepWriter {
         number(out, s.radius);
         out += " offset " + std::to_string(s.offset) + ' ';
         out += approaches[static_cast<std::size_t>(s.approach)];
+        if (s.sharp) out += " sharp";
+        if (s.normal == geom::Vec3{0, 0, 1}) return;
+        out += " normal";
+        vec(out, s.normal);
     }
     void operator()(const CompensationEnd&) const { out += "compensation-end"; }
     void operator()(const Programmed& s) const {
@@ -241,7 +267,20 @@ struct StepWriter {
         out += ' ';
         out += corners[static_cast<std::size_t>(s.corner) - 1];
         number(out, s.size);
+        if (s.corner_feed != 0) out += " feed", number(out, s.corner_feed);
     }
+    void operator()(const LeadBegin& s) const {
+        out += s.onto ? "lead onto " : "lead off ";
+        out += lead_kinds[static_cast<std::size_t>(s.kind)];
+        out += " at";
+        vec(out, s.at);
+        if (s.length != 0) out += " length", number(out, s.length);
+        if (s.radius != 0) out += " radius", number(out, s.radius);
+        if (s.angle != 0) out += " angle", number(out, s.angle);
+        if (s.feed != 0) out += " feed", number(out, s.feed);
+        if (s.rapid) out += " rapid";
+    }
+    void operator()(const LeadEnd&) const { out += "lead-end"; }
 };
 
 }  // namespace

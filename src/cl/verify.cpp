@@ -40,9 +40,11 @@ void Verifier::finish() {
     for (const Record& r : parts_)
         complain(r, base::codes::unclosed, "the part \"" + std::get<PartBegin>(r.step).name + "\" has no end");
     if (compensation_) complain(*compensation_, base::codes::unclosed, "radius compensation has no end");
+    if (lead_) complain(*lead_, base::codes::unclosed, "a way onto a contour or off it has no end");
     open_.clear();
     parts_.clear();
     compensation_.reset();
+    lead_.reset();
 }
 
 void Verifier::check(const Record& r, const Linear& s) {
@@ -194,6 +196,34 @@ void Verifier::check(const Record& r, const Programmed& s) {
         complain(r, base::codes::value_range, "normal of a programmed arc is not a unit vector");
     if (s.corner != Corner::none && !std::isfinite(s.size))
         complain(r, base::codes::value_range, "size of a chamfer or rounding is not finite");
+}
+
+void Verifier::check(const Record& r, const ToolLength& s) {
+    if (s.sense < -1 || s.sense > 1) complain(r, base::codes::value_range, "a length is added, subtracted or off");
+    if (s.by && infinite(*s.by)) complain(r, base::codes::value_range, "a length that is not finite");
+}
+
+void Verifier::check(const Record& r, const MachinePlace& s) {
+    if (!s.axes[0] && !s.axes[1] && !s.axes[2])
+        complain(r, base::codes::value_range, "a place of the machine along no axis");
+    if (infinite(s.to)) complain(r, base::codes::value_range, "a place of the machine that is not finite");
+}
+
+void Verifier::check(const Record& r, const ToolData& s) {
+    if (std::isinf(s.length.value_or(0)) || std::isinf(s.radius.value_or(0)))
+        complain(r, base::codes::value_range, "length or radius of a tool is not finite");
+}
+
+void Verifier::check(const Record& r, const LeadBegin& s) {
+    if (lead_) complain(r, base::codes::unclosed, "a way onto a contour or off it begins within another one");
+    if (infinite(s.at) || !std::isfinite(s.length) || !std::isfinite(s.radius) || !std::isfinite(s.angle))
+        complain(r, base::codes::value_range, "a way onto a contour or off it with a value that is not finite");
+    lead_ = r;
+}
+
+void Verifier::check(const Record& r, const LeadEnd&) {
+    if (!lead_) complain(r, base::codes::unclosed, "end of a way onto a contour or off it that was not begun");
+    lead_.reset();
 }
 
 void Verifier::check(const Record&, const Stop& s) {

@@ -50,6 +50,11 @@ private:
     void check(const Record& r, const CompensationEnd& s);
     void check(const Record& r, const Programmed& s);
     void check(const Record& r, const Stop& s);
+    void check(const Record& r, const ToolLength& s);
+    void check(const Record& r, const MachinePlace& s);
+    void check(const Record& r, const ToolData& s);
+    void check(const Record& r, const LeadBegin& s);
+    void check(const Record& r, const LeadEnd& s);
     void check(const Record&, const ToolChange&) {}
     void check(const Record&, const Coolant&) {}
     void check(const Record&, const Comment&) {}
@@ -63,6 +68,7 @@ private:
     std::optional<Datum> zero_;           ///< in force
     std::vector<Record> open_;            ///< CycleBegin records without their end
     std::vector<Record> parts_;           ///< the same of PartBegin
+    std::optional<Record> lead_;          ///< LeadBegin without its end; one is in force at most
     std::optional<Record> compensation_;  ///< the same of CompensationBegin; one is in force at most
 };
 

@@ -101,6 +101,26 @@ TEST(Verify, CompensationIsOneAtATimeAndEnds) {
               Codes{"value-range"});
 }
 
+TEST(Verify, WaysOntoAContourPairUp) {
+    const LeadBegin onto{LeadKind::tangent_arc, true, {0, 0, 0}, 0, 5, 1.5};
+    EXPECT_EQ(complaints({onto, Linear{{0, 0, 0}}, LeadEnd{}}), Codes{});
+    EXPECT_EQ(complaints({onto}), Codes{"unclosed"});
+    EXPECT_EQ(complaints({LeadEnd{}}), Codes{"unclosed"});
+    EXPECT_EQ(complaints({onto, onto, LeadEnd{}}), Codes{"unclosed"});
+    EXPECT_EQ(complaints({LeadBegin{LeadKind::tangent_line, true, {}, NAN}, LeadEnd{}}), Codes{"value-range"});
+}
+
+TEST(Verify, PlacesOfTheMachineAndToolsAreWithinReason) {
+    EXPECT_EQ(complaints({MachinePlace{PlaceKind::home, 1, {false, false, true}, {NAN, NAN, NAN}}}), Codes{});
+    EXPECT_EQ(complaints({MachinePlace{}}), Codes{"value-range"});
+    EXPECT_EQ(complaints({MachinePlace{PlaceKind::coordinates, 1, {true, false, false}, {INFINITY, 0, 0}}}),
+              Codes{"value-range"});
+    EXPECT_EQ(complaints({ToolLength{1, 5, {}}, ToolLength{}}), Codes{});
+    EXPECT_EQ(complaints({ToolLength{2, 5, {}}}), Codes{"value-range"});
+    EXPECT_EQ(complaints({ToolLength{1, 0, geom::Vec3{0, 0, INFINITY}}}), Codes{"value-range"});
+    EXPECT_EQ(complaints({ToolData{1, 1, INFINITY, {}}}), Codes{"value-range"});
+}
+
 TEST(Verify, CyclesBeginWhereTheToolStands) {
     const Linear over{{10, 20, 5}, {0, 0, 1}, true};
     const auto at = [](geom::Vec3 place) { return CycleBegin{Cycle{}, place}; };

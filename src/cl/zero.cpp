@@ -20,7 +20,8 @@ void change(std::optional<Datum>& zero, const Datum& next, geom::Vec3& place) {
 }
 
 bool has_points(const Step& step) {
-    return is_move(step) || std::holds_alternative<CycleBegin>(step) || std::holds_alternative<Programmed>(step);
+    return is_move(step) || std::holds_alternative<CycleBegin>(step) || std::holds_alternative<Programmed>(step) ||
+           std::holds_alternative<LeadBegin>(step);
 }
 
 void shift(Step& step, const geom::Vec3& by) {
@@ -31,6 +32,7 @@ void shift(Step& step, const geom::Vec3& by) {
     if (auto* p = std::get_if<Programmed>(&step))
         p->from = p->from + by, p->to = p->to + by, p->centre = p->centre + by;
     if (auto* begin = std::get_if<CycleBegin>(&step)) begin->place = begin->place + by;
+    if (auto* lead = std::get_if<LeadBegin>(&step)) lead->at = lead->at + by;
 }
 
 }  // namespace obrys::cl

@@ -191,7 +191,8 @@ void load_backups(Session& s, const Request& request) {
 }
 
 bool read_main(Session& s, const Request& request, const fs::path& path) {
-    const auto file = load(path, s.sources, s.diagnostics, s.job.program_where);
+    const auto file = request.text ? std::optional(s.sources.add(path.string(), *request.text))
+                                   : load(path, s.sources, s.diagnostics, s.job.program_where);
     if (!file) return false;
     s.program = s.sources[*file].name;
     if (is_no_program(s, path, *file)) return false;
@@ -273,6 +274,7 @@ bool open(const Request& request, Session& s) {
         if (s.job.program.empty() || s.diagnostics.has_errors()) return false;
         program = beside(input, s.job.program);
     }
+    if (request.text) s.job.overrides.clear(), s.job.variables = {}, s.job.start.clear();
     bool good = known_control(s, request.control, nowhere) && known_control(s, s.job.control, s.job.control_where);
     for (const std::string& text : request.set) good = take_override(s, text) && good;
     good = folders_are_there(s, request, input) && good;

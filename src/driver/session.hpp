@@ -33,6 +33,9 @@ struct Request {
     std::vector<std::string> outputs;  ///< files that the call writes itself: no program prints into them
     std::vector<std::string> inputs;   ///< all of the call: nor into these
     std::shared_ptr<Folders> folders = std::make_shared<Folders>();  ///< of all inputs of a call
+    /// Stands in the place of the program's file: what would be written beside it. What is given or set for that
+    /// program's variables does not count for it.
+    std::optional<std::string> text{};
     bool canon = false;  ///< settings are told, and the machine stands at its zero at the start
 };
 

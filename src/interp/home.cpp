@@ -1,6 +1,7 @@
 /// G28 and G30: by way of a point to a stored position; G28.1 and G30.1 store it.
 /// Source: LinuxCNC, G-Codes, "G28", "G30"; Fanuc, "Reference position".
 
+#include <algorithm>
 #include <cmath>
 
 #include "base/codes.hpp"
@@ -52,15 +53,19 @@ std::string unknown_axes(const geom::Vec3& to) {
 void to_home(Run& run, bool all) {
     const Offsets& o = run.offsets;
     geom::Vec3 to = run.position;
+    cl::MachinePlace place;
+    place.kind = cl::PlaceKind::home;
     const Axes& tip = tip_in_use(o);
     for (std::size_t k = 0; k < 9; ++k) {
         if (all ? is_absent(run, k) : !run.block.has(axis_code(static_cast<int>(k)))) continue;
         const double home = home_of(run, k);
         if (k < 3)
-            coordinate(to, static_cast<int>(k)) = home - o.reference[k] - tip[k];
+            coordinate(to, static_cast<int>(k)) = home - o.reference[k] - tip[k], place.axes[k] = true,
+                           coordinate(place.to, static_cast<int>(k)) = home;
         else if (run.extra_axes.contains(axis_name(k)))
             emit_other_axis(run, k, home - o.reference[k]);
     }
+    place.number = static_cast<std::uint8_t>(std::clamp(run.block.special_number, 1, 9));
     if (!geom::is_finite(to))
         assume(run, run.here(),
                "the home position of " + unknown_axes(to) +
@@ -72,6 +77,7 @@ void to_home(Run& run, bool all) {
     if (geom::is_finite(to)) emit_frame(run);  // it is a place in that frame
     run.position = to;
     run.programmed_position = geom::apply(geom::inverse(run.frame), to);
+    if (place.axes != std::array<bool, 3>{}) emit(run, place);
     emit(run, cl::Linear{to, run.tool_axis, true});
 }
 

@@ -260,6 +260,7 @@ Outcome run(const program::Unit& main, const Environment& environment, cl::CallS
     while (!run.stopped) step(run);
     flush_path(run);
     while (run.told.open_cycles > 0) end_bracket(run);  // an alarm ends cycles half-way
+    run.path->tell_lead_end(run);
     run.path->tell_end(run);
     Outcome outcome{run.ending, run.blocks, {}, {run.entered.begin(), run.entered.end()}, std::move(run.overrides_met),
                     run.steps};

@@ -124,14 +124,18 @@ void go_to(Run& run, geom::Vec3 target, bool rapid) {
 bool reference_point(Run& run) {
     flush_path(run);
     geom::Vec3 target = run.position;
+    const bool fixed = run.block.special == Modal::fixed_point;
+    cl::MachinePlace place{fixed ? cl::PlaceKind::fixed : cl::PlaceKind::home};
     for (int k = 0; k < 3; ++k) {
         if (!run.block.has(axis_code(k))) continue;
         run.block.use(axis_code(k));
+        place.axes[static_cast<std::size_t>(k)] = true;
         const shop::MachineAxis* axis = machine_axis(run, std::string(1, "XYZ"[k]));
         const bool home = run.block.special == Modal::reference_point && axis != nullptr && axis->home;
         coordinate(target, k) = home ? from_machine(run, k, *axis->home) : unknown_number;
+        if (home) coordinate(place.to, k) = *axis->home;
     }
-    if (!geom::is_finite(target) && run.block.special == Modal::fixed_point)
+    if (!geom::is_finite(target) && fixed)
         assume(run, run.here(),
                "the fixed point of G75 is not known: moves to and from it are simulated as far as they are known");
     else if (!geom::is_finite(target))
@@ -139,6 +143,7 @@ bool reference_point(Run& run) {
                "the reference point is not known in the workpiece frame: moves to and from it are simulated as far as "
                "they are known",
                "give home of the axes in the machine file and the zero offset in [datum] of the job");
+    if (place.axes != std::array<bool, 3>{}) emit(run, place);
     go_to(run, target, true);
     return true;
 }
@@ -152,13 +157,17 @@ bool machine_move(Run& run) {
     unknown_machine_position(run);
     geom::Vec3 target = along_machine(run);
     unsigned moved = 0;
+    cl::MachinePlace place;
     for (int k = 0; k < 3; ++k) {
         if (!run.block.has(axis_code(k))) continue;
         moved |= 1U << static_cast<unsigned>(k);
+        place.axes[static_cast<std::size_t>(k)] = true;
         const bool incremental = is_incremental(run, run.block.ref(axis_code(k)));
         const double v = run.block.get(axis_code(k)) * word_factor(run, k, run.block.ref(axis_code(k)));
         coordinate(target, k) = incremental ? coordinate(target, k) + v : from_machine(run, k, v);
+        if (!incremental) coordinate(place.to, k) = v;
     }
+    if (moved != 0) emit(run, place);
     go_to(run, from_along_machine(run, target), run.modal.motion == Modal::rapid);
     contour.keep(run, moved);
     return true;

@@ -58,6 +58,8 @@ void retract_tool(Run&);
 [[nodiscard]] path::ArcTolerance arc_tolerance(const Run&);
 /// Runs the block's arc to `to` (programmed frame); false where it could not be resolved.
 [[nodiscard]] bool arc_motion(Run&, const geom::Vec3& to);
+/// Of the working plane, in the stream's frame, as frames turn it.
+[[nodiscard]] geom::Vec3 plane_normal(const Run&);
 /// An element of the working plane as a move of the stream; nothing where scaling leaves no circle of an arc.
 /// `in_stream`: the element is in the stream's frame, not in the programmed one.
 [[nodiscard]] std::optional<cl::Step> plane_move(const Run&, const path::Element& element, bool rapid,

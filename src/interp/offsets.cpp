@@ -390,6 +390,22 @@ void take_length(Run& run, Modal m) {
 
 }  // namespace
 
+/// Of what take_length has taken; `by`: the values where no number says them.
+void tell_length(Run& run, const Axes& by) {
+    const Offsets& o = run.offsets;
+    cl::ToolLength length;
+    if (o.length != Offsets::Length::none) {
+        length.sense = o.subtracts ? -1 : 1;
+        if (o.length == Offsets::Length::of_tool || o.subtracts)
+            length.offset = o.length_tool;
+        else
+            length.by = geom::Vec3{by[0], by[1], by[2]};
+    }
+    if (length == run.told.length) return;
+    run.told.length = length;
+    emit(run, length);
+}
+
 void tool_length_words(Run& run, Modal m) {
     std::optional<Axes> by;
     if (m == Modal::tool_length_off) by = Axes{};
@@ -410,6 +426,7 @@ void tool_length_words(Run& run, Modal m) {
         if (m == Modal::tool_length_added)
             for (std::size_t k = 0; k < 9; ++k) (*by)[k] += run.offsets.tool[k];
         take_length(run, m);
+        tell_length(run, *by);
         set_tool_offset(run, *by);
         take_tip(run);
     } else {

@@ -58,6 +58,17 @@ path::CornerRequest corner_of_block(const Run& run) {
     return modal;
 }
 
+namespace {
+
+/// Of the block's corner alone; 0: none of its own.
+double corner_feed(const Run& run) {
+    const BlockWords& b = run.block;
+    const double feed = b.has(Code::corner_feed) ? b.peek(Code::corner_feed) : run.modal.corner_feed_modal;
+    return feed > 0 ? feed * feed_factor(run) : 0;
+}
+
+}  // namespace
+
 path::CornerRequest PathStage::corner_request(Run& run) {
     const BlockWords& b = run.block;
     path::CornerRequest r = corner_of_block(run);
@@ -74,9 +85,9 @@ path::CornerRequest PathStage::corner_request(Run& run) {
                   "the size of this chamfer or rounding depends on a value that is not known: it is left out");
         return {};
     }
-    const double feed = b.has(Code::corner_feed) ? b.get(Code::corner_feed) : run.modal.corner_feed_modal;
-    if (r.kind != path::CornerKind::none && feed > 0 && run.feed_valid) {
-        r.before.push_back(feed_event(run, feed * feed_factor(run)));
+    if (b.has(Code::corner_feed)) b.use(Code::corner_feed);
+    if (const double feed = corner_feed(run); r.kind != path::CornerKind::none && feed > 0 && run.feed_valid) {
+        r.before.push_back(feed_event(run, feed));
         r.after.push_back(feed_event(run, run.feed));
     }
     return r;
@@ -112,7 +123,10 @@ void PathStage::tell_begin(Run& run, const path::Setting& s) {
     begin.radius = radius_in_stream(run, s.radius);
     begin.offset = base::whole<std::uint32_t>(number, 0).value_or(0);
     begin.approach = static_cast<cl::Approach>(s.approach);
-    const bool goes_on = told_ && told_->side == begin.side && told_->radius == begin.radius;
+    begin.sharp = s.corner == path::OuterCorner::intersection;
+    begin.normal = plane_normal(run);
+    const bool goes_on = told_ && told_->side == begin.side && told_->radius == begin.radius &&
+                         told_->sharp == begin.sharp && told_->normal == begin.normal;
     if (goes_on) return;
     tell_end(run);
     told_ = begin;
@@ -129,10 +143,27 @@ void PathStage::tell_end(Run& run) {
         send_event(run, end);
 }
 
+void PathStage::tell_lead(Run& run, const cl::LeadBegin& begin) {
+    if (run.capture != nullptr) return;
+    lead_told_ = true;
+    hold({begin, run.here(), run.top().stack});
+}
+
+void PathStage::tell_lead_end(Run& run) {
+    if (run.capture != nullptr || !std::exchange(lead_told_, false)) return;
+    const cl::Record end{cl::LeadEnd{}, run.here(), run.top().stack};
+    if (holds_ || !waiting_.empty())
+        hold(end);
+    else
+        send_event(run, end);
+}
+
 /// An element that an alarm refuses takes its events with it: compensation ends only where it has begun.
 void PathStage::send_event(Run& run, const cl::Record& record) {
     if (std::holds_alternative<cl::CompensationBegin>(record.step)) begun_ = true;
     if (std::holds_alternative<cl::CompensationEnd>(record.step) && !std::exchange(begun_, false)) return;
+    if (std::holds_alternative<cl::LeadBegin>(record.step)) lead_begun_ = true;
+    if (std::holds_alternative<cl::LeadEnd>(record.step) && !std::exchange(lead_begun_, false)) return;
     send(run, record);
 }
 
@@ -141,7 +172,7 @@ void PathStage::tell_programmed(Run& run, const path::Element& e, bool rapid) {
     if (!p) return;
     if (const path::CornerRequest corner = corner_of_block(run);
         corner.kind != path::CornerKind::none && std::isfinite(corner.size))
-        p->corner = static_cast<cl::Corner>(corner.kind), p->size = corner.size;
+        p->corner = static_cast<cl::Corner>(corner.kind), p->size = corner.size, p->corner_feed = corner_feed(run);
     hold({*p, run.here(), run.top().stack});
 }
 

@@ -37,6 +37,9 @@ public:
     void end_compensation(Run&);
     /// The program has switched compensation off: the stream is told before the next element, or at once.
     void tell_end(Run&);
+    /// A smooth way begins, that the control makes by itself; every one has its end.
+    void tell_lead(Run&, const cl::LeadBegin& begin);
+    void tell_lead_end(Run&);
 
 private:
     /// What an element's tag stands for.
@@ -85,6 +88,7 @@ private:
     std::optional<geom::Vec2> direction_;        ///< at its end
     std::optional<cl::CompensationBegin> told_;  ///< what the stream, or a record that waits, has begun
     bool begun_ = false;                         ///< the stream has
+    bool lead_told_ = false, lead_begun_ = false;  ///< the same of smooth ways
 };
 
 /// What the modal state says to radius compensation; a tool whose radius is not known is reported.

@@ -119,16 +119,19 @@ std::optional<cl::Step> plane_move(const Run& run, const path::Element& e, bool 
     if (in_stream_already) return move_in_stream(run, e, rapid);
     const Vec3 to = in_stream(run, e.to, e.w_to);
     if (!path::is_arc(e)) return cl::Linear{to, run.tool_axis, rapid};
-    if (run.frame_is_identity || geom::is_shift_only(run.frame)) {
-        Vec3 normal;
-        coordinate(normal, plane_axes(run.modal.plane).w) = 1;
-        return cl::Arc{to, in_stream(run, e.centre, e.w_from), normal, e.sweep, rapid};
+    if (!run.frame_is_identity && !geom::is_shift_only(run.frame)) {
+        const Vec3 zero = in_stream(run, {}, 0);
+        const Vec3 u = in_stream(run, {1, 0}, 0) - zero, v = in_stream(run, {0, 1}, 0) - zero;
+        if (std::abs(geom::length(u) - geom::length(v)) > 1e-9) return std::nullopt;
     }
+    return cl::Arc{to, in_stream(run, e.centre, e.w_from), plane_normal(run), e.sweep, rapid};
+}
+
+Vec3 plane_normal(const Run& run) {
+    if (run.frame_is_identity || geom::is_shift_only(run.frame)) return in_axes(plane_axes(run.modal.plane), {}, 1);
     const Vec3 zero = in_stream(run, {}, 0);
-    const Vec3 u = in_stream(run, {1, 0}, 0) - zero, v = in_stream(run, {0, 1}, 0) - zero;
-    if (std::abs(geom::length(u) - geom::length(v)) > 1e-9) return std::nullopt;
-    const Vec3 normal = geom::cross(u, v);
-    return cl::Arc{to, in_stream(run, e.centre, e.w_from), (1 / geom::length(normal)) * normal, e.sweep, rapid};
+    const Vec3 normal = geom::cross(in_stream(run, {1, 0}, 0) - zero, in_stream(run, {0, 1}, 0) - zero);
+    return (1 / geom::length(normal)) * normal;
 }
 
 void circle_alarm(Run& run, const base::Span& where) {

@@ -348,6 +348,8 @@ void datum_changed(Run&);
 /// G92 … G92.3, G52; G43 … G49: the words of the block.
 void shift_words(Run&, Modal);
 void tool_length_words(Run&, Modal);
+/// Tells the stream what compensation of the tool's length is in force; `by`: the values where no number says them.
+void tell_length(Run&, const Axes& by);
 void set_tool_offset(Run&, const Axes& to);
 /// The tool in the spindle, its compensation or the zero was changed: where its tip is (tool_length.cpp).
 void take_tip(Run&);

@@ -69,6 +69,7 @@ void restore_lengths(Run& run, const SavedModes& s) {
     const bool same = o.length == s.length && o.length_tool == s.length_tool;
     o.length = s.length;
     o.length_tool = s.length_tool;
+    tell_length(run, s.tool_offset);
     if (o.tool != s.tool_offset) set_tool_offset(run, s.tool_offset);
     if (!same) {
         judge_anew(o);

@@ -92,6 +92,22 @@ void own_feed(Run& run, bool begins) {
         emit(run, cl::Feed{run.feed, run.modal.feed_mode});
 }
 
+/// What the stream says of it; `at` in the programmed frame.
+cl::LeadBegin lead_of(Run& run, const Special& s, const Vec3& at, bool onto) {
+    const path::SmoothShape form = shape(run, s);
+    cl::LeadBegin lead;
+    lead.kind = static_cast<cl::LeadKind>(form.kind);
+    lead.onto = onto;
+    lead.at = run.frame_is_identity ? at : geom::apply(run.frame, at);
+    lead.length = radius_in_stream(run, form.length);
+    lead.radius = radius_in_stream(run, form.radius);
+    lead.angle = form.angle;
+    lead.rapid = run.block.rapid;
+    const double feed = run.block.has(Code::corner_feed) ? run.block.peek(Code::corner_feed) : 0;
+    if (feed > 0) lead.feed = feed * feed_factor(run);
+    return lead;
+}
+
 /// The elements go through the path stage as they are; the one beside the contour carries the compensation.
 void push_approach(Run& run, const path::SmoothPath& p, const path::Setting& compensation) {
     for (std::size_t i = 0; i < p.path.size(); ++i) {
@@ -137,9 +153,11 @@ void approach(Run& run, const Special& s) {
     if (run.stopped) return;
     if (!run.block.rapid) require_feed(run);
     if (p.ok() && run.capture == nullptr) {
+        run.path->tell_lead(run, lead_of(run, s, target, true));
         own_feed(run, true);
         push_approach(run, p, compensation);
         own_feed(run, false);
+        run.path->tell_lead_end(run);
     }
     arrive(run, target);
 }
@@ -180,12 +198,14 @@ void departure(Run& run, const Special& s, Modal compensation_before) {
     if (run.stopped || !p.ok() || p.path.empty()) return;
     if (!run.block.rapid) require_feed(run);
     if (run.capture == nullptr) {
+        run.path->tell_lead(run, lead_of(run, s, target, false));
         own_feed(run, true);
         path::Setting ready;
         ready.approach = path::Approach::ready;
         for (const path::Element& e : p.path) run.path->push(run, e, ready);
         flush_path(run);
         own_feed(run, false);
+        run.path->tell_lead_end(run);
     }
     Vec3 end = at;
     coordinate(end, a.u) = p.path.back().to.x;

@@ -297,6 +297,7 @@ struct StreamFrame {
     std::vector<cl::FramePart> parts;
     base::SharedValue<cl::Cycle> cycle;  ///< the last one
     std::uint32_t open_cycles = 0;       ///< brackets
+    cl::ToolLength length;
 };
 
 /// Why blocks are looked at without being run (capture.hpp).

@@ -83,9 +83,11 @@ bool changes_on_m6(const Run& run) {
     return run.traits->changes_on_m6 || run.env.machine.kind == shop::MachineKind::mill;
 }
 
-void emit_tool(Run& run) {
+/// `standing`: it is in the spindle already.
+void emit_tool(Run& run, bool standing = false) {
     run.tool.data = find_tool(run, run.tool);
-    emit(run, cl::ToolChange{run.tool.number, run.tool.edge, run.tool.name, run.tool.delta_length});
+    emit(run, cl::ToolChange{run.tool.number, run.tool.edge, run.tool.name, run.tool.delta_length,
+                             run.tool.delta_radius, standing});
     judge_anew(run.offsets);
     take_tip(run);
     control_sets(run, {ControlValue::tool_axis});
@@ -98,7 +100,7 @@ void begin_with_tool(Run& run, std::uint32_t number) {
     run.tool.selected = number;
     tool_into_spindle(run);
     if (run.traits->edge_is_offset_number) run.tool.edge = number;
-    emit_tool(run);
+    emit_tool(run, true);
 }
 
 std::vector<shop::Tool>::iterator add_tool(Run& run, std::uint32_t number) {
@@ -161,6 +163,10 @@ void define_tool(Run& run) {
     if (b.has(Code::tool_radius)) found->radius = b.get(Code::tool_radius) * unit;
     if (b.has(Code::tool_radius)) found->has_no_radius = found->radius == 0;
     const bool dimensions = b.has(Code::tool_length) || b.has(Code::tool_radius);
+    cl::ToolData data{number, edge, {}, {}};
+    if (b.has(Code::tool_length)) data.length = found->length;
+    if (b.has(Code::tool_radius)) data.radius = found->radius;
+    if (dimensions) emit(run, data);
     if (dimensions && run.env.machine.kind == shop::MachineKind::mill) compare_with_job(run, *found);
     run.tool.data = find_tool(run, run.tool);
 }
@@ -204,7 +210,7 @@ void number_tool(Run& run, int m) {
         run.tool.number = cl::unknown_tool;
         run.tool.name.clear();
         run.tool.known = run.tool.edge_known = false;
-        return emit_tool(run);
+        return emit_tool(run, true);
     }
     if (q < 0 || q >= cl::unknown_tool)
         return alarm(run, codes::value_range, run.here(),
@@ -216,7 +222,7 @@ void number_tool(Run& run, int m) {
     run.tool.name.clear();
     run.tool.edge = 1;
     run.tool.known = run.tool.edge_known = true;
-    emit_tool(run);
+    emit_tool(run, true);
     control_sets(run, {ControlValue::tool_radius, ControlValue::tool_length});
 }
 

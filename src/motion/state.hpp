@@ -16,6 +16,7 @@ struct State {
     cl::Tolerance tolerance;
     cl::Datum datum{0, {NAN, NAN, NAN}};
     cl::Frame frame;                                    ///< in which coordinates are programmed
+    cl::ToolLength length;                              ///< as far as the program says it
     cl::ToolChange change;                              ///< the last one
     base::Span changed{};                               ///< its place
     cl::StackId changed_from = 0;                       ///< its stack
@@ -23,6 +24,7 @@ struct State {
     const shop::Tool* tool = nullptr;                   ///< that one; null: none, or not in the list
     std::optional<cl::CompensationBegin> compensation;  ///< radius compensation in force
     std::uint32_t cycles = 0;                           ///< brackets of cycles that are open
+    bool leads = false;                                 ///< a way onto a contour or off it that the control makes
     std::uint32_t parts = 0;                            ///< the same of calls and repetitions
 };
 

@@ -11,72 +11,16 @@
 
 #include "base/codes.hpp"
 #include "base/number.hpp"
+#include "help_texts.hpp"
 #include "milled.hpp"
 #include "shop/machine.hpp"
 #include "shop/nearest.hpp"
 #include "words.hpp"
+#include "write/post.hpp"
 
 namespace obrys::cli {
 
 namespace {
-
-constexpr const char* main_help =
-    "obrys reads, runs and checks NC programs.\n\n"
-    "Examples:\n"
-    "  obrys check groove.job.toml                 is it clean? where does it gouge, and how deep?\n"
-    "  obrys check groove.job.toml --set R3=150    the same with another value of a parameter\n"
-    "  obrys check PART.MPF --html report.html     a page with picture, findings and program text\n"
-    "  obrys run PART.MPF --format csv             every move with its end point and source line\n"
-    "  obrys plot groove.job.toml -o groove.svg    the tool path over stock and part\n"
-    "  obrys fmt -i PART.H                         number and write the blocks as the control does\n";
-
-constexpr const char* check_help =
-    "Runs a program, removes the stock and says what is wrong with it.\n\n"
-    "Examples:\n"
-    "  obrys check groove.job.toml\n"
-    "  obrys check groove.job.toml --set R3=150 --set R9=4\n"
-    "  obrys check PART.MPF --search subs --format json\n"
-    "  obrys check groove.job.toml --html report.html --svg report.svg\n"
-    "  obrys check *.job.toml --fail-on error --baseline known.json\n\n"
-    "A job file (.toml) names program, machine, tools, stock and part; a program alone is run and checked as far as\n"
-    "that goes.\n\n"
-    "Several inputs are checked one after the other; the exit code is the worst one.\n\n"
-    "Exit codes: 0 clean, 1 findings, 2 usage or unreadable input, 3 not fully checked.";
-
-constexpr const char* run_help =
-    "Interprets a program and prints its moves.\n\n"
-    "Examples:\n"
-    "  obrys run PART.MPF                      the CL stream in its text form\n"
-    "  obrys run PART.MPF --format csv         one row a move: end point, feed, file, line, block\n"
-    "  obrys run PART.MPF --quiet              counts only\n"
-    "  obrys run PART.MPF --parameters         the values of the R parameters at the end\n\n"
-    "Exit codes: 0 run to its end, 1 the control would stop with an alarm, 2 usage or unreadable input,\n"
-    "3 something was not understood or not run.";
-
-constexpr const char* plot_help =
-    "Draws the tool path (feed green, rapid red) as SVG: of a lathe over stock, part and allowance, of a mill from "
-    "above\n"
-    "and from the side. A program without a job will do.\n"
-    "--interpolation prints instead how far a controller that moves its axes in steps of this basic length unit "
-    "leaves\n"
-    "each programmed element, and draws that, enlarged, with --svg.\n\n"
-    "Examples:\n"
-    "  obrys plot groove.job.toml -o groove.svg\n"
-    "  obrys plot groove.job.toml --set R3=150 > wrong.svg\n"
-    "  obrys plot PART.MPF --interpolation 0.001 --svg steps.svg\n\n"
-    "Exit codes: 0 the picture was made, 2 usage or unreadable input.";
-
-constexpr const char* fmt_help =
-    "Formats HEIDENHAIN programs (Klartext .H, DIN/ISO .I): numbers the blocks, one blank between words, upper case\n"
-    "keywords, signs of coordinates. Comments, texts and paths stay; so does every block it does not understand, "
-    "which\n"
-    "it names.\n\n"
-    "Examples:\n"
-    "  obrys fmt PART.H                        to standard output\n"
-    "  obrys fmt -i PART.H SUB.H               write the files\n"
-    "  obrys fmt --check *.H                   name the files that would change\n"
-    "  obrys fmt --decimal comma PART.H        X+10,5\n\n"
-    "Exit codes: 0 done, 1 --check: a file would change, 2 usage, unreadable input or no HEIDENHAIN program.";
 
 void add_format(CLI::App& app, Arguments& a) {
     using format::heidenhain::Decimal;
@@ -174,6 +118,8 @@ struct Commands {
     CLI::App* run;
     CLI::App* plot;
     CLI::App* fmt;
+    CLI::App* translate;
+    CLI::App* compare;
     CLI::App* version;
     CLI::App* help;
 };
@@ -207,6 +153,38 @@ void add_surface_outputs(CLI::App& check, Arguments& a) {
             throw CLI::ValidationError(
                 "--at", "says when; what to write is said by --stl, --3mf, --gltf, --plan, --projections or --picture");
     });
+}
+
+/// How near both runs must lie.
+void add_same_place(CLI::App& app, Arguments& a) {
+    app.add_option_function<double>(
+            "--tolerance", [&a](const double& mm) { a.same_place = mm; }, "how far places may lie apart, mm (0.0001)")
+        ->check([](const std::string& text) {
+            const auto value = base::parse_double(text);
+            return value && *value > 0 && *value <= 1 ? std::string() : "must be a length in mm above 0, at most 1";
+        })
+        ->type_name("MM");
+}
+
+CLI::App* add_translate(CLI::App& app, Arguments& a) {
+    CLI::App* translate = app.add_subcommand("translate", translate_help);
+    add_input(*translate, a);
+    add_request(*translate, a);
+    translate->add_option("--to", a.to, "control or post: " + shop::joined(write::shipped_post_names()) + ", or a file")
+        ->required()
+        ->type_name("NAME|FILE");
+    add_same_place(*translate, a);
+    return translate;
+}
+
+CLI::App* add_compare(CLI::App& app, Arguments& a) {
+    CLI::App* compare = app.add_subcommand("compare", compare_help);
+    compare->add_option("a", a.request.input, "program, job file (.toml) or CL stream")->required()->type_name("FILE");
+    compare->add_option("b", a.other, "what it is held against")->required()->type_name("FILE");
+    add_request(*compare, a);
+    compare->add_option("--format", a.format, "text or json")->check(only({"text", "json"}))->type_name("FORMAT");
+    add_same_place(*compare, a);
+    return compare;
 }
 
 Commands add_commands(CLI::App& app, Arguments& a) {
@@ -270,6 +248,8 @@ Commands add_commands(CLI::App& app, Arguments& a) {
         ->type_name("MM");
     c.fmt = app.add_subcommand("fmt", fmt_help);
     add_format(*c.fmt, a);
+    c.translate = add_translate(app, a);
+    c.compare = add_compare(app, a);
     c.version = app.add_subcommand("version", "prints the version");
     c.help = app.add_subcommand("help", "prints this text, or that of a command: obrys help check");
     return c;
@@ -281,7 +261,7 @@ namespace {
 
 /// An empty name of a file is a variable of a script that nobody set.
 void refuse_empty_names(const Commands& c) {
-    for (CLI::App* command : {c.check, c.run, c.plot, c.fmt})
+    for (CLI::App* command : {c.check, c.run, c.plot, c.fmt, c.translate, c.compare})
         for (CLI::Option* option : command->get_options())
             if (option->get_type_name().find("FILE") != std::string::npos)
                 option->check(
@@ -343,7 +323,7 @@ bool print_help(const std::string& topic) {
     CLI::App app(main_help, "obrys");  // help of one that has parsed a command is that of the command
     const Commands c = add_commands(app, unused);
     if (topic.empty()) return std::fputs(app.help().c_str(), stdout) >= 0;
-    for (const CLI::App* command : {c.check, c.run, c.plot, c.fmt, c.version, c.help})
+    for (const CLI::App* command : {c.check, c.run, c.plot, c.fmt, c.translate, c.compare, c.version, c.help})
         if (command->get_name() == topic) return std::fputs(command->help("obrys").c_str(), stdout) >= 0;
     std::cerr << "obrys help: " << no_command(topic);
     return false;
@@ -397,11 +377,13 @@ Arguments parse(int argc, char** argv) {
     if (c.help->parsed()) {
         a.exit = print_help(topic) ? 0 : 2;
     }
-    a.command = c.check->parsed()  ? Command::check
-                : c.run->parsed()  ? Command::run
-                : c.plot->parsed() ? Command::plot
-                : c.fmt->parsed()  ? Command::fmt
-                                   : Command::version;
+    a.command = c.check->parsed()       ? Command::check
+                : c.run->parsed()       ? Command::run
+                : c.plot->parsed()      ? Command::plot
+                : c.fmt->parsed()       ? Command::fmt
+                : c.translate->parsed() ? Command::translate
+                : c.compare->parsed()   ? Command::compare
+                                        : Command::version;
     return a;
 }
 

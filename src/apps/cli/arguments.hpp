@@ -11,7 +11,7 @@
 
 namespace obrys::cli {
 
-enum class Command : int { none, check, run, plot, fmt, version };
+enum class Command : int { none, check, run, plot, fmt, translate, compare, version };
 
 struct Arguments {
     Command command = Command::none;
@@ -35,9 +35,12 @@ struct Arguments {
     bool no_list = false;            ///< of check: leave out what has no effect on the verdict
     std::vector<std::string> files;  ///< of fmt
     format::heidenhain::Options style;
-    bool in_place = false;    ///< of fmt: write the files
-    bool only_check = false;  ///< of fmt: say what would change
-    int exit = -1;            ///< 0 … : the program ends here with this code (help was printed, or the call is wrong)
+    std::string to;            ///< of translate: a post or a control
+    std::string other;         ///< of compare: what `request.input` is held against
+    double same_place = 1e-4;  ///< of compare, mm
+    bool in_place = false;     ///< of fmt: write the files
+    bool only_check = false;   ///< of fmt: say what would change
+    int exit = -1;  ///< 0 … : the program ends here with this code (help was printed, or the call is wrong)
 };
 
 [[nodiscard]] Arguments parse(int argc, char** argv);

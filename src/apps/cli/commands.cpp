@@ -19,10 +19,7 @@
 
 namespace obrys::cli {
 
-namespace {
-
-/// Exit code of a run: what its complaints say about it.
-int exit_code(const driver::Session& s) {
+int run_exit_code(const driver::Session& s) {
     bool finding = false, unchecked = false;
     for (const base::Diagnostic& d : s.diagnostics.all()) {
         finding = finding || base::kind_of(d.code) == base::CodeKind::finding;
@@ -30,6 +27,8 @@ int exit_code(const driver::Session& s) {
     }
     return driver::refused(s) ? 2 : unchecked ? 3 : finding ? 1 : 0;
 }
+
+namespace {
 
 std::string counts(const interp::Outcome& outcome, const cl::Totals& t) {
     return std::to_string(outcome.blocks_executed) + " blocks, " + std::to_string(t.moves) + " moves (" +
@@ -135,7 +134,7 @@ int run(const Arguments& a) {
     }
     print_diagnostics(s);
     const bool written = may_write(a, s) && deliver(a.output, out) && !s.files->failed();
-    return written ? exit_code(s) : 2;
+    return written ? run_exit_code(s) : 2;
 }
 
 }  // namespace obrys::cli

@@ -8,6 +8,11 @@ namespace obrys::cli {
 [[nodiscard]] int check(const Arguments& arguments);
 [[nodiscard]] int run(const Arguments& arguments);
 [[nodiscard]] int plot(const Arguments& arguments);
+[[nodiscard]] int translate(const Arguments& arguments);
+[[nodiscard]] int compare(const Arguments& arguments);
 [[nodiscard]] int fmt(const Arguments& arguments);
+
+/// Exit code of a run: what its complaints say about it.
+[[nodiscard]] int run_exit_code(const driver::Session& session);
 
 }  // namespace obrys::cli

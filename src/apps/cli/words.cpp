@@ -11,7 +11,8 @@ namespace obrys::cli {
 namespace {
 
 const std::vector<std::string>& commands() {
-    static const std::vector<std::string> words{"check", "run", "plot", "fmt", "version", "help"};
+    static const std::vector<std::string> words{"check",     "run",     "plot",    "fmt",
+                                                "translate", "compare", "version", "help"};
     return words;
 }
 

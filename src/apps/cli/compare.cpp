@@ -1,0 +1,104 @@
+/// obrys compare.
+
+#include "compare/compare.hpp"
+
+#include <algorithm>
+#include <nlohmann/json.hpp>
+
+#include "commands.hpp"
+#include "driver/compare_programs.hpp"
+#include "milled.hpp"
+#include "session.hpp"
+
+namespace obrys::cli {
+
+namespace {
+
+/// One of the two: its session stays, since places lie in its texts.
+struct Side {
+    driver::Session session;
+    std::optional<compare::Path> path;
+    int code = 2;
+};
+
+void read_side(const Arguments& a, const std::string& input, Side& side) {
+    Arguments own = a;
+    own.request.input = input;
+    compare::Path path(a.same_place);
+    if (driver::is_stream(input)) {
+        if (driver::read_stream(input, side.session, path)) side.path = std::move(path);
+    } else if (open(own, side.session)) {
+        side.path = driver::path_of(side.session, a.same_place);
+    } else {
+        return;  // it has been said
+    }
+    print_diagnostics(side.session, base::Severity::warning);
+    if (side.path) side.code = run_exit_code(side.session);
+}
+
+std::string place(const Side& side, const std::optional<base::Span>& at) {
+    if (!at || at->file >= side.session.sources.size()) return {};
+    const auto p = side.session.sources.position(*at);
+    return side.session.sources[at->file].name + ":" + std::to_string(p.line);
+}
+
+std::string as_text(const Side& a, const Side& b, const compare::Result& r) {
+    std::string out;
+    for (std::size_t i = 0; i < compare::aspect_count; ++i) {
+        const auto aspect = static_cast<compare::Aspect>(i);
+        const compare::Difference* d = r.of(aspect);
+        out += std::string(compare::name_of(aspect)) + ": ";
+        if (d == nullptr) {
+            out += aspect == compare::Aspect::motion ? "equal, " + std::to_string(r.moves_a) + " moves\n" : "equal\n";
+            continue;
+        }
+        const std::string at_a = place(a, d->in_a), at_b = place(b, d->in_b);
+        out += "differs first at move " + std::to_string(d->move) + (at_a.empty() ? "" : ", " + at_a) +
+               (at_b.empty() ? "" : ", " + at_b) + ": " + d->what + "\n";
+    }
+    return out;
+}
+
+nlohmann::ordered_json as_json(const Side& side, const std::optional<base::Span>& at) {
+    if (!at || at->file >= side.session.sources.size()) return nullptr;
+    return {{"file", side.session.sources[at->file].name}, {"line", side.session.sources.position(*at).line}};
+}
+
+std::string as_json(const Side& a, const Side& b, const compare::Result& r) {
+    nlohmann::ordered_json out;
+    for (std::size_t i = 0; i < compare::aspect_count; ++i) {
+        const auto aspect = static_cast<compare::Aspect>(i);
+        out["equal"][std::string(compare::name_of(aspect))] = r.of(aspect) == nullptr;
+    }
+    out["moves"] = {{"a", r.moves_a}, {"b", r.moves_b}};
+    out["differences"] = nlohmann::ordered_json::array();
+    for (const compare::Difference& d : r.first)
+        out["differences"].push_back({{"aspect", compare::name_of(d.aspect)},
+                                      {"move", d.move},
+                                      {"what", d.what},
+                                      {"a", as_json(a, d.in_a)},
+                                      {"b", as_json(b, d.in_b)}});
+    out["first_difference"] = r.first.empty() ? nlohmann::ordered_json(nullptr) : out["differences"].front();
+    return out.dump(2) + "\n";
+}
+
+}  // namespace
+
+int compare(const Arguments& arguments) {
+    Side a, b;
+    read_side(arguments, arguments.request.input, a);
+    read_side(arguments, arguments.other, b);
+    if (!a.path || !b.path || a.code == 2 || b.code == 2) return 2;
+    compare::Tolerance tolerance;
+    tolerance.length = arguments.same_place;
+    const compare::Result r = compare::compare(*a.path, *b.path, tolerance);
+    driver::OutputFile out(arguments.output);
+    out.write(arguments.format == "json" ? as_json(a, b, r) : as_text(a, b, r));
+    if (!deliver(arguments.output, out)) return 2;
+    if (a.code == 3 || b.code == 3) return 3;
+    const bool same = std::none_of(r.first.begin(), r.first.end(),
+                                   [](const compare::Difference& d) { return compare::is_done(d.aspect); });
+    return same ? 0 : 1;
+}
+
+}  // namespace obrys::cli

@@ -1,0 +1,89 @@
+#pragma once
+/// What `obrys help` prints of each command.
+
+namespace obrys::cli {
+
+inline constexpr const char* main_help =
+    "obrys reads, runs and checks NC programs.\n\n"
+    "Examples:\n"
+    "  obrys check groove.job.toml                 is it clean? where does it gouge, and how deep?\n"
+    "  obrys check groove.job.toml --set R3=150    the same with another value of a parameter\n"
+    "  obrys check PART.MPF --html report.html     a page with picture, findings and program text\n"
+    "  obrys run PART.MPF --format csv             every move with its end point and source line\n"
+    "  obrys plot groove.job.toml -o groove.svg    the tool path over stock and part\n"
+    "  obrys translate PART.H --to fanuc -o P.nc   the same for another control\n"
+    "  obrys compare PART.H P.nc                   do both make the machine do the same?\n"
+    "  obrys fmt -i PART.H                         number and write the blocks as the control does\n";
+
+inline constexpr const char* check_help =
+    "Runs a program, removes the stock and says what is wrong with it.\n\n"
+    "Examples:\n"
+    "  obrys check groove.job.toml\n"
+    "  obrys check groove.job.toml --set R3=150 --set R9=4\n"
+    "  obrys check PART.MPF --search subs --format json\n"
+    "  obrys check groove.job.toml --html report.html --svg report.svg\n"
+    "  obrys check *.job.toml --fail-on error --baseline known.json\n\n"
+    "A job file (.toml) names program, machine, tools, stock and part; a program alone is run and checked as far as\n"
+    "that goes.\n\n"
+    "Several inputs are checked one after the other; the exit code is the worst one.\n\n"
+    "Exit codes: 0 clean, 1 findings, 2 usage or unreadable input, 3 not fully checked.";
+
+inline constexpr const char* run_help =
+    "Interprets a program and prints its moves.\n\n"
+    "Examples:\n"
+    "  obrys run PART.MPF                      the CL stream in its text form\n"
+    "  obrys run PART.MPF --format csv         one row a move: end point, feed, file, line, block\n"
+    "  obrys run PART.MPF --quiet              counts only\n"
+    "  obrys run PART.MPF --parameters         the values of the R parameters at the end\n\n"
+    "Exit codes: 0 run to its end, 1 the control would stop with an alarm, 2 usage or unreadable input,\n"
+    "3 something was not understood or not run.";
+
+inline constexpr const char* plot_help =
+    "Draws the tool path (feed green, rapid red) as SVG: of a lathe over stock, part and allowance, of a mill from "
+    "above\n"
+    "and from the side. A program without a job will do.\n"
+    "--interpolation prints instead how far a controller that moves its axes in steps of this basic length unit "
+    "leaves\n"
+    "each programmed element, and draws that, enlarged, with --svg.\n\n"
+    "Examples:\n"
+    "  obrys plot groove.job.toml -o groove.svg\n"
+    "  obrys plot groove.job.toml --set R3=150 > wrong.svg\n"
+    "  obrys plot PART.MPF --interpolation 0.001 --svg steps.svg\n\n"
+    "Exit codes: 0 the picture was made, 2 usage or unreadable input.";
+
+inline constexpr const char* translate_help =
+    "Writes a program for another control, or anew for its own: by what it makes the tool do, with cycles, zero "
+    "points,\n"
+    "frames and compensation where the target has them. What the target does not have is said.\n\n"
+    "Examples:\n"
+    "  obrys translate PART.H --to fanuc -o PART.nc\n"
+    "  obrys translate PART.MPF --to linuxcnc --tools tool.tbl > PART.ngc\n"
+    "  obrys translate PART.MPF --to my-mill.toml -o PART.nc    a post of one's own (docs/posts.md)\n\n"
+    "Exit codes: 0 all is there, 1 something is lost or the control would stop, 2 usage or unreadable input,\n"
+    "3 something was not understood or not run.";
+
+inline constexpr const char* compare_help =
+    "Runs two programs, of any controls, and says whether they make the machine do the same: the same way of the "
+    "tool,\n"
+    "feed, spindle, coolant, tools and stops; and whether they say it the same way: zero points, frames, cycles,\n"
+    "compensation. Texts of the CL stream (obrys run) are read, too.\n\n"
+    "Examples:\n"
+    "  obrys compare PART.H PART.nc\n"
+    "  obrys compare old.job.toml new.job.toml --format json\n\n"
+    "Exit codes: 0 the machine does the same, 1 it does not, 2 usage or unreadable input, 3 something of either was "
+    "not\n"
+    "understood or not run.";
+
+inline constexpr const char* fmt_help =
+    "Formats HEIDENHAIN programs (Klartext .H, DIN/ISO .I): numbers the blocks, one blank between words, upper case\n"
+    "keywords, signs of coordinates. Comments, texts and paths stay; so does every block it does not understand, "
+    "which\n"
+    "it names.\n\n"
+    "Examples:\n"
+    "  obrys fmt PART.H                        to standard output\n"
+    "  obrys fmt -i PART.H SUB.H               write the files\n"
+    "  obrys fmt --check *.H                   name the files that would change\n"
+    "  obrys fmt --decimal comma PART.H        X+10,5\n\n"
+    "Exit codes: 0 done, 1 --check: a file would change, 2 usage, unreadable input or no HEIDENHAIN program.";
+
+}  // namespace obrys::cli

@@ -1,0 +1,69 @@
+#include "compare/compare.hpp"
+
+#include <gtest/gtest.h>
+
+namespace obrys::compare {
+namespace {
+
+Path path_of(const std::vector<cl::Step>& steps) {
+    Path path(1e-4);
+    for (std::uint32_t i = 0; i < steps.size(); ++i) path.take({steps[i], {0, i, i + 1}, 0});
+    return path;
+}
+
+/// Names of the aspects in which the two differ.
+std::string differences(const std::vector<cl::Step>& a, const std::vector<cl::Step>& b) {
+    std::string out;
+    for (const Difference& d : compare(path_of(a), path_of(b), {}).first)
+        out += (out.empty() ? "" : " ") + std::string(name_of(d.aspect));
+    return out;
+}
+
+cl::Linear line(double x, double y = 0) { return {{x, y, 0}, {0, 0, 1}, false}; }
+
+TEST(Compare, RecordsThatChangeNothingDoNotCount) {
+    EXPECT_EQ(differences({cl::Feed{100}, line(10), line(20)}, {cl::Feed{50}, cl::Feed{100}, line(10), cl::Feed{100},
+                                                                line(10), line(20.00005), cl::Feed{9}}),
+              "");
+}
+
+TEST(Compare, EachAspectIsSeen) {
+    const std::vector<cl::Step> base{cl::Feed{100}, line(10), line(20)};
+    EXPECT_EQ(differences(base, {cl::Feed{100}, line(10), line(20.001)}), "motion");
+    EXPECT_EQ(differences(base, {cl::Feed{100}, line(10)}), "motion");
+    EXPECT_EQ(differences(base, {cl::Feed{100}, line(10), line(20), line(30)}), "motion");
+    EXPECT_EQ(differences(base, {cl::Feed{100}, line(10), cl::Feed{101}, line(20)}), "feed");
+    EXPECT_EQ(differences(base, {cl::Feed{100}, line(10), cl::Spindle{10, cl::SpindleMode::rpm, 1}, line(20)}),
+              "spindle");
+    EXPECT_EQ(differences(base, {cl::Feed{100}, line(10), cl::Coolant{true, false}, line(20)}), "coolant");
+    EXPECT_EQ(differences(base, {cl::Feed{100}, cl::ToolChange{1, 1, ""}, line(10), line(20)}), "tool events");
+    EXPECT_EQ(differences(base, {cl::Feed{100}, line(10), cl::Dwell{1, 0}, line(20)}), "events");
+    EXPECT_EQ(differences(base, {cl::Feed{100}, line(10), cl::Tolerance{0.1, 0}, line(20)}), "tolerance");
+    EXPECT_EQ(differences(base, {cl::Feed{100}, line(10), cl::CycleBegin{}, line(20), cl::CycleEnd{}}), "cycles");
+    EXPECT_EQ(differences(base, {cl::Feed{100}, line(10), cl::CompensationBegin{}, line(20), cl::CompensationEnd{}}),
+              "compensation");
+    EXPECT_EQ(differences(base, {cl::Feed{100}, line(10),
+                                 cl::Frame{{{cl::FrameKind::shift, geom::Frame::shift({1, 0, 0})}}}, line(20)}),
+              "frame");
+}
+
+TEST(Compare, AnEventStandsBetweenTheSameMoves) {
+    EXPECT_EQ(differences({line(10), cl::Stop{}, line(20)}, {line(10), line(20), cl::Stop{}}), "events");
+}
+
+TEST(Compare, ArcsAreTheSameWayWhateverSideTheirAxisIsSeenFrom) {
+    const cl::Arc a{{0, 10, 0}, {0, 0, 0}, {0, 0, 1}, geom::pi / 2};
+    const cl::Arc b{{0, 10, 0}, {0, 0, 7}, {0, 0, -1}, -geom::pi / 2};
+    const cl::Arc other{{0, 10, 0}, {0, 0, 0}, {0, 0, 1}, geom::pi / 2 - geom::full_turn};
+    EXPECT_EQ(differences({line(10), a}, {line(10), b}), "");
+    EXPECT_EQ(differences({line(10), a}, {line(10), other}), "motion");
+    EXPECT_EQ(differences({line(10), a}, {line(10), line(0, 10)}), "motion");
+}
+
+TEST(Compare, AnUnknownPlaceIsTheSameAsAnUnknownOneOnly) {
+    EXPECT_EQ(differences({line(NAN)}, {line(NAN)}), "");
+    EXPECT_EQ(differences({line(NAN)}, {line(5)}), "motion");
+}
+
+}  // namespace
+}  // namespace obrys::compare

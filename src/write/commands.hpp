@@ -1,0 +1,109 @@
+#pragma once
+/// What posts have templates for.
+
+#include <cstdint>
+#include <span>
+#include <string_view>
+
+namespace obrys::write {
+
+/// What a template is for.
+enum class Command : std::uint8_t {
+    file_begin,
+    file_end,
+    rapid,
+    linear,
+    arc_cw,
+    arc_ccw,
+    helix_cw,  ///< where it is written otherwise than an arc in the plane
+    helix_ccw,
+    thread,
+    tap,
+    plane_xy,
+    plane_zx,
+    plane_yz,
+    feed_per_minute,
+    feed_per_rev,
+    feed_inverse_time,
+    feed_rapid,               ///< of arcs
+    feed_surface_per_minute,  ///< while the cutting speed is constant, where that is said in one word with the feed
+    feed_surface_per_rev,
+    spindle_cw,
+    spindle_ccw,
+    spindle_stop,
+    leave_surface,  ///< before a speed that is no cutting speed
+    surface_cw,     ///< constant cutting speed
+    surface_ccw,
+    surface_stop,
+    spindle_held,
+    tool_change,
+    tool_data,      ///< what the program itself says a tool is
+    tool_standing,  ///< a tool that is in the spindle already
+    tool_none,
+    tool_by_name,
+    length_on,
+    length_subtracted,
+    length_by,  ///< by values
+    length_off,
+    machine_coordinates,
+    machine_linear,  ///< the same at feed
+    machine_home,
+    machine_second,  ///< the second reference point
+    machine_fixed,
+    coolant_off,
+    coolant_flood,
+    coolant_mist,
+    coolant_both,
+    dwell_seconds,
+    dwell_revolutions,
+    stop_program,
+    stop_optional,
+    stop_end,
+    comment,
+    message,
+    terminal,
+    tolerance_set,
+    tolerance_reset,
+    function,
+    axis,           ///< named by a letter
+    axis_numbered,  ///< "C2"
+    compensation_left,
+    compensation_right,
+    compensation_off,
+    corner_chamfer,
+    corner_chamfer_leg,
+    corner_rounding,
+    onto_tangent_line,  ///< ways onto a contour and off it that the control makes
+    onto_normal_line,
+    onto_tangent_arc,
+    onto_arc_and_line,
+    off_tangent_line,
+    off_normal_line,
+    off_tangent_arc,
+    off_arc_and_line,
+    cycle_end,
+    shift,
+    shift_off,
+    rotation,
+    rotation_off,
+    mirror,
+    mirror_off,
+    scaling,
+    scaling_off,
+    plane,
+    plane_off,
+    programmed,
+    programmed_off,
+    count,
+};
+/// "motion.arc-cw": table and key in the file.
+[[nodiscard]] std::string_view name_of(Command c);
+
+struct CommandName {
+    Command command;
+    std::string_view table, key, name;
+};
+/// In the order of the commands; those of one table stand together.
+[[nodiscard]] std::span<const CommandName> command_names();
+
+}  // namespace obrys::write

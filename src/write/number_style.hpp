@@ -1,0 +1,22 @@
+#pragma once
+/// How a control wants its numbers written.
+
+#include <optional>
+#include <string>
+
+namespace obrys::write {
+
+struct NumberStyle {
+    int decimals = 3;        ///< at most; zeros at the end are left out
+    bool point = false;      ///< also behind whole numbers: "10."
+    int digits = 1;          ///< before the point, at least
+    bool plus = false;       ///< "+10"
+    double factor = 1;       ///< what is written is the value times this
+    double most = 99999.0;   ///< largest amount that the word can hold, as written
+    std::string at_rapid{};  ///< what stands for an infinite value ("MAX"); empty: it cannot be written
+};
+
+/// Appends the number; false, and nothing is appended, where the word cannot hold it.
+[[nodiscard]] bool append_number(std::string& out, double value, const NumberStyle& style);
+
+}  // namespace obrys::write

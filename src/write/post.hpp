@@ -1,0 +1,82 @@
+#pragma once
+/// A post: what the programs of a control look like, as data. File form: docs/posts.md.
+
+#include <array>
+#include <map>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "base/diagnostic.hpp"
+#include "base/source.hpp"
+#include "cl/record.hpp"
+#include "write/commands.hpp"
+#include "write/template.hpp"
+
+namespace obrys::write {
+
+struct DatumForm {
+    std::uint32_t from = 0, to = 0;  ///< numbers of zeros that it writes
+    double less = 0;                 ///< the number written is that of the stream less this
+    Template text;
+    double set_less = 0;  ///< as `less`, in `set`
+    Template set;         ///< gives it another place in the machine
+};
+
+struct Condition {
+    ValueIndex value = 0;
+    bool present = true;
+    std::optional<double> equals{};
+};
+
+/// One way of writing a kind of cycle; the first of which all conditions hold and which says all that the cycle says.
+struct CycleForm {
+    std::vector<Condition> when;
+    std::vector<ValueIndex> unsaid;  ///< roles that need not be said
+    Template define;                 ///< where the values are others than those of the last cycle
+    Template call;                   ///< at each place
+    bool moves_over = false;         ///< the call moves over the hole by itself
+};
+
+struct BlockNumbers {
+    Block text;  ///< stands before each block
+    double first = 10, step = 10;
+    std::vector<std::string> skip;  ///< blocks that begin so have none
+};
+
+struct Post {
+    std::string name, title, control, suffix;
+    std::string line_end = "\n";
+    std::vector<NumberStyle> styles;
+    std::size_t words = 0;                 ///< how many are modal
+    std::vector<bool> word_is_coordinate;  ///< of those: forgotten where the frame changes
+    std::vector<std::vector<std::string>> groups;
+    std::vector<std::string> in_force;  ///< words of groups that hold at the begin
+    std::array<Template, static_cast<std::size_t>(Command::count)> commands;
+    std::vector<DatumForm> datums;
+    std::map<cl::CycleKind, std::vector<CycleForm>> cycles;
+    std::optional<BlockNumbers> numbers;
+    std::string
+        change_stops_spindle;        ///< the word that is in force behind a tool change (M5); empty: none comes into it
+    std::string stop_stops_spindle;  ///< the same of stops of the program
+    bool corner_in_block = true;     ///< of the element; else a block of its own behind it
+    bool comment_holds_brackets = true;  ///< a comment may hold ( and )
+    std::size_t longest_comment = 0;     ///< 0: as long as it is
+
+    [[nodiscard]] const Template& operator[](Command c) const { return commands[static_cast<std::size_t>(c)]; }
+    [[nodiscard]] bool has(Command c) const { return !(*this)[c].empty(); }
+};
+
+/// Reads a post; nothing, with what is wrong in `diagnostics`, where it cannot be used.
+[[nodiscard]] std::optional<Post> read_post(std::uint32_t file, const base::Sources& sources,
+                                            base::Diagnostics& diagnostics);
+
+/// The shipped posts of folder posts/: name and text, built in.
+struct ShippedPost {
+    std::string_view name, text;
+};
+[[nodiscard]] const ShippedPost* shipped_post(std::string_view name);
+[[nodiscard]] std::vector<std::string> shipped_post_names();
+
+}  // namespace obrys::write

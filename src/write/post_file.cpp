@@ -1,0 +1,312 @@
+#include <algorithm>
+
+#include "base/codes.hpp"
+#include "base/number.hpp"
+#include "shop/section.hpp"
+#include "write/commands.hpp"
+#include "write/post.hpp"
+
+namespace obrys::write {
+
+namespace {
+
+using shop::Entry;
+using shop::Section;
+namespace codes = base::codes;
+
+/// Styles that values have where a template names none.
+constexpr std::array<std::string_view, 7> usual_styles{"length",  "angle", "feed",  "speed",
+                                                       "seconds", "whole", "factor"};
+enum Usual : std::size_t { length, angle, feed, speed, seconds, whole, factor };
+
+Usual usual_style(Value v) {
+    switch (v) {
+        case Value::feed:
+        case Value::own_feed: return feed;
+        case Value::speed:
+        case Value::limit: return speed;
+        case Value::seconds: return seconds;
+        case Value::sweep:
+        case Value::held:
+        case Value::rotary:
+        case Value::axis:
+        case Value::angle:
+        case Value::angle_x:
+        case Value::angle_y:
+        case Value::angle_z: return angle;
+        case Value::factor_x:
+        case Value::factor_y:
+        case Value::factor_z: return factor;
+        case Value::turns:
+        case Value::more_turns:
+        case Value::number:
+        case Value::edge:
+        case Value::turret:
+        case Value::offset:
+        case Value::filter:
+        case Value::revolutions:
+        case Value::block: return whole;
+        default: return length;
+    }
+}
+
+Usual usual_style(cl::CycleRole role) {
+    const std::string_view name = cl::spelling(role);
+    const auto begins = [&](std::string_view word) { return name.starts_with(word); };
+    const auto holds = [&](std::string_view word) { return name.find(word) != std::string_view::npos; };
+    if (begins("feed-factor") || begins("rpm-factor") || name == "factor" || name == "overlap") return factor;
+    if (begins("feed-reference")) return whole;
+    if (begins("feed")) return feed;
+    if (holds("spindle-speed")) return speed;
+    if (begins("dwell") && name != "dwell-depth") return seconds;
+    if (holds("angle") || name == "rotation") return angle;
+    for (const std::string_view counted :
+         {"direction", "count", "columns", "rows", "passes", "operation", "plunge", "strategy", "approach",
+          "compensation", "traverse", "move-at-clearance", "breaks-before-retract", "countersink-order",
+          "threads-per-step", "datum-number", "preset-number", "tolerance-mode"})
+        if (name == counted || name.ends_with(std::string("-") + std::string(counted))) return whole;
+    return length;
+}
+
+/// Reads one post file; what it extends is in it already.
+class Reader {
+public:
+    Reader(Section& file, Post& post) : file_(file), post_(post) {}
+
+    void read() {
+        post_.title = file_.text("title").value_or("");
+        post_.control = file_.text("control").value_or("");
+        post_.suffix = file_.text("suffix").value_or("nc");
+        if (const auto ends = file_.choice("line_end", {"lf", "crlf"})) post_.line_end = *ends == 0 ? "\n" : "\r\n";
+        static_cast<void>(file_.take("extends"));
+        read_numbers();
+        read_modal();
+        read_commands();
+        read_block_numbers();
+        read_datums();
+        read_cycles();
+    }
+
+private:
+    void complain(base::Span where, std::string text) { file_.error(codes::job_value, where, std::move(text)); }
+
+    void read_numbers() {
+        post_.styles.assign(usual_styles.size(), {});
+        for (const std::string_view name : usual_styles) grammar_.style_names.emplace_back(name);
+        post_.styles[whole].decimals = 0;
+        const Entry* table = file_.sub_table("numbers");
+        for (const Entry& e : table ? table->value.entries : std::vector<Entry>{}) {
+            Section s(e.value, "[numbers] " + e.key, file_.diagnostics());
+            const auto found = std::find(grammar_.style_names.begin(), grammar_.style_names.end(), e.key);
+            const auto at = static_cast<std::size_t>(found - grammar_.style_names.begin());
+            if (found == grammar_.style_names.end()) grammar_.style_names.push_back(e.key), post_.styles.emplace_back();
+            NumberStyle& style = post_.styles[at];
+            if (const auto d = s.integer("decimals", 0, 9)) style.decimals = static_cast<int>(*d);
+            if (const auto d = s.integer("digits", 1, 9)) style.digits = static_cast<int>(*d);
+            style.point = s.boolean("point").value_or(style.point);
+            style.plus = s.boolean("plus").value_or(style.plus);
+            style.factor = s.number("factor").value_or(style.factor);
+            style.most = s.number("most", shop::Range::positive).value_or(style.most);
+            style.at_rapid = s.text("at_rapid").value_or(style.at_rapid);
+            s.finish();
+        }
+        grammar_.style_of.resize(value_count);
+        for (std::size_t v = 0; v < first_role; ++v) grammar_.style_of[v] = usual_style(static_cast<Value>(v));
+        for (std::size_t v = first_role; v < value_count; ++v)
+            grammar_.style_of[v] = usual_style(static_cast<cl::CycleRole>(v - first_role));
+    }
+
+    void read_modal() {
+        const Entry* table = file_.sub_table("modal");
+        if (!table) return;
+        Section s(table->value, "[modal]", file_.diagnostics());
+        const std::vector<std::string> coordinates = s.texts("coordinates"), others = s.texts("words");
+        for (const auto* list : {&coordinates, &others})
+            grammar_.modal_words.insert(grammar_.modal_words.end(), list->begin(), list->end());
+        post_.words = grammar_.modal_words.size();
+        post_.word_is_coordinate.assign(post_.words, false);
+        std::fill_n(post_.word_is_coordinate.begin(), coordinates.size(), true);
+        if (const Entry* groups = s.take("groups")) {
+            for (const shop::Value& group : groups->value.items) {
+                std::vector<std::string> words;
+                for (const shop::Value& word : group.items) words.push_back(word.text);
+                grammar_.groups.push_back(std::move(words));
+            }
+        }
+        post_.groups = grammar_.groups;
+        post_.in_force = s.texts("start");
+        s.finish();
+    }
+
+    Template blocks(Section& s, std::string_view key) {
+        Template out;
+        for (const shop::Value* text : s.text_values(key)) {
+            std::string error;
+            if (auto block = parse_block(text->text, grammar_, error))
+                out.push_back(std::move(*block));
+            else
+                complain(text->where, error);
+        }
+        return out;
+    }
+
+    void read_commands() {
+        for (std::size_t i = 0; i < command_names().size();) {
+            const std::string_view name = command_names()[i].table;
+            const Entry* table = file_.sub_table(name);
+            const shop::Value none;
+            Section s(table ? table->value : none, "[" + std::string(name) + "]", file_.diagnostics());
+            for (; i < command_names().size() && command_names()[i].table == name; ++i)
+                if (table) post_.commands[i] = blocks(s, command_names()[i].key);
+            if (!table) continue;
+            if (name == "tool") post_.change_stops_spindle = s.text("stops_spindle").value_or("");
+            if (name == "stop") post_.stop_stops_spindle = s.text("stops_spindle").value_or("");
+            if (name == "corner") post_.corner_in_block = s.boolean("in_block").value_or(true);
+            if (name == "text") {
+                post_.comment_holds_brackets = s.boolean("holds_brackets").value_or(true);
+                if (const auto n = s.integer("longest", 1, 10'000))
+                    post_.longest_comment = static_cast<std::size_t>(*n);
+            }
+            s.finish();
+        }
+    }
+
+    void read_block_numbers() {
+        const Entry* table = file_.sub_table("block_numbers");
+        if (!table) return;
+        Section s(table->value, "[block_numbers]", file_.diagnostics());
+        BlockNumbers numbers;
+        if (const Template t = blocks(s, "text"); !t.empty()) numbers.text = t.front();
+        numbers.skip = s.texts("skip");
+        numbers.first = s.number("first").value_or(numbers.first);
+        numbers.step = s.number("step", shop::Range::positive).value_or(numbers.step);
+        s.finish();
+        post_.numbers = std::move(numbers);
+    }
+
+    void read_datums() {
+        for (const shop::Value* v : file_.tables("datum")) {
+            Section s(*v, "[[datum]]", file_.diagnostics());
+            DatumForm form;
+            form.from = static_cast<std::uint32_t>(s.integer("from", 0, 100'000).value_or(0));
+            form.to = static_cast<std::uint32_t>(s.integer("to", 0, 100'000).value_or(form.from));
+            form.less = s.number("less").value_or(0);
+            form.text = blocks(s, "text");
+            form.set = blocks(s, "set");
+            form.set_less = s.number("set_less").value_or(form.less);
+            s.finish();
+            post_.datums.push_back(std::move(form));
+        }
+    }
+
+    std::optional<Condition> condition(const shop::Value& v) {
+        std::string_view text = v.text;
+        Condition c;
+        if (text.starts_with('!')) c.present = false, text.remove_prefix(1);
+        if (const std::size_t at = text.find('='); at != std::string_view::npos) {
+            c.equals = base::parse_double(text.substr(at + 1));
+            if (!c.equals) return complain(v.where, "what stands behind = is no number"), std::nullopt;
+            text = text.substr(0, at);
+        }
+        const auto value = value_named(text, true);
+        if (!value) return complain(v.where, "there is no value called '" + std::string(text) + "'"), std::nullopt;
+        c.value = *value;
+        return c;
+    }
+
+    void read_cycles() {
+        grammar_.in_cycle = true;
+        for (const shop::Value* v : file_.tables("cycle")) {
+            Section s(*v, "[[cycle]]", file_.diagnostics());
+            CycleForm form;
+            for (const shop::Value* text : s.text_values("when"))
+                if (const auto c = condition(*text)) form.when.push_back(*c);
+            for (const shop::Value* text : s.text_values("unsaid"))
+                if (const auto c = condition(*text)) form.unsaid.push_back(c->value);
+            form.define = blocks(s, "define");
+            form.call = blocks(s, "call");
+            form.moves_over = s.boolean("moves_over").value_or(false);
+            for (const shop::Value* kind : s.text_values("kind")) {
+                if (const auto known = cl::cycle_kind_spelt(kind->text))
+                    post_.cycles[*known].push_back(form);
+                else
+                    complain(kind->where, "there is no kind of cycle called '" + kind->text + "'");
+            }
+            s.finish();
+        }
+        grammar_.in_cycle = false;
+    }
+
+    Section& file_;
+    Post& post_;
+    Grammar grammar_;
+};
+
+/// What `over` says stands in the place of what `under` says; tables are joined, arrays of tables too, those of `over`
+/// first.
+shop::Value joined(const shop::Value& under, const shop::Value& over) {
+    shop::Value out = under;
+    for (const Entry& e : over.entries) {
+        const auto same = std::find_if(out.entries.begin(), out.entries.end(),
+                                       [&](const Entry& there) { return there.key == e.key; });
+        if (same == out.entries.end()) {
+            out.entries.push_back(e);
+            continue;
+        }
+        const bool tables = e.value.kind == shop::ValueKind::array && !e.value.items.empty() &&
+                            e.value.items.front().kind == shop::ValueKind::table;
+        if (e.value.kind == shop::ValueKind::table && same->value.kind == shop::ValueKind::table) {
+            same->value = joined(same->value, e.value);
+        } else if (tables && same->value.kind == shop::ValueKind::array) {
+            shop::Value all = e.value;
+            all.items.insert(all.items.end(), same->value.items.begin(), same->value.items.end());
+            same->value = std::move(all);
+        } else {
+            same->value = e.value;
+        }
+    }
+    out.where = over.where;
+    return out;
+}
+
+constexpr int deepest_extension = 8;
+
+/// The file with all that it extends below it. The texts of shipped posts are kept in `texts`, since places lie in
+/// them.
+std::optional<shop::Value> whole_file(std::uint32_t file, const base::Sources& sources, base::Sources& texts,
+                                      base::Diagnostics& diagnostics, int depth) {
+    auto root = shop::parse_toml(file, sources, diagnostics);
+    if (!root) return std::nullopt;
+    const Entry* e = shop::find(*root, "extends");
+    if (!e) return root;
+    const ShippedPost* base = shipped_post(e->value.text);
+    if (base == nullptr || depth == deepest_extension) {
+        base::Diagnostic d;
+        d.code = codes::job_value;
+        d.where = e->value.where;
+        d.text = "there is no shipped post called '" + e->value.text + "'";
+        diagnostics.add(std::move(d));
+        return std::nullopt;
+    }
+    const std::uint32_t text = texts.add(std::string(base->name), std::string(base->text));
+    const auto under = whole_file(text, texts, texts, diagnostics, depth + 1);
+    if (!under) return std::nullopt;
+    return joined(*under, *root);
+}
+
+}  // namespace
+
+std::optional<Post> read_post(std::uint32_t file, const base::Sources& sources, base::Diagnostics& diagnostics) {
+    base::Sources texts;
+    const auto root = whole_file(file, sources, texts, diagnostics, 0);
+    if (!root) return std::nullopt;
+    base::Diagnostics own;
+    Section section(*root, "the post", own);
+    Post post;
+    Reader(section, post).read();
+    section.finish_file(diagnostics);
+    if (own.has_errors()) return std::nullopt;
+    return post;
+}
+
+}  // namespace obrys::write

@@ -1,0 +1,124 @@
+#include "write/post.hpp"
+
+#include <gtest/gtest.h>
+
+#include "write/post_testing.hpp"
+#include "write/writer.hpp"
+
+namespace obrys::write {
+namespace {
+
+TEST(Post, EveryShippedOneCanBeReadAndMovesTheTool) {
+    ASSERT_GE(shipped_post_names().size(), 8U);
+    for (const std::string& name : shipped_post_names()) {
+        const Post post = post_of(std::string(shipped_post(name)->text));
+        EXPECT_TRUE(post.has(Command::rapid)) << name;
+        EXPECT_TRUE(post.has(Command::linear)) << name;
+        EXPECT_TRUE(post.has(Command::arc_cw)) << name;
+        EXPECT_FALSE(post.title.empty()) << name;
+    }
+}
+
+TEST(Post, WhatItExtendsStaysBelow) {
+    const Post post = post_of(
+        "extends = \"fanuc\"\n[motion]\nrapid = \"G00 X{x}\"\n[[cycle]]\nkind = \"canned-drill\"\n"
+        "call = \"G81 X{x}\"\n");
+    EXPECT_EQ(post[Command::rapid].front().front().before, "G00");
+    EXPECT_TRUE(post.has(Command::linear));
+    EXPECT_EQ(post.cycles.at(cl::CycleKind::canned_drill).size(), 3U);  // its own, then those of fanuc
+}
+
+TEST(Post, FaultsHaveTheirPlace) {
+    EXPECT_EQ(faults_of("[motion]\nrapid = \"G0 X{w}\"\n"), "2: there is no value called 'w'\n");
+    EXPECT_EQ(faults_of("[motion]\nrapid = \"G0 X{x:big}\"\n"), "2: there is no style of numbers called 'big'\n");
+    EXPECT_EQ(faults_of("[motion]\nrapid = \"G0 X{x\"\n"), "2: a brace is not closed\n");
+    EXPECT_EQ(faults_of("[motion]\nrapid = \"G0 X{x*two}\"\n"), "2: 'two' is no number to multiply with\n");
+    EXPECT_NE(faults_of("[motion]\nrapit = \"G0\"\n").find("unknown key 'rapit'"), std::string::npos);
+    EXPECT_EQ(faults_of("[[cycle]]\nkind = \"drilling\"\n"), "2: there is no kind of cycle called 'drilling'\n");
+    EXPECT_EQ(faults_of("[[cycle]]\nkind = \"drill\"\nwhen = \"depht\"\n"), "3: there is no value called 'depht'\n");
+    EXPECT_EQ(faults_of("extends = \"nobody\"\n"), "1: there is no shipped post called 'nobody'\n");
+}
+
+/// A stream written by a post.
+struct Written {
+    std::string text;
+    std::vector<std::string> lost, expanded;
+};
+Written write(const Post& post, const std::vector<cl::Step>& steps) {
+    Written out;
+    Output output;
+    output.text = [&](std::string_view text) { out.text += text; };
+    output.note = [&](const Note& n) { (n.fate == Fate::lost ? out.lost : out.expanded).push_back(n.what); };
+    Writer writer(post, "P", output);
+    for (std::uint32_t i = 0; i < steps.size(); ++i) writer.take({steps[i], {0, i, i + 1}, 0});
+    writer.finish();
+    return out;
+}
+
+const char* const small =
+    "[modal]\ncoordinates = [\"X\", \"Y\", \"Z\"]\nwords = [\"F\"]\n"
+    "groups = [[\"G0\", \"G1\", \"G2\", \"G3\"], [\"M3\", \"M5\"], [\"G94\", \"G95\"]]\nstart = [\"M5\", \"G94\"]\n"
+    "[motion]\nrapid = \"G0 X{x} Y{y} Z{z}\"\nlinear = \"G1 X{x} Y{y} Z{z} {feed}\"\n"
+    "arc-cw = \"G2 X{x} Y{y} Z{z} I{i} J{j} {feed}\"\narc-ccw = \"G3 X{x} Y{y} Z{z} I{i} J{j} {feed}\"\n"
+    "[feed]\nper-minute = \"G94 F{feed}\"\nper-rev = \"G95 F{feed}\"\n";
+
+TEST(Writer, WordsThatAreInForceAreLeftOut) {
+    const Written w = write(post_of(small), {cl::Linear{{10, 0, 5}, {0, 0, 1}, true}, cl::Feed{200},
+                                             cl::Linear{{10, 0, -2}}, cl::Linear{{20, 0, -2}}, cl::Linear{{20, 0, -2}},
+                                             cl::Arc{{30, 10, -2}, {20, 10, -2}, {0, 0, 1}, geom::pi / 2}});
+    EXPECT_EQ(w.text, "G0 X10 Y0 Z5\nG1 Z-2 F200\nX20\nG3 X30 Y10 I0 J10\n");
+    EXPECT_TRUE(w.lost.empty());
+}
+
+TEST(Writer, AFeedOfAnotherKindIsWrittenAlsoWhereItsNumberIsTheSame) {
+    const Written w = write(post_of(small), {cl::Feed{2}, cl::Linear{{1, 0, 0}}, cl::Feed{2, cl::FeedMode::per_rev},
+                                             cl::Linear{{2, 0, 0}}});
+    EXPECT_EQ(w.text, "G1 X1 Y0 Z0 F2\nX2 G95 F2\n");
+}
+
+TEST(Writer, SeveralTurnsAreWrittenOneByOneWhereTheControlHasNoWordForThem) {
+    const Written w = write(post_of(small), {cl::Linear{{10, 0, 0}, {0, 0, 1}, true},
+                                             cl::Arc{{0, 10, -5}, {0, 0, 0}, {0, 0, 1}, 2.25 * geom::full_turn}});
+    EXPECT_EQ(w.text, "G0 X10 Y0 Z0\nG3 Z-2.222 I-10 J0\nZ-4.444 I-10 J0\nX0 Y10 Z-5 I-10 J0\n");
+}
+
+TEST(Writer, CoordinatesOfAFrameThatThePostHasNoWordsForAreThoseOfTheWorkpiece) {
+    cl::Frame turned;
+    turned.parts.push_back({cl::FrameKind::rotation, geom::Frame::rotation(2, geom::pi / 2)});
+    const Written w = write(post_of(small), {turned, cl::Linear{{0, 10, 0}, {0, 0, 1}, true}});
+    EXPECT_EQ(w.text, "G0 X0 Y10 Z0\n");
+    EXPECT_EQ(w.expanded.size(), 1U);
+    const Written f = write(post_of("extends = \"fanuc\"\n"), {turned, cl::Linear{{0, 10, 0}, {0, 0, 1}, true}});
+    EXPECT_NE(f.text.find("G68 X0. Y0. R90.\nG0 X10. Y0. Z0.\n"), std::string::npos) << f.text;
+}
+
+TEST(Writer, WhatThePostCannotSayIsLostAndSaid) {
+    const Post post = post_of(small);
+    EXPECT_EQ(write(post, {cl::Dwell{1, 0}}).lost.size(), 1U);
+    EXPECT_EQ(write(post, {cl::Spindle{100, cl::SpindleMode::rpm, 1}, cl::Linear{{1, 0, 0}}}).lost.size(), 1U);
+    EXPECT_EQ(write(post, {cl::Linear{{1e7, 0, 0}}}).lost.size(), 1U);
+    EXPECT_EQ(write(post, {cl::Feed{NAN}, cl::Linear{{1, 0, 0}}, cl::Linear{{2, 0, 0}}}).lost.size(), 1U);
+    EXPECT_EQ(write(post, {cl::Feed{1, cl::FeedMode::inverse_time}, cl::Linear{{1, 0, 0}}}).lost.size(), 1U);
+    EXPECT_EQ(write(post, {cl::Linear{{5, 0, 0}}, cl::Arc{{0, 5, 0}, {0, 0, 0}, {0, 0.6, 0.8}, 1}}).lost.size(), 1U);
+    EXPECT_EQ(write(post, {cl::Spline{{1, 0, 0}, {}, {}, {}, {0, 0, 1}, {}}}).lost.size(), 1U);
+}
+
+TEST(Writer, ACycleIsFoldedOnlyWhereAllThatItSaysHasItsWord) {
+    const Post post = post_of(std::string(small) +
+                              "[cycles]\nend = \"G80\"\n[[cycle]]\nkind = \"canned-drill\"\n"
+                              "call = \"G81 X{x!} Z{bottom} R{retract-plane}\"\n");
+    const auto bracket = [](std::vector<cl::CycleValue> values) {
+        return std::vector<cl::Step>{
+            cl::Linear{{10, 0, 5}, {0, 0, 1}, true},
+            cl::CycleBegin{cl::Cycle{cl::CycleKind::canned_drill, {}, std::move(values), "G81", {}}, {10, 0, 5}},
+            cl::Linear{{10, 0, -5}}, cl::CycleEnd{}, cl::Linear{{0, 0, 5}, {0, 0, 1}, true}};
+    };
+    const Written folded = write(post, bracket({{cl::CycleRole::bottom, -5}, {cl::CycleRole::retract_plane, 2}}));
+    EXPECT_EQ(folded.text, "G0 X10 Y0 Z5\nG81 X10 Z-5 R2\nG80\nX0 Y0 Z5\n");
+    const Written moves = write(post, bracket({{cl::CycleRole::bottom, -5}, {cl::CycleRole::dwell_bottom, 2}}));
+    EXPECT_EQ(moves.text, "G0 X10 Y0 Z5\nG1 Z-5\nG0 X0 Z5\n");
+    EXPECT_EQ(moves.expanded.size(), 1U);
+}
+
+}  // namespace
+}  // namespace obrys::write

@@ -1,0 +1,164 @@
+#include "write/printer.hpp"
+
+#include <algorithm>
+
+namespace obrys::write {
+
+/// A block on its way, with what will be in force behind it.
+struct Printer::Line {
+    std::string text;
+    int words = 0;              ///< printed, of those that say more than how
+    int modes = 0;              ///< words of groups
+    bool mode_printed = false;  ///< in this template: a word behind it is printed, too
+    bool asked = false;         ///< the block has words with values
+    std::vector<std::pair<int, std::string>> slots, groups;
+
+    void append(std::string_view token) {
+        if (token.empty()) return;
+        if (!text.empty()) text += ' ';
+        text += token;
+    }
+};
+
+Printer::Printer(const Post& post, std::function<void(std::string_view)> out)
+    : post_(post), out_(std::move(out)), words_(post.words), in_force_(post.groups.size()) {}
+
+void Printer::force(const std::string& word) {
+    for (std::size_t g = 0; g < post_.groups.size(); ++g)
+        if (std::find(post_.groups[g].begin(), post_.groups[g].end(), word) != post_.groups[g].end())
+            in_force_[g] = word;
+}
+
+void Printer::force(const Template& words) {
+    for (const Block& block : words)
+        for (const Token& t : block)
+            if (t.kind == Token::Kind::literal) force(t.before);
+}
+
+void Printer::start() {
+    for (const std::string& word : post_.in_force) force(word);
+}
+
+void Printer::forget_coordinates() {
+    for (std::size_t i = 0; i < words_.size(); ++i)
+        if (post_.word_is_coordinate[i]) words_[i].clear();
+}
+
+void Printer::forget_words() {
+    for (std::string& w : words_) w.clear();
+}
+
+void Printer::add_literal(Line& line, const std::string& text, int group) const {
+    if (group < 0) return line.append(text);
+    if (in_force_[static_cast<std::size_t>(group)] == text) return;
+    line.append(text);
+    ++line.modes;
+    line.mode_printed = true;
+    line.groups.emplace_back(group, text);
+}
+
+bool Printer::add_word(Line& line, const Token& t, const Values& values) {
+    if (!values.has(t.value)) return true;
+    line.asked = true;
+    std::string text(t.first ? values.text(*t.first) : std::string_view());
+    text += t.before;
+    const bool known = !values.is_unknown(t.value);
+    if (!known || !append_number(text, values.number(t.value) * t.factor, post_.styles[t.style])) {
+        failed_ = text + (known ? std::to_string(values.number(t.value) * t.factor) : "?");
+        return false;
+    }
+    text += t.after;
+    if (t.slot >= 0) {
+        const auto slot = static_cast<std::size_t>(t.slot);
+        const bool behind_mode = line.mode_printed && !post_.word_is_coordinate[slot];
+        if (!t.always && !behind_mode && words_[slot] == text) return true;
+        line.slots.emplace_back(t.slot, text);
+    }
+    line.append(text);
+    ++line.words;
+    return true;
+}
+
+bool Printer::add_token(Line& line, const Token& t, const Values& values, const Parts& parts) {
+    switch (t.kind) {
+        case Token::Kind::literal: add_literal(line, t.before, t.group); return true;
+        case Token::Kind::word: return add_word(line, t, values);
+        case Token::Kind::text:
+            line.append(t.before + std::string(values.text(t.text)) + t.after);
+            ++line.words;
+            return true;
+        case Token::Kind::choice: add_literal(line, values.has(t.value) ? t.before : t.after, t.group); return true;
+        case Token::Kind::part: break;
+    }
+    if (t.part == Part::axes) {
+        line.asked = true;
+        for (const std::string& axis : parts.axes) line.append(axis), ++line.words;
+        return true;
+    }
+    const Template* part = t.part == Part::compensation ? parts.compensation
+                           : t.part == Part::feed       ? parts.feed
+                           : t.part == Part::length     ? parts.length
+                                                        : parts.corner;
+    const int words = line.words;
+    const bool mode = std::exchange(line.mode_printed, false);
+    if (part != nullptr && !part->empty() && !add(line, part->front(), values, {})) return false;
+    line.words = words;  // none of them moves
+    line.mode_printed = mode;
+    return true;
+}
+
+bool Printer::add(Line& line, const Block& block, const Values& values, const Parts& parts) {
+    for (const Token& t : block)
+        if (!add_token(line, t, values, parts)) return false;
+    return true;
+}
+
+void Printer::put(std::string_view text) {
+    std::string line;
+    const auto begins = [&](const std::string& word) { return text.starts_with(word); };
+    if (post_.numbers && std::none_of(post_.numbers->skip.begin(), post_.numbers->skip.end(), begins)) {
+        Values number;
+        number.set(Value::block, post_.numbers->first + post_.numbers->step * static_cast<double>(numbered_++));
+        for (const Token& t : post_.numbers->text) {
+            std::string word = t.before;
+            if (t.kind == Token::Kind::word)
+                static_cast<void>(append_number(word, number.number(t.value), post_.styles[t.style]));
+            line += word + t.after + ' ';
+        }
+    }
+    line += text;
+    line += post_.line_end;
+    out_(line);
+    ++lines_;
+}
+
+Printed Printer::print(const Template& text, const Values& values, const Parts& parts, bool moves) {
+    std::vector<Line> lines;
+    for (const Block& block : text) {
+        Line line;
+        const bool optional =
+            !block.empty() && block.front().kind == Token::Kind::literal && block.front().before == "?";
+        if (!add(line, optional ? Block(block.begin() + 1, block.end()) : block, values, parts)) return Printed::failed;
+        if (optional && line.words == 0) continue;
+        const bool says = line.words > 0 || (!moves && (line.modes > 0 || !line.asked));
+        if (says && !line.text.empty())
+            lines.push_back(std::move(line));
+        else if (moves && block.size() > 0 && &block == &text.back())
+            return Printed::nothing;
+    }
+    for (const Line& line : lines) {
+        for (const auto& [slot, word] : line.slots) words_[static_cast<std::size_t>(slot)] = word;
+        for (const auto& [group, word] : line.groups) in_force_[static_cast<std::size_t>(group)] = word;
+        put(line.text);
+    }
+    return lines.empty() ? Printed::nothing : Printed::all;
+}
+
+std::optional<std::string> Printer::whole(const Block& block, const Values& values) const {
+    Printer other(post_, [](std::string_view) {});
+    Line line;
+    if (!other.add(line, block, values, {})) return std::nullopt;
+    return line.text;
+}
+
+}  // namespace obrys::write

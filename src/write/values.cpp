@@ -1,0 +1,37 @@
+#include "write/values.hpp"
+
+#include <algorithm>
+
+namespace obrys::write {
+
+namespace {
+
+constexpr std::array<std::string_view, static_cast<std::size_t>(Value::count)> names{
+    "x",         "y",         "z",        "i",        "j",          "k",           "cx",          "cy",
+    "cz",        "radius",    "sweep",    "turns",    "more-turns", "axis",        "pitch",       "pitch-x",
+    "pitch-y",   "pitch-z",   "size",     "own-feed", "length",     "tool-radius", "feed",        "speed",
+    "limit",     "held",      "number",   "edge",     "turret",     "raised",      "wider",       "offset",
+    "around",    "sharp",     "contour",  "rotary",   "filter",     "seconds",     "revolutions", "machine-x",
+    "machine-y", "machine-z", "shift-x",  "shift-y",  "shift-z",    "angle",       "angle-x",     "angle-y",
+    "angle-z",   "factor-x",  "factor-y", "factor-z", "mirror-x",   "mirror-y",    "mirror-z",    "block"};
+constexpr std::array<std::string_view, static_cast<std::size_t>(Text::count)> texts{"name", "text", "letter"};
+
+}  // namespace
+
+std::string_view name_of(Value v) { return names[static_cast<std::size_t>(v)]; }
+
+std::optional<ValueIndex> value_named(std::string_view name, bool in_cycle) {
+    if (in_cycle)
+        if (const auto role = cl::cycle_role_spelt(name)) return index_of(*role);
+    const auto found = std::find(names.begin(), names.end(), name);
+    if (found == names.end()) return std::nullopt;
+    return static_cast<ValueIndex>(found - names.begin());
+}
+
+std::optional<Text> text_named(std::string_view name) {
+    const auto found = std::find(texts.begin(), texts.end(), name);
+    if (found == texts.end()) return std::nullopt;
+    return static_cast<Text>(found - texts.begin());
+}
+
+}  // namespace obrys::write

@@ -1,0 +1,119 @@
+#pragma once
+/// What a template of a post may print: numbers by name, and a few texts. Lengths in mm, angles in degrees, feeds in
+/// mm/min, mm per revolution or 1/min, times in seconds.
+
+#include <array>
+#include <cstdint>
+#include <optional>
+#include <string>
+#include <string_view>
+
+#include "cl/cycle.hpp"
+
+namespace obrys::write {
+
+enum class Value : std::uint8_t {
+    // Moves, in the frame in which coordinates are programmed.
+    x,
+    y,
+    z,
+    i,  ///< from the start of an arc to its centre
+    j,
+    k,
+    centre_x,
+    centre_y,
+    centre_z,
+    radius,      ///< of an arc
+    sweep,       ///< of an arc, counter-clockwise positive
+    turns,       ///< of an arc of more than one; else absent
+    more_turns,  ///< those less one
+    axis,        ///< where an additional axis goes
+    pitch,
+    pitch_x,  ///< the pitch where the thread runs along that axis; else absent
+    pitch_y,
+    pitch_z,
+    size,      ///< of a chamfer or rounding, a line onto a contour
+    own_feed,  ///< of a chamfer, a rounding, a way onto a contour alone; else absent
+    length,    ///< of a tool
+    tool_radius,
+    // What holds.
+    feed,
+    speed,
+    limit,  ///< highest speed at constant cutting speed
+    held,   ///< angle of a spindle that stands
+    number,
+    edge,
+    turret,  ///< tool and edge in one number, the edge in its last two digits (T0303)
+    raised,
+    wider,
+    offset,
+    around,   ///< 1 where compensation comes on about the contour's start (KONT); else absent
+    sharp,    ///< 1 where outer corners go out to the crossing of the parallels; else absent
+    contour,  ///< of a tolerance
+    rotary,
+    filter,  ///< 1 finishing, 2 semi-finishing, 3 roughing, 4 precision
+    seconds,
+    revolutions,
+    // Places of the machine; absent along axes that do not go there.
+    machine_x,
+    machine_y,
+    machine_z,
+    // Frames.
+    shift_x,
+    shift_y,
+    shift_z,
+    angle,    ///< about the normal of the working plane
+    angle_x,  ///< turns about the axes as they stand, x first, then y, then z
+    angle_y,
+    angle_z,
+    factor_x,
+    factor_y,
+    factor_z,
+    mirror_x,  ///< 0 where that axis is mirrored; else absent
+    mirror_y,
+    mirror_z,
+    // The file.
+    block,  ///< number of the block
+    count,
+};
+
+/// What a token prints: a value, or what a cycle says by role.
+using ValueIndex = std::uint16_t;
+inline constexpr ValueIndex first_role = static_cast<ValueIndex>(Value::count);
+inline constexpr ValueIndex value_count = first_role + static_cast<ValueIndex>(cl::CycleRole::turned_axes) + 1;
+[[nodiscard]] constexpr ValueIndex index_of(Value v) { return static_cast<ValueIndex>(v); }
+[[nodiscard]] constexpr ValueIndex index_of(cl::CycleRole r) { return first_role + static_cast<ValueIndex>(r); }
+
+/// By its name in a post; in templates of cycles roles come first.
+[[nodiscard]] std::optional<ValueIndex> value_named(std::string_view name, bool in_cycle);
+[[nodiscard]] std::string_view name_of(Value v);
+
+enum class Text : std::uint8_t { name, text, letter, count };
+[[nodiscard]] std::optional<Text> text_named(std::string_view name);
+
+class Values {
+public:
+    Values() { clear(); }
+    void clear() { state_.fill(State::absent); }
+    void set(ValueIndex v, double number) {
+        number_[v] = number;
+        state_[v] = number == number ? State::known : State::unknown;
+    }
+    void set(Value v, double number) { set(index_of(v), number); }
+    void set(Text t, std::string_view text) { text_[static_cast<std::size_t>(t)] = text; }
+    void drop(Value v) { state_[index_of(v)] = State::absent; }
+
+    [[nodiscard]] bool has(ValueIndex v) const { return state_[v] != State::absent; }
+    /// It is there, but nobody knows it.
+    [[nodiscard]] bool is_unknown(ValueIndex v) const { return state_[v] == State::unknown; }
+    [[nodiscard]] double number(ValueIndex v) const { return number_[v]; }
+    [[nodiscard]] std::string_view text(Text t) const { return text_[static_cast<std::size_t>(t)]; }
+
+private:
+    enum class State : std::uint8_t { absent, unknown, known };
+    std::array<double, value_count> number_{};
+    std::array<State, value_count> state_{};
+    std::array<std::string, static_cast<std::size_t>(Text::count)> text_;
+};
+
+}  // namespace obrys::write

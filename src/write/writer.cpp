@@ -1,0 +1,207 @@
+#include "write/writer.hpp"
+
+#include <algorithm>
+
+#include "cl/totals.hpp"
+
+namespace obrys::write {
+
+Writer::Writer(const Post& post, std::string name, Output output)
+    : post_(post),
+      name_(std::move(name)),
+      output_(std::move(output)),
+      printer_(post, [this](std::string_view text) { output_.text(text); }) {
+    values_.set(Text::name, name_);
+    static_cast<void>(printer_.print(post_[Command::file_begin], values_));
+    printer_.start();
+}
+
+void Writer::note(Fate fate, std::string what) {
+    Note n{fate, std::move(what), {}, 0, printer_.lines() + 1};
+    if (now_ != nullptr) n.from = now_->from, n.stack = now_->stack;
+    output_.note(std::move(n));
+}
+
+/// Prints a command; says that it is lost where the post has none for it or a word cannot hold its number.
+bool Writer::print(Command command, std::string_view what) {
+    if (!post_.has(command)) {
+        note(Fate::lost, std::string(what) + ": the post has no " + std::string(name_of(command)));
+        return false;
+    }
+    if (printer_.print(post_[command], values_, parts_of(false, nullptr)) != Printed::failed) return true;
+    note(Fate::lost, std::string(what) + ": a word cannot hold " + printer_.failed_word());
+    return false;
+}
+
+/// Within what is written as a cycle or as a way onto a contour, the control makes the moves; what holds behind it is
+/// known from the records.
+void Writer::take_folded(const cl::Record& record) {
+    const cl::Step& step = record.step;
+    if (std::holds_alternative<cl::CycleBegin>(step) || std::holds_alternative<cl::LeadBegin>(step)) ++folding_;
+    if (std::holds_alternative<cl::CycleEnd>(step) || std::holds_alternative<cl::LeadEnd>(step)) --folding_;
+    static_cast<void>(cursor_.take(record));
+    if (std::holds_alternative<cl::CompensationBegin>(step)) contour_begun_ = false;
+    if (folding_ == 0) end_fold();
+}
+
+void Writer::take(const cl::Record& record) {
+    now_ = &record;
+    if (folding_ > 0) {
+        take_folded(record);
+    } else if (const auto* begin = std::get_if<cl::CycleBegin>(&record.step)) {
+        take_cycle(record, *begin);
+    } else if (const auto* lead = std::get_if<cl::LeadBegin>(&record.step)) {
+        take_lead(record, *lead);
+    } else if (cl::is_move(record.step)) {
+        take_move(record);
+    } else {
+        take_event(record);
+    }
+    now_ = nullptr;
+}
+
+/// Whether the control makes the move by itself, from an element that has been written.
+bool Writer::is_made(const cl::Record& record) {
+    if (place_) return false;
+    if (cursor_.state().compensation) return contour_begun_;
+    const Source source{record.from, record.stack};
+    if (std::find(programmed_.begin(), programmed_.end(), source) != programmed_.end()) return true;
+    programmed_.clear();
+    return false;
+}
+
+void Writer::take_move(const cl::Record& record) {
+    if (is_made(record)) {
+        static_cast<void>(cursor_.take(record));
+        return;
+    }
+    const bool same_block =
+        !held_.empty() && held_.back().record.from == record.from && held_.back().record.stack == record.stack;
+    const auto* line = std::get_if<cl::Linear>(&record.step);
+    const bool may_wait = line != nullptr && line->rapid && axes_.empty() && !place_;
+    if (!may_wait || !same_block) flush_held();
+    const geom::Vec3 from = cursor_.position().here();
+    static_cast<void>(cursor_.take(record));
+    if (may_wait)
+        held_.push_back({record, from});
+    else
+        write_move(record.step, from);
+}
+
+void Writer::flush_held() {
+    const cl::Record* now = now_;
+    for (const Held& h : std::exchange(held_, {})) {
+        now_ = &h.record;
+        write_move(h.record.step, h.from);
+    }
+    now_ = now;
+}
+
+/// Elements are said where compensation or a corner makes another path of them; where the post has no corners, those
+/// outside of compensation are written as the moves that they become.
+void Writer::take_programmed(const cl::Programmed& p) {
+    const bool corners = post_.has(Command::corner_rounding) || post_.has(Command::corner_chamfer) ||
+                         post_.has(Command::corner_chamfer_leg);
+    if (!corners && !cursor_.state().compensation) return;
+    write_state();
+    if (const auto& c = cursor_.state().compensation) select_plane(frames_.programmed_direction(c->normal));
+    programmed_.push_back({now_->from, now_->stack});
+    constexpr std::size_t looked_back = 16;  // elements: no control looks further ahead
+    if (programmed_.size() > looked_back) programmed_.erase(programmed_.begin());
+    contour_begun_ = contour_begun_ || cursor_.state().compensation.has_value();
+    const cl::Programmed* corner = p.corner == cl::Corner::none ? nullptr : &p;
+    if (p.sweep == 0) return write_line(p.to, p.rapid, corner);
+    cl::Arc arc{p.to, p.centre, p.normal, p.sweep, p.rapid};
+    write_arc(arc, p.from, corner);
+}
+
+void Writer::take_event(const cl::Record& record) {
+    flush_held();
+    const cl::Step& step = record.step;
+    if (const auto* axis = std::get_if<cl::Axis>(&step)) return axes_.push_back(*axis);
+    if (const auto* place = std::get_if<cl::MachinePlace>(&step)) {
+        place_ = *place;
+        return;
+    }
+    if (const auto* p = std::get_if<cl::Programmed>(&step)) {
+        static_cast<void>(cursor_.take(record));
+        return take_programmed(*p);
+    }
+    if (std::holds_alternative<cl::ToolChange>(step)) {
+        const bool stops = !post_.change_stops_spindle.empty() && cursor_.state().spindle.direction == 0 &&
+                           !cursor_.state().spindle.held;
+        if (stops) spindle_ = cursor_.state().spindle;
+        write_all();
+    }
+    static_cast<void>(cursor_.take(record));
+    if (const auto* change = std::get_if<cl::ToolChange>(&step)) {
+        tool_waits_ = !change->standing;
+        if (change->standing && post_.has(Command::tool_standing)) write_standing(*change);
+    }
+    if (const auto* begin = std::get_if<cl::CompensationBegin>(&step)) {
+        compensation_ =
+            begin->side == cl::CompensationSide::left ? Command::compensation_left : Command::compensation_right;
+        contour_begun_ = false;
+        programmed_.clear();
+    }
+    if (std::holds_alternative<cl::CompensationEnd>(step)) compensation_ = Command::compensation_off;
+    values_.clear();
+    if (const auto* data = std::get_if<cl::ToolData>(&step)) {
+        values_.set(Value::number, data->number);
+        values_.set(Value::edge, data->edge);
+        if (data->length) values_.set(Value::length, *data->length);
+        if (data->radius) values_.set(Value::tool_radius, *data->radius);
+        print(Command::tool_data, "what a tool is");
+    }
+    if (const auto* dwell = std::get_if<cl::Dwell>(&step)) {
+        write_all();
+        values_.clear();
+        const bool turns = dwell->seconds == 0 && dwell->revolutions != 0;
+        values_.set(Value::seconds, dwell->seconds);
+        values_.set(Value::revolutions, dwell->revolutions);
+        print(turns ? Command::dwell_revolutions : Command::dwell_seconds, "a dwell");
+    }
+    if (const auto* stop = std::get_if<cl::Stop>(&step)) {
+        write_all();
+        values_.clear();
+        const bool end = stop->kind == cl::StopKind::end;
+        ended_ = ended_ || end;
+        print(end                                   ? Command::stop_end
+              : stop->kind == cl::StopKind::program ? Command::stop_program
+                                                    : Command::stop_optional,
+              "a stop");
+        if (!end) stop_spindle(post_.stop_stops_spindle);
+    }
+    if (const auto* comment = std::get_if<cl::Comment>(&step)) write_comment(*comment);
+    if (const auto* aux = std::get_if<cl::Auxiliary>(&step)) {
+        write_all();
+        values_.clear();
+        values_.set(Text::letter, std::string(1, aux->letter));
+        values_.set(Value::number, static_cast<double>(aux->number));
+        print(Command::function, "function " + std::string(1, aux->letter) + std::to_string(aux->number));
+    }
+}
+
+void Writer::write_comment(const cl::Comment& comment) {
+    const Command wanted = comment.terminal ? Command::terminal : Command::message;
+    const Command command = comment.message && post_.has(wanted) ? wanted : Command::comment;
+    if (!post_.has(command)) return note(Fate::lost, "a comment: the post has no text.comment");
+    if (comment.message) write_all();  // it stands before the stop that it is for
+    std::string text = comment.text;
+    if (!post_.comment_holds_brackets)
+        for (char& c : text) c = c == '(' ? '<' : c == ')' ? '>' : c;
+    if (post_.longest_comment > 0 && text.size() > post_.longest_comment) text.resize(post_.longest_comment);
+    values_.set(Text::text, text);
+    print(command, "a comment");
+}
+
+void Writer::finish() {
+    flush_held();
+    if (!ended_) write_all();
+    if (!ended_ && cursor_.moves() > 0) end_cycles();
+    values_.clear();
+    values_.set(Text::name, name_);
+    static_cast<void>(printer_.print(post_[Command::file_end], values_));
+}
+
+}  // namespace obrys::write

@@ -1,0 +1,145 @@
+#pragma once
+/// The stream as a program of a control, by a post. Streams: memory does not grow with the number of moves.
+
+#include <functional>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "cl/record.hpp"
+#include "motion/cursor.hpp"
+#include "write/frames.hpp"
+#include "write/printer.hpp"
+
+namespace obrys::write {
+
+enum class Fate : std::uint8_t {
+    expanded,  ///< it is there by its moves
+    lost       ///< it is not there
+};
+
+/// What the program that was written does not say as the stream does.
+struct Note {
+    Fate fate = Fate::lost;
+    std::string what;
+    base::Span from;
+    cl::StackId stack = 0;
+    std::uint64_t line = 0;  ///< of the text, counted from 1: the one that follows
+};
+
+struct Output {
+    std::function<void(std::string_view)> text;
+    std::function<void(Note)> note;
+};
+
+class Writer {
+public:
+    /// `name` of the program, as its head says it. `post` outlives the writer.
+    Writer(const Post& post, std::string name, Output output);
+
+    void take(const cl::Record& record);
+    void finish();
+
+private:
+    struct Held {
+        cl::Record record;
+        geom::Vec3 from;
+    };
+    struct Source {
+        base::Span from;
+        cl::StackId stack = 0;
+        bool operator==(const Source&) const = default;
+    };
+
+    void take_folded(const cl::Record& record);
+    void take_move(const cl::Record& record);
+    void take_lead(const cl::Record& record, const cl::LeadBegin& lead);
+    void take_cycle(const cl::Record& record, const cl::CycleBegin& begin);
+    void take_event(const cl::Record& record);
+    void take_programmed(const cl::Programmed& p);
+    void end_fold();
+    [[nodiscard]] bool is_made(const cl::Record& record);
+    void flush_held();
+
+    // What holds, before something happens.
+    void write_state();
+    void write_all();  ///< and what waits for a move
+    void write_tool();
+    void stop_spindle(const std::string& word);
+    void write_standing(const cl::ToolChange& change);
+    void write_length();
+    void write_waiting_length();
+    void set_length();
+    void write_datum();
+    void write_datum_anew();
+    void write_frame();
+    void write_spindle();
+    void write_coolant();
+    void write_tolerance();
+    void end_cycles();
+    void select_plane(const geom::Vec3& normal);
+
+    // Moves.
+    void write_move(const cl::Step& step, const geom::Vec3& from);
+    void write_line(const geom::Vec3& to, bool rapid, const cl::Programmed* corner = nullptr);
+    void write_arc(const cl::Arc& arc, const geom::Vec3& from, const cl::Programmed* corner = nullptr);
+    void write_turn(const cl::Arc& arc, const geom::Vec3& from, const cl::Programmed* corner);
+    [[nodiscard]] bool write_place(const cl::Linear& line);
+    void write_thread(const cl::Thread& thread, const geom::Vec3& from);
+    void note_feed(bool rapid);
+    void print_move(Command command, bool rapid, const cl::Programmed* corner);
+    [[nodiscard]] Command feed_command(bool rapid) const;
+    [[nodiscard]] Parts parts_of(bool rapid, const cl::Programmed* corner);
+
+    // Cycles.
+    [[nodiscard]] const CycleForm* form_of(const cl::Cycle& cycle) const;
+    [[nodiscard]] bool fold(const cl::CycleBegin& begin);
+    void set_values(const cl::Cycle& cycle);
+
+    void print_lead();
+    void write_comment(const cl::Comment& comment);
+    bool print(Command command, std::string_view what);
+    void note(Fate fate, std::string what);
+
+    const Post& post_;
+    std::string name_;
+    Output output_;
+    Printer printer_;
+    Values values_;
+    motion::Cursor cursor_;
+    const cl::Record* now_ = nullptr;
+
+    // What the text says so far.
+    cl::Spindle spindle_;
+    cl::Coolant coolant_;
+    cl::Feed feed_noted_;  ///< of which has been said that it is lost
+    cl::Tolerance tolerance_;
+    std::optional<cl::Datum> datum_;
+    cl::ToolLength length_;
+    std::optional<Command> length_waits_;    ///< for the next straight move, whose block takes it
+    std::optional<cl::MachinePlace> place_;  ///< where the next move leads
+    bool tool_waits_ = false;
+    Frames frames_;
+    std::optional<cl::Frame> frames_refused_;  ///< that the post cannot say
+    std::string defined_;                      ///< cycle in force, as printed
+    bool in_cycles_ = false;
+
+    double y_ = 0;                         ///< where posts without Y stand
+    std::vector<cl::Axis> axes_;           ///< that the next move takes along
+    std::vector<Held> held_;               ///< rapids of one block, which a cycle may make by itself
+    int folding_ = 0;                      ///< brackets that are open since one was written as a cycle or a lead
+    bool tap_returns_ = false;             ///< the next tapping move is the way back of the last one
+    std::optional<Command> compensation_;  ///< that the next element of the contour has to say
+    struct Lead {
+        Command command = Command::onto_tangent_line;
+        bool onto = true, rapid = false;
+        Values values;
+    };
+    std::optional<Lead> lead_;        ///< the way onto a contour that is being read
+    bool contour_begun_ = false;      ///< an element has been written under compensation
+    std::vector<Source> programmed_;  ///< sources of elements whose moves the control makes
+    bool ended_ = false;
+};
+
+}  // namespace obrys::write

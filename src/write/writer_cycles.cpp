@@ -1,0 +1,151 @@
+#include <algorithm>
+#include <cmath>
+
+#include "write/writer.hpp"
+
+namespace obrys::write {
+
+namespace {
+
+bool holds(const Condition& c, const cl::Cycle& cycle) {
+    const auto found = std::find_if(cycle.values.begin(), cycle.values.end(),
+                                    [&](const cl::CycleValue& v) { return index_of(v.role) == c.value; });
+    const bool there = found != cycle.values.end() && (!c.equals || found->value == *c.equals);
+    return there == c.present;
+}
+
+/// All that the cycle says has its word, or need not be said, or is what a condition asks for.
+bool says_all(const CycleForm& form, const cl::Cycle& cycle) {
+    return std::all_of(cycle.values.begin(), cycle.values.end(), [&](const cl::CycleValue& v) {
+        const ValueIndex value = index_of(v.role);
+        const bool asked = std::any_of(form.when.begin(), form.when.end(),
+                                       [&](const Condition& c) { return c.value == value && c.present && c.equals; });
+        return asked || says(form.define, value) || says(form.call, value) ||
+               std::find(form.unsaid.begin(), form.unsaid.end(), value) != form.unsaid.end();
+    });
+}
+
+/// Where the cycle's plane is one of the frame in force: its normal there.
+std::optional<geom::Vec3> plane_of(const geom::Frame& f) {
+    constexpr double same = 1e-9;
+    if (geom::length(f.origin) > 1e-6) return std::nullopt;
+    constexpr std::array<std::array<double, 9>, 3> planes{{{1, 0, 0, 0, 1, 0, 0, 0, 1},    // x y z
+                                                           {0, 1, 0, 0, 0, 1, 1, 0, 0},    // z x y
+                                                           {0, 0, 1, 1, 0, 0, 0, 1, 0}}};  // y z x
+    const std::array<geom::Vec3, 3> normals{geom::Vec3{0, 0, 1}, geom::Vec3{0, 1, 0}, geom::Vec3{1, 0, 0}};
+    for (std::size_t p = 0; p < planes.size(); ++p)
+        if (std::equal(planes[p].begin(), planes[p].end(), f.linear.begin(),
+                       [&](double a, double b) { return std::abs(a - b) < same; }))
+            return normals[p];
+    return std::nullopt;
+}
+
+}  // namespace
+
+const CycleForm* Writer::form_of(const cl::Cycle& cycle) const {
+    const auto forms = post_.cycles.find(cycle.kind);
+    if (forms == post_.cycles.end()) return nullptr;
+    for (const CycleForm& form : forms->second)
+        if (std::all_of(form.when.begin(), form.when.end(), [&](const Condition& c) { return holds(c, cycle); }) &&
+            says_all(form, cycle))
+            return &form;
+    return nullptr;
+}
+
+void Writer::set_values(const cl::Cycle& cycle) {
+    values_.clear();
+    for (const cl::CycleValue& v : cycle.values) values_.set(index_of(v.role), v.value);
+    const motion::State& s = cursor_.state();
+    if (s.feed.value != 0) values_.set(Value::feed, s.feed.value);
+    if (s.spindle.speed > 0) values_.set(Value::speed, s.spindle.speed);
+}
+
+/// Writes the bracket as a cycle of the control; false, and nothing is written, where it has none that says it all.
+bool Writer::fold(const cl::CycleBegin& begin) {
+    const cl::Cycle& cycle = *begin.cycle;
+    const CycleForm* form = form_of(cycle);
+    if (form == nullptr || cursor_.state().compensation) return false;
+    const auto normal = plane_of(frames_.into() * cycle.plane);
+    if (!normal) return false;
+    const bool over = form->moves_over && !held_.empty() && held_.back().record.from == now_->from &&
+                      held_.back().record.stack == now_->stack;
+    if (over)
+        held_.clear();
+    else
+        flush_held();
+    write_all();
+    select_plane(*normal);
+    set_values(cycle);
+    std::string defined;
+    for (const Block& block : form->define) {
+        const auto text = printer_.whole(block, values_);
+        if (!text) return false;
+        defined += *text + "\n";
+    }
+    if (defined != defined_ && printer_.print(form->define, values_) == Printed::failed) return false;
+    defined_ = defined;
+    const geom::Vec3 at = frames_.programmed(begin.place);
+    if (!std::isnan(at.x)) values_.set(Value::x, at.x);
+    if (!std::isnan(at.y)) values_.set(Value::y, at.y);
+    if (!std::isnan(at.z)) values_.set(Value::z, at.z);
+    if (printer_.print(form->call, values_) == Printed::failed) return false;
+    in_cycles_ = post_.has(Command::cycle_end);
+    return true;
+}
+
+void Writer::take_cycle(const cl::Record& record, const cl::CycleBegin& begin) {
+    const bool folded = fold(begin);
+    static_cast<void>(cursor_.take(record));
+    if (folded) {
+        folding_ = 1;
+        return;
+    }
+    flush_held();
+    note(Fate::expanded, "cycle " + begin.cycle->name + " (" + std::string(cl::spelling(begin.cycle->kind)) + ")");
+}
+
+void Writer::take_lead(const cl::Record& record, const cl::LeadBegin& lead) {
+    const auto first = static_cast<std::size_t>(lead.onto ? Command::onto_tangent_line : Command::off_tangent_line);
+    const auto command = static_cast<Command>(first + static_cast<std::size_t>(lead.kind));
+    flush_held();
+    static_cast<void>(cursor_.take(record));
+    if (!post_.has(command)) {
+        note(Fate::expanded, "a way onto a contour or off it");
+        return;
+    }
+    write_state();
+    const geom::Vec3 at = frames_.programmed(lead.at);
+    values_.clear();
+    if (!std::isnan(at.x)) values_.set(Value::x, at.x);
+    if (!std::isnan(at.y)) values_.set(Value::y, at.y);
+    if (!std::isnan(at.z)) values_.set(Value::z, at.z);
+    if (lead.length != 0) values_.set(Value::size, lead.length);
+    if (lead.radius != 0) values_.set(Value::radius, lead.radius);
+    if (lead.angle != 0) values_.set(Value::sweep, geom::degrees(lead.angle));
+    if (lead.feed != 0) values_.set(Value::own_feed, lead.feed);
+    lead_ = Lead{command, lead.onto, lead.rapid, values_};
+    if (!lead.onto) print_lead();
+    folding_ = 1;
+}
+
+/// Onto a contour it waits for its end: its records say on which side.
+void Writer::print_lead() {
+    const Lead lead = *std::exchange(lead_, std::nullopt);
+    values_ = lead.values;
+    compensation_.reset();
+    if (const auto& c = cursor_.state().compensation; c && lead.onto)
+        compensation_ =
+            c->side == cl::CompensationSide::left ? Command::compensation_left : Command::compensation_right;
+    if (printer_.print(post_[lead.command], values_, parts_of(lead.rapid, nullptr)) == Printed::failed)
+        note(Fate::lost, "a way onto a contour or off it: a word cannot hold " + printer_.failed_word());
+    compensation_.reset();
+    if (!lead.onto) printer_.force(post_[Command::compensation_off]);
+}
+
+/// Behind a cycle the tool stands somewhere else than the words that were printed say.
+void Writer::end_fold() {
+    if (lead_) print_lead();
+    printer_.forget_coordinates();
+}
+
+}  // namespace obrys::write

@@ -1,0 +1,235 @@
+#include <algorithm>
+#include <cmath>
+
+#include "write/writer.hpp"
+
+namespace obrys::write {
+
+namespace {
+
+constexpr double y_noise = 1e-6;       ///< mm
+constexpr double normal_noise = 1e-9;  ///< how far a normal may lie from an axis of the frame
+
+bool is_normal_noise(const geom::Vec3& n) {
+    const double most = std::max({std::abs(n.x), std::abs(n.y), std::abs(n.z)});
+    return most > 1 - normal_noise;
+}
+
+}  // namespace
+
+namespace {
+
+Command corner_command(const cl::Programmed& p) {
+    return p.corner == cl::Corner::chamfer       ? Command::corner_chamfer
+           : p.corner == cl::Corner::chamfer_leg ? Command::corner_chamfer_leg
+                                                 : Command::corner_rounding;
+}
+
+}  // namespace
+
+Command Writer::feed_command(bool rapid) const {
+    const motion::State& s = cursor_.state();
+    if (rapid) return Command::feed_rapid;
+    if (s.feed.mode == cl::FeedMode::inverse_time) return Command::feed_inverse_time;
+    const bool per_rev = s.feed.mode == cl::FeedMode::per_rev;
+    const Command surface = per_rev ? Command::feed_surface_per_rev : Command::feed_surface_per_minute;
+    if (s.spindle.mode == cl::SpindleMode::surface && post_.has(surface)) return surface;
+    return per_rev ? Command::feed_per_rev : Command::feed_per_minute;
+}
+
+Parts Writer::parts_of(bool rapid, const cl::Programmed* corner) {
+    Parts parts;
+    const motion::State& s = cursor_.state();
+    if (s.feed.value != 0 && !std::isnan(s.feed.value)) values_.set(Value::feed, s.feed.value);
+    const Command feed = feed_command(rapid);
+    parts.feed = &post_[feed];
+    if (length_waits_) {
+        set_length();
+        parts.length = &post_[*length_waits_];
+    }
+    if (compensation_) parts.compensation = &post_[*compensation_];
+    if (corner != nullptr && post_.corner_in_block) parts.corner = &post_[corner_command(*corner)];
+    return parts;
+}
+
+/// A feed that nobody knows, or of a kind that the post has no word for.
+void Writer::note_feed(bool rapid) {
+    const cl::Feed& feed = cursor_.state().feed;
+    const bool said = feed.mode == feed_noted_.mode && std::isnan(feed.value) == std::isnan(feed_noted_.value);
+    if (rapid || said) return;
+    feed_noted_ = feed;
+    if (std::isnan(feed.value)) note(Fate::lost, "a feed that is not known");
+    if (feed.value != 0 && !post_.has(feed_command(false)))
+        note(Fate::lost, "a feed: the post has no " + std::string(name_of(feed_command(false))));
+}
+
+void Writer::print_move(Command command, bool rapid, const cl::Programmed* corner) {
+    note_feed(rapid);
+    if (!post_.has(command)) return note(Fate::lost, "a move: the post has no " + std::string(name_of(command)));
+    if (const auto& c = cursor_.state().compensation) {
+        values_.set(Value::offset, c->offset);
+        if (c->approach == cl::Approach::around) values_.set(Value::around, 1);
+        if (c->sharp) values_.set(Value::sharp, 1);
+    }
+    if (corner != nullptr) {
+        if (!post_.has(corner_command(*corner))) note(Fate::lost, "a chamfer or rounding of a compensated contour");
+        values_.set(Value::size, corner->size);
+        if (corner->corner_feed != 0) values_.set(Value::own_feed, corner->corner_feed);
+    }
+    Parts parts = parts_of(rapid, corner);
+    for (const cl::Axis& axis : axes_) {
+        const bool numbered = axis.name[1] != 0;
+        const Template& form = post_[numbered ? Command::axis_numbered : Command::axis];
+        Values value;
+        value.set(Text::name, axis.name.data());
+        value.set(Value::axis, axis.to);
+        const auto text = form.empty() ? std::nullopt : printer_.whole(form.front(), value);
+        if (text)
+            parts.axes.push_back(*text);
+        else
+            note(Fate::lost, "axis " + std::string(axis.name.data()));
+    }
+    axes_.clear();
+    const Printed printed = printer_.print(post_[command], values_, parts, true);
+    if (printed == Printed::failed) note(Fate::lost, "a move: a word cannot hold " + printer_.failed_word());
+    if (printed == Printed::all) compensation_.reset();
+    if (printed == Printed::all && (command == Command::rapid || command == Command::linear)) length_waits_.reset();
+    if (corner != nullptr && !post_.corner_in_block && post_.has(corner_command(*corner)))
+        print(corner_command(*corner), "a corner");
+}
+
+void Writer::write_line(const geom::Vec3& to, bool rapid, const cl::Programmed* corner) {
+    end_cycles();
+    const geom::Vec3 p = frames_.programmed(to);
+    values_.clear();
+    if (!std::isnan(p.x)) values_.set(Value::x, p.x);
+    if (!std::isnan(p.y)) values_.set(Value::y, p.y);
+    if (!std::isnan(p.z)) values_.set(Value::z, p.z);
+    const Command command = rapid ? Command::rapid : Command::linear;
+    if (!std::isnan(p.y) && std::abs(p.y - y_) > y_noise && !says(post_[command], index_of(Value::y))) {
+        y_ = p.y;
+        note(Fate::lost, "a move along Y");
+    }
+    print_move(command, rapid, corner);
+}
+
+void Writer::write_move(const cl::Step& step, const geom::Vec3& from) {
+    write_state();
+    const auto* line = std::get_if<cl::Linear>(&step);
+    if (line != nullptr && write_place(*line)) return;
+    if (line != nullptr) return write_line(line->to, line->rapid);
+    if (length_waits_) write_all();
+    if (const auto* arc = std::get_if<cl::Arc>(&step)) return write_arc(*arc, from);
+    if (const auto* thread = std::get_if<cl::Thread>(&step)) return write_thread(*thread, from);
+    note(Fate::lost, "a spline");
+}
+
+/// A move to a place of the machine; false where there is none, or the post cannot say it and the place is known.
+bool Writer::write_place(const cl::Linear& line) {
+    if (!place_) return false;
+    const cl::MachinePlace place = *std::exchange(place_, std::nullopt);
+    const Command command = place.kind == cl::PlaceKind::fixed ? Command::machine_fixed
+                            : place.kind == cl::PlaceKind::home
+                                ? (place.number > 1 ? Command::machine_second : Command::machine_home)
+                            : line.rapid ? Command::machine_coordinates
+                                         : Command::machine_linear;
+    const bool said = place.kind != cl::PlaceKind::coordinates;
+    const std::array<double, 3> to{place.to.x, place.to.y, place.to.z};
+    bool known = true;
+    for (std::size_t k = 0; k < 3; ++k) known = known && (said || !place.axes[k] || std::isfinite(to[k]));
+    if (!post_.has(command) || !known) {
+        const geom::Vec3 p = line.to;
+        if (!geom::is_finite(p)) note(Fate::lost, "a move to a place of the machine");
+        return !geom::is_finite(p);
+    }
+    end_cycles();
+    if (length_waits_ && command != Command::machine_home) write_all();
+    constexpr std::array names{Value::machine_x, Value::machine_y, Value::machine_z};
+    values_.clear();
+    for (std::size_t k = 0; k < 3; ++k)
+        if (place.axes[k]) values_.set(names[k], said ? 0 : to[k]);
+    values_.set(Value::number, place.number);
+    if (printer_.print(post_[command], values_, parts_of(line.rapid, nullptr)) == Printed::failed)
+        note(Fate::lost, "a move to a place of the machine: a word cannot hold " + printer_.failed_word());
+    printer_.forget_coordinates();
+    return true;
+}
+
+/// Turn by turn where the control has no word for several.
+void Writer::write_arc(const cl::Arc& arc, const geom::Vec3& from, const cl::Programmed* corner) {
+    end_cycles();
+    const Template& form = post_[Command::arc_cw];
+    const bool says_turns = says(form, index_of(Value::turns)) || says(form, index_of(Value::more_turns)) ||
+                            says(post_[Command::helix_cw], index_of(Value::sweep));
+    const double turns = std::ceil(std::abs(arc.sweep) / geom::full_turn - 1e-9);
+    if (says_turns || !(turns > 1)) return write_turn(arc, from, corner);
+    const geom::Vec3 rise = geom::dot(arc.to - from, arc.normal) / std::abs(arc.sweep) * geom::full_turn * arc.normal;
+    geom::Vec3 at = from;
+    double left = arc.sweep;
+    for (double n = 1; n < turns; ++n) {
+        cl::Arc turn = arc;
+        turn.to = at + rise;
+        turn.sweep = std::copysign(geom::full_turn, arc.sweep);
+        write_turn(turn, at, nullptr);
+        at = turn.to;
+        left -= turn.sweep;
+    }
+    cl::Arc rest = arc;
+    rest.sweep = left;
+    write_turn(rest, at, corner);
+}
+
+void Writer::write_turn(const cl::Arc& arc, const geom::Vec3& from, const cl::Programmed* corner) {
+    const geom::Vec3 start = frames_.programmed(from), to = frames_.programmed(arc.to),
+                     centre = frames_.programmed(arc.centre);
+    const geom::Vec3 normal = frames_.programmed_direction(arc.normal);
+    if (!is_normal_noise(normal)) return note(Fate::lost, "an arc in a plane that is none of the frame's");
+    select_plane(normal);
+    const double along = normal.x + normal.y + normal.z;  // but for rounding one of them
+    const double sense = (frames_.mirrors() ? -1 : 1) * (along > 0 ? 1 : -1);
+    const double sweep = sense * arc.sweep;
+    values_.clear();
+    const std::array ends{std::pair{Value::x, to.x}, std::pair{Value::y, to.y}, std::pair{Value::z, to.z}};
+    for (const auto& [value, number] : ends)
+        if (!std::isnan(number)) values_.set(value, number);
+    const bool in_yz = std::abs(normal.x) > 0.5, in_zx = std::abs(normal.y) > 0.5, in_xy = !in_yz && !in_zx;
+    if (!in_yz) values_.set(Value::i, centre.x - start.x), values_.set(Value::centre_x, centre.x);
+    if (!in_zx) values_.set(Value::j, centre.y - start.y), values_.set(Value::centre_y, centre.y);
+    if (!in_xy) values_.set(Value::k, centre.z - start.z), values_.set(Value::centre_z, centre.z);
+    const double turns = std::ceil(std::abs(sweep) / geom::full_turn - 1e-9);
+    if (turns > 1) values_.set(Value::turns, turns), values_.set(Value::more_turns, turns - 1);
+    values_.set(Value::sweep, geom::degrees(sweep));
+    const geom::Vec3 way = to - start;
+    const double rise = in_xy ? way.z : in_zx ? way.y : way.x;
+    const bool helix = std::abs(rise) > 1e-9 && post_.has(Command::helix_cw);
+    print_move(
+        sweep > 0 ? (helix ? Command::helix_ccw : Command::arc_ccw) : (helix ? Command::helix_cw : Command::arc_cw),
+        arc.rapid, corner);
+}
+
+void Writer::write_thread(const cl::Thread& thread, const geom::Vec3& from) {
+    if (thread.rigid_tap && std::exchange(tap_returns_, false)) return;  // the word says the way back, too
+    tap_returns_ = thread.rigid_tap;
+    end_cycles();
+    const geom::Vec3 to = frames_.programmed(thread.to), start = frames_.programmed(from);
+    values_.clear();
+    if (!std::isnan(to.x)) values_.set(Value::x, to.x);
+    if (!std::isnan(to.y)) values_.set(Value::y, to.y);
+    if (!std::isnan(to.z)) values_.set(Value::z, to.z);
+    values_.set(Value::pitch, std::abs(thread.pitch));
+    const geom::Vec3 way = to - start;
+    const double length = geom::length(way);
+    if (length > 0 && std::isfinite(length)) {
+        // Controls count the pitch along the axis that goes farther.
+        const double x = std::abs(way.x), y = std::abs(way.y), z = std::abs(way.z);
+        if (z >= x && z >= y)
+            values_.set(Value::pitch_z, std::abs(thread.pitch) * z / length);
+        else if (x >= y)
+            values_.set(Value::pitch_x, std::abs(thread.pitch) * x / length);
+        else
+            values_.set(Value::pitch_y, std::abs(thread.pitch) * y / length);
+    }
+    print_move(thread.rigid_tap ? Command::tap : Command::thread, true, nullptr);
+}
+
+}  // namespace obrys::write

@@ -1,0 +1,230 @@
+/// What holds is written before something happens: tool, zero, frame, spindle, coolant, tolerance, in this order.
+
+#include "base/number.hpp"
+#include "write/writer.hpp"
+
+namespace obrys::write {
+
+void Writer::write_state() {
+    if (tool_waits_) write_tool();
+    write_datum();
+    write_length();
+    write_frame();
+    write_spindle();
+    write_coolant();
+    write_tolerance();
+}
+
+/// The control stops the spindle by itself; `word` says it stands. Empty: it does not.
+void Writer::stop_spindle(const std::string& word) {
+    if (word.empty()) return;
+    spindle_.direction = 0;
+    printer_.force(word);
+}
+
+void Writer::write_standing(const cl::ToolChange& change) {
+    values_.clear();
+    values_.set(Value::number, change.number);
+    print(Command::tool_standing, "the tool in the spindle");
+}
+
+void Writer::write_tool() {
+    tool_waits_ = false;
+    stop_spindle(post_.change_stops_spindle);
+    end_cycles();
+    const motion::State& s = cursor_.state();
+    values_.clear();
+    values_.set(Text::name, s.change.name);
+    values_.set(Value::number, s.change.number);
+    values_.set(Value::edge, s.change.edge);
+    constexpr double hundred = 100;
+    values_.set(Value::turret, hundred * s.change.number + s.change.edge);
+    if (s.change.raised != 0) values_.set(Value::raised, s.change.raised);
+    if (s.spindle.speed > 0 && s.spindle.mode == cl::SpindleMode::rpm) values_.set(Value::speed, s.spindle.speed);
+    if (s.change.wider != 0 && !says(post_[Command::tool_change], index_of(Value::wider)))
+        note(Fate::lost, "a tool that is taken to be larger (DR)");
+    const bool none = s.change.number == 0 && s.change.name.empty();
+    const bool by_name = !s.change.name.empty() && post_.has(Command::tool_by_name);
+    if (s.change.wider != 0) values_.set(Value::wider, s.change.wider);
+    print(none      ? Command::tool_none
+          : by_name ? Command::tool_by_name
+                    : Command::tool_change,
+          "tool " + std::to_string(s.change.number));
+    printer_.forget_coordinates();
+}
+
+/// Waits for the next straight move: blocks of programs have both ("G43 H1 Z50").
+void Writer::write_length() {
+    const cl::ToolLength& length = cursor_.state().length;
+    if (length == length_) return;
+    write_waiting_length();
+    length_ = length;
+    end_cycles();
+    printer_.forget_coordinates();
+    length_waits_ = length.sense == 0  ? Command::length_off
+                    : length.by        ? Command::length_by
+                    : length.sense > 0 ? Command::length_on
+                                       : Command::length_subtracted;
+    if (length.by && post_.has(*length_waits_)) return write_waiting_length();  // in a block of its own
+    if (post_.has(*length_waits_)) return;
+    note(Fate::lost, "the length of the tool: the post has no " + std::string(name_of(*length_waits_)));
+    length_waits_.reset();
+}
+
+void Writer::set_length() {
+    values_.set(Value::number, length_.offset);
+    if (!length_.by) return;
+    values_.set(Value::machine_x, length_.by->x);
+    values_.set(Value::machine_y, length_.by->y);
+    values_.set(Value::machine_z, length_.by->z);
+}
+
+void Writer::write_all() {
+    write_state();
+    write_waiting_length();
+}
+
+void Writer::write_waiting_length() {
+    if (!length_waits_) return;
+    values_.clear();
+    set_length();
+    print(*std::exchange(length_waits_, std::nullopt), "the length of the tool");
+}
+
+/// The zero in force is another place now: what has set it is written, where its place is known.
+void Writer::write_datum_anew() {
+    const cl::Datum& datum = cursor_.state().datum;
+    const geom::Vec3 was = std::exchange(datum_->origin, datum.origin);
+    const std::array<std::pair<Value, std::pair<double, double>>, 3> axes{
+        std::pair{Value::machine_x, std::pair{was.x, datum.origin.x}},
+        std::pair{Value::machine_y, std::pair{was.y, datum.origin.y}},
+        std::pair{Value::machine_z, std::pair{was.z, datum.origin.z}}};
+    values_.clear();
+    bool any = false;
+    for (const auto& [value, places] : axes) {
+        if (std::isnan(places.second) || places.first == places.second) continue;
+        values_.set(value, places.second);
+        any = true;
+    }
+    if (!any) return;
+    end_cycles();
+    printer_.forget_coordinates();
+    for (const DatumForm& form : post_.datums)
+        if (datum.number >= form.from && datum.number <= form.to && !form.set.empty()) {
+            values_.set(Value::number, datum.number - form.set_less);
+            if (printer_.print(form.set, values_) == Printed::failed) note(Fate::lost, "the place of a zero");
+            return;
+        }
+    note(Fate::lost, "zero " + std::to_string(datum.number) + " is set anew, and the post has no words for that");
+}
+
+void Writer::write_datum() {
+    const cl::Datum& datum = cursor_.state().datum;
+    const bool none_yet = datum.number == 0 && std::isnan(datum.origin.x) && !datum_;
+    if (none_yet) return;
+    if (datum_ && datum_->number == datum.number) return write_datum_anew();
+    datum_ = datum;
+    end_cycles();
+    printer_.forget_coordinates();
+    constexpr std::uint32_t none_selected = 500;
+    for (const DatumForm& form : post_.datums) {
+        if (datum.number < form.from || datum.number > form.to) continue;
+        values_.clear();
+        values_.set(Value::number, datum.number - form.less);
+        if (printer_.print(form.text, values_) == Printed::failed) note(Fate::lost, "a zero: its number does not fit");
+        return;
+    }
+    if (datum.number != none_selected) note(Fate::lost, "zero " + std::to_string(datum.number));
+}
+
+void Writer::write_frame() {
+    const cl::Frame& wanted = cursor_.state().frame;
+    if (wanted.parts == frames_.parts()) return;
+    end_cycles();
+    printer_.forget_coordinates();
+    const bool none_before = frames_.parts().empty();
+    auto steps = frames_.lead_to(wanted, post_);
+    if (!steps) {
+        if (none_before && frames_refused_ == wanted) return;
+        steps = frames_.clear();
+        if (!(frames_refused_ == wanted))
+            note(Fate::expanded, "a frame: coordinates are those of the workpiece from here on");
+        frames_refused_ = wanted;
+    }
+    for (const FrameStep& step : *steps) {
+        values_.clear();
+        static_cast<void>(frame_values(step.part, values_));
+        print(step.command, "a frame");
+    }
+}
+
+void Writer::write_spindle() {
+    const cl::Spindle& s = cursor_.state().spindle;
+    const auto same = [](double a, double b) { return a == b || (std::isnan(a) && std::isnan(b)); };
+    if (same(s.speed, spindle_.speed) && s.mode == spindle_.mode && s.direction == spindle_.direction &&
+        same(s.limit, spindle_.limit) && s.held.has_value() == spindle_.held.has_value() &&
+        same(s.held.value_or(0), spindle_.held.value_or(0)))
+        return;
+    const bool leaves = spindle_.mode == cl::SpindleMode::surface && s.mode == cl::SpindleMode::rpm;
+    spindle_ = s;
+    values_.clear();
+    if (leaves && !post_[Command::leave_surface].empty())
+        static_cast<void>(printer_.print(post_[Command::leave_surface], values_));
+    if (s.held) {
+        if (!std::isnan(*s.held)) values_.set(Value::held, *s.held);
+        print(Command::spindle_held, "an oriented spindle");
+        return;
+    }
+    if (std::isnan(s.speed)) note(Fate::lost, "a speed that is not known");
+    if (!std::isnan(s.speed) && !(s.speed == 0 && s.direction == 0)) values_.set(Value::speed, s.speed);
+    if (s.limit != 0) values_.set(Value::limit, s.limit);
+    const bool surface = s.mode == cl::SpindleMode::surface;
+    const Command command = s.direction > 0   ? (surface ? Command::surface_cw : Command::spindle_cw)
+                            : s.direction < 0 ? (surface ? Command::surface_ccw : Command::spindle_ccw)
+                                              : (surface ? Command::surface_stop : Command::spindle_stop);
+    print(command, "the spindle");
+}
+
+void Writer::write_coolant() {
+    const cl::Coolant& c = cursor_.state().coolant;
+    if (c == coolant_) return;
+    values_.clear();
+    const bool less = (coolant_.flood && !c.flood) || (coolant_.mist && !c.mist);
+    if (less && (c.flood || c.mist)) print(Command::coolant_off, "coolant");
+    coolant_ = c;
+    print(c.flood && c.mist ? Command::coolant_both
+          : c.flood         ? Command::coolant_flood
+          : c.mist          ? Command::coolant_mist
+                            : Command::coolant_off,
+          "coolant");
+}
+
+void Writer::write_tolerance() {
+    const cl::Tolerance& t = cursor_.state().tolerance;
+    if (t == tolerance_) return;
+    tolerance_ = t;
+    values_.clear();
+    if (t == cl::Tolerance{}) {
+        print(Command::tolerance_reset, "a tolerance");
+        return;
+    }
+    values_.set(Value::contour, t.contour);
+    if (t.rotary != 0) values_.set(Value::rotary, t.rotary);
+    if (t.filter != cl::Filter::none) values_.set(Value::filter, static_cast<double>(t.filter));
+    print(Command::tolerance_set, "a tolerance");
+}
+
+void Writer::end_cycles() {
+    if (!in_cycles_) return;
+    in_cycles_ = false;
+    defined_.clear();
+    static_cast<void>(printer_.print(post_[Command::cycle_end], Values{}));
+}
+
+void Writer::select_plane(const geom::Vec3& normal) {
+    const double x = std::abs(normal.x), y = std::abs(normal.y), z = std::abs(normal.z);
+    const Command plane = z >= x && z >= y ? Command::plane_xy : y >= x ? Command::plane_zx : Command::plane_yz;
+    static_cast<void>(printer_.print(post_[plane], Values{}));
+}
+
+}  // namespace obrys::write
