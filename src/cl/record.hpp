@@ -175,6 +175,15 @@ struct Datum {
     bool operator==(const Datum&) const = default;
 };
 
+/// What the program itself says a zero is (G10 L2); Datum tells what follows for the moves.
+struct DatumData {
+    std::uint32_t number = 0;
+    geom::Vec3 origin{NAN, NAN, NAN};  ///< machine coordinates, mm; NaN: stays as it is, or is not known
+    std::optional<double> turn{};      ///< radians about Z
+    bool added = false;                ///< `origin` is added to where it lay (G91 G10)
+    bool operator==(const DatumData&) const = default;
+};
+
 enum class FrameKind : std::uint8_t {
     datum,       ///< what the selected zero has besides its place: a turn
     shift,       ///< G52, G92, TRANS, cycle 7
@@ -385,7 +394,7 @@ struct PartEnd {
 
 /// One step of the tool's life. Closed on purpose: a new kind must break every visitor that names all kinds.
 using Step =
-    std::variant<Linear, Arc, Spline, Axis, MachinePlace, Thread, Dwell, Feed, Spindle, ToolChange, ToolData,
+    std::variant<Linear, Arc, Spline, Axis, MachinePlace, Thread, Dwell, Feed, Spindle, ToolChange, ToolData, DatumData,
                  ToolLength, Coolant, Stop, Comment, Datum, Frame, Tolerance, Auxiliary, Setting, CycleBegin, CycleEnd,
                  PartBegin, PartEnd, CompensationBegin, CompensationEnd, Programmed, LeadBegin, LeadEnd>;
 

@@ -160,6 +160,15 @@ ToolData tool_data(Words& w) {
     return s;
 }
 
+DatumData datum_data(Words& w) {
+    DatumData s;
+    s.number = w.integer<std::uint32_t>();
+    s.origin = w.vec();
+    if (w.accept("turned")) s.turn = w.number();
+    s.added = w.accept("added");
+    return s;
+}
+
 LeadBegin lead(Words& w) {
     LeadBegin s;
     s.onto = w.choice<2>({"onto", "off"}) == 0;
@@ -323,6 +332,7 @@ std::optional<Step> step(Words& w) {
     if (kind == "feed") return feed(w);
     if (kind == "spindle") return spindle(w);
     if (kind == "tool") return tool(w);
+    if (kind == "zero-data") return datum_data(w);
     if (kind == "tool-data") return tool_data(w);
     if (kind == "lead") return lead(w);
     if (kind == "lead-end") return LeadEnd{};

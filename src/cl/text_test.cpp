@@ -178,6 +178,7 @@ Step any_step(std::size_t kind) {
                             perhaps()};
         case 27: return any_lead();
         case 28: return LeadEnd{};
+        case 29: return DatumData{*rc::gen::arbitrary<std::uint32_t>(), vec(), perhaps(), *rc::gen::arbitrary<bool>()};
         default: return CycleEnd{};
     }
 }
@@ -223,6 +224,10 @@ struct Mark {
     void operator()(ToolData& s) const {
         if (s.length) mark(*s.length);
         if (s.radius) mark(*s.radius);
+    }
+    void operator()(DatumData& s) const {
+        mark(s.origin);
+        if (s.turn) mark(*s.turn);
     }
     void operator()(ToolLength& s) const {
         if (s.by) mark(*s.by);

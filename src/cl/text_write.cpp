@@ -149,6 +149,12 @@ struct StepWriter {
         if (s.length) out += " length", number(out, *s.length);
         if (s.radius) out += " radius", number(out, *s.radius);
     }
+    void operator()(const DatumData& s) const {
+        out += "zero-data " + std::to_string(s.number);
+        vec(out, s.origin);
+        if (s.turn) out += " turned", number(out, *s.turn);
+        if (s.added) out += " added";
+    }
     void operator()(const ToolLength& s) const {
         out += s.sense > 0 ? "length added" : s.sense < 0 ? "length subtracted" : "length off";
         if (s.sense == 0) return;

@@ -214,6 +214,11 @@ void Verifier::check(const Record& r, const ToolData& s) {
         complain(r, base::codes::value_range, "length or radius of a tool is not finite");
 }
 
+void Verifier::check(const Record& r, const DatumData& s) {
+    if (infinite(s.origin) || std::isinf(s.turn.value_or(0)))
+        complain(r, base::codes::value_range, "the place of a zero is not finite");
+}
+
 void Verifier::check(const Record& r, const LeadBegin& s) {
     if (lead_) complain(r, base::codes::unclosed, "a way onto a contour or off it begins within another one");
     if (infinite(s.at) || !std::isfinite(s.length) || !std::isfinite(s.radius) || !std::isfinite(s.angle))

@@ -53,6 +53,7 @@ private:
     void check(const Record& r, const ToolLength& s);
     void check(const Record& r, const MachinePlace& s);
     void check(const Record& r, const ToolData& s);
+    void check(const Record& r, const DatumData& s);
     void check(const Record& r, const LeadBegin& s);
     void check(const Record& r, const LeadEnd& s);
     void check(const Record&, const ToolChange&) {}

@@ -119,6 +119,8 @@ TEST(Verify, PlacesOfTheMachineAndToolsAreWithinReason) {
     EXPECT_EQ(complaints({ToolLength{2, 5, {}}}), Codes{"value-range"});
     EXPECT_EQ(complaints({ToolLength{1, 0, geom::Vec3{0, 0, INFINITY}}}), Codes{"value-range"});
     EXPECT_EQ(complaints({ToolData{1, 1, INFINITY, {}}}), Codes{"value-range"});
+    EXPECT_EQ(complaints({DatumData{54, {1, NAN, 3}, 0.5}}), Codes{});
+    EXPECT_EQ(complaints({DatumData{54, {INFINITY, NAN, 3}, {}}}), Codes{"value-range"});
 }
 
 TEST(Verify, CyclesBeginWhereTheToolStands) {

@@ -92,6 +92,10 @@ public:
                near(a.length.value_or(0), b.length.value_or(0), t_.length) &&
                near(a.radius.value_or(0), b.radius.value_or(0), t_.length);
     }
+    [[nodiscard]] bool operator()(const cl::DatumData& a, const cl::DatumData& b) const {
+        return a.number == b.number && place(a.origin, b.origin) && a.added == b.added &&
+               a.turn.has_value() == b.turn.has_value() && near(a.turn.value_or(0), b.turn.value_or(0), 1e-6);
+    }
     [[nodiscard]] bool operator()(const cl::LeadBegin& a, const cl::LeadBegin& b) const {
         return a.kind == b.kind && a.onto == b.onto && place(a.at, b.at) && near(a.length, b.length, t_.length) &&
                near(a.radius, b.radius, t_.length) && near(a.angle, b.angle, 1e-6) && a.rapid == b.rapid;

@@ -54,7 +54,8 @@ void Path::take(const cl::Record& record) {
     else if (std::holds_alternative<cl::Stop>(step) || std::holds_alternative<cl::Dwell>(step) ||
              std::holds_alternative<cl::Comment>(step) || std::holds_alternative<cl::Auxiliary>(step) ||
              std::holds_alternative<cl::ToolChange>(step) || std::holds_alternative<cl::ToolLength>(step) ||
-             std::holds_alternative<cl::ToolData>(step) || std::holds_alternative<cl::MachinePlace>(step))
+             std::holds_alternative<cl::ToolData>(step) || std::holds_alternative<cl::DatumData>(step) ||
+             std::holds_alternative<cl::MachinePlace>(step))
         events.push_back(item);
 }
 

@@ -57,10 +57,28 @@ double kept_parameter(Run& run, std::uint32_t n, const base::Span& where) {
     return std::numeric_limits<double>::quiet_NaN();
 }
 
+namespace {
+
+/// A parameter of the zero in force has been written: X, Y or Z of its place.
+void tell_written_zero(Run& run, std::uint32_t n) {
+    const program::OffsetParameters& p = run.traits->offsets;
+    const std::uint32_t axis = (n - p.datum_first) % p.datum_step;
+    if (axis > 2) return;
+    cl::DatumData data;
+    data.number = run.modal.datum;
+    coordinate(data.origin, static_cast<int>(axis)) = run.parameters.get(n) * stored_unit(run, axis);
+    emit(run, data);
+}
+
+}  // namespace
+
 void note_written(Run& run, std::uint32_t n, const base::Span& where) {
     const program::KeptParameters* k = run.traits->kept.empty() ? nullptr : range_of(run, n);
     if (k == nullptr) return;
-    if (holds_active_datum(run, n)) return datum_changed(run);
+    if (holds_active_datum(run, n)) {
+        tell_written_zero(run, n);
+        return datum_changed(run);
+    }
     if (!k->acts) return;
     unchecked(run, codes::unknown_value, where,
               "the effect of writing " + program::parameter_name(*run.traits, n) + " is not known");

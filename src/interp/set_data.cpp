@@ -104,6 +104,23 @@ Axes step_to_words(const Run& run, std::uint32_t first) {
     return step;
 }
 
+/// Tells what has been written to a zero, along the axes that `said` holds a bit for.
+void tell_zero(Run& run, std::uint32_t number, std::uint32_t first, unsigned said, bool known) {
+    cl::DatumData data;
+    data.number = number;
+    for (std::size_t k = 0; k < 3 && known; ++k)
+        if ((said >> k & 1U) != 0)
+            coordinate(data.origin, static_cast<int>(k)) =
+                run.parameters.get(first + static_cast<std::uint32_t>(k)) * stored_unit(run, k);
+    const program::OffsetParameters& p = run.traits->offsets;
+    if (run.block.has(Code::radius) && p.rotation != 0)
+        data.turn = geom::radians(run.parameters.get(first + p.rotation));
+    emit(run, data);
+}
+
+/// As programs select it: 54 … 59, 591 … 593.
+std::uint32_t number_of_place(std::uint32_t place) { return place <= 6 ? 53 + place : 584 + place; }
+
 void set_datum_data(Run& run, bool from_position) {
     const program::OffsetParameters& p = run.traits->offsets;
     const auto which = whole(run, Code::p, "P", static_cast<int>(p.datum_count));
@@ -117,17 +134,21 @@ void set_datum_data(Run& run, bool from_position) {
     if (run.block.has(Code::radius) && p.rotation != 0)
         run.parameters.set(first + p.rotation, run.block.get(Code::radius));
     const Axes step = from_position ? step_to_words(run, first) : Axes{};
+    unsigned said = 0;
+    bool known = true;
     if (from_position && place == active && axis_word(run, 2)) zero_set_here(run);
     for (std::size_t k = 0; k < 9; ++k) {
         const std::uint32_t n = first + static_cast<std::uint32_t>(k);
         const double unit = stored_unit(run, k);
         const auto v = axis_word(run, k);
+        if (v && k < 3) said |= 1U << k, known = known && (!from_position || run.parameters.is_set(n));
         if (from_position)
             run.parameters.add(n, step[k] / unit);
         else if (v)
             run.parameters.set(n, *v / unit);
         if (from_position && place != active && v) run.parameters.mark_set(n);
     }
+    tell_zero(run, number_of_place(place), first, said, known);
     if (place != active) return tell(run, SettingKind::datum_written, static_cast<int>(place));
     const double turned = run.offsets.rotation;
     load_datum(run);
@@ -248,13 +269,21 @@ void write_datum(Run& run, program::DataTable table) {
     const auto first = row_of_datum(run, table);
     if (!first) return;
     flush_path(run);
+    const program::OffsetParameters& p = run.traits->offsets;
+    const bool extended = table == program::DataTable::extended_datum;
+    const std::uint32_t row = (*first - (extended ? p.extended_first : p.datum_first)) / p.datum_step + 1;
+    cl::DatumData data;
+    data.number = extended ? 5400 + row : number_of_place(row);
+    data.added = !run.modal.absolute;
     for (std::size_t k = 0; k < 9; ++k) {
         const auto v = axis_word(run, k);
         if (!v) continue;
         const std::uint32_t n = *first + static_cast<std::uint32_t>(k);
         const double written = *v / stored_unit(run, k);
         run.modal.absolute ? run.parameters.set(n, written) : run.parameters.add(n, written);
+        if (k < 3) coordinate(data.origin, static_cast<int>(k)) = *v;
     }
+    if (table != program::DataTable::external_datum) emit(run, data);
     datum_changed(run);
 }
 

@@ -53,6 +53,7 @@ void Cursor::take_modal(const cl::Record& record) {
                    [&](const cl::ToolLength& length) { s.length = length; },
                    [](const cl::MachinePlace&) {},
                    [](const cl::ToolData&) {},
+                   [](const cl::DatumData&) {},  // Datum says what follows
                    [&](const cl::LeadBegin&) { s.leads = true; },
                    [&](const cl::LeadEnd&) { s.leads = false; },
                    [](const cl::Programmed&) {},

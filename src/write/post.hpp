@@ -22,6 +22,7 @@ struct DatumForm {
     Template text;
     double set_less = 0;  ///< as `less`, in `set`
     Template set;         ///< gives it another place in the machine
+    Template add;         ///< moves it by so much
 };
 
 struct Condition {

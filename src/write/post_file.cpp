@@ -193,6 +193,7 @@ private:
             form.less = s.number("less").value_or(0);
             form.text = blocks(s, "text");
             form.set = blocks(s, "set");
+            form.add = blocks(s, "add");
             form.set_less = s.number("set_less").value_or(form.less);
             s.finish();
             post_.datums.push_back(std::move(form));

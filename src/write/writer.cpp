@@ -153,6 +153,10 @@ void Writer::take_event(const cl::Record& record) {
         if (data->radius) values_.set(Value::tool_radius, *data->radius);
         print(Command::tool_data, "what a tool is");
     }
+    if (const auto* data = std::get_if<cl::DatumData>(&step)) {
+        write_all();
+        write_zero(*data);
+    }
     if (const auto* dwell = std::get_if<cl::Dwell>(&step)) {
         write_all();
         values_.clear();

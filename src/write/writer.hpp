@@ -73,6 +73,8 @@ private:
     void set_length();
     void write_datum();
     void write_datum_anew();
+    void set_zero(std::uint32_t number, bool added);
+    void write_zero(const cl::DatumData& data);
     void write_frame();
     void write_spindle();
     void write_coolant();
@@ -116,6 +118,7 @@ private:
     cl::Feed feed_noted_;  ///< of which has been said that it is lost
     cl::Tolerance tolerance_;
     std::optional<cl::Datum> datum_;
+    bool zero_said_ = false;  ///< the text has said where the zero in force lies now
     cl::ToolLength length_;
     std::optional<Command> length_waits_;    ///< for the next straight move, whose block takes it
     std::optional<cl::MachinePlace> place_;  ///< where the next move leads

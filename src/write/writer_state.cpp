@@ -95,27 +95,45 @@ void Writer::write_waiting_length() {
 void Writer::write_datum_anew() {
     const cl::Datum& datum = cursor_.state().datum;
     const geom::Vec3 was = std::exchange(datum_->origin, datum.origin);
-    const std::array<std::pair<Value, std::pair<double, double>>, 3> axes{
-        std::pair{Value::machine_x, std::pair{was.x, datum.origin.x}},
-        std::pair{Value::machine_y, std::pair{was.y, datum.origin.y}},
-        std::pair{Value::machine_z, std::pair{was.z, datum.origin.z}}};
     values_.clear();
     bool any = false;
-    for (const auto& [value, places] : axes) {
-        if (std::isnan(places.second) || places.first == places.second) continue;
-        values_.set(value, places.second);
+    const auto set = [&](Value value, double before, double now) {
+        if (std::isnan(now) || before == now) return;
+        values_.set(value, now);
         any = true;
-    }
-    if (!any) return;
+    };
+    set(Value::machine_x, was.x, datum.origin.x);
+    set(Value::machine_y, was.y, datum.origin.y);
+    set(Value::machine_z, was.z, datum.origin.z);
+    if (std::exchange(zero_said_, false) || !any) return;
+    set_zero(datum.number, false);
+}
+
+/// What the program itself says a zero is; its places are in the values.
+void Writer::set_zero(std::uint32_t number, bool added) {
     end_cycles();
     printer_.forget_coordinates();
-    for (const DatumForm& form : post_.datums)
-        if (datum.number >= form.from && datum.number <= form.to && !form.set.empty()) {
-            values_.set(Value::number, datum.number - form.set_less);
-            if (printer_.print(form.set, values_) == Printed::failed) note(Fate::lost, "the place of a zero");
-            return;
-        }
-    note(Fate::lost, "zero " + std::to_string(datum.number) + " is set anew, and the post has no words for that");
+    for (const DatumForm& form : post_.datums) {
+        const Template& text = added ? form.add : form.set;
+        if (number < form.from || number > form.to || text.empty()) continue;
+        values_.set(Value::number, number - form.set_less);
+        if (printer_.print(text, values_) == Printed::failed) note(Fate::lost, "the place of a zero");
+        return;
+    }
+    note(Fate::lost, "zero " + std::to_string(number) + " is set anew, and the post has no words for that");
+}
+
+void Writer::write_zero(const cl::DatumData& data) {
+    constexpr std::array names{Value::machine_x, Value::machine_y, Value::machine_z};
+    const std::array<double, 3> origin{data.origin.x, data.origin.y, data.origin.z};
+    bool any = false;
+    values_.clear();
+    for (std::size_t k = 0; k < 3; ++k)
+        if (!std::isnan(origin[k])) values_.set(names[k], origin[k]), any = true;
+    if (data.turn) values_.set(Value::angle, geom::degrees(*data.turn)), any = true;
+    zero_said_ = data.number == cursor_.state().datum.number;
+    if (any) return set_zero(data.number, data.added);
+    note(Fate::lost, "zero " + std::to_string(data.number) + " is set to a place that is not known");
 }
 
 void Writer::write_datum() {
@@ -123,6 +141,7 @@ void Writer::write_datum() {
     const bool none_yet = datum.number == 0 && std::isnan(datum.origin.x) && !datum_;
     if (none_yet) return;
     if (datum_ && datum_->number == datum.number) return write_datum_anew();
+    const bool first = !datum_;
     datum_ = datum;
     end_cycles();
     printer_.forget_coordinates();
@@ -134,7 +153,9 @@ void Writer::write_datum() {
         if (printer_.print(form.text, values_) == Printed::failed) note(Fate::lost, "a zero: its number does not fit");
         return;
     }
-    if (datum.number != none_selected) note(Fate::lost, "zero " + std::to_string(datum.number));
+    // One zero alone may be the one that is in force on the control; of several, the others are lost.
+    if (datum.number != none_selected)
+        note(first ? Fate::expanded : Fate::lost, "zero " + std::to_string(datum.number));
 }
 
 void Writer::write_frame() {
