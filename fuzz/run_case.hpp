@@ -22,6 +22,7 @@
 #include "cl/verify.hpp"
 #include "driver/check_program.hpp"
 #include "report/report.hpp"
+#include "write/writer.hpp"
 
 namespace obrys::fuzz {
 
@@ -136,8 +137,30 @@ inline bool complains(const driver::Session& s) {
     return false;
 }
 
+/// Written by every shipped post: whatever the stream holds, each line is whole, and what is lost is said.
+inline void check_written(const std::vector<cl::Record>& records) {
+    static const std::vector<write::Post> posts = [] {
+        std::vector<write::Post> all;
+        for (const std::string& name : write::shipped_post_names()) {
+            base::Sources sources;
+            base::Diagnostics diagnostics;
+            const std::uint32_t file = sources.add(name, std::string(write::shipped_post(name)->text));
+            all.push_back(*write::read_post(file, sources, diagnostics));
+        }
+        return all;
+    }();
+    const write::Post& post = posts[records.size() % posts.size()];
+    write::Output output;
+    output.text = [&](std::string_view line) { require(line.ends_with(post.line_end), "a line is whole"); };
+    output.note = [](const write::Note& n) { require(!n.what.empty(), "a note says something"); };
+    write::Writer writer(post, "CASE", output);
+    for (const cl::Record& record : records) writer.take(record);
+    writer.finish();
+}
+
 /// The stream keeps its own rules, stands in its texts and comes back from its text form as it was.
 inline void check_stream(const driver::Session& s, const std::vector<cl::Record>& records) {
+    check_written(records);
     base::Diagnostics faults;
     cl::Verifier verifier(faults, {}, &s.stacks);
     for (const cl::Record& r : records) {

@@ -153,15 +153,31 @@ void Milling::judge_no_contact(const Milled& milled) {
                    "see whether stock, part and program use the same zero point (docs/job-file.md)");
 }
 
-/// Where the surface is not known to be within the tolerance.
-void Milling::judge_open(const milling::Refined& refined) {
-    if (refined.open.empty()) return;
-    milling::Box3 box = refined.open.front();
-    for (const milling::Box3& b : refined.open)
+namespace {
+
+milling::Box3 box_of(const std::vector<milling::Box3>& boxes) {
+    milling::Box3 box = boxes.front();
+    for (const milling::Box3& b : boxes)
         for (int k = 0; k < 3; ++k) {
             milling::set_component(box.min, k, std::min(milling::component(box.min, k), milling::component(b.min, k)));
             milling::set_component(box.max, k, std::max(milling::component(box.max, k), milling::component(b.max, k)));
         }
+    return box;
+}
+
+}  // namespace
+
+/// Where the surface is not known to be within the tolerance.
+void Milling::judge_open(const milling::Refined& refined) {
+    if (!refined.filled.empty()) {
+        const milling::Box3 box = box_of(refined.filled);
+        out_.assumption("the surface leaves up to " + mm(2 * figures_.tolerance_mm) +
+                        " at the bottom of grooves that the points of tools have cut, in " +
+                        std::to_string(refined.filled.size()) + " places between " + point(box.min) + " and " +
+                        point(box.max) + ": it is no rest material, and gouges are found by the tool itself");
+    }
+    if (refined.open.empty()) return;
+    const milling::Box3 box = box_of(refined.open);
     out_.unchecked("the surface is too fine in itself to be followed within " + mm(figures_.tolerance_mm) +
                        " everywhere: in " + std::to_string(refined.open.size()) + " places between " + point(box.min) +
                        " and " + point(box.max) + " narrow rest material may not be seen",

@@ -100,6 +100,7 @@ def measured(options, program, stock, folder, seed):
     if len(found) != 3:
         return "exact/: " + done.stderr[-200:] + done.stdout[-200:]
     named = [int(m[1]) for u in result["unchecked"] if (m := re.search(r"too fine in itself .* everywhere: in (\d+) place", u["message"]))]
+    named += [int(m[1]) for a in result.get("assumptions", []) if (m := re.search(r"bottom of grooves .*, in (\d+) place", a["message"]))]
     return found, sum(named)
 
 

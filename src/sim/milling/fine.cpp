@@ -99,6 +99,11 @@ void Fine::leave_open(Vec3 p) {
     open_.push_back(box_of(leaf));
 }
 
+void Fine::leave_filled(Vec3 p) {
+    Leaf leaf;
+    if (leaf_of(p, leaf)) filled_.push_back(box_of(leaf));
+}
+
 void Fine::halve(std::vector<Leaf> next) {
     while (!next.empty() && !(stop_ && stop_())) {
         ++round_;
@@ -319,6 +324,7 @@ Refined Fine::figures() const {
     Refined r;
     r.cells = leaves_.split_cells().size();
     r.open = open_;
+    r.filled = filled_;
     const auto before = [](const Box3& a, const Box3& b) {
         return std::tie(a.min.x, a.min.y, a.min.z, a.max.x) < std::tie(b.min.x, b.min.y, b.min.z, b.max.x);
     };

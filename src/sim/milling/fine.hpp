@@ -35,6 +35,8 @@ public:
     [[nodiscard]] std::vector<Unshown> show(const std::vector<Unshown>& places);
     /// A place that could not be made right.
     void leave_open(geom::Vec3 p);
+    /// The bottom of a groove here is filled by more than the tolerance, up to twice that.
+    void leave_filled(geom::Vec3 p);
     /// Of what could not be made right, keeps what is not right now. To be called once nothing is halved any more.
     void settle();
     /// The cells of which `is_fine` is true.
@@ -150,7 +152,8 @@ private:
     std::vector<std::uint32_t> vertex_;  ///< of slots, counted from the coarse vertices on
     std::vector<geom::Vec3> vertices_;
     std::vector<Leaf> given_up_;  ///< smallest ones whose triangles were off
-    std::vector<Box3> open_;      ///< what could not be made fine enough
+    std::vector<Box3> filled_;
+    std::vector<Box3> open_;  ///< what could not be made fine enough
 };
 
 }  // namespace obrys::sim::milling

@@ -20,7 +20,7 @@ constexpr double wanted = 0.7;  ///< of the tolerance: how far from the mesh pla
 constexpr double wanted_within = 0.95;
 constexpr std::size_t some_parts = 150;     ///< of a triangle: what is harder to show to be right is halved
 constexpr std::size_t many_parts = 20'000;  ///< of one that could not be halved
-/// Tolerances by which the bottom of a groove of a tool's point may be filled in unsaid: no rest material is lost
+/// Tolerances by which the bottom of a groove of a tool's point may be filled in, and listed: no rest material is lost
 /// there, and gouges are found by the tool itself.
 constexpr double points_left = 2;
 constexpr double within_left = 1.25;  ///< tolerances: how deep a place may lie that could not be halved, unsaid
@@ -121,7 +121,12 @@ void show_all(const Simulation& simulation, const NodeBits& nodes, Exact& exact,
     }
     const mesh::Mesh now = mesh();
     for (const Unshown& u : unshown(now, places, lattice, tolerance)) fine.leave_open(u.at);
-    for (const Unshown& u : unshown(now, points, lattice, points_left * tolerance)) fine.leave_open(u.at);
+    std::vector<Vec3> filled;
+    for (const Unshown& u : unshown(now, points, lattice, tolerance)) filled.push_back(u.at);
+    const std::vector<Unshown> beyond = unshown(now, filled, lattice, points_left * tolerance);
+    for (const Unshown& u : beyond) fine.leave_open(u.at);
+    if (filled.size() > beyond.size())
+        for (const Vec3& p : filled) fine.leave_filled(p);
     for (const Vec3& p : within.places(now, within_left * tolerance, many_parts)) fine.leave_open(p);
 }
 

@@ -18,9 +18,10 @@ using Stop = std::function<bool()>;
 
 /// What was done about cells too coarse for what lies in them.
 struct Refined {
-    std::size_t cells = 0;   ///< of the lattice: halved once or more often
-    double finest = 0;       ///< mm: the smallest cells' width
-    std::vector<Box3> open;  ///< where the surface is not proved to be within the tolerance all the same
+    std::size_t cells = 0;     ///< of the lattice: halved once or more often
+    double finest = 0;         ///< mm: the smallest cells' width
+    std::vector<Box3> open;    ///< where the surface is not proved to be within the tolerance all the same
+    std::vector<Box3> filled;  ///< bottoms of grooves of tools' points that are filled by up to two tolerances
 };
 
 struct Surface {
