@@ -105,7 +105,9 @@ struct ToolChange {
     std::string name;
     double raised = 0;  ///< mm by which the tip stands above the points of the moves, along the tool (HEIDENHAIN DL)
     double wider = 0;   ///< mm that radius compensation takes its radius to be larger (HEIDENHAIN DR)
-    bool standing = false;  ///< it is in the spindle already: no change is made (M61; the job says so)
+    bool standing = false;     ///< it is in the spindle already: no change is made (M61; the job says so)
+    bool with_length = false;  ///< its length is compensated from here on, without a word of its own
+    std::uint32_t offset = 0;  ///< number of its offset, where the program names that (T0203: 3); 0: it names an edge
     bool operator==(const ToolChange&) const = default;
 };
 
@@ -212,6 +214,21 @@ struct Tolerance {
     double rotary = 0;   ///< degrees; 0: what the machine is set to
     Filter filter = Filter::none;
     bool operator==(const Tolerance&) const = default;
+};
+
+enum class PathKind : std::uint8_t {
+    exact,       ///< through every point
+    exact_stop,  ///< the same, standing still there
+    free,        ///< corners are rounded as far as speed and accelerations need
+    within,      ///< the same, within a tolerance
+};
+/// How the control goes from one move to the next, from here on, where a program says it (G61, G64, G641).
+struct PathMode {
+    PathKind kind = PathKind::exact;
+    double tolerance = 0;   ///< mm, of `within`; 0: what the machine is set to
+    double merge = 0;       ///< mm within which moves are joined to one (G64 Q); 0: none
+    std::uint16_t way = 0;  ///< of several that a control has for it: 642 … 645; 0: there is one
+    bool operator==(const PathMode&) const = default;
 };
 
 /// Auxiliary function passed to the machine: M or H with its number.
@@ -395,8 +412,8 @@ struct PartEnd {
 /// One step of the tool's life. Closed on purpose: a new kind must break every visitor that names all kinds.
 using Step =
     std::variant<Linear, Arc, Spline, Axis, MachinePlace, Thread, Dwell, Feed, Spindle, ToolChange, ToolData, DatumData,
-                 ToolLength, Coolant, Stop, Comment, Datum, Frame, Tolerance, Auxiliary, Setting, CycleBegin, CycleEnd,
-                 PartBegin, PartEnd, CompensationBegin, CompensationEnd, Programmed, LeadBegin, LeadEnd>;
+                 ToolLength, Coolant, Stop, Comment, Datum, Frame, Tolerance, PathMode, Auxiliary, Setting, CycleBegin,
+                 CycleEnd, PartBegin, PartEnd, CompensationBegin, CompensationEnd, Programmed, LeadBegin, LeadEnd>;
 
 /// Identifies a call stack in `CallStacks`; 0 is the main program.
 using StackId = std::uint32_t;

@@ -76,6 +76,15 @@ Tolerance tolerance(Words& w) {
     return s;
 }
 
+PathMode path_mode(Words& w) {
+    PathMode s;
+    s.kind = static_cast<PathKind>(w.choice(path_kinds));
+    if (w.accept("tolerance")) s.tolerance = w.number();
+    if (w.accept("merge")) s.merge = w.number();
+    if (w.accept("way")) s.way = w.integer<std::uint16_t>();
+    return s;
+}
+
 Setting setting(Words& w) {
     Setting s;
     const double kind = w.number(), n = w.number(), second = w.number();
@@ -147,6 +156,8 @@ ToolChange tool(Words& w) {
     if (w.accept("raised")) s.raised = w.number();
     if (w.accept("wider")) s.wider = w.number();
     s.standing = w.accept("standing");
+    s.with_length = w.accept("lengthened");
+    if (w.accept("offset")) s.offset = w.integer<std::uint32_t>();
     return s;
 }
 
@@ -345,6 +356,7 @@ std::optional<Step> step(Words& w) {
     if (kind == "datum") return datum(w);
     if (kind == "frame") return frame(w);
     if (kind == "tolerance") return tolerance(w);
+    if (kind == "path") return path_mode(w);
     if (kind == "setting") return setting(w);
     if (kind == "aux") return auxiliary(w);
     if (kind == "cycle") return cycle(w);

@@ -130,9 +130,14 @@ Step any_step(std::size_t kind) {
                            *rc::gen::element<std::int8_t>(-1, 0, 1), number(),
                            *rc::gen::arbitrary<bool>() ? std::optional(number()) : std::nullopt};
         case 7:
-            return ToolChange{
-                *rc::gen::arbitrary<std::uint32_t>(), *rc::gen::arbitrary<std::uint32_t>(), text(), number(), number(),
-                *rc::gen::arbitrary<bool>()};
+            return ToolChange{*rc::gen::arbitrary<std::uint32_t>(),
+                              *rc::gen::arbitrary<std::uint32_t>(),
+                              text(),
+                              number(),
+                              number(),
+                              *rc::gen::arbitrary<bool>(),
+                              *rc::gen::arbitrary<bool>(),
+                              *rc::gen::arbitrary<std::uint32_t>()};
         case 8: return Coolant{*rc::gen::arbitrary<bool>(), *rc::gen::arbitrary<bool>()};
         case 9: return Stop{*rc::gen::element(StopKind::program, StopKind::optional, StopKind::end)};
         case 10: {
@@ -178,6 +183,7 @@ Step any_step(std::size_t kind) {
                             perhaps()};
         case 27: return any_lead();
         case 28: return LeadEnd{};
+        case 30: return PathMode{any_of(PathKind::within), number(), number(), *rc::gen::arbitrary<std::uint16_t>()};
         case 29: return DatumData{*rc::gen::arbitrary<std::uint32_t>(), vec(), perhaps(), *rc::gen::arbitrary<bool>()};
         default: return CycleEnd{};
     }
@@ -225,6 +231,7 @@ struct Mark {
         if (s.length) mark(*s.length);
         if (s.radius) mark(*s.radius);
     }
+    void operator()(PathMode& s) const { mark(s.tolerance), mark(s.merge); }
     void operator()(DatumData& s) const {
         mark(s.origin);
         if (s.turn) mark(*s.turn);

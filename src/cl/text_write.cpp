@@ -143,6 +143,8 @@ struct StepWriter {
         if (s.raised != 0) out += " raised", number(out, s.raised);
         if (s.wider != 0) out += " wider", number(out, s.wider);
         if (s.standing) out += " standing";
+        if (s.with_length) out += " lengthened";
+        if (s.offset != 0) out += " offset " + std::to_string(s.offset);
     }
     void operator()(const ToolData& s) const {
         out += "tool-data " + std::to_string(s.number) + " edge " + std::to_string(s.edge);
@@ -206,6 +208,13 @@ struct StepWriter {
         out += " rotary";
         number(out, s.rotary);
         out += filters[static_cast<std::size_t>(s.filter)];
+    }
+    void operator()(const PathMode& s) const {
+        out += "path ";
+        out += path_kinds[static_cast<std::size_t>(s.kind)];
+        if (s.tolerance != 0) out += " tolerance", number(out, s.tolerance);
+        if (s.merge != 0) out += " merge", number(out, s.merge);
+        if (s.way != 0) out += " way " + std::to_string(s.way);
     }
     void operator()(const Setting& s) const {
         out += "setting " + std::to_string(static_cast<int>(s.kind)) + ' ' + std::to_string(s.number) + ' ' +

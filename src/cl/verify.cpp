@@ -209,6 +209,11 @@ void Verifier::check(const Record& r, const MachinePlace& s) {
     if (infinite(s.to)) complain(r, base::codes::value_range, "a place of the machine that is not finite");
 }
 
+void Verifier::check(const Record& r, const PathMode& s) {
+    if (s.tolerance < 0 || s.merge < 0 || std::isinf(s.tolerance) || std::isinf(s.merge))
+        complain(r, base::codes::value_range, "tolerances of the path must be finite and not negative");
+}
+
 void Verifier::check(const Record& r, const ToolData& s) {
     if (std::isinf(s.length.value_or(0)) || std::isinf(s.radius.value_or(0)))
         complain(r, base::codes::value_range, "length or radius of a tool is not finite");

@@ -42,6 +42,7 @@ private:
     void check(const Record& r, const Datum& s);
     void check(const Record& r, const Frame& s);
     void check(const Record& r, const Tolerance& s);
+    void check(const Record& r, const PathMode& s);
     void check(const Record& r, const CycleBegin& s);
     void check(const Record& r, const CycleEnd& s);
     void check(const Record& r, const PartBegin& s);

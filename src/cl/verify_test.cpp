@@ -80,6 +80,8 @@ TEST(Verify, SplinesAndTolerancesHoldNoOtherValues) {
     EXPECT_EQ(complaints({Tolerance{0.05, 0.1, Filter::finishing}, Tolerance{}}), Codes{});
     EXPECT_EQ(complaints({Tolerance{-0.05, 0, Filter::none}}), Codes{"value-range"});
     EXPECT_EQ(complaints({Tolerance{0, NAN, Filter::none}}), Codes{"value-range"});
+    EXPECT_EQ(complaints({PathMode{PathKind::within, 0.01}}), Codes{});
+    EXPECT_EQ(complaints({PathMode{PathKind::within, -0.01}}), Codes{"value-range"});
 }
 
 TEST(Verify, CycleBracketsPairUp) {

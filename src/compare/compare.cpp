@@ -117,6 +117,10 @@ public:
     [[nodiscard]] bool operator()(const cl::Tolerance& a, const cl::Tolerance& b) const {
         return near(a.contour, b.contour, t_.length) && near(a.rotary, b.rotary, t_.angle) && a.filter == b.filter;
     }
+    [[nodiscard]] bool operator()(const cl::PathMode& a, const cl::PathMode& b) const {
+        return a.kind == b.kind && near(a.tolerance, b.tolerance, t_.length) && near(a.merge, b.merge, t_.length) &&
+               a.way == b.way;
+    }
     [[nodiscard]] bool operator()(const cl::Dwell& a, const cl::Dwell& b) const {
         return share(a.seconds, b.seconds) && share(a.revolutions, b.revolutions);
     }
@@ -163,6 +167,12 @@ private:
 std::string words(const cl::Step& step) {
     std::string out = cl::to_text({step, {}, 0});
     return out.substr(0, out.rfind(" @"));
+}
+
+/// Before its first height a tool's length moves nothing.
+bool knows_height(const Move& m) {
+    const auto* line = std::get_if<cl::Linear>(&m.step);
+    return line == nullptr || !std::isnan(line->to.z);
 }
 
 std::string with_axes(const Move& m) {
@@ -223,10 +233,32 @@ private:
         held(Aspect::spindle, h.spindle, k.spindle);
         held(Aspect::coolant, h.coolant, k.coolant);
         held(Aspect::tool, h.tool, k.tool);
+        if (h.length != k.length && knows_height(a) && knows_height(b))
+            add(Aspect::tool, &a, &b, i, "compensation of the tool's length; in the other another one, or none");
         held(Aspect::datum, h.datum, k.datum);
+        if (geom::is_finite(h.datum.origin) && geom::is_finite(k.datum.origin) &&
+            !like_.place(h.datum.origin, k.datum.origin))
+            add(Aspect::motion, &a, &b, i, words(h.datum) + "; in the other " + words(k.datum));
         held(Aspect::frame, h.frame, k.frame);
         held(Aspect::tolerance, h.tolerance, k.tolerance);
+        if (h.path && k.path) held(Aspect::tolerance, *h.path, *k.path);
+        if (h.path.has_value() != k.path.has_value())
+            add(Aspect::tolerance, &a, &b, i,
+                h.path ? words(*h.path) + ", which the other does not say" : "the other says " + words(*k.path));
         if (feeds || like_(h.feed, k.feed)) last_a_ = a.holding, last_b_ = b.holding;
+    }
+
+    /// Spindle and coolant while the tool stands: dwells and stops; the end of a program stops both.
+    void compare_state(const Item& a, const Item& b) {
+        const auto* stop = std::get_if<cl::Stop>(&a.step);
+        const bool waits =
+            std::holds_alternative<cl::Dwell>(a.step) || (stop != nullptr && stop->kind != cl::StopKind::end);
+        if (!waits || !a.holding || !b.holding) return;
+        const Holding &h = *a.holding, &k = *b.holding;
+        if (!like_(h.spindle, k.spindle))
+            add(Aspect::spindle, &a, &b, a.moves, words(h.spindle) + "; in the other " + words(k.spindle));
+        if (!like_(h.coolant, k.coolant))
+            add(Aspect::coolant, &a, &b, a.moves, words(h.coolant) + "; in the other " + words(k.coolant));
     }
 
     void compare_items(Aspect aspect, const std::vector<Item>& a, const std::vector<Item>& b) {
@@ -234,6 +266,7 @@ private:
         for (std::size_t i = 0; i < both; ++i) {
             if (!like_.steps(a[i].step, b[i].step))
                 return add(aspect, &a[i], &b[i], a[i].moves, words(a[i].step) + "; in the other " + words(b[i].step));
+            if (aspect == Aspect::events) compare_state(a[i], b[i]);
             if (aspect == Aspect::events && a[i].moves != b[i].moves)
                 return add(aspect, &a[i], &b[i], a[i].moves,
                            words(a[i].step) + " before move " + std::to_string(a[i].moves) + "; in the other before " +

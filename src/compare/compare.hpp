@@ -24,7 +24,7 @@ enum class Aspect : std::uint8_t {
     events,        ///< stops, dwells, functions, texts, tool changes, and where they stand between the moves
     datum,         ///< zeros while the tool moves
     frame,         ///< in which coordinates are programmed, while the tool moves
-    tolerance,     ///< of the contour, while the tool moves
+    tolerance,     ///< of the contour and how moves are joined, while the tool moves
     cycles,        ///< kinds, values and places
     compensation,  ///< sides, radii, programmed elements and corners
     count,
@@ -40,9 +40,12 @@ struct Holding {
     cl::Spindle spindle;
     cl::Coolant coolant;
     cl::ToolChange tool;
+    std::int64_t length =
+        0;  ///< whose length is compensated: 0 none, -1 that of the tool, -2 values, else 1 + its number
     cl::Datum datum;
     cl::Frame frame;
     cl::Tolerance tolerance;
+    std::optional<cl::PathMode> path;
     bool operator==(const Holding&) const = default;
 };
 
@@ -51,6 +54,7 @@ struct Item {
     base::Span from;
     cl::StackId stack = 0;
     std::size_t moves = 0;  ///< that stand before it
+    std::shared_ptr<const Holding> holding{};
 };
 
 struct Move {
@@ -61,7 +65,8 @@ struct Move {
     cl::StackId stack = 0;
 };
 
-/// A stream as far as it is compared. Moves that lead nowhere (`same_place`) are left out.
+/// A stream as far as it is compared. Moves that lead nowhere (`same_place`) and comments are left out, arcs that go on
+/// about the same axis are one, and so is a tool that is called while it is in the spindle.
 class Path {
 public:
     explicit Path(double same_place) : same_place_(same_place) {}
@@ -73,11 +78,14 @@ public:
 private:
     void take_move(const cl::Record& record, const geom::Vec3& to);
     void take_axis(const cl::Axis& axis);
+    void take_event(const cl::Record& record);
+    [[nodiscard]] bool goes_on(const cl::Record& record) const;
     void hold();
 
     double same_place_;
     motion::Cursor cursor_;
     std::shared_ptr<const Holding> holding_ = std::make_shared<const Holding>();
+    geom::Vec3 arc_from_;           ///< where the last arc began
     std::optional<geom::Vec3> at_;  ///< end of the last move that counts
     std::vector<cl::Axis> axes_;
     std::map<std::array<char, 8>, double> stands_;  ///< where additional axes stand

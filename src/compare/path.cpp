@@ -13,10 +13,48 @@ bool is_same(double a, double b, double tolerance) {
 
 }  // namespace
 
+namespace {
+
+/// A tool whose offset has its own number is the same as one whose first edge is named.
+cl::ToolChange tool_of(cl::ToolChange change) {
+    if (change.offset == change.number && change.offset != 0) change.edge = 1;
+    change.offset = 0;
+    change.with_length = change.standing = false;
+    return change;
+}
+
+std::int64_t length_of(const motion::State& s) {
+    const bool own = s.length.sense > 0 && !s.length.by && s.length.offset == s.change.number;
+    if (own || (s.length.sense == 0 && s.change.with_length)) return -1;
+    if (s.length.sense == 0) return 0;
+    if (s.length.by) return -2;
+    return (std::int64_t{s.length.offset} + 1) * (s.length.sense > 0 ? 1 : -3);
+}
+
+}  // namespace
+
 void Path::hold() {
     const motion::State& s = cursor_.state();
-    Holding now{s.feed, s.spindle, s.coolant, s.change, s.datum, s.frame, s.tolerance};
+    Holding now{s.feed, s.spindle, s.coolant, tool_of(s.change), length_of(s), s.datum, s.frame, s.tolerance, s.path};
     if (!(now == *holding_)) holding_ = std::make_shared<const Holding>(std::move(now));
+}
+
+/// An arc that goes on about the axis of the last move, as steep, with nothing between them.
+bool Path::goes_on(const cl::Record& record) const {
+    const auto* next = std::get_if<cl::Arc>(&record.step);
+    if (next == nullptr || moves.empty() || !axes_.empty() || !at_ || moves.back().holding != holding_) return false;
+    const auto* arc = std::get_if<cl::Arc>(&moves.back().step);
+    const auto after = [&](const std::vector<Item>& items) {
+        return !items.empty() && items.back().moves == moves.size();
+    };
+    if (arc == nullptr || after(events) || after(cycles) || after(contours) || arc->rapid != next->rapid) return false;
+    const geom::Vec3 along = next->normal, between = next->centre - arc->centre;
+    const geom::Vec3 beside = between - geom::dot(between, along) * along;
+    if (geom::distance(arc->normal, along) > 1e-9 || !(geom::length(beside) <= same_place_)) return false;
+    if ((arc->sweep > 0) != (next->sweep > 0)) return false;
+    const double rise = geom::dot(arc->to - arc_from_, along) / arc->sweep;
+    const double next_rise = geom::dot(next->to - *at_, along) / next->sweep;
+    return std::abs(rise - next_rise) * geom::full_turn <= same_place_;
 }
 
 void Path::take_move(const cl::Record& record, const geom::Vec3& to) {
@@ -26,7 +64,15 @@ void Path::take_move(const cl::Record& record, const geom::Vec3& to) {
     if (stays) return;
     hold();
     for (const cl::Axis& axis : axes_) stands_[axis.name] = axis.to;
-    moves.push_back({record.step, std::exchange(axes_, {}), holding_, record.from, record.stack});
+    if (goes_on(record)) {
+        auto& arc = std::get<cl::Arc>(moves.back().step);
+        const auto& next = std::get<cl::Arc>(record.step);
+        arc.to = next.to;
+        arc.sweep += next.sweep;
+    } else {
+        if (std::holds_alternative<cl::Arc>(record.step)) arc_from_ = at_.value_or(geom::Vec3{NAN, NAN, NAN});
+        moves.push_back({record.step, std::exchange(axes_, {}), holding_, record.from, record.stack});
+    }
     at_ = to;
 }
 
@@ -44,19 +90,39 @@ void Path::take(const cl::Record& record) {
     if (const auto moved = cursor_.take(record)) return take_move(record, moved->to);
     // Another zero: the tool stands still, and its place has other numbers.
     if (std::holds_alternative<cl::Datum>(step) && !(cursor_.state().datum == datum)) at_.reset();
-    const Item item{step, record.from, record.stack, moves.size()};
-    if (const auto* axis = std::get_if<cl::Axis>(&step)) take_axis(*axis);
+    if (const auto* axis = std::get_if<cl::Axis>(&step)) return take_axis(*axis);
+    // What a block of a stop does besides holds while the machine stands, whatever stands first in it.
+    const bool with_stop = !events.empty() && std::holds_alternative<cl::Stop>(events.back().step) &&
+                           events.back().from == record.from && events.back().moves == moves.size();
+    if (with_stop && (std::holds_alternative<cl::Spindle>(step) || std::holds_alternative<cl::Coolant>(step))) {
+        hold();
+        events.back().holding = holding_;
+    }
+    const Item item{step, record.from, record.stack, moves.size(), {}};
     if (std::holds_alternative<cl::CycleBegin>(step))
         cycles.push_back(item);
     else if (std::holds_alternative<cl::CompensationBegin>(step) || std::holds_alternative<cl::CompensationEnd>(step) ||
              std::holds_alternative<cl::Programmed>(step) || std::holds_alternative<cl::LeadBegin>(step))
         contours.push_back(item);
-    else if (std::holds_alternative<cl::Stop>(step) || std::holds_alternative<cl::Dwell>(step) ||
-             std::holds_alternative<cl::Comment>(step) || std::holds_alternative<cl::Auxiliary>(step) ||
-             std::holds_alternative<cl::ToolChange>(step) || std::holds_alternative<cl::ToolLength>(step) ||
-             std::holds_alternative<cl::ToolData>(step) || std::holds_alternative<cl::DatumData>(step) ||
-             std::holds_alternative<cl::MachinePlace>(step))
-        events.push_back(item);
+    else
+        take_event(record);
+}
+
+void Path::take_event(const cl::Record& record) {
+    cl::Step step = record.step;
+    if (const auto* change = std::get_if<cl::ToolChange>(&step)) {
+        const cl::ToolChange now = tool_of(*change), before = holding_->tool;
+        const bool same = now.number == before.number && now.name == before.name;
+        hold();
+        if (same || change->standing) return;
+        step = now;
+    } else if (!std::holds_alternative<cl::Stop>(step) && !std::holds_alternative<cl::Dwell>(step) &&
+               !std::holds_alternative<cl::Auxiliary>(step) && !std::holds_alternative<cl::MachinePlace>(step) &&
+               !std::holds_alternative<cl::DatumData>(step)) {
+        return;
+    }
+    hold();
+    events.push_back({step, record.from, record.stack, moves.size(), holding_});
 }
 
 }  // namespace obrys::compare

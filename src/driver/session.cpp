@@ -191,7 +191,7 @@ void load_backups(Session& s, const Request& request) {
 }
 
 bool read_main(Session& s, const Request& request, const fs::path& path) {
-    const auto file = request.text ? std::optional(s.sources.add(path.string(), *request.text))
+    const auto file = request.text ? std::optional(s.sources.add(path.string() + " (as written)", *request.text))
                                    : load(path, s.sources, s.diagnostics, s.job.program_where);
     if (!file) return false;
     s.program = s.sources[*file].name;

@@ -19,10 +19,22 @@ std::vector<std::string> candidates(const std::string& name, shop::MachineKind k
 
 }  // namespace
 
+namespace {
+
+/// A post whose control is none that can be read: what is written by it could not be run.
+std::optional<write::Post> checked(std::optional<write::Post> post, std::uint32_t file, Session& s) {
+    if (!post || post->control.empty() || find_control(post->control) != nullptr) return post;
+    complain(s.diagnostics, codes::job_value, {file, 0, 0}, "there is no control \"" + post->control + '"',
+             shop::words_remedy(post->control, controls(), "controls that can be read"));
+    return std::nullopt;
+}
+
+}  // namespace
+
 std::optional<write::Post> find_post(const std::string& name, Session& s) {
     if (name.ends_with(".toml")) {
         const std::optional<std::uint32_t> file = load(name, s.sources, s.diagnostics);
-        return file ? write::read_post(*file, s.sources, s.diagnostics) : std::nullopt;
+        return file ? checked(write::read_post(*file, s.sources, s.diagnostics), *file, s) : std::nullopt;
     }
     const std::string& wanted = name == "same" ? s.control : name;
     for (const std::string& candidate : candidates(wanted, s.job.machine.kind))

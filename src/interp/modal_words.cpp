@@ -209,6 +209,7 @@ void set_path_mode(Run& run, Modal m, int number) {
     state.merge = m == Modal::path_blend && b.has(Code::q) ? b.get(Code::q) * unit : state.blend;
     state.blend_free = m == Modal::path_blend && !b.has(Code::p) && run.traits->blends_without_limit;
     tell_path_mode(run);
+    tell_joining(run, false);
 }
 
 bool names_axis(const Run& run) {
@@ -401,7 +402,10 @@ bool apply_mode(Run& run, Modal m, int number) {
         case Modal::compressor_on:
         case Modal::compressor_off: state.compressor = m == Modal::compressor_on; return true;
         case Modal::exact_stop:
-        case Modal::continuous: state.smoothing = m == Modal::continuous ? number : 0; return true;
+        case Modal::continuous:
+            state.smoothing = m == Modal::continuous ? number : 0;
+            tell_joining(run, true);
+            return true;
         case Modal::path_exact:
         case Modal::path_stop:
         case Modal::path_blend: set_path_mode(run, m, number); return true;

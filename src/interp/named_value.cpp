@@ -163,7 +163,10 @@ void special_value(Run& run, const program::Named& n) {
     ModalState& m = run.modal;
     const double unit = length_unit(m);
     switch (n.kind) {
-        case NamedKind::rounding_distance: m.rounding_distance = std::max(v, 0.0) * unit; return;
+        case NamedKind::rounding_distance:
+            m.rounding_distance = std::max(v, 0.0) * unit;
+            if (run.told.path) tell_joining(run, true);
+            return;
         case NamedKind::rounding_distance_rapid: m.rounding_distance_rapid = std::max(v, 0.0) * unit; return;
         case NamedKind::block_feed: run.block.feed_alone = v; return;
         case NamedKind::contour_tolerance: m.contour_tolerance = v < 0 ? std::nan("") : v * unit; return;

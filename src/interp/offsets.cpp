@@ -406,6 +406,23 @@ void tell_length(Run& run, const Axes& by) {
     emit(run, length);
 }
 
+namespace {
+
+/// A length that nobody has given is compensated all the same.
+void tell_length_word(Run& run, Modal m) {
+    if (m != Modal::tool_length && m != Modal::tool_length_negative) return;
+    const BlockWords& b = run.block;
+    const double h = b.has(Code::offset_h) ? b.peek(Code::offset_h) : run.tool.number;
+    const cl::ToolLength length{static_cast<std::int8_t>(m == Modal::tool_length ? 1 : -1),
+                                base::cut<std::uint32_t>(h).value_or(no_listed_tool),
+                                {}};
+    if (length == run.told.length) return;
+    run.told.length = length;
+    emit(run, length);
+}
+
+}  // namespace
+
 void tool_length_words(Run& run, Modal m) {
     std::optional<Axes> by;
     if (m == Modal::tool_length_off) by = Axes{};
@@ -430,6 +447,7 @@ void tool_length_words(Run& run, Modal m) {
         set_tool_offset(run, *by);
         take_tip(run);
     } else {
+        tell_length_word(run, m);
         tell(run, SettingKind::tool_offset, 0, run.offsets.tool);
     }
 }

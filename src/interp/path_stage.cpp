@@ -117,7 +117,7 @@ void PathStage::push(Run& run, path::Element e, const path::Setting& s) {
 /// Compensation that begins or becomes another one.
 void PathStage::tell_begin(Run& run, const path::Setting& s) {
     if (s.side == path::Side::off) return tell_end(run);
-    const double number = std::isnan(run.modal.offset_d) ? run.tool.edge : run.modal.offset_d;
+    const double number = run.block.has(Code::offset_d) ? run.block.peek(Code::offset_d) : run.modal.offset_d;
     cl::CompensationBegin begin;
     begin.side = s.side == path::Side::left ? cl::CompensationSide::left : cl::CompensationSide::right;
     begin.radius = radius_in_stream(run, s.radius);

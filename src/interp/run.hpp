@@ -448,6 +448,8 @@ void begin_telling(Run&);
 void tell_frame(Run&);
 /// The path mode in force, with its tolerances.
 void tell_path_mode(Run&);
+/// How moves are joined from here on; `smoothing_words`: by G60, G64 … G645 of SINUMERIK, else by G61, G61.1, G64.
+void tell_joining(Run&, bool smoothing_words);
 /// M48 … M53: what the operator may change.
 void switch_override(Run&, cl::SettingKind, bool on);
 /// F, S, T and M of the block, in the order in which they act.

@@ -85,6 +85,7 @@ void restore_path(Run& run, const ModalState& s) {
     m.blend = s.blend;
     m.merge = s.merge;
     tell_path_mode(run);
+    tell_joining(run, false);
 }
 
 void restore_words(Run& run, const SavedModes& s) {

@@ -298,6 +298,7 @@ struct StreamFrame {
     base::SharedValue<cl::Cycle> cycle;  ///< the last one
     std::uint32_t open_cycles = 0;       ///< brackets
     cl::ToolLength length;
+    std::optional<cl::PathMode> path;
 };
 
 /// Why blocks are looked at without being run (capture.hpp).

@@ -38,6 +38,37 @@ void tell(Run& run, SettingKind kind, int number, const Axes& values) {
     emit(run, s);
 }
 
+namespace {
+
+cl::PathMode path_mode_of(const ModalState& m, bool smoothing_words) {
+    cl::PathMode p;
+    constexpr int free_way = 64, by_distance = 641;
+    if (smoothing_words) {
+        p.kind = m.smoothing == 0          ? cl::PathKind::exact_stop
+                 : m.smoothing == free_way ? cl::PathKind::free
+                                           : cl::PathKind::within;
+        if (m.smoothing == by_distance) p.tolerance = m.rounding_distance;
+        if (m.smoothing > by_distance) p.way = base::clipped<std::uint16_t>(m.smoothing, 0, 999);
+        return p;
+    }
+    p.kind = m.path_mode == Modal::path_exact  ? cl::PathKind::exact
+             : m.path_mode == Modal::path_stop ? cl::PathKind::exact_stop
+             : m.blend > 0                     ? cl::PathKind::within
+                                               : cl::PathKind::free;
+    p.tolerance = m.blend;
+    if (m.merge != m.blend) p.merge = m.merge;
+    return p;
+}
+
+}  // namespace
+
+void tell_joining(Run& run, bool smoothing_words) {
+    const cl::PathMode now = path_mode_of(run.modal, smoothing_words);
+    if (run.told.path && *run.told.path == now) return;
+    run.told.path = now;
+    emit(run, now);
+}
+
 void tell_path_mode(Run& run) {
     const ModalState& m = run.modal;
     const int number = m.path_mode == Modal::path_exact ? 0 : m.path_mode == Modal::path_stop ? 1 : 2;

@@ -86,8 +86,13 @@ bool changes_on_m6(const Run& run) {
 /// `standing`: it is in the spindle already.
 void emit_tool(Run& run, bool standing = false) {
     run.tool.data = find_tool(run, run.tool);
-    emit(run, cl::ToolChange{run.tool.number, run.tool.edge, run.tool.name, run.tool.delta_length,
-                             run.tool.delta_radius, standing});
+    const bool lathe = run.env.machine.kind == shop::MachineKind::lathe;
+    cl::ToolChange change{run.tool.number,       run.tool.edge,         run.tool.name,
+                          run.tool.delta_length, run.tool.delta_radius, standing};
+    // Controls of the G43 family compensate lengths by words of their own, but for turrets.
+    change.with_length = (!keeps_offsets(run) || (lathe && run.traits->edge_is_offset_number)) && run.tool.edge != 0;
+    if (lathe && run.traits->edge_is_offset_number && run.tool.edge != cl::unknown_tool) change.offset = run.tool.edge;
+    emit(run, change);
     judge_anew(run.offsets);
     take_tip(run);
     control_sets(run, {ControlValue::tool_axis});

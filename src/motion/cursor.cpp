@@ -36,6 +36,7 @@ void Cursor::take_modal(const cl::Record& record) {
                        s.datum = datum;
                        position_.take(datum);
                    },
+                   [&](const cl::PathMode& path) { s.path = path; },
                    [&](const cl::Frame& frame) { s.frame = frame; },
                    [&](const cl::ToolChange& change) {
                        s.change = change;

@@ -14,6 +14,7 @@ struct State {
     cl::Spindle spindle;
     cl::Coolant coolant;
     cl::Tolerance tolerance;
+    std::optional<cl::PathMode> path;  ///< nothing: as the machine is set
     cl::Datum datum{0, {NAN, NAN, NAN}};
     cl::Frame frame;                                    ///< in which coordinates are programmed
     cl::ToolLength length;                              ///< as far as the program says it

@@ -38,6 +38,7 @@ enum class Command : std::uint8_t {
     spindle_held,
     tool_change,
     tool_data,      ///< what the program itself says a tool is
+    tool_edge,      ///< another edge of the tool in the spindle
     tool_standing,  ///< a tool that is in the spindle already
     tool_none,
     tool_by_name,
@@ -62,6 +63,10 @@ enum class Command : std::uint8_t {
     comment,
     message,
     terminal,
+    path_exact,
+    path_exact_stop,
+    path_free,
+    path_within,
     tolerance_set,
     tolerance_reset,
     function,

@@ -44,6 +44,7 @@ Usual usual_style(Value v) {
         case Value::turret:
         case Value::offset:
         case Value::filter:
+        case Value::way:
         case Value::revolutions:
         case Value::block: return whole;
         default: return length;
@@ -106,6 +107,7 @@ private:
             style.point = s.boolean("point").value_or(style.point);
             style.plus = s.boolean("plus").value_or(style.plus);
             style.factor = s.number("factor").value_or(style.factor);
+            if (style.factor == 0) complain(place(s, "factor"), "'factor' must not be 0");
             style.most = s.number("most", shop::Range::positive).value_or(style.most);
             style.at_rapid = s.text("at_rapid").value_or(style.at_rapid);
             s.finish();
@@ -129,6 +131,7 @@ private:
         if (const Entry* groups = s.take("groups")) {
             for (const shop::Value& group : groups->value.items) {
                 std::vector<std::string> words;
+                if (group.kind != shop::ValueKind::array) complain(group.where, "'groups' is a list of lists of words");
                 for (const shop::Value& word : group.items) words.push_back(word.text);
                 grammar_.groups.push_back(std::move(words));
             }
@@ -150,6 +153,12 @@ private:
         return out;
     }
 
+    /// "no" takes back what the post below says.
+    static std::string stopped_by(Section& s) {
+        std::string word = s.text("stops_spindle").value_or("");
+        return word == "no" ? "" : word;
+    }
+
     void read_commands() {
         for (std::size_t i = 0; i < command_names().size();) {
             const std::string_view name = command_names()[i].table;
@@ -159,10 +168,13 @@ private:
             for (; i < command_names().size() && command_names()[i].table == name; ++i)
                 if (table) post_.commands[i] = blocks(s, command_names()[i].key);
             if (!table) continue;
-            if (name == "tool") post_.change_stops_spindle = s.text("stops_spindle").value_or("");
-            if (name == "stop") post_.stop_stops_spindle = s.text("stops_spindle").value_or("");
+            if (name == "tool") post_.change_stops_spindle = stopped_by(s);
+            if (name == "tool") post_.repeats_tool = s.boolean("repeats").value_or(false);
+            if (name == "stop") post_.stop_stops_spindle = stopped_by(s);
             if (name == "corner") post_.corner_in_block = s.boolean("in_block").value_or(true);
             if (name == "text") {
+                post_.comment_is_plain = s.boolean("plain").value_or(false);
+                post_.comment_holds_quotes = s.boolean("holds_quotes").value_or(true);
                 post_.comment_holds_brackets = s.boolean("holds_brackets").value_or(true);
                 if (const auto n = s.integer("longest", 1, 10'000))
                     post_.longest_comment = static_cast<std::size_t>(*n);
@@ -190,6 +202,7 @@ private:
             DatumForm form;
             form.from = static_cast<std::uint32_t>(s.integer("from", 0, 100'000).value_or(0));
             form.to = static_cast<std::uint32_t>(s.integer("to", 0, 100'000).value_or(form.from));
+            if (form.to < form.from) complain(place(s, "to"), "'to' must not be less than 'from'");
             form.less = s.number("less").value_or(0);
             form.text = blocks(s, "text");
             form.set = blocks(s, "set");

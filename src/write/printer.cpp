@@ -35,6 +35,12 @@ void Printer::force(const Template& words) {
             if (t.kind == Token::Kind::literal) force(t.before);
 }
 
+void Printer::leave(const Template& words) {
+    for (const Block& block : words)
+        for (const Token& t : block)
+            if (t.kind == Token::Kind::literal && t.group >= 0) in_force_[static_cast<std::size_t>(t.group)].clear();
+}
+
 void Printer::start() {
     for (const std::string& word : post_.in_force) force(word);
 }

@@ -35,6 +35,8 @@ public:
     /// A word of a group is in force without having been printed.
     void force(const std::string& word);
     void force(const Template& words);
+    /// No word of the groups of these is in force any more.
+    void leave(const Template& words);
     /// `moves`: blocks that do nothing but say how to move are left out.
     Printed print(const Template& text, const Values& values, const Parts& parts = {}, bool moves = false);
     /// The block as it would stand, every word with it; nothing where a number does not fit.

@@ -7,13 +7,13 @@ namespace obrys::write {
 namespace {
 
 constexpr std::array<std::string_view, static_cast<std::size_t>(Value::count)> names{
-    "x",         "y",         "z",        "i",        "j",          "k",           "cx",          "cy",
-    "cz",        "radius",    "sweep",    "turns",    "more-turns", "axis",        "pitch",       "pitch-x",
-    "pitch-y",   "pitch-z",   "size",     "own-feed", "length",     "tool-radius", "feed",        "speed",
-    "limit",     "held",      "number",   "edge",     "turret",     "raised",      "wider",       "offset",
-    "around",    "sharp",     "contour",  "rotary",   "filter",     "seconds",     "revolutions", "machine-x",
-    "machine-y", "machine-z", "shift-x",  "shift-y",  "shift-z",    "angle",       "angle-x",     "angle-y",
-    "angle-z",   "factor-x",  "factor-y", "factor-z", "mirror-x",   "mirror-y",    "mirror-z",    "block"};
+    "x",        "y",        "z",        "i",           "j",           "k",         "cx",        "cy",        "cz",
+    "radius",   "sweep",    "turns",    "more-turns",  "axis",        "pitch",     "pitch-x",   "pitch-y",   "pitch-z",
+    "size",     "own-feed", "length",   "tool-radius", "feed",        "speed",     "limit",     "held",      "number",
+    "edge",     "turret",   "raised",   "wider",       "offset",      "around",    "sharp",     "way",       "merge",
+    "contour",  "rotary",   "filter",   "seconds",     "revolutions", "machine-x", "machine-y", "machine-z", "shift-x",
+    "shift-y",  "shift-z",  "angle",    "angle-x",     "angle-y",     "angle-z",   "factor-x",  "factor-y",  "factor-z",
+    "mirror-x", "mirror-y", "mirror-z", "block"};
 constexpr std::array<std::string_view, static_cast<std::size_t>(Text::count)> texts{"name", "text", "letter"};
 
 }  // namespace

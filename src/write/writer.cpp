@@ -62,7 +62,7 @@ void Writer::take(const cl::Record& record) {
 
 /// Whether the control makes the move by itself, from an element that has been written.
 bool Writer::is_made(const cl::Record& record) {
-    if (place_) return false;
+    if (place_ || plain_) return false;
     if (cursor_.state().compensation) return contour_begun_;
     const Source source{record.from, record.stack};
     if (std::find(programmed_.begin(), programmed_.end(), source) != programmed_.end()) return true;
@@ -100,6 +100,7 @@ void Writer::flush_held() {
 /// Elements are said where compensation or a corner makes another path of them; where the post has no corners, those
 /// outside of compensation are written as the moves that they become.
 void Writer::take_programmed(const cl::Programmed& p) {
+    if (plain_) return;
     const bool corners = post_.has(Command::corner_rounding) || post_.has(Command::corner_chamfer) ||
                          post_.has(Command::corner_chamfer_leg);
     if (!corners && !cursor_.state().compensation) return;
@@ -138,13 +139,14 @@ void Writer::take_event(const cl::Record& record) {
         tool_waits_ = !change->standing;
         if (change->standing && post_.has(Command::tool_standing)) write_standing(*change);
     }
-    if (const auto* begin = std::get_if<cl::CompensationBegin>(&step)) {
+    if (const auto* begin = std::get_if<cl::CompensationBegin>(&step); begin != nullptr && !plain_) {
         compensation_ =
             begin->side == cl::CompensationSide::left ? Command::compensation_left : Command::compensation_right;
         contour_begun_ = false;
         programmed_.clear();
     }
-    if (std::holds_alternative<cl::CompensationEnd>(step)) compensation_ = Command::compensation_off;
+    if (std::holds_alternative<cl::CompensationEnd>(step) && !std::exchange(plain_, false))
+        compensation_ = Command::compensation_off;
     values_.clear();
     if (const auto* data = std::get_if<cl::ToolData>(&step)) {
         values_.set(Value::number, data->number);
@@ -186,14 +188,26 @@ void Writer::take_event(const cl::Record& record) {
     }
 }
 
+/// Characters that would end the comment, or that the control does not have.
+void Writer::clean(std::string& text) const {
+    for (char& c : text) {
+        if (!post_.comment_holds_brackets) c = c == '(' ? '<' : c == ')' ? '>' : c;
+        if (!post_.comment_holds_quotes && c == '"') c = '\'';
+        if (c == '\n' || c == '\r') c = ' ';
+        if (!post_.comment_is_plain) continue;
+        if (c >= 'a' && c <= 'z') c = static_cast<char>(c - 'a' + 'A');
+        if (c < ' ' || c > 'Z' || c == '%') c = c == '<' || c == '>' ? c : ' ';
+    }
+}
+
 void Writer::write_comment(const cl::Comment& comment) {
     const Command wanted = comment.terminal ? Command::terminal : Command::message;
     const Command command = comment.message && post_.has(wanted) ? wanted : Command::comment;
     if (!post_.has(command)) return note(Fate::lost, "a comment: the post has no text.comment");
     if (comment.message) write_all();  // it stands before the stop that it is for
     std::string text = comment.text;
-    if (!post_.comment_holds_brackets)
-        for (char& c : text) c = c == '(' ? '<' : c == ')' ? '>' : c;
+    if (comment.message && command == Command::comment) note(Fate::expanded, "a message, which is a comment here,");
+    clean(text);
     if (post_.longest_comment > 0 && text.size() > post_.longest_comment) text.resize(post_.longest_comment);
     values_.set(Text::text, text);
     print(command, "a comment");

@@ -55,6 +55,7 @@ private:
     void take_folded(const cl::Record& record);
     void take_move(const cl::Record& record);
     void take_lead(const cl::Record& record, const cl::LeadBegin& lead);
+    void write_path_of_lead(const cl::LeadBegin& lead, const geom::Vec3& from);
     void take_cycle(const cl::Record& record, const cl::CycleBegin& begin);
     void take_event(const cl::Record& record);
     void take_programmed(const cl::Programmed& p);
@@ -67,6 +68,7 @@ private:
     void write_all();  ///< and what waits for a move
     void write_tool();
     void stop_spindle(const std::string& word);
+    void set_tool(const cl::ToolChange& change);
     void write_standing(const cl::ToolChange& change);
     void write_length();
     void write_waiting_length();
@@ -79,6 +81,7 @@ private:
     void write_spindle();
     void write_coolant();
     void write_tolerance();
+    void write_path();
     void end_cycles();
     void select_plane(const geom::Vec3& normal);
 
@@ -100,6 +103,7 @@ private:
     void set_values(const cl::Cycle& cycle);
 
     void print_lead();
+    void clean(std::string& text) const;
     void write_comment(const cl::Comment& comment);
     bool print(Command command, std::string_view what);
     void note(Fate fate, std::string what);
@@ -117,11 +121,14 @@ private:
     cl::Coolant coolant_;
     cl::Feed feed_noted_;  ///< of which has been said that it is lost
     cl::Tolerance tolerance_;
+    std::optional<cl::PathMode> path_;
     std::optional<cl::Datum> datum_;
     bool zero_said_ = false;  ///< the text has said where the zero in force lies now
     cl::ToolLength length_;
     std::optional<Command> length_waits_;    ///< for the next straight move, whose block takes it
     std::optional<cl::MachinePlace> place_;  ///< where the next move leads
+    std::optional<cl::ToolChange> tool_;     ///< in the spindle, as the text has it
+    bool plain_ = false;                     ///< the tool's path stands in the place of a compensated contour
     bool tool_waits_ = false;
     Frames frames_;
     std::optional<cl::Frame> frames_refused_;  ///< that the post cannot say

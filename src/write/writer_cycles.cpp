@@ -66,7 +66,7 @@ bool Writer::fold(const cl::CycleBegin& begin) {
     const CycleForm* form = form_of(cycle);
     if (form == nullptr || cursor_.state().compensation) return false;
     const auto normal = plane_of(frames_.into() * cycle.plane);
-    if (!normal) return false;
+    if (!normal || normal->z != 1) return false;  // forms of cycles say heights along Z
     const bool over = form->moves_over && !held_.empty() && held_.back().record.from == now_->from &&
                       held_.back().record.stack == now_->stack;
     if (over)
@@ -88,7 +88,7 @@ bool Writer::fold(const cl::CycleBegin& begin) {
     if (!std::isnan(at.x)) values_.set(Value::x, at.x);
     if (!std::isnan(at.y)) values_.set(Value::y, at.y);
     if (!std::isnan(at.z)) values_.set(Value::z, at.z);
-    if (printer_.print(form->call, values_) == Printed::failed) return false;
+    if (printer_.print(form->call, values_, parts_of(false, nullptr)) == Printed::failed) return false;
     in_cycles_ = post_.has(Command::cycle_end);
     return true;
 }
@@ -108,11 +108,9 @@ void Writer::take_lead(const cl::Record& record, const cl::LeadBegin& lead) {
     const auto first = static_cast<std::size_t>(lead.onto ? Command::onto_tangent_line : Command::off_tangent_line);
     const auto command = static_cast<Command>(first + static_cast<std::size_t>(lead.kind));
     flush_held();
+    const geom::Vec3 from = cursor_.position().here();
     static_cast<void>(cursor_.take(record));
-    if (!post_.has(command)) {
-        note(Fate::expanded, "a way onto a contour or off it");
-        return;
-    }
+    if (!post_.has(command)) return write_path_of_lead(lead, from);
     write_state();
     const geom::Vec3 at = frames_.programmed(lead.at);
     values_.clear();
@@ -126,6 +124,17 @@ void Writer::take_lead(const cl::Record& record, const cl::LeadBegin& lead) {
     lead_ = Lead{command, lead.onto, lead.rapid, values_};
     if (!lead.onto) print_lead();
     folding_ = 1;
+}
+
+/// Compensation that began or ended on such a way would offset what is the tool's path already: onto a contour that
+/// path is written up to its end, without compensation; off it compensation ends where the tool stands.
+void Writer::write_path_of_lead(const cl::LeadBegin& lead, const geom::Vec3& from) {
+    note(Fate::expanded, lead.onto ? "a way onto a contour, with the contour behind it," : "a way off a contour");
+    plain_ = lead.onto;
+    if (lead.onto || compensation_ != Command::compensation_off) return;
+    write_state();
+    write_line(from, false);
+    compensation_.reset();
 }
 
 /// Onto a contour it waits for its end: its records say on which side.

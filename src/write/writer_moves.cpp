@@ -67,7 +67,7 @@ void Writer::print_move(Command command, bool rapid, const cl::Programmed* corne
     note_feed(rapid);
     if (!post_.has(command)) return note(Fate::lost, "a move: the post has no " + std::string(name_of(command)));
     if (const auto& c = cursor_.state().compensation) {
-        values_.set(Value::offset, c->offset);
+        values_.set(Value::offset, c->offset != 0 ? c->offset : cursor_.state().change.number);
         if (c->approach == cl::Approach::around) values_.set(Value::around, 1);
         if (c->sharp) values_.set(Value::sharp, 1);
     }

@@ -13,6 +13,7 @@ void Writer::write_state() {
     write_spindle();
     write_coolant();
     write_tolerance();
+    write_path();
 }
 
 /// The control stops the spindle by itself; `word` says it stands. Empty: it does not.
@@ -30,32 +31,49 @@ void Writer::write_standing(const cl::ToolChange& change) {
 
 void Writer::write_tool() {
     tool_waits_ = false;
-    stop_spindle(post_.change_stops_spindle);
     end_cycles();
     const motion::State& s = cursor_.state();
-    values_.clear();
-    values_.set(Text::name, s.change.name);
-    values_.set(Value::number, s.change.number);
-    values_.set(Value::edge, s.change.edge);
-    constexpr double hundred = 100;
-    values_.set(Value::turret, hundred * s.change.number + s.change.edge);
-    if (s.change.raised != 0) values_.set(Value::raised, s.change.raised);
+    const cl::ToolChange& change = s.change;
+    set_tool(change);
     if (s.spindle.speed > 0 && s.spindle.mode == cl::SpindleMode::rpm) values_.set(Value::speed, s.spindle.speed);
-    if (s.change.wider != 0 && !says(post_[Command::tool_change], index_of(Value::wider)))
-        note(Fate::lost, "a tool that is taken to be larger (DR)");
-    const bool none = s.change.number == 0 && s.change.name.empty();
-    const bool by_name = !s.change.name.empty() && post_.has(Command::tool_by_name);
-    if (s.change.wider != 0) values_.set(Value::wider, s.change.wider);
-    print(none      ? Command::tool_none
-          : by_name ? Command::tool_by_name
-                    : Command::tool_change,
-          "tool " + std::to_string(s.change.number));
+    const bool none = change.number == 0 && change.name.empty();
+    const bool by_name = !change.name.empty() && post_.has(Command::tool_by_name);
+    const std::string what = "tool " + (change.number == 0 ? change.name : std::to_string(change.number));
+    const bool same = tool_ && tool_->number == change.number && tool_->name == change.name;
+    tool_ = change;
     printer_.forget_coordinates();
+    // The tool stays in the spindle: another edge, or nothing but what is written by other words.
+    if (same && !post_.repeats_tool) {
+        if (post_.has(Command::tool_edge)) print(Command::tool_edge, what);
+        return;
+    }
+    if (change.number == 0 && !none && !by_name) return note(Fate::lost, what + ", which is known by name alone,");
+    if (change.wider != 0 && !says(post_[Command::tool_change], index_of(Value::wider)))
+        note(Fate::lost, "a tool that is taken to be larger (DR)");
+    print(none ? Command::tool_none : by_name ? Command::tool_by_name : Command::tool_change, what);
+    stop_spindle(post_.change_stops_spindle);
+    if (!change.with_length || !post_.has(Command::length_on)) return;
+    length_ = {1, change.number, {}};
+    length_waits_ = Command::length_on;
+}
+
+void Writer::set_tool(const cl::ToolChange& change) {
+    values_.clear();
+    values_.set(Text::name, change.name);
+    values_.set(Value::number, change.number);
+    // Where a program names an offset, the tool's own is its first edge.
+    values_.set(Value::edge, change.offset == change.number && change.offset != 0 ? 1 : change.edge);
+    constexpr double hundred = 100;
+    const std::uint32_t own = change.edge == 0 ? 0 : change.number;
+    values_.set(Value::turret, hundred * change.number + (change.offset != 0 ? change.offset : own));
+    if (change.raised != 0) values_.set(Value::raised, change.raised);
+    if (change.wider != 0) values_.set(Value::wider, change.wider);
 }
 
 /// Waits for the next straight move: blocks of programs have both ("G43 H1 Z50").
 void Writer::write_length() {
     const cl::ToolLength& length = cursor_.state().length;
+    if (cursor_.state().change.with_length && length.sense == 0) return;  // with the tool
     if (length == length_) return;
     write_waiting_length();
     length_ = length;
@@ -67,7 +85,10 @@ void Writer::write_length() {
                                        : Command::length_subtracted;
     if (length.by && post_.has(*length_waits_)) return write_waiting_length();  // in a block of its own
     if (post_.has(*length_waits_)) return;
-    note(Fate::lost, "the length of the tool: the post has no " + std::string(name_of(*length_waits_)));
+    // A control without such words compensates each tool by its own length.
+    const bool own = length.sense > 0 && !length.by && length.offset == cursor_.state().change.number;
+    if (!own && length.sense != 0)
+        note(Fate::lost, "the length of the tool: the post has no " + std::string(name_of(*length_waits_)));
     length_waits_.reset();
 }
 
@@ -194,6 +215,7 @@ void Writer::write_spindle() {
     if (s.held) {
         if (!std::isnan(*s.held)) values_.set(Value::held, *s.held);
         print(Command::spindle_held, "an oriented spindle");
+        printer_.leave(post_[Command::spindle_cw]);
         return;
     }
     if (std::isnan(s.speed)) note(Fate::lost, "a speed that is not known");
@@ -233,6 +255,18 @@ void Writer::write_tolerance() {
     if (t.rotary != 0) values_.set(Value::rotary, t.rotary);
     if (t.filter != cl::Filter::none) values_.set(Value::filter, static_cast<double>(t.filter));
     print(Command::tolerance_set, "a tolerance");
+}
+
+void Writer::write_path() {
+    const std::optional<cl::PathMode>& path = cursor_.state().path;
+    if (path == path_ || !path) return;
+    path_ = path;
+    values_.clear();
+    if (path->tolerance != 0) values_.set(Value::contour, path->tolerance);
+    if (path->merge != 0) values_.set(Value::merge, path->merge);
+    if (path->way != 0) values_.set(Value::way, path->way);
+    const auto first = static_cast<std::size_t>(Command::path_exact);
+    print(static_cast<Command>(first + static_cast<std::size_t>(path->kind)), "how moves are joined");
 }
 
 void Writer::end_cycles() {
