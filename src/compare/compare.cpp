@@ -169,10 +169,12 @@ std::string words(const cl::Step& step) {
     return out.substr(0, out.rfind(" @"));
 }
 
-/// Before its first height a tool's length moves nothing.
-bool knows_height(const Move& m) {
-    const auto* line = std::get_if<cl::Linear>(&m.step);
-    return line == nullptr || !std::isnan(line->to.z);
+/// A length matters once the tool goes to a height, not where it goes over at rapid before.
+bool goes_to_height(const std::vector<Move>& moves, std::size_t i) {
+    const auto* line = std::get_if<cl::Linear>(&moves[i].step);
+    if (line == nullptr || !line->rapid) return true;
+    const auto* before = i > 0 ? std::get_if<cl::Linear>(&moves[i - 1].step) : nullptr;
+    return !std::isnan(line->to.z) && (before == nullptr || before->to.z != line->to.z);
 }
 
 std::string with_axes(const Move& m) {
@@ -233,8 +235,10 @@ private:
         held(Aspect::spindle, h.spindle, k.spindle);
         held(Aspect::coolant, h.coolant, k.coolant);
         held(Aspect::tool, h.tool, k.tool);
-        if (h.length != k.length && knows_height(a) && knows_height(b))
-            add(Aspect::tool, &a, &b, i, "compensation of the tool's length; in the other another one, or none");
+        // A program that compensates no length at all counts from other zeros.
+        const Aspect length = a_.compensates_length && b_.compensates_length ? Aspect::tool : Aspect::datum;
+        if (h.length != k.length && goes_to_height(a_.moves, i) && goes_to_height(b_.moves, i))
+            add(length, &a, &b, i, "compensation of the tool's length; in the other another one, or none");
         held(Aspect::datum, h.datum, k.datum);
         if (geom::is_finite(h.datum.origin) && geom::is_finite(k.datum.origin) &&
             !like_.place(h.datum.origin, k.datum.origin))

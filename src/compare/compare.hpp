@@ -73,6 +73,7 @@ public:
     void take(const cl::Record& record);
 
     std::vector<Move> moves;
+    bool compensates_length = false;  ///< anywhere
     std::vector<Item> events, cycles, contours;
 
 private:
@@ -85,6 +86,7 @@ private:
     double same_place_;
     motion::Cursor cursor_;
     std::shared_ptr<const Holding> holding_ = std::make_shared<const Holding>();
+    Holding marked_;                ///< the same, with numbers in the place of those that nobody knows
     geom::Vec3 arc_from_;           ///< where the last arc began
     std::optional<geom::Vec3> at_;  ///< end of the last move that counts
     std::vector<cl::Axis> axes_;

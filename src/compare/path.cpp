@@ -23,6 +23,25 @@ cl::ToolChange tool_of(cl::ToolChange change) {
     return change;
 }
 
+/// NaN equals nothing, not even itself.
+void mark(double& v) {
+    constexpr double nobody_knows = -1e300;
+    if (std::isnan(v)) v = nobody_knows;
+}
+void mark(geom::Vec3& v) { mark(v.x), mark(v.y), mark(v.z); }
+
+Holding with_marks(Holding h) {
+    mark(h.feed.value), mark(h.spindle.speed), mark(h.spindle.limit);
+    if (h.spindle.held) mark(*h.spindle.held);
+    mark(h.tool.raised), mark(h.tool.wider), mark(h.datum.origin), mark(h.tolerance.contour), mark(h.tolerance.rotary);
+    for (cl::FramePart& p : h.frame.parts) {
+        mark(p.frame.origin);
+        for (double& v : p.frame.linear) mark(v);
+    }
+    if (h.path) mark(h.path->tolerance), mark(h.path->merge);
+    return h;
+}
+
 std::int64_t length_of(const motion::State& s) {
     const bool own = s.length.sense > 0 && !s.length.by && s.length.offset == s.change.number;
     if (own || (s.length.sense == 0 && s.change.with_length)) return -1;
@@ -36,7 +55,11 @@ std::int64_t length_of(const motion::State& s) {
 void Path::hold() {
     const motion::State& s = cursor_.state();
     Holding now{s.feed, s.spindle, s.coolant, tool_of(s.change), length_of(s), s.datum, s.frame, s.tolerance, s.path};
-    if (!(now == *holding_)) holding_ = std::make_shared<const Holding>(std::move(now));
+    compensates_length = compensates_length || now.length != 0;
+    Holding marked = with_marks(now);
+    if (marked == marked_) return;
+    marked_ = std::move(marked);
+    holding_ = std::make_shared<const Holding>(std::move(now));
 }
 
 /// An arc that goes on about the axis of the last move, as steep, with nothing between them.
@@ -54,7 +77,7 @@ bool Path::goes_on(const cl::Record& record) const {
     if ((arc->sweep > 0) != (next->sweep > 0)) return false;
     const double rise = geom::dot(arc->to - arc_from_, along) / arc->sweep;
     const double next_rise = geom::dot(next->to - *at_, along) / next->sweep;
-    return std::abs(rise - next_rise) * geom::full_turn <= same_place_;
+    return std::abs(rise - next_rise) * geom::full_turn <= 4 * same_place_;  // both ends of both are rounded
 }
 
 void Path::take_move(const cl::Record& record, const geom::Vec3& to) {

@@ -41,12 +41,12 @@ void Writer::write_tool() {
     const std::string what = "tool " + (change.number == 0 ? change.name : std::to_string(change.number));
     const bool same = tool_ && tool_->number == change.number && tool_->name == change.name;
     tool_ = change;
-    printer_.forget_coordinates();
     // The tool stays in the spindle: another edge, or nothing but what is written by other words.
     if (same && !post_.repeats_tool) {
         if (post_.has(Command::tool_edge)) print(Command::tool_edge, what);
         return;
     }
+    printer_.forget_coordinates();
     if (change.number == 0 && !none && !by_name) return note(Fate::lost, what + ", which is known by name alone,");
     if (change.wider != 0 && !says(post_[Command::tool_change], index_of(Value::wider)))
         note(Fate::lost, "a tool that is taken to be larger (DR)");
