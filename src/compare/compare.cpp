@@ -212,12 +212,15 @@ private:
         for (std::size_t i = 0; i < both; ++i) {
             const Move &a = a_.moves[i], &b = b_.moves[i];
             const bool axes = std::is_permutation(a.axes.begin(), a.axes.end(), b.axes.begin(), b.axes.end(), like_);
-            if (!like_.steps(a.step, b.step) || !axes)
-                // Behind it, moves no longer stand side by side.
-                return add(Aspect::motion, &a, &b, i, with_axes(a) + "; in the other " + with_axes(b));
+            if (!like_.steps(a.step, b.step) || !axes) {
+                add(Aspect::motion, &a, &b, i, with_axes(a) + "; in the other " + with_axes(b));
+                // Where there is a move more or less, those behind it no longer stand side by side.
+                if (a_.moves.size() != b_.moves.size()) return static_cast<void>(result_.looked_to = i);
+            }
             if (a.holding != last_a_ || b.holding != last_b_) compare_holding(a, b, i);
         }
         if (a_.moves.size() == b_.moves.size()) return;
+        result_.looked_to = both;
         const Move* a = both < a_.moves.size() ? &a_.moves[both] : nullptr;
         const Move* b = both < b_.moves.size() ? &b_.moves[both] : nullptr;
         add(Aspect::motion, a, b, both,
@@ -237,7 +240,10 @@ private:
         held(Aspect::tool, h.tool, k.tool);
         // A program that compensates no length at all counts from other zeros.
         const Aspect length = a_.compensates_length && b_.compensates_length ? Aspect::tool : Aspect::datum;
-        if (h.length != k.length && goes_to_height(a_.moves, i) && goes_to_height(b_.moves, i))
+        const bool as_long =
+            h.length == k.length && like_.place(h.length_by.value_or(geom::Vec3{}), k.length_by.value_or(geom::Vec3{}));
+        const bool counts = goes_to_height(a_.moves, i) && goes_to_height(b_.moves, i);
+        if (!as_long && counts)
             add(length, &a, &b, i, "compensation of the tool's length; in the other another one, or none");
         held(Aspect::datum, h.datum, k.datum);
         if (geom::is_finite(h.datum.origin) && geom::is_finite(k.datum.origin) &&
@@ -249,7 +255,8 @@ private:
         if (h.path.has_value() != k.path.has_value())
             add(Aspect::tolerance, &a, &b, i,
                 h.path ? words(*h.path) + ", which the other does not say" : "the other says " + words(*k.path));
-        if (feeds || like_(h.feed, k.feed)) last_a_ = a.holding, last_b_ = b.holding;
+        const bool all_looked_at = (feeds || like_(h.feed, k.feed)) && (as_long || counts);
+        if (all_looked_at) last_a_ = a.holding, last_b_ = b.holding;
     }
 
     /// Spindle and coolant while the tool stands: dwells and stops; the end of a program stops both.
@@ -297,6 +304,8 @@ const Difference* Result::of(Aspect a) const {
     const auto found = std::find_if(first.begin(), first.end(), [&](const Difference& d) { return d.aspect == a; });
     return found == first.end() ? nullptr : &*found;
 }
+
+bool Result::is_equal(Aspect a) const { return of(a) == nullptr && !(looked_to && holds(a)); }
 
 Result compare(const Path& a, const Path& b, const Tolerance& tolerance) { return Comparison(a, b, tolerance).run(); }
 

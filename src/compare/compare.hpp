@@ -33,6 +33,10 @@ inline constexpr std::size_t aspect_count = static_cast<std::size_t>(Aspect::cou
 [[nodiscard]] std::string_view name_of(Aspect a);
 /// Motion to events: what the machine does. The others say how the program says it.
 [[nodiscard]] constexpr bool is_done(Aspect a) { return a <= Aspect::events; }
+/// It holds while the tool moves, and is compared move by move.
+[[nodiscard]] constexpr bool holds(Aspect a) {
+    return (a >= Aspect::feed && a <= Aspect::tool) || (a >= Aspect::datum && a <= Aspect::tolerance);
+}
 
 /// What holds while the tool moves.
 struct Holding {
@@ -40,8 +44,9 @@ struct Holding {
     cl::Spindle spindle;
     cl::Coolant coolant;
     cl::ToolChange tool;
-    std::int64_t length =
-        0;  ///< whose length is compensated: 0 none, -1 that of the tool, -2 values, else 1 + its number
+    /// Whose length is compensated: 0 none, -1 that of the tool, -2 values, else 1 + its number.
+    std::int64_t length = 0;
+    std::optional<geom::Vec3> length_by;  ///< the values
     cl::Datum datum;
     cl::Frame frame;
     cl::Tolerance tolerance;
@@ -89,6 +94,7 @@ private:
     Holding marked_;                ///< the same, with numbers in the place of those that nobody knows
     geom::Vec3 arc_from_;           ///< where the last arc began
     std::optional<geom::Vec3> at_;  ///< end of the last move that counts
+    cl::ToolLength length_there_;   ///< that was compensated there
     std::vector<cl::Axis> axes_;
     std::map<std::array<char, 8>, double> stands_;  ///< where additional axes stand
 };
@@ -105,7 +111,12 @@ struct Difference {
 struct Result {
     std::vector<Difference> first;  ///< at most one of each aspect
     std::size_t moves_a = 0, moves_b = 0;
+    /// Moves up to which feed and all else that holds has been compared, where the moves behind do not stand side by
+    /// side.
+    std::optional<std::size_t> looked_to;
     [[nodiscard]] const Difference* of(Aspect a) const;
+    /// It does not differ, and all of it has been looked at.
+    [[nodiscard]] bool is_equal(Aspect a) const;
 };
 
 struct Tolerance {

@@ -60,6 +60,33 @@ TEST(Compare, ArcsAreTheSameWayWhateverSideTheirAxisIsSeenFrom) {
     EXPECT_EQ(differences({line(10), a}, {line(10), line(0, 10)}), "motion");
 }
 
+TEST(Compare, LengthsThatCountAtAHeightAreSeenThere) {
+    const auto over = [](double x, double z) { return cl::Linear{{x, 0, z}, {0, 0, 1}, true}; };
+    const cl::ToolChange tool{1, 1, ""};
+    const auto with = [&](const cl::ToolLength& length) {
+        return std::vector<cl::Step>{tool, cl::Feed{100}, over(0, 50), length, over(5, 50), over(9, 50), over(9, 10)};
+    };
+    EXPECT_EQ(differences(with({1, 2, {}}), with({1, 2, {}})), "");
+    EXPECT_EQ(differences(with({1, 2, {}}), with({1, 3, {}})), "tool");
+    EXPECT_EQ(differences(with({1, 0, geom::Vec3{0, 0, 40}}), with({1, 0, geom::Vec3{0, 0, 41}})), "tool");
+    EXPECT_EQ(differences(with({1, 0, geom::Vec3{0, 0, 40}}), with({1, 0, geom::Vec3{0, 0, 40}})), "");
+}
+
+TEST(Compare, TheSameNumbersWithAnotherLengthAreAMove) {
+    const std::vector<cl::Step> moves{line(10), cl::ToolLength{1, 2, {}}, line(10), line(20)};
+    EXPECT_EQ(differences(moves, {line(10), cl::ToolLength{1, 2, {}}, line(20)}), "motion");
+}
+
+TEST(Compare, BehindAMoveTooManyNothingIsCalledEqual) {
+    const Result r = compare(path_of({line(10), line(20), line(30)}), path_of({line(10), line(30)}), {});
+    EXPECT_FALSE(r.is_equal(Aspect::motion));
+    EXPECT_FALSE(r.is_equal(Aspect::feed));
+    EXPECT_TRUE(r.is_equal(Aspect::cycles));
+    EXPECT_EQ(r.looked_to, 1U);
+    const std::vector<cl::Step> slow{cl::Feed{100}, line(10), line(21), line(30)};
+    EXPECT_EQ(differences(slow, {cl::Feed{100}, line(10), line(20), cl::Feed{90}, line(30)}), "motion feed");
+}
+
 TEST(Compare, AnUnknownPlaceIsTheSameAsAnUnknownOneOnly) {
     EXPECT_EQ(differences({line(NAN)}, {line(NAN)}), "");
     EXPECT_EQ(differences({line(NAN)}, {line(5)}), "motion");

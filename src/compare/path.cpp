@@ -34,6 +34,7 @@ Holding with_marks(Holding h) {
     mark(h.feed.value), mark(h.spindle.speed), mark(h.spindle.limit);
     if (h.spindle.held) mark(*h.spindle.held);
     mark(h.tool.raised), mark(h.tool.wider), mark(h.datum.origin), mark(h.tolerance.contour), mark(h.tolerance.rotary);
+    if (h.length_by) mark(*h.length_by);
     for (cl::FramePart& p : h.frame.parts) {
         mark(p.frame.origin);
         for (double& v : p.frame.linear) mark(v);
@@ -54,7 +55,10 @@ std::int64_t length_of(const motion::State& s) {
 
 void Path::hold() {
     const motion::State& s = cursor_.state();
-    Holding now{s.feed, s.spindle, s.coolant, tool_of(s.change), length_of(s), s.datum, s.frame, s.tolerance, s.path};
+    const std::int64_t length = length_of(s);
+    Holding now{
+        s.feed,  s.spindle,   s.coolant, tool_of(s.change), length, length == -2 ? s.length.by : std::nullopt, s.datum,
+        s.frame, s.tolerance, s.path};
     compensates_length = compensates_length || now.length != 0;
     Holding marked = with_marks(now);
     if (marked == marked_) return;
@@ -65,7 +69,9 @@ void Path::hold() {
 /// An arc that goes on about the axis of the last move, as steep, with nothing between them.
 bool Path::goes_on(const cl::Record& record) const {
     const auto* next = std::get_if<cl::Arc>(&record.step);
-    if (next == nullptr || moves.empty() || !axes_.empty() || !at_ || moves.back().holding != holding_) return false;
+    if (next == nullptr || moves.empty() || !axes_.empty() || !at_ || !moves.back().axes.empty() ||
+        moves.back().holding != holding_)
+        return false;
     const auto* arc = std::get_if<cl::Arc>(&moves.back().step);
     const auto after = [&](const std::vector<Item>& items) {
         return !items.empty() && items.back().moves == moves.size();
@@ -81,6 +87,10 @@ bool Path::goes_on(const cl::Record& record) const {
 }
 
 void Path::take_move(const cl::Record& record, const geom::Vec3& to) {
+    // The same numbers with another length are another place.
+    const cl::ToolLength& length = cursor_.state().length;
+    if (!(length == length_there_)) at_.reset();
+    length_there_ = length;
     const auto* line = std::get_if<cl::Linear>(&record.step);
     const bool stays = line != nullptr && at_ && axes_.empty() && is_same(at_->x, to.x, same_place_) &&
                        is_same(at_->y, to.y, same_place_) && is_same(at_->z, to.z, same_place_);

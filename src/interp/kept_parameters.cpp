@@ -62,6 +62,7 @@ namespace {
 /// A parameter of the zero in force has been written: X, Y or Z of its place.
 void tell_written_zero(Run& run, std::uint32_t n) {
     const program::OffsetParameters& p = run.traits->offsets;
+    if (n < p.datum_first) return;  // the shift of all zeros: none of them is another one
     const std::uint32_t axis = (n - p.datum_first) % p.datum_step;
     if (axis > 2) return;
     cl::DatumData data;

@@ -119,18 +119,25 @@ bool Printer::add(Line& line, const Block& block, const Values& values, const Pa
     return true;
 }
 
+bool Printer::put_number(std::string& line) const {
+    const double number = post_.numbers->first + post_.numbers->step * static_cast<double>(numbered_);
+    std::string all;
+    for (const Token& t : post_.numbers->text) {
+        all += t.before;
+        if (t.kind == Token::Kind::word && !append_number(all, number, post_.styles[t.style])) return false;
+        all += t.after + ' ';
+    }
+    line += all;
+    return true;
+}
+
 void Printer::put(std::string_view text) {
     std::string line;
     const auto begins = [&](const std::string& word) { return text.starts_with(word); };
     if (post_.numbers && std::none_of(post_.numbers->skip.begin(), post_.numbers->skip.end(), begins)) {
-        Values number;
-        number.set(Value::block, post_.numbers->first + post_.numbers->step * static_cast<double>(numbered_++));
-        for (const Token& t : post_.numbers->text) {
-            std::string word = t.before;
-            if (t.kind == Token::Kind::word)
-                static_cast<void>(append_number(word, number.number(t.value), post_.styles[t.style]));
-            line += word + t.after + ' ';
-        }
+        // Numbers that the control's word cannot hold begin anew.
+        if (!put_number(line)) numbered_ = 0, static_cast<void>(put_number(line));
+        ++numbered_;
     }
     line += text;
     line += post_.line_end;

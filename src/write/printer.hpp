@@ -54,6 +54,7 @@ private:
     bool add_word(Line& line, const Token& t, const Values& values);
     void add_literal(Line& line, const std::string& text, int group) const;
     void put(std::string_view text);
+    [[nodiscard]] bool put_number(std::string& line) const;
 
     const Post& post_;
     std::function<void(std::string_view)> out_;

@@ -167,4 +167,11 @@ bool says(const Template& text, ValueIndex value) {
     });
 }
 
+bool has_part(const Template& text, Part part) {
+    return std::any_of(text.begin(), text.end(), [&](const Block& block) {
+        return std::any_of(block.begin(), block.end(),
+                           [&](const Token& t) { return t.kind == Token::Kind::part && t.part == part; });
+    });
+}
+
 }  // namespace obrys::write

@@ -47,6 +47,8 @@ using Template = std::vector<Block>;
 
 /// Whether a template prints the value, or asks whether it is there.
 [[nodiscard]] bool says(const Template& text, ValueIndex value);
+/// Whether it has a place for such a part.
+[[nodiscard]] bool has_part(const Template& text, Part part);
 
 /// What templates are read with.
 struct Grammar {

@@ -87,12 +87,16 @@ private:
 
     // Moves.
     void write_move(const cl::Step& step, const geom::Vec3& from);
+    void write_way(const cl::Step& step, const geom::Vec3& from);
     void write_line(const geom::Vec3& to, bool rapid, const cl::Programmed* corner = nullptr);
     void write_arc(const cl::Arc& arc, const geom::Vec3& from, const cl::Programmed* corner = nullptr);
     void write_turn(const cl::Arc& arc, const geom::Vec3& from, const cl::Programmed* corner);
     [[nodiscard]] bool write_place(const cl::Linear& line);
     void write_thread(const cl::Thread& thread, const geom::Vec3& from);
     void note_feed(bool rapid);
+    void note_unknown(const geom::Vec3& from, const geom::Vec3& to);
+    void lose_axes();
+    void end_wait_of_compensation(Command command);
     void print_move(Command command, bool rapid, const cl::Programmed* corner);
     [[nodiscard]] Command feed_command(bool rapid) const;
     [[nodiscard]] Parts parts_of(bool rapid, const cl::Programmed* corner);
@@ -100,7 +104,7 @@ private:
     // Cycles.
     [[nodiscard]] const CycleForm* form_of(const cl::Cycle& cycle) const;
     [[nodiscard]] bool fold(const cl::CycleBegin& begin);
-    void set_values(const cl::Cycle& cycle);
+    void set_values(const cl::Cycle& cycle, const geom::Vec3& at);
 
     void print_lead();
     void clean(std::string& text) const;

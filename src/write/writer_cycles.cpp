@@ -52,8 +52,11 @@ const CycleForm* Writer::form_of(const cl::Cycle& cycle) const {
     return nullptr;
 }
 
-void Writer::set_values(const cl::Cycle& cycle) {
+void Writer::set_values(const cl::Cycle& cycle, const geom::Vec3& at) {
     values_.clear();
+    if (!std::isnan(at.x)) values_.set(Value::x, at.x);
+    if (!std::isnan(at.y)) values_.set(Value::y, at.y);
+    if (!std::isnan(at.z)) values_.set(Value::z, at.z);
     for (const cl::CycleValue& v : cycle.values) values_.set(index_of(v.role), v.value);
     const motion::State& s = cursor_.state();
     if (s.feed.value != 0) values_.set(Value::feed, s.feed.value);
@@ -65,8 +68,16 @@ bool Writer::fold(const cl::CycleBegin& begin) {
     const cl::Cycle& cycle = *begin.cycle;
     const CycleForm* form = form_of(cycle);
     if (form == nullptr || cursor_.state().compensation) return false;
+    write_state();
     const auto normal = plane_of(frames_.into() * cycle.plane);
     if (!normal || normal->z != 1) return false;  // forms of cycles say heights along Z
+    const geom::Vec3 at = frames_.programmed(begin.place);
+    // Nothing is written, and no move left out, before all of it can be said.
+    set_values(cycle, at);
+    const auto sayable = [&](const Block& block) { return printer_.whole(block, values_).has_value(); };
+    if (!std::all_of(form->define.begin(), form->define.end(), sayable) ||
+        !std::all_of(form->call.begin(), form->call.end(), sayable))
+        return false;
     const bool over = form->moves_over && !held_.empty() && held_.back().record.from == now_->from &&
                       held_.back().record.stack == now_->stack;
     if (over)
@@ -75,19 +86,11 @@ bool Writer::fold(const cl::CycleBegin& begin) {
         flush_held();
     write_all();
     select_plane(*normal);
-    set_values(cycle);
+    set_values(cycle, at);
     std::string defined;
-    for (const Block& block : form->define) {
-        const auto text = printer_.whole(block, values_);
-        if (!text) return false;
-        defined += *text + "\n";
-    }
+    for (const Block& block : form->define) defined += printer_.whole(block, values_).value_or("") + "\n";
     if (defined != defined_ && printer_.print(form->define, values_) == Printed::failed) return false;
     defined_ = defined;
-    const geom::Vec3 at = frames_.programmed(begin.place);
-    if (!std::isnan(at.x)) values_.set(Value::x, at.x);
-    if (!std::isnan(at.y)) values_.set(Value::y, at.y);
-    if (!std::isnan(at.z)) values_.set(Value::z, at.z);
     if (printer_.print(form->call, values_, parts_of(false, nullptr)) == Printed::failed) return false;
     in_cycles_ = post_.has(Command::cycle_end);
     return true;

@@ -63,6 +63,18 @@ void Writer::note_feed(bool rapid) {
         note(Fate::lost, "a feed: the post has no " + std::string(name_of(feed_command(false))));
 }
 
+void Writer::end_wait_of_compensation(Command command) {
+    if (!has_part(post_[command], Part::compensation))
+        note(Fate::lost, "compensation: " + std::string(name_of(command)) + " of the post has no place for it");
+    compensation_.reset();
+}
+
+/// Axes that the move cannot take along.
+void Writer::lose_axes() {
+    for (const cl::Axis& axis : std::exchange(axes_, {}))
+        note(Fate::lost, "axis " + std::string(axis.name.data()) + ", which moves together with others here,");
+}
+
 void Writer::print_move(Command command, bool rapid, const cl::Programmed* corner) {
     note_feed(rapid);
     if (!post_.has(command)) return note(Fate::lost, "a move: the post has no " + std::string(name_of(command)));
@@ -92,8 +104,8 @@ void Writer::print_move(Command command, bool rapid, const cl::Programmed* corne
     axes_.clear();
     const Printed printed = printer_.print(post_[command], values_, parts, true);
     if (printed == Printed::failed) note(Fate::lost, "a move: a word cannot hold " + printer_.failed_word());
-    if (printed == Printed::all) compensation_.reset();
-    if (printed == Printed::all && (command == Command::rapid || command == Command::linear)) length_waits_.reset();
+    if (printed == Printed::all && has_part(post_[command], Part::length)) length_waits_.reset();
+    if (printed == Printed::all && compensation_) end_wait_of_compensation(command);
     if (corner != nullptr && !post_.corner_in_block && post_.has(corner_command(*corner)))
         print(corner_command(*corner), "a corner");
 }
@@ -113,11 +125,28 @@ void Writer::write_line(const geom::Vec3& to, bool rapid, const cl::Programmed* 
     print_move(command, rapid, corner);
 }
 
+/// A move to where nobody knows, from a place that is known.
+void Writer::note_unknown(const geom::Vec3& from, const geom::Vec3& to) {
+    const auto leaves = [](double a, double b) { return std::isfinite(a) && std::isnan(b); };
+    if (leaves(from.x, to.x) || leaves(from.y, to.y) || leaves(from.z, to.z))
+        note(Fate::lost, "a move to a coordinate that is not known");
+}
+
 void Writer::write_move(const cl::Step& step, const geom::Vec3& from) {
     write_state();
+    write_way(step, from);
+    lose_axes();
+}
+
+void Writer::write_way(const cl::Step& step, const geom::Vec3& from) {
     const auto* line = std::get_if<cl::Linear>(&step);
     if (line != nullptr && write_place(*line)) return;
-    if (line != nullptr) return write_line(line->to, line->rapid);
+    if (line != nullptr) {
+        note_unknown(from, line->to);
+        const Command command = line->rapid ? Command::rapid : Command::linear;
+        if (length_waits_ && !has_part(post_[command], Part::length)) write_all();
+        return write_line(line->to, line->rapid);
+    }
     if (length_waits_) write_all();
     if (const auto* arc = std::get_if<cl::Arc>(&step)) return write_arc(*arc, from);
     if (const auto* thread = std::get_if<cl::Thread>(&step)) return write_thread(*thread, from);
@@ -163,6 +192,7 @@ void Writer::write_arc(const cl::Arc& arc, const geom::Vec3& from, const cl::Pro
                             says(post_[Command::helix_cw], index_of(Value::sweep));
     const double turns = std::ceil(std::abs(arc.sweep) / geom::full_turn - 1e-9);
     if (says_turns || !(turns > 1)) return write_turn(arc, from, corner);
+    lose_axes();
     const geom::Vec3 rise = geom::dot(arc.to - from, arc.normal) / std::abs(arc.sweep) * geom::full_turn * arc.normal;
     geom::Vec3 at = from;
     double left = arc.sweep;

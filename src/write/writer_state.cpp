@@ -182,12 +182,11 @@ void Writer::write_datum() {
 void Writer::write_frame() {
     const cl::Frame& wanted = cursor_.state().frame;
     if (wanted.parts == frames_.parts()) return;
+    if (frames_.parts().empty() && frames_refused_ == wanted) return;
     end_cycles();
     printer_.forget_coordinates();
-    const bool none_before = frames_.parts().empty();
     auto steps = frames_.lead_to(wanted, post_);
     if (!steps) {
-        if (none_before && frames_refused_ == wanted) return;
         steps = frames_.clear();
         if (!(frames_refused_ == wanted))
             note(Fate::expanded, "a frame: coordinates are those of the workpiece from here on");

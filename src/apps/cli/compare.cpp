@@ -49,7 +49,10 @@ std::string as_text(const Side& a, const Side& b, const compare::Result& r) {
         const compare::Difference* d = r.of(aspect);
         out += std::string(compare::name_of(aspect)) + ": ";
         if (d == nullptr) {
-            out += aspect == compare::Aspect::motion ? "equal, " + std::to_string(r.moves_a) + " moves\n" : "equal\n";
+            out += aspect == compare::Aspect::motion ? "equal, " + std::to_string(r.moves_a) + " moves\n"
+                   : r.is_equal(aspect)
+                       ? "equal\n"
+                       : "equal up to move " + std::to_string(*r.looked_to) + ", not compared behind it\n";
             continue;
         }
         const std::string at_a = place(a, d->in_a), at_b = place(b, d->in_b);
@@ -68,9 +71,12 @@ std::string as_json(const Side& a, const Side& b, const compare::Result& r) {
     nlohmann::ordered_json out;
     for (std::size_t i = 0; i < compare::aspect_count; ++i) {
         const auto aspect = static_cast<compare::Aspect>(i);
-        out["equal"][std::string(compare::name_of(aspect))] = r.of(aspect) == nullptr;
+        auto& equal = out["equal"][std::string(compare::name_of(aspect))];
+        equal = r.of(aspect) == nullptr;
+        if (equal && !r.is_equal(aspect)) equal = nullptr;  // up to `compared_moves`; behind it nobody knows
     }
     out["moves"] = {{"a", r.moves_a}, {"b", r.moves_b}};
+    out["compared_moves"] = r.looked_to.value_or(r.moves_a);
     out["differences"] = nlohmann::ordered_json::array();
     for (const compare::Difference& d : r.first)
         out["differences"].push_back({{"aspect", compare::name_of(d.aspect)},
