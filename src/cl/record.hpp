@@ -179,7 +179,7 @@ struct Datum {
 
 /// What the program itself says a zero is (G10 L2); Datum tells what follows for the moves.
 struct DatumData {
-    std::uint32_t number = 0;
+    std::uint32_t number = 0;          ///< 0: what is added to all of them
     geom::Vec3 origin{NAN, NAN, NAN};  ///< machine coordinates, mm; NaN: stays as it is, or is not known
     std::optional<double> turn{};      ///< radians about Z
     bool added = false;                ///< `origin` is added to where it lay (G91 G10)

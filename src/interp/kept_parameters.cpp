@@ -59,15 +59,30 @@ double kept_parameter(Run& run, std::uint32_t n, const base::Span& where) {
 
 namespace {
 
-/// A parameter of the zero in force has been written: X, Y or Z of its place.
+/// Which zero a parameter belongs to, and its axis from 0 (X); 0 is what is added to all of them.
+struct ZeroParameter {
+    std::uint32_t number = 0, axis = 0;
+};
+std::optional<ZeroParameter> zero_of(const program::OffsetParameters& p, std::uint32_t n) {
+    const auto within = [&](std::uint32_t first, std::uint32_t count) {
+        return first != 0 && n >= first && n < first + count * p.datum_step;
+    };
+    const auto row = [&](std::uint32_t first) { return (n - first) / p.datum_step; };
+    const auto axis = [&](std::uint32_t first) { return (n - first) % p.datum_step; };
+    if (within(p.external_first, 1)) return ZeroParameter{0, axis(p.external_first)};
+    if (within(p.datum_first, p.datum_count))
+        return ZeroParameter{number_of_place(row(p.datum_first) + 1), axis(p.datum_first)};
+    if (within(p.extended_first, p.extended_count))
+        return ZeroParameter{5401 + row(p.extended_first), axis(p.extended_first)};
+    return std::nullopt;
+}
+
 void tell_written_zero(Run& run, std::uint32_t n) {
-    const program::OffsetParameters& p = run.traits->offsets;
-    if (n < p.datum_first) return;  // the shift of all zeros: none of them is another one
-    const std::uint32_t axis = (n - p.datum_first) % p.datum_step;
-    if (axis > 2) return;
+    const auto zero = zero_of(run.traits->offsets, n);
+    if (!zero || zero->axis > 2) return;
     cl::DatumData data;
-    data.number = run.modal.datum;
-    coordinate(data.origin, static_cast<int>(axis)) = run.parameters.get(n) * stored_unit(run, axis);
+    data.number = zero->number;
+    coordinate(data.origin, static_cast<int>(zero->axis)) = run.parameters.get(n) * stored_unit(run, zero->axis);
     emit(run, data);
 }
 
@@ -76,10 +91,10 @@ void tell_written_zero(Run& run, std::uint32_t n) {
 void note_written(Run& run, std::uint32_t n, const base::Span& where) {
     const program::KeptParameters* k = run.traits->kept.empty() ? nullptr : range_of(run, n);
     if (k == nullptr) return;
-    if (holds_active_datum(run, n)) {
-        tell_written_zero(run, n);
-        return datum_changed(run);
-    }
+    const bool in_force = holds_active_datum(run, n);
+    if (in_force) flush_path(run);
+    tell_written_zero(run, n);
+    if (in_force) return datum_changed(run);
     if (!k->acts) return;
     unchecked(run, codes::unknown_value, where,
               "the effect of writing " + program::parameter_name(*run.traits, n) + " is not known");

@@ -327,6 +327,10 @@ void read_table(Run&, const program::ProcedureCall&);
 [[nodiscard]] inline std::uint32_t place_of_datum(std::uint32_t number) {
     return number >= 5401 ? number - 5401 + 1001 : number >= 591 ? number - 584 : number - 53;
 }
+/// As programs select it: 54 … 59, 591 … 593.
+[[nodiscard]] inline std::uint32_t number_of_place(std::uint32_t place) {
+    return place <= 6 ? 53 + place : 584 + place;
+}
 [[nodiscard]] inline bool keeps_offsets(const Run& run) { return run.traits->offsets.datum_first != 0; }
 /// Takes what the parameters hold at the start of the run.
 void begin_offsets(Run&);

@@ -118,9 +118,6 @@ void tell_zero(Run& run, std::uint32_t number, std::uint32_t first, unsigned sai
     emit(run, data);
 }
 
-/// As programs select it: 54 … 59, 591 … 593.
-std::uint32_t number_of_place(std::uint32_t place) { return place <= 6 ? 53 + place : 584 + place; }
-
 void set_datum_data(Run& run, bool from_position) {
     const program::OffsetParameters& p = run.traits->offsets;
     const auto which = whole(run, Code::p, "P", static_cast<int>(p.datum_count));
@@ -283,7 +280,8 @@ void write_datum(Run& run, program::DataTable table) {
         run.modal.absolute ? run.parameters.set(n, written) : run.parameters.add(n, written);
         if (k < 3) coordinate(data.origin, static_cast<int>(k)) = *v;
     }
-    if (table != program::DataTable::external_datum) emit(run, data);
+    if (table == program::DataTable::external_datum) data.number = 0;
+    emit(run, data);
     datum_changed(run);
 }
 

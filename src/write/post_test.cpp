@@ -120,5 +120,62 @@ TEST(Writer, ACycleIsFoldedOnlyWhereAllThatItSaysHasItsWord) {
     EXPECT_EQ(moves.expanded.size(), 1U);
 }
 
+TEST(Writer, AMoveOverTheHoleIsWrittenWhereTheCycleCannotHoldItsNumbers) {
+    const Post post = post_of(std::string(small) +
+                              "[[cycle]]\nkind = \"canned-drill\"\nmoves_over = true\n"
+                              "call = \"G81 X{x!} Y{y!} Z{bottom} R{retract-plane}\"\n");
+    const auto drilled = [&](double bottom) {
+        Written out;
+        Output output{[&](std::string_view text) { out.text += text; },
+                      [&](const Note& n) { out.lost.push_back(n.what); }};
+        Writer writer(post, "P", output);
+        const cl::Cycle cycle{cl::CycleKind::canned_drill,
+                              {},
+                              {{cl::CycleRole::bottom, bottom}, {cl::CycleRole::retract_plane, 2}},
+                              "G81",
+                              {}};
+        const base::Span block{0, 0, 9};
+        for (const cl::Step& step :
+             {cl::Step(cl::Linear{{10, 20, 5}, {0, 0, 1}, true}), cl::Step(cl::CycleBegin{cycle, {10, 20, 5}}),
+              cl::Step(cl::Linear{{10, 20, -5}}), cl::Step(cl::CycleEnd{})})
+            writer.take({step, block, 0});
+        writer.finish();
+        return out.text;
+    };
+    EXPECT_EQ(drilled(-5), "G81 X10 Y20 Z-5 R2\n");
+    EXPECT_EQ(drilled(-1e7), "G0 X10 Y20 Z5\nG1 Z-5\n");
+}
+
+TEST(Writer, WhatNobodyKnowsIsSaidToBeLost) {
+    const Post post = post_of(small);
+    const cl::Linear known{{1, 2, 3}, {0, 0, 1}, true};
+    EXPECT_EQ(write(post, {known, cl::Linear{{1, 2, NAN}, {0, 0, 1}, true}}).lost.size(), 1U);
+    EXPECT_TRUE(write(post, {cl::Linear{{1, 2, NAN}, {0, 0, 1}, true}, known}).lost.empty());
+    const cl::Axis a{{'A'}, 90, true};
+    EXPECT_EQ(write(post, {known, a, cl::Arc{{0, 10, -5}, {0, 0, 0}, {0, 0, 1}, 2.25 * geom::full_turn}}).lost.size(),
+              1U);
+}
+
+TEST(Writer, CompensationWithoutAPlaceInTheBlockIsSaidToBeLost) {
+    const std::string with = std::string(small) + "[compensation]\nleft = \"G41\"\noff = \"G40\"\n";
+    const std::vector<cl::Step> steps{cl::Linear{{1, 0, 0}}, cl::CompensationBegin{}, cl::Linear{{2, 0, 0}}};
+    const Written w = write(post_of(with), steps);
+    ASSERT_EQ(w.lost.size(), 1U);
+    EXPECT_EQ(w.lost.front(), "compensation: motion.linear of the post has no place for it");
+}
+
+TEST(Writer, ALengthThatWaitsHasABlockOfItsOwnWhereMovesHaveNoPlaceForIt) {
+    const std::string with = std::string(small) + "[tool]\nlength-on = \"G43 H{number}\"\n";
+    const Written w = write(post_of(with), {cl::ToolLength{1, 7, {}}, cl::Linear{{1, 0, 5}, {0, 0, 1}, true}});
+    EXPECT_EQ(w.text, "G43 H7\nG0 X1 Y0 Z5\n");
+    EXPECT_TRUE(w.lost.empty());
+}
+
+TEST(Writer, NumbersOfBlocksBeginAnewWhereTheWordIsFull) {
+    const Post post = post_of(std::string(small) + "[block_numbers]\ntext = \"N{block}\"\nfirst = 99998\nstep = 1\n");
+    const Written w = write(post, {cl::Linear{{1, 0, 0}}, cl::Linear{{2, 0, 0}}, cl::Linear{{3, 0, 0}}});
+    EXPECT_EQ(w.text, "N99998 G1 X1 Y0 Z0\nN99999 X2\nN99998 X3\n");
+}
+
 }  // namespace
 }  // namespace obrys::write

@@ -141,7 +141,8 @@ void Writer::set_zero(std::uint32_t number, bool added) {
         if (printer_.print(text, values_) == Printed::failed) note(Fate::lost, "the place of a zero");
         return;
     }
-    note(Fate::lost, "zero " + std::to_string(number) + " is set anew, and the post has no words for that");
+    const std::string what = number == 0 ? "the shift of all zeros" : "zero " + std::to_string(number);
+    note(Fate::lost, what + " is set anew, and the post has no words for that");
 }
 
 void Writer::write_zero(const cl::DatumData& data) {
@@ -152,7 +153,7 @@ void Writer::write_zero(const cl::DatumData& data) {
     for (std::size_t k = 0; k < 3; ++k)
         if (!std::isnan(origin[k])) values_.set(names[k], origin[k]), any = true;
     if (data.turn) values_.set(Value::angle, geom::degrees(*data.turn)), any = true;
-    zero_said_ = data.number == cursor_.state().datum.number;
+    zero_said_ = data.number == 0 || data.number == cursor_.state().datum.number;
     if (any) return set_zero(data.number, data.added);
     note(Fate::lost, "zero " + std::to_string(data.number) + " is set to a place that is not known");
 }
@@ -168,7 +169,7 @@ void Writer::write_datum() {
     printer_.forget_coordinates();
     constexpr std::uint32_t none_selected = 500;
     for (const DatumForm& form : post_.datums) {
-        if (datum.number < form.from || datum.number > form.to) continue;
+        if (datum.number < form.from || datum.number > form.to || form.text.empty()) continue;
         values_.clear();
         values_.set(Value::number, datum.number - form.less);
         if (printer_.print(form.text, values_) == Printed::failed) note(Fate::lost, "a zero: its number does not fit");
