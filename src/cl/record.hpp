@@ -114,7 +114,7 @@ struct ToolChange {
 /// What the program itself says a tool is (TOOL DEF).
 struct ToolData {
     std::uint32_t number = 0, edge = 1;
-    std::optional<double> length{}, radius{};  ///< mm
+    std::optional<double> length{}, radius{};  ///< mm; neither: something else of it (wear, other axes, its kind)
     bool operator==(const ToolData&) const = default;
 };
 

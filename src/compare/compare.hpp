@@ -85,6 +85,7 @@ private:
     void take_move(const cl::Record& record, const geom::Vec3& to);
     void take_axis(const cl::Axis& axis);
     void take_event(const cl::Record& record);
+    void take_tool_data(const cl::Record& record, const cl::ToolData& data);
     [[nodiscard]] bool goes_on(const cl::Record& record) const;
     void hold();
 

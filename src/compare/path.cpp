@@ -141,7 +141,19 @@ void Path::take(const cl::Record& record) {
         take_event(record);
 }
 
+/// Length and radius each for itself: controls set them together or one by one.
+void Path::take_tool_data(const cl::Record& record, const cl::ToolData& data) {
+    hold();
+    const auto add = [&](const cl::ToolData& d) {
+        events.push_back({d, record.from, record.stack, moves.size(), holding_});
+    };
+    if (data.length) add({data.number, data.edge, data.length, {}});
+    if (data.radius) add({data.number, data.edge, {}, data.radius});
+    if (!data.length && !data.radius) add(data);
+}
+
 void Path::take_event(const cl::Record& record) {
+    if (const auto* data = std::get_if<cl::ToolData>(&record.step)) return take_tool_data(record, *data);
     cl::Step step = record.step;
     if (const auto* change = std::get_if<cl::ToolChange>(&step)) {
         const cl::ToolChange now = tool_of(*change), before = holding_->tool;

@@ -219,7 +219,7 @@ void run_holes(Run& run, const program::CannedCycle& c, const PlaneAxes& a) {
         cycles::Expansion e = cycles::expand(demand, situation_of(run));
         if (!report_expansion(run, c.name, e)) return;
         emit_hole(run, c, demand, e, {cl::CycleCall::modal, pass, passes});
-        if (!e.simulated) return;  // nor is any hole behind it: where the tool stands is not known
+        if (!e.simulated) return;                     // nor is any hole behind it: where the tool stands is not known
         if (c.turns_axes && run.modal.plane != 17) {  // the control takes itself to be where it should be
             const geom::Vec3 there = into_plane(at, a);
             const double level = demand.get(CycleRole::return_level, demand.get(CycleRole::retract_plane));

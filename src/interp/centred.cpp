@@ -1,7 +1,7 @@
-/// Rotation, scaling and mirror image about a centre (G68, G51, G51.1), each in force until its own end. They act in the
-/// order mirror image, scaling, rotation, whatever the order in which they were switched on. Sources: FANUC series
-/// 16i/18i-M operator's manual, functions to simplify programming; Haas Mill Operator's Manual 96-8000, page 176: an axis
-/// of the centre that has no word is where the tool stands.
+/// Rotation, scaling and mirror image about a centre (G68, G51, G51.1), each in force until its own end. They act in
+/// the order mirror image, scaling, rotation, whatever the order in which they were switched on. Sources: FANUC series
+/// 16i/18i-M operator's manual, functions to simplify programming; Haas Mill Operator's Manual 96-8000, page 176: an
+/// axis of the centre that has no word is where the tool stands.
 
 #include <algorithm>
 #include <cmath>
@@ -44,8 +44,8 @@ geom::Vec3 centre_of(Run& run, const std::vector<int>& axes, const char* name) {
 }
 
 bool can_be_made(Run& run, const geom::Frame& op, const geom::Vec3& centre, const char* name) {
-    const bool known = geom::is_finite(centre) && std::all_of(op.linear.begin(), op.linear.end(),
-                                                              [](double v) { return std::isfinite(v); });
+    const bool known = geom::is_finite(centre) &&
+                       std::all_of(op.linear.begin(), op.linear.end(), [](double v) { return std::isfinite(v); });
     if (!known)
         unchecked(run, codes::unknown_value, run.here(),
                   std::string(name) + " depends on a value or a position that is not known: it is left out");

@@ -339,8 +339,7 @@ bool motion(Run& run) {
         return false;
     }
     if (b.special == Modal::set_data || b.special == Modal::position_becomes || b.special == Modal::local_shift ||
-        b.special == Modal::tool_length_by_axes ||
-        (b.special >= Modal::scaling_on && b.special <= Modal::rotation_off))
+        b.special == Modal::tool_length_by_axes || (b.special >= Modal::scaling_on && b.special <= Modal::rotation_off))
         return false;
     if (b.special == Modal::spline_cubic || b.special == Modal::spline_quadratic || b.special == Modal::nurbs_end) {
         begin_motion(run);

@@ -67,7 +67,9 @@ const program::PieceRead* piece_at(Run& run, std::uint32_t index, const ModeUse&
 const ModeSpan* span_of(Activation& act, std::uint32_t index) {
     const std::vector<ModeSpan>& spans = act.unit->modes.spans;
     if (act.mode_span < spans.size() && index >= spans[act.mode_span].last) ++act.mode_span;  // the usual way
-    const auto holds = [&](std::size_t i) { return i < spans.size() && index >= spans[i].first && index < spans[i].last; };
+    const auto holds = [&](std::size_t i) {
+        return i < spans.size() && index >= spans[i].first && index < spans[i].last;
+    };
     if (holds(act.mode_span)) return &spans[act.mode_span];
     const bool between = (act.mode_span == spans.size() || index < spans[act.mode_span].first) &&
                          (act.mode_span == 0 || index >= spans[act.mode_span - 1].last);

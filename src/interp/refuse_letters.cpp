@@ -16,8 +16,8 @@ namespace codes = base::codes;
 namespace {
 
 constexpr std::uint64_t held_letters = bit(Code::i) | bit(Code::j) | bit(Code::k) | bit(Code::l) | bit(Code::p) |
-                                  bit(Code::q) | bit(Code::e) | bit(Code::radius) | bit(Code::offset_d) |
-                                  bit(Code::offset_h);
+                                       bit(Code::q) | bit(Code::e) | bit(Code::radius) | bit(Code::offset_d) |
+                                       bit(Code::offset_h);
 
 /// Coordinates, centres or a word of its own make the motion in force run; another letter alone does not.
 bool moves(const Run& run) {

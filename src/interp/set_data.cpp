@@ -215,6 +215,18 @@ void compare_nose(Run& run, const shop::Tool& t) {
            "give the tool the nose that it has");
 }
 
+/// Length and radius; what else there is as a record without values.
+void tell_tool_data(Run& run, const shop::Tool& t, int l) {
+    const BlockWords& b = run.block;
+    cl::ToolData data{t.number, t.edge, {}, {}};
+    if (l == 1 && axis_word(run, 2)) data.length = t.length;
+    if (b.has(Code::radius)) data.radius = t.radius;
+    bool other = l != 1 || b.has(Code::i) || b.has(Code::j) || b.has(Code::q);
+    for (std::size_t k = 0; k < 9; ++k) other = other || (k != 2 && axis_word(run, k));
+    if (data.length || data.radius) emit(run, data);
+    if (other) emit(run, cl::ToolData{t.number, t.edge, {}, {}});
+}
+
 void set_tool_data(Run& run, int l) {
     shop::Tool* t = tool_of_block(run);
     if (t == nullptr) return;
@@ -237,6 +249,7 @@ void set_tool_data(Run& run, int l) {
     if (b.has(Code::q))
         if (const auto q = whole(run, Code::q, "Q, the orientation of a lathe tool,", 9)) table.orientation = *q;
     if (l == 1) compare_nose(run, *t);
+    tell_tool_data(run, *t, l);
     const auto place = static_cast<int>(t - run.tools.data()) + 1;
     // The control's list begins with the tool in the spindle; before the first change its first tool stands there.
     const bool loaded = run.tool.data == t || (run.tool.number == 0 && place == 1);
@@ -314,6 +327,10 @@ void write_tool_offset(Run& run, program::DataTable table) {
                                                                                            : &t->delta_radius;
     const double r = run.block.get(Code::radius) * length_unit(run.modal) * (diameter ? 0.5 : 1);
     *value = r + (run.modal.absolute ? 0 : *value);
+    cl::ToolData data{t->number, t->edge, {}, {}};
+    if (table == DataTable::tool_length) data.length = *value;
+    if (table == DataTable::tool_radius || table == DataTable::tool_diameter) data.radius = *value;
+    emit(run, data);
     compare_with_job(run, *t);
     if (run.tool.data == t) take_tip(run);
 }

@@ -136,6 +136,10 @@ void write_tool_parameter(Run& run, double number, double edge, int n, double va
         if (const auto v = shop::parameter(*found, k); v && *v != 0) found->parameters.emplace(k, *v);
     found->parameters[n] = value;
     take_shape(*found);
+    cl::ToolData data{t, d, {}, {}};
+    if (n == 3) data.length = value;
+    if (n == 6) data.radius = value;
+    emit(run, data);
     if (n <= 2 && has_position_of_no_kind(*found))
         unchecked(run, codes::unknown_value, run.here(),
                   "the cutting edge position ($TC_DP2) of a turning tool is a whole number from 1 to 9");

@@ -177,5 +177,14 @@ TEST(Writer, NumbersOfBlocksBeginAnewWhereTheWordIsFull) {
     EXPECT_EQ(w.text, "N99998 G1 X1 Y0 Z0\nN99999 X2\nN99998 X3\n");
 }
 
+TEST(Writer, AFeedIsSaidAgainBehindAWordThatTakesItsPlace) {
+    std::string text = small;
+    text.insert(text.find("\"G3\"]"), "\"G33\", ");
+    text.insert(text.find("[feed]"), "thread = \"G33 X{x} Z{z} F{pitch}\"\n");
+    const Written w =
+        write(post_of(text), {cl::Feed{2}, cl::Linear{{1, 0, 0}}, cl::Thread{{1, 0, -5}, 1.5}, cl::Linear{{2, 0, -5}}});
+    EXPECT_EQ(w.text, "G1 X1 Y0 Z0 F2\nG33 Z-5 F1.5\nG1 X2 F2\n");
+}
+
 }  // namespace
 }  // namespace obrys::write

@@ -8,6 +8,7 @@ namespace obrys::write {
 struct Printer::Line {
     std::string text;
     int words = 0;              ///< printed, of those that say more than how
+    int names = 0;              ///< of these, those that only name what the block is about
     int modes = 0;              ///< words of groups
     bool mode_printed = false;  ///< in this template: a word behind it is printed, too
     bool asked = false;         ///< the block has words with values
@@ -80,8 +81,11 @@ bool Printer::add_word(Line& line, const Token& t, const Values& values) {
         if (!t.always && !behind_mode && words_[slot] == text) return true;
         line.slots.emplace_back(t.slot, text);
     }
+    if (t.spoils >= 0 && !post_.word_is_coordinate[static_cast<std::size_t>(t.spoils)])
+        line.slots.emplace_back(t.spoils, "");
     line.append(text);
     ++line.words;
+    if (t.value == index_of(Value::number) || t.value == index_of(Value::edge)) ++line.names;
     return true;
 }
 
@@ -152,7 +156,7 @@ Printed Printer::print(const Template& text, const Values& values, const Parts& 
         const bool optional =
             !block.empty() && block.front().kind == Token::Kind::literal && block.front().before == "?";
         if (!add(line, optional ? Block(block.begin() + 1, block.end()) : block, values, parts)) return Printed::failed;
-        if (optional && line.words == 0) continue;
+        if (optional && line.words == line.names) continue;
         const bool says = line.words > 0 || (!moves && (line.modes > 0 || !line.asked));
         if (says && !line.text.empty())
             lines.push_back(std::move(line));

@@ -77,7 +77,7 @@ bool parse_value(std::string_view inside, const Grammar& g, Token& t, std::strin
         return false;
     }
     t.value = *value;
-    if (!stays_in_force(*value)) t.slot = -1;
+    if (!stays_in_force(*value)) t.spoils = std::exchange(t.slot, -1);
     t.style = g.style_of[*value];
     if (scaled) {
         const auto number = base::parse_double(factor);

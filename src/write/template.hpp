@@ -38,8 +38,9 @@ struct Token {
     double factor = 1;
     std::size_t style = 0;
     bool always = false;
-    int slot = -1;   ///< where the word's last text is remembered; -1: it is not modal
-    int group = -1;  ///< modal group of a literal; -1: none
+    int slot = -1;    ///< where the word's last text is remembered; -1: it is not modal
+    int spoils = -1;  ///< the slot of a word that holds another value behind this one: F of a thread; -1: none
+    int group = -1;   ///< modal group of a literal; -1: none
 };
 
 using Block = std::vector<Token>;

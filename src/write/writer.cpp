@@ -153,11 +153,7 @@ void Writer::take_event(const cl::Record& record) {
         compensation_ = Command::compensation_off;
     values_.clear();
     if (const auto* data = std::get_if<cl::ToolData>(&step)) {
-        values_.set(Value::number, data->number);
-        values_.set(Value::edge, data->edge);
-        if (data->length) values_.set(Value::length, *data->length);
-        if (data->radius) values_.set(Value::tool_radius, *data->radius);
-        print(Command::tool_data, "what a tool is");
+        write_tool_data(*data);
     }
     if (const auto* data = std::get_if<cl::DatumData>(&step)) {
         write_all();
@@ -190,6 +186,17 @@ void Writer::take_event(const cl::Record& record) {
         values_.set(Value::number, static_cast<double>(aux->number));
         print(Command::function, "function " + std::string(1, aux->letter) + std::to_string(aux->number));
     }
+}
+
+void Writer::write_tool_data(const cl::ToolData& data) {
+    if (!data.length && !data.radius)
+        return note(Fate::lost,
+                    "what the program sets of tool " + std::to_string(data.number) + " besides its length and radius");
+    values_.set(Value::number, data.number);
+    values_.set(Value::edge, data.edge);
+    if (data.length) values_.set(Value::length, *data.length);
+    if (data.radius) values_.set(Value::tool_radius, *data.radius);
+    print(Command::tool_data, "what a tool is");
 }
 
 /// Characters that would end the comment, or that the control does not have.

@@ -77,6 +77,7 @@ private:
     void write_datum_anew();
     void set_zero(std::uint32_t number, bool added);
     void write_zero(const cl::DatumData& data);
+    void write_tool_data(const cl::ToolData& data);
     void write_frame();
     void write_spindle();
     void write_coolant();

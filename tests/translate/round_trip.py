@@ -100,7 +100,8 @@ def round_trip(obrys, case):
         d = result["differences"]
         d = next(x for x in d if x["aspect"] in DONE)
         own = {"not-written", "written-by-moves", "runs-otherwise", "assumption", "no-effect"}
-        stops = [code for code in re.findall(r": (?:error|warning): .*\[([a-z-]+)\]", err) if code not in own]
+        of_source = "\n".join(line for line in err.splitlines() if " (as written):" not in line)
+        stops = [code for code in re.findall(r": (?:error|warning): .*\[([a-z-]+)\]", of_source) if code not in own]
         kind = "lost, said" if lost else "stops" if stops else "DIFFERS"
         return kind, d["aspect"], d["what"] + (" | " + lost[0] if lost else "")
     d = result["differences"][0]

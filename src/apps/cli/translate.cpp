@@ -47,6 +47,13 @@ void complain(driver::Session& s, const driver::Proof& proof) {
     }
 }
 
+/// A control would stop at something, or a run found something else that is wrong, besides what is not written.
+bool has_findings(const driver::Session& s) {
+    return std::any_of(s.diagnostics.all().begin(), s.diagnostics.all().end(), [](const base::Diagnostic& d) {
+        return base::kind_of(d.code) == base::CodeKind::finding && d.code != base::codes::not_written;
+    });
+}
+
 /// Exit code of what was written, run again: 0 it does the same, 1 it does not, 3 it could not be held to it.
 int proved(driver::Session& s, const driver::Translated& t, const write::Post& post, const Arguments& a) {
     compare::Tolerance tolerance;
@@ -59,12 +66,13 @@ int proved(driver::Session& s, const driver::Translated& t, const write::Post& p
         if (proof != nullptr) print_diagnostics(proof->session, base::Severity::warning);
         return 3;
     }
+    const bool stops = has_findings(proof->session) && !has_findings(s);
     complain(s, *proof);
     const compare::Result& r = *proof->result;
-    bool same = true;
+    bool same = !stops;
     for (const compare::Difference& d : r.first) same = same && !compare::is_done(d.aspect);
     const int run = run_exit_code(proof->session);
-    if (run == 3 && run_exit_code(s) != 3) print_diagnostics(proof->session, base::Severity::warning);
+    if (stops || (run == 3 && run_exit_code(s) != 3)) print_diagnostics(proof->session, base::Severity::warning);
     std::fprintf(stderr, "%s: %zu moves, run again as %s, within %g mm\n",
                  same ? "does the same" : "does not do the same", r.moves_b, post.control.c_str(), a.same_place);
     return run == 3 ? 3 : same ? 0 : 1;
