@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include "cl/text.hpp"
+#include "compare/near.hpp"
 
 namespace obrys::compare {
 
@@ -12,14 +13,6 @@ namespace {
 
 constexpr std::array<std::string_view, aspect_count> names{
     "motion", "feed", "spindle", "coolant", "tool", "events", "datum", "frame", "tolerance", "cycles", "compensation"};
-
-/// Two numbers of which both may be unknown.
-bool near(double a, double b, double tolerance) {
-    return a == b || (std::isnan(a) && std::isnan(b)) || std::abs(a - b) <= tolerance;
-}
-bool near(const geom::Vec3& a, const geom::Vec3& b, double tolerance) {
-    return near(a.x, b.x, tolerance) && near(a.y, b.y, tolerance) && near(a.z, b.z, tolerance);
-}
 
 /// What lies in the plane of `normal`; a coordinate that nobody knows is taken to lie along the normal.
 geom::Vec3 in_plane(const geom::Vec3& v, const geom::Vec3& normal) {

@@ -1,17 +1,9 @@
 #include <cmath>
 
-#include "cl/totals.hpp"
 #include "compare/compare.hpp"
+#include "compare/near.hpp"
 
 namespace obrys::compare {
-
-namespace {
-
-bool is_same(double a, double b, double tolerance) {
-    return (std::isnan(a) && std::isnan(b)) || std::abs(a - b) <= tolerance;
-}
-
-}  // namespace
 
 namespace {
 
@@ -92,9 +84,7 @@ void Path::take_move(const cl::Record& record, const geom::Vec3& to) {
     if (!(length == length_there_)) at_.reset();
     length_there_ = length;
     const auto* line = std::get_if<cl::Linear>(&record.step);
-    const bool stays = line != nullptr && at_ && axes_.empty() && is_same(at_->x, to.x, same_place_) &&
-                       is_same(at_->y, to.y, same_place_) && is_same(at_->z, to.z, same_place_);
-    if (stays) return;
+    if (line != nullptr && at_ && axes_.empty() && near(*at_, to, same_place_)) return;
     hold();
     for (const cl::Axis& axis : axes_) stands_[axis.name] = axis.to;
     if (goes_on(record)) {
@@ -113,7 +103,7 @@ void Path::take_move(const cl::Record& record, const geom::Vec3& to) {
 void Path::take_axis(const cl::Axis& axis) {
     std::erase_if(axes_, [&](const cl::Axis& a) { return a.name == axis.name; });
     const auto [stands, is_new] = stands_.emplace(axis.name, NAN);
-    if (is_same(stands->second, axis.to, same_place_) && !std::isnan(axis.to)) return;
+    if (near(stands->second, axis.to, same_place_) && !std::isnan(axis.to)) return;
     axes_.push_back(axis);
 }
 

@@ -17,10 +17,6 @@ std::vector<std::string> candidates(const std::string& name, shop::MachineKind k
     return {name};
 }
 
-}  // namespace
-
-namespace {
-
 /// A post whose control is none that can be read: what is written by it could not be run.
 std::optional<write::Post> checked(std::optional<write::Post> post, std::uint32_t file, Session& s) {
     if (!post || post->control.empty() || find_control(post->control) != nullptr) return post;
@@ -55,10 +51,10 @@ Translated translate(Session& session, const write::Post& post, const std::strin
     output.text = [&](std::string_view text) { out.text += text; };
     output.note = note;
     write::Writer writer(post, name, output);
-    out.outcome = interpret(session, [&](const cl::Record& record) {
+    static_cast<void>(interpret(session, [&](const cl::Record& record) {
         writer.take(record);
         out.path.take(record);
-    });
+    }));
     writer.finish();
     return out;
 }

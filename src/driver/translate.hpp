@@ -19,14 +19,14 @@ namespace obrys::driver {
 /// is none.
 [[nodiscard]] std::optional<write::Post> find_post(const std::string& name, Session& session);
 
-/// How near places of both runs must lie, mm.
+/// What was written, and what it was written from.
 struct Translated {
     std::string text;
     compare::Path path{0};  ///< what the program does
-    interp::Outcome outcome;
 };
 
-/// Runs the main program and writes it; `name` is what its head calls it. `note` gets what is expanded or lost.
+/// Runs the main program and writes it; `name` is what its head calls it. `note` gets what is expanded or lost. Moves
+/// no longer than `same_place` (mm) do not count in the path.
 [[nodiscard]] Translated translate(Session& session, const write::Post& post, const std::string& name,
                                    double same_place, const std::function<void(write::Note)>& note);
 
@@ -35,8 +35,7 @@ struct Proof {
     Session session;
     std::optional<compare::Result> result;  ///< nothing: it could not be run
 };
-/// `request` is that of the program; `machine` what it was run on. Null: no control that can be read is named by the
-/// post.
+/// `request` and `of` are those of the program. Null: no control that can be read is named by the post.
 [[nodiscard]] std::unique_ptr<Proof> prove(const Translated& translated, const write::Post& post, Request request,
                                            const Session& of, const compare::Tolerance& tolerance);
 

@@ -57,12 +57,6 @@ double kept_parameter(Run& run, std::uint32_t n, const base::Span& where) {
     return std::numeric_limits<double>::quiet_NaN();
 }
 
-namespace {
-
-/// Which zero a parameter belongs to, and its axis from 0 (X); 0 is what is added to all of them.
-struct ZeroParameter {
-    std::uint32_t number = 0, axis = 0;
-};
 std::optional<ZeroParameter> zero_of(const program::OffsetParameters& p, std::uint32_t n) {
     const auto within = [&](std::uint32_t first, std::uint32_t count) {
         return first != 0 && n >= first && n < first + count * p.datum_step;
@@ -76,6 +70,8 @@ std::optional<ZeroParameter> zero_of(const program::OffsetParameters& p, std::ui
         return ZeroParameter{5401 + row(p.extended_first), axis(p.extended_first)};
     return std::nullopt;
 }
+
+namespace {
 
 void tell_written_zero(Run& run, std::uint32_t n) {
     const auto zero = zero_of(run.traits->offsets, n);

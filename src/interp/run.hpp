@@ -352,6 +352,11 @@ void datum_changed(Run&);
 /// G92 … G92.3, G52; G43 … G49: the words of the block.
 void shift_words(Run&, Modal);
 void tool_length_words(Run&, Modal);
+/// Which zero a numbered parameter belongs to (0: what is added to all of them), and its axis from 0 (X).
+struct ZeroParameter {
+    std::uint32_t number = 0, axis = 0;
+};
+[[nodiscard]] std::optional<ZeroParameter> zero_of(const program::OffsetParameters&, std::uint32_t parameter);
 /// Tells the stream what compensation of the tool's length is in force; `by`: the values where no number says them.
 void tell_length(Run&, const Axes& by);
 void set_tool_offset(Run&, const Axes& to);

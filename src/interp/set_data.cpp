@@ -279,11 +279,8 @@ void write_datum(Run& run, program::DataTable table) {
     const auto first = row_of_datum(run, table);
     if (!first) return;
     flush_path(run);
-    const program::OffsetParameters& p = run.traits->offsets;
-    const bool extended = table == program::DataTable::extended_datum;
-    const std::uint32_t row = (*first - (extended ? p.extended_first : p.datum_first)) / p.datum_step + 1;
     cl::DatumData data;
-    data.number = extended ? 5400 + row : number_of_place(row);
+    if (const auto zero = zero_of(run.traits->offsets, *first)) data.number = zero->number;
     data.added = !run.modal.absolute;
     for (std::size_t k = 0; k < 9; ++k) {
         const auto v = axis_word(run, k);
@@ -293,7 +290,6 @@ void write_datum(Run& run, program::DataTable table) {
         run.modal.absolute ? run.parameters.set(n, written) : run.parameters.add(n, written);
         if (k < 3) coordinate(data.origin, static_cast<int>(k)) = *v;
     }
-    if (table == program::DataTable::external_datum) data.number = 0;
     emit(run, data);
     datum_changed(run);
 }

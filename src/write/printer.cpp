@@ -51,10 +51,6 @@ void Printer::forget_coordinates() {
         if (post_.word_is_coordinate[i]) words_[i].clear();
 }
 
-void Printer::forget_words() {
-    for (std::string& w : words_) w.clear();
-}
-
 void Printer::add_literal(Line& line, const std::string& text, int group) const {
     if (group < 0) return line.append(text);
     if (in_force_[static_cast<std::size_t>(group)] == text) return;

@@ -43,7 +43,6 @@ public:
     [[nodiscard]] std::optional<std::string> whole(const Block& block, const Values& values) const;
 
     void forget_coordinates();
-    void forget_words();  ///< of all kinds
     [[nodiscard]] std::uint64_t lines() const { return lines_; }
     [[nodiscard]] const std::string& failed_word() const { return failed_; }
 

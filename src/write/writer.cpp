@@ -2,8 +2,6 @@
 
 #include <algorithm>
 
-#include "cl/totals.hpp"
-
 namespace obrys::write {
 
 Writer::Writer(const Post& post, std::string name, Output output)
@@ -28,11 +26,7 @@ bool Writer::print(Command command, std::string_view what) {
         note(Fate::lost, std::string(what) + ": the post has no " + std::string(name_of(command)));
         return false;
     }
-    // What waits for a move has numbers of its own, and no place here.
-    const auto waits = std::exchange(length_waits_, std::nullopt);
-    const Parts parts = parts_of(false, nullptr);
-    length_waits_ = waits;
-    if (printer_.print(post_[command], values_, parts) != Printed::failed) return true;
+    if (printer_.print(post_[command], values_, parts_of(false, nullptr)) != Printed::failed) return true;
     note(Fate::lost, std::string(what) + ": a word cannot hold " + printer_.failed_word());
     return false;
 }

@@ -15,10 +15,6 @@ bool is_normal_noise(const geom::Vec3& n) {
     return most > 1 - normal_noise;
 }
 
-}  // namespace
-
-namespace {
-
 Command corner_command(const cl::Programmed& p) {
     return p.corner == cl::Corner::chamfer       ? Command::corner_chamfer
            : p.corner == cl::Corner::chamfer_leg ? Command::corner_chamfer_leg
@@ -43,10 +39,6 @@ Parts Writer::parts_of(bool rapid, const cl::Programmed* corner) {
     if (s.feed.value != 0 && !std::isnan(s.feed.value)) values_.set(Value::feed, s.feed.value);
     const Command feed = feed_command(rapid);
     parts.feed = &post_[feed];
-    if (length_waits_) {
-        set_length();
-        parts.length = &post_[*length_waits_];
-    }
     if (compensation_) parts.compensation = &post_[*compensation_];
     if (corner != nullptr && post_.corner_in_block) parts.corner = &post_[corner_command(*corner)];
     return parts;
@@ -89,6 +81,10 @@ void Writer::print_move(Command command, bool rapid, const cl::Programmed* corne
         if (corner->corner_feed != 0) values_.set(Value::own_feed, corner->corner_feed);
     }
     Parts parts = parts_of(rapid, corner);
+    if (length_waits_) {
+        set_length();
+        parts.length = &post_[*length_waits_];
+    }
     for (const cl::Axis& axis : axes_) {
         const bool numbered = axis.name[1] != 0;
         const Template& form = post_[numbered ? Command::axis_numbered : Command::axis];
