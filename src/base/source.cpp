@@ -7,41 +7,52 @@
 
 namespace obrys::base {
 
-std::uint32_t Sources::add(Source source) {
-    if (source.text.starts_with("\xEF\xBB\xBF")) source.text.remove_prefix(3);
-    source.utf8 = is_utf8(source.text);
-    files_.push_back(std::move(source));
-    line_starts_.emplace_back();
+std::uint32_t Sources::add(std::unique_ptr<Text> text, std::string_view bytes) {
+    text->source.text = bytes;
+    if (bytes.starts_with("\xEF\xBB\xBF")) text->source.text.remove_prefix(3);
+    text->source.utf8 = is_utf8(text->source.text);
+    texts_.push_back(std::move(text));
     return size() - 1;
 }
 
 std::uint32_t Sources::add(std::string name, std::string text, BlockNumbers numbers) {
-    texts_.push_back(std::move(text));
-    stores_.push_back(nullptr);
-    return add({std::move(name), texts_.back(), numbers, true});
+    auto added = std::make_unique<Text>();
+    added->source = {std::move(name), {}, numbers, true};
+    added->bytes = std::move(text);
+    const std::string_view bytes = added->bytes;
+    return add(std::move(added), bytes);
 }
 
 std::uint32_t Sources::add(std::string name, std::unique_ptr<Store> text, BlockNumbers numbers) {
-    stores_.push_back(std::move(text));
-    return add({std::move(name), stores_.back()->bytes(), numbers, true});
+    auto added = std::make_unique<Text>();
+    added->source = {std::move(name), {}, numbers, true};
+    added->store = std::move(text);
+    const std::string_view bytes = added->store->bytes();
+    return add(std::move(added), bytes);
 }
 
 void Sources::lay_aside(std::uint32_t file, std::uint32_t end) const {
-    if (Store* store = stores_[file].get(); store != nullptr)
-        store->lay_aside(0, store->bytes().size() - files_[file].text.size() + end);
+    Text& t = *texts_[file];
+    if (t.store == nullptr) return;
+    const std::scoped_lock alone(t.use);
+    t.store->lay_aside(0, t.store->bytes().size() - t.source.text.size() + end);
 }
 
 void Sources::fetch(std::uint32_t file) const {
-    if (Store* store = stores_[file].get(); store != nullptr) store->fetch(0, store->bytes().size());
+    Text& t = *texts_[file];
+    if (t.store == nullptr) return;
+    const std::scoped_lock alone(t.use);
+    t.store->fetch(0, t.store->bytes().size());
 }
 
-std::string_view Sources::part(std::uint32_t file, std::size_t begin, std::size_t end) const {
-    const std::string_view text = files_[file].text;
+std::string_view Sources::part(Text& t, std::size_t begin, std::size_t end) {
+    const std::string_view text = t.source.text;
     begin = std::min(begin, text.size());
     end = std::clamp(end, begin, text.size());
-    if (Store* store = stores_[file].get(); store != nullptr && begin < end) {
-        const std::size_t mark = store->bytes().size() - text.size();
-        store->fetch(mark + begin, mark + end);
+    if (t.store != nullptr && begin < end) {
+        const std::scoped_lock alone(t.use);
+        const std::size_t mark = t.store->bytes().size() - text.size();
+        t.store->fetch(mark + begin, mark + end);
     }
     return text.substr(begin, end - begin);
 }
@@ -67,11 +78,10 @@ void add_line_starts(std::string_view piece, std::size_t at, bool& cr, std::vect
 
 }  // namespace
 
-const std::vector<std::uint32_t>& Sources::line_starts(std::uint32_t file) const {
-    if (!line_starts_[file].empty()) return line_starts_[file];
+void Sources::find_lines(Text& t) {
     std::vector<std::uint32_t> starts{0};
-    const std::string_view text = files_[file].text;
-    Store* store = stores_[file].get();
+    const std::string_view text = t.source.text;
+    Store* store = t.store.get();
     const std::size_t mark = store == nullptr ? 0 : store->bytes().size() - text.size();  // bytes of a mark in front
     bool cr = false;
     for (std::size_t begin = 0; begin < mark + text.size(); begin += Store::piece) {
@@ -82,38 +92,45 @@ const std::vector<std::uint32_t>& Sources::line_starts(std::uint32_t file) const
         if (aside) store->lay_aside(begin, end);
     }
     if (cr) starts.push_back(static_cast<std::uint32_t>(text.size()));
-    return line_starts_[file] = std::move(starts);
+    t.line_starts = std::move(starts);
+}
+
+const std::vector<std::uint32_t>& Sources::line_starts(Text& t) {
+    const std::scoped_lock alone(t.use);
+    if (t.line_starts.empty()) find_lines(t);
+    return t.line_starts;
 }
 
 Position Sources::position(std::uint32_t file, std::uint32_t offset) const {
-    const auto& starts = line_starts(file);
+    Text& t = *texts_[file];
+    const auto& starts = line_starts(t);
     const auto after = std::upper_bound(starts.begin(), starts.end(), offset);
     const auto line = static_cast<std::uint32_t>(after - starts.begin());
     const std::uint32_t begin = starts[line - 1];
-    const std::size_t end = std::min<std::size_t>(offset, files_[file].text.size());
+    const std::size_t end = std::min<std::size_t>(offset, t.source.text.size());
     std::size_t column = end - std::min<std::size_t>(begin, end);
-    if (files_[file].utf8) column = character_count(part(file, begin, begin + column));
+    if (t.source.utf8) column = character_count(part(t, begin, begin + column));
     return {line, static_cast<std::uint32_t>(column + 1)};
 }
 
 std::string_view Sources::line(std::uint32_t file, std::uint32_t number) const {
-    const auto& starts = line_starts(file);
+    Text& t = *texts_[file];
+    const auto& starts = line_starts(t);
     if (number == 0 || number > starts.size()) return {};
-    std::string_view text =
-        part(file, starts[number - 1], number < starts.size() ? starts[number] : files_[file].text.size());
+    std::string_view text = part(t, starts[number - 1], number < starts.size() ? starts[number] : t.source.text.size());
     while (text.ends_with('\n') || text.ends_with('\r')) text.remove_suffix(1);
     return text;
 }
 
 std::string Sources::line_utf8(const Span& span) const {
     const std::string_view raw = line(span.file, position(span).line);
-    return files_[span.file].utf8 ? std::string(raw) : cp1252_to_utf8(raw);
+    return (*this)[span.file].utf8 ? std::string(raw) : cp1252_to_utf8(raw);
 }
 
-std::string_view Sources::text(const Span& span) const { return part(span.file, span.begin, span.end); }
+std::string_view Sources::text(const Span& span) const { return part(*texts_[span.file], span.begin, span.end); }
 
 std::optional<std::uint32_t> Sources::block_number(std::uint32_t file, std::uint32_t offset) const {
-    const BlockNumbers style = files_[file].block_numbers;
+    const BlockNumbers style = (*this)[file].block_numbers;
     if (style == BlockNumbers::none) return std::nullopt;
     std::string_view rest = trim(line(file, position(file, offset).line));
     if (style == BlockNumbers::n_word) {

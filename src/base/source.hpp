@@ -3,8 +3,8 @@
 
 #include <cstddef>
 #include <cstdint>
-#include <deque>
 #include <memory>
+#include <mutex>
 #include <optional>
 #include <string>
 #include <string_view>
@@ -54,7 +54,8 @@ struct Source {
     bool utf8 = true;  ///< false: bytes above 127 are CP1252
 };
 
-/// All texts of a run. References to a source stay valid while others are added.
+/// All texts of a run. References to a source stay valid while others are added. A copy shares the texts that are
+/// there, and what is added to it is its own; copies may be looked at by threads at once.
 class Sources {
 public:
     /// Takes a text; a UTF-8 byte order mark at its start is dropped. Texts of 4 GiB and more are refused by the
@@ -62,9 +63,10 @@ public:
     std::uint32_t add(std::string name, std::string text, BlockNumbers numbers = BlockNumbers::none);
     std::uint32_t add(std::string name, std::unique_ptr<Store> text, BlockNumbers numbers = BlockNumbers::none);
 
-    [[nodiscard]] const Source& operator[](std::uint32_t file) const { return files_[file]; }
-    [[nodiscard]] std::uint32_t size() const { return static_cast<std::uint32_t>(files_.size()); }
-    void set_block_numbers(std::uint32_t file, BlockNumbers numbers) { files_[file].block_numbers = numbers; }
+    [[nodiscard]] const Source& operator[](std::uint32_t file) const { return texts_[file]->source; }
+    [[nodiscard]] std::uint32_t size() const { return static_cast<std::uint32_t>(texts_.size()); }
+    /// Of a text that was just added: no copy has it yet.
+    void set_block_numbers(std::uint32_t file, BlockNumbers numbers) { texts_[file]->source.block_numbers = numbers; }
 
     /// For readers of large texts, now and then: what stands before `end` will not be looked at any more, except
     /// through the functions below. Has no effect on small texts.
@@ -84,15 +86,21 @@ public:
     [[nodiscard]] std::optional<std::uint32_t> block_number(std::uint32_t file, std::uint32_t offset) const;
 
 private:
-    std::uint32_t add(Source source);
-    const std::vector<std::uint32_t>& line_starts(std::uint32_t file) const;
+    struct Text {
+        Source source;
+        std::string bytes;                       // of a text without a store
+        std::unique_ptr<Store> store;            // null: `bytes` are all
+        std::mutex use;                          // of the store, whose pieces come and go, and of what follows
+        std::vector<std::uint32_t> line_starts;  // filled when first asked for
+    };
+    std::uint32_t add(std::unique_ptr<Text> text, std::string_view bytes);
+    static void find_lines(Text& text);
+    /// Where its lines begin; once found they stay.
+    static const std::vector<std::uint32_t>& line_starts(Text& text);
     /// Bytes `[begin, end)` of a text, fetched where they were aside.
-    std::string_view part(std::uint32_t file, std::size_t begin, std::size_t end) const;
+    static std::string_view part(Text& text, std::size_t begin, std::size_t end);
 
-    std::deque<Source> files_;
-    std::deque<std::string> texts_;                               // of the texts without a store
-    std::vector<std::unique_ptr<Store>> stores_;                  // one a text; null: its bytes are in `texts_`
-    mutable std::deque<std::vector<std::uint32_t>> line_starts_;  // filled when first asked for
+    std::vector<std::shared_ptr<Text>> texts_;
 };
 
 }  // namespace obrys::base

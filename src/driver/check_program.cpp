@@ -8,17 +8,13 @@
 
 namespace obrys::driver {
 
-Checked check_program(Session& session, std::size_t keep_moves, const MillingRequest& milling,
-                      const std::function<void(std::uint64_t)>& progress) {
-    // 1. What the program is held to: machine, tools, stock, part, allowance (shop; resolved when the session was
-    // opened).
-    const bool tools_given = !session.job.tools.empty();
+check::Setup setup_of(Session& session, const MillingRequest& milling) {
+    check::Setup setup;
+    setup.tools_given = !session.job.tools.empty();
     for (shop::Tool& own : program_tools(*session.main, session.job.tools, session.diagnostics))
         session.job.tools.push_back(std::move(own));
-    check::Setup setup;
     setup.machine = session.job.machine;
     setup.tools = session.job.tools;
-    setup.tools_given = tools_given;
     if (session.job.stock) setup.stock = session.job.stock->region;
     setup.part = session.part;
     setup.right_face = session.right_face;
@@ -26,27 +22,30 @@ Checked check_program(Session& session, std::size_t keep_moves, const MillingReq
     setup.allowance = session.allowance;
     setup.tolerances = session.job.tolerances;
     setup.scope = session.job.scope;
-    setup.keep_moves = keep_moves;
     if (setup.scope == shop::Scope::motion)
         setup.stock.reset();  // nothing is removed
     else
         setup.milling = milling_setup(session, milling);
     if (setup.milling) setup.milling->most_simulated = session.job.budgets.simulated_moves;
-    if (setup.milling) setup.progress = progress;  // reading is fast, removing is what takes time
+    return setup;
+}
+
+Checked check_against(Session& session, check::Setup setup) {
+    // Program tree -> CL stream -> removal and findings, record by record (interp, check, sim/turning).
     const base::WorkTime time;
     if (session.job.budgets.bounds_check)
         setup.out_of_time = [time, seconds = session.job.budgets.seconds] { return time.by_clock() > seconds; };
-
-    // 2. Program tree -> CL stream -> removal and findings, record by record (interp, check, sim/turning).
+    std::function<void(std::uint64_t)> running;  // reading is fast: where something is removed, that takes the time
+    if (!setup.milling) running.swap(setup.progress);
     check::Check check(setup, session.stacks);
     std::uint64_t moves = 0;
     const auto sink = [&](const cl::Record& record) {
         check.take(record);
-        if (progress && !setup.progress && cl::is_move(record.step) && (++moves & 0x3F) == 0) progress(moves);
+        if (running && cl::is_move(record.step) && (++moves & 0x3F) == 0) running(moves);
     };
     const interp::Outcome outcome = interpret(session, sink);
 
-    // 3. Rest material and figures; what reader and interpreter complained about joins the findings (check).
+    // Rest material and figures; what reader and interpreter complained about joins the findings (check).
     check::Result result = check.finish(outcome.ending == interp::Ending::regular);
     result.stats.blocks_executed = outcome.blocks_executed;
     check::merge(result, session.diagnostics);
@@ -56,6 +55,14 @@ Checked check_program(Session& session, std::size_t keep_moves, const MillingReq
     check::restrict_to(result, setup.scope);
     reword(result, session.control, session.main->traits->edge_is_offset_number);
     return {std::move(setup), std::move(result)};
+}
+
+Checked check_program(Session& session, std::size_t keep_moves, const MillingRequest& milling,
+                      const std::function<void(std::uint64_t)>& progress) {
+    check::Setup setup = setup_of(session, milling);
+    setup.keep_moves = keep_moves;
+    setup.progress = progress;
+    return check_against(session, std::move(setup));
 }
 
 }  // namespace obrys::driver

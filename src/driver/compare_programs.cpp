@@ -22,7 +22,7 @@ bool is_stream(const std::string& file) {
 
 bool read_stream(const std::string& file, Session& session, compare::Path& path) {
     session.program = session.input = file;
-    const std::optional<std::uint32_t> text = load(file, session.sources, session.diagnostics);
+    const std::optional<std::uint32_t> text = load(*session.storage, file, session.sources, session.diagnostics);
     if (!text) return false;
     cl::read_text(
         session.sources, *text, [&](const cl::Record& record) { path.take(record); }, session.diagnostics);

@@ -59,7 +59,7 @@ geom::Region closed_to_axis(geom::Contour c) {
 
 std::optional<geom::Region> run_contour(Session& s, const shop::ProfileFromProgram& from, const fs::path& job_path) {
     const fs::path path = (job_path.parent_path() / from.program).lexically_normal();
-    const auto file = load(path, s.sources, s.diagnostics, from.where);
+    const auto file = load(*s.storage, path, s.sources, s.diagnostics, from.where);
     const program::Unit* unit = file ? s.programs->read(*file) : nullptr;
     if (unit == nullptr) return std::nullopt;
     ContourSink sink;

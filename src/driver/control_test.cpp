@@ -159,7 +159,7 @@ TEST(Control, LinuxCncFindsSubprogramsInTheirFiles) {
     base::Diagnostics diagnostics;
     Programs programs(*control, sources, diagnostics);
     programs.add_folder(folder);
-    const auto main = load(folder / "main.ngc", sources, diagnostics);
+    const auto main = load(*disk(), folder / "main.ngc", sources, diagnostics);
     ASSERT_TRUE(main.has_value());
     EXPECT_EQ(programs.read(*main)->name, "MAIN");
     for (const char* name : {"O<FOO>", "O<OTHER>", "O100", "O200", "O<OWN>"}) {

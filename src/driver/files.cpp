@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <cerrno>
-#include <cstdio>
 #include <memory>
 #include <vector>
 
@@ -25,19 +24,6 @@ std::string cannot(const std::string& shown, int error) {
     return shown + " cannot be read: " + std::generic_category().message(error == 0 ? EIO : error);
 }
 
-/// 0, or the system's number for what went wrong.
-int read_text(const fs::path& path, std::uintmax_t size, std::string& text) {
-    errno = 0;
-    const std::unique_ptr<std::FILE, int (*)(std::FILE*)> in(std::fopen(path.string().c_str(), "rb"), std::fclose);
-    if (in == nullptr) return errno != 0 ? errno : EIO;
-    if (size == 0 && std::fgetc(in.get()) != EOF) return EINVAL;  // a window into the system, which has no size
-    if (std::ferror(in.get()) != 0) return errno != 0 ? errno : EIO;
-    text.resize(static_cast<std::size_t>(size));
-    text.resize(std::fread(text.data(), 1, text.size(), in.get()));
-    if (std::ferror(in.get()) == 0) return 0;
-    return errno != 0 ? errno : EIO;
-}
-
 }  // namespace
 
 void complain(base::Diagnostics& diagnostics, std::string_view code, const base::Span& where, std::string text,
@@ -45,15 +31,14 @@ void complain(base::Diagnostics& diagnostics, std::string_view code, const base:
     diagnostics.add({base::Severity::error, code, where, std::move(text), std::move(remedy), {}, {}});
 }
 
-std::string similar_names(const fs::path& folder, std::string_view name) {
-    std::error_code error;
+std::string similar_names(const Storage& from, const fs::path& folder, std::string_view name) {
     std::vector<std::pair<std::size_t, std::string>> near;
-    for (const fs::directory_entry& entry : fs::directory_iterator(folder.empty() ? fs::path(".") : folder, error)) {
-        const std::string other = entry.path().filename().string();
-        if (entry.is_directory(error)) continue;
+    for (const fs::path& path : from.list(folder)) {
+        const std::string other = path.filename().string();
         const std::size_t distance = shop::edit_distance(base::to_upper(name), base::to_upper(other));
         const std::size_t stem = fs::path(name).stem().string().size();
-        if (distance <= std::max<std::size_t>(stem > 3 ? 2 : 1, stem / 3)) near.emplace_back(distance, other);
+        if (distance > std::max<std::size_t>(stem > 3 ? 2 : 1, stem / 3)) continue;
+        if (from.look(path).kind != StoredEntry::Kind::folder) near.emplace_back(distance, other);
     }
     std::sort(near.begin(), near.end());
     std::string out;
@@ -63,61 +48,55 @@ std::string similar_names(const fs::path& folder, std::string_view name) {
 
 namespace {
 
-/// The size of a file that can be read; nothing after a complaint.
-std::optional<std::uintmax_t> size_of(const fs::path& path, base::Diagnostics& diagnostics, const base::Span& where) {
+/// Why the entry is no file to be read, and what to do about it.
+std::pair<std::string, std::string> no_file(const Storage& from, const fs::path& path, const StoredEntry& entry) {
+    using Kind = StoredEntry::Kind;
     const std::string shown = path.generic_string();
+    switch (entry.kind) {
+        case Kind::unreadable: return {cannot(shown, entry.error), {}};
+        case Kind::dead_link:
+            return {shown + " is a link that leads nowhere: there is no file " + entry.leads_to.generic_string(), {}};
+        case Kind::nothing: {
+            const std::string near = similar_names(from, path.parent_path(), path.filename().string());
+            return {"there is no file " + shown, near.empty() ? std::string{} : "did you mean " + near + "?"};
+        }
+        case Kind::folder: return {shown + " is a folder", "name a program or a job file in it"};
+        case Kind::other: return {shown + " is no regular file", "put its content into a file"};
+        case Kind::file: break;
+    }
+    return {shown + " is larger than 4 GiB", {}};
+}
+
+/// The size of a file that can be read; nothing after a complaint.
+std::optional<std::uintmax_t> size_of(const Storage& from, const fs::path& path, base::Diagnostics& diagnostics,
+                                      const base::Span& where) {
     if (path.empty()) {
         complain(diagnostics, codes::file_missing, where, "the name of the file is empty");
         return std::nullopt;
     }
-    std::error_code error;
-    const fs::file_status status = fs::status(path, error);
-    if (status.type() == fs::file_type::none) {  // not "not there": its folder may not be looked into, links go round
-        complain(diagnostics, codes::file_missing, where, cannot(shown, error.value()));
-        return std::nullopt;
-    }
-    if (!fs::exists(status) && fs::is_symlink(fs::symlink_status(path, error))) {
-        complain(diagnostics, codes::file_missing, where,
-                 shown + " is a link that leads nowhere: there is no file " +
-                     fs::read_symlink(path, error).generic_string());
-        return std::nullopt;
-    }
-    if (!fs::exists(status)) {
-        const std::string near = similar_names(path.parent_path(), path.filename().string());
-        complain(diagnostics, codes::file_missing, where, "there is no file " + shown,
-                 near.empty() ? std::string{} : "did you mean " + near + "?");
-        return std::nullopt;
-    }
-    if (fs::is_directory(status)) {
-        complain(diagnostics, codes::file_missing, where, shown + " is a folder", "name a program or a job file in it");
-        return std::nullopt;
-    }
-    const std::uintmax_t size = fs::is_regular_file(status) ? fs::file_size(path, error) : 0;
-    if (size > largest_file) {
-        complain(diagnostics, codes::file_missing, where, shown + " is larger than 4 GiB");
-        return std::nullopt;
-    }
-    if (!error && fs::is_regular_file(status)) return size;
-    complain(diagnostics, codes::file_missing, where,
-             error ? cannot(shown, error.value()) : shown + " is no regular file",
-             error ? "" : "put its content into a file");
+    const StoredEntry entry = from.look(path);
+    if (entry.kind == StoredEntry::Kind::file && entry.size <= largest_file) return entry.size;
+    auto [text, remedy] = no_file(from, path, entry);
+    complain(diagnostics, codes::file_missing, where, std::move(text), std::move(remedy));
     return std::nullopt;
 }
 
 }  // namespace
 
-std::optional<std::string> load_bytes(const fs::path& path, base::Diagnostics& diagnostics, const base::Span& where) {
-    const auto size = size_of(path, diagnostics, where);
+std::optional<std::string> load_bytes(const Storage& from, const fs::path& path, base::Diagnostics& diagnostics,
+                                      const base::Span& where) {
+    const auto size = size_of(from, path, diagnostics, where);
     if (!size) return std::nullopt;
     std::string bytes;
-    const int error = read_text(path, *size, bytes);
+    const int error = from.read(path, *size, bytes);
     if (error == 0) return bytes;
     complain(diagnostics, codes::file_missing, where, cannot(path.generic_string(), error));
     return std::nullopt;
 }
 
-void check_readable(const fs::path& path, base::Diagnostics& diagnostics, const base::Span& where) {
-    if (size_of(path, diagnostics, where) == std::uintmax_t{0})
+void check_readable(const Storage& from, const fs::path& path, base::Diagnostics& diagnostics,
+                    const base::Span& where) {
+    if (size_of(from, path, diagnostics, where) == std::uintmax_t{0})
         complain(diagnostics, codes::file_empty, where, path.generic_string() + " is empty");
 }
 
@@ -164,16 +143,16 @@ bool is_text(std::string_view text, const std::string& shown, base::Diagnostics&
 
 }  // namespace
 
-std::optional<std::uint32_t> load(const fs::path& path, base::Sources& sources, base::Diagnostics& diagnostics,
-                                  const base::Span& where, Signs signs) {
+std::optional<std::uint32_t> load(const Storage& from, const fs::path& path, base::Sources& sources,
+                                  base::Diagnostics& diagnostics, const base::Span& where, Signs signs) {
     const std::string shown = path.generic_string();
-    const auto known = size_of(path, diagnostics, where);
+    const auto known = size_of(from, path, diagnostics, where);
     if (!known) return std::nullopt;
     const std::uintmax_t size = *known;
     std::string small;
     std::unique_ptr<base::Store> large;
-    if (size >= large_text) large = read_large_text(path.string(), shown, size);
-    if (const int failed = large == nullptr ? read_text(path, size, small) : 0; failed != 0) {
+    if (size >= large_text) large = from.read_large(path, shown, size);
+    if (const int failed = large == nullptr ? from.read(path, size, small) : 0; failed != 0) {
         complain(diagnostics, codes::file_missing, where, cannot(shown, failed));
         return std::nullopt;
     }

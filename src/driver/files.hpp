@@ -1,17 +1,15 @@
 #pragma once
-/// Files in and out: the only place of the core that touches the disk.
+/// Files in and out. What is read comes from a Storage, what is written goes to the disk.
 
-#include <filesystem>
 #include <optional>
 #include <string>
 #include <string_view>
 
 #include "base/diagnostic.hpp"
 #include "base/source.hpp"
+#include "driver/storage.hpp"
 
 namespace obrys::driver {
-
-namespace fs = std::filesystem;
 
 /// A place that is no place: complaints about the command line.
 inline constexpr base::Span nowhere{0xFFFFFFFF, 0, 0};
@@ -26,14 +24,15 @@ enum class Signs : std::uint8_t { blank, keep, refuse };
 
 /// Adds the file's text to `sources`. A missing, empty, binary or too large file is a complaint at `where`, naming the
 /// nearest file names of the folder, and nothing is returned.
-std::optional<std::uint32_t> load(const fs::path& path, base::Sources& sources, base::Diagnostics& diagnostics,
-                                  const base::Span& where = nowhere, Signs signs = Signs::blank);
+std::optional<std::uint32_t> load(const Storage& from, const fs::path& path, base::Sources& sources,
+                                  base::Diagnostics& diagnostics, const base::Span& where = nowhere,
+                                  Signs signs = Signs::blank);
 
 /// Complains at `where` about a file that is not there, no file or empty.
-void check_readable(const fs::path& path, base::Diagnostics& diagnostics, const base::Span& where);
+void check_readable(const Storage& from, const fs::path& path, base::Diagnostics& diagnostics, const base::Span& where);
 
 /// The bytes of a file that is no text (STL); nothing after a complaint at `where`.
-std::optional<std::string> load_bytes(const fs::path& path, base::Diagnostics& diagnostics,
+std::optional<std::string> load_bytes(const Storage& from, const fs::path& path, base::Diagnostics& diagnostics,
                                       const base::Span& where = nowhere);
 
 /// A path as a job file writes it: relative to the folder of the job.
@@ -43,6 +42,6 @@ std::optional<std::string> load_bytes(const fs::path& path, base::Diagnostics& d
 bool store(const fs::path& path, std::string_view content, base::Diagnostics& diagnostics);
 
 /// Up to three names of `folder` that look like `name`.
-[[nodiscard]] std::string similar_names(const fs::path& folder, std::string_view name);
+[[nodiscard]] std::string similar_names(const Storage& from, const fs::path& folder, std::string_view name);
 
 }  // namespace obrys::driver

@@ -54,13 +54,10 @@ std::string full_name(const fs::path& path) { return base::to_upper(path.filenam
 
 Folders::Listed& Folders::listed(const fs::path& named) {
     const fs::path folder = named.empty() ? fs::path(".") : named;
-    std::error_code error;
-    const fs::file_time_type changed = fs::last_write_time(folder, error);
+    const std::optional<std::int64_t> changed = storage_->changed(folder);
     Listed& l = folders_[folder];
-    if (l.paths != nullptr && !error && l.changed == changed) return l;
-    std::vector<fs::path> found;
-    for (const fs::directory_entry& entry : fs::directory_iterator(folder, error))
-        found.push_back(entry.path().lexically_normal());
+    if (l.paths != nullptr && changed && l.changed == changed) return l;
+    std::vector<fs::path> found = storage_->list(folder);
     std::sort(found.begin(), found.end());
     l = {changed, std::make_shared<const std::vector<fs::path>>(std::move(found)), nullptr, {}};
     return l;

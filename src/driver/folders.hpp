@@ -30,6 +30,9 @@ class Folders {
 public:
     using Paths = std::shared_ptr<const std::vector<fs::path>>;
 
+    explicit Folders(std::shared_ptr<const Storage> storage = disk()) : storage_(std::move(storage)) {}
+    [[nodiscard]] const std::shared_ptr<const Storage>& storage() const { return storage_; }
+
     /// Everything in the folder, in the same order on every file system; nothing where it cannot be looked into.
     [[nodiscard]] Paths list(const fs::path& folder);
     [[nodiscard]] std::shared_ptr<const ProgramIndex> programs(const fs::path& folder, const Control& control);
@@ -38,12 +41,13 @@ public:
 
 private:
     struct Listed {
-        fs::file_time_type changed;
+        std::optional<std::int64_t> changed;
         Paths paths, shop_files;
         std::map<const Control*, std::shared_ptr<const ProgramIndex>> programs;
     };
     Listed& listed(const fs::path& folder);
 
+    std::shared_ptr<const Storage> storage_;
     std::map<fs::path, Listed> folders_;
 };
 

@@ -8,7 +8,7 @@ namespace fmt = format::heidenhain;
 
 std::optional<FormattedFile> format_file(const fs::path& path, const fmt::Options& options, base::Sources& sources,
                                          base::Diagnostics& diagnostics) {
-    const auto file = load(path, sources, diagnostics, nowhere, Signs::keep);
+    const auto file = load(*disk(), path, sources, diagnostics, nowhere, Signs::keep);
     if (!file) return std::nullopt;
     const std::string_view text = sources[*file].text;
     const auto language = fmt::language_of(text, path.filename().string());

@@ -45,7 +45,7 @@ std::string words_without_point(const program::Unit& unit, std::string_view text
 
 }  // namespace
 
-void ask_for_points(const std::vector<std::unique_ptr<program::Unit>>& units, const base::Sources& sources,
+void ask_for_points(const std::vector<std::shared_ptr<const program::Unit>>& units, const base::Sources& sources,
                     check::Result& result) {
     for (check::Finding& f : result.findings)
         for (const auto& unit : units) {

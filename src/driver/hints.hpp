@@ -13,7 +13,7 @@ namespace obrys::driver {
 
 /// Where a program writes most lengths with a point, a finding at a block with one that is read in increments as less
 /// than 1 mm asks for it.
-void ask_for_points(const std::vector<std::unique_ptr<program::Unit>>& units, const base::Sources& sources,
+void ask_for_points(const std::vector<std::shared_ptr<const program::Unit>>& units, const base::Sources& sources,
                     check::Result& result);
 
 /// Findings under a radius compensation that a tool change did not end name where it began.

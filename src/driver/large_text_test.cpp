@@ -135,14 +135,14 @@ TEST(LargeText, SmallFilesAndLargeOnesAreLoadedAlike) {
         base::Sources s;
         base::Diagnostics d;
         std::string text = lines(size, 3, "x");
-        const auto file = load(folder.write("A.MPF", text), s, d);
+        const auto file = load(*disk(), folder.write("A.MPF", text), s, d);
         ASSERT_TRUE(file.has_value());
         s.lay_aside(*file, static_cast<std::uint32_t>(size));
         s.fetch(*file);
         EXPECT_EQ(s[*file].text, text);
         text[99] = '\0';
-        EXPECT_FALSE(load(folder.write("B.MPF", text), s, d).has_value());
-        EXPECT_FALSE(load(folder.write("C.MPF", std::string(size, ' ')), s, d).has_value());
+        EXPECT_FALSE(load(*disk(), folder.write("B.MPF", text), s, d).has_value());
+        EXPECT_FALSE(load(*disk(), folder.write("C.MPF", std::string(size, ' ')), s, d).has_value());
         ASSERT_EQ(d.all().size(), 2U);
         EXPECT_EQ(d.all()[0].code, base::codes::file_binary);
         EXPECT_EQ(d.all()[1].code, base::codes::file_empty);

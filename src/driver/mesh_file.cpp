@@ -47,7 +47,7 @@ bool read_bodies_of_stl(BodyFile& out, const std::string& bytes, const shop::Sol
 
 std::optional<BodyFile> load_bodies(Session& s, const shop::SolidFile& file, double tolerance, const Guard& guard) {
     const fs::path path = beside(s.input, file.path);
-    const auto bytes = load_bytes(path, s.diagnostics, file.where);
+    const auto bytes = load_bytes(*s.storage, path, s.diagnostics, file.where);
     if (!bytes) return std::nullopt;
     const bool quoted = bytes->size() <= largest_quoted && !base::looks_binary(*bytes);
     BodyFile out;

@@ -1,9 +1,11 @@
 #include "driver/programs.hpp"
 
 #include <algorithm>
+#include <utility>
 
 #include "base/codes.hpp"
 #include "base/text.hpp"
+#include "base/whole.hpp"
 
 namespace obrys::driver {
 
@@ -46,12 +48,12 @@ std::string Programs::searched() const {
 const program::Unit* Programs::read(std::uint32_t file) {
     const Language& language = language_of(control_, sources_[file].text, sources_[file].name);
     sources_.set_block_numbers(file, language.numbers);
-    std::vector<program::Unit> units = language.read(file, sources_, names_, diagnostics_, machine_);
+    std::vector<program::Unit> units = language.read(file, sources_, names_, *diagnostics_, machine_);
     const program::Unit* first = nullptr;
     const fs::path path(sources_[file].name);
     const std::string suffix = base::to_upper(path.extension().string());
     for (program::Unit& unit : units) {
-        units_.push_back(std::make_unique<program::Unit>(std::move(unit)));
+        units_.push_back(std::make_shared<const program::Unit>(std::move(unit)));
         const program::Unit* held = units_.back().get();
         const fs::path* plain = file_of(held->name);  // of PART.H and PART.I one only is called PART
         const bool own = control_.file_stem != nullptr && first != nullptr;  // what a text defines is found there
@@ -62,17 +64,78 @@ const program::Unit* Programs::read(std::uint32_t file) {
     return first;
 }
 
+Programs::Programs(const Programs& prepared, base::Sources& sources, base::Diagnostics& diagnostics)
+    : control_(prepared.control_),
+      sources_(sources),
+      diagnostics_(&diagnostics),
+      machine_(prepared.machine_),
+      names_(&prepared.names_),
+      units_(prepared.units_),
+      definitions_(prepared.definitions_),
+      backups_(prepared.backups_),
+      backup_units_(prepared.backup_units_),
+      by_name_(prepared.by_name_),
+      listings_(prepared.listings_),
+      found_(prepared.found_),
+      texts_(prepared.texts_),
+      folders_(prepared.folders_),
+      unsaid_(prepared.unsaid_) {}
+
+void Programs::read_ahead(const std::string& name) {
+    base::Diagnostics apart;
+    base::Diagnostics* const said = std::exchange(diagnostics_, &apart);
+    const program::Unit* unit = find_or_read(name);
+    diagnostics_ = said;
+    if (unit != nullptr && !apart.all().empty()) unsaid_[unit->file] = apart.all();
+    if (unit == nullptr) by_name_.erase(name);  // the run that calls it says why
+}
+
+namespace {
+
+/// The program that a call names without anything having been run; empty: it depends on values.
+std::string called_name(const program::Unit& unit, const program::Call& call, const program::Names& names) {
+    if (call.target == program::no_expr) return names.text(call.name);
+    const program::Expr& target = unit.exprs[call.target];
+    if (!unit.traits->programs_by_number || target.kind != program::ExprKind::number) return {};
+    const auto number = base::whole<std::uint32_t>(unit.numbers[target.a], 0, 99'999'999);
+    return number ? "O" + std::to_string(*number) : std::string{};
+}
+
+}  // namespace
+
+void Programs::read_called() {
+    for (std::size_t i = 0; i < units_.size(); ++i) {  // grows meanwhile
+        const std::shared_ptr<const program::Unit> unit = units_[i];
+        for (const program::Call& call : unit->calls)
+            if (const std::string name = called_name(*unit, call, names_); !name.empty() && !by_name_.contains(name))
+                read_ahead(name);
+    }
+}
+
+void Programs::say_of_called(const program::Unit& unit) {
+    const auto waiting = unsaid_.find(unit.file);
+    if (waiting == unsaid_.end()) return;
+    for (base::Diagnostic& d : waiting->second) diagnostics_->add(std::move(d));
+    unsaid_.erase(waiting);
+}
+
 const program::Unit* Programs::find(std::string_view name) {
+    const program::Unit* unit = find_or_read(name);
+    if (unit != nullptr && !unsaid_.empty()) say_of_called(*unit);
+    return unit;
+}
+
+const program::Unit* Programs::find_or_read(std::string_view name) {
     const std::string key(name);
     if (const auto known = by_name_.find(key); known != by_name_.end()) return known->second;
     if (control_.file_stem != nullptr) return find_in_file(key);
     const program::Unit* unit = nullptr;
     if (const fs::path* path = file_of(key); path == nullptr) {
         const fs::path written(key);
-        if (has_suffix(written, control_.program_suffixes)) unit = find(written.stem().string());
+        if (has_suffix(written, control_.program_suffixes)) unit = find_or_read(written.stem().string());
     } else if (const std::string full = full_name(*path); full != key) {
-        unit = find(full);
-    } else if (const auto file = load(*path, sources_, diagnostics_)) {
+        unit = find_or_read(full);
+    } else if (const auto file = load(*listings_->storage(), *path, sources_, *diagnostics_)) {
         say_twin(*file, full);
         unit = read(*file);
     }
@@ -85,16 +148,16 @@ void Programs::say_twin(std::uint32_t file, const std::string& full) {
         const auto twin = index->twins.find(full);
         if (index->files.find(full) == index->files.end()) continue;
         if (twin == index->twins.end()) return;
-        diagnostics_.add({base::Severity::error,
-                          base::codes::unknown_value,
-                          {file, 0, 0},
-                          fs::path(sources_[file].name).filename().string() + " and " +
-                              twin->second.filename().string() +
-                              " differ in small and capital letters alone: which of them the control has is not known, "
-                              "the first one is run",
-                          "leave one of them in the folder",
-                          {},
-                          {}});
+        diagnostics_->add(
+            {base::Severity::error,
+             base::codes::unknown_value,
+             {file, 0, 0},
+             fs::path(sources_[file].name).filename().string() + " and " + twin->second.filename().string() +
+                 " differ in small and capital letters alone: which of them the control has is not known, "
+                 "the first one is run",
+             "leave one of them in the folder",
+             {},
+             {}});
         return;
     }
 }
@@ -105,8 +168,8 @@ const program::Unit* Programs::read_text(const std::string& text) {
     const std::uint32_t file = sources_.add("text of the program", text);
     const Language& language = language_of(control_, text, {});
     sources_.set_block_numbers(file, language.numbers);
-    for (program::Unit& unit : language.read(file, sources_, names_, diagnostics_, machine_)) {
-        units_.push_back(std::make_unique<program::Unit>(std::move(unit)));
+    for (program::Unit& unit : language.read(file, sources_, names_, *diagnostics_, machine_)) {
+        units_.push_back(std::make_shared<const program::Unit>(std::move(unit)));
         if (texts_[text] == nullptr) texts_[text] = units_.back().get();
     }
     return texts_[text];
@@ -118,7 +181,7 @@ const program::Unit* Programs::find_in_file(const std::string& key) {
         const fs::path* path = file_of(stem);
         if (found != nullptr || path == nullptr || by_name_.contains(full_name(*path))) continue;
         const std::size_t before = units_.size();
-        if (const auto file = load(*path, sources_, diagnostics_)) read(*file);
+        if (const auto file = load(*listings_->storage(), *path, sources_, *diagnostics_)) read(*file);
         for (std::size_t i = before; i < units_.size(); ++i)  // the last: the first is the file as a whole
             if (units_[i]->name == key) found = units_[i].get();
     }
@@ -137,8 +200,8 @@ void Programs::read_backup(std::uint32_t file) {
     const std::uint32_t plain = without_headers(sources_, file);
     const Language& language = language_of(control_, sources_[plain].text, sources_[plain].name);
     sources_.set_block_numbers(plain, language.numbers);
-    for (program::Unit& unit : language.read(plain, sources_, names_, diagnostics_, machine_)) {
-        backup_units_.push_back(std::make_unique<program::Unit>(std::move(unit)));
+    for (program::Unit& unit : language.read(plain, sources_, names_, *diagnostics_, machine_)) {
+        backup_units_.push_back(std::make_shared<const program::Unit>(std::move(unit)));
         backups_.push_back(backup_units_.back().get());
     }
 }
@@ -149,16 +212,16 @@ void Programs::read_definitions() {
 }
 
 void Programs::read_definition(const fs::path& path) {
-    const auto file = load(path, sources_, diagnostics_);
+    const auto file = load(*listings_->storage(), path, sources_, *diagnostics_);
     if (!file) return;
     if (control_.is_definition != nullptr && !control_.is_definition(sources_[*file].text, full_name(path))) {
-        diagnostics_.add({base::Severity::note,
-                          base::codes::no_effect,
-                          {*file, 0, 0},
-                          path.filename().string() + " defines no global user data of the control: it is not read",
-                          {},
-                          {},
-                          {}});
+        diagnostics_->add({base::Severity::note,
+                           base::codes::no_effect,
+                           {*file, 0, 0},
+                           path.filename().string() + " defines no global user data of the control: it is not read",
+                           {},
+                           {},
+                           {}});
         return;
     }
     if (const program::Unit* unit = read(without_headers(sources_, *file))) definitions_.push_back(unit);

@@ -18,7 +18,14 @@ class Programs {
 public:
     Programs(const Control& control, base::Sources& sources, base::Diagnostics& diagnostics,
              std::shared_ptr<Folders> listings = std::make_shared<Folders>())
-        : control_(control), sources_(sources), diagnostics_(diagnostics), listings_(std::move(listings)) {}
+        : control_(control), sources_(sources), diagnostics_(&diagnostics), listings_(std::move(listings)) {}
+
+    /// For a further run of what `prepared` has read, which must outlive it and must not change any more: shares its
+    /// programs, and reads what is wanted besides into sources and names of its own.
+    Programs(const Programs& prepared, base::Sources& sources, base::Diagnostics& diagnostics);
+    Programs(const Programs&) = delete;
+    Programs& operator=(const Programs&) = delete;
+    ~Programs() = default;
 
     /// The machine that the programs are for, where somebody has named it; must outlive the reading.
     void set_machine(const shop::Machine* machine) { machine_ = machine; }
@@ -29,6 +36,9 @@ public:
     /// The program of that name (upper case; with a suffix, or without), read from its folder when first asked for; or
     /// null. Where no file has the suffix of the call, one of the same name is taken.
     const program::Unit* find(std::string_view name);
+    /// Reads what the programs that were read call by name, and what these call, so that no run has to. What is wrong
+    /// with them is said when they are called.
+    void read_called();
     /// Programs read so far that stand in a file, in the order of its text.
     [[nodiscard]] std::vector<const program::Unit*> of_file(std::uint32_t file) const;
     /// Reads a text that the program itself makes as a program without a name.
@@ -43,10 +53,16 @@ public:
     [[nodiscard]] const std::vector<const program::Unit*>& definitions() const { return definitions_; }
     [[nodiscard]] const std::vector<const program::Unit*>& backups() const { return backups_; }
     /// All programs and definitions that were read so far.
-    [[nodiscard]] const std::vector<std::unique_ptr<program::Unit>>& units() const { return units_; }
+    [[nodiscard]] const std::vector<std::shared_ptr<const program::Unit>>& units() const { return units_; }
     [[nodiscard]] program::Names& names() { return names_; }
 
 private:
+    /// The program of that name; where this is the first that is asked of it, it is read.
+    const program::Unit* find_or_read(std::string_view name);
+    /// What was wrong with the file of a program that is called now.
+    void say_of_called(const program::Unit& unit);
+    /// Reads one called program, and keeps what is wrong with it for when it is called.
+    void read_ahead(const std::string& name);
     /// The program of that name, from the file that Control::file_stem says, or from one of its own name.
     const program::Unit* find_in_file(const std::string& key);
     /// Behind the loading of `full`: another file of its folder differs in small and capital letters alone.
@@ -57,17 +73,18 @@ private:
 
     const Control& control_;
     base::Sources& sources_;
-    base::Diagnostics& diagnostics_;
+    base::Diagnostics* diagnostics_;
     const shop::Machine* machine_ = nullptr;
     program::Names names_;
-    std::vector<std::unique_ptr<program::Unit>> units_;
+    std::vector<std::shared_ptr<const program::Unit>> units_;
     std::vector<const program::Unit*> definitions_, backups_;
-    std::vector<std::unique_ptr<program::Unit>> backup_units_;
+    std::vector<std::shared_ptr<const program::Unit>> backup_units_;
     std::unordered_map<std::string, const program::Unit*> by_name_;
     std::shared_ptr<Folders> listings_;
     std::vector<std::shared_ptr<const ProgramIndex>> found_;       ///< of the folders, in their order
     std::unordered_map<std::string, const program::Unit*> texts_;  ///< those that the program made
     std::vector<std::string> folders_;
+    std::unordered_map<std::uint32_t, std::vector<base::Diagnostic>> unsaid_;  ///< by file, of those read ahead
 };
 
 }  // namespace obrys::driver

@@ -47,19 +47,17 @@ bool is_no_program(Session& s, const fs::path& path, std::uint32_t file) {
 }
 
 /// A job that names no program is about the one beside it that is called like it: ball.ngc of ball.job.toml.
-std::string program_beside(const fs::path& job) {
+std::string program_beside(const Storage& storage, const fs::path& job) {
     fs::path stem = job.stem();
     if (base::equals_ignoring_case(stem.extension().string(), ".job")) stem = stem.stem();
     std::vector<std::string> found;
-    std::error_code error;
-    for (const fs::directory_entry& e :
-         fs::directory_iterator(job.has_parent_path() ? job.parent_path() : ".", error)) {
-        const std::string suffix = base::to_upper(e.path().extension().string());
+    for (const fs::path& path : storage.list(job.parent_path())) {
+        const std::string suffix = base::to_upper(path.extension().string());
         const auto is_program = [&](const Control& c) {
             return std::find(c.program_suffixes.begin(), c.program_suffixes.end(), suffix) != c.program_suffixes.end();
         };
-        if (e.path().stem() == stem && std::any_of(all_controls().begin(), all_controls().end(), is_program))
-            found.push_back(e.path().filename().string());
+        if (path.stem() == stem && std::any_of(all_controls().begin(), all_controls().end(), is_program))
+            found.push_back(path.filename().string());
     }
     return found.size() == 1 ? found.front() : std::string{};
 }
@@ -86,12 +84,13 @@ bool load_machine(Session& s, const fs::path& base_path, const std::string& name
         shop::use_machine(s.job, *shipped);
         return true;
     }
-    if (!fs::exists(beside(base_path, name)) && !shop::names_machine_file(name)) {
+    if (s.storage->look(beside(base_path, name)).kind == StoredEntry::Kind::nothing &&
+        !shop::names_machine_file(name)) {
         complain(s.diagnostics, codes::job_value, where, shop::no_shipped_machine(name),
                  shop::machine_name_remedy(name));
         return false;
     }
-    const auto file = load(beside(base_path, name), s.sources, s.diagnostics, where);
+    const auto file = load(*s.storage, beside(base_path, name), s.sources, s.diagnostics, where);
     if (!file) return false;
     shop::use_machine(s.job, shop::read_machine(*file, s.sources, s.diagnostics));
     return true;
@@ -129,8 +128,9 @@ void load_configuration(Session& s, const Request& request) {
     s.canon = request.canon;
     if (request.canon) s.machine_unit = 25.4;
     bool keeps_g92 = true;
-    if (const auto file =
-            request.configuration.empty() ? std::nullopt : load(request.configuration, s.sources, s.diagnostics)) {
+    if (const auto file = request.configuration.empty()
+                              ? std::nullopt
+                              : load(*s.storage, request.configuration, s.sources, s.diagnostics)) {
         const shop::LinuxcncIni ini = shop::read_linuxcnc_ini(*file, s.sources, s.diagnostics);
         const shop::LinuxcncSettings set = shop::settings_of(ini, s.diagnostics);
         const double unit = set.mm_per_unit;
@@ -140,7 +140,8 @@ void load_configuration(Session& s, const Request& request) {
         for (const shop::IniEntry& e : ini.entries)
             s.settings.emplace(base::to_upper(e.section) + "/" + base::to_upper(e.key), e.value);
     }
-    if (const auto file = request.stored.empty() ? std::nullopt : load(request.stored, s.sources, s.diagnostics)) {
+    if (const auto file =
+            request.stored.empty() ? std::nullopt : load(*s.storage, request.stored, s.sources, s.diagnostics)) {
         for (const auto& [n, v] : shop::values_of(shop::read_linuxcnc_parameters(*file, s.sources, s.diagnostics)))
             s.stored.emplace(static_cast<std::uint32_t>(n), keeps_g92 || n < 5210 || n > 5219 ? v : 0);
         s.has_stored = true;
@@ -167,7 +168,7 @@ bool start_with_named(Session& s) {
 void check_bodies(Session& s) {
     const auto look = [&](const shop::Solid& solid) {
         if (const auto* file = std::get_if<shop::SolidFile>(&solid))
-            check_readable(beside(s.input, file->path), s.diagnostics, file->where);
+            check_readable(*s.storage, beside(s.input, file->path), s.diagnostics, file->where);
     };
     if (s.job.solid_stock) look(s.job.solid_stock->solid);
     if (s.job.solid_part) look(shop::Solid(s.job.solid_part->file));
@@ -178,7 +179,7 @@ void check_bodies(Session& s) {
 void load_backups(Session& s, const Request& request) {
     for (const shop::NamedFile& f : s.job.variables_files) {
         const fs::path path = beside(request.input, f.path);
-        const auto file = load(path, s.sources, s.diagnostics, f.where);
+        const auto file = load(*s.storage, path, s.sources, s.diagnostics, f.where);
         if (!file) continue;
         if (!base::equals_ignoring_case(path.extension().string(), ".var")) {
             s.programs->read_backup(*file);
@@ -192,7 +193,7 @@ void load_backups(Session& s, const Request& request) {
 
 bool read_main(Session& s, const Request& request, const fs::path& path) {
     const auto file = request.text ? std::optional(s.sources.add(path.string() + " (as written)", *request.text))
-                                   : load(path, s.sources, s.diagnostics, s.job.program_where);
+                                   : load(*s.storage, path, s.sources, s.diagnostics, s.job.program_where);
     if (!file) return false;
     s.program = s.sources[*file].name;
     if (is_no_program(s, path, *file)) return false;
@@ -220,7 +221,7 @@ bool read_main(Session& s, const Request& request, const fs::path& path) {
 bool folders_are_there(Session& s, const Request& request, const fs::path& input) {
     bool good = true;
     const auto require = [&](const fs::path& folder, const base::Span& where, const std::string& what) {
-        if (fs::is_directory(folder)) return;
+        if (s.storage->look(folder).kind == StoredEntry::Kind::folder) return;
         complain(s.diagnostics, codes::file_missing, where, what + " is not a folder");
         good = false;
     };
@@ -252,6 +253,31 @@ bool fits_machine(Session& s) {
 
 }  // namespace
 
+Session::Session(std::shared_ptr<const Session> opened)
+    : shares(std::move(opened)),
+      storage(shares->storage),
+      sources(shares->sources),
+      diagnostics(shares->diagnostics),
+      job(shares->job),
+      program(shares->program),
+      input(shares->input),
+      control(shares->control),
+      programs(std::make_unique<Programs>(*shares->programs, sources, diagnostics)),
+      files(shares->files == nullptr ? nullptr : std::make_unique<ShopFiles>(*shares->files, sources, diagnostics)),
+      main(shares->main),
+      part(shares->part),
+      allowance(shares->allowance),
+      right_face(shares->right_face),
+      stored(shares->stored),
+      settings(shares->settings),
+      machine_unit(shares->machine_unit),
+      has_stored(shares->has_stored),
+      spindle_goes_on(shares->spindle_goes_on),
+      canon(shares->canon),
+      has_job(shares->has_job),
+      looked_ahead_in_vain(shares->looked_ahead_in_vain),
+      unusable(shares->unusable) {}
+
 std::vector<std::string> controls() {
     std::vector<std::string> names;
     for (const Control& c : all_controls()) names.emplace_back(c.name);
@@ -260,14 +286,15 @@ std::vector<std::string> controls() {
 
 bool open(const Request& request, Session& s) {
     const fs::path input(request.input);
+    s.storage = request.folders->storage();
     s.input = request.input;
     fs::path program = input;
     if (is_job(input)) {
-        const auto file = load(input, s.sources, s.diagnostics, nowhere, Signs::refuse);
+        const auto file = load(*s.storage, input, s.sources, s.diagnostics, nowhere, Signs::refuse);
         if (!file) return false;
         s.job = shop::read_job(*file, s.sources, s.diagnostics);
         s.has_job = true;
-        if (s.job.program.empty()) s.job.program = program_beside(input);
+        if (s.job.program.empty()) s.job.program = program_beside(*s.storage, input);
         if (s.job.program.empty() && !s.diagnostics.has_errors())
             complain(s.diagnostics, codes::job_value, s.job.program_where, "the job file has no 'program'",
                      "name it, or put one program with the job's name beside the job");
@@ -289,8 +316,9 @@ bool open(const Request& request, Session& s) {
     number_offsets(s.main->traits->edge_is_offset_number, s.job.tools);
     s.job.first_tool = first_tool(s.job, *s.main, s.diagnostics);
     for (const shop::NamedFile& f : s.job.preset_tables)
-        add_presets(beside(input, f.path), f.where, s.sources, s.diagnostics, s.job.machine);
-    for (const shop::NamedFile& f : s.job.datum_tables) check_readable(beside(input, f.path), s.diagnostics, f.where);
+        add_presets(*s.storage, beside(input, f.path), f.where, s.sources, s.diagnostics, s.job.machine);
+    for (const shop::NamedFile& f : s.job.datum_tables)
+        check_readable(*s.storage, beside(input, f.path), s.diagnostics, f.where);
     check_bodies(s);
     resolve_contours(s, input);
     return !std::any_of(s.diagnostics.all().begin(), s.diagnostics.all().end(), [](const base::Diagnostic& d) {

@@ -40,6 +40,15 @@ struct Request {
 };
 
 struct Session {
+    Session() = default;
+    /// For a further run of what another session has opened, which then must not change any more: shares its texts and
+    /// programs and has everything else for itself.
+    explicit Session(std::shared_ptr<const Session> opened);
+    Session(const Session&) = delete;  // its programs point into it
+    Session& operator=(const Session&) = delete;
+
+    std::shared_ptr<const Session> shares;  ///< null: it has read all itself
+    std::shared_ptr<const Storage> storage = disk();
     base::Sources sources;
     base::Diagnostics diagnostics;
     shop::Job job;

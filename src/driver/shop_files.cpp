@@ -34,6 +34,17 @@ std::string safe_name(std::string_view name) {
 
 }  // namespace
 
+ShopFiles::ShopFiles(const ShopFiles& prepared, base::Sources& sources, base::Diagnostics& diagnostics)
+    : sources_(sources),
+      diagnostics_(diagnostics),
+      listings_(prepared.listings_),
+      files_(prepared.files_),
+      named_(prepared.named_),
+      prints_(prepared.prints_),
+      inputs_(prepared.inputs_),
+      outputs_(prepared.outputs_),
+      force_(prepared.force_) {}
+
 void ShopFiles::add_folder(const fs::path& folder) {
     const Folders::Paths found = listings_->shop_files(folder);
     files_.insert(files_.end(), found->begin(), found->end());
@@ -78,7 +89,7 @@ const interp::DatumTable* ShopFiles::datum_table(std::string_view name) {
                               {},
                               {}});
     }
-    const auto file = path ? load(*path, sources_, diagnostics_) : std::nullopt;
+    const auto file = path ? load(*listings_->storage(), *path, sources_, diagnostics_) : std::nullopt;
     if (!file) return nullptr;
     const shop::HeidenhainTable read = shop::read_heidenhain_table(*file, sources_, diagnostics_);
     slot = std::make_unique<interp::DatumTable>(
@@ -91,7 +102,7 @@ shop::HeidenhainTable* ShopFiles::table(std::string_view name) {
     if (const auto known = tables_.find(key); known != tables_.end()) return known->second.get();
     auto& slot = tables_[key];
     const auto path = path_of(key);
-    if (const auto file = path ? load(*path, sources_, diagnostics_) : std::nullopt)
+    if (const auto file = path ? load(*listings_->storage(), *path, sources_, diagnostics_) : std::nullopt)
         slot = std::make_unique<shop::HeidenhainTable>(shop::read_heidenhain_table(*file, sources_, diagnostics_));
     return slot.get();
 }
@@ -101,7 +112,7 @@ const std::string* ShopFiles::form(std::string_view name) {
     if (const auto known = forms_.find(key); known != forms_.end()) return known->second.get();
     auto& slot = forms_[key];
     const auto path = path_of(key);
-    if (const auto file = path ? load(*path, sources_, diagnostics_) : std::nullopt)
+    if (const auto file = path ? load(*listings_->storage(), *path, sources_, diagnostics_) : std::nullopt)
         slot = std::make_unique<std::string>(base::as_utf8(sources_[*file].text));
     return slot.get();
 }
@@ -146,9 +157,9 @@ bool ShopFiles::write_printed() {
     return good;
 }
 
-void add_presets(const fs::path& path, const base::Span& where, base::Sources& sources, base::Diagnostics& diagnostics,
-                 shop::Machine& machine) {
-    const auto file = load(path, sources, diagnostics, where);
+void add_presets(const Storage& storage, const fs::path& path, const base::Span& where, base::Sources& sources,
+                 base::Diagnostics& diagnostics, shop::Machine& machine) {
+    const auto file = load(storage, path, sources, diagnostics, where);
     if (!file) return;
     const auto presets = shop::datums_of(shop::read_heidenhain_table(*file, sources, diagnostics), diagnostics);
     for (const auto& [number, row] : presets) {

@@ -20,6 +20,8 @@ public:
     /// References must outlive it.
     ShopFiles(base::Sources& sources, base::Diagnostics& diagnostics, std::shared_ptr<Folders> listings)
         : sources_(sources), diagnostics_(diagnostics), listings_(std::move(listings)) {}
+    /// For a further run with the files of `prepared`.
+    ShopFiles(const ShopFiles& prepared, base::Sources& sources, base::Diagnostics& diagnostics);
 
     /// A folder in which tables and forms are looked for, in the order of the calls.
     void add_folder(const fs::path& folder);
@@ -68,7 +70,7 @@ private:
 };
 
 /// The presets of a table (.PR) become datums of the machine; those that it has already stay.
-void add_presets(const fs::path& path, const base::Span& where, base::Sources& sources, base::Diagnostics& diagnostics,
-                 shop::Machine& machine);
+void add_presets(const Storage& storage, const fs::path& path, const base::Span& where, base::Sources& sources,
+                 base::Diagnostics& diagnostics, shop::Machine& machine);
 
 }  // namespace obrys::driver

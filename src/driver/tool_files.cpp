@@ -30,7 +30,7 @@ std::vector<shop::Tool> read_tool_file(const fs::path& path, std::uint32_t file,
 }
 
 void load_tool_file(Session& s, const fs::path& path, const base::Span& where) {
-    const auto file = load(path, s.sources, s.diagnostics, where);
+    const auto file = load(*s.storage, path, s.sources, s.diagnostics, where);
     if (file) s.job.tools = shop::merge_tools(std::move(s.job.tools), read_tool_file(path, *file, s));
 }
 

@@ -29,7 +29,7 @@ std::optional<write::Post> checked(std::optional<write::Post> post, std::uint32_
 
 std::optional<write::Post> find_post(const std::string& name, Session& s) {
     if (name.ends_with(".toml")) {
-        const std::optional<std::uint32_t> file = load(name, s.sources, s.diagnostics);
+        const std::optional<std::uint32_t> file = load(*s.storage, name, s.sources, s.diagnostics);
         return file ? checked(write::read_post(*file, s.sources, s.diagnostics), *file, s) : std::nullopt;
     }
     const std::string& wanted = name == "same" ? s.control : name;

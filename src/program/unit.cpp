@@ -8,10 +8,15 @@ namespace {
 constexpr std::array<double, 10> power_of_ten{1e0, 1e1, 1e2, 1e3, 1e4, 1e5, 1e6, 1e7, 1e8, 1e9};
 }
 
-NameId Names::id(std::string_view upper) {
+std::optional<NameId> Names::find(std::string_view upper) const {
     if (const auto found = index_.find(upper); found != index_.end()) return found->second;
+    return below_ == nullptr ? std::nullopt : below_->find(upper);
+}
+
+NameId Names::id(std::string_view upper) {
+    if (const auto known = find(upper)) return *known;
+    const NameId id = size();
     names_.emplace_back(upper);
-    const auto id = static_cast<NameId>(names_.size() - 1);
     index_.emplace(names_.back(), id);
     return id;
 }

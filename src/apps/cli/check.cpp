@@ -150,7 +150,7 @@ bool one_input_only(const Arguments& a) {
 bool load_baseline(const Arguments& a, std::optional<report::Baseline>& baseline) {
     if (a.baseline.empty()) return true;
     base::Diagnostics diagnostics;
-    const auto text = driver::load_bytes(a.baseline, diagnostics);
+    const auto text = driver::load_bytes(*driver::disk(), a.baseline, diagnostics);
     for (const base::Diagnostic& d : diagnostics.all()) std::fprintf(stderr, "obrys: --baseline: %s\n", d.text.c_str());
     if (!text) return false;
     baseline = report::read_baseline(*text);

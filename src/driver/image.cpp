@@ -1,0 +1,30 @@
+#include "driver/image.hpp"
+
+#include <algorithm>
+
+namespace obrys::driver {
+
+std::shared_ptr<const Image> Image::prepare(const Request& request, const MillingRequest& milling) {
+    auto image = std::make_shared<Image>();
+    auto session = std::make_shared<Session>();
+    image->usable_ = open(request, *session);
+    if (image->usable_) {
+        session->programs->read_called();
+        image->setup_ = setup_of(*session, milling);
+        image->usable_ = !refused(*session);
+    }
+    image->session_ = std::move(session);
+    return image;
+}
+
+std::unique_ptr<Session> Image::run(const Inputs& inputs) const {
+    auto s = std::make_unique<Session>(session_);
+    for (const shop::Override& o : inputs.set) {
+        std::erase_if(s->job.overrides, [&](const shop::Override& there) { return there.name == o.name; });
+        s->job.overrides.push_back(o);
+    }
+    s->job.skip_levels.insert(s->job.skip_levels.end(), inputs.skip.begin(), inputs.skip.end());
+    return s;
+}
+
+}  // namespace obrys::driver
