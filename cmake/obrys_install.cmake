@@ -53,7 +53,10 @@ configure_file(${CMAKE_CURRENT_LIST_DIR}/obrys.pc.in ${PROJECT_BINARY_DIR}/obrys
 install(FILES ${PROJECT_BINARY_DIR}/obrys.pc DESTINATION ${CMAKE_INSTALL_LIBDIR}/pkgconfig)
 
 install(DIRECTORY ${PROJECT_SOURCE_DIR}/src/ DESTINATION ${CMAKE_INSTALL_INCLUDEDIR}/obrys
-  FILES_MATCHING PATTERN "*.hpp" PATTERN "apps" EXCLUDE PATTERN "*_test*" EXCLUDE PATTERN "bench_*" EXCLUDE)
+  FILES_MATCHING PATTERN "*.hpp" PATTERN "apps" EXCLUDE PATTERN "obrys" EXCLUDE PATTERN "*_test*" EXCLUDE PATTERN "bench_*" EXCLUDE)
+# The doors, as <obrys/check.hpp>. What lies beside them may change with every version.
+install(DIRECTORY ${PROJECT_SOURCE_DIR}/src/obrys/ DESTINATION ${CMAKE_INSTALL_INCLUDEDIR}/obrys
+  FILES_MATCHING PATTERN "*.hpp" PATTERN "shown.hpp" EXCLUDE PATTERN "*_test*" EXCLUDE)
 install(TARGETS obrys RUNTIME DESTINATION ${CMAKE_INSTALL_BINDIR})
 get_property(loadables GLOBAL PROPERTY obrys_loadables)
 foreach(loadable IN LISTS loadables)

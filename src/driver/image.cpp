@@ -6,6 +6,7 @@ namespace obrys::driver {
 
 std::shared_ptr<const Image> Image::prepare(const Request& request, const MillingRequest& milling) {
     auto image = std::make_shared<Image>();
+    image->request_ = request;
     auto session = std::make_shared<Session>();
     image->usable_ = open(request, *session);
     if (image->usable_) {
@@ -24,6 +25,7 @@ std::unique_ptr<Session> Image::run(const Inputs& inputs) const {
         s->job.overrides.push_back(o);
     }
     s->job.skip_levels.insert(s->job.skip_levels.end(), inputs.skip.begin(), inputs.skip.end());
+    if (s->files != nullptr) s->files->print_nowhere();
     return s;
 }
 

@@ -25,13 +25,15 @@ public:
     /// False: the input cannot be used at all, and there is nothing to run.
     [[nodiscard]] bool usable() const { return usable_; }
     [[nodiscard]] const Session& session() const { return *session_; }
+    [[nodiscard]] const Request& request() const { return request_; }
 
-    /// A session for one run. To be called on a usable image.
+    /// A session for one run, which prints into no file. To be called on a usable image.
     [[nodiscard]] std::unique_ptr<Session> run(const Inputs& inputs = {}) const;
     /// What such a run is held to.
     [[nodiscard]] const check::Setup& setup() const { return setup_; }
 
 private:
+    Request request_;
     std::shared_ptr<const Session> session_;
     check::Setup setup_;
     bool usable_ = false;

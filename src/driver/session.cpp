@@ -333,6 +333,15 @@ bool refused(const Session& s) {
            });
 }
 
+int exit_code_of_run(const Session& s) {
+    bool finding = false, unchecked = false;
+    for (const base::Diagnostic& d : s.diagnostics.all()) {
+        finding = finding || base::kind_of(d.code) == base::CodeKind::finding;
+        unchecked = unchecked || base::kind_of(d.code) == base::CodeKind::unchecked;
+    }
+    return refused(s) ? 2 : unchecked ? 3 : finding ? 1 : 0;
+}
+
 int percent_lines(const Session& s) {
     int found = 0;
     bool first = true;

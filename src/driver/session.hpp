@@ -82,6 +82,10 @@ interp::Outcome interpret(Session& session, cl::Sink sink);
 /// What the job or the command line says cannot be used, which only the run could tell (exit code 2).
 [[nodiscard]] bool refused(const Session& session);
 
+/// Of a run alone: 2 refused, 3 something was not understood or run, 1 the control would stop or something else is
+/// wrong.
+[[nodiscard]] int exit_code_of_run(const Session& session);
+
 /// Lines of the main program's text that hold `%` alone, two at most; 0 where it does not begin with one.
 [[nodiscard]] int percent_lines(const Session& session);
 

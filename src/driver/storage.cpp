@@ -90,13 +90,21 @@ std::shared_ptr<const Storage> disk() {
 void Memory::put(const fs::path& path, std::string bytes) {
     const std::unique_lock alone(use_);
     ++changes_;
-    files_[key_of(path)] = std::move(bytes);
+    files_[key_of(path)] = std::make_shared<const std::string>(std::move(bytes));
 }
 
 bool Memory::remove(const fs::path& path) {
     const std::unique_lock alone(use_);
     ++changes_;
     return files_.erase(key_of(path)) > 0;
+}
+
+std::shared_ptr<const Memory> Memory::snapshot() const {
+    auto copy = std::make_shared<Memory>(below_);
+    const std::shared_lock together(use_);
+    copy->files_ = files_;
+    copy->changes_ = changes_;
+    return copy;
 }
 
 bool Memory::holds(const fs::path& path) const {
@@ -108,7 +116,7 @@ StoredEntry Memory::look(const fs::path& path) const {
     {
         const std::shared_lock together(use_);
         if (const auto found = files_.find(key_of(path)); found != files_.end())
-            return {StoredEntry::Kind::file, found->second.size()};
+            return {StoredEntry::Kind::file, found->second->size()};
     }
     if (below_ != nullptr)
         if (StoredEntry there = below_->look(path); there.kind != StoredEntry::Kind::nothing) return there;
@@ -123,7 +131,7 @@ int Memory::read(const fs::path& path, std::uintmax_t size, std::string& bytes) 
     {
         const std::shared_lock together(use_);
         if (const auto found = files_.find(key_of(path)); found != files_.end()) {
-            bytes = found->second;
+            bytes = *found->second;
             return 0;
         }
     }

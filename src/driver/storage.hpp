@@ -66,6 +66,9 @@ public:
     /// False where it holds no such file; one below it is seen again.
     bool remove(const fs::path& path);
 
+    /// As it is now; later changes of this one do not reach it. Shares the bytes.
+    [[nodiscard]] std::shared_ptr<const Memory> snapshot() const;
+
     [[nodiscard]] StoredEntry look(const fs::path& path) const override;
     [[nodiscard]] int read(const fs::path& path, std::uintmax_t size, std::string& bytes) const override;
     [[nodiscard]] std::unique_ptr<base::Store> read_large(const fs::path& path, const std::string& shown,
@@ -77,7 +80,7 @@ private:
     [[nodiscard]] bool holds(const fs::path& path) const;
 
     std::shared_ptr<const Storage> below_;
-    std::map<std::string, std::string> files_;  ///< by normal path
+    std::map<std::string, std::shared_ptr<const std::string>> files_;  ///< by normal path
     std::int64_t changes_ = 0;
     mutable std::shared_mutex use_;
 };

@@ -1,5 +1,7 @@
 #include "driver/translate.hpp"
 
+#include <algorithm>
+
 #include "base/codes.hpp"
 #include "driver/control.hpp"
 #include "driver/files.hpp"
@@ -59,21 +61,77 @@ Translated translate(Session& session, const write::Post& post, const std::strin
     return out;
 }
 
-std::unique_ptr<Proof> prove(const Translated& translated, const write::Post& post, Request request, const Session& of,
-                             const compare::Tolerance& tolerance) {
-    if (find_control(post.control) == nullptr) return nullptr;
-    auto proof = std::make_unique<Proof>();
+base::Diagnostic complaint_of(const write::Note& note, const Session& s) {
+    base::Diagnostic d;
+    const bool lost = note.fate == write::Fate::lost;
+    d.severity = lost ? base::Severity::error : base::Severity::note;
+    d.code = lost ? codes::not_written : codes::written_by_moves;
+    d.where = note.from;
+    d.stack = s.stacks.sites(note.stack);
+    d.text = "line " + std::to_string(note.line) + ": " + note.what +
+             (lost ? " is not written" : " is written by its moves");
+    return d;
+}
+
+namespace {
+
+/// What the written program does otherwise, at the place of the program that it comes from; true where it does.
+bool complain(Session& s, const compare::Result& result, const Session& run) {
+    bool done_otherwise = false;
+    for (const compare::Difference& difference : result.first) {
+        const bool done = compare::is_done(difference.aspect);
+        done_otherwise = done_otherwise || done;
+        base::Diagnostic d;
+        d.severity = done ? base::Severity::error : base::Severity::note;
+        d.code = done ? codes::runs_otherwise : codes::written_by_moves;
+        if (difference.in_a) d.where = *difference.in_a;
+        if (difference.in_a) d.stack = s.stacks.sites(difference.stack_a);
+        const std::string line =
+            difference.in_b ? "line " + std::to_string(run.sources.position(*difference.in_b).line) + ": " : "";
+        d.text = line + std::string(compare::name_of(difference.aspect)) + " first differs at move " +
+                 std::to_string(difference.move) + ": " + difference.what;
+        s.diagnostics.add(std::move(d));
+    }
+    return done_otherwise;
+}
+
+/// A control would stop at something, or a run found something else that is wrong, besides what is not written.
+bool has_findings(const Session& s) {
+    return std::any_of(s.diagnostics.all().begin(), s.diagnostics.all().end(), [](const base::Diagnostic& d) {
+        return base::kind_of(d.code) == base::CodeKind::finding && d.code != codes::not_written;
+    });
+}
+
+/// The request for what was written from a program.
+Request request_of(const Translated& translated, const write::Post& post, Request request, const Session& of) {
     request.text = translated.text;
     request.control = post.control;
     request.set.clear();
     if (request.machine.empty() && of.job.machine.more_axes)  // nobody has named it
         request.machine = of.job.machine.kind == shop::MachineKind::lathe ? "lathe-generic" : "mill-generic";
-    Session& s = proof->session;
-    if (!open(request, s)) return proof;
+    return request;
+}
+
+}  // namespace
+
+Proved prove(const Translated& translated, const write::Post& post, Request request, Session& s,
+             const compare::Tolerance& tolerance) {
+    Proved out;
+    out.why_not = "the post names no control that can be read";
+    if (find_control(post.control) == nullptr) return out;
+    out.run = std::make_unique<Session>();
+    out.why_not = "what was written could not be run";
+    if (!open(request_of(translated, post, std::move(request), s), *out.run)) return out;
+    out.why_not.clear();
     compare::Path path(tolerance.length);
-    static_cast<void>(interpret(s, [&](const cl::Record& record) { path.take(record); }));
-    proof->result = compare::compare(translated.path, path, tolerance);
-    return proof;
+    static_cast<void>(interpret(*out.run, [&](const cl::Record& record) { path.take(record); }));
+    const compare::Result result = compare::compare(translated.path, path, tolerance);
+    out.moves = result.moves_b;
+    const bool stops = has_findings(*out.run) && !has_findings(s), unknown = exit_code_of_run(*out.run) == 3;
+    out.run_complains = stops || (unknown && exit_code_of_run(s) != 3);
+    out.differs = complain(s, result, *out.run) || stops;
+    out.proof = unknown ? Proof::not_compared : out.differs ? Proof::differs : Proof::same;
+    return out;
 }
 
 }  // namespace obrys::driver

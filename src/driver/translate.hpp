@@ -30,13 +30,26 @@ struct Translated {
 [[nodiscard]] Translated translate(Session& session, const write::Post& post, const std::string& name,
                                    double same_place, const std::function<void(write::Note)>& note);
 
-/// The text run on its control, with the machine, the tools and the zeros of the program that it comes from.
-struct Proof {
-    Session session;
-    std::optional<compare::Result> result;  ///< nothing: it could not be run
+/// What the writer says, at its place in the program.
+[[nodiscard]] base::Diagnostic complaint_of(const write::Note& note, const Session& session);
+
+enum class Proof : std::uint8_t {
+    same,          ///< run again, it does the same
+    differs,       ///< it runs otherwise, or its control would stop
+    not_compared,  ///< it is not known: one of the two was not understood, or could not be run
 };
-/// `request` and `of` are those of the program. Null: no control that can be read is named by the post.
-[[nodiscard]] std::unique_ptr<Proof> prove(const Translated& translated, const write::Post& post, Request request,
-                                           const Session& of, const compare::Tolerance& tolerance);
+
+/// The text run on its control, with the machine, the tools and the zeros of the program that it comes from.
+struct Proved {
+    Proof proof = Proof::not_compared;
+    bool differs = false;          ///< something is known to run otherwise, whatever else is not known
+    std::size_t moves = 0;         ///< that it makes
+    std::string why_not;           ///< it was not compared at all; empty: it was
+    std::unique_ptr<Session> run;  ///< null: its control is none that can be read
+    bool run_complains = false;    ///< what it complains about is news
+};
+/// `request` and `session` are those of the program; how it runs otherwise is added to the session's diagnostics.
+[[nodiscard]] Proved prove(const Translated& translated, const write::Post& post, Request request, Session& session,
+                           const compare::Tolerance& tolerance);
 
 }  // namespace obrys::driver

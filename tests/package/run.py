@@ -43,6 +43,18 @@ def consume(prefix, test, compiler, scratch):
     expect(run(scratch / "by_pkg_config").strip() == "2.500", "a program built by pkg-config runs")
 
 
+def use_doors(prefix, test, compiler, scratch):
+    """The example of the library, as its README says to build it, on the installed groove."""
+    build, shared = scratch / "library", prefix / "share/obrys/examples"
+    run("cmake", "-S", shared / "library", "-B", build, "-G", "Ninja", f"-DCMAKE_PREFIX_PATH={prefix}",
+        f"-DCMAKE_CXX_COMPILER={compiler}")
+    run("cmake", "--build", build)
+    said = run(build / "groove_variants", shared / "groove")
+    print(said)
+    expect("R11=2 mm: clean, 841 moves, 0 findings" in said, "the example of the library checks the groove")
+    expect("R11=1 mm: clean" in said and "R11=4 mm: " in said, "and runs it with other values")
+
+
 def package(build, scratch):
     run("cpack", "-G", "DEB", "-B", scratch / "package", cwd=build)
     debs = list((scratch / "package").glob("*.deb"))
@@ -53,7 +65,7 @@ def package(build, scratch):
     expect("libfmt" in fields and "libc6" in fields, "it names the shared libraries it needs")
     expect("libocct" not in fields, "it does not ask for Open CASCADE")
     content = run("dpkg-deb", "--contents", debs[0])
-    for path in ("./usr/bin/obrys", "obrys.1", "libobrys.a", "include/obrys/base/diagnostic.hpp", "obrysConfig.cmake",
+    for path in ("./usr/bin/obrys", "obrys.1", "libobrys.a", "include/obrys/base/diagnostic.hpp", "include/obrys/check.hpp", "obrysConfig.cmake",
                  "share/obrys/examples/groove/groove.job.toml"):
         expect(path in content, f"it holds {path}")
     expect("_test" not in content, "it holds no tests")
@@ -117,6 +129,7 @@ def main():
         if (prefix / "lib/obrys/libobrys-step.so").exists():
             reads_step(prefix / "bin/obrys", scratch, "holds no shape", "installed")
         consume(prefix, test, compiler, scratch)
+        use_doors(prefix, test, compiler, scratch)
         package(build, scratch)
 
 

@@ -19,15 +19,6 @@
 
 namespace obrys::cli {
 
-int run_exit_code(const driver::Session& s) {
-    bool finding = false, unchecked = false;
-    for (const base::Diagnostic& d : s.diagnostics.all()) {
-        finding = finding || base::kind_of(d.code) == base::CodeKind::finding;
-        unchecked = unchecked || base::kind_of(d.code) == base::CodeKind::unchecked;
-    }
-    return driver::refused(s) ? 2 : unchecked ? 3 : finding ? 1 : 0;
-}
-
 namespace {
 
 std::string counts(const interp::Outcome& outcome, const cl::Totals& t) {
@@ -134,7 +125,7 @@ int run(const Arguments& a) {
     }
     print_diagnostics(s);
     const bool written = may_write(a, s) && deliver(a.output, out) && !s.files->failed();
-    return written ? run_exit_code(s) : 2;
+    return written ? driver::exit_code_of_run(s) : 2;
 }
 
 }  // namespace obrys::cli

@@ -12,7 +12,4 @@ namespace obrys::cli {
 [[nodiscard]] int compare(const Arguments& arguments);
 [[nodiscard]] int fmt(const Arguments& arguments);
 
-/// Exit code of a run: what its complaints say about it.
-[[nodiscard]] int run_exit_code(const driver::Session& session);
-
 }  // namespace obrys::cli

@@ -33,7 +33,7 @@ void read_side(const Arguments& a, const std::string& input, Side& side) {
         return;  // it has been said
     }
     print_diagnostics(side.session, base::Severity::warning);
-    if (side.path) side.code = run_exit_code(side.session);
+    if (side.path) side.code = driver::exit_code_of_run(side.session);
 }
 
 std::string place(const Side& side, const std::optional<base::Span>& at) {

@@ -37,7 +37,7 @@ TEST(SinumerikStructure, Jumps) {
 
 TEST(SinumerikStructure, Labels) {
     const Reading r("N10 START: X1\nX2\nSTART: MID:\nX3\nGOTOB N10\nN40 X4");
-    const auto places = [&](const char* name) { return r.unit().labels.at(program::Names(r.names).id(name)); };
+    const auto places = [&](const char* name) { return r.unit().labels.at(program::Names(&r.names).id(name)); };
     EXPECT_EQ(places("START"), (std::vector<std::uint32_t>{0, 2}));
     EXPECT_EQ(places("MID"), (std::vector<std::uint32_t>{2}));
     EXPECT_EQ(places("N10"), (std::vector<std::uint32_t>{0}));

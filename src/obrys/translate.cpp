@@ -1,0 +1,29 @@
+#include "obrys/translate.hpp"
+
+#include "driver/translate.hpp"
+#include "obrys/shown.hpp"
+
+namespace obrys::api {
+
+Translated translate(const Image& image, const std::string& post_name, double tolerance, const Inputs& inputs) {
+    const auto session = session_of(image, inputs);
+    Translated out;
+    if (const auto post = driver::find_post(post_name, *session)) {
+        const auto note = [&](const write::Note& n) { session->diagnostics.add(driver::complaint_of(n, *session)); };
+        const std::string name = driver::fs::path(session->program).stem().string();
+        driver::Translated written = driver::translate(*session, *post, name, tolerance, note);
+        compare::Tolerance within;
+        within.length = tolerance;
+        const driver::Proved proved = driver::prove(written, *post, image.inside().request(), *session, within);
+        out.proof = static_cast<Proof>(proved.proof);
+        if (driver::exit_code_of_run(*session) == 3) out.proof = Proof::not_compared;
+        if (out.proof == Proof::same && driver::exit_code_of_run(*session) != 0) out.proof = Proof::differs;
+        if (proved.run != nullptr && proved.run_complains) out.messages = shown(*proved.run);
+        out.text = std::move(written.text);
+    }
+    std::vector<Message> own = shown(*session);
+    out.messages.insert(out.messages.begin(), own.begin(), own.end());
+    return out;
+}
+
+}  // namespace obrys::api
