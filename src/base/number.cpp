@@ -4,6 +4,7 @@
 #include <charconv>
 #include <cmath>
 
+#include "base/float_chars.hpp"
 #include "base/text.hpp"
 
 namespace obrys::base {
@@ -45,7 +46,7 @@ NumberScan scan_decimal(std::string_view s) {
         scan.value = negative ? -magnitude : magnitude;
     } else {
         double magnitude = 0;
-        std::from_chars(s.data() + first, s.data() + i, magnitude, std::chars_format::fixed);
+        static_cast<void>(from_chars(s.data() + first, s.data() + i, magnitude, CharsFormat::fixed));
         scan.value = negative ? -magnitude : magnitude;
     }
     return scan;
@@ -55,7 +56,7 @@ std::optional<double> parse_double(std::string_view s) {
     s = trim(s);
     if (s.starts_with('+')) s.remove_prefix(1);
     double value = 0;
-    const auto [end, error] = std::from_chars(s.data(), s.data() + s.size(), value);
+    const auto [end, error] = from_chars(s.data(), s.data() + s.size(), value);
     if (s.empty() || error != std::errc{} || end != s.data() + s.size() || !std::isfinite(value)) return std::nullopt;
     return value;
 }
@@ -72,7 +73,7 @@ std::optional<std::int64_t> parse_integer(std::string_view s) {
 void append_fixed(std::string& out, double value, int decimals) {
     std::array<char, 400> buffer;  // 1e308 with 17 decimals needs 327
     const auto [end, error] =
-        std::to_chars(buffer.data(), buffer.data() + buffer.size(), value, std::chars_format::fixed, decimals);
+        to_chars(buffer.data(), buffer.data() + buffer.size(), value, CharsFormat::fixed, decimals);
     std::string_view text(buffer.data(), static_cast<std::size_t>(end - buffer.data()));
     if (error != std::errc{}) text = "nan";
     if (text.starts_with('-') && text.find_first_not_of("-0.") == std::string_view::npos) text.remove_prefix(1);
@@ -90,8 +91,8 @@ std::string shortest(double value) {
     std::array<char, 400> buffer;
     const bool plain = std::abs(value) < 1e15 && std::abs(value) > 1e-7;
     const auto [end, error] =
-        plain ? std::to_chars(buffer.data(), buffer.data() + buffer.size(), value, std::chars_format::fixed)
-              : std::to_chars(buffer.data(), buffer.data() + buffer.size(), value);
+        plain ? to_chars(buffer.data(), buffer.data() + buffer.size(), value, CharsFormat::fixed)
+              : to_chars(buffer.data(), buffer.data() + buffer.size(), value);
     if (error != std::errc{}) return "nan";
     return {buffer.data(), end};
 }

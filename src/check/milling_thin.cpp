@@ -46,7 +46,7 @@ private:
         const double d = m_.part.signed_distance(p);
         return options_.judged ? options_.judged(p, d) : d;
     }
-    [[nodiscard]] std::array<long, 3> cell_of(Vec3 p) const;
+    [[nodiscard]] std::array<std::int64_t, 3> cell_of(Vec3 p) const;
     [[nodiscard]] std::vector<std::vector<std::size_t>> groups() const;
     [[nodiscard]] Sample climbed(Sample s) const;
     [[nodiscard]] mesh::Place place_of(const std::vector<std::size_t>& group, bool climb) const;
@@ -85,33 +85,33 @@ void Thin::find() {
     }
 }
 
-std::array<long, 3> Thin::cell_of(Vec3 p) const {
+std::array<std::int64_t, 3> Thin::cell_of(Vec3 p) const {
     const Vec3 from = p - m_.simulation.dexels().lattice().origin;
-    std::array<long, 3> cell{};
+    std::array<std::int64_t, 3> cell{};
     for (int k = 0; k < 3; ++k)
-        cell[static_cast<std::size_t>(k)] = base::clipped<long>(
+        cell[static_cast<std::size_t>(k)] = base::clipped<std::int64_t>(
             std::floor(milling::component(from, k) / milling::component(step_, k)), -1'000'000'000, 1'000'000'000);
     return cell;
 }
 
 /// Samples in cells of the lattice that touch each other, the first one's group first.
 std::vector<std::vector<std::size_t>> Thin::groups() const {
-    std::map<std::array<long, 3>, std::vector<std::size_t>> cells;
+    std::map<std::array<std::int64_t, 3>, std::vector<std::size_t>> cells;
     for (std::size_t i = 0; i < samples_.size(); ++i) cells[cell_of(samples_[i].at)].push_back(i);
     std::vector<std::vector<std::size_t>> all;
     while (!cells.empty()) {
         std::vector<std::size_t> group;
-        std::vector<std::array<long, 3>> next{cells.begin()->first};
+        std::vector<std::array<std::int64_t, 3>> next{cells.begin()->first};
         while (!next.empty()) {
-            const std::array<long, 3> at = next.back();
+            const std::array<std::int64_t, 3> at = next.back();
             next.pop_back();
             const auto cell = cells.find(at);
             if (cell == cells.end()) continue;
             group.insert(group.end(), cell->second.begin(), cell->second.end());
             cells.erase(cell);
-            for (long i = -1; i <= 1; ++i)
-                for (long j = -1; j <= 1; ++j)
-                    for (long k = -1; k <= 1; ++k) next.push_back({at[0] + i, at[1] + j, at[2] + k});
+            for (std::int64_t i = -1; i <= 1; ++i)
+                for (std::int64_t j = -1; j <= 1; ++j)
+                    for (std::int64_t k = -1; k <= 1; ++k) next.push_back({at[0] + i, at[1] + j, at[2] + k});
         }
         all.push_back(std::move(group));
     }

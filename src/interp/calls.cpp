@@ -8,6 +8,7 @@
 #include "base/number.hpp"
 #include "base/text.hpp"
 #include "base/whole.hpp"
+#include "interp/path_stage.hpp"
 #include "interp/run.hpp"
 
 namespace obrys::interp {

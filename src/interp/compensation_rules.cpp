@@ -2,6 +2,7 @@
 
 #include "base/codes.hpp"
 #include "base/text.hpp"
+#include "interp/path_stage.hpp"
 #include "interp/run.hpp"
 
 namespace obrys::interp {

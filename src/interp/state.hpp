@@ -13,6 +13,7 @@
 #include <optional>
 #include <set>
 #include <string>
+#include <tuple>
 #include <unordered_map>
 #include <unordered_set>
 #include <vector>
@@ -420,7 +421,9 @@ struct ReadPieces {
         const Unit* unit = nullptr;
         std::uint32_t statement = 0;
         program::Modes relied{};  ///< 0 where the piece does not ask
-        auto operator<=>(const Key&) const = default;
+        [[nodiscard]] bool operator<(const Key& other) const {
+            return std::tie(unit, statement, relied) < std::tie(other.unit, other.statement, other.relied);
+        }
     };
     std::map<Key, std::deque<program::PieceRead>> pieces;
     std::size_t count = 0;

@@ -6,6 +6,7 @@
 #include <optional>
 
 #include "base/codes.hpp"
+#include "base/float_chars.hpp"
 #include "base/number.hpp"
 #include "base/text.hpp"
 #include "base/whole.hpp"
@@ -45,7 +46,7 @@ TextFormat read_text_format(std::string_view text, std::size_t& at) {
 /// 1.234568EX+03
 std::string exponential(double v, int places) {
     char buffer[64];
-    const auto end = std::to_chars(buffer, buffer + sizeof buffer, v, std::chars_format::scientific, places).ptr;
+    const auto end = base::to_chars(buffer, buffer + sizeof buffer, v, base::CharsFormat::scientific, places).ptr;
     std::string s(buffer, end);
     if (const auto e = s.find('e'); e != std::string::npos) s.replace(e, 1, "EX");
     return s;

@@ -1,5 +1,5 @@
 #pragma once
-/// Meshes as files for other programs, as bytes. The same mesh gives the same bytes. (STL: stl.hpp)
+/// Meshes as files for other programs, as bytes. The same mesh gives the same bytes. (STL: stl.hpp, 3MF: package/three_mf.hpp)
 
 #include <optional>
 #include <string>
@@ -8,10 +8,6 @@
 #include "mesh/mesh.hpp"
 
 namespace obrys::mesh {
-
-/// 3MF, unit millimetre, coordinates rounded to 1e-6 mm, colours as base materials. Throws std::runtime_error where the
-/// archive cannot be made (memory). Source: 3MF Consortium, "3MF Core Specification" 1.3.
-[[nodiscard]] std::string write_3mf(const Mesh& m, Palette palette = {});
 
 /// Binary glTF: single precision in mm with z up, which a node turns into metres with y up; one material and one
 /// primitive a colour; normals are smooth up to `crease` radians between faces; triangles without area are left out.

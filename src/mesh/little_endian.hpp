@@ -1,12 +1,12 @@
 #pragma once
 /// Numbers in binary files, lowest byte first, whatever the machine.
 
-#include <bit>
 #include <cstddef>
 #include <cstdint>
 #include <string>
 #include <string_view>
 
+#include "base/float_chars.hpp"
 #include "geom/vec.hpp"
 
 namespace obrys::mesh {
@@ -24,7 +24,7 @@ inline void append_u32(std::string& out, std::uint32_t value) {
 
 /// In single precision.
 inline void append_vector(std::string& out, geom::Vec3 v) {
-    for (const double c : {v.x, v.y, v.z}) append_u32(out, std::bit_cast<std::uint32_t>(static_cast<float>(c)));
+    for (const double c : {v.x, v.y, v.z}) append_u32(out, base::bit_cast<std::uint32_t>(static_cast<float>(c)));
 }
 
 }  // namespace obrys::mesh

@@ -1,8 +1,8 @@
-#include <charconv>
 #include <cmath>
 #include <optional>
 
 #include "base/codes.hpp"
+#include "base/float_chars.hpp"
 #include "base/number.hpp"
 #include "base/text.hpp"
 #include "mesh/stl_soup.hpp"
@@ -81,7 +81,7 @@ private:
             next();
             std::string_view digits = word_;
             if (digits.starts_with('+')) digits.remove_prefix(1);
-            const auto [end, error] = std::from_chars(digits.data(), digits.data() + digits.size(), *c);
+            const auto [end, error] = base::from_chars(digits.data(), digits.data() + digits.size(), *c);
             const bool is_number = !digits.empty() && end == digits.data() + digits.size();
             // Too small for a double (1e-400) is zero, too large is told as such.
             if (is_number && error == std::errc::result_out_of_range) *c = too_small(digits) ? 0 : HUGE_VAL;

@@ -1,6 +1,7 @@
 #include <cmath>
 
 #include "base/codes.hpp"
+#include "base/float_chars.hpp"
 #include "mesh/little_endian.hpp"
 #include "mesh/stl.hpp"
 #include "mesh/stl_soup.hpp"
@@ -14,7 +15,7 @@ using geom::Vec3;
 constexpr std::size_t header = 84, record = 50;
 
 double f32(std::string_view bytes, std::size_t at) {
-    return static_cast<double>(std::bit_cast<float>(read_u32(bytes, at)));
+    return static_cast<double>(base::bit_cast<float>(read_u32(bytes, at)));
 }
 
 bool refuse(std::uint32_t file, base::Diagnostics& out, std::string text, std::string remedy) {

@@ -1,7 +1,8 @@
 #include "mesh/weld.hpp"
 
-#include <bit>
 #include <cmath>
+
+#include "base/float_chars.hpp"
 
 namespace obrys::mesh {
 
@@ -14,7 +15,7 @@ Welder::Welder(double tolerance) : tolerance_(tolerance > 0 && std::isfinite(tol
 std::size_t Welder::bucket(Vec3 key) const {
     std::uint64_t h = 0;
     for (const double c : {key.x, key.y, key.z}) {
-        h ^= std::bit_cast<std::uint64_t>(c);
+        h ^= base::bit_cast<std::uint64_t>(c);
         h *= 0x9e3779b97f4a7c15U;
         h ^= h >> 29U;
     }

@@ -4,6 +4,8 @@
 #include <bit>
 #include <cstdint>
 
+#include "base/float_chars.hpp"
+
 namespace obrys::program {
 
 enum class Code : std::uint8_t {
@@ -253,7 +255,7 @@ static_assert(sizeof(Word) == 8);
     if constexpr (std::endian::native == std::endian::little) {
         const std::uint32_t place =
             static_cast<std::uint32_t>(code) | (form & 0xF) << 8 | (offset & 0xFFF) << 12 | (length & 0xFF) << 24;
-        return std::bit_cast<Word>(place | std::uint64_t{static_cast<std::uint32_t>(payload)} << 32);
+        return base::bit_cast<Word>(place | std::uint64_t{static_cast<std::uint32_t>(payload)} << 32);
     }
     return {.code = static_cast<std::uint32_t>(code) & 0xFF,
             .form = form & 0xF,

@@ -1,10 +1,11 @@
 #include "report/milling_arrays.hpp"
 
 #include <algorithm>
-#include <bit>
 #include <span>
 #include <string_view>
 #include <type_traits>
+
+#include "base/float_chars.hpp"
 
 namespace obrys::report {
 
@@ -22,7 +23,7 @@ public:
 
     template <typename Number>
     void put(Number v) {
-        auto bits = std::bit_cast<Unsigned<sizeof(Number)>>(v);
+        auto bits = base::bit_cast<Unsigned<sizeof(Number)>>(v);
         for (std::size_t i = 0; i < sizeof(Number); ++i) {
             byte(static_cast<std::uint8_t>(bits & 0xFFU));
             if constexpr (sizeof(Number) > 1) bits = static_cast<decltype(bits)>(bits >> 8U);

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstdint>
 
 #include "base/number.hpp"
 #include "base/whole.hpp"
@@ -97,21 +98,21 @@ Window::Window(std::string name, const check::Box& box, double left, double top,
 }
 
 void Window::axes(std::string& out) const {
-    constexpr long most_steps = 1'000'000'000'000;
+    constexpr std::int64_t most_steps = 1'000'000'000'000;
     const double step = svg::round_step(tick_distance / to_.scale);
     const int decimals = step < 1 ? base::clipped<int>(std::ceil(-std::log10(step) - 1e-9), 0, 15) : 0;
     const auto first = [step](double v) {
-        return base::clipped<long>(std::ceil(v / step - 1e-9), -most_steps, most_steps);
+        return base::clipped<std::int64_t>(std::ceil(v / step - 1e-9), -most_steps, most_steps);
     };
     const auto last = [step](double v) {
-        return base::clipped<long>(std::floor(v / step + 1e-9), -most_steps, most_steps);
+        return base::clipped<std::int64_t>(std::floor(v / step + 1e-9), -most_steps, most_steps);
     };
-    for (long i = first(box_.min_z); i <= last(box_.max_z); ++i) {
+    for (std::int64_t i = first(box_.min_z); i <= last(box_.max_z); ++i) {
         const double z = static_cast<double>(i) * step, x = to_({z, 0}).x;
         out += svg::line("grid", x, top_, x, bottom()) + svg::line("tick", x, bottom(), x, bottom() + 5);
         out += svg::text("small", x, bottom() + 18, base::fixed(z, decimals), "middle");
     }
-    for (long i = first(box_.min_x); i <= last(box_.max_x); ++i) {
+    for (std::int64_t i = first(box_.min_x); i <= last(box_.max_x); ++i) {
         const double x = static_cast<double>(i) * step, y = to_({0, x}).y;
         out += svg::line("grid", left_, y, right(), y) + svg::line("tick", left_ - 5, y, left_, y);
         out += svg::text("small", left_ - 8, y + 4, base::fixed(x, decimals), "end");

@@ -7,6 +7,7 @@
 
 #include "base/number.hpp"
 #include "mesh/export.hpp"
+#include "mesh/package/three_mf.hpp"
 #include "mesh/primitives.hpp"
 #include "mesh/stl.hpp"
 
@@ -19,7 +20,7 @@ void store(const std::string& path, const std::string& bytes) {
 }
 
 void sample(const std::string& folder, const std::string& name, const mesh::Mesh& m, mesh::Palette palette) {
-    store(folder + "/" + name + ".3mf", mesh::write_3mf(m, palette));
+    store(folder + "/" + name + ".3mf", mesh::package::write_3mf(m, palette));
     store(folder + "/" + name + ".glb", mesh::write_glb(m, palette).value());
     store(folder + "/" + name + ".stl", mesh::write_stl(m));
     const std::string line = name + " " + std::to_string(m.vertices.size()) + " " + std::to_string(m.triangles.size()) +

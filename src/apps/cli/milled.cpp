@@ -6,11 +6,12 @@
 #include "driver/files.hpp"
 #include "mesh/export.hpp"
 #include "mesh/merge_flat.hpp"
+#include "mesh/package/three_mf.hpp"
 #include "mesh/stl.hpp"
 #include "report/clamp_bodies.hpp"
-#include "report/deviation_legend.hpp"
 #include "report/engagement_table.hpp"
-#include "report/milling_picture.hpp"
+#include "report/picture/deviation_legend.hpp"
+#include "report/picture/milling_picture.hpp"
 #include "sim/milling/stock.hpp"
 
 namespace obrys::cli {
@@ -64,12 +65,13 @@ mesh::DeviationColours colour(const check::Milled& milled, mesh::Mesh& surface, 
 }
 
 /// What the colours mean.
-std::vector<report::PictureLegend> legend_of(const check::Result& result, const mesh::DeviationColours& colours) {
+std::vector<report::picture::PictureLegend> legend_of(const check::Result& result,
+                                                      const mesh::DeviationColours& colours) {
     if (result.milled->comparison && !result.milled->at_move) {
         const double allowed = result.milled->figures.tolerance_mm;
-        return report::deviation_legend(colours, allowed, full_deviation * allowed);
+        return report::picture::deviation_legend(colours, allowed, full_deviation * allowed);
     }
-    std::vector<report::PictureLegend> out;
+    std::vector<report::picture::PictureLegend> out;
     out.push_back({tool_colours[0], "not cut"});
     for (std::size_t k = 0; k < result.tools.size(); ++k) {
         const check::ToolUse& tool = result.tools[k];
@@ -86,14 +88,14 @@ std::vector<report::PictureLegend> legend_of(const check::Result& result, const 
 /// `surface` has indices of `colours.palette` as its tags.
 bool write_pictures(const Arguments& a, driver::Session& s, const driver::Checked& checked, const mesh::Mesh& surface,
                     const mesh::DeviationColours& colours) {
-    const std::vector<report::PictureLegend> legend = legend_of(checked.result, colours);
-    std::vector<report::PictureMark> marks;
+    const std::vector<report::picture::PictureLegend> legend = legend_of(checked.result, colours);
+    std::vector<report::picture::PictureMark> marks;
     const std::vector<check::Group> groups = check::groups_of(checked.result);
     for (std::size_t k = 0; k < groups.size(); ++k)
         if (const check::Finding& f = checked.result.findings[groups[k].worst];
             f.place && (!a.milling.at || (f.move && *f.move <= *a.milling.at)))
             marks.push_back({std::to_string(k + 1), *f.place});
-    report::MillingScene scene{surface};
+    report::picture::MillingScene scene{surface};
     if (checked.setup.milling) {
         const auto box = sim::milling::box_of(checked.setup.milling->stock);
         scene.stock.add(box.min);
@@ -108,15 +110,15 @@ bool write_pictures(const Arguments& a, driver::Session& s, const driver::Checke
     scene.title = s.program + (a.milling.at ? ", after move " + std::to_string(*a.milling.at) : "");
     const struct {
         const std::string& file;
-        report::MillingView view;
-    } pictures[] = {{a.plan_view, report::MillingView::plan},
-                    {a.projections, report::MillingView::projections},
-                    {a.picture, report::MillingView::solid}};
+        report::picture::MillingView view;
+    } pictures[] = {{a.plan_view, report::picture::MillingView::plan},
+                    {a.projections, report::picture::MillingView::projections},
+                    {a.picture, report::picture::MillingView::solid}};
     bool written = true;
     for (const auto& [file, view] : pictures)
         if (!file.empty())
-            written = deliver(file, file.ends_with(".svg") ? report::milling_svg(view, scene)
-                                                           : report::milling_png(view, scene)) &&
+            written = deliver(file, file.ends_with(".svg") ? report::picture::milling_svg(view, scene)
+                                                           : report::picture::milling_png(view, scene)) &&
                       written;
     return written;
 }
@@ -150,7 +152,8 @@ bool write_surface(const Arguments& a, driver::Session& s, const driver::Checked
     if (wants_pictures(a)) written = write_pictures(a, s, checked, surface, colours) && written;
     if (a.three_mf.empty() && a.gltf.empty()) return written;
     surface = mesh::merge_flat(surface, flat);
-    if (!a.three_mf.empty()) written = deliver(a.three_mf, mesh::write_3mf(surface, colours.palette)) && written;
+    if (!a.three_mf.empty())
+        written = deliver(a.three_mf, mesh::package::write_3mf(surface, colours.palette)) && written;
     if (a.gltf.empty()) return written;
     const auto glb = mesh::write_glb(surface, colours.palette);
     if (glb) return deliver(a.gltf, *glb) && written;

@@ -1,9 +1,10 @@
 #include "read/heidenhain/scanner.hpp"
 
-#include <charconv>
 #include <limits>
 #include <string>
 #include <system_error>
+
+#include "base/float_chars.hpp"
 
 namespace obrys::read::heidenhain {
 
@@ -17,7 +18,7 @@ bool is_empty(char c) { return base::is_blank(c) || c == '\r' || c == '\x1A' || 
 /// The nearest double; infinite where the number is too large for one.
 double nearest(const std::string& text) {
     double value = 0;
-    const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), value);
+    const auto [end, error] = base::from_chars(text.data(), text.data() + text.size(), value);
     if (error == std::errc{}) return value;
     const auto e = text.find('E');
     const bool small = e != std::string::npos && e + 1 < text.size() && text[e + 1] == '-';
@@ -210,4 +211,5 @@ std::string_view Scanner::comment() const {
     return base::trim(c);
 }
 
-}  // namespace obrys::read::heidenhain
+}  // namespace obrys::read::heidenhain#include "base/float_chars.hpp"
+

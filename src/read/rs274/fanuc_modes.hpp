@@ -3,10 +3,10 @@
 /// block skip), so whatever is asked here is noted with the block that asks: where the run's state is another one the
 /// block is read anew (program/modes.hpp). There is no other way to ask.
 
-#include <bit>
 #include <map>
 #include <optional>
 
+#include "base/float_chars.hpp"
 #include "program/modes.hpp"
 #include "program/word.hpp"
 
@@ -174,10 +174,10 @@ public:
     [[nodiscard]] double get() const {
         const auto low = static_cast<std::uint32_t>(all_.get(Mode::cylinder_low));
         const auto high = static_cast<std::uint32_t>(all_.get(Mode::cylinder_high));
-        return std::bit_cast<double>(std::uint64_t{high} << 32 | low);
+        return base::bit_cast<double>(std::uint64_t{high} << 32 | low);
     }
     void set(double r) {
-        const auto bits = std::bit_cast<std::uint64_t>(r);
+        const auto bits = base::bit_cast<std::uint64_t>(r);
         all_.set(Mode::cylinder_low, static_cast<std::int32_t>(bits & 0xFFFFFFFF));
         all_.set(Mode::cylinder_high, static_cast<std::int32_t>(bits >> 32));
     }

@@ -4,6 +4,7 @@
 #include <bit>
 #include <cmath>
 
+#include "base/float_chars.hpp"
 #include "base/whole.hpp"
 
 namespace obrys::sim::milling {
@@ -20,7 +21,7 @@ std::uint64_t mixed_of(std::span<const geom::Vec3> points, std::uint64_t with) {
     std::uint64_t mixed = with;
     for (const geom::Vec3& p : points)
         for (const double v : {p.x, p.y, p.z})
-            mixed = (mixed ^ std::bit_cast<std::uint64_t>(v)) * 0x9E3779B97F4A7C15U, mixed ^= mixed >> 29U;
+            mixed = (mixed ^ base::bit_cast<std::uint64_t>(v)) * 0x9E3779B97F4A7C15U, mixed ^= mixed >> 29U;
     return mixed;
 }
 

@@ -1,4 +1,4 @@
-#include "report/relief.hpp"
+#include "report/picture/relief.hpp"
 
 #include <algorithm>
 #include <array>
@@ -6,7 +6,7 @@
 
 #include "base/whole.hpp"
 
-namespace obrys::report {
+namespace obrys::report::picture {
 
 using geom::Vec3;
 using mesh::Colour;
@@ -184,4 +184,4 @@ Relief relief(const mesh::Mesh& m, const mesh::Shading& normals, const Camera& c
     return out;
 }
 
-}  // namespace obrys::report
+}  // namespace obrys::report::picture

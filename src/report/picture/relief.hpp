@@ -7,9 +7,9 @@
 
 #include "mesh/colour.hpp"
 #include "mesh/shading.hpp"
-#include "report/raster.hpp"
+#include "report/picture/raster.hpp"
 
-namespace obrys::report {
+namespace obrys::report::picture {
 
 /// Pixels 0xAARRGGBB row by row from the top, colours multiplied by the opacity (cairo's ARGB32).
 struct Image {
@@ -42,4 +42,4 @@ struct Relief {
 [[nodiscard]] Relief relief(const mesh::Mesh& m, const mesh::Shading& normals, const Camera& camera,
                             const ReliefStyle& style);
 
-}  // namespace obrys::report
+}  // namespace obrys::report::picture

@@ -11,7 +11,7 @@
 
 #include "mesh/mesh.hpp"
 
-namespace obrys::report {
+namespace obrys::report::picture {
 
 constexpr int most_pixels = 1 << 16;  ///< of a picture's width or height
 
@@ -47,4 +47,4 @@ struct Visible {
 /// left out. Time: linear in triangles and covered pixels, with an end (`complete`).
 [[nodiscard]] Visible rasterise(const mesh::Mesh& m, const Camera& camera);
 
-}  // namespace obrys::report
+}  // namespace obrys::report::picture

@@ -1,11 +1,11 @@
-#include "report/milling_picture.hpp"
+#include "report/picture/milling_picture.hpp"
 
 #include <algorithm>
 #include <cmath>
 
-#include "report/picture_parts.hpp"
+#include "report/picture/picture_parts.hpp"
 
-namespace obrys::report {
+namespace obrys::report::picture {
 
 using geom::Vec3;
 
@@ -116,4 +116,4 @@ std::string milling_svg(MillingView view, const MillingScene& scene, PictureSize
     return draw(SheetFormat::svg, view, scene, size);
 }
 
-}  // namespace obrys::report
+}  // namespace obrys::report::picture

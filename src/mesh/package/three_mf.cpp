@@ -7,9 +7,9 @@
 #include <string_view>
 
 #include "base/number.hpp"
-#include "mesh/export.hpp"
+#include "mesh/package/three_mf.hpp"
 
-namespace obrys::mesh {
+namespace obrys::mesh::package {
 
 namespace {
 
@@ -163,4 +163,4 @@ std::string write_3mf(const Mesh& m, Palette palette) {
     return archive.finish();
 }
 
-}  // namespace obrys::mesh
+}  // namespace obrys::mesh::package

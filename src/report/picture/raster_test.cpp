@@ -1,5 +1,5 @@
 /// What is seen of a mesh: places to the pixel, hidden faces, cuts, coordinates that are no numbers.
-#include "report/raster.hpp"
+#include "report/picture/raster.hpp"
 
 #include <gtest/gtest.h>
 
@@ -9,7 +9,7 @@
 
 #include "mesh/primitives.hpp"
 
-namespace obrys::report {
+namespace obrys::report::picture {
 namespace {
 
 using geom::Vec3;
@@ -117,4 +117,4 @@ TEST(Raster, OutlinesLieAtTheProjectedPlacesToAPixel) {
 }
 
 }  // namespace
-}  // namespace obrys::report
+}  // namespace obrys::report::picture

@@ -5,9 +5,9 @@
 
 #include "base/whole.hpp"
 
-#include "report/picture_parts.hpp"
+#include "report/picture/picture_parts.hpp"
 
-namespace obrys::report::picture {
+namespace obrys::report::picture::picture {
 
 using geom::Vec2;
 using geom::Vec3;
@@ -226,4 +226,4 @@ void marks(Work& work, const Shot& shot) {
     }
 }
 
-}  // namespace obrys::report::picture
+}  // namespace obrys::report::picture::picture

@@ -12,7 +12,7 @@
 #include "mesh/colour.hpp"
 #include "mesh/mesh.hpp"
 
-namespace obrys::report {
+namespace obrys::report::picture {
 
 enum class MillingView : std::uint8_t {
     plan,         ///< from above: the deeper the darker, with a scale of heights
@@ -64,4 +64,4 @@ struct PictureSize {
 /// An SVG document with the surface as an image and everything else as lines; as milling_png.
 [[nodiscard]] std::string milling_svg(MillingView view, const MillingScene& scene, PictureSize size = {});
 
-}  // namespace obrys::report
+}  // namespace obrys::report::picture

@@ -3,9 +3,9 @@
 #include <cmath>
 #include <functional>
 
-#include "report/picture_parts.hpp"
+#include "report/picture/picture_parts.hpp"
 
-namespace obrys::report::picture {
+namespace obrys::report::picture::picture {
 
 using geom::Vec2;
 using geom::Vec3;
@@ -137,4 +137,4 @@ void projections(Work& work) {
     heading(work, "three projections; cut at the lines A and B, heights of flat areas in blue");
 }
 
-}  // namespace obrys::report::picture
+}  // namespace obrys::report::picture::picture

@@ -1,11 +1,11 @@
-#include "report/raster.hpp"
+#include "report/picture/raster.hpp"
 
 #include <algorithm>
 #include <cmath>
 
 #include "base/whole.hpp"
 
-namespace obrys::report {
+namespace obrys::report::picture {
 
 using geom::Vec3;
 
@@ -95,4 +95,4 @@ Visible rasterise(const mesh::Mesh& m, const Camera& camera) {
     return out;
 }
 
-}  // namespace obrys::report
+}  // namespace obrys::report::picture

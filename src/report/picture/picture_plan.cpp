@@ -4,10 +4,10 @@
 #include <cmath>
 
 #include "base/whole.hpp"
-#include "report/picture_parts.hpp"
+#include "report/picture/picture_parts.hpp"
 #include "report/svg_window.hpp"
 
-namespace obrys::report::picture {
+namespace obrys::report::picture::picture {
 
 using geom::Vec2;
 using geom::Vec3;
@@ -139,4 +139,4 @@ void plan(Work& work) {
                       " x " + millimetres(size.z) + " mm");
 }
 
-}  // namespace obrys::report::picture
+}  // namespace obrys::report::picture::picture

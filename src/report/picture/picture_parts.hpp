@@ -5,11 +5,11 @@
 #include <string>
 #include <vector>
 
-#include "report/milling_picture.hpp"
-#include "report/relief.hpp"
-#include "report/sheet.hpp"
+#include "report/picture/milling_picture.hpp"
+#include "report/picture/relief.hpp"
+#include "report/picture/sheet.hpp"
 
-namespace obrys::report::picture {
+namespace obrys::report::picture::picture {
 
 /// On the sheet, px.
 struct Rect {
@@ -98,4 +98,4 @@ void solid(Work& work);
 inline constexpr mesh::Colour ink{30, 34, 40}, faint{150, 156, 164}, blue{20, 80, 170}, red{200, 30, 40},
     clamp{207, 138, 153};
 
-}  // namespace obrys::report::picture
+}  // namespace obrys::report::picture::picture

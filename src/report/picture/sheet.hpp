@@ -8,9 +8,9 @@
 
 #include "geom/vec.hpp"
 #include "mesh/colour.hpp"
-#include "report/relief.hpp"
+#include "report/picture/relief.hpp"
 
-namespace obrys::report {
+namespace obrys::report::picture {
 
 enum class SheetFormat : std::uint8_t { png, svg };
 
@@ -58,4 +58,4 @@ private:
     std::unique_ptr<Inside> inside_;
 };
 
-}  // namespace obrys::report
+}  // namespace obrys::report::picture

@@ -1,4 +1,4 @@
-#include "report/picture_parts.hpp"
+#include "report/picture/picture_parts.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -6,7 +6,7 @@
 #include "base/number.hpp"
 #include "report/svg_window.hpp"
 
-namespace obrys::report::picture {
+namespace obrys::report::picture::picture {
 
 using geom::Vec2;
 using geom::Vec3;
@@ -166,4 +166,4 @@ void heading(Work& work, const std::string& what) {
     work.sheet.text({1.2 * work.em, 3.5 * work.em}, what + short_of, {work.em, {90, 96, 104}});
 }
 
-}  // namespace obrys::report::picture
+}  // namespace obrys::report::picture::picture

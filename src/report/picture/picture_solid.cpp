@@ -3,9 +3,9 @@
 #include <array>
 #include <cmath>
 
-#include "report/picture_parts.hpp"
+#include "report/picture/picture_parts.hpp"
 
-namespace obrys::report::picture {
+namespace obrys::report::picture::picture {
 
 using geom::Vec2;
 using geom::Vec3;
@@ -85,4 +85,4 @@ void solid(Work& work) {
             "3D; stock " + millimetres(size.x) + " x " + millimetres(size.y) + " x " + millimetres(size.z) + " mm");
 }
 
-}  // namespace obrys::report::picture
+}  // namespace obrys::report::picture::picture

@@ -1,8 +1,8 @@
-#include "report/deviation_legend.hpp"
+#include "report/picture/deviation_legend.hpp"
 
 #include <gtest/gtest.h>
 
-namespace obrys::report {
+namespace obrys::report::picture {
 namespace {
 
 std::string texts(const std::vector<double>& deviations) {
@@ -25,4 +25,4 @@ TEST(DeviationLegend, TheRangesThatThereAre) {
 }
 
 }  // namespace
-}  // namespace obrys::report
+}  // namespace obrys::report::picture

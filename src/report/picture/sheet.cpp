@@ -1,4 +1,4 @@
-#include "report/sheet.hpp"
+#include "report/picture/sheet.hpp"
 
 #include <cairo-svg.h>
 #include <cairo.h>
@@ -8,7 +8,7 @@
 #include <map>
 #include <new>
 
-namespace obrys::report {
+namespace obrys::report::picture {
 
 using geom::Vec2;
 
@@ -228,4 +228,4 @@ std::string Sheet::finish() {
     return bytes;
 }
 
-}  // namespace obrys::report
+}  // namespace obrys::report::picture

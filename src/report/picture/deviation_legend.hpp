@@ -4,9 +4,9 @@
 #include <vector>
 
 #include "mesh/compare.hpp"
-#include "report/milling_picture.hpp"
+#include "report/picture/milling_picture.hpp"
 
-namespace obrys::report {
+namespace obrys::report::picture {
 
 /// Of each way, too deep and too high, the smallest and the largest deviation that there is, as the range in
 /// millimetres that its colour stands for; no entry for what is not there. `allowed` and `full` as of
@@ -14,4 +14,4 @@ namespace obrys::report {
 [[nodiscard]] std::vector<PictureLegend> deviation_legend(const mesh::DeviationColours& colours, double allowed,
                                                           double full);
 
-}  // namespace obrys::report
+}  // namespace obrys::report::picture

@@ -1,10 +1,10 @@
-#include "report/deviation_legend.hpp"
+#include "report/picture/deviation_legend.hpp"
 
 #include <algorithm>
 
 #include "base/number.hpp"
 
-namespace obrys::report {
+namespace obrys::report::picture {
 
 std::vector<PictureLegend> deviation_legend(const mesh::DeviationColours& colours, double allowed, double full) {
     std::vector<PictureLegend> out{{colours.palette[0], "within " + base::shortest(allowed) + " mm"}};
@@ -28,4 +28,4 @@ std::vector<PictureLegend> deviation_legend(const mesh::DeviationColours& colour
     return out;
 }
 
-}  // namespace obrys::report
+}  // namespace obrys::report::picture

@@ -1,5 +1,5 @@
 /// The three pictures of a machined part, read back from their PNG.
-#include "report/milling_picture.hpp"
+#include "report/picture/milling_picture.hpp"
 
 #include <cairo.h>
 #include <gtest/gtest.h>
@@ -10,7 +10,7 @@
 
 #include "mesh/primitives.hpp"
 
-namespace obrys::report {
+namespace obrys::report::picture {
 namespace {
 
 using geom::Vec3;
@@ -300,4 +300,4 @@ TEST(MillingPicture, ThePartHidesClampsBehindIt) {
 }
 
 }  // namespace
-}  // namespace obrys::report
+}  // namespace obrys::report::picture

@@ -1,0 +1,16 @@
+# The outside libraries of the core as headers, for compilers that cannot link those of this machine (emscripten): a
+# folder of links to them alone, since the system's own headers beside them are of another C library.
+set(headers ${PROJECT_BINARY_DIR}/core_headers)
+file(MAKE_DIRECTORY ${headers})
+foreach(library IN ITEMS fmt toml++ nlohmann)
+  find_path(core_${library} NAMES ${library} PATHS /usr/include /usr/local/include NO_CMAKE_FIND_ROOT_PATH REQUIRED NO_CACHE)
+  file(CREATE_LINK ${core_${library}}/${library} ${headers}/${library} SYMBOLIC)
+endforeach()
+function(obrys_headers_only name)
+  add_library(${name} INTERFACE IMPORTED GLOBAL)
+  target_include_directories(${name} SYSTEM INTERFACE ${headers})
+  target_compile_definitions(${name} INTERFACE ${ARGN})
+endfunction()
+obrys_headers_only(fmt::fmt FMT_HEADER_ONLY=1)
+obrys_headers_only(tomlplusplus::tomlplusplus TOML_HEADER_ONLY=1)
+obrys_headers_only(nlohmann_json::nlohmann_json)
