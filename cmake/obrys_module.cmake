@@ -67,6 +67,13 @@ function(obrys_module folder)
   endif()
 endfunction()
 
+# obrys_layer(<folder>...): the folder of the CMakeLists.txt at hand is held to these, whether it is built or not.
+function(obrys_layer)
+  file(RELATIVE_PATH folder ${PROJECT_SOURCE_DIR}/src ${CMAKE_CURRENT_SOURCE_DIR})
+  list(JOIN ARGN " " uses)
+  set_property(GLOBAL APPEND PROPERTY obrys_layers "${folder}: ${uses}")
+endfunction()
+
 # obrys_app(<name> SOURCES <file>... USES <folder>... [LIBRARIES <target>...]): a program, at the top of the house.
 # It stands in a folder of its own below src/ and is held to its USES like every other folder.
 function(obrys_app name)
@@ -82,9 +89,7 @@ function(obrys_app name)
     endif()
     target_link_libraries(${name} PRIVATE ${below})
   endforeach()
-  file(RELATIVE_PATH folder ${PROJECT_SOURCE_DIR}/src ${CMAKE_CURRENT_SOURCE_DIR})
-  list(JOIN ARG_USES " " uses)
-  set_property(GLOBAL APPEND PROPERTY obrys_layers "${folder}: ${uses}")
+  obrys_layer(${ARG_USES})
 endfunction()
 
 # Writes <build>/layers.txt, a line "folder: used used ..." for each folder, bottom to top; the test `layers` reads it.
@@ -100,9 +105,7 @@ endfunction()
 set(OBRYS_LOADABLE_DIR lib/obrys)  # from the prefix, of the build tree as of the installed one
 function(obrys_loadable name)
   cmake_parse_arguments(ARG "" "WHEN" "SOURCES;USES;LIBRARIES" ${ARGN})
-  file(RELATIVE_PATH folder ${PROJECT_SOURCE_DIR}/src ${CMAKE_CURRENT_SOURCE_DIR})
-  list(JOIN ARG_USES " " uses)
-  set_property(GLOBAL APPEND PROPERTY obrys_layers "${folder}: ${uses}")
+  obrys_layer(${ARG_USES})
   if(NOT ARG_WHEN)
     return()
   endif()

@@ -7,11 +7,11 @@
 #include <cstring>
 #include <string>
 
+#include "base/text.hpp"
+
 namespace obrys::base::by_c {
 
 namespace {
-
-bool is_digit(char c) { return c >= '0' && c <= '9'; }
 
 const char* behind_digits(const char* at, const char* last) { return std::find_if_not(at, last, is_digit); }
 
@@ -64,7 +64,10 @@ std::string without_exponent(const std::string& scientific) {
     std::string digits;
     for (std::size_t i = negative ? 1 : 0; i < e; ++i)
         if (scientific[i] != '.') digits += scientific[i];
-    const int exponent = std::atoi(scientific.c_str() + e + 1);
+    int exponent = 0;
+    const char* const sign = scientific.data() + e + 1;
+    static_cast<void>(std::from_chars(sign + 1, scientific.data() + scientific.size(), exponent));
+    if (*sign == '-') exponent = -exponent;
     if (exponent < 0)
         digits = "0." + std::string(static_cast<std::size_t>(-exponent - 1), '0') + digits;
     else if (const auto whole = static_cast<std::size_t>(exponent) + 1; whole < digits.size())

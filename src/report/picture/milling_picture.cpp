@@ -15,15 +15,15 @@ constexpr int smallest_picture = 200, largest_picture = 4000;  ///< px
 constexpr double furthest = 1e6;                               ///< mm from zero that a picture can show
 constexpr double beyond = 4;  ///< stocks: a surface that reaches farther out is shown as far as the stock goes
 
-bool usable(Vec3 p) { return std::max({std::abs(p.x), std::abs(p.y), std::abs(p.z)}) < furthest && is_finite(p); }
+bool within_reach(Vec3 p) { return std::max({std::abs(p.x), std::abs(p.y), std::abs(p.z)}) < furthest && is_finite(p); }
 
-bool usable(const mesh::Box& b) { return !b.empty() && usable(b.lo) && usable(b.hi); }
+bool within_reach(const mesh::Box& b) { return !b.empty() && within_reach(b.lo) && within_reach(b.hi); }
 
 /// Of the vertices whose place can be shown.
 mesh::Box extent(const mesh::Mesh& m) {
     mesh::Box box;
     for (const Vec3 v : m.vertices)
-        if (usable(v)) box.add(v);
+        if (within_reach(v)) box.add(v);
     return box;
 }
 
@@ -32,7 +32,7 @@ mesh::Box shown(const MillingScene& scene) {
     const mesh::Box surface = extent(scene.surface);
     if (surface.empty()) return {};
     mesh::Box box = surface;
-    if (usable(scene.stock)) {
+    if (within_reach(scene.stock)) {
         mesh::Box both = scene.stock;
         both.add(surface);
         box = length(both.size()) <= beyond * length(scene.stock.size()) ? both : scene.stock;
