@@ -356,36 +356,37 @@ int percent_lines(const Session& s) {
     return found;
 }
 
+EnvironmentOf::EnvironmentOf(Session& s)
+    : find_([&s](std::string_view name) { return s.programs->find(name); }),
+      read_text_([&s](const std::string& text) { return s.programs->read_text(text); }),
+      environment{s.sources,
+                  s.programs->names(),
+                  s.job.machine,
+                  s.job.tools,
+                  s.job.overrides,
+                  s.job.budgets,
+                  s.job.skip_levels,
+                  find_,
+                  s.programs->definitions(),
+                  s.job.variables,
+                  s.files.get(),
+                  s.canon,
+                  s.canon ? std::optional(geom::Vec3{}) : std::nullopt,
+                  s.has_stored ? &s.stored : nullptr,
+                  s.machine_unit,
+                  &s.settings,
+                  s.programs->searched(),
+                  &read_text_,
+                  std::max(s.job.tolerances.gouge, s.job.tolerances.simulation.value_or(0)),
+                  &s.programs->backups(),
+                  s.job.tool_lengths,
+                  s.job.first_tool,
+                  s.looked_ahead_in_vain} {}
+
 interp::Outcome interpret(Session& s, cl::Sink sink) {
-    const auto find = [&](std::string_view name) { return s.programs->find(name); };
-    const std::function<const program::Unit*(const std::string&)> read_text = [&](const std::string& text) {
-        return s.programs->read_text(text);
-    };
     if (s.spindle_goes_on && !s.job.machine.tool_change_stops_spindle) s.job.machine.tool_change_stops_spindle = false;
-    const interp::Environment environment{s.sources,
-                                          s.programs->names(),
-                                          s.job.machine,
-                                          s.job.tools,
-                                          s.job.overrides,
-                                          s.job.budgets,
-                                          s.job.skip_levels,
-                                          find,
-                                          s.programs->definitions(),
-                                          s.job.variables,
-                                          s.files.get(),
-                                          s.canon,
-                                          s.canon ? std::optional(geom::Vec3{}) : std::nullopt,
-                                          s.has_stored ? &s.stored : nullptr,
-                                          s.machine_unit,
-                                          &s.settings,
-                                          s.programs->searched(),
-                                          &read_text,
-                                          std::max(s.job.tolerances.gouge, s.job.tolerances.simulation.value_or(0)),
-                                          &s.programs->backups(),
-                                          s.job.tool_lengths,
-                                          s.job.first_tool,
-                                          s.looked_ahead_in_vain};
-    interp::Outcome outcome = interp::run(*s.main, environment, s.stacks, sink, s.diagnostics);
+    const EnvironmentOf parts(s);
+    interp::Outcome outcome = interp::run(*s.main, parts.environment, s.stacks, sink, s.diagnostics);
     const auto in_file = s.programs->of_file(s.main->file);
     const bool subs_alone = holds_subprograms_alone(in_file, outcome.entered, *s.main);
     if (outcome.ending == interp::Ending::regular || subs_alone)

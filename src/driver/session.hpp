@@ -76,6 +76,18 @@ struct Session {
 /// (exit code 2); what is wrong stands in the session's diagnostics.
 bool open(const Request& request, Session& session);
 
+/// What the interpreter needs of a session, which must outlive it and stay where it is.
+class EnvironmentOf {
+    std::function<const program::Unit*(std::string_view)> find_;
+    std::function<const program::Unit*(const std::string&)> read_text_;
+
+public:
+    explicit EnvironmentOf(Session& session);
+    EnvironmentOf(const EnvironmentOf&) = delete;
+    EnvironmentOf& operator=(const EnvironmentOf&) = delete;
+    const interp::Environment environment;
+};
+
 /// Interprets the main program to `sink`.
 interp::Outcome interpret(Session& session, cl::Sink sink);
 

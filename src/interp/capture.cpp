@@ -13,35 +13,23 @@ namespace {
 constexpr std::size_t most_statements = 100'000;  ///< of a contour, loops counted
 constexpr std::size_t most_ahead = 500;           ///< statements looked at for the next element
 
-std::vector<std::pair<std::shared_ptr<Array>, Array>> values_of(const RunState& run) {
-    std::vector<std::pair<std::shared_ptr<Array>, Array>> values;
-    const auto keep = [&](const Scope& scope) {
-        for (const Binding& b : scope.bindings()) values.emplace_back(b.array, *b.array);
-    };
-    keep(run.globals);
-    for (const Activation& a : run.calls) keep(a.locals);
-    return values;
-}
-
 }  // namespace
 
 // The state is put aside and a copy run, not the other way round: what callers point into is theirs again afterwards.
-Rehearsal::Rehearsal(Run& r, Look purpose)
-    : run_(r), saved_(std::move(static_cast<RunState&>(r))), values_(values_of(saved_)) {
+Rehearsal::Rehearsal(Run& r, Look purpose) : run_(r), saved_(std::move(static_cast<RunState&>(r))) {
     static_cast<RunState&>(run_) = saved_;
     path_ = std::exchange(run_.path, std::make_unique<PathStage>());  // nothing held back may come out
     run_.look = purpose;
     run_.capture = &elements;
     run_.complaints = &complaints;
-    run_.cycle.modal = false;   // a cycle makes no elements
-    run_.free_contour.reset();  // its solver would go on with blocks that are only tried
+    run_.cycle.modal = false;  // a cycle makes no elements
+    run_.free_contour = {};    // its solver would go on with blocks that are only tried
 }
 
 Rehearsal::~Rehearsal() {
     saved_.steps = run_.steps;  // a run in which much is looked at comes to the end of its time, too
     saved_.out_of_time = run_.out_of_time;
     static_cast<RunState&>(run_) = std::move(saved_);
-    for (auto& [array, value] : values_) *array = std::move(value);
     run_.path = std::move(path_);
 }
 

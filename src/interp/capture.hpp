@@ -36,12 +36,8 @@ public:
     Complaints complaints;
 
 private:
-    /// What the variables hold: calls and scopes share them with what is run ahead.
-    using Values = std::vector<std::pair<std::shared_ptr<Array>, Array>>;
-
     Run& run_;
     RunState saved_;
-    Values values_;
     std::unique_ptr<PathStage> path_;
 };
 

@@ -32,6 +32,9 @@ struct FreeContour {
     std::optional<path::FkFault> fault;
 };
 
+SolvedContour::SolvedContour(const SolvedContour& other)
+    : at_hand(other.at_hand == nullptr ? nullptr : std::make_shared<FreeContour>(*other.at_hand)) {}
+
 namespace {
 
 const Special* special_at(const Unit& unit, std::uint32_t index) {
@@ -200,20 +203,20 @@ void complain(Run& run, const FreeContour& c) {
 }
 
 FreeContour& contour_at(Run& run, std::uint32_t index) {
-    const FreeContour* at_hand = run.free_contour.get();
+    const FreeContour* at_hand = run.free_contour.at_hand.get();
     const bool goes_on =
         at_hand != nullptr && at_hand->unit == &run.unit() && index > at_hand->done && index <= at_hand->next;
-    if (goes_on) return *run.free_contour;
+    if (goes_on) return *run.free_contour.at_hand;
     const PlaneAxes a = plane_axes(run.modal.plane);
     const geom::Vec3& p = run.programmed_position;
     std::optional<Vec2> direction;
     if (geom::length(run.last_direction) > 0) direction = run.last_direction;
-    run.free_contour =
+    run.free_contour.at_hand =
         std::make_shared<FreeContour>(Vec2{coordinate(p, a.u), coordinate(p, a.v)}, direction, coordinate(p, a.w));
-    run.free_contour->unit = &run.unit();
-    run.free_contour->next = index;
-    run.free_contour->done = index == 0 ? 0 : index - 1;
-    return *run.free_contour;
+    run.free_contour.at_hand->unit = &run.unit();
+    run.free_contour.at_hand->next = index;
+    run.free_contour.at_hand->done = index == 0 ? 0 : index - 1;
+    return *run.free_contour.at_hand;
 }
 
 }  // namespace
@@ -231,7 +234,7 @@ void free_contour(Run& run, const Special& s, std::uint32_t index) {
     if (found == c.known.end()) {
         if (c.fault) complain(run, c);
         run.programmed_position = run.position = {NAN, NAN, NAN};
-        run.free_contour.reset();
+        run.free_contour = {};
         return;
     }
     path::Element e = found->second;
@@ -241,11 +244,11 @@ void free_contour(Run& run, const Special& s, std::uint32_t index) {
     geom::Vec3 to = run.programmed_position;
     coordinate(to, a.u) = e.to.x;
     coordinate(to, a.v) = e.to.y;
-    const std::shared_ptr<FreeContour> keep = run.free_contour;
+    const std::shared_ptr<FreeContour> keep = run.free_contour.at_hand;
     begin_motion(run);
     if (!run.block.rapid) require_feed(run);
     plane_element(run, std::move(e), to, false);
-    run.free_contour = keep;
+    run.free_contour.at_hand = keep;
 }
 
 }  // namespace obrys::interp

@@ -427,7 +427,7 @@ void straight_motion(Run& run, const geom::Vec3& to, bool rapid) {
     if (!known || !needs_path_stage(run)) {
         const geom::Vec2 step{coordinate(to, a.u) - coordinate(at, a.u), coordinate(to, a.v) - coordinate(at, a.v)};
         if (step.x != 0 || step.y != 0) run.last_direction = step;
-        run.free_contour.reset();
+        run.free_contour = {};
         if (run.capture != nullptr) capture(run, straight_element(at, to, a), rapid);
         arrive(run, to);
         emit(run, cl::Linear{run.position, run.tool_axis, rapid});

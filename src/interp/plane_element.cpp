@@ -88,7 +88,7 @@ void plane_element(Run& run, path::Element e, const Vec3& to, bool rapid) {
     remember_direction(run, e);
     if (path::is_arc(e) && run.modal.feed_mode == cl::FeedMode::inverse_time)
         tell_inverse_feed(run, std::hypot(e.sweep * geom::length(e.from - e.centre), e.w_to - e.w_from));
-    run.free_contour.reset();
+    run.free_contour = {};
     if (run.capture != nullptr)
         capture(run, e, rapid);
     else if (needs_path_stage(run)) {

@@ -84,6 +84,8 @@ void judge_place_of_definition(Run&, const Unit&, std::uint32_t index);
 [[nodiscard]] Value read_character(Run&, const Binding&, const program::Expr&);
 
 // --- flow (interp.cpp, flow.cpp, passes.cpp, calls.cpp)
+/// What machine, job and program say before the first block (begin.cpp).
+void begin(Run&, const Unit& main);
 void step(Run&);  ///< the next statement of the program
 /// Ends the run where it has made too many blocks or, if the clock is looked at, taken too long.
 bool over_budget(Run&, bool check_clock);

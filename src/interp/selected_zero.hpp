@@ -10,6 +10,8 @@ namespace obrys::interp {
 class SelectedZero {
 public:
     explicit SelectedZero(cl::Sink out) : out_(out) {}
+    /// As another one, for another taker.
+    SelectedZero(const SelectedZero& other, cl::Sink out) : SelectedZero(other) { out_ = out; }
     void operator()(const cl::Record& record);
     /// From the frame that the run reckons in into that of the stream.
     [[nodiscard]] geom::Vec3 by() const { return by_; }

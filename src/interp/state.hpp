@@ -290,6 +290,41 @@ private:
     }
 };
 
+/// The calls under way, and what their variables and the global ones hold. A copy has variables of its own: those that
+/// calls share (VAR arguments) they share in the copy, too.
+struct CallState {
+    std::vector<Activation> calls;
+    Scope globals;
+
+    CallState() = default;
+    CallState(const CallState& other) : calls(other.calls), globals(other.globals) { have_own_variables(); }
+    CallState(CallState&&) noexcept = default;
+    CallState& operator=(const CallState& other) {
+        if (this == &other) return *this;
+        calls = other.calls;
+        globals = other.globals;
+        have_own_variables();
+        return *this;
+    }
+    CallState& operator=(CallState&&) noexcept = default;
+    ~CallState() = default;
+
+private:
+    void have_own_variables();  // call_state.cpp
+};
+
+/// A free contour that is being solved; a copy is solved by itself.
+struct SolvedContour {
+    std::shared_ptr<FreeContour> at_hand;  ///< null: none
+
+    SolvedContour() = default;
+    SolvedContour(const SolvedContour& other);  // free_contour.cpp
+    SolvedContour(SolvedContour&&) noexcept = default;
+    SolvedContour& operator=(const SolvedContour& other) { return *this = SolvedContour(other); }
+    SolvedContour& operator=(SolvedContour&&) noexcept = default;
+    ~SolvedContour() = default;
+};
+
 /// The zero and the frame that the stream has been told, before its moves.
 struct StreamFrame {
     bool begun = false;
@@ -313,9 +348,9 @@ enum class Look : std::uint8_t {
 };
 
 /// All that running a block changes and that the next one depends on. A copy is a place to go back to: whoever looks
-/// ahead copies it whole (capture.hpp). Programs that it points to do not change; what variables hold is shared by
-/// calls and scopes and therefore is not in the copy (values_of in capture.cpp).
-struct RunState : ToolRack {
+/// ahead copies it whole (capture.hpp), and a machine that is copied goes on from there (machine.hpp). Programs that it
+/// points to do not change.
+struct RunState : ToolRack, CallState {
     RunState(const std::vector<shop::Tool>& listed, std::uint32_t parameter_count, const geom::Vec3& start)
         : ToolRack(listed), parameters(parameter_count), position(start), programmed_position(start) {}
 
@@ -327,8 +362,6 @@ struct RunState : ToolRack {
     };
     WatchedLoop watched;
     std::vector<CarriedCompensation> carried;
-    std::vector<Activation> calls;
-    Scope globals;
     Undefined undefined;
     Parameters parameters;
     std::unordered_map<std::uint64_t, Value> system_written;  ///< system variables the program wrote itself
@@ -395,8 +428,8 @@ struct RunState : ToolRack {
     Complaints* complaints = nullptr;
     /// Where it is set, records come from there instead of the block being run (contour_cycle.hpp).
     const ContourElement* along = nullptr;
-    std::shared_ptr<FreeContour> free_contour;  ///< being solved
-    std::optional<geom::Vec2> free_pole;        ///< FPOL
+    SolvedContour free_contour;
+    std::optional<geom::Vec2> free_pole;  ///< FPOL
     /// Values of turning cycles that stay with the control (CycleDefinition::store), mm, by store and role.
     std::map<std::pair<int, cl::CycleRole>, double> cycle_store;
 
@@ -432,6 +465,8 @@ struct ReadPieces {
 /// What a run works with: its state, what stands around it, and what it hands out.
 struct Run : RunState {
     Run(const Environment& e, cl::CallStacks& s, cl::Sink k, base::Diagnostics& d, std::uint32_t parameter_count);
+    /// Goes on from where another one stands, between two of its steps.
+    Run(const Run& other, cl::CallStacks& s, cl::Sink k, base::Diagnostics& d);
     ~Run();
 
     // Around it; settled before the first block.
@@ -455,7 +490,7 @@ struct Run : RunState {
     std::unordered_set<std::uint64_t> reported;  ///< complaints already made, by place and code
     std::set<std::string> assumed;
     std::unordered_set<const Unit*> entered;
-    std::unique_ptr<ReadPieces> read_pieces = std::make_unique<ReadPieces>();
+    std::shared_ptr<ReadPieces> read_pieces = std::make_shared<ReadPieces>();  ///< of copies, too: it only grows
 
     [[nodiscard]] Activation& top() { return calls.back(); }
     [[nodiscard]] const Unit& unit() const { return *calls.back().unit; }

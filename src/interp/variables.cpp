@@ -23,6 +23,14 @@ void Scope::truncate(std::size_t n) {
     indexed_ = 0;
 }
 
+void Scope::have_own(Copies& copies) {
+    for (Binding& b : bindings_) {
+        std::shared_ptr<Array>& copy = copies[b.array.get()];
+        if (copy == nullptr) copy = std::make_shared<Array>(*b.array);
+        b.array = copy;
+    }
+}
+
 bool element_index(const Array& a, const double* indices, std::size_t count, std::size_t& result) {
     result = 0;
     for (std::size_t k = 0; k < 3; ++k) {

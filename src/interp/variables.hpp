@@ -65,6 +65,10 @@ public:
     [[nodiscard]] std::size_t size() const { return bindings_.size(); }
     [[nodiscard]] const std::vector<Binding>& bindings() const { return bindings_; }
     void truncate(std::size_t n);
+    /// Variables by those that they are copies of.
+    using Copies = std::unordered_map<const Array*, std::shared_ptr<Array>>;
+    /// Takes copies of the variables in their place; one that `copies` has already is taken from there.
+    void have_own(Copies& copies);
 
 private:
     std::vector<Binding> bindings_;
