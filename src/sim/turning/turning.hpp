@@ -28,11 +28,13 @@ struct Cut {
     double contact_length = 0;  ///< mm, length of the tool's outline that touched material, at most along the move
 };
 
-/// The workpiece while it is being turned.
+/// The workpiece while it is being turned: a value. A copy costs what its contour has of edges, and is cut by itself.
 class Workpiece {
 public:
     explicit Workpiece(const geom::Region& stock);
     ~Workpiece();
+    Workpiece(const Workpiece&);
+    Workpiece& operator=(const Workpiece&);
     Workpiece(Workpiece&&) noexcept;
     Workpiece& operator=(Workpiece&&) noexcept;
 

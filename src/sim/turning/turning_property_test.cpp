@@ -72,6 +72,35 @@ RC_GTEST_PROP(TurningProperty, LocalCutIsTheSetDifference, ()) {
     }
 }
 
+RC_GTEST_PROP(TurningProperty, ACopyGoesOnFromWhereItWasMade, ()) {
+    const Region above{{{{{{-20, 0}, 0}, {{40, 0}, 0}, {{40, 40}, 0}, {{-20, 40}, 0}}, true}}};
+    Workpiece w(geom::intersect(*geom::testing::lattice_region(12, 10), above));
+    struct Pass {
+        Contour outline;
+        Move move;
+    };
+    std::vector<Pass> passes;
+    for (int i = 0; i < 6; ++i) passes.push_back({*tool(), any_move()});
+    const auto copied_at = static_cast<std::size_t>(*rc::gen::inRange(0, 6));
+    std::optional<Workpiece> copy;
+    std::vector<Region> removed, left;
+    for (std::size_t i = 0; i < passes.size(); ++i) {
+        if (i == copied_at) copy = w;
+        removed.push_back(w.cut(passes[i].outline, passes[i].move).removed);
+        left.push_back(w.region());
+    }
+    const auto same = [](const Region& a, const Region& b) {
+        RC_ASSERT(a.contours.size() == b.contours.size());
+        for (std::size_t i = 0; i < a.contours.size(); ++i)
+            for (std::size_t k = 0; k < a.contours[i].vertices.size(); ++k)
+                RC_ASSERT(a.contours[i].vertices[k].p == b.contours[i].vertices[k].p);
+    };
+    for (std::size_t i = copied_at; i < passes.size(); ++i) {
+        same(copy->cut(passes[i].outline, passes[i].move).removed, removed[i]);
+        same(copy->region(), left[i]);
+    }
+}
+
 RC_GTEST_PROP(TurningProperty, OrderOfCutsDoesNotMatterForWhatIsLeft, ()) {
     const Region stock = *geom::testing::lattice_region(12, 10);
     Workpiece forward(stock), backward(stock);

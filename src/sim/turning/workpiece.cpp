@@ -192,6 +192,8 @@ struct Workpiece::State {
 
 Workpiece::Workpiece(const Region& stock) : state_(std::make_unique<State>(geom::tidied(stock.contours))) {}
 Workpiece::~Workpiece() = default;
+Workpiece::Workpiece(const Workpiece& other) : state_(std::make_unique<State>(*other.state_)) {}
+Workpiece& Workpiece::operator=(const Workpiece& other) { return *this = Workpiece(other); }
 Workpiece::Workpiece(Workpiece&&) noexcept = default;
 Workpiece& Workpiece::operator=(Workpiece&&) noexcept = default;
 
