@@ -37,7 +37,8 @@ struct Depth {
     geom::Vec3 at;       ///< the deepest place of the tool
     geom::Vec3 surface;  ///< the part's surface nearest to it
     geom::Vec3 normal;   ///< out of the part there
-    double width = 0;    ///< of the tool in the surface there, across the way where it moves along the surface
+    double width = 0;    ///< of the tool in the surface there, across the way where it moves along the surface, within
+                         ///< the part's box
     bool edge = false;   ///< an edge of the part is taken off; `depth` is that of the edge in the tool
 };
 

@@ -62,6 +62,16 @@ TEST(Certified, scratches_of_pointed_tools_are_as_deep_as_they_are_however_narro
             }
 }
 
+TEST(Certified, a_place_at_a_wall_is_no_wider_than_the_part_is_high) {
+    const Judge judge(plate(), 0.01);
+    const double r = 5;
+    const auto d =
+        found_in(judge, end_mill(r), {-20, -r + 0.05, -2}, {80, -r + 0.05, -2});  // reaches far above the plate
+    ASSERT_TRUE(d);
+    EXPECT_NEAR(d->depth, 0.05, 0.001);
+    EXPECT_NEAR(d->width, 2, 0.05);
+}
+
 TEST(Certified, what_touches_all_along_is_clear) {
     const Judge judge(plate(), 0.01);
     for (const Shape& tool : {end_mill(5), ball(3), bull(6, 1), cone(5, 90)}) {

@@ -28,13 +28,20 @@ Vec3 unit_of(Vec3 v) {
     return size > 0 ? (1 / size) * v : Vec3{};
 }
 
-/// How wide the swept body is at a place within it along a direction of unit length.
-double width_of(const Swept& swept, Vec3 p, Vec3 across) {
+bool is_in(const mesh::Box& box, Vec3 p) {
+    return p.x >= box.lo.x && p.y >= box.lo.y && p.z >= box.lo.z && p.x <= box.hi.x && p.y <= box.hi.y &&
+           p.z <= box.hi.z;
+}
+
+/// How wide the swept body is at a place within it along a direction of unit length: as far as the part goes, which a
+/// long tool stands out of.
+double width_of(const Swept& swept, const mesh::Box& part, Vec3 p, Vec3 across) {
+    const bool in_part = is_in(part, p);
     const auto reach = [&](Vec3 way) {
         double in = 0, out = 1;
         const auto within = [&](double t) {
             const Vec3 q = p + t * way;
-            return geom::distance(q, nearest_within(swept, q)) <= 1e-9;
+            return (!in_part || is_in(part, q)) && geom::distance(q, nearest_within(swept, q)) <= 1e-9;
         };
         while (out < 1e4 && within(out)) in = out, out *= 2;
         for (int i = 0; i < 40; ++i) (within((in + out) / 2) ? in : out) = (in + out) / 2;
@@ -162,7 +169,7 @@ std::optional<Depth> Judge::deepest(const Move& move, std::optional<Vec3> from) 
     Vec3 across = unit_of(cross(out.normal, piece->way));
     if (across == Vec3{})
         across = unit_of(cross(out.normal, std::abs(out.normal.x) < 0.9 ? Vec3{1, 0, 0} : Vec3{0, 1, 0}));
-    out.width = width_of(*piece, nearest_within(*piece, best.place.at), across);
+    out.width = width_of(*piece, box_, nearest_within(*piece, best.place.at), across);
     return out;
 }
 

@@ -98,14 +98,11 @@ void Tile::subtract(int local, int met, double begin, double end, std::uint32_t 
 }
 
 void Tile::measure(int local, double begin, double end, Removed& found) const {
-    for (const Interval& v : ray(local)) {
-        if (v.begin >= end - thinnest) return;
-        const double from = std::max(begin, v.begin), to = std::min(end, v.end);
-        if (to - from <= thinnest) continue;
+    each_met(local, begin, end, [&](double from, double to) {
         found.length += to - from;
         found.lowest = std::min(found.lowest, from);
         found.highest = std::max(found.highest, to);
-    }
+    });
 }
 
 Dexels::Dexels(const Lattice& lattice) : lattice_(lattice) {

@@ -5,6 +5,7 @@
 /// along z at x index a and y index b. Coordinates on a ray are those of its axis in the stock's frame, not counted
 /// from the lattice's origin.
 
+#include <algorithm>
 #include <array>
 #include <cstdint>
 #include <limits>
@@ -66,6 +67,15 @@ public:
     void subtract(int local, int met, double begin, double end, std::uint32_t cut, Removed& removed);
     /// Length of material in [begin, end], where it lies.
     void measure(int local, double begin, double end, Removed& found) const;
+    /// Pieces of material between two coordinates, upwards, as met(from, to).
+    template <class Met>
+    void each_met(int local, double begin, double end, const Met& met) const {
+        for (const Interval& v : ray(local)) {
+            if (v.begin >= end - thinnest) return;
+            const double from = std::max(begin, v.begin), to = std::min(end, v.end);
+            if (to - from > thinnest) met(from, to);
+        }
+    }
     [[nodiscard]] std::size_t bytes() const { return pool_.capacity() * sizeof(Interval) + sizeof(Tile); }
 
     Tile() {

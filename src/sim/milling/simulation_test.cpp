@@ -286,6 +286,21 @@ TEST(Simulation, PassesThatDoNotCutSayWhatTheyMeet) {
     EXPECT_EQ(w.removed(), 0);
 }
 
+TEST(Simulation, AProbeAlongASlotIsAsDeepAsItsWalls) {
+    Cutter c;
+    c.diameter = 6;
+    c.cutting_length = 8;
+    c.shank = {{6.04, 6.04, 30}};
+    Work w(bed, 0.4, shape_of(c).shape);
+    w.simulation.add({geom::Straight{{-20, 10, -6}, {50, 10, -6}}, {0, 0, 1}, 0});
+    w.simulation.add({geom::Straight{{-20, 10, -9.5}, {50, 10, -9.5}}, {0, 0, 1}, 0, Part::shank, false});
+    w.simulation.flush();
+    const Engagement shank = w.simulation.engagements().back();
+    EXPECT_TRUE(shank.touched);
+    EXPECT_NEAR(shank.depth, 0.02, 1e-6);
+    EXPECT_NEAR(std::abs(shank.deepest.y - 10), 3, 1e-6);
+}
+
 TEST(Simulation, MeshStock) {
     // An octahedron: edges and corners lie exactly on rays when the lattice is placed so.
     const MeshStock mesh{{{6, 0, 0}, {-6, 0, 0}, {0, 6, 0}, {0, -6, 0}, {0, 0, 6}, {0, 0, -6}},

@@ -190,7 +190,7 @@ private:
             tally_.touched = true;
             if (measured_) note(c.row.p + i * c.row.step, local, removed);
             if (job_.cuts) continue;
-            note_depth(local, removed);
+            place_.tile.each_met(local, low, high, [&](double from, double to) { note_depth(local, from, to); });
             if (measured_) note_stack(c.row.p + i * c.row.step, local, removed);
         }
     }
@@ -219,8 +219,9 @@ private:
         return cross(job_.heading, p);
     }
 
-    void note_depth(int local, const Removed& found) {
-        for (const double at : {found.lowest, (found.lowest + found.highest) / 2, found.highest}) {
+    /// Of a piece of material on the ray: between two pieces there is none that could be deep.
+    void note_depth(int local, double from, double to) {
+        for (const double at : {from, (from + to) / 2, to}) {
             Vec3 p = node(local);
             set_component(p, place_.axis, at);
             const Foot foot = foot_on(*job_.shape, job_.track, job_.frame.to_tool(p - job_.from));
