@@ -3,7 +3,8 @@
 
 // With AVX2 four rays go at a time instead of two; without FMA, so the results are the same to the last bit. Functions
 // that are chosen at load time and the sanitizers do not go together.
-#if defined(__x86_64__) && defined(__GNUC__) && !defined(__clang__) && !defined(__SANITIZE_ADDRESS__)
+#if defined(__x86_64__) && defined(__GNUC__) && !defined(__clang__) && !defined(__SANITIZE_ADDRESS__) && \
+    !defined(__SANITIZE_THREAD__)
 #define OBRYS_LANES __attribute__((target_clones("avx2", "default")))
 #else
 #define OBRYS_LANES
