@@ -8,6 +8,7 @@
 #include "check/milling.hpp"
 #include "check/milling_tool.hpp"
 #include "check/rapid_way.hpp"
+#include "sim/milling/pieces.hpp"
 
 namespace obrys::check {
 
@@ -154,9 +155,10 @@ void Milling::queue_cutting(const geom::PathElement& element, const MilledMove& 
     if (feed && core > 0 && !move.plunging && !std::holds_alternative<geom::Cubic>(element) &&
         goes_down(element, axis_))
         pieces = std::max(pieces, base::clipped<std::uint32_t>(std::ceil(2 * way / core), 1, most_pieces_of_move));
+    const milling::Pieces all = milling::in_pieces_of_turns(element, pieces);
+    pieces = base::clipped<std::uint32_t>(all.count, 1, 2 * most_pieces_of_move);
     for (std::uint32_t i = 0; i < pieces; ++i) {
-        const geom::PathElement part =
-            pieces == 1 ? element : part_of(element, double(i) / pieces, double(i + 1) / pieces);
+        const geom::PathElement part = pieces == 1 ? element : part_of(element, all.end(i), all.end(i + 1));
         if (core > 0) queue_core(part, feed, move.plunging);
         queue_pass(Kind::cut, milling::Part::cutting, true, part, i > 0);
         queued_.back().length = static_cast<float>(way / pieces);

@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "base/whole.hpp"
+#include "sim/milling/covered.hpp"
 #include "sim/milling/nearest.hpp"
 
 namespace obrys::sim::milling {
@@ -41,6 +42,7 @@ Exact::Exact(const Simulation& simulation, const Lattice& lattice)
     : simulation_(simulation), stock_(simulation.stock_body()), lattice_(lattice), wholes_(simulation.wholes()) {
     for (const Simulation::Whole& whole : wholes_) parts_.add(simulation.cutting_of(whole.first));
     whole_of_.resize(simulation.sweeps() + 1);
+    covered_ = covered(simulation, wholes_);
     for (std::uint32_t n = 0; n < wholes_.size(); ++n)
         for (std::uint32_t cut = wholes_[n].first; cut <= wholes_[n].last; ++cut) whole_of_[cut] = n;
 }
@@ -89,6 +91,7 @@ Exact::Near Exact::near(const Place& cell, Vec3 centre, double reach, bool lines
     near.stock = std::abs(within) < reach;
     near.blank = within > 0;
     for (const std::uint32_t n : sweeps_[blocks_.find(key_of(block_of(cell)))]) {
+        if (covered_[n] != 0 && !lines) continue;
         const Simulation::Whole whole = wholes_[n];
         const Box3 box = simulation_.reach_of(whole);
         if (centre.x < box.min.x - reach || centre.x > box.max.x + reach || centre.y < box.min.y - reach ||
@@ -96,7 +99,7 @@ Exact::Near Exact::near(const Place& cell, Vec3 centre, double reach, bool lines
             continue;
         const Air::Sweep s = simulation_.body_of(whole);
         if (!(foot_on(*s.shape, s.track, s.frame.to_tool(centre - s.from)).outside < reach)) continue;
-        near.sweeps.push_back(s);
+        if (covered_[n] == 0) near.sweeps.push_back(s);
         if (lines) near.jobs.push_back(simulation_.job_of(whole));
     }
     return near;

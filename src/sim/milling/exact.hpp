@@ -37,7 +37,7 @@ public:
     /// What lies near a cell of the lattice: no farther from it than about a step.
     struct Near {
         std::vector<Air::Sweep> sweeps;
-        std::vector<Job> jobs;  ///< the same
+        std::vector<Job> jobs;  ///< the same, and those that these cover: who cut first is told by all
         bool stock = false;     ///< the stock's own face is near
         bool blank = true;      ///< else: within the stock
     };
@@ -123,6 +123,7 @@ private:
     std::vector<std::vector<std::uint32_t>> sweeps_;  ///< numbers in `wholes_`, by block
     std::vector<Simulation::Whole> wholes_;
     std::vector<std::uint32_t> whole_of_;  ///< by cut
+    std::vector<std::uint8_t> covered_;    ///< by whole: another one has taken all of it, too (covered.hpp)
     ConvexParts parts_;
 };
 

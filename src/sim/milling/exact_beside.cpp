@@ -72,7 +72,7 @@ private:
         const Foot foot = foot_on(*b.part, s.track, s.frame.to_tool(at - s.from));
         Plane plane{at, {foot.outside, s.frame.to_stock(foot.gradient)}, HUGE_VAL};
         if (s.track.circular && !(std::abs(foot.gradient.z) > level_face))
-            plane.side.outside -= bend_of(s, at, farthest_from(at, t) + 2 * allowed_);
+            plane.side.outside -= bend_of(s, foot.gradient, at, farthest_from(at, t) + 2 * allowed_);
         for (const Vec3& p : t) plane.least = std::min(plane.least, before(plane, p));
         return plane;
     }
@@ -88,16 +88,28 @@ private:
         return plane.side.outside + dot(plane.side.in, p - plane.at);
     }
 
-    /// How far a body that was swept on a circle may stand out of its tangent planes within so much about a point: on
-    /// the side of the circle's axis.
-    [[nodiscard]] static double bend_of(const Air::Sweep& s, Vec3 p, double about) {
+    /// How far a body that was swept on a circle may stand out of its tangent plane within so much about a point. All
+    /// of it by what the circle goes beyond the place where the tool touches that plane: nothing on the outer side. On
+    /// the inner one the circle's bend tells.
+    [[nodiscard]] static double bend_of(const Air::Sweep& s, Vec3 gradient, Vec3 p, double about) {
+        const Track& t = s.track;
         const Vec3 own = s.frame.to_tool(p - s.from);
-        const geom::Vec2 q = geom::Vec2{own.x, own.y} - s.track.centre;
+        const geom::Vec2 q = geom::Vec2{own.x, own.y} - t.centre, g{gradient.x, gradient.y};
+        const auto within = [&](geom::Vec2 to) {
+            return t.turn * cross(t.first, to) >= 0 && t.turn * cross(to, t.last) >= 0;
+        };
+        const bool beside = !within(q);
+        const double far = geom::length(q), ends = std::max(dot(g, t.first), dot(g, t.last));
+        const double most = within(g) ? geom::length(g) : ends;
+        const geom::Vec2 touches = !beside && far > 0 ? (1 / far) * q
+                                   : geom::distance(q, t.radius * t.first) < geom::distance(q, t.radius * t.last)
+                                       ? t.first
+                                       : t.last;
+        const double beyond = t.radius * std::max(0.0, most - dot(g, touches));
         // Beyond the centre a tool wider than its circle has stood at both ends: a kink lies between these.
-        const bool beside = s.track.turn * cross(s.track.first, q) < 0 || s.track.turn * cross(q, s.track.last) < 0;
-        if (beside && s.shape->radius > s.track.radius) return HUGE_VAL;
-        const double inner = geom::length(q) - about;
-        return inner > about ? about * about / (2 * inner) : HUGE_VAL;
+        if (beside && s.shape->radius > t.radius) return beyond;
+        const double inner = far - about;
+        return inner > about ? std::min(beyond, about * about / (2 * inner)) : beyond;
     }
 
     /// There is a way from a corner out of all planes, and not out of the stock.

@@ -6,6 +6,7 @@
 #include "base/whole.hpp"
 #include "sim/milling/job.hpp"
 #include "sim/milling/nearest.hpp"
+#include "sim/milling/pieces.hpp"
 
 namespace obrys::sim::milling {
 namespace {
@@ -87,7 +88,8 @@ Taken Simulation::add(const Pass& pass) {
     if (pass.tool >= tools_.size()) return Taken::no_tool;
     const double deviation = tolerance_ / 20;
     const auto* arc = std::get_if<geom::Circular>(&pass.path);
-    double pieces = chords_of(pass.path, deviation);
+    const Pieces chords = in_pieces_of_turns(pass.path, chords_of(pass.path, deviation));
+    double pieces = chords.count;
     bool exact = false;
     if (arc != nullptr && length(arc->normal) > 0 && orientations_[orientation_for(pass.axis)].along >= 0) {
         const Vec3 n = (1 / length(arc->normal)) * arc->normal;
@@ -104,7 +106,7 @@ Taken Simulation::add(const Pass& pass) {
     } else {
         Vec3 at = geom::point_at(pass.path, 0);
         for (int i = 1; i <= count; ++i) {
-            const Vec3 next = geom::point_at(pass.path, i / pieces);
+            const Vec3 next = geom::point_at(pass.path, chords.end(i));
             if (geom::distance(at, next) <= still && i < count) continue;
             add_straight(pass, at, next);
             at = next;

@@ -141,6 +141,7 @@ public:
         return cuts_in(box, 0, static_cast<std::uint32_t>(done_));
     }
     [[nodiscard]] const StockBody& stock_body() const { return body(); }
+    [[nodiscard]] const Stock& stock() const { return *stock_; }
     [[nodiscard]] double tolerance() const { return tolerance_; }
     [[nodiscard]] int threads() const { return threads_; }
     /// Material on the line along `axis` through a point, as rays have it, between two of its coordinates: cut again.
