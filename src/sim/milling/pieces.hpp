@@ -18,11 +18,11 @@ struct Pieces {
     [[nodiscard]] double end(double i) const { return i >= count ? 1 : i * each; }
 };
 
-/// At least so many.
+/// At least so many; of so few that a turn has less than one, no more.
 [[nodiscard]] inline Pieces in_pieces_of_turns(const geom::PathElement& path, double least) {
     const auto* c = std::get_if<geom::Circular>(&path);
     const double turns = c == nullptr ? 0 : std::abs(c->sweep) / (2 * geom::pi);
-    if (!(turns > 1)) return {least, 1 / least};
+    if (!(turns > 1) || least < turns) return {least, 1 / least};
     const double of_turn = std::max(1.0, std::ceil(least / turns - 1e-9));
     return {std::max(1.0, std::ceil(turns * of_turn - 1e-9)), 1 / (turns * of_turn)};
 }
