@@ -14,7 +14,7 @@ namespace {
 
 using geom::Vec3;
 
-constexpr double level_face = 1 - 1e-12;       ///< a tool's lower face on a circle: its plane has no bend
+constexpr double along_axis = 0.9;             ///< of a direction: that of an end of a piece, not of its side
 constexpr double one_plane = 1e-3;             ///< between directions
 constexpr double small = 0.7, smallest = 0.1;  ///< of what is allowed: sizes of triangles
 
@@ -69,12 +69,56 @@ private:
     };
     [[nodiscard]] Plane plane_at(const Body& b, Vec3 at, const Corners& t) const {
         const Air::Sweep& s = *b.sweep;
-        const Foot foot = foot_on(*b.part, s.track, s.frame.to_tool(at - s.from));
-        Plane plane{at, {foot.outside, s.frame.to_stock(foot.gradient)}, HUGE_VAL};
-        if (s.track.circular && !(std::abs(foot.gradient.z) > level_face))
-            plane.side.outside -= bend_of(s, foot.gradient, at, farthest_from(at, t) + 2 * allowed_);
+        const Vec3 own = s.frame.to_tool(at - s.from);
+        const Foot foot = foot_on(*b.part, s.track, own);
+        const double size = length(foot.gradient);
+        Vec3 n = size > 0 ? (1 / size) * foot.gradient : foot.normal;
+        double outside = dot(n, own) - reach_of(*b.part, s.track, n);
+        // Where a piece of the tool is nearest with its end, there is another one and no face.
+        if (std::abs(n.z) > along_axis) {
+            const Vec3 side = side_of(*b.part, own - foot.place);
+            const double by_side = dot(side, own) - reach_of(*b.part, s.track, side);
+            if (by_side > outside) n = side, outside = by_side;
+        } else if (s.track.circular) {
+            outside = std::max(outside, foot.outside - bend_of(s, at, farthest_from(at, t) + 2 * allowed_));
+        }
+        Plane plane{at, {outside, s.frame.to_stock(n)}, HUGE_VAL};
         for (const Vec3& p : t) plane.least = std::min(plane.least, before(plane, p));
         return plane;
+    }
+    /// How far a moving body reaches in a direction, all of it: its tangent plane.
+    [[nodiscard]] static double reach_of(const Shape& part, const Track& t, Vec3 n) {
+        double most = 0;  // of the way, from where it begins
+        const geom::Vec2 g{n.x, n.y};
+        if (t.circular) {
+            const bool within = t.turn * cross(t.first, g) >= 0 && t.turn * cross(g, t.last) >= 0;
+            most = dot(t.centre, g) + t.radius * (within ? geom::length(g) : std::max(dot(g, t.first), dot(g, t.last)));
+        } else {
+            most = std::max(0.0, dot(n, t.v));
+        }
+        return most + reach_of(part, n);
+    }
+    [[nodiscard]] static double reach_of(const Shape& part, Vec3 n) {
+        const double across = std::sqrt(n.x * n.x + n.y * n.y);
+        double most = -HUGE_VAL;
+        for (const Piece& p : part.pieces) {
+            most = std::max({most, across * p.r0 + n.z * p.z0, across * p.r1 + n.z * p.z1});
+            const double touches = p.centre + p.arc * n.z;  // `n` is of unit length
+            if (p.kind == PieceKind::round && touches > p.z0 && touches < p.z1)
+                most = std::max(most, across * p.ring + n.z * p.centre + p.arc);
+        }
+        return most;
+    }
+    /// Out of the tool's side at a height.
+    [[nodiscard]] static Vec3 side_of(const Shape& part, Vec3 p) {
+        const auto at =
+            std::find_if(part.pieces.begin(), part.pieces.end() - 1, [&](const Piece& q) { return p.z <= q.z1; });
+        const double far = std::sqrt(p.x * p.x + p.y * p.y);
+        const Vec3 out = far > 0 ? Vec3{p.x / far, p.y / far, 0} : Vec3{1, 0, 0};
+        Vec3 n = (at->z1 - at->z0) * out - Vec3{0, 0, at->r1 - at->r0};
+        if (at->kind == PieceKind::round) n = std::max(0.0, far - at->ring) * out + Vec3{0, 0, p.z - at->centre};
+        const double size = length(n);
+        return size > 0 ? (1 / size) * n : out;
     }
     /// Where a body ends beside a triangle's middle, its face along the triangle is told at a corner.
     [[nodiscard]] Plane best_plane(const Body& b, const Corners& t, Plane best) const {
@@ -88,28 +132,16 @@ private:
         return plane.side.outside + dot(plane.side.in, p - plane.at);
     }
 
-    /// How far a body that was swept on a circle may stand out of its tangent plane within so much about a point. All
-    /// of it by what the circle goes beyond the place where the tool touches that plane: nothing on the outer side. On
-    /// the inner one the circle's bend tells.
-    [[nodiscard]] static double bend_of(const Air::Sweep& s, Vec3 gradient, Vec3 p, double about) {
-        const Track& t = s.track;
+    /// How far a body that was swept on a circle may stand out of its tangent planes within so much about a point, on
+    /// the side of the circle's axis.
+    [[nodiscard]] static double bend_of(const Air::Sweep& s, Vec3 p, double about) {
         const Vec3 own = s.frame.to_tool(p - s.from);
-        const geom::Vec2 q = geom::Vec2{own.x, own.y} - t.centre, g{gradient.x, gradient.y};
-        const auto within = [&](geom::Vec2 to) {
-            return t.turn * cross(t.first, to) >= 0 && t.turn * cross(to, t.last) >= 0;
-        };
-        const bool beside = !within(q);
-        const double far = geom::length(q), ends = std::max(dot(g, t.first), dot(g, t.last));
-        const double most = within(g) ? geom::length(g) : ends;
-        const geom::Vec2 touches = !beside && far > 0 ? (1 / far) * q
-                                   : geom::distance(q, t.radius * t.first) < geom::distance(q, t.radius * t.last)
-                                       ? t.first
-                                       : t.last;
-        const double beyond = t.radius * std::max(0.0, most - dot(g, touches));
+        const geom::Vec2 q = geom::Vec2{own.x, own.y} - s.track.centre;
         // Beyond the centre a tool wider than its circle has stood at both ends: a kink lies between these.
-        if (beside && s.shape->radius > t.radius) return beyond;
-        const double inner = far - about;
-        return inner > about ? std::min(beyond, about * about / (2 * inner)) : beyond;
+        const bool beside = s.track.turn * cross(s.track.first, q) < 0 || s.track.turn * cross(q, s.track.last) < 0;
+        if (beside && s.shape->radius > s.track.radius) return HUGE_VAL;
+        const double inner = geom::length(q) - about;
+        return inner > about ? about * about / (2 * inner) : HUGE_VAL;
     }
 
     /// There is a way from a corner out of all planes, and not out of the stock.
