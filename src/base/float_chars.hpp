@@ -37,10 +37,12 @@ namespace by_c {
 }
 #endif
 
-/// As std::from_chars: `value` is left as it is where there is no number or it does not fit.
+/// As std::from_chars, of finite numbers alone: `value` is left as it is where there is none or it does not fit.
 [[nodiscard]] inline FromChars from_chars(const char* first, const char* last, double& value,
                                           CharsFormat format = CharsFormat::general) {
 #ifdef __cpp_lib_to_chars
+    const char* const digit = first != last && *first == '-' ? first + 1 : first;
+    if (digit != last && *digit != '.' && (*digit < '0' || *digit > '9')) return {first, std::errc::invalid_argument};
     const auto [ptr, ec] = std::from_chars(first, last, value, std_format(format));
     return {ptr, ec};
 #else

@@ -57,7 +57,7 @@ TEST(FloatChars, ReadsWhatBeginsLikeANumber) {
     for (const std::string text : {"1",   "-1.5",  ".5",     "5.",     "-",   ".",        "",
                                    "+1",  " 1",    "1e5",    "1e",     "1e+", "1E-3x",    "1.2.3",
                                    "--1", "1e400", "1e-400", "0e-400", "-0",  "0.0000e5", "12345678901234567890123",
-                                   "1x",  "0x10"})
+                                   "1x",  "0x10",  "inf",    "-inf",   "nan", "infinity"})
         for (const CharsFormat format : {CharsFormat::general, CharsFormat::fixed}) {
             double a = 7, b = 7;
             const char *first = text.data(), *last = first + text.size();

@@ -161,8 +161,9 @@ void Milling::queue_cutting(const geom::PathElement& element, const MilledMove& 
         const geom::PathElement part = pieces == 1 ? element : part_of(element, all.end(i), all.end(i + 1));
         if (core > 0) queue_core(part, feed, move.plunging);
         queue_pass(Kind::cut, milling::Part::cutting, true, part, i > 0);
-        queued_.back().length = static_cast<float>(way / pieces);
-        if (feed) figures_.contact_accuracy_mm = std::max(figures_.contact_accuracy_mm, way / pieces);
+        const double length = way * (all.end(i + 1) - all.end(i));
+        queued_.back().length = static_cast<float>(length);
+        if (feed) figures_.contact_accuracy_mm = std::max(figures_.contact_accuracy_mm, length);
     }
 }
 

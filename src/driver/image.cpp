@@ -2,6 +2,8 @@
 
 #include <algorithm>
 
+#include "driver/contours.hpp"
+
 namespace obrys::driver {
 
 std::shared_ptr<const Image> Image::prepare(const Request& request, const MillingRequest& milling) {
@@ -26,7 +28,18 @@ std::unique_ptr<Session> Image::run(const Inputs& inputs) const {
     }
     s->job.skip_levels.insert(s->job.skip_levels.end(), inputs.skip.begin(), inputs.skip.end());
     if (s->files != nullptr) s->files->print_nowhere();
+    // A contour that a program makes may be another one with other values.
+    const bool by_program = s->job.part_program || (s->job.allowance && s->job.allowance->program);
+    if (by_program && (!inputs.set.empty() || !inputs.skip.empty())) resolve_contours(*s, s->input);
     return s;
+}
+
+check::Setup Image::setup_for(const Session& run) const {
+    check::Setup setup = setup_;
+    setup.part = run.part;
+    setup.allowance = run.allowance;
+    setup.right_face = run.right_face;
+    return setup;
 }
 
 }  // namespace obrys::driver

@@ -30,7 +30,7 @@ public:
     /// A session for one run, which prints into no file. To be called on a usable image.
     [[nodiscard]] std::unique_ptr<Session> run(const Inputs& inputs = {}) const;
     /// What such a run is held to.
-    [[nodiscard]] const check::Setup& setup() const { return setup_; }
+    [[nodiscard]] check::Setup setup_for(const Session& run) const;
 
 private:
     Request request_;

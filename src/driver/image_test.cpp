@@ -7,6 +7,7 @@
 #include <thread>
 
 #include "cl/text.hpp"
+#include "geom/region.hpp"
 #include "report/report.hpp"
 
 namespace obrys::driver {
@@ -56,7 +57,7 @@ Request request_for(std::shared_ptr<const Storage> storage, std::string input) {
 
 std::string checked(const Image& image, const Inputs& inputs = {}) {
     const auto session = image.run(inputs);
-    const Checked c = check_against(*session, image.setup());
+    const Checked c = check_against(*session, image.setup_for(*session));
     return report::to_json({session->sources,
                             c.result,
                             c.setup,
@@ -123,6 +124,60 @@ TEST(Image, TwoThreadsRunItAThousandTimes) {
     EXPECT_TRUE(run(false));
     beside.join();
     EXPECT_TRUE(good);
+}
+
+TEST(Image, APartThatAProgramDrawsFollowsTheValues) {
+    const auto memory = groove();
+    memory->put("PART.MPF", "R1=4\nG0 X60 Z-60\nG1 Z-50\nX=60-2*R1\nZ-30\nX60\nZ0\nM30\n");
+    std::string job;
+    ASSERT_EQ(memory->read("groove.job.toml", 0, job), 0);
+    job.insert(job.find("[[tool]]"), "[part]\nprogram = \"PART.MPF\"\n");
+    memory->put("groove.job.toml", job);
+    const Request plain = request_for(memory, "groove.job.toml");
+    const auto image = Image::prepare(plain);
+    for (const base::Diagnostic& d : image->session().diagnostics.all())
+        ASSERT_NE(d.severity, base::Severity::error) << base::render(d, image->session().sources);
+    ASSERT_TRUE(image->usable());
+    const auto area = [](const std::optional<geom::Region>& part) { return part ? geom::area(*part) : 0; };
+    const auto with = [&](const Inputs& inputs) {
+        const auto run = image->run(inputs);
+        return area(image->setup_for(*run).part);
+    };
+    Request set = plain;
+    set.set = {"R1=2"};
+    EXPECT_EQ(with({{{"R1", 2, nowhere}}, {}}), area(Image::prepare(set)->setup_for(*Image::prepare(set)->run()).part));
+    EXPECT_NE(with({{{"R1", 2, nowhere}}, {}}), with({}));
+}
+
+TEST(Image, ACalledFileThatCannotBeReadIsSaidByTheRun) {
+    const auto memory = groove();
+    memory->put("STEP.SPF", " \n");
+    const auto image = Image::prepare(request_for(memory, "groove.job.toml"));
+    ASSERT_TRUE(image->usable());
+    const std::string first = checked(*image);
+    EXPECT_NE(first.find("STEP.SPF is empty"), std::string::npos);
+    EXPECT_EQ(checked(*image), first);
+}
+
+/// A text may define what another file is called: whichever the run comes to first counts, read ahead or not.
+TEST(Image, ReadingAheadFindsNoOtherProgram) {
+    auto memory = std::make_shared<Memory>();
+    memory->put("main.ngc", "o1 if [#5399 GT 9]\no<x> call\no1 endif\nG0 X0\no<common> call\nM2\n");
+    memory->put("x.ngc", "o<x> sub\no<x> endsub\no<common> sub\nG0 X1\no<common> endsub\nM2\n");
+    memory->put("common.ngc", "o<common> sub\nG0 X2\no<common> endsub\nM2\n");
+    Request request = request_for(memory, "main.ngc");
+    request.control = "linuxcnc";
+    const auto moves = [](Session& s) {
+        std::string all;
+        static_cast<void>(interpret(s, [&](cl::Record r) {
+            r.from = {};  // files have other numbers
+            all += cl::to_text(r) + "\n";
+        }));
+        return all;
+    };
+    Session whole;
+    ASSERT_TRUE(open(request, whole));
+    EXPECT_EQ(moves(*Image::prepare(request)->run()), moves(whole));
 }
 
 TEST(Image, NeedsNothingThatWasReadAgain) {

@@ -1,6 +1,7 @@
 #include "driver/programs.hpp"
 
 #include <algorithm>
+#include <set>
 #include <utility>
 
 #include "base/codes.hpp"
@@ -45,16 +46,23 @@ std::string Programs::searched() const {
     return control_.program_suffixes.empty() ? text : text + ")";
 }
 
-const program::Unit* Programs::read(std::uint32_t file) {
+std::vector<std::shared_ptr<const program::Unit>> Programs::units_of(std::uint32_t file) {
     const Language& language = language_of(control_, sources_[file].text, sources_[file].name);
     sources_.set_block_numbers(file, language.numbers);
-    std::vector<program::Unit> units = language.read(file, sources_, names_, *diagnostics_, machine_);
+    std::vector<std::shared_ptr<const program::Unit>> all;
+    for (program::Unit& unit : language.read(file, sources_, names_, *diagnostics_, machine_))
+        all.push_back(std::make_shared<const program::Unit>(std::move(unit)));
+    return all;
+}
+
+const program::Unit* Programs::read(std::uint32_t file) { return enter(units_of(file)); }
+
+const program::Unit* Programs::enter(std::vector<std::shared_ptr<const program::Unit>> units) {
     const program::Unit* first = nullptr;
-    const fs::path path(sources_[file].name);
-    const std::string suffix = base::to_upper(path.extension().string());
-    for (program::Unit& unit : units) {
-        units_.push_back(std::make_shared<const program::Unit>(std::move(unit)));
-        const program::Unit* held = units_.back().get();
+    for (std::shared_ptr<const program::Unit>& unit : units) {
+        const fs::path path(sources_[unit->file].name);
+        const std::string suffix = base::to_upper(path.extension().string());
+        const program::Unit* held = units_.emplace_back(std::move(unit)).get();
         const fs::path* plain = file_of(held->name);  // of PART.H and PART.I one only is called PART
         const bool own = control_.file_stem != nullptr && first != nullptr;  // what a text defines is found there
         if (own || plain == nullptr || full_name(*plain) == full_name(path)) by_name_.emplace(held->name, held);
@@ -62,6 +70,19 @@ const program::Unit* Programs::read(std::uint32_t file) {
         if (first == nullptr) first = held;
     }
     return first;
+}
+
+const program::Unit* Programs::read_file(const fs::path& path) {
+    if (const auto known = ahead_.find(path); known != ahead_.end()) {
+        for (base::Diagnostic& d : known->second.said) diagnostics_->add(std::move(d));
+        const auto units = std::move(known->second.units);
+        ahead_.erase(known);
+        return enter(units);
+    }
+    const auto file = load(*listings_->storage(), path, sources_, *diagnostics_);
+    if (!file) return nullptr;
+    if (control_.file_stem == nullptr) say_twin(*file, full_name(path));
+    return read(*file);
 }
 
 Programs::Programs(const Programs& prepared, base::Sources& sources, base::Diagnostics& diagnostics)
@@ -79,16 +100,7 @@ Programs::Programs(const Programs& prepared, base::Sources& sources, base::Diagn
       found_(prepared.found_),
       texts_(prepared.texts_),
       folders_(prepared.folders_),
-      unsaid_(prepared.unsaid_) {}
-
-void Programs::read_ahead(const std::string& name) {
-    base::Diagnostics apart;
-    base::Diagnostics* const said = std::exchange(diagnostics_, &apart);
-    const program::Unit* unit = find_or_read(name);
-    diagnostics_ = said;
-    if (unit != nullptr && !apart.all().empty()) unsaid_[unit->file] = apart.all();
-    if (unit == nullptr) by_name_.erase(name);  // the run that calls it says why
-}
+      ahead_(prepared.ahead_) {}
 
 namespace {
 
@@ -103,41 +115,55 @@ std::string called_name(const program::Unit& unit, const program::Call& call, co
 
 }  // namespace
 
+std::vector<fs::path> Programs::files_of(const std::string& name) const {
+    std::vector<std::string> stems{name};
+    if (control_.file_stem != nullptr) stems.insert(stems.begin(), control_.file_stem(name));
+    const fs::path written(name);
+    if (control_.file_stem == nullptr && has_suffix(written, control_.program_suffixes))
+        stems.push_back(written.stem().string());
+    std::vector<fs::path> files;
+    for (const std::string& stem : stems)
+        if (const fs::path* path = file_of(stem)) files.push_back(*path);
+    return files;
+}
+
 void Programs::read_called() {
-    for (std::size_t i = 0; i < units_.size(); ++i) {  // grows meanwhile
-        const std::shared_ptr<const program::Unit> unit = units_[i];
+    std::vector<std::shared_ptr<const program::Unit>> open = units_;
+    std::set<fs::path> seen;
+    for (std::uint32_t i = 0; i < sources_.size(); ++i) seen.insert(sources_[i].name);
+    const auto read = [&](const fs::path& path) {
+        if (!seen.insert(path).second) return;
+        base::Diagnostics apart;
+        base::Diagnostics* const said = std::exchange(diagnostics_, &apart);
+        if (const auto file = load(*listings_->storage(), path, sources_, apart)) {
+            if (control_.file_stem == nullptr) say_twin(*file, full_name(path));
+            Read r{units_of(*file), apart.all()};
+            open.insert(open.end(), r.units.begin(), r.units.end());
+            ahead_.emplace(path, std::move(r));
+        }  // else the run that calls it says why
+        diagnostics_ = said;
+    };
+    while (!open.empty()) {
+        const std::shared_ptr<const program::Unit> unit = std::move(open.back());
+        open.pop_back();
         for (const program::Call& call : unit->calls)
-            if (const std::string name = called_name(*unit, call, names_); !name.empty() && !by_name_.contains(name))
-                read_ahead(name);
+            if (const std::string name = called_name(*unit, call, names_); !name.empty())
+                for (const fs::path& path : files_of(name)) read(path);
     }
 }
 
-void Programs::say_of_called(const program::Unit& unit) {
-    const auto waiting = unsaid_.find(unit.file);
-    if (waiting == unsaid_.end()) return;
-    for (base::Diagnostic& d : waiting->second) diagnostics_->add(std::move(d));
-    unsaid_.erase(waiting);
-}
-
 const program::Unit* Programs::find(std::string_view name) {
-    const program::Unit* unit = find_or_read(name);
-    if (unit != nullptr && !unsaid_.empty()) say_of_called(*unit);
-    return unit;
-}
-
-const program::Unit* Programs::find_or_read(std::string_view name) {
     const std::string key(name);
     if (const auto known = by_name_.find(key); known != by_name_.end()) return known->second;
     if (control_.file_stem != nullptr) return find_in_file(key);
     const program::Unit* unit = nullptr;
     if (const fs::path* path = file_of(key); path == nullptr) {
         const fs::path written(key);
-        if (has_suffix(written, control_.program_suffixes)) unit = find_or_read(written.stem().string());
+        if (has_suffix(written, control_.program_suffixes)) unit = find(written.stem().string());
     } else if (const std::string full = full_name(*path); full != key) {
-        unit = find_or_read(full);
-    } else if (const auto file = load(*listings_->storage(), *path, sources_, *diagnostics_)) {
-        say_twin(*file, full);
-        unit = read(*file);
+        unit = find(full);
+    } else {
+        unit = read_file(*path);
     }
     by_name_[key] = unit;
     return unit;
@@ -181,7 +207,7 @@ const program::Unit* Programs::find_in_file(const std::string& key) {
         const fs::path* path = file_of(stem);
         if (found != nullptr || path == nullptr || by_name_.contains(full_name(*path))) continue;
         const std::size_t before = units_.size();
-        if (const auto file = load(*listings_->storage(), *path, sources_, *diagnostics_)) read(*file);
+        read_file(*path);
         for (std::size_t i = before; i < units_.size(); ++i)  // the last: the first is the file as a whole
             if (units_[i]->name == key) found = units_[i].get();
     }

@@ -1,6 +1,7 @@
 #pragma once
 /// The programs of a run: the main one and those it calls, found by name and read when first needed.
 
+#include <map>
 #include <memory>
 #include <string>
 #include <unordered_map>
@@ -36,8 +37,8 @@ public:
     /// The program of that name (upper case; with a suffix, or without), read from its folder when first asked for; or
     /// null. Where no file has the suffix of the call, one of the same name is taken.
     const program::Unit* find(std::string_view name);
-    /// Reads what the programs that were read call by name, and what these call, so that no run has to. What is wrong
-    /// with them is said when they are called.
+    /// Reads what the programs that were read call by name, and what these call, so that no run has to. They are found
+    /// by name, and what is wrong with them is said, when a run calls them: as if they were read then.
     void read_called();
     /// Programs read so far that stand in a file, in the order of its text.
     [[nodiscard]] std::vector<const program::Unit*> of_file(std::uint32_t file) const;
@@ -57,12 +58,18 @@ public:
     [[nodiscard]] program::Names& names() { return names_; }
 
 private:
-    /// The program of that name; where this is the first that is asked of it, it is read.
-    const program::Unit* find_or_read(std::string_view name);
-    /// What was wrong with the file of a program that is called now.
-    void say_of_called(const program::Unit& unit);
-    /// Reads one called program, and keeps what is wrong with it for when it is called.
-    void read_ahead(const std::string& name);
+    /// A text that was read, and what is wrong with it.
+    struct Read {
+        std::vector<std::shared_ptr<const program::Unit>> units;
+        std::vector<base::Diagnostic> said;
+    };
+    [[nodiscard]] std::vector<std::shared_ptr<const program::Unit>> units_of(std::uint32_t file);
+    /// Makes units known by their names; the first one.
+    const program::Unit* enter(std::vector<std::shared_ptr<const program::Unit>> units);
+    /// The file's first program: read, or read ahead; null after a complaint. The units of the file are known then.
+    const program::Unit* read_file(const fs::path& path);
+    /// The files that `find` would read for a name, whatever is known by then.
+    [[nodiscard]] std::vector<fs::path> files_of(const std::string& name) const;
     /// The program of that name, from the file that Control::file_stem says, or from one of its own name.
     const program::Unit* find_in_file(const std::string& key);
     /// Behind the loading of `full`: another file of its folder differs in small and capital letters alone.
@@ -84,7 +91,7 @@ private:
     std::vector<std::shared_ptr<const ProgramIndex>> found_;       ///< of the folders, in their order
     std::unordered_map<std::string, const program::Unit*> texts_;  ///< those that the program made
     std::vector<std::string> folders_;
-    std::unordered_map<std::uint32_t, std::vector<base::Diagnostic>> unsaid_;  ///< by file, of those read ahead
+    std::map<fs::path, Read> ahead_;  ///< what was read ahead and is not known by name yet
 };
 
 }  // namespace obrys::driver

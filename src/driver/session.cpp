@@ -116,6 +116,7 @@ void find_shop_files(Session& s, const Request& request, const fs::path& program
     for (const shop::NamedFile& f : s.job.datum_tables) s.files->add_file(beside(request.input, f.path));
     s.files->set_force(request.force);
     s.files->keep(request.inputs, request.outputs);
+    if (request.prints_nowhere) return;
     if (!request.prints.empty())
         s.files->print_to(request.prints);
     else if (!s.job.prints.empty())

@@ -24,6 +24,7 @@ struct Request {
     std::vector<std::string> search;   ///< folders
     std::vector<int> skip;             ///< block skip levels that are on
     std::string prints;                ///< folder for what programs print; empty: as the job says, else nowhere
+    bool prints_nowhere = false;       ///< whatever the job says
     std::optional<bool> diameter;      ///< X words are diameters at the start
     std::vector<std::string> tools;    ///< tool tables, besides those of the job
     std::string configuration;         ///< of a LinuxCNC machine (.ini)

@@ -67,11 +67,16 @@ public:
     }
 };
 
-std::string key_of(const fs::path& path) { return path.lexically_normal().generic_string(); }
+/// `whole`: from the root, so that all spellings of a file of the disk are one.
+std::string key_of(const fs::path& path, bool whole) {
+    std::error_code error;
+    const fs::path named = whole ? fs::absolute(path, error) : path;
+    return named.lexically_normal().generic_string();
+}
 
 /// With which the keys of all that is in the folder begin.
-std::string prefix_of(const fs::path& folder) {
-    const fs::path normal = or_here(folder).lexically_normal();
+std::string prefix_of(const fs::path& folder, bool whole) {
+    const fs::path normal = key_of(or_here(folder), whole);
     if (normal == "." || normal == "./") return {};
     return (normal / "").generic_string();
 }
@@ -90,13 +95,13 @@ std::shared_ptr<const Storage> disk() {
 void Memory::put(const fs::path& path, std::string bytes) {
     const std::unique_lock alone(use_);
     ++changes_;
-    files_[key_of(path)] = std::make_shared<const std::string>(std::move(bytes));
+    files_[key_of(path, below_ != nullptr)] = std::make_shared<const std::string>(std::move(bytes));
 }
 
 bool Memory::remove(const fs::path& path) {
     const std::unique_lock alone(use_);
     ++changes_;
-    return files_.erase(key_of(path)) > 0;
+    return files_.erase(key_of(path, below_ != nullptr)) > 0;
 }
 
 std::shared_ptr<const Memory> Memory::snapshot() const {
@@ -109,18 +114,18 @@ std::shared_ptr<const Memory> Memory::snapshot() const {
 
 bool Memory::holds(const fs::path& path) const {
     const std::shared_lock together(use_);
-    return files_.contains(key_of(path));
+    return files_.contains(key_of(path, below_ != nullptr));
 }
 
 StoredEntry Memory::look(const fs::path& path) const {
     {
         const std::shared_lock together(use_);
-        if (const auto found = files_.find(key_of(path)); found != files_.end())
+        if (const auto found = files_.find(key_of(path, below_ != nullptr)); found != files_.end())
             return {StoredEntry::Kind::file, found->second->size()};
     }
     if (below_ != nullptr)
         if (StoredEntry there = below_->look(path); there.kind != StoredEntry::Kind::nothing) return there;
-    const std::string prefix = prefix_of(path);
+    const std::string prefix = prefix_of(path, below_ != nullptr);
     const std::shared_lock together(use_);
     const auto first = files_.lower_bound(prefix);
     const bool folder = prefix.empty() || (first != files_.end() && first->first.starts_with(prefix));
@@ -130,7 +135,7 @@ StoredEntry Memory::look(const fs::path& path) const {
 int Memory::read(const fs::path& path, std::uintmax_t size, std::string& bytes) const {
     {
         const std::shared_lock together(use_);
-        if (const auto found = files_.find(key_of(path)); found != files_.end()) {
+        if (const auto found = files_.find(key_of(path, below_ != nullptr)); found != files_.end()) {
             bytes = *found->second;
             return 0;
         }
@@ -148,19 +153,22 @@ std::vector<fs::path> Memory::list(const fs::path& folder) const {
     if (below_ != nullptr)
         for (fs::path& path : below_->list(folder))
             if (!holds(path)) found.push_back(std::move(path));
-    const std::string prefix = prefix_of(folder);
+    const std::string prefix = prefix_of(folder, below_ != nullptr);
     const std::shared_lock together(use_);
     for (auto it = files_.lower_bound(prefix); it != files_.end() && it->first.starts_with(prefix); ++it)
         if (is_below(it->first, prefix) && it->first.find('/', prefix.size()) == std::string::npos)
-            found.emplace_back(it->first);
+            found.push_back((folder / it->first.substr(prefix.size())).lexically_normal());
     return found;
 }
 
 std::optional<std::int64_t> Memory::changed(const fs::path& folder) const {
-    const auto there = below_ == nullptr ? std::optional<std::int64_t>(0) : below_->changed(folder);
-    const std::shared_lock together(use_);
+    std::optional<std::int64_t> there = 0;
     // A folder that is in memory alone is none that the storage below could say something of.
-    return there.value_or(0) ^ (changes_ << 48);
+    if (below_ != nullptr && below_->look(folder).kind == StoredEntry::Kind::folder) there = below_->changed(folder);
+    const std::shared_lock together(use_);
+    if (!there) return std::nullopt;
+    return static_cast<std::int64_t>((static_cast<std::uint64_t>(*there) ^ static_cast<std::uint64_t>(changes_)) *
+                                     0x9E3779B97F4A7C15U);
 }
 
 }  // namespace obrys::driver

@@ -55,7 +55,8 @@ public:
 /// The disk of this machine.
 [[nodiscard]] std::shared_ptr<const Storage> disk();
 
-/// Texts by their paths, and folders that are there because something is in them. Upper and lower case differ.
+/// Texts by their paths, and folders that are there because something is in them. Upper and lower case differ. Over a
+/// disk a path is the same from wherever it counts; links are not followed.
 class Memory final : public Storage {
 public:
     /// `below`: where to look for what is not here; null: nowhere.

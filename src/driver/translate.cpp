@@ -107,6 +107,7 @@ Request request_of(const Translated& translated, const write::Post& post, Reques
     request.text = translated.text;
     request.control = post.control;
     request.set.clear();
+    request.folders = std::make_shared<Folders>(of.storage);  // those of the request belong to another thread
     if (request.machine.empty() && of.job.machine.more_axes)  // nobody has named it
         request.machine = of.job.machine.kind == shop::MachineKind::lathe ? "lathe-generic" : "mill-generic";
     return request;

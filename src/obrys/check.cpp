@@ -41,8 +41,8 @@ std::string page(const report::Subject& subject) {
 
 constexpr std::size_t moves_on_page = 20'000, milled_moves_on_page = 200'000;
 
-check::Setup setup_of(const Image& image, const Documents& documents) {
-    check::Setup setup = image.inside().setup();
+check::Setup setup_of(const Image& image, const driver::Session& run, const Documents& documents) {
+    check::Setup setup = image.inside().setup_for(run);
     if (!documents.html) return setup;
     setup.keep_moves = moves_on_page;
     if (setup.milling) setup.milling->surface = true, setup.milling->keep_moves = milled_moves_on_page;
@@ -53,7 +53,7 @@ check::Setup setup_of(const Image& image, const Documents& documents) {
 
 Checked check(const Image& image, const Inputs& inputs, const Documents& documents) {
     const auto session = session_of(image, inputs);
-    const driver::Checked done = driver::check_against(*session, setup_of(image, documents));
+    const driver::Checked done = driver::check_against(*session, setup_of(image, *session, documents));
     const check::Result& r = done.result;
     Checked out;
     out.verdict = static_cast<Verdict>(r.verdict);

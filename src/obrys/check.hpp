@@ -35,7 +35,8 @@ struct Checked {
     std::string json, text, html;
 };
 
-/// Throws std::invalid_argument where the image is not usable.
+/// Throws std::invalid_argument where the image is not usable. Values for what no program of the run uses (Inputs::set,
+/// Options::set) make it not fully checked, and are named there.
 [[nodiscard]] Checked check(const Image& image, const Inputs& inputs = {}, const Documents& documents = {});
 
 }  // namespace obrys::api

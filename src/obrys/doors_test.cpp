@@ -6,6 +6,7 @@
 #include <filesystem>
 #include <fstream>
 #include <stdexcept>
+#include <thread>
 
 #include "obrys/check.hpp"
 #include "obrys/run.hpp"
@@ -133,6 +134,55 @@ TEST(Doors, TranslatesAndProves) {
     EXPECT_EQ(none.proof, Proof::not_compared);
     EXPECT_TRUE(none.text.empty());
     EXPECT_FALSE(none.messages.empty());
+}
+
+TEST(Doors, ThreadsTranslateOneImage) {
+    Workspace workspace = Workspace::in_memory();
+    const Image image = prepared(workspace);
+    const std::string fanuc = translate(image, "fanuc").text, same = translate(image, "same").text;
+    const auto work = [&](const char* post, const std::string& expected) {
+        for (int i = 0; i < 50; ++i) {
+            const Translated t = translate(image, post);
+            if (t.text != expected || t.proof != Proof::same) return false;
+        }
+        return true;
+    };
+    bool good = false;
+    std::thread beside([&] { good = work("fanuc", fanuc); });
+    EXPECT_TRUE(work("same", same));
+    beside.join();
+    EXPECT_TRUE(good);
+}
+
+/// A milled job with a part: what runs share of it does not change.
+TEST(Doors, ThreadsMillOneImage) {
+    Workspace workspace = Workspace::in_memory();
+    workspace.put("PLATE.H", plate);
+    workspace.put(
+        "part.stl",
+        "solid p\nfacet normal 0 0 -1\nouter loop\nvertex 0 0 -9\nvertex 0 40 -9\nvertex 60 0 -9\nendloop\nendfacet\n"
+        "facet normal 0 -1 0\nouter loop\nvertex 0 0 -9\nvertex 60 0 -9\nvertex 0 0 -3\nendloop\nendfacet\n"
+        "facet normal -1 0 0\nouter loop\nvertex 0 0 -9\nvertex 0 0 -3\nvertex 0 40 -9\nendloop\nendfacet\n"
+        "facet normal 1 1 1\nouter loop\nvertex 60 0 -9\nvertex 0 40 -9\nvertex 0 0 -3\nendloop\nendfacet\nendsolid "
+        "p\n");
+    workspace.put("plate.job.toml", std::string("program = \"PLATE.H\"\n[part]\nfile = \"part.stl\"\n") + tools);
+    const Image image = workspace.prepare("plate.job.toml");
+    ASSERT_TRUE(image.usable()) << image.messages().at(0).text;
+    Inputs deep;
+    deep.set["Q1"] = 4;
+    const auto json = [&](const Inputs& inputs) { return check(image, inputs, {true, false, false}).json; };
+    const std::string two = json({}), four = json(deep);
+    EXPECT_NE(two, four);
+    const auto work = [&](bool first) {
+        for (int i = 0; i < 4; ++i, first = !first)
+            if (json(first ? Inputs{} : deep) != (first ? two : four)) return false;
+        return true;
+    };
+    bool good = false;
+    std::thread beside([&] { good = work(true); });
+    EXPECT_TRUE(work(false));
+    beside.join();
+    EXPECT_TRUE(good);
 }
 
 TEST(Doors, AnEditorsTextStandsInFrontOfTheFile) {

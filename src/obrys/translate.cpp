@@ -1,5 +1,8 @@
 #include "obrys/translate.hpp"
 
+#include <algorithm>
+
+#include "base/codes.hpp"
 #include "driver/translate.hpp"
 #include "obrys/shown.hpp"
 
@@ -17,7 +20,10 @@ Translated translate(const Image& image, const std::string& post_name, double to
         const driver::Proved proved = driver::prove(written, *post, image.inside().request(), *session, within);
         out.proof = static_cast<Proof>(proved.proof);
         if (driver::exit_code_of_run(*session) == 3) out.proof = Proof::not_compared;
-        if (out.proof == Proof::same && driver::exit_code_of_run(*session) != 0) out.proof = Proof::differs;
+        const auto& said = session->diagnostics.all();
+        const bool lost = std::any_of(said.begin(), said.end(),
+                                      [](const base::Diagnostic& d) { return d.code == base::codes::not_written; });
+        if (out.proof == Proof::same && lost) out.proof = Proof::differs;
         if (proved.run != nullptr && proved.run_complains) out.messages = shown(*proved.run);
         out.text = std::move(written.text);
     }

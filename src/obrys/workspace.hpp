@@ -52,8 +52,10 @@ struct Inputs {
     std::vector<int> skip;
 };
 
-/// A program with its job, machine, tools and everything it calls, read and resolved. It never changes, copies are the
-/// same one, and threads may run it at once. Later changes of the workspace do not reach it.
+/// A program with its job, machine, tools and everything it calls by name, read and resolved. It never changes, copies
+/// are the same one, and threads may run it at once. Later changes of the workspace do not reach it. What no name in
+/// the text tells (programs called by a computed name, tables, and all that a translation's proof reads) is read when
+/// it is wanted: over the disk as it is by then.
 class Image {
 public:
     /// False: there is nothing that could be run; messages() say why.

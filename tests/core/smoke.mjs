@@ -35,4 +35,5 @@ expect(wrong.verdict === "findings", "the wrong one is not");
 const gouge = wrong.findings.find((f) => f.code === "gouge");
 expect(gouge?.where.file === "GROOVE_LAYER.SPF" && gouge.where.line === 9, "its gouge is found at its line");
 expect(call("obrys_check", "string", workspace, "NONE.MPF").startsWith("there is no file NONE.MPF"), "what is not there is said");
+expect(call("obrys_status", "number", workspace) === 1, "and told from a report");
 call("obrys_delete", null, workspace);

@@ -1,6 +1,7 @@
 /// The doors for JavaScript: functions of C over numbers and texts. What is handed out stays until the next call.
 
 #include <cstddef>
+#include <exception>
 #include <memory>
 #include <string>
 
@@ -13,6 +14,7 @@ namespace api = obrys::api;
 struct Workspace {
     api::Workspace files = api::Workspace::in_memory();
     std::string answer;
+    int status = 0;  ///< of the last answer
 };
 
 }  // namespace
@@ -28,16 +30,25 @@ void obrys_put(Workspace* w, const char* path, const char* bytes, std::size_t si
 }
 int obrys_remove(Workspace* w, const char* path) { return w->files.remove(path) ? 1 : 0; }
 
-/// Checks a program or job: the report of docs/report-json.md; lines of plain text where it cannot be used at all.
+/// Checks a program or job: the report of docs/report-json.md; lines of plain text where it cannot be used at all
+/// (obrys_status 1) or where memory or time ended the work (2).
 const char* obrys_check(Workspace* w, const char* input) {
-    const api::Image image = w->files.prepare(input);
     w->answer.clear();
-    if (image.usable()) {
-        w->answer = api::check(image, {}, {true, false, false}).json;
-    } else {
-        for (const api::Message& m : image.messages())
-            w->answer += m.text + (m.remedy.empty() ? "" : " (" + m.remedy + ")") + "\n";
+    w->status = 0;
+    try {
+        const api::Image image = w->files.prepare(input);
+        if (image.usable()) {
+            w->answer = api::check(image, {}, {true, false, false}).json;
+        } else {
+            w->status = 1;
+            for (const api::Message& m : image.messages())
+                w->answer += m.text + (m.remedy.empty() ? "" : " (" + m.remedy + ")") + "\n";
+        }
+    } catch (const std::exception& error) {
+        w->status = 2;
+        w->answer = error.what();
     }
     return w->answer.c_str();
 }
+int obrys_status(const Workspace* w) { return w->status; }
 }
