@@ -9,8 +9,9 @@ namespace obrys::driver {
 std::shared_ptr<const Image> Image::prepare(const Request& request, const MillingRequest& milling) {
     auto image = std::make_shared<Image>();
     image->request_ = request;
+    image->request_.prints_nowhere = true;
     auto session = std::make_shared<Session>();
-    image->usable_ = open(request, *session);
+    image->usable_ = open(image->request_, *session);
     if (image->usable_) {
         session->programs->read_called();
         image->setup_ = setup_of(*session, milling);
@@ -27,7 +28,6 @@ std::unique_ptr<Session> Image::run(const Inputs& inputs) const {
         s->job.overrides.push_back(o);
     }
     s->job.skip_levels.insert(s->job.skip_levels.end(), inputs.skip.begin(), inputs.skip.end());
-    if (s->files != nullptr) s->files->print_nowhere();
     // A contour that a program makes may be another one with other values.
     const bool by_program = s->job.part_program || (s->job.allowance && s->job.allowance->program);
     if (by_program && (!inputs.set.empty() || !inputs.skip.empty())) resolve_contours(*s, s->input);

@@ -15,7 +15,7 @@ struct Inputs {
 };
 
 /// Programs, job, machine and tools as they were read, contours resolved, bodies loaded. Nothing of it changes any
-/// more.
+/// more, and nothing that is made of it prints into a file.
 class Image {
 public:
     /// Reads everything; never null. What is wrong stands in the session's diagnostics.
@@ -27,7 +27,7 @@ public:
     [[nodiscard]] const Session& session() const { return *session_; }
     [[nodiscard]] const Request& request() const { return request_; }
 
-    /// A session for one run, which prints into no file. To be called on a usable image.
+    /// A session for one run. To be called on a usable image.
     [[nodiscard]] std::unique_ptr<Session> run(const Inputs& inputs = {}) const;
     /// What such a run is held to.
     [[nodiscard]] check::Setup setup_for(const Session& run) const;

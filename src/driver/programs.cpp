@@ -79,10 +79,14 @@ const program::Unit* Programs::read_file(const fs::path& path) {
         ahead_.erase(known);
         return enter(units);
     }
+    const auto file = load_program(path);
+    return file ? read(*file) : nullptr;
+}
+
+std::optional<std::uint32_t> Programs::load_program(const fs::path& path) {
     const auto file = load(*listings_->storage(), path, sources_, *diagnostics_);
-    if (!file) return nullptr;
-    if (control_.file_stem == nullptr) say_twin(*file, full_name(path));
-    return read(*file);
+    if (file && control_.file_stem == nullptr) say_twin(*file, full_name(path));
+    return file;
 }
 
 Programs::Programs(const Programs& prepared, base::Sources& sources, base::Diagnostics& diagnostics)
@@ -135,8 +139,7 @@ void Programs::read_called() {
         if (!seen.insert(path).second) return;
         base::Diagnostics apart;
         base::Diagnostics* const said = std::exchange(diagnostics_, &apart);
-        if (const auto file = load(*listings_->storage(), path, sources_, apart)) {
-            if (control_.file_stem == nullptr) say_twin(*file, full_name(path));
+        if (const auto file = load_program(path)) {
             Read r{units_of(*file), apart.all()};
             open.insert(open.end(), r.units.begin(), r.units.end());
             ahead_.emplace(path, std::move(r));
@@ -191,14 +194,10 @@ void Programs::say_twin(std::uint32_t file, const std::string& full) {
 const program::Unit* Programs::read_text(const std::string& text) {
     const auto [known, is_new] = texts_.try_emplace(text, nullptr);
     if (!is_new) return known->second;
-    const std::uint32_t file = sources_.add("text of the program", text);
-    const Language& language = language_of(control_, text, {});
-    sources_.set_block_numbers(file, language.numbers);
-    for (program::Unit& unit : language.read(file, sources_, names_, *diagnostics_, machine_)) {
-        units_.push_back(std::make_shared<const program::Unit>(std::move(unit)));
-        if (texts_[text] == nullptr) texts_[text] = units_.back().get();
-    }
-    return texts_[text];
+    const auto units = units_of(sources_.add("text of the program", text));
+    units_.insert(units_.end(), units.begin(), units.end());
+    if (!units.empty()) known->second = units.front().get();
+    return known->second;
 }
 
 const program::Unit* Programs::find_in_file(const std::string& key) {
@@ -223,12 +222,9 @@ std::vector<const program::Unit*> Programs::of_file(std::uint32_t file) const {
 }
 
 void Programs::read_backup(std::uint32_t file) {
-    const std::uint32_t plain = without_headers(sources_, file);
-    const Language& language = language_of(control_, sources_[plain].text, sources_[plain].name);
-    sources_.set_block_numbers(plain, language.numbers);
-    for (program::Unit& unit : language.read(plain, sources_, names_, *diagnostics_, machine_)) {
-        backup_units_.push_back(std::make_shared<const program::Unit>(std::move(unit)));
-        backups_.push_back(backup_units_.back().get());
+    for (const auto& unit : units_of(without_headers(sources_, file))) {
+        backup_units_.push_back(unit);
+        backups_.push_back(unit.get());
     }
 }
 

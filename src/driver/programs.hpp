@@ -68,6 +68,7 @@ private:
     const program::Unit* enter(std::vector<std::shared_ptr<const program::Unit>> units);
     /// The file's first program: read, or read ahead; null after a complaint. The units of the file are known then.
     const program::Unit* read_file(const fs::path& path);
+    [[nodiscard]] std::optional<std::uint32_t> load_program(const fs::path& path);
     /// The files that `find` would read for a name, whatever is known by then.
     [[nodiscard]] std::vector<fs::path> files_of(const std::string& name) const;
     /// The program of that name, from the file that Control::file_stem says, or from one of its own name.

@@ -29,7 +29,6 @@ public:
     void add_file(const fs::path& path);
     /// Where printed files go; without it they are lost.
     void print_to(const fs::path& folder) { prints_ = folder; }
-    void print_nowhere() { prints_.reset(); }
     /// Whether the program's prints may replace files that were there before; behind them they are put in any case.
     void set_force(bool force) { force_ = force; }
     /// Files that the call reads besides what was loaded here, and those that it writes itself: no print goes there.

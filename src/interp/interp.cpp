@@ -1,12 +1,9 @@
 #include "interp/interp.hpp"
-#include "interp/cycle_call.hpp"
-
-#include <cmath>
 
 #include "base/codes.hpp"
 #include "base/number.hpp"
 #include "base/text.hpp"
-#include "base/whole.hpp"
+#include "interp/cycle_call.hpp"
 #include "interp/machine.hpp"
 #include "interp/path_stage.hpp"
 

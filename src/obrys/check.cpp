@@ -33,19 +33,11 @@ Finding finding_of(const base::Sources& sources, const check::Result& result, co
     return out;
 }
 
-std::string page(const report::Subject& subject) {
-    if (subject.result.milled != nullptr && report::milling_page_available())
-        return report::milling_page(report::milling_page_of(subject));
-    return report::to_html(subject);
-}
-
-constexpr std::size_t moves_on_page = 20'000, milled_moves_on_page = 200'000;
-
 check::Setup setup_of(const Image& image, const driver::Session& run, const Documents& documents) {
     check::Setup setup = image.inside().setup_for(run);
     if (!documents.html) return setup;
-    setup.keep_moves = moves_on_page;
-    if (setup.milling) setup.milling->surface = true, setup.milling->keep_moves = milled_moves_on_page;
+    setup.keep_moves = report::moves_on_page;
+    if (setup.milling) setup.milling->surface = true, setup.milling->keep_moves = report::milled_moves_on_page;
     return setup;
 }
 
@@ -66,7 +58,7 @@ Checked check(const Image& image, const Inputs& inputs, const Documents& documen
                                   version(),        {}, {},         session->input};
     if (documents.json) out.json = report::to_json(subject);
     if (documents.text) out.text = report::to_text(subject);
-    if (documents.html) out.html = page(subject);
+    if (documents.html) out.html = report::page(subject);
     return out;
 }
 

@@ -35,7 +35,6 @@ Image Workspace::prepare(const std::string& input, const Options& options) const
     request.tools = options.tools;
     for (const auto& [name, value] : options.set) request.set.push_back(name + "=" + base::shortest(value));
     request.skip = options.skip;
-    request.prints_nowhere = true;
     request.folders = std::make_shared<driver::Folders>(memory_->snapshot());
     driver::MillingRequest milling;
     milling.tolerance = options.tolerance;

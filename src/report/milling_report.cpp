@@ -6,6 +6,7 @@
 #include "base/number.hpp"
 #include "check/milling_tool.hpp"
 #include "mesh/merge_flat.hpp"
+#include "report/report.hpp"
 
 namespace obrys::report {
 
@@ -180,6 +181,11 @@ MillingPage milling_page_of(const Subject& s) {
     page.tolerance = m.figures.tolerance_mm;
     add_figures(page, s);
     return page;
+}
+
+std::string page(const Subject& subject) {
+    if (subject.result.milled != nullptr && milling_page_available()) return milling_page(milling_page_of(subject));
+    return to_html(subject);
 }
 
 }  // namespace obrys::report

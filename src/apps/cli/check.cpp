@@ -23,21 +23,12 @@ namespace obrys::cli {
 
 namespace {
 
-constexpr std::size_t milled_moves_on_page = 200'000;
-
 bool standard_output_is_terminal() {
 #ifdef _WIN32
     return false;
 #else
     return isatty(1) != 0;
 #endif
-}
-
-/// Of milling the page with the part in space, where the program was built with it.
-std::string page(const report::Subject& subject) {
-    if (subject.result.milled != nullptr && report::milling_page_available())
-        return report::milling_page(report::milling_page_of(subject));
-    return report::to_html(subject);
 }
 
 std::string document(const Arguments& a, const report::Subject& subject) {
@@ -86,7 +77,7 @@ Outcome unreadable(const Arguments& a, const std::string& input, const driver::S
 bool write_beside(const Arguments& a, driver::Session& s, const driver::Checked& checked,
                   const report::Subject& subject) {
     bool written = true;
-    if (!a.html.empty()) written = deliver(a.html, page(subject)) && written;
+    if (!a.html.empty()) written = deliver(a.html, report::page(subject)) && written;
     if (!a.svg.empty()) written = deliver(a.svg, report::to_svg(subject)) && written;
     written = write_surface(a, s, checked) && written;
     return write_engagement(a, subject) && written && !s.files->failed();
@@ -110,11 +101,11 @@ Outcome check_one(const Arguments& a, const std::string& input, const std::optio
     const bool pictures = !a.html.empty() || !a.svg.empty();
     driver::MillingRequest milling = a.milling;
     milling.surface = wants_surface(a) || !a.html.empty();
-    milling.keep_moves = a.html.empty() ? 0 : milled_moves_on_page;
+    milling.keep_moves = a.html.empty() ? 0 : report::milled_moves_on_page;
     driver::Checked checked;
     {
         Progress progress;
-        checked = driver::check_program(s, pictures ? moves_on_page : 0, milling,
+        checked = driver::check_program(s, pictures ? report::moves_on_page : 0, milling,
                                         [&](std::uint64_t moves) { progress.show(moves); });
     }
     if (driver::refused(s)) {

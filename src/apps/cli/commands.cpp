@@ -14,6 +14,7 @@
 #include "driver/plot_path.hpp"
 #include "driver/stream_table.hpp"
 #include "milled.hpp"
+#include "report/milling_report.hpp"
 #include "report/report.hpp"
 #include "session.hpp"
 
@@ -100,7 +101,7 @@ int plot(const Arguments& a) {
     driver::Session s;
     if (!open(a, s)) return 2;
     if (a.interpolation > 0 || s.job.machine.kind != shop::MachineKind::lathe) return plot_path(a, s);
-    const driver::Checked checked = driver::check_program(s, moves_on_page);
+    const driver::Checked checked = driver::check_program(s, report::moves_on_page);
     if (driver::refused(s)) {
         print_diagnostics(s, base::Severity::warning);
         return 2;

@@ -7,8 +7,6 @@
 
 namespace obrys::cli {
 
-inline constexpr std::size_t moves_on_page = 20'000;
-
 void print_diagnostics(const driver::Session& s, base::Severity from = base::Severity::note);
 
 /// The session, unless the input cannot be used or an output may not be written: then it has been said.

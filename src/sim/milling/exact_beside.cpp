@@ -91,8 +91,8 @@ private:
         double most = 0;  // of the way, from where it begins
         const geom::Vec2 g{n.x, n.y};
         if (t.circular) {
-            const bool within = t.turn * cross(t.first, g) >= 0 && t.turn * cross(g, t.last) >= 0;
-            most = dot(t.centre, g) + t.radius * (within ? geom::length(g) : std::max(dot(g, t.first), dot(g, t.last)));
+            most = dot(t.centre, g) +
+                   t.radius * (t.passes(g) ? geom::length(g) : std::max(dot(g, t.first), dot(g, t.last)));
         } else {
             most = std::max(0.0, dot(n, t.v));
         }
@@ -138,8 +138,7 @@ private:
         const Vec3 own = s.frame.to_tool(p - s.from);
         const geom::Vec2 q = geom::Vec2{own.x, own.y} - s.track.centre;
         // Beyond the centre a tool wider than its circle has stood at both ends: a kink lies between these.
-        const bool beside = s.track.turn * cross(s.track.first, q) < 0 || s.track.turn * cross(q, s.track.last) < 0;
-        if (beside && s.shape->radius > s.track.radius) return HUGE_VAL;
+        if (!s.track.passes(q) && s.shape->radius > s.track.radius) return HUGE_VAL;
         const double inner = geom::length(q) - about;
         return inner > about ? about * about / (2 * inner) : HUGE_VAL;
     }

@@ -38,7 +38,7 @@ Vec3 place_near(const Track& track, Vec2 p) {
     }
     const Vec2 q = p - track.centre;
     const double far = geom::length(q);
-    if (far > 0 && track.turn * cross(track.first, q) >= 0 && track.turn * cross(q, track.last) >= 0) {
+    if (far > 0 && track.passes(q)) {
         const Vec2 at = track.centre + (track.radius / far) * q;
         return {at.x, at.y, 0};
     }

@@ -74,8 +74,7 @@ Offset offset_from(const Track& track, geom::Vec2 p) {
     const Vec2 q = p - track.centre;
     const double far = std::sqrt(dot(q, q));
     const double left = track.turn * (track.radius - far);
-    if (track.turn * cross(track.first, q) >= 0 && track.turn * cross(q, track.last) >= 0)
-        return {std::abs(left), left};
+    if (track.passes(q)) return {std::abs(left), left};
     return {std::min(geom::length(p), geom::distance(p, {track.v.x, track.v.y})), left};
 }
 

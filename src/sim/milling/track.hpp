@@ -34,6 +34,8 @@ struct Track {
     double turn = 1;         ///< +1 counter-clockwise, -1 clockwise
     geom::Vec2 first, last;  ///< from the centre to the start and to the end, unit length
     [[nodiscard]] bool level() const { return v.z == 0; }
+    /// A direction, from the centre, is one that the circle passes through.
+    [[nodiscard]] bool passes(geom::Vec2 q) const { return turn * cross(first, q) >= 0 && turn * cross(q, last) >= 0; }
     [[nodiscard]] bool upright() const { return !circular && v.x == 0 && v.y == 0; }
 };
 

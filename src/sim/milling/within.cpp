@@ -38,7 +38,7 @@ bool holds_in_wedge(const Air::Sweep& s, const Corners& t, double allowed) {
     for (const Vec3& p : t) {
         const Vec3 own = s.frame.to_tool(p - s.from);
         const Vec2 q = Vec2{own.x, own.y} - track.centre;
-        if (track.turn * cross(track.first, q) < 0 || track.turn * cross(q, track.last) < 0) return false;
+        if (!track.passes(q)) return false;
         nearest = std::min(nearest, geom::length(q));
     }
     const double side = longest_side(t), inner = nearest - side;
