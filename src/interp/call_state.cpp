@@ -1,4 +1,4 @@
-#include "interp/state.hpp"
+#include "interp/call_state.hpp"
 
 namespace obrys::interp {
 
