@@ -85,11 +85,18 @@ private:
             const bool is_number = !digits.empty() && end == digits.data() + digits.size();
             // Too small for a double (1e-400) is zero, too large is told as such.
             if (is_number && error == std::errc::result_out_of_range) *c = too_small(digits) ? 0 : HUGE_VAL;
-            if (!is_number) return refuse("a number");
+            if (!is_number && (is_corner || !is_not_finite(digits))) return refuse("a number");
             if (is_corner && !(std::abs(*c) <= largest_coordinate)) return refuse("a coordinate below 1000 km");
         }
         word_ = {};
         return true;
+    }
+
+    /// What C libraries print where a number has become none: "nan", "-nan(ind)", "inf", "-1.#IND".
+    static bool is_not_finite(std::string_view word) {
+        if (word.starts_with('-')) word.remove_prefix(1);
+        return word.find('#') != std::string_view::npos || base::equals_ignoring_case(word.substr(0, 3), "nan") ||
+               base::equals_ignoring_case(word.substr(0, 3), "inf");
     }
 
     static bool too_small(std::string_view digits) {

@@ -80,7 +80,7 @@ TEST(Stl, text_is_read_whatever_its_case_and_line_ends) {
 
 TEST(Stl, text_takes_all_forms_of_numbers_and_several_solids) {
     const std::string facet =
-        "facet normal nan nan nan outer loop vertex +1.5e+2 0 0 vertex 0 2E1 1e-400 vertex 0 0 -.5 "
+        "facet normal nan -nan(ind) -1.#INF outer loop vertex +1.5e+2 0 0 vertex 0 2E1 1e-400 vertex 0 0 -.5 "
         "endloop endfacet\n";
     const Reading r("\n solid a\n" + facet + "endsolid a\nsolid b\n" + facet + "endsolid\n");
     ASSERT_TRUE(r.file) << r.text();
@@ -88,6 +88,15 @@ TEST(Stl, text_takes_all_forms_of_numbers_and_several_solids) {
     EXPECT_EQ(r.file->mesh.vertices[0], (Vec3{150, 0, 0}));
     EXPECT_EQ(r.file->mesh.vertices[1], (Vec3{0, 20, 0}));
     EXPECT_EQ(r.file->mesh.vertices[2], (Vec3{0, 0, -0.5}));
+}
+
+TEST(Stl, a_corner_that_is_no_number_is_refused) {
+    for (const char* word : {"nan", "inf", "-1.#IND", "NaN", "1e", "x"}) {
+        const Reading r(std::string("solid a\nfacet normal 0 0 1 outer loop vertex 0 0 ") + word +
+                        " vertex 1 0 0 vertex 0 1 0 endloop endfacet\nendsolid a\n");
+        EXPECT_FALSE(r.file) << word;
+        EXPECT_TRUE(r.says(std::string("a number expected, \"") + word)) << r.text();
+    }
 }
 
 TEST(Stl, binary_that_begins_with_solid_is_known_by_its_size) {
