@@ -158,7 +158,6 @@ bool CanonWriter::modes(const Setting& s) {
 }
 
 bool CanonWriter::technology(const Setting& s) {
-    const auto allow = [&](bool on, const char* what) { call(std::string(on ? "ENABLE_" : "DISABLE_") + what); };
     switch (s.kind) {
         case SettingKind::feed_rate: call(text("SET_FEED_RATE(%.4f)", s.values[0])); return true;
         case SettingKind::tool_selected: call(text("SELECT_TOOL(%d)", s.number)); return true;
@@ -178,17 +177,9 @@ bool CanonWriter::technology(const Setting& s) {
             call(text("ORIENT_SPINDLE(0, %.4f, %d)", s.values[0], s.number));
             if (s.values[1] > 0) call(text("SPINDLE.0.WAIT_ORIENT_COMPLETE(%.4f)", s.values[1]));
             return true;
-        case SettingKind::feed_override: allow(feed_override_ = s.number == 1, "FEED_OVERRIDE()"); return true;
-        case SettingKind::speed_override: allow(speed_override_ = s.number == 1, "SPEED_OVERRIDE(0)"); return true;
-        case SettingKind::adaptive_feed: allow(s.number == 1, "ADAPTIVE_FEED()"); return true;
-        case SettingKind::feed_hold: allow(s.number == 1, "FEED_HOLD()"); return true;
         case SettingKind::synchronised:
             call(s.number == 1 ? text("START_SPEED_FEED_SYNC(%f,0)", restored(s.values[0] / unit_))
                                : std::string("STOP_SPEED_FEED_SYNCH()"));
-            return true;
-        case SettingKind::probing:
-            probing_ = s.number == 1;
-            call(probing_ ? "TURN_PROBE_ON()" : "TURN_PROBE_OFF()");
             return true;
         case SettingKind::curve: call(text("NURBS_FEED(%d, ...)", s.number)); return true;
         case SettingKind::coolant:
@@ -198,14 +189,6 @@ bool CanonWriter::technology(const Setting& s) {
             if (s.number == 9) call("FLOOD_OFF()");
             mist_ = s.number != 9 && (mist_ || s.number == 7);
             flood_ = s.number != 9 && (flood_ || s.number == 8);
-            return true;
-        case SettingKind::output_bit: {
-            const int how = base::clipped<int>(s.values[0], 0, 3);
-            call(text("%s_%s_OUTPUT_BIT(%d)", how % 2 == 1 ? "SET" : "CLEAR", how >= 2 ? "MOTION" : "AUX", s.number));
-            return true;
-        }
-        case SettingKind::output_value:
-            call(text("SET_%s_OUTPUT_VALUE(%d,%f)", s.values[1] != 0 ? "MOTION" : "AUX", s.number, s.values[0]));
             return true;
         case SettingKind::pallet_change: pallet_ = true; return true;
         default: return false;
@@ -233,7 +216,25 @@ void CanonWriter::move(std::string_view name, const geom::Vec3& to) {
 }
 
 void CanonWriter::line(const Linear& l) {
-    move(probing_ ? "STRAIGHT_PROBE" : l.rapid ? "STRAIGHT_TRAVERSE" : "STRAIGHT_FEED", l.to);
+    if (l.seek == Seek::nothing) return move(l.rapid ? "STRAIGHT_TRAVERSE" : "STRAIGHT_FEED", l.to);
+    call("TURN_PROBE_ON()");
+    move("STRAIGHT_PROBE", l.to);
+    call("TURN_PROBE_OFF()");
+}
+
+void CanonWriter::output(const Output& o) {
+    if (o.analog)
+        return call(
+            text("SET_%s_OUTPUT_VALUE(%d,%f)", o.with_motion ? "MOTION" : "AUX", static_cast<int>(o.number), o.value));
+    call(text("%s_%s_OUTPUT_BIT(%d)", o.value != 0 ? "SET" : "CLEAR", o.with_motion ? "MOTION" : "AUX",
+              static_cast<int>(o.number)));
+}
+
+void CanonWriter::allow(const Override& o) {
+    constexpr std::array<std::string_view, 4> names{"FEED_OVERRIDE()", "SPEED_OVERRIDE(0)", "ADAPTIVE_FEED()",
+                                                    "FEED_HOLD()"};
+    if (o.kind == OverrideKind::feed) feed_override_ = o.on;
+    call(std::string(o.on ? "ENABLE_" : "DISABLE_") + std::string(names[static_cast<std::size_t>(o.kind)]));
 }
 
 void CanonWriter::arc(const Arc& a) {
@@ -301,6 +302,8 @@ void CanonWriter::print(const Record& r) {
     const std::string n = block_number_(r.from);
     prefix_ = n.empty() ? "N..... " : "N" + n + (n.size() < 6 ? std::string(6 - n.size(), ' ') : "");
     if (const auto* s = std::get_if<Setting>(&r.step)) return setting(*s);
+    if (const auto* o = std::get_if<Output>(&r.step)) return output(*o);
+    if (const auto* o = std::get_if<Override>(&r.step)) return allow(*o);
     if (!begun_ && lines_ > 0) begin();
     if (const auto* l = std::get_if<Linear>(&r.step)) return line(*l);
     if (const auto* a = std::get_if<Arc>(&r.step)) return arc(*a);

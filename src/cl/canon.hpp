@@ -32,6 +32,8 @@ private:
     void call(std::string text);
     void begin();
     void setting(const Setting& s);
+    void output(const Output& o);
+    void allow(const Override& o);
     bool offsets(const Setting& s);
     bool modes(const Setting& s);
     bool technology(const Setting& s);
@@ -57,8 +59,8 @@ private:
     std::optional<Record> lead_;                 ///< a line that may do no more than lead to an arc
     double unit_ = 1;                            ///< mm
     int plane_ = 17;
-    bool mist_ = false, flood_ = false, feed_override_ = true, speed_override_ = true;
-    bool begun_ = false, ended_ = false, pallet_ = false, tapped_ = false, probing_ = false;
+    bool mist_ = false, flood_ = false, feed_override_ = true;
+    bool begun_ = false, ended_ = false, pallet_ = false, tapped_ = false;
 };
 
 }  // namespace obrys::cl

@@ -20,14 +20,16 @@ inline constexpr std::string_view text_header = "obrys-cl 2";
 inline constexpr std::array<std::string_view, 7> frame_kinds{"datum",   "shift", "rotation",  "mirror",
                                                              "scaling", "plane", "programmed"};
 
-/// Words for CompensationSide, Approach, LeadKind, PathKind, PlaceKind, and for Corner but none.
+/// Words for CompensationSide, Approach, LeadKind, PathKind, PlaceKind, OverrideKind; for Corner and Seek but none.
 inline constexpr std::array<std::string_view, 2> sides{"left", "right"};
 inline constexpr std::array<std::string_view, 3> approaches{"normal", "around", "smooth"};
 inline constexpr std::array<std::string_view, 4> lead_kinds{"tangent-line", "normal-line", "tangent-arc",
                                                             "arc-and-line"};
 inline constexpr std::array<std::string_view, 4> path_kinds{"exact", "exact-stop", "free", "within"};
 inline constexpr std::array<std::string_view, 3> place_kinds{"coordinates", "home", "fixed"};
+inline constexpr std::array<std::string_view, 4> override_kinds{"feed", "spindle", "adaptive-feed", "feed-hold"};
 inline constexpr std::array<std::string_view, 3> corners{"chamfer", "chamfer-leg", "rounding"};
+inline constexpr std::array<std::string_view, 4> sought{"contact", "contact-or-end", "release", "release-or-end"};
 
 /// The record as one line without its line end. Numbers are the shortest that read back to the same double.
 void append_text(std::string& out, const Record& record);

@@ -5,6 +5,7 @@
 #include "base/text.hpp"
 #include "base/whole.hpp"
 #include "cl/text.hpp"
+#include "cl/text_fields.hpp"
 #include "cl/text_words.hpp"
 #include "cl/unknown_tool.hpp"
 
@@ -12,364 +13,132 @@ namespace obrys::cl {
 
 namespace {
 
-Linear linear(Words& w, bool rapid) {
-    Linear s;
-    s.rapid = rapid;
-    s.to = w.vec();
-    if (w.accept("axis")) s.axis = w.vec();
-    return s;
-}
+std::optional<CycleKind> named(std::string_view w, CycleKind) { return cycle_kind_spelt(w); }
+std::optional<CycleRole> named(std::string_view w, CycleRole) { return cycle_role_spelt(w); }
+constexpr const char* no_such(CycleKind) { return "there is no such cycle"; }
+constexpr const char* no_such(CycleRole) { return "there is no such value of a cycle"; }
 
-/// Behind `centre`, of an Arc or a programmed one.
-template <class Circle>
-void circle(Words& w, Circle& s) {
-    s.centre = w.vec();
-    w.expect("normal");
-    s.normal = w.vec();
-    w.expect("sweep");
-    s.sweep = w.number();
-}
+/// Fills the fields of a record from the words of its line.
+class Reading {
+public:
+    static constexpr bool writes = false;
 
-Arc arc(Words& w) {
-    Arc s;
-    s.to = w.vec();
-    w.expect("centre");
-    circle(w, s);
-    s.rapid = w.accept("rapid");
-    return s;
-}
+    explicit Reading(Words& words) : words_(words) {}
 
-std::array<char, 8> axis_name(Words& w) {
-    std::array<char, 8> out{};
-    const std::string name = w.quoted();
-    if (name.size() > out.size()) w.fail("an axis name has at most 8 characters");
-    for (std::size_t i = 0; i < name.size() && i < out.size(); ++i) out[i] = name[i];
-    return out;
-}
-
-Spline spline(Words& w) {
-    Spline s;
-    s.to = w.vec();
-    w.expect("k3");
-    s.k3 = w.vec();
-    w.expect("k2");
-    s.k2 = w.vec();
-    w.expect("k1");
-    s.k1 = w.vec();
-    if (w.accept("axis")) s.axis = w.vec();
-    while (w.ok() && w.peek().starts_with('"')) {
-        SplineAxis a;
-        a.name = axis_name(w);
-        for (double* v : {&a.to, &a.k3, &a.k2, &a.k1}) *v = w.number();
-        a.rotary = w.choice<2>({"mm", "deg"}) == 1;
-        s.axes.push_back(a);
+    void word(std::string_view w) { words_.expect(w); }
+    void number(double& v) { v = words_.number(); }
+    void vec(geom::Vec3& v) { v = words_.vec(); }
+    template <class Integer>
+    void whole(Integer& n) {
+        n = words_.integer<Integer>();
     }
-    return s;
-}
-
-Tolerance tolerance(Words& w) {
-    Tolerance s;
-    s.contour = w.number();
-    w.expect("rotary");
-    s.rotary = w.number();
-    s.filter = static_cast<Filter>(w.choice<5>({"none", "finishing", "semi-finishing", "roughing", "precision"}));
-    return s;
-}
-
-PathMode path_mode(Words& w) {
-    PathMode s;
-    s.kind = static_cast<PathKind>(w.choice(path_kinds));
-    if (w.accept("tolerance")) s.tolerance = w.number();
-    if (w.accept("merge")) s.merge = w.number();
-    if (w.accept("way")) s.way = w.integer<std::uint16_t>();
-    return s;
-}
-
-Setting setting(Words& w) {
-    Setting s;
-    const double kind = w.number(), n = w.number(), second = w.number();
-    const auto kind_number = base::whole<int>(kind, 0, static_cast<int>(SettingKind::pallet_change));
-    const auto first = base::whole<std::int32_t>(n), other = base::whole<std::int32_t>(second);
-    if (kind_number && first && other) {
-        s.kind = static_cast<SettingKind>(*kind_number);
-        s.number = *first;
-        s.second = *other;
-    } else {
-        w.fail("there is no such setting");
+    template <class Integer>
+    void whole(std::string_view w, Integer& n) {
+        if (words_.accept(w)) whole(n);
     }
-    for (double& v : s.values) v = w.number();
-    return s;
-}
-
-Axis axis(Words& w) {
-    Axis s;
-    s.name = axis_name(w);
-    s.to = w.number();
-    s.rotary = w.choice<2>({"mm", "deg"}) == 1;
-    s.counted = w.accept("counted");
-    return s;
-}
-
-Thread thread(Words& w) {
-    Thread s;
-    s.to = w.vec();
-    w.expect("pitch");
-    s.pitch = w.number();
-    s.rigid_tap = w.accept("tap");
-    return s;
-}
-
-Feed feed(Words& w) {
-    Feed s;
-    s.value = w.number();
-    s.mode = static_cast<FeedMode>(w.choice<3>({"mm/min", "mm/rev", "1/min"}));
-    return s;
-}
-
-Spindle spindle(Words& w) {
-    Spindle s;
-    s.speed = w.number();
-    s.mode = static_cast<SpindleMode>(w.choice<2>({"1/min", "m/min"}));
-    constexpr std::array<std::int8_t, 3> directions{0, 1, -1};
-    s.direction = directions[w.choice<3>({"stop", "cw", "ccw"})];
-    w.expect("limit");
-    s.limit = w.number();
-    if (w.accept("held")) s.held = w.number();
-    return s;
-}
-
-Coolant coolant(Words& w) {
-    Coolant s;
-    if (w.accept("off")) return s;
-    s.flood = w.accept("flood");
-    s.mist = w.accept("mist");
-    if (!s.flood && !s.mist) w.choice<3>({"off", "flood", "mist"});
-    return s;
-}
-
-ToolChange tool(Words& w) {
-    ToolChange s;
-    s.number = w.accept("?") ? unknown_tool : w.integer<std::uint32_t>();
-    w.expect("edge");
-    s.edge = w.accept("?") ? unknown_tool : w.integer<std::uint32_t>();
-    s.name = w.quoted();
-    if (w.accept("raised")) s.raised = w.number();
-    if (w.accept("wider")) s.wider = w.number();
-    s.standing = w.accept("standing");
-    s.with_length = w.accept("lengthened");
-    if (w.accept("offset")) s.offset = w.integer<std::uint32_t>();
-    return s;
-}
-
-ToolData tool_data(Words& w) {
-    ToolData s;
-    s.number = w.integer<std::uint32_t>();
-    w.expect("edge");
-    s.edge = w.integer<std::uint32_t>();
-    if (w.accept("length")) s.length = w.number();
-    if (w.accept("radius")) s.radius = w.number();
-    return s;
-}
-
-DatumData datum_data(Words& w) {
-    DatumData s;
-    s.number = w.integer<std::uint32_t>();
-    s.origin = w.vec();
-    if (w.accept("turned")) s.turn = w.number();
-    s.added = w.accept("added");
-    return s;
-}
-
-LeadBegin lead(Words& w) {
-    LeadBegin s;
-    s.onto = w.choice<2>({"onto", "off"}) == 0;
-    s.kind = static_cast<LeadKind>(w.choice(lead_kinds));
-    w.expect("at");
-    s.at = w.vec();
-    if (w.accept("length")) s.length = w.number();
-    if (w.accept("radius")) s.radius = w.number();
-    if (w.accept("angle")) s.angle = w.number();
-    if (w.accept("feed")) s.feed = w.number();
-    s.rapid = w.accept("rapid");
-    return s;
-}
-
-ToolLength tool_length(Words& w) {
-    ToolLength s;
-    constexpr std::array<std::int8_t, 3> senses{0, 1, -1};
-    s.sense = senses[w.choice<3>({"off", "added", "subtracted"})];
-    if (s.sense == 0) return s;
-    w.expect("offset");
-    s.offset = w.integer<std::uint32_t>();
-    if (w.accept("by")) s.by = w.vec();
-    return s;
-}
-
-MachinePlace machine_place(Words& w) {
-    MachinePlace s;
-    s.kind = static_cast<PlaceKind>(w.choice(place_kinds));
-    if (w.ok() && !w.peek().empty() && w.peek().front() >= '0' && w.peek().front() <= '9')
-        s.number = w.integer<std::uint8_t>();
-    if ((s.axes[0] = w.accept("x"))) s.to.x = w.number();
-    if ((s.axes[1] = w.accept("y"))) s.to.y = w.number();
-    if ((s.axes[2] = w.accept("z"))) s.to.z = w.number();
-    return s;
-}
-
-Datum datum(Words& w) {
-    Datum s;
-    s.number = w.integer<std::uint32_t>();
-    s.origin = w.vec();
-    return s;
-}
-
-geom::Frame affine(Words& w) {
-    geom::Frame f;
-    f.origin = w.vec();
-    if (w.accept("by"))
-        for (double& v : f.linear) v = w.number();
-    return f;
-}
-
-Frame frame(Words& w) {
-    Frame s;
-    while (w.ok() && !w.peek().empty() && w.peek().front() >= 'a') {
-        FramePart p;
-        p.kind = static_cast<FrameKind>(w.choice(frame_kinds));
-        p.frame = affine(w);
-        s.parts.push_back(p);
+    template <class Integer>
+    void whole_if_any(Integer& n, int) {
+        if (words_.ok() && !words_.peek().empty() && base::is_digit(words_.peek().front())) whole(n);
     }
-    return s;
-}
-
-Auxiliary auxiliary(Words& w) {
-    Auxiliary s;
-    const std::string letter = w.quoted();
-    if (letter.size() != 1) w.fail("expected one letter");
-    if (!letter.empty()) s.letter = letter[0];
-    s.number = w.integer<std::int64_t>();
-    return s;
-}
-
-template <class Enum>
-Enum spelt(Words& w, std::optional<Enum> (*find)(std::string_view), const char* what) {
-    const auto found = w.ok() ? find(w.word()) : std::nullopt;
-    if (!found) w.fail(std::string("there is no such ") + what);
-    return found.value_or(Enum{});
-}
-
-/// Behind `plane`: how it is called, the values by role, and what the source has written.
-void cycle_words(Words& w, CycleBegin& s, Cycle& cycle) {
-    s.call = w.accept("modal") ? CycleCall::modal : w.accept("pattern") ? CycleCall::pattern : CycleCall::single;
-    if (w.accept("pass")) {
-        s.pass = w.integer<std::uint64_t>();
-        w.expect("of");
-        s.passes = w.integer<std::uint64_t>();
+    void tool_number(std::uint32_t& n) {
+        if (words_.accept("?"))
+            n = unknown_tool;
+        else
+            whole(n);
     }
-    while (w.ok() && !w.peek().empty() && w.peek().front() >= 'a' && w.peek() != "written") {
-        const CycleRole role = spelt(w, &cycle_role_spelt, "value of a cycle");
-        cycle.values.push_back({role, w.number()});
+    void flag(std::string_view w, bool& is_there) { is_there = words_.accept(w); }
+    template <class Enum>
+    void flag_is(std::string_view w, Enum& e, Enum wanted) {
+        if (words_.accept(w)) e = wanted;
     }
-    if (!w.accept("written")) return;
-    while (w.ok() && w.peek().starts_with('"')) {
-        CycleParameter p;
-        p.name = w.quoted();
-        p.value = w.number();
-        cycle.written.push_back(std::move(p));
+    void value(std::string_view w, double& v) {
+        if (words_.accept(w)) number(v);
     }
-}
+    void vector(std::string_view w, geom::Vec3& v, const geom::Vec3&) {
+        if (words_.accept(w)) vec(v);
+    }
+    void perhaps(std::string_view w, std::optional<double>& v) {
+        if (words_.accept(w)) v = words_.number();
+    }
+    void perhaps(std::string_view w, std::optional<geom::Vec3>& v) {
+        if (words_.accept(w)) v = words_.vec();
+    }
+    template <std::size_t N, class Enum>
+    void choice(const std::array<std::string_view, N>& words, Enum& e, std::size_t less = 0) {
+        e = static_cast<Enum>(words_.choice(words) + less);
+    }
+    template <std::size_t N, class Enum>
+    void any_choice(const std::array<std::string_view, N>& words, Enum& e) {
+        for (std::size_t i = 0; i < N && e == Enum{}; ++i)
+            if (words_.accept(words[i])) e = static_cast<Enum>(i + 1);
+    }
+    void sense(const std::array<std::string_view, 3>& words, std::int8_t& n) {
+        n = static_cast<std::int8_t>(static_cast<int>(words_.choice(words)) - 1);
+    }
+    template <class Enum>
+    void spelt(Enum& e) {
+        const auto found = words_.ok() ? named(words_.word(), e) : std::nullopt;
+        if (!found) words_.fail(no_such(e));
+        e = found.value_or(Enum{});
+    }
+    template <class Item, class F>
+    void each_text(std::vector<Item>& list, F f) {
+        while (words_.ok() && words_.peek().starts_with('"')) f(list.emplace_back());
+    }
+    template <class Item, class F>
+    void each_word(std::vector<Item>& list, std::string_view end, F f) {
+        while (words_.ok() && !words_.peek().empty() && words_.peek().front() >= 'a' && words_.peek() != end)
+            f(list.emplace_back());
+    }
+    void setting_kind(SettingKind& k) {
+        const auto n = base::whole<int>(words_.number(), 0, static_cast<int>(SettingKind::pallet_change));
+        if (!n) words_.fail("there is no such setting");
+        k = static_cast<SettingKind>(n.value_or(0));
+    }
+    void letter(char& c) {
+        const std::string text = words_.quoted();
+        if (text.size() != 1) words_.fail("expected one letter");
+        if (!text.empty()) c = text[0];
+    }
+    void axis_name(std::array<char, 8>& out) {
+        const std::string name = words_.quoted();
+        if (name.size() > out.size()) words_.fail("an axis name has at most 8 characters");
+        for (std::size_t i = 0; i < name.size() && i < out.size(); ++i) out[i] = name[i];
+    }
+    void quoted(std::string& text) { text = words_.quoted(); }
+    void cycle(CycleBegin& s) {
+        Cycle cycle;
+        fields(*this, cycle, s);
+        s.cycle = std::move(cycle);
+    }
+    void fail(const char* message) {
+        words_.word();
+        words_.fail(message);
+    }
 
-CycleBegin cycle(Words& w) {
-    CycleBegin s;
-    Cycle cycle;
-    cycle.kind = spelt(w, &cycle_kind_spelt, "cycle");
-    cycle.name = w.quoted();
-    w.expect("at");
-    s.place = w.vec();
-    if (w.accept("plane")) cycle.plane = affine(w);
-    cycle_words(w, s, cycle);
-    s.cycle = std::move(cycle);
-    return s;
-}
+private:
+    Words& words_;
+};
 
-PartBegin part(Words& w, PartKind kind) {
-    PartBegin s;
-    s.kind = kind;
-    s.name = w.quoted();
-    w.expect("pass");
-    s.pass = w.integer<std::uint64_t>();
-    w.expect("of");
-    s.passes = w.integer<std::uint64_t>();
-    return s;
-}
-
-CompensationBegin compensation(Words& w) {
-    CompensationBegin s;
-    s.side = static_cast<CompensationSide>(w.choice(sides));
-    w.expect("radius");
-    s.radius = w.number();
-    w.expect("offset");
-    s.offset = w.integer<std::uint32_t>();
-    s.approach = static_cast<Approach>(w.choice(approaches));
-    s.sharp = w.accept("sharp");
-    if (w.accept("normal")) s.normal = w.vec();
-    return s;
-}
-
-Programmed programmed(Words& w) {
-    Programmed s;
-    s.from = w.vec();
-    w.expect("to");
-    s.to = w.vec();
-    if (w.accept("centre")) circle(w, s);
-    s.rapid = w.accept("rapid");
-    for (std::size_t i = 0; i < corners.size() && s.corner == Corner::none; ++i)
-        if (w.accept(corners[i])) s.corner = static_cast<Corner>(i + 1), s.size = w.number();
-    if (s.corner != Corner::none && w.accept("feed")) s.corner_feed = w.number();
-    return s;
+/// The record that begins with this word, as far as the word says it.
+template <class... Records>
+std::optional<Step> begun(std::string_view word, const std::variant<Records...>*) {
+    if (word == "rapid") return Linear{.to = {}, .rapid = true};
+    if (word == "message" || word == "print") return Comment{"", true, word == "print"};
+    if (word == "label") return PartBegin{.kind = PartKind::label, .name = {}};
+    if (word == "repeat") return PartBegin{.kind = PartKind::repetition, .name = {}};
+    std::optional<Step> found;
+    ((word == head<Records> ? void(found = Records{}) : void()), ...);
+    return found;
 }
 
 std::optional<Step> step(Words& w) {
-    const std::string_view kind = w.word();
-    if (kind == "rapid" || kind == "linear") return linear(w, kind == "rapid");
-    if (kind == "arc") return arc(w);
-    if (kind == "spline") return spline(w);
-    if (kind == "axis") return axis(w);
-    if (kind == "thread") return thread(w);
-    if (kind == "dwell") {
-        const double seconds = w.number();
-        return Dwell{seconds, w.number()};
-    }
-    if (kind == "feed") return feed(w);
-    if (kind == "spindle") return spindle(w);
-    if (kind == "tool") return tool(w);
-    if (kind == "zero-data") return datum_data(w);
-    if (kind == "tool-data") return tool_data(w);
-    if (kind == "lead") return lead(w);
-    if (kind == "lead-end") return LeadEnd{};
-    if (kind == "length") return tool_length(w);
-    if (kind == "machine") return machine_place(w);
-    if (kind == "coolant") return coolant(w);
-    if (kind == "stop") return Stop{static_cast<StopKind>(w.choice<3>({"program", "optional", "end"}))};
-    if (kind == "comment" || kind == "message") return Comment{w.quoted(), kind == "message", false};
-    if (kind == "print") return Comment{w.quoted(), true, true};
-    if (kind == "datum") return datum(w);
-    if (kind == "frame") return frame(w);
-    if (kind == "tolerance") return tolerance(w);
-    if (kind == "path") return path_mode(w);
-    if (kind == "setting") return setting(w);
-    if (kind == "aux") return auxiliary(w);
-    if (kind == "cycle") return cycle(w);
-    if (kind == "cycle-end") return CycleEnd{};
-    if (kind == "call") return part(w, PartKind::call);
-    if (kind == "label") return part(w, PartKind::label);
-    if (kind == "repeat") return part(w, PartKind::repetition);
-    if (kind == "part-end") return PartEnd{};
-    if (kind == "compensation") return compensation(w);
-    if (kind == "compensation-end") return CompensationEnd{};
-    if (kind == "programmed") return programmed(w);
-    w.fail("unknown record kind \"" + std::string(kind) + "\"");
-    return std::nullopt;
+    const std::string_view word = w.word();
+    std::optional<Step> s = begun(word, static_cast<const Step*>(nullptr));
+    if (!s) w.fail("unknown record kind \"" + std::string(word) + "\"");
+    Reading reading(w);
+    if (s) std::visit([&](auto& record) { fields(reading, record); }, *s);
+    return s;
 }
 
 /// `@file:begin-end` and, where it is not the main program, `^stack`.

@@ -118,10 +118,10 @@ std::optional<double> perhaps() { return *rc::gen::arbitrary<bool>() ? std::opti
 
 Step any_step(std::size_t kind) {
     switch (kind) {
-        case 0: return Linear{vec(), vec(), *rc::gen::arbitrary<bool>()};
+        case 0: return Linear{vec(), vec(), *rc::gen::arbitrary<bool>(), any_of(Seek::release_or_end)};
         case 1: return Arc{vec(), vec(), vec(), number(), *rc::gen::arbitrary<bool>()};
         case 2: return Axis{axis_name(), number(), *rc::gen::arbitrary<bool>(), *rc::gen::arbitrary<bool>()};
-        case 3: return Thread{vec(), number(), *rc::gen::arbitrary<bool>()};
+        case 3: return Thread{vec(), number(), *rc::gen::arbitrary<bool>(), number(), number()};
         case 4: return Dwell{number(), number()};
         case 5:
             return Feed{number(), *rc::gen::element(FeedMode::per_minute, FeedMode::per_rev, FeedMode::inverse_time)};
@@ -185,6 +185,11 @@ Step any_step(std::size_t kind) {
         case 28: return LeadEnd{};
         case 30: return PathMode{any_of(PathKind::within), number(), number(), *rc::gen::arbitrary<std::uint16_t>()};
         case 29: return DatumData{*rc::gen::arbitrary<std::uint32_t>(), vec(), perhaps(), *rc::gen::arbitrary<bool>()};
+        case 31: return ToolSelection{*rc::gen::arbitrary<std::uint32_t>(), text()};
+        case 32:
+            return Output{*rc::gen::arbitrary<std::uint32_t>(), *rc::gen::arbitrary<bool>(), number(),
+                          *rc::gen::arbitrary<bool>()};
+        case 33: return Override{any_of(OverrideKind::feed_hold), *rc::gen::arbitrary<bool>()};
         default: return CycleEnd{};
     }
 }
@@ -214,7 +219,8 @@ struct Mark {
     }
     void operator()(Tolerance& s) const { mark(s.contour), mark(s.rotary); }
     void operator()(Axis& s) const { mark(s.to); }
-    void operator()(Thread& s) const { mark(s.to), mark(s.pitch); }
+    void operator()(Thread& s) const { mark(s.to), mark(s.pitch), mark(s.start), mark(s.change); }
+    void operator()(Output& s) const { mark(s.value); }
     void operator()(Dwell& s) const { mark(s.seconds), mark(s.revolutions); }
     void operator()(Feed& s) const { mark(s.value); }
     void operator()(Spindle& s) const {

@@ -50,6 +50,7 @@ void Verifier::finish() {
 void Verifier::check(const Record& r, const Linear& s) {
     if (infinite(s.to)) complain(r, base::codes::value_range, "end point is not finite");
     if (!is_unit(s.axis)) complain(r, base::codes::value_range, "tool axis is not a unit vector");
+    if (s.rapid && s.seek != Seek::nothing) complain(r, base::codes::value_range, "a probe does not move at rapid");
 }
 
 void Verifier::check(const Record& r, const Arc& s) {
@@ -99,6 +100,13 @@ void Verifier::check(const Record& r, const Axis& s) {
 void Verifier::check(const Record& r, const Thread& s) {
     if (infinite(s.to)) complain(r, base::codes::value_range, "end point is not finite");
     if (std::isinf(s.pitch) || s.pitch == 0) complain(r, base::codes::value_range, "thread without pitch");
+    if (std::isinf(s.start) || std::isinf(s.change))
+        complain(r, base::codes::value_range, "start or change of pitch of a thread is not finite");
+}
+
+void Verifier::check(const Record& r, const Output& s) {
+    if (std::isinf(s.value) || (!s.analog && s.value != 0 && s.value != 1 && !std::isnan(s.value)))
+        complain(r, base::codes::value_range, "a digital output is 0 or 1, an analog one finite");
 }
 
 void Verifier::check(const Record& r, const Dwell& s) {

@@ -55,11 +55,14 @@ private:
     void check(const Record& r, const MachinePlace& s);
     void check(const Record& r, const ToolData& s);
     void check(const Record& r, const DatumData& s);
+    void check(const Record& r, const Output& s);
     void check(const Record& r, const LeadBegin& s);
     void check(const Record& r, const LeadEnd& s);
     void check(const Record&, const ToolChange&) {}
     void check(const Record&, const Coolant&) {}
     void check(const Record&, const Comment&) {}
+    void check(const Record&, const ToolSelection&) {}
+    void check(const Record&, const Override&) {}
     void check(const Record&, const Auxiliary&) {}
     void check(const Record&, const Setting&) {}
 

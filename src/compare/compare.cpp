@@ -36,7 +36,7 @@ public:
     }
 
     [[nodiscard]] bool operator()(const cl::Linear& a, const cl::Linear& b) const {
-        return place(a.to, b.to) && a.rapid == b.rapid && direction(a.axis, b.axis);
+        return place(a.to, b.to) && a.rapid == b.rapid && direction(a.axis, b.axis) && a.seek == b.seek;
     }
     [[nodiscard]] bool operator()(const cl::Arc& a, const cl::Arc& b) const {
         const double radius = geom::length(in_plane(a.to - a.centre, a.normal));
@@ -57,7 +57,8 @@ public:
         return place(a.to, b.to) && place(a.k1, b.k1) && place(a.k2, b.k2) && place(a.k3, b.k3);
     }
     [[nodiscard]] bool operator()(const cl::Thread& a, const cl::Thread& b) const {
-        return place(a.to, b.to) && near(a.pitch, b.pitch, t_.length) && a.rigid_tap == b.rigid_tap;
+        return place(a.to, b.to) && near(a.pitch, b.pitch, t_.length) && a.rigid_tap == b.rigid_tap &&
+               near(a.start, b.start, t_.angle) && near(a.change, b.change, t_.length);
     }
     [[nodiscard]] bool operator()(const cl::Axis& a, const cl::Axis& b) const {
         return a.name == b.name && near(a.to, b.to, a.rotary ? t_.angle : t_.length);

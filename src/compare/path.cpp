@@ -84,7 +84,8 @@ void Path::take_move(const cl::Record& record, const geom::Vec3& to) {
     if (!(length == length_there_)) at_.reset();
     length_there_ = length;
     const auto* line = std::get_if<cl::Linear>(&record.step);
-    if (line != nullptr && at_ && axes_.empty() && near(*at_, to, same_place_)) return;
+    const bool seeks = line != nullptr && line->seek != cl::Seek::nothing;
+    if (line != nullptr && !seeks && at_ && axes_.empty() && near(*at_, to, same_place_)) return;
     hold();
     for (const cl::Axis& axis : axes_) stands_[axis.name] = axis.to;
     if (goes_on(record)) {
@@ -149,11 +150,13 @@ void Path::take_event(const cl::Record& record) {
         const cl::ToolChange now = tool_of(*change), before = holding_->tool;
         const bool same = now.number == before.number && now.name == before.name;
         hold();
+        if (!same) at_.reset();  // another tool's tip is elsewhere, whatever its numbers are
         if (same || change->standing) return;
         step = now;
     } else if (!std::holds_alternative<cl::Stop>(step) && !std::holds_alternative<cl::Dwell>(step) &&
                !std::holds_alternative<cl::Auxiliary>(step) && !std::holds_alternative<cl::MachinePlace>(step) &&
-               !std::holds_alternative<cl::DatumData>(step)) {
+               !std::holds_alternative<cl::DatumData>(step) && !std::holds_alternative<cl::Output>(step) &&
+               !std::holds_alternative<cl::Override>(step)) {
         return;
     }
     hold();

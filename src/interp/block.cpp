@@ -26,6 +26,7 @@ void BlockWords::clear() {
     special_number = surface_word = retract = 0;
     acted = stops_run = rapid = says_straight = polar_path = changes_plane = machine_axis = goes_on = false;
     feed_alone.reset();
+    thread_start.reset();
     positioned.clear();
     pending.clear();
 }

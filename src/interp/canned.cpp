@@ -132,8 +132,9 @@ cycles::Demand demand_at(const Run& run, const program::CannedCycle& c, const ge
 
 void overrides(Run& run, int allowed) {
     // What the program has switched off before stays off behind the tap.
-    if (allowed == 0 || run.overrides.feed) tell(run, SettingKind::feed_override, allowed);
-    if (allowed == 0 || run.overrides.speed) tell(run, SettingKind::speed_override, allowed);
+    if (allowed == 0 || run.overrides.feed) tell_feed_override(run, allowed == 1);
+    if (run.env.tell_settings && (allowed == 0 || run.overrides.speed))
+        emit(run, cl::Override{cl::OverrideKind::spindle, allowed == 1});
 }
 
 /// What the stream says of the cycle: its place says where the hole is.

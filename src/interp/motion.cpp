@@ -170,6 +170,16 @@ geom::Vec3 lengthened(Run& run, geom::Vec3 to) {
     return to;
 }
 
+/// G38.2 … G38.5 by their last digit; G31 goes on whether it has touched or not.
+cl::Seek sought(int number) {
+    switch (number) {
+        case 2: return cl::Seek::contact;
+        case 4: return cl::Seek::release;
+        case 5: return cl::Seek::release_or_end;
+        default: return cl::Seek::contact_or_end;
+    }
+}
+
 /// G38.2 …: the move is run to its end; what it touches is not known here.
 bool probe(Run& run) {
     flush_path(run);
@@ -177,10 +187,8 @@ bool probe(Run& run) {
               "probing is not simulated: the move is run to its end, and what it finds is not known");
     const geom::Vec3 to = programmed_target(run);
     require_feed(run);
-    tell(run, cl::SettingKind::probing, 1);
     arrive(run, to);
-    emit(run, cl::Linear{run.position, run.tool_axis, false});
-    tell(run, cl::SettingKind::probing, 0);
+    emit(run, cl::Linear{run.position, run.tool_axis, false, sought(run.modal.motion_number)});
     run.probed = true;
     forget_live(run, program::SystemVariable::probed_coordinate);
     forget_live(run, program::SystemVariable::probe_success);

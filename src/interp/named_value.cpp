@@ -168,6 +168,7 @@ void special_value(Run& run, const program::Named& n) {
             if (run.told.path) tell_joining(run, true);
             return;
         case NamedKind::rounding_distance_rapid: m.rounding_distance_rapid = std::max(v, 0.0) * unit; return;
+        case NamedKind::thread_start: run.block.thread_start = v; return;
         case NamedKind::block_feed: run.block.feed_alone = v; return;
         case NamedKind::contour_tolerance: m.contour_tolerance = v < 0 ? std::nan("") : v * unit; return;
         case NamedKind::corner_overshoot:

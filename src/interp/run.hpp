@@ -173,6 +173,8 @@ void begin_with_tool(Run&, std::uint32_t number);
 void coolant(Run&, int m);
 /// M functions that the control itself knows; others go to the machine and are listed.
 [[nodiscard]] bool is_standard_function(const Run&, int m);
+/// One of Traits::own_functions.
+[[nodiscard]] bool is_own_function(const Run&, int m);
 /// A tool without dimensions behind those of the list; the tool in the spindle stays the one it is.
 std::vector<shop::Tool>::iterator add_tool(Run&, std::uint32_t number);
 void frame_statement(Run&, const program::Statement&, std::uint32_t index);
@@ -197,6 +199,8 @@ void write_tool_parameter(Run&, double number, double edge, int n, double value)
 void technology(Run&);
 /// mm/min (mm per revolution, 1/min) of a feed of 1.
 [[nodiscard]] double feed_factor(const Run&);
+/// G34, G35: F says by how much the pitch changes.
+[[nodiscard]] inline bool changes_pitch(Modal m) { return m == Modal::thread_rising || m == Modal::thread_falling; }
 void after_motion(Run&);
 [[nodiscard]] bool motion(Run&);  ///< true where the block moved
 /// Words with a value and a name or an extension of their own: ADIS, CTOL, DISC, DL, POS, FA …, T1=, S[2]=
@@ -461,8 +465,10 @@ void tell_frame(Run&);
 void tell_path_mode(Run&);
 /// How moves are joined from here on; `smoothing_words`: by G60, G64 … G645 of SINUMERIK, else by G61, G61.1, G64.
 void tell_joining(Run&, bool smoothing_words);
+/// That the operator may change the feed of a step of a cycle or not: the cycle itself says so to everybody else.
+void tell_feed_override(Run&, bool on);
 /// M48 … M53: what the operator may change.
-void switch_override(Run&, cl::SettingKind, bool on);
+void switch_override(Run&, cl::OverrideKind, bool on);
 /// F, S, T and M of the block, in the order in which they act.
 void tell_technology(Run&);
 

@@ -114,10 +114,10 @@ void restore_words(Run& run, const SavedModes& s) {
 void restore_overrides(Run& run, const Overrides& s) {
     if (run.overrides.feed != s.feed || run.overrides.speed != s.speed) {
         const bool none = !s.feed && !s.speed;
-        if (s.feed || none) switch_override(run, SettingKind::feed_override, s.feed);
-        if (s.speed || none) switch_override(run, SettingKind::speed_override, s.speed);
+        if (s.feed || none) switch_override(run, cl::OverrideKind::feed, s.feed);
+        if (s.speed || none) switch_override(run, cl::OverrideKind::spindle, s.speed);
     }
-    if (run.overrides.hold != s.hold) switch_override(run, SettingKind::feed_hold, s.hold);
+    if (run.overrides.hold != s.hold) switch_override(run, cl::OverrideKind::feed_hold, s.hold);
 }
 
 }  // namespace

@@ -67,18 +67,19 @@ struct BlockWords {
     std::string tool_name;
     bool tool_named = false;
     int special_number = 0;
-    int retract = 0;                    ///< M140: 1 by its distance, 2 to the limit; 0: none
-    int surface_word = 0;               ///< 96 or 97 where the block says it
-    bool acted = false;                 ///< F, S, T and M have acted already (Code::act)
-    std::optional<double> feed_alone;   ///< FB, as written
-    bool stops_run = false;             ///< STOP without a function
-    bool rapid = false;                 ///< its arc, approach or departure is run in rapid (C … FMAX)
-    bool says_straight = false;         ///< G0 or G1 stands in the block
-    bool polar_path = false;            ///< its path function takes polar coordinates alone (LP, CP, CTP)
-    bool changes_plane = false;         ///< to another one
-    bool machine_axis = false;          ///< a linear axis by the name it has in the machine
-    std::vector<NamedAxis> positioned;  ///< linear axes that move on their own (POS, POSA); name: of the axis
-    bool goes_on = false;               ///< … and the program does not wait for one of them
+    int retract = 0;                     ///< M140: 1 by its distance, 2 to the limit; 0: none
+    int surface_word = 0;                ///< 96 or 97 where the block says it
+    bool acted = false;                  ///< F, S, T and M have acted already (Code::act)
+    std::optional<double> feed_alone;    ///< FB, as written
+    std::optional<double> thread_start;  ///< SF, degrees
+    bool stops_run = false;              ///< STOP without a function
+    bool rapid = false;                  ///< its arc, approach or departure is run in rapid (C … FMAX)
+    bool says_straight = false;          ///< G0 or G1 stands in the block
+    bool polar_path = false;             ///< its path function takes polar coordinates alone (LP, CP, CTP)
+    bool changes_plane = false;          ///< to another one
+    bool machine_axis = false;           ///< a linear axis by the name it has in the machine
+    std::vector<NamedAxis> positioned;   ///< linear axes that move on their own (POS, POSA); name: of the axis
+    bool goes_on = false;                ///< … and the program does not wait for one of them
     std::vector<PendingAssign> pending;
     Modal special = Modal::linear;       ///< dwell, reference point, fixed point, pole; linear: none
     Modal suppress = Modal::linear;      ///< suppress_frames, suppress_all; linear: none

@@ -45,7 +45,7 @@ void special_feeds(Run& run) {
 
 void feed_word(Run& run) {
     special_feeds(run);
-    if (!run.block.has(Code::feed) || dwells_by_words(run)) return;
+    if (!run.block.has(Code::feed) || dwells_by_words(run) || changes_pitch(run.modal.motion)) return;
     double f = run.block.get(Code::feed);
     f *= feed_factor(run);
     run.feed_unknown = std::isnan(f);
@@ -96,10 +96,13 @@ void coolant(Run& run, int m) {
     emit(run, cl::Coolant{run.flood, run.mist});
 }
 
-bool is_standard_function(const Run& run, int m) {
+bool is_own_function(const Run& run, int m) {
     const auto own = run.traits->own_functions;
-    if (std::find(own.begin(), own.end(), m) != own.end()) return true;
-    return (m >= 0 && m <= 9) || m == 17 || m == 30 || m == 19 || (m >= 40 && m <= 45);
+    return std::find(own.begin(), own.end(), m) != own.end();
+}
+
+bool is_standard_function(const Run& run, int m) {
+    return is_own_function(run, m) || (m >= 0 && m <= 9) || m == 17 || m == 30 || m == 19 || (m >= 40 && m <= 45);
 }
 
 namespace {

@@ -75,11 +75,15 @@ void tell_path_mode(Run& run) {
     tell(run, SettingKind::path_mode, number, {m.blend, m.merge});
 }
 
-void switch_override(Run& run, SettingKind kind, bool on) {
-    if (kind == SettingKind::feed_override) run.overrides.feed = on;
-    if (kind == SettingKind::speed_override) run.overrides.speed = on;
-    if (kind == SettingKind::feed_hold) run.overrides.hold = on;
-    tell(run, kind, on ? 1 : 0);
+void tell_feed_override(Run& run, bool on) {
+    if (run.env.tell_settings) emit(run, cl::Override{cl::OverrideKind::feed, on});
+}
+
+void switch_override(Run& run, cl::OverrideKind kind, bool on) {
+    if (kind == cl::OverrideKind::feed) run.overrides.feed = on;
+    if (kind == cl::OverrideKind::spindle) run.overrides.speed = on;
+    if (kind == cl::OverrideKind::feed_hold) run.overrides.hold = on;
+    emit(run, cl::Override{kind, on});
 }
 
 void tell_frame(Run& run) {
@@ -146,16 +150,16 @@ void tell_tool(Run& run) {
                                              : run.tool.prepared));
 }
 
-void tell_outputs(Run& run) {
+/// M62 … M68 of controls that have them; of others they are functions of the machine.
+void outputs(Run& run) {
     const BlockWords& b = run.block;
-    const int output = b.has(Code::p) ? whole(b.peek(Code::p)) : 0;
+    const auto number_of = [&](Code c) { return b.has(c) ? base::clipped<std::uint32_t>(b.peek(c), 0, 1'000'000) : 0; };
     for (const int m : b.m) {
         if (m == 66) forget_live(run, program::SystemVariable::input_value);
-        if (m >= 62 && m <= 65)
-            tell(run, SettingKind::output_bit, output, {(m % 2 == 0 ? 1.0 : 0.0) + (m <= 63 ? 2.0 : 0.0)});
+        if (!is_own_function(run, m)) continue;
+        if (m >= 62 && m <= 65) emit(run, cl::Output{number_of(Code::p), false, m % 2 == 0 ? 1.0 : 0.0, m <= 63});
         if (m == 67 || m == 68)
-            tell(run, SettingKind::output_value, b.has(Code::e) ? whole(b.peek(Code::e)) : 0,
-                 {b.has(Code::q) ? b.peek(Code::q) : 0, m == 67 ? 1.0 : 0.0});
+            emit(run, cl::Output{number_of(Code::e), true, b.has(Code::q) ? b.peek(Code::q) : 0, m == 67});
     }
 }
 
@@ -175,11 +179,11 @@ void set_overrides(Run& run) {
     for (const int m : b.m) {
         if (m == 60) tell(run, SettingKind::pallet_change);
         if (m >= 7 && m <= 9) tell(run, SettingKind::coolant, m);
-        if (m == 48 || m == 50 || m == 49) switch_override(run, SettingKind::feed_override, m == 48 || (m == 50 && on));
-        if (m == 48 || m == 51 || m == 49)
-            switch_override(run, SettingKind::speed_override, m == 48 || (m == 51 && on));
-        if (m == 52) tell(run, SettingKind::adaptive_feed, on);
-        if (m == 53) switch_override(run, SettingKind::feed_hold, on);
+        if (!is_own_function(run, m)) continue;
+        if (m == 48 || m == 50 || m == 49) switch_override(run, cl::OverrideKind::feed, m == 48 || (m == 50 && on));
+        if (m == 48 || m == 51 || m == 49) switch_override(run, cl::OverrideKind::spindle, m == 48 || (m == 51 && on));
+        if (m == 52) switch_override(run, cl::OverrideKind::adaptive_feed, on);
+        if (m == 53) switch_override(run, cl::OverrideKind::feed_hold, on);
     }
 }
 
@@ -196,7 +200,7 @@ void tell_technology(Run& run) {
         tell(run, SettingKind::feed_rate, 0, {b.peek(Code::feed)});
     if (b.has(Code::spindle)) tell(run, SettingKind::spindle_speed, 0, {b.peek(Code::spindle)});
     if (b.m.empty() && !b.has(Code::tool)) return;
-    tell_outputs(run);
+    outputs(run);
     tell_tool(run);
     tell_spindle(run);
     set_overrides(run);

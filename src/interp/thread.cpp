@@ -83,9 +83,15 @@ bool thread_motion(Run& run, const geom::Vec3& to) {
         return true;
     }
     t.rigid_tap = taps;
-    if (m == Modal::thread_rising || m == Modal::thread_falling)
-        unchecked(run, codes::unsupported, run.here(),
-                  "the changing pitch of G34 and G35 is not followed: the thread is run with its first pitch");
+    t.start = run.block.thread_start.value_or(0);
+    if (changes_pitch(m) && run.block.has(Code::feed))
+        t.change = (m == Modal::thread_rising ? 1 : -1) * run.block.get(Code::feed) * length_unit(run.modal);
+    else if (changes_pitch(m)) {
+        t.change = NAN;
+        unchecked(run, codes::value_range, run.here(),
+                  "no F stands in this block: by how much the pitch changes with every revolution is not known",
+                  "write F, mm per revolution and revolution, behind G34 or G35");
+    }
     tell(run, cl::SettingKind::synchronised, 1, {std::abs(t.pitch)});
     arrive(run, to);
     t.to = run.position;

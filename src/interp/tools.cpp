@@ -175,7 +175,10 @@ void define_tool(Run& run) {
     cl::ToolData data{number, edge, {}, {}};
     if (b.has(Code::tool_length)) data.length = found->length;
     if (b.has(Code::tool_radius)) data.radius = found->radius;
-    if (dimensions) emit(run, data);
+    if (dimensions)
+        emit(run, data);
+    else
+        emit(run, cl::ToolSelection{number, {}});
     if (dimensions && run.env.machine.kind == shop::MachineKind::mill) compare_with_job(run, *found);
     run.tool.data = find_tool(run, run.tool);
 }
@@ -318,6 +321,8 @@ void select_tool(Run& run) {
     }
     changed = tool_functions(run) || changed;
     if (run.stopped) return;
+    if (b.has(Code::tool) && run.tool.waiting && run.tool.prepared != cl::unknown_tool)
+        emit(run, cl::ToolSelection{run.tool.prepared, run.tool.prepared_name});
     replaced = replaced || std::find(b.m.begin(), b.m.end(), 6) != b.m.end();
     if (replaced) say_carried_compensation(run);
     if (replaced) stop_for_change(run, run.tool.known && before == std::pair{run.tool.number, run.tool.name});

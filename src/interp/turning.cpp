@@ -83,12 +83,12 @@ void emit_turning_steps(Run& run, std::vector<cl::Step>& steps) {
     for (std::size_t i = 0; i < steps.size() && !run.stopped; ++i) {
         const auto* thread = std::get_if<cl::Thread>(&steps[i]);
         const bool ends = thread == nullptr && pitch != 0;
-        if (thread != nullptr && pitch == 0) tell(run, SettingKind::feed_override, 0);
+        if (thread != nullptr && pitch == 0) tell_feed_override(run, false);
         if (thread != nullptr && thread->pitch != pitch) tell(run, SettingKind::synchronised, 1, {thread->pitch});
         if (ends) tell(run, SettingKind::synchronised, 0);
         pitch = thread != nullptr ? thread->pitch : 0;
         path_step(run, std::move(steps[i]));
-        if (ends) tell(run, SettingKind::feed_override, 1);
+        if (ends) tell_feed_override(run, true);
     }
 }
 

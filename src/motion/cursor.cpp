@@ -53,6 +53,9 @@ void Cursor::take_modal(const cl::Record& record) {
                    [&](const cl::CompensationEnd&) { s.compensation.reset(); },
                    [&](const cl::ToolLength& length) { s.length = length; },
                    [](const cl::MachinePlace&) {},
+                   [](const cl::ToolSelection&) {},
+                   [](const cl::Output&) {},
+                   [](const cl::Override&) {},
                    [](const cl::ToolData&) {},
                    [](const cl::DatumData&) {},  // Datum says what follows
                    [&](const cl::LeadBegin&) { s.leads = true; },

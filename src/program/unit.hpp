@@ -288,6 +288,7 @@ enum class NamedKind : std::uint8_t {
     position_meanwhile,       ///< POSA[axis]=: the program goes on while it moves
     axis_feed,                ///< FA[axis]=
     block_feed,               ///< FB=: feed of the block's path alone
+    thread_start,             ///< SF=: degrees of the spindle at which a thread begins
 };
 /// A word with a computed or extended address: AX[expr]=, X1=, S2=, F[X]=.
 struct Named {

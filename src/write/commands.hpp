@@ -18,7 +18,13 @@ enum class Command : std::uint8_t {
     helix_cw,  ///< where it is written otherwise than an arc in the plane
     helix_ccw,
     thread,
+    thread_rising,  ///< whose pitch grows with every revolution
+    thread_falling,
     tap,
+    seek_contact,  ///< by a probe: to where it touches
+    seek_contact_or_end,
+    seek_release,
+    seek_release_or_end,
     plane_xy,
     plane_zx,
     plane_yz,
@@ -37,6 +43,7 @@ enum class Command : std::uint8_t {
     surface_stop,
     spindle_held,
     tool_change,
+    tool_next,      ///< the tool that will be wanted
     tool_data,      ///< what the program itself says a tool is
     tool_edge,      ///< another edge of the tool in the spindle
     tool_standing,  ///< a tool that is in the spindle already
@@ -70,6 +77,20 @@ enum class Command : std::uint8_t {
     tolerance_set,
     tolerance_reset,
     function,
+    output_on,
+    output_off,
+    output_value,
+    output_on_moving,  ///< with the next move
+    output_off_moving,
+    output_value_moving,
+    override_feed,  ///< what the operator may change
+    override_feed_off,
+    override_spindle,
+    override_spindle_off,
+    override_adaptive,
+    override_adaptive_off,
+    override_hold,
+    override_hold_off,
     axis,           ///< named by a letter
     axis_numbered,  ///< "C2"
     compensation_left,

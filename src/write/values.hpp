@@ -32,9 +32,11 @@ enum class Value : std::uint8_t {
     pitch_x,  ///< the pitch where the thread runs along that axis; else absent
     pitch_y,
     pitch_z,
-    size,      ///< of a chamfer or rounding, a line onto a contour
-    own_feed,  ///< of a chamfer, a rounding, a way onto a contour alone; else absent
-    length,    ///< of a tool
+    pitch_change,  ///< with every revolution, of threads whose pitch rises or falls
+    start,         ///< degrees at which a thread begins; absent where it is 0
+    size,          ///< of a chamfer or rounding, a line onto a contour
+    own_feed,      ///< of a chamfer, a rounding, a way onto a contour alone; else absent
+    length,        ///< of a tool
     tool_radius,
     // What holds.
     feed,
@@ -42,6 +44,7 @@ enum class Value : std::uint8_t {
     limit,  ///< highest speed at constant cutting speed
     held,   ///< angle of a spindle that stands
     number,
+    value,  ///< of an output
     edge,
     turret,  ///< tool and edge in one number, the edge in its last two digits (T0303)
     raised,

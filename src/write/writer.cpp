@@ -1,6 +1,7 @@
 #include "write/writer.hpp"
 
 #include <algorithm>
+#include <array>
 
 namespace obrys::write {
 
@@ -173,6 +174,17 @@ void Writer::take_event(const cl::Record& record) {
         if (!end) stop_spindle(post_.stop_stops_spindle);
     }
     if (const auto* comment = std::get_if<cl::Comment>(&step)) write_comment(*comment);
+    if (const auto* next = std::get_if<cl::ToolSelection>(&step)) write_selection(*next);
+    if (const auto* signal = std::get_if<cl::Output>(&step)) write_output(*signal);
+    if (const auto* allowed = std::get_if<cl::Override>(&step)) {
+        write_all();
+        constexpr std::array on{Command::override_feed, Command::override_spindle, Command::override_adaptive,
+                                Command::override_hold};
+        constexpr std::array off{Command::override_feed_off, Command::override_spindle_off,
+                                 Command::override_adaptive_off, Command::override_hold_off};
+        values_.clear();
+        print((allowed->on ? on : off)[static_cast<std::size_t>(allowed->kind)], "what the operator may change");
+    }
     if (const auto* aux = std::get_if<cl::Auxiliary>(&step)) {
         write_all();
         values_.clear();
@@ -180,6 +192,29 @@ void Writer::take_event(const cl::Record& record) {
         values_.set(Value::number, static_cast<double>(aux->number));
         print(Command::function, "function " + std::string(1, aux->letter) + std::to_string(aux->number));
     }
+}
+
+/// That a magazine brings a tool beforehand makes no difference to the path: where the post does not say it, it is left
+/// out.
+void Writer::write_selection(const cl::ToolSelection& next) {
+    if (tool_ && tool_->number == next.number) return;  // words of its edge that follow are for it as it is
+    if (!post_.has(Command::tool_next) || next.number == 0) return note(Fate::expanded, "a tool that is prepared");
+    write_all();
+    values_.clear();
+    values_.set(Value::number, next.number);
+    print(Command::tool_next, "a tool that is prepared");
+}
+
+void Writer::write_output(const cl::Output& signal) {
+    write_all();
+    values_.clear();
+    values_.set(Value::number, signal.number);
+    values_.set(Value::value, signal.value);
+    const bool moving = signal.with_motion;
+    print(signal.analog       ? (moving ? Command::output_value_moving : Command::output_value)
+          : signal.value != 0 ? (moving ? Command::output_on_moving : Command::output_on)
+                              : (moving ? Command::output_off_moving : Command::output_off),
+          "output " + std::to_string(signal.number));
 }
 
 void Writer::write_tool_data(const cl::ToolData& data) {

@@ -77,6 +77,8 @@ private:
     void write_datum_anew();
     void set_zero(std::uint32_t number, bool added);
     void write_zero(const cl::DatumData& data);
+    void write_selection(const cl::ToolSelection& next);
+    void write_output(const cl::Output& signal);
     void write_tool_data(const cl::ToolData& data);
     void write_frame();
     void write_spindle();
@@ -89,7 +91,8 @@ private:
     // Moves.
     void write_move(const cl::Step& step, const geom::Vec3& from);
     void write_way(const cl::Step& step, const geom::Vec3& from);
-    void write_line(const geom::Vec3& to, bool rapid, const cl::Programmed* corner = nullptr);
+    void write_line(const geom::Vec3& to, bool rapid, const cl::Programmed* corner = nullptr,
+                    cl::Seek seek = cl::Seek::nothing);
     void write_arc(const cl::Arc& arc, const geom::Vec3& from, const cl::Programmed* corner = nullptr);
     void write_turn(const cl::Arc& arc, const geom::Vec3& from, const cl::Programmed* corner);
     [[nodiscard]] bool write_place(const cl::Linear& line);

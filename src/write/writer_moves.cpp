@@ -106,14 +106,31 @@ void Writer::print_move(Command command, bool rapid, const cl::Programmed* corne
         print(corner_command(*corner), "a corner");
 }
 
-void Writer::write_line(const geom::Vec3& to, bool rapid, const cl::Programmed* corner) {
+namespace {
+
+Command straight_command(bool rapid, cl::Seek seek) {
+    switch (seek) {
+        case cl::Seek::contact: return Command::seek_contact;
+        case cl::Seek::contact_or_end: return Command::seek_contact_or_end;
+        case cl::Seek::release: return Command::seek_release;
+        case cl::Seek::release_or_end: return Command::seek_release_or_end;
+        case cl::Seek::nothing: break;
+    }
+    return rapid ? Command::rapid : Command::linear;
+}
+
+}  // namespace
+
+void Writer::write_line(const geom::Vec3& to, bool rapid, const cl::Programmed* corner, cl::Seek seek) {
     end_cycles();
     const geom::Vec3 p = frames_.programmed(to);
     values_.clear();
     if (!std::isnan(p.x)) values_.set(Value::x, p.x);
     if (!std::isnan(p.y)) values_.set(Value::y, p.y);
     if (!std::isnan(p.z)) values_.set(Value::z, p.z);
-    const Command command = rapid ? Command::rapid : Command::linear;
+    const Command command = straight_command(rapid, seek);
+    if (!post_.has(command))
+        return note(Fate::lost, "a probing move: the post has no " + std::string(name_of(command)));
     if (!std::isnan(p.y) && std::abs(p.y - y_) > y_noise && !says(post_[command], index_of(Value::y))) {
         y_ = p.y;
         note(Fate::lost, "a move along Y");
@@ -139,9 +156,9 @@ void Writer::write_way(const cl::Step& step, const geom::Vec3& from) {
     if (line != nullptr && write_place(*line)) return;
     if (line != nullptr) {
         note_unknown(from, line->to);
-        const Command command = line->rapid ? Command::rapid : Command::linear;
+        const Command command = straight_command(line->rapid, line->seek);
         if (length_waits_ && !has_part(post_[command], Part::length)) write_all();
-        return write_line(line->to, line->rapid);
+        return write_line(line->to, line->rapid, nullptr, line->seek);
     }
     if (length_waits_) write_all();
     if (const auto* arc = std::get_if<cl::Arc>(&step)) return write_arc(*arc, from);
@@ -255,7 +272,16 @@ void Writer::write_thread(const cl::Thread& thread, const geom::Vec3& from) {
         else
             values_.set(Value::pitch_y, std::abs(thread.pitch) * y / length);
     }
-    print_move(thread.rigid_tap ? Command::tap : Command::thread, true, nullptr);
+    const Command command = thread.rigid_tap    ? Command::tap
+                            : thread.change > 0 ? Command::thread_rising
+                            : thread.change < 0 ? Command::thread_falling
+                                                : Command::thread;
+    if (std::isnan(thread.change)) return note(Fate::lost, "a thread whose pitch changes by nobody knows how much");
+    if (thread.change != 0) values_.set(Value::pitch_change, std::abs(thread.change));
+    if (thread.start != 0) values_.set(Value::start, thread.start);
+    if (thread.start != 0 && post_.has(command) && !says(post_[command], index_of(Value::start)))
+        note(Fate::lost, "the angle at which a thread begins");
+    print_move(command, true, nullptr);
 }
 
 }  // namespace obrys::write

@@ -233,7 +233,7 @@ constexpr Entry words[]{
     no("SD", spline_polynomial_interpolation), proc("SETAL", Procedure::alarm), no("SETDNO", tool_management),
     block("SETINT", interrupt_routine), no("SETM", channel_coordination), proc("SETMS", Procedure::master_spindle),
     no("SETPIECE", tool_management), no("SETTA", tool_management), no("SETTCOR", tool_management),
-    no("SETTIA", tool_management), off("SF"), cycle("SLOT1"), cycle("SLOT2"), off("SOFT"),
+    no("SETTIA", tool_management), named("SF", NamedKind::thread_start), cycle("SLOT1"), cycle("SLOT2"), off("SOFT"),
     off("SOFTA"), no("SON", punching_nibbling), no("SONS", punching_nibbling), off("SPATH"), off("SPCOF"),
     off("SPCON"), off("SPIF1"), off("SPIF2"), no("SPLINEPATH", spline_polynomial_interpolation),
     no("SPN", punching_nibbling), off("SPOF"), no("SPON", punching_nibbling), value("SPOS", Code::spindle_position),

@@ -1,0 +1,404 @@
+#pragma once
+/// The fields of every record in the order of its line: one table, by which the text form is both written and read.
+/// Private to cl. `Io` is Line (text_write.cpp) or Reading (text_read.cpp); what both understand:
+///   number, vec, whole, tool_number, quoted, axis_name    the next word or words
+///   word("to")                                            stands there
+///   flag("rapid", b)                                      stands there where b is true
+///   value("radius", x, none)                              word and number where x is another one than `none`
+///   vector("axis", v, none), perhaps("held", optional)    the same
+///   choice(words, e)                                      the word of an enumerator
+
+#include <array>
+#include <string_view>
+#include <type_traits>
+
+#include "cl/cycle.hpp"
+#include "cl/record.hpp"
+#include "cl/text.hpp"
+
+namespace obrys::cl {
+
+inline constexpr std::array<std::string_view, 2> axis_units{"mm", "deg"}, switches{"off", "on"},
+    lead_ends{"off", "onto"}, speed_units{"1/min", "m/min"};
+inline constexpr std::array<std::string_view, 3> feed_units{"mm/min", "mm/rev", "1/min"},
+    stop_kinds{"program", "optional", "end"}, spindle_senses{"ccw", "stop", "cw"},
+    length_senses{"subtracted", "off", "added"};
+inline constexpr std::array<std::string_view, 5> filters{"none", "finishing", "semi-finishing", "roughing",
+                                                         "precision"};
+
+/// First words of lines by record; a rapid, a message and a part have further ones (`head_of`).
+template <class T>
+inline constexpr std::string_view head = "";
+template <>
+inline constexpr std::string_view head<Linear> = "linear";
+template <>
+inline constexpr std::string_view head<Arc> = "arc";
+template <>
+inline constexpr std::string_view head<Spline> = "spline";
+template <>
+inline constexpr std::string_view head<Axis> = "axis";
+template <>
+inline constexpr std::string_view head<MachinePlace> = "machine";
+template <>
+inline constexpr std::string_view head<Thread> = "thread";
+template <>
+inline constexpr std::string_view head<Dwell> = "dwell";
+template <>
+inline constexpr std::string_view head<Feed> = "feed";
+template <>
+inline constexpr std::string_view head<Spindle> = "spindle";
+template <>
+inline constexpr std::string_view head<ToolChange> = "tool";
+template <>
+inline constexpr std::string_view head<ToolSelection> = "next-tool";
+template <>
+inline constexpr std::string_view head<ToolData> = "tool-data";
+template <>
+inline constexpr std::string_view head<DatumData> = "zero-data";
+template <>
+inline constexpr std::string_view head<ToolLength> = "length";
+template <>
+inline constexpr std::string_view head<Coolant> = "coolant";
+template <>
+inline constexpr std::string_view head<Stop> = "stop";
+template <>
+inline constexpr std::string_view head<Comment> = "comment";
+template <>
+inline constexpr std::string_view head<Datum> = "datum";
+template <>
+inline constexpr std::string_view head<Frame> = "frame";
+template <>
+inline constexpr std::string_view head<Tolerance> = "tolerance";
+template <>
+inline constexpr std::string_view head<PathMode> = "path";
+template <>
+inline constexpr std::string_view head<Auxiliary> = "aux";
+template <>
+inline constexpr std::string_view head<Output> = "output";
+template <>
+inline constexpr std::string_view head<Override> = "override";
+template <>
+inline constexpr std::string_view head<Setting> = "setting";
+template <>
+inline constexpr std::string_view head<CycleBegin> = "cycle";
+template <>
+inline constexpr std::string_view head<CycleEnd> = "cycle-end";
+template <>
+inline constexpr std::string_view head<PartBegin> = "call";
+template <>
+inline constexpr std::string_view head<PartEnd> = "part-end";
+template <>
+inline constexpr std::string_view head<CompensationBegin> = "compensation";
+template <>
+inline constexpr std::string_view head<CompensationEnd> = "compensation-end";
+template <>
+inline constexpr std::string_view head<Programmed> = "programmed";
+template <>
+inline constexpr std::string_view head<LeadBegin> = "lead";
+template <>
+inline constexpr std::string_view head<LeadEnd> = "lead-end";
+
+/// What `fields` gets: the record to be written, or the one to be filled.
+template <class Io, class T>
+using Of = std::conditional_t<Io::writes, const T, T>;
+
+template <class Io, class Circle>
+void circle_fields(Io& io, Circle& s) {
+    io.vec(s.centre);
+    io.word("normal");
+    io.vec(s.normal);
+    io.word("sweep");
+    io.number(s.sweep);
+}
+
+template <class Io>
+void affine_fields(Io& io, Of<Io, geom::Frame>& frame) {
+    io.vec(frame.origin);
+    bool linear = frame.linear != geom::Frame{}.linear;
+    io.flag("by", linear);
+    if (!linear) return;
+    for (auto& v : frame.linear) io.number(v);
+}
+
+// --- moves; whether they are rapid stands in the first word of a straight one
+template <class Io>
+void fields(Io& io, Of<Io, Linear>& s) {
+    io.vec(s.to);
+    io.vector("axis", s.axis, {0, 0, 1});
+    bool seeks = s.seek != Seek::nothing;
+    io.flag("seeks", seeks);
+    if (seeks) io.choice(sought, s.seek, 1);
+}
+template <class Io>
+void fields(Io& io, Of<Io, Arc>& s) {
+    io.vec(s.to);
+    io.word("centre");
+    circle_fields(io, s);
+    io.flag("rapid", s.rapid);
+}
+template <class Io>
+void fields(Io& io, Of<Io, SplineAxis>& a) {
+    io.axis_name(a.name);
+    for (auto* v : {&a.to, &a.k3, &a.k2, &a.k1}) io.number(*v);
+    io.choice(axis_units, a.rotary);
+}
+template <class Io>
+void fields(Io& io, Of<Io, Spline>& s) {
+    io.vec(s.to);
+    io.word("k3");
+    io.vec(s.k3);
+    io.word("k2");
+    io.vec(s.k2);
+    io.word("k1");
+    io.vec(s.k1);
+    io.vector("axis", s.axis, {0, 0, 1});
+    io.each_text(s.axes, [&](auto& a) { fields(io, a); });
+}
+template <class Io>
+void fields(Io& io, Of<Io, Axis>& s) {
+    io.axis_name(s.name);
+    io.number(s.to);
+    io.choice(axis_units, s.rotary);
+    io.flag("counted", s.counted);
+}
+template <class Io>
+void fields(Io& io, Of<Io, Thread>& s) {
+    io.vec(s.to);
+    io.word("pitch");
+    io.number(s.pitch);
+    io.flag("tap", s.rigid_tap);
+    io.value("start", s.start);
+    io.value("change", s.change);
+}
+template <class Io>
+void fields(Io& io, Of<Io, MachinePlace>& s) {
+    io.choice(place_kinds, s.kind);
+    io.whole_if_any(s.number, 1);
+    constexpr std::array<std::string_view, 3> names{"x", "y", "z"};
+    const std::array to{&s.to.x, &s.to.y, &s.to.z};
+    for (std::size_t k = 0; k < 3; ++k) {
+        io.flag(names[k], s.axes[k]);
+        if (s.axes[k]) io.number(*to[k]);
+    }
+}
+
+// --- feed, spindle, tools
+template <class Io>
+void fields(Io& io, Of<Io, Dwell>& s) {
+    io.number(s.seconds);
+    io.number(s.revolutions);
+}
+template <class Io>
+void fields(Io& io, Of<Io, Feed>& s) {
+    io.number(s.value);
+    io.choice(feed_units, s.mode);
+}
+template <class Io>
+void fields(Io& io, Of<Io, Spindle>& s) {
+    io.number(s.speed);
+    io.choice(speed_units, s.mode);
+    io.sense(spindle_senses, s.direction);
+    io.word("limit");
+    io.number(s.limit);
+    io.perhaps("held", s.held);
+}
+template <class Io>
+void fields(Io& io, Of<Io, ToolChange>& s) {
+    io.tool_number(s.number);
+    io.word("edge");
+    io.tool_number(s.edge);
+    io.quoted(s.name);
+    io.value("raised", s.raised);
+    io.value("wider", s.wider);
+    io.flag("standing", s.standing);
+    io.flag("lengthened", s.with_length);
+    io.whole("offset", s.offset);
+}
+template <class Io>
+void fields(Io& io, Of<Io, ToolSelection>& s) {
+    io.whole(s.number);
+    io.quoted(s.name);
+}
+template <class Io>
+void fields(Io& io, Of<Io, ToolData>& s) {
+    io.whole(s.number);
+    io.word("edge");
+    io.whole(s.edge);
+    io.perhaps("length", s.length);
+    io.perhaps("radius", s.radius);
+}
+template <class Io>
+void fields(Io& io, Of<Io, ToolLength>& s) {
+    io.sense(length_senses, s.sense);
+    if (s.sense == 0) return;
+    io.word("offset");
+    io.whole(s.offset);
+    io.perhaps("by", s.by);
+}
+template <class Io>
+void fields(Io& io, Of<Io, Coolant>& s) {
+    bool off = !s.flood && !s.mist;
+    io.flag("off", off);
+    if (off) return;
+    io.flag("flood", s.flood);
+    io.flag("mist", s.mist);
+    if (!s.flood && !s.mist) io.fail("expected one of: off, flood, mist");
+}
+template <class Io>
+void fields(Io& io, Of<Io, Stop>& s) {
+    io.choice(stop_kinds, s.kind);
+}
+template <class Io>
+void fields(Io& io, Of<Io, Comment>& s) {
+    io.quoted(s.text);
+}
+template <class Io>
+void fields(Io& io, Of<Io, Auxiliary>& s) {
+    io.letter(s.letter);
+    io.whole(s.number);
+}
+template <class Io>
+void fields(Io& io, Of<Io, Output>& s) {
+    io.whole(s.number);
+    io.flag("analog", s.analog);
+    io.number(s.value);
+    io.flag("with-motion", s.with_motion);
+}
+template <class Io>
+void fields(Io& io, Of<Io, Override>& s) {
+    io.choice(override_kinds, s.kind);
+    io.choice(switches, s.on);
+}
+template <class Io>
+void fields(Io& io, Of<Io, Tolerance>& s) {
+    io.number(s.contour);
+    io.word("rotary");
+    io.number(s.rotary);
+    io.choice(filters, s.filter);
+}
+template <class Io>
+void fields(Io& io, Of<Io, PathMode>& s) {
+    io.choice(path_kinds, s.kind);
+    io.value("tolerance", s.tolerance);
+    io.value("merge", s.merge);
+    io.whole("way", s.way);
+}
+template <class Io>
+void fields(Io& io, Of<Io, Setting>& s) {
+    io.setting_kind(s.kind);
+    io.whole(s.number);
+    io.whole(s.second);
+    for (auto& v : s.values) io.number(v);
+}
+
+// --- zeros and frames
+template <class Io>
+void fields(Io& io, Of<Io, Datum>& s) {
+    io.whole(s.number);
+    io.vec(s.origin);
+}
+template <class Io>
+void fields(Io& io, Of<Io, DatumData>& s) {
+    io.whole(s.number);
+    io.vec(s.origin);
+    io.perhaps("turned", s.turn);
+    io.flag("added", s.added);
+}
+template <class Io>
+void fields(Io& io, Of<Io, Frame>& s) {
+    io.each_word(s.parts, "", [&](auto& p) {
+        io.choice(frame_kinds, p.kind);
+        affine_fields(io, p.frame);
+    });
+}
+
+// --- brackets
+template <class Io>
+void fields(Io& io, Of<Io, Cycle>& c, Of<Io, CycleBegin>& s) {
+    io.spelt(c.kind);
+    io.quoted(c.name);
+    io.word("at");
+    io.vec(s.place);
+    bool placed = c.plane != geom::Frame{};
+    io.flag("plane", placed);
+    if (placed) affine_fields(io, c.plane);
+    for (const auto& [word, call] : {std::pair{"modal", CycleCall::modal}, std::pair{"pattern", CycleCall::pattern}})
+        io.flag_is(word, s.call, call);
+    bool counted = s.pass != 1 || s.passes != 1;
+    io.flag("pass", counted);
+    if (counted) {
+        io.whole(s.pass);
+        io.word("of");
+        io.whole(s.passes);
+    }
+    io.each_word(c.values, "written", [&](auto& v) {
+        io.spelt(v.role);
+        io.number(v.value);
+    });
+    bool written = !c.written.empty();
+    io.flag("written", written);
+    if (!written) return;
+    io.each_text(c.written, [&](auto& p) {
+        io.quoted(p.name);
+        io.number(p.value);
+    });
+}
+template <class Io>
+void fields(Io& io, Of<Io, CycleBegin>& s) {
+    io.cycle(s);
+}
+template <class Io>
+void fields(Io& io, Of<Io, PartBegin>& s) {
+    io.quoted(s.name);
+    io.word("pass");
+    io.whole(s.pass);
+    io.word("of");
+    io.whole(s.passes);
+}
+template <class Io>
+void fields(Io& io, Of<Io, CompensationBegin>& s) {
+    io.choice(sides, s.side);
+    io.word("radius");
+    io.number(s.radius);
+    io.word("offset");
+    io.whole(s.offset);
+    io.choice(approaches, s.approach);
+    io.flag("sharp", s.sharp);
+    io.vector("normal", s.normal, {0, 0, 1});
+}
+template <class Io>
+void fields(Io& io, Of<Io, Programmed>& s) {
+    io.vec(s.from);
+    io.word("to");
+    io.vec(s.to);
+    bool round = s.sweep != 0;
+    io.flag("centre", round);
+    if (round) circle_fields(io, s);
+    io.flag("rapid", s.rapid);
+    io.any_choice(corners, s.corner);  // none: no word
+    if (s.corner == Corner::none) return;
+    io.number(s.size);
+    io.value("feed", s.corner_feed);
+}
+template <class Io>
+void fields(Io& io, Of<Io, LeadBegin>& s) {
+    io.choice(lead_ends, s.onto);
+    io.choice(lead_kinds, s.kind);
+    io.word("at");
+    io.vec(s.at);
+    io.value("length", s.length);
+    io.value("radius", s.radius);
+    io.value("angle", s.angle);
+    io.value("feed", s.feed);
+    io.flag("rapid", s.rapid);
+}
+template <class Io>
+void fields(Io&, Of<Io, CycleEnd>&) {}
+template <class Io>
+void fields(Io&, Of<Io, PartEnd>&) {}
+template <class Io>
+void fields(Io&, Of<Io, CompensationEnd>&) {}
+template <class Io>
+void fields(Io&, Of<Io, LeadEnd>&) {}
+
+}  // namespace obrys::cl
