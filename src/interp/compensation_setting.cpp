@@ -11,7 +11,7 @@
 #include "interp/path_stage.hpp"
 #include "path/compensation/preset.hpp"
 #include "path/nose.hpp"
-#include "shop/linuxcnc_table.hpp"
+#include "shop/files/linuxcnc/table.hpp"
 
 namespace obrys::interp {
 
