@@ -4,7 +4,7 @@
 #include <cstdlib>
 #include <string>
 
-#include "shop/heidenhain_views.hpp"
+#include "shop/files/heidenhain/views.hpp"
 
 namespace {
 

@@ -7,9 +7,9 @@
 #include <string>
 #include <string_view>
 
-#include "shop/linuxcnc_ini.hpp"
-#include "shop/linuxcnc_parameters.hpp"
-#include "shop/linuxcnc_table.hpp"
+#include "shop/files/linuxcnc/ini.hpp"
+#include "shop/files/linuxcnc/parameters.hpp"
+#include "shop/files/linuxcnc/table.hpp"
 
 namespace {
 

@@ -5,7 +5,11 @@
 #include <cstdlib>
 #include <string>
 
-#include "shop/fusion_tools.hpp"
+#include "shop/files/fusion/tools.hpp"
+#include "shop/files/obrys/job_file.hpp"
+#include "shop/files/obrys/machine_file.hpp"
+#include "shop/files/obrys/tool_file.hpp"
+#include "shop/files/siemens/toa.hpp"
 #include "shop/job.hpp"
 #include "shop/kinematics.hpp"
 

@@ -47,7 +47,7 @@ enum class CycleKind : std::uint8_t {
     canned_bore_manual,   ///< feed down, spindle stop, the operator retracts
     // Milling by one block (Haas G12, G13).
     canned_circular_pocket,  ///< out of the middle, circle by circle, back to it; level by level
-    // Turning (cycles/turning.hpp).
+    // Turning (cycles/turn/turning.hpp).
     lathe_finish_offset,      ///< along a contour in passes at falling distance
     lathe_rough_along,        ///< cuts parallel to the axis down to a contour at a distance
     lathe_rough_across,       ///< as above, cuts at right angles to the axis

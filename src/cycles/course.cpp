@@ -244,4 +244,16 @@ Heights read_heights(Course& course) {
     return h;
 }
 
+Expansion expand_by(Family family, const Demand& demand, const Situation& situation, bool anywhere) {
+    if (family == nullptr) {
+        Expansion e;
+        e.simulated = false;
+        e.complaints.push_back({false, "this cycle is not simulated", {}, std::nullopt});
+        return e;
+    }
+    Course course(demand, situation, anywhere);
+    family(course, demand, situation);
+    return course.finish();
+}
+
 }  // namespace obrys::cycles

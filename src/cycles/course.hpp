@@ -108,12 +108,9 @@ struct Heights {
 /// From surface, clearance, depth and second clearance; complaints are in the course.
 [[nodiscard]] Heights read_heights(Course& course);
 
-// The families: each expands the kinds that `expand` sends it.
-void expand_drill(Course& course, const Demand& demand, const Situation& situation);
-void expand_bore(Course& course, const Demand& demand, const Situation& situation);
-void expand_tap(Course& course, const Demand& demand, const Situation& situation);
-void expand_thread_mill(Course& course, const Demand& demand, const Situation& situation);
-void expand_surface(Course& course, const Demand& demand, const Situation& situation);
-void expand_canned(Course& course, const Demand& demand, const Situation& situation);
+/// Expands the kinds that a room's door sends it.
+using Family = void (*)(Course&, const Demand&, const Situation&);
+/// What the family makes of the demand; without a family it is not simulated. `anywhere` as of Course.
+[[nodiscard]] Expansion expand_by(Family family, const Demand& demand, const Situation& situation, bool anywhere);
 
 }  // namespace obrys::cycles

@@ -70,11 +70,4 @@ struct Expansion {
 /// Number of steps after which an expansion is given up with a complaint (infeeds far too small).
 inline constexpr std::size_t most_steps = 200'000;
 
-/// True for cycles that `expand` knows.
-[[nodiscard]] bool is_expanded(cl::CycleKind kind);
-
-/// The steps from the called position on. A fatal complaint leaves `steps` empty. The feed in force afterwards is the
-/// last Feed step; the caller restores its own where the control does.
-[[nodiscard]] Expansion expand(const Demand& demand, const Situation& situation);
-
 }  // namespace obrys::cycles

@@ -2,7 +2,7 @@
 
 #include <gtest/gtest.h>
 
-#include "cycles/cycle_support_test.hpp"
+#include "cycles/cycle_testing.hpp"
 
 namespace obrys::cycles::test {
 namespace {

@@ -2,6 +2,7 @@
 
 #include "base/codes.hpp"
 #include "driver/machine_guess.hpp"
+#include "shop/files/obrys/machine_file.hpp"
 #include "shop/nearest.hpp"
 
 namespace obrys::driver {

@@ -12,6 +12,7 @@
 
 #include "cl/text.hpp"
 #include "driver/session.hpp"
+#include "shop/files/obrys/machine_file.hpp"
 
 namespace obrys::driver::testing {
 

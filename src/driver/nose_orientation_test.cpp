@@ -6,7 +6,7 @@
 
 #include "driver/fanuc_testing.hpp"
 #include "read/rs274/read.hpp"
-#include "shop/linuxcnc_table.hpp"
+#include "shop/files/linuxcnc/table.hpp"
 
 namespace obrys::driver {
 namespace {

@@ -11,10 +11,12 @@
 #include "driver/not_run.hpp"
 #include "driver/overrides.hpp"
 #include "driver/tool_files.hpp"
-#include "shop/document.hpp"
-#include "shop/linuxcnc_ini.hpp"
-#include "shop/linuxcnc_parameters.hpp"
-#include "shop/machine_name.hpp"
+#include "shop/files/document.hpp"
+#include "shop/files/linuxcnc/ini.hpp"
+#include "shop/files/linuxcnc/parameters.hpp"
+#include "shop/files/obrys/job_file.hpp"
+#include "shop/files/obrys/machine_file.hpp"
+#include "shop/files/obrys/machine_name.hpp"
 
 namespace obrys::driver {
 

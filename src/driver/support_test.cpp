@@ -5,8 +5,8 @@
 #include <map>
 
 #include "base/codes.hpp"
-#include "cycles/contour.hpp"
-#include "cycles/cycle.hpp"
+#include "cycles/contour/contour.hpp"
+#include "cycles/expand/expand.hpp"
 #include "dialect/heidenhain/cycles.hpp"
 #include "dialect/heidenhain/functions.hpp"
 #include "dialect/heidenhain/m_functions.hpp"

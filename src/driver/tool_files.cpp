@@ -5,8 +5,11 @@
 #include "driver/control.hpp"
 #include "driver/files.hpp"
 #include "driver/first_tool.hpp"
-#include "shop/fusion_tools.hpp"
-#include "shop/linuxcnc_table.hpp"
+#include "shop/files/fusion/tools.hpp"
+#include "shop/files/heidenhain/views.hpp"
+#include "shop/files/linuxcnc/table.hpp"
+#include "shop/files/obrys/tool_file.hpp"
+#include "shop/files/siemens/toa.hpp"
 
 namespace obrys::driver {
 

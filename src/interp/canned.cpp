@@ -6,7 +6,7 @@
 
 #include "base/codes.hpp"
 #include "base/whole.hpp"
-#include "cycles/cycle.hpp"
+#include "cycles/expand/expand.hpp"
 #include "interp/cycle_call.hpp"
 #include "interp/motion.hpp"
 

@@ -9,9 +9,9 @@
 #include "interp/complaints.hpp"
 #include "interp/nose_of_tool.hpp"
 #include "interp/path_stage.hpp"
+#include "path/compensation/preset.hpp"
 #include "path/nose.hpp"
-#include "path/preset.hpp"
-#include "shop/linuxcnc_table.hpp"
+#include "shop/files/linuxcnc/table.hpp"
 
 namespace obrys::interp {
 

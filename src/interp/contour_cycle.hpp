@@ -3,7 +3,7 @@
 
 #include <optional>
 
-#include "cycles/contour.hpp"
+#include "cycles/contour/contour.hpp"
 #include "geom/contour.hpp"
 #include "geom/edge.hpp"
 #include "interp/capture.hpp"

@@ -6,8 +6,8 @@
 #include <limits>
 
 #include "base/codes.hpp"
-#include "cycles/cycle.hpp"
-#include "cycles/turning.hpp"
+#include "cycles/expand/expand.hpp"
+#include "cycles/turn/turning.hpp"
 #include "interp/complaints.hpp"
 #include "interp/contour_cycle.hpp"
 #include "interp/cycle_call.hpp"

@@ -6,7 +6,7 @@
 #include <cmath>
 
 #include "base/codes.hpp"
-#include "cycles/contour.hpp"
+#include "cycles/contour/contour.hpp"
 #include "cycles/pattern.hpp"
 #include "interp/cycle_call.hpp"
 

@@ -8,7 +8,7 @@
 #include "base/number.hpp"
 #include "base/whole.hpp"
 #include "interp/special.hpp"
-#include "path/fk.hpp"
+#include "path/fk/fk.hpp"
 
 namespace obrys::interp {
 

@@ -1,7 +1,7 @@
 #include "interp/nose_of_tool.hpp"
 
 #include "base/whole.hpp"
-#include "shop/linuxcnc_table.hpp"
+#include "shop/files/linuxcnc/table.hpp"
 
 namespace obrys::interp {
 

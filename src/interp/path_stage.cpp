@@ -7,9 +7,9 @@
 #include "base/number.hpp"
 #include "base/whole.hpp"
 #include "interp/complaints.hpp"
-#include "path/preset.hpp"
+#include "path/compensation/preset.hpp"
+#include "path/compensation/refusal.hpp"
 #include "path/pulled_corner.hpp"
-#include "path/refusal.hpp"
 
 namespace obrys::interp {
 

@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "interp/motion.hpp"
-#include "path/contour_path.hpp"
+#include "path/compensation/contour_path.hpp"
 
 namespace obrys::interp {
 
@@ -84,10 +84,10 @@ private:
     bool flushing_ = false, holds_ = false, said_outer_corner_ = false;
     std::uint32_t idle_blocks_ = 0;  ///< without motion in the plane since the last element
     bool block_moved_ = false;
-    path::Side side_ = path::Side::off;          ///< of the last element
-    std::optional<geom::Vec2> direction_;        ///< at its end
-    std::optional<cl::CompensationBegin> told_;  ///< what the stream, or a record that waits, has begun
-    bool begun_ = false;                         ///< the stream has
+    path::Side side_ = path::Side::off;            ///< of the last element
+    std::optional<geom::Vec2> direction_;          ///< at its end
+    std::optional<cl::CompensationBegin> told_;    ///< what the stream, or a record that waits, has begun
+    bool begun_ = false;                           ///< the stream has
     bool lead_told_ = false, lead_begun_ = false;  ///< the same of smooth ways
 };
 

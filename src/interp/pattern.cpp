@@ -7,7 +7,7 @@
 #include "base/whole.hpp"
 #include "cycles/pattern.hpp"
 #include "interp/motion.hpp"
-#include "shop/heidenhain_views.hpp"
+#include "shop/files/heidenhain/views.hpp"
 
 namespace obrys::interp {
 

@@ -7,8 +7,8 @@
 #include <string>
 #include <string_view>
 
-#include "shop/heidenhain_table.hpp"
-#include "shop/heidenhain_views.hpp"
+#include "shop/files/heidenhain/table.hpp"
+#include "shop/files/heidenhain/views.hpp"
 
 namespace obrys::interp {
 

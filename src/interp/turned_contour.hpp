@@ -4,7 +4,7 @@
 #include <optional>
 #include <vector>
 
-#include "cycles/turning.hpp"
+#include "cycles/turn/turning.hpp"
 #include "interp/run.hpp"
 
 namespace obrys::interp {

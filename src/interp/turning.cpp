@@ -4,7 +4,7 @@
 #include <cmath>
 
 #include "base/codes.hpp"
-#include "cycles/turning.hpp"
+#include "cycles/turn/turning.hpp"
 #include "interp/capture.hpp"
 #include "interp/cycle_call.hpp"
 

@@ -6,7 +6,7 @@
 
 #include <cmath>
 
-#include "path/path_support_test.hpp"
+#include "path/path_testing.hpp"
 
 namespace obrys::path::test {
 namespace {

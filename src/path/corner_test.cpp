@@ -8,7 +8,7 @@
 
 #include "path/corner_stage.hpp"
 #include "path/nose.hpp"
-#include "path/path_support_test.hpp"
+#include "path/path_testing.hpp"
 
 namespace obrys::path::test {
 namespace {

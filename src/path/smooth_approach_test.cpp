@@ -6,7 +6,7 @@
 #include <iostream>
 #include <limits>
 
-#include "path/path_support_test.hpp"
+#include "path/path_testing.hpp"
 
 namespace obrys::path::test {
 namespace {

@@ -168,7 +168,7 @@ struct CycleDefinition {
     std::vector<CycleSetting> settings;
     std::vector<ExprId> texts;  ///< labels of contours, names of programs
     base::Span where;
-    // Turning cycles (cycles/turning.hpp) act at their definition.
+    // Turning cycles (cycles/turn/turning.hpp) act at their definition.
     /// The contour: the blocks of this program from the one with this number to that one, which are not run where they
     /// stand. One whose first block names both axes of the plane may have pockets.
     ExprId first_block = no_expr, last_block = no_expr;

@@ -1,5 +1,5 @@
 #pragma once
-/// Small measures of a contour of lines and arcs that readers of profiles need. Private to shop.
+/// Small measures of a contour of lines and arcs that readers of profiles need.
 
 #include <optional>
 #include <utility>

@@ -79,11 +79,4 @@ struct Machine {
     std::map<std::string, double> machine_data;       ///< by upper-case name with its $: "$MC_…", "$MN_…"
 };
 
-/// Reads a machine text. Always gives a machine: what was wrong is in `diagnostics` and keeps its default.
-[[nodiscard]] Machine read_machine(std::uint32_t file, const base::Sources& sources, base::Diagnostics& diagnostics);
-
-/// The shipped machines of folder machines/, built in: "lathe-generic", "fv25cnc-a" …; nothing for another name.
-[[nodiscard]] std::optional<Machine> shipped_machine(const std::string& name);
-[[nodiscard]] std::vector<std::string> shipped_machine_names();
-
 }  // namespace obrys::shop

@@ -5,7 +5,7 @@
 #include <tuple>
 
 #include "shop/contour_check.hpp"
-#include "shop/shop_test.hpp"
+#include "shop/tool.hpp"
 
 namespace obrys::shop {
 namespace {

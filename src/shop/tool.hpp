@@ -146,17 +146,6 @@ struct DimensionFault {
 /// length less shank and holder; nothing where that is not above 0.
 [[nodiscard]] std::optional<double> cutting_height(const Tool& tool);
 
-/// The tools of a tool list ([[tool]] tables); what is wrong is in `diagnostics` and left out.
-[[nodiscard]] std::vector<Tool> read_tools(std::uint32_t file, const base::Sources& sources,
-                                           base::Diagnostics& diagnostics);
-/// The tools of a SINUMERIK tool data file (TOA): lines `$TC_DPn[T,D]=value` and `$TC_TP2[T]="name"`.
-[[nodiscard]] std::vector<Tool> read_toa(std::uint32_t file, const base::Sources& sources,
-                                         base::Diagnostics& diagnostics);
-
-/// The tools of a HEIDENHAIN tool table (TOOL.T); shop/heidenhain_views.hpp says how its columns are taken.
-[[nodiscard]] std::vector<Tool> read_tool_t(std::uint32_t file, const base::Sources& sources,
-                                            base::Diagnostics& diagnostics);
-
 /// $TC_DPn: as read; else what the dimensions say for n = 2 (orientation), 3 (length 1) and 6 (radius); else nothing.
 [[nodiscard]] std::optional<double> parameter(const Tool& tool, int n);
 

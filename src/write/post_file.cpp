@@ -2,7 +2,7 @@
 
 #include "base/codes.hpp"
 #include "base/number.hpp"
-#include "shop/section.hpp"
+#include "shop/files/section.hpp"
 #include "write/commands.hpp"
 #include "write/post.hpp"
 

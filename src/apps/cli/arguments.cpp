@@ -13,6 +13,7 @@
 #include "base/number.hpp"
 #include "help_texts.hpp"
 #include "milled.hpp"
+#include "shop/files/obrys/machine_file.hpp"
 #include "shop/machine.hpp"
 #include "shop/nearest.hpp"
 #include "words.hpp"
@@ -158,7 +159,7 @@ void add_surface_outputs(CLI::App& check, Arguments& a) {
 /// How near both runs must lie.
 void add_same_place(CLI::App& app, Arguments& a) {
     app.add_option_function<double>(
-            "--tolerance", [&a](const double& mm) { a.same_place = mm; }, "how far places may lie apart, mm (0.0001)")
+           "--tolerance", [&a](const double& mm) { a.same_place = mm; }, "how far places may lie apart, mm (0.0001)")
         ->check([](const std::string& text) {
             const auto value = base::parse_double(text);
             return value && *value > 0 && *value <= 1 ? std::string() : "must be a length in mm above 0, at most 1";

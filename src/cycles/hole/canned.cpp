@@ -1,0 +1,161 @@
+/// Drilling, chip breaking and pecking; what all canned cycles share. Sources: cycles/hole/canned.hpp.
+///
+///   canned_drill       (G81, G82) dwell_bottom.
+///   canned_chip_break  (G73) infeed; chip_break_distance: how far back after each; retract_every with
+///                      stop_distance_first: out to the retract plane after this depth (Haas K with Q).
+///   canned_peck        (G83) infeed; stop_distance_first: rapid down ends this far above the depth reached.
+/// Both with decrement and min_infeed (Haas I, J, K) and dwell_bottom.
+
+#include <algorithm>
+#include <cmath>
+
+#include "cycles/hole/canned.hpp"
+#include "cycles/hole/families.hpp"
+#include "cycles/levels.hpp"
+
+namespace obrys::cycles {
+
+geom::Vec2 read_target(Course& c, const Situation& s) {
+    const geom::Vec2 target{c.maybe(Role::target_u, s.at.x), c.maybe(Role::target_v, s.at.y)};
+    c.known(target.x + target.y, "the position of the hole");
+    return target;
+}
+
+Hole read_hole(Course& c, const Situation& s) {
+    Hole h;
+    h.target = read_target(c, s);
+    h.retract = c.need(Role::retract_plane);
+    h.bottom = c.need(Role::bottom);
+    h.end = c.maybe(Role::return_level, h.retract);
+    const double rise = c.maybe(Role::rise_first, 0);
+    h.rise_first = rise != 0;
+    h.risen = rise > 1;
+    if (h.rise_first) c.known(s.at.z, "the tool's height");
+    if (h.retract < h.bottom) c.fault(Role::retract_plane, "the retract plane lies below the bottom of the hole");
+    return h;
+}
+
+void feed_w(Course& c, double w) { c.straight({c.at().x, c.at().y, w}, false); }
+void rapid_to_w(Course& c, double w) { c.straight({c.at().x, c.at().y, w}, true); }
+
+void approach(Course& c, const Hole& h) {
+    if (h.rise_first && !h.risen && c.at().z < h.retract) rapid_to_w(c, h.retract);
+    c.straight({h.target.x, h.target.y, h.rise_first ? std::max(c.at().z, h.end) : c.at().z}, true);
+    c.over_place();
+    if (c.at().z != h.retract) rapid_to_w(c, h.retract);
+}
+
+void dwell_if(Course& c, const Demand& demand, Role role) {
+    if (const auto seconds = demand.find(role)) c.add(cl::Dwell{.seconds = *seconds});
+}
+
+void feed_out(Course& c, const Hole& h, bool whole_way) {
+    if (whole_way) return feed_w(c, h.end);
+    feed_w(c, h.retract);
+    rapid_to_w(c, h.end);
+}
+
+Turning read_turning(Course& c, const Situation& s) {
+    Turning t;
+    t.speed = c.spindle_speed(s);
+    const double wanted = c.maybe(Role::spindle_direction, s.spindle_direction);
+    if (wanted == 0) c.fault("the spindle does not turn", "program M3 or M4 before the cycle");
+    if (wanted != 0 && std::abs(wanted) != 1) c.fault(Role::spindle_direction, "the spindle direction must be 1 or -1");
+    t.direction = wanted < 0 ? -1 : 1;
+    return t;
+}
+
+void stop_spindle(Course& c, const Turning& t) { c.spindle(t.speed, 0); }
+void start_spindle(Course& c, const Turning& t) { c.spindle(t.speed, t.direction); }
+
+namespace {
+
+void drill(Course& c, const Demand& demand, const Situation& s) {
+    const Hole h = read_hole(c, s);
+    c.maybe_at_least(Role::dwell_bottom, 0, 0);
+    if (!c.ready()) return;
+    approach(c, h);
+    feed_w(c, h.bottom);
+    dwell_if(c, demand, Role::dwell_bottom);
+    rapid_to_w(c, h.end);
+}
+
+/// Infeeds added up as LinuxCNC does it, in binary numbers of the program's unit: a rounding error may leave one more
+/// infeed, without length, and the calls shall be the same.
+std::vector<double> binary_levels(Course& c, const Hole& h, double infeed, double unit) {
+    std::vector<double> levels;
+    if ((h.retract - h.bottom) / infeed > double(most_steps) / 8) {
+        c.fault(Role::infeed, "the infeed is too small for the depth");
+        return levels;
+    }
+    const double bottom = h.bottom / unit, step = infeed / unit;
+    for (double level = h.retract / unit - step; level > bottom && levels.size() < most_steps; level -= step)
+        levels.push_back(level * unit);
+    levels.push_back(h.bottom);
+    return levels;
+}
+
+struct Pecks {
+    std::vector<double> levels;  ///< ends of the infeeds, the bottom last
+    double back = 0;             ///< chip breaking: this far up
+    double stop = 0;             ///< pecking: rapid down to this far above
+    double full_every = 0;       ///< chip breaking: depth between full retractions, 0 none
+    bool binary = false;
+};
+
+Pecks read_pecks(Course& c, const Hole& h, bool chip_break) {
+    Pecks p;
+    const double unit = c.maybe(Role::length_unit, 0);
+    p.binary = unit > 0;
+    const Infeeds infeeds = read_infeeds(c, true);
+    if (chip_break) {
+        p.back = c.at_least(Role::chip_break_distance, 0);
+        p.full_every = c.maybe_at_least(Role::retract_every, 0, 0);
+    }
+    if (!chip_break || p.full_every > 0) p.stop = c.at_least(Role::stop_distance_first, 0);
+    c.maybe_at_least(Role::dwell_bottom, 0, 0);
+    if (!c.ready()) return p;
+    p.levels = p.binary ? binary_levels(c, h, infeeds.first, unit) : levels_of(c, h.retract, h.bottom, infeeds);
+    if (p.levels.empty()) p.levels.push_back(h.bottom);
+    return p;
+}
+
+void pecks(Course& c, const Demand& demand, const Situation& s, bool chip_break) {
+    const Hole h = read_hole(c, s);
+    const Pecks p = read_pecks(c, h, chip_break);
+    if (!c.ready()) return;
+    // LinuxCNC goes back by the whole distance even where that is above the retract plane.
+    const auto above = [&](double w) { return p.binary ? w : std::min(w, h.retract); };
+    approach(c, h);
+    double since = h.retract;
+    for (std::size_t i = 0; i + 1 < p.levels.size() && c.room(); ++i) {
+        const double level = p.levels[i];
+        feed_w(c, level);
+        const bool full = p.full_every > 0 && since - level >= p.full_every - same_depth;
+        if (chip_break && !full) {
+            rapid_to_w(c, above(level + p.back));
+            continue;
+        }
+        since = level;
+        rapid_to_w(c, h.retract);
+        rapid_to_w(c, above(level + p.stop));
+    }
+    feed_w(c, h.bottom);
+    dwell_if(c, demand, Role::dwell_bottom);
+    rapid_to_w(c, h.end);
+}
+
+}  // namespace
+
+void expand_canned(Course& c, const Demand& demand, const Situation& situation) {
+    switch (demand.kind) {
+        case Kind::canned_drill: return drill(c, demand, situation);
+        case Kind::canned_chip_break: return pecks(c, demand, situation, true);
+        case Kind::canned_peck: return pecks(c, demand, situation, false);
+        case Kind::canned_tap_floating:
+        case Kind::canned_tap_rigid: return canned_tap(c, demand, situation);
+        default: return canned_bore(c, demand, situation);
+    }
+}
+
+}  // namespace obrys::cycles
