@@ -13,8 +13,8 @@
 #include "geom/interpolation.hpp"
 #include "mesh/distance.hpp"
 #include "sim/certify/certify.hpp"
+#include "sim/milling/cut/simulation.hpp"
 #include "sim/milling/cutter.hpp"
-#include "sim/milling/simulation.hpp"
 #include "sim/milling/stock.hpp"
 
 namespace obrys::check {

@@ -13,7 +13,7 @@
 
 #include "check/bins.hpp"
 #include "check/clearing_cut.hpp"
-#include "sim/milling/simulation.hpp"
+#include "sim/milling/cut/simulation.hpp"
 
 namespace obrys::check {
 

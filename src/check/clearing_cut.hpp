@@ -5,7 +5,7 @@
 
 #include <vector>
 
-#include "sim/milling/air.hpp"
+#include "sim/milling/cut/air.hpp"
 
 namespace obrys::check {
 

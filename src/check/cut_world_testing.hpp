@@ -5,8 +5,8 @@
 
 #include <utility>
 
+#include "sim/milling/cut/simulation.hpp"
 #include "sim/milling/cutter.hpp"
-#include "sim/milling/simulation.hpp"
 
 namespace obrys::check::testing {
 

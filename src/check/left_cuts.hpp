@@ -11,8 +11,8 @@
 #include "check/left_turns.hpp"
 #include "geom/interpolation.hpp"
 #include "mesh/mesh.hpp"
-#include "sim/milling/air.hpp"
-#include "sim/milling/simulation.hpp"
+#include "sim/milling/cut/air.hpp"
+#include "sim/milling/cut/simulation.hpp"
 #include "sim/milling/stock.hpp"
 
 namespace obrys::check {

@@ -5,7 +5,7 @@
 
 #include <deque>
 
-#include "sim/milling/air.hpp"
+#include "sim/milling/cut/air.hpp"
 
 namespace obrys::check {
 

@@ -23,7 +23,7 @@
 #include "check/time_up.hpp"
 #include "motion/stand.hpp"
 #include "motion/state.hpp"
-#include "sim/milling/simulation.hpp"
+#include "sim/milling/cut/simulation.hpp"
 
 namespace obrys::sim::milling {
 struct Refined;

@@ -5,7 +5,7 @@
 
 #include "check/thread_band.hpp"
 #include "mesh/compare.hpp"
-#include "sim/milling/simulation.hpp"
+#include "sim/milling/cut/simulation.hpp"
 
 namespace obrys::check {
 

@@ -12,7 +12,7 @@
 #include "check/milling_thin.hpp"
 #include "check/milling_tool.hpp"
 #include "check/words.hpp"
-#include "sim/milling/surface.hpp"
+#include "sim/milling/surface/surface.hpp"
 
 namespace obrys::check {
 

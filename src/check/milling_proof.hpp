@@ -7,7 +7,7 @@
 #include <functional>
 
 #include "mesh/distance.hpp"
-#include "sim/milling/air.hpp"
+#include "sim/milling/cut/air.hpp"
 
 namespace obrys::check {
 

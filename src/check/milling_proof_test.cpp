@@ -6,7 +6,7 @@
 #include <random>
 
 #include "mesh/primitives.hpp"
-#include "sim/milling/simulation.hpp"
+#include "sim/milling/cut/simulation.hpp"
 
 namespace obrys::check {
 namespace {

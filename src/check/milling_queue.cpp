@@ -8,7 +8,7 @@
 #include "check/milling.hpp"
 #include "check/milling_tool.hpp"
 #include "check/rapid_way.hpp"
-#include "sim/milling/pieces.hpp"
+#include "sim/milling/cut/pieces.hpp"
 
 namespace obrys::check {
 

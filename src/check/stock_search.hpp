@@ -11,7 +11,7 @@
 #include "check/left_search.hpp"
 #include "check/stock_parts.hpp"
 #include "check/stock_planes.hpp"
-#include "sim/milling/simulation.hpp"
+#include "sim/milling/cut/simulation.hpp"
 
 namespace obrys::check {
 
