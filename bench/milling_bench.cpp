@@ -15,7 +15,7 @@
 #include <string>
 #include <vector>
 
-#include "sim/milling/simulation.hpp"
+#include "sim/milling/cut/simulation.hpp"
 
 namespace {
 

@@ -5,7 +5,7 @@
 
 #include "check/milling_tool.hpp"
 #include "geom/vec.hpp"
-#include "sim/milling/simulation.hpp"
+#include "sim/milling/cut/simulation.hpp"
 
 namespace obrys::check {
 

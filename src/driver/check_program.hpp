@@ -3,7 +3,7 @@
 
 #include <functional>
 
-#include "check/check.hpp"
+#include "check/stream/check.hpp"
 #include "driver/milling_job.hpp"
 #include "driver/session.hpp"
 

@@ -1,7 +1,8 @@
 #pragma once
 /// Contours that a job does not write as points: run from a program, or derived from the part.
 
-#include "check/check.hpp"
+#include "check/result.hpp"
+#include "check/setup.hpp"
 #include "driver/session.hpp"
 
 namespace obrys::driver {

@@ -3,7 +3,8 @@
 
 #include <optional>
 
-#include "check/check.hpp"
+#include "check/result.hpp"
+#include "check/setup.hpp"
 #include "driver/session.hpp"
 
 namespace obrys::driver {

@@ -3,7 +3,8 @@
 
 #include <string>
 
-#include "check/check.hpp"
+#include "check/result.hpp"
+#include "check/setup.hpp"
 #include "mesh/mesh.hpp"
 
 namespace obrys::report {

@@ -6,7 +6,7 @@
 
 #include "base/number.hpp"
 #include "base/text.hpp"
-#include "check/turning_tool.hpp"
+#include "check/turning/turning_tool.hpp"
 #include "report/json_parts.hpp"
 #include "report/page_parts.hpp"
 #include "report/path.hpp"

@@ -6,9 +6,9 @@
 #include <vector>
 
 #include "base/source.hpp"
-#include "check/check.hpp"
 #include "check/group.hpp"
 #include "check/result.hpp"
+#include "check/setup.hpp"
 #include "cl/stacks.hpp"
 
 namespace obrys::report {
@@ -18,13 +18,13 @@ struct Subject {
     const check::Result& result;
     const check::Setup& setup;
     const cl::CallStacks& stacks;
-    std::string program;    ///< path as the user wrote it
-    std::string control;    ///< "sinumerik-840d"; empty: not known
-    std::string version;    ///< of obrys
-    std::string date;       ///< as it is to be shown; empty: no date, so that equal runs give equal reports
-    std::string root = {};  ///< absolute folder, a slash at its end, from which paths in logs count; empty: not said
+    std::string program;     ///< path as the user wrote it
+    std::string control;     ///< "sinumerik-840d"; empty: not known
+    std::string version;     ///< of obrys
+    std::string date;        ///< as it is to be shown; empty: no date, so that equal runs give equal reports
+    std::string root = {};   ///< absolute folder, a slash at its end, from which paths in logs count; empty: not said
     std::string input = {};  ///< what the check was asked for: the job, or the program itself
-    std::string here = {};  ///< absolute folder from which relative names of sources count; empty: as the root
+    std::string here = {};   ///< absolute folder from which relative names of sources count; empty: as the root
 };
 
 /// A place in a source text, counted from 1, for people and machines.

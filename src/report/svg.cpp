@@ -1,7 +1,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "check/rest.hpp"
+#include "check/turning/rest.hpp"
 #include "report/report.hpp"
 #include "report/svg_window.hpp"
 

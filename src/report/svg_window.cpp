@@ -6,7 +6,7 @@
 
 #include "base/number.hpp"
 #include "base/whole.hpp"
-#include "check/rest.hpp"
+#include "check/turning/rest.hpp"
 
 namespace obrys::report {
 
