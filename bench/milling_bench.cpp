@@ -91,7 +91,7 @@ void run(const std::vector<Vec3>& tips, const milling::Box3& box, int runs, int 
         simulation.flush();
         best = std::min(best, seconds_since(start));
         removed = 0;
-        for (const milling::Engagement& e : simulation.engagements()) removed += e.volume;
+        for (std::size_t k = 0; k < simulation.engagements().size(); ++k) removed += simulation.engagements()[k].volume;
         bytes = simulation.bytes();
     }
     rusage usage{};
