@@ -59,6 +59,17 @@ void Writer::set_values(const cl::Cycle& cycle, const geom::Vec3& at) {
     if (!std::isnan(at.z)) values_.set(Value::z, at.z);
     for (const cl::CycleValue& v : cycle.values) values_.set(index_of(v.role), v.value);
     const motion::State& s = cursor_.state();
+    const auto height = [&](cl::CycleRole role) {
+        const auto found = std::find_if(cycle.values.begin(), cycle.values.end(),
+                                        [&](const cl::CycleValue& v) { return v.role == role; });
+        return found == cycle.values.end() ? std::nullopt : std::optional(found->value);
+    };
+    if (const auto retract = height(cl::CycleRole::retract_plane)) {
+        const double top = height(cl::CycleRole::surface).value_or(*retract);
+        values_.set(Value::hole_top, top);
+        values_.set(Value::hole_gap, *retract - top);
+        if (const auto bottom = height(cl::CycleRole::bottom)) values_.set(Value::hole_way, top - *bottom);
+    }
     if (s.feed.value != 0) values_.set(Value::feed, s.feed.value);
     if (s.spindle.speed > 0) values_.set(Value::speed, s.spindle.speed);
 }
@@ -78,6 +89,7 @@ bool Writer::fold(const cl::CycleBegin& begin) {
     if (!std::all_of(form->define.begin(), form->define.end(), sayable) ||
         !std::all_of(form->call.begin(), form->call.end(), sayable))
         return false;
+    if (rise_waits()) write_rise();
     const bool over = form->moves_over && !held_.empty() && held_.back().record.from == now_->from &&
                       held_.back().record.stack == now_->stack;
     if (over)
@@ -89,6 +101,7 @@ bool Writer::fold(const cl::CycleBegin& begin) {
     set_values(cycle, at);
     std::string defined;
     for (const Block& block : form->define) defined += printer_.whole(block, values_).value_or("") + "\n";
+    begin_cycles(defined);
     if (defined != defined_ && printer_.print(form->define, values_) == Printed::failed) return false;
     defined_ = defined;
     if (printer_.print(form->call, values_, parts_of(false, nullptr)) == Printed::failed) return false;
@@ -156,8 +169,16 @@ void Writer::print_lead() {
 
 /// Behind a cycle the tool stands somewhere else than the words that were printed say.
 void Writer::end_fold() {
+    const bool cycle = !lead_;
     if (lead_) print_lead();
     printer_.forget_coordinates();
+    const geom::Vec3 at = frames_.programmed(cursor_.position().here());
+    if (!cycle || !post_.place_known_behind_cycle || !geom::is_finite(at)) return;
+    values_.clear();
+    values_.set(Value::x, at.x);
+    values_.set(Value::y, at.y);
+    values_.set(Value::z, at.z);
+    printer_.remember(post_[Command::rapid], values_);
 }
 
 }  // namespace obrys::write

@@ -58,6 +58,7 @@ void tell_once(const Call& c, AcramaticParameter p, std::string text) {
 /// A dwell has no effect on the path: one that the program has not said in front of this cycle is left out, and said.
 void put_dwell(const Call& c, Code code, AcramaticParameter p) {
     const TableValue& entry = c.s.entry(p);
+    if (entry.fresh && entry.value->number() == 0) return;
     if (entry.fresh) return put(c, code, *entry.value);
     tell_once(c, p,
               entry.value ? "how long it dwells was said for an earlier cycle; whether that holds here is not "
