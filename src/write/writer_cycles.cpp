@@ -16,8 +16,15 @@ bool holds(const Condition& c, const cl::Cycle& cycle) {
 
 /// All that the cycle says has its word, or need not be said, or is what a condition asks for.
 bool says_all(const CycleForm& form, const cl::Cycle& cycle) {
+    const auto has = [&](cl::CycleRole role) {
+        return std::any_of(cycle.values.begin(), cycle.values.end(),
+                           [&](const cl::CycleValue& v) { return v.role == role; });
+    };
+    // Between retract plane and bottom the surface tells where infeeds begin, and nothing else.
+    const bool surface_counts = !has(cl::CycleRole::retract_plane) || has(cl::CycleRole::infeed);
     return std::all_of(cycle.values.begin(), cycle.values.end(), [&](const cl::CycleValue& v) {
         const ValueIndex value = index_of(v.role);
+        if (v.role == cl::CycleRole::surface && !surface_counts) return true;
         const bool asked = std::any_of(form.when.begin(), form.when.end(),
                                        [&](const Condition& c) { return c.value == value && c.present && c.equals; });
         return asked || says(form.define, value) || says(form.call, value) ||

@@ -95,7 +95,8 @@ void take_motion(AcramaticState& s) {
     if (s.facts.refused && g == nullptr) s.moving = Moving::lost;
     if (g == nullptr) return;
     const Moving before = s.moving;
-    s.moving = g->use == Use::canned                                     ? Moving::cycle
+    s.moving = g->modal == Modal::canned_off                             ? Moving::unsaid
+               : g->use == Use::canned                                   ? Moving::cycle
                : g->use == Use::unsupported                              ? Moving::lost
                : g->modal == Modal::arc_cw || g->modal == Modal::arc_ccw ? Moving::arc
                                                                          : Moving::straight;
@@ -108,7 +109,8 @@ void take_motion(AcramaticState& s) {
 void motion_block(AcramaticState& s) {
     switch (s.moving) {
         case Moving::unsaid:
-            return fail(s, s.line.begin(), s.line.end(), "coordinates before any motion is said",
+            return fail(s, s.line.begin(), s.line.end(),
+                        "no motion is in force here, neither said before nor left by G80",
                         "write G0, G1, G2, G3 or a cycle before them");
         case Moving::straight: return refuse_other_letters(s, every_axis | feed_speed_tool, "a straight move");
         case Moving::arc: return arc_block(s);
