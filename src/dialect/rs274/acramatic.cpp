@@ -196,6 +196,7 @@ const program::Traits acramatic_traits{
     .changes_on_m6 = true,
     .dwell_in_feed_words = false,
     .tool_change_stops_spindle = true,
+    .feed_mode_ends_surface_speed = false,
     .own_functions = own_functions,
     .radius_at_start = true,
     .hole_depth_from_top = true,
