@@ -54,7 +54,7 @@ constexpr std::array<std::string_view, static_cast<std::size_t>(CycleRole::turne
     "offset-v", "allowance-first", "allowance-last", "allowance-v", "relief-u", "relief-v", "stepover", "relief",
     "crest-offset", "first-depth", "thread-depth", "degression", "infeed-angle", "spring-passes", "finish-passes",
     "finish-allowance", "taper-length", "taper-ends", "taper-u", "taper-v", "runout", "runout-leads", "infeed-method",
-    "kept", "turned-axes",
+    "first-infeed", "second-infeed", "peck-to-surface", "chip-break-turns", "kept", "turned-axes",
 };
 
 // clang-format on

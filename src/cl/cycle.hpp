@@ -307,11 +307,15 @@ enum class CycleRole : std::uint8_t {
     taper_ends,        ///< 0 none, 1 entry, 2 exit, 3 both
     taper_u,           ///< start of the cut less its end
     taper_v,
-    runout,         ///< along the axis, where a thread leaves the material at 45 degrees
-    runout_leads,   ///< as above, in leads of the thread
-    infeed_method,  ///< of a thread: 1 equal areas on one flank, 2 on both; 3 equal depths on one flank, 4 on both
-    kept,           ///< not looked at by this cycle, held for the next of its series: no part of what it says
-    turned_axes,    ///< fault of a control, tapping: 1 feeds to (v, w, u) of the place it means, 2 to (w, u, v)
+    runout,            ///< along the axis, where a thread leaves the material at 45 degrees
+    runout_leads,      ///< as above, in leads of the thread
+    infeed_method,     ///< of a thread: 1 equal areas on one flank, 2 on both; 3 equal depths on one flank, 4 on both
+    first_infeed,      ///< of canned pecking whose first two infeeds are larger than the others
+    second_infeed,     ///< as above; not written: the first holds once
+    peck_to_surface,   ///< 1: pecking goes out to the surface, not to the retract plane
+    chip_break_turns,  ///< of a rigid tap: back by so many pitches after each infeed
+    kept,              ///< not looked at by this cycle, held for the next of its series: no part of what it says
+    turned_axes,       ///< fault of a control, tapping: 1 feeds to (v, w, u) of the place it means, 2 to (w, u, v)
 };
 
 /// Words of the stream's text form: "universal-drill", "chip-break-distance".

@@ -186,6 +186,10 @@ std::string_view name(cl::CycleRole role) {
         case runout: return "length of the runout";
         case runout_leads: return "length of the runout in leads";
         case infeed_method: return "method of infeed";
+        case first_infeed: return "first infeed";
+        case second_infeed: return "second infeed";
+        case peck_to_surface: return "way out of pecking";
+        case chip_break_turns: return "turns back for chip breaking";
         case kept: return "value for a later cycle";
         case turned_axes: return "order of the axes";
     }

@@ -4,6 +4,7 @@
 #include <array>
 
 #include "read/heidenhain/read.hpp"
+#include "read/rs274/acramatic_read.hpp"
 #include "read/rs274/fanuc_read.hpp"
 #include "read/rs274/read.hpp"
 #include "read/sinumerik/read.hpp"
@@ -83,6 +84,10 @@ constexpr std::array haas_languages{
     Language{base::BlockNumbers::n_word, read_haas, read::rs274::haas_likelihood},
 };
 
+constexpr std::array acramatic_languages{
+    Language{base::BlockNumbers::n_word, several<read::rs274::read_acramatic>, read::rs274::acramatic_likelihood},
+};
+
 /// src/emc/sai of LinuxCNC, common/tool.tbl; inches.
 constexpr std::string_view linuxcnc_tools =
     "T1 P1 D0.125 Z0.511\nT2 P2 D0.0625 Z0.1\nT3 P3 D0.201 Z1.273\nT99999 P123 Z0.1\n";
@@ -94,6 +99,7 @@ constexpr std::array controls_table{
     Control{"linuxcnc", linuxcnc_languages, rs274_programs, {}, o_word_file, false, nullptr, linuxcnc_tools},
     Control{"fanuc", fanuc_languages, rs274_programs, {}, o_word_file, true},
     Control{"haas", haas_languages, rs274_programs, {}, o_word_file, true},
+    Control{"acramatic-2100", acramatic_languages, rs274_programs, {}},
 };
 
 }  // namespace

@@ -131,7 +131,34 @@ std::string remedy_of_circle(const Run& run) {
     return written ? "" : "the circle is in force from a block before: write G0 or G1 for a straight line";
 }
 
-path::ArcResult planar_arc(Run& run, Vec2 from, Vec2 to, bool end_given, const PlaneAxes& a) {
+/// Full turns of a helix beyond the arc to its end, from how far it rises in one (Traits::helix_lead_across); nothing
+/// where the arc does not come out at its end.
+std::optional<int> turns_by_lead(Run& run, const path::ArcResult& arc, double rise, const PlaneAxes& a) {
+    const Code code = centre_words[a.w];
+    if (!run.traits->helix_lead_across || !run.block.has(code) || !arc.ok()) return 0;
+    constexpr double slack = 0.01;  // turns: leads are rounded to the word's resolution
+    const double lead = std::abs(run.block.get(code) * length_unit(run.modal));
+    const double turns = std::abs(rise) / lead - std::abs(arc.sweep) / geom::full_turn;
+    if (std::isnan(turns)) return 0;
+    const auto whole = base::whole<int>(std::round(turns), 0, most_turns);
+    if (lead > 0 && whole && std::abs(turns - *whole) <= slack) return whole;
+    alarm(run, codes::arc_radius, run.here(),
+          "the lead of this helix, " + base::fixed(lead, 4) + " mm, does not lead to its end, " +
+              base::fixed(std::abs(rise), 4) + " mm along the axis");
+    return std::nullopt;
+}
+
+/// About the centre of I, J, K.
+path::ArcResult arc_about_words(Run& run, Vec2 from, Vec2 to, path::Sense sense, int turns, const PlaneAxes& a,
+                                double rise) {
+    const Vec2 centre = centre_of(run, a);
+    const path::ArcResult arc = path::arc_by_centre(from, to, centre, sense, turns, arc_tolerance(run));
+    const auto more = turns_by_lead(run, arc, rise, a);
+    if (!more) return {};
+    return *more == 0 ? arc : path::arc_by_centre(from, to, centre, sense, *more, arc_tolerance(run));
+}
+
+path::ArcResult planar_arc(Run& run, Vec2 from, Vec2 to, bool end_given, const PlaneAxes& a, double rise) {
     const BlockWords& b = run.block;
     const path::Sense sense =
         run.modal.motion == Modal::arc_cw ? path::Sense::clockwise : path::Sense::counter_clockwise;
@@ -164,7 +191,7 @@ path::ArcResult planar_arc(Run& run, Vec2 from, Vec2 to, bool end_given, const P
     }
     if (!centre && (b.has(Code::polar_angle) || b.has(Code::polar_radius)))
         return path::arc_by_centre(from, to, in_plane(run.modal.pole, a), sense, turns, arc_tolerance(run));
-    if (centre) return path::arc_by_centre(from, to, centre_of(run, a), sense, turns, arc_tolerance(run));
+    if (centre) return arc_about_words(run, from, to, sense, turns, a, rise);
     path::ArcResult none;
     none.failure = path::ArcFailure::points_coincide;
     alarm(run, codes::arc_radius, run.here(),
@@ -312,8 +339,8 @@ bool arc_motion(Run& run, const Vec3& target) {
               "the arc gives its end twice: by an angle about the pole and by a point", "write one of them");
         return false;
     }
-    const path::ArcResult arc =
-        planar_arc(run, in_plane(run.programmed_position, a), in_plane(target, a), end_given, a);
+    const path::ArcResult arc = planar_arc(run, in_plane(run.programmed_position, a), in_plane(target, a), end_given, a,
+                                           coordinate(target, a.w) - coordinate(run.programmed_position, a.w));
     if (run.stopped) return false;
     path::Element e;
     e.from = in_plane(run.programmed_position, a);

@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 #include "base/codes.hpp"
 #include "base/whole.hpp"
@@ -105,25 +106,46 @@ std::optional<double> repeats(Run& run) {
     return std::nullopt;
 }
 
+/// Between which heights the hole lies.
+void add_heights(cycles::Demand& d, const Run& run, const program::CannedCycle& c, double initial) {
+    const CannedState& s = run.canned;
+    const bool on = !run.modal.absolute && !run.traits->canned_positions_stay;  // what was written counts as it is read
+    const double retract = s.retract + (on ? initial : 0);
+    if (!run.traits->hole_depth_from_top) {
+        if (s.has_retract) d.values.push_back({CycleRole::retract_plane, retract});
+        if (s.has_bottom) d.values.push_back({CycleRole::bottom, on ? retract + s.bottom : s.bottom});
+        return;
+    }
+    if (!s.has_retract) return;
+    double clearance = std::numeric_limits<double>::quiet_NaN();
+    for (std::size_t i = 0; i < c.words.size() && i < s.values.size(); ++i)
+        if (c.words[i].role == CycleRole::clearance && s.given[i]) clearance = s.values[i];
+    d.values.push_back({CycleRole::surface, retract});
+    d.values.push_back({CycleRole::retract_plane, retract + clearance});
+    if (s.has_bottom) d.values.push_back({CycleRole::bottom, retract - std::abs(s.bottom)});
+}
+
 cycles::Demand demand_at(const Run& run, const program::CannedCycle& c, const geom::Vec3& target, double initial) {
     const CannedState& s = run.canned;
     cycles::Demand d;
     d.kind = c.kind;
     d.values.assign(c.fixed.begin(), c.fixed.end());
     for (cl::CycleValue& v : d.values)
-        if (v.role == CycleRole::rise_first) v.value = 2;                       // begin_series does that
-    const bool on = !run.modal.absolute && !run.traits->canned_positions_stay;  // what was written counts as it is read
+        if (v.role == CycleRole::rise_first) v.value = 2;  // begin_series does that
+    const bool on = !run.modal.absolute && !run.traits->canned_positions_stay;
     const double retract = s.retract + (on ? initial : 0);
     d.values.push_back({CycleRole::target_u, target.x});
     d.values.push_back({CycleRole::target_v, target.y});
-    if (s.has_retract) d.values.push_back({CycleRole::retract_plane, retract});
-    if (s.has_bottom) d.values.push_back({CycleRole::bottom, on ? retract + s.bottom : s.bottom});
+    add_heights(d, run, c, initial);
     if (!run.modal.clear_to_retract_plane) {
         const bool raised = run.traits->hole_ends_at_least_at_retract_plane && s.has_retract;
         d.values.push_back({CycleRole::return_level, raised ? std::max(initial, retract) : initial});
     }
     for (std::size_t i = 0; i < c.words.size() && i < s.values.size(); ++i)
-        if (s.given[i]) d.values.push_back({c.words[i].role, s.values[i]});
+        if (s.given[i] && (c.words[i].role != CycleRole::clearance || !run.traits->hole_depth_from_top))
+            d.values.push_back({c.words[i].role, s.values[i]});
+    if (c.kind == cl::CycleKind::canned_tap_rigid && run.modal.feed_mode == cl::FeedMode::per_rev && run.feed_valid)
+        d.values.push_back({CycleRole::pitch, run.feed});
     if (c.adds_in_units) d.values.push_back({CycleRole::length_unit, length_unit(run.modal)});
     if (c.turns_axes && run.modal.plane != 17)
         d.values.push_back({CycleRole::turned_axes, run.modal.plane == 18 ? 1.0 : 2.0});

@@ -302,6 +302,11 @@ struct Traits {
     /// R and Z of a hole cycle are positions from the block on that says them: G90 and G91 of later blocks move them
     /// no more. Else what was written is read anew in every block, as G90 or G91 then has it.
     bool canned_positions_stay = false;
+    /// R of a hole cycle is the top of the hole and the coordinate of the tool axis its depth, of either sign; the
+    /// retract plane lies by the clearance above R. Else R is the retract plane and the coordinate the bottom.
+    bool hole_depth_from_top = false;
+    /// Of I, J and K the one across the plane of an arc is the lead of its helix; else no arc has it.
+    bool helix_lead_across = false;
     /// Setting the position (G92) in G91 adds to the coordinates; else they become what the block says.
     bool position_adds_in_increments = false;
     /// The unit of length (G20, G21) is said before the first move and may not change behind it.

@@ -106,6 +106,7 @@ constexpr std::array<CommandName, static_cast<std::size_t>(Command::count)> comm
     {Command::off_normal_line, "lead", "off-normal-line", "lead.off-normal-line"},
     {Command::off_tangent_arc, "lead", "off-tangent-arc", "lead.off-tangent-arc"},
     {Command::off_arc_and_line, "lead", "off-arc-and-line", "lead.off-arc-and-line"},
+    {Command::cycle_begin, "cycles", "begin", "cycles.begin"},
     {Command::cycle_end, "cycles", "end", "cycles.end"},
     {Command::shift, "frame", "shift", "frame.shift"},
     {Command::shift_off, "frame", "shift-off", "frame.shift-off"},

@@ -107,6 +107,7 @@ enum class Command : std::uint8_t {
     off_normal_line,
     off_tangent_arc,
     off_arc_and_line,
+    cycle_begin,
     cycle_end,
     shift,
     shift_off,

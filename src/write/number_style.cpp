@@ -18,7 +18,7 @@ bool append_number(std::string& out, double value, const NumberStyle& style) {
     if (style.plus && !(written < 0)) out += '+';
     base::append_fixed(out, written, style.decimals);
     if (style.decimals > 0) {
-        while (out.back() == '0') out.pop_back();
+        for (int left = style.decimals; left > style.least && out.back() == '0'; --left) out.pop_back();
         if (out.back() == '.' && !style.point) out.pop_back();
     } else if (style.point) {
         out += '.';

@@ -8,6 +8,7 @@ namespace obrys::write {
 
 struct NumberStyle {
     int decimals = 3;        ///< at most; zeros at the end are left out
+    int least = 0;           ///< decimals that are always there: "10.0"
     bool point = false;      ///< also behind whole numbers: "10."
     int digits = 1;          ///< before the point, at least
     bool plus = false;       ///< "+10"

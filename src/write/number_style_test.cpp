@@ -21,6 +21,9 @@ TEST(NumberStyle, ZerosAtTheEndAndThePoint) {
     NumberStyle point{.decimals = 4, .point = true};
     EXPECT_EQ(written(10, point), "10.");
     EXPECT_EQ(written(0.25, point), "0.25");
+    NumberStyle tenth{.decimals = 4, .least = 1, .point = true};
+    EXPECT_EQ(written(10, tenth), "10.0");
+    EXPECT_EQ(written(0.25, tenth), "0.25");
     NumberStyle whole{.decimals = 0, .point = true};
     EXPECT_EQ(written(7, whole), "7.");
 }

@@ -62,8 +62,10 @@ struct Post {
         change_stops_spindle;        ///< the word that is in force behind a tool change (M5); empty: none comes into it
     bool repeats_tool = false;       ///< a tool that is in the spindle already is called again
     std::string stop_stops_spindle;  ///< the same of stops of the program
-    bool corner_in_block = true;     ///< of the element; else a block of its own behind it
-    bool comment_is_plain = false;   ///< a comment holds capitals, digits and signs of the seven bit code alone
+    bool place_known_behind_cycle = false;  ///< X, Y, Z that hold behind a cycle need not be said anew
+    bool rise_before_cycle_end = false;  ///< the way up between two cycles stands before the word that ends the first
+    bool corner_in_block = true;         ///< of the element; else a block of its own behind it
+    bool comment_is_plain = false;       ///< a comment holds capitals, digits and signs of the seven bit code alone
     bool comment_holds_quotes = true;    ///< a text may hold "
     bool comment_holds_brackets = true;  ///< a comment may hold ( and )
     std::size_t longest_comment = 0;     ///< 0: as long as it is

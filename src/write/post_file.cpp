@@ -104,6 +104,7 @@ private:
             NumberStyle& style = post_.styles[at];
             if (const auto d = s.integer("decimals", 0, 9)) style.decimals = static_cast<int>(*d);
             if (const auto d = s.integer("digits", 1, 9)) style.digits = static_cast<int>(*d);
+            if (const auto d = s.integer("least", 0, style.decimals)) style.least = static_cast<int>(*d);
             style.point = s.boolean("point").value_or(style.point);
             style.plus = s.boolean("plus").value_or(style.plus);
             style.factor = s.number("factor").value_or(style.factor);
@@ -171,6 +172,8 @@ private:
             if (name == "tool") post_.change_stops_spindle = stopped_by(s);
             if (name == "tool") post_.repeats_tool = s.boolean("repeats").value_or(false);
             if (name == "stop") post_.stop_stops_spindle = stopped_by(s);
+            if (name == "cycles") post_.place_known_behind_cycle = s.boolean("place_known").value_or(false);
+            if (name == "cycles") post_.rise_before_cycle_end = s.boolean("rise_before_end").value_or(false);
             if (name == "corner") post_.corner_in_block = s.boolean("in_block").value_or(true);
             if (name == "text") {
                 post_.comment_is_plain = s.boolean("plain").value_or(false);

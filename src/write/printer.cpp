@@ -46,6 +46,14 @@ void Printer::start() {
     for (const std::string& word : post_.in_force) force(word);
 }
 
+void Printer::remember(const Template& words, const Values& values) {
+    for (const Block& block : words) {
+        Line line;
+        if (!add(line, block, values, {})) continue;
+        for (const auto& [slot, word] : line.slots) words_[static_cast<std::size_t>(slot)] = word;
+    }
+}
+
 void Printer::forget_coordinates() {
     for (std::size_t i = 0; i < words_.size(); ++i)
         if (post_.word_is_coordinate[i]) words_[i].clear();
@@ -104,10 +112,16 @@ bool Printer::add_token(Line& line, const Token& t, const Values& values, const 
     const Template* part = t.part == Part::compensation ? parts.compensation
                            : t.part == Part::feed       ? parts.feed
                            : t.part == Part::length     ? parts.length
+                           : t.part == Part::coolant    ? parts.coolant
                                                         : parts.corner;
     const int words = line.words;
     const bool mode = std::exchange(line.mode_printed, false);
-    if (part != nullptr && !part->empty() && !add(line, part->front(), values, {})) return false;
+    if (part != nullptr && !part->empty()) {
+        Block block = part->front();
+        if (t.always)
+            for (Token& word : block) word.always = true;
+        if (!add(line, block, values, {})) return false;
+    }
     line.words = words;  // none of them moves
     line.mode_printed = mode;
     return true;

@@ -17,6 +17,7 @@ struct Parts {
     const Template* feed = nullptr;
     const Template* corner = nullptr;
     const Template* length = nullptr;
+    const Template* coolant = nullptr;
     std::vector<std::string> axes;
 };
 
@@ -42,6 +43,8 @@ public:
     /// The block as it would stand, every word with it; nothing where a number does not fit.
     [[nodiscard]] std::optional<std::string> whole(const Block& block, const Values& values) const;
 
+    /// What the words of such a block would say is in force, without having been printed.
+    void remember(const Template& words, const Values& values);
     void forget_coordinates();
     [[nodiscard]] std::uint64_t lines() const { return lines_; }
     [[nodiscard]] const std::string& failed_word() const { return failed_; }

@@ -47,6 +47,7 @@ std::optional<Part> part_named(std::string_view name) {
     if (name == "axes") return Part::axes;
     if (name == "length") return Part::length;
     if (name == "feed") return Part::feed;
+    if (name == "coolant") return Part::coolant;
     return std::nullopt;
 }
 
@@ -128,9 +129,10 @@ bool parse_token(std::string_view word, const Grammar& g, Token& t, std::string&
     const bool whole = open == 0 && close + 1 == word.size();
     if (whole && inside.find('?') != std::string_view::npos) return parse_choice(inside, g, t, error);
     if (whole)
-        if (const auto part = part_named(inside)) {
+        if (const auto part = part_named(inside.substr(0, inside.size() - (inside.ends_with('!') ? 1 : 0)))) {
             t.kind = Token::Kind::part;
             t.part = *part;
+            t.always = inside.ends_with('!');
             return true;
         }
     t.kind = Token::Kind::word;

@@ -10,9 +10,8 @@
 ///   {return-level?G98|G99}   the first text where the value is there, else the second
 ///   {letter}{number}   a word whose letters come with it
 ///   ?             at the begin: the block is left out where none of its values is there
-///   {comp} {feed} {corner} {axes} {length}   what compensation, feed, corner, additional axes and the compensation of
-///   the
-///                 tool's length have to say here
+///   {comp} {feed} {corner} {axes} {length} {coolant}   what compensation, feed, corner, additional axes, the
+///                 compensation of the tool's length and coolant have to say here; {feed!}: also what is in force
 
 #include <optional>
 #include <string>
@@ -25,7 +24,7 @@
 namespace obrys::write {
 
 /// Places in a template for what other templates print.
-enum class Part : std::uint8_t { compensation, feed, corner, axes, length };
+enum class Part : std::uint8_t { compensation, feed, corner, axes, length, coolant };
 
 struct Token {
     enum class Kind : std::uint8_t { literal, word, text, choice, part };

@@ -38,6 +38,13 @@ enum class Value : std::uint8_t {
     own_feed,      ///< of a chamfer, a rounding, a way onto a contour alone; else absent
     length,        ///< of a tool
     tool_radius,
+    lead_x,  ///< of a helix along that axis, per turn; else absent
+    lead_y,
+    lead_z,
+    // Holes of canned cycles.
+    hole_top,  ///< w of the surface, where the cycle says it, else of the retract plane
+    hole_way,  ///< from there down to the bottom, positive
+    hole_gap,  ///< from there up to the retract plane
     // What holds.
     feed,
     speed,

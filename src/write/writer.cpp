@@ -27,7 +27,9 @@ bool Writer::print(Command command, std::string_view what) {
         note(Fate::lost, std::string(what) + ": the post has no " + std::string(name_of(command)));
         return false;
     }
-    if (printer_.print(post_[command], values_, parts_of(false, nullptr)) != Printed::failed) return true;
+    const Printed printed = printer_.print(post_[command], values_, parts_of(false, nullptr));
+    if (printed == Printed::all && has_part(post_[command], Part::coolant)) coolant_waits_.reset();
+    if (printed != Printed::failed) return true;
     note(Fate::lost, std::string(what) + ": a word cannot hold " + printer_.failed_word());
     return false;
 }
@@ -78,13 +80,33 @@ void Writer::take_move(const cl::Record& record) {
         !held_.empty() && held_.back().record.from == record.from && held_.back().record.stack == record.stack;
     const auto* line = std::get_if<cl::Linear>(&record.step);
     const bool may_wait = line != nullptr && line->rapid && axes_.empty() && !place_;
-    if (!may_wait || !same_block) flush_held();
+    const bool behind_rise = held_.size() == 1 && rise_waits();
+    if (!may_wait || !(same_block || behind_rise)) flush_held();
     const geom::Vec3 from = cursor_.position().here();
     static_cast<void>(cursor_.take(record));
     if (may_wait)
         held_.push_back({record, from});
     else
         write_move(record.step, from);
+}
+
+/// The way up behind a cycle, of which is not known yet whether it leads to another one.
+bool Writer::rise_waits() const {
+    if (!post_.rise_before_cycle_end || !in_cycles_ || held_.empty()) return false;
+    const auto* line = std::get_if<cl::Linear>(&held_.front().record.step);
+    const geom::Vec3& from = held_.front().from;
+    return line != nullptr && line->to.x == from.x && line->to.y == from.y && line->to.z > from.z;
+}
+
+void Writer::write_rise() {
+    const Held rise = held_.front();
+    held_.erase(held_.begin());
+    in_cycles_ = false;  // it stands before their end
+    const cl::Record* now = std::exchange(now_, &rise.record);
+    write_move(rise.record.step, rise.from);
+    now_ = now;
+    in_cycles_ = true;
+    end_cycles();
 }
 
 void Writer::flush_held() {
@@ -116,7 +138,7 @@ void Writer::take_programmed(const cl::Programmed& p) {
 }
 
 void Writer::take_event(const cl::Record& record) {
-    flush_held();
+    if (!std::holds_alternative<cl::Feed>(record.step) || !rise_waits()) flush_held();
     const cl::Step& step = record.step;
     if (const auto* axis = std::get_if<cl::Axis>(&step)) return axes_.push_back(*axis);
     if (const auto* place = std::get_if<cl::MachinePlace>(&step)) {

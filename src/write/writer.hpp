@@ -62,6 +62,8 @@ private:
     void end_fold();
     [[nodiscard]] bool is_made(const cl::Record& record);
     void flush_held();
+    [[nodiscard]] bool rise_waits() const;
+    void write_rise();
 
     // What holds, before something happens.
     void write_state();
@@ -82,9 +84,11 @@ private:
     void write_tool_data(const cl::ToolData& data);
     void write_frame();
     void write_spindle();
+    void await_coolant();
     void write_coolant();
     void write_tolerance();
     void write_path();
+    void begin_cycles(const std::string& defined);
     void end_cycles();
     void select_plane(const geom::Vec3& normal);
 
@@ -127,7 +131,9 @@ private:
     // What the text says so far.
     cl::Spindle spindle_;
     cl::Coolant coolant_;
-    cl::Feed feed_noted_;  ///< of which has been said that it is lost
+    std::optional<Command> coolant_waits_;  ///< for the next block that has a place for it
+    bool coolant_may_wait_ = false;         ///< a move follows that has
+    cl::Feed feed_noted_;                   ///< of which has been said that it is lost
     cl::Tolerance tolerance_;
     std::optional<cl::PathMode> path_;
     std::optional<cl::Datum> datum_;

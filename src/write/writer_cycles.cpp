@@ -16,8 +16,15 @@ bool holds(const Condition& c, const cl::Cycle& cycle) {
 
 /// All that the cycle says has its word, or need not be said, or is what a condition asks for.
 bool says_all(const CycleForm& form, const cl::Cycle& cycle) {
+    const auto has = [&](cl::CycleRole role) {
+        return std::any_of(cycle.values.begin(), cycle.values.end(),
+                           [&](const cl::CycleValue& v) { return v.role == role; });
+    };
+    // Between retract plane and bottom the surface tells where infeeds begin, and nothing else.
+    const bool surface_counts = !has(cl::CycleRole::retract_plane) || has(cl::CycleRole::infeed);
     return std::all_of(cycle.values.begin(), cycle.values.end(), [&](const cl::CycleValue& v) {
         const ValueIndex value = index_of(v.role);
+        if (v.role == cl::CycleRole::surface && !surface_counts) return true;
         const bool asked = std::any_of(form.when.begin(), form.when.end(),
                                        [&](const Condition& c) { return c.value == value && c.present && c.equals; });
         return asked || says(form.define, value) || says(form.call, value) ||
@@ -59,6 +66,17 @@ void Writer::set_values(const cl::Cycle& cycle, const geom::Vec3& at) {
     if (!std::isnan(at.z)) values_.set(Value::z, at.z);
     for (const cl::CycleValue& v : cycle.values) values_.set(index_of(v.role), v.value);
     const motion::State& s = cursor_.state();
+    const auto height = [&](cl::CycleRole role) {
+        const auto found = std::find_if(cycle.values.begin(), cycle.values.end(),
+                                        [&](const cl::CycleValue& v) { return v.role == role; });
+        return found == cycle.values.end() ? std::nullopt : std::optional(found->value);
+    };
+    if (const auto retract = height(cl::CycleRole::retract_plane)) {
+        const double top = height(cl::CycleRole::surface).value_or(*retract);
+        values_.set(Value::hole_top, top);
+        values_.set(Value::hole_gap, *retract - top);
+        if (const auto bottom = height(cl::CycleRole::bottom)) values_.set(Value::hole_way, top - *bottom);
+    }
     if (s.feed.value != 0) values_.set(Value::feed, s.feed.value);
     if (s.spindle.speed > 0) values_.set(Value::speed, s.spindle.speed);
 }
@@ -78,6 +96,7 @@ bool Writer::fold(const cl::CycleBegin& begin) {
     if (!std::all_of(form->define.begin(), form->define.end(), sayable) ||
         !std::all_of(form->call.begin(), form->call.end(), sayable))
         return false;
+    if (rise_waits()) write_rise();
     const bool over = form->moves_over && !held_.empty() && held_.back().record.from == now_->from &&
                       held_.back().record.stack == now_->stack;
     if (over)
@@ -89,6 +108,7 @@ bool Writer::fold(const cl::CycleBegin& begin) {
     set_values(cycle, at);
     std::string defined;
     for (const Block& block : form->define) defined += printer_.whole(block, values_).value_or("") + "\n";
+    begin_cycles(defined);
     if (defined != defined_ && printer_.print(form->define, values_) == Printed::failed) return false;
     defined_ = defined;
     if (printer_.print(form->call, values_, parts_of(false, nullptr)) == Printed::failed) return false;
@@ -156,8 +176,16 @@ void Writer::print_lead() {
 
 /// Behind a cycle the tool stands somewhere else than the words that were printed say.
 void Writer::end_fold() {
+    const bool cycle = !lead_;
     if (lead_) print_lead();
     printer_.forget_coordinates();
+    const geom::Vec3 at = frames_.programmed(cursor_.position().here());
+    if (!cycle || !post_.place_known_behind_cycle || !geom::is_finite(at)) return;
+    values_.clear();
+    values_.set(Value::x, at.x);
+    values_.set(Value::y, at.y);
+    values_.set(Value::z, at.z);
+    printer_.remember(post_[Command::rapid], values_);
 }
 
 }  // namespace obrys::write

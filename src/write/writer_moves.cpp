@@ -40,6 +40,7 @@ Parts Writer::parts_of(bool rapid, const cl::Programmed* corner) {
     const Command feed = feed_command(rapid);
     parts.feed = &post_[feed];
     if (compensation_) parts.compensation = &post_[*compensation_];
+    if (coolant_waits_) parts.coolant = &post_[*coolant_waits_];
     if (corner != nullptr && post_.corner_in_block) parts.corner = &post_[corner_command(*corner)];
     return parts;
 }
@@ -101,6 +102,7 @@ void Writer::print_move(Command command, bool rapid, const cl::Programmed* corne
     const Printed printed = printer_.print(post_[command], values_, parts, true);
     if (printed == Printed::failed) note(Fate::lost, "a move: a word cannot hold " + printer_.failed_word());
     if (printed == Printed::all && has_part(post_[command], Part::length)) length_waits_.reset();
+    if (printed == Printed::all && has_part(post_[command], Part::coolant)) coolant_waits_.reset();
     if (printed == Printed::all && compensation_) end_wait_of_compensation(command);
     if (corner != nullptr && !post_.corner_in_block && post_.has(corner_command(*corner)))
         print(corner_command(*corner), "a corner");
@@ -146,8 +148,13 @@ void Writer::note_unknown(const geom::Vec3& from, const geom::Vec3& to) {
 }
 
 void Writer::write_move(const cl::Step& step, const geom::Vec3& from) {
+    const auto* line = std::get_if<cl::Linear>(&step);
+    coolant_may_wait_ =
+        line != nullptr && !place_ && has_part(post_[line->rapid ? Command::rapid : Command::linear], Part::coolant);
     write_state();
+    coolant_may_wait_ = false;
     write_way(step, from);
+    if (coolant_waits_) write_coolant();  // the move had no block
     lose_axes();
 }
 
@@ -245,6 +252,8 @@ void Writer::write_turn(const cl::Arc& arc, const geom::Vec3& from, const cl::Pr
     const geom::Vec3 way = to - start;
     const double rise = in_xy ? way.z : in_zx ? way.y : way.x;
     const bool helix = std::abs(rise) > 1e-9 && post_.has(Command::helix_cw);
+    const Value lead = in_xy ? Value::lead_z : in_zx ? Value::lead_y : Value::lead_x;
+    if (helix) values_.set(lead, std::abs(rise / sweep) * geom::full_turn);
     print_move(
         sweep > 0 ? (helix ? Command::helix_ccw : Command::arc_ccw) : (helix ? Command::helix_cw : Command::arc_cw),
         arc.rapid, corner);

@@ -10,8 +10,9 @@ void Writer::write_state() {
     write_datum();
     write_length();
     write_frame();
+    await_coolant();
     write_spindle();
-    write_coolant();
+    if (!coolant_may_wait_) write_coolant();
     write_tolerance();
     write_path();
 }
@@ -228,18 +229,25 @@ void Writer::write_spindle() {
     print(command, "the spindle");
 }
 
-void Writer::write_coolant() {
+/// It may stand in the block of the spindle or of the next move; the word that comes before another one may not.
+void Writer::await_coolant() {
     const cl::Coolant& c = cursor_.state().coolant;
     if (c == coolant_) return;
+    if (coolant_waits_) write_coolant();
     values_.clear();
     const bool less = (coolant_.flood && !c.flood) || (coolant_.mist && !c.mist);
     if (less && (c.flood || c.mist)) print(Command::coolant_off, "coolant");
     coolant_ = c;
-    print(c.flood && c.mist ? Command::coolant_both
-          : c.flood         ? Command::coolant_flood
-          : c.mist          ? Command::coolant_mist
-                            : Command::coolant_off,
-          "coolant");
+    coolant_waits_ = c.flood && c.mist ? Command::coolant_both
+                     : c.flood         ? Command::coolant_flood
+                     : c.mist          ? Command::coolant_mist
+                                       : Command::coolant_off;
+}
+
+void Writer::write_coolant() {
+    if (!coolant_waits_) return;
+    values_.clear();
+    print(*std::exchange(coolant_waits_, std::nullopt), "coolant");
 }
 
 void Writer::write_tolerance() {
@@ -267,6 +275,13 @@ void Writer::write_path() {
     if (path->way != 0) values_.set(Value::way, path->way);
     const auto first = static_cast<std::size_t>(Command::path_exact);
     print(static_cast<Command>(first + static_cast<std::size_t>(path->kind)), "how moves are joined");
+}
+
+/// A series of cycles whose parameters hold from its begin.
+void Writer::begin_cycles(const std::string& defined) {
+    if (!post_.has(Command::cycle_begin)) return;
+    if (in_cycles_ && defined != defined_) end_cycles();
+    if (!in_cycles_) static_cast<void>(printer_.print(post_[Command::cycle_begin], Values{}));
 }
 
 void Writer::end_cycles() {

@@ -52,6 +52,8 @@ class Case:
 def suffix_of(text):
     if "BEGIN PGM" in text[:40]:
         return ".H", "heidenhain-itnc530"
+    if text.startswith(":\n"):
+        return ".nc", "acramatic-2100"
     if text.startswith("G71"):
         return ".MPF", "sinumerik-840d"
     if "G91.1" in text[:60] or text.startswith("%\nG21 G90 G40 G80 G91.1"):

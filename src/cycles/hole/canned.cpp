@@ -1,10 +1,12 @@
 /// Drilling, chip breaking and pecking; what all canned cycles share. Sources: cycles/hole/canned.hpp.
 ///
-///   canned_drill       (G81, G82) dwell_bottom.
+///   canned_drill       (G81, G82) dwell_bottom; finish_infeed: the last bit of the way, at feed_factor % (Acramatic).
 ///   canned_chip_break  (G73) infeed; chip_break_distance: how far back after each; retract_every with
 ///                      stop_distance_first: out to the retract plane after this depth (Haas K with Q).
 ///   canned_peck        (G83) infeed; stop_distance_first: rapid down ends this far above the depth reached.
-/// Both with decrement and min_infeed (Haas I, J, K) and dwell_bottom.
+/// Both with decrement and min_infeed (Haas I, J, K) and dwell_bottom; first_infeed and second_infeed (Acramatic J1 …
+/// J3). Infeeds count from the surface, where it is written, else from the retract plane; peck_to_surface: out to the
+/// surface alone.
 
 #include <algorithm>
 #include <cmath>
@@ -70,12 +72,26 @@ void start_spindle(Course& c, const Turning& t) { c.spindle(t.speed, t.direction
 
 namespace {
 
+/// The last bit of the way at another feed.
+void feed_to_bottom(Course& c, const Hole& h, double finish, double factor, double feed) {
+    if (finish > 0 && factor != 1) {
+        feed_w(c, std::min(c.at().z, h.bottom + finish));
+        c.add(cl::Feed{feed * factor, cl::FeedMode::per_minute});
+        feed_w(c, h.bottom);
+        return c.add(cl::Feed{feed, cl::FeedMode::per_minute});
+    }
+    feed_w(c, h.bottom);
+}
+
 void drill(Course& c, const Demand& demand, const Situation& s) {
     const Hole h = read_hole(c, s);
     c.maybe_at_least(Role::dwell_bottom, 0, 0);
+    const double finish = c.maybe_at_least(Role::finish_infeed, 0, 0);
+    const double factor = finish > 0 ? c.positive(Role::feed_factor) / 100 : 1;
+    const double feed = factor != 1 ? c.known(s.feed, "the feed rate in mm/min") : 0;
     if (!c.ready()) return;
     approach(c, h);
-    feed_w(c, h.bottom);
+    feed_to_bottom(c, h, finish, factor, feed);
     dwell_if(c, demand, Role::dwell_bottom);
     rapid_to_w(c, h.end);
 }
@@ -99,12 +115,43 @@ struct Pecks {
     std::vector<double> levels;  ///< ends of the infeeds, the bottom last
     double back = 0;             ///< chip breaking: this far up
     double stop = 0;             ///< pecking: rapid down to this far above
+    double out = 0;              ///< pecking: out to this height
     double full_every = 0;       ///< chip breaking: depth between full retractions, 0 none
     bool binary = false;
 };
 
+/// Ends of the infeeds below `top`, of which the first two may be larger.
+std::vector<double> levels_below(Course& c, double top, double bottom, const Infeeds& infeeds) {
+    const double first = c.maybe_at_least(Role::first_infeed, 0, 0),
+                 second = c.maybe_at_least(Role::second_infeed, 0, 0);
+    if (!c.ready()) return {};
+    std::vector<double> levels;
+    for (const double larger : {first, second}) {
+        if (larger <= 0 || top - larger <= bottom + same_depth) continue;
+        top -= larger;
+        levels.push_back(top);
+    }
+    const std::vector<double> rest = levels_of(c, top, bottom, infeeds);
+    levels.insert(levels.end(), rest.begin(), rest.end());
+    return levels;
+}
+
+/// Where infeeds count from.
+double top_of(Course& c, const Hole& h) {
+    const double top = c.maybe(Role::surface, h.retract);
+    if (top > h.retract || top < h.bottom)
+        c.fault(Role::surface, "the surface does not lie between the retract plane and the bottom of the hole");
+    return top;
+}
+
 Pecks read_pecks(Course& c, const Hole& h, bool chip_break) {
     Pecks p;
+    const double top = top_of(c, h);
+    p.out = c.maybe(Role::peck_to_surface, 0) != 0 ? top : h.retract;
+    if (p.out < h.retract)
+        c.assume(
+            "between the infeeds the tool goes out to a distance below the top of the hole that is not documented: it "
+            "is run up to the top");
     const double unit = c.maybe(Role::length_unit, 0);
     p.binary = unit > 0;
     const Infeeds infeeds = read_infeeds(c, true);
@@ -115,7 +162,7 @@ Pecks read_pecks(Course& c, const Hole& h, bool chip_break) {
     if (!chip_break || p.full_every > 0) p.stop = c.at_least(Role::stop_distance_first, 0);
     c.maybe_at_least(Role::dwell_bottom, 0, 0);
     if (!c.ready()) return p;
-    p.levels = p.binary ? binary_levels(c, h, infeeds.first, unit) : levels_of(c, h.retract, h.bottom, infeeds);
+    p.levels = p.binary ? binary_levels(c, h, infeeds.first, unit) : levels_below(c, top, h.bottom, infeeds);
     if (p.levels.empty()) p.levels.push_back(h.bottom);
     return p;
 }
@@ -137,8 +184,9 @@ void pecks(Course& c, const Demand& demand, const Situation& s, bool chip_break)
             continue;
         }
         since = level;
-        rapid_to_w(c, h.retract);
-        rapid_to_w(c, above(level + p.stop));
+        rapid_to_w(c, p.out);
+        const double down = above(level + p.stop);
+        rapid_to_w(c, p.out < h.retract ? std::min(down, p.out) : down);
     }
     feed_w(c, h.bottom);
     dwell_if(c, demand, Role::dwell_bottom);

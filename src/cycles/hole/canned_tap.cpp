@@ -8,9 +8,12 @@
 ///   canned_tap_floating  Without starts_spindle the spindle must turn in that direction already. At the bottom:
 ///                        dwell_bottom, spindle stop and reversal, dwell; feed out (feed_out); at the end of the feed
 ///                        dwell_top, spindle stop and reversal, rest of the way. LinuxCNC: feed_out 1, dwell 0 or P.
+///                        rpm_factor for the way out: spindle and feed (Acramatic J).
 ///   canned_tap_rigid     pitch in mm (not written: feed by speed); dwell_bottom; rpm_factor for the way out. With
-///                        infeed in steps: chip_break_distance above 0 that far back after each, else out to the
-///                        retract plane and down to stop_distance_first above the depth reached.
+///                        infeed in steps, from the surface, where it is written: chip_break_distance above 0 that
+///                        far back after each, or chip_break_turns of the thread, else out to the retract plane and
+///                        down to stop_distance_first above the depth reached. dwell: before each reversal. Where
+///                        no spindle_direction is written it turns behind the cycle as before.
 
 #include <algorithm>
 #include <cmath>
@@ -46,7 +49,9 @@ geom::Vec3 turned(geom::Vec3 p, int how) {
 
 void floating(Course& c, const Demand& demand, const Situation& s) {
     const Hole h = read_hole(c, s);
-    const Turning in = read_tap(c, s), out{in.speed, -in.direction};
+    const double factor = demand.find(Role::rpm_factor) ? c.positive(Role::rpm_factor) : 1;
+    const Turning in = read_tap(c, s), out{in.speed * factor, -in.direction};
+    const bool faster = factor != 1 && !std::isnan(s.feed);  // per revolution the feed follows by itself
     for (const Role role : {Role::dwell_bottom, Role::dwell, Role::dwell_top}) c.maybe_at_least(role, 0, 0);
     const bool whole_way = c.maybe(Role::feed_out, 0) != 0;
     const int axes = c.whole(Role::turned_axes, 0, 0, 2, "the order of the axes");
@@ -60,7 +65,9 @@ void floating(Course& c, const Demand& demand, const Situation& s) {
     stop_spindle(c, in);
     start_spindle(c, out);
     dwell_if(c, demand, Role::dwell);
+    if (faster) c.add(cl::Feed{s.feed * factor, cl::FeedMode::per_minute});
     feed_to(whole_way ? h.end : h.retract);
+    if (faster) c.add(cl::Feed{s.feed, cl::FeedMode::per_minute});
     dwell_if(c, demand, Role::dwell_top);
     stop_spindle(c, in);
     start_spindle(c, in);
@@ -81,6 +88,7 @@ struct Rigid {
     double pitch = 0;
     std::vector<double> levels;
     double back = 0, stop = 0;
+    bool restarts = false;
 };
 
 Rigid read_rigid(Course& c, const Demand& demand, const Situation& s) {
@@ -90,19 +98,25 @@ Rigid read_rigid(Course& c, const Demand& demand, const Situation& s) {
     r.pitch = r.in.direction * read_pitch(c, demand, s, r.in.speed);
     const double factor = demand.find(Role::rpm_factor) ? c.positive(Role::rpm_factor) : 1;
     r.out = {r.in.speed * factor, -r.in.direction};
-    c.maybe_at_least(Role::dwell_bottom, 0, 0);
+    for (const Role role : {Role::dwell_bottom, Role::dwell}) c.maybe_at_least(role, 0, 0);
+    const double top = c.maybe(Role::surface, r.hole.retract);
+    if (top > r.hole.retract || top < r.hole.bottom)
+        c.fault(Role::surface, "the surface does not lie between the retract plane and the bottom of the hole");
+    r.restarts = s.spindle_direction != 0 && !demand.find(Role::spindle_direction);
     if (demand.find(Role::infeed)) {
         r.back = c.maybe_at_least(Role::chip_break_distance, 0, 0);
+        if (demand.find(Role::chip_break_turns)) r.back = c.positive(Role::chip_break_turns) * std::abs(r.pitch);
         r.stop = c.maybe_at_least(Role::stop_distance_first, 0, 0);
         const Infeeds infeeds = read_infeeds(c, false);
-        if (c.ready()) r.levels = levels_of(c, r.hole.retract, r.hole.bottom, infeeds);
+        if (c.ready()) r.levels = levels_of(c, top, r.hole.bottom, infeeds);
     }
     if (r.levels.empty()) r.levels.push_back(r.hole.bottom);
     return r;
 }
 
 /// Out after an infeed and in again to where the next one begins.
-void break_chip(Course& c, const Rigid& r, double level) {
+void break_chip(Course& c, const Demand& demand, const Rigid& r, double level) {
+    dwell_if(c, demand, Role::dwell);
     start_spindle(c, r.out);
     c.thread_w(r.back > 0 ? std::min(level + r.back, r.hole.retract) : r.hole.retract, r.pitch, true);
     start_spindle(c, r.in);
@@ -116,12 +130,14 @@ void rigid(Course& c, const Demand& demand, const Situation& s) {
     start_spindle(c, r.in);
     for (std::size_t i = 0; i < r.levels.size() && c.room(); ++i) {
         c.thread_w(r.levels[i], r.pitch, true);
-        if (i + 1 < r.levels.size()) break_chip(c, r, r.levels[i]);
+        if (i + 1 < r.levels.size()) break_chip(c, demand, r, r.levels[i]);
     }
     dwell_if(c, demand, Role::dwell_bottom);
+    dwell_if(c, demand, Role::dwell);
     start_spindle(c, r.out);
     c.thread_w(r.hole.retract, r.pitch, true);
     stop_spindle(c, r.in);
+    if (r.restarts) start_spindle(c, r.in);
     rapid_to_w(c, r.hole.end);
 }
 

@@ -54,6 +54,28 @@ TEST(canned, Pecks) {
               "R u11 v22 L w-3 R w2 R w-2.5 L w-6 R w2 R w-5.5 L w-8 R w2 R w-7.5 L w-10 R w20");
 }
 
+/// R of Acramatic is the surface, from which infeeds count; J1 to J3 begin with two larger ones; J2 stays in the hole.
+TEST(canned, PecksFromTheSurface) {
+    const Values hole = with(canned_hole, {{Role::surface, 0}, {Role::infeed, 2}});
+    EXPECT_EQ(run(Kind::canned_peck, with(hole, {{Role::infeed, 4}, {Role::stop_distance_first, 0.5}}), standing(2)),
+              "R u11 v22 L w-4 R w2 R w-3.5 L w-8 R w2 R w-7.5 L w-10 R w2");
+    const Values larger = with(hole, {{Role::first_infeed, 6}, {Role::second_infeed, 3}});
+    EXPECT_EQ(run(Kind::canned_chip_break, with(larger, {{Role::chip_break_distance, 0.5}}), standing(2)),
+              "R u11 v22 L w-6 R w-5.5 L w-9 R w-8.5 L w-10 R w2");
+    EXPECT_EQ(run(Kind::canned_chip_break,
+                  with(larger, {{Role::chip_break_distance, 0.5}, {Role::first_infeed, 12}, {Role::second_infeed, 10}}),
+                  standing(2)),
+              "R u11 v22 L w-2 R w-1.5 L w-4 R w-3.5 L w-6 R w-5.5 L w-8 R w-7.5 L w-10 R w2");
+    const Demand inside{Kind::canned_peck,
+                        with(larger, {{Role::stop_distance_first, 0.5}, {Role::peck_to_surface, 1}})};
+    EXPECT_EQ(run(inside.kind, inside.values, standing(2)),
+              "R u11 v22 L w-6 R w0 R w-5.5 L w-9 R w0 R w-8.5 L w-10 R w2");
+    EXPECT_FALSE(expand(inside, standing(2)).assumption.empty());
+    EXPECT_FALSE(
+        expand({Kind::canned_peck, with(hole, {{Role::surface, 3}, {Role::stop_distance_first, 1}})}, standing(2))
+            .ok());
+}
+
 /// 1 - 10 * 0.1 in binary numbers is a little above 0: the control makes one more infeed.
 TEST(canned, BinaryInfeedsKeepTheirRoundingError) {
     const Values v = {{Role::target_u, 0}, {Role::target_v, 0}, {Role::retract_plane, 1},
@@ -93,6 +115,12 @@ TEST(canned, RigidTap) {
               "R u11 v22 R w2 S1000 T1.25 w-5 S-2000 T1.25 w-4 S1000 T1.25 w-10 S-2000 T1.25 w2 S0 R w20");
     EXPECT_EQ(run(Kind::canned_tap_rigid, with(tap, {{Role::infeed, 7}, {Role::stop_distance_first, 2}}), s),
               "R u11 v22 R w2 S1000 T1.25 w-5 S-1000 T1.25 w2 S1000 T1.25 w-3 T1.25 w-10 S-1000 T1.25 w2 S0 R w20");
+    EXPECT_EQ(
+        run(Kind::canned_tap_rigid,
+            with(canned_hole, {{Role::surface, 0}, {Role::infeed, 7}, {Role::chip_break_turns, 2}, {Role::dwell, 1}}),
+            s),
+        "R u11 v22 R w2 S1000 T1.25 w-7 D1 S-1000 T1.25 w-4.5 S1000 T1.25 w-10 D1 S-1000 T1.25 w2 S0 S1000 R w2")
+        << "without a direction of its own the spindle goes on as before";
     s.feed = unknown;
     EXPECT_FALSE(expand_hole({Kind::canned_tap_rigid, tap}, s).ok());
 }

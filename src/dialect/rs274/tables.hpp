@@ -152,6 +152,7 @@ struct Dialect {
     bool active_comments = true;         ///< (debug, …), (print, …)
     bool percent_needs_begin = true;     ///< `%` alone is an error where the text does not begin with one
     int longest_line = 0;                ///< bytes; 0: no limit
+    bool whole_lists = true;   ///< the tables hold all codes of the control; else those that are known of it
     bool end_is_due = true;              ///< a program without M2, M30 or `%` at its end is an error
 };
 

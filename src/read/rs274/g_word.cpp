@@ -69,6 +69,14 @@ void add_m(State& s, const MCode& m, std::int32_t number, const Value& v, std::u
     }
 }
 
+/// Of a G or M word that the tables have not.
+std::string no_code(const State& s, std::uint32_t begin, std::uint32_t end) {
+    const std::string word = source(s, begin, end), control(s.variant.control);
+    const std::string kind(1, base::upper(s.text[begin]));
+    if (s.variant.whole_lists) return control + " has no " + kind + " code " + word;
+    return word + " is not among the " + kind + " codes that are known of " + control;
+}
+
 bool take_group(State& s, std::uint32_t& groups, std::uint8_t group, char letter, std::uint32_t begin,
                 std::uint32_t end) {
     if (group >= 32) return true;
@@ -112,8 +120,7 @@ void read_g(State& s, std::uint32_t begin) {
     }
     const auto tenths = near_integer(*number * 10);
     const GCode* g = tenths ? dialect::rs274::find_g(s.variant, *tenths) : nullptr;
-    if (g == nullptr)
-        return fail(s, begin, v.end, std::string(s.variant.control) + " has no G code " + source(s, begin, v.end));
+    if (g == nullptr) return fail(s, begin, v.end, no_code(s, begin, v.end));
     if (g->use == Use::modal && g->modal == Modal::canned_off) {
         s.facts.cancel = g;
         s.facts.cancel_begin = begin;
@@ -139,8 +146,7 @@ void read_m(State& s, std::uint32_t begin) {
     if (!value) return add_problem(s, Code::unsupported, begin, v.end, "a computed M code");
     const auto number = near_integer(*value);
     const MCode* m = number ? dialect::rs274::find_m(s.variant, *number) : nullptr;
-    if (m == nullptr)
-        return fail(s, begin, v.end, std::string(s.variant.control) + " has no M code " + source(s, begin, v.end));
+    if (m == nullptr) return fail(s, begin, v.end, no_code(s, begin, v.end));
     if (take_group(s, s.facts.m_groups, m->group, 'M', begin, v.end)) add_m(s, *m, *number, v, begin, v.end);
 }
 

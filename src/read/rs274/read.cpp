@@ -59,21 +59,6 @@ void read_percent(State& s) {
     s.stopped = true;
 }
 
-/// A block behind M2 or M30 that nothing leads to; what stands behind an O number is a program of its own.
-void say_unreached(State& s) {
-    Part& main = *s.part;
-    if (main.kind != Part::Kind::main || main.told_unreached || !s.numbers.empty() || s.line.at_end()) return;
-    if (s.line.peek() == '(' || s.line.peek() == ';') return;
-    main.told_unreached = true;
-    base::Diagnostic d;
-    d.code = base::codes::not_run;
-    d.severity = base::Severity::warning;
-    d.where = {s.file, s.line.begin(), s.line.end()};
-    d.text = "this block and those behind it are never run: the program ends before them";
-    d.remedy = "take that end out, or these blocks";
-    s.diagnostics.add(std::move(d));
-}
-
 void read_line(State& s) {
     s.failed = false;
     begin_words(s);
@@ -143,6 +128,20 @@ void read_numbered_programs(State& s, const std::string& file_stem) {
 }
 
 }  // namespace
+
+void say_unreached(State& s) {
+    Part& main = *s.part;
+    if (main.kind != Part::Kind::main || main.told_unreached || !s.numbers.empty() || s.line.at_end()) return;
+    if (s.line.peek() == '(' || s.line.peek() == ';') return;
+    main.told_unreached = true;
+    base::Diagnostic d;
+    d.code = base::codes::not_run;
+    d.severity = base::Severity::warning;
+    d.where = {s.file, s.line.begin(), s.line.end()};
+    d.text = "this block and those behind it are never run: the program ends before them";
+    d.remedy = "take that end out, or these blocks";
+    s.diagnostics.add(std::move(d));
+}
 
 void read_lines(State& s, std::uint32_t from) {
     const char* begin = s.text.data();

@@ -256,6 +256,8 @@ void read_return(State& s, const std::string& label, ExprId value, bool ends, st
 void read_program_number(State& s, const std::string& label, std::uint32_t begin);
 void call_program(State& s, program::Call call, std::uint32_t begin);
 void note_end(State& s, std::uint16_t m);        ///< M2, M30 and M99 outside of structures: the program goes no further
+/// A block behind M2 or M30 that nothing leads to; what stands behind an O number is a program of its own.
+void say_unreached(State& s);
 void read_lines(State& s, std::uint32_t begin);  ///< read.cpp: until the text or the part ends
 
 // --- comments (comment.cpp)

@@ -1,0 +1,8 @@
+: (PGM, NAME="A")
+:G90 G40 G94
+:T1 M06
+G17 G71
+G0 X1 Y1
+G1 Z-1 F100 ; cut
+G3 X5 P4
+M30
