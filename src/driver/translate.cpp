@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "base/codes.hpp"
+#include "driver/canon.hpp"
 #include "driver/control.hpp"
 #include "driver/files.hpp"
 #include "shop/nearest.hpp"
@@ -32,7 +33,10 @@ std::optional<write::Post> checked(std::optional<write::Post> post, std::uint32_
 std::optional<write::Post> find_post(const std::string& name, Session& s) {
     if (name.ends_with(".toml")) {
         const std::optional<std::uint32_t> file = load(*s.storage, name, s.sources, s.diagnostics);
-        return file ? checked(write::read_post(*file, s.sources, s.diagnostics), *file, s) : std::nullopt;
+        const auto beside_it = [&](const std::string& other, const base::Span& where) {
+            return load(*s.storage, beside(name, other), s.sources, s.diagnostics, where);
+        };
+        return file ? checked(write::read_post(*file, s.sources, s.diagnostics, beside_it), *file, s) : std::nullopt;
     }
     const std::string& wanted = name == "same" ? s.control : name;
     for (const std::string& candidate : candidates(wanted, s.job.machine.kind))
@@ -45,10 +49,17 @@ std::optional<write::Post> find_post(const std::string& name, Session& s) {
     return std::nullopt;
 }
 
+/// The run tells its settings where the session was opened for that (Request::canon).
+static Translated translate_to_canon(Session& session, Translated out) {
+    out.text = canon_of(session, [&](const cl::Record& record) { out.path.take(record); });
+    return out;
+}
+
 Translated translate(Session& session, const write::Post& post, const std::string& name, double same_place,
                      const std::function<void(write::Note)>& note) {
     Translated out;
     out.path = compare::Path(same_place);
+    if (post.is_canon) return translate_to_canon(session, std::move(out));
     write::Output output;
     output.text = [&](std::string_view text) { out.text += text; };
     output.note = note;
@@ -66,8 +77,8 @@ base::Diagnostic complaint_of(const write::Note& note, const Session& s) {
     const bool lost = note.fate == write::Fate::lost;
     d.severity = lost ? base::Severity::error : base::Severity::note;
     d.code = lost ? codes::not_written : codes::written_by_moves;
-    d.where = note.from;
-    d.stack = s.stacks.sites(note.stack);
+    d.where = note.in_post.value_or(note.from);
+    if (!note.in_post) d.stack = s.stacks.sites(note.stack);
     d.text = "line " + std::to_string(note.line) + ": " + note.what +
              (lost ? " is not written" : " is written by its moves");
     return d;

@@ -7,6 +7,7 @@
 namespace obrys::report {
 
 extern const std::string_view page_html, page_css, page_js;
+extern const std::string_view post_html;
 /// Empty script: the library was built without node and npm.
 extern const std::string_view milling_html, milling_css, milling_js;
 

@@ -14,6 +14,12 @@ bool append_number(std::string& out, double value, const NumberStyle& style) {
     }
     const double written = value * style.factor;
     if (!(std::abs(written) <= style.most)) return false;
+    if (style.exact) {
+        double scale = 1;
+        for (int i = 0; i < style.decimals; ++i) scale *= 10;
+        constexpr double noise = 1e-6;  // of the last digit
+        if (std::abs(written * scale - std::round(written * scale)) > noise) return false;
+    }
     const std::size_t begin = out.size();
     if (style.plus && !(written < 0)) out += '+';
     base::append_fixed(out, written, style.decimals);

@@ -2,8 +2,10 @@
 /// A post: what the programs of a control look like, as data. File form: docs/posts.md.
 
 #include <array>
+#include <functional>
 #include <map>
 #include <optional>
+#include <set>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -12,6 +14,7 @@
 #include "base/source.hpp"
 #include "cl/record.hpp"
 #include "write/commands.hpp"
+#include "write/hooks.hpp"
 #include "write/template.hpp"
 
 namespace obrys::write {
@@ -48,7 +51,11 @@ struct BlockNumbers {
 
 struct Post {
     std::string name, title, control, suffix;
+    bool is_canon = false;  ///< canonical calls (cl/canon.hpp) instead of templates
+    std::string block_end;  ///< behind each block (" *")
     std::string line_end = "\n";
+    double most_sweep = 0;      ///< degrees of an arc that one block holds; 0: a turn and more
+    bool by_quadrants = false;  ///< arcs end where they pass from one quadrant to the next
     std::vector<NumberStyle> styles;
     std::size_t words = 0;                 ///< how many are modal
     std::vector<bool> word_is_coordinate;  ///< of those: forgotten where the frame changes
@@ -68,15 +75,25 @@ struct Post {
     bool comment_is_plain = false;       ///< a comment holds capitals, digits and signs of the seven bit code alone
     bool comment_holds_quotes = true;    ///< a text may hold "
     bool comment_holds_brackets = true;  ///< a comment may hold ( and )
+    std::string function_letters;        ///< of functions that the control has; empty: all
     std::size_t longest_comment = 0;     ///< 0: as long as it is
+    std::optional<HookText> lua;         ///< functions that are asked before the templates
+    std::set<Command> hooked;            ///< what it has functions for
+    std::set<cl::CycleKind> hooked_cycles;
+    Grammar grammar;  ///< of templates
 
     [[nodiscard]] const Template& operator[](Command c) const { return commands[static_cast<std::size_t>(c)]; }
-    [[nodiscard]] bool has(Command c) const { return !(*this)[c].empty(); }
+    [[nodiscard]] bool has(Command c) const { return !(*this)[c].empty() || hooked.count(c) != 0; }
+    [[nodiscard]] NamedStyles named_styles() const { return {grammar.style_names, styles}; }
 };
 
-/// Reads a post; nothing, with what is wrong in `diagnostics`, where it cannot be used.
+/// Loads a file that a post names, at the place that names it; nothing, with a complaint, where it is not there.
+using LoadText = std::function<std::optional<std::uint32_t>(const std::string& name, const base::Span& where)>;
+
+/// Reads a post; nothing, with what is wrong in `diagnostics`, where it cannot be used. Without `load` it may name no
+/// file.
 [[nodiscard]] std::optional<Post> read_post(std::uint32_t file, const base::Sources& sources,
-                                            base::Diagnostics& diagnostics);
+                                            base::Diagnostics& diagnostics, const LoadText& load = {});
 
 /// The shipped posts of folder posts/: name and text, built in.
 struct ShippedPost {

@@ -5,6 +5,7 @@
 #include "shop/files/section.hpp"
 #include "write/commands.hpp"
 #include "write/post.hpp"
+#include "write/post_hooks.hpp"
 
 namespace obrys::write {
 
@@ -72,13 +73,15 @@ Usual usual_style(cl::CycleRole role) {
 /// Reads one post file; what it extends is in it already.
 class Reader {
 public:
-    Reader(Section& file, Post& post) : file_(file), post_(post) {}
+    Reader(Section& file, Post& post) : file_(file), post_(post), grammar_(post.grammar) {}
 
     void read() {
         post_.title = file_.text("title").value_or("");
         post_.control = file_.text("control").value_or("");
         post_.suffix = file_.text("suffix").value_or("nc");
         if (const auto ends = file_.choice("line_end", {"lf", "crlf"})) post_.line_end = *ends == 0 ? "\n" : "\r\n";
+        if (const auto by = file_.choice("written_by", {"templates", "canon"})) post_.is_canon = *by == 1;
+        post_.block_end = file_.text("block_end").value_or("");
         static_cast<void>(file_.take("extends"));
         read_numbers();
         read_modal();
@@ -95,6 +98,7 @@ private:
         post_.styles.assign(usual_styles.size(), {});
         for (const std::string_view name : usual_styles) grammar_.style_names.emplace_back(name);
         post_.styles[whole].decimals = 0;
+        post_.styles[whole].exact = true;
         const Entry* table = file_.sub_table("numbers");
         for (const Entry& e : table ? table->value.entries : std::vector<Entry>{}) {
             Section s(e.value, "[numbers] " + e.key, file_.diagnostics());
@@ -106,6 +110,7 @@ private:
             if (const auto d = s.integer("digits", 1, 9)) style.digits = static_cast<int>(*d);
             if (const auto d = s.integer("least", 0, style.decimals)) style.least = static_cast<int>(*d);
             style.point = s.boolean("point").value_or(style.point);
+            style.exact = s.boolean("exact").value_or(style.exact);
             style.plus = s.boolean("plus").value_or(style.plus);
             style.factor = s.number("factor").value_or(style.factor);
             if (style.factor == 0) complain(place(s, "factor"), "'factor' must not be 0");
@@ -169,12 +174,18 @@ private:
             for (; i < command_names().size() && command_names()[i].table == name; ++i)
                 if (table) post_.commands[i] = blocks(s, command_names()[i].key);
             if (!table) continue;
+            if (name == "motion") {
+                post_.most_sweep = s.number("most_sweep", shop::Range::positive).value_or(0);
+                post_.by_quadrants = s.boolean("by_quadrants").value_or(false);
+            }
             if (name == "tool") post_.change_stops_spindle = stopped_by(s);
             if (name == "tool") post_.repeats_tool = s.boolean("repeats").value_or(false);
             if (name == "stop") post_.stop_stops_spindle = stopped_by(s);
             if (name == "cycles") post_.place_known_behind_cycle = s.boolean("place_known").value_or(false);
             if (name == "cycles") post_.rise_before_cycle_end = s.boolean("rise_before_end").value_or(false);
             if (name == "corner") post_.corner_in_block = s.boolean("in_block").value_or(true);
+            if (name == "cycles") static_cast<void>(s.boolean("inherit"));  // joined() has looked at it
+            if (name == "function") post_.function_letters = s.text("letters").value_or("");
             if (name == "text") {
                 post_.comment_is_plain = s.boolean("plain").value_or(false);
                 post_.comment_holds_quotes = s.boolean("holds_quotes").value_or(true);
@@ -256,13 +267,17 @@ private:
 
     Section& file_;
     Post& post_;
-    Grammar grammar_;
+    Grammar& grammar_;
 };
 
 /// What `over` says stands in the place of what `under` says; tables are joined, arrays of tables too, those of `over`
 /// first.
 shop::Value joined(const shop::Value& under, const shop::Value& over) {
     shop::Value out = under;
+    const Entry* cycles = shop::find(over, "cycles");
+    const Entry* inherit = cycles != nullptr ? shop::find(cycles->value, "inherit") : nullptr;
+    if (inherit != nullptr && inherit->value.kind == shop::ValueKind::boolean && !inherit->value.boolean)
+        std::erase_if(out.entries, [](const Entry& e) { return e.key == "cycle"; });
     for (const Entry& e : over.entries) {
         const auto same = std::find_if(out.entries.begin(), out.entries.end(),
                                        [&](const Entry& there) { return there.key == e.key; });
@@ -313,7 +328,8 @@ std::optional<shop::Value> whole_file(std::uint32_t file, const base::Sources& s
 
 }  // namespace
 
-std::optional<Post> read_post(std::uint32_t file, const base::Sources& sources, base::Diagnostics& diagnostics) {
+std::optional<Post> read_post(std::uint32_t file, const base::Sources& sources, base::Diagnostics& diagnostics,
+                              const LoadText& load) {
     base::Sources texts;
     const auto root = whole_file(file, sources, texts, diagnostics, 0);
     if (!root) return std::nullopt;
@@ -321,8 +337,10 @@ std::optional<Post> read_post(std::uint32_t file, const base::Sources& sources, 
     Section section(*root, "the post", own);
     Post post;
     Reader(section, post).read();
+    read_hooks(section, sources, load, post);
     section.finish_file(diagnostics);
-    if (own.has_errors()) return std::nullopt;
+    const bool lacks_hooks = shop::find(*root, "lua") != nullptr && !post.lua;  // load has said why
+    if (own.has_errors() || lacks_hooks) return std::nullopt;
     return post;
 }
 

@@ -11,6 +11,7 @@ TEST(Post, EveryShippedOneCanBeReadAndMovesTheTool) {
     ASSERT_GE(shipped_post_names().size(), 8U);
     for (const std::string& name : shipped_post_names()) {
         const Post post = post_of(std::string(shipped_post(name)->text));
+        if (post.is_canon) continue;
         EXPECT_TRUE(post.has(Command::rapid)) << name;
         EXPECT_TRUE(post.has(Command::linear)) << name;
         EXPECT_TRUE(post.has(Command::arc_cw)) << name;

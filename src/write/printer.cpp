@@ -11,6 +11,7 @@ struct Printer::Line {
     int names = 0;              ///< of these, those that only name what the block is about
     int modes = 0;              ///< words of groups
     bool mode_printed = false;  ///< in this template: a word behind it is printed, too
+    int plain = 0;              ///< texts that stand as they are
     bool asked = false;         ///< the block has words with values
     std::vector<std::pair<int, std::string>> slots, groups;
 
@@ -59,7 +60,22 @@ void Printer::forget_coordinates() {
         if (post_.word_is_coordinate[i]) words_[i].clear();
 }
 
+void Printer::forget_words_of(const Template& text) {
+    for (const Block& block : text)
+        for (const Token& t : block) {
+            if (t.kind != Token::Kind::literal || t.group >= 0) continue;
+            for (std::size_t i = 0; i < words_.size(); ++i) {
+                const std::string& letters = post_.grammar.modal_words[i];
+                const bool is_word =
+                    t.before.starts_with(letters) && t.before.size() > letters.size() &&
+                    std::string_view("0123456789+-.").find(t.before[letters.size()]) != std::string_view::npos;
+                if (is_word) words_[i].clear();
+            }
+        }
+}
+
 void Printer::add_literal(Line& line, const std::string& text, int group) const {
+    if (group < 0) line.plain += text.empty() ? 0 : 1;
     if (group < 0) return line.append(text);
     if (in_force_[static_cast<std::size_t>(group)] == text) return;
     line.append(text);
@@ -101,7 +117,12 @@ bool Printer::add_token(Line& line, const Token& t, const Values& values, const 
             line.append(t.before + std::string(values.text(t.text)) + t.after);
             ++line.words;
             return true;
-        case Token::Kind::choice: add_literal(line, values.has(t.value) ? t.before : t.after, t.group); return true;
+        case Token::Kind::choice: {
+            const bool first = values.has(t.value) && (!t.equals || values.number(t.value) == *t.equals);
+            add_literal(line, first ? t.before : t.after, t.group);
+            if (first && t.group < 0 && !t.before.empty()) line.asked = true, ++line.words;
+            return true;
+        }
         case Token::Kind::part: break;
     }
     if (t.part == Part::axes) {
@@ -154,12 +175,13 @@ void Printer::put(std::string_view text) {
         ++numbered_;
     }
     line += text;
+    line += post_.block_end;
     line += post_.line_end;
     out_(line);
     ++lines_;
 }
 
-Printed Printer::print(const Template& text, const Values& values, const Parts& parts, bool moves) {
+Printed Printer::print(const Template& text, const Values& values, const Parts& parts, bool moves, bool by_hook) {
     std::vector<Line> lines;
     for (const Block& block : text) {
         Line line;
@@ -167,7 +189,7 @@ Printed Printer::print(const Template& text, const Values& values, const Parts& 
             !block.empty() && block.front().kind == Token::Kind::literal && block.front().before == "?";
         if (!add(line, optional ? Block(block.begin() + 1, block.end()) : block, values, parts)) return Printed::failed;
         if (optional && line.words == line.names) continue;
-        const bool says = line.words > 0 || (!moves && (line.modes > 0 || !line.asked));
+        const bool says = line.words > 0 || (by_hook && line.plain > 0) || (!moves && (line.modes > 0 || !line.asked));
         if (says && !line.text.empty())
             lines.push_back(std::move(line));
         else if (moves && block.size() > 0 && &block == &text.back())
@@ -181,10 +203,10 @@ Printed Printer::print(const Template& text, const Values& values, const Parts& 
     return lines.empty() ? Printed::nothing : Printed::all;
 }
 
-std::optional<std::string> Printer::whole(const Block& block, const Values& values) const {
+std::optional<std::string> Printer::whole(const Block& block, const Values& values, const Parts& parts) const {
     Printer other(post_, [](std::string_view) {});
     Line line;
-    if (!other.add(line, block, values, {})) return std::nullopt;
+    if (!other.add(line, block, values, parts)) return std::nullopt;
     return line.text;
 }
 

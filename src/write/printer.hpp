@@ -24,6 +24,7 @@ struct Parts {
 enum class Printed : std::uint8_t {
     all,
     nothing,  ///< all that it would say is in force
+    refused,  ///< a function of the post refuses it, or is wrong: it has been said
     failed    ///< a number that its word cannot hold, or that nobody knows: nothing was printed
 };
 
@@ -38,14 +39,19 @@ public:
     void force(const Template& words);
     /// No word of the groups of these is in force any more.
     void leave(const Template& words);
-    /// `moves`: blocks that do nothing but say how to move are left out.
-    Printed print(const Template& text, const Values& values, const Parts& parts = {}, bool moves = false);
+    /// `moves`: blocks that do nothing but say how to move are left out; `by_hook`: what stands as it is says
+    /// something.
+    Printed print(const Template& text, const Values& values, const Parts& parts = {}, bool moves = false,
+                  bool by_hook = false);
     /// The block as it would stand, every word with it; nothing where a number does not fit.
-    [[nodiscard]] std::optional<std::string> whole(const Block& block, const Values& values) const;
+    [[nodiscard]] std::optional<std::string> whole(const Block& block, const Values& values,
+                                                   const Parts& parts = {}) const;
 
     /// What the words of such a block would say is in force, without having been printed.
     void remember(const Template& words, const Values& values);
     void forget_coordinates();
+    /// Words that stand there as they are may have another value than the last one of their letter.
+    void forget_words_of(const Template& text);
     [[nodiscard]] std::uint64_t lines() const { return lines_; }
     [[nodiscard]] const std::string& failed_word() const { return failed_; }
 

@@ -1,6 +1,7 @@
 #include "write/template.hpp"
 
 #include <algorithm>
+#include <utility>
 
 #include "base/number.hpp"
 
@@ -101,7 +102,12 @@ bool parse_value(std::string_view inside, const Grammar& g, Token& t, std::strin
 
 bool parse_choice(std::string_view inside, const Grammar& g, Token& t, std::string& error) {
     const std::size_t mark = inside.find('?'), bar = inside.find('|', mark);
-    const std::string_view name = inside.substr(0, mark);
+    std::string_view name = inside.substr(0, mark);
+    if (const std::size_t equals = name.find('='); equals != std::string_view::npos) {
+        t.equals = base::parse_double(name.substr(equals + 1));
+        if (!t.equals) return error = "what stands behind = is no number", false;
+        name = name.substr(0, equals);
+    }
     const auto value = value_named(name, g.in_cycle);
     if (!value) {
         error = "there is no value called '" + std::string(name) + "'";

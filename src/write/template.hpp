@@ -8,6 +8,7 @@
 ///   X{x~}         the same, and it does not count as the X in force
 ///   Z{depth*-1}   times a number; F{feed:whole} in another style of numbers
 ///   {return-level?G98|G99}   the first text where the value is there, else the second
+///   {filter=3?1|0}           the same, where it has this number
 ///   {letter}{number}   a word whose letters come with it
 ///   ?             at the begin: the block is left out where none of its values is there
 ///   {comp} {feed} {corner} {axes} {length} {coolant}   what compensation, feed, corner, additional axes, the
@@ -35,6 +36,7 @@ struct Token {
     Text text = Text::name;
     Part part = Part::feed;
     double factor = 1;
+    std::optional<double> equals{};  ///< of a choice: the first text where the value is this
     std::size_t style = 0;
     bool always = false;
     int slot = -1;    ///< where the word's last text is remembered; -1: it is not modal

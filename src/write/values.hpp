@@ -113,7 +113,8 @@ public:
     }
     void set(Value v, double number) { set(index_of(v), number); }
     void set(Text t, std::string_view text) { text_[static_cast<std::size_t>(t)] = text; }
-    void drop(Value v) { state_[index_of(v)] = State::absent; }
+    void drop(ValueIndex v) { state_[v] = State::absent; }
+    void drop(Value v) { drop(index_of(v)); }
 
     [[nodiscard]] bool has(ValueIndex v) const { return state_[v] != State::absent; }
     /// It is there, but nobody knows it.

@@ -10,8 +10,12 @@ Writer::Writer(const Post& post, std::string name, Output output)
       name_(std::move(name)),
       output_(std::move(output)),
       printer_(post, [this](std::string_view text) { output_.text(text); }) {
+    if (post_.lua) {
+        HookFault fault;  // read_post has tried it out
+        hooks_ = load_hooks(post_.lua->text, post_.named_styles(), fault);
+    }
     values_.set(Text::name, name_);
-    static_cast<void>(printer_.print(post_[Command::file_begin], values_));
+    static_cast<void>(put(Command::file_begin, {}, "the begin of the file"));
     printer_.start();
 }
 
@@ -27,7 +31,7 @@ bool Writer::print(Command command, std::string_view what) {
         note(Fate::lost, std::string(what) + ": the post has no " + std::string(name_of(command)));
         return false;
     }
-    const Printed printed = printer_.print(post_[command], values_, parts_of(false, nullptr));
+    const Printed printed = put(command, parts_of(false, nullptr), what);
     if (printed == Printed::all && has_part(post_[command], Part::coolant)) coolant_waits_.reset();
     if (printed != Printed::failed) return true;
     note(Fate::lost, std::string(what) + ": a word cannot hold " + printer_.failed_word());
@@ -212,7 +216,11 @@ void Writer::take_event(const cl::Record& record) {
         values_.clear();
         values_.set(Text::letter, std::string(1, aux->letter));
         values_.set(Value::number, static_cast<double>(aux->number));
-        print(Command::function, "function " + std::string(1, aux->letter) + std::to_string(aux->number));
+        const std::string what = "function " + std::string(1, aux->letter) + std::to_string(aux->number);
+        const std::string& letters = post_.function_letters;
+        if (!letters.empty() && letters.find(aux->letter) == std::string::npos)
+            return note(Fate::lost, what + ": the control has no functions of this letter");
+        print(Command::function, what);
     }
 }
 
@@ -281,7 +289,7 @@ void Writer::finish() {
     if (!ended_ && cursor_.moves() > 0) end_cycles();
     values_.clear();
     values_.set(Text::name, name_);
-    static_cast<void>(printer_.print(post_[Command::file_end], values_));
+    static_cast<void>(put(Command::file_end, {}, "the end of the file"));
 }
 
 }  // namespace obrys::write

@@ -1,8 +1,11 @@
 #pragma once
 /// The stream as a program of a control, by a post. Streams: memory does not grow with the number of moves.
 
+#include <array>
 #include <functional>
+#include <memory>
 #include <optional>
+#include <set>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -25,7 +28,8 @@ struct Note {
     std::string what;
     base::Span from;
     cl::StackId stack = 0;
-    std::uint64_t line = 0;  ///< of the text, counted from 1: the one that follows
+    std::uint64_t line = 0;               ///< of the text, counted from 1: the one that follows
+    std::optional<base::Span> in_post{};  ///< where a function of the post has failed
 };
 
 struct Output {
@@ -39,6 +43,8 @@ public:
     Writer(const Post& post, std::string name, Output output);
 
     void take(const cl::Record& record);
+    /// Writes what waits for what follows.
+    void settle() { flush_held(); }
     void finish();
 
 private:
@@ -98,19 +104,23 @@ private:
     void write_line(const geom::Vec3& to, bool rapid, const cl::Programmed* corner = nullptr,
                     cl::Seek seek = cl::Seek::nothing);
     void write_arc(const cl::Arc& arc, const geom::Vec3& from, const cl::Programmed* corner = nullptr);
+    [[nodiscard]] std::vector<double> cuts_of(const cl::Arc& arc, const geom::Vec3& from) const;
+    void write_cut_arc(const cl::Arc& arc, const geom::Vec3& from, const cl::Programmed* corner);
     void write_turn(const cl::Arc& arc, const geom::Vec3& from, const cl::Programmed* corner);
     [[nodiscard]] bool write_place(const cl::Linear& line);
     void write_thread(const cl::Thread& thread, const geom::Vec3& from);
     void note_feed(bool rapid);
     void note_unknown(const geom::Vec3& from, const geom::Vec3& to);
     void lose_axes();
-    void end_wait_of_compensation(Command command);
+    void end_wait_of_compensation(Command command, const Template& form);
+    void note_direction(const geom::Vec3& axis);
+    void note_unsaid(Command command, const Template& form, bool rapid);
     void print_move(Command command, bool rapid, const cl::Programmed* corner);
     [[nodiscard]] Command feed_command(bool rapid) const;
     [[nodiscard]] Parts parts_of(bool rapid, const cl::Programmed* corner);
 
     // Cycles.
-    [[nodiscard]] const CycleForm* form_of(const cl::Cycle& cycle) const;
+    [[nodiscard]] const CycleForm* cycle_form(const cl::Cycle& cycle) const;
     [[nodiscard]] bool fold(const cl::CycleBegin& begin);
     void set_values(const cl::Cycle& cycle, const geom::Vec3& at);
 
@@ -118,12 +128,18 @@ private:
     void clean(std::string& text) const;
     void write_comment(const cl::Comment& comment);
     bool print(Command command, std::string_view what);
+    Printed put(Command command, const Parts& parts, std::string_view what, bool moves = false);
+    [[nodiscard]] const Template* form_of(Command command, std::string_view what);
+    [[nodiscard]] bool ask_cycle(const cl::Cycle& cycle, CycleForm& form);
+    [[nodiscard]] Hooked ask(const std::string& name, std::string_view what, bool in_cycle, Template& said);
     void note(Fate fate, std::string what);
 
     const Post& post_;
     std::string name_;
     Output output_;
     Printer printer_;
+    std::unique_ptr<Hooks> hooks_;  ///< null: the post has none
+    Template said_;                 ///< by one of them
     Values values_;
     motion::Cursor cursor_;
     const cl::Record* now_ = nullptr;
@@ -149,7 +165,10 @@ private:
     std::string defined_;                      ///< cycle in force, as printed
     bool in_cycles_ = false;
 
-    double y_ = 0;                         ///< where posts without Y stand
+    /// X, Y and Z as moves without a word for them leave them: posts of lathes have no Y.
+    std::array<double, 3> stands_{NAN, 0, NAN};
+    geom::Vec3 direction_noted_;           ///< of which has been said that it is lost
+    std::set<Command> without_feed_;       ///< of which has been said that they have no place for it
     std::vector<cl::Axis> axes_;           ///< that the next move takes along
     std::vector<Held> held_;               ///< rapids of one block, which a cycle may make by itself
     int folding_ = 0;                      ///< brackets that are open since one was written as a cycle or a lead

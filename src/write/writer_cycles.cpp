@@ -49,7 +49,7 @@ std::optional<geom::Vec3> plane_of(const geom::Frame& f) {
 
 }  // namespace
 
-const CycleForm* Writer::form_of(const cl::Cycle& cycle) const {
+const CycleForm* Writer::cycle_form(const cl::Cycle& cycle) const {
     const auto forms = post_.cycles.find(cycle.kind);
     if (forms == post_.cycles.end()) return nullptr;
     for (const CycleForm& form : forms->second)
@@ -84,14 +84,19 @@ void Writer::set_values(const cl::Cycle& cycle, const geom::Vec3& at) {
 /// Writes the bracket as a cycle of the control; false, and nothing is written, where it has none that says it all.
 bool Writer::fold(const cl::CycleBegin& begin) {
     const cl::Cycle& cycle = *begin.cycle;
-    const CycleForm* form = form_of(cycle);
-    if (form == nullptr || cursor_.state().compensation) return false;
+    const CycleForm* form = cycle_form(cycle);
+    const bool hooked = hooks_ != nullptr && post_.hooked_cycles.count(cycle.kind) != 0;
+    if ((form == nullptr && !hooked) || cursor_.state().compensation) return false;
     write_state();
     const auto normal = plane_of(frames_.into() * cycle.plane);
     if (!normal || normal->z != 1) return false;  // forms of cycles say heights along Z
     const geom::Vec3 at = frames_.programmed(begin.place);
     // Nothing is written, and no move left out, before all of it can be said.
     set_values(cycle, at);
+    CycleForm said;
+    if (hooked && !ask_cycle(cycle, said)) return false;
+    if (!said.call.empty()) form = &said;
+    if (form == nullptr) return false;
     const auto sayable = [&](const Block& block) { return printer_.whole(block, values_).has_value(); };
     if (!std::all_of(form->define.begin(), form->define.end(), sayable) ||
         !std::all_of(form->call.begin(), form->call.end(), sayable))
@@ -111,7 +116,9 @@ bool Writer::fold(const cl::CycleBegin& begin) {
     begin_cycles(defined);
     if (defined != defined_ && printer_.print(form->define, values_) == Printed::failed) return false;
     defined_ = defined;
-    if (printer_.print(form->call, values_, parts_of(false, nullptr)) == Printed::failed) return false;
+    if (printer_.print(form->call, values_, parts_of(false, nullptr), false, form == &said) == Printed::failed)
+        return false;
+    if (form == &said) printer_.forget_words_of(said.call);
     in_cycles_ = post_.has(Command::cycle_end);
     return true;
 }
@@ -168,7 +175,8 @@ void Writer::print_lead() {
     if (const auto& c = cursor_.state().compensation; c && lead.onto)
         compensation_ =
             c->side == cl::CompensationSide::left ? Command::compensation_left : Command::compensation_right;
-    if (printer_.print(post_[lead.command], values_, parts_of(lead.rapid, nullptr)) == Printed::failed)
+    constexpr std::string_view what = "a way onto a contour or off it";
+    if (put(lead.command, parts_of(lead.rapid, nullptr), what) == Printed::failed)
         note(Fate::lost, "a way onto a contour or off it: a word cannot hold " + printer_.failed_word());
     compensation_.reset();
     if (!lead.onto) printer_.force(post_[Command::compensation_off]);

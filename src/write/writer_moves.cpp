@@ -1,5 +1,6 @@
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 #include "write/writer.hpp"
 
@@ -7,13 +8,7 @@ namespace obrys::write {
 
 namespace {
 
-constexpr double y_noise = 1e-6;       ///< mm
-constexpr double normal_noise = 1e-9;  ///< how far a normal may lie from an axis of the frame
-
-bool is_normal_noise(const geom::Vec3& n) {
-    const double most = std::max({std::abs(n.x), std::abs(n.y), std::abs(n.z)});
-    return most > 1 - normal_noise;
-}
+constexpr double place_noise = 1e-6;  ///< mm
 
 Command corner_command(const cl::Programmed& p) {
     return p.corner == cl::Corner::chamfer       ? Command::corner_chamfer
@@ -56,8 +51,8 @@ void Writer::note_feed(bool rapid) {
         note(Fate::lost, "a feed: the post has no " + std::string(name_of(feed_command(false))));
 }
 
-void Writer::end_wait_of_compensation(Command command) {
-    if (!has_part(post_[command], Part::compensation))
+void Writer::end_wait_of_compensation(Command command, const Template& form) {
+    if (!has_part(form, Part::compensation))
         note(Fate::lost, "compensation: " + std::string(name_of(command)) + " of the post has no place for it");
     compensation_.reset();
 }
@@ -66,6 +61,24 @@ void Writer::end_wait_of_compensation(Command command) {
 void Writer::lose_axes() {
     for (const cl::Axis& axis : std::exchange(axes_, {}))
         note(Fate::lost, "axis " + std::string(axis.name.data()) + ", which moves together with others here,");
+}
+
+/// What a move has and its template has no place for.
+void Writer::note_unsaid(Command command, const Template& form, bool rapid) {
+    const bool by_sweep = says(form, index_of(Value::sweep));
+    constexpr std::array<Value, 3> axes{Value::x, Value::y, Value::z};
+    for (std::size_t k = 0; k < axes.size(); ++k) {
+        const ValueIndex v = index_of(axes[k]);
+        if (!values_.has(v)) continue;
+        const double before = std::exchange(stands_[k], values_.number(v));
+        const bool said = by_sweep || says(form, v) || says(post_[Command::linear], v);
+        if (said || std::abs(stands_[k] - before) <= place_noise) continue;
+        note(Fate::lost, std::string("a move along ") + "XYZ"[k]);
+    }
+    if (!axes_.empty() && !has_part(form, Part::axes)) lose_axes();
+    const bool feeds = !rapid && cursor_.state().feed.value != 0 && post_.has(feed_command(false));
+    if (feeds && !has_part(form, Part::feed) && without_feed_.insert(command).second)
+        note(Fate::lost, "a feed: " + std::string(name_of(command)) + " of the post has no place for it");
 }
 
 void Writer::print_move(Command command, bool rapid, const cl::Programmed* corner) {
@@ -86,24 +99,28 @@ void Writer::print_move(Command command, bool rapid, const cl::Programmed* corne
         set_length();
         parts.length = &post_[*length_waits_];
     }
+    const Template* form = form_of(command, "a move");
+    if (form == nullptr) return axes_.clear();
+    if (form != &said_) note_unsaid(command, *form, rapid);
     for (const cl::Axis& axis : axes_) {
         const bool numbered = axis.name[1] != 0;
-        const Template& form = post_[numbered ? Command::axis_numbered : Command::axis];
+        const Template& word = post_[numbered ? Command::axis_numbered : Command::axis];
         Values value;
         value.set(Text::name, axis.name.data());
         value.set(Value::axis, axis.to);
-        const auto text = form.empty() ? std::nullopt : printer_.whole(form.front(), value);
+        const auto text = word.empty() ? std::nullopt : printer_.whole(word.front(), value);
         if (text)
             parts.axes.push_back(*text);
         else
             note(Fate::lost, "axis " + std::string(axis.name.data()));
     }
     axes_.clear();
-    const Printed printed = printer_.print(post_[command], values_, parts, true);
+    const Printed printed = printer_.print(*form, values_, parts, form != &said_, form == &said_);
+    if (form == &said_) printer_.forget_words_of(said_);
     if (printed == Printed::failed) note(Fate::lost, "a move: a word cannot hold " + printer_.failed_word());
-    if (printed == Printed::all && has_part(post_[command], Part::length)) length_waits_.reset();
-    if (printed == Printed::all && has_part(post_[command], Part::coolant)) coolant_waits_.reset();
-    if (printed == Printed::all && compensation_) end_wait_of_compensation(command);
+    if (printed == Printed::all && has_part(*form, Part::length)) length_waits_.reset();
+    if (printed == Printed::all && has_part(*form, Part::coolant)) coolant_waits_.reset();
+    if (printed == Printed::all && compensation_) end_wait_of_compensation(command, *form);
     if (corner != nullptr && !post_.corner_in_block && post_.has(corner_command(*corner)))
         print(corner_command(*corner), "a corner");
 }
@@ -133,10 +150,6 @@ void Writer::write_line(const geom::Vec3& to, bool rapid, const cl::Programmed* 
     const Command command = straight_command(rapid, seek);
     if (!post_.has(command))
         return note(Fate::lost, "a probing move: the post has no " + std::string(name_of(command)));
-    if (!std::isnan(p.y) && std::abs(p.y - y_) > y_noise && !says(post_[command], index_of(Value::y))) {
-        y_ = p.y;
-        note(Fate::lost, "a move along Y");
-    }
     print_move(command, rapid, corner);
 }
 
@@ -145,6 +158,16 @@ void Writer::note_unknown(const geom::Vec3& from, const geom::Vec3& to) {
     const auto leaves = [](double a, double b) { return std::isfinite(a) && std::isnan(b); };
     if (leaves(from.x, to.x) || leaves(from.y, to.y) || leaves(from.z, to.z))
         note(Fate::lost, "a move to a coordinate that is not known");
+}
+
+/// A tool that does not stand along Z of the frame in force: programs say that by their tilted plane or by rotary axes.
+void Writer::note_direction(const geom::Vec3& axis) {
+    const geom::Vec3 d = frames_.programmed_direction(axis);
+    constexpr double noise = 1e-6;
+    const bool along_z = !(std::hypot(d.x, d.y) > noise * std::abs(d.z)) || hooks_ != nullptr;
+    if (along_z || !axes_.empty() || axis == direction_noted_) return;
+    direction_noted_ = axis;
+    note(Fate::lost, "the tool's direction in a tilted plane");
 }
 
 void Writer::write_move(const cl::Step& step, const geom::Vec3& from) {
@@ -163,6 +186,7 @@ void Writer::write_way(const cl::Step& step, const geom::Vec3& from) {
     if (line != nullptr && write_place(*line)) return;
     if (line != nullptr) {
         note_unknown(from, line->to);
+        note_direction(line->axis);
         const Command command = straight_command(line->rapid, line->seek);
         if (length_waits_ && !has_part(post_[command], Part::length)) write_all();
         return write_line(line->to, line->rapid, nullptr, line->seek);
@@ -198,65 +222,10 @@ bool Writer::write_place(const cl::Linear& line) {
     for (std::size_t k = 0; k < 3; ++k)
         if (place.axes[k]) values_.set(names[k], said ? 0 : to[k]);
     values_.set(Value::number, place.number);
-    if (printer_.print(post_[command], values_, parts_of(line.rapid, nullptr)) == Printed::failed)
+    if (put(command, parts_of(line.rapid, nullptr), "a move to a place of the machine") == Printed::failed)
         note(Fate::lost, "a move to a place of the machine: a word cannot hold " + printer_.failed_word());
     printer_.forget_coordinates();
     return true;
-}
-
-/// Turn by turn where the control has no word for several.
-void Writer::write_arc(const cl::Arc& arc, const geom::Vec3& from, const cl::Programmed* corner) {
-    end_cycles();
-    const Template& form = post_[Command::arc_cw];
-    const bool says_turns = says(form, index_of(Value::turns)) || says(form, index_of(Value::more_turns)) ||
-                            says(post_[Command::helix_cw], index_of(Value::sweep));
-    const double turns = std::ceil(std::abs(arc.sweep) / geom::full_turn - 1e-9);
-    if (says_turns || !(turns > 1)) return write_turn(arc, from, corner);
-    lose_axes();
-    const geom::Vec3 rise = geom::dot(arc.to - from, arc.normal) / std::abs(arc.sweep) * geom::full_turn * arc.normal;
-    geom::Vec3 at = from;
-    double left = arc.sweep;
-    for (double n = 1; n < turns; ++n) {
-        cl::Arc turn = arc;
-        turn.to = at + rise;
-        turn.sweep = std::copysign(geom::full_turn, arc.sweep);
-        write_turn(turn, at, nullptr);
-        at = turn.to;
-        left -= turn.sweep;
-    }
-    cl::Arc rest = arc;
-    rest.sweep = left;
-    write_turn(rest, at, corner);
-}
-
-void Writer::write_turn(const cl::Arc& arc, const geom::Vec3& from, const cl::Programmed* corner) {
-    const geom::Vec3 start = frames_.programmed(from), to = frames_.programmed(arc.to),
-                     centre = frames_.programmed(arc.centre);
-    const geom::Vec3 normal = frames_.programmed_direction(arc.normal);
-    if (!is_normal_noise(normal)) return note(Fate::lost, "an arc in a plane that is none of the frame's");
-    select_plane(normal);
-    const double along = normal.x + normal.y + normal.z;  // but for rounding one of them
-    const double sense = (frames_.mirrors() ? -1 : 1) * (along > 0 ? 1 : -1);
-    const double sweep = sense * arc.sweep;
-    values_.clear();
-    const std::array ends{std::pair{Value::x, to.x}, std::pair{Value::y, to.y}, std::pair{Value::z, to.z}};
-    for (const auto& [value, number] : ends)
-        if (!std::isnan(number)) values_.set(value, number);
-    const bool in_yz = std::abs(normal.x) > 0.5, in_zx = std::abs(normal.y) > 0.5, in_xy = !in_yz && !in_zx;
-    if (!in_yz) values_.set(Value::i, centre.x - start.x), values_.set(Value::centre_x, centre.x);
-    if (!in_zx) values_.set(Value::j, centre.y - start.y), values_.set(Value::centre_y, centre.y);
-    if (!in_xy) values_.set(Value::k, centre.z - start.z), values_.set(Value::centre_z, centre.z);
-    const double turns = std::ceil(std::abs(sweep) / geom::full_turn - 1e-9);
-    if (turns > 1) values_.set(Value::turns, turns), values_.set(Value::more_turns, turns - 1);
-    values_.set(Value::sweep, geom::degrees(sweep));
-    const geom::Vec3 way = to - start;
-    const double rise = in_xy ? way.z : in_zx ? way.y : way.x;
-    const bool helix = std::abs(rise) > 1e-9 && post_.has(Command::helix_cw);
-    const Value lead = in_xy ? Value::lead_z : in_zx ? Value::lead_y : Value::lead_x;
-    if (helix) values_.set(lead, std::abs(rise / sweep) * geom::full_turn);
-    print_move(
-        sweep > 0 ? (helix ? Command::helix_ccw : Command::arc_ccw) : (helix ? Command::helix_cw : Command::arc_cw),
-        arc.rapid, corner);
 }
 
 void Writer::write_thread(const cl::Thread& thread, const geom::Vec3& from) {

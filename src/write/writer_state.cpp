@@ -49,6 +49,8 @@ void Writer::write_tool() {
     }
     printer_.forget_coordinates();
     if (change.number == 0 && !none && !by_name) return note(Fate::lost, what + ", which is known by name alone,");
+    if (change.raised != 0 && !says(post_[Command::tool_change], index_of(Value::raised)))
+        note(Fate::lost, "a tool that is taken to be longer (DL)");
     if (change.wider != 0 && !says(post_[Command::tool_change], index_of(Value::wider)))
         note(Fate::lost, "a tool that is taken to be larger (DR)");
     print(none ? Command::tool_none : by_name ? Command::tool_by_name : Command::tool_change, what);
@@ -288,13 +290,15 @@ void Writer::end_cycles() {
     if (!in_cycles_) return;
     in_cycles_ = false;
     defined_.clear();
-    static_cast<void>(printer_.print(post_[Command::cycle_end], Values{}));
+    values_.clear();
+    static_cast<void>(put(Command::cycle_end, {}, "the end of cycles"));
 }
 
 void Writer::select_plane(const geom::Vec3& normal) {
     const double x = std::abs(normal.x), y = std::abs(normal.y), z = std::abs(normal.z);
     const Command plane = z >= x && z >= y ? Command::plane_xy : y >= x ? Command::plane_zx : Command::plane_yz;
-    static_cast<void>(printer_.print(post_[plane], Values{}));
+    values_.clear();
+    static_cast<void>(put(plane, {}, "a plane"));
 }
 
 }  // namespace obrys::write

@@ -3,25 +3,10 @@
 #include <gtest/gtest.h>
 
 #include "write/post_testing.hpp"
+#include "write/writer_testing.hpp"
 
 namespace obrys::write {
 namespace {
-
-/// A stream written by a post.
-struct Written {
-    std::string text;
-    std::vector<std::string> lost, expanded;
-};
-Written write(const Post& post, const std::vector<cl::Step>& steps) {
-    Written out;
-    Output output;
-    output.text = [&](std::string_view text) { out.text += text; };
-    output.note = [&](const Note& n) { (n.fate == Fate::lost ? out.lost : out.expanded).push_back(n.what); };
-    Writer writer(post, "P", output);
-    for (std::uint32_t i = 0; i < steps.size(); ++i) writer.take({steps[i], {0, i, i + 1}, 0});
-    writer.finish();
-    return out;
-}
 
 const char* const small =
     "[modal]\ncoordinates = [\"X\", \"Y\", \"Z\"]\nwords = [\"F\"]\n"
@@ -152,6 +137,48 @@ TEST(Writer, AFeedIsSaidAgainBehindAWordThatTakesItsPlace) {
     const Written w =
         write(post_of(text), {cl::Feed{2}, cl::Linear{{1, 0, 0}}, cl::Thread{{1, 0, -5}, 1.5}, cl::Linear{{2, 0, -5}}});
     EXPECT_EQ(w.text, "G1 X1 Y0 Z0 F2\nG33 Z-5 F1.5\nG1 X2 F2\n");
+}
+
+TEST(Writer, ArcsEndAtQuadrantsOrHoldSoManyDegreesWhereThePostSaysSo) {
+    const std::vector<cl::Step> arc{cl::Linear{{10, 0, 0}, {0, 0, 1}, true},
+                                    cl::Arc{{0, -10, -3}, {0, 0, 0}, {0, 0, 1}, 1.5 * geom::pi}};
+    std::string text = small;
+    text.insert(text.find("rapid ="), "by_quadrants = true\n");
+    EXPECT_EQ(write(post_of(text), arc).text,
+              "G0 X10 Y0 Z0\nG3 X0 Y10 Z-1 I-10 J0\nX-10 Y0 Z-2 I0 J-10\nX0 Y-10 Z-3 I10 J0\n");
+    text.replace(text.find("by_quadrants = true"), 19, "most_sweep = 180");
+    for (std::size_t at = text.find("I{i} J{j}"); at != std::string::npos; at = text.find("I{i} J{j}"))
+        text.replace(at, 9, "R{radius}");
+    const Written by_radius = write(post_of(text), arc);
+    EXPECT_EQ(by_radius.text, "G0 X10 Y0 Z0\nG3 X-7.071 Y7.071 Z-1.5 R10\nX0 Y-10 Z-3 R10\n");
+    text.replace(text.find("most_sweep = 180"), 16, "most_sweep = 300");
+    EXPECT_EQ(write(post_of(text), arc).text, "G0 X10 Y0 Z0\nG3 X0 Y-10 Z-3 R-10\n") << "more than half a circle";
+}
+
+TEST(Writer, ClockwiseArcsFromAQuadrantToTheNextAreCutThere) {
+    std::string text = small;
+    text.insert(text.find("rapid ="), "by_quadrants = true\n");
+    const double d = 10 * std::sqrt(0.5);
+    const Written w = write(post_of(text), {cl::Linear{{d, d, 0}, {0, 0, 1}, true},
+                                            cl::Arc{{d, -d, 0}, {0, 0, 0}, {0, 0, 1}, -geom::pi / 2}});
+    EXPECT_EQ(w.text, "G0 X7.071 Y7.071 Z0\nG2 X10 Y0 I-7.071 J-7.071\nX7.071 Y-7.071 I-10 J0\n");
+}
+
+TEST(Writer, WhatAMoveHasAndItsTemplateHasNoPlaceForIsLostAndSaid) {
+    std::string text = small;
+    text.replace(text.find("linear = \"G1 X{x} Y{y} Z{z} {feed}\""), 36, "linear = \"G1 X{x} Y{y}\"");
+    const Written w = write(post_of(text), {cl::Feed{200}, cl::Axis{{'C'}, 90, true}, cl::Linear{{1, 0, -5}}});
+    ASSERT_EQ(w.lost.size(), 3U);
+    EXPECT_EQ(w.lost[0], "a move along Z");
+    EXPECT_EQ(w.lost[1], "axis C, which moves together with others here,");
+    EXPECT_EQ(w.lost[2], "a feed: motion.linear of the post has no place for it");
+}
+
+TEST(Writer, FunctionsOfOtherLettersAreLostWhereThePostNamesItsOwn) {
+    const std::string with = std::string(small) + "[function]\nletters = \"M\"\ntext = \"{letter}{number}\"\n";
+    const Written w = write(post_of(with), {cl::Auxiliary{'M', 50}, cl::Auxiliary{'H', 5}});
+    EXPECT_EQ(w.text, "M50\n");
+    EXPECT_EQ(w.lost.size(), 1U);
 }
 
 }  // namespace

@@ -14,7 +14,7 @@ EVERYWHERE = {"-h", "--help", "--help-all", "--version"}
 
 
 def taken(obrys, command):
-    text = subprocess.run([obrys, command, "--help"], capture_output=True, text=True, check=True).stdout
+    text = subprocess.run([obrys, *command.split(), "--help"], capture_output=True, text=True, check=True).stdout
     found = set()
     for line in text.split("\n"):
         if re.match(r"\s+-", line):  # what it takes stands in the first column, its description behind two blanks
@@ -24,7 +24,8 @@ def taken(obrys, command):
 
 def main():
     obrys, docs = pathlib.Path(sys.argv[1]).resolve(), pathlib.Path(sys.argv[2])
-    all_taken = set().union(*(taken(obrys, command) for command in ("check", "run", "plot", "fmt", "translate", "compare")))
+    all_taken = set().union(*(taken(obrys, command) for command in ("check", "run", "plot", "fmt", "translate", "compare",
+                                                             "post list", "post new", "post check", "post preview")))
     faults = [] if len(all_taken) > 30 else [f"only {len(all_taken)} options were found in the help texts"]
     for name, begins in (("obrys.1.in", r"\.BI? \"(.*)"), ("command-line.md", r"\| (`-[^|]*)")):
         text = (docs / name).read_text(encoding="utf-8").replace("\\-", "-").replace("\\fR, \\fB", ", ")

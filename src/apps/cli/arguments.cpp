@@ -121,6 +121,7 @@ struct Commands {
     CLI::App* fmt;
     CLI::App* translate;
     CLI::App* compare;
+    CLI::App* post;
     CLI::App* version;
     CLI::App* help;
 };
@@ -175,6 +176,7 @@ CLI::App* add_translate(CLI::App& app, Arguments& a) {
         ->required()
         ->type_name("NAME|FILE");
     add_same_place(*translate, a);
+    translate->callback([&a] { a.request.canon = a.to == "canon"; });  // whose calls tell settings, too
     return translate;
 }
 
@@ -251,6 +253,7 @@ Commands add_commands(CLI::App& app, Arguments& a) {
     add_format(*c.fmt, a);
     c.translate = add_translate(app, a);
     c.compare = add_compare(app, a);
+    c.post = add_post(app, a);
     c.version = app.add_subcommand("version", "prints the version");
     c.help = app.add_subcommand("help", "prints this text, or that of a command: obrys help check");
     return c;
@@ -324,7 +327,7 @@ bool print_help(const std::string& topic) {
     CLI::App app(main_help, "obrys");  // help of one that has parsed a command is that of the command
     const Commands c = add_commands(app, unused);
     if (topic.empty()) return std::fputs(app.help().c_str(), stdout) >= 0;
-    for (const CLI::App* command : {c.check, c.run, c.plot, c.fmt, c.translate, c.compare, c.version, c.help})
+    for (const CLI::App* command : {c.check, c.run, c.plot, c.fmt, c.translate, c.compare, c.post, c.version, c.help})
         if (command->get_name() == topic) return std::fputs(command->help("obrys").c_str(), stdout) >= 0;
     std::cerr << "obrys help: " << no_command(topic);
     return false;
@@ -384,6 +387,7 @@ Arguments parse(int argc, char** argv) {
                 : c.fmt->parsed()       ? Command::fmt
                 : c.translate->parsed() ? Command::translate
                 : c.compare->parsed()   ? Command::compare
+                : c.post->parsed()      ? Command::post
                                         : Command::version;
     return a;
 }

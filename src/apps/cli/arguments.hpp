@@ -8,10 +8,11 @@
 #include "driver/output_file.hpp"
 #include "driver/session.hpp"
 #include "format/heidenhain/format.hpp"
+#include "post_arguments.hpp"
 
 namespace obrys::cli {
 
-enum class Command : int { none, check, run, plot, fmt, translate, compare, version };
+enum class Command : int { none, check, run, plot, fmt, translate, compare, post, version };
 
 struct Arguments {
     Command command = Command::none;
@@ -35,6 +36,7 @@ struct Arguments {
     bool no_list = false;            ///< of check: leave out what has no effect on the verdict
     std::vector<std::string> files;  ///< of fmt
     format::heidenhain::Options style;
+    PostArguments post;
     std::string to;            ///< of translate: a post or a control
     std::string other;         ///< of compare: what `request.input` is held against
     double same_place = 1e-4;  ///< of compare, mm

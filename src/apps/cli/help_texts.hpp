@@ -13,6 +13,7 @@ inline constexpr const char* main_help =
     "  obrys plot groove.job.toml -o groove.svg    the tool path over stock and part\n"
     "  obrys translate PART.H --to fanuc -o P.nc   the same for another control\n"
     "  obrys compare PART.H P.nc                   do both make the machine do the same?\n"
+    "  obrys post check my-mill.toml               what a post writes, and what its control makes of it\n"
     "  obrys fmt -i PART.H                         number and write the blocks as the control does\n";
 
 inline constexpr const char* check_help =
@@ -73,6 +74,19 @@ inline constexpr const char* compare_help =
     "Exit codes: 0 the machine does the same, 1 it does not, 2 usage or unreadable input, 3 something of either was "
     "not\n"
     "understood or not run.";
+
+inline constexpr const char* post_help =
+    "Posts, by which obrys translate writes the programs of a control (docs/posts.md): lists them, begins one of one's\n"
+    "own, tries one out, shows what its commands print.\n\n"
+    "Examples:\n"
+    "  obrys post list\n"
+    "  obrys post new \"Old mill\" --extends fanuc -o old-mill.toml\n"
+    "  obrys post check old-mill.toml\n"
+    "  obrys post preview fanuc --command cycle.canned-peck --set bottom=-20\n"
+    "  obrys post preview old-mill.toml --format html -o old-mill.html\n\n"
+    "Exit codes: 0 done, of check: the control does what was asked for wherever something is written; 1 check: it reads\n"
+    "something otherwise; preview: the post has nothing for the command; 2 usage or a post that cannot be used; 3 check:\n"
+    "not all could be read back.";
 
 inline constexpr const char* fmt_help =
     "Formats HEIDENHAIN programs (Klartext .H, DIN/ISO .I): numbers the blocks, one blank between words, upper case\n"

@@ -12,7 +12,7 @@ namespace {
 
 const std::vector<std::string>& commands() {
     static const std::vector<std::string> words{"check",     "run",     "plot",    "fmt",
-                                                "translate", "compare", "version", "help"};
+                                                "translate", "compare", "post",    "version", "help"};
     return words;
 }
 

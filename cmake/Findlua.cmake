@@ -1,0 +1,15 @@
+# lua::lua5.4 by pkg-config's hint; CMake's own FindLua makes no target.
+find_package(PkgConfig QUIET)
+if(PKG_CONFIG_FOUND)
+  pkg_check_modules(PC_LUA QUIET lua5.4)
+endif()
+find_path(LUA54_INCLUDE_DIR lua.hpp HINTS ${PC_LUA_INCLUDE_DIRS} PATH_SUFFIXES lua5.4)
+find_library(LUA54_LIBRARY lua5.4 HINTS ${PC_LUA_LIBRARY_DIRS})
+mark_as_advanced(LUA54_INCLUDE_DIR LUA54_LIBRARY)
+include(FindPackageHandleStandardArgs)
+find_package_handle_standard_args(lua REQUIRED_VARS LUA54_LIBRARY LUA54_INCLUDE_DIR VERSION_VAR PC_LUA_VERSION)
+if(lua_FOUND AND NOT TARGET lua::lua5.4)
+  add_library(lua::lua5.4 UNKNOWN IMPORTED)
+  set_target_properties(lua::lua5.4 PROPERTIES IMPORTED_LOCATION "${LUA54_LIBRARY}"
+    INTERFACE_INCLUDE_DIRECTORIES "${LUA54_INCLUDE_DIR}")
+endif()

@@ -1,0 +1,31 @@
+#include "driver/canon.hpp"
+
+#include <algorithm>
+
+#include "base/codes.hpp"
+#include "cl/canon.hpp"
+
+namespace obrys::driver {
+
+std::string canon_of(Session& s, cl::Sink also) {
+    std::string out;
+    const auto write = [&](std::string_view text) { out += text; };
+    const auto number = [&](const base::Span& at) {
+        const auto n = s.sources.block_number(at.file, at.begin);
+        return n ? std::to_string(*n) : std::string{};
+    };
+    cl::CanonWriter writer(write, number);
+    const interp::Outcome outcome = interpret(s, [&](const cl::Record& record) {
+        writer(record);
+        also(record);
+    });
+    // A subprogram that is not there was looked for up to the end of the text.
+    const auto& said = s.diagnostics.all();
+    const bool searched = std::any_of(
+        said.begin(), said.end(), [](const base::Diagnostic& d) { return d.code == base::codes::missing_subprogram; });
+    constexpr int resets = 2;  // without a configuration
+    writer.finish(percent_lines(s), resets, outcome.ending != interp::Ending::regular && !searched);
+    return out;
+}
+
+}  // namespace obrys::driver

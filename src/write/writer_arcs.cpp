@@ -1,0 +1,128 @@
+#include <algorithm>
+#include <cmath>
+
+#include "write/writer.hpp"
+
+namespace obrys::write {
+
+namespace {
+
+constexpr double normal_noise = 1e-9;  ///< how far a normal may lie from an axis of the frame
+
+bool is_normal_noise(const geom::Vec3& n) {
+    const double most = std::max({std::abs(n.x), std::abs(n.y), std::abs(n.z)});
+    return most > 1 - normal_noise;
+}
+
+}  // namespace
+
+/// Where an arc that the post has to write in pieces ends its pieces: angles from its start, radians, without its own
+/// end.
+std::vector<double> Writer::cuts_of(const cl::Arc& arc, const geom::Vec3& from) const {
+    std::vector<double> cuts;
+    const double sweep = std::abs(arc.sweep);
+    constexpr double least = 1e-7;  // radians
+    if (post_.by_quadrants) {
+        const geom::Vec3 centre = frames_.programmed(arc.centre), at = frames_.programmed(from) - centre;
+        const geom::Vec3 n = frames_.programmed_direction(arc.normal);
+        const bool in_yz = std::abs(n.x) > 0.5, in_zx = std::abs(n.y) > 0.5;
+        const double angle = in_yz ? std::atan2(at.z, at.y) : in_zx ? std::atan2(at.x, at.z) : std::atan2(at.y, at.x);
+        const double along = n.x + n.y + n.z;
+        const bool ccw = (frames_.mirrors() ? -1 : 1) * (along > 0 ? 1 : -1) * arc.sweep > 0;
+        const double quadrants = angle / (geom::pi / 2);
+        const double first = ccw ? std::floor(quadrants) + 1 - quadrants : quadrants - std::ceil(quadrants) + 1;
+        for (double cut = first * geom::pi / 2; cut < sweep - least; cut += geom::pi / 2)
+            if (cut > least) cuts.push_back(cut);
+    } else if (post_.most_sweep > 0 && geom::degrees(sweep) > post_.most_sweep * (1 + 1e-9)) {
+        const double pieces = std::ceil(geom::degrees(sweep) / post_.most_sweep - 1e-9);
+        for (double n = 1; n < pieces; ++n) cuts.push_back(sweep * n / pieces);
+    }
+    return cuts;
+}
+
+/// In pieces, where the control's arcs end at quadrants or hold so many degrees.
+void Writer::write_cut_arc(const cl::Arc& arc, const geom::Vec3& from, const cl::Programmed* corner) {
+    const geom::Vec3 rise = geom::dot(arc.to - from, arc.normal) / std::abs(arc.sweep) * arc.normal;
+    const geom::Vec3 u = from - arc.centre, v = geom::cross(arc.normal, u);
+    geom::Vec3 at = from;
+    double done = 0;
+    lose_axes();
+    for (const double cut : cuts_of(arc, from)) {
+        const double angle = std::copysign(cut, arc.sweep);
+        cl::Arc piece = arc;
+        piece.to = arc.centre + std::cos(angle) * u + std::sin(angle) * v + cut * rise;
+        piece.sweep = std::copysign(cut - done, arc.sweep);
+        write_turn(piece, at, nullptr);
+        at = piece.to;
+        done = cut;
+    }
+    cl::Arc rest = arc;
+    rest.sweep = std::copysign(std::abs(arc.sweep) - done, arc.sweep);
+    write_turn(rest, at, corner);
+}
+
+/// Turn by turn where the control has no word for several.
+void Writer::write_arc(const cl::Arc& arc, const geom::Vec3& from, const cl::Programmed* corner) {
+    end_cycles();
+    if (!cuts_of(arc, from).empty()) return write_cut_arc(arc, from, corner);
+    const Template& form = post_[Command::arc_cw];
+    const bool says_turns = says(form, index_of(Value::turns)) || says(form, index_of(Value::more_turns)) ||
+                            says(post_[Command::helix_cw], index_of(Value::sweep));
+    const double turns = std::ceil(std::abs(arc.sweep) / geom::full_turn - 1e-9);
+    if (says_turns || !(turns > 1)) return write_turn(arc, from, corner);
+    lose_axes();
+    const geom::Vec3 rise = geom::dot(arc.to - from, arc.normal) / std::abs(arc.sweep) * geom::full_turn * arc.normal;
+    geom::Vec3 at = from;
+    double left = arc.sweep;
+    for (double n = 1; n < turns; ++n) {
+        cl::Arc turn = arc;
+        turn.to = at + rise;
+        turn.sweep = std::copysign(geom::full_turn, arc.sweep);
+        write_turn(turn, at, nullptr);
+        at = turn.to;
+        left -= turn.sweep;
+    }
+    cl::Arc rest = arc;
+    rest.sweep = left;
+    write_turn(rest, at, corner);
+}
+
+void Writer::write_turn(const cl::Arc& arc, const geom::Vec3& from, const cl::Programmed* corner) {
+    const geom::Vec3 start = frames_.programmed(from), to = frames_.programmed(arc.to),
+                     centre = frames_.programmed(arc.centre);
+    const geom::Vec3 normal = frames_.programmed_direction(arc.normal);
+    if (!is_normal_noise(normal)) return note(Fate::lost, "an arc in a plane that is none of the frame's");
+    const bool outside_xy = std::abs(normal.z) < 0.5;
+    if (outside_xy && !post_.has(std::abs(normal.y) > 0.5 ? Command::plane_zx : Command::plane_yz))
+        return note(Fate::lost, "an arc outside of the plane of X and Y: the post has no words for its plane");
+    select_plane(normal);
+    const double along = normal.x + normal.y + normal.z;  // but for rounding one of them
+    const double sense = (frames_.mirrors() ? -1 : 1) * (along > 0 ? 1 : -1);
+    const double sweep = sense * arc.sweep;
+    values_.clear();
+    const std::array ends{std::pair{Value::x, to.x}, std::pair{Value::y, to.y}, std::pair{Value::z, to.z}};
+    for (const auto& [value, number] : ends)
+        if (!std::isnan(number)) values_.set(value, number);
+    const bool in_yz = std::abs(normal.x) > 0.5, in_zx = std::abs(normal.y) > 0.5, in_xy = !in_yz && !in_zx;
+    if (!in_yz) values_.set(Value::i, centre.x - start.x), values_.set(Value::centre_x, centre.x);
+    if (!in_zx) values_.set(Value::j, centre.y - start.y), values_.set(Value::centre_y, centre.y);
+    if (!in_xy) values_.set(Value::k, centre.z - start.z), values_.set(Value::centre_z, centre.z);
+    const double radius = geom::length(start - centre - geom::dot(start - centre, normal) * normal);
+    // As controls count it: negative where the arc is more than half a circle.
+    if (!std::isnan(radius)) values_.set(Value::radius, std::abs(sweep) > geom::pi * (1 + 1e-9) ? -radius : radius);
+    const double turns = std::ceil(std::abs(sweep) / geom::full_turn - 1e-9);
+    if (turns > 1) values_.set(Value::turns, turns), values_.set(Value::more_turns, turns - 1);
+    values_.set(Value::sweep, geom::degrees(sweep));
+    const geom::Vec3 way = to - start;
+    const double rise = in_xy ? way.z : in_zx ? way.y : way.x;
+    // In its plane it says the two coordinates of that: a third one would name another plane on some controls.
+    if (std::abs(rise) <= 1e-9) values_.drop(in_xy ? Value::z : in_zx ? Value::y : Value::x);
+    const bool helix = std::abs(rise) > 1e-9 && post_.has(Command::helix_cw);
+    const Value lead = in_xy ? Value::lead_z : in_zx ? Value::lead_y : Value::lead_x;
+    if (helix) values_.set(lead, std::abs(rise / sweep) * geom::full_turn);
+    print_move(
+        sweep > 0 ? (helix ? Command::helix_ccw : Command::arc_ccw) : (helix ? Command::helix_cw : Command::arc_cw),
+        arc.rapid, corner);
+}
+
+}  // namespace obrys::write
