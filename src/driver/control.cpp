@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <array>
 
+#include "read/apt/read.hpp"
 #include "read/heidenhain/read.hpp"
 #include "read/rs274/fanuc_read.hpp"
 #include "read/rs274/read.hpp"
@@ -15,6 +16,8 @@ namespace {
 constexpr std::array<std::string_view, 2> sinumerik_programs{".SPF", ".MPF"}, sinumerik_definitions{".DEF", ".GUD"};
 constexpr std::array<std::string_view, 2> heidenhain_programs{".H", ".I"};
 constexpr std::array<std::string_view, 6> rs274_programs{".NGC", ".NC", ".TAP", ".GCODE", ".CNC", ".TXT"};
+
+constexpr std::array<std::string_view, 7> apt_programs{".APTSOURCE", ".APT", ".NCL", ".CLS", ".CLF", ".CLDATA", ".CL"};
 
 /// "O<FOO>" lies in FOO, "O100" in 100.
 std::string o_word_file(std::string_view program) {
@@ -83,6 +86,10 @@ constexpr std::array haas_languages{
     Language{base::BlockNumbers::n_word, read_haas, read::rs274::haas_likelihood},
 };
 
+constexpr std::array apt_languages{
+    Language{base::BlockNumbers::none, alone<read::apt::read>, read::apt::likelihood},
+};
+
 /// src/emc/sai of LinuxCNC, common/tool.tbl; inches.
 constexpr std::string_view linuxcnc_tools =
     "T1 P1 D0.125 Z0.511\nT2 P2 D0.0625 Z0.1\nT3 P3 D0.201 Z1.273\nT99999 P123 Z0.1\n";
@@ -94,6 +101,7 @@ constexpr std::array controls_table{
     Control{"linuxcnc", linuxcnc_languages, rs274_programs, {}, o_word_file, false, nullptr, linuxcnc_tools},
     Control{"fanuc", fanuc_languages, rs274_programs, {}, o_word_file, true},
     Control{"haas", haas_languages, rs274_programs, {}, o_word_file, true},
+    Control{"apt-cl", apt_languages, apt_programs, {}},
 };
 
 }  // namespace

@@ -1,0 +1,75 @@
+#include "dialect/apt/traits.hpp"
+
+#include <array>
+
+#include "dialect/apt/cycles.hpp"
+
+namespace obrys::dialect::apt {
+
+namespace {
+
+using cl::CycleKind;
+using cl::CycleRole;
+using cl::CycleValue;
+using program::CannedCycle;
+using program::CannedWord;
+using program::Code;
+
+constexpr CannedWord retract{Code::e, CycleRole::return_level, true, 1};
+constexpr CannedWord dwell{Code::p, CycleRole::dwell_bottom, false, 1};
+constexpr CannedWord infeed{Code::q, CycleRole::infeed, true, 1};
+constexpr CannedWord decrement{Code::j, CycleRole::decrement, true, 1};
+constexpr CannedWord least{Code::k, CycleRole::min_infeed, true, 1};
+
+constexpr std::array plain{retract, dwell};
+constexpr std::array pecks{retract,   dwell, infeed,
+                           decrement, least, CannedWord{Code::i, CycleRole::stop_distance_first, true, 1}};
+constexpr std::array chips{retract,   dwell, infeed,
+                           decrement, least, CannedWord{Code::i, CycleRole::chip_break_distance, true, 1}};
+constexpr std::array threads{retract, dwell, CannedWord{Code::i, CycleRole::pitch, true, 1}};
+
+/// Cutter locations say the way between two holes by nothing but the holes: a tool below the next one's clearance rises
+/// to it first.
+constexpr std::array rise{CycleValue{CycleRole::rise_first, 1}};
+
+/// In the order of Hole.
+constexpr std::array canned{
+    CannedCycle{0, CycleKind::canned_drill, "CYCLE/DRILL", plain, rise},
+    CannedCycle{1, CycleKind::canned_peck, "CYCLE/DEEP", pecks, rise},
+    CannedCycle{2, CycleKind::canned_chip_break, "CYCLE/BRKCHP", chips, rise},
+    CannedCycle{3, CycleKind::canned_tap_rigid, "CYCLE/TAP", threads, rise},
+    CannedCycle{4, CycleKind::canned_tap_floating, "CYCLE/TAP", plain, rise},
+    CannedCycle{5, CycleKind::canned_bore_feed, "CYCLE/REAM", plain, rise},
+    CannedCycle{6, CycleKind::canned_bore_stop, "CYCLE/BORE", plain, rise},
+};
+
+constexpr program::Traits common(program::GuessedMachine machine) {
+    return {
+        .guessed_machine = machine,
+        .repeated_words = program::Repeated::last_counts,
+        .banks = {program::ParameterBank{}, {}, {}},
+        .named_variables = program::NamedVariables::none,
+        .jump_to_block_number = false,
+        .end_stops_all = true,
+        .may_end_anywhere = true,
+        .datum = {.prefix = "zero ",
+                  .article = "",
+                  .key = "zero",
+                  .none = "the part's zero",
+                  .none_key = "part_zero",
+                  .none_is_machine_zero = false},
+        .stops_before_motion = true,
+        .feed_mode_ends_surface_speed = false,
+        .radius_at_start = true,
+        .radius_makes_arc = false,
+        .clearance_at_start = true,
+        .canned = canned,
+    };
+}
+
+}  // namespace
+
+const program::Traits traits = common(program::GuessedMachine::mill);
+const program::Traits turning_traits = common(program::GuessedMachine::lathe);
+
+}  // namespace obrys::dialect::apt
