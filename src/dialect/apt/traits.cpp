@@ -59,6 +59,7 @@ constexpr program::Traits common(program::GuessedMachine machine) {
                   .none_key = "part_zero",
                   .none_is_machine_zero = false},
         .stops_before_motion = true,
+        .definitions_describe = true,
         .feed_mode_ends_surface_speed = false,
         .radius_at_start = true,
         .radius_makes_arc = false,

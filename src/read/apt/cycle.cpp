@@ -34,14 +34,13 @@ struct Sizes {
 
 double unit_of(const State& s, bool inches) { return (inches ? 25.4 : 1) / (s.inch > 0 ? s.inch : 1); }
 
-void take_feed(State& s, HoleCycle& c, const Token& t, bool per_turn, double factor) {
+void take_feed(HoleCycle& c, const Token& t, bool per_turn, double factor) {
     Feed f;
     f.value = t.number.value * factor;
     f.mode = per_turn ? Modal::feed_per_rev : Modal::feed_per_minute;
     f.begin = t.begin;
     f.end = t.end;
     c.feed = f;
-    (void)s;
 }
 
 void take(State& s, HoleCycle& c, Sizes& sizes, HoleValue what, const Token& t) {
@@ -55,12 +54,12 @@ void take(State& s, HoleCycle& c, Sizes& sizes, HoleValue what, const Token& t) 
         case HoleValue::first_step: c.first_step = v; return;
         case HoleValue::step: c.step = v; return;
         case HoleValue::back: c.back = v; return;
-        case HoleValue::feed_minute: return take_feed(s, c, t, false, unit_of(s, false));
-        case HoleValue::feed_turn: return take_feed(s, c, t, true, unit_of(s, false));
-        case HoleValue::inch_minute: return take_feed(s, c, t, false, unit_of(s, true));
-        case HoleValue::inch_turn: return take_feed(s, c, t, true, unit_of(s, true));
-        case HoleValue::plain_minute: return take_feed(s, c, t, false, 1);
-        case HoleValue::plain_turn: return take_feed(s, c, t, true, 1);
+        case HoleValue::feed_minute: return take_feed(c, t, false, unit_of(s, false));
+        case HoleValue::feed_turn: return take_feed(c, t, true, unit_of(s, false));
+        case HoleValue::inch_minute: return take_feed(c, t, false, unit_of(s, true));
+        case HoleValue::inch_turn: return take_feed(c, t, true, unit_of(s, true));
+        case HoleValue::plain_minute: return take_feed(c, t, false, 1);
+        case HoleValue::plain_turn: return take_feed(c, t, true, 1);
         case HoleValue::threads_inch: c.pitch = v > 0 ? unit_of(s, true) / v : NAN; return;
         case HoleValue::pitch: c.pitch = v; return;
         case HoleValue::none: return;
@@ -140,7 +139,10 @@ void read_cycle(State& s, const Arguments& a) {
     if (a.begin() == a.end() || a.begin()->kind != TokenKind::word) return fail(s, a.begin(), "CYCLE wants a word");
     const std::string word = upper_of(*a.begin());
     if (word == "OFF" || word == "NOMORE") return end_series(s);
-    if (word == "INIT") return s.build.ignored("CYCLE/INIT", s.line.begin, s.line.end);
+    if (word == "INIT" || word == "CLEAR") {  // SolidWorks CAM, before a cycle: none is in force
+        end_series(s);
+        return s.build.ignored("CYCLE/" + word, s.line.begin, s.line.end);
+    }
     if (word == "ON") {
         s.cycle = s.last_cycle;
         if (!s.cycle) fail(s, a.begin(), "CYCLE/ON calls the cycle before it, and there is none");

@@ -84,9 +84,21 @@ void set_unit(State& s, double mm) {
     end_block(s);
 }
 
+namespace {
+
+/// The unit of the text's feeds, which its lengths have, too: mm of it, 0 where none says so or several do.
+double unit_of_feeds(std::string_view text) {
+    const std::string upper = base::to_upper(text.substr(0, base::telling_bytes));
+    const auto has = [&](std::string_view w) { return upper.find(w) != std::string::npos; };
+    const bool metric = has("MMPM") || has("MMPR"), inches = has(",IPM") || has(",IPR") || has("/IPM") || has("/IPR");
+    return metric == inches ? 0 : metric ? 1 : 25.4;
+}
+
+}  // namespace
+
 void need_unit(State& s) {
     if (s.unit_told) return;
-    s.unit_assumed = true;
+    if (const double mm = unit_of_feeds(s.text); mm > 0) return set_unit(s, mm);
     assume(s, s.line.begin, s.line.end, "no UNITS stands before the first length: lengths are taken as millimetres",
            "write UNITS/MM or UNITS/INCHES");
     set_unit(s, 1);

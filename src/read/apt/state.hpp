@@ -66,7 +66,7 @@ struct State {
     std::optional<HoleCycle> cycle, last_cycle;
 
     double inch = 0;  ///< mm of the unit: 25.4, 1; 0: not said yet
-    bool unit_told = false, unit_assumed = false;
+    bool unit_told = false;
 
     std::optional<double> tool;    ///< in the spindle
     std::optional<double> cutter;  ///< diameter that was said for the tool to come
