@@ -10,7 +10,6 @@ namespace {
 
 using cl::CycleKind;
 using cl::CycleRole;
-using cl::CycleValue;
 using program::CannedCycle;
 using program::CannedWord;
 using program::Code;
@@ -28,19 +27,15 @@ constexpr std::array chips{retract,   dwell, infeed,
                            decrement, least, CannedWord{Code::i, CycleRole::chip_break_distance, true, 1}};
 constexpr std::array threads{retract, dwell, CannedWord{Code::i, CycleRole::pitch, true, 1}};
 
-/// Cutter locations say the way between two holes by nothing but the holes: a tool below the next one's clearance rises
-/// to it first.
-constexpr std::array rise{CycleValue{CycleRole::rise_first, 1}};
-
 /// In the order of Hole.
 constexpr std::array canned{
-    CannedCycle{0, CycleKind::canned_drill, "CYCLE/DRILL", plain, rise},
-    CannedCycle{1, CycleKind::canned_peck, "CYCLE/DEEP", pecks, rise},
-    CannedCycle{2, CycleKind::canned_chip_break, "CYCLE/BRKCHP", chips, rise},
-    CannedCycle{3, CycleKind::canned_tap_rigid, "CYCLE/TAP", threads, rise},
-    CannedCycle{4, CycleKind::canned_tap_floating, "CYCLE/TAP", plain, rise},
-    CannedCycle{5, CycleKind::canned_bore_feed, "CYCLE/REAM", plain, rise},
-    CannedCycle{6, CycleKind::canned_bore_stop, "CYCLE/BORE", plain, rise},
+    CannedCycle{0, CycleKind::canned_drill, "CYCLE/DRILL", plain, {}},
+    CannedCycle{1, CycleKind::canned_peck, "CYCLE/DEEP", pecks, {}},
+    CannedCycle{2, CycleKind::canned_chip_break, "CYCLE/BRKCHP", chips, {}},
+    CannedCycle{3, CycleKind::canned_tap_rigid, "CYCLE/TAP", threads, {}},
+    CannedCycle{4, CycleKind::canned_tap_floating, "CYCLE/TAP", plain, {}},
+    CannedCycle{5, CycleKind::canned_bore_feed, "CYCLE/REAM", plain, {}},
+    CannedCycle{6, CycleKind::canned_bore_stop, "CYCLE/BORE", plain, {}},
 };
 
 constexpr program::Traits common(program::GuessedMachine machine) {

@@ -186,6 +186,21 @@ void tell_sizes(State& s, const HoleCycle& c, const Vec3& at) {
 
 }  // namespace
 
+namespace {
+
+/// Cutter locations say the way between two holes by nothing but the holes: a tool below the next one's clearance
+/// rises to it before it moves.
+void rise_to(State& s, double height) {
+    if (!s.at || s.at->z >= height) return;
+    begin_block(s);
+    s.build.modal(Modal::rapid, s.line.begin, s.line.end);
+    s.build.literal(Code::z, height, s.line.begin, s.line.end);
+    end_block(s);
+    s.at->z = height;
+}
+
+}  // namespace
+
 void run_hole(State& s, const Vec3& at) {
     const HoleCycle& c = *s.cycle;
     if (c.refused) {
@@ -195,6 +210,7 @@ void run_hole(State& s, const Vec3& at) {
     s.moved_with_tool = true;
     if (geom::distance(s.axis, {0, 0, 1}) > upright)
         return refuse(s, "a hole cycle with a tool that does not stand along Z is not run");
+    rise_to(s, at.z + c.clearance);
     begin_block(s);
     const bool own = c.feed && c.hole != Hole::tap_rigid;
     if (own || (s.feed && !s.feed_told)) {

@@ -127,8 +127,6 @@ void read_delta(State& s, const Arguments& a) {
 
 void read_direction(State& s, const Arguments& a, bool of_tool) {
     const auto n = numbers(a);
-    if (of_tool && a.begin() != a.end() && upper_of(*a.begin()) == "1")
-        return s.build.ignored("TLAXIS/1", s.line.begin, s.line.end);
     if (!n || n->size() != 3) return fail(s, a.begin(), "a direction has three numbers");
     const Vec3 v{(*n)[0], (*n)[1], (*n)[2]};
     if (!(geom::length(v) > 0)) return fail(s, a.begin(), "this vector has no direction");
