@@ -8,7 +8,6 @@
 #include <iostream>
 
 #include "base/files_testing.hpp"
-#include "cl/verify.hpp"
 #include "driver/apt_testing.hpp"
 
 namespace obrys::driver {
@@ -150,15 +149,25 @@ TEST(AptCorpus, KlartextOfTheRealPostprocessorIsTheSamePath) {
     }
 }
 
+namespace {
+
+/// Nothing but words for the postprocessor stands there.
+bool cl_words_alone(const fs::path& file) { return file.filename() == "seqNo.apt"; }
+
+}  // namespace
+
 TEST(AptCorpus, EveryTextIsReadAndItsStreamKeepsItsRules) {
     if (!fs::exists(apt_corpus / "apt")) GTEST_SKIP() << "needs ../shared";
     int files = 0;
     for (const fs::path& file : base::testing::files_below(apt_corpus / "apt")) {
         const AnyRun r = ran_apt(base::testing::content(file));
         ++files;
+        EXPECT_EQ(r.faults, "") << file;
         const bool part_program = file.string().find("aptos-apt360") != std::string::npos;
         if (file.filename() == "demooutput1.txt") continue;  // what a postprocessor made
-        EXPECT_EQ(r.messages.find("part program") != std::string::npos, part_program) << file << "\n" << r.messages;
+        if (!part_program) EXPECT_EQ(r.messages.find("part program"), std::string::npos) << file << "\n" << r.messages;
+        if (part_program && !cl_words_alone(file))
+            EXPECT_NE(r.messages.find("part program"), std::string::npos) << file;
     }
     std::cout << files << " files\n";
     EXPECT_GE(files, 50);

@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "cl/text.hpp"
+#include "cl/verify.hpp"
 #include "driver/control.hpp"
 #include "interp/interp.hpp"
 
@@ -13,6 +14,7 @@ namespace obrys::driver::testing {
 struct AnyRun {
     std::string moves;  ///< one a line, without places
     std::string messages;
+    std::string faults;  ///< rules of the stream that it breaks
     std::vector<cl::Record> records;
 };
 
@@ -37,13 +39,18 @@ inline AnyRun run_for(std::string_view control_name, const std::string& text) {
                                           budgets, skip,  find,    definitions, variables};
     cl::CallStacks stacks;
     AnyRun out;
+    base::Diagnostics broken;
+    cl::Verifier verifier(broken);
     const auto sink = [&](const cl::Record& r) {
+        verifier(r);
         out.records.push_back(r);
         if (!cl::is_move(r.step)) return;
         const std::string line = cl::to_text(r);
         out.moves += line.substr(0, line.find(" @")) + "\n";
     };
     (void)interp::run(units.at(0), environment, stacks, sink, diagnostics);
+    verifier.finish();
+    for (const base::Diagnostic& d : broken.all()) out.faults += d.text + "\n";
     for (const base::Diagnostic& d : diagnostics.all()) out.messages += d.text + "\n";
     return out;
 }
