@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <array>
 
+#include "read/apt/read.hpp"
 #include "read/heidenhain/read.hpp"
 #include "read/rs274/acramatic_read.hpp"
 #include "read/rs274/fanuc_read.hpp"
@@ -16,6 +17,8 @@ namespace {
 constexpr std::array<std::string_view, 2> sinumerik_programs{".SPF", ".MPF"}, sinumerik_definitions{".DEF", ".GUD"};
 constexpr std::array<std::string_view, 2> heidenhain_programs{".H", ".I"};
 constexpr std::array<std::string_view, 6> rs274_programs{".NGC", ".NC", ".TAP", ".GCODE", ".CNC", ".TXT"};
+
+constexpr std::array<std::string_view, 7> apt_programs{".APTSOURCE", ".APT", ".NCL", ".CLS", ".CLF", ".CLDATA", ".CL"};
 
 /// "O<FOO>" lies in FOO, "O100" in 100.
 std::string o_word_file(std::string_view program) {
@@ -87,6 +90,9 @@ constexpr std::array haas_languages{
 constexpr std::array acramatic_languages{
     Language{base::BlockNumbers::n_word, several<read::rs274::read_acramatic>, read::rs274::acramatic_likelihood},
 };
+constexpr std::array apt_languages{
+    Language{base::BlockNumbers::none, alone<read::apt::read>, read::apt::likelihood},
+};
 
 /// src/emc/sai of LinuxCNC, common/tool.tbl; inches.
 constexpr std::string_view linuxcnc_tools =
@@ -100,6 +106,7 @@ constexpr std::array controls_table{
     Control{"fanuc", fanuc_languages, rs274_programs, {}, o_word_file, true},
     Control{"haas", haas_languages, rs274_programs, {}, o_word_file, true},
     Control{"acramatic-2100", acramatic_languages, rs274_programs, {}},
+    Control{"apt-cl", apt_languages, apt_programs, {}},
 };
 
 }  // namespace

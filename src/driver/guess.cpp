@@ -155,6 +155,7 @@ bool has_suffix_of_its_own(const Control& c, std::string_view file_name) {
     const auto ends = [&](std::string_view s) { return name.ends_with(s); };
     if (c.name.starts_with("sinumerik")) return std::any_of(sinumerik.begin(), sinumerik.end(), ends);
     if (c.name.starts_with("heidenhain")) return std::any_of(heidenhain.begin(), heidenhain.end(), ends);
+    if (c.name == "apt-cl") return std::any_of(c.program_suffixes.begin(), c.program_suffixes.end(), ends);
     return c.name == "linuxcnc" && ends(".NGC");
 }
 

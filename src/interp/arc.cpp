@@ -59,6 +59,8 @@ bool says_centre_across(Run& run) {
     return true;
 }
 
+}  // namespace
+
 void arc_alarm(Run& run, const path::ArcResult& r) {
     const bool by_centre = r.failure == path::ArcFailure::radius_mismatch || r.failure == path::ArcFailure::no_radius;
     if (by_centre && says_centre_across(run)) return;
@@ -83,6 +85,8 @@ void arc_alarm(Run& run, const path::ArcResult& r) {
     }
     alarm(run, codes::arc_radius, run.here(), std::move(text));
 }
+
+namespace {
 
 constexpr int most_turns = 1000;  ///< of an angle about the pole; HEIDENHAIN takes up to 99999.9999 degrees
 
@@ -233,28 +237,7 @@ bool tilted_arc(Run& run, const Vec3& to) {
         arc_alarm(run, r);
         return false;
     }
-    const double tilt = geom::dot(arc.normal, normal);
-    if (std::abs(std::abs(tilt) - 1) < 1e-9) {
-        path::Element e;
-        e.from = in_plane(run.programmed_position, a);
-        e.to = in_plane(to, a);
-        e.centre = in_plane(arc.centre, a);
-        e.w_from = e.w_to = coordinate(to, a.w);
-        e.sweep = tilt > 0 ? arc.sweep : -arc.sweep;
-        plane_element(run, std::move(e), to, false);
-        return true;
-    }
-    flush_path(run);
-    if (run.modal.compensation != Modal::compensation_off)
-        unchecked(run, codes::unsupported, run.here(),
-                  "radius compensation of an arc that is not in the working plane is not run");
-    lead_to_place(run);
-    run.programmed_position = to;
-    run.position = geom::apply(run.frame, to);
-    const Vec3 n = geom::apply_direction(run.frame, arc.normal);
-    const double size = geom::length(n);
-    emit(run, cl::Arc{run.position, geom::apply(run.frame, arc.centre),
-                      (geom::determinant(run.frame) < 0 ? -1 / size : 1 / size) * n, arc.sweep});
+    run_arc_in_space(run, {to, arc.centre, arc.normal, arc.sweep});
     return true;
 }
 
@@ -331,6 +314,7 @@ bool arc_motion(Run& run, const Vec3& target) {
         return false;
     }
     if (run.modal.motion == Modal::arc_via) return tilted_arc(run, target);
+    if (run.modal.motion == Modal::arc_about) return arc_about_axis(run, target);
     const PlaneAxes a = plane_axes(run.modal.plane);
     const bool end_given = run.block.has(axis_code(a.u)) || run.block.has(axis_code(a.v)) ||
                            run.block.has(Code::polar_angle) || run.block.has(Code::polar_radius);

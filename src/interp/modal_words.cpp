@@ -133,6 +133,7 @@ bool motion_word(Run& run, Modal m, const program::Word& w) {
         case Modal::paraxial: paraxial_block(run, program::modal_number(w)); return true;
         case Modal::paraxial_longer:
         case Modal::paraxial_shorter: compensate_along_axis(run, m); return true;
+        case Modal::tool_along: aim_tool(run); return true;
         case Modal::program_stop: run.block.stops_run = true; return true;
         case Modal::corner_crossing:
         case Modal::corner_open: run.block.corner_end = m; return true;

@@ -205,7 +205,8 @@ bool path_motion(Run& run) {
     if (run.modal.smoothing != 0 || run.modal.compressor || run.modal.tolerance_cycle > 0 || run.modal.blend > 0 ||
         run.modal.blend_free)
         note_rounding(run);
-    const bool arc = m == Modal::arc_cw || m == Modal::arc_ccw || m == Modal::arc_via || m == Modal::arc_tangent;
+    const bool arc = m == Modal::arc_cw || m == Modal::arc_ccw || m == Modal::arc_via || m == Modal::arc_tangent ||
+                     m == Modal::arc_about;
     const bool by_radius = b.has(Code::radius) && run.traits->radius_makes_arc;
     if (arc || b.has(Code::centre_at_pole) || by_radius) return arc_motion(run, to);
     if (m == Modal::rapid || m == Modal::linear) {

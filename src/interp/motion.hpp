@@ -58,6 +58,14 @@ void retract_tool(Run&);
 [[nodiscard]] path::ArcTolerance arc_tolerance(const Run&);
 /// Runs the block's arc to `to` (programmed frame); false where it could not be resolved.
 [[nodiscard]] bool arc_motion(Run&, const geom::Vec3& to);
+/// Says why an arc cannot be run.
+void arc_alarm(Run&, const path::ArcResult&);
+/// An arc in the programmed frame: through the path stage where it lies in the working plane (arc_in_space.cpp).
+void run_arc_in_space(Run&, const cl::Arc&);
+/// Modal::arc_about; false where it could not be resolved.
+[[nodiscard]] bool arc_about_axis(Run&, const geom::Vec3& to);
+/// Modal::tool_along: the words of the block aim the tool.
+void aim_tool(Run&);
 /// Of the working plane, in the stream's frame, as frames turn it.
 [[nodiscard]] geom::Vec3 plane_normal(const Run&);
 /// An element of the working plane as a move of the stream; nothing where scaling leaves no circle of an arc.

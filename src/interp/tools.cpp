@@ -175,10 +175,10 @@ void define_tool(Run& run) {
     cl::ToolData data{number, edge, {}, {}};
     if (b.has(Code::tool_length)) data.length = found->length;
     if (b.has(Code::tool_radius)) data.radius = found->radius;
-    if (dimensions)
-        emit(run, data);
-    else
+    if (!dimensions)
         emit(run, cl::ToolSelection{number, {}});
+    else if (!run.traits->definitions_describe)
+        emit(run, data);
     if (dimensions && run.env.machine.kind == shop::MachineKind::mill) compare_with_job(run, *found);
     run.tool.data = find_tool(run, run.tool);
 }

@@ -241,6 +241,8 @@ struct Traits {
     bool dwell_in_feed_words = true;
     /// A tool change stops the spindle on every machine, also where the tool is in the spindle already.
     bool tool_change_stops_spindle = false;
+    /// A tool definition says what the tool is and sets nothing on the control; else it writes the tool table.
+    bool definitions_describe = false;
     /// "T 5.1" is index 1 of tool 5, another length or radius of it: the list has it as edge 2.
     bool indexed_tools = false;
     /// G94 and G95 end constant cutting speed (G96), of whose group they are.

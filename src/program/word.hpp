@@ -58,12 +58,12 @@ enum class Code : std::uint8_t {
     unknown,      ///< not in the control's tables: payload = index into Unit::problems
     control,      ///< of a statement that is no block: payload = index into the kind's table
     // bare words: something the block does besides its values
-    centre_at_pole,    ///< the arc is about the pole (C, CP)
-    tool_change,       ///< the block's tool comes into the spindle at once (TOOL CALL); as a literal: its number is that
-                       ///< of the tool and, in the last two digits, of the offset (T0203 of turrets)
-    tool_definition,   ///< the block says what the tool is (TOOL DEF)
-    feed_auto,         ///< the feed given with the tool
-    cycle_call,        ///< the cycle defined last, behind the block's motion (CYCL CALL, M99)
+    centre_at_pole,   ///< the arc is about the pole (C, CP)
+    tool_change,      ///< the block's tool comes into the spindle at once (TOOL CALL); as a literal: its number is that
+                      ///< of the tool and, in the last two digits, of the offset (T0203 of turrets)
+    tool_definition,  ///< the block says what the tool is (TOOL DEF)
+    feed_auto,        ///< the feed given with the tool
+    cycle_call,       ///< the cycle defined last, behind the block's motion (CYCL CALL, M99)
     cycle_call_modal,  ///< … from now on behind every block with motion (M89)
     // tools and feeds as millers write them
     tool_length,
@@ -111,6 +111,7 @@ enum class Modal : std::uint16_t {
     arc_ccw,
     arc_via,
     arc_tangent,
+    arc_about,  ///< about the axis through I J K (absolute) along I1 J1 K1, counter-clockwise, in any plane
     thread,
     thread_rising,
     thread_falling,
@@ -227,6 +228,7 @@ enum class Modal : std::uint16_t {
     polar_face,         ///< G12.1: X and Y lie on the face of the turning workpiece, run by X and C
     cylinder_face,      ///< G7.1, radius P: Y is the way on the cylinder, run by C
     interpolation_off,  ///< G13.1: the axes as they are
+    tool_along,         ///< the tool lies along I1 J1 K1, which stand before it, at this block's end and from there on
     program_stop,       ///< this block's end: STOP without the function of its own
 };
 

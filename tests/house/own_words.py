@@ -32,7 +32,11 @@ FOREIGN = {  # ROT, TRANS DATUM and MIRROR IMAGE are HEIDENHAIN's, too
     "linuxcnc": KLARTEXT + SIEMENS + EDGES + FANUC_CODES[:1] + FANUC_CODES[2:3] + BITS[:1],
     "fanuc": KLARTEXT + SIEMENS + EDGES + LINUXCNC,
     "haas": KLARTEXT + SIEMENS + EDGES + LINUXCNC + BITS,
+    "apt": [w for w in KLARTEXT + SIEMENS if "TRANS" not in w] + EDGES + MACRO + LINUXCNC + FANUC_CODES + BITS + G_WORDS,
 }
+# Cutter locations have no such words: what the stages for all controls say with them cannot come up, or is seen in
+# the golden cases.
+BY_CASES_ALONE = ["apt"]
 # Messages with a word of another control on purpose: how they begin, and why.
 ON_PURPOSE = {
     "Klartext begins with BEGIN PGM, DIN/ISO with": "obrys fmt is given a text that is none of HEIDENHAIN's: what one begins with",
@@ -153,7 +157,7 @@ FILES_OF = {
 }
 SUFFIXES = {"mpf": "sinumerik", "spf": "sinumerik", "arc": "sinumerik", "h": "heidenhain", "i": "heidenhain", "ngc": "linuxcnc"}
 SAID = re.compile(r"^(?:\S+:\d+:\d+: )?(?:error|warning|note): (.*)|^  (?:\S+:\d+:\d+: )?(\S.*) \[[a-z-]+\]$|^ +(remedy: .*)")
-LEAST = {"heidenhain": 300, "sinumerik": 300, "fanuc": 300, "linuxcnc": 100, "haas": 30}
+LEAST = {"apt": 20, "heidenhain": 300, "sinumerik": 300, "fanuc": 300, "linuxcnc": 100, "haas": 30}
 
 
 def control_of(case, text):
@@ -252,7 +256,9 @@ def controls_of(source, file):
         return [name.split("/")[1]]
     if "/rs274/" in name:
         return ["linuxcnc"] if "linuxcnc" in name else ["fanuc", "haas"] if "fanuc" in name else ["linuxcnc", "fanuc"]
-    return list(FOREIGN)
+    if "/apt/" in name:
+        return ["apt"]
+    return [c for c in FOREIGN if c not in BY_CASES_ALONE]
 
 
 def check_sources(source):

@@ -1,0 +1,72 @@
+#include <gtest/gtest.h>
+
+#include "dialect/apt/cycles.hpp"
+#include "read/apt/reading.hpp"
+
+namespace obrys::read::apt {
+
+using program::Code;
+using program::Modal;
+using testing::has_modal;
+using testing::Reading;
+using testing::value;
+
+TEST(AptCycle, SizesCountFromThePoint) {
+    const Reading r("UNITS/MM\nCYCLE/DRILL,FEDTO,-5,MMPM,120,RAPTO,3,RTRCTO,20,DWELL,0.5\nGOTO/1,2,10\n");
+    EXPECT_EQ(value(r, Code::x), 1);
+    EXPECT_EQ(value(r, Code::z), 5);
+    EXPECT_EQ(value(r, Code::radius), 13);
+    EXPECT_EQ(value(r, Code::e), 30);
+    EXPECT_EQ(value(r, Code::p), 0.5);
+    EXPECT_EQ(value(r, Code::feed), 120);
+}
+
+TEST(AptCycle, CreoCountsRaptoFromTheClearance) {
+    const Reading r("$$-> MFGNO / A\nUNITS/MM\nCYCLE/DRILL,DEPTH,8,MMPM,100,CLEAR,5,RAPTO,2\nGOTO/0,0,0\n");
+    EXPECT_EQ(value(r, Code::radius), 3);
+    EXPECT_EQ(value(r, Code::e), 5);
+}
+
+TEST(AptCycle, PecksBehindTheFirstMayBeSmaller) {
+    const Reading r("UNITS/MM\nCYCLE/DEEP2,FEDTO,9,1STPECK,5,SUBPECK,2,MMPM,100,RAPTO,3\nGOTO/0,0,0\n");
+    EXPECT_EQ(value(r, Code::q), 5);
+    EXPECT_EQ(value(r, Code::j), 3);
+    EXPECT_EQ(value(r, Code::k), 2);
+}
+
+TEST(AptCycle, AFeedPerTurnIsTheThread) {
+    const Reading r("UNITS/MM\nCYCLE/TAP,DEPTH,9,MMPR,1.25,CLEAR,3\nGOTO/0,0,0\n");
+    EXPECT_EQ(value(r, Code::i), 1.25);
+    const Reading inches("UNITS/MM\nCYCLE/TAP,DEPTH,9,TPI,20,CLEAR,3\nGOTO/0,0,0\n");
+    EXPECT_DOUBLE_EQ(value(inches, Code::i), 1.27);
+}
+
+TEST(AptCycle, NumbersWithoutWordsAreRefused) {
+    const Reading r("UNITS/MM\nCYCLE/TAP,50,1\nGOTO/0,0,0\nCYCLE/OFF\n");
+    EXPECT_NE(r.problems().find("each shop's own"), std::string::npos);
+    EXPECT_FALSE(has_modal(r, Modal::canned));
+}
+
+TEST(AptCycle, WhatIsMissingOrUnknownIsSaid) {
+    const auto problem = [](const char* words) { return Reading(std::string("UNITS/MM\n") + words + "\n").problems(); };
+    EXPECT_NE(problem("CYCLE/DRILL,RAPTO,3").find("it says no depth"), std::string::npos);
+    EXPECT_NE(problem("CYCLE/DRILL,FEDTO,3").find("it says no clearance"), std::string::npos);
+    EXPECT_NE(problem("CYCLE/WEAVE,FEDTO,3").find("what CYCLE/WEAVE does is not known here"), std::string::npos);
+    EXPECT_NE(problem("CYCLE/DRILL,FEDTO,3,RAPTO,1,CAMX,2").find("what CAMX says"), std::string::npos);
+    EXPECT_NE(problem("CYCLE/DEEP,FEDTO,3,RAPTO,1").find("it says no step"), std::string::npos);
+    EXPECT_NE(problem("CYCLE/BORE,FEDTO,3,RAPTO,1,STEP,1").find("steps of this cycle"), std::string::npos);
+}
+
+TEST(AptCycle, TheFeedOfThePathComesBackBehindIt) {
+    const Reading r(
+        "UNITS/MM\nFEDRAT/500,MMPM\nGOTO/0,0,9\nCYCLE/DRILL,FEDTO,3,MMPM,100,RAPTO,1\nGOTO/0,0,0\nCYCLE/OFF\nGOTO/"
+        "1,0,9\n");
+    EXPECT_EQ(value(r, Code::feed), 500);
+}
+
+TEST(AptCycle, AToolBesideZIsRefused) {
+    const Reading r("UNITS/MM\nTLAXIS/1,0,0\nCYCLE/DRILL,FEDTO,3,MMPM,100,RAPTO,1\nGOTO/0,0,0\n");
+    EXPECT_NE(r.problems().find("does not stand along Z"), std::string::npos);
+}
+
+}  // namespace obrys::read::apt
