@@ -166,7 +166,7 @@ TEST(Writer, ClockwiseArcsFromAQuadrantToTheNextAreCutThere) {
 
 TEST(Writer, WhatAMoveHasAndItsTemplateHasNoPlaceForIsLostAndSaid) {
     std::string text = small;
-    text.replace(text.find("linear = \"G1 X{x} Y{y} Z{z} {feed}\""), 36, "linear = \"G1 X{x} Y{y}\"");
+    text.replace(text.find("linear = \"G1 X{x} Y{y} Z{z} {feed}\""), 35, "linear = \"G1 X{x} Y{y}\"");
     const Written w = write(post_of(text), {cl::Feed{200}, cl::Axis{{'C'}, 90, true}, cl::Linear{{1, 0, -5}}});
     ASSERT_EQ(w.lost.size(), 3U);
     EXPECT_EQ(w.lost[0], "a move along Z");

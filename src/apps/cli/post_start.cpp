@@ -69,7 +69,7 @@ std::string post_start(const std::string& title, const std::string& extends) {
     driver::Session s;
     const auto below = driver::find_post(extends, s);
     std::string out = "extends = " + quoted(extends) + "\ntitle = " + quoted(title) + "\n";
-    if (below)
+    if (below && !below->control.empty())
         out += "control = " + quoted(below->control) +
                "    # that reads it back; \"\": none\nsuffix = " + quoted(below->suffix) + "\n";
     return out + "\n" + start_of_post;
