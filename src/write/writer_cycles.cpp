@@ -114,6 +114,7 @@ bool Writer::fold(const cl::CycleBegin& begin) {
     std::string defined;
     for (const Block& block : form->define) defined += printer_.whole(block, values_).value_or("") + "\n";
     begin_cycles(defined);
+    set_values(cycle, at);  // the begin of a series has values of its own
     if (defined != defined_ && printer_.print(form->define, values_) == Printed::failed) return false;
     defined_ = defined;
     if (printer_.print(form->call, values_, parts_of(false, nullptr), false, form == &said) == Printed::failed)

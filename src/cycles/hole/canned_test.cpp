@@ -70,9 +70,9 @@ TEST(canned, PecksFromTheSurface) {
                         with(larger, {{Role::stop_distance_first, 0.5}, {Role::peck_to_surface, 1}})};
     EXPECT_EQ(run(inside.kind, inside.values, standing(2)),
               "R u11 v22 L w-6 R w0 R w-5.5 L w-9 R w0 R w-8.5 L w-10 R w2");
-    EXPECT_FALSE(expand(inside, standing(2)).assumption.empty());
+    EXPECT_FALSE(expand_hole(inside, standing(2)).assumption.empty());
     EXPECT_FALSE(
-        expand({Kind::canned_peck, with(hole, {{Role::surface, 3}, {Role::stop_distance_first, 1}})}, standing(2))
+        expand_hole({Kind::canned_peck, with(hole, {{Role::surface, 3}, {Role::stop_distance_first, 1}})}, standing(2))
             .ok());
 }
 
@@ -119,7 +119,7 @@ TEST(canned, RigidTap) {
         run(Kind::canned_tap_rigid,
             with(canned_hole, {{Role::surface, 0}, {Role::infeed, 7}, {Role::chip_break_turns, 2}, {Role::dwell, 1}}),
             s),
-        "R u11 v22 R w2 S1000 T1.25 w-7 D1 S-1000 T1.25 w-4.5 S1000 T1.25 w-10 D1 S-1000 T1.25 w2 S0 S1000 R w2")
+        "R u11 v22 R w2 S1000 T1.25 w-7 D1 S-1000 T1.25 w-4.5 S1000 T1.25 w-10 D1 S-1000 T1.25 w2 S0 S1000 R")
         << "without a direction of its own the spindle goes on as before";
     s.feed = unknown;
     EXPECT_FALSE(expand_hole({Kind::canned_tap_rigid, tap}, s).ok());

@@ -26,15 +26,15 @@ TEST(Acramatic, TheTableFillsTheWordsOfACycle) {
     EXPECT_EQ(r.messages(), "");
     const std::string cycle =
         testing::m(program::Modal::canned, static_cast<int>(dialect::rs274::AcramaticCycle::peck));
-    EXPECT_EQ(statement_of(r, 0), "F100 X1 Y2 Z-30 CR=5 K4 Q5 I12 J8 D1 E9 " + cycle);
-    EXPECT_EQ(statement_of(r, 1), "X7 Q5 D1");
+    EXPECT_EQ(statement_of(r, 0), "F100 X1 Y2 Z-30 CR5 K4 Q5 I12 J8 D-offset1 E9 " + cycle);
+    EXPECT_EQ(statement_of(r, 1), "X7 Q5 D-offset1");
 }
 
 TEST(Acramatic, WhatTheProgramDoesNotSayIsNotGuessed) {
     EXPECT_NE(acramatic("G81 X1 Y2 Z3 R4 F1\nM2\n").units.front().statements.size(), 0u);
     EXPECT_EQ(acramatic(gage + "G81 X1 Y2 Z3 F1\nM2\n").first_message(), "2:1 G81 needs R, the top of the hole");
     EXPECT_EQ(acramatic(gage + "G83 X1 Y2 Z3 R4 J5 K1 F1\nM2\n").first_message(),
-              "2:18 J of G83 is 1, 2, 3, 11, 12 or 13");
+              "2:17 J of G83 is 1, 2, 3, 11, 12 or 13");
     EXPECT_EQ(acramatic("X1\nM2\n").first_message(),
               "1:1 no motion is in force here, neither said before nor left by G80");
     EXPECT_EQ(acramatic("G0 X1 Q2\nM2\n").first_message(),
