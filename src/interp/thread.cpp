@@ -1,6 +1,7 @@
 /// Moves coupled to the spindle: threads and rigid tapping.
 
 #include <cmath>
+#include <utility>
 
 #include "base/codes.hpp"
 #include "interp/motion.hpp"
@@ -83,7 +84,7 @@ bool thread_motion(Run& run, const geom::Vec3& to) {
         return true;
     }
     t.rigid_tap = taps;
-    t.start = run.block.thread_start.value_or(0);
+    t.start = std::exchange(run.block.thread_start, std::nullopt).value_or(0);
     if (changes_pitch(m) && run.block.has(Code::feed))
         t.change = (m == Modal::thread_rising ? 1 : -1) * run.block.get(Code::feed) * length_unit(run.modal);
     else if (changes_pitch(m)) {

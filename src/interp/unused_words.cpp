@@ -90,6 +90,9 @@ void report_unused(Run& run) {
     if (b.feed_alone && !b.complained && !run.stopped && run.capture == nullptr)
         unchecked(run, codes::unknown_word, run.here(), "FB= has no meaning in this block and is not run",
                   "write it in the block of the path that it is for");
+    if (b.thread_start && !b.complained && !run.stopped && run.capture == nullptr)
+        unchecked(run, codes::unknown_word, run.here(), "SF= has no meaning in this block and is not run",
+                  "write it in the block of a thread (G33, G34, G35)");
     if (!b.axes.empty() && !b.complained && !run.stopped) say_unused_axes(run);
     std::uint64_t left = b.present & ~b.used & ~bare_words;
     if (left == 0 || b.complained || run.stopped) return;

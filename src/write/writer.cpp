@@ -202,26 +202,30 @@ void Writer::take_event(const cl::Record& record) {
     if (const auto* comment = std::get_if<cl::Comment>(&step)) write_comment(*comment);
     if (const auto* next = std::get_if<cl::ToolSelection>(&step)) write_selection(*next);
     if (const auto* signal = std::get_if<cl::Output>(&step)) write_output(*signal);
-    if (const auto* allowed = std::get_if<cl::Override>(&step)) {
-        write_all();
-        constexpr std::array on{Command::override_feed, Command::override_spindle, Command::override_adaptive,
-                                Command::override_hold};
-        constexpr std::array off{Command::override_feed_off, Command::override_spindle_off,
-                                 Command::override_adaptive_off, Command::override_hold_off};
-        values_.clear();
-        print((allowed->on ? on : off)[static_cast<std::size_t>(allowed->kind)], "what the operator may change");
-    }
-    if (const auto* aux = std::get_if<cl::Auxiliary>(&step)) {
-        write_all();
-        values_.clear();
-        values_.set(Text::letter, std::string(1, aux->letter));
-        values_.set(Value::number, static_cast<double>(aux->number));
-        const std::string what = "function " + std::string(1, aux->letter) + std::to_string(aux->number);
-        const std::string& letters = post_.function_letters;
-        if (!letters.empty() && letters.find(aux->letter) == std::string::npos)
-            return note(Fate::lost, what + ": the control has no functions of this letter");
-        print(Command::function, what);
-    }
+    if (const auto* allowed = std::get_if<cl::Override>(&step)) write_override(*allowed);
+    if (const auto* aux = std::get_if<cl::Auxiliary>(&step)) write_function(*aux);
+}
+
+void Writer::write_override(const cl::Override& allowed) {
+    write_all();
+    constexpr std::array on{Command::override_feed, Command::override_spindle, Command::override_adaptive,
+                            Command::override_hold};
+    constexpr std::array off{Command::override_feed_off, Command::override_spindle_off, Command::override_adaptive_off,
+                             Command::override_hold_off};
+    values_.clear();
+    print((allowed.on ? on : off)[static_cast<std::size_t>(allowed.kind)], "what the operator may change");
+}
+
+void Writer::write_function(const cl::Auxiliary& aux) {
+    write_all();
+    values_.clear();
+    values_.set(Text::letter, std::string(1, aux.letter));
+    values_.set(Value::number, static_cast<double>(aux.number));
+    const std::string what = "function " + std::string(1, aux.letter) + std::to_string(aux.number);
+    const std::string& letters = post_.function_letters;
+    if (!letters.empty() && letters.find(aux.letter) == std::string::npos)
+        return note(Fate::lost, what + ": the control has no functions of this letter");
+    print(Command::function, what);
 }
 
 /// That a magazine brings a tool beforehand makes no difference to the path: where the post does not say it, it is left

@@ -87,6 +87,8 @@ private:
     void write_zero(const cl::DatumData& data);
     void write_selection(const cl::ToolSelection& next);
     void write_output(const cl::Output& signal);
+    void write_override(const cl::Override& allowed);
+    void write_function(const cl::Auxiliary& aux);
     void write_tool_data(const cl::ToolData& data);
     void write_frame();
     void write_spindle();

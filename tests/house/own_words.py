@@ -32,11 +32,12 @@ FOREIGN = {  # ROT, TRANS DATUM and MIRROR IMAGE are HEIDENHAIN's, too
     "linuxcnc": KLARTEXT + SIEMENS + EDGES + FANUC_CODES[:1] + FANUC_CODES[2:3] + BITS[:1],
     "fanuc": KLARTEXT + SIEMENS + EDGES + LINUXCNC,
     "haas": KLARTEXT + SIEMENS + EDGES + LINUXCNC + BITS,
+    "acramatic": KLARTEXT + [w for w in SIEMENS if not w.startswith(r"\$")] + EDGES + MACRO + LINUXCNC + FANUC_CODES[1:] + BITS,
     "apt": [w for w in KLARTEXT + SIEMENS if "TRANS" not in w] + EDGES + MACRO + LINUXCNC + FANUC_CODES + BITS + G_WORDS,
 }
 # Cutter locations have no such words: what the stages for all controls say with them cannot come up, or is seen in
 # the golden cases.
-BY_CASES_ALONE = ["apt"]
+BY_CASES_ALONE = ["apt", "acramatic"]
 # Messages with a word of another control on purpose: how they begin, and why.
 ON_PURPOSE = {
     "Klartext begins with BEGIN PGM, DIN/ISO with": "obrys fmt is given a text that is none of HEIDENHAIN's: what one begins with",
@@ -51,6 +52,7 @@ OF_ONE = {
     "the circle is in force from a block before": ["linuxcnc", "fanuc", "haas", "sinumerik"],  # modal arcs by letters
     "coordinates without I, J, K and R while G2": ["fanuc"],  # Traits::line_without_centre
     "write G1, or the arc's radius or centre": ["fanuc"],
+    "write it in the block of a thread (G33": ["sinumerik"],  # SF=
     "the sense of rotation DR is missing": ["heidenhain"],  # CR and CT alone have one
     "if it is global user data (GUD)": ["sinumerik"],  # NamedVariables::plain
     "the program ends before the LBL 0": ["heidenhain"],  # labels that are called
@@ -157,7 +159,7 @@ FILES_OF = {
 }
 SUFFIXES = {"mpf": "sinumerik", "spf": "sinumerik", "arc": "sinumerik", "h": "heidenhain", "i": "heidenhain", "ngc": "linuxcnc"}
 SAID = re.compile(r"^(?:\S+:\d+:\d+: )?(?:error|warning|note): (.*)|^  (?:\S+:\d+:\d+: )?(\S.*) \[[a-z-]+\]$|^ +(remedy: .*)")
-LEAST = {"apt": 20, "heidenhain": 300, "sinumerik": 300, "fanuc": 300, "linuxcnc": 100, "haas": 30}
+LEAST = {"apt": 20, "acramatic": 20, "heidenhain": 300, "sinumerik": 300, "fanuc": 300, "linuxcnc": 100, "haas": 30}
 
 
 def control_of(case, text):
@@ -255,7 +257,7 @@ def controls_of(source, file):
     if "/sinumerik/" in name or "/heidenhain/" in name:
         return [name.split("/")[1]]
     if "/rs274/" in name:
-        return ["linuxcnc"] if "linuxcnc" in name else ["fanuc", "haas"] if "fanuc" in name else ["linuxcnc", "fanuc"]
+        return ["linuxcnc"] if "linuxcnc" in name else ["acramatic"] if "acramatic" in name else ["fanuc", "haas"] if "fanuc" in name else ["linuxcnc", "fanuc"]
     if "/apt/" in name:
         return ["apt"]
     return [c for c in FOREIGN if c not in BY_CASES_ALONE]
@@ -267,7 +269,7 @@ def check_sources(source):
         if word := foreign_in(control, own):
             faults.append(f"driver/wording.cpp: {word!r} is no word of {control}: {own}")
     folders = [*(source / s for s in STAGES), *source.glob("dialect/*"), *source.glob("read/*")]
-    for file in sorted(f for folder in folders for f in folder.glob("*.?pp")):
+    for file in sorted(f for folder in folders for f in folder.rglob("*.?pp")):
         if re.search(r"_test\.|testing\.|wording\.cpp|/control\.cpp|/guess\.cpp|_table\.cpp|likelihood", file.as_posix()):
             continue
         iso = bool(re.search(r"/iso|g_codes", file.as_posix()))
