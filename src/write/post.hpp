@@ -11,6 +11,7 @@
 #include "base/diagnostic.hpp"
 #include "base/source.hpp"
 #include "cl/record.hpp"
+#include "shop/document.hpp"
 #include "write/commands.hpp"
 #include "write/template.hpp"
 
@@ -75,6 +76,10 @@ struct Post {
 /// Reads a post; nothing, with what is wrong in `diagnostics`, where it cannot be used.
 [[nodiscard]] std::optional<Post> read_post(std::uint32_t file, const base::Sources& sources,
                                             base::Diagnostics& diagnostics);
+
+/// A post's file as it is written, with all that it extends below it; places in that lie in `texts`.
+[[nodiscard]] std::optional<shop::Value> whole_post(std::uint32_t file, const base::Sources& sources,
+                                                    base::Sources& texts, base::Diagnostics& diagnostics);
 
 /// The shipped posts of folder posts/: name and text, built in.
 struct ShippedPost {

@@ -79,7 +79,8 @@ public:
         post_.control = file_.text("control").value_or("");
         post_.suffix = file_.text("suffix").value_or("nc");
         if (const auto ends = file_.choice("line_end", {"lf", "crlf"})) post_.line_end = *ends == 0 ? "\n" : "\r\n";
-        static_cast<void>(file_.take("extends"));
+        for (const std::string_view known : {"extends", "expressions", "operators", "functions", "parameters", "flow", "words"})
+            static_cast<void>(file_.take(known));  // the tables: rewrite/language.hpp
         read_numbers();
         read_modal();
         read_commands();
@@ -309,6 +310,11 @@ std::optional<shop::Value> whole_file(std::uint32_t file, const base::Sources& s
 }
 
 }  // namespace
+
+std::optional<shop::Value> whole_post(std::uint32_t file, const base::Sources& sources, base::Sources& texts,
+                                      base::Diagnostics& diagnostics) {
+    return whole_file(file, sources, texts, diagnostics, 0);
+}
 
 std::optional<Post> read_post(std::uint32_t file, const base::Sources& sources, base::Diagnostics& diagnostics) {
     base::Sources texts;
