@@ -118,10 +118,25 @@ std::map<std::string, double> inputs_by_name(const Session& s) {
     return out;
 }
 
+std::string decimal(double v) {
+    std::string text = base::fixed(v, 4);
+    while (text.back() == '0') text.pop_back();
+    if (text.back() == '.') text.pop_back();
+    return text;
+}
+
 /// The run raised an alarm, or something is wrong with it.
 bool has_finding(const Session& s) {
     return std::any_of(s.diagnostics.all().begin(), s.diagnostics.all().end(), [](const base::Diagnostic& d) {
         return base::kind_of(d.code) == base::CodeKind::finding && d.code != codes::runs_otherwise;
+    });
+}
+
+/// Something was not understood or not known. That a called program stands in the file and these values do not lead to
+/// it is no reason.
+bool is_unknown(const Session& s) {
+    return std::any_of(s.diagnostics.all().begin(), s.diagnostics.all().end(), [](const base::Diagnostic& d) {
+        return base::kind_of(d.code) == base::CodeKind::unchecked && d.code != codes::not_run;
     });
 }
 
@@ -140,7 +155,7 @@ std::vector<std::vector<std::string>> other_values(const Session& s, const rewri
     for (std::size_t n = 0; n < count && !inputs.empty(); ++n) {
         std::vector<std::string>& set = out.emplace_back();
         for (const auto& [name, value] : inputs)
-            set.push_back(name + "=" + base::shortest(value * (1 + share(random) / 1000.0)));
+            set.push_back(name + "=" + decimal(value * (1 + share(random) / 1000.0)));
     }
     return out;
 }
@@ -157,7 +172,7 @@ Proved prove_with(const std::vector<std::string>& set, const Kept& kept, const w
     if (!open(own, run)) return out;
     Translated translated{kept.translated.text, path_of(run, tolerance.length)};
     const NameMap map = map_of(kept.rewritten);
-    const bool alarm = has_finding(run);
+    const bool alarm = has_finding(run), unknown = is_unknown(run);
     out = prove(translated, post, own, run, tolerance, {mapped(own.set, map), mapped(run.job.variables, map)});
     if (out.run != nullptr && alarm != has_finding(*out.run)) {
         out.differs = true;
@@ -167,6 +182,11 @@ Proved prove_with(const std::vector<std::string>& set, const Kept& kept, const w
     }
     for (const base::Diagnostic& d : run.diagnostics.all())
         if (d.code == codes::runs_otherwise && what.empty()) what = d.text;
+    if (out.run == nullptr || !out.why_not.empty()) return out;
+    if (unknown || is_unknown(*out.run))
+        out.proof = Proof::not_compared;
+    else
+        out.proof = out.differs ? Proof::differs : Proof::same;
     return out;
 }
 

@@ -81,6 +81,11 @@ void BlockWords::modal(const program::Word& word) {
         case Modal::linear:
         case Modal::arc_cw:
         case Modal::arc_ccw: motion_ = m; return;
+        case Modal::paraxial: {
+            const bool rapid = (program::modal_number(word) & program::paraxial_rapid) != 0;
+            motion_ = rapid ? Modal::rapid : Modal::linear;
+            return;
+        }
         case Modal::dwell: dwell_ = true; return;
         case Modal::plane_xy:
         case Modal::plane_zx:
@@ -245,6 +250,7 @@ void BlockWords::tool() {
     if (!tool_->number) return w_.refuse(w_.here, "a computed tool number is not translated by structure");
     int number = base::clipped<int>(*tool_->number, 0, 999'999), offset = number;
     if (joined_offset_) offset = number % 100, number = number / 100;
+    if (edge_ && edge_->number == tool_->number && w_.unit->traits->edge_is_offset_number) edge_.reset();
     if (edge_ && edge_->number && *edge_->number > 1) {
         if (!w_.language.has("words.edge"))
             return w_.refuse(w_.here, "edge D" + edge_->text + " of a tool has no counterpart there");
@@ -263,10 +269,12 @@ void BlockWords::tool() {
 }
 
 void BlockWords::spindle() {
-    if (limit_) w_.say("words.speed-limit", {{"limit", spelt("", *limit_, false)}}, "a limit of the spindle speed (LIMS)");
+    const std::string* beside = surface_ == Modal::surface_speed_on ? w_.language.find("words.surface-limit") : nullptr;
+    const std::string limit = limit_ && beside != nullptr ? filled(*beside, {{"limit", spelt("", *limit_, false)}}) : "";
+    if (limit_ && beside == nullptr) w_.say("words.speed-limit", {{"limit", spelt("", *limit_, false)}}, "a limit of the spindle speed (LIMS)");
     const int surface = w_.held()[Mode::surface];
     if (surface_ == Modal::surface_speed_on) {
-        w_.say("words.surface", {{"speed", optional("S", speed_)}}, "a constant cutting speed (G96)");
+        w_.say("words.surface", {{"speed", limit + optional("S", speed_)}}, "a constant cutting speed (G96)");
     } else if (surface_ == Modal::surface_speed_off) {
         if (speed_ || w_.language.has("words.surface")) w_.say("words.revolutions", {{"speed", optional("S", speed_)}}, "G97");
     } else if (speed_) {

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "base/number.hpp"
 #include "base/text.hpp"
 #include "base/whole.hpp"
 #include "rewrite/writing.hpp"
@@ -16,6 +17,16 @@ constexpr std::uint32_t first_called = 1001;  ///< number of the first called pr
 std::optional<std::string> constant_text(const Unit& unit, ExprId id) {
     if (id == program::no_expr || unit.exprs[id].kind != ExprKind::text) return std::nullopt;
     return unit.texts[unit.exprs[id].a];
+}
+
+/// The same of constants that are put together.
+std::optional<std::string> joined_text(const Unit& unit, ExprId id) {
+    if (id == program::no_expr) return std::nullopt;
+    const Expr& e = unit.exprs[id];
+    if (e.kind == ExprKind::number) return std::to_string(base::clipped<int>(unit.numbers[e.a], 0, 999'999));
+    if (e.kind != ExprKind::binary || static_cast<Operator>(e.op) != Operator::concat) return constant_text(unit, id);
+    const auto a = joined_text(unit, e.a), b = joined_text(unit, e.b);
+    return a && b ? std::optional(*a + *b) : std::nullopt;
 }
 
 std::string one_line(std::string text) {
@@ -60,6 +71,24 @@ bool Writing::collect(const Unit& u, std::vector<const Unit*>& open) {
     return good;
 }
 
+bool Writing::is_set_first(const Unit& u, std::uint32_t n) const {
+    for (std::uint32_t i = 0; i < u.statements.size() && u.statements[i].kind == StatementKind::block; ++i) {
+        const base::Span span = u.span(u.statements[i]);
+        const auto count = std::count_if(u.exprs.begin(), u.exprs.end(), [&](const Expr& e) {
+            return e.kind == ExprKind::parameter && e.a == n && e.begin >= span.begin && e.end <= span.end;
+        });
+        if (count == 0) continue;
+        bool sets = false;
+        for (std::uint32_t w = u.statements[i].first; w < u.words_end(i); ++w) {
+            if (program::code_of(u.words[w]) != program::Code::assign) continue;
+            const Expr& to = u.exprs[u.assigns[static_cast<std::size_t>(u.words[w].payload)].target];
+            sets = sets || (to.kind == ExprKind::parameter && to.a == n);
+        }
+        return sets && count == 1;
+    }
+    return false;
+}
+
 void Writing::call(const program::Call& c) {
     const Unit* called = callee(*unit, c);
     if (called == nullptr || c.kind == program::CallKind::modal || c.kind == program::CallKind::modal_end)
@@ -76,9 +105,11 @@ void Writing::call(const program::Call& c) {
     std::vector<std::pair<Text, Text>> sets;
     for (const Argument& a : naming.arguments(*called)) {
         const ExprId id = a.index < c.arguments.size() ? c.arguments[a.index] : program::no_expr;
-        if (id == program::no_expr && unit->traits->empty_parameters)
+        if (id == program::no_expr && unit->traits->empty_parameters) {
+            if (is_set_first(*called, static_cast<std::uint32_t>(a.index + 1))) continue;
             return refuse(here, "argument " + std::to_string(a.index + 1) + " is not given here: what is empty there has no counterpart",
                           "give it a value");
+        }
         if (a.to.empty()) return refuse(here, "there is no parameter left for argument " + std::to_string(a.index + 1));
         Text v = id == program::no_expr ? number_text(0) : value(id);
         const std::string* form = language.find("flow.argument");
@@ -103,6 +134,8 @@ void Writing::call(const program::Call& c) {
 
 void Writing::label_call(const program::LabelCall& c, std::uint32_t) {
     const auto range = called_range(*unit, c);
+    if (range && !language.has("flow.repeat-section") && language.has("flow.call-shared"))
+        return static_cast<void>(say("flow.call-shared", {{"name", part(*range)}}, "a called label"));
     if (!range || !language.has("flow.repeat-section"))
         return refuse(here, source(here) + ": a called label is not translated by structure to this control",
                       "write it as a program of its own");
@@ -120,15 +153,27 @@ void Writing::procedure(const program::ProcedureCall& p) {
         static_cast<void>(say(shown ? "flow.message" : "flow.comment", {{"text", one_line(*text)}}, "a message"));
         return;
     }
+    if (p.procedure == program::Procedure::abort && !p.arguments.empty())
+        if (const auto said = joined_text(*unit, p.arguments.front())) return alarm(one_line(*said));
     if (p.procedure != program::Procedure::alarm || p.arguments.empty())
         return refuse(here, source(here) + " is not translated by structure");
     const Expr& e = unit->exprs[p.arguments.front()];
     const auto number = e.kind == ExprKind::number ? base::whole<int>(unit->numbers[e.a], 0, 1'000'000) : std::nullopt;
     if (!number) return refuse(here, "an alarm with a computed number is not translated by structure");
-    const std::string shown = std::to_string(*number % 100);
-    if (shown != std::to_string(*number)) tell(here, "the alarm " + std::to_string(*number) + " has another number there");
-    const std::string said = last_message_.empty() ? "ALARM " + std::to_string(*number) : last_message_;
-    static_cast<void>(say("flow.alarm", {{"number", shown}, {"text", said}}, "an alarm"));
+    alarm(std::to_string(*number) + " " + last_message_);
+}
+
+void Writing::alarm(const std::string& said) {
+    const std::size_t digits = std::min(said.find_first_not_of("0123456789"), said.size());
+    const std::int64_t number = base::parse_integer(std::string_view(said).substr(0, digits)).value_or(99);
+    const int shown = static_cast<int>(number % 100);
+    if (shown != number) tell(here, "the alarm " + std::to_string(number) + " has another number there");
+    const std::string text(base::trim(std::string_view(said).substr(digits)));
+    static_cast<void>(say("flow.alarm",
+                          {{"number", std::to_string(shown)},
+                           {"two", (shown < 10 ? "0" : "") + std::to_string(shown)},
+                           {"text", text.empty() ? "ALARM " + std::to_string(number) : text}},
+                          "an alarm"));
 }
 
 void Writing::define(const program::Define& d) {
@@ -153,7 +198,7 @@ void Writing::end_all() {
     if (!unit->traits->end_stops_all) return leave();
     if (language.end_stops_all) return static_cast<void>(say("flow.end", {}, "the end"));
     tell(here, "the end of all programs in a called one is an alarm there, which stops them");
-    static_cast<void>(say("flow.alarm", {{"number", "99"}, {"text", "END OF ALL PROGRAMS"}}, "an alarm"));
+    alarm("99 END OF ALL PROGRAMS");
 }
 
 void Writing::begin_program(const Unit& u, bool main) {

@@ -99,6 +99,7 @@ std::optional<std::string> Writing::as_text(const Condition& c) const {
 }
 
 void Writing::jump_when(const Condition& c, const std::string& label) {
+    if (!may_jump()) return;
     if (c.kind == Condition::Kind::constant) {
         if (c.holds) jump(label);
         return;

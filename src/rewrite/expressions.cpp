@@ -66,7 +66,7 @@ Text Writing::place_for(ExprId where) {
 }
 
 void Writing::assign(const Text& to, const Text& from) {
-    static_cast<void>(say("expressions.assign", {{"to", to.text}, {"value", from.text}}, "an assignment"));
+    static_cast<void>(say("expressions.assign", {{"to", to.text}, {"value", from.text}, {"bracketed", from.number || from.level == Level::atom ? from.text : language.open + from.text + language.close}}, "an assignment"));
 }
 
 Text Writing::atom(Text v, ExprId where) {

@@ -28,14 +28,14 @@ constexpr std::array known_tables{
                             "trunc round round-away round-up round-down ln log10 exp min max bound fraction"},
     KnownTable{"parameters", "own declare"},
     KnownTable{"flow",
-               "file-begin file-end main-begin main-end sub-begin sub-end label jump jump-if jump-equal jump-not-equal jump-greater jump-less if else end-if while end-while "
+               "file-begin file-end main-begin main-start main-end sub-begin sub-end label jump jump-if jump-equal jump-not-equal jump-greater jump-less if else end-if while end-while "
                "repeat until again loop end-loop call argument call-shared return end stop optional-stop alarm message comment "
                "repeat-section"},
     KnownTable{"words",
                "rapid linear arc-cw arc-ccw arc-radius-cw arc-radius-ccw radius centre no-move plane-xy plane-zx plane-yz "
                "absolute incremental incremental-value incremental-letters per-minute per-rev surface revolutions spindle "
                "cw ccw spindle-stop tool tool-has-speed edge flood mist coolant-off comp-left comp-right comp-off "
-               "comp-off-alone dwell datum length-on speed-limit"},
+               "comp-off-alone dwell datum length-on speed-limit surface-limit"},
 };
 
 /// "Q0-99".

@@ -64,6 +64,12 @@ std::optional<std::string> Naming::take(const std::vector<Pool>& pools, std::set
         if (const std::string text = pool.letters + std::to_string(*wanted); taken.insert(text).second) return text;
     }
     if (wanted) return std::nullopt;
+    if (&pools == &language_.local) {
+        for (const Pool& pool : pools)
+            for (std::uint32_t n = pool.first; n <= pool.last; ++n)
+                if (const std::string text = pool.letters + std::to_string(n); taken.insert(text).second) return text;
+        return std::nullopt;
+    }
     // From the end of the last pool: what keeps its number stands at the begin of the first.
     for (auto pool = pools.rbegin(); pool != pools.rend(); ++pool)
         for (std::uint32_t n = pool->last + 1; n-- > pool->first;)

@@ -110,9 +110,11 @@ Rewritten Writing::run(const std::string& name) {
         if (u->save && u != input.main) saves();
         begin_program(*u, u == input.main);
         const std::size_t top = lines.size();
+        if (u == input.main && language.has("flow.main-start")) static_cast<void>(say("flow.main-start", {}, "the beginning"));
         statements(*u);
         end_program(*u, u == input.main);
         declare(top);
+        parts_of_unit();
     }
     return finished(name);
 }

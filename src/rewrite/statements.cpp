@@ -29,30 +29,96 @@ void structure_targets(const Unit& unit, std::uint32_t i, std::set<std::uint32_t
 
 }  // namespace
 
+namespace {
+
+/// Statements that a run comes to by another way than the call of their label.
+std::set<std::uint32_t> not_only_called(const Unit& unit, const Graph& graph) {
+    std::set<std::uint32_t> seen;
+    std::vector<std::uint32_t> open{0};
+    while (!open.empty()) {
+        const std::uint32_t i = open.back();
+        open.pop_back();
+        if (i >= unit.statements.size() || !seen.insert(i).second) continue;
+        const StatementKind k = unit.statements[i].kind;
+        const bool calls = k == StatementKind::label_call || k == StatementKind::label_end;
+        if (calls)
+            open.push_back(i + 1);
+        else
+            open.insert(open.end(), graph.next[i].begin(), graph.next[i].end());
+    }
+    return seen;
+}
+
+}  // namespace
+
 void Writing::statements(const Unit& u) {
-    labels_.clear(), wanted_.clear(), again_.clear(), counters_.clear(), numbers_.clear(), end_label_.clear();
     const auto n = static_cast<std::uint32_t>(u.statements.size());
+    inline_.clear();
+    const bool parts = !language.has("flow.repeat-section");
+    if (parts) inline_ = not_only_called(u, graphs.at(&u));
+    jumps_refused_ = false;
+    range(0, n, parts);
+    at = n;
+    if (wanted_.contains(n)) place(label_of(n));
+}
+
+void Writing::range(std::uint32_t first, std::uint32_t end, bool only_inline) {
+    const Unit& u = *unit;
+    labels_.clear(), wanted_.clear(), again_.clear(), counters_.clear(), numbers_.clear(), end_label_.clear();
     wanted_ = graphs.at(unit).jumped_to;
-    for (std::uint32_t i = 0; i < n; ++i) {
+    for (std::uint32_t i = 0; i < u.statements.size(); ++i) {
         const StatementKind k = u.statements[i].kind;
         if (is_structure(k) && !keeps_structures()) structure_targets(u, i, wanted_);
-        if (k == StatementKind::label_call)
-            if (const auto r = called_range(u, u.label_calls[entry_of(u, i)])) wanted_.insert(r->first), wanted_.insert(r->last);
-        if (k == StatementKind::repeat_section)
-            if (const auto r = repeated_range(u, i, u.sections[entry_of(u, i)])) wanted_.insert(r->first), wanted_.insert(r->last + 1);
+        if (!language.has("flow.repeat-section")) continue;
+        std::optional<Range> r;
+        if (k == StatementKind::label_call) r = called_range(u, u.label_calls[entry_of(u, i)]);
+        if (r) wanted_.insert(r->first), wanted_.insert(r->last);
+        if (k == StatementKind::repeat_section) r = repeated_range(u, i, u.sections[entry_of(u, i)]);
+        if (r && k == StatementKind::repeat_section) wanted_.insert(r->first), wanted_.insert(r->last + 1);
     }
     for (const auto& [name, places] : u.labels)
         for (const std::uint32_t place : places)
             if (wanted_.contains(place)) labels_.try_emplace(place, input.names->text(name));
-    for (std::uint32_t i = 0; i < n; ++i) {
+    for (std::uint32_t i = first; i < end; ++i) {
+        if (only_inline && !inline_.contains(i) && !is_structure(u.statements[i].kind)) continue;
         at = i;
         here = u.span(u.statements[i]);
         if (wanted_.contains(i)) place(label_of(i));
         if (held()[Mode::plane] != never_there || is_structure(u.statements[i].kind)) statement(i);
         naming.release(u);
     }
-    at = n;
-    if (wanted_.contains(n)) place(label_of(n));
+}
+
+std::string Writing::part(const Range& r) {
+    std::string& name = parts_[{unit, r.first}].name;
+    if (!name.empty()) return name;
+    const Graph& graph = graphs.at(unit);
+    bool good = !naming.has_locals(*unit) || language.local_place == LocalPlace::program;
+    for (std::uint32_t i = r.first; i < r.last; ++i)
+        for (const std::uint32_t to : graph.next[i])
+            good = good && ((to >= r.first && to <= r.last) || unit->statements[i].kind == StatementKind::label_call ||
+                            to >= unit->statements.size());
+    if (!good)
+        refuse(here, source(here) + ": the called part jumps out of itself, or has variables of its own",
+               "write it as a program of its own");
+    name = language.numbered_programs ? std::to_string(2000 + parts_.size()) : "PART_" + std::to_string(parts_.size());
+    parts_[{unit, r.first}].range = r;
+    waiting_.push_back(r.first);
+    return name;
+}
+
+void Writing::parts_of_unit() {
+    while (!waiting_.empty()) {
+        const Part part = parts_[{unit, waiting_.front()}];
+        waiting_.erase(waiting_.begin());
+        here = unit->span(unit->statements[part.range.first]);
+        static_cast<void>(say("flow.sub-begin", {{"name", part.name}, {"parameters", ""}}, "a part"));
+        range(part.range.first, part.range.last, false);
+        at = part.range.last;
+        if (wanted_.contains(at)) place(label_of(at));
+        if (!end_label_.empty()) place(end_label_);
+        static_cast<void>(say("flow.sub-end", {{"name", part.name}}, "a part"));
+    }
 }
 
 std::string Writing::label_of(std::uint32_t statement) {
@@ -80,11 +146,23 @@ std::string Writing::fresh_label() {
     return label;
 }
 
+bool Writing::may_jump() {
+    if (language.has("flow.jump")) return true;
+    if (!jumps_refused_)
+        refuse(here, source(here) + ": the control has no jumps to labels",
+               "write the program with IF, WHILE and subprograms alone");
+    jumps_refused_ = true;
+    return false;
+}
+
 void Writing::place(const std::string& label) {
+    if (!may_jump()) return;
     static_cast<void>(say("flow.label", {{"label", label}}, "a label"));
 }
 
-void Writing::jump(const std::string& label) { static_cast<void>(say("flow.jump", {{"label", label}}, "a jump")); }
+void Writing::jump(const std::string& label) {
+    if (may_jump()) static_cast<void>(say("flow.jump", {{"label", label}}, "a jump"));
+}
 
 void Writing::statement(std::uint32_t i) {
     const program::Statement& s = unit->statements[i];

@@ -90,6 +90,8 @@ public:
     void call(const program::Call& c);
     void label_call(const program::LabelCall& c, std::uint32_t statement);
     void procedure(const program::ProcedureCall& p);
+    /// An alarm of the program: its number, a blank and its text.
+    void alarm(const std::string& said);
     void define(const program::Define& d);
     void begin_program(const Unit& unit, bool main);
     void end_program(const Unit& unit, bool main);
@@ -127,7 +129,15 @@ public:
 private:
     const Unit* callee(const Unit& caller, const program::Call& c) const;
     bool collect(const Unit& unit, std::vector<const Unit*>& open);
+    /// Statements [first, end).
+    void range(std::uint32_t first, std::uint32_t end, bool only_inline);
     void statement(std::uint32_t i);
+    /// The name under which a called part of the unit is a program of its own.
+    std::string part(const Range& r);
+    void parts_of_unit();
+    bool may_jump();
+    /// Argument n is set by the program before it reads it.
+    [[nodiscard]] bool is_set_first(const Unit& unit, std::uint32_t n) const;
     void structure(std::uint32_t i);
     void branch(std::uint32_t i);
     void loop(std::uint32_t i);
@@ -152,6 +162,14 @@ private:
     std::map<std::uint32_t, std::string> numbers_;      ///< of structures
     int next_label_ = 0, next_number_ = 0;
     std::string end_label_;
+    struct Part {
+        std::string name;
+        Range range;
+    };
+    std::map<std::pair<const Unit*, std::uint32_t>, Part> parts_;  ///< by their first statement
+    std::vector<std::uint32_t> waiting_;                           ///< parts of the unit to be written
+    std::set<std::uint32_t> inline_;  ///< statements to which more than calls of labels lead
+    bool jumps_refused_ = false;
     std::string last_message_;
 };
 

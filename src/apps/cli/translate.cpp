@@ -59,7 +59,9 @@ driver::Proof proved_with_all(driver::Session& s, const driver::Kept& kept, cons
         runs.push_back({set, p.proof});
         differs = differs || p.differs || p.proof == driver::Proof::differs;
         unknown = unknown || p.proof == driver::Proof::not_compared;
-        if (p.run != nullptr && p.proof != driver::Proof::same) print_diagnostics(*p.run, base::Severity::warning);
+        const bool first = set.empty();
+        if (p.run != nullptr && p.proof != driver::Proof::same && first)
+            print_diagnostics(*p.run, base::Severity::warning);
         std::fprintf(stderr, "%s: %zu moves, %s%s%s\n",
                      p.differs                                ? "does not do the same"
                      : p.proof == driver::Proof::same         ? "does the same"
