@@ -133,7 +133,7 @@ std::string translated(const std::shared_ptr<Memory>& memory, const std::string&
 TEST(keep_property, random_programs_do_the_same_on_every_control) {
     std::mt19937 seeds(base::testing_seed());
     for (int n = 0; n < 12 && !::testing::Test::HasFailure(); ++n) {
-        const std::uint32_t seed = seeds();
+        const auto seed = static_cast<std::uint32_t>(seeds());
         RandomProgram program(seed, n % 2 == 0);
         auto memory = std::make_shared<Memory>();
         memory->put("MAIN.MPF", program.text());
@@ -149,7 +149,7 @@ TEST(keep_property, random_programs_do_the_same_on_every_control) {
 TEST(keep_property, what_was_written_is_translated_on) {
     std::mt19937 seeds(base::testing_seed() + 1);
     for (int n = 0; n < 4 && !::testing::Test::HasFailure(); ++n) {
-        const std::uint32_t seed = seeds();
+        const auto seed = static_cast<std::uint32_t>(seeds());
         RandomProgram program(seed, true);
         auto memory = std::make_shared<Memory>();
         memory->put("MAIN.MPF", program.text());

@@ -19,11 +19,23 @@ std::optional<std::string> constant_text(const Unit& unit, ExprId id) {
     return unit.texts[unit.exprs[id].a];
 }
 
+/// A sum of constants.
+std::optional<int> constant_sum(const Unit& unit, ExprId id) {
+    const Expr& e = unit.exprs[id];
+    if (e.kind == ExprKind::number) return base::whole<int>(unit.numbers[e.a], 0, 1'000'000);
+    if (e.kind != ExprKind::binary || static_cast<Operator>(e.op) != Operator::add) return std::nullopt;
+    const auto a = constant_sum(unit, e.a), b = constant_sum(unit, e.b);
+    return a && b ? std::optional(*a + *b) : std::nullopt;
+}
+
 /// The same of constants that are put together.
 std::optional<std::string> joined_text(const Unit& unit, ExprId id) {
     if (id == program::no_expr) return std::nullopt;
     const Expr& e = unit.exprs[id];
-    if (e.kind == ExprKind::number) return std::to_string(base::clipped<int>(unit.numbers[e.a], 0, 999'999));
+    if (e.kind == ExprKind::function && static_cast<Function>(e.op) == Function::to_text && e.count > 0) {
+        const auto n = constant_sum(unit, unit.children[e.b]);
+        return n ? std::optional(std::to_string(*n)) : std::nullopt;
+    }
     if (e.kind != ExprKind::binary || static_cast<Operator>(e.op) != Operator::concat) return constant_text(unit, id);
     const auto a = joined_text(unit, e.a), b = joined_text(unit, e.b);
     return a && b ? std::optional(*a + *b) : std::nullopt;

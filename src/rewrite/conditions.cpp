@@ -73,6 +73,10 @@ Condition Writing::condition(ExprId id, bool negated) {
     if (e.kind == ExprKind::binary && op >= Operator::equal && op <= Operator::greater_equal) {
         c.a = operand(e.a), c.b = operand(e.b);
         c.op = negated ? opposite(op) : op;
+        if (c.a.number && c.a.number == c.b.number && (op == Operator::equal || op == Operator::not_equal)) {
+            c.kind = Condition::Kind::constant;  // FN 9: IF +0 EQU +0: always
+            c.holds = (op == Operator::equal) != negated;
+        }
     } else {
         c.a = operand(id), c.b = number_text(0);
         c.op = negated ? Operator::equal : Operator::not_equal;

@@ -64,7 +64,7 @@ void Writing::statements(const Unit& u) {
 
 void Writing::range(std::uint32_t first, std::uint32_t end, bool only_inline) {
     const Unit& u = *unit;
-    labels_.clear(), wanted_.clear(), again_.clear(), counters_.clear(), numbers_.clear(), end_label_.clear();
+    labels_.clear(), settled_.clear(), wanted_.clear(), again_.clear(), counters_.clear(), numbers_.clear(), end_label_.clear();
     wanted_ = graphs.at(unit).jumped_to;
     for (std::uint32_t i = 0; i < u.statements.size(); ++i) {
         const StatementKind k = u.statements[i].kind;
@@ -122,21 +122,16 @@ void Writing::parts_of_unit() {
 }
 
 std::string Writing::label_of(std::uint32_t statement) {
-    if (language.numbered_labels) {
-        std::string& label = labels_[statement];
-        if (label.empty() || !all_labels_.contains(label)) label = fresh_label();
-        return label;
-    }
-    std::string& label = labels_[statement];
-    if (!label.empty() && all_labels_.contains(label)) return label;
-    if (label.empty()) return label = fresh_label();
+    std::string& settled = settled_[statement];
+    if (!settled.empty()) return settled;
+    const auto own = labels_.find(statement);
+    if (language.numbered_labels || own == labels_.end()) return settled = fresh_label();
     std::string name;  // the program's own, made good
-    for (const char c : label) name += base::is_letter(c) || base::is_digit(c) ? base::upper(c) : '_';
+    for (const char c : own->second) name += base::is_letter(c) || base::is_digit(c) ? base::upper(c) : '_';
     const bool word = name.size() > 1 && !base::is_digit(name[0]) && !base::is_digit(name[1]);
     if (!word) name = "LBL_" + name;
-    while (all_labels_.contains(name)) name += "_" + unit->name;
-    all_labels_.insert(name);
-    return label = name;
+    while (!all_labels_.insert(name).second) name += "_" + program_name(*unit);
+    return settled = name;
 }
 
 std::string Writing::fresh_label() {

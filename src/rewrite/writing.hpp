@@ -153,7 +153,8 @@ private:
     void declare(std::size_t top);
     Rewritten finished(const std::string& name);
 
-    std::map<std::uint32_t, std::string> labels_;   ///< of the unit's statements
+    std::map<std::uint32_t, std::string> labels_;   ///< of the unit's statements, as the program calls them
+    std::map<std::uint32_t, std::string> settled_;  ///< … and as they are called there
     std::set<std::uint32_t> wanted_;                ///< statements that need a label
     std::set<std::string> all_labels_;
     std::map<const Unit*, std::string> program_names_;
