@@ -166,7 +166,7 @@ Proved prove_with(const std::vector<std::string>& set, const Kept& kept, const w
     Request own = request;
     own.set.insert(own.set.end(), set.begin(), set.end());
     own.prints_nowhere = true;
-    own.folders = std::make_shared<Folders>(run.storage);
+    own.folders = std::make_shared<Folders>(request.folders->storage());
     Proved out;
     out.why_not = "the program could not be run with these values";
     if (!open(own, run)) return out;
