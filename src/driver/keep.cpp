@@ -198,9 +198,7 @@ std::string_view name_of(rewrite::Fate fate) {
     return fate == rewrite::Fate::lost ? "lost" : fate == rewrite::Fate::mapped ? "mapped" : "expanded";
 }
 
-Json proof_json(Proof p) {
-    return p == Proof::same ? Json(true) : p == Proof::differs ? Json(false) : Json(nullptr);
-}
+Json proof_json(Proof p) { return p == Proof::same ? Json(true) : p == Proof::differs ? Json(false) : Json(nullptr); }
 
 Json place_json(const Session& s, const base::Span& at) {
     if (at.file >= s.sources.size()) return nullptr;

@@ -37,7 +37,7 @@ using NameMap = std::vector<std::pair<std::string, std::string>>;
 /// Sets of other values for the parameters that the programs assign once, as a constant: within a fifth of it. The same
 /// ones every time; none where there is no such parameter.
 [[nodiscard]] std::vector<std::vector<std::string>> other_values(const Session& session, const rewrite::Rewritten& what,
-                                                                std::size_t count);
+                                                                 std::size_t count);
 
 /// As `prove`, with the values of `set` on both sides: the program is run again with them. A run that ends with an
 /// alarm must do so in both.

@@ -18,7 +18,8 @@ public:
 
     std::string text() {
         std::string out = "G17 G90 G71\nT1 D1 M6\nS1000 M3\nG94 F200\n";
-        for (int r = 1; r <= 5; ++r) out += "R" + std::to_string(r) + "=" + std::to_string(one_to(9)) + "." + std::to_string(one_to(9)) + "\n";
+        for (int r = 1; r <= 5; ++r)
+            out += "R" + std::to_string(r) + "=" + std::to_string(one_to(9)) + "." + std::to_string(one_to(9)) + "\n";
         out += "R10=0\nR11=0\nR12=0\nR13=0\nG0 X0 Y0 Z50\n";
         for (int i = 0; i < 6; ++i) out += statement(0);
         return out + "M30\n";
@@ -82,9 +83,13 @@ private:
             case 4: return "R" + std::to_string(one_to(5)) + "=" + expression(0) + "\n";
             case 5: return "SUB(" + expression(1) + "," + expression(1) + ")\n";
             case 6: return "IF " + condition() + "\n" + body(depth) + "ELSE\n" + body(depth) + "ENDIF\n";
-            case 7: return counter + "=0\nWHILE (" + counter + "<" + limit + ") AND (R5<>1234)\n" + body(depth) + counter + "=" + counter + "+1\nENDWHILE\n";
+            case 7:
+                return counter + "=0\nWHILE (" + counter + "<" + limit + ") AND (R5<>1234)\n" + body(depth) + counter +
+                       "=" + counter + "+1\nENDWHILE\n";
             case 8: return "FOR " + counter + "=1 TO " + limit + "\n" + body(depth) + "ENDFOR\n";
-            case 9: return counter + "=0\nREPEAT\n" + body(depth) + counter + "=" + counter + "+1\nUNTIL " + counter + ">=" + limit + "\n";
+            case 9:
+                return counter + "=0\nREPEAT\n" + body(depth) + counter + "=" + counter + "+1\nUNTIL " + counter +
+                       ">=" + limit + "\n";
             case 10: return "IF " + condition() + "\n" + body(depth) + "ENDIF\n";
             default: {
                 const std::string label = "MARK" + std::to_string(++labels_);

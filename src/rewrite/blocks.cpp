@@ -1,23 +1,15 @@
 /// Blocks: motion, feed, spindle, tools and the rest of what words say, each as the language has it.
 
 #include <algorithm>
-#include <cmath>
 
 #include "base/whole.hpp"
 #include "rewrite/block_words.hpp"
 
 namespace obrys::rewrite {
 
-using program::Code;
 using program::Modal;
 
 namespace {
-
-bool has_later_assign(const Unit& unit, std::uint32_t w, std::uint32_t end) {
-    for (++w; w < end; ++w)
-        if (program::code_of(unit.words[w]) == Code::assign) return true;
-    return false;
-}
 
 std::string lines_of_block(const std::vector<std::string>& words) {
     std::string out;
@@ -34,7 +26,8 @@ std::string BlockWords::spelt(std::string_view word, const Text& given, bool is_
     if (!w_.language.computes && !v.number && !negated) v = w_.atom(v, program::no_expr);
     const bool plus = is_length && w_.language.sign && v.text[0] != '-';
     const std::string value = (plus ? "+" : "") + v.text;
-    const std::string bracketed = v.number || v.level == Level::atom ? v.text : w_.language.open + v.text + w_.language.close;
+    const std::string bracketed =
+        v.number || v.level == Level::atom ? v.text : w_.language.open + v.text + w_.language.close;
     const bool plain = v.number || !w_.language.computes;
     const std::string* form = w_.language.find(plain ? "expressions.word" : "expressions.word-computed");
     if (form == nullptr) return std::string(word) + value;
@@ -44,164 +37,6 @@ std::string BlockWords::spelt(std::string_view word, const Text& given, bool is_
 std::string BlockWords::optional(std::string_view word, const std::optional<Text>& v) {
     return v ? " " + spelt(word, *v, false) : "";
 }
-
-Text BlockWords::across(const Text& v, bool source_across) {
-    if (source_across == w_.language.across) return v;
-    const double factor = source_across ? 0.5 : 2;
-    if (v.number) return w_.number_text(*v.number * factor);
-    return source_across ? w_.joined("operators.divide", v, w_.number_text(2), Level::product)
-                         : w_.joined("operators.multiply", w_.number_text(2), v, Level::product);
-}
-
-void BlockWords::axis(char letter, ExprId id, const Text& given) {
-    const Expr* e = id == program::no_expr ? nullptr : &w_.unit->exprs[id];
-    Axis axis{letter, given, false};
-    int distance = w_.held()[Mode::distance];
-    if (distance_) distance = *distance_ == Modal::incremental ? 1 : 0;
-    bool known = distance != several;
-    axis.incremental = distance == 1;
-    int source_across = w_.held()[Mode::across];
-    if (e != nullptr && e->kind == ExprKind::qualified) {
-        const auto r = static_cast<program::Reference>(e->op);
-        known = r == program::Reference::absolute || r == program::Reference::incremental;
-        axis.incremental = r == program::Reference::incremental;
-        if (!known) return w_.refuse(w_.here, w_.source(w_.span(id)) + ": this way of giving a coordinate is not translated by structure");
-    }
-    if (!known) return w_.refuse(w_.here, "whether coordinates are absolute here depends on the way that the run has come", "write G90 or G91 in this block");
-    if (letter == 'X' && source_across == several)
-        return w_.refuse(w_.here, "whether X is a diameter here depends on the way that the run has come", "write DIAMON or DIAMOF in this block");
-    if (letter == 'X') axis.value = across(axis.value, source_across == 1);
-    axes_.push_back(axis);
-}
-
-void BlockWords::modal(const program::Word& word) {
-    const Modal m = program::modal_of(word);
-    switch (m) {
-        case Modal::rapid:
-        case Modal::linear:
-        case Modal::arc_cw:
-        case Modal::arc_ccw: motion_ = m; return;
-        case Modal::paraxial: {
-            const bool rapid = (program::modal_number(word) & program::paraxial_rapid) != 0;
-            motion_ = rapid ? Modal::rapid : Modal::linear;
-            return;
-        }
-        case Modal::dwell: dwell_ = true; return;
-        case Modal::plane_xy:
-        case Modal::plane_zx:
-        case Modal::plane_yz: plane_ = m; return;
-        case Modal::absolute:
-        case Modal::incremental: distance_ = m; return;
-        case Modal::feed_per_minute:
-        case Modal::feed_per_rev: feed_mode_ = m; return;
-        case Modal::surface_speed_on:
-        case Modal::surface_speed_off: surface_ = m; return;
-        case Modal::compensation_left:
-        case Modal::compensation_right:
-        case Modal::compensation_off: compensation_ = m; return;
-        case Modal::datum: datum_ = program::modal_number(word); return;
-        case Modal::tool_length: length_ = true; return;
-        case Modal::program_stop: m_.push_back(0); return;
-        case Modal::diameter_on:
-        case Modal::diameter_off:
-        case Modal::metric_geometry:
-        case Modal::metric_all:
-        case Modal::tool_length_off:
-        case Modal::canned_off:
-        case Modal::position_reset:
-        case Modal::arc_centre_incremental:
-        case Modal::retract_initial: return;
-        case Modal::exact_stop:
-        case Modal::exact_stop_block:
-        case Modal::continuous:
-        case Modal::path_exact:
-        case Modal::path_stop:
-        case Modal::corner_arc:
-        case Modal::approach_normal:
-            return w_.tell(word_, w_.source(word_) + ": how moves are joined is as the control has it");
-        default:
-            w_.refuse(word_, w_.source(word_) + " is not translated by structure",
-                      "translate without --keep: its moves are written then");
-    }
-}
-
-void BlockWords::gather() {
-    const Unit& unit = *w_.unit;
-    const std::uint32_t end = unit.words_end(w_.at);
-    std::vector<std::pair<Text, Text>> together;
-    for (std::uint32_t i = unit.statements[w_.at].first; i < end; ++i) {
-        const program::Word& word = unit.words[i];
-        const Code code = program::code_of(word);
-        word_ = unit.span(unit.statements[w_.at], word);
-        if (code == Code::modal) {
-            modal(word);
-            continue;
-        }
-        if (code == Code::assign) {
-            const program::Assign& a = unit.assigns[static_cast<std::size_t>(word.payload)];
-            const auto to = w_.target_of(a.target);
-            const Text from = w_.value(a.value);
-            const bool later = unit.traits->assigns_together && end - unit.statements[w_.at].first > 1;
-            if (to && later) {
-                const Text held = from.number ? from : w_.place_for(a.value);
-                if (!from.number) w_.assign(held, from);
-                together.emplace_back(*to, held);
-            } else if (to) {
-                w_.assign(*to, from);
-            }
-            continue;
-        }
-        if (code == Code::act || code == Code::comment) continue;
-        const bool literal = program::is_literal(word), bare = program::form_of(word) == program::Form::bare;
-        const ExprId id = program::form_of(word) == program::Form::expression ? static_cast<ExprId>(word.payload) : program::no_expr;
-        Text v = literal ? w_.number_text(unit.literal(word)) : id != program::no_expr ? w_.value(id) : Text{};
-        if (!literal && !bare && id == program::no_expr) {
-            w_.refuse(word_, w_.source(word_) + " is not translated by structure");
-            continue;
-        }
-        if (!v.number && id != program::no_expr && has_later_assign(unit, i, end) && !unit.traits->assigns_together) {
-            const Text held = w_.place_for(id);  // as it is before this block's assignments
-            w_.assign(held, v);
-            v = held;
-        }
-        take(code, id, v);
-    }
-    for (const auto& [to, from] : together) w_.assign(to, from);
-}
-
-void BlockWords::take(Code code, ExprId id, const Text& v) {
-    constexpr std::string_view letters = "XYZABCUVW";
-    switch (code) {
-        case Code::i:
-        case Code::j:
-        case Code::k:
-            if (id != program::no_expr && w_.unit->exprs[id].kind == ExprKind::qualified) break;
-            centre_.emplace_back(static_cast<std::size_t>(code) - static_cast<std::size_t>(Code::i), v);
-            return;
-        case Code::radius: radius_ = v; return;
-        case Code::feed: feed_ = v; return;
-        case Code::spindle: speed_ = v; return;
-        case Code::speed_limit: limit_ = v; return;
-        case Code::tool: tool_ = v; return;
-        case Code::edge: edge_ = v; return;
-        case Code::tool_change:
-            change_ = true;
-            if (v.number) tool_ = v, joined_offset_ = true;
-            return;
-        case Code::p: dwell_time_ = v; return;
-        case Code::offset_h: offset_ = v; return;
-        case Code::offset_d: return;  // of the tool's own radius: with G41 the text says it again
-        case Code::m:
-            if (const auto n = v.number ? base::whole<int>(*v.number, 0, 999) : std::nullopt) return m_.push_back(*n);
-            break;
-        default:
-            if (code <= Code::w) return axis(letters[static_cast<std::size_t>(code)], id, v);
-            break;
-    }
-    w_.refuse(word_, w_.source(word_) + " is not translated by structure", "translate without --keep: its moves are written then");
-}
-
-// ------------------------------------------------------------------ what is written
 
 bool BlockWords::function_before(int m) {
     switch (m) {
@@ -226,7 +61,8 @@ void BlockWords::function_behind(int m) {
         case 5: return static_cast<void>(w_.say("words.spindle-stop", {}, "M5"));
         case 9: return static_cast<void>(w_.say("words.coolant-off", {}, "M9"));
         default:
-            w_.refuse(w_.here, "M" + std::to_string(m) + " is not translated by structure: what it does is the machine's own");
+            w_.refuse(w_.here,
+                      "M" + std::to_string(m) + " is not translated by structure: what it does is the machine's own");
     }
 }
 
@@ -240,7 +76,8 @@ void BlockWords::tool() {
     }
     if (!tool_ && on_m6) tool_ = w_.prepared_tool, edge_ = edge_ ? edge_ : w_.prepared_edge;
     if (!tool_ && (on_m6 || change_) && !(change_ && speed_))
-        return w_.refuse(w_.here, "which tool comes into the spindle is not known from this block", "write T and M6 in one block");
+        return w_.refuse(w_.here, "which tool comes into the spindle is not known from this block",
+                         "write T and M6 in one block");
     if (!tool_ && edge_) {
         if (w_.language.has("words.edge")) return static_cast<void>(w_.say("words.edge", {{"edge", edge_->text}}, "D"));
         if (edge_->number == 1.0) return;
@@ -270,16 +107,21 @@ void BlockWords::tool() {
 
 void BlockWords::spindle() {
     const std::string* beside = surface_ == Modal::surface_speed_on ? w_.language.find("words.surface-limit") : nullptr;
-    const std::string limit = limit_ && beside != nullptr ? filled(*beside, {{"limit", spelt("", *limit_, false)}}) : "";
-    if (limit_ && beside == nullptr) w_.say("words.speed-limit", {{"limit", spelt("", *limit_, false)}}, "a limit of the spindle speed (LIMS)");
+    const std::string limit =
+        limit_ && beside != nullptr ? filled(*beside, {{"limit", spelt("", *limit_, false)}}) : "";
+    if (limit_ && beside == nullptr)
+        w_.say("words.speed-limit", {{"limit", spelt("", *limit_, false)}}, "a limit of the spindle speed (LIMS)");
     const int surface = w_.held()[Mode::surface];
     if (surface_ == Modal::surface_speed_on) {
         w_.say("words.surface", {{"speed", limit + optional("S", speed_)}}, "a constant cutting speed (G96)");
     } else if (surface_ == Modal::surface_speed_off) {
-        if (speed_ || w_.language.has("words.surface")) w_.say("words.revolutions", {{"speed", optional("S", speed_)}}, "G97");
+        if (speed_ || w_.language.has("words.surface"))
+            w_.say("words.revolutions", {{"speed", optional("S", speed_)}}, "G97");
     } else if (speed_) {
-        if (surface == several) return w_.refuse(w_.here, "whether S is a cutting speed here depends on the way that the run has come");
-        if (surface == 1 && !w_.language.has("words.surface")) return w_.refuse(w_.here, "S is a cutting speed (G96) here, which the control has not");
+        if (surface == several)
+            return w_.refuse(w_.here, "whether S is a cutting speed here depends on the way that the run has come");
+        if (surface == 1 && !w_.language.has("words.surface"))
+            return w_.refuse(w_.here, "S is a cutting speed (G96) here, which the control has not");
         w_.say("words.spindle", {{"speed", spelt("S", *speed_, false)}}, "a speed");
     }
 }
@@ -290,7 +132,8 @@ void BlockWords::feed_mode() {
     w_.say(per_rev ? "words.per-rev" : "words.per-minute", {}, per_rev ? "feed per revolution" : "feed per minute");
     const int surface = w_.held()[Mode::surface];
     const bool ends = w_.unit->traits->feed_mode_ends_surface_speed, there = w_.language.feed_ends_surface;
-    if (surface == 0 || surface == never_there || surface_ || ends == there || !w_.language.has("words.surface")) return;
+    if (surface == 0 || surface == never_there || surface_ || ends == there || !w_.language.has("words.surface"))
+        return;
     if (ends) {
         w_.say("words.revolutions", {{"speed", ""}}, "G97");
     } else if (surface == 1) {
@@ -302,11 +145,15 @@ void BlockWords::feed_mode() {
 
 void BlockWords::modes() {
     if (plane_) {
-        const std::string_view key = *plane_ == Modal::plane_xy ? "words.plane-xy" : *plane_ == Modal::plane_zx ? "words.plane-zx" : "words.plane-yz";
+        const std::string_view key = *plane_ == Modal::plane_xy   ? "words.plane-xy"
+                                     : *plane_ == Modal::plane_zx ? "words.plane-zx"
+                                                                  : "words.plane-yz";
         if (w_.language.has(key))
             w_.say(key, {}, "a plane");
         else
-            w_.tell(w_.here, "the plane is that of the tool axis there: straight moves name their axes, arcs are written in X and Y alone");
+            w_.tell(w_.here,
+                    "the plane is that of the tool axis there: straight moves name their axes, arcs are written in X "
+                    "and Y alone");
     }
     if (datum_) {
         if (w_.language.has("words.datum"))
@@ -316,7 +163,8 @@ void BlockWords::modes() {
     }
     if (length_ && w_.language.has("words.length-on")) {
         if (!offset_ || !offset_->number || w_.tool_in_spindle != base::clipped<int>(*offset_->number, 0, 999'999))
-            return w_.refuse(w_.here, "the length of another tool than the one in the spindle is not translated by structure");
+            return w_.refuse(w_.here,
+                             "the length of another tool than the one in the spindle is not translated by structure");
     }
 }
 
@@ -326,13 +174,15 @@ std::string BlockWords::axes_text() {
         const std::string* form = a.incremental ? w_.language.find("words.incremental-value") : nullptr;
         const std::string* letters = a.incremental ? w_.language.find("words.incremental-letters") : nullptr;
         std::string letter(1, a.letter);
-        if (letters != nullptr && letters->find(a.letter) != std::string::npos && letters->find(a.letter) + 1 < letters->size())
+        if (letters != nullptr && letters->find(a.letter) != std::string::npos &&
+            letters->find(a.letter) + 1 < letters->size())
             letter = (*letters)[letters->find(a.letter) + 1];
         if (form == nullptr) {
             words.push_back(spelt(letter, a.value, true));
             continue;
         }
-        words.push_back(filled(*form, {{"letter", letter}, {"value", a.value.text}, {"word", spelt(letter, a.value, true)}}));
+        words.push_back(
+            filled(*form, {{"letter", letter}, {"value", a.value.text}, {"word", spelt(letter, a.value, true)}}));
     }
     return lines_of_block(words);
 }
@@ -351,7 +201,8 @@ std::string BlockWords::centre_text() {
     }
     std::string out;
     for (const auto& [i, v] : centre_) {
-        const std::string letter = names != nullptr && names->size() >= 6 ? names->substr(i * 2, 2) : std::string(1, "IJK"[i]);
+        const std::string letter =
+            names != nullptr && names->size() >= 6 ? names->substr(i * 2, 2) : std::string(1, "IJK"[i]);
         out += (out.empty() ? "" : " ") + spelt(letter, v, true);
     }
     return out;
@@ -363,7 +214,10 @@ void BlockWords::move() {
     if (!axes_.empty() || radius_ || !centre_.empty()) {
         int held = w_.held()[Mode::motion];
         if (motion_) held = static_cast<int>(*motion_);
-        if (held < 0) return w_.refuse(w_.here, "which motion is in force here depends on the way that the run has come, or is not said", "write G0 or G1 in this block");
+        if (held < 0)
+            return w_.refuse(w_.here,
+                             "which motion is in force here depends on the way that the run has come, or is not said",
+                             "write G0 or G1 in this block");
         motion = static_cast<Modal>(held);
     }
     const bool arc = motion == Modal::arc_cw || motion == Modal::arc_ccw;
@@ -375,28 +229,42 @@ void BlockWords::move() {
         feed.clear();
     }
     if (!moves) {
-        if (compensation_ && *compensation_ != Modal::compensation_off) w_.refuse(w_.here, "compensation without a move is not translated by structure");
-        if (compensation_ == Modal::compensation_off && w_.language.has("words.comp-off-alone")) w_.say("words.comp-off-alone", {}, "G40");
+        if (compensation_ && *compensation_ != Modal::compensation_off)
+            w_.refuse(w_.here, "compensation without a move is not translated by structure");
+        if (compensation_ == Modal::compensation_off && w_.language.has("words.comp-off-alone"))
+            w_.say("words.comp-off-alone", {}, "G40");
         return;
     }
     std::string compensation;
     if (compensation_) {
-        const std::string_view key = *compensation_ == Modal::compensation_left ? "words.comp-left" : *compensation_ == Modal::compensation_right ? "words.comp-right" : "words.comp-off";
+        const std::string_view key = *compensation_ == Modal::compensation_left    ? "words.comp-left"
+                                     : *compensation_ == Modal::compensation_right ? "words.comp-right"
+                                                                                   : "words.comp-off";
         const std::string* text = w_.language.find(key);
-        if (text == nullptr) return w_.refuse(w_.here, "radius compensation is not translated by structure to this control");
+        if (text == nullptr)
+            return w_.refuse(w_.here, "radius compensation is not translated by structure to this control");
         compensation = filled(*text, {{"tool", std::to_string(w_.tool_in_spindle)}});
     }
     const bool all = std::all_of(axes_.begin(), axes_.end(), [](const Axis& a) { return a.incremental; });
     const bool any = std::any_of(axes_.begin(), axes_.end(), [](const Axis& a) { return a.incremental; });
-    const bool by_mode = any && !w_.language.has("words.incremental-value") && !w_.language.has("words.incremental-letters");
-    if (by_mode && !all) return w_.refuse(w_.here, "absolute and incremental coordinates in one block have no counterpart there", "write them in two blocks");
+    const bool by_mode =
+        any && !w_.language.has("words.incremental-value") && !w_.language.has("words.incremental-letters");
+    if (by_mode && !all)
+        return w_.refuse(w_.here, "absolute and incremental coordinates in one block have no counterpart there",
+                         "write them in two blocks");
     const int plane = w_.held()[Mode::plane];
     if (arc && !w_.language.has("words.plane-zx") && (plane_ ? *plane_ != Modal::plane_xy : plane != 17))
         return w_.refuse(w_.here, "an arc outside the plane of X and Y is not translated by structure to this control");
-    std::string_view key = motion == Modal::rapid ? "words.rapid" : motion == Modal::linear ? "words.linear" : motion == Modal::arc_cw ? "words.arc-cw" : "words.arc-ccw";
-    if (arc && radius_ && w_.language.has("words.arc-radius-cw")) key = motion == Modal::arc_cw ? "words.arc-radius-cw" : "words.arc-radius-ccw";
-    if (arc && !radius_ && centre_.empty()) return w_.refuse(w_.here, "an arc whose centre is said elsewhere is not translated by structure");
-    if (!arc && (radius_ || !centre_.empty())) return w_.refuse(w_.here, "a centre or radius beside a straight move is not translated by structure");
+    std::string_view key = motion == Modal::rapid    ? "words.rapid"
+                           : motion == Modal::linear ? "words.linear"
+                           : motion == Modal::arc_cw ? "words.arc-cw"
+                                                     : "words.arc-ccw";
+    if (arc && radius_ && w_.language.has("words.arc-radius-cw"))
+        key = motion == Modal::arc_cw ? "words.arc-radius-cw" : "words.arc-radius-ccw";
+    if (arc && !radius_ && centre_.empty())
+        return w_.refuse(w_.here, "an arc whose centre is said elsewhere is not translated by structure");
+    if (!arc && (radius_ || !centre_.empty()))
+        return w_.refuse(w_.here, "a centre or radius beside a straight move is not translated by structure");
     if (by_mode) w_.say("words.incremental", {}, "increments");
     const std::string axes = axes_text(), centre = arc ? centre_text() : "";
     w_.say(key, {{"axes", axes}, {"feed", feed}, {"comp", compensation}, {"centre", centre}}, "this motion");
@@ -407,7 +275,8 @@ void BlockWords::write() {
     gather();
     if (dwell_) {
         const auto time = w_.unit->traits->dwell_in_feed_words ? feed_ : dwell_time_;
-        if (!time || !axes_.empty()) return w_.refuse(w_.here, source_of_block() + ": this dwell is not translated by structure");
+        if (!time || !axes_.empty())
+            return w_.refuse(w_.here, source_of_block() + ": this dwell is not translated by structure");
         w_.say("words.dwell", {{"seconds", spelt("", *time, false)}}, "a dwell");
         feed_.reset();
     } else if (dwell_time_) {

@@ -54,7 +54,8 @@ std::string Writing::program_name(const Unit& u) {
     if (!name.empty()) return name;
     if (!language.numbered_programs) {
         for (const char c : u.name) name += base::is_letter(c) || base::is_digit(c) ? base::upper(c) : '_';
-        if (name.empty() || !base::is_letter(name[0]) || (name.size() > 1 && base::is_digit(name[1]))) name = "PGM_" + name;
+        if (name.empty() || !base::is_letter(name[0]) || (name.size() > 1 && base::is_digit(name[1])))
+            name = "PGM_" + name;
         return name;
     }
     for (std::uint32_t n = first_called;; ++n) {
@@ -107,7 +108,8 @@ void Writing::call(const program::Call& c) {
         return refuse(here, source(here) + ": this call is not translated by structure",
                       called == nullptr ? "put the program beside this one" : "");
     if (c.first_block != program::no_expr || c.passes != program::no_expr)
-        return refuse(here, source(here) + ": a call with a number of passes or a first block is not translated by structure",
+        return refuse(here,
+                      source(here) + ": a call with a number of passes or a first block is not translated by structure",
                       "write it as a loop");
     if (c.shares_parameters && naming.has_locals(*called))
         return refuse(here, source(here) + ": the called program works on this one's own parameters",
@@ -119,7 +121,9 @@ void Writing::call(const program::Call& c) {
         const ExprId id = a.index < c.arguments.size() ? c.arguments[a.index] : program::no_expr;
         if (id == program::no_expr && unit->traits->empty_parameters) {
             if (is_set_first(*called, static_cast<std::uint32_t>(a.index + 1))) continue;
-            return refuse(here, "argument " + std::to_string(a.index + 1) + " is not given here: what is empty there has no counterpart",
+            return refuse(here,
+                          "argument " + std::to_string(a.index + 1) +
+                              " is not given here: what is empty there has no counterpart",
                           "give it a value");
         }
         if (a.to.empty()) return refuse(here, "there is no parameter left for argument " + std::to_string(a.index + 1));
@@ -130,7 +134,8 @@ void Writing::call(const program::Call& c) {
             continue;
         }
         if (!language.arguments.empty() && a.letter == '\0')
-            return refuse(here, "a call can set " + std::to_string(language.arguments.size()) + " arguments, this one has more");
+            return refuse(
+                here, "a call can set " + std::to_string(language.arguments.size()) + " arguments, this one has more");
         const bool bare = v.number || v.level == Level::atom;
         given += filled(*form, {{"letter", std::string(1, a.letter)},
                                 {"value", v.text},
@@ -192,7 +197,8 @@ void Writing::define(const program::Define& d) {
     for (const program::Variable& v : d.variables) {
         const bool number = d.type <= program::Type::real && d.type != program::Type::character;
         if (!number || v.dimensions[0] != program::no_expr || v.values.size() > 1 || d.global)
-            return refuse(v.where, "DEF " + input.names->text(v.name) + ": of variables, numbers without an index are translated by structure");
+            return refuse(v.where, "DEF " + input.names->text(v.name) +
+                                       ": of variables, numbers without an index are translated by structure");
         const auto name = naming.variable(*unit, v.name);
         if (!name) return refuse(v.where, "there is no parameter left for " + input.names->text(v.name));
         assign({*name, Level::atom, std::nullopt}, v.values.empty() ? number_text(0) : value(v.values.front()));
@@ -200,7 +206,8 @@ void Writing::define(const program::Define& d) {
 }
 
 void Writing::leave() {
-    if (language.has("flow.return")) return static_cast<void>(say("flow.return", {{"name", program_name(*unit)}}, "a return"));
+    if (language.has("flow.return"))
+        return static_cast<void>(say("flow.return", {{"name", program_name(*unit)}}, "a return"));
     if (end_label_.empty()) end_label_ = fresh_label();
     jump(end_label_);
 }
@@ -215,8 +222,7 @@ void Writing::end_all() {
 
 void Writing::begin_program(const Unit& u, bool main) {
     std::string parameters;
-    for (const Argument& a : naming.arguments(u))
-        parameters += (parameters.empty() ? "" : ", ") + ("REAL " + a.to);
+    for (const Argument& a : naming.arguments(u)) parameters += (parameters.empty() ? "" : ", ") + ("REAL " + a.to);
     static_cast<void>(say(main ? "flow.main-begin" : "flow.sub-begin",
                           {{"name", program_name(u)}, {"parameters", parameters.empty() ? "" : "(" + parameters + ")"}},
                           "the beginning of a program"));
@@ -228,7 +234,8 @@ void Writing::begin_program(const Unit& u, bool main) {
 
 void Writing::end_program(const Unit& u, bool main) {
     if (!end_label_.empty()) place(end_label_);
-    if (const std::string* text = language.find(main ? "flow.main-end" : "flow.sub-end"); text != nullptr && !text->empty())
+    if (const std::string* text = language.find(main ? "flow.main-end" : "flow.sub-end");
+        text != nullptr && !text->empty())
         static_cast<void>(say(main ? "flow.main-end" : "flow.sub-end", {{"name", program_name(u)}}, "the end"));
 }
 

@@ -23,9 +23,7 @@ std::string_view key_of(Operator op) {
     }
 }
 
-Level level_of(Operator op) {
-    return op == Operator::add || op == Operator::subtract ? Level::sum : Level::product;
-}
+Level level_of(Operator op) { return op == Operator::add || op == Operator::subtract ? Level::sum : Level::product; }
 
 bool compares(Operator op) {
     return (op >= Operator::equal && op <= Operator::greater_equal) || op == Operator::logical_and ||
@@ -66,7 +64,13 @@ Text Writing::place_for(ExprId where) {
 }
 
 void Writing::assign(const Text& to, const Text& from) {
-    static_cast<void>(say("expressions.assign", {{"to", to.text}, {"value", from.text}, {"bracketed", from.number || from.level == Level::atom ? from.text : language.open + from.text + language.close}}, "an assignment"));
+    static_cast<void>(
+        say("expressions.assign",
+            {{"to", to.text},
+             {"value", from.text},
+             {"bracketed",
+              from.number || from.level == Level::atom ? from.text : language.open + from.text + language.close}},
+            "an assignment"));
 }
 
 Text Writing::atom(Text v, ExprId where) {
@@ -111,13 +115,15 @@ Text Writing::value(ExprId id) {
             const Text v = value(e.a);
             if (op == Operator::plus) return v;
             if (op == Operator::negate)
-                return v.number ? number_text(-*v.number) : Text{"-" + within(v, Level::atom), Level::sign, std::nullopt};
+                return v.number ? number_text(-*v.number)
+                                : Text{"-" + within(v, Level::atom), Level::sign, std::nullopt};
             break;
         }
         case ExprKind::binary: {
             const auto op = static_cast<Operator>(e.op);
             if (compares(op)) return truth(id);
-            if (op == Operator::integer_divide || op == Operator::modulo || op == Operator::power) return function(e, id);
+            if (op == Operator::integer_divide || op == Operator::modulo || op == Operator::power)
+                return function(e, id);
             if (key_of(op).empty()) break;
             const Text a = value(e.a), b = value(e.b);
             return joined(key_of(op), a, b, level_of(op));

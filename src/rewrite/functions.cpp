@@ -13,17 +13,28 @@ struct Spelling {
     std::string_view key;
 };
 constexpr std::array spellings{
-    Spelling{Function::sin, "sin"},           Spelling{Function::cos, "cos"},
-    Spelling{Function::tan, "tan"},           Spelling{Function::asin, "asin"},
-    Spelling{Function::acos, "acos"},         Spelling{Function::atan, "atan"},
-    Spelling{Function::atan2, "atan2"},       Spelling{Function::angle_of, "angle-of"},
-    Spelling{Function::sqrt, "sqrt"},         Spelling{Function::abs, "abs"},
-    Spelling{Function::square, "square"},     Spelling{Function::trunc, "trunc"},
-    Spelling{Function::round, "round"},       Spelling{Function::round_away, "round-away"},
-    Spelling{Function::round_up, "round-up"}, Spelling{Function::round_down, "round-down"},
-    Spelling{Function::ln, "ln"},             Spelling{Function::log10, "log10"},
-    Spelling{Function::exp, "exp"},           Spelling{Function::min, "min"},
-    Spelling{Function::max, "max"},           Spelling{Function::bound, "bound"},
+    Spelling{Function::sin, "sin"},
+    Spelling{Function::cos, "cos"},
+    Spelling{Function::tan, "tan"},
+    Spelling{Function::asin, "asin"},
+    Spelling{Function::acos, "acos"},
+    Spelling{Function::atan, "atan"},
+    Spelling{Function::atan2, "atan2"},
+    Spelling{Function::angle_of, "angle-of"},
+    Spelling{Function::sqrt, "sqrt"},
+    Spelling{Function::abs, "abs"},
+    Spelling{Function::square, "square"},
+    Spelling{Function::trunc, "trunc"},
+    Spelling{Function::round, "round"},
+    Spelling{Function::round_away, "round-away"},
+    Spelling{Function::round_up, "round-up"},
+    Spelling{Function::round_down, "round-down"},
+    Spelling{Function::ln, "ln"},
+    Spelling{Function::log10, "log10"},
+    Spelling{Function::exp, "exp"},
+    Spelling{Function::min, "min"},
+    Spelling{Function::max, "max"},
+    Spelling{Function::bound, "bound"},
     Spelling{Function::fraction, "fraction"},
 };
 
@@ -123,7 +134,8 @@ public:
         const Text base = w_.value(e.a), exponent = w_.value(e.b);
         const double times_by = exponent.number.value_or(0);
         if (!(times_by >= 1 && times_by <= 8) || times_by != std::trunc(times_by)) {
-            w_.refuse(w_.span(where_), "a power is translated by structure where its exponent is a whole number up to 8");
+            w_.refuse(w_.span(where_),
+                      "a power is translated by structure where its exponent is a whole number up to 8");
             return n(0);
         }
         const Text x = hold(base);

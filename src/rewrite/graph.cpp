@@ -44,8 +44,8 @@ std::optional<std::uint32_t> labelled(const Unit& unit, std::uint32_t from, prog
 namespace {
 
 /// Of a jump to a block number that no table holds: the first behind `from`, else the first of all.
-std::optional<std::uint32_t> numbered(const Unit& unit, std::uint32_t from, std::int64_t number, JumpDirection direction,
-                                      const base::Sources& sources) {
+std::optional<std::uint32_t> numbered(const Unit& unit, std::uint32_t from, std::int64_t number,
+                                      JumpDirection direction, const base::Sources& sources) {
     std::optional<std::uint32_t> before, first;
     for (std::uint32_t i = 0; i < unit.statements.size(); ++i) {
         if ((unit.statements[i].flags & program::line_start) == 0) continue;
@@ -159,7 +159,8 @@ Graph graph_of(const Unit& unit, const program::Names& names, const base::Source
             case StatementKind::endfor: loops(unit, i, next); break;
             case StatementKind::return_: next = {n}; break;
             case StatementKind::label_call:
-                if (unit.label_calls[entry].target != program::no_target) next.push_back(unit.label_calls[entry].target);
+                if (unit.label_calls[entry].target != program::no_target)
+                    next.push_back(unit.label_calls[entry].target);
                 break;
             case StatementKind::label_end: next.insert(next.end(), behind_calls.begin(), behind_calls.end()); break;
             case StatementKind::repeat_section:

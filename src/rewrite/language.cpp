@@ -22,20 +22,25 @@ struct KnownTable {
 };
 constexpr std::array known_tables{
     KnownTable{"expressions", "assign word word-computed"},
-    KnownTable{"operators", "add subtract multiply divide integer-divide modulo equal not-equal less less-equal greater "
-                            "greater-equal and or not"},
-    KnownTable{"functions", "sin cos tan asin acos asin-turn acos-turn atan atan2 atan2-turn angle-of sqrt abs square "
-                            "trunc round round-away round-up round-down ln log10 exp min max bound fraction"},
+    KnownTable{"operators",
+               "add subtract multiply divide integer-divide modulo equal not-equal less less-equal greater "
+               "greater-equal and or not"},
+    KnownTable{"functions",
+               "sin cos tan asin acos asin-turn acos-turn atan atan2 atan2-turn angle-of sqrt abs square "
+               "trunc round round-away round-up round-down ln log10 exp min max bound fraction"},
     KnownTable{"parameters", "own declare"},
     KnownTable{"flow",
-               "file-begin file-end main-begin main-start main-end sub-begin sub-end label jump jump-if jump-equal jump-not-equal jump-greater jump-less if else end-if while end-while "
-               "repeat until again loop end-loop call argument call-shared return end stop optional-stop alarm message comment "
+               "file-begin file-end main-begin main-start main-end sub-begin sub-end label jump jump-if jump-equal "
+               "jump-not-equal jump-greater jump-less if else end-if while end-while "
+               "repeat until again loop end-loop call argument call-shared return end stop optional-stop alarm message "
+               "comment "
                "repeat-section"},
-    KnownTable{"words",
-               "rapid linear arc-cw arc-ccw arc-radius-cw arc-radius-ccw radius centre no-move plane-xy plane-zx plane-yz "
-               "absolute incremental incremental-value incremental-letters per-minute per-rev surface revolutions spindle "
-               "cw ccw spindle-stop tool tool-has-speed edge flood mist coolant-off comp-left comp-right comp-off "
-               "comp-off-alone dwell datum length-on speed-limit surface-limit"},
+    KnownTable{
+        "words",
+        "rapid linear arc-cw arc-ccw arc-radius-cw arc-radius-ccw radius centre no-move plane-xy plane-zx plane-yz "
+        "absolute incremental incremental-value incremental-letters per-minute per-rev surface revolutions spindle "
+        "cw ccw spindle-stop tool tool-has-speed edge flood mist coolant-off comp-left comp-right comp-off "
+        "comp-off-alone dwell datum length-on speed-limit surface-limit"},
 };
 
 /// "Q0-99".
@@ -86,7 +91,8 @@ void read_switches(Section& s, std::string_view table, Language& l) {
     } else if (table == "parameters") {
         l.global = pools_of(s, "global"), l.local = pools_of(s, "local");
         l.shift = static_cast<std::uint32_t>(s.integer("shift", 0, 100'000).value_or(0));
-        if (const auto at = s.choice("place", {"file", "program", "name"})) l.local_place = static_cast<LocalPlace>(*at);
+        if (const auto at = s.choice("place", {"file", "program", "name"}))
+            l.local_place = static_cast<LocalPlace>(*at);
         read_arguments(s, l);
     } else if (table == "flow") {
         l.subs_first = s.boolean("subs-first").value_or(false);

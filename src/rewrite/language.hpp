@@ -32,19 +32,19 @@ struct Language {
     /// Texts by "table.key"; a key that is not there is what the control lacks.
     std::map<std::string, std::string, std::less<>> texts;
     std::string open = "(", close = ")";
-    bool point = false;      ///< numbers have one: "5."
-    bool sign = false;       ///< values of words have one: "+5"
-    bool computes = true;    ///< words take expressions; else a number or a parameter alone
-    bool across = false;     ///< X words are diameters
+    bool point = false;              ///< numbers have one: "5."
+    bool sign = false;               ///< values of words have one: "+5"
+    bool computes = true;            ///< words take expressions; else a number or a parameter alone
+    bool across = false;             ///< X words are diameters
     bool feed_ends_surface = false;  ///< saying per minute or revolution ends constant cutting speed
-    bool subs_first = false;  ///< called programs stand before the main one
+    bool subs_first = false;         ///< called programs stand before the main one
     bool numbered_labels = false, numbered_programs = false;
     bool end_stops_all = true;  ///< the end of the program, written in a called one, ends the run
     int step = 0;               ///< of block numbers; 0: blocks have none
     std::vector<Pool> global, local;
     LocalPlace local_place = LocalPlace::program;
-    std::uint32_t shift = 0;    ///< of a global parameter's number where it can keep it: R3 is #103
-    std::string arguments;      ///< letters of arguments, in the order of the parameters that they set
+    std::uint32_t shift = 0;  ///< of a global parameter's number where it can keep it: R3 is #103
+    std::string arguments;    ///< letters of arguments, in the order of the parameters that they set
     std::vector<std::uint32_t> argument_numbers;  ///< of those parameters
 
     [[nodiscard]] const std::string* find(std::string_view key) const {

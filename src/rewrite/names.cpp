@@ -36,8 +36,8 @@ bool is_own(const Unit& unit, NameId name, const std::string& text) {
 std::string plain_name(std::string_view text) {
     std::string out;
     for (const char c : text) out += base::is_letter(c) || base::is_digit(c) ? base::upper(c) : '_';
-    const bool good = out.size() > 1 && (base::is_letter(out[0]) || out[0] == '_') &&
-                      (base::is_letter(out[1]) || out[1] == '_');
+    const bool good =
+        out.size() > 1 && (base::is_letter(out[0]) || out[0] == '_') && (base::is_letter(out[1]) || out[1] == '_');
     return good ? out : "V_" + out;
 }
 

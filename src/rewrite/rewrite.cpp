@@ -110,7 +110,8 @@ Rewritten Writing::run(const std::string& name) {
         if (u->save && u != input.main) saves();
         begin_program(*u, u == input.main);
         const std::size_t top = lines.size();
-        if (u == input.main && language.has("flow.main-start")) static_cast<void>(say("flow.main-start", {}, "the beginning"));
+        if (u == input.main && language.has("flow.main-start"))
+            static_cast<void>(say("flow.main-start", {}, "the beginning"));
         statements(*u);
         end_program(*u, u == input.main);
         declare(top);
@@ -124,7 +125,8 @@ void Writing::saves() {
     constexpr std::array said{Mode::plane, Mode::distance, Mode::across, Mode::feed, Mode::surface};
     for (const Mode m : said)
         if (before[m] != behind[m] && behind[m] != never_there)
-            return refuse(here, unit->name + ": SAVE brings back what the caller had in force, and the program changes it",
+            return refuse(here,
+                          unit->name + ": SAVE brings back what the caller had in force, and the program changes it",
                           "say at its end what is to hold then");
 }
 

@@ -20,8 +20,8 @@ enum class Fate : std::uint8_t {
 struct Note {
     Fate fate = Fate::expanded;
     base::Span from;
-    std::string what;    ///< of a lost one: "CHF= is not translated by structure"
-    std::string remedy;  ///< may be empty
+    std::string what;      ///< of a lost one: "CHF= is not translated by structure"
+    std::string remedy;    ///< may be empty
     std::size_t line = 0;  ///< of the text, from 1; 0: none
 };
 
@@ -36,7 +36,7 @@ struct Input {
     std::function<const program::Unit*(std::string_view)> find;  ///< a program by its name
     const program::Names* names = nullptr;
     const base::Sources* sources = nullptr;
-    bool lathe = false;     ///< the machine
+    bool lathe = false;      ///< the machine
     bool diameters = false;  ///< X words are diameters when the run begins
 };
 

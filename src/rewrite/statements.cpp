@@ -64,7 +64,8 @@ void Writing::statements(const Unit& u) {
 
 void Writing::range(std::uint32_t first, std::uint32_t end, bool only_inline) {
     const Unit& u = *unit;
-    labels_.clear(), settled_.clear(), wanted_.clear(), again_.clear(), counters_.clear(), numbers_.clear(), end_label_.clear();
+    labels_.clear(), settled_.clear(), wanted_.clear(), again_.clear(), counters_.clear(), numbers_.clear(),
+        end_label_.clear();
     wanted_ = graphs.at(unit).jumped_to;
     for (std::uint32_t i = 0; i < u.statements.size(); ++i) {
         const StatementKind k = u.statements[i].kind;
@@ -225,9 +226,10 @@ void Writing::section(std::uint32_t i) {
         return refuse(here, source(here) + ": a repeated part of the program is not translated by structure",
                       "write it as a subprogram");
     const Text passes = s.passes == program::no_expr ? number_text(1) : value(s.passes);
-    static_cast<void>(say("flow.repeat-section",
-                          {{"first", label_of(range->first)}, {"last", label_of(range->last + 1)}, {"passes", passes.text}},
-                          "a repeated part"));
+    static_cast<void>(
+        say("flow.repeat-section",
+            {{"first", label_of(range->first)}, {"last", label_of(range->last + 1)}, {"passes", passes.text}},
+            "a repeated part"));
 }
 
 namespace {
@@ -241,7 +243,8 @@ void Writing::branch(std::uint32_t i) {
     const std::size_t before = lines.size();
     const auto condition_text = [&](bool negated) {
         const Condition c = condition(b.condition, negated);
-        if (c.kind == Condition::Kind::constant) return number(c.holds ? 1 : 0) + *language.find("operators.equal") + number(1);
+        if (c.kind == Condition::Kind::constant)
+            return number(c.holds ? 1 : 0) + *language.find("operators.equal") + number(1);
         const auto text = as_text(c);
         if (!text) refuse(here, std::string(no_condition));
         return text.value_or("");
@@ -259,7 +262,8 @@ void Writing::branch(std::uint32_t i) {
         case StatementKind::while_: {
             if (!keeps) return jump_when(condition(b.condition, true), label_of(b.target));
             open("flow.while", i);
-            if (lines.size() > before + 1) again_[i] = {lines.begin() + static_cast<std::ptrdiff_t>(before), lines.end() - 1};
+            if (lines.size() > before + 1)
+                again_[i] = {lines.begin() + static_cast<std::ptrdiff_t>(before), lines.end() - 1};
             return;
         }
         case StatementKind::endwhile:
@@ -338,8 +342,9 @@ void Writing::counted(std::uint32_t i) {
         none.op = Operator::less;
         return jump_when(none, label_of(b.target));
     }
-    static_cast<void>(opens ? say("flow.while", {{"condition", as_text(more).value_or("")}, {"n", structure_number(i)}}, "a loop")
-                            : say("flow.end-while", {{"n", structure_number(b.target)}}, "a loop"));
+    static_cast<void>(
+        opens ? say("flow.while", {{"condition", as_text(more).value_or("")}, {"n", structure_number(i)}}, "a loop")
+              : say("flow.end-while", {{"n", structure_number(b.target)}}, "a loop"));
 }
 
 }  // namespace obrys::rewrite

@@ -119,8 +119,8 @@ public:
     std::map<const Unit*, Graph> graphs;
     HeldModes modes;
     const Unit* unit = nullptr;
-    std::uint32_t at = 0;    ///< the statement
-    base::Span here;         ///< its place
+    std::uint32_t at = 0;  ///< the statement
+    base::Span here;       ///< its place
     std::vector<Line> lines;
     std::vector<Note> notes;
     std::optional<Text> prepared_tool, prepared_edge;  ///< said last, and not changed to yet
@@ -160,7 +160,7 @@ private:
     std::map<const Unit*, std::string> program_names_;
     std::map<std::uint32_t, std::vector<Line>> again_;  ///< lines that make a loop's condition ready, by its opener
     std::map<std::uint32_t, std::string> counters_;
-    std::map<std::uint32_t, std::string> numbers_;      ///< of structures
+    std::map<std::uint32_t, std::string> numbers_;  ///< of structures
     int next_label_ = 0, next_number_ = 0;
     std::string end_label_;
     struct Part {

@@ -79,7 +79,8 @@ public:
         post_.control = file_.text("control").value_or("");
         post_.suffix = file_.text("suffix").value_or("nc");
         if (const auto ends = file_.choice("line_end", {"lf", "crlf"})) post_.line_end = *ends == 0 ? "\n" : "\r\n";
-        for (const std::string_view known : {"extends", "expressions", "operators", "functions", "parameters", "flow", "words"})
+        for (const std::string_view known :
+             {"extends", "expressions", "operators", "functions", "parameters", "flow", "words"})
             static_cast<void>(file_.take(known));  // the tables: rewrite/language.hpp
         read_numbers();
         read_modal();

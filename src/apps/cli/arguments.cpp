@@ -184,7 +184,8 @@ CLI::App* add_translate(CLI::App& app, Arguments& a) {
         ->needs(keep)
         ->check(CLI::Range(0, 1000))
         ->type_name("N");
-    translate->add_flag("--accept-loss", a.accept_loss, "--keep: write it although something of it is lost")->needs(keep);
+    translate->add_flag("--accept-loss", a.accept_loss, "--keep: write it although something of it is lost")
+        ->needs(keep);
     return translate;
 }
 

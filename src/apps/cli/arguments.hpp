@@ -36,16 +36,16 @@ struct Arguments {
     bool no_list = false;            ///< of check: leave out what has no effect on the verdict
     std::vector<std::string> files;  ///< of fmt
     format::heidenhain::Options style;
-    std::string to;            ///< of translate: a post or a control
-    bool keep = false;         ///< of translate: statement by statement
-    bool accept_loss = false;  ///< of translate --keep: write it although something is lost
-    int sets = 3;              ///< of translate --keep: how many sets of other values are run
-    std::string ledger;        ///< of translate --keep: written; of compare: read
+    std::string to;                ///< of translate: a post or a control
+    bool keep = false;             ///< of translate: statement by statement
+    bool accept_loss = false;      ///< of translate --keep: write it although something is lost
+    int sets = 3;                  ///< of translate --keep: how many sets of other values are run
+    std::string ledger;            ///< of translate --keep: written; of compare: read
     std::vector<std::string> map;  ///< of compare: "R3=Q3"
-    std::string other;         ///< of compare: what `request.input` is held against
-    double same_place = 1e-4;  ///< of compare, mm
-    bool in_place = false;     ///< of fmt: write the files
-    bool only_check = false;   ///< of fmt: say what would change
+    std::string other;             ///< of compare: what `request.input` is held against
+    double same_place = 1e-4;      ///< of compare, mm
+    bool in_place = false;         ///< of fmt: write the files
+    bool only_check = false;       ///< of fmt: say what would change
     int exit = -1;  ///< 0 … : the program ends here with this code (help was printed, or the call is wrong)
 };
 

@@ -63,9 +63,9 @@ driver::Proof proved_with_all(driver::Session& s, const driver::Kept& kept, cons
         if (p.run != nullptr && p.proof != driver::Proof::same && first)
             print_diagnostics(*p.run, base::Severity::warning);
         std::fprintf(stderr, "%s: %zu moves, %s%s%s\n",
-                     p.differs                                ? "does not do the same"
-                     : p.proof == driver::Proof::same         ? "does the same"
-                                                              : "not fully compared",
+                     p.differs                        ? "does not do the same"
+                     : p.proof == driver::Proof::same ? "does the same"
+                                                      : "not fully compared",
                      p.moves, set.empty() ? "with the program's own values" : listed(set).c_str(),
                      what.empty() ? "" : ": ", what.c_str());
         if (!p.why_not.empty()) std::fprintf(stderr, "not compared: %s\n", p.why_not.c_str());
@@ -99,7 +99,8 @@ int translate_kept(driver::Session& s, const write::Post& post, const Arguments&
     print_diagnostics(s);
     const int run = driver::exit_code_of_run(s);
     if (lost && !a.accept_loss) {
-        std::fprintf(stderr, "nothing was written: it would lose what is named above (--accept-loss writes the rest)\n");
+        std::fprintf(stderr,
+                     "nothing was written: it would lose what is named above (--accept-loss writes the rest)\n");
         return run == 2 ? 2 : run == 3 ? 3 : 1;
     }
     if (!may_write(a, s)) return 2;
