@@ -1,6 +1,7 @@
 /// Calls, what they are given, the way back, and what a program says to its operator.
 
 #include <algorithm>
+#include <cmath>
 
 #include "base/number.hpp"
 #include "base/text.hpp"
@@ -102,6 +103,16 @@ bool Writing::is_set_first(const Unit& u, std::uint32_t n) const {
     return false;
 }
 
+bool Writing::takes_numbers(const Unit& called) {
+    for (const program::Parameter& p : called.parameters) {
+        if (!p.by_reference && !p.is_array && p.type == program::Type::real && p.preset == program::no_expr) continue;
+        refuse(here, input.names->text(p.name) + " of " + called.name +
+                         ": of arguments, REAL without VAR, index and preset value are translated by structure");
+        return false;
+    }
+    return true;
+}
+
 void Writing::call(const program::Call& c) {
     const Unit* called = callee(*unit, c);
     if (called == nullptr || c.kind == program::CallKind::modal || c.kind == program::CallKind::modal_end)
@@ -114,6 +125,7 @@ void Writing::call(const program::Call& c) {
     if (c.shares_parameters && naming.has_locals(*called))
         return refuse(here, source(here) + ": the called program works on this one's own parameters",
                       "call it with G65 and its values");
+    if (!takes_numbers(*called)) return;
     std::string given;
     std::size_t letters = 0;
     std::vector<std::pair<Text, Text>> sets;
@@ -143,7 +155,9 @@ void Writing::call(const program::Call& c) {
                                 {"comma", letters++ == 0 ? "" : ","}});
     }
     for (const auto& [to, from] : sets) assign(to, from);
-    const bool own = naming.has_locals(*called) && language.local_place != LocalPlace::name;
+    // A program that shares them works on the numbers of this one's own variables, for what it holds between two steps.
+    const bool clash = naming.has_locals(*called) || naming.has_variables(*unit) || !counters_.empty();
+    const bool own = clash && language.local_place != LocalPlace::name;
     const bool shared = !own && given.empty() && language.has("flow.call-shared");
     const std::string_view key = shared ? "flow.call-shared" : "flow.call";
     static_cast<void>(say(key, {{"name", program_name(*called)}, {"arguments", given}}, "a call"));
@@ -201,7 +215,12 @@ void Writing::define(const program::Define& d) {
                                        ": of variables, numbers without an index are translated by structure");
         const auto name = naming.variable(*unit, v.name);
         if (!name) return refuse(v.where, "there is no parameter left for " + input.names->text(v.name));
-        assign({*name, Level::atom, std::nullopt}, v.values.empty() ? number_text(0) : value(v.values.front()));
+        const Text first = v.values.empty() ? number_text(0) : value(v.values.front());
+        const bool whole = first.number && *first.number == std::trunc(*first.number);
+        if (d.type != program::Type::real && !whole)
+            refuse(v.where, input.names->text(v.name) +
+                                " is no REAL: what rounds its first value is not translated by structure");
+        assign({*name, Level::atom, std::nullopt}, first);
     }
 }
 

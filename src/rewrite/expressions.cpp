@@ -1,5 +1,6 @@
 /// Expressions.
 
+#include <algorithm>
 #include <cmath>
 
 #include "base/number.hpp"
@@ -25,12 +26,51 @@ std::string_view key_of(Operator op) {
 
 Level level_of(Operator op) { return op == Operator::add || op == Operator::subtract ? Level::sum : Level::product; }
 
+/// INT and BOOL of the program, or nothing where the name is none of its numbers.
+std::optional<program::Type> type_of(const Unit& unit, program::NameId name) {
+    for (const program::Parameter& p : unit.parameters)
+        if (p.name == name) return p.type;
+    for (const program::Define& d : unit.defines)
+        for (const program::Variable& v : d.variables)
+            if (v.name == name) return d.type;
+    return std::nullopt;
+}
+
 bool compares(Operator op) {
     return (op >= Operator::equal && op <= Operator::greater_equal) || op == Operator::logical_and ||
            op == Operator::logical_or || op == Operator::logical_xor;
 }
 
+/// The value is a whole number whatever the parameters hold.
+bool is_whole(const Unit& unit, ExprId id) {
+    const Expr& e = unit.exprs[id];
+    const auto op = static_cast<Operator>(e.op);
+    switch (e.kind) {
+        case ExprKind::number: return unit.numbers[e.a] == std::trunc(unit.numbers[e.a]);
+        case ExprKind::boolean: return true;
+        case ExprKind::variable: return type_of(unit, e.a).value_or(program::Type::real) < program::Type::real;
+        case ExprKind::unary: return op == Operator::logical_not || is_whole(unit, e.a);
+        case ExprKind::binary:
+            if (compares(op)) return true;
+            return op != Operator::divide && op != Operator::power && is_whole(unit, e.a) && is_whole(unit, e.b);
+        case ExprKind::function: {
+            const auto f = static_cast<Function>(e.op);
+            return f == Function::trunc || f == Function::round || f == Function::round_up;
+        }
+        default: return false;
+    }
+}
+
 }  // namespace
+
+void Writing::judge_type(ExprId target, ExprId value) {
+    const Expr& e = unit->exprs[target];
+    if (e.kind != ExprKind::variable || value == program::no_expr) return;
+    const auto type = type_of(*unit, e.a);
+    if (!type || *type == program::Type::real || is_whole(*unit, value)) return;
+    refuse(span(target), source(span(target)) + " is no REAL: what rounds this value is not translated by structure",
+           "round it in the program (ROUND, TRUNC), or make the variable a REAL");
+}
 
 std::string Writing::number(double v) const {
     std::string text = base::shortest(v);
@@ -81,8 +121,23 @@ Text Writing::atom(Text v, ExprId where) {
     return to;
 }
 
+bool Writing::means_more(std::uint32_t number) const {
+    const program::Traits& t = *unit->traits;
+    if (program::is_of_control(t, number)) return true;
+    const auto live = [&](const program::LiveParameters& l) { return number >= l.first && number < l.first + l.count; };
+    const auto acts = [&](const program::KeptParameters& k) { return k.acts && number >= k.first && number <= k.last; };
+    const bool offsets = t.offsets.datum_first != 0 && number >= t.offsets.datum_first - 120 &&
+                         number < t.offsets.datum_first + t.offsets.datum_step * t.offsets.datum_count;
+    return offsets || std::any_of(t.live.begin(), t.live.end(), live) ||
+           std::any_of(t.kept.begin(), t.kept.end(), acts);
+}
+
 std::optional<Text> Writing::target_of(ExprId id) {
     const Expr& e = unit->exprs[id];
+    if (e.kind == ExprKind::parameter && means_more(e.a)) {
+        refuse(span(id), source(span(id)) + " is one of the control's own: it is not translated by structure");
+        return std::nullopt;
+    }
     std::optional<std::string> name;
     if (e.kind == ExprKind::parameter) name = naming.parameter(*unit, e.a);
     if (e.kind == ExprKind::variable && e.count == 0) name = naming.variable(*unit, e.a);

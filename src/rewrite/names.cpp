@@ -159,6 +159,7 @@ void Naming::collect(const std::vector<const Unit*>& programs) {
             if (std::get<0>(key) == unit) give(key);
     for (const Key& key : met_)
         if (std::get<0>(key) == nullptr) give(key);
+    variables_ = locals_;
 }
 
 std::optional<std::string> Naming::parameter(const Unit& unit, std::uint32_t number) const {

@@ -89,6 +89,9 @@ Rewritten Writing::run(const std::string& name) {
     program_names_[input.main] = language.numbered_programs ? "0001" : name;
     const bool endless = !collect(*input.main, open);
     here = {input.main->file, input.main->begin, input.main->begin};
+    if (!input.main->parameters.empty())
+        refuse(here, "a program with arguments is not translated as the main one",
+               "translate the program that calls it");
     if (endless) refuse(here, "programs that call themselves are not translated by structure");
     naming.collect(programs);
     for (const Unit* u : programs) graphs[u] = graph_of(*u, *input.names, *input.sources);

@@ -262,14 +262,14 @@ void Writing::branch(std::uint32_t i) {
         case StatementKind::while_: {
             if (!keeps) return jump_when(condition(b.condition, true), label_of(b.target));
             open("flow.while", i);
-            if (lines.size() > before + 1)
-                again_[i] = {lines.begin() + static_cast<std::ptrdiff_t>(before), lines.end() - 1};
+            if (lines.size() > before + 1) again_.insert(i);
             return;
         }
         case StatementKind::endwhile:
         case StatementKind::endloop:
             if (!keeps) return jump(label_of(b.target));
-            for (const Line& line : again_[b.target]) lines.push_back(line);
+            if (again_.contains(b.target))  // made ready anew for the next pass, in the same places
+                static_cast<void>(as_text(condition(unit->branches[entry_of(*unit, b.target)].condition)));
             return open(k == StatementKind::endloop ? "flow.end-loop" : "flow.end-while", b.target);
         case StatementKind::loop_:
             if (keeps) open("flow.loop", i);
@@ -302,6 +302,7 @@ void Writing::loop(std::uint32_t i) {
     const program::For& head = opens ? f : unit->fors[entry_of(*unit, f.target)];
     const auto variable = target_of(head.variable);
     if (!variable) return;
+    if (opens) judge_type(head.variable, head.from);
     if (opens)
         assign(*variable, value(head.from));
     else

@@ -67,6 +67,8 @@ public:
     Text place_for(ExprId where);
     void assign(const Text& to, const Text& from);
     std::optional<Text> target_of(ExprId id);
+    /// Refuses what an INT or BOOL would round.
+    void judge_type(ExprId target, ExprId value);
 
     // functions.cpp
     Text function(const Expr& e, ExprId id);
@@ -136,6 +138,10 @@ private:
     std::string part(const Range& r);
     void parts_of_unit();
     bool may_jump();
+    /// A parameter in which the control keeps something of its own, or that is no storage alone.
+    [[nodiscard]] bool means_more(std::uint32_t number) const;
+    /// What a call does not hand over as it is: VAR, arrays, types but numbers. Refuses it.
+    bool takes_numbers(const Unit& called);
     /// Argument n is set by the program before it reads it.
     [[nodiscard]] bool is_set_first(const Unit& unit, std::uint32_t n) const;
     void structure(std::uint32_t i);
@@ -158,7 +164,7 @@ private:
     std::set<std::uint32_t> wanted_;                ///< statements that need a label
     std::set<std::string> all_labels_;
     std::map<const Unit*, std::string> program_names_;
-    std::map<std::uint32_t, std::vector<Line>> again_;  ///< lines that make a loop's condition ready, by its opener
+    std::set<std::uint32_t> again_;  ///< loops whose conditions need lines before them
     std::map<std::uint32_t, std::string> counters_;
     std::map<std::uint32_t, std::string> numbers_;  ///< of structures
     int next_label_ = 0, next_number_ = 0;
