@@ -6,7 +6,7 @@
 #include "base/codes.hpp"
 #include "base/number.hpp"
 #include "base/text.hpp"
-#include "shop/section.hpp"
+#include "shop/files/section.hpp"
 #include "write/post.hpp"
 
 namespace obrys::rewrite {

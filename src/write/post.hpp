@@ -11,7 +11,7 @@
 #include "base/diagnostic.hpp"
 #include "base/source.hpp"
 #include "cl/record.hpp"
-#include "shop/document.hpp"
+#include "shop/files/document.hpp"
 #include "write/commands.hpp"
 #include "write/template.hpp"
 
