@@ -25,7 +25,8 @@ std::string BlockWords::spelt(std::string_view word, const Text& given, bool is_
     const bool negated = v.level == Level::sign && v.text.find_first_of("([ ") == std::string::npos;
     if (!w_.language.computes && !v.number && !negated) v = w_.atom(v, program::no_expr);
     const bool plus = is_length && w_.language.sign && v.text[0] != '-';
-    const std::string value = (plus ? "+" : "") + v.text;
+    std::string value = (plus ? "+" : "") + v.text;
+    if (word == "S" && v.number && value.ends_with('.')) value.pop_back();  // speeds are whole numbers without a point
     const std::string bracketed =
         v.number || v.level == Level::atom ? v.text : w_.language.open + v.text + w_.language.close;
     const bool plain = v.number || !w_.language.computes;
