@@ -304,7 +304,7 @@ bool open(const Request& request, Session& s) {
         if (s.job.program.empty() || s.diagnostics.has_errors()) return false;
         program = beside(input, s.job.program);
     }
-    if (request.text) s.job.overrides.clear(), s.job.variables = {}, s.job.start.clear();
+    if (request.text) s.job.overrides.clear(), s.job.variables = request.given, s.job.start.clear();
     bool good = known_control(s, request.control, nowhere) && known_control(s, s.job.control, s.job.control_where);
     for (const std::string& text : request.set) good = take_override(s, text) && good;
     good = folders_are_there(s, request, input) && good;

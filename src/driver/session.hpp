@@ -37,6 +37,7 @@ struct Request {
     /// Stands in the place of the program's file: what would be written beside it. What is given or set for that
     /// program's variables does not count for it.
     std::optional<std::string> text{};
+    shop::GivenValues given{};  ///< of `text`: in the place of [variables] of the job
     bool canon = false;  ///< settings are told, and the machine stands at its zero at the start
 };
 

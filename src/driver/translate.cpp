@@ -30,23 +30,25 @@ std::optional<write::Post> checked(std::optional<write::Post> post, std::uint32_
 
 }  // namespace
 
-std::optional<write::Post> find_post(const std::string& name, Session& s) {
-    if (name.ends_with(".toml")) {
-        const std::optional<std::uint32_t> file = load(*s.storage, name, s.sources, s.diagnostics);
-        const auto beside_it = [&](const std::string& other, const base::Span& where) {
-            return load(*s.storage, beside(name, other), s.sources, s.diagnostics, where);
-        };
-        return file ? checked(write::read_post(*file, s.sources, s.diagnostics, beside_it), *file, s) : std::nullopt;
-    }
+std::optional<std::uint32_t> load_post(const std::string& name, Session& s) {
+    if (name.ends_with(".toml")) return load(*s.storage, name, s.sources, s.diagnostics);
     const std::string& wanted = name == "same" ? s.control : name;
     for (const std::string& candidate : candidates(wanted, s.job.machine.kind))
-        if (const write::ShippedPost* post = write::shipped_post(candidate)) {
-            const std::uint32_t file = s.sources.add(candidate + ".toml", std::string(post->text));
-            return write::read_post(file, s.sources, s.diagnostics);
-        }
+        if (const write::ShippedPost* post = write::shipped_post(candidate))
+            return s.sources.add(candidate + ".toml", std::string(post->text));
     complain(s.diagnostics, codes::file_missing, nowhere, "there is no post called '" + name + "'",
              "name one of: " + shop::joined(write::shipped_post_names()) + ", or a file (.toml)");
     return std::nullopt;
+}
+
+std::optional<write::Post> find_post(const std::string& name, Session& s) {
+    const std::optional<std::uint32_t> file = load_post(name, s);
+    const auto beside_it = [&](const std::string& other, const base::Span& where) {
+        return load(*s.storage, beside(name, other), s.sources, s.diagnostics, where);
+    };
+    if (!file) return std::nullopt;
+    if (!name.ends_with(".toml")) return checked(write::read_post(*file, s.sources, s.diagnostics), *file, s);
+    return checked(write::read_post(*file, s.sources, s.diagnostics, beside_it), *file, s);
 }
 
 /// The run tells its settings where the session was opened for that (Request::canon).
@@ -114,10 +116,12 @@ bool has_findings(const Session& s) {
 }
 
 /// The request for what was written from a program.
-Request request_of(const Translated& translated, const write::Post& post, Request request, const Session& of) {
+Request request_of(const Translated& translated, const write::Post& post, Request request, const Session& of,
+                   const OwnValues& values) {
     request.text = translated.text;
+    request.set = values.set;
+    request.given = values.given;
     request.control = post.control;
-    request.set.clear();
     request.folders = std::make_shared<Folders>(of.storage);  // those of the request belong to another thread
     if (request.machine.empty() && of.job.machine.more_axes)  // nobody has named it
         request.machine = of.job.machine.kind == shop::MachineKind::lathe ? "lathe-generic" : "mill-generic";
@@ -127,13 +131,13 @@ Request request_of(const Translated& translated, const write::Post& post, Reques
 }  // namespace
 
 Proved prove(const Translated& translated, const write::Post& post, Request request, Session& s,
-             const compare::Tolerance& tolerance) {
+             const compare::Tolerance& tolerance, const OwnValues& values) {
     Proved out;
     out.why_not = "the post names no control that can be read";
     if (find_control(post.control) == nullptr) return out;
     out.run = std::make_unique<Session>();
     out.why_not = "what was written could not be run";
-    if (!open(request_of(translated, post, std::move(request), s), *out.run)) return out;
+    if (!open(request_of(translated, post, std::move(request), s, values), *out.run)) return out;
     out.why_not.clear();
     compare::Path path(tolerance.length);
     static_cast<void>(interpret(*out.run, [&](const cl::Record& record) { path.take(record); }));

@@ -18,6 +18,8 @@ namespace obrys::driver {
 /// mills or lathes; "same" is the program's own. Nothing, with what is wrong in the session's diagnostics, where there
 /// is none.
 [[nodiscard]] std::optional<write::Post> find_post(const std::string& name, Session& session);
+/// Its text among the session's sources; as above.
+[[nodiscard]] std::optional<std::uint32_t> load_post(const std::string& name, Session& session);
 
 /// What was written, and what it was written from.
 struct Translated {
@@ -39,6 +41,12 @@ enum class Proof : std::uint8_t {
     not_compared,  ///< it is not known: one of the two was not understood, or could not be run
 };
 
+/// Values that count for the text, in its own names.
+struct OwnValues {
+    std::vector<std::string> set{};
+    shop::GivenValues given{};
+};
+
 /// The text run on its control, with the machine, the tools and the zeros of the program that it comes from.
 struct Proved {
     Proof proof = Proof::not_compared;
@@ -50,6 +58,6 @@ struct Proved {
 };
 /// `request` and `session` are those of the program; how it runs otherwise is added to the session's diagnostics.
 [[nodiscard]] Proved prove(const Translated& translated, const write::Post& post, Request request, Session& session,
-                           const compare::Tolerance& tolerance);
+                           const compare::Tolerance& tolerance, const OwnValues& values = {});
 
 }  // namespace obrys::driver

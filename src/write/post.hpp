@@ -13,6 +13,7 @@
 #include "base/diagnostic.hpp"
 #include "base/source.hpp"
 #include "cl/record.hpp"
+#include "shop/files/document.hpp"
 #include "write/commands.hpp"
 #include "write/hooks.hpp"
 #include "write/template.hpp"
@@ -94,6 +95,10 @@ using LoadText = std::function<std::optional<std::uint32_t>(const std::string& n
 /// file.
 [[nodiscard]] std::optional<Post> read_post(std::uint32_t file, const base::Sources& sources,
                                             base::Diagnostics& diagnostics, const LoadText& load = {});
+
+/// A post's file as it is written, with all that it extends below it; places in that lie in `texts`.
+[[nodiscard]] std::optional<shop::Value> whole_post(std::uint32_t file, const base::Sources& sources,
+                                                    base::Sources& texts, base::Diagnostics& diagnostics);
 
 /// The shipped posts of folder posts/: name and text, built in.
 struct ShippedPost {

@@ -82,7 +82,9 @@ public:
         if (const auto ends = file_.choice("line_end", {"lf", "crlf"})) post_.line_end = *ends == 0 ? "\n" : "\r\n";
         if (const auto by = file_.choice("written_by", {"templates", "canon"})) post_.is_canon = *by == 1;
         post_.block_end = file_.text("block_end").value_or("");
-        static_cast<void>(file_.take("extends"));
+        for (const std::string_view known :
+             {"extends", "expressions", "operators", "functions", "parameters", "flow", "words"})
+            static_cast<void>(file_.take(known));  // the tables: rewrite/language.hpp
         read_numbers();
         read_modal();
         read_commands();
@@ -327,6 +329,11 @@ std::optional<shop::Value> whole_file(std::uint32_t file, const base::Sources& s
 }
 
 }  // namespace
+
+std::optional<shop::Value> whole_post(std::uint32_t file, const base::Sources& sources, base::Sources& texts,
+                                      base::Diagnostics& diagnostics) {
+    return whole_file(file, sources, texts, diagnostics, 0);
+}
 
 std::optional<Post> read_post(std::uint32_t file, const base::Sources& sources, base::Diagnostics& diagnostics,
                               const LoadText& load) {

@@ -37,7 +37,7 @@ def options_of(words):
         elif word.startswith("-"):
             if word in ("--format", "-o", "--output", "--fail-on", "--baseline", "--scope", "--tolerance", "--html",
                         "--svg", "--stl", "--prints", "--engagement", "--at", "--plan", "--picture", "--gltf", "--3mf",
-                        "--projections", "--write-baseline"):
+                        "--projections", "--write-baseline", "--sets", "--map", "--ledger"):
                 words.pop(0)
         else:
             inputs.append(word)

@@ -177,6 +177,17 @@ CLI::App* add_translate(CLI::App& app, Arguments& a) {
         ->type_name("NAME|FILE");
     add_same_place(*translate, a);
     translate->callback([&a] { a.request.canon = a.to == "canon"; });  // whose calls tell settings, too
+    auto* keep = translate->add_flag(
+        "--keep", a.keep, "statement by statement: parameters, expressions, branches, loops and subprograms stay");
+    translate->add_option("--ledger", a.ledger, "--keep: write what became of what here (default: OUT.ledger.json)")
+        ->needs(keep)
+        ->type_name("FILE");
+    translate->add_option("--sets", a.sets, "--keep: prove it with so many sets of other values, too (3)")
+        ->needs(keep)
+        ->check(CLI::Range(0, 1000))
+        ->type_name("N");
+    translate->add_flag("--accept-loss", a.accept_loss, "--keep: write it although something of it is lost")
+        ->needs(keep);
     return translate;
 }
 
@@ -187,6 +198,18 @@ CLI::App* add_compare(CLI::App& app, Arguments& a) {
     add_request(*compare, a);
     compare->add_option("--format", a.format, "text or json")->check(only({"text", "json"}))->type_name("FORMAT");
     add_same_place(*compare, a);
+    compare
+        ->add_option("--map", a.map, "what a parameter of the first program is called in the other: --set is for both")
+        ->check([](const std::string& text) {
+            const std::size_t equal = text.find('=');
+            const bool good = equal != std::string::npos && equal > 0 && equal + 1 < text.size();
+            return good ? std::string() : "must be of the form R3=Q3";
+        })
+        ->type_name("A=B")
+        ->allow_extra_args(false)
+        ->take_all();
+    compare->add_option("--ledger", a.ledger, "the same for all of them: what translate --keep has written beside B")
+        ->type_name("FILE");
     return compare;
 }
 
@@ -335,10 +358,16 @@ bool print_help(const std::string& topic) {
 
 }  // namespace
 
+std::string ledger_of(const Arguments& a) {
+    if (!a.keep || !a.ledger.empty() || driver::is_standard_output(a.output)) return a.ledger;
+    return driver::ledger_beside(a.output);
+}
+
 std::vector<driver::Wanted> outputs_of(const Arguments& a) {
     std::vector<driver::Wanted> all;
     const bool only_picture = a.command == Command::plot && !(a.interpolation > 0) && !a.svg.empty();
     if (!only_picture) all.push_back({"--output", a.output.empty() ? "-" : a.output});
+    const std::string ledger = a.command == Command::compare ? "" : ledger_of(a);
     const std::pair<const char*, const std::string&> options[] = {{"--html", a.html},
                                                                   {"--svg", a.svg},
                                                                   {"--stl", a.stl},
@@ -348,6 +377,7 @@ std::vector<driver::Wanted> outputs_of(const Arguments& a) {
                                                                   {"--projections", a.projections},
                                                                   {"--picture", a.picture},
                                                                   {"--engagement", a.engagement},
+                                                                  {"--ledger", ledger},
                                                                   {"--write-baseline", a.write_baseline}};
     for (const auto& [option, path] : options)
         if (!path.empty()) all.push_back({option, path});

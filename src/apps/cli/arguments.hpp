@@ -4,6 +4,7 @@
 #include <string>
 #include <vector>
 
+#include "driver/keep.hpp"
 #include "driver/milling_job.hpp"
 #include "driver/output_file.hpp"
 #include "driver/session.hpp"
@@ -37,16 +38,23 @@ struct Arguments {
     std::vector<std::string> files;  ///< of fmt
     format::heidenhain::Options style;
     PostArguments post;
-    std::string to;            ///< of translate: a post or a control
-    std::string other;         ///< of compare: what `request.input` is held against
-    double same_place = 1e-4;  ///< of compare, mm
-    bool in_place = false;     ///< of fmt: write the files
-    bool only_check = false;   ///< of fmt: say what would change
+    std::string to;                ///< of translate: a post or a control
+    bool keep = false;             ///< of translate: statement by statement
+    bool accept_loss = false;      ///< of translate --keep: write it although something is lost
+    int sets = 3;                  ///< of translate --keep: how many sets of other values are run
+    std::string ledger;            ///< of translate --keep: written; of compare: read
+    std::vector<std::string> map;  ///< of compare: "R3=Q3"
+    std::string other;             ///< of compare: what `request.input` is held against
+    double same_place = 1e-4;      ///< of compare, mm
+    bool in_place = false;         ///< of fmt: write the files
+    bool only_check = false;       ///< of fmt: say what would change
     int exit = -1;  ///< 0 … : the program ends here with this code (help was printed, or the call is wrong)
 };
 
 [[nodiscard]] Arguments parse(int argc, char** argv);
 
+/// Where the ledger of a translation goes; empty: nowhere.
+[[nodiscard]] std::string ledger_of(const Arguments& a);
 /// The files that the call writes, with their options.
 [[nodiscard]] std::vector<driver::Wanted> outputs_of(const Arguments& a);
 

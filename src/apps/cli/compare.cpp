@@ -3,10 +3,14 @@
 #include "compare/compare.hpp"
 
 #include <algorithm>
+#include <cstdio>
+#include <filesystem>
+#include <fstream>
 #include <nlohmann/json.hpp>
 
 #include "commands.hpp"
 #include "driver/compare_programs.hpp"
+#include "driver/keep.hpp"
 #include "milled.hpp"
 #include "session.hpp"
 
@@ -21,9 +25,32 @@ struct Side {
     int code = 2;
 };
 
-void read_side(const Arguments& a, const std::string& input, Side& side) {
+/// What parameters of the first program are called in the other; nothing after a complaint.
+std::optional<driver::NameMap> name_map(const Arguments& a) {
+    driver::NameMap map;
+    for (const std::string& pair : a.map) {
+        const std::size_t equal = pair.find('=');
+        map.emplace_back(pair.substr(0, equal), pair.substr(equal + 1));
+    }
+    const std::string beside = driver::ledger_beside(a.other);
+    const bool named = !a.ledger.empty();
+    if (!named && !std::filesystem::exists(beside)) return map;
+    const std::string& path = named ? a.ledger : beside;
+    std::ifstream in(path, std::ios::binary);
+    const std::string text((std::istreambuf_iterator<char>(in)), std::istreambuf_iterator<char>());
+    auto names = driver::names_of_ledger(text);
+    if (!names) {
+        std::fprintf(stderr, "obrys: %s is no ledger of a translation\n", path.c_str());
+        return std::nullopt;
+    }
+    map.insert(map.end(), names->begin(), names->end());  // what the call says stands above it
+    return map;
+}
+
+void read_side(const Arguments& a, const std::string& input, const driver::NameMap& map, Side& side) {
     Arguments own = a;
     own.request.input = input;
+    own.request.set = driver::mapped(a.request.set, map);
     compare::Path path(a.same_place);
     if (driver::is_stream(input)) {
         if (driver::read_stream(input, side.session, path)) side.path = std::move(path);
@@ -92,8 +119,10 @@ std::string as_json(const Side& a, const Side& b, const compare::Result& r) {
 
 int compare(const Arguments& arguments) {
     Side a, b;
-    read_side(arguments, arguments.request.input, a);
-    read_side(arguments, arguments.other, b);
+    const auto map = name_map(arguments);
+    if (!map) return 2;
+    read_side(arguments, arguments.request.input, {}, a);
+    read_side(arguments, arguments.other, *map, b);
     if (!a.path || !b.path || a.code == 2 || b.code == 2) return 2;
     compare::Tolerance tolerance;
     tolerance.length = arguments.same_place;

@@ -59,7 +59,8 @@ inline constexpr const char* translate_help =
     "Examples:\n"
     "  obrys translate PART.H --to fanuc -o PART.nc\n"
     "  obrys translate PART.MPF --to linuxcnc --tools tool.tbl > PART.ngc\n"
-    "  obrys translate PART.MPF --to my-mill.toml -o PART.nc    a post of one's own (docs/posts.md)\n\n"
+    "  obrys translate PART.MPF --to my-mill.toml -o PART.nc    a post of one's own (docs/posts.md)\n"
+    "  obrys translate PART.MPF --to fanuc --keep -o PART.nc    parameters, branches and subprograms stay\n\n"
     "Exit codes: 0 all is there, 1 something is lost or the control would stop, 2 usage or unreadable input,\n"
     "3 something was not understood or not run.";
 
@@ -70,7 +71,8 @@ inline constexpr const char* compare_help =
     "compensation. Texts of the CL stream (obrys run) are read, too.\n\n"
     "Examples:\n"
     "  obrys compare PART.H PART.nc\n"
-    "  obrys compare old.job.toml new.job.toml --format json\n\n"
+    "  obrys compare old.job.toml new.job.toml --format json\n"
+    "  obrys compare PART.MPF PART.H --set R3=150 --map R3=Q3    a parameter and its counterpart\n\n"
     "Exit codes: 0 the machine does the same, 1 it does not, 2 usage or unreadable input, 3 something of either was "
     "not\n"
     "understood or not run.";

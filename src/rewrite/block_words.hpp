@@ -1,0 +1,51 @@
+#pragma once
+/// The words of one block, gathered and then written in the other language's order. Private to rewrite.
+
+#include "rewrite/writing.hpp"
+
+namespace obrys::rewrite {
+
+class BlockWords {
+public:
+    explicit BlockWords(Writing& w) : w_(w) {}
+    void write();
+
+private:
+    struct Axis {
+        char letter;
+        Text value;
+        bool incremental;
+    };
+    void gather();
+    void modal(const program::Word& word);
+    void take(program::Code code, ExprId id, const Text& v);
+    void axis(char letter, ExprId id, const Text& given);
+    Text across(const Text& v, bool source_across);
+    /// A word with its value. `is_length`: the language may want its sign.
+    std::string spelt(std::string_view word, const Text& v, bool is_length);
+    /// The same with a blank before it; empty where there is no value.
+    std::string optional(std::string_view word, const std::optional<Text>& v);
+
+    void modes();
+    void tool();
+    void feed_mode();
+    void spindle();
+    bool function_before(int m);
+    void function_behind(int m);
+    void move();
+    std::string axes_text();
+    std::string centre_text();
+    [[nodiscard]] std::string source_of_block() const { return w_.source(w_.here); }
+
+    Writing& w_;
+    base::Span word_;  ///< at hand
+    std::optional<program::Modal> motion_, plane_, distance_, feed_mode_, surface_, compensation_;
+    std::optional<int> datum_;
+    bool dwell_ = false, length_ = false, change_ = false, joined_offset_ = false;
+    std::vector<Axis> axes_;
+    std::vector<std::pair<std::size_t, Text>> centre_;  ///< 0: along X
+    std::optional<Text> radius_, feed_, speed_, limit_, tool_, edge_, dwell_time_, offset_;
+    std::vector<int> m_;
+};
+
+}  // namespace obrys::rewrite

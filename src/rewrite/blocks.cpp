@@ -1,0 +1,300 @@
+/// Blocks: motion, feed, spindle, tools and the rest of what words say, each as the language has it.
+
+#include <algorithm>
+
+#include "base/whole.hpp"
+#include "rewrite/block_words.hpp"
+
+namespace obrys::rewrite {
+
+using program::Modal;
+
+namespace {
+
+std::string lines_of_block(const std::vector<std::string>& words) {
+    std::string out;
+    for (const std::string& word : words)
+        if (!word.empty()) out += (out.empty() || out.back() == '\n' ? "" : " ") + word;
+    return out;
+}
+
+}  // namespace
+
+std::string BlockWords::spelt(std::string_view word, const Text& given, bool is_length) {
+    Text v = given;
+    const bool negated = v.level == Level::sign && v.text.find_first_of("([ ") == std::string::npos;
+    if (!w_.language.computes && !v.number && !negated) v = w_.atom(v, program::no_expr);
+    const bool plus = is_length && w_.language.sign && v.text[0] != '-';
+    std::string value = (plus ? "+" : "") + v.text;
+    if (word == "S" && v.number && value.ends_with('.')) value.pop_back();  // speeds are whole numbers without a point
+    const std::string bracketed =
+        v.number || v.level == Level::atom ? v.text : w_.language.open + v.text + w_.language.close;
+    const bool plain = v.number || !w_.language.computes;
+    const std::string* form = w_.language.find(plain ? "expressions.word" : "expressions.word-computed");
+    if (form == nullptr) return std::string(word) + value;
+    return filled(*form, {{"word", std::string(word)}, {"value", value}, {"bracketed", bracketed}});
+}
+
+std::string BlockWords::optional(std::string_view word, const std::optional<Text>& v) {
+    return v ? " " + spelt(word, *v, false) : "";
+}
+
+bool BlockWords::function_before(int m) {
+    switch (m) {
+        case 3: return w_.say("words.cw", {}, "M3"), true;
+        case 4: return w_.say("words.ccw", {}, "M4"), true;
+        case 7: return w_.say("words.mist", {}, "M7"), true;
+        case 8: return w_.say("words.flood", {}, "M8"), true;
+        case 5: return w_.unit->traits->stops_before_motion && (w_.say("words.spindle-stop", {}, "M5"), true);
+        case 9: return w_.unit->traits->stops_before_motion && (w_.say("words.coolant-off", {}, "M9"), true);
+        case 6: return true;  // with the tool
+        default: return false;
+    }
+}
+
+void BlockWords::function_behind(int m) {
+    switch (m) {
+        case 0: return static_cast<void>(w_.say("flow.stop", {}, "M0"));
+        case 1: return static_cast<void>(w_.say("flow.optional-stop", {}, "M1"));
+        case 2:
+        case 30: return w_.end_all();
+        case 17: return w_.unit == w_.programs.front() ? w_.end_all() : w_.leave();
+        case 5: return static_cast<void>(w_.say("words.spindle-stop", {}, "M5"));
+        case 9: return static_cast<void>(w_.say("words.coolant-off", {}, "M9"));
+        default:
+            w_.refuse(w_.here,
+                      "M" + std::to_string(m) + " is not translated by structure: what it does is the machine's own");
+    }
+}
+
+void BlockWords::tool() {
+    const bool on_m6 = std::find(m_.begin(), m_.end(), 6) != m_.end();
+    const bool waits = !w_.input.lathe || w_.unit->traits->changes_on_m6;
+    if (tool_ && !change_ && !on_m6 && waits) {
+        w_.prepared_tool = tool_;
+        w_.prepared_edge = edge_;
+        return;
+    }
+    if (!tool_ && on_m6) tool_ = w_.prepared_tool, edge_ = edge_ ? edge_ : w_.prepared_edge;
+    if (!tool_ && (on_m6 || change_) && !(change_ && speed_))
+        return w_.refuse(w_.here, "which tool comes into the spindle is not known from this block",
+                         "write T and M6 in one block");
+    if (!tool_ && edge_) {
+        if (w_.language.has("words.edge")) return static_cast<void>(w_.say("words.edge", {{"edge", edge_->text}}, "D"));
+        if (edge_->number == 1.0) return;
+        return w_.refuse(w_.here, "another edge of the tool in the spindle is not translated by structure");
+    }
+    if (!tool_) return;
+    if (!tool_->number) return w_.refuse(w_.here, "a computed tool number is not translated by structure");
+    int number = base::clipped<int>(*tool_->number, 0, 999'999), offset = number;
+    if (joined_offset_) offset = number % 100, number = number / 100;
+    if (edge_ && edge_->number == tool_->number && w_.unit->traits->edge_is_offset_number) edge_.reset();
+    if (edge_ && edge_->number && *edge_->number > 1) {
+        if (!w_.language.has("words.edge"))
+            return w_.refuse(w_.here, "edge D" + edge_->text + " of a tool has no counterpart there");
+    }
+    if (joined_offset_ && offset != number)
+        return w_.refuse(w_.here, "a tool with the offset of another number is not translated by structure");
+    const auto two = [](int n) { return (n < 10 ? "0" : "") + std::to_string(n); };
+    w_.say("words.tool",
+           {{"tool", std::to_string(number)},
+            {"edge", edge_ ? edge_->text : "1"},
+            {"turret", two(number) + two(number)},
+            {"speed", w_.language.has("words.tool-has-speed") ? optional("S", speed_) : ""}},
+           "a tool");
+    if (w_.language.has("words.tool-has-speed")) speed_.reset();
+    w_.tool_in_spindle = number;
+}
+
+void BlockWords::spindle() {
+    const std::string* beside = surface_ == Modal::surface_speed_on ? w_.language.find("words.surface-limit") : nullptr;
+    const std::string limit =
+        limit_ && beside != nullptr ? filled(*beside, {{"limit", spelt("", *limit_, false)}}) : "";
+    if (limit_ && beside == nullptr)
+        w_.say("words.speed-limit", {{"limit", spelt("", *limit_, false)}}, "a limit of the spindle speed (LIMS)");
+    const int surface = w_.held()[Mode::surface];
+    if (surface_ == Modal::surface_speed_on) {
+        w_.say("words.surface", {{"speed", limit + optional("S", speed_)}}, "a constant cutting speed (G96)");
+    } else if (surface_ == Modal::surface_speed_off) {
+        if (speed_ || w_.language.has("words.surface"))
+            w_.say("words.revolutions", {{"speed", optional("S", speed_)}}, "G97");
+    } else if (speed_) {
+        if (surface == several)
+            return w_.refuse(w_.here, "whether S is a cutting speed here depends on the way that the run has come");
+        if (surface == 1 && !w_.language.has("words.surface"))
+            return w_.refuse(w_.here, "S is a cutting speed (G96) here, which the control has not");
+        w_.say("words.spindle", {{"speed", spelt("S", *speed_, false)}}, "a speed");
+    }
+}
+
+void BlockWords::feed_mode() {
+    if (!feed_mode_) return;
+    const bool per_rev = feed_mode_ == Modal::feed_per_rev;
+    w_.say(per_rev ? "words.per-rev" : "words.per-minute", {}, per_rev ? "feed per revolution" : "feed per minute");
+    const int surface = w_.held()[Mode::surface];
+    const bool ends = w_.unit->traits->feed_mode_ends_surface_speed, there = w_.language.feed_ends_surface;
+    if (surface == 0 || surface == never_there || surface_ || ends == there || !w_.language.has("words.surface"))
+        return;
+    if (ends) {
+        w_.say("words.revolutions", {{"speed", ""}}, "G97");
+    } else if (surface == 1) {
+        w_.say("words.surface", {{"speed", ""}}, "G96");
+    } else {
+        w_.refuse(w_.here, "whether the cutting speed is constant here depends on the way that the run has come");
+    }
+}
+
+void BlockWords::modes() {
+    if (plane_) {
+        const std::string_view key = *plane_ == Modal::plane_xy   ? "words.plane-xy"
+                                     : *plane_ == Modal::plane_zx ? "words.plane-zx"
+                                                                  : "words.plane-yz";
+        if (w_.language.has(key))
+            w_.say(key, {}, "a plane");
+        else
+            w_.tell(w_.here,
+                    "the plane is that of the tool axis there: straight moves name their axes, arcs are written in X "
+                    "and Y alone");
+    }
+    if (datum_) {
+        if (w_.language.has("words.datum"))
+            w_.say("words.datum", {{"number", std::to_string(*datum_)}}, "a zero offset");
+        else
+            w_.tell(w_.here, "the zero offset G" + std::to_string(*datum_) + " is the zero point that is active there");
+    }
+    if (length_ && w_.language.has("words.length-on")) {
+        if (!offset_ || !offset_->number || w_.tool_in_spindle != base::clipped<int>(*offset_->number, 0, 999'999))
+            return w_.refuse(w_.here,
+                             "the length of another tool than the one in the spindle is not translated by structure");
+    }
+}
+
+std::string BlockWords::axes_text() {
+    std::vector<std::string> words;
+    for (const Axis& a : axes_) {
+        const std::string* form = a.incremental ? w_.language.find("words.incremental-value") : nullptr;
+        const std::string* letters = a.incremental ? w_.language.find("words.incremental-letters") : nullptr;
+        std::string letter(1, a.letter);
+        if (letters != nullptr && letters->find(a.letter) != std::string::npos &&
+            letters->find(a.letter) + 1 < letters->size())
+            letter = (*letters)[letters->find(a.letter) + 1];
+        if (form == nullptr) {
+            words.push_back(spelt(letter, a.value, true));
+            continue;
+        }
+        words.push_back(
+            filled(*form, {{"letter", letter}, {"value", a.value.text}, {"word", spelt(letter, a.value, true)}}));
+    }
+    return lines_of_block(words);
+}
+
+std::string BlockWords::centre_text() {
+    const std::string* names = w_.language.find("words.centre");
+    if (radius_) {
+        const std::string* form = w_.language.find("words.radius");
+        if (form == nullptr) return w_.refuse(w_.here, "an arc by its radius has no counterpart there"), "";
+        Text v = *radius_;
+        if (!w_.language.computes && !v.number) v = w_.atom(v, program::no_expr);
+        const bool bare = v.number || v.level == Level::atom;
+        return filled(*form, {{"value", v.text},
+                              {"bracketed", bare ? v.text : w_.language.open + v.text + w_.language.close},
+                              {"signed", (v.text[0] == '-' ? "" : "+") + v.text}});
+    }
+    std::string out;
+    for (const auto& [i, v] : centre_) {
+        const std::string letter =
+            names != nullptr && names->size() >= 6 ? names->substr(i * 2, 2) : std::string(1, "IJK"[i]);
+        out += (out.empty() ? "" : " ") + spelt(letter, v, true);
+    }
+    return out;
+}
+
+void BlockWords::move() {
+    std::string feed = feed_ ? spelt("F", *feed_, false) : "";
+    Modal motion = Modal::linear;
+    if (!axes_.empty() || radius_ || !centre_.empty()) {
+        int held = w_.held()[Mode::motion];
+        if (motion_) held = static_cast<int>(*motion_);
+        if (held < 0)
+            return w_.refuse(w_.here,
+                             "which motion is in force here depends on the way that the run has come, or is not said",
+                             "write G0 or G1 in this block");
+        motion = static_cast<Modal>(held);
+    }
+    const bool arc = motion == Modal::arc_cw || motion == Modal::arc_ccw;
+    const bool moves = !axes_.empty() || !centre_.empty();
+    if (moves && !arc && motion != Modal::rapid && motion != Modal::linear)
+        return w_.refuse(w_.here, "the motion in force here is not translated by structure");
+    if (!feed.empty() && (!moves || motion == Modal::rapid)) {
+        w_.say("words.no-move", {{"feed", feed}}, "a feed");
+        feed.clear();
+    }
+    if (!moves) {
+        if (compensation_ && *compensation_ != Modal::compensation_off)
+            w_.refuse(w_.here, "compensation without a move is not translated by structure");
+        if (compensation_ == Modal::compensation_off && w_.language.has("words.comp-off-alone"))
+            w_.say("words.comp-off-alone", {}, "G40");
+        return;
+    }
+    std::string compensation;
+    if (compensation_) {
+        const std::string_view key = *compensation_ == Modal::compensation_left    ? "words.comp-left"
+                                     : *compensation_ == Modal::compensation_right ? "words.comp-right"
+                                                                                   : "words.comp-off";
+        const std::string* text = w_.language.find(key);
+        if (text == nullptr)
+            return w_.refuse(w_.here, "radius compensation is not translated by structure to this control");
+        compensation = filled(*text, {{"tool", std::to_string(w_.tool_in_spindle)}});
+    }
+    const bool all = std::all_of(axes_.begin(), axes_.end(), [](const Axis& a) { return a.incremental; });
+    const bool any = std::any_of(axes_.begin(), axes_.end(), [](const Axis& a) { return a.incremental; });
+    const bool by_mode =
+        any && !w_.language.has("words.incremental-value") && !w_.language.has("words.incremental-letters");
+    if (by_mode && !all)
+        return w_.refuse(w_.here, "absolute and incremental coordinates in one block have no counterpart there",
+                         "write them in two blocks");
+    const int plane = w_.held()[Mode::plane];
+    if (arc && !w_.language.has("words.plane-zx") && (plane_ ? *plane_ != Modal::plane_xy : plane != 17))
+        return w_.refuse(w_.here, "an arc outside the plane of X and Y is not translated by structure to this control");
+    std::string_view key = motion == Modal::rapid    ? "words.rapid"
+                           : motion == Modal::linear ? "words.linear"
+                           : motion == Modal::arc_cw ? "words.arc-cw"
+                                                     : "words.arc-ccw";
+    if (arc && radius_ && w_.language.has("words.arc-radius-cw"))
+        key = motion == Modal::arc_cw ? "words.arc-radius-cw" : "words.arc-radius-ccw";
+    if (arc && !radius_ && centre_.empty())
+        return w_.refuse(w_.here, "an arc whose centre is said elsewhere is not translated by structure");
+    if (!arc && (radius_ || !centre_.empty()))
+        return w_.refuse(w_.here, "a centre or radius beside a straight move is not translated by structure");
+    if (by_mode) w_.say("words.incremental", {}, "increments");
+    const std::string axes = axes_text(), centre = arc ? centre_text() : "";
+    w_.say(key, {{"axes", axes}, {"feed", feed}, {"comp", compensation}, {"centre", centre}}, "this motion");
+    if (by_mode) w_.say("words.absolute", {}, "absolute coordinates");
+}
+
+void BlockWords::write() {
+    gather();
+    if (dwell_) {
+        const auto time = w_.unit->traits->dwell_in_feed_words ? feed_ : dwell_time_;
+        if (!time || !axes_.empty())
+            return w_.refuse(w_.here, source_of_block() + ": this dwell is not translated by structure");
+        w_.say("words.dwell", {{"seconds", spelt("", *time, false)}}, "a dwell");
+        feed_.reset();
+    } else if (dwell_time_) {
+        return w_.refuse(w_.here, source_of_block() + ": P is not translated by structure here");
+    }
+    modes();
+    tool();
+    feed_mode();
+    spindle();
+    std::vector<int> behind;
+    for (const int m : m_)
+        if (!function_before(m)) behind.push_back(m);
+    move();
+    std::stable_partition(behind.begin(), behind.end(), [](int m) { return m != 2 && m != 30 && m != 17; });
+    for (const int m : behind) function_behind(m);
+}
+
+void Writing::block(std::uint32_t) { BlockWords(*this).write(); }
+
+}  // namespace obrys::rewrite

@@ -1,0 +1,81 @@
+#include "rewrite/held.hpp"
+
+#include "program/modal_group.hpp"
+
+namespace obrys::rewrite {
+
+using program::Modal;
+using program::StatementKind;
+using program::Unit;
+
+namespace {
+
+void set_mode(Held& h, Modal m) {
+    if (program::motion_group(m) == program::ModalGroup::motion) h[Mode::motion] = static_cast<int>(m);
+    switch (m) {
+        case Modal::plane_xy: h[Mode::plane] = 17; break;
+        case Modal::plane_zx: h[Mode::plane] = 18; break;
+        case Modal::plane_yz: h[Mode::plane] = 19; break;
+        case Modal::absolute: h[Mode::distance] = 0; break;
+        case Modal::incremental: h[Mode::distance] = 1; break;
+        case Modal::diameter_on: h[Mode::across] = 1; break;
+        case Modal::diameter_off: h[Mode::across] = 0; break;
+        case Modal::feed_per_minute: h[Mode::feed] = 0; break;
+        case Modal::feed_per_rev: h[Mode::feed] = 1; break;
+        case Modal::surface_speed_on: h[Mode::surface] = 1; break;
+        case Modal::surface_speed_off: h[Mode::surface] = 0; break;
+        default: break;
+    }
+}
+
+Held behind(const Unit& unit, std::uint32_t statement, Held h) {
+    if (unit.statements[statement].kind != StatementKind::block) return h;
+    for (std::uint32_t w = unit.statements[statement].first; w < unit.words_end(statement); ++w) {
+        if (program::code_of(unit.words[w]) != program::Code::modal) continue;
+        const Modal m = program::modal_of(unit.words[w]);
+        const bool feed_word = m == Modal::feed_per_minute || m == Modal::feed_per_rev;
+        if (feed_word && unit.traits->feed_mode_ends_surface_speed) h[Mode::surface] = 0;
+        set_mode(h, m);
+    }
+    return h;
+}
+
+/// True where `into` has changed.
+bool join(Held& into, const Held& from) {
+    bool changed = false;
+    for (std::size_t i = 0; i < into.of.size(); ++i) {
+        if (from.of[i] == never_there || into.of[i] == from.of[i] || into.of[i] == several) continue;
+        into.of[i] = into.of[i] == never_there ? from.of[i] : several;
+        changed = true;
+    }
+    return changed;
+}
+
+}  // namespace
+
+HeldModes held_modes(const std::vector<const Unit*>& programs, const Held& start,
+                     const std::map<const Unit*, Graph>& graphs, const Callee& callee) {
+    HeldModes all;
+    for (const Unit* unit : programs) all[unit].resize(unit->statements.size() + 1);
+    join(all[programs.front()].front(), start);
+    for (bool changed = true; changed;) {
+        changed = false;
+        for (const Unit* unit : programs) {
+            std::vector<Held>& held = all[unit];
+            for (std::uint32_t i = 0; i < unit->statements.size(); ++i) {
+                if (held[i][Mode::plane] == never_there) continue;
+                Held out = behind(*unit, i, held[i]);
+                if (unit->statements[i].kind == StatementKind::call)
+                    if (const Unit* called = callee(*unit, unit->calls[entry_of(*unit, i)])) {
+                        changed = join(all[called].front(), held[i]) || changed;
+                        if (!called->save) out = all[called].back();
+                    }
+                for (const std::uint32_t to : graphs.at(unit).next[i])
+                    if (to < held.size()) changed = join(held[to], out) || changed;
+            }
+        }
+    }
+    return all;
+}
+
+}  // namespace obrys::rewrite

@@ -1,0 +1,65 @@
+#pragma once
+/// How a control spells what a program computes and where it goes: the tables [expressions], [parameters], [flow] and
+/// [words] of its post. File form: docs/translate.md.
+
+#include <cstdint>
+#include <map>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <utility>
+#include <vector>
+
+#include "base/diagnostic.hpp"
+#include "base/source.hpp"
+
+namespace obrys::rewrite {
+
+/// Numbers that parameters may have: Q0 to Q99.
+struct Pool {
+    std::string letters;
+    std::uint32_t first = 0, last = 0;
+};
+
+/// Where a program's own variables live.
+enum class LocalPlace : std::uint8_t {
+    file,     ///< numbered, the whole file has them in common: no two programs may use the same
+    program,  ///< numbered, every called program has its own
+    name,     ///< they keep their names
+};
+
+struct Language {
+    /// Texts by "table.key"; a key that is not there is what the control lacks.
+    std::map<std::string, std::string, std::less<>> texts;
+    std::string open = "(", close = ")";
+    bool point = false;              ///< numbers have one: "5."
+    bool sign = false;               ///< values of words have one: "+5"
+    bool computes = true;            ///< words take expressions; else a number or a parameter alone
+    bool across = false;             ///< X words are diameters
+    bool feed_ends_surface = false;  ///< saying per minute or revolution ends constant cutting speed
+    bool subs_first = false;         ///< called programs stand before the main one
+    bool numbered_labels = false, numbered_programs = false;
+    bool end_stops_all = true;  ///< the end of the program, written in a called one, ends the run
+    int step = 0;               ///< of block numbers; 0: blocks have none
+    std::vector<Pool> global, local;
+    LocalPlace local_place = LocalPlace::program;
+    std::uint32_t shift = 0;  ///< of a global parameter's number where it can keep it: R3 is #103
+    std::string arguments;    ///< letters of arguments, in the order of the parameters that they set
+    std::vector<std::uint32_t> argument_numbers;  ///< of those parameters
+
+    [[nodiscard]] const std::string* find(std::string_view key) const {
+        const auto found = texts.find(key);
+        return found == texts.end() ? nullptr : &found->second;
+    }
+    [[nodiscard]] bool has(std::string_view key) const { return find(key) != nullptr; }
+};
+
+/// A text of the language with values in its places: `{name}`.
+using Places = std::vector<std::pair<std::string_view, std::string>>;
+[[nodiscard]] std::string filled(std::string_view text, const Places& places);
+
+/// Of a post; nothing, with what is wrong in `diagnostics`, where it has no such tables or they cannot be used.
+[[nodiscard]] std::optional<Language> read_language(std::uint32_t file, const base::Sources& sources,
+                                                    base::Diagnostics& diagnostics);
+
+}  // namespace obrys::rewrite

@@ -1,0 +1,186 @@
+#pragma once
+/// What all parts of the rewriting share: the language, the program at hand and the text so far. Private to rewrite.
+
+#include <functional>
+#include <map>
+#include <optional>
+#include <set>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "rewrite/graph.hpp"
+#include "rewrite/held.hpp"
+#include "rewrite/language.hpp"
+#include "rewrite/names.hpp"
+#include "rewrite/rewrite.hpp"
+
+namespace obrys::rewrite {
+
+using program::Expr;
+using program::ExprId;
+using program::ExprKind;
+using program::Function;
+using program::Operator;
+using program::StatementKind;
+using program::Unit;
+
+/// How tight a text holds together.
+enum class Level : std::uint8_t { atom, sign, product, sum, comparison, logic };
+
+/// An expression in the other language.
+struct Text {
+    std::string text;
+    Level level = Level::atom;
+    std::optional<double> number{};  ///< it is one
+};
+
+/// A condition whose operands stand ready.
+struct Condition {
+    enum class Kind : std::uint8_t { comparison, all, any, constant };
+    Kind kind = Kind::constant;
+    bool holds = true;  ///< of a constant
+    Operator op = Operator::equal;
+    Text a{}, b{};
+    std::vector<Condition> parts{};
+};
+
+struct Line {
+    std::string text;
+    base::Span from;
+};
+
+class Writing {
+public:
+    Writing(const Input& input, const Language& language);
+    Rewritten run(const std::string& name);
+
+    // expressions.cpp
+    Text value(ExprId id);
+    /// A number, a parameter or a place that holds the value.
+    Text atom(ExprId id) { return atom(value(id), id); }
+    Text atom(Text value, ExprId where);
+    [[nodiscard]] std::string within(const Text& t, Level loosest) const;
+    [[nodiscard]] std::string number(double v) const;
+    [[nodiscard]] Text number_text(double v) const;
+    Text joined(std::string_view op, const Text& a, const Text& b, Level level);
+    Text place_for(ExprId where);
+    void assign(const Text& to, const Text& from);
+    std::optional<Text> target_of(ExprId id);
+    /// Refuses what an INT or BOOL would round.
+    void judge_type(ExprId target, ExprId value);
+
+    // functions.cpp
+    Text function(const Expr& e, ExprId id);
+
+    // conditions.cpp
+    Condition condition(ExprId id, bool negated = false);
+    [[nodiscard]] std::optional<std::string> as_text(const Condition& c) const;
+    void jump_when(const Condition& c, const std::string& label);
+    /// `then` where a and b compare so.
+    void when(const Text& a, Operator op, const Text& b, const std::function<void()>& then);
+    Text truth(ExprId id);
+
+    // statements.cpp
+    void statements(const Unit& unit);
+    std::string label_of(std::uint32_t statement);
+    std::string fresh_label();
+    void place(const std::string& label);
+    void jump(const std::string& label);
+
+    // calls.cpp
+    void call(const program::Call& c);
+    void label_call(const program::LabelCall& c, std::uint32_t statement);
+    void procedure(const program::ProcedureCall& p);
+    /// An alarm of the program: its number, a blank and its text.
+    void alarm(const std::string& said);
+    void define(const program::Define& d);
+    void begin_program(const Unit& unit, bool main);
+    void end_program(const Unit& unit, bool main);
+    void leave();
+    void end_all();
+    [[nodiscard]] std::string program_name(const Unit& unit);
+
+    // blocks.cpp
+    void block(std::uint32_t statement);
+
+    /// A line of the text.
+    void say(std::string text);
+    /// A text of the language with its places filled; refuses where the language has none.
+    bool say(std::string_view key, const Places& places, std::string_view what);
+    void refuse(const base::Span& where, std::string what, std::string remedy = {});
+    void tell(const base::Span& where, std::string what);
+    [[nodiscard]] std::string source(const base::Span& where) const;
+    [[nodiscard]] base::Span span(ExprId id) const { return unit->span(id); }
+    [[nodiscard]] const Held& held() const { return modes.at(unit)[at]; }
+
+    const Input& input;
+    const Language& language;
+    Naming naming;
+    std::vector<const Unit*> programs;
+    std::map<const Unit*, Graph> graphs;
+    HeldModes modes;
+    const Unit* unit = nullptr;
+    std::uint32_t at = 0;  ///< the statement
+    base::Span here;       ///< its place
+    std::vector<Line> lines;
+    std::vector<Note> notes;
+    std::optional<Text> prepared_tool, prepared_edge;  ///< said last, and not changed to yet
+    int tool_in_spindle = 0;                           ///< as the text says it last; 0: none
+
+private:
+    const Unit* callee(const Unit& caller, const program::Call& c) const;
+    bool collect(const Unit& unit, std::vector<const Unit*>& open);
+    /// Statements [first, end).
+    void range(std::uint32_t first, std::uint32_t end, bool only_inline);
+    void statement(std::uint32_t i);
+    /// The name under which a called part of the unit is a program of its own.
+    std::string part(const Range& r);
+    void parts_of_unit();
+    bool may_jump();
+    /// A parameter in which the control keeps something of its own, or that is no storage alone.
+    [[nodiscard]] bool means_more(std::uint32_t number) const;
+    /// What a call does not hand over as it is: VAR, arrays, types but numbers. Refuses it.
+    bool takes_numbers(const Unit& called);
+    /// Argument n is set by the program before it reads it.
+    [[nodiscard]] bool is_set_first(const Unit& unit, std::uint32_t n) const;
+    void structure(std::uint32_t i);
+    void branch(std::uint32_t i);
+    void loop(std::uint32_t i);
+    void counted(std::uint32_t i);
+    void case_of(const program::Case& c);
+    void jump_statement(const program::Jump& j);
+    void section(std::uint32_t i);
+    [[nodiscard]] bool keeps_structures() const { return language.has("flow.while"); }
+    std::string structure_number(std::uint32_t opener);
+    /// SAVE of the unit: refused where it has an effect.
+    void saves();
+    /// Declares the unit's own names, in front of what stands behind line `top`.
+    void declare(std::size_t top);
+    Rewritten finished(const std::string& name);
+
+    std::map<std::uint32_t, std::string> labels_;   ///< of the unit's statements, as the program calls them
+    std::map<std::uint32_t, std::string> settled_;  ///< … and as they are called there
+    std::set<std::uint32_t> wanted_;                ///< statements that need a label
+    std::set<std::string> all_labels_;
+    std::map<const Unit*, std::string> program_names_;
+    std::set<std::uint32_t> again_;  ///< loops whose conditions need lines before them
+    std::map<std::uint32_t, std::string> counters_;
+    std::map<std::uint32_t, std::string> numbers_;  ///< of structures
+    int next_label_ = 0, next_number_ = 0;
+    std::string end_label_;
+    struct Part {
+        std::string name;
+        Range range;
+    };
+    std::map<std::pair<const Unit*, std::uint32_t>, Part> parts_;  ///< by their first statement
+    std::vector<std::uint32_t> waiting_;                           ///< parts of the unit to be written
+    std::set<std::uint32_t> inline_;  ///< statements to which more than calls of labels lead
+    bool jumps_refused_ = false;
+    std::string last_message_;
+};
+
+/// The same turned round: less for greater or equal.
+[[nodiscard]] Operator opposite(Operator op);
+
+}  // namespace obrys::rewrite
