@@ -94,7 +94,8 @@ bool arc_about_axis(Run& run, const Vec3& to) {
     if (!geom::is_finite(centre) || !(geom::length(axis) > 0))
         return straight_instead(run, to, "centre or axis of this arc is not known");
     const Vec3 n = (1 / geom::length(axis)) * axis;
-    const auto [u, v] = plane_of(n);
+    const auto plane = plane_of(n);
+    const Vec3 u = plane.first, v = plane.second;
     const auto flat = [&](const Vec3& p) { return Vec2{geom::dot(p - centre, u), geom::dot(p - centre, v)}; };
     const int turns = run.block.has(Code::turns) ? base::clipped<int>(run.block.get(Code::turns), 0, 999) : 0;
     const path::ArcResult arc =
