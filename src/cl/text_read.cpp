@@ -127,6 +127,7 @@ std::optional<Step> begun(std::string_view word, const std::variant<Records...>*
     if (word == "message" || word == "print") return Comment{"", true, word == "print"};
     if (word == "label") return PartBegin{.kind = PartKind::label, .name = {}};
     if (word == "repeat") return PartBegin{.kind = PartKind::repetition, .name = {}};
+    static_assert((!head<Records>.empty() && ...), "a record without a word");
     std::optional<Step> found;
     ((word == head<Records> ? void(found = Records{}) : void()), ...);
     return found;

@@ -121,6 +121,7 @@ private:
 
 template <class T>
 std::string_view head_of(const T&) {
+    static_assert(!head<T>.empty(), "a record without a word");
     return head<T>;
 }
 std::string_view head_of(const Linear& s) { return s.rapid ? "rapid" : head<Linear>; }

@@ -7,9 +7,8 @@
 
 namespace obrys::driver {
 
-std::string canon_of(Session& s, cl::Sink also) {
-    std::string out;
-    const auto write = [&](std::string_view text) { out += text; };
+interp::Outcome print_canon(Session& s, const std::function<void(std::string_view)>& write, bool configured,
+                            cl::Sink also) {
     const auto number = [&](const base::Span& at) {
         const auto n = s.sources.block_number(at.file, at.begin);
         return n ? std::to_string(*n) : std::string{};
@@ -23,9 +22,8 @@ std::string canon_of(Session& s, cl::Sink also) {
     const auto& said = s.diagnostics.all();
     const bool searched = std::any_of(
         said.begin(), said.end(), [](const base::Diagnostic& d) { return d.code == base::codes::missing_subprogram; });
-    constexpr int resets = 2;  // without a configuration
-    writer.finish(percent_lines(s), resets, outcome.ending != interp::Ending::regular && !searched);
-    return out;
+    writer.finish(percent_lines(s), configured ? 1 : 2, outcome.ending != interp::Ending::regular && !searched);
+    return outcome;
 }
 
 }  // namespace obrys::driver

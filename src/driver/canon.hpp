@@ -1,13 +1,16 @@
 #pragma once
 /// A run as LinuxCNC's canonical calls, as rs274 -g prints them.
 
-#include <string>
+#include <functional>
+#include <string_view>
 
 #include "driver/session.hpp"
 
 namespace obrys::driver {
 
-/// Interprets a session that was opened for it (Request::canon); `also` gets every record, too.
-[[nodiscard]] std::string canon_of(Session& session, cl::Sink also);
+/// Interprets a session that was opened for it (Request::canon). `write` gets the calls line by line, `also` every
+/// record. `configured`: by a configuration of its own, where the interpreter ends otherwise.
+interp::Outcome print_canon(Session& session, const std::function<void(std::string_view)>& write, bool configured,
+                            cl::Sink also);
 
 }  // namespace obrys::driver

@@ -53,7 +53,8 @@ std::optional<write::Post> find_post(const std::string& name, Session& s) {
 
 /// The run tells its settings where the session was opened for that (Request::canon).
 static Translated translate_to_canon(Session& session, Translated out) {
-    out.text = canon_of(session, [&](const cl::Record& record) { out.path.take(record); });
+    const auto write = [&](std::string_view text) { out.text += text; };
+    static_cast<void>(print_canon(session, write, false, [&](const cl::Record& record) { out.path.take(record); }));
     return out;
 }
 

@@ -449,7 +449,7 @@ void end_finishing(Run&, const ActiveSection&);
 /// G5, G5.1, G5.2 … G5.3, G6.2.
 [[nodiscard]] bool spline_motion(Run&);
 
-// --- what is set besides moves (tell.cpp); nothing where nobody wants to know
+// --- what is set besides moves (tell.cpp); `tell…`: nothing where nobody wants to know
 void tell(Run&, cl::SettingKind, int number = 0, std::initializer_list<double> values = {});
 void tell(Run&, cl::SettingKind, int number, const Axes& values);
 void tell_tool_entry(Run&, int place, int tool, std::initializer_list<double> values);

@@ -1,4 +1,5 @@
-/// What a program sets besides its moves, for those who want to compare it (cl::Setting).
+/// What a program sets besides its moves, in the order in which it acts: outputs and overrides for everybody, the rest
+/// for those who want to compare it with canonical calls (cl::Setting).
 
 #include <algorithm>
 

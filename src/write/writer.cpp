@@ -160,53 +160,53 @@ void Writer::take_event(const cl::Record& record) {
         write_all();
     }
     static_cast<void>(cursor_.take(record));
-    if (const auto* change = std::get_if<cl::ToolChange>(&step)) {
-        tool_waits_ = !change->standing;
-        if (change->standing && post_.has(Command::tool_standing)) write_standing(*change);
-    }
-    if (const auto* begin = std::get_if<cl::CompensationBegin>(&step); begin != nullptr && !plain_) {
-        compensation_ =
-            begin->side == cl::CompensationSide::left ? Command::compensation_left : Command::compensation_right;
-        contour_begun_ = false;
-        programmed_.clear();
-    }
-    if (std::holds_alternative<cl::CompensationEnd>(step) && !std::exchange(plain_, false))
-        compensation_ = Command::compensation_off;
     values_.clear();
-    if (const auto* data = std::get_if<cl::ToolData>(&step)) {
-        write_tool_data(*data);
-    }
-    if (const auto* data = std::get_if<cl::DatumData>(&step)) {
-        write_all();
-        write_zero(*data);
-    }
-    if (const auto* dwell = std::get_if<cl::Dwell>(&step)) {
-        write_all();
-        values_.clear();
-        const bool turns = dwell->seconds == 0 && dwell->revolutions != 0;
-        values_.set(Value::seconds, dwell->seconds);
-        values_.set(Value::revolutions, dwell->revolutions);
-        print(turns ? Command::dwell_revolutions : Command::dwell_seconds, "a dwell");
-    }
-    if (const auto* stop = std::get_if<cl::Stop>(&step)) {
-        write_all();
-        values_.clear();
-        const bool end = stop->kind == cl::StopKind::end;
-        ended_ = ended_ || end;
-        print(end                                   ? Command::stop_end
-              : stop->kind == cl::StopKind::program ? Command::stop_program
-                                                    : Command::stop_optional,
-              "a stop");
-        if (!end) stop_spindle(post_.stop_stops_spindle);
-    }
-    if (const auto* comment = std::get_if<cl::Comment>(&step)) write_comment(*comment);
-    if (const auto* next = std::get_if<cl::ToolSelection>(&step)) write_selection(*next);
-    if (const auto* signal = std::get_if<cl::Output>(&step)) write_output(*signal);
-    if (const auto* allowed = std::get_if<cl::Override>(&step)) write_override(*allowed);
-    if (const auto* aux = std::get_if<cl::Auxiliary>(&step)) write_function(*aux);
+    std::visit([this](const auto& kind) { event(kind); }, step);
 }
 
-void Writer::write_override(const cl::Override& allowed) {
+void Writer::event(const cl::ToolChange& change) {
+    tool_waits_ = !change.standing;
+    if (change.standing && post_.has(Command::tool_standing)) write_standing(change);
+}
+
+void Writer::event(const cl::CompensationBegin& begin) {
+    if (plain_) return;
+    compensation_ = begin.side == cl::CompensationSide::left ? Command::compensation_left : Command::compensation_right;
+    contour_begun_ = false;
+    programmed_.clear();
+}
+
+void Writer::event(const cl::CompensationEnd&) {
+    if (!std::exchange(plain_, false)) compensation_ = Command::compensation_off;
+}
+
+void Writer::event(const cl::DatumData& data) {
+    write_all();
+    write_zero(data);
+}
+
+void Writer::event(const cl::Dwell& dwell) {
+    write_all();
+    values_.clear();
+    const bool turns = dwell.seconds == 0 && dwell.revolutions != 0;
+    values_.set(Value::seconds, dwell.seconds);
+    values_.set(Value::revolutions, dwell.revolutions);
+    print(turns ? Command::dwell_revolutions : Command::dwell_seconds, "a dwell");
+}
+
+void Writer::event(const cl::Stop& stop) {
+    write_all();
+    values_.clear();
+    const bool end = stop.kind == cl::StopKind::end;
+    ended_ = ended_ || end;
+    print(end                                  ? Command::stop_end
+          : stop.kind == cl::StopKind::program ? Command::stop_program
+                                               : Command::stop_optional,
+          "a stop");
+    if (!end) stop_spindle(post_.stop_stops_spindle);
+}
+
+void Writer::event(const cl::Override& allowed) {
     write_all();
     constexpr std::array on{Command::override_feed, Command::override_spindle, Command::override_adaptive,
                             Command::override_hold};
@@ -216,7 +216,7 @@ void Writer::write_override(const cl::Override& allowed) {
     print((allowed.on ? on : off)[static_cast<std::size_t>(allowed.kind)], "what the operator may change");
 }
 
-void Writer::write_function(const cl::Auxiliary& aux) {
+void Writer::event(const cl::Auxiliary& aux) {
     write_all();
     values_.clear();
     values_.set(Text::letter, std::string(1, aux.letter));
@@ -230,7 +230,7 @@ void Writer::write_function(const cl::Auxiliary& aux) {
 
 /// That a magazine brings a tool beforehand makes no difference to the path: where the post does not say it, it is left
 /// out.
-void Writer::write_selection(const cl::ToolSelection& next) {
+void Writer::event(const cl::ToolSelection& next) {
     if (tool_ && tool_->number == next.number) return;  // words of its edge that follow are for it as it is
     if (!post_.has(Command::tool_next) || next.number == 0) return note(Fate::expanded, "a tool that is prepared");
     write_all();
@@ -239,7 +239,7 @@ void Writer::write_selection(const cl::ToolSelection& next) {
     print(Command::tool_next, "a tool that is prepared");
 }
 
-void Writer::write_output(const cl::Output& signal) {
+void Writer::event(const cl::Output& signal) {
     write_all();
     values_.clear();
     values_.set(Value::number, signal.number);
@@ -251,7 +251,7 @@ void Writer::write_output(const cl::Output& signal) {
           "output " + std::to_string(signal.number));
 }
 
-void Writer::write_tool_data(const cl::ToolData& data) {
+void Writer::event(const cl::ToolData& data) {
     if (!data.length && !data.radius)
         return note(Fate::lost,
                     "what the program sets of tool " + std::to_string(data.number) + " besides its length and radius");
@@ -274,7 +274,7 @@ void Writer::clean(std::string& text) const {
     }
 }
 
-void Writer::write_comment(const cl::Comment& comment) {
+void Writer::event(const cl::Comment& comment) {
     const Command wanted = comment.terminal ? Command::terminal : Command::message;
     const Command command = comment.message && post_.has(wanted) ? wanted : Command::comment;
     if (!post_.has(command)) return note(Fate::lost, "a comment: the post has no text.comment");

@@ -7,9 +7,9 @@
 #include "base/codes.hpp"
 #include "base/number.hpp"
 #include "check/result.hpp"
-#include "cl/canon.hpp"
 #include "cl/text.hpp"
 #include "cl/totals.hpp"
+#include "driver/canon.hpp"
 #include "driver/check_program.hpp"
 #include "driver/plot_path.hpp"
 #include "driver/stream_table.hpp"
@@ -34,22 +34,8 @@ interp::Outcome print_stream(const Arguments& a, driver::Session& s, driver::Out
         driver::CsvWriter writer(s.sources, write);
         return driver::interpret(s, writer);
     }
-    if (a.request.canon) {
-        const auto number = [&](const base::Span& at) {
-            const auto n = s.sources.block_number(at.file, at.begin);
-            return n ? std::to_string(*n) : std::string{};
-        };
-        cl::CanonWriter writer(write, number);
-        const interp::Outcome outcome = driver::interpret(s, writer);
-        // A subprogram that is not there was looked for up to the end of the text.
-        const auto& said = s.diagnostics.all();
-        const bool searched = std::any_of(said.begin(), said.end(), [](const base::Diagnostic& d) {
-            return d.code == base::codes::missing_subprogram;
-        });
-        writer.finish(driver::percent_lines(s), a.request.configuration.empty() ? 2 : 1,
-                      outcome.ending != interp::Ending::regular && !searched);
-        return outcome;
-    }
+    if (a.request.canon)
+        return driver::print_canon(s, write, !a.request.configuration.empty(), [](const cl::Record&) {});
     if (a.format == "json") {
         driver::JsonWriter writer(s.sources, write);
         const interp::Outcome outcome = driver::interpret(s, writer);

@@ -17,6 +17,12 @@ namespace {
 /// "PART" of "subs/PART.MPF".
 std::string program_name(const std::string& path) { return driver::fs::path(path).stem().string(); }
 
+const char* verdict_of(const driver::Proved& p) {
+    return p.differs ? "does not do the same" : p.proof == driver::Proof::same ? "does the same" : "not fully compared";
+}
+
+int code_of(driver::Proof p) { return p == driver::Proof::same ? 0 : p == driver::Proof::differs ? 1 : 3; }
+
 /// Exit code of what was written, run again: 0 it does the same, 1 it does not, 3 it could not be held to it.
 int proved(driver::Session& s, const driver::Translated& t, const write::Post& post, const Arguments& a) {
     compare::Tolerance tolerance;
@@ -25,17 +31,11 @@ int proved(driver::Session& s, const driver::Translated& t, const write::Post& p
     if (!proved.why_not.empty()) std::fprintf(stderr, "not compared: %s\n", proved.why_not.c_str());
     if (proved.run != nullptr && (proved.run_complains || !proved.why_not.empty()))
         print_diagnostics(*proved.run, base::Severity::warning);
-    using driver::Proof;
     if (proved.why_not.empty())
-        std::fprintf(stderr, "%s: %zu moves, run again as %s, within %g mm\n",
-                     proved.differs                ? "does not do the same"
-                     : proved.proof == Proof::same ? "does the same"
-                                                   : "not fully compared",
-                     proved.moves, post.control.c_str(), a.same_place);
-    return proved.proof == Proof::same ? 0 : proved.proof == Proof::differs ? 1 : 3;
+        std::fprintf(stderr, "%s: %zu moves, run again as %s, within %g mm\n", verdict_of(proved), proved.moves,
+                     post.control.c_str(), a.same_place);
+    return code_of(proved.proof);
 }
-
-int code_of(driver::Proof p) { return p == driver::Proof::same ? 0 : p == driver::Proof::differs ? 1 : 3; }
 
 std::string listed(const std::vector<std::string>& set) {
     std::string out;
@@ -62,12 +62,9 @@ driver::Proof proved_with_all(driver::Session& s, const driver::Kept& kept, cons
         const bool first = set.empty();
         if (p.run != nullptr && p.proof != driver::Proof::same && first)
             print_diagnostics(*p.run, base::Severity::warning);
-        std::fprintf(stderr, "%s: %zu moves, %s%s%s\n",
-                     p.differs                        ? "does not do the same"
-                     : p.proof == driver::Proof::same ? "does the same"
-                                                      : "not fully compared",
-                     p.moves, set.empty() ? "with the program's own values" : listed(set).c_str(),
-                     what.empty() ? "" : ": ", what.c_str());
+        std::fprintf(stderr, "%s: %zu moves, %s%s%s\n", verdict_of(p), p.moves,
+                     set.empty() ? "with the program's own values" : listed(set).c_str(), what.empty() ? "" : ": ",
+                     what.c_str());
         if (!p.why_not.empty()) std::fprintf(stderr, "not compared: %s\n", p.why_not.c_str());
     }
     return differs ? driver::Proof::differs : unknown ? driver::Proof::not_compared : driver::Proof::same;
