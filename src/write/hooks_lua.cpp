@@ -2,11 +2,14 @@
 
 #include <algorithm>
 #include <array>
+#include <cstdint>
 #include <cstring>
 #include <lua.hpp>
+#include <optional>
 #include <set>
 
 #include "base/number.hpp"
+#include "base/whole.hpp"
 #include "write/lua_sandbox.hpp"
 
 namespace obrys::write {
@@ -33,8 +36,9 @@ struct Question {
 void push_value(lua_State* lua, const Values& values, ValueIndex v, std::string_view name) {
     lua_pushlstring(lua, name.data(), name.size());
     const double value = values.number(v);
-    if (is_counted(v) && value >= 0 && value < 1e15)
-        lua_pushinteger(lua, static_cast<lua_Integer>(value));
+    const std::optional<std::int64_t> count = is_counted(v) ? base::whole<std::int64_t>(value) : std::nullopt;
+    if (count)
+        lua_pushinteger(lua, *count);
     else
         lua_pushnumber(lua, value);
     lua_settable(lua, -3);
