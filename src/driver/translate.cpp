@@ -45,22 +45,6 @@ std::optional<write::Post> find_post(const std::string& name, Session& s) {
     return std::nullopt;
 }
 
-Translated translate(Session& session, const write::Post& post, const std::string& name, double same_place,
-                     const std::function<void(write::Note)>& note) {
-    Translated out;
-    out.path = compare::Path(same_place);
-    write::Output output;
-    output.text = [&](std::string_view text) { out.text += text; };
-    output.note = note;
-    write::Writer writer(post, name, output);
-    static_cast<void>(interpret(session, [&](const cl::Record& record) {
-        writer.take(record);
-        out.path.take(record);
-    }));
-    writer.finish();
-    return out;
-}
-
 base::Diagnostic complaint_of(const write::Note& note, const Session& s) {
     base::Diagnostic d;
     const bool lost = note.fate == write::Fate::lost;
@@ -68,9 +52,33 @@ base::Diagnostic complaint_of(const write::Note& note, const Session& s) {
     d.code = lost ? codes::not_written : codes::written_by_moves;
     d.where = note.from;
     d.stack = s.stacks.sites(note.stack);
-    d.text = "line " + std::to_string(note.line) + ": " + note.what +
+    const std::string file = note.file.empty() ? "" : note.file + ", ";
+    d.text = file + "line " + std::to_string(note.line) + ": " + note.what +
              (lost ? " is not written" : " is written by its moves");
     return d;
+}
+
+Translated translate(Session& session, const write::Post& post, const TranslateOptions& options) {
+    Translated out;
+    out.path = compare::Path(options.same_place);
+    write::Output output;
+    output.text = [&](std::string_view text) { out.text += text; };
+    output.note = [&](const write::Note& note) {
+        if (out.ledger.add(note) && note.fate != write::Fate::mapped)
+            session.diagnostics.add(complaint_of(note, session));
+    };
+    if (options.files)
+        output.file = [&](const std::string& file, std::string_view text) {
+            out.files.push_back({file, std::string(text)});
+        };
+    write::Writer writer(post, options.name, output);
+    const interp::Outcome outcome = interpret(session, [&](const cl::Record& record) {
+        writer.take(record);
+        out.path.take(record);
+    });
+    writer.finish();
+    add_not_understood(out.ledger, session, outcome.ending);
+    return out;
 }
 
 namespace {
@@ -107,8 +115,15 @@ Request request_of(const Translated& translated, const write::Post& post, Reques
     request.text = translated.text;
     request.control = post.control;
     request.set.clear();
-    request.folders = std::make_shared<Folders>(of.storage);  // those of the request belong to another thread
-    if (request.machine.empty() && of.job.machine.more_axes)  // nobody has named it
+    std::shared_ptr<const Storage> storage = of.storage;
+    if (!translated.files.empty()) {
+        auto files = std::make_shared<Memory>(storage);
+        for (const WrittenFile& file : translated.files)
+            files->put(fs::path(of.program).parent_path() / file.name, file.text);
+        storage = std::move(files);
+    }
+    request.folders = std::make_shared<Folders>(std::move(storage));  // those of the request belong to another thread
+    if (request.machine.empty() && of.job.machine.more_axes)          // nobody has named it
         request.machine = of.job.machine.kind == shop::MachineKind::lathe ? "lathe-generic" : "mill-generic";
     return request;
 }

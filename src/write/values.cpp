@@ -66,7 +66,8 @@ constexpr std::array<std::string_view, static_cast<std::size_t>(Value::count)> n
                                                                                      "mirror-x",
                                                                                      "mirror-y",
                                                                                      "mirror-z",
-                                                                                     "block"};
+                                                                                     "block",
+                                                                                     "passes"};
 constexpr std::array<std::string_view, static_cast<std::size_t>(Text::count)> texts{"name", "text", "letter"};
 
 }  // namespace

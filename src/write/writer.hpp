@@ -1,5 +1,6 @@
 #pragma once
-/// The stream as a program of a control, by a post. Streams: memory does not grow with the number of moves.
+/// The stream as a program of a control, by a post. Streams: memory does not grow with the number of moves; it holds
+/// the text of parts that are called.
 
 #include <functional>
 #include <optional>
@@ -10,28 +11,10 @@
 #include "cl/record.hpp"
 #include "motion/cursor.hpp"
 #include "write/frames.hpp"
+#include "write/layout.hpp"
 #include "write/printer.hpp"
 
 namespace obrys::write {
-
-enum class Fate : std::uint8_t {
-    expanded,  ///< it is there by its moves
-    lost       ///< it is not there
-};
-
-/// What the program that was written does not say as the stream does.
-struct Note {
-    Fate fate = Fate::lost;
-    std::string what;
-    base::Span from;
-    cl::StackId stack = 0;
-    std::uint64_t line = 0;  ///< of the text, counted from 1: the one that follows
-};
-
-struct Output {
-    std::function<void(std::string_view)> text;
-    std::function<void(Note)> note;
-};
 
 class Writer {
 public:
@@ -52,6 +35,38 @@ private:
         bool operator==(const Source&) const = default;
     };
 
+    /// What is set by a record of its own and written later.
+    enum class Topic : std::uint8_t {
+        tool,
+        length,
+        datum,
+        frame,
+        spindle,
+        coolant,
+        tolerance,
+        path,
+        compensation,
+        count
+    };
+    /// Notes are about the record that has set it, not about the one that it is written for.
+    class About {
+    public:
+        About(Writer& writer, Topic topic);
+        ~About();
+        About(const About&) = delete;
+        About& operator=(const About&) = delete;
+
+    private:
+        Writer& writer_;
+        const Source* before_;
+    };
+
+    void remember_topic(const cl::Step& step);
+    void take_part(const cl::Record& record);
+    void open_part(const cl::Record& record, const cl::PartBegin& part);
+    void close_part();
+    void spill_parts();
+    void keep_standing();
     void take_folded(const cl::Record& record);
     void take_move(const cl::Record& record);
     void take_lead(const cl::Record& record, const cl::LeadBegin& lead);
@@ -100,7 +115,7 @@ private:
     void note_feed(bool rapid);
     void note_unknown(const geom::Vec3& from, const geom::Vec3& to);
     void lose_axes();
-    void end_wait_of_compensation(Command command);
+    void end_wait_of_compensation(Command command, std::uint64_t line);
     void print_move(Command command, bool rapid, const cl::Programmed* corner);
     [[nodiscard]] Command feed_command(bool rapid) const;
     [[nodiscard]] Parts parts_of(bool rapid, const cl::Programmed* corner);
@@ -114,11 +129,11 @@ private:
     void clean(std::string& text) const;
     void write_comment(const cl::Comment& comment);
     bool print(Command command, std::string_view what);
-    void note(Fate fate, std::string what);
+    void note(Fate fate, std::string what, std::uint64_t line = 0);
 
     const Post& post_;
     std::string name_;
-    Output output_;
+    Layout layout_;
     Printer printer_;
     Values values_;
     motion::Cursor cursor_;
@@ -158,6 +173,15 @@ private:
     bool contour_begun_ = false;      ///< an element has been written under compensation
     std::vector<Source> programmed_;  ///< sources of elements whose moves the control makes
     bool ended_ = false;
+
+    std::array<Source, static_cast<std::size_t>(Topic::count)> topics_{};
+    const Source* about_ = nullptr;
+    /// Calls and repetitions that are open.
+    struct OpenPart {
+        bool in_layout = false;  ///< else it is a contour of a cycle, or the like
+        bool whole = true;       ///< it may be called by itself
+    };
+    std::vector<OpenPart> parts_;
 };
 
 }  // namespace obrys::write

@@ -40,6 +40,10 @@ std::optional<geom::Vec3> plane_of(const geom::Frame& f) {
     return std::nullopt;
 }
 
+std::string name_of_cycle(const cl::Cycle& cycle) {
+    return "cycle " + cycle.name + " (" + std::string(cl::spelling(cycle.kind)) + ")";
+}
+
 }  // namespace
 
 const CycleForm* Writer::form_of(const cl::Cycle& cycle) const {
@@ -91,7 +95,9 @@ bool Writer::fold(const cl::CycleBegin& begin) {
     for (const Block& block : form->define) defined += printer_.whole(block, values_).value_or("") + "\n";
     if (defined != defined_ && printer_.print(form->define, values_) == Printed::failed) return false;
     defined_ = defined;
+    const std::uint64_t line = layout_.next();
     if (printer_.print(form->call, values_, parts_of(false, nullptr)) == Printed::failed) return false;
+    note(Fate::mapped, name_of_cycle(cycle), line);
     in_cycles_ = post_.has(Command::cycle_end);
     return true;
 }
@@ -104,7 +110,7 @@ void Writer::take_cycle(const cl::Record& record, const cl::CycleBegin& begin) {
         return;
     }
     flush_held();
-    note(Fate::expanded, "cycle " + begin.cycle->name + " (" + std::string(cl::spelling(begin.cycle->kind)) + ")");
+    note(Fate::expanded, name_of_cycle(*begin.cycle));
 }
 
 void Writer::take_lead(const cl::Record& record, const cl::LeadBegin& lead) {
@@ -148,7 +154,10 @@ void Writer::print_lead() {
     if (const auto& c = cursor_.state().compensation; c && lead.onto)
         compensation_ =
             c->side == cl::CompensationSide::left ? Command::compensation_left : Command::compensation_right;
-    if (printer_.print(post_[lead.command], values_, parts_of(lead.rapid, nullptr)) == Printed::failed)
+    const std::uint64_t line = layout_.next();
+    if (printer_.print(post_[lead.command], values_, parts_of(lead.rapid, nullptr)) != Printed::failed)
+        note(Fate::mapped, lead.onto ? "a way onto a contour" : "a way off a contour", line);
+    else
         note(Fate::lost, "a way onto a contour or off it: a word cannot hold " + printer_.failed_word());
     compensation_.reset();
     if (!lead.onto) printer_.force(post_[Command::compensation_off]);

@@ -55,9 +55,14 @@ void Writer::note_feed(bool rapid) {
         note(Fate::lost, "a feed: the post has no " + std::string(name_of(feed_command(false))));
 }
 
-void Writer::end_wait_of_compensation(Command command) {
+void Writer::end_wait_of_compensation(Command command, std::uint64_t line) {
+    const About about(*this, Topic::compensation);
     if (!has_part(post_[command], Part::compensation))
         note(Fate::lost, "compensation: " + std::string(name_of(command)) + " of the post has no place for it");
+    else if (compensation_ == Command::compensation_off)
+        note(Fate::mapped, "the end of radius compensation", line);
+    else
+        note(Fate::mapped, "radius compensation", line);
     compensation_.reset();
 }
 
@@ -98,10 +103,20 @@ void Writer::print_move(Command command, bool rapid, const cl::Programmed* corne
             note(Fate::lost, "axis " + std::string(axis.name.data()));
     }
     axes_.clear();
+    const std::uint64_t line = layout_.next();
     const Printed printed = printer_.print(post_[command], values_, parts, true);
     if (printed == Printed::failed) note(Fate::lost, "a move: a word cannot hold " + printer_.failed_word());
-    if (printed == Printed::all && has_part(post_[command], Part::length)) length_waits_.reset();
-    if (printed == Printed::all && compensation_) end_wait_of_compensation(command);
+    if (printed == Printed::all && length_waits_ && has_part(post_[command], Part::length)) {
+        const About about(*this, Topic::length);
+        note(Fate::mapped, "the length of the tool", line);
+        length_waits_.reset();
+    }
+    if (printed == Printed::all && compensation_) end_wait_of_compensation(command, line);
+    const bool thread = command == Command::thread || command == Command::tap;
+    if (printed == Printed::all && thread)
+        note(Fate::mapped, command == Command::tap ? "rigid tapping" : "a thread", line);
+    if (corner != nullptr && post_.corner_in_block && parts.corner != nullptr && !parts.corner->empty())
+        note(Fate::mapped, "a chamfer or rounding", line);
     if (corner != nullptr && !post_.corner_in_block && post_.has(corner_command(*corner)))
         print(corner_command(*corner), "a corner");
 }
@@ -147,7 +162,9 @@ void Writer::note_unknown(const geom::Vec3& from, const geom::Vec3& to) {
 
 void Writer::write_move(const cl::Step& step, const geom::Vec3& from) {
     write_state();
+    printer_.stand_at(frames_.programmed(from));
     write_way(step, from);
+    printer_.stand_at({NAN, NAN, NAN});
     lose_axes();
 }
 
@@ -181,7 +198,7 @@ bool Writer::write_place(const cl::Linear& line) {
     for (std::size_t k = 0; k < 3; ++k) known = known && (said || !place.axes[k] || std::isfinite(to[k]));
     if (!post_.has(command) || !known) {
         const geom::Vec3 p = line.to;
-        if (!geom::is_finite(p)) note(Fate::lost, "a move to a place of the machine");
+        note(geom::is_finite(p) ? Fate::expanded : Fate::lost, "a move to a place of the machine");
         return !geom::is_finite(p);
     }
     end_cycles();
@@ -191,7 +208,10 @@ bool Writer::write_place(const cl::Linear& line) {
     for (std::size_t k = 0; k < 3; ++k)
         if (place.axes[k]) values_.set(names[k], said ? 0 : to[k]);
     values_.set(Value::number, place.number);
-    if (printer_.print(post_[command], values_, parts_of(line.rapid, nullptr)) == Printed::failed)
+    const std::uint64_t at = layout_.next();
+    if (printer_.print(post_[command], values_, parts_of(line.rapid, nullptr)) != Printed::failed)
+        note(Fate::mapped, "a move to a place of the machine", at);
+    else
         note(Fate::lost, "a move to a place of the machine: a word cannot hold " + printer_.failed_word());
     printer_.forget_coordinates();
     return true;

@@ -174,6 +174,11 @@ CLI::App* add_translate(CLI::App& app, Arguments& a) {
     translate->add_option("--to", a.to, "control or post: " + shop::joined(write::shipped_post_names()) + ", or a file")
         ->required()
         ->type_name("NAME|FILE");
+    translate
+        ->add_option("--ledger", a.ledger,
+                     "also write what became of every cycle and function (.json, .html, else text)")
+        ->type_name("FILE");
+    translate->add_flag("--accept-loss", a.accept_loss, "write the program also where something is lost or differs");
     add_same_place(*translate, a);
     return translate;
 }
@@ -335,7 +340,7 @@ bool print_help(const std::string& topic) {
 std::vector<driver::Wanted> outputs_of(const Arguments& a) {
     std::vector<driver::Wanted> all;
     const bool only_picture = a.command == Command::plot && !(a.interpolation > 0) && !a.svg.empty();
-    if (!only_picture) all.push_back({"--output", a.output.empty() ? "-" : a.output});
+    if (!only_picture && !a.into_folder) all.push_back({"--output", a.output.empty() ? "-" : a.output});
     const std::pair<const char*, const std::string&> options[] = {{"--html", a.html},
                                                                   {"--svg", a.svg},
                                                                   {"--stl", a.stl},
@@ -345,6 +350,7 @@ std::vector<driver::Wanted> outputs_of(const Arguments& a) {
                                                                   {"--projections", a.projections},
                                                                   {"--picture", a.picture},
                                                                   {"--engagement", a.engagement},
+                                                                  {"--ledger", a.ledger},
                                                                   {"--write-baseline", a.write_baseline}};
     for (const auto& [option, path] : options)
         if (!path.empty()) all.push_back({option, path});

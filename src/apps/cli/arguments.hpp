@@ -36,6 +36,9 @@ struct Arguments {
     std::vector<std::string> files;  ///< of fmt
     format::heidenhain::Options style;
     std::string to;            ///< of translate: a post or a control
+    std::string ledger;        ///< of translate: .json, .html, else text
+    bool into_folder = false;  ///< of translate: `output` is one, whose files are known later
+    bool accept_loss = false;  ///< of translate: write also what lacks something
     std::string other;         ///< of compare: what `request.input` is held against
     double same_place = 1e-4;  ///< of compare, mm
     bool in_place = false;     ///< of fmt: write the files

@@ -54,12 +54,14 @@ inline constexpr const char* plot_help =
 inline constexpr const char* translate_help =
     "Writes a program for another control, or anew for its own: by what it makes the tool do, with cycles, zero "
     "points,\n"
-    "frames and compensation where the target has them. What the target does not have is said.\n\n"
+    "frames, compensation and calls where the target has them. Nothing is written where something is lost.\n\n"
     "Examples:\n"
     "  obrys translate PART.H --to fanuc -o PART.nc\n"
     "  obrys translate PART.MPF --to linuxcnc --tools tool.tbl > PART.ngc\n"
-    "  obrys translate PART.MPF --to my-mill.toml -o PART.nc    a post of one's own (docs/posts.md)\n\n"
-    "Exit codes: 0 all is there, 1 something is lost or the control would stop, 2 usage or unreadable input,\n"
+    "  obrys translate PART.MPF --to my-mill.toml -o PART.nc    a post of one's own (docs/posts.md)\n"
+    "  obrys translate PART.H --to sinumerik-840d -o out/       subprograms in files of their own\n"
+    "  obrys translate PART.H --to fanuc -o PART.nc --ledger ledger.html    what became of each cycle and function\n\n"
+    "Exit codes: 0 proved to do the same, 1 something is lost or the control would stop, 2 usage or unreadable input,\n"
     "3 something was not understood or not run.";
 
 inline constexpr const char* compare_help =
