@@ -121,6 +121,7 @@ struct Commands {
     CLI::App* fmt;
     CLI::App* translate;
     CLI::App* compare;
+    CLI::App* sheet;
     CLI::App* version;
     CLI::App* help;
 };
@@ -193,6 +194,23 @@ CLI::App* add_compare(CLI::App& app, Arguments& a) {
     return compare;
 }
 
+CLI::App* add_sheet(CLI::App& app, Arguments& a) {
+    CLI::App* sheet = app.add_subcommand("sheet", sheet_help);
+    sheet->add_option("input", a.inputs, "programs (.MPF, .SPF, .H, .I, .ngc) or job files (.toml)")
+        ->required()
+        ->type_name("FILE");
+    add_request(*sheet, a);
+    sheet
+        ->add_option_function<std::string>(
+            "--format", [&a](const std::string& word) { a.format = word, a.format_given = true; },
+            "text, html, json or pdf (by the ending of the output's name, else text)")
+        ->check(only({"text", "html", "json", "pdf"}))
+        ->type_name("FORMAT");
+    sheet->add_flag("--job", a.job, "first one list of tools and one time for all programs together");
+    sheet->add_option("--since", a.since, "also what differs from this older sheet (.json)")->type_name("FILE");
+    return sheet;
+}
+
 Commands add_commands(CLI::App& app, Arguments& a) {
     Commands c{};
     c.check = app.add_subcommand("check", check_help);
@@ -256,6 +274,7 @@ Commands add_commands(CLI::App& app, Arguments& a) {
     add_format(*c.fmt, a);
     c.translate = add_translate(app, a);
     c.compare = add_compare(app, a);
+    c.sheet = add_sheet(app, a);
     c.version = app.add_subcommand("version", "prints the version");
     c.help = app.add_subcommand("help", "prints this text, or that of a command: obrys help check");
     return c;
@@ -267,7 +286,7 @@ namespace {
 
 /// An empty name of a file is a variable of a script that nobody set.
 void refuse_empty_names(const Commands& c) {
-    for (CLI::App* command : {c.check, c.run, c.plot, c.fmt, c.translate, c.compare})
+    for (CLI::App* command : {c.check, c.run, c.plot, c.fmt, c.translate, c.compare, c.sheet})
         for (CLI::Option* option : command->get_options())
             if (option->get_type_name().find("FILE") != std::string::npos)
                 option->check(
@@ -329,7 +348,7 @@ bool print_help(const std::string& topic) {
     CLI::App app(main_help, "obrys");  // help of one that has parsed a command is that of the command
     const Commands c = add_commands(app, unused);
     if (topic.empty()) return std::fputs(app.help().c_str(), stdout) >= 0;
-    for (const CLI::App* command : {c.check, c.run, c.plot, c.fmt, c.translate, c.compare, c.version, c.help})
+    for (const CLI::App* command : {c.check, c.run, c.plot, c.fmt, c.translate, c.compare, c.sheet, c.version, c.help})
         if (command->get_name() == topic) return std::fputs(command->help("obrys").c_str(), stdout) >= 0;
     std::cerr << "obrys help: " << no_command(topic);
     return false;
@@ -390,6 +409,7 @@ Arguments parse(int argc, char** argv) {
                 : c.fmt->parsed()       ? Command::fmt
                 : c.translate->parsed() ? Command::translate
                 : c.compare->parsed()   ? Command::compare
+                : c.sheet->parsed()     ? Command::sheet
                                         : Command::version;
     return a;
 }

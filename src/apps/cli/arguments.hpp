@@ -11,16 +11,17 @@
 
 namespace obrys::cli {
 
-enum class Command : int { none, check, run, plot, fmt, translate, compare, version };
+enum class Command : int { none, check, run, plot, fmt, translate, compare, sheet, version };
 
 struct Arguments {
     Command command = Command::none;
     driver::Request request;
-    std::vector<std::string> inputs;   ///< of check: one or several
+    std::vector<std::string> inputs;   ///< of check and sheet: one or several
     std::vector<std::string> fail_on;  ///< of check: codes and severities; empty: every finding
     std::string baseline;              ///< of check: file of known findings
     std::string write_baseline;
     std::string format = "text";
+    bool format_given = false;                    ///< of sheet: else the name of the output says it
     std::string output;                           ///< empty: standard output
     std::string html, svg;                        ///< of check: also write these; svg of plot: the picture
     std::string stl, three_mf, gltf;              ///< of check: the milled surface
@@ -39,6 +40,8 @@ struct Arguments {
     std::string ledger;        ///< of translate: .json, .html, else text
     bool into_folder = false;  ///< of translate: `output` is one, whose files are known later
     bool accept_loss = false;  ///< of translate: write also what lacks something
+    std::string since;         ///< of sheet: an older one (.json)
+    bool job = false;          ///< of sheet: all programs together, too
     std::string other;         ///< of compare: what `request.input` is held against
     double same_place = 1e-4;  ///< of compare, mm
     bool in_place = false;     ///< of fmt: write the files

@@ -13,6 +13,7 @@ inline constexpr const char* main_help =
     "  obrys plot groove.job.toml -o groove.svg    the tool path over stock and part\n"
     "  obrys translate PART.H --to fanuc -o P.nc   the same for another control\n"
     "  obrys compare PART.H P.nc                   do both make the machine do the same?\n"
+    "  obrys sheet PART.H -o PART.pdf              tools, set-up and times for the shop\n"
     "  obrys fmt -i PART.H                         number and write the blocks as the control does\n";
 
 inline constexpr const char* check_help =
@@ -75,6 +76,18 @@ inline constexpr const char* compare_help =
     "Exit codes: 0 the machine does the same, 1 it does not, 2 usage or unreadable input, 3 something of either was "
     "not\n"
     "understood or not run.";
+
+inline constexpr const char* sheet_help =
+    "Prints the sheets of programs: tools, set-up (zeros, stock, travel) and times, as far as they are known without "
+    "a\n"
+    "model of acceleration. A job file names machine, tools and stock.\n\n"
+    "Examples:\n"
+    "  obrys sheet PART.H --tools TOOL.T\n"
+    "  obrys sheet part.job.toml -o part.pdf\n"
+    "  obrys sheet side1.job.toml side2.job.toml --job -o order.html\n"
+    "  obrys sheet part.job.toml -o part.json; obrys sheet part.job.toml --since part.json\n\n"
+    "Exit codes: 0 made, 1 the control would stop, so that it is not all of the program, 2 usage or unreadable input,\n"
+    "3 something was not understood or not run.";
 
 inline constexpr const char* fmt_help =
     "Formats HEIDENHAIN programs (Klartext .H, DIN/ISO .I): numbers the blocks, one blank between words, upper case\n"
