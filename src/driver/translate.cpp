@@ -137,8 +137,10 @@ Proved prove(const Translated& translated, const write::Post& post, Request requ
     if (find_control(post.control) == nullptr) return out;
     out.run = std::make_unique<Session>();
     out.why_not = "what was written could not be run";
+    const bool guessed = request.machine.empty() && s.job.machine.more_axes;
     if (!open(request_of(translated, post, std::move(request), s), *out.run)) return out;
     out.why_not.clear();
+    if (guessed) out.run->job.machine.more_axes = true;  // as of the program: nobody has said which it has
     compare::Path path(tolerance.length);
     static_cast<void>(interpret(*out.run, [&](const cl::Record& record) { path.take(record); }));
     const compare::Result result = compare::compare(translated.path, path, tolerance);

@@ -7,14 +7,16 @@ namespace obrys::report::sheet {
 
 namespace {
 
-using Json = nlohmann::ordered_json;
+using OrderedJson = nlohmann::ordered_json;
 
-Json known(double value) { return std::isfinite(value) ? Json(value) : Json(nullptr); }
-Json known(std::uint32_t number) { return number == cl::unknown_tool ? Json(nullptr) : Json(number); }
-Json as_array(const geom::Vec3& v) { return {known(v.x), known(v.y), known(v.z)}; }
-Json as_array(const Extent& e) { return {{"low_mm", as_array(e.low)}, {"high_mm", as_array(e.high)}}; }
+OrderedJson known(double value) { return std::isfinite(value) ? OrderedJson(value) : OrderedJson(nullptr); }
+OrderedJson known(std::uint32_t number) {
+    return number == cl::unknown_tool ? OrderedJson(nullptr) : OrderedJson(number);
+}
+OrderedJson as_array(const geom::Vec3& v) { return {known(v.x), known(v.y), known(v.z)}; }
+OrderedJson as_array(const Extent& e) { return {{"low_mm", as_array(e.low)}, {"high_mm", as_array(e.high)}}; }
 
-void put_times(Json& out, const Times& t) {
+void put_times(OrderedJson& out, const Times& t) {
     out["feed_path_mm"] = t.feed_mm;
     out["rapid_path_mm"] = t.rapid_mm;
     out["feed_s"] = t.feed_s;
@@ -28,8 +30,8 @@ void put_times(Json& out, const Times& t) {
     out["rotary_moves"] = t.rotary;
 }
 
-Json tool_json(const ToolUse& t) {
-    Json out{{"number", known(t.number)}, {"edge", known(t.edge)}, {"name", t.name}, {"kind", t.kind}};
+OrderedJson tool_json(const ToolUse& t) {
+    OrderedJson out{{"number", known(t.number)}, {"edge", known(t.edge)}, {"name", t.name}, {"kind", t.kind}};
     out["diameter_mm"] = known(t.diameter);
     out["width_mm"] = known(t.width);
     out["corner_radius_mm"] = known(t.corner);
@@ -38,7 +40,7 @@ Json tool_json(const ToolUse& t) {
     out["feed_mm_per_min"] = {known(t.least_feed), known(t.most_feed)};
     out["speed_rpm"] = {known(t.least_speed), known(t.most_speed)};
     out["coolant"] = {{"flood", t.flood}, {"mist", t.mist}};
-    out["cycles"] = Json::object();
+    out["cycles"] = OrderedJson::object();
     for (const auto& [kind, count] : t.cycles) out["cycles"][kind] = count;
     out["cut"] = as_array(t.cut);
     put_times(out, t.times);
@@ -48,10 +50,10 @@ Json tool_json(const ToolUse& t) {
 }  // namespace
 
 std::string as_json(const std::vector<Program>& programs) {
-    Json all{{"format", "obrys-sheet"}, {"version", 1}, {"programs", Json::array()}};
+    OrderedJson all{{"format", "obrys-sheet"}, {"version", 1}, {"programs", OrderedJson::array()}};
     for (const Program& p : programs) {
-        Json out{{"program", p.name}, {"control", p.control}, {"machine", p.machine}};
-        out["stock"] = p.stock.empty() ? Json(nullptr) : Json(p.stock);
+        OrderedJson out{{"program", p.name}, {"control", p.control}, {"machine", p.machine}};
+        out["stock"] = p.stock.empty() ? OrderedJson(nullptr) : OrderedJson(p.stock);
         out["clamps"] = p.clamps;
         out["whole"] = p.not_whole.empty();
         out["moves"] = p.moves;
@@ -62,11 +64,11 @@ std::string as_json(const std::vector<Program>& programs) {
         out["travel"] = as_array(p.travel);
         out["cut"] = as_array(p.cut);
         put_times(out, p.times);
-        out["tools"] = Json::array();
+        out["tools"] = OrderedJson::array();
         for (const ToolUse& t : p.tools) out["tools"].push_back(tool_json(t));
-        out["zeros"] = Json::array();
+        out["zeros"] = OrderedJson::array();
         for (const ZeroUse& z : p.zeros) {
-            Json zero{{"number", z.number}, {"machine_mm", as_array(z.origin)}, {"moves", z.moves}};
+            OrderedJson zero{{"number", z.number}, {"machine_mm", as_array(z.origin)}, {"moves", z.moves}};
             zero["travel"] = as_array(z.extent);
             out["zeros"].push_back(std::move(zero));
         }
@@ -74,7 +76,7 @@ std::string as_json(const std::vector<Program>& programs) {
         out["messages"] = p.messages;
         all["programs"].push_back(std::move(out));
     }
-    return all.dump(2, ' ', false, Json::error_handler_t::replace) + "\n";
+    return all.dump(2, ' ', false, OrderedJson::error_handler_t::replace) + "\n";
 }
 
 }  // namespace obrys::report::sheet

@@ -10,35 +10,36 @@ namespace obrys::report::sheet {
 
 namespace {
 
-using Json = nlohmann::ordered_json;
+using OrderedJson = nlohmann::ordered_json;
 
 constexpr double same_number = 1e-6;
 
-std::string value_text(const Json& v) {
+std::string value_text(const OrderedJson& v) {
     if (v.is_null()) return "?";
     if (v.is_number_float()) return base::fixed(v.get<double>(), 3);
-    return v.is_string() ? v.get<std::string>() : v.dump(-1, ' ', false, Json::error_handler_t::replace);
+    return v.is_string() ? v.get<std::string>() : v.dump(-1, ' ', false, OrderedJson::error_handler_t::replace);
 }
 
-bool is_same(const Json& a, const Json& b) {
+bool is_same(const OrderedJson& a, const OrderedJson& b) {
     if (a.is_number() && b.is_number()) return std::abs(a.get<double>() - b.get<double>()) <= same_number;
     if (!a.is_array() || !b.is_array() || a.size() != b.size()) return a == b;
     return std::equal(a.begin(), a.end(), b.begin(), is_same);
 }
 
 /// How a tool or a zero is called, where lists of both are held against each other.
-std::string label_of(const Json& item, const std::string& list) {
+std::string label_of(const OrderedJson& item, const std::string& list) {
     if (!item.is_object()) return value_text(item);
-    if (list == "zeros") return "zero " + value_text(item.value("number", Json()));
+    if (list == "zeros") return "zero " + value_text(item.value("number", OrderedJson()));
     if (list == "programs") return item.value("program", "");
-    std::string label = "T" + value_text(item.value("number", Json())) + " D" + value_text(item.value("edge", Json()));
+    std::string label =
+        "T" + value_text(item.value("number", OrderedJson())) + " D" + value_text(item.value("edge", OrderedJson()));
     const std::string name = item.value("name", "");
     return name.empty() ? label : label + " " + name;
 }
 
 class Differences {
 public:
-    void objects(const Json& old, const Json& now, const std::string& where) {
+    void objects(const OrderedJson& old, const OrderedJson& now, const std::string& where) {
         for (const auto& [key, value] : now.items()) {
             if (!old.contains(key))
                 lines.push_back(where + key + ": new: " + value_text(value));
@@ -52,7 +53,7 @@ public:
     std::vector<std::string> lines;
 
 private:
-    void values(const Json& old, const Json& now, const std::string& where, const std::string& key) {
+    void values(const OrderedJson& old, const OrderedJson& now, const std::string& where, const std::string& key) {
         const bool list = key == "tools" || key == "zeros" || key == "programs" || key == "called" ||
                           key == "messages" || key == "clamps";
         if (list && old.is_array() && now.is_array()) return lists(old, now, where, key);
@@ -60,9 +61,9 @@ private:
         if (!is_same(old, now)) lines.push_back(where + key + ": " + value_text(old) + " -> " + value_text(now));
     }
 
-    void lists(const Json& old, const Json& now, const std::string& where, const std::string& key) {
+    void lists(const OrderedJson& old, const OrderedJson& now, const std::string& where, const std::string& key) {
         std::vector<bool> met(old.size(), false);
-        for (const Json& item : now) {
+        for (const OrderedJson& item : now) {
             const std::string label = label_of(item, key);
             std::size_t at = 0;
             while (at < old.size() && (met[at] || label_of(old[at], key) != label)) ++at;
@@ -81,8 +82,8 @@ private:
 }  // namespace
 
 std::optional<Since> since(const std::string& name, const std::string& old_json, const std::vector<Program>& programs) {
-    const Json old = Json::parse(old_json, nullptr, false);
-    const Json now = Json::parse(as_json(programs));
+    const OrderedJson old = OrderedJson::parse(old_json, nullptr, false);
+    const OrderedJson now = OrderedJson::parse(as_json(programs));
     const auto same = [&](const char* key) { return old.contains(key) && old[key] == now[key]; };
     if (!old.is_object() || !same("format") || !same("version")) return std::nullopt;
     Differences differences;
@@ -93,7 +94,7 @@ std::optional<Since> since(const std::string& name, const std::string& old_json,
             differences.objects(old["programs"][0], now["programs"][0], "");
         else
             differences.objects(old, now, "");
-    } catch (const Json::exception&) {  // of another shape than its version says
+    } catch (const OrderedJson::exception&) {  // of another shape than its version says
         return std::nullopt;
     }
     return Since{name, std::move(differences.lines)};
