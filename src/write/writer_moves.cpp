@@ -21,6 +21,13 @@ Command corner_command(const cl::Programmed& p) {
                                                  : Command::corner_rounding;
 }
 
+/// What the ledger calls a move that is more than its way; empty: it is not.
+std::string_view special_move(Command command) {
+    if (command == Command::tap) return "rigid tapping";
+    if (command >= Command::thread && command <= Command::thread_falling) return "a thread";
+    return command >= Command::seek_contact && command <= Command::seek_release_or_end ? "a probe's way" : "";
+}
+
 }  // namespace
 
 Command Writer::feed_command(bool rapid) const {
@@ -112,9 +119,8 @@ void Writer::print_move(Command command, bool rapid, const cl::Programmed* corne
         length_waits_.reset();
     }
     if (printed == Printed::all && compensation_) end_wait_of_compensation(command, line);
-    const bool thread = command == Command::thread || command == Command::tap;
-    if (printed == Printed::all && thread)
-        note(Fate::mapped, command == Command::tap ? "rigid tapping" : "a thread", line);
+    const std::string_view special = special_move(command);
+    if (printed == Printed::all && !special.empty()) note(Fate::mapped, std::string(special), line);
     if (corner != nullptr && post_.corner_in_block && parts.corner != nullptr && !parts.corner->empty())
         note(Fate::mapped, "a chamfer or rounding", line);
     if (corner != nullptr && !post_.corner_in_block && post_.has(corner_command(*corner)))
