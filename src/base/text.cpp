@@ -93,6 +93,33 @@ std::string cp1252_to_utf8(std::string_view s) {
     return out;
 }
 
+std::string utf8_to_cp1252(std::string_view s, char instead) {
+    std::string out;
+    for (std::size_t i = 0; i < s.size();) {
+        const std::size_t n = std::max<std::size_t>(1, utf8_length(s, i));
+        const auto byte = [&](std::size_t k) { return static_cast<unsigned char>(s[i + k]); };
+        const char32_t c = n == 1   ? char32_t{byte(0)}
+                           : n == 2 ? ((byte(0) & 0x1Fu) << 6) | (byte(1) & 0x3Fu)
+                           : n == 3 ? ((byte(0) & 0x0Fu) << 12) | ((byte(1) & 0x3Fu) << 6) | (byte(2) & 0x3Fu)
+                                    : char32_t{0xFFFD};  // beyond what the code page has
+        const auto high = std::find(cp1252_high.begin(), cp1252_high.end(), c);
+        if (c < 0x80 || (c >= 0xA0 && c <= 0xFF))
+            out += static_cast<char>(static_cast<unsigned char>(c));
+        else if (c != 0xFFFD && high != cp1252_high.end())
+            out += static_cast<char>(0x80 + (high - cp1252_high.begin()));
+        else
+            out += instead;
+        i += n;
+    }
+    return out;
+}
+
+void cut_utf8(std::string& s, std::size_t most) {
+    if (most == 0 || s.size() <= most) return;
+    while (most > 0 && (static_cast<unsigned char>(s[most]) & 0xC0) == 0x80) --most;
+    s.resize(most);
+}
+
 std::string as_utf8(std::string_view s) { return is_utf8(s) ? std::string(s) : cp1252_to_utf8(s); }
 
 std::size_t character_count(std::string_view s) {

@@ -16,6 +16,10 @@ namespace obrys::base {
 [[nodiscard]] std::string_view trim(std::string_view s);  ///< blanks, tabs, CR and LF off both ends
 [[nodiscard]] bool is_utf8(std::string_view s);
 [[nodiscard]] std::string cp1252_to_utf8(std::string_view s);
+/// Valid UTF-8 as CP1252; `instead` for each character that it does not have.
+[[nodiscard]] std::string utf8_to_cp1252(std::string_view s, char instead);
+/// No longer than so many bytes, by whole characters; 0: as long as it is.
+void cut_utf8(std::string& s, std::size_t most);
 /// The text as UTF-8 whatever it was: unchanged where it is valid UTF-8, else taken as CP1252.
 [[nodiscard]] std::string as_utf8(std::string_view s);
 /// Characters in valid UTF-8; bytes otherwise.

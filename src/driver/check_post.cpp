@@ -27,7 +27,7 @@ WrittenSample write_sample(const write::Post& post, const std::vector<cl::Record
     write::Output output;
     output.text = [&](std::string_view text) { out.text += text; };
     output.note = [&](write::Note n) {
-        if (own) out.notes.push_back(std::move(n));
+        if (own && n.fate != write::Fate::mapped) out.notes.push_back(std::move(n));
     };
     write::Writer writer(post, "SAMPLE", output);
     for (const cl::Record& r : before) writer.take(r);

@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <map>
-#include <nlohmann/json.hpp>
 #include <random>
 #include <set>
 
@@ -170,7 +169,9 @@ Proved prove_with(const std::vector<std::string>& set, const Kept& kept, const w
     Proved out;
     out.why_not = "the program could not be run with these values";
     if (!open(own, run)) return out;
-    Translated translated{kept.translated.text, path_of(run, tolerance.length)};
+    Translated translated;
+    translated.text = kept.translated.text;
+    translated.path = path_of(run, tolerance.length);
     const NameMap map = map_of(kept.rewritten);
     const bool alarm = has_finding(run), unknown = is_unknown(run);
     out = prove(translated, post, own, run, tolerance, {mapped(own.set, map), mapped(run.job.variables, map)});
@@ -187,70 +188,6 @@ Proved prove_with(const std::vector<std::string>& set, const Kept& kept, const w
         out.proof = Proof::not_compared;
     else
         out.proof = out.differs ? Proof::differs : Proof::same;
-    return out;
-}
-
-namespace {
-
-using Json = nlohmann::ordered_json;
-
-std::string_view name_of(rewrite::Fate fate) {
-    return fate == rewrite::Fate::lost ? "lost" : fate == rewrite::Fate::mapped ? "mapped" : "expanded";
-}
-
-Json proof_json(Proof p) { return p == Proof::same ? Json(true) : p == Proof::differs ? Json(false) : Json(nullptr); }
-
-Json place_json(const Session& s, const base::Span& at) {
-    if (at.file >= s.sources.size()) return nullptr;
-    return {{"file", s.sources[at.file].name}, {"line", s.sources.position(at).line}};
-}
-
-Json names_json(const std::vector<rewrite::Renamed>& names) {
-    Json out = Json::array();
-    for (const rewrite::Renamed& n : names) {
-        Json one{{"from", n.from}, {"to", n.to}};
-        if (!n.program.empty()) one["program"] = n.program;
-        out.push_back(std::move(one));
-    }
-    return out;
-}
-
-}  // namespace
-
-std::string ledger(const Session& s, const Kept& kept, const write::Post& post, const std::string& output, Proof proof,
-                   const std::vector<LedgerRun>& runs) {
-    const rewrite::Rewritten& r = kept.rewritten;
-    Json out{{"program", s.program}, {"control", s.control}, {"to", output}, {"to_control", post.control}};
-    out["equal"] = proof_json(proof);
-    out["names"] = names_json(r.names);
-    out["programs"] = names_json(r.programs);
-    out["entries"] = Json::array();
-    for (const rewrite::Note& n : r.notes)
-        out["entries"].push_back({{"what", n.what},
-                                  {"fate", name_of(n.fate)},
-                                  {"from", place_json(s, n.from)},
-                                  {"to", n.line == 0 ? Json(nullptr) : Json{{"file", output}, {"line", n.line}}}});
-    out["lines"] = Json::array();
-    for (const auto& [line, from] : r.lines) {
-        Json place = place_json(s, from);
-        place["to"] = line;
-        out["lines"].push_back(std::move(place));
-    }
-    out["runs"] = Json::array();
-    for (const LedgerRun& run : runs) out["runs"].push_back({{"set", run.set}, {"equal", proof_json(run.proof)}});
-    return out.dump(2) + "\n";
-}
-
-std::optional<NameMap> names_of_ledger(const std::string& text) {
-    const Json json = Json::parse(text, nullptr, false);
-    if (!json.is_object() || !json.contains("names") || !json["names"].is_array()) return std::nullopt;
-    NameMap out;
-    for (const Json& n : json["names"]) {
-        if (!n.is_object() || !n.contains("from") || !n.contains("to") || !n["from"].is_string() ||
-            !n["to"].is_string())
-            return std::nullopt;
-        if (!n.contains("program")) out.emplace_back(n["from"].get<std::string>(), n["to"].get<std::string>());
-    }
     return out;
 }
 

@@ -44,13 +44,14 @@ using NameMap = std::vector<std::pair<std::string, std::string>>;
 [[nodiscard]] Proved prove_with(const std::vector<std::string>& set, const Kept& kept, const write::Post& post,
                                 const Request& request, const compare::Tolerance& tolerance, std::string& what);
 
-/// What was done with each, as JSON (docs/translate.md).
-struct LedgerRun {
+/// One run of both, with values of its own.
+struct KeptRun {
     std::vector<std::string> set;
     Proof proof = Proof::not_compared;
 };
-[[nodiscard]] std::string ledger(const Session& session, const Kept& kept, const write::Post& post,
-                                 const std::string& output, Proof proof, const std::vector<LedgerRun>& runs);
+/// What was done with each (docs/translate.md).
+[[nodiscard]] report::Ledger ledger(const Session& session, const Kept& kept, const std::string& output,
+                                    const std::vector<KeptRun>& runs);
 /// The names of a ledger; nothing where the text is none.
 [[nodiscard]] std::optional<NameMap> names_of_ledger(const std::string& text);
 /// Where the ledger of a program lies: beside it.

@@ -51,30 +51,6 @@ std::optional<write::Post> find_post(const std::string& name, Session& s) {
     return checked(write::read_post(*file, s.sources, s.diagnostics, beside_it), *file, s);
 }
 
-/// The run tells its settings where the session was opened for that (Request::canon).
-static Translated translate_to_canon(Session& session, Translated out) {
-    const auto write = [&](std::string_view text) { out.text += text; };
-    static_cast<void>(print_canon(session, write, false, [&](const cl::Record& record) { out.path.take(record); }));
-    return out;
-}
-
-Translated translate(Session& session, const write::Post& post, const std::string& name, double same_place,
-                     const std::function<void(write::Note)>& note) {
-    Translated out;
-    out.path = compare::Path(same_place);
-    if (post.is_canon) return translate_to_canon(session, std::move(out));
-    write::Output output;
-    output.text = [&](std::string_view text) { out.text += text; };
-    output.note = note;
-    write::Writer writer(post, name, output);
-    static_cast<void>(interpret(session, [&](const cl::Record& record) {
-        writer.take(record);
-        out.path.take(record);
-    }));
-    writer.finish();
-    return out;
-}
-
 base::Diagnostic complaint_of(const write::Note& note, const Session& s) {
     base::Diagnostic d;
     const bool lost = note.fate == write::Fate::lost;
@@ -82,9 +58,43 @@ base::Diagnostic complaint_of(const write::Note& note, const Session& s) {
     d.code = lost ? codes::not_written : codes::written_by_moves;
     d.where = note.in_post.value_or(note.from);
     if (!note.in_post) d.stack = s.stacks.sites(note.stack);
-    d.text = "line " + std::to_string(note.line) + ": " + note.what +
+    const std::string file = note.file.empty() ? "" : note.file + ", ";
+    d.text = file + "line " + std::to_string(note.line) + ": " + note.what +
              (lost ? " is not written" : " is written by its moves");
     return d;
+}
+
+/// The run tells its settings where the session was opened for that (Request::canon).
+static Translated translate_to_canon(Session& session, Translated out) {
+    const auto write = [&](std::string_view text) { out.text += text; };
+    const interp::Outcome outcome =
+        print_canon(session, write, false, [&](const cl::Record& record) { out.path.take(record); });
+    add_not_understood(out.ledger, session, outcome.ending);
+    return out;
+}
+
+Translated translate(Session& session, const write::Post& post, const TranslateOptions& options) {
+    Translated out;
+    out.path = compare::Path(options.same_place);
+    if (post.is_canon) return translate_to_canon(session, std::move(out));
+    write::Output output;
+    output.text = [&](std::string_view text) { out.text += text; };
+    output.note = [&](const write::Note& note) {
+        if (out.ledger.add(note) && note.fate != write::Fate::mapped)
+            session.diagnostics.add(complaint_of(note, session));
+    };
+    if (options.files)
+        output.file = [&](const std::string& file, std::string_view text) {
+            out.files.push_back({file, std::string(text)});
+        };
+    write::Writer writer(post, options.name, output);
+    const interp::Outcome outcome = interpret(session, [&](const cl::Record& record) {
+        writer.take(record);
+        out.path.take(record);
+    });
+    writer.finish();
+    add_not_understood(out.ledger, session, outcome.ending);
+    return out;
 }
 
 namespace {
@@ -123,13 +133,24 @@ Request request_of(const Translated& translated, const write::Post& post, Reques
     request.set = values.set;
     request.given = values.given;
     request.control = post.control;
-    request.folders = std::make_shared<Folders>(of.storage);  // those of the request belong to another thread
-    if (request.machine.empty() && of.job.machine.more_axes)  // nobody has named it
+    std::shared_ptr<const Storage> storage = of.storage;
+    if (!translated.files.empty()) {
+        auto files = std::make_shared<Memory>(storage);
+        for (const WrittenFile& file : translated.files)
+            files->put(fs::path(of.program).parent_path() / file.name, file.text);
+        storage = std::move(files);
+    }
+    request.folders = std::make_shared<Folders>(std::move(storage));  // those of the request belong to another thread
+    if (request.machine.empty() && of.job.machine.more_axes)          // nobody has named it
         request.machine = of.job.machine.kind == shop::MachineKind::lathe ? "lathe-generic" : "mill-generic";
     return request;
 }
 
 }  // namespace
+
+std::string_view name_of(Proof proof) {
+    return proof == Proof::same ? "equal" : proof == Proof::differs ? "differs" : "not compared";
+}
 
 Proved prove(const Translated& translated, const write::Post& post, Request request, Session& s,
              const compare::Tolerance& tolerance, const OwnValues& values) {
@@ -138,8 +159,10 @@ Proved prove(const Translated& translated, const write::Post& post, Request requ
     if (find_control(post.control) == nullptr) return out;
     out.run = std::make_unique<Session>();
     out.why_not = "what was written could not be run";
+    const bool guessed = request.machine.empty() && s.job.machine.more_axes;
     if (!open(request_of(translated, post, std::move(request), s, values), *out.run)) return out;
     out.why_not.clear();
+    if (guessed) out.run->job.machine.more_axes = true;  // as of the program: nobody has said which it has
     compare::Path path(tolerance.length);
     static_cast<void>(interpret(*out.run, [&](const cl::Record& record) { path.take(record); }));
     const compare::Result result = compare::compare(translated.path, path, tolerance);

@@ -8,6 +8,7 @@
 #include <string_view>
 
 #include "compare/compare.hpp"
+#include "driver/ledger.hpp"
 #include "driver/session.hpp"
 #include "write/post.hpp"
 #include "write/writer.hpp"
@@ -24,13 +25,18 @@ namespace obrys::driver {
 /// What was written, and what it was written from.
 struct Translated {
     std::string text;
+    std::vector<WrittenFile> files;  ///< subprograms in files of their own, beside it
+    Ledger ledger;
     compare::Path path{0};  ///< what the program does
 };
 
-/// Runs the main program and writes it; `name` is what its head calls it. `note` gets what is expanded or lost. Moves
-/// no longer than `same_place` (mm) do not count in the path.
-[[nodiscard]] Translated translate(Session& session, const write::Post& post, const std::string& name,
-                                   double same_place, const std::function<void(write::Note)>& note);
+struct TranslateOptions {
+    std::string name;          ///< of the program, in its head
+    double same_place = 1e-4;  ///< mm: moves no longer than this do not count in the path
+    bool files = false;        ///< subprograms may stand in files of their own, where the post has such
+};
+/// Runs the main program and writes it. What is expanded or lost is added to the session's diagnostics.
+[[nodiscard]] Translated translate(Session& session, const write::Post& post, const TranslateOptions& options);
 
 /// What the writer says, at its place in the program.
 [[nodiscard]] base::Diagnostic complaint_of(const write::Note& note, const Session& session);
@@ -40,6 +46,9 @@ enum class Proof : std::uint8_t {
     differs,       ///< it runs otherwise, or its control would stop
     not_compared,  ///< it is not known: one of the two was not understood, or could not be run
 };
+
+/// "equal", "differs", "not compared".
+[[nodiscard]] std::string_view name_of(Proof proof);
 
 /// Values that count for the text, in its own names.
 struct OwnValues {

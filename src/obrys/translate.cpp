@@ -12,9 +12,10 @@ Translated translate(const Image& image, const std::string& post_name, double to
     const auto session = session_of(image, inputs);
     Translated out;
     if (const auto post = driver::find_post(post_name, *session)) {
-        const auto note = [&](const write::Note& n) { session->diagnostics.add(driver::complaint_of(n, *session)); };
-        const std::string name = driver::fs::path(session->program).stem().string();
-        driver::Translated written = driver::translate(*session, *post, name, tolerance, note);
+        driver::TranslateOptions options;
+        options.name = driver::fs::path(session->program).stem().string();
+        options.same_place = tolerance;
+        driver::Translated written = driver::translate(*session, *post, options);
         compare::Tolerance within;
         within.length = tolerance;
         const driver::Proved proved = driver::prove(written, *post, image.inside().request(), *session, within);

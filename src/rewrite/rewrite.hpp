@@ -5,6 +5,7 @@
 #include <string>
 #include <vector>
 
+#include "base/fate.hpp"
 #include "base/source.hpp"
 #include "program/names.hpp"
 #include "program/unit.hpp"
@@ -12,11 +13,8 @@
 
 namespace obrys::rewrite {
 
-enum class Fate : std::uint8_t {
-    mapped,    ///< says the same in other words
-    expanded,  ///< says it in several statements, or takes something for granted
-    lost,      ///< is not said: nothing of it stands in the text
-};
+using base::Fate;  // expanded: in several statements, or something is taken for granted
+
 struct Note {
     Fate fate = Fate::expanded;
     base::Span from;

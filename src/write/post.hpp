@@ -50,6 +50,26 @@ struct BlockNumbers {
     std::vector<std::string> skip;  ///< blocks that begin so have none
 };
 
+/// Where the text of a called part stands.
+enum class SubprogramPlace : std::uint8_t {
+    end,   ///< in the program's file, behind the end of the program
+    here,  ///< in the program's file, before its first call
+    file,  ///< in a file of its own
+};
+
+/// How a part that is called several times is written once. Values: `number`, `passes` of a repeated call; text `name`.
+struct SubprogramForm {
+    SubprogramPlace place = SubprogramPlace::end;
+    double first = 1;    ///< number of the first one
+    bool lower = false;  ///< names in small letters
+    Template begin, end, call;
+    Template repeat;     ///< the call of several passes; empty: call by call
+    Template file_name;  ///< of those in files of their own
+};
+
+/// The characters of what is written.
+enum class Encoding : std::uint8_t { utf8, windows_1252, ascii };
+
 struct Post {
     std::string name, title, control, suffix;
     bool is_canon = false;  ///< canonical calls (cl/canon.hpp) instead of templates
@@ -57,6 +77,9 @@ struct Post {
     std::string line_end = "\n";
     double most_sweep = 0;      ///< degrees of an arc that one block holds; 0: a turn and more
     bool by_quadrants = false;  ///< arcs end where they pass from one quadrant to the next
+    Encoding encoding = Encoding::utf8;
+    std::optional<SubprogramForm> subprogram;  ///< in the program's file
+    std::optional<SubprogramForm> own_file;    ///< in files beside it
     std::vector<NumberStyle> styles;
     std::size_t words = 0;                 ///< how many are modal
     std::vector<bool> word_is_coordinate;  ///< of those: forgotten where the frame changes

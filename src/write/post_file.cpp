@@ -47,7 +47,8 @@ Usual usual_style(Value v) {
         case Value::filter:
         case Value::way:
         case Value::revolutions:
-        case Value::block: return whole;
+        case Value::block:
+        case Value::passes: return whole;
         default: return length;
     }
 }
@@ -89,6 +90,8 @@ public:
         read_modal();
         read_commands();
         read_block_numbers();
+        post_.subprogram = subprograms("subprogram");
+        post_.own_file = subprograms("subprogram_file");
         read_datums();
         read_cycles();
     }
@@ -185,6 +188,9 @@ private:
             if (name == "stop") post_.stop_stops_spindle = stopped_by(s);
             if (name == "cycles") post_.place_known_behind_cycle = s.boolean("place_known").value_or(false);
             if (name == "cycles") post_.rise_before_cycle_end = s.boolean("rise_before_end").value_or(false);
+            if (name == "file")
+                post_.encoding =
+                    static_cast<Encoding>(s.choice("encoding", {"utf-8", "windows-1252", "ascii"}).value_or(0));
             if (name == "corner") post_.corner_in_block = s.boolean("in_block").value_or(true);
             if (name == "cycles") static_cast<void>(s.boolean("inherit"));  // joined() has looked at it
             if (name == "function") post_.function_letters = s.text("letters").value_or("");
@@ -210,6 +216,27 @@ private:
         numbers.step = s.number("step", shop::Range::positive).value_or(numbers.step);
         s.finish();
         post_.numbers = std::move(numbers);
+    }
+
+    std::optional<SubprogramForm> subprograms(std::string_view key) {
+        const Entry* table = file_.sub_table(key);
+        if (!table) return std::nullopt;
+        Section s(table->value, "[" + std::string(key) + "]", file_.diagnostics());
+        SubprogramForm form;
+        const bool own = key == "subprogram_file";
+        form.place =
+            own ? SubprogramPlace::file : static_cast<SubprogramPlace>(s.choice("place", {"end", "here"}).value_or(0));
+        form.first = s.number("first").value_or(form.first);
+        form.lower = s.boolean("lower").value_or(false);
+        form.begin = blocks(s, "begin");
+        form.end = blocks(s, "end");
+        form.call = blocks(s, "call");
+        form.repeat = blocks(s, "repeat");
+        if (own) form.file_name = blocks(s, "name");
+        if (form.call.empty() || (own && form.file_name.empty()))
+            complain(table->value.where, "'" + std::string(own ? "name' and 'call'" : "call'") + " must be said");
+        s.finish();
+        return form;
     }
 
     void read_datums() {

@@ -4,6 +4,8 @@
 
 namespace obrys::write {
 
+static_assert(index_of(Value::x) == 0 && index_of(Value::y) == 1 && index_of(Value::z) == 2);  // of `stand_`
+
 /// A block on its way, with what will be in force behind it.
 struct Printer::Line {
     std::string text;
@@ -14,6 +16,7 @@ struct Printer::Line {
     int plain = 0;              ///< texts that stand as they are
     bool asked = false;         ///< the block has words with values
     std::vector<std::pair<int, std::string>> slots, groups;
+    std::vector<std::string> in_force;  ///< words of coordinates that are so without it
 
     void append(std::string_view token) {
         if (token.empty()) return;
@@ -74,6 +77,12 @@ void Printer::forget_words_of(const Template& text) {
         }
 }
 
+void Printer::forget_modes() {
+    for (std::size_t i = 0; i < words_.size(); ++i)
+        if (!post_.word_is_coordinate[i]) words_[i].clear();
+    for (std::string& word : in_force_) word.clear();
+}
+
 void Printer::add_literal(Line& line, const std::string& text, int group) const {
     if (group < 0) line.plain += text.empty() ? 0 : 1;
     if (group < 0) return line.append(text);
@@ -98,7 +107,10 @@ bool Printer::add_word(Line& line, const Token& t, const Values& values) {
     if (t.slot >= 0) {
         const auto slot = static_cast<std::size_t>(t.slot);
         const bool behind_mode = line.mode_printed && !post_.word_is_coordinate[slot];
-        if (!t.always && !behind_mode && words_[slot] == text) return true;
+        const bool is_coordinate = post_.word_is_coordinate[slot], holds = words_[slot] == text;
+        const bool stands = t.value < stand_.size() && values.number(t.value) == stand_[t.value];
+        if ((holds || stands) && is_coordinate) line.in_force.push_back(text);
+        if (holds && !t.always && !behind_mode && !(all_words_ && is_coordinate)) return true;
         line.slots.emplace_back(t.slot, text);
     }
     if (t.spoils >= 0 && !post_.word_is_coordinate[static_cast<std::size_t>(t.spoils)])
@@ -154,34 +166,16 @@ bool Printer::add(Line& line, const Block& block, const Values& values, const Pa
     return true;
 }
 
-bool Printer::put_number(std::string& line) const {
-    const double number = post_.numbers->first + post_.numbers->step * static_cast<double>(numbered_);
-    std::string all;
-    for (const Token& t : post_.numbers->text) {
-        all += t.before;
-        if (t.kind == Token::Kind::word && !append_number(all, number, post_.styles[t.style])) return false;
-        all += t.after + ' ';
-    }
-    line += all;
-    return true;
-}
-
-void Printer::put(std::string_view text) {
-    std::string line;
-    const auto begins = [&](const std::string& word) { return text.starts_with(word); };
-    if (post_.numbers && std::none_of(post_.numbers->skip.begin(), post_.numbers->skip.end(), begins)) {
-        // Numbers that the control's word cannot hold begin anew.
-        if (!put_number(line)) numbered_ = 0, static_cast<void>(put_number(line));
-        ++numbered_;
-    }
-    line += text;
-    line += post_.block_end;
-    line += post_.line_end;
-    out_(line);
-    ++lines_;
-}
-
 Printed Printer::print(const Template& text, const Values& values, const Parts& parts, bool moves, bool by_hook) {
+    const Printed printed = print_once(text, values, parts, moves, by_hook);
+    if (printed != Printed::nothing || !moves || !keeps_standing_) return printed;
+    all_words_ = true;
+    const Printed again = print_once(text, values, parts, moves, by_hook);
+    all_words_ = false;
+    return again;
+}
+
+Printed Printer::print_once(const Template& text, const Values& values, const Parts& parts, bool moves, bool by_hook) {
     std::vector<Line> lines;
     for (const Block& block : text) {
         Line line;
@@ -195,10 +189,11 @@ Printed Printer::print(const Template& text, const Values& values, const Parts& 
         else if (moves && block.size() > 0 && &block == &text.back())
             return Printed::nothing;
     }
-    for (const Line& line : lines) {
+    for (Line& line : lines) {
         for (const auto& [slot, word] : line.slots) words_[static_cast<std::size_t>(slot)] = word;
         for (const auto& [group, word] : line.groups) in_force_[static_cast<std::size_t>(group)] = word;
-        put(line.text);
+        coordinates_in_force_ = std::move(line.in_force);
+        out_(line.text);
     }
     return lines.empty() ? Printed::nothing : Printed::all;
 }

@@ -1,12 +1,15 @@
 #pragma once
 /// Prints blocks of a post: words that are in force are left out, blocks that say nothing are not printed.
 
+#include <array>
+#include <cmath>
 #include <functional>
 #include <optional>
 #include <string>
 #include <string_view>
 #include <vector>
 
+#include "geom/vec.hpp"
 #include "write/post.hpp"
 
 namespace obrys::write {
@@ -30,6 +33,7 @@ enum class Printed : std::uint8_t {
 
 class Printer {
 public:
+    /// `out` gets blocks, without numbers and ends of lines.
     Printer(const Post& post, std::function<void(std::string_view)> out);
 
     /// From here on what the post says holds at the begin is in force.
@@ -52,23 +56,31 @@ public:
     void forget_coordinates();
     /// Words that stand there as they are may have another value than the last one of their letter.
     void forget_words_of(const Template& text);
-    [[nodiscard]] std::uint64_t lines() const { return lines_; }
+    /// Every word but coordinates is said again.
+    void forget_modes();
+    /// Blocks of moves that would not move are printed, too, with all their words.
+    void keep_standing(bool keep) { keeps_standing_ = keep; }
+    /// Where the tool stands before the next move, as coordinates are programmed; it may be there without a word.
+    void stand_at(const geom::Vec3& place) { stand_ = {place.x, place.y, place.z}; }
+    /// Of the block that is given out: words of coordinates that are in force without it, printed or not.
+    [[nodiscard]] const std::vector<std::string>& in_force() const { return coordinates_in_force_; }
     [[nodiscard]] const std::string& failed_word() const { return failed_; }
 
 private:
     struct Line;
+    Printed print_once(const Template& text, const Values& values, const Parts& parts, bool moves, bool by_hook);
     bool add(Line& line, const Block& block, const Values& values, const Parts& parts);
     bool add_token(Line& line, const Token& t, const Values& values, const Parts& parts);
     bool add_word(Line& line, const Token& t, const Values& values);
     void add_literal(Line& line, const std::string& text, int group) const;
-    void put(std::string_view text);
-    [[nodiscard]] bool put_number(std::string& line) const;
 
     const Post& post_;
     std::function<void(std::string_view)> out_;
     std::vector<std::string> words_;     ///< by slot: as last printed; empty: not known
     std::vector<std::string> in_force_;  ///< by group
-    std::uint64_t lines_ = 0, numbered_ = 0;
+    std::vector<std::string> coordinates_in_force_;
+    std::array<double, 3> stand_{NAN, NAN, NAN};
+    bool keeps_standing_ = false, all_words_ = false;
     std::string failed_;
 };
 

@@ -217,7 +217,7 @@ void Maker::events() {
     add("line for the terminal", {cl::Comment{"Turn the part", true, true}});
     add("M function", {cl::Auxiliary{'M', 188}});
     add("H function", {cl::Auxiliary{'H', 5}});
-    add("a called part, which is written where it stands",
+    add("a called part",
         {cl::PartBegin{cl::PartKind::call, "SUB", 1, 1}, next(), cl::PartEnd{}});
 }
 

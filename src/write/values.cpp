@@ -14,7 +14,7 @@ constexpr std::array<std::string_view, static_cast<std::size_t>(Value::count)> n
     "number", "value", "edge", "turret", "raised", "wider", "offset", "around", "sharp", "way", "merge",
     "contour", "rotary", "filter", "seconds", "revolutions", "machine-x", "machine-y", "machine-z", "shift-x",
     "shift-y", "shift-z", "angle", "angle-x", "angle-y", "angle-z", "factor-x", "factor-y", "factor-z",
-    "mirror-x", "mirror-y", "mirror-z", "block"};
+    "mirror-x", "mirror-y", "mirror-z", "block", "passes"};
 // clang-format on
 constexpr std::array<std::string_view, static_cast<std::size_t>(Text::count)> texts{"name", "text", "letter"};
 

@@ -85,7 +85,8 @@ enum class Value : std::uint8_t {
     mirror_y,
     mirror_z,
     // The file.
-    block,  ///< number of the block
+    block,   ///< number of the block
+    passes,  ///< of a call that is repeated
     count,
 };
 

@@ -3,13 +3,15 @@
 #include <algorithm>
 #include <array>
 
+#include "base/text.hpp"
+
 namespace obrys::write {
 
 Writer::Writer(const Post& post, std::string name, Output output)
     : post_(post),
       name_(std::move(name)),
-      output_(std::move(output)),
-      printer_(post, [this](std::string_view text) { output_.text(text); }) {
+      layout_(post, name_, std::move(output)),
+      printer_(post, [this](std::string_view block) { layout_.block(block, printer_.in_force()); }) {
     if (post_.lua) {
         HookFault fault;  // read_post has tried it out
         hooks_ = load_hooks(post_.lua->text, post_.named_styles(), fault);
@@ -19,23 +21,61 @@ Writer::Writer(const Post& post, std::string name, Output output)
     printer_.start();
 }
 
-void Writer::note(Fate fate, std::string what) {
-    Note n{fate, std::move(what), {}, 0, printer_.lines() + 1};
-    if (now_ != nullptr) n.from = now_->from, n.stack = now_->stack;
-    output_.note(std::move(n));
+/// `line`: 0 is that of the block that follows.
+void Writer::note(Fate fate, std::string what, std::uint64_t line) { note_at({fate, std::move(what), {}, 0, line}); }
+
+void Writer::note_at(Note note) {
+    if (about_ != nullptr)
+        note.from = about_->from, note.stack = about_->stack;
+    else if (now_ != nullptr)
+        note.from = now_->from, note.stack = now_->stack;
+    layout_.note(std::move(note));
 }
 
-/// Prints a command; says that it is lost where the post has none for it or a word cannot hold its number.
+Writer::About::About(Writer& writer, Topic topic) : writer_(writer), before_(writer.about_) {
+    const Source& source = writer.topics_[static_cast<std::size_t>(topic)];
+    if (!(source == Source{})) writer.about_ = &source;
+}
+Writer::About::~About() { writer_.about_ = before_; }
+
+void Writer::remember_topic(const cl::Step& step) {
+    const auto set = [&](Topic t) { topics_[static_cast<std::size_t>(t)] = {now_->from, now_->stack}; };
+    if (std::holds_alternative<cl::ToolChange>(step)) set(Topic::tool), set(Topic::length);
+    if (std::holds_alternative<cl::ToolLength>(step)) set(Topic::length);
+    if (std::holds_alternative<cl::Datum>(step)) set(Topic::datum);
+    if (std::holds_alternative<cl::Frame>(step)) set(Topic::frame);
+    if (std::holds_alternative<cl::Spindle>(step)) set(Topic::spindle);
+    if (std::holds_alternative<cl::Coolant>(step)) set(Topic::coolant);
+    if (std::holds_alternative<cl::Tolerance>(step)) set(Topic::tolerance);
+    if (std::holds_alternative<cl::PathMode>(step)) set(Topic::path);
+    if (std::holds_alternative<cl::CompensationBegin>(step) || std::holds_alternative<cl::CompensationEnd>(step))
+        set(Topic::compensation);
+}
+
+/// Coolant that waited stands in the block of this line.
+void Writer::coolant_said(std::uint64_t line) {
+    if (!std::exchange(coolant_waits_, std::nullopt)) return;
+    const About about(*this, Topic::coolant);
+    note(Fate::mapped, "coolant", line);
+}
+
+/// Prints a command and says what becomes of it: it is lost where the post has none for it or a word cannot hold its
+/// number.
 bool Writer::print(Command command, std::string_view what) {
     if (!post_.has(command)) {
         note(Fate::lost, std::string(what) + ": the post has no " + std::string(name_of(command)));
         return false;
     }
+    const std::uint64_t line = layout_.next();
     const Printed printed = put(command, parts_of(false, nullptr), what);
-    if (printed == Printed::all && has_part(post_[command], Part::coolant)) coolant_waits_.reset();
-    if (printed != Printed::failed) return true;
-    note(Fate::lost, std::string(what) + ": a word cannot hold " + printer_.failed_word());
-    return false;
+    if (printed == Printed::failed) {
+        note(Fate::lost, std::string(what) + ": a word cannot hold " + printer_.failed_word());
+        return false;
+    }
+    if (printed == Printed::all && has_part(post_[command], Part::coolant)) coolant_said(line);
+    const bool remark = command == Command::comment;  // and nothing that the machine does
+    if (printed != Printed::refused && !remark) note(Fate::mapped, std::string(what), line);
+    return true;
 }
 
 /// Within what is written as a cycle or as a way onto a contour, the control makes the moves; what holds behind it is
@@ -51,12 +91,15 @@ void Writer::take_folded(const cl::Record& record) {
 
 void Writer::take(const cl::Record& record) {
     now_ = &record;
+    remember_topic(record.step);
     if (folding_ > 0) {
         take_folded(record);
     } else if (const auto* begin = std::get_if<cl::CycleBegin>(&record.step)) {
         take_cycle(record, *begin);
     } else if (const auto* lead = std::get_if<cl::LeadBegin>(&record.step)) {
         take_lead(record, *lead);
+    } else if (std::holds_alternative<cl::PartBegin>(record.step) || std::holds_alternative<cl::PartEnd>(record.step)) {
+        take_part(record);
     } else if (cl::is_move(record.step)) {
         take_move(record);
     } else {
@@ -128,7 +171,10 @@ void Writer::take_programmed(const cl::Programmed& p) {
     if (plain_) return;
     const bool corners = post_.has(Command::corner_rounding) || post_.has(Command::corner_chamfer) ||
                          post_.has(Command::corner_chamfer_leg);
-    if (!corners && !cursor_.state().compensation) return;
+    if (!corners && !cursor_.state().compensation) {
+        if (p.corner != cl::Corner::none) note(Fate::expanded, "a chamfer or rounding");
+        return;
+    }
     write_state();
     if (const auto& c = cursor_.state().compensation) select_plane(frames_.programmed_direction(c->normal));
     programmed_.push_back({now_->from, now_->stack});
@@ -203,6 +249,7 @@ void Writer::event(const cl::Stop& stop) {
           : stop.kind == cl::StopKind::program ? Command::stop_program
                                                : Command::stop_optional,
           "a stop");
+    if (end) spill_parts();
     if (!end) stop_spindle(post_.stop_stops_spindle);
 }
 
@@ -264,6 +311,7 @@ void Writer::event(const cl::ToolData& data) {
 
 /// Characters that would end the comment, or that the control does not have.
 void Writer::clean(std::string& text) const {
+    text = base::as_utf8(text);
     for (char& c : text) {
         if (!post_.comment_holds_brackets) c = c == '(' ? '<' : c == ')' ? '>' : c;
         if (!post_.comment_holds_quotes && c == '"') c = '\'';
@@ -282,7 +330,9 @@ void Writer::event(const cl::Comment& comment) {
     std::string text = comment.text;
     if (comment.message && command == Command::comment) note(Fate::expanded, "a message, which is a comment here,");
     clean(text);
-    if (post_.longest_comment > 0 && text.size() > post_.longest_comment) text.resize(post_.longest_comment);
+    if (post_.encoding == Encoding::windows_1252 && base::utf8_to_cp1252(text, '?') != base::utf8_to_cp1252(text, '_'))
+        note(Fate::expanded, "a comment, with ? for characters that Windows-1252 has not,");
+    base::cut_utf8(text, post_.longest_comment);
     values_.set(Text::text, text);
     print(command, "a comment");
 }
@@ -291,9 +341,15 @@ void Writer::finish() {
     flush_held();
     if (!ended_) write_all();
     if (!ended_ && cursor_.moves() > 0) end_cycles();
+    spill_parts();
+    values_.clear();
+    // The control must not run on into the subprograms.
+    if (!ended_ && layout_.has_subprograms()) print(Command::stop_end, "the end of the program");
+    layout_.put_subprograms();
     values_.clear();
     values_.set(Text::name, name_);
     static_cast<void>(put(Command::file_end, {}, "the end of the file"));
+    layout_.finish();
 }
 
 }  // namespace obrys::write

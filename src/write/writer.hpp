@@ -1,5 +1,6 @@
 #pragma once
-/// The stream as a program of a control, by a post. Streams: memory does not grow with the number of moves.
+/// The stream as a program of a control, by a post. Streams: memory does not grow with the number of moves; it holds
+/// the text of parts that are called.
 
 #include <array>
 #include <functional>
@@ -13,29 +14,10 @@
 #include "cl/record.hpp"
 #include "motion/cursor.hpp"
 #include "write/frames.hpp"
+#include "write/layout.hpp"
 #include "write/printer.hpp"
 
 namespace obrys::write {
-
-enum class Fate : std::uint8_t {
-    expanded,  ///< it is there by its moves
-    lost       ///< it is not there
-};
-
-/// What the program that was written does not say as the stream does.
-struct Note {
-    Fate fate = Fate::lost;
-    std::string what;
-    base::Span from;
-    cl::StackId stack = 0;
-    std::uint64_t line = 0;               ///< of the text, counted from 1: the one that follows
-    std::optional<base::Span> in_post{};  ///< where a function of the post has failed
-};
-
-struct Output {
-    std::function<void(std::string_view)> text;
-    std::function<void(Note)> note;
-};
 
 class Writer {
 public:
@@ -44,7 +26,7 @@ public:
 
     void take(const cl::Record& record);
     /// Writes what waits for what follows.
-    void settle() { flush_held(); }
+    void settle();
     void finish();
 
 private:
@@ -58,6 +40,38 @@ private:
         bool operator==(const Source&) const = default;
     };
 
+    /// What is set by a record of its own and written later.
+    enum class Topic : std::uint8_t {
+        tool,
+        length,
+        datum,
+        frame,
+        spindle,
+        coolant,
+        tolerance,
+        path,
+        compensation,
+        count
+    };
+    /// Notes are about the record that has set it, not about the one that it is written for.
+    class About {
+    public:
+        About(Writer& writer, Topic topic);
+        ~About();
+        About(const About&) = delete;
+        About& operator=(const About&) = delete;
+
+    private:
+        Writer& writer_;
+        const Source* before_;
+    };
+
+    void remember_topic(const cl::Step& step);
+    void take_part(const cl::Record& record);
+    void open_part(const cl::Record& record, const cl::PartBegin& part);
+    void close_part();
+    void spill_parts();
+    void keep_standing();
     void take_folded(const cl::Record& record);
     void take_move(const cl::Record& record);
     void take_lead(const cl::Record& record, const cl::LeadBegin& lead);
@@ -87,7 +101,7 @@ private:
     void event(const cl::Frame&) {}
     void event(const cl::Tolerance&) {}
     void event(const cl::PathMode&) {}
-    void event(const cl::PartBegin&) {}  // parts are written as what they come to
+    void event(const cl::PartBegin&) {}  // these have been taken before
     void event(const cl::PartEnd&) {}
     void event(const cl::CycleEnd&) {}  // of a cycle that is written by its moves
     void event(const cl::LeadEnd&) {}
@@ -145,9 +159,10 @@ private:
     void note_feed(bool rapid);
     void note_unknown(const geom::Vec3& from, const geom::Vec3& to);
     void lose_axes();
-    void end_wait_of_compensation(Command command, const Template& form);
+    void end_wait_of_compensation(Command command, const Template& form, std::uint64_t line);
     void note_direction(const geom::Vec3& axis);
     void note_unsaid(Command command, const Template& form, bool rapid);
+    void note_printed(Command command, const Template& form, const Parts& parts, std::uint64_t line);
     void print_move(Command command, bool rapid, const cl::Programmed* corner);
     [[nodiscard]] Command feed_command(bool rapid) const;
     [[nodiscard]] Parts parts_of(bool rapid, const cl::Programmed* corner);
@@ -164,11 +179,13 @@ private:
     [[nodiscard]] const Template* form_of(Command command, std::string_view what);
     [[nodiscard]] bool ask_cycle(const cl::Cycle& cycle, CycleForm& form);
     [[nodiscard]] Hooked ask(const std::string& name, std::string_view what, bool in_cycle, Template& said);
-    void note(Fate fate, std::string what);
+    void note(Fate fate, std::string what, std::uint64_t line = 0);
+    void note_at(Note note);
+    void coolant_said(std::uint64_t line);
 
     const Post& post_;
     std::string name_;
-    Output output_;
+    Layout layout_;
     Printer printer_;
     std::unique_ptr<Hooks> hooks_;  ///< null: the post has none
     Template said_;                 ///< by one of them
@@ -215,6 +232,15 @@ private:
     bool contour_begun_ = false;      ///< an element has been written under compensation
     std::vector<Source> programmed_;  ///< sources of elements whose moves the control makes
     bool ended_ = false;
+
+    std::array<Source, static_cast<std::size_t>(Topic::count)> topics_{};
+    const Source* about_ = nullptr;
+    /// Calls and repetitions that are open.
+    struct OpenPart {
+        bool in_layout = false;  ///< else it is a contour of a cycle, or the like
+        bool whole = true;       ///< it may be called by itself
+    };
+    std::vector<OpenPart> parts_;
 };
 
 }  // namespace obrys::write

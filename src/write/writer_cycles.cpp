@@ -47,6 +47,10 @@ std::optional<geom::Vec3> plane_of(const geom::Frame& f) {
     return std::nullopt;
 }
 
+std::string name_of_cycle(const cl::Cycle& cycle) {
+    return "cycle " + cycle.name + " (" + std::string(cl::spelling(cycle.kind)) + ")";
+}
+
 }  // namespace
 
 const CycleForm* Writer::cycle_form(const cl::Cycle& cycle) const {
@@ -117,9 +121,11 @@ bool Writer::fold(const cl::CycleBegin& begin) {
     set_values(cycle, at);  // the begin of a series has values of its own
     if (defined != defined_ && printer_.print(form->define, values_) == Printed::failed) return false;
     defined_ = defined;
-    if (printer_.print(form->call, values_, parts_of(false, nullptr), false, form == &said) == Printed::failed)
-        return false;
+    const std::uint64_t line = layout_.next();
+    const Parts parts = parts_of(false, nullptr);
+    if (printer_.print(form->call, values_, parts, false, form == &said) == Printed::failed) return false;
     if (form == &said) printer_.forget_words_of(said.call);
+    note(Fate::mapped, name_of_cycle(cycle), line);
     in_cycles_ = post_.has(Command::cycle_end);
     return true;
 }
@@ -132,7 +138,7 @@ void Writer::take_cycle(const cl::Record& record, const cl::CycleBegin& begin) {
         return;
     }
     flush_held();
-    note(Fate::expanded, "cycle " + begin.cycle->name + " (" + std::string(cl::spelling(begin.cycle->kind)) + ")");
+    note(Fate::expanded, name_of_cycle(*begin.cycle));
 }
 
 void Writer::take_lead(const cl::Record& record, const cl::LeadBegin& lead) {
@@ -177,7 +183,11 @@ void Writer::print_lead() {
         compensation_ =
             c->side == cl::CompensationSide::left ? Command::compensation_left : Command::compensation_right;
     constexpr std::string_view what = "a way onto a contour or off it";
-    if (put(lead.command, parts_of(lead.rapid, nullptr), what) == Printed::failed)
+    const std::uint64_t line = layout_.next();
+    const Printed printed = put(lead.command, parts_of(lead.rapid, nullptr), what);
+    if (printed == Printed::all || printed == Printed::nothing)
+        note(Fate::mapped, lead.onto ? "a way onto a contour" : "a way off a contour", line);
+    else if (printed == Printed::failed)
         note(Fate::lost, "a way onto a contour or off it: a word cannot hold " + printer_.failed_word());
     compensation_.reset();
     if (!lead.onto) printer_.force(post_[Command::compensation_off]);

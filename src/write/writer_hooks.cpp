@@ -25,13 +25,12 @@ Hooked Writer::ask(const std::string& name, std::string_view what, bool in_cycle
     }
     if (answer.kind == Hooked::Kind::usual || answer.kind == Hooked::Kind::blocks) return answer;
     const bool fails = answer.kind == Hooked::Kind::failed;
-    Note n{in_cycle ? Fate::expanded : Fate::lost, std::string(what) + ": ", {}, 0, printer_.lines() + 1};
+    Note n{in_cycle ? Fate::expanded : Fate::lost, std::string(what) + ": ", {}, 0, 0};
     n.what +=
         fails ? "the post's function for " + name + ": " + answer.fault.text : "the post refuses it: " + answer.text;
     if (fails) n.fate = Fate::lost;
     if (fails) n.in_post = place_in(*post_.lua, answer.fault.line, answer.fault.near);
-    if (now_ != nullptr) n.from = now_->from, n.stack = now_->stack;
-    output_.note(std::move(n));
+    note_at(std::move(n));
     return answer;
 }
 

@@ -16,6 +16,13 @@ Command corner_command(const cl::Programmed& p) {
                                                  : Command::corner_rounding;
 }
 
+/// What the ledger calls a move that is more than its way; empty: it is not.
+std::string_view special_move(Command command) {
+    if (command == Command::tap) return "rigid tapping";
+    if (command >= Command::thread && command <= Command::thread_falling) return "a thread";
+    return command >= Command::seek_contact && command <= Command::seek_release_or_end ? "a probe's way" : "";
+}
+
 }  // namespace
 
 Command Writer::feed_command(bool rapid) const {
@@ -51,9 +58,14 @@ void Writer::note_feed(bool rapid) {
         note(Fate::lost, "a feed: the post has no " + std::string(name_of(feed_command(false))));
 }
 
-void Writer::end_wait_of_compensation(Command command, const Template& form) {
+void Writer::end_wait_of_compensation(Command command, const Template& form, std::uint64_t line) {
+    const About about(*this, Topic::compensation);
     if (!has_part(form, Part::compensation))
         note(Fate::lost, "compensation: " + std::string(name_of(command)) + " of the post has no place for it");
+    else if (compensation_ == Command::compensation_off)
+        note(Fate::mapped, "the end of radius compensation", line);
+    else
+        note(Fate::mapped, "radius compensation", line);
     compensation_.reset();
 }
 
@@ -79,6 +91,20 @@ void Writer::note_unsaid(Command command, const Template& form, bool rapid) {
     const bool feeds = !rapid && cursor_.state().feed.value != 0 && post_.has(feed_command(false));
     if (feeds && !has_part(form, Part::feed) && without_feed_.insert(command).second)
         note(Fate::lost, "a feed: " + std::string(name_of(command)) + " of the post has no place for it");
+}
+
+/// What stands in the block of a move, and is a word of its own elsewhere.
+void Writer::note_printed(Command command, const Template& form, const Parts& parts, std::uint64_t line) {
+    if (length_waits_ && has_part(form, Part::length)) {
+        const About about(*this, Topic::length);
+        note(Fate::mapped, "the length of the tool", line);
+        length_waits_.reset();
+    }
+    if (has_part(form, Part::coolant)) coolant_said(line);
+    if (compensation_) end_wait_of_compensation(command, form, line);
+    const std::string_view special = special_move(command);
+    if (!special.empty()) note(Fate::mapped, std::string(special), line);
+    if (parts.corner != nullptr && !parts.corner->empty()) note(Fate::mapped, "a chamfer or rounding", line);
 }
 
 void Writer::print_move(Command command, bool rapid, const cl::Programmed* corner) {
@@ -115,12 +141,11 @@ void Writer::print_move(Command command, bool rapid, const cl::Programmed* corne
             note(Fate::lost, "axis " + std::string(axis.name.data()));
     }
     axes_.clear();
+    const std::uint64_t line = layout_.next();
     const Printed printed = printer_.print(*form, values_, parts, form != &said_, form == &said_);
     if (form == &said_) printer_.forget_words_of(said_);
     if (printed == Printed::failed) note(Fate::lost, "a move: a word cannot hold " + printer_.failed_word());
-    if (printed == Printed::all && has_part(*form, Part::length)) length_waits_.reset();
-    if (printed == Printed::all && has_part(*form, Part::coolant)) coolant_waits_.reset();
-    if (printed == Printed::all && compensation_) end_wait_of_compensation(command, *form);
+    if (printed == Printed::all) note_printed(command, *form, parts, line);
     if (corner != nullptr && !post_.corner_in_block && post_.has(corner_command(*corner)))
         print(corner_command(*corner), "a corner");
 }
@@ -176,7 +201,9 @@ void Writer::write_move(const cl::Step& step, const geom::Vec3& from) {
         line != nullptr && !place_ && has_part(post_[line->rapid ? Command::rapid : Command::linear], Part::coolant);
     write_state();
     coolant_may_wait_ = false;
+    printer_.stand_at(frames_.programmed(from));
     write_way(step, from);
+    printer_.stand_at({NAN, NAN, NAN});
     if (coolant_waits_) write_coolant();  // the move had no block
     lose_axes();
 }
@@ -212,7 +239,7 @@ bool Writer::write_place(const cl::Linear& line) {
     for (std::size_t k = 0; k < 3; ++k) known = known && (said || !place.axes[k] || std::isfinite(to[k]));
     if (!post_.has(command) || !known) {
         const geom::Vec3 p = line.to;
-        if (!geom::is_finite(p)) note(Fate::lost, "a move to a place of the machine");
+        note(geom::is_finite(p) ? Fate::expanded : Fate::lost, "a move to a place of the machine");
         return !geom::is_finite(p);
     }
     end_cycles();
@@ -222,7 +249,11 @@ bool Writer::write_place(const cl::Linear& line) {
     for (std::size_t k = 0; k < 3; ++k)
         if (place.axes[k]) values_.set(names[k], said ? 0 : to[k]);
     values_.set(Value::number, place.number);
-    if (put(command, parts_of(line.rapid, nullptr), "a move to a place of the machine") == Printed::failed)
+    const std::uint64_t at = layout_.next();
+    const Printed printed = put(command, parts_of(line.rapid, nullptr), "a move to a place of the machine");
+    if (printed == Printed::all || printed == Printed::nothing)
+        note(Fate::mapped, "a move to a place of the machine", at);
+    else if (printed == Printed::failed)
         note(Fate::lost, "a move to a place of the machine: a word cannot hold " + printer_.failed_word());
     printer_.forget_coordinates();
     return true;

@@ -5,6 +5,12 @@
 
 namespace obrys::write {
 
+namespace {
+
+constexpr std::string_view frame_table = "frame.";  ///< of the names of its commands
+
+}  // namespace
+
 void Writer::write_state() {
     if (tool_waits_) write_tool();
     write_datum();
@@ -31,6 +37,7 @@ void Writer::write_standing(const cl::ToolChange& change) {
 }
 
 void Writer::write_tool() {
+    const About about(*this, Topic::tool);
     tool_waits_ = false;
     end_cycles();
     const motion::State& s = cursor_.state();
@@ -75,6 +82,7 @@ void Writer::set_tool(const cl::ToolChange& change) {
 
 /// Waits for the next straight move: blocks of programs have both ("G43 H1 Z50").
 void Writer::write_length() {
+    const About about(*this, Topic::length);
     const cl::ToolLength& length = cursor_.state().length;
     if (cursor_.state().change.with_length && length.sense == 0) return;  // with the tool
     if (length == length_) return;
@@ -109,6 +117,7 @@ void Writer::write_all() {
 }
 
 void Writer::write_waiting_length() {
+    const About about(*this, Topic::length);
     if (!length_waits_) return;
     values_.clear();
     set_length();
@@ -141,8 +150,9 @@ void Writer::set_zero(std::uint32_t number, bool added) {
         const Template& text = added ? form.add : form.set;
         if (number < form.from || number > form.to || text.empty()) continue;
         values_.set(Value::number, number - form.set_less);
-        if (printer_.print(text, values_) == Printed::failed) note(Fate::lost, "the place of a zero");
-        return;
+        const std::uint64_t line = layout_.next();
+        const bool failed = printer_.print(text, values_) == Printed::failed;
+        return note(failed ? Fate::lost : Fate::mapped, "the place of a zero", line);
     }
     const std::string what = number == 0 ? "the shift of all zeros" : "zero " + std::to_string(number);
     note(Fate::lost, what + " is set anew, and the post has no words for that");
@@ -162,6 +172,7 @@ void Writer::write_zero(const cl::DatumData& data) {
 }
 
 void Writer::write_datum() {
+    const About about(*this, Topic::datum);
     const cl::Datum& datum = cursor_.state().datum;
     const bool none_yet = datum.number == 0 && std::isnan(datum.origin.x) && !datum_;
     if (none_yet) return;
@@ -175,8 +186,10 @@ void Writer::write_datum() {
         if (datum.number < form.from || datum.number > form.to || form.text.empty()) continue;
         values_.clear();
         values_.set(Value::number, datum.number - form.less);
-        if (printer_.print(form.text, values_) == Printed::failed) note(Fate::lost, "a zero: its number does not fit");
-        return;
+        const std::uint64_t line = layout_.next();
+        if (printer_.print(form.text, values_) == Printed::failed)
+            return note(Fate::lost, "a zero: its number does not fit");
+        return note(Fate::mapped, "zero " + std::to_string(datum.number), line);
     }
     // One zero alone may be the one that is in force on the control; of several, the others are lost.
     if (datum.number != none_selected)
@@ -184,6 +197,7 @@ void Writer::write_datum() {
 }
 
 void Writer::write_frame() {
+    const About about(*this, Topic::frame);
     const cl::Frame& wanted = cursor_.state().frame;
     if (wanted.parts == frames_.parts()) return;
     if (frames_.parts().empty() && frames_refused_ == wanted) return;
@@ -199,11 +213,12 @@ void Writer::write_frame() {
     for (const FrameStep& step : *steps) {
         values_.clear();
         static_cast<void>(frame_values(step.part, values_));
-        print(step.command, "a frame");
+        print(step.command, "a frame (" + std::string(name_of(step.command)).substr(frame_table.size()) + ")");
     }
 }
 
 void Writer::write_spindle() {
+    const About about(*this, Topic::spindle);
     const cl::Spindle& s = cursor_.state().spindle;
     const auto same = [](double a, double b) { return a == b || (std::isnan(a) && std::isnan(b)); };
     if (same(s.speed, spindle_.speed) && s.mode == spindle_.mode && s.direction == spindle_.direction &&
@@ -233,6 +248,7 @@ void Writer::write_spindle() {
 
 /// It may stand in the block of the spindle or of the next move; the word that comes before another one may not.
 void Writer::await_coolant() {
+    const About about(*this, Topic::coolant);
     const cl::Coolant& c = cursor_.state().coolant;
     if (c == coolant_) return;
     if (coolant_waits_) write_coolant();
@@ -248,11 +264,13 @@ void Writer::await_coolant() {
 
 void Writer::write_coolant() {
     if (!coolant_waits_) return;
+    const About about(*this, Topic::coolant);
     values_.clear();
     print(*std::exchange(coolant_waits_, std::nullopt), "coolant");
 }
 
 void Writer::write_tolerance() {
+    const About about(*this, Topic::tolerance);
     const cl::Tolerance& t = cursor_.state().tolerance;
     if (t == tolerance_) return;
     tolerance_ = t;
@@ -268,6 +286,7 @@ void Writer::write_tolerance() {
 }
 
 void Writer::write_path() {
+    const About about(*this, Topic::path);
     const std::optional<cl::PathMode>& path = cursor_.state().path;
     if (path == path_ || !path) return;
     path_ = path;

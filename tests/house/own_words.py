@@ -40,6 +40,7 @@ FOREIGN = {  # ROT, TRANS DATUM and MIRROR IMAGE are HEIDENHAIN's, too
 BY_CASES_ALONE = ["apt", "acramatic"]
 # Messages with a word of another control on purpose: how they begin, and why.
 ON_PURPOSE = {
+    "O1002.nc, line ": "a file that obrys translate writes for the target",
     "Klartext begins with BEGIN PGM, DIN/ISO with": "obrys fmt is given a text that is none of HEIDENHAIN's: what one begins with",
     "[variables] #<_GAP> is no variable of this control": "repeats what the job wrote",
     "parameter number 5000 lies outside R0 to R999": "R0 is the control's first R parameter",

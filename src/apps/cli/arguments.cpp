@@ -121,6 +121,7 @@ struct Commands {
     CLI::App* fmt;
     CLI::App* translate;
     CLI::App* compare;
+    CLI::App* sheet;
     CLI::App* post;
     CLI::App* version;
     CLI::App* help;
@@ -175,19 +176,19 @@ CLI::App* add_translate(CLI::App& app, Arguments& a) {
     translate->add_option("--to", a.to, "control or post: " + shop::joined(write::shipped_post_names()) + ", or a file")
         ->required()
         ->type_name("NAME|FILE");
+    translate
+        ->add_option("--ledger", a.ledger,
+                     "also write what became of what (.json, .html, else text); with --keep it is OUT.ledger.json")
+        ->type_name("FILE");
+    translate->add_flag("--accept-loss", a.accept_loss, "write the program also where something is lost or differs");
     add_same_place(*translate, a);
     translate->callback([&a] { a.request.canon = a.to == "canon"; });  // whose calls tell settings, too
     auto* keep = translate->add_flag(
         "--keep", a.keep, "statement by statement: parameters, expressions, branches, loops and subprograms stay");
-    translate->add_option("--ledger", a.ledger, "--keep: write what became of what here (default: OUT.ledger.json)")
-        ->needs(keep)
-        ->type_name("FILE");
     translate->add_option("--sets", a.sets, "--keep: prove it with so many sets of other values, too (3)")
         ->needs(keep)
         ->check(CLI::Range(0, 1000))
         ->type_name("N");
-    translate->add_flag("--accept-loss", a.accept_loss, "--keep: write it although something of it is lost")
-        ->needs(keep);
     return translate;
 }
 
@@ -211,6 +212,23 @@ CLI::App* add_compare(CLI::App& app, Arguments& a) {
     compare->add_option("--ledger", a.ledger, "the same for all of them: what translate --keep has written beside B")
         ->type_name("FILE");
     return compare;
+}
+
+CLI::App* add_sheet(CLI::App& app, Arguments& a) {
+    CLI::App* sheet = app.add_subcommand("sheet", sheet_help);
+    sheet->add_option("input", a.inputs, "programs (.MPF, .SPF, .H, .I, .ngc) or job files (.toml)")
+        ->required()
+        ->type_name("FILE");
+    add_request(*sheet, a);
+    sheet
+        ->add_option_function<std::string>(
+            "--format", [&a](const std::string& word) { a.format = word, a.format_given = true; },
+            "text, html, json or pdf (by the ending of the output's name, else text)")
+        ->check(only({"text", "html", "json", "pdf"}))
+        ->type_name("FORMAT");
+    sheet->add_flag("--job", a.job, "first one list of tools and one time for all programs together");
+    sheet->add_option("--since", a.since, "also what differs from this older sheet (.json)")->type_name("FILE");
+    return sheet;
 }
 
 Commands add_commands(CLI::App& app, Arguments& a) {
@@ -276,6 +294,7 @@ Commands add_commands(CLI::App& app, Arguments& a) {
     add_format(*c.fmt, a);
     c.translate = add_translate(app, a);
     c.compare = add_compare(app, a);
+    c.sheet = add_sheet(app, a);
     c.post = add_post(app, a);
     c.version = app.add_subcommand("version", "prints the version");
     c.help = app.add_subcommand("help", "prints this text, or that of a command: obrys help check");
@@ -288,7 +307,7 @@ namespace {
 
 /// An empty name of a file is a variable of a script that nobody set.
 void refuse_empty_names(const Commands& c) {
-    for (CLI::App* command : {c.check, c.run, c.plot, c.fmt, c.translate, c.compare})
+    for (CLI::App* command : {c.check, c.run, c.plot, c.fmt, c.translate, c.compare, c.sheet})
         for (CLI::Option* option : command->get_options())
             if (option->get_type_name().find("FILE") != std::string::npos)
                 option->check(
@@ -350,7 +369,8 @@ bool print_help(const std::string& topic) {
     CLI::App app(main_help, "obrys");  // help of one that has parsed a command is that of the command
     const Commands c = add_commands(app, unused);
     if (topic.empty()) return std::fputs(app.help().c_str(), stdout) >= 0;
-    for (const CLI::App* command : {c.check, c.run, c.plot, c.fmt, c.translate, c.compare, c.post, c.version, c.help})
+    for (const CLI::App* command :
+         {c.check, c.run, c.plot, c.fmt, c.translate, c.compare, c.sheet, c.post, c.version, c.help})
         if (command->get_name() == topic) return std::fputs(command->help("obrys").c_str(), stdout) >= 0;
     std::cerr << "obrys help: " << no_command(topic);
     return false;
@@ -358,16 +378,11 @@ bool print_help(const std::string& topic) {
 
 }  // namespace
 
-std::string ledger_of(const Arguments& a) {
-    if (!a.keep || !a.ledger.empty() || driver::is_standard_output(a.output)) return a.ledger;
-    return driver::ledger_beside(a.output);
-}
-
 std::vector<driver::Wanted> outputs_of(const Arguments& a) {
     std::vector<driver::Wanted> all;
     const bool only_picture = a.command == Command::plot && !(a.interpolation > 0) && !a.svg.empty();
-    if (!only_picture) all.push_back({"--output", a.output.empty() ? "-" : a.output});
-    const std::string ledger = a.command == Command::compare ? "" : ledger_of(a);
+    if (!only_picture && !a.into_folder) all.push_back({"--output", a.output.empty() ? "-" : a.output});
+    const std::string ledger = a.command == Command::compare ? "" : a.ledger;
     const std::pair<const char*, const std::string&> options[] = {{"--html", a.html},
                                                                   {"--svg", a.svg},
                                                                   {"--stl", a.stl},
@@ -417,6 +432,7 @@ Arguments parse(int argc, char** argv) {
                 : c.fmt->parsed()       ? Command::fmt
                 : c.translate->parsed() ? Command::translate
                 : c.compare->parsed()   ? Command::compare
+                : c.sheet->parsed()     ? Command::sheet
                 : c.post->parsed()      ? Command::post
                                         : Command::version;
     return a;

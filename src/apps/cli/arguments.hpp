@@ -13,16 +13,17 @@
 
 namespace obrys::cli {
 
-enum class Command : int { none, check, run, plot, fmt, translate, compare, post, version };
+enum class Command : int { none, check, run, plot, fmt, translate, compare, sheet, post, version };
 
 struct Arguments {
     Command command = Command::none;
     driver::Request request;
-    std::vector<std::string> inputs;   ///< of check: one or several
+    std::vector<std::string> inputs;   ///< of check and sheet: one or several
     std::vector<std::string> fail_on;  ///< of check: codes and severities; empty: every finding
     std::string baseline;              ///< of check: file of known findings
     std::string write_baseline;
     std::string format = "text";
+    bool format_given = false;                    ///< of sheet: else the name of the output says it
     std::string output;                           ///< empty: standard output
     std::string html, svg;                        ///< of check: also write these; svg of plot: the picture
     std::string stl, three_mf, gltf;              ///< of check: the milled surface
@@ -40,9 +41,12 @@ struct Arguments {
     PostArguments post;
     std::string to;                ///< of translate: a post or a control
     bool keep = false;             ///< of translate: statement by statement
-    bool accept_loss = false;      ///< of translate --keep: write it although something is lost
     int sets = 3;                  ///< of translate --keep: how many sets of other values are run
-    std::string ledger;            ///< of translate --keep: written; of compare: read
+    std::string ledger;            ///< of translate: written (.json, .html, else text); of compare: read
+    bool into_folder = false;      ///< of translate: `output` is one, whose files are known later
+    bool accept_loss = false;      ///< of translate: write also what lacks something
+    std::string since;             ///< of sheet: an older one (.json)
+    bool job = false;              ///< of sheet: all programs together, too
     std::vector<std::string> map;  ///< of compare: "R3=Q3"
     std::string other;             ///< of compare: what `request.input` is held against
     double same_place = 1e-4;      ///< of compare, mm
@@ -53,8 +57,6 @@ struct Arguments {
 
 [[nodiscard]] Arguments parse(int argc, char** argv);
 
-/// Where the ledger of a translation goes; empty: nowhere.
-[[nodiscard]] std::string ledger_of(const Arguments& a);
 /// The files that the call writes, with their options.
 [[nodiscard]] std::vector<driver::Wanted> outputs_of(const Arguments& a);
 

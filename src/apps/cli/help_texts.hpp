@@ -14,6 +14,7 @@ inline constexpr const char* main_help =
     "  obrys translate PART.H --to fanuc -o P.nc   the same for another control\n"
     "  obrys compare PART.H P.nc                   do both make the machine do the same?\n"
     "  obrys post check my-mill.toml               what a post writes, and what its control makes of it\n"
+    "  obrys sheet PART.H -o PART.pdf              tools, set-up and times for the shop\n"
     "  obrys fmt -i PART.H                         number and write the blocks as the control does\n";
 
 inline constexpr const char* check_help =
@@ -55,13 +56,15 @@ inline constexpr const char* plot_help =
 inline constexpr const char* translate_help =
     "Writes a program for another control, or anew for its own: by what it makes the tool do, with cycles, zero "
     "points,\n"
-    "frames and compensation where the target has them. What the target does not have is said.\n\n"
+    "frames, compensation and calls where the target has them. Nothing is written where something is lost.\n\n"
     "Examples:\n"
     "  obrys translate PART.H --to fanuc -o PART.nc\n"
     "  obrys translate PART.MPF --to linuxcnc --tools tool.tbl > PART.ngc\n"
     "  obrys translate PART.MPF --to my-mill.toml -o PART.nc    a post of one's own (docs/posts.md)\n"
-    "  obrys translate PART.MPF --to fanuc --keep -o PART.nc    parameters, branches and subprograms stay\n\n"
-    "Exit codes: 0 all is there, 1 something is lost or the control would stop, 2 usage or unreadable input,\n"
+    "  obrys translate PART.MPF --to fanuc --keep -o PART.nc    parameters, branches and subprograms stay\n"
+    "  obrys translate PART.H --to sinumerik-840d -o out/       subprograms in files of their own\n"
+    "  obrys translate PART.H --to fanuc -o PART.nc --ledger ledger.html    what became of each cycle and function\n\n"
+    "Exit codes: 0 proved to do the same, 1 something is lost or the control would stop, 2 usage or unreadable input,\n"
     "3 something was not understood or not run.";
 
 inline constexpr const char* compare_help =
@@ -78,7 +81,8 @@ inline constexpr const char* compare_help =
     "understood or not run.";
 
 inline constexpr const char* post_help =
-    "Posts, by which obrys translate writes the programs of a control (docs/posts.md): lists them, begins one of one's\n"
+    "Posts, by which obrys translate writes the programs of a control (docs/posts.md): lists them, begins one of "
+    "one's\n"
     "own, tries one out, shows what its commands print.\n\n"
     "Examples:\n"
     "  obrys post list\n"
@@ -86,9 +90,22 @@ inline constexpr const char* post_help =
     "  obrys post check old-mill.toml\n"
     "  obrys post preview fanuc --command cycle.canned-peck --set bottom=-20\n"
     "  obrys post preview old-mill.toml --format html -o old-mill.html\n\n"
-    "Exit codes: 0 done, of check: the control does what was asked for wherever something is written; 1 check: it reads\n"
-    "something otherwise; preview: the post has nothing for the command; 2 usage or a post that cannot be used; 3 check:\n"
+    "Exit codes: 0 done, of check: the control does what was asked for wherever something is written; 1 check: it "
+    "reads\n"
+    "something otherwise; preview: the post has nothing for the command; 2 usage or a post that cannot be used; 3 "
+    "check:\n"
     "not all could be read back.";
+inline constexpr const char* sheet_help =
+    "Prints the sheets of programs: tools, set-up (zeros, stock, travel) and times, as far as they are known without "
+    "a\n"
+    "model of acceleration. A job file names machine, tools and stock.\n\n"
+    "Examples:\n"
+    "  obrys sheet PART.H --tools TOOL.T\n"
+    "  obrys sheet part.job.toml -o part.pdf\n"
+    "  obrys sheet side1.job.toml side2.job.toml --job -o order.html\n"
+    "  obrys sheet part.job.toml -o part.json; obrys sheet part.job.toml --since part.json\n\n"
+    "Exit codes: 0 made, 1 the control would stop, so that it is not all of the program, 2 usage or unreadable input,\n"
+    "3 something was not understood or not run.";
 
 inline constexpr const char* fmt_help =
     "Formats HEIDENHAIN programs (Klartext .H, DIN/ISO .I): numbers the blocks, one blank between words, upper case\n"

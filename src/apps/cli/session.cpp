@@ -64,8 +64,8 @@ std::string root_of(const driver::Session& s, const path& here) {
 report::Subject subject_of(const driver::Session& s, const driver::Checked& c) {
     std::error_code error;
     const path here = driver::fs::current_path(error);
-    return {s.sources, c.result,      c.setup, s.stacks,         s.program,
-            s.control, OBRYS_VERSION, {},      root_of(s, here), s.input, folder_text(here)};
+    return {s.sources,     c.result, c.setup,          s.stacks, s.program,        s.control,
+            OBRYS_VERSION, {},       root_of(s, here), s.input,  folder_text(here)};
 }
 
 }  // namespace obrys::cli

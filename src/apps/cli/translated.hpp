@@ -1,0 +1,34 @@
+#pragma once
+/// Where what a translation writes goes: the program, its subprograms, the ledger.
+
+#include <string>
+
+#include "arguments.hpp"
+#include "driver/translate.hpp"
+
+namespace obrys::cli {
+
+/// Where the program and its subprograms go. In a folder, subprograms may stand in files of their own.
+struct Target {
+    bool folder = false;
+    std::string main;  ///< path; empty: standard output
+    [[nodiscard]] std::string of(const std::string& name) const;
+};
+
+/// An existing folder, or what ends as one.
+[[nodiscard]] bool is_folder(const std::string& output);
+[[nodiscard]] Target target_of(const Arguments& a, const std::string& name, const write::Post& post);
+/// As a ledger names what stands there.
+[[nodiscard]] std::string name_of(const Target& target);
+
+/// Whether all the files may be written, now that they are known. False: it has been said.
+[[nodiscard]] bool may_write_all(const Arguments& a, const driver::Session& s, const Target& target,
+                                 const driver::Translated& t, const std::string& ledger);
+/// Each of them whole before any of them stands in its place.
+[[nodiscard]] bool deliver_all(const Target& target, const driver::Translated& t);
+/// JSON, HTML or text by the name of the file; an empty one is none.
+[[nodiscard]] bool deliver_ledger(const std::string& path, const report::Ledger& ledger);
+
+[[nodiscard]] const char* verdict_of(const driver::Proved& proved);
+
+}  // namespace obrys::cli

@@ -1,0 +1,103 @@
+#include "driver/ledger.hpp"
+
+#include <algorithm>
+#include <tuple>
+
+#include "base/codes.hpp"
+#include "base/text.hpp"
+
+namespace obrys::driver {
+
+namespace codes = base::codes;
+
+namespace {
+
+std::size_t hash_of(const write::Note& n) {
+    const std::size_t place = (std::size_t{n.from.file} << 40u) ^ (std::size_t{n.from.begin} << 8u) ^ n.from.end;
+    return std::hash<std::string>()(n.what) ^ (place * 0x9E3779B97F4A7C15U) ^ static_cast<std::size_t>(n.fate);
+}
+
+/// Of what these are said of, nothing or not all was run.
+bool leaves_out(std::string_view code) {
+    for (const std::string_view one : {codes::syntax, codes::undefined_name, codes::unknown_word, codes::unsupported,
+                                       codes::missing_subprogram, codes::budget, codes::unclosed, codes::not_run})
+        if (code == one) return true;
+    return false;
+}
+
+}  // namespace
+
+bool Ledger::add(const write::Note& note) {
+    const std::size_t hash = hash_of(note);
+    const auto [first, last] = index_.equal_range(hash);
+    for (auto it = first; it != last; ++it) {
+        const write::Note& there = entries_[it->second].note;
+        if (there.fate != note.fate || there.what != note.what || !(there.from == note.from)) continue;
+        ++entries_[it->second].times;
+        return false;
+    }
+    index_.emplace(hash, entries_.size());
+    entries_.push_back({note});
+    lost_ = lost_ || note.fate == write::Fate::lost;
+    return true;
+}
+
+void add_not_understood(Ledger& ledger, const Session& s, interp::Ending ending) {
+    for (const base::Diagnostic& d : s.diagnostics.all()) {
+        if (!leaves_out(d.code)) continue;
+        write::Note note;
+        note.what = d.text;
+        note.from = d.where;
+        static_cast<void>(ledger.add(note));
+    }
+    if (ending == interp::Ending::regular) return;
+    write::Note note;
+    note.what =
+        ending == interp::Ending::alarm ? "what follows the alarm" : "what follows the limit that has ended the run";
+    const auto& all = s.diagnostics.all();
+    const auto cause = std::find_if(all.rbegin(), all.rend(), [](const base::Diagnostic& d) {
+        return d.severity == base::Severity::error && d.code != codes::not_written;
+    });
+    if (cause != all.rend()) note.from = cause->where;
+    static_cast<void>(ledger.add(note));
+}
+
+report::Ledger shown(const Ledger& ledger, const Session& s, std::vector<WrittenFile> outputs) {
+    report::Ledger out;
+    out.program = s.program;
+    out.control = s.control;
+    out.output = outputs.empty() ? "" : outputs.front().name;
+    std::vector<std::uint32_t> files{s.main != nullptr ? s.main->file : 0};
+    for (const Ledger::Entry& e : ledger.entries()) {
+        report::LedgerEntry entry;
+        entry.what = e.note.what;
+        entry.fate = e.note.fate;
+        entry.times = e.times;
+        const base::Span& from = e.note.from;
+        if (from.file < s.sources.size()) {
+            entry.from = {s.sources[from.file].name, s.sources.position(from).line};
+            if (std::find(files.begin(), files.end(), from.file) == files.end()) files.push_back(from.file);
+        }
+        if (e.note.line != 0) entry.to = {e.note.file.empty() ? out.output : e.note.file, e.note.line};
+        if (e.note.fate == write::Fate::lost) entry.to.reset();
+        out.entries.push_back(std::move(entry));
+    }
+    const auto place = [](const report::LedgerEntry& e) {
+        return e.from ? std::tuple(e.from->file, e.from->line) : std::tuple(std::string(), std::uint64_t{0});
+    };
+    const std::string main = s.sources.size() > files.front() ? s.sources[files.front()].name : "";
+    std::stable_sort(out.entries.begin(), out.entries.end(), [&](const auto& a, const auto& b) {
+        const auto [file_a, line_a] = place(a);
+        const auto [file_b, line_b] = place(b);
+        return std::tuple(file_a != main, file_a, line_a) < std::tuple(file_b != main, file_b, line_b);
+    });
+    for (const std::uint32_t file : files) {
+        if (file >= s.sources.size()) continue;
+        s.sources.fetch(file);
+        out.sources.push_back({s.sources[file].name, base::as_utf8(s.sources[file].text)});
+    }
+    for (WrittenFile& file : outputs) out.outputs.push_back({std::move(file.name), base::as_utf8(file.text)});
+    return out;
+}
+
+}  // namespace obrys::driver

@@ -1,0 +1,26 @@
+#pragma once
+/// What becomes of what the stream says, in the text.
+
+#include <cstdint>
+#include <optional>
+#include <string>
+
+#include "base/fate.hpp"
+#include "cl/record.hpp"
+
+namespace obrys::write {
+
+using base::Fate;
+
+/// A cycle, a special function or a call of the program, and what became of it.
+struct Note {
+    Fate fate = Fate::lost;
+    std::string what;
+    base::Span from;
+    cl::StackId stack = 0;
+    std::uint64_t line = 0;               ///< of the text, counted from 1: the one that says it, or follows
+    std::string file{};                   ///< that holds the line; empty: that of the program
+    std::optional<base::Span> in_post{};  ///< where a function of the post has failed
+};
+
+}  // namespace obrys::write
