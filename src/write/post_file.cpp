@@ -152,14 +152,16 @@ private:
         s.finish();
     }
 
+    /// A text that says nothing is no block: what the post below has is taken back.
     Template blocks(Section& s, std::string_view key) {
         Template out;
         for (const shop::Value* text : s.text_values(key)) {
             std::string error;
-            if (auto block = parse_block(text->text, grammar_, error))
-                out.push_back(std::move(*block));
-            else
+            auto block = parse_block(text->text, grammar_, error);
+            if (!block)
                 complain(text->where, error);
+            else if (!block->empty())
+                out.push_back(std::move(*block));
         }
         return out;
     }

@@ -38,6 +38,21 @@ enum class Value : std::uint8_t {
     own_feed,      ///< of a chamfer, a rounding, a way onto a contour alone; else absent
     length,        ///< of a tool
     tool_radius,
+    handle_i,  ///< of a spline: from its start to the second of its four control points
+    handle_j,
+    handle_k,
+    handle_p,  ///< from its end to the third one
+    handle_q,
+    handle_r,
+    k1_x,  ///< its coefficients; the parameter runs from 1 at the start to 0 at the end
+    k1_y,
+    k1_z,
+    k2_x,
+    k2_y,
+    k2_z,
+    k3_x,
+    k3_y,
+    k3_z,
     lead_x,  ///< of a helix along that axis, per turn; else absent
     lead_y,
     lead_z,

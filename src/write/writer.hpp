@@ -155,6 +155,7 @@ private:
     void write_cut_arc(const cl::Arc& arc, const geom::Vec3& from, const cl::Programmed* corner);
     void write_turn(const cl::Arc& arc, const geom::Vec3& from, const cl::Programmed* corner);
     [[nodiscard]] bool write_place(const cl::Linear& line);
+    void write_spline(const cl::Spline& spline);
     void write_thread(const cl::Thread& thread, const geom::Vec3& from);
     void note_feed(bool rapid);
     void note_unknown(const geom::Vec3& from, const geom::Vec3& to);

@@ -19,6 +19,7 @@ Command corner_command(const cl::Programmed& p) {
 /// What the ledger calls a move that is more than its way; empty: it is not.
 std::string_view special_move(Command command) {
     if (command == Command::tap) return "rigid tapping";
+    if (command >= Command::spline && command <= Command::spline_yz) return "a spline";
     if (command >= Command::thread && command <= Command::thread_falling) return "a thread";
     return command >= Command::seek_contact && command <= Command::seek_release_or_end ? "a probe's way" : "";
 }
@@ -221,7 +222,7 @@ void Writer::write_way(const cl::Step& step, const geom::Vec3& from) {
     if (length_waits_) write_all();
     if (const auto* arc = std::get_if<cl::Arc>(&step)) return write_arc(*arc, from);
     if (const auto* thread = std::get_if<cl::Thread>(&step)) return write_thread(*thread, from);
-    note(Fate::lost, "a spline");
+    if (const auto* spline = std::get_if<cl::Spline>(&step)) write_spline(*spline);
 }
 
 /// A move to a place of the machine; false where there is none, or the post cannot say it and the place is known.
