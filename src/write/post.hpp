@@ -94,6 +94,7 @@ struct Post {
     bool repeats_tool = false;       ///< a tool that is in the spindle already is called again
     std::string stop_stops_spindle;  ///< the same of stops of the program
     bool place_known_behind_cycle = false;  ///< X, Y, Z that hold behind a cycle need not be said anew
+    bool raises_to_retract_plane = false;  ///< before cycles, where the tool stands below it, and before it moves over
     bool rise_before_cycle_end = false;  ///< the way up between two cycles stands before the word that ends the first
     bool corner_in_block = true;         ///< of the element; else a block of its own behind it
     bool comment_is_plain = false;       ///< a comment holds capitals, digits and signs of the seven bit code alone

@@ -189,6 +189,7 @@ private:
             if (name == "tool") post_.repeats_tool = s.boolean("repeats").value_or(false);
             if (name == "stop") post_.stop_stops_spindle = stopped_by(s);
             if (name == "cycles") post_.place_known_behind_cycle = s.boolean("place_known").value_or(false);
+            if (name == "cycles") post_.raises_to_retract_plane = s.boolean("raises_first").value_or(false);
             if (name == "cycles") post_.rise_before_cycle_end = s.boolean("rise_before_end").value_or(false);
             if (name == "file")
                 post_.encoding =

@@ -170,6 +170,8 @@ private:
 
     // Cycles.
     [[nodiscard]] const CycleForm* cycle_form(const cl::Cycle& cycle) const;
+    [[nodiscard]] double level_of_series(bool over) const;
+    [[nodiscard]] bool gets_there(const CycleForm& form, const cl::Cycle& cycle, double level) const;
     [[nodiscard]] bool fold(const cl::CycleBegin& begin);
     void set_values(const cl::Cycle& cycle, const geom::Vec3& at);
 
@@ -214,6 +216,7 @@ private:
     std::optional<cl::Frame> frames_refused_;  ///< that the post cannot say
     std::string defined_;                      ///< cycle in force, as printed
     bool in_cycles_ = false;
+    double series_level_ = 0;  ///< Z, as programmed, where the series of cycles in force has begun
 
     /// X, Y and Z as moves without a word for them leave them: posts of lathes have no Y.
     std::array<double, 3> stands_{NAN, 0, NAN};

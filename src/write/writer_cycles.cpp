@@ -47,6 +47,20 @@ std::optional<geom::Vec3> plane_of(const geom::Frame& f) {
     return std::nullopt;
 }
 
+std::optional<double> height(const cl::Cycle& cycle, cl::CycleRole role) {
+    const auto found =
+        std::find_if(cycle.values.begin(), cycle.values.end(), [&](const cl::CycleValue& v) { return v.role == role; });
+    return found == cycle.values.end() ? std::nullopt : std::optional(found->value);
+}
+
+/// Whether the number stands in a block; a word that is chosen by it (G98) does not say it.
+bool prints(const Template& text, ValueIndex value) {
+    return std::any_of(text.begin(), text.end(), [&](const Block& block) {
+        return std::any_of(block.begin(), block.end(),
+                           [&](const Token& t) { return t.kind == Token::Kind::word && t.value == value; });
+    });
+}
+
 std::string name_of_cycle(const cl::Cycle& cycle) {
     return "cycle " + cycle.name + " (" + std::string(cl::spelling(cycle.kind)) + ")";
 }
@@ -70,19 +84,35 @@ void Writer::set_values(const cl::Cycle& cycle, const geom::Vec3& at) {
     if (!std::isnan(at.z)) values_.set(Value::z, at.z);
     for (const cl::CycleValue& v : cycle.values) values_.set(index_of(v.role), v.value);
     const motion::State& s = cursor_.state();
-    const auto height = [&](cl::CycleRole role) {
-        const auto found = std::find_if(cycle.values.begin(), cycle.values.end(),
-                                        [&](const cl::CycleValue& v) { return v.role == role; });
-        return found == cycle.values.end() ? std::nullopt : std::optional(found->value);
-    };
-    if (const auto retract = height(cl::CycleRole::retract_plane)) {
-        const double top = height(cl::CycleRole::surface).value_or(*retract);
+    if (const auto retract = height(cycle, cl::CycleRole::retract_plane)) {
+        const double top = height(cycle, cl::CycleRole::surface).value_or(*retract);
         values_.set(Value::hole_top, top);
         values_.set(Value::hole_gap, *retract - top);
-        if (const auto bottom = height(cl::CycleRole::bottom)) values_.set(Value::hole_way, top - *bottom);
+        if (const auto bottom = height(cycle, cl::CycleRole::bottom)) values_.set(Value::hole_way, top - *bottom);
     }
     if (s.feed.value != 0) values_.set(Value::feed, s.feed.value);
     if (s.spindle.speed > 0) values_.set(Value::speed, s.spindle.speed);
+}
+
+/// Where the tool stood when the series began, or stands when it begins with a cycle now. Of a way over the hole its
+/// end counts: where it begins is not known behind a change of the tool's length.
+double Writer::level_of_series(bool over) const {
+    if (in_cycles_ && !rise_waits()) return series_level_;
+    const auto* way = over || rise_waits() ? std::get_if<cl::Linear>(&held_.front().record.step) : nullptr;
+    return frames_.programmed(way != nullptr ? way->to : cursor_.position().here()).z;
+}
+
+/// Whether the control ends where the cycle does: words that name no height (G98) mean that of the series' begin. And
+/// whether it gets to the retract plane by the moves that were made.
+bool Writer::gets_there(const CycleForm& form, const cl::Cycle& cycle, double level) const {
+    constexpr double same = 1e-6;  // mm
+    const auto retract = height(cycle, cl::CycleRole::retract_plane);
+    if (post_.raises_to_retract_plane && retract && !(level >= *retract - same)) return false;
+    const auto end = height(cycle, cl::CycleRole::return_level);
+    const ValueIndex value = index_of(cl::CycleRole::return_level);
+    if (!end || prints(form.define, value) || prints(form.call, value)) return true;
+    if (!says(form.define, value) && !says(form.call, value)) return true;
+    return std::abs(level - *end) <= same || (retract && *end <= *retract && level <= *retract + same);
 }
 
 /// Writes the bracket as a cycle of the control; false, and nothing is written, where it has none that says it all.
@@ -105,9 +135,14 @@ bool Writer::fold(const cl::CycleBegin& begin) {
     if (!std::all_of(form->define.begin(), form->define.end(), sayable) ||
         !std::all_of(form->call.begin(), form->call.end(), sayable))
         return false;
+    const auto goes_over = [&] {
+        return form->moves_over && !held_.empty() && held_.back().record.from == now_->from &&
+               held_.back().record.stack == now_->stack;
+    };
+    const double level = level_of_series(goes_over());
+    if (!gets_there(*form, cycle, level)) return false;
     if (rise_waits()) write_rise();
-    const bool over = form->moves_over && !held_.empty() && held_.back().record.from == now_->from &&
-                      held_.back().record.stack == now_->stack;
+    const bool over = goes_over();
     if (over)
         held_.clear();
     else
@@ -127,6 +162,7 @@ bool Writer::fold(const cl::CycleBegin& begin) {
     if (form == &said) printer_.forget_words_of(said.call);
     note(Fate::mapped, name_of_cycle(cycle), line);
     in_cycles_ = post_.has(Command::cycle_end);
+    series_level_ = level;
     return true;
 }
 
