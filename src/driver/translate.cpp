@@ -20,8 +20,13 @@ std::vector<std::string> candidates(const std::string& name, shop::MachineKind k
     return {name};
 }
 
-/// A post whose control is none that can be read: what is written by it could not be run.
+/// A post whose control is none that can be read: what is written by it could not be run. Staircases are for mills.
 std::optional<write::Post> checked(std::optional<write::Post> post, std::uint32_t file, Session& s) {
+    if (post && post->staircase && s.job.machine.kind == shop::MachineKind::lathe) {
+        complain(s.diagnostics, codes::job_value, {file, 0, 0},
+                 "this post is for mills that move one axis at a time, and the machine turns");
+        return std::nullopt;
+    }
     if (!post || post->control.empty() || find_control(post->control) != nullptr) return post;
     complain(s.diagnostics, codes::job_value, {file, 0, 0}, "there is no control \"" + post->control + '"',
              shop::words_remedy(post->control, controls(), "controls that can be read"));
@@ -73,6 +78,15 @@ static Translated translate_to_canon(Session& session, Translated out) {
     return out;
 }
 
+/// Characters that the code of the tape does not have.
+static void note_characters(Translated& out, const write::Post& post, const std::function<void(write::Note)>& note) {
+    out.tape = post.tape;
+    for (const write::MissingCharacter& c : write::missing_characters(out.text, post.tape))
+        note({write::Fate::lost,
+              "'" + c.character + "', which the " + std::string(write::name_of(post.tape)) + " code of tapes has not,",
+              nowhere, 0, c.line});
+}
+
 Translated translate(Session& session, const write::Post& post, const TranslateOptions& options) {
     Translated out;
     out.path = compare::Path(options.same_place);
@@ -87,12 +101,15 @@ Translated translate(Session& session, const write::Post& post, const TranslateO
         output.file = [&](const std::string& file, std::string_view text) {
             out.files.push_back({file, std::string(text)});
         };
+    output.run = [&](const cl::Record& record) { out.path.take(record); };
     write::Writer writer(post, options.name, output);
     const interp::Outcome outcome = interpret(session, [&](const cl::Record& record) {
         writer.take(record);
-        out.path.take(record);
+        if (!post.staircase) out.path.take(record);
     });
     writer.finish();
+    if (writer.stairs() != nullptr) out.stairs = write::text_of(*writer.stairs(), *post.staircase);
+    note_characters(out, post, output.note);
     add_not_understood(out.ledger, session, outcome.ending);
     return out;
 }

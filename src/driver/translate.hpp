@@ -11,6 +11,7 @@
 #include "driver/ledger.hpp"
 #include "driver/session.hpp"
 #include "write/post.hpp"
+#include "write/tape.hpp"
 #include "write/writer.hpp"
 
 namespace obrys::driver {
@@ -27,7 +28,9 @@ struct Translated {
     std::string text;
     std::vector<WrittenFile> files;  ///< subprograms in files of their own, beside it
     Ledger ledger;
-    compare::Path path{0};  ///< what the program does
+    compare::Path path{0};                 ///< what the program does; by a post with staircases what these do
+    write::Tape tape = write::Tape::none;  ///< in whose code it is to be delivered
+    std::string stairs{};                  ///< what has become of slopes and arcs, for people; empty: nothing
 };
 
 struct TranslateOptions {

@@ -6,6 +6,7 @@
 #include "write/commands.hpp"
 #include "write/post.hpp"
 #include "write/post_hooks.hpp"
+#include "write/post_staircase.hpp"
 
 namespace obrys::write {
 
@@ -81,6 +82,7 @@ public:
         post_.control = file_.text("control").value_or("");
         post_.suffix = file_.text("suffix").value_or("nc");
         if (const auto ends = file_.choice("line_end", {"lf", "crlf"})) post_.line_end = *ends == 0 ? "\n" : "\r\n";
+        if (const auto tape = file_.choice("tape", {"none", "iso", "eia"})) post_.tape = static_cast<Tape>(*tape);
         if (const auto by = file_.choice("written_by", {"templates", "canon"})) post_.is_canon = *by == 1;
         post_.block_end = file_.text("block_end").value_or("");
         for (const std::string_view known :
@@ -374,6 +376,7 @@ std::optional<Post> read_post(std::uint32_t file, const base::Sources& sources, 
     Post post;
     Reader(section, post).read();
     read_hooks(section, sources, load, post);
+    read_staircase(section, post);
     section.finish_file(diagnostics);
     const bool lacks_hooks = shop::find(*root, "lua") != nullptr && !post.lua;  // load has said why
     if (own.has_errors() || lacks_hooks) return std::nullopt;

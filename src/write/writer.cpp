@@ -10,12 +10,13 @@ namespace obrys::write {
 Writer::Writer(const Post& post, std::string name, Output output)
     : post_(post),
       name_(std::move(name)),
-      layout_(post, name_, std::move(output)),
+      layout_(post, name_, output),
       printer_(post, [this](std::string_view block) { layout_.block(block, printer_.in_force()); }) {
     if (post_.lua) {
         HookFault fault;  // read_post has tried it out
         hooks_ = load_hooks(post_.lua->text, post_.named_styles(), fault);
     }
+    if (post_.staircase) begin_stairs(std::move(output.run));
     values_.set(Text::name, name_);
     static_cast<void>(put(Command::file_begin, {}, "the begin of the file"));
     printer_.start();
@@ -89,7 +90,30 @@ void Writer::take_folded(const cl::Record& record) {
     if (folding_ == 0) end_fold();
 }
 
+void Writer::begin_stairs(std::function<void(const cl::Record&)> run) {
+    Staircase::Output out;
+    out.record = [this, run = std::move(run)](const cl::Record& record) {
+        if (run) run(record);
+        take_written(record);
+    };
+    const auto say = [this](Fate fate) {
+        return [this, fate](const cl::Record& of, std::string what) {
+            now_ = &of;
+            note(fate, std::move(what));
+            now_ = nullptr;
+        };
+    };
+    out.lost = say(Fate::lost);
+    out.expanded = say(Fate::expanded);
+    stairs_.emplace(*post_.staircase, std::move(out));
+}
+
 void Writer::take(const cl::Record& record) {
+    if (stairs_) return stairs_->take(record);
+    take_written(record);
+}
+
+void Writer::take_written(const cl::Record& record) {
     now_ = &record;
     remember_topic(record.step);
     if (folding_ > 0) {

@@ -16,6 +16,7 @@
 #include "write/frames.hpp"
 #include "write/layout.hpp"
 #include "write/printer.hpp"
+#include "write/staircase.hpp"
 
 namespace obrys::write {
 
@@ -28,6 +29,8 @@ public:
     /// Writes what waits for what follows.
     void settle();
     void finish();
+    /// What has become of slopes and arcs; null where the post's control has both.
+    [[nodiscard]] const StaircaseSums* stairs() const { return stairs_ ? &stairs_->sums() : nullptr; }
 
 private:
     struct Held {
@@ -72,6 +75,8 @@ private:
     void close_part();
     void spill_parts();
     void keep_standing();
+    void begin_stairs(std::function<void(const cl::Record&)> run);
+    void take_written(const cl::Record& record);
     void take_folded(const cl::Record& record);
     void take_move(const cl::Record& record);
     void take_lead(const cl::Record& record, const cl::LeadBegin& lead);
@@ -188,8 +193,9 @@ private:
     std::string name_;
     Layout layout_;
     Printer printer_;
-    std::unique_ptr<Hooks> hooks_;  ///< null: the post has none
-    Template said_;                 ///< by one of them
+    std::optional<Staircase> stairs_;  ///< before all else, where the control moves one axis at a time
+    std::unique_ptr<Hooks> hooks_;     ///< null: the post has none
+    Template said_;                    ///< by one of them
     Values values_;
     motion::Cursor cursor_;
     const cl::Record* now_ = nullptr;

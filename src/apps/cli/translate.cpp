@@ -47,6 +47,7 @@ report::Ledger ledger_of(const driver::Session& s, const driver::Translated& t, 
 int translate_by_motion(driver::Session& s, const write::Post& post, const Arguments& a, const std::string& name) {
     const Target target = target_of(a, name, post);
     const driver::Translated t = driver::translate(s, post, {name, a.same_place, target.folder});
+    if (!t.stairs.empty()) std::fprintf(stderr, "%s\n", t.stairs.c_str());
     const driver::Proved proof = proved(s, t, post, a);
     print_diagnostics(s);
     const int run = driver::exit_code_of_run(s);
