@@ -109,6 +109,7 @@ Translated translate(Session& session, const write::Post& post, const TranslateO
     });
     writer.finish();
     if (writer.stairs() != nullptr) out.stairs = write::text_of(*writer.stairs(), *post.staircase);
+    if (writer.magazine() != nullptr) out.tools = write::text_of(writer.magazine()->slots());
     note_characters(out, post, output.note);
     add_not_understood(out.ledger, session, outcome.ending);
     return out;

@@ -30,6 +30,7 @@ struct Translated {
     Ledger ledger;
     compare::Path path{0};                 ///< what the program does; by a post with staircases what these do
     write::Tape tape = write::Tape::none;  ///< in whose code it is to be delivered
+    std::string tools{};                   ///< with their places in the magazine and their offsets, for people
     std::string stairs{};                  ///< what has become of slopes and arcs, for people; empty: nothing
 };
 

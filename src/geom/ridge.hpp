@@ -2,7 +2,7 @@
 /// A round tool that touches a contour at single places and leaves ridges between them: how far apart the places may
 /// be, so that no ridge is higher than wanted. Lengths in mm, angles in radians.
 ///
-/// Source: I. Slavkova (Glavkova), computer-made programs for NC machines, thesis, Liberec 1984, sections 4.2.13 and
+/// Source: I. Slavkova, computer-made programs for NC machines, thesis, Liberec 1984, sections 4.2.13 and
 /// 4.2.14, with outside and inside arcs the right way round (its listing has them exchanged).
 
 #include "geom/vec.hpp"

@@ -16,6 +16,7 @@
 #include "shop/files/document.hpp"
 #include "write/commands.hpp"
 #include "write/hooks.hpp"
+#include "write/magazine.hpp"
 #include "write/staircase_form.hpp"
 #include "write/tape.hpp"
 #include "write/template.hpp"
@@ -79,6 +80,8 @@ struct Post {
     std::string line_end = "\n";
     Tape tape = Tape::none;                  ///< code of the punched tape; none: the text as it is
     double most_sweep = 0;                   ///< degrees of an arc that one block holds; 0: a turn and more
+    std::optional<MagazineForm> magazine;    ///< tools are written by their places and offsets
+    double most_tapping_speed = 0;           ///< 1/min; 0: as fast as the spindle turns
     std::optional<StaircaseForm> staircase;  ///< the control moves one axis at a time
     bool by_quadrants = false;               ///< arcs end where they pass from one quadrant to the next
     Encoding encoding = Encoding::utf8;

@@ -67,6 +67,8 @@ void Staircase::take_event(const cl::Record& record) {
         std::holds_alternative<cl::LeadEnd>(step);
     if (of_compensation) return;
     if (std::holds_alternative<cl::Datum>(step)) stands_ = coordinates(cursor_.position().here());
+    height_waits_ =
+        height_waits_ || std::holds_alternative<cl::ToolChange>(step) || std::holds_alternative<cl::ToolLength>(step);
     pass(record);
 }
 
@@ -85,7 +87,7 @@ void Staircase::take_move(const cl::Record& record) {
     const auto moves = moving(to);
     const auto axes = std::count(moves.begin(), moves.end(), true);
     const bool to_home = place && std::get<cl::MachinePlace>(place->step).kind != cl::PlaceKind::coordinates;
-    if (to_home || !geom::is_finite(to)) {
+    if (to_home || forgets(to)) {
         if (place) pass(*place);
         for (const cl::Record& r : std::exchange(axes_, {})) pass(r);
         pass(record);
@@ -96,11 +98,14 @@ void Staircase::take_move(const cl::Record& record) {
     for (const cl::Record& r : std::exchange(axes_, {})) pass(r);
     rapid_ = cl::is_rapid(record.step);
     counts_ = false;
+    if (std::exchange(height_waits_, false) && !std::isnan(stands_[2]) && !(axes == 1 && moves[2])) say_height();
     if (const auto* line = std::get_if<cl::Linear>(&record.step)) return take_line(record, *line, from);
     axis_ = {0, 0, 1};
     if (const auto* arc = std::get_if<cl::Arc>(&record.step)) return take_arc(*arc, from);
     if (std::holds_alternative<cl::Thread>(record.step) && axes <= 1) {
+        said_ = moves;
         pass(record);
+        said_.reset();
         stands_ = coordinates(to);
         return;
     }
@@ -118,14 +123,18 @@ void Staircase::take_line(const cl::Record& record, const cl::Linear& line, cons
         for (std::size_t k = 0; k < 3; ++k)
             if (moves[k] || std::isnan(stands_[k])) stands_[k] = there[k];
         out.to = vector_of(stands_);
-        return pass(along);
+        said_ = moves;
+        pass(along);
+        said_.reset();
+        return;
     }
     if (line.seek != cl::Seek::nothing) {
         stands_ = coordinates(line.to);
         return lose("a probing move along several axes");
     }
     if (line.rapid) return rapid_legs(line.to);
-    if (!geom::is_finite(from)) {
+    const auto at = coordinates(from);
+    if ((moves[0] && std::isnan(at[0])) || (moves[1] && std::isnan(at[1])) || (moves[2] && std::isnan(at[2]))) {
         stands_ = coordinates(line.to);
         return lose("a slope from a place that is not known");
     }
@@ -170,7 +179,8 @@ void Staircase::slope(const geom::Vec3& from, const geom::Vec3& to, const Side& 
     } else {
         steps = parts_of_at_most(beside, form_.deviation);
     }
-    steps = std::max(steps, parts_of_at_most(std::abs(way.z), form_.roughness));
+    const double rise = std::isnan(way.z) ? 0 : std::abs(way.z);
+    steps = std::max(steps, parts_of_at_most(rise, form_.roughness));
     if (!may_run(steps)) {
         stands_ = coordinates(to);
         return;
@@ -185,14 +195,33 @@ void Staircase::slope(const geom::Vec3& from, const geom::Vec3& to, const Side& 
     if (touches) sums_.ridge = std::max(sums_.ridge, geom::ridge_of_line(length / steps, side.diameter));
     double& farthest = touches ? sums_.beside : sums_.either;
     farthest = std::max(farthest, beside / steps);
-    if (std::abs(way.z) > still) sums_.above = std::max(sums_.above, std::abs(way.z) / steps);
+    if (rise > still) sums_.above = std::max(sums_.above, rise / steps);
 }
 
 void Staircase::go(std::size_t axis, double to) {
     if (std::abs(to - stands_[axis]) <= still) return;
+    if (std::isnan(to)) return;
     stands_[axis] = to;
     if (counts_) ++sums_.moves;
+    said_ = std::array<bool, 3>{};
+    (*said_)[axis] = true;
     pass({cl::Linear{vector_of(stands_), axis_, rapid_}, now_->from, now_->stack});
+    said_.reset();
+}
+
+/// Another tool, or another length of it: Z is said anew, since it stands elsewhere for the control.
+void Staircase::say_height() {
+    said_ = std::array<bool, 3>{false, false, true};
+    pass({cl::Linear{vector_of(stands_), {0, 0, 1}, true}, now_->from, now_->stack});
+    said_.reset();
+}
+
+/// It leads to a coordinate that is not known, from one that is.
+bool Staircase::forgets(const geom::Vec3& to) const {
+    const auto there = coordinates(to);
+    for (std::size_t k = 0; k < 3; ++k)
+        if (std::isnan(there[k]) && !std::isnan(stands_[k])) return true;
+    return false;
 }
 
 /// By a corner in the plane of X and Y; up before that, down behind it, so that nothing runs below the way.
@@ -274,7 +303,11 @@ std::vector<geom::Vec3> Staircase::places_of(const cl::Arc& arc, const geom::Vec
     return out;
 }
 
-void Staircase::take_arc(const cl::Arc& arc, const geom::Vec3& from) {
+void Staircase::take_arc(const cl::Arc& as_it_is, const geom::Vec3& begin) {
+    cl::Arc arc = as_it_is;
+    geom::Vec3 from = begin;
+    const bool no_height = std::isnan(from.z) && std::isnan(arc.to.z) && arc.normal.z != 0;  // and needs none
+    if (no_height) from.z = arc.to.z = arc.centre.z = 0;
     const bool known = geom::is_finite(from) && geom::is_finite(arc.centre) && std::isfinite(arc.sweep);
     const double radius = known ? radius_of(arc, from) : NAN;
     const auto plane = plane_of(arc.normal);
@@ -284,7 +317,9 @@ void Staircase::take_arc(const cl::Arc& arc, const geom::Vec3& from) {
     }
     begin_stairs(sums_.arcs);
     const bool is_level = (*plane)[0] == 0;
+    if (no_height) stands_[2] = 0;
     if (!(is_level ? level_arc(arc, from, radius) : standing_arc(arc, from, radius))) stands_ = coordinates(arc.to);
+    if (no_height) stands_[2] = NAN;
 }
 
 /// In the plane of X and Y, or a helix along Z.

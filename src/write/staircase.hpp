@@ -41,6 +41,8 @@ public:
 
     void take(const cl::Record& record);
     [[nodiscard]] const StaircaseSums& sums() const { return sums_; }
+    /// Along which axes the move goes that is being handed on: the others need no word. Nothing: nobody knows.
+    [[nodiscard]] const std::optional<std::array<bool, 3>>& said() const { return said_; }
 
 private:
     /// On which side of its path the tool is, along the move: the part is on the other one.
@@ -52,7 +54,7 @@ private:
     void take_event(const cl::Record& record);
     void take_move(const cl::Record& record);
     void take_line(const cl::Record& record, const cl::Linear& line, const geom::Vec3& from);
-    void take_arc(const cl::Arc& arc, const geom::Vec3& from);
+    void take_arc(const cl::Arc& as_it_is, const geom::Vec3& begin);
     void slope(const geom::Vec3& from, const geom::Vec3& to, const Side& side);
     [[nodiscard]] bool level_arc(const cl::Arc& arc, const geom::Vec3& from, double radius);
     [[nodiscard]] bool standing_arc(const cl::Arc& arc, const geom::Vec3& from, double radius);
@@ -69,6 +71,8 @@ private:
     void go(std::size_t axis, double to);
     void legs(const geom::Vec3& to, const geom::Vec2& corner);
     void rapid_legs(const geom::Vec3& to);
+    void say_height();
+    [[nodiscard]] bool forgets(const geom::Vec3& to) const;
     [[nodiscard]] std::array<bool, 3> moving(const geom::Vec3& to) const;
 
     StaircaseForm form_;
@@ -80,6 +84,8 @@ private:
     std::array<double, 3> stands_{NAN, NAN, NAN};   ///< where the output has led the tool
     bool rapid_ = false;                            ///< of the move that is being made
     geom::Vec3 axis_{0, 0, 1};
+    std::optional<std::array<bool, 3>> said_;
+    bool height_waits_ = false;        ///< the tool is another one, and Z has not been said since
     bool counts_ = false;              ///< moves are those of a slope or an arc
     std::vector<cl::Record> axes_;     ///< additional axes that the next move takes along
     std::optional<cl::Record> place_;  ///< of the machine, to which the next move leads

@@ -37,8 +37,9 @@ std::optional<std::uint8_t> row_of(char c, Tape tape) {
         if (!known) return std::nullopt;
         return static_cast<std::uint8_t>(std::popcount(code) % 2 == 0 ? code : code | parity);
     }
+    const char letter = base::upper(c);  // it has no small ones
     const auto found =
-        std::find_if(eia_rows.begin(), eia_rows.end(), [&](const EiaRow& r) { return r.character == c; });
+        std::find_if(eia_rows.begin(), eia_rows.end(), [&](const EiaRow& r) { return r.character == letter; });
     if (found == eia_rows.end()) return std::nullopt;
     return found->row;
 }
@@ -76,8 +77,9 @@ std::vector<MissingCharacter> missing_characters(std::string_view text, Tape tap
         const std::size_t length = length_of(text, i);
         const std::string_view character = text.substr(i, length);
         const bool there = is_silent(text, i, tape) || (length == 1 && row_of(text[i], tape));
-        const bool said = std::any_of(missing.begin(), missing.end(),
-                                      [&](const MissingCharacter& m) { return m.character == base::as_utf8(character); });
+        const bool said = std::any_of(missing.begin(), missing.end(), [&](const MissingCharacter& m) {
+            return m.character == base::as_utf8(character);
+        });
         if (!there && !said && tape != Tape::none) missing.push_back({base::as_utf8(character), line});
         if (text[i] == '\n') ++line;
         i += length;

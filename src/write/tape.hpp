@@ -11,7 +11,7 @@ namespace obrys::write {
 enum class Tape : std::uint8_t {
     none,
     iso,  ///< ISO 840: seven bits and a hole in track 8 that makes their number even
-    eia   ///< EIA RS-244: an odd number of holes by track 5; capitals alone, no brackets
+    eia   ///< EIA RS-244: an odd number of holes by track 5; small letters are the capitals, no brackets
 };
 [[nodiscard]] std::string_view name_of(Tape tape);
 

@@ -31,11 +31,11 @@ TEST(Tape, EiaRowsHaveAnOddNumberOfHolesAndAreDifferent) {
 }
 
 TEST(Tape, CharactersThatTheCodeHasNotAreNamedOnceAndLeftOut) {
-    const auto eia = missing_characters("N1 (a)\nN2 (\n", Tape::eia);
+    const auto eia = missing_characters("N1 (a#)\nN2 (\n", Tape::eia);
     ASSERT_EQ(eia.size(), 3U);
     EXPECT_EQ(eia[0].character, "(");
     EXPECT_EQ(eia[0].line, 1U);
-    EXPECT_EQ(punched("A(B", Tape::eia), "\x61\x62");
+    EXPECT_EQ(punched("a(B", Tape::eia), "\x61\x62");
     const auto iso = missing_characters("x\n(\xC5\x99)\n\x1F", Tape::iso);
     ASSERT_EQ(iso.size(), 2U);
     EXPECT_EQ(iso[0].character, "\xC5\x99");

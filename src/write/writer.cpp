@@ -16,6 +16,7 @@ Writer::Writer(const Post& post, std::string name, Output output)
         HookFault fault;  // read_post has tried it out
         hooks_ = load_hooks(post_.lua->text, post_.named_styles(), fault);
     }
+    if (post_.magazine) magazine_.emplace(*post_.magazine);
     if (post_.staircase) begin_stairs(std::move(output.run));
     values_.set(Text::name, name_);
     static_cast<void>(put(Command::file_begin, {}, "the begin of the file"));
@@ -150,7 +151,7 @@ void Writer::take_move(const cl::Record& record) {
     const bool same_block =
         !held_.empty() && held_.back().record.from == record.from && held_.back().record.stack == record.stack;
     const auto* line = std::get_if<cl::Linear>(&record.step);
-    const bool may_wait = line != nullptr && line->rapid && axes_.empty() && !place_;
+    const bool may_wait = line != nullptr && line->rapid && axes_.empty() && !place_ && !stairs_;
     const bool behind_rise = held_.size() == 1 && rise_waits();
     if (!may_wait || !(same_block || behind_rise)) flush_held();
     const geom::Vec3 from = cursor_.position().here();
