@@ -87,6 +87,16 @@ static void note_characters(Translated& out, const write::Post& post, const std:
               nowhere, 0, c.line});
 }
 
+/// What is written calls tools by their places in the magazine, as the writer's own gives them.
+static cl::Record by_its_place(const cl::Record& record, write::Magazine& magazine) {
+    cl::Record placed = record;
+    auto* change = std::get_if<cl::ToolChange>(&placed.step);
+    if (change == nullptr || change->number == 0) return placed;
+    std::string why;
+    if (const write::MagazineSlot* slot = magazine.take(change->number, why)) change->number = slot->place;
+    return placed;
+}
+
 Translated translate(Session& session, const write::Post& post, const TranslateOptions& options) {
     Translated out;
     out.path = compare::Path(options.same_place);
@@ -101,11 +111,16 @@ Translated translate(Session& session, const write::Post& post, const TranslateO
         output.file = [&](const std::string& file, std::string_view text) {
             out.files.push_back({file, std::string(text)});
         };
-    output.run = [&](const cl::Record& record) { out.path.take(record); };
+    std::optional<write::Magazine> magazine;
+    if (post.magazine) magazine.emplace(*post.magazine);
+    const auto goes = [&](const cl::Record& record) {
+        out.path.take(magazine ? by_its_place(record, *magazine) : record);
+    };
+    if (post.staircase) output.run = goes;
     write::Writer writer(post, options.name, output);
     const interp::Outcome outcome = interpret(session, [&](const cl::Record& record) {
         writer.take(record);
-        if (!post.staircase) out.path.take(record);
+        if (!post.staircase) goes(record);
     });
     writer.finish();
     if (writer.stairs() != nullptr) out.stairs = write::text_of(*writer.stairs(), *post.staircase);
@@ -185,6 +200,8 @@ Proved prove(const Translated& translated, const write::Post& post, Request requ
     static_cast<void>(interpret(*out.run, [&](const cl::Record& record) { path.take(record); }));
     const compare::Result result = compare::compare(translated.path, path, tolerance);
     out.moves = result.moves_b;
+    out.within = tolerance.length;
+    if (post.staircase && post.staircase->units > 0) out.within = std::max(out.within, 0.5 / post.staircase->units);
     const bool stops = has_findings(*out.run) && !has_findings(s), unknown = exit_code_of_run(*out.run) == 3;
     out.run_complains = stops || (unknown && exit_code_of_run(s) != 3);
     out.differs = complain(s, result, *out.run) || stops;

@@ -63,9 +63,10 @@ struct OwnValues {
 /// The text run on its control, with the machine, the tools and the zeros of the program that it comes from.
 struct Proved {
     Proof proof = Proof::not_compared;
-    bool differs = false;          ///< something is known to run otherwise, whatever else is not known
-    std::size_t moves = 0;         ///< that it makes
-    std::string why_not;           ///< it was not compared at all; empty: it was
+    bool differs = false;   ///< something is known to run otherwise, whatever else is not known
+    std::size_t moves = 0;  ///< that it makes
+    double within = 0;      ///< mm: as near to the program as the comparison says; staircases are on the words' places
+    std::string why_not;    ///< it was not compared at all; empty: it was
     std::unique_ptr<Session> run;  ///< null: its control is none that can be read
     bool run_complains = false;    ///< what it complains about is news
 };

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
 
 #include "base/codes.hpp"
 
@@ -32,6 +33,8 @@ void read_staircase(shop::Section& file, Post& post) {
     form.deviation = s.number("deviation", shop::Range::positive).value_or(form.roughness);
     form.tool_diameter = s.number("tool_diameter", shop::Range::positive).value_or(0);
     form.away = s.number("away", shop::Range::positive).value_or(0);
+    const NumberStyle& word = post.styles.front();  // of lengths
+    form.units = std::abs(word.factor) * std::pow(10.0, word.decimals);
     if (const auto part = s.choice("part", {"not-known", "left", "right"}))
         form.part = static_cast<StaircaseForm::Part>(*part);
     if (form.part != StaircaseForm::Part::not_known && form.tool_diameter == 0)

@@ -67,16 +67,21 @@ void Staircase::take_event(const cl::Record& record) {
         std::holds_alternative<cl::LeadEnd>(step);
     if (of_compensation) return;
     if (std::holds_alternative<cl::Datum>(step)) stands_ = coordinates(cursor_.position().here());
-    height_waits_ =
-        height_waits_ || std::holds_alternative<cl::ToolChange>(step) || std::holds_alternative<cl::ToolLength>(step);
+    height_waits_ = height_waits_ || std::holds_alternative<cl::ToolChange>(step);
     pass(record);
 }
 
 std::array<bool, 3> Staircase::moving(const geom::Vec3& to) const {
     const auto there = coordinates(to);
     std::array<bool, 3> out{};
-    for (std::size_t k = 0; k < 3; ++k) out[k] = !std::isnan(there[k]) && !(std::abs(there[k] - stands_[k]) <= still);
+    for (std::size_t k = 0; k < 3; ++k)
+        out[k] = !std::isnan(there[k]) && !(std::abs(held(there[k]) - held(stands_[k])) <= still);
     return out;
+}
+
+/// As near as the word comes to it.
+double Staircase::held(double coordinate) const {
+    return form_.units > 0 ? std::round(coordinate * form_.units) / form_.units : coordinate;
 }
 
 void Staircase::take_move(const cl::Record& record) {
@@ -121,7 +126,7 @@ void Staircase::take_line(const cl::Record& record, const cl::Linear& line, cons
         auto& out = std::get<cl::Linear>(along.step);
         const auto there = coordinates(line.to);
         for (std::size_t k = 0; k < 3; ++k)
-            if (moves[k] || std::isnan(stands_[k])) stands_[k] = there[k];
+            if (moves[k] || std::isnan(stands_[k])) stands_[k] = held(there[k]);
         out.to = vector_of(stands_);
         said_ = moves;
         pass(along);
@@ -199,9 +204,9 @@ void Staircase::slope(const geom::Vec3& from, const geom::Vec3& to, const Side& 
 }
 
 void Staircase::go(std::size_t axis, double to) {
-    if (std::abs(to - stands_[axis]) <= still) return;
-    if (std::isnan(to)) return;
-    stands_[axis] = to;
+    const double there = held(to);
+    if (std::isnan(there) || std::abs(there - stands_[axis]) <= still) return;
+    stands_[axis] = there;
     if (counts_) ++sums_.moves;
     said_ = std::array<bool, 3>{};
     (*said_)[axis] = true;
@@ -209,7 +214,7 @@ void Staircase::go(std::size_t axis, double to) {
     said_.reset();
 }
 
-/// Another tool, or another length of it: Z is said anew, since it stands elsewhere for the control.
+/// Another tool: Z is said anew, since it stands elsewhere for the control.
 void Staircase::say_height() {
     said_ = std::array<bool, 3>{false, false, true};
     pass({cl::Linear{vector_of(stands_), {0, 0, 1}, true}, now_->from, now_->stack});
@@ -227,7 +232,7 @@ bool Staircase::forgets(const geom::Vec3& to) const {
 /// By a corner in the plane of X and Y; up before that, down behind it, so that nothing runs below the way.
 void Staircase::legs(const geom::Vec3& to, const geom::Vec2& corner) {
     if (to.z > stands_[2]) go(2, to.z);
-    const bool y_first = std::abs(corner.x - stands_[0]) <= still;
+    const bool y_first = std::abs(held(corner.x) - stands_[0]) <= still;
     go(y_first ? 1 : 0, y_first ? to.y : to.x);
     go(y_first ? 0 : 1, y_first ? to.x : to.y);
     go(2, to.z);

@@ -66,7 +66,8 @@ private:
     void lose(const std::string& what);
     void lose_axes();
 
-    // The way of the output, axis by axis.
+    // The way of the output, axis by axis, on places that the words of the control hold.
+    [[nodiscard]] double held(double coordinate) const;
     void pass(const cl::Record& record);
     void go(std::size_t axis, double to);
     void legs(const geom::Vec3& to, const geom::Vec2& corner);

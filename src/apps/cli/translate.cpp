@@ -25,8 +25,8 @@ driver::Proved proved(driver::Session& s, const driver::Translated& t, const wri
     if (proved.run != nullptr && (proved.run_complains || !proved.why_not.empty()))
         print_diagnostics(*proved.run, base::Severity::warning);
     if (proved.why_not.empty())
-        std::fprintf(stderr, "%s: %zu moves, run again as %s, within %g mm\n", verdict_of(proved), proved.moves,
-                     post.control.c_str(), a.same_place);
+        std::fprintf(stderr, "%s%s: %zu moves, run again as %s, within %g mm\n", verdict_of(proved),
+                     t.stairs.empty() ? "" : " as the staircases", proved.moves, post.control.c_str(), proved.within);
     return proved;
 }
 
