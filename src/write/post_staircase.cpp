@@ -16,7 +16,8 @@ bool moves_otherwise(const CommandName& c) {
     if (std::find(tables.begin(), tables.end(), c.table) != tables.end()) return true;
     if (c.table == "frame")
         return !c.key.starts_with("shift") && !c.key.starts_with("mirror") && !c.key.starts_with("scaling");
-    return c.table == "motion" && (c.key.starts_with("arc") || c.key.starts_with("helix"));
+    return c.table == "motion" &&
+           (c.key.starts_with("arc") || c.key.starts_with("helix") || c.key.starts_with("spline"));
 }
 
 }  // namespace

@@ -160,6 +160,8 @@ Staircase::Side Staircase::side() const {
 
 void Staircase::begin_stairs(std::uint64_t& counter) {
     counts_ = true;
+    if (sums_.slopes + sums_.arcs == 0)
+        output_.expanded(*now_, "the first slope or arc, which becomes a staircase as those that follow,");
     ++counter;
     if (!rapid_ && cursor_.state().feed.mode == cl::FeedMode::inverse_time)
         lose("a feed in inverse time, of a move that becomes several,");
