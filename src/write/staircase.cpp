@@ -4,29 +4,10 @@
 #include <cmath>
 #include <utility>
 
-#include "base/number.hpp"
-#include "geom/interpolation.hpp"
 #include "geom/ridge.hpp"
+#include "write/staircase_steps.hpp"
 
 namespace obrys::write {
-
-namespace {
-
-constexpr double still = 1e-7;        ///< mm: an axis that would move less stands
-constexpr double most_steps = 1e6;    ///< of one move
-constexpr double level_noise = 1e-9;  ///< of a normal beside an axis
-
-std::array<double, 3> coordinates(const geom::Vec3& v) { return {v.x, v.y, v.z}; }
-geom::Vec3 vector_of(const std::array<double, 3>& c) { return {c[0], c[1], c[2]}; }
-geom::Vec2 level(const geom::Vec3& v) { return {v.x, v.y}; }
-
-/// Whole steps of a way so long that none is longer than `step`, as the thesis counts them: one more where it divides.
-double steps_for(double length, double step) { return step > 0 ? std::floor(length / step) + 1 : NAN; }
-
-/// The fewest parts of which none is more than `most`.
-double parts_of_at_most(double length, double most) { return std::max(1.0, std::ceil(length / most * (1 - 1e-12))); }
-
-}  // namespace
 
 void Staircase::lose(const std::string& what) { output_.lost(*now_, what); }
 
@@ -38,16 +19,92 @@ void Staircase::lose_axes() {
 
 void Staircase::pass(const cl::Record& record) { output_.record(record); }
 
+/// A contour waits for its end: then it is known what stands beside each part of it.
 void Staircase::take(const cl::Record& record) {
+    const auto* begin = std::get_if<cl::CompensationBegin>(&record.step);
+    if (!waits_ && (begin == nullptr || !acts(*begin))) return run(record);
+    waits_ = true;
+    waiting_.push_back(record);
+    constexpr std::size_t most_waiting = 50'000;
+    if (std::holds_alternative<cl::CompensationEnd>(record.step) || waiting_.size() >= most_waiting) finish();
+}
+
+void Staircase::finish() {
+    if (!std::exchange(waits_, false)) return;
+    watch_contour();
+    const std::vector<cl::Record> records = std::exchange(waiting_, {});
+    for (const cl::Record& record : records) run(record);
+}
+
+void Staircase::run(const cl::Record& record) {
     now_ = &record;
     if (cl::is_move(record.step)) {
         const geom::Vec2 from{stands_[0], stands_[1]};
         take_move(record);
-        if (!(from == geom::Vec2{stands_[0], stands_[1]})) leaving_.reset();
+        const bool stood = from == geom::Vec2{stands_[0], stands_[1]};
+        if (!stood && leaving_) leaving_.reset(), walls_.reset();
     } else {
         take_event(record);
     }
     now_ = nullptr;
+}
+
+/// The walls of what waits. The ways onto the contour and off it have none.
+void Staircase::watch_contour() {
+    const auto& begin = std::get<cl::CompensationBegin>(waiting_.front().step);
+    const Side on = side_of(begin);
+    walls_.reset();
+    if (!(on.diameter > 0)) return;
+    walls_.emplace(on.diameter / 2);
+    motion::Cursor cursor = cursor_;
+    bool approaches = true;
+    for (const cl::Record& record : waiting_) {
+        const geom::Vec3 from = cursor.position().here();
+        static_cast<void>(cursor.take(record));
+        if (!cl::is_move(record.step)) continue;
+        const bool leads = cursor.state().leads;
+        if (!leads && !approaches) add_wall(*walls_, record, from, on);
+        approaches = false;
+    }
+}
+
+/// Of a move along the contour: what the tool touches, its radius beside the way.
+void Staircase::add_wall(Walls& walls, const cl::Record& move, const geom::Vec3& from, const Side& on) const {
+    const double tool = on.diameter / 2;
+    const auto* line = std::get_if<cl::Linear>(&move.step);
+    const auto* arc = std::get_if<cl::Arc>(&move.step);
+    const geom::Vec2 a = level(from);
+    if (line != nullptr) {
+        const geom::Vec2 b = level(line->to), way = b - a;
+        const double length = geom::length(way);
+        if (!(length > still)) return;  // not known, or no way
+        const geom::Vec2 out = (on.left ? -tool : tool) / length * geom::left_of(way);
+        walls.add_line(a + out, b + out);
+    } else if (arc != nullptr && std::abs(arc->normal.z) > 0.5 && geom::is_finite(arc->centre)) {
+        const geom::Vec2 centre = level(arc->centre), spoke = a - centre;
+        const double sweep = arc->sweep * (arc->normal.z > 0 ? 1 : -1), radius = geom::length(spoke);
+        const bool inner = on.left == (sweep > 0);
+        if (!std::isfinite(radius) || !std::isfinite(sweep)) return;
+        walls.add_arc(centre, inner ? radius + tool : std::max(0.0, radius - tool), std::atan2(spoke.y, spoke.x),
+                      sweep);
+    }
+}
+
+/// From one place of a way to another, and halved where that would cut into another part of the contour.
+void Staircase::step(const Way& way, double from, double to, int halved) {
+    constexpr int most_halved = 12;
+    const geom::Vec3 a = way.at(from), b = way.at(to);
+    const geom::Vec2 corner = way.corner(level(a), level(b));
+    const double cut = walls_ ? walls_->cut(level(a), corner, level(b)) : 0;
+    if (cut > wall_noise && halved < most_halved) {
+        step(way, from, (from + to) / 2, halved + 1);
+        return step(way, (from + to) / 2, to, halved + 1);
+    }
+    if (cut > wall_noise) sums_.into = std::max(sums_.into, cut);
+    double& farthest = way.touches ? sums_.beside : sums_.either;
+    farthest = std::max(farthest, way.beside(level(a), corner, level(b)));
+    if (way.touches) ++sums_.touching;
+    legs(b, corner);
 }
 
 void Staircase::take_event(const cl::Record& record) {
@@ -147,13 +204,15 @@ void Staircase::take_line(const cl::Record& record, const cl::Linear& line, cons
     slope(from, line.to, side());
 }
 
+Staircase::Side Staircase::side_of(const cl::CompensationBegin& c) const {
+    const bool turned = (c.radius < 0) != (c.normal.z < 0);
+    const double diameter = c.radius != 0 ? 2 * std::abs(c.radius) : form_.tool_diameter;
+    return {true, (c.side == cl::CompensationSide::left) != turned, diameter};
+}
+
 Staircase::Side Staircase::side() const {
     const auto& c = cursor_.state().compensation ? cursor_.state().compensation : leaving_;
-    if (c && std::abs(c->normal.z) > 0.5) {
-        const bool turned = (c->radius < 0) != (c->normal.z < 0);
-        const double diameter = c->radius != 0 ? 2 * std::abs(c->radius) : form_.tool_diameter;
-        return {true, (c->side == cl::CompensationSide::left) != turned, diameter};
-    }
+    if (c && acts(*c)) return side_of(*c);
     return {form_.part != StaircaseForm::Part::not_known, form_.part == StaircaseForm::Part::right,
             form_.tool_diameter};
 }
@@ -192,16 +251,17 @@ void Staircase::slope(const geom::Vec3& from, const geom::Vec3& to, const Side& 
         stands_ = coordinates(to);
         return;
     }
-    geom::Vec3 at = from;
-    for (double k = 1; k <= steps; ++k) {
-        const geom::Vec3 next = k < steps ? from + (k / steps) * way : to;
-        legs(next, geom::stair_corner(level(at), level(next), side.known ? side.left : true));
-        at = next;
-    }
-    if (touches) sums_.touching += static_cast<std::uint64_t>(steps) + 1;
+    const Way stairs{[&](double t) { return t < 1 ? from + t * way : to; },
+                     [&](geom::Vec2 a, geom::Vec2 b) { return geom::stair_corner(a, b, !side.known || side.left); },
+                     [](geom::Vec2 a, geom::Vec2, geom::Vec2 b) {
+                         const geom::Vec2 chord = b - a;
+                         const double width = geom::length(chord);
+                         return width > 0 ? std::abs(chord.x * chord.y) / width : 0;
+                     },
+                     touches};
+    for (double k = 0; k < steps; ++k) step(stairs, k / steps, (k + 1) / steps);
+    if (touches) ++sums_.touching;
     if (touches) sums_.ridge = std::max(sums_.ridge, geom::ridge_of_line(length / steps, side.diameter));
-    double& farthest = touches ? sums_.beside : sums_.either;
-    farthest = std::max(farthest, beside / steps);
     if (rise > still) sums_.above = std::max(sums_.above, rise / steps);
 }
 
@@ -243,158 +303,13 @@ void Staircase::legs(const geom::Vec3& to, const geom::Vec2& corner) {
 /// A way that needs no straightness: axis by axis, away from a contour that is there, else X before Y.
 void Staircase::rapid_legs(const geom::Vec3& to) {
     ++sums_.rapids;
-    const geom::Vec2 from{stands_[0], stands_[1]}, x_first{to.x, from.y};
+    const geom::Vec2 from{stands_[0], stands_[1]}, end = level(to), x_first{end.x, from.y}, y_first{from.x, end.y};
     const Side on = side();
-    legs(to, on.known && !std::isnan(from.x + from.y) ? geom::stair_corner(from, level(to), on.left) : x_first);
-}
-
-namespace {
-
-/// The plane of an arc about an axis: its two coordinates, so that the first turns into the second about that axis.
-std::optional<std::array<std::size_t, 2>> plane_of(const geom::Vec3& normal) {
-    const std::array<double, 3> n{std::abs(normal.x), std::abs(normal.y), std::abs(normal.z)};
-    for (std::size_t k = 0; k < 3; ++k)
-        if (n[k] > 1 - level_noise) return std::array<std::size_t, 2>{(k + 1) % 3, (k + 2) % 3};
-    return std::nullopt;
-}
-
-double radius_of(const cl::Arc& arc, const geom::Vec3& from) {
-    const geom::Vec3 out = from - arc.centre;
-    return geom::length(out - geom::dot(out, arc.normal) * arc.normal);
-}
-
-/// Angles from the start at which an arc passes from one quadrant to the next, of all its turns.
-std::vector<double> quadrant_angles(const cl::Arc& arc, const geom::Vec3& from) {
-    const auto plane = *plane_of(arc.normal);
-    const auto out = coordinates(from - arc.centre);
-    const double quadrants = std::atan2(out[plane[1]], out[plane[0]]) / (geom::pi / 2);
-    const bool ccw = (arc.normal.x + arc.normal.y + arc.normal.z) * arc.sweep > 0;
-    const double first = ccw ? std::floor(quadrants) + 1 - quadrants : quadrants - std::ceil(quadrants) + 1;
-    std::vector<double> angles;
-    for (double k = 0; (first + k) * geom::pi / 2 < std::abs(arc.sweep); ++k)
-        angles.push_back((first + k) * geom::pi / 2);
-    return angles;
-}
-
-/// Steps of an arc of which none has a chord that leads farther from it than `deviation` on its way along the axes.
-double chord_steps(double sweep, double radius, double deviation) {
-    constexpr double share = 1.6;  // half of it the corner over the chord, a fifth of it the arc over the chord
-    const double chord = std::min(share * deviation, radius);
-    return parts_of_at_most(sweep, 2 * std::asin(chord / (2 * radius)));
-}
-
-/// Of a way of two legs: how near it comes to a point, and how far from it.
-std::array<double, 2> reach(const geom::Vec2& a, const geom::Vec2& corner, const geom::Vec2& b, const geom::Vec2& c) {
-    std::array<double, 2> out{geom::distance(a, c), geom::distance(corner, c)};
-    for (const auto& [from, to] : {std::pair{a, corner}, std::pair{corner, b}}) {
-        const geom::Vec2 way = to - from;
-        const double length = geom::dot(way, way);
-        const double t = length > 0 ? std::clamp(geom::dot(c - from, way) / length, 0.0, 1.0) : 0;
-        out[0] = std::min(out[0], geom::distance(from + t * way, c));
-    }
-    return out;
-}
-
-}  // namespace
-
-/// Places along an arc, each so many steps behind the last; where it passes quadrants, too, if asked.
-std::vector<geom::Vec3> Staircase::places_of(const cl::Arc& arc, const geom::Vec3& from, double steps, bool quadrants) {
-    const double sweep = std::abs(arc.sweep);
-    std::vector<double> angles = quadrants ? quadrant_angles(arc, from) : std::vector<double>{};
-    for (double k = 1; k < steps; ++k) angles.push_back(sweep * k / steps);
-    std::sort(angles.begin(), angles.end());
-    const geom::PathElement path = geom::Circular{from, arc.to, arc.centre, arc.normal, arc.sweep};
-    std::vector<geom::Vec3> out;
-    for (const double angle : angles) out.push_back(geom::point_at(path, angle / sweep));
-    out.push_back(arc.to);
-    return out;
-}
-
-void Staircase::take_arc(const cl::Arc& as_it_is, const geom::Vec3& begin) {
-    cl::Arc arc = as_it_is;
-    geom::Vec3 from = begin;
-    const bool no_height = std::isnan(from.z) && std::isnan(arc.to.z) && arc.normal.z != 0;  // and needs none
-    if (no_height) from.z = arc.to.z = arc.centre.z = 0;
-    const bool known = geom::is_finite(from) && geom::is_finite(arc.centre) && std::isfinite(arc.sweep);
-    const double radius = known ? radius_of(arc, from) : NAN;
-    const auto plane = plane_of(arc.normal);
-    if (!known || !plane || !(radius > still)) {
-        stands_ = coordinates(arc.to);
-        return lose(plane ? "an arc of which not all is known" : "an arc in a plane that is none of the axes'");
-    }
-    begin_stairs(sums_.arcs);
-    const bool is_level = (*plane)[0] == 0;
-    if (no_height) stands_[2] = 0;
-    if (!(is_level ? level_arc(arc, from, radius) : standing_arc(arc, from, radius))) stands_ = coordinates(arc.to);
-    if (no_height) stands_[2] = NAN;
-}
-
-/// In the plane of X and Y, or a helix along Z.
-bool Staircase::level_arc(const cl::Arc& arc, const geom::Vec3& from, double radius) {
-    const Side on = side();
-    const double sweep = std::abs(arc.sweep), tool = on.diameter / 2;
-    const bool inner = on.left == (arc.sweep * arc.normal.z > 0);
-    const bool touches = on.known && tool > 0;
-    const double contour = inner ? radius + tool : std::max(0.0, radius - tool);
-    double steps = chord_steps(sweep, radius, form_.deviation);
-    if (touches) {
-        steps = steps_for(sweep, geom::ridge_step_angle(contour, {on.diameter, form_.roughness}, !inner));
-        if (form_.away > 0) steps = std::max(steps, chord_steps(sweep, radius, form_.away));
-    }
-    const double rise = std::abs(arc.to.z - from.z);
-    if (rise > still) steps = std::max(steps, parts_of_at_most(rise, form_.roughness));
-    if (!may_run(steps)) return false;
-    const bool outward = !on.known || !inner;
-    const geom::Vec2 centre = level(arc.centre);
-    geom::Vec2 at = level(from);
-    double& farthest = touches ? sums_.beside : sums_.either;
-    for (const geom::Vec3& place : places_of(arc, from, steps, outward)) {
-        const geom::Vec2 next = level(place), a{next.x, at.y}, b{at.x, next.y};
-        const bool a_is_farther = geom::distance(a, centre) > geom::distance(b, centre);
-        const geom::Vec2 corner = a_is_farther == outward ? a : b;
-        for (const double away : reach(at, corner, next, centre))
-            farthest = std::max(farthest, std::abs(away - radius));
-        legs(place, corner);
-        at = next;
-        if (touches) ++sums_.touching;
-    }
-    if (touches) sums_.ridge = std::max(sums_.ridge, geom::ridge_of_arc(contour, sweep / steps, on.diameter, !inner));
-    if (rise > still) sums_.above = std::max(sums_.above, rise / steps);
-    return true;
-}
-
-/// In a plane that holds Z: never below the path.
-bool Staircase::standing_arc(const cl::Arc& arc, const geom::Vec3& from, double radius) {
-    const double steps = chord_steps(std::abs(arc.sweep), radius, std::min(form_.deviation, form_.roughness / 1.6));
-    if (!may_run(steps)) return false;
-    geom::Vec3 at = from;
-    for (const geom::Vec3& place : places_of(arc, from, steps, true)) {
-        sums_.above = std::max(sums_.above, std::abs(place.z - at.z));
-        sums_.either =
-            std::max(sums_.either, std::min(std::abs(place.z - at.z), geom::distance(level(at), level(place))));
-        legs(place, geom::stair_corner(level(at), level(place), true));
-        at = place;
-    }
-    return true;
-}
-
-std::string text_of(const StaircaseSums& sums, const StaircaseForm& form) {
-    const auto mm = [](double length) { return base::shortest(std::round(length * 1e4) / 1e4) + " mm"; };
-    const auto count = [](std::uint64_t n, const std::string& what) {
-        return std::to_string(n) + " " + what + (n == 1 ? "" : "s");
-    };
-    std::string out;
-    if (sums.slopes + sums.arcs > 0)
-        out = "staircases: " + count(sums.slopes, "slope") + " and " + count(sums.arcs, "arc") + " in " +
-              count(sums.moves, "move") + " along one axis each";
-    if (sums.touching > 0)
-        out += "; ridges on the contour at most " + mm(sums.ridge) + " high (asked for: " + mm(form.roughness) +
-               "), the tool at most " + mm(sums.beside) + " beside its path, away from the part";
-    if (sums.either > 0)
-        out += "; where nobody says on which side the part is, at most " + mm(sums.either) + " beside the path";
-    if (sums.above > 0) out += "; at most " + mm(sums.above) + " above paths that rise or fall";
-    if (sums.rapids > 0) out += (out.empty() ? "" : "; ") + count(sums.rapids, "rapid") + " axis by axis";
-    return out;
+    if (!on.known || std::isnan(from.x + from.y + end.x + end.y)) return legs(to, x_first);
+    const geom::Vec2 free = geom::stair_corner(from, end, on.left), other = free == x_first ? y_first : x_first;
+    const auto cuts = [&](const geom::Vec2& corner) { return walls_ && walls_->cut(from, corner, end) > wall_noise; };
+    if (cuts(free) && cuts(other)) return slope(vector_of(stands_), to, on);
+    legs(to, cuts(free) ? other : free);
 }
 
 }  // namespace obrys::write

@@ -11,6 +11,7 @@
 #include "cl/record.hpp"
 #include "motion/cursor.hpp"
 #include "write/staircase_form.hpp"
+#include "write/walls.hpp"
 
 namespace obrys::write {
 
@@ -23,7 +24,8 @@ struct StaircaseSums {
     double ridge = 0;            ///< highest that is left on a contour whose side is known
     double beside = 0;           ///< farthest from the path, away from the part
     double either = 0;           ///< the same where the side is not known
-    double above = 0;            ///< highest above a path that rises or falls
+    double into = 0;   ///< deepest into another part of the contour, where it is narrower than staircases need
+    double above = 0;  ///< highest above a path that rises or falls
 };
 
 /// For people: what was made of how many, and how far it is off; empty where nothing was.
@@ -40,6 +42,8 @@ public:
     Staircase(const StaircaseForm& form, Output output) : form_(form), output_(std::move(output)) {}
 
     void take(const cl::Record& record);
+    /// What waits for the end of a contour is handed on.
+    void finish();
     [[nodiscard]] const StaircaseSums& sums() const { return sums_; }
     /// Along which axes the move goes that is being handed on: the others need no word. Nothing: nobody knows.
     [[nodiscard]] const std::optional<std::array<bool, 3>>& said() const { return said_; }
@@ -51,6 +55,18 @@ private:
         double diameter = 0;  ///< of the tool
     };
 
+    /// A slope or an arc by a parameter from 0 to 1, in the plane.
+    struct Way {
+        std::function<geom::Vec3(double)> at;
+        std::function<geom::Vec2(geom::Vec2, geom::Vec2)> corner;          ///< between two of its places
+        std::function<double(geom::Vec2, geom::Vec2, geom::Vec2)> beside;  ///< how far a way by a corner lies off
+        bool touches = false;
+    };
+
+    void run(const cl::Record& record);
+    void watch_contour();
+    void add_wall(Walls& walls, const cl::Record& move, const geom::Vec3& from, const Side& on) const;
+    void step(const Way& way, double from, double to, int halved = 0);
     void take_event(const cl::Record& record);
     void take_move(const cl::Record& record);
     void take_line(const cl::Record& record, const cl::Linear& line, const geom::Vec3& from);
@@ -58,10 +74,10 @@ private:
     void slope(const geom::Vec3& from, const geom::Vec3& to, const Side& side);
     [[nodiscard]] bool level_arc(const cl::Arc& arc, const geom::Vec3& from, double radius);
     [[nodiscard]] bool standing_arc(const cl::Arc& arc, const geom::Vec3& from, double radius);
-    [[nodiscard]] static std::vector<geom::Vec3> places_of(const cl::Arc& arc, const geom::Vec3& from, double steps,
-                                                           bool quadrants);
     void begin_stairs(std::uint64_t& counter);
     [[nodiscard]] bool may_run(double steps);
+    [[nodiscard]] static bool acts(const cl::CompensationBegin& c) { return std::abs(c.normal.z) > 0.5; }
+    [[nodiscard]] Side side_of(const cl::CompensationBegin& c) const;
     [[nodiscard]] Side side() const;
     void lose(const std::string& what);
     void lose_axes();
@@ -81,6 +97,9 @@ private:
     motion::Cursor cursor_;
     StaircaseSums sums_;
     const cl::Record* now_ = nullptr;
+    std::vector<cl::Record> waiting_;  ///< of a compensated contour, until its end is known
+    bool waits_ = false;
+    std::optional<Walls> walls_;                    ///< that contour's, while the tool follows it
     std::optional<cl::CompensationBegin> leaving_;  ///< that has ended: the next way leads off its contour
     std::array<double, 3> stands_{NAN, NAN, NAN};   ///< where the output has led the tool
     bool rapid_ = false;                            ///< of the move that is being made

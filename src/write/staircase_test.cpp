@@ -29,6 +29,7 @@ Ran run(const StaircaseForm& form, const std::vector<cl::Step>& steps) {
                             [&](const cl::Record&, std::string what) { out.lost.push_back(std::move(what)); },
                             [](const cl::Record&, const std::string&) {}});
     for (const cl::Step& step : steps) stairs.take({step, {}, 0});
+    stairs.finish();
     out.sums = stairs.sums();
     return out;
 }
@@ -155,6 +156,53 @@ TEST(Staircase, WithoutASideItStaysNearThePath) {
             ASSERT_LE(distance_of(path.at(k / 100.0).first, ran.way), form.deviation + 1e-9) << "case " << i;
         EXPECT_LE(ran.sums.either, form.deviation + 1e-9);
     }
+}
+
+/// Distance of a wall of the contour from the way; the wall straight.
+double distance_of_wall(const Vec2& from, const Vec2& to, const std::vector<Vec3>& way) {
+    double nearest = 1e300;
+    constexpr int samples = 4000;
+    for (int k = 0; k <= samples; ++k)
+        nearest = std::min(nearest, distance_of(from + (k / double(samples)) * (to - from), way));
+    return nearest;
+}
+
+TEST(Staircase, NarrowSlotsAndWedgesAreNotCutWider) {
+    Random random;
+    int would_cut = 0;
+    for (int i = 0; i < 60; ++i) {
+        // Along one wall, round its end to the other, and back along that, which leaves the tool hardly more room than
+        // it needs.
+        const double tool = random(2, 12), angle = random(0, geom::full_turn), opening = random(0, 0.4),
+                     gap = random(0.01, 1);
+        const Vec2 u{std::cos(angle), std::sin(angle)}, v{std::cos(angle + opening), std::sin(angle + opening)};
+        const Vec2 n = geom::left_of(u), m = -geom::left_of(v);  // towards the tool, which is left of both ways
+        const Vec2 begin{random(-20, 20), random(-20, 20)}, end = begin + 60 * u;
+        const Vec2 back = end + (2 * tool + gap + 60 * std::sin(opening)) * n, far = back - 60 * v;
+        const auto at = [](const Vec2& p) { return Vec3{p.x, p.y, -1}; };
+        cl::CompensationBegin compensation;
+        compensation.radius = tool;
+        std::vector<cl::Step> steps{cl::Feed{100},
+                                    cl::Linear{at(begin - 30 * u + tool * n), {0, 0, 1}, true},
+                                    compensation,
+                                    cl::Linear{at(begin + tool * n)},
+                                    cl::Linear{at(end + tool * n)},
+                                    cl::Linear{at(end + tool * n + 20 * u)},
+                                    cl::Linear{at(back + tool * m + 20 * v)},
+                                    cl::Linear{at(back + tool * m)},
+                                    cl::Linear{at(far + tool * m)}};
+        const Ran ran = run(asked(0.3 * tool), steps);
+        // The same without knowing what is a contour: the side alone.
+        steps.erase(steps.begin() + 2);
+        StaircaseForm blind = asked(0.3 * tool);
+        blind.part = StaircaseForm::Part::right, blind.tool_diameter = 2 * tool;
+        would_cut += distance_of_wall(begin, end, run(blind, steps).way) < tool - 0.01;
+        EXPECT_GE(distance_of_wall(begin, end, ran.way), tool - 0.003) << "case " << i;
+        EXPECT_GE(distance_of_wall(back, far, ran.way), tool - 0.003) << "case " << i;
+        EXPECT_LE(ran.sums.into, 0.003);
+        EXPECT_LE(ran.sums.ridge, 0.3 * tool + 1e-9);
+    }
+    EXPECT_GT(would_cut, 20);
 }
 
 TEST(Staircase, RunsAboveRampsAndUprightArcs) {

@@ -363,6 +363,7 @@ void Writer::event(const cl::Comment& comment) {
 }
 
 void Writer::finish() {
+    if (stairs_) stairs_->finish();
     flush_held();
     if (!ended_) write_all();
     if (!ended_ && cursor_.moves() > 0) end_cycles();
