@@ -148,18 +148,13 @@ void Staircase::take_move(const cl::Record& record) {
     const auto place = std::exchange(place_, std::nullopt);
     const auto moves = moving(to);
     const auto axes = std::count(moves.begin(), moves.end(), true);
-    const bool to_home = place && std::get<cl::MachinePlace>(place->step).kind != cl::PlaceKind::coordinates;
-    if (to_home || forgets(to)) {
-        if (place) pass(*place);
-        for (const cl::Record& r : std::exchange(axes_, {})) pass(r);
-        pass(record);
-        stands_ = coordinates(to);
-        return;
-    }
-    if (axes > 0) lose_axes();
-    for (const cl::Record& r : std::exchange(axes_, {})) pass(r);
     rapid_ = cl::is_rapid(record.step);
     counts_ = false;
+    if (forgets(to) || (place && !geom::is_finite(to))) return leave_known(record, place, to);
+    const bool to_home = place && std::get<cl::MachinePlace>(place->step).kind != cl::PlaceKind::coordinates;
+    if (to_home && axes <= 1) pass(*place);
+    if (axes > 0) lose_axes();
+    for (const cl::Record& r : std::exchange(axes_, {})) pass(r);
     if (std::exchange(height_waits_, false) && !std::isnan(stands_[2]) && !(axes == 1 && moves[2])) say_height();
     if (const auto* line = std::get_if<cl::Linear>(&record.step)) return take_line(record, *line, from);
     axis_ = {0, 0, 1};
@@ -197,8 +192,8 @@ void Staircase::take_line(const cl::Record& record, const cl::Linear& line, cons
     if (line.rapid) return rapid_legs(line.to);
     const auto at = coordinates(from);
     if ((moves[0] && std::isnan(at[0])) || (moves[1] && std::isnan(at[1])) || (moves[2] && std::isnan(at[2]))) {
-        stands_ = coordinates(line.to);
-        return lose("a slope from a place that is not known");
+        output_.expanded(record, "a move from a place that is not known, axis by axis,");
+        return rapid_legs(line.to);
     }
     begin_stairs(sums_.slopes);
     slope(from, line.to, side());
@@ -281,6 +276,25 @@ void Staircase::say_height() {
     said_ = std::array<bool, 3>{false, false, true};
     pass({cl::Linear{vector_of(stands_), {0, 0, 1}, true}, now_->from, now_->stack});
     said_.reset();
+}
+
+/// A move to where nobody knows: what is known of it is made, the control's own way to a place of the machine is its
+/// own.
+void Staircase::leave_known(const cl::Record& record, const std::optional<cl::Record>& place, const geom::Vec3& to) {
+    const auto there = coordinates(to);
+    if (place) {
+        pass(*place);
+        for (const cl::Record& r : std::exchange(axes_, {})) pass(r);
+        said_ = std::array<bool, 3>{};
+        pass(record);
+        said_.reset();
+    } else {
+        lose_axes();
+        lose("a move to a coordinate that is not known");
+        rapid_legs(to);
+    }
+    for (std::size_t k = 0; k < 3; ++k)
+        if (std::isnan(there[k])) stands_[k] = NAN;
 }
 
 /// It leads to a coordinate that is not known, from one that is.

@@ -89,6 +89,7 @@ private:
     void legs(const geom::Vec3& to, const geom::Vec2& corner);
     void rapid_legs(const geom::Vec3& to);
     void say_height();
+    void leave_known(const cl::Record& record, const std::optional<cl::Record>& place, const geom::Vec3& to);
     [[nodiscard]] bool forgets(const geom::Vec3& to) const;
     [[nodiscard]] std::array<bool, 3> moving(const geom::Vec3& to) const;
 
