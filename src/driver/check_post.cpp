@@ -18,6 +18,7 @@ struct WrittenSample {
     std::string text;
     std::size_t begin = 0, end = 0;  ///< of what the sample itself has written
     std::vector<write::Note> notes;
+    std::vector<cl::Record> run;  ///< what the writer has made of the records, where it makes staircases of them
 };
 
 WrittenSample write_sample(const write::Post& post, const std::vector<cl::Record>& before,
@@ -29,6 +30,7 @@ WrittenSample write_sample(const write::Post& post, const std::vector<cl::Record
     output.note = [&](write::Note n) {
         if (own && n.fate != write::Fate::mapped) out.notes.push_back(std::move(n));
     };
+    output.run = [&](const cl::Record& r) { out.run.push_back(r); };
     write::Writer writer(post, "SAMPLE", output);
     for (const cl::Record& r : before) writer.take(r);
     writer.settle();
@@ -128,7 +130,17 @@ struct Around {
     bool is_unclear = true;
 };
 
-void end_path(compare::Path& path) { path.take({cl::Stop{cl::StopKind::end}, {}, 0}); }
+/// What the text is to do: the records, or what the writer has made of them.
+void take_wanted(compare::Path& path, const write::Post& post, const WrittenSample& written,
+                 const std::vector<cl::Record>& before, const std::vector<cl::Record>& records, bool ends) {
+    if (post.staircase) {
+        for (const cl::Record& r : written.run) path.take(r);
+        return;
+    }
+    for (const cl::Record& r : before) path.take(r);
+    for (const cl::Record& r : records) path.take(r);
+    if (!ends) path.take({cl::Stop{cl::StopKind::end}, {}, 0});
+}
 
 Around around(const write::Post& post, double tool_radius, bool has_reader) {
     Around out;
@@ -136,9 +148,9 @@ Around around(const write::Post& post, double tool_radius, bool has_reader) {
     if (!has_reader) return out;
     const compare::Tolerance tolerance;
     compare::Path wanted(tolerance.length), read(tolerance.length);
-    for (const cl::Record& r : out.before) wanted.take(r);
-    end_path(wanted);
-    const auto run = read_again(post, write_sample(post, out.before, {}, false).text, read, false);
+    const WrittenSample written = write_sample(post, out.before, {}, false);
+    take_wanted(wanted, post, written, out.before, {}, false);
+    const auto run = read_again(post, written.text, read, false);
     if (run == nullptr) return out;
     out.is_unclear = exit_code_of_run(*run) == 3;
     for (const compare::Difference& d : compare::compare(wanted, read, tolerance).first) out.differ.push_back(d.aspect);
@@ -168,9 +180,7 @@ void read_sample(const write::Post& post, const Around& a, const std::vector<cl:
                  const WrittenSample& written, bool ends, bool moves_known, TriedSample& t) {
     const compare::Tolerance tolerance;
     compare::Path wanted(tolerance.length), read(tolerance.length);
-    for (const cl::Record& r : a.before) wanted.take(r);
-    for (const cl::Record& r : records) wanted.take(r);
-    if (!ends) end_path(wanted);
+    take_wanted(wanted, post, written, a.before, records, ends);
     const bool turns_axes = std::any_of(records.begin(), records.end(),
                                         [](const cl::Record& r) { return std::holds_alternative<cl::Axis>(r.step); });
     const auto run = read_again(post, written.text, read, turns_axes);

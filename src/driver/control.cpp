@@ -7,6 +7,7 @@
 #include "read/heidenhain/read.hpp"
 #include "read/rs274/acramatic_read.hpp"
 #include "read/rs274/fanuc_read.hpp"
+#include "read/rs274/nc470_read.hpp"
 #include "read/rs274/read.hpp"
 #include "read/sinumerik/read.hpp"
 
@@ -90,6 +91,9 @@ constexpr std::array haas_languages{
 constexpr std::array acramatic_languages{
     Language{base::BlockNumbers::n_word, several<read::rs274::read_acramatic>, read::rs274::acramatic_likelihood},
 };
+constexpr std::array nc470_languages{
+    Language{base::BlockNumbers::n_word, several<read::rs274::read_nc470>, read::rs274::nc470_likelihood},
+};
 constexpr std::array apt_languages{
     Language{base::BlockNumbers::none, alone<read::apt::read>, read::apt::likelihood},
 };
@@ -106,6 +110,7 @@ constexpr std::array controls_table{
     Control{"fanuc", fanuc_languages, rs274_programs, {}, o_word_file, true},
     Control{"haas", haas_languages, rs274_programs, {}, o_word_file, true},
     Control{"acramatic-2100", acramatic_languages, rs274_programs, {}},
+    Control{"nc-470", nc470_languages, rs274_programs, {}},
     Control{"apt-cl", apt_languages, apt_programs, {}},
 };
 

@@ -20,8 +20,13 @@ std::vector<std::string> candidates(const std::string& name, shop::MachineKind k
     return {name};
 }
 
-/// A post whose control is none that can be read: what is written by it could not be run.
+/// A post whose control is none that can be read: what is written by it could not be run. Staircases are for mills.
 std::optional<write::Post> checked(std::optional<write::Post> post, std::uint32_t file, Session& s) {
+    if (post && post->staircase && s.job.machine.kind == shop::MachineKind::lathe) {
+        complain(s.diagnostics, codes::job_value, {file, 0, 0},
+                 "this post is for mills that move one axis at a time, and the machine turns");
+        return std::nullopt;
+    }
     if (!post || post->control.empty() || find_control(post->control) != nullptr) return post;
     complain(s.diagnostics, codes::job_value, {file, 0, 0}, "there is no control \"" + post->control + '"',
              shop::words_remedy(post->control, controls(), "controls that can be read"));
@@ -73,6 +78,25 @@ static Translated translate_to_canon(Session& session, Translated out) {
     return out;
 }
 
+/// Characters that the code of the tape does not have.
+static void note_characters(Translated& out, const write::Post& post, const std::function<void(write::Note)>& note) {
+    out.tape = post.tape;
+    for (const write::MissingCharacter& c : write::missing_characters(out.text, post.tape))
+        note({write::Fate::lost,
+              "'" + c.character + "', which the " + std::string(write::name_of(post.tape)) + " code of tapes has not,",
+              nowhere, 0, c.line});
+}
+
+/// What is written calls tools by their places in the magazine, as the writer's own gives them.
+static cl::Record by_its_place(const cl::Record& record, write::Magazine& magazine) {
+    cl::Record placed = record;
+    auto* change = std::get_if<cl::ToolChange>(&placed.step);
+    if (change == nullptr || change->number == 0) return placed;
+    std::string why;
+    if (const write::MagazineSlot* slot = magazine.take(change->number, why)) change->number = slot->place;
+    return placed;
+}
+
 Translated translate(Session& session, const write::Post& post, const TranslateOptions& options) {
     Translated out;
     out.path = compare::Path(options.same_place);
@@ -87,12 +111,21 @@ Translated translate(Session& session, const write::Post& post, const TranslateO
         output.file = [&](const std::string& file, std::string_view text) {
             out.files.push_back({file, std::string(text)});
         };
+    std::optional<write::Magazine> magazine;
+    if (post.magazine) magazine.emplace(*post.magazine);
+    const auto goes = [&](const cl::Record& record) {
+        out.path.take(magazine ? by_its_place(record, *magazine) : record);
+    };
+    if (post.staircase) output.run = goes;
     write::Writer writer(post, options.name, output);
     const interp::Outcome outcome = interpret(session, [&](const cl::Record& record) {
         writer.take(record);
-        out.path.take(record);
+        if (!post.staircase) goes(record);
     });
     writer.finish();
+    if (writer.stairs() != nullptr) out.stairs = write::text_of(*writer.stairs(), *post.staircase);
+    if (writer.magazine() != nullptr) out.tools = write::text_of(writer.magazine()->slots());
+    note_characters(out, post, output.note);
     add_not_understood(out.ledger, session, outcome.ending);
     return out;
 }
@@ -167,6 +200,8 @@ Proved prove(const Translated& translated, const write::Post& post, Request requ
     static_cast<void>(interpret(*out.run, [&](const cl::Record& record) { path.take(record); }));
     const compare::Result result = compare::compare(translated.path, path, tolerance);
     out.moves = result.moves_b;
+    out.within = tolerance.length;
+    if (post.staircase && post.staircase->units > 0) out.within = std::max(out.within, 0.5 / post.staircase->units);
     const bool stops = has_findings(*out.run) && !has_findings(s), unknown = exit_code_of_run(*out.run) == 3;
     out.run_complains = stops || (unknown && exit_code_of_run(s) != 3);
     out.differs = complain(s, result, *out.run) || stops;

@@ -11,6 +11,7 @@
 #include "driver/ledger.hpp"
 #include "driver/session.hpp"
 #include "write/post.hpp"
+#include "write/tape.hpp"
 #include "write/writer.hpp"
 
 namespace obrys::driver {
@@ -27,7 +28,10 @@ struct Translated {
     std::string text;
     std::vector<WrittenFile> files;  ///< subprograms in files of their own, beside it
     Ledger ledger;
-    compare::Path path{0};  ///< what the program does
+    compare::Path path{0};                 ///< what the program does; by a post with staircases what these do
+    write::Tape tape = write::Tape::none;  ///< in whose code it is to be delivered
+    std::string tools{};                   ///< with their places in the magazine and their offsets, for people
+    std::string stairs{};                  ///< what has become of slopes and arcs, for people; empty: nothing
 };
 
 struct TranslateOptions {
@@ -59,9 +63,10 @@ struct OwnValues {
 /// The text run on its control, with the machine, the tools and the zeros of the program that it comes from.
 struct Proved {
     Proof proof = Proof::not_compared;
-    bool differs = false;          ///< something is known to run otherwise, whatever else is not known
-    std::size_t moves = 0;         ///< that it makes
-    std::string why_not;           ///< it was not compared at all; empty: it was
+    bool differs = false;   ///< something is known to run otherwise, whatever else is not known
+    std::size_t moves = 0;  ///< that it makes
+    double within = 0;      ///< mm: as near to the program as the comparison says; staircases are on the words' places
+    std::string why_not;    ///< it was not compared at all; empty: it was
     std::unique_ptr<Session> run;  ///< null: its control is none that can be read
     bool run_complains = false;    ///< what it complains about is news
 };

@@ -19,6 +19,7 @@ struct Output {
     std::function<void(Note)> note;
     /// A further file, whole, for posts that have subprograms in files of their own; null: all is to be in one text.
     std::function<void(const std::string& name, std::string_view text)> file{};
+    std::function<void(const cl::Record&)> run{};  ///< what is written, where that is not what was taken (staircases)
 };
 
 class Layout {

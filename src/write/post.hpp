@@ -16,6 +16,9 @@
 #include "shop/files/document.hpp"
 #include "write/commands.hpp"
 #include "write/hooks.hpp"
+#include "write/magazine.hpp"
+#include "write/staircase_form.hpp"
+#include "write/tape.hpp"
 #include "write/template.hpp"
 
 namespace obrys::write {
@@ -75,8 +78,12 @@ struct Post {
     bool is_canon = false;  ///< canonical calls (cl/canon.hpp) instead of templates
     std::string block_end;  ///< behind each block (" *")
     std::string line_end = "\n";
-    double most_sweep = 0;      ///< degrees of an arc that one block holds; 0: a turn and more
-    bool by_quadrants = false;  ///< arcs end where they pass from one quadrant to the next
+    Tape tape = Tape::none;                  ///< code of the punched tape; none: the text as it is
+    double most_sweep = 0;                   ///< degrees of an arc that one block holds; 0: a turn and more
+    std::optional<MagazineForm> magazine;    ///< tools are written by their places and offsets
+    double most_tapping_speed = 0;           ///< 1/min; 0: as fast as the spindle turns
+    std::optional<StaircaseForm> staircase;  ///< the control moves one axis at a time
+    bool by_quadrants = false;               ///< arcs end where they pass from one quadrant to the next
     Encoding encoding = Encoding::utf8;
     std::optional<SubprogramForm> subprogram;  ///< in the program's file
     std::optional<SubprogramForm> own_file;    ///< in files beside it

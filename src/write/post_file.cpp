@@ -6,6 +6,8 @@
 #include "write/commands.hpp"
 #include "write/post.hpp"
 #include "write/post_hooks.hpp"
+#include "write/post_magazine.hpp"
+#include "write/post_staircase.hpp"
 
 namespace obrys::write {
 
@@ -44,6 +46,9 @@ Usual usual_style(Value v) {
         case Value::edge:
         case Value::turret:
         case Value::offset:
+        case Value::place:
+        case Value::approach:
+        case Value::entry:
         case Value::filter:
         case Value::way:
         case Value::revolutions:
@@ -81,6 +86,7 @@ public:
         post_.control = file_.text("control").value_or("");
         post_.suffix = file_.text("suffix").value_or("nc");
         if (const auto ends = file_.choice("line_end", {"lf", "crlf"})) post_.line_end = *ends == 0 ? "\n" : "\r\n";
+        if (const auto tape = file_.choice("tape", {"none", "iso", "eia"})) post_.tape = static_cast<Tape>(*tape);
         if (const auto by = file_.choice("written_by", {"templates", "canon"})) post_.is_canon = *by == 1;
         post_.block_end = file_.text("block_end").value_or("");
         for (const std::string_view known :
@@ -186,6 +192,8 @@ private:
                 post_.by_quadrants = s.boolean("by_quadrants").value_or(false);
             }
             if (name == "tool") post_.change_stops_spindle = stopped_by(s);
+            if (name == "spindle")
+                post_.most_tapping_speed = s.number("most_tapping", shop::Range::positive).value_or(0);
             if (name == "tool") post_.repeats_tool = s.boolean("repeats").value_or(false);
             if (name == "stop") post_.stop_stops_spindle = stopped_by(s);
             if (name == "cycles") post_.place_known_behind_cycle = s.boolean("place_known").value_or(false);
@@ -375,6 +383,8 @@ std::optional<Post> read_post(std::uint32_t file, const base::Sources& sources, 
     Post post;
     Reader(section, post).read();
     read_hooks(section, sources, load, post);
+    read_staircase(section, post);
+    read_magazine(section, post);
     section.finish_file(diagnostics);
     const bool lacks_hooks = shop::find(*root, "lua") != nullptr && !post.lua;  // load has said why
     if (own.has_errors() || lacks_hooks) return std::nullopt;

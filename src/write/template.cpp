@@ -37,7 +37,7 @@ int group_of(std::string_view word, const Grammar& g) {
 
 /// Where the tool is and how fast it goes: what a control keeps from block to block.
 bool stays_in_force(ValueIndex v) {
-    for (const Value kept : {Value::x, Value::y, Value::z, Value::feed, Value::speed})
+    for (const Value kept : {Value::x, Value::y, Value::z, Value::feed, Value::speed, Value::approach, Value::entry})
         if (v == index_of(kept)) return true;
     return false;
 }

@@ -72,11 +72,14 @@ enum class Value : std::uint8_t {
     raised,
     wider,
     offset,
-    around,   ///< 1 where compensation comes on about the contour's start (KONT); else absent
-    sharp,    ///< 1 where outer corners go out to the crossing of the parallels; else absent
-    way,      ///< of joining moves: 642 … 645; absent where there is one
-    merge,    ///< absent where there is none
-    contour,  ///< of a tolerance
+    place,     ///< of the tool in the magazine
+    approach,  ///< the offset with which it approaches the material, where Z moves; else absent
+    entry,     ///< and goes into it
+    around,    ///< 1 where compensation comes on about the contour's start (KONT); else absent
+    sharp,     ///< 1 where outer corners go out to the crossing of the parallels; else absent
+    way,       ///< of joining moves: 642 … 645; absent where there is one
+    merge,     ///< absent where there is none
+    contour,   ///< of a tolerance
     rotary,
     filter,  ///< 1 finishing, 2 semi-finishing, 3 roughing, 4 precision
     seconds,

@@ -10,12 +10,14 @@ namespace obrys::write {
 Writer::Writer(const Post& post, std::string name, Output output)
     : post_(post),
       name_(std::move(name)),
-      layout_(post, name_, std::move(output)),
+      layout_(post, name_, output),
       printer_(post, [this](std::string_view block) { layout_.block(block, printer_.in_force()); }) {
     if (post_.lua) {
         HookFault fault;  // read_post has tried it out
         hooks_ = load_hooks(post_.lua->text, post_.named_styles(), fault);
     }
+    if (post_.magazine) magazine_.emplace(*post_.magazine);
+    if (post_.staircase) begin_stairs(std::move(output.run));
     values_.set(Text::name, name_);
     static_cast<void>(put(Command::file_begin, {}, "the begin of the file"));
     printer_.start();
@@ -89,7 +91,30 @@ void Writer::take_folded(const cl::Record& record) {
     if (folding_ == 0) end_fold();
 }
 
+void Writer::begin_stairs(std::function<void(const cl::Record&)> run) {
+    Staircase::Output out;
+    out.record = [this, run = std::move(run)](const cl::Record& record) {
+        if (run) run(record);
+        take_written(record);
+    };
+    const auto say = [this](Fate fate) {
+        return [this, fate](const cl::Record& of, std::string what) {
+            now_ = &of;
+            note(fate, std::move(what));
+            now_ = nullptr;
+        };
+    };
+    out.lost = say(Fate::lost);
+    out.expanded = say(Fate::expanded);
+    stairs_.emplace(*post_.staircase, std::move(out));
+}
+
 void Writer::take(const cl::Record& record) {
+    if (stairs_) return stairs_->take(record);
+    take_written(record);
+}
+
+void Writer::take_written(const cl::Record& record) {
     now_ = &record;
     remember_topic(record.step);
     if (folding_ > 0) {
@@ -126,7 +151,7 @@ void Writer::take_move(const cl::Record& record) {
     const bool same_block =
         !held_.empty() && held_.back().record.from == record.from && held_.back().record.stack == record.stack;
     const auto* line = std::get_if<cl::Linear>(&record.step);
-    const bool may_wait = line != nullptr && line->rapid && axes_.empty() && !place_;
+    const bool may_wait = line != nullptr && line->rapid && axes_.empty() && !place_ && !stairs_;
     const bool behind_rise = held_.size() == 1 && rise_waits();
     if (!may_wait || !(same_block || behind_rise)) flush_held();
     const geom::Vec3 from = cursor_.position().here();
@@ -338,6 +363,7 @@ void Writer::event(const cl::Comment& comment) {
 }
 
 void Writer::finish() {
+    if (stairs_) stairs_->finish();
     flush_held();
     if (!ended_) write_all();
     if (!ended_ && cursor_.moves() > 0) end_cycles();

@@ -16,6 +16,7 @@
 #include "write/frames.hpp"
 #include "write/layout.hpp"
 #include "write/printer.hpp"
+#include "write/staircase.hpp"
 
 namespace obrys::write {
 
@@ -28,6 +29,10 @@ public:
     /// Writes what waits for what follows.
     void settle();
     void finish();
+    /// Tools that it has called; null where the post has no magazine.
+    [[nodiscard]] const Magazine* magazine() const { return magazine_ ? &*magazine_ : nullptr; }
+    /// What has become of slopes and arcs; null where the post's control has both.
+    [[nodiscard]] const StaircaseSums* stairs() const { return stairs_ ? &stairs_->sums() : nullptr; }
 
 private:
     struct Held {
@@ -72,6 +77,8 @@ private:
     void close_part();
     void spill_parts();
     void keep_standing();
+    void begin_stairs(std::function<void(const cl::Record&)> run);
+    void take_written(const cl::Record& record);
     void take_folded(const cl::Record& record);
     void take_move(const cl::Record& record);
     void take_lead(const cl::Record& record, const cl::LeadBegin& lead);
@@ -125,6 +132,10 @@ private:
     void write_state();
     void write_all();  ///< and what waits for a move
     void write_tool();
+    [[nodiscard]] bool place_tool(const cl::ToolChange& change, const std::string& what);
+    void set_offsets(bool rapid);
+    void note_cut_without_tool(bool rapid);
+    void note_tapping();
     void stop_spindle(const std::string& word);
     void set_tool(const cl::ToolChange& change);
     void write_standing(const cl::ToolChange& change);
@@ -148,6 +159,7 @@ private:
     // Moves.
     void write_move(const cl::Step& step, const geom::Vec3& from);
     void write_way(const cl::Step& step, const geom::Vec3& from);
+    void drop_standing_axes();
     void write_line(const geom::Vec3& to, bool rapid, const cl::Programmed* corner = nullptr,
                     cl::Seek seek = cl::Seek::nothing);
     void write_arc(const cl::Arc& arc, const geom::Vec3& from, const cl::Programmed* corner = nullptr);
@@ -190,8 +202,13 @@ private:
     std::string name_;
     Layout layout_;
     Printer printer_;
-    std::unique_ptr<Hooks> hooks_;  ///< null: the post has none
-    Template said_;                 ///< by one of them
+    std::optional<Magazine> magazine_;
+    const MagazineSlot* slot_ = nullptr;  ///< of the tool in the spindle
+    bool offsets_wait_ = false;           ///< none of them has been said since the tool was called
+    bool without_tool_noted_ = false;
+    std::optional<Staircase> stairs_;  ///< before all else, where the control moves one axis at a time
+    std::unique_ptr<Hooks> hooks_;     ///< null: the post has none
+    Template said_;                    ///< by one of them
     Values values_;
     motion::Cursor cursor_;
     const cl::Record* now_ = nullptr;

@@ -167,6 +167,10 @@ bool Writer::fold(const cl::CycleBegin& begin) {
 }
 
 void Writer::take_cycle(const cl::Record& record, const cl::CycleBegin& begin) {
+    const cl::CycleKind kind = begin.cycle->kind;
+    const bool taps = (kind >= cl::CycleKind::tap_floating_simple && kind <= cl::CycleKind::tap_chip_breaking) ||
+                      kind == cl::CycleKind::canned_tap_floating || kind == cl::CycleKind::canned_tap_rigid;
+    if (taps) note_tapping();
     const bool folded = fold(begin);
     static_cast<void>(cursor_.take(record));
     if (folded) {

@@ -110,6 +110,7 @@ void Writer::note_printed(Command command, const Template& form, const Parts& pa
 
 void Writer::print_move(Command command, bool rapid, const cl::Programmed* corner) {
     note_feed(rapid);
+    note_cut_without_tool(rapid);
     if (!post_.has(command)) return note(Fate::lost, "a move: the post has no " + std::string(name_of(command)));
     if (const auto& c = cursor_.state().compensation) {
         values_.set(Value::offset, c->offset != 0 ? c->offset : cursor_.state().change.number);
@@ -126,6 +127,7 @@ void Writer::print_move(Command command, bool rapid, const cl::Programmed* corne
         set_length();
         parts.length = &post_[*length_waits_];
     }
+    if (magazine_) set_offsets(rapid);
     const Template* form = form_of(command, "a move");
     if (form == nullptr) return axes_.clear();
     if (form != &said_) note_unsaid(command, *form, rapid);
@@ -166,6 +168,14 @@ Command straight_command(bool rapid, cl::Seek seek) {
 
 }  // namespace
 
+/// A control that moves one axis at a time is told of no other one.
+void Writer::drop_standing_axes() {
+    if (!stairs_ || !stairs_->said()) return;
+    constexpr std::array axes{Value::x, Value::y, Value::z};
+    for (std::size_t k = 0; k < axes.size(); ++k)
+        if (!(*stairs_->said())[k]) values_.drop(axes[k]);
+}
+
 void Writer::write_line(const geom::Vec3& to, bool rapid, const cl::Programmed* corner, cl::Seek seek) {
     end_cycles();
     const geom::Vec3 p = frames_.programmed(to);
@@ -173,6 +183,7 @@ void Writer::write_line(const geom::Vec3& to, bool rapid, const cl::Programmed* 
     if (!std::isnan(p.x)) values_.set(Value::x, p.x);
     if (!std::isnan(p.y)) values_.set(Value::y, p.y);
     if (!std::isnan(p.z)) values_.set(Value::z, p.z);
+    drop_standing_axes();
     const Command command = straight_command(rapid, seek);
     if (!post_.has(command))
         return note(Fate::lost, "a probing move: the post has no " + std::string(name_of(command)));
@@ -269,6 +280,7 @@ void Writer::write_thread(const cl::Thread& thread, const geom::Vec3& from) {
     if (!std::isnan(to.x)) values_.set(Value::x, to.x);
     if (!std::isnan(to.y)) values_.set(Value::y, to.y);
     if (!std::isnan(to.z)) values_.set(Value::z, to.z);
+    drop_standing_axes();
     values_.set(Value::pitch, std::abs(thread.pitch));
     const geom::Vec3 way = to - start;
     const double length = geom::length(way);
@@ -282,6 +294,7 @@ void Writer::write_thread(const cl::Thread& thread, const geom::Vec3& from) {
         else
             values_.set(Value::pitch_y, std::abs(thread.pitch) * y / length);
     }
+    if (thread.rigid_tap) note_tapping();
     const Command command = thread.rigid_tap    ? Command::tap
                             : thread.change > 0 ? Command::thread_rising
                             : thread.change < 0 ? Command::thread_falling

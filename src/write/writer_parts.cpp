@@ -22,6 +22,7 @@ std::string what_is(const cl::PartBegin& part) {
 }  // namespace
 
 void Writer::settle() {
+    if (stairs_) stairs_->finish();
     flush_held();
     static_cast<void>(layout_.next());  // a call that waited for more passes
 }

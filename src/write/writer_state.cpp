@@ -60,6 +60,7 @@ void Writer::write_tool() {
         note(Fate::lost, "a tool that is taken to be longer (DL)");
     if (change.wider != 0 && !says(post_[Command::tool_change], index_of(Value::wider)))
         note(Fate::lost, "a tool that is taken to be larger (DR)");
+    if (!place_tool(change, what)) return;
     print(none ? Command::tool_none : by_name ? Command::tool_by_name : Command::tool_change, what);
     stop_spindle(post_.change_stops_spindle);
     if (!change.with_length || !post_.has(Command::length_on)) return;

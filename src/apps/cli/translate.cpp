@@ -25,8 +25,8 @@ driver::Proved proved(driver::Session& s, const driver::Translated& t, const wri
     if (proved.run != nullptr && (proved.run_complains || !proved.why_not.empty()))
         print_diagnostics(*proved.run, base::Severity::warning);
     if (proved.why_not.empty())
-        std::fprintf(stderr, "%s: %zu moves, run again as %s, within %g mm\n", verdict_of(proved), proved.moves,
-                     post.control.c_str(), a.same_place);
+        std::fprintf(stderr, "%s%s: %zu moves, run again as %s, within %g mm\n", verdict_of(proved),
+                     t.stairs.empty() ? "" : " as the staircases", proved.moves, post.control.c_str(), proved.within);
     return proved;
 }
 
@@ -47,6 +47,8 @@ report::Ledger ledger_of(const driver::Session& s, const driver::Translated& t, 
 int translate_by_motion(driver::Session& s, const write::Post& post, const Arguments& a, const std::string& name) {
     const Target target = target_of(a, name, post);
     const driver::Translated t = driver::translate(s, post, {name, a.same_place, target.folder});
+    std::fputs(t.tools.c_str(), stderr);
+    if (!t.stairs.empty()) std::fprintf(stderr, "%s\n", t.stairs.c_str());
     const driver::Proved proof = proved(s, t, post, a);
     print_diagnostics(s);
     const int run = driver::exit_code_of_run(s);
@@ -73,6 +75,10 @@ int translate(const Arguments& arguments) {
     const std::optional<write::Post> post = driver::find_post(a.to, s);
     if (!post) {
         print_diagnostics(s, base::Severity::warning);
+        return 2;
+    }
+    if (a.keep && (post->staircase || post->tape != write::Tape::none)) {
+        std::fputs("obrys: --keep writes statements, neither staircases nor punched tape: leave it out\n", stderr);
         return 2;
     }
     const std::string name = program_name(s.program);

@@ -37,7 +37,7 @@ bool deliver_all(const Target& target, const driver::Translated& t) {
     std::vector<std::pair<std::string, std::unique_ptr<driver::OutputFile>>> files;
     const auto add = [&](const std::string& path, const std::string& text) {
         files.emplace_back(path, std::make_unique<driver::OutputFile>(path));
-        files.back().second->write(text);
+        files.back().second->write(write::punched(text, t.tape));
     };
     add(target.main, t.text);
     for (const driver::WrittenFile& file : t.files) add(target.of(file.name), file.text);
