@@ -181,6 +181,7 @@ void begin_section(State& s) {
     s.shift = geom::apply_direction(geom::inverse(plane), s.context.into_setup.origin);
     if (s.context.turning && !(plane == Frame{}))
         refuse(s, where, "the operation turns in a plane that does not hold the axis of the setup");
+    if (s.tool) tell_technology(s);
     s.feed_per_turn = parameter(s, "operation:tool_useFeedPerRevolution") == "1";
 }
 

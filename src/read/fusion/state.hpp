@@ -32,6 +32,7 @@ struct Tool {
     double number = 0, diameter = 0, speed = 0, pitch = 0, offset = 0;
     std::optional<double> coolant;  ///< number
     bool clockwise = true, turns = false;
+    Place where, coolant_where;
 };
 
 /// Cycle in force.
@@ -111,6 +112,8 @@ void end_section(State& s);
 void read_command(State& s);
 void read_tool(State& s);  // tool.cpp
 void read_turning_tool(State& s);
+/// Speed and coolant of the operation's tool.
+void tell_technology(State& s);
 /// M3 or M4 with this speed, where the tree has another one; 0: M5.
 void tell_spindle(State& s, const Place& where, double speed, bool clockwise);
 

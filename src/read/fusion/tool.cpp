@@ -26,11 +26,11 @@ void tell_coolant(State& s, const Place& where) {
         if (const auto n = base::whole<std::size_t>(*number, 0U, dialect::fusion::coolants.size() - 1))
             c = &dialect::fusion::coolants[*n];
         else
-            return refuse(s, place_of(s.line, "coolant"), "nothing is known of this coolant");
+            return refuse(s, s.tool->coolant_where, "nothing is known of this coolant");
     }
     if (c == nullptr || c == s.coolant) return;
     if (!c->beyond.empty())
-        refuse(s, place_of(s.line, "coolant"),
+        refuse(s, s.tool->coolant_where,
                "it wants " + std::string(c->beyond) + ", for which each machine has functions of its own");
     const bool was_on = s.coolant != nullptr && s.coolant != &dialect::fusion::coolants[0];
     s.coolant = c;
@@ -71,15 +71,12 @@ void tell_surface_speed(State& s, const Place& where, double mm_per_minute) {
     s.speed_is_surface = true;
 }
 
-void tell_tool(State& s) {
-    const Place where = place_of(s.line);
-    if (!s.in_spindle || *s.in_spindle != s.tool->number) tell_change(s, where);
-    const auto surface = number_of(s, "operation:tool_surfaceSpeed");
-    if (parameter(s, "operation:tool_useConstantSurfaceSpeed") == "1" && surface && *surface > 0)
-        tell_surface_speed(s, where, *surface);
-    else
-        tell_spindle(s, where, s.tool->speed, s.tool->clockwise);
-    tell_coolant(s, where);
+/// The tool comes into the spindle; what it does there waits for the section (tell_technology).
+void take_tool(State& s, const Tool& tool) {
+    s.tool = tool;
+    s.tool->where = place_of(s.line);
+    s.tool->coolant_where = place_of(s.line, "coolant");
+    if (!s.in_spindle || *s.in_spindle != tool.number) tell_change(s, s.tool->where);
 }
 
 /// What both kinds of tools say; false after a complaint.
@@ -117,6 +114,16 @@ void tell_spindle(State& s, const Place& where, double speed, bool clockwise) {
     s.direction = direction;
 }
 
+void tell_technology(State& s) {
+    const Place where = s.tool->where;
+    const auto surface = number_of(s, "operation:tool_surfaceSpeed");
+    if (parameter(s, "operation:tool_useConstantSurfaceSpeed") == "1" && surface && *surface > 0)
+        tell_surface_speed(s, where, *surface);
+    else
+        tell_spindle(s, where, s.tool->speed, s.tool->clockwise);
+    tell_coolant(s, where);
+}
+
 void read_tool(State& s) {
     Tool t;
     if (!read_common(s, t)) return;
@@ -127,8 +134,7 @@ void read_tool(State& s) {
     t.diameter = *diameter;
     t.coolant = *coolant;
     t.offset = *offset;
-    s.tool = t;
-    tell_tool(s);
+    take_tool(s, t);
 }
 
 void read_turning_tool(State& s) {
@@ -136,9 +142,8 @@ void read_turning_tool(State& s) {
     if (!read_common(s, t)) return;
     t.turns = true;
     t.offset = s.line.number("offset").value_or(t.number);
-    s.tool = t;
     s.turns = true;
-    tell_tool(s);
+    take_tool(s, t);
 }
 
 }  // namespace obrys::read::fusion
