@@ -17,18 +17,24 @@ using program::Code;
 // The words are the reader's own: R the retract plane, Z the bottom, both absolute.
 constexpr CannedWord ends_at{Code::e, CycleRole::return_level, true, 1};
 constexpr CannedWord dwell{Code::p, CycleRole::dwell_bottom, false, 1};
+constexpr CannedWord surface{Code::i1, CycleRole::surface, true, 1};
 constexpr CannedWord infeed{Code::q, CycleRole::infeed, true, 1};
 constexpr CannedWord decrement{Code::j, CycleRole::decrement, true, 1};
 constexpr CannedWord least{Code::k, CycleRole::min_infeed, true, 1};
 constexpr CannedWord back{Code::i, CycleRole::chip_break_distance, true, 1};
 constexpr CannedWord stop{Code::j1, CycleRole::stop_distance_first, true, 1};
 
-constexpr std::array plain{ends_at, dwell};
+constexpr std::array plain{ends_at, dwell, surface};
 constexpr std::array pecks{ends_at, dwell, infeed, decrement, least, stop};
 constexpr std::array chips{ends_at, dwell, infeed, decrement,
                            least,   back,  stop,   CannedWord{Code::i1, CycleRole::retract_every, true, 1}};
-constexpr std::array threads{ends_at, dwell, infeed, back, CannedWord{Code::k1, CycleRole::pitch, true, 1}};
-constexpr std::array beside{ends_at, dwell, CannedWord{Code::i, CycleRole::shift_u, true, 1},
+constexpr std::array threads{ends_at,
+                             dwell,
+                             surface,
+                             infeed,
+                             CannedWord{Code::i, CycleRole::chip_break_turns, false, 1},
+                             CannedWord{Code::k1, CycleRole::pitch, true, 1}};
+constexpr std::array beside{ends_at, dwell, surface, CannedWord{Code::i, CycleRole::shift_u, true, 1},
                             CannedWord{Code::j, CycleRole::shift_v, true, 1}};
 
 /// In the order of Hole.
@@ -65,6 +71,7 @@ constexpr program::Traits common(program::GuessedMachine machine) {
         .radius_at_start = true,
         .radius_makes_arc = false,
         .clearance_at_start = true,
+        .pitch_along = program::PitchAlong::farthest_axis,
         .canned = canned,
     };
 }

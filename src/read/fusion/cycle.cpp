@@ -49,50 +49,58 @@ double height_of(const State& s, double height) {
     return height + (s.direct ? s.context.into_setup.origin.z : s.shift.z);
 }
 
-void tell(State& s, const Cycle& c, Code code, double v) { s.build.literal(code, v, c.where.begin, c.where.end); }
+/// A value of the cycle, in the block of its point.
+void tell(State& s, Code code, double v) { s.build.literal(code, v, s.line.begin, s.line.end); }
 
 void tell_pecks(State& s, const Cycle& c, Hole hole) {
     const double infeed = c.get("incrementalDepth"), less = c.get("incrementalDepthReduction"),
                  least = c.get("minimumIncrementalDepth");
-    tell(s, c, Code::q, infeed);
+    tell(s, Code::q, infeed);
     if (less > 0) {
-        tell(s, c, Code::j, less);
-        tell(s, c, Code::k, std::min(least > 0 ? least : infeed, infeed));
+        tell(s, Code::j, less);
+        tell(s, Code::k, std::min(least > 0 ? least : infeed, infeed));
     }
-    if (hole == Hole::chip_break) tell(s, c, Code::i, c.get("chipBreakDistance"));
+    if (hole == Hole::chip_break) tell(s, Code::i, c.get("chipBreakDistance"));
     const bool out = hole == Hole::peck || c.get("accumulatedDepth") > 0;
-    if (out) tell(s, c, Code::j1, above_depth);
-    if (hole == Hole::chip_break && out) tell(s, c, Code::i1, c.get("accumulatedDepth"));
+    if (out) tell(s, Code::j1, above_depth);
+    if (hole == Hole::chip_break && out) tell(s, Code::i1, c.get("accumulatedDepth"));
     assume(s, c.where,
            "nothing says where pecks count from, nor how far above the depth reached the tool comes back at rapid: the "
            "retract plane and 1 mm are taken, as controls do");
 }
 
+bool breaks_chips(const Cycle& c) {
+    return c.get("incrementalDepth") > 0 && c.word->name.ends_with("-with-chip-breaking");
+}
+
 void tell_tap(State& s, const Cycle& c) {
-    tell(s, c, Code::k1, s.tool->pitch);
-    if (!(c.get("incrementalDepth") > 0) || !c.word->name.ends_with("-with-chip-breaking")) return;
-    tell(s, c, Code::q, c.get("incrementalDepth"));
-    tell(s, c, Code::i, c.get("chipBreakDistance"));
+    tell(s, Code::k1, s.tool->pitch);
+    if (!breaks_chips(c)) return;
+    tell(s, Code::q, c.get("incrementalDepth"));
+    if (c.get("chipBreakDistance") > 0) tell(s, Code::i, c.get("chipBreakDistance") / s.tool->pitch);
 }
 
 void tell_shift(State& s, const Cycle& c) {
     const double angle = c.get("shiftOrientation") * std::acos(-1.0) / 180;
-    tell(s, c, Code::i, c.get("shift") * std::cos(angle));
-    tell(s, c, Code::j, c.get("shift") * std::sin(angle));
+    tell(s, Code::i, c.get("shift") * std::cos(angle));
+    tell(s, Code::j, c.get("shift") * std::sin(angle));
     assume(s, c.where, "the tool is taken to leave the wall of the hole in the direction of shiftOrientation");
 }
 
 void run_canned(State& s, const Cycle& c, Hole hole, const Vec3& bottom, double retract, double clearance) {
     const Place where = place_of(s.line);
     begin_block(s, where);
-    if (hole != Hole::tap_rigid) tell_feed(s, where, c.get("feedrate"));
+    if (c.get("feedrate") > 0) tell_feed(s, where, c.get("feedrate"));
     s.build.modal(Modal::canned, where.begin, where.end, static_cast<int>(hole));
     s.build.literal(Code::x, bottom.x, where.begin, where.end);
     s.build.literal(Code::y, bottom.y, where.begin, where.end);
     s.build.literal(Code::z, bottom.z, where.begin, where.end);
-    tell(s, c, Code::radius, retract);
-    tell(s, c, Code::e, clearance);
-    if (c.get("dwell") > 0) tell(s, c, Code::p, c.get("dwell"));
+    tell(s, Code::radius, retract);
+    tell(s, Code::e, clearance);
+    if (c.get("dwell") > 0) tell(s, Code::p, c.get("dwell"));
+    // Steps would count from the surface.
+    const bool steps = hole == Hole::peck || hole == Hole::chip_break || breaks_chips(c);
+    if (!steps) tell(s, Code::i1, std::clamp(height_of(s, c.get("stock")), bottom.z, retract));
     if (hole == Hole::peck || hole == Hole::chip_break) tell_pecks(s, c, hole);
     if (hole == Hole::tap_rigid) tell_tap(s, c);
     if (hole == Hole::bore_orient) tell_shift(s, c);
@@ -118,6 +126,7 @@ void run_hole(State& s, Cycle& c, const Vec3& bottom) {
     const bool tilted =
         s.direct && !(s.context.into_setup.linear[8] == 1 && geom::distance(s.told_axis, {0, 0, 1}) < 1e-6);
     if (tilted) return refuse_cycle(s, "a cycle with a tool that does not stand along Z is not run here");
+    if (!(retract >= bottom.z)) return refuse_cycle(s, "the bottom of a hole lies above its retract plane");
     const double deepest = c.get("accumulatedDepth");
     if (c.word->name.ends_with("-with-chip-breaking") && deepest > 0 && deepest < retract - bottom.z)
         return refuse_cycle(s, "how a tap goes out of the hole behind its accumulatedDepth is not known");

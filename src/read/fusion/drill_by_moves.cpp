@@ -56,7 +56,7 @@ void run_break_through(State& s, const Cycle& c, const Vec3& bottom) {
            "feed and speed of breaking through are taken to begin breakThroughDistance above the bottom");
     d.rapid(retract);
     const double feed = c.get("feedrate"), slow = c.get("breakThroughFeedrate", feed), speed = s.tool->speed;
-    d.feed(std::min(retract, bottom.z + c.get("breakThroughDistance")), feed);
+    d.feed(std::clamp(bottom.z + c.get("breakThroughDistance"), bottom.z, retract), feed);
     if (c.get("breakThroughSpindleSpeed") > 0) d.turn(c.get("breakThroughSpindleSpeed"));
     d.feed(bottom.z, slow > 0 ? slow : feed);
     d.dwell();
