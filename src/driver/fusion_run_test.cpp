@@ -3,6 +3,8 @@
 #include <gtest/gtest.h>
 
 #include "driver/apt_testing.hpp"
+#include "driver/files.hpp"
+#include "driver/storage.hpp"
 #include "read/fusion/fusion_testing.hpp"
 
 namespace obrys::driver {
@@ -74,6 +76,20 @@ TEST(FusionRun, AnotherFeedOutIsRun) {
         if (const auto* f = std::get_if<cl::Feed>(&record.step))
             feeds += std::to_string(static_cast<int>(f->value)) + " ";
     EXPECT_EQ(feeds, "400 900 ");
+}
+
+TEST(FusionRun, ABinaryFileIsLoadedAsItsListing) {
+    Memory files;
+    const Bytes b = Bytes().operation().rapid(1, 2, 3).end_operation();
+    files.put("part.cnc", b.get());
+    files.put("other.cnc", std::string(100, '\1'));
+    base::Sources sources;
+    base::Diagnostics diagnostics;
+    const auto file = load(files, "part.cnc", sources, diagnostics);
+    ASSERT_TRUE(file);
+    EXPECT_EQ(sources[*file].text, b.listing());
+    EXPECT_FALSE(load(files, "other.cnc", sources, diagnostics));
+    EXPECT_EQ(diagnostics.all().size(), 1);
 }
 
 }  // namespace obrys::driver

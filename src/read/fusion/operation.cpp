@@ -176,6 +176,12 @@ void begin_section(State& s) {
     plane.origin = {};
     s.direct = has_axis_vectors(s);
     if (s.direct) plane = Frame{};
+    if (s.has_run && (s.tool_changed || !(plane == s.told_frame)))
+        assume(s, where,
+               "between operations the tool is taken to go straight at rapid from the last point to the next: how a "
+               "machine goes there is its postprocessor's");
+    s.has_run = true;
+    s.tool_changed = false;
     if (!(plane == s.told_frame)) tell_plane(s, plane, where);
     s.told_frame = plane;
     s.shift = geom::apply_direction(geom::inverse(plane), s.context.into_setup.origin);

@@ -104,4 +104,16 @@ TEST(FusionRead, CommandsAreNamed) {
     EXPECT_TRUE(says(Reading(Bytes().whole(130).whole(99)).problems(), "nothing is known of this command"));
 }
 
+TEST(FusionRead, TheWayToAnotherToolIsSaidToBeAssumed) {
+    const Reading same(Bytes().operation().rapid(1, 2, 3).end_operation().operation().rapid(4, 5, 6).end_operation());
+    EXPECT_EQ(same.messages(), "");
+    const Reading tilted(
+        Bytes().operation().rapid(1, 2, 3).end_operation().operation(0.6, 0.8).rapid(4, 5, 6).end_operation());
+    EXPECT_TRUE(says(tilted.messages(), "between operations"));
+}
+
+TEST(FusionRead, AHoleWithItsBottomAboveIsRefused) {
+    EXPECT_TRUE(says(Reading(cycle("gun-drilling").linear(1, 2, 10, 0)).problems(), "above its retract plane"));
+}
+
 }  // namespace obrys::read::fusion

@@ -66,10 +66,11 @@ struct State {
     std::map<std::string, std::string, std::less<>> parameters;  ///< those that are looked at, as they stand
     Context context;
     bool has_context = false, in_section = false, turns = false;
-    std::optional<Tool> tool;          ///< of the operation at hand
-    std::optional<double> in_spindle;  ///< number of the tool
-    double speed = -1;                 ///< that the tree has; -1: none yet
-    int direction = 0;                 ///< +1, -1
+    std::optional<Tool> tool;                    ///< of the operation at hand
+    bool has_run = false, tool_changed = false;  ///< an operation, and since it began
+    std::optional<double> in_spindle;            ///< number of the tool
+    double speed = -1;                           ///< that the tree has; -1: none yet
+    int direction = 0;                           ///< +1, -1
     bool speed_is_surface = false;
     const void* coolant = nullptr;  ///< entry of dialect::fusion::coolants that holds
     double offset_told = -1;        ///< work offset that the tree has

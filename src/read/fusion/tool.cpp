@@ -54,6 +54,7 @@ void tell_change(State& s, const Place& where) {
     s.build.bare(Code::tool_change, where.begin, where.end);
     end_block(s, where);
     s.in_spindle = t.number;
+    s.tool_changed = true;
     s.speed = -1;
     s.side = Side::none;
 }
