@@ -4,6 +4,7 @@
 #include <array>
 
 #include "read/apt/read.hpp"
+#include "read/fusion/read.hpp"
 #include "read/heidenhain/read.hpp"
 #include "read/rs274/acramatic_read.hpp"
 #include "read/rs274/fanuc_read.hpp"
@@ -20,6 +21,8 @@ constexpr std::array<std::string_view, 2> heidenhain_programs{".H", ".I"};
 constexpr std::array<std::string_view, 6> rs274_programs{".NGC", ".NC", ".TAP", ".GCODE", ".CNC", ".TXT"};
 
 constexpr std::array<std::string_view, 7> apt_programs{".APTSOURCE", ".APT", ".NCL", ".CLS", ".CLF", ".CLDATA", ".CL"};
+
+constexpr std::array<std::string_view, 1> fusion_programs{".CNC"};
 
 /// "O<FOO>" lies in FOO, "O100" in 100.
 std::string o_word_file(std::string_view program) {
@@ -98,6 +101,10 @@ constexpr std::array apt_languages{
     Language{base::BlockNumbers::none, alone<read::apt::read>, read::apt::likelihood},
 };
 
+constexpr std::array fusion_languages{
+    Language{base::BlockNumbers::none, alone<read::fusion::read>, read::fusion::likelihood},
+};
+
 /// src/emc/sai of LinuxCNC, common/tool.tbl; inches.
 constexpr std::string_view linuxcnc_tools =
     "T1 P1 D0.125 Z0.511\nT2 P2 D0.0625 Z0.1\nT3 P3 D0.201 Z1.273\nT99999 P123 Z0.1\n";
@@ -112,6 +119,7 @@ constexpr std::array controls_table{
     Control{"acramatic-2100", acramatic_languages, rs274_programs, {}},
     Control{"nc-470", nc470_languages, rs274_programs, {}},
     Control{"apt-cl", apt_languages, apt_programs, {}},
+    Control{"fusion", fusion_languages, fusion_programs, {}},
 };
 
 }  // namespace

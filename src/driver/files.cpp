@@ -9,6 +9,7 @@
 #include "base/text.hpp"
 #include "driver/large_text.hpp"
 #include "driver/output_file.hpp"
+#include "read/fusion/listing.hpp"
 #include "shop/nearest.hpp"
 
 namespace obrys::driver {
@@ -141,6 +142,18 @@ bool is_text(std::string_view text, const std::string& shown, base::Diagnostics&
     return false;
 }
 
+/// An intermediate file of a CAM system is read as the listing of its records.
+std::optional<std::uint32_t> add_listing(std::string_view bytes, const std::string& shown, base::Sources& sources,
+                                         base::Diagnostics& diagnostics, const base::Span& where) {
+    constexpr std::size_t longest_listing = std::size_t{1} << 30;
+    auto listing = read::fusion::listing_of(bytes, longest_listing);
+    if (listing) return sources.add(shown, std::move(*listing));
+    complain(diagnostics, codes::file_binary, where,
+             shown + " holds more records than are read: their listing is longer than 1 GiB",
+             "let the CAM system write one file an operation");
+    return std::nullopt;
+}
+
 }  // namespace
 
 std::optional<std::uint32_t> load(const Storage& from, const fs::path& path, base::Sources& sources,
@@ -156,6 +169,9 @@ std::optional<std::uint32_t> load(const Storage& from, const fs::path& path, bas
         complain(diagnostics, codes::file_missing, where, cannot(shown, failed));
         return std::nullopt;
     }
+    if (const std::string_view bytes = large == nullptr ? std::string_view(small) : large->bytes();
+        signs != Signs::refuse && read::fusion::is_intermediate(bytes))
+        return add_listing(bytes, shown, sources, diagnostics, where);
     std::string blanked = small;
     if (!is_utf16(small) && signs != Signs::refuse) blank_transfer_signs(blanked);
     const std::string_view text = large == nullptr ? std::string_view(blanked) : large->bytes();

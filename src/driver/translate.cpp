@@ -6,6 +6,7 @@
 #include "driver/canon.hpp"
 #include "driver/control.hpp"
 #include "driver/files.hpp"
+#include "driver/program_tools.hpp"
 #include "shop/nearest.hpp"
 
 namespace obrys::driver {
@@ -18,6 +19,12 @@ namespace {
 std::vector<std::string> candidates(const std::string& name, shop::MachineKind kind) {
     if (kind == shop::MachineKind::lathe) return {name + "-lathe", name};
     return {name};
+}
+
+/// Names of programs hold no blanks; those of files may.
+std::string without_blanks(std::string name) {
+    std::replace(name.begin(), name.end(), ' ', '_');
+    return name;
 }
 
 /// A post whose control is none that can be read: what is written by it could not be run. Staircases are for mills.
@@ -117,7 +124,7 @@ Translated translate(Session& session, const write::Post& post, const TranslateO
         out.path.take(magazine ? by_its_place(record, *magazine) : record);
     };
     if (post.staircase) output.run = goes;
-    write::Writer writer(post, options.name, output);
+    write::Writer writer(post, without_blanks(options.name), output);
     const interp::Outcome outcome = interpret(session, [&](const cl::Record& record) {
         writer.take(record);
         if (!post.staircase) goes(record);
@@ -159,6 +166,14 @@ bool has_findings(const Session& s) {
     });
 }
 
+/// What the program says of its tools without setting it on a control holds for what was written from it, too.
+void take_described_tools(const Session& of, shop::Job& job) {
+    if (!of.main->traits->definitions_describe) return;
+    base::Diagnostics said_of_the_program;
+    for (shop::Tool& tool : program_tools(*of.main, job.tools, said_of_the_program))
+        job.tools.push_back(std::move(tool));
+}
+
 /// The request for what was written from a program.
 Request request_of(const Translated& translated, const write::Post& post, Request request, const Session& of,
                    const OwnValues& values) {
@@ -195,6 +210,7 @@ Proved prove(const Translated& translated, const write::Post& post, Request requ
     const bool guessed = request.machine.empty() && s.job.machine.more_axes;
     if (!open(request_of(translated, post, std::move(request), s, values), *out.run)) return out;
     out.why_not.clear();
+    take_described_tools(s, out.run->job);
     if (guessed) out.run->job.machine.more_axes = true;  // as of the program: nobody has said which it has
     compare::Path path(tolerance.length);
     static_cast<void>(interpret(*out.run, [&](const cl::Record& record) { path.take(record); }));

@@ -1,5 +1,6 @@
 /// Moves coupled to the spindle: threads and rigid tapping.
 
+#include <algorithm>
 #include <cmath>
 #include <utility>
 
@@ -12,6 +13,19 @@ namespace codes = base::codes;
 
 namespace {
 
+/// The way along which the control counts the pitch; `axis`: that of the word that says it.
+double way_of_pitch(const Run& run, const geom::Vec3& from, const geom::Vec3& to, double axis) {
+    const geom::Vec3 way = to - from;
+    switch (run.traits->pitch_along) {
+        case program::PitchAlong::axis_of_word: return axis;
+        case program::PitchAlong::farthest_axis:
+            return std::max({std::abs(way.x), std::abs(way.y), std::abs(way.z), axis});
+        case program::PitchAlong::move: break;
+    }
+    return geom::length(way);
+}
+
+/// Along the move.
 double thread_pitch(const Run& run, const geom::Vec3& from, const geom::Vec3& to) {
     const BlockWords& b = run.block;
     double pitch = 0, longest = -1;
@@ -28,6 +42,8 @@ double thread_pitch(const Run& run, const geom::Vec3& from, const geom::Vec3& to
             pitch = b.get(pitches[k]);
             break;
         }
+    const double way = geom::distance(from, to);
+    if (longest > 0 && std::isfinite(way)) pitch *= way / way_of_pitch(run, from, to, longest);
     return pitch * length_unit(run.modal);
 }
 

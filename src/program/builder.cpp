@@ -34,8 +34,8 @@ void Builder::control(StatementKind kind, std::size_t index, std::uint32_t begin
 
 void Builder::word(Code code, Form form, std::int32_t payload, std::uint32_t begin, std::uint32_t end) {
     const std::uint32_t from = unit_.statements.back().begin;
-    unit_.words.push_back(make_word(code, static_cast<std::uint32_t>(form), payload,
-                                    std::min(std::max(begin, from) - from, 4095U),
+    begin = std::max(begin, from);  // what stands before the statement has no place in it
+    unit_.words.push_back(make_word(code, static_cast<std::uint32_t>(form), payload, std::min(begin - from, 4095U),
                                     std::min(std::max(end, begin) - begin, 255U)));
 }
 

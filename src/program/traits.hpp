@@ -112,6 +112,13 @@ struct CannedCycle {
     bool turns_axes = false;                ///< a fault of the control: outside G17 it feeds to another place
 };
 
+/// The way along which the pitch of a thread counts.
+enum class PitchAlong : std::uint8_t {
+    axis_of_word,   ///< the axis whose word says it (I, J, K)
+    farthest_axis,  ///< the one that goes farthest, whatever word says it
+    move
+};
+
 /// What a control does with something that a block says twice.
 enum class Repeated : std::uint8_t {
     stops,        ///< an alarm
@@ -338,6 +345,7 @@ struct Traits {
     /// What is not ready for its block ends the run: a tool that the table does not hold, a thread with the spindle at
     /// rest, a cycle without its dwell, a probe that has no way to go, a path without feed.
     bool refuses_unready = false;
+    PitchAlong pitch_along = PitchAlong::axis_of_word;
     /// G80 leaves no motion in force, so that axis words alone are an error; else rapid.
     bool cancel_leaves_no_motion = false;
     /// G98: a hole ends at the level where its series began or at R, whichever is higher; else at that level also where

@@ -293,6 +293,8 @@ void Writer::write_thread(const cl::Thread& thread, const geom::Vec3& from) {
             values_.set(Value::pitch_x, std::abs(thread.pitch) * x / length);
         else
             values_.set(Value::pitch_y, std::abs(thread.pitch) * y / length);
+    } else {
+        values_.set(Value::pitch_z, std::abs(thread.pitch));  // goes nowhere, or nobody knows from where
     }
     if (thread.rigid_tap) note_tapping();
     const Command command = thread.rigid_tap    ? Command::tap

@@ -1,5 +1,6 @@
 #!/usr/bin/env python3
-"""The 2021 thesis' listing for Acramatic 2100 against the expansion of its cycles in ../shared, and written anew.
+"""The 2021 thesis' listing for Acramatic 2100 against the expansion of its cycles in ../shared, and written anew: from
+itself, and from the cutter locations of its part (thesis.apt).
 
 usage: thesis_test.py OBRYS SHARED      exit 77 (skipped) where SHARED is missing
 """
@@ -59,6 +60,35 @@ def moves_of(cycle):
     return out
 
 
+def check_expansion(what, stream, expected):
+    """The cycles of a run against expected.json."""
+    faults, cycles = [], brackets(stream)
+    if [c["name"] for c in cycles] != [c["code"] for c in expected["cycles"]]:
+        faults.append(f"{what}: cycles: {[c['name'] for c in cycles]}")
+    for got, want in zip(cycles, expected["cycles"]):
+        moves = moves_of(got)
+        # Where the tool stands at the clearance already the control has no way to go; expected.json lists it.
+        wanted = [m for i, m in enumerate(want["moves"])
+                  if not (i == 1 and m[0] == "G0 Z" and float(got["records"][0][3]) == m[1])]
+        same = len(moves) == len(wanted) and all(
+            a[0] == b[0] and all(abs(x - y) <= NEAR for x, y in zip(a[1:], b[1:])) for a, b in zip(moves, wanted))
+        if not same:
+            faults.append(f"{what}: {want['block']} {want['code']}:\n  {moves}\n  expected\n  {wanted}")
+    lowest = min((float(w[3]) for c in cycles for w in c["records"] if w[0] in ("rapid", "linear", "thread")), default=None)
+    if lowest is None or abs(lowest - expected["z_min"]) > NEAR:
+        faults.append(f"{what}: the lowest point is {lowest}, expected {expected['z_min']}")
+    return faults
+
+
+def check_words(what, body, written):
+    """The listing, word for word."""
+    faults = [f"{what}: line {n + 1} behind the header: {b!r}, in the listing {a!r}"
+              for n, (a, b) in enumerate(zip(body + [""] * 9, written.splitlines())) if a != b]
+    if len(body) != len(written.splitlines()):
+        faults.append(f"{what}: {len(written.splitlines())} lines, in the listing {len(body)}")
+    return faults
+
+
 def main():
     obrys, shared = pathlib.Path(sys.argv[1]).resolve(), pathlib.Path(sys.argv[2])
     listing = shared / "programs/acramatic/ACRAMATIC.NC"
@@ -72,34 +102,28 @@ def main():
         faults.append(f"run: exit code {code}\n{errors}")
     if "read as acramatic-2100" not in errors:
         faults.append("the listing is not known by its text")
-    cycles = brackets(stream)
-    if [c["name"] for c in cycles] != [c["code"] for c in expected["cycles"]]:
-        faults.append(f"cycles: {[c['name'] for c in cycles]}")
-    for got, want in zip(cycles, expected["cycles"]):
-        moves = moves_of(got)
-        # Where the tool stands at the clearance already the control has no way to go; expected.json lists it.
-        wanted = [m for i, m in enumerate(want["moves"])
-                  if not (i == 1 and m[0] == "G0 Z" and float(got["records"][0][3]) == m[1])]
-        same = len(moves) == len(wanted) and all(
-            a[0] == b[0] and all(abs(x - y) <= NEAR for x, y in zip(a[1:], b[1:])) for a, b in zip(moves, wanted))
-        if not same:
-            faults.append(f"{want['block']} {want['code']}:\n  {moves}\n  expected\n  {wanted}")
-    lowest = min(float(w[3]) for c in cycles for w in c["records"] if w[0] in ("rapid", "linear", "thread"))
-    if abs(lowest - expected["z_min"]) > NEAR:
-        faults.append(f"the lowest point is {lowest}, expected {expected['z_min']}")
+    faults += check_expansion("listing", stream, expected)
 
     code, written, errors = call(obrys, "translate", listing, "--to", "acramatic-2100")
     if code != 0:
         faults.append(f"translate: exit code {code}\n{errors}")
     text = listing.read_text(encoding="utf-8").splitlines()
     body = text[text.index(":"):]
-    for n, (a, b) in enumerate(zip(body + [""] * 9, written.splitlines())):
-        if a != b:
-            faults.append(f"line {n + 1} behind the header: {b!r}, in the listing {a!r}")
-    if len(body) != len(written.splitlines()):
-        faults.append(f"{len(written.splitlines())} lines, in the listing {len(body)}")
+    faults += check_words("listing", body, written)
 
     with tempfile.TemporaryDirectory() as folder:
+        # Chapter 7.1: the part's cutter locations give the listing, and that gives the expansion.
+        locations = pathlib.Path(__file__).resolve().parent / "thesis.apt"
+        given = pathlib.Path(folder) / "given.nc"
+        code, _, errors = call(obrys, "translate", locations, "--to", "acramatic-2100", "-o", given)
+        if code != 0:
+            faults.append(f"cutter locations: exit code {code}\n{errors}")
+        faults += check_words("cutter locations", body, given.read_text(encoding="utf-8") if given.exists() else "")
+        code, stream, errors = call(obrys, "run", given)
+        if code != 0:
+            faults.append(f"what was written from cutter locations: exit code {code}\n{errors}")
+        faults += check_expansion("what was written from cutter locations", stream, expected)
+
         # Chapter 7.2: the five blocks as the control's own virtual machine writes them, in the listing's places.
         own = {"G82": "G82 G97 G94 G90 X40 Y20 Z50 R70 S500 F200 M3",
                "G83J13": "G83 G97 G94 G90 X40 Y20 Z53 R70 K10 J13 S500 F200 M3",
@@ -116,10 +140,14 @@ def main():
         other.write_text("\n".join(lines) + "\n", encoding="utf-8")
         if sum(line in own.values() for line in lines) != 5:
             faults.append("the control's own blocks were not put in place")
-        code, said, errors = call(obrys, "compare", one, other)
-        if code != 0:
-            faults.append(f"the control's own five blocks: compare says {code}\n{said}{errors}")
-    print("\n".join(faults) or f"{len(cycles)} cycles as expected, {len(body)} lines word for word")
+        same = pathlib.Path(folder) / "same.apt"
+        same.write_text(locations.read_text(encoding="utf-8").replace("53.0043", "53"), encoding="utf-8")
+        for first in (one, same):
+            code, said, errors = call(obrys, "compare", first, other)
+            if code != 0:
+                faults.append(f"the control's own five blocks and {first.name}: compare says {code}\n{said}{errors}")
+    print("\n".join(faults) or f"{len(expected['cycles'])} cycles as expected, {len(body)} lines word for word, from the listing "
+          "and from cutter locations")
     return 1 if faults else 0
 
 

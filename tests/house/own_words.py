@@ -34,10 +34,11 @@ FOREIGN = {  # ROT, TRANS DATUM and MIRROR IMAGE are HEIDENHAIN's, too
     "haas": KLARTEXT + SIEMENS + EDGES + LINUXCNC + BITS,
     "acramatic": KLARTEXT + [w for w in SIEMENS if not w.startswith(r"\$")] + EDGES + MACRO + LINUXCNC + FANUC_CODES[1:] + BITS,
     "apt": [w for w in KLARTEXT + SIEMENS if "TRANS" not in w] + EDGES + MACRO + LINUXCNC + FANUC_CODES + BITS + G_WORDS,
+    "fusion": [w for w in KLARTEXT + SIEMENS if "PLANE" not in w] + EDGES + MACRO + LINUXCNC + FANUC_CODES + BITS + G_WORDS,
 }
 # Cutter locations have no such words: what the stages for all controls say with them cannot come up, or is seen in
 # the golden cases.
-BY_CASES_ALONE = ["apt", "acramatic"]
+BY_CASES_ALONE = ["apt", "acramatic", "fusion"]
 # Messages with a word of another control on purpose: how they begin, and why.
 ON_PURPOSE = {
     "O1002.nc, line ": "a file that obrys translate writes for the target",
@@ -160,7 +161,7 @@ FILES_OF = {
 }
 SUFFIXES = {"mpf": "sinumerik", "spf": "sinumerik", "arc": "sinumerik", "h": "heidenhain", "i": "heidenhain", "ngc": "linuxcnc"}
 SAID = re.compile(r"^(?:\S+:\d+:\d+: )?(?:error|warning|note): (.*)|^  (?:\S+:\d+:\d+: )?(\S.*) \[[a-z-]+\]$|^ +(remedy: .*)")
-LEAST = {"apt": 20, "acramatic": 20, "heidenhain": 300, "sinumerik": 300, "fanuc": 300, "linuxcnc": 100, "haas": 30}
+LEAST = {"apt": 20, "fusion": 20, "acramatic": 20, "heidenhain": 300, "sinumerik": 300, "fanuc": 300, "linuxcnc": 100, "haas": 30}
 
 
 def control_of(case, text):
@@ -261,6 +262,8 @@ def controls_of(source, file):
         return ["linuxcnc"] if "linuxcnc" in name else ["acramatic"] if "acramatic" in name else ["fanuc", "haas"] if "fanuc" in name else ["linuxcnc", "fanuc"]
     if "/apt/" in name:
         return ["apt"]
+    if "/fusion/" in name:
+        return ["fusion"]
     return [c for c in FOREIGN if c not in BY_CASES_ALONE]
 
 

@@ -2,8 +2,9 @@
 /// page on CIRCLE as quoted in the Siemens NX Manufacturing forum ("i,j,k is the circle or helix axis vector in the MCS
 /// (assuming a clockwise direction)"), and ICAM V23's release notes (CIR_360 is NO for NX). Creo: PTC, "CL Output for
 /// Circular Interpolation" (right hand rule, several points an arc). SolidWorks CAM: texts of the corpus with the
-/// Klartext that their postprocessor made. PowerMill: Delcam, "CLDATA as used by PowerMill" (ISO 4343). Mastercam: its
-/// NCI as APT by ICAM's conversion; nothing of its own is known to differ.
+/// Klartext that their postprocessor made. PowerMill: Delcam, "CLDATA as used by PowerMill" (ISO 4343); the thesis of
+/// 2021 on its postprocessor for Acramatic 2100 (the hole's top and the pecks that count from it). Mastercam: its NCI
+/// as APT by ICAM's conversion; nothing of its own is known to differ.
 
 #include "dialect/apt/systems.hpp"
 
@@ -27,7 +28,7 @@ constexpr std::array systems{
            .several_points = true,
            .rapid_to = RapidTo::from_clearance},
     System{.name = "SolidWorks CAM", .signs = {"CSI_SET_", "TRNTYP/"}, .inserts_notes = true, .system_aims_tool = true},
-    System{.name = "PowerMill", .signs = {"POWERMILL", "DUCTPOST"}},
+    System{.name = "PowerMill", .signs = {"POWERMILL", "DUCTPOST"}, .holes_begin_at_surface = true},
     System{.name = "Mastercam", .signs = {"MASTERCAM", "$$MCAM"}},
 };
 

@@ -23,6 +23,8 @@ struct System {
     /// An arc to where it starts is a whole circle; else it is none.
     bool same_point_is_circle = true;
     RapidTo rapid_to = RapidTo::above_point;
+    /// The point of a hole is the top of the work, which steps count from; else they count from where the feed begins.
+    bool holes_begin_at_surface = false;
     bool inserts_notes = false;     ///< INSERT holds notes for the operator; else what the control shall get
     bool system_aims_tool = false;  ///< CSYS says how the tool stands: its third column
 };

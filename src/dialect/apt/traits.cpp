@@ -15,17 +15,20 @@ using program::CannedWord;
 using program::Code;
 
 constexpr CannedWord retract{Code::e, CycleRole::return_level, true, 1};
+constexpr CannedWord surface{Code::i1, CycleRole::surface, true, 1};
 constexpr CannedWord dwell{Code::p, CycleRole::dwell_bottom, false, 1};
 constexpr CannedWord infeed{Code::q, CycleRole::infeed, true, 1};
 constexpr CannedWord decrement{Code::j, CycleRole::decrement, true, 1};
 constexpr CannedWord least{Code::k, CycleRole::min_infeed, true, 1};
 
-constexpr std::array plain{retract, dwell};
-constexpr std::array pecks{retract,   dwell, infeed,
-                           decrement, least, CannedWord{Code::i, CycleRole::stop_distance_first, true, 1}};
-constexpr std::array chips{retract,   dwell, infeed,
-                           decrement, least, CannedWord{Code::i, CycleRole::chip_break_distance, true, 1}};
-constexpr std::array threads{retract, dwell, CannedWord{Code::i, CycleRole::pitch, true, 1}};
+constexpr std::array plain{retract, dwell, surface};
+constexpr std::array pecks{
+    retract, surface, dwell, infeed, decrement, least, CannedWord{Code::i, CycleRole::stop_distance_first, true, 1}};
+constexpr std::array chips{
+    retract, surface, dwell, infeed, decrement, least, CannedWord{Code::i, CycleRole::chip_break_distance, true, 1}};
+constexpr std::array threads{retract, dwell,
+                             surface, CannedWord{Code::i, CycleRole::pitch, true, 1},
+                             infeed,  CannedWord{Code::k1, CycleRole::chip_break_turns, false, 1}};
 
 /// In the order of Hole.
 constexpr std::array canned{

@@ -153,6 +153,7 @@ constexpr program::Traits common{
 program::Traits traits_of(std::span<const program::CannedCycle> cycles, bool haas, bool lathe) {
     program::Traits t = common;
     t.canned = cycles;
+    t.pitch_along = program::PitchAlong::farthest_axis;
     if (haas) t.kept = haas_kept;
     if (!haas) t.line_without_centre = "bit CIR of parameter 3403 = 0";  // operator's manual, circular interpolation
     if (!haas) t.angles_from_zero = "bit NAT of parameter 6004 = 0";     // operator's manual, custom macro, arithmetic

@@ -165,6 +165,7 @@ constexpr program::Traits traits{
     .missing_program_stops = true,
     .needs_feed = true,
     .refuses_unready = true,
+    .pitch_along = program::PitchAlong::move,
     .cancel_leaves_no_motion = true,
     .hole_ends_at_least_at_retract_plane = true,
     .tap_keeps_dwell = true,

@@ -111,6 +111,13 @@ std::string take_heights(const State& s, HoleCycle& c, const Sizes& sizes) {
     return {};
 }
 
+/// Steps of a rigid tap, behind which it goes back to break the chip.
+std::string take_breaks(State& s, const HoleCycle& c) {
+    if (c.first_step && c.first_step != c.step.value_or(*c.first_step)) return "a tap's steps are all of one size";
+    if (!c.back) assume(s, c.begin, c.end, "nothing says how far a tap goes back to break chips: one turn is taken");
+    return {};
+}
+
 std::string take_kind(State& s, HoleCycle& c) {
     if (c.hole == Hole::tap_floating && !c.pitch && c.feed && c.feed->mode == Modal::feed_per_rev) {
         c.pitch = c.feed->value;
@@ -121,6 +128,7 @@ std::string take_kind(State& s, HoleCycle& c) {
     const bool pecks = c.hole == Hole::peck || c.hole == Hole::chip_break;
     if (pecks && !c.step && !c.first_step) return "it says no step (STEP, 1STPECK)";
     if (!pecks && (c.step || c.first_step)) {
+        if (c.hole == Hole::tap_rigid) return take_breaks(s, c);
         if (c.hole != Hole::drill) return "steps of this cycle are not run";
         c.hole = Hole::peck;
     }
@@ -167,12 +175,24 @@ void read_cycle(State& s, const Arguments& a) {
 
 namespace {
 
+/// The cycle's feed is its pitch by the speed of the spindle: it says the pitch, as controls take it.
+bool feeds_by_pitch(const State& s, const HoleCycle& c) {
+    return c.pitch && c.feed && c.feed->mode == Modal::feed_per_minute && s.speed > 0 &&
+           std::abs(c.feed->value - *c.pitch * s.speed) < 1e-9 * c.feed->value;
+}
+
 void tell_sizes(State& s, const HoleCycle& c, const Vec3& at) {
     const auto tell = [&](Code code, double v) { s.build.literal(code, v, c.begin, c.end); };
     tell(Code::radius, at.z + c.clearance);
     if (c.retract) tell(Code::e, at.z + std::max(*c.retract, c.clearance));
     if (c.dwell && *c.dwell > 0) tell(Code::p, *c.dwell);
-    if (c.hole == Hole::tap_rigid) tell(Code::i, *c.pitch);
+    if (s.system.holes_begin_at_surface) tell(Code::i1, at.z);
+    if (c.hole == Hole::tap_rigid) {
+        if (!feeds_by_pitch(s, c)) tell(Code::i, *c.pitch);
+        if (!c.step && !c.first_step) return;
+        tell(Code::q, c.step.value_or(c.first_step.value_or(0)));
+        tell(Code::k1, c.back ? *c.back / *c.pitch : 1);
+    }
     if (c.hole != Hole::peck && c.hole != Hole::chip_break) return;
     const double mm = s.inch > 0 ? s.inch : 1;
     const double first = c.first_step.value_or(c.step.value_or(0)), step = c.step.value_or(first);
@@ -212,7 +232,7 @@ void run_hole(State& s, const Vec3& at) {
         return refuse(s, "a hole cycle with a tool that does not stand along Z is not run");
     rise_to(s, at.z + c.clearance);
     begin_block(s);
-    const bool own = c.feed && c.hole != Hole::tap_rigid;
+    const bool own = c.feed && (c.hole != Hole::tap_rigid || feeds_by_pitch(s, c));
     if (own || (s.feed && !s.feed_told)) {
         tell_feed(s, own ? *c.feed : *s.feed);
         s.feed_told = !own;

@@ -69,4 +69,28 @@ TEST(AptCycle, AToolBesideZIsRefused) {
     EXPECT_NE(r.problems().find("does not stand along Z"), std::string::npos);
 }
 
+TEST(AptCycle, OfPowerMillThePointIsTheTopOfTheWork) {
+    const std::string holes = "UNITS/MM\nCYCLE/DEEP,FEDTO,9,STEP,2,BACK,1,MMPM,100,RAPTO,3\nGOTO/0,0,10\n";
+    EXPECT_EQ(value(Reading("$$ PowerMill\n" + holes), Code::i1), 10);
+    EXPECT_TRUE(std::isnan(value(Reading(holes), Code::i1)));
+}
+
+TEST(AptCycle, ARigidTapBreaksChipsByTurns) {
+    const Reading r("UNITS/MM\nCYCLE/TAP,FEDTO,9,PITCH,0.5,STEP,3,BACK,1,RAPTO,3\nGOTO/0,0,0\n");
+    EXPECT_EQ(value(r, Code::q), 3);
+    EXPECT_EQ(value(r, Code::k1), 2);
+    EXPECT_EQ(value(r, Code::i), 0.5);
+    const Reading plain("UNITS/MM\nCYCLE/TAP,FEDTO,9,PITCH,0.5,STEP,3,RAPTO,3\nGOTO/0,0,0\n");
+    EXPECT_EQ(value(plain, Code::k1), 1);
+    EXPECT_NE(plain.messages().find("one turn is taken"), std::string::npos);
+}
+
+TEST(AptCycle, AFeedThatIsTheThreadByTheSpeedCounts) {
+    const Reading r("UNITS/MM\nSPINDL/200,RPM,CLW\nCYCLE/TAP,FEDTO,9,PITCH,0.5,MMPM,100,RAPTO,3\nGOTO/0,0,0\n");
+    EXPECT_EQ(value(r, Code::feed), 100);
+    EXPECT_TRUE(std::isnan(value(r, Code::i)));
+    const Reading other("UNITS/MM\nSPINDL/200,RPM,CLW\nCYCLE/TAP,FEDTO,9,PITCH,0.5,MMPM,90,RAPTO,3\nGOTO/0,0,0\n");
+    EXPECT_EQ(value(other, Code::i), 0.5);
+}
+
 }  // namespace obrys::read::apt

@@ -74,6 +74,7 @@ struct State {
     bool tool_has_size = false, moved_with_tool = false, turns = false;
     int spindle = 3;  ///< M3, M4: the direction that ON means
     bool surface = false;
+    double speed = 0;  ///< of the spindle in 1/min; 0: not known
     std::optional<std::array<double, 12>> placement;
     int setups = 0;
 

@@ -108,6 +108,7 @@ void tell_spindle(State& s, const SpindleWords& w) {
     const bool inches = s.inch > 1;  // the interpreter counts feet then
     if (w.unit == Unit::feet && !inches) speed *= 0.3048;
     if (w.unit == Unit::metres && inches) speed /= 0.3048;
+    if (w.speed) s.speed = surface ? 0 : speed;
     if (w.speed) s.build.literal(Code::spindle, speed, s.line.begin, s.line.end);
     if (w.limit) s.build.literal(Code::speed_limit, *w.limit, s.line.begin, s.line.end);
     if (w.angle) s.build.literal(Code::radius, *w.angle, s.line.begin, s.line.end);
