@@ -63,7 +63,9 @@ void BlockWords::modal(const program::Word& word) {
         case Modal::arc_cw:
         case Modal::arc_ccw: motion_ = m; return;
         case Modal::paraxial: {
-            const bool rapid = (program::modal_number(word) & program::paraxial_rapid) != 0;
+            const int said = program::modal_number(word);
+            const bool rapid = (said & program::paraxial_rapid) != 0;
+            if ((said & (program::paraxial_rapid | program::paraxial_feed)) == 0) return;  // by another word
             motion_ = rapid ? Modal::rapid : Modal::linear;
             return;
         }
@@ -171,6 +173,7 @@ void BlockWords::take(Code code, ExprId id, const Text& v) {
             change_ = true;
             if (v.number) tool_ = v, joined_offset_ = true;
             return;
+        case Code::cycle_call: call_cycle_ = true; return;
         case Code::p: dwell_time_ = v; return;
         case Code::offset_h: offset_ = v; return;
         case Code::offset_d: return;  // of the tool's own radius: with G41 the text says it again

@@ -10,6 +10,13 @@ public:
     explicit BlockWords(Writing& w) : w_(w) {}
     void write();
 
+    /// A word with its value. `is_length`: the language may want its sign.
+    std::string spelt(std::string_view word, const Text& v, bool is_length);
+    /// A chamfer or rounding behind an element.
+    std::string corner(std::string_view key, const Text& v);
+    /// An arc's centre by its coordinates.
+    std::string absolute_centre(const Text& u, const Text& v);
+
 private:
     struct Axis {
         char letter;
@@ -21,9 +28,7 @@ private:
     void take(program::Code code, ExprId id, const Text& v);
     void axis(char letter, ExprId id, const Text& given);
     Text across(const Text& v, bool source_across);
-    /// A word with its value. `is_length`: the language may want its sign.
-    std::string spelt(std::string_view word, const Text& v, bool is_length);
-    /// The same with a blank before it; empty where there is no value.
+    /// `spelt` with a blank before it; empty where there is no value.
     std::string optional(std::string_view word, const std::optional<Text>& v);
 
     void modes();
@@ -32,6 +37,7 @@ private:
     void spindle();
     bool function_before(int m);
     void function_behind(int m);
+    void stop();
     void move();
     std::string axes_text();
     std::string centre_text();
@@ -45,6 +51,7 @@ private:
     std::vector<Axis> axes_;
     std::vector<std::pair<std::size_t, Text>> centre_;  ///< 0: along X
     std::optional<Text> radius_, feed_, speed_, limit_, tool_, edge_, dwell_time_, offset_;
+    bool call_cycle_ = false;
     std::vector<int> m_;
 };
 

@@ -52,9 +52,19 @@ bool BlockWords::function_before(int m) {
     }
 }
 
+/// The control may stop spindle and coolant with the program.
+void BlockWords::stop() {
+    for (const program::SpindleStop& s : w_.unit->traits->spindle_stops) {
+        if (s.function != 0 || !s.certain) continue;
+        w_.say("words.spindle-stop", {}, "M5");
+        if (s.coolant) w_.say("words.coolant-off", {}, "M9");
+    }
+    w_.say("flow.stop", {}, "M0");
+}
+
 void BlockWords::function_behind(int m) {
     switch (m) {
-        case 0: return static_cast<void>(w_.say("flow.stop", {}, "M0"));
+        case 0: return stop();
         case 1: return static_cast<void>(w_.say("flow.optional-stop", {}, "M1"));
         case 2:
         case 30: return w_.end_all();
@@ -188,6 +198,26 @@ std::string BlockWords::axes_text() {
     return lines_of_block(words);
 }
 
+std::string BlockWords::corner(std::string_view key, const Text& v) {
+    const std::string* form = w_.language.find(key);
+    if (form == nullptr) {
+        w_.refuse(w_.here, "a chamfer or rounding by its word has no counterpart there");
+        return {};
+    }
+    const bool bare = v.number || v.level == Level::atom;
+    return filled(*form,
+                  {{"value", v.text}, {"bracketed", bare ? v.text : w_.language.open + v.text + w_.language.close}});
+}
+
+std::string BlockWords::absolute_centre(const Text& u, const Text& v) {
+    const std::string* form = w_.language.find("words.centre-absolute");
+    if (form == nullptr) {
+        w_.refuse(w_.here, "an arc's centre by its coordinates has no counterpart there");
+        return {};
+    }
+    return filled(*form, {{"u", u.text}, {"v", v.text}, {"x", spelt("X", u, true)}, {"y", spelt("Y", v, true)}});
+}
+
 std::string BlockWords::centre_text() {
     const std::string* names = w_.language.find("words.centre");
     if (radius_) {
@@ -291,6 +321,7 @@ void BlockWords::write() {
     for (const int m : m_)
         if (!function_before(m)) behind.push_back(m);
     move();
+    if (call_cycle_) w_.cycle_call();
     std::stable_partition(behind.begin(), behind.end(), [](int m) { return m != 2 && m != 30 && m != 17; });
     for (const int m : behind) function_behind(m);
 }

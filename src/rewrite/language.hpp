@@ -1,6 +1,6 @@
 #pragma once
 /// How a control spells what a program computes and where it goes: the tables [expressions], [parameters], [flow] and
-/// [words] of its post. File form: docs/translate.md.
+/// [words] of its post, and [system] and [[cycle-program]]. File form: docs/translate.md.
 
 #include <cstdint>
 #include <map>
@@ -12,6 +12,7 @@
 
 #include "base/diagnostic.hpp"
 #include "base/source.hpp"
+#include "cl/cycle.hpp"
 
 namespace obrys::rewrite {
 
@@ -26,6 +27,14 @@ enum class LocalPlace : std::uint8_t {
     file,     ///< numbered, the whole file has them in common: no two programs may use the same
     program,  ///< numbered, every called program has its own
     name,     ///< they keep their names
+};
+
+/// A cycle as a program of its own.
+struct CycleProgram {
+    std::string call;  ///< {name} and the cycle's values by their roles
+    std::string feed;  ///< of the contour's blocks
+    std::string away;  ///< what holds how far the tool's centre lies from the contour
+    std::string text;  ///< of the program
 };
 
 struct Language {
@@ -50,6 +59,12 @@ struct Language {
     [[nodiscard]] const std::string* find(std::string_view key) const {
         const auto found = texts.find(key);
         return found == texts.end() ? nullptr : &found->second;
+    }
+    std::map<cl::CycleKind, CycleProgram> cycles;
+
+    [[nodiscard]] const CycleProgram* cycle(cl::CycleKind kind) const {
+        const auto found = cycles.find(kind);
+        return found == cycles.end() ? nullptr : &found->second;
     }
     [[nodiscard]] bool has(std::string_view key) const { return find(key) != nullptr; }
 };

@@ -50,6 +50,8 @@ struct Line {
     base::Span from;
 };
 
+struct ContourText;
+
 class Writing {
 public:
     Writing(const Input& input, const Language& language);
@@ -100,6 +102,19 @@ public:
     void leave();
     void end_all();
     [[nodiscard]] std::string program_name(const Unit& unit);
+
+    // cycles.cpp
+    void cycle_definition(const program::CycleDefinition& d);
+    void cycle_call();
+
+    // contour_text.cpp
+    /// The contour in these statements; nothing after a complaint.
+    std::optional<ContourText> contour_text(const Unit& of, const Range& range);
+    /// Its blocks behind the first point.
+    std::string contour_blocks(const ContourText& contour, const std::string& feed);
+
+    // system.cpp
+    Text system(const Expr& e, ExprId id);
 
     // blocks.cpp
     void block(std::uint32_t statement);
@@ -158,6 +173,15 @@ private:
     /// Declares the unit's own names, in front of what stands behind line `top`.
     void declare(std::size_t top);
     Rewritten finished(const std::string& name);
+    void say_behind();
+    std::optional<Text> tool_of(const Expr& e);
+    struct NamedContour;
+    std::optional<NamedContour> contour_here();
+    /// The name of the program that stands for a cycle here; null after a complaint.
+    const std::string* cycle_program(const program::CycleDefinition& d, const CycleProgram& p);
+    void set_of_cycle(const program::CycleDefinition& d, const program::CycleSetting& s);
+    /// The programs give it a value somewhere.
+    [[nodiscard]] bool is_assigned(std::uint32_t parameter) const;
 
     std::map<std::uint32_t, std::string> labels_;   ///< of the unit's statements, as the program calls them
     std::map<std::uint32_t, std::string> settled_;  ///< … and as they are called there
@@ -176,6 +200,8 @@ private:
     std::map<std::pair<const Unit*, std::uint32_t>, Part> parts_;  ///< by their first statement
     std::vector<std::uint32_t> waiting_;                           ///< parts of the unit to be written
     std::set<std::uint32_t> inline_;  ///< statements to which more than calls of labels lead
+    std::map<std::pair<cl::CycleKind, int>, std::string> cycle_programs_;  ///< names, by the place of the contour
+    std::vector<Line> said_behind_;                                        ///< texts of programs
     bool jumps_refused_ = false;
     std::string last_message_;
 };
