@@ -106,7 +106,7 @@ std::map<std::string, double> inputs_by_name(const Session& s) {
     };
     for (const auto& unit : s.programs->units()) {
         for (const program::Assign& a : unit->assigns) take(*unit, a.target, constant_of(*unit, a.value));
-        for (const program::For& f : unit->fors) take(*unit, f.variable, constant_of(*unit, f.from));
+        for (const program::For& f : unit->fors) take(*unit, f.variable, 0.0);  // what counts is no input
     }
     std::map<std::string, double> out;
     for (const auto& [name, values] : assigned)
@@ -145,6 +145,9 @@ std::vector<std::vector<std::string>> other_values(const Session& s, const rewri
     std::erase_if(inputs, [&](const auto& input) {
         return std::none_of(map.begin(), map.end(), [&](const auto& pair) { return pair.first == input.first; });
     });
+    // 1 and -1 are choices, as climb and up-cut; where there is nothing else, they are what can be varied.
+    const auto is_choice = [](const auto& input) { return input.second == 1 || input.second == -1; };
+    if (!std::all_of(inputs.begin(), inputs.end(), is_choice)) std::erase_if(inputs, is_choice);
     std::vector<std::vector<std::string>> out;
     std::mt19937 random(1);  // NOLINT: the same values every time
     std::uniform_int_distribution<int> share(-200, 200);

@@ -17,6 +17,7 @@ Text Sums::plus(const Text& a, const Text& b) {
     if (a.number == 0.0) return b;
     if (b.number == 0.0) return a;
     if (b.number && *b.number < 0) return minus(a, w_.number_text(-*b.number));
+    if (b.level == Level::sign && b.text[0] == '-') return minus(a, {b.text.substr(1), Level::atom, std::nullopt});
     return w_.joined("operators.add", a, b, Level::sum);
 }
 
