@@ -62,6 +62,8 @@ void BlockWords::modal(const program::Word& word) {
         case Modal::linear:
         case Modal::arc_cw:
         case Modal::arc_ccw: motion_ = m; return;
+        case Modal::arc_same_sense: same_sense_ = true; return;
+        case Modal::pole_given: is_pole_ = true; return;
         case Modal::paraxial: {
             const int said = program::modal_number(word);
             const bool rapid = (said & program::paraxial_rapid) != 0;
@@ -160,10 +162,18 @@ void BlockWords::take(Code code, ExprId id, const Text& v) {
         case Code::i:
         case Code::j:
         case Code::k:
-            if (id != program::no_expr && w_.unit->exprs[id].kind == ExprKind::qualified) break;
+            if (id != program::no_expr && w_.unit->exprs[id].kind == ExprKind::qualified) {
+                const auto reference = static_cast<program::Reference>(w_.unit->exprs[id].op);
+                if (reference != program::Reference::absolute) break;
+                centre_counts_on_ = false;
+            }
             centre_.emplace_back(static_cast<std::size_t>(code) - static_cast<std::size_t>(Code::i), v);
             return;
         case Code::radius: radius_ = v; return;
+        case Code::centre_at_pole: about_pole_ = true; return;
+        case Code::round: corner_ = {"words.round", v}; return;
+        case Code::chamfer_leg: corner_ = {"words.chamfer-leg", v}; return;
+        case Code::chamfer_length: corner_ = {"words.chamfer", v}; return;
         case Code::feed: feed_ = v; return;
         case Code::spindle: speed_ = v; return;
         case Code::speed_limit: limit_ = v; return;

@@ -39,6 +39,16 @@ private:
     void function_behind(int m);
     void stop();
     void move();
+    std::optional<program::Modal> motion_here();
+    std::optional<std::string> compensation_text();
+    /// What of an arc, or beside a straight move, has no counterpart; true where something has not.
+    bool refuse_arc(bool arc);
+    [[nodiscard]] std::string_view key_of(program::Modal motion) const;
+    void no_move();
+    void write_move(program::Modal motion, const std::string& feed, const std::string& compensation, bool by_mode);
+    void pole();
+    /// Of the pole in force; nothing after a complaint.
+    std::optional<std::string> pole_text();
     std::string axes_text();
     std::string centre_text();
     [[nodiscard]] std::string source_of_block() const { return w_.source(w_.here); }
@@ -50,6 +60,9 @@ private:
     bool dwell_ = false, length_ = false, change_ = false, joined_offset_ = false;
     std::vector<Axis> axes_;
     std::vector<std::pair<std::size_t, Text>> centre_;  ///< 0: along X
+    bool centre_counts_on_ = true;                      ///< from the arc's start; else it has coordinates
+    bool is_pole_ = false, about_pole_ = false, same_sense_ = false;
+    std::optional<std::pair<std::string_view, Text>> corner_;  ///< chamfer or rounding: what it is
     std::optional<Text> radius_, feed_, speed_, limit_, tool_, edge_, dwell_time_, offset_;
     bool call_cycle_ = false;
     std::vector<int> m_;

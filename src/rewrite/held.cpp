@@ -48,6 +48,8 @@ Held behind(const Unit& unit, std::size_t number, std::uint32_t statement, Held 
         if (feed_word && unit.traits->feed_mode_ends_surface_speed) h[Mode::surface] = 0;
         set_mode(h, m);
         if (m == Modal::pole_given) h[Mode::pole] = place;
+        if (m == Modal::pole_from_position || m == Modal::pole_from_zero || m == Modal::pole_from_pole)
+            h[Mode::pole] = nowhere;
     }
     return h;
 }

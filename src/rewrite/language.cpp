@@ -40,7 +40,8 @@ constexpr std::array known_tables{
         "rapid linear arc-cw arc-ccw arc-radius-cw arc-radius-ccw radius centre no-move plane-xy plane-zx plane-yz "
         "absolute incremental incremental-value incremental-letters per-minute per-rev surface revolutions spindle "
         "cw ccw spindle-stop tool tool-has-speed edge flood mist coolant-off comp-left comp-right comp-off "
-        "comp-off-alone dwell datum length-on speed-limit surface-limit round chamfer-leg chamfer centre-absolute"},
+        "comp-off-alone dwell datum length-on speed-limit surface-limit round chamfer-leg chamfer centre-absolute "
+        "arc-absolute-cw arc-absolute-ccw"},
     KnownTable{"system",
                "tool-number tool-radius tool-edge feed spindle-speed table-length table-radius table-corner-radius "
                "table-delta-length table-delta-radius table-delta-corner"},
@@ -105,6 +106,7 @@ void read_switches(Section& s, std::string_view table, Language& l) {
         l.step = static_cast<int>(s.integer("step", 0, 1000).value_or(0));
     } else if (table == "words") {
         l.across = s.boolean("across").value_or(false);
+        l.corner_beside = s.boolean("corner-beside").value_or(true);
         l.feed_ends_surface = s.boolean("feed-ends-surface").value_or(false);
     }
 }

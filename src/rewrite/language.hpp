@@ -45,6 +45,7 @@ struct Language {
     bool sign = false;               ///< values of words have one: "+5"
     bool computes = true;            ///< words take expressions; else a number or a parameter alone
     bool across = false;             ///< X words are diameters
+    bool corner_beside = true;       ///< chamfers and roundings stand in the element's block; else behind it
     bool feed_ends_surface = false;  ///< saying per minute or revolution ends constant cutting speed
     bool subs_first = false;         ///< called programs stand before the main one
     bool numbered_labels = false, numbered_programs = false;

@@ -183,7 +183,7 @@ std::optional<std::string> Naming::scratch(const Unit& unit) {
     return all[used++];
 }
 
-std::optional<std::string> Naming::counter(const Unit& unit) { return local(unit, "COUNT_"); }
+std::optional<std::string> Naming::keeper(const Unit& unit, const std::string& wanted) { return local(unit, wanted); }
 
 std::vector<Renamed> Naming::all() const {
     std::vector<Renamed> out;

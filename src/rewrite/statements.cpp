@@ -329,7 +329,7 @@ void Writing::counted(std::uint32_t i) {
     const program::Branch& b = unit->branches[entry_of(*unit, i)];
     const bool opens = unit->statements[i].kind == StatementKind::repeat_count;
     std::string& name = counters_[opens ? i : b.target];
-    if (opens) name = naming.counter(*unit).value_or("");
+    if (opens) name = naming.keeper(*unit, "COUNT_").value_or("");
     if (name.empty()) return refuse(here, "there is no parameter left to count the passes of this loop");
     const Text counter{name, Level::atom, std::nullopt};
     const Condition more{

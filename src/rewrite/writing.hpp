@@ -140,6 +140,7 @@ public:
     base::Span here;       ///< its place
     std::vector<Line> lines;
     std::vector<Note> notes;
+    std::map<int, std::pair<Text, Text>> poles;        ///< by their places
     std::optional<Text> prepared_tool, prepared_edge;  ///< said last, and not changed to yet
     int tool_in_spindle = 0;                           ///< as the text says it last; 0: none
 

@@ -1,6 +1,7 @@
 #!/usr/bin/env python3
 """Programs translated by structure (translate --keep) can be called with other values: the groove of examples/groove, and of
-SHARED where that is there, to every control, and what was written on to the next one, with 20 sets of values each.
+SHARED where that is there, to every control, and what was written on to the next one, with 20 sets of values each; RADIUS.H and UKOS.H, which mill along a contour, to
+SINUMERIK.
 
 usage: keep.py OBRYS EXAMPLES [SHARED]
 """
@@ -10,6 +11,7 @@ import shutil
 import subprocess
 import sys
 import tempfile
+from random import Random
 
 SETS = 20
 JOB = """program = "{program}"
@@ -61,6 +63,72 @@ def groove(obrys, folder, main, more, name):
         translate(obrys, back, to, folder / f"{name}_back_{to}.txt")
 
 
+MILL = """program = "{program}"
+control = "{control}"
+machine = "mill-generic"
+[[tool]]
+number = 1
+kind = "bull-nose"
+diameter = 8.0
+corner_radius = 3.0
+"""
+
+
+def set_of(program, random):
+    """Values for what RADIUS.H and UKOS.H take, round ones among them; Q9 = 0 has the tool table asked."""
+    values = {
+        "Q0": random.choice([0, 1, 1, 1]), "Q6": random.choice([0, 1, 2]), "Q15": random.choice([1, 0, -1]),
+        "Q9": random.choice([0, 4, round(random.uniform(1, 5), 3)]), "Q1": round(random.uniform(-2, 2), 3),
+        "Q2": round(random.uniform(-3, 0), 3), "Q10": random.choice([0.5, 1, round(random.uniform(0.1, 2), 3)]),
+        "Q5": round(random.uniform(-10, 10), 2), "Q7": round(random.uniform(30, 50), 1),
+        "Q11": random.choice([100, 333]), "Q12": random.choice([500, 777])}
+    if program.startswith("RADIUS"):
+        values["Q8"] = random.choice([-9, round(random.uniform(1, 13), 2), -round(random.uniform(5, 17), 2)])
+        ends = sorted([random.choice([-45, 0, 30, 90, round(random.uniform(-90, 90), 1)]), round(random.uniform(-60, 60), 1)])
+        values["Q3"], values["Q4"] = ends if values["Q8"] < 0 else ends[::-1]
+    else:
+        values["Q3"] = random.choice([0, 30, 45, round(random.uniform(-75, 75), 1)])
+        values["Q4"] = random.choice([-10, -5, -round(random.uniform(0.5, 12), 2)])
+    return values
+
+
+def profile(obrys, folder, program):
+    """RADIUS.H and UKOS.H by structure to SINUMERIK, and compared with random sets of what they take."""
+    job = folder / f"{program}_a.toml"
+    job.write_text(MILL.format(program=f"HL_{program}.H", control="heidenhain-itnc530"))
+    out = folder / f"{program}.MPF"
+    translate(obrys, job, "sinumerik-840d", out)
+    there = folder / f"{program}_b.toml"
+    there.write_text(MILL.format(program=out.name, control="sinumerik-840d"))
+    random = Random(13)
+    same = alarms = 0
+    for _ in range(20 * SETS):
+        values = set_of(program, random)
+        given = [word for name, value in values.items() for word in ("--set", f"{name}={value}")]
+        run = subprocess.run([obrys, "compare", job, there, "--ledger", f"{out}.ledger.json", *given],
+                             capture_output=True, text=True, timeout=600)
+        if run.returncode == 0:
+            same += 1
+        elif len(re.findall(r"^\S+: error: ", run.stderr, re.M)) >= 2:
+            alarms += 1  # both stop
+        else:
+            raise SystemExit(f"{program} {values}: {run.returncode}\n{run.stdout}{run.stderr}")
+        if same == SETS:
+            break
+    print(f"{program} to sinumerik-840d: compare finds {same} random sets equal, {alarms} end with an alarm in both")
+    if same < SETS:
+        raise SystemExit(f"{program}: too few sets that run")
+
+
+def profiles(obrys, folder, source):
+    shutil.copytree(source, folder)
+    for name in ("RADIUS", "UKOS"):
+        main = (folder / f"HL_{name}.H").read_text(encoding="latin-1")
+        (folder / f"HL_{name}_OPR.H").write_text(main.replace(f"PGM {name}", f"PGM {name}_OPR"), encoding="latin-1")
+        for program in (name, f"{name}_OPR"):
+            profile(obrys, folder, program)
+
+
 def main():
     obrys, examples = sys.argv[1], pathlib.Path(sys.argv[2])
     shared = pathlib.Path(sys.argv[3]) if len(sys.argv) > 3 else None
@@ -78,6 +146,7 @@ def main():
         job = folder / "linuxcnc.toml"
         job.write_text(JOB.format(program="HLAVNI.MPF", control="sinumerik-840d", more="[variables]\nR0 = 180"))
         translate(obrys, job, "linuxcnc", folder / "thesis.ngc")
+        profiles(obrys, pathlib.Path(made) / "profiles", shared / "programs" / "heidenhain")
 
 
 if __name__ == "__main__":
