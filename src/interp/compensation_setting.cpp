@@ -137,7 +137,7 @@ void add_allowance(Run& run, path::Setting& s) {
         run, codes::unsupported, run.here(),
         "OFFN=" + base::fixed(more, 3) +
             " takes more off than the tool's radius: which side of the contour the tool runs on is not known",
-        "write G42 instead of G41, or the reverse, with OFFN of the other sign");
+        "compensate on the other side, with OFFN of the other sign");
     s.radius = 0;
 }
 

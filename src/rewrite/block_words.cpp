@@ -13,6 +13,16 @@ using program::Modal;
 
 namespace {
 
+/// The word of a block that changes the frame.
+std::optional<Modal> frame_of(const Unit& unit, std::uint32_t statement) {
+    for (std::uint32_t w = unit.statements[statement].first; w < unit.words_end(statement); ++w) {
+        if (program::code_of(unit.words[w]) != Code::modal) continue;
+        const Modal m = program::modal_of(unit.words[w]);
+        if (m == Modal::local_shift || m == Modal::rotation_on || m == Modal::rotation_off) return m;
+    }
+    return std::nullopt;
+}
+
 bool has_later_assign(const Unit& unit, std::uint32_t w, std::uint32_t end) {
     for (++w; w < end; ++w)
         if (program::code_of(unit.words[w]) == Code::assign) return true;
@@ -113,6 +123,10 @@ void BlockWords::modal(const program::Word& word) {
 void BlockWords::gather() {
     const Unit& unit = *w_.unit;
     const std::uint32_t end = unit.words_end(w_.at);
+    if (const auto frame = frame_of(unit, w_.at)) {
+        frame_ = frame;
+        return;
+    }
     std::vector<std::pair<Text, Text>> together;
     for (std::uint32_t i = unit.statements[w_.at].first; i < end; ++i) {
         const program::Word& word = unit.words[i];

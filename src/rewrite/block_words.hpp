@@ -56,6 +56,7 @@ private:
     Writing& w_;
     base::Span word_;  ///< at hand
     std::optional<program::Modal> motion_, plane_, distance_, feed_mode_, surface_, compensation_;
+    std::optional<program::Modal> frame_;  ///< G52, G68, G69: the whole block is theirs
     std::optional<int> datum_;
     bool dwell_ = false, length_ = false, change_ = false, joined_offset_ = false;
     std::vector<Axis> axes_;

@@ -303,6 +303,7 @@ void BlockWords::write_move(Modal motion, const std::string& feed, const std::st
 
 void BlockWords::write() {
     gather();
+    if (frame_) return w_.frame_block(*frame_);
     if (is_pole_) return pole();
     if (dwell_) {
         const auto time = w_.unit->traits->dwell_in_feed_words ? feed_ : dwell_time_;

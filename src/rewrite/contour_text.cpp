@@ -115,7 +115,7 @@ private:
 
     bool refuse(const std::string& what) {
         w_.refuse(w_.here, w_.source(w_.here) + ": " + what + ": it is not translated by structure",
-                  "write the contour with L, CC, C, RND and CHF alone");
+                  "write the contour with straight blocks, arcs about a pole, roundings and chamfers alone");
         return false;
     }
 

@@ -15,6 +15,12 @@ namespace {
 
 bool takes_contour(cl::CycleKind kind) { return kind == cl::CycleKind::contour_train; }
 
+bool is_frame(cl::CycleKind kind) {
+    using cl::CycleKind;
+    return kind == CycleKind::datum_shift || kind == CycleKind::rotation || kind == CycleKind::mirror ||
+           kind == CycleKind::scaling;
+}
+
 /// The first place of the text that has no value; empty where all have.
 std::string missing_place(std::string_view text, const Places& places) {
     for (std::size_t open = text.find('{'); open != std::string_view::npos; open = text.find('{', open + 1)) {
@@ -60,6 +66,7 @@ void Writing::set_of_cycle(const CycleDefinition& d, const CycleSetting& s) {
 
 void Writing::cycle_definition(const CycleDefinition& d) {
     if (d.kind == cl::CycleKind::contour_definition) return;
+    if (is_frame(d.kind)) return frame_cycle(d);
     const CycleProgram* program = language.cycle(d.kind);
     if (program == nullptr || !d.call_active)
         return refuse(here, source(here) + " is not translated by structure",

@@ -1,6 +1,7 @@
 #include "rewrite/held.hpp"
 
 #include "program/modal_group.hpp"
+#include "rewrite/frames.hpp"
 
 namespace obrys::rewrite {
 
@@ -39,6 +40,8 @@ Held behind(const Unit& unit, std::size_t number, std::uint32_t statement, Held 
     const int place = place_number(number, statement);
     if (unit.statements[statement].kind == StatementKind::cycle_definition)
         set_cycle(h, unit.cycles[entry_of(unit, statement)], place);
+    for (const Mode m : frame_parts_of(unit, statement, true)) h[m] = nowhere;
+    for (const Mode m : frame_parts_of(unit, statement, false)) h[m] = place;
     if (unit.statements[statement].kind == StatementKind::contour) h[Mode::contour] = several;  // CONTOUR DEF
     if (unit.statements[statement].kind != StatementKind::block) return h;
     for (std::uint32_t w = unit.statements[statement].first; w < unit.words_end(statement); ++w) {

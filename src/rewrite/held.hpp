@@ -22,6 +22,12 @@ enum class Mode : std::uint8_t {
     cycle,    ///< that a call runs
     contour,  ///< that a cycle works on
     pole,
+    shift_x,  ///< parts of the programmed frame, all in order
+    shift_y,
+    shift_z,
+    turn,
+    mirror,
+    scale,
     count,
 };
 inline constexpr int never_there = -2;  ///< no run comes here

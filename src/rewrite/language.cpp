@@ -42,6 +42,7 @@ constexpr std::array known_tables{
         "cw ccw spindle-stop tool tool-has-speed edge flood mist coolant-off comp-left comp-right comp-off "
         "comp-off-alone dwell datum length-on speed-limit surface-limit round chamfer-leg chamfer centre-absolute "
         "arc-absolute-cw arc-absolute-ccw"},
+    KnownTable{"frames", "shift shift-axis turn turn-off mirror mirror-off scale scale-off off"},
     KnownTable{"system",
                "tool-number tool-radius tool-edge feed spindle-speed table-length table-radius table-corner-radius "
                "table-delta-length table-delta-radius table-delta-corner"},
@@ -104,6 +105,9 @@ void read_switches(Section& s, std::string_view table, Language& l) {
         l.numbered_programs = s.choice("programs", {"names", "numbers"}).value_or(0) == 1;
         l.end_stops_all = s.boolean("end-stops-all").value_or(true);
         l.step = static_cast<int>(s.integer("step", 0, 1000).value_or(0));
+    } else if (table == "frames") {
+        l.frames_together = s.boolean("together").value_or(false);
+        l.shift_before_turn = s.boolean("shift-before-turn").value_or(false);
     } else if (table == "words") {
         l.across = s.boolean("across").value_or(false);
         l.corner_beside = s.boolean("corner-beside").value_or(true);

@@ -1,6 +1,6 @@
 #pragma once
 /// How a control spells what a program computes and where it goes: the tables [expressions], [parameters], [flow] and
-/// [words] of its post, and [system] and [[cycle-program]]. File form: docs/translate.md.
+/// [words] of its post, [frames], [system] and [[cycle-program]]. File form: docs/translate.md.
 
 #include <cstdint>
 #include <map>
@@ -46,6 +46,8 @@ struct Language {
     bool computes = true;            ///< words take expressions; else a number or a parameter alone
     bool across = false;             ///< X words are diameters
     bool corner_beside = true;       ///< chamfers and roundings stand in the element's block; else behind it
+    bool frames_together = false;    ///< a frame is said whole; else each part for itself
+    bool shift_before_turn = false;  ///< the shift cannot be changed while the axes are turned
     bool feed_ends_surface = false;  ///< saying per minute or revolution ends constant cutting speed
     bool subs_first = false;         ///< called programs stand before the main one
     bool numbered_labels = false, numbered_programs = false;

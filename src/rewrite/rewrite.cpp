@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "base/text.hpp"
+#include "rewrite/frames.hpp"
 #include "rewrite/writing.hpp"
 
 namespace obrys::rewrite {
@@ -103,6 +104,7 @@ Rewritten Writing::run(const std::string& name) {
     start[Mode::feed] = input.lathe ? 1 : 0;
     start[Mode::surface] = 0;
     for (const Mode m : {Mode::cycle, Mode::contour, Mode::pole}) start[m] = nowhere;
+    for (const Mode m : frame_modes) start[m] = nowhere;
     modes = held_modes(programs, start, graphs, [this](const Unit& u, const program::Call& c) { return callee(u, c); });
     std::vector<const Unit*> order = programs;
     if (language.subs_first) std::rotate(order.begin(), order.begin() + 1, order.end());
@@ -116,6 +118,7 @@ Rewritten Writing::run(const std::string& name) {
         const std::size_t top = lines.size();
         if (u == input.main && language.has("flow.main-start"))
             static_cast<void>(say("flow.main-start", {}, "the beginning"));
+        begin_frames();
         statements(*u);
         end_program(*u, u == input.main);
         declare(top);

@@ -176,6 +176,7 @@ void Writing::statement(std::uint32_t i) {
         case StatementKind::procedure: return procedure(unit->procedures[entry]);
         case StatementKind::define: return define(unit->defines[entry]);
         case StatementKind::repeat_section: return section(i);
+        case StatementKind::frame: return frame(unit->frames[entry]);
         case StatementKind::cycle_definition: return cycle_definition(unit->cycles[entry]);
         case StatementKind::return_:
             if (entry != 0) return refuse(here, "a return to another block is not translated by structure");

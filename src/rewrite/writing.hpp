@@ -107,6 +107,25 @@ public:
     void cycle_definition(const program::CycleDefinition& d);
     void cycle_call();
 
+    // frames.cpp
+    void frame_cycle(const program::CycleDefinition& d);
+    void frame(const program::FrameCall& call);
+    /// G52, G68, G69.
+    void frame_block(program::Modal m);
+    /// What a part of the frame is before this statement; nothing where that is not known.
+    std::optional<Text> frame_part(Mode part);
+    [[nodiscard]] Text nothing_of(Mode part) const;
+    /// A part that has different values by the way that the run has come, all of them in one place.
+    [[nodiscard]] bool frame_varies(Mode part) const;
+    /// Some statement gives it a value.
+    [[nodiscard]] bool frame_acts(Mode part) const;
+    std::optional<Text> frame_keeper(Mode part);
+    void begin_frames();
+    /// What the frame is behind it.
+    void keep_frame(const std::array<Text, 6>& parts);
+    /// There are more statements than one that change a frame.
+    [[nodiscard]] bool says_frames_again() const;
+
     // contour_text.cpp
     /// The contour in these statements; nothing after a complaint.
     std::optional<ContourText> contour_text(const Unit& of, const Range& range);
@@ -202,7 +221,9 @@ private:
     std::vector<std::uint32_t> waiting_;                           ///< parts of the unit to be written
     std::set<std::uint32_t> inline_;  ///< statements to which more than calls of labels lead
     std::map<std::pair<cl::CycleKind, int>, std::string> cycle_programs_;  ///< names, by the place of the contour
-    std::vector<Line> said_behind_;                                        ///< texts of programs
+    std::map<std::pair<const Unit*, Mode>, std::string> frame_keepers_;
+    std::map<std::pair<int, Mode>, Text> frame_values_;  ///< by the place that says them
+    std::vector<Line> said_behind_;                      ///< texts of programs
     bool jumps_refused_ = false;
     std::string last_message_;
 };

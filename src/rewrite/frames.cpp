@@ -1,0 +1,141 @@
+/// Shifts, rotations, mirror images and scalings: which are in force follows from the text.
+
+#include "rewrite/frames.hpp"
+
+#include <algorithm>
+
+#include "rewrite/writing.hpp"
+
+namespace obrys::rewrite {
+
+using program::Code;
+using program::CycleDefinition;
+using program::FrameOp;
+using program::Modal;
+
+namespace {
+
+bool has_modal(const Unit& unit, std::uint32_t statement, Modal m) {
+    for (std::uint32_t w = unit.statements[statement].first; w < unit.words_end(statement); ++w)
+        if (program::code_of(unit.words[w]) == Code::modal && program::modal_of(unit.words[w]) == m) return true;
+    return false;
+}
+
+void axes_named(const Unit& unit, std::uint32_t statement, std::vector<Mode>& parts) {
+    for (std::uint32_t w = unit.statements[statement].first; w < unit.words_end(statement); ++w)
+        if (const Code code = program::code_of(unit.words[w]); code <= Code::z)
+            parts.push_back(shift_modes[static_cast<std::size_t>(code)]);
+}
+
+std::vector<Mode> parts_of_cycle(const CycleDefinition& d) {
+    std::vector<Mode> parts;
+    if (d.kind == cl::CycleKind::datum_shift)
+        for (const program::CycleSetting& s : d.settings)
+            if (const auto axis = axis_of_role(s.role)) parts.push_back(shift_modes[*axis]);
+    if (d.kind == cl::CycleKind::rotation) parts.push_back(Mode::turn);
+    if (d.kind == cl::CycleKind::mirror) parts.push_back(Mode::mirror);
+    if (d.kind == cl::CycleKind::scaling) parts.push_back(Mode::scale);
+    return parts;
+}
+
+std::vector<Mode> parts_of_frame(const program::FrameCall& call, bool ended) {
+    if (!call.additive && ended) return {frame_modes.begin(), frame_modes.end()};
+    switch (call.op) {
+        case FrameOp::shift: return {shift_modes.begin(), shift_modes.end()};
+        case FrameOp::rotate: return {Mode::turn};
+        case FrameOp::mirror: return {Mode::mirror};
+        case FrameOp::scale: break;
+    }
+    return {Mode::scale};
+}
+
+}  // namespace
+
+std::optional<std::size_t> axis_of_role(cl::CycleRole role) {
+    switch (role) {
+        case cl::CycleRole::axis_x: return 0;
+        case cl::CycleRole::axis_y: return 1;
+        case cl::CycleRole::axis_z: return 2;
+        default: return std::nullopt;
+    }
+}
+
+std::vector<Mode> frame_parts_of(const Unit& unit, std::uint32_t statement, bool ended) {
+    const StatementKind kind = unit.statements[statement].kind;
+    if (kind == StatementKind::cycle_definition) return parts_of_cycle(unit.cycles[entry_of(unit, statement)]);
+    if (kind == StatementKind::frame) return parts_of_frame(unit.frames[entry_of(unit, statement)], ended);
+    std::vector<Mode> parts;
+    if (kind != StatementKind::block) return parts;
+    if (has_modal(unit, statement, Modal::local_shift)) axes_named(unit, statement, parts);
+    if (has_modal(unit, statement, Modal::rotation_on) || (ended && has_modal(unit, statement, Modal::rotation_off)))
+        parts.push_back(Mode::turn);
+    return parts;
+}
+
+Text Writing::nothing_of(Mode part) const {
+    if (part == Mode::mirror) return {"", Level::atom, std::nullopt};
+    return number_text(part == Mode::scale ? 1 : 0);
+}
+
+std::optional<Text> Writing::frame_part(Mode part) {
+    const int said = held()[part];
+    if (said == nowhere || !frame_acts(part)) return nothing_of(part);
+    const auto found = frame_values_.find({said, part});
+    const bool foreign = said >= 0 && programs[place_of(said).program] != unit;
+    if (said >= 0 && found != frame_values_.end() && (!foreign || found->second.number || part == Mode::mirror))
+        return found->second;
+    if (frame_varies(part)) return frame_keeper(part);
+    return std::nullopt;
+}
+
+bool Writing::frame_acts(Mode part) const {
+    for (const Unit* u : programs)
+        for (std::uint32_t i = 0; i < u->statements.size(); ++i) {
+            const std::vector<Mode> parts = frame_parts_of(*u, i, false);
+            if (std::find(parts.begin(), parts.end(), part) != parts.end()) return true;
+        }
+    return false;
+}
+
+/// The main program holds it in one place, where it alone says it and ways meet with different values.
+bool Writing::frame_varies(Mode part) const {
+    if (unit != programs.front() || part == Mode::mirror || !frame_acts(part)) return false;
+    bool meets = false;
+    for (const Unit* u : programs)
+        for (std::uint32_t i = 0; i < u->statements.size(); ++i) {
+            const std::vector<Mode> parts = frame_parts_of(*u, i, true);
+            if (parts.empty()) continue;
+            if (u != unit && std::find(parts.begin(), parts.end(), part) != parts.end()) return false;
+            meets = meets || (u == unit && modes.at(u)[i][part] == several);
+        }
+    return meets;
+}
+
+std::optional<Text> Writing::frame_keeper(Mode part) {
+    constexpr std::array names{"SHIFT_X", "SHIFT_Y", "SHIFT_Z", "TURN", "", "SCALE"};
+    const auto i = static_cast<std::size_t>(part) - static_cast<std::size_t>(Mode::shift_x);
+    std::string& name = frame_keepers_[{unit, part}];
+    if (name.empty()) name = naming.keeper(*unit, names[i]).value_or("");
+    return name.empty() ? std::nullopt : std::optional(Text{name, Level::atom, std::nullopt});
+}
+
+/// Places that the run reads before it writes them hold what a frame is that nobody has said.
+void Writing::begin_frames() {
+    for (const Mode m : frame_modes)
+        if (frame_varies(m))
+            if (const auto to = frame_keeper(m)) assign(*to, nothing_of(m));
+}
+
+void Writing::keep_frame(const std::array<Text, 6>& parts) {
+    const auto number = static_cast<std::size_t>(std::find(programs.begin(), programs.end(), unit) - programs.begin());
+    for (std::size_t i = 0; i < parts.size(); ++i) frame_values_[{place_number(number, at), frame_modes[i]}] = parts[i];
+}
+
+bool Writing::says_frames_again() const {
+    std::size_t n = 0;
+    for (const Unit* u : programs)
+        for (std::uint32_t i = 0; i < u->statements.size(); ++i) n += frame_parts_of(*u, i, true).empty() ? 0 : 1;
+    return n > 1;
+}
+
+}  // namespace obrys::rewrite
