@@ -31,6 +31,20 @@ std::string missing_place(std::string_view text, const Places& places) {
     return {};
 }
 
+/// A number with or without signs.
+std::optional<double> constant_of(const Unit& unit, ExprId id) {
+    const Expr& e = unit.exprs[id];
+    if (e.kind == ExprKind::number) return unit.numbers[e.a];
+    const auto v = e.kind == ExprKind::unary ? constant_of(unit, e.a) : std::nullopt;
+    if (v && static_cast<Operator>(e.op) == Operator::negate) return -*v;
+    return v && static_cast<Operator>(e.op) == Operator::plus ? v : std::nullopt;
+}
+
+/// The text has a place of this name.
+bool names_place(std::string_view text, std::string_view name) {
+    return text.find("{" + std::string(name) + "}") != std::string_view::npos;
+}
+
 }  // namespace
 
 struct Writing::NamedContour {
@@ -72,9 +86,11 @@ void Writing::cycle_definition(const CycleDefinition& d) {
         return refuse(here, source(here) + " is not translated by structure",
                       "translate without --keep: its moves are written then");
     for (const CycleSetting& s : d.settings) {
-        if (s.parameter == program::no_target)
-            return refuse(s.where, d.name + ": a value that no parameter holds is not translated by structure");
-        set_of_cycle(d, s);
+        const bool said = names_place(program->call, cl::spelling(s.role));
+        const auto literal = constant_of(*unit, s.value);
+        if (!said && literal != 0.0)
+            return refuse(s.where, d.name + ": " + source(s.where) + " is not translated by structure");
+        if (said && !(literal && !naming.parameter(*unit, s.parameter))) set_of_cycle(d, s);
     }
 }
 
@@ -109,14 +125,34 @@ std::optional<Writing::NamedContour> Writing::contour_here() {
     return NamedContour{said, of.name + " LBL " + name, std::move(*contour)};
 }
 
+/// A name for what stands for a cycle; empty where it has none yet.
+std::string& Writing::name_of_cycle(const CycleDefinition& d, int contour) {
+    std::string& name = cycle_programs_[{d.kind, contour}];
+    return name;
+}
+
+std::string Writing::fresh_cycle_name(const CycleDefinition& d) const {
+    const std::string n = std::to_string(cycle_programs_.size());
+    if (language.numbered_programs) return std::to_string(3000 + cycle_programs_.size());
+    std::string name = base::to_upper(cl::spelling(d.kind));
+    std::replace(name.begin(), name.end(), '-', '_');
+    return name + "_" + n;
+}
+
 const std::string* Writing::cycle_program(const CycleDefinition& d, const CycleProgram& p) {
+    if (!takes_contour(d.kind)) {
+        std::string& name = name_of_cycle(d, nowhere);
+        if (!name.empty()) return &name;
+        name = fresh_cycle_name(d);
+        said_behind_.push_back({filled(p.text, {{"name", name}, {"cycle", d.name}}), here});
+        tell(here, d.name + " is the program " + name + " there");
+        return &name;
+    }
     const auto contour = contour_here();
     if (!contour) return nullptr;
-    std::string& name = cycle_programs_[{d.kind, contour->place}];
+    std::string& name = name_of_cycle(d, contour->place);
     if (!name.empty()) return &name;
-    name = base::to_upper(cl::spelling(d.kind));
-    std::replace(name.begin(), name.end(), '-', '_');
-    name += "_" + std::to_string(cycle_programs_.size());
+    name = fresh_cycle_name(d);
     const Text away{p.away, Level::atom, std::nullopt};
     const ContourText &there = contour->text, back = there.reversed();
     const Place begin = beside(*this, there, false, away), end = beside(*this, there, true, away);
@@ -160,11 +196,14 @@ void Writing::cycle_call() {
                       "translate without --keep: its moves are written then");
     if (held()[Mode::plane] != 17)
         return refuse(here, d.name + " outside the plane of X and Y is not translated by structure");
-    const std::string* name = takes_contour(d.kind) ? cycle_program(d, *program) : nullptr;
+    const std::string* name = cycle_program(d, *program);
     if (name == nullptr) return;
     Places values{{"name", *name}};
-    for (const CycleSetting& s : d.settings)
-        values.emplace_back(cl::spelling(s.role), naming.parameter(of, s.parameter).value_or("0"));
+    for (const CycleSetting& s : d.settings) {
+        const auto literal = constant_of(of, s.value);
+        const auto parameter = naming.parameter(of, s.parameter);
+        if (parameter || literal) values.emplace_back(cl::spelling(s.role), parameter ? *parameter : number(*literal));
+    }
     if (const std::string role = missing_place(program->call, values); !role.empty())
         return refuse(here, d.name + " does not say its " + role, "write it in the definition");
     say(filled(program->call, values));

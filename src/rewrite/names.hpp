@@ -54,6 +54,7 @@ private:
     [[nodiscard]] Key key_of(const program::Unit& unit, std::uint32_t number) const;
     [[nodiscard]] Key key_of_name(const program::Unit& unit, program::NameId name) const;
     void met(const program::Unit& unit, const program::Expr& e);
+    void met_in_cycle(const program::Unit& unit, const program::CycleDefinition& c);
     struct Formal {
         std::size_t index;
         Key key;

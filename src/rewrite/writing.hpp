@@ -199,6 +199,8 @@ private:
     std::optional<NamedContour> contour_here();
     /// The name of the program that stands for a cycle here; null after a complaint.
     const std::string* cycle_program(const program::CycleDefinition& d, const CycleProgram& p);
+    std::string& name_of_cycle(const program::CycleDefinition& d, int contour);
+    [[nodiscard]] std::string fresh_cycle_name(const program::CycleDefinition& d) const;
     void set_of_cycle(const program::CycleDefinition& d, const program::CycleSetting& s);
     /// The programs give it a value somewhere.
     [[nodiscard]] bool is_assigned(std::uint32_t parameter) const;
