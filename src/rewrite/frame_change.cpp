@@ -191,7 +191,7 @@ private:
         const auto to = w_.frame_keeper(frame_modes[i]);
         if (!to) return w_.refuse(w_.here, "there is no parameter left for this frame");
         w_.assign(*to, now_[i]);
-        if (varies) before_[i] = unknown();
+        before_[i] = unknown();  // the place is the same, what it holds is not
         if (!now_[i].number) now_[i] = *to;
     }
 

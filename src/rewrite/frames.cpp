@@ -21,20 +21,34 @@ bool has_modal(const Unit& unit, std::uint32_t statement, Modal m) {
     return false;
 }
 
-void axes_named(const Unit& unit, std::uint32_t statement, std::vector<Mode>& parts) {
+/// A shift by 0 is none.
+void axes_named(const Unit& unit, std::uint32_t statement, bool ended, std::vector<Mode>& parts) {
     for (std::uint32_t w = unit.statements[statement].first; w < unit.words_end(statement); ++w)
-        if (const Code code = program::code_of(unit.words[w]); code <= Code::z)
+        if (const Code code = program::code_of(unit.words[w]);
+            code <= Code::z && (ended || !program::is_literal(unit.words[w]) || unit.literal(unit.words[w]) != 0))
             parts.push_back(shift_modes[static_cast<std::size_t>(code)]);
 }
 
-std::vector<Mode> parts_of_cycle(const CycleDefinition& d) {
+/// The setting's value is this number, whatever holds.
+bool says(const Unit& unit, const program::CycleSetting& s, double number) {
+    ExprId id = s.value;
+    while (id != program::no_expr && unit.exprs[id].kind == ExprKind::unary) id = unit.exprs[id].a;
+    return id != program::no_expr && !s.incremental && !s.as_modal && unit.exprs[id].kind == ExprKind::number &&
+           unit.numbers[unit.exprs[id].a] == number;
+}
+
+std::vector<Mode> parts_of_cycle(const Unit& unit, const CycleDefinition& d, bool ended) {
     std::vector<Mode> parts;
-    if (d.kind == cl::CycleKind::datum_shift)
-        for (const program::CycleSetting& s : d.settings)
-            if (const auto axis = axis_of_role(s.role)) parts.push_back(shift_modes[*axis]);
-    if (d.kind == cl::CycleKind::rotation) parts.push_back(Mode::turn);
-    if (d.kind == cl::CycleKind::mirror) parts.push_back(Mode::mirror);
-    if (d.kind == cl::CycleKind::scaling) parts.push_back(Mode::scale);
+    const bool mirror = d.kind == cl::CycleKind::mirror;
+    if (mirror && (ended || !d.settings.empty())) parts.push_back(Mode::mirror);
+    for (const program::CycleSetting& s : d.settings) {
+        const auto axis = axis_of_role(s.role);
+        const bool scale = d.kind == cl::CycleKind::scaling;
+        if (mirror || (!ended && says(unit, s, scale ? 1 : 0))) continue;
+        if (d.kind == cl::CycleKind::datum_shift && axis) parts.push_back(shift_modes[*axis]);
+        if (d.kind == cl::CycleKind::rotation) parts.push_back(Mode::turn);
+        if (scale) parts.push_back(Mode::scale);
+    }
     return parts;
 }
 
@@ -62,11 +76,12 @@ std::optional<std::size_t> axis_of_role(cl::CycleRole role) {
 
 std::vector<Mode> frame_parts_of(const Unit& unit, std::uint32_t statement, bool ended) {
     const StatementKind kind = unit.statements[statement].kind;
-    if (kind == StatementKind::cycle_definition) return parts_of_cycle(unit.cycles[entry_of(unit, statement)]);
+    if (kind == StatementKind::cycle_definition)
+        return parts_of_cycle(unit, unit.cycles[entry_of(unit, statement)], ended);
     if (kind == StatementKind::frame) return parts_of_frame(unit.frames[entry_of(unit, statement)], ended);
     std::vector<Mode> parts;
     if (kind != StatementKind::block) return parts;
-    if (has_modal(unit, statement, Modal::local_shift)) axes_named(unit, statement, parts);
+    if (has_modal(unit, statement, Modal::local_shift)) axes_named(unit, statement, ended, parts);
     if (has_modal(unit, statement, Modal::rotation_on) || (ended && has_modal(unit, statement, Modal::rotation_off)))
         parts.push_back(Mode::turn);
     return parts;

@@ -29,12 +29,13 @@ constexpr std::array known_tables{
                "sin cos tan asin acos asin-turn acos-turn atan atan2 atan2-turn angle-of sqrt abs square "
                "trunc round round-away round-up round-down ln log10 exp min max bound fraction"},
     KnownTable{"parameters", "own declare"},
-    KnownTable{"flow",
-               "file-begin file-end main-begin main-start main-end sub-begin sub-end label jump jump-if jump-equal "
-               "jump-not-equal jump-greater jump-less if else end-if while end-while "
-               "repeat until again loop end-loop call argument call-shared return end stop optional-stop alarm message "
-               "comment "
-               "repeat-section"},
+    KnownTable{
+        "flow",
+        "file-begin file-end main-begin main-start main-end sub-begin sub-end label jump jump-if jump-equal "
+        "jump-not-equal jump-greater jump-less if else end-if while end-while "
+        "repeat until again loop end-loop break call argument call-shared return end stop optional-stop alarm message "
+        "comment "
+        "repeat-section"},
     KnownTable{
         "words",
         "rapid linear arc-cw arc-ccw arc-radius-cw arc-radius-ccw radius centre no-move plane-xy plane-zx plane-yz "

@@ -14,6 +14,7 @@
 #include "rewrite/language.hpp"
 #include "rewrite/names.hpp"
 #include "rewrite/rewrite.hpp"
+#include "rewrite/structured.hpp"
 
 namespace obrys::rewrite {
 
@@ -184,6 +185,11 @@ private:
     void loop(std::uint32_t i);
     void counted(std::uint32_t i);
     void case_of(const program::Case& c);
+    // jumps.cpp
+    void find_structure();
+    std::string region_number(std::size_t region);
+    void borders(std::uint32_t i);
+    void structured_jump(const program::Jump& j);
     void jump_statement(const program::Jump& j);
     void section(std::uint32_t i);
     [[nodiscard]] bool keeps_structures() const { return language.has("flow.while"); }
@@ -226,6 +232,8 @@ private:
     std::map<std::pair<const Unit*, Mode>, std::string> frame_keepers_;
     std::map<std::pair<int, Mode>, Text> frame_values_;  ///< by the place that says them
     std::vector<Line> said_behind_;                      ///< texts of programs
+    std::optional<Structured> structured_;               ///< the jumps of the unit, where the control has none
+    std::vector<std::string> region_numbers_;            ///< of their regions
     bool jumps_refused_ = false;
     std::string last_message_;
 };

@@ -129,10 +129,125 @@ def profiles(obrys, folder, source):
             profile(obrys, folder, program)
 
 
+def goldens(obrys, folder):
+    """The programs of the goldens, with more sets of values."""
+    source = pathlib.Path(__file__).parent.parent / "golden" / "translate"
+    for golden in sorted(source.glob("keep-*.txt")):
+        sections = re.split(r"^--- (\w+)[ \t]*(.*)\n", golden.read_text(encoding="utf-8"), flags=re.M)[1:]
+        parts = list(zip(sections[::3], sections[1::3], sections[2::3]))
+        if "exit" in [kind for kind, _, _ in parts] and ("exit", "0", "") not in parts:
+            continue
+        here = folder / golden.stem
+        here.mkdir(parents=True)
+        for kind, name, text in parts:
+            if kind == "file":
+                (here / name).write_text(text, encoding="utf-8")
+        command = [word for word in parts[0][1].split()[1:]]
+        if "--sets" in command:
+            del command[command.index("--sets"):command.index("--sets") + 2]
+        run = subprocess.run([obrys, *command, "--sets", str(SETS)], capture_output=True, text=True, timeout=600, cwd=here)
+        same = len(re.findall(r"^does the same", run.stderr, re.M))
+        if run.returncode != 0 or same not in (1, SETS + 1):
+            raise SystemExit(f"{golden.name}: {same} of {SETS + 1} sets, exit code {run.returncode}\n{run.stderr}")
+        print(f"{golden.stem}: the same with {same} sets of values")
+
+
+class RandomKlartext:
+    """Blocks of what is translated between controls, one behind the other, by parameters Q1 to Q3."""
+
+    def __init__(self, random, corners, scales):
+        self.random, self.lines, self.label, self.corners, self.scales = random, [], 0, corners, scales
+
+    def value(self):
+        return self.random.choice(["+Q1", "+Q2", "-Q1", f"{self.random.uniform(-9, 9):+.2f}"])
+
+    def corner(self):
+        corner = self.random.choice([["RND R1.5"], ["CHF 1"], ["RND RQ3"], []])
+        self.lines += ["L X+0 Y+0", "L X+30", *corner, "L Y+40", *corner, "L IX-20 IY+10"]
+
+    def arc(self):
+        sense = self.random.choice("+-")
+        self.lines += ["L X+Q1 Y+0", f"CC X+Q1 Y+Q2", "Q9 = Q2 * 2", f"C X+Q1 Y+Q9 DR{sense}"]
+
+    def frame(self):
+        self.lines += ["CYCL DEF 7.0 DATUM SHIFT", f"CYCL DEF 7.1 X{self.value()}", f"CYCL DEF 7.2 Y{self.value()}"]
+        if self.random.random() < 0.6:
+            self.lines += ["CYCL DEF 10.0 ROTATION", f"CYCL DEF 10.1 ROT{self.value()}"]
+        self.random.choice([self.corner if self.corners else self.arc, self.arc, self.drill])()
+        if self.random.random() < 0.5:
+            self.lines += ["CYCL DEF 7.0 DATUM SHIFT", f"CYCL DEF 7.1 X{self.value()}", "L X+1 Y+2"]
+        self.lines += ["CYCL DEF 10.0 ROTATION", "CYCL DEF 10.1 ROT+0", "CYCL DEF 7.0 DATUM SHIFT", "CYCL DEF 7.1 X+0",
+                       "CYCL DEF 7.2 Y+0"]
+
+    def scaling(self):
+        mirror = self.random.choice(["X", "Y", "X Y"])
+        self.lines += ["CYCL DEF 8.0 MIRROR IMAGE", f"CYCL DEF 8.1 {mirror}", "CYCL DEF 11.0 SCALING",
+                       "CYCL DEF 11.1 SCL 0.75", "L X+3 Y+4", "L X+Q1", "CYCL DEF 8.0 MIRROR IMAGE", "CYCL DEF 8.1",
+                       "CYCL DEF 11.0 SCALING", "CYCL DEF 11.1 SCL 1"]
+
+    def drill(self):
+        self.lines += ["L Z+50 FMAX", f"CYCL DEF 200 DRILLING Q200=2 Q201=-Q1 Q206=150 Q202={self.random.choice(['3', '+Q2', '99'])} "
+                       f"Q210={self.random.choice([0, 0.2])} Q203=-5 Q204={self.random.choice([0, 20])} Q211=0.1",
+                       "L X+Q1 Y+Q2 FMAX M99", "L X-5 FMAX M99", "L Z+40 FMAX", "L Z+3 F500"]
+
+    def loop(self, depth):
+        self.label += 2
+        begin, end = self.label - 1, self.label
+        counter = f"Q{20 + self.label}"
+        self.lines += [f"{counter} = 0", f"LBL {begin}"]
+        if self.random.random() < 0.5:
+            self.lines.append(f"FN 11: IF +Q1 GT {self.value()} GOTO LBL {end}")
+        self.blocks(depth + 1)
+        self.lines += [f"{counter} = {counter} + 1", f"FN 12: IF +{counter} LT +3 GOTO LBL {begin}", f"LBL {end}"]
+
+    def branch(self, depth):
+        self.label += 2
+        other, end = self.label - 1, self.label
+        self.lines.append(f"FN 11: IF {self.value()} GT +Q2 GOTO LBL {other}")
+        self.blocks(depth + 1)
+        self.lines += [f"FN 9: IF +0 EQU +0 GOTO LBL {end}", f"LBL {other}"]
+        self.blocks(depth + 1)
+        self.lines.append(f"LBL {end}")
+
+    def blocks(self, depth):
+        for _ in range(self.random.randint(1, 3)):
+            kinds = [self.arc, self.frame, self.drill] + ([self.corner] if self.corners else []) + ([self.scaling] if self.scales else [])
+            if depth < 2:
+                kinds += [lambda: self.loop(depth), lambda: self.branch(depth)]
+            self.random.choice(kinds)()
+            self.lines.append(f"L X{self.value()} Y{self.value()} F500")
+
+    def text(self):
+        self.lines = ["TOOL CALL 1 Z S3000", "Q1 = 12.5", "Q2 = 7.25", "Q3 = 1.25", "L X+0 Y+0 Z+50 R0 FMAX M3",
+                      "L Z+3 F500"]
+        self.blocks(0)
+        self.lines += ["L Z+50 FMAX", "M30"]
+        lines = ["BEGIN PGM RANDOM MM", *self.lines, "END PGM RANDOM MM"]
+        return "".join(f"{n} {line}\n" for n, line in enumerate(lines))
+
+
+def random_programs(obrys, folder):
+    folder.mkdir()
+    for seed in range(25):
+        for to in ("sinumerik-840d", "fanuc", "linuxcnc"):
+            program = RandomKlartext(Random(seed), to != "linuxcnc", to == "sinumerik-840d").text()
+            if to == "linuxcnc":  # it cannot turn its axes
+                program = re.sub(r"\d+ CYCL DEF 10\..*\n", "", program)
+            (folder / "RANDOM.H").write_text(program)
+            run = subprocess.run([obrys, "translate", "RANDOM.H", "--keep", "--to", to, "--sets", "4", "--machine",
+                                  "mill-generic", "-o", f"{to}.out", "--force"], capture_output=True, text=True,
+                                 timeout=600, cwd=folder)
+            if run.returncode != 0:
+                raise SystemExit(f"random program {seed} to {to}: exit code {run.returncode}\n{program}{run.stderr}")
+    print("25 random programs do the same on each of three controls, with 5 sets of values")
+
+
 def main():
-    obrys, examples = sys.argv[1], pathlib.Path(sys.argv[2])
+    obrys, examples = str(pathlib.Path(sys.argv[1]).resolve()), pathlib.Path(sys.argv[2])
     shared = pathlib.Path(sys.argv[3]) if len(sys.argv) > 3 else None
     with tempfile.TemporaryDirectory() as made:
+        goldens(obrys, pathlib.Path(made) / "goldens")
+        random_programs(obrys, pathlib.Path(made) / "random")
         folder = pathlib.Path(made) / "examples"
         shutil.copytree(examples / "groove", folder)
         groove(obrys, folder, "GROOVE_MAIN.MPF", "", "groove")
