@@ -33,6 +33,7 @@ std::string missing_place(std::string_view text, const Places& places) {
 
 /// A number with or without signs.
 std::optional<double> constant_of(const Unit& unit, ExprId id) {
+    if (id == program::no_expr) return std::nullopt;
     const Expr& e = unit.exprs[id];
     if (e.kind == ExprKind::number) return unit.numbers[e.a];
     const auto v = e.kind == ExprKind::unary ? constant_of(unit, e.a) : std::nullopt;
@@ -53,11 +54,14 @@ struct Writing::NamedContour {
     ContourText text;
 };
 
-bool Writing::is_assigned(std::uint32_t parameter) const {
-    for (const Unit* u : programs)
-        for (const program::Assign& a : u->assigns)
-            if (u->exprs[a.target].kind == ExprKind::parameter && u->exprs[a.target].a == parameter) return true;
-    return false;
+bool Writing::is_assigned(std::uint32_t parameter) {
+    if (!assigned_) {
+        assigned_.emplace();
+        for (const Unit* u : programs)
+            for (const program::Assign& a : u->assigns)
+                if (u->exprs[a.target].kind == ExprKind::parameter) assigned_->insert(u->exprs[a.target].a);
+    }
+    return assigned_->contains(parameter);
 }
 
 /// What the definition gives is the cycle's own: where the program gives the parameter values elsewhere, it goes there

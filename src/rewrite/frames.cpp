@@ -103,27 +103,35 @@ std::optional<Text> Writing::frame_part(Mode part) {
     return std::nullopt;
 }
 
-bool Writing::frame_acts(Mode part) const {
-    for (const Unit* u : programs)
-        for (std::uint32_t i = 0; i < u->statements.size(); ++i) {
-            const std::vector<Mode> parts = frame_parts_of(*u, i, false);
-            if (std::find(parts.begin(), parts.end(), part) != parts.end()) return true;
-        }
-    return false;
-}
-
-/// The main program holds it in one place, where it alone says it and ways meet with different values.
-bool Writing::frame_varies(Mode part) const {
-    if (unit != programs.front() || part == Mode::mirror || !frame_acts(part)) return false;
-    bool meets = false;
+/// One look at all statements: they may be many, and so may be those that change a frame.
+void Writing::look_at_frames() {
+    if (frames_) return;
+    frames_.emplace();
+    std::set<Mode> elsewhere, meets;
     for (const Unit* u : programs)
         for (std::uint32_t i = 0; i < u->statements.size(); ++i) {
             const std::vector<Mode> parts = frame_parts_of(*u, i, true);
             if (parts.empty()) continue;
-            if (u != unit && std::find(parts.begin(), parts.end(), part) != parts.end()) return false;
-            meets = meets || (u == unit && modes.at(u)[i][part] == several);
+            ++frames_->count;
+            for (const Mode m : frame_parts_of(*u, i, false)) frames_->act.insert(m);
+            if (u != programs.front()) elsewhere.insert(parts.begin(), parts.end());
+            for (const Mode m : frame_modes)
+                if (u == programs.front() && modes.at(u)[i][m] == several) meets.insert(m);
         }
-    return meets;
+    for (const Mode m : frame_modes)
+        if (m != Mode::mirror && frames_->act.contains(m) && meets.contains(m) && !elsewhere.contains(m))
+            frames_->vary.insert(m);
+}
+
+bool Writing::frame_acts(Mode part) {
+    look_at_frames();
+    return frames_->act.contains(part);
+}
+
+/// The main program holds it in one place, where it alone says it and ways meet with different values.
+bool Writing::frame_varies(Mode part) {
+    look_at_frames();
+    return unit == programs.front() && frames_->vary.contains(part);
 }
 
 std::optional<Text> Writing::frame_keeper(Mode part) {
@@ -146,11 +154,9 @@ void Writing::keep_frame(const std::array<Text, 6>& parts) {
     for (std::size_t i = 0; i < parts.size(); ++i) frame_values_[{place_number(number, at), frame_modes[i]}] = parts[i];
 }
 
-bool Writing::says_frames_again() const {
-    std::size_t n = 0;
-    for (const Unit* u : programs)
-        for (std::uint32_t i = 0; i < u->statements.size(); ++i) n += frame_parts_of(*u, i, true).empty() ? 0 : 1;
-    return n > 1;
+bool Writing::says_frames_again() {
+    look_at_frames();
+    return frames_->count > 1;
 }
 
 }  // namespace obrys::rewrite

@@ -148,6 +148,8 @@ void read_cycle_program(Section& s, Language& l) {
     p.feed = s.text("feed").value_or("");
     p.away = s.text("away").value_or("");
     p.text = lines_of(s, "program");
+    for (const std::string_view key : {"call", "program"})
+        if (shop::find(s.table(), key) == nullptr) s.missing(key);
     s.finish();
 }
 

@@ -61,7 +61,7 @@ void Naming::met(const Unit& unit, const Expr& e) {
 void Naming::met_in_cycle(const Unit& unit, const program::CycleDefinition& c) {
     if (language_.cycle(c.kind) == nullptr) return;
     for (const program::CycleSetting& s : c.settings) {
-        if (s.parameter == program::no_target) continue;
+        if (s.parameter == program::no_target || s.value == program::no_expr) continue;
         std::uint32_t at = s.value;
         while (unit.exprs[at].kind == ExprKind::unary) at = unit.exprs[at].a;
         if (unit.exprs[at].kind != ExprKind::number) met_.insert(key_of(unit, s.parameter));

@@ -127,7 +127,8 @@ private:
 std::optional<Structured> structured(const Unit& unit, const std::vector<Held>& held, const program::Names& names,
                                      const base::Sources& sources) {
     const auto jumps = jumps_of(unit, held, names, sources);
-    return jumps ? Structuring().run(*jumps) : std::nullopt;
+    constexpr std::size_t most = 2000;
+    return jumps && jumps->size() <= most ? Structuring().run(*jumps) : std::nullopt;
 }
 
 }  // namespace obrys::rewrite

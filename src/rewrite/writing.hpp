@@ -117,15 +117,15 @@ public:
     std::optional<Text> frame_part(Mode part);
     [[nodiscard]] Text nothing_of(Mode part) const;
     /// A part that has different values by the way that the run has come, all of them in one place.
-    [[nodiscard]] bool frame_varies(Mode part) const;
+    [[nodiscard]] bool frame_varies(Mode part);
     /// Some statement gives it a value.
-    [[nodiscard]] bool frame_acts(Mode part) const;
+    [[nodiscard]] bool frame_acts(Mode part);
     std::optional<Text> frame_keeper(Mode part);
     void begin_frames();
     /// What the frame is behind it.
     void keep_frame(const std::array<Text, 6>& parts);
     /// There are more statements than one that change a frame.
-    [[nodiscard]] bool says_frames_again() const;
+    [[nodiscard]] bool says_frames_again();
 
     // contour_text.cpp
     /// The contour in these statements; nothing after a complaint.
@@ -209,7 +209,7 @@ private:
     [[nodiscard]] std::string fresh_cycle_name(const program::CycleDefinition& d) const;
     void set_of_cycle(const program::CycleDefinition& d, const program::CycleSetting& s);
     /// The programs give it a value somewhere.
-    [[nodiscard]] bool is_assigned(std::uint32_t parameter) const;
+    [[nodiscard]] bool is_assigned(std::uint32_t parameter);
 
     std::map<std::uint32_t, std::string> labels_;   ///< of the unit's statements, as the program calls them
     std::map<std::uint32_t, std::string> settled_;  ///< … and as they are called there
@@ -229,6 +229,13 @@ private:
     std::vector<std::uint32_t> waiting_;                           ///< parts of the unit to be written
     std::set<std::uint32_t> inline_;  ///< statements to which more than calls of labels lead
     std::map<std::pair<cl::CycleKind, int>, std::string> cycle_programs_;  ///< names, by the place of the contour
+    struct Frames {
+        std::size_t count = 0;     ///< statements that change one
+        std::set<Mode> act, vary;  ///< parts that are given values; those that depend on the way
+    };
+    void look_at_frames();
+    std::optional<Frames> frames_;
+    std::optional<std::set<std::uint32_t>> assigned_;  ///< parameters
     std::map<std::pair<const Unit*, Mode>, std::string> frame_keepers_;
     std::map<std::pair<int, Mode>, Text> frame_values_;  ///< by the place that says them
     std::vector<Line> said_behind_;                      ///< texts of programs
