@@ -94,26 +94,23 @@ std::optional<double> constant_of(const program::Unit& unit, program::ExprId id)
     return op == program::Operator::plus ? v : std::nullopt;
 }
 
-/// Parameters that all programs have in common and that are assigned once, with their constant.
+/// Parameters that all programs have in common and that are given one constant, with it. What they compute is not the
+/// program's to be set, nor what the definition of a cycle says.
 std::map<std::string, double> inputs_by_name(const Session& s) {
-    std::map<std::string, std::vector<std::optional<double>>> assigned;
+    std::map<std::string, std::vector<double>> assigned;
     const auto take = [&](const program::Unit& unit, program::ExprId target, std::optional<double> value) {
         if (target == program::no_expr) return;
         const program::Expr& e = unit.exprs[target];
-        if (e.kind == program::ExprKind::parameter)
-            assigned[program::parameter_name(*unit.traits, e.a)].push_back(value);
+        if (e.kind == program::ExprKind::parameter && value)
+            assigned[program::parameter_name(*unit.traits, e.a)].push_back(*value);
     };
     for (const auto& unit : s.programs->units()) {
         for (const program::Assign& a : unit->assigns) take(*unit, a.target, constant_of(*unit, a.value));
-        for (const program::For& f : unit->fors) take(*unit, f.variable, std::nullopt);
-        for (const program::CycleDefinition& c : unit->cycles)
-            for (const program::CycleSetting& setting : c.settings)
-                if (setting.parameter != program::no_target)
-                    assigned[program::parameter_name(*unit->traits, setting.parameter)].push_back(std::nullopt);
+        for (const program::For& f : unit->fors) take(*unit, f.variable, 0.0);  // what counts is no input
     }
     std::map<std::string, double> out;
     for (const auto& [name, values] : assigned)
-        if (values.size() == 1 && values.front() && *values.front() != 0) out[name] = *values.front();
+        if (values.size() == 1 && values.front() != 0) out[name] = values.front();
     return out;
 }
 
@@ -148,6 +145,9 @@ std::vector<std::vector<std::string>> other_values(const Session& s, const rewri
     std::erase_if(inputs, [&](const auto& input) {
         return std::none_of(map.begin(), map.end(), [&](const auto& pair) { return pair.first == input.first; });
     });
+    // 1 and -1 are choices, as climb and up-cut; where there is nothing else, they are what can be varied.
+    const auto is_choice = [](const auto& input) { return input.second == 1 || input.second == -1; };
+    if (!std::all_of(inputs.begin(), inputs.end(), is_choice)) std::erase_if(inputs, is_choice);
     std::vector<std::vector<std::string>> out;
     std::mt19937 random(1);  // NOLINT: the same values every time
     std::uniform_int_distribution<int> share(-200, 200);

@@ -393,7 +393,8 @@ interp::Outcome interpret(Session& s, cl::Sink sink) {
     const auto in_file = s.programs->of_file(s.main->file);
     const bool subs_alone = holds_subprograms_alone(in_file, outcome.entered, *s.main);
     if (outcome.ending == interp::Ending::regular || subs_alone)
-        say_what_was_not_run(in_file, outcome.entered, subs_alone || !outcome.entered.empty(), s.diagnostics);
+        say_what_was_not_run(in_file, outcome.entered, subs_alone || !outcome.entered.empty(), s.programs->names(),
+                             s.diagnostics);
     check_overrides(s, outcome);
     if (s.files) s.files->write_printed();  // none where a session was put together without files
     return outcome;

@@ -125,6 +125,22 @@ std::optional<double> radius_in_force(const Run& run) {
     return compensation_radius(*run.tool.data);
 }
 
+/// OFFN: the contour stands that much off. Beyond the middle of the tool the side would turn round.
+void add_allowance(Run& run, path::Setting& s) {
+    const double more = run.modal.contour_allowance;
+    if (more == 0) return;
+    if (s.radius + more >= 0) {
+        s.radius += more;
+        return;
+    }
+    unchecked_once(
+        run, codes::unsupported, run.here(),
+        "OFFN=" + base::fixed(more, 3) +
+            " takes more off than the tool's radius: which side of the contour the tool runs on is not known",
+        "compensate on the other side, with OFFN of the other sign");
+    s.radius = 0;
+}
+
 }  // namespace
 
 path::Setting compensation_setting(Run& run) {
@@ -157,6 +173,7 @@ path::Setting compensation_setting(Run& run) {
     const double size = radius ? *radius : 0;
     if (run.traits->compensation_holds_move) return held_move_setting(run, size);
     s.radius = size + run.tool.delta_radius;
+    add_allowance(run, s);
     if (tool != nullptr && s.radius != 0 && run.modal.plane == 18 && run.env.machine.kind == shop::MachineKind::lathe)
         s.tip = path::nose_offset(nose_of(run, *tool), s.radius).value_or(geom::Vec2{});
     into_frame(run, s);

@@ -80,6 +80,7 @@ struct ModalState {
     /// CTOL, mm; NaN: that of the machine's data.
     double contour_tolerance = std::numeric_limits<double>::quiet_NaN();
     double corner_overshoot = 0;   ///< DISC, per cent
+    double contour_allowance = 0;  ///< OFFN, mm
     double corner_feed_modal = 0;  ///< FRCM
     geom::Vec3 pole;               ///< workpiece coordinates
     bool pole_set = false;         ///< the program has set it

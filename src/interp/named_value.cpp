@@ -171,6 +171,7 @@ void special_value(Run& run, const program::Named& n) {
         case NamedKind::thread_start: run.block.thread_start = v; return;
         case NamedKind::block_feed: run.block.feed_alone = v; return;
         case NamedKind::contour_tolerance: m.contour_tolerance = v < 0 ? std::nan("") : v * unit; return;
+        case NamedKind::contour_allowance: m.contour_allowance = v * unit; return;
         case NamedKind::corner_overshoot:
             if (v < 0 || v > 100)
                 return alarm(run, codes::value_range, run.here(),

@@ -86,7 +86,8 @@ std::optional<double> tool_radius(const shop::Tool& t) {
 }
 
 Value tool_radius(const Access& a) {
-    const auto radius = a.run.tool.data == nullptr ? std::nullopt : tool_radius(*a.run.tool.data);
+    const shop::Tool* t = a.run.tool.data;
+    const auto radius = t == nullptr ? std::nullopt : mill_radius(*t) ? mill_radius(*t) : tool_radius(*t);
     return radius ? Value::real(*radius) : unknown_value(a, "no tool data");
 }
 
@@ -107,6 +108,7 @@ Value tool_parameter(const Access& a) {
     if (t == nullptr) return unknown_value(a, "this tool is not in the tool list");
     if (const auto p = t->parameters.find(n); p != t->parameters.end()) return Value::real(p->second);
     if (const auto radius = tool_radius(*t); n == 6 && radius) return Value::real(*radius);
+    if (n == 7 && mill_radius(*t)) return Value::real(t->corner_radius);
     if (n == 3 && t->length != 0) return Value::real(t->length);
     if (n == 2 && t->orientation != 0) return Value::real(t->orientation);
     return unknown_value(a, "the tool list does not say it");

@@ -283,6 +283,7 @@ enum class NamedKind : std::uint8_t {
     rounding_distance_rapid,  ///< ADISPOS=: the same between rapids
     contour_tolerance,        ///< CTOL=: of compressors and of G642 … G645
     corner_overshoot,         ///< DISC=: per cent of the way from the arc round an outer corner to the crossing
+    contour_allowance,        ///< OFFN=: of radius compensation, added to the tool's radius
     sum_offset,               ///< DL=: offset added to that of the edge
     position,                 ///< POS[axis]=: an axis moves on its own, and the block waits for it
     position_meanwhile,       ///< POSA[axis]=: the program goes on while it moves

@@ -13,6 +13,16 @@ using program::Modal;
 
 namespace {
 
+/// The word of a block that changes the frame.
+std::optional<Modal> frame_of(const Unit& unit, std::uint32_t statement) {
+    for (std::uint32_t w = unit.statements[statement].first; w < unit.words_end(statement); ++w) {
+        if (program::code_of(unit.words[w]) != Code::modal) continue;
+        const Modal m = program::modal_of(unit.words[w]);
+        if (m == Modal::local_shift || m == Modal::rotation_on || m == Modal::rotation_off) return m;
+    }
+    return std::nullopt;
+}
+
 bool has_later_assign(const Unit& unit, std::uint32_t w, std::uint32_t end) {
     for (++w; w < end; ++w)
         if (program::code_of(unit.words[w]) == Code::assign) return true;
@@ -62,8 +72,12 @@ void BlockWords::modal(const program::Word& word) {
         case Modal::linear:
         case Modal::arc_cw:
         case Modal::arc_ccw: motion_ = m; return;
+        case Modal::arc_same_sense: same_sense_ = true; return;
+        case Modal::pole_given: is_pole_ = true; return;
         case Modal::paraxial: {
-            const bool rapid = (program::modal_number(word) & program::paraxial_rapid) != 0;
+            const int said = program::modal_number(word);
+            const bool rapid = (said & program::paraxial_rapid) != 0;
+            if ((said & (program::paraxial_rapid | program::paraxial_feed)) == 0) return;  // by another word
             motion_ = rapid ? Modal::rapid : Modal::linear;
             return;
         }
@@ -109,6 +123,10 @@ void BlockWords::modal(const program::Word& word) {
 void BlockWords::gather() {
     const Unit& unit = *w_.unit;
     const std::uint32_t end = unit.words_end(w_.at);
+    if (const auto frame = frame_of(unit, w_.at)) {
+        frame_ = frame;
+        return;
+    }
     std::vector<std::pair<Text, Text>> together;
     for (std::uint32_t i = unit.statements[w_.at].first; i < end; ++i) {
         const program::Word& word = unit.words[i];
@@ -158,10 +176,18 @@ void BlockWords::take(Code code, ExprId id, const Text& v) {
         case Code::i:
         case Code::j:
         case Code::k:
-            if (id != program::no_expr && w_.unit->exprs[id].kind == ExprKind::qualified) break;
+            if (id != program::no_expr && w_.unit->exprs[id].kind == ExprKind::qualified) {
+                const auto reference = static_cast<program::Reference>(w_.unit->exprs[id].op);
+                if (reference != program::Reference::absolute) break;
+                centre_counts_on_ = false;
+            }
             centre_.emplace_back(static_cast<std::size_t>(code) - static_cast<std::size_t>(Code::i), v);
             return;
         case Code::radius: radius_ = v; return;
+        case Code::centre_at_pole: about_pole_ = true; return;
+        case Code::round: corner_ = {"words.round", v}; return;
+        case Code::chamfer_leg: corner_ = {"words.chamfer-leg", v}; return;
+        case Code::chamfer_length: corner_ = {"words.chamfer", v}; return;
         case Code::feed: feed_ = v; return;
         case Code::spindle: speed_ = v; return;
         case Code::speed_limit: limit_ = v; return;
@@ -171,6 +197,7 @@ void BlockWords::take(Code code, ExprId id, const Text& v) {
             change_ = true;
             if (v.number) tool_ = v, joined_offset_ = true;
             return;
+        case Code::cycle_call: call_cycle_ = true; return;
         case Code::p: dwell_time_ = v; return;
         case Code::offset_h: offset_ = v; return;
         case Code::offset_d: return;  // of the tool's own radius: with G41 the text says it again

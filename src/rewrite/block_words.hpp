@@ -10,6 +10,13 @@ public:
     explicit BlockWords(Writing& w) : w_(w) {}
     void write();
 
+    /// A word with its value. `is_length`: the language may want its sign.
+    std::string spelt(std::string_view word, const Text& v, bool is_length);
+    /// A chamfer or rounding behind an element.
+    std::string corner(std::string_view key, const Text& v);
+    /// An arc's centre by its coordinates.
+    std::string absolute_centre(const Text& u, const Text& v);
+
 private:
     struct Axis {
         char letter;
@@ -21,9 +28,7 @@ private:
     void take(program::Code code, ExprId id, const Text& v);
     void axis(char letter, ExprId id, const Text& given);
     Text across(const Text& v, bool source_across);
-    /// A word with its value. `is_length`: the language may want its sign.
-    std::string spelt(std::string_view word, const Text& v, bool is_length);
-    /// The same with a blank before it; empty where there is no value.
+    /// `spelt` with a blank before it; empty where there is no value.
     std::string optional(std::string_view word, const std::optional<Text>& v);
 
     void modes();
@@ -32,7 +37,18 @@ private:
     void spindle();
     bool function_before(int m);
     void function_behind(int m);
+    void stop();
     void move();
+    std::optional<program::Modal> motion_here();
+    std::optional<std::string> compensation_text();
+    /// What of an arc, or beside a straight move, has no counterpart; true where something has not.
+    bool refuse_arc(bool arc);
+    [[nodiscard]] std::string_view key_of(program::Modal motion) const;
+    void no_move();
+    void write_move(program::Modal motion, const std::string& feed, const std::string& compensation, bool by_mode);
+    void pole();
+    /// Of the pole in force; nothing after a complaint.
+    std::optional<std::string> pole_text();
     std::string axes_text();
     std::string centre_text();
     [[nodiscard]] std::string source_of_block() const { return w_.source(w_.here); }
@@ -40,11 +56,16 @@ private:
     Writing& w_;
     base::Span word_;  ///< at hand
     std::optional<program::Modal> motion_, plane_, distance_, feed_mode_, surface_, compensation_;
+    std::optional<program::Modal> frame_;  ///< G52, G68, G69: the whole block is theirs
     std::optional<int> datum_;
     bool dwell_ = false, length_ = false, change_ = false, joined_offset_ = false;
     std::vector<Axis> axes_;
     std::vector<std::pair<std::size_t, Text>> centre_;  ///< 0: along X
+    bool centre_counts_on_ = true;                      ///< from the arc's start; else it has coordinates
+    bool is_pole_ = false, about_pole_ = false, same_sense_ = false;
+    std::optional<std::pair<std::string_view, Text>> corner_;  ///< chamfer or rounding: what it is
     std::optional<Text> radius_, feed_, speed_, limit_, tool_, edge_, dwell_time_, offset_;
+    bool call_cycle_ = false;
     std::vector<int> m_;
 };
 

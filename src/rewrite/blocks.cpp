@@ -52,9 +52,19 @@ bool BlockWords::function_before(int m) {
     }
 }
 
+/// The control may stop spindle and coolant with the program.
+void BlockWords::stop() {
+    for (const program::SpindleStop& s : w_.unit->traits->spindle_stops) {
+        if (s.function != 0 || !s.certain) continue;
+        w_.say("words.spindle-stop", {}, "M5");
+        if (s.coolant) w_.say("words.coolant-off", {}, "M9");
+    }
+    w_.say("flow.stop", {}, "M0");
+}
+
 void BlockWords::function_behind(int m) {
     switch (m) {
-        case 0: return static_cast<void>(w_.say("flow.stop", {}, "M0"));
+        case 0: return stop();
         case 1: return static_cast<void>(w_.say("flow.optional-stop", {}, "M1"));
         case 2:
         case 30: return w_.end_all();
@@ -188,92 +198,113 @@ std::string BlockWords::axes_text() {
     return lines_of_block(words);
 }
 
-std::string BlockWords::centre_text() {
-    const std::string* names = w_.language.find("words.centre");
-    if (radius_) {
-        const std::string* form = w_.language.find("words.radius");
-        if (form == nullptr) return w_.refuse(w_.here, "an arc by its radius has no counterpart there"), "";
-        Text v = *radius_;
-        if (!w_.language.computes && !v.number) v = w_.atom(v, program::no_expr);
-        const bool bare = v.number || v.level == Level::atom;
-        return filled(*form, {{"value", v.text},
-                              {"bracketed", bare ? v.text : w_.language.open + v.text + w_.language.close},
-                              {"signed", (v.text[0] == '-' ? "" : "+") + v.text}});
+/// The motion of the block; nothing after a complaint.
+std::optional<Modal> BlockWords::motion_here() {
+    int held = w_.held()[Mode::motion];
+    if (motion_) held = static_cast<int>(*motion_);
+    if (held < 0) {
+        w_.refuse(w_.here, "which motion is in force here depends on the way that the run has come, or is not said",
+                  "write G0 or G1 in this block");
+        return std::nullopt;
     }
-    std::string out;
-    for (const auto& [i, v] : centre_) {
-        const std::string letter =
-            names != nullptr && names->size() >= 6 ? names->substr(i * 2, 2) : std::string(1, "IJK"[i]);
-        out += (out.empty() ? "" : " ") + spelt(letter, v, true);
-    }
-    return out;
+    return static_cast<Modal>(held);
+}
+
+/// Nothing after a complaint.
+std::optional<std::string> BlockWords::compensation_text() {
+    if (!compensation_) return "";
+    const std::string_view key = *compensation_ == Modal::compensation_left    ? "words.comp-left"
+                                 : *compensation_ == Modal::compensation_right ? "words.comp-right"
+                                                                               : "words.comp-off";
+    if (const std::string* text = w_.language.find(key))
+        return filled(*text, {{"tool", std::to_string(w_.tool_in_spindle)}});
+    w_.refuse(w_.here, "radius compensation is not translated by structure to this control");
+    return std::nullopt;
+}
+
+/// What of an arc has no counterpart.
+bool BlockWords::refuse_arc(bool arc) {
+    const int plane = w_.held()[Mode::plane];
+    const auto no = [&](const char* what, const char* remedy = "") { return w_.refuse(w_.here, what, remedy), true; };
+    if (!arc && (radius_ || !centre_.empty()))
+        return no("a centre or radius beside a straight move is not translated by structure");
+    if (!arc) return false;
+    if (!w_.language.has("words.plane-zx") && (plane_ ? *plane_ != Modal::plane_xy : plane != 17))
+        return no("an arc outside the plane of X and Y is not translated by structure to this control");
+    if (same_sense_ && !motion_)
+        return no("an arc in the sense of the last one has no counterpart", "write DR+ or DR-");
+    if (!radius_ && centre_.empty() && !about_pole_)
+        return no("an arc whose centre is said elsewhere is not translated by structure");
+    return false;
+}
+
+std::string_view BlockWords::key_of(Modal motion) const {
+    if (motion == Modal::rapid) return "words.rapid";
+    if (motion == Modal::linear) return "words.linear";
+    const bool cw = motion == Modal::arc_cw, absolute = about_pole_ || !centre_counts_on_;
+    if (radius_ && w_.language.has("words.arc-radius-cw")) return cw ? "words.arc-radius-cw" : "words.arc-radius-ccw";
+    if (absolute && w_.language.has("words.arc-absolute-cw"))
+        return cw ? "words.arc-absolute-cw" : "words.arc-absolute-ccw";
+    return cw ? "words.arc-cw" : "words.arc-ccw";
+}
+
+void BlockWords::no_move() {
+    if (compensation_ && *compensation_ != Modal::compensation_off)
+        w_.refuse(w_.here, "compensation without a move is not translated by structure");
+    if (compensation_ == Modal::compensation_off && w_.language.has("words.comp-off-alone"))
+        w_.say("words.comp-off-alone", {}, "G40");
 }
 
 void BlockWords::move() {
     std::string feed = feed_ ? spelt("F", *feed_, false) : "";
-    Modal motion = Modal::linear;
-    if (!axes_.empty() || radius_ || !centre_.empty()) {
-        int held = w_.held()[Mode::motion];
-        if (motion_) held = static_cast<int>(*motion_);
-        if (held < 0)
-            return w_.refuse(w_.here,
-                             "which motion is in force here depends on the way that the run has come, or is not said",
-                             "write G0 or G1 in this block");
-        motion = static_cast<Modal>(held);
-    }
-    const bool arc = motion == Modal::arc_cw || motion == Modal::arc_ccw;
     const bool moves = !axes_.empty() || !centre_.empty();
-    if (moves && !arc && motion != Modal::rapid && motion != Modal::linear)
+    const auto motion = moves || radius_ ? motion_here() : std::optional(Modal::linear);
+    if (!motion) return;
+    const bool arc = *motion == Modal::arc_cw || *motion == Modal::arc_ccw;
+    if (moves && !arc && *motion != Modal::rapid && *motion != Modal::linear)
         return w_.refuse(w_.here, "the motion in force here is not translated by structure");
-    if (!feed.empty() && (!moves || motion == Modal::rapid)) {
+    if (!feed.empty() && (!moves || *motion == Modal::rapid)) {
         w_.say("words.no-move", {{"feed", feed}}, "a feed");
         feed.clear();
     }
-    if (!moves) {
-        if (compensation_ && *compensation_ != Modal::compensation_off)
-            w_.refuse(w_.here, "compensation without a move is not translated by structure");
-        if (compensation_ == Modal::compensation_off && w_.language.has("words.comp-off-alone"))
-            w_.say("words.comp-off-alone", {}, "G40");
-        return;
-    }
-    std::string compensation;
-    if (compensation_) {
-        const std::string_view key = *compensation_ == Modal::compensation_left    ? "words.comp-left"
-                                     : *compensation_ == Modal::compensation_right ? "words.comp-right"
-                                                                                   : "words.comp-off";
-        const std::string* text = w_.language.find(key);
-        if (text == nullptr)
-            return w_.refuse(w_.here, "radius compensation is not translated by structure to this control");
-        compensation = filled(*text, {{"tool", std::to_string(w_.tool_in_spindle)}});
-    }
-    const bool all = std::all_of(axes_.begin(), axes_.end(), [](const Axis& a) { return a.incremental; });
-    const bool any = std::any_of(axes_.begin(), axes_.end(), [](const Axis& a) { return a.incremental; });
-    const bool by_mode =
-        any && !w_.language.has("words.incremental-value") && !w_.language.has("words.incremental-letters");
-    if (by_mode && !all)
+    if (!moves) return no_move();
+    const auto compensation = compensation_text();
+    if (!compensation) return;
+    const auto counts_on = [](const Axis& a) { return a.incremental; };
+    const bool by_mode = std::any_of(axes_.begin(), axes_.end(), counts_on) &&
+                         !w_.language.has("words.incremental-value") && !w_.language.has("words.incremental-letters");
+    if (by_mode && !std::all_of(axes_.begin(), axes_.end(), counts_on))
         return w_.refuse(w_.here, "absolute and incremental coordinates in one block have no counterpart there",
                          "write them in two blocks");
-    const int plane = w_.held()[Mode::plane];
-    if (arc && !w_.language.has("words.plane-zx") && (plane_ ? *plane_ != Modal::plane_xy : plane != 17))
-        return w_.refuse(w_.here, "an arc outside the plane of X and Y is not translated by structure to this control");
-    std::string_view key = motion == Modal::rapid    ? "words.rapid"
-                           : motion == Modal::linear ? "words.linear"
-                           : motion == Modal::arc_cw ? "words.arc-cw"
-                                                     : "words.arc-ccw";
-    if (arc && radius_ && w_.language.has("words.arc-radius-cw"))
-        key = motion == Modal::arc_cw ? "words.arc-radius-cw" : "words.arc-radius-ccw";
-    if (arc && !radius_ && centre_.empty())
-        return w_.refuse(w_.here, "an arc whose centre is said elsewhere is not translated by structure");
-    if (!arc && (radius_ || !centre_.empty()))
-        return w_.refuse(w_.here, "a centre or radius beside a straight move is not translated by structure");
-    if (by_mode) w_.say("words.incremental", {}, "increments");
-    const std::string axes = axes_text(), centre = arc ? centre_text() : "";
-    w_.say(key, {{"axes", axes}, {"feed", feed}, {"comp", compensation}, {"centre", centre}}, "this motion");
-    if (by_mode) w_.say("words.absolute", {}, "absolute coordinates");
+    if (!refuse_arc(arc)) write_move(*motion, feed, *compensation, by_mode);
+}
+
+void BlockWords::write_move(Modal motion, const std::string& feed, const std::string& compensation, bool by_mode) {
+    const bool arc = motion == Modal::arc_cw || motion == Modal::arc_ccw;
+    const std::optional<std::string> centre = !arc ? std::string() : about_pole_ ? pole_text() : centre_text();
+    if (!centre) return;
+    const std::string axes = axes_text(), corner_words = corner_ ? corner(corner_->first, corner_->second) : "";
+    const bool beside = w_.language.corner_beside;
+    const std::size_t before = w_.lines.size();
+    w_.say(key_of(motion),
+           {{"axes", axes},
+            {"feed", feed},
+            {"comp", compensation},
+            {"centre", *centre},
+            {"corner", beside ? corner_words : ""}},
+           "this motion");
+    if (!beside && !corner_words.empty()) w_.say(corner_words);
+    if (!by_mode) return;
+    if (const std::string* increments = w_.language.find("words.incremental");
+        increments != nullptr && before < w_.lines.size())
+        w_.lines[before].text = *increments + " " + w_.lines[before].text;
+    w_.say("words.absolute", {}, "absolute coordinates");
 }
 
 void BlockWords::write() {
     gather();
+    if (frame_) return w_.frame_block(*frame_);
+    if (is_pole_) return pole();
     if (dwell_) {
         const auto time = w_.unit->traits->dwell_in_feed_words ? feed_ : dwell_time_;
         if (!time || !axes_.empty())
@@ -291,6 +322,7 @@ void BlockWords::write() {
     for (const int m : m_)
         if (!function_before(m)) behind.push_back(m);
     move();
+    if (call_cycle_) w_.cycle_call();
     std::stable_partition(behind.begin(), behind.end(), [](int m) { return m != 2 && m != 30 && m != 17; });
     for (const int m : behind) function_behind(m);
 }

@@ -200,11 +200,14 @@ void Writing::alarm(const std::string& said) {
     const int shown = static_cast<int>(number % 100);
     if (shown != number) tell(here, "the alarm " + std::to_string(number) + " has another number there");
     const std::string text(base::trim(std::string_view(said).substr(digits)));
+    const std::size_t before = lines.size();
     static_cast<void>(say("flow.alarm",
                           {{"number", std::to_string(shown)},
                            {"two", (shown < 10 ? "0" : "") + std::to_string(shown)},
                            {"text", text.empty() ? "ALARM " + std::to_string(number) : text}},
                           "an alarm"));
+    if (before > 0 && lines.size() > before && lines[before].text == lines[before - 1].text)
+        lines.erase(lines.begin() + static_cast<std::ptrdiff_t>(before));  // the message stands there already
 }
 
 void Writing::define(const program::Define& d) {
@@ -236,7 +239,7 @@ void Writing::end_all() {
     if (!unit->traits->end_stops_all) return leave();
     if (language.end_stops_all) return static_cast<void>(say("flow.end", {}, "the end"));
     tell(here, "the end of all programs in a called one is an alarm there, which stops them");
-    alarm("99 END OF ALL PROGRAMS");
+    alarm("99 " + (last_message_.empty() ? "END OF ALL PROGRAMS" : last_message_));
 }
 
 void Writing::begin_program(const Unit& u, bool main) {

@@ -184,10 +184,7 @@ Text Writing::value(ExprId id) {
             return joined(key_of(op), a, b, level_of(op));
         }
         case ExprKind::function: return function(e, id);
-        case ExprKind::system:
-            if (static_cast<program::SystemVariable>(e.op) == program::SystemVariable::pi)
-                return number_text(3.14159265358979323846);
-            break;
+        case ExprKind::system: return system(e, id);
         default: break;
     }
     refuse(span(id), source(span(id)) + " is not translated by structure");

@@ -1,6 +1,7 @@
 #include "rewrite/held.hpp"
 
 #include "program/modal_group.hpp"
+#include "rewrite/frames.hpp"
 
 namespace obrys::rewrite {
 
@@ -9,6 +10,8 @@ using program::StatementKind;
 using program::Unit;
 
 namespace {
+
+constexpr unsigned places_of_statement = 20;  ///< bits
 
 void set_mode(Held& h, Modal m) {
     if (program::motion_group(m) == program::ModalGroup::motion) h[Mode::motion] = static_cast<int>(m);
@@ -28,7 +31,18 @@ void set_mode(Held& h, Modal m) {
     }
 }
 
-Held behind(const Unit& unit, std::uint32_t statement, Held h) {
+void set_cycle(Held& h, const program::CycleDefinition& cycle, int place) {
+    if (cycle.kind == cl::CycleKind::contour_definition) h[Mode::contour] = place;
+    if (cycle.call_active) h[Mode::cycle] = place;
+}
+
+Held behind(const Unit& unit, std::size_t number, std::uint32_t statement, Held h) {
+    const int place = place_number(number, statement);
+    if (unit.statements[statement].kind == StatementKind::cycle_definition)
+        set_cycle(h, unit.cycles[entry_of(unit, statement)], place);
+    for (const Mode m : frame_parts_of(unit, statement, true)) h[m] = nowhere;
+    for (const Mode m : frame_parts_of(unit, statement, false)) h[m] = place;
+    if (unit.statements[statement].kind == StatementKind::contour) h[Mode::contour] = several;  // CONTOUR DEF
     if (unit.statements[statement].kind != StatementKind::block) return h;
     for (std::uint32_t w = unit.statements[statement].first; w < unit.words_end(statement); ++w) {
         if (program::code_of(unit.words[w]) != program::Code::modal) continue;
@@ -36,6 +50,9 @@ Held behind(const Unit& unit, std::uint32_t statement, Held h) {
         const bool feed_word = m == Modal::feed_per_minute || m == Modal::feed_per_rev;
         if (feed_word && unit.traits->feed_mode_ends_surface_speed) h[Mode::surface] = 0;
         set_mode(h, m);
+        if (m == Modal::pole_given) h[Mode::pole] = place;
+        if (m == Modal::pole_from_position || m == Modal::pole_from_zero || m == Modal::pole_from_pole)
+            h[Mode::pole] = nowhere;
     }
     return h;
 }
@@ -53,6 +70,17 @@ bool join(Held& into, const Held& from) {
 
 }  // namespace
 
+int place_number(std::size_t program, std::uint32_t statement) {
+    constexpr std::uint32_t most = 1 << places_of_statement;
+    if (program >= 1000 || statement >= most) return several;
+    return static_cast<int>(program * most + statement);
+}
+
+StatementPlace place_of(int number) {
+    const auto n = static_cast<std::uint32_t>(number);
+    return {n >> places_of_statement, n & ((1U << places_of_statement) - 1)};
+}
+
 HeldModes held_modes(const std::vector<const Unit*>& programs, const Held& start,
                      const std::map<const Unit*, Graph>& graphs, const Callee& callee) {
     HeldModes all;
@@ -60,11 +88,12 @@ HeldModes held_modes(const std::vector<const Unit*>& programs, const Held& start
     join(all[programs.front()].front(), start);
     for (bool changed = true; changed;) {
         changed = false;
-        for (const Unit* unit : programs) {
+        for (std::size_t n = 0; n < programs.size(); ++n) {
+            const Unit* unit = programs[n];
             std::vector<Held>& held = all[unit];
             for (std::uint32_t i = 0; i < unit->statements.size(); ++i) {
                 if (held[i][Mode::plane] == never_there) continue;
-                Held out = behind(*unit, i, held[i]);
+                Held out = behind(*unit, n, i, held[i]);
                 if (unit->statements[i].kind == StatementKind::call)
                     if (const Unit* called = callee(*unit, unit->calls[entry_of(*unit, i)])) {
                         changed = join(all[called].front(), held[i]) || changed;

@@ -18,18 +18,38 @@ enum class Mode : std::uint8_t {
     across,    ///< 1: X words are diameters
     feed,      ///< 1: per revolution
     surface,   ///< 1: constant cutting speed
+    // The statement that says it, as `place_number`.
+    cycle,    ///< that a call runs
+    contour,  ///< that a cycle works on
+    pole,
+    shift_x,  ///< parts of the programmed frame, all in order
+    shift_y,
+    shift_z,
+    turn,
+    mirror,
+    scale,
     count,
 };
 inline constexpr int never_there = -2;  ///< no run comes here
 inline constexpr int several = -1;      ///< it depends on the way
 
+inline constexpr int nowhere = -3;  ///< no way that leads here says it
+
 struct Held {
-    std::array<int, static_cast<std::size_t>(Mode::count)> of{never_there, never_there, never_there,
-                                                              never_there, never_there, never_there};
+    Held() { of.fill(never_there); }
+    std::array<int, static_cast<std::size_t>(Mode::count)> of;
     [[nodiscard]] int operator[](Mode m) const { return of[static_cast<std::size_t>(m)]; }
     int& operator[](Mode m) { return of[static_cast<std::size_t>(m)]; }
     bool operator==(const Held&) const = default;
 };
+
+/// A statement of one of the programs as a number; `several` where there are too many for that.
+[[nodiscard]] int place_number(std::size_t program, std::uint32_t statement);
+struct StatementPlace {
+    std::size_t program;
+    std::uint32_t statement;
+};
+[[nodiscard]] StatementPlace place_of(int number);
 
 /// The program of a call, or null.
 using Callee = std::function<const program::Unit*(const program::Unit&, const program::Call&)>;

@@ -29,18 +29,24 @@ constexpr std::array known_tables{
                "sin cos tan asin acos asin-turn acos-turn atan atan2 atan2-turn angle-of sqrt abs square "
                "trunc round round-away round-up round-down ln log10 exp min max bound fraction"},
     KnownTable{"parameters", "own declare"},
-    KnownTable{"flow",
-               "file-begin file-end main-begin main-start main-end sub-begin sub-end label jump jump-if jump-equal "
-               "jump-not-equal jump-greater jump-less if else end-if while end-while "
-               "repeat until again loop end-loop call argument call-shared return end stop optional-stop alarm message "
-               "comment "
-               "repeat-section"},
+    KnownTable{
+        "flow",
+        "file-begin file-end main-begin main-start main-end sub-begin sub-end label jump jump-if jump-equal "
+        "jump-not-equal jump-greater jump-less if else end-if while end-while "
+        "repeat until again loop end-loop break call argument call-shared return end stop optional-stop alarm message "
+        "comment "
+        "repeat-section"},
     KnownTable{
         "words",
         "rapid linear arc-cw arc-ccw arc-radius-cw arc-radius-ccw radius centre no-move plane-xy plane-zx plane-yz "
         "absolute incremental incremental-value incremental-letters per-minute per-rev surface revolutions spindle "
         "cw ccw spindle-stop tool tool-has-speed edge flood mist coolant-off comp-left comp-right comp-off "
-        "comp-off-alone dwell datum length-on speed-limit surface-limit"},
+        "comp-off-alone dwell datum length-on speed-limit surface-limit round chamfer-leg chamfer centre-absolute "
+        "arc-absolute-cw arc-absolute-ccw"},
+    KnownTable{"frames", "shift shift-axis turn turn-off mirror mirror-off scale scale-off off"},
+    KnownTable{"system",
+               "tool-number tool-radius tool-edge feed spindle-speed table-length table-radius table-corner-radius "
+               "table-delta-length table-delta-radius table-delta-corner"},
 };
 
 /// "Q0-99".
@@ -100,10 +106,20 @@ void read_switches(Section& s, std::string_view table, Language& l) {
         l.numbered_programs = s.choice("programs", {"names", "numbers"}).value_or(0) == 1;
         l.end_stops_all = s.boolean("end-stops-all").value_or(true);
         l.step = static_cast<int>(s.integer("step", 0, 1000).value_or(0));
+    } else if (table == "frames") {
+        l.frames_together = s.boolean("together").value_or(false);
+        l.shift_before_turn = s.boolean("shift-before-turn").value_or(false);
     } else if (table == "words") {
         l.across = s.boolean("across").value_or(false);
+        l.corner_beside = s.boolean("corner-beside").value_or(true);
         l.feed_ends_surface = s.boolean("feed-ends-surface").value_or(false);
     }
+}
+
+std::string lines_of(Section& s, std::string_view key) {
+    std::string joined;
+    for (const std::string& text : s.texts(key)) joined += (joined.empty() ? "" : "\n") + text;
+    return joined;
 }
 
 void read_table(Section& file, const KnownTable& known, Language& l) {
@@ -117,11 +133,23 @@ void read_table(Section& file, const KnownTable& known, Language& l) {
         at = end + 1;
         const shop::Entry* e = shop::find(s.table(), key);
         if (e == nullptr) continue;
-        std::string joined;
         if (e->value.kind != shop::ValueKind::text && e->value.kind != shop::ValueKind::array) continue;
-        for (const std::string& text : s.texts(key)) joined += (joined.empty() ? "" : "\n") + text;
-        l.texts[std::string(known.table) + "." + std::string(key)] = joined;
+        l.texts[std::string(known.table) + "." + std::string(key)] = lines_of(s, key);
     }
+    s.finish();
+}
+
+void read_cycle_program(Section& s, Language& l) {
+    const std::string name = s.text("kind").value_or("");
+    const auto kind = cl::cycle_kind_spelt(name);
+    if (!kind) return s.error(codes::job_value, place(s, "kind"), "'" + name + "' is no kind of cycle");
+    CycleProgram& p = l.cycles[*kind];
+    p.call = s.text("call").value_or("");
+    p.feed = s.text("feed").value_or("");
+    p.away = s.text("away").value_or("");
+    p.text = lines_of(s, "program");
+    for (const std::string_view key : {"call", "program"})
+        if (shop::find(s.table(), key) == nullptr) s.missing(key);
     s.finish();
 }
 
@@ -151,6 +179,10 @@ std::optional<Language> read_language(std::uint32_t file, const base::Sources& s
     Language l;
     Section section(*root, "the post", own);
     for (const KnownTable& known : known_tables) read_table(section, known, l);
+    for (const shop::Value* table : section.tables("cycle-program")) {
+        Section s(*table, "[[cycle-program]]", own);
+        read_cycle_program(s, l);
+    }
     for (const base::Diagnostic& d : own.all()) diagnostics.add(d);
     if (own.has_errors()) return std::nullopt;
     if (l.has("expressions.assign") && l.has("flow.end")) return l;

@@ -1,6 +1,6 @@
 #pragma once
 /// How a control spells what a program computes and where it goes: the tables [expressions], [parameters], [flow] and
-/// [words] of its post. File form: docs/translate.md.
+/// [words] of its post, [frames], [system] and [[cycle-program]]. File form: docs/translate.md.
 
 #include <cstdint>
 #include <map>
@@ -12,6 +12,7 @@
 
 #include "base/diagnostic.hpp"
 #include "base/source.hpp"
+#include "cl/cycle.hpp"
 
 namespace obrys::rewrite {
 
@@ -28,6 +29,14 @@ enum class LocalPlace : std::uint8_t {
     name,     ///< they keep their names
 };
 
+/// A cycle as a program of its own.
+struct CycleProgram {
+    std::string call;  ///< {name} and the cycle's values by their roles
+    std::string feed;  ///< of the contour's blocks
+    std::string away;  ///< what holds how far the tool's centre lies from the contour
+    std::string text;  ///< of the program
+};
+
 struct Language {
     /// Texts by "table.key"; a key that is not there is what the control lacks.
     std::map<std::string, std::string, std::less<>> texts;
@@ -36,6 +45,9 @@ struct Language {
     bool sign = false;               ///< values of words have one: "+5"
     bool computes = true;            ///< words take expressions; else a number or a parameter alone
     bool across = false;             ///< X words are diameters
+    bool corner_beside = true;       ///< chamfers and roundings stand in the element's block; else behind it
+    bool frames_together = false;    ///< a frame is said whole; else each part for itself
+    bool shift_before_turn = false;  ///< the shift cannot be changed while the axes are turned
     bool feed_ends_surface = false;  ///< saying per minute or revolution ends constant cutting speed
     bool subs_first = false;         ///< called programs stand before the main one
     bool numbered_labels = false, numbered_programs = false;
@@ -50,6 +62,12 @@ struct Language {
     [[nodiscard]] const std::string* find(std::string_view key) const {
         const auto found = texts.find(key);
         return found == texts.end() ? nullptr : &found->second;
+    }
+    std::map<cl::CycleKind, CycleProgram> cycles;
+
+    [[nodiscard]] const CycleProgram* cycle(cl::CycleKind kind) const {
+        const auto found = cycles.find(kind);
+        return found == cycles.end() ? nullptr : &found->second;
     }
     [[nodiscard]] bool has(std::string_view key) const { return find(key) != nullptr; }
 };

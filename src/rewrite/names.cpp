@@ -57,6 +57,17 @@ void Naming::met(const Unit& unit, const Expr& e) {
     met_.insert(e.kind == ExprKind::parameter ? key_of(unit, e.a) : key_of_name(unit, e.a));
 }
 
+/// A value that a definition computes stays in its parameter until the call.
+void Naming::met_in_cycle(const Unit& unit, const program::CycleDefinition& c) {
+    if (language_.cycle(c.kind) == nullptr) return;
+    for (const program::CycleSetting& s : c.settings) {
+        if (s.parameter == program::no_target || s.value == program::no_expr) continue;
+        std::uint32_t at = s.value;
+        while (unit.exprs[at].kind == ExprKind::unary) at = unit.exprs[at].a;
+        if (unit.exprs[at].kind != ExprKind::number) met_.insert(key_of(unit, s.parameter));
+    }
+}
+
 std::optional<std::string> Naming::take(const std::vector<Pool>& pools, std::set<std::string>& taken,
                                         std::optional<std::uint32_t> wanted) {
     for (const Pool& pool : pools) {
@@ -141,6 +152,7 @@ void Naming::collect(const std::vector<const Unit*>& programs) {
         for (const Expr& e : unit->exprs) met(*unit, e);
         for (const program::Define& d : unit->defines)
             for (const program::Variable& v : d.variables) met_.insert(key_of_name(*unit, v.name));
+        for (const program::CycleDefinition& c : unit->cycles) met_in_cycle(*unit, c);
         for (const program::Call& call : unit->calls)
             for (std::uint32_t n = 1; n <= call.arguments.size() && unit->traits->argument_parameters != 0; ++n)
                 if (call.arguments[n - 1] != program::no_expr) passed_.insert(n);
@@ -183,7 +195,7 @@ std::optional<std::string> Naming::scratch(const Unit& unit) {
     return all[used++];
 }
 
-std::optional<std::string> Naming::counter(const Unit& unit) { return local(unit, "COUNT_"); }
+std::optional<std::string> Naming::keeper(const Unit& unit, const std::string& wanted) { return local(unit, wanted); }
 
 std::vector<Renamed> Naming::all() const {
     std::vector<Renamed> out;

@@ -34,8 +34,8 @@ public:
     [[nodiscard]] std::optional<std::string> variable(const program::Unit& unit, program::NameId name) const;
     /// A place of the program's own that nothing else uses, until `release`; nothing where there is none left.
     std::optional<std::string> scratch(const program::Unit& unit);
-    /// The same for good.
-    std::optional<std::string> counter(const program::Unit& unit);
+    /// The same for good; `wanted` where it may have a name.
+    std::optional<std::string> keeper(const program::Unit& unit, const std::string& wanted);
     void release(const program::Unit& unit) { used_[&unit] = 0; }
 
     /// What the program takes, in order.
@@ -54,6 +54,7 @@ private:
     [[nodiscard]] Key key_of(const program::Unit& unit, std::uint32_t number) const;
     [[nodiscard]] Key key_of_name(const program::Unit& unit, program::NameId name) const;
     void met(const program::Unit& unit, const program::Expr& e);
+    void met_in_cycle(const program::Unit& unit, const program::CycleDefinition& c);
     struct Formal {
         std::size_t index;
         Key key;

@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "base/text.hpp"
+#include "rewrite/frames.hpp"
 #include "rewrite/writing.hpp"
 
 namespace obrys::rewrite {
@@ -102,6 +103,8 @@ Rewritten Writing::run(const std::string& name) {
     start[Mode::across] = input.diameters ? 1 : 0;
     start[Mode::feed] = input.lathe ? 1 : 0;
     start[Mode::surface] = 0;
+    for (const Mode m : {Mode::cycle, Mode::contour, Mode::pole}) start[m] = nowhere;
+    for (const Mode m : frame_modes) start[m] = nowhere;
     modes = held_modes(programs, start, graphs, [this](const Unit& u, const program::Call& c) { return callee(u, c); });
     std::vector<const Unit*> order = programs;
     if (language.subs_first) std::rotate(order.begin(), order.begin() + 1, order.end());
@@ -115,12 +118,29 @@ Rewritten Writing::run(const std::string& name) {
         const std::size_t top = lines.size();
         if (u == input.main && language.has("flow.main-start"))
             static_cast<void>(say("flow.main-start", {}, "the beginning"));
+        begin_frames();
         statements(*u);
         end_program(*u, u == input.main);
         declare(top);
         parts_of_unit();
     }
+    say_behind();
     return finished(name);
+}
+
+/// Programs that stand for cycles; in front of all where called ones stand there.
+void Writing::say_behind() {
+    std::vector<Line> before = std::move(lines);
+    lines.clear();
+    for (const Line& program : said_behind_) {
+        here = program.from;
+        say(program.text);
+    }
+    if (!language.subs_first) std::swap(before, lines);
+    const std::size_t shift = language.subs_first ? lines.size() : 0;
+    for (Note& note : notes)
+        if (note.line != 0) note.line += shift;
+    lines.insert(lines.end(), before.begin(), before.end());
 }
 
 void Writing::saves() {

@@ -57,9 +57,11 @@ void Writing::statements(const Unit& u) {
     const bool parts = !language.has("flow.repeat-section");
     if (parts) inline_ = not_only_called(u, graphs.at(&u));
     jumps_refused_ = false;
+    find_structure();
     range(0, n, parts);
     at = n;
-    if (wanted_.contains(n)) place(label_of(n));
+    borders(n);
+    if (wanted_.contains(n) && !structured_) place(label_of(n));
 }
 
 void Writing::range(std::uint32_t first, std::uint32_t end, bool only_inline) {
@@ -81,10 +83,11 @@ void Writing::range(std::uint32_t first, std::uint32_t end, bool only_inline) {
         for (const std::uint32_t place : places)
             if (wanted_.contains(place)) labels_.try_emplace(place, input.names->text(name));
     for (std::uint32_t i = first; i < end; ++i) {
+        borders(i);
         if (only_inline && !inline_.contains(i) && !is_structure(u.statements[i].kind)) continue;
         at = i;
         here = u.span(u.statements[i]);
-        if (wanted_.contains(i)) place(label_of(i));
+        if (wanted_.contains(i) && !structured_) place(label_of(i));
         if (held()[Mode::plane] != never_there || is_structure(u.statements[i].kind)) statement(i);
         naming.release(u);
     }
@@ -176,6 +179,8 @@ void Writing::statement(std::uint32_t i) {
         case StatementKind::procedure: return procedure(unit->procedures[entry]);
         case StatementKind::define: return define(unit->defines[entry]);
         case StatementKind::repeat_section: return section(i);
+        case StatementKind::frame: return frame(unit->frames[entry]);
+        case StatementKind::cycle_definition: return cycle_definition(unit->cycles[entry]);
         case StatementKind::return_:
             if (entry != 0) return refuse(here, "a return to another block is not translated by structure");
             return leave();
@@ -197,26 +202,6 @@ std::string Writing::structure_number(std::uint32_t opener) {
     std::string& n = numbers_[opener];
     if (n.empty()) n = std::to_string(++next_number_);
     return n;
-}
-
-void Writing::jump_statement(const program::Jump& j) {
-    const auto to = destination(*unit, at, j, *input.names, *input.sources);
-    if (!to)
-        return refuse(here, source(here) + ": where this jump goes is computed, or there is no such label",
-                      "name the label in the jump");
-    if (j.condition == program::no_expr) return jump(label_of(*to));
-    jump_when(condition(j.condition), label_of(*to));
-}
-
-void Writing::case_of(const program::Case& c) {
-    const Text selector = atom(c.selector);
-    for (const program::CaseArm& arm : c.arms) {
-        const auto to = destination(*unit, at, arm.jump, *input.names, *input.sources);
-        if (!to) return refuse(here, "where an arm of this CASE goes is not known from the text");
-        if (arm.value == program::no_expr) return jump(label_of(*to));
-        jump_when({.kind = Condition::Kind::comparison, .op = Operator::equal, .a = selector, .b = atom(arm.value)},
-                  label_of(*to));
-    }
 }
 
 void Writing::section(std::uint32_t i) {
@@ -328,7 +313,7 @@ void Writing::counted(std::uint32_t i) {
     const program::Branch& b = unit->branches[entry_of(*unit, i)];
     const bool opens = unit->statements[i].kind == StatementKind::repeat_count;
     std::string& name = counters_[opens ? i : b.target];
-    if (opens) name = naming.counter(*unit).value_or("");
+    if (opens) name = naming.keeper(*unit, "COUNT_").value_or("");
     if (name.empty()) return refuse(here, "there is no parameter left to count the passes of this loop");
     const Text counter{name, Level::atom, std::nullopt};
     const Condition more{

@@ -14,6 +14,7 @@
 #include "rewrite/language.hpp"
 #include "rewrite/names.hpp"
 #include "rewrite/rewrite.hpp"
+#include "rewrite/structured.hpp"
 
 namespace obrys::rewrite {
 
@@ -49,6 +50,8 @@ struct Line {
     std::string text;
     base::Span from;
 };
+
+struct ContourText;
 
 class Writing {
 public:
@@ -101,6 +104,38 @@ public:
     void end_all();
     [[nodiscard]] std::string program_name(const Unit& unit);
 
+    // cycles.cpp
+    void cycle_definition(const program::CycleDefinition& d);
+    void cycle_call();
+
+    // frames.cpp
+    void frame_cycle(const program::CycleDefinition& d);
+    void frame(const program::FrameCall& call);
+    /// G52, G68, G69.
+    void frame_block(program::Modal m);
+    /// What a part of the frame is before this statement; nothing where that is not known.
+    std::optional<Text> frame_part(Mode part);
+    [[nodiscard]] Text nothing_of(Mode part) const;
+    /// A part that has different values by the way that the run has come, all of them in one place.
+    [[nodiscard]] bool frame_varies(Mode part);
+    /// Some statement gives it a value.
+    [[nodiscard]] bool frame_acts(Mode part);
+    std::optional<Text> frame_keeper(Mode part);
+    void begin_frames();
+    /// What the frame is behind it.
+    void keep_frame(const std::array<Text, 6>& parts);
+    /// There are more statements than one that change a frame.
+    [[nodiscard]] bool says_frames_again();
+
+    // contour_text.cpp
+    /// The contour in these statements; nothing after a complaint.
+    std::optional<ContourText> contour_text(const Unit& of, const Range& range);
+    /// Its blocks behind the first point.
+    std::string contour_blocks(const ContourText& contour, const std::string& feed);
+
+    // system.cpp
+    Text system(const Expr& e, ExprId id);
+
     // blocks.cpp
     void block(std::uint32_t statement);
 
@@ -125,6 +160,7 @@ public:
     base::Span here;       ///< its place
     std::vector<Line> lines;
     std::vector<Note> notes;
+    std::map<int, std::pair<Text, Text>> poles;        ///< by their places
     std::optional<Text> prepared_tool, prepared_edge;  ///< said last, and not changed to yet
     int tool_in_spindle = 0;                           ///< as the text says it last; 0: none
 
@@ -149,6 +185,11 @@ private:
     void loop(std::uint32_t i);
     void counted(std::uint32_t i);
     void case_of(const program::Case& c);
+    // jumps.cpp
+    void find_structure();
+    std::string region_number(std::size_t region);
+    void borders(std::uint32_t i);
+    void structured_jump(const program::Jump& j);
     void jump_statement(const program::Jump& j);
     void section(std::uint32_t i);
     [[nodiscard]] bool keeps_structures() const { return language.has("flow.while"); }
@@ -158,6 +199,17 @@ private:
     /// Declares the unit's own names, in front of what stands behind line `top`.
     void declare(std::size_t top);
     Rewritten finished(const std::string& name);
+    void say_behind();
+    std::optional<Text> tool_of(const Expr& e);
+    struct NamedContour;
+    std::optional<NamedContour> contour_here();
+    /// The name of the program that stands for a cycle here; null after a complaint.
+    const std::string* cycle_program(const program::CycleDefinition& d, const CycleProgram& p);
+    std::string& name_of_cycle(const program::CycleDefinition& d, int contour);
+    [[nodiscard]] std::string fresh_cycle_name(const program::CycleDefinition& d) const;
+    void set_of_cycle(const program::CycleDefinition& d, const program::CycleSetting& s);
+    /// The programs give it a value somewhere.
+    [[nodiscard]] bool is_assigned(std::uint32_t parameter);
 
     std::map<std::uint32_t, std::string> labels_;   ///< of the unit's statements, as the program calls them
     std::map<std::uint32_t, std::string> settled_;  ///< … and as they are called there
@@ -176,6 +228,19 @@ private:
     std::map<std::pair<const Unit*, std::uint32_t>, Part> parts_;  ///< by their first statement
     std::vector<std::uint32_t> waiting_;                           ///< parts of the unit to be written
     std::set<std::uint32_t> inline_;  ///< statements to which more than calls of labels lead
+    std::map<std::pair<cl::CycleKind, int>, std::string> cycle_programs_;  ///< names, by the place of the contour
+    struct Frames {
+        std::size_t count = 0;     ///< statements that change one
+        std::set<Mode> act, vary;  ///< parts that are given values; those that depend on the way
+    };
+    void look_at_frames();
+    std::optional<Frames> frames_;
+    std::optional<std::set<std::uint32_t>> assigned_;  ///< parameters
+    std::map<std::pair<const Unit*, Mode>, std::string> frame_keepers_;
+    std::map<std::pair<int, Mode>, Text> frame_values_;  ///< by the place that says them
+    std::vector<Line> said_behind_;                      ///< texts of programs
+    std::optional<Structured> structured_;               ///< the jumps of the unit, where the control has none
+    std::vector<std::string> region_numbers_;            ///< of their regions
     bool jumps_refused_ = false;
     std::string last_message_;
 };

@@ -90,7 +90,7 @@ public:
         if (const auto by = file_.choice("written_by", {"templates", "canon"})) post_.is_canon = *by == 1;
         post_.block_end = file_.text("block_end").value_or("");
         for (const std::string_view known :
-             {"extends", "expressions", "operators", "functions", "parameters", "flow", "words"})
+             {"extends", "expressions", "operators", "functions", "parameters", "flow", "words", "frames", "system", "cycle-program"})
             static_cast<void>(file_.take(known));  // the tables: rewrite/language.hpp
         read_numbers();
         read_modal();

@@ -188,7 +188,7 @@ constexpr Entry words[]{
     proc("MSG", Procedure::message), no("MU", machine_function), no("MVTOOL", tool_management),
     no("MZ", machine_function), off("NEWCONF"), run("NORM", Modal::approach_normal), block("NPROT", protection_zone),
     block("NPROTDEF", protection_zone), no("NUT", tool_orientation), no("OEMIPO1", spline_polynomial_interpolation),
-    no("OEMIPO2", spline_polynomial_interpolation), no("OFFN", tool_offset_changed_by_the_program),
+    no("OEMIPO2", spline_polynomial_interpolation), named("OFFN", NamedKind::contour_allowance),
     no("ORIAXES", tool_orientation), no("ORIC", tool_orientation), no("ORICONCCW", tool_orientation),
     no("ORICONCW", tool_orientation), no("ORICONIO", tool_orientation), no("ORICONTO", tool_orientation),
     no("ORICURVE", tool_orientation), no("ORID", tool_orientation), no("ORIEULER", tool_orientation), off("ORIMKS"),

@@ -1,0 +1,96 @@
+/// What arcs are made about, and what stands at the corners behind elements.
+
+#include <algorithm>
+
+#include "rewrite/block_words.hpp"
+
+namespace obrys::rewrite {
+
+std::string BlockWords::corner(std::string_view key, const Text& given) {
+    const std::string* form = w_.language.find(key);
+    Text v = given;
+    if (!w_.language.computes && !v.number) v = w_.atom(v, program::no_expr);
+    if (form == nullptr) {
+        w_.refuse(w_.here, "a chamfer or rounding by its word has no counterpart there");
+        return {};
+    }
+    const bool bare = v.number || v.level == Level::atom;
+    return filled(*form,
+                  {{"value", v.text}, {"bracketed", bare ? v.text : w_.language.open + v.text + w_.language.close}});
+}
+
+std::string BlockWords::absolute_centre(const Text& u, const Text& v) {
+    const std::string* form = w_.language.find("words.centre-absolute");
+    if (form == nullptr) {
+        w_.refuse(w_.here, "an arc's centre by its coordinates has no counterpart there");
+        return {};
+    }
+    return filled(*form, {{"u", u.text},
+                          {"v", v.text},
+                          {"x", spelt("X", u, true)},
+                          {"y", spelt("Y", v, true)},
+                          {"i", spelt("I", u, true)},
+                          {"j", spelt("J", v, true)}});
+}
+
+std::string BlockWords::centre_text() {
+    const std::string* names = w_.language.find("words.centre");
+    if (radius_) {
+        const std::string* form = w_.language.find("words.radius");
+        if (form == nullptr) return w_.refuse(w_.here, "an arc by its radius has no counterpart there"), "";
+        Text v = *radius_;
+        if (!w_.language.computes && !v.number) v = w_.atom(v, program::no_expr);
+        const bool bare = v.number || v.level == Level::atom;
+        return filled(*form, {{"value", v.text},
+                              {"bracketed", bare ? v.text : w_.language.open + v.text + w_.language.close},
+                              {"signed", (v.text[0] == '-' ? "" : "+") + v.text}});
+    }
+    std::string out;
+    if (!centre_counts_on_) {
+        if (centre_.size() == 2 && centre_[0].first == 0 && centre_[1].first == 1)
+            return absolute_centre(centre_[0].second, centre_[1].second);
+        return w_.refuse(w_.here, "an arc's centre by coordinates is translated with I=AC and J=AC"), "";
+    }
+    for (const auto& [i, v] : centre_) {
+        const std::string letter =
+            names != nullptr && names->size() >= 6 ? names->substr(i * 2, 2) : std::string(1, "IJK"[i]);
+        out += (out.empty() ? "" : " ") + spelt(letter, v, true);
+    }
+    return out;
+}
+
+/// Where its coordinates are no numbers, they are held: what they are computed from may change before the arc.
+void BlockWords::pole() {
+    if (axes_.size() != 2 || axes_[0].letter != 'X' || axes_[1].letter != 'Y' || axes_[0].incremental ||
+        axes_[1].incremental)
+        return w_.refuse(w_.here, "a pole is translated by structure where both its coordinates are given");
+    const auto hold = [&](const Text& v, const char* wanted) {
+        if (v.number) return v;
+        const auto name = w_.naming.keeper(*w_.unit, wanted);
+        if (!name) w_.refuse(w_.here, "there is no parameter left for the pole");
+        const Text to{name.value_or("0"), Level::atom, std::nullopt};
+        if (name) w_.assign(to, v);
+        return to;
+    };
+    const auto number =
+        static_cast<std::size_t>(std::find(w_.programs.begin(), w_.programs.end(), w_.unit) - w_.programs.begin());
+    const Text u = hold(axes_[0].value, "POLE_X"), v = hold(axes_[1].value, "POLE_Y");
+    w_.poles[place_number(number, w_.at)] = {u, v};
+}
+
+std::optional<std::string> BlockWords::pole_text() {
+    const int said = w_.held()[Mode::pole];
+    const auto found = w_.poles.find(said);
+    const bool foreign = said >= 0 && w_.programs[place_of(said).program] != w_.unit;
+    if (said < 0 || found == w_.poles.end() ||
+        (foreign && !(found->second.first.number && found->second.second.number))) {
+        w_.refuse(w_.here,
+                  said == several ? "which pole is in force here depends on the way that the run has come"
+                                  : "the pole of this arc is not said before it",
+                  "write CC before the arc");
+        return std::nullopt;
+    }
+    return absolute_centre(found->second.first, found->second.second);
+}
+
+}  // namespace obrys::rewrite

@@ -1,0 +1,85 @@
+/// Jumps: to labels, or as the loops and branches that they make where the control has none.
+
+#include <algorithm>
+
+#include "rewrite/writing.hpp"
+
+namespace obrys::rewrite {
+
+void Writing::find_structure() {
+    structured_.reset();
+    region_numbers_.clear();
+    if (language.has("flow.jump") || !keeps_structures()) return;
+    structured_ = structured(*unit, modes.at(unit), *input.names, *input.sources);
+    if (structured_) region_numbers_.resize(structured_->regions.size());
+}
+
+std::string Writing::region_number(std::size_t region) {
+    std::string& n = region_numbers_[region];
+    if (n.empty()) n = std::to_string(++next_number_);
+    return n;
+}
+
+/// Ends of branches, then beginnings of loops, the inner ones first and last.
+void Writing::borders(std::uint32_t i) {
+    if (!structured_) return;
+    std::vector<std::size_t> ends, begins;
+    for (std::size_t r = 0; r < structured_->regions.size(); ++r) {
+        const Structured::Region& region = structured_->regions[r];
+        if (!region.loop && region.end == i) ends.push_back(r);
+        if (region.loop && region.begin == i) begins.push_back(r);
+    }
+    const auto& all = structured_->regions;
+    std::sort(ends.begin(), ends.end(), [&](std::size_t a, std::size_t b) { return all[a].begin > all[b].begin; });
+    std::sort(begins.begin(), begins.end(), [&](std::size_t a, std::size_t b) { return all[a].end > all[b].end; });
+    for (const std::size_t r : ends) say("flow.end-if", {{"n", region_number(r)}}, "a branch");
+    for (const std::size_t r : begins)
+        say(all[r].endless ? "flow.loop" : "flow.repeat", {{"n", region_number(r)}}, "a loop");
+}
+
+void Writing::structured_jump(const program::Jump& j) {
+    const Structured::Jump& jump = structured_->jumps.at(at);
+    const auto say_with = [&](std::string_view key, bool negated, const std::string& n) {
+        const auto text = as_text(condition(j.condition, negated));
+        if (!text) return refuse(here, "this condition cannot be said in one expression");
+        say(key, {{"condition", *text}, {"n", n}}, "a structure");
+    };
+    switch (jump.role) {
+        case JumpRole::none: return;
+        case JumpRole::branch: return say_with("flow.if", true, region_number(jump.region));
+        case JumpRole::again: return say_with("flow.again", false, region_number(jump.region));
+        case JumpRole::other:
+            return static_cast<void>(say("flow.else", {{"n", region_number(jump.region)}}, "a branch"));
+        case JumpRole::end_loop:
+            return static_cast<void>(say("flow.end-loop", {{"n", region_number(jump.region)}}, "a loop"));
+        case JumpRole::leave: break;
+    }
+    const std::string n = std::to_string(++next_number_);
+    const bool always = is_always(*unit, j);
+    if (!always) say_with("flow.if", false, n);
+    say("flow.break", {{"n", region_number(jump.region)}}, "the way out of a loop");
+    if (!always) say("flow.end-if", {{"n", n}}, "a branch");
+}
+
+void Writing::jump_statement(const program::Jump& j) {
+    if (structured_) return structured_jump(j);
+    const auto to = destination(*unit, at, j, *input.names, *input.sources);
+    if (!to)
+        return refuse(here, source(here) + ": where this jump goes is computed, or there is no such label",
+                      "name the label in the jump");
+    if (j.condition == program::no_expr) return jump(label_of(*to));
+    jump_when(condition(j.condition), label_of(*to));
+}
+
+void Writing::case_of(const program::Case& c) {
+    const Text selector = atom(c.selector);
+    for (const program::CaseArm& arm : c.arms) {
+        const auto to = destination(*unit, at, arm.jump, *input.names, *input.sources);
+        if (!to) return refuse(here, "where an arm of this CASE goes is not known from the text");
+        if (arm.value == program::no_expr) return jump(label_of(*to));
+        jump_when({.kind = Condition::Kind::comparison, .op = Operator::equal, .a = selector, .b = atom(arm.value)},
+                  label_of(*to));
+    }
+}
+
+}  // namespace obrys::rewrite

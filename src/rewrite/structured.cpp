@@ -1,0 +1,134 @@
+#include "rewrite/structured.hpp"
+
+#include <algorithm>
+
+#include "rewrite/graph.hpp"
+
+namespace obrys::rewrite {
+
+using program::StatementKind;
+using program::Unit;
+using Region = Structured::Region;
+
+bool is_always(const Unit& unit, const program::Jump& jump) {
+    if (jump.condition == program::no_expr) return true;
+    const program::Expr& e = unit.exprs[jump.condition];
+    if (e.kind != program::ExprKind::binary || static_cast<program::Operator>(e.op) != program::Operator::equal)
+        return false;
+    const auto number = [&](program::ExprId id) -> std::optional<double> {
+        while (unit.exprs[id].kind == program::ExprKind::unary &&
+               static_cast<program::Operator>(unit.exprs[id].op) == program::Operator::plus)
+            id = unit.exprs[id].a;
+        return unit.exprs[id].kind == program::ExprKind::number ? std::optional(unit.numbers[unit.exprs[id].a])
+                                                                : std::nullopt;
+    };
+    const auto a = number(e.a), b = number(e.b);
+    return a && a == b;  // FN 9: IF +0 EQU +0
+}
+
+namespace {
+
+struct Found {
+    std::uint32_t at = 0, to = 0;
+    bool always = false;
+};
+
+/// Nothing where the program jumps in another way too.
+std::optional<std::vector<Found>> jumps_of(const Unit& unit, const std::vector<Held>& held, const program::Names& names,
+                                           const base::Sources& sources) {
+    std::vector<Found> out;
+    for (std::uint32_t i = 0; i < unit.statements.size(); ++i) {
+        const StatementKind kind = unit.statements[i].kind;
+        const bool structure = (kind >= StatementKind::if_ && kind <= StatementKind::endfor) ||
+                               kind == StatementKind::repeat_count || kind == StatementKind::case_ ||
+                               kind == StatementKind::label_call || kind == StatementKind::repeat_section;
+        if (held[i][Mode::plane] == never_there) continue;
+        if (structure) return std::nullopt;
+        if (kind != StatementKind::jump) continue;
+        const program::Jump& jump = unit.jumps[entry_of(unit, i)];
+        const auto to = destination(unit, i, jump, names, sources);
+        if (!to) return std::nullopt;
+        out.push_back({i, *to, is_always(unit, jump)});
+    }
+    return out;
+}
+
+class Structuring {
+public:
+    std::optional<Structured> run(const std::vector<Found>& jumps) {
+        for (const Found& j : jumps)
+            if (j.to <= j.at) loop(j);
+        for (const Found& j : jumps)
+            if (j.to > j.at + 1 && !j.always && !leave(j)) branch(j);
+        for (const Found& j : jumps)
+            if (j.to > j.at + 1 && j.always && !leave(j) && !other(j)) return std::nullopt;
+        for (const Found& j : jumps)
+            if (j.to == j.at + 1) out_.jumps[j.at] = {JumpRole::none, 0};
+        if (!lie_within_each_other()) return std::nullopt;
+        return std::move(out_);
+    }
+
+private:
+    void loop(const Found& j) {
+        out_.jumps[j.at] = {j.always ? JumpRole::end_loop : JumpRole::again, out_.regions.size()};
+        out_.regions.push_back({j.to, j.at + 1, true, j.always, j.at});
+    }
+    void branch(const Found& j) {
+        out_.jumps[j.at] = {JumpRole::branch, out_.regions.size()};
+        out_.regions.push_back({j.at + 1, j.to, false, false, j.at});
+    }
+    /// Out of the innermost loop around it, to behind it.
+    bool leave(const Found& j) {
+        std::optional<std::size_t> innermost;
+        for (std::size_t r = 0; r < out_.regions.size(); ++r) {
+            const Region& region = out_.regions[r];
+            if (!region.loop || j.at < region.begin || j.at >= region.end) continue;
+            if (!innermost || region.end - region.begin < out_.regions[*innermost].end - out_.regions[*innermost].begin)
+                innermost = r;
+        }
+        if (!innermost || out_.regions[*innermost].end != j.to) return false;
+        out_.jumps[j.at] = {JumpRole::leave, *innermost};
+        return true;
+    }
+    /// The last statement of a branch passes by what is done where its condition does not hold.
+    bool other(const Found& j) {
+        for (std::size_t r = 0; r < out_.regions.size(); ++r) {
+            Region& region = out_.regions[r];
+            if (region.loop || region.other || region.end != j.at + 1 || region.begin > j.at) continue;
+            region.other = j.at;
+            region.end = j.to;
+            out_.jumps[j.at] = {JumpRole::other, r};
+            return true;
+        }
+        return false;
+    }
+    [[nodiscard]] bool lie_within_each_other() const {
+        for (const Region& a : out_.regions)
+            for (const Region& b : out_.regions) {
+                const bool apart = a.end <= b.begin || b.end <= a.begin;
+                const bool inside = a.begin >= b.begin && a.end <= b.end, around = b.begin >= a.begin && b.end <= a.end;
+                if (!apart && !inside && !around) return false;
+                // Within a branch with an ELSE, on one side of it.
+                if (&a != &b && inside && b.other && a.begin <= *b.other && a.end > *b.other) return false;
+                // A jump into a loop.
+                if (a.loop && !b.loop && b.jump < a.begin && b.end > a.begin && b.end < a.end) return false;
+                // A branch that goes on behind its loop begins outside of it.
+                if (&a != &b && a.loop && !b.loop && b.jump >= a.begin && b.jump < a.end && b.end >= a.end)
+                    return false;
+            }
+        return true;
+    }
+
+    Structured out_;
+};
+
+}  // namespace
+
+std::optional<Structured> structured(const Unit& unit, const std::vector<Held>& held, const program::Names& names,
+                                     const base::Sources& sources) {
+    const auto jumps = jumps_of(unit, held, names, sources);
+    constexpr std::size_t most = 2000;
+    return jumps && jumps->size() <= most ? Structuring().run(*jumps) : std::nullopt;
+}
+
+}  // namespace obrys::rewrite
