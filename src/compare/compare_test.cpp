@@ -78,13 +78,13 @@ TEST(Compare, TheSameNumbersWithAnotherLengthAreAMove) {
 }
 
 TEST(Compare, BehindAMoveTooManyNothingIsCalledEqual) {
-    const Result r = compare(path_of({line(10), line(20), line(30)}), path_of({line(10), line(30)}), {});
+    const Result r = compare(path_of({line(10), line(20, 5), line(30)}), path_of({line(10), line(30)}), {});
     EXPECT_FALSE(r.is_equal(Aspect::motion));
     EXPECT_FALSE(r.is_equal(Aspect::feed));
     EXPECT_TRUE(r.is_equal(Aspect::cycles));
     EXPECT_EQ(r.looked_to, 1U);
-    const std::vector<cl::Step> slow{cl::Feed{100}, line(10), line(21), line(30)};
-    EXPECT_EQ(differences(slow, {cl::Feed{100}, line(10), line(20), cl::Feed{90}, line(30)}), "motion feed");
+    const std::vector<cl::Step> slow{cl::Feed{100}, line(10), line(21, 5), line(30)};
+    EXPECT_EQ(differences(slow, {cl::Feed{100}, line(10), line(20, 5), cl::Feed{90}, line(30)}), "motion feed");
 }
 
 TEST(Compare, AnUnknownPlaceIsTheSameAsAnUnknownOneOnly) {

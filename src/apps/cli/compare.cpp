@@ -21,8 +21,7 @@ namespace {
 /// One of the two: its session stays, since places lie in its texts.
 struct Side {
     driver::Session session;
-    std::optional<compare::Path> path;
-    int code = 2;
+    bool is_open = false;
 };
 
 /// What parameters of the first program are called in the other; nothing after a complaint.
@@ -47,20 +46,13 @@ std::optional<driver::NameMap> name_map(const Arguments& a) {
     return map;
 }
 
-void read_side(const Arguments& a, const std::string& input, const driver::NameMap& map, Side& side) {
+void open_side(const Arguments& a, const std::string& input, const driver::NameMap& map, Side& side) {
     Arguments own = a;
     own.request.input = input;
     own.request.set = driver::mapped(a.request.set, map);
-    compare::Path path(a.same_place);
-    if (driver::is_stream(input)) {
-        if (driver::read_stream(input, side.session, path)) side.path = std::move(path);
-    } else if (open(own, side.session)) {
-        side.path = driver::path_of(side.session, a.same_place);
-    } else {
-        return;  // it has been said
-    }
-    print_diagnostics(side.session, base::Severity::warning);
-    if (side.path) side.code = driver::exit_code_of_run(side.session);
+    if (!driver::is_stream(input)) return static_cast<void>(side.is_open = open(own, side.session));
+    side.is_open = driver::open_stream(input, side.session);
+    if (!side.is_open) print_diagnostics(side.session, base::Severity::warning);
 }
 
 std::string place(const Side& side, const std::optional<base::Span>& at) {
@@ -121,16 +113,19 @@ int compare(const Arguments& arguments) {
     Side a, b;
     const auto map = name_map(arguments);
     if (!map) return 2;
-    read_side(arguments, arguments.request.input, {}, a);
-    read_side(arguments, arguments.other, *map, b);
-    if (!a.path || !b.path || a.code == 2 || b.code == 2) return 2;
+    open_side(arguments, arguments.request.input, {}, a);
+    open_side(arguments, arguments.other, *map, b);
+    if (!a.is_open || !b.is_open) return 2;
     compare::Tolerance tolerance;
     tolerance.length = arguments.same_place;
-    const compare::Result r = compare::compare(*a.path, *b.path, tolerance);
+    const compare::Result r = driver::compare_sessions(a.session, b.session, tolerance);
+    for (const Side* side : {&a, &b}) print_diagnostics(side->session, base::Severity::warning);
+    const int code_a = driver::exit_code_of_run(a.session), code_b = driver::exit_code_of_run(b.session);
+    if (code_a == 2 || code_b == 2) return 2;
     driver::OutputFile out(arguments.output);
     out.write(arguments.format == "json" ? as_json(a, b, r) : as_text(a, b, r));
     if (!deliver(arguments.output, out)) return 2;
-    if (a.code != 0 || b.code != 0) return 3;  // of a run that an alarm has ended nothing behind it is compared
+    if (code_a != 0 || code_b != 0) return 3;  // of a run that an alarm has ended nothing behind it is compared
     const bool same = std::none_of(r.first.begin(), r.first.end(),
                                    [](const compare::Difference& d) { return compare::is_done(d.aspect); });
     return same ? 0 : 1;
