@@ -86,11 +86,13 @@ bool Path::goes_on(const cl::Record& record) const {
     return std::abs(rise - next_rise) * geom::full_turn <= rounded && std::abs(radius - next_radius) <= rounded;
 }
 
-/// A line to where the tool stands, with its axis as it is.
+/// A line to where the tool stands, with its axis as it is. A working plane that is tilted tells another axis, and
+/// nothing moves yet.
 bool Path::leads_nowhere(const cl::Step& step, const geom::Vec3& to) const {
     const auto* line = std::get_if<cl::Linear>(&step);
-    return line != nullptr && line->seek == cl::Seek::nothing && at_ && axes_.empty() && near(*at_, to, same_place_) &&
-           near(tool_, line->axis, 1e-6);
+    if (line == nullptr || line->seek != cl::Seek::nothing || !at_ || !axes_.empty() || !near(*at_, to, same_place_))
+        return false;
+    return (line->rapid && tilts_) || near(tool_, line->axis, 1e-6);
 }
 
 void Path::take_move(const cl::Record& record, const geom::Vec3& to) {
@@ -111,6 +113,7 @@ void Path::take_move(const cl::Record& record, const geom::Vec3& to) {
         moves.push_back({record.step, std::exchange(axes_, {}), holding_, record.from, record.stack});
     }
     at_ = to;
+    tilts_ = false;
     if (const auto* line = std::get_if<cl::Linear>(&record.step)) tool_ = line->axis;
     if (const auto* curve = std::get_if<cl::Spline>(&record.step)) tool_ = curve->axis;
 }
@@ -137,6 +140,7 @@ void Path::take(const cl::Record& record) {
     const auto datum = cursor_.state().datum;
     cursor_.take(record);
     held_ = false;
+    tilts_ = tilts_ || std::holds_alternative<cl::Frame>(step);
     // Another zero: the tool stands still, and its place has other numbers.
     if (std::holds_alternative<cl::Datum>(step) && !(cursor_.state().datum == datum)) at_.reset();
     // What a block of a stop does besides holds while the machine stands, whatever stands first in it.

@@ -81,6 +81,7 @@ private:
     geom::Vec3 arc_from_;                 ///< where the last arc began
     std::optional<geom::Vec3> at_;        ///< end of the last move that counts
     geom::Vec3 tool_{NAN, NAN, NAN};      ///< its axis there
+    bool tilts_ = false;                  ///< another frame since then
     cl::ToolLength length_there_;         ///< that was compensated there
     std::optional<std::size_t> item_at_;  ///< moves before the last event, cycle or element of a contour
     std::vector<cl::Axis> axes_;

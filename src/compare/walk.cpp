@@ -41,7 +41,7 @@ void Walk::compare_items(bool ended) {
             items[i].place(side, s.number(), list.size() - (open ? 1 : 0), pieces_);
         }
     }
-    for (ItemPairs& pairs : items) pairs.compare(like, {pieces_, here, ended}, between_);
+    for (std::size_t i = 0; i < items.size(); ++i) items[i].compare(like, {pieces_, here, ended}, between_[i]);
 }
 
 void Walk::advance() {
@@ -155,7 +155,7 @@ Result Walk::finish() {
         if (d.aspect == length_aspect) d.aspect = both ? Aspect::tool : Aspect::datum;
         if (!sorted.has(d.aspect)) sorted.all.push_back(std::move(d));
     }
-    sorted.add(between_);
+    for (const Found& found : between_) sorted.add(found);
     out.first = std::move(sorted.all);
     return out;
 }

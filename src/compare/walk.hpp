@@ -70,7 +70,8 @@ private:
     std::optional<Joined> joined_;           ///< the last of them
     std::optional<std::size_t> differs_at_;  ///< first move that does
     std::optional<std::size_t> lone_at_;     ///< first move that has none beside it
-    Found firm_, behind_, lone_, between_;
+    Found firm_, behind_, lone_;
+    std::array<Found, 3> between_;  ///< moves: of each of `items`
     std::shared_ptr<const Holding> last_a_, last_b_;
 };
 
