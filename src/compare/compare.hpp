@@ -63,6 +63,9 @@ struct Tolerance {
     double length = 1e-4;  ///< mm, between places
     double angle = 1e-3;   ///< degrees, of additional axes and of values in degrees
     double share = 1e-6;   ///< of speeds, feeds and factors
+    /// Both are of one control: zeros of other numbers are other zeros, also where nobody knows their places, and
+    /// a length that one of them never compensates is missing there.
+    bool same_control = false;
 };
 
 /// Compares two streams as they come. Only what has no counterpart yet is kept.

@@ -38,7 +38,14 @@ public:
     [[nodiscard]] bool operator()(const cl::Arc& a, const cl::Arc& b) const {
         const double radius = geom::length(in_plane(a.to - a.centre, a.normal));
         return place(a.to, b.to) && a.rapid == b.rapid && turn(a.normal, a.sweep, b.normal, b.sweep, radius) &&
-               middles(a, b);
+               middles(a, b) && as_known(a.centre, b.centre, a.normal);
+    }
+    /// Coordinates of a centre that nobody knows: the same ones, but for those along the axis.
+    [[nodiscard]] static bool as_known(const geom::Vec3& a, const geom::Vec3& b, const geom::Vec3& normal) {
+        const auto one = [](double x, double y, double n) {
+            return std::isnan(x) == std::isnan(y) || std::abs(n) > 1 - 1e-9;
+        };
+        return one(a.x, b.x, normal.x) && one(a.y, b.y, normal.y) && one(a.z, b.z, normal.z);
     }
     /// Ways between the same ends: places on them. Where an arc is short, its ends do not hold its centre.
     [[nodiscard]] bool middles(const cl::Arc& a, const cl::Arc& b) const {
@@ -78,8 +85,8 @@ public:
                near(a.held.value_or(0), b.held.value_or(0), t_.angle);
     }
     [[nodiscard]] bool operator()(const cl::ToolChange& a, const cl::ToolChange& b) const {
-        return a.number == b.number && a.edge == b.edge && a.name == b.name && near(a.raised, b.raised, t_.length) &&
-               near(a.wider, b.wider, t_.length);
+        return a.number == b.number && a.edge == b.edge && a.offset == b.offset && a.name == b.name &&
+               near(a.raised, b.raised, t_.length) && near(a.wider, b.wider, t_.length);
     }
     [[nodiscard]] bool operator()(const cl::ToolLength& a, const cl::ToolLength& b) const {
         return a.sense == b.sense && a.offset == b.offset && a.by.has_value() == b.by.has_value() &&
@@ -97,7 +104,8 @@ public:
     }
     [[nodiscard]] bool operator()(const cl::LeadBegin& a, const cl::LeadBegin& b) const {
         return a.kind == b.kind && a.onto == b.onto && place(a.at, b.at) && near(a.length, b.length, t_.length) &&
-               near(a.radius, b.radius, t_.length) && near(a.angle, b.angle, 1e-6) && a.rapid == b.rapid;
+               near(a.radius, b.radius, t_.length) && near(a.angle, b.angle, 1e-6) && a.rapid == b.rapid &&
+               share(a.feed, b.feed);
     }
     [[nodiscard]] bool operator()(const cl::MachinePlace& a, const cl::MachinePlace& b) const {
         return a.kind == b.kind && a.number == b.number && a.axes == b.axes && place(a.to, b.to);
@@ -105,12 +113,14 @@ public:
     [[nodiscard]] bool operator()(const cl::Datum& a, const cl::Datum& b) const {
         return a.number == b.number && place(a.origin, b.origin);
     }
+    [[nodiscard]] bool affine(const geom::Frame& a, const geom::Frame& b) const {
+        return place(a.origin, b.origin) && std::equal(a.linear.begin(), a.linear.end(), b.linear.begin(),
+                                                       [](double x, double y) { return near(x, y, 1e-6); });
+    }
     [[nodiscard]] bool operator()(const cl::Frame& a, const cl::Frame& b) const {
         return std::equal(a.parts.begin(), a.parts.end(), b.parts.begin(), b.parts.end(),
                           [&](const cl::FramePart& p, const cl::FramePart& q) {
-                              return p.kind == q.kind && place(p.frame.origin, q.frame.origin) &&
-                                     std::equal(p.frame.linear.begin(), p.frame.linear.end(), q.frame.linear.begin(),
-                                                [](double x, double y) { return near(x, y, 1e-6); });
+                              return p.kind == q.kind && affine(p.frame, q.frame);
                           });
     }
     [[nodiscard]] bool operator()(const cl::Tolerance& a, const cl::Tolerance& b) const {
@@ -125,8 +135,8 @@ public:
     }
     [[nodiscard]] bool operator()(const cl::CycleBegin& a, const cl::CycleBegin& b) const {
         const std::vector<cl::CycleValue>&v = a.cycle->values, &w = b.cycle->values;
-        return a.cycle->kind == b.cycle->kind && place(a.place, b.place) && v.size() == w.size() &&
-               std::all_of(v.begin(), v.end(), [&](const cl::CycleValue& x) {
+        return a.cycle->kind == b.cycle->kind && place(a.place, b.place) && affine(a.cycle->plane, b.cycle->plane) &&
+               v.size() == w.size() && std::all_of(v.begin(), v.end(), [&](const cl::CycleValue& x) {
                    return std::any_of(w.begin(), w.end(), [&](const cl::CycleValue& y) {
                        return x.role == y.role && near(x.value, y.value, t_.length);
                    });
@@ -139,7 +149,7 @@ public:
     [[nodiscard]] bool operator()(const cl::Programmed& a, const cl::Programmed& b) const {
         const double radius = a.sweep == 0 ? 1 : geom::distance(a.from, a.centre);
         return place(a.from, b.from) && place(a.to, b.to) && (a.sweep == 0 || place(a.centre, b.centre)) &&
-               turn(a.normal, a.sweep, b.normal, b.sweep, radius) && a.corner == b.corner &&
+               turn(a.normal, a.sweep, b.normal, b.sweep, radius) && a.corner == b.corner && a.rapid == b.rapid &&
                near(a.size, b.size, t_.length) && share(a.corner_feed, b.corner_feed);
     }
     template <class T>
@@ -152,6 +162,7 @@ public:
                std::visit([&]<class T>(const T& x) { return (*this)(x, *std::get_if<T>(&b)); }, a);
     }
     [[nodiscard]] double length() const { return t_.length; }
+    [[nodiscard]] bool same_control() const { return t_.same_control; }
 
 private:
     Tolerance t_;

@@ -11,8 +11,10 @@ namespace {
 
 /// A tool whose offset has its own number is the same as one whose first edge is named.
 cl::ToolChange tool_of(cl::ToolChange change) {
-    if (change.offset == change.number && change.offset != 0) change.edge = 1;
-    change.offset = 0;
+    if (change.offset == change.number && change.offset != 0)
+        change.edge = 1, change.offset = 0;
+    else if (change.offset == change.edge)
+        change.offset = 0;
     change.with_length = change.standing = false;
     return change;
 }

@@ -13,10 +13,14 @@ std::string with_axes(const Move& m) {
     return out;
 }
 
-/// Where both numbers are known and differ.
-bool known_otherwise(const geom::Vec3& a, const geom::Vec3& b, double tolerance) {
-    const auto differ = [&](double x, double y) { return std::abs(x - y) > tolerance; };  // never of NaN
-    return differ(a.x, b.x) || differ(a.y, b.y) || differ(a.z, b.z);
+/// The machine goes to another place for the same numbers: both zeros are known and differ, or one control knows them
+/// by other numbers.
+bool is_elsewhere(const cl::Datum& a, const cl::Datum& b, const Likeness& like) {
+    const geom::Vec3 &p = a.origin, &q = b.origin;
+    const auto differ = [&](double x, double y) { return std::abs(x - y) > like.length(); };  // never of NaN
+    const bool unknown = !geom::is_finite(p) || !geom::is_finite(q);
+    return differ(p.x, q.x) || differ(p.y, q.y) || differ(p.z, q.z) ||
+           (like.same_control() && unknown && a.number != b.number);
 }
 
 }  // namespace
@@ -67,7 +71,8 @@ void Walk::compare_piece() {
     const bool whole = !a.is_begun() && !b.is_begun();
     const bool axes = (m.axes.empty() && n.axes.empty()) ||
                       (whole && std::is_permutation(m.axes.begin(), m.axes.end(), n.axes.begin(), n.axes.end(), like));
-    const bool alike = axes && like.steps(p.step, q.step);
+    const bool begins_alike = whole || geom::distance(p.from, q.from) <= 2 * like.length();
+    const bool alike = axes && begins_alike && like.steps(p.step, q.step);
     std::optional<Piece> rest_a, rest_b;
     if (!alike && m.axes.empty() && n.axes.empty() && can_be_joined(*m.holding, cl::is_rapid(m.step)) &&
         can_be_joined(*n.holding, cl::is_rapid(n.step))) {
@@ -126,7 +131,7 @@ void Walk::compare_holding(const Move& a, const Move& b) {
     if (!as_long && counts)
         to.add(length_aspect, &a, &b, number(), "compensation of the tool's length; in the other another one, or none");
     held(Aspect::datum, h.datum, k.datum);
-    if (!to.has(Aspect::motion) && known_otherwise(h.datum.origin, k.datum.origin, like.length()))
+    if (!to.has(Aspect::motion) && is_elsewhere(h.datum, k.datum, like))
         to.add(Aspect::motion, &a, &b, number(), words(h.datum) + "; in the other " + words(k.datum));
     held(Aspect::frame, h.frame, k.frame);
     held(Aspect::tolerance, h.tolerance, k.tolerance);
@@ -148,8 +153,8 @@ Result Walk::finish() {
     if (!lone_at_) all.add(behind_);
     if (lone_at_) out.looked_to = differs_at_.value_or(*lone_at_);
     if (lone_at_) all.add(lone_);
-    // A program that compensates no length at all counts from other zeros.
-    const bool both = sides[0].path().compensates_length && sides[1].path().compensates_length;
+    // A program of another control that compensates no length at all counts from other zeros.
+    const bool both = like.same_control() || (sides[0].path().compensates_length && sides[1].path().compensates_length);
     Found sorted;
     for (Difference d : all.all) {
         if (d.aspect == length_aspect) d.aspect = both ? Aspect::tool : Aspect::datum;

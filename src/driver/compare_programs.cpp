@@ -51,8 +51,9 @@ bool open_stream(const std::string& file, Session& session) {
     return load(*session.storage, file, session.sources, session.diagnostics).has_value();
 }
 
-compare::Result compare_sessions(Session& a, Session& b, const compare::Tolerance& tolerance) {
+compare::Result compare_sessions(Session& a, Session& b, compare::Tolerance tolerance) {
     using Side = compare::Comparison::Side;
+    tolerance.same_control = !a.control.empty() && a.control == b.control;
     compare::Comparison comparison(tolerance);
     Records in_a(a, [&](const cl::Record& record) { comparison.take(Side::a, record); });
     Records in_b(b, [&](const cl::Record& record) { comparison.take(Side::b, record); });

@@ -16,6 +16,6 @@ namespace obrys::driver {
 bool open_stream(const std::string& file, Session& session);
 
 /// Runs both step by step, so that memory does not grow with their moves. Sessions of programs or of streams, opened.
-[[nodiscard]] compare::Result compare_sessions(Session& a, Session& b, const compare::Tolerance& tolerance);
+[[nodiscard]] compare::Result compare_sessions(Session& a, Session& b, compare::Tolerance tolerance);
 
 }  // namespace obrys::driver
