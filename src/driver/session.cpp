@@ -297,12 +297,13 @@ bool open(const Request& request, Session& s) {
         if (!file) return false;
         s.job = shop::read_job(*file, s.sources, s.diagnostics);
         s.has_job = true;
+        if (!request.program.empty()) s.job.program = request.program, s.job.control.clear(), s.job.start.clear();
         if (s.job.program.empty()) s.job.program = program_beside(*s.storage, input);
         if (s.job.program.empty() && !s.diagnostics.has_errors())
             complain(s.diagnostics, codes::job_value, s.job.program_where, "the job file has no 'program'",
                      "name it, or put one program with the job's name beside the job");
         if (s.job.program.empty() || s.diagnostics.has_errors()) return false;
-        program = beside(input, s.job.program);
+        program = request.program.empty() ? beside(input, s.job.program) : fs::path(request.program);
     }
     if (request.text) s.job.overrides.clear(), s.job.variables = request.given, s.job.start.clear();
     bool good = known_control(s, request.control, nowhere) && known_control(s, s.job.control, s.job.control_where);

@@ -20,6 +20,7 @@ namespace obrys::driver {
 /// The command line, as far as it concerns what is run.
 struct Request {
     std::string input;                 ///< a program, or a job file (.toml)
+    std::string program;               ///< with a job: in the place of its own, which may be of another control
     std::string control, machine;      ///< empty: as the job says, else found from the content
     std::vector<std::string> set;      ///< "R3=150"
     std::vector<std::string> search;   ///< folders
