@@ -7,6 +7,7 @@
 #include <string>
 #include <vector>
 
+#include "compare/compare.hpp"
 #include "driver/session.hpp"
 
 namespace obrys::driver {
@@ -33,6 +34,7 @@ struct StockComparison {
     std::string why;                 ///< it was not compared
     bool is_missed = false;          ///< although both have stock and tools
     double tolerance = 0;            ///< mm within which it was
+    bool by_moves = false;           ///< the same moves with the same tools in the same stock: nothing was simulated
     std::vector<StockPlace> places;  ///< the deepest first; the first ones of many
     std::size_t count = 0;           ///< of all places
 };
@@ -42,7 +44,8 @@ struct StockSide {
     const Session& session;
     const Request& request;
 };
-/// Runs both anew, each on its stock.
-[[nodiscard]] StockComparison compare_stock(const StockSide& a, const StockSide& b);
+/// Runs both anew, each on its stock, but for where `moves`, compared within `same_place` mm, settle it.
+[[nodiscard]] StockComparison compare_stock(const StockSide& a, const StockSide& b, const compare::Result& moves,
+                                            double same_place);
 
 }  // namespace obrys::driver

@@ -85,7 +85,7 @@ int compare(const Arguments& arguments) {
     for (const Side* side : {&a, &b}) print_diagnostics(side->session, base::Severity::warning);
     const int code_a = driver::exit_code_of_run(a.session), code_b = driver::exit_code_of_run(b.session);
     if (code_a == 2 || code_b == 2) return 2;
-    c.stock = driver::compare_stock({a.session, a.request}, {b.session, b.request});
+    c.stock = driver::compare_stock({a.session, a.request}, {b.session, b.request}, c.moves, tolerance.length);
     driver::OutputFile out(arguments.output);
     out.write(arguments.format == "json" ? compared_json(c) : compared_text(c));
     if (!deliver(arguments.output, out)) return 2;

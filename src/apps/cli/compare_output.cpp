@@ -37,6 +37,7 @@ std::string words_of(const std::optional<driver::StockCut>& cut) {
 
 std::string of_stock(const driver::StockComparison& s) {
     if (s.verdict == Verdict::not_compared) return "not compared: " + s.why;
+    if (s.by_moves) return "equal: the same moves with the same tools in the same stock";
     if (s.verdict == Verdict::equal) return "equal within " + millimetres(s.tolerance) + " mm";
     std::string out = "differs at " + std::to_string(s.count) + (s.count == 1 ? " place" : " places");
     for (const driver::StockPlace& p : s.places)
@@ -58,7 +59,11 @@ Json of_cut(const std::optional<driver::StockCut>& cut) {
 
 Json json_of(const driver::StockComparison& s) {
     if (s.verdict == Verdict::not_compared) return {{"compared", false}, {"why", s.why}};
-    Json out{{"compared", true}, {"tolerance_mm", s.tolerance}, {"count", s.count}, {"places", Json::array()}};
+    Json out{{"compared", true},
+             {"by_moves", s.by_moves},
+             {"tolerance_mm", s.tolerance},
+             {"count", s.count},
+             {"places", Json::array()}};
     for (const driver::StockPlace& p : s.places)
         out["places"].push_back({{"depth_mm", p.depth},
                                  {"at", {p.at.x, p.at.y, p.at.z}},
