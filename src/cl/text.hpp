@@ -48,6 +48,24 @@ private:
     std::string line_;
 };
 
+/// Reads a text line by line.
+class TextReader {
+public:
+    TextReader(const base::Sources& sources, std::uint32_t file, base::Diagnostics& diagnostics)
+        : sources_(sources), diagnostics_(diagnostics), file_(file) {}
+    /// Hands on the record of the next line, if it has one; false behind the last line, and where it is no such text.
+    bool step(Sink sink);
+
+private:
+    void complain(std::size_t begin, std::size_t end, std::string message);
+
+    const base::Sources& sources_;
+    base::Diagnostics& diagnostics_;
+    std::uint32_t file_;
+    std::size_t at_ = 0;
+    bool header_ = false;
+};
+
 /// Reads a text, record by record. A line that cannot be read is a `syntax` diagnostic at its first wrong word and is
 /// left out.
 void read_text(const base::Sources& sources, std::uint32_t file, Sink sink, base::Diagnostics& diagnostics);

@@ -164,33 +164,40 @@ void origin(Words& w, Record& record) {
 
 }  // namespace
 
+void TextReader::complain(std::size_t begin, std::size_t end, std::string message) {
+    const base::Span where{file_, static_cast<std::uint32_t>(begin), static_cast<std::uint32_t>(end)};
+    diagnostics_.add({base::Severity::error, base::codes::syntax, where, std::move(message), "", {}, {}});
+}
+
+bool TextReader::step(Sink sink) {
+    const std::string_view text = sources_[file_].text;
+    if (at_ >= text.size()) return false;
+    const std::size_t begin = at_, newline = std::min(text.find('\n', begin), text.size());
+    at_ = newline + 1;
+    std::string_view line = text.substr(begin, newline - begin);
+    if (line.ends_with('\r')) line.remove_suffix(1);
+    if (base::trim(line).empty() || line.starts_with(';')) return true;
+    if (!header_) {
+        header_ = line == text_header;
+        if (header_) return true;
+        complain(begin, begin + line.size(), "expected the first line \"obrys-cl 2\"");
+        at_ = text.size();
+        return false;
+    }
+    Words words(line);
+    Record record;
+    if (std::optional<Step> s = cl::step(words)) record.step = std::move(*s);
+    origin(words, record);
+    if (words.ok())
+        sink(record);
+    else
+        complain(begin + words.wrong_begin(), begin + words.wrong_end(), words.message());
+    return true;
+}
+
 void read_text(const base::Sources& sources, std::uint32_t file, Sink sink, base::Diagnostics& diagnostics) {
-    const std::string_view text = sources[file].text;
-    const auto complain = [&](std::size_t begin, std::size_t end, std::string message) {
-        const base::Span where{file, static_cast<std::uint32_t>(begin), static_cast<std::uint32_t>(end)};
-        diagnostics.add({base::Severity::error, base::codes::syntax, where, std::move(message), "", {}, {}});
-    };
-    bool header = false;
-    for (std::size_t begin = 0; begin < text.size();) {
-        const std::size_t newline = std::min(text.find('\n', begin), text.size());
-        std::string_view line = text.substr(begin, newline - begin);
-        if (line.ends_with('\r')) line.remove_suffix(1);
-        const bool empty = base::trim(line).empty() || line.starts_with(';');
-        if (!empty && !header) {
-            if (line != text_header)
-                return complain(begin, begin + line.size(), "expected the first line \"obrys-cl 2\"");
-            header = true;
-        } else if (!empty) {
-            Words words(line);
-            Record record;
-            if (std::optional<Step> s = step(words)) record.step = std::move(*s);
-            origin(words, record);
-            if (words.ok())
-                sink(record);
-            else
-                complain(begin + words.wrong_begin(), begin + words.wrong_end(), words.message());
-        }
-        begin = newline + 1;
+    TextReader reader(sources, file, diagnostics);
+    while (reader.step(sink)) {
     }
 }
 

@@ -1,16 +1,17 @@
 #pragma once
 /// Two streams held against each other: the same way of the tool, with the same feed, speed and all else that holds,
-/// and the same cycles, contours and frames. Where the source texts stand and how calls are nested does not count.
+/// and the same cycles, contours and frames. Where the source texts stand and how calls are nested does not count, nor
+/// at how many points a line or an arc is cut.
 
+#include <array>
 #include <cstddef>
-#include <map>
 #include <memory>
 #include <optional>
 #include <string>
 #include <vector>
 
 #include "cl/record.hpp"
-#include "motion/cursor.hpp"
+#include "compare/path.hpp"
 
 namespace obrys::compare {
 
@@ -38,73 +39,11 @@ inline constexpr std::size_t aspect_count = static_cast<std::size_t>(Aspect::cou
     return (a >= Aspect::feed && a <= Aspect::tool) || (a >= Aspect::datum && a <= Aspect::tolerance);
 }
 
-/// What holds while the tool moves.
-struct Holding {
-    cl::Feed feed;
-    cl::Spindle spindle;
-    cl::Coolant coolant;
-    cl::ToolChange tool;
-    /// Whose length is compensated: 0 none, -1 that of the tool, -2 values, else 1 + its number.
-    std::int64_t length = 0;
-    std::optional<geom::Vec3> length_by;  ///< the values
-    cl::Datum datum;
-    cl::Frame frame;
-    cl::Tolerance tolerance;
-    std::optional<cl::PathMode> path;
-    bool operator==(const Holding&) const = default;
-};
-
-struct Item {
-    cl::Step step;
-    base::Span from;
-    cl::StackId stack = 0;
-    std::size_t moves = 0;  ///< that stand before it
-    std::shared_ptr<const Holding> holding{};
-};
-
-struct Move {
-    cl::Step step;  ///< Linear, Arc, Spline, Thread
-    std::vector<cl::Axis> axes;
-    std::shared_ptr<const Holding> holding;
-    base::Span from;
-    cl::StackId stack = 0;
-};
-
-/// A stream as far as it is compared. Moves that lead nowhere (`same_place`) and comments are left out, arcs that go on
-/// about the same axis are one, and so is a tool that is called while it is in the spindle.
-class Path {
-public:
-    explicit Path(double same_place) : same_place_(same_place) {}
-    void take(const cl::Record& record);
-
-    std::vector<Move> moves;
-    bool compensates_length = false;  ///< anywhere
-    std::vector<Item> events, cycles, contours;
-
-private:
-    void take_move(const cl::Record& record, const geom::Vec3& to);
-    void take_axis(const cl::Axis& axis);
-    void take_event(const cl::Record& record);
-    void take_tool_data(const cl::Record& record, const cl::ToolData& data);
-    [[nodiscard]] bool goes_on(const cl::Record& record) const;
-    void hold();
-
-    double same_place_;
-    motion::Cursor cursor_;
-    std::shared_ptr<const Holding> holding_ = std::make_shared<const Holding>();
-    Holding marked_;                ///< the same, with numbers in the place of those that nobody knows
-    geom::Vec3 arc_from_;           ///< where the last arc began
-    std::optional<geom::Vec3> at_;  ///< end of the last move that counts
-    cl::ToolLength length_there_;   ///< that was compensated there
-    std::vector<cl::Axis> axes_;
-    std::map<std::array<char, 8>, double> stands_;  ///< where additional axes stand
-};
-
 /// The first place where two streams differ in an aspect.
 struct Difference {
     Aspect aspect = Aspect::motion;
-    std::string what;  ///< "feed 200 mm/min, in B 150 mm/min"
-    std::size_t move = 0;
+    std::string what;                      ///< "feed 200 mm/min, in B 150 mm/min"
+    std::size_t move = 0;                  ///< of A
     std::optional<base::Span> in_a, in_b;  ///< none: the stream has ended
     cl::StackId stack_a = 0, stack_b = 0;
 };
@@ -124,6 +63,37 @@ struct Tolerance {
     double length = 1e-4;  ///< mm, between places
     double angle = 1e-3;   ///< degrees, of additional axes and of values in degrees
     double share = 1e-6;   ///< of speeds, feeds and factors
+    /// Both are of one control: zeros of other numbers are other zeros, also where nobody knows their places, and
+    /// a length that one of them never compensates is missing there.
+    bool same_control = false;
+};
+
+/// Compares two streams as they come. Only what has no counterpart yet is kept.
+class Comparison {
+public:
+    explicit Comparison(const Tolerance& tolerance);
+    /// Of two collected paths, which must outlive it.
+    Comparison(const Path& a, const Path& b, const Tolerance& tolerance);
+    ~Comparison();
+    Comparison(const Comparison&) = delete;
+    Comparison& operator=(const Comparison&) = delete;
+
+    enum class Side : std::uint8_t { a, b };
+    void take(Side side, const cl::Record& record);
+    /// It has no more records.
+    void end(Side side);
+    /// The one whose records are wanted next.
+    [[nodiscard]] Side waits_for() const;
+    /// So much of it has no counterpart yet that the other one should go on.
+    [[nodiscard]] bool is_ahead(Side side) const;
+    /// Compares what both have and forgets it.
+    void advance();
+    /// Both have ended.
+    [[nodiscard]] Result finish();
+
+private:
+    std::unique_ptr<struct Walk> walk_;
+    std::array<std::optional<Path>, 2> own_;
 };
 
 [[nodiscard]] Result compare(const Path& a, const Path& b, const Tolerance& tolerance);

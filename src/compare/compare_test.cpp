@@ -1,25 +1,7 @@
-#include "compare/compare.hpp"
-
-#include <gtest/gtest.h>
+#include "compare/streams_testing.hpp"
 
 namespace obrys::compare {
 namespace {
-
-Path path_of(const std::vector<cl::Step>& steps) {
-    Path path(1e-4);
-    for (std::uint32_t i = 0; i < steps.size(); ++i) path.take({steps[i], {0, i, i + 1}, 0});
-    return path;
-}
-
-/// Names of the aspects in which the two differ.
-std::string differences(const std::vector<cl::Step>& a, const std::vector<cl::Step>& b) {
-    std::string out;
-    for (const Difference& d : compare(path_of(a), path_of(b), {}).first)
-        out += (out.empty() ? "" : " ") + std::string(name_of(d.aspect));
-    return out;
-}
-
-cl::Linear line(double x, double y = 0) { return {{x, y, 0}, {0, 0, 1}, false}; }
 
 TEST(Compare, RecordsThatChangeNothingDoNotCount) {
     EXPECT_EQ(differences({cl::Feed{100}, line(10), line(20)}, {cl::Feed{50}, cl::Feed{100}, line(10), cl::Feed{100},
@@ -78,13 +60,13 @@ TEST(Compare, TheSameNumbersWithAnotherLengthAreAMove) {
 }
 
 TEST(Compare, BehindAMoveTooManyNothingIsCalledEqual) {
-    const Result r = compare(path_of({line(10), line(20), line(30)}), path_of({line(10), line(30)}), {});
+    const Result r = compared({line(10), line(20, 5), line(30)}, {line(10), line(30)});
     EXPECT_FALSE(r.is_equal(Aspect::motion));
     EXPECT_FALSE(r.is_equal(Aspect::feed));
     EXPECT_TRUE(r.is_equal(Aspect::cycles));
     EXPECT_EQ(r.looked_to, 1U);
-    const std::vector<cl::Step> slow{cl::Feed{100}, line(10), line(21), line(30)};
-    EXPECT_EQ(differences(slow, {cl::Feed{100}, line(10), line(20), cl::Feed{90}, line(30)}), "motion feed");
+    const std::vector<cl::Step> slow{cl::Feed{100}, line(10), line(21, 5), line(30)};
+    EXPECT_EQ(differences(slow, {cl::Feed{100}, line(10), line(20, 5), cl::Feed{90}, line(30)}), "motion feed");
 }
 
 TEST(Compare, AnUnknownPlaceIsTheSameAsAnUnknownOneOnly) {

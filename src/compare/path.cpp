@@ -1,6 +1,8 @@
-#include <cmath>
+#include "compare/path.hpp"
 
-#include "compare/compare.hpp"
+#include <cmath>
+#include <utility>
+
 #include "compare/near.hpp"
 
 namespace obrys::compare {
@@ -9,8 +11,10 @@ namespace {
 
 /// A tool whose offset has its own number is the same as one whose first edge is named.
 cl::ToolChange tool_of(cl::ToolChange change) {
-    if (change.offset == change.number && change.offset != 0) change.edge = 1;
-    change.offset = 0;
+    if (change.offset == change.number && change.offset != 0)
+        change.edge = 1, change.offset = 0;
+    else if (change.offset == change.edge)
+        change.offset = 0;
     change.with_length = change.standing = false;
     return change;
 }
@@ -39,18 +43,24 @@ std::int64_t length_of(const motion::State& s) {
     const bool own = s.length.sense > 0 && !s.length.by && s.length.offset == s.change.number;
     if (own || (s.length.sense == 0 && s.change.with_length)) return -1;
     if (s.length.sense == 0) return 0;
-    if (s.length.by) return -2;
+    if (s.length.by) return s.length.sense > 0 ? -2 : -4;
     return (std::int64_t{s.length.offset} + 1) * (s.length.sense > 0 ? 1 : -3);
 }
 
 }  // namespace
 
+bool can_be_joined(const Holding& h, bool rapid) {
+    const bool stops = h.path && h.path->kind == cl::PathKind::exact_stop;
+    return !stops && (rapid || h.feed.mode != cl::FeedMode::inverse_time);
+}
+
 void Path::hold() {
+    if (std::exchange(held_, true)) return;
     const motion::State& s = cursor_.state();
     const std::int64_t length = length_of(s);
-    Holding now{
-        s.feed,  s.spindle,   s.coolant, tool_of(s.change), length, length == -2 ? s.length.by : std::nullopt, s.datum,
-        s.frame, s.tolerance, s.path};
+    const bool by_values = length == -2 || length == -4;
+    Holding now{s.feed, s.spindle, s.coolant, tool_of(s.change), length, {}, s.datum, s.frame, s.tolerance, s.path};
+    if (by_values) now.length_by = s.length.by;
     compensates_length = compensates_length || now.length != 0;
     Holding marked = with_marks(now);
     if (marked == marked_) return;
@@ -58,24 +68,33 @@ void Path::hold() {
     holding_ = std::make_shared<const Holding>(std::move(now));
 }
 
-/// An arc that goes on about the axis of the last move, as steep, with nothing between them.
+/// An arc that goes on about the axis of the last move, as steep and as wide, with nothing between them. Where a move
+/// takes its time (inverse time) or the tool stands still behind each, two are not one.
 bool Path::goes_on(const cl::Record& record) const {
     const auto* next = std::get_if<cl::Arc>(&record.step);
-    if (next == nullptr || moves.empty() || !axes_.empty() || !at_ || !moves.back().axes.empty() ||
-        moves.back().holding != holding_)
+    if (next == nullptr || moves.none_left() || !axes_.empty() || !at_ || !moves.back().axes.empty() ||
+        moves.back().holding != holding_ || item_at_ == moves.size() || !can_be_joined(*holding_, next->rapid))
         return false;
     const auto* arc = std::get_if<cl::Arc>(&moves.back().step);
-    const auto after = [&](const std::vector<Item>& items) {
-        return !items.empty() && items.back().moves == moves.size();
-    };
-    if (arc == nullptr || after(events) || after(cycles) || after(contours) || arc->rapid != next->rapid) return false;
+    if (arc == nullptr || arc->rapid != next->rapid) return false;
     const geom::Vec3 along = next->normal, between = next->centre - arc->centre;
-    const geom::Vec3 beside = between - geom::dot(between, along) * along;
-    if (geom::distance(arc->normal, along) > 1e-9 || !(geom::length(beside) <= same_place_)) return false;
+    const auto beside = [&](const geom::Vec3& v) { return geom::length(v - geom::dot(v, along) * along); };
+    if (geom::distance(arc->normal, along) > 1e-9 || !(beside(between) <= same_place_)) return false;
     if ((arc->sweep > 0) != (next->sweep > 0)) return false;
+    const double radius = beside(arc->to - arc->centre), next_radius = beside(next->to - arc->centre);
     const double rise = geom::dot(arc->to - arc_from_, along) / arc->sweep;
     const double next_rise = geom::dot(next->to - *at_, along) / next->sweep;
-    return std::abs(rise - next_rise) * geom::full_turn <= 4 * same_place_;  // both ends of both are rounded
+    const double rounded = 4 * same_place_;  // both ends of both are
+    return std::abs(rise - next_rise) * geom::full_turn <= rounded && std::abs(radius - next_radius) <= rounded;
+}
+
+/// A line to where the tool stands, with its axis as it is. A working plane that is tilted tells another axis, and
+/// nothing moves yet.
+bool Path::leads_nowhere(const cl::Step& step, const geom::Vec3& to) const {
+    const auto* line = std::get_if<cl::Linear>(&step);
+    if (line == nullptr || line->seek != cl::Seek::nothing || !at_ || !axes_.empty() || !near(*at_, to, same_place_))
+        return false;
+    return (line->rapid && tilts_) || near(tool_, line->axis, 1e-6);
 }
 
 void Path::take_move(const cl::Record& record, const geom::Vec3& to) {
@@ -83,11 +102,9 @@ void Path::take_move(const cl::Record& record, const geom::Vec3& to) {
     const cl::ToolLength& length = cursor_.state().length;
     if (!(length == length_there_)) at_.reset();
     length_there_ = length;
-    const auto* line = std::get_if<cl::Linear>(&record.step);
-    const bool seeks = line != nullptr && line->seek != cl::Seek::nothing;
-    if (line != nullptr && !seeks && at_ && axes_.empty() && near(*at_, to, same_place_)) return;
+    if (leads_nowhere(record.step, to)) return;
     hold();
-    for (const cl::Axis& axis : axes_) stands_[axis.name] = axis.to;
+    for (const cl::Axis& axis : axes_) stands_[axis.name] = {axis.to, axis.counted};
     if (goes_on(record)) {
         auto& arc = std::get<cl::Arc>(moves.back().step);
         const auto& next = std::get<cl::Arc>(record.step);
@@ -98,36 +115,48 @@ void Path::take_move(const cl::Record& record, const geom::Vec3& to) {
         moves.push_back({record.step, std::exchange(axes_, {}), holding_, record.from, record.stack});
     }
     at_ = to;
+    tilts_ = false;
+    if (const auto* line = std::get_if<cl::Linear>(&record.step)) tool_ = line->axis;
+    if (const auto* curve = std::get_if<cl::Spline>(&record.step)) tool_ = curve->axis;
 }
 
 /// An axis that is told to go where it stands does not move.
 void Path::take_axis(const cl::Axis& axis) {
     std::erase_if(axes_, [&](const cl::Axis& a) { return a.name == axis.name; });
-    const auto [stands, is_new] = stands_.emplace(axis.name, NAN);
-    if (near(stands->second, axis.to, same_place_) && !std::isnan(axis.to)) return;
+    const Stand stands = stands_[axis.name];
+    if (near(stands.to, axis.to, same_place_) && !std::isnan(axis.to) && stands.counted == axis.counted) return;
     axes_.push_back(axis);
+}
+
+void Path::take_item(Kept<Item>& items, cl::Step step, const cl::Record& record) {
+    item_at_ = moves.size();
+    const bool is_event = &items == &events;
+    items.push_back({std::move(step), record.from, record.stack, moves.size(),
+                     is_event ? holding_ : std::shared_ptr<const Holding>()});
 }
 
 void Path::take(const cl::Record& record) {
     const cl::Step& step = record.step;
+    if (cl::is_move(step)) return take_move(record, cursor_.take(record)->to);
+    if (const auto* axis = std::get_if<cl::Axis>(&step)) return take_axis(*axis);
     const auto datum = cursor_.state().datum;
-    if (const auto moved = cursor_.take(record)) return take_move(record, moved->to);
+    cursor_.take(record);
+    held_ = false;
+    tilts_ = tilts_ || std::holds_alternative<cl::Frame>(step);
     // Another zero: the tool stands still, and its place has other numbers.
     if (std::holds_alternative<cl::Datum>(step) && !(cursor_.state().datum == datum)) at_.reset();
-    if (const auto* axis = std::get_if<cl::Axis>(&step)) return take_axis(*axis);
     // What a block of a stop does besides holds while the machine stands, whatever stands first in it.
-    const bool with_stop = !events.empty() && std::holds_alternative<cl::Stop>(events.back().step) &&
+    const bool with_stop = !events.none_left() && std::holds_alternative<cl::Stop>(events.back().step) &&
                            events.back().from == record.from && events.back().moves == moves.size();
     if (with_stop && (std::holds_alternative<cl::Spindle>(step) || std::holds_alternative<cl::Coolant>(step))) {
         hold();
         events.back().holding = holding_;
     }
-    const Item item{step, record.from, record.stack, moves.size(), {}};
     if (std::holds_alternative<cl::CycleBegin>(step))
-        cycles.push_back(item);
+        take_item(cycles, step, record);
     else if (std::holds_alternative<cl::CompensationBegin>(step) || std::holds_alternative<cl::CompensationEnd>(step) ||
              std::holds_alternative<cl::Programmed>(step) || std::holds_alternative<cl::LeadBegin>(step))
-        contours.push_back(item);
+        take_item(contours, step, record);
     else
         take_event(record);
 }
@@ -135,9 +164,7 @@ void Path::take(const cl::Record& record) {
 /// Length and radius each for itself: controls set them together or one by one.
 void Path::take_tool_data(const cl::Record& record, const cl::ToolData& data) {
     hold();
-    const auto add = [&](const cl::ToolData& d) {
-        events.push_back({d, record.from, record.stack, moves.size(), holding_});
-    };
+    const auto add = [&](const cl::ToolData& d) { take_item(events, d, record); };
     if (data.length) add({data.number, data.edge, data.length, {}});
     if (data.radius) add({data.number, data.edge, {}, data.radius});
     if (!data.length && !data.radius) add(data);
@@ -160,7 +187,7 @@ void Path::take_event(const cl::Record& record) {
         return;
     }
     hold();
-    events.push_back({step, record.from, record.stack, moves.size(), holding_});
+    take_item(events, std::move(step), record);
 }
 
 }  // namespace obrys::compare

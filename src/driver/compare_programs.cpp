@@ -7,6 +7,32 @@
 
 namespace obrys::driver {
 
+namespace {
+
+/// Records of a session, a few at a time.
+class Records {
+public:
+    Records(Session& session, std::function<void(const cl::Record&)> sink) : sink_(std::move(sink)) {
+        if (session.main != nullptr)
+            run_.emplace(session, sink_);
+        else
+            text_.emplace(session.sources, 0, session.diagnostics);
+    }
+    /// False behind the last.
+    bool step() {
+        if (run_ ? run_->step() : text_->step(sink_)) return true;
+        if (run_) static_cast<void>(run_->finish());
+        return false;
+    }
+
+private:
+    std::function<void(const cl::Record&)> sink_;
+    std::optional<Interpretation> run_;
+    std::optional<cl::TextReader> text_;
+};
+
+}  // namespace
+
 compare::Path path_of(Session& session, double same_place) {
     compare::Path path(same_place);
     static_cast<void>(interpret(session, [&](const cl::Record& record) { path.take(record); }));
@@ -20,13 +46,26 @@ bool is_stream(const std::string& file) {
     return in.gcount() == 7 && cl::text_header.starts_with(begin);
 }
 
-bool read_stream(const std::string& file, Session& session, compare::Path& path) {
+bool open_stream(const std::string& file, Session& session) {
     session.program = session.input = file;
-    const std::optional<std::uint32_t> text = load(*session.storage, file, session.sources, session.diagnostics);
-    if (!text) return false;
-    cl::read_text(
-        session.sources, *text, [&](const cl::Record& record) { path.take(record); }, session.diagnostics);
-    return true;
+    return load(*session.storage, file, session.sources, session.diagnostics).has_value();
+}
+
+compare::Result compare_sessions(Session& a, Session& b, compare::Tolerance tolerance) {
+    using Side = compare::Comparison::Side;
+    tolerance.same_control = !a.control.empty() && a.control == b.control;
+    compare::Comparison comparison(tolerance);
+    Records in_a(a, [&](const cl::Record& record) { comparison.take(Side::a, record); });
+    Records in_b(b, [&](const cl::Record& record) { comparison.take(Side::b, record); });
+    for (bool more_a = true, more_b = true; more_a || more_b;) {
+        const Side side = comparison.waits_for();
+        bool& more = side == Side::a ? more_a : more_b;
+        do more = (side == Side::a ? in_a : in_b).step();
+        while (more && !comparison.is_ahead(side));
+        if (!more) comparison.end(side);
+        comparison.advance();
+    }
+    return comparison.finish();
 }
 
 }  // namespace obrys::driver

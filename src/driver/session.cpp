@@ -297,12 +297,13 @@ bool open(const Request& request, Session& s) {
         if (!file) return false;
         s.job = shop::read_job(*file, s.sources, s.diagnostics);
         s.has_job = true;
+        if (!request.program.empty()) s.job.program = request.program, s.job.control.clear(), s.job.start.clear();
         if (s.job.program.empty()) s.job.program = program_beside(*s.storage, input);
         if (s.job.program.empty() && !s.diagnostics.has_errors())
             complain(s.diagnostics, codes::job_value, s.job.program_where, "the job file has no 'program'",
                      "name it, or put one program with the job's name beside the job");
         if (s.job.program.empty() || s.diagnostics.has_errors()) return false;
-        program = beside(input, s.job.program);
+        program = request.program.empty() ? beside(input, s.job.program) : fs::path(request.program);
     }
     if (request.text) s.job.overrides.clear(), s.job.variables = request.given, s.job.start.clear();
     bool good = known_control(s, request.control, nowhere) && known_control(s, s.job.control, s.job.control_where);
@@ -386,10 +387,21 @@ EnvironmentOf::EnvironmentOf(Session& s)
                   s.job.first_tool,
                   s.looked_ahead_in_vain} {}
 
-interp::Outcome interpret(Session& s, cl::Sink sink) {
+namespace {
+Session& with_settings(Session& s) {
     if (s.spindle_goes_on && !s.job.machine.tool_change_stops_spindle) s.job.machine.tool_change_stops_spindle = false;
-    const EnvironmentOf parts(s);
-    interp::Outcome outcome = interp::run(*s.main, parts.environment, s.stacks, sink, s.diagnostics);
+    return s;
+}
+}  // namespace
+
+Interpretation::Interpretation(Session& session, cl::Sink sink)
+    : session_(with_settings(session)),
+      parts_(session),
+      machine_(*session.main, parts_.environment, session.stacks, sink, session.diagnostics) {}
+
+interp::Outcome Interpretation::finish() {
+    Session& s = session_;
+    interp::Outcome outcome = machine_.finish();
     const auto in_file = s.programs->of_file(s.main->file);
     const bool subs_alone = holds_subprograms_alone(in_file, outcome.entered, *s.main);
     if (outcome.ending == interp::Ending::regular || subs_alone)
@@ -398,6 +410,13 @@ interp::Outcome interpret(Session& s, cl::Sink sink) {
     check_overrides(s, outcome);
     if (s.files) s.files->write_printed();  // none where a session was put together without files
     return outcome;
+}
+
+interp::Outcome interpret(Session& s, cl::Sink sink) {
+    Interpretation run(s, sink);
+    while (run.step()) {
+    }
+    return run.finish();
 }
 
 }  // namespace obrys::driver

@@ -12,6 +12,7 @@
 #include "driver/programs.hpp"
 #include "driver/shop_files.hpp"
 #include "interp/interp.hpp"
+#include "interp/machine.hpp"
 #include "shop/job.hpp"
 
 namespace obrys::driver {
@@ -19,6 +20,7 @@ namespace obrys::driver {
 /// The command line, as far as it concerns what is run.
 struct Request {
     std::string input;                 ///< a program, or a job file (.toml)
+    std::string program;               ///< with a job: in the place of its own, which may be of another control
     std::string control, machine;      ///< empty: as the job says, else found from the content
     std::vector<std::string> set;      ///< "R3=150"
     std::vector<std::string> search;   ///< folders
@@ -38,7 +40,7 @@ struct Request {
     /// program's variables does not count for it.
     std::optional<std::string> text{};
     shop::GivenValues given{};  ///< of `text`: in the place of [variables] of the job
-    bool canon = false;  ///< settings are told, and the machine stands at its zero at the start
+    bool canon = false;         ///< settings are told, and the machine stands at its zero at the start
 };
 
 struct Session {
@@ -88,6 +90,21 @@ public:
     EnvironmentOf(const EnvironmentOf&) = delete;
     EnvironmentOf& operator=(const EnvironmentOf&) = delete;
     const interp::Environment environment;
+};
+
+/// The main program interpreted to `sink`, step by step; both must outlive it.
+class Interpretation {
+public:
+    Interpretation(Session& session, cl::Sink sink);
+    /// Makes the next statement; false where the run has ended.
+    bool step() { return machine_.step(); }
+    /// Once, behind the last step: what is left of the stream, and what only the whole run tells.
+    interp::Outcome finish();
+
+private:
+    Session& session_;
+    EnvironmentOf parts_;
+    interp::Machine machine_;
 };
 
 /// Interprets the main program to `sink`.

@@ -13,6 +13,7 @@ namespace obrys::shop {
 /// Parallel to the axes, mm; `min` lies below `max` in every one.
 struct SolidBox {
     geom::Vec3 min, max;
+    bool operator==(const SolidBox&) const = default;
 };
 
 /// About a line parallel to an axis, mm.
@@ -21,6 +22,7 @@ struct SolidCylinder {
     geom::Vec3 centre;        ///< a point of the line; 0 along the axis
     double radius = 0;        ///< greater than 0
     double min = 0, max = 0;  ///< along the axis
+    bool operator==(const SolidCylinder&) const = default;
 };
 
 /// A body in a file of its own (STL or STEP); who reads it multiplies by `unit`, then adds `offset`.
@@ -30,6 +32,7 @@ struct SolidFile {
     bool unit_known = false;  ///< the job or the file says it; else it is taken for millimetres
     geom::Vec3 offset;        ///< mm
     base::Span where;         ///< of the path
+    bool operator==(const SolidFile&) const = default;
 };
 
 /// Whether a file's name says that it is a STEP file: it ends in .step or .stp, in letters of any case.

@@ -54,11 +54,13 @@ struct TableTool {
     double diameter = 0;             ///< D, as written: of a mill, or of a lathe tool's nose
     double front_angle = 0, back_angle = 0;  ///< I, J: from +Z towards +X
     int orientation = 0;                     ///< Q, 0-9 in the table's count, which is not that of Tool::orientation
+    bool operator==(const TableTool&) const = default;
 };
 
 /// One of the stacked bodies of a shank or holder, mm: a cylinder where the diameters agree, else a cone.
 struct ToolBody {
     double lower_diameter = 0, upper_diameter = 0, length = 0;
+    bool operator==(const ToolBody&) const = default;
 };
 [[nodiscard]] double height_of(const std::vector<ToolBody>& bodies);
 
@@ -111,6 +113,7 @@ struct Tool {
     std::map<int, double> parameters;                 ///< $TC_DPn as read, n = 1 … 25, from TOA files
     std::string assumed;                              ///< what its file does not say and was assumed; empty: nothing
     base::Span where;                                 ///< where it is defined
+    bool operator==(const Tool&) const = default;
 };
 
 /// Outline of the cutting part in the (z, x) plane relative to the programmed point, mm: counter-clockwise, closed.

@@ -199,6 +199,13 @@ CLI::App* add_compare(CLI::App& app, Arguments& a) {
     add_request(*compare, a);
     compare->add_option("--format", a.format, "text or json")->check(only({"text", "json"}))->type_name("FORMAT");
     add_same_place(*compare, a);
+    compare->add_option("--job", a.job_file, "a job for both: each program in the place of its own")->type_name("FILE");
+    compare
+        ->add_option_function<std::string>(
+            "--scope", [&a](const std::string& text) { a.request.scope = shop::scope_named(text); },
+            "all; motion: what is left of the stock is not compared, which takes the time")
+        ->check(only({"all", "motion"}))
+        ->type_name("SCOPE");
     compare
         ->add_option("--map", a.map, "what a parameter of the first program is called in the other: --set is for both")
         ->check([](const std::string& text) {

@@ -49,6 +49,7 @@ struct Arguments {
     bool job = false;              ///< of sheet: all programs together, too
     std::vector<std::string> map;  ///< of compare: "R3=Q3"
     std::string other;             ///< of compare: what `request.input` is held against
+    std::string job_file;          ///< of compare: for both programs
     double same_place = 1e-4;      ///< of compare, mm
     bool in_place = false;         ///< of fmt: write the files
     bool only_check = false;       ///< of fmt: say what would change

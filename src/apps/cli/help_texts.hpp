@@ -70,11 +70,12 @@ inline constexpr const char* translate_help =
 inline constexpr const char* compare_help =
     "Runs two programs, of any controls, and says whether they make the machine do the same: the same way of the "
     "tool,\n"
-    "feed, spindle, coolant, tools and stops; and whether they say it the same way: zero points, frames, cycles,\n"
+    "feed, spindle, coolant, tools and stops, and what is left of the stock; and whether they say it the same way: zero points, frames, cycles,\n"
     "compensation. Texts of the CL stream (obrys run) are read, too.\n\n"
     "Examples:\n"
     "  obrys compare PART.H PART.nc\n"
     "  obrys compare old.job.toml new.job.toml --format json\n"
+    "  obrys compare PART.H PART.nc --job part.job.toml    its tools and stock for both\n"
     "  obrys compare PART.MPF PART.H --set R3=150 --map R3=Q3    a parameter and its counterpart\n\n"
     "Exit codes: 0 the machine does the same, 1 it does not, 2 usage or unreadable input, 3 something of either was "
     "not\n"

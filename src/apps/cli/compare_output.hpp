@@ -1,0 +1,22 @@
+#pragma once
+/// What a comparison says, as text and as JSON (docs/command-line.md).
+
+#include <string>
+
+#include "compare/compare.hpp"
+#include "driver/compare_stock.hpp"
+#include "driver/session.hpp"
+
+namespace obrys::cli {
+
+/// Both sessions stay: places lie in their texts.
+struct Compared {
+    const driver::Session &a, &b;
+    compare::Result moves;
+    driver::StockComparison stock;
+};
+
+[[nodiscard]] std::string compared_text(const Compared& c);
+[[nodiscard]] std::string compared_json(const Compared& c);
+
+}  // namespace obrys::cli

@@ -1,0 +1,41 @@
+#pragma once
+/// The first difference of each aspect, in the order in which they are found.
+
+#include <algorithm>
+#include <string>
+
+#include "cl/text.hpp"
+#include "compare/compare.hpp"
+
+namespace obrys::compare {
+
+class Found {
+public:
+    [[nodiscard]] bool has(Aspect aspect) const {
+        return std::any_of(all.begin(), all.end(), [&](const Difference& d) { return d.aspect == aspect; });
+    }
+    /// Those of which none is here yet.
+    void add(const Found& others) {
+        for (const Difference& d : others.all)
+            if (!has(d.aspect)) all.push_back(d);
+    }
+    /// `a` and `b`: moves or items; null: the stream has none.
+    template <class T>
+    void add(Aspect aspect, const T* a, const T* b, std::size_t move, std::string what) {
+        if (has(aspect)) return;
+        Difference d{aspect, std::move(what), move, {}, {}, 0, 0};
+        if (a != nullptr) d.in_a = a->from, d.stack_a = a->stack;
+        if (b != nullptr) d.in_b = b->from, d.stack_b = b->stack;
+        all.push_back(std::move(d));
+    }
+
+    std::vector<Difference> all;
+};
+
+/// A record in the words of the stream's text form, without its place.
+inline std::string words(const cl::Step& step) {
+    std::string out = cl::to_text({step, {}, 0});
+    return out.substr(0, out.rfind(" @"));
+}
+
+}  // namespace obrys::compare

@@ -1,0 +1,79 @@
+#include "compare/items.hpp"
+
+namespace obrys::compare {
+
+namespace {
+
+/// Pieces of the way, or items, on which a counterpart is waited for. A record that comes later than this is no
+/// counterpart; the number keeps memory flat, and is large enough that a record out of its place is still shown beside
+/// the one that was meant.
+constexpr std::size_t longest_wait = 1000;
+
+}  // namespace
+
+void ItemPairs::place(std::size_t side, std::size_t moves, std::size_t settled, std::size_t piece) {
+    Side& s = sides_[side];
+    for (std::size_t i = s.next + s.at.size(); i < settled && (*s.items)[i].moves <= moves; ++i) s.at.push_back(piece);
+}
+
+void ItemPairs::drop() {
+    for (Side& s : sides_) s.next = s.items->size(), s.at.clear();
+}
+
+void ItemPairs::compare(const Likeness& like, const Reached& reached, Found& found) {
+    auto& [a, b] = sides_;
+    while (!over_ && !a.at.empty() && !b.at.empty()) {
+        compare_pair(like, found);
+        for (Side& s : sides_) ++s.next, s.at.pop_front();
+    }
+    for (const std::size_t side : {0U, 1U})
+        if (!over_ && is_lone(side, reached)) add_lone(side, found);
+    if (over_) drop();
+}
+
+bool ItemPairs::is_lone(std::size_t side, const Reached& reached) const {
+    const Side &s = sides_[side], &other = sides_[1 - side];
+    if (s.at.empty() || !other.at.empty()) return false;
+    const bool long_ago = reached.piece - s.at.front() > longest_wait || s.at.size() > longest_wait;
+    return reached.ended || (reached.here[1 - side] && long_ago);
+}
+
+void ItemPairs::add_lone(std::size_t side, Found& found) {
+    const Item& item = sides_[side].head();
+    over_ = true;
+    if (side == 0)
+        found.add(aspect_, &item, static_cast<const Item*>(nullptr), item.moves,
+                  words(item.step) + ", which the other does not have");
+    else
+        found.add(aspect_, static_cast<const Item*>(nullptr), &item, item.moves,
+                  "the other has " + words(item.step) + ", too");
+}
+
+void ItemPairs::compare_pair(const Likeness& like, Found& found) {
+    const Item &a = sides_[0].head(), &b = sides_[1].head();
+    over_ = !like.steps(a.step, b.step);
+    if (over_) return found.add(aspect_, &a, &b, a.moves, words(a.step) + "; in the other " + words(b.step));
+    if (aspect_ != Aspect::events) return;
+    compare_state(like, found);
+    over_ = sides_[0].at.front() != sides_[1].at.front();
+    if (over_)
+        found.add(aspect_, &a, &b, a.moves,
+                  words(a.step) + " before move " + std::to_string(a.moves) + "; in the other before " +
+                      std::to_string(b.moves));
+}
+
+/// Spindle and coolant while the tool stands: dwells and stops; the end of a program stops both.
+void ItemPairs::compare_state(const Likeness& like, Found& found) const {
+    const Item &a = sides_[0].head(), &b = sides_[1].head();
+    const auto* stop = std::get_if<cl::Stop>(&a.step);
+    const bool waits =
+        std::holds_alternative<cl::Dwell>(a.step) || (stop != nullptr && stop->kind != cl::StopKind::end);
+    if (!waits || !a.holding || !b.holding) return;
+    const Holding &h = *a.holding, &k = *b.holding;
+    if (!found.has(Aspect::spindle) && !like(h.spindle, k.spindle))
+        found.add(Aspect::spindle, &a, &b, a.moves, words(h.spindle) + "; in the other " + words(k.spindle));
+    if (!found.has(Aspect::coolant) && !like(h.coolant, k.coolant))
+        found.add(Aspect::coolant, &a, &b, a.moves, words(h.coolant) + "; in the other " + words(k.coolant));
+}
+
+}  // namespace obrys::compare

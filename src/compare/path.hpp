@@ -1,0 +1,95 @@
+#pragma once
+/// A stream as far as it is compared: its moves with what holds there, and what stands between them.
+
+#include <map>
+#include <memory>
+#include <optional>
+#include <vector>
+
+#include "cl/record.hpp"
+#include "compare/kept.hpp"
+#include "motion/cursor.hpp"
+
+namespace obrys::compare {
+
+/// What holds while the tool moves.
+struct Holding {
+    cl::Feed feed;
+    cl::Spindle spindle;
+    cl::Coolant coolant;
+    cl::ToolChange tool;
+    /// Whose length is compensated: 0 none, -1 that of the tool, -2 and -4 values, else 1 + its number or -3 times
+    /// that.
+    std::int64_t length = 0;
+    std::optional<geom::Vec3> length_by;  ///< the values
+    cl::Datum datum;
+    cl::Frame frame;
+    cl::Tolerance tolerance;
+    std::optional<cl::PathMode> path;
+    bool operator==(const Holding&) const = default;
+};
+
+/// Two moves with this are the same as one that leads as far: none takes a time of its own, none ends standing still.
+[[nodiscard]] bool can_be_joined(const Holding& holding, bool rapid);
+
+struct Item {
+    cl::Step step;
+    base::Span from;
+    cl::StackId stack = 0;
+    std::size_t moves = 0;  ///< that stand before it
+    std::shared_ptr<const Holding> holding{};
+};
+
+struct Move {
+    cl::Step step;  ///< Linear, Arc, Spline, Thread
+    std::vector<cl::Axis> axes;
+    std::shared_ptr<const Holding> holding;
+    base::Span from;
+    cl::StackId stack = 0;
+};
+
+/// Moves that lead nowhere (`same_place`) and comments are left out, arcs that go on about the same axis are one, and
+/// so is a tool that is called while it is in the spindle.
+class Path {
+public:
+    explicit Path(double same_place) : same_place_(same_place) {}
+    void take(const cl::Record& record);
+    /// Who compares as the records come has done with those before.
+    void forget(std::size_t move, std::size_t event, std::size_t cycle, std::size_t contour) {
+        moves.forget(move), events.forget(event), cycles.forget(cycle), contours.forget(contour);
+    }
+
+    Kept<Move> moves;                     ///< the last may go on while records come
+    bool compensates_length = false;      ///< anywhere
+    Kept<Item> events, cycles, contours;  ///< as moves
+
+private:
+    void take_move(const cl::Record& record, const geom::Vec3& to);
+    [[nodiscard]] bool leads_nowhere(const cl::Step& step, const geom::Vec3& to) const;
+    void take_axis(const cl::Axis& axis);
+    void take_event(const cl::Record& record);
+    void take_tool_data(const cl::Record& record, const cl::ToolData& data);
+    void take_item(Kept<Item>& items, cl::Step step, const cl::Record& record);
+    [[nodiscard]] bool goes_on(const cl::Record& record) const;
+    void hold();
+
+    double same_place_;
+    motion::Cursor cursor_;
+    std::shared_ptr<const Holding> holding_ = std::make_shared<const Holding>();
+    Holding marked_;                      ///< the same, with numbers in the place of those that nobody knows
+    bool held_ = false;                   ///< nothing came since that would change it
+    geom::Vec3 arc_from_;                 ///< where the last arc began
+    std::optional<geom::Vec3> at_;        ///< end of the last move that counts
+    geom::Vec3 tool_{NAN, NAN, NAN};      ///< its axis there
+    bool tilts_ = false;                  ///< another frame since then
+    cl::ToolLength length_there_;         ///< that was compensated there
+    std::optional<std::size_t> item_at_;  ///< moves before the last event, cycle or element of a contour
+    std::vector<cl::Axis> axes_;
+    struct Stand {
+        double to = NAN;
+        bool counted = false;
+    };
+    std::map<std::array<char, 8>, Stand> stands_;  ///< where additional axes stand
+};
+
+}  // namespace obrys::compare

@@ -1,0 +1,118 @@
+/// The same way written otherwise is the same, whatever order its records come in.
+
+#include "base/seed_testing.hpp"
+#include "compare/streams_testing.hpp"
+
+namespace obrys::compare {
+namespace {
+
+TEST(SameWay, CutAtOtherPointsAndSaidAgain) {
+    const std::uint32_t seed = base::testing_seed();
+    AnyStream any(seed);
+    for (int i = 0; i < 2000; ++i) {
+        const Steps steps = any.any(1 + any.below(40));
+        const Steps a = any.cut(steps), b = any.cut(any.cut(steps));
+        ASSERT_EQ(differences(steps, a), "") << "seed " << seed << "\n" << text_of(steps) << "\n" << text_of(a);
+        ASSERT_EQ(differences(a, b), "") << "seed " << seed << "\n" << text_of(a) << "\n" << text_of(b);
+    }
+}
+
+/// As the records come, in any order, the verdict is that of the whole streams.
+TEST(SameWay, WhicheverComesFirst) {
+    const std::uint32_t seed = base::testing_seed();
+    AnyStream any(seed);
+    for (int i = 0; i < 1000; ++i) {
+        const Steps steps = any.any(1 + any.below(60));
+        Steps other = any.cut(steps);
+        if (any.one_in(2)) other.erase(other.begin() + static_cast<std::ptrdiff_t>(any.below(other.size())));
+        const std::array<std::vector<cl::Record>, 2> records{records_of(steps), records_of(other)};
+        Comparison comparison({});
+        std::array<std::size_t, 2> next{};
+        while (next[0] <= records[0].size() || next[1] <= records[1].size()) {
+            std::size_t n = any.below(2);
+            if (next[n] > records[n].size()) n = 1 - n;
+            const auto side = n == 0 ? Comparison::Side::a : Comparison::Side::b;
+            if (next[n] < records[n].size())
+                comparison.take(side, records[n][next[n]]);
+            else
+                comparison.end(side);
+            ++next[n];
+            if (any.one_in(3)) comparison.advance();
+        }
+        const Result streamed = comparison.finish(), whole = compared(steps, other);
+        ASSERT_EQ(streamed.first.size(), whole.first.size()) << "seed " << seed << "\n" << text_of(steps);
+        ASSERT_EQ(streamed.looked_to, whole.looked_to);
+        ASSERT_EQ(streamed.moves_b, whole.moves_b);
+        for (std::size_t k = 0; k < whole.first.size(); ++k) {
+            ASSERT_EQ(streamed.first[k].what, whole.first[k].what);
+            ASSERT_EQ(streamed.first[k].move, whole.first[k].move);
+        }
+    }
+}
+
+TEST(SameWay, ACutIsTheSameOnlyWhereNothingHappensThere) {
+    const Steps whole{cl::Feed{100}, line(0, 0), line(20, 0)};
+    const auto cut = [&](const cl::Step& between) {
+        return Steps{cl::Feed{100}, line(0, 0), line(10, 0), between, line(20, 0)};
+    };
+    EXPECT_EQ(differences(whole, cut(cl::Comment{"x"})), "");
+    EXPECT_EQ(differences(whole, cut(cl::Feed{200})), "feed");
+    EXPECT_EQ(differences(whole, cut(cl::Dwell{1, 0})), "events");
+    EXPECT_EQ(differences(whole, cut(cl::Coolant{true, false})), "coolant");
+    EXPECT_EQ(differences(whole, cut(cl::Datum{55, {NAN, NAN, NAN}})), "motion");
+}
+
+TEST(SameWay, ATimeForEachMoveIsNotThatOfBoth) {
+    const Steps one{cl::Feed{2, cl::FeedMode::inverse_time}, line(0, 0), line(20, 0)};
+    const Steps two{cl::Feed{2, cl::FeedMode::inverse_time}, line(0, 0), line(10, 0), line(20, 0)};
+    EXPECT_EQ(differences(one, two), "motion");
+    const cl::Arc quarter{{0, 10, 0}, {0, 0, 0}, {0, 0, 1}, geom::pi / 2},
+        half{{-10, 0, 0}, {0, 0, 0}, {0, 0, 1}, geom::pi};
+    const cl::Arc next{{-10, 0, 0}, {0, 0, 0}, {0, 0, 1}, geom::pi / 2};
+    const cl::Feed timed{1, cl::FeedMode::inverse_time};
+    EXPECT_EQ(differences({timed, line(10, 0), half}, {timed, line(10, 0), quarter, next}), "motion");
+    EXPECT_EQ(differences({cl::Feed{9}, line(10, 0), half}, {cl::Feed{9}, line(10, 0), quarter, next}), "");
+}
+
+TEST(SameWay, WhereTheToolStandsStillIsNotPassed) {
+    const cl::PathMode stops{cl::PathKind::exact_stop};
+    EXPECT_EQ(differences({stops, line(0, 0), line(20, 0)}, {stops, line(0, 0), line(10, 0), line(20, 0)}), "motion");
+}
+
+TEST(SameWay, RapidsAreCutAlongAnAxisOnly) {
+    const Steps along{line(0, 0, true), line(20, 0, true)}, across{line(0, 0, true), line(20, 10, true)};
+    EXPECT_EQ(differences(along, {line(0, 0, true), line(10, 0, true), line(20, 0, true)}), "");
+    EXPECT_EQ(differences(across, {line(0, 0, true), line(10, 5, true), line(20, 10, true)}), "motion");
+}
+
+/// Many small bends are none of them more than the tolerance, and all together are.
+TEST(SameWay, CutsBesideTheLineDoNotAddUp) {
+    Steps bent{cl::Feed{100}, line(0, 0)};
+    for (int i = 1; i <= 100; ++i) bent.emplace_back(line(i, 1e-6 * i * (100 - i)));
+    EXPECT_EQ(differences({cl::Feed{100}, line(0, 0), line(100, 0)}, bent), "motion");
+    Steps there_and_back{cl::Feed{100}, line(0, 0), line(60, 0), line(40, 0), line(100, 0)};
+    EXPECT_EQ(differences({cl::Feed{100}, line(0, 0), line(100, 0)}, there_and_back), "motion");
+}
+
+TEST(SameWay, ACutThatLeadsElsewhereIsShownWhereTheMoveBegan) {
+    const Steps a{cl::Feed{100}, line(0, 0), line(10, 0), line(10, 5), line(30, 5)};
+    const Steps b{cl::Feed{100}, line(0, 0), line(20, 0), line(10, 5), line(30, 5)};
+    const Result r = compared(a, b);
+    ASSERT_EQ(r.first.size(), 1U);
+    EXPECT_EQ(r.first[0].move, 1U);
+    EXPECT_EQ(r.first[0].what, "linear 10 0 0; in the other linear 20 0 0");
+    EXPECT_FALSE(r.looked_to);
+}
+
+TEST(SameWay, WhatHasNoCounterpartForLongIsNotWaitedFor) {
+    Steps a{line(0, 0)}, b{line(0, 0)};
+    a.emplace_back(cl::Dwell{1, 0});
+    for (int i = 0; i < 5000; ++i) a.emplace_back(line(i % 2, i)), b.emplace_back(line(i % 2, i));
+    b.emplace_back(cl::Dwell{2, 0});
+    const Result r = compared(a, b);
+    ASSERT_EQ(r.first.size(), 1U);
+    EXPECT_EQ(r.first[0].what, "dwell 1 0, which the other does not have");
+}
+
+}  // namespace
+}  // namespace obrys::compare

@@ -1,0 +1,168 @@
+#include "compare/walk.hpp"
+
+namespace obrys::compare {
+
+namespace {
+
+/// A difference in the length that is compensated belongs to an aspect that only the whole programs tell.
+constexpr Aspect length_aspect = Aspect::count;
+
+std::string with_axes(const Move& m) {
+    std::string out = words(m.step);
+    for (const cl::Axis& axis : m.axes) out += ", " + words(axis);
+    return out;
+}
+
+/// The machine goes to another place for the same numbers: both zeros are known and differ, or one control knows them
+/// by other numbers.
+bool is_elsewhere(const cl::Datum& a, const cl::Datum& b, const Likeness& like) {
+    const geom::Vec3 &p = a.origin, &q = b.origin;
+    const auto differ = [&](double x, double y) { return std::abs(x - y) > like.length(); };  // never of NaN
+    const bool unknown = !geom::is_finite(p) || !geom::is_finite(q);
+    return differ(p.x, q.x) || differ(p.y, q.y) || differ(p.z, q.z) ||
+           (like.same_control() && unknown && a.number != b.number);
+}
+
+}  // namespace
+
+Walk::Walk(const Path& a, const Path& b, const Tolerance& t)
+    : like(t),
+      sides{Follower(a), Follower(b)},
+      items{ItemPairs(Aspect::events, a.events, b.events), ItemPairs(Aspect::cycles, a.cycles, b.cycles),
+            ItemPairs(Aspect::compensation, a.contours, b.contours)} {}
+
+void Walk::compare_items(bool ended) {
+    std::array<bool, 2> here{};
+    for (const std::size_t side : {0U, 1U}) {
+        const Follower& s = sides[side];
+        here[side] = s.has_piece() || s.is_over();
+        if (s.is_begun()) continue;  // all has been placed where the move began
+        const Path& p = s.path();
+        const std::array<const Kept<Item>*, 3> lists{&p.events, &p.cycles, &p.contours};
+        for (std::size_t i = 0; i < items.size(); ++i) {
+            const Kept<Item>& list = *lists[i];
+            const bool open = !s.ended() && !list.none_left() && list.back().moves == p.moves.size();
+            items[i].place(side, s.number(), list.size() - (open ? 1 : 0), pieces_);
+        }
+    }
+    for (std::size_t i = 0; i < items.size(); ++i) items[i].compare(like, {pieces_, here, ended}, between_[i]);
+}
+
+void Walk::advance() {
+    for (;;) {
+        compare_items(false);
+        const bool a = sides[0].has_piece(), b = sides[1].has_piece();
+        if (a && b)
+            compare_piece();
+        else if (a && sides[1].is_over())
+            pass_lone(0);
+        else if (b && sides[0].is_over())
+            pass_lone(1);
+        else
+            return;
+        ++pieces_;
+    }
+}
+
+void Walk::compare_piece() {
+    auto& [a, b] = sides;
+    const Move &m = a.move(), &n = b.move();
+    const Piece p = a.piece(), q = b.piece();
+    const bool whole = !a.is_begun() && !b.is_begun();
+    const bool axes = (m.axes.empty() && n.axes.empty()) ||
+                      (whole && std::is_permutation(m.axes.begin(), m.axes.end(), n.axes.begin(), n.axes.end(), like));
+    const bool begins_alike = whole || geom::distance(p.from, q.from) <= 2 * like.length();
+    const bool alike = axes && begins_alike && like.steps(p.step, q.step);
+    std::optional<Piece> rest_a, rest_b;
+    if (!alike && m.axes.empty() && n.axes.empty() && can_be_joined(*m.holding, cl::is_rapid(m.step)) &&
+        can_be_joined(*n.holding, cl::is_rapid(n.step))) {
+        rest_b = behind(q, p, like);
+        if (!rest_b) rest_a = behind(p, q, like);
+    }
+    if (!whole && !alike && !rest_a && !rest_b) return pass_joined();
+    if (!alike && !rest_a && !rest_b) differs(m, n, number());
+    if (whole && (rest_a || rest_b)) joined_ = Joined{m, n, number()};
+    if (m.holding != last_a_ || n.holding != last_b_) compare_holding(m, n);
+    rest_a ? a.pass_to(*rest_a) : a.pass();
+    rest_b ? b.pass_to(*rest_b) : b.pass();
+}
+
+void Walk::differs(const Move& a, const Move& b, std::size_t at) {
+    found().add(Aspect::motion, &a, &b, at, with_axes(a) + "; in the other " + with_axes(b));
+    if (!differs_at_) differs_at_ = at;
+}
+
+/// What looked like a beginning was none: the move is another one than that beside which it began.
+void Walk::pass_joined() {
+    differs(joined_->a, joined_->b, joined_->number);
+    for (Follower& s : sides)
+        if (s.is_begun()) s.pass();
+}
+
+void Walk::pass_lone(std::size_t side) {
+    Follower& s = sides[side];
+    if (s.is_begun()) return pass_joined();
+    const Move& move = s.move();
+    if (!lone_at_) {
+        lone_at_ = number();
+        const Move* none = nullptr;
+        if (side == 0)
+            lone_.add(Aspect::motion, &move, none, number(), with_axes(move) + ", which the other does not have");
+        else
+            lone_.add(Aspect::motion, none, &move, number(), "the other has " + with_axes(move) + ", too");
+    }
+    s.pass();
+}
+
+void Walk::compare_holding(const Move& a, const Move& b) {
+    const Holding &h = *a.holding, &k = *b.holding;
+    Found& to = found();
+    const auto held = [&](Aspect aspect, const auto& x, const auto& y) {
+        if (!like(x, y) && !to.has(aspect)) to.add(aspect, &a, &b, number(), words(x) + "; in the other " + words(y));
+    };
+    const bool feeds = !cl::is_rapid(a.step) && !std::holds_alternative<cl::Thread>(a.step);
+    if (feeds) held(Aspect::feed, h.feed, k.feed);
+    held(Aspect::spindle, h.spindle, k.spindle);
+    held(Aspect::coolant, h.coolant, k.coolant);
+    held(Aspect::tool, h.tool, k.tool);
+    const bool as_long =
+        h.length == k.length && like.place(h.length_by.value_or(geom::Vec3{}), k.length_by.value_or(geom::Vec3{}));
+    const bool counts = sides[0].goes_to_height() && sides[1].goes_to_height();
+    if (!as_long && counts)
+        to.add(length_aspect, &a, &b, number(), "compensation of the tool's length; in the other another one, or none");
+    held(Aspect::datum, h.datum, k.datum);
+    if (!to.has(Aspect::motion) && is_elsewhere(h.datum, k.datum, like))
+        to.add(Aspect::motion, &a, &b, number(), words(h.datum) + "; in the other " + words(k.datum));
+    held(Aspect::frame, h.frame, k.frame);
+    held(Aspect::tolerance, h.tolerance, k.tolerance);
+    if (h.path && k.path) held(Aspect::tolerance, *h.path, *k.path);
+    if (h.path.has_value() != k.path.has_value())
+        to.add(Aspect::tolerance, &a, &b, number(),
+               h.path ? words(*h.path) + ", which the other does not say" : "the other says " + words(*k.path));
+    const bool all_looked_at = (feeds || like(h.feed, k.feed)) && (as_long || counts);
+    if (all_looked_at) last_a_ = a.holding, last_b_ = b.holding;
+}
+
+Result Walk::finish() {
+    for (Follower& s : sides) s.end();
+    advance();
+    compare_items(true);
+    Result out;
+    out.moves_a = sides[0].number(), out.moves_b = sides[1].number();
+    Found all = firm_;
+    if (!lone_at_) all.add(behind_);
+    if (lone_at_) out.looked_to = differs_at_.value_or(*lone_at_);
+    if (lone_at_) all.add(lone_);
+    // A program of another control that compensates no length at all counts from other zeros.
+    const bool both = like.same_control() || (sides[0].path().compensates_length && sides[1].path().compensates_length);
+    Found sorted;
+    for (Difference d : all.all) {
+        if (d.aspect == length_aspect) d.aspect = both ? Aspect::tool : Aspect::datum;
+        if (!sorted.has(d.aspect)) sorted.all.push_back(std::move(d));
+    }
+    for (const Found& found : between_) sorted.add(found);
+    out.first = std::move(sorted.all);
+    return out;
+}
+
+}  // namespace obrys::compare
