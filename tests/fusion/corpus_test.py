@@ -50,7 +50,8 @@ def fate(obrys, path, post, read_back, ledger):
     code, _, said = call(obrys, "translate", path, "--to", post, "-o", ledger.with_suffix(".out"), "--force", "--accept-loss",
                          "--ledger", ledger)
     errors = [line for line in said.splitlines() if re.search(r": error: .*\[[a-z-]+\]$", line)]
-    placed = [line for line in errors if re.search(r"\.cnc:\d+:\d+: error: ", line)]
+    # A record of the job is named, or the post that is none for such a machine.
+    placed = [line for line in errors if re.search(r"(\.cnc:\d+:\d+: error: |\.toml:1:1: error: this post is for mills)", line)]
     job = path.as_posix()
     if reason_of(job) is not None:
         return "not read", [] if code != 0 else ["what its reader did not run is said to be the same"]

@@ -54,7 +54,7 @@ class Runs:
 
     def check(self, job, *more):
         done = subprocess.run([self.obrys, "check", str(job), "--format", "json", *more], capture_output=True, text=True,
-                              check=False, timeout=300)
+                              check=False, timeout=1500)
         result = json.loads(done.stdout)
         result["exit"] = done.returncode
         return result

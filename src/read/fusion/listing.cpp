@@ -6,6 +6,7 @@
 #include <cstdint>
 
 #include "base/float_chars.hpp"
+#include "base/whole.hpp"
 #include "dialect/fusion/records.hpp"
 #include "dialect/fusion/words.hpp"
 
@@ -35,8 +36,9 @@ void append(std::string& out, std::uint64_t n) { out += std::to_string(n); }
 
 /// Fewest digits that give the same single.
 void append_single(std::string& out, float v) {
-    if (v == std::floor(v) && std::abs(v) < 1e6F) {
-        out += std::to_string(static_cast<std::int32_t>(v));
+    constexpr std::int32_t most = 999999;
+    if (const auto n = base::whole<std::int32_t>(v, -most, most)) {
+        out += std::to_string(*n);
         return;
     }
     std::array<char, 40> buffer;
