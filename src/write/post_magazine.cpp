@@ -10,14 +10,15 @@ namespace {
 
 constexpr std::int64_t most_places = 1000, most_offset = 100'000, most_number = 100'000'000;
 
-std::optional<std::uint32_t> whole(shop::Section& s, std::string_view key, std::int64_t least, std::int64_t most) {
+std::optional<std::uint32_t> count_of_key(shop::Section& s, std::string_view key, std::int64_t least,
+                                          std::int64_t most) {
     const auto n = s.integer(key, least, most);
     return n ? std::optional(static_cast<std::uint32_t>(*n)) : std::nullopt;
 }
 
 /// One, two or four.
 std::optional<std::uint32_t> offsets_of(shop::Section& s) {
-    const auto n = whole(s, "offsets", 1, 4);
+    const auto n = count_of_key(s, "offsets", 1, 4);
     if (n && *n == 3) s.error(base::codes::job_value, place(s, "offsets"), "a tool has one, two or four offsets");
     return n;
 }
@@ -25,9 +26,9 @@ std::optional<std::uint32_t> offsets_of(shop::Section& s) {
 void read_tool(const shop::Value& table, MagazineForm& form, shop::Section& of) {
     shop::Section s(table, "[[magazine.tool]]", of.diagnostics());
     MagazineTool tool;
-    tool.number = whole(s, "number", 1, most_number).value_or(0);
+    tool.number = count_of_key(s, "number", 1, most_number).value_or(0);
     if (tool.number == 0) s.error(base::codes::job_value, table.where, "'number' must be said: of which tool");
-    tool.place = whole(s, "place", 1, form.places).value_or(0);
+    tool.place = count_of_key(s, "place", 1, form.places).value_or(0);
     tool.offsets = offsets_of(s).value_or(0);
     const auto same_place = [&](const MagazineTool& t) { return tool.place != 0 && t.place == tool.place; };
     if (std::any_of(form.tools.begin(), form.tools.end(), same_place))
@@ -43,14 +44,14 @@ void read_magazine(shop::Section& file, Post& post) {
     if (table == nullptr) return;
     shop::Section s(table->value, "[magazine]", file.diagnostics());
     MagazineForm form;
-    form.places = whole(s, "places", 1, most_places).value_or(0);
+    form.places = count_of_key(s, "places", 1, most_places).value_or(0);
     if (shop::find(table->value, "places") == nullptr)
         file.error(base::codes::job_value, table->value.where, "'places' must be said: how many the magazine has");
     form.balanced = s.boolean("balanced").value_or(form.balanced);
     form.offsets = offsets_of(s).value_or(form.offsets);
-    form.first_offset = whole(s, "first_offset", 1, most_offset).value_or(form.first_offset);
-    form.last_offset =
-        whole(s, "last_offset", form.first_offset, most_offset).value_or(std::max(form.last_offset, form.first_offset));
+    form.first_offset = count_of_key(s, "first_offset", 1, most_offset).value_or(form.first_offset);
+    form.last_offset = count_of_key(s, "last_offset", form.first_offset, most_offset)
+                           .value_or(std::max(form.last_offset, form.first_offset));
     for (const shop::Value* tool : s.tables("tool")) read_tool(*tool, form, s);
     s.finish();
     post.magazine = std::move(form);
