@@ -106,7 +106,7 @@ std::optional<Text> Writing::frame_part(Mode part) {
 /// One look at all statements: they may be many, and so may be those that change a frame.
 void Writing::look_at_frames() {
     if (frames_) return;
-    frames_.emplace();
+    frames_ = Frames{0, {}, {}};
     std::set<Mode> elsewhere, meets;
     for (const Unit* u : programs)
         for (std::uint32_t i = 0; i < u->statements.size(); ++i) {

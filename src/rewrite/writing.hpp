@@ -230,7 +230,7 @@ private:
     std::set<std::uint32_t> inline_;  ///< statements to which more than calls of labels lead
     std::map<std::pair<cl::CycleKind, int>, std::string> cycle_programs_;  ///< names, by the place of the contour
     struct Frames {
-        std::size_t count = 0;     ///< statements that change one
+        std::size_t count;         ///< statements that change one
         std::set<Mode> act, vary;  ///< parts that are given values; those that depend on the way
     };
     void look_at_frames();
