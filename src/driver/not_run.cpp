@@ -36,12 +36,8 @@ bool holds_subprograms_alone(const std::vector<const program::Unit*>& in_file,
 
 bool is_called(const program::Unit& unit, std::string_view written) { return plain(unit.name) == plain(written); }
 
-namespace {
-
-/// Those that were run, and what their calls lead to.
-std::vector<const program::Unit*> with_what_they_call(const std::vector<const program::Unit*>& in_file,
-                                                      std::vector<const program::Unit*> reached,
-                                                      const program::Names& names) {
+std::vector<const program::Unit*> led_to(const std::vector<const program::Unit*>& in_file,
+                                         std::vector<const program::Unit*> reached, const program::Names& names) {
     for (std::size_t i = 0; i < reached.size(); ++i) {
         const program::Unit& from = *reached[i];
         for (const program::Call& call : from.calls) {
@@ -55,15 +51,11 @@ std::vector<const program::Unit*> with_what_they_call(const std::vector<const pr
     return reached;
 }
 
-}  // namespace
-
 void say_what_was_not_run(const std::vector<const program::Unit*>& in_file,
-                          const std::vector<const program::Unit*>& entered, bool all, const program::Names& names,
-                          base::Diagnostics& diagnostics) {
-    const std::vector<const program::Unit*> reached = with_what_they_call(in_file, entered, names);
+                          const std::vector<const program::Unit*>& entered, bool all, base::Diagnostics& diagnostics) {
     for (std::size_t i = 0; i < in_file.size(); ++i) {
         const program::Unit& unit = *in_file[i];
-        const bool run = std::find(reached.begin(), reached.end(), &unit) != reached.end();
+        const bool run = std::find(entered.begin(), entered.end(), &unit) != entered.end();
         if (run || !(unit.startable || all) || unit.statements.empty()) continue;
         const bool again = std::any_of(in_file.begin(), in_file.begin() + static_cast<std::ptrdiff_t>(i),
                                        [&](const program::Unit* u) { return u->name == unit.name; });

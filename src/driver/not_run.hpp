@@ -13,11 +13,13 @@ namespace obrys::driver {
 /// "O2", "o0002" and "2" all name the program O2.
 [[nodiscard]] bool is_called(const program::Unit& unit, std::string_view written);
 
-/// Complains about those that could be started (program::Unit::startable), or about all, of which nothing was run and
-/// that no call in a program that was run leads to: a call that the run passes by is the program's own decision.
+/// Those that were run, and what their calls lead to, taken or not.
+[[nodiscard]] std::vector<const program::Unit*> led_to(const std::vector<const program::Unit*>& in_file,
+                                                       std::vector<const program::Unit*> entered,
+                                                       const program::Names& names);
+/// Complains about those that could be started (program::Unit::startable), or about all, of which nothing was run.
 void say_what_was_not_run(const std::vector<const program::Unit*>& in_file,
-                          const std::vector<const program::Unit*>& entered, bool all, const program::Names& names,
-                          base::Diagnostics& diagnostics);
+                          const std::vector<const program::Unit*>& entered, bool all, base::Diagnostics& diagnostics);
 /// A file of subprograms: the main program that stands around them called none and goes nowhere itself.
 [[nodiscard]] bool holds_subprograms_alone(const std::vector<const program::Unit*>& in_file,
                                            const std::vector<const program::Unit*>& entered, const program::Unit& main);

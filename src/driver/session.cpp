@@ -129,6 +129,7 @@ void find_shop_files(Session& s, const Request& request, const fs::path& program
 /// canonical calls are compared with, takes a machine in inches.
 void load_configuration(Session& s, const Request& request) {
     s.canon = request.canon;
+    s.for_these_values = request.for_these_values;
     if (request.canon) s.machine_unit = 25.4;
     bool keeps_g92 = true;
     if (const auto file = request.configuration.empty()
@@ -405,8 +406,9 @@ interp::Outcome Interpretation::finish() {
     const auto in_file = s.programs->of_file(s.main->file);
     const bool subs_alone = holds_subprograms_alone(in_file, outcome.entered, *s.main);
     if (outcome.ending == interp::Ending::regular || subs_alone)
-        say_what_was_not_run(in_file, outcome.entered, subs_alone || !outcome.entered.empty(), s.programs->names(),
-                             s.diagnostics);
+        say_what_was_not_run(
+            in_file, s.for_these_values ? led_to(in_file, outcome.entered, s.programs->names()) : outcome.entered,
+            subs_alone || !outcome.entered.empty(), s.diagnostics);
     check_overrides(s, outcome);
     if (s.files) s.files->write_printed();  // none where a session was put together without files
     return outcome;

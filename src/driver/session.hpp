@@ -19,18 +19,19 @@ namespace obrys::driver {
 
 /// The command line, as far as it concerns what is run.
 struct Request {
-    std::string input;                 ///< a program, or a job file (.toml)
-    std::string program;               ///< with a job: in the place of its own, which may be of another control
-    std::string control, machine;      ///< empty: as the job says, else found from the content
-    std::vector<std::string> set;      ///< "R3=150"
-    std::vector<std::string> search;   ///< folders
-    std::vector<int> skip;             ///< block skip levels that are on
-    std::string prints;                ///< folder for what programs print; empty: as the job says, else nowhere
-    bool prints_nowhere = false;       ///< whatever the job says
-    std::optional<bool> diameter;      ///< X words are diameters at the start
-    std::vector<std::string> tools;    ///< tool tables, besides those of the job
-    std::string configuration;         ///< of a LinuxCNC machine (.ini)
-    std::string stored;                ///< its parameter file (.var)
+    std::string input;                ///< a program, or a job file (.toml)
+    std::string program;              ///< with a job: in the place of its own, which may be of another control
+    std::string control, machine;     ///< empty: as the job says, else found from the content
+    std::vector<std::string> set;     ///< "R3=150"
+    std::vector<std::string> search;  ///< folders
+    std::vector<int> skip;            ///< block skip levels that are on
+    std::string prints;               ///< folder for what programs print; empty: as the job says, else nowhere
+    bool prints_nowhere = false;      ///< whatever the job says
+    bool for_these_values = false;   ///< the answer is for this run alone: programs whose calls it passes by are no gap
+    std::optional<bool> diameter;    ///< X words are diameters at the start
+    std::vector<std::string> tools;  ///< tool tables, besides those of the job
+    std::string configuration;       ///< of a LinuxCNC machine (.ini)
+    std::string stored;              ///< its parameter file (.var)
     std::optional<shop::Scope> scope;  ///< else as the job says
     bool force = false;                ///< files that are there may be replaced
     std::vector<std::string> outputs;  ///< files that the call writes itself: no program prints into them
@@ -71,6 +72,7 @@ struct Session {
     bool has_stored = false;
     bool spindle_goes_on = false;  ///< through a tool change, as the configuration says
     bool canon = false;
+    bool for_these_values = false;  ///< as the request says
     bool has_job = false;
     std::uint32_t looked_ahead_in_vain = 0;  ///< for tests, as Environment says it
     bool unusable = false;                   ///< a file that the job names is not what it should be

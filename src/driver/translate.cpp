@@ -72,7 +72,7 @@ base::Diagnostic complaint_of(const write::Note& note, const Session& s) {
     if (!note.in_post) d.stack = s.stacks.sites(note.stack);
     const std::string file = note.file.empty() ? "" : note.file + ", ";
     d.text = file + "line " + std::to_string(note.line) + ": " + note.what +
-             (note.what.ends_with("is left out") ? "" : lost ? " is not written" : " is written by its moves");
+             (lost ? " is not written" : " " + std::string(note.instead));
     return d;
 }
 

@@ -4,6 +4,7 @@
 #include <cstdint>
 #include <optional>
 #include <string>
+#include <string_view>
 
 #include "base/fate.hpp"
 #include "cl/record.hpp"
@@ -18,9 +19,10 @@ struct Note {
     std::string what;
     base::Span from;
     cl::StackId stack = 0;
-    std::uint64_t line = 0;               ///< of the text, counted from 1: the one that says it, or follows
-    std::string file{};                   ///< that holds the line; empty: that of the program
-    std::optional<base::Span> in_post{};  ///< where a function of the post has failed
+    std::uint64_t line = 0;  ///< of the text, counted from 1: the one that says it, or follows
+    std::string file{};      ///< that holds the line; empty: that of the program
+    std::string_view instead = "is written by its moves";  ///< of what is expanded
+    std::optional<base::Span> in_post{};                   ///< where a function of the post has failed
 };
 
 }  // namespace obrys::write

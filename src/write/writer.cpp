@@ -350,7 +350,11 @@ void Writer::clean(std::string& text) const {
 void Writer::event(const cl::Comment& comment) {
     const Command wanted = comment.terminal ? Command::terminal : Command::message;
     const Command command = comment.message && post_.has(wanted) ? wanted : Command::comment;
-    if (!post_.has(command)) return note(Fate::expanded, "a comment, for which the post has no text.comment, is left out");
+    if (!post_.has(command)) {
+        Note left_out{Fate::expanded, "a comment: the post has no text.comment", {}, 0, 0};
+        left_out.instead = "and it is left out";
+        return note_at(std::move(left_out));
+    }
     if (comment.message) write_all();  // it stands before the stop that it is for
     std::string text = comment.text;
     if (comment.message && command == Command::comment) note(Fate::expanded, "a message, which is a comment here,");

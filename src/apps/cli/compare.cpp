@@ -53,6 +53,7 @@ driver::Request request_of(const Arguments& a, const std::string& input, const d
     r.input = a.job_file.empty() ? input : a.job_file;
     r.program = a.job_file.empty() ? "" : input;
     r.set = driver::mapped(a.request.set, map);
+    r.for_these_values = true;
     return r;
 }
 

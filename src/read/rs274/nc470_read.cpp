@@ -1,9 +1,9 @@
 #include "read/rs274/nc470_read.hpp"
 
-#include <algorithm>
 #include <bit>
 
 #include "dialect/rs274/nc470.hpp"
+#include "read/rs274/one_part.hpp"
 #include "read/rs274/state.hpp"
 
 namespace obrys::read::rs274 {
@@ -99,40 +99,12 @@ void read_nc470_line(Nc470State& s) {
     read_nc470_block(s);
 }
 
-void read_nc470_lines(Nc470State& s) {
-    const std::size_t size = s.text.size();
-    std::size_t aside = 0;
-    for (std::size_t at = 0; at < size;) {
-        if (at - aside > base::Store::piece) {
-            s.sources.lay_aside(s.file, static_cast<std::uint32_t>(at));
-            aside = at;
-        }
-        const std::size_t end = std::min(s.text.find('\n', at), size);
-        s.line.load(s.text, static_cast<std::uint32_t>(at), static_cast<std::uint32_t>(end), s.variant.nested_comments,
-                    s.variant.semicolon_comment);
-        read_nc470_line(s);
-        at = end + 1;
-    }
-}
-
 }  // namespace
 
 std::vector<program::Unit> read_nc470(std::uint32_t file, const base::Sources& sources, program::Names& names,
                                       base::Diagnostics& diagnostics) {
-    const base::Source& source = sources[file];
     Nc470State s(file, dialect::rs274::nc470, names, diagnostics, sources);
-    s.text = base::without_end_signs(source.text);
-    s.part = &s.add_part(diagnostics);
-    program::Unit& unit = s.part->unit;
-    unit.name = base::to_upper(base::stem(source.name));
-    unit.end = static_cast<std::uint32_t>(source.text.size());
-    unit.reserve(s.text.size());
-    read_nc470_lines(s);
-    if (!s.part->ended) unit.unended = "the program ends without M2 or M30";
-    sources.lay_aside(file, static_cast<std::uint32_t>(s.text.size()));
-    std::vector<program::Unit> units;
-    units.push_back(std::move(unit));
-    return units;
+    return read_one_part(s, diagnostics, read_nc470_line);
 }
 
 int nc470_likelihood(std::string_view, std::string_view, std::vector<std::string>*) { return 0; }
