@@ -33,12 +33,13 @@ FOREIGN = {  # ROT, TRANS DATUM and MIRROR IMAGE are HEIDENHAIN's, too
     "fanuc": KLARTEXT + SIEMENS + EDGES + LINUXCNC,
     "haas": KLARTEXT + SIEMENS + EDGES + LINUXCNC + BITS,
     "acramatic": KLARTEXT + [w for w in SIEMENS if not w.startswith(r"\$")] + EDGES + MACRO + LINUXCNC + FANUC_CODES[1:] + BITS,
+    "nc-470": KLARTEXT + SIEMENS + EDGES + MACRO + LINUXCNC + FANUC_CODES + BITS,
     "apt": [w for w in KLARTEXT + SIEMENS if "TRANS" not in w] + EDGES + MACRO + LINUXCNC + FANUC_CODES + BITS + G_WORDS,
     "fusion": [w for w in KLARTEXT + SIEMENS if "PLANE" not in w] + EDGES + MACRO + LINUXCNC + FANUC_CODES + BITS + G_WORDS,
 }
 # Cutter locations have no such words: what the stages for all controls say with them cannot come up, or is seen in
 # the golden cases.
-BY_CASES_ALONE = ["apt", "acramatic", "fusion"]
+BY_CASES_ALONE = ["apt", "acramatic", "fusion", "nc-470"]
 # Messages with a word of another control on purpose: how they begin, and why.
 ON_PURPOSE = {
     "O1002.nc, line ": "a file that obrys translate writes for the target",
@@ -161,15 +162,15 @@ FILES_OF = {
 }
 SUFFIXES = {"mpf": "sinumerik", "spf": "sinumerik", "arc": "sinumerik", "h": "heidenhain", "i": "heidenhain", "ngc": "linuxcnc"}
 SAID = re.compile(r"^(?:\S+:\d+:\d+: )?(?:error|warning|note): (.*)|^  (?:\S+:\d+:\d+: )?(\S.*) \[[a-z-]+\]$|^ +(remedy: .*)")
-LEAST = {"apt": 20, "fusion": 20, "acramatic": 20, "heidenhain": 300, "sinumerik": 300, "fanuc": 300, "linuxcnc": 100, "haas": 30}
+LEAST = {"apt": 20, "fusion": 20, "nc-470": 10, "acramatic": 20, "heidenhain": 300, "sinumerik": 300, "fanuc": 300, "linuxcnc": 100, "haas": 30}
 
 
 def control_of(case, text):
     """The control whose program a case reads; None where it reads none."""
     head = text.split("\n--- out\n", 1)[0]
-    if named := re.search(r"--control (\w+)", text.splitlines()[0]) or re.search(r"^control = \"(\w+)", head, re.M):
+    if named := re.search(r"--control (nc-470|\w+)", text.splitlines()[0]) or re.search(r"^control = \"(nc-470|\w+)", head, re.M):
         return named.group(1) if named.group(1) in FOREIGN else None
-    if read := re.search(r"(?:is read as|named: read as|is: it is read as) (\w+)", text):
+    if read := re.search(r"(?:is read as|named: read as|is: it is read as) (nc-470|\w+)", text):
         return read.group(1)
     for suffix in re.findall(r"^--- file \S+?\.(\w+)", text, re.M) + re.findall(r"^program = \"\S+?\.(\w+)\"", text, re.M):
         if suffix.lower() in SUFFIXES:
