@@ -6,6 +6,7 @@
 
 #include "base/float_chars.hpp"
 #include "base/text.hpp"
+#include "base/whole.hpp"
 
 namespace obrys::base {
 
@@ -70,7 +71,34 @@ std::optional<std::int64_t> parse_integer(std::string_view s) {
     return value;
 }
 
+namespace {
+
+/// The decimal nearest to a value of moderate size, by whole numbers. False where the value lies so near to the middle
+/// between two that the product's rounding could decide, and where it has too many digits.
+bool append_fixed_by_integers(std::string& out, double value, int decimals) {
+    if (decimals < 0 || decimals > 9) return false;
+    const double scaled = std::abs(value) * power_of_ten[static_cast<std::size_t>(decimals)];
+    const std::optional<std::uint32_t> below = cut<std::uint32_t>(scaled, 0, 1'000'000'000);
+    if (!below) return false;
+    const double rest = scaled - *below;  // wrong by 1.2e-7 at most, as the product is
+    if (std::abs(rest - 0.5) < 1e-6) return false;
+    std::uint32_t digits = *below + (rest > 0.5 ? 1U : 0U);
+    if (digits != 0 && std::signbit(value)) out += '-';
+    std::array<char, 16> buffer;
+    auto at = buffer.end();
+    for (int i = 0; i <= decimals || digits != 0; ++i) {
+        if (i == decimals && decimals > 0) *--at = '.';
+        *--at = static_cast<char>('0' + digits % 10);
+        digits /= 10;
+    }
+    out.append(at, buffer.end());
+    return true;
+}
+
+}  // namespace
+
 void append_fixed(std::string& out, double value, int decimals) {
+    if (append_fixed_by_integers(out, value, decimals)) return;
     std::array<char, 400> buffer;  // 1e308 with 17 decimals needs 327
     const auto [end, error] =
         to_chars(buffer.data(), buffer.data() + buffer.size(), value, CharsFormat::fixed, decimals);
@@ -90,9 +118,8 @@ std::string shortest(double value) {
     if (value == 0) return "0";
     std::array<char, 400> buffer;
     const bool plain = std::abs(value) < 1e15 && std::abs(value) > 1e-7;
-    const auto [end, error] =
-        plain ? to_chars(buffer.data(), buffer.data() + buffer.size(), value, CharsFormat::fixed)
-              : to_chars(buffer.data(), buffer.data() + buffer.size(), value);
+    const auto [end, error] = plain ? to_chars(buffer.data(), buffer.data() + buffer.size(), value, CharsFormat::fixed)
+                                    : to_chars(buffer.data(), buffer.data() + buffer.size(), value);
     if (error != std::errc{}) return "nan";
     return {buffer.data(), end};
 }

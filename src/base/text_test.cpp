@@ -2,6 +2,11 @@
 
 #include <gtest/gtest.h>
 
+#include <array>
+#include <charconv>
+#include <cmath>
+#include <random>
+
 #include "base/number.hpp"
 
 namespace obrys::base {
@@ -43,6 +48,27 @@ TEST(Number, DecimalsAreTheNearestDouble) {
     EXPECT_EQ(scan_decimal("X5").length, 0U);
     EXPECT_EQ(scan_decimal("-").length, 0U);
     EXPECT_EQ(scan_decimal("1.2.3").length, 3U);
+}
+
+/// As the library rounds the exact value; values near the middle between two decimals among them.
+TEST(Number, FixedIsTheNearestDecimal) {
+    std::mt19937 random(20261127);  // NOLINT: the same values every time
+    std::uniform_real_distribution<double> share(-1, 1);
+    for (int i = 0; i < 200'000; ++i) {
+        const int decimals = i % 9;
+        const double ten = std::pow(10, decimals);
+        double value = share(random) * std::pow(10, i % 13 - 4);
+        if (i % 3 == 0) value = (std::round(value * ten) + 0.5) / ten;
+        if (i % 11 == 0) value = std::nextafter(value, share(random));
+        std::array<char, 64> buffer;
+        const auto end = std::to_chars(buffer.data(), buffer.end(), value, std::chars_format::fixed, decimals).ptr;
+        std::string expected(buffer.data(), end);
+        if (expected.find_first_not_of("-0.") == std::string::npos && expected[0] == '-') expected.erase(0, 1);
+        ASSERT_EQ(fixed(value, decimals), expected) << shortest(value);
+    }
+    EXPECT_EQ(fixed(1e300, 1).size(), 303U);
+    EXPECT_EQ(fixed(NAN, 2), "nan");
+    EXPECT_EQ(fixed(0, 0), "0");
 }
 
 TEST(Number, PrintsWithoutLocaleAndMinusZero) {

@@ -31,12 +31,27 @@ private:
     std::optional<cl::TextReader> text_;
 };
 
+/// `step_a` and `step_b` give a few records of theirs to the comparison; false behind the last.
+template <class StepA, class StepB>
+compare::Result compare_steps(compare::Comparison& comparison, const StepA& step_a, const StepB& step_b) {
+    using Side = compare::Comparison::Side;
+    for (bool more_a = true, more_b = true; more_a || more_b;) {
+        const Side side = comparison.waits_for();
+        bool& more = side == Side::a ? more_a : more_b;
+        do more = side == Side::a ? step_a() : step_b();
+        while (more && !comparison.is_ahead(side));
+        if (!more) comparison.end(side);
+        comparison.advance();
+    }
+    return comparison.finish();
+}
+
 }  // namespace
 
-compare::Path path_of(Session& session, double same_place) {
-    compare::Path path(same_place);
-    static_cast<void>(interpret(session, [&](const cl::Record& record) { path.take(record); }));
-    return path;
+cl::Recording recording_of(Session& session) {
+    cl::Recording out;
+    static_cast<void>(interpret(session, [&](const cl::Record& record) { out.take(record); }));
+    return out;
 }
 
 bool is_stream(const std::string& file) {
@@ -57,15 +72,18 @@ compare::Result compare_sessions(Session& a, Session& b, compare::Tolerance tole
     compare::Comparison comparison(tolerance);
     Records in_a(a, [&](const cl::Record& record) { comparison.take(Side::a, record); });
     Records in_b(b, [&](const cl::Record& record) { comparison.take(Side::b, record); });
-    for (bool more_a = true, more_b = true; more_a || more_b;) {
-        const Side side = comparison.waits_for();
-        bool& more = side == Side::a ? more_a : more_b;
-        do more = (side == Side::a ? in_a : in_b).step();
-        while (more && !comparison.is_ahead(side));
-        if (!more) comparison.end(side);
-        comparison.advance();
-    }
-    return comparison.finish();
+    return compare_steps(
+        comparison, [&] { return in_a.step(); }, [&] { return in_b.step(); });
+}
+
+compare::Result compare_with(const cl::Recording& a, Session& b, const compare::Tolerance& tolerance) {
+    using Side = compare::Comparison::Side;
+    compare::Comparison comparison(tolerance);
+    cl::Recording::Playback in_a(a);
+    Records in_b(b, [&](const cl::Record& record) { comparison.take(Side::b, record); });
+    const auto to_a = [&](const cl::Record& record) { comparison.take(Side::a, record); };
+    return compare_steps(
+        comparison, [&] { return in_a.step(to_a); }, [&] { return in_b.step(); });
 }
 
 }  // namespace obrys::driver

@@ -1,13 +1,14 @@
 #pragma once
 /// Two programs, jobs or CL streams, run and held against each other.
 
+#include "cl/recording.hpp"
 #include "compare/compare.hpp"
 #include "driver/session.hpp"
 
 namespace obrys::driver {
 
-/// What a session's program makes the machine do.
-[[nodiscard]] compare::Path path_of(Session& session, double same_place);
+/// Runs a session's program and keeps its stream.
+[[nodiscard]] cl::Recording recording_of(Session& session);
 
 /// Whether the file is a CL stream in its text form.
 [[nodiscard]] bool is_stream(const std::string& file);
@@ -17,5 +18,7 @@ bool open_stream(const std::string& file, Session& session);
 
 /// Runs both step by step, so that memory does not grow with their moves. Sessions of programs or of streams, opened.
 [[nodiscard]] compare::Result compare_sessions(Session& a, Session& b, compare::Tolerance tolerance);
+/// The same of a stream that was kept and a session that is run.
+[[nodiscard]] compare::Result compare_with(const cl::Recording& a, Session& b, const compare::Tolerance& tolerance);
 
 }  // namespace obrys::driver

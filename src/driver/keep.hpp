@@ -21,8 +21,7 @@ struct Kept {
     rewrite::Rewritten rewritten;
     Translated translated;
 };
-[[nodiscard]] Kept keep(Session& session, const rewrite::Language& language, const std::string& name,
-                        double same_place);
+[[nodiscard]] Kept keep(Session& session, const rewrite::Language& language, const std::string& name);
 
 /// What a rewriting says, at its place in the program.
 [[nodiscard]] base::Diagnostic complaint_of(const rewrite::Note& note);

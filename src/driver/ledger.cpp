@@ -62,22 +62,21 @@ void add_not_understood(Ledger& ledger, const Session& s, interp::Ending ending)
     static_cast<void>(ledger.add(note));
 }
 
-report::Ledger shown(const Ledger& ledger, const Session& s, std::vector<WrittenFile> outputs) {
+/// Of the main program among the session's sources.
+static std::uint32_t file_of_main(const Session& s) { return s.main != nullptr ? s.main->file : 0; }
+
+report::Ledger shown(const Ledger& ledger, const Session& s, const std::string& output) {
     report::Ledger out;
     out.program = s.program;
     out.control = s.control;
-    out.output = outputs.empty() ? "" : outputs.front().name;
-    std::vector<std::uint32_t> files{s.main != nullptr ? s.main->file : 0};
+    out.output = output;
     for (const Ledger::Entry& e : ledger.entries()) {
         report::LedgerEntry entry;
         entry.what = e.note.what;
         entry.fate = e.note.fate;
         entry.times = e.times;
         const base::Span& from = e.note.from;
-        if (from.file < s.sources.size()) {
-            entry.from = {s.sources[from.file].name, s.sources.position(from).line};
-            if (std::find(files.begin(), files.end(), from.file) == files.end()) files.push_back(from.file);
-        }
+        if (from.file < s.sources.size()) entry.from = {s.sources[from.file].name, s.sources.position(from).line};
         if (e.note.line != 0) entry.to = {e.note.file.empty() ? out.output : e.note.file, e.note.line};
         if (e.note.fate == write::Fate::lost) entry.to.reset();
         out.entries.push_back(std::move(entry));
@@ -85,19 +84,26 @@ report::Ledger shown(const Ledger& ledger, const Session& s, std::vector<Written
     const auto place = [](const report::LedgerEntry& e) {
         return e.from ? std::tuple(e.from->file, e.from->line) : std::tuple(std::string(), std::uint64_t{0});
     };
-    const std::string main = s.sources.size() > files.front() ? s.sources[files.front()].name : "";
+    const std::uint32_t main_file = file_of_main(s);
+    const std::string main = main_file < s.sources.size() ? s.sources[main_file].name : "";
     std::stable_sort(out.entries.begin(), out.entries.end(), [&](const auto& a, const auto& b) {
         const auto [file_a, line_a] = place(a);
         const auto [file_b, line_b] = place(b);
         return std::tuple(file_a != main, file_a, line_a) < std::tuple(file_b != main, file_b, line_b);
     });
+    return out;
+}
+
+void add_texts(report::Ledger& ledger, const Ledger& of, const Session& s, std::vector<WrittenFile> outputs) {
+    std::vector<std::uint32_t> files{file_of_main(s)};
+    for (const Ledger::Entry& e : of.entries())
+        if (std::find(files.begin(), files.end(), e.note.from.file) == files.end()) files.push_back(e.note.from.file);
     for (const std::uint32_t file : files) {
         if (file >= s.sources.size()) continue;
         s.sources.fetch(file);
-        out.sources.push_back({s.sources[file].name, base::as_utf8(s.sources[file].text)});
+        ledger.sources.push_back({s.sources[file].name, base::as_utf8(s.sources[file].text)});
     }
-    for (WrittenFile& file : outputs) out.outputs.push_back({std::move(file.name), base::as_utf8(file.text)});
-    return out;
+    for (WrittenFile& file : outputs) ledger.outputs.push_back({std::move(file.name), base::as_utf8(file.text)});
 }
 
 }  // namespace obrys::driver

@@ -35,7 +35,9 @@ void add_not_understood(Ledger& ledger, const Session& session, interp::Ending e
 struct WrittenFile {
     std::string name, text;
 };
-/// As documents show it; `outputs`: the program first.
-[[nodiscard]] report::Ledger shown(const Ledger& ledger, const Session& session, std::vector<WrittenFile> outputs);
+/// As documents show it, without the texts themselves; `output`: the program's name.
+[[nodiscard]] report::Ledger shown(const Ledger& ledger, const Session& session, const std::string& output);
+/// With the texts that it points into, for pages.
+void add_texts(report::Ledger& ledger, const Ledger& of, const Session& session, std::vector<WrittenFile> outputs);
 
 }  // namespace obrys::driver

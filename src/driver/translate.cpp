@@ -4,6 +4,7 @@
 
 #include "base/codes.hpp"
 #include "driver/canon.hpp"
+#include "driver/compare_programs.hpp"
 #include "driver/control.hpp"
 #include "driver/files.hpp"
 #include "driver/program_tools.hpp"
@@ -80,7 +81,7 @@ base::Diagnostic complaint_of(const write::Note& note, const Session& s) {
 static Translated translate_to_canon(Session& session, Translated out) {
     const auto write = [&](std::string_view text) { out.text += text; };
     const interp::Outcome outcome =
-        print_canon(session, write, false, [&](const cl::Record& record) { out.path.take(record); });
+        print_canon(session, write, false, [&](const cl::Record& record) { out.does.take(record); });
     add_not_understood(out.ledger, session, outcome.ending);
     return out;
 }
@@ -88,6 +89,7 @@ static Translated translate_to_canon(Session& session, Translated out) {
 /// Characters that the code of the tape does not have.
 static void note_characters(Translated& out, const write::Post& post, const std::function<void(write::Note)>& note) {
     out.tape = post.tape;
+    if (post.tape == write::Tape::none) return;
     for (const write::MissingCharacter& c : write::missing_characters(out.text, post.tape))
         note({write::Fate::lost,
               "'" + c.character + "', which the " + std::string(write::name_of(post.tape)) + " code of tapes has not,",
@@ -106,7 +108,6 @@ static cl::Record by_its_place(const cl::Record& record, write::Magazine& magazi
 
 Translated translate(Session& session, const write::Post& post, const TranslateOptions& options) {
     Translated out;
-    out.path = compare::Path(options.same_place);
     if (post.is_canon) return translate_to_canon(session, std::move(out));
     write::Output output;
     output.text = [&](std::string_view text) { out.text += text; };
@@ -121,7 +122,7 @@ Translated translate(Session& session, const write::Post& post, const TranslateO
     std::optional<write::Magazine> magazine;
     if (post.magazine) magazine.emplace(*post.magazine);
     const auto goes = [&](const cl::Record& record) {
-        out.path.take(magazine ? by_its_place(record, *magazine) : record);
+        out.does.take(magazine ? by_its_place(record, *magazine) : record);
     };
     if (post.staircase) output.run = goes;
     write::Writer writer(post, without_blanks(options.name), output);
@@ -212,9 +213,7 @@ Proved prove(const Translated& translated, const write::Post& post, Request requ
     out.why_not.clear();
     take_described_tools(s, out.run->job);
     if (guessed) out.run->job.machine.more_axes = true;  // as of the program: nobody has said which it has
-    compare::Path path(tolerance.length);
-    static_cast<void>(interpret(*out.run, [&](const cl::Record& record) { path.take(record); }));
-    const compare::Result result = compare::compare(translated.path, path, tolerance);
+    const compare::Result result = compare_with(translated.does, *out.run, tolerance);
     out.moves = result.moves_b;
     out.within = tolerance.length;
     if (post.staircase && post.staircase->units > 0) out.within = std::max(out.within, 0.5 / post.staircase->units);

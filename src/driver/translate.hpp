@@ -7,6 +7,7 @@
 #include <string>
 #include <string_view>
 
+#include "cl/recording.hpp"
 #include "compare/compare.hpp"
 #include "driver/ledger.hpp"
 #include "driver/session.hpp"
@@ -28,16 +29,15 @@ struct Translated {
     std::string text;
     std::vector<WrittenFile> files;  ///< subprograms in files of their own, beside it
     Ledger ledger;
-    compare::Path path{0};                 ///< what the program does; by a post with staircases what these do
+    cl::Recording does;                    ///< what the program does; by a post with staircases what these do
     write::Tape tape = write::Tape::none;  ///< in whose code it is to be delivered
     std::string tools{};                   ///< with their places in the magazine and their offsets, for people
     std::string stairs{};                  ///< what has become of slopes and arcs, for people; empty: nothing
 };
 
 struct TranslateOptions {
-    std::string name;          ///< of the program, in its head
-    double same_place = 1e-4;  ///< mm: moves no longer than this do not count in the path
-    bool files = false;        ///< subprograms may stand in files of their own, where the post has such
+    std::string name;    ///< of the program, in its head
+    bool files = false;  ///< subprograms may stand in files of their own, where the post has such
 };
 /// Runs the main program and writes it. What is expanded or lost is added to the session's diagnostics.
 [[nodiscard]] Translated translate(Session& session, const write::Post& post, const TranslateOptions& options);

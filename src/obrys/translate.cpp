@@ -14,7 +14,6 @@ Translated translate(const Image& image, const std::string& post_name, double to
     if (const auto post = driver::find_post(post_name, *session)) {
         driver::TranslateOptions options;
         options.name = driver::fs::path(session->program).stem().string();
-        options.same_place = tolerance;
         driver::Translated written = driver::translate(*session, *post, options);
         compare::Tolerance within;
         within.length = tolerance;

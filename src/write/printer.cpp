@@ -110,7 +110,7 @@ bool Printer::add_word(Line& line, const Token& t, const Values& values) {
         const bool is_coordinate = post_.word_is_coordinate[slot], holds = words_[slot] == text;
         const bool stands = t.value < stand_.size() && values.number(t.value) == stand_[t.value];
         if ((holds || stands) && is_coordinate) line.in_force.push_back(text);
-        if (holds && !t.always && !behind_mode && !(all_words_ && is_coordinate)) return true;
+        if (holds && !t.always && !always_ && !behind_mode && !(all_words_ && is_coordinate)) return true;
         line.slots.emplace_back(t.slot, text);
     }
     if (t.spoils >= 0 && !post_.word_is_coordinate[static_cast<std::size_t>(t.spoils)])
@@ -150,17 +150,17 @@ bool Printer::add_token(Line& line, const Token& t, const Values& values, const 
     const int words = line.words;
     const bool mode = std::exchange(line.mode_printed, false);
     if (part != nullptr && !part->empty()) {
-        Block block = part->front();
-        if (t.always)
-            for (Token& word : block) word.always = true;
-        if (!add(line, block, values, {})) return false;
+        const bool outer = std::exchange(always_, always_ || t.always);
+        const bool printed = add(line, part->front(), values, {});
+        always_ = outer;
+        if (!printed) return false;
     }
     line.words = words;  // none of them moves
     line.mode_printed = mode;
     return true;
 }
 
-bool Printer::add(Line& line, const Block& block, const Values& values, const Parts& parts) {
+bool Printer::add(Line& line, std::span<const Token> block, const Values& values, const Parts& parts) {
     for (const Token& t : block)
         if (!add_token(line, t, values, parts)) return false;
     return true;
@@ -181,7 +181,7 @@ Printed Printer::print_once(const Template& text, const Values& values, const Pa
         Line line;
         const bool optional =
             !block.empty() && block.front().kind == Token::Kind::literal && block.front().before == "?";
-        if (!add(line, optional ? Block(block.begin() + 1, block.end()) : block, values, parts)) return Printed::failed;
+        if (!add(line, std::span(block).subspan(optional ? 1 : 0), values, parts)) return Printed::failed;
         if (optional && line.words == line.names) continue;
         const bool says = line.words > 0 || (by_hook && line.plain > 0) || (!moves && (line.modes > 0 || !line.asked));
         if (says && !line.text.empty())

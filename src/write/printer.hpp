@@ -5,6 +5,7 @@
 #include <cmath>
 #include <functional>
 #include <optional>
+#include <span>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -69,7 +70,7 @@ public:
 private:
     struct Line;
     Printed print_once(const Template& text, const Values& values, const Parts& parts, bool moves, bool by_hook);
-    bool add(Line& line, const Block& block, const Values& values, const Parts& parts);
+    bool add(Line& line, std::span<const Token> block, const Values& values, const Parts& parts);
     bool add_token(Line& line, const Token& t, const Values& values, const Parts& parts);
     bool add_word(Line& line, const Token& t, const Values& values);
     void add_literal(Line& line, const std::string& text, int group) const;
@@ -81,6 +82,7 @@ private:
     std::vector<std::string> coordinates_in_force_;
     std::array<double, 3> stand_{NAN, NAN, NAN};
     bool keeps_standing_ = false, all_words_ = false;
+    bool always_ = false;  ///< inside of a part whose words are always printed
     std::string failed_;
 };
 

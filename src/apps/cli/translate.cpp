@@ -32,9 +32,7 @@ driver::Proved proved(driver::Session& s, const driver::Translated& t, const wri
 
 report::Ledger ledger_of(const driver::Session& s, const driver::Translated& t, const write::Post& post,
                          const Target& target, const driver::Proved& proved, int run) {
-    std::vector<driver::WrittenFile> outputs{{name_of(target), t.text}};
-    outputs.insert(outputs.end(), t.files.begin(), t.files.end());
-    report::Ledger ledger = driver::shown(t.ledger, s, std::move(outputs));
+    report::Ledger ledger = driver::shown(t.ledger, s, name_of(target));
     ledger.post = post.name.empty() ? post.title : post.name;
     ledger.post_control = post.control;
     const bool known = proved.proof == driver::Proof::same && run != 3;
@@ -46,7 +44,7 @@ report::Ledger ledger_of(const driver::Session& s, const driver::Translated& t, 
 
 int translate_by_motion(driver::Session& s, const write::Post& post, const Arguments& a, const std::string& name) {
     const Target target = target_of(a, name, post);
-    const driver::Translated t = driver::translate(s, post, {name, a.same_place, target.folder});
+    const driver::Translated t = driver::translate(s, post, {name, target.folder});
     std::fputs(t.tools.c_str(), stderr);
     if (!t.stairs.empty()) std::fprintf(stderr, "%s\n", t.stairs.c_str());
     const driver::Proved proof = proved(s, t, post, a);
@@ -55,6 +53,11 @@ int translate_by_motion(driver::Session& s, const write::Post& post, const Argum
     const bool lost = t.ledger.has_lost() || proof.differs, refused = lost && !a.accept_loss;
     report::Ledger ledger = ledger_of(s, t, post, target, proof, run);
     ledger.written = !refused && run != 2;
+    if (shows_texts(a.ledger)) {
+        std::vector<driver::WrittenFile> outputs{{ledger.output, t.text}};
+        outputs.insert(outputs.end(), t.files.begin(), t.files.end());
+        add_texts(ledger, t.ledger, s, std::move(outputs));
+    }
     std::fprintf(stderr, "ledger: %s\n", report::summary(ledger).c_str());
     if (refused)
         std::fputs("obrys: nothing is written, since something is lost or differs; --accept-loss writes it\n", stderr);

@@ -63,7 +63,7 @@ int translate_kept(driver::Session& s, const write::Post& post, const Arguments&
         return 2;
     }
     const Target target = target_of(a, name, post);
-    const driver::Kept kept = driver::keep(s, *language, name, a.same_place);
+    const driver::Kept kept = driver::keep(s, *language, name);
     for (const rewrite::Note& note : kept.rewritten.notes) s.diagnostics.add(driver::complaint_of(note));
     const bool lost = kept.rewritten.loses();
     std::vector<driver::KeptRun> runs;

@@ -37,7 +37,7 @@ bool deliver_all(const Target& target, const driver::Translated& t) {
     std::vector<std::pair<std::string, std::unique_ptr<driver::OutputFile>>> files;
     const auto add = [&](const std::string& path, const std::string& text) {
         files.emplace_back(path, std::make_unique<driver::OutputFile>(path));
-        files.back().second->write(write::punched(text, t.tape));
+        files.back().second->write(t.tape == write::Tape::none ? text : write::punched(text, t.tape));
     };
     add(target.main, t.text);
     for (const driver::WrittenFile& file : t.files) add(target.of(file.name), file.text);
@@ -48,11 +48,13 @@ std::string name_of(const Target& target) {
     return driver::is_standard_output(target.main) ? "-" : driver::fs::path(target.main).filename().string();
 }
 
+bool shows_texts(const std::string& ledger) { return ledger.ends_with(".html"); }
+
 bool deliver_ledger(const std::string& path, const report::Ledger& ledger) {
     if (path.empty()) return true;
-    return deliver(path, path.ends_with(".json")   ? report::ledger_json(ledger)
-                         : path.ends_with(".html") ? report::ledger_html(ledger)
-                                                   : report::ledger_text(ledger));
+    return deliver(path, path.ends_with(".json") ? report::ledger_json(ledger)
+                         : shows_texts(path)     ? report::ledger_html(ledger)
+                                                 : report::ledger_text(ledger));
 }
 
 const char* verdict_of(const driver::Proved& p) {

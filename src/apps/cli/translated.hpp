@@ -26,6 +26,8 @@ struct Target {
                                  const driver::Translated& t, const std::string& ledger);
 /// Each of them whole before any of them stands in its place.
 [[nodiscard]] bool deliver_all(const Target& target, const driver::Translated& t);
+/// The ledger of this name is a page, which shows the texts beside it.
+[[nodiscard]] bool shows_texts(const std::string& ledger);
 /// JSON, HTML or text by the name of the file; an empty one is none.
 [[nodiscard]] bool deliver_ledger(const std::string& path, const report::Ledger& ledger);
 

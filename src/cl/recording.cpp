@@ -1,0 +1,115 @@
+#include "cl/recording.hpp"
+
+#include <cstring>
+#include <type_traits>
+
+namespace obrys::cl {
+
+namespace {
+
+/// Before the step of a record: its place, its stack and its kind, which is the alternative of Step or one of these
+/// two.
+constexpr std::size_t head_size = sizeof(base::Span) + sizeof(StackId) + 1;
+constexpr std::uint8_t leads_elsewhere = 0xFF;  // a Linear as the last one, but for `to`
+constexpr std::uint8_t stands_whole = 0xFE;     // among the whole records
+static_assert(std::variant_size_v<Step> < stands_whole);
+
+template <class T>
+std::byte* put(std::byte* at, const T& value) {
+    static_assert(std::is_trivially_copyable_v<T>);
+    std::memcpy(at, &value, sizeof value);
+    return at + sizeof value;
+}
+
+template <class T>
+const std::byte* get(const std::byte* at, T& value) {
+    static_assert(std::is_trivially_copyable_v<T>);
+    std::memcpy(&value, at, sizeof value);
+    return at + sizeof value;
+}
+
+std::byte* put_head(std::byte* at, const Record& record, std::uint8_t kind) {
+    return put(put(put(at, record.from), record.stack), kind);
+}
+
+bool is_as(const Linear& line, const Linear& last) {
+    const bool as_turned = std::memcmp(&line.axis, &last.axis, sizeof line.axis) == 0;  // NaN and -0 as they are
+    return as_turned && line.rapid == last.rapid && line.seek == last.seek;
+}
+
+/// The alternative `kind` of a step, from its bytes.
+template <std::size_t I = 0>
+const std::byte* get_step(const std::byte* at, std::uint8_t kind, Step& step) {
+    if constexpr (I == std::variant_size_v<Step>) {
+        return at;
+    } else {
+        using T = std::variant_alternative_t<I, Step>;
+        if (kind != I) return get_step<I + 1>(at, kind, step);
+        if constexpr (std::is_trivially_copyable_v<T>) {
+            T value;
+            at = get(at, value);
+            step = value;
+        }
+        return at;
+    }
+}
+
+}  // namespace
+
+std::byte* Recording::room(std::size_t bytes) {
+    if (blocks_.empty() || ends_.back() + bytes > block_size) {
+        blocks_.push_back(std::make_unique_for_overwrite<std::byte[]>(block_size));
+        ends_.push_back(0);
+    }
+    std::byte* at = blocks_.back().get() + ends_.back();
+    ends_.back() += bytes;
+    return at;
+}
+
+void Recording::take(const Record& record) {
+    ++size_;
+    if (const auto* line = std::get_if<Linear>(&record.step)) {
+        const bool as_last = is_as(*line, line_);
+        line_ = *line;
+        if (as_last) {
+            put(put_head(room(head_size + sizeof line->to), record, leads_elsewhere), line->to);
+            return;
+        }
+    }
+    std::visit(
+        [&](const auto& step) {
+            using T = std::decay_t<decltype(step)>;
+            if constexpr (std::is_trivially_copyable_v<T> && sizeof(T) <= sizeof(Arc)) {
+                const auto kind = static_cast<std::uint8_t>(record.step.index());
+                put(put_head(room(head_size + sizeof step), record, kind), step);
+            } else {
+                put_head(room(head_size), record, stands_whole);
+                whole_.push_back(record);
+            }
+        },
+        record.step);
+}
+
+bool Recording::Playback::step(Sink sink) {
+    if (next_ == of_.size_) return false;
+    ++next_;
+    if (at_ == of_.ends_[block_]) ++block_, at_ = 0;
+    const std::byte* const begin = of_.blocks_[block_].get() + at_;
+    Record record;
+    std::uint8_t kind = 0;
+    const std::byte* at = get(get(get(begin, record.from), record.stack), kind);
+    if (kind == leads_elsewhere) {
+        at = get(at, line_.to);
+        record.step = line_;
+    } else if (kind == stands_whole) {
+        sink(of_.whole_[whole_++]);
+    } else {
+        at = get_step(at, kind, record.step);
+        if (const auto* line = std::get_if<Linear>(&record.step)) line_ = *line;
+    }
+    at_ += static_cast<std::size_t>(at - begin);
+    if (kind != stands_whole) sink(record);
+    return true;
+}
+
+}  // namespace obrys::cl
