@@ -120,7 +120,7 @@ std::string translated(const std::shared_ptr<Memory>& memory, const std::string&
     const auto language = find_language(to, s);
     EXPECT_TRUE(post && language) << to;
     if (!post || !language) return {};
-    const Kept kept = keep(s, *language, "MAIN", 1e-4);
+    const Kept kept = keep(s, *language, "MAIN");
     for (const rewrite::Note& note : kept.rewritten.notes)
         EXPECT_NE(note.fate, rewrite::Fate::lost) << to << ": " << note.what;
     auto sets = other_values(s, kept.rewritten, 2);

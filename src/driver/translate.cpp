@@ -4,10 +4,8 @@
 
 #include "base/codes.hpp"
 #include "driver/canon.hpp"
-#include "driver/compare_programs.hpp"
 #include "driver/control.hpp"
 #include "driver/files.hpp"
-#include "driver/program_tools.hpp"
 #include "shop/nearest.hpp"
 
 namespace obrys::driver {
@@ -77,27 +75,31 @@ base::Diagnostic complaint_of(const write::Note& note, const Session& s) {
     return d;
 }
 
+namespace {
+
 /// The run tells its settings where the session was opened for that (Request::canon).
-static Translated translate_to_canon(Session& session, Translated out) {
+Translated translate_to_canon(Session& session) {
+    Translated out;
     const auto write = [&](std::string_view text) { out.text += text; };
     const interp::Outcome outcome =
         print_canon(session, write, false, [&](const cl::Record& record) { out.does.take(record); });
-    add_not_understood(out.ledger, session, outcome.ending);
+    out.ending = outcome.ending;
     return out;
 }
 
 /// Characters that the code of the tape does not have.
-static void note_characters(Translated& out, const write::Post& post, const std::function<void(write::Note)>& note) {
+void note_characters(Translated& out, const write::Post& post) {
     out.tape = post.tape;
     if (post.tape == write::Tape::none) return;
     for (const write::MissingCharacter& c : write::missing_characters(out.text, post.tape))
-        note({write::Fate::lost,
-              "'" + c.character + "', which the " + std::string(write::name_of(post.tape)) + " code of tapes has not,",
-              nowhere, 0, c.line});
+        static_cast<void>(out.ledger.add(
+            {write::Fate::lost,
+             "'" + c.character + "', which the " + std::string(write::name_of(post.tape)) + " code of tapes has not,",
+             nowhere, 0, c.line}));
 }
 
 /// What is written calls tools by their places in the magazine, as the writer's own gives them.
-static cl::Record by_its_place(const cl::Record& record, write::Magazine& magazine) {
+cl::Record by_its_place(const cl::Record& record, write::Magazine& magazine) {
     cl::Record placed = record;
     auto* change = std::get_if<cl::ToolChange>(&placed.step);
     if (change == nullptr || change->number == 0) return placed;
@@ -106,122 +108,79 @@ static cl::Record by_its_place(const cl::Record& record, write::Magazine& magazi
     return placed;
 }
 
-Translated translate(Session& session, const write::Post& post, const TranslateOptions& options) {
-    Translated out;
-    if (post.is_canon) return translate_to_canon(session, std::move(out));
+/// Where a form of the post stands among those for its kind of cycle.
+UsedForm used(const write::FoldedBy& by, const write::Post& post, std::size_t record) {
+    UsedForm out{record, by.kind, std::nullopt};
+    if (by.form != nullptr) out.form = static_cast<std::size_t>(by.form - post.cycles.at(by.kind).data());
+    return out;
+}
+
+/// Writes a stream, which `stream` hands to a sink. Where the post makes other moves of it (staircases), `out.does` are
+/// those.
+void write_stream(Translated& out, const write::Post& post, const TranslateOptions& options,
+                  const std::function<void(cl::Sink)>& stream) {
     write::Output output;
     output.text = [&](std::string_view text) { out.text += text; };
-    output.note = [&](const write::Note& note) {
-        if (out.ledger.add(note) && note.fate != write::Fate::mapped)
-            session.diagnostics.add(complaint_of(note, session));
-    };
+    output.note = [&](const write::Note& note) { static_cast<void>(out.ledger.add(note)); };
     if (options.files)
         output.file = [&](const std::string& file, std::string_view text) {
             out.files.push_back({file, std::string(text)});
         };
+    std::size_t taken = 0;
+    output.folded = [&](const write::FoldedBy& by) {
+        const UsedForm now = used(by, post, taken);
+        if (out.forms.empty() || !out.forms.back().is_same(now)) out.forms.push_back(now);
+    };
     std::optional<write::Magazine> magazine;
     if (post.magazine) magazine.emplace(*post.magazine);
-    const auto goes = [&](const cl::Record& record) {
-        out.does.take(magazine ? by_its_place(record, *magazine) : record);
-    };
-    if (post.staircase) output.run = goes;
+    if (post.staircase)
+        output.run = [&](const cl::Record& record) {
+            out.does.take(magazine ? by_its_place(record, *magazine) : record);
+        };
     write::Writer writer(post, without_blanks(options.name), output);
-    const interp::Outcome outcome = interpret(session, [&](const cl::Record& record) {
+    stream([&](const cl::Record& record) {
+        ++taken;
         writer.take(record);
-        if (!post.staircase) goes(record);
     });
     writer.finish();
     if (writer.stairs() != nullptr) out.stairs = write::text_of(*writer.stairs(), *post.staircase);
     if (writer.magazine() != nullptr) out.tools = write::text_of(writer.magazine()->slots());
-    note_characters(out, post, output.note);
-    add_not_understood(out.ledger, session, outcome.ending);
-    return out;
-}
-
-namespace {
-
-/// What the written program does otherwise, at the place of the program that it comes from; true where it does.
-bool complain(Session& s, const compare::Result& result, const Session& run) {
-    bool done_otherwise = false;
-    for (const compare::Difference& difference : result.first) {
-        const bool done = compare::is_done(difference.aspect);
-        done_otherwise = done_otherwise || done;
-        base::Diagnostic d;
-        d.severity = done ? base::Severity::error : base::Severity::note;
-        d.code = done ? codes::runs_otherwise : codes::written_by_moves;
-        if (difference.in_a) d.where = *difference.in_a;
-        if (difference.in_a) d.stack = s.stacks.sites(difference.stack_a);
-        const std::string line =
-            difference.in_b ? "line " + std::to_string(run.sources.position(*difference.in_b).line) + ": " : "";
-        d.text = line + std::string(compare::name_of(difference.aspect)) + " first differs at move " +
-                 std::to_string(difference.move) + ": " + difference.what;
-        s.diagnostics.add(std::move(d));
-    }
-    return done_otherwise;
-}
-
-/// A control would stop at something, or a run found something else that is wrong, besides what is not written.
-bool has_findings(const Session& s) {
-    return std::any_of(s.diagnostics.all().begin(), s.diagnostics.all().end(), [](const base::Diagnostic& d) {
-        return base::kind_of(d.code) == base::CodeKind::finding && d.code != codes::not_written;
-    });
-}
-
-/// What the program says of its tools without setting it on a control holds for what was written from it, too.
-void take_described_tools(const Session& of, shop::Job& job) {
-    if (!of.main->traits->definitions_describe) return;
-    base::Diagnostics said_of_the_program;
-    for (shop::Tool& tool : program_tools(*of.main, job.tools, said_of_the_program))
-        job.tools.push_back(std::move(tool));
-}
-
-/// The request for what was written from a program.
-Request request_of(const Translated& translated, const write::Post& post, Request request, const Session& of,
-                   const OwnValues& values) {
-    request.text = translated.text;
-    request.set = values.set;
-    request.given = values.given;
-    request.control = post.control;
-    std::shared_ptr<const Storage> storage = of.storage;
-    if (!translated.files.empty()) {
-        auto files = std::make_shared<Memory>(storage);
-        for (const WrittenFile& file : translated.files)
-            files->put(fs::path(of.program).parent_path() / file.name, file.text);
-        storage = std::move(files);
-    }
-    request.folders = std::make_shared<Folders>(std::move(storage));  // those of the request belong to another thread
-    if (request.machine.empty() && of.job.machine.more_axes)          // nobody has named it
-        request.machine = of.job.machine.kind == shop::MachineKind::lathe ? "lathe-generic" : "mill-generic";
-    return request;
+    note_characters(out, post);
 }
 
 }  // namespace
 
-std::string_view name_of(Proof proof) {
-    return proof == Proof::same ? "equal" : proof == Proof::differs ? "differs" : "not compared";
+Translated write_program(Session& session, const write::Post& post, const TranslateOptions& options) {
+    if (post.is_canon) return translate_to_canon(session);
+    Translated out;
+    std::optional<write::Magazine> magazine;
+    if (post.magazine) magazine.emplace(*post.magazine);
+    write_stream(out, post, options, [&](cl::Sink sink) {
+        const interp::Outcome outcome = interpret(session, [&](const cl::Record& record) {
+            if (!post.staircase) out.does.take(magazine ? by_its_place(record, *magazine) : record);
+            sink(record);
+        });
+        out.ending = outcome.ending;
+    });
+    return out;
 }
 
-Proved prove(const Translated& translated, const write::Post& post, Request request, Session& s,
-             const compare::Tolerance& tolerance, const OwnValues& values) {
-    Proved out;
-    out.why_not = "the post names no control that can be read";
-    if (find_control(post.control) == nullptr) return out;
-    out.run = std::make_unique<Session>();
-    out.why_not = "what was written could not be run";
-    const bool guessed = request.machine.empty() && s.job.machine.more_axes;
-    if (!open(request_of(translated, post, std::move(request), s, values), *out.run)) return out;
-    out.why_not.clear();
-    take_described_tools(s, out.run->job);
-    if (guessed) out.run->job.machine.more_axes = true;  // as of the program: nobody has said which it has
-    const compare::Result result = compare_with(translated.does, *out.run, tolerance);
-    out.moves = result.moves_b;
-    out.within = tolerance.length;
-    if (post.staircase && post.staircase->units > 0) out.within = std::max(out.within, 0.5 / post.staircase->units);
-    const bool stops = has_findings(*out.run) && !has_findings(s), unknown = exit_code_of_run(*out.run) == 3;
-    out.run_complains = stops || (unknown && exit_code_of_run(s) != 3);
-    out.differs = complain(s, result, *out.run) || stops;
-    out.proof = unknown ? Proof::not_compared : out.differs ? Proof::differs : Proof::same;
+Translated write_again(Translated&& first, const write::Post& post, const TranslateOptions& options) {
+    Translated out;
+    out.ending = first.ending;
+    out.does = std::move(first.does);
+    write_stream(out, post, options, [&](cl::Sink sink) {
+        cl::Recording::Playback stream(out.does);
+        while (stream.step(sink)) {
+        }
+    });
     return out;
+}
+
+void tell(Session& session, Translated& translated) {
+    for (const Ledger::Entry& entry : translated.ledger.entries())
+        if (entry.note.fate != write::Fate::mapped) session.diagnostics.add(complaint_of(entry.note, session));
+    add_not_understood(translated.ledger, session, translated.ending);
 }
 
 }  // namespace obrys::driver

@@ -24,6 +24,14 @@ namespace obrys::driver {
 /// Its text among the session's sources; as above.
 [[nodiscard]] std::optional<std::uint32_t> load_post(const std::string& name, Session& session);
 
+/// By which of the post's forms a cycle is written.
+struct UsedForm {
+    std::size_t record = 0;  ///< of the stream, counted from 1
+    cl::CycleKind kind = cl::CycleKind::drill;
+    std::optional<std::size_t> form{};  ///< among those of the kind; nothing: by a function of the post
+    [[nodiscard]] bool is_same(const UsedForm& other) const { return kind == other.kind && form == other.form; }
+};
+
 /// What was written, and what it was written from.
 struct Translated {
     std::string text;
@@ -33,14 +41,20 @@ struct Translated {
     write::Tape tape = write::Tape::none;  ///< in whose code it is to be delivered
     std::string tools{};                   ///< with their places in the magazine and their offsets, for people
     std::string stairs{};                  ///< what has become of slopes and arcs, for people; empty: nothing
+    std::vector<UsedForm> forms{};         ///< of cycles, where another one than before is used
+    interp::Ending ending = interp::Ending::regular;  ///< of the program
 };
 
 struct TranslateOptions {
     std::string name;    ///< of the program, in its head
     bool files = false;  ///< subprograms may stand in files of their own, where the post has such
 };
-/// Runs the main program and writes it. What is expanded or lost is added to the session's diagnostics.
-[[nodiscard]] Translated translate(Session& session, const write::Post& post, const TranslateOptions& options);
+/// Runs the main program and writes it.
+[[nodiscard]] Translated write_program(Session& session, const write::Post& post, const TranslateOptions& options);
+/// Writes what a program does once more, by another post.
+[[nodiscard]] Translated write_again(Translated&& first, const write::Post& post, const TranslateOptions& options);
+/// Adds what is expanded or lost to the session's diagnostics, and what was not understood to the ledger. Once.
+void tell(Session& session, Translated& translated);
 
 /// What the writer says, at its place in the program.
 [[nodiscard]] base::Diagnostic complaint_of(const write::Note& note, const Session& session);
@@ -69,9 +83,24 @@ struct Proved {
     std::string why_not;    ///< it was not compared at all; empty: it was
     std::unique_ptr<Session> run;  ///< null: its control is none that can be read
     bool run_complains = false;    ///< what it complains about is news
+    compare::Result compared{};    ///< with the program
 };
+/// Without a word to the session, which is that of the program, as `request` is.
+[[nodiscard]] Proved hold_against(const Translated& translated, const write::Post& post, Request request,
+                                  const Session& session, const compare::Tolerance& tolerance,
+                                  const OwnValues& values = {});
 /// `request` and `session` are those of the program; how it runs otherwise is added to the session's diagnostics.
 [[nodiscard]] Proved prove(const Translated& translated, const write::Post& post, Request request, Session& session,
                            const compare::Tolerance& tolerance, const OwnValues& values = {});
+
+struct Settled {
+    Translated translated;
+    Proved proved;
+};
+/// Runs the main program, writes it and proves it. A cycle of the target's control that runs otherwise than the
+/// program's (other ways back, another machine's parameters) is left out, and all that it was for is written by the
+/// post's next form or by its moves. What is expanded, lost or otherwise is added to the session's diagnostics.
+[[nodiscard]] Settled translate(Session& session, const write::Post& post, const Request& request,
+                                const TranslateOptions& options, const compare::Tolerance& tolerance);
 
 }  // namespace obrys::driver

@@ -14,10 +14,9 @@ Translated translate(const Image& image, const std::string& post_name, double to
     if (const auto post = driver::find_post(post_name, *session)) {
         driver::TranslateOptions options;
         options.name = driver::fs::path(session->program).stem().string();
-        driver::Translated written = driver::translate(*session, *post, options);
         compare::Tolerance within;
         within.length = tolerance;
-        const driver::Proved proved = driver::prove(written, *post, image.inside().request(), *session, within);
+        auto [written, proved] = driver::translate(*session, *post, image.inside().request(), options, within);
         out.proof = static_cast<Proof>(proved.proof);
         if (driver::exit_code_of_run(*session) == 3) out.proof = Proof::not_compared;
         const auto& said = session->diagnostics.all();

@@ -112,6 +112,7 @@ constexpr std::array<CommandName, static_cast<std::size_t>(Command::count)> comm
     {Command::off_arc_and_line, "lead", "off-arc-and-line", "lead.off-arc-and-line"},
     {Command::cycle_begin, "cycles", "begin", "cycles.begin"},
     {Command::cycle_end, "cycles", "end", "cycles.end"},
+    {Command::cycle_again, "cycles", "again", "cycles.again"},
     {Command::shift, "frame", "shift", "frame.shift"},
     {Command::shift_off, "frame", "shift-off", "frame.shift-off"},
     {Command::rotation, "frame", "rotation", "frame.rotation"},

@@ -113,6 +113,7 @@ enum class Command : std::uint8_t {
     off_arc_and_line,
     cycle_begin,
     cycle_end,
+    cycle_again,  ///< at a further place, where nothing else differs
     shift,
     shift_off,
     rotation,

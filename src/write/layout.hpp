@@ -14,12 +14,19 @@
 
 namespace obrys::write {
 
+/// The form of the post by which a cycle is written; null: a function of the post has said it.
+struct FoldedBy {
+    cl::CycleKind kind = cl::CycleKind::drill;
+    const CycleForm* form = nullptr;
+};
+
 struct Output {
     std::function<void(std::string_view)> text;
     std::function<void(Note)> note;
     /// A further file, whole, for posts that have subprograms in files of their own; null: all is to be in one text.
     std::function<void(const std::string& name, std::string_view text)> file{};
     std::function<void(const cl::Record&)> run{};  ///< what is written, where that is not what was taken (staircases)
+    std::function<void(const FoldedBy&)> folded{};  ///< the cycle that was taken last is written as one of the control
 };
 
 class Layout {

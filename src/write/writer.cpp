@@ -16,6 +16,7 @@ Writer::Writer(const Post& post, std::string name, Output output)
         HookFault fault;  // read_post has tried it out
         hooks_ = load_hooks(post_.lua->text, post_.named_styles(), fault);
     }
+    folded_ = std::move(output.folded);
     if (post_.magazine) magazine_.emplace(*post_.magazine);
     if (post_.staircase) begin_stairs(std::move(output.run));
     values_.set(Text::name, name_);

@@ -20,6 +20,8 @@
 
 namespace obrys::write {
 
+struct HoleWay;
+
 class Writer {
 public:
     /// `name` of the program, as its head says it. `post` outlives the writer.
@@ -185,7 +187,9 @@ private:
     [[nodiscard]] double level_of_series(bool over) const;
     [[nodiscard]] bool gets_there(const CycleForm& form, const cl::Cycle& cycle, double level) const;
     [[nodiscard]] bool fold(const cl::CycleBegin& begin);
-    void set_values(const cl::Cycle& cycle, const geom::Vec3& at);
+    [[nodiscard]] bool fold_as(const cl::CycleBegin& begin, const HoleWay& way);
+    [[nodiscard]] bool is_again(const Template& call, const Parts& parts);
+    void set_values(const HoleWay& way, const geom::Vec3& at);
 
     void print_lead();
     void clean(std::string& text) const;
@@ -207,8 +211,9 @@ private:
     bool offsets_wait_ = false;           ///< none of them has been said since the tool was called
     bool without_tool_noted_ = false;
     std::optional<Staircase> stairs_;  ///< before all else, where the control moves one axis at a time
-    std::unique_ptr<Hooks> hooks_;     ///< null: the post has none
-    Template said_;                    ///< by one of them
+    std::function<void(const FoldedBy&)> folded_;
+    std::unique_ptr<Hooks> hooks_;  ///< null: the post has none
+    Template said_;                 ///< by one of them
     Values values_;
     motion::Cursor cursor_;
     const cl::Record* now_ = nullptr;
@@ -232,6 +237,7 @@ private:
     Frames frames_;
     std::optional<cl::Frame> frames_refused_;  ///< that the post cannot say
     std::string defined_;                      ///< cycle in force, as printed
+    std::string called_;                       ///< the last cycle without its place
     bool in_cycles_ = false;
     double series_level_ = 0;  ///< Z, as programmed, where the series of cycles in force has begun
 

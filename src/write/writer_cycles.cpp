@@ -1,6 +1,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "write/same_hole.hpp"
 #include "write/writer.hpp"
 
 namespace obrys::write {
@@ -77,7 +78,8 @@ const CycleForm* Writer::cycle_form(const cl::Cycle& cycle) const {
     return nullptr;
 }
 
-void Writer::set_values(const cl::Cycle& cycle, const geom::Vec3& at) {
+void Writer::set_values(const HoleWay& way, const geom::Vec3& at) {
+    const cl::Cycle& cycle = way.cycle;
     values_.clear();
     if (!std::isnan(at.x)) values_.set(Value::x, at.x);
     if (!std::isnan(at.y)) values_.set(Value::y, at.y);
@@ -91,6 +93,7 @@ void Writer::set_values(const cl::Cycle& cycle, const geom::Vec3& at) {
         if (const auto bottom = height(cycle, cl::CycleRole::bottom)) values_.set(Value::hole_way, top - *bottom);
     }
     if (s.feed.value != 0) values_.set(Value::feed, s.feed.value);
+    if (way.feed) values_.set(Value::feed, *way.feed);
     if (s.spindle.speed > 0) values_.set(Value::speed, s.spindle.speed);
 }
 
@@ -115,18 +118,39 @@ bool Writer::gets_there(const CycleForm& form, const cl::Cycle& cycle, double le
     return std::abs(level - *end) <= same || (retract && *end <= *retract && level <= *retract + same);
 }
 
-/// Writes the bracket as a cycle of the control; false, and nothing is written, where it has none that says it all.
+/// Writes the bracket as a cycle of the control, its own or one that makes the same hole; false, and nothing is
+/// written, where it has none that says it all.
 bool Writer::fold(const cl::CycleBegin& begin) {
-    const cl::Cycle& cycle = *begin.cycle;
+    if (cursor_.state().compensation) return false;
+    if (fold_as(begin, {*begin.cycle})) return true;
+    const std::vector<HoleWay> others = same_hole(*begin.cycle, cursor_.state());
+    return std::any_of(others.begin(), others.end(), [&](const HoleWay& way) { return fold_as(begin, way); });
+}
+
+/// Nothing but the place differs from the last cycle of the series; what there is besides is remembered.
+bool Writer::is_again(const Template& call, const Parts& parts) {
+    if (!post_.has(Command::cycle_again)) return false;
+    Values elsewhere = values_;
+    elsewhere.drop(Value::x);
+    elsewhere.drop(Value::y);
+    std::string all;
+    for (const Block& block : call) all += printer_.whole(block, elsewhere, parts).value_or("") + "\n";
+    const bool same = in_cycles_ && all == called_;
+    called_ = std::move(all);
+    return same;
+}
+
+bool Writer::fold_as(const cl::CycleBegin& begin, const HoleWay& way) {
+    const cl::Cycle& cycle = way.cycle;
     const CycleForm* form = cycle_form(cycle);
     const bool hooked = hooks_ != nullptr && post_.hooked_cycles.count(cycle.kind) != 0;
-    if ((form == nullptr && !hooked) || cursor_.state().compensation) return false;
+    if (form == nullptr && !hooked) return false;
     write_state();
     const auto normal = plane_of(frames_.into() * cycle.plane);
     if (!normal || normal->z != 1) return false;  // forms of cycles say heights along Z
     const geom::Vec3 at = frames_.programmed(begin.place);
     // Nothing is written, and no move left out, before all of it can be said.
-    set_values(cycle, at);
+    set_values(way, at);
     CycleForm said;
     if (hooked && !ask_cycle(cycle, said)) return false;
     if (!said.call.empty()) form = &said;
@@ -149,18 +173,21 @@ bool Writer::fold(const cl::CycleBegin& begin) {
         flush_held();
     write_all();
     select_plane(*normal);
-    set_values(cycle, at);
+    set_values(way, at);
     std::string defined;
     for (const Block& block : form->define) defined += printer_.whole(block, values_).value_or("") + "\n";
     begin_cycles(defined);
-    set_values(cycle, at);  // the begin of a series has values of its own
+    set_values(way, at);  // the begin of a series has values of its own
     if (defined != defined_ && printer_.print(form->define, values_) == Printed::failed) return false;
     defined_ = defined;
     const std::uint64_t line = layout_.next();
-    const Parts parts = parts_of(false, nullptr);
-    if (printer_.print(form->call, values_, parts, false, form == &said) == Printed::failed) return false;
+    Parts parts = parts_of(false, nullptr);
+    if (way.feed) parts.feed = &post_[Command::feed_per_minute], values_.set(Value::feed, *way.feed);
+    const Template& call = is_again(form->call, parts) && form != &said ? post_[Command::cycle_again] : form->call;
+    if (printer_.print(call, values_, parts, false, form == &said) == Printed::failed) return false;
     if (form == &said) printer_.forget_words_of(said.call);
-    note(Fate::mapped, name_of_cycle(cycle), line);
+    note(Fate::mapped, name_of_cycle(*begin.cycle), line);
+    if (folded_) folded_({cycle.kind, form == &said ? nullptr : form});
     in_cycles_ = post_.has(Command::cycle_end);
     series_level_ = level;
     return true;

@@ -16,18 +16,15 @@ namespace {
 /// "PART" of "subs/PART.MPF".
 std::string program_name(const std::string& path) { return driver::fs::path(path).stem().string(); }
 
-/// Runs again what was written, and says how that went.
-driver::Proved proved(driver::Session& s, const driver::Translated& t, const write::Post& post, const Arguments& a) {
-    compare::Tolerance tolerance;
-    tolerance.length = a.same_place;
-    driver::Proved proved = driver::prove(t, post, with_outputs(a), s, tolerance);
+/// How it went, for people.
+void print(const driver::Settled& settled, const write::Post& post) {
+    const auto& [t, proved] = settled;
     if (!proved.why_not.empty()) std::fprintf(stderr, "not compared: %s\n", proved.why_not.c_str());
     if (proved.run != nullptr && (proved.run_complains || !proved.why_not.empty()))
         print_diagnostics(*proved.run, base::Severity::warning);
     if (proved.why_not.empty())
         std::fprintf(stderr, "%s%s: %zu moves, run again as %s, within %g mm\n", verdict_of(proved),
                      t.stairs.empty() ? "" : " as the staircases", proved.moves, post.control.c_str(), proved.within);
-    return proved;
 }
 
 report::Ledger ledger_of(const driver::Session& s, const driver::Translated& t, const write::Post& post,
@@ -44,10 +41,14 @@ report::Ledger ledger_of(const driver::Session& s, const driver::Translated& t, 
 
 int translate_by_motion(driver::Session& s, const write::Post& post, const Arguments& a, const std::string& name) {
     const Target target = target_of(a, name, post);
-    const driver::Translated t = driver::translate(s, post, {name, target.folder});
+    compare::Tolerance tolerance;
+    tolerance.length = a.same_place;
+    const driver::Settled settled = driver::translate(s, post, with_outputs(a), {name, target.folder}, tolerance);
+    const driver::Translated& t = settled.translated;
+    const driver::Proved& proof = settled.proved;
     std::fputs(t.tools.c_str(), stderr);
     if (!t.stairs.empty()) std::fprintf(stderr, "%s\n", t.stairs.c_str());
-    const driver::Proved proof = proved(s, t, post, a);
+    print(settled, post);
     print_diagnostics(s);
     const int run = driver::exit_code_of_run(s);
     const bool lost = t.ledger.has_lost() || proof.differs, refused = lost && !a.accept_loss;

@@ -1,0 +1,183 @@
+/// What was written, run again and held against the program.
+
+#include <algorithm>
+
+#include "base/codes.hpp"
+#include "driver/compare_programs.hpp"
+#include "driver/control.hpp"
+#include "driver/program_tools.hpp"
+#include "driver/translate.hpp"
+
+namespace obrys::driver {
+
+namespace codes = base::codes;
+
+namespace {
+
+/// What the written program does otherwise, at the place of the program that it comes from.
+void complain_of(Session& s, const compare::Result& result, const Session& run) {
+    for (const compare::Difference& difference : result.first) {
+        const bool done = compare::is_done(difference.aspect);
+        base::Diagnostic d;
+        d.severity = done ? base::Severity::error : base::Severity::note;
+        d.code = done ? codes::runs_otherwise : codes::written_by_moves;
+        if (difference.in_a) d.where = *difference.in_a;
+        if (difference.in_a) d.stack = s.stacks.sites(difference.stack_a);
+        const std::string line =
+            difference.in_b ? "line " + std::to_string(run.sources.position(*difference.in_b).line) + ": " : "";
+        d.text = line + std::string(compare::name_of(difference.aspect)) + " first differs at move " +
+                 std::to_string(difference.move) + ": " + difference.what;
+        s.diagnostics.add(std::move(d));
+    }
+}
+
+bool runs_otherwise(const compare::Result& result) {
+    return std::any_of(result.first.begin(), result.first.end(),
+                       [](const compare::Difference& d) { return compare::is_done(d.aspect); });
+}
+
+/// A control would stop at something, or a run found something else that is wrong, besides what is not written.
+bool has_findings(const Session& s) {
+    return std::any_of(s.diagnostics.all().begin(), s.diagnostics.all().end(), [](const base::Diagnostic& d) {
+        return base::kind_of(d.code) == base::CodeKind::finding && d.code != codes::not_written;
+    });
+}
+
+/// What the program says of its tools without setting it on a control holds for what was written from it, too.
+void take_described_tools(const Session& of, shop::Job& job) {
+    if (!of.main->traits->definitions_describe) return;
+    base::Diagnostics said_of_the_program;
+    for (shop::Tool& tool : program_tools(*of.main, job.tools, said_of_the_program))
+        job.tools.push_back(std::move(tool));
+}
+
+/// The request for what was written from a program.
+Request request_of(const Translated& translated, const write::Post& post, Request request, const Session& of,
+                   const OwnValues& values) {
+    request.text = translated.text;
+    request.set = values.set;
+    request.given = values.given;
+    request.control = post.control;
+    std::shared_ptr<const Storage> storage = of.storage;
+    if (!translated.files.empty()) {
+        auto files = std::make_shared<Memory>(storage);
+        for (const WrittenFile& file : translated.files)
+            files->put(fs::path(of.program).parent_path() / file.name, file.text);
+        storage = std::move(files);
+    }
+    request.folders = std::make_shared<Folders>(std::move(storage));  // those of the request belong to another thread
+    if (request.machine.empty() && of.job.machine.more_axes)          // nobody has named it
+        request.machine = of.job.machine.kind == shop::MachineKind::lathe ? "lathe-generic" : "mill-generic";
+    return request;
+}
+
+}  // namespace
+
+std::string_view name_of(Proof proof) {
+    return proof == Proof::same ? "equal" : proof == Proof::differs ? "differs" : "not compared";
+}
+
+Proved hold_against(const Translated& translated, const write::Post& post, Request request, const Session& s,
+                    const compare::Tolerance& tolerance, const OwnValues& values) {
+    Proved out;
+    out.why_not = "the post names no control that can be read";
+    if (find_control(post.control) == nullptr) return out;
+    out.run = std::make_unique<Session>();
+    out.why_not = "what was written could not be run";
+    const bool guessed = request.machine.empty() && s.job.machine.more_axes;
+    if (!open(request_of(translated, post, std::move(request), s, values), *out.run)) return out;
+    out.why_not.clear();
+    take_described_tools(s, out.run->job);
+    if (guessed) out.run->job.machine.more_axes = true;  // as of the program: nobody has said which it has
+    out.compared = compare_with(translated.does, *out.run, tolerance);
+    out.moves = out.compared.moves_b;
+    out.within = tolerance.length;
+    if (post.staircase && post.staircase->units > 0) out.within = std::max(out.within, 0.5 / post.staircase->units);
+    const bool stops = has_findings(*out.run) && !has_findings(s), unknown = exit_code_of_run(*out.run) == 3;
+    out.run_complains = stops || (unknown && exit_code_of_run(s) != 3);
+    out.differs = runs_otherwise(out.compared) || stops;
+    out.proof = unknown ? Proof::not_compared : out.differs ? Proof::differs : Proof::same;
+    return out;
+}
+
+namespace {
+
+/// The move of the program from which on what was written does something else; nothing: it does the same, or that is
+/// not known.
+std::optional<std::size_t> differs_at(const Proved& proved) {
+    std::optional<std::size_t> out;
+    for (const compare::Difference& d : proved.compared.first)
+        if (compare::is_done(d.aspect) && (!out || d.move < *out)) out = d.move;
+    return out;
+}
+
+/// How many records of a stream lie before and in its move of that number, as moves are compared.
+std::size_t records_to(std::size_t move, const cl::Recording& stream, double same_place) {
+    compare::Path path(same_place);
+    cl::Recording::Playback playback(stream);
+    std::size_t records = 0;
+    while (path.moves.size() <= move && playback.step([&](const cl::Record& record) { path.take(record); })) {
+        ++records;
+        path.forget(path.moves.size() - std::min<std::size_t>(path.moves.size(), 1), path.events.size(),
+                    path.cycles.size(), path.contours.size());
+    }
+    return records;
+}
+
+/// The form by which the last cycle before a move was written.
+const UsedForm* form_before(const Translated& t, std::size_t move, double same_place) {
+    const std::size_t records = records_to(move, t.does, same_place);
+    const UsedForm* last = nullptr;
+    for (const UsedForm& form : t.forms)
+        if (form.record <= records) last = &form;
+    return last;
+}
+
+/// The post without that form: such cycles are written by the next form that says them, or by their moves.
+void leave_out(write::Post& post, const UsedForm& form) {
+    if (!form.form) {
+        post.hooked_cycles.erase(form.kind);
+        return;
+    }
+    std::vector<write::CycleForm>& forms = post.cycles.at(form.kind);
+    forms.erase(forms.begin() + static_cast<std::ptrdiff_t>(*form.form));
+}
+
+}  // namespace
+
+Settled translate(Session& session, const write::Post& post, const Request& request, const TranslateOptions& options,
+                  const compare::Tolerance& tolerance) {
+    constexpr int most_attempts = 16;
+    Settled out{write_program(session, post, options), {}};
+    out.proved = hold_against(out.translated, post, request, session, tolerance);
+    const bool once = post.staircase || post.magazine;  // what is compared is not what was taken
+    const auto by = [&](const write::Post& other) {
+        out.translated = write_again(std::move(out.translated), other, options);
+        out.proved = hold_against(out.translated, other, request, session, tolerance);
+    };
+    write::Post less = post;
+    for (int attempt = 0; attempt < most_attempts && !once; ++attempt) {
+        const std::optional<std::size_t> at = differs_at(out.proved);
+        const UsedForm* form = at ? form_before(out.translated, *at, tolerance.length) : nullptr;
+        if (form == nullptr) break;
+        const write::Post before = less;
+        leave_out(less, *form);
+        by(less);
+        const std::optional<std::size_t> now = differs_at(out.proved);
+        if (!now || *now > *at) continue;
+        by(before);  // it is something else that differs
+        break;
+    }
+    tell(session, out.translated);
+    if (out.proved.run != nullptr) complain_of(session, out.proved.compared, *out.proved.run);
+    return out;
+}
+
+Proved prove(const Translated& translated, const write::Post& post, Request request, Session& s,
+             const compare::Tolerance& tolerance, const OwnValues& values) {
+    Proved out = hold_against(translated, post, std::move(request), s, tolerance, values);
+    if (out.run != nullptr) complain_of(s, out.compared, *out.run);
+    return out;
+}
+
+}  // namespace obrys::driver

@@ -1,0 +1,258 @@
+#include "write/same_hole.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <initializer_list>
+
+namespace obrys::write {
+
+namespace {
+
+using cl::CycleKind;
+using Role = cl::CycleRole;
+
+constexpr double same = 1e-9;  // mm
+
+enum class Way : std::uint8_t { drill, peck, chip_break, feed_out, tap_floating, tap_rigid };
+
+/// A hole, whoever says it.
+struct Hole {
+    Way way = Way::drill;
+    std::optional<double> surface;
+    double top = 0;     ///< where feed begins
+    double bottom = 0;  ///< where it ends
+    double end = 0;     ///< where the tool stands behind it
+    double infeed = 0;
+    double gap = 0;        ///< above the last infeed, where the next begins; the way back where chips are broken
+    double dwell = 0;      ///< at the bottom, s
+    double feed = 0;       ///< mm/min
+    double pitch = 0;      ///< of a thread
+    double direction = 0;  ///< of the spindle where a tap goes in: 1 clockwise, -1 counter-clockwise
+};
+
+/// The values of a cycle, each asked for once: what nobody has asked for is what this file does not understand.
+class Asked {
+public:
+    explicit Asked(const cl::Cycle& cycle) : left_(cycle.values) {}
+    std::optional<double> find(Role role) {
+        const auto it = std::find_if(left_.begin(), left_.end(), [&](const auto& v) { return v.role == role; });
+        if (it == left_.end()) return std::nullopt;
+        const double value = it->value;
+        left_.erase(it);
+        known_ = known_ && !std::isnan(value);
+        return value;
+    }
+    double or_0(Role role) { return find(role).value_or(0); }
+    double needed(Role role) {
+        const auto value = find(role);
+        known_ = known_ && value.has_value();
+        return value.value_or(NAN);
+    }
+    /// What makes no difference to the hole.
+    void pass(std::initializer_list<Role> roles) {
+        for (const Role role : roles) static_cast<void>(find(role));
+    }
+    /// As this file knows it, or it is another hole.
+    void expect(bool holds) { known_ = known_ && holds; }
+    [[nodiscard]] bool all_known() const { return known_ && left_.empty(); }
+
+private:
+    std::vector<cl::CycleValue> left_;
+    bool known_ = true;
+};
+
+std::optional<Way> way_of(CycleKind kind) {
+    switch (kind) {
+        case CycleKind::canned_drill:
+        case CycleKind::drill: return Way::drill;
+        case CycleKind::canned_peck: return Way::peck;
+        case CycleKind::canned_chip_break: return Way::chip_break;
+        case CycleKind::canned_bore_feed:
+        case CycleKind::ream: return Way::feed_out;
+        case CycleKind::canned_tap_floating:
+        case CycleKind::tap_floating: return Way::tap_floating;
+        case CycleKind::canned_tap_rigid:
+        case CycleKind::tap_rigid: return Way::tap_rigid;
+        case CycleKind::universal_drill:
+        case CycleKind::universal_peck: return Way::peck;  // looked at more closely
+        default: return std::nullopt;
+    }
+}
+
+bool is_canned(CycleKind kind) { return kind >= CycleKind::canned_drill && kind <= CycleKind::canned_bore_manual; }
+
+/// By a retract plane and a bottom; the feed is that in force.
+std::optional<Hole> of_canned(const cl::Cycle& cycle, Way way, const motion::State& state) {
+    Asked asked(cycle);
+    Hole h;
+    h.way = way;
+    h.surface = asked.find(Role::surface);
+    h.top = asked.needed(Role::retract_plane);
+    h.bottom = asked.needed(Role::bottom);
+    h.end = asked.find(Role::return_level).value_or(h.top);
+    h.dwell = asked.or_0(Role::dwell_bottom);
+    if (way == Way::peck || way == Way::chip_break) h.infeed = asked.needed(Role::infeed);
+    if (way == Way::peck) h.gap = asked.needed(Role::stop_distance_first);
+    if (way == Way::chip_break) h.gap = asked.needed(Role::chip_break_distance);
+    if (way == Way::tap_floating || way == Way::tap_rigid) h.direction = asked.needed(Role::spindle_direction);
+    if (way == Way::tap_rigid) h.pitch = asked.needed(Role::pitch);
+    asked.pass({Role::starts_spindle});
+    h.feed = state.feed.value;
+    const bool takes_feed = way != Way::tap_rigid;
+    asked.expect(!takes_feed || (state.feed.mode == cl::FeedMode::per_minute && h.feed > 0));
+    return asked.all_known() ? std::optional(h) : std::nullopt;
+}
+
+/// Infeeds of CYCL DEF 203 and 205: all in one, out to the clearance after each, or a little back.
+void take_infeeds(Hole& h, Asked& asked, CycleKind kind) {
+    const double way = -(h.bottom - h.top);
+    h.infeed = asked.needed(Role::infeed);
+    asked.expect(asked.or_0(Role::decrement) == 0);
+    asked.pass({Role::min_infeed});
+    const double back = asked.or_0(Role::chip_break_distance);
+    if (kind == CycleKind::universal_drill) {
+        const double breaks = asked.or_0(Role::breaks_before_retract);
+        asked.expect(breaks == 0 || breaks * h.infeed >= way);
+        h.way = breaks == 0 ? Way::peck : Way::chip_break;
+        h.gap = breaks == 0 ? h.top - h.surface.value_or(h.top) : back;
+        const double out = asked.or_0(Role::feed_retract);
+        asked.expect(out == 0 || std::isinf(out));
+        if (out == 0) h.way = Way::feed_out;
+    } else {
+        const double first = asked.or_0(Role::stop_distance_first), last = asked.or_0(Role::stop_distance_last);
+        const double breaks_at = asked.or_0(Role::chip_break_depth);
+        asked.expect(first == last && asked.or_0(Role::deepened_start) == 0);
+        asked.pass({Role::feed_position, Role::feed_retract});
+        h.way = breaks_at > 0 ? Way::chip_break : Way::peck;
+        h.gap = breaks_at > 0 ? back : first;
+        if (breaks_at > 0) {
+            asked.expect(h.infeed >= way);  // else both, in turn
+            h.infeed = breaks_at;
+        }
+    }
+}
+
+/// By a surface, a clearance and a depth; the feed is the cycle's own.
+std::optional<Hole> of_depths(const cl::Cycle& cycle, Way way, const motion::State& state) {
+    Asked asked(cycle);
+    Hole h;
+    h.way = way;
+    h.surface = asked.needed(Role::surface);
+    h.top = *h.surface + asked.needed(Role::clearance);
+    h.bottom = *h.surface + asked.needed(Role::depth);
+    h.end = std::max(h.top, *h.surface + asked.or_0(Role::second_clearance));
+    h.dwell = asked.or_0(Role::dwell_bottom);
+    asked.expect(asked.or_0(Role::depth_reference) == 0);
+    if (way == Way::tap_rigid)
+        h.pitch = asked.needed(Role::pitch);
+    else
+        h.feed = asked.needed(Role::feed_plunge);
+    asked.expect(way == Way::tap_rigid || (std::isfinite(h.feed) && h.feed > 0));
+    const bool universal = cycle.kind == CycleKind::universal_drill || cycle.kind == CycleKind::universal_peck;
+    if (cycle.kind == CycleKind::drill) h.infeed = asked.needed(Role::infeed);
+    if (cycle.kind == CycleKind::drill) h.way = Way::peck, h.gap = h.top - *h.surface;
+    if (universal) take_infeeds(h, asked, cycle.kind);
+    const double dwell_top = asked.or_0(Role::dwell_top);
+    const bool in_one = h.infeed >= *h.surface - h.bottom - same;
+    if ((h.way == Way::peck || h.way == Way::chip_break) && in_one) h.way = Way::drill;
+    asked.expect(h.way != Way::feed_out || !universal || in_one);
+    asked.expect(dwell_top == 0 || in_one);  // after each infeed
+    if (way == Way::feed_out) {
+        const double out = asked.or_0(Role::feed_retract);
+        asked.expect(out == 0 || out == h.feed);
+    }
+    h.direction = state.spindle.direction;
+    if (h.direction == 0 && way == Way::tap_rigid) h.direction = h.pitch < 0 ? -1 : 1;
+    h.pitch = std::abs(h.pitch);
+    return asked.all_known() ? std::optional(h) : std::nullopt;
+}
+
+HoleWay with(const cl::Cycle& from, CycleKind kind, std::vector<cl::CycleValue> values) {
+    HoleWay out{from};
+    out.cycle.kind = kind;
+    out.cycle.values = std::move(values);
+    return out;
+}
+
+CycleKind canned_kind(Way way) {
+    switch (way) {
+        case Way::drill: return CycleKind::canned_drill;
+        case Way::peck: return CycleKind::canned_peck;
+        case Way::chip_break: return CycleKind::canned_chip_break;
+        case Way::feed_out: return CycleKind::canned_bore_feed;
+        case Way::tap_floating: return CycleKind::canned_tap_floating;
+        default: return CycleKind::canned_tap_rigid;
+    }
+}
+
+HoleWay as_canned(const cl::Cycle& from, const Hole& h) {
+    HoleWay out = with(from, canned_kind(h.way), {{Role::retract_plane, h.top}, {Role::bottom, h.bottom}});
+    std::vector<cl::CycleValue>& values = out.cycle.values;
+    if (h.surface) values.push_back({Role::surface, *h.surface});
+    if (h.end > h.top + same) values.push_back({Role::return_level, h.end});
+    if (h.dwell > 0) values.push_back({Role::dwell_bottom, h.dwell});
+    if (h.way == Way::peck) values.insert(values.end(), {{Role::infeed, h.infeed}, {Role::stop_distance_first, h.gap}});
+    if (h.way == Way::chip_break)
+        values.insert(values.end(), {{Role::infeed, h.infeed}, {Role::chip_break_distance, h.gap}});
+    if (h.way == Way::tap_floating || h.way == Way::tap_rigid) values.push_back({Role::spindle_direction, h.direction});
+    if (h.way == Way::tap_rigid) values.push_back({Role::pitch, h.pitch});
+    if (h.way != Way::tap_rigid) out.feed = h.feed;
+    return out;
+}
+
+/// Where nobody says where the surface lies: at 0 where the tool comes from above and ends below, else 2 mm below the
+/// plane to which the tool comes at rapid.
+double surface_of(const Hole& h) {
+    if (h.surface && h.top > *h.surface + same && h.bottom < *h.surface - same) return *h.surface;
+    if (h.top > same && h.bottom < -same) return 0;
+    return h.top - std::min(2.0, (h.top - h.bottom) / 2);
+}
+
+std::vector<HoleWay> as_depths(const cl::Cycle& from, const Hole& h) {
+    const double surface = surface_of(h), depth = h.bottom - surface;
+    if (!(depth < 0)) return {};
+    const std::vector<cl::CycleValue> heights{{Role::clearance, h.top - surface},
+                                              {Role::depth, depth},
+                                              {Role::surface, surface},
+                                              {Role::second_clearance, h.end - surface}};
+    const auto cycle = [&](CycleKind kind, std::vector<cl::CycleValue> more) {
+        more.insert(more.begin(), heights.begin(), heights.end());
+        return with(from, kind, std::move(more));
+    };
+    const cl::CycleValue feed{Role::feed_plunge, h.feed}, dwell{Role::dwell_bottom, h.dwell};
+    switch (h.way) {
+        case Way::drill: return {cycle(CycleKind::drill, {feed, dwell, {Role::infeed, -depth}, {Role::dwell_top, 0}})};
+        case Way::feed_out: return {cycle(CycleKind::ream, {feed, dwell, {Role::feed_retract, 0}})};
+        case Way::tap_floating: return {cycle(CycleKind::tap_floating, {feed, dwell})};
+        case Way::tap_rigid:
+            if (h.dwell != 0) return {};
+            return {cycle(CycleKind::tap_rigid, {{Role::pitch, h.direction < 0 ? -h.pitch : h.pitch}})};
+        default: break;
+    }
+    // Out to the clearance after each infeed, or a little back: the first reaches less far below the surface than those
+    // of a control that counts from its retract plane, unless that lies in it.
+    const bool breaks = h.way == Way::chip_break;
+    return {cycle(CycleKind::universal_peck, {feed,
+                                              dwell,
+                                              {Role::infeed, breaks ? -depth : h.infeed},
+                                              {Role::decrement, 0},
+                                              {Role::min_infeed, 0},
+                                              {Role::stop_distance_first, h.gap},
+                                              {Role::stop_distance_last, h.gap},
+                                              {Role::chip_break_depth, breaks ? h.infeed : 0},
+                                              {Role::chip_break_distance, breaks ? h.gap : 0}})};
+}
+
+}  // namespace
+
+std::vector<HoleWay> same_hole(const cl::Cycle& cycle, const motion::State& state) {
+    const std::optional<Way> way = way_of(cycle.kind);
+    if (!way) return {};
+    const bool canned = is_canned(cycle.kind);
+    const std::optional<Hole> hole = canned ? of_canned(cycle, *way, state) : of_depths(cycle, *way, state);
+    if (!hole || !(hole->top > hole->bottom)) return {};
+    if (canned) return as_depths(cycle, *hole);
+    return {as_canned(cycle, *hole)};
+}
+
+}  // namespace obrys::write
