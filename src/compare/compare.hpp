@@ -44,6 +44,7 @@ struct Difference {
     Aspect aspect = Aspect::motion;
     std::string what;                      ///< "feed 200 mm/min, in B 150 mm/min"
     std::size_t move = 0;                  ///< of A
+    std::size_t move_b = 0;                ///< of B, where the motion differs
     std::optional<base::Span> in_a, in_b;  ///< none: the stream has ended
     cl::StackId stack_a = 0, stack_b = 0;
 };

@@ -87,8 +87,14 @@ void Walk::compare_piece() {
     rest_b ? b.pass_to(*rest_b) : b.pass();
 }
 
+void Walk::add_motion(Found& to, const Move* a, const Move* b, std::size_t at, std::string what) const {
+    if (to.has(Aspect::motion)) return;
+    to.add(Aspect::motion, a, b, at, std::move(what));
+    to.all.back().move_b = sides[1].number();
+}
+
 void Walk::differs(const Move& a, const Move& b, std::size_t at) {
-    found().add(Aspect::motion, &a, &b, at, with_axes(a) + "; in the other " + with_axes(b));
+    add_motion(found(), &a, &b, at, with_axes(a) + "; in the other " + with_axes(b));
     if (!differs_at_) differs_at_ = at;
 }
 
@@ -107,9 +113,9 @@ void Walk::pass_lone(std::size_t side) {
         lone_at_ = number();
         const Move* none = nullptr;
         if (side == 0)
-            lone_.add(Aspect::motion, &move, none, number(), with_axes(move) + ", which the other does not have");
+            add_motion(lone_, &move, none, number(), with_axes(move) + ", which the other does not have");
         else
-            lone_.add(Aspect::motion, none, &move, number(), "the other has " + with_axes(move) + ", too");
+            add_motion(lone_, none, &move, number(), "the other has " + with_axes(move) + ", too");
     }
     s.pass();
 }
@@ -132,7 +138,7 @@ void Walk::compare_holding(const Move& a, const Move& b) {
         to.add(length_aspect, &a, &b, number(), "compensation of the tool's length; in the other another one, or none");
     held(Aspect::datum, h.datum, k.datum);
     if (!to.has(Aspect::motion) && is_elsewhere(h.datum, k.datum, like))
-        to.add(Aspect::motion, &a, &b, number(), words(h.datum) + "; in the other " + words(k.datum));
+        add_motion(to, &a, &b, number(), words(h.datum) + "; in the other " + words(k.datum));
     held(Aspect::frame, h.frame, k.frame);
     held(Aspect::tolerance, h.tolerance, k.tolerance);
     if (h.path && k.path) held(Aspect::tolerance, *h.path, *k.path);

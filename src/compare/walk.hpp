@@ -53,6 +53,7 @@ struct Walk {
 private:
     void compare_piece();
     void compare_holding(const Move& a, const Move& b);
+    void add_motion(Found& to, const Move* a, const Move* b, std::size_t at, std::string what) const;
     void differs(const Move& a, const Move& b, std::size_t at);
     void pass_lone(std::size_t side);
     void pass_joined();

@@ -66,6 +66,18 @@ bool open_stream(const std::string& file, Session& session) {
     return load(*session.storage, file, session.sources, session.diagnostics).has_value();
 }
 
+bool run_anew(const Session& session, const Request& request, cl::Sink sink) {
+    Session own;
+    Request again = request;
+    again.prints_nowhere = true;  // it has been run before
+    const bool opened = session.main == nullptr ? open_stream(session.program, own) : open(again, own);
+    if (!opened) return false;
+    Records records(own, sink);
+    while (records.step()) {
+    }
+    return true;
+}
+
 compare::Result compare_sessions(Session& a, Session& b, compare::Tolerance tolerance) {
     using Side = compare::Comparison::Side;
     tolerance.same_control = !a.control.empty() && a.control == b.control;

@@ -16,6 +16,9 @@ namespace obrys::driver {
 /// read.
 bool open_stream(const std::string& file, Session& session);
 
+/// Runs the program or the stream of a session once more, in a session of its own; false where it cannot be opened.
+[[nodiscard]] bool run_anew(const Session& session, const Request& request, cl::Sink sink);
+
 /// Runs both step by step, so that memory does not grow with their moves. Sessions of programs or of streams, opened.
 [[nodiscard]] compare::Result compare_sessions(Session& a, Session& b, compare::Tolerance tolerance);
 /// The same of a stream that was kept and a session that is run.

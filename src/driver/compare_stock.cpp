@@ -214,7 +214,7 @@ void compare_machined(const Machined& a, const Machined& b, StockComparison& out
 
 }  // namespace
 
-StockComparison compare_stock(const StockSide& a, const StockSide& b, const compare::Result& moves, double same_place) {
+StockComparison compare_stock(const ComparedSide& a, const ComparedSide& b, const compare::Result& moves, double same_place) {
     StockComparison out;
     out.why = nothing_to_cut(a.session, "A");
     if (out.why.empty()) out.why = nothing_to_cut(b.session, "B");

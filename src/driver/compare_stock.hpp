@@ -40,12 +40,12 @@ struct StockComparison {
 };
 
 /// One of the two: opened for the comparison of its moves, and what it was opened with.
-struct StockSide {
+struct ComparedSide {
     const Session& session;
     const Request& request;
 };
 /// Runs both anew, each on its stock, but for where `moves`, compared within `same_place` mm, settle it.
-[[nodiscard]] StockComparison compare_stock(const StockSide& a, const StockSide& b, const compare::Result& moves,
+[[nodiscard]] StockComparison compare_stock(const ComparedSide& a, const ComparedSide& b, const compare::Result& moves,
                                             double same_place);
 
 }  // namespace obrys::driver

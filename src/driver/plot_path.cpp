@@ -85,7 +85,7 @@ void PathPlotter::operator()(const cl::Record& record) {
 
 /// The contour where the tool's path is another one.
 void PathPlotter::programmed(const cl::Programmed& element) {
-    if (element.rapid || plot_.contour.size() >= options_.keep_moves) return;
+    if (!shown_ || element.rapid || plot_.contour.size() >= options_.keep_moves) return;
     const geom::Vec3 by = cursor_.position().to_stock(), from = element.from, to = element.to;
     if (!geom::is_finite(from + by) || !geom::is_finite(to + by) || geom::length(from) + geom::length(to) > drawable)
         return;
@@ -100,7 +100,7 @@ void PathPlotter::programmed(const cl::Programmed& element) {
 
 /// True where the move is in the picture.
 bool PathPlotter::draw(const motion::Step& step) {
-    if (plot_.moves.size() + plot_.unplaced_moves >= options_.keep_moves) return false;
+    if (!shown_ || plot_.moves.size() + plot_.unplaced_moves >= options_.keep_moves) return false;
     report::PlotMove m;
     m.rapid = step.rapid;
     const geom::Vec3 by = step.to_stock, from = step.from, to = step.to;

@@ -23,6 +23,8 @@ public:
     PathPlotter(const PlotOptions& options, Rows rows);
 
     void operator()(const cl::Record& record);
+    /// Whether the moves that follow are in the picture; they are, until somebody says otherwise.
+    void show(bool shown) { shown_ = shown; }
     /// Program, control and machine are left for the caller to name.
     [[nodiscard]] report::PathPlot finish();
 
@@ -34,6 +36,7 @@ private:
 
     PlotOptions options_;
     Rows rows_;
+    bool shown_ = true;
     motion::Cursor cursor_;
     report::PathPlot plot_;
     report::Interpolation sums_;

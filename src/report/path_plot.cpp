@@ -26,9 +26,10 @@ geom::Vec2 xz(geom::Vec3 p) { return {p.x, p.z}; }
 /// Empty where no move has a place in this view.
 check::Box extent(const PathPlot& plot, View view) {
     check::Box box;
-    for (const PlotMove& m : plot.moves)
-        for (const geom::Vec3& p : m.points)
-            if (const geom::Vec2 v = view(p); std::isfinite(v.x + v.y)) box.add(v);
+    for (const std::vector<PlotMove>* moves : {&plot.moves, &plot.other})
+        for (const PlotMove& m : *moves)
+            for (const geom::Vec3& p : m.points)
+                if (const geom::Vec2 v = view(p); std::isfinite(v.x + v.y)) box.add(v);
     return box;
 }
 
@@ -57,6 +58,12 @@ std::string path(const char* cls, const std::string& data) {
     return data.empty() ? "" : std::string("<path class=\"") + cls + "\" d=\"" + data + "\"/>\n";
 }
 
+std::string parting_of(const PathPlot& plot, View view, const Projection& to) {
+    if (!plot.parting || !geom::is_finite(*plot.parting)) return {};
+    const geom::Vec2 at = to(view(*plot.parting));
+    return "<circle class=\"mark\" cx=\"" + number(at.x, 2) + "\" cy=\"" + number(at.y, 2) + "\" r=\"5\"/>\n";
+}
+
 std::string moves_of(const PathPlot& plot, View view, const Projection& to) {
     std::string rapid, feed;
     for (const PlotMove& m : plot.moves) {
@@ -64,13 +71,17 @@ std::string moves_of(const PathPlot& plot, View view, const Projection& to) {
         for (const geom::Vec3& p : m.points) points.push_back(view(p));
         append_chain(m.rapid ? rapid : feed, points, to);
     }
-    std::string contour;
-    for (const PlotMove& m : plot.contour) {
-        std::vector<geom::Vec2> points;
-        for (const geom::Vec3& p : m.points) points.push_back(view(p));
-        append_chain(contour, points, to);
-    }
-    return path("programmed", contour) + path("rapid", rapid) + path("feed", feed);
+    const auto all = [&](const std::vector<PlotMove>& moves) {
+        std::string data;
+        for (const PlotMove& m : moves) {
+            std::vector<geom::Vec2> points;
+            for (const geom::Vec3& p : m.points) points.push_back(view(p));
+            append_chain(data, points, to);
+        }
+        return data;
+    };
+    return path("other", all(plot.other)) + path("programmed", all(plot.contour)) + path("rapid", rapid) +
+           path("feed", feed) + parting_of(plot, view, to);
 }
 
 /// The room between the farthest steps of either side, `times` as wide as it is.
@@ -126,6 +137,8 @@ std::string legend(const PathPlot& plot, double times, double y) {
     entry("feed", "h28", "feed", 72);
     entry("rapid", "h28", "rapid", 76);
     if (!plot.contour.empty()) entry("programmed", "h28", "contour as programmed", 170);
+    if (plot.parting) entry("other", "h28", "the other program", 150);
+    if (plot.parting) entry("mark", "m14 0m-5 0a5 5 0 1 0 10 0a5 5 0 1 0 -10 0", "from here on they differ", 180);
     if (!plot.interpolation) return out;
     entry("band", "m0 -7h26v14h-26z",
           times > 1 ? "deviations, drawn " + base::fixed(times, 0) + " times as large" : "deviations, true to scale",
@@ -135,6 +148,9 @@ std::string legend(const PathPlot& plot, double times, double y) {
 }
 
 std::string heading(const PathPlot& plot) {
+    if (plot.parting)
+        return svg::text("title", svg::margin, 30, escaped(plot.program)) +
+               svg::text("small", svg::margin, 50, escaped(plot.difference));
     std::string first = without_folder(plot.program) + ": tool path, " + count_of(plot.all_moves, "move");
     std::string below = "control " + plot.control + ", machine " + plot.machine + ". All figures in mm";
     if (plot.plane == PlotPlane::zx) below += ", X is a radius";

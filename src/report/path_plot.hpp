@@ -52,6 +52,10 @@ struct PathPlot {
     std::string program, control, machine;
     std::vector<PlotMove> moves;    ///< the first ones; those whose place is not known are left out
     std::vector<PlotMove> contour;  ///< as programmed, where compensation, chamfers or roundings change it
+    /// The same part of another program, and where the two begin to differ; `program` then names both.
+    std::vector<PlotMove> other;
+    std::optional<geom::Vec3> parting;
+    std::string difference;  ///< what differs there
     std::uint64_t all_moves = 0, unplaced_moves = 0;
     double feed_length = 0, rapid_length = 0;  ///< mm
     std::optional<Interpolation> interpolation;

@@ -20,7 +20,7 @@ text{font-family:Helvetica,Arial,sans-serif;font-size:12px;fill:#111}
 .frame{fill:#fff;stroke:#444;stroke-width:1}.grid{stroke:#dcdcdc;stroke-width:.6}.tick{stroke:#444;stroke-width:1}
 .before{fill:#f6f1e4;stroke:#8a8a8a;stroke-width:1;stroke-dasharray:1.5 3}.after{fill:#c9d3dc;stroke:#4a5560;stroke-width:.9}
 .clamp{fill:#e2b9c2;stroke:#7a3040;stroke-width:1}.part{fill:none;stroke:#000;stroke-width:2}.allowance{fill:none;stroke:#000;stroke-width:1.1;stroke-dasharray:9 4}
-.programmed{fill:none;stroke:#7a7a7a;stroke-width:.7;stroke-dasharray:1.5 2}.feed{fill:none;stroke:#0a8f3c;stroke-width:.9}.rapid{fill:none;stroke:#d40000;stroke-width:.8;stroke-dasharray:5 3}
+.other{fill:none;stroke:#f0a000;stroke-width:3;stroke-opacity:.6}.programmed{fill:none;stroke:#7a7a7a;stroke-width:.7;stroke-dasharray:1.5 2}.feed{fill:none;stroke:#0a8f3c;stroke-width:.9}.rapid{fill:none;stroke:#d40000;stroke-width:.8;stroke-dasharray:5 3}
 .bad{fill:url(#hatch);stroke:#a00060;stroke-width:1.2}.centre{stroke:#333;stroke-width:1;stroke-dasharray:18 4 3 4}
 .band{fill:#7b3fb5;fill-opacity:.25;stroke:#5b2a8c;stroke-width:.6}.stairs{fill:none;stroke:#5b2a8c;stroke-width:1.3}.ideal{fill:none;stroke:#0a8f3c;stroke-width:1.3}
 .zoomed{fill:none;stroke:#555;stroke-width:1;stroke-dasharray:3 3}.leader{stroke:#a00060;stroke-width:1}.mark{fill:#fff;stroke:#a00060;stroke-width:1.8}.marktext{font-size:11px;font-weight:bold;text-anchor:middle;fill:#700040}

@@ -199,6 +199,7 @@ CLI::App* add_compare(CLI::App& app, Arguments& a) {
     add_request(*compare, a);
     compare->add_option("--format", a.format, "text or json")->check(only({"text", "json"}))->type_name("FORMAT");
     add_same_place(*compare, a);
+    compare->add_option("--svg", a.svg, "picture of both ways around the first move that differs")->type_name("FILE");
     compare->add_option("--job", a.job_file, "a job for both: each program in the place of its own")->type_name("FILE");
     compare
         ->add_option_function<std::string>(

@@ -11,6 +11,7 @@
 #include "compare_output.hpp"
 #include "driver/compare_programs.hpp"
 #include "driver/keep.hpp"
+#include "driver/plot_difference.hpp"
 #include "milled.hpp"
 #include "session.hpp"
 
@@ -65,6 +66,18 @@ void open_side(const Arguments& a, const std::string& input, Side& side) {
     if (!side.is_open) print_diagnostics(side.session, base::Severity::warning);
 }
 
+/// The picture, where one is asked for and something moves otherwise. False: it cannot be written.
+bool deliver_picture(const Arguments& a, const Compared& c, const driver::ComparedSide& first,
+                     const driver::ComparedSide& other) {
+    if (a.svg.empty()) return true;
+    const auto plot = driver::plot_difference(first, other, c.moves, a.same_place);
+    if (!plot) {
+        std::fputs("note: the motion does not differ: there is nothing to draw\n", stderr);
+        return true;
+    }
+    return deliver(a.svg, report::to_svg(*plot, c.a.sources));
+}
+
 bool does_the_same(const Compared& c) {
     return c.stock.verdict != driver::StockComparison::Verdict::differs &&
            std::none_of(c.moves.first.begin(), c.moves.first.end(),
@@ -90,6 +103,7 @@ int compare(const Arguments& arguments) {
     driver::OutputFile out(arguments.output);
     out.write(arguments.format == "json" ? compared_json(c) : compared_text(c));
     if (!deliver(arguments.output, out)) return 2;
+    if (!deliver_picture(arguments, c, {a.session, a.request}, {b.session, b.request})) return 2;
     // Of a run that an alarm has ended nothing behind it is compared.
     return code_a != 0 || code_b != 0 || c.stock.is_missed ? 3 : does_the_same(c) ? 0 : 1;
 }
